@@ -9,7 +9,7 @@
 #   make scan     millions of random arguments (minutes)                make points SEED=n   20 000 fresh table points
 #   make exhaustive   every float of a period (minutes)                 make data    write the reference tables anew
 #   make figures  draw docs/figures                                     make measurements    write docs/measurements.md
-#   make first-steps   ten short programs, docs/first-steps.md
+#   make first-steps   twelve short programs, docs/first-steps.md
 #   make wasm      an oscillator for the browser, build/wasm
 #   make sweep     a Monte-Carlo of break-ups over all cores          make firmware-table   flash, stack, instructions
 #   make firmware   a controller on an emulated Cortex-M4F           make scene-sizes    flash of scenes
@@ -22,6 +22,7 @@
 #   make install PREFIX=/usr/local   headers, pkg-config and CMake files     make amalgamation   build/amalgamation/varmass.h
 #   make law       docs/law.md, the law of order five, with its figures
 #   make toronto   the Toronto test set of initial value problems, docs/toronto.md
+#   make validation   published numbers of other programs and papers beside ours, docs/validation.md
 #   make clean    remove build/
 
 CC = cc
@@ -32,11 +33,11 @@ COMPILE = $(CC) -std=c99 $(CFLAGS)
 IN_BUILD = mkdir -p $(@D) && echo '*' >build/.gitignore
 
 HEADERS = jacobi.h ateb.h integrators.h varmass.h
-TESTS = jacobi elliptic_integrals ateb rk4 pairs adaptive dense events coincidences bodies jumps jumps2 relative inverse \
-    jump_equations torque_free streams flow flow1 flow2 drum drum_shaft lambert broken_rotor broken_rotor_stability \
+TESTS = jacobi elliptic_integrals ateb rk4 pairs adaptive dense events saved_runs coincidences attitude bodies jumps jumps2 relative inverse \
+    jump_equations torque_free streams flow flow1 flow2 supply orbit drum drum_shaft lambert broken_rotor broken_rotor_stability \
     lagrange lagrange_jump pendulum constant_mass laws averaging slow_motion closed_law collocation routes ladder duffing odd_force van_der_pol \
-    van_der_pol_law jeffcott pair forced diagnostics forces scene_bodies scene_effects scene_mass scene_streams scene_links scene_events scene_runs scenes \
-    dissertation hard refusals_numerics refusals_bodies refusals_streams refusals_oscillators refusals_slow \
+    van_der_pol_law jeffcott pair forced diagnostics forces scene_bodies scene_effects scene_mass scene_streams scene_links scene_joints scene_events scene_runs scenes \
+    dissertation validation hard refusals_numerics refusals_bodies refusals_streams refusals_oscillators refusals_slow \
     refusals_scenes null_pointers
 # Scripts of make test (tests/test_NAME.sh), and those of make test-all; some are in both, called with "quick" by make test
 SCRIPTS = headers readme documents errors parts golden errata install gsl hard_cases
@@ -53,7 +54,7 @@ RUN_TESTS = @rm -f $(1); $(MAKE) -s -k $(if $(findstring jobserver,$(MAKEFLAGS))
 TEST_FILES = build/command $(HEADERS) $(wildcard tests/*.h tests/data/*.h tests/hard/* examples/*.h examples/scenes/*.h)
 GSL_CHECK = echo '\#include <gsl/gsl_sf.h>' | $(CC) -E -
 
-.PHONY: headers part parts-table law duffing van-der-pol toronto test-events test-readme scaling wasm first-steps sweep firmware firmware-table test-cross install uninstall amalgamation run test test-all scan points exhaustive lint bench measurements figures data clean bench-quick bench-count cost scene-sizes test-fuzz evaluations test-threads coverage test-mutate test-sanitize proof
+.PHONY: headers part parts-table law duffing van-der-pol toronto validation test-events test-readme scaling wasm first-steps sweep firmware firmware-table test-cross install uninstall amalgamation run test test-all scan points exhaustive lint bench measurements figures data clean bench-quick bench-count cost scene-sizes test-fuzz evaluations test-threads coverage test-mutate test-sanitize proof
 
 headers:
 	@mkdir -p build && echo '*' >build/.gitignore
@@ -274,6 +275,10 @@ toronto: build/toronto
 build/toronto: bench/toronto.c bench/dop853.h tests/detest.h tests/data/detest_table.h build/command $(HEADERS)
 	@$(IN_BUILD) && $(COMPILE) $< -o $@ -lm
 
+# docs/validation.md: numbers that others have published, beside ours
+validation: build/tests/double/validation
+	./build/tests/double/validation markdown >build/validation.md && mv build/validation.md docs/validation.md
+
 data:
 	@sh tests/install.sh "python3 -c 'import mpmath'" python3-mpmath
 	python3 tests/gen/ateb_reference.py
@@ -285,6 +290,7 @@ data:
 	python3 tests/gen/elementary.py table
 	python3 tests/gen/table5.py
 	python3 tests/gen/order_conditions.py
+	python3 tests/gen/attitude.py
 	python3 tests/gen/rotation_reference.py
 	python3 tests/gen/rotor_reference.py
 	python3 tests/gen/streams.py
@@ -375,6 +381,7 @@ $(LONG_SCRIPTS:%=build/tests/all/%.log): build/tests/all/%.log: tests/test_%.sh 
 # what these read of the programs above
 build/tests/headers.log: build/tests/double/headers.o build/tests/float/headers.o
 build/tests/hard_cases.log: build/tests/double/hard build/tests/float/hard
+build/tests/documents.log: build/tests/double/validation
 
 build/tests/all/exhaustive_jacobi.log: build/tests/exhaustive_jacobi FORCE
 	@$(IN_BUILD) && sh tests/run.sh one $@ "./$< 997"

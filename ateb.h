@@ -19,13 +19,13 @@
      moves by x = A ca and x' = -sqrt(2/(alpha+1)) omega A^((alpha+1)/2) sa, where omega = sqrt(k/m).
 
    WHAT THE FUNCTIONS ARE
-     v = sa and u = ca solve v' = u|u|^(alpha-1), u' = -2 v/(alpha+1) with v(0) = 0 and u(0) = 1 (275). So
-     v^2 + |u|^(alpha+1) = 1 (279), and in the first quarter, 0 <= s <= Pi_alpha/2, v^2 is an inverse incomplete beta
-     function of s: s = (1/2) B_(v^2)(1/2, 1/(alpha+1)).
+     v = sa and u = ca solve v' = u|u|^(alpha-1), u' = -2 v/(alpha+1) with v(0) = 0 and u(0) = 1 (275), where ' is the
+     derivative with respect to s. So v^2 + |u|^(alpha+1) = 1 (279), and in the first quarter, 0 <= s <= Pi_alpha/2, v^2
+     is an inverse incomplete beta function of s: s = (1/2) B_(v^2)(1/2, 1/(alpha+1)).
      alpha = 0              sa is a triangular wave, ca consists of arcs of parabolas
      alpha = 1              sa = sin, ca = cos
      alpha = 3              sa = sqrt(2) sn dn and ca = cn of the argument s/sqrt(2) and the parameter 1/2
-     alpha to infinity      sa tends to tanh s, and on the scale of the period to a square wave
+     alpha to infinity      sa tends to tanh s; as a function of s/Pi_alpha it tends to a square wave
      In terms of the generalised sine, with p = (alpha+1)/alpha,
      sa = sin_(p,2)(s) and ca = sin_(2,alpha+1)((Pi_alpha - 2s)/(alpha+1)).
 
@@ -45,17 +45,18 @@
 
    ERRORS
      alpha < 0, NaN and infinite arguments give NaN; so do probabilities outside [0, 1], parameters of beta functions
-     outside 1e-4 to 1e5 (of which 0 and infinity give limits), and whatever else lies outside the domain that the comment of a function gives. A plan
-     refuses a bad alpha with -1 and stays as it was. Nothing else can fail. The functions allocate no
-     memory and keep no state; the value of errno means nothing.
+     outside 1e-4 to 1e5 (but the parameters 0 and infinity give limits), and whatever else lies outside the domain
+     that the comment of a function gives. For a bad alpha ateb_plan_init returns -1 and leaves the plan as it was.
+     Nothing else can fail. The functions allocate no memory and keep no state; the value of errno means nothing.
 
    METHOD
-     s is reduced to the first quarter by Pi_alpha, which comes from a table of polynomials, or, where s is large or
-     close to a zero, from one polynomial in two or three words. In the first quarter the incomplete beta function is
-     inverted: an approximation of sa is taken as exact, the s that belongs to it is computed by a continued fraction
-     of 12 levels (float 6) and one power, and a Taylor series corrects sa and ca for the difference from the given s.
-     A plan has polynomials for two parts of a quarter: Taylor series from (275), shortened to the accuracy that is
-     wanted.
+     s is reduced to the first quarter of the period by means of Pi_alpha, which comes from a table of polynomials, or,
+     where s is large or close to a zero, from one polynomial in two or three words. In the first quarter the incomplete
+     beta function is inverted: an approximation of sa is taken as exact, the s that belongs to it is computed by a
+     continued fraction of 12 levels (float 6) and one power, and a Taylor series corrects sa and ca for the difference
+     from the given s.
+     A plan has polynomials for two parts of a quarter: Taylor series that solve (275), shortened to the accuracy that
+     is wanted.
 
    MACROS, to be defined before the include
      VM_USE_FLOAT         float instead of double; the tests run both
@@ -93,7 +94,7 @@
      sa, ca by a plan       <= 2 ulp for |s| <= 100 Pi_alpha and alpha up to 1e6, or the absolute error that the plan
                             was made for
      phase                  <= 8 ulp plus the change that 6 ulp of sa and of ca make, for the sa and ca of ateb_saca
-     beta, mean, Pi(n, m)   <= 1, 2, 1 ulp
+     beta, mean, Pi(n, m)   <= 1 ulp, 2 ulp and 1 ulp
      beta_inc               <= 30 ulp of p and of q
      beta_inc_inv           <= 16 ulp of x and of y plus the change that one ulp of the smaller of p and q makes
      sa(n, m), ca(m, n)     <= 8 ulp plus the change that an error of 2^-102 |s| (float 2^-44 |s|) in s makes
@@ -115,7 +116,7 @@
      [6] A. R. Didonato, A. H. Morris, Algorithm 708, ACM Trans. Math. Softw. 18 (1992) 360-373.
 
    INDEX
-     base/self_check: whether this compiler and this processor compute as varmass needs
+     base/self_check: a test of whether this compiler and this processor compute as varmass needs
        vm_self_check                  Returns 1 if the compiler and the processor compute as varmass needs, else 0
 
      ateb/period: Pi_alpha, half the period of the Ateb functions
@@ -158,9 +159,9 @@
 
 /* base/real.h - the number type, the macros that a user may set, the functions of the C library
 
-   All other files are built on this one. It chooses vm_real (double, or float where VM_USE_FLOAT is defined), gives
-   each macro that the user has not set its default, refuses compilers whose options change the values of results, and
-   names the four functions of the C library that are used: sqrt, fabs, floor, copysign.
+   All other files include this one. It defines vm_real (double, or float where VM_USE_FLOAT is defined) and gives a
+   default to each macro that the user has not set. It stops the compiler with an error if a compiler option changes the
+   results. It names the four functions of the C library that are used: sqrt, fabs, floor, copysign.
 
        vm_real x = VM_C(0.1); // the number 0.1 as a vm_real, in double and in float
 
@@ -266,7 +267,7 @@ VM_API vm_real vmi_copysign(vm_real x, vm_real y)
 VM_INLINE vm_real vmi_larger(vm_real a, vm_real b) { return a > b ? a : b; }
 VM_INLINE vm_real vmi_smaller(vm_real a, vm_real b) { return a < b ? a : b; }
 
-/* Linkage of functions that are rarely called from a fast loop and would slow it down if they were inlined into it */
+/* Linkage of functions that a fast loop calls rarely and that would slow down the loop if they were inlined into it */
 #if defined(__GNUC__) && !defined(__CUDACC__)
 #define VMI_APART static __attribute__((noinline, unused))
 #else
@@ -290,8 +291,8 @@ typedef struct VM_TAG(vm_two) {
     vm_real hi, lo;
 } vm_two;
 
-/* Returns x rounded to the type vm_real. x87 units compute with more digits, and gcc in its gnu modes keeps the
-   additional digits in variables. */
+/* Returns x rounded to the type vm_real. The function is needed where the processor's x87 unit computes with more
+   digits and gcc in its gnu modes keeps the additional digits in variables. */
 #if defined(FLT_EVAL_METHOD) && (FLT_EVAL_METHOD < 0 || FLT_EVAL_METHOD == 1 || FLT_EVAL_METHOD == 2)
 VM_API vm_real vmi_rounded(vm_real x)
 {
@@ -322,7 +323,7 @@ VM_API vm_two vmi_fast_two_sum(vm_real a, vm_real b)
     return s;
 }
 
-/* Makes a pair from its words hi and lo, which are not changed. */
+/* Returns the pair with the words hi and lo, which are stored as they are. */
 VM_API vm_two vmi_two(vm_real hi, vm_real lo)
 {
     vm_two x;
@@ -332,7 +333,7 @@ VM_API vm_two vmi_two(vm_real hi, vm_real lo)
 }
 
 #endif
-/* base/self_check.h - whether this compiler and this processor compute as varmass needs
+/* base/self_check.h - a test of whether this compiler and this processor compute as varmass needs
 
    Some options of compilers and some modes of processors change the results of floating-point arithmetic. Where a
    macro of the compiler shows such an option, the headers do not compile. vm_self_check() finds other options and modes
@@ -346,8 +347,8 @@ VM_API vm_two vmi_two(vm_real hi, vm_real lo)
 #define VARMASS_BASE_SELF_CHECK_H
 
 /* Returns 1 if sums are computed in the order in which they are written, as arithmetic in two words needs, and if a
-   product is rounded when 0 is added to it. eps is VM_EPSILON; split is VM_SPLIT, the factor that splits a number into
-   two halves. */
+   product is rounded when 0 is added to it. `one` must be 1, `eps` VM_EPSILON, and `split` VM_SPLIT, the factor that
+   splits a number into two halves. The caller reads them from volatile variables, so that the compiler cannot guess. */
 VM_API int vmi_keeps_order(vm_real one, vm_real eps, vm_real split)
 {
     const vm_real above = one + eps, third = one / 3;
@@ -423,8 +424,8 @@ VM_API int vm_self_check(void)
 
 #if VM_MANT_DIG > 24
 typedef uint64_t vmi_bits;
-#define VMI_STORED_DIG 52 /* number of bits that store the mantissa */
-#define VMI_BIAS 1023     /* stored exponent of the number 1 */
+#define VMI_STORED_DIG 52 /* number of bits in which the mantissa is stored */
+#define VMI_BIAS 1023     /* the number that is stored as the exponent of 1 */
 #else
 typedef uint32_t vmi_bits;
 #define VMI_STORED_DIG 23
@@ -447,8 +448,16 @@ VM_API vm_real vmi_from_bits(vmi_bits bits)
     return x;
 }
 
-/* Returns x 2^k. The result is rounded at most once if |x| lies between 1/4 and 4 or is 0, or if x 2^(k/2) is a normal
-   number. The function multiplies by about 2^(k/2) twice, because 2^k itself may overflow or underflow. */
+/* Returns the largest power of two that is at most x, for a normal number x > 0. For a smaller x it is VM_MIN. */
+VM_API vm_real vmi_power_below(vm_real x)
+{
+    const vmi_bits mantissa = ((vmi_bits)1 << VMI_STORED_DIG) - 1;
+    if (x < VM_MIN) return VM_MIN;
+    return vmi_from_bits(vmi_to_bits(x) & ~mantissa);
+}
+
+/* Returns x 2^k. The function multiplies x twice by about 2^(k/2), because 2^k itself may overflow or underflow. It
+   rounds at most once if |x| lies between 1/4 and 4 or is 0, or if x 2^(k/2) is a normal number. */
 VM_API vm_real vmi_ldexp(vm_real x, int k)
 {
     const int limit = 2 * VMI_BIAS - 2;
@@ -461,12 +470,12 @@ VM_API vm_real vmi_ldexp(vm_real x, int k)
            vmi_from_bits((vmi_bits)(VMI_BIAS + rest) << VMI_STORED_DIG);
 }
 
-/* Returns (y + y_lo) 2^k for y from 1/2 to 2 and its low word y_lo. The result is rounded once, even if subnormal. */
+/* Returns (y + y_lo) 2^k for 1/2 <= y <= 2 and a low word y_lo of y. The result is rounded once, even if subnormal. */
 VM_API vm_real vmi_ldexp_two(vm_real y, vm_real y_lo, int k)
 {
     if (k < 1 - VMI_BIAS || (k == 1 - VMI_BIAS && y < 1)) {
-        /* A subnormal result has fewer digits than y + y_lo. Adding and subtracting a power of two removes the
-           superfluous digits with one rounding. */
+        /* A subnormal result has fewer digits than y + y_lo. The code adds a power of two and subtracts it again, which
+           removes the superfluous digits with one rounding. */
         const int most = VM_MANT_DIG + 1, lost = 1 - VMI_BIAS - k < most ? 1 - VMI_BIAS - k : most;
         const vm_real large = vmi_ldexp(1, lost);
         const vm_two sum = vmi_fast_two_sum(large, y);
@@ -488,10 +497,10 @@ typedef int32_t vmi_signed_bits;
 #endif
 /* base/words.h - products, quotients and roots with two and three times the digits
 
-   Where digits cancel, one vm_real is not enough. A number in two words (vm_two, hi + lo) has twice the digits, a
-   number in three words (vmi_three, hi + mid + lo) has three times as many. p is the number of digits of vm_real, 53 or
-   24 bits. The error of a product, quotient or root is given relative to the result; that of a sum, relative to its
-   larger term.
+   Where digits cancel, one vm_real is not enough. A number in two words (vm_two, hi + lo) has twice the digits, and a
+   number in three words (vmi_three, hi + mid + lo) has three times the digits. p is the number of binary digits of a
+   vm_real, 53 or 24. Errors of products, quotients and roots are given relative to the result, errors of sums relative
+   to the larger term.
 
        vm_two third = vmi_two_over(vmi_two(1, 0), vmi_two(3, 0)); // 1/3 with 2p digits
 
@@ -525,9 +534,18 @@ VM_API vm_two vmi_two_product(vm_real a, vm_real b)
     return p;
 }
 
-/* Reduces x >= 0 by the quarter period q > 0. Returns the distance of x from the nearest multiple of q, at most q/2
-   apart from rounding, with an error of 2^-(2p) x, and writes the number of this multiple modulo 4 to *quarter.
-   For x above 2^(p-1) q the digits of x do not determine its distance from a multiple: then both results are 0. */
+/* The sum a b + c d of two products, within 2 eps of itself, however many digits cancel. No product may underflow. */
+VM_API vm_real vmi_sum_of_products(vm_real a, vm_real b, vm_real c, vm_real d)
+{
+    const vm_two ab = vmi_two_product(a, b), cd = vmi_two_product(c, d);
+    const vm_two high = vmi_two_sum(ab.hi, cd.hi), low = vmi_two_sum(ab.lo, cd.lo);
+    const vm_two sum = vmi_two_sum(high.hi, low.hi);
+    return sum.hi + (sum.lo + (high.lo + low.lo));
+}
+
+/* Reduces x >= 0 by the quarter period q > 0. Let j q be the multiple of q that is nearest to x. Returns x - j q, which
+   lies between -q/2 and q/2 (or slightly outside by rounding), with an error of 2^-(2p) x, and writes j modulo 4 to
+   *quarter. For x above 2^(p-1) q the digits of x do not determine x - j q, and both results are 0. */
 VM_API vm_two vmi_reduce(vm_real x, vm_two q, int *quarter)
 {
     const vm_real j = VM_FLOOR(x / q.hi + VM_C(0.5));
@@ -572,13 +590,13 @@ VM_API vm_two vmi_two_over(vm_two x, vm_two y)
     return vmi_two_sum(z, (((x.hi - p.hi) - p.lo) + (x.lo - z * y.lo)) / y.hi);
 }
 
-/* The number hi + mid + lo, where each word is below an ulp of the word before it. Each operation on such numbers has
-   a relative error below 2^-(3p - 4). */
+/* The number hi + mid + lo, where mid is below an ulp of hi, and lo below an ulp of mid. Each operation on such numbers
+   has a relative error below 2^-(3p - 4). */
 typedef struct VM_TAG(vmi_three) {
     vm_real hi, mid, lo;
 } vmi_three;
 
-/* Returns a + b + c as a number in three words, for |a| >= |b| >= |c|, at least approximately */
+/* Returns a + b + c as a number in three words. |a| >= |b| >= |c| must hold at least approximately. */
 VM_API vmi_three vmi_three_words(vm_real a, vm_real b, vm_real c)
 {
     const vm_two low = vmi_two_sum(b, c), high = vmi_two_sum(a, low.hi), rest = vmi_two_sum(high.lo, low.lo);
@@ -607,7 +625,7 @@ VM_API vmi_three vmi_three_times(vmi_three x, vmi_three y)
                            mid.lo + sum.lo + (a.lo + b.lo) + (x.hi * y.lo + x.mid * y.mid + x.lo * y.hi));
 }
 
-/* The quotient x / y by long division: each of three steps gives a word of the quotient */
+/* The quotient x / y of numbers in three words, by long division: each of three steps gives a word of the quotient */
 VM_API vmi_three vmi_three_over(vmi_three x, vmi_three y)
 {
     vm_real quotient[3];
@@ -628,7 +646,7 @@ VM_API vmi_three vmi_three_scaled(vmi_three x, vm_real power)
     return vmi_three_words(x.hi * power, x.mid * power, x.lo * power);
 }
 
-/* The square root of a: the root of the first word and two corrections by Newton's method, each of which adds a word */
+/* The square root of a. It starts as the root of the first word; then two steps of Newton's method add a word each. */
 VM_API vmi_three vmi_three_sqrt(vmi_three a)
 {
     const vm_real root = VM_SQRT(a.hi);
@@ -653,7 +671,7 @@ VM_API vmi_three vmi_half_pi(void)
 #endif
 }
 
-/* Returns a - root^2 without loss of digits, where root is sqrt(a) after rounding. */
+/* Returns a - root^2 without loss of digits. The argument `root` must be the rounded square root of a. */
 VM_API vm_real vmi_root_residual(vm_real a, vm_real root)
 {
     const vm_real head = vmi_head(root), tail = root - head;
@@ -727,7 +745,7 @@ VM_API vm_two vmi_two_scaled(vm_two x, vm_real factor)
 #ifndef VARMASS_ATEB_PERIOD_H
 #define VARMASS_ATEB_PERIOD_H
 
-/* Returns coefficient i of the polynomial in t = 2q - 1 that equals (1 + q)(2 + q)(3 + q) f(q), where
+/* Returns coefficient i of a polynomial in t = 2q - 1, which approximates (1 + q)(2 + q)(3 + q) f(q), where
      f(q) = sqrt(pi) Gamma(1 + q)/Gamma(q + 1/2) = q Pi_alpha with q = 1/(alpha + 1), between 1 and 2 for 0 < q <= 1.
    The polynomial interpolates in Chebyshev's points; each coefficient is about 1/18 of the one before it. A coefficient
    has up to three words; which_word = 0 selects the largest. Words that are too small to change the result are 0. */
@@ -815,7 +833,8 @@ VM_API vm_two vmi_ateb_gamma_ratio(vm_two q)
 }
 
 /* Returns Pi_alpha/2 in three words, with a relative error of 2^-125 (float 2^-58), for n = alpha + 1 < 1e9 (float
-   3e4). It is the product n f(q)/2, where each factor 1/(i + q) of f is computed as n/(i n + 1). */
+   3e4). It is the product n f(q)/2, where f is the polynomial of vmi_ateb_coefficient times 1/(i + q) for i = 1, 2, 3,
+   and 1/(i + q) is computed as n/(i n + 1). */
 VM_API vmi_three vmi_ateb_finest_quarter(vm_two n_two)
 {
     const vmi_three one = vmi_three_words(1, 0, 0), n = vmi_three_words(n_two.hi, n_two.lo, 0);
@@ -834,9 +853,10 @@ VM_API vmi_three vmi_ateb_finest_quarter(vm_two n_two)
     return vmi_three_times(sum, vmi_three_words(n.hi / 2, n.mid / 2, 0));
 }
 
-/* The columns of the table of g(q) = Pi_alpha - (alpha + 1), q = 1/(alpha + 1): the low words of g and of its slope at
-   q = row/32, g and its slope at that q, and the further coefficients of the Taylor series. The slope has only half of
-   the digits of a vm_real, so that a product with it can be exact. */
+/* The columns of the table of g(q) = Pi_alpha - (alpha + 1), where q = 1/(alpha + 1). A row is for q = row/32. Its
+   columns are the low words of g and of the slope of g, then g and its slope, then the further coefficients of the
+   Taylor series of g about this q. The slope has only half of the digits of a vm_real, so that a product with it can be
+   exact. */
 enum {
     VMI_ATEB_G_LOW,
     VMI_ATEB_G_SLOPE_LOW,
@@ -1056,9 +1076,9 @@ VM_INLINE vm_real vmi_ateb_g_constant(int row, int column)
     return VM_READ(table[row][column]);
 }
 
-/* Returns g(q) = Pi_alpha - (alpha + 1), q = 1/(alpha + 1), between 2 ln 2 (q = 0) and 1 (q = 1), with an absolute
-   error below 2^-66 (float 2^-36). g is computed as a polynomial in the distance h of q from the nearest multiple of
-   1/32. The low word of the result may be as large as 2^-13. */
+/* Returns g(q) = Pi_alpha - (alpha + 1), where q = 1/(alpha + 1). g lies between 2 ln 2 (for q = 0) and 1 (for q = 1)
+   and has an absolute error below 2^-66 (float 2^-36). g is computed as a polynomial in the distance h of q from the
+   nearest multiple of 1/32. The low word of the result may be as large as 2^-13. */
 VM_INLINE vm_two vmi_ateb_g(vm_two q)
 {
 #if VM_MANT_DIG > 24
@@ -1084,8 +1104,8 @@ VM_INLINE vm_two vmi_ateb_g(vm_two q)
     return g;
 }
 
-/* The numbers that sa, ca and Pi_alpha need for one alpha. A low word exceeds an ulp of its high word only after a
-   function whose comment says so. */
+/* The numbers that sa, ca and Pi_alpha need for one alpha. Each low word is below an ulp of its high word, unless the
+   comment of the function that sets it says otherwise. */
 typedef struct VM_TAG(vmi_ateb) {
     vm_two n;       /* alpha + 1 */
     vm_two q;       /* 1/(alpha + 1) */
@@ -1108,8 +1128,8 @@ VM_INLINE void vmi_ateb_index_constants(vmi_ateb *c, vm_real alpha)
     c->q.lo = (((1 - n_head * q_head) - n_tail * q_head) - c->n.hi * (c->q.hi - q_head)) * c->q.hi;
 }
 
-/* Sets the fields g and quarter, whose low words may be as large as 2^-13. An argument is reduced with the absolute
-   error of Pi_alpha. This error is small for a large alpha too, since Pi_alpha is computed as the sum of n = alpha + 1
+/* Sets the fields g and quarter, whose low words may be as large as 2^-13. Where an argument is reduced, the absolute
+   error of Pi_alpha matters. It is small for a large alpha too, since Pi_alpha is computed as the sum of n = alpha + 1
    and g. */
 VM_INLINE void vmi_ateb_period_constants(vmi_ateb *c)
 {
@@ -1168,8 +1188,8 @@ VM_API vm_two vmi_ateb_fine_quarter(const vmi_ateb *c)
 /* A function that sets all constants of one alpha: vmi_ateb_constants, or vmi_ateb_fine_constants */
 typedef void (*vmi_ateb_constants_of)(vmi_ateb *c, vm_real alpha);
 
-/* Sets all of n, q, g and quarter. It does without the table of g that vmi_ateb_constants reads: its code is shorter and
-   its results are more accurate, but it takes longer. */
+/* Sets all of n, q, g and quarter, as vmi_ateb_constants does, but without the table of g: the code is shorter and the
+   results are more accurate, but the function takes longer. */
 VM_API void vmi_ateb_fine_constants(vmi_ateb *c, vm_real alpha)
 {
     vmi_ateb_index_constants(c, alpha);
@@ -1210,8 +1230,8 @@ VM_API vm_real vmi_ateb_ln_ratio(vm_real t)
 }
 
 /* Writes a normal number x > 0 as 2^k z with z between sqrt(1/2) and sqrt(2). Returns z, and k in *k. When the bits
-   of sqrt(1/2) are subtracted from those of x, the exponent of the difference is k. Vector registers of older
-   processors cannot convert long integers; therefore k is made by its bits. */
+   of sqrt(1/2) are subtracted from those of x, the exponent of the difference is k. Older processors cannot convert
+   long integers in vector registers to floating point; therefore k is put together from its bits. */
 VM_INLINE vm_real vmi_ateb_mantissa(vm_real x, vm_real *k)
 {
 #if VM_MANT_DIG > 24
@@ -1265,7 +1285,8 @@ VM_API vm_real vmi_ateb_exp_series(vm_real z)
 #endif
 }
 
-/* Returns e^x if e^x is a normal number. Method: x = k ln 2 + z, so that e^x = 2^k (1 + z + z^2 E(z)). */
+/* Returns e^x if e^x is a normal number. Method: x is written as k ln 2 + z with a whole k, so that e^x = 2^k
+   (1 + z + z^2 E(z)), where E is vmi_ateb_exp_series. */
 VM_INLINE vm_real vmi_ateb_exp(vm_real x)
 {
     const vm_real one_over_ln2 = VM_C(1.442695040888963407360), to_integer = VM_C(1.5) / VM_EPSILON;
@@ -1289,12 +1310,13 @@ VM_INLINE vm_real vmi_ateb_exp(vm_real x)
      w, x    v^2 and 1 - w = u^(alpha+1)
      y, X    2 q d and y^(alpha+1)
      p       (1 - v)/2
-   They satisfy two equations, the second by the quadratic transformation of 2F1(1/2, q; 1 + q; x), DLMF 15.8(iii):
+   They satisfy two equations. The second one follows from the quadratic transformation of 2F1(1/2, q; 1 + q; x), DLMF
+   15.8(iii), and defines T:
      r = B_w(1/2, q)/2 = v u 2F1(1, q + 1/2; 3/2; w),
      2 q d = q B_x(q, 1/2) = u (1 + q T), where 1 + q T = 2F1(1, 2q; 1 + q; p).
 
-   Up to r = 0.55 (VMI_ATEB_CHANGE_OVER) the first equation is solved for v; for larger r the second is solved for p; at
-   the change-over w < 0.303 and p < 0.251. A rough v (or p) is taken as exact, and the r (or d) that belongs to it is
+   Up to r = 0.55 (VMI_ATEB_CHANGE_OVER) the first equation is solved for v; for larger r the second is solved for p. At
+   r = 0.55, w < 0.303 and p < 0.251. A rough v (or p) is taken as exact, and the r (or d) that belongs to it is
    computed. The computed r (or d) differs little from the given one, and a Taylor series corrects v (or p) for the
    difference. Therefore one continued fraction for 2F1 and one power are enough.
 
@@ -1309,13 +1331,14 @@ VM_INLINE vm_real vmi_ateb_exp(vm_real x)
 /* Gauss's continued fraction (DLMF 15.7) is 2F1(1, b; c; z) = 1/(1 - b z/(c Y_1)), where Y_j = 1 - e_j/Y_(j+1) and
      e_(2n-1) = n (c - b + n - 1) z/((c + 2n - 2) (c + 2n - 1)),
      e_(2n) = (b + n) (c + n - 1) z/((c + 2n - 1) (c + 2n)).
-   Two further levels of the fraction give at least 7 more bits for z < 0.303. e_j tends to z/4, which gives a start for
-   the last Y. VMI_ATEB_W_LEVELS and VMI_ATEB_P_LEVELS are the numbers of levels of the fraction in w and of the
-   fraction in p. */
+   For z < 0.303, two further levels of the fraction give at least 7 more bits. For large j, e_j tends to z/4, from
+   which the last Y is estimated. VMI_ATEB_W_LEVELS and VMI_ATEB_P_LEVELS are the numbers of levels of the fraction in w
+   and of the fraction in p. */
 enum { VMI_ATEB_W_LEVELS = VM_MANT_DIG > 24 ? 12 : 6, VMI_ATEB_P_LEVELS = VM_MANT_DIG > 24 ? 12 : 6 };
 
-/* Computes Y_1 = P/Q from Y, the value after the last level, and from e_(j+1)/z = e_by_z[j], without a division. The
-   numbers e_j/z do not depend on z, so that the processor computes them while it waits for z. */
+/* Computes Y_1 = P/Q of Gauss's continued fraction (see above) without a division. Y is the value of Y_(levels+1).
+   Element j of e_by_z is e_(j+1)/z, beginning with e_1/z. These elements do not depend on z, so that the processor
+   computes them while it waits for z. */
 VM_INLINE void vmi_ateb_fraction(const vm_real *e_by_z, vm_real z, int levels, vm_real Y, vm_real *P, vm_real *Q)
 {
     int j;
@@ -1328,8 +1351,8 @@ VM_INLINE void vmi_ateb_fraction(const vm_real *e_by_z, vm_real z, int levels, v
     }
 }
 
-/* Returns (F - 1)/(w (q + 1/2)) for F = 2F1(1, q + 1/2; 3/2; w) and w < 0.303. Each e_j/w is linear in q: an element of
-   `constant` plus q times one of `slope`. */
+/* Returns (F - 1)/(w (q + 1/2)) for F = 2F1(1, q + 1/2; 3/2; w) and w < 0.303. In Gauss's continued fraction of F,
+   e_(j+1)/w is constant[j] + q slope[j]. */
 VM_API vm_real vmi_ateb_w_fraction(vm_real q, vm_real w)
 {
     VM_TABLE vm_real constant[14] = {VM_C(4.0) / 15,    VM_C(9.0) / 35,    VM_C(16.0) / 63,   VM_C(25.0) / 99,
@@ -1348,9 +1371,9 @@ VM_API vm_real vmi_ateb_w_fraction(vm_real q, vm_real w)
     return Q / (VM_C(1.5) * P - (q + VM_C(0.5)) * w * Q);
 }
 
-/* Computes two numbers P and Q with 2F1(1, 2q; 1 + q; p) = P/(P - 2 q p Q/(1 + q)), for p < 0.251. e_(j+1)/p is
-   (constant + q slope + q^2 square)/((q + index)(q + index + 1)), where each name stands for element j of the table
-   with this name. */
+/* Computes two numbers P and Q with 2F1(1, 2q; 1 + q; p) = P/(P - 2 q p Q/(1 + q)), for p < 0.251. In Gauss's continued
+   fraction of this function, e_(j+1)/p is (constant + q slope + q^2 square)/((q + index)(q + index + 1)), where each
+   name stands for element j of the table with this name. */
 VM_INLINE void vmi_ateb_p_fraction(vm_real q, vm_real p, vm_real *P, vm_real *Q)
 {
     VM_TABLE vm_real index[13] = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13};
@@ -1372,10 +1395,10 @@ VM_API vm_real vmi_ateb_power_rest(vm_real t, vm_real q)
     return -l - l * z * vmi_ateb_exp_series(z);
 }
 
-/* sa and ca at the distance r from the zero of sa, for 0 <= r <= VMI_ATEB_CHANGE_OVER. q is 1/(alpha + 1). The guess v
-   of sa is the series of sa up to r^9, which is right to 1e-5 and whose coefficients are polynomials in k = 1 - q. v is
-   shortened to half of its digits, so that w = v^2 is exact. h is r minus the r that belongs to v; a Taylor series in
-   e = h/u, where u is the ca that belongs to v, gives sa and ca. */
+/* sa and ca at the distance r from the zero of sa, for 0 <= r <= VMI_ATEB_CHANGE_OVER. q is 1/(alpha + 1). `guess` is
+   the power series of sa up to r^9, which is right to 1e-5; its coefficients are polynomials in k = 1 - q. v is the
+   guess shortened to half of its digits, so that w = v^2 is exact. u is the ca that belongs to sa = v, and h is r minus
+   the r that belongs to v. A Taylor series in e = h/u gives sa and ca. */
 VM_API void vmi_ateb_near_sa_zero(vm_real r, vm_real q, vm_real *sa, vm_real *ca)
 {
     const vm_real k = 1 - q, rr = r * r, b = q + VM_C(0.5);
@@ -1414,8 +1437,8 @@ typedef struct VM_TAG(vmi_ateb_base) {
 } vmi_ateb_base;
 
 /* Returns the base y from the distances r and d of s from the zeros of sa and ca. y = 2 q d is also 1 - q z, where
-   z = 2 r - (Pi_alpha - (alpha + 1)). It is computed from the smaller of r and d; for r < d, y > 1/2. The low word of y
-   matters: where alpha is large, a small change of y is a large change of X = y^(alpha+1). For y < 1/2, X is so small
+   z = 2 r - (Pi_alpha - (alpha + 1)). It is computed from the smaller of r and d; if r < d, then y > 1/2. The low word
+   of y matters: for a large alpha, a small change of y is a large change of X = y^(alpha+1). For y < 1/2, X is so small
    that y.lo need not be scaled by 2^-k. */
 VM_INLINE vmi_ateb_base vmi_ateb_base_of(vm_two twice_q, vm_real r, vm_real z, vm_real d, vm_real d_lo)
 {
@@ -1450,7 +1473,8 @@ VM_INLINE vm_real vmi_ateb_guess_p(vm_real q, vm_real X4)
 /* sa and ca at the distances r >= VMI_ATEB_CHANGE_OVER from the zero of sa and d from the zero of ca. Given are
    q = 1/(alpha + 1), y = 2 q d and X = y^(alpha+1). The unknown is p = (1 - sa)/2. From p follow
      v = sa = 1 - 2 p,   x = 1 - v^2 = 4 p (1 - p),   u = ca = x^q,   E = 2F1(1, 2q; 1 + q; p).
-   They satisfy y = u E, so that p is the solution of ln X = ln x + (alpha + 1) ln E. The derivatives are
+   They satisfy y = u E, so that p is the solution of ln X = ln x + (alpha + 1) ln E. The derivatives with respect to ln
+   X are
      dp/d(ln X) = x E/4,   d ln(u/y)/d(ln X) = -q (1 - v E).
    The function starts from a guess of p. rho is ln X minus the ln X that belongs to the guess; a Taylor series in
    rho gives sa and ca. */
@@ -1460,8 +1484,8 @@ VM_API void vmi_ateb_near_ca_zero(vm_real r, vm_real d, const vmi_ateb *c, vm_re
     const vm_real n = c->n.hi, q = c->q.hi, twice_q = 2 * q;
     const vmi_ateb_base base = vmi_ateb_base_of(vmi_two(twice_q, 2 * c->q.lo), r, (2 * r - c->g.hi) - c->g.lo, d, 0);
     const vm_real y = base.y.hi, ln_X = n * vmi_ateb_ln_of(base.k, base.t);
-    vm_real p, v, P, Q;       /* a guess of p, its v = 1 - 2 p, and E = P/(P - B) */
-    vm_real B, E, E_loss;     /* E_loss = 1 - 1/E, so that u/y of the guess is 1 - E_loss */
+    vm_real p, v, P, Q;       /* a guess of p, its v = 1 - 2 p, and the results of vmi_ateb_p_fraction */
+    vm_real B, E, E_loss;     /* B = 2 q p Q/(1 + q), E = P/(P - B), E_loss = 1 - 1/E, so that u = y (1 - E_loss) */
     vm_real rho, vE;          /* vE = v E */
     vm_real sa_rate, ca_rate; /* -d(sa)/d(ln X) and -d ln(ca/y)/d(ln X) */
     vm_real sa_change, ca_change;
@@ -1508,8 +1532,8 @@ typedef struct VM_TAG(vmi_ateb_place) {
 } vmi_ateb_place;
 
 /* Returns s > 0 minus the nearest multiple of the quarter period, for an s that is large, or close to a zero of sa or
-   ca. c->quarter is replaced by two words with a relative error of 2^-102 (float 2^-44). If the result is so small that
-   this error would matter, three words are used. */
+   ca. c->quarter becomes a sum of two words with a relative error of 2^-102 (float 2^-44). If the result is so small
+   that this error would matter, the quarter period is used in three words. */
 VM_API vm_real vmi_ateb_reduce_finely(vm_real s, vmi_ateb *c, int *quarter)
 {
     const vm_real reach = VM_MANT_DIG > 24 ? VM_C(6e-14) : VM_C(1.5e-5); /* a smaller rest/s needs three words */
@@ -1533,8 +1557,8 @@ VM_API vm_real vmi_choose(vm_real weight, vm_real a, vm_real b) { return weight 
 /* Returns the position of s >= 0 in the period, by the quickest of three ways.
      1. s <= (alpha + 1)/2 lies in the first quarter, and r = s is known before Pi_alpha is.
      2. For s <= 128 (alpha + 1), c->quarter is accurate enough, unless s is close to a zero of sa or ca. Its products
-        with the number of quarters are exact. The number of quarters comes from the high word of c->quarter alone, so
-        that the rest may be a little longer than half a quarter.
+        high word is multiplied in two halves, whose products with the number of quarters are exact. This number comes
+        from the high word of c->quarter alone, so that the rest may be a little longer than half a quarter.
      3. Any other s is reduced by vmi_ateb_reduce_finely. */
 VM_INLINE vmi_ateb_place vmi_ateb_locate(vm_real s, vmi_ateb *c)
 {
@@ -1567,8 +1591,8 @@ VM_INLINE vmi_ateb_place vmi_ateb_locate(vm_real s, vmi_ateb *c)
     return at;
 }
 
-/* Gives sa and ca of the first quarter the signs that they have at s, where |s| is `quarter` quarters plus rest. The
-   function works on the bits of the signs, without a branch. */
+/* Gives sa and ca, as computed in the first quarter, the signs that they have at s, where |s| is `quarter` quarters
+   plus rest. The function works on the bits of the signs, without a branch. */
 VM_INLINE void vmi_ateb_signs(vm_real s, vm_real rest, vmi_bits quarter, vm_real *sa, vm_real *ca)
 {
     const int last = 8 * (int)sizeof(vm_real) - 1;
@@ -1640,10 +1664,10 @@ VM_API vm_real ateb_ca(vm_real s, vm_real alpha)
 
 #include <stdint.h>
 
-/* Returns a constant for vmi_log, whose variable z is in interval number `row`, 0 to 31. c is a number close to all z
-   of this interval. Column 0 is 1/c; columns 1 and 2 are the two words of ln c. The first words of ln c and of ln 2 are
-   multiples of 2^-42 (float 2^-16), so that k ln 2 + ln c, formed from the first words for an integer k, has no
-   rounding error. */
+/* Returns a constant for vmi_log. The variable z of vmi_log lies in one of 32 intervals; `row` is the interval's
+   number. Let c be a number close to all z of this interval. Column 0 is 1/c; columns 1 and 2 are the two words of ln
+   c. The first words of ln c and of ln 2 are multiples of 2^-42 (float 2^-16). Therefore k ln 2 + ln c, computed from
+   the first words for an integer k, has no rounding error. */
 VM_INLINE vm_real vmi_log_constant(int row, int column)
 {
 #if VM_MANT_DIG > 24
@@ -1720,8 +1744,8 @@ VM_INLINE vm_real vmi_log_constant(int row, int column)
 
 /* Returns ln x in two words for finite x > 0, with a relative error below 2^-64.8 (float 2^-32). Method: x = 2^k z,
    where z lies between 0.708 and 1.417. Let c be a constant close to z and r = z/c - 1; then
-   ln x = k ln 2 + ln c + ln(1 + r). The constant 1/c has few digits, so that the square of the first half of r is
-   exact. c is 1 where z is within 0.01 of 1. */
+   ln x = k ln 2 + ln c + ln(1 + r). The constant 1/c has few digits, so that the square of r_head, the first half of
+   r, is exact. If z is within 0.01 of 1, c is 1. */
 VM_API vm_two vmi_log(vm_real x)
 {
 #if VM_MANT_DIG > 24
@@ -1761,10 +1785,10 @@ VM_API vm_two vmi_log(vm_real x)
     return vmi_fast_two_sum(high.hi, low + r.hi * rr * L);
 }
 
-/* Writes e^(x + x_lo) as 2^k (1 + p + p_lo), |p| < 0.42, and returns p. |x| must be at most 1500 (float 200), and
-   |x_lo| at most an ulp of x. 1 + p + p_lo has a relative error below 2^-58 (float 2^-29); for |x| < 0.34, where
-   k = 0, p alone is within 0.6 ulp of e^x - 1. Method: x = k ln 2 + r and e^r = 1 + r + r^2/2 + r^3 E(r), where the
-   square of the first half of r is exact. */
+/* Computes k, p, p_lo with e^(x + x_lo) = 2^k (1 + p + p_lo) and |p| < 0.42, and returns p. |x| must be at most 1500
+   (float 200), and |x_lo| at most an ulp of x. 1 + p + p_lo has a relative error below 2^-58 (float 2^-29); for
+   |x| < 0.34, where k = 0, p alone is within 0.6 ulp of e^x - 1. Method: x = k ln 2 + r and e^r = 1 + r + r^2/2 +
+   r^3 E(r) with a polynomial E. The square of the first half of r's digits is computed exactly. */
 VM_INLINE vm_real vmi_exp_core(vm_real x, vm_real x_lo, int *k, vm_real *p_lo)
 {
     const vm_real one_over_ln2 = VM_C(1.442695040888963407360);
@@ -1828,9 +1852,9 @@ VM_API vm_real vmi_pow_two(vm_two x, vm_two y)
     return vmi_exp(p.hi, p.lo);
 }
 
-/* Returns the angle atan(y/x) for x >= 0 and y >= 0 that are not both 0. Method: an angle above pi/4 (steep) is
-   subtracted from pi/2; if the result is above pi/8 (middle), pi/4 is subtracted from it. The angle is then at most
-   pi/8, and the polynomial A gives it. */
+/* Returns the angle atan(y/x) for x >= 0 and y >= 0 that are not both 0. Method: if the angle is above pi/4 (steep), it
+   is replaced by pi/2 minus the angle; if the result is above pi/8 (middle), pi/4 is subtracted from it. The size of
+   the remaining angle is at most pi/8, and a formula with the polynomial A gives this angle. */
 VM_API vm_real vmi_arctan(vm_real y, vm_real x)
 {
     const vmi_three half_pi = vmi_half_pi();
@@ -1856,8 +1880,8 @@ VM_API vm_real vmi_arctan(vm_real y, vm_real x)
     return angle;
 }
 
-/* Computes the sine and the cosine of the angle z, |z| <= 0.79, which is a little more than pi/4. |z.lo| is at most an
-   ulp of z.hi. */
+/* Computes the sine and the cosine of the angle z for |z| <= 0.79, a limit slightly above pi/4. |z.lo| must be at most
+   an ulp of z.hi. */
 VM_INLINE void vmi_sin_cos(vm_two z, vm_real *sine, vm_real *cosine)
 {
     const vm_real t = z.hi * z.hi, tt = t * t, w = 1 - t / 2;
@@ -1885,7 +1909,7 @@ VM_INLINE int vmi_nearest(vm_real x)
     return (int)(x + VM_COPYSIGN(VM_C(0.5), x));
 }
 
-/* The logarithm of x; argument and result are double-word numbers (hi + lo). */
+/* Returns ln x. The argument and the result are numbers in two words, hi + lo. */
 VM_API vm_two vmi_two_log(vm_two x)
 {
     const vm_two l = vmi_log(x.hi);
@@ -1893,8 +1917,8 @@ VM_API vm_two vmi_two_log(vm_two x)
     return vmi_two_sum(l.hi, l.lo + (t - t * t / 2));
 }
 
-/* Computes the sine and the cosine of any angle x in radians. First a multiple of pi/2, where pi/2 has two words, is
-   subtracted from |x|. Both results are NaN if x is infinite or NaN. */
+/* Computes the sine and the cosine of any angle x in radians. The function first subtracts from |x| the nearest
+   multiple of pi/2, taken in two words. Both results are NaN if x is infinite or NaN. */
 VM_API void vmi_sincos(vm_real x, vm_real *sine, vm_real *cosine)
 {
     const vmi_three half_pi = vmi_half_pi();
@@ -1925,8 +1949,8 @@ VM_API vm_real vmi_atan2(vm_real y, vm_real x)
 #endif
 /* base/scalars.h - functions that keep their digits where the plain formula loses them
 
-   The functions compute e^y - 1 and ln(1 + x) for small arguments, quotients that tend to 0/0, and a power with the
-   values of the C library's pow for 0 and infinity.
+   The functions compute e^y - 1 and ln(1 + x) accurately for small arguments, quotients that become 0/0 at x = 0, and a
+   power that has the values of the C library's pow at 0 and infinity.
 
        vm_two p = vmi_expm1(vmi_two(VM_C(1e-9), 0)); // e^1e-9 - 1 with all its digits
 
@@ -1997,9 +2021,9 @@ VM_API vm_real vmi_log_ratio(vm_real x)
     return vmi_two_log(vmi_two_sum(1, x)).hi / x;
 }
 
-/* Returns (x - y)/x^2, where the caller gives x and y = ln(1 + x). For |x| >= 1/4 the result has two words, and its
-   error is that of x and y, amplified by the subtraction. For smaller |x| the result has one word, from the series of
-   ln((1 + u)/(1 - u)) with u = x/(2 + x), where |u| <= 1/7. */
+/* Returns (x - y)/x^2, where y must be ln(1 + x). For |x| >= 1/4 the result has two words, and its error comes from the
+   errors of x and y, which the subtraction amplifies. For smaller |x| the result has one word and is computed by the
+   series of ln((1 + u)/(1 - u)) with u = x/(2 + x), where |u| <= 1/7. */
 VM_API vm_two vmi_log1p_rest(vm_two x, vm_two y)
 {
 #if VM_MANT_DIG > 24
@@ -2037,8 +2061,8 @@ VM_API vm_real vmi_ateb_T(vm_real q, vm_real p)
     return 2 * p * Q / ((1 + q) * P - 2 * q * p * Q);
 }
 
-/* Returns the distance r of s from the zero of sa for w = sa^2 < 0.302, from h = ln(w/x) < 0. Since x is 1 - w,
-   w = e^h/(1 + e^h). sum is 1 + e^h. */
+/* Returns r, the distance between s and the zero of sa, for w = sa^2 < 0.302. The argument h is ln(w/x) < 0, and sum is
+   1 + e^h. Since x is 1 - w, w = e^h/(1 + e^h). */
 VM_API vm_real vmi_ateb_phase_near_sa_zero(vm_two h, vm_real sum, vm_real q)
 {
     const vm_real v = vmi_exp(h.hi / 2, h.lo / 2) / VM_SQRT(sum), w = v * v, b = q + VM_C(0.5);
@@ -2046,10 +2070,10 @@ VM_API vm_real vmi_ateb_phase_near_sa_zero(vm_two h, vm_real sum, vm_real q)
     return v + v * (w * b * vmi_ateb_w_fraction(q, w) * (1 - one_minus_u) - one_minus_u);
 }
 
-/* Returns the distance r of s from the zero of sa for w = sa^2 >= 0.302, from h = ln(w/x), where x = 1 - w, e = e^-|h|
-   and sum = 1 + e. u = x^q, which is ca, is computed from ln x = -ln(1 + e^h). Where u is well below 1, r is a quarter
-   of the period minus d = u (n + T)/2; for other u, 1 - u is computed without loss of digits, and
-   r = (n (1 - u) + g - u T)/2. n and g are fields of *c, T is the result of vmi_ateb_T. */
+/* Returns r, the distance between s and the zero of sa, for w = sa^2 >= 0.302. The arguments are h = ln(w/x) with
+   x = 1 - w, e = e^-|h| and sum = 1 + e. The function computes u = ca = x^q by means of ln x = -ln(1 + e^h). Where u is
+   well below 1, r is a quarter of the period minus d = u (n + T)/2. Where u is near 1, the function computes 1 - u
+   without loss of digits, and r = (n (1 - u) + g - u T)/2. n and g are fields of *c, T is the result of vmi_ateb_T. */
 VM_API vm_real vmi_ateb_phase_near_ca_zero(vm_two h, vm_real e, vm_real sum, const vmi_ateb *c)
 {
     const vm_real large_ln = VM_C(0.69) * VMI_BIAS, n = c->n.hi, smaller = e / sum, larger = 1 / sum;
@@ -2070,7 +2094,8 @@ VM_API vm_real vmi_ateb_phase_near_ca_zero(vm_two h, vm_real e, vm_real sum, con
     return (n * one_minus_u + (c->g.hi - (1 - one_minus_u) * T)) / 2;
 }
 
-/* Returns the distance r of s from the zero of sa in the first quarter, from h = ln(w/(1 - w)), where w = sa^2 */
+/* Returns r, the distance between s and the zero of sa, in the first quarter. The argument h is ln(w/(1 - w)), where
+   w = sa^2. */
 VM_API vm_real vmi_ateb_phase_r(vm_two h, const vmi_ateb *c)
 {
     const vm_real change_over = VM_C(-0.84); /* ln(w/x) for w = 0.302, the largest that vmi_ateb_w_fraction allows */
@@ -2082,15 +2107,15 @@ VM_API vm_real vmi_ateb_phase_r(vm_two h, const vmi_ateb *c)
     return vmi_ateb_phase_near_ca_zero(h, e, 1 + e, c);
 }
 
-/* Whether ateb_phase has a result for this alpha */
+/* Returns 1 if ateb_phase has a result for this alpha, else 0. */
 VM_API int vmi_ateb_has_phase(vm_real alpha) { return alpha >= 0 && alpha <= VM_C(1e30); }
 
 /* The phase s that belongs to given values of sa and ca, with -Pi_alpha < s <= Pi_alpha. alpha lies between 0 and 1e30.
    The pair need not satisfy sa^2 + |ca|^(alpha+1) = 1: sa lambda^((alpha+1)/2) and ca lambda have the same phase for
-   every lambda > 0. Therefore sa and ca may be -x' sqrt((alpha+1)/2)/omega and x of the oscillator x'' = -omega^2
-   x|x|^(alpha-1). Returns 0 for sa = 0 <= ca. If sa and ca come from ateb_saca(s, ...), s is returned with an error of
-   at most 8 ulp plus the change of s that 6 ulp of sa and of ca make. Returns NaN for alpha < 0, alpha > 1e30, NaN and
-   infinite arguments. */
+   every lambda > 0. Therefore the phase of the oscillator x'' = -omega^2 x|x|^(alpha-1) is found with sa = -x'
+   sqrt((alpha+1)/2)/omega and ca = x. Returns 0 for sa = 0 <= ca. If sa and ca come from ateb_saca(s, ...), s is
+   returned with an error of at most 8 ulp plus the change of s that 6 ulp of sa and of ca make. Returns NaN for
+   alpha < 0, alpha > 1e30, NaN and infinite arguments. */
 VM_API vm_real ateb_phase(vm_real sa, vm_real ca, vm_real alpha)
 {
     vm_real r;
@@ -2113,8 +2138,8 @@ VM_API vm_real ateb_phase(vm_real sa, vm_real ca, vm_real alpha)
 /* Number of terms that give all digits up to sa^2 = 1/2 and |ca|^(alpha+1) = 1/2 */
 enum { VMI_ATEB_PHASE_TERMS = VM_MANT_DIG > 24 ? 54 : 26 };
 
-/* Returns the distance of the phase from a zero of sa, where u = |sa| and y = sa^2 <= 1/2: the integral from 0 to u of
-   (1 - x^2)^(-alpha/(alpha+1)) dx, whose power series has positive terms. Its error is below 4 ulp. */
+/* Returns the distance between the phase and a zero of sa, where u = |sa| and y = sa^2 <= 1/2. It is the integral from
+   0 to u of (1 - x^2)^(-alpha/(alpha+1)) dx, whose power series has positive terms. Its error is below 4 ulp. */
 VM_API vm_real vmi_ateb_from_sa_0(vm_real alpha, vm_real u, vm_real y)
 {
     const vm_real power = alpha / (alpha + 1);
@@ -2127,8 +2152,8 @@ VM_API vm_real vmi_ateb_from_sa_0(vm_real alpha, vm_real u, vm_real y)
     return u * sum;
 }
 
-/* Returns the distance of the phase from a zero of ca, where x = |ca| and w = x^(alpha+1) <= 1/2: (alpha+1)/2 times the
-   integral from 0 to x of (1 - z^(alpha+1))^(-1/2) dz. Its error is below 4 ulp. */
+/* Returns the distance between the phase and a zero of ca, where x = |ca| and w = x^(alpha+1) <= 1/2. It is (alpha+1)/2
+   times the integral from 0 to x of (1 - z^(alpha+1))^(-1/2) dz. Its error is below 4 ulp. */
 VM_API vm_real vmi_ateb_from_ca_0(vm_real alpha, vm_real x, vm_real w)
 {
     const vm_real n = alpha + 1;
@@ -2141,8 +2166,8 @@ VM_API vm_real vmi_ateb_from_ca_0(vm_real alpha, vm_real x, vm_real w)
     return n / 2 * x * sum;
 }
 
-/* The phase of ateb_phase by power series, for sa and ca with sa^2 + |ca|^(alpha+1) = 1 and a valid alpha, whose quarter
-   period is given */
+/* The phase of ateb_phase by power series, for sa and ca with sa^2 + |ca|^(alpha+1) = 1 and a valid alpha. `quarter` is
+   the quarter period, Pi_alpha/2. */
 VM_API vm_real vmi_ateb_phase_by_series(vm_two quarter, vm_real alpha, vm_real sa, vm_real ca)
 {
     const vm_real y = sa * sa, x = VM_FABS(ca);
@@ -2156,10 +2181,10 @@ VM_API vm_real vmi_ateb_phase_by_series(vm_two quarter, vm_real alpha, vm_real s
 #endif
 /* ateb/integrals.h - integrals of Ateb functions
 
-   Two of the four simplest integrals from 0 to s need functions of their own,
+   This file has functions for two integrals from 0 to s,
      integral of sa^2 = (s - sa ca) (alpha+1)/(alpha+3),
-     integral of |ca|^(alpha+1) = s - integral of sa^2,
-   and two have a closed form: the integral of sa is (1 - ca) (alpha+1)/2, and that of ca |ca|^(alpha-1) is sa.
+     integral of |ca|^(alpha+1) = s - integral of sa^2.
+   Two others have a closed form: the integral of sa is (1 - ca) (alpha+1)/2, and that of ca |ca|^(alpha-1) is sa.
 
        vm_real work = ateb_integral_sa2(VM_C(0.7), VM_C(1.5));
 
@@ -2211,7 +2236,7 @@ VM_API int vmi_all_finite(int n, const vm_real *y)
     return 1;
 }
 
-/* `VMI_EACH(i, n) statement` executes the statement for i = 0 ... n - 1. gcc unrolls this loop where it knows n. */
+/* `VMI_EACH(i, n) statement` executes the statement for i = 0, 1, ..., n - 1. gcc unrolls the loop where it knows n. */
 #if defined(__GNUC__) && !defined(__clang__) && !defined(__CUDACC__) && __GNUC__ >= 8 && defined(__OPTIMIZE__) && \
     !defined(__OPTIMIZE_SIZE__)
 #define VMI_UNROLL _Pragma("GCC unroll 16")
@@ -2220,8 +2245,8 @@ VM_API int vmi_all_finite(int n, const vm_real *y)
 #endif
 #define VMI_EACH(i, n) VMI_UNROLL for (i = 0; i < (n); i++)
 
-/* VMI_IS_SMALL(n) is 1 where the compiler knows n and n <= VMI_SMALL. An integrator then keeps a state of n
-   components in local arrays; otherwise it keeps the state in the caller's array `work`. */
+/* VMI_IS_SMALL(n) is 1 where the compiler knows n and n <= VMI_SMALL, else 0. If it is 1, an integrator keeps a state
+   of n components in local arrays, which is faster; if it is 0, it keeps the state in the caller's array `work`. */
 #define VMI_SMALL 8
 #if defined(__GNUC__) && defined(__OPTIMIZE__)
 #define VMI_IS_SMALL(n) (__builtin_constant_p(n) && (n) <= VMI_SMALL)
@@ -2229,7 +2254,7 @@ VM_API int vmi_all_finite(int n, const vm_real *y)
 #define VMI_IS_SMALL(n) 0
 #endif
 
-/* Copies n numbers. The arrays `from` and `to` must not overlap, but they may be one and the same array. */
+/* Copies n numbers. The arrays `from` and `to` may be one and the same array, but must not overlap in any other way. */
 VM_INLINE void vmi_copy(int n, const vm_real *from, vm_real *to)
 {
     int i;
@@ -2246,9 +2271,9 @@ VM_INLINE void vmi_copy(int n, const vm_real *from, vm_real *to)
 #ifndef VARMASS_BASE_CHEBYSHEV_H
 #define VARMASS_BASE_CHEBYSHEV_H
 
-/* Removes the highest power of c_0 + c_1 t + ... + c_n t^n by subtracting a multiple of Chebyshev's polynomial of
-   degree n for the interval 0 <= t <= 1. The values in this interval change by at most |c_n| 2^(1-2n). Coefficients
-   with an index below `lowest` stay as they are. */
+/* Removes the term c_n t^n of the polynomial c_0 + c_1 t + ... + c_n t^n by subtracting a multiple of Chebyshev's
+   polynomial of degree n for the interval 0 <= t <= 1. In this interval the values of the polynomial change by at most
+   |c_n| 2^(1-2n) if `lowest` is 0. Coefficients with an index below `lowest` stay as they are. */
 VM_API void vmi_remove_highest(vm_real *c, int n, int lowest)
 {
     vm_real term = c[n];
@@ -2272,9 +2297,9 @@ VM_API void vmi_remove_highest(vm_real *c, int n, int lowest)
        if (ateb_plan_init(&p, VM_C(1.5)) == 0) ateb_plan_saca(&p, VM_C(0.7), &sa, &ca);
 
    Method: let r and d be the distances of s from the nearest zeros of sa and ca, and q = 1/(alpha + 1). A and C are
-   polynomials. Up to a change-over
+   polynomials. Up to a certain r, the field change_over,
      sa = r (1 + tau A(tau)) and ca = 1 + tau C(tau), where tau = r^2;
-   beyond it, with two other polynomials,
+   for larger r, with two other polynomials,
      ca = 2 q d (1 + tau A(tau)) and sa = 1 + tau C(tau), where tau is X = (2 q d)^(alpha+1) up to a factor.
    The polynomials are Taylor series from (275), economised: the last terms are removed by Chebyshev polynomials. For
    alpha = 0, 1/2, 1, ..., 7 tau = d d^alpha is computed by products and a square root; for any other alpha tau = X is
@@ -2302,7 +2327,7 @@ typedef struct VM_TAG(ateb_plan) {
     vm_two quarter;           /* Pi_alpha/2 */
     vm_real quarter_parts[3]; /* three numbers with the sum `quarter`; the first two have at most half of the digits */
     vm_real per_quarter;      /* 2/Pi_alpha */
-    vm_real longest;          /* for |s| < longest the products of quarter_parts and a number of quarters are exact */
+    vm_real longest;          /* for |s| < longest the first two parts times a number of quarters are exact */
     vm_real change_over;      /* part[0] is used up to this distance r from a zero of sa */
     vm_real n, g;             /* alpha + 1 and Pi_alpha - (alpha + 1) */
     vm_two twice_q;           /* 2/(alpha + 1) */
@@ -2331,8 +2356,8 @@ VM_INLINE vm_two vmi_ateb_twice_q_d(const ateb_plan *p, vm_real d, vm_real d_lo)
     return vmi_two(p->twice_q.hi * d, p->twice_q.lo * d + p->twice_q.hi * d_lo);
 }
 
-/* Returns X = (2 q d)^(alpha+1), where q = 1/(alpha+1), and writes 2 q d to *y. Where X would be subnormal, about the
-   least normal number is returned. */
+/* Returns X = (2 q d)^(alpha+1), where q = 1/(alpha+1), from r and d + d_lo. Writes 2 q d to *y. Where X would be
+   subnormal, the result is about the least normal number instead. */
 VM_INLINE vm_real vmi_ateb_exponential(const ateb_plan *p, vm_real r, vm_real d, vm_real d_lo, vm_two *y)
 {
     const vm_real least_ln = VM_C(-0.69) * VMI_BIAS;
@@ -2416,9 +2441,9 @@ VM_API void ateb_plan_saca(const ateb_plan *p, vm_real s, vm_real *sa, vm_real *
     vmi_ateb_signs(s, rest, quarter, sa, ca);
 }
 
-/* Arrays are computed in blocks of VMI_ATEB_BLOCK arguments, by loops without branches, which compilers turn into vector
-   instructions. VMI_ATEB_WIDE is 1 on processors with wide vector registers, else 0. With narrow ones, such a loop takes
-   longer than single calls. */
+/* Arrays are computed in blocks of VMI_ATEB_BLOCK arguments, by loops without branches, which compilers turn into
+   vector instructions. VMI_ATEB_WIDE is 1 on processors with wide vector registers, else 0. With narrow ones, such a
+   loop takes longer than single calls. */
 enum { VMI_ATEB_BLOCK = 32 };
 #if defined(__AVX2__) || defined(__ARM_NEON) || defined(__ARM_FEATURE_SVE)
 #define VMI_ATEB_WIDE 1
@@ -2426,9 +2451,9 @@ enum { VMI_ATEB_BLOCK = 32 };
 #define VMI_ATEB_WIDE 0
 #endif
 
-/* What is known of the arguments of a block: |s| minus the nearest multiple of the quarter period, the bits of the number
-   of quarters, the distances r and d of s from the zeros of sa and ca with their rounding errors, and base and tau of
-   vmi_ateb_part_at */
+/* Intermediate results for the arguments s of a block: |s| minus the nearest multiple of the quarter period, the bits
+   of the number of quarters, the distances r and d of s from the zeros of sa and ca with their rounding errors, and
+   base and tau of vmi_ateb_part_at */
 typedef struct VM_TAG(vmi_ateb_block) {
     vmi_bits quarter[VMI_ATEB_BLOCK];
     vm_real rest[VMI_ATEB_BLOCK];
@@ -2464,8 +2489,8 @@ VM_INLINE void vmi_ateb_block_places(const ateb_plan *p, const vm_real *s, vmi_a
     }
 }
 
-/* Sets base to 2 q d and tau to d^(1 + alpha), for alpha = 0, 1/2, ..., 7 (vmi_ateb_product). The factors that this
-   alpha does not have are 1. */
+/* Sets base to 2 q d and tau to d^(1 + alpha), for alpha = 0, 1/2, ..., 7 (vmi_ateb_product). The factors of
+   vmi_ateb_product that this alpha does not need are replaced by 1. */
 VM_INLINE void vmi_ateb_block_products(const ateb_plan *p, vmi_ateb_block *at)
 {
     const vm_real one = (vm_real)(p->twice_alpha >> 1 & 1), two = (vm_real)(p->twice_alpha >> 2 & 1);
@@ -2504,8 +2529,8 @@ VM_INLINE void vmi_ateb_block_exponentials(const ateb_plan *p, vmi_ateb_block *a
     }
 }
 
-/* Computes sa and ca of a block whose fields are filled, with polynomials of `length` terms. The coefficients of each
-   argument are those of its part of the quarter. */
+/* Computes sa and ca of a block whose fields are filled, with polynomials of `length` terms. For each argument the
+   coefficients are those of the part of the quarter in which it lies. */
 VM_INLINE void vmi_ateb_block_sums(const ateb_plan *p, int length, const vmi_ateb_block *at, const vm_real *s,
                                    vm_real *sa, vm_real *ca)
 {
@@ -2605,7 +2630,7 @@ enum { VMI_ATEB_TERMS = VM_MANT_DIG > 24 ? 56 : 26 };
 VM_API void vmi_ateb_series(int beyond, vm_real alpha, vm_real q, vm_real *odd, vm_real *even)
 {
     const vm_real large = VM_C(1e30); /* a larger alpha counts as this one, since alpha j might overflow */
-    vm_real *w = odd; /* series of ca^alpha, or of (ca/(2 q d))^alpha beyond; at the end the other function replaces it */
+    vm_real *w = odd; /* series of ca^alpha, for beyond = 1 of (ca/(2 q d))^alpha; overwritten at the end */
     int j;
     if (beyond) w = even;
     if (alpha > large) {
@@ -2630,19 +2655,19 @@ VM_API void vmi_ateb_series(int beyond, vm_real alpha, vm_real q, vm_real *odd, 
     }
 }
 
-/* Economises c_1 + c_2 x + c_3 x^2 + ... for 0 <= x <= limit: replaces the sum by a polynomial in x/unit with at most
-   ATEB_PLAN_LENGTH terms, and returns the number of its terms. result receives its coefficients times unit. Its error
-   is at most tolerance/limit if these terms are enough. c is overwritten. */
+/* Economises the power series c_1 + c_2 x + c_3 x^2 + ... for 0 <= x <= limit: replaces it by a polynomial in x/unit
+   with at most ATEB_PLAN_LENGTH terms, and returns the number of terms. `result` receives the coefficients times unit.
+   The error of the polynomial is at most tolerance/limit if ATEB_PLAN_LENGTH terms are enough. c is overwritten. */
 VM_API int vmi_ateb_economise(vm_real *c, vm_real limit, vm_real unit, vm_real tolerance, vm_real *result)
 {
     const int highest = VMI_ATEB_TERMS - 2;
     vm_real power = 1, height = vmi_ldexp(1, 1 - 2 * highest);
     int i, k;
-    for (i = 0; i <= highest; i++) { /* makes c limit times the polynomial, in powers of t = x/limit */
+    for (i = 0; i <= highest; i++) { /* now c holds limit times the series, in powers of x/limit */
         power *= limit;
         c[i] = c[i + 1] * power;
     }
-    for (k = highest; k > 0; k--) { /* removing c[k] adds an error of |c[k]| height, height = 2^(1-2k) */
+    for (k = highest; k > 0; k--) { /* removing c[k] adds an error |c[k]| height, where height = 2^(1-2k) */
         tolerance -= VM_FABS(c[k]) * height;
         if (tolerance < 0 && k < ATEB_PLAN_LENGTH) break;
         vmi_remove_highest(c, k, 0);
@@ -2657,9 +2682,9 @@ VM_API int vmi_ateb_economise(vm_real *c, vm_real limit, vm_real unit, vm_real t
     return k + 1;
 }
 
-/* Fills part 0 or 1 (`beyond`) of the plan and returns the number of terms of its polynomials in tau. In part 0,
-   tau = r^2, where r is the distance from a zero of sa, and unit is 1. In part 1, tau = X/unit, where
-   X = (2 d/(alpha + 1))^(alpha+1) and d is the distance from a zero of ca. */
+/* Fills part 0 or 1 of the plan (the argument `beyond` chooses it) and returns the number of terms of its polynomials
+   in tau. In part 0, tau = r^2, where r is the distance from a zero of sa, and unit is 1. In part 1, tau = X/unit,
+   where X = (2 d/(alpha + 1))^(alpha+1) and d is the distance from a zero of ca. */
 VM_API int vmi_ateb_part_init(vmi_ateb_part *part, int beyond, const ateb_plan *p, vm_real alpha, vm_real unit,
                               vm_real tolerance)
 {
@@ -2676,8 +2701,8 @@ VM_API int vmi_ateb_part_init(vmi_ateb_part *part, int beyond, const ateb_plan *
     return length;
 }
 
-/* Sets the fields for the reduction: the quarter period as a sum, and in `longest` the s up to which the products with
-   the terms of this sum are exact. */
+/* Sets the fields that reduce s: the quarter period as a sum of parts, and `longest`, the s up to which the products of
+   the first two parts and a number of quarters are exact. */
 VM_API void vmi_ateb_plan_period(ateb_plan *p, const vmi_ateb *c)
 {
     p->quarter = c->quarter;
@@ -2732,26 +2757,28 @@ VM_API int ateb_plan_init(ateb_plan *p, vm_real alpha) { return ateb_plan_init_t
 
        vm_real p = ateb_beta_inc(VM_C(0.3), VM_C(0.5), 2); // I_0.3(0.5, 2)
 
-   In this file y = 1 - x and q = 1 - p. The functions with the suffix _both also take and return y and q, which keep
-   their digits where x or p is close to 1.
+   In this file p = I_x(a, b), q = 1 - p and y = 1 - x. The functions with the suffix _both also take and return y and
+   q, which keep their digits where x or p is close to 1.
 
-   Method: the functions are computed from logarithms in two words. i, j and k are 0 or 6, the lesser number
-   for which A = a + i, B = b + j and S = a + b + k are at least 6. Stirling's formula gives
+   Method: the functions are computed from logarithms in two words. Let i be 0 for a >= 6 and 6 for a < 6, so that
+   A = a + i is at least 6. In the same way j, which is 0 or 6, makes B = b + j, and k makes S = a + b + k at least 6.
+   Then Stirling's formula gives
      ln(x^a y^b/B(a, b)) = a ln x + b ln y + (a + k - j) ln S/A + (b + k - i) ln S/B
                            + (k - i - j + 1/2) ln(A B/S) + (i + j - k) - ln(2 pi)/2
                            + delta(S) - delta(A) - delta(B) + ln((a)_i (b)_j/(a+b)_k)
-   where delta is the remainder of Stirling's formula and (a)_i = a (a + 1) ... (a + i - 1). If this sum is not large,
-   no large terms cancel in it. The products (a)_i, (b)_j and (a+b)_k neither overflow nor underflow, since i, j and
-   k are 0 or 6. vmi_beta_density computes x^a y^b/B(a, b) itself, in less time and with an error of a few ulp.
+   where delta is the remainder of Stirling's formula (vmi_beta_stirling) and (a)_i = a (a + 1) ... (a + i - 1). If this
+   sum is not large, no large terms cancel in it. The products (a)_i, (b)_j and (a+b)_k neither overflow nor underflow,
+   since they have at most 6 factors. vmi_beta_density computes x^a y^b/B(a, b) itself, in less time and with an error
+   of a few ulp.
 
    Source of the continued fraction (vmi_beta_fraction): Didonato and Morris, Algorithm 708, ACM TOMS 18 (1992). Tests:
    tests/test_ateb.c. */
 #ifndef VARMASS_ATEB_BETA_H
 #define VARMASS_ATEB_BETA_H
 
-/* Returns delta(z) = ln Gamma(z) - (z - 1/2) ln z + z - ln(2 pi)/2 for z >= 6, from 1/z. z delta(z) is a polynomial in
-   1/z^2 that interpolates in Chebyshev's points, with a relative error of 2^-60 (float 2^-34). It is shorter than
-   Stirling's series. */
+/* Returns delta(z) = ln Gamma(z) - (z - 1/2) ln z + z - ln(2 pi)/2 for z >= 6, from by_z = 1/z. z delta(z) is computed
+   by a polynomial in 1/z^2, which interpolates in Chebyshev's points with a relative error of 2^-60 (float 2^-34). It
+   has fewer terms than Stirling's series. */
 VM_INLINE vm_real vmi_beta_stirling(vm_real by_z)
 {
     const vm_real w = by_z * by_z, ww = w * w;
@@ -2769,7 +2796,7 @@ VM_INLINE vm_real vmi_beta_stirling(vm_real by_z)
 }
 
 /* Returns (z)_i = z (z + 1) ... (z + i - 1), where i is 6 for z < 6 and 0 for any other z. *count becomes i, and *z
-   becomes z + i. With p = z (z + 5) this is p (p + 4) (p + 6). */
+   becomes z + i. With p = z (z + 5) the product is p (p + 4) (p + 6). */
 VM_API vm_two vmi_beta_rise(vm_two *z, int *count)
 {
     vm_two product = {1, 0}, p;
@@ -2833,8 +2860,8 @@ VM_API vm_real vmi_beta_limit(vm_real a, vm_real b)
 }
 
 /* The complete beta function B(a, b), for a and b from 1e-4 to 1e5.
-   The error is at most 1 ulp. If a or b is 0 or infinite, the result is the limit: infinity if one of them is 0 and none
-   is infinite, 0 if one is infinite and none is 0. Returns NaN for other a or b. Equation (261). */
+   The error is at most 1 ulp. If a or b is 0 or infinite, the result is the limit: infinity if one of them is 0 and
+   none is infinite, 0 if one is infinite and none is 0. Returns NaN for other a or b. Equation (261). */
 VM_API vm_real ateb_beta(vm_real a, vm_real b)
 {
     vm_two l;
@@ -2844,8 +2871,8 @@ VM_API vm_real ateb_beta(vm_real a, vm_real b)
 }
 
 /* The logarithm of the complete beta function, ln B(a, b), for a and b from 1e-30 to 1e30.
-   B(a, b) itself may overflow or underflow. The error is at most 1 ulp plus 2^-57 (float 2^-28), which matters where B is
-   close to 1. Limits are those of ateb_beta. Returns NaN for other a or b. */
+   B(a, b) itself may overflow or underflow. The error is at most 1 ulp plus 2^-57 (float 2^-28), which matters where B
+   is close to 1. Limits are the logarithms of those of ateb_beta. Returns NaN for other a or b. */
 VM_API vm_real ateb_ln_beta(vm_real a, vm_real b)
 {
     const vm_real least = VM_C(1e-30), largest = VM_C(1e30);
@@ -2856,15 +2883,15 @@ VM_API vm_real ateb_ln_beta(vm_real a, vm_real b)
     return vmi_beta_ln(vmi_two(a, 0), vmi_two(b, 0)).hi;
 }
 
-/* What the gamma function of z > 0 needs: Z = z + i, where i is 6 for z < 6 and 0 for any other z, and
-     Gamma(z) = sqrt(2 pi) Z^(z - 1/2) e^(delta - z)/factor,   factor = (z)_i e^i/Z^i,   delta = vmi_beta_stirling(1/Z) */
+/* What the gamma function of z > 0 needs: Z = z + i, where i is 6 for z < 6 and 0 for other z, and factor and delta:
+     Gamma(z) = sqrt(2 pi) Z^(z - 1/2) e^(delta - z)/factor, factor = (z)_i e^i/Z^i, delta = vmi_beta_stirling(1/Z) */
 typedef struct VM_TAG(vmi_beta_gamma) {
     vm_two Z;
     vm_real by_Z, factor, delta;
 } vmi_beta_gamma;
 
-/* Returns these numbers for z. `rest`, the remainder of the division 1/Z, has no rounding error but in its last
-   product. There is no branch: z lies above or below 6 at random. */
+/* Returns the numbers of vmi_beta_gamma for z. `rest` is the remainder of the division 1/Z; only its last product is
+   rounded. The function has no branch for z < 6, which would be mispredicted half the time. */
 VM_INLINE vmi_beta_gamma vmi_beta_gamma_of(vm_two z)
 {
     const vm_real e6 = VM_C(403.42879349273512), t = z.hi, shifted = (vm_real)(t < 6);
@@ -2883,8 +2910,8 @@ VM_INLINE vmi_beta_gamma vmi_beta_gamma_of(vm_two z)
     return g;
 }
 
-/* Returns ln(x S/A) in two words. The logarithm of the rounded quotient starts at once; what the rounding has lost is
-   added at the end. */
+/* Returns ln(x S/A) in two words. First the logarithm of t, the rounded quotient, is computed; then `lost`, what the
+   rounding has lost, corrects it. Both can be computed at once. */
 VM_INLINE vm_two vmi_beta_ln_quotient(vm_two x, vm_two S, const vmi_beta_gamma *A)
 {
     const vm_real t = (x.hi * S.hi) * A->by_Z;
@@ -2894,8 +2921,9 @@ VM_INLINE vm_two vmi_beta_ln_quotient(vm_two x, vm_two S, const vmi_beta_gamma *
     return vmi_two(l.hi, l.lo + lost / above.hi);
 }
 
-/* Returns x^a y^b/B(a, b), where x + y = 1 in two words. The relative error is a few ulp, but where x or y is close to
-   the smallest number. With A = a + i, B = b + j and S = a + b + k and the numbers of vmi_beta_gamma this is
+/* Returns x^a y^b/B(a, b), where x + y = 1 in two words. The relative error is a few ulp, unless x or y is close to the
+   smallest number. Let A, B and S be the numbers Z of vmi_beta_gamma for a, b and a + b, and let the suffixes _a, _b,
+   _s stand for the other numbers of these three. Then the result is
      (x S/A)^a (y S/B)^b sqrt(A B/(2 pi S)) factor_a factor_b/factor_s e^(delta_s - delta_a - delta_b). */
 VM_API vm_real vmi_beta_density(vm_two x, vm_two y, vm_real a, vm_real b)
 {
@@ -2910,14 +2938,14 @@ VM_API vm_real vmi_beta_density(vm_two x, vm_two y, vm_real a, vm_real b)
     return vmi_exp(sum.hi, sum.lo) * (root * (A.factor * B.factor / S.factor));
 }
 
-/* The continued fraction of Didonato and Morris, f_n = C_n + D_n/f_(n+1), for the point x, y = 1 - x.
-   excess is a y - b x. */
+/* The continued fraction of Didonato and Morris, f_n = C_n + D_n/f_(n+1), at x and y = 1 - x. vmi_beta_level computes
+   C_n and D_n, the numbers of level n. excess is a y - b x. */
 typedef struct VM_TAG(vmi_beta_levels) {
     vm_real x, y, a, b, excess;
 } vmi_beta_levels;
 
-/* Returns the continued fraction for given x, y, a and b. Where a and b are large, digits cancel in a y - b x;
-   therefore this number is computed in two words from the smaller of x and y. */
+/* Returns the numbers of the continued fraction. Where a and b are large, digits cancel in a y - b x; therefore this
+   difference is computed in two words from the smaller of x and y. */
 VM_INLINE vmi_beta_levels vmi_beta_levels_of(vm_real x, vm_real y, vm_real a, vm_real b)
 {
     const vm_two product = vmi_two_scaled(vmi_two_sum(a, b), vmi_smaller(x, y));
@@ -2931,7 +2959,8 @@ VM_INLINE vmi_beta_levels vmi_beta_levels_of(vm_real x, vm_real y, vm_real a, vm
     return levels;
 }
 
-/* Computes C_n and D_n. `before` is 1/(a + 2 n - 1), or any number for n = 0, and `after` is 1/(a + 2 n + 1). */
+/* Computes C_n and D_n, the numbers of level n. `before` is 1/(a + 2 n - 1), or any number for n = 0, and `after` is
+   1/(a + 2 n + 1). */
 VM_INLINE void vmi_beta_level(const vmi_beta_levels *l, vm_real n, vm_real before, vm_real after, vm_real *C,
                               vm_real *D)
 {
@@ -2940,8 +2969,8 @@ VM_INLINE void vmi_beta_level(const vmi_beta_levels *l, vm_real n, vm_real befor
     *D = ((an * share) * ((an + l->b) * share)) * (next * (l->b - next));
 }
 
-/* Returns 1/f_0 from the levels 0 ... count, from the last one to the first one. An error of f_(n+1) hardly changes
-   f_n. */
+/* Returns 1/f_0 from the levels 0 ... count. The fraction is evaluated from level `count` down to level 0, beginning
+   with a rough value of f_(count+1): an error of f_(n+1) hardly changes f_n. */
 VM_API vm_real vmi_beta_backward(const vmi_beta_levels *l, int count)
 {
     vm_real f = (l->a + (vm_real)count) / 2, before, after = 1 / (l->a + 2 * (vm_real)count + 1), C, D;
@@ -2963,9 +2992,9 @@ VM_API vm_real vmi_beta_backward(const vmi_beta_levels *l, int count)
 #define VMI_BETA_FINE VM_EPSILON
 
 /* Returns 1/f_0 = I_x(a, b) B(a, b)/(x^a y^b) for x <= (a + 1)/(a + b + 2), with a relative error of about
-   `tolerance`. The convergents P/Q of the fraction are computed, two at a time, until one agrees with the one before
-   it. Rounding errors add up in P and Q; therefore a fraction of more than SAFE levels is evaluated once more, from its
-   last level. */
+   `tolerance`. The convergents P/Q of the fraction are computed, two at a time, until two of them agree. Rounding
+   errors add up in P and Q; therefore a fraction of more than SAFE levels is evaluated once more, from its last
+   level. */
 VM_API vm_real vmi_beta_fraction(vm_real x, vm_real y, vm_real a, vm_real b, vm_real tolerance)
 {
     enum { MOST = 20000, SAFE = 20 }; /* MOST stops the loop for a NaN; some 250 levels are enough otherwise */
@@ -2996,9 +3025,9 @@ VM_API vm_real vmi_beta_fraction(vm_real x, vm_real y, vm_real a, vm_real b, vm_
     return ratio;
 }
 
-/* Returns I_x(a, b) a B(a, b)/x^a - 1 for a <= 1 and x <= 2/3. This is a times the sum over n >= 1 of (1 - b)_n/n!
-   x^n/(a + n), where (z)_n = z (z + 1) ... (z + n - 1). Term n is below the larger of x^n and (b x)^n/n!, and
-   b x < 2. */
+/* Returns I_x(a, b) a B(a, b)/x^a - 1 for a <= 1 and x <= 2/3. The result is a times the sum over n >= 1 of
+   (1 - b)_n/n! x^n/(a + n), where (z)_n = z (z + 1) ... (z + n - 1). Term n is below the larger of x^n and (b x)^n/n!,
+   and b x < 2. */
 VM_API vm_real vmi_beta_series(vm_real x, vm_real a, vm_real b)
 {
     const vm_real most = 200; /* limit of the loop if x is NaN; otherwise 96 terms are enough */
@@ -3053,7 +3082,7 @@ VM_API vmi_beta_point vmi_beta_mirrored(vmi_beta_point at)
     return mirrored;
 }
 
-/* Returns ln I_x(a, b) at the point x with y = 1 - x, for x <= (a + 1)/(a + b + 2), from ln(x^a y^b/B(a, b)). Where a
+/* Returns ln I_x(a, b) at the point `at`, for x <= (a + 1)/(a + b + 2), where ln_density = ln(x^a y^b/B(a, b)). Where a
    is small, I_x is close to 1, and 1 - I_x must keep its digits. Therefore a series is used for a <= 1: it loses no
    digits and has no factor y^b. */
 VM_API vm_two vmi_beta_ln_tail(vmi_beta_point at, vm_real a, vm_real b, vm_two ln_density)
@@ -3066,8 +3095,9 @@ VM_API vm_two vmi_beta_ln_tail(vmi_beta_point at, vm_real a, vm_real b, vm_two l
     return vmi_two_plus(ln_density, f);
 }
 
-/* Computes *ln_p = ln I_x(a, b) and *ln_q = ln I_y(b, a), where y = 1 - x and p + q = 1, from ln(x^a y^b/B(a, b)). The
-   logarithm of the shorter tail of the distribution is computed; the other logarithm follows from p + q = 1. */
+/* Computes *ln_p = ln I_x(a, b) and *ln_q = ln I_y(b, a), where y = 1 - x, from ln_density = ln(x^a y^b/B(a, b)). One
+   of them is computed directly: the one that belongs to the shorter tail of the beta distribution. The other one
+   follows from p + q = 1. */
 VM_API void vmi_beta_tails(const vmi_beta_point *at, vm_real a, vm_real b, vm_two ln_density, vm_two *ln_p,
                            vm_two *ln_q)
 {
@@ -3099,8 +3129,8 @@ VM_API void vmi_beta_logarithms(vm_two x, vm_two y, vm_real a, vm_real b, vm_two
     vmi_beta_tails(&at, a, b, ln_density, ln_p, ln_q);
 }
 
-/* Returns -1 where a or b is 0 or infinite and the beta distribution has all its mass at x = 0 in this limit, 1 where it
-   has all its mass at x = 1, and 0 for other a and b and where there is no limit. */
+/* Returns where the beta distribution has all its mass in the limit in which a or b is 0 or infinite: -1 means at
+   x = 0, 1 means at x = 1. Returns 0 for other a and b, and if there is no limit. */
 VM_API int vmi_beta_limit_side(vm_real a, vm_real b)
 {
     const int at_0 = a == 0 || b == VM_INFINITY, at_1 = b == 0 || a == VM_INFINITY;
@@ -3108,16 +3138,16 @@ VM_API int vmi_beta_limit_side(vm_real a, vm_real b)
     return at_1 - at_0;
 }
 
-/* The regularised incomplete beta function p = I_x(a, b) and q = 1 - p. They are computed from x and y = 1 - x; the
-   smaller of x and y carries the digits. For a and b from 1e-3 to 1e4 the errors of p and q are at most 30 ulp each.
-   a and b may also lie between 1e-4 and 1e5, where the function is less accurate and slower. If a or b is 0 or infinite,
-   p is the limit: 1 for x > 0 if all of the distribution moves to x = 0, and 0 for x < 1 if it moves to x = 1. The
-   results are NaN for other a or b, where there is no limit, for x or y below 0, and if x + y is not 1. docs/cost.md has
-   the time. DLMF 8.17, equation (273). */
+/* The regularised incomplete beta function p = I_x(a, b) and q = 1 - p. They are computed from the smaller of x and
+   y = 1 - x, so that this one should have all its digits. For a and b from 1e-3 to 1e4 the errors of p and q are at
+   most 30 ulp each. a and b may also lie between 1e-4 and 1e5, where the function is less accurate and slower. If a or
+   b is 0 or infinite, p is the limit: 1 for x > 0 if all of the distribution moves to x = 0, and 0 for x < 1 if it
+   moves to x = 1. The results are NaN for other a or b, if there is no limit, if x or y is negative, and if x + y is
+   not 1. docs/cost.md has the time. DLMF 8.17, equation (273). */
 VM_API void ateb_beta_inc_both(vm_real x, vm_real y, vm_real a, vm_real b, vm_real *p, vm_real *q)
 {
-    const vm_real longest = VM_C(0.6); /* 1 minus a longer tail would lose digits of the quick formula */
-    const vm_real least = VM_MIN / (VM_EPSILON * VM_EPSILON); /* products of smaller numbers may underflow */
+    const vm_real longest = VM_C(0.6); /* 1 minus a longer tail would lose digits; then logarithms are used */
+    const vm_real least = VM_MIN / (VM_EPSILON * VM_EPSILON); /* products with smaller numbers may underflow */
     vm_two x2 = vmi_two(x, 0), y2 = vmi_two(y, 0);
     vm_real tail, density;
     vm_two ln_p, ln_q;
@@ -3201,13 +3231,14 @@ VM_API vmi_beta_point vmi_beta_point_at(vm_real t)
     return at;
 }
 
-/* ln I_x(a, b) as a function of t = ln(x/y): its value, its derivative, and the derivative of the logarithm of this
-   derivative */
+/* ln I_x(a, b) as a function of t = ln(x/y): its value, its slope (the derivative of `value` with respect to t), and
+   its bend (the derivative of ln(slope) with respect to t) */
 typedef struct VM_TAG(vmi_beta_slope) {
     vm_real value, slope, bend;
 } vmi_beta_slope;
 
-/* Returns ln I_x(a, b) and its derivatives with an error of about 1e-8 (float 1e-4), from ln B(a, b). */
+/* Returns ln I_x(a, b) and its derivatives at t = ln(x/y) with an error of about 1e-8 (float 1e-4). ln_B is ln B(a,
+   b). */
 VM_API vmi_beta_slope vmi_beta_rough(vm_real t, vm_real a, vm_real b, vm_real ln_B)
 {
     const vm_real tolerance = VM_MANT_DIG > 24 ? VM_C(1e-8) : VM_C(1e-4), least_ln = VM_C(-0.69) * VMI_BIAS;
@@ -3233,8 +3264,8 @@ VM_API vmi_beta_slope vmi_beta_rough(vm_real t, vm_real a, vm_real b, vm_real ln
     return at;
 }
 
-/* Returns the step of t that changes ln I_x by `rest`. The function is approximated by a parabola, or by its tangent
-   where the parabola does not reach the value. */
+/* Returns the step of t that changes ln I_x by `rest`. ln I_x is approximated by the parabola with this slope and bend
+   (see vmi_beta_slope), or by its tangent where the parabola does not reach the wanted value. */
 VM_API vm_real vmi_beta_step(vm_real rest, vm_real slope, vm_real bend)
 {
     const vm_real step = rest / slope;
@@ -3310,13 +3341,13 @@ VM_API vmi_beta_point vmi_beta_invert_both(vm_real p, vm_real q, vm_real a, vm_r
     return vmi_beta_mirrored(vmi_beta_invert(vmi_log(q), b, a));
 }
 
-/* The inverse of ateb_beta_inc_both: x with I_x(a, b) = p, and y = 1 - x and ln x. They are computed from p and
-   q = 1 - p; the smaller of p and q carries the digits. ln x is also right where x underflows. For a and b from 1e-3 to
-   1e4 the errors of x, y and ln x are at most 16 ulp plus the changes that one ulp of the smaller of p and q makes. a
-   and b may also lie between 1e-4 and 1e5, where the function is less accurate and slower. If a or b is 0 or infinite, x
-   is the limit: 0 for p < 1 if all of the distribution moves to x = 0, and 1 for p > 0 if it moves to x = 1. The results
-   are NaN for other a or b, where there is no limit, for p or q below 0, and if p + q is not 1. docs/cost.md has the
-   time. */
+/* The inverse of ateb_beta_inc_both: x with I_x(a, b) = p, and y = 1 - x and ln x. They are computed from the smaller
+   of p and q = 1 - p, so that this one should have all its digits. ln x is also right where x underflows. For a and b
+   from 1e-3 to 1e4 the errors of x, y and ln x are at most 16 ulp plus the changes that one ulp of the smaller of p and
+   q makes. a and b may also lie between 1e-4 and 1e5, where the function is less accurate and slower. If a or b is 0 or
+   infinite, x is the limit: 0 for p < 1 if all of the distribution moves to x = 0, and 1 for p > 0 if it moves to
+   x = 1. The results are NaN for other a or b, if there is no limit, if p or q is negative, and if p + q is not 1.
+   docs/cost.md has the time. */
 VM_API void ateb_beta_inc_inv_both(vm_real p, vm_real q, vm_real a, vm_real b, vm_real *x, vm_real *y,
                                    vm_real *ln_x)
 {
@@ -3356,10 +3387,11 @@ VM_API vm_real ateb_beta_inc_inv(vm_real p, vm_real a, vm_real b)
 enum { ATEB_SIGN_OF_SA = 1, ATEB_SIGN_OF_CA = 2 };
 
 /* The mean of |sa(n, m, s)|^p |ca(m, n, s)|^q over a period, with or without the signs of sa and ca.
-   n and m lie between 0 and 1e30, p and q are above -1 and at most 1e6. signs is 0, ATEB_SIGN_OF_SA, ATEB_SIGN_OF_CA or
-   their sum: a power with the sign of its base, such as sa^3, is odd, and the mean is 0 then. So the mean of sa^2 ca^3 is
-   ateb_mean_nm(n, m, 2, 3, ATEB_SIGN_OF_CA). The mean without signs is B((p+1)/(n+1), (q+1)/(m+1))/B(1/(n+1), 1/(m+1)),
-   with an error of at most 2 ulp. Returns NaN for other numbers. Equation (316). */
+   The indices n and m of sa and ca lie between 0 and 1e30, the powers p and q are above -1 and at most 1e6. signs is 0,
+   ATEB_SIGN_OF_SA, ATEB_SIGN_OF_CA or their sum: a power with the sign of its base, such as sa^3, is odd, and the mean
+   is 0 then. So the mean of sa^2 ca^3 is ateb_mean_nm(n, m, 2, 3, ATEB_SIGN_OF_CA). The mean without signs is
+   B((p+1)/(n+1), (q+1)/(m+1))/B(1/(n+1), 1/(m+1)), with an error of at most 2 ulp. Returns NaN for other numbers.
+   Equation (316). */
 VM_API vm_real ateb_mean_nm(vm_real n, vm_real m, vm_real p, vm_real q, int signs)
 {
     const vm_real largest_index = VM_C(1e30), largest_power = VM_C(1e6);
@@ -3378,7 +3410,7 @@ VM_API vm_real ateb_mean_nm(vm_real n, vm_real m, vm_real p, vm_real q, int sign
 }
 
 /* The mean of |sa|^p |ca|^q over a period, for alpha >= 0 and p, q > -1. Averaged equations of oscillators need this
-   mean. alpha may be up to 1e30, p and q up to 1e6; for larger ones the result is NaN. The error is at most 2 ulp.
+   mean. alpha may be up to 1e30, p and q up to 1e6; for larger numbers the result is NaN. The error is at most 2 ulp.
    ateb_mean_nm has two indices and signs. Equation (316). */
 VM_API vm_real ateb_mean(vm_real alpha, vm_real p, vm_real q) { return ateb_mean_nm(1, alpha, p, q, 0); }
 
@@ -3386,8 +3418,8 @@ VM_API vm_real ateb_mean(vm_real alpha, vm_real p, vm_real q) { return ateb_mean
 /* ateb/two_indices.h - Ateb functions with two indices, sa(n, m, s) and ca(m, n, s)
 
    sa(n, m, s) and ca(m, n, s) satisfy |sa|^(n+1) + |ca|^(m+1) = 1 and have the period 2 Pi(n, m), where
-   Pi(n, m) = B(1/(n+1), 1/(m+1)). For n = 1 and m = alpha they are the functions of ateb/functions.h, which are much
-   faster. The swapped pair sa(alpha, 1, s), ca(1, alpha, s), which (278) and (280) need, comes from
+   Pi(n, m) = B(1/(n+1), 1/(m+1)). For n = 1 and m = alpha they are sa and ca of ateb/functions.h, where they are
+   computed much faster. The swapped pair sa(alpha, 1, s), ca(1, alpha, s), which (278) and (280) need, comes from
    ateb_saca_nm(s, alpha, 1, &sa, &ca).
 
        vm_real sa, ca;
@@ -3404,8 +3436,8 @@ VM_API int vmi_ateb_index_is_in_domain(vm_real n) { return n == 0 || (n >= VM_C(
 VM_API vm_two vmi_ateb_exponent(vm_real n) { return vmi_two_over(vmi_two(1, 0), vmi_two_sum(n, 1)); }
 
 /* Returns B_(1/2)(a, b) 2^(a+b) = 2F1(1, a+b; a+1; 1/2)/a for b <= 1 (DLMF 8.17.8). B_(1/2) is the incomplete beta
-   function at x = 1/2. Each term of the series is at most half of the one before it, so that 2 VM_MANT_DIG terms are
-   enough for two words. */
+   function at x = 1/2, and 2F1 is a power series. Each of its terms is at most half of the one before it, so that 2
+   VM_MANT_DIG terms are enough for two words. */
 VM_API vm_two vmi_ateb_half_beta(vm_two a, vm_two b)
 {
     const vm_two one = {1, 0}, c = vmi_two_plus(a, b);

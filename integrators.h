@@ -20,7 +20,7 @@
        }
 
    METHODS, and when to take which method
-     rk4    the classical method of order 4 with fixed steps: for control loops, where every step must take the same
+     rk4    the classical method of order 4 with fixed steps, for control loops, where every step must take the same
             time. rk4_solve_compensated keeps the roundings of millions of steps from adding up.
      rk45   Tsitouras' pair of orders 5 and 4 [1] chooses its steps to keep a tolerance: six evaluations of f in a step,
             and none for the solution between steps. Begin with this method. It is also the best one in float,
@@ -39,25 +39,25 @@
      the functions of rk45 refuse it, and those of rk87 refuse an rk45 that rk45_init made.
 
    STEP SIZE CONTROL
-     A step gives two results, by the two orders of the pair. Their difference is the estimate of the error; the run
+     A step gives two results, one by each order of the pair. Their difference is the estimate of the error; the run
      goes on with the result of the higher order. A step is accepted when |error_i| <= atol + rtol max(|y_i|, |y_i after
-     the step|) for every component i. The size of the next step is chosen by PI control. It stays the same after an
-     error of 0.25 to 0.75 of the tolerance (rk87: 0.1 to 0.75).
-     The tolerance is for each step; the error at the end of a run is larger, in proportion to its length.
+     the step|) for every component i. The size of the next step is chosen by PI control [2]. It stays the same after
+     an error of 0.25 to 0.75 of the tolerance (rk87: 0.1 to 0.75).
+     The tolerance is for each step; the error at the end of a run is larger, in proportion to the length of the run.
      A zero in rk45_options means the default, and a negative tolerance counts as 0. rk45_defaults() fills in the
      defaults.
-     No step is shorter than h_min, or than 2 eps |t|, which is what t can resolve. If even a step of this smallest size
+     No step is shorter than h_min, or than 2 eps |t|, the resolution of t. If even a step of this smallest size
      misses the tolerance, the run assumes a jump of f: it accepts the step, counts it in s.missed, and goes on after
      the jump. If another such step misses the tolerance before three steps have kept it, f is singular there, or too
      stiff for the resolution of t, and the run ends with ODE_STEP_TOO_SMALL. If the two steps follow each other
      directly, in one call of rk45_solve without events, both are dropped: s.t and s.y are then those before both steps.
 
    TIME
-     A step ends at a time that the type can hold, and its length is exactly the difference of the two times. So s.t
+     A step ends at a time that the type can hold, and its length is exactly the difference of its two times. So s.t
      does not drift away from the motion, however far from 0 the run began and however many steps it takes. There are
-     two exceptions: a step so short that this would change its length by more than 1/64, and a step that ends at an
-     event. Then y belongs to a time between two numbers of the type, s.t is the nearest of them, and the run keeps the
-     difference.
+     two exceptions: a step so short that this rounding would change its length by more than 1/64, and a step that ends
+     at an event. Then y belongs to a time between two numbers of the type, s.t is the nearer of them, and the run keeps
+     the difference.
 
    EVENTS
      An event happens when g(t, y) reaches zero or changes its sign. The run finds its time on the continuous extension,
@@ -68,8 +68,15 @@
      or on it. If g stays 0 for a while, the event happens when g reaches 0, not when it leaves 0. If g jumps, the event
      happens at the jump. After an event the sign of g counts again as soon as rounding cannot have caused it, so that a
      motion that is reversed on contact does not touch twice.
+     A run ends at each event of an ODE_STOP, or when an event has happened `stop_after` times. Its t_end may then be
+     infinite; h_max should bound the steps then, where the solution is so smooth that they would grow without end.
      Two zeros, or any even number of them, between two evaluations of g are not found. A larger `checks` or a smaller
      h_max makes evaluations more frequent.
+
+   OUTPUT AND SAVED RUNS
+     rk45_solve_at and rk87_solve_at fill a table with the states at listed times, without shortening the steps.
+     rk45_save and rk87_save write a run to an array of bytes; rk45_resume and rk87_resume continue it with the same
+     bits.
 
    RIGHT-HAND SIDES THAT ARE NOT SMOOTH
      The step size control finds the places where f is not smooth and takes some short steps there. No error estimate is
@@ -123,7 +130,7 @@
          condition of all coefficients here.
 
    INDEX
-     base/self_check: whether this compiler and this processor compute as varmass needs
+     base/self_check: a test of whether this compiler and this processor compute as varmass needs
        vm_self_check                  Returns 1 if the compiler and the processor compute as varmass needs, else 0
 
      integrators/ode: ordinary differential equations y' = f(t, y): right-hand sides and statuses
@@ -139,25 +146,35 @@
        rk45_init                      Begins a run of y' = f(t, y) by rk45 from state y0 at time t0
        rk45_restart                   Continues a run of rk45 from another time or state, such as after a jump
        rk45_step                      One accepted step of rk45, or the part of it before an event that ends the step
-       rk45_solve_with                Steps of rk45 to t_end, with f and n named again so that f is inlined
-       rk45_solve                     Steps of rk45 to t_end exactly, forward or backward, or to an ODE_STOP event
+       rk45_solve_with                Steps of rk45 to t_end, with f and n given once more so that f is inlined
+       rk45_solve                     Steps of rk45 to t_end exactly, forward or backward, or to an event that ends the run
        rk45_interpolate               State y(t) at a time t within the last step of rk45, accurate to order 4
 
      integrators/rk87: rk87: adaptive runs by a Runge-Kutta pair of orders 8 and 7
        rk87_init                      Begins a run of y' = f(t, y) by rk87, as rk45_init begins one by rk45
        rk87_restart                   Continues a run of rk87 from another time or state, such as after a jump
        rk87_step                      One accepted step of rk87, or the part of it before an event that ends the step
-       rk87_solve_with                Steps of rk87 to t_end, with f and n named again so that f is inlined
-       rk87_solve                     Steps of rk87 to t_end exactly, forward or backward, or to an ODE_STOP event
-       rk87_interpolate               State y(t) at a time t within the last step of rk87, accurate to order 8 */
+       rk87_solve_with                Steps of rk87 to t_end, with f and n given once more so that f is inlined
+       rk87_solve                     Steps of rk87 to t_end exactly, forward or backward, or to an event that ends the run
+       rk87_interpolate               State y(t) at a time t within the last step of rk87, accurate to order 8
+
+     integrators/output: the solution at listed times
+       rk45_solve_at                  Run of rk45 to the last of n_times times, with the state at each of them in a row of n numbers
+       rk87_solve_at                  Run of rk87 to the last of n_times times, with the state at each of them in a row of n numbers
+
+     integrators/saved: runs that are saved as bytes and resumed later
+       rk45_save                      Saves a run of rk45 between two calls as bytes, of which there is room for size >= RK45_SAVED(n, number of events)
+       rk45_resume                    Takes the numbers of a saved run of rk45 into s, which rk45_init has made with the f, n, options and events of the saved run
+       rk87_save                      Saves a run of rk87 as bytes, of which there is room for size >= RK87_SAVED(n, number of events)
+       rk87_resume                    Takes the numbers of a saved run of rk87 into s, which rk87_init has made */
 #ifndef VARMASS_INTEGRATORS_H
 #define VARMASS_INTEGRATORS_H
 
 /* base/real.h - the number type, the macros that a user may set, the functions of the C library
 
-   All other files are built on this one. It chooses vm_real (double, or float where VM_USE_FLOAT is defined), gives
-   each macro that the user has not set its default, refuses compilers whose options change the values of results, and
-   names the four functions of the C library that are used: sqrt, fabs, floor, copysign.
+   All other files include this one. It defines vm_real (double, or float where VM_USE_FLOAT is defined) and gives a
+   default to each macro that the user has not set. It stops the compiler with an error if a compiler option changes the
+   results. It names the four functions of the C library that are used: sqrt, fabs, floor, copysign.
 
        vm_real x = VM_C(0.1); // the number 0.1 as a vm_real, in double and in float
 
@@ -263,7 +280,7 @@ VM_API vm_real vmi_copysign(vm_real x, vm_real y)
 VM_INLINE vm_real vmi_larger(vm_real a, vm_real b) { return a > b ? a : b; }
 VM_INLINE vm_real vmi_smaller(vm_real a, vm_real b) { return a < b ? a : b; }
 
-/* Linkage of functions that are rarely called from a fast loop and would slow it down if they were inlined into it */
+/* Linkage of functions that a fast loop calls rarely and that would slow down the loop if they were inlined into it */
 #if defined(__GNUC__) && !defined(__CUDACC__)
 #define VMI_APART static __attribute__((noinline, unused))
 #else
@@ -287,8 +304,8 @@ typedef struct VM_TAG(vm_two) {
     vm_real hi, lo;
 } vm_two;
 
-/* Returns x rounded to the type vm_real. x87 units compute with more digits, and gcc in its gnu modes keeps the
-   additional digits in variables. */
+/* Returns x rounded to the type vm_real. The function is needed where the processor's x87 unit computes with more
+   digits and gcc in its gnu modes keeps the additional digits in variables. */
 #if defined(FLT_EVAL_METHOD) && (FLT_EVAL_METHOD < 0 || FLT_EVAL_METHOD == 1 || FLT_EVAL_METHOD == 2)
 VM_API vm_real vmi_rounded(vm_real x)
 {
@@ -319,7 +336,7 @@ VM_API vm_two vmi_fast_two_sum(vm_real a, vm_real b)
     return s;
 }
 
-/* Makes a pair from its words hi and lo, which are not changed. */
+/* Returns the pair with the words hi and lo, which are stored as they are. */
 VM_API vm_two vmi_two(vm_real hi, vm_real lo)
 {
     vm_two x;
@@ -329,7 +346,7 @@ VM_API vm_two vmi_two(vm_real hi, vm_real lo)
 }
 
 #endif
-/* base/self_check.h - whether this compiler and this processor compute as varmass needs
+/* base/self_check.h - a test of whether this compiler and this processor compute as varmass needs
 
    Some options of compilers and some modes of processors change the results of floating-point arithmetic. Where a
    macro of the compiler shows such an option, the headers do not compile. vm_self_check() finds other options and modes
@@ -343,8 +360,8 @@ VM_API vm_two vmi_two(vm_real hi, vm_real lo)
 #define VARMASS_BASE_SELF_CHECK_H
 
 /* Returns 1 if sums are computed in the order in which they are written, as arithmetic in two words needs, and if a
-   product is rounded when 0 is added to it. eps is VM_EPSILON; split is VM_SPLIT, the factor that splits a number into
-   two halves. */
+   product is rounded when 0 is added to it. `one` must be 1, `eps` VM_EPSILON, and `split` VM_SPLIT, the factor that
+   splits a number into two halves. The caller reads them from volatile variables, so that the compiler cannot guess. */
 VM_API int vmi_keeps_order(vm_real one, vm_real eps, vm_real split)
 {
     const vm_real above = one + eps, third = one / 3;
@@ -425,7 +442,7 @@ VM_API int vmi_all_finite(int n, const vm_real *y)
     return 1;
 }
 
-/* `VMI_EACH(i, n) statement` executes the statement for i = 0 ... n - 1. gcc unrolls this loop where it knows n. */
+/* `VMI_EACH(i, n) statement` executes the statement for i = 0, 1, ..., n - 1. gcc unrolls the loop where it knows n. */
 #if defined(__GNUC__) && !defined(__clang__) && !defined(__CUDACC__) && __GNUC__ >= 8 && defined(__OPTIMIZE__) && \
     !defined(__OPTIMIZE_SIZE__)
 #define VMI_UNROLL _Pragma("GCC unroll 16")
@@ -434,8 +451,8 @@ VM_API int vmi_all_finite(int n, const vm_real *y)
 #endif
 #define VMI_EACH(i, n) VMI_UNROLL for (i = 0; i < (n); i++)
 
-/* VMI_IS_SMALL(n) is 1 where the compiler knows n and n <= VMI_SMALL. An integrator then keeps a state of n
-   components in local arrays; otherwise it keeps the state in the caller's array `work`. */
+/* VMI_IS_SMALL(n) is 1 where the compiler knows n and n <= VMI_SMALL, else 0. If it is 1, an integrator keeps a state
+   of n components in local arrays, which is faster; if it is 0, it keeps the state in the caller's array `work`. */
 #define VMI_SMALL 8
 #if defined(__GNUC__) && defined(__OPTIMIZE__)
 #define VMI_IS_SMALL(n) (__builtin_constant_p(n) && (n) <= VMI_SMALL)
@@ -443,7 +460,7 @@ VM_API int vmi_all_finite(int n, const vm_real *y)
 #define VMI_IS_SMALL(n) 0
 #endif
 
-/* Copies n numbers. The arrays `from` and `to` must not overlap, but they may be one and the same array. */
+/* Copies n numbers. The arrays `from` and `to` may be one and the same array, but must not overlap in any other way. */
 VM_INLINE void vmi_copy(int n, const vm_real *from, vm_real *to)
 {
     int i;
@@ -479,17 +496,19 @@ enum {
     ODE_EVENT = 2,       /* an event has ended the run: s->t, s->y are its time and state, s->event is its index */
     ODE_STIFF = 3,       /* t_end was reached, but for a while stability, not the tolerance, limited the step size */
     /* An argument is wrong: n or steps is not positive, a pointer is NULL, a component has no tolerance, h_min is
-       negative or above h_max, a time, a state or an option is not finite, a time is outside the last step, an event
-       has no g, or the rk45 was made by the init function of another method. */
+       negative or above h_max, a time, a state or an option is not finite (t_end may be infinite if an event can end
+       the run), a time is outside the last step or before an earlier one, an event has no g, a saved run does not fit,
+       or the rk45 was made by the init function of another method. */
     ODE_BAD_ARGUMENT = -1,
     ODE_RHS_STOPPED = -2, /* f returned a number other than 0, which is s->rhs_status */
     ODE_NOT_FINITE = -3,  /* f or the state is infinite or NaN even in the shortest step, or an event function is NaN */
     /* Two steps of the smallest size (h_min, or the resolution of t) missed the tolerance, and fewer than three steps
        between them kept it: f is singular there, or too stiff for the resolution of t. A run also ends with this status
-       if h_max is less than the resolution of t. A jump of f does not end a run: s->missed counts it. */
+       if h_max is less than the resolution of t, or if t_end is infinite and t reaches the largest number of the type.
+       A jump of f does not end a run: s->missed counts it. */
     ODE_STEP_TOO_SMALL = -4,
     ODE_MAX_STEPS = -5,     /* max_steps attempts did not reach t_end; another call continues the run */
-    ODE_WORK_TOO_SMALL = -6 /* the option work_size is less than RK45_WORK(n) or RK87_WORK(n) */
+    ODE_WORK_TOO_SMALL = -6 /* work_size is less than RK45_WORK(n) or RK87_WORK(n), or size is less than RK45_SAVED */
 };
 
 /* A function that writes the n derivatives f(t, y) to dydt and returns 0, or any other number to stop the run. ctx is
@@ -526,10 +545,11 @@ VM_API const char *ode_strerror(int status)
 #ifndef VARMASS_INTEGRATORS_RK4_H
 #define VARMASS_INTEGRATORS_RK4_H
 
-#define RK4_WORK(n) (3 * (n)) /* number of elements of the work of rk4 with n components */
+#define RK4_WORK(n) (3 * (n)) /* number of elements of the array work for n components */
 
-/* Computes the four stages of a step of size h from the state y at t. sum becomes k_1 + 2 k_2 + 2 k_3, and k becomes
-   k_4; z receives the states at which f is evaluated. Returns 0, or the number with which f has stopped the run. */
+/* Computes the four stages of a step of size h from the state y at t; k_1 ... k_4 are the values of f in them. sum
+   becomes k_1 + 2 k_2 + 2 k_3, and k becomes k_4; z is the state at which f is evaluated. Returns 0, or the number with
+   which f has stopped the run. */
 VM_INLINE int vmi_rk4_stages(ode_rhs f, void *ctx, int n, vm_real t, vm_real h, const vm_real *y, vm_real *k,
                              vm_real *sum, vm_real *z)
 {
@@ -683,7 +703,7 @@ enum {
 };
 
 /* An event happens where g(t, y) reaches zero or changes its sign. The caller owns the array of events to which the
-   options point. The caller sets the fields from g to states; the integrator sets the fields from count on. */
+   options point. The caller sets the fields from g to stop_after; the integrator sets the fields from count on. */
 typedef struct VM_TAG(ode_event) {
     ode_event_function g; /* the function whose zeros are the event */
     void *ctx;            /* pointer that g and change receive */
@@ -696,6 +716,9 @@ typedef struct VM_TAG(ode_event) {
     long room;       /* number of events for which times and states have room; later events are only counted */
     vm_real *times;  /* NULL, or an array that receives the times of the first `room` events */
     vm_real *states; /* NULL, or an array that receives the states of the first `room` events, n numbers each */
+    /* 0, or a number k > 0: the run ends with ODE_EVENT when this event happens for the kth time, the 2kth time and so
+       on, whatever its action is. An event with ODE_STOP then stops at no other time. Each event ends a step. */
+    long stop_after;
     long count;      /* number of events so far */
     vm_real t;       /* time of the last event */
     /* The fields from here on are internal. */
@@ -764,8 +787,27 @@ VM_API int vmi_options_are_valid(const rk45_options *o, int n)
     if (!VM_IS_FINITE(o->h0) || !(o->h_min >= 0) || !(o->h_max >= o->h_min)) return 0;
     if (o->n_events < 0 || (o->n_events > 0 && !o->events)) return 0;
     for (i = 0; i < o->n_events; i++)
-        if (!o->events[i].g || o->events[i].room < 0) return 0;
+        if (!o->events[i].g || o->events[i].room < 0 || o->events[i].stop_after < 0) return 0;
     return 1;
+}
+
+/* Whether the event ends the step in which it happens */
+VM_INLINE int vmi_ends_step(const ode_event *e) { return e->action != ODE_RECORD || e->stop_after > 0; }
+
+/* Whether the event, which has just been counted, ends the run */
+VM_API int vmi_stops_now(const ode_event *e)
+{
+    if (e->stop_after > 0) return e->count % e->stop_after == 0;
+    return e->action == ODE_STOP;
+}
+
+/* Whether any event can end the run */
+VM_API int vmi_an_event_stops(const rk45_options *o)
+{
+    int i;
+    for (i = 0; i < o->n_events; i++)
+        if (o->events[i].action == ODE_STOP || o->events[i].stop_after > 0) return 1;
+    return 0;
 }
 
 /* Tolerance of component i in a step, atol + rtol |y|, where y is the value of the component. VM_MIN is added so that
@@ -781,9 +823,10 @@ VM_INLINE vm_real vmi_tolerance(const rk45_options *o, int i, vm_real y)
 
        k_i = f(t + c_i h, y + h (a_i1 k_1 + a_i2 k_2 + ...)),    y_new = y + h (b_1 k_1 + b_2 k_2 + ...),
 
-   and estimates the error by another sum of the k_i. For each pair there is a file with its public functions, its
-   coefficients and its descriptor: rk45.h, rk87.h. The descriptor, a vmi_rk_pair, holds all that an adaptive run needs
-   to know of the pair. To add a pair, write such a file and include it in src/integrators.h.
+   where c_i, a_ij and b_i are the coefficients of the pair. Another sum of the k_i estimates the error. For each pair
+   there is a file with its public functions, its coefficients and its descriptor: rk45.h, rk87.h. The descriptor, a
+   vmi_rk_pair, holds all that an adaptive run needs to know of the pair. To add a pair, write such a file and include
+   it in src/integrators.h.
 
    Tests: tests/gen/order_conditions.py, every order condition; tests/test_adaptive.c, measured orders. */
 #ifndef VARMASS_INTEGRATORS_PAIRS_H
@@ -791,12 +834,13 @@ VM_INLINE vm_real vmi_tolerance(const rk45_options *o, int i, vm_real y)
 
 struct VM_TAG(rk45);
 
-/* The parts of a run's work, of n numbers each: VMI_Y is the state y, VMI_Y_OLD the state at t_old, VMI_Z the state at
-   which a stage evaluates f (after the stages the new state). The derivatives k_1, k_2 ... begin at VMI_K. */
+/* Indices of the parts of a run's work array. Each part has n numbers: VMI_Y is the state y, VMI_Y_OLD the state at
+   t_old, VMI_Z the state at which a stage evaluates f, and after the last stage the new state. VMI_K is k_1; k_2, k_3
+   ... follow. */
 enum { VMI_Y, VMI_Y_OLD, VMI_Z, VMI_K };
 
-/* The equations y' = f(t, y) that a step solves, n of them, and the arrays of the step: part p, such as VMI_Y, begins
-   at w + p m, where m >= n. ctx is the pointer that f receives. */
+/* The n equations y' = f(t, y) that a step solves, and w, the array of the step: its part number p, such as VMI_Y,
+   begins at w + p m, where m >= n. ctx is the pointer that f receives. */
 typedef struct VM_TAG(vmi_rk_system) {
     ode_rhs f;
     void *ctx;
@@ -810,7 +854,7 @@ typedef struct VM_TAG(vmi_rk_pair) {
     int method;           /* the number of the pair, VMI_RK45 or VMI_RK87 */
     int order;            /* the order of the state after a step; the order of the error estimate is one less */
     int stages;           /* number of evaluations of f for the new state and the error estimate */
-    int last_is_first;    /* 1: the last stage gives f at the new state, the next k_1; 0: the run evaluates it */
+    int last_is_first;    /* 1: the last stage is f at the new state, the next k_1; 0: the run evaluates f there */
     int derivatives;      /* number of all k_i of a step: stages, f at its end, stages of the continuous extension */
     int rounding;         /* bound of a step's relative rounding error, in units of VM_EPSILON; it is the least rtol */
     vm_real keep_from;    /* the step size may stay the same after an error above this fraction of the tolerance */
@@ -827,8 +871,9 @@ typedef struct VM_TAG(vmi_rk_pair) {
 } vmi_rk_pair;
 
 /* What the loop over the steps needs to know of a pair. vmi_run gets this struct as a constant, so that the compiler
-   inlines make_stages and step_error into the loop. The two functions are no part of vmi_rk_pair, which each run
-   stores, because the compiler would then compile them a second time. */
+   inlines make_stages and step_error into the loop. The two functions are not fields of vmi_rk_pair: each run stores a
+   vmi_rk_pair, and for a stored pointer to a function the compiler would compile the function once more, outside the
+   loop. */
 typedef struct VM_TAG(vmi_rk_stepper) {
     vmi_rk_pair pair;
     /* Computes stages 2, 3 ... of a step from t to t_new = t + h, after which the part VMI_Z of work is the new state.
@@ -841,17 +886,17 @@ typedef struct VM_TAG(vmi_rk_stepper) {
 
 #define VMI_MOST_OWN 14 /* the largest number of k_i in a step of any pair, without those of the continuous extension */
 
-/* Linkage of descriptors and of the parts of vmi_advance. Inlining turns the descriptors into constants, and each part
-   is called in one place only, so that inlining makes the code smaller. These functions are therefore inlined even
-   where VM_INLINE does not inline, in order to keep the code small. */
+/* Linkage of descriptors and of the parts of vmi_advance. These functions are inlined even where VM_INLINE does not
+   inline. This makes the code smaller, since the descriptors become constants and each part is called in one place
+   only. */
 #if defined(__GNUC__) && !defined(__CUDACC__) && defined(__OPTIMIZE__)
 #define VMI_FOLDED static inline __attribute__((always_inline))
 #else
 #define VMI_FOLDED VM_INLINE
 #endif
 
-/* Linkage of the loop over the steps of one pair. The loop is inlined, in order to be fast, but not if the compiler
-   optimises for size: then one copy for any n is enough. */
+/* Linkage of the loop over the steps of one pair. The loop is inlined, because this makes it fast. If the compiler
+   optimises for size, it is not inlined, so that one copy serves every n. */
 #ifdef __OPTIMIZE_SIZE__
 #define VMI_LOOP VMI_APART
 #else
@@ -865,9 +910,9 @@ VMI_FOLDED int vmi_last_k(const vmi_rk_pair *pair) { return VMI_K + pair->stages
 VMI_FOLDED vm_real vmi_least_rtol(const vmi_rk_pair *pair) { return (vm_real)pair->rounding * VM_EPSILON; }
 
 /* Macros for the stages of a pair. VMI_H is h times a coefficient. VMI_EVAL evaluates k = f(t, y) and counts it; if f
-   stops the run, it returns from the function that makes the stages. In every sum h
-   is multiplied into the coefficients and the newest k comes last, so that only one multiplication and one addition lie
-   between one evaluation of f and the next. */
+   stops the run, it returns from the function that makes the stages. In every sum h is multiplied into the
+   coefficients, and the k that was evaluated last is the last term, so that only one multiplication and one addition
+   lie between one evaluation of f and the next. */
 #define VMI_H(c) (h * VM_C(c))
 #define VMI_EVAL(t, y, k)                \
     do {                                 \
@@ -912,7 +957,7 @@ typedef struct VM_TAG(rk45) {
     long evals;           /* number of evaluations of f */
     long missed;          /* number of steps of the smallest size that were accepted above the tolerance */
     int rhs_status;       /* number that f returned last */
-    int event;            /* index of the ODE_STOP event that ended the last call, else -1 */
+    int event;            /* index of the event that ended the last call, else -1 */
     int stiff;            /* nonzero once the run has looked stiff */
     ode_rhs f;            /* the right-hand side */
     void *ctx;            /* pointer that f receives */
@@ -993,6 +1038,7 @@ VMI_APART int vmi_init(rk45 *s, const vmi_rk_pair *pair, ode_rhs f, void *ctx, i
     s->h = o.h0;
     s->attempts = o.max_steps;
     vmi_copy(n, y0, s->y);
+    for (i = n; i < (VMI_K + pair->derivatives) * n; i++) work[i] = 0; /* so that a run that is saved is known bytes */
     if (options_or_NULL && options_or_NULL->rtol > 0 && options_or_NULL->rtol < o.rtol) return ODE_RTOL_RAISED;
     return ODE_OK;
 }
@@ -1093,8 +1139,8 @@ VM_API int vmi_interpolate(rk45 *s, vm_real t, vm_real *y)
 
 #if VM_MANT_DIG > 24
 typedef uint64_t vmi_bits;
-#define VMI_STORED_DIG 52 /* number of bits that store the mantissa */
-#define VMI_BIAS 1023     /* stored exponent of the number 1 */
+#define VMI_STORED_DIG 52 /* number of bits in which the mantissa is stored */
+#define VMI_BIAS 1023     /* the number that is stored as the exponent of 1 */
 #else
 typedef uint32_t vmi_bits;
 #define VMI_STORED_DIG 23
@@ -1117,8 +1163,16 @@ VM_API vm_real vmi_from_bits(vmi_bits bits)
     return x;
 }
 
-/* Returns x 2^k. The result is rounded at most once if |x| lies between 1/4 and 4 or is 0, or if x 2^(k/2) is a normal
-   number. The function multiplies by about 2^(k/2) twice, because 2^k itself may overflow or underflow. */
+/* Returns the largest power of two that is at most x, for a normal number x > 0. For a smaller x it is VM_MIN. */
+VM_API vm_real vmi_power_below(vm_real x)
+{
+    const vmi_bits mantissa = ((vmi_bits)1 << VMI_STORED_DIG) - 1;
+    if (x < VM_MIN) return VM_MIN;
+    return vmi_from_bits(vmi_to_bits(x) & ~mantissa);
+}
+
+/* Returns x 2^k. The function multiplies x twice by about 2^(k/2), because 2^k itself may overflow or underflow. It
+   rounds at most once if |x| lies between 1/4 and 4 or is 0, or if x 2^(k/2) is a normal number. */
 VM_API vm_real vmi_ldexp(vm_real x, int k)
 {
     const int limit = 2 * VMI_BIAS - 2;
@@ -1131,12 +1185,12 @@ VM_API vm_real vmi_ldexp(vm_real x, int k)
            vmi_from_bits((vmi_bits)(VMI_BIAS + rest) << VMI_STORED_DIG);
 }
 
-/* Returns (y + y_lo) 2^k for y from 1/2 to 2 and its low word y_lo. The result is rounded once, even if subnormal. */
+/* Returns (y + y_lo) 2^k for 1/2 <= y <= 2 and a low word y_lo of y. The result is rounded once, even if subnormal. */
 VM_API vm_real vmi_ldexp_two(vm_real y, vm_real y_lo, int k)
 {
     if (k < 1 - VMI_BIAS || (k == 1 - VMI_BIAS && y < 1)) {
-        /* A subnormal result has fewer digits than y + y_lo. Adding and subtracting a power of two removes the
-           superfluous digits with one rounding. */
+        /* A subnormal result has fewer digits than y + y_lo. The code adds a power of two and subtracts it again, which
+           removes the superfluous digits with one rounding. */
         const int most = VM_MANT_DIG + 1, lost = 1 - VMI_BIAS - k < most ? 1 - VMI_BIAS - k : most;
         const vm_real large = vmi_ldexp(1, lost);
         const vm_two sum = vmi_fast_two_sum(large, y);
@@ -1793,7 +1847,7 @@ VM_API int vmi_find_cut(const rk45 *s, vm_real *cut, int *owner)
             ode_event *e = s->options.events + i, look;
             vm_real at;
             int status;
-            if (e->action == ODE_RECORD || i == *owner) continue;
+            if (!vmi_ends_step(e) || i == *owner) continue;
             look = *e;
             status = vmi_follow_event(s, &look, VMI_SMALLER(*cut, VM_C(1.0)), &at);
             if (status) return status;
@@ -1809,7 +1863,7 @@ VM_API int vmi_find_cut(const rk45 *s, vm_real *cut, int *owner)
     return ODE_OK;
 }
 
-/* Counts and stores each time that an event with the action ODE_RECORD happens up to the fraction `to` of the step.
+/* Counts and stores each time that an event which ends no step happens up to the fraction `to` of the step.
    Returns a status. */
 VM_API int vmi_record_until(const rk45 *s, ode_event *e, vm_real to)
 {
@@ -1854,7 +1908,7 @@ VM_API int vmi_cut_step(rk45 *s, vm_real x)
         ode_event *e = s->options.events + i;
         if (!e->happens) continue;
         vmi_record(s, e, x);
-        if (e->action == ODE_STOP && s->event < 0) s->event = i;
+        if (vmi_stops_now(e) && s->event < 0) s->event = i;
     }
     if (x < 1) {
         const vm_two t = vmi_two_sum(s->t_old, s->t_old_low + x * s->h_done);
@@ -1909,7 +1963,7 @@ VM_API void vmi_pass_on_sides(rk45 *s)
     for (i = 0; i < s->options.n_events; i++) {
         ode_event *e = s->options.events + i;
         e->happens = 0;
-        if (e->action == ODE_RECORD) continue;
+        if (!vmi_ends_step(e)) continue;
         e->side = e->side_ahead;
         e->quiet = VMI_LARGER(e->quiet - VM_FABS(s->h_done), VM_C(0.0));
     }
@@ -1926,7 +1980,7 @@ VM_API int vmi_events(rk45 *s)
     for (i = 0; i < n_events; i++) events[i].from = 0;
     if (status == ODE_OK) status = vmi_find_cut(s, &cut, &owner);
     for (i = 0; i < n_events && status == ODE_OK; i++)
-        if (events[i].action == ODE_RECORD) status = vmi_record_until(s, events + i, VMI_SMALLER(cut, VM_C(1.0)));
+        if (!vmi_ends_step(events + i)) status = vmi_record_until(s, events + i, VMI_SMALLER(cut, VM_C(1.0)));
     if (status) return status;
     if (cut == VMI_NONE) {
         vmi_pass_on_sides(s);
@@ -2087,20 +2141,37 @@ VM_INLINE int vmi_begin_step(rk45 *s, int method, vm_real *t_end)
     return ODE_OK;
 }
 
-/* Prepares the steps of rk45_solve_with, for the pair whose number is `method`. Returns a status; the steps may be made
-   if it is ODE_OK. */
+/* Prepares the steps of rk45_solve_with, for the pair whose number is `method`. t_end may be infinite if an event can
+   end the run. Returns a status; the steps may be made if it is ODE_OK. */
 VM_INLINE int vmi_begin_solve(rk45 *s, int method, ode_rhs f, int n, vm_real t_end)
 {
-    if (!s || !VM_IS_FINITE(t_end) || s->pair.method != method || f != s->f || n != s->n) return ODE_BAD_ARGUMENT;
+    if (!s || t_end != t_end || s->pair.method != method || f != s->f || n != s->n) return ODE_BAD_ARGUMENT;
+    if (!VM_IS_FINITE(t_end) && !vmi_an_event_stops(&s->options)) return ODE_BAD_ARGUMENT;
     s->attempts = s->options.max_steps;
     return ODE_OK;
+}
+
+/* The time to which the steps of a run to t_end go: the largest number of the type if t_end is infinite */
+VM_INLINE vm_real vmi_last_time(vm_real t_end)
+{
+    if (t_end > VM_MAX) return VM_MAX;
+    if (t_end < -VM_MAX) return -VM_MAX;
+    return t_end;
+}
+
+/* The status of a run to t_end whose steps have ended with `status`. If t_end is infinite, no run gets there. */
+VM_INLINE int vmi_end_solve(vm_real t_end, int status)
+{
+    if (!VM_IS_FINITE(t_end) && (status == ODE_OK || status == ODE_STIFF)) return ODE_STEP_TOO_SMALL;
+    return status;
 }
 
 #endif
 /* integrators/rk45.h - rk45: adaptive runs by a Runge-Kutta pair of orders 5 and 4
    Tsitouras' pair [1] has seven stages. The last stage is the first one of the next step, so that a step takes six
-   evaluations of f. The continuous extension of order 4 takes no further evaluation. Begin with rk45. It is better than
-   rk87 in float, for loose tolerances, for right-hand sides that are not smooth, and for many events.
+   evaluations of f. The continuous extension of order 4, which gives the states inside a step, takes no further
+   evaluation. Try this method first. It is better than rk87 in float, for loose tolerances, for right-hand sides that
+   are not smooth, and for many events.
 
        double y0[2] = {1, 0}, work[RK45_WORK(2)];
        rk45 s;
@@ -2146,8 +2217,8 @@ VMI_FOLDED int vmi_rk45_stages(vmi_rk_system sys, vm_real t, vm_real t_new, vm_r
     return 0;
 }
 
-/* The largest ratio of the error of a component to its tolerance. The error is the difference of the results of orders
-   5 and 4. */
+/* The largest ratio of the error of a component to its tolerance. The error is the difference of the two new states, of
+   order 5 and of order 4. */
 VMI_FOLDED vm_real vmi_rk45_error(const rk45_options *o, vmi_rk_system sys, vm_real h)
 {
     const ptrdiff_t m = sys.m;
@@ -2165,8 +2236,8 @@ VMI_FOLDED vm_real vmi_rk45_error(const rk45_options *o, vmi_rk_system sys, vm_r
     return VMI_SMALLER(worst, VMI_WORST) + bad;
 }
 
-/* For the test of stiffness: the factor of k_{j+1} in the state of stage 7 minus its factor in the state of stage 6.
-   Both stages evaluate f at the end of the step. */
+/* Returns, for the test of stiffness, the factor of k_{j+1} in the state of stage 7 minus its factor in the state of
+   stage 6. Both stages evaluate f at the end of the step. */
 VM_API vm_real vmi_rk45_end_difference(int j)
 {
     VM_TABLE vm_real weights[6] = {VM_C(-5.764994676128355), VM_C(12.93096931784711),   VM_C(-7.67947824816166),
@@ -2228,7 +2299,7 @@ VMI_LOOP int vmi_rk45_run(rk45 *s, ode_rhs f, int n, vm_real t_end, int single)
 
 /* -- Functions for users -- */
 
-#define RK45_WORK(n) (10 * (n)) /* number of elements of the work of an rk45 with n components */
+#define RK45_WORK(n) (10 * (n)) /* number of elements of the array work for n components */
 
 /* Options of rk45 with each zero replaced by its default, as rk45_init uses them. rtol becomes at least 16 VM_EPSILON.
    If options_or_NULL is NULL, all options have their defaults. */
@@ -2262,19 +2333,19 @@ VM_INLINE int rk45_step(rk45 *s)
     return vmi_rk45_run(s, s->f, s->n, t_end, 1);
 }
 
-/* Steps of rk45 to t_end, with f and n named again so that f is inlined. The compiler inlines f if f and n are
-   constants in this call, wherever rk45_init was called. Returns ODE_BAD_ARGUMENT if f or n is not that of s;
-   all else is as in rk45_solve. */
+/* Steps of rk45 to t_end, with f and n given once more so that f is inlined. The compiler inlines f if f and n are
+   constants in this call, wherever rk45_init was called. Returns ODE_BAD_ARGUMENT if f or n is not that of s; all else
+   is as in rk45_solve. */
 VM_INLINE int rk45_solve_with(rk45 *s, ode_rhs f, int n, vm_real t_end)
 {
     const int status = vmi_begin_solve(s, VMI_RK45, f, n, t_end);
     if (status) return status;
-    return vmi_rk45_run(s, f, n, t_end, 0);
+    return vmi_end_solve(t_end, vmi_rk45_run(s, f, n, vmi_last_time(t_end), 0));
 }
 
-/* Steps of rk45 to t_end exactly, forward or backward, or to an ODE_STOP event. Nothing changes if s->t is
-   t_end. After an error s->t and s->y are those of the last accepted step. Returns a status. After ODE_MAX_STEPS, that
-   is after options.max_steps attempts, another call continues the run. */
+/* Steps of rk45 to t_end exactly, forward or backward, or to an event that ends the run. t_end may be infinite if there
+   is such an event. Nothing changes if s->t is t_end. After an error s->t and s->y are those of the last accepted step.
+   Returns a status. After ODE_MAX_STEPS, that is after options.max_steps attempts, another call continues the run. */
 VM_INLINE int rk45_solve(rk45 *s, vm_real t_end)
 {
     if (!s) return ODE_BAD_ARGUMENT;
@@ -2287,9 +2358,10 @@ VM_API int rk45_interpolate(const rk45 *s, vm_real t, vm_real *y) { return vmi_i
 
 #endif
 /* integrators/rk87.h - rk87: adaptive runs by a Runge-Kutta pair of orders 8 and 7
-   Verner's "most efficient" pair [4] has 13 stages. Its continuous extension of order 8 takes seven more evaluations of
-   f in each step in which it is used. The coefficients of the pair are up to 123, so that its rounding errors are
-   larger than those of rk45. Use rk87 for a smooth f in double, where the errors must be small.
+   Verner's "most efficient" pair [4] has 13 stages. Its continuous extension of order 8, which gives the states inside
+   a step, takes seven more evaluations of f in each step in which it is used. The coefficients of the pair are up to
+   123, so that its rounding errors are larger than those of rk45. Use rk87 for a smooth f in double, where the errors
+   must be small.
 
    Tests: tests/gen/order_conditions.py, tests/test_adaptive.c, tests/test_dense.c. */
 #ifndef VARMASS_INTEGRATORS_RK87_H
@@ -2330,8 +2402,8 @@ VMI_FOLDED int vmi_rk87_early_stages(vmi_rk_system sys, vm_real t, vm_real h, lo
 
 /* Computes stages 8 to 13 of a step of Verner's pair [4], and the new state, whose derivative is evaluated only after
    the step is accepted. Large coefficients of opposite sign belong to derivatives k at nearly equal times. The sums use
-   the differences of such k, which are exact, so that roundings remain small. Returns 0, or the number with which f has
-   stopped the run. */
+   the differences of such k. These differences have no rounding error, so that the rounding errors of the sums are
+   small. Returns 0, or the number with which f has stopped the run. */
 VMI_FOLDED int vmi_rk87_late_stages(vmi_rk_system sys, vm_real t, vm_real t_new, vm_real h, long *evals)
 {
     const ptrdiff_t m = sys.m;
@@ -2402,10 +2474,11 @@ VMI_FOLDED int vmi_rk87_stages(vmi_rk_system sys, vm_real t, vm_real t_new, vm_r
 }
 
 /* Estimates the error that a jump of f inside a step of size 1 causes in a component whose derivatives are k1 ... k13.
-   This error is up to a quarter of the jump. The result of order 8 minus that of order 7 hardly shows a jump in the
-   first 0.9 of the step: in this difference the weights of the k before the jump add up to 4e-4 at most. In the sum
-   `seen`, of order 5, the weights of the k before the jump add up in magnitude to
-     0.11 for a jump before 0.155 of the step (k1), 0.17 before 0.465 (k1, k7), 0.25 before 0.9 (k1, k7, k6).
+   This error is up to a quarter of the jump. The difference of the results of orders 8 and 7 hardly shows a jump in the
+   first 0.9 of the step: in this difference the weights of the k before the jump add up to 4e-4 at most. `seen` is the
+   magnitude of another sum of the k, of order 5. In it the weights of the k before the jump add up in magnitude to
+     0.11 for a jump before 0.155 of the step (only k1 is before it), 0.17 for a jump between 0.155 and 0.465 (k1 and
+     k7 are before it), 0.25 for a jump between 0.465 and 0.9 (k1, k7 and k6 are before it).
    If f is smooth, `seen` is much smaller than `change`, the change of f along the step. The result
    seen^2/(seen + change) is then of order 9, and below the difference of orders 8 and 7 unless the tolerance is
    loose. */
@@ -2418,8 +2491,8 @@ VM_INLINE vm_real vmi_rk87_jump(vm_real k1, vm_real k6, vm_real k7, vm_real k9, 
     return seen * (seen / (seen + change + VM_MIN));
 }
 
-/* The largest ratio of the error of a component to its tolerance. The error is the larger of two: the difference of the
-   results of orders 8 and 7, and the error that a jump of f may cause (vmi_rk87_jump). */
+/* The largest ratio of the error of a component to its tolerance. The error is the larger of two numbers: the
+   difference of the new states of orders 8 and 7, and the error that a jump of f may cause (vmi_rk87_jump). */
 VMI_FOLDED vm_real vmi_rk87_error(const rk45_options *o, vmi_rk_system sys, vm_real h)
 {
     const ptrdiff_t m = sys.m;
@@ -2441,8 +2514,8 @@ VMI_FOLDED vm_real vmi_rk87_error(const rk45_options *o, vmi_rk_system sys, vm_r
     return VMI_SMALLER(worst, VMI_WORST) + bad;
 }
 
-/* For the test of stiffness: the factor of k_{j+1} in the new state minus its factor in the state of stage 13. The run
-   evaluates f for both states at the end of the step. */
+/* Returns, for the test of stiffness, the factor of k_{j+1} in the new state minus its factor in the state of stage 13.
+   The run evaluates f for both states at the end of the step. */
 VM_API vm_real vmi_rk87_end_difference(int j)
 {
     VM_TABLE vm_real weights[13] = {VM_C(3.0837949279563885408),
@@ -2461,7 +2534,7 @@ VM_API vm_real vmi_rk87_end_difference(int j)
     return VM_READ(weights[j]);
 }
 
-/* Numbers of k_i: those that a step itself makes, and those that the continuous extension adds */
+/* How many k_i a step itself computes, and how many the continuous extension adds */
 #define VMI_RK87_OWN 14
 #define VMI_RK87_EXTRA 7
 
@@ -2524,8 +2597,8 @@ VM_API int vmi_rk87_extend(rk45 *s)
     return ODE_OK;
 }
 
-/* Coefficient i of b_{j+1}(x)/x in Bernstein's polynomials of degree 7; b_{j+1} is the weight of k_{j+1} in the
-   continuous extension. Coefficients of powers of x would be larger [4]. */
+/* Returns coefficient i of the polynomial b_{j+1}(x)/x, as a sum of Bernstein's polynomials of degree 7. b_{j+1}(x) is
+   the weight of k_{j+1} in the continuous extension. In powers of x the coefficients would be larger [4]. */
 VM_API vm_real vmi_rk87_bernstein(int i, int j)
 {
     VM_TABLE vm_real c[8][21] = {
@@ -2627,7 +2700,7 @@ VMI_LOOP int vmi_rk87_run(rk45 *s, ode_rhs f, int n, vm_real t_end, int single)
 
 /* -- Functions for users -- */
 
-#define RK87_WORK(n) (24 * (n)) /* number of elements of the work of an rk87 with n components */
+#define RK87_WORK(n) (24 * (n)) /* number of elements of the array work for n components */
 
 /* A run by rk87 has the options and the fields of a run by rk45, with the same meanings. */
 typedef rk45_options rk87_options;
@@ -2653,15 +2726,15 @@ VM_INLINE int rk87_step(rk87 *s)
     return vmi_rk87_run(s, s->f, s->n, t_end, 1);
 }
 
-/* Steps of rk87 to t_end, with f and n named again so that f is inlined. All else is as in rk45_solve_with. */
+/* Steps of rk87 to t_end, with f and n given once more so that f is inlined. All else is as in rk45_solve_with. */
 VM_INLINE int rk87_solve_with(rk87 *s, ode_rhs f, int n, vm_real t_end)
 {
     const int status = vmi_begin_solve(s, VMI_RK87, f, n, t_end);
     if (status) return status;
-    return vmi_rk87_run(s, f, n, t_end, 0);
+    return vmi_end_solve(t_end, vmi_rk87_run(s, f, n, vmi_last_time(t_end), 0));
 }
 
-/* Steps of rk87 to t_end exactly, forward or backward, or to an ODE_STOP event. All else is as in
+/* Steps of rk87 to t_end exactly, forward or backward, or to an event that ends the run. All else is as in
    rk45_solve. */
 VM_INLINE int rk87_solve(rk87 *s, vm_real t_end)
 {
@@ -2678,6 +2751,289 @@ VM_API int rk87_interpolate(rk87 *s, vm_real t, vm_real *y)
     if (!s || s->pair.method != VMI_RK87) return ODE_BAD_ARGUMENT;
     return vmi_interpolate(s, t, y);
 }
+
+#endif
+/* integrators/output.h - the solution at listed times
+   rk45_solve_at and rk87_solve_at fill a table with the state at times that the caller lists. Times between the ends of
+   the steps are taken from the continuous extension, so that the list does not make the steps shorter.
+
+       double times[3] = {1, 2, 5}, rows[3][2], y0[2] = {1, 0}, work[RK45_WORK(2)];
+       rk45 s;
+       rk45_init(&s, spring, NULL, 2, 0.0, y0, NULL, work); // spring is the ode_rhs of ode.h
+       if (rk45_solve_at(&s, 3, times, rows[0], NULL) >= 0) printf("x(5) = %g\n", rows[2][0]);
+
+   Tests: tests/test_dense.c. */
+#ifndef VARMASS_INTEGRATORS_OUTPUT_H
+#define VARMASS_INTEGRATORS_OUTPUT_H
+
+/* Whether a run that is at the time t, and that goes forward (direction 1) or backward (-1), has reached `time` */
+VM_API int vmi_has_reached(vm_real t, vm_real time, int direction)
+{
+    if (direction > 0) return t >= time;
+    return t <= time;
+}
+
+/* Whether the times begin at t or later in the direction of the run, and none is before an earlier one */
+VM_API int vmi_times_are_in_order(vm_real t, int n_times, const vm_real *times, int direction)
+{
+    int i;
+    for (i = 0; i < n_times; i++) {
+        if (!VM_IS_FINITE(times[i]) || !vmi_has_reached(times[i], t, direction)) return 0;
+        t = times[i];
+    }
+    return 1;
+}
+
+/* Fills the rows of all times that the run has reached, from the row *done on. Returns a status. */
+VM_API int vmi_fill_rows(rk45 *s, int n_times, const vm_real *times, int direction, vm_real *rows, int *done)
+{
+    while (*done < n_times && vmi_has_reached(s->t, times[*done], direction)) {
+        const int status = vmi_interpolate(s, times[*done], rows + (ptrdiff_t)*done * s->n);
+        if (status) return status;
+        ++*done;
+    }
+    return ODE_OK;
+}
+
+/* Does the work of rk45_solve_at for the pair whose number is `method`. run makes one step of this pair. */
+VM_API int vmi_solve_at(rk45 *s, int method, int (*run)(rk45 *s, ode_rhs f, int n, vm_real t_end, int single),
+                        int n_times, const vm_real *times, vm_real *rows, int *n_done_or_NULL)
+{
+    int direction = 1, done = 0, status = ODE_OK, was_stiff;
+    if (!s || s->pair.method != method || n_times < 0) return ODE_BAD_ARGUMENT;
+    if (n_times > 0 && (!times || !rows)) return ODE_BAD_ARGUMENT;
+    if (n_times > 0 && times[n_times - 1] < s->t) direction = -1;
+    if (!vmi_times_are_in_order(s->t, n_times, times, direction)) return ODE_BAD_ARGUMENT;
+    was_stiff = s->stiff;
+    s->attempts = s->options.max_steps;
+    s->event = -1;
+    for (;;) {
+        const int filled = vmi_fill_rows(s, n_times, times, direction, rows, &done);
+        if (filled) status = filled;
+        if (done == n_times || (status != ODE_OK && status != ODE_STIFF)) break;
+        status = run(s, s->f, s->n, times[n_times - 1], 1);
+    }
+    if (n_done_or_NULL) *n_done_or_NULL = done;
+    return status == ODE_OK && s->stiff > was_stiff ? (int)ODE_STIFF : status;
+}
+
+/* Run of rk45 to the last of n_times times, with the state at each of them in a row of n numbers.
+   The times rise from s->t on, or fall from it; equal ones are allowed. rows has n_times n numbers. *n_done_or_NULL
+   becomes the number of rows that are filled: all of them, unless an event or an error ends the run; another call with
+   the times that are left continues it. If an event changes the state at a listed time, the row has the new state. The
+   values are those of rk45_interpolate, and s->y at the last time. Returns a status, as rk45_solve does, and
+   ODE_BAD_ARGUMENT for times that are not finite or in another order. */
+VM_API int rk45_solve_at(rk45 *s, int n_times, const vm_real *times, vm_real *rows, int *n_done_or_NULL)
+{
+    return vmi_solve_at(s, VMI_RK45, vmi_rk45_run, n_times, times, rows, n_done_or_NULL);
+}
+
+/* Run of rk87 to the last of n_times times, with the state at each of them in a row of n numbers.
+   All else is as in rk45_solve_at. A step with listed times takes seven more evaluations of f, which may also end the
+   run with ODE_RHS_STOPPED or ODE_NOT_FINITE. */
+VM_API int rk87_solve_at(rk87 *s, int n_times, const vm_real *times, vm_real *rows, int *n_done_or_NULL)
+{
+    return vmi_solve_at(s, VMI_RK87, vmi_rk87_run, n_times, times, rows, n_done_or_NULL);
+}
+
+#endif
+/* integrators/saved.h - runs that are saved as bytes and resumed later
+   A saved run has all the numbers of an rk45, of its work and of its events, but no pointers. The program that resumes
+   it calls rk45_init with the f, n, options and events of the saved run, then rk45_resume. The resumed run has the same
+   bits as a run that was not interrupted. A plain copy of an rk45 would not do: y, work, options.events and
+   options.atol_each are pointers to arrays of the caller, and f, ctx and the fields of the pair point into the program.
+
+       unsigned char bytes[RK45_SAVED(2, 0)]; // n = 2, no events
+       double y0[2] = {1, 0}, work[RK45_WORK(2)], other_work[RK45_WORK(2)];
+       rk45 s, again;
+       rk45_init(&s, spring, NULL, 2, 0.0, y0, NULL, work); // spring is the ode_rhs of ode.h
+       rk45_solve(&s, 10.0);
+       rk45_save(&s, sizeof bytes, bytes); // the bytes may go to a file
+       rk45_init(&again, spring, NULL, 2, 0.0, y0, NULL, other_work);
+       rk45_resume(&again, sizeof bytes, bytes); // goes on where s is
+
+   Bytes are for the same machine, the same type vm_real and the same version of this header.
+   Tests: tests/test_saved_runs.c. */
+#ifndef VARMASS_INTEGRATORS_SAVED_H
+#define VARMASS_INTEGRATORS_SAVED_H
+
+#include <stdint.h>
+#include <string.h>
+
+/* The numbers at the beginning of a saved run. They tell whether it fits the run that resumes it. */
+enum {
+    VMI_SAVED_FORMAT,
+    VMI_SAVED_REAL,
+    VMI_SAVED_LONG,
+    VMI_SAVED_METHOD,
+    VMI_SAVED_N,
+    VMI_SAVED_EVENTS,
+    VMI_SAVED_HEAD /* how many numbers these are */
+};
+
+enum {
+    VMI_SAVED_FORMAT_NOW = 0x7601, /* "v" and the number of this format */
+    VMI_SAVED_RUN_INTS = VMI_SAVED_HEAD + 9,
+    VMI_SAVED_RUN_BYTES = 7 * sizeof(vm_real) + 6 * sizeof(long) + VMI_SAVED_RUN_INTS * sizeof(int) + sizeof(uint32_t),
+    VMI_SAVED_EVENT_BYTES = 4 * sizeof(vm_real) + sizeof(long) + 3 * sizeof(int)
+};
+
+/* Number of bytes of a saved run with n components and n_events events */
+#define VMI_SAVED(numbers, n_events) \
+    (VMI_SAVED_RUN_BYTES + (numbers) * (int)sizeof(vm_real) + (n_events) * VMI_SAVED_EVENT_BYTES)
+#define RK45_SAVED(n, n_events) VMI_SAVED(RK45_WORK(n), n_events)
+#define RK87_SAVED(n, n_events) VMI_SAVED(RK87_WORK(n), n_events)
+
+/* A place in the bytes of a saved run. The numbers go to the bytes if `saves` is not 0, else they come from them. */
+typedef struct VM_TAG(vmi_saved_place) {
+    unsigned char *to;
+    const unsigned char *from;
+    int saves;
+} vmi_saved_place;
+
+/* Writes the number x of `size` bytes, or reads it, and goes on to the next place */
+VM_API void vmi_saved_move(vmi_saved_place *p, void *x, size_t size)
+{
+    if (p->saves) {
+        memcpy(p->to, x, size);
+        p->to += size;
+    } else {
+        memcpy(x, p->from, size);
+        p->from += size;
+    }
+}
+
+VM_API void vmi_saved_move_event(vmi_saved_place *p, ode_event *e)
+{
+    vmi_saved_move(p, &e->count, sizeof e->count);
+    vmi_saved_move(p, &e->t, sizeof e->t);
+    vmi_saved_move(p, &e->from, sizeof e->from);
+    vmi_saved_move(p, &e->slack, sizeof e->slack);
+    vmi_saved_move(p, &e->quiet, sizeof e->quiet);
+    vmi_saved_move(p, &e->side, sizeof e->side);
+    vmi_saved_move(p, &e->side_ahead, sizeof e->side_ahead);
+    vmi_saved_move(p, &e->happens, sizeof e->happens);
+}
+
+/* Number of vm_reals in the work of the run s that belong to the integrator */
+VM_API long vmi_saved_numbers(const rk45 *s) { return (long)(VMI_K + s->pair.derivatives) * s->n; }
+
+/* Writes all numbers of the run, its work and its events, or reads them */
+VM_API void vmi_saved_move_run(vmi_saved_place *p, rk45 *s)
+{
+    int i;
+    vmi_saved_move(p, &s->t, sizeof s->t);
+    vmi_saved_move(p, &s->t_low, sizeof s->t_low);
+    vmi_saved_move(p, &s->t_old, sizeof s->t_old);
+    vmi_saved_move(p, &s->t_old_low, sizeof s->t_old_low);
+    vmi_saved_move(p, &s->h, sizeof s->h);
+    vmi_saved_move(p, &s->h_done, sizeof s->h_done);
+    vmi_saved_move(p, &s->inverse_error, sizeof s->inverse_error);
+    vmi_saved_move(p, &s->steps, sizeof s->steps);
+    vmi_saved_move(p, &s->rejected, sizeof s->rejected);
+    vmi_saved_move(p, &s->evals, sizeof s->evals);
+    vmi_saved_move(p, &s->missed, sizeof s->missed);
+    vmi_saved_move(p, &s->next_miss, sizeof s->next_miss);
+    vmi_saved_move(p, &s->attempts, sizeof s->attempts);
+    vmi_saved_move(p, &s->rhs_status, sizeof s->rhs_status);
+    vmi_saved_move(p, &s->event, sizeof s->event);
+    vmi_saved_move(p, &s->k1, sizeof s->k1);
+    vmi_saved_move(p, &s->extended, sizeof s->extended);
+    vmi_saved_move(p, &s->failure, sizeof s->failure);
+    vmi_saved_move(p, &s->stiff, sizeof s->stiff);
+    vmi_saved_move(p, &s->stiff_wait, sizeof s->stiff_wait);
+    vmi_saved_move(p, &s->stiff_hits, sizeof s->stiff_hits);
+    vmi_saved_move(p, &s->stiff_misses, sizeof s->stiff_misses);
+    vmi_saved_move(p, s->work, (size_t)vmi_saved_numbers(s) * sizeof *s->work);
+    for (i = 0; i < s->options.n_events; i++) vmi_saved_move_event(p, s->options.events + i);
+}
+
+/* The numbers at the beginning of a saved run */
+VM_API void vmi_saved_head(const rk45 *s, int *head)
+{
+    head[VMI_SAVED_FORMAT] = VMI_SAVED_FORMAT_NOW;
+    head[VMI_SAVED_REAL] = (int)sizeof(vm_real);
+    head[VMI_SAVED_LONG] = (int)sizeof(long);
+    head[VMI_SAVED_METHOD] = s->pair.method;
+    head[VMI_SAVED_N] = s->n;
+    head[VMI_SAVED_EVENTS] = s->options.n_events;
+}
+
+/* A checksum of bytes (FNV-1a), which a saved run ends with, so that damaged bytes are refused */
+VM_API uint32_t vmi_saved_checksum(const unsigned char *bytes, long count)
+{
+    uint32_t sum = 2166136261u;
+    long i;
+    for (i = 0; i < count; i++) sum = (sum ^ bytes[i]) * 16777619u;
+    return sum;
+}
+
+/* Number of bytes of the saved run s */
+VM_API long vmi_saved_size(const rk45 *s)
+{
+    return (long)VMI_SAVED_RUN_BYTES + vmi_saved_numbers(s) * (long)sizeof(vm_real) +
+           (long)s->options.n_events * (long)VMI_SAVED_EVENT_BYTES;
+}
+
+/* Does the work of rk45_save for the pair whose number is `method` */
+VM_API int vmi_save(const rk45 *s, int method, long size, unsigned char *bytes)
+{
+    vmi_saved_place place;
+    int head[VMI_SAVED_HEAD];
+    uint32_t sum;
+    rk45 copy;
+    if (!s || !bytes || size < 0 || s->pair.method != method) return ODE_BAD_ARGUMENT;
+    if (size < vmi_saved_size(s)) return ODE_WORK_TOO_SMALL;
+    copy = *s;
+    place.to = bytes;
+    place.from = NULL;
+    place.saves = 1;
+    vmi_saved_head(s, head);
+    vmi_saved_move(&place, head, sizeof head);
+    vmi_saved_move_run(&place, &copy);
+    sum = vmi_saved_checksum(bytes, (long)(place.to - bytes));
+    vmi_saved_move(&place, &sum, sizeof sum);
+    return ODE_OK;
+}
+
+/* Does the work of rk45_resume for the pair whose number is `method` */
+VM_API int vmi_resume(rk45 *s, int method, long size, const unsigned char *bytes)
+{
+    vmi_saved_place place;
+    int head[VMI_SAVED_HEAD];
+    uint32_t sum;
+    long before; /* number of bytes before the checksum */
+    if (!s || !bytes || size < 0 || s->pair.method != method) return ODE_BAD_ARGUMENT;
+    if (size < vmi_saved_size(s)) return ODE_WORK_TOO_SMALL;
+    before = vmi_saved_size(s) - (long)sizeof sum;
+    vmi_saved_head(s, head);
+    if (memcmp(head, bytes, sizeof head) != 0) return ODE_BAD_ARGUMENT;
+    memcpy(&sum, bytes + before, sizeof sum);
+    if (sum != vmi_saved_checksum(bytes, before)) return ODE_BAD_ARGUMENT;
+    place.to = NULL;
+    place.from = bytes + sizeof head;
+    place.saves = 0;
+    vmi_saved_move_run(&place, s);
+    return ODE_OK;
+}
+
+/* Saves a run of rk45 between two calls as bytes, of which there is room for size >= RK45_SAVED(n, number of events).
+   The arrays `times` and `states` of events, ctx and the options are not in the bytes: they are the caller's. The cost
+   is that of a copy. Returns ODE_OK, ODE_BAD_ARGUMENT for a null pointer or a run by rk87, or ODE_WORK_TOO_SMALL. */
+VM_API int rk45_save(const rk45 *s, long size, unsigned char *bytes) { return vmi_save(s, VMI_RK45, size, bytes); }
+
+/* Takes the numbers of a saved run of rk45 into s, which rk45_init has made with the f, n, options and events of the
+   saved run. The next step has the same bits as that of the saved run. Returns ODE_OK, ODE_WORK_TOO_SMALL if size is
+   less than the bytes of such a run, or ODE_BAD_ARGUMENT for a null pointer, for bytes of a run with another method, n,
+   number of events or type, and for damaged bytes; s is then unchanged. */
+VM_API int rk45_resume(rk45 *s, long size, const unsigned char *bytes) { return vmi_resume(s, VMI_RK45, size, bytes); }
+
+/* Saves a run of rk87 as bytes, of which there is room for size >= RK87_SAVED(n, number of events).
+   All else is as in rk45_save. */
+VM_API int rk87_save(const rk87 *s, long size, unsigned char *bytes) { return vmi_save(s, VMI_RK87, size, bytes); }
+
+/* Takes the numbers of a saved run of rk87 into s, which rk87_init has made. All else is as in rk45_resume. */
+VM_API int rk87_resume(rk87 *s, long size, const unsigned char *bytes) { return vmi_resume(s, VMI_RK87, size, bytes); }
 
 #endif
 

@@ -28,34 +28,35 @@
      jacobi_F, jacobi_E_incomplete, jacobi_Pi_incomplete
                           incomplete elliptic integrals from 0 to any angle phi; F is the inverse of the amplitude
      jacobi_inverse_sn    u from sn(u | m); jacobi_inverse_cn and jacobi_inverse_dn do the same for cn and dn
-     jacobi_RF            Carlson's symmetric integrals R_F, R_C, R_D, R_J, R_G, of which all others are sums
+     jacobi_RF            Carlson's integrals R_F, R_C, R_D, R_J, R_G; all other elliptic integrals are sums of these
      jacobi_plan_init     prepares a plan for one m; then call jacobi_plan_sncndn for one u, or
                           jacobi_plan_sncndn_array for many u. A plan is plain data and may be a constant in flash;
                           examples/print_plan prints one. On AVR copy it from there to RAM, by memcpy_P, before it is
                           used.
-     jacobi_solve_kpK     m from k'K(k^2); jacobi_solve_K returns m from K
+     jacobi_solve_kpK     m from the value of k'K(m); jacobi_solve_K returns m from the value of K(m)
      jacobi_cn_means      mean values of cn^2, cn^4 and cn^6 over a period
      jacobi_agm_...       sn, cn, dn and K by the arithmetic-geometric mean; for sn, cn and dn its number of steps is an
                           argument
 
    ERRORS
-     m > 1 (but for jacobi_sncndn_any), m1 < 0, c < 0 (the argument of the solvers), NaN and infinite arguments give
+     m > 1 (except in jacobi_sncndn_any), m1 < 0, c < 0 (the argument of the solvers), NaN and infinite arguments give
      NaN. The incomplete integrals, jacobi_Pi, the inverses and Carlson's integrals return the limit at an infinite
-     argument, and NaN where there is none. m = 1 gives the limits:
-     K is infinite, E is 1, sn is tanh u, cn and dn are 1/cosh u, for u = +-infinity too. A quotient at a pole is
-     infinite. A plan refuses a bad m with -1 and stays as it was. Nothing else can fail. The functions allocate no
-     memory and keep no state; the value of errno means nothing.
+     argument, and NaN where there is no limit. m = 1 gives the limits: K is infinite, E is 1, sn is tanh u, cn and dn
+     are 1/cosh u, for u = +-infinity too. A quotient at a pole is infinite. For a bad m jacobi_plan_init returns -1 and
+     leaves the plan as it was. Nothing else can fail. The functions allocate no memory and keep no state; the value of
+     errno means nothing.
 
    METHOD
      Where u^2 max(1, 1 - m) is small, cs^2(u/4 | m) is computed by its Laurent series, and two duplications [1, 5] lead
      to u. This needs one square root, but not K.
-     If u is beyond about K/2, it is first reduced by the quarter period K. The closer u is to a zero, the more words of
-     K are used. K comes from two steps of the arithmetic-geometric mean and a series, or from the mean in two or three
-     words.
+     If |u| is above about K/2, a multiple of the quarter period K is first subtracted. The closer u is to a zero, the
+     more words of K are used. K comes from a table, from two steps of the arithmetic-geometric mean and a series, or
+     from this mean in two or three words.
      Far from 0, for m near 1 or below -20, theta functions of an imaginary phase are used [1], with the nome of 1 - m
      or 1/(1 - m), which is then at most 0.003.
-     Incomplete integrals, inverses: Carlson's duplications and a series of order 10, after the angle is reduced by pi.
-     A plan has polynomials in u^2 in place of the series. No digits cancel, not even for m = 1.
+     The incomplete integrals and the inverses use Carlson's duplications and a series of order 10, the incomplete
+     integrals after a multiple of pi is subtracted from the angle. A plan has polynomials in u^2 in place of the
+     series. No digits cancel, not even for m = 1.
 
    MACROS, to be defined before the include
      VM_USE_FLOAT         float instead of double; the tests run both
@@ -108,7 +109,7 @@
      [6] B. C. Carlson, Numerical computation of real or complex elliptic integrals, Numer. Algorithms 10 (1995) 13-26.
 
    INDEX
-     base/self_check: whether this compiler and this processor compute as varmass needs
+     base/self_check: a test of whether this compiler and this processor compute as varmass needs
        vm_self_check                  Returns 1 if the compiler and the processor compute as varmass needs, else 0
 
      jacobi/integrals: complete elliptic integrals K and E
@@ -134,7 +135,7 @@
        jacobi_cn                      cn(u | m) alone
        jacobi_dn                      dn(u | m) alone
 
-     jacobi/amplitude: the amplitude am, the angle whose sine is sn
+     jacobi/amplitude: the amplitude am, the angle with the sine sn and the cosine cn
        jacobi_am                      Jacobi's amplitude am(u | m) in radians
 
      jacobi/plans: sn, cn and dn for many arguments and one parameter
@@ -188,9 +189,9 @@
 
 /* base/real.h - the number type, the macros that a user may set, the functions of the C library
 
-   All other files are built on this one. It chooses vm_real (double, or float where VM_USE_FLOAT is defined), gives
-   each macro that the user has not set its default, refuses compilers whose options change the values of results, and
-   names the four functions of the C library that are used: sqrt, fabs, floor, copysign.
+   All other files include this one. It defines vm_real (double, or float where VM_USE_FLOAT is defined) and gives a
+   default to each macro that the user has not set. It stops the compiler with an error if a compiler option changes the
+   results. It names the four functions of the C library that are used: sqrt, fabs, floor, copysign.
 
        vm_real x = VM_C(0.1); // the number 0.1 as a vm_real, in double and in float
 
@@ -296,7 +297,7 @@ VM_API vm_real vmi_copysign(vm_real x, vm_real y)
 VM_INLINE vm_real vmi_larger(vm_real a, vm_real b) { return a > b ? a : b; }
 VM_INLINE vm_real vmi_smaller(vm_real a, vm_real b) { return a < b ? a : b; }
 
-/* Linkage of functions that are rarely called from a fast loop and would slow it down if they were inlined into it */
+/* Linkage of functions that a fast loop calls rarely and that would slow down the loop if they were inlined into it */
 #if defined(__GNUC__) && !defined(__CUDACC__)
 #define VMI_APART static __attribute__((noinline, unused))
 #else
@@ -320,8 +321,8 @@ typedef struct VM_TAG(vm_two) {
     vm_real hi, lo;
 } vm_two;
 
-/* Returns x rounded to the type vm_real. x87 units compute with more digits, and gcc in its gnu modes keeps the
-   additional digits in variables. */
+/* Returns x rounded to the type vm_real. The function is needed where the processor's x87 unit computes with more
+   digits and gcc in its gnu modes keeps the additional digits in variables. */
 #if defined(FLT_EVAL_METHOD) && (FLT_EVAL_METHOD < 0 || FLT_EVAL_METHOD == 1 || FLT_EVAL_METHOD == 2)
 VM_API vm_real vmi_rounded(vm_real x)
 {
@@ -352,7 +353,7 @@ VM_API vm_two vmi_fast_two_sum(vm_real a, vm_real b)
     return s;
 }
 
-/* Makes a pair from its words hi and lo, which are not changed. */
+/* Returns the pair with the words hi and lo, which are stored as they are. */
 VM_API vm_two vmi_two(vm_real hi, vm_real lo)
 {
     vm_two x;
@@ -362,7 +363,7 @@ VM_API vm_two vmi_two(vm_real hi, vm_real lo)
 }
 
 #endif
-/* base/self_check.h - whether this compiler and this processor compute as varmass needs
+/* base/self_check.h - a test of whether this compiler and this processor compute as varmass needs
 
    Some options of compilers and some modes of processors change the results of floating-point arithmetic. Where a
    macro of the compiler shows such an option, the headers do not compile. vm_self_check() finds other options and modes
@@ -376,8 +377,8 @@ VM_API vm_two vmi_two(vm_real hi, vm_real lo)
 #define VARMASS_BASE_SELF_CHECK_H
 
 /* Returns 1 if sums are computed in the order in which they are written, as arithmetic in two words needs, and if a
-   product is rounded when 0 is added to it. eps is VM_EPSILON; split is VM_SPLIT, the factor that splits a number into
-   two halves. */
+   product is rounded when 0 is added to it. `one` must be 1, `eps` VM_EPSILON, and `split` VM_SPLIT, the factor that
+   splits a number into two halves. The caller reads them from volatile variables, so that the compiler cannot guess. */
 VM_API int vmi_keeps_order(vm_real one, vm_real eps, vm_real split)
 {
     const vm_real above = one + eps, third = one / 3;
@@ -453,8 +454,8 @@ VM_API int vm_self_check(void)
 
 #if VM_MANT_DIG > 24
 typedef uint64_t vmi_bits;
-#define VMI_STORED_DIG 52 /* number of bits that store the mantissa */
-#define VMI_BIAS 1023     /* stored exponent of the number 1 */
+#define VMI_STORED_DIG 52 /* number of bits in which the mantissa is stored */
+#define VMI_BIAS 1023     /* the number that is stored as the exponent of 1 */
 #else
 typedef uint32_t vmi_bits;
 #define VMI_STORED_DIG 23
@@ -477,8 +478,16 @@ VM_API vm_real vmi_from_bits(vmi_bits bits)
     return x;
 }
 
-/* Returns x 2^k. The result is rounded at most once if |x| lies between 1/4 and 4 or is 0, or if x 2^(k/2) is a normal
-   number. The function multiplies by about 2^(k/2) twice, because 2^k itself may overflow or underflow. */
+/* Returns the largest power of two that is at most x, for a normal number x > 0. For a smaller x it is VM_MIN. */
+VM_API vm_real vmi_power_below(vm_real x)
+{
+    const vmi_bits mantissa = ((vmi_bits)1 << VMI_STORED_DIG) - 1;
+    if (x < VM_MIN) return VM_MIN;
+    return vmi_from_bits(vmi_to_bits(x) & ~mantissa);
+}
+
+/* Returns x 2^k. The function multiplies x twice by about 2^(k/2), because 2^k itself may overflow or underflow. It
+   rounds at most once if |x| lies between 1/4 and 4 or is 0, or if x 2^(k/2) is a normal number. */
 VM_API vm_real vmi_ldexp(vm_real x, int k)
 {
     const int limit = 2 * VMI_BIAS - 2;
@@ -491,12 +500,12 @@ VM_API vm_real vmi_ldexp(vm_real x, int k)
            vmi_from_bits((vmi_bits)(VMI_BIAS + rest) << VMI_STORED_DIG);
 }
 
-/* Returns (y + y_lo) 2^k for y from 1/2 to 2 and its low word y_lo. The result is rounded once, even if subnormal. */
+/* Returns (y + y_lo) 2^k for 1/2 <= y <= 2 and a low word y_lo of y. The result is rounded once, even if subnormal. */
 VM_API vm_real vmi_ldexp_two(vm_real y, vm_real y_lo, int k)
 {
     if (k < 1 - VMI_BIAS || (k == 1 - VMI_BIAS && y < 1)) {
-        /* A subnormal result has fewer digits than y + y_lo. Adding and subtracting a power of two removes the
-           superfluous digits with one rounding. */
+        /* A subnormal result has fewer digits than y + y_lo. The code adds a power of two and subtracts it again, which
+           removes the superfluous digits with one rounding. */
         const int most = VM_MANT_DIG + 1, lost = 1 - VMI_BIAS - k < most ? 1 - VMI_BIAS - k : most;
         const vm_real large = vmi_ldexp(1, lost);
         const vm_two sum = vmi_fast_two_sum(large, y);
@@ -518,10 +527,10 @@ typedef int32_t vmi_signed_bits;
 #endif
 /* base/words.h - products, quotients and roots with two and three times the digits
 
-   Where digits cancel, one vm_real is not enough. A number in two words (vm_two, hi + lo) has twice the digits, a
-   number in three words (vmi_three, hi + mid + lo) has three times as many. p is the number of digits of vm_real, 53 or
-   24 bits. The error of a product, quotient or root is given relative to the result; that of a sum, relative to its
-   larger term.
+   Where digits cancel, one vm_real is not enough. A number in two words (vm_two, hi + lo) has twice the digits, and a
+   number in three words (vmi_three, hi + mid + lo) has three times the digits. p is the number of binary digits of a
+   vm_real, 53 or 24. Errors of products, quotients and roots are given relative to the result, errors of sums relative
+   to the larger term.
 
        vm_two third = vmi_two_over(vmi_two(1, 0), vmi_two(3, 0)); // 1/3 with 2p digits
 
@@ -555,9 +564,18 @@ VM_API vm_two vmi_two_product(vm_real a, vm_real b)
     return p;
 }
 
-/* Reduces x >= 0 by the quarter period q > 0. Returns the distance of x from the nearest multiple of q, at most q/2
-   apart from rounding, with an error of 2^-(2p) x, and writes the number of this multiple modulo 4 to *quarter.
-   For x above 2^(p-1) q the digits of x do not determine its distance from a multiple: then both results are 0. */
+/* The sum a b + c d of two products, within 2 eps of itself, however many digits cancel. No product may underflow. */
+VM_API vm_real vmi_sum_of_products(vm_real a, vm_real b, vm_real c, vm_real d)
+{
+    const vm_two ab = vmi_two_product(a, b), cd = vmi_two_product(c, d);
+    const vm_two high = vmi_two_sum(ab.hi, cd.hi), low = vmi_two_sum(ab.lo, cd.lo);
+    const vm_two sum = vmi_two_sum(high.hi, low.hi);
+    return sum.hi + (sum.lo + (high.lo + low.lo));
+}
+
+/* Reduces x >= 0 by the quarter period q > 0. Let j q be the multiple of q that is nearest to x. Returns x - j q, which
+   lies between -q/2 and q/2 (or slightly outside by rounding), with an error of 2^-(2p) x, and writes j modulo 4 to
+   *quarter. For x above 2^(p-1) q the digits of x do not determine x - j q, and both results are 0. */
 VM_API vm_two vmi_reduce(vm_real x, vm_two q, int *quarter)
 {
     const vm_real j = VM_FLOOR(x / q.hi + VM_C(0.5));
@@ -602,13 +620,13 @@ VM_API vm_two vmi_two_over(vm_two x, vm_two y)
     return vmi_two_sum(z, (((x.hi - p.hi) - p.lo) + (x.lo - z * y.lo)) / y.hi);
 }
 
-/* The number hi + mid + lo, where each word is below an ulp of the word before it. Each operation on such numbers has
-   a relative error below 2^-(3p - 4). */
+/* The number hi + mid + lo, where mid is below an ulp of hi, and lo below an ulp of mid. Each operation on such numbers
+   has a relative error below 2^-(3p - 4). */
 typedef struct VM_TAG(vmi_three) {
     vm_real hi, mid, lo;
 } vmi_three;
 
-/* Returns a + b + c as a number in three words, for |a| >= |b| >= |c|, at least approximately */
+/* Returns a + b + c as a number in three words. |a| >= |b| >= |c| must hold at least approximately. */
 VM_API vmi_three vmi_three_words(vm_real a, vm_real b, vm_real c)
 {
     const vm_two low = vmi_two_sum(b, c), high = vmi_two_sum(a, low.hi), rest = vmi_two_sum(high.lo, low.lo);
@@ -637,7 +655,7 @@ VM_API vmi_three vmi_three_times(vmi_three x, vmi_three y)
                            mid.lo + sum.lo + (a.lo + b.lo) + (x.hi * y.lo + x.mid * y.mid + x.lo * y.hi));
 }
 
-/* The quotient x / y by long division: each of three steps gives a word of the quotient */
+/* The quotient x / y of numbers in three words, by long division: each of three steps gives a word of the quotient */
 VM_API vmi_three vmi_three_over(vmi_three x, vmi_three y)
 {
     vm_real quotient[3];
@@ -658,7 +676,7 @@ VM_API vmi_three vmi_three_scaled(vmi_three x, vm_real power)
     return vmi_three_words(x.hi * power, x.mid * power, x.lo * power);
 }
 
-/* The square root of a: the root of the first word and two corrections by Newton's method, each of which adds a word */
+/* The square root of a. It starts as the root of the first word; then two steps of Newton's method add a word each. */
 VM_API vmi_three vmi_three_sqrt(vmi_three a)
 {
     const vm_real root = VM_SQRT(a.hi);
@@ -683,7 +701,7 @@ VM_API vmi_three vmi_half_pi(void)
 #endif
 }
 
-/* Returns a - root^2 without loss of digits, where root is sqrt(a) after rounding. */
+/* Returns a - root^2 without loss of digits. The argument `root` must be the rounded square root of a. */
 VM_API vm_real vmi_root_residual(vm_real a, vm_real root)
 {
     const vm_real head = vmi_head(root), tail = root - head;
@@ -757,10 +775,10 @@ VM_API vm_two vmi_two_scaled(vm_two x, vm_real factor)
 
 #include <stdint.h>
 
-/* Returns a constant for vmi_log, whose variable z is in interval number `row`, 0 to 31. c is a number close to all z
-   of this interval. Column 0 is 1/c; columns 1 and 2 are the two words of ln c. The first words of ln c and of ln 2 are
-   multiples of 2^-42 (float 2^-16), so that k ln 2 + ln c, formed from the first words for an integer k, has no
-   rounding error. */
+/* Returns a constant for vmi_log. The variable z of vmi_log lies in one of 32 intervals; `row` is the interval's
+   number. Let c be a number close to all z of this interval. Column 0 is 1/c; columns 1 and 2 are the two words of ln
+   c. The first words of ln c and of ln 2 are multiples of 2^-42 (float 2^-16). Therefore k ln 2 + ln c, computed from
+   the first words for an integer k, has no rounding error. */
 VM_INLINE vm_real vmi_log_constant(int row, int column)
 {
 #if VM_MANT_DIG > 24
@@ -837,8 +855,8 @@ VM_INLINE vm_real vmi_log_constant(int row, int column)
 
 /* Returns ln x in two words for finite x > 0, with a relative error below 2^-64.8 (float 2^-32). Method: x = 2^k z,
    where z lies between 0.708 and 1.417. Let c be a constant close to z and r = z/c - 1; then
-   ln x = k ln 2 + ln c + ln(1 + r). The constant 1/c has few digits, so that the square of the first half of r is
-   exact. c is 1 where z is within 0.01 of 1. */
+   ln x = k ln 2 + ln c + ln(1 + r). The constant 1/c has few digits, so that the square of r_head, the first half of
+   r, is exact. If z is within 0.01 of 1, c is 1. */
 VM_API vm_two vmi_log(vm_real x)
 {
 #if VM_MANT_DIG > 24
@@ -878,10 +896,10 @@ VM_API vm_two vmi_log(vm_real x)
     return vmi_fast_two_sum(high.hi, low + r.hi * rr * L);
 }
 
-/* Writes e^(x + x_lo) as 2^k (1 + p + p_lo), |p| < 0.42, and returns p. |x| must be at most 1500 (float 200), and
-   |x_lo| at most an ulp of x. 1 + p + p_lo has a relative error below 2^-58 (float 2^-29); for |x| < 0.34, where
-   k = 0, p alone is within 0.6 ulp of e^x - 1. Method: x = k ln 2 + r and e^r = 1 + r + r^2/2 + r^3 E(r), where the
-   square of the first half of r is exact. */
+/* Computes k, p, p_lo with e^(x + x_lo) = 2^k (1 + p + p_lo) and |p| < 0.42, and returns p. |x| must be at most 1500
+   (float 200), and |x_lo| at most an ulp of x. 1 + p + p_lo has a relative error below 2^-58 (float 2^-29); for
+   |x| < 0.34, where k = 0, p alone is within 0.6 ulp of e^x - 1. Method: x = k ln 2 + r and e^r = 1 + r + r^2/2 +
+   r^3 E(r) with a polynomial E. The square of the first half of r's digits is computed exactly. */
 VM_INLINE vm_real vmi_exp_core(vm_real x, vm_real x_lo, int *k, vm_real *p_lo)
 {
     const vm_real one_over_ln2 = VM_C(1.442695040888963407360);
@@ -945,9 +963,9 @@ VM_API vm_real vmi_pow_two(vm_two x, vm_two y)
     return vmi_exp(p.hi, p.lo);
 }
 
-/* Returns the angle atan(y/x) for x >= 0 and y >= 0 that are not both 0. Method: an angle above pi/4 (steep) is
-   subtracted from pi/2; if the result is above pi/8 (middle), pi/4 is subtracted from it. The angle is then at most
-   pi/8, and the polynomial A gives it. */
+/* Returns the angle atan(y/x) for x >= 0 and y >= 0 that are not both 0. Method: if the angle is above pi/4 (steep), it
+   is replaced by pi/2 minus the angle; if the result is above pi/8 (middle), pi/4 is subtracted from it. The size of
+   the remaining angle is at most pi/8, and a formula with the polynomial A gives this angle. */
 VM_API vm_real vmi_arctan(vm_real y, vm_real x)
 {
     const vmi_three half_pi = vmi_half_pi();
@@ -973,8 +991,8 @@ VM_API vm_real vmi_arctan(vm_real y, vm_real x)
     return angle;
 }
 
-/* Computes the sine and the cosine of the angle z, |z| <= 0.79, which is a little more than pi/4. |z.lo| is at most an
-   ulp of z.hi. */
+/* Computes the sine and the cosine of the angle z for |z| <= 0.79, a limit slightly above pi/4. |z.lo| must be at most
+   an ulp of z.hi. */
 VM_INLINE void vmi_sin_cos(vm_two z, vm_real *sine, vm_real *cosine)
 {
     const vm_real t = z.hi * z.hi, tt = t * t, w = 1 - t / 2;
@@ -1002,7 +1020,7 @@ VM_INLINE int vmi_nearest(vm_real x)
     return (int)(x + VM_COPYSIGN(VM_C(0.5), x));
 }
 
-/* The logarithm of x; argument and result are double-word numbers (hi + lo). */
+/* Returns ln x. The argument and the result are numbers in two words, hi + lo. */
 VM_API vm_two vmi_two_log(vm_two x)
 {
     const vm_two l = vmi_log(x.hi);
@@ -1010,8 +1028,8 @@ VM_API vm_two vmi_two_log(vm_two x)
     return vmi_two_sum(l.hi, l.lo + (t - t * t / 2));
 }
 
-/* Computes the sine and the cosine of any angle x in radians. First a multiple of pi/2, where pi/2 has two words, is
-   subtracted from |x|. Both results are NaN if x is infinite or NaN. */
+/* Computes the sine and the cosine of any angle x in radians. The function first subtracts from |x| the nearest
+   multiple of pi/2, taken in two words. Both results are NaN if x is infinite or NaN. */
 VM_API void vmi_sincos(vm_real x, vm_real *sine, vm_real *cosine)
 {
     const vmi_three half_pi = vmi_half_pi();
@@ -1042,11 +1060,11 @@ VM_API vm_real vmi_atan2(vm_real y, vm_real x)
 #endif
 /* jacobi/agm.h - the arithmetic-geometric mean and the quarter period from it
 
-   The numbers a_0 = 1 and b_0 = k' = sqrt(1 - m) are replaced again and again by their arithmetic mean a_1 and their
-   geometric mean b_1. Both sequences tend to one limit, agm(1, k'), and the quarter period is K = pi/(2 agm(1, k')).
-   The number of right digits doubles in each step. The mean is computed in one word for comparison
-   (jacobi/descending.h), and in two and three words to reduce arguments next to a zero of an elliptic function
-   (jacobi/reduction.h). p is the number of digits of vm_real.
+   m is the parameter of an elliptic function. From a_0 = 1 and b_0 = k' = sqrt(1 - m) each step makes the next pair:
+   a_(n+1) is the arithmetic mean of a_n and b_n, and b_(n+1) their geometric mean. Both sequences tend to one limit,
+   agm(1, k'), and the quarter period is K = pi/(2 agm(1, k')). The number of right digits doubles in each step. The
+   limit is computed in one word (one vm_real) for jacobi/descending.h, and in two and three words for arguments next to
+   a zero of an elliptic function (jacobi/reduction.h). p is the number of binary digits of vm_real.
 
        vmi_three K = vmi_K_three_words(VM_C(0.7), 0); // K(0.3) with three times the digits
 
@@ -1065,13 +1083,13 @@ VM_API int vmi_refused(vm_real m1) { return !(m1 >= 0) || !VM_IS_FINITE(m1); }
 typedef struct VM_TAG(vmi_ladder) {
     int n;                                /* index of the last pair a_n, b_n */
     vm_real a[VMI_LADDER], b[VMI_LADDER]; /* a_0 = 1, b_0 = k'; a_(n+1) = (a_n + b_n)/2, b_(n+1) = sqrt(a_n b_n) */
-    vm_real c;                            /* c_n = (a_(n-1) - b_(n-1))/2 for the last n */
+    vm_real c;                            /* c_n = (a_(n-1) - b_(n-1))/2, where n is the field n */
 } vmi_ladder;
 
-/* Computes agm(1, b0) for a finite b0 > 0 in at most `steps` steps. It stops where (c_n/a_n)^2 <= eps/4. This is the
-   parameter of the last sn, sn(a_n u), from which vmi_descend computes sn(u). Then sin(a_n u) may replace the last sn:
-   they differ by at most eps/60 for |a_n u| <= pi/4. The relative error of the last a_n, as a value of agm(1, b0), is
-   at most eps/16. */
+/* Computes agm(1, b0) for a finite b0 > 0 in at most `steps` steps. It stops at the first n for which
+   x = (c_n/a_n)^2 <= eps/4. vmi_descend computes sn(u), beginning with sn(a_n u), whose parameter is x. Because x is so
+   small, it may begin with sin(a_n u) instead: the two differ by at most eps/60 for |a_n u| <= pi/4. The relative error
+   of the last a_n, as a value of agm(1, b0), is at most eps/16. */
 VM_API void vmi_agm(vmi_ladder *l, vm_real b0, int steps)
 {
     int n = 0;
@@ -1088,11 +1106,11 @@ VM_API void vmi_agm(vmi_ladder *l, vm_real b0, int steps)
 }
 
 /* Returns the quarter period K in three words, with a relative error below 2^-(3p - 12), for 1 - m = m1 + m1_lo > 0.
-   Plans (jacobi/plans.h) need so many digits, and so does the reduction of an argument next to a multiple of K. */
+   Plans (jacobi/plans.h) and the reduction of an argument next to a multiple of K need so many digits. */
 VM_API vmi_three vmi_K_three_words(vm_real m1, vm_real m1_lo)
 {
     const vm_real tiny = VM_EPSILON * VM_EPSILON;
-    vm_real lift = 1, c; /* lift: a factor that keeps the words of the square root from underflow and overflow */
+    vm_real lift = 1, c; /* roots are taken of m1 lift^2, so that no word overflows or underflows */
     vmi_three a = vmi_three_words(1, 0, 0), b;
     if (m1 < tiny) lift = 1 / tiny;
     if (m1 > 1 / tiny) lift = VM_EPSILON;
@@ -1107,14 +1125,15 @@ VM_API vmi_three vmi_K_three_words(vm_real m1, vm_real m1_lo)
     return vmi_three_over(vmi_half_pi(), vmi_three_plus(a, vmi_three_words(-c * c / (4 * a.hi), 0, 0)));
 }
 
-/* Returns agm(1, k') = pi/(2K) in two words, for 1 - m = m1 + m1_lo > 0. The last step is replaced by the series
-   agm(s + c, s - c) = s (1 - x/4 - 5 x^2/64 - ...) with x = (c/s)^2, where s is the mean of a_n and b_n and c half
-   their difference. The relative error of the result is x eps/8 < 2^-85 (float 2^-41). Where the result serves to
-   reduce the argument u, this error changes sn, cn and dn/k' by less than eps/8: their slope is at most max(1, k'). */
+/* Returns agm(1, k') = pi/(2K) in two words, for 1 - m = m1 + m1_lo > 0. Let s be the mean of the last a_n and b_n, c
+   half their difference, and x = (c/s)^2. Instead of a further step, the series agm(s + c, s - c) = s (1 - x/4 - 5
+   x^2/64 - ...) is used. The relative error of the result is x eps/8 < 2^-85 (float 2^-41). Where the result serves to
+   reduce the argument u, its error changes sn, cn and dn/k' by less than eps/8, since the slopes of these functions are
+   at most max(1, k'). */
 VM_API vm_two vmi_agm_two_words(vm_real m1, vm_real m1_lo, vm_real u)
 {
     const vm_real tiny = VM_EPSILON * VM_EPSILON, last = VM_MANT_DIG > 24 ? VM_C(3e-5) : VM_C(4e-3);
-    vm_real lift = 1, slope; /* lift: a factor that keeps the words of the square root from underflow */
+    vm_real lift = 1, slope; /* the root is taken of m1 lift^2, so that no word underflows */
     vm_two root, kp, a, b, p;
     if (m1 < tiny) lift = 1 / tiny;
     root = vmi_root(m1 * lift * lift, m1_lo * lift * lift);
@@ -1222,9 +1241,9 @@ VM_API vm_real vmi_E_rest(vm_real c, vm_real l)
     return c * (l * A - B);
 }
 
-/* Returns the series S(x) in K = pi/(1 + k') (1 + x S(x)), for x = ((1 - k')/(1 + k'))^2 <= 0.0295. The error of x S is
-   2^-60 (float 2^-31). A step of the arithmetic-geometric mean replaces k' by 2 sqrt(k')/(1 + k'). One such step makes
-   x small enough for every m1 for which VMI_MIDDLE(m1) is 1. */
+/* Returns S(x), the power series for which K = pi/(1 + k') (1 + x S(x)) with x = ((1 - k')/(1 + k'))^2, for
+   x <= 0.0295. The error of x S is 2^-60 (float 2^-31). x is made this small by a step of the arithmetic-geometric
+   mean, which replaces k' by 2 sqrt(k')/(1 + k'). One step is enough for every m1 for which VMI_MIDDLE(m1) is 1. */
 VM_API vm_real vmi_K_series(vm_real x)
 {
 #if VM_MANT_DIG > 24
@@ -1238,8 +1257,8 @@ VM_API vm_real vmi_K_series(vm_real x)
 #endif
 }
 
-/* Returns x S(x), where E = (pi/4) (1 + k') (1 + x S(x)), for x = ((1 - k')/(1 + k'))^2 <= 0.503. The error is
-   2^-58.7 (float 2^-32.5). */
+/* Returns x S(x) for x = ((1 - k')/(1 + k'))^2 <= 0.503, where S is the power series for which E = (pi/4) (1 + k')
+   (1 + x S(x)); it is not the series of K. The error is 2^-58.7 (float 2^-32.5). */
 VM_API vm_real vmi_E_series(vm_real x)
 {
     const vm_real xx = x * x, x4 = xx * xx;
@@ -1262,8 +1281,9 @@ VM_API vm_real vmi_E_series(vm_real x)
 }
 
 /* Returns K for 1 - m = m1 + m1_lo. Where VMI_MIDDLE(m1) is 1, K comes from two steps of the arithmetic-geometric mean
-   and the series: K = 2 pi (1 + x S)/(1 + f)^2 with f^2 = k' and x = ((1 - f)/(1 + f))^4. For m > 0.971 K comes from
-   logarithms (vmi_K_by_log), and for m < -33.5 too, since k' K(m) = K(mu) with 1 - mu = 1/(1 - m). */
+   and the series S(x) of vmi_K_series: K = 2 pi (1 + x S)/(1 + f)^2 with f^2 = k' and x = ((1 - f)/(1 + f))^4. For
+   m > 0.971 K comes from logarithms (vmi_K_by_log), and so it does for m < -33.5, since k' K(m) = K(mu) for the
+   parameter mu with 1 - mu = 1/(1 - m). */
 VM_API vm_real vmi_K(vm_real m1, vm_real m1_lo)
 {
     vm_two K, root;
@@ -1286,7 +1306,7 @@ VM_API vm_real vmi_K(vm_real m1, vm_real m1_lo)
 }
 
 /* Returns E for 1 - m = m1 + m1_lo. Where VMI_MIDDLE(m1) is 1, E comes from vmi_E_series, for m > 0.971 from
-   vmi_E_rest, and for m < -33.5 from E(m) = k' E(mu) with 1 - mu = 1/(1 - m). */
+   vmi_E_rest, and for m < -33.5 from E(m) = k' E(mu) for the parameter mu with 1 - mu = 1/(1 - m). */
 VM_API vm_real vmi_E(vm_real m1, vm_real m1_lo)
 {
     vm_two root;
@@ -1295,7 +1315,7 @@ VM_API vm_real vmi_E(vm_real m1, vm_real m1_lo)
         const vmi_three half_pi = vmi_half_pi();
         const vm_real kp = VM_SQRT(m1), k1 = (1 - kp) / (1 + kp);
         const vm_two sum = vmi_two_sum(1, kp);
-        const vm_real kp_lo = m1_lo * VM_C(0.09); /* low word of k', m1_lo/(2 k') for m < -15; else negligible */
+        const vm_real kp_lo = m1_lo * VM_C(0.09); /* low word of k': m1_lo/(2 k') for m < -15; for other m negligible */
         const vm_real more = (sum.lo + kp_lo) + sum.hi * vmi_E_series(k1 * k1);
         return half_pi.hi / 2 * sum.hi + (half_pi.hi / 2 * more + half_pi.mid / 2 * sum.hi);
     }
@@ -1591,9 +1611,10 @@ typedef struct VM_TAG(vmi_period) {
     vm_real head, middle, low, rough;
 } vmi_period;
 
-/* The number of digits of k' that are cut off to make t short, and numbers that round a sum by being added and
-   subtracted: t^2 to a multiple of 2^-21, c_1 to a multiple of 2^-16 (float c_0 to one of 2^-9), and the sum of c_1 t,
-   c_2 t^2, ... to a multiple of 2^-36 (float 2^-14) */
+/* VMI_PERIOD_CUT is the number of last digits of k' that are cut off to make t short. Each of the other numbers rounds
+   a sum by being added to it and subtracted again: VMI_SQUARE_GRID rounds t^2 to a multiple of 2^-21, VMI_SLOPE_GRID
+   c_1 to one of 2^-16, VMI_MIDDLE_GRID the sum of c_1 t, c_2 t^2, ... to one of 2^-36 (float 2^-14), and VMI_HEAD_GRID,
+   in float only, c_0 to one of 2^-9. */
 #if VM_MANT_DIG > 24
 #define VMI_PERIOD_CUT 34
 #define VMI_SQUARE_GRID VM_C(3221225472.0)
@@ -1607,10 +1628,11 @@ typedef struct VM_TAG(vmi_period) {
 
 /* Returns K for 1 - m = m1 + m1_lo, where kp is k' in one word and VMI_IN_PERIOD_TABLE(kp) is 1. The relative error is
    below 2^-71 (float 2^-36).
-   Method: t = head + tail, where head has at most 14 digits (float 10). The products b1, b2, ... of the heads of c_1,
-   c_2, ... and the powers of head are exact, and so is the sum from which K.middle is subtracted. All other terms are
-   so small that one word holds them. The variable t has one word and misses kp_lo, the low word of k'. It is added in
-   `tail`; the terms with t^4 and t^5 (float t^3 and t^4) take it into account by their derivative. */
+   Method: t is the sum of head, which has at most 14 digits (float 10), and a tail. The products b1, b2, ... of the
+   heads of c_1, c_2, ... and the powers of head are exact, and so are the sums in which K.middle is subtracted. All
+   other terms are so small that one word holds them. The variable t has one word and misses kp_lo, the low word of k'.
+   The tail contains kp_lo; in the terms with t^4 and t^5 (float t^3 and t^4) it counts by their derivatives with
+   respect to t. */
 VM_INLINE vmi_period vmi_period_by_table(vm_real m1, vm_real m1_lo, vm_real kp)
 {
     const vmi_bits bits = vmi_to_bits(kp), half = (vmi_bits)1 << (VMI_STORED_DIG - 4);
@@ -1718,7 +1740,8 @@ VM_INLINE void vmi_laurent(vm_real theta, vm_real m1_theta, vm_real *c)
 }
 
 /* The theta functions near 0, from the series at w = v/4 to the ninth term (float: the fifth) and two duplications.
-   Only theta.c and f are computed by subtractions, and both are far from 0. For b/a = sc^2(w), sc = sn/cn, at 2w
+   Only theta.c and f are computed by subtractions, and both are far from 0. A duplication leads from w to 2w: if a and
+   b are numbers with b/a = sc^2(w), where sc = sn/cn, then
      sc^2(2w) = 4 a b (a + b)(a + m1 b)/(a^2 - m1 b^2)^2,
      s : c : d : n = 2 sqrt(a b (a + b)(a + m1 b)) : a^2 - m1 b^2 : a^2 + 2 m1 a b + m1 b^2 : a^2 + 2 a b + m1 b^2. */
 VM_INLINE vmi_thetas vmi_theta_near(vm_real v, vm_real m1)
@@ -1742,7 +1765,7 @@ VM_INLINE vmi_thetas vmi_theta_near(vm_real v, vm_real m1)
 #endif
     a = 1 + ((c[1] + (c[2] + c[3])) + more);
     f = a * a - r * w2;
-    g = a * ((a + w2) * (a + r)); /* now sc^2(2w) = 4 w^2 g/f^2, which is called b/a below */
+    g = a * ((a + w2) * (a + r)); /* now sc^2(2w) = 4 w^2 g/f^2; below it is called b/a */
     b = 4 * w2 * g;
     s = 4 * r * g;
     a = f * f;
@@ -1760,11 +1783,12 @@ VM_INLINE vmi_thetas vmi_theta_near(vm_real v, vm_real m1)
      For m near 1 (the hyperbolic form), c = 1 - m and z = u agm(1, k).
      For m < -20 (the reciprocal form), c = 1/(1 - m) and z = k' u agm(1, k), since sn(u | m) = sd(k' u | m/(m - 1))/k'.
    In both forms c <= 0.05. With X = q cosh 2z, which is at most sqrt(q)/2 = 0.03,
-     theta_1, theta_2 ~ sinh z (P - Q), cosh z (P + Q),  P = f0 + f2 X^2,  Q = f1 X,
-     theta_3, theta_4 = E + O, E - O,                    E = 1 + (g1 X^2 - g0),  O = 2 X.
-   The terms that are left out are below 1e-18. The coefficients f contain the factor by which theta_d and theta_n must
-   differ, so that f0 is near 1/2. The factors `scale` are near 1, but in the reciprocal form that of theta_s contains
-   1/k'. x is the parameter after one step of the arithmetic-geometric mean from 1 and k. */
+     theta_1, theta_2 ~ 2 sinh z (P - Q), 2 cosh z (P + Q),  P = f0 + f2 X^2,  Q = f1 X,
+     theta_3, theta_4 = E + O, E - O,                        E = 1 + (g1 X^2 - g0),  O = 2 X.
+   f0, f1, f2 and g0, g1 are the fields f and g. The terms that are left out are below 1e-18. f contains the constant
+   factor that makes theta_d/theta_n = dn, so that f0 is near 1/2. The factors `scale` of theta_s and theta_c are near
+   1, but in the reciprocal form that of theta_s contains 1/k'. x is the parameter after one step of the
+   arithmetic-geometric mean from 1 and k. */
 VM_API void vmi_far_prepare(vmi_theta_form *t, vm_real m1, vm_real m1_lo)
 {
     const vm_real c = vmi_smaller(m1, 1 / m1), root = VM_SQRT(1 - c), fourth = VM_SQRT(root);
@@ -1796,8 +1820,8 @@ VM_API void vmi_far_prepare(vmi_theta_form *t, vm_real m1, vm_real m1_lo)
 /* For m = 1 a larger argument is replaced by this number, since tanh then rounds to 1 and 1/cosh to 0. */
 #define VMI_LONGEST (VM_MANT_DIG > 24 ? VM_C(1400.0) : VM_C(190.0))
 
-/* The theta functions far from 0, for |argument| <= VMI_LONGEST. All four are multiplied by 2 exp(-z), so that sinh z
-   becomes 1 - exp(-2z) and cosh z becomes 1 + exp(-2z). */
+/* The theta functions far from 0, for |argument| <= VMI_LONGEST. All four are multiplied by exp(-z), so that 2 sinh z
+   becomes 1 - exp(-2z) and 2 cosh z becomes 1 + exp(-2z). */
 VM_INLINE vmi_thetas vmi_theta_far(const vmi_theta_form *t, int reciprocal, vm_two argument)
 {
     vmi_thetas theta;
@@ -1841,7 +1865,7 @@ VMI_APART vmi_thetas vmi_theta_far_unprepared(vm_two v, vm_real m1, vm_real m1_l
 }
 
 /* The theta functions at an argument that is larger by the given number of quarter periods. One quarter period turns s,
-   c, d, n into c, -k's, k'n, d; two quarter periods change the signs of s and c. Products with 0, 1 and -1 replace a
+   c, d, n into c, -k' s, k' n, d; two quarter periods change the signs of s and c. Products with 0, 1 and -1 replace a
    branch, which would be mispredicted half the time. */
 VM_INLINE vmi_thetas vmi_theta_shift(vmi_thetas theta, vm_real kp, vmi_bits quarters)
 {
@@ -1878,7 +1902,7 @@ VM_INLINE void vmi_theta_ratios(vmi_thetas theta, vm_real bound, vm_real *sn, vm
 #ifndef VARMASS_JACOBI_REDUCTION_H
 #define VARMASS_JACOBI_REDUCTION_H
 
-/* The product of a piece of K (see vmi_pieces) and a whole number below this limit (2^30, float 2^13) is exact. */
+/* The product of a piece of K (see vmi_pieces) and a whole number below this limit, 2^30 (float 2^13), is exact. */
 #define VMI_EXACT_QUARTERS (VM_MANT_DIG > 24 ? VM_C(1073741824.0) : VM_C(8192.0))
 
 /* Writes K to `piece` as a sum of three short numbers, the pieces, and a last word. The pieces are so short that their
@@ -1925,8 +1949,8 @@ VM_INLINE vmi_three vmi_reduce_pieces(vm_real u, const vm_real *K, vm_real per_K
 /* Returns u minus a multiple j K, for 0 < u < 2.5 K, where VMI_MIDDLE(m1) must be 1; kp is k'. The last bits of
    *quarters become those of j. The relative error of the result is at most about eps. A result below u/64 would
    lose digits: then the function returns NaN, and u must be reduced by vmi_reduce_long.
-   Method: after two steps of the arithmetic-geometric mean the phase u (1 + f)^2 with f^2 = k' has the quarter period
-   2 pi (1 + x S), where x S is small. The first halves (heads) of k' and f are multiples of 2^-23 and 2^-24 (float
+   Method: K (1 + f)^2 = 2 pi (1 + x S) with f^2 = k', where x S is small (vmi_K). So a multiple of 2 pi (1 + x S) is
+   subtracted from the phase u (1 + f)^2. The first halves (heads) of k' and f are multiples of 2^-23 and 2^-24 (float
    2^-8, 2^-9), so that the squares of these heads, the number (1 + f)^2 formed from them, and its product with the head
    of u are exact. */
 VMI_APART vm_real vmi_reduce_short(vm_real u, vm_real m1, vm_real m1_lo, vm_real kp, vmi_bits *quarters)
@@ -1991,9 +2015,9 @@ VMI_APART vm_two vmi_reduce_long(vm_real u, vm_real m1, vm_real m1_lo, vmi_bits 
 
 /* Returns u minus the nearest multiple j K, for 0 <= u < VMI_TABLE_REACH and a k' = kp for which VMI_IN_PERIOD_TABLE is
    1. The last bits of *quarters become those of j. K has a relative error below 2^-71 (float 2^-36), so that the result
-   is within half an ulp plus 2^-71 u (float 2^-36 u). Where this is too much next to a multiple of K, the result is
-   NaN, and u must be reduced by vmi_reduce_long. It is not NaN for j >= 128, since there only the absolute error
-   counts. */
+   is within half an ulp plus 2^-71 u (float 2^-36 u). Where this error is too large, next to a multiple of K, the
+   result is NaN, and u must be reduced by vmi_reduce_long. It is not NaN for j >= 128, since there only the absolute
+   error counts. */
 VMI_APART vm_real vmi_reduce_by_table(vm_real u, vm_real m1, vm_real m1_lo, vm_real kp, vmi_bits *quarters)
 {
     const vm_real closest = VM_MANT_DIG > 24 ? VM_C(1048576.0) : VM_C(1024.0);
@@ -2034,14 +2058,15 @@ VM_INLINE vm_real vmi_reduced(vm_real u, vm_real m1, vm_real m1_lo, vm_real kp, 
 /* jacobi/functions.h - the elliptic functions sn, cn, dn and their quotients
 
    sn(u | m), cn(u | m) and dn(u | m) of Jacobi, for every real argument u and every parameter m = k^2 <= 1, negative
-   ones included. sn and cn have the period 4 K(m), dn has 2 K(m). The motions of oscillators with cubic springs and
-   of bodies that rotate without torque are written with them. For many u and one m use a plan (jacobi/plans.h).
+   ones included. sn and cn have the period 4 K(m), dn has 2 K(m). They describe the motions of oscillators with cubic
+   springs and of bodies that rotate without torque. For many u and one m use a plan (jacobi/plans.h).
 
        vm_real sn, cn, dn;
        jacobi_sncndn(VM_C(1.2), VM_C(0.3), &sn, &cn, &dn);
 
-   Method: u is reduced to |v| <= K/2 by a multiple of K. Near 0 a series is used (vmi_theta_near), far from 0 theta
-   functions. Equations: DLMF 22. Tests: tests/test_jacobi.c. */
+   Method: a multiple of K is subtracted from u, so that the rest v has |v| <= K/2. For v near 0 a series is used
+   (vmi_theta_near), for v far from 0 theta functions (vmi_theta_far). Equations: DLMF 22. Tests:
+   tests/test_jacobi.c. */
 #ifndef VARMASS_JACOBI_FUNCTIONS_H
 #define VARMASS_JACOBI_FUNCTIONS_H
 
@@ -2100,8 +2125,8 @@ VM_API vm_real vmi_theta_named(vmi_thetas t, char name)
     return t.n;
 }
 
-/* The quotient pq = theta_p/theta_q. For m = 1 both theta functions may underflow to the same number: then the quotient
-   is 1. */
+/* The elliptic function whose name has the letters p and q, such as cd: the quotient theta_p/theta_q. For m = 1 both
+   theta functions may underflow to the same number: then the quotient is 1. */
 VM_API vm_real vmi_quotient(vm_real u, vm_real m, char p, char q)
 {
     vm_real bound;
@@ -2182,7 +2207,7 @@ VM_API vm_real jacobi_dn(vm_real u, vm_real m)
 }
 
 #endif
-/* jacobi/amplitude.h - the amplitude am, the angle whose sine is sn
+/* jacobi/amplitude.h - the amplitude am, the angle with the sine sn and the cosine cn
 
        vm_real angle = jacobi_am(VM_C(1.2), VM_C(0.3)); // sin(angle) = sn(1.2 | 0.3)
 
@@ -2228,9 +2253,9 @@ VM_API vm_real jacobi_am(vm_real u, vm_real m)
 #ifndef VARMASS_BASE_CHEBYSHEV_H
 #define VARMASS_BASE_CHEBYSHEV_H
 
-/* Removes the highest power of c_0 + c_1 t + ... + c_n t^n by subtracting a multiple of Chebyshev's polynomial of
-   degree n for the interval 0 <= t <= 1. The values in this interval change by at most |c_n| 2^(1-2n). Coefficients
-   with an index below `lowest` stay as they are. */
+/* Removes the term c_n t^n of the polynomial c_0 + c_1 t + ... + c_n t^n by subtracting a multiple of Chebyshev's
+   polynomial of degree n for the interval 0 <= t <= 1. In this interval the values of the polynomial change by at most
+   |c_n| 2^(1-2n) if `lowest` is 0. Coefficients with an index below `lowest` stay as they are. */
 VM_API void vmi_remove_highest(vm_real *c, int n, int lowest)
 {
     vm_real term = c[n];
@@ -2258,13 +2283,13 @@ VM_API void vmi_remove_highest(vm_real *c, int n, int lowest)
 
 #include <string.h>
 
-/* One parameter m, prepared by jacobi_plan_init. Fields that the form (the method for this m) does not use are 0. */
+/* One parameter m, prepared by jacobi_plan_init. `form` is the method for this m; fields that it does not use are 0. */
 typedef struct VM_TAG(jacobi_plan) {
     int form;            /* method: VMI_NEAR_FORM uses a and b; VMI_HYPERBOLIC and VMI_RECIPROCAL use theta */
     vm_real m1;          /* complementary parameter 1 - m */
     vm_real K[4], per_K; /* K: quarter period as a sum, see vmi_pieces; per_K: 1/K, or 0 for m = 1 */
     vm_real a[VMI_TERMS], b[VMI_TERMS]; /* coefficients of two polynomials in v^2, for the reduced argument v */
-    vmi_theta_form theta;               /* its field kp = k' is set in every form */
+    vmi_theta_form theta;               /* its field kp = k' is set for every method */
 } jacobi_plan;
 
 /* The polynomial 1 + c[0] y + c[1] y^2 + ... with VMI_TERMS coefficients c */
@@ -2292,9 +2317,9 @@ VM_API void vmi_shorten(vm_real *c)
     for (n = VMI_MORE_TERMS; n > VMI_TERMS; n--) vmi_remove_highest(c, n, 1);
 }
 
-/* Computes the coefficients p->a of w^2 cs^2(w) and p->b of -theta^2 d(cs^2)/d theta in powers of v^2, where
-   cs = cn/sn, w = v/2 and theta = w^2, for arguments |v| <= longest. The constant coefficients are 1 and are not
-   stored. */
+/* Computes p->a and p->b, the coefficients of two power series in v^2: p->a of w^2 cs^2(w) and p->b of -w^4
+   d(cs^2)/d(w^2), where cs = cn/sn and w = v/2, for arguments |v| <= longest. The constant coefficients are 1 and are
+   not stored. */
 VM_API void vmi_plan_prepare(jacobi_plan *p, vm_real longest)
 {
     const vm_real theta = longest * longest / 4;
@@ -2354,7 +2379,7 @@ VM_API int jacobi_plan_init(jacobi_plan *p, vm_real m)
 VM_API int jacobi_plan_init_m1(jacobi_plan *p, vm_real m1) { return vmi_plan_init(p, m1 + 0, 0); } /* 0 for -0 */
 
 /* The theta functions near 0, from the plan's two polynomials at w = v/2 and one duplication, which leads from w to v
-   (compare vmi_theta_near). theta_s is v times the polynomial p->b, since the derivative of sc^2 is 2 sc nc dc. */
+   (compare vmi_theta_near). theta_s is v times the polynomial p->b, since d(sc^2)/dw = 2 sc nc dc. */
 VM_INLINE vmi_thetas vmi_plan_near(const jacobi_plan *p, vm_real v)
 {
     vmi_thetas theta;
@@ -2464,17 +2489,18 @@ VM_API void jacobi_plan_sncndn_array(const jacobi_plan *p, int n, const vm_real 
 /* jacobi/modulus.h - the parameter m from the quarter period
 
    The functions solve K(m) = c and k' K(m) = c for m. The second equation is (307), which gives the Jacobi function
-   whose period is that of a strongly nonlinear oscillator. Each equation has one solution for every c > 0.
+   whose period is that of a strongly nonlinear oscillator. Each equation has one solution for every c > 0. The nome of
+   a parameter m is q = exp(-pi K(1 - m)/K(m)).
 
        vm_real m = jacobi_solve_kpK(VM_C(1.2)); // sqrt(1 - m) K(m) = 1.2
 
-   Method: Newton's method for the logarithm of the nome; for c between K(-1) and K(1/2) a fixed-point iteration for
-   the nome itself. Tests: tests/test_jacobi.c. */
+   Method: for c between K(-1) and K(1/2) a fixed-point iteration finds the nome of m or of m/(m - 1); for other c
+   Newton's method finds the logarithm of another nome (see vmi_solution). Tests: tests/test_jacobi.c. */
 #ifndef VARMASS_JACOBI_MODULUS_H
 #define VARMASS_JACOBI_MODULUS_H
 
 /* Returns (1 - R)/q for |q| <= 0.1, where m = 16 q R is the parameter with the nome q, and
-   R = (theta_2(q)/(2 q^(1/4) theta_3(q)))^4. No digits are lost for small q. Method: for
+   R = (theta_2(q)/(2 q^(1/4) theta_3(q)))^4. No digits are lost for small q. Method: for the number
    b = R^(1/4) = (1 + q^2 + q^6 + q^12)/theta_3 the quotient (1 - b)/q is
    (2 - q + 2 q^3 - q^5 + 2 q^8 - q^11)/theta_3. */
 VM_API vm_real vmi_theta_loss(vm_real q)
@@ -2508,9 +2534,9 @@ VM_API vm_real vmi_solve_middle(vm_real c)
 /* After a step of Newton's method that is shorter than this number, the error is below eps. */
 #define VMI_SMALL_STEP (VM_MANT_DIG > 24 ? VM_C(1e-9) : VM_C(2e-5))
 
-/* Finds s->L = -ln q from K = L theta_3(q)^2/2 = c, for c >= K(1/2). The unknown of Newton's method is
-   lambda = 2c - L = 2c (1 - theta_3^-2), between 0 and 0.57. The method starts at lambda = 0 and needs at most seven
-   steps. */
+/* Finds s->L = -ln q for c >= K(1/2) from L theta_3(q)^2/2 = c. The left side is K(m) if q is the nome of 1 - m, and k'
+   K(m) if q is the nome of 1/(1 - m). The unknown of Newton's method is lambda = 2c - L = 2c (1 - theta_3^-2), between
+   0 and 0.57. The method starts at lambda = 0 and needs at most seven steps. */
 VM_API void vmi_solve_high(vm_real c, vmi_solution *s)
 {
     vm_real lambda = 0, step = 1;
@@ -2533,10 +2559,11 @@ VM_API vm_real vmi_small_log(vm_real x)
     return x - x * x * (VM_C(0.5) - x * (VM_C(0.3333333333333333333) - x * (VM_C(0.25) - x * VM_C(0.2))));
 }
 
-/* Finds s->L = -ln q from k' K = 2 L sqrt(q) (1 + q^2 + q^6)^2 = c, for 0 < c <= K(-1). Newton's method solves
+/* Finds s->L = -ln q for 0 < c <= K(-1) from 2 L sqrt(q) (1 + q^2 + q^6)^2 = c. The left side is k' K(m) if q is the
+   nome of 1 - m, and K(m) if q is the nome of 1/(1 - m). Newton's method solves
      L/2 - ln L - 2 ln(1 + q^2 + q^6) = ln(2/c),
    whose left side is a convex, rising function of L. The method starts above the solution and needs at most seven
-   steps. The residual is computed in two words. */
+   steps. The difference of the two sides is computed in two words. */
 VM_API void vmi_solve_low(vm_real c, vmi_solution *s)
 {
     const vm_two ln_c = vmi_log(c), ln2 = vmi_log(2);
@@ -2579,8 +2606,8 @@ VM_API vmi_solution vmi_solve_parameter(vm_real c, int inverse_of_K)
     return s;
 }
 
-/* Returns 1 - m of the solution. 16 q and 1/(16 q) are computed as exponentials of -L, since q may underflow where
-   16 q does not. */
+/* Returns 1 - m of the solution. 16 q and 1/(16 q) are computed as exp(ln 16 - L) and exp(L - ln 16), since q may
+   underflow where 16 q does not. */
 VM_API vm_real vmi_solution_m1(const vmi_solution *s)
 {
     const vm_two ln2 = vmi_log(2);
@@ -2659,7 +2686,8 @@ VM_API vm_real jacobi_solve_K(vm_real c)
 #define VARMASS_JACOBI_MEANS_H
 
 /* Computes the means from the nome q of m, for |q| <= 0.1. The recurrences (384) and (408) would divide 0 by 0 at
-   m = 0. In this form m is cancelled from both, by means of two series S and R in q: 1/2 - C2 = q S and m = 16 q R. */
+   m = 0. Here numerators and denominators are divided by m beforehand, by means of two power series S and R in q, for
+   which 1/2 - C2 = q S and m = 16 q R. */
 VM_API void vmi_means_from_nome(vm_real q, vm_real *C2, vm_real *C4, vm_real *C6)
 {
     const vm_real y = q * q, loss = vmi_theta_loss(q), R = 1 - q * loss;
@@ -2673,8 +2701,8 @@ VM_API void vmi_means_from_nome(vm_real q, vm_real *C2, vm_real *C4, vm_real *C6
     *C6 = ((7 * delta - 8 * eta) / 3 + 8 * *C4 - VM_C(1.5) + 3 * d) / 5;
 }
 
-/* Returns C2 by (383) from K and E, for 1 - m = c <= 1/2 and l = ln(4/k'): C2 = (E/K - c)/m. E/K is a sum of two words
-   here, because for m near 4/5 an error of C2 is doubled in the mean of sn^6. */
+/* Returns C2 by (383) from K and E, for 1 - m = c <= 1/2 and l = ln(4/k'): C2 = (E/K - c)/m. E/K is computed in two
+   words, because for m near 4/5 an error of C2 is doubled in the mean of sn^6. */
 VM_API vm_real vmi_mean_from_K(vm_real c, vm_two l)
 {
     const vm_two K = vmi_K_by_log(c, l);
@@ -2686,8 +2714,8 @@ VM_API vm_real vmi_mean_from_K(vm_real c, vm_two l)
 
 /* Means of cn^2, cn^4 and cn^6 over a period, for the parameter m <= 1. The errors are at most 8 ulp. The means are 0
    for m = 1, where the period is infinite, and NaN for m > 1 and infinite m. Equations (383), (384), (408).
-   Outside -4 <= m <= 1/2 the recurrences (384) and (408) are solved for the means of sn^2 cn^2 and sn^2 cn^4. These
-   are small, and the others are sums of few of them, so that little is lost to rounding. */
+   Outside -4 <= m <= 1/2 the recurrences (384) and (408) are solved for the means of sn^2 cn^2 and sn^2 cn^4. These two
+   are small, and C4 and C6 follow by subtracting them from C2, so that rounding errors stay small. */
 VM_API void jacobi_cn_means(vm_real m, vm_real *C2, vm_real *C4, vm_real *C6)
 {
     const vm_two m1 = vmi_two_sum(1, -m);
@@ -2700,8 +2728,8 @@ VM_API void jacobi_cn_means(vm_real m, vm_real *C2, vm_real *C4, vm_real *C6)
         const vm_real e = m / (2 * (1 + root) * ((1 + fourth) * (1 + fourth))), e4 = vmi_fourth_power(e);
         vmi_means_from_nome(e * (1 + e4 * (2 + e4 * (15 + e4 * (150 + e4 * (1707 + e4 * 20910))))), C2, C4, C6);
     } else {
-        /* For m < 0, cn(u | m) = cd(k' u | m/(m - 1)) with k' = sqrt(1 - m). cd has the same means as sn. The mean of
-           sn^2 is 1 - C2. */
+        /* For m < 0, cn(u | m) = cd(k' u | m/(m - 1)) with k' = sqrt(1 - m). The powers of cd have the means of those
+           of sn. The mean of sn^2 is 1 - C2. */
         const vm_real second = vmi_mean_from_K(vmi_smaller(m1.hi, 1 / m1.hi), vmi_log_4(m1.hi, m1.lo));
         vm_real ratio = m1.hi / m, s2c2, s2c4, fourth; /* ratio is (1 - M)/M for M = m or, if m < 0, M = m/(m - 1) */
         if (m < 0) ratio = -1 / m;
@@ -2722,7 +2750,7 @@ VM_API void jacobi_cn_means(vm_real m, vm_real *C2, vm_real *C4, vm_real *C6)
 #endif
 /* jacobi/descending.h - sn, cn, dn and K by the arithmetic-geometric mean
 
-   In this classical method the number of steps shows what accuracy costs. It serves for comparison and teaching:
+   In this classical method the accuracy is chosen by the number of steps. It serves for comparison and teaching:
    jacobi_sncndn is faster and more accurate.
 
        vm_real sn, cn, dn;
@@ -2733,9 +2761,9 @@ VM_API void jacobi_cn_means(vm_real m, vm_real *C2, vm_real *C4, vm_real *C6)
 #define VARMASS_JACOBI_DESCENDING_H
 
 /* Goes back through the steps of the arithmetic-geometric mean by Gauss' transformation, beginning with the sine and
-   cosine of the phase a_n u. The results s, c, d, q give sn = s/q, cn = c/q and dn = d/q. The step back from n + 1 to n
-   turns s, c, d, q into
-     s' = (a/a+) s q,  c' = c d,  d' = c^2 + (b/a+) s^2,  q' = c^2 + (a/a+) s^2     with a = a_n, b = b_n, a+ = a_(n+1).
+   cosine of the phase a_n u. The results s, c, d, q give sn = s/q, cn = c/q and dn = d/q. With a = a_n, b = b_n and
+   a+ = a_(n+1) the step back from n + 1 to n replaces
+     s by (a/a+) s q,  c by c d,  d by c^2 + (b/a+) s^2,  q by c^2 + (a/a+) s^2.
    No subtraction occurs, not even for m < 0. */
 VM_API void vmi_descend(const vmi_ladder *l, vm_real phase, vm_real *s, vm_real *c, vm_real *d, vm_real *q)
 {
@@ -2754,8 +2782,9 @@ VM_API void vmi_descend(const vmi_ladder *l, vm_real phase, vm_real *s, vm_real 
 
 /* sn, cn and dn by a given number of steps of the arithmetic-geometric mean, for m < 1. Fewer steps (at least one) cost
    less and are less accurate. With steps >= 15 the function takes as many steps as the type needs; the error is then at
-   most 3 eps M (1 + M |u|) with M = max(1, k') for |u| <= 5K. The error grows with |u|, since the phase a_n u is
-   reduced by pi/2, instead of u by K. The results are NaN for m >= 1 and for infinite arguments. */
+   most 3 eps M (1 + M |u|) with M = max(1, k') for |u| <= 5K. The error grows with |u|: the rounded phase a_n u is
+   reduced by pi/2, while jacobi_sncndn reduces u itself by K. The results are NaN for m >= 1 and for infinite
+   arguments. */
 VM_API void jacobi_agm_sncndn(vm_real u, vm_real m, int steps, vm_real *sn, vm_real *cn, vm_real *dn)
 {
     const vmi_three half_pi = vmi_half_pi();
@@ -2809,7 +2838,7 @@ VM_API vm_real jacobi_agm_K(vm_real m)
 
 /* Carlson's symmetric integral R_F(x, y, z) in two words, for x, y, z >= 0 of which at most one is 0. The arguments
    are brought together by duplications, usually 7, until the series in their differences (DLMF 19.36.1) has an error
-   of 2^-(2p - 4). An argument that is 2^-n times the largest needs log2(n) duplications more. */
+   of 2^-(2p - 4). If an argument is 2^-n times the largest one, log2(n) more duplications are needed. */
 VM_API vm_two vmi_carlson_rf(vm_two x, vm_two y, vm_two z)
 {
     const vm_real enough = VM_SQRT(VM_SQRT(VM_EPSILON));
@@ -2841,7 +2870,7 @@ VM_API vm_two vmi_carlson_rf(vm_two x, vm_two y, vm_two z)
     return vmi_two_over(sum, vmi_two_root(A));
 }
 
-/* The complete integral of the third kind, Pi(-N | m), as its quotient with K(m) */
+/* The complete integral of the third kind, Pi(-N | m), divided by K(m) */
 typedef struct VM_TAG(vmi_third_kind) {
     vm_two mean;  /* agm(1, k') = pi/(2K) */
     vm_two ratio; /* Pi(-N | m)/K(m) */
@@ -2849,18 +2878,18 @@ typedef struct VM_TAG(vmi_third_kind) {
 } vmi_third_kind;
 
 /* The complete integral of the third kind for m1 = 1 - m > 0 and N >= 0, where share = N/(1 + N) and
-   below = 1/(1 + N). With p = sqrt(1 + N) and the numbers a, g of the arithmetic-geometric mean (DLMF 19.8.6-7),
-   starting with Q = 1, each step is
-     e = (p^2 - a g)/(p^2 + a g),  p+ = (p^2 + a g)/(2p),  Q+ = Q e/2,  1 - Pi/K = share sum Q/2.
-   Since sum Q = 2 - sum Q (1 - e), both ratio = Pi/K and rest = 1 - Pi/K are sums of positive terms. Therefore they are
-   accurate for any N. */
+   below = 1/(1 + N). It begins with p = sqrt(1 + N), Q = 1 and the numbers a = 1, g = k' of the arithmetic-geometric
+   mean (DLMF 19.8.6-7). Each step replaces p and Q by p+ and Q+:
+     e = (p^2 - a g)/(p^2 + a g),  p+ = (p^2 + a g)/(2p),  Q+ = Q e/2.
+   1 - Pi/K is share/2 times the sum of all Q. Since this sum is 2 minus the sum of all Q (1 - e), both ratio = Pi/K and
+   rest = 1 - Pi/K are sums of positive terms. Therefore they are accurate for any N. */
 VM_API vmi_third_kind vmi_third_kind_ladder(vm_two m1, vm_two share, vm_two below)
 {
     vm_two a = vmi_two(1, 0), g = vmi_two_root(m1), p = vmi_two_root(vmi_two_over(a, below)), Q = a, ag, pp, above;
     vm_two sum = vmi_two(0, 0), less = sum;
     vmi_third_kind result;
     int step;
-    for (step = 0; step < 200; step++) { /* 5 to 10 steps, and one for each binary digit of sqrt(1 + N) */
+    for (step = 0; step < 200; step++) { /* 5 to 10 steps, plus one for each binary digit of sqrt(1 + N) */
         const vm_real apart = VM_FABS(a.hi - g.hi);
         ag = vmi_two_times(a, g);
         pp = vmi_two_times(p, p);
@@ -2880,7 +2909,7 @@ VM_API vmi_third_kind vmi_third_kind_ladder(vm_two m1, vm_two share, vm_two belo
     return result;
 }
 
-/* The sine and the cosine of the angle of x turns, 2 pi x, for |x| < 2^13 */
+/* The sine and the cosine of an angle of x turns, that is of 2 pi x, for |x| < 2^13 */
 VM_API void vmi_sincos_turns(vm_real x, vm_real *sine, vm_real *cosine)
 {
     const vmi_three half_pi = vmi_half_pi();
@@ -2900,9 +2929,9 @@ VM_API void vmi_sincos_turns(vm_real x, vm_real *sine, vm_real *cosine)
     if (quarter == 1 || quarter == 2) *cosine = -*cosine;
 }
 
-/* The complex number theta_4(z + i zy), up to a real factor. z is pi u/(2K), and zy is pi y/(2K) with 0 <= y < K',
-   where K' is K(1 - m). The nome is Q = q^2 (doubled lattice), where q is the nome of m. The angle of this number is
-   the periodic part of the angle by which a torque-free body turns. There are two forms.
+/* The complex number theta_4(z + i zy), up to a real factor. Its angle is the periodic part of the angle by which a
+   torque-free body turns. z is pi u/(2K), and zy is pi y/(2K) with 0 <= y < K', where K' is K(1 - m). The nome is
+   Q = q^2 (doubled lattice), where q is the nome of m. There are two forms of the series.
    The direct form is used for K <= 2K', so that Q <= exp(-pi):
      1 + sum over n >= 1 of (-1)^n (C_n cos 2nz - i S_n sin 2nz),
      C_n, S_n = e^(-(pi n/K)(2nK' - y)) +- e^(-(pi n/K)(2nK' + y)), with + for C_n and - for S_n.
@@ -2994,21 +3023,21 @@ VM_API void vmi_doubled_at(const vmi_doubled_theta *d, vm_real x, vm_real *re, v
 #endif
 /* jacobi/carlson.h - Carlson's symmetric elliptic integrals R_F, R_C, R_D, R_J and R_G
 
-   Every elliptic integral is a sum of these few, and they have no cases and no cancellations of their own:
+   Every elliptic integral is a sum of a few of these. In them no digits cancel, and no special cases are needed:
      R_F(x, y, z)    = 1/2 integral from 0 to infinity of dt/s(t),  s(t) = sqrt((t + x)(t + y)(t + z)),
-     R_J(x, y, z, p) = 3/2 integral of dt/((t + p) s(t)),
+     R_J(x, y, z, p) = 3/2 integral from 0 to infinity of dt/((t + p) s(t)),
    R_C(x, y) = R_F(x, y, y), R_D(x, y, z) = R_J(x, y, z, z), and R_G, which gives the surface of an ellipsoid.
 
        vm_real K = jacobi_RF(0, VM_C(0.75), 1); // K(m) = R_F(0, 1 - m, 1)
 
-   Method: Carlson's duplication brings the arguments together, until a series about their mean is exact enough. The
-   equations are those of Carlson, Numer. Algorithms 10 (1995) 13-26, with more terms, so that usually two or three
-   duplications are enough. Source: DLMF 19.15 to 19.36. Tests: tests/test_elliptic_integrals.c. */
+   Method: Carlson's duplication brings the arguments closer together, until a power series about their mean is exact
+   enough. The equations are those of Carlson, Numer. Algorithms 10 (1995) 13-26, with more terms of the series, so that
+   usually two or three duplications are enough. Source: DLMF 19.15 to 19.36. Tests: tests/test_elliptic_integrals.c. */
 #ifndef VARMASS_JACOBI_CARLSON_H
 #define VARMASS_JACOBI_CARLSON_H
 
-/* Three arguments on their way to their mean. Each duplication divides their distances from the mean, relative to it,
-   by about 4. */
+/* The three arguments of an integral, which duplications bring together. Each duplication makes the distances of the
+   arguments from their mean, divided by the mean, about 4 times smaller. */
 typedef struct VM_TAG(vmi_carlson) {
     vm_real x, y, z; /* the arguments */
     vm_real mean;    /* their mean (x + y + z)/3 */
@@ -3017,11 +3046,11 @@ typedef struct VM_TAG(vmi_carlson) {
     vm_real lambda;  /* a b + b c + c a in the last duplication */
 } vmi_carlson;
 
-/* The series are used if all distances from the mean are at most this share of it. The first terms left out, of the
-   order 11 (float 5), are then below 1e-17 (float 4e-9). */
+/* The power series are used if each argument differs from the mean by at most this share of the mean. The first terms
+   that are left out, those of degree 11 (float 5) in the differences, are then below 1e-17 (float 4e-9). */
 #define VMI_CARLSON_CLOSE VM_C(0.0262)
 
-/* Begins with the arguments x, y, z. */
+/* Returns the state before the first duplication of x, y, z. */
 VM_INLINE vmi_carlson vmi_carlson_begin(vm_real x, vm_real y, vm_real z)
 {
     vmi_carlson s;
@@ -3035,13 +3064,13 @@ VM_INLINE vmi_carlson vmi_carlson_begin(vm_real x, vm_real y, vm_real z)
     return s;
 }
 
-/* Returns the largest distance from the mean. */
+/* Returns the largest distance of an argument from the mean. */
 VM_INLINE vm_real vmi_carlson_spread(const vmi_carlson *s)
 {
     return vmi_larger(vmi_larger(VM_FABS(s->X), VM_FABS(s->Y)), VM_FABS(s->X + s->Y));
 }
 
-/* One duplication (DLMF 19.26.18): each argument x becomes (x + lambda)/4. Nothing cancels. */
+/* Makes one duplication (DLMF 19.26.18): x becomes (x + lambda)/4, and y and z change likewise. No digits cancel. */
 VM_INLINE void vmi_carlson_duplicate(vmi_carlson *s)
 {
     s->a = VM_SQRT(s->x);
@@ -3056,7 +3085,8 @@ VM_INLINE void vmi_carlson_duplicate(vmi_carlson *s)
     s->Y *= VM_C(0.25);
 }
 
-/* The two symmetric functions of the relative distances X, Y, Z from the mean, whose sum is 0:
+/* Computes two symmetric functions of X, Y, Z, the distances of the arguments from the mean, divided by the mean;
+   X + Y + Z is 0:
    E2 = XY + YZ + ZX, E3 = XYZ */
 VM_INLINE void vmi_carlson_symmetric(const vmi_carlson *s, vm_real *E2, vm_real *E3)
 {
@@ -3065,8 +3095,9 @@ VM_INLINE void vmi_carlson_symmetric(const vmi_carlson *s, vm_real *E2, vm_real 
     *E3 = X * Y * Z;
 }
 
-/* R_F from arguments that are close together: the sum of t_N/(2N + 1), divided by the root of the mean. The terms t_N
-   are the coefficients of s^N in (1 + E2 s^2 - E3 s^3)^(-1/2) (DLMF 19.19.7). */
+/* R_F from arguments that are close together: the sum over N of t_N/(2N + 1), divided by the root of the mean. t_N is
+   the coefficient of s^N in the power series of (1 + E2 s^2 - E3 s^3)^(-1/2), with E2, E3 of vmi_carlson_symmetric
+   (DLMF 19.19.7). */
 VM_INLINE vm_real vmi_carlson_first(const vmi_carlson *s)
 {
     vm_real E2, E3, low, high = 0;
@@ -3088,8 +3119,8 @@ VM_INLINE vm_real vmi_carlson_first(const vmi_carlson *s)
     return (1 + (low + high)) / VM_SQRT(s->mean);
 }
 
-/* R_J from arguments x, y, z and p that are close together, where P is 1 - p/mean. The sum has the terms
-   3 T_N/(2N + 3), where T_N are the coefficients of s^N in (1 + E2 s^2 - E3 s^3)^(-1/2)/(1 - P s). */
+/* R_J from arguments x, y, z and p that are close together, where P is 1 - p/mean. It is the sum over N of 3
+   T_N/(2N + 3), divided by mean^(3/2). T_N is the coefficient of s^N in (1 + E2 s^2 - E3 s^3)^(-1/2)/(1 - P s). */
 VM_INLINE vm_real vmi_carlson_third(const vmi_carlson *s, vm_real P)
 {
     vm_real E2, E3, t, T, sum;
@@ -3137,8 +3168,8 @@ VM_INLINE vm_real vmi_rf(vm_real x, vm_real y, vm_real z)
     return vmi_carlson_first(&s);
 }
 
-/* R_F(x, y, z), and R_D(x, y, z) to *rd, for z > 0 and arguments of which at most one is 0. Both have the same
-   duplications; each of them adds a positive term to R_D (DLMF 19.26.20). */
+/* Returns R_F(x, y, z), and R_D(x, y, z) in *rd, for z > 0 and arguments of which at most one is 0. One sequence of
+   duplications serves both; each duplication adds a positive term to R_D (DLMF 19.26.20). */
 VM_INLINE vm_real vmi_rf_rd(vm_real x, vm_real y, vm_real z, vm_real *rd)
 {
     vmi_carlson s = vmi_carlson_begin(x, y, z);
@@ -3146,7 +3177,7 @@ VM_INLINE vm_real vmi_rf_rd(vm_real x, vm_real y, vm_real z, vm_real *rd)
     while (spread > VMI_CARLSON_CLOSE * s.mean) {
         vmi_carlson_duplicate(&s);
         spread *= VM_C(0.25);
-        sum += power / (4 * s.c * s.z); /* 4 z is here z + lambda of the formula */
+        sum += power / (4 * s.c * s.z); /* 4 z is the formula's z + lambda */
         power *= VM_C(0.25);
     }
     *rd = 3 * sum + power * vmi_carlson_third(&s, -(s.X + s.Y) / s.mean);
@@ -3169,8 +3200,8 @@ VM_INLINE vm_real vmi_rc_series(vm_real e)
 #endif
 }
 
-/* R_C(1, y) for y > 0: the arctangent of sqrt(y - 1) divided by it, or for y < 1 the inverse hyperbolic tangent. Next
-   to y = 1 it is a series after one duplication, which divides y - 1 by (1 + sqrt(y))^2. */
+/* R_C(1, y) for y > 0. With r = sqrt(|y - 1|) it is arctan(r)/r for y > 1 and artanh(r)/r for y < 1. Next to y = 1 it
+   is computed by vmi_rc_series after one duplication, which divides y - 1 by (1 + sqrt(y))^2. */
 VM_API vm_real vmi_rc_of_1(vm_real y)
 {
     const vm_real e = y - 1;
@@ -3184,7 +3215,7 @@ VM_API vm_real vmi_rc_of_1(vm_real y)
     return vmi_log((1 + root) * (1 + root) / y).hi / (2 * root);
 }
 
-/* R_C(x, y) for x >= 0 and y != 0; for y < 0 its Cauchy principal value (DLMF 19.2.17, 19.2.20) */
+/* R_C(x, y) for x >= 0 and y != 0. For y < 0 it is Cauchy's principal value (DLMF 19.2.17, 19.2.20). */
 VM_API vm_real vmi_rc(vm_real x, vm_real y)
 {
     if (y < 0) return VM_SQRT(x / (x - y)) * vmi_rc(x - y, -y);
@@ -3192,10 +3223,10 @@ VM_API vm_real vmi_rc(vm_real x, vm_real y)
     return vmi_rc_of_1(y / x) / VM_SQRT(x);
 }
 
-/* R_F(x, y, z), and R_J(x, y, z, p) to *rj, for p > 0 and arguments x, y, z >= 0 of which at most one is 0. They
-   should be about 1: d, which has their powers 3/2, must neither overflow nor underflow. Each duplication adds 6/d
-   R_C(1, 1 + e) to R_J (DLMF 19.26.21 and Carlson 1995) with d = (r + a)(r + b)(r + c), r = sqrt(p). 1 + e is here 2
-   r (p + lambda)/d, in which nothing cancels. */
+/* Returns R_F(x, y, z), and R_J(x, y, z, p) in *rj, for p > 0 and arguments x, y, z >= 0 of which at most one is 0. The
+   arguments should be about 1: d, which contains their power 3/2, must neither overflow nor underflow. Each duplication
+   adds 6/d R_C(1, 1 + e) to R_J (DLMF 19.26.21 and Carlson 1995), where d = (r + a)(r + b)(r + c) and r = sqrt(p).
+   1 + e is computed as 2 r (p + lambda)/d, so that nothing cancels. */
 VM_API vm_real vmi_rf_rj(vm_real x, vm_real y, vm_real z, vm_real p, vm_real *rj)
 {
     vmi_carlson s = vmi_carlson_begin(x, y, z);
@@ -3215,8 +3246,8 @@ VM_API vm_real vmi_rf_rj(vm_real x, vm_real y, vm_real z, vm_real p, vm_real *rj
     return vmi_carlson_first(&s);
 }
 
-/* A power of 4 and what it does to an integral: the arguments are multiplied by `factor`, so that the largest is about
-   1 and no power of them overflows or underflows. R_F and R_C are then multiplied by `root`, the root of the factor. */
+/* The arguments of an integral are multiplied by `factor`, a power of 4, so that the largest is about 1 and no power of
+   them overflows or underflows. R_F and R_C are then multiplied by `root`, the root of the factor. */
 typedef struct VM_TAG(vmi_carlson_scale) {
     vm_real factor, root;
 } vmi_carlson_scale;
@@ -3243,8 +3274,8 @@ VM_API int vmi_two_zeros(vm_real x, vm_real y, vm_real z)
     return x + y == 0 || y + z == 0 || z + x == 0;
 }
 
-/* The limit of R_F, R_D or R_J where two arguments are 0 (`zeros`) or one is infinite, else NaN: infinity for two
-   zeros, 0 for an infinite argument, and NaN where both meet. */
+/* The limit of R_F, R_D or R_J. It is infinity if arguments are 0 so that the integral diverges (`zeros`), 0 if one
+   argument is infinite (`infinite`), and NaN if both is the case. */
 VM_API vm_real vmi_carlson_limit(int zeros, int infinite)
 {
     if (zeros && infinite) return VM_NAN;
@@ -3253,8 +3284,8 @@ VM_API vm_real vmi_carlson_limit(int zeros, int infinite)
 }
 
 /* R_F(x, y, z), Carlson's integral of the first kind, for x, y, z >= 0. It is symmetric in all three. The error is at
-   most 8 ulp. It is infinite if two arguments are 0, and 0 if one is infinite; NaN if one is negative. K(m) is R_F(0,
-   1 - m, 1), F(phi | m) is s R_F(1 - s^2, 1 - m s^2, 1) with s = sin phi. DLMF 19.16.1. */
+   most 8 ulp. R_F is infinite if two arguments are 0, 0 if one is infinite, and NaN if one is negative. K(m) is R_F(0,
+   1 - m, 1), and F(phi | m) is s R_F(1 - s^2, 1 - m s^2, 1) with s = sin phi. DLMF 19.16.1. */
 VM_API vm_real jacobi_RF(vm_real x, vm_real y, vm_real z)
 {
     const vm_real largest = vmi_larger(vmi_larger(x, y), z);
@@ -3266,8 +3297,8 @@ VM_API vm_real jacobi_RF(vm_real x, vm_real y, vm_real z)
 }
 
 /* R_C(x, y) = R_F(x, y, y), Carlson's elementary integral, for x >= 0 and any y. It is an arctangent for x < y and a
-   logarithm for x > y. The error is at most 8 ulp. For y < 0 it is Cauchy's principal value. It is infinite for y =
-   0, and 0 if an argument is infinite; NaN if x is negative. DLMF 19.2.17. */
+   logarithm for x > y. The error is at most 8 ulp. For y < 0 R_C is Cauchy's principal value. It is infinite for y = 0,
+   0 if an argument is infinite, and NaN if x is negative. DLMF 19.2.17. */
 VM_API vm_real jacobi_RC(vm_real x, vm_real y)
 {
     const vm_real largest = vmi_larger(x, VM_FABS(y));
@@ -3280,8 +3311,8 @@ VM_API vm_real jacobi_RC(vm_real x, vm_real y)
 }
 
 /* R_D(x, y, z) = R_J(x, y, z, z), Carlson's integral of the second kind, for x, y, z >= 0. It is symmetric in x and
-   y. The error is at most 8 ulp. It is infinite if z = 0 or x = y = 0, and 0 if an argument is infinite; NaN if one
-   is negative, and if the quotient of two of them that are not 0 is above 1e307 (float 1e37). DLMF 19.16.5. */
+   y. The error is at most 8 ulp. R_D is infinite if z = 0 or x = y = 0, 0 if an argument is infinite, and NaN if one is
+   negative or more than 1e307 times (float 1e37) another one that is not 0. DLMF 19.16.5. */
 VM_API vm_real jacobi_RD(vm_real x, vm_real y, vm_real z)
 {
     const vm_real largest = vmi_larger(vmi_larger(x, y), z);
@@ -3296,8 +3327,8 @@ VM_API vm_real jacobi_RD(vm_real x, vm_real y, vm_real z)
     return by.root * (by.root * (by.root * rd));
 }
 
-/* R_J for p < 0: Cauchy's principal value from R_J at a positive p (DLMF 19.20.14), for 0 <= x, y <= z of which at
-   most one is 0 */
+/* R_J for p < 0: its Cauchy principal value, from R_J at the positive p that is called `other` (DLMF 19.20.14), for
+   0 <= x, y <= z of which at most one is 0 */
 VM_API vm_real vmi_rj_principal(vm_real x, vm_real y, vm_real z, vm_real p)
 {
     const vm_real q = -p, other = (z * ((x + y) + q) - x * y) / (z + q), product = x * y + other * q;
@@ -3308,10 +3339,10 @@ VM_API vm_real vmi_rj_principal(vm_real x, vm_real y, vm_real z, vm_real p)
 }
 
 /* R_J(x, y, z, p), Carlson's integral of the third kind, for x, y, z >= 0. It is symmetric in x, y, z. For p > 0 the
-   error is at most 8 ulp where the quotients of the arguments are below 1e16, and at most 16 ulp elsewhere. For p < 0
-   it is Cauchy's principal value, which has zeros: its error is at most 16 eps of R_J(x, y, z, |p|). It is infinite
-   if p = 0 or two of the others are 0, and 0 if an argument is infinite; NaN if x, y or z is negative, and if the
-   quotient of two arguments that are not 0 is above 1e307 (float 1e37). DLMF 19.16.2. */
+   error is at most 8 ulp where no argument is more than 1e16 times another one, and at most 16 ulp elsewhere. For p < 0
+   R_J is Cauchy's principal value, which has zeros: its error is at most 16 eps of R_J(x, y, z, |p|). R_J is infinite
+   if p = 0 or two of x, y, z are 0, 0 if an argument is infinite, and NaN if x, y or z is negative or if one argument is
+   more than 1e307 times (float 1e37) another one that is not 0. DLMF 19.16.2. */
 VM_API vm_real jacobi_RJ(vm_real x, vm_real y, vm_real z, vm_real p)
 {
     const vm_real top = vmi_larger(vmi_larger(x, y), z), largest = vmi_larger(top, VM_FABS(p));
@@ -3334,9 +3365,9 @@ VM_API vm_real jacobi_RJ(vm_real x, vm_real y, vm_real z, vm_real p)
     return by.root * (by.root * (by.root * rj));
 }
 
-/* R_G(x, y, z), Carlson's symmetric integral of the second kind, for x, y, z >= 0. The error is at most 10 ulp. It is
-   infinite if an argument is infinite; NaN if one is negative. E(m) is 2 R_G(0, 1 - m, 1), and an ellipsoid with the
-   half axes a, b, c has the surface 4 pi R_G(a^2 b^2, b^2 c^2, c^2 a^2). DLMF 19.16.3. With the middle one of the
+/* R_G(x, y, z), Carlson's symmetric integral of the second kind, for x, y, z >= 0. The error is at most 10 ulp. R_G is
+   infinite if an argument is infinite, and NaN if one is negative. E(m) is 2 R_G(0, 1 - m, 1), and an ellipsoid with
+   the half axes a, b, c has the surface 4 pi R_G(a^2 b^2, b^2 c^2, c^2 a^2). DLMF 19.16.3. With the middle one of the
    arguments as z all terms of DLMF 19.21.10 are positive. */
 VM_API vm_real jacobi_RG(vm_real x, vm_real y, vm_real z)
 {
@@ -3361,20 +3392,22 @@ VM_API vm_real jacobi_RG(vm_real x, vm_real y, vm_real z)
      F(phi | m)     = integral from 0 to phi of dx/sqrt(1 - m sin^2 x), the inverse of the amplitude am(u | m)
      E(phi | m)     = integral of sqrt(1 - m sin^2 x) dx
      Pi(n; phi | m) = integral of dx/((1 - n sin^2 x) sqrt(1 - m sin^2 x)), where n is the characteristic
-   The angle phi is any number of radians, and m = k^2 <= 1. F is the time in which a pendulum reaches an angle, E the
-   length of an arc of an ellipse, Pi the precession of a spherical pendulum or a top.
+   All three integrals are from 0 to phi. The angle phi is any number of radians, and m = k^2 <= 1. F is the time in
+   which a pendulum reaches an angle, E the length of an arc of an ellipse, Pi the precession of a spherical pendulum or
+   a top.
 
        vm_real u = jacobi_F(VM_C(1.2), VM_C(0.5)); // am(u | 0.5) = 1.2
 
-   Method: phi is reduced to |theta| <= pi/2 by multiples of pi, where pi has three words; each of them adds twice the
-   complete integral. The rest is a sum of Carlson's integrals whose terms are all positive, so that no digits cancel.
-   Source: DLMF 19.2, 19.7, 19.25. Tests: tests/test_elliptic_integrals.c. */
+   Method: a multiple of pi is subtracted from phi, so that the rest theta has |theta| <= pi/2; pi has three words here.
+   Each pi adds twice the complete integral. The integral from 0 to theta is a sum of Carlson's integrals whose terms
+   are all positive, so that no digits cancel. Source: DLMF 19.2, 19.7, 19.25. Tests:
+   tests/test_elliptic_integrals.c. */
 #ifndef VARMASS_JACOBI_INCOMPLETE_H
 #define VARMASS_JACOBI_INCOMPLETE_H
 
-/* An angle as a multiple of pi and a rest theta, |theta| <= pi/2 */
+/* An angle as the sum of a multiple of pi and a rest theta, |theta| <= pi/2 */
 typedef struct VM_TAG(vmi_angle) {
-    vm_real turns; /* twice the multiple: the number of complete integrals in an incomplete one */
+    vm_real turns; /* phi = turns pi/2 + theta: an integral to phi contains turns complete ones */
     vm_real s, c;  /* sin theta and cos theta, each with a small relative error */
 } vmi_angle;
 
@@ -3414,7 +3447,7 @@ VM_INLINE vmi_angle vmi_angle_of(vm_real phi)
     return angle;
 }
 
-/* Is 1 if an integral from 0 to phi has no ordinary value: phi or m1 is infinite, or one of them is NaN, or m1 < 0 */
+/* Is 1 if an integral from 0 to phi has no ordinary value: if phi or m1 is infinite or NaN, or if m1 < 0 */
 VM_INLINE int vmi_incomplete_special(vm_real phi, vm_real m1)
 {
     return !(VM_IS_FINITE(phi) && m1 >= 0 && VM_IS_FINITE(m1));
@@ -3453,8 +3486,9 @@ VM_API vm_real jacobi_F(vm_real phi, vm_real m)
    Domain and accuracy are those of jacobi_F; m1 keeps its digits where m is close to 1. */
 VM_API vm_real jacobi_F_m1(vm_real phi, vm_real m1) { return vmi_F(phi, m1, 0); }
 
-/* E(theta | m) for |theta| <= pi/2, from the sine and the cosine of theta. m and m1 = 1 - m are given both, so that
-   each has its digits. There is one form for either sign of m, with positive terms only (DLMF 19.25.9-10). */
+/* E(theta | m) for |theta| <= pi/2, from the sine and the cosine of theta. Both m and m1 = 1 - m are arguments, so that
+   each has all its digits. There is one formula for m < 0 and one for m >= 0; all their terms are positive (DLMF
+   19.25.9-10). */
 VM_API vm_real vmi_E_part(vm_real s, vm_real c, vm_real m, vm_real m1)
 {
     const vm_real cc = c * c, ss = s * s, dd = cc + m1 * ss;
@@ -3496,8 +3530,8 @@ VM_API vm_real jacobi_E_incomplete(vm_real phi, vm_real m)
    Domain and accuracy are those of jacobi_E_incomplete; m1 keeps its digits where m is close to 1. */
 VM_API vm_real jacobi_E_incomplete_m1(vm_real phi, vm_real m1) { return vmi_E_incomplete(phi, 1 - m1, m1, 0); }
 
-/* R_F, and weight R_J/3 to *third, for arguments of any size, of which the largest is `top`. Only the product of the
-   weight and R_J has to be within the range of the type. */
+/* Returns R_F(x, y, z), and weight R_J(x, y, z, p)/3 in *third, for arguments of any size, of which the largest is
+   `top`. R_J itself may overflow or underflow if its product with the weight does not. */
 VM_API vm_real vmi_rf_rj_weighted(vm_real x, vm_real y, vm_real z, vm_real p, vm_real top, vm_real weight,
                                   vm_real *third)
 {
@@ -3514,8 +3548,9 @@ VM_API vm_real vmi_rf_rj_weighted(vm_real x, vm_real y, vm_real z, vm_real p, vm
     return by.root * rf;
 }
 
-/* Pi(n; theta | m) for |theta| <= pi/2, from the sine and the cosine of theta, with 1 - m = m1. With p = 1 - n s^2 and
-   d = 1 - m s^2 there are three cases, each a sum of positive terms, but for a term of the third with m > 0:
+/* Pi(n; theta | m) for |theta| <= pi/2, from s = sin theta and c = cos theta, with 1 - m = m1. Let p = 1 - n s^2 and
+   d = 1 - m s^2. There are three cases. Each is a sum of positive terms, except for one term of the third case with
+   m > 0.
      n < 0: the characteristic N = (m - n)/(1 - n), which lies between m and 1, replaces n (DLMF 19.7.9), and q is
             1 - N s^2 = c^2 + s^2 m1/(1 - n);
      0 <= n and p > 0: s R_F + n s^3 R_J/3 (DLMF 19.25.14);
@@ -3541,7 +3576,7 @@ VM_API vm_real vmi_Pi_part(vm_real s, vm_real c, vm_real n, vm_real m, vm_real m
     return s * (vmi_rc(cc * d, p * q) - third);
 }
 
-/* Pi(n | m), where m and m1 = 1 - m are given both. The cases are those of vmi_Pi_part for theta = pi/2. */
+/* Pi(n | m), from both m and m1 = 1 - m. The cases are those of vmi_Pi_part for theta = pi/2. */
 VM_API vm_real vmi_Pi(vm_real n, vm_real m, vm_real m1)
 {
     const vm_real top = vmi_larger(m1, 1);
@@ -3568,8 +3603,8 @@ VM_API vm_real vmi_Pi(vm_real n, vm_real m, vm_real m1)
 }
 
 /* Pi(n | m), the complete elliptic integral of the third kind, for m <= 1. The characteristic n is any number. The
-   error is at most 8 ulp, unless (1 - m)/(1 - n) underflows. For n > 1 it is Cauchy's principal value. It is infinite
-   for n = 1 and for m = 1, where its sign is that of 1 - n; 0 for infinite n, and for m = -infinity with n < 1; NaN
+   error is at most 8 ulp, unless (1 - m)/(1 - n) underflows. For n > 1 Pi is Cauchy's principal value. Pi is infinite
+   for n = 1, and for m = 1 with the sign of 1 - n. It is 0 for infinite n, and for m = -infinity with n < 1. It is NaN
    for m > 1. DLMF 19.2.8, 19.6.5. */
 VM_API vm_real jacobi_Pi(vm_real n, vm_real m) { return vmi_Pi(n, m, 1 - m); }
 
@@ -3577,10 +3612,10 @@ VM_API vm_real jacobi_Pi(vm_real n, vm_real m) { return vmi_Pi(n, m, 1 - m); }
    Domain and accuracy are those of jacobi_Pi; m1 keeps its digits where m is close to 1. */
 VM_API vm_real jacobi_Pi_m1(vm_real n, vm_real m1) { return vmi_Pi(n, 1 - m1, m1); }
 
-/* Pi(n | m) - Pi(n; theta | m) for n < 1 and 0 <= theta <= pi/2, from the sine and the cosine of theta. With the
-   angle theta' for which tan theta tan theta' = 1/k' and N = (m - n)/(1 - n) this is the integral from 0 to theta' of
-   (1 - m sin^2 x)/((1 - n)(1 - N sin^2 x)) dx/sqrt(1 - m sin^2 x). *exact becomes 1 if no digits cancel: always for n
-   <= 0, and for n > 0 where theta is nearer to pi/2 than the larger part of the integral. */
+/* Pi(n | m) - Pi(n; theta | m) for n < 1 and 0 <= theta <= pi/2, from s = sin theta and c = cos theta. Let psi be the
+   angle for which tan theta tan psi = 1/k', and N = (m - n)/(1 - n). Then the result is the integral from 0 to psi of
+   (1 - m sin^2 x)/((1 - n)(1 - N sin^2 x)) dx/sqrt(1 - m sin^2 x). *exact becomes 1 if no digits cancel: for all
+   n <= 0, and for n > 0 if c^2 <= (1 - n) s^2. */
 VM_API vm_real vmi_Pi_complement(vm_real s, vm_real c, vm_real n, vm_real m1, int *exact)
 {
     const vm_real cc = c * c, ss = s * s, d = cc + m1 * ss, share = m1 / (1 - n);
@@ -3590,8 +3625,8 @@ VM_API vm_real vmi_Pi_complement(vm_real s, vm_real c, vm_real n, vm_real m1, in
     return c * (rf - third) / (1 - n);
 }
 
-/* Pi(n; phi | m), where m and m1 = 1 - m are given both. Between pi/2 and pi a difference 2 Pi(n | m) - Pi(theta)
-   would triple the errors, so that the complement is added to Pi(n | m) instead. */
+/* Pi(n; phi | m), from both m and m1 = 1 - m. For phi between pi/2 and pi, the difference 2 Pi(n | m) - Pi(n;
+   pi - phi | m) would triple the errors. Therefore the result of vmi_Pi_complement is added to Pi(n | m) there. */
 VM_API vm_real vmi_Pi_incomplete(vm_real phi, vm_real n, vm_real m, vm_real m1)
 {
     vmi_angle angle;
@@ -3617,10 +3652,10 @@ VM_API vm_real vmi_Pi_incomplete(vm_real phi, vm_real n, vm_real m, vm_real m1)
 
 /* Pi(n; phi | m), the incomplete elliptic integral of the third kind, for m <= 1. The characteristic n is any number.
    Pi is odd in phi, and Pi(phi + pi) = Pi(phi) + 2 Pi(n | m). The error is at most 8 ulp for n <= 1 and |phi| <= 1e9
-   (float 1e4), unless (1 - m)/(1 - n) underflows. For n > 1 it has poles where n sin^2 phi = 1, and is Cauchy's
-   principal value beyond; its error is then at most 16 eps of the larger of |F| and |Pi|, plus the change that 4 ulp
-   of n make. The limits at infinity are 0 for infinite n and for m = -infinity; NaN for m > 1. docs/cost.md has the
-   time. DLMF 19.2.7. */
+   (float 1e4), unless (1 - m)/(1 - n) underflows. For n > 1 Pi has poles where n sin^2 phi = 1, and is Cauchy's
+   principal value beyond; the error is then at most 16 eps of the larger of |F| and |Pi|, plus the change that 4 ulp of
+   n make. The result is 0 for infinite n and for m = -infinity, and NaN for m > 1. docs/cost.md has the time. DLMF
+   19.2.7. */
 VM_API vm_real jacobi_Pi_incomplete(vm_real phi, vm_real n, vm_real m)
 {
     return vmi_Pi_incomplete(phi, n, m, 1 - m);
@@ -3636,9 +3671,9 @@ VM_API vm_real jacobi_Pi_incomplete_m1(vm_real phi, vm_real n, vm_real m1)
 #endif
 /* jacobi/inverse.h - the inverses of sn, cn and dn
 
-   Each returns the u that is nearest to 0 among those at which the function has the value x, for cn and dn the positive
-   one. The other solutions follow from the period 4 K and the symmetries. The inverse of the amplitude is F(phi | m),
-   which jacobi_F computes.
+   Each function returns a solution u of sn(u | m) = x, cn(u | m) = x or dn(u | m) = x: the one that is nearest to 0,
+   and for cn and dn, whose solutions are pairs u, -u, the positive one of these two. All other solutions follow from
+   the period 4 K and the symmetries. The inverse of the amplitude is F(phi | m), which jacobi_F computes.
 
        vm_real u = jacobi_inverse_cn(VM_C(0.3), VM_C(0.5)); // cn(u | 0.5) = 0.3
 
@@ -3692,8 +3727,9 @@ VM_API vm_real jacobi_inverse_cn(vm_real x, vm_real m)
    Domain and accuracy are those of jacobi_inverse_cn; m1 keeps its digits where m is close to 1. */
 VM_API vm_real jacobi_inverse_cn_m1(vm_real x, vm_real m1) { return vmi_inverse_cn(x, m1, 0); }
 
-/* The inverse of dn for 1 - m = m1 + m1_lo. With s = sn u and c = cn u, m s^2 is 1 - x^2 and m c^2 is x^2 - m1. The
-   latter is formed from the exact square of x. It may be negative if x is k' after rounding; then c is taken as 0. */
+/* The inverse of dn for 1 - m = m1 + m1_lo. With s = sn u and c = cn u, m s^2 is 1 - x^2 and m c^2 is x^2 - m1.
+   x^2 - m1 is computed from the exact square of x. It may be negative if x is k' after rounding; then c is taken as
+   0. */
 VM_API vm_real vmi_inverse_dn(vm_real x, vm_real m, vm_real m1, vm_real m1_lo)
 {
     const vm_real bound = VM_SQRT(m1);
@@ -3743,7 +3779,8 @@ VM_API vm_real jacobi_inverse_dn_m1(vm_real x, vm_real m1)
 /* sn, cn and dn of the argument u for any finite parameter m. For m <= 1 they are those of jacobi_sncndn. For m > 1
      sn(u | m) = sn(k u | 1/m)/k,  cn(u | m) = dn(k u | 1/m),  dn(u | m) = cn(k u | 1/m),  k = sqrt(m).
    The error is then at most 4 eps (4 eps/k for sn) for |k u| <= 1e9 (float 1e4), and at most 8 ulp for
-   |u| <= 100 K(1/m)/k. Returns NaN for infinite m. The method adds the second word of k u by a Taylor series. */
+   |u| <= 100 K(1/m)/k. Returns NaN for infinite m. k u is computed in two words; the second word, h, is taken into
+   account by a Taylor series. */
 VM_API void jacobi_sncndn_any(vm_real u, vm_real m, vm_real *sn, vm_real *cn, vm_real *dn)
 {
     vm_two k, phase, m1;

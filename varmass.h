@@ -19,17 +19,17 @@
 
    CHAPTERS
      base/          numbers with more digits, elementary functions, Lambert's W, linear equations, roots; statuses
-     mechanics/     bodies; jumps (a part separates from a body or is attached to it), in space and in the plane; how a
-                    part must leave so that the remaining body moves as wanted; energy of a jump; a rotor that breaks;
-                    Lagrange's equations across a jump and with variable mass; a pendulum that is cut; torque-free
-                    rotation; streams of mass with their reactive force and torque; rockets; a band that winds up on a
-                    drum
+     mechanics/     vectors, attitudes, Euler's angles; bodies; jumps (a part separates from a body or is attached to
+                    it), in space and in the plane; how a part must leave so that the remaining body moves as wanted;
+                    energy of a jump; a rotor that breaks; Lagrange's equations across a jump and with variable mass; a
+                    pendulum that is cut; torque-free rotation; streams of mass with their reactive force and torque;
+                    rockets; tanks and grains; orbits of two bodies; a band that winds up on a drum
      oscillators/   m x'' + k x|x|^(alpha-1) = F with constant mass and with laws of mass, stiffness and damping;
                     Duffing's oscillator k1 x + k3 x^3 and any other odd elastic force; Van der Pol's oscillator,
                     Jeffcott's rotor, two bodies with a nonlinear spring, harmonic excitation, resonance, turning
                     points
-     scenes/        bodies, the effects that act on them, the events that change them: only what is listed is
-                    simulated
+     scenes/        lists of bodies, of effects that act on them, and of events that change them; a scene simulates
+                    only what is listed
    Each chapter begins with a comment that says what it is for and shows a call; the index below names all functions.
    Numbers in round brackets are the equations of [1]. Where [1] is misprinted or wrong, the corrected form stands
    here and the comment says so; docs/errata.md lists all of them.
@@ -37,10 +37,10 @@
    CONVENTIONS
      Units        SI units; angles are in radians.
      Axes         r, v and omega are in inertial axes. The inertia tensor is about the body's own mass centre, in body
-                  axes; its entries xy, xz, yz are those of the tensor, minus the integral of x y dm and so on. v is
-                  momentum/mass.
-     Attitude     The quaternion q turns body axes into inertial axes. It need not have length 1. A q of four zeros
-                  means that body axes and inertial axes coincide.
+                  axes; its entries xy, xz, yz are those of the tensor, so that xy is minus the integral of x y dm. v
+                  is momentum/mass.
+     Attitude     The quaternion q converts vectors from body axes to inertial axes. It need not have length 1. A q of
+                  four zeros means that body axes and inertial axes coincide.
      Arguments    Functions of numbers take the variable first, then the parameters, results last. Functions of an
                   object take the object first, then the variable. A parameter that may be NULL is called ..._or_NULL.
      Laws         A mass, stiffness or damping that depends on time is a vm_law.
@@ -78,11 +78,11 @@
      Jumps        keep momentum to 3 eps of the sum of all M |v|, and angular momentum about any point to 6 eps of the
                   sum of all tr(I) |omega| + M (|r| + |r - point|) |v|. A part that goes on moving with the
                   body does not change omega.
-     Rotation     torque-free: attitude within 8 eps (rad) and omega within 5 eps after 1e6 turns, inputs taken as
-                  exact.
-     Streams      closed forms within a few eps; a body and everything it has shed keep momentum, angular momentum and
-                  energy to the integrator's tolerance.
-     Lambert's W  within 1 ulp. The drum on a rigid shaft: within 4 ulp.
+     Rotation     of a torque-free body: after 1e6 turns the attitude is right within 8 eps (rad) and omega within
+                  5 eps, if the inputs are taken as exact.
+     Streams      closed forms are right within a few eps; a body and everything it has shed keep momentum, angular
+                  momentum and energy to the integrator's tolerance.
+     Lambert's W  within 1 ulp; the drum on a rigid shaft within 4 ulp.
      Oscillators  every route returns an estimate of its whole error in the field error, or infinity where no
                   estimate is possible.
 
@@ -98,8 +98,36 @@
        vm_lambert_w0                  Lambert's W_0(x), the upper branch
        vm_lambert_wm1                 Lambert's W_-1(x), the lower branch
        vm_wright_omega                Wright's omega function W_0(e^l), the solution w of w + ln w = l, for any l
-       vm_lambert_w0_neg_exp          W_0(-e^l), the upper branch for a negative argument given by its logarithm, l <= -1
-       vm_lambert_wm1_neg_exp         W_-1(-e^l), the lower branch for an argument given by its logarithm, l <= -1
+       vm_lambert_w0_neg_exp          W_0(-e^l), the upper branch for the negative argument -e^l with l <= -1
+       vm_lambert_wm1_neg_exp         W_-1(-e^l), the lower branch for the negative argument -e^l with l <= -1
+
+     mechanics/vectors: vectors, quaternions and rotations in space
+       vm_add                         The sum a + b of two vectors
+       vm_sub                         The difference a - b of two vectors
+       vm_scale                       The multiple c a of a vector, for a number c
+       vm_dot                         The dot product a.x b.x + a.y b.y + a.z b.z of two vectors
+       vm_cross                       The cross product a x b of two vectors, by the right-hand rule
+       vm_norm                        The length of the vector a, within 4 eps of itself
+       vm_unit                        The vector of length 1 in the direction of a, each component within 4 eps of itself
+       vm_quat_times                  The product p q of two quaternions
+       vm_unit_quat                   The quaternion of length 1 for the same rotation as q
+
+     mechanics/attitude: attitudes: vectors in body axes and inertial axes, rotation matrices, Rodrigues parameters
+       vm_rotate                      The components along inertial axes of a vector whose components along body axes are a
+       vm_rotate_back                 The components along body axes of a vector whose components along inertial axes are a
+       vm_quat_to_matrix              The rotation matrix c of an attitude, row by row
+       vm_quat_from_matrix            Attitude of length 1, with w >= 0, from its rotation matrix c, which vm_quat_to_matrix describes
+       vm_quat_to_mrp                 Modified Rodrigues parameters of an attitude
+       vm_quat_from_mrp               Attitude of length 1 from modified Rodrigues parameters p of any length
+
+     mechanics/euler_angles: Euler's angles
+       vm_euler_313                   Attitude from Euler's angles
+       vm_euler_321                   Quaternion of length 1 that turns body axes into inertial ones, from yaw, pitch and roll (sequence 3-2-1)
+       vm_euler_313_angles            Euler's angles psi, theta, phi of the sequence 3-1-3 from an attitude q of any length
+       vm_euler_321_angles            Yaw, pitch and roll of the sequence 3-2-1 from an attitude q of any length, in this order
+       vm_euler_313_axes              Unit vectors of the axes about which Euler's angles turn the body, along inertial axes
+       vm_euler_313_body_axes         Unit vectors of the axes about which Euler's angles turn the body, along body axes
+       vm_euler_313_rates             Rates psi', theta', phi' of Euler's angles from an angular velocity in inertial axes, rad/s
 
      mechanics/inertia: inertia tensors, parallel axes, principal axes
        vm_inertia_is_possible         Test whether a body can have this inertia
@@ -218,6 +246,13 @@
        vm_linear_flow                 Position and velocity on a line after t seconds of a stream of constant rate
        vm_jet_damping                 Angular velocity of a spinning rocket whose jet damps it, after t seconds, rad/s, body axes
 
+     mechanics/supply: tanks and grains: mass, mass centre and inertia follow from the mass that is left
+       vm_supply_at                   What is left of a tank or grain when its mass is `mass`
+
+     mechanics/orbit: two bodies that attract each other, with constant masses and with masses that change
+       vm_orbit                       Position and velocity after t seconds on an orbit about a centre with the attraction mu/r^2 (Kepler's problem)
+       vm_orbit_meshchersky           Position and velocity after t seconds, while the attraction changes by Meshchersky's law mu/(1 + rate t)
+
      mechanics/drum: a band that winds up on a drum
        vm_drum_band                   The band's mass per angle on a drum, mu = R h b rho (181), kg/rad
        vm_drum_at                     Mass, mass centre and inertia of the drum with its band at an angle, (182)-(188)
@@ -230,7 +265,7 @@
        vm_drum_angle                  Angle of the drum on a rigid shaft after t >= 0 seconds, rad
        vm_drum_angle_lambert          Angle of the drum, rad, on a rigid shaft by Lambert's W, (198)-(206) corrected
        vm_drum_shaft_init             Coefficients of the elastic shaft in the first approximation, (213), (214)
-       vm_drum_deflection             Deflection x or y of the elastic shaft, m, at angle phi, (224), (225) corrected
+       vm_drum_deflection             Deflection x or y of the elastic shaft, m, at the angle phi, (224), (225) corrected
        vm_drum_shaft_valid            Whether the shaft's frequency, k sqrt(1 - A phi), stays real for the whole first layer (226)
 
      mechanics/lagrange: Lagrange's equations with variable mass
@@ -238,12 +273,6 @@
        vm_lagrange_start              Initial state y of a system at time t, from its n coordinates q and n rates q'
        vm_lagrange_rates              Rates q' of a system at time t, from its state y
        vm_lagrange_partial_q          Derivative dT/dq_i of the kinetic energy with frozen masses, J per unit of q_i
-
-     mechanics/euler_angles: Euler's angles
-       vm_euler_313                   Attitude from Euler's angles
-       vm_euler_313_axes              Unit vectors of the axes about which Euler's angles turn the body, along inertial axes
-       vm_euler_313_body_axes         Unit vectors of the axes about which Euler's angles turn the body, along body axes
-       vm_euler_313_rates             Rates psi', theta', phi' of Euler's angles from an angular velocity in inertial axes, rad/s
 
      oscillators/constant_mass: the oscillator x'' + omega0^2 x|x|^(alpha-1) = 0 of constant mass
        vm_osc_period                  Exact period (262), s, of the motion from rest at x0 (m, either sign)
@@ -270,7 +299,7 @@
 
      oscillators/closed: the law of order five as plain data, where all its integrals have closed forms
        vm_osc_closed_init             Prepares the motion of the problem by the law of an order, 2 to 5; a higher order is more accurate
-       vm_osc_closed_at               Position x, m, and velocity v, m/s, at time t, s, of either sign, by the law of the order for which *c was prepared
+       vm_osc_closed_at               Position x (m) and velocity v (m/s) at time t (s, either sign), by the order of the law in *c
        vm_osc_closed_at_order2        As vm_osc_closed_at, but by order 2 for any order of *c
        vm_osc_closed_at_order3        As vm_osc_closed_at, but by order 3; *c must have order 3 or more, else VM_BAD_ARGUMENT
 
@@ -308,13 +337,13 @@
 
      oscillators/odd_routes: routes to the motion of a vibration under an odd elastic force, and its integration
        vm_odd_rhs                     Equation of motion of a vibration under an odd elastic force, for rk45 or rk87
-       vm_odd_plan_by_route           Motion under an odd elastic force at time t (s, in the reach of the plan) by a given route, VM_ODD_...
+       vm_odd_plan_by_route           Motion under an odd elastic force at time t (s, within the plan's reach) by a given route VM_ODD_...
        vm_odd_plan_within             Motion under an odd elastic force at time t (s, between 0 and the plan's t_end) within a tolerance
        vm_odd_within                  Motion under an odd elastic force at time t (s, either sign) within a tolerance, without a plan
 
      oscillators/slow: laws that oscillators with slowly varying mass share
-       vm_osc_amplitude_law           Amplitude over its first value, A/A0, of an oscillator whose mass varies slowly
-       vm_osc_velocity_law            Largest velocity over its first value, of an oscillator whose mass varies slowly
+       vm_osc_amplitude_law           Ratio A/A0 of the amplitude to its first value, of an oscillator whose mass varies slowly
+       vm_osc_velocity_law            Ratio of the largest velocity to its first value, of an oscillator whose mass varies slowly
 
      oscillators/van_der_pol: the Van der Pol oscillator with variable mass
        vm_vdp_init                    Prepare a Van der Pol oscillator
@@ -333,12 +362,12 @@
        vm_vdp_cycle_of                Limit cycle of a Van der Pol oscillator of constant mass, to second order in epsilon
 
      oscillators/jeffcott: the Jeffcott (Laval) rotor with variable mass
-       vm_jeffcott_power              Stiffness F_e(rho)/rho = k rho^(alpha-1) of a power law, as a vm_jeffcott_stiffness
+       vm_jeffcott_power              Stiffness K_e(rho) = F_e(rho)/rho = k rho^(alpha-1) of a power law, as a vm_jeffcott_stiffness
        vm_jeffcott_polar              Polar coordinates (448) of the disc's centre
        vm_jeffcott_momentum           Angular momentum of a rotor about its axis, with the gyroscopic share, kg m^2/s
        vm_jeffcott_rhs                Equation of motion (449), (450) of a rotor, for rk45 or rk87
-       vm_jeffcott_to_averaged        Motion (x, y, x', y') of a rotor to forward and backward whirl, (456)-(461)
-       vm_jeffcott_from_averaged      Motion (x, y, x', y') of a rotor from forward and backward whirl
+       vm_jeffcott_to_averaged        Converts the motion (x, y, x', y') of a rotor to forward and backward whirl, (456)-(461)
+       vm_jeffcott_from_averaged      Converts forward and backward whirl of a rotor to the motion (x, y, x', y')
        vm_jeffcott_exact_rhs          Exact equations (470)-(473) of forward and backward whirl, for rk45 or rk87
        vm_jeffcott_averaged_rhs       Averaged equations of forward and backward whirl, for rk45 or rk87
        vm_jeffcott_frequency          Frequency W of circular whirl of radius A, rad/s
@@ -348,8 +377,8 @@
 
      oscillators/pair: two bodies with a nonlinear connection
        vm_pair_rhs                    Equations of motion (517), (518) of two bodies, for rk45 or rk87
-       vm_pair_to_averaged            Motion y = (x, y, x', y') of two bodies to modes (A, psi, q, q'), (520)-(522)
-       vm_pair_from_averaged          Motion y = (x, y, x', y') of two bodies from modes (A, psi, q, q')
+       vm_pair_to_averaged            Converts a motion y = (x, y, x', y') of two bodies to the modes (A, psi, q, q'), (520)-(522)
+       vm_pair_from_averaged          Converts the modes (A, psi, q, q') of two bodies to the motion y = (x, y, x', y')
        vm_pair_averaged_rhs           Averaged equations of the two modes of a pair, for rk45 or rk87
        vm_pair_at                     Motion of two bodies at time t, in closed form for a linear mass
 
@@ -358,8 +387,8 @@
        vm_forced_rhs                  Equation of motion of an excited oscillator, for rk45 or rk87
        vm_forced_exact_rhs            Exact equations of amplitude and phase of an excited oscillator, for rk45 or rk87
        vm_forced_averaged_rhs         Averaged equations of an excited oscillator near its main resonance, for rk45 or rk87
-       vm_forced_to_averaged          Motion (x, x', theta) of an excited oscillator to the mean y = (A, delta, theta)
-       vm_forced_from_averaged        Motion (x, x', theta) of an excited oscillator from the mean y = (A, delta, theta)
+       vm_forced_to_averaged          Converts a motion (x, x', theta) of an excited oscillator to its mean y = (A, delta, theta)
+       vm_forced_from_averaged        Converts the mean y = (A, delta, theta) of an excited oscillator to the motion (x, x', theta)
 
      oscillators/resonance: steady vibrations, resonance curves, passage through resonance
        vm_forced_steady_states        Steady vibrations of an excited oscillator
@@ -414,6 +443,10 @@
        vm_effect_unbalance            A rotating unbalance, the force m e Omega^2 (cos a, sin a) at the angle a = Omega t + phase
        vm_effect_gyroscopic           A gyroscopic force normal to the velocity (vx, vy), 2 gyro (-vy, vx)
 
+     scenes/gravitation: Newton's gravitation between bodies and towards a fixed centre
+       vm_effect_gravitation          Gravitation between two bodies, the force G M1 M2/r^2
+       vm_effect_central_gravity      Gravitation towards a centre at rest, the force mu M/r^2
+
      scenes/mass: mass that follows a law, and its reactive force
        vm_effect_mass_law             A mass law M(t, x, v) that the caller's function returns
        vm_effect_mass                 A mass that is M0 + c t, M0 + c x or M0 + c v^2, with its reactive force
@@ -446,6 +479,17 @@
      scenes/check: what can be wrong with a scene
        vm_scene_check                 The first thing that is wrong with a scene, or VM_OK
 
+     scenes/points: points of the bodies of a scene
+       vm_scene_point_at              The position and velocity of a point of a body in the state y, in inertial axes
+
+     scenes/springs: springs and dampers between points of bodies
+       vm_effect_point_spring         A spring and a damper between a point of a body and a point of the body `other`, or of the ground
+
+     scenes/joints: pins and rods between points of bodies
+       vm_joint_pin                   A pin between the point `at` of a body and the point other_at of the body `other`, or of the ground
+       vm_joint_rod                   A rigid rod without mass between the point `at` of a body and the point other_at of the body `other`, or of the ground
+       vm_effect_joints               The joints of a scene, solved together
+
      scenes/start: the start of a scene
        vm_scene_start                 Start of a scene at time t
 
@@ -471,6 +515,11 @@
        vm_then_attach_in_plane        The event attaches a body to another body in the plane
        vm_then_attach                 The event attaches a body to another body; both may have any kind of motion
 
+     scenes/contact: contact of bodies with the ground
+       vm_effect_contact              Contact of a body with the ground
+       vm_event_contact               An event when a body comes down to the ground
+       vm_then_land                   The event of vm_event_contact becomes a stop without a bounce
+
      scenes/run: runs of a scene with its events and its output
        vm_scene_run                   Run of a scene from *t to t_end, with its events and its output */
 #ifndef VARMASS_H
@@ -483,9 +532,9 @@
 /* base/status.h - the statuses that functions return, and what each of them means
 
    Every function of varmass.h that can fail returns one of these numbers. 0 (VM_OK) means that all went well. A
-   positive number means that the result is there, with a remark. A negative number means that nothing was done: the
-   outputs are untouched. The same mistake has the same status in every function, and where a call has several
-   mistakes, the status names the first of them in this order:
+   positive number means that the function has done its work, but the caller should know something about the result. A
+   negative number is an error: the outputs are unchanged. A mistake has the same status in every function. If a call
+   has several mistakes, the status names the first of them in this order:
 
        a null pointer, a negative count, a choice that does not exist    VM_BAD_ARGUMENT
        an infinite number or NaN                                         VM_NOT_FINITE
@@ -506,8 +555,8 @@
 
 enum {
     VM_OK = 0,                   /* success */
-    VM_NULL_AXIS = 1,            /* done, but a body (a rod, a point) has no inertia about an axis: it keeps its spin
-                                    about this axis, and the angular momentum that the spin should take up is lost */
+    VM_NULL_AXIS = 1,            /* done, but a body (a rod or a point) has no inertia about an axis. Its spin about
+                                    this axis stays as it was; angular momentum about this axis is lost. */
     VM_STOPPED = 2,              /* done: an event or the caller has ended the run */
     VM_TOLERANCE_MISSED = 3,     /* done, but the estimated error is larger than the tolerance */
     VM_BAD_ARGUMENT = -1,        /* a null pointer, a negative count, or a choice that does not exist */
@@ -541,7 +590,9 @@ enum {
     VM_DOES_NOT_GROW = -29,      /* scenes: a stream enters or leaves at a point of a body that is not a growing body */
     VM_NO_EFFECTIVE_MASS = -30,  /* scenes: a mass law M(v) makes the effective mass M + M'(v) (reactive v - u) <= 0 */
     VM_NOT_STARTED = -31,        /* scenes: the scene was not started, or was changed after its start */
-    VM_BAD_STIFFNESS = -32       /* a stiffness is not positive */
+    VM_BAD_STIFFNESS = -32,      /* a stiffness is not positive */
+    VM_BAD_POINT = -33,          /* scenes: a force at this point would turn a body about an axis without inertia */
+    VM_NOT_JOINED = -34          /* scenes: the points of a joint are apart, or move apart, at the start */
 };
 
 /* The number of elements of an array, as in scene.y_size = VM_LENGTH(y). The result is wrong for a pointer. */
@@ -583,18 +634,20 @@ VM_API const char *vm_strerror(int status)
     case VM_IS_AWAY: return "a jump needs a body that is not present: order the events, or let it be present";
     case VM_TWO_LINKS: return "a body has two links: leave one out";
     case VM_LINK_NOT_LAST: return "another effect stands after the link of its body: list the link last";
-    case VM_STORED_STREAM: return "a stream from a store cannot be used here: integrate vm_flow_rhs";
+    case VM_STORED_STREAM: return "a stream from this store cannot be used here: integrate vm_flow_rhs";
     case VM_DOES_NOT_GROW: return "the stream needs a growing body: vm_scene_body_growing_plane or _growing_free";
     case VM_NO_EFFECTIVE_MASS:
         return "M + M'(v) (reactive v - u) of the mass law M(v) is not positive: no force accelerates it";
     case VM_NOT_STARTED: return "the scene was not started, or was changed after its start: call vm_scene_start";
     case VM_BAD_STIFFNESS: return "a stiffness is not positive";
+    case VM_BAD_POINT: return "a point body has no other point, and a rod only those on its axis: choose such a point";
+    case VM_NOT_JOINED: return "the points of a joint are apart, or move apart, at the start: let the bodies fit";
     default: return "unknown status";
     }
 }
 
-/* Returns the rank of an error: of two errors, the one with the smaller rank is reported. The ranks follow the order at
-   the top of this file; errors that are not named there follow in the order of their numbers. */
+/* Returns the rank of an error. Of two errors, the one with the smaller rank is reported. The order is that of the
+   numbers -1, -2, -3, ..., but VM_BAD_STIFFNESS stands directly after VM_BAD_MASS, as at the top of base/status.h. */
 VM_API int vmi_error_rank(int status)
 {
     if (status == VM_BAD_STIFFNESS) return 2 * -VM_BAD_MASS + 1;
@@ -610,7 +663,7 @@ VM_API int vmi_first_error(int a, int b)
     return b;
 }
 
-/* Copies n numbers if all of them are finite. Returns VM_OK, or VM_NOT_FINITE and leaves the target as it was. */
+/* Copies n numbers and returns VM_OK if all of them are finite, else copies nothing and returns VM_NOT_FINITE. */
 VM_API int vmi_copy_if_finite(int n, const vm_real *from, vm_real *to)
 {
     if (!vmi_all_finite(n, from)) return VM_NOT_FINITE;
@@ -621,7 +674,7 @@ VM_API int vmi_copy_if_finite(int n, const vm_real *from, vm_real *to)
 #endif
 /* base/linear.h - systems of linear equations
 
-   The functions solve a x = b for a few unknowns x. The matrix a is an array of n n numbers, row after row.
+   The functions solve a x = b for n unknowns x. The matrix a is an array of n^2 numbers, row after row.
 
        vm_real a[4] = {2, 1, 1, 3}, b[2] = {3, 5};
        vmi_solve_linear(2, a, b); // b is now x = (0.8, 1.4)
@@ -651,8 +704,8 @@ VM_API void vmi_substitute_back(int n, const vm_real *a, vm_real *b)
     }
 }
 
-/* Solves a x = b for any matrix by elimination with exchange of rows. x replaces b, and a is overwritten. Returns
-   VM_SINGULAR if the pivot of a column is 0 or NaN (b is overwritten then, too), and VM_OK otherwise. */
+/* Solves a x = b for any matrix a by elimination with exchange of rows. x replaces b, and a is overwritten. Returns
+   VM_SINGULAR if the pivot of a column is 0 or NaN (a and b are then overwritten, too), and VM_OK otherwise. */
 VM_API int vmi_solve_linear(int n, vm_real *a, vm_real *b)
 {
     int i, j, k;
@@ -676,11 +729,11 @@ VM_API int vmi_solve_linear(int n, vm_real *a, vm_real *b)
     return VM_OK;
 }
 
-/* Solves a x = b for a mass matrix, which is symmetric and positive definite. x replaces b, a is overwritten, and
-   scale is work space for n numbers. Rows and columns are first scaled so that the diagonal is 1: then the units of
-   the coordinates do not matter, and the condition number is nearly the least that scaling can reach (van der Sluis
-   1969). Rows need not be exchanged. Returns VM_SINGULAR if an entry of the diagonal is not positive or a pivot is
-   not above 4 n eps, as for every matrix that is not positive definite, and VM_OK otherwise. */
+/* Solves a x = b for a mass matrix a, which is symmetric and positive definite. x replaces b, a is overwritten, and
+   `scale` is work space for n numbers. The function first scales rows and columns so that the diagonal is 1. The units
+   of the coordinates then do not matter, and the condition number is nearly the least that scaling can give (van der
+   Sluis 1969). Rows need not be exchanged. Returns VM_SINGULAR if an entry of the diagonal is not positive or a pivot
+   is not above 4 n eps, which happens for every matrix that is not positive definite, and VM_OK otherwise. */
 VM_API int vmi_solve_mass(int n, vm_real *a, vm_real *b, vm_real *scale)
 {
     int i, j;
@@ -710,10 +763,10 @@ VM_API int vmi_solve_mass(int n, vm_real *a, vm_real *b, vm_real *scale)
 #ifndef VARMASS_BASE_ZERO_H
 #define VARMASS_BASE_ZERO_H
 
-/* Returns a zero of f between a and b, as accurate as the type allows, where fa = f(a) and fb = f(b) have opposite
-   signs. Method (Illinois): the next x is the zero of the secant through both ends of the interval; when one end has
-   stayed for two steps, its value of f is halved. Every fourth step bisects the interval unless the last four steps
-   have made it eight times shorter. */
+/* Returns a zero of f between a and b, as accurate as the type allows. fa = f(a) and fb = f(b) must differ in sign.
+   Method (Illinois): the next x is the zero of the secant through both ends of the interval. When one end has stayed
+   for two steps, the method halves the value of f that is stored for this end. Every fourth step bisects the interval
+   unless the last four steps have made it eight times shorter. */
 VM_API vm_real vmi_find_zero(vm_real (*f)(vm_real x, void *ctx), void *ctx, vm_real a, vm_real b, vm_real fa,
                              vm_real fb)
 {
@@ -790,7 +843,7 @@ VM_API vm_complex vmi_complex(vm_real re, vm_real im)
     return z;
 }
 
-/* The sum a + b, the difference a - b, and the products c a and i c a with a real number c */
+/* The sum a + b, the difference a - b, and the products c a and i c a of a complex number a with a real number c */
 VM_API vm_complex vmi_c_add(vm_complex a, vm_complex b) { return vmi_complex(a.re + b.re, a.im + b.im); }
 VM_API vm_complex vmi_c_sub(vm_complex a, vm_complex b) { return vmi_complex(a.re - b.re, a.im - b.im); }
 VM_API vm_complex vmi_c_scale(vm_real c, vm_complex a) { return vmi_complex(c * a.re, c * a.im); }
@@ -816,7 +869,7 @@ VM_API vm_complex vmi_c_turn(vm_real angle)
 /* The modulus |z| */
 VM_API vm_real vmi_c_modulus(vm_complex z) { return vmi_hypot(z.re, z.im); }
 
-/* The quotient a/b by Smith's method, which is also right where |b|^2 overflows or underflows */
+/* The quotient a/b by Smith's method, which is accurate even where |b|^2 overflows or underflows */
 VM_API vm_complex vmi_c_over(vm_complex a, vm_complex b)
 {
     vm_real q, d;
@@ -843,9 +896,9 @@ VM_API vm_complex vmi_c_over(vm_complex a, vm_complex b)
 #ifndef VARMASS_BASE_POLYNOMIAL_H
 #define VARMASS_BASE_POLYNOMIAL_H
 
-/* Returns the correction that is subtracted from the approximate root i. It is Newton's step for the polynomial divided
-   by z - z_j for each other approximate root z_j; this division keeps two approximations from converging to the same
-   root. The correction is 0 where the polynomial is 0 within its rounding errors. */
+/* Returns the correction that must be subtracted from the approximate root number i. It is a step of Newton's method
+   for the polynomial divided by all z - z_j, where z_j are the other approximate roots. This division keeps two
+   approximations from converging to one root. The correction is 0 if the polynomial is 0 within its rounding errors. */
 VM_API vm_complex vmi_poly_step(int n, const vm_real *c, const vm_real *re, const vm_real *im, int i)
 {
     const vm_complex z = vmi_complex(re[i], im[i]), one = vmi_complex(1, 0);
@@ -895,12 +948,12 @@ VM_API void vmi_poly_swap(vm_real *re, vm_real *im, int i, int j)
     im[j] = y;
 }
 
-/* Sorts the roots: first the real roots from the largest to the smallest, then the conjugate pairs by rising |im|, in
-   each pair the root with im > 0 first. Imaginary parts that are only rounding errors become 0, and the two roots of a
-   pair become exactly conjugate. */
+/* Sorts the roots: the real roots come first, from the largest to the smallest; then come the conjugate pairs by rising
+   |im|, and in each pair the root with im > 0 is first. Imaginary parts that are only rounding errors become 0, and the
+   two roots of a pair become exactly conjugate. */
 VM_API void vmi_poly_order(int n, const vm_real *c, vm_real *re, vm_real *im)
 {
-    const vm_real tolerance = 16 * VM_SQRT(VM_EPSILON); /* rounding may split a double root by this fraction of it */
+    const vm_real tolerance = 16 * VM_SQRT(VM_EPSILON); /* rounding may split a double root by this relative size */
     int i, j, k;
     for (i = 0; i < n; i++) {
         if (VM_FABS(im[i]) <= tolerance * VM_FABS(re[i]) && vmi_poly_root_is_real(n, c, re[i])) im[i] = 0;
@@ -933,7 +986,7 @@ VM_API void vmi_poly_roots(int n, const vm_real *c, vm_real *re, vm_real *im)
         m--;
         re[m] = im[m] = 0;
     }
-    for (i = 0; i < m; i++) /* start values symmetric about the real axis would stay symmetric; these are not */
+    for (i = 0; i < m; i++) /* start values on a circle, not symmetric about the real axis: symmetry would persist */
         vmi_sincos(VM_C(0.4) + 2 * VM_PI * (vm_real)i / (vm_real)m, &im[i], &re[i]);
     for (sweep = 0; sweep < most_sweeps && moving; sweep++) {
         for (moving = i = 0; i < m; i++) {
@@ -962,8 +1015,8 @@ VM_API void vmi_poly_roots(int n, const vm_real *c, vm_real *re, vm_real *im)
 #ifndef VARMASS_BASE_LAMBERT_H
 #define VARMASS_BASE_LAMBERT_H
 
-/* Returns the relative correction of w by Fritsch, Shafer and Crowley, where z = ln(x/w) - w is the residual and
-   w1 = 1 + w */
+/* Returns the correction of w divided by w, by the method of Fritsch, Shafer and Crowley. The arguments are w1 = 1 + w
+   and the residual z = ln(x/w) - w. */
 VM_API vm_real vmi_lambert_correction(vm_real w1, vm_real z)
 {
     const vm_real first = z / w1, half_q = w1 + 2 * z / 3;
@@ -1048,8 +1101,8 @@ VM_API vm_real vmi_lambert_near(vm_two s, int lower)
     return -(sum.hi + (sum.lo + dv));
 }
 
-/* Returns -1 - ln(-x), the s of vmi_lambert_near, for x < -1/4. It is computed from 1 + e x in two words, so that it
-   keeps its digits where x is close to -1/e. */
+/* Returns s = -1 - ln(-x), the argument of vmi_lambert_near, for x < -1/4. It is computed from 1 + e x in two words, so
+   that it keeps its digits where x is close to -1/e. */
 VM_API vm_two vmi_lambert_depth(vm_real x)
 {
 #if VM_MANT_DIG > 24
@@ -1113,7 +1166,7 @@ VM_API vm_real vm_wright_omega(vm_real l)
     return vmi_lambert_far(vmi_two(l, 0), start, 2);
 }
 
-/* W_0(-e^l), the upper branch for a negative argument given by its logarithm, l <= -1. It also works where e^l itself
+/* W_0(-e^l), the upper branch for the negative argument -e^l with l <= -1. The function also works where e^l itself
    underflows. l is taken as exact. The error is at most 1 ulp. Returns 0 for l = -infinity and NaN for l > -1. */
 VM_API vm_real vm_lambert_w0_neg_exp(vm_real l)
 {
@@ -1123,7 +1176,7 @@ VM_API vm_real vm_lambert_w0_neg_exp(vm_real l)
     return vmi_lambert_far(vmi_two(l, 0), vmi_lambert_pade(-vmi_exp(l, 0)), 2);
 }
 
-/* W_-1(-e^l), the lower branch for an argument given by its logarithm, l <= -1. It also works where e^l itself
+/* W_-1(-e^l), the lower branch for the negative argument -e^l with l <= -1. The function also works where e^l itself
    underflows. l is taken as exact. The error is at most 1 ulp. Returns -infinity for l = -infinity and NaN for
    l > -1. */
 VM_API vm_real vm_lambert_wm1_neg_exp(vm_real l)
@@ -1143,8 +1196,10 @@ VM_API vm_real vm_lambert_wm1_neg_exp(vm_real l)
        vm_vec3 omega = {0, 0, 3};                 // x, y, z
        vm_quat quarter_turn = {0.7071068, 0, 0, 0.7071068}; // w, x, y, z: 90 degrees about z
 
-   The functions are internal and do not check their arguments: sums and products, norms, rotation matrices, functions
-   that read vectors and quaternions from arrays or write them. Tests: tests/test_jumps.c, tests/test_torque_free.c. */
+   The functions vm_... are for users too: sum, difference, multiple, dot product, cross product, length and direction
+   of vectors, product and normalisation of quaternions. The others read numbers of a state as a vector or a quaternion,
+   or make rotation matrices. No function here checks its arguments: infinite and NaN numbers go through the
+   arithmetic. Tests: tests/test_attitude.c, tests/test_jumps.c, tests/test_torque_free.c. */
 #ifndef VARMASS_MECHANICS_VECTORS_H
 #define VARMASS_MECHANICS_VECTORS_H
 
@@ -1172,15 +1227,23 @@ VM_API vm_vec3 vmi_vec3(vm_real x, vm_real y, vm_real z)
     return a;
 }
 
-VM_API vm_vec3 vmi_add(vm_vec3 a, vm_vec3 b) { return vmi_vec3(a.x + b.x, a.y + b.y, a.z + b.z); }
-VM_API vm_vec3 vmi_sub(vm_vec3 a, vm_vec3 b) { return vmi_vec3(a.x - b.x, a.y - b.y, a.z - b.z); }
-VM_API vm_vec3 vmi_scale(vm_real c, vm_vec3 a) { return vmi_vec3(c * a.x, c * a.y, c * a.z); }
-VM_API vm_real vmi_dot(vm_vec3 a, vm_vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+/* The sum a + b of two vectors */
+VM_API vm_vec3 vm_add(vm_vec3 a, vm_vec3 b) { return vmi_vec3(a.x + b.x, a.y + b.y, a.z + b.z); }
+
+/* The difference a - b of two vectors */
+VM_API vm_vec3 vm_sub(vm_vec3 a, vm_vec3 b) { return vmi_vec3(a.x - b.x, a.y - b.y, a.z - b.z); }
+
+/* The multiple c a of a vector, for a number c */
+VM_API vm_vec3 vm_scale(vm_real c, vm_vec3 a) { return vmi_vec3(c * a.x, c * a.y, c * a.z); }
+
+/* The dot product a.x b.x + a.y b.y + a.z b.z of two vectors. Its error is within 2 eps |a| |b|. */
+VM_API vm_real vm_dot(vm_vec3 a, vm_vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 
 /* The vector a/c. Each component is rounded only once; multiplication by 1/c would round it twice. */
 VM_API vm_vec3 vmi_over(vm_vec3 a, vm_real c) { return vmi_vec3(a.x / c, a.y / c, a.z / c); }
 
-VM_API vm_vec3 vmi_cross(vm_vec3 a, vm_vec3 b)
+/* The cross product a x b of two vectors, by the right-hand rule. The error of a component is within 2 eps |a| |b|. */
+VM_API vm_vec3 vm_cross(vm_vec3 a, vm_vec3 b)
 {
     return vmi_vec3(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x);
 }
@@ -1190,8 +1253,8 @@ VM_API vm_vec3 vmi_abs(vm_vec3 a) { return vmi_vec3(VM_FABS(a.x), VM_FABS(a.y), 
 /* The sum |x| + |y| + |z| of the absolute values of a's components */
 VM_API vm_real vmi_norm1(vm_vec3 a) { return VM_FABS(a.x) + VM_FABS(a.y) + VM_FABS(a.z); }
 
-/* The length of a. The result is also right if the square of the length would overflow. */
-VM_API vm_real vmi_norm2(vm_vec3 a) { return vmi_hypot(vmi_hypot(a.x, a.y), a.z); }
+/* The length of the vector a, within 4 eps of itself. It does not overflow if only its square would overflow. */
+VM_API vm_real vm_norm(vm_vec3 a) { return vmi_hypot(vmi_hypot(a.x, a.y), a.z); }
 
 /* The largest of |x|, |y| and |z|, where x, y, z are the components of a */
 VM_API vm_real vmi_norm_max(vm_vec3 a)
@@ -1201,18 +1264,26 @@ VM_API vm_real vmi_norm_max(vm_vec3 a)
     return c > b.z ? c : b.z;
 }
 
+/* The vector of length 1 in the direction of a, each component within 4 eps of itself. A vector of length 0 has no
+   direction: the result is then NaN, as for infinite components. a may have any length that is a normal number. */
+VM_API vm_vec3 vm_unit(vm_vec3 a)
+{
+    const vm_vec3 b = vmi_over(a, vmi_norm_max(a));
+    return vmi_over(b, VM_SQRT(vm_dot(b, b)));
+}
+
 VM_API int vmi_vec3_is_finite(vm_vec3 a) { return VM_IS_FINITE(a.x) && VM_IS_FINITE(a.y) && VM_IS_FINITE(a.z); }
 
 /* The product m a of the matrix m and the vector a */
 VM_API vm_vec3 vmi_times(const vmi_mat3 *m, vm_vec3 a)
 {
-    return vmi_add(vmi_scale(a.x, m->x), vmi_add(vmi_scale(a.y, m->y), vmi_scale(a.z, m->z)));
+    return vm_add(vm_scale(a.x, m->x), vm_add(vm_scale(a.y, m->y), vm_scale(a.z, m->z)));
 }
 
 /* The product of the transposed matrix m^T and the vector a. If m is a rotation matrix, it undoes the rotation. */
 VM_API vm_vec3 vmi_times_transposed(const vmi_mat3 *m, vm_vec3 a)
 {
-    return vmi_vec3(vmi_dot(m->x, a), vmi_dot(m->y, a), vmi_dot(m->z, a));
+    return vmi_vec3(vm_dot(m->x, a), vm_dot(m->y, a), vm_dot(m->z, a));
 }
 
 VM_API vm_quat vmi_quat(vm_real w, vm_vec3 xyz)
@@ -1236,8 +1307,9 @@ VM_API int vmi_quat_is_none(vm_quat q) { return q.w == 0 && q.x == 0 && q.y == 0
 /* The square of the length of q */
 VM_API vm_real vmi_quat_square(vm_quat q) { return q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z; }
 
-/* The product p q, which is the rotation by q followed by the rotation by p */
-VM_API vm_quat vmi_quat_times(vm_quat p, vm_quat q)
+/* The product p q of two quaternions: the rotation by q followed by the rotation by p. If q turns the axes of a part
+   into those of a body, and p those of the body into inertial ones, p q turns those of the part into inertial ones. */
+VM_API vm_quat vm_quat_times(vm_quat p, vm_quat q)
 {
     vm_quat r;
     r.w = p.w * q.w - p.x * q.x - p.y * q.y - p.z * q.z;
@@ -1272,7 +1344,7 @@ VM_API vm_quat vmi_quat_scaled(vm_quat q)
 }
 
 /* The quaternion of length 1 for the same rotation as q. Four zeros give the identity. */
-VM_API vm_quat vmi_unit_quat(vm_quat q)
+VM_API vm_quat vm_unit_quat(vm_quat q)
 {
     q = vmi_quat_scaled(q);
     return vmi_quat_over(q, VM_SQRT(vmi_quat_square(q)));
@@ -1310,6 +1382,344 @@ VM_API void vmi_set3(vm_real *y, vm_vec3 a)
 
 /* Reads a quaternion from four numbers of a state array, in the order w, x, y, z */
 VM_API vm_quat vmi_get_quat(const vm_real *y) { return vmi_quat(y[0], vmi_get3(y + 1)); }
+
+#endif
+/* mechanics/attitude.h - attitudes: vectors in body axes and inertial axes, rotation matrices, Rodrigues parameters
+   The attitude of a body is a quaternion q = w + x i + y j + z k that turns body axes into inertial axes: a vector with
+   the components a along the body's axes has the components q a q* along inertial axes. w is the cosine of half the
+   angle of the rotation, (x, y, z) its axis times the sine of half the angle (Hamilton's quaternions, right-handed).
+   q and -q are the same attitude. The length of q does not matter; four zeros stand for the identity. This chapter
+   computes
+     - the components of a vector along inertial axes from those along body axes, and back,
+     - the rotation matrix of q, which consists of the direction cosines of the axes, and q from this matrix,
+     - the modified Rodrigues parameters of q, and q from them.
+   Euler's angles are in the chapter mechanics/euler_angles.
+
+       vm_quat q = {1, 0, 0, 1};                    // the body is turned by 90 degrees about z
+       vm_vec3 forward = {1, 0, 0};                 // along the body's first axis
+       vm_vec3 direction = vm_rotate(q, forward);   // (0, 1, 0), in inertial axes
+       vm_vec3 back = vm_rotate_back(q, direction); // (1, 0, 0), in body axes
+
+   Source: M. D. Shuster, A survey of attitude representations, J. Astronautical Sciences 41 (1993); his q has the
+   opposite rotation, from inertial to body axes. Tests: tests/test_attitude.c, tests/test_flow.c. */
+#ifndef VARMASS_MECHANICS_ATTITUDE_H
+#define VARMASS_MECHANICS_ATTITUDE_H
+
+/* Writes the time derivatives of w, x, y, z of the quaternion q to rates. q is the attitude of a body with the angular
+   velocity omega (rad/s, body axes): q' = q (0, omega)/2 + |omega| (1 - |q|^2) q/8. square is |q|^2. q should have
+   length 1, but errors of an integration change its length. The second term lets the length return to 1. It acts more
+   slowly than the body rotates, so that it does not make the equations of a slow rotation stiff. */
+VM_INLINE void vmi_attitude_rates(vm_quat q, vm_real square, vm_vec3 omega, vm_real *rates)
+{
+    const vm_real back = VM_SQRT(vm_dot(omega, omega)) * (1 - square) / 8;
+    const vm_real x = omega.x / 2, y = omega.y / 2, z = omega.z / 2;
+    rates[0] = back * q.w - q.x * x - q.y * y - q.z * z;
+    rates[1] = back * q.x + q.w * x + q.y * z - q.z * y;
+    rates[2] = back * q.y + q.w * y + q.z * x - q.x * z;
+    rates[3] = back * q.z + q.w * z + q.x * y - q.y * x;
+}
+
+/* The components along inertial axes of a vector whose components along body axes are a. The error is within 6 eps |a|.
+   Numbers that are not finite give NaN. */
+VM_API vm_vec3 vm_rotate(vm_quat q, vm_vec3 a)
+{
+    const vmi_mat3 m = vmi_rotation(q);
+    if (!vmi_quat_is_finite(q) || !vmi_vec3_is_finite(a)) return vmi_vec3(VM_NAN, VM_NAN, VM_NAN);
+    return vmi_times(&m, a);
+}
+
+/* The components along body axes of a vector whose components along inertial axes are a. The error is within 6 eps |a|.
+   Numbers that are not finite give NaN. */
+VM_API vm_vec3 vm_rotate_back(vm_quat q, vm_vec3 a)
+{
+    const vmi_mat3 m = vmi_rotation(q);
+    if (!vmi_quat_is_finite(q) || !vmi_vec3_is_finite(a)) return vmi_vec3(VM_NAN, VM_NAN, VM_NAN);
+    return vmi_times_transposed(&m, a);
+}
+
+/* The rotation matrix c of an attitude, row by row. c[3 i + j] is the direction cosine of inertial axis i and body axis
+   j: c times the body components of a vector are its inertial components. The error of an entry is within 6 eps. Books
+   that mean the matrix from inertial to body axes write the columns of c as rows.
+   Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, and VM_OK otherwise. */
+VM_API int vm_quat_to_matrix(vm_quat q, vm_real c[9])
+{
+    const vmi_mat3 m = vmi_rotation(q);
+    if (!c) return VM_BAD_ARGUMENT;
+    if (!vmi_quat_is_finite(q)) return VM_NOT_FINITE;
+    vmi_set3(c, vmi_vec3(m.x.x, m.y.x, m.z.x));
+    vmi_set3(c + 3, vmi_vec3(m.x.y, m.y.y, m.z.y));
+    vmi_set3(c + 6, vmi_vec3(m.x.z, m.y.z, m.z.z));
+    return VM_OK;
+}
+
+/* How much the entries of a rotation matrix may be wrong: matrices that were printed with three digits are accepted. */
+#define VMI_MATRIX_TOLERANCE VM_C(0.0078125)
+
+/* Whether c is a rotation matrix, apart from small errors of its entries. Its columns x, y, z must have length 1, and
+   the cross product of x and y must be z. */
+VM_API int vmi_is_rotation(const vm_real *c)
+{
+    const vm_vec3 x = vmi_vec3(c[0], c[3], c[6]), y = vmi_vec3(c[1], c[4], c[7]), z = vmi_vec3(c[2], c[5], c[8]);
+    const vm_vec3 lengths = vmi_vec3(vm_dot(x, x) - 1, vm_dot(y, y) - 1, vm_dot(z, z) - 1);
+    const vm_vec3 turned = vm_sub(vm_cross(x, y), z);
+    return vmi_norm_max(lengths) <= VMI_MATRIX_TOLERANCE && vmi_norm_max(turned) <= VMI_MATRIX_TOLERANCE;
+}
+
+/* Attitude of length 1, with w >= 0, from its rotation matrix c, which vm_quat_to_matrix describes. The error is within
+   4 eps, and within 4 eps of the angle for small rotations. A c with rounding errors gives an attitude with errors of
+   their size. Method: of the four forms of the quaternion, the one whose divisor is the largest (Shepperd 1978).
+   Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_DOMAIN if c is no rotation matrix even to two digits,
+   a reflection for example, and VM_OK otherwise. */
+VM_API int vm_quat_from_matrix(const vm_real c[9], vm_quat *q)
+{
+    vm_real v[4], trace; /* v: a multiple of the quaternion w, x, y, z */
+    int i = 0, j, k;
+    if (!c || !q) return VM_BAD_ARGUMENT;
+    if (!vmi_all_finite(9, c)) return VM_NOT_FINITE;
+    if (!vmi_is_rotation(c)) return VM_DOMAIN;
+    trace = c[0] + c[4] + c[8];
+    if (c[4] > c[0]) i = 1;
+    if (c[8] > c[4 * i]) i = 2;
+    j = (i + 1) % 3;
+    k = (i + 2) % 3;
+    if (trace > c[4 * i]) {
+        v[0] = 1 + trace;
+        v[1] = c[7] - c[5];
+        v[2] = c[2] - c[6];
+        v[3] = c[3] - c[1];
+    } else {
+        v[0] = c[3 * k + j] - c[3 * j + k];
+        v[1 + i] = 1 + c[4 * i] - c[4 * j] - c[4 * k];
+        v[1 + j] = c[3 * j + i] + c[3 * i + j];
+        v[1 + k] = c[3 * k + i] + c[3 * i + k];
+    }
+    *q = vm_unit_quat(vmi_get_quat(v));
+    if (q->w < 0) *q = vmi_quat(-q->w, vm_scale(-1, vmi_quat_vector(*q)));
+    return VM_OK;
+}
+
+/* Modified Rodrigues parameters of an attitude. They are the axis of the rotation times the tangent of a quarter of its
+   angle, for that sign of q that makes w >= 0. The angle is then at most pi, and the length of the parameters p at most
+   1, apart from rounding. The other set of parameters of the same attitude (the shadow set) is -p/|p|^2. At an angle of
+   pi, where w = 0, both sets are equally long: the result is (x, y, z)/|q|. Each component is within 4 eps of itself.
+   Numbers that are not finite give NaN. */
+VM_API vm_vec3 vm_quat_to_mrp(vm_quat q)
+{
+    vm_real divisor;
+    if (!vmi_quat_is_finite(q)) return vmi_vec3(VM_NAN, VM_NAN, VM_NAN);
+    q = vmi_quat_scaled(q);
+    divisor = VM_SQRT(vmi_quat_square(q)) + VM_FABS(q.w);
+    if (q.w < 0) divisor = -divisor;
+    return vmi_over(vmi_quat_vector(q), divisor);
+}
+
+/* Attitude of length 1 from modified Rodrigues parameters p of any length. Its w is negative if |p| > 1, where the
+   angle of the rotation is above pi. Each component of the result is within 8 eps of itself: w too, next to an angle of
+   pi, because 1 - |p|^2 is computed with twice the digits. Parameters that are not finite give NaN. */
+VM_API vm_quat vm_quat_from_mrp(vm_vec3 p)
+{
+    vm_real scale = 1; /* a power of two that makes the components of a long p at most 2 */
+    vm_two w;
+    if (!vmi_vec3_is_finite(p)) return vmi_quat(VM_NAN, vmi_vec3(VM_NAN, VM_NAN, VM_NAN));
+    if (vmi_norm_max(p) > 1) scale = 1 / vmi_power_below(vmi_norm_max(p));
+    p = vm_scale(scale, p);
+    w = vmi_two_product(scale, scale);
+    w = vmi_two_minus(w, vmi_two_product(p.x, p.x));
+    w = vmi_two_minus(w, vmi_two_product(p.y, p.y));
+    w = vmi_two_minus(w, vmi_two_product(p.z, p.z));
+    return vm_unit_quat(vmi_quat(w.hi, vm_scale(2 * scale, p)));
+}
+
+#endif
+/* mechanics/euler_angles.h - Euler's angles
+
+   The angles psi, theta, phi of the sequence 3-1-3 give the attitude of a body. It turns by psi about the z axis, then
+   by theta about its own x axis (the line of nodes), then by phi about its own z axis. The angles of the sequence
+   3-2-1 are yaw, pitch and roll: the body turns by yaw about the z axis, then by pitch about its own y axis, then by
+   roll about its own x axis. This chapter computes
+     - the quaternion of three angles, and the angles of a quaternion, in both sequences; and for 3-1-3
+     - the axes about which the angles turn the body, which Lagrange's equations need as domega/dq'_i,
+     - the time derivatives psi', theta', phi' of the angles from an angular velocity.
+
+       vm_quat q = vm_euler_321(VM_C(0.1), VM_C(0.2), VM_C(0.3)); // yaw, pitch, roll
+       vm_real angles[3];
+       int status = vm_euler_321_angles(q, angles); // 0.1, 0.2, 0.3
+
+   Angles are in rad. Errors are within 8 eps for angles up to 1e9 (float 1e4). Beyond 2^(p-1) quarter turns, where p is
+   the number of binary digits of vm_real, a result has no meaning: adjacent numbers differ by 1 rad or more.
+   Tests: tests/test_attitude.c, tests/test_lagrange.c. */
+#ifndef VARMASS_MECHANICS_EULER_ANGLES_H
+#define VARMASS_MECHANICS_EULER_ANGLES_H
+
+/* Attitude from Euler's angles: a quaternion of length 1. It converts vectors from body axes to inertial axes. Infinite
+   angles give NaN. */
+VM_API vm_quat vm_euler_313(vm_real psi, vm_real theta, vm_real phi)
+{
+    vm_quat turn = {1, 0, 0, 0}, tilt = {1, 0, 0, 0}, spin = {1, 0, 0, 0};
+    vmi_sincos(psi / 2, &turn.z, &turn.w);
+    vmi_sincos(theta / 2, &tilt.x, &tilt.w);
+    vmi_sincos(phi / 2, &spin.z, &spin.w);
+    return vm_quat_times(vm_quat_times(turn, tilt), spin);
+}
+
+/* Quaternion of length 1 that turns body axes into inertial ones, from yaw, pitch and roll (sequence 3-2-1).
+   Infinite angles give NaN. */
+VM_API vm_quat vm_euler_321(vm_real yaw, vm_real pitch, vm_real roll)
+{
+    vm_quat about_z = {1, 0, 0, 0}, about_y = {1, 0, 0, 0}, about_x = {1, 0, 0, 0};
+    vmi_sincos(yaw / 2, &about_z.z, &about_z.w);
+    vmi_sincos(pitch / 2, &about_y.y, &about_y.w);
+    vmi_sincos(roll / 2, &about_x.x, &about_x.w);
+    return vm_quat_times(vm_quat_times(about_z, about_y), about_x);
+}
+
+/* A number re + i im of the complex plane, both parts in two words. The quaternion of a sequence of three angles is
+   equivalent to two such numbers, p and r. The angle of p is half the sum of the first and the third angle, the angle
+   of r half their difference. The lengths of p and r depend on the middle angle alone. */
+typedef struct VM_TAG(vmi_euler_part) {
+    vm_two re, im;
+} vmi_euler_part;
+
+VM_API int vmi_euler_is_none(const vmi_euler_part *p) { return p->re.hi == 0 && p->im.hi == 0; }
+
+/* Multiplies p by a power of two that makes its larger part about 1, so that no product underflows. Returns the
+   power. */
+VM_API vm_real vmi_euler_scale(vmi_euler_part *p)
+{
+    const vm_real largest = vmi_larger(VM_FABS(p->re.hi), VM_FABS(p->im.hi)), power = 1 / vmi_power_below(largest);
+    p->re = vmi_two_shifted(p->re, power);
+    p->im = vmi_two_shifted(p->im, power);
+    return power;
+}
+
+/* The real part of the product p r if sign is 1, or of p times the conjugate of r if sign is -1. */
+VM_API vm_real vmi_euler_real(const vmi_euler_part *p, const vmi_euler_part *r, vm_real sign)
+{
+    const vm_two re = vmi_two_times(p->re, r->re), im = vmi_two_times(p->im, r->im);
+    return vmi_two_minus(re, vmi_two_shifted(im, sign)).hi;
+}
+
+/* Writes the first angle and the third one, from -pi to pi: the angles of p r and of p times the conjugate of r, whose
+   imaginary parts are given, since they are accurate only if computed without p and r. If p or r is 0, which is gimbal
+   lock, only the sum or the difference of the two angles is determined: the third angle is then 0. */
+VM_API void vmi_euler_first_and_third(vmi_euler_part p, vmi_euler_part r, vm_real sum, vm_real difference,
+                                      vm_real *angles)
+{
+    vm_real power;
+    if (vmi_euler_is_none(&p) || vmi_euler_is_none(&r)) {
+        const vmi_euler_part *other = vmi_euler_is_none(&p) ? &r : &p;
+        angles[0] = vmi_atan2(2 * other->re.hi * other->im.hi + 0, vmi_euler_real(other, other, 1));
+        angles[2] = 0;
+        return;
+    }
+    power = vmi_euler_scale(&p);
+    sum *= power;
+    difference *= power;
+    power = vmi_euler_scale(&r);
+    sum *= power;
+    difference *= power;
+    angles[0] = vmi_atan2(sum + 0, vmi_euler_real(&p, &r, 1));
+    angles[2] = vmi_atan2(difference + 0, vmi_euler_real(&p, &r, -1));
+}
+
+/* Multiplies q by a power of two, without rounding, so that its largest component is about 1. Four zeros become the
+   identity. */
+VM_API vm_quat vmi_euler_normal_size(vm_quat q)
+{
+    const vm_real most = vmi_larger(VM_FABS(q.w), vmi_norm_max(vmi_quat_vector(q)));
+    const vm_real power = 1 / vmi_power_below(most);
+    if (most == 0) return vmi_quat(1, vmi_vec3(0, 0, 0));
+    return vmi_quat(q.w * power, vm_scale(power, vmi_quat_vector(q)));
+}
+
+/* Euler's angles psi, theta, phi of the sequence 3-1-3 from an attitude q of any length.
+   psi and phi are between -pi and pi, theta between 0 and pi. If theta is exactly 0 or pi (gimbal lock: no line of
+   nodes is determined), phi is 0. The error of each angle is within 4 eps of itself, for q taken as exact, also next to
+   gimbal lock. The three angles together give the rotation of q to 8 eps.
+   Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, and VM_OK otherwise. */
+VM_API int vm_euler_313_angles(vm_quat q, vm_real angles[3])
+{
+    vmi_euler_part p, r;
+    if (!angles) return VM_BAD_ARGUMENT;
+    if (!vmi_quat_is_finite(q)) return VM_NOT_FINITE;
+    q = vmi_euler_normal_size(q);
+    p.re = vmi_two(q.w, 0);
+    p.im = vmi_two(q.z, 0);
+    r.re = vmi_two(q.x, 0);
+    r.im = vmi_two(q.y, 0);
+    vmi_euler_first_and_third(p, r, vmi_sum_of_products(q.w, q.y, q.x, q.z),
+                              vmi_sum_of_products(q.x, q.z, -q.w, q.y), angles);
+    angles[1] = 2 * vmi_atan2(vmi_hypot(q.x, q.y), vmi_hypot(q.w, q.z));
+    return VM_OK;
+}
+
+/* Yaw, pitch and roll of the sequence 3-2-1 from an attitude q of any length, in this order.
+   Yaw and roll are between -pi and pi, pitch between -pi/2 and pi/2. If pitch is exactly pi/2 or -pi/2 (gimbal lock),
+   roll is 0. The error of each angle is within 4 eps of itself, for q taken as exact, also next to gimbal lock. The
+   three angles together give the rotation of q to 8 eps.
+   Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, and VM_OK otherwise. */
+VM_API int vm_euler_321_angles(vm_quat q, vm_real angles[3])
+{
+    vmi_euler_part p, r;
+    vm_real sine, cosine; /* of the pitch, times |q|^2 */
+    if (!angles) return VM_BAD_ARGUMENT;
+    if (!vmi_quat_is_finite(q)) return VM_NOT_FINITE;
+    q = vmi_euler_normal_size(q);
+    p.re = vmi_two_sum(q.w, -q.y);
+    p.im = vmi_two_sum(q.x, q.z);
+    r.re = vmi_two_sum(q.w, q.y);
+    r.im = vmi_two_sum(q.z, -q.x);
+    vmi_euler_first_and_third(p, r, 2 * vmi_sum_of_products(q.w, q.z, q.x, q.y),
+                              2 * vmi_sum_of_products(q.w, q.x, q.y, q.z), angles);
+    sine = 2 * vmi_sum_of_products(q.w, q.y, -q.x, q.z);
+    cosine = vmi_hypot(p.re.hi, p.im.hi) * vmi_hypot(r.re.hi, r.im.hi);
+    angles[1] = vmi_atan2(sine, cosine);
+    return VM_OK;
+}
+
+/* Unit vectors of the axes about which Euler's angles turn the body, along inertial axes. The angular velocity is
+   omega = psi' axis[0] + theta' axis[1] + phi' axis[2]. Therefore axis[i] is domega/dq'_i if q'_0, q'_1, q'_2 are the
+   rates psi', theta', phi'. A call with a null pointer does nothing. */
+VM_API void vm_euler_313_axes(vm_real psi, vm_real theta, vm_vec3 axis[3])
+{
+    vm_real s, c, sine, cosine; /* s, c: sine and cosine of psi; sine, cosine: those of theta */
+    if (!axis) return;
+    vmi_sincos(psi, &s, &c);
+    vmi_sincos(theta, &sine, &cosine);
+    axis[0] = vmi_vec3(0, 0, 1);
+    axis[1] = vmi_vec3(c, s, 0);
+    axis[2] = vmi_vec3(sine * s, -sine * c, cosine);
+}
+
+/* Unit vectors of the axes about which Euler's angles turn the body, along body axes. The angular velocity is
+   omega = psi' axis[0] + theta' axis[1] + phi' axis[2]. A call with a null pointer does nothing. */
+VM_API void vm_euler_313_body_axes(vm_real theta, vm_real phi, vm_vec3 axis[3])
+{
+    vm_real s, c, sine, cosine; /* s, c: sine and cosine of phi; sine, cosine: those of theta */
+    if (!axis) return;
+    vmi_sincos(phi, &s, &c);
+    vmi_sincos(theta, &sine, &cosine);
+    axis[0] = vmi_vec3(sine * s, sine * c, cosine);
+    axis[1] = vmi_vec3(c, -s, 0);
+    axis[2] = vmi_vec3(0, 0, 1);
+}
+
+/* Rates psi', theta', phi' of Euler's angles from an angular velocity in inertial axes, rad/s. Returns VM_OK,
+   VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, or VM_SINGULAR if sin(theta) is 0: psi and phi then turn the body
+   about the same axis, so that their rates are not unique. */
+VM_API int vm_euler_313_rates(vm_real psi, vm_real theta, vm_vec3 omega, vm_real rates[3])
+{
+    vm_real s, c, sine, cosine, result[3]; /* s, c: sine and cosine of psi; sine, cosine: those of theta */
+    if (!rates) return VM_BAD_ARGUMENT;
+    if (!VM_IS_FINITE(psi) || !VM_IS_FINITE(theta) || !vmi_vec3_is_finite(omega)) return VM_NOT_FINITE;
+    vmi_sincos(psi, &s, &c);
+    vmi_sincos(theta, &sine, &cosine);
+    if (sine == 0) return VM_SINGULAR;
+    result[2] = (s * omega.x - c * omega.y) / sine;
+    result[1] = c * omega.x + s * omega.y;
+    result[0] = omega.z - result[2] * cosine;
+    return vmi_copy_if_finite(3, result, rates);
+}
 
 #endif
 /* mechanics/inertia.h - inertia tensors, parallel axes, principal axes
@@ -1373,12 +1783,12 @@ VM_INLINE vm_inertia vmi_inertia_along(const vm_inertia *i, const vmi_mat3 *m)
 {
     const vm_vec3 x = vmi_inertia_times(i, m->x), y = vmi_inertia_times(i, m->y), z = vmi_inertia_times(i, m->z);
     vm_inertia t;
-    t.xx = vmi_dot(m->x, x);
-    t.yy = vmi_dot(m->y, y);
-    t.zz = vmi_dot(m->z, z);
-    t.xy = vmi_dot(m->x, y);
-    t.xz = vmi_dot(m->x, z);
-    t.yz = vmi_dot(m->y, z);
+    t.xx = vm_dot(m->x, x);
+    t.yy = vm_dot(m->y, y);
+    t.zz = vm_dot(m->z, z);
+    t.xy = vm_dot(m->x, y);
+    t.xz = vm_dot(m->x, z);
+    t.yz = vm_dot(m->y, z);
     return t;
 }
 
@@ -1525,7 +1935,7 @@ VM_API vm_inertia vmi_inertia_from(const vmi_principal *p)
     vm_inertia i = {0, 0, 0, 0, 0, 0};
     int k;
     for (k = 0; k < 3; k++) {
-        const vm_vec3 e = p->axis[k], m = vmi_scale(p->moment[k], e);
+        const vm_vec3 e = p->axis[k], m = vm_scale(p->moment[k], e);
         i.xx += m.x * e.x;
         i.yy += m.y * e.y;
         i.zz += m.z * e.z;
@@ -1552,7 +1962,7 @@ VM_API int vmi_moments_are_possible(const vmi_principal *p, vm_real slack)
 VM_API int vmi_moment_is_lost(vm_real moment, vm_vec3 axis, const vm_inertia *sizes)
 {
     const vm_vec3 e = vmi_abs(axis);
-    return !(moment > VMI_LOST_SHARE * vmi_dot(e, vmi_inertia_times(sizes, e)));
+    return !(moment > VMI_LOST_SHARE * vm_dot(e, vmi_inertia_times(sizes, e)));
 }
 
 /* Changes moments that are possible within rounding errors into moments that a body can have exactly. A moment that is
@@ -1581,7 +1991,7 @@ VM_API vm_vec3 vmi_spin_of(const vmi_principal *p, vm_vec3 h)
     vm_vec3 omega = vmi_vec3(0, 0, 0);
     int k;
     for (k = 0; k < 3; k++)
-        if (p->moment[k] > 0) omega = vmi_add(omega, vmi_scale(vmi_dot(p->axis[k], h) / p->moment[k], p->axis[k]));
+        if (p->moment[k] > 0) omega = vm_add(omega, vm_scale(vm_dot(p->axis[k], h) / p->moment[k], p->axis[k]));
     return omega;
 }
 
@@ -1595,10 +2005,10 @@ VM_API int vmi_solve_spin(const vm_inertia *i, const vmi_principal *p, vm_vec3 h
     int k, left = 0;
     for (k = 0; k < 3; k++) {
         if (p->moment[k] > 0) continue;
-        w = vmi_add(w, vmi_scale(vmi_dot(p->axis[k], before), p->axis[k]));
-        left = left || VM_FABS(vmi_dot(p->axis[k], h)) > noise;
+        w = vm_add(w, vm_scale(vm_dot(p->axis[k], before), p->axis[k]));
+        left = left || VM_FABS(vm_dot(p->axis[k], h)) > noise;
     }
-    for (k = 0; k < 2; k++) w = vmi_add(w, vmi_spin_of(p, vmi_sub(h, vmi_inertia_times(i, w))));
+    for (k = 0; k < 2; k++) w = vm_add(w, vmi_spin_of(p, vm_sub(h, vmi_inertia_times(i, w))));
     *omega = w;
     return left;
 }
@@ -1738,7 +2148,7 @@ VM_API vm_vec3 vmi_spin_momentum(const vm_body *body)
 VM_API vm_vec3 vm_momentum(const vm_body *body)
 {
     if (!body) return vmi_vec3(VM_NAN, VM_NAN, VM_NAN);
-    return vmi_scale(body->mass, body->v);
+    return vm_scale(body->mass, body->v);
 }
 
 /* Angular momentum of a body about the point `about` (7)-(9), N m s. It is I omega + (r - about) x M v in inertial
@@ -1747,7 +2157,7 @@ VM_API vm_vec3 vm_momentum(const vm_body *body)
 VM_API vm_vec3 vm_angular_momentum(const vm_body *body, vm_vec3 about)
 {
     if (!body) return vmi_vec3(VM_NAN, VM_NAN, VM_NAN);
-    return vmi_add(vmi_spin_momentum(body), vmi_cross(vmi_sub(body->r, about), vm_momentum(body)));
+    return vm_add(vmi_spin_momentum(body), vm_cross(vm_sub(body->r, about), vm_momentum(body)));
 }
 
 /* Kinetic energy of a body (93), (97), J. It is (M v.v + omega.(I omega))/2, with the mass M and the inertia I. The
@@ -1755,7 +2165,7 @@ VM_API vm_vec3 vm_angular_momentum(const vm_body *body, vm_vec3 about)
 VM_API vm_real vm_kinetic_energy(const vm_body *body)
 {
     if (!body) return VM_NAN;
-    return (body->mass * vmi_dot(body->v, body->v) + vmi_dot(body->omega, vmi_spin_momentum(body))) / 2;
+    return (body->mass * vm_dot(body->v, body->v) + vm_dot(body->omega, vmi_spin_momentum(body))) / 2;
 }
 
 /* ---- conversion of bodies between the plane and space ---- */
@@ -1874,30 +2284,30 @@ VM_API int vmi_check_bodies(const vmi_bodies *list)
 /* The moment of an impulse about the point `about`, N m s */
 VM_API vm_vec3 vmi_impulse_moment(const vm_impulse *j, vm_vec3 about)
 {
-    return vmi_add(j->couple, vmi_cross(vmi_sub(j->at, about), j->linear));
+    return vm_add(j->couple, vm_cross(vm_sub(j->at, about), j->linear));
 }
 
 /* Adds a body to a balance (sign 1) or subtracts it (sign -1). Adds the sizes of its momenta to the two scales. */
 VM_API void vmi_balance_add(vm_balance *sum, vm_real sign, const vm_body *body, vm_vec3 about)
 {
     const vm_vec3 momentum = vm_momentum(body);
-    const vm_real size = vmi_norm2(momentum);
-    sum->momentum = vmi_add(sum->momentum, vmi_scale(sign, momentum));
-    sum->angular_momentum = vmi_add(sum->angular_momentum, vmi_scale(sign, vm_angular_momentum(body, about)));
+    const vm_real size = vm_norm(momentum);
+    sum->momentum = vm_add(sum->momentum, vm_scale(sign, momentum));
+    sum->angular_momentum = vm_add(sum->angular_momentum, vm_scale(sign, vm_angular_momentum(body, about)));
     sum->momentum_scale += size;
-    sum->angular_momentum_scale += vmi_inertia_trace(&body->inertia) * vmi_norm2(body->omega) +
-                                   (vmi_norm2(body->r) + vmi_norm2(vmi_sub(body->r, about))) * size;
+    sum->angular_momentum_scale += vmi_inertia_trace(&body->inertia) * vm_norm(body->omega) +
+                                   (vm_norm(body->r) + vm_norm(vm_sub(body->r, about))) * size;
     sum->energy += sign * vm_kinetic_energy(body);
 }
 
 /* Subtracts an impulse and its moment from a balance. Their absolute values are added to the two scales. */
 VM_API void vmi_balance_take_impulse(vm_balance *sum, const vm_impulse *j, vm_vec3 about)
 {
-    sum->momentum = vmi_sub(sum->momentum, j->linear);
-    sum->angular_momentum = vmi_sub(sum->angular_momentum, vmi_impulse_moment(j, about));
-    sum->momentum_scale += vmi_norm2(j->linear);
+    sum->momentum = vm_sub(sum->momentum, j->linear);
+    sum->angular_momentum = vm_sub(sum->angular_momentum, vmi_impulse_moment(j, about));
+    sum->momentum_scale += vm_norm(j->linear);
     sum->angular_momentum_scale +=
-        vmi_norm1(j->couple) + (vmi_norm1(j->at) + vmi_norm1(vmi_sub(j->at, about))) * vmi_norm1(j->linear);
+        vmi_norm1(j->couple) + (vmi_norm1(j->at) + vmi_norm1(vm_sub(j->at, about))) * vmi_norm1(j->linear);
 }
 
 VM_API int vmi_balance_is_finite(const vm_balance *b)
@@ -2019,7 +2429,7 @@ VM_API vmi_lump vmi_lump_of(const vmi_frame *frame, const vm_body *body)
 {
     const vmi_mat3 own = vmi_rotation(body->q);
     const vm_quat p = body->q, q = frame->q;
-    const vm_vec3 spin = vmi_sub(body->omega, frame->omega);
+    const vm_vec3 spin = vm_sub(body->omega, frame->omega);
     vmi_mat3 turn = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}; /* its columns are the frame's axes in body axes */
     vmi_lump lump;
     if (p.w != q.w || p.x != q.x || p.y != q.y || p.z != q.z) { /* for equal attitudes `turn` stays the identity */
@@ -2028,8 +2438,8 @@ VM_API vmi_lump vmi_lump_of(const vmi_frame *frame, const vm_body *body)
         turn.z = vmi_times_transposed(&own, frame->turn.z);
     }
     lump.mass = body->mass;
-    lump.r = vmi_sub(body->r, frame->r);
-    lump.v = vmi_sub(body->v, frame->v);
+    lump.r = vm_sub(body->r, frame->r);
+    lump.v = vm_sub(body->v, frame->v);
     lump.h = vmi_times(&own, vmi_inertia_times(&body->inertia, vmi_times_transposed(&own, spin)));
     lump.inertia = vmi_inertia_along(&body->inertia, &turn);
     lump.sizes = vmi_inertia_sizes(&body->inertia, &turn);
@@ -2048,7 +2458,7 @@ VM_API vm_inertia vmi_moved_inertia(const vmi_frame *frame, vm_vec3 d, vm_vec3 r
     turn.z = vmi_abs(frame->turn.z);
     size = vmi_times_transposed(&turn, vmi_abs(d));
     reach = vmi_times_transposed(&turn, reach);
-    *sizes = vmi_inertia_of_point(vmi_add(size, reach)); /* (|d| + reach)^2; the next line subtracts reach^2 again */
+    *sizes = vmi_inertia_of_point(vm_add(size, reach)); /* (|d| + reach)^2; the next line subtracts reach^2 again */
     *sizes = vmi_inertia_plus(*sizes, -1, vmi_inertia_of_point(reach));
     sizes->xy = VM_FABS(sizes->xy);
     sizes->xz = VM_FABS(sizes->xz);
@@ -2061,7 +2471,7 @@ VM_API vm_inertia vmi_moved_inertia(const vmi_frame *frame, vm_vec3 d, vm_vec3 r
 VM_API vm_real vmi_join_noise(const vmi_frame *frame, const vmi_lump *a, vm_real sign, const vmi_lump *b,
                               vm_real reduced, vm_vec3 reach, vm_vec3 slip)
 {
-    const vm_real distance = vmi_norm1(vmi_sub(b->r, a->r));
+    const vm_real distance = vmi_norm1(vm_sub(b->r, a->r));
     const vm_real speeds = vmi_norm1(a->v) + vmi_norm1(b->v) + 2 * vmi_norm1(frame->v);
     const vm_real moved = sign < 0 ? b->mass : reduced;
     return b->noise + VM_FABS(reduced) * distance * speeds +
@@ -2073,22 +2483,22 @@ VM_API int vmi_join(const vmi_frame *frame, vmi_lump *a, vm_real sign, const vmi
 {
     const vm_real mass = a->mass + sign * b->mass;
     const vm_real share = sign * (b->mass / mass), reduced = a->mass * share; /* b's share of mass; reduced mass */
-    const vm_vec3 d = vmi_sub(b->r, a->r), v = vmi_sub(b->v, a->v);
-    const vm_vec3 slip = vmi_sub(v, vmi_cross(frame->omega, d)); /* velocity of b relative to a in the turning frame */
+    const vm_vec3 d = vm_sub(b->r, a->r), v = vm_sub(b->v, a->v);
+    const vm_vec3 slip = vm_sub(v, vm_cross(frame->omega, d)); /* velocity of b relative to a in the turning frame */
     const vm_vec3 origin = vmi_abs(frame->r);
-    const vm_vec3 reach = vmi_add(vmi_add(vmi_abs(a->r), vmi_abs(b->r)), vmi_add(origin, origin));
+    const vm_vec3 reach = vm_add(vm_add(vmi_abs(a->r), vmi_abs(b->r)), vm_add(origin, origin));
     vm_inertia sizes, moved = vmi_moved_inertia(frame, d, reach, &sizes);
     if (!(mass > 0)) return VM_BAD_MASS;
     a->noise += vmi_join_noise(frame, a, sign, b, reduced, reach, slip);
     a->inertia = vmi_inertia_plus(vmi_inertia_plus(a->inertia, sign, b->inertia), reduced, moved);
     a->sizes = vmi_inertia_plus(vmi_inertia_plus(a->sizes, 1, b->sizes), VM_FABS(reduced), sizes);
-    a->h = vmi_add(a->h, vmi_add(vmi_scale(sign, b->h), vmi_scale(reduced, vmi_cross(d, slip))));
+    a->h = vm_add(a->h, vm_add(vm_scale(sign, b->h), vm_scale(reduced, vm_cross(d, slip))));
     if (b->mass > a->mass) { /* start from r and v of the heavier body, so that no digits are lost */
-        a->r = vmi_sub(b->r, vmi_scale(a->mass / mass, d));
-        a->v = vmi_sub(b->v, vmi_scale(a->mass / mass, v));
+        a->r = vm_sub(b->r, vm_scale(a->mass / mass, d));
+        a->v = vm_sub(b->v, vm_scale(a->mass / mass, v));
     } else {
-        a->r = vmi_add(a->r, vmi_scale(share, d));
-        a->v = vmi_add(a->v, vmi_scale(share, v));
+        a->r = vm_add(a->r, vm_scale(share, d));
+        a->v = vm_add(a->v, vm_scale(share, v));
     }
     a->mass = mass;
     return VM_OK;
@@ -2097,9 +2507,9 @@ VM_API int vmi_join(const vmi_frame *frame, vmi_lump *a, vm_real sign, const vmi
 /* Adds the effect of an impulse to the velocity and the angular momentum of the lump a */
 VM_API void vmi_apply_impulse(const vmi_frame *frame, vmi_lump *a, const vm_impulse *external)
 {
-    const vm_vec3 at = vmi_sub(vmi_sub(external->at, frame->r), a->r), j = external->linear;
-    a->v = vmi_add(a->v, vmi_over(j, a->mass));
-    a->h = vmi_add(a->h, vmi_add(external->couple, vmi_cross(at, j)));
+    const vm_vec3 at = vm_sub(vm_sub(external->at, frame->r), a->r), j = external->linear;
+    a->v = vm_add(a->v, vmi_over(j, a->mass));
+    a->h = vm_add(a->h, vm_add(external->couple, vm_cross(at, j)));
     a->noise += vmi_norm1(external->couple) + (vmi_norm1(at) + vmi_norm1(frame->r)) * vmi_norm1(j);
 }
 
@@ -2201,10 +2611,10 @@ VM_API int vmi_jump(const vm_body *body, int n, const vm_body *others, vm_real s
     b.mass = lump.mass;
     b.inertia = lump.inertia;
     b.q = body->q;
-    b.r = vmi_add(frame.r, lump.r);
-    b.v = vmi_add(frame.v, lump.v);
-    if (vmi_lump_spin(&frame, &lump, &p, vmi_sub(body->omega, frame.omega), &b.omega)) status = VM_NULL_AXIS;
-    b.omega = vmi_add(frame.omega, b.omega);
+    b.r = vm_add(frame.r, lump.r);
+    b.v = vm_add(frame.v, lump.v);
+    if (vmi_lump_spin(&frame, &lump, &p, vm_sub(body->omega, frame.omega), &b.omega)) status = VM_NULL_AXIS;
+    b.omega = vm_add(frame.omega, b.omega);
     if (!vmi_body_is_finite(&b)) return VM_NOT_FINITE;
     *result = b;
     return status;
@@ -2471,22 +2881,22 @@ VM_API int vm_attach_all2(const vm_body2 *body, int n, const vm_body2 *added, co
 /* Velocity of the frame that moves and turns with a body, at the point r. It is called dragging velocity in (25). */
 VM_API vm_vec3 vmi_velocity_at(const vm_body *body, vm_vec3 r)
 {
-    return vmi_add(body->v, vmi_cross(body->omega, vmi_sub(r, body->r)));
+    return vm_add(body->v, vm_cross(body->omega, vm_sub(r, body->r)));
 }
 
 /* The motion of b relative to the frame that moves and turns with the body `to`. Nothing is checked. */
 VM_API vm_body vmi_relative_motion(const vm_body *to, vm_body b)
 {
-    b.v = vmi_sub(vmi_sub(b.v, to->v), vmi_cross(to->omega, vmi_sub(b.r, to->r)));
-    b.omega = vmi_sub(b.omega, to->omega);
+    b.v = vm_sub(vm_sub(b.v, to->v), vm_cross(to->omega, vm_sub(b.r, to->r)));
+    b.omega = vm_sub(b.omega, to->omega);
     return b;
 }
 
 /* The absolute motion of b, if the motion of b is given relative to the body `to`. Nothing is checked. */
 VM_API vm_body vmi_absolute_motion(const vm_body *to, vm_body b)
 {
-    b.v = vmi_add(vmi_velocity_at(to, b.r), b.v);
-    b.omega = vmi_add(to->omega, b.omega);
+    b.v = vm_add(vmi_velocity_at(to, b.r), b.v);
+    b.omega = vm_add(to->omega, b.omega);
     return b;
 }
 
@@ -2636,9 +3046,9 @@ VM_API int vm_attach_relative2(const vm_body2 *body, const vm_body2 *added, cons
 VM_API vm_vec3 vmi_part_velocity(const vm_body *whole, const vm_body *part, const vm_impulse *external_or_NULL,
                                  vm_vec3 rest_v)
 {
-    vm_vec3 momentum = vmi_scale(part->mass - whole->mass, vmi_sub(rest_v, whole->v));
-    if (external_or_NULL) momentum = vmi_add(momentum, external_or_NULL->linear);
-    return vmi_add(whole->v, vmi_over(momentum, part->mass));
+    vm_vec3 momentum = vm_scale(part->mass - whole->mass, vm_sub(rest_v, whole->v));
+    if (external_or_NULL) momentum = vm_add(momentum, external_or_NULL->linear);
+    return vm_add(whole->v, vmi_over(momentum, part->mass));
 }
 
 /* The angular momentum that the part must have, relative to the turning whole, so that the rest turns with rest_omega.
@@ -2647,8 +3057,8 @@ VM_API vm_vec3 vmi_part_velocity(const vm_body *whole, const vm_body *part, cons
    angular velocity Omega. */
 VM_API vm_vec3 vmi_part_spin_momentum(const vmi_frame *frame, const vmi_lump *rest, vm_vec3 rest_omega)
 {
-    const vm_vec3 turning = vmi_times_transposed(&frame->turn, vmi_sub(rest_omega, frame->omega));
-    return vmi_sub(rest->h, vmi_times(&frame->turn, vmi_inertia_times(&rest->inertia, turning)));
+    const vm_vec3 turning = vmi_times_transposed(&frame->turn, vm_sub(rest_omega, frame->omega));
+    return vm_sub(rest->h, vmi_times(&frame->turn, vmi_inertia_times(&rest->inertia, turning)));
 }
 
 /* Sets *rest to what would remain if the part left with its own velocity but with the angular velocity of the whole.
@@ -2683,8 +3093,8 @@ VM_API int vmi_turn_part(const vmi_frame *frame, const vmi_lump *rest, vm_vec3 r
     lump.noise = rest->noise + vmi_inertia_trace(&rest->inertia) * (vmi_norm1(rest_omega) + vmi_norm1(frame->omega));
     status = vmi_lump_clamp_moments(&lump, &p);
     if (status) return status;
-    if (vmi_lump_spin(&own, &lump, &p, vmi_sub(part->omega, own.omega), &spin)) status = VM_NULL_AXIS;
-    part->omega = vmi_add(own.omega, spin);
+    if (vmi_lump_spin(&own, &lump, &p, vm_sub(part->omega, own.omega), &spin)) status = VM_NULL_AXIS;
+    part->omega = vm_add(own.omega, spin);
     return status;
 }
 
@@ -2874,7 +3284,7 @@ VM_API vm_real vmi_impulse_work(const vm_body *body_or_NULL, const vm_impulse *e
     const vm_body *b = body_or_NULL;
     const vm_impulse *j = external_or_NULL;
     if (!b || !j) return 0;
-    return vmi_dot(b->v, j->linear) + vmi_dot(b->omega, vmi_impulse_moment(j, b->r));
+    return vm_dot(b->v, j->linear) + vm_dot(b->omega, vmi_impulse_moment(j, b->r));
 }
 
 /* Energy gained at a separation, J: the kinetic energy of n parts and rest minus that of the whole (113), (118). It is
@@ -2900,11 +3310,12 @@ VM_API vm_real vm_energy_loss(const vm_body *body, int n, const vm_body *added, 
 #endif
 /* mechanics/broken_rotor.h - a rotor from which a piece breaks off: equations of motion and the break
 
-   The rotor is a disc on a massless elastic shaft. It moves in a plane. A torque drives it, and its rotation is damped
-   viscously (chapter 3.3.2). The shaft passes through the mass centre before the break (s = 0) and at the distance s
-   from it after the break. This chapter has the equations of motion (46), (65)-(68), also in polar form (75), and the
-   break (52)-(64), corrected as in docs/errata.md. The motion of the rotor is in mechanics/broken_rotor_motion.h, and
-   the stability of the remainder's steady motion is in mechanics/broken_rotor_stability.h.
+   The rotor is a disc on a massless elastic shaft and moves in a plane. A torque drives it, and its rotation is damped
+   viscously (section 3.3.2 of the dissertation [1]). Before the break the shaft passes through the rotor's mass centre
+   (s = 0). After the break the shaft's centre is at the distance s from the mass centre of the remainder. This chapter
+   has the equations of motion (46), (65)-(68), their polar form (75), and the equations of the break (52)-(64),
+   corrected as in docs/errata.md. The motion in closed form is in mechanics/broken_rotor_motion.h, and the stability of
+   the remainder's steady motion is in mechanics/broken_rotor_stability.h.
 
        vm_broken_rotor whole = {2, 1, 20, 1, 3, 0}; // the fields in their order below
        vm_broken_rotor_piece piece = {VM_C(0.1), VM_C(0.001), VM_C(0.5), 0, VM_C(0.6), 0};
@@ -2918,75 +3329,82 @@ VM_API vm_real vm_energy_loss(const vm_body *body, int n, const vm_body *added, 
 
 #include <string.h>
 
-/* The rotor. The formulas use the abbreviations (67): omega^2 = stiffness/mass, p^2 = mass/inertia,
-   k* = damping/inertia, M* = torque/inertia. */
+/* The rotor. The formulas use these abbreviations (67) of its fields: omega^2 = stiffness/mass, p^2 = mass/inertia,
+   k* = damping/inertia, M* = torque/inertia. A dash means the derivative with respect to time: psi' = dpsi/dt. */
 typedef struct VM_TAG(vm_broken_rotor) {
     vm_real mass;      /* mass M > 0, kg */
     vm_real inertia;   /* inertia I > 0 about the rotor's own mass centre, kg m^2 */
     vm_real stiffness; /* stiffness c >= 0 of the shaft, N/m */
     vm_real damping;   /* damping k, N m s: at the angular velocity psi' the torque -k psi' acts on the rotor */
     vm_real torque;    /* driving torque, N m */
-    vm_real s;         /* distance from the mass centre to the shaft, which lies in the direction psi, m */
+    vm_real s;         /* distance from the mass centre to the shaft's centre, m. The vector from the mass centre to
+                          the shaft's centre points in the direction of the rotor's angle psi. */
 } vm_broken_rotor;
 
 /* Indices of the states of a rotor in the array y, and the number of states */
 enum {
-    VM_BROKEN_ROTOR_X = 0,     /* position x, y of the mass centre, from the rest position of the shaft, m */
-    VM_BROKEN_ROTOR_ANGLE = 2, /* angle psi of the rotor, rad */
+    VM_BROKEN_ROTOR_X = 0,     /* position x, y of the mass centre, measured from the shaft's rest position, m */
+    VM_BROKEN_ROTOR_ANGLE = 2, /* angle psi of the rotor, counterclockwise from the x axis, rad */
     VM_BROKEN_ROTOR_V = 3,     /* velocity x', y' of the mass centre, m/s */
     VM_BROKEN_ROTOR_OMEGA = 5, /* angular velocity psi', rad/s */
     VM_BROKEN_ROTOR_STATES = 6
 };
 
-/* Indices of the states in polar form. The angle psi and its rate have the indices VM_BROKEN_ROTOR_ANGLE and
-   VM_BROKEN_ROTOR_OMEGA. */
+/* Indices of the states in polar form. The angle psi and its rate psi' have the indices VM_BROKEN_ROTOR_ANGLE and
+   VM_BROKEN_ROTOR_OMEGA in this form, too. */
 enum {
-    VM_BROKEN_ROTOR_RADIUS = 0,        /* distance r > 0 of the mass centre from the rest position of the shaft, m */
-    VM_BROKEN_ROTOR_DIRECTION = 1,     /* angle phi of the direction to the mass centre, rad */
+    VM_BROKEN_ROTOR_RADIUS = 0,        /* distance r > 0 from the shaft's rest position to the mass centre, m */
+    VM_BROKEN_ROTOR_DIRECTION = 1,     /* angle phi of the vector from this position to the mass centre, rad */
     VM_BROKEN_ROTOR_RADIUS_RATE = 3,   /* rate r' of the distance, m/s */
-    VM_BROKEN_ROTOR_DIRECTION_RATE = 4 /* rate phi' of the direction, rad/s */
+    VM_BROKEN_ROTOR_DIRECTION_RATE = 4 /* rate phi' of the angle phi, rad/s */
 };
 
-/* The piece that breaks off. S is the mass centre of the whole, S2 that of the piece, and A the point at which the
-   whole touches the stator. */
+/* The piece that breaks off. S is the mass centre of the whole rotor, S2 the mass centre of the piece, and A the point
+   at which the whole rotor touches the stator. SS2 is the vector from S to S2, and SA the vector from S to A. */
 typedef struct VM_TAG(vm_broken_rotor_piece) {
     vm_real mass;     /* mass m of the piece, kg; 0 < m < M, where M is the mass of the whole */
     vm_real inertia;  /* inertia I_S2 >= 0 of the piece about its mass centre S2, kg m^2 */
-    vm_real distance; /* distance SS2 between the mass centres S and S2, m */
-    vm_real alpha;    /* angle from SS2 to SA, counterclockwise, rad (Fig. 17) */
-    vm_real radius;   /* distance SA of the point of contact A, called R in the formulas, m */
-    vm_real contact;  /* direction angle of SA in inertial axes, rad */
+    vm_real distance; /* length of SS2, m */
+    vm_real alpha;    /* angle from SS2 counterclockwise to SA, rad (Fig. 17) */
+    vm_real radius;   /* length of SA, called R in the formulas, m */
+    vm_real contact;  /* angle from the inertial x axis counterclockwise to SA, rad */
 } vm_broken_rotor_piece;
 
-/* The break, (52)-(64) as corrected in docs/errata.md. S, S2 and A are the points of vm_broken_rotor_piece, and S1 is
-   the mass centre of the remainder. The dissertation [1] assumes in (57): the point A of the piece keeps its velocity,
-   and the component of S2's velocity perpendicular to S2A becomes zero. Everything else follows from momentum and
-   angular momentum. */
+/* The result of the break, (52)-(64) as corrected in docs/errata.md. S, S2 and A are the points of
+   vm_broken_rotor_piece, and S1 is the mass centre of the remainder. M, I_S, m, I_S2 are mass and inertia of the whole
+   and of the piece; I_S1 is the inertia of the remainder. The dissertation [1] assumes in (57) that the point A of the
+   piece keeps its velocity, and that the component of S2's velocity perpendicular to S2A becomes zero. Everything else
+   follows from the conservation of momentum and angular momentum. */
 typedef struct VM_TAG(vm_broken_rotor_break) {
     vm_broken_rotor rest; /* the remainder, with its own mass, inertia and s = m SS2/(M - m); its stiffness, damping
                              and torque are those of the whole */
-    /* The state of the remainder. Its angle psi is the direction from its mass centre S1 to the shaft, which is the
-       direction of SS2. Its angular velocity is that of the whole, Omega_b, plus spin_rest [(59), (64) corrected]. */
+    /* The state of the remainder just after the break. The remainder's angle psi is the angle of SS2, because the line
+       from S1 to the shaft's centre is parallel to SS2. Its angular velocity is spin_rest plus the angular velocity
+       Omega_b of the whole before the break [(59), (64) corrected]. */
     vm_real state[VM_BROKEN_ROTOR_STATES];
     vm_real piece[VM_BROKEN_ROTOR_STATES]; /* state of the piece; its angle psi is that of the remainder */
     vm_real dragging;                      /* speed v_S2d of S2, the piece's mass centre, before the break (52), m/s */
-    vm_real gamma;                         /* angle from SA to S2's velocity before the break (52), (60), rad; the
-                                              velocity of S is taken into account */
-    vm_real beta;                          /* angle from SA to S2A, rad [(56) corrected], from
-                                              tan beta = SS2 sin alpha/(R - SS2 cos alpha) */
-    vm_real normal;                        /* component N of S2's velocity along S2A before the break (54), m/s */
-    vm_real tangential;                    /* component T = v_S2d sin(gamma - beta) of S2's velocity before the break,
-                                              perpendicular to S2A, m/s; T > 0 is counterclockwise, unlike (55) */
-    vm_real spin_piece;                    /* Omega_r, the angular velocity of the piece relative to the whole, rad/s:
-                                              Omega_r = T/AS2 (57), (63) */
-    vm_real spin_rest;                     /* Omega_r1, angular velocity of the remainder relative to the whole, rad/s:
-                                              I_S1 Omega_r1 = m M/(M - m) SS2 x v_T - I_S2 Omega_r, where v_T
-                                              is the vector of size T perpendicular to S2A [(58) corrected] */
-    vm_real stop_inertia;                  /* the inertia I_S2 for which the remainder would stop turning, kg m^2. There
-                                              is none if the value is < 0 or not finite. For alpha = 0 it is
-                                              I_S (R - SS2)/R [after (64), corrected] */
+    vm_real gamma;                         /* angle from SA to the velocity of S2 before the break (52), (60), rad. This
+                                              velocity is the velocity of S plus Omega_b x SS2. */
+    vm_real beta;                          /* angle from SA to S2A, rad [(56) corrected], with
+                                              tan beta = SS2 sin alpha/(R - SS2 cos alpha), where
+                                              SS2 and R are the lengths `distance` and `radius` */
+    vm_real normal;                        /* component N along S2A of the velocity of S2 before the break (54), m/s */
+    vm_real tangential;                    /* component T = v_S2d sin(gamma - beta), perpendicular to S2A, of the
+                                              velocity of S2 before the break, m/s. T > 0 means counterclockwise; (55)
+                                              has the opposite sign. */
+    vm_real spin_piece;                    /* Omega_r = T/AS2 (57), (63), the angular velocity of the piece after the
+                                              break minus that of the whole before it, rad/s; AS2 is a distance */
+    vm_real spin_rest;                     /* Omega_r1, the angular velocity of the remainder after the break minus that
+                                              of the whole before it, rad/s. I_S1 Omega_r1 is m M/(M - m) times
+                                              the cross product SS2 x v_T, minus I_S2 Omega_r. v_T is the part of the
+                                              velocity of S2 perpendicular to S2A [(58) corrected]. */
+    vm_real stop_inertia;                  /* the inertia I_S2 of the piece for which the remainder would stop turning,
+                                              kg m^2. If the value is < 0 or not finite, no such inertia exists. For
+                                              alpha = 0 the value is I_S (R - SS2)/R [after (64), corrected]. */
 } vm_broken_rotor_break;
 
+/* Returns VM_OK if all fields are finite and have the signs given in vm_broken_rotor, else the error. */
 VM_API int vmi_check_broken_rotor(const vm_broken_rotor *r)
 {
     if (!VM_IS_FINITE(r->mass) || !VM_IS_FINITE(r->inertia) || !VM_IS_FINITE(r->stiffness) ||
@@ -2999,15 +3417,16 @@ VM_API int vmi_check_broken_rotor(const vm_broken_rotor *r)
 }
 
 /* Right-hand side of the rotor's equations of motion, (65), (66), (68), (46).
-   An ode_rhs of VM_BROKEN_ROTOR_STATES states; ctx is a vm_broken_rotor. Returns 0; or VM_BAD_ARGUMENT for a null
-   pointer, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS for a negative stiffness, or VM_BAD_INERTIA. */
+   An ode_rhs of VM_BROKEN_ROTOR_STATES states; its ctx, here `rotor`, is a vm_broken_rotor. Returns 0; or
+   VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS for a negative stiffness, or
+   VM_BAD_INERTIA. */
 VM_API int vm_broken_rotor_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
     const vm_broken_rotor *r = (const vm_broken_rotor *)rotor;
     const vm_real omega = y[VM_BROKEN_ROTOR_OMEGA];
     const int status = vmi_check_broken_rotor(r);
-    vm_real sine, cosine, fx, fy; /* fx, fy: the force (66) of the shaft, N */
+    vm_real sine, cosine, fx, fy; /* fx, fy: the force (66) of the shaft on the rotor, N */
     (void)t;
     if (status) return status;
     vmi_sincos(y[VM_BROKEN_ROTOR_ANGLE], &sine, &cosine);
@@ -3023,8 +3442,8 @@ VM_API int vm_broken_rotor_rhs(vm_real t, const vm_real *y, vm_real *dydt, void 
 }
 
 /* Right-hand side of the rotor's equations of motion in polar form (75).
-   An ode_rhs of VM_BROKEN_ROTOR_STATES states {r, phi, psi, r', phi', psi'}; ctx is a vm_broken_rotor. Returns a
-   status of vm_broken_rotor_rhs, or VM_DOMAIN, which ends the run, if r is not positive. */
+   An ode_rhs of VM_BROKEN_ROTOR_STATES states {r, phi, psi, r', phi', psi'}; its ctx, here `rotor`, is a
+   vm_broken_rotor. Returns a status of vm_broken_rotor_rhs; or VM_DOMAIN, which ends the run, if r is not positive. */
 VM_API int vm_broken_rotor_polar_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
@@ -3078,7 +3497,7 @@ VM_API int vm_broken_rotor_to_polar(const vm_real *y, vm_real *polar)
    not positive, and VM_OK otherwise. */
 VM_API int vm_broken_rotor_from_polar(const vm_real *polar, vm_real *y)
 {
-    vm_real z[VM_BROKEN_ROTOR_STATES], radius, along, across, c, s; /* velocities: along = r', across = r phi' */
+    vm_real z[VM_BROKEN_ROTOR_STATES], radius, along, across, c, s; /* along, across: the velocities r' and r phi' */
     if (!y || !polar) return VM_BAD_ARGUMENT;
     if (!vmi_all_finite(VM_BROKEN_ROTOR_STATES, polar)) return VM_NOT_FINITE;
     radius = polar[VM_BROKEN_ROTOR_RADIUS];
@@ -3128,9 +3547,10 @@ VM_API vmi_broken_rotor_vector vmi_broken_rotor_turned(vm_real sine, vm_real cos
     return b;
 }
 
-/* Sets `state` to the state of a body (piece or remainder) with the angle psi. Its mass centre is at (dx, dy) from S,
-   the mass centre of the whole. Its velocity (ux, uy) and its angular velocity `spin` are relative to the whole, whose
-   state is `before`. */
+/* Sets `state` to the state of the piece, or of the remainder, just after the break. The state of the whole before the
+   break is `before`. The body (piece or remainder) has the angle psi, and the vector from S, the mass centre of the
+   whole, to the body's mass centre is (dx, dy). The break changes the velocity of the body's mass centre by (ux, uy)
+   and the angular velocity by `spin`. */
 VM_API void vmi_broken_rotor_moved(const vm_real *before, vm_real psi, vm_real dx, vm_real dy, vm_real ux, vm_real uy,
                                    vm_real spin, vm_real *state)
 {
@@ -3143,8 +3563,8 @@ VM_API void vmi_broken_rotor_moved(const vm_real *before, vm_real psi, vm_real d
     state[VM_BROKEN_ROTOR_OMEGA] = omega + spin;
 }
 
-/* Sets mass, inertia and eccentricity s of the remainder. Returns VM_BAD_INERTIA if its inertia is negative or not
-   larger than rounding errors, else VM_OK. */
+/* Sets the fields of the remainder *rest, among them its mass, its inertia and its s. Returns VM_BAD_INERTIA if its
+   inertia is negative or not larger than rounding errors, else VM_OK. */
 VM_API int vmi_broken_rotor_rest(const vm_broken_rotor *whole, const vm_broken_rotor_piece *p, vm_broken_rotor *rest)
 {
     const vm_real lost = 8 * VM_EPSILON, left = whole->mass - p->mass, share = p->mass / left;
@@ -3157,17 +3577,17 @@ VM_API int vmi_broken_rotor_rest(const vm_broken_rotor *whole, const vm_broken_r
 }
 
 /* Sets the fields of *b from `dragging` to `stop_inertia`, (52)-(58), and *e, the unit vector along S2A. Returns the
-   distance AS2. S and S2 are the mass centres of the whole and of the piece, A is the point of contact. d is the vector
-   SS2, v the velocity of S and `spin` the angular velocity of the whole before the break. The x axis of all vectors is
-   along SA, and the y axis is 90 degrees counterclockwise from it. */
+   distance AS2. The points S, S2 and A are explained at vm_broken_rotor_piece. The arguments are d, the vector SS2; v,
+   the velocity of S before the break; and `spin`, the angular velocity of the whole before the break. All vectors have
+   an x axis along SA and a y axis 90 degrees counterclockwise from it. */
 VM_API vm_real vmi_broken_rotor_contact(const vm_broken_rotor *whole, const vm_broken_rotor_piece *p, vm_real spin,
                                         vmi_broken_rotor_vector d, vmi_broken_rotor_vector v,
                                         vmi_broken_rotor_vector *e, vm_broken_rotor_break *b)
 {
     const vm_real ux = v.x - spin * d.y, uy = v.y + spin * d.x; /* velocity of S2 before the break */
-    const vm_real reduced = p->mass / b->rest.mass * whole->mass;
+    const vm_real reduced = p->mass / b->rest.mass * whole->mass; /* m M/(M - m) in (58) */
     const vm_real reach_x = p->radius - d.x, reach_y = -d.y, reach = vmi_hypot(reach_x, reach_y);
-    vm_real moment; /* SS2 x v_T, where v_T is the part of S2's velocity perpendicular to S2A */
+    vm_real moment; /* cross product SS2 x v_T, where v_T is the part of S2's velocity perpendicular to S2A */
     e->x = reach_x / reach;
     e->y = reach_y / reach;
     b->dragging = vmi_hypot(ux, uy);
@@ -3184,7 +3604,7 @@ VM_API vm_real vmi_broken_rotor_contact(const vm_broken_rotor *whole, const vm_b
 }
 
 /* Remainder and piece of a rotor after the break, with their motions, (52)-(64) corrected.
-   `before` is the state of the whole at the break. Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE,
+   `before` is the state of the whole just before the break. Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE,
    VM_BAD_MASS if the mass of the piece is not between 0 and that of the whole, VM_BAD_STIFFNESS for a negative
    stiffness, VM_BAD_INERTIA if the inertia of the remainder is negative or not larger than rounding errors, VM_DOMAIN
    if the whole has s != 0 or if the piece's mass centre is at the point of contact A, and VM_OK otherwise. */
@@ -3227,17 +3647,17 @@ VM_API int vm_broken_rotor_break_off(const vm_broken_rotor *whole, const vm_real
 #endif
 /* mechanics/broken_rotor_motion.h - motion of the broken rotor in closed form
 
-   This chapter computes the motion at any time without an integrator. Before the break the shaft passes through the
-   mass centre, and the solution (46)-(51) is exact. After the break the linearised equations (69) hold for short times,
-   while the angle psi of the remainder is small. vm_broken_rotor_linear solves them completely.
-   vm_broken_rotor_linear_uncoupled has the solution (70)-(72) of the dissertation [1], which leaves out the term
-   s p^2 omega^2 y. For long times integrate vm_broken_rotor_rhs.
+   This chapter computes the state of the rotor after a given time without an integrator. Before the break the shaft
+   passes through the mass centre, and the solution (46)-(51) is exact (vm_broken_rotor_free_motion). After the break
+   the linearised equations (69) hold for short times, while the angle psi of the remainder is small.
+   vm_broken_rotor_linear solves these equations completely. vm_broken_rotor_linear_uncoupled has the solution (70)-(72)
+   of the dissertation [1], which leaves out the term s p^2 omega^2 y. For long times integrate vm_broken_rotor_rhs.
 
        vm_broken_rotor whole = {2, 1, 20, 1, 3, 0};
        vm_real y[VM_BROKEN_ROTOR_STATES] = {VM_C(0.01), 0, 0, 0, 0, 3};
        int status = vm_broken_rotor_free_motion(&whole, 5, y, y); // y at 5 s
 
-   The linearised equations are, with omega, p, k*, M*, s and psi as explained at vm_broken_rotor:
+   The linearised equations (69) are as follows; omega, p, k*, M*, s and psi are explained at vm_broken_rotor:
      x'' + omega^2 (x + s) = 0,  y'' + omega^2 (y + s psi) = 0,  psi'' + k* psi' = M* - s p^2 omega^2 y.
    Tests: tests/test_broken_rotor.c. */
 #ifndef VARMASS_MECHANICS_BROKEN_ROTOR_MOTION_H
@@ -3248,10 +3668,10 @@ VM_API int vm_broken_rotor_break_off(const vm_broken_rotor *whole, const vm_real
 /* The coefficients (67) of the linearised equations */
 typedef struct VM_TAG(vmi_broken_rotor_linear) {
     vm_real omega, k, torque, s; /* omega, k*, M* and s, as explained at vm_broken_rotor */
-    vm_real coupling;            /* the factor s p^2 omega^2 of y in (69); 0 if this term is left out */
+    vm_real coupling;            /* s p^2 omega^2, the factor of y in the equation of psi; 0 to leave out this term */
 } vmi_broken_rotor_linear;
 
-/* Indices in z, the array of the states that the linearised equations (69) couple: y, psi and their rates */
+/* Indices in the array z. It holds y, psi and their rates, the states that the linearised equations (69) couple. */
 enum {
     VMI_BROKEN_ROTOR_Y = 0,
     VMI_BROKEN_ROTOR_PSI = 1,
@@ -3260,6 +3680,7 @@ enum {
     VMI_BROKEN_ROTOR_COUPLED = 4 /* the number of coupled states */
 };
 
+/* Returns the coefficients for the rotor *r, with the coupling term if coupled = 1 and without it if coupled = 0. */
 VM_API vmi_broken_rotor_linear vmi_broken_rotor_reduced(const vm_broken_rotor *r, int coupled)
 {
     vmi_broken_rotor_linear a;
@@ -3272,16 +3693,17 @@ VM_API vmi_broken_rotor_linear vmi_broken_rotor_reduced(const vm_broken_rotor *r
     return a;
 }
 
-/* An upper bound of the rates at which solutions of the linearised equations change, per second */
+/* Returns an upper bound, in 1/s, of the rates at which solutions of the linearised equations grow, decay or oscillate.
+   The Taylor series below converges fast for times up to 1/(this bound). */
 VM_API vm_real vmi_broken_rotor_rate(const vmi_broken_rotor_linear *a)
 {
     return VM_FABS(a->k) + VM_C(1.5) * a->omega + VM_SQRT(VM_FABS(a->s * a->coupling));
 }
 
 /* Sets `change` to the change of the states z within the time h, by the Taylor series in h. The time must be short: |h|
-   times the rate vmi_broken_rotor_rate is at most 1. Then the n-th terms of y and of s psi are at most 1/n! times the
-   first terms, so that the number `terms` of terms is enough. y0, y1, y2 are three successive terms of y; psi0, psi1,
-   psi2 are three successive terms of psi. */
+   times vmi_broken_rotor_rate must be at most 1. The n-th terms of the series of y and of s psi are then at most 1/n!
+   times the first terms, so that a fixed number of terms is enough. In the loop y0, y1, y2 are three successive terms
+   of the series of y, and psi0, psi1, psi2 are three successive terms of the series of psi. */
 VM_API void vmi_broken_rotor_series(const vmi_broken_rotor_linear *a, vm_real h, const vm_real *z, vm_real *change)
 {
     const int terms = VM_MANT_DIG > 24 ? 20 : 12;
@@ -3309,10 +3731,11 @@ VM_API void vmi_broken_rotor_series(const vmi_broken_rotor_linear *a, vm_real h,
     }
 }
 
-/* With the unit matrix E, the matrix m + E advances the states by some time. This function replaces m by the matrix for
-   twice this time, which is (m + E)^2 - E = 2 m + m m. E is left out of m because digits of m would be lost in m + E.
-   Row m[j] is the change that the states undergo if they start from the unit state j without torque. The last row is
-   the change that the torque causes if the states start from 0. */
+/* Replaces the matrix m, which belongs to some time, by the matrix for twice this time. m gives the change of states
+   within its time: row m[j] is the change of states that start from z[j] = 1 and all other z = 0, without torque. The
+   last row of m is the change that the torque causes if all states start from 0. With the unit matrix E, m + E turns
+   old states into new ones. Twice the time therefore has the matrix (m + E)^2 - E = 2 m + m m. The matrix m + E itself
+   is not stored, because digits of m would be lost in the sum. */
 VM_API void vmi_broken_rotor_double(vm_real m[VMI_BROKEN_ROTOR_COUPLED + 1][VMI_BROKEN_ROTOR_COUPLED])
 {
     vm_real old[VMI_BROKEN_ROTOR_COUPLED + 1][VMI_BROKEN_ROTOR_COUPLED];
@@ -3325,8 +3748,9 @@ VM_API void vmi_broken_rotor_double(vm_real m[VMI_BROKEN_ROTOR_COUPLED + 1][VMI_
         }
 }
 
-/* Advances the states z by the time t, for any coefficients. The time is halved until the Taylor series converges fast.
-   The series gives the matrix for this short time h, and every doubling of the time squares the matrix. */
+/* Advances the states z by the time t, for any coefficients *a. The function halves t until the Taylor series converges
+   fast. The series gives the matrix for the short time h that results. The function then doubles the time as often as
+   it has halved it; vmi_broken_rotor_double gives the matrix for each doubled time. */
 VM_API void vmi_broken_rotor_advance(vm_real t, const vmi_broken_rotor_linear *a, vm_real *z)
 {
     enum { n = VMI_BROKEN_ROTOR_COUPLED };
@@ -3354,8 +3778,8 @@ VM_API void vmi_broken_rotor_advance(vm_real t, const vmi_broken_rotor_linear *a
     }
 }
 
-/* The value (e^z - 1 - z)/z^2 from the given ratio = (e^z - 1)/z. For |z| <= 1 it is summed as a series, so that no
-   digits cancel. */
+/* Returns (e^z - 1 - z)/z^2. The argument `ratio` must be (e^z - 1)/z. For |z| <= 1 the function sums a power series in
+   z, because the subtractions in the formula would lose digits. */
 VM_API vm_real vmi_broken_rotor_exp_rest(vm_real z, vm_real ratio)
 {
     const int terms = VM_MANT_DIG > 24 ? 20 : 12;
@@ -3366,7 +3790,8 @@ VM_API vm_real vmi_broken_rotor_exp_rest(vm_real z, vm_real ratio)
     return sum;
 }
 
-/* The value w - sin w from the given sine = sin w. For |w| <= 1 it is summed as a series, so that no digits cancel. */
+/* Returns w - sin w. The argument `sine` must be sin w. For |w| <= 1 the function sums a power series in w, because the
+   subtraction would lose digits. */
 VM_API vm_real vmi_broken_rotor_less_sine(vm_real w, vm_real sine)
 {
     const int terms = VM_MANT_DIG > 24 ? 19 : 11;
@@ -3377,7 +3802,8 @@ VM_API vm_real vmi_broken_rotor_less_sine(vm_real w, vm_real sine)
     return w * sum;
 }
 
-/* Functions of the time t that describe a free oscillation with the angular frequency w, which may be 0 */
+/* Functions of the time t that describe a free oscillation with the angular frequency w. If w is 0, the fields have
+   their limits as w tends to 0. */
 typedef struct VM_TAG(vmi_broken_rotor_swing) {
     vm_real c;    /* cos(w t) */
     vm_real c1;   /* 1 - cos(w t) */
@@ -3403,11 +3829,13 @@ VM_API vmi_broken_rotor_swing vmi_broken_rotor_swing_at(vm_real t, vm_real w)
     return g;
 }
 
-/* Advances the states z by the time t by the solution (71), (72), without the coupling term s p^2 omega^2 y. Where the
-   dissertation [1] has k* Omega, this function has M*. It is used if |t| times the rate vmi_broken_rotor_rate exceeds
-   1. With w = omega and k = k*, psi = psi0 + psi0' E1 + M* E2, where E1 = (1 - e^(-kt))/k and E2 = (t - E1)/k. The
-   motion of y is driven by -s psi. The functions g0, g1, g2 start from rest and solve g'' + w^2 g = F, where F is w^2
-   E1' for g0, w^2 E1 for g1 and w^2 E2 for g2. Therefore g2' = g1 and g1' = g0. */
+/* Advances the states z by the time t with the solution (71), (72), which lacks the coupling term s p^2 omega^2 y.
+   Where the dissertation [1] has k* Omega, this function has M*. It is used if |t| times vmi_broken_rotor_rate exceeds
+   1. With w = omega, k = k*, the initial angle psi0 and its initial rate rate0, the angle is
+   psi = psi0 + rate0 E1 + M* E2, where E1 = (1 - e^(-kt))/k and E2 = (t - E1)/k. E0 = e^(-kt) is the derivative of E1.
+   The angle drives y by the equation y'' + w^2 y = -w^2 s psi. The functions g0, g1, g2 give the response of y: each
+   solves g'' + w^2 g = F with g = g' = 0 at the start, where F is w^2 E0 for g0, w^2 E1 for g1 and w^2 E2 for g2.
+   Therefore g2' = g1 and g1' = g0. */
 VM_API void vmi_broken_rotor_follow(vm_real t, const vmi_broken_rotor_linear *a, const vmi_broken_rotor_swing *g,
                                     vm_real *z)
 {
@@ -3426,7 +3854,8 @@ VM_API void vmi_broken_rotor_follow(vm_real t, const vmi_broken_rotor_linear *a,
     z[VMI_BROKEN_ROTOR_PSI_RATE] = rate0 * E0 + a->torque * E1;
 }
 
-/* Checks the arguments of the three public functions for the motion below. Returns their status. */
+/* Checks the arguments of vm_broken_rotor_linear, vm_broken_rotor_linear_uncoupled and vm_broken_rotor_free_motion.
+   Returns their status. */
 VM_API int vmi_broken_rotor_check_motion(const vm_broken_rotor *rotor, vm_real t, const vm_real *start,
                                          const vm_real *end)
 {
@@ -3435,8 +3864,8 @@ VM_API int vmi_broken_rotor_check_motion(const vm_broken_rotor *rotor, vm_real t
     return vmi_check_broken_rotor(rotor);
 }
 
-/* Computes the results of the three public functions below. If coupled = 1, it solves all of the linearised equations
-   (69). If coupled = 0, it leaves out their last term, -s p^2 omega^2 y. */
+/* Computes the results of these three functions. If coupled = 1, it solves the complete linearised equations (69). If
+   coupled = 0, it leaves out the term -s p^2 omega^2 y of the equation of psi. */
 VM_API int vmi_broken_rotor_linearised(const vm_broken_rotor *rotor, vm_real t, const vm_real *start, int coupled,
                                        vm_real *end)
 {
@@ -3465,30 +3894,30 @@ VM_API int vmi_broken_rotor_linearised(const vm_broken_rotor *rotor, vm_real t, 
 }
 
 /* State of the remainder t seconds after start, by the complete linearised equations (69).
-   The result holds for short times, while |psi| << 1. t may have any sign. The arrays start and end have
-   VM_BROKEN_ROTOR_STATES numbers, and end may be start. The fields damping, stiffness and s may be 0. The error is at
-   most twice the change that rounding every input, t included, would make. Solutions of (69) grow exponentially with t.
-   Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE also if the result overflows, VM_BAD_MASS, VM_BAD_STIFFNESS
-   for a negative stiffness, VM_BAD_INERTIA, and VM_OK otherwise. */
+   The result describes the rotor for short times, while |psi| << 1, because solutions of (69) grow exponentially with
+   t. t may have any sign. The arrays start and end have VM_BROKEN_ROTOR_STATES numbers, and end may be the same array
+   as start. The fields damping, stiffness and s may be 0. The error is at most twice the change of the result that
+   rounding all inputs, t included, would cause. Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE also if the
+   result overflows, VM_BAD_MASS, VM_BAD_STIFFNESS for a negative stiffness, VM_BAD_INERTIA, and VM_OK otherwise. */
 VM_API int vm_broken_rotor_linear(const vm_broken_rotor *rotor, vm_real t, const vm_real *start, vm_real *end)
 {
     return vmi_broken_rotor_linearised(rotor, t, start, 1, end);
 }
 
 /* State of the remainder t seconds after start by (70)-(72), which lack a term of (69).
-   The dissertation leaves out the term -s p^2 omega^2 y, although it is as large as the other terms. This function
-   serves to compare the dissertation with vm_broken_rotor_linear. The error is at most the change that rounding every
-   input would make. Arguments and statuses are those of vm_broken_rotor_linear. */
+   The dissertation [1] leaves out the term -s p^2 omega^2 y, although it is as large as the other terms. This function
+   serves to compare [1] with vm_broken_rotor_linear. The error is at most the change of the result that rounding all
+   inputs would cause. Arguments and statuses are those of vm_broken_rotor_linear. */
 VM_API int vm_broken_rotor_linear_uncoupled(const vm_broken_rotor *rotor, vm_real t, const vm_real *start, vm_real *end)
 {
     return vmi_broken_rotor_linearised(rotor, t, start, 0, end);
 }
 
 /* State of the unbroken rotor t seconds after start, exact, (46)-(51).
-   t may have any sign. The arrays start and end have VM_BROKEN_ROTOR_STATES numbers, and end may be start. The fields
-   damping and stiffness may be 0. The error is at most the change that rounding every input, t included, would make.
-   Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS for a negative stiffness,
-   VM_BAD_INERTIA, VM_DOMAIN if s is not 0, and VM_OK otherwise. */
+   t may have any sign. The arrays start and end have VM_BROKEN_ROTOR_STATES numbers, and end may be the same array as
+   start. The fields damping and stiffness may be 0. The error is at most the change of the result that rounding all
+   inputs, t included, would cause. Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS,
+   VM_BAD_STIFFNESS for a negative stiffness, VM_BAD_INERTIA, VM_DOMAIN if s is not 0, and VM_OK otherwise. */
 VM_API int vm_broken_rotor_free_motion(const vm_broken_rotor *rotor, vm_real t, const vm_real *start, vm_real *end)
 {
     const int status = vmi_broken_rotor_check_motion(rotor, t, start, end);
@@ -3497,11 +3926,12 @@ VM_API int vm_broken_rotor_free_motion(const vm_broken_rotor *rotor, vm_real t, 
     return vmi_broken_rotor_linearised(rotor, t, start, 0, end); /* for s = 0 the linearised equations are exact (46) */
 }
 
-/* Constants A0, B0, C0, D0 (51) of the unbroken rotor's elliptic orbit, m: abcd is an array of 4 numbers. The orbit is
-   x + i y = (A0 + i B0) exp(i w t) + (C0 + i D0) exp(-i w t) (50) with w^2 = stiffness/mass, which must not be 0. Its
-   half axes are the sum and the absolute difference of |A0 + i B0| and |C0 + i D0|. The speed at the time t, which the
-   dissertation prints wrongly after (52), is
-     w sqrt(A0^2 + B0^2 + C0^2 + D0^2 - 2 (A0 C0 + B0 D0) cos 2 w t + 2 (B0 C0 - A0 D0) sin 2 w t)
+/* Constants A0, B0, C0, D0 (51) of the unbroken rotor's elliptic orbit, m. They are written to the array abcd of 4
+   numbers. The orbit of the mass centre is, with w^2 = stiffness/mass and w > 0,
+     x + i y = (A0 + i B0) exp(i w t) + (C0 + i D0) exp(-i w t).                                                   (50)
+   Its semi-axes are the sum and the absolute difference of |A0 + i B0| and |C0 + i D0|. The speed of the mass centre at
+   the time t, which the dissertation [1] prints wrongly after (52), is
+     w sqrt(A0^2 + B0^2 + C0^2 + D0^2 - 2 (A0 C0 + B0 D0) cos(2 w t) + 2 (B0 C0 - A0 D0) sin(2 w t)).
    Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS if the stiffness is not
    positive, VM_BAD_INERTIA, and VM_OK otherwise. */
 VM_API int vm_broken_rotor_orbit(const vm_broken_rotor *rotor, const vm_real *start, vm_real *abcd)
@@ -3531,10 +3961,10 @@ VM_API int vm_broken_rotor_orbit(const vm_broken_rotor *rotor, const vm_real *st
    After the break the remainder can turn steadily at the angular velocity psi' = Omega, with its mass centre on a
    circle (76), (77). This chapter computes
      - the radius of this circle,
-     - the characteristic polynomial (81) of small motions about the steady motion, its roots, and Routh's first column,
+     - the characteristic polynomial (81) of small deviations from the steady motion, its roots, Routh's first column,
      - the stability (82): the steady motion is stable only below resonance, where |Omega| < omega,
      - the radius of the orbit of a rotor that starts from rest at or above resonance; this orbit grows.
-   The formulas write omega^2 = stiffness/mass, p^2 = mass/inertia, k* = damping/inertia.
+   The formulas write omega^2 = stiffness/mass, p^2 = mass/inertia, k* = damping/inertia; s is the field s of the rotor.
 
        vm_broken_rotor rest = {2, 1, 20, 1, 3, VM_C(0.1)};       // 0.1 m from the shaft to the mass centre
        vm_real radius = vm_broken_rotor_steady_radius(&rest, 2); // m, at 2 rad/s
@@ -3571,7 +4001,7 @@ VM_API vm_real vm_broken_rotor_steady_radius(const vm_broken_rotor *rotor, vm_re
     return -rotor->s * (share / (1 - share));
 }
 
-/* The quantities omega^2, Omega^2, k*, D and G in the polynomial of vm_broken_rotor_characteristic */
+/* The quantities w2 = omega^2, O2 = Omega^2, k = k*, D and G in the polynomial of vm_broken_rotor_characteristic */
 typedef struct VM_TAG(vmi_broken_rotor_steady) {
     vm_real w2, O2, k, D, G;
 } vmi_broken_rotor_steady;
@@ -3599,13 +4029,14 @@ VM_API int vmi_broken_rotor_about_steady(const vm_broken_rotor *r, vm_real Omega
 enum { VM_BROKEN_ROTOR_ROOTS = 5 /* degree of the characteristic polynomial */ };
 
 /* Characteristic polynomial of small motions about the steady motion, (81) corrected.
-   Small motions about the steady motion at psi' = Omega (rad/s) are sums of exp(l t), where l is a root of the
-   polynomial. c is an array of VM_BROKEN_ROTOR_ROOTS + 1 coefficients, highest power first:
+   A small deviation from the steady motion at psi' = Omega (rad/s) is a sum of multiples of exp(l t), where l is a root
+   of the polynomial. The array c gets the VM_BROKEN_ROTOR_ROOTS + 1 coefficients of the polynomial, that of the highest
+   power first:
      l^5 + k* l^4 + (2 (w^2 + O^2) + G) l^3 + 2 k* (w^2 + O^2) l^2 + (D^2 + G (w^2 + 3 O^2)) l + k* D^2,
-   with w = omega, O = Omega, D = w^2 - O^2, G = s^2 p^2 w^4/D. Equation (81) is l times this polynomial, except that
-   its last printed term lacks the factor l^2. The additional root l = 0 of (81) exists because the phase of the steady
-   motion is arbitrary. Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS for a
-   negative stiffness, VM_BAD_INERTIA, VM_DOMAIN at resonance, and VM_OK otherwise. */
+   with w = omega, O = Omega, D = w^2 - O^2, G = s^2 p^2 w^4/D. The left side of (81) should be l times this polynomial,
+   but its last term is printed without the factor l^2. (81) has the additional root l = 0 because the phase of the
+   steady motion is arbitrary. Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS
+   for a negative stiffness, VM_BAD_INERTIA, VM_DOMAIN at resonance, and VM_OK otherwise. */
 VM_API int vm_broken_rotor_characteristic(const vm_broken_rotor *rotor, vm_real Omega, vm_real *c)
 {
     vmi_broken_rotor_steady a;
@@ -3623,9 +4054,9 @@ VM_API int vm_broken_rotor_characteristic(const vm_broken_rotor *rotor, vm_real 
     return vmi_copy_if_finite(VM_BROKEN_ROTOR_ROOTS + 1, p, c);
 }
 
-/* First column of Routh's scheme of the characteristic polynomial: 1, k*, G, k* D, 4 G Omega^2, k* D^2. column is an
-   array of VM_BROKEN_ROTOR_ROOTS + 1 numbers. The steady motion is asymptotically stable if all numbers of
-   the column are positive. The letters k*, G, D and the statuses are those of vm_broken_rotor_characteristic. */
+/* First column of Routh's scheme of the characteristic polynomial: 1, k*, G, k* D, 4 G Omega^2, k* D^2. The function
+   writes these VM_BROKEN_ROTOR_ROOTS + 1 numbers to the array `column`. The steady motion is asymptotically stable if
+   all of them are positive. The letters k*, G, D and the statuses are those of vm_broken_rotor_characteristic. */
 VM_API int vm_broken_rotor_routh(const vm_broken_rotor *rotor, vm_real Omega, vm_real *column)
 {
     vmi_broken_rotor_steady a;
@@ -3655,9 +4086,9 @@ VM_API int vm_broken_rotor_is_stable(const vm_broken_rotor *rotor, vm_real Omega
 
 /* Roots re + i im of the characteristic polynomial, 1/s.
    re and im are arrays of VM_BROKEN_ROTOR_ROOTS numbers. The roots are sorted by increasing |im|; of a conjugate pair,
-   the root with im > 0 is first. The error of each root is at most twice the change that relative changes of all
-   coefficients by eps would cause. This holds for the smallest root, too, which near resonance is many orders of
-   magnitude smaller than the largest. The statuses are those of vm_broken_rotor_characteristic. */
+   the root with im > 0 is first. The error of each root is at most twice the change of this root that would result if
+   each coefficient changed by the fraction eps of itself. This holds for the smallest root, too, which near resonance
+   is many orders of magnitude smaller than the largest. The statuses are those of vm_broken_rotor_characteristic. */
 VM_API int vm_broken_rotor_eigenvalues(const vm_broken_rotor *rotor, vm_real Omega, vm_real *re, vm_real *im)
 {
     vmi_broken_rotor_steady a;
@@ -3667,7 +4098,8 @@ VM_API int vm_broken_rotor_eigenvalues(const vm_broken_rotor *rotor, vm_real Ome
     status = vmi_broken_rotor_about_steady(rotor, Omega, &a);
     if (!status) status = vm_broken_rotor_characteristic(rotor, Omega, c);
     if (status) return status;
-    /* The roots are computed in units of `size`, so that no coefficient is larger than 10. */
+    /* The roots are computed as multiples of `size`. No coefficient is then larger than 10, so that sums do not
+       overflow. */
     size = VM_FABS(Omega) + VM_SQRT(a.w2) + VM_FABS(a.k) + VM_SQRT(VM_FABS(a.G));
     power = 1 / size;
     for (i = 1; i <= VM_BROKEN_ROTOR_ROOTS; i++) {
@@ -3686,9 +4118,10 @@ VM_API int vm_broken_rotor_eigenvalues(const vm_broken_rotor *rotor, vm_real Ome
     return status;
 }
 
-/* The value ln(1 + x) - x + x^2/2 = x^3/3 - x^4/4 + ... for x >= 0. For x <= 1 the left form would lose digits, and
-   the value is summed as a series in w = x/(2 + x) <= 1/3 with positive terms only: twice the sum over n >= 3 of
-   c_n w^n, where c_n is n - 2 for even n and n - 2 + 1/n for odd n. */
+/* Returns ln(1 + x) - x + x^2/2 = x^3/3 - x^4/4 + ... for x >= 0, the time, without unit, in which the orbit of
+   vm_broken_rotor_resonance_radius grows to the radius x, without unit. For x <= 1 the formula with the logarithm would
+   lose digits. The function then sums a series in w = x/(2 + x) <= 1/3 with positive terms only. The series is twice
+   the sum of c_n w^n for n = 3, 4, 5, ..., where c_n is n - 2 for even n and n - 2 + 1/n for odd n. */
 VM_API vm_real vmi_broken_rotor_growth_time(vm_real x)
 {
     const int terms = VM_MANT_DIG > 24 ? 45 : 21;
@@ -3704,8 +4137,9 @@ VM_API vm_real vmi_broken_rotor_growth_time(vm_real x)
     return 2 * w * w * w * sum;
 }
 
-/* The root x > 0 of ln(1 + x) - x + x^2/2 = tau. The left side is convex. Newton's method starts from
-   x = (3 tau)^(1/3) + (2 tau)^(1/2), which is above the root. Therefore every step decreases x until x is the root. */
+/* Returns the root x > 0 of the equation ln(1 + x) - x + x^2/2 = tau for tau > 0. The left side is a convex function of
+   x. Newton's method starts from x = (3 tau)^(1/3) + (2 tau)^(1/2), which is above the root. Therefore every step
+   decreases x, and the loop ends when rounding errors prevent a further decrease. */
 VM_API vm_real vmi_broken_rotor_growth_root(vm_real tau)
 {
     const int most_steps = 60;
@@ -3722,13 +4156,14 @@ VM_API vm_real vmi_broken_rotor_growth_root(vm_real tau)
 /* Radius of the orbit that grows at or above resonance, t seconds after a start from rest, m.
    Omega = torque/damping (rad/s) must be at or above omega; vm_broken_rotor explains omega, p, k* and s. The angular
    velocity psi' stays at omega, and the surplus of the torque makes the orbit grow. The radius is r = |s|/4 + R, where
-   R(0) = 0 and
+   R = 0 at t = 0 and, with R' = dR/dt,
      R R' = k* (Omega - omega)/(2 p^2 omega) + k* |s|/(4 p^2 R).
    It follows that
      R = (3 k* |s| t/(4 p^2))^(1/3) at resonance,  R -> (k* (Omega - omega) t/(p^2 omega))^(1/2) above it.
-   |s|/4 is the second term of the expansion of r for large r/|s|. Terms of order s^2/r and the time until psi' reaches
-   omega are neglected. The resulting error is small: for the rotor of Fig. 18 (s = 0.5 m, omega = 1 rad/s) after 400 s,
-   this radius differs by less than 0.002 m from that of the integrated motion for Omega = 1, 1.01 and 1.1 rad/s.
+   |s|/4 is the second term of an expansion of r for large r/|s|, whose first term is R. Terms of order s^2/r and the
+   time until psi' reaches omega are neglected. The resulting error is small: for the rotor of Fig. 18 (s = 0.5 m,
+   omega = 1 rad/s), after 400 s, the radius r differs by less than 0.002 m from the radius of the numerically
+   integrated motion for Omega = 1, 1.01 and 1.1 rad/s.
    Returns NaN below resonance, for t < 0, damping < 0, omega = 0, a null pointer and an invalid rotor. The solution of
    R R' = A + B/R, with constants A and B, is t A^3/B^2 = ln(1 + x) - x + x^2/2 with x = A R/B. */
 VM_API vm_real vm_broken_rotor_resonance_radius(const vm_broken_rotor *rotor, vm_real t, vm_real Omega)
@@ -3779,8 +4214,8 @@ VM_API void vm_lagrange_add_force(int n, vm_vec3 force, const vm_vec3 *dr_or_NUL
     if (!Q) return;
     for (k = 0; k < n; k++) {
         vm_real sum = 0;
-        if (dr_or_NULL) sum = vmi_dot(force, dr_or_NULL[k]);
-        if (domega_or_NULL) sum += vmi_dot(moment, domega_or_NULL[k]);
+        if (dr_or_NULL) sum = vm_dot(force, dr_or_NULL[k]);
+        if (domega_or_NULL) sum += vm_dot(moment, domega_or_NULL[k]);
         Q[k] += sum;
     }
 }
@@ -3827,8 +4262,8 @@ VM_API void vm_lagrange_mass(int n, const vm_body *body, const vm_vec3 *dr_or_NU
         }
         for (i = 0; i < n; i++) {
             vm_real sum = 0;
-            if (dr_or_NULL) sum = body->mass * vmi_dot(dr_or_NULL[i], dr_or_NULL[j]);
-            if (turn_or_NULL) sum += vmi_dot(turn_or_NULL[i], spin);
+            if (dr_or_NULL) sum = body->mass * vm_dot(dr_or_NULL[i], dr_or_NULL[j]);
+            if (turn_or_NULL) sum += vm_dot(turn_or_NULL[i], spin);
             matrix[i * n + j] += sum;
         }
     }
@@ -3852,7 +4287,7 @@ VM_API void vm_lagrange_impulse(int n, const vm_impulse *impulse, vm_vec3 r, con
                                 const vm_vec3 *turn_or_NULL, vm_real *p)
 {
     if (!impulse || !p) return;
-    const vm_vec3 moment = vmi_add(impulse->couple, vmi_cross(vmi_sub(impulse->at, r), impulse->linear));
+    const vm_vec3 moment = vm_add(impulse->couple, vm_cross(vm_sub(impulse->at, r), impulse->linear));
     vm_lagrange_add_force(n, impulse->linear, dr_or_NULL, moment, turn_or_NULL, p);
 }
 
@@ -4061,15 +4496,15 @@ VM_API int vm_pendulum_separate(const vm_pendulum *pendulum, vm_real part, vm_re
 
 #endif
 /* mechanics/torque_free_axes.h - principal axes of a rotating body in two words, in the order of torque_free.h
-   This is the first step of exact torque-free rotation. It finds the principal moments J_a >= J_b >= J_c, the
-   principal axes a, b, c and the components w_a, w_b, w_c of omega. All are in two words, because the rates that
-   follow from them are multiplied by long times.
-   Then it names the axes 1, 2, 3. Axis 2 has the middle moment, and omega moves around axis 3. Axis 3 is a or c; this
-   depends on the sign of
+   This is the first step of the preparation in torque_free.h. It finds the principal moments of inertia
+   J_a >= J_b >= J_c, the principal axes a, b, c and the components w_a, w_b, w_c of the angular velocity omega along
+   these axes. All these numbers have two words, because the rates that follow from them are multiplied by long times.
+   Then it numbers the axes 1, 2, 3. Axis 2 is b, the axis of the middle moment. Axis 3 is the axis around which the
+   vector omega moves in the body. It is a or c; this depends on the sign of
      2T J_b - L^2 = J_c (J_b - J_c) w_c^2 - J_a (J_a - J_b) w_a^2,
-   where T is the kinetic energy and L the size of the angular momentum. If this number is positive, or 0 (on the
-   separatrix), axis 3 is c, the axis of the smallest moment; else axis 3 is a. All functions of this chapter are
-   internal:
+   where T is the kinetic energy and L the size of the angular momentum. If this number is positive or 0, axis 3 is c,
+   the axis of the smallest moment; else axis 3 is a. If it is 0, the motion lies on the separatrix: omega tends to the
+   direction of axis 2. All functions of this chapter are internal:
 
        vmi_torque_free_body b; // whole is a vm_body
        vmi_torque_free_axes axes;
@@ -4084,11 +4519,12 @@ VM_API int vm_pendulum_separate(const vm_pendulum *pendulum, vm_real part, vm_re
 
 /* ---- vectors in two words ---- */
 
+/* A vector whose three components have two words each */
 typedef struct VM_TAG(vmi_vec3_two) {
     vm_two x[3];
 } vmi_vec3_two;
 
-/* The largest power of two that is at most x, or VM_MIN if x is 0 or subnormal */
+/* Returns the largest power of two that is at most x, for x >= 0, or VM_MIN if x is 0 or subnormal. */
 VM_API vm_real vmi_power_of_two(vm_real x)
 {
     const vmi_bits mantissa = ((vmi_bits)1 << VMI_STORED_DIG) - 1;
@@ -4124,8 +4560,8 @@ VM_API vmi_vec3_two vmi_vec3_two_cross(const vmi_vec3_two *a, const vmi_vec3_two
     return c;
 }
 
-/* The vector that the rotation by q turns into a. It is a + 2 (v x (v x a) - w v x a)/|q|^2 for q = (w, v) of any
-   length except 0. */
+/* Returns the vector that becomes a by the rotation q. It is a + 2 (v x (v x a) - w v x a)/|q|^2, where w is the real
+   part and v the vector part of q. q may have any length except 0. */
 VM_API vmi_vec3_two vmi_vec3_two_turned_back(vm_quat q, const vmi_vec3_two *a)
 {
     const vm_vec3 xyz = vmi_quat_vector(q);
@@ -4147,14 +4583,15 @@ VM_API vmi_vec3_two vmi_vec3_two_turned_back(vm_quat q, const vmi_vec3_two *a)
 
 /* ---- principal moments and axes ---- */
 
-/* The rotation of a body in its principal axes: the principal moments divided by a power of two, the principal axes
-   in body axes, and the components of omega along them, divided by another power of two */
+/* The rotation of a body in its principal axes. `moment` has the principal moments divided by a power of two, `axis`
+   the principal axes in body axes, and `omega` the components of omega along the principal axes divided by another
+   power of two. */
 typedef struct VM_TAG(vmi_torque_free_body) {
     vm_two moment[3];
     vmi_vec3_two axis[3], omega;
 } vmi_torque_free_body;
 
-/* Turns the pair *x, *y by the angle with the cosine c and the sine s */
+/* Turns the plane vector (*x, *y) by the angle whose cosine is c and whose sine is s */
 VM_API void vmi_two_turn(vm_two c, vm_two s, vm_two *x, vm_two *y)
 {
     const vm_two x0 = *x, y0 = *y;
@@ -4162,8 +4599,9 @@ VM_API void vmi_two_turn(vm_two c, vm_two s, vm_two *x, vm_two *y)
     *y = vmi_two_plus(vmi_two_times(s, x0), vmi_two_times(c, y0));
 }
 
-/* Makes one rotation of Jacobi's eigenvalue method in two words: turns the axes p and q so that a[p][q] becomes 0.
-   The tensor a is scaled to about 1. An entry below eps^3 is set to 0 without a rotation. */
+/* Makes one rotation of Jacobi's eigenvalue method in two words: it turns the axes number p and q in their plane so
+   that the entry a[p][q] of the tensor becomes 0. The tensor a must be scaled so that its entries are about 1. An entry
+   below eps^3 is set to 0 without a rotation. */
 VM_API void vmi_torque_free_jacobi_rotation(vm_two a[3][3], vmi_vec3_two *axis, int p, int q)
 {
     const vm_two one = vmi_two(1, 0), entry = a[p][q];
@@ -4187,8 +4625,9 @@ VM_API void vmi_torque_free_jacobi_rotation(vm_two a[3][3], vmi_vec3_two *axis, 
     for (k = 0; k < 3; k++) vmi_two_turn(c, s, &axis[p].x[k], &axis[q].x[k]);
 }
 
-/* Computes the principal axes, and the principal moments divided by vmi_power_of_two(trace). Sets omega to 0. For a
-   tensor without products of inertia the moments are its entries and the axes are the body axes, exactly. */
+/* Sets b->axis to the principal axes, and b->moment to the principal moments divided by vmi_power_of_two(trace), where
+   `trace` is the trace of the tensor *i. Sets b->omega to 0. If the tensor has no products of inertia, the moments are
+   exactly its scaled entries and the axes are exactly the body axes. */
 VM_API void vmi_torque_free_principal(const vm_inertia *i, vmi_torque_free_body *b)
 {
     const int most_sweeps = 12; /* more than enough, since the rotations converge quadratically */
@@ -4211,8 +4650,8 @@ VM_API void vmi_torque_free_principal(const vm_inertia *i, vmi_torque_free_body 
     for (k = 0; k < 3; k++) b->moment[k] = a[k][k];
 }
 
-/* Sets a moment to 0 if it is lost in the rounding errors of the tensor i. The body is then a rod or a point, and the
-   other two moments become equal. */
+/* Sets a principal moment to 0 if it is not larger than the rounding errors of the tensor *i. The body is then a rod or
+   a point, and the other two moments are set to one value. */
 VM_API void vmi_torque_free_clamp_moments(const vm_inertia *i, vmi_torque_free_body *b)
 {
     const vmi_mat3 same = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
@@ -4229,8 +4668,8 @@ VM_API void vmi_torque_free_clamp_moments(const vm_inertia *i, vmi_torque_free_b
 
 /* ---- the order of the axes ---- */
 
-/* Returns 1 if the difference of two moments is within the errors of their computation from a tensor in two words.
-   Moments of a tensor without products of inertia are exactly equal or differ by more. */
+/* Returns 1 if two moments differ by no more than the errors of their computation in two words, else 0. Moments of a
+   tensor without products of inertia have no such errors: they are exactly equal, or they differ by more. */
 VM_API int vmi_torque_free_are_equal(vm_two a, vm_two b)
 {
     const vm_real few = 64 * VM_EPSILON * VM_EPSILON;
@@ -4242,15 +4681,15 @@ typedef struct VM_TAG(vmi_torque_free_axes) {
     vm_two I1, I2, I3;    /* the principal moments */
     vm_two d12, d23, d13; /* the differences |I1 - I2|, |I2 - I3|, |I1 - I3| of the moments */
     vm_two w1, w2, w3;    /* the components of omega along the axes */
-    vm_two S;             /* |2T I2 - L^2| for the kinetic energy T and angular momentum L; 0 on the separatrix */
+    vm_two S;             /* |2T I2 - L^2| with the kinetic energy T and the angular momentum L; 0 on the separatrix */
     vm_real sigma;        /* the sign of I1 - I3 */
     vm_real s;            /* the sign of w3 */
-    int symmetric;        /* 1 if I1 = I2 */
+    int symmetric;        /* 1 if I1 = I2, else 0 */
     vmi_mat3 matrix;      /* columns: the axes 1, 2, 3 in body axes */
 } vmi_torque_free_axes;
 
-/* The product J d w^2 of a moment J, a difference d of moments and the square of a component w of omega. It is in
-   three words, so that the difference of two such products is right even if they cancel. */
+/* Returns the product J d w^2 of a moment J, a difference d of two moments and the square of a component w of omega.
+   The product has three words, so that the difference of two such products is accurate even if they nearly cancel. */
 VM_API vmi_three vmi_torque_free_excess(vm_two J, vm_two d, vm_two w)
 {
     const vmi_three J3 = vmi_three_words(J.hi, J.lo, 0), d3 = vmi_three_words(d.hi, d.lo, 0);
@@ -4258,8 +4697,8 @@ VM_API vmi_three vmi_torque_free_excess(vm_two J, vm_two d, vm_two w)
     return vmi_three_times(vmi_three_times(J3, d3), vmi_three_times(w3, w3));
 }
 
-/* The value J_c (J_b - J_c) w_c^2 - J_a (J_a - J_b) w_a^2 = 2T J_b - L^2, whose sign decides which axis is axis 3.
-   The axes a, b, c are order[0], order[1], order[2], by falling moments. */
+/* Returns J_c (J_b - J_c) w_c^2 - J_a (J_a - J_b) w_a^2 = 2T J_b - L^2. The sign of this number decides which axis is
+   axis 3. The axes a, b, c have the indices order[0], order[1], order[2], and their moments fall in this order. */
 VM_API vmi_three vmi_torque_free_separation(const vm_two *J, const vm_two *w, const int *order)
 {
     const int a = order[0], b = order[1], c = order[2];
@@ -4267,8 +4706,8 @@ VM_API vmi_three vmi_torque_free_separation(const vm_two *J, const vm_two *w, co
     return vmi_three_plus(of_smallest, vmi_torque_free_excess(J[a], vmi_two_minus(J[b], J[a]), w[a]));
 }
 
-/* Sets order[] to the indices of the axes by falling moments. Returns 1 if order[] is an even permutation of 0, 1, 2,
-   else 0. */
+/* Sets order[] to the indices 0, 1, 2 of the axes, sorted by falling moments. Returns 1 if order[] is an even
+   permutation of 0, 1, 2, else 0. */
 VM_API int vmi_torque_free_sort(const vm_two *J, int *order)
 {
     int k, even = 1;
@@ -4283,8 +4722,9 @@ VM_API int vmi_torque_free_sort(const vm_two *J, int *order)
     return even;
 }
 
-/* Returns 1 if axis 3 is order[2], the axis of the smallest moment, and 0 if it is order[0], the axis of the largest.
-   If two moments are equal, axis 3 is the axis of the third moment. */
+/* Returns 1 if axis 3 is order[2], the axis of the smallest moment, and 0 if axis 3 is order[0], the axis of the
+   largest moment. If two moments are equal, axis 3 is the axis of the third moment. `separation` is the result of
+   vmi_torque_free_separation. */
 VM_API int vmi_torque_free_is_about_smallest(const vm_two *J, const int *order, vmi_three separation)
 {
     if (vmi_torque_free_are_equal(J[order[0]], J[order[1]])) return 1;
@@ -4292,7 +4732,7 @@ VM_API int vmi_torque_free_is_about_smallest(const vm_two *J, const int *order, 
     return separation.hi >= 0;
 }
 
-/* Expresses the body in its axes 1, 2, 3. Axis 3 is reversed if the axes would be left-handed. */
+/* Returns the body's quantities in its axes 1, 2, 3. Axis 3 is reversed if the axes would otherwise be left-handed. */
 VM_API vmi_torque_free_axes vmi_torque_free_order(const vmi_torque_free_body *b)
 {
     const vm_two *J = b->moment, *w = b->omega.x;
@@ -4327,7 +4767,7 @@ VM_API vmi_torque_free_axes vmi_torque_free_order(const vmi_torque_free_body *b)
     axes.d13 = vmi_two_shifted(vmi_two_minus(axes.I1, axes.I3), axes.sigma);
     axes.matrix.x = vmi_vec3_two_high_words(&b->axis[first]);
     axes.matrix.y = vmi_vec3_two_high_words(&b->axis[middle]);
-    axes.matrix.z = vmi_scale(hand, vmi_vec3_two_high_words(&b->axis[last]));
+    axes.matrix.z = vm_scale(hand, vmi_vec3_two_high_words(&b->axis[last]));
     return axes;
 }
 
@@ -4342,18 +4782,19 @@ VM_API int vmi_torque_free_is_constant(const vmi_torque_free_axes *axes)
 
 #endif
 /* mechanics/torque_free.h - exact rotation of a body on which no torque acts
-   The rotation of a free body, for example after a jump, has a closed form: the angular velocity omega follows from
-   the Jacobi functions sn, cn, dn of the time, and the attitude follows from one theta function and a rotation at a
-   constant rate (Jacobi 1850). Nothing is integrated, so that an evaluation costs the same at any time and errors do
-   not grow with time. The mass centre moves on a straight line.
+   The rotation of a free body, for example after a part has separated from it, has a closed form (Jacobi 1850): the
+   angular velocity omega follows from the elliptic functions sn, cn, dn of the time, and the attitude follows from one
+   theta function and a rotation at a constant rate. Nothing is integrated. Therefore an evaluation costs the same at
+   any time, and its errors do not accumulate over time. The mass centre moves on a straight line.
 
        vm_torque_free motion;
        vm_body later; // body is a vm_body
        if (vm_torque_free_init(&motion, &body, 0) == VM_OK) vm_torque_free_at(&motion, 1e6, &later); // after 1e6 s
 
-   The functions serve all bodies: triaxial, symmetric and spherical ones, and rods and points, whose spin about an
-   axis without moment of inertia stays constant. They serve all rotations, also those about the axis of the middle
-   moment, and those on the separatrix, which tend to a rotation about this axis. No threshold has to be chosen.
+   The functions hold for all bodies: for triaxial, symmetric and spherical ones, and for rods and points, whose spin
+   about an axis without moment of inertia stays constant. They hold for all rotations, too: for a rotation about the
+   axis of the middle moment of inertia, and for rotations on the separatrix, which tend to a rotation about this axis.
+   The user need not choose a threshold between these cases.
    Tests: tests/test_torque_free.c. */
 #ifndef VARMASS_MECHANICS_TORQUE_FREE_H
 #define VARMASS_MECHANICS_TORQUE_FREE_H
@@ -4363,57 +4804,61 @@ VM_API int vmi_torque_free_is_constant(const vmi_torque_free_axes *axes)
 /* A motion prepared by vm_torque_free_init. It is plain data and may be copied. Its fields should only be read.
    Equations (A) and (B) stand in the next comment.
 
-   Accuracy, for inputs taken as exact and up to 1e6 turns: the attitude is within 12 eps (rad) and omega within 8 eps
-   |omega|, also close to the separatrix (1 - m from 1e-2 to 1e-27, with m the parameter of sn, cn, dn), for nearly
-   equal moments and with products of inertia. An error of eps in an input changes the attitude by eps times the angle
-   turned. Close to the separatrix it changes the attitude by more, because it changes the time of every flip of the
-   body. For tensors with products of inertia the principal moments are known to two words only, which limits the
-   accuracy after many turns close to the separatrix. Components of omega below 2^-505 (float 2^-57) times the largest
-   are taken as 0. */
+   Accuracy, for inputs taken as exact and up to 1e6 turns: the error of the attitude is at most 12 eps (rad) and that
+   of omega at most 8 eps |omega|. This holds also close to the separatrix (1 - m from 1e-2 to 1e-27, where m is the
+   parameter of sn, cn, dn), for nearly equal moments, and with products of inertia. An error of eps in an input changes
+   the attitude by eps times the angle through which the body has turned. Close to the separatrix it changes the
+   attitude by more, because it shifts the time of every flip of the body. If a tensor has products of inertia, the
+   principal moments have only the digits of two words, which limits the accuracy after many turns close to the
+   separatrix. A component of omega below 2^-505 (float 2^-57) times the largest component is taken as 0. */
 typedef struct VM_TAG(vm_torque_free) {
     vm_body body;                /* the body at the time t0 */
     vm_real t0;                  /* the time at which the body is as given, s */
     vmi_mat3 axes;               /* columns: the principal axes 1, 2, 3, right-handed, in body axes */
     vm_quat start;               /* rotation to inertial axes from axes whose axis 3 is along the angular momentum, or
                                     opposite to it if the component w3 of omega along axis 3 is negative */
-    vm_real spin[3];             /* omega along the axes 1, 2, 3 is spin[0] cn, spin[1] sn, spin[2] dn, rad/s */
+    vm_real spin[3];             /* the components of omega along the axes 1, 2, 3 are spin[0] cn, spin[1] sn and
+                                    spin[2] dn, rad/s */
     vm_real lean[3];             /* the quaternion M of equation (B) below is (w, x, y, 0)/sqrt(2 w), with
                                     w = 1 + lean[2] dn, x = lean[1] sn, y = lean[0] cn */
-    vm_two phase;                /* argument u of sn, cn, dn at t0, divided by 4K; u itself on the separatrix */
-    vm_two phase_rate;           /* rate of the phase, per second */
+    vm_two phase;                /* u/(4K) at t0, where u is the argument of sn, cn, dn; u itself on the separatrix */
+    vm_two phase_rate;           /* rate of the phase, 1/s */
     vm_two K;                    /* quarter period of sn as a function of u; 0 on the separatrix */
-    vm_two turn_rate;            /* mean rate, turns/s, of s h in equation (B) below; s h is half the angle
-                                    turned about the angular momentum */
-    vm_real m1;                  /* 1 - m, with the parameter m of sn, cn, dn */
+    vm_two turn_rate;            /* mean rate, turns/s, of the angle s h in equation (B) below; s h is half the angle
+                                    through which the body has turned about the angular momentum */
+    vm_real m1;                  /* 1 - m, where m is the parameter of sn, cn, dn */
     vmi_theta_form far_form;     /* constants for sn, cn, dn at arguments far from 0 */
-    vmi_doubled_theta theta;     /* theta function of (B) below; sigma arg theta is h minus its mean growth kappa t */
+    vmi_doubled_theta theta;     /* the theta function of equation (B) below; sigma arg theta is h - kappa t */
 } vm_torque_free;
 
-/* The solution. Let 1, 2, 3 be the principal axes, where axis 2 has the middle moment and omega moves around axis 3
-   (torque_free_axes.h), I1, I2, I3 the moments, T the kinetic energy and L the size of the angular momentum. Let
-   d12 = |I1 - I2|, d23 = |I2 - I3|, d13 = |I1 - I3|, sigma = sign(I1 - I3) and s = sign(w3). Then
-   omega = (w1, w2, w3) along these axes is
+/* The solution. Let 1, 2, 3 be the principal axes of the body: axis 2 has the middle moment of inertia, and the vector
+   omega moves around axis 3 in the body (torque_free_axes.h). Let I1, I2, I3 be the moments of inertia, T the kinetic
+   energy and L the size of the angular momentum. Let d12 = |I1 - I2|, d23 = |I2 - I3|, d13 = |I1 - I3|,
+   sigma = sign(I1 - I3) and s = sign(w3). The components w1, w2, w3 of omega along these axes are
      w1 = a1 cn u,  w2 = -sigma s a2 sn u,  w3 = s a3 dn u,  u = u0 + wp t,                                     (A)
      a1^2 = w1^2 + I2 d23/(I1 d13) w2^2,  a2^2 = a1^2 I1 d13/(I2 d23),  a3^2 = w3^2 + I2 d12/(I3 d13) w2^2,
      wp^2 = a3^2 d13 d23/(I1 I2),  m = I1 d12 a1^2/(I3 d23 a3^2),  1 - m = |2T I2 - L^2|/(I3 d23 a3^2),
-   where w1, w2, w3 on the right-hand sides are the values at t0, and t is the time since t0. With the tensor of
-   inertia J, so that L = |J omega|, the unit vector l = J omega/L and the unit vector e3 of axis 3 the attitude is
+   where w1, w2, w3 on the right-hand sides are the values at t0, t is the time since t0, and u0 is the value of u at
+   t0. m is the parameter of sn, cn, dn. Let J be the tensor of inertia, l = J omega/L the unit vector along the angular
+   momentum, l1, l2, l3 its components along the axes 1, 2, 3, and e3 the unit vector of axis 3. The attitude is the
+   product of three quaternions:
      q(t) = start (cos h + s e3 sin h) M,  h = kappa t + sigma arg theta(u),                                    (B)
      M = (1 + |l3|, s l2, -s l1, 0)/sqrt(2 (1 + |l3|)).
-   M is the shortest rotation that takes l to s e3, kappa is a constant that an integral of the third kind gives, and
-   theta is a theta function of u + i y with cd(y | 1 - m) = I3 a3/L. (B) was found by Jacobi; van Zon and Schofield,
-   J. Comput. Phys. 225 (2007), give a theta series for 2h.
+   M is the rotation through the smallest angle that takes l to s e3. kappa is a constant that follows from an elliptic
+   integral of the third kind. theta is a theta function of u + i y, where y follows from cd(y | 1 - m) = I3 a3/L. (B)
+   was found by Jacobi; van Zon and Schofield, J. Comput. Phys. 225 (2007), give a theta series for 2h.
 
-   The preparation computes in this order: the axes; the squares of the amplitudes, and m; kappa; the phase and the
-   rates; the theta function; and `start`, which makes q(t0) the given attitude. It computes in two words, because the
-   rates wp/(4K) and kappa are multiplied by long times. An evaluation at a given time has only the products of rates
-   and time in two words. Moments and omega are divided by powers of two, so that they are about 1. */
+   The preparation computes in this order: the axes; the squares of the amplitudes a1, a2, a3, and m; kappa; the phase
+   and the rates; the theta function; and `start`, for which q(t0) is the given attitude. It computes in two words,
+   because the rates wp/(4K) and kappa are multiplied by long times. An evaluation at a given time uses two words only
+   for the products of rates and time. Moments and omega are divided by powers of two so that they are about 1, which
+   prevents overflow. */
 
 /* ---- amplitudes and parameter ---- */
 
-/* The squares of the amplitudes a1, a2, a3 of equation (A) above, of h1 = I1 a1, h3 = I3 a3 and of L, and the
-   parameters m and m1 = 1 - m. The only subtraction in them is that of S = |2T I2 - L^2| (torque_free_axes.h), which is
-   computed in three words. */
+/* The fields a1, a2, a3 and L are the squares of the amplitudes a1, a2, a3 of equation (A) above and of L. The fields
+   h1 and h3 are the squares of I1 a1 and I3 a3. m is the parameter of sn, cn, dn, and m1 = 1 - m. The formulas contain
+   only one subtraction, in S = |2T I2 - L^2| (torque_free_axes.h), which is computed in three words. */
 typedef struct VM_TAG(vmi_torque_free_squares) {
     vm_two a1, a2, a3, h1, h3, L, m1, m;
 } vmi_torque_free_squares;
@@ -4442,15 +4887,15 @@ VM_API vmi_torque_free_squares vmi_torque_free_amplitudes(const vmi_torque_free_
     return square;
 }
 
-/* Stores m1 = 1 - m in the motion, with the parameter m of sn, cn, dn, and prepares these functions for it */
+/* Stores m1 = 1 - m in the motion, where m is the parameter of sn, cn, dn, and prepares these functions for m */
 VM_API void vmi_torque_free_parameter(vm_torque_free *motion, vm_two m1)
 {
     motion->m1 = m1.hi;
     vmi_far_prepare(&motion->far_form, m1.hi, m1.lo);
 }
 
-/* Sets the axes, and the amplitudes of omega and of the quaternion M in equation (B) above. `sign` is the sign of cn on
-   the separatrix, and 1 elsewhere. */
+/* Sets the fields axes, spin (the amplitudes of omega) and lean (those of the quaternion M in equation (B) above).
+   `sign` is a result of vmi_torque_free_phase: the sign of w1 on the separatrix, and 1 elsewhere. */
 VM_API void vmi_torque_free_sizes(vm_torque_free *motion, const vmi_torque_free_axes *axes,
                                   const vmi_torque_free_squares *square, vm_real sign)
 {
@@ -4466,15 +4911,16 @@ VM_API void vmi_torque_free_sizes(vm_torque_free *motion, const vmi_torque_free_
 
 /* ---- rates and phase ---- */
 
+/* Returns 2 pi in two words. */
 VM_API vm_two vmi_torque_free_two_pi(void)
 {
     const vmi_three half_pi = vmi_half_pi();
     return vmi_two(4 * half_pi.hi, 4 * half_pi.mid);
 }
 
-/* Returns 2 kappa for m < 1 and I1 != I2, by the complete elliptic integral of the third kind Pi = Pi(-N | m) with
-   N = I3 d12/(I1 d23). Sets *mean to the arithmetic-geometric mean agm(1, k'), with k'^2 = 1 - m. The letters are those
-   of equation (A) above, and c = I3 a3/L:
+/* Returns 2 kappa for m < 1 and I1 != I2. Sets *mean to the arithmetic-geometric mean agm(1, k'), with k'^2 = 1 - m.
+   Let Pi = Pi(-N | m) be the complete elliptic integral of the third kind with N = I3 d12/(I1 d23), K the complete
+   integral of the first kind, and c = I3 a3/L. The other letters are explained at equation (A) above:
      2 kappa = L/I1 + L d13/(I1 I3) (1 - Pi/K + c mean/sqrt(1 + N))  if I1 > I3,
      2 kappa = L/I3 + L d13/(I1 I3) (    Pi/K - c mean/sqrt(1 + N))  if I1 < I3. */
 VM_API vm_two vmi_torque_free_triaxial_rate(const vmi_torque_free_axes *axes, const vmi_torque_free_squares *square,
@@ -4497,8 +4943,8 @@ VM_API vm_two vmi_torque_free_triaxial_rate(const vmi_torque_free_axes *axes, co
     return vmi_two_times(vmi_two_root(square->L), bracket);
 }
 
-/* Returns kappa, the mean rate of the angle h in equation (B) above. Sets *mean to agm(1, k') with k'^2 = 1 - m; it is
-   0 on the separatrix. */
+/* Returns kappa, the mean rate of the angle h in equation (B) above. Sets *mean to the arithmetic-geometric mean
+   agm(1, k') with k'^2 = 1 - m, which is 0 on the separatrix. */
 VM_API vm_two vmi_torque_free_kappa(const vmi_torque_free_axes *axes, const vmi_torque_free_squares *square,
                                     vm_two *mean)
 {
@@ -4516,8 +4962,8 @@ VM_API vm_two vmi_torque_free_kappa(const vmi_torque_free_axes *axes, const vmi_
 }
 
 /* Computes the argument u of equation (A) above at t0 from sn^2 = (w2/a2)^2 and cn^2 = (w1/a1)^2. Returns u/(4K), or u
-   on the separatrix, where mean = 0. On the separatrix u does not determine the sign of cn, and *sign is this sign;
-   else *sign is 1. */
+   on the separatrix, where mean = 0. On the separatrix w1 can have either sign, but cn u is always positive; there
+   *sign is the sign of w1; elsewhere it is 1. */
 VM_API vm_two vmi_torque_free_phase(const vmi_torque_free_axes *axes, const vmi_torque_free_squares *square,
                                     vm_two mean, vm_real *sign)
 {
@@ -4534,8 +4980,8 @@ VM_API vm_two vmi_torque_free_phase(const vmi_torque_free_axes *axes, const vmi_
     return vmi_two_shifted(F, forward * *sign);
 }
 
-/* Sets K and phase, and the rates phase_rate and turn_rate that belong to omega divided by a power of two. Returns the
-   sign of cn on the separatrix, and 1 elsewhere. */
+/* Sets the fields K, phase, phase_rate and turn_rate. The two rates are those of the scaled omega, which is divided by
+   a power of two. Returns the sign of w1 on the separatrix, and 1 elsewhere. */
 VM_API vm_real vmi_torque_free_rates(vm_torque_free *motion, const vmi_torque_free_axes *axes,
                                      const vmi_torque_free_squares *square)
 {
@@ -4558,8 +5004,8 @@ VM_API vm_real vmi_torque_free_rates(vm_torque_free *motion, const vmi_torque_fr
 /* ---- the theta function ---- */
 
 /* Returns y, the constant imaginary part of the argument u + i y of the theta function in equation (B) above. y solves
-   cd(y | m1) = c with c = I3 a3/L. With N = I3 d12/(I1 d23) it is y = R_F(N, N/c^2, N + 1), where R_F is Carlson's
-   elliptic integral of the first kind. */
+   cd(y | 1 - m) = c with c = I3 a3/L. The solution is y = R_F(N, N/c^2, N + 1), where N = I3 d12/(I1 d23) and R_F is
+   Carlson's elliptic integral of the first kind. */
 VM_API vm_real vmi_torque_free_imaginary(const vmi_torque_free_axes *axes, const vmi_torque_free_squares *square)
 {
     const vm_two N = vmi_two_over(vmi_two_times(axes->I3, axes->d12), vmi_two_times(axes->I1, axes->d23));
@@ -4567,9 +5013,9 @@ VM_API vm_real vmi_torque_free_imaginary(const vmi_torque_free_axes *axes, const
     return vmi_carlson_rf(N, vmi_two_over(N, c_square), vmi_two_plus(N, vmi_two(1, 0))).hi;
 }
 
-/* Sets the theta function of equation (B) above, conjugated if sigma s < 0. For m = 0 it stays 1. K and K' (Kc in the
-   code) are the quarter periods for the parameters m and 1 - m. The function is summed directly for K <= 2K', and by
-   Jacobi's transformation for K > 2K'. */
+/* Sets the theta function of equation (B) above, or its complex conjugate if sigma s < 0. For m = 0 the theta function
+   stays 1. K and Kc are the quarter periods for the parameters m and 1 - m. The series of the theta function is used
+   directly for K <= 2 Kc, and after Jacobi's transformation for K > 2 Kc, where it converges faster. */
 VM_API void vmi_torque_free_theta(vm_torque_free *motion, const vmi_torque_free_axes *axes,
                                   const vmi_torque_free_squares *square)
 {
@@ -4589,7 +5035,7 @@ VM_API void vmi_torque_free_theta(vm_torque_free *motion, const vmi_torque_free_
 
 /* ---- the motion as a whole ---- */
 
-/* Sets a motion with constant omega: axis 3 is along omega, and sn stays 0 */
+/* Sets a motion with constant omega. Axis 3 is along omega, and sn stays 0. If omega is 0, nothing is set. */
 VM_API void vmi_torque_free_constant(vm_torque_free *motion, const vmi_torque_free_body *b)
 {
     const vm_two size = vmi_two_root(vmi_vec3_two_dot(&b->omega, &b->omega));
@@ -4597,16 +5043,17 @@ VM_API void vmi_torque_free_constant(vm_torque_free *motion, const vmi_torque_fr
     if (size.hi == 0) return;
     for (k = 0; k < 3; k++) {
         const vm_real cosine = vmi_two_over(b->omega.x[k], size).hi;
-        motion->axes.z = vmi_add(motion->axes.z, vmi_scale(cosine, vmi_vec3_two_high_words(&b->axis[k])));
+        motion->axes.z = vm_add(motion->axes.z, vm_scale(cosine, vmi_vec3_two_high_words(&b->axis[k])));
     }
     motion->spin[2] = size.hi;
     motion->turn_rate = vmi_two_over(vmi_two_shifted(size, VM_C(0.5)), vmi_torque_free_two_pi());
 }
 
-/* Sets all fields except body, t0 and `start`. spin and the rates belong to omega divided by a power of two. */
+/* Sets all fields except body, t0 and `start`. spin and the rates are those of the scaled omega, which is divided by a
+   power of two. */
 VM_API void vmi_torque_free_prepare(vm_torque_free *motion, const vmi_torque_free_body *b)
 {
-    const vm_real least_nutation = vmi_fourth_power(VM_EPSILON); /* the square of eps^2, a negligible nutation angle */
+    const vm_real least_nutation = vmi_fourth_power(VM_EPSILON); /* square of the angle eps^2, a negligible nutation */
     const vmi_torque_free_axes axes = vmi_torque_free_order(b);
     vmi_torque_free_squares square;
     int constant = vmi_torque_free_is_constant(&axes);
@@ -4625,8 +5072,8 @@ VM_API void vmi_torque_free_prepare(vm_torque_free *motion, const vmi_torque_fre
 
 /* ---- at a time ---- */
 
-/* The product rate t, in turns, minus the nearest whole number of turns, |result| <= 1. Beyond 2^(2p - 4) turns the
-   result has no meaning; p is the number of binary digits of the type. */
+/* Returns the product rate t, in turns, minus a whole number of turns. The result lies between -1 and 1. Beyond
+   2^(2p - 4) turns it has no meaning; p is the number of binary digits of the type vm_real. */
 VM_API vm_two vmi_torque_free_fraction(vm_two rate, vm_two t)
 {
     const vm_two p = vmi_two_product(rate.hi, t.hi);
@@ -4635,8 +5082,8 @@ VM_API vm_two vmi_torque_free_fraction(vm_two rate, vm_two t)
     return vmi_two_sum(p.hi - VM_FLOOR(p.hi + VM_C(0.5)), low);
 }
 
-/* Computes sn, cn, dn at the time t after t0. Returns u/(4K), with their argument u, minus the nearest multiple of 1/2;
-   or u on the separatrix. */
+/* Computes sn, cn, dn at the time t after t0. Let u be their argument. Returns u/(4K) minus the nearest multiple of
+   1/2; on the separatrix it returns u. */
 VM_API vm_real vmi_torque_free_functions(const vm_torque_free *motion, vm_two t, vm_real *sn, vm_real *cn,
                                          vm_real *dn)
 {
@@ -4644,7 +5091,7 @@ VM_API vm_real vmi_torque_free_functions(const vm_torque_free *motion, vm_two t,
     vmi_thetas theta;
     vm_real turns;
     int half_turns = 0, quarters = 0;
-    vm_two v; /* argument u of sn, cn, dn, minus the nearest multiple of K */
+    vm_two v; /* first u/(4K), then the argument u of sn, cn, dn minus the nearest multiple of K */
     if (motion->K.hi > 0) {
         v = vmi_two_plus(vmi_torque_free_fraction(motion->phase_rate, t), motion->phase);
         half_turns = vmi_nearest(2 * v.hi);
@@ -4664,8 +5111,8 @@ VM_API vm_real vmi_torque_free_functions(const vm_torque_free *motion, vm_two t,
     return turns;
 }
 
-/* Evaluates equations (A) and (B) above at the time t after t0: *omega in body axes, and the rotation *turn = (cos h +
-   s e3 sin h) M */
+/* Evaluates equations (A) and (B) above at the time t after t0. Sets *omega to the angular velocity in body axes, and
+   *turn to the factor (cos h + s e3 sin h) M of the attitude. */
 VM_API void vmi_torque_free_at(const vm_torque_free *motion, vm_two t, vm_vec3 *omega, vm_quat *turn)
 {
     vm_real sn, cn, dn, re, im, sine, cosine, w, x, y, over, c, s;
@@ -4684,8 +5131,8 @@ VM_API void vmi_torque_free_at(const vm_torque_free *motion, vm_two t, vm_vec3 *
 
 /* ---- setting up ---- */
 
-/* Prepares all that vm_torque_free_at needs. *b has the moments, the axes, and omega divided by `power`, a power of
-   two. */
+/* Prepares all fields that vm_torque_free_at needs. *b must have the moments, the axes, and omega divided by `power`,
+   which is a power of two. */
 VM_API void vmi_torque_free_solve(vm_torque_free *motion, const vmi_torque_free_body *b, vm_real power)
 {
     vm_quat q = motion->body.q, turn;
@@ -4697,22 +5144,22 @@ VM_API void vmi_torque_free_solve(vm_torque_free *motion, const vmi_torque_free_
     vmi_torque_free_prepare(motion, b);
     if (vmi_quat_is_none(q)) q.w = 1;
     vmi_torque_free_at(motion, vmi_two(0, 0), &omega, &turn);
-    turn = vmi_quat(turn.w, vmi_scale(-1, vmi_quat_vector(turn)));
-    motion->start = vmi_quat_times(q, turn);
+    turn = vmi_quat(turn.w, vm_scale(-1, vmi_quat_vector(turn)));
+    motion->start = vm_quat_times(q, turn);
     for (k = 0; k < 3; k++) motion->spin[k] *= power;
     motion->phase_rate = vmi_two_shifted(motion->phase_rate, power);
     motion->turn_rate = vmi_two_shifted(motion->turn_rate, power);
 }
 
-/* Returns x, a component of the scaled omega, or 0 if its square would underflow, which is for |x| < 2^-505 (float
-   2^-57). */
+/* Returns x, a component of the scaled omega. If |x| is below 2^-505 (float 2^-57), the square of x would underflow,
+   and the function returns 0 instead. */
 VM_API vm_two vmi_torque_free_squarable(vm_two x)
 {
     return VM_FABS(x.hi) < 64 * VM_SQRT(VM_MIN) ? vmi_two(0, 0) : x;
 }
 
-/* Prepares the motion of a body whose omega is given in body axes (along_body = 1) or in inertial axes
-   (along_body = 0) */
+/* Prepares the motion of a body whose omega is given in body axes if along_body = 1, and in inertial axes if
+   along_body = 0. Returns a status of vm_torque_free_init. */
 VM_API int vmi_torque_free_start(vm_torque_free *motion, const vm_body *body, int along_body, vm_real t0)
 {
     const vm_real power = vmi_power_of_two(vmi_norm_max(body->omega));
@@ -4736,8 +5183,8 @@ VM_API int vmi_torque_free_start(vm_torque_free *motion, const vm_body *body, in
     return VM_OK;
 }
 
-/* Preparation of the exact torque-free motion of a body. At the time t0 (s) the body is as given; vm_torque_free_at
-   then gives it at any time. The accuracy is described at vm_torque_free. Returns VM_OK, or VM_BAD_ARGUMENT for a
+/* Preparation of the exact torque-free motion of a body. *body is the body at the time t0 (s). vm_torque_free_at then
+   gives the body at any time. The accuracy is described at vm_torque_free. Returns VM_OK, or VM_BAD_ARGUMENT for a
    null pointer, VM_NOT_FINITE, VM_BAD_MASS or VM_BAD_INERTIA. After an error *motion is unchanged. */
 VM_API int vm_torque_free_init(vm_torque_free *motion, const vm_body *body, vm_real t0)
 {
@@ -4745,9 +5192,10 @@ VM_API int vm_torque_free_init(vm_torque_free *motion, const vm_body *body, vm_r
     return vmi_torque_free_start(motion, body, 0, t0);
 }
 
-/* Preparation of the exact torque-free motion from principal moments (kg m^2). The body's axes are the principal
-   axes, and omega (rad/s) is along them, not along the inertial axes. q is the attitude at t0 (s). The body has mass
-   1 and rests at the origin. The statuses are those of vm_torque_free_init. */
+/* Preparation of the exact torque-free motion from principal moments (kg m^2). The body axes are the principal axes.
+   The components of omega (rad/s) are along the body axes, not along the inertial axes. q is the attitude at t0 (s).
+   The body has the mass 1 kg, and its mass centre rests at the origin. The statuses are those of
+   vm_torque_free_init. */
 VM_API int vm_torque_free_init_principal(vm_torque_free *motion, vm_vec3 moments, vm_quat q, vm_vec3 omega,
                                          vm_real t0)
 {
@@ -4763,8 +5211,9 @@ VM_API int vm_torque_free_init_principal(vm_torque_free *motion, vm_vec3 moments
     return vmi_torque_free_start(motion, &body, 1, t0);
 }
 
-/* Attitude and angular velocity of a torque-free body at the time t (s). t may be later or earlier than t0. *omega is
-   along body axes, rad/s. q is continuous in t and keeps the length that it had at t0 (1 if it was all zero). Returns
+/* Attitude and angular velocity of a torque-free body at the time t (s). t may be later or earlier than t0. *omega has
+   the components along the body axes, rad/s. *q is continuous in t and keeps the length that the quaternion had at t0
+   (or 1, if the quaternion was all zero). Returns
    VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE if t or the result is not finite or if t or the number of turns
    is above 1e290 (float 1e30), and VM_OK otherwise. After an error *q and *omega are unchanged. Beyond 1/eps^2 turns
    the result is finite and has the right angular momentum, but its phase has no meaning. */
@@ -4780,7 +5229,7 @@ VM_API int vm_torque_free_attitude(const vm_torque_free *motion, vm_real t, vm_q
     reach = VM_FABS(motion->phase_rate.hi) + VM_FABS(motion->turn_rate.hi);
     if (!((1 + reach) * (1 + VM_FABS(elapsed.hi)) < largest_factor)) return VM_NOT_FINITE;
     vmi_torque_free_at(motion, elapsed, &w, &turn);
-    turn = vmi_quat_times(motion->start, turn);
+    turn = vm_quat_times(motion->start, turn);
     if (!vmi_vec3_is_finite(w) || !vmi_quat_is_finite(turn)) return VM_NOT_FINITE;
     *q = turn;
     *omega = w;
@@ -4788,8 +5237,9 @@ VM_API int vm_torque_free_attitude(const vm_torque_free *motion, vm_real t, vm_q
 }
 
 /* A torque-free body at the time t (s). t may be later or earlier than t0. Attitude and omega are those of
-   vm_torque_free_attitude, but omega is along inertial axes. The mass centre is on its straight line. The statuses
-   are those of vm_torque_free_attitude; after an error *body is unchanged. */
+   vm_torque_free_attitude, but here omega has its components along the inertial axes. The mass centre has moved on a
+   straight line at constant velocity. The statuses are those of vm_torque_free_attitude; after an error *body is
+   unchanged. */
 VM_API int vm_torque_free_at(const vm_torque_free *motion, vm_real t, vm_body *body)
 {
     vm_body b;
@@ -4801,14 +5251,14 @@ VM_API int vm_torque_free_at(const vm_torque_free *motion, vm_real t, vm_body *b
     if (status) return status;
     turn = vmi_rotation(b.q);
     b.omega = vmi_times(&turn, b.omega);
-    b.r = vmi_add(b.r, vmi_scale(t - motion->t0, b.v));
+    b.r = vm_add(b.r, vm_scale(t - motion->t0, b.v));
     if (!vmi_body_is_finite(&b)) return VM_NOT_FINITE;
     *body = b;
     return VM_OK;
 }
 
-/* A torque-free body a time t (s) later, in one call. It calls vm_torque_free_init, then vm_torque_free_at, and has
-   their statuses. The pointers later and body may be equal. */
+/* A torque-free body a time t (s) later, in one call. The function calls vm_torque_free_init, then vm_torque_free_at,
+   and has their statuses. The pointers `later` and `body` may be equal. */
 VM_API int vm_torque_free_rotation(const vm_body *body, vm_real t, vm_body *later)
 {
     vm_torque_free motion;
@@ -4822,10 +5272,10 @@ VM_API int vm_torque_free_rotation(const vm_body *body, vm_real t, vm_body *late
 #endif
 /* mechanics/streams.h - streams of mass: reactive force, moment and torque
 
-   A stream carries mass into a body, or out of it, at one point. The mass brings or takes momentum and angular
-   momentum with it, which causes the reactive force (156), the reactive moment (158) and the reactive torque (157).
-   This chapter computes these loads at an instant and the accelerations that follow from them, (159) and (160). To
-   integrate a motion, use mechanics/flow.h (space), flow2.h (plane) or flow1.h (line, axle).
+   A stream carries mass into a body, or out of it, at one point. The mass carries momentum and angular momentum. The
+   body therefore feels a reactive force (156), a reactive moment (158) and a reactive torque (157). This chapter
+   computes these loads at an instant and the accelerations that follow from them, (159) and (160). To integrate a
+   motion, use mechanics/flow.h (in space), flow2.h (in a plane) or flow1.h (on a line or an axle).
 
        vm_vec3 centre = {0, 0, 0}; // the mass centre is the reference point
        vm_stream nozzle;
@@ -4844,14 +5294,15 @@ VM_API int vm_torque_free_rotation(const vm_body *body, vm_real t, vm_body *late
 enum {
     VM_RELATIVE = 0, /* velocity relative to the point, spin relative to the body, both in body axes */
     VM_ABSOLUTE = 1, /* absolute velocity and spin, in inertial axes */
-    VM_CARRIED = 2,  /* the mass has the velocity of the point and the spin of the body; velocity and spin of the stream
-                        are not read. There is no torque, but a force M' omega x d remains, which (166) neglects (M' is
-                        the rate, d leads from the mass centre to the point, omega is the body's spin) */
-    VM_AT_REST = 3   /* the mass is at rest (167)-(169); velocity and spin of the stream are not read */
+    VM_CARRIED = 2,  /* the mass has the velocity of the point and the spin of the body; the fields velocity and spin of
+                        the stream are not read. There is no torque, but a force M' omega x d, which (166) neglects. M'
+                        is the rate of the stream, omega the body's spin, d the vector from mass centre to point. */
+    VM_AT_REST = 3   /* the mass is at rest (167)-(169); the fields velocity and spin of the stream are not read */
 };
 
-/* A store inside a body, from which a stream takes its mass or into which it puts its mass. It is needed if the mass
-   does not lie at the point at which the stream enters or leaves the body. */
+/* A store of mass inside a body, for example a tank. A stream that leaves the body takes its mass from the store, and a
+   stream that enters puts its mass into the store. A stream needs a store if its mass is kept at another position than
+   the point at which the stream crosses the surface of the body. */
 typedef struct VM_TAG(vm_store) {
     vm_vec3 at;          /* position from the body's reference point, m, body axes */
     vm_inertia gyration; /* inertia per unit mass of the stored mass, about its own mass centre, m^2, body axes */
@@ -4864,19 +5315,21 @@ typedef struct VM_TAG(vm_stream) {
     vm_vec3 at;           /* point at which the mass enters or leaves, from the body's reference point, m, body axes */
     vm_vec3 velocity;     /* velocity of the mass as it enters or leaves the body, m/s */
     vm_vec3 spin;         /* angular velocity of the mass as it enters or leaves the body, rad/s */
-    vm_inertia gyration;  /* inertia per unit mass of this mass, about its own mass centre, m^2, body axes */
+    vm_inertia gyration;  /* inertia per unit mass of the mass that enters or leaves, about its own mass centre, m^2,
+                             body axes */
     const vm_store *from; /* the store that the mass comes from or goes to, or NULL for none. Between the store and the
-                             point `at` the mass flows in a straight line, and the body's momentum includes that of this
-                             flow */
+                             point `at` the mass flows in a straight line; the momentum of this flow is a part of the
+                             body's momentum. */
 } vm_stream;
 
 /* The reactive loads at an instant, in inertial axes except inertia_rate. The body has the mass M, the inertia I, the
    velocity v and the angular velocity omega. For each stream M' is the rate, u the velocity of its mass, omega2 the
    angular velocity of its mass and kappa its gyration. The vector d leads from the body's mass centre to the point at
-   which the mass enters or leaves, and P(d) = |d|^2 E - d d^T with the unit matrix E:
+   which the mass enters or leaves, and P(d) = |d|^2 E - d d^T with the unit matrix E is the inertia per unit mass of a
+   point mass at d. Each sum is over all streams:
      force   sum M' (u - v)                             (156)
      moment  sum d x M' (u - v)                         (158)
-     torque  sum M' kappa omega2 - I' omega             (157) corrected: [1] prints I' (omega2 - omega), which is right
+     torque  (sum M' kappa omega2) - I' omega           (157) corrected: [1] prints I' (omega2 - omega), which is right
                                                         only for P(d) omega2 = 0
      drift   sum (M'/M) d:  dr/dt = v + drift           not in [1]
      inertia_rate  I' = sum M' (kappa + P(d)), body axes
@@ -4893,14 +5346,15 @@ typedef struct VM_TAG(vm_reactive) {
 
 VM_INLINE int vmi_stream_motion_is_known(int motion) { return motion >= VM_RELATIVE && motion <= VM_AT_REST; }
 
-/* The velocity u of a stream's mass is, for every known motion, the sum of two terms: the velocity of the body's
-   point (or zero) and the velocity that the stream gives (or zero). Its spin is a sum of two such terms, too. The
-   next two functions tell which terms are not zero. No other function decodes VM_RELATIVE ... VM_AT_REST. */
+/* The velocity u of a stream's mass is the sum of two terms for every known `motion`. The first term is the velocity of
+   the body's point, or zero; the second term is the stream's field `velocity`, or zero. The spin of the mass is a sum
+   of two such terms, too. The first function below returns 1 if the first term is there, and the second function if
+   the second term is there. No other function decodes VM_RELATIVE ... VM_AT_REST. */
 VM_INLINE int vmi_stream_moves_with_body(int motion) { return motion == VM_RELATIVE || motion == VM_CARRIED; }
 VM_INLINE int vmi_stream_velocity_is_given(int motion) { return motion == VM_RELATIVE || motion == VM_ABSOLUTE; }
 
-/* The velocity u of a stream's mass along a line. `own` is the velocity of the body, and `given` the field `velocity`
-   of the stream. */
+/* Returns the velocity u of a stream's mass along a line. `own` is the velocity of the body, and `given` the field
+   `velocity` of the stream. */
 VM_INLINE vm_real vmi_stream_velocity1(int motion, vm_real own, vm_real given)
 {
     vm_real u = 0;
@@ -4909,7 +5363,7 @@ VM_INLINE vm_real vmi_stream_velocity1(int motion, vm_real own, vm_real given)
     return u;
 }
 
-/* The product M' kappa of a stream's rate M' and the gyration kappa (inertia per unit mass) of its mass */
+/* Returns the product M' kappa of a stream's rate M' and the gyration kappa (inertia per unit mass) of its mass. */
 VM_INLINE vm_inertia vmi_stream_own(vm_real rate, const vm_inertia *gyration)
 {
     vm_inertia i;
@@ -4923,16 +5377,17 @@ VM_INLINE vm_inertia vmi_stream_own(vm_real rate, const vm_inertia *gyration)
 }
 
 /* Sets *p to the momentum, and *h to the angular momentum about the mass centre, of the mass that flows between the
-   stores and the surface. A stream of rate M' that flows in a straight line between its store at s and the surface at
-   d has the momentum M' (s - d), whatever its speed is. */
+   stores and the surface. `centre` is the mass centre. If a stream of rate M' flows in a straight line between its
+   store at the position a and the surface at the position b, the flowing mass has the momentum M' (a - b) at any
+   speed. */
 VM_INLINE void vmi_stream_on_the_way(int n, const vm_stream *s, vm_vec3 centre, vm_vec3 *p, vm_vec3 *h)
 {
     int k;
     *p = *h = vmi_vec3(0, 0, 0);
     for (k = 0; k < n; k++) {
         if (!s[k].from) continue;
-        *p = vmi_add(*p, vmi_scale(s[k].rate, vmi_sub(s[k].from->at, s[k].at)));
-        *h = vmi_add(*h, vmi_scale(s[k].rate, vmi_cross(vmi_sub(s[k].at, centre), vmi_sub(s[k].from->at, centre))));
+        *p = vm_add(*p, vm_scale(s[k].rate, vm_sub(s[k].from->at, s[k].at)));
+        *h = vm_add(*h, vm_scale(s[k].rate, vm_cross(vm_sub(s[k].at, centre), vm_sub(s[k].from->at, centre))));
     }
 }
 
@@ -4942,25 +5397,25 @@ typedef struct VM_TAG(vmi_stream_seen) {
     vm_vec3 v;            /* velocity, which is momentum/mass, inertial axes */
     vm_vec3 slip;         /* velocity of the body's material at the mass centre minus v, body axes */
     vm_vec3 omega;        /* angular velocity, body axes */
-    vm_vec3 centre;       /* mass centre from the reference point, body axes */
+    vm_vec3 centre;       /* vector from the reference point to the mass centre, body axes */
     int energy;           /* 1 if the sums `brought` and `lost` of vmi_stream_sum are wanted */
 } vmi_stream_seen;
 
 /* The sums over the streams of a moving body, in body axes except `absolute`. The letters M', u, v, d, kappa, omega2
-   are explained at vm_reactive. For mass that moves with the body the sums use its velocity relative to the body, so
-   that they lose no digits if the body is fast. */
+   are explained at vm_reactive. If a stream's velocity is given relative to the body, the sums use this relative
+   velocity instead of the difference u - v, which would lose digits if the body is fast. */
 typedef struct VM_TAG(vmi_stream_sum) {
     vm_real rate;       /* total mass rate, the sum of M' over all streams, kg/s */
     vm_real carried;    /* sum of M' of the streams whose velocity is relative to the body */
     vm_vec3 pushed;     /* force of the streams whose velocity is relative to the body: sum of M' (u - v) */
     vm_vec3 absolute;   /* sum of M' u of the streams whose velocity u is absolute, inertial axes */
     vm_vec3 moment;     /* moment of all streams about the mass centre: sum of d x M' (u - v) */
-    vm_vec3 own;        /* sum of M' kappa omega2: angular momentum that masses bring per second by their spins */
-    vm_vec3 crossing;   /* sum of M' d, where d leads to the point at which the mass enters or leaves */
-    vm_vec3 stored;     /* sum of M' d_s, where d_s leads to the stream's store; d_s = d without a store */
+    vm_vec3 own;        /* sum of M' kappa omega2: angular momentum that the spins of the masses bring per second */
+    vm_vec3 crossing;   /* sum of M' d, where d leads from the mass centre to the point of the surface */
+    vm_vec3 stored;     /* sum of M' d_s, where d_s leads from the mass centre to the store; d_s = d without a store */
     vm_inertia inertia; /* I', the rate of the body's inertia */
-    vm_real brought;    /* sum of M' u^2 + omega2 M' kappa omega2: twice the power that the mass brings */
-    vm_real lost;       /* `brought` with velocities relative to the body: twice the power lost by mixing */
+    vm_real brought;    /* sum of M' u^2 + omega2 M' kappa omega2: twice the kinetic energy brought per second */
+    vm_real lost;       /* the same sum with velocity and spin relative to the body: twice the power lost by mixing */
 } vmi_stream_sum;
 
 /* Adds one stream, whose `motion` is known, to sum->carried, sum->pushed and sum->absolute. Sets *push = M' (u - v),
@@ -4974,34 +5429,34 @@ VM_INLINE void vmi_stream_motion(const vm_stream *s, const vmi_stream_seen *b, v
     if (vmi_stream_moves_with_body(s->motion)) {
         *spin = b->omega;
         if (given) {
-            carried = vmi_add(carried, s->velocity);
-            *spin = vmi_add(b->omega, s->spin);
+            carried = vm_add(carried, s->velocity);
+            *spin = vm_add(b->omega, s->spin);
         }
-        *push = vmi_scale(s->rate, carried);
+        *push = vm_scale(s->rate, carried);
         sum->carried += s->rate;
-        sum->pushed = vmi_add(sum->pushed, *push);
+        sum->pushed = vm_add(sum->pushed, *push);
     } else if (given) {
-        *push = vmi_scale(s->rate, vmi_times_transposed(b->turn, vmi_sub(s->velocity, b->v)));
+        *push = vm_scale(s->rate, vmi_times_transposed(b->turn, vm_sub(s->velocity, b->v)));
         *spin = vmi_times_transposed(b->turn, s->spin);
-        sum->absolute = vmi_add(sum->absolute, vmi_scale(s->rate, s->velocity));
+        sum->absolute = vm_add(sum->absolute, vm_scale(s->rate, s->velocity));
     } else {
-        *push = vmi_times_transposed(b->turn, vmi_scale(-s->rate, b->v));
+        *push = vmi_times_transposed(b->turn, vm_scale(-s->rate, b->v));
         *spin = vmi_vec3(0, 0, 0);
     }
 }
 
-/* Adds the share of a stream to sum->brought and sum->lost. push and spin are results of vmi_stream_motion, and carried
-   is an argument of that function. */
+/* Adds the terms of one stream to sum->brought and sum->lost. `own` is its product M' kappa. `push` and `spin` are
+   results of vmi_stream_motion, and `carried` is an argument of that function. */
 VM_INLINE void vmi_stream_energy(const vm_stream *s, const vmi_stream_seen *b, const vm_inertia *own, vm_vec3 push,
                                  vm_vec3 spin, vm_vec3 carried, vmi_stream_sum *sum)
 {
-    const vm_vec3 relative = vmi_sub(spin, b->omega);
+    const vm_vec3 relative = vm_sub(spin, b->omega);
     vm_vec3 u = push, absolute, w;
-    if (s->rate != 0) u = vmi_scale(1 / s->rate, push);
-    absolute = vmi_add(u, vmi_times_transposed(b->turn, b->v));
-    w = vmi_sub(u, carried);
-    sum->brought += s->rate * vmi_dot(absolute, absolute) + vmi_dot(spin, vmi_inertia_times(own, spin));
-    sum->lost += s->rate * vmi_dot(w, w) + vmi_dot(relative, vmi_inertia_times(own, relative));
+    if (s->rate != 0) u = vm_scale(1 / s->rate, push);
+    absolute = vm_add(u, vmi_times_transposed(b->turn, b->v));
+    w = vm_sub(u, carried);
+    sum->brought += s->rate * vm_dot(absolute, absolute) + vm_dot(spin, vmi_inertia_times(own, spin));
+    sum->lost += s->rate * vm_dot(w, w) + vm_dot(relative, vmi_inertia_times(own, relative));
 }
 
 /* Computes the sums over n streams. Returns 0 if the `motion` of a stream is unknown, else 1. */
@@ -5012,30 +5467,31 @@ VM_INLINE int vmi_stream_sums(int n, const vm_stream *s, const vmi_stream_seen *
     int k;
     *sum = none;
     for (k = 0; k < n; k++, s++) {
-        const vm_vec3 d = vmi_sub(s->at, b->centre), carried = vmi_add(b->slip, vmi_cross(b->omega, d));
+        const vm_vec3 d = vm_sub(s->at, b->centre), carried = vm_add(b->slip, vm_cross(b->omega, d));
         vm_inertia own = vmi_stream_own(s->rate, &s->gyration);
         vm_vec3 push, spin, stored = d;
         if (!vmi_stream_motion_is_known(s->motion)) return 0;
         vmi_stream_motion(s, b, carried, sum, &push, &spin);
         if (b->energy) vmi_stream_energy(s, b, &own, push, spin, carried, sum);
         sum->rate += s->rate;
-        sum->moment = vmi_add(sum->moment, vmi_cross(d, push));
-        sum->own = vmi_add(sum->own, vmi_inertia_times(&own, spin));
-        sum->crossing = vmi_add(sum->crossing, vmi_scale(s->rate, d));
+        sum->moment = vm_add(sum->moment, vm_cross(d, push));
+        sum->own = vm_add(sum->own, vmi_inertia_times(&own, spin));
+        sum->crossing = vm_add(sum->crossing, vm_scale(s->rate, d));
         if (s->from) {
-            stored = vmi_sub(s->from->at, b->centre);
+            stored = vm_sub(s->from->at, b->centre);
             own = vmi_stream_own(s->rate, &s->from->gyration);
         }
-        sum->stored = vmi_add(sum->stored, vmi_scale(s->rate, stored));
-        /* add the whole term at once, so that the terms of opposite streams cancel exactly */
+        sum->stored = vm_add(sum->stored, vm_scale(s->rate, stored));
+        /* add the term M' (kappa + P(d)) as a whole, so that the terms of opposite streams cancel exactly */
         own = vmi_inertia_plus(own, s->rate, vmi_inertia_of_point(stored));
         sum->inertia = vmi_inertia_plus(sum->inertia, 1, own);
     }
     return 1;
 }
 
-/* Returns VM_OK if the gyration is finite and has no negative moment. The triangle inequality, such as zz <= xx + yy,
-   is required of the body only. Therefore a gyration may have zz alone, which is enough for motion in a plane. */
+/* Returns VM_OK if the gyration is finite and has no negative moment, else the error. A gyration need not satisfy the
+   triangle inequality zz <= xx + yy; only the inertia of the body must. Therefore zz may be the only entry of a
+   gyration that is not 0, which is enough for motion in a plane. */
 VM_API int vmi_check_gyration(const vm_inertia *i)
 {
     if (!vmi_inertia_is_finite(i)) return VM_NOT_FINITE;
@@ -5073,10 +5529,11 @@ VM_API int vmi_reactive_finite(const vm_reactive *r)
            vmi_vec3_is_finite(r->drift) && VM_IS_FINITE(r->mass_rate) && vmi_inertia_is_finite(&r->inertia_rate);
 }
 
-/* Reactive force, moment and torque of n streams on a moving body, (156)-(158). `centre` is the body's mass centre
-   from its reference point, in body axes (m). Each load is a sum over all streams; the formulas stand at vm_reactive.
-   Returns VM_BAD_ARGUMENT for a null pointer, n < 0 or an unknown `motion` of a stream, VM_NOT_FINITE, VM_BAD_MASS,
-   VM_BAD_INERTIA, VM_STORED_STREAM if a stream has a store (integrate vm_flow_rhs instead), and VM_OK otherwise. */
+/* Reactive force, moment and torque of n streams on a moving body, (156)-(158). `centre` is the vector from the
+   body's reference point to its mass centre, in body axes (m). Each load is a sum over all streams; the formulas stand
+   at vm_reactive. Returns VM_BAD_ARGUMENT for a null pointer, n < 0 or an unknown `motion` of a stream, VM_NOT_FINITE,
+   VM_BAD_MASS, VM_BAD_INERTIA, VM_STORED_STREAM if a stream has a store (integrate vm_flow_rhs instead), and VM_OK
+   otherwise. */
 VM_API int vm_reactive_loads(const vm_body *body, vm_vec3 centre, int n, const vm_stream *streams,
                              vm_reactive *result)
 {
@@ -5099,11 +5556,11 @@ VM_API int vm_reactive_loads(const vm_body *body, vm_vec3 centre, int n, const v
     seen.energy = 0;
     seen.omega = vmi_times_transposed(&turn, body->omega);
     vmi_stream_sums(n, streams, &seen, &sum);
-    r.force = vmi_add(vmi_times(&turn, sum.pushed),
-                      vmi_sub(sum.absolute, vmi_scale(sum.rate - sum.carried, body->v)));
+    r.force = vm_add(vmi_times(&turn, sum.pushed),
+                      vm_sub(sum.absolute, vm_scale(sum.rate - sum.carried, body->v)));
     r.moment = vmi_times(&turn, sum.moment);
-    r.torque = vmi_times(&turn, vmi_sub(sum.own, vmi_inertia_times(&sum.inertia, seen.omega)));
-    r.drift = vmi_scale(1 / body->mass, vmi_times(&turn, sum.crossing));
+    r.torque = vmi_times(&turn, vm_sub(sum.own, vmi_inertia_times(&sum.inertia, seen.omega)));
+    r.drift = vm_scale(1 / body->mass, vmi_times(&turn, sum.crossing));
     r.mass_rate = sum.rate;
     r.inertia_rate = sum.inertia;
     if (!vmi_reactive_finite(&r)) return VM_NOT_FINITE;
@@ -5111,11 +5568,12 @@ VM_API int vm_reactive_loads(const vm_body *body, vm_vec3 centre, int n, const v
     return VM_OK;
 }
 
-/* Solves Euler's equations: the angular acceleration I^-1 (moment - omega x I omega) for the inertia I, in body axes */
+/* Returns the angular acceleration I^-1 (moment - omega x I omega) by Euler's equations, for the inertia I = *i. All
+   vectors are in body axes. */
 VM_INLINE vm_vec3 vmi_stream_euler(const vm_inertia *i, const vmi_inertia_ldl *factors, vm_vec3 omega,
                                    vm_vec3 moment)
 {
-    return vmi_inertia_solve(factors, vmi_sub(moment, vmi_cross(omega, vmi_inertia_times(i, omega))));
+    return vmi_inertia_solve(factors, vm_sub(moment, vm_cross(omega, vmi_inertia_times(i, omega))));
 }
 
 /* Accelerations v' (159) and omega' (160) of a body under reactive and outer loads.
@@ -5138,8 +5596,8 @@ VM_API int vm_accelerations(const vm_body *body, const vm_reactive *loads, vm_ve
     if (!status && !vmi_inertia_factor(&body->inertia, &factors)) status = VM_BAD_INERTIA;
     if (status) return status;
     turn = vmi_rotation(body->q);
-    sum = vmi_add(moment, vmi_add(loads->moment, loads->torque));
-    linear = vmi_scale(1 / body->mass, vmi_add(force, loads->force));
+    sum = vm_add(moment, vm_add(loads->moment, loads->torque));
+    linear = vm_scale(1 / body->mass, vm_add(force, loads->force));
     angular = vmi_stream_euler(&body->inertia, &factors, vmi_times_transposed(&turn, body->omega),
                                vmi_times_transposed(&turn, sum));
     angular = vmi_times(&turn, angular);
@@ -5150,39 +5608,14 @@ VM_API int vm_accelerations(const vm_body *body, const vm_reactive *loads, vm_ve
 }
 
 #endif
-/* mechanics/attitude.h - how the attitude of a rotating body changes
-
-       vm_quat q = {1, 0, 0, 0};  // the attitude: body axes are inertial axes
-       vm_vec3 omega = {0, 0, 2}; // 2 rad/s about the third axis
-       vm_real rates[4];          // w', x', y', z' of q, the derivatives with respect to time
-       vmi_attitude_rates(q, vmi_quat_square(q), omega, rates);
-
-   Tests: tests/test_flow.c, tests/test_scene_bodies.c. */
-#ifndef VARMASS_MECHANICS_ATTITUDE_H
-#define VARMASS_MECHANICS_ATTITUDE_H
-
-/* Writes the time derivatives of w, x, y, z of the quaternion q to rates. q is the attitude of a body with the angular
-   velocity omega (rad/s, body axes): q' = q (0, omega)/2 + |omega| (1 - |q|^2) q/8. square is |q|^2. q should have
-   length 1, but errors of an integration change its length. The second term lets the length return to 1. It acts more
-   slowly than the body rotates, so that it does not make the equations of a slow rotation stiff. */
-VM_INLINE void vmi_attitude_rates(vm_quat q, vm_real square, vm_vec3 omega, vm_real *rates)
-{
-    const vm_real back = VM_SQRT(vmi_dot(omega, omega)) * (1 - square) / 8;
-    const vm_real x = omega.x / 2, y = omega.y / 2, z = omega.z / 2;
-    rates[0] = back * q.w - q.x * x - q.y * y - q.z * z;
-    rates[1] = back * q.x + q.w * x + q.y * z - q.z * y;
-    rates[2] = back * q.y + q.w * y + q.z * x - q.x * z;
-    rates[3] = back * q.z + q.w * z + q.x * y - q.y * x;
-}
-
-#endif
 /* mechanics/flow.h - a free body in space with streams of mass
 
-   These right-hand sides for rk45 and rk87 describe a rigid body whose mass, mass centre and inertia change while it
-   moves. In vm_flow_rhs streams cause the change (151), (152). In vm_flow_given_rhs all three are given functions of
-   time (170). In vm_flow_carried_rhs the mass that is lost or gained moves with the body (166). In the first two
-   functions momentum and angular momentum are states, from which velocity and angular velocity follow. Therefore a
-   momentum that is conserved stays exactly constant, and the rate of a stream may jump.
+   These right-hand sides for the integrators rk45 and rk87 describe a rigid body whose mass, mass centre and inertia
+   change while it moves. In vm_flow_rhs streams cause the change (151), (152). In vm_flow_given_rhs mass, mass centre
+   and inertia are given functions of time (170). In vm_flow_carried_rhs they are given, too, and the mass that is lost
+   or gained moves with the body (166). In the first two functions momentum and angular momentum are states, from which
+   velocity and angular velocity follow. Therefore a momentum that is conserved stays exactly constant, and the rate of
+   a stream may jump.
 
        vm_flow flow;
        ode_event empty;
@@ -5205,17 +5638,18 @@ VM_INLINE void vmi_attitude_rates(vm_quat q, vm_real square, vm_vec3 omega, vm_r
            vm_flow_body(&flow, VM_FLOW_STATES, s.y, &body);
 
    The equations. The letters M', u, d, kappa, omega2, P(d) of a stream are explained at vm_reactive. The body has the
-   mass M, the inertia I and the angular velocity omega; F is the outer force on it and M_S the outer moment:
+   mass M, the inertia I and the angular velocity omega; F is the outer force on it and M_S the outer moment about the
+   mass centre. Each sum is over all streams, and q omega is a product of quaternions:
      r' = v + R sum (M'/M) d,  p' = F + sum M' u,  H' = M_S + R sum [d x M' (u - v) + M' kappa omega2],
      q' = q omega/2 + |omega| (1 - |q|^2) q/8,  c' = sum (M'/M) d,  I' = sum M' (kappa + P(d))
    r is the position of the mass centre, p = M v the momentum, H the angular momentum about the mass centre, and q the
-   attitude. The vector c leads from the reference point to the mass centre, and d = at - c; both are in body axes. R is
-   the rotation of q/|q| from body axes to inertial ones. The last term of q' is 0 for |q| = 1. It brings the length of
-   q back to 1 and does not lower the order of an integrator. The dissertation [1] prints I' omega2 in (152) instead of
-   M' kappa omega2.
-   If a stream has a store (vm_store) at the position s, three terms differ, with d_s = s - c: d_s replaces d in c' and
-   P(d); the gyration of the store replaces kappa in I'; and the mass on its way between store and surface has the
-   momentum M' (s - at) and the angular momentum M' d x d_s.
+   attitude as a quaternion. The vector c leads from the reference point to the mass centre, and d = at - c, where `at`
+   is the field of vm_stream; all three are in body axes. R is the rotation of q/|q| from body axes to inertial axes.
+   The last term of q' is 0 for |q| = 1. It brings the length of q back to 1 and does not lower the order of an
+   integrator. The dissertation [1] prints I' omega2 in (152) instead of M' kappa omega2.
+   If a stream has a store (vm_store) at the position s, let d_s = s - c. Three things then differ: d_s replaces d in c'
+   and in P(d); the gyration of the store replaces kappa in I'; and the mass that flows between the store and the
+   surface adds M' (s - at) to the body's momentum and M' d x d_s to its angular momentum.
    The reference point, from which `at`, s and c are measured, is fixed in the body; its position is r - R c. If
    flow.centre is 0 at the start, the reference point is the initial mass centre.
    Tests: tests/test_flow.c. */
@@ -5230,7 +5664,7 @@ enum {
     VM_Y_H = 10,       /* angular momentum about the mass centre, 3 numbers, kg m^2/s; for vm_flow_carried_rhs the
                           angular velocity in body axes, rad/s */
     VM_Y_MASS = 13,    /* mass, kg */
-    VM_Y_CENTRE = 14,  /* mass centre from the reference point, 3 numbers, body axes, m */
+    VM_Y_CENTRE = 14,  /* vector from the reference point to the mass centre, 3 numbers, body axes, m */
     VM_Y_INERTIA = 17, /* inertia xx, yy, zz, xy, xz, yz about the mass centre, body axes, kg m^2 */
     VM_Y_BALANCE = 23, /* integrals of vm_flow_balanced_rhs: 3 of momentum, 3 of angular momentum, 1 of energy */
     VM_FLOW_GIVEN_STATES = 13,   /* states if flow.update gives the mass data: vm_flow_given_rhs, vm_flow_carried_rhs */
@@ -5246,23 +5680,24 @@ typedef struct VM_TAG(vm_flow) {
     vm_vec3 force;      /* resultant of the outer forces, N, inertial axes */
     vm_vec3 moment;     /* moment of the outer forces about the mass centre, plus all torques, N m, inertial axes */
     /* NULL, or a function that is called before each evaluation of a right-hand side and sets what depends on time and
-       state. It may set every field of the flow and of its streams: a weight (flow->force = y[VM_Y_MASS] g), a rate
-       that follows a valve, and the laws of mass M(t), mass centre c(t) and inertia I(t) for vm_flow_given_rhs and
-       vm_flow_carried_rhs. (One function gives all ten numbers of these laws, because they belong together.) It
-       returns 0; another number ends the run, with the integrator's status ODE_RHS_STOPPED. What it sets has to be a
-       smooth function of t and y. To switch something at an instant, use an event with the action ODE_RESTART and its
-       function `change`. */
+       state. It may set every field of the flow and of its streams: for example a weight (flow->force = y[VM_Y_MASS]
+       g), a rate that a valve changes, or the mass M(t), mass centre c(t) and inertia I(t) for vm_flow_given_rhs and
+       vm_flow_carried_rhs. The function returns 0 to go on. If it returns another number, the run ends with the
+       integrator's status ODE_RHS_STOPPED. The values that it sets must be smooth functions of t and y. To switch
+       something at an instant, use an event with the action ODE_RESTART and set the event's function `change`. */
     int (*update)(vm_real t, const vm_real *y, struct VM_TAG(vm_flow) * flow);
     void *ctx;             /* pointer for the caller's `update`; not used by the functions below */
     vm_real mass;          /* mass for vm_flow_given_rhs and vm_flow_carried_rhs, kg */
-    vm_vec3 centre;        /* mass centre from the reference point, m, body axes (vm_flow_given_rhs, vm_flow_start) */
+    vm_vec3 centre;        /* vector from the reference point to the mass centre, m, body axes; for vm_flow_given_rhs
+                              and vm_flow_start */
     vm_inertia inertia;    /* inertia for vm_flow_given_rhs and vm_flow_carried_rhs, kg m^2, body axes */
     vm_vec3 drift;         /* rate c'(t) of the mass centre for vm_flow_carried_rhs, m/s, body axes */
-    vm_real least_mass;    /* mass at which vm_flow_mass_left is 0, kg */
-    vm_real least_inertia; /* smallest pivot of the inertia at which vm_flow_inertia_left is 0, kg m^2 */
-    /* VM_OK, or the reason why the last evaluations gave NaN or ended the run. A trial step may go beyond the end of a
-       motion, where the mass is zero or negative or no body can have the inertia. The derivatives are then NaN, so that
-       the integrator shortens its step. An event should stop the run before this happens. */
+    vm_real least_mass;    /* the event function vm_flow_mass_left is 0 when the mass has fallen to this value, kg */
+    vm_real least_inertia; /* the event function vm_flow_inertia_left is 0 when the smallest pivot of the inertia has
+                              fallen to this value, kg m^2 */
+    /* VM_OK, or the reason why the last evaluations gave NaN or ended the run. A trial step of the integrator may go
+       beyond the end of a motion, where the mass is not positive or no body can have the inertia. The derivatives are
+       then NaN, so that the integrator shortens its step. An event should stop the run before this happens. */
     int status;
     /* Length of the array y, VM_LENGTH(y), which all functions below check; 0 means unknown. vm_flow_start writes
        VM_FLOW_GIVEN_STATES or VM_FLOW_STATES numbers, as many as y_size allows. If y_size allows all
@@ -5281,23 +5716,23 @@ VM_API int vmi_flow_reject_step(int n, vm_real *dydt)
     return 0;
 }
 
-/* Stores the status of an evaluation of a right-hand side in *kept and returns it. After several failures in a row
-   *kept is the status of the first one, because the NaN that it returned causes the later failures. */
+/* Stores the status of an evaluation of a right-hand side in *kept and returns this status. After several failures in a
+   row *kept is the status of the first failure, because its NaN derivatives may be the cause of the later failures. */
 VM_INLINE int vmi_flow_note_status(int *kept, int status)
 {
     if (!status || !*kept) *kept = status;
     return status;
 }
 
-/* Mass, mass centre and inertia of a body at an instant */
+/* Mass, vector from the reference point to the mass centre, and inertia of a body at an instant, in body axes */
 typedef struct VM_TAG(vmi_flow_mass) {
     vm_real mass;
     vm_vec3 centre;
     vm_inertia inertia;
 } vmi_flow_mass;
 
-/* The present mass, mass centre and inertia of the body: from the fields of the flow if given = 1, else from the state
-   y */
+/* Returns the present mass, mass centre and inertia of the body. They are fields of the flow if given = 1, and parts of
+   the state y if given = 0. */
 VM_INLINE vmi_flow_mass vmi_flow_mass_at(const vm_flow *flow, int given, const vm_real *y)
 {
     vmi_flow_mass b;
@@ -5325,8 +5760,9 @@ VM_INLINE int vmi_flow_check_mass(vm_real mass)
     return VM_OK;
 }
 
-/* Computes from the state y the rotation *turn from body axes to inertial ones, and in *seen the velocity, the
-   angular velocity and all else that the streams need. Returns VM_OK, VM_NOT_FINITE, VM_BAD_MASS or VM_BAD_INERTIA. */
+/* Computes from the state y the rotation *turn from body axes to inertial axes, and in *seen the velocity, the angular
+   velocity and the other quantities that the sums over the streams need. Returns VM_OK, VM_NOT_FINITE, VM_BAD_MASS or
+   VM_BAD_INERTIA. */
 VM_INLINE int vmi_flow_motion(const vm_flow *flow, const vm_real *y, const vmi_flow_mass *b, vmi_mat3 *turn,
                               vmi_stream_seen *seen)
 {
@@ -5343,25 +5779,26 @@ VM_INLINE int vmi_flow_motion(const vm_flow *flow, const vm_real *y, const vmi_f
     vmi_stream_on_the_way(flow->n, flow->streams, b->centre, &p_on_the_way, &h_on_the_way);
     seen->turn = turn;
     seen->centre = b->centre;
-    seen->v = vmi_scale(inverse, p);
-    seen->slip = vmi_scale(-inverse, p_on_the_way);
-    seen->omega = vmi_inertia_solve(&factors, vmi_sub(h, h_on_the_way));
+    seen->v = vm_scale(inverse, p);
+    seen->slip = vm_scale(-inverse, p_on_the_way);
+    seen->omega = vmi_inertia_solve(&factors, vm_sub(h, h_on_the_way));
     return VM_OK;
 }
 
-/* Sets dydt[0] ... dydt[6], the rates of the seven integrals of vm_flow_balanced_rhs: the momentum, angular momentum
-   and energy that the streams take out of the body per second, minus those that the outer loads put in */
+/* Sets dydt[0] ... dydt[6] to the rates of the seven integrals of vm_flow_balanced_rhs: the momentum, angular momentum
+   and energy that the streams take out of the body per second, minus those that outer loads put into it per second */
 VM_INLINE void vmi_flow_balance(const vm_flow *flow, const vm_real *y, const vmi_stream_seen *seen,
                                 const vmi_stream_sum *sum, vm_vec3 force, vm_vec3 moment, vm_real *dydt)
 {
     const vm_vec3 omega = vmi_times(seen->turn, seen->omega), r = vmi_get3(y + VM_Y_R);
     const vm_vec3 drift = vmi_times(seen->turn, sum->crossing);
-    vmi_set3(dydt, vmi_scale(-1, force));
-    vmi_set3(dydt + 3, vmi_scale(-1, vmi_add(moment, vmi_add(vmi_cross(r, force), vmi_cross(drift, seen->v)))));
-    dydt[6] = (sum->lost - sum->brought) / 2 - vmi_dot(flow->force, seen->v) - vmi_dot(flow->moment, omega);
+    vmi_set3(dydt, vm_scale(-1, force));
+    vmi_set3(dydt + 3, vm_scale(-1, vm_add(moment, vm_add(vm_cross(r, force), vm_cross(drift, seen->v)))));
+    dydt[6] = (sum->lost - sum->brought) / 2 - vm_dot(flow->force, seen->v) - vm_dot(flow->moment, omega);
 }
 
-/* Evaluates the right-hand side that has n states: vm_flow_given_rhs, vm_flow_rhs or vm_flow_balanced_rhs */
+/* Evaluates a right-hand side. The number n of its states tells which one: vm_flow_given_rhs, vm_flow_rhs or
+   vm_flow_balanced_rhs. */
 VM_INLINE int vmi_flow_rates(vm_flow *flow, int n, vm_real t, const vm_real *y, vm_real *dydt)
 {
     const int given = n == VM_FLOW_GIVEN_STATES;
@@ -5381,25 +5818,25 @@ VM_INLINE int vmi_flow_rates(vm_flow *flow, int n, vm_real t, const vm_real *y, 
     if (vmi_flow_note_status(&flow->status, status)) return vmi_flow_reject_step(n, dydt);
     seen.energy = n == VM_FLOW_BALANCED_STATES;
     if (!vmi_stream_sums(flow->n, flow->streams, &seen, &sum)) return flow->status = VM_BAD_ARGUMENT;
-    force = vmi_add(vmi_times(&turn, sum.pushed), vmi_scale(sum.carried, seen.v));
-    force = vmi_add(flow->force, vmi_add(sum.absolute, force));
-    moment = vmi_add(flow->moment, vmi_times(&turn, vmi_add(sum.moment, sum.own)));
-    vmi_set3(dydt + VM_Y_R, vmi_add(seen.v, vmi_times(&turn, vmi_scale(1 / body.mass, sum.crossing))));
+    force = vm_add(vmi_times(&turn, sum.pushed), vm_scale(sum.carried, seen.v));
+    force = vm_add(flow->force, vm_add(sum.absolute, force));
+    moment = vm_add(flow->moment, vmi_times(&turn, vm_add(sum.moment, sum.own)));
+    vmi_set3(dydt + VM_Y_R, vm_add(seen.v, vmi_times(&turn, vm_scale(1 / body.mass, sum.crossing))));
     vmi_attitude_rates(q, vmi_quat_square(q), seen.omega, dydt + VM_Y_Q);
     vmi_set3(dydt + VM_Y_P, force);
     vmi_set3(dydt + VM_Y_H, moment);
     if (given) return 0;
     dydt[VM_Y_MASS] = sum.rate;
-    vmi_set3(dydt + VM_Y_CENTRE, vmi_scale(1 / body.mass, sum.stored));
+    vmi_set3(dydt + VM_Y_CENTRE, vm_scale(1 / body.mass, sum.stored));
     vmi_set_inertia(dydt + VM_Y_INERTIA, &sum.inertia);
     if (seen.energy) vmi_flow_balance(flow, y, &seen, &sum, force, moment, dydt + VM_Y_BALANCE);
     return 0;
 }
 
 /* Right-hand side of a free body whose streams change its mass (151), (152).
-   An ode_rhs of VM_FLOW_STATES states; ctx is a vm_flow. The equations stand at the top of mechanics/flow.h. Returns
-   0; or VM_BAD_ARGUMENT for a null pointer, n < 0 or an unknown `motion` of a stream, VM_SHORT_ARRAY if y_size is too
-   small, or the number that flow.update returns, each of which ends the run. */
+   An ode_rhs of VM_FLOW_STATES states; its ctx is a vm_flow. The equations are given at the top of mechanics/flow.h.
+   Returns 0; or VM_BAD_ARGUMENT for a null pointer, n < 0 or an unknown `motion` of a stream, VM_SHORT_ARRAY if y_size
+   is too small, or the number that flow.update returns, each of which ends the run. */
 VM_API int vm_flow_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow)
 {
     if (!y || !dydt || !flow) return VM_BAD_ARGUMENT;
@@ -5407,9 +5844,10 @@ VM_API int vm_flow_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow)
 }
 
 /* Right-hand side of a free body with given laws of mass, mass centre and inertia.
-   An ode_rhs of VM_FLOW_GIVEN_STATES states; ctx is a vm_flow, whose `update` gives the laws as functions of time.
-   The streams make forces and moments as in vm_flow_rhs. Without streams the equations are (170): mass joins and
-   leaves at rest, at the mass centre. The errors are those of vm_flow_rhs. */
+   An ode_rhs of VM_FLOW_GIVEN_STATES states; its ctx is a vm_flow, whose `update` must set mass, centre and inertia for
+   the time t. The streams cause forces and moments as in vm_flow_rhs, but do not change the mass. Without streams the
+   equations are (170): the mass that joins or leaves is at rest and at the mass centre. The errors are those of
+   vm_flow_rhs. */
 VM_API int vm_flow_given_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow)
 {
     if (!y || !dydt || !flow) return VM_BAD_ARGUMENT;
@@ -5417,13 +5855,13 @@ VM_API int vm_flow_given_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *f
 }
 
 /* Right-hand side vm_flow_rhs with seven integrals that check the balances.
-   An ode_rhs of VM_FLOW_BALANCED_STATES states; ctx is a vm_flow. The integrals stand from y[VM_Y_BALANCE] on and are
-   zero at the start: momentum (3), angular momentum about the origin (3) and kinetic energy (1) that the streams took
-   out, minus those that the outer loads put in. The sum of an integral and the body's own quantity stays constant.
-   (There are two exceptions if a stream has a store: the body's angular momentum is then y[VM_Y_H] + r x p, and the
-   energy does not balance.) The rate T' of the kinetic energy follows from (113), (118), which hold for sudden
-   changes, in the limit of a continuous stream, for M' > 0 and M' < 0. With the letters of the equations at the top of
-   mechanics/flow.h:
+   An ode_rhs of VM_FLOW_BALANCED_STATES states; its ctx is a vm_flow. The integrals are the states from y[VM_Y_BALANCE]
+   on and are zero at the start. They are the momentum (3 numbers), the angular momentum about the origin (3 numbers)
+   and the kinetic energy that the streams have taken out of the body, minus those that the outer loads have put in.
+   The sum of an integral and the corresponding quantity of the body stays constant. (There are two exceptions if a
+   stream has a store: the body's angular momentum is then y[VM_Y_H] + r x p, and the energy does not balance.)
+   The rate T' of the kinetic energy is the limit of (113), (118), which hold for sudden changes, for a continuous
+   stream with M' > 0 or M' < 0. With the letters of the equations at the top of mechanics/flow.h:
      T' = F v + M_S omega + sum [M' u^2 + omega2 M' kappa omega2]/2 - sum [M' w^2 + omega_r M' kappa omega_r]/2,
      w = u - v - omega x d, omega_r = omega2 - omega.
    The first sum is the power that the streams bring. The second sum, with its minus sign, is the power of engines
@@ -5435,11 +5873,12 @@ VM_API int vm_flow_balanced_rhs(vm_real t, const vm_real *y, vm_real *dydt, void
 }
 
 /* Right-hand side of a free body that loses or gains mass which moves with the body (166).
-   An ode_rhs of VM_FLOW_GIVEN_STATES states; ctx is a vm_flow, whose `update` gives mass, centre, inertia and drift.
-   The states are r, q, the velocity v (not the momentum) and omega in body axes (not the angular momentum). Streams
-   are not read. The equations are v' = F/M + R (omega x c'), r' = v + R c' and I omega' + omega x I omega = M_S.
-   Their letters are explained at the top of mechanics/flow.h; here c' is flow.drift, and M_S is in body axes. The
-   errors are those of vm_flow_rhs. */
+   An ode_rhs of VM_FLOW_GIVEN_STATES states; its ctx is a vm_flow, whose `update` must set mass, inertia and drift for
+   the time t. The states are r, q, the velocity v (not the momentum) and omega in body axes (not the angular
+   momentum). Streams are not read. The equations are
+     v' = F/M + R (omega x c'), r' = v + R c', I omega' + omega x I omega = M_S.
+   The letters are explained at the top of mechanics/flow.h; here c' is flow.drift, and M_S is in body axes. The errors
+   are those of vm_flow_rhs. */
 VM_API int vm_flow_carried_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 {
     if (!y || !dydt || !ctx) return VM_BAD_ARGUMENT;
@@ -5457,17 +5896,18 @@ VM_API int vm_flow_carried_rhs(vm_real t, const vm_real *y, vm_real *dydt, void 
     if (!vmi_inertia_factor_if_possible(&flow->inertia, &factors)) status = vmi_first_error(status, VM_BAD_INERTIA);
     if (vmi_flow_note_status(&flow->status, status)) return vmi_flow_reject_step(VM_FLOW_GIVEN_STATES, dydt);
     turn = vmi_rotation_of_square(q, square);
-    vmi_set3(dydt + VM_Y_R, vmi_add(vmi_get3(y + VM_Y_P), vmi_times(&turn, flow->drift)));
+    vmi_set3(dydt + VM_Y_R, vm_add(vmi_get3(y + VM_Y_P), vmi_times(&turn, flow->drift)));
     vmi_attitude_rates(q, square, omega, dydt + VM_Y_Q);
     vmi_set3(dydt + VM_Y_P,
-             vmi_add(vmi_scale(1 / flow->mass, flow->force), vmi_times(&turn, vmi_cross(omega, flow->drift))));
+             vm_add(vm_scale(1 / flow->mass, flow->force), vmi_times(&turn, vm_cross(omega, flow->drift))));
     vmi_set3(dydt + VM_Y_H,
              vmi_stream_euler(&flow->inertia, &factors, omega, vmi_times_transposed(&turn, flow->moment)));
     return 0;
 }
 
-/* Returns how many numbers vm_flow_start writes: VM_FLOW_STATES, or fewer if y_size leaves less room. It writes zeros
-   for the integrals of the balance only if y_size is large enough for them. */
+/* Returns how many numbers vm_flow_start writes: VM_FLOW_STATES if y_size is unknown (0) or large enough, and
+   VM_FLOW_GIVEN_STATES if y_size is smaller. If y_size is large enough for the integrals of the balance, too, the
+   result is VM_FLOW_BALANCED_STATES. */
 VM_API int vmi_flow_size_at_start(const vm_flow *flow)
 {
     if (flow->y_size >= VM_FLOW_BALANCED_STATES) return VM_FLOW_BALANCED_STATES;
@@ -5488,11 +5928,11 @@ VM_API int vmi_flow_check_start(const vm_flow *flow, const vm_body *body)
 }
 
 /* Initial state y of a body with streams. Writes the first VM_FLOW_STATES states, or as many as flow.y_size allows.
-   The mass centre is flow.centre, and the streams are those of flow.streams at the start. Sets flow.mass and
-   flow.inertia too. For vm_flow_given_rhs y must have room for VM_FLOW_GIVEN_STATES numbers at least, and flow.y_size
-   must be set if it has room for fewer than VM_FLOW_STATES. vm_flow_carried_rhs has different states, which the
-   caller sets. Returns VM_BAD_ARGUMENT for a null pointer, n < 0 or an unknown `motion` of a stream, VM_NOT_FINITE,
-   VM_BAD_MASS, VM_BAD_INERTIA also for a rod or a point, VM_SHORT_ARRAY, and VM_OK otherwise. */
+   Before the call flow.centre and flow.streams must have the mass centre and the streams at the start. The function
+   sets flow.mass and flow.inertia, too. For vm_flow_given_rhs y must have room for VM_FLOW_GIVEN_STATES numbers at
+   least, and flow.y_size must be set if it has room for fewer than VM_FLOW_STATES. vm_flow_carried_rhs has different
+   states, which the caller sets. Returns VM_BAD_ARGUMENT for a null pointer, n < 0 or an unknown `motion` of a stream,
+   VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_INERTIA also for a rod or a point, VM_SHORT_ARRAY, and VM_OK otherwise. */
 VM_API int vm_flow_start(vm_flow *flow, const vm_body *body, vm_real *y)
 {
     vm_vec3 p, h;
@@ -5503,7 +5943,7 @@ VM_API int vm_flow_start(vm_flow *flow, const vm_body *body, vm_real *y)
     if (!flow || !body || !y) return VM_BAD_ARGUMENT;
     status = vmi_flow_check_start(flow, body);
     if (status) return status;
-    q = vmi_unit_quat(body->q);
+    q = vm_unit_quat(body->q);
     turn = vmi_rotation(q);
     vmi_stream_on_the_way(flow->n, flow->streams, flow->centre, &p, &h);
     start[VM_Y_Q] = q.w;
@@ -5512,7 +5952,7 @@ VM_API int vm_flow_start(vm_flow *flow, const vm_body *body, vm_real *y)
     start[VM_Y_Q + 3] = q.z;
     vmi_set3(start + VM_Y_R, body->r);
     vmi_set3(start + VM_Y_P, vm_momentum(body));
-    vmi_set3(start + VM_Y_H, vmi_add(vmi_spin_momentum(body), vmi_times(&turn, h)));
+    vmi_set3(start + VM_Y_H, vm_add(vmi_spin_momentum(body), vmi_times(&turn, h)));
     start[VM_Y_MASS] = body->mass;
     vmi_set3(start + VM_Y_CENTRE, flow->centre);
     vmi_set_inertia(start + VM_Y_INERTIA, &body->inertia);
@@ -5526,10 +5966,10 @@ VM_API int vm_flow_start(vm_flow *flow, const vm_body *body, vm_real *y)
     return VM_OK;
 }
 
-/* The body that n states y describe, with a quaternion of length 1. For n = VM_FLOW_GIVEN_STATES mass, mass centre
-   and inertia come from the flow, for a larger n from y. The states of vm_flow_carried_rhs are different and must not
-   be given. Returns VM_BAD_ARGUMENT for a null pointer and n < VM_FLOW_GIVEN_STATES, VM_SHORT_ARRAY, VM_BAD_MASS,
-   VM_BAD_INERTIA, VM_NOT_FINITE, and VM_OK otherwise. */
+/* The body that n states y describe, with a quaternion of length 1. If n < VM_FLOW_STATES, mass, mass centre and
+   inertia are the fields of *flow; otherwise they are states in y. y must not be a state of vm_flow_carried_rhs, which
+   has different states. Returns VM_BAD_ARGUMENT for a null pointer and n < VM_FLOW_GIVEN_STATES, VM_SHORT_ARRAY,
+   VM_BAD_MASS, VM_BAD_INERTIA, VM_NOT_FINITE, and VM_OK otherwise. */
 VM_API int vm_flow_body(const vm_flow *flow, int n, const vm_real *y, vm_body *body)
 {
     vm_body b;
@@ -5546,7 +5986,7 @@ VM_API int vm_flow_body(const vm_flow *flow, int n, const vm_real *y, vm_body *b
     if (status) return status;
     b.mass = now.mass;
     b.inertia = now.inertia;
-    b.q = vmi_unit_quat(vmi_get_quat(y + VM_Y_Q));
+    b.q = vm_unit_quat(vmi_get_quat(y + VM_Y_Q));
     b.r = vmi_get3(y + VM_Y_R);
     b.v = seen.v;
     b.omega = vmi_times(&turn, seen.omega);
@@ -5566,10 +6006,10 @@ VM_API vm_real vm_flow_mass_left(vm_real t, const vm_real *y, void *flow)
 }
 
 /* Smallest pivot of the inertia minus flow.least_inertia, kg m^2: an event function.
-   The pivots are those of the factorization L D L^T. The event stops a run before the inertia becomes singular, which
-   means that a pivot is 0. It is for vm_flow_rhs and vm_flow_balanced_rhs; its ctx is the vm_flow. The event does not
-   watch the triangle inequality of the moments, because thin bodies are always close to its limit. Returns NaN for a
-   null pointer or an inertia that is not finite. */
+   The pivots are the diagonal entries of D in the factorization L D L^T of the inertia. The event stops a run before a
+   pivot becomes 0, which would make the inertia singular. It is for vm_flow_rhs and vm_flow_balanced_rhs; the ctx of
+   the event is the vm_flow. The event does not check the triangle inequality of the moments, because thin bodies are
+   always close to its limit. Returns NaN for a null pointer or an inertia that is not finite. */
 VM_API vm_real vm_flow_inertia_left(vm_real t, const vm_real *y, void *flow)
 {
     if (!y || !flow) return VM_NAN;
@@ -5585,8 +6025,8 @@ VM_API vm_real vm_flow_inertia_left(vm_real t, const vm_real *y, void *flow)
 #endif
 /* mechanics/flow2.h - a body in a plane with streams of mass
 
-   This is the right-hand side of mechanics/flow.h for motion in a plane, with 10 states instead of 23. Streams in the
-   plane have no stores; otherwise the equations are those of motion in space.
+   This chapter has the right-hand side of mechanics/flow.h for motion in a plane, with 10 states instead of 23. The
+   equations are those of motion in space, except that streams in the plane have no stores.
 
        vm_stream2 jet = {-1, VM_RELATIVE, -0.5, 0, -2000, 0, 0, 0}; // 1 kg/s, 0.5 m behind, 2000 m/s backwards
        vm_flow2 flow;
@@ -5608,7 +6048,7 @@ enum {
     VM_FLOW2_P = 3,       /* momentum, 2 numbers, kg m/s */
     VM_FLOW2_H = 5,       /* angular momentum about the mass centre, kg m^2/s */
     VM_FLOW2_MASS = 6,    /* mass, kg */
-    VM_FLOW2_CENTRE = 7,  /* mass centre from the reference point, 2 numbers, body axes, m */
+    VM_FLOW2_CENTRE = 7,  /* vector from the reference point to the mass centre, 2 numbers, body axes, m */
     VM_FLOW2_INERTIA = 9, /* moment of inertia about the mass centre, kg m^2 */
     VM_FLOW2_STATES = 10
 };
@@ -5636,10 +6076,11 @@ typedef struct VM_TAG(vm_flow2) {
     int status; /* VM_OK, or the reason why the last evaluations gave NaN or ended the run: see vm_flow.status */
 } vm_flow2;
 
-/* Sine and cosine of x, with errors below 0.6 eps. For |x| up to 2^20 quarter turns (float 2^10) the j quarter turns
-   nearest to x are subtracted from it, in fewer operations than vmi_sincos needs. pi/2 is taken as the sum of two
-   numbers: `first` has 33 (float 14) bits, so that j times `first` is exact. The sum of `first` and `second` differs
-   from pi/2 by 2^-87 (float 2^-38). The product j times `second` has a rounding error of 2^-67 (float 2^-28). */
+/* Computes sine and cosine of x, with errors below 0.6 eps, in fewer operations than vmi_sincos. For |x| up to 2^20
+   quarter turns (float 2^10) it subtracts j pi/2 from x, where j is the integer nearest to x/(pi/2). pi/2 is replaced
+   by the sum of two numbers: `first` has 33 (float 14) bits, so that j times `first` is exact. The sum of `first` and
+   `second` differs from pi/2 by 2^-87 (float 2^-38). The product of j and `second` has a rounding error of at most
+   2^-67 (float 2^-28). For larger |x| the function calls vmi_sincos. */
 VM_INLINE void vmi_sincos_of_angle(vm_real x, vm_real *sine, vm_real *cosine)
 {
 #if VM_MANT_DIG > 24
@@ -5672,7 +6113,7 @@ typedef struct VM_TAG(vmi_stream_seen2) {
     vm_real sine, cosine;       /* sine and cosine of the body's angle */
     vm_real vx, vy;             /* velocity, which is momentum/mass, body axes */
     vm_real omega;              /* angular velocity, rad/s */
-    vm_real centre_x, centre_y; /* mass centre from the reference point, body axes */
+    vm_real centre_x, centre_y; /* vector from the reference point to the mass centre, body axes */
 } vmi_stream_seen2;
 
 /* The sums over the streams of a body in the plane, in body axes except fx, fy. The letters M', u, v, d, kappa,
@@ -5682,12 +6123,12 @@ typedef struct VM_TAG(vmi_stream_sum2) {
     vm_real carried; /* sum of M' of the streams whose velocity is relative to the body */
     vm_real px, py;  /* force of the streams whose velocity is relative to the body: sum of M' (u - v) */
     vm_real fx, fy;  /* outer force, plus the sum of M' u of the streams whose velocity is absolute, inertial axes */
-    vm_real moment;  /* outer moment, plus the moments d x M' (u - v) + M' kappa omega2 of the streams */
-    vm_real sx, sy;  /* sum of M' d, which moves the mass centre in the body */
-    vm_real inertia; /* rate of the body's inertia: sum of M' (kappa + d^2) */
+    vm_real moment;  /* outer moment, plus the sum of d x M' (u - v) + M' kappa omega2 over all streams */
+    vm_real sx, sy;  /* sum of M' d over all streams; divided by M it is the rate of the mass centre in the body */
+    vm_real inertia; /* rate of the body's inertia: sum of M' (kappa + d^2) over all streams */
 } vmi_stream_sum2;
 
-/* Adds a stream, whose `motion` is known, to the sums */
+/* Adds the terms of a stream to the sums. Its `motion` must be known. */
 VM_INLINE void vmi_stream_add2(const vm_stream2 *s, const vmi_stream_seen2 *b, vmi_stream_sum2 *sum)
 {
     const int given = vmi_stream_velocity_is_given(s->motion);
@@ -5735,7 +6176,7 @@ VM_INLINE int vmi_flow2_check_state(const vm_real *y)
 }
 
 /* Right-hand side of a body in the plane with streams of mass, (151), (152).
-   An ode_rhs of VM_FLOW2_STATES states; ctx is a vm_flow2. The equations are those at the top of mechanics/flow.h.
+   An ode_rhs of VM_FLOW2_STATES states; its ctx is a vm_flow2. The equations are those at the top of mechanics/flow.h.
    Returns 0; or VM_BAD_ARGUMENT for a null pointer, n < 0 or an unknown `motion` of a stream, or the number that
    flow.update returns, each of which ends the run. */
 VM_API int vm_flow2_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
@@ -5789,7 +6230,7 @@ VM_API int vm_flow2_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 
    These right-hand sides describe motions with streams of mass that need fewer states than a free body in space:
    translation in space (172), straight motion (175), (176), and rotation about a fixed axle (173a). The equation of
-   rotation is that of straight motion, with the moment of inertia instead of the mass.
+   rotation is the equation of straight motion with the moment of inertia instead of the mass.
 
        vm_stream1 jet = {-1, -2000, VM_RELATIVE}; // 1 kg/s leaves at 2000 m/s backwards
        vm_flow1 flow;
@@ -5821,9 +6262,10 @@ enum {
     VM_FLOW1_STATES = 3
 };
 
-/* A stream of mass that enters or leaves a body on a line or an axle. For an axle let M' be the mass per time, rho the
-   distance of the mass from the axle and kappa its gyration (inertia per unit mass). Then `rate` is M' (kappa + rho^2),
-   and `velocity` is the angular momentum of the stream per unit mass divided by kappa + rho^2. */
+/* A stream of mass that enters or leaves a body on a line or an axle. For a body on an axle let M' be the mass per
+   time, rho the distance from the axle at which the mass enters or leaves, and kappa the inertia per unit mass of this
+   mass about its own mass centre. Then `rate` must be M' (kappa + rho^2), the rate of the moment of inertia. `velocity`
+   must be the angular momentum per unit mass, about the axle, of this mass, divided by kappa + rho^2. */
 typedef struct VM_TAG(vm_stream1) {
     vm_real rate;     /* mass per time, kg/s (axle: kg m^2/s); > 0: mass joins, < 0: mass leaves */
     vm_real velocity; /* velocity of the stream's mass, m/s (axle: rad/s) */
@@ -5842,21 +6284,21 @@ typedef struct VM_TAG(vm_flow1) {
     int status; /* VM_OK, or the reason why the last evaluations gave NaN or ended the run: see vm_flow.status */
 } vm_flow1;
 
-/* The velocity u of a stream's mass. v is the velocity of the body, and `given` is the field `velocity` of the stream.
-   All three vectors have the same axes. */
+/* Returns the velocity u of a stream's mass. v is the velocity of the body, and `given` is the field `velocity` of the
+   stream. All three vectors have the same axes. */
 VM_INLINE vm_vec3 vmi_translation_velocity(int motion, vm_vec3 v, vm_vec3 given)
 {
     vm_vec3 u = vmi_vec3(0, 0, 0);
     if (vmi_stream_moves_with_body(motion)) u = v;
-    if (vmi_stream_velocity_is_given(motion)) u = vmi_add(u, given);
+    if (vmi_stream_velocity_is_given(motion)) u = vm_add(u, given);
     return u;
 }
 
-/* Evaluates the right-hand side of vm_translation_rhs; flow->update has been called before */
+/* Evaluates the right-hand side of vm_translation_rhs. The caller has called flow->update before, if it is not NULL. */
 VM_INLINE int vmi_translation_rates(vm_flow *flow, const vm_real *y, vm_real *dydt)
 {
     const vm_real mass = y[VM_TRANSLATION_MASS];
-    const vm_vec3 v = vmi_scale(1 / mass, vmi_get3(y + VM_TRANSLATION_P));
+    const vm_vec3 v = vm_scale(1 / mass, vmi_get3(y + VM_TRANSLATION_P));
     vm_real rate = 0;
     vm_vec3 force = flow->force;
     int k, status = VM_OK;
@@ -5868,7 +6310,7 @@ VM_INLINE int vmi_translation_rates(vm_flow *flow, const vm_real *y, vm_real *dy
         const vm_stream *s = flow->streams + k;
         if (!vmi_stream_motion_is_known(s->motion)) return flow->status = VM_BAD_ARGUMENT;
         rate += s->rate;
-        force = vmi_add(force, vmi_scale(s->rate, vmi_translation_velocity(s->motion, v, s->velocity)));
+        force = vm_add(force, vm_scale(s->rate, vmi_translation_velocity(s->motion, v, s->velocity)));
     }
     vmi_set3(dydt + VM_TRANSLATION_R, v);
     vmi_set3(dydt + VM_TRANSLATION_P, force);
@@ -5876,8 +6318,8 @@ VM_INLINE int vmi_translation_rates(vm_flow *flow, const vm_real *y, vm_real *dy
     return 0;
 }
 
-/* Calls flow->update, then evaluates the rates. This function is not inlined, so that a flow without `update` need
-   not save registers for this call. */
+/* Calls flow->update, then evaluates the right-hand side. This function is not inlined. Otherwise a flow without
+   `update` would lose time, because the processor's registers would be saved for the call of `update`. */
 VMI_APART int vmi_translation_updated_rates(vm_real t, const vm_real *y, vm_real *dydt, vm_flow *flow)
 {
     const int status = flow->update(t, y, flow);
@@ -5886,10 +6328,11 @@ VMI_APART int vmi_translation_updated_rates(vm_real t, const vm_real *y, vm_real
 }
 
 /* Right-hand side of a body in translation with streams of mass: r' = p/M, p' = F + sum M' u (172).
-   An ode_rhs of VM_TRANSLATION_STATES states; ctx is a vm_flow, of which n, streams, force, update, y_size and status
-   are used. r is the position, p the momentum, M the mass, F the outer force, M' the rate of a stream and u the
-   velocity of its mass. Body axes are parallel to the inertial axes. The fields at, spin, gyration and from of the
-   streams are not read. Returns 0; or VM_BAD_ARGUMENT for a null pointer, n < 0 or an unknown `motion` of a stream,
+   An ode_rhs of VM_TRANSLATION_STATES states; its ctx, here `flow`, is a vm_flow, of which n, streams, force, update,
+   y_size and status are used. r is the position of the mass centre, p the momentum, M the mass and F the outer force.
+   The sum is over all streams; M' is the rate of a stream and u the velocity of its mass. The rate of M is the sum of
+   M'. Body axes are parallel to the inertial axes. The fields at, spin, gyration and from of the streams are not read.
+   Returns 0; or VM_BAD_ARGUMENT for a null pointer, n < 0 or an unknown `motion` of a stream,
    VM_SHORT_ARRAY if y_size is too small, or the number that flow.update returns, each of which ends the run. */
 VM_API int vm_translation_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow)
 {
@@ -5899,7 +6342,7 @@ VM_API int vm_translation_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *
     return vmi_translation_rates(f, y, dydt);
 }
 
-/* Evaluates the right-hand side of vm_flow1_rhs; flow->update has been called before */
+/* Evaluates the right-hand side of vm_flow1_rhs. The caller has called flow->update before, if it is not NULL. */
 VM_INLINE int vmi_flow1_rates(vm_flow1 *flow, const vm_real *y, vm_real *dydt)
 {
     const vm_real v = y[VM_FLOW1_P] / y[VM_FLOW1_MASS];
@@ -5920,8 +6363,8 @@ VM_INLINE int vmi_flow1_rates(vm_flow1 *flow, const vm_real *y, vm_real *dydt)
     return 0;
 }
 
-/* Calls flow->update, then evaluates the rates. The comment on vmi_translation_updated_rates says why it is not
-   inlined. */
+/* Calls flow->update, then evaluates the right-hand side. The comment on vmi_translation_updated_rates says why this
+   function is not inlined. */
 VMI_APART int vmi_flow1_updated_rates(vm_real t, const vm_real *y, vm_real *dydt, vm_flow1 *flow)
 {
     const int status = flow->update(t, y, flow);
@@ -5930,10 +6373,11 @@ VMI_APART int vmi_flow1_updated_rates(vm_real t, const vm_real *y, vm_real *dydt
 }
 
 /* Right-hand side of a body on a line or an axle with streams of mass, (173a), (175), (176).
-   An ode_rhs of VM_FLOW1_STATES states; ctx is a vm_flow1. The position x, the momentum p and the mass M change by
-   x' = p/M, p' = F + sum of M_i u_i, M' = sum of M_i, with the outer force F, the streams' rates M_i and the
-   velocities u_i of their mass. Returns 0; or VM_BAD_ARGUMENT for a null pointer, n < 0 or an unknown `motion` of a
-   stream, or the number that flow.update returns, each of which ends the run. */
+   An ode_rhs of VM_FLOW1_STATES states; its ctx, here `flow1`, is a vm_flow1. The equations for the position x, the
+   momentum p and the mass M are x' = p/M, p' = F + sum of M_i u_i, M' = sum of M_i. F is the outer force. Each sum is
+   over all streams; M_i is the rate of stream number i, and u_i is the velocity of its mass. Returns 0; or
+   VM_BAD_ARGUMENT for a null pointer, n < 0 or an unknown `motion` of a stream, or the number that flow.update returns,
+   each of which ends the run. */
 VM_API int vm_flow1_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow1)
 {
     if (!y || !dydt || !flow1) return VM_BAD_ARGUMENT;
@@ -5945,9 +6389,9 @@ VM_API int vm_flow1_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow1)
 #endif
 /* mechanics/rocket.h - closed forms: velocity by momentum, Tsiolkovsky's rocket, linear flow, jet damping
 
-   These are motions with streams of mass that need no integrator: the velocity of a body from its mass alone, (151),
-   (171) and (175), (176); the motion along a line at a constant rate of mass; and the spin of a rocket whose jet
-   damps it, from Euler's equations. The formulas stay accurate as the rate of mass tends to zero.
+   These are motions with streams of mass that need no integrator: the velocity of a body as a function of its mass,
+   (151), (171), (175), (176); the motion along a line while the mass changes at a constant rate; and the angular
+   velocity of a spinning rocket that its jet damps. The formulas stay accurate as the rate of mass tends to zero.
 
        vm_real v = vm_tsiolkovsky(0, 100, 40, -2500); // m/s: from 100 kg to 40 kg, jet at 2500 m/s backwards
 
@@ -5955,16 +6399,17 @@ VM_API int vm_flow1_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow1)
 #ifndef VARMASS_MECHANICS_ROCKET_H
 #define VARMASS_MECHANICS_ROCKET_H
 
-/* A spinning axisymmetric body. The mass that it loses comes from around the mass centre and leaves through a nozzle on
-   the axis (rate < 0), or mass flows the opposite way (rate > 0). The mass centre does not move in the body. The z axis
-   is the axis of symmetry. */
+/* A spinning axisymmetric body. The body axis z is the axis of symmetry. Mass from around the mass centre leaves
+   through a nozzle on the axis (rate < 0), or mass enters through the nozzle (rate > 0). The mass centre does not move
+   in the body. A transverse axis goes through the mass centre and is perpendicular to z; "inertia" means moment of
+   inertia. */
 typedef struct VM_TAG(vm_jet) {
     vm_real rate;                /* mass per time, kg/s; < 0: mass leaves */
-    vm_real axial;               /* moment of inertia C0 about the axis at t = 0, kg m^2 */
-    vm_real transverse;          /* moment of inertia A0 about a transverse axis at t = 0, kg m^2 */
-    vm_real gyration_axial;      /* inertia per unit mass about the axis, in the body and in the nozzle, m^2 */
-    vm_real gyration_transverse; /* inertia per unit mass about a transverse axis, of the mass in the body, m^2 */
-    vm_real gyration_out;        /* inertia per unit mass about a transverse axis, of the mass in the nozzle, m^2 */
+    vm_real axial;               /* inertia C0 of the body about the z axis at t = 0, kg m^2 */
+    vm_real transverse;          /* inertia A0 of the body about a transverse axis at t = 0, kg m^2 */
+    vm_real gyration_axial;      /* inertia about z per unit of the flowing mass, in the body and in the nozzle, m^2 */
+    vm_real gyration_transverse; /* inertia about a transverse axis per unit of the flowing mass, in the body, m^2 */
+    vm_real gyration_out;        /* inertia per unit of the mass in the nozzle, about a transverse axis there, m^2 */
     vm_real nozzle;              /* distance of the nozzle from the mass centre, m */
 } vm_jet;
 
@@ -5974,9 +6419,10 @@ VM_API int vmi_masses_are_good(vm_real m0, vm_real m)
 }
 
 /* Velocity after a stream with the absolute velocity u changes the mass from m0 to m (151), (171).
-   v0 (m/s) is the velocity at mass m0 (kg), u is in m/s, and impulse (N s) is that of the outer forces during the
-   change. The case u = 0 is that of Levi-Civita. About a fixed axle this formula gives the angular velocity, with
-   moments of inertia instead of masses. Returns NaN if a mass is not positive and for infinite arguments. */
+   v0 (m/s) is the velocity at the mass m0 (kg), u is in m/s, and `impulse` (N s) is the integral of the outer forces
+   over the time of the change. The case u = 0 is that of Levi-Civita. With moments of inertia instead of masses the
+   function gives the angular velocity about a fixed axle. Returns NaN if a mass is not positive or if an argument is
+   infinite or NaN. */
 VM_API vm_real vm_velocity_by_momentum(vm_real v0, vm_real m0, vm_real m, vm_real u, vm_real impulse)
 {
     if (!vmi_masses_are_good(m0, m)) return VM_NAN;
@@ -5985,10 +6431,10 @@ VM_API vm_real vm_velocity_by_momentum(vm_real v0, vm_real m0, vm_real m, vm_rea
 }
 
 /* Velocity of Tsiolkovsky's rocket after its mass changes from m0 to m: v0 + w ln(m/m0), (175), (176).
-   v0 (m/s) is the velocity at mass m0 (kg), and w (m/s) is the velocity, relative to the body, of the mass that joins
-   or leaves. There is no outer force. About a fixed axle this formula gives the angular velocity, with moments of
-   inertia instead of masses. The error is at most 4 eps of |v0| + |w ln(m/m0)|. Returns NaN if a mass is not positive
-   and for infinite arguments. */
+   v0 (m/s) is the velocity at the mass m0 (kg), and w (m/s) is the velocity, relative to the body, of the mass that
+   joins or leaves. There is no outer force. With moments of inertia instead of masses the function gives the angular
+   velocity about a fixed axle. The error is at most 4 eps (|v0| + |w ln(m/m0)|). Returns NaN if a mass is not positive
+   or if an argument is infinite or NaN. */
 VM_API vm_real vm_tsiolkovsky(vm_real v0, vm_real m0, vm_real m, vm_real w)
 {
     vm_two l;
@@ -5999,9 +6445,10 @@ VM_API vm_real vm_tsiolkovsky(vm_real v0, vm_real m0, vm_real m, vm_real w)
     return v0 + w * l.hi;
 }
 
-/* Sets *first = ln(1 + x)/x and *second = (x - ln(1 + x))/x^2 for -1 < x < 1e299 (float 1e34). For other x they are
-   NaN. In a flow at constant rate let s be the fraction of the time that has passed, and m = 1 + x s the mass divided
-   by its initial value. Then *first is the mean of 1/m over s, and *second the mean of s/m. */
+/* Sets *first = ln(1 + x)/x and *second = (x - ln(1 + x))/x^2 for -1 < x < 1e299 (float 1e34), and both to NaN for
+   other x. They are means over the time of a flow at constant rate. Let s grow from 0 at the start of this time to 1 at
+   its end, and let m = 1 + x s be the mass divided by its initial value. Then *first is the mean of 1/m over s, and
+   *second is the mean of s/m over s. */
 VM_API void vmi_stream_log_means(vm_real x, vm_real *first, vm_real *second)
 {
     const vm_two whole = vmi_two(x, 0), l = vmi_log1p(whole);
@@ -6011,14 +6458,15 @@ VM_API void vmi_stream_log_means(vm_real x, vm_real *first, vm_real *second)
 }
 
 /* Position and velocity on a line after t seconds of a stream of constant rate.
-   x0 (m), v0 (m/s) and m0 (kg) belong to t = 0. The force (N), the rate and the velocity of the stream are constant.
-   t may be negative. With tau = rate t/m0, m = m0 + rate t, L = ln(1 + tau)/tau and B = (tau - ln(1 + tau))/tau^2,
-   for an absolute velocity u:
-     v = v0 + (force + rate (u - v0)) t/m,        x = x0 + v0 t + (force + rate (u - v0)) B t^2/m0;
-   for a velocity w relative to the body:
+   The position x0 (m), the velocity v0 (m/s) and the mass m0 (kg) belong to t = 0. The outer force (N) and the rate and
+   the velocity of the stream are constant. t may be negative. Let m = m0 + rate t be the mass at the time t,
+   tau = rate t/m0, L = ln(1 + tau)/tau and B = (tau - ln(1 + tau))/tau^2. If the stream has the absolute velocity u:
+     v = v0 + (force + rate (u - v0)) t/m,        x = x0 + v0 t + (force + rate (u - v0)) B t^2/m0.
+   If the stream has the velocity w relative to the body:
      v = v0 + (force + rate w) L t/m0,            x = x0 + v0 t + (force + rate w) (L - B) t^2/m0.
-   For every rate >= 0 the errors of x and v are at most 8 eps times the terms of their sums. If mass leaves, this bound
-   grows with m0/m, because the rounding error of rate t is large relative to a small m. Returns VM_BAD_ARGUMENT,
+   If rate t >= 0, the errors of x and v are at most 8 eps times the sum of the absolute values of all terms. If the
+   mass decreases, this bound grows with m0/m, because the rounding error of rate t is large relative to a small m.
+   Returns VM_BAD_ARGUMENT,
    VM_NOT_FINITE, VM_BAD_MASS if m0 or m is not positive, and VM_OK otherwise. */
 VM_API int vm_linear_flow(const vm_stream1 *stream, vm_real t, vm_real x0, vm_real v0, vm_real m0, vm_real force,
                           vm_real *x, vm_real *v)
@@ -6058,14 +6506,16 @@ VM_API int vmi_jet_finite(const vm_jet *jet)
 }
 
 /* Angular velocity of a spinning rocket whose jet damps it, after t seconds, rad/s, body axes.
-   There are no outer loads. With the moments of inertia A = A0 + rate gyration_transverse t and C = C0 + rate
-   gyration_axial t the transverse part omega_t of omega has the length
+   There are no outer loads. At the time t the body has the inertia A = A0 + rate gyration_transverse t about a
+   transverse axis and C = C0 + rate gyration_axial t about the z axis. The part omega_t of the angular velocity that is
+   perpendicular to z has the length
      |omega_t| = |omega_t0| (A/A0)^((nozzle^2 + gyration_out)/gyration_transverse - 1),
-   where omega_t0 is omega_t at t = 0. omega_z stays constant, and omega_t turns by omega_z times the integral of C/A -
-   1 over time. Let L and B be the functions of tau of vm_linear_flow, here with tau = rate gyration_transverse t/A0.
-   Then ln(A/A0) is tau L, and the integral is t (L C0/A0 - 1 + B rate t gyration_axial/A0). The error is at most 8
-   times the change that an error of eps in the inputs makes. Returns VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_INERTIA if
-   A or C is not positive, and VM_OK otherwise. */
+   where omega_t0 is omega_t at t = 0. The part omega_z along z stays constant, and omega_t turns about z by the angle
+   omega_z times the integral of (C/A - 1) over time. Let L and B be the functions of tau explained at vm_linear_flow,
+   here with tau = rate gyration_transverse t/A0. Then ln(A/A0) is tau L, and the integral is
+   t (L C0/A0 - 1 + B rate t gyration_axial/A0). The error is at most 8 times the change of the result that an error of
+   eps in the inputs causes. Returns VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_INERTIA if A or C is not positive, and VM_OK
+   otherwise. */
 VM_API int vm_jet_damping(const vm_jet *jet, vm_real t, vm_vec3 omega0, vm_vec3 *omega)
 {
     vm_real change, tau, first, second, exponent, share, angle, sine, cosine;
@@ -6090,21 +6540,373 @@ VM_API int vm_jet_damping(const vm_jet *jet, vm_real t, vm_vec3 omega0, vm_vec3 
 }
 
 #endif
+/* mechanics/supply.h - tanks and grains: mass, mass centre and inertia follow from the mass that is left
+
+   A supply is a round cylinder of stored mass inside a body: a tank of liquid, whose level falls; a tank of gas, whose
+   density falls; or a hollow cylinder of solid propellant (a grain), which burns radially outwards. The mass that is
+   left determines its mass centre, its inertia and their rates, and also the store (vm_store) from which a stream takes
+   the next mass. With this store the moments that streams exert, jet damping among them, are right.
+
+       vm_supply tank = {VM_TANK_OF_LIQUID, {0, 0, -2}, {0, 0, 1}, 3, 0.5, 0, 800}; // 3 m long, radius 0.5 m, 800 kg
+       vm_supply_left left;
+       if (vm_supply_at(&tank, 200, &left) == VM_OK) printf("level %g m\n", left.size); // 0.75 m: a quarter is left
+
+   The equations. Let m be the mass that is left, m1 that of the full supply, L the length, R the radius, e the unit
+   vector along the axis from the lower end to the upper one, E the unit matrix, and b the lower end of the axis. The
+   inertia about the mass centre c is m [k_a e e^T + k_t (E - e e^T)]. The next mass lies at the point s, and its
+   inertia per unit mass is q_a e e^T + q_t (E - e e^T).
+     liquid  level h = L m/m1, c = b + e h/2, k_a = R^2/2, k_t = R^2/4 + h^2/12; s = b + e h, q_a = R^2/2, q_t = R^2/4
+     gas     c = s = b + e L/2, k_a = q_a = R^2/2, k_t = q_t = R^2/4 + L^2/12
+     grain   bore r, r^2 = (m r0^2 + (m1 - m) R^2)/m1 with the bore r0 of the full grain, c = s = b + e L/2,
+             k_a = (R^2 + r^2)/2, k_t = (R^2 + r^2)/4 + L^2/12, q_a = r^2, q_t = r^2/2 + L^2/12
+   They follow from the volumes. Moments about a fixed point give the identities d(m c)/dm = s and dI/dm = Q + P(s - c),
+   where I is the inertia about c, Q the inertia of the next mass per unit mass, and P(d) = |d|^2 E - d d^T.
+   Tests: tests/test_supply.c. */
+#ifndef VARMASS_MECHANICS_SUPPLY_H
+#define VARMASS_MECHANICS_SUPPLY_H
+
+/* The kinds of supplies */
+enum {
+    VM_TANK_OF_LIQUID = 0, /* constant density; the tank empties from the lower end, and its surface stays normal to the
+                              axis. The liquid turns with the tank */
+    VM_TANK_OF_GAS = 1,    /* constant volume; the density falls everywhere alike */
+    VM_GRAIN = 2           /* constant density; a hollow cylinder that burns from its bore outwards, not at its ends */
+};
+
+/* A supply of mass inside a body */
+typedef struct VM_TAG(vm_supply) {
+    int kind;       /* VM_TANK_OF_LIQUID, VM_TANK_OF_GAS or VM_GRAIN */
+    vm_vec3 at;     /* centre of the lower end, from the body's reference point, m, body axes */
+    vm_vec3 axis;   /* direction from the lower end to the upper end, of any length but 0, body axes */
+    vm_real length; /* distance of the ends, m; that of a tank of liquid when it is full */
+    vm_real radius; /* outer radius, m */
+    vm_real bore;   /* inner radius of the full grain, m, 0 <= bore < radius; not used by the tanks */
+    vm_real full;   /* mass of the full supply, kg */
+} vm_supply;
+
+/* What is left of a supply. The rates are derivatives with respect to the mass that is left; multiply them by its rate
+   in kg/s (< 0 while the supply empties) to get rates in time. */
+typedef struct VM_TAG(vm_supply_left) {
+    vm_real mass;               /* mass that is left, kg */
+    vm_real size;               /* level of the liquid, length of the gas, or bore of the grain, m */
+    vm_vec3 centre;             /* mass centre, from the body's reference point, m, body axes */
+    vm_inertia inertia;         /* inertia about this mass centre, kg m^2, body axes */
+    vm_vec3 centre_by_mass;     /* rate of the mass centre, m/kg */
+    vm_inertia inertia_by_mass; /* rate of the inertia, m^2 */
+    vm_store store;             /* where the next mass that leaves lies, for the field `from` of a vm_stream */
+} vm_supply_left;
+
+/* The tensor axial e e^T + transverse (E - e e^T) for a unit vector e and the unit matrix E. The diagonal entries are
+   sums of positive terms. */
+VM_API vm_inertia vmi_inertia_of_revolution(vm_vec3 e, vm_real axial, vm_real transverse)
+{
+    const vm_real difference = axial - transverse;
+    vm_inertia i;
+    i.xx = axial * (e.x * e.x) + transverse * (e.y * e.y + e.z * e.z);
+    i.yy = axial * (e.y * e.y) + transverse * (e.x * e.x + e.z * e.z);
+    i.zz = axial * (e.z * e.z) + transverse * (e.x * e.x + e.y * e.y);
+    i.xy = difference * (e.x * e.y);
+    i.xz = difference * (e.x * e.z);
+    i.yz = difference * (e.y * e.z);
+    return i;
+}
+
+VM_API int vmi_supply_check(const vm_supply *s, vm_real mass)
+{
+    if (s->kind < VM_TANK_OF_LIQUID || s->kind > VM_GRAIN) return VM_BAD_ARGUMENT;
+    if (!vmi_vec3_is_finite(s->at) || !vmi_vec3_is_finite(s->axis) || !VM_IS_FINITE(s->length)) return VM_NOT_FINITE;
+    if (!VM_IS_FINITE(s->radius) || !VM_IS_FINITE(s->bore) || !VM_IS_FINITE(s->full)) return VM_NOT_FINITE;
+    if (!VM_IS_FINITE(mass)) return VM_NOT_FINITE;
+    if (!(s->full > 0)) return VM_BAD_MASS;
+    if (!(s->length > 0 && s->radius > 0) || vmi_norm_max(s->axis) == 0) return VM_DOMAIN;
+    if (s->kind == VM_GRAIN && !(s->bore >= 0 && s->bore < s->radius)) return VM_DOMAIN;
+    return VM_OK;
+}
+
+/* Writes to *left what is left of a tank of liquid; e is the unit vector along the axis */
+VM_API void vmi_supply_liquid(const vm_supply *s, vm_vec3 e, vm_supply_left *left)
+{
+    const vm_real m = left->mass, level = s->length * (m / s->full), disc = s->radius * s->radius / 4;
+    const vm_real slope = s->length / s->full / 2;
+    left->size = level;
+    left->centre = vm_add(s->at, vm_scale(level / 2, e));
+    left->centre_by_mass = vm_scale(slope, e);
+    left->inertia = vmi_inertia_of_revolution(e, m * (2 * disc), m * (disc + level * level / 12));
+    left->inertia_by_mass = vmi_inertia_of_revolution(e, 2 * disc, disc + level * level / 4);
+    left->store.at = vm_add(s->at, vm_scale(level, e));
+    left->store.gyration = vmi_inertia_of_revolution(e, 2 * disc, disc);
+}
+
+/* Writes to *left what is left of a tank of gas or of a grain. The square of the bore is that of the text at the top;
+   it is 0 for gas, which leaves everywhere alike. */
+VM_API void vmi_supply_hollow(const vm_supply *s, vm_vec3 e, vm_supply_left *left)
+{
+    const vm_real m = left->mass, square = s->radius * s->radius, rod = s->length * s->length / 12;
+    vm_real bore = 0, axial = square / 2, transverse = square / 4;
+    left->size = s->length;
+    if (s->kind == VM_GRAIN) {
+        bore = (m * (s->bore * s->bore) + (s->full - m) * square) / s->full;
+        left->size = bore > 0 ? VM_SQRT(bore) : 0;
+        axial = bore;
+        transverse = bore / 2;
+    }
+    left->centre = left->store.at = vm_add(s->at, vm_scale(s->length / 2, e));
+    left->centre_by_mass = vmi_vec3(0, 0, 0);
+    left->inertia = vmi_inertia_of_revolution(e, m * ((square + bore) / 2), m * ((square + bore) / 4 + rod));
+    left->inertia_by_mass = left->store.gyration = vmi_inertia_of_revolution(e, axial, transverse + rod);
+}
+
+VM_API int vmi_supply_left_is_finite(const vm_supply_left *left)
+{
+    return VM_IS_FINITE(left->size) && vmi_vec3_is_finite(left->centre) && vmi_vec3_is_finite(left->centre_by_mass) &&
+           vmi_inertia_is_finite(&left->inertia) && vmi_inertia_is_finite(&left->inertia_by_mass) &&
+           vmi_vec3_is_finite(left->store.at) && vmi_inertia_is_finite(&left->store.gyration);
+}
+
+/* What is left of a tank or grain when its mass is `mass`: mass centre, inertia, their rates, and the next store.
+   mass is in kg and lies between 0 and supply.full. Beyond both ends the formulas go on as polynomials of the mass, so
+   that trial steps of an integrator see smooth functions, but what they then describe is no body. The errors are at
+   most 8 eps of |at| + length, of the largest entry of a tensor and of the rate, next to an empty or full supply too.
+   Returns VM_BAD_ARGUMENT for a null pointer or an unknown kind, VM_NOT_FINITE, VM_BAD_MASS if supply.full is not
+   positive, VM_DOMAIN for a length, radius, bore or axis outside its domain, and VM_OK otherwise. */
+VM_API int vm_supply_at(const vm_supply *supply, vm_real mass, vm_supply_left *left)
+{
+    vm_supply_left result;
+    vm_vec3 e;
+    int status;
+    if (!supply || !left) return VM_BAD_ARGUMENT;
+    status = vmi_supply_check(supply, mass);
+    if (status) return status;
+    e = vmi_over(supply->axis, vmi_norm_max(supply->axis));
+    e = vmi_over(e, VM_SQRT(vm_dot(e, e)));
+    result.mass = mass;
+    if (supply->kind == VM_TANK_OF_LIQUID) vmi_supply_liquid(supply, e, &result);
+    else vmi_supply_hollow(supply, e, &result);
+    if (!vmi_supply_left_is_finite(&result)) return VM_NOT_FINITE;
+    *left = result;
+    return VM_OK;
+}
+
+#endif
+/* mechanics/orbit.h - two bodies that attract each other, with constant masses and with masses that change
+
+   The vector r from one body to the other obeys r'' = -mu r/|r|^3 with mu = G (M1 + M2), if mass that leaves or joins
+   has the velocity of its body (reactive = 0). vm_orbit solves this equation for constant mu (Kepler's problem), for
+   ellipses, parabolas, hyperbolas and straight lines alike. vm_orbit_meshchersky solves it for Meshchersky's law
+   mu/(1 + c t), one of Gylden's problems of variable mass that have a closed form. The scene with vm_effect_gravitation
+   takes any law of mass.
+
+       vm_vec3 r = {7e6, 0, 0}, v = {0, 7.6e3, 0}; // m, m/s
+       vm_orbit(3600, 3.986004418e14, r, v, &r, &v); // an hour later; the results may be the inputs
+
+   The equations. Lengths are in units of |r0|, times in units of sqrt(|r0|^3/mu). With sigma = r0 v0 (the dot product)
+   and beta = 2 - v0^2, and the functions of Stumpff in the form
+     G1 = s - beta s^3/3! + ..., G2 = s^2/2! - beta s^4/4! + ..., G3 = s^3/3! - beta s^5/5! + ...
+   (sines and cosines of sqrt(beta) s for beta > 0, hyperbolic ones for beta < 0), the time is t = s + sigma G2 +
+   (1 - beta) G3, and its derivative dt/ds = 1 + sigma G1 + (1 - beta) G2 is the distance R. Then
+     r = (1 - G2) r0 + (t - G3) v0,  v = -G1/R r0 + (1 - G2/R) v0.
+   Meshchersky's law: with f = 1 + c t, r = f xi and the time tau = t/f, xi obeys the equation for constant mu.
+   Tests: tests/test_orbit.c. */
+#ifndef VARMASS_MECHANICS_ORBIT_H
+#define VARMASS_MECHANICS_ORBIT_H
+
+/* The functions G1, G2, G3 of the text above */
+typedef struct VM_TAG(vmi_stumpff) {
+    vm_real g1, g2, g3;
+} vmi_stumpff;
+
+/* The functions by their series, for |beta| s^2 <= 4, where the first omitted term is below 1e-18 of the sum */
+VM_API vmi_stumpff vmi_stumpff_series(vm_real beta, vm_real s)
+{
+    const vm_real x = beta * s * s;
+    vm_real c2 = 1, c3 = 1;
+    vmi_stumpff g;
+    int k;
+    for (k = 11; k > 0; k--) {
+        c2 = 1 - x * c2 / (vm_real)((2 * k + 1) * (2 * k + 2));
+        c3 = 1 - x * c3 / (vm_real)((2 * k + 2) * (2 * k + 3));
+    }
+    c2 /= 2;
+    c3 /= 6;
+    g.g1 = s * (1 - x * c3);
+    g.g2 = s * s * c2;
+    g.g3 = s * s * s * c3;
+    return g;
+}
+
+/* The functions for any beta and s >= 0. Where e^(sqrt(-beta) s) overflows they are infinite. */
+VM_API vmi_stumpff vmi_stumpff_at(vm_real beta, vm_real s)
+{
+    const vm_real root = VM_SQRT(VM_FABS(beta)), z = root * s;
+    vm_real sine, cosine, half;
+    vmi_stumpff g;
+    if (z <= 2) return vmi_stumpff_series(beta, s);
+    if (beta > 0) {
+        vmi_sincos(z / 2, &half, &cosine);
+        vmi_sincos(z, &sine, &cosine);
+        g.g3 = (z - sine) / (root * root * root);
+    } else {
+        const vm_real growing = vmi_exp(z / 2, 0);
+        half = (growing - 1 / growing) / 2;
+        sine = half * (growing + 1 / growing);
+        g.g3 = (sine - z) / (root * root * root);
+    }
+    g.g1 = sine / root;
+    g.g2 = 2 * (half / root) * (half / root);
+    return g;
+}
+
+/* Kepler's problem in the units of the text above */
+typedef struct VM_TAG(vmi_kepler) {
+    vm_real sigma; /* r0 v0 */
+    vm_real beta;  /* 2 - v0^2; the energy is -beta/2 */
+} vmi_kepler;
+
+/* What belongs to a value of the variable s */
+typedef struct VM_TAG(vmi_kepler_point) {
+    vmi_stumpff g;
+    vm_real time, distance;
+    vm_real noise; /* sum of the absolute values of the terms of `time`, times 4 VM_EPSILON */
+} vmi_kepler_point;
+
+VM_API vmi_kepler_point vmi_kepler_at(const vmi_kepler *o, vm_real s)
+{
+    vmi_kepler_point p;
+    vm_real first, second;
+    p.g = vmi_stumpff_at(o->beta, s);
+    first = o->sigma * p.g.g2;
+    second = (1 - o->beta) * p.g.g3;
+    p.time = s + (first + second);
+    p.noise = 4 * VM_EPSILON * (s + VM_FABS(first) + VM_FABS(second));
+    p.distance = 1 + (o->sigma * p.g.g1 + (1 - o->beta) * p.g.g2);
+    return p;
+}
+
+/* Finds the variable s >= 0 at the time t >= 0 and returns what belongs to it. The time rises with s, so that Newton's
+   steps are kept between bounds of s that close in. A step that leaves them, or that is longer than half the step
+   before, is replaced by doubling or halving. On a fast hyperbola, where the time rises exponentially, Newton's steps
+   alone would be too many. */
+VM_API vmi_kepler_point vmi_kepler_solve(const vmi_kepler *o, vm_real t)
+{
+    const int most = 3 * VM_MANT_DIG; /* halving alone needs VM_MANT_DIG steps, Newton's steps are fewer */
+    vm_real low = 0, high = VM_INFINITY, s = vmi_smaller(t, 1), before = VM_INFINITY;
+    vmi_kepler_point p = vmi_kepler_at(o, s);
+    int i;
+    for (i = 0; i < most; i++) {
+        const vm_real late = p.time - t, step = late / p.distance;
+        vm_real next = s - step;
+        if (VM_FABS(late) <= vmi_smaller(p.noise, t) || VM_FABS(step) <= VM_EPSILON * s) break;
+        if (late < 0) low = s;
+        else high = s; /* also where the time is infinite or NaN */
+        if (!(next > low && next < high && 2 * VM_FABS(step) <= before)) {
+            next = (low + high) / 2;
+            if (high == VM_INFINITY) next = 2 * s;
+        }
+        if (high == VM_INFINITY) next = vmi_smaller(next, 16 * s); /* before the time overflows */
+        if (next == s) break;
+        before = VM_FABS(next - s);
+        s = next;
+        p = vmi_kepler_at(o, s);
+    }
+    return p;
+}
+
+/* Reduces the time t on an ellipse (beta > 0) by whole periods, to at most half a period on either side of 0 */
+VM_API vm_real vmi_kepler_reduce(vm_real beta, vm_real t)
+{
+    vm_real period;
+    if (!(beta > 0)) return t;
+    period = 2 * VM_PI / (beta * VM_SQRT(beta));
+    if (!(VM_FABS(t) > period / 2 && period > 0)) return t;
+    return t - period * VM_FLOOR(t / period + VM_C(0.5));
+}
+
+/* Position and velocity after t seconds on an orbit about a centre with the attraction mu/r^2 (Kepler's problem).
+   r0 (m) is the position relative to the centre and v0 (m/s) the velocity at t = 0; mu (m^3/s^2) is G times the mass in
+   the centre, or G (M1 + M2) if r0 and v0 belong to two bodies, one relative to the other. t may be negative. The orbit
+   may be an ellipse, a parabola, a hyperbola or a straight line; on a straight line the body turns back at the centre.
+   The error is that which an error of a few eps in t, r0, v0 and mu makes; it grows with the number of revolutions.
+   The cost is that of some ten sines. Returns VM_BAD_ARGUMENT, VM_NOT_FINITE also where the results are not finite,
+   VM_DOMAIN for mu <= 0 or r0 = 0, and VM_OK otherwise. */
+VM_API int vm_orbit(vm_real t, vm_real mu, vm_vec3 r0, vm_vec3 v0, vm_vec3 *r, vm_vec3 *v)
+{
+    vm_real distance0, speed, unit, time, sign = 1;
+    vm_vec3 start, rate, position, velocity;
+    vmi_kepler o;
+    vmi_kepler_point p;
+    if (!r || !v) return VM_BAD_ARGUMENT;
+    if (!VM_IS_FINITE(t) || !VM_IS_FINITE(mu)) return VM_NOT_FINITE;
+    if (!vmi_vec3_is_finite(r0) || !vmi_vec3_is_finite(v0)) return VM_NOT_FINITE;
+    distance0 = vm_norm(r0);
+    if (!(mu > 0 && distance0 > 0)) return VM_DOMAIN;
+    speed = VM_SQRT(mu / distance0);
+    unit = distance0 / speed;
+    start = vmi_over(r0, distance0);
+    rate = vmi_over(v0, speed);
+    o.sigma = vm_dot(start, rate);
+    o.beta = 2 - vm_dot(rate, rate);
+    time = vmi_kepler_reduce(o.beta, t / unit);
+    if (!VM_IS_FINITE(time) || !VM_IS_FINITE(o.beta)) return VM_NOT_FINITE;
+    if (time < 0) {
+        sign = -1;
+        time = -time;
+        o.sigma = -o.sigma;
+        rate = vm_scale(-1, rate);
+    }
+    p = vmi_kepler_solve(&o, time);
+    position = vm_add(vm_scale(1 - p.g.g2, start), vm_scale(time - p.g.g3, rate));
+    velocity = vm_sub(vm_scale(1 - p.g.g2 / p.distance, rate), vm_scale(p.g.g1 / p.distance, start));
+    position = vm_scale(distance0, position);
+    velocity = vm_scale(sign * speed, velocity);
+    if (!vmi_vec3_is_finite(position) || !vmi_vec3_is_finite(velocity)) return VM_NOT_FINITE;
+    *r = position;
+    *v = velocity;
+    return VM_OK;
+}
+
+/* Position and velocity after t seconds, while the attraction changes by Meshchersky's law mu/(1 + rate t).
+   The two bodies lose mass (rate > 0, per second) or gain it (rate < 0) in the same proportion, and the mass that
+   leaves or joins has the velocity of its body. The equation is that of Gylden and Meshchersky,
+   r'' = -mu/(1 + rate t) r/|r|^3. The other arguments and the accuracy are those of vm_orbit. Returns VM_BAD_MASS if
+   1 + rate t is not positive, and the errors of vm_orbit. */
+VM_API int vm_orbit_meshchersky(vm_real t, vm_real mu, vm_real rate, vm_vec3 r0, vm_vec3 v0, vm_vec3 *r, vm_vec3 *v)
+{
+    vm_vec3 position, velocity;
+    vm_real f;
+    int status;
+    if (!r || !v) return VM_BAD_ARGUMENT;
+    if (!VM_IS_FINITE(t) || !VM_IS_FINITE(rate)) return VM_NOT_FINITE;
+    if (!VM_IS_FINITE(mu) || !vmi_vec3_is_finite(r0) || !vmi_vec3_is_finite(v0)) return VM_NOT_FINITE;
+    f = 1 + rate * t;
+    if (!VM_IS_FINITE(f)) return VM_NOT_FINITE;
+    if (!(f > 0)) return VM_BAD_MASS;
+    status = vm_orbit(t / f, mu, r0, vm_sub(v0, vm_scale(rate, r0)), &position, &velocity);
+    if (status) return status;
+    velocity = vm_add(vmi_over(velocity, f), vm_scale(rate, position));
+    position = vm_scale(f, position);
+    if (!vmi_vec3_is_finite(position) || !vmi_vec3_is_finite(velocity)) return VM_NOT_FINITE;
+    *r = position;
+    *v = velocity;
+    return VM_OK;
+}
+
+#endif
 /* mechanics/drum.h - a band that winds up on a drum
 
-   A band that arrives at a constant velocity winds up on a drum, whose mass and inertia grow (chapter 5.2, Fig. 20).
-   This chapter has
+   A band that arrives at a constant velocity winds up on a drum. The mass and the inertia of the drum with its band
+   grow (section 5.2 and Fig. 20 of the dissertation [1]). This chapter has
      - the geometry (181)-(188),
-     - the exact equations of motion, and the reduced equations (192)-(193) of the dissertation,
+     - the exact equations of motion, and the reduced equations (192)-(193) of [1],
      - the motion on a rigid shaft in closed form (194)-(206),
      - the vibrations of an elastic shaft (210)-(226).
 
-   The band moves at the velocity v along y and meets the drum at S + (R, 0), where S is the centre of the shaft and R
-   the radius. After the drum has turned by the angle phi, the band covers the arc from 0 to phi. The mass centre of
-   this arc is in the direction phi/2. R stays constant, because only the first layer, 0 <= phi <= 2 pi, is considered.
+   The band moves at the velocity v along y and meets the drum at the point S + (R, 0), where S is the centre of the
+   shaft and R the radius of the drum. After the drum has turned by the angle phi, the band covers the arc from 0 to
+   phi. The mass centre of this arc lies in the direction phi/2 from S. R stays constant, because only the first layer
+   of the band, 0 <= phi <= 2 pi, is considered.
 
-   The fields of vm_drum name most letters of the formulas. In addition, mu is the band's mass per angle, j = mu R^2
-   (186), and e = mu v R - D with the damping D. If e > 0, the band drives the drum. If e < 0, the drum comes to rest.
+   The letters of the formulas are explained at the fields of vm_drum. Two more are j = mu R^2 (186), the inertia of the
+   band per angle, and e = mu v R - D. If e > 0, the band drives the drum. If e < 0, the drum comes to rest.
 
        vm_drum drum = {VM_C(0.2), 50, 1, VM_C(0.05), 10, VM_C(0.02), VM_C(1e5), 40}; // in the order of the fields
        vm_real angle = vm_drum_angle(&drum, 1); // rad, after 1 s on a rigid shaft
@@ -6128,9 +6930,9 @@ typedef struct VM_TAG(vm_drum) {
 /* Geometry of the drum and of the band wound on it, when the drum has turned by the angle phi */
 typedef struct VM_TAG(vm_drum_geometry) {
     vm_real mass;         /* mass M of drum and band (182), kg */
-    vm_real arc_centre;   /* distance of the band's mass centre S' from the shaft S (184), m */
-    vm_real offset;       /* distance from the shaft S to S1, the mass centre of drum and band, m;
-                             S1 lies in the direction phi/2 from S [(185) corrected] */
+    vm_real arc_centre;   /* distance of the band's mass centre from the shaft's centre S (184), m */
+    vm_real offset;       /* distance from the shaft's centre S to S1, the mass centre of drum and band, m.
+                             S1 lies in the direction phi/2 from S [(185) corrected]. */
     vm_real axle_inertia; /* inertia J_S of drum and band about the axle (187), kg m^2 */
     vm_real inertia;      /* inertia J_S1 of drum and band about S1 (188), kg m^2 */
 } vm_drum_geometry;
@@ -6151,22 +6953,22 @@ enum {
     VM_DRUM_ANGLE_STATES = 4
 };
 
-/* The elastic shaft in the first approximation, for small mu/M0, j/J0, e/(J0 Omega_b), with the letters of vm_drum,
-   j = mu R^2 and e = mu v R - D. With ' = d/dphi, the deflection x satisfies
+/* The elastic shaft in the first approximation, for small mu/M0, j/J0 and e/(J0 Omega_b). The letters mu, v, M0, J0,
+   Omega_b, c are explained at vm_drum; j = mu R^2 and e = mu v R - D. The deflection x, y of the shaft is a function
+   of the angle phi. With x' = dx/dphi the deflection x satisfies
      x'' + 2 delta x' + k^2 (1 - A phi) x = 0 (213).
-   The equation for y has mu v/(M0 Omega_b) on the right instead of 0 (214). */
+   The equation of y has mu v/(M0 Omega_b) on the right side instead of 0 (214). */
 typedef struct VM_TAG(vm_drum_shaft) {
-    vm_real k;     /* frequency divided by angular velocity, sqrt(c/M0)/Omega_b, a pure number */
-    vm_real delta; /* damping, 1/rad: (mu/M0 + e/(J0 Omega_b) - j/J0)/2 with mu = band, j = mu R^2, e = mu v R - D.
-                      This corrects the coefficient in (213). */
-    vm_real A;     /* relative decrease of the squared frequency, 1/rad: mu/M0 - 2 j/J0 + 2 e/(J0 Omega_b), with
-                      mu, j, e as for delta. This corrects (213), too. */
+    vm_real k;     /* angular frequency sqrt(c/M0) of the shaft with the empty drum, divided by Omega_b */
+    vm_real delta; /* damping, 1/rad: (mu/M0 + e/(J0 Omega_b) - j/J0)/2. The coefficient printed in (213) is wrong. */
+    vm_real A;     /* relative decrease of the squared frequency per angle, 1/rad: mu/M0 - 2 j/J0 + 2 e/(J0 Omega_b).
+                      The value in (213) is wrong. */
     vm_real shift; /* displacement mu v/(M0 Omega_b k^2), m. The deflection y oscillates about shift/(1 - A phi). */
 } vm_drum_shaft;
 
 /* The band's mass per angle on a drum, mu = R h b rho (181), kg/rad.
-   The radius R of the drum, the thickness h and the width b of the band are in m, the density rho in kg/m^3. NaN in
-   an argument gives NaN. */
+   The radius R of the drum, the thickness h and the width b of the band are in m, and the density rho of the band is in
+   kg/m^3. If an argument is NaN, the result is NaN. */
 VM_API vm_real vm_drum_band(vm_real radius, vm_real thickness, vm_real width, vm_real density)
 {
     return radius * thickness * width * density;
@@ -6180,8 +6982,8 @@ typedef struct VM_TAG(vmi_drum_mass) {
                         inertia about the mass centre is J - steiner */
 } vmi_drum_mass;
 
-/* Sets *m for the angle phi of the drum, where s is sin(phi/2). A call with s = 0 neglects the distance from the axle
-   to the mass centre. Returns VM_OK, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS or VM_BAD_INERTIA. */
+/* Sets *m for the angle phi of the drum. The argument s is sin(phi/2), or 0 to neglect the distance from the axle to
+   the mass centre. Returns VM_OK, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS or VM_BAD_INERTIA. */
 VM_API int vmi_drum_mass_at(const vm_drum *d, vm_real phi, vm_real s, vmi_drum_mass *m)
 {
     const vm_real q = 2 * d->band * d->radius * s;
@@ -6229,9 +7031,10 @@ VM_API int vm_drum_at(const vm_drum *d, vm_real phi, vm_drum_geometry *g)
 }
 
 /* Right-hand side of the drum on an elastic shaft, exact.
-   An ode_rhs of VM_DRUM_STATES states; ctx is a vm_drum. It replaces (177) and (191), which leave out that the mass
-   centre moves inside the drum, and give the torque of the shaft the wrong sign. With the deflection rS = (xS, yS), the
-   unit vector k along z and q = mu R (sin phi, 1 - cos phi), the equations are
+   An ode_rhs of VM_DRUM_STATES states; its ctx, here `drum`, is a vm_drum. The equations replace (177) and (191), which
+   neglect that the mass centre moves inside the drum, and in which the torque of the shaft has the wrong sign. Let
+   rS = (xS, yS) be the deflection of the shaft, k the unit vector along z, and q = mu R (sin phi, 1 - cos phi). With
+   the cross product x and ' = d/dt the equations are
      M rS'' + phi'' k x q - phi'^2 q = -c rS + mu phi' ((0, v) - rS' - phi' k x (R, 0))
      J_S phi'' + q x rS'' = -D phi' + mu phi' R (v - yS' - R phi')
    M is the mass of drum and band, J_S their inertia about the axle; vm_drum explains c, D, mu, v, R. Returns VM_OK; or
@@ -6266,9 +7069,10 @@ VM_API int vm_drum_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *drum)
 }
 
 /* Right-hand side of the drum on an elastic shaft for a light band, (192), (193).
-   An ode_rhs of VM_DRUM_STATES states; ctx is a vm_drum. These are the equations of vm_drum_rhs for a small mass mu of
-   the band per angle. Unlike (192) they contain the unbalance mu R phi'^2 (sin phi, -cos phi), because it is of the
-   same order as the terms that (192) keeps. The errors are those of vm_drum_rhs. */
+   An ode_rhs of VM_DRUM_STATES states; its ctx, here `drum`, is a vm_drum. For a small mass mu of the band per angle
+   the equations of vm_drum_rhs are reduced to these simpler ones. Unlike (192) they contain the force
+   mu R phi'^2 (sin phi, -cos phi) of the unbalance, because it is of the same order as the terms that (192) keeps. The
+   errors are those of vm_drum_rhs. */
 VM_API int vm_drum_rhs_reduced(vm_real t, const vm_real *y, vm_real *dydt, void *drum)
 {
     if (!y || !dydt || !drum) return VM_BAD_ARGUMENT;
@@ -6300,7 +7104,7 @@ VM_API int vmi_drum_turns(const vm_drum *d)
            VM_IS_FINITE(d->damping);
 }
 
-/* The product j = mu R^2 in two words, that is, as the sum of two numbers */
+/* The product j = mu R^2 in two words, that is, as the sum of two vm_reals */
 VM_API vm_two vmi_drum_j(const vm_drum *d)
 {
     return vmi_two_times(vmi_two_product(d->band, d->radius), vmi_two(d->radius, 0));
@@ -6324,10 +7128,10 @@ VM_API vm_two vmi_drum_share(vm_two a, vm_real b, vm_two c)
 
 /* Angular velocity phi' on a rigid shaft at the angle phi >= 0, rad/s: (J0 Omega_b + e phi)/(J0 + j phi) (196).
    J0 is the drum's inertia, Omega_b its initial angular velocity, e = mu v R - D and j = mu R^2 as at the top of
-   mechanics/drum.h. The results of vm_drum_rate, vm_drum_time and vm_drum_angle are right within 3 ulp if the drum's
-   fields are taken as exact and products of the fields do not overflow or underflow. This holds for e = 0 and e = j
-   Omega_b, too, and for angles up to the stop. Returns NaN beyond the stop (vm_drum_stop), for phi < 0, for a null
-   pointer, and if inertia or omega is not positive or band is negative. */
+   mechanics/drum.h. The results of vm_drum_rate, vm_drum_time and vm_drum_angle have errors of at most 3 ulp if the
+   drum's fields are taken as exact and products of the fields do not overflow or underflow. This holds for e = 0 and
+   e = j Omega_b, too, and for angles up to the stop. Returns NaN beyond the stop (vm_drum_stop), for phi < 0, for a
+   null pointer, and if inertia or omega is not positive or band is negative. */
 VM_API vm_real vm_drum_rate(const vm_drum *d, vm_real phi)
 {
     vm_two up, down;
@@ -6339,9 +7143,9 @@ VM_API vm_real vm_drum_rate(const vm_drum *d, vm_real phi)
 }
 
 /* Right-hand side of the elastic shaft's vibration over the angle phi, (210), (211).
-   An ode_rhs of VM_DRUM_ANGLE_STATES states; ctx is a vm_drum. The independent variable is phi. The angular velocity
-   phi' is the one that the drum has on a rigid shaft (196). Returns VM_OK; or VM_BAD_ARGUMENT for a null pointer,
-   VM_DOMAIN if the drum does not reach phi, and the errors of vm_drum_rhs. */
+   An ode_rhs of VM_DRUM_ANGLE_STATES states; its ctx, here `drum`, is a vm_drum. The independent variable is the angle
+   phi instead of time. The drum has the angular velocity phi' that it would have on a rigid shaft (196). Returns VM_OK;
+   or VM_BAD_ARGUMENT for a null pointer, VM_DOMAIN if the drum does not reach phi, and the errors of vm_drum_rhs. */
 VM_API int vm_drum_rhs_angle(vm_real phi, const vm_real *y, vm_real *dydt, void *drum)
 {
     if (!y || !dydt || !drum) return VM_BAD_ARGUMENT;
@@ -6355,7 +7159,7 @@ VM_API int vm_drum_rhs_angle(vm_real phi, const vm_real *y, vm_real *dydt, void 
     int status = vmi_drum_mass_at(d, phi, 0, &m);
     if (status) return status;
     if (!(rate > 0)) return VM_DOMAIN;
-    acceleration = (e - j * rate) / m.J; /* the derivative dphi'/dphi (195); phi'' is acceleration times phi' */
+    acceleration = (e - j * rate) / m.J; /* derivative of phi' with respect to phi (195) */
     drag = d->band / m.M + acceleration / rate;
     dydt[VM_DRUM_DEFLECTION] = slope_x;
     dydt[VM_DRUM_DEFLECTION + 1] = slope_y;
@@ -6378,9 +7182,10 @@ VM_API vm_real vm_drum_stop(const vm_drum *d)
 }
 
 /* Time at which the drum on a rigid shaft reaches the angle phi >= 0, s (197).
-   With the letters of vm_drum_rate and x = e phi/(J0 Omega_b) it is t = phi/Omega_b [ln(1 + x)/x + (j phi/J0) (x -
-   ln(1 + x))/x^2] for every sign of e. The accuracy is that of vm_drum_rate. Returns infinity at the stop, and NaN
-   where vm_drum_rate gives NaN. */
+   With x = e phi/(J0 Omega_b) and the letters explained at vm_drum_rate the time is
+     t = phi/Omega_b [ln(1 + x)/x + (j phi/J0) (x - ln(1 + x))/x^2]
+   for positive and negative e. The accuracy is that of vm_drum_rate. Returns infinity at the stop, and NaN where
+   vm_drum_rate gives NaN. */
 VM_API vm_real vm_drum_time(const vm_drum *d, vm_real phi)
 {
     vm_two x, y, s, sum, part = vmi_two(1, 0); /* y = ln(1 + x), s = j phi/J0, part = y/x */
@@ -6396,10 +7201,11 @@ VM_API vm_real vm_drum_time(const vm_drum *d, vm_real phi)
     return vmi_drum_share(sum, phi, vmi_two(d->omega, 0)).hi;
 }
 
-/* The first approximation p for Newton's method in vm_drum_angle. The comment of vm_drum_angle has the equation for p
-   and explains a, b, f, x, y. For a = 0 the term f^2 (x - y)/x^2 is p^2/2, and the equation has the solution p = 2/(1 +
-   sqrt(1 + 2 b)). For a > 0 this p is too large, and so is ln(1 + a p + a^2/b)/a; the function takes the smaller value.
-   For a < 0 this p is too small, and so is |a|/(|a| + b); the function takes the larger value. */
+/* Returns a start value of p for Newton's method in vm_drum_angle. The comment of vm_drum_angle has the equation for p
+   and explains a, b, f, x, y. For a = 0 the term f^2 (x - y)/x^2 of this equation is p^2/2, and the equation has the
+   solution p0 = 2/(1 + sqrt(1 + 2 b)), called p in the code. For a > 0 both p0 and ln(1 + a p0 + a^2/b)/a are larger
+   than the solution, and the function takes the smaller one. For a < 0 both p0 and |a|/(|a| + b) are smaller than the
+   solution, and the function takes the larger one. */
 VM_API vm_real vmi_drum_start(vm_real a, vm_real b)
 {
     const vm_real p = 2 / (1 + VM_SQRT(1 + 2 * b));
@@ -6410,10 +7216,12 @@ VM_API vm_real vmi_drum_start(vm_real a, vm_real b)
 
 /* Angle of the drum on a rigid shaft after t >= 0 seconds, rad.
    This is the inverse of vm_drum_time, computed by Newton's method in two words. It needs no branch of Lambert's W.
-   Accuracy, NaN and the letters J0, Omega_b, e, j are those of vm_drum_rate. With x = e phi/(J0 Omega_b), y = ln(1 +
-   x), a = e t/J0, b = j Omega_b t/J0, f = phi/(Omega_b t) and the unknown p = y/a the equation of vm_drum_time is
+   For the accuracy, the results NaN and the letters J0, Omega_b, e, j see vm_drum_rate. The method uses x, y, a, b, f:
+   x = e phi/(J0 Omega_b), y = ln(1 + x), a = e t/J0, b = j Omega_b t/J0, f = phi/(Omega_b t). Its unknown is p = y/a,
+   for which the equation of vm_drum_time becomes
      p + b f^2 (x - y)/x^2 = 1,   where x = exp(y) - 1 and f = p x/y.
-   Its left side increases with p, has the slope 1 + b f and is convex, so that the method converges from any start. */
+   The left side is a convex function of p with the positive slope 1 + b f. Therefore the method converges from any
+   start value. */
 VM_API vm_real vm_drum_angle(const vm_drum *d, vm_real t)
 {
     const vm_real precise = VM_EPSILON / 8; /* the relative error of phi that the last step may leave */
@@ -6443,12 +7251,12 @@ VM_API vm_real vm_drum_angle(const vm_drum *d, vm_real t)
 }
 
 /* Angle of the drum, rad, on a rigid shaft by Lambert's W, (198)-(206) corrected.
-   The letters J0, Omega_b, e, j are those of vm_drum_rate. With r = 1 + e phi/(J0 Omega_b), k1 = 1 - e/(j Omega_b) and
-   f1 = 1 + e^2 t/(J0 j Omega_b), the angle follows from r - k1 ln r = f1. The solution is r = -k1 W(x) for x
-   = -exp(-f1/k1)/k1. It needs the branch W_-1 for 0 < k1 < 1, and the branch W_0 for other k1. This function is for
-   comparison; vm_drum_angle is better. Near e = 0 the solution by W loses all digits, because x approaches the branch
-   point of W. The code uses ln |x|, because x itself overflows or underflows near k1 = 0 (for k1 = 1e-3 it may be
-   1e-868). Returns NaN for e = 0, for k1 = 0, and where vm_drum_rate does. */
+   The letters J0, Omega_b, e, j are explained at vm_drum_rate. With r = 1 + e phi/(J0 Omega_b), k1 = 1 - e/(j Omega_b)
+   and f1 = 1 + e^2 t/(J0 j Omega_b), the angle follows from r - k1 ln r = f1. The solution is r = -k1 W(x) with
+   x = -exp(-f1/k1)/k1. It needs the branch W_-1 of W for 0 < k1 < 1, and the branch W_0 for other k1. This function
+   serves only for comparison, since vm_drum_angle is more accurate: near e = 0 the solution by W loses all digits,
+   because x approaches the branch point of W. The code uses ln |x|, because x itself overflows or underflows near
+   k1 = 0 (for k1 = 1e-3 it may be 1e-868). Returns NaN for e = 0, for k1 = 0, and where vm_drum_rate returns NaN. */
 VM_API vm_real vm_drum_angle_lambert(const vm_drum *d, vm_real t)
 {
     vm_real j, e, k1, f1, l, w; /* l = ln |x|, w = W(x) */
@@ -6459,7 +7267,7 @@ VM_API vm_real vm_drum_angle_lambert(const vm_drum *d, vm_real t)
     if (k1 == 0 || e == 0) return VM_NAN;
     f1 = 1 + e * e * t / (d->inertia * j * d->omega);
     l = -vmi_log(VM_FABS(k1)).hi - f1 / k1;
-    if (l > -1 && k1 > 0) l = -1; /* only rounding can move l beyond the branch point -1 */
+    if (l > -1 && k1 > 0) l = -1; /* only rounding errors can make l larger than -1, the branch point of W */
     if (k1 < 0) w = vm_wright_omega(l);
     else if (e > 0) w = vm_lambert_wm1_neg_exp(l); /* e > 0 means k1 < 1, even if k1 has been rounded to 1 */
     else w = vm_lambert_w0_neg_exp(l);
@@ -6492,13 +7300,14 @@ VM_API int vm_drum_shaft_init(vm_drum_shaft *s, const vm_drum *d)
     return VM_OK;
 }
 
-/* Deflection x or y of the elastic shaft, m, at angle phi, (224), (225) corrected.
-   With the fields k, delta, A of *s it is
-     a (1 - A phi)^(-1/4) exp(-delta phi) cos(integral of k sqrt(1 - A phi) + alpha) + particular/(1 - A phi)
-   where `particular` is 0 for x and s->shift for y. a (m) is the amplitude and alpha (rad) the phase. They follow from
-   the start: at phi = 0 the deflection is a cos alpha + particular. The integral is (2k/3A) (1 - m^3) with
-   m^2 = 1 - A phi. It is computed as 2k/3 phi (1 + m + m^2)/(1 + m), which holds for A = 0, too. Returns NaN for a null
-   pointer and if 1 - A phi <= 0. */
+/* Deflection x or y of the elastic shaft, m, at the angle phi, (224), (225) corrected.
+   With the fields k, delta, A of *s the deflection is
+     a (1 - A phi)^(-1/4) exp(-delta phi) cos(I + alpha) + particular/(1 - A phi),
+   where I is the integral of k sqrt(1 - A phi) from 0 to phi. `particular` must be 0 for x and s->shift for y. The
+   amplitude a (m) and the phase alpha (rad) follow from the start: at phi = 0 the deflection is a cos alpha +
+   particular. With m^2 = 1 - A phi the integral is I = 2k/(3A) (1 - m^3). It is computed as
+   (2k/3) phi (1 + m + m^2)/(1 + m), which holds for A = 0, too. Returns NaN for a null pointer and if 1 - A phi <=
+   0. */
 VM_API vm_real vm_drum_deflection(const vm_drum_shaft *s, vm_real phi, vm_real a, vm_real alpha, vm_real particular)
 {
     vm_real square, m, sine, cosine;
@@ -6762,78 +7571,6 @@ VM_API vm_real vm_lagrange_partial_q(vm_lagrange_system *system, vm_real t, cons
 }
 
 #endif
-/* mechanics/euler_angles.h - Euler's angles
-
-   The angles psi, theta, phi of the sequence 3-1-3 give the attitude of a body. It turns by psi about the z axis, then
-   by theta about its own x axis (the line of nodes), then by phi about its own z axis. This chapter computes
-     - the quaternion of three angles,
-     - the axes about which the angles turn the body, which Lagrange's equations need as domega/dq'_i,
-     - the time derivatives psi', theta', phi' of the angles from an angular velocity.
-
-       vm_quat q = vm_euler_313(VM_C(0.1), VM_C(0.2), VM_C(0.3));
-
-   Angles are in rad. Errors are within 8 eps for angles up to 1e9 (float 1e4). Beyond 2^(p-1) quarter turns, where p is
-   the number of binary digits of vm_real, a result has no meaning: adjacent numbers differ by 1 rad or more.
-   Tests: tests/test_lagrange.c. */
-#ifndef VARMASS_MECHANICS_EULER_ANGLES_H
-#define VARMASS_MECHANICS_EULER_ANGLES_H
-
-/* Attitude from Euler's angles: a quaternion of length 1. It converts vectors from body axes to inertial axes. Infinite
-   angles give NaN. */
-VM_API vm_quat vm_euler_313(vm_real psi, vm_real theta, vm_real phi)
-{
-    vm_quat turn = {1, 0, 0, 0}, tilt = {1, 0, 0, 0}, spin = {1, 0, 0, 0};
-    vmi_sincos(psi / 2, &turn.z, &turn.w);
-    vmi_sincos(theta / 2, &tilt.x, &tilt.w);
-    vmi_sincos(phi / 2, &spin.z, &spin.w);
-    return vmi_quat_times(vmi_quat_times(turn, tilt), spin);
-}
-
-/* Unit vectors of the axes about which Euler's angles turn the body, along inertial axes. The angular velocity is
-   omega = psi' axis[0] + theta' axis[1] + phi' axis[2]. Therefore axis[i] is domega/dq'_i if q'_0, q'_1, q'_2 are the
-   rates psi', theta', phi'. A call with a null pointer does nothing. */
-VM_API void vm_euler_313_axes(vm_real psi, vm_real theta, vm_vec3 axis[3])
-{
-    vm_real s, c, sine, cosine; /* s, c: sine and cosine of psi; sine, cosine: those of theta */
-    if (!axis) return;
-    vmi_sincos(psi, &s, &c);
-    vmi_sincos(theta, &sine, &cosine);
-    axis[0] = vmi_vec3(0, 0, 1);
-    axis[1] = vmi_vec3(c, s, 0);
-    axis[2] = vmi_vec3(sine * s, -sine * c, cosine);
-}
-
-/* Unit vectors of the axes about which Euler's angles turn the body, along body axes. The angular velocity is
-   omega = psi' axis[0] + theta' axis[1] + phi' axis[2]. A call with a null pointer does nothing. */
-VM_API void vm_euler_313_body_axes(vm_real theta, vm_real phi, vm_vec3 axis[3])
-{
-    vm_real s, c, sine, cosine; /* s, c: sine and cosine of phi; sine, cosine: those of theta */
-    if (!axis) return;
-    vmi_sincos(phi, &s, &c);
-    vmi_sincos(theta, &sine, &cosine);
-    axis[0] = vmi_vec3(sine * s, sine * c, cosine);
-    axis[1] = vmi_vec3(c, -s, 0);
-    axis[2] = vmi_vec3(0, 0, 1);
-}
-
-/* Rates psi', theta', phi' of Euler's angles from an angular velocity in inertial axes, rad/s. Returns VM_OK,
-   VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, or VM_SINGULAR if sin(theta) is 0: psi and phi then turn the body
-   about the same axis, so that their rates are not unique. */
-VM_API int vm_euler_313_rates(vm_real psi, vm_real theta, vm_vec3 omega, vm_real rates[3])
-{
-    vm_real s, c, sine, cosine, result[3]; /* s, c: sine and cosine of psi; sine, cosine: those of theta */
-    if (!rates) return VM_BAD_ARGUMENT;
-    if (!VM_IS_FINITE(psi) || !VM_IS_FINITE(theta) || !vmi_vec3_is_finite(omega)) return VM_NOT_FINITE;
-    vmi_sincos(psi, &s, &c);
-    vmi_sincos(theta, &sine, &cosine);
-    if (sine == 0) return VM_SINGULAR;
-    result[2] = (s * omega.x - c * omega.y) / sine;
-    result[1] = c * omega.x + s * omega.y;
-    result[0] = omega.z - result[2] * cosine;
-    return vmi_copy_if_finite(3, result, rates);
-}
-
-#endif
 /* oscillators/force_terms.h - terms of forces that both oscillators and scenes use
 
    Each formula is written here once, so that an oscillator and an effect of a scene mean the same by it:
@@ -6849,12 +7586,12 @@ VM_INLINE vm_real vmi_elastic_power(vm_real x, vm_real alpha)
     return VM_COPYSIGN(vmi_pow_checked(VM_FABS(x), alpha), x);
 }
 
-/* Van der Pol's term (404), feed - c x^2, N s/m: the force over the velocity at position x. feed > 0 (N s/m) feeds
-   the vibration, and c > 0 (N s/m^3) limits it. */
+/* Van der Pol's term (404), feed - c x^2, N s/m. It is the force divided by the velocity, at the position x. feed > 0
+   (N s/m) feeds energy into the vibration, and c > 0 (N s/m^3) limits it. */
 VM_INLINE vm_real vmi_van_der_pol_feed(vm_real feed, vm_real c, vm_real x) { return feed - c * (x * x); }
 
-/* The gyroscopic coupling 2 gyro, kg/s: the gyroscopic force is this times the velocity, turned by +90 degrees. gyro
-   is g of the remark after (516), kg/s. */
+/* The gyroscopic coupling 2 gyro, kg/s. The gyroscopic force is this coupling times the velocity, turned by +90
+   degrees. The argument gyro is called g in the remark after (516), kg/s. */
 VM_INLINE vm_real vmi_gyroscopic_coupling(vm_real gyro) { return 2 * gyro; }
 
 #endif
@@ -6862,12 +7599,13 @@ VM_INLINE vm_real vmi_gyroscopic_coupling(vm_real gyro) { return 2 * gyro; }
 
    The motion of x'' + omega0^2 x|x|^(alpha-1) = 0 is x = A ca(psi), x' = -vmax(A) sa(psi) with the Ateb functions of
    the phase psi (282), (283); A is the amplitude, vmax(A) the largest velocity. Two simpler waves with the same
-   amplitude and period approximate ca: cos (291), (329) and Jacobi's cn (297), (370). A vmi_osc_wave is one of the
-   three waves c of the position, with its wave s of the velocity and what averaged equations need for a force F on the
-   mass m:
+   amplitude and period approximate ca: cos (291), (329) and Jacobi's cn (297), (370). A vmi_osc_wave describes one of
+   these three waves: the wave c of the position, the wave s of the velocity, and the factors speed, gain_A and
+   gain_theta. If a small force F acts on the mass m, the averaged equations are
      A'/A = -q/(alpha+3) - gain_A <F s>/(m V),   theta' = -gain_theta <F c>/(m V),   V = speed vmax(A),
-   where <> is the mean over a period, q the rate at which stiffness, mass and damping change the motion, and theta the
-   slow part of the wave's own angle. A new wave needs a function that evaluates it and a constructor.
+   where <> is the mean over a period and q the rate at which stiffness, mass and damping change the motion. The wave's
+   own angle, which is the argument of ca, cos or cn, is theta plus the integral of turn psi' over time: theta is its
+   slow part. A new wave needs a function that evaluates it and a constructor.
        vmi_osc_wave w = vmi_osc_wave_cn(3, ateb_pi(3));
        vm_real c, s;
        vmi_osc_wave_at(&w, VM_C(0.5), &c, &s); // at psi = 0.5: x = A c, x' = -w.speed vmax(A) s
@@ -6952,7 +7690,7 @@ VM_API vmi_osc_wave vmi_osc_wave_cos(vm_real alpha, vm_real pi)
 
 /* -- cn: exact for alpha = 1 and 3 -- */
 
-/* Writes c = cn and s = sn dn. */
+/* Writes c = cn and s = sn dn at the Ateb phase psi. The argument of cn, sn and dn is turn psi. */
 VM_API void vmi_osc_cn_at(const vmi_osc_wave *w, vm_real psi, vm_real *c, vm_real *s)
 {
     vm_real sn, dn;
@@ -6972,7 +7710,7 @@ VM_API vm_real vmi_osc_cn_error(const vmi_osc_wave *w, vm_real mean_ca2)
 VM_API vmi_osc_wave vmi_osc_wave_cn(vm_real alpha, vm_real pi)
 {
     vmi_osc_wave w = vmi_osc_wave_ca(alpha, NULL);
-    vm_real C2, C4, C6, bracket; /* means of cn^2, cn^4, cn^6; twice the mean of sn^2 dn^2 */
+    vm_real C2, C4, C6, bracket; /* means of cn^2, cn^4, cn^6; and twice the mean of sn^2 dn^2 */
     w.at = vmi_osc_cn_at;
     w.error = vmi_osc_cn_error;
     w.m = jacobi_solve_kpK(pi / (alpha + 1));
@@ -6988,15 +7726,17 @@ VM_API vmi_osc_wave vmi_osc_wave_cn(vm_real alpha, vm_real pi)
 
 /* -- How good a wave is -- */
 
-/* Estimate of the larger of the wave's errors of x/A and of x'/vmax, at most 1 */
+/* Estimates the error of x/A or of x'/vmax by this wave, whichever is larger, at most 1. mean_ca2 is the mean of
+   ca^2. */
 VM_API vm_real vmi_osc_wave_error(const vmi_osc_wave *w, vm_real mean_ca2)
 {
     const vm_real error = w->error ? w->error(w, mean_ca2) : 0;
     return vmi_smaller(error, 1);
 }
 
-/* Writes to *x_error the largest difference of the wave c from ca, and to *v_error that of speed s from sa. They are
-   taken over a quarter of the period, at points that are densest near x = 0. pi is Pi_alpha. */
+/* Writes to *x_error the largest difference between the wave c and ca, and to *v_error the largest difference between
+   w->speed s and sa. Both are taken over a quarter of the period, at points that are densest near x = 0. pi is
+   Pi_alpha. */
 VM_API void vmi_osc_wave_differences(const vmi_osc_wave *w, vm_real pi, vm_real *x_error, vm_real *v_error)
 {
     const int points = 256;
@@ -7018,14 +7758,15 @@ VM_API void vmi_osc_wave_differences(const vmi_osc_wave *w, vm_real pi, vm_real 
 #endif
 /* oscillators/constant_mass.h - the oscillator x'' + omega0^2 x|x|^(alpha-1) = 0 of constant mass
 
-   A mass m on a spring of force -k x|x|^(alpha-1), omega0 = sqrt(k/m), with any real alpha >= 0: 1 is the linear
-   spring, 3 the cubic one. Here are its period (262), largest velocity (267) and energy (259); the exact motion by the
-   Ateb functions (282), (283) from rest or from any state; and the approximations by the cosine (291)-(296) and by
-   Jacobi's cn (297)-(307) with their errors (268). The shortest useful calls:
+   A spring with the force -k x|x|^(alpha-1) holds a mass m, and omega0 = sqrt(k/m). alpha is any real number >= 0: 1 is
+   the linear spring, 3 the cubic one. Here are the period of the motion (262), its largest velocity (267) and its
+   energy (259); the exact motion by the Ateb functions (282), (283) from rest or from any state; and the approximations
+   by the cosine (291)-(296) and by Jacobi's cn (297)-(307) with their errors (268). The shortest useful calls:
        vm_real T = vm_osc_period(2, 1, VM_C(1.5)), x, v; // x'' = -x|x|^0.5 from x = 2 at rest
        vm_osc_exact(T / 8, 2, 1, VM_C(1.5), &x, &v);
    The functions return or write NaN for alpha < 0 and for infinite arguments, and functions with outputs write nothing
-   where an output is null. The unit of omega0 is m^((1-alpha)/2)/s. Symbols: A amplitude, psi Ateb phase, Om its rate.
+   where an output is null. With x in metres the unit of omega0 is metre^((1-alpha)/2)/s. Symbols: A amplitude, psi Ateb
+   phase, Om the rate of psi.
    Tests: tests/test_constant_mass.c. */
 #ifndef VARMASS_OSCILLATORS_CONSTANT_MASS_H
 #define VARMASS_OSCILLATORS_CONSTANT_MASS_H
@@ -7065,7 +7806,7 @@ VM_API vm_real vm_osc_vmax(vm_real x0, vm_real omega0, vm_real alpha)
     return VM_SQRT(2 / (alpha + 1)) * VM_FABS(omega0) * vmi_pow_checked(VM_FABS(x0), (alpha + 1) / 2);
 }
 
-/* x|x|^(alpha-1): the elastic force is this times -k */
+/* x|x|^(alpha-1). The elastic force is -k times this number. */
 VM_API vm_real vmi_osc_elastic(vm_real x, vm_real alpha)
 {
     if (alpha == 1 || x == 0) return x;
@@ -7099,7 +7840,7 @@ VM_API void vm_osc_exact(vm_real t, vm_real x0, vm_real omega0, vm_real alpha, v
     vmi_osc_at_phase(x0, vmi_osc_rate_from_rest(x0, omega0, alpha) * t, omega0, alpha, x, v);
 }
 
-/* (a^n + b^n)^(1/n) for a, b >= 0, scaled so that no power overflows unless the result does */
+/* (a^n + b^n)^(1/n) for a, b >= 0, computed so that no power overflows unless the result itself overflows */
 VM_API vm_real vmi_osc_power_norm(vm_real a, vm_real b, vm_real n)
 {
     const vm_real larger = vmi_larger(a, b), smaller = vmi_smaller(b, a);
@@ -7108,8 +7849,8 @@ VM_API vm_real vmi_osc_power_norm(vm_real a, vm_real b, vm_real n)
 }
 
 /* Amplitude A >= 0 (m) and Ateb phase psi in (-Pi, Pi] of the state x (m), v (m/s). They satisfy x = A ca(psi), v =
-   -vmax(A) sa(psi), where Pi = Pi_alpha and vmax is vm_osc_vmax. Method: from rest, the velocity v belongs to an
-   amplitude B with vmax(B) = |v|; by energy A^(alpha+1) = |x|^(alpha+1) + B^(alpha+1). */
+   -vmax(A) sa(psi), where Pi = Pi_alpha and vmax is vm_osc_vmax. Method: let B be the amplitude whose largest velocity
+   vmax(B) is |v|. Then conservation of energy gives A^(alpha+1) = |x|^(alpha+1) + B^(alpha+1). */
 VM_API void vm_osc_amplitude_phase(vm_real x, vm_real v, vm_real omega0, vm_real alpha, vm_real *A, vm_real *psi)
 {
     if (!A || !psi) return;
@@ -7133,9 +7874,9 @@ VM_API void vm_osc_exact_from(vm_real t, vm_real x0, vm_real v0, vm_real omega0,
     vmi_osc_at_phase(A, psi + rate * t, omega0, alpha, x, v);
 }
 
-/* The mean over a period of |ca|^power, which is B((power+1)/(alpha+1), 1/2)/Pi_alpha, where pi is Pi_alpha and B is
-   Euler's beta function. For q <= 1, B(q, 1/2) is Pi of alpha = 1/q - 1; for larger q it follows by the recurrence of
-   B. constants is the function that computes Pi. */
+/* The mean of |ca|^power over a period. It is B(q, 1/2)/Pi_alpha with q = (power+1)/(alpha+1) and Euler's beta function
+   B; the argument pi is Pi_alpha. For q <= 1, B(q, 1/2) is Pi of alpha = 1/q - 1; for larger q it follows by the
+   recurrence of B. `constants` is the function that computes Pi. */
 VM_API vm_real vmi_osc_mean_ca(vm_real power, vm_real alpha, vm_real pi, vmi_ateb_constants_of constants)
 {
     vm_real q = (power + 1) / (alpha + 1), factor = 1;
@@ -7191,13 +7932,14 @@ VM_API void vm_osc_jacobi(vm_real t, vm_real x0, vm_real omega0, vm_real alpha, 
     vmi_osc_by_wave(&w, t, x0, omega0, x, v);
 }
 
-/* The result of vm_osc_approximation_errors, pure numbers: ratios of velocities (268) and largest errors in a period */
+/* The result of vm_osc_approximation_errors: ratios of largest velocities (268), and largest errors in a period. All
+   are pure numbers. */
 typedef struct VM_TAG(vm_osc_errors) {
-    vm_real trig_vmax;          /* largest velocity of the cosine (296) over the exact one (267) */
-    vm_real jacobi_vmax;        /* largest velocity of cn over the exact one. At x = 0 cn has the velocity k' Omega_1
-                                   (306), but for m > 1/2 a larger one, Omega_1/(2k), near x = 0 */
+    vm_real trig_vmax;          /* largest velocity of the cosine (296) divided by the exact one (267) */
+    vm_real jacobi_vmax;        /* largest velocity of cn divided by the exact one. At x = 0 cn has the velocity k'
+                                   Omega_1 (306), but for m > 1/2 a larger one, Omega_1/(2k), near x = 0 */
     vm_real trig_x, trig_v;     /* largest errors of the cosine, of x relative to x0 and of v relative to vmax */
-    vm_real jacobi_x, jacobi_v; /* largest errors of cn, relative to x0 and vmax */
+    vm_real jacobi_x, jacobi_v; /* largest errors of cn, of x relative to x0 and of v relative to vmax */
 } vm_osc_errors;
 
 /* Errors of the approximations by cos and cn, as the fields of vm_osc_errors. They depend on alpha alone. Errors in a
@@ -7287,7 +8029,7 @@ VM_API void vmi_legendre_fit(const vm_real *values_a, const vm_real *values_b, v
     }
 }
 
-/* The value of the series at x */
+/* The value of the series with these 20 coefficients at x */
 VM_API vm_real vmi_legendre_at(const vm_real *coefficient, vm_real x)
 {
     vm_real before = 0, now = 1, sum = 0;
@@ -7383,8 +8125,8 @@ struct VM_TAG(vm_law) {
     vm_real change_time;      /* for vm_law_user only: the shortest time scale, s, on which f changes noticeably; 0 if
                                  it is unknown */
     /* Functions that depend on the kind of law; its constructor sets them. */
-    int (*derivatives)(const vm_law *law, vm_real t, int side, vm_real length, vm_real *f); /* null if this is no law */
-    int (*validate)(const vm_law *law, int if_not_positive, vm_real t);       /* null: checking f(0), f(t) is enough */
+    int (*derivatives)(const vm_law *law, vm_real t, int side, vm_real length, vm_real *f); /* null: no law was made */
+    int (*validate)(const vm_law *law, int if_not_positive, vm_real t);       /* null: f(0) and f(t) decide */
     int (*exponential_form)(const vm_law *law, vm_real *base, vm_real *rate); /* null if the law has no such form */
     vm_real (*inverse_integral)(const vm_law *law, vm_real t);                /* null if there is no closed form */
 };
@@ -7397,11 +8139,11 @@ VM_API int vmi_time_side(vm_real length) { return length < 0 ? -1 : 1; }
 /* How many numbers the function `derivatives` of a law writes: f and its first six derivatives in f[0] ... f[6] */
 enum { VMI_LAW_ORDERS = 7 };
 
-/* Writes the value of a law at t and its derivatives to f[0], f[1] ... A constructor must have made the law. Where a
-   derivative jumps at t, side = 1 asks for its value after t, side = -1 for its value before t. With length = 0 only
-   f and f' are written. A positive length, s, asks for all six derivatives; those of a user's function are then found
-   from its rates between t and t + side length. if_not_positive is the status for f <= 0, for example VM_BAD_MASS for
-   a mass; it is VM_OK for numbers of any sign. */
+/* Writes the value of a law and its derivatives at t to f[0], f[1] ... A constructor must have made the law. Where a
+   derivative jumps at t, side = 1 asks for its value after t, side = -1 for its value before t. With length = 0 only f
+   and f' are written. A positive length, s, asks for all six derivatives. For a user's function they are found from the
+   rates that the function returns between t and t + side length. if_not_positive is the status for f <= 0, for example
+   VM_BAD_MASS for a mass; it is VM_OK where f may have any sign. */
 VM_API int vmi_law_derivatives(const vm_law *law, int if_not_positive, vm_real t, int side, vm_real length, vm_real *f)
 {
     int i, status;
@@ -7417,9 +8159,9 @@ VM_API int vmi_law_derivatives(const vm_law *law, int if_not_positive, vm_real t
     return VM_OK;
 }
 
-/* Checks that a constructor made the law, and that the law is finite and positive between 0 and t, as far as this can
-   be told without a walk from 0 to t. With if_not_positive = VM_OK the law may have any sign. A table is checked as a
-   whole. */
+/* Checks that a constructor made the law, and that the law is finite and positive between 0 and t. Of a user's function
+   only the values at 0 and t are checked; a table is checked as a whole. With if_not_positive = VM_OK the law may have
+   any sign. */
 VM_API int vmi_law_check(const vm_law *law, int if_not_positive, vm_real t)
 {
     vm_real f[VMI_LAW_ORDERS];
@@ -7432,8 +8174,8 @@ VM_API int vmi_law_check(const vm_law *law, int if_not_positive, vm_real t)
 }
 
 /* Returns 1 and writes base and rate if the law is f0 exp(rate u) with u = ln(1 + base t)/base (u = t for base = 0);
-   returns 0 otherwise. Integrals of products of such laws with the same base have closed forms. A constant has rate
-   0. */
+   returns 0 otherwise. The reason for this form: integrals over t of products of such laws have closed forms if the
+   laws share their base. A constant has rate 0. */
 VM_API int vmi_law_exponential_form(const vm_law *law, vm_real *base, vm_real *rate)
 {
     *base = *rate = 0;
@@ -7464,11 +8206,11 @@ VM_API int vmi_law_at(const vm_law *law, int if_not_positive, vm_real t, vm_real
     return VM_OK;
 }
 
-/* Value f and rate df/dt of a law at time t (s), which may be negative. At the points of a table f is within 4 eps.
-   f may have any sign, since a law does not know whether it is the law of a mass. Returns VM_BAD_ARGUMENT for null
-   pointers and for a law that no constructor made, VM_NOT_FINITE where t or a result is infinite or NaN, and VM_DOMAIN
-   where the law has no value: for t outside a table, for a power law where 1 + f1 t <= 0, and where the user's function
-   fails. An error leaves *f and *rate untouched. */
+/* Value f and rate df/dt of a law at time t (s), which may be negative. At the points of a table f is within 4 eps of
+   the value in the table, where eps is the machine epsilon. f may have any sign, since a law does not know whether it
+   is the law of a mass. Returns VM_BAD_ARGUMENT for null pointers and for a law that no constructor made, VM_NOT_FINITE
+   where t or a result is infinite or NaN, and VM_DOMAIN where the law has no value: for t outside a table, for a power
+   law where 1 + f1 t <= 0, and where the user's function fails. An error leaves *f and *rate untouched. */
 VM_API int vm_law_at(const vm_law *law, vm_real t, vm_real *f, vm_real *rate)
 {
     vm_real value, slope;
@@ -7503,7 +8245,7 @@ VM_API vm_law vmi_law_of(vm_real f0, vm_real f1, vm_real f2)
 
 /* -- Linear laws -- */
 
-/* f and f' of a linear law; its higher derivatives are 0. */
+/* Writes f and f' of a linear law; its higher derivatives are 0. */
 VM_API int vmi_law_linear_derivatives(const vm_law *law, vm_real t, int side, vm_real length, vm_real *f)
 {
     (void)side;
@@ -7521,7 +8263,7 @@ VM_API int vmi_law_linear_form(const vm_law *law, vm_real *base, vm_real *rate)
     return 1;
 }
 
-/* The integral of dt/(f0 + f1 t) from 0 to t */
+/* The integral of dt/f from 0 to t for a linear law f = f0 + f1 t */
 VM_API vm_real vmi_law_linear_inverse_integral(const vm_law *law, vm_real t)
 {
     return t * vmi_log_ratio(law->f1 / law->f0 * t) / law->f0;
@@ -7540,7 +8282,7 @@ VM_API vm_law vm_law_linear(vm_real f0, vm_real f1)
 
 /* -- Quadratic laws -- */
 
-/* f, f' and f'' of a quadratic law; its higher derivatives are 0. */
+/* Writes f, f' and f'' of a quadratic law; its higher derivatives are 0. */
 VM_API int vmi_law_quadratic_derivatives(const vm_law *law, vm_real t, int side, vm_real length, vm_real *f)
 {
     (void)side;
@@ -7560,8 +8302,8 @@ VM_API int vmi_law_quadratic_validate(const vm_law *law, int if_not_positive, vm
     return vmi_law_derivatives(law, if_not_positive, lowest, 1, 0, f);
 }
 
-/* The exponential form of a quadratic law that is a square within rounding errors: f0 (1 + base t)^2 = f0 exp(2 base u)
-   with u = ln(1 + base t)/base */
+/* The exponential form of a quadratic law. It exists only if the law is a square within rounding errors: f0 (1 + base
+   t)^2 = f0 exp(2 base u) with u = ln(1 + base t)/base. */
 VM_API int vmi_law_quadratic_form(const vm_law *law, vm_real *base, vm_real *rate)
 {
     const vm_real square = law->f1 * law->f1, rest = square - 4 * law->f0 * law->f2;
@@ -7594,7 +8336,7 @@ VM_API vm_law vm_law_quadratic(vm_real f0, vm_real f1, vm_real f2)
 
 /* -- Exponential laws -- */
 
-/* f and the derivatives of an exponential law; each derivative is f1 times the one before it */
+/* Writes f and the derivatives of an exponential law. Each derivative is f1 times the one before it. */
 VM_API int vmi_law_exponential_derivatives(const vm_law *law, vm_real t, int side, vm_real length, vm_real *f)
 {
     const int orders = length > 0 ? VMI_LAW_ORDERS : 2;
@@ -7625,8 +8367,8 @@ VM_API vm_law vm_law_exponential(vm_real f0, vm_real f1)
 
 /* -- Power laws -- */
 
-/* f and the derivatives of a power law. Returns VM_BAD_MASS where 1 + f1 t is not positive; for laws of other numbers
-   than masses vmi_law_derivatives changes this status. */
+/* Writes f and the derivatives of a power law. Returns VM_BAD_MASS where 1 + f1 t is not positive, whatever number the
+   law describes; vmi_law_derivatives replaces this status by the right one. */
 VM_API int vmi_law_power_derivatives(const vm_law *law, vm_real t, int side, vm_real length, vm_real *f)
 {
     const vm_real base = 1 + law->f1 * t, relative_rate = law->f1 / base;
@@ -7705,8 +8447,8 @@ VM_API int vmi_law_interval(const vm_law *law, vm_real t, int side)
     return low;
 }
 
-/* Writes f and its derivatives, for the cubic on the interval of the table that contains t. The cubic has the values
-   and slopes of the interval's two points. */
+/* Writes f and its derivatives at t. f is the cubic on the interval of the table that contains t. The cubic has the
+   values and slopes of the two points at the ends of this interval. */
 VM_API int vmi_law_table_derivatives(const vm_law *law, vm_real t, int side, vm_real length, vm_real *f)
 {
     vm_real chord_time, u, chord, slope0, slope1, b, c;
@@ -7791,9 +8533,10 @@ VM_API int vmi_law_user_fit(const vm_law *law, vm_real t, vm_real length, vm_rea
     return VM_OK;
 }
 
-/* Writes the series of the rate f' between t and t + *length. The length is halved until the last terms of the series
-   are rounding errors, that is, until they do not become much smaller any more. Terms of their size are set to 0. The
-   length is also halved where the user's function fails, because the function may be defined only close to t. */
+/* Writes the Legendre series of the rate f' between t and t + *length. The length is halved until the last terms of the
+   series are rounding errors, which shows in that a further halving hardly makes them smaller. Terms as small as these
+   are set to 0. The length is also halved where the user's function fails, because the function may be defined only
+   close to t. */
 VM_API int vmi_law_user_series(const vm_law *law, vm_real t, vm_real *length, vm_real *series)
 {
     const int most_halvings = 24;
@@ -7850,11 +8593,11 @@ VM_API int vmi_law_user_validate(const vm_law *law, int if_not_positive, vm_real
 }
 
 /* Law by a user's function, which must be smooth. A null function makes no law: all functions refuse it with
-   VM_BAD_ARGUMENT. ctx is handed to the function. Integrals along the law evaluate the function at 20 points in each
-   panel of time. A panel is at most |t|/32 long, and is halved where the function changes fast. So a bump
-   exp(-(time/w)^2) is found if w > |t|/3000 (float |t|/2000). If the law changes in a shorter time, set law.change_time
-   to that time, s: then no panel and no step of an integrator is longer than change_time. A change_time that is
-   negative or less than |t|/2^20 is refused with VM_DOMAIN. */
+   VM_BAD_ARGUMENT. ctx is handed to the function. Integrals along the law divide the time from 0 to t into panels and
+   evaluate the function at 20 points of each. A panel is at most |t|/32 long, and is halved where the function changes
+   fast. So a bump exp(-(time/w)^2) is found if w > |t|/3000 (float |t|/2000). If the law changes in a shorter time, set
+   law.change_time to that time, s: then no panel and no step of an integrator is longer than change_time. A change_time
+   that is negative or less than |t|/2^20 is refused with VM_DOMAIN. */
 VM_API vm_law vm_law_user(vm_law_function function, void *ctx)
 {
     vm_law law = vmi_law_of(0, 0, 0);
@@ -7902,10 +8645,10 @@ enum {
     VM_ROUTE_RK87 = 9         /* integration of the equation of motion by rk87 */
 };
 
-/* The order, 2 to 5, of one of the routes VM_ROUTE_ORDER2 to VM_ROUTE_ORDER5 */
+/* The order, 2 to 5, of the law that one of the routes VM_ROUTE_ORDER2 to VM_ROUTE_ORDER5 uses */
 VM_API int vmi_osc_order_of(int route) { return route - VM_ROUTE_ORDER2 + 2; }
 
-/* The route VM_ROUTE_ORDER2 to VM_ROUTE_ORDER5 that has this order, 2 to 5 */
+/* The route, VM_ROUTE_ORDER2 to VM_ROUTE_ORDER5, that uses the law of this order, 2 to 5 */
 VM_API int vmi_osc_route_of_order(int order) { return VM_ROUTE_ORDER2 + order - 2; }
 
 /* A user's function for a further small force: returns F, N, at time t (s), position x (m) and velocity v (m/s) */
@@ -7927,15 +8670,16 @@ typedef struct VM_TAG(vm_osc_problem) {
 /* The motion at one time */
 typedef struct VM_TAG(vm_osc_motion) {
     vm_real x, v;      /* position, m, and velocity, m/s */
-    vm_real amplitude; /* amplitude A, m. By rk45 and rk87 it is that of x and v. The other routes leave out the
-                          first-order ripple within a period that mass, stiffness and damping cause */
+    vm_real amplitude; /* amplitude A, m. The routes rk45 and rk87 give the amplitude that belongs to x and v. The other
+                          routes leave out the first-order ripple within a period, which slow changes of mass and
+                          stiffness, and damping, cause */
     vm_real error;     /* estimate of the larger of |error of x|/A and |error of v|/vmax, where vmax is the largest
                           velocity at the amplitude A; it includes all causes of errors */
     int route;         /* the route that was taken, VM_ROUTE_... */
     long evals;        /* evaluations of right-hand sides; 0 where nothing was integrated */
 } vm_osc_motion;
 
-/* Checks by vmi_law_check that mass and stiffness are finite and positive between 0 and t. */
+/* Checks mass and stiffness by vmi_law_check: both must be finite and positive between 0 and t. */
 VM_API int vmi_osc_check_laws(const vm_osc_problem *o, vm_real t)
 {
     return vmi_first_error(vmi_law_check(&o->mass, VM_BAD_MASS, t),
@@ -7962,36 +8706,41 @@ VM_API int vmi_osc_check_problem(const vm_osc_problem *o, vm_real t, vm_real *ma
 /* oscillators/reduction.h - amplitude and phase of an oscillator that slow changes disturb in second order only
 
    The oscillator m x'' + k x|x|^(alpha-1) + (reactive m' + b) x' = 0 can be written d(mu x')/dt + kappa x|x|^(alpha-1)
-   = 0, where a = mu'/mu = (reactive m' + b)/m and kappa/mu = k/m. `reactive` is 1 where mass that joins or leaves is at
-   rest, and 0 where it has the body's velocity; b is the damping. Let p = (ln(mu kappa))'/(alpha+3) and V = x' + p x.
+   = 0. The functions mu(t) and kappa(t) follow from mu'/mu = a with a = (reactive m' + b)/m, and from kappa/mu = k/m.
+   `reactive` is 1 where mass that joins or leaves is at rest, and 0 where it has the body's velocity; b is the damping.
+   Let p = (ln(mu kappa))'/(alpha+3) and V = x' + p x.
    Then x = A ca(psi) and V = -(2/(alpha+1)) W A sa(psi) define an amplitude A and a phase psi with the exact equations
      A'/A = -p + (G_0/W) sa ca,   psi' = W + (alpha+1)/2 (G_0/W) ca^2,   G_0 = p^2 - a p - p',
    where W is the rate of the phase for constant mass and stiffness. Only G_0 disturbs the slow motion A'/A = -p,
-   psi' = W, and G_0 is of second order in the rates of mass and stiffness. Its derivatives lead to G_1, G_2 ...
+   psi' = W, and G_0 is of second order in the rates of mass and stiffness. The numbers G_1, G_2 ... follow from the
+   derivatives of G_0 (vmi_osc_find_G).
    This file computes a, p and G_k from the derivatives of the laws, and A and psi from x and x', and back.
        vmi_osc_slow now;
        vmi_osc_reduced r;
-       int status = vmi_osc_slow_at(&problem, 0, 1, 10, 1, &now); // laws at t = 0, from values up to 10 s
+       int status = vmi_osc_slow_at(&problem, 0, 1, 10, 1, &now); // laws at t = 0, with their values up to 10 s
        if (!status) r = vmi_osc_reduce(&now, problem.alpha, problem.x, problem.v);
    Source: the transformations of Liouville and Kummer; docs/law.md. Tests: tests/test_slow_motion.c. */
 #ifndef VARMASS_OSCILLATORS_REDUCTION_H
 #define VARMASS_OSCILLATORS_REDUCTION_H
 
-/* How many G_k are computed: the law of order five needs G_0 ... G_3, the estimate of its error G_4 */
+/* How many numbers G_k are computed. The law of order five needs G_0 ... G_3, and the estimate of its error needs
+   G_4. */
 enum { VMI_OSC_G = 5 };
 
-/* Mass, stiffness and the numbers that follow from their rates, at one time */
+/* Mass, stiffness and the numbers a, p and G_k that follow from their rates, at one time */
 typedef struct VM_TAG(vmi_osc_slow) {
     vm_real m, k;         /* mass, kg, and stiffness, N/m^alpha */
-    vm_real a, p;         /* see above, 1/s */
-    vm_real unit;         /* the unit of time of G, s: rates of very fast or slow motions have powers out of range */
-    vm_real G[VMI_OSC_G]; /* unit^(i+2) G_i */
+    vm_real a, p;         /* the rates a and p that the top of this file defines, 1/s */
+    vm_real unit;         /* time by which G_i are scaled, s, about 1/W: it keeps powers of very fast or slow rates from
+                             overflowing */
+    vm_real G[VMI_OSC_G]; /* G[i] is unit^(i+2) G_i, a pure number */
 } vmi_osc_slow;
 
-/* Mass, stiffness and rates at one time, without the numbers G_k: values f and rates f' of the laws are enough */
+/* Mass, stiffness and the rates a and p at one time, without the numbers G_k. The laws' values and first derivatives
+   are enough for them. */
 typedef struct VM_TAG(vmi_osc_rates) {
     vm_real m, k; /* mass, kg, and stiffness, N/m^alpha */
-    vm_real a, p; /* the rates a = mu'/mu and p, 1/s */
+    vm_real a, p; /* the rates a and p of the top of this file, 1/s */
 } vmi_osc_rates;
 
 /* Writes mass, stiffness and rates at t to *r. Where the rates jump at t, side = 1 asks for those after t, side = -1
@@ -8011,7 +8760,8 @@ VM_API int vmi_osc_rates_at(const vm_osc_problem *o, vm_real t, int side, vmi_os
 
 /* -- Power series in time: element i of an array is the coefficient of the ith power -- */
 
-/* Turns derivatives f, f', f'' ... into the coefficients of the series in time divided by the unit, s */
+/* Replaces the n derivatives f, f', f'' ... by the coefficients of the power series of f in the variable time/unit,
+   where unit is a time in s. */
 VM_API void vmi_series_of_derivatives(int n, vm_real unit, vm_real *f)
 {
     int i, power;
@@ -8019,7 +8769,7 @@ VM_API void vmi_series_of_derivatives(int n, vm_real unit, vm_real *f)
         for (i = power; i < n; i++) f[i] *= unit / (vm_real)power;
 }
 
-/* Writes the series of f'/f to ratio, from the n coefficients of f; ratio has n - 1 coefficients. */
+/* Writes the series of f'/f to ratio. f has n coefficients, ratio has n - 1. */
 VM_API void vmi_series_log_rate(int n, const vm_real *f, vm_real *ratio)
 {
     int i, j;
@@ -8053,8 +8803,8 @@ VM_API vm_real vmi_series_product(int i, const vm_real *f, const vm_real *g)
 
 /* -- The numbers G_k -- */
 
-/* Fills now->G from the series of a and p, which have n coefficients, by G_0 = p^2 - a p - p' and
-   G_(k+1) = G_k' - (k+2) (2p - a) G_k. The array a is overwritten. */
+/* Fills now->G by G_0 = p^2 - a p - p' and G_(k+1) = G_k' - (k+2) (2p - a) G_k. The arrays a and p hold the first n
+   coefficients of the power series of a and p in time. The array a is overwritten. */
 VM_API void vmi_osc_find_G(int n, vm_real *a, vm_real *p, vmi_osc_slow *now)
 {
     vm_real G[VMI_LAW_ORDERS], next[VMI_LAW_ORDERS];
@@ -8071,7 +8821,8 @@ VM_API void vmi_osc_find_G(int n, vm_real *a, vm_real *p, vmi_osc_slow *now)
     }
 }
 
-/* All of *now from m, k and their derivatives up to the sixth, which are destroyed; unit: see vmi_osc_slow */
+/* Fills *now. The arrays m and k hold mass and stiffness and their derivatives up to the sixth, and are overwritten.
+   The field `unit` of vmi_osc_slow explains the argument unit, s. */
 VM_API void vmi_osc_slow_of(const vm_osc_problem *o, vm_real *m, vm_real *k, vm_real unit, vmi_osc_slow *now)
 {
     const int n = VMI_LAW_ORDERS - 1;
@@ -8095,9 +8846,9 @@ VM_API void vmi_osc_slow_of(const vm_osc_problem *o, vm_real *m, vm_real *k, vm_
     vmi_osc_find_G(n, m, k, now);
 }
 
-/* *now at t; where derivatives jump, after t for side = 1, before it for side = -1. length, s: see
-   vmi_law_derivatives; unit, s: see vmi_osc_slow. VM_BAD_MASS, VM_BAD_STIFFNESS, VM_DOMAIN and VM_NOT_FINITE come
-   from the laws. */
+/* Fills *now for the time t. Where derivatives of the laws jump at t, side = 1 asks for those after t, side = -1 for
+   those before t. length, s, is explained at vmi_law_derivatives, and unit, s, at the field of vmi_osc_slow. Returns
+   VM_BAD_MASS, VM_BAD_STIFFNESS, VM_DOMAIN or VM_NOT_FINITE where the laws do. */
 VM_API int vmi_osc_slow_at(const vm_osc_problem *o, vm_real t, int side, vm_real length, vm_real unit,
                            vmi_osc_slow *now)
 {
@@ -8110,14 +8861,14 @@ VM_API int vmi_osc_slow_at(const vm_osc_problem *o, vm_real t, int side, vm_real
 
 /* -- Amplitude and phase -- */
 
-/* Amplitude and phase of the oscillator by the reduction, that is of x and V = x' + p x */
+/* The reduced state of the oscillator: the amplitude A and the phase psi of the position x and of V = x' + p x */
 typedef struct VM_TAG(vmi_osc_reduced) {
     vm_real A;   /* amplitude, m */
     vm_real psi; /* Ateb phase */
-    vm_real W;   /* rate of the phase at this amplitude for constant mass and stiffness, 1/s */
+    vm_real W;   /* rate of the phase that this amplitude has if mass and stiffness are constant, 1/s */
 } vmi_osc_reduced;
 
-/* The reduced state that belongs to position x and velocity v, at the time of *now */
+/* The reduced state that belongs to the position x and the velocity v, with the rates at the time of *now */
 VM_API vmi_osc_reduced vmi_osc_reduce(const vmi_osc_slow *now, vm_real alpha, vm_real x, vm_real v)
 {
     const vm_real omega = VM_SQRT(now->k / now->m);
@@ -8127,11 +8878,12 @@ VM_API vmi_osc_reduced vmi_osc_reduce(const vmi_osc_slow *now, vm_real alpha, vm
     return r;
 }
 
-/* The reduced state of vmi_osc_reduce for alpha >= 0, by shorter and slower code, which vm_osc_closed_init shares with
-   vm_osc_plan_init. omega is sqrt(k/m), and V = v + p x. */
+/* The same state as vmi_osc_reduce finds, from omega = sqrt(k/m) and V = v + p x, for alpha >= 0. The code is shorter
+   and slower. Both vm_osc_closed_init and vm_osc_plan_init use it, so that their results agree. */
 VM_API vmi_osc_reduced vmi_osc_reduce_by_series(vm_real omega, vm_real alpha, vm_real x, vm_real V)
 {
-    const vm_real n = alpha + 1, s = 0 - V / (VM_SQRT(2 / n) * omega); /* B^(n/2), as in vm_osc_amplitude_phase */
+    const vm_real n = alpha + 1, s = 0 - V / (VM_SQRT(2 / n) * omega); /* B^(n/2), where vmax(B) = |V|; see
+                                                                          vm_osc_amplitude_phase */
     const vm_real B = vmi_pow_checked(VM_FABS(s), 2 / n);
     vmi_osc_reduced r = {0, 0, 0};
     vmi_ateb c;
@@ -8145,8 +8897,8 @@ VM_API vmi_osc_reduced vmi_osc_reduce_by_series(vm_real omega, vm_real alpha, vm
     return r;
 }
 
-/* Writes position x and velocity v of a reduced state: the inverse of vmi_osc_reduce. sa and ca are the Ateb functions
-   of its phase. */
+/* Writes the position x and the velocity v of a reduced state, as the inverse of vmi_osc_reduce. sa and ca are the Ateb
+   functions of the state's phase. */
 VM_API void vmi_osc_unreduce(const vmi_osc_reduced *r, vm_real p, vm_real alpha, vm_real sa, vm_real ca, vm_real *x,
                              vm_real *v)
 {
@@ -8154,7 +8906,7 @@ VM_API void vmi_osc_unreduce(const vmi_osc_reduced *r, vm_real p, vm_real alpha,
     *v = -2 / (alpha + 1) * r->W * r->A * sa - p * *x;
 }
 
-/* The numbers E_k = G_k/W^(k+2) of a reduced state whose phase has the rate W */
+/* Writes the numbers E_k = G_k/W^(k+2), k = 0 ... 4, of a reduced state whose phase has the rate W. */
 VM_API void vmi_osc_disturbance(const vmi_osc_slow *now, vm_real W, vm_real *E)
 {
     const vm_real radian = 1 / (W * now->unit);
@@ -8170,11 +8922,11 @@ VM_API void vmi_osc_disturbance(const vmi_osc_slow *now, vm_real W, vm_real *E)
 /* oscillators/ripple.h - the ripple of ca^2 within a period, and its integrals over the Ateb phase
 
    Amplitude and phase of an oscillator whose mass or stiffness varies slowly swing a little about mean values. This
-   ripple is computed from five functions of the Ateb phase psi. With C = ca^2(psi) - <ca^2>, where < > is the mean over
-   a period, the other four functions are integrals over psi, each with the mean 0 and the period Pi_alpha:
+   ripple is computed from five functions of the Ateb phase psi. The first is C = ca^2(psi) - <ca^2>, where < > is the
+   mean over a period. The other four are integrals over psi, each with the mean 0 and the period Pi_alpha:
      S = integral of C,   S2 = integral of S,   S3 = integral of S2,   Q = integral of C^2 - <C^2>.
-   A vmi_ripple holds what is computed once for an alpha: two sets of four polynomials, and constants of the law of
-   order five (oscillators/expansion.h). It is plain data and may lie in flash.
+   A vmi_ripple holds what is computed once for an alpha: polynomials that approximate these integrals, and constants of
+   the law of order five (oscillators/expansion.h). It is plain data and may lie in flash memory.
        vmi_ripple r;
        vmi_ripple_values f;
        vm_real sa, ca;
@@ -8183,23 +8935,25 @@ VM_API void vmi_osc_disturbance(const vmi_osc_slow *now, vm_real W, vm_real *E)
        ateb_saca(VM_C(0.7), VM_C(1.5), &sa, &ca);
        vmi_ripple_at(&r, 5, VM_C(0.7), sa, ca, &f); // f.S, f.S2, f.S3, f.Q at psi = 0.7
 
-   Method: the integrals from a zero of ca are |ca|^3, |ca|^4 or |ca|^5 times a power series in w = |ca|^(alpha+1). The
-   integrals from a zero of sa are power series in y = sa^2, times sa or not. The first set is used for w < 1/2, the
-   second for y <= 1/2. On [0, 1/2] each power series is replaced by the first terms of its Chebyshev series: 15 terms
-   give 1e-12, 8 terms 1e-7, for every alpha.
+   Method: let w = |ca|^(alpha+1) and y = sa^2, so that w + y = 1. An integral from a zero of ca is |ca|^3, |ca|^4 or
+   |ca|^5 times a power series in w. An integral from a zero of sa is a power series in y, times a power of sa. The
+   first set of series is used for w < 1/2, the second for y <= 1/2. On [0, 1/2] each power series is replaced by the
+   first terms of its Chebyshev series: 15 terms give an error of 1e-12, 8 terms 1e-7, for every alpha.
    Tests: tests/test_slow_motion.c. */
 #ifndef VARMASS_OSCILLATORS_RIPPLE_H
 #define VARMASS_OSCILLATORS_RIPPLE_H
 
-/* Numbers of terms: of each polynomial, of the Chebyshev series of a power w^i, and of the power series in w */
+/* Numbers of terms: TERMS in each polynomial, KEPT in the Chebyshev series of a power w^i, SERIES in the power series
+   in w or y */
 #if VM_MANT_DIG > 24
 enum { VMI_RIPPLE_TERMS = 15, VMI_RIPPLE_KEPT = 24, VMI_RIPPLE_SERIES = 56 };
 #else
 enum { VMI_RIPPLE_TERMS = 8, VMI_RIPPLE_KEPT = 13, VMI_RIPPLE_SERIES = 28 };
 #endif
 
-/* The polynomials of a set: for the integrals of ca^2 and of ca^4, and for the first and the second integral of the
-   integral of ca^2. All integrals begin at the nearest zero of ca, or of sa for the other set. */
+/* The four polynomials of a set. CA2 and CA4 give the integrals of ca^2 and of ca^4; FIRST gives the integral of the
+   integral of ca^2, and SECOND gives the integral of that. In one set all integrals begin at the nearest zero of ca, in
+   the other at the nearest zero of sa. */
 enum { VMI_RIPPLE_CA2, VMI_RIPPLE_CA4, VMI_RIPPLE_FIRST, VMI_RIPPLE_SECOND, VMI_RIPPLE_FUNCTIONS };
 
 /* Constants and polynomials for one alpha, prepared by vmi_ripple_init and vmi_ripple_complete */
@@ -8211,7 +8965,7 @@ typedef struct VM_TAG(vmi_ripple) {
     vm_real mean2, mean4;       /* the means of ca^2 and ca^4 */
     vm_real variance;           /* the mean of C^2, where C = ca^2 - mean2 */
     int has_polynomials;        /* 1 where the fields below are set, else 0 */
-    vm_real at_sa_0, at_ca_0;   /* values of S2 (second integral of C) at the phases with sa = 0 and with ca = 0 */
+    vm_real at_sa_0, at_ca_0;   /* values of S2 at the phases with sa = 0 and with ca = 0 */
     vm_real near_ca_0[VMI_RIPPLE_FUNCTIONS][VMI_RIPPLE_TERMS]; /* polynomials in 4 w - 1, w = |ca|^(alpha+1) */
     vm_real near_sa_0[VMI_RIPPLE_FUNCTIONS][VMI_RIPPLE_TERMS]; /* polynomials in 4 y - 1, where y = sa^2 */
 } vmi_ripple;
@@ -8224,8 +8978,8 @@ typedef struct VM_TAG(vmi_ripple_values) {
 
 /* -- Making the polynomials -- */
 
-/* Coefficients i of all power series. For example the integral of ca^2 from a zero of ca is |ca|^3 times the sum of
-   near_ca_0[VMI_RIPPLE_CA2] w^i over all i. */
+/* Coefficients with the same index i of all power series. For example the integral of ca^2 from a zero of ca is |ca|^3
+   times the sum of near_ca_0[VMI_RIPPLE_CA2] w^i over all i. */
 typedef struct VM_TAG(vmi_ripple_series) {
     vm_real root;                 /* coefficient i of the power series of (1-w)^(-1/2) */
     vm_real power2, power3, power4; /* coefficients i of (1-y)^((j-alpha)/(alpha+1)) for j = 2, 3, 4 */
@@ -8234,16 +8988,16 @@ typedef struct VM_TAG(vmi_ripple_series) {
     vm_real near_ca_0[VMI_RIPPLE_FUNCTIONS], near_sa_0[VMI_RIPPLE_FUNCTIONS];
 } vmi_ripple_series;
 
-/* Coefficient i of the power series of (1-y)^exponent, where `before` is coefficient i - 1 */
+/* Coefficient i of the power series of (1-y)^exponent in y. `before` is coefficient i - 1. */
 VM_API vm_real vmi_binomial_next(vm_real before, int i, vm_real exponent)
 {
     if (i == 0) return 1;
     return before * ((vm_real)(i - 1) - exponent) / (vm_real)i;
 }
 
-/* Replaces the coefficients i - 1 of all power series by the coefficients i; for i = 0 all must be 0 before. Let D be
-   the first and E the second integral of the integral of ca^2. The differential equations D'' = ca^2 and E'' = integral
-   of ca^2, with derivatives by the phase, give each coefficient of D and E from the one before. */
+/* Replaces the coefficients i - 1 of all power series by the coefficients i; for i = 0 all must be 0 before. Method:
+   let I be the integral of ca^2 over the phase from a zero of ca or sa, D the integral of I, and E the integral of D.
+   The differential equations D'' = ca^2 and E'' = I give each coefficient of D and E from the one before. */
 VM_API void vmi_ripple_next_terms(vmi_ripple_series *s, int i, vm_real alpha)
 {
     const vm_real n = alpha + 1, nu = 2 * alpha / n, k = (vm_real)(2 * i);
@@ -8267,7 +9021,8 @@ VM_API void vmi_ripple_next_terms(vmi_ripple_series *s, int i, vm_real alpha)
     turn[VMI_RIPPLE_SECOND] = (turn[VMI_RIPPLE_SECOND] * (k + 1) * (k + nu) + s->product) / ((k + 3) * (k + 2));
 }
 
-/* Multiplies the Chebyshev series sum c_k T_k(z) by w = (1 + z)/4, with z T_k = (T_(k+1) + T_(k-1))/2 */
+/* Multiplies the Chebyshev series sum of c[k] T_k(z) by w = (1 + z)/4, where T_k is Chebyshev's polynomial and z T_k =
+   (T_(k+1) + T_(k-1))/2. */
 VM_API void vmi_chebyshev_times_w(vm_real *c)
 {
     const int last = VMI_RIPPLE_KEPT - 1;
@@ -8283,7 +9038,7 @@ VM_API void vmi_chebyshev_times_w(vm_real *c)
     c[0] = first / 4;
 }
 
-/* Turns a Chebyshev series into a polynomial in powers of z, by T_k = 2 z T_(k-1) - T_(k-2) */
+/* Turns a Chebyshev series into a polynomial in powers of z, by the recurrence T_k = 2 z T_(k-1) - T_(k-2). */
 VM_API void vmi_chebyshev_to_powers(vm_real *c)
 {
     int j, k;
@@ -8293,7 +9048,8 @@ VM_API void vmi_chebyshev_to_powers(vm_real *c)
     }
 }
 
-/* Makes all eight polynomials: adds up the power series, with each power w^i replaced by its Chebyshev series. */
+/* Makes all eight polynomials, four in each set. It adds up the power series, with each power w^i or y^i replaced by
+   its Chebyshev series. */
 VMI_APART void vmi_ripple_make_polynomials(vmi_ripple *r)
 {
     vm_real w_power[VMI_RIPPLE_KEPT]; /* coefficients of the Chebyshev series of w^i */
@@ -8338,19 +9094,20 @@ VM_API vm_real vmi_ripple_polynomial(const vm_real *c, vm_real z)
 
 /* Integrals over the phase from the nearest zero of ca (or of sa) to a given phase */
 typedef struct VM_TAG(vmi_ripple_integrals) {
-    vm_real ca2, ca4, first, second; /* integrals of ca^2 and ca^4; first and second integral of ca2 */
+    vm_real ca2, ca4, first, second; /* integrals of ca^2 and ca^4; the integral of ca2, and the integral of this */
 } vmi_ripple_integrals;
 
-/* A phase between a zero of ca or sa and the joint at sa^2 = 1/2, and what the integrals from this zero need there */
+/* A phase between a zero of ca or sa and the phase where sa^2 = 1/2, at which both sets of polynomials meet; and the
+   numbers from which the integrals from the zero to this phase follow */
 typedef struct VM_TAG(vmi_ripple_place) {
     const vm_real (*polynomial)[VMI_RIPPLE_TERMS]; /* near_ca_0 or near_sa_0 */
     vm_real z;        /* variable of the polynomials */
     vm_real x;        /* |ca| or |sa| */
-    vm_real power2;   /* factor of the integral of ca^2 */
-    vm_real power4;   /* factor of the integral of ca^4 */
+    vm_real power2;   /* the integral of ca^2 is this power of x times its polynomial */
+    vm_real power4;   /* the integral of ca^4 is this power of x times its polynomial */
 } vmi_ripple_place;
 
-/* The place where |ca| = x and sa^2 = y >= 1/2 */
+/* The place near a zero of ca where |ca| = x and sa^2 = y >= 1/2 */
 VM_API vmi_ripple_place vmi_ripple_near_ca_0(const vmi_ripple *r, vm_real x, vm_real y)
 {
     vmi_ripple_place at;
@@ -8362,7 +9119,7 @@ VM_API vmi_ripple_place vmi_ripple_near_ca_0(const vmi_ripple *r, vm_real x, vm_
     return at;
 }
 
-/* The place where |sa| = u and sa^2 = y <= 1/2 */
+/* The place near a zero of sa where |sa| = u and sa^2 = y <= 1/2 */
 VM_API vmi_ripple_place vmi_ripple_near_sa_0(const vmi_ripple *r, vm_real u, vm_real y)
 {
     vmi_ripple_place at;
@@ -8374,7 +9131,8 @@ VM_API vmi_ripple_place vmi_ripple_near_sa_0(const vmi_ripple *r, vm_real u, vm_
     return at;
 }
 
-/* The integrals from the zero to the place. Those that the law of this order, 2 to 5, does not need are 0. */
+/* The integrals from the zero to the place. Integrals that the law of this order, 2 to 5, does not need are set to
+   0. */
 VM_API vmi_ripple_integrals vmi_ripple_integrals_at(const vmi_ripple_place *at, int order)
 {
     const vm_real once = at->power2 * at->x;
@@ -8391,8 +9149,8 @@ VM_API vmi_ripple_integrals vmi_ripple_integrals_at(const vmi_ripple_place *at, 
 
 /* -- Preparing an alpha, and the functions -- */
 
-/* Prepares alpha >= 0 without the polynomials: only C can be computed, not S, S2, S3 and Q. constants is the function
-   that computes Pi_alpha. */
+/* Prepares the ripple for an alpha >= 0, without the polynomials. Of the five functions only C can be computed from it.
+   `constants` is the function that computes Pi_alpha. */
 VM_API void vmi_ripple_init(vmi_ripple *r, vm_real alpha, vmi_ateb_constants_of constants)
 {
     vmi_ateb c;
@@ -8430,11 +9188,12 @@ VM_API void vmi_ripple_complete(vmi_ripple *r)
 }
 
 /* Writes the functions of the ripple at the phase psi, where sa and ca are the Ateb functions of psi. order, 2 to 5, is
-   that of the law that needs them; above 2 the polynomials must have been made. */
+   the order of the law that needs them; above 2 vmi_ripple_complete must have made the polynomials. */
 VM_API void vmi_ripple_at(const vmi_ripple *r, int order, vm_real psi, vm_real sa, vm_real ca, vmi_ripple_values *f)
 {
     const vm_real m = r->mean2, y = sa * sa, from_sa_0 = psi - r->pi * VM_FLOOR(psi / r->pi + VM_C(0.5));
-    vm_real side = VM_COPYSIGN(1, from_sa_0), way = VM_FABS(from_sa_0), S2_at_0 = r->at_sa_0; /* way: from the zero */
+    vm_real side = VM_COPYSIGN(1, from_sa_0), way = VM_FABS(from_sa_0), S2_at_0 = r->at_sa_0; /* way: phase since the
+                                                                                                 zero */
     vmi_ripple_place place;
     vmi_ripple_integrals d;
     f->sa = sa;
@@ -8460,15 +9219,17 @@ VM_API void vmi_ripple_at(const vmi_ripple *r, int order, vm_real psi, vm_real s
 
    With slow mass and stiffness, amplitude A and phase psi of oscillators/reduction.h obey the exact equations
      A'/A = -p + (G_0/W) sa ca,   psi' = W + (alpha+1)/2 (G_0/W) ca^2,
-   where W is the rate of the phase at the amplitude A. The slow motion A'/A = -p, psi' = W is disturbed by G_0/W^2
-   only. This number is of second order in epsilon, the relative change of mass and stiffness within a radian.
+   where W is the rate of the phase at the amplitude A. Only the number G_0/W^2 disturbs the slow motion A'/A = -p,
+   psi' = W. It is of second order in epsilon, the relative change of mass and stiffness within a radian.
 
    A canonical transformation leads from A and psi to mean values without ripple: a mean action, which is constant, and
-   a mean phase, whose rate varies slowly. The action is J = A^((alpha+3)/2) sqrt(mu kappa). The transformation is a
-   series in powers of the numbers E_k of order epsilon^(k+2), k = 0, 1 ...
+   a mean phase, whose rate varies slowly. The action is J = A^((alpha+3)/2) sqrt(mu kappa), with mu and kappa of
+   oscillators/reduction.h. The transformation is a series in powers of the numbers E_k, k = 0, 1 ..., which are of
+   order epsilon^(k+2):
      E_k = G_k/W^(k+2),   G_(k+1) = G_k' - (k+2) (2p - a) G_k.
-   This file has the transformation in both directions, and the mean rate of the phase. Cut off after order N, it gives
-   the motion with an error of O(epsilon^N) over times of 1/epsilon. The law is new; docs/law.md derives it.
+   This file has the transformation in both directions, and the mean rate of the phase. If the series is cut off after
+   the order N, it gives the motion with an error of O(epsilon^N) over times of 1/epsilon. The law is new; docs/law.md
+   derives it.
 
    C, S, S2, S3 and Q are the functions of the phase in oscillators/ripple.h. The weight of a term is the power of
    epsilon in it: E_k has weight k + 2.
@@ -8477,7 +9238,7 @@ VM_API void vmi_ripple_at(const vmi_ripple *r, int order, vm_real psi, vm_real s
        vm_real E[VMI_EXPANSION_E] = {VM_C(1e-4), 0, 0, 0}, ln_J;
        vmi_ripple_init(&r, 1, vmi_ateb_constants); // a linear spring
        vmi_ripple_at(&r, 2, 0, 0, 1, &f);          // phase 0: sa = 0, ca = 1
-       ln_J = vmi_expansion_J(&r, 2, &f, E); // ln of the mean action over the action
+       ln_J = vmi_expansion_J(&r, 2, &f, E); // ln of the mean action divided by the action
    Tests: tests/test_slow_motion.c. */
 #ifndef VARMASS_OSCILLATORS_EXPANSION_H
 #define VARMASS_OSCILLATORS_EXPANSION_H
@@ -8522,7 +9283,7 @@ VM_API vm_real vmi_expansion_psi(const vmi_ripple *r, int order, const vmi_rippl
 /* -- From the mean motion to the motion -- */
 
 /* Returns the phase psi minus the mean phase, with all terms up to weight order - 1. f holds C, S ... at the mean
-   phase. This is minus vmi_expansion_psi at the mean phase, and a product of first-order terms. */
+   phase. The result is -vmi_expansion_psi, evaluated at the mean phase, plus a product of first-order terms. */
 VM_API vm_real vmi_expansion_psi_back(const vmi_ripple *r, int order, const vmi_ripple_values *f, const vm_real *E)
 {
     const vm_real product = r->scale * r->scale / 4 * (1 - 2 * r->gamma) * E[0] * E[0] * f->C * f->S;
@@ -8531,7 +9292,7 @@ VM_API vm_real vmi_expansion_psi_back(const vmi_ripple *r, int order, const vmi_
 }
 
 /* Returns ln(action/mean action) with all terms up to weight order - 1, for an order from 3 to 5. f holds C, S ... at
-   the mean phase. This is minus vmi_expansion_J at the mean phase, and a product of first-order terms. */
+   the mean phase. The result is -vmi_expansion_J, evaluated at the mean phase, plus a product of first-order terms. */
 VM_API vm_real vmi_expansion_J_back(const vmi_ripple *r, int order, const vmi_ripple_values *f, const vm_real *E)
 {
     const vm_real g = r->gamma, square = r->scale * r->scale / 2 * E[0] * E[0];
@@ -8554,8 +9315,8 @@ VM_API vm_real vmi_expansion_second(const vmi_ripple *r)
 
 /* -- From state to mean state and back -- */
 
-/* The state with the same constants whose ln J, where J is the action, is larger by ln_J, and whose phase is larger by
-   shift */
+/* A copy of the state in which ln J, where J is the action, is larger by ln_J and the phase is larger by shift. Mass
+   and stiffness are those of *state. */
 VM_API vmi_osc_reduced vmi_expansion_shifted(const vmi_ripple *r, const vmi_osc_reduced *state, vm_real ln_J,
                                              vm_real shift)
 {
@@ -8567,7 +9328,7 @@ VM_API vmi_osc_reduced vmi_expansion_shifted(const vmi_ripple *r, const vmi_osc_
 }
 
 /* The mean motion that belongs to a reduced state, by the law of this order, 2 to 5. sa and ca are the Ateb functions
-   of its phase, and E holds its numbers E_k. Above order 2 the ripple must have its polynomials. */
+   of the state's phase, and E holds the state's numbers E_k. Above order 2 the ripple must have its polynomials. */
 VM_API vmi_osc_reduced vmi_expansion_to_mean(const vmi_ripple *r, int order, const vmi_osc_reduced *state, vm_real sa,
                                              vm_real ca, const vm_real *E)
 {
@@ -8589,8 +9350,8 @@ VM_API vmi_osc_reduced vmi_expansion_from_mean(const vmi_ripple *r, int order, c
 
 /* -- What the law of order five leaves out -- */
 
-/* How large the terms of weight w are in vmi_expansion_J (J[w]) and in vmi_expansion_psi (psi[w]), for w = 2 to 6; psi[6]
-   is only the part with E_4. They are of order epsilon^w, where epsilon is the relative change of mass and stiffness
+/* The sizes of the terms of weight w, for w = 2 to 6: J[w] in vmi_expansion_J, psi[w] in vmi_expansion_psi. psi[6]
+   holds only the term with E_4. All are of order epsilon^w, where epsilon is the relative change of mass and stiffness
    within a radian. */
 typedef struct VM_TAG(vmi_expansion_sizes) {
     vm_real J[7], psi[7];
@@ -8615,21 +9376,21 @@ VM_API void vmi_expansion_find_sizes(const vmi_ripple *r, const vm_real *e, vmi_
 }
 
 /* A bound of the first terms that order five leaves out of the mean rate of the phase, divided by W. They have weight
-   6; product is |E_0 E_2|, cube is |E_0|^3. If product and cube are integrals of these numbers over the phase, the
-   result is a bound of the error of the phase. */
+   6. product is |E_0 E_2| and cube is |E_0|^3. If product and cube are instead the integrals of these numbers over the
+   phase, the result is a bound of the error of the phase. */
 VM_API vm_real vmi_expansion_third_rate(const vmi_ripple *r, vm_real product, vm_real cube)
 {
     const vm_real d = r->pi / (2 * VM_PI), L = r->scale, g = r->gamma;
     return L * L / 64 * VM_FABS((1 - 5 * g) * (2 - 5 * g)) * d * d * product + VM_C(0.01) * L * L * L * cube;
 }
 
-/* How large the terms are that an order leaves out: relative in J, and of the phase */
+/* Sizes of the terms that the law of some order leaves out: relative to J, and in the phase psi */
 typedef struct VM_TAG(vmi_left_out) {
     vm_real J, psi;
 } vmi_left_out;
 
-/* How large the first terms are that the transformation of this order leaves out at t, where e[k] = |E_k|. Since the
-   terms of the next weight may vanish, those of the weight after it count, too. */
+/* The sizes of the first terms that the transformation of this order leaves out at t, where e[k] = |E_k|. The terms of
+   the next weight may vanish at t; therefore the terms of the weight after the next count, too. */
 VM_API vmi_left_out vmi_expansion_left_out_at(const vmi_ripple *r, int order, const vm_real *e)
 {
     vmi_expansion_sizes size;
@@ -8641,7 +9402,7 @@ VM_API vmi_left_out vmi_expansion_left_out_at(const vmi_ripple *r, int order, co
     return now;
 }
 
-/* How large the first terms are that the mean motion of this order leaves out at the start, where e[k] = |E_k| */
+/* The sizes of the first terms that the mean motion of this order leaves out at the start, where e[k] = |E_k| */
 VM_API vmi_left_out vmi_expansion_left_out_at_start(const vmi_ripple *r, int order, const vm_real *e)
 {
     vmi_expansion_sizes size;
@@ -8652,10 +9413,10 @@ VM_API vmi_left_out vmi_expansion_left_out_at_start(const vmi_ripple *r, int ord
     return start;
 }
 
-/* The estimate of the larger of |error of x|/A and |error of v|/vmax that follows from what is left out: `now` at t,
-   `start` at the start and on the way, `third` of the mean rate of the phase (vmi_expansion_third_rate). turns is the
-   phase from 0 to t; errors of ln J at the start grow with it. A factor of 2 fits the errors that
-   tests/test_slow_motion.c finds. */
+/* The estimate of the larger of |error of x|/A and |error of v|/vmax, from the terms that the law leaves out. `now` are
+   those at t, `start` those at the start and on the way, and `third` is the bound for the mean rate of the phase
+   (vmi_expansion_third_rate). turns is how far the phase advances from 0 to t; errors of ln J at the start grow with
+   it. The estimate includes a factor of 2, which fits the errors that tests/test_slow_motion.c finds. */
 VM_API vm_real vmi_expansion_error(const vmi_ripple *r, vmi_left_out now, vmi_left_out start, vm_real turns,
                                    vm_real third)
 {
@@ -8672,8 +9433,8 @@ VM_API vm_real vmi_expansion_error(const vmi_ripple *r, vmi_left_out now, vmi_le
    (examples/print_plan.c prints it). Mass and stiffness must be
      m = m0 exp(rate_m u),   k = k0 exp(rate_k u),   u = ln(1 + base t)/base, or u = t for base = 0,
    with a common base: they may be constant, linear, exponential or powers of the same 1 + base t. With damping the mass
-   must be constant or linear. The order, 2 to 5, is a choice: a lower order is less accurate (docs/law.md) and
-   shorter. vm_osc_closed_at_order2 and vm_osc_closed_at_order3 leave out the code that only higher orders need.
+   must be constant or linear. The order, 2 to 5, is a choice: a lower order is less accurate (docs/law.md) and needs
+   less code. vm_osc_closed_at_order2 and vm_osc_closed_at_order3 leave out the code that only higher orders need.
        vm_osc_problem sieve = {3,            vm_law_linear(120, -20), vm_law_linear(VM_C(4e8), 0), 0, 0,
                                VM_C(0.005), 0,                       NULL,                        NULL};
        vm_osc_closed motion;
@@ -8684,20 +9445,21 @@ VM_API vm_real vmi_expansion_error(const vmi_ripple *r, vmi_left_out now, vmi_le
    Method: let p and a be the rates of oscillators/reduction.h at t = 0. Then
      G_0 = p (p - a + base),   delta = p + (p - a + base),   el = 1 + base t,   p(t) = p/el,   A = A(0) exp(-p u),
      W = W(0) exp(delta u)/el,   E_k = (k+1)! E_0(0) (-delta/W(0))^k exp(-(k+2) delta u),
-   where A and W are the mean amplitude and the mean rate of the phase. Integrals of W, W E_0 and W E_0^2 over t are
-   differences of exponentials. Sources: docs/law.md. Tests: tests/test_closed_law.c. */
+   where A is the mean amplitude and W the rate of the mean phase without the terms of E_0. Integrals of W, W E_0 and W
+   E_0^2 over t are differences of exponentials. Sources: docs/law.md. Tests: tests/test_closed_law.c. */
 #ifndef VARMASS_OSCILLATORS_CLOSED_H
 #define VARMASS_OSCILLATORS_CLOSED_H
 
 /* -- The laws -- */
 
-/* Mass and stiffness as exponentials of the same u; see the top of this file. All are in 1/s. */
+/* The rates base, rate_m and rate_k in the closed forms of mass and stiffness at the top of this file, 1/s */
 typedef struct VM_TAG(vmi_osc_rates_of_u) {
     vm_real base, rate_m, rate_k;
 } vmi_osc_rates_of_u;
 
 /* Finds the exponential form of both laws. Returns 0 if there is none in a common u, or if the integral of b/m is not
-   proportional to u. It is so for m = m0 (1 + base t), which includes a constant mass with base = 0. */
+   proportional to u. With damping it is proportional only for m = m0 (1 + base t), which includes a constant mass with
+   base = 0. */
 VM_API int vmi_osc_find_closed_form(const vm_osc_problem *o, vmi_osc_rates_of_u *u)
 {
     vm_real base_m, base_k;
@@ -8711,13 +9473,14 @@ VM_API int vmi_osc_find_closed_form(const vm_osc_problem *o, vmi_osc_rates_of_u 
     return o->damping == 0 || u->rate_m == u->base;
 }
 
-/* What the disturbances at t = 0 depend on, in 1/s: p, and delta and rest = p - a + base, so that G_0 = p rest */
+/* The rates on which the disturbances E_k at t = 0 depend, in 1/s: p; rest = p - a + base, so that G_0 = p rest; and
+   delta = p + rest */
 typedef struct VM_TAG(vmi_osc_closed_rates) {
     vm_real p, rest, delta;
 } vmi_osc_closed_rates;
 
-/* The rates at t = 0, where m0 is the mass, kg. Differences that vanish in exact arithmetic, such as base - a for a
-   linear mass with the full reactive force, vanish here, too. */
+/* The rates at t = 0, where m0 is the mass, kg. Differences that vanish in exact arithmetic vanish here, too. An
+   example is base - a for a linear mass with the full reactive force. */
 VM_API vmi_osc_closed_rates vmi_osc_closed_rates_of(const vm_osc_problem *o, const vmi_osc_rates_of_u *u, vm_real m0)
 {
     const vm_real decay = o->damping / m0;
@@ -8741,16 +9504,16 @@ VM_API void vmi_osc_closed_disturbance(const vmi_osc_closed_rates *r, vm_real W,
 
 /* The mean motion at t = 0, and what is needed to follow it to any t */
 typedef struct VM_TAG(vmi_osc_closed_mean) {
-    vmi_osc_reduced start;      /* mean amplitude, m, mean phase, and W, the rate that the action gives it, 1/s */
-    vm_real base;               /* 1/s; see the top of this file */
+    vmi_osc_reduced start;      /* mean amplitude, m, mean phase, and its rate W without the terms of E_0, 1/s */
+    vm_real base;               /* base of the laws, 1/s; see the top of this file */
     vmi_osc_closed_rates rates; /* rates at t = 0 */
     vm_real first, second;      /* what E_0 and E_0^2 add to the rate of the mean phase at t = 0, 1/s */
 } vmi_osc_closed_mean;
 
 /* The mean motion at t; u, el and delta are explained at the top of this file. */
 typedef struct VM_TAG(vmi_osc_closed_now) {
-    vmi_osc_reduced state; /* mean amplitude, m, mean phase, and the rate W that the action gives it, 1/s */
-    vm_real u, el;         /* u is in s */
+    vmi_osc_reduced state; /* mean amplitude, m, mean phase, and its rate W without the terms of E_0, 1/s */
+    vm_real u, el;         /* u, s, and el, a pure number */
     vm_real ln_A;          /* ln(A/A(0)) of the mean amplitude A */
     vm_real ratio;         /* W/W(0) */
     vm_real decay;         /* exp(-delta u) */
@@ -8779,7 +9542,7 @@ VM_API void vmi_osc_closed_mean_init(vmi_osc_closed_mean *c, const vmi_osc_reduc
    |p| < 0.42, e^x - 1 is 2^k p + (2^k - 1). */
 VM_API vm_real vmi_exp_and_ratio(vm_real x, vm_real *ratio)
 {
-    const vm_real largest = VM_MANT_DIG > 24 ? 1400 : 180; /* beyond it e^x is infinite or 0 */
+    const vm_real largest = VM_MANT_DIG > 24 ? 1400 : 180; /* for |x| beyond it e^x is infinite or 0 */
     const vm_real inside = vmi_smaller(vmi_larger(x, -largest), largest);
     vm_real p_lo, p, scale;
     int k;
@@ -8790,8 +9553,8 @@ VM_API vm_real vmi_exp_and_ratio(vm_real x, vm_real *ratio)
     return scale + scale * p;
 }
 
-/* The mean motion at t, where 1 + base t must be positive. The integral of exp(-3 delta u) is that of exp(-delta u)
-   times (1 + decay + decay^2)/3. */
+/* The mean motion at t, where 1 + base t must be positive. It uses that the integral of exp(-3 delta u) over u is the
+   integral of exp(-delta u) times (1 + decay + decay^2)/3, with decay = exp(-delta u). */
 VM_API void vmi_osc_closed_mean_at(const vmi_osc_closed_mean *c, vm_real t, vmi_osc_closed_now *now)
 {
     const vm_real u = t * vmi_log_ratio(c->base * t);
@@ -8822,7 +9585,8 @@ VM_API void vmi_osc_closed_disturbance_at(const vmi_osc_closed_mean *c, const vm
 /* A bound of what order five leaves out of the mean phase between 0 and the time of *now (vmi_expansion_third_rate) */
 VM_API vm_real vmi_osc_closed_third(const vmi_osc_closed_mean *c, const vmi_osc_closed_now *now, const vmi_ripple *r)
 {
-    const vm_real q = now->decay, sum = 1 + q * (1 + q * (1 + q * (1 + q))); /* as in vmi_osc_closed_mean_at */
+    const vm_real q = now->decay, sum = 1 + q * (1 + q * (1 + q * (1 + q))); /* the integral of q^5 is sum/5 times that
+                                                                                of q */
     vm_real E[3], e;
     vmi_osc_closed_disturbance(&c->rates, c->start.W, 3, E);
     e = VM_FABS(E[0]);
@@ -8845,12 +9609,12 @@ typedef struct VM_TAG(vm_osc_closed) {
 
 /* -- Preparing it -- */
 
-/* What vm_osc_closed_init computes before it writes anything */
+/* What vm_osc_closed_init computes before it writes to its result */
 typedef struct VM_TAG(vmi_osc_closed_start) {
     vmi_osc_rates_of_u laws;
     vmi_osc_closed_rates rates;
     vmi_osc_reduced state; /* the reduced state at t = 0 */
-    vm_real E[VMI_OSC_G];  /* its numbers E_k */
+    vm_real E[VMI_OSC_G];  /* the numbers E_k of this state */
 } vmi_osc_closed_start;
 
 /* Checks that the terms of the law of order five are small at the start: (alpha+1)(alpha+3)/4 (|E_0| + d^3 |E_3|) < 1/2
@@ -8876,8 +9640,8 @@ VMI_APART int vmi_osc_closed_check(const vm_osc_problem *o, vm_real t_end, vmi_o
     return vmi_osc_closed_is_slow(s->E, o->alpha) ? VM_OK : VM_NO_LAW;
 }
 
-/* The estimate of the error at all times from 0 to t_end, where E holds the numbers E_k of the state at t = 0. All of
-   the estimate's terms rise or fall steadily with t, so that the larger values at both ends are bounds. */
+/* The estimate of the error at all times from 0 to t_end, where E holds the numbers E_k of the state at t = 0. Each
+   term of the estimate rises or falls steadily with t. Therefore the larger of its values at both ends is a bound. */
 VM_API vm_real vmi_osc_closed_error(const vm_osc_closed *c, int order, const vm_real *E, vm_real t_end)
 {
     const vmi_ripple *r = &c->ripple;
@@ -8924,7 +9688,7 @@ VMI_APART void vmi_osc_closed_begin(vm_osc_closed *c, int order, const vmi_osc_c
      VM_DOMAIN for alpha < 0,
      VM_NO_LAW for laws without the closed form at the top of this file, for a force F, and where mass, stiffness or
        damping changes the motion so fast that the law of order five does not hold; use vm_osc_plan_init then.
-   The time is that of some 100 values; order 2 needs less than half of it. */
+   The call takes as long as some 100 calls of vm_osc_closed_at; with order 2 it takes less than half as long. */
 VM_API int vm_osc_closed_init(vm_osc_closed *c, const vm_osc_problem *problem, int order, vm_real t_end)
 {
     vmi_osc_closed_start s;
@@ -8943,7 +9707,7 @@ VM_API int vm_osc_closed_init(vm_osc_closed *c, const vm_osc_problem *problem, i
 
 /* -- Using it -- */
 
-/* Checks the arguments of a value by the law of this order. */
+/* Checks the arguments of a call that computes the motion at t by the law of this order. */
 VM_API int vmi_osc_closed_check_call(const vm_osc_closed *c, int order, vm_real t, const vm_real *x, const vm_real *v)
 {
     if (!c || !x || !v || order > c->order) return VM_BAD_ARGUMENT;
@@ -8976,10 +9740,10 @@ VM_API int vmi_osc_closed_motion(const vm_osc_closed *c, int order, vm_real t, v
     return VM_OK;
 }
 
-/* Position x, m, and velocity v, m/s, at time t, s, of either sign, by the law of the order for which *c was prepared.
-   c->error estimates the error up to t_end of vm_osc_closed_init. An error leaves *x and *v untouched: VM_BAD_ARGUMENT
-   for null pointers, VM_NOT_FINITE where t or a result is infinite or NaN, VM_BAD_MASS or VM_BAD_STIFFNESS where a law
-   is not positive at t. The results have the bits of vm_osc_plan_by_route if *c has order 5. */
+/* Position x (m) and velocity v (m/s) at time t (s, either sign), by the order of the law in *c. c->error
+   estimates the error up to t_end of vm_osc_closed_init. An error leaves *x and *v untouched: VM_BAD_ARGUMENT for null
+   pointers, VM_NOT_FINITE where t or a result is infinite or NaN, VM_BAD_MASS or VM_BAD_STIFFNESS where a law is not
+   positive at t. If *c has order 5, the results are bit for bit those of vm_osc_plan_by_route. */
 VM_API int vm_osc_closed_at(const vm_osc_closed *c, vm_real t, vm_real *x, vm_real *v)
 {
     int order = 0;
@@ -8987,13 +9751,13 @@ VM_API int vm_osc_closed_at(const vm_osc_closed *c, vm_real t, vm_real *x, vm_re
     return vmi_osc_closed_motion(c, order, t, x, v);
 }
 
-/* As vm_osc_closed_at, but by order 2 for any order of *c. Alone it links the shortest code: no ripple. */
+/* As vm_osc_closed_at, but by order 2 for any order of *c. It links the shortest code, since it needs no ripple. */
 VM_API int vm_osc_closed_at_order2(const vm_osc_closed *c, vm_real t, vm_real *x, vm_real *v)
 {
     return vmi_osc_closed_motion(c, 2, t, x, v);
 }
 
-/* As vm_osc_closed_at, but by order 3; *c must have order 3 or more, else VM_BAD_ARGUMENT. It links shorter code. */
+/* As vm_osc_closed_at, but by order 3; *c must have order 3 or more, else VM_BAD_ARGUMENT. It links less code. */
 VM_API int vm_osc_closed_at_order3(const vm_osc_closed *c, vm_real t, vm_real *x, vm_real *v)
 {
     return vmi_osc_closed_motion(c, 3, t, x, v);
@@ -9022,8 +9786,8 @@ typedef struct VM_TAG(vm_osc_plan) {
     int start_order;         /* order by which `mean` was found: 5, or 2 without the polynomials of the ripple;
                                 0 where x and v are 0, so that there is no mean motion */
     int closed;              /* 1 where all integrals along the laws have closed forms, else 0 */
-    vmi_osc_rates_of_u laws; /* where closed is 1, the rates of mass and stiffness (oscillators/closed.h) */
-    vmi_osc_closed_mean closed_mean; /* where closed is 1, what the mean motion at any t needs */
+    vmi_osc_rates_of_u laws; /* where closed is 1, the rates in the exponents of the laws (oscillators/closed.h) */
+    vmi_osc_closed_mean closed_mean; /* where closed is 1, the mean motion at t = 0 and its rates */
     int has_ateb;            /* 1 where the field ateb is set, else 0 */
     vmi_ripple ripple;       /* functions of the ripple, prepared for alpha */
     ateb_plan ateb;          /* Ateb functions, prepared for alpha */
@@ -9038,7 +9802,8 @@ VM_API vmi_osc_wave vmi_osc_wave_of(const vm_osc_plan *p, int route)
     return vmi_osc_wave_ca(p->problem.alpha, p->has_ateb ? &p->ateb : NULL);
 }
 
-/* The time, s, of 16 radians of the phase. From rates within such a time the derivatives of a user's law are found. */
+/* The time, s, in which the phase advances by 16 radians. The derivatives of a user's law are found from its rates
+   within such a time. */
 VM_API vm_real vmi_osc_sampling_time(const vm_osc_plan *p)
 {
     if (!(p->Om > 0)) return 0;
@@ -9055,8 +9820,8 @@ VM_API vmi_osc_reduced vmi_osc_mean_of(const vm_osc_plan *p, int order, const vm
     return vmi_expansion_to_mean(&p->ripple, order, state, sa, ca, E);
 }
 
-/* The function that computes constants of the Ateb functions: accurate for many values, as a vm_osc_closed does, and fast
-   for a single value */
+/* The function that computes the constants of the Ateb functions: an accurate one if for_many is 1, for objects that
+   serve many values, such as a vm_osc_closed; otherwise a fast one for a single value */
 VM_API vmi_ateb_constants_of vmi_osc_constants_of(int for_many)
 {
     if (for_many) return vmi_ateb_fine_constants;
@@ -9090,9 +9855,9 @@ VM_API int vmi_osc_start(vm_osc_plan *p)
     return VM_OK;
 }
 
-/* Fills the plan up to the mean motion, which vmi_osc_start adds. It leaves out two parts that are worth their time
-   only for many values: the plan of the Ateb functions and the polynomials of the ripple. for_many is 1 if they are
-   added. */
+/* Fills the plan except for three parts: the mean motion, which vmi_osc_start adds; and the plan of the Ateb functions
+   and the polynomials of the ripple, which are worth their time only for many values. for_many is 1 if the caller adds
+   these two. */
 VM_API int vmi_osc_prepare(vm_osc_plan *p, const vm_osc_problem *problem, int for_many)
 {
     const vm_osc_problem *o = &p->problem;
@@ -9111,12 +9876,11 @@ VM_API int vmi_osc_prepare(vm_osc_plan *p, const vm_osc_problem *problem, int fo
     return VM_OK;
 }
 
-/* Plan for many values of one problem's motion.
-   vm_osc_plan_by_route, vm_osc_plan_within and vm_osc_averaged use the
-   plan. The problem is copied; its tables and contexts must outlive the plan. Errors leave the plan untouched. Returns
-   VM_BAD_ARGUMENT for null pointers and for a law that no constructor made, VM_NOT_FINITE, VM_BAD_MASS and
-   VM_BAD_STIFFNESS for a law that is not positive at t = 0 or in a table, VM_DOMAIN for alpha < 0, a table out of order
-   or without t = 0, or a user's function of a law that fails. */
+/* Plan for many values of one problem's motion. The functions vm_osc_plan_by_route, vm_osc_plan_within and
+   vm_osc_averaged use the plan. The problem is copied; its tables and contexts must outlive the plan. Errors leave the
+   plan untouched. Returns VM_BAD_ARGUMENT for null pointers and for a law that no constructor made, VM_NOT_FINITE for a
+   number that is infinite or NaN, VM_BAD_MASS and VM_BAD_STIFFNESS for a law that is not positive at t = 0 or in a
+   table, VM_DOMAIN for alpha < 0, a table out of order or without t = 0, or a user's function of a law that fails. */
 VM_API int vm_osc_plan_init(vm_osc_plan *p, const vm_osc_problem *problem)
 {
     vm_osc_plan plan;
@@ -9148,7 +9912,7 @@ VM_API int vm_osc_plan_init(vm_osc_plan *p, const vm_osc_problem *problem)
 
 /* The panels from t to end, one after the other. The loop over them is
      while (vmi_panels_next(&p)) {
-         ... from p.t over p.side * p.step ...
+         ... compute the series on the panel from p.t to p.t + p.side * p.step ...
          if (too long && vmi_panels_halve(&p)) continue;
          ... use the panel ...
          vmi_panels_advance(&p);
@@ -9159,7 +9923,7 @@ typedef struct VM_TAG(vmi_panels) {
     vm_real longest, least; /* bounds of a panel's length, s */
     vm_real size;           /* intended length of the present panel, s */
     vm_real left, step;     /* time left to the end, and length of the present panel, which is at most `left`, s */
-    int halved;             /* how often panels were halved */
+    int halved;             /* number of halvings so far */
 } vmi_panels;
 
 /* Panels from start to end, each at most `longest` long; `whole` is the length of the whole integral, s */
@@ -9170,7 +9934,7 @@ VM_API vmi_panels vmi_panels_from(vm_real start, vm_real end, vm_real longest, v
     p.end = end;
     p.side = VM_COPYSIGN(1, end - start);
     p.longest = vmi_smaller(longest, VM_FABS(end - start));
-    p.least = whole / VM_C(1099511627776.); /* 2^40; what a shorter panel adds does not matter */
+    p.least = whole / VM_C(1099511627776.); /* 2^40; an error on a shorter panel does not matter */
     p.size = p.longest;
     p.left = 0;
     p.step = 0;
@@ -9178,8 +9942,8 @@ VM_API vmi_panels vmi_panels_from(vm_real start, vm_real end, vm_real longest, v
     return p;
 }
 
-/* Returns whether there is a panel at p->t, and sets its length p->step. If the time left is hardly longer than a
-   panel, all of it becomes one panel. */
+/* Returns whether the end is not reached yet, and sets the length p->step of the panel that starts at p->t. If the time
+   left is hardly longer than a panel, all of it becomes one panel. */
 VM_API int vmi_panels_next(vmi_panels *p)
 {
     if (p->t == p->end) return 0;
@@ -9192,14 +9956,14 @@ VM_API int vmi_panels_next(vmi_panels *p)
 /* Halves the intended length of the present panel, and returns whether that was possible */
 VM_API int vmi_panels_halve(vmi_panels *p)
 {
-    const int most = 4096; /* a bound for laws with noise, for which no length is short enough */
+    const int most = 4096; /* a bound that ends the search for laws with noise, for which no length is short enough */
     if (!(p->step > p->least) || p->halved >= most || p->t + p->side * (p->step / 2) == p->t) return 0;
     p->size = p->step / 2;
     p->halved++;
     return 1;
 }
 
-/* Goes on to the next panel, which is to be twice as long */
+/* Goes on to the next panel. Its intended length is twice that of the present one. */
 VM_API void vmi_panels_advance(vmi_panels *p)
 {
     if (p->step == p->left) p->t = p->end;
@@ -9210,8 +9974,8 @@ VM_API void vmi_panels_advance(vmi_panels *p)
 /* -- Whether a series is good enough -- */
 
 /* The relative size below which the last terms of a series do not matter. Gauss' rule integrates twice as many terms
-   exactly, so that the error of an integral is about the square of the last terms. A panel that is a small part of
-   the whole integral may be less accurate. */
+   exactly, so that the error of an integral is about the square of the last terms. The limit is larger for a panel that
+   is only a small part of the whole integral. */
 VM_API vm_real vmi_panel_limit(vm_real length, vm_real whole)
 {
     const vm_real enough = VM_MANT_DIG > 24 ? VM_C(1e-9) : VM_C(1e-5);
@@ -9219,26 +9983,27 @@ VM_API vm_real vmi_panel_limit(vm_real length, vm_real whole)
     return vmi_larger(enough, matters);
 }
 
-/* Whether the last terms of a series are within limit, relative to its mean */
+/* Whether the last terms of a series are at most `limit` times its mean */
 VM_API int vmi_panel_is_resolved(const vm_real *series, vm_real limit)
 {
     return vmi_legendre_tail(series) <= limit * series[0];
 }
 
-/* Bound of the difference between a law and its series at the ends of a panel, where all terms that are left out add
-   up */
+/* The largest relative difference that is allowed between a law and its series at the ends of a panel. It is larger
+   than `limit`, because all terms that the series leaves out add up there. */
 VM_API vm_real vmi_panel_edge_limit(vm_real limit) { return 16 * limit; }
 
-/* Raises *edge to the relative difference between f and `by_series`, its value by a series. With `reciprocal` the
-   series is that of 1/f. */
+/* Raises *edge to the relative difference between f and its value by a series, if this difference is larger than *edge.
+   by_series is the value of the series, which is the series of 1/f with `reciprocal`, and of f without. */
 VM_API void vmi_panel_raise_edge(int reciprocal, vm_real f, vm_real by_series, vm_real *edge)
 {
     const vm_real ratio = by_series * (reciprocal ? f : 1 / f), miss = VM_FABS(ratio - 1);
     if (!(miss <= *edge)) *edge = miss;
 }
 
-/* Raises *edge to the relative difference between a law and its series at the ends of the panel. With `reciprocal`
-   the series is that of 1/f. Only this test notices a kink between an end and the nearest point of Gauss' rule. */
+/* Raises *edge to the larger of the relative differences between a law and its series at both ends of the panel. With
+   `reciprocal` the series is that of 1/f. Only this test notices a kink between an end and the nearest point of Gauss'
+   rule. */
 VM_API int vmi_panel_edge(const vm_law *law, int if_not_positive, int reciprocal, vm_real start, vm_real length,
                           const vm_real *series, vm_real *edge)
 {
@@ -9260,7 +10025,8 @@ VM_API int vmi_panel_edge(const vm_law *law, int if_not_positive, int reciprocal
 
 /* -- The integral of 1/f -- */
 
-/* Computes the series of 1/f on a panel. Sets *edge to its largest relative difference from 1/f at the panel's ends. */
+/* Computes the series of 1/f on a panel. Sets *edge to the largest relative difference between this series and 1/f at
+   the ends of the panel. */
 VM_API int vmi_law_inverse_series(const vm_law *law, vm_real start, vm_real length, vm_real *series, vm_real *edge)
 {
     const int side = vmi_time_side(length);
@@ -9335,19 +10101,21 @@ VM_API int vm_law_inverse_integral(const vm_law *law, vm_real t, vm_real *integr
    The mean motion at t follows from integrals along the laws of mass and stiffness from 0 to t. vmi_osc_walk_to adds up
    these integrals over panels of time (oscillators/panels.h), from one point of a table to the next. At such a point
    the second derivatives of the laws jump, so that the mean motion jumps, too. The walk also gathers what the estimates
-   of the error need: how large E_0 = G_0/W^2 and its derivatives are. E_0 measures how much changes of mass and
-   stiffness, and the damping, disturb the motion (oscillators/expansion.h).
+   of the error need: how large E_0 = G_0/W^2 and its derivatives are. E_0 measures how strongly the damping and the
+   changes of mass and stiffness disturb the motion (oscillators/expansion.h).
        vmi_osc_mean mean;
        int status = vmi_osc_walk_to(&plan, 10, &mean); // plan is a vm_osc_plan; mean.psi, mean.inverse_mass, ...
    Tests: tests/test_slow_motion.c, tests/test_averaging.c, tests/test_ladder.c. */
 #ifndef VARMASS_OSCILLATORS_WALK_H
 #define VARMASS_OSCILLATORS_WALK_H
 
-/* The number of derivatives of E_0 by the phase whose sizes are gathered: from the zeroth to the sixth */
+/* The walk measures how large E_0 and its first six derivatives with respect to the phase are: 7 numbers, in the field
+   `change` */
 enum { VMI_WALK_ORDERS = 7 };
 
-/* The mean motion at one time t, and what its errors depend on. By the adiabatic law, which keeps the action constant,
-   A/A0 = exp(ln_A), and the rate of the phase is `ratio` times its value at t = 0. */
+/* The mean motion at one time t, and what its errors depend on. The adiabatic law, which keeps the action constant,
+   gives the amplitude A = A0 exp(ln_A) and the rate of the phase, `ratio` times the rate at t = 0. A0 is the amplitude
+   at t = 0. */
 typedef struct VM_TAG(vmi_osc_mean) {
     vmi_osc_slow now;      /* mass, stiffness and G_k just before t; for t < 0 just after t */
     vm_real E[VMI_OSC_G];  /* the numbers E_k = G_k/W^(k+2) at t, for the rate W of the mean phase */
@@ -9355,22 +10123,24 @@ typedef struct VM_TAG(vmi_osc_mean) {
     vm_real inverse_mass;  /* the integral of dt/m from 0 to t, s/kg */
     vm_real phase;         /* the integral of ratio dt from 0 to t, s */
     vm_real psi;           /* the mean phase */
-    vm_real ln_J;          /* ln of the mean action over its value at t = 0; it changes only at points of tables */
-    vm_real first;         /* the part of psi that is proportional to E_0, see `largest` */
-    vm_real second, third; /* the part of psi proportional to E_0^2; a bound of what order five leaves out of psi */
-    vm_real knots_J[4];    /* for orders 2 to 5: sum of the squares of the errors of ln J at points of tables */
-    vm_real knots_psi[4];  /* for orders 2 to 5: sum of the squares of the errors of psi at points of tables */
+    vm_real ln_J;          /* ln of the mean action divided by its value at t = 0; it changes only at points of
+                              tables */
+    vm_real first;         /* the part of psi that is proportional to E_0 */
+    vm_real second, third; /* the part of psi that is proportional to E_0^2; a bound of what order five leaves out of
+                              psi */
+    vm_real knots_J[4];    /* element i, for order i + 2: sum of squares of errors of ln J at points of tables */
+    vm_real knots_psi[4];  /* element i, for order i + 2: sum of squares of errors of psi at points of tables */
     vm_real largest;       /* largest |E_0| between 0 and t; E_0 = G_0/W^2 measures how much the motion is disturbed */
-    /* Element i, from 0 to 6, is the integral of |d^i E_0/dpsi^i| dpsi from time 0 to t, where d^i/dpsi^i is the ith
-       derivative by the phase. All elements are 0 where closed forms of the laws are used. */
+    /* Element i, from 0 to 6, is the integral of |d^i E_0/dpsi^i| over psi from time 0 to t, where d^i/dpsi^i is the
+       ith derivative with respect to the phase. All elements are 0 where closed forms of the laws are used. */
     vm_real change[VMI_WALK_ORDERS];
     vm_real dropped;       /* integral over psi of the part of |E_0| that is not in `change` */
     vm_real shortest;      /* the shortest panel that the laws of mass and stiffness needed, s */
     vm_real error;         /* estimated error of `phase`, s */
 } vmi_osc_mean;
 
-/* Writes ln(A/A0) and ln(Om/Om0) by the adiabatic law, where Om is the rate of the phase. ln_m = ln(m/m0),
-   ln_k = ln(k/k0), and decay is the integral of b/m over time, where b is the damping. */
+/* Writes ln(A/A0) and ln(Om/Om0) by the adiabatic law, where Om is the rate of the phase and A0, Om0, m0, k0 are values
+   at t = 0. ln_m = ln(m/m0), ln_k = ln(k/k0), and decay is the integral of b/m over time, where b is the damping. */
 VM_API void vmi_osc_adiabatic(const vm_osc_plan *p, vm_real ln_m, vm_real ln_k, vm_real decay, vm_real *ln_A,
                               vm_real *ln_Om)
 {
@@ -9420,26 +10190,27 @@ VM_API vmi_osc_reduced vmi_osc_mean_state(const vm_osc_plan *p, const vmi_osc_me
 
 /* -- A panel -- */
 
-/* A panel of the walk: Legendre series of the laws on it, and what it adds to integrals along the laws */
+/* A panel of the walk: the Legendre series of the laws on the panel, and what the panel adds to the integrals */
 typedef struct VM_TAG(vmi_osc_panel) {
     vm_real edge;               /* largest relative difference between 1/m or k and its series at the panel's ends */
     vm_real inverse[VMI_GAUSS]; /* series of 1/m */
     vm_real ratio[VMI_GAUSS];   /* series of k at first, then of the phase rate divided by its value at t = 0 */
     vm_real E[VMI_GAUSS];       /* series of E_0 = G_0/W^2 */
-    vm_real noise;              /* size of the coefficients of E that rounding errors of p' cause */
+    vm_real noise;              /* size of those coefficients of E that come from rounding errors of p' alone
+                                   (vmi_osc_rate_noise) */
     vm_real first, second;      /* integrals of E_0 and of E_0^2 over the phase */
     vm_real cube;               /* integral of |E_0|^3 over the phase */
     vm_real largest;            /* largest |E_0| on the panel */
 } vmi_osc_panel;
 
-/* Mass, stiffness and rates at the points of Gauss' rule of a panel */
+/* Mass, stiffness, and the rates a and p, at the points of Gauss' rule of a panel */
 typedef struct VM_TAG(vmi_osc_panel_laws) {
     vmi_osc_rates rates[VMI_GAUSS];
-    vm_real p_rate[VMI_GAUSS]; /* time derivatives of the field p of `rates`, 1/s^2 */
+    vm_real p_rate[VMI_GAUSS]; /* time derivatives p' of the rate p of `rates`, 1/s^2 */
 } vmi_osc_panel_laws;
 
-/* Reads the laws at the points of Gauss' rule. Writes the series of 1/m and of k, and how far they are from the laws at
-   the ends of the panel. */
+/* Reads the laws at the points of Gauss' rule. Writes the series of 1/m to panel->inverse and that of k to
+   panel->ratio, and to panel->edge how far they are from the laws at the ends of the panel. */
 VM_API int vmi_osc_read_laws(const vm_osc_problem *o, int side, vm_real start, vm_real length, vmi_osc_panel_laws *at,
                              vmi_osc_panel *panel)
 {
@@ -9463,8 +10234,8 @@ VM_API int vmi_osc_read_laws(const vm_osc_problem *o, int side, vm_real start, v
     return vmi_panel_edge(&o->stiffness, VM_BAD_STIFFNESS, 0, start, length, panel->ratio, &panel->edge);
 }
 
-/* The factor by which rounding errors of the rates a and p become errors of p', on a panel of 1 s. In float the factor
-   is 0: there such errors cannot be told from fast changes, and count as fast changes. */
+/* The size of the errors of p' that rounding errors of the rates a and p cause on a panel of 1 s, divided by |a| + |p|.
+   In float the factor is 0: there such errors cannot be told from fast changes, and count as fast changes. */
 VM_API vm_real vmi_osc_rate_noise(void) { return VM_MANT_DIG > 24 ? 2048 * VM_EPSILON : 0; }
 
 /* Computes the panel from start to start + length, where length < 0 goes backward. *mean is the mean motion at
@@ -9505,8 +10276,8 @@ VM_API int vmi_osc_panel_of(const vm_osc_plan *p, const vmi_osc_mean *mean, vm_r
 }
 
 /* Whether the panel is short enough for its series. A panel on which a law has a kink never is; therefore a panel also
-   counts as short enough if the terms that its series leaves out do not matter. `whole` is the
-   length of the walk, s. */
+   counts as short enough if the terms that its series leaves out do not matter. `whole` is the length of the walk,
+   s. */
 VM_API int vmi_osc_panel_is_resolved(const vm_osc_plan *p, const vmi_osc_panel *panel, vm_real length, vm_real whole)
 {
     const vm_real E_enough = VM_MANT_DIG > 24 ? VM_C(1e-6) : VM_C(1e-3), phase_matters = 16 * VM_EPSILON;
@@ -9520,14 +10291,14 @@ VM_API int vmi_osc_panel_is_resolved(const vm_osc_plan *p, const vmi_osc_panel *
            E_enough * VM_SQRT(vmi_legendre_square(panel->E)) + phase_matters * (1 + 1 / phase) / phase;
 }
 
-/* Adds to mean->change the integrals of |d^i E_0/dpsi^i| over the panel, with the root mean square in place of the
-   absolute value, and to mean->third the panel's part. Coefficients of E_0 that are as small as rounding errors are set
-   to 0 first, and their integral is added to mean->dropped. The series of E_0 is overwritten. */
+/* Adds the panel's part to mean->change, the integrals of |d^i E_0/dpsi^i|, where the root mean square takes the place
+   of the absolute value, and to mean->third. Coefficients of E_0 that are as small as rounding errors are set to 0
+   first, and their integral is added to mean->dropped. The series of E_0 is overwritten. */
 VM_API void vmi_osc_add_changes(const vm_osc_plan *p, vmi_osc_panel *panel, vm_real length, vmi_osc_mean *mean)
 {
     const vm_real noise = 1024 * VM_EPSILON, W = p->mean.W * panel->ratio[0], phase_length = W * VM_FABS(length);
     const vm_real least = vmi_larger(noise * VM_SQRT(vmi_legendre_square(panel->E)), panel->noise);
-    vm_real rate = 1, size[VMI_WALK_ORDERS]; /* rate is (dx/dpsi)^i, where x goes from -1 to 1 on the panel */
+    vm_real rate = 1, size[VMI_WALK_ORDERS]; /* rate is (dx/dpsi)^i; x, the variable of the series, goes from -1 to 1 */
     vm_real dropped[VMI_GAUSS];
     int i;
     for (i = 0; i < VMI_GAUSS; i++) {
@@ -9599,8 +10370,8 @@ VM_API int vmi_osc_mean_update(const vm_osc_plan *p, vm_real t, int side, vmi_os
 
 /* -- Points of tables -- */
 
-/* Adds to knots_J and knots_psi what orders 2 to 5 leave out at a point of a table, where the numbers E_k jump from
-   `before` to `after` */
+/* Adds to knots_J and knots_psi the squares of the terms that orders 2 to 5 leave out at a point of a table. The
+   numbers E_k jump there from `before` to `after`. */
 VM_API void vmi_osc_add_knot_error(const vm_osc_plan *p, const vm_real *before, const vm_real *after,
                                    vmi_osc_mean *mean)
 {
@@ -9615,10 +10386,10 @@ VM_API void vmi_osc_add_knot_error(const vm_osc_plan *p, const vm_real *before, 
     }
 }
 
-/* Takes the mean motion past t, a point of a table. The derivatives of m' and k' jump there, but the motion does not,
-   so that the mean motion does. From the mean motion before t follows the motion at t, and from this the mean motion
-   after t. vmi_expansion_J_back would give the action at t with one order less; iteration with vmi_expansion_J has the
-   full order. */
+/* Takes the mean motion past t, a point of a table. The derivatives of m' and k' jump there. The motion does not jump,
+   so the mean motion does. The motion at t follows from the mean motion before t, and the mean motion after t follows
+   from the motion. vmi_expansion_J_back would give the action at t with one order less; iteration with vmi_expansion_J
+   has the full order. */
 VM_API int vmi_osc_walk_past_knot(const vm_osc_plan *p, vm_real t, int side, vmi_osc_mean *mean)
 {
     const vmi_ripple *r = &p->ripple;
@@ -9777,15 +10548,16 @@ VM_API vm_real vmi_osc_rounding(const vm_osc_plan *p, const vmi_osc_mean *mean)
 }
 
 /* A bound of the change of ln J, where J is the action, that fast changes of mass and stiffness cause. The exact change
-   of ln J is the integral of E_0 times a periodic function of the phase whose mean is 0. i integrations by parts turn
+   of ln J is the integral over the phase of E_0 times a periodic function whose mean is 0. i integrations by parts turn
    it into the integral of the ith derivative of E_0 times the ith integral of the periodic function, and into terms at
-   both ends, which the solutions contain. Each i gives a bound, and the function returns the smallest. It comes from a
-   large i where the laws change slowly, and from i = 0 where they change within less than a period. */
+   both ends, which the solutions already contain. Each i gives a bound, and the function returns the smallest. The
+   smallest belongs to a large i where the laws change slowly, and to i = 0 where they change within less than a
+   period. */
 VM_API vm_real vmi_osc_fast(const vm_osc_plan *p, const vmi_osc_mean *mean)
 {
     const vmi_ripple *r = &p->ripple;
     const vm_real turn = r->pi / (2 * VM_PI);
-    const vm_real first = (r->alpha + 3) / 4; /* bound of (alpha+3)/2 |sa ca|; its integrals have others */
+    const vm_real first = (r->alpha + 3) / 4; /* bound of the periodic function (alpha+3)/2 |sa ca| */
     vm_real size = first, least = VM_INFINITY;
     int i;
     for (i = 0; i < VMI_WALK_ORDERS; i++) {
@@ -9798,16 +10570,18 @@ VM_API vm_real vmi_osc_fast(const vm_osc_plan *p, const vmi_osc_mean *mean)
 }
 
 /* The error that fast changes of the laws between 0 and t cause in every averaged solution. An error of ln J makes an
-   error of the phase that is larger by the factor gamma Om t. */
+   error of the phase that is larger by the factor gamma Om t, where gamma is a field of the ripple and Om the rate of
+   the phase. */
 VM_API vm_real vmi_osc_way_error(const vm_osc_plan *p, const vmi_osc_mean *mean)
 {
     return (1 + VM_FABS(p->ripple.gamma * p->Om * mean->phase)) * vmi_osc_fast(p, mean);
 }
 
 /* Estimates the error of vmi_osc_first_order, except for the error of its wave. The solution takes the amplitude and
-   the phase at the start for their mean values, and leaves out the ripple within a period and the term E_0 of the mean
-   phase. An error of ln J makes an error of the phase that is larger by the factor gamma Om t. The phase of x and x' is
-   that of x and V plus (alpha+1)/2 p/Om ca^2; the mean of this difference is the same at the start and at t. */
+   the phase at the start for their mean values, and leaves out the ripple within a period and the part of the mean
+   phase that is proportional to E_0. An error of ln J makes an error of the phase that is larger by the factor gamma Om
+   t. The phase of x and x' is the phase of x and V = x' + p x plus (alpha+1)/2 p/Om ca^2; the mean of this difference
+   is the same at the start and at t. */
 VM_API vm_real vmi_osc_first_error(const vm_osc_plan *p, const vmi_osc_mean *mean)
 {
     const vmi_ripple *r = &p->ripple;
@@ -9818,17 +10592,17 @@ VM_API vm_real vmi_osc_first_error(const vm_osc_plan *p, const vmi_osc_mean *mea
     const vm_real phase = VM_FABS(r->gamma) * (n + 2) / 2 * ln_A * turns + VM_FABS(shift) + ripple +
                           VM_FABS(mean->first);
     const vm_real error = phase + ln_A + e / (2 * (n + 2)) + vmi_osc_way_error(p, mean) + vmi_osc_rounding(p, mean);
-    if (!(error >= 0)) return VM_INFINITY; /* the laws are so far from slow that the mean motion has no numbers */
+    if (!(error >= 0)) return VM_INFINITY; /* the laws change so fast that the mean motion is not finite */
     return error;
 }
 
-/* Estimates the error of vmi_osc_order_n for the order 2, 3, 4 or 5. It adds up how large the first terms are that
-   are left out: by the transformation of this order at t; and by the mean motion, which is of the order of the
-   start, at the start, at points of tables, and in the mean rate of the phase. */
+/* Estimates the error of vmi_osc_order_n for the order 2, 3, 4 or 5. It adds up the sizes of the first terms that are
+   left out: by the transformation of this order at t; and by the mean motion, whose order is p->start_order, at the
+   start, at points of tables, and in the mean rate of the phase. */
 VM_API vm_real vmi_osc_order_error(const vm_osc_plan *p, int order, const vmi_osc_mean *mean)
 {
     const vmi_ripple *r = &p->ripple;
-    const vm_real largest_known = VM_C(0.25); /* where the estimate is larger the error is unknown */
+    const vm_real largest_known = VM_C(0.25); /* an estimate larger than this says nothing about the error */
     vm_real e0[VMI_OSC_G], e[VMI_OSC_G], error;
     vmi_left_out start;
     int i;
@@ -9847,8 +10621,9 @@ VM_API vm_real vmi_osc_order_error(const vm_osc_plan *p, int order, const vmi_os
 
 /* -- The solutions -- */
 
-/* Writes the motion of amplitude A. Om is the rate of the Ateb phase, so that the largest velocity is 2 A Om/(alpha+1);
-   c and s are the values of the wave w. evals is set to 0. VM_NOT_FINITE leaves *motion untouched. */
+/* Writes the motion of amplitude A, whose waves of position and velocity have the values c and s. Om is the rate of the
+   Ateb phase, so that the largest velocity is 2 A Om/(alpha+1); w is the wave. evals is set to 0. VM_NOT_FINITE leaves
+   *motion untouched. */
 VM_API int vmi_osc_motion_of(const vmi_osc_wave *w, vm_real A, vm_real Om, vm_real c, vm_real s, vm_real error,
                              int route, vm_osc_motion *motion)
 {
@@ -9906,8 +10681,8 @@ VM_API int vmi_osc_order_n(const vm_osc_plan *p, int route, const vmi_osc_wave *
 /* oscillators/averaging.h - averaged equations of an oscillator with a force, and what averaging leaves out
 
    With a force F(t, x, x') the amplitude A and the phase obey averaged equations, whose right-hand sides are means
-   over a period: vm_osc_averaged computes them for each of the three waves of oscillators/waves.h, (314), (315),
-   (337)-(339), (380)-(382).
+   over a period. vm_osc_averaged computes these right-hand sides for each of the three waves of oscillators/waves.h:
+   (314), (315) for ca, (337)-(339) for cos, (380)-(382) for cn.
        vm_osc_plan plan;
        vm_real A_rate, theta_rate, psi_rate;
        int status = vm_osc_plan_init(&plan, &problem); // problem is a vm_osc_problem; t = 10 s, A = 0.1 m
@@ -9920,10 +10695,10 @@ VM_API int vmi_osc_order_n(const vm_osc_plan *p, int route, const vmi_osc_wave *
 
 /* -- Averaged equations with a force -- */
 
-/* Writes the means of F s and F c over a period, with the force F and a motion x = A c, x' = -V s by the wave w. Each
-   quarter of the period is divided at psi = cut. From 0 to cut, Gauss' rule takes 20 points in psi; for large alpha the
-   velocity varies like tanh psi there. From cut to x = 0 the rule takes 20 points in the square root of the distance of
-   psi from its value at x = 0, because F may contain fractional powers of that distance. */
+/* Writes the means of F s and F c over a period, where F is the force on a motion x = A c, x' = -V s by the wave w.
+   Each quarter of the period is divided at psi = cut. From 0 to cut, Gauss' rule takes 20 points in psi; for large
+   alpha the velocity varies like tanh psi there. From cut to x = 0 the rule takes 20 points in the square root of the
+   distance between psi and its value at x = 0, because F may contain fractional powers of that distance. */
 VM_API void vmi_osc_means(const vm_osc_plan *p, const vmi_osc_wave *w, vm_real t, vm_real A, vm_real V, vm_real *Fs,
                           vm_real *Fc)
 {
@@ -9961,22 +10736,23 @@ VM_API void vmi_osc_averaged_rates(const vm_osc_plan *p, const vmi_osc_wave *w, 
     *theta_rate = -w->gain_theta * Fc / (now->m * V);
 }
 
-/* Om/Om0, the rate of the Ateb phase over its value at t = 0, where A/A0 = e^a, for the mass and stiffness in `now` */
+/* The rate of the Ateb phase divided by its value at t = 0, where A/A0 = exp(a) and `now` holds the mass and stiffness.
+   A0 is the amplitude at t = 0. */
 VM_API vm_real vmi_osc_Om_ratio(const vm_osc_plan *p, const vmi_osc_rates *now, vm_real a)
 {
     return VM_SQRT((now->k / p->k0) / (now->m / p->m0)) * vmi_exp((p->problem.alpha - 1) / 2 * a, 0);
 }
 
-/* Averaged rates A', theta', psi' of amplitude and phase, with the problem's force.
-   They are taken at time t (s) and amplitude A (m), in m/s and 1/s. psi is the angle of the route's wave, theta its
-   slow part. For VM_ROUTE_ATEB psi is the Ateb phase: (314), (315) averaged, with the term of omega' that they lack.
-   For VM_ROUTE_TRIG it is in radians: (337)-(339) with alpha + 3 for 5 - alpha and 4 for the 2 of (338), (339). For
-   VM_ROUTE_JACOBI it is the argument of cn: (380)-(382) with theta' in the second equation of (382). Gauss' rule
-   takes the means on each quarter of the period, so F may jump where x or x' is 0. For alpha up to 30, and F linear
-   or cubic in x and x' or dry friction, the relative error is at most 1e-10 (float 2e-6). Returns VM_BAD_ARGUMENT for
-   a null pointer or another route, VM_NOT_FINITE for a number that is infinite or NaN, VM_BAD_MASS or
-   VM_BAD_STIFFNESS for a law that is not positive at t, and VM_DOMAIN for A <= 0, t outside a table, or a user's
-   function of a law that fails. An error leaves the results untouched. */
+/* Averaged rates A', theta', psi' of amplitude and phase, with the problem's force. They are in m/s and 1/s, and belong
+   to the time t (s) and the amplitude A (m). psi is the angle of the route's wave, theta its slow part. For
+   VM_ROUTE_ATEB psi is the Ateb phase; the equations are (314), (315) averaged, with the term of omega' that they lack.
+   For VM_ROUTE_TRIG psi is in radians; the equations are (337)-(339) with alpha + 3 for 5 - alpha, and with 4 for the 2
+   of (338), (339). For VM_ROUTE_JACOBI psi is the argument of cn; the equations are (380)-(382) with theta' in the
+   second equation of (382). Gauss' rule takes the means on each quarter of the period, so F may jump where x or x' is
+   0. For alpha up to 30, and F linear or cubic in x and x' or dry friction, the relative error is at most 1e-10 (float
+   2e-6). Returns VM_BAD_ARGUMENT for a null pointer or another route, VM_NOT_FINITE for a number that is infinite or
+   NaN, VM_BAD_MASS or VM_BAD_STIFFNESS for a law that is not positive at t, and VM_DOMAIN for A <= 0, t outside a
+   table, or a user's function of a law that fails. An error leaves the results untouched. */
 VM_API int vm_osc_averaged(const vm_osc_plan *p, int route, vm_real t, vm_real A, vm_real *A_rate,
                            vm_real *theta_rate, vm_real *psi_rate)
 {
@@ -10016,15 +10792,15 @@ typedef struct VM_TAG(vmi_osc_moment) {
 /* What averaging leaves out at one moment, as errors of ln A and of the Ateb phase psi */
 typedef struct VM_TAG(vmi_osc_averaging) {
     vm_real Om;                 /* rate of the Ateb phase at this moment, 1/s */
-    vm_real start_A, start_psi; /* ripples of ln A and psi at the phase of this moment */
+    vm_real start_A, start_psi; /* sizes of the ripples of ln A and psi at the phase of this moment */
     vm_real ripple;             /* the largest ripple of ln A plus the largest ripple of psi */
     vm_real rate_A, rate_psi;   /* errors of the mean rates of ln A and psi, 1/s */
     vm_real growth;             /* rate, 1/s, at which a small change of ln A grows */
 } vmi_osc_averaging;
 
-/* Writes the exact rates of ln A and psi at VMI_AVERAGING_POINTS phases of the period before t, or of the first
-   period if less than a period has passed. If `frozen` is 1 the force is that at the time t, otherwise the force
-   varies with time. */
+/* Writes the exact rates of ln A and psi at VMI_AVERAGING_POINTS phases of the period before t, or of the first period
+   if less than a period has passed. If `frozen` is 1, the force is taken at the time t for all phases, otherwise at the
+   time of each phase. */
 VM_API void vmi_osc_period_rates(const vmi_osc_moment *at, int frozen, vm_real *rate_A, vm_real *rate_psi)
 {
     const vm_osc_plan *p = at->plan;
@@ -10055,7 +10831,8 @@ VM_API vm_real vmi_osc_take_mean(vm_real *values)
     return mean;
 }
 
-/* Integrates values whose mean is 0 over a period, in steps of `width`, and subtracts the mean of the integral */
+/* Integrates values over a period, whose mean is 0, and subtracts the mean of the integral. `width` is the distance
+   between two values. */
 VM_API void vmi_osc_integrate_ripple(const vm_real *values, vm_real width, vm_real *ripple)
 {
     int i;
@@ -10074,8 +10851,8 @@ VM_API vm_real vmi_osc_largest(const vm_real *values)
     return largest;
 }
 
-/* Adds the error of a wave that is not ca to the errors of the rates, and finds the rate at which a small change of
-   ln A grows */
+/* Adds to the errors of the mean rates the difference between the rates by the wave w and those by ca. It also finds
+   the rate at which a small change of ln A grows. */
 VM_API void vmi_osc_add_wave_rates(const vmi_osc_moment *at, const vmi_osc_wave *w, vmi_osc_averaging *a)
 {
     const vm_osc_plan *p = at->plan;
@@ -10091,8 +10868,8 @@ VM_API void vmi_osc_add_wave_rates(const vmi_osc_moment *at, const vmi_osc_wave 
     a->growth = (more_A - own_A) / change;
 }
 
-/* Integrates the rates of ln A and psi, without their means, to the ripples of ln A and psi within a period. The ripple
-   of ln A changes Om, which adds to the rate of psi. */
+/* Integrates the rates of ln A and psi, from which their means are subtracted, over a period: the integrals are the
+   ripples of ln A and psi. The ripple of ln A changes Om, and so adds to the rate of psi. */
 VM_API void vmi_osc_find_ripples(const vmi_osc_moment *at, const vm_real *rate_A, vm_real *rate_psi,
                                  vmi_osc_averaging *a)
 {
@@ -10114,7 +10891,8 @@ VM_API void vmi_osc_find_ripples(const vmi_osc_moment *at, const vm_real *rate_A
 VM_API int vmi_osc_averaging_at(const vm_osc_plan *p, const vmi_osc_wave *w, vm_real t, vm_real t_end, vm_real A,
                                 vm_real psi, vmi_osc_averaging *a)
 {
-    const vm_real second_order = VM_C(0.25); /* error over rate times ripple; for Duffing's equation it is 0.156 */
+    const vm_real second_order = VM_C(0.25); /* error of a mean rate over (rate times ripple); 0.156 for Duffing's
+                                                equation */
     vm_real rate_A[VMI_AVERAGING_POINTS], rate_psi[VMI_AVERAGING_POINTS], frozen_A, frozen_psi, rates, second;
     vmi_osc_moment at;
     int status = vmi_osc_rates_at(&p->problem, t, -vmi_time_side(t_end), &at.now);
@@ -10154,11 +10932,11 @@ VM_API vm_real vmi_osc_check_time(vm_real t, int i)
     return t * (vm_real)(4 + i) / (vm_real)(3 + VMI_OSC_CHECKS);
 }
 
-/* Estimates the error at t of the averaged equations with a force, from the motions at the times of
-   vmi_osc_check_time. Errors arise from the ripple at the start, which the equations take for a part of the mean, and
-   from errors of the mean rates. These errors grow as small changes of the motion do, and an error of the
-   amplitude adds an error of the phase. At the end the estimate adds the ripple at t, the error of a wave that is not
-   ca, and the effect of fast changes of mass and stiffness. */
+/* Estimates the error at t of the averaged equations with a force, from the motions at the times of vmi_osc_check_time.
+   Errors arise from the ripple at the start, which the equations take for a part of the mean, and from errors of the
+   mean rates. These errors grow as small changes of the motion grow, and an error of the amplitude adds an error of the
+   phase. At the end the estimate adds the ripple at t, the error of a wave that is not ca, and the effect of fast
+   changes of mass and stiffness. */
 VM_API int vmi_osc_averaging_error(const vm_osc_plan *p, const vmi_osc_wave *w, vm_real t,
                                    const vm_osc_motion *motion, vm_real *error)
 {
@@ -10209,15 +10987,16 @@ VM_API int vmi_osc_averaging_error(const vm_osc_plan *p, const vmi_osc_wave *w, 
 /* Numbers that suit a Runge-Kutta pair */
 typedef struct VM_TAG(vmi_osc_tuning) {
     vm_real least;     /* least useful tolerance of a step, because of rounding errors within the step */
-    vm_real ratio;     /* tolerance of the loose run over that of the strict run */
-    vm_real factor;    /* estimated error of the strict run over the difference of the two runs */
+    vm_real ratio;     /* tolerance of the loose run divided by that of the strict run */
+    vm_real factor;    /* estimated error of the strict run, divided by the difference of the two runs */
     vm_real by_chance; /* the estimated error is at least this times the tolerance of the steps */
 } vmi_osc_tuning;
 
-/* How a route, which is a method of solution, integrates */
+/* A method of integration: a system of equations, a Runge-Kutta pair, and numbers that suit the pair */
 typedef struct VM_TAG(vmi_osc_method) {
     ode_rhs rhs;  /* the right-hand side: vmi_osc_averaged_rhs or vmi_osc_direct_rhs */
-    int averaged; /* 1 where rhs has averaged equations, whose error of averaging is added; else 0 */
+    int averaged; /* 1 where rhs belongs to the averaged equations, so that the error of averaging must be added; else
+                     0 */
     int direct;   /* 1 where the state of rhs is position and velocity, 0 where it is amplitude and phase */
     int (*init)(rk45 *s, ode_rhs f, void *ctx, int n, vm_real t0, const vm_real *y0,
                 const rk45_options *options_or_NULL, vm_real *work); /* rk45_init or rk87_init */
@@ -10225,10 +11004,10 @@ typedef struct VM_TAG(vmi_osc_method) {
     vmi_osc_tuning tuning;                                           /* numbers for this pair */
 } vmi_osc_method;
 
-/* A method of integration with the pair rk45. rk45 does not change the length of its steps while their error stays
-   within a factor of 3. `ratio` is larger than this factor, so that the two runs take different steps. `factor` leaves
-   room for errors that are not proportional to the tolerance. Errors are mostly far below the tolerance of the steps,
-   so two runs may agree well by chance; by_chance allows for this. */
+/* A method of integration with the Runge-Kutta pair rk45. The pair does not change the length of its steps while their
+   error stays within a factor of 3. `ratio` is larger than this factor, so that the two runs take different steps.
+   `factor` leaves room for errors that are not proportional to the tolerance. Errors are mostly far below the tolerance
+   of the steps, so two runs may agree well by chance; by_chance allows for this. */
 VM_API vmi_osc_method vmi_osc_method_rk45(ode_rhs rhs)
 {
     vmi_osc_method method;
@@ -10244,8 +11023,8 @@ VM_API vmi_osc_method vmi_osc_method_rk45(ode_rhs rhs)
     return method;
 }
 
-/* A method of integration with the pair rk87, which does not change the length of its steps while their error stays
-   within a factor of 7.5 */
+/* A method of integration with the Runge-Kutta pair rk87, which does not change the length of its steps while their
+   error stays within a factor of 7.5 */
 VM_API vmi_osc_method vmi_osc_method_rk87(ode_rhs rhs)
 {
     vmi_osc_method method = vmi_osc_method_rk45(rhs);
@@ -10258,7 +11037,7 @@ VM_API vmi_osc_method vmi_osc_method_rk87(ode_rhs rhs)
     return method;
 }
 
-/* Slots of the state: position and velocity for the equation of motion, ln A and Ateb phase for the averaged
+/* Indices of the state: position and velocity for the equation of motion, ln A and Ateb phase for the averaged
    equations */
 enum { VMI_OSC_X = 0, VMI_OSC_V = 1, VMI_OSC_LN_A = 0, VMI_OSC_PSI = 1, VMI_OSC_STATES = 2 };
 
@@ -10274,8 +11053,8 @@ typedef struct VM_TAG(vmi_osc_run) {
     int side;         /* 1 forward, -1 backward in time */
     int status;       /* status of a law of mass or stiffness that stopped the run, else VM_OK */
     vm_real longest;  /* longest step, in periods */
-    vm_real share;    /* longest step, as a part of the interval up to the next stop */
-    vm_real law_step; /* longest step, s, that skips no change of a user's law; a run shrinks it like `longest` */
+    vm_real share;    /* longest step, divided by the interval up to the next stop */
+    vm_real law_step; /* longest step, s, in the first loose run that skips no change of a user's law */
     long evals;       /* evaluations of right-hand sides by all runs so far */
     rk45 s;
     vm_real work[RK87_WORK(VMI_OSC_STATES)];
@@ -10300,7 +11079,8 @@ VM_API int vmi_osc_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void
     return 0;
 }
 
-/* (m/m0)^reactive: a body on which only the reactive force acts has a velocity proportional to the inverse of this. */
+/* (m/m0)^reactive. A body on which only the reactive force acts has a velocity proportional to the inverse of this
+   power. */
 VM_API vm_real vmi_osc_reactive_weight(const vm_osc_problem *o, vm_real mass_ratio)
 {
     if (o->reactive == 1) return mass_ratio;
@@ -10359,8 +11139,9 @@ VM_API vm_real vmi_osc_next_stop(const vmi_osc_run *c, vm_real t, vm_real period
 }
 
 /* Sets the longest step and the largest number of steps up to the next stop, on the way to t. No step is longer than a
-   part of the period. For a large Pi_alpha the velocity reverses within 10/Pi_alpha periods; then no step is longer
-   than a part of this short time, because the Runge-Kutta pair does not notice the error of a step across it. */
+   fixed part of the period. For a large Pi_alpha the velocity reverses within 10/Pi_alpha periods. Then no step is
+   longer than a fixed part of this short time, because the Runge-Kutta pair would not notice the error of a step across
+   it. */
 VM_API void vmi_osc_bound_steps(vmi_osc_run *c, vm_real stop, vm_real t, vm_real period)
 {
     const vm_real most_steps = 8192; /* steps per period, a bound that stops runs which would not end */
@@ -10456,9 +11237,9 @@ VM_API int vmi_osc_run_once(vmi_osc_run *c, vm_real t, vm_real tolerance, vm_osc
 
 /* -- Two runs -- */
 
-/* The largest difference of two runs, of x relative to the amplitude and of v relative to vmax, over all times of
-   vmi_osc_check_time, since at a single time two runs may agree by chance. Returns infinity where the difference is
-   unknown. */
+/* The largest difference of two runs: of x relative to the amplitude, and of v relative to vmax. It is taken over all
+   times of vmi_osc_check_time, since at a single time two runs may agree by chance. Returns infinity where the
+   difference is unknown. */
 VM_API vm_real vmi_osc_difference(const vm_osc_plan *p, vm_real t, const vm_osc_motion *a, const vm_osc_motion *b)
 {
     vm_real largest = 0;
@@ -10475,9 +11256,9 @@ VM_API vm_real vmi_osc_difference(const vm_osc_plan *p, vm_real t, const vm_osc_
     return largest;
 }
 
-/* Computes the longest step, s, that skips no change of a law by a user's function: a quarter of the shortest panel
-   in the walk along the laws. Because a jump of a law would make it 0, it is at least |t|/8192, or the law's
-   change_time if that is shorter. */
+/* Computes the longest step, s, that skips no change of a law by a user's function: a quarter of the shortest panel in
+   the walk along the laws. A jump of a law would make it 0; therefore it is at least |t|/8192, or the law's change_time
+   if that is shorter. */
 VM_API int vmi_osc_law_step(const vm_osc_plan *p, vm_real t, vm_real *step)
 {
     const vm_real panel_steps = 4, run_steps = 8192;
@@ -10531,8 +11312,8 @@ VM_API vm_real vmi_osc_first_tolerance(vm_real tolerance)
     return vmi_smaller(tolerance / part, largest);
 }
 
-/* The next tolerance of the steps, after an error that was too large. It shrinks by the ratio of tolerance to error
-   and by a further factor of 4, but to no less than 2e-5 of its last value. */
+/* The tolerance of the steps in the next pair of runs, after an error that was too large. It is the last one times the
+   ratio of tolerance to error, divided by 4, but not less than 2e-5 of the last one. */
 VM_API vm_real vmi_osc_next_tolerance(vm_real step_tolerance, vm_real tolerance, vm_real error)
 {
     const vm_real ratio = tolerance / error, reserve = 4;
@@ -10540,9 +11321,9 @@ VM_API vm_real vmi_osc_next_tolerance(vm_real step_tolerance, vm_real tolerance,
     return step_tolerance * VM_C(2e-5);
 }
 
-/* Makes pairs of runs until the error is within the tolerance. strict[] receives the last strict run, with the error
-   in its last element. The loop ends early where stricter runs are not better. Then rounding errors, chance or the
-   longest step dominate the error; therefore each pair that is not better halves the longest step. */
+/* Makes pairs of runs until the error is within the tolerance. strict[] receives the motions of the last strict run;
+   its last element holds the error. The loop ends early if stricter runs are not better. In that case rounding errors,
+   chance or the longest step dominate the error; therefore each pair that is not better halves the longest step. */
 VM_API int vmi_osc_refine(vmi_osc_run *c, vm_real t, vm_real tolerance, vm_osc_motion *strict)
 {
     const int most_attempts = 6, most_stalled = 3;
@@ -10605,9 +11386,10 @@ VM_API int vmi_osc_integrate(const vm_osc_plan *plan, int route, const vmi_osc_m
 #endif
 /* oscillators/gauss_rule.h - Gauss' rule of n points on [0, 1], and polynomials through values at these points
 
-   The rule integrates polynomials of degree 2n - 1 exactly. Two matrices belong to it: they give, from the values of a
-   polynomial of degree n - 1 at the n points, its integrals from 0 to each point and its derivatives there. The method
-   of collocation (oscillators/collocation.h) solves differential equations with them.
+   The points are called nodes. The rule integrates polynomials of degree 2n - 1 exactly. Two matrices belong to it.
+   They turn the values of a polynomial of degree n - 1 at the nodes into its integrals from 0 to each node, and into
+   its derivatives at the nodes. The method of collocation (oscillators/collocation.h) solves differential equations
+   with them.
        vmi_gauss_rule rule;
        vmi_gauss_rule_init(&rule, 8);
    Tests: tests/test_collocation.c. */
@@ -10617,7 +11399,8 @@ VM_API int vmi_osc_integrate(const vm_osc_plan *plan, int route, const vmi_osc_m
 /* The largest n */
 enum { VMI_NODES = VMI_GAUSS };
 
-/* Gauss' rule, and two matrices for polynomials of degree n - 1: polynomial j is 1 at node j, 0 at all other nodes */
+/* Gauss' rule, and two matrices. Polynomial j in their comments has degree n - 1; it is 1 at node j and 0 at all other
+   nodes. */
 typedef struct VM_TAG(vmi_gauss_rule) {
     int n; /* number of nodes */
     vm_real node[VMI_NODES], weight[VMI_NODES];
@@ -10639,7 +11422,8 @@ VM_API vm_real vmi_legendre_polynomial(int n, vm_real x, vm_real *slope)
     return now;
 }
 
-/* Computes nodes and weights: zeros of Legendre's polynomial by Newton's method, from an approximation by cosines. */
+/* Computes nodes and weights. Newton's method finds the nodes, which are zeros of Legendre's polynomial, from an
+   approximation by cosines. */
 VM_API void vmi_gauss_rule_nodes(vmi_gauss_rule *rule)
 {
     const int rounds = 6;
@@ -10657,8 +11441,8 @@ VM_API void vmi_gauss_rule_nodes(vmi_gauss_rule *rule)
     }
 }
 
-/* Adds the part of Legendre's polynomial P_k to both matrices. values, integrals and derivatives are those of P_k at
-   the nodes, with integrals from 0 and derivatives by the variable of the nodes. */
+/* Adds the part of Legendre's polynomial P_k to both matrices. The arrays hold P_k at the nodes, its integrals from 0
+   to the nodes, and its derivatives there, with respect to the variable that goes from 0 to 1. */
 VM_API void vmi_gauss_rule_add(vmi_gauss_rule *rule, int k, const vm_real *values, const vm_real *integrals,
                                const vm_real *derivatives)
 {
@@ -10690,14 +11474,14 @@ VM_API void vmi_gauss_rule_init(vmi_gauss_rule *rule, int n)
             rule->derivative[i][j] = 0;
         }
     }
-    for (k = 0; k < n; k++) { /* with x = 2 node - 1: node integrals are half of those over x, derivatives double */
+    for (k = 0; k < n; k++) { /* x = 2 node - 1: integrals are 1/2 of those over x, derivatives double */
         for (i = 0; i < n; i++) {
             const vm_real x = 2 * rule->node[i] - 1, next = vmi_legendre_next(k, x, now[i], before[i]);
             integrals[i] = k == 0 ? rule->node[i] : (next - before[i]) / (vm_real)(2 * (2 * k + 1));
             derivatives[i] = 2 * slope[i];
         }
         vmi_gauss_rule_add(rule, k, now, integrals, derivatives);
-        for (i = 0; i < n; i++) { /* P'_(k+1) = P'_(k-1) + (2k+1) P_k */
+        for (i = 0; i < n; i++) { /* derivatives: P'_(k+1) = P'_(k-1) + (2k+1) P_k */
             const vm_real x = 2 * rule->node[i] - 1, next = vmi_legendre_next(k, x, now[i], before[i]);
             const vm_real next_slope = slope_before[i] + (vm_real)(2 * k + 1) * now[i];
             slope_before[i] = slope[i];
@@ -10718,8 +11502,9 @@ VM_API void vmi_gauss_rule_init(vmi_gauss_rule *rule, int n)
    At x = 0 the force of the spring is not smooth for most alpha, but since steps end there, no order is lost.
 
    A step uses Gauss' collocation of n points. Its equations are solved by iteration, which starts from values that are
-   extrapolated from the steps before. p' is the derivative of the polynomial through the values of p at the n points,
-   so that laws have to give only f and f'. Two runs with different n go side by side; their difference gives the error.
+   extrapolated from the steps before. p' is the derivative of the polynomial through the values of p at the n points;
+   therefore the laws have to give only their values and rates. Two runs with different n go side by side; their
+   difference gives the error.
        vm_osc_motion motion;
        int status = vmi_osc_collocate(&plan, VM_ROUTE_COLLOCATION, 300, VM_C(1e-8), &motion); // plan is a vm_osc_plan
    Source: Hairer, Lubich, Wanner, Geometric Numerical Integration (2006), II.1.2 and VIII.6.
@@ -10727,7 +11512,7 @@ VM_API void vmi_gauss_rule_init(vmi_gauss_rule *rule, int n)
 #ifndef VARMASS_OSCILLATORS_COLLOCATION_H
 #define VARMASS_OSCILLATORS_COLLOCATION_H
 
-/* From how many earlier steps a step is extrapolated */
+/* The largest number of earlier steps from which a step is extrapolated */
 enum { VMI_HISTORY = 6 };
 
 /* -- A run -- */
@@ -10737,7 +11522,7 @@ typedef struct VM_TAG(vmi_step_waves) {
     vm_real sa[VMI_NODES], ca[VMI_NODES];
 } vmi_step_waves;
 
-/* Rates: derivatives of ln A and t by the phase psi, at the nodes of a step */
+/* Rates: derivatives of ln A and t with respect to the phase psi, at the nodes of a step */
 typedef struct VM_TAG(vmi_step_rates) {
     vm_real ln_A[VMI_NODES], t[VMI_NODES];
 } vmi_step_rates;
@@ -10804,8 +11589,8 @@ VM_API vmi_osc_change vmi_osc_whole_change(const vmi_osc_course *c, const vmi_os
     return sum;
 }
 
-/* Writes the rates of ln A and t by the phase at node i, where ln(A/A0) is ln_A and the time is t. *now holds mass,
-   stiffness and their rates at t, and p_rate is the derivative of now->p by time. */
+/* Writes the derivatives of ln A and t with respect to the phase at node i, where ln(A/A0) is ln_A and the time is t.
+   *now holds mass, stiffness and their rates at t, and p_rate is the time derivative of now->p. */
 VM_API int vmi_osc_course_rates(const vmi_osc_course *c, const vmi_osc_step *s, int i, const vmi_osc_rates *now,
                                 vm_real p_rate, vm_real ln_A, vm_real t, vm_real *ln_A_by_psi, vm_real *t_by_psi)
 {
@@ -10828,7 +11613,7 @@ VM_API int vmi_osc_course_rates(const vmi_osc_course *c, const vmi_osc_step *s, 
     return VM_OK;
 }
 
-/* The changes of ln A and t from the start of the step to node i, by integration of these rates */
+/* The changes of ln A and t from the start of the step to node i, by integration of *rates */
 VM_API vmi_osc_change vmi_osc_change_to(const vmi_osc_course *c, const vmi_osc_step *s, const vmi_step_rates *rates,
                                         int i)
 {
@@ -10846,14 +11631,14 @@ VM_API vmi_osc_change vmi_osc_change_to(const vmi_osc_course *c, const vmi_osc_s
     return sum;
 }
 
-/* Adds to the rates of a step what a round found to be missing, and an estimate of what this changes in turn: `missing`
-   shifts ln A and t at the nodes, and these shift the rates, mostly because W depends on both. *now holds mass,
-   stiffness and rates at about the middle of the step. */
+/* Adds to the rates of a step the corrections `missing` that a round found, and estimates of the further corrections
+   that follow: `missing` shifts ln A and t at the nodes, and these shifts change the rates, mostly because W depends on
+   both. *now holds mass, stiffness and rates at about the middle of the step. */
 VM_API void vmi_osc_correct(const vmi_osc_course *c, const vmi_osc_step *s, const vmi_osc_rates *now,
                             const vmi_step_rates *missing, vmi_step_rates *rates)
 {
     const vm_real alpha = c->plan->problem.alpha;
-    /* derivatives of ln(dt/dpsi) by t and by ln A */
+    /* derivatives of ln(dt/dpsi) with respect to t and to ln A */
     const vm_real by_t = -((alpha + 3) * now->p - 2 * now->a) / 2, by_ln_A = -(alpha - 1) / 2;
     int i;
     for (i = 0; i < c->rule.n; i++) {
@@ -10899,12 +11684,14 @@ VM_API int vmi_osc_sweep(vmi_osc_course *c, vmi_osc_step *s, vm_real *change)
     return VM_OK;
 }
 
-/* Makes rounds of the iteration, from the rates in s->rates, until the change of phase that they leave out is below the
-   limit of the course. A round leaves out the part `contraction` of the change that it makes. */
+/* Makes rounds of the iteration, which starts from the rates in s->rates, until the phase is in error by less than the
+   limit of the course. The error after a round is estimated as the change of phase that the round made, times
+   `contraction`. */
 VM_API int vmi_osc_iterate(vmi_osc_course *c, vmi_osc_step *s)
 {
-    const vm_real least_contraction = VM_C(0.02); /* in case the next steps are harder than this one */
-    const vm_real rounding = VM_SQRT(VM_EPSILON) / 16; /* in short steps p' has such errors, which no round mends */
+    const vm_real least_contraction = VM_C(0.02); /* a lower bound, since the next steps may converge more slowly */
+    const vm_real rounding = VM_SQRT(VM_EPSILON) / 16; /* in short steps p' has errors of this size, which no round
+                                                          removes */
     const int most_rounds = 40;
     vm_real change, before = 0;
     int sweeps, status;
@@ -10921,8 +11708,8 @@ VM_API int vmi_osc_iterate(vmi_osc_course *c, vmi_osc_step *s)
     return VM_OK;
 }
 
-/* Sets the rates from which the iteration of a step starts. They are extrapolated from earlier whole steps of the same
-   part of a half period; if there are none, all are the rates at the start of the step. These leave out the
+/* Sets the rates from which the iteration of a step starts. They are extrapolated from earlier whole steps over the
+   same part of a half period. If there are none, the rates at all nodes are those at the start of the step, without the
    disturbance E = (p^2 - a p - p')/W^2 and the further force F. */
 VM_API int vmi_osc_predict(vmi_osc_course *c, int part, vmi_osc_step *s)
 {
@@ -10943,7 +11730,8 @@ VM_API int vmi_osc_predict(vmi_osc_course *c, int part, vmi_osc_step *s)
         s->rates.ln_A[i] = 0;
         s->rates.t[i] = 0;
     }
-    for (k = 0; k < c->known[part]; k++) { /* extrapolation of n values: factors n, -n (n-1)/2, ... */
+    for (k = 0; k < c->known[part]; k++) { /* extrapolation from n earlier steps: the latest times n, the one before
+                                              times -n (n-1)/2 ... */
         const vmi_step_rates *last = &c->history[part][(c->latest[part] + k) % VMI_HISTORY];
         factor *= (vm_real)(c->known[part] - k) / (vm_real)(k + 1);
         for (i = 0; i < c->rule.n; i++) {
@@ -10978,8 +11766,8 @@ VM_API void vmi_osc_remember(vmi_osc_course *c, int part, const vmi_step_rates *
 
 /* -- Landing on a time -- */
 
-/* Returns at which fraction of the step the time t is reached, by Newton's method for the polynomial of the step.
-   Writes the Legendre series of dt/dpsi to series. */
+/* Returns the fraction of the step at which the time t is reached, by Newton's method. Writes the Legendre series of
+   dt/dpsi on the step to series. */
 VM_API vm_real vmi_osc_find_part(const vmi_osc_course *c, const vmi_osc_step *s, vm_real t, vm_real *series)
 {
     const int rounds = 8;
@@ -11005,9 +11793,9 @@ VM_API vm_real vmi_osc_find_part(const vmi_osc_course *c, const vmi_osc_step *s,
     return part;
 }
 
-/* Makes a step that ends at c->stop, in place of `beyond`, the longer step that would go past this time. certain: 0
-   where `beyond` is only predicted. If it turns out that it does not reach c->stop, the course stays where it is,
-   since no step may cross a zero of x. */
+/* Makes a step that ends at c->stop, in place of the longer step `beyond`, which would go past this time. certain is 0
+   if `beyond` is only predicted. If `beyond` then turns out not to reach c->stop, the course stays where it is, since
+   no step may cross a zero of x. */
 VM_API int vmi_osc_land(vmi_osc_course *c, const vmi_osc_step *beyond, int certain)
 {
     const int rounds = 6;
@@ -11052,7 +11840,7 @@ VM_API vm_real vmi_osc_next_phase(const vmi_osc_course *c, int *part, vm_real *s
 {
     const vm_real half = c->plan->ripple.pi, close = 64 * VM_EPSILON * (1 + VM_FABS(c->psi) / half);
     const vm_real per_step = (vm_real)c->parts / half, side = (vm_real)c->side;
-    const vm_real at = (c->psi + half / 2) * per_step; /* the phase, counted in steps; `next` is the end of the step */
+    const vm_real at = (c->psi + half / 2) * per_step; /* the phase, counted in steps; the step ends at `next` */
     const vm_real nearest = VM_FLOOR(at + VM_C(0.5)), next = VM_FLOOR(side * at + close) + 1;
     const vm_real cell = side > 0 ? side * next - 1 : side * next; /* the step lies between cell and cell + 1 */
     const vm_real turn = VM_FLOOR(cell / (vm_real)c->parts);
@@ -11067,8 +11855,8 @@ VM_API int vmi_osc_is_beyond(const vmi_osc_course *c, const vmi_osc_step *s)
     return (vm_real)c->side * ((c->t - c->stop) + (c->t_low + vmi_osc_whole_change(c, s).t)) >= 0;
 }
 
-/* Makes a step of the part `most`, 0 to 1, of its usual length. If it would go beyond c->stop, it is shortened to end
-   there. */
+/* Makes a step whose length is `most`, between 0 and 1, times the usual length. If it would go beyond c->stop, it is
+   shortened to end there. */
 VM_API int vmi_osc_course_step_of(vmi_osc_course *c, vm_real most)
 {
     vmi_step_waves inside;
@@ -11104,7 +11892,7 @@ VM_API int vmi_osc_course_step_of(vmi_osc_course *c, vm_real most)
 /* Makes one step. Where its iteration does not converge, it tries shorter and shorter steps. */
 VM_API int vmi_osc_course_step(vmi_osc_course *c)
 {
-    const vm_real shortest = VM_C(0.01); /* part of the usual length */
+    const vm_real shortest = VM_C(0.01); /* the shortest step, as a part of the usual length */
     vm_real most = 1;
     int status = vmi_osc_course_step_of(c, most);
     while (status == VM_NOT_INTEGRATED && most > shortest) {
@@ -11115,7 +11903,7 @@ VM_API int vmi_osc_course_step(vmi_osc_course *c)
     return status;
 }
 
-/* Starts a course at t = 0 from the amplitude and phase in *start, with n points a step and `parts` parts a half
+/* Starts a course at t = 0 from the amplitude and phase in *start, with n points per step and `parts` parts per half
    period. */
 VM_API void vmi_osc_course_start(vmi_osc_course *c, const vm_osc_plan *plan, const vmi_osc_reduced *start, int side,
                                  int n, int parts, vm_real sweep_limit)
@@ -11183,7 +11971,7 @@ VM_API int vmi_osc_courses_to(vmi_osc_course *loose, vmi_osc_course *strict, vm_
     return status;
 }
 
-/* Numbers of points a step of the loose and of the strict run, and parts of a half period in both runs */
+/* Numbers of points per step in the loose and in the strict run, and of parts per half period in both runs */
 typedef struct VM_TAG(vmi_osc_points) {
     signed char loose, strict, parts;
 } vmi_osc_points;
@@ -11192,8 +11980,8 @@ typedef struct VM_TAG(vmi_osc_points) {
 enum { VMI_OSC_PAIRS = 6 };
 
 /* Whether the rates are smooth inside a half period, so that one step over it is good. With a force they may have kinks
-   in the middle, where x' = 0, and where alpha > 3 they change quickly there. Then two steps are better that meet in
-   the middle. */
+   in the middle, where x' = 0; for alpha > 3 they change quickly there. In these cases two steps that meet in the
+   middle are better. */
 VM_API int vmi_osc_has_smooth_halves(const vm_osc_problem *o) { return o->alpha <= 3 && !o->force; }
 
 /* Pair number i, 0 to VMI_OSC_PAIRS - 1. Each pair is more accurate than the one before. */
@@ -11217,8 +12005,8 @@ VM_API int vmi_osc_first_pair(const vm_osc_problem *o, vm_real tolerance)
     return tolerance >= VM_C(1e-10) ? 3 : 4;
 }
 
-/* The number of the pair that is tried after pair i, whose error is estimated as `error`, larger than the tolerance.
-   Pairs are left out whose error would be too large even if it fell as the tenth power of the number of points. */
+/* The number of the pair that is tried after pair i, whose estimated error is `error`, larger than the tolerance. A
+   pair is skipped if its error would be too large even if errors fell as 1/(number of points)^10. */
 VM_API int vmi_osc_next_pair(const vm_osc_problem *o, int i, vm_real error, vm_real tolerance)
 {
     const vmi_osc_points last = vmi_osc_pair(o, i);
@@ -11233,9 +12021,10 @@ VM_API int vmi_osc_next_pair(const vm_osc_problem *o, int i, vm_real error, vm_r
 }
 
 /* Returns the estimated error of the strict run divided by the difference of the two runs, which is nearly the error of
-   the loose run. Where alpha < 1, the rates have terms of the power alpha + 2 in the distance from a zero of x. For them
-   the error of Gauss' rule of n points falls as n^-(2 alpha + 6). For larger alpha up to 10 it falls as n^-8 at least.
-   Kinks from a force or from a law by a function, and the sharp turns of a large alpha, make it fall more slowly. */
+   the loose run. Where alpha < 1, the rates have terms proportional to d^(alpha+2), where d is the distance from a zero
+   of x. For these terms the error of Gauss' rule of n points falls as n^-(2 alpha + 6). For larger alpha up to 10 it
+   falls as n^-8 at least. Kinks from a force or from a law by a function, and the sharp turns of a large alpha, make it
+   fall more slowly. */
 VM_API vm_real vmi_osc_strict_share(const vm_osc_problem *o, vmi_osc_points points)
 {
     const vm_real ratio = (vm_real)points.loose / (vm_real)points.strict, squared = ratio * ratio;
@@ -11248,7 +12037,7 @@ VM_API int vmi_osc_collocate_pair(const vm_osc_plan *plan, vm_real t, vmi_osc_po
                                   vm_real sweep_limit, vmi_osc_course *strict, vm_real *error)
 {
     const int side = vmi_time_side(t);
-    const vm_real looser = 16;         /* ratio of their sweep_limits, so that errors of the iteration differ, too */
+    const vm_real looser = 16;         /* ratio of the sweep_limits of both runs: errors of the iteration differ, too */
     vmi_osc_rates now;
     vmi_osc_slow start;
     vmi_osc_reduced state;
@@ -11295,7 +12084,7 @@ VM_API int vmi_osc_collocate(const vm_osc_plan *plan, int route, vm_real t, vm_r
         status = vmi_osc_collocate_pair(plan, t, vmi_osc_pair(&plan->problem, i), 2 * longest, sweep_limit, &c, &error);
         if (status) return status;
         evals += c.evals;
-        sweep_limit = vmi_larger(sweep_limit / 16, VM_EPSILON); /* perhaps the iterations left too much */
+        sweep_limit = vmi_larger(sweep_limit / 16, VM_EPSILON); /* the iterations may have caused most of the error */
         i = vmi_osc_next_pair(&plan->problem, i, error, tolerance);
     }
     status = vmi_osc_rates_at(&plan->problem, t, -c.side, &now);
@@ -11336,8 +12125,8 @@ VM_API int vmi_osc_collocate(const vm_osc_plan *plan, int route, vm_real t, vm_r
    difference of the two runs gives the error. With F the averaged equations of the first three routes are integrated,
    too, and the laws of orders 2 to 5 do not exist. docs/cost.md has the times.
 
-   Choice. vm_osc_within takes the first of these seven solutions that is within the tolerance. Where none is, or where
-   F is given, it integrates by collocation, and where amplitude and phase do not describe the motion by rk87.
+   Choice. vm_osc_within takes the first of these seven solutions whose estimate is within the tolerance. Where none is,
+   or where F is given, it integrates: by collocation if amplitude and phase describe the motion, otherwise by rk87.
 
    What the estimate of an averaged solution covers:
      - the terms that the solution leaves out, the error of cos and cn in place of ca, and rounding errors of the phase;
@@ -11347,12 +12136,12 @@ VM_API int vmi_osc_collocate(const vm_osc_plan *plan, int route, vm_real t, vm_r
        shortest panel, so that no step skips the change.
    What the estimate of averaged equations with F covers:
      - the error of their integration, and the error of cos and cn in place of ca;
-     - what averaging leaves out: the ripple within a period, its effect at the start, and terms of second order in it;
+     - what averaging leaves out: the ripple within a period, its effect at the start, and second-order terms of it;
      - a force that changes within a period, as in a resonance. For this the estimate calls F over a period at the start
        and over periods at eight later times, so it misses a force that acts only for a short time between them.
 
    How good the estimate is. tests/test_routes.c compares it with the true error of random problems with alpha from
-   1/8 to 8, a rate q from 2e-3 to 0.1, and t from 1/q to 3/q. In double its bounds are, for
+   1/8 to 8, a rate q of the laws from 2e-3 to 0.1, and t from 1/q to 3/q. In double the test demands as bounds, for
      the share of problems whose true error is above 3 times the estimate: 1 % by vm_osc_within, 4 % by rk87, else 2 %,
      the largest ratio of true error to estimate: 30 by rk87, 40 by rk45, else 10,
      the median ratio of estimate to true error: 45 by collocation, 25 by rk87, 13 by rk45, 15 by orders 4 and 5 and for
@@ -11402,7 +12191,7 @@ typedef struct VM_TAG(vmi_osc_route) {
     vmi_osc_integration integrate; /* the integration, or null if there is none */
 } vmi_osc_route;
 
-/* Makes the table entry of a route from its name, closed form and integration. */
+/* Makes the entry of a route in the table of routes. solution or integrate may be null. */
 VM_API vmi_osc_route vmi_osc_route_by(const char *name, vmi_osc_solution solution, vmi_osc_integration integrate)
 {
     vmi_osc_route route;
@@ -11612,10 +12401,10 @@ VM_API int vm_osc_within(const vm_osc_problem *problem, vm_real t, vm_real toler
    At an amplitude A one quadrature gives the period, the action and x(t):
        vm_odd_force force = vm_odd_force_user(hard, NULL); // int hard(vm_real x, vm_real *f, void *ctx) writes *f
        vm_real T = vm_odd_period(&force, 2); // period of the motion from rest at x = 2 m
-   Method: x = A cos(theta), v = -A sin(theta) sqrt(g), and so dt = dtheta/sqrt(g), where g is the mean of F(x)/x over
-   the squares between x^2 and A^2. g is smooth and positive, so that Gauss' rule converges fast. An orbit is the
-   motion at one amplitude. Its phase is 2 pi t/period, and 0 where x is largest. Its action j is the integral of v dx
-   over a period, divided by 2 pi. Slow mass, stiffness and damping: oscillators/odd_motion.h.
+   Method: x = A cos(theta), v = -A sin(theta) sqrt(g), and so dt = dtheta/sqrt(g). Here g is the mean of F(x)/x over
+   the variable x^2, from the present x^2 to A^2. g is smooth and positive, so that Gauss' rule converges fast. An orbit
+   is the motion at one amplitude. Its phase is 2 pi t/period, and 0 where x is largest. Its action j is the integral of
+   v dx over a period, divided by 2 pi. Slow mass, stiffness and damping: oscillators/odd_motion.h.
    Tests: tests/test_odd_force.c. */
 #ifndef VARMASS_OSCILLATORS_ODD_FORCE_H
 #define VARMASS_OSCILLATORS_ODD_FORCE_H
@@ -11662,9 +12451,9 @@ struct VM_TAG(vmi_orbit) {
     int place;                 /* VMI_ORBIT_... */
     vm_real span;              /* the phase between theta = 0 and theta = pi/2: pi/2 around 0, else pi */
     vm_real w, j;              /* rate of the phase, 1/s, and action */
-    vm_real energy_slope;      /* derivative of the energy by `size` */
+    vm_real energy_slope;      /* derivative of the energy with respect to `size` */
     vm_real swing, vmax;       /* half the distance of the turning points, m, and largest velocity, m/s */
-    vm_real lambda, m1;        /* of Duffing's force: rate of the argument of Jacobi's functions, and their 1 - k^2 */
+    vm_real lambda, m1;        /* rate of the argument of Jacobi's functions, and 1 - k^2 with their modulus k */
     int pieces;                /* of other forces: equal pieces of 0 ... `size`, on each of which F is a series */
     vm_real series[VMI_ORBIT_PARTS][VMI_GAUSS]; /* of other forces: Legendre series of F on the pieces */
     vm_real above[VMI_ORBIT_PARTS];             /* of other forces: integral of F from the end of a piece to `size` */
@@ -11674,15 +12463,16 @@ struct VM_TAG(vmi_orbit) {
 struct VM_TAG(vmi_orbit_point) {
     vm_real x, v;          /* position and velocity */
     vm_real slowness;      /* dt/dtheta */
-    vm_real x_size;        /* derivative of x by the orbit's size, at fixed theta */
-    vm_real slowness_size; /* derivative of the slowness by the orbit's size, at fixed theta */
+    vm_real x_size;        /* derivative of x with respect to the orbit's size, at fixed theta */
+    vm_real slowness_size; /* derivative of the slowness with respect to the orbit's size, at fixed theta */
 };
 
 /* The largest |x| on a complete orbit, m */
 VM_API vm_real vmi_orbit_amplitude(const vmi_orbit *orbit)
 {
     if (orbit->place == VMI_ORBIT_AROUND_0) return orbit->size;
-    return orbit->size / (2 * orbit->swing) + orbit->swing; /* (A + B)/2 + (A - B)/2, as size = (A^2 - B^2)/2 */
+    return orbit->size / (2 * orbit->swing) + orbit->swing; /* (A + B)/2 + (A - B)/2 = A, with the smallest |x| B; size
+                                                               = (A^2 - B^2)/2 */
 }
 
 /* -- Integrals over theta -- */
@@ -11749,7 +12539,7 @@ VM_API vm_real vmi_orbit_value(const vmi_orbit_sum *sum, vm_real theta)
     return vmi_legendre_at(sum->series[part], place);
 }
 
-/* The size of the terms that the series leave out, relative to the mean of the function */
+/* The size of the terms that the series on the parts leave out, divided by the mean of the function */
 VM_API vm_real vmi_orbit_tail(const vmi_orbit_sum *sum)
 {
     vm_real largest = 0;
@@ -11805,8 +12595,8 @@ VM_API vmi_orbit_folded vmi_orbit_fold(const vmi_orbit *orbit, vm_real phi)
     return f;
 }
 
-/* The derivative dt/dtheta at all nodes, and its derivative by the orbit's size. Doubles the number of parts until the
-   series leave out no more than `enough`, as far as VMI_ORBIT_PARTS allows. */
+/* Computes dt/dtheta at all nodes, and its derivative with respect to the orbit's size. Doubles the number of parts
+   until the series leave out no more than `enough`, as far as VMI_ORBIT_PARTS allows. */
 VM_API void vmi_orbit_times(const vmi_orbit *orbit, vm_real enough, vmi_orbit_sum *time, vmi_orbit_sum *time_size)
 {
     vm_real slowness[VMI_ORBIT_NODES], by_size[VMI_ORBIT_NODES];
@@ -11836,15 +12626,16 @@ VM_API int vmi_odd_user_at(const vm_odd_force *force, vm_real x, vm_real *f)
     return VM_OK;
 }
 
-/* F at one point of an orbit, and two means up to the amplitude A, or up to the end of a piece */
+/* F at one point x, and its mean and mean slope from x to an end, which is the amplitude A or the end of a piece */
 typedef struct VM_TAG(vmi_odd_forces) {
     vm_real f;     /* F(x) */
     vm_real mean;  /* mean of F between x and the end */
     vm_real slope; /* (F(end) - F(x))/(end - x) */
 } vmi_odd_forces;
 
-/* Sums of the Legendre series of F on a piece of the length 2 half, at y between -1 and 1, where 1 is the piece's end.
-   With D_k = (1 - P_k(y))/(1 - y) no difference of close numbers occurs near the end. */
+/* Evaluates the Legendre series of F on a piece at y between -1 and 1, where y = 1 is the end of the piece. `half` is
+   half the length of the piece. The sums use D_k = (1 - P_k(y))/(1 - y) with Legendre's polynomials P_k, so that no
+   close numbers are subtracted near the end. */
 VM_API vmi_odd_forces vmi_odd_user_sums(const vm_real *series, vm_real y, vm_real half)
 {
     vm_real before = 0, now = 1, D_before = 0, D = 0;
@@ -11865,7 +12656,7 @@ VM_API vmi_odd_forces vmi_odd_user_sums(const vm_real *series, vm_real y, vm_rea
     return r;
 }
 
-/* F and its means between x = share A and the amplitude A, 0 <= share <= 1 */
+/* F at x = share A, and its mean and slope between x and the amplitude A, where 0 <= share <= 1 */
 VM_API vmi_odd_forces vmi_odd_user_forces(const vmi_orbit *orbit, vm_real share)
 {
     const vm_real A = orbit->size, half = A / (2 * (vm_real)orbit->pieces);
@@ -11899,8 +12690,8 @@ VM_API void vmi_odd_user_point(const vmi_orbit *orbit, vm_real theta, vmi_orbit_
     point->slowness_size = -point->slowness * (g_size / (2 * g));
 }
 
-/* Fits the series of F on this number of pieces of 0 ... A. Writes the size of the terms that they leave out, relative
-   to the root mean square of F. */
+/* Fits series of F on this number of equal pieces of 0 ... A. Writes the size of the terms that the series leave out,
+   relative to the root mean square of F. */
 VM_API int vmi_odd_user_fit(vmi_orbit *orbit, int pieces, vm_real *tail)
 {
     const vm_real length = orbit->size / (vm_real)pieces;
@@ -11974,8 +12765,8 @@ typedef struct VM_TAG(vmi_odd_state) {
     int status;   /* of the user's function */
 } vmi_odd_state;
 
-/* The potential energy between x and x + more, less the kinetic energy of the state: 0 where x + more is the
-   amplitude */
+/* The potential energy at x + more, minus that at x, minus the kinetic energy of the state. It is 0 where x + more is
+   the amplitude. */
 VM_API vm_real vmi_odd_user_missing(vm_real more, void *state)
 {
     vmi_odd_state *s = (vmi_odd_state *)state;
@@ -11993,8 +12784,8 @@ VM_API vm_real vmi_odd_user_missing(vm_real more, void *state)
     return sum * length - s->v * s->v / 2;
 }
 
-/* The orbit through a state. A trial of the amplitude is doubled or halved until the amplitude lies between two of
-   them. Returns VM_NO_LAW where there is no amplitude. */
+/* Finds the orbit through a state. A trial value of the amplitude is doubled or halved until the amplitude lies between
+   two trial values. Returns VM_NO_LAW where there is no amplitude. */
 VM_API int vmi_odd_user_through(const vm_odd_force *force, vm_real x, vm_real v, vmi_orbit *orbit)
 {
     const int most = 200;
@@ -12027,7 +12818,8 @@ VM_API int vmi_odd_user_through(const vm_odd_force *force, vm_real x, vm_real v,
     return s.status;
 }
 
-/* The phase of a state on a complete orbit. It puts x = A cos(theta) and v = -A sin(theta)/(dt/dtheta). */
+/* The phase of a state on a complete orbit. The state gives theta by x = A cos(theta) and v = -A
+   sin(theta)/(dt/dtheta). */
 VM_API int vmi_odd_user_phase(const vmi_orbit *orbit, vm_real x, vm_real v, vm_real *phi)
 {
     const vm_real above = vmi_larger(orbit->size - VM_FABS(x), 0) * (orbit->size + VM_FABS(x));
@@ -12056,11 +12848,10 @@ VM_API int vmi_odd_user_at_phase(const vmi_orbit *orbit, vm_real phi, vm_real *x
     return VM_OK;
 }
 
-/* Odd elastic force F(x) by a user's function.
-   The function is called for x >= 0 only. ctx is handed to it. F must be
-   positive for 0 < x <= A, or at least do positive work between every x and the amplitude A. Between 0 and A it must
-   be so smooth that polynomials of degree 19 represent it on 8 pieces; otherwise all functions refuse it with
-   VM_NO_LAW. A null function makes no force: it is refused with VM_BAD_ARGUMENT. */
+/* Odd elastic force F(x) by a user's function. The function is called for x >= 0 only. ctx is handed to it. F must be
+   positive for 0 < x <= A, or at least do positive work between every x and the amplitude A. Between 0 and A it must be
+   so smooth that polynomials of degree 19 represent it on at most 8 equal pieces; otherwise all functions refuse it
+   with VM_NO_LAW. A null function makes no force: it is refused with VM_BAD_ARGUMENT. */
 VM_API vm_odd_force vm_odd_force_user(vm_odd_function function, void *ctx)
 {
     vm_odd_force force;
@@ -12166,7 +12957,7 @@ VM_API int vmi_duffing_at(const vm_odd_force *force, vm_real x, vm_real *f)
     return VM_IS_FINITE(*f) ? VM_OK : VM_NOT_FINITE;
 }
 
-/* By how much the square of the amplitude is larger than x^2. The number d solves c3 d^2/2 + slope d = v^2, where
+/* Returns d = A^2 - x^2, the square of the amplitude A minus x^2. The number d solves c3 d^2/2 + slope d = v^2, where
    slope = c1 + c3 x^2. Returns NaN for a motion that runs away. */
 VM_API vm_real vmi_duffing_above(vm_real c3, vm_real slope, vm_real v)
 {
@@ -12177,8 +12968,8 @@ VM_API vm_real vmi_duffing_above(vm_real c3, vm_real slope, vm_real v)
     return VM_NAN;
 }
 
-/* The size and place of the orbit through (x, v). In two wells the orbit is an inner one if its energy is below that
-   of rest at x = 0. Returns VM_NO_LAW for a motion that runs away. */
+/* Writes the size and place of the orbit through (x, v). With two wells the orbit is an inner one if its energy is
+   below the energy of rest at x = 0. Returns VM_NO_LAW for a motion that runs away. */
 VM_API int vmi_duffing_through(const vm_odd_force *force, vm_real x, vm_real v, vmi_orbit *orbit)
 {
     const vm_real k1 = force->k1, k3 = force->k3, slope = k1 + k3 * (x * x);
@@ -12241,9 +13032,9 @@ VM_API int vmi_duffing_complete_inner(vmi_orbit *orbit)
     orbit->lambda = A * VM_SQRT(k3 / 2);
     orbit->m1 = m1;
     orbit->w = VM_PI * orbit->lambda / jacobi_K_m1(m1);
-    orbit->j = 2 * size * size * k3 * (C2 - C4) / orbit->w; /* the mean of v^2 = 2 k3 size^2 sn^2 cn^2, over w */
+    orbit->j = 2 * size * size * k3 * (C2 - C4) / orbit->w; /* the mean of v^2 = 2 k3 size^2 sn^2 cn^2, divided by w */
     orbit->energy_slope = k3 * size / 2;
-    orbit->swing = size / (A + B); /* (A - B)/2 */
+    orbit->swing = size / (A + B); /* (A - B)/2 with the largest |x| A and the smallest |x| B */
     orbit->vmax = size * VM_SQRT(k3 / 2);
     return VM_OK;
 }
@@ -12281,7 +13072,8 @@ VM_API void vmi_duffing_point(const vmi_orbit *orbit, vm_real theta, vmi_orbit_p
     }
 }
 
-/* The incomplete integral F = u of the first kind, from s2 = sn^2(u), c2 = cn^2(u) and d2 = dn^2(u), 0 <= u <= K */
+/* Returns u, the incomplete elliptic integral of the first kind, from s2 = sn^2(u), c2 = cn^2(u) and d2 = dn^2(u),
+   where 0 <= u <= K. */
 VM_API vm_real vmi_duffing_argument(vm_real s2, vm_real c2, vm_real d2)
 {
     return VM_SQRT(s2) * vmi_carlson_rf(vmi_two(c2, 0), vmi_two(d2, 0), vmi_two(1, 0)).hi;
@@ -12443,26 +13235,30 @@ VM_API void vm_duffing_exact_from(vm_real t, vm_real x0, vm_real v0, vm_real c1,
 #endif
 /* oscillators/orbit_ripple.h - how a slow change disturbs the motion on an orbit within a period
 
-   In the time s with ds = sqrt(k/m) dt, slow mass, stiffness, damping and reactive force all act as one damping h:
+   In the time s with ds = sqrt(k/m) dt, slow mass, stiffness, damping b and reactive force (of the share r) all act as
+   one damping h:
        x'' + F(x) = -2 h x',   2 h = d ln(mu sqrt(k/m))/ds,   mu' = (r m' + b) mu/m
    so that J = j mu sqrt(k/m) stays constant on average, where j is the action of the orbit. J and the phase phi are
-   canonical, and their Hamiltonian is that of constant mass plus 2 h a, times mu sqrt(k/m), with the function
+   canonical. Their Hamiltonian is (H + 2 h a) mu sqrt(k/m), where H is the Hamiltonian of constant mass and a the
+   function
        a(phi) = (integral of v dx from phase 0) - j phi
    of period pi (2 pi in a well) and mean 0. Let B be the integral of a over the phase, with mean 0. To second order
    in h the mean action and the mean phase are
        j_mean = j + 2h a/w - (B/w)(2h' + 4h^2)/w + 4h^2 j (B/w)_j/w - 2h^2 (a^2 - M) w_j/w^3 + 2h^2 (M/w^2)_j
        phi_mean = phi - 2h (B/w)_j,   phi_mean' = w(j_mean) - 2h^2 (M/w)_jj
-   where M is the mean of a^2, an index j means the derivative by j at fixed phase, and h' = dh/ds.
+   where w is the rate of the phase, M the mean of a^2, _j the derivative with respect to j at fixed phase, and h' =
+   dh/ds.
        vmi_orbit_ripple ripple;
        vmi_orbit_ripple_values now;
        vmi_orbit_ripple_init(&ripple, &orbit); // orbit is a complete vmi_orbit
-       vmi_orbit_ripple_at(&ripple, &orbit, phi, &now);
+       vmi_orbit_ripple_at(&ripple, &orbit, 1, &now); // at the phase 1
    Source: the averaging of canonical equations by Lie series, to second order; docs/duffing.md.
    Tests: tests/test_odd_force.c. */
 #ifndef VARMASS_OSCILLATORS_ORBIT_RIPPLE_H
 #define VARMASS_OSCILLATORS_ORBIT_RIPPLE_H
 
-/* The functions of the ripple on one orbit. "By size" means the derivative by orbit.size at fixed phase. */
+/* The functions of the ripple on one orbit. "By size" stands for the derivative with respect to orbit.size at fixed
+   phase. */
 typedef struct VM_TAG(vmi_orbit_ripple) {
     vmi_orbit_sum time, time_size; /* time from theta = 0, and its derivative by size at fixed theta */
     vmi_orbit_sum squares;         /* integral of v^2 over time */
@@ -12476,7 +13272,7 @@ typedef struct VM_TAG(vmi_orbit_ripple) {
 
 /* The ripple at one phase */
 typedef struct VM_TAG(vmi_orbit_ripple_values) {
-    vm_real a, B; /* see above */
+    vm_real a, B; /* the functions a and B of the top of this file */
     vm_real B_j;  /* (B/w)_j */
 } vmi_orbit_ripple_values;
 
@@ -12488,7 +13284,7 @@ typedef struct VM_TAG(vmi_orbit_nodes) {
     vm_real phase_rate[VMI_ORBIT_NODES];                 /* dphi/dtheta */
 } vmi_orbit_nodes;
 
-/* Computes a and its derivative at the nodes. At fixed phase a changes by v times the change of x. */
+/* Computes a and its derivative by size at the nodes. At fixed phase the change of a is v times the change of x. */
 VM_API void vmi_orbit_ripple_nodes(const vmi_orbit *orbit, vmi_orbit_ripple *r, vmi_orbit_nodes *nodes)
 {
     vm_real squares[VMI_ORBIT_NODES];
@@ -12520,7 +13316,7 @@ VM_API vm_real vmi_orbit_mean(const vmi_orbit *orbit, const vmi_orbit_nodes *nod
     return sum * (VM_PI / 4 / ((vm_real)(nodes->n / VMI_GAUSS) * orbit->span));
 }
 
-/* The derivative by j of B/w, from B and its derivative by size */
+/* The derivative of B/w with respect to j, from B and its derivative by size */
 VM_API vm_real vmi_orbit_B_j(const vmi_orbit *orbit, const vmi_orbit_ripple *r, vm_real B, vm_real B_size)
 {
     return (B_size - B * (r->w_size / orbit->w)) / (orbit->w * r->j_size);
@@ -12583,7 +13379,7 @@ VM_API void vmi_orbit_ripple_at(const vmi_orbit_ripple *r, const vmi_orbit *orbi
     now->B_j = vmi_orbit_B_j(orbit, r, now->B, B_size);
 }
 
-/* The relative change of w over the relative change of j */
+/* The relative change of w divided by the relative change of j that causes it */
 VM_API vm_real vmi_orbit_gamma(const vmi_orbit_ripple *r, const vmi_orbit *orbit)
 {
     return orbit->j * r->w_size / (r->j_size * orbit->w);
@@ -12595,7 +13391,8 @@ VM_API vm_real vmi_orbit_M_j(const vmi_orbit_ripple *r, const vmi_orbit *orbit)
     return (r->M_size - r->M * (r->w_size / orbit->w)) / (orbit->w * r->j_size);
 }
 
-/* The mean action that belongs to the action j of an orbit at a phase. h is the damping above and h_rate = dh/ds. */
+/* The mean action that belongs to the action j of an orbit at a phase. h is the damping that the top of this file
+   defines, and h_rate = dh/ds. */
 VM_API vm_real vmi_orbit_mean_action(const vmi_orbit_ripple *r, const vmi_orbit *orbit,
                                      const vmi_orbit_ripple_values *now, vm_real h, vm_real h_rate)
 {
@@ -12667,7 +13464,7 @@ typedef struct VM_TAG(vmi_odd_rates) {
     vm_real m, k, b;   /* mass, stiffness and damping */
     vm_real m_rate;    /* dm/dt, kg/s */
     vm_real speed;     /* ds/dt = sqrt(k/m) */
-    vm_real turn;      /* relative rate of `speed`, 1/s */
+    vm_real turn;      /* relative rate of change of `speed`, 1/s */
     vm_real h;         /* damping h of orbit_ripple.h, times `speed`, 1/s */
 } vmi_odd_rates;
 
@@ -12689,12 +13486,13 @@ VM_API int vmi_odd_rates_at(const vm_odd_problem *o, vm_real t, int side, vmi_od
     return VM_OK;
 }
 
-/* The damping h of orbit_ripple.h and its derivatives by s, where ds/dt = sqrt(k/m) */
+/* The damping h of orbit_ripple.h, and its first two derivatives h1 and h2 with respect to s, where ds/dt =
+   sqrt(k/m) */
 typedef struct VM_TAG(vmi_odd_slow) {
     vm_real h, h1, h2;
 } vmi_odd_slow;
 
-/* Computes h and its derivatives at t; length, s, is for the derivatives of users' laws (see vmi_law_derivatives). */
+/* Computes h, h1 and h2 at t. length, s, is needed for the derivatives of users' laws (see vmi_law_derivatives). */
 VM_API int vmi_odd_slow_at(const vm_odd_problem *o, vm_real t, int side, vm_real length, vmi_odd_slow *slow)
 {
     enum { TERMS = 4 };
@@ -12733,14 +13531,15 @@ typedef struct VM_TAG(vmi_odd_panel) {
     vm_real t, length;          /* its start and its length, s, negative backward in time */
     vm_real phase;              /* mean phase at its start */
     vm_real decay;              /* integral of b/m from 0 to its start */
-    vm_real ln_J;               /* ln of the mean action J over its value at t = 0; it changes at points of tables */
+    vm_real ln_J;               /* ln of the mean action J divided by its value at t = 0; it changes at points of
+                                   tables */
     vm_real rate[VMI_GAUSS];    /* series of the rate of the mean phase, 1/s */
     vm_real size[VMI_GAUSS];    /* series of the size of the mean orbit (see vmi_orbit) */
     /* Element i is the integral of |d^i (h/w)/dphi^i| over the phase phi, from t = 0 to the end of the panel. */
     vm_real change[VMI_ODD_ORDERS];
     vm_real knots;              /* what order two leaves out of ln J at points of tables, from 0 to the end */
     vm_real largest_a, largest_B; /* largest values of these fields of the ripple on the panel */
-    vm_real gamma;              /* largest relative change of w over that of j on the panel */
+    vm_real gamma;              /* largest ratio on the panel of a relative change of w to the relative change of j */
 } vmi_odd_panel;
 
 /* The mean motion of a problem from t = 0 to a given time. Fill it by vm_odd_plan_init; read its fields, but do not
@@ -12755,15 +13554,15 @@ typedef struct VM_TAG(vm_odd_plan) {
     vm_real phi;            /* phase of this state */
     vm_real ln_j, phase;    /* ln of the mean action, and mean phase, at t = 0 */
     vmi_odd_slow slow;      /* damping h at t = 0 */
-    vm_real gamma;          /* the relative change of w over that of j, at t = 0 */
+    vm_real gamma;          /* ratio of a relative change of w to that of j, at t = 0 */
     vm_real first_a;        /* field largest_a of the ripple at t = 0 */
     vm_real first_B;        /* field largest_B of the ripple at t = 0 */
     int n;                  /* number of panels */
     vmi_odd_panel panel[VMI_ODD_PANELS];
 } vm_odd_plan;
 
-/* Finds the orbit with this ln j by Newton's method, from the size that the orbit has as a guess. A step that leads
-   out of the region of such orbits is halved. Returns VM_NO_LAW where there is no such orbit. */
+/* Finds the orbit whose action j has this logarithm by Newton's method. The size that *orbit has is the first guess. A
+   step that leads out of the region of such orbits is halved. Returns VM_NO_LAW where there is no such orbit. */
 VM_API int vmi_orbit_find(vmi_orbit *orbit, vm_real ln_j)
 {
     const vm_real enough = 4 * VM_EPSILON, longest = 2;
@@ -12787,7 +13586,8 @@ VM_API int vmi_orbit_find(vmi_orbit *orbit, vm_real ln_j)
     return VM_NO_LAW;
 }
 
-/* The change of ln j by the adiabatic law, from t = 0 to a time with these laws and this integral of b/m */
+/* The change of ln j by the adiabatic law since t = 0. *now holds the laws at the end, and decay is the integral of
+   b/m. */
 VM_API vm_real vmi_odd_adiabatic(const vm_odd_plan *p, const vmi_odd_rates *now, vm_real decay)
 {
     const vm_real ln_m = vmi_log(now->m / p->m0).hi, ln_k = vmi_log(now->k / p->k0).hi;
@@ -12839,8 +13639,8 @@ VM_API int vmi_odd_read(const vm_odd_problem *o, const vmi_odd_panel *panel, vmi
     return vmi_panel_edge(&o->stiffness, VM_BAD_STIFFNESS, 0, panel->t, panel->length, at->stiffness, &at->edge);
 }
 
-/* Adds to panel->change what this panel adds, from the series of h/w: root mean squares in place of absolute values.
-   Coefficients that are as small as rounding errors are left out. The series is overwritten. */
+/* Adds to panel->change the integrals over this panel, from the series of h/w, with root mean squares in place of
+   absolute values. Coefficients that are as small as rounding errors are left out. The series is overwritten. */
 VM_API void vmi_odd_add_changes(vmi_odd_panel *panel, vm_real *ratio)
 {
     const vm_real noise = (VM_MANT_DIG > 24 ? 4096 : 16) * VM_EPSILON;
@@ -12860,8 +13660,8 @@ VM_API void vmi_odd_add_changes(vmi_odd_panel *panel, vm_real *ratio)
 /* The number of the kth node in the order of time, 0 <= k < 20: 0, 2 ... 18, 19, 17 ... 1 */
 VM_API int vmi_odd_node_number(int k) { return k < VMI_GAUSS / 2 ? 2 * k : 2 * VMI_GAUSS - 1 - 2 * k; }
 
-/* Computes the series of a panel. Its fields for the start and its length are set. orbit is a guess of the mean orbit
-   at the start; it becomes the orbit at the last node. */
+/* Computes the series of a panel. The fields for its start and its length must be set. orbit is a guess of the mean
+   orbit at the start; it becomes the orbit at the last node. */
 VM_API int vmi_odd_panel_of(const vm_odd_plan *p, vmi_odd_panel *panel, vmi_orbit *orbit, vmi_odd_nodes *at)
 {
     vm_real rates[VMI_GAUSS], sizes[VMI_GAUSS], bends[VMI_GAUSS], ratios[VMI_GAUSS];
@@ -13066,10 +13866,10 @@ VM_API int vmi_odd_fill(vm_odd_plan *p)
 /* Plan for many values of one vibration under an odd elastic force, from t = 0 to t_end (s, any sign).
    vm_odd_plan_within and vm_odd_plan_by_route use it. The problem is copied; its tables and contexts must outlive the
    plan. Where the averaged motion ends before t_end, at a separatrix or because laws change too fast, the plan's field
-   reach says where; beyond it only VM_ODD_RK87 works. Errors leave the plan untouched. Returns VM_BAD_ARGUMENT for
-   null pointers and for a law or force that no constructor made, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS for
-   laws that are not positive, VM_DOMAIN for a table out of order or one that does not hold 0 and t_end, and where a
-   user's function fails. */
+   reach says where; beyond it only VM_ODD_RK87 works. Errors leave the plan untouched. Returns VM_BAD_ARGUMENT for null
+   pointers and for a law or force that no constructor made, VM_NOT_FINITE for a number that is infinite or NaN,
+   VM_BAD_MASS or VM_BAD_STIFFNESS for a law that is not positive, VM_DOMAIN for a table out of order or one that does
+   not hold 0 and t_end, and where a user's function fails. */
 VM_API int vm_odd_plan_init(vm_odd_plan *p, const vm_odd_problem *problem, vm_real t_end)
 {
     vm_odd_plan plan;
@@ -13150,8 +13950,7 @@ VM_API vm_real vmi_odd_fast(const vmi_odd_mean *mean, vm_real largest_a)
     return least;
 }
 
-/* How large terms of second and of third order are at a time with this damping h, on an orbit whose phase has the rate
-   w */
+/* The sizes of terms of second and of third order, for the damping in *slow and an orbit whose phase has the rate w */
 VM_API void vmi_odd_sizes(const vmi_odd_slow *slow, vm_real w, vm_real *second, vm_real *third)
 {
     const vm_real h = VM_FABS(slow->h / w), h1 = VM_FABS(slow->h1 / w / w), h2 = VM_FABS(slow->h2 / w / w / w);
@@ -13159,7 +13958,7 @@ VM_API void vmi_odd_sizes(const vmi_odd_slow *slow, vm_real w, vm_real *second, 
     *third = h2 + 4 * h * h1 + 4 * h * h * h;
 }
 
-/* By how much an error of the phase is larger as an error of x/swing or of v/vmax */
+/* The factor by which a small error of the phase becomes an error of x/swing or of v/vmax */
 VM_API vm_real vmi_odd_steepness(const vmi_orbit *orbit)
 {
     const vm_real of_x = orbit->vmax / (orbit->w * orbit->swing);
@@ -13167,9 +13966,10 @@ VM_API vm_real vmi_odd_steepness(const vmi_orbit *orbit)
     return vmi_larger(of_x, orbit->energy_slope / (orbit->w * orbit->vmax));
 }
 
-/* Estimates the error of an averaged solution at t. It adds up how large the terms are that are left out: of the
-   transformation at the start and at t, and of the action at the start and at points of tables, which changes the
-   phase by gamma times the phase. The factors fit the errors of random problems in tests/test_odd_force.c. */
+/* Estimates the error of an averaged solution at t. It adds up the sizes of the terms that are left out: in the
+   transformation at the start and at t, and in the action at the start and at points of tables. An error of the action
+   changes the phase by gamma times the phase. The factors fit the errors of random problems in
+   tests/test_odd_force.c. */
 VM_API int vmi_odd_error(const vm_odd_plan *p, int route, vm_real t, const vmi_odd_mean *mean, vm_real *error)
 {
     const vmi_orbit *orbit = &mean->orbit;
@@ -13216,13 +14016,13 @@ VM_API int vmi_odd_averaged(const vm_odd_plan *p, int route, vm_real t, vm_odd_m
 #endif
 /* oscillators/odd_routes.h - routes to the motion of a vibration under an odd elastic force, and its integration
 
-   vm_odd_plan_by_route takes the route that its argument names. vm_odd_plan_within takes the cheapest route whose
-   error is estimated to be within a tolerance, and vm_odd_within does so without a plan. The problem and the averaged
+   vm_odd_plan_by_route takes the route that its argument names. vm_odd_plan_within takes the cheapest route whose error
+   is estimated to be within a tolerance, and vm_odd_within does so without a plan. The problem and the averaged
    solutions are those of oscillators/odd_motion.h, which also shows the shortest useful call. vm_odd_rhs is the
-   equation of motion. Estimates: tests/test_odd_force.c compares them with the true errors of random problems. The
-   true error is below three estimates in 99 % of them, and never above ten. The integration of a force with a kink,
-   as x + x|x| has, needs very short steps: it may miss tolerances below 1e-6 and then says so. Tests:
-   tests/test_odd_force.c. */
+   equation of motion. How good the estimates are: tests/test_odd_force.c compares them with the true errors of random
+   problems. The true error is below three estimates in 99 % of them, and never above ten. The integration of a force
+   with a kink, as x + x|x| has, needs very short steps: it may miss tolerances below 1e-6 and then returns
+   VM_TOLERANCE_MISSED. Tests: tests/test_odd_force.c. */
 #ifndef VARMASS_OSCILLATORS_ODD_ROUTES_H
 #define VARMASS_OSCILLATORS_ODD_ROUTES_H
 
@@ -13242,10 +14042,11 @@ VM_API int vmi_odd_acceleration(const vm_odd_problem *o, vm_real t, int side, vm
     return VM_OK;
 }
 
-/* Equation of motion of a vibration under an odd elastic force, for rk45 or rk87.
-   y = (x, x') is in m and m/s; problem points to a vm_odd_problem, whose x and v are not used. Returns VM_BAD_ARGUMENT
-   for null pointers and for a law or a force that no constructor made, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS,
-   and VM_DOMAIN for t outside a table and where a user's function fails. These statuses stop the run. */
+/* Equation of motion of a vibration under an odd elastic force, for rk45 or rk87. y = (x, x') is in m and m/s; problem
+   points to a vm_odd_problem, whose x and v are not used. Returns VM_BAD_ARGUMENT for null pointers and for a law or a
+   force that no constructor made, VM_NOT_FINITE for a number that is infinite or NaN, VM_BAD_MASS or VM_BAD_STIFFNESS
+   for a law that is not positive, and VM_DOMAIN for t outside a table and where a user's function fails. These statuses
+   stop the run. */
 VM_API int vm_odd_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *problem)
 {
     const vm_odd_problem *o = (const vm_odd_problem *)problem;
@@ -13257,7 +14058,7 @@ VM_API int vm_odd_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *problem)
     if (!VM_IS_FINITE(o->reactive)) return VM_NOT_FINITE;
     status = vmi_odd_acceleration(o, t, 1, y[0], y[1], &a);
     if (!status && !VM_IS_FINITE(a)) status = VM_NOT_FINITE;
-    if (status) { /* of several mistakes the first by the table of errors */
+    if (status) { /* return the status that comes first in the table of errors */
         vm_real f, rate;
         status = vmi_first_error(status, vmi_law_at(&o->mass, VM_BAD_MASS, t, &f, &rate));
         status = vmi_first_error(status, vmi_law_at(&o->stiffness, VM_BAD_STIFFNESS, t, &f, &rate));
@@ -13295,7 +14096,7 @@ VM_API int vmi_odd_run_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *run
     return VM_OK;
 }
 
-/* Chooses the units of the state, and the longest step for a way of `whole` seconds. */
+/* Chooses the units of the state, and the longest step for an integration over `whole` seconds. */
 VM_API void vmi_odd_units(vmi_odd_run *c, vm_real whole)
 {
     const vm_odd_plan *p = c->plan;
@@ -13339,8 +14140,8 @@ VM_API int vmi_odd_solve(vmi_odd_run *c, vm_real t)
     return VM_OK;
 }
 
-/* Writes the motion at the run's time, and the swing and the largest velocity of the vibration there. The amplitude is
-   NaN where there is no vibration; then the units of the run take their places. */
+/* Writes the motion at the run's time, and the swing and the largest velocity of the vibration there. Where there is no
+   vibration the amplitude is NaN, and the units of the run take the places of the other two. */
 VM_API int vmi_odd_motion_now(const vmi_odd_run *c, vm_odd_motion *motion, vm_real *swing, vm_real *vmax)
 {
     const vm_odd_problem *o = &c->plan->problem;
@@ -13392,8 +14193,8 @@ VM_API int vmi_odd_run_once(vmi_odd_run *c, vm_real t, vm_real tolerance, vm_odd
     return VM_OK;
 }
 
-/* Makes a loose and a strict run, and writes the strict run's motion at t with its error by the largest difference of
-   the two runs. */
+/* Makes a loose and a strict run. Writes the strict run's motion at t; its error is the largest difference of the two
+   runs. */
 VM_API int vmi_odd_pair(vmi_odd_run *c, vm_real t, vm_real step_tolerance, vm_odd_motion *motion)
 {
     const vmi_osc_tuning tuning = vmi_osc_method_rk87(vmi_odd_run_rhs).tuning;
@@ -13465,7 +14266,7 @@ VM_API int vmi_odd_check_call(const vm_odd_plan *p, int route, vm_real t, vm_rea
     return VM_OK;
 }
 
-/* Writes the motion at t = 0, or that of a body at rest, if it is one of them; returns whether it is. */
+/* If t is 0 or the body is at rest, writes the motion, which needs no computation, and returns 1; else returns 0. */
 VM_API int vmi_odd_is_known(const vm_odd_plan *p, int route, vm_real t, vm_odd_motion *motion)
 {
     if (t != 0 && !p->at_rest) return 0;
@@ -13480,7 +14281,7 @@ VM_API int vmi_odd_is_known(const vm_odd_plan *p, int route, vm_real t, vm_odd_m
     return 1;
 }
 
-/* Motion under an odd elastic force at time t (s, in the reach of the plan) by a given route, VM_ODD_....
+/* Motion under an odd elastic force at time t (s, within the plan's reach) by a given route VM_ODD_....
    motion->error estimates the larger of |error of x|/swing and |error of v|/vmax; it is infinite where the averaged
    solution is far off. The tolerance is for VM_ODD_RK87 only; 0 means 1e-6 (float 1e-3). Returns VM_OK, or
    VM_TOLERANCE_MISSED where the integration is less accurate than asked for. An error leaves *motion untouched; it
@@ -13506,7 +14307,7 @@ VM_API int vm_odd_plan_by_route(const vm_odd_plan *p, int route, vm_real t, vm_r
 /* Motion under an odd elastic force at time t (s, between 0 and the plan's t_end) within a tolerance.
    It takes the cheapest route whose error is estimated to be within the tolerance; motion->route says which. The
    tolerance is relative, for the larger of |error of x|/swing and |error of v|/vmax; 0 means 1e-6 (float 1e-3). Beyond
-   the plan's reach it integrates. The statuses are those of vm_odd_plan_by_route, but VM_NO_LAW. */
+   the plan's reach it integrates. The statuses are those of vm_odd_plan_by_route except VM_NO_LAW. */
 VM_API int vm_odd_plan_within(const vm_odd_plan *p, vm_real t, vm_real tolerance, vm_odd_motion *motion)
 {
     vm_odd_motion r;
@@ -13547,9 +14348,9 @@ VM_API int vm_odd_within(const vm_odd_problem *problem, vm_real t, vm_real toler
 
        vm_real A = 3 * vm_osc_amplitude_law(VM_C(0.5), 0, 1, 3); // cubic spring, half of the mass gone, A was 3
 
-   Symbols of these chapters: A amplitude, psi Ateb phase, Om = psi' its rate, m mass, k stiffness, b damping,
-   r = reactive, q the rate at which mass, damping and stiffness change the vibration (vmi_slow_q). Averaging needs q
-   much smaller than Om.
+   Symbols of these chapters: A amplitude, psi Ateb phase, Om = psi' its rate, m mass, k stiffness, b damping, r the
+   argument `reactive`, q the rate at which mass, damping and stiffness change the vibration (vmi_slow_q). Averaging
+   needs q much smaller than Om.
    Tests: tests/test_averaging.c, tests/test_constant_mass.c. */
 #ifndef VARMASS_OSCILLATORS_SLOW_H
 #define VARMASS_OSCILLATORS_SLOW_H
@@ -13561,7 +14362,7 @@ VM_API int vmi_osc_law_is_in_domain(vm_real mass_ratio, vm_real decay, vm_real r
            VM_IS_FINITE(reactive) && VM_IS_FINITE(alpha);
 }
 
-/* Amplitude over its first value, A/A0, of an oscillator whose mass varies slowly.
+/* Ratio A/A0 of the amplitude to its first value, of an oscillator whose mass varies slowly.
    The law, (325), (344), (367), (389) corrected, is
      A/A0 = (m0/m)^((2r-1)/(alpha+3)) exp(-2 decay/(alpha+3)).
    Averaging with ca, with cos and with cn gives this law, if the sign in (335) is corrected. It holds to first order in
@@ -13575,17 +14376,17 @@ VM_API vm_real vm_osc_amplitude_law(vm_real mass_ratio, vm_real decay, vm_real r
     return vmi_pow_checked(mass_ratio, (1 - 2 * reactive) / (alpha + 3)) * vmi_exp(-2 * decay / (alpha + 3), 0);
 }
 
-/* Largest velocity over its first value, of an oscillator whose mass varies slowly. It follows from the amplitude A
-   by x'_max = sqrt(2 k A^(alpha+1)/((alpha+1) m)): (326), (364), (395) corrected. The arguments and the results
-   outside the domain are those of vm_osc_amplitude_law. */
+/* Ratio of the largest velocity to its first value, of an oscillator whose mass varies slowly. It follows from the
+   amplitude A by x'_max = sqrt(2 k A^(alpha+1)/((alpha+1) m)): (326), (364), (395) corrected. The arguments and the
+   results outside the domain are those of vm_osc_amplitude_law. */
 VM_API vm_real vm_osc_velocity_law(vm_real mass_ratio, vm_real decay, vm_real reactive, vm_real alpha)
 {
-    const vm_real share = (alpha + 1) / (alpha + 3); /* (alpha+1)/2, the power of A, times 2/(alpha+3) */
+    const vm_real share = (alpha + 1) / (alpha + 3); /* (alpha+1)/2, the exponent of A in x'_max, times 2/(alpha+3) */
     if (!vmi_osc_law_is_in_domain(mass_ratio, decay, reactive, alpha)) return VM_NAN;
     return vmi_pow_checked(mass_ratio, (share * (1 - 2 * reactive) - 1) / 2) * vmi_exp(-share * decay, 0);
 }
 
-/* A linear mass m0 + rate t, from the time 0 to t */
+/* The linear mass m0 + rate time, between the times 0 and t */
 typedef struct VM_TAG(vmi_linear_mass) {
     vm_real m0, m, rate; /* mass at 0 and mass at t, kg; rate of the mass, kg/s */
     vm_real ln_ratio;    /* ln(m/m0) */
@@ -13593,9 +14394,9 @@ typedef struct VM_TAG(vmi_linear_mass) {
 } vmi_linear_mass;
 
 /* Writes the linear mass that a law describes between 0 and t, which closed forms need. Returns VM_NO_LAW where the law
-   is neither linear nor constant (vmi_law_exponential_form does not give rate = base), VM_BAD_MASS where the mass is
-   not positive at 0 or at t, VM_BAD_ARGUMENT where no constructor made the law, and VM_NOT_FINITE for a number that is
-   infinite or NaN. */
+   is neither linear nor constant; vmi_law_exponential_form then fails or gives a rate that differs from the base.
+   Returns VM_BAD_MASS where the mass is not positive at 0 or at t, VM_BAD_ARGUMENT where no constructor made the law,
+   and VM_NOT_FINITE for a number that is infinite or NaN. */
 VM_API int vmi_linear_mass_of(const vm_law *law, vm_real t, vmi_linear_mass *linear)
 {
     vm_real growth, mean, base, rate;
@@ -13619,8 +14420,8 @@ VM_API vm_real vmi_slow_drag(vm_real reactive, vm_real mass_rate, vm_real dampin
     return (2 * reactive - 1) * mass_rate + 2 * damping;
 }
 
-/* q = drag/m + k'/k, 1/s: the rate at which mass, damping and stiffness change the vibration, where drag = (2r - 1)
-   m' + 2 b. The mean amplitude follows A' = -q A/(alpha + 3). */
+/* q = drag/m + k'/k, 1/s, the rate at which mass, damping and stiffness change the vibration. drag is the result of
+   vmi_slow_drag. The mean amplitude follows A' = -q A/(alpha + 3). */
 VM_API vm_real vmi_slow_q(vm_real drag, vm_real mass, vm_real k, vm_real k_rate) { return drag / mass + k_rate / k; }
 
 /* Om, the rate of the Ateb phase at the amplitude A, 1/s; 0 at rest, where the formula may give infinity */
@@ -13647,8 +14448,8 @@ VM_API void vmi_slow_phase(vm_real x, vm_real v, vm_real k, vm_real mass, vm_rea
 
    The equation is (404), with the mass m(t) and a spring of any exponent alpha:
        m x'' + k x|x|^(alpha-1) = (feed - c x^2) x' - r m' x'
-   feed > 0 feeds the vibration and c > 0 limits it, so that it tends to a limit cycle. r (`reactive`) is 1 where mass
-   that joins or leaves is at rest, 0 where it has the body's velocity. This file has the equation of motion, the
+   If feed > 0 feeds the vibration and c > 0 limits it, the vibration tends to a limit cycle. r (`reactive`) is 1 where
+   mass that joins or leaves is at rest, 0 where it has the body's velocity. This file has the equation of motion, the
    averaged equations (410), the amplitude in closed form for a linear mass, and the amplitude of the limit cycle: (403)
    to (440), as corrected in docs/errata.md.
 
@@ -13685,8 +14486,8 @@ typedef struct VM_TAG(vm_vdp) {
     vm_real a1, a2, a3; /* mean values of (410), pure numbers; vm_vdp_init writes them */
 } vm_vdp;
 
-/* Writes the mean values a1, a2, a3 for the oscillator's method. For VM_VDP_JACOBI, a1 of (411) is simplified
-   by (1 - m) + m C4 = 2 a2, where m is the parameter of cn and C4 the mean of cn^4. */
+/* Writes the mean values a1, a2, a3 of (410) for the oscillator's method. For VM_VDP_JACOBI the expression for a1 in
+   (411) is simplified by (1 - m) + m C4 = 2 a2, where m is the parameter of cn and C4 the mean of cn^4. */
 VM_API void vmi_vdp_means(vm_vdp *v)
 {
     v->a1 = 1;
@@ -13735,8 +14536,9 @@ VM_API vm_real vmi_vdp_drive(const vm_vdp *v, vm_real mass_rate)
     return -vmi_slow_drag(v->reactive, mass_rate, -v->feed);
 }
 
-/* The growth a1 m A'/A at the amplitude A, N s/m: the averages of Van der Pol's term and of the reactive force (410),
-   with the mass m. The growth is 0 on the limit cycle. vm_vdp_amplitude is the solution of A' = A growth(A)/(a1 m). */
+/* The growth a1 m A'/A at the amplitude A, N s/m, where m is the mass. It is the sum of the averages of Van der Pol's
+   term and of the reactive force (410), and is 0 on the limit cycle. vm_vdp_amplitude is the solution of A' = A
+   growth(A)/(a1 m). */
 VM_API vm_real vmi_vdp_growth(const vm_vdp *v, vm_real mass_rate, vm_real A)
 {
     return vmi_vdp_drive(v, mass_rate) * v->a2 / 2 - v->c * A * A * v->a3;
@@ -13750,8 +14552,8 @@ VM_API int vmi_vdp_has_closed_forms(const vm_vdp *v) { return v->a1 > 0; }
    (431)-(435), (437), as corrected, and has no singularity where terms cancel. The error is that of averaging (see
    `method`) and that of rounding, which tests bound by 12 eps. Returns NaN for a null pointer, an oscillator that is
    not prepared, infinite arguments, a mass that is not positive at 0 or at t, and a mass that is neither linear nor
-   constant (integrate vm_vdp_averaged_rhs instead); with c < 0 also from the time on at which the amplitude becomes
-   infinite. Method: the solution of (416) is
+   constant (integrate vm_vdp_averaged_rhs instead). For c < 0 it also returns NaN from the time at which the amplitude
+   becomes infinite. Method: the solution of (416) is
      1/A^2 = e^-F (1/first_A^2 + 2 c a3/a1 times the integral of e^F dt/m),  F = drive a2/a1 times the integral of dt/m,
    where drive = 2 feed - (2r - 1) m'. For a linear mass F is proportional to the integral of dt/m, hence the integral
    of e^F dt/m is (e^F - 1)/F times the integral of dt/m. The code uses e^-|F| and divides by the larger of the two
@@ -13821,12 +14623,11 @@ VM_API int vm_vdp_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *vdp)
     return VM_OK;
 }
 
-/* Averaged equations (410) of a Van der Pol oscillator, for rk45 or rk87.
-   The mass M may follow any slow law. y = (A, psi) holds the mean amplitude A in metres and the Ateb phase psi:
-   x = A ca(psi), and |x| = A at the turning points. vdp points to a prepared vm_vdp with the fields feed and c. For the
-   method VM_VDP_ATEB and a start from rest, let e be the largest of feed, c A^2 and M', divided by M psi'. Then, up to
-   the time M/feed, the relative error of A is of the order of e^2, and the error of psi of the order of e. The statuses
-   are those of vm_vdp_rhs. */
+/* Averaged equations (410) of a Van der Pol oscillator, for rk45 or rk87. The mass m may follow any slow law. y = (A,
+   psi) holds the mean amplitude A, in metres, and the Ateb phase psi: x = A ca(psi), and |x| = A at the turning points.
+   vdp points to a prepared vm_vdp with the fields feed and c. For the method VM_VDP_ATEB and a start from rest, let e
+   be the largest of feed, c A^2 and m', divided by m psi'. Then, up to the time m/feed, the relative error of A is of
+   the order of e^2, and the error of psi of the order of e. The statuses are those of vm_vdp_rhs. */
 VM_API int vm_vdp_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *vdp)
 {
     if (!y || !dydt || !vdp) return VM_BAD_ARGUMENT;
@@ -13849,15 +14650,15 @@ VM_API int vm_vdp_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void 
    with n = alpha + 1. W is the rate of the phase at the amplitude A for constant mass. Let epsilon be the relative
    change of the vibration within a radian. The disturbances are the numbers
      e = (c/m) A^2/W,  e1 = e nu/W,  Q0 = e p/W,  E0 = (p^2 - a p - p')/W^2,  nu = -m'/m - 4 p + a;
-   e is of the order epsilon, the other three are of the order epsilon^2. With feed and m' alone, only E0 is left.
+   e is of the order epsilon; e1, Q0 and E0 are of the order epsilon^2. With feed and m' alone, only E0 is left.
 
    A transformation leads from A and psi to mean values, whose rates have no ripple within a period. Let J be
    A^((alpha+3)/2) times a slow factor, so that a constant J means that only -p changes A. Then the mean values obey
      (ln J)' = W [F e + K_3 e^3 + K_1 e e1 + K_Q e Q0 + K_E e E0],
      psi'    = W [1 + K_2 e^2 - (n/2) <ca^4> Q0 + (n/2) <ca^2> E0],
-   where < > is the mean over a period. This file has the constants of these equations, and the transformation in both
-   directions. The motion that follows has an error of O(epsilon^3) over times of 1/epsilon. The law is new;
-   docs/van-der-pol.md has what it was measured at.
+   where < > is the mean over a period. F and the K are constants for each alpha. This file has these constants, and the
+   transformation in both directions. The motion that follows has an error of O(epsilon^3) over times of 1/epsilon. The
+   law is new; docs/van-der-pol.md has what it was measured at.
        vmi_ripple r;
        vmi_vdp_ripple v;
        vmi_ripple_init(&r, 1, vmi_ateb_constants);
@@ -13867,12 +14668,13 @@ VM_API int vm_vdp_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void 
 #ifndef VARMASS_OSCILLATORS_VAN_DER_POL_EXPANSION_H
 #define VARMASS_OSCILLATORS_VAN_DER_POL_EXPANSION_H
 
-/* The polynomials that this law needs beyond those of oscillators/ripple.h. From a zero of sa: the integrals over the
-   phase of ca^6, and of the square of S, the integral of C = ca^2 - <ca^2>. */
+/* The polynomials that this law needs beyond those of oscillators/ripple.h, for phases near a zero of sa. CA6 gives the
+   integral over the phase of ca^6. SQUARE gives the integral of S^2, where S is the integral of C = ca^2 - <ca^2>. */
 enum { VMI_VDP_CA6, VMI_VDP_SQUARE, VMI_VDP_TURN_FUNCTIONS };
 
-/* From a zero of ca: the integral of ca^6, and three parts of the integral of the square of S. The first is the square
-   of the phase itself, the last the square of the integral of ca^2, the middle one their product. */
+/* The polynomials for phases near a zero of ca. CA6 gives the integral of ca^6. The others give three parts of the
+   integral of S^2: S is I - <ca^2> d with the integral I of ca^2 and the phase d since the zero, so S^2 has terms in
+   d^2 (PHASE2), I d (PRODUCT) and I^2 (INTEGRAL2). */
 enum { VMI_VDP_PHASE2 = 1, VMI_VDP_PRODUCT, VMI_VDP_INTEGRAL2, VMI_VDP_ZERO_FUNCTIONS };
 
 /* Constants and polynomials of the law for one alpha, prepared by vmi_vdp_ripple_init. The names of the constants are
@@ -13882,7 +14684,8 @@ typedef struct VM_TAG(vmi_vdp_ripple) {
     vm_real mean6, mean8;    /* <ca^6>, <ca^8> */
     vm_real mean_square;     /* the mean of S^2, where S is the integral of ca^2 - <ca^2> */
     vm_real F, K2, K3, K1, KQ, KE;
-    vm_real constant;        /* the part of the transformation of ln J that does not depend on the phase, over e^2 */
+    vm_real constant;        /* the part of the transformation of ln J that does not depend on the phase, divided by
+                                e^2 */
     vm_real near_ca_0[VMI_VDP_ZERO_FUNCTIONS][VMI_RIPPLE_TERMS]; /* polynomials in 4 w - 1, w = |ca|^(alpha+1) */
     vm_real near_sa_0[VMI_VDP_TURN_FUNCTIONS][VMI_RIPPLE_TERMS]; /* polynomials in 4 y - 1, where y = sa^2 */
 } vmi_vdp_ripple;
@@ -13915,7 +14718,7 @@ VM_API void vmi_vdp_binomial(vm_real exponent, vm_real *series)
     }
 }
 
-/* Turns a power series on [0, 1/2] into a polynomial in 4 w - 1 that differs from it by about rounding errors. */
+/* Turns a power series in w on [0, 1/2] into a polynomial in 4 w - 1 that differs from it by about rounding errors. */
 VM_API void vmi_vdp_economise(const vm_real *series, vm_real *polynomial)
 {
     vm_real w_power[VMI_RIPPLE_KEPT]; /* coefficients of the Chebyshev series of w^i */
@@ -13950,8 +14753,9 @@ VM_API void vmi_vdp_make_near_sa_0(vmi_vdp_ripple *v, const vmi_ripple *r)
     vmi_vdp_economise(power, v->near_sa_0[VMI_VDP_SQUARE]);
 }
 
-/* Makes one of the polynomials of the integral of S^2 close to a zero of ca, from the power series of the two factors
-   of which the product is integrated, and of dpsi/dx. x_power is the power of x = |ca| before the polynomial. */
+/* Makes one of the polynomials for the integral of S^2 close to a zero of ca. The integrand is a product: f, g and
+   slope are the power series of its two factors and of dpsi/dx. x_power is the power of x = |ca| that multiplies the
+   polynomial. */
 VM_API void vmi_vdp_make_part(const vm_real *f, const vm_real *g, const vm_real *slope, vm_real x_power, vm_real n,
                               vm_real *polynomial)
 {
@@ -14059,12 +14863,12 @@ VM_API void vmi_vdp_ripple_init(vmi_vdp_ripple *v, const vmi_ripple *r)
 
 /* -- The functions of the transformation -- */
 
-/* Functions of the phase in the transformation. U belongs to e, U1 to e1; P1 is the shift of the phase over e. */
+/* Functions of the phase in the transformation. Each is the factor of a disturbance that is named beside it. */
 typedef struct VM_TAG(vmi_vdp_values) {
     vmi_ripple_values f;
     vm_real C4;         /* ca^4 - <ca^4> */
-    vm_real U, U1, P1;  /* terms of ln J that belong to e and e1, and the term of the phase that belongs to e */
-    vm_real X;          /* a term of ln J that belongs to e^2 */
+    vm_real U, U1, P1;  /* factors in ln J of e and of e1, and factor in the phase of e */
+    vm_real X;          /* part of the factor in ln J of e^2 */
 } vmi_vdp_values;
 
 /* Writes the functions of the transformation at the phase psi, where sa and ca are the Ateb functions of psi. */
@@ -14083,7 +14887,7 @@ VM_API void vmi_vdp_values_at(const vmi_vdp_ripple *v, const vmi_ripple *r, vm_r
 /* -- From the motion to the mean motion -- */
 
 /* Returns ln(mean J/J) with all terms up to order epsilon^2, and at phases where sa or ca is 0 up to epsilon^3. *f
-   belongs to the phase, *now to the amplitude. */
+   holds the functions at the phase, *now the disturbances at the amplitude. */
 VM_API vm_real vmi_vdp_J(const vmi_vdp_ripple *v, const vmi_ripple *r, const vmi_vdp_values *f,
                          const vmi_vdp_disturbance *now)
 {
@@ -14098,7 +14902,7 @@ VM_API vm_real vmi_vdp_psi(const vmi_vdp_values *f, const vmi_vdp_disturbance *n
 
 /* -- From the mean motion to the motion -- */
 
-/* Returns the part of order epsilon^2 of ln(J/mean J). *f belongs to the mean phase. */
+/* Returns the part of order epsilon^2 of ln(J/mean J). *f holds the functions at the mean phase. */
 VM_API vm_real vmi_vdp_J_back_second(const vmi_vdp_ripple *v, const vmi_ripple *r, const vmi_vdp_values *f,
                                      const vmi_vdp_disturbance *now)
 {
@@ -14108,7 +14912,8 @@ VM_API vm_real vmi_vdp_J_back_second(const vmi_vdp_ripple *v, const vmi_ripple *
     return now->e * now->e * square + now->e1 * f->U1 + half / 2 * now->Q0 * f->C4 - half * now->E0 * f->f.C;
 }
 
-/* Returns the part of order epsilon^2 of the phase minus the mean phase psi, to which *f belongs. */
+/* Returns the part of order epsilon^2 of the difference phase - mean phase. *f holds the functions at the mean phase
+   psi. */
 VM_API vm_real vmi_vdp_psi_back_second(const vmi_vdp_ripple *v, const vmi_ripple *r, vm_real psi,
                                        const vmi_vdp_values *f, const vmi_vdp_disturbance *now)
 {
@@ -14130,13 +14935,14 @@ VM_API vm_real vmi_vdp_psi_back_second(const vmi_vdp_ripple *v, const vmi_ripple
 
 /* -- The mean motion -- */
 
-/* The rate of ln J over W e, without its first term F: the terms of order epsilon^2 in the brackets of (ln J)' */
+/* The rate of ln J divided by W e, without its first term F. These are the terms of order epsilon^2 in the equation of
+   (ln J)' at the top of this file. */
 VM_API vm_real vmi_vdp_mean_second(const vmi_vdp_ripple *v, const vmi_vdp_disturbance *now)
 {
     return v->K3 * now->e * now->e + v->K1 * now->e1 + v->KQ * now->Q0 + v->KE * now->E0;
 }
 
-/* The mean rate of the phase over W, up to order epsilon^3 */
+/* The mean rate of the phase divided by W, up to order epsilon^3 */
 VM_API vm_real vmi_vdp_mean_rate(const vmi_vdp_ripple *v, const vmi_ripple *r, const vmi_vdp_disturbance *now)
 {
     const vm_real n = r->alpha + 1;
@@ -14145,12 +14951,12 @@ VM_API vm_real vmi_vdp_mean_rate(const vmi_vdp_ripple *v, const vmi_ripple *r, c
 
 /* -- Sizes of the terms, for estimates of errors -- */
 
-/* Bounds of what order two leaves out, for one time: of the phase and of ln J by the transformation back from the mean
-   motion, and of ln J by the transformation to the mean motion. */
+/* Bounds of what order two leaves out at one time: of the phase and of ln J by the transformation back from the mean
+   motion, and of ln J by the transformation to the mean motion */
 typedef struct VM_TAG(vmi_vdp_sizes) {
-    vm_real psi, J; /* terms of order epsilon^2 of the way back */
-    vm_real start;  /* terms of order epsilon^3 of ln J on the way to the mean motion */
-    vm_real ratio;  /* about the ratio of terms of one order to those of the order before */
+    vm_real psi, J; /* terms of order epsilon^2 of the transformation back */
+    vm_real start;  /* terms of order epsilon^3 of ln J in the transformation to the mean motion */
+    vm_real ratio;  /* about the ratio of the terms of one order to the terms of the order before */
 } vmi_vdp_sizes;
 
 /* The sizes where the disturbances are *now. rate is (|nu| + |p| + |a|)/W, see the top of this file. The factors are
@@ -14174,13 +14980,15 @@ VM_API vmi_vdp_sizes vmi_vdp_sizes_of(const vmi_ripple *r, const vmi_vdp_disturb
 
    The transformation of oscillators/van_der_pol_expansion.h is exact to its order where sa or ca is 0. The plan
    therefore follows the exact equations from t = 0 to the next such phase (by collocation), and starts the mean motion
-   there. The mean amplitude and phase at any other time are integrals along the law of the mass, cost does not depend
-   on the number of vibrations. With B = c/m and r = exp(-2 integral of p dt) from the start of a panel of time
-   (oscillators/panels.h), the mean amplitude A and phase psi on the panel are
+   there. The mean amplitude and phase at any other time are integrals along the law of the mass, so the cost does not
+   depend on the number of vibrations. On a panel of time (oscillators/panels.h) that starts with the mean amplitude A_0
+   and the mean phase psi_0, let B = c/m and r = exp(-2 integral of p dt from the start). Then the mean amplitude A and
+   the mean phase psi are
      A^2 = A_0^2 r/y,  y = 1 + 4/(alpha+3) A_0^2 integral of B r (-F - second order terms) dt,
-     psi = psi_0 + integral of W (1 + second order terms) dt.
-   At the points of a table p' jumps, so that the mean motion jumps, too: there the exact equations take over, from the
-   last phase before the point at which sa or ca is 0 to the first one after it.
+     psi = psi_0 + integral of W (1 + second order terms) dt,
+   where the constant F and the terms of second order are those of oscillators/van_der_pol_expansion.h. At the points of
+   a table p' jumps, so that the mean motion jumps, too. There the exact equations take over, from the last phase before
+   the point at which sa or ca is 0 to the first such phase after it.
        vm_vdp_plan plan;
        vmi_vdp_mean mean;
        int status = vm_vdp_plan_init(&plan, &vdp, VM_C(0.3), 0); // vdp is a vm_vdp; from rest at x = 0.3 m
@@ -14193,13 +15001,16 @@ VM_API vmi_vdp_sizes vmi_vdp_sizes_of(const vmi_ripple *r, const vmi_vdp_disturb
 typedef struct VM_TAG(vmi_vdp_mean) {
     vm_real t;                    /* the time, s */
     vm_real ln_A, psi;            /* ln of the mean amplitude in m, and mean phase */
-    vm_real first_ln_A, first_psi; /* both by the first order of the same equations */
-    vm_real segment;              /* time, s, of the last point of a table, or 0: the laws are smooth since then */
+    vm_real first_ln_A, first_psi; /* the same two by the equations of first order */
+    vm_real segment;              /* time, s, of the last point of a table before t, or 0; the mass is smooth since
+                                     then */
     vmi_osc_slow now;             /* mass, stiffness and rates at t; set at the end of a walk only */
-    vm_real J_error;              /* what order two leaves out of ln J at starts, as far as it is left at t */
+    vm_real J_error;              /* what order two leaves out of ln J at starts of the mean motion, as far as it has
+                                     not died out at t */
     vm_real psi_error;            /* what order two leaves out of psi */
-    vm_real J_third, psi_third;   /* the same for order three, of terms that depend on feed and mass alone */
-    vm_real ratio;                /* largest ratio of terms of one order to those of the order before, at all starts */
+    vm_real J_third, psi_third;   /* what order three leaves out: only those terms that depend on feed and mass alone */
+    vm_real ratio;                /* largest ratio at a start of the terms of one order to the terms of the order
+                                     before */
     vmi_osc_mean fast;            /* only change, dropped, shortest and error: what fast changes of the mass cause */
 } vmi_vdp_mean;
 
@@ -14230,14 +15041,14 @@ VM_API vm_real vmi_vdp_rate(const vm_vdp_plan *p, vm_real mass, vm_real ln_A)
     return VM_SQRT((alpha + 1) / 2 * p->vdp.k / mass) * vmi_exp((alpha - 1) / 2 * ln_A, 0);
 }
 
-/* nu = -m'/m - 4 p + a, 1/s, with the rates a and p. From p = (2 a - m'/m)/(alpha+3) follows m'/m. */
+/* nu = -m'/m - 4 p + a, 1/s, with the rates a and p. The code finds m'/m from p = (2 a - m'/m)/(alpha+3). */
 VM_API vm_real vmi_vdp_nu(const vm_vdp_plan *p, vm_real rate_a, vm_real rate_p)
 {
     return (p->vdp.alpha - 1) * rate_p - rate_a;
 }
 
-/* The disturbances where the mass has the rates a and p, G0 is p^2 - a p - p', and the amplitude exp(ln_A) has the rate
-   of phase W */
+/* The disturbances for a mass with the rates a and p, for G0 = p^2 - a p - p', and for the amplitude exp(ln_A), whose
+   phase has the rate W */
 VM_API vmi_vdp_disturbance vmi_vdp_disturbance_of(const vm_vdp_plan *p, vm_real mass, vm_real rate_a, vm_real rate_p,
                                                   vm_real G0, vm_real ln_A, vm_real W)
 {
@@ -14249,7 +15060,7 @@ VM_API vmi_vdp_disturbance vmi_vdp_disturbance_of(const vm_vdp_plan *p, vm_real 
     return d;
 }
 
-/* The same where *now holds mass and rates */
+/* The disturbances for the mass and rates in *now, and for the amplitude exp(ln_A), whose phase has the rate W */
 VM_API vmi_vdp_disturbance vmi_vdp_disturbance_at(const vm_vdp_plan *p, const vmi_osc_slow *now, vm_real ln_A,
                                                   vm_real W)
 {
@@ -14257,8 +15068,8 @@ VM_API vmi_vdp_disturbance vmi_vdp_disturbance_at(const vm_vdp_plan *p, const vm
     return vmi_vdp_disturbance_of(p, now->m, now->a, now->p, G0, ln_A, W);
 }
 
-/* The sizes of terms for estimates, where *now holds mass and rates, and the amplitude exp(ln_A) has the rate of phase
-   W */
+/* The sizes of terms for estimates, for the mass and rates in *now, and for the amplitude exp(ln_A), whose phase has
+   the rate W */
 VM_API vmi_vdp_sizes vmi_vdp_sizes_at(const vm_vdp_plan *p, const vmi_osc_slow *now, vm_real ln_A, vm_real W)
 {
     const vmi_vdp_disturbance d = vmi_vdp_disturbance_at(p, now, ln_A, W);
@@ -14277,7 +15088,7 @@ VM_API void vmi_vdp_absolute_E(const vmi_osc_slow *now, vm_real W, vm_real *E)
 /* -- The start -- */
 
 /* Starts the mean motion at the state r->A, r->psi, r->W of the reduction, where sa or ca is 0. mean->t and mean->now
-   belong to this time. The errors that the start causes are added to those in *mean. */
+   must already belong to the time of this state. The errors that the start causes are added to those in *mean. */
 VM_API void vmi_vdp_start_at(const vm_vdp_plan *p, const vmi_osc_reduced *r, vmi_vdp_mean *mean)
 {
     const vmi_osc_wave wave = vmi_osc_wave_of(&p->osc, VM_ROUTE_ATEB);
@@ -14302,10 +15113,10 @@ VM_API void vmi_vdp_start_at(const vm_vdp_plan *p, const vmi_osc_reduced *r, vmi
     mean->ratio = vmi_larger(sizes.ratio, mean->ratio);
 }
 
-/* Follows the exact equations from the state *r at the time t to the first phase at which sa or ca is 0, but past the
-   next point of a table if `knots` is 1. Then starts the mean motion there. side is 1 forward, -1 backward in time.
-   VM_NOT_INTEGRATED means that amplitude and phase do not describe the motion, or that a table has more points on
-   the way. */
+/* Follows the exact equations from the state *r at the time t to the first phase at which sa or ca is 0, and starts the
+   mean motion there. If `knots` is 1, the phase must lie beyond the next point of a table. side is 1 forward, -1
+   backward in time. VM_NOT_INTEGRATED means that amplitude and phase do not describe the motion, or that a table has
+   more points on the way. */
 VM_API int vmi_vdp_bridge(const vm_vdp_plan *p, vm_real t, int side, const vmi_osc_reduced *r, int knots,
                           vmi_vdp_mean *mean)
 {
@@ -14408,12 +15219,13 @@ VM_API int vm_vdp_plan_init(vm_vdp_plan *p, const vm_vdp *v, vm_real x, vm_real 
 
 /* Series and integrals of the mean motion on a panel of time */
 typedef struct VM_TAG(vmi_vdp_panel) {
-    vmi_osc_panel laws;                   /* the law of mass; its fields E and noise for fast changes */
+    vmi_osc_panel laws;                   /* the law of the mass; E and noise serve to find its fast changes */
     vm_real r[VMI_GAUSS];                 /* series of r/m with r = exp(-2 integral of p dt) from the panel's start */
     vm_real rate[VMI_GAUSS], first_rate[VMI_GAUSS]; /* series of the rate of the mean phase, by order three and one */
     vm_real ln_A, first_ln_A;             /* change of ln A over the panel, by order three and one */
     vm_real loss;                         /* factor by which an error of ln J changes over the panel */
-    vm_real kept;                         /* integral over the phase of this factor from the start */
+    vm_real kept;                         /* integral of this factor over the phase, where the factor is taken from the
+                                             start to each phase */
 } vmi_vdp_panel;
 
 /* Mean values at the points of Gauss' rule of a panel */
@@ -14421,7 +15233,7 @@ typedef struct VM_TAG(vmi_vdp_nodes) {
     vm_real r[VMI_GAUSS], ln_r[VMI_GAUSS];      /* r/m, see vmi_vdp_panel, and ln r */
     vm_real first_ln_A[VMI_GAUSS], first_rate[VMI_GAUSS];
     vm_real G0[VMI_GAUSS], E[VMI_GAUSS];        /* p^2 - a p - p', and E_0 */
-    vm_real second[VMI_GAUSS];                  /* r/m times the terms of second order of (ln J)'/(W e) */
+    vm_real second[VMI_GAUSS];                  /* r/m times the result of vmi_vdp_mean_second */
     vm_real rate[VMI_GAUSS];
 } vmi_vdp_nodes;
 
@@ -14608,8 +15420,8 @@ VM_API int vmi_vdp_mean_update(const vm_vdp_plan *p, int side, vmi_vdp_mean *mea
     return vmi_osc_slow_at(&p->osc.problem, mean->t, -side, vmi_smaller(sampling, way), unit, &mean->now);
 }
 
-/* Takes the mean motion past its time, a point of a table: from the last phase before it where sa or ca is 0 by the
-   exact equations to the first one after it. */
+/* Takes the mean motion past its time, a point of a table. It goes back to the last phase before the point where sa or
+   ca is 0, and from there by the exact equations to the first such phase after the point. */
 VM_API int vmi_vdp_walk_past_knot(const vm_vdp_plan *p, int side, vmi_vdp_mean *mean)
 {
     const vm_real quarter = p->osc.ripple.pi / 2, turns = (vm_real)side * mean->psi / quarter;
@@ -14618,7 +15430,7 @@ VM_API int vmi_vdp_walk_past_knot(const vm_vdp_plan *p, int side, vmi_vdp_mean *
     vmi_vdp_panel panel;
     vmi_osc_reduced state;
     int status = VM_OK;
-    if ((vm_real)side * (knot + back - mean->segment) < 0) return VM_NOT_INTEGRATED; /* the table's points are dense */
+    if ((vm_real)side * (knot + back - mean->segment) < 0) return VM_NOT_INTEGRATED; /* the points are too close */
     if (back != 0) {
         status = vmi_vdp_panel_of(p, mean, back, &panel);
         if (status) return status;
@@ -14664,7 +15476,7 @@ VM_API int vmi_vdp_mean_at(const vm_vdp_plan *p, vm_real t, vmi_vdp_mean *mean)
 
    Five routes lead from x and x' at t = 0 to x and x' at any t: the law of oscillators/van_der_pol_expansion.h, cut off
    after order one, two or three, and two integrations. Their names are those of oscillators/problem.h:
-     VM_ROUTE_ATEB           first order, from the start that the law of order three has; errors are O(epsilon)
+     VM_ROUTE_ATEB           order one, but with the start of order three; errors are O(epsilon)
      VM_ROUTE_ORDER2         order two; errors are O(epsilon^2)
      VM_ROUTE_ORDER3         the whole law; errors are O(epsilon^3)
      VM_ROUTE_COLLOCATION    integration from each zero of x or x' to the next, to a tolerance
@@ -14696,10 +15508,10 @@ VM_API int vmi_vdp_order_of(int route)
     }
 }
 
-/* Estimates the error of order three, and writes that of order two. Both are sums of the terms that the order leaves
-   out: in the transformations at the start and at t, and in the mean motion, where errors of ln J at the start grow
-   with the phase. Fast changes of the mass and rounding errors are added. The factor 2 fits the errors that
-   tests/test_van_der_pol_law.c finds. */
+/* Estimates the error of order three, and writes that of order two to *second. Each is the sum of the terms that the
+   order leaves out: in the transformations at the start and at t, and in the mean motion, where errors of ln J at the
+   start grow with the phase. Fast changes of the mass and rounding errors are added. A factor of 2 is included, which
+   fits the errors that tests/test_van_der_pol_law.c finds. */
 VM_API vm_real vmi_vdp_error(const vm_vdp_plan *p, const vmi_vdp_mean *mean, vm_real *second)
 {
     const vmi_ripple *r = &p->osc.ripple;
@@ -14807,7 +15619,7 @@ VM_API int vm_vdp_plan_by_route(const vm_vdp_plan *p, int route, vm_real t, vm_r
    VM_TOLERANCE_MISSED where there is none, and leaves *motion untouched. */
 VM_API int vmi_vdp_law_within(const vm_vdp_plan *p, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
-    const vm_real reserve = VM_C(1.5); /* as for the oscillator without feed, see vmi_osc_averaged_within */
+    const vm_real reserve = VM_C(1.5); /* the same reserve as in vmi_osc_averaged_within */
     vmi_vdp_mean mean;
     vm_osc_motion result;
     int route;
@@ -14821,10 +15633,10 @@ VM_API int vmi_vdp_law_within(const vm_vdp_plan *p, vm_real t, vm_real tolerance
     return VM_TOLERANCE_MISSED;
 }
 
-/* Motion x(t), x'(t) of a Van der Pol oscillator within a tolerance, from a plan.
-   t is in seconds, of either sign. It takes the first of order one, two and three whose error is estimated to be within
-   the tolerance, and else integrates; motion->route says which. The tolerance is relative, for the larger of |error of
-   x|/A and |error of v|/vmax; 0 means 1e-6 (float 1e-3). The statuses are those of vm_vdp_plan_by_route. */
+/* Motion x(t), x'(t) of a Van der Pol oscillator within a tolerance, from a plan. t is in seconds, of either sign. The
+   call takes the first of the orders one, two and three whose error is estimated to be within the tolerance, and
+   integrates if there is none; motion->route says which route it took. The tolerance is relative, for the larger of
+   |error of x|/A and |error of v|/vmax; 0 means 1e-6 (float 1e-3). The statuses are those of vm_vdp_plan_by_route. */
 VM_API int vm_vdp_plan_within(const vm_vdp_plan *p, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
     int status = vmi_vdp_check_call(p, t, &tolerance, motion);
@@ -14854,13 +15666,14 @@ VM_API int vm_vdp_within(const vm_vdp *v, vm_real x, vm_real x_rate, vm_real t, 
 typedef struct VM_TAG(vm_vdp_cycle) {
     vm_real largest_x; /* the largest position, m */
     vm_real period;    /* s */
-    vm_real epsilon;   /* the small number of which largest_x and period are power series */
+    vm_real epsilon;   /* the small number feed/(m W) in whose powers largest_x and period are expanded */
     int stable;        /* 1 where motions close to the cycle tend to it, else 0 */
 } vm_vdp_cycle;
 
-/* Writes the coefficients of epsilon^2 in the series of the largest x, *kx, and of the rate of the phase, *kw, where
-   epsilon = feed/(m W). The amplitude is constant on the cycle, which gives the disturbances for epsilon = 1. The
-   largest x is reached where x' = 0, that is V = p x: by `late` epsilon later than the phase 0, where V = 0. */
+/* Writes the coefficients of epsilon^2 in two series in epsilon = feed/(m W): *kx in that of the largest x, *kw in that
+   of the rate of the phase. The disturbances follow from the constant amplitude of the cycle; the code has them for
+   epsilon = 1. The largest x is reached where x' = 0, that is V = p x. The phase there is `late` times epsilon; the
+   phase 0 has V = 0. */
 VM_API void vmi_vdp_cycle_coefficients(const vmi_vdp_ripple *v, const vmi_ripple *r, vm_real *kx, vm_real *kw)
 {
     const vm_real n = r->alpha + 1, s = 4 / (r->alpha + 3);
@@ -14871,7 +15684,7 @@ VM_API void vmi_vdp_cycle_coefficients(const vmi_vdp_ripple *v, const vmi_ripple
     d.e1 = (2 * s - 1) * d.e;
     d.Q0 = -s / 2 * d.e;
     d.E0 = -s * (2 - s) / 4;
-    kA = -vmi_vdp_mean_second(v, &d) / v->F; /* changes of A^2 over A^2, from F + second = 0 */
+    kA = -vmi_vdp_mean_second(v, &d) / v->F; /* relative change of A^2 */
     *kw = (r->alpha - 1) / 4 * kA + vmi_vdp_mean_rate(v, r, &d) - 1;
     vmi_vdp_values_at(v, r, 0, 0, 1, &f);
     late = n * s / 4;
@@ -14919,11 +15732,12 @@ VM_API int vm_vdp_cycle_of(const vm_vdp *v, vm_vdp_cycle *cycle)
 #endif
 /* oscillators/jeffcott.h - the Jeffcott (Laval) rotor with variable mass
 
-   A disc of mass m(t) turns in the middle of a shaft without mass. z = x + i y is the disc's centre (451), F_e(rho) the
-   shaft's elastic force at the deflection rho = |z|, and F_e'(rho) is short for F_e(rho)/rho, as in the dissertation
-   [1]. g is the gyroscopic constant of the remark after (516). r is the share of the reactive force of mass that joins
-   or leaves with the velocity u, and F_z an external force:
-       m z'' + z F_e(|z|)/|z| - 2 i g z' = F_z + r m' (u - z')
+   A disc of mass m(t) turns in the middle of a shaft without mass. z = x + i y is the disc's centre (451), and F_e(rho)
+   the shaft's elastic force at the deflection rho = |z|. The stiffness K_e(rho) is the quotient F_e(rho)/rho; the
+   dissertation [1] writes F_e'(rho) for it, although it is no derivative. g is the gyroscopic constant of the remark
+   after (516). r is the share of the reactive force of mass that joins or leaves with the velocity u, and F_z is an
+   external force. The equation of motion is
+       m z'' + z K_e(|z|) - 2 i g z' = F_z + r m' (u - z')
    Here are the equation of motion, averaged equations for a weak nonlinearity (460)-(473), averaged equations for
    nearly circular motion with any nonlinearity (491)-(507), and the law of the radius (509).
 
@@ -14940,8 +15754,9 @@ VM_API int vm_vdp_cycle_of(const vm_vdp *v, vm_vdp_cycle *cycle)
 #ifndef VARMASS_OSCILLATORS_JEFFCOTT_H
 #define VARMASS_OSCILLATORS_JEFFCOTT_H
 
-/* Stiffness of the shaft, a user's function: returns F_e' = F_e(rho)/rho, N/m, at the deflection rho >= 0, m, and
-   writes its derivative by rho, N/m^2, to *slope. ctx is the user's pointer. vm_jeffcott_power is such a function. */
+/* Stiffness of the shaft, a user's function: returns K_e(rho) = F_e(rho)/rho, N/m, at the deflection rho >= 0, m, and
+   writes its derivative with respect to rho, N/m^2, to *slope. ctx is the user's pointer. vm_jeffcott_power is such a
+   function. */
 typedef vm_real (*vm_jeffcott_stiffness)(vm_real rho, vm_real *slope, void *ctx);
 
 /* External force, a user's function: returns F_z = F_x + i F_y, N, at time t, position z and velocity v of the disc.
@@ -14963,7 +15778,7 @@ typedef struct VM_TAG(vm_jeffcott) {
     vm_real gyro;            /* g, kg/s: the gyroscopic force is 2 g times the velocity, turned by +90 degrees */
     vm_real reactive;        /* r: 1 where mass joins or leaves with velocity u, 0 where it has the disc's velocity */
     vm_complex u;            /* absolute velocity of mass that joins or leaves, m/s */
-    int nodes;               /* number of phases in a mean over a period; 0 means 32 */
+    int nodes;               /* number of phases at which forces are computed for a mean over a period; 0 means 32 */
 } vm_jeffcott;
 
 /* Indices of the state of vm_jeffcott_exact_rhs and vm_jeffcott_averaged_rhs */
@@ -14974,8 +15789,8 @@ enum {
     VMI_JEFFCOTT_SIZE = 5
 };
 
-/* Stiffness F_e(rho)/rho = k rho^(alpha-1) of a power law, as a vm_jeffcott_stiffness. power_force points to a
-   vm_power_force. Returns the stiffness, N/m, and writes its derivative, N/m^2, to *slope. Returns NaN for null
+/* Stiffness K_e(rho) = F_e(rho)/rho = k rho^(alpha-1) of a power law, as a vm_jeffcott_stiffness. power_force points to
+   a vm_power_force. Returns the stiffness, N/m, and writes its derivative, N/m^2, to *slope. Returns NaN for null
    pointers, for rho < 0, and for an alpha that is negative or infinite. k may have any sign; the functions of the rotor
    check the stiffness. */
 VM_API vm_real vm_jeffcott_power(vm_real rho, vm_real *slope, void *power_force)
@@ -14998,16 +15813,16 @@ VM_API void vm_jeffcott_polar(vm_complex z, vm_real *rho, vm_real *phi)
     *phi = ateb_phase(z.im, z.re, 1);
 }
 
-/* Angular momentum of a rotor about its axis, with the gyroscopic share, kg m^2/s.
-   It is m Im(conj(z) z') - g |z|^2, and stays constant where r = 1, u = 0 and F_z = 0. The argument v is z'. Returns
-   NaN for a null pointer. */
+/* Angular momentum of a rotor about its axis, with the gyroscopic share, kg m^2/s. It is m Im(conj(z) z') - g |z|^2,
+   where conj(z) = x - i y. It stays constant where r = 1, u = 0 and F_z = 0. The argument v is z'. Returns NaN for a
+   null pointer. */
 VM_API vm_real vm_jeffcott_momentum(const vm_jeffcott *r, vm_real mass, vm_complex z, vm_complex v)
 {
     if (!r) return VM_NAN;
     return mass * (z.re * v.im - z.im * v.re) - r->gyro * (z.re * z.re + z.im * z.im);
 }
 
-/* F_e(rho)/rho and its derivative; both are NaN where the rotor has no stiffness */
+/* Returns the stiffness K_e(rho) and writes its derivative. Both are NaN where the rotor has no stiffness function. */
 VM_API vm_real vmi_jeffcott_stiffness(const vm_jeffcott *r, vm_real rho, vm_real *slope)
 {
     *slope = VM_NAN;
@@ -15023,8 +15838,8 @@ VM_API int vmi_jeffcott_mass_at(const vm_jeffcott *r, vm_real t, vm_real *mass, 
     return vmi_law_at(&r->mass, VM_BAD_MASS, t, mass, rate);
 }
 
-/* F_z + r m' u: the external force and the reactive force r m' (u - z') without its part that depends on z'. `rate` is
-   m'. */
+/* F_z + r m' u, N: the external force plus the part of the reactive force r m' (u - z') that does not depend on z'.
+   `rate` is m'. */
 VM_API vm_complex vmi_jeffcott_drive(const vm_jeffcott *r, vm_real t, vm_real rate, vm_complex z, vm_complex v)
 {
     const vm_complex thrust = vmi_c_scale(r->reactive * rate, r->u);
@@ -15032,7 +15847,8 @@ VM_API vm_complex vmi_jeffcott_drive(const vm_jeffcott *r, vm_real t, vm_real ra
     return vmi_c_add(r->force(t, z, v, r->force_ctx), thrust);
 }
 
-/* F_z + r m' u + 2 i g z': the load of vmi_jeffcott_drive and the gyroscopic force, where `rate` is m' and v is z' */
+/* F_z + r m' u + 2 i g z', N: the result of vmi_jeffcott_drive plus the gyroscopic force, where `rate` is m' and v is
+   z'. */
 VM_API vm_complex vmi_jeffcott_loads(const vm_jeffcott *r, vm_real t, vm_real rate, vm_complex z, vm_complex v)
 {
     return vmi_c_add(vmi_jeffcott_drive(r, t, rate, z, v), vmi_c_times_i(vmi_gyroscopic_coupling(r->gyro), v));
@@ -15062,8 +15878,8 @@ VM_API int vm_jeffcott_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rot
 
 /* -- Weak nonlinearity: forward and backward whirl together -- */
 
-/* A rotor at one time: mass m, kg, its rate m', kg/s, and the frequency of small vibrations omega = sqrt(F_e'(0)/m),
-   rad/s */
+/* A rotor at one time: its mass m, kg, the rate m' of the mass, kg/s, and the frequency of small vibrations omega =
+   sqrt(K_e(0)/m), rad/s */
 typedef struct VM_TAG(vmi_jeffcott_state) {
     vm_real mass, rate, omega;
 } vmi_jeffcott_state;
@@ -15085,14 +15901,14 @@ VM_API int vmi_jeffcott_now(const vm_jeffcott *r, vm_real t, vmi_jeffcott_state 
     return VM_OK;
 }
 
-/* Motion (x, y, x', y') of a rotor to forward and backward whirl, (456)-(461). The complex numbers P and N are
-   circular motions, forward and backward, of the frequency omega = sqrt(F_e'(0)/m):
+/* Converts the motion (x, y, x', y') of a rotor to forward and backward whirl, (456)-(461). The complex numbers P and
+   N describe circular motions, P forward and N backward, of the frequency omega = sqrt(K_e(0)/m):
      z = P e^(i phi) + N e^(-i phi),  z' = i omega (P e^(i phi) - N e^(-i phi)),
      P = A1 e^(i theta1),  N = A2 e^(-i theta2) in the symbols of [1].
    phi is the fast phase at the start, for example 0. y receives (Re P, Im P, Re N, Im N, phi), the state of
    vm_jeffcott_exact_rhs and vm_jeffcott_averaged_rhs. Unlike theta1 and theta2, P and N have no singularity where A1
    or A2 is 0. Returns VM_BAD_ARGUMENT for null pointers and for a rotor without mass or stiffness, VM_NOT_FINITE for
-   a number that is infinite or NaN, VM_BAD_MASS for a mass that is not positive, and VM_BAD_STIFFNESS where F_e'(0)
+   a number that is infinite or NaN, VM_BAD_MASS for a mass that is not positive, and VM_BAD_STIFFNESS where K_e(0)
    is not positive. y and motion may be the same array. */
 VM_API int vm_jeffcott_to_averaged(const vm_jeffcott *r, vm_real t, const vm_real *motion, vm_real phi, vm_real *y)
 {
@@ -15124,8 +15940,8 @@ VM_API void vmi_jeffcott_motion(const vm_real *y, vm_complex turn, vm_real omega
     *v = vmi_c_times_i(omega, vmi_c_sub(P, N));
 }
 
-/* Motion (x, y, x', y') of a rotor from forward and backward whirl. The inverse of vm_jeffcott_to_averaged, with its
-   statuses; y = (Re P, Im P, Re N, Im N, phi). motion and y may be the same array. */
+/* Converts forward and backward whirl of a rotor to the motion (x, y, x', y'). This is the inverse of
+   vm_jeffcott_to_averaged, with its statuses; y = (Re P, Im P, Re N, Im N, phi). motion and y may be the same array. */
 VM_API int vm_jeffcott_from_averaged(const vm_jeffcott *r, vm_real t, const vm_real *y, vm_real *motion)
 {
     if (!r || !y || !motion) return VM_BAD_ARGUMENT;
@@ -15144,9 +15960,9 @@ VM_API int vm_jeffcott_from_averaged(const vm_jeffcott *r, vm_real t, const vm_r
 }
 
 /* Writes the exact rates P' and N' (470)-(473) of the whirls to *dP and *dN. At the fast phase phi the disc is at z = P
-   e^(i phi) + N e^(-i phi), with the forward whirl P and the backward whirl N. The rates are
+   e^(i phi) + N e^(-i phi), with the forward whirl P and the backward whirl N in y. With the force per mass f, they are
      P' = -i e^(-i phi) f/(2 omega),  N' = i e^(i phi) f/(2 omega),
-     m f = F_z + r m' u + 2 i g z' - (F_e' - F_e'(0)) z - (r - 1/2) m' z'
+     m f = F_z + r m' u + 2 i g z' - (K_e(|z|) - K_e(0)) z - (r - 1/2) m' z'
    The last term has r - 1/2 in place of r, because the change of omega contributes m' z'/2. */
 VM_API void vmi_jeffcott_rates(const vm_jeffcott *r, vm_real t, const vmi_jeffcott_state *now, const vm_real *y,
                                vm_real phi, vm_complex *dP, vm_complex *dN)
@@ -15195,22 +16011,22 @@ VM_API int vmi_jeffcott_mean(vm_real t, const vm_real *y, vm_real *dydt, const v
 
 /* Exact equations (470)-(473) of forward and backward whirl, for rk45 or rk87. y = (Re P, Im P, Re N, Im N, phi), see
    vm_jeffcott_to_averaged; rotor points to a vm_jeffcott. The equations hold for any force, but are of use only where
-   the external force F_z, the velocity u of joining mass, the gyroscopic constant g and the change F_e'(rho) - F_e'(0)
-   of the stiffness are small. Returns VM_BAD_ARGUMENT for null pointers and for a rotor without mass or stiffness,
+   the external force F_z, the velocity u of joining mass, the gyroscopic constant g and the change K_e(rho) - K_e(0) of
+   the stiffness are small. Returns VM_BAD_ARGUMENT for null pointers and for a rotor without mass or stiffness,
    VM_NOT_FINITE for a number that is infinite or NaN, VM_BAD_MASS for a mass that is not positive, and VM_BAD_STIFFNESS
-   where F_e'(0) is not positive. */
+   where K_e(0) is not positive. */
 VM_API int vm_jeffcott_exact_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
     return vmi_jeffcott_mean(t, y, dydt, (const vm_jeffcott *)rotor, 1);
 }
 
-/* Averaged equations of forward and backward whirl, for rk45 or rk87. They are those of vm_jeffcott_exact_rhs, averaged
-   over the fast phase phi while P and N stay constant. The dissertation [1] averages over the angles psi1 and psi2 of
-   the two whirls separately, (474)-(477). That is wrong unless the force turns with z, since forward and backward whirl
-   are in 1:1 resonance. The error is of the order of the largest perturbation (F_z, u, g, F_e'(rho) - F_e'(0) or m'),
-   up to times of its inverse. State and statuses are those of vm_jeffcott_exact_rhs. Each call evaluates the forces at
-   `nodes` phases. */
+/* Averaged equations of forward and backward whirl, for rk45 or rk87. They are the equations of vm_jeffcott_exact_rhs,
+   averaged over the fast phase phi while P and N stay constant. The dissertation [1] averages over the angles psi1 and
+   psi2 of the two whirls separately, (474)-(477). That is wrong unless the force turns with z, since both whirls have
+   the same frequency. The error is of the order of the largest perturbation (F_z, u, g, K_e(rho) - K_e(0) or m'), up to
+   times of the order of its inverse. State and statuses are those of vm_jeffcott_exact_rhs. Each call evaluates the
+   forces at `nodes` phases. */
 VM_API int vm_jeffcott_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
@@ -15221,8 +16037,8 @@ VM_API int vm_jeffcott_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, 
 
 /* -- Strong nonlinearity: nearly circular whirl -- */
 
-/* The frequency of circular whirl W = (g +- S)/m with S^2 = g^2 + m F_e', where + is for forward whirl (sense >= 0). g
-   is gyro, m the mass, F_e' the stiffness. The code subtracts no nearly equal numbers. */
+/* The frequency of circular whirl W = (g +- S)/m, where S = sqrt(g^2 + m K_e) and + is for forward whirl (sense >= 0).
+   The arguments are g (gyro), m (mass) and K_e (stiffness). The code subtracts no nearly equal numbers. */
 VM_API vm_real vmi_jeffcott_root(vm_real gyro, vm_real mass, vm_real stiffness, int sense)
 {
     const vm_real S = VM_SQRT(gyro * gyro + mass * stiffness);
@@ -15234,11 +16050,10 @@ VM_API vm_real vmi_jeffcott_root(vm_real gyro, vm_real mass, vm_real stiffness, 
     return direction * speed;
 }
 
-/* Frequency W of circular whirl of radius A, rad/s.
-   By the corrected remark after (516), W solves m W^2 - 2 g W = F_e(A)/A. Forward whirl has W > 0; sense >= 0 asks
-   for it. Backward whirl has W < 0; sense < 0 asks for it. A >= 0 is in m, mass > 0 in kg. The result is within 8 eps
-   and the error of the stiffness. Returns NaN for null pointers, for a rotor without stiffness, and for arguments
-   outside the domain. */
+/* Frequency W of circular whirl of radius A, rad/s. By the corrected remark after (516), W solves m W^2 - 2 g W =
+   K_e(A). Forward whirl has W > 0; sense >= 0 asks for it. Backward whirl has W < 0; sense < 0 asks for it. A >= 0 is
+   in m, mass > 0 in kg. The relative error is at most 8 eps (eps is the machine epsilon), apart from the error of the
+   stiffness. Returns NaN for null pointers, for a rotor without stiffness, and for arguments outside the domain. */
 VM_API vm_real vm_jeffcott_frequency(const vm_jeffcott *r, vm_real A, vm_real mass, int sense)
 {
     if (!r || !r->stiffness) return VM_NAN;
@@ -15247,9 +16062,10 @@ VM_API vm_real vm_jeffcott_frequency(const vm_jeffcott *r, vm_real A, vm_real ma
     return vmi_jeffcott_root(r->gyro, mass, vmi_jeffcott_stiffness(r, A, &slope), sense);
 }
 
-/* The mean load, N, on a disc that moves on a circle of radius A at the frequency W. The load D = F_z + r m' u is taken
-   as D e^(-i angle), where `angle` is the disc's place on the circle, and averaged over one turn that begins at the
-   angle psi. The real part is the mean radial load, the imaginary part the mean tangential load. `rate` is m'. */
+/* The mean load, N, on a disc that moves on a circle of radius A at the frequency W. The load D = F_z + r m' u is
+   multiplied by e^(-i angle), where `angle` is the disc's place on the circle, and averaged over one turn that begins
+   at the angle psi. The real part of the mean is the radial load, the imaginary part the tangential load. `rate` is
+   m'. */
 VM_API vm_complex vmi_jeffcott_mean_load(const vm_jeffcott *r, vm_real t, vm_real rate, vm_real A, vm_real psi,
                                          vm_real W)
 {
@@ -15266,8 +16082,8 @@ VM_API vm_complex vmi_jeffcott_mean_load(const vm_jeffcott *r, vm_real t, vm_rea
 }
 
 /* Writes the averaged rates (504), (505) of the state y = (A, psi), the radius and the angle of a circular whirl. W is
-   the whirl's frequency, L the result of vmi_jeffcott_mean_load, and S = m W - g = +-sqrt(g^2 + m F_e'), where + is for
-   forward whirl. The equations are
+   the whirl's frequency, L the result of vmi_jeffcott_mean_load, and S = m W - g = +-sqrt(g^2 + m K_e(A)), where + is
+   for forward whirl. The equations are
      along the circle: (A^2 S)' = (1 - r) m' A^2 W + A Im L,
      across the circle: psi' = W - Re L/(2 A S) */
 VM_API int vmi_jeffcott_circular(vm_real t, const vm_real *y, vm_real *dydt, const vm_jeffcott *r, int sense)
@@ -15290,16 +16106,16 @@ VM_API int vmi_jeffcott_circular(vm_real t, const vm_real *y, vm_real *dydt, con
     return VM_OK;
 }
 
-/* Averaged equations (506), (507) of forward whirl, for rk45 or rk87.
-   The nonlinearity may be strong. The motion is nearly circular: z = A e^(i psi), z' = i W z with the frequency W of
-   vm_jeffcott_frequency. y = (A, psi) is in m and rad; rotor points to a vm_jeffcott. The error of A is of the order of
-   the largest load (by the force F_z, the velocity u or the mass rate m'), up to times of its inverse. Where F_e' is
-   not constant, the phase accumulates this error: up to these times tests bound the error of psi by 0.015 for loads
-   that turn with z (their angle to z is fixed), but for other loads it is of order 1. The equations do not hold for a
-   linear F_e with loads that do not turn with z, since these drive the motion off the circle. Returns VM_BAD_ARGUMENT
-   for null pointers and for a rotor without mass or stiffness, VM_NOT_FINITE for a number that is infinite or NaN,
-   VM_BAD_MASS for a mass that is not positive, and VM_BAD_STIFFNESS if g^2 + m F_e' is not positive. Each call
-   evaluates the force at `nodes` phases. */
+/* Averaged equations (506), (507) of forward whirl, for rk45 or rk87. The nonlinearity may be strong. The motion is
+   nearly circular: z = A e^(i psi), z' = i W z with the frequency W of vm_jeffcott_frequency. y = (A, psi) is in m and
+   rad; rotor points to a vm_jeffcott. The error of A is of the order of the largest load (by the force F_z, the
+   velocity u or the mass rate m'), up to times of the order of its inverse. Where K_e is not constant, the phase
+   accumulates this error: up to these times tests bound the error of psi by 0.015 for loads that turn with z (their
+   angle to z is fixed), but for other loads it is of order 1. The equations do not hold for a linear F_e with loads
+   that do not turn with z, since these drive the motion off the circle. Returns VM_BAD_ARGUMENT for null pointers and
+   for a rotor without mass or stiffness, VM_NOT_FINITE for a number that is infinite or NaN, VM_BAD_MASS for a mass
+   that is not positive, and VM_BAD_STIFFNESS if g^2 + m K_e(A) is not positive. Each call evaluates the force at
+   `nodes` phases. */
 VM_API int vm_jeffcott_forward_whirl_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
@@ -15314,17 +16130,17 @@ VM_API int vm_jeffcott_backward_whirl_rhs(vm_real t, const vm_real *y, vm_real *
     return vmi_jeffcott_circular(t, y, dydt, (const vm_jeffcott *)rotor, -1);
 }
 
-/* The search for the radius A of circular whirl after a change of the mass. A^4 (g^2 + m F_e'(A)) is an invariant: it
+/* The search for the radius A of circular whirl after a change of the mass. A^4 (g^2 + m K_e(A)) is an invariant: it
    keeps its value during the change. */
 typedef struct VM_TAG(vmi_jeffcott_orbit) {
     const vm_jeffcott *r;
     vm_real first_A; /* radius A before the change, m */
     vm_real mass;    /* mass after the change, kg */
-    vm_real first;   /* the factor g^2 + m F_e'(A) of the invariant before the change */
+    vm_real first;   /* the factor g^2 + m K_e(A) of the invariant before the change */
 } vmi_jeffcott_orbit;
 
-/* ln of the invariant over its value before the change, at the radius first_A e^x; NaN where F_e' is not a number or
-   so negative that the invariant is not positive */
+/* ln of the quotient of the invariant at the radius first_A e^x and its value before the change. Returns NaN where K_e
+   is not a number or so negative that the invariant is not positive. */
 VM_API vm_real vmi_jeffcott_invariant(vm_real x, void *orbit)
 {
     const vmi_jeffcott_orbit *o = (const vmi_jeffcott_orbit *)orbit;
@@ -15370,8 +16186,8 @@ VM_API int vmi_jeffcott_find_bracket(vmi_jeffcott_orbit *o, vmi_jeffcott_bracket
 /* Radius of circular whirl, m, after the mass has changed slowly.
    The radius was first_A when the mass was mass0; `mass` is the mass after the change. F_z and u must be 0. These
    products stay constant (509):
-     A^4 (g^2 + m F_e'(A)) for r = 1, which is the square of A^2 (m W - g);   A^4 F_e'(A) m^(2r-1) for g = 0.
-   For F_e = k rho^alpha and g = 0 the radius changes by vm_osc_amplitude_law, with mass/mass0 and decay 0; its relative
+     A^4 (g^2 + m K_e(A)) for r = 1, which is the square of A^2 (m W - g);   A^4 K_e(A) m^(2r-1) for g = 0.
+   For F_e = k rho^alpha and g = 0 the radius follows vm_osc_amplitude_law, with mass/mass0 and decay 0; its relative
    error is then at most 3e-15 (float 3e-6). Returns NaN for g != 0 with r != 1, since the radius then depends on all
    masses in between; where no radius is found on the way from first_A; for null pointers, for a rotor without
    stiffness, and for a radius or masses that are not positive and finite. */
@@ -15403,9 +16219,10 @@ VM_API vm_real vm_jeffcott_amplitude(const vm_jeffcott *r, vm_real first_A, vm_r
 
    Two bodies of equal mass m(t), with coordinates x and y on a line and a spring between them (517), (518):
        m x'' = -k (x - y)|x - y|^(alpha-1) - r m' x',   m y'' = k (x - y)|x - y|^(alpha-1) - r m' y'
-   r is the share of the reactive force (`reactive`). The sum q = x + y drifts, and the difference p = y - x vibrates
-   with the amplitude A and the Ateb phase psi, whose rate is Om, (520)-(522). Here are the equations of motion, the
-   averaged equations of both modes, and the motion in closed form for a linear mass (528), (529).
+   k is the stiffness of the spring, r the share of the reactive force (`reactive`). The sum q = x + y drifts, and the
+   difference p = y - x vibrates with the amplitude A and the Ateb phase psi, whose rate is Om, (520)-(522). Here are
+   the equations of motion, the averaged equations of both modes, and the motion in closed form for a linear mass (528),
+   (529).
 
        vm_real y[4] = {1, 3, 0, 0}; // x, y, x', y'
        vm_pair p;
@@ -15436,8 +16253,9 @@ enum {
     VMI_PAIR_MODES = 4
 };
 
-/* Writes the mass and its rate at time t, and checks them, the pair and the four numbers of a state. Right-hand
-   sides pass NULL for the state: where a trial step of an integrator overflows, the integrator repeats the step. */
+/* Writes the mass and its rate at time t. Checks them, the pair, and the four numbers of a state. Right-hand sides pass
+   NULL for the state: a trial step of an integrator may overflow, and then the integrator must repeat it rather than
+   stop. */
 VM_API int vmi_pair_now(const vm_pair *p, vm_real t, const vm_real *state_or_NULL, vm_real *mass, vm_real *rate)
 {
     const vm_real numbers[3] = {p->alpha, p->k, p->reactive};
@@ -15468,8 +16286,9 @@ VM_API int vm_pair_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *pair)
     return VM_OK;
 }
 
-/* The amplitude of y - x at the Ateb phase psi, divided by its mean A: (1 + s sa ca/(2 Om))^(2/(alpha+3)) with the rate
-   Om of psi and s = (2r - 1) m'/m. The spring acts on both bodies, so that y - x vibrates with the stiffness 2 k. */
+/* The amplitude of y - x at the Ateb phase psi, divided by the mean amplitude A. It is (1 + s sa ca/(2
+   Om))^(2/(alpha+3)) with the rate Om of psi and s = (2r - 1) m'/m. The spring acts on both bodies, so that y - x
+   vibrates with the stiffness 2 k. */
 VM_API vm_real vmi_pair_ripple(const vm_pair *p, vm_real mass, vm_real rate, vm_real A, vm_real psi)
 {
     const vm_real q = vmi_slow_q(vmi_slow_drag(p->reactive, rate, 0), mass, p->k, 0);
@@ -15514,13 +16333,13 @@ VM_API int vmi_pair_join(const vm_pair *p, vm_real mass, vm_real rate, const vm_
     return vmi_copy_if_finite(4, joined, y);
 }
 
-/* Motion y = (x, y, x', y') of two bodies to modes (A, psi, q, q'), (520)-(522).
-   q = x + y drifts; p = y - x vibrates with the mean amplitude A, m, and the Ateb phase psi. The ripple of the
-   amplitude within a period is taken out of A, so that any initial velocities are allowed. Returns VM_BAD_ARGUMENT
-   for null pointers or where no constructor made the mass, VM_NOT_FINITE for a number that is infinite or NaN,
-   VM_BAD_MASS or VM_BAD_STIFFNESS for one that is not positive, and VM_DOMAIN for alpha < 0 and where the ripple is
-   as large as the motion, so that |(2r - 1) m'/m| is about twice the rate of psi, for example where m tends to 0. modes
-   and y may be the same array. */
+/* Converts a motion y = (x, y, x', y') of two bodies to the modes (A, psi, q, q'), (520)-(522). q = x + y drifts; p = y
+   - x vibrates with the mean amplitude A, m, and the Ateb phase psi. The ripple of the amplitude within a period is
+   taken out of A, so that any initial velocities are allowed. Returns VM_BAD_ARGUMENT for null pointers or where no
+   constructor made the mass, VM_NOT_FINITE for a number that is infinite or NaN, VM_BAD_MASS or VM_BAD_STIFFNESS for a
+   mass or a stiffness that is not positive, and VM_DOMAIN for alpha < 0 and where the ripple is as large as the motion.
+   It is so if |(2r - 1) m'/m| is about twice the rate of psi, for example where m tends to 0. modes and y may be the
+   same array. */
 VM_API int vm_pair_to_averaged(const vm_pair *p, vm_real t, const vm_real *y, vm_real *modes)
 {
     if (!p || !y || !modes) return VM_BAD_ARGUMENT;
@@ -15530,8 +16349,8 @@ VM_API int vm_pair_to_averaged(const vm_pair *p, vm_real t, const vm_real *y, vm
     return vmi_pair_split(p, mass, rate, y, modes);
 }
 
-/* Motion y = (x, y, x', y') of two bodies from modes (A, psi, q, q').
-   The inverse of vm_pair_to_averaged, with its statuses. y and modes may be the same array. */
+/* Converts the modes (A, psi, q, q') of two bodies to the motion y = (x, y, x', y'). This is the inverse of
+   vm_pair_to_averaged, with its statuses. y and modes may be the same array. */
 VM_API int vm_pair_from_averaged(const vm_pair *p, vm_real t, const vm_real *modes, vm_real *y)
 {
     if (!p || !modes || !y) return VM_BAD_ARGUMENT;
@@ -15563,8 +16382,8 @@ VM_API int vm_pair_averaged_rhs(vm_real t, const vm_real *modes, vm_real *dmodes
    y') is the motion at t = 0. The error is of the order of m'/(m Om) up to the time m/m', where Om is the rate of the
    Ateb phase of y - x. Returns the statuses of vm_pair_to_averaged, at 0 and at t, and VM_NO_LAW where the mass is
    neither linear nor constant (integrate vm_pair_averaged_rhs instead). y and y0 may be the same array. Method: the
-   averaged equations contain powers of m/m0; the integral of (m/m0)^e dt is m0 (exp(u) - 1)/u times the integral of
-   dt/m, with u = (1 + e) ln(m/m0). */
+   averaged equations contain powers of m/m0, where m0 is the mass at t = 0. For any exponent e the integral of (m/m0)^e
+   dt is m0 (exp(u) - 1)/u times the integral of dt/m, with u = (1 + e) ln(m/m0). */
 VM_API int vm_pair_at(const vm_pair *p, vm_real t, const vm_real *y0, vm_real *y)
 {
     if (!p || !y0 || !y) return VM_BAD_ARGUMENT;
@@ -15603,8 +16422,9 @@ VM_API int vm_pair_at(const vm_pair *p, vm_real t, const vm_real *y0, vm_real *y
        f.force = vm_law_linear(VM_C(0.1), 0);
        int status = vm_forced_init(&f); // then vm_forced_rhs integrates x, x', theta
 
-   Symbols: A amplitude, psi Ateb phase, Om its rate, Pi half its period; w(A) frequency of the free vibration of
-   amplitude A, phi = pi psi/Pi phase of the vibration in radians, theta phase of the force, delta = phi - theta.
+   Symbols: A amplitude, psi Ateb phase, Om the rate of psi, 2 Pi the period of ca (Pi = Pi_alpha); w(A) frequency of
+   the free vibration of amplitude A, phi = pi psi/Pi phase of the vibration in radians, theta phase of the force, delta
+   = phi - theta.
    Tests: tests/test_forced.c. */
 #ifndef VARMASS_OSCILLATORS_FORCED_H
 #define VARMASS_OSCILLATORS_FORCED_H
@@ -15654,7 +16474,7 @@ VM_API int vmi_forced_at(const vm_forced *f, vm_real t, vmi_forced_parameters *n
 }
 
 /* Computes the Fourier coefficients of ca, within 8 eps, and from them those of sa. The coefficients of ca are
-     c_j = 2 int_0^1 ca(Pi u/2) cos((2j+1) pi u/2) du,
+     c[j] = 2 int_0^1 ca(Pi u/2) cos((2j+1) pi u/2) du,
    computed by the tanh-sinh rule u = 1/(1 + e^(-pi sinh t)), because ca is not analytic at u = 1 and, for large
    alpha, bends sharply at u = 0. With x = pi u/2 the cosines follow from cos((2j+3) x) = 2 cos(2x) cos((2j+1) x) -
    cos((2j-1) x). */
@@ -15689,8 +16509,8 @@ VM_API void vmi_forced_fourier(vm_forced *f)
 
 /* Prepare an excited oscillator: check its fields at t = 0, and write pi, Om1, G, c and s. All other functions need
    this call. Returns VM_BAD_ARGUMENT for a null pointer or a law that no constructor made, VM_NOT_FINITE for a number
-   that is infinite or NaN, VM_BAD_MASS or VM_BAD_STIFFNESS for one that is not positive, VM_DOMAIN for alpha < 0 or a
-   frequency that is not positive, and VM_OK otherwise. An error leaves f as it was. */
+   that is infinite or NaN, VM_BAD_MASS or VM_BAD_STIFFNESS for a mass or a stiffness that is not positive, VM_DOMAIN
+   for alpha < 0 or a frequency that is not positive, and VM_OK otherwise. An error leaves f as it was. */
 VM_API int vm_forced_init(vm_forced *f)
 {
     vmi_forced_parameters now;
@@ -15717,11 +16537,10 @@ VM_API vm_real vmi_forced_natural(const vm_forced *f, const vmi_forced_parameter
     return f->Om1 * VM_SQRT(n->k / n->mass) * vmi_pow_checked(VM_FABS(A), (f->alpha - 1) / 2);
 }
 
-/* Equation of motion of an excited oscillator, for rk45 or rk87.
-   y = (x, x', theta) is in m, m/s and rad; forced points to a prepared vm_forced. Returns VM_BAD_ARGUMENT for a null
-   pointer or a law that no constructor made, VM_NOT_FINITE for a number that is infinite or NaN, VM_BAD_MASS or
-   VM_BAD_STIFFNESS for one that is not positive, and VM_DOMAIN for alpha < 0, a frequency that is not positive or t
-   outside a table. These statuses stop the run. */
+/* Equation of motion of an excited oscillator, for rk45 or rk87. y = (x, x', theta) is in m, m/s and rad; forced points
+   to a prepared vm_forced. Returns VM_BAD_ARGUMENT for a null pointer or a law that no constructor made, VM_NOT_FINITE
+   for a number that is infinite or NaN, VM_BAD_MASS or VM_BAD_STIFFNESS for a mass or a stiffness that is not positive,
+   and VM_DOMAIN for alpha < 0, a frequency that is not positive or t outside a table. These statuses stop the run. */
 VM_API int vm_forced_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *forced)
 {
     if (!y || !dydt || !forced) return VM_BAD_ARGUMENT;
@@ -15762,12 +16581,12 @@ VM_API int vm_forced_exact_rhs(vm_real t, const vm_real *y, vm_real *dydt, void 
     return VM_OK;
 }
 
-/* Averaged equations of an excited oscillator near its main resonance, for rk45 or rk87.
-   At the main resonance the frequency nu of the force is the natural frequency w(A). The state is y = (A, delta,
-   theta): A is the mean amplitude, theta the phase of the force, and delta the phase by which the vibration leads the
-   force. Start with vm_forced_to_averaged, and end with vm_forced_from_averaged. The error is of the order of the
-   largest of the damping b, the mass rate m' and the force F, up to times of its inverse, and larger away from the
-   resonance. The argument forced and the statuses are those of vm_forced_rhs. */
+/* Averaged equations of an excited oscillator near its main resonance, for rk45 or rk87. At the main resonance the
+   frequency nu of the force is the natural frequency w(A). The state is y = (A, delta, theta): A is the mean amplitude,
+   theta the phase of the force, and delta the phase by which the vibration leads the force. Start with
+   vm_forced_to_averaged, and end with vm_forced_from_averaged. Let e be the largest of the damping b, the mass rate m'
+   and the force F. The error is of the order of e up to times of the order of 1/e, and larger away from the resonance.
+   The argument forced and the statuses are those of vm_forced_rhs. */
 VM_API int vm_forced_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *forced)
 {
     if (!y || !dydt || !forced) return VM_BAD_ARGUMENT;
@@ -15786,7 +16605,7 @@ VM_API int vm_forced_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, vo
 }
 
 /* The ripple of the exact amplitude about its mean A, m, to first order: exact amplitude = A + ripple. It is
-     q A sa ca/((alpha+3) Om) + F/(m Om nu) sum of s_j/2 (cos(n phi + theta)/(n + 1) + cos(n phi - theta)/(n - 1))
+     q A sa ca/((alpha+3) Om) + F/(m Om nu) sum of s[j]/2 (cos(n phi + theta)/(n + 1) + cos(n phi - theta)/(n - 1))
    with the order n = 2j + 1 and q of vmi_forced_q. For n = 1 the last term is left out, since it does not vary at the
    resonance. */
 VM_API vm_real vmi_forced_ripple(const vm_forced *f, const vmi_forced_parameters *n, vm_real A, vm_real phi,
@@ -15807,10 +16626,10 @@ VM_API vm_real vmi_forced_ripple(const vm_forced *f, const vmi_forced_parameters
     return vmi_forced_q(f, n) * A / ((f->alpha + 3) * Om) * sa * ca + n->force / (n->mass * Om * n->nu) * sum;
 }
 
-/* Motion (x, x', theta) of an excited oscillator to the mean y = (A, delta, theta).
-   A is the amplitude without its ripple within a period. If the ripple stayed in A, averaged motions would have errors
-   of order 1 where alpha is not 1. The statuses are those of vm_forced_rhs; VM_DOMAIN also means that the motion is
-   smaller than its ripple. y and motion may be the same array. */
+/* Converts a motion (x, x', theta) of an excited oscillator to its mean y = (A, delta, theta). A is the amplitude
+   without its ripple within a period. If the ripple stayed in A, averaged motions would have errors of order 1 where
+   alpha is not 1. The statuses are those of vm_forced_rhs; VM_DOMAIN also means that the motion is smaller than its
+   ripple. y and motion may be the same array. */
 VM_API int vm_forced_to_averaged(const vm_forced *f, vm_real t, const vm_real *motion, vm_real *y)
 {
     if (!f || !motion || !y) return VM_BAD_ARGUMENT;
@@ -15825,16 +16644,16 @@ VM_API int vm_forced_to_averaged(const vm_forced *f, vm_real t, const vm_real *m
     phi *= VM_PI / f->pi;
     A = exact;
     for (i = 0; i < 3; i++) A = exact - vmi_forced_ripple(f, &n, A, phi, theta);
-    if (!(A > 0) || !VM_IS_FINITE(A)) return VM_DOMAIN; /* then the motion is smaller than its ripple */
+    if (!(A > 0) || !VM_IS_FINITE(A)) return VM_DOMAIN; /* the motion is smaller than its ripple */
     y[0] = A;
     y[1] = phi - theta;
     y[2] = theta;
     return VM_OK;
 }
 
-/* Motion (x, x', theta) of an excited oscillator from the mean y = (A, delta, theta).
-   The inverse of vm_forced_to_averaged: it puts the ripple back. The statuses are those of vm_forced_rhs; VM_DOMAIN
-   also means that A <= 0 or that A is smaller than its ripple. motion and y may be the same array. */
+/* Converts the mean y = (A, delta, theta) of an excited oscillator to the motion (x, x', theta). This is the inverse of
+   vm_forced_to_averaged: it puts the ripple back. The statuses are those of vm_forced_rhs; VM_DOMAIN also means that A
+   <= 0 or that A is smaller than its ripple. motion and y may be the same array. */
 VM_API int vm_forced_from_averaged(const vm_forced *f, vm_real t, const vm_real *y, vm_real *motion)
 {
     if (!f || !y || !motion) return VM_BAD_ARGUMENT;
@@ -15879,8 +16698,9 @@ typedef struct VM_TAG(vm_steady_state) {
 /* Passage through the resonance at one time */
 typedef struct VM_TAG(vm_passage) {
     vm_real A;              /* amplitude, m, whose natural frequency w(A) is nu; for alpha = 1 the given amplitude */
-    vm_real drift_ratio;    /* rate of w - nu over the largest rate that the force can balance. Below 1 the vibration
-                               may be captured, so that it follows A; above 1 it passes through the resonance */
+    vm_real drift_ratio;    /* rate at which w - nu drifts, divided by the largest rate that the force can balance.
+                               Below 1 the vibration may be captured, so that it follows A; above 1 it passes through
+                               the resonance */
     vm_real delta;          /* phase by which the captured vibration leads the force, rad; NaN for drift_ratio > 1 */
     vm_real amplitude_jump; /* largest relative change of the amplitude in a quick passage (drift_ratio much larger
                                than 1). The change depends on the phase at the start and may have either sign */
@@ -15891,10 +16711,10 @@ typedef struct VM_TAG(vmi_resonance) {
     vm_real w1, exponent; /* natural frequency w = w1 A^exponent, rad/s */
     vm_real nu;           /* frequency of the force, rad/s */
     vm_real p;            /* decay rate q/(alpha+3), 1/s: free vibrations follow A' = -p A */
-    vm_real push;         /* force per mass F G/m that acts on the mean motion, with the sign of F */
+    vm_real push;         /* the force per mass, F G/m, that drives the mean motion; G is a field of vm_forced */
 } vmi_resonance;
 
-/* The fields of vmi_resonance for the oscillator f with the parameters n */
+/* Computes the quantities of vmi_resonance for the oscillator f with the parameters n. */
 VM_API vmi_resonance vmi_resonance_of(const vm_forced *f, const vmi_forced_parameters *n)
 {
     vmi_resonance z;
@@ -15930,9 +16750,9 @@ VM_API vm_steady_state vmi_resonance_state(const vmi_resonance *z, vm_real alpha
     return s;
 }
 
-/* The extrema of vmi_resonance_excess for alpha != 1, in ascending order: writes x = ln A of at most two and returns
-   how many there are. At an extremum det = 0, so that w solves 2 alpha w^2 - (3 alpha + 1) nu w + (alpha + 1)(nu^2 +
-   p^2) = 0. */
+/* The extrema of vmi_resonance_excess for alpha != 1. Writes x = ln A of at most two extrema, in ascending order, and
+   returns how many there are. At an extremum the field det of the vibration is 0, so that w solves 2 alpha w^2 - (3
+   alpha + 1) nu w + (alpha + 1)(nu^2 + p^2) = 0. */
 VM_API int vmi_resonance_turns(const vmi_resonance *z, vm_real alpha, vm_real x[2])
 {
     const vm_real bend = (alpha - 1) * z->nu, square = bend * bend - 8 * alpha * (alpha + 1) * z->p * z->p;
@@ -15950,7 +16770,7 @@ VM_API int vmi_resonance_turns(const vmi_resonance *z, vm_real alpha, vm_real x[
     return 2;
 }
 
-/* The steady amplitudes for alpha != 1, in ascending order: writes at most three and returns how many there are. The
+/* The steady amplitudes for alpha != 1. Writes at most three, in ascending order, and returns how many there are. The
    excess is monotonic below, between and above its extrema, so each of these intervals of x = ln A holds at most one
    zero. */
 VM_API int vmi_resonance_roots(vmi_resonance *z, vm_real alpha, vm_real A[3])
@@ -15972,12 +16792,12 @@ VM_API int vmi_resonance_roots(vmi_resonance *z, vm_real alpha, vm_real A[3])
     return found;
 }
 
-/* Steady vibrations of an excited oscillator: amplitudes, phases, stability.
-   All parameters are those at time t. Writes at most three vibrations to steady, the smallest amplitude first, and
-   returns how many there are, 0 where the force is 0, or a negative status. In the tests amplitudes are within 3e-14
-   (float 3e-5), relative, of solutions of the averaged equations. To get the response at all frequencies, call it for
-   each nu. Solutions far from w(A) = nu need not be near a motion, since the averaged equations hold near the
-   resonance. The negative statuses are those of vm_forced_rhs. */
+/* Steady vibrations of an excited oscillator: amplitudes, phases, stability. All parameters are those at time t. Writes
+   at most three vibrations to steady, the smallest amplitude first, and returns how many there are, 0 where the force
+   is 0, or a negative status. In the tests the relative error of amplitudes, compared with solutions of the averaged
+   equations, is at most 3e-14 (float 3e-5). To get the response at all frequencies, call the function for each nu.
+   Solutions far from w(A) = nu need not be near a motion, since the averaged equations hold near the resonance. The
+   negative statuses are those of vm_forced_rhs. */
 VM_API int vm_forced_steady_states(const vm_forced *f, vm_real t, vm_steady_state steady[3])
 {
     if (!f || !steady) return VM_BAD_ARGUMENT;
@@ -15999,10 +16819,10 @@ VM_API int vm_forced_steady_states(const vm_forced *f, vm_real t, vm_steady_stat
     return found;
 }
 
-/* Steady vibrations of a given amplitude A, m, at any frequency nu > 0: the amplitude-frequency curve, traced by A.
-   Writes at most two vibrations to curve, the lower frequency first, one on each side of the backbone w(A). Returns
-   how many there are, 0 where the force is too small for A, or a negative status: those of vm_forced_rhs, and
-   VM_DOMAIN also where A is not positive. Results that overflow are NaN. */
+/* Steady vibrations of a given amplitude A, m, at any frequency nu > 0: points of the amplitude-frequency curve. Writes
+   at most two vibrations to curve, the lower frequency first. They lie on both sides of the backbone, the curve nu =
+   w(A). Returns how many there are, 0 where the force is too small for A, or a negative status: those of vm_forced_rhs,
+   and VM_DOMAIN also where A is not positive. Results that overflow are NaN. */
 VM_API int vm_forced_curve(const vm_forced *f, vm_real t, vm_real A, vm_steady_state curve[2])
 {
     if (!f || !curve) return VM_BAD_ARGUMENT;
@@ -16028,7 +16848,7 @@ VM_API int vm_forced_curve(const vm_forced *f, vm_real t, vm_real A, vm_steady_s
     return found;
 }
 
-/* Largest amplitude of the amplitude-frequency curve, m: where the curve meets the backbone w(A) = nu. It is infinite
+/* Largest amplitude of the amplitude-frequency curve, m: where the curve meets the backbone nu = w(A). It is infinite
    without damping. The relative error is at most 1e-14 (float 2e-5). Returns NaN for a null pointer and where the
    parameters at time t are not in their domain. */
 VM_API vm_real vm_forced_peak(const vm_forced *f, vm_real t)
@@ -16041,11 +16861,11 @@ VM_API vm_real vm_forced_peak(const vm_forced *f, vm_real t)
     return vmi_pow_checked(VM_FABS(z.push / z.p) / z.w1, 2 / (f->alpha + 1));
 }
 
-/* Passage through the resonance: whether a slow drift leads to capture.
-   The drift is given by the rates of mass, stiffness and frequency at time t. amplitude, m, is used for alpha = 1
-   only, where the backbone has the same frequency for all amplitudes. On the backbone delta'' = -(gamma push/A)
-   sin(delta) - nu D, as for a pendulum under a torque, where gamma = (alpha - 1)/2, push = F G/m, and D is the
-   relative drift of w - nu; drift_ratio is the torque |nu D| over |gamma push/A|, the largest torque that the pendulum
+/* Passage through the resonance: whether a slow drift leads to capture. The drift is given by the rates of mass,
+   stiffness and frequency at time t. amplitude, m, is used for alpha = 1 only, where w is the same for all amplitudes.
+   Near w(A) = nu the averaged equations give delta'' = -(gamma push/A) sin(delta) - nu D, which is the equation of a
+   pendulum under a torque. Here gamma = (alpha - 1)/2, push = F G/m, and D is the rate at which ln(w/nu) would fall
+   without the force. drift_ratio is the torque |nu D| divided by |gamma push/A|, the largest torque that the pendulum
    can hold. The statuses are those of vm_forced_rhs; VM_DOMAIN also means that the force is 0 or that the amplitude is
    not positive and finite. An error leaves *passage as it was. */
 VM_API int vm_forced_passage(const vm_forced *f, vm_real t, vm_real amplitude, vm_passage *passage)
@@ -16077,8 +16897,8 @@ VM_API int vm_forced_passage(const vm_forced *f, vm_real t, vm_real amplitude, v
 #endif
 /* oscillators/diagnostics.h - turning points and zero crossings of any trajectory, envelopes, adiabaticity
 
-   The motion may come from a route, a closed form or an integrator's dense output. At its turning points one compares
-   it with laws of the amplitude; its zero crossings give the largest velocities and the periods.
+   The trajectory may come from a route, a closed form or an integrator's dense output. Laws of the amplitude are
+   compared with it at its turning points; its zero crossings give the largest velocities and the periods.
 
        vm_sample turning[8]; // motion: a function of the user, see vm_motion_function
        long n = vm_find_samples(motion, NULL, VM_TURNING_POINTS, 0, 20, VM_C(0.1), 8, turning);
@@ -16101,7 +16921,8 @@ enum {
     VM_ZERO_CROSSINGS = 1  /* where the position x is 0 */
 };
 
-/* Whether the kind of sample exists and `room` is not negative; for room > 0 samples must not be null. */
+/* Whether a search is possible: the kind of sample must exist, `room` must not be negative, and for room > 0 samples
+   must not be null. */
 VM_API int vmi_samples_are_possible(int kind, long room, const vm_sample *samples)
 {
     return (kind == VM_TURNING_POINTS || kind == VM_ZERO_CROSSINGS) && (room == 0 || (room > 0 && samples));
@@ -16163,8 +16984,8 @@ VM_API long vm_find_samples(vm_motion_function motion, void *ctx, int kind, vm_r
     return found;
 }
 
-/* A trajectory from the dense output of the integrator s: x and v are the indices of position and velocity in its
-   state, buffer has room for a state */
+/* A trajectory from the dense output of the integrator s. x and v are the indices of position and velocity in the state
+   of the integrator; buffer has room for a state. */
 typedef struct VM_TAG(vmi_step_motion) {
     rk45 *s;
     int x, v;
@@ -16344,6 +17165,7 @@ struct VM_TAG(vm_scene_body) {
     int (*check)(const vm_body *start); /* NULL, or a check of the inertia, which returns a status */
     vm_body start;                      /* motion at the start; line: mass, r.x, v.x; axle: mass (kg m^2), omega.z */
     vm_real angle;                      /* rad: the angle of an axle or of a body in the plane at the start */
+    vm_vec3 centre;         /* m, body axes: how far jumps have moved the mass centre (points.h) */
     vm_real law_offset;     /* kg: added to the mass law, which does not know of jumps and of being switched */
     vm_inertia inertia;     /* kg m^2, body axes: the present inertia */
     vm_inertia invertible;  /* kg m^2: the inertia with a dummy moment about each axis that has none */
@@ -16351,6 +17173,7 @@ struct VM_TAG(vm_scene_body) {
     int listed_orders;      /* bit (1 << order) for each effect on the body that vm_scene_check has met so far */
     int status;             /* VM_OK, or the reason why the constructor could not make the body */
     vm_real noted_mass;     /* kg: the mass that the body must have after an event */
+    void (*shift)(vm_scene_body *b, vm_vec3 step, const vm_real *state); /* NULL, or it adds to `centre` */
 };
 
 /* Function of the caller that writes position (m), velocity (m/s) and acceleration (m/s^2) of a point at time t */
@@ -16371,7 +17194,8 @@ typedef struct VM_TAG(vm_mass_law_values) {
 enum {
     VMI_ORDER_MASS_LAW = 0, /* mass laws stand first, since all other effects may need the mass */
     VMI_ORDER_FORCE = 1,
-    VMI_ORDER_LINK = 2 /* links stand last, since the force of a link depends on all other forces on its ends */
+    VMI_ORDER_LINK = 2, /* links stand last, since the force of a link depends on all other forces on its ends */
+    VMI_ORDER_JOINTS = 3 /* joints stand last, as links; their own check looks at all their bodies */
 };
 
 /* What an effect needs of the mass of its body */
@@ -16409,6 +17233,9 @@ struct VM_TAG(vm_effect) {
     int order;                             /* where it stands among the effects on its body: VMI_ORDER_... */
     int off;          /* 1: switched off when the scene starts; the caller may set it before the start */
     int not_on_angle; /* 1: the effect cannot act on the angle of a body in the plane */
+    int (*check_in_scene)(const vm_scene *scene, const vm_effect *effect); /* NULL, or a check that needs the bodies */
+    int (*settle)(const vm_effect *effect, vm_real *y, vm_scene *scene); /* NULL, or gives impulses after a jump */
+    const void *parts; /* what the caller keeps for the effect: a vm_point_spring, vm_contact or vm_joints */
 };
 
 /* What a jump event does */
@@ -16454,6 +17281,7 @@ struct VM_TAG(vm_event) {
     long seen;       /* number of crossings found by the integrator that the run has already handled */
     vm_scene *scene; /* the scene to which the event belongs */
     int status;      /* VM_OK, or the reason why a constructor could not make the event */
+    const void *parts; /* what the caller keeps for the event: a vm_contact */
 };
 
 typedef struct VM_TAG(vm_budget) vm_budget;
@@ -16755,15 +17583,16 @@ VM_API vm_scene_body vm_scene_body_point(vm_real mass, vm_vec3 r, vm_vec3 v)
 
 enum { VMI_FREE_R = 0, VMI_FREE_Q = 3, VMI_FREE_V = 7, VMI_FREE_OMEGA = 10 }; /* indices in state; omega: body axes */
 
-/* Solves Euler's equations I omega' = torque - omega x I omega in body axes. The matrix of the linear equations
-   includes the dummy moments of b->invertible; therefore the equations can be solved for a rod, too. The spin of a
-   rod about its own axis stays constant, since no load turns the rod about this axis. */
-VM_API int vmi_free_euler(const vm_scene_body *b, const vmi_mat3 *axes, vm_vec3 omega, vm_real *rates)
+/* Solves Euler's equations I omega' = torque - omega x I omega. omega and the rates are in body axes, torque in
+   inertial axes. The matrix of the linear equations includes the dummy moments of b->invertible; therefore the
+   equations can be solved for a rod, too. The spin of a rod about its own axis stays constant, since no load turns the
+   rod about this axis. */
+VM_API int vmi_free_euler(const vm_scene_body *b, const vmi_mat3 *axes, vm_vec3 torque, vm_vec3 omega, vm_real *rates)
 {
     const vm_inertia *i = &b->invertible;
-    const vm_vec3 torque = vmi_times_transposed(axes, vmi_get3(b->load.force + 3));
+    const vm_vec3 own = vmi_times_transposed(axes, torque);
     vm_real a[9];
-    vmi_set3(rates, vmi_sub(torque, vmi_cross(omega, vmi_inertia_times(&b->inertia, omega))));
+    vmi_set3(rates, vm_sub(own, vm_cross(omega, vmi_inertia_times(&b->inertia, omega))));
     a[0] = i->xx;
     a[4] = i->yy;
     a[8] = i->zz;
@@ -16781,7 +17610,7 @@ VM_API int vmi_free_accelerate(const vm_scene_body *b, const vm_real *state, vm_
     const vmi_mat3 axes = vmi_rotation(q);
     vmi_point_body_accelerate(b, state, rates);
     vmi_attitude_rates(q, vmi_quat_square(q), omega, rates + VMI_FREE_Q);
-    return vmi_free_euler(b, &axes, omega, rates + VMI_FREE_OMEGA);
+    return vmi_free_euler(b, &axes, vmi_get3(b->load.force + 3), omega, rates + VMI_FREE_OMEGA);
 }
 
 /* The inertia with a dummy moment about each axis that has none, so that it can be inverted. No torque acts about such
@@ -17302,7 +18131,7 @@ VM_API vm_effect vm_effect_damper(int body, int coordinate, int other, int other
 VM_API void vmi_apply_rotational_damper(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
     const vm_scene_body *b = s->bodies + e->body;
-    const vm_vec3 torque = vmi_scale(-e->p[VMI_DAMPER_DAMPING], vmi_scene_spin(b, y));
+    const vm_vec3 torque = vm_scale(-e->p[VMI_DAMPER_DAMPING], vmi_scene_spin(b, y));
     (void)t;
     vmi_scene_add(b, e->load->force, vmi_vec3(0, 0, 0), torque);
 }
@@ -17496,6 +18325,96 @@ VM_API vm_effect vm_effect_gyroscopic(int body, vm_real gyro)
     vm_effect e = vmi_effect(body, 0, vmi_apply_gyroscopic);
     e.p[VMI_GYROSCOPIC_GYRO] = gyro;
     e.motions = VMI_FLAT;
+    return e;
+}
+
+#endif
+/* scenes/gravitation.h - Newton's gravitation between bodies and towards a fixed centre
+
+   The attraction falls with the inverse square of the distance and acts at the mass centres. It takes the present
+   masses, whatever changes them. The bodies move in the plane or in space, or are points. For uniform gravity use
+   vm_effect_gravity.
+
+       vm_vec3 zero = {0, 0, 0};
+       vm_effect effects[] = {vm_effect_gravitation(0, 1, 6.6743e-11),                // between the bodies 0 and 1
+                              vm_effect_central_gravity(2, zero, 3.986004418e14)};    // towards the Earth's centre
+
+   Tests: tests/test_orbit.c. */
+#ifndef VARMASS_SCENES_GRAVITATION_H
+#define VARMASS_SCENES_GRAVITATION_H
+
+enum { VMI_GRAVITATION_G = 0, VMI_CENTRAL_CENTRE = 0, VMI_CENTRAL_MU = 3 };
+
+/* The attraction a b/r^2 along d, the vector to the other mass, with r = |d|. The factors a and b are divided one by
+   one, because their product could overflow. If the force is not finite, since the masses are at the same place, the
+   scene gets the status VM_NOT_FINITE, and the integrator refuses the step. */
+VM_INLINE vm_vec3 vmi_gravitation(vm_real a, vm_real b, vm_vec3 d, vm_scene *s)
+{
+    const vm_real r = VM_SQRT(vm_dot(d, d));
+    const vm_vec3 force = vm_scale(a / r * (b / r), vm_scale(1 / r, d));
+    if (!vmi_vec3_is_finite(force)) s->status = VM_NOT_FINITE;
+    return force;
+}
+
+/* An effect of gravitation: it acts on bodies in the plane, points and free bodies */
+VM_API vm_effect vmi_effect_gravitation(int body, int other,
+                                        void (*apply)(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s))
+{
+    vm_effect e = vmi_effect_between(body, 0, other, 0, apply);
+    e.motions = VMI_FLAT | 1 << VM_FREE;
+    e.other_motions = VMI_FLAT | 1 << VM_FREE;
+    return e;
+}
+
+VM_API void vmi_apply_gravitation(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
+{
+    const vm_scene_body *b = s->bodies + e->body, *other = s->bodies + e->other;
+    const vm_vec3 d = vm_sub(vmi_scene_moving(other, y + other->at), vmi_scene_moving(b, y + b->at));
+    const vm_vec3 force = vmi_gravitation(e->p[VMI_GRAVITATION_G] * e->load->mass, e->other_load->mass, d, s);
+    const vm_vec3 none = {0, 0, 0};
+    (void)t;
+    vmi_scene_add(b, e->load->force, force, none);
+    vmi_scene_add(other, e->other_load->force, vm_scale(-1, force), none);
+}
+
+VM_API int vmi_gravitation_check(const vm_effect *e)
+{
+    if (e->other == VM_GROUND) return VM_NO_SUCH_BODY;
+    return e->other == e->body ? (int)VM_SAME_BODY : (int)VM_OK;
+}
+
+/* Gravitation between two bodies, the force G M1 M2/r^2. G is in m^3/(kg s^2), 6.6743e-11 in nature; M1 and M2 are the
+   present masses and r is the distance of the mass centres. The force on a body in the plane stays in the plane.
+   vm_scene_start returns VM_NO_SUCH_BODY if `other` is VM_GROUND, VM_SAME_BODY if it is `body`, and VM_BAD_MOTION for a
+   body on a line or an axle. A run ends with VM_NOT_FINITE if the bodies meet. */
+VM_API vm_effect vm_effect_gravitation(int body, int other, vm_real G)
+{
+    vm_effect e = vmi_effect_gravitation(body, other, vmi_apply_gravitation);
+    e.p[VMI_GRAVITATION_G] = G;
+    e.check = vmi_gravitation_check;
+    return e;
+}
+
+VM_API void vmi_apply_central_gravity(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
+{
+    const vm_scene_body *b = s->bodies + e->body;
+    const vm_vec3 d = vm_sub(vmi_scene_moving(b, e->p + VMI_CENTRAL_CENTRE), vmi_scene_moving(b, y + b->at));
+    const vm_vec3 none = {0, 0, 0};
+    (void)t;
+    vmi_scene_add(b, e->load->force, vmi_gravitation(e->load->mass, e->p[VMI_CENTRAL_MU], d, s), none);
+}
+
+/* Gravitation towards a centre at rest, the force mu M/r^2. mu is G times the mass in the centre, in m^3/s^2
+   (3.986004418e14 for the Earth); M is the present mass of the body and r its distance from the centre (m, inertial
+   axes). For a body in the plane centre.z is not used. vm_scene_start returns VM_BAD_MOTION for a body on a line or an
+   axle. */
+VM_API vm_effect vm_effect_central_gravity(int body, vm_vec3 centre, vm_real mu)
+{
+    vm_effect e = vmi_effect_gravitation(body, VM_GROUND, vmi_apply_central_gravity);
+    e.p[VMI_CENTRAL_CENTRE] = centre.x;
+    e.p[VMI_CENTRAL_CENTRE + 1] = centre.y;
+    e.p[VMI_CENTRAL_CENTRE + 2] = centre.z;
+    e.p[VMI_CENTRAL_MU] = mu;
     return e;
 }
 
@@ -17741,12 +18660,10 @@ VM_API void vmi_crossing_now(const vm_effect *e, vm_real t, const vm_real *y, vm
 {
     const vm_scene_body *b = s->bodies + e->body;
     vm_stream stream = *e->stream;
-    if (e->vary) {
-        e->vary(t, y, &stream, e->ctx);
-        stream.from = NULL;
-    }
+    if (e->vary) e->vary(t, y, &stream, e->ctx);
     c->seen.turn = &b->axes;
     c->seen.slip = vmi_vec3(0, 0, 0);
+    if (stream.from) c->seen.slip = vm_scale(stream.rate / e->load->mass, vm_sub(stream.at, stream.from->at));
     c->seen.energy = s->budget != NULL;
     c->seen.v = vmi_scene_moving(b, y + e->v);
     c->seen.omega = vmi_scene_turning(b, y + e->v);
@@ -17766,7 +18683,7 @@ VM_API void vmi_crossing_push(const vm_effect *e, vm_scene *s, const vmi_crossin
     if (!s->budget) return;
     vmi_scene_add(b, load->reactive, force, torque);
     vmi_scene_add(b, load->brought, force, torque);
-    load->mixing -= vmi_dot(force, c->seen.v) + vmi_dot(torque, vmi_times(c->seen.turn, c->seen.omega));
+    load->mixing -= vm_dot(force, c->seen.v) + vm_dot(torque, vmi_times(c->seen.turn, c->seen.omega));
 }
 
 VM_API void vmi_apply_stream_mass(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
@@ -17776,17 +18693,17 @@ VM_API void vmi_apply_stream_mass(const vm_effect *e, vm_real t, const vm_real *
     vmi_crossing c;
     vm_vec3 shift, spin, turning;
     vmi_crossing_now(e, t, y, s, &c);
-    shift = vmi_scale(1 / load->mass, c.sum.crossing);
+    shift = vm_scale(1 / load->mass, c.sum.crossing);
     load->mass_rate += c.sum.rate;
-    load->drift = vmi_add(load->drift, vmi_times(c.seen.turn, shift));
-    load->centre_rate = vmi_add(load->centre_rate, shift);
+    load->drift = vm_add(load->drift, vmi_times(c.seen.turn, shift));
+    load->centre_rate = vm_add(load->centre_rate, vm_scale(1 / load->mass, c.sum.stored));
     load->inertia_rate = vmi_inertia_plus(load->inertia_rate, 1, c.sum.inertia);
     if (!s->budget) return;
     spin = vmi_inertia_times(&c.sum.inertia, c.seen.omega);
-    turning = vmi_add(vmi_times(c.seen.turn, spin), vmi_cross(vmi_times(c.seen.turn, c.sum.crossing), c.seen.v));
-    vmi_scene_add(b, load->brought, vmi_scale(c.sum.rate, c.seen.v), turning);
+    turning = vm_add(vmi_times(c.seen.turn, spin), vm_cross(vmi_times(c.seen.turn, c.sum.crossing), c.seen.v));
+    vmi_scene_add(b, load->brought, vm_scale(c.sum.rate, c.seen.v), turning);
     load->brought_energy += c.sum.brought / 2;
-    load->mixing += (c.sum.brought - c.sum.rate * vmi_dot(c.seen.v, c.seen.v) - vmi_dot(spin, c.seen.omega)) / 2;
+    load->mixing += (c.sum.brought - c.sum.rate * vm_dot(c.seen.v, c.seen.v) - vm_dot(spin, c.seen.omega)) / 2;
 }
 
 VM_API void vmi_apply_stream_force(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
@@ -17794,8 +18711,8 @@ VM_API void vmi_apply_stream_force(const vm_effect *e, vm_real t, const vm_real 
     vmi_crossing c;
     vm_vec3 force;
     vmi_crossing_now(e, t, y, s, &c);
-    force = vmi_sub(c.sum.absolute, vmi_scale(c.sum.rate - c.sum.carried, c.seen.v));
-    vmi_crossing_push(e, s, &c, vmi_add(vmi_times(c.seen.turn, c.sum.pushed), force), vmi_vec3(0, 0, 0));
+    force = vm_sub(c.sum.absolute, vm_scale(c.sum.rate - c.sum.carried, c.seen.v));
+    vmi_crossing_push(e, s, &c, vm_add(vmi_times(c.seen.turn, c.sum.pushed), force), vmi_vec3(0, 0, 0));
 }
 
 VM_API void vmi_apply_stream_moment(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
@@ -17810,16 +18727,24 @@ VM_API void vmi_apply_stream_torque(const vm_effect *e, vm_real t, const vm_real
     vmi_crossing c;
     vm_vec3 torque;
     vmi_crossing_now(e, t, y, s, &c);
-    torque = vmi_sub(c.sum.own, vmi_inertia_times(&c.sum.inertia, c.seen.omega));
+    torque = vm_sub(c.sum.own, vmi_inertia_times(&c.sum.inertia, c.seen.omega));
     vmi_crossing_push(e, s, &c, vmi_vec3(0, 0, 0), vmi_times(c.seen.turn, torque));
 }
 
-/* Checks a stream by vmi_check_stream, and refuses a stream with a store (stream->from), since a scene neglects the
-   momentum of mass that flows between a store and the surface of the body */
+/* Checks a stream by vmi_check_stream. A store (stream->from) must lie on the line through the point of the stream and
+   the mass centre at the start, which is the origin of body axes: a scene neglects the angular momentum of the mass
+   that flows between the store and the point, which is 0 only on such a line. */
 VM_API int vmi_crossing_check(const vm_effect *e)
 {
-    if (!e->stream) return VM_BAD_ARGUMENT;
-    return e->stream->from ? (int)VM_STORED_STREAM : vmi_check_stream(e->stream);
+    const vm_stream *stream = e->stream;
+    vm_real moment;
+    int status;
+    if (!stream) return VM_BAD_ARGUMENT;
+    status = vmi_check_stream(stream);
+    if (status || !stream->from) return status;
+    moment = vmi_norm_max(vm_cross(stream->at, stream->from->at));
+    if (moment <= 32 * VM_EPSILON * vmi_norm1(stream->at) * vmi_norm1(stream->from->at)) return VM_OK;
+    return VM_STORED_STREAM;
 }
 
 VM_API vm_effect vmi_effect_crossing(int body, const vm_stream *stream,
@@ -17836,8 +18761,11 @@ VM_API vm_effect vmi_effect_crossing(int body, const vm_stream *stream,
 /* Mass, mass centre and inertia that a stream brings to a growing body. *stream is not copied: if an event changes
    it, the run continues with the change. stream->at is in body axes, from the position of the mass centre at the
    start. The field `mixing` of the budget is right only if the effects for mass, force, moment and torque of the
-   stream are all listed. vm_scene_start returns VM_BAD_ARGUMENT if stream is NULL or its motion is unknown,
-   VM_STORED_STREAM if it has a store, and VM_DOES_NOT_GROW if the body is not a growing body. */
+   stream are all listed, and if the stream has no store. A stream may have a store on the line through its point and
+   the mass centre, as a rocket has whose tank and nozzle lie on its axis. The motion is then that of vm_flow_rhs if no
+   other stream of the body has a store. vm_scene_start returns VM_BAD_ARGUMENT if stream is NULL or its motion is
+   unknown, VM_STORED_STREAM if its store does not lie on this line, and VM_DOES_NOT_GROW if the body is not a growing
+   body. */
 VM_API vm_effect vm_effect_stream_mass(int body, const vm_stream *stream)
 {
     return vmi_effect_crossing(body, stream, vmi_apply_stream_mass);
@@ -17868,8 +18796,8 @@ VM_API vm_effect vm_effect_stream_torque(int body, const vm_stream *stream)
 
 /* An effect of a stream that varies in time. effect comes from vm_effect_stream_mass, _force, _moment or _torque. At
    each evaluation vary receives a copy of the stream and writes the values of its fields for the time t and the state
-   y: the point, which may move in the body, the rate or the velocity. vm_scene_start returns VM_BAD_ARGUMENT if vary is
-   NULL or the effect has no stream. */
+   y: the point, which may move in the body, the rate, the velocity or the store (vm_supply_at gives that of a tank).
+   vm_scene_start returns VM_BAD_ARGUMENT if vary is NULL or the effect has no stream. */
 VM_API vm_effect vm_effect_varying(vm_effect effect,
                                    void (*vary)(vm_real t, const vm_real *y, vm_stream *stream, void *ctx),
                                    void *ctx)
@@ -18144,6 +19072,16 @@ VM_API int vmi_link_check(const vm_effect *e)
     return VM_DOMAIN;
 }
 
+/* Checks the ends of a link. It holds mass centres, so that it cannot act on a growing body, whose mass centre moves in
+   the body. */
+VM_API int vmi_link_check_ends(const vm_scene *s, const vm_effect *e)
+{
+    if (e->other == e->body) return VM_SAME_BODY;
+    if (s->bodies[e->body].grows) return VM_BAD_MOTION;
+    if (e->other >= 0 && s->bodies[e->other].grows) return VM_BAD_MOTION;
+    return VM_OK;
+}
+
 /* A rigid link of a given length, or a cord, which can only pull. The link holds the mass centre of `body`, a point
    or a body in the plane, at the distance `length` (m) from another mass centre or from a moving point. The other
    mass centre is that of the body `other`, which is not on an axle; point is then NULL. With other = VM_GROUND the
@@ -18166,6 +19104,7 @@ VM_API vm_effect vm_effect_link(int body, int other, vm_moving_point point, void
     e.other_motions = VMI_ALL_MOTIONS & ~(1 << VM_AXLE);
     e.order = VMI_ORDER_LINK;
     e.check = vmi_link_check;
+    e.check_in_scene = vmi_link_check_ends;
     e.point = point;
     e.ctx = ctx;
     return e;
@@ -18428,17 +19367,14 @@ VM_API int vmi_scene_check_order(vm_scene_body *b, int order)
     return VM_OK;
 }
 
-/* Checks that the bodies of an effect have motions on which it can act. A link holds mass centres, so that it cannot
-   act on a growing body, whose mass centre moves in the body. */
+/* Checks that the bodies of an effect have motions on which it can act */
 VM_API int vmi_scene_check_motions(const vm_scene *s, const vm_effect *e)
 {
     const vm_scene_body *b = s->bodies + e->body, *other = e->other == VM_GROUND ? NULL : s->bodies + e->other;
     if (!(e->motions >> b->motion & 1)) return VM_BAD_MOTION;
     if (e->not_on_angle && b->motion == VM_PLANE && e->coordinate == 2) return VM_NOT_ON_ANGLE;
     if (other && !(e->other_motions >> other->motion & 1)) return VM_BAD_MOTION;
-    if (e->order != VMI_ORDER_LINK) return VM_OK;
-    if (other == b) return VM_SAME_BODY;
-    if (b->grows || (other && other->grows)) return VM_BAD_MOTION;
+    if (e->check_in_scene) return e->check_in_scene(s, e);
     return VM_OK;
 }
 
@@ -18533,6 +19469,7 @@ VM_API void vmi_scene_set_fault(vm_scene_fault *fault_or_NULL, const char *kind,
      VM_BAD_MASS, VM_BAD_INERTIA, VM_BAD_MOTION       for a body, or for the part that separates;
      VM_NO_SUCH_BODY, VM_NO_SUCH_COORDINATE, VM_NO_SUCH_EFFECT      for an index that does not exist;
      VM_TWO_MASS_LAWS, VM_BAD_ORDER, VM_TWO_LINKS, VM_LINK_NOT_LAST   for the list of effects;
+     VM_BAD_POINT, VM_NOT_JOINED      for points at which springs, joints and contacts act;
      VM_BAD_TIMES           if the times of output do not increase. */
 VM_API int vm_scene_check(const vm_scene *scene, vm_scene_fault *fault_or_NULL)
 {
@@ -18559,6 +19496,689 @@ VM_API int vm_scene_check(const vm_scene *scene, vm_scene_fault *fault_or_NULL)
         return status;
     }
     return VM_OK;
+}
+
+#endif
+/* scenes/points.h - points of the bodies of a scene
+
+   Springs, joints and contacts act at points of bodies. A point is given by the vector from the mass centre of the body
+   at the start, in body axes, so that it moves and turns with the body. On an axle the vector leads from the axle,
+   which stands in the origin. In the plane the third number is a height above the plane. Points of the ground are given
+   by their position. A point body has only one point, the zero vector, and a rod only those on its own axis
+   (VM_BAD_POINT).
+
+       vm_vec3 tip = {0.5, 0, 0}, r, v;
+       vm_scene_point_at(&scene, 0, tip, y, &r, &v); // position and velocity of a point of body 0 in the state y
+
+   Tests: tests/test_scene_joints.c. */
+#ifndef VARMASS_SCENES_POINTS_H
+#define VARMASS_SCENES_POINTS_H
+
+/* A point of a body or of the ground, and how the body moves */
+typedef struct VM_TAG(vmi_body_point) {
+    vm_vec3 arm;   /* m, inertial axes: from the mass centre (on an axle from the axle) to the point */
+    vm_vec3 r;     /* m: position of the point */
+    vm_vec3 v;     /* m/s: velocity of the point */
+    vm_vec3 omega; /* rad/s, inertial axes: angular velocity of the body */
+    vmi_mat3 axes; /* the body axes in inertial axes */
+} vmi_body_point;
+
+/* The axes of a body in its state */
+VM_API vmi_mat3 vmi_point_axes(const vm_scene_body *b, const vm_real *state)
+{
+    vmi_mat3 axes;
+    vm_real s = 0, c = 1;
+    if (b->motion == VM_FREE) return vmi_rotation(vmi_get_quat(state + VMI_FREE_Q));
+    if (b->motion == VM_PLANE) vmi_sincos(state[VMI_PLANE_ANGLE], &s, &c);
+    if (b->motion == VM_AXLE) vmi_sincos(state[0], &s, &c);
+    axes.x = vmi_vec3(c, s, 0);
+    axes.y = vmi_vec3(-s, c, 0);
+    axes.z = vmi_vec3(0, 0, 1);
+    return axes;
+}
+
+/* Computes the position and the velocity of the point `at` of a body. The velocity is that of the material: a growing
+   body moves with the velocity v of its state at its present mass centre. */
+VM_API void vmi_point_of_body(const vm_scene_body *b, vm_vec3 at, const vm_real *state, vmi_body_point *p)
+{
+    const vm_real *rates = state + b->positions;
+    p->axes = vmi_point_axes(b, state);
+    p->omega = vmi_scene_turning(b, rates);
+    if (b->motion == VM_FREE) p->omega = vmi_times(&p->axes, p->omega);
+    p->arm = vmi_times(&p->axes, vm_sub(at, b->grows ? vmi_growth_centre(b, state) : b->centre));
+    p->r = vm_add(vmi_scene_moving(b, state), p->arm);
+    p->v = vm_add(vmi_scene_moving(b, rates), vm_cross(p->omega, p->arm));
+}
+
+/* Computes a point of a body of the scene in the state y, or of the ground, which rests */
+VM_API void vmi_point_now(const vm_scene *s, int body, vm_vec3 at, const vm_real *y, vmi_body_point *p)
+{
+    const vm_vec3 zero = {0, 0, 0};
+    if (body >= 0) {
+        vmi_point_of_body(s->bodies + body, at, y + s->bodies[body].at, p);
+        return;
+    }
+    p->arm = p->v = p->omega = zero;
+    p->r = at;
+    p->axes.x = vmi_vec3(1, 0, 0);
+    p->axes.y = vmi_vec3(0, 1, 0);
+    p->axes.z = vmi_vec3(0, 0, 1);
+}
+
+/* Adds the force f at a point of a body to the load of the body */
+VM_API void vmi_point_push(vm_scene_body *b, const vmi_body_point *p, vm_vec3 f)
+{
+    if (b->motion == VM_LINE) b->load.force[0] += f.x;
+    else vmi_scene_add(b, b->load.force, f, vm_cross(p->arm, f));
+}
+
+/* The mass, or on an axle the inertia, that resists acceleration */
+VM_INLINE vm_real vmi_point_mass(const vm_scene_body *b)
+{
+    if (b->motion > VM_AXLE) return b->load.mass;
+    return b->load.mass + b->load.extra_mass;
+}
+
+/* The acceleration of the mass centre by a force */
+VM_API vm_vec3 vmi_point_move(const vm_scene_body *b, vm_vec3 force)
+{
+    if (b->motion == VM_AXLE) return vmi_vec3(0, 0, 0);
+    if (b->motion == VM_LINE) force.y = 0;
+    if (b->motion == VM_LINE || b->motion == VM_PLANE) force.z = 0;
+    return vmi_over(force, vmi_point_mass(b));
+}
+
+/* The angular acceleration I^-1 (torque - omega x I omega) of a body in inertial axes. The inertia of a free body is
+   that of its last evaluation. */
+VM_API vm_vec3 vmi_point_spin(const vm_scene_body *b, const vmi_mat3 *axes, vm_vec3 torque, vm_vec3 omega)
+{
+    vm_real rates[3];
+    if (b->motion == VM_AXLE) return vmi_vec3(0, 0, torque.z / vmi_point_mass(b));
+    if (b->motion == VM_PLANE) return vmi_vec3(0, 0, torque.z / b->inertia.zz);
+    if (b->motion != VM_FREE) return vmi_vec3(0, 0, 0);
+    if (vmi_free_euler(b, axes, torque, vmi_times_transposed(axes, omega), rates)) return vmi_vec3(VM_NAN, 0, 0);
+    return vmi_times(axes, vmi_get3(rates));
+}
+
+/* Gives an impulse at a point of a body, which changes its velocities in the state y of the scene */
+VM_API void vmi_point_kick(const vm_scene_body *b, const vmi_body_point *p, vm_vec3 impulse, vm_real *y)
+{
+    const vm_vec3 zero = {0, 0, 0}, move = vmi_point_move(b, impulse);
+    vm_vec3 spin = vmi_point_spin(b, &p->axes, vm_cross(p->arm, impulse), zero);
+    vm_real *velocities = y + b->at + b->positions;
+    if (b->motion == VM_FREE) spin = vmi_times_transposed(&p->axes, spin);
+    if (b->motion == VM_LINE) velocities[0] += move.x;
+    else vmi_scene_add(b, velocities, move, spin);
+}
+
+/* The acceleration of a point along a unit vector by a force of 1 N along this vector */
+VM_API vm_real vmi_point_mobility(const vm_scene_body *b, const vmi_body_point *p, vm_vec3 along)
+{
+    const vm_vec3 zero = {0, 0, 0}, turn = vm_cross(p->arm, along);
+    return vm_dot(along, vmi_point_move(b, along)) + vm_dot(turn, vmi_point_spin(b, &p->axes, turn, zero));
+}
+
+/* Whether a body has inertia against every force at the point `at`. Forces turn a body about all axes normal to `at`.
+   If the body is a rod or a point, `hollow` is the inertia that vmi_invertible_inertia adds, which is the same dummy
+   moment about each of the k axes that have none. The sum of the squares of the parts of `at` normal to these axes is
+   k at^2 - at (hollow at)/dummy, and must be 0 but for rounding errors. */
+VM_API int vmi_point_is_possible(const vm_scene_body *b, vm_vec3 at)
+{
+    const vm_real noise = 64 * VM_EPSILON;
+    vm_inertia whole, hollow;
+    vm_real trace, square;
+    if (b->motion == VM_POINT) return at.x == 0 && at.y == 0 && at.z == 0;
+    if (b->motion != VM_FREE) return 1;
+    whole = vmi_invertible_inertia(&b->start.inertia);
+    hollow = vmi_inertia_plus(whole, -1, b->start.inertia);
+    trace = hollow.xx + hollow.yy + hollow.zz;
+    square = vm_dot(at, at);
+    return trace * square - vm_dot(at, vmi_inertia_times(&hollow, at)) <= noise * (trace * square);
+}
+
+/* Notes that a jump has moved the mass centre of a body by `step`, in inertial axes: its points stay where they are */
+VM_API void vmi_point_shift(vm_scene_body *b, vm_vec3 step, const vm_real *state)
+{
+    const vmi_mat3 axes = vmi_point_axes(b, state);
+    b->centre = vm_add(b->centre, vmi_times_transposed(&axes, step));
+}
+
+/* Checks a point of a body of the scene, or of the ground, and lets jumps of the body call vmi_point_shift. The scene
+   has checked its bodies before. */
+VM_API int vmi_point_check(const vm_scene *s, int body, vm_vec3 at)
+{
+    if (!vmi_vec3_is_finite(at)) return VM_NOT_FINITE;
+    if (body == VM_GROUND) return VM_OK;
+    if (vmi_scene_check_coordinate(s, body, 0)) return VM_NO_SUCH_BODY;
+    s->bodies[body].shift = vmi_point_shift;
+    return vmi_point_is_possible(s->bodies + body, at) ? VM_OK : VM_BAD_POINT;
+}
+
+/* The position and velocity of a point of a body in the state y, in inertial axes. `at` is the vector from the mass
+   centre at the start to the point, in body axes; on an axle it leads from the axle. The scene must have been started.
+   *r in m and *v in m/s are NaN if no body has this index, if scene or y is NULL, and before a start. If r or v is
+   NULL, nothing is written. */
+VM_API void vm_scene_point_at(const vm_scene *scene, int body, vm_vec3 at, const vm_real *y, vm_vec3 *r, vm_vec3 *v)
+{
+    vmi_body_point p;
+    if (!r || !v) return;
+    *r = *v = vmi_vec3(VM_NAN, VM_NAN, VM_NAN);
+    if (!scene || !scene->bodies || !scene->size || !y || body < 0 || body >= scene->n_bodies) return;
+    vmi_point_now(scene, body, at, y, &p);
+    *r = p.r;
+    *v = p.v;
+}
+
+#endif
+/* scenes/springs.h - springs and dampers between points of bodies
+
+   A spring and a damper, side by side, act along the straight line between a point of a body and a point of another
+   body or of the ground, in the plane and in space. They push or pull with the same force at both points, and turn the
+   bodies about their mass centres. points.h explains how a point is given.
+
+       vm_point_spring strut = {{0.5, 0, 0}, {2, 1, 0}, 1000, 5, 0.3};          // 1000 N/m, 5 N s/m, 0.3 m long
+       vm_effect effects[] = {vm_effect_point_spring(0, VM_GROUND, &strut)};    // from a point of body 0 to (2, 1, 0)
+
+   The budget of the scene has the work of the force, which is the energy that the spring gives back less the energy
+   that the damper takes out. A spring of the present length l stores k (l - rest)^2/2.
+
+   Tests: tests/test_scene_joints.c. */
+#ifndef VARMASS_SCENES_SPRINGS_H
+#define VARMASS_SCENES_SPRINGS_H
+
+/* A spring and a damper between two points */
+typedef struct VM_TAG(vm_point_spring) {
+    vm_vec3 at;        /* m, body axes: the point of the body */
+    vm_vec3 other_at;  /* m: the point of the other body, in its axes, or of the ground */
+    vm_real stiffness; /* N/m: stiffness k, of either sign */
+    vm_real damping;   /* N s/m: damping; > 0 takes energy out */
+    vm_real rest;      /* m: length of the spring without force, >= 0 */
+} vm_point_spring;
+
+/* Computes the force on the first point; d and v are its position and velocity relative to the second point. If the
+   points coincide, a spring whose rest is 0 has no force, and the damper acts against the velocity; any other spring
+   has no direction (VM_SINGULAR). */
+VM_API int vmi_point_spring_force(const vm_point_spring *spring, vm_vec3 d, vm_vec3 v, vm_vec3 *f)
+{
+    const vm_real length = vm_norm(d);
+    vm_vec3 along;
+    vm_real pull;
+    *f = vm_scale(-spring->damping, v);
+    if (length == 0 && (spring->rest == 0 || spring->stiffness == 0)) return VM_OK;
+    if (length == 0) return VM_SINGULAR;
+    along = vmi_over(d, length);
+    pull = spring->stiffness * (length - spring->rest) + spring->damping * vm_dot(along, v);
+    *f = vm_scale(-pull, along);
+    return VM_OK;
+}
+
+VM_API void vmi_apply_point_spring(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
+{
+    const vm_point_spring *spring = (const vm_point_spring *)e->parts;
+    vmi_body_point here, there;
+    vm_vec3 f;
+    (void)t;
+    vmi_point_now(s, e->body, spring->at, y, &here);
+    vmi_point_now(s, e->other, spring->other_at, y, &there);
+    if (vmi_point_spring_force(spring, vm_sub(here.r, there.r), vm_sub(here.v, there.v), &f)) s->status = VM_SINGULAR;
+    vmi_point_push(s->bodies + e->body, &here, f);
+    if (e->other >= 0) vmi_point_push(s->bodies + e->other, &there, vm_scale(-1, f));
+}
+
+VM_API int vmi_point_spring_check(const vm_scene *s, const vm_effect *e)
+{
+    const vm_point_spring *spring = (const vm_point_spring *)e->parts;
+    int status = vmi_point_check(s, e->body, spring->at);
+    status = vmi_first_error(status, vmi_point_check(s, e->other, spring->other_at));
+    if (!VM_IS_FINITE(spring->stiffness) || !VM_IS_FINITE(spring->damping) || !VM_IS_FINITE(spring->rest))
+        status = vmi_first_error(status, VM_NOT_FINITE);
+    if (spring->rest < 0) status = vmi_first_error(status, VM_DOMAIN);
+    if (e->body == e->other) status = vmi_first_error(status, VM_SAME_BODY);
+    return status;
+}
+
+/* A spring and a damper between a point of a body and a point of the body `other`, or of the ground. *spring is not
+   copied: if an event changes it, the run continues with the change. With the length l of the spring, the tension is
+   stiffness (l - rest) + damping l'. vm_scene_start returns VM_BAD_ARGUMENT if spring is NULL, VM_NOT_FINITE,
+   VM_DOMAIN if rest < 0, VM_SAME_BODY for a spring of a body with itself, and VM_BAD_POINT for a point that the body
+   cannot have (points.h). A run ends with VM_SINGULAR if the points coincide, unless rest is 0. */
+VM_API vm_effect vm_effect_point_spring(int body, int other, const vm_point_spring *spring)
+{
+    vm_effect e = vmi_effect_between(body, 0, other, 0, spring ? vmi_apply_point_spring : NULL);
+    e.parts = spring;
+    e.check_in_scene = vmi_point_spring_check;
+    return e;
+}
+
+#endif
+/* scenes/joints.h - pins and rods between points of bodies
+
+   A pin holds a point of a body at a point of another body or of the ground: in the plane it is a hinge, in space a
+   ball joint. A rod holds the distance of two points. All joints of a scene stand in one list and are solved together,
+   by Lagrange's multipliers: chains, closed mechanisms and several joints on one body are possible. points.h explains
+   how a point is given.
+
+       vm_vec3 end = {-0.5, 0, 0}, pivot = {0, 0, 0};
+       vm_joint list[] = {vm_joint_pin(0, end, VM_GROUND, pivot)};       // body 0 hangs at the pivot
+       vm_real room[VM_JOINTS_WORK(1)];                                  // for one joint
+       vm_joints joints = {list, 1, 10, room, VM_LENGTH(room)};          // deviations decrease as exp(-10 t)
+       vm_effect effects[] = {vm_effect_gravity(0, 1, -9.81), vm_effect_joints(&joints)}; // joints stand last
+
+   The points of a joint may be apart by the vector C. The joint exerts the force for which the accelerations obey C''
+   + 2 rate C' + rate^2 C = 0, as a link does. After a jump of a body, impulses of the joints take away the velocities
+   with which points would move apart; they are in the budget. list[0].force is the reaction on body 0 at the last
+   evaluation.
+
+   Tests: tests/test_scene_joints.c. */
+#ifndef VARMASS_SCENES_JOINTS_H
+#define VARMASS_SCENES_JOINTS_H
+
+#include <string.h>
+
+enum { VMI_JOINT_ROWS = 3 }; /* most equations that a joint has */
+
+/* The number of elements of the work array of n joints */
+#define VM_JOINTS_WORK(n) (3 * (n) * (3 * (n) + 2))
+
+/* One equation of a joint: along * C'' is given. Index 0 belongs to the body, index 1 to the other one. For a force of
+   1 N along `along` on the body, and the opposite force on the other one, `turn` is the torque, `move` the acceleration
+   of the mass centre, and `spin` the angular acceleration. */
+typedef struct VM_TAG(vmi_joint_row) {
+    vm_vec3 along;            /* unit vector, inertial axes */
+    vm_vec3 turn[2];          /* m: torque per N */
+    vm_vec3 move[2];          /* 1/kg */
+    vm_vec3 spin[2];          /* 1/(kg m) */
+    vm_real gap;              /* m: C, the deviation from the condition of the joint */
+    vm_real gap_rate;         /* m/s: C' */
+    vm_real gap_acceleration; /* m/s^2: C'' without the joints */
+} vmi_joint_row;
+
+/* An end of a joint: its point, and the acceleration of this point without the joints */
+typedef struct VM_TAG(vmi_joint_end) {
+    vmi_body_point point;
+    vm_vec3 a; /* m/s^2 */
+} vmi_joint_end;
+
+typedef struct VM_TAG(vm_joint) vm_joint;
+
+/* A joint. vm_joint_pin or vm_joint_rod makes it; the caller changes no field. */
+struct VM_TAG(vm_joint) {
+    /* fields set by the constructor */
+    void (*equations)(vm_joint *joint, const vm_scene *scene, const vmi_joint_end *ends); /* writes the equations */
+    int body, other;      /* indices of the bodies; `other` may be VM_GROUND */
+    vm_vec3 at, other_at; /* m: the points of the bodies, in their axes */
+    vm_real length;       /* m: length of a rod */
+    /* fields for the caller to read, set by each evaluation; all 0 while a body is not present */
+    vm_vec3 force; /* N, inertial axes: reaction on the body; the other one has the opposite reaction */
+    /* fields of the last evaluation */
+    int n_rows; /* number of equations */
+    vmi_joint_row row[VMI_JOINT_ROWS];
+};
+
+/* The joints of a scene, all in one list */
+typedef struct VM_TAG(vm_joints) {
+    vm_joint *joints; /* array of n_joints joints */
+    int n_joints;
+    vm_real rate;  /* 1/s: deviations decrease as exp(-rate t); > 0 */
+    vm_real *work; /* array of VM_JOINTS_WORK(n_joints) numbers */
+    int work_size; /* number of elements of work, which vm_scene_start checks; 0 means no check */
+} vm_joints;
+
+/* Computes an end of a joint with the acceleration of its point without the joints,
+     a + alpha x arm + omega x (omega x arm - drift).
+   drift is the velocity of the mass centre of a growing body relative to the body: a is the rate of the velocity of
+   the material at the mass centre, and this material changes. */
+VM_API void vmi_joint_end_now(const vm_scene *s, int body, vm_vec3 at, const vm_real *y, vmi_joint_end *end)
+{
+    const vmi_body_point *p = &end->point;
+    const vm_scene_body *b;
+    vm_vec3 alpha, moving;
+    vmi_point_now(s, body, at, y, &end->point);
+    end->a = vmi_vec3(0, 0, 0);
+    if (body < 0) return;
+    b = s->bodies + body;
+    alpha = vmi_point_spin(b, &p->axes, vmi_scene_turning(b, b->load.force), p->omega);
+    moving = vm_cross(p->omega, p->arm);
+    if (b->grows) moving = vm_sub(moving, b->load.drift);
+    end->a = vmi_point_move(b, vmi_scene_moving(b, b->load.force));
+    end->a = vm_add(end->a, vm_add(vm_cross(alpha, p->arm), vm_cross(p->omega, moving)));
+}
+
+/* Begins a further equation of a joint, with the response of both bodies to the force 1 along a unit vector */
+VM_API vmi_joint_row *vmi_joint_add_row(vm_joint *joint, const vm_scene *s, const vmi_joint_end *ends, vm_vec3 along)
+{
+    const vm_vec3 zero = {0, 0, 0};
+    const int bodies[2] = {joint->body, joint->other};
+    vmi_joint_row *row = joint->row + joint->n_rows++;
+    int i;
+    row->along = along;
+    for (i = 0; i < 2; i++) {
+        const vmi_body_point *p = &ends[i].point;
+        row->turn[i] = row->move[i] = row->spin[i] = zero;
+        if (bodies[i] < 0) continue;
+        row->turn[i] = vm_cross(p->arm, along);
+        row->move[i] = vmi_point_move(s->bodies + bodies[i], along);
+        row->spin[i] = vmi_point_spin(s->bodies + bodies[i], &p->axes, row->turn[i], zero);
+    }
+    return row;
+}
+
+/* -- The kinds of joints -- */
+
+/* Whether a body can move across the plane of x and y */
+VM_API int vmi_joint_is_in_space(const vm_scene *s, int body)
+{
+    return body >= 0 && (s->bodies[body].motion == VM_POINT || s->bodies[body].motion == VM_FREE);
+}
+
+/* A pin has an equation for each direction in which one of its points can move: C is the vector between the points */
+VM_API void vmi_pin_equations(vm_joint *joint, const vm_scene *s, const vmi_joint_end *ends)
+{
+    const int in_space = vmi_joint_is_in_space(s, joint->body) || vmi_joint_is_in_space(s, joint->other);
+    const vm_vec3 C = vm_sub(ends[0].point.r, ends[1].point.r), v = vm_sub(ends[0].point.v, ends[1].point.v);
+    const vm_vec3 a = vm_sub(ends[0].a, ends[1].a);
+    const int n = in_space ? 3 : 2;
+    int i;
+    for (i = 0; i < n; i++) {
+        const vm_vec3 along = vmi_vec3((vm_real)(i == 0), (vm_real)(i == 1), (vm_real)(i == 2));
+        vmi_joint_row *row = vmi_joint_add_row(joint, s, ends, along);
+        row->gap = vm_dot(along, C);
+        row->gap_rate = vm_dot(along, v);
+        row->gap_acceleration = vm_dot(along, a);
+    }
+}
+
+/* A rod has one equation, C = (d^2 - length^2)/(2 |d|) with the vector d between its points. While it acts, |d| is
+   nearly constant; C' = d v/|d| and C'' = (d a + v^2)/|d|, as for a link. */
+VM_API void vmi_rod_equations(vm_joint *joint, const vm_scene *s, const vmi_joint_end *ends)
+{
+    const vm_vec3 d = vm_sub(ends[0].point.r, ends[1].point.r), v = vm_sub(ends[0].point.v, ends[1].point.v);
+    const vm_real l = vm_norm(d);
+    vmi_joint_row *row = vmi_joint_add_row(joint, s, ends, vmi_over(d, l));
+    row->gap = (l - joint->length) * (l + joint->length) / (2 * l);
+    row->gap_rate = vm_dot(row->along, v);
+    row->gap_acceleration = vm_dot(row->along, vm_sub(ends[0].a, ends[1].a)) + vm_dot(v, v) / l;
+}
+
+/* A pin between the point `at` of a body and the point other_at of the body `other`, or of the ground. In the plane it
+   is a hinge, in space a ball joint. */
+VM_API vm_joint vm_joint_pin(int body, vm_vec3 at, int other, vm_vec3 other_at)
+{
+    vm_joint joint;
+    memset(&joint, 0, sizeof joint);
+    joint.equations = vmi_pin_equations;
+    joint.body = body;
+    joint.other = other;
+    joint.at = at;
+    joint.other_at = other_at;
+    joint.length = 1; /* any positive number */
+    return joint;
+}
+
+/* A rigid rod without mass between the point `at` of a body and the point other_at of the body `other`, or of the
+   ground. It holds the distance of the points at `length` (m), by a force along the line between them. */
+VM_API vm_joint vm_joint_rod(int body, vm_vec3 at, int other, vm_vec3 other_at, vm_real length)
+{
+    vm_joint joint = vm_joint_pin(body, at, other, other_at);
+    joint.equations = vmi_rod_equations;
+    joint.length = length;
+    return joint;
+}
+
+/* -- The solution -- */
+
+/* The acceleration that the force of the equation `by`, of the joint j, adds to the equation `row` of the joint i */
+VM_API vm_real vmi_joint_coupling(const vm_joint *i, const vmi_joint_row *row, const vm_joint *j,
+                                  const vmi_joint_row *by)
+{
+    const int bodies[2] = {i->body, i->other}, others[2] = {j->body, j->other};
+    vm_real sum = 0;
+    int k, m;
+    for (k = 0; k < 2; k++)
+        for (m = 0; m < 2; m++) {
+            vm_real part;
+            if (bodies[k] < 0 || bodies[k] != others[m]) continue;
+            part = vm_dot(row->along, by->move[m]) + vm_dot(row->turn[k], by->spin[m]);
+            sum += k == m ? part : -part;
+        }
+    return sum;
+}
+
+/* Writes the equations of all joints whose bodies are present, and returns their number */
+VM_API int vmi_joints_equations(const vm_joints *joints, const vm_scene *s, const vm_real *y)
+{
+    int i, n = 0;
+    for (i = 0; i < joints->n_joints; i++) {
+        vm_joint *joint = joints->joints + i;
+        vmi_joint_end ends[2];
+        joint->n_rows = 0;
+        joint->force = vmi_vec3(0, 0, 0);
+        if (s->bodies[joint->body].away || (joint->other >= 0 && s->bodies[joint->other].away)) continue;
+        vmi_joint_end_now(s, joint->body, joint->at, y, ends);
+        vmi_joint_end_now(s, joint->other, joint->other_at, y, ends + 1);
+        joint->equations(joint, s, ends);
+        n += joint->n_rows;
+    }
+    return n;
+}
+
+/* Writes to row k of the n x n matrix how the forces of all equations accelerate the equation `row` of a joint */
+VM_API void vmi_joints_matrix_row(const vm_joints *joints, const vm_joint *joint, const vmi_joint_row *row, vm_real *a)
+{
+    int j, m, at = 0;
+    for (j = 0; j < joints->n_joints; j++) {
+        const vm_joint *other = joints->joints + j;
+        for (m = 0; m < other->n_rows; m++) a[at++] = vmi_joint_coupling(joint, row, other, other->row + m);
+    }
+}
+
+/* What the forces of an equation have to bring about: the acceleration that C lacks, so that
+   C'' + 2 rate C' + rate^2 C = 0, or for impulses the velocity that it lacks, so that C' = 0 */
+enum { VMI_JOINT_FORCES, VMI_JOINT_IMPULSES };
+
+VM_API vm_real vmi_joint_lacks(const vmi_joint_row *row, vm_real rate, int wanted)
+{
+    if (wanted == VMI_JOINT_IMPULSES) return -row->gap_rate;
+    return -(row->gap_acceleration + 2 * rate * row->gap_rate + rate * rate * row->gap);
+}
+
+/* Solves the n equations for the forces, or for the impulses. They replace the numbers of the work array from n^2 on.
+   Returns VM_SINGULAR, VM_NOT_FINITE or VM_OK. */
+VM_API int vmi_joints_solve(const vm_joints *joints, int n, int wanted)
+{
+    vm_real *a = joints->work, *b = a + n * n;
+    int i, k, at = 0;
+    for (i = 0; i < joints->n_joints; i++) {
+        const vm_joint *joint = joints->joints + i;
+        for (k = 0; k < joint->n_rows; k++) {
+            vmi_joints_matrix_row(joints, joint, joint->row + k, a + at * n);
+            b[at++] = vmi_joint_lacks(joint->row + k, joints->rate, wanted);
+        }
+    }
+    if (!vmi_all_finite(n * n + n, a)) return VM_NOT_FINITE;
+    return vmi_solve_mass(n, a, b, b + n);
+}
+
+/* The force of a joint on its body, from the forces of its equations */
+VM_API vm_vec3 vmi_joint_force(const vm_joint *joint, const vm_real *forces)
+{
+    vm_vec3 sum = {0, 0, 0};
+    int k;
+    for (k = 0; k < joint->n_rows; k++) sum = vm_add(sum, vm_scale(forces[k], joint->row[k].along));
+    return sum;
+}
+
+/* Adds the force of a joint to the loads of its bodies */
+VM_API void vmi_joint_push(const vm_joint *joint, const vm_real *y, vm_scene *s)
+{
+    vmi_body_point p;
+    vmi_point_now(s, joint->body, joint->at, y, &p);
+    vmi_point_push(s->bodies + joint->body, &p, joint->force);
+    if (joint->other < 0) return;
+    vmi_point_now(s, joint->other, joint->other_at, y, &p);
+    vmi_point_push(s->bodies + joint->other, &p, vm_scale(-1, joint->force));
+}
+
+VM_API void vmi_apply_joints(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
+{
+    const vm_joints *joints = (const vm_joints *)e->parts;
+    const int n = vmi_joints_equations(joints, s, y), status = vmi_joints_solve(joints, n, VMI_JOINT_FORCES);
+    const vm_real *forces = joints->work + n * n;
+    int i;
+    (void)t;
+    if (status) s->status = status;
+    if (status) return;
+    for (i = 0; i < joints->n_joints; i++) {
+        vm_joint *joint = joints->joints + i;
+        if (joint->n_rows == 0) continue;
+        joint->force = vmi_joint_force(joint, forces);
+        vmi_joint_push(joint, y, s);
+        forces += joint->n_rows;
+    }
+}
+
+/* Gives an impulse at a point of a body or of the ground */
+VM_API void vmi_joint_kick(const vm_scene *s, int body, vm_vec3 at, vm_vec3 impulse, vm_real *y)
+{
+    vmi_body_point p;
+    if (body < 0) return;
+    vmi_point_now(s, body, at, y, &p);
+    vmi_point_kick(s->bodies + body, &p, impulse, y);
+}
+
+/* After a jump, gives the impulses of the joints that stop the points of each joint from moving apart, and adds those
+   from the ground to the budget. The equations are those of the last evaluation. */
+VM_API int vmi_joints_settle(const vm_effect *e, vm_real *y, vm_scene *s)
+{
+    const vm_joints *joints = (const vm_joints *)e->parts;
+    const vm_real *impulses;
+    int i, n = 0, status;
+    for (i = 0; i < joints->n_joints; i++) n += joints->joints[i].n_rows;
+    impulses = joints->work + n * n;
+    status = vmi_joints_solve(joints, n, VMI_JOINT_IMPULSES);
+    if (status) return status;
+    for (i = 0; i < joints->n_joints; i++) {
+        const vm_joint *joint = joints->joints + i;
+        const vm_vec3 impulse = vmi_joint_force(joint, impulses);
+        impulses += joint->n_rows;
+        if (joint->n_rows == 0) continue;
+        vmi_joint_kick(s, joint->body, joint->at, impulse, y);
+        vmi_joint_kick(s, joint->other, joint->other_at, vm_scale(-1, impulse), y);
+        if (joint->other >= 0 || !s->budget) continue;
+        s->budget->impulse = vm_add(s->budget->impulse, impulse);
+        s->budget->angular_impulse = vm_add(s->budget->angular_impulse, vm_cross(joint->other_at, impulse));
+    }
+    return VM_OK;
+}
+
+/* -- Checks -- */
+
+/* Computes an end of a joint at the start of the scene, when the accelerations are not yet known. `size` and `speed`
+   are sums of the lengths and velocities of which the position and velocity of the point are composed. */
+VM_API void vmi_joint_end_at_start(const vm_scene *s, int body, vm_vec3 at, vmi_joint_end *end, vm_real *size,
+                                   vm_real *speed)
+{
+    enum { MOST = 13 + 1 + 3 + 6 }; /* the numbers of a free body, its mass, its mass centre and its inertia */
+    vm_real state[MOST] = {0};
+    vmi_body_point *p = &end->point;
+    end->a = vmi_vec3(0, 0, 0);
+    if (body >= 0) {
+        vm_scene_body now = s->bodies[body];
+        now.centre = vmi_vec3(0, 0, 0);
+        now.put(&now, &now.start, now.angle, state);
+        vmi_point_of_body(&now, at, state, p);
+    } else vmi_point_now(s, body, at, NULL, p);
+    *size += vmi_norm1(p->r) + vmi_norm1(p->arm);
+    *speed += vmi_norm1(p->v) + vmi_norm1(p->omega) * vmi_norm1(p->arm);
+}
+
+/* Whether the bodies fit a joint at the start: the gap and its rate are 0 but for a small fraction of the lengths and
+   velocities of which they are composed */
+VM_API int vmi_joint_fits(vm_joint *joint, const vm_scene *s)
+{
+    const vm_real loose = VM_C(1e-6) + 512 * VM_EPSILON;
+    vm_real size = 0, speed = 0;
+    vmi_joint_end ends[2];
+    int k;
+    vmi_joint_end_at_start(s, joint->body, joint->at, ends, &size, &speed);
+    vmi_joint_end_at_start(s, joint->other, joint->other_at, ends + 1, &size, &speed);
+    joint->n_rows = 0;
+    joint->equations(joint, s, ends);
+    for (k = 0; k < joint->n_rows; k++) {
+        const vmi_joint_row *row = joint->row + k;
+        if (!(VM_FABS(row->gap) <= loose * size && VM_FABS(row->gap_rate) <= loose * speed)) return 0;
+    }
+    return 1;
+}
+
+VM_API int vmi_joint_check(vm_joint *joint, const vm_scene *s)
+{
+    int status = vmi_first_error(vmi_point_check(s, joint->body, joint->at),
+                                 vmi_point_check(s, joint->other, joint->other_at));
+    if (joint->body < 0) status = vmi_first_error(status, VM_NO_SUCH_BODY);
+    if (!VM_IS_FINITE(joint->length)) status = vmi_first_error(status, VM_NOT_FINITE);
+    if (joint->length <= 0) status = vmi_first_error(status, VM_DOMAIN);
+    if (joint->body == joint->other) status = vmi_first_error(status, VM_SAME_BODY);
+    if (!joint->equations) status = VM_BAD_ARGUMENT;
+    if (status) return status;
+    if (s->bodies[joint->body].absent || (joint->other >= 0 && s->bodies[joint->other].absent)) return VM_OK;
+    return vmi_joint_fits(joint, s) ? VM_OK : VM_NOT_JOINED;
+}
+
+/* Enters in the lists of effects on the bodies of joints that a link stands there, with `enter` = 1; else returns
+   VM_TWO_LINKS if a link or another list of joints already stands there. */
+VM_API int vmi_joints_enter_links(const vm_joints *joints, const vm_scene *s, int enter)
+{
+    const int link = 1 << VMI_ORDER_LINK;
+    int i, k;
+    for (i = 0; i < joints->n_joints; i++) {
+        const int bodies[2] = {joints->joints[i].body, joints->joints[i].other};
+        for (k = 0; k < 2; k++) {
+            if (bodies[k] < 0) continue;
+            if (enter) s->bodies[bodies[k]].listed_orders |= link;
+            else if (s->bodies[bodies[k]].listed_orders & link) return VM_TWO_LINKS;
+        }
+    }
+    return VM_OK;
+}
+
+VM_API int vmi_joints_check(const vm_scene *s, const vm_effect *e)
+{
+    const vm_joints *joints = (const vm_joints *)e->parts;
+    int i, status = VM_OK;
+    if (!joints->work) return VM_BAD_ARGUMENT;
+    if (e->body >= 0 && s->bodies[e->body].absent) return VM_IS_AWAY;
+    for (i = 0; i < joints->n_joints; i++) status = vmi_first_error(status, vmi_joint_check(joints->joints + i, s));
+    if (!VM_IS_FINITE(joints->rate)) status = vmi_first_error(status, VM_NOT_FINITE);
+    if (joints->rate <= 0) status = vmi_first_error(status, VM_DOMAIN);
+    if (joints->work_size && joints->work_size < VM_JOINTS_WORK(joints->n_joints))
+        status = vmi_first_error(status, VM_SHORT_ARRAY);
+    if (!status) status = vmi_joints_enter_links(joints, s, 0);
+    if (!status) status = vmi_joints_enter_links(joints, s, 1);
+    return status;
+}
+
+/* The joints of a scene, solved together. *joints and its arrays are not copied and must stay where they are. The
+   effect stands after all other effects on the bodies of the joints. With n equations (2 a pin in the plane, 3 in
+   space, 1 a rod) an evaluation takes about n^3/3 multiplications for the solution. A high rate makes the equations
+   stiff. vm_scene_start returns VM_BAD_ARGUMENT for null pointers and an empty list, VM_NOT_FINITE, VM_DOMAIN if rate
+   or the length of a rod is not positive, VM_SHORT_ARRAY, VM_NO_SUCH_BODY, VM_IS_AWAY if the body of the first joint
+   is absent at the start, VM_SAME_BODY for a joint of a body with itself, VM_BAD_POINT for a point that the body
+   cannot have (points.h), VM_NOT_JOINED if points do not fit at the start or move apart, VM_TWO_LINKS if a body has a
+   link or joints of another list, too, and VM_LINK_NOT_LAST if another effect on one of the bodies follows. A run ends
+   with VM_SINGULAR if joints are redundant, contradict each other or hold what cannot move, if a mechanism reaches a
+   position in which it is locked, and with VM_NOT_FINITE if the points of a rod coincide. A joint does not act while
+   one of its bodies is not present. */
+VM_API vm_effect vm_effect_joints(const vm_joints *joints)
+{
+    const int is_list = joints && joints->joints && joints->n_joints > 0;
+    const int body = is_list ? joints->joints[0].body : 0;
+    vm_effect e = vmi_effect(body, 0, is_list ? vmi_apply_joints : NULL);
+    e.order = VMI_ORDER_JOINTS;
+    e.parts = joints;
+    e.check_in_scene = vmi_joints_check;
+    e.settle = vmi_joints_settle;
+    return e;
 }
 
 #endif
@@ -18640,6 +20260,7 @@ VM_API int vmi_scene_place_bodies(vm_scene *s, vm_real *y)
         b->mass_at = at + vmi_scene_mass_at(b);
         b->away = b->absent;
         b->law_offset = 0;
+        b->centre.x = b->centre.y = b->centre.z = 0;
         for (k = 0; k < vmi_scene_body_size(b); k++) y[at++] = 0;
         vmi_scene_put(s, i, &b->start, b->angle, y);
     }
@@ -18726,14 +20347,14 @@ VM_API void vmi_scene_enter_loads(const vm_scene_body *b, const vm_real *y, vm_r
     const vm_load *load = &b->load;
     const vm_real *state = y + b->at;
     const vm_vec3 r = vmi_scene_moving(b, state), v = vmi_scene_moving(b, state + b->positions);
-    const vm_vec3 force = vmi_sub(vmi_scene_moving(b, load->force), vmi_scene_moving(b, load->reactive));
-    const vm_vec3 torque = vmi_sub(vmi_scene_turning(b, load->force), vmi_scene_turning(b, load->reactive));
+    const vm_vec3 force = vm_sub(vmi_scene_moving(b, load->force), vmi_scene_moving(b, load->reactive));
+    const vm_vec3 torque = vm_sub(vmi_scene_turning(b, load->force), vmi_scene_turning(b, load->reactive));
     const vm_vec3 brought = vmi_scene_moving(b, load->brought), turning = vmi_scene_turning(b, load->brought);
     vmi_add3(force, rates + VMI_BUDGET_IMPULSE);
-    vmi_add3(vmi_add(torque, vmi_cross(r, force)), rates + VMI_BUDGET_ANGULAR_IMPULSE);
+    vmi_add3(vm_add(torque, vm_cross(r, force)), rates + VMI_BUDGET_ANGULAR_IMPULSE);
     vmi_add3(brought, rates + VMI_BUDGET_BROUGHT);
-    vmi_add3(vmi_add(turning, vmi_cross(r, brought)), rates + VMI_BUDGET_BROUGHT_ANGULAR);
-    rates[VMI_BUDGET_WORK] += vmi_dot(force, v) + vmi_dot(torque, vmi_scene_spin(b, y));
+    vmi_add3(vm_add(turning, vm_cross(r, brought)), rates + VMI_BUDGET_BROUGHT_ANGULAR);
+    rates[VMI_BUDGET_WORK] += vm_dot(force, v) + vm_dot(torque, vmi_scene_spin(b, y));
     rates[VMI_BUDGET_BROUGHT_ENERGY] += load->brought_energy;
     rates[VMI_BUDGET_MIXING] += load->mixing;
 }
@@ -18777,11 +20398,11 @@ VM_API void vmi_scene_totals(const vm_scene *s, const vm_real *y, vm_budget *bud
         if (b->away) continue;
         vmi_scene_body_now(s, i, y, &now);
         if (b->motion == VM_AXLE) now.mass = 0;
-        p = vmi_scale(now.mass, now.v);
+        p = vm_scale(now.mass, now.v);
         spin = vmi_spin_momentum(&now);
-        budget->momentum = vmi_add(budget->momentum, p);
-        budget->angular_momentum = vmi_add(budget->angular_momentum, vmi_add(spin, vmi_cross(now.r, p)));
-        budget->energy += (vmi_dot(p, now.v) + vmi_dot(spin, now.omega)) / 2;
+        budget->momentum = vm_add(budget->momentum, p);
+        budget->angular_momentum = vm_add(budget->angular_momentum, vm_add(spin, vm_cross(now.r, p)));
+        budget->energy += (vm_dot(p, now.v) + vm_dot(spin, now.omega)) / 2;
     }
 }
 
@@ -18830,16 +20451,16 @@ VM_API int vm_scene_budget_at(vm_scene *scene, vm_real t, const vm_real *y, vm_b
     sums = y + vm_scene_size(scene) - VM_BUDGET_STATES;
     vmi_scene_evaluate(scene, t, y);
     vmi_scene_totals(scene, y, &b);
-    b.impulse = vmi_add(start->impulse, vmi_get3(sums + VMI_BUDGET_IMPULSE));
-    b.angular_impulse = vmi_add(start->angular_impulse, vmi_get3(sums + VMI_BUDGET_ANGULAR_IMPULSE));
+    b.impulse = vm_add(start->impulse, vmi_get3(sums + VMI_BUDGET_IMPULSE));
+    b.angular_impulse = vm_add(start->angular_impulse, vmi_get3(sums + VMI_BUDGET_ANGULAR_IMPULSE));
     b.brought = vmi_get3(sums + VMI_BUDGET_BROUGHT);
     b.brought_angular = vmi_get3(sums + VMI_BUDGET_BROUGHT_ANGULAR);
     b.work = sums[VMI_BUDGET_WORK];
     b.brought_energy = sums[VMI_BUDGET_BROUGHT_ENERGY];
     b.mixing = sums[VMI_BUDGET_MIXING];
-    b.momentum_defect = vmi_sub(vmi_sub(b.momentum, start->momentum), vmi_add(b.impulse, b.brought));
-    b.angular_defect = vmi_sub(vmi_sub(b.angular_momentum, start->angular_momentum),
-                               vmi_add(b.angular_impulse, b.brought_angular));
+    b.momentum_defect = vm_sub(vm_sub(b.momentum, start->momentum), vm_add(b.impulse, b.brought));
+    b.angular_defect = vm_sub(vm_sub(b.angular_momentum, start->angular_momentum),
+                               vm_add(b.angular_impulse, b.brought_angular));
     b.energy_defect = b.energy - start->energy - (b.work + b.brought_energy - b.mixing + b.jump_energy);
     *budget = b;
     return VM_OK;
@@ -19100,10 +20721,10 @@ VM_API void vmi_event_jump_place(const vm_body *body, vm_body *part)
 {
     const vmi_mat3 turn = vmi_rotation(body->q);
     const vm_vec3 d = vmi_times(&turn, part->r);
-    part->r = vmi_add(body->r, d);
-    part->v = vmi_add(vmi_times(&turn, part->v), vmi_add(body->v, vmi_cross(body->omega, d)));
-    part->omega = vmi_add(vmi_times(&turn, part->omega), body->omega);
-    part->q = vmi_quat_is_none(part->q) ? body->q : vmi_quat_times(body->q, part->q);
+    part->r = vm_add(body->r, d);
+    part->v = vm_add(vmi_times(&turn, part->v), vm_add(body->v, vm_cross(body->omega, d)));
+    part->omega = vm_add(vmi_times(&turn, part->omega), body->omega);
+    part->q = vmi_quat_is_none(part->q) ? body->q : vm_quat_times(body->q, part->q);
 }
 
 VM_API vm_impulse2 vmi_event_impulse2(const vm_impulse *external)
@@ -19159,16 +20780,25 @@ VM_API vm_real vmi_scene_angle(const vm_scene *s, int body, const vm_real *y)
     return b->motion == VM_PLANE ? y[b->at + VMI_PLANE_ANGLE] : y[b->at];
 }
 
-/* After a jump has moved the mass centre of a growing body to r, updates its position in body axes, which is in the
-   state */
+/* After a jump has moved the mass centre of a body to r, updates its position in body axes: that of a growing body,
+   which is in the state, and that of a body at whose points an effect acts */
 VM_API void vmi_scene_shift_centre(const vm_scene *s, int body, vm_vec3 r, vm_real *y)
 {
-    const vm_scene_body *b = s->bodies + body;
+    vm_scene_body *b = s->bodies + body;
     vm_real *state = y + b->at;
     vm_vec3 step;
+    if (b->shift) b->shift(b, vm_sub(r, vmi_scene_moving(b, state)), state);
     if (!b->grows) return;
-    step = vmi_times_transposed(&b->axes, vmi_sub(r, vmi_scene_moving(b, state)));
-    vmi_growth_put_centre(b, vmi_add(vmi_growth_centre(b, state), step), state);
+    step = vmi_times_transposed(&b->axes, vm_sub(r, vmi_scene_moving(b, state)));
+    vmi_growth_put_centre(b, vm_add(vmi_growth_centre(b, state), step), state);
+}
+
+/* Lets effects that hold bodies together act even if their first body is not present: they leave out such bodies */
+VM_API void vmi_scene_wake(vm_scene *s)
+{
+    int i;
+    for (i = 0; i < s->n_effects; i++)
+        if (s->effects[i].settle) s->effects[i].idle &= VMI_IDLE_SWITCHED_OFF;
 }
 
 /* Writes the bodies after a jump into the state: the body that lost or gained mass, and the part that separated, or
@@ -19185,28 +20815,44 @@ VM_API void vmi_scene_put_jump(vm_event *e, vm_real t, vm_real *y, const vm_body
     vmi_scene_shift_centre(s, e->jump_body, result->r, y);
     if (part_or_NULL) {
         other->noted_mass = part_or_NULL->mass;
+        other->centre = vmi_vec3(0, 0, 0);
         if (other->grows) vmi_growth_put_centre(other, vmi_vec3(0, 0, 0), y + other->at);
         vmi_scene_put(s, e->other, part_or_NULL, angle + other->angle, y);
     }
     vmi_scene_put(s, e->jump_body, result, angle, y);
     vmi_scene_presence(s);
+    vmi_scene_wake(s);
     vmi_scene_hold_masses(s, t, y);
 }
 
+/* Lets effects that hold bodies together give their impulses after a jump. The loads have been evaluated. */
+VM_API int vmi_scene_settle(vm_scene *s, vm_real *y)
+{
+    int i, status = VM_OK;
+    for (i = 0; i < s->n_effects; i++) {
+        const vm_effect *e = s->effects + i;
+        if (e->settle && !e->idle) status = vmi_first_error(status, e->settle(e, y, s));
+    }
+    return status;
+}
+
 /* Writes the bodies after a jump into the state, and adds to the budget the energy that the jump adds and the impulse
-   from outside */
-VM_API void vmi_scene_jump(vm_event *e, vm_real t, vm_real *y, const vm_body *result, const vm_body *part_or_NULL)
+   from outside. Returns VM_OK, or the status of an effect that cannot hold the bodies together. */
+VM_API int vmi_scene_jump(vm_event *e, vm_real t, vm_real *y, const vm_body *result, const vm_body *part_or_NULL)
 {
     vm_scene *s = e->scene;
     vm_budget *budget = s->budget;
     vm_budget before, after;
+    int status;
     if (budget) budget->totals(s, y, &before);
     vmi_scene_put_jump(e, t, y, result, part_or_NULL);
-    if (!budget) return;
+    status = vmi_scene_settle(s, y);
+    if (!budget) return status;
     budget->totals(s, y, &after);
     budget->jump_energy += after.energy - before.energy;
-    budget->impulse = vmi_add(budget->impulse, e->external.linear);
-    budget->angular_impulse = vmi_add(budget->angular_impulse, vmi_impulse_moment(&e->external, vmi_vec3(0, 0, 0)));
+    budget->impulse = vm_add(budget->impulse, e->external.linear);
+    budget->angular_impulse = vm_add(budget->angular_impulse, vmi_impulse_moment(&e->external, vmi_vec3(0, 0, 0)));
+    return status;
 }
 
 VM_API int vmi_then_separate(vm_event *e, vm_real t, vm_real *y)
@@ -19219,8 +20865,7 @@ VM_API int vmi_then_separate(vm_event *e, vm_real t, vm_real *y)
     vmi_scene_body_now(e->scene, e->jump_body, y, &body);
     status = e->jump(e, &body, &part, &rest);
     if (status < 0) return status;
-    vmi_scene_jump(e, t, y, &rest, &part);
-    return VM_OK;
+    return vmi_scene_jump(e, t, y, &rest, &part);
 }
 
 /* The event separates a part from a body on a line or on an axle. The part has the motion *part and becomes the body
@@ -19273,8 +20918,7 @@ VM_API int vmi_then_attach(vm_event *e, vm_real t, vm_real *y)
     vmi_scene_body_now(e->scene, e->other, y, &added);
     status = e->jump(e, &body, &added, &whole);
     if (status < 0) return status;
-    vmi_scene_jump(e, t, y, &whole, NULL);
-    return VM_OK;
+    return vmi_scene_jump(e, t, y, &whole, NULL);
 }
 
 /* The event attaches a body to another body on the same line or axle. The body `added` becomes a part of `body` and is
@@ -19309,6 +20953,160 @@ VM_API vm_event vm_then_attach(vm_event event, int body, int added)
     event = vm_then_attach_on_line(event, body, added);
     event.jump = vmi_event_jump_any;
     event.motions = VMI_ALL_MOTIONS;
+    return event;
+}
+
+#endif
+/* scenes/contact.h - contact of bodies with the ground
+
+   The ground is a plane through the point `on`, and `normal` points out of it. A point of a body, or a ball of a radius
+   about this point, touches the ground where its height is negative. The ground then pushes along the normal with the
+   force stiffness * depth - damping * (velocity along the normal). It never pulls and has no friction.
+
+       vm_contact wheel = {{0, 0, 0}, 0.3, {0, 0, 0}, {0, 1, 0}, 1e5, 300}; // 0.3 m radius; y points up
+       vm_effect effects[] = {vm_effect_gravity(0, 1, -9.81), vm_effect_contact(0, &wheel)};
+       vm_event events[] = {vm_then_land(vm_event_contact(0, &wheel))};     // and it does not bounce
+
+   vm_event_contact happens when the body comes down to the ground. vm_then_land makes it a stop without a bounce: an
+   impulse takes away the velocity of the point along the normal. Afterwards the body rests on the stiffness.
+
+   Tests: tests/test_scene_joints.c. */
+#ifndef VARMASS_SCENES_CONTACT_H
+#define VARMASS_SCENES_CONTACT_H
+
+/* A point of a body, or a ball about it, and the ground on which it comes down */
+typedef struct VM_TAG(vm_contact) {
+    vm_vec3 at;        /* m, body axes: the point of the body */
+    vm_real radius;    /* m: radius of a ball about the point, >= 0 */
+    vm_vec3 on;        /* m: a point of the ground */
+    vm_vec3 normal;    /* direction out of the ground, of any length > 0 */
+    vm_real stiffness; /* N/m, >= 0 */
+    vm_real damping;   /* N s/m, >= 0 */
+} vm_contact;
+
+/* Height of the ball over the ground; it is negative where the ball touches the ground. *p is the point of the body,
+   and *normal becomes the unit vector out of the ground. */
+VM_API vm_real vmi_contact_height(const vm_contact *contact, const vmi_body_point *p, vm_vec3 *normal)
+{
+    *normal = vmi_over(contact->normal, vm_norm(contact->normal));
+    return vm_dot(vm_sub(p->r, contact->on), *normal) - contact->radius;
+}
+
+VM_API void vmi_apply_contact(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
+{
+    const vm_contact *contact = (const vm_contact *)e->parts;
+    vmi_body_point p;
+    vm_vec3 normal;
+    vm_real height, force;
+    (void)t;
+    vmi_point_now(s, e->body, contact->at, y, &p);
+    height = vmi_contact_height(contact, &p, &normal);
+    if (height >= 0) return;
+    force = -contact->stiffness * height - contact->damping * vm_dot(p.v, normal);
+    if (force > 0) vmi_point_push(s->bodies + e->body, &p, vm_scale(force, normal));
+    if (!VM_IS_FINITE(force)) s->status = VM_NOT_FINITE;
+}
+
+VM_API int vmi_contact_check_parts(const vm_scene *s, int body, const vm_contact *contact)
+{
+    int status = vmi_point_check(s, body, contact->at);
+    if (!VM_IS_FINITE(contact->radius) || !VM_IS_FINITE(contact->stiffness) || !VM_IS_FINITE(contact->damping) ||
+        !vmi_vec3_is_finite(contact->on) || !vmi_vec3_is_finite(contact->normal))
+        status = vmi_first_error(status, VM_NOT_FINITE);
+    if (contact->stiffness < 0) status = vmi_first_error(status, VM_BAD_STIFFNESS);
+    if (contact->radius < 0 || contact->damping < 0 || vm_norm(contact->normal) == 0)
+        status = vmi_first_error(status, VM_DOMAIN);
+    return status;
+}
+
+VM_API int vmi_contact_check(const vm_scene *s, const vm_effect *e)
+{
+    return vmi_contact_check_parts(s, e->body, (const vm_contact *)e->parts);
+}
+
+/* Contact of a body with the ground: one-sided stiffness and damping, which never pull. *contact is not copied: if an
+   event changes it, the run continues with the change. vm_scene_start returns VM_BAD_ARGUMENT if contact is NULL,
+   VM_NOT_FINITE, VM_BAD_STIFFNESS for a negative stiffness, VM_DOMAIN if radius or damping is negative or the normal is
+   0, and VM_BAD_POINT for a point that the body cannot have (points.h). */
+VM_API vm_effect vm_effect_contact(int body, const vm_contact *contact)
+{
+    vm_effect e = vmi_effect(body, 0, contact ? vmi_apply_contact : NULL);
+    e.parts = contact;
+    e.check_in_scene = vmi_contact_check;
+    return e;
+}
+
+VM_API vm_real vmi_when_contact(const vm_event *e, vm_real t, const vm_real *y)
+{
+    const vm_contact *contact = (const vm_contact *)e->parts;
+    vmi_body_point p;
+    vm_vec3 normal;
+    (void)t;
+    vmi_point_now(e->scene, e->body, contact->at, y, &p);
+    return vmi_contact_height(contact, &p, &normal);
+}
+
+VM_API int vmi_contact_check_event(const vm_scene *s, const vm_event *e)
+{
+    return vmi_contact_check_parts(s, e->body, (const vm_contact *)e->parts);
+}
+
+/* An event when a body comes down to the ground. Only the fields at, radius, on and normal of *contact matter, which
+   is not copied. vm_scene_start returns VM_BAD_ARGUMENT if contact is NULL, and the errors of vm_effect_contact. */
+VM_API vm_event vm_event_contact(int body, const vm_contact *contact)
+{
+    vm_event e = vmi_event(body, 0, 0, -1);
+    e.when = contact ? vmi_when_contact : NULL;
+    e.parts = contact;
+    e.check = vmi_contact_check_event;
+    if (!contact) e.status = VM_BAD_ARGUMENT;
+    return e;
+}
+
+/* Takes away the velocity of the point along the normal by an impulse, which enters the budget. The body gets the
+   velocities that the impulse 1 along the normal gives it, times a factor. */
+VM_API int vmi_then_land(vm_event *e, vm_real t, vm_real *y)
+{
+    const vm_contact *contact = (const vm_contact *)e->parts;
+    vm_scene *s = e->scene;
+    vm_budget before, after;
+    vmi_body_point p;
+    vm_vec3 normal, impulse;
+    vm_real mobility, v;
+    vmi_scene_evaluate(s, t, y);
+    vmi_point_now(s, e->body, contact->at, y, &p);
+    vmi_contact_height(contact, &p, &normal);
+    v = vm_dot(p.v, normal);
+    mobility = vmi_point_mobility(s->bodies + e->body, &p, normal);
+    if (v >= 0 || mobility == 0) return VM_OK;
+    impulse = vm_scale(-v / mobility, normal);
+    if (s->budget) s->budget->totals(s, y, &before);
+    vmi_point_kick(s->bodies + e->body, &p, impulse, y);
+    if (!s->budget) return VM_OK;
+    s->budget->totals(s, y, &after);
+    s->budget->jump_energy += after.energy - before.energy;
+    s->budget->impulse = vm_add(s->budget->impulse, impulse);
+    s->budget->angular_impulse = vm_add(s->budget->angular_impulse, vm_cross(p.r, impulse));
+    return VM_OK;
+}
+
+/* Checks a landing: reactions of links and joints would have to act in the same impulse */
+VM_API int vmi_land_check(const vm_scene *s, const vm_event *e)
+{
+    const int status = vmi_contact_check_event(s, e);
+    if (status) return status;
+    return s->bodies[e->body].listed_orders >> VMI_ORDER_LINK & 1 ? VM_TWO_LINKS : VM_OK;
+}
+
+/* The event of vm_event_contact becomes a stop without a bounce: an impulse takes away the velocity of the point along
+   the normal, and the body keeps its other velocities as far as it is free. Afterwards vm_effect_contact carries the
+   body. vm_scene_start returns VM_BAD_ARGUMENT for an event that is not of vm_event_contact, and VM_TWO_LINKS for a
+   body with a link or a joint, whose impulses this event does not compute. */
+VM_API vm_event vm_then_land(vm_event event)
+{
+    event.then = vmi_then_land;
+    event.check = vmi_land_check;
+    if (!event.parts) event.status = VM_BAD_ARGUMENT;
     return event;
 }
 

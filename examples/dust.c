@@ -88,7 +88,7 @@ static int spin_down(sample *samples)
            end / 60, b.mass, mass, samples[SAMPLES - 1].spin, samples[SAMPLES - 1].closed_spin,
            samples[SAMPLES - 1].wobble, samples[SAMPLES - 1].closed_wobble);
     printf("  largest difference %.1g rad/s; angular momentum changed by %.1g of %.4g; energy left %.3f\n", worst,
-           sqrt(vmi_dot(vmi_sub(after, before), vmi_sub(after, before))), before.z, samples[SAMPLES - 1].energy);
+           sqrt(vm_dot(vm_sub(after, before), vm_sub(after, before))), before.z, samples[SAMPLES - 1].energy);
     return 0;
 }
 
@@ -106,7 +106,7 @@ static int with_printed(double t, const double *y, double *dydt, void *ctx)
     q.y = y[VM_Y_Q + 2];
     q.z = y[VM_Y_Q + 3];
     turn = vmi_rotation(q);
-    arm = vmi_scale(flow->streams[0].at.z - y[VM_Y_CENTRE + 2], turn.z);
+    arm = vm_scale(flow->streams[0].at.z - y[VM_Y_CENTRE + 2], turn.z);
     dydt[VM_FLOW_STATES] = (arm.y * y[VM_Y_P + 2] - arm.z * y[VM_Y_P + 1]) / y[VM_Y_MASS] *
                    flow->streams[0].rate; /* (I omega)' */
     return status;

@@ -26,7 +26,7 @@ static int free_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
     half_omega.x = y[0] / 2;
     half_omega.y = y[1] / 2;
     half_omega.z = y[2] / 2;
-    q = vmi_quat_times(q, half_omega);
+    q = vm_quat_times(q, half_omega);
     dydt[0] = (moments.y - moments.z) * y[1] * y[2] / moments.x;
     dydt[1] = (moments.z - moments.x) * y[2] * y[0] / moments.y;
     dydt[2] = (moments.x - moments.y) * y[0] * y[1] / moments.z;

@@ -133,11 +133,11 @@ static void print_empty(const vm_body *b, const double *y)
 static void print_balance(const vm_body *start, vm_vec3 angular, const vm_body *b, const double *y)
 {
     const vm_vec3 origin = {0, 0, 0};
-    const vm_vec3 now = vmi_add(vm_momentum(b), vmi_get3(y + VM_Y_BALANCE));
-    const vm_vec3 angular_now = vmi_add(vm_angular_momentum(b, origin), vmi_get3(y + VM_Y_BALANCE + 3));
+    const vm_vec3 now = vm_add(vm_momentum(b), vmi_get3(y + VM_Y_BALANCE));
+    const vm_vec3 angular_now = vm_add(vm_angular_momentum(b, origin), vmi_get3(y + VM_Y_BALANCE + 3));
     printf("  balance with all that was shed: %.1g N s of %.2g, %.1g N m s of %.2g\n",
-           vmi_norm1(vmi_sub(vm_momentum(start), now)), propellant * exhaust, vmi_norm1(vmi_sub(angular, angular_now)),
-           propellant * exhaust * sqrt(vmi_dot(b->r, b->r)));
+           vmi_norm1(vm_sub(vm_momentum(start), now)), propellant * exhaust, vmi_norm1(vm_sub(angular, angular_now)),
+           propellant * exhaust * sqrt(vm_dot(b->r, b->r)));
 }
 
 static void print_tilts(const sample *samples)

@@ -53,7 +53,7 @@ static vm_quat quaternion(const vm_real *y)
 static int turning(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 {
     const vm_vec3 w = spin_at((const spinning *)ctx, quaternion(y));
-    vm_quat half = {0, w.x / 2, w.y / 2, w.z / 2}, rate = vmi_quat_times(half, quaternion(y));
+    vm_quat half = {0, w.x / 2, w.y / 2, w.z / 2}, rate = vm_quat_times(half, quaternion(y));
     (void)t;
     dydt[0] = rate.w;
     dydt[1] = rate.x;
@@ -183,7 +183,7 @@ static vm_vec3 with_inertias_about_S(const scene *s)
     hub.inertia = vm_parallel_axes(&hub.inertia, hub.mass, d1);
     panel.inertia = vm_parallel_axes(&panel.inertia, panel.mass, d2);
     h = plus(vmi_spin_momentum(&s->whole), -1, vmi_spin_momentum(&panel));
-    h = plus(h, panel.mass, vmi_cross(d2, plus(hub.v, -1, panel.v)));
+    h = plus(h, panel.mass, vm_cross(d2, plus(hub.v, -1, panel.v)));
     p = vmi_principal_axes(&hub.inertia);
     return vmi_spin_of(&p, h); /* the axes are parallel to the inertial ones at the jump */
 }

@@ -19,13 +19,13 @@
      moves by x = A ca and x' = -sqrt(2/(alpha+1)) omega A^((alpha+1)/2) sa, where omega = sqrt(k/m).
 
    WHAT THE FUNCTIONS ARE
-     v = sa and u = ca solve v' = u|u|^(alpha-1), u' = -2 v/(alpha+1) with v(0) = 0 and u(0) = 1 (275). So
-     v^2 + |u|^(alpha+1) = 1 (279), and in the first quarter, 0 <= s <= Pi_alpha/2, v^2 is an inverse incomplete beta
-     function of s: s = (1/2) B_(v^2)(1/2, 1/(alpha+1)).
+     v = sa and u = ca solve v' = u|u|^(alpha-1), u' = -2 v/(alpha+1) with v(0) = 0 and u(0) = 1 (275), where ' is the
+     derivative with respect to s. So v^2 + |u|^(alpha+1) = 1 (279), and in the first quarter, 0 <= s <= Pi_alpha/2, v^2
+     is an inverse incomplete beta function of s: s = (1/2) B_(v^2)(1/2, 1/(alpha+1)).
      alpha = 0              sa is a triangular wave, ca consists of arcs of parabolas
      alpha = 1              sa = sin, ca = cos
      alpha = 3              sa = sqrt(2) sn dn and ca = cn of the argument s/sqrt(2) and the parameter 1/2
-     alpha to infinity      sa tends to tanh s, and on the scale of the period to a square wave
+     alpha to infinity      sa tends to tanh s; as a function of s/Pi_alpha it tends to a square wave
      In terms of the generalised sine, with p = (alpha+1)/alpha,
      sa = sin_(p,2)(s) and ca = sin_(2,alpha+1)((Pi_alpha - 2s)/(alpha+1)).
 
@@ -45,17 +45,18 @@
 
    ERRORS
      alpha < 0, NaN and infinite arguments give NaN; so do probabilities outside [0, 1], parameters of beta functions
-     outside 1e-4 to 1e5 (of which 0 and infinity give limits), and whatever else lies outside the domain that the comment of a function gives. A plan
-     refuses a bad alpha with -1 and stays as it was. Nothing else can fail. The functions allocate no
-     memory and keep no state; the value of errno means nothing.
+     outside 1e-4 to 1e5 (but the parameters 0 and infinity give limits), and whatever else lies outside the domain
+     that the comment of a function gives. For a bad alpha ateb_plan_init returns -1 and leaves the plan as it was.
+     Nothing else can fail. The functions allocate no memory and keep no state; the value of errno means nothing.
 
    METHOD
-     s is reduced to the first quarter by Pi_alpha, which comes from a table of polynomials, or, where s is large or
-     close to a zero, from one polynomial in two or three words. In the first quarter the incomplete beta function is
-     inverted: an approximation of sa is taken as exact, the s that belongs to it is computed by a continued fraction
-     of 12 levels (float 6) and one power, and a Taylor series corrects sa and ca for the difference from the given s.
-     A plan has polynomials for two parts of a quarter: Taylor series from (275), shortened to the accuracy that is
-     wanted.
+     s is reduced to the first quarter of the period by means of Pi_alpha, which comes from a table of polynomials, or,
+     where s is large or close to a zero, from one polynomial in two or three words. In the first quarter the incomplete
+     beta function is inverted: an approximation of sa is taken as exact, the s that belongs to it is computed by a
+     continued fraction of 12 levels (float 6) and one power, and a Taylor series corrects sa and ca for the difference
+     from the given s.
+     A plan has polynomials for two parts of a quarter: Taylor series that solve (275), shortened to the accuracy that
+     is wanted.
 
    MACROS, to be defined before the include
      VM_USE_FLOAT         float instead of double; the tests run both
@@ -93,7 +94,7 @@
      sa, ca by a plan       <= 2 ulp for |s| <= 100 Pi_alpha and alpha up to 1e6, or the absolute error that the plan
                             was made for
      phase                  <= 8 ulp plus the change that 6 ulp of sa and of ca make, for the sa and ca of ateb_saca
-     beta, mean, Pi(n, m)   <= 1, 2, 1 ulp
+     beta, mean, Pi(n, m)   <= 1 ulp, 2 ulp and 1 ulp
      beta_inc               <= 30 ulp of p and of q
      beta_inc_inv           <= 16 ulp of x and of y plus the change that one ulp of the smaller of p and q makes
      sa(n, m), ca(m, n)     <= 8 ulp plus the change that an error of 2^-102 |s| (float 2^-44 |s|) in s makes

@@ -20,7 +20,7 @@
        }
 
    METHODS, and when to take which method
-     rk4    the classical method of order 4 with fixed steps: for control loops, where every step must take the same
+     rk4    the classical method of order 4 with fixed steps, for control loops, where every step must take the same
             time. rk4_solve_compensated keeps the roundings of millions of steps from adding up.
      rk45   Tsitouras' pair of orders 5 and 4 [1] chooses its steps to keep a tolerance: six evaluations of f in a step,
             and none for the solution between steps. Begin with this method. It is also the best one in float,
@@ -39,25 +39,25 @@
      the functions of rk45 refuse it, and those of rk87 refuse an rk45 that rk45_init made.
 
    STEP SIZE CONTROL
-     A step gives two results, by the two orders of the pair. Their difference is the estimate of the error; the run
+     A step gives two results, one by each order of the pair. Their difference is the estimate of the error; the run
      goes on with the result of the higher order. A step is accepted when |error_i| <= atol + rtol max(|y_i|, |y_i after
-     the step|) for every component i. The size of the next step is chosen by PI control. It stays the same after an
-     error of 0.25 to 0.75 of the tolerance (rk87: 0.1 to 0.75).
-     The tolerance is for each step; the error at the end of a run is larger, in proportion to its length.
+     the step|) for every component i. The size of the next step is chosen by PI control [2]. It stays the same after
+     an error of 0.25 to 0.75 of the tolerance (rk87: 0.1 to 0.75).
+     The tolerance is for each step; the error at the end of a run is larger, in proportion to the length of the run.
      A zero in rk45_options means the default, and a negative tolerance counts as 0. rk45_defaults() fills in the
      defaults.
-     No step is shorter than h_min, or than 2 eps |t|, which is what t can resolve. If even a step of this smallest size
+     No step is shorter than h_min, or than 2 eps |t|, the resolution of t. If even a step of this smallest size
      misses the tolerance, the run assumes a jump of f: it accepts the step, counts it in s.missed, and goes on after
      the jump. If another such step misses the tolerance before three steps have kept it, f is singular there, or too
      stiff for the resolution of t, and the run ends with ODE_STEP_TOO_SMALL. If the two steps follow each other
      directly, in one call of rk45_solve without events, both are dropped: s.t and s.y are then those before both steps.
 
    TIME
-     A step ends at a time that the type can hold, and its length is exactly the difference of the two times. So s.t
+     A step ends at a time that the type can hold, and its length is exactly the difference of its two times. So s.t
      does not drift away from the motion, however far from 0 the run began and however many steps it takes. There are
-     two exceptions: a step so short that this would change its length by more than 1/64, and a step that ends at an
-     event. Then y belongs to a time between two numbers of the type, s.t is the nearest of them, and the run keeps the
-     difference.
+     two exceptions: a step so short that this rounding would change its length by more than 1/64, and a step that ends
+     at an event. Then y belongs to a time between two numbers of the type, s.t is the nearer of them, and the run keeps
+     the difference.
 
    EVENTS
      An event happens when g(t, y) reaches zero or changes its sign. The run finds its time on the continuous extension,
@@ -68,8 +68,15 @@
      or on it. If g stays 0 for a while, the event happens when g reaches 0, not when it leaves 0. If g jumps, the event
      happens at the jump. After an event the sign of g counts again as soon as rounding cannot have caused it, so that a
      motion that is reversed on contact does not touch twice.
+     A run ends at each event of an ODE_STOP, or when an event has happened `stop_after` times. Its t_end may then be
+     infinite; h_max should bound the steps then, where the solution is so smooth that they would grow without end.
      Two zeros, or any even number of them, between two evaluations of g are not found. A larger `checks` or a smaller
      h_max makes evaluations more frequent.
+
+   OUTPUT AND SAVED RUNS
+     rk45_solve_at and rk87_solve_at fill a table with the states at listed times, without shortening the steps.
+     rk45_save and rk87_save write a run to an array of bytes; rk45_resume and rk87_resume continue it with the same
+     bits.
 
    RIGHT-HAND SIDES THAT ARE NOT SMOOTH
      The step size control finds the places where f is not smooth and takes some short steps there. No error estimate is
@@ -131,5 +138,7 @@
 #include "integrators/rk4.h"
 #include "integrators/rk45.h"
 #include "integrators/rk87.h"
+#include "integrators/output.h"
+#include "integrators/saved.h"
 
 #endif

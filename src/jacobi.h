@@ -28,34 +28,35 @@
      jacobi_F, jacobi_E_incomplete, jacobi_Pi_incomplete
                           incomplete elliptic integrals from 0 to any angle phi; F is the inverse of the amplitude
      jacobi_inverse_sn    u from sn(u | m); jacobi_inverse_cn and jacobi_inverse_dn do the same for cn and dn
-     jacobi_RF            Carlson's symmetric integrals R_F, R_C, R_D, R_J, R_G, of which all others are sums
+     jacobi_RF            Carlson's integrals R_F, R_C, R_D, R_J, R_G; all other elliptic integrals are sums of these
      jacobi_plan_init     prepares a plan for one m; then call jacobi_plan_sncndn for one u, or
                           jacobi_plan_sncndn_array for many u. A plan is plain data and may be a constant in flash;
                           examples/print_plan prints one. On AVR copy it from there to RAM, by memcpy_P, before it is
                           used.
-     jacobi_solve_kpK     m from k'K(k^2); jacobi_solve_K returns m from K
+     jacobi_solve_kpK     m from the value of k'K(m); jacobi_solve_K returns m from the value of K(m)
      jacobi_cn_means      mean values of cn^2, cn^4 and cn^6 over a period
      jacobi_agm_...       sn, cn, dn and K by the arithmetic-geometric mean; for sn, cn and dn its number of steps is an
                           argument
 
    ERRORS
-     m > 1 (but for jacobi_sncndn_any), m1 < 0, c < 0 (the argument of the solvers), NaN and infinite arguments give
+     m > 1 (except in jacobi_sncndn_any), m1 < 0, c < 0 (the argument of the solvers), NaN and infinite arguments give
      NaN. The incomplete integrals, jacobi_Pi, the inverses and Carlson's integrals return the limit at an infinite
-     argument, and NaN where there is none. m = 1 gives the limits:
-     K is infinite, E is 1, sn is tanh u, cn and dn are 1/cosh u, for u = +-infinity too. A quotient at a pole is
-     infinite. A plan refuses a bad m with -1 and stays as it was. Nothing else can fail. The functions allocate no
-     memory and keep no state; the value of errno means nothing.
+     argument, and NaN where there is no limit. m = 1 gives the limits: K is infinite, E is 1, sn is tanh u, cn and dn
+     are 1/cosh u, for u = +-infinity too. A quotient at a pole is infinite. For a bad m jacobi_plan_init returns -1 and
+     leaves the plan as it was. Nothing else can fail. The functions allocate no memory and keep no state; the value of
+     errno means nothing.
 
    METHOD
      Where u^2 max(1, 1 - m) is small, cs^2(u/4 | m) is computed by its Laurent series, and two duplications [1, 5] lead
      to u. This needs one square root, but not K.
-     If u is beyond about K/2, it is first reduced by the quarter period K. The closer u is to a zero, the more words of
-     K are used. K comes from two steps of the arithmetic-geometric mean and a series, or from the mean in two or three
-     words.
+     If |u| is above about K/2, a multiple of the quarter period K is first subtracted. The closer u is to a zero, the
+     more words of K are used. K comes from a table, from two steps of the arithmetic-geometric mean and a series, or
+     from this mean in two or three words.
      Far from 0, for m near 1 or below -20, theta functions of an imaginary phase are used [1], with the nome of 1 - m
      or 1/(1 - m), which is then at most 0.003.
-     Incomplete integrals, inverses: Carlson's duplications and a series of order 10, after the angle is reduced by pi.
-     A plan has polynomials in u^2 in place of the series. No digits cancel, not even for m = 1.
+     The incomplete integrals and the inverses use Carlson's duplications and a series of order 10, the incomplete
+     integrals after a multiple of pi is subtracted from the angle. A plan has polynomials in u^2 in place of the
+     series. No digits cancel, not even for m = 1.
 
    MACROS, to be defined before the include
      VM_USE_FLOAT         float instead of double; the tests run both

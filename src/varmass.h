@@ -19,17 +19,17 @@
 
    CHAPTERS
      base/          numbers with more digits, elementary functions, Lambert's W, linear equations, roots; statuses
-     mechanics/     bodies; jumps (a part separates from a body or is attached to it), in space and in the plane; how a
-                    part must leave so that the remaining body moves as wanted; energy of a jump; a rotor that breaks;
-                    Lagrange's equations across a jump and with variable mass; a pendulum that is cut; torque-free
-                    rotation; streams of mass with their reactive force and torque; rockets; a band that winds up on a
-                    drum
+     mechanics/     vectors, attitudes, Euler's angles; bodies; jumps (a part separates from a body or is attached to
+                    it), in space and in the plane; how a part must leave so that the remaining body moves as wanted;
+                    energy of a jump; a rotor that breaks; Lagrange's equations across a jump and with variable mass; a
+                    pendulum that is cut; torque-free rotation; streams of mass with their reactive force and torque;
+                    rockets; tanks and grains; orbits of two bodies; a band that winds up on a drum
      oscillators/   m x'' + k x|x|^(alpha-1) = F with constant mass and with laws of mass, stiffness and damping;
                     Duffing's oscillator k1 x + k3 x^3 and any other odd elastic force; Van der Pol's oscillator,
                     Jeffcott's rotor, two bodies with a nonlinear spring, harmonic excitation, resonance, turning
                     points
-     scenes/        bodies, the effects that act on them, the events that change them: only what is listed is
-                    simulated
+     scenes/        lists of bodies, of effects that act on them, and of events that change them; a scene simulates
+                    only what is listed
    Each chapter begins with a comment that says what it is for and shows a call; the index below names all functions.
    Numbers in round brackets are the equations of [1]. Where [1] is misprinted or wrong, the corrected form stands
    here and the comment says so; docs/errata.md lists all of them.
@@ -37,10 +37,10 @@
    CONVENTIONS
      Units        SI units; angles are in radians.
      Axes         r, v and omega are in inertial axes. The inertia tensor is about the body's own mass centre, in body
-                  axes; its entries xy, xz, yz are those of the tensor, minus the integral of x y dm and so on. v is
-                  momentum/mass.
-     Attitude     The quaternion q turns body axes into inertial axes. It need not have length 1. A q of four zeros
-                  means that body axes and inertial axes coincide.
+                  axes; its entries xy, xz, yz are those of the tensor, so that xy is minus the integral of x y dm. v
+                  is momentum/mass.
+     Attitude     The quaternion q converts vectors from body axes to inertial axes. It need not have length 1. A q of
+                  four zeros means that body axes and inertial axes coincide.
      Arguments    Functions of numbers take the variable first, then the parameters, results last. Functions of an
                   object take the object first, then the variable. A parameter that may be NULL is called ..._or_NULL.
      Laws         A mass, stiffness or damping that depends on time is a vm_law.
@@ -78,11 +78,11 @@
      Jumps        keep momentum to 3 eps of the sum of all M |v|, and angular momentum about any point to 6 eps of the
                   sum of all tr(I) |omega| + M (|r| + |r - point|) |v|. A part that goes on moving with the
                   body does not change omega.
-     Rotation     torque-free: attitude within 8 eps (rad) and omega within 5 eps after 1e6 turns, inputs taken as
-                  exact.
-     Streams      closed forms within a few eps; a body and everything it has shed keep momentum, angular momentum and
-                  energy to the integrator's tolerance.
-     Lambert's W  within 1 ulp. The drum on a rigid shaft: within 4 ulp.
+     Rotation     of a torque-free body: after 1e6 turns the attitude is right within 8 eps (rad) and omega within
+                  5 eps, if the inputs are taken as exact.
+     Streams      closed forms are right within a few eps; a body and everything it has shed keep momentum, angular
+                  momentum and energy to the integrator's tolerance.
+     Lambert's W  within 1 ulp; the drum on a rigid shaft within 4 ulp.
      Oscillators  every route returns an estimate of its whole error in the field error, or infinity where no
                   estimate is possible.
 
@@ -105,6 +105,8 @@
 #include "base/polynomial.h"
 #include "base/lambert.h"
 #include "mechanics/vectors.h"
+#include "mechanics/attitude.h"
+#include "mechanics/euler_angles.h"
 #include "mechanics/inertia.h"
 #include "mechanics/bodies.h"
 #include "mechanics/bodies2.h"
@@ -124,9 +126,10 @@
 #include "mechanics/flow2.h"
 #include "mechanics/flow1.h"
 #include "mechanics/rocket.h"
+#include "mechanics/supply.h"
+#include "mechanics/orbit.h"
 #include "mechanics/drum.h"
 #include "mechanics/lagrange.h"
-#include "mechanics/euler_angles.h"
 #include "oscillators/constant_mass.h"
 #include "oscillators/laws.h"
 #include "oscillators/problem.h"
@@ -161,6 +164,7 @@
 #include "scenes/growing.h"
 #include "scenes/forces.h"
 #include "scenes/effects.h"
+#include "scenes/gravitation.h"
 #include "scenes/mass.h"
 #include "scenes/mass_of_time.h"
 #include "scenes/streams.h"
@@ -169,10 +173,14 @@
 #include "scenes/state.h"
 #include "scenes/evaluate.h"
 #include "scenes/check.h"
+#include "scenes/points.h"
+#include "scenes/springs.h"
+#include "scenes/joints.h"
 #include "scenes/start.h"
 #include "scenes/balance.h"
 #include "scenes/events.h"
 #include "scenes/jumps.h"
+#include "scenes/contact.h"
 #include "scenes/run.h"
 
 #endif

@@ -16,7 +16,7 @@ static inline vm_vec3 random_vector(double size)
     double x = uniform(-size, size), y = uniform(-size, size), z = uniform(-size, size);
     return vector(x, y, z);
 }
-static inline double size_of(vm_vec3 a) { return sqrt((double)vmi_dot(a, a)); }
+static inline double size_of(vm_vec3 a) { return sqrt((double)vm_dot(a, a)); }
 
 static inline vm_inertia inertia(double xx, double xy, double xz, double yy, double yz, double zz)
 {
@@ -49,10 +49,10 @@ static inline vm_body random_body(double mass, double size)
     memset(&b, 0, sizeof b);
     for (i = 0; i < 6; i++) {
         at[i] = random_vector(size);
-        centre = vmi_add(centre, vmi_scale(R(1. / 6), at[i]));
+        centre = vm_add(centre, vm_scale(R(1. / 6), at[i]));
     }
     for (i = 0; i < 6; i++)
-        b.inertia = vmi_inertia_plus(b.inertia, R(mass / 6), vmi_inertia_of_point(vmi_sub(at[i], centre)));
+        b.inertia = vmi_inertia_plus(b.inertia, R(mass / 6), vmi_inertia_of_point(vm_sub(at[i], centre)));
     b.mass = R(mass);
     b.q = random_attitude();
     b.r = random_vector(3);
@@ -69,7 +69,7 @@ static inline vm_body rod(int n, vm_vec3 axis)
     memset(&b, 0, sizeof b);
     b.mass = R(n);
     for (i = 0; i < n; i++)
-        b.inertia = vmi_inertia_plus(b.inertia, 1, vmi_inertia_of_point(vmi_scale(R(i - (n - 1) / 2.), axis)));
+        b.inertia = vmi_inertia_plus(b.inertia, 1, vmi_inertia_of_point(vm_scale(R(i - (n - 1) / 2.), axis)));
     return b;
 }
 
@@ -84,8 +84,8 @@ static inline vm_impulse random_impulse(void)
 
 static inline vm_impulse opposite(vm_impulse j)
 {
-    j.linear = vmi_scale(-1, j.linear);
-    j.couple = vmi_scale(-1, j.couple);
+    j.linear = vm_scale(-1, j.linear);
+    j.couple = vm_scale(-1, j.couple);
     return j;
 }
 

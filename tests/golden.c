@@ -140,6 +140,7 @@ static vm_vec3 vector(vm_real size)
 #include "golden/elliptic.h"
 #include "golden/ateb.h"
 #include "golden/integrators.h"
+#include "golden/attitude.h"
 #include "golden/jumps.h"
 #include "golden/rotor.h"
 #include "golden/lagrange.h"
@@ -150,6 +151,7 @@ static vm_vec3 vector(vm_real size)
 #include "golden/slow.h"
 #include "golden/duffing.h"
 #include "golden/scenes.h"
+#include "golden/orbit.h"
 
 /* The texts of statuses, apart from the numbers, so that a better text changes no other hash */
 static void golden_texts(void)
@@ -200,6 +202,8 @@ int main(void)
     RUN(ateb);
     RUN(beta);
     RUN(integrators);
+    RUN(output);
+    RUN(attitude);
     RUN(jumps);
     RUN(rotor);
     RUN(lagrange);
@@ -215,6 +219,7 @@ int main(void)
     RUN(scenes_on_a_line);
     RUN(scenes_in_the_plane);
     RUN(scenes_in_space);
+    RUN(orbit);
     RUN(texts);
 #endif
     return 0;

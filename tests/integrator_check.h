@@ -19,14 +19,19 @@ typedef struct method {
     int (*solve)(rk45 *s, vm_real t_end);
     int (*restart)(rk45 *s, vm_real t, const vm_real *y);
     int (*interpolate)(rk45 *s, vm_real t, vm_real *y);
+    int (*solve_at)(rk45 *s, int n_times, const vm_real *times, vm_real *rows, int *n_done_or_NULL);
+    int (*save)(const rk45 *s, long size, unsigned char *bytes);
+    int (*resume)(rk45 *s, long size, const unsigned char *bytes);
 } method;
 /* rk45_interpolate takes a const rk45. */
 static inline int interpolate_rk45(rk45 *s, vm_real t, vm_real *y) { return rk45_interpolate(s, t, y); }
 
 enum { METHODS = 2 };
 static const method methods[METHODS] = {
-    {"rk45", 5, 6, rk45_init, rk45_step, rk45_solve, rk45_restart, interpolate_rk45},
-    {"rk87", 8, 13, rk87_init, rk87_step, rk87_solve, rk87_restart, rk87_interpolate}};
+    {"rk45", 5, 6, rk45_init, rk45_step, rk45_solve, rk45_restart, interpolate_rk45, rk45_solve_at, rk45_save,
+     rk45_resume},
+    {"rk87", 8, 13, rk87_init, rk87_step, rk87_solve, rk87_restart, rk87_interpolate, rk87_solve_at, rk87_save,
+     rk87_resume}};
 
 /* y = (cos t, sin t, exp(-t)) */
 static inline int linear_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)

@@ -52,9 +52,9 @@ static inline void check_defect(const char *what, const char *region, defect d, 
 /* How far two motions are apart, in eps: the largest relative difference of velocity, spin, place and mass */
 static inline double apart(const vm_body *a, const vm_body *b)
 {
-    double moved = size_of(vmi_sub(a->v, b->v)) / (5 + size_of(b->v));
-    double turned = size_of(vmi_sub(a->omega, b->omega)) / (5 + size_of(b->omega));
-    double shifted = size_of(vmi_sub(a->r, b->r)) / (5 + size_of(b->r));
+    double moved = size_of(vm_sub(a->v, b->v)) / (5 + size_of(b->v));
+    double turned = size_of(vm_sub(a->omega, b->omega)) / (5 + size_of(b->omega));
+    double shifted = size_of(vm_sub(a->r, b->r)) / (5 + size_of(b->r));
     return fmax(fmax(moved, turned), fmax(shifted, fabs((double)(a->mass / b->mass - 1)))) / eps;
 }
 
@@ -69,7 +69,7 @@ static inline vm_body whole_and_part(vm_body *part)
     part->mass = 1;
     part->inertia =
         vmi_inertia_plus(vmi_inertia_of_point(vector(0, 0, 0)), R(0.01), vmi_inertia_of_point(vector(1, 1, 1)));
-    part->r = vmi_add(whole.r, vector(0.1, 0, 0));
+    part->r = vm_add(whole.r, vector(0.1, 0, 0));
     return whole;
 }
 

@@ -136,6 +136,16 @@ static void null_bodies(void)
     NUMBER(3, vm_energy_loss(IN(0, vm_body, &whole), 1, IN(1, vm_body, &part), NULL, IN(2, vm_body, &part)));
 }
 
+static void null_attitude(void)
+{
+    static const vm_real identity[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+    const vm_quat turned = {1, 0, 0, 1};
+    STATUS(1, vm_quat_to_matrix(turned, X(0, vm_real)));
+    STATUS(2, vm_quat_from_matrix(IN(0, vm_real, identity), X(1, vm_quat)));
+    STATUS(1, vm_euler_313_angles(turned, X(0, vm_real)));
+    STATUS(1, vm_euler_321_angles(turned, X(0, vm_real)));
+}
+
 static void null_torque_free(void)
 {
     const vm_quat turned = {1, 0, 0, 0};
@@ -219,6 +229,8 @@ static void null_streams(void)
     const vm_body body = a_body(3);
     const vm_stream1 line = {1, 0, VM_AT_REST};
     const vm_jet jet = {R(-0.1), 1, 1, R(0.1), R(0.1), R(0.1), 1};
+    const vm_supply tank = {VM_TANK_OF_LIQUID, {0, 0, 0}, {0, 0, 1}, 1, 1, 0, 3};
+    const vm_vec3 place = {1, 0, 0};
     vm_stream stream;
     vm_stream1 stream1 = line;
     vm_stream2 stream2;
@@ -265,6 +277,9 @@ static void null_streams(void)
     CHECK(vm_flow1_rhs(0, y, null_output[0], &flow1) == VM_BAD_ARGUMENT);
     CHECK(vm_flow2_rhs(0, y, null_output[0], &flow2) == VM_BAD_ARGUMENT);
     STATUS(3, vm_linear_flow(IN(0, vm_stream1, &line), 1, 0, 1, 2, 0, X(1, vm_real), X(2, vm_real)));
+    STATUS(2, vm_supply_at(IN(0, vm_supply, &tank), 1, X(1, vm_supply_left)));
+    STATUS(2, vm_orbit(1, 1, place, zero, X(0, vm_vec3), X(1, vm_vec3)));
+    STATUS(2, vm_orbit_meshchersky(1, 1, R(0.1), place, zero, X(0, vm_vec3), X(1, vm_vec3)));
     STATUS(2, vm_jet_damping(IN(0, vm_jet, &jet), 1, zero, X(1, vm_vec3)));
 }
 
@@ -561,6 +576,29 @@ static int effect_in_scene(vm_effect effect) { return null_in_scene(NULL, &effec
 static int event_in_scene(vm_event event) { return null_in_scene(NULL, NULL, &event); }
 #define CALLBACK(k, function) (null_at == (k) ? NULL : (function))
 
+static void null_points_of_scenes(void)
+{
+    const vm_vec3 zero = {0, 0, 0};
+    vm_real room[VM_JOINTS_WORK(1)];
+    vm_joint list[1];
+    vm_point_spring spring;
+    vm_contact contact;
+    vm_joints joints;
+    memset(&spring, 0, sizeof spring);
+    memset(&contact, 0, sizeof contact);
+    contact.normal.y = 1;
+    list[0] = vm_joint_pin(2, zero, VM_GROUND, zero);
+    joints.joints = list;
+    joints.n_joints = 1;
+    joints.rate = 1;
+    joints.work = room;
+    joints.work_size = VM_LENGTH(room);
+    STATUS(1, effect_in_scene(vm_effect_point_spring(2, VM_GROUND, IN(0, vm_point_spring, &spring))));
+    STATUS(1, effect_in_scene(vm_effect_contact(2, IN(0, vm_contact, &contact))));
+    STATUS(1, effect_in_scene(vm_effect_joints(IN(0, vm_joints, &joints))));
+    STATUS(1, event_in_scene(vm_event_contact(2, IN(0, vm_contact, &contact))));
+}
+
 static void null_parts_of_scenes(void)
 {
     const vm_vec3 zero = {0, 0, 0};
@@ -588,6 +626,7 @@ static void null_parts_of_scenes(void)
     STATUS(1, effect_in_scene(vm_effect_stream_torque(4, IN(0, vm_stream, &stream))));
     STATUS(1, effect_in_scene(vm_effect_varying(mass, CALLBACK(0, null_vary), NULL)));
     STATUS(1, effect_in_scene(vm_effect_band(1, IN(0, vm_band, &band))));
+    null_points_of_scenes();
     NUMBER(1, vm_band_at(1, IN(0, vm_band, &band)).inertia);
     STATUS(1, event_in_scene(vm_then_stop(vm_event_user(CALLBACK(0, null_when), NULL, 0))));
     STATUS(1, event_in_scene(vm_then_user(vm_event_at(1), CALLBACK(0, null_then), NULL)));
@@ -629,6 +668,7 @@ static void null_scenes(void)
     STATUS(4, run_from_0(IO(0, vm_scene, &s), IO(1, vm_real, &t), IO(2, vm_real, z), IO(3, vm_real, work)));
     STATUS(3, vm_scene_budget_at(IO(0, vm_scene, &s), 0, IN(1, vm_real, y), IO(2, vm_budget, &totals)));
     NOTHING(3, vm_scene_body_at(IN(0, vm_scene, &s), 0, IN(1, vm_real, y), X(2, vm_body)));
+    NOTHING(4, vm_scene_point_at(IN(0, vm_scene, &s), 0, vmi_vec3(1, 0, 0), IN(1, vm_real, y), X(2, vm_vec3), X(3, vm_vec3)));
     s.bodies = NULL;
     CHECK(vm_scene_size(&s) == VM_BAD_ARGUMENT && vm_scene_check(&s, NULL) == VM_BAD_ARGUMENT);
 }
@@ -636,6 +676,7 @@ static void null_scenes(void)
 static void call_with_null_pointers(void)
 {
     null_bodies();
+    null_attitude();
     null_torque_free();
     null_rotor();
     null_lagrange();

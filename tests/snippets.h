@@ -10,6 +10,7 @@ extern vm_body whole, part;    /* a body, and what leaves it in an instant */
 extern vm_osc_problem problem; /* an oscillator ... */
 extern vm_osc_plan plan;       /* ... after vm_osc_plan_init */
 extern vm_vdp vdp;            /* Van der Pol's oscillator, with all fields set */
+extern vmi_orbit orbit;        /* a motion under an odd force, complete */
 extern vm_forced forced;       /* after vm_forced_init */
 extern vm_scene scene;         /* a scene whose state has two numbers */
 extern vm_real y[2];           /* its state, from vm_scene_start */

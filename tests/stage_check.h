@@ -7,7 +7,7 @@
 
 static const int is_float = PRECISION[0] == 'f';
 
-static inline vm_real size_of(vm_vec3 a) { return VM_SQRT(vmi_dot(a, a)); }
+static inline vm_real size_of(vm_vec3 a) { return VM_SQRT(vm_dot(a, a)); }
 
 /* The error of got is relative to scale. The bound in float is what 1000 steps of 2e-6 add up to. */
 static inline void agrees(const char *machine, const char *what, vm_real got, double wanted, double scale,

@@ -7,7 +7,7 @@
 
 #define PICK(in_double, in_float) (is_float ? (in_float) : (in_double))
 
-static inline double apart(vm_vec3 a, vm_vec3 b) { return size_of(vmi_sub(a, b)); }
+static inline double apart(vm_vec3 a, vm_vec3 b) { return size_of(vm_sub(a, b)); }
 
 /* The three moments of inertia first, then the products; inertia() of bodies.h takes them row by row. */
 static inline vm_inertia tensor(double xx, double yy, double zz, double xy, double xz, double yz)
@@ -121,7 +121,7 @@ static inline void tank_init_as(tank *k, int with_spin)
     k->stream.gyration = contents;
     k->flow.n = 1;
     k->flow.streams = &k->stream;
-    k->flow.centre = vmi_scale(R(k->contents / (k->empty + k->contents)), at);
+    k->flow.centre = vm_scale(R(k->contents / (k->empty + k->contents)), at);
 }
 
 static inline void tank_init(tank *k) { tank_init_as(k, 1); }
@@ -142,7 +142,7 @@ static inline vm_inertia tank_inertia(const tank *k, double t)
 static inline vm_vec3 tank_drift(const tank *k, double t)
 {
     const double mass = tank_mass(k, t);
-    return vmi_scale(R((double)k->stream.rate * k->empty / mass / mass), k->stream.at);
+    return vm_scale(R((double)k->stream.rate * k->empty / mass / mass), k->stream.at);
 }
 
 /* flow->update of vm_flow_given_rhs: the tank's mass, mass centre, inertia and drift as known functions of time */
@@ -152,7 +152,7 @@ static inline int tank_law(vm_real t, const vm_real *y, vm_flow *flow)
     const double mass = tank_mass(k, (double)t);
     (void)y;
     flow->mass = R(mass);
-    flow->centre = vmi_scale(R(tank_contents(k, (double)t) / mass), k->stream.at);
+    flow->centre = vm_scale(R(tank_contents(k, (double)t) / mass), k->stream.at);
     flow->inertia = tank_inertia(k, (double)t);
     flow->drift = tank_drift(k, (double)t);
     return 0;
@@ -171,7 +171,7 @@ typedef struct scene {
 static inline int scene_loads(vm_real t, const vm_real *y, vm_flow *flow)
 {
     double s = sin((double)t), c = cos((double)t);
-    flow->force = vmi_add(vector(2 * s, c, -1), vmi_scale(R(-.5), vmi_get3(y + VM_Y_P)));
+    flow->force = vm_add(vector(2 * s, c, -1), vm_scale(R(-.5), vmi_get3(y + VM_Y_P)));
     flow->moment = vector(.1 * c, .2, -.1 * s);
     return 0;
 }

@@ -10,7 +10,7 @@ static vm_vec3 vector_of(const double *a) { return vector(a[0], a[1], a[2]); }
 /* |a - sum|, in eps of the size */
 static void check_vector(const char *what, vm_vec3 a, const double *sum, double size, int index)
 {
-    check_error(what, "particles", "eps", size_of(vmi_sub(a, vector_of(sum))) / size / eps, 25, index, 0);
+    check_error(what, "particles", "eps", size_of(vm_sub(a, vector_of(sum))) / size / eps, 25, index, 0);
 }
 
 /* Momenta and energy of one body, and the balance between two, against sums over their particles */
@@ -77,7 +77,7 @@ static void test_quaternion_length(void)
         b.q.y *= R(scale);
         b.q.z *= R(scale);
         check_error("L", "length of q", "eps",
-                    size_of(vmi_sub(vm_angular_momentum(&b, vector(0, 0, 0)), L)) / size_of(L) / eps, 8, scale, 0);
+                    size_of(vm_sub(vm_angular_momentum(&b, vector(0, 0, 0)), L)) / size_of(L) / eps, 8, scale, 0);
     }
 }
 
@@ -99,18 +99,18 @@ static void test_combined_inertia(void)
             FAIL("combine");
             continue;
         }
-        check_error("centre (15)", "", "eps", size_of(vmi_sub(centre, vmi_scale(share, d))) / eps, 4, i, 0);
+        check_error("centre (15)", "", "eps", size_of(vm_sub(centre, vm_scale(share, d))) / eps, 4, i, 0);
         about_a = vmi_inertia_plus(a.inertia, 1, vm_parallel_axes(&b.inertia, b.mass, d));
         own = vm_parallel_axes(&about_a, -M, centre);
         off = fabs((double)(own.xx - whole.xx)) + fabs((double)(own.yz - whole.yz));
         check_error("combined (40)", "", "eps", off / eps / (double)vmi_inertia_trace(&about_a), 4, i, 0);
-        if (vm_split_inertia(M, &whole, b.mass, &b.inertia, vmi_sub(d, centre), &rest, &back)) {
+        if (vm_split_inertia(M, &whole, b.mass, &b.inertia, vm_sub(d, centre), &rest, &back)) {
             FAIL("split");
             continue;
         }
         off = fabs((double)(rest.xx - a.inertia.xx)) + fabs((double)(rest.xz - a.inertia.xz));
         check_error("split", "", "eps", off / eps / (double)vmi_inertia_trace(&whole), 5, i, 0);
-        check_error("centre (15)", "split", "eps", size_of(vmi_add(back, centre)) / eps, 12, i, 0);
+        check_error("centre (15)", "split", "eps", size_of(vm_add(back, centre)) / eps, 12, i, 0);
     }
 }
 

@@ -232,7 +232,7 @@ static vm_body disc(const vm_real *state, double mass, double moment)
 
 static vm_vec3 velocity_of_point(const vm_body *b, vm_vec3 point)
 {
-    return vmi_add(b->v, vmi_cross(b->omega, vmi_sub(point, b->r)));
+    return vm_add(b->v, vm_cross(b->omega, vm_sub(point, b->r)));
 }
 
 /* A random break. The rest must be the body that vm_separate leaves when this piece goes; the shaft must stay where it
@@ -272,15 +272,15 @@ static int check_random_break(int i)
     check_error("I_S1", "vm_separate", "eps",
                 fabs((double)(rest.inertia.zz - b.rest.inertia)) / eps / (double)whole.inertia, 3, i, 0);
     check_error("v_S1 (59)", "vm_separate", "eps",
-                size_of(vmi_sub(rest.v, vmi_vec3(b.state[3], b.state[4], 0))) / eps, 5, i, 0);
-    check_error("r_S1", "vm_separate", "eps", size_of(vmi_sub(rest.r, vmi_vec3(b.state[0], b.state[1], 0))) / eps, 3,
+                size_of(vm_sub(rest.v, vmi_vec3(b.state[3], b.state[4], 0))) / eps, 5, i, 0);
+    check_error("r_S1", "vm_separate", "eps", size_of(vm_sub(rest.r, vmi_vec3(b.state[0], b.state[1], 0))) / eps, 3,
                 i, 0);
     psi = (double)b.state[2];
     shaft_shift = vector((double)(b.state[0] - before[0]) + (double)b.rest.s * cos(psi),
                          (double)(b.state[1] - before[1]) + (double)b.rest.s * sin(psi), 0);
     check_error("shaft", "in place", "eps", size_of(shaft_shift) / eps, 8, i, 0);
     A = vmi_vec3(before[0] + R(cos((double)p.contact)), before[1] + R(sin((double)p.contact)), 0);
-    change = vmi_sub(velocity_of_point(&part, A), velocity_of_point(&body, A));
+    change = vm_sub(velocity_of_point(&part, A), velocity_of_point(&body, A));
     check_error("A keeps v (57)", "closure", "eps", size_of(change) / eps, 10, i, 0);
     return 1;
 }

@@ -151,8 +151,97 @@ static void test_restart_is_a_start(void)
     }
 }
 
+/* Listed times, rising or falling, with equal ones, the start and the end among them: the rows are the solution, and
+   the steps are those of a run without the list. */
+static void test_listed_times(const method *m, double direction)
+{
+    enum { TIMES = 60 };
+    const vm_real y0[3] = {1, 0, 1};
+    vm_real times[TIMES], rows[TIMES][3], work[RK87_WORK(3)], other_work[RK87_WORK(3)];
+    rk45_options o;
+    rk45 s, plain;
+    int i, done = -1;
+    memset(&o, 0, sizeof o);
+    o.rtol = o.atol = R(is_float ? 1e-5 : 1e-9);
+    for (i = 0; i < TIMES; i++) times[i] = R(direction * floor(i / 2) * 2.6 / 29);
+    CHECK(m->init(&s, linear_rhs, NULL, 3, 0, y0, &o, work) >= 0);
+    CHECK(m->init(&plain, linear_rhs, NULL, 3, 0, y0, &o, other_work) >= 0);
+    CHECK(m->solve_at(&s, TIMES, times, rows[0], &done) == ODE_OK && done == TIMES);
+    CHECK(m->solve(&plain, times[TIMES - 1]) == ODE_OK && plain.steps == s.steps);
+    CHECK(s.t == times[TIMES - 1] && !memcmp(rows[TIMES - 1], s.y, sizeof rows[0]));
+    CHECK(!memcmp(plain.y, s.y, sizeof rows[0]) && !memcmp(rows[0], y0, sizeof y0));
+    for (i = 0; i < TIMES; i++)
+        check_error(m->name, "listed times", "tol", linear_error(rows[i], (double)times[i]) / (double)o.rtol, 60,
+                    (double)times[i], direction);
+}
+
+static int stops_at_one(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
+{
+    (void)y;
+    (void)ctx;
+    dydt[0] = 2 * t;
+    return t > 1;
+}
+
+static vm_real half(vm_real t, const vm_real *y, void *ctx)
+{
+    (void)t;
+    (void)ctx;
+    return y[0] - R(0.25);
+}
+
+/* What ends the run before the last time: the rows before it are filled, and no others; another call goes on. */
+static void test_listed_times_interrupted(const method *m)
+{
+    const vm_real y0[1] = {0}, times[5] = {R(0.125), R(0.25), R(0.375), R(0.75), 3};
+    vm_real rows[5] = {7, 7, 7, 7, 7}, work[RK87_WORK(1)];
+    ode_event event;
+    rk45_options o;
+    rk45 s;
+    int done;
+    memset(&event, 0, sizeof event);
+    memset(&o, 0, sizeof o);
+    event.g = half;
+    event.action = ODE_STOP;
+    o.events = &event;
+    o.n_events = 1;
+    o.h_max = R(0.1);
+    CHECK(m->init(&s, stops_at_one, NULL, 1, 0, y0, &o, work) == ODE_OK);
+    CHECK(m->solve_at(&s, 5, times, rows, &done) == ODE_EVENT && done == 3 && s.event == 0);
+    CHECK(fabs((double)s.t - 0.5) < 1e-4 && fabs((double)rows[2] - 0.140625) < 1e-4 && rows[3] == 7);
+    CHECK(m->solve_at(&s, 2, times + 3, rows + 3, &done) == ODE_RHS_STOPPED && done == 1);
+    CHECK(fabs((double)rows[3] - 0.5625) < 1e-4 && rows[4] == 7);
+    o.max_steps = 1;
+    CHECK(m->init(&s, stops_at_one, NULL, 1, 0, y0, &o, work) == ODE_OK);
+    CHECK(m->solve_at(&s, 5, times, rows, NULL) == ODE_MAX_STEPS);
+}
+
+static void test_listed_times_refused(const method *m, const method *other)
+{
+    const vm_real y0[3] = {1, 0, 1}, rising[3] = {1, 3, 2}, falling[2] = {1, -1}, endless[2] = {1, VM_INFINITY};
+    vm_real rows[9] = {7}, work[RK87_WORK(3)];
+    rk45 s;
+    int done = 5;
+    CHECK(m->init(&s, linear_rhs, NULL, 3, 0, y0, NULL, work) == ODE_OK);
+    CHECK(m->solve_at(&s, 3, rising, rows, &done) == ODE_BAD_ARGUMENT && m->solve_at(&s, 2, falling, rows, &done) < 0);
+    CHECK(m->solve_at(&s, 2, endless, rows, &done) == ODE_BAD_ARGUMENT);
+    CHECK(m->solve_at(&s, -1, rising, rows, &done) == ODE_BAD_ARGUMENT);
+    CHECK(m->solve_at(NULL, 1, rising, rows, &done) == ODE_BAD_ARGUMENT);
+    CHECK(m->solve_at(&s, 1, NULL, rows, &done) == ODE_BAD_ARGUMENT && m->solve_at(&s, 1, rising, NULL, &done) < 0);
+    CHECK(other->solve_at(&s, 1, rising, rows, &done) == ODE_BAD_ARGUMENT);
+    CHECK(done == 5 && rows[0] == 7 && s.steps == 0 && s.evals == 0);
+    CHECK(m->solve_at(&s, 0, NULL, NULL, &done) == ODE_OK && done == 0 && s.steps == 0);
+}
+
 int main(void)
 {
+    int i;
+    for (i = 0; i < METHODS; i++) {
+        test_listed_times(methods + i, 1);
+        test_listed_times(methods + i, -1);
+        test_listed_times_interrupted(methods + i);
+        test_listed_times_refused(methods + i, methods + 1 - i);
+    }
     test_orders();
     test_every_step();
     test_backward();

@@ -1,6 +1,7 @@
 #!/bin/sh
 # No document holds a table without rows or a number that is none, the program that counts instructions fails where it
-# cannot count, and docs/changes.md knows every public name of version 0.1. usage: test_documents.sh BUILD_FOLDER, from the top of the project
+# cannot count, docs/validation.md has the rows of its test, and docs/changes.md knows every public name of version 0.1.
+# usage: test_documents.sh BUILD_FOLDER, from the top of the project
 build=$1/documents
 . tests/check.sh
 
@@ -67,6 +68,16 @@ check "README: rk45 beside a loop" in_readme "$(ratios "$all" 5 rk45_solve dp54_
 check "README: rk45 beside GSL" in_readme "$(ratios "$all" 5 rk45_solve gsl_rkf45) of GSL rkf45"
 orbit=$(ratios orbit 6 rk87_solve gsl_rk8pd)
 check "README: rk87 beside GSL" in_readme "$(ratios "$smooth" 7 rk87_solve gsl_rk8pd); $orbit of GSL rk8pd"
+
+# docs/validation.md has the groups, rows and published numbers of the test program. Our numbers and the differences may
+# differ in the last digits, with the C library's cosine, and are not compared.
+without_ours() { awk -F' [|] ' '/^[|]/ {print $1, $2; next} {print}' "$@"; }
+validation_is_fresh() {
+    make -s build/tests/double/validation || return 1
+    ./build/tests/double/validation markdown | without_ours >"$build/validation"
+    without_ours docs/validation.md | diff "$build/validation" -
+}
+check "docs/validation.md has every row of tests/test_validation.c" validation_is_fresh
 
 counted_functions() { # the rows of docs/counts.md are the functions of bench/count.c
     grep -o '^COUNT([a-z0-9_A-Z]*\|^SEPARATE static void count_[a-z_]*' bench/count.c | sed 's/^COUNT(//; s/.*count_//' |

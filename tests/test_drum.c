@@ -240,7 +240,7 @@ static void spool_turns(spool *k, double angle)
 {
     const double lapse = angle / (double)k->body.omega.z;
     const vm_real c = R(cos(angle)), s = R(sin(angle)), x = k->to_shaft.x, y = k->to_shaft.y;
-    k->body.r = vmi_add(k->body.r, vmi_scale(R(lapse), k->body.v));
+    k->body.r = vm_add(k->body.r, vm_scale(R(lapse), k->body.v));
     k->to_shaft = vmi_vec3(c * x - s * y, s * x + c * y, 0);
     k->t += lapse;
 }
@@ -248,14 +248,14 @@ static void spool_turns(spool *k, double angle)
 /* One piece of the band, which moves along y, joins at the distance R from the shaft, by (24), (33). */
 static void spool_takes_piece(spool *k, const vm_drum *d, double angle)
 {
-    const vm_vec3 shaft = vmi_add(k->body.r, k->to_shaft);
+    const vm_vec3 shaft = vm_add(k->body.r, k->to_shaft);
     vm_body piece;
     memset(&piece, 0, sizeof piece);
     piece.mass = d->band * R(angle);
     piece.v.y = d->speed;
-    piece.r = vmi_add(shaft, vmi_vec3(d->radius, 0, 0));
+    piece.r = vm_add(shaft, vmi_vec3(d->radius, 0, 0));
     CHECK(vm_attach(&k->body, &piece, NULL, &k->body) == VM_OK);
-    k->to_shaft = vmi_sub(shaft, k->body.r);
+    k->to_shaft = vm_sub(shaft, k->body.r);
 }
 
 /* The drum alone in space, without stiffness and damping, takes up n equal pieces of the band until phi = 2. Gives the
@@ -279,7 +279,7 @@ static void attach_pieces(const vm_drum *d, int n, double *difference)
         spool_turns(&k, step);
         spool_takes_piece(&k, d, step);
     }
-    v = vmi_add(k.body.v, vmi_cross(k.body.omega, k.to_shaft));
+    v = vm_add(k.body.v, vm_cross(k.body.omega, k.to_shaft));
     CHECK(integrate(vm_drum_rhs, &copy, 6, 0, k.t, y) == 0);
     difference[0] = (double)(y[0] - k.body.r.x - k.to_shaft.x);
     difference[1] = (double)(y[1] - k.body.r.y - k.to_shaft.y);

@@ -362,6 +362,78 @@ static void test_bad_events(void)
     e[0].room = -1;
     o.n_events = 1;
     CHECK(m->init(&s, uniform_motion, NULL, 1, 0, y0, &o, work) == ODE_BAD_ARGUMENT);
+    e[0].room = 0;
+    e[0].stop_after = -1;
+    CHECK(m->init(&s, uniform_motion, NULL, 1, 0, y0, &o, work) == ODE_BAD_ARGUMENT);
+}
+
+/* The run ends when an event has happened 4 times, 8 times and so on, for each action, forward and backward; its end is
+   infinite. The zeros of cos t are known. */
+static void test_stop_after(int action, double direction)
+{
+    vm_real y0[2] = {1, 0}, work[RK87_WORK(2)], times[12];
+    ode_event e = event(first, NULL, 0, action);
+    rk45_options o = with_events(1e-8, &e, 1);
+    rk45 s;
+    int i, k;
+    e.stop_after = 4;
+    e.times = times;
+    e.room = 12;
+    CHECK(m->init(&s, circle, NULL, 2, 0, y0, &o, work) >= 0);
+    for (k = 1; k <= 3; k++) {
+        CHECK(m->solve(&s, R(direction) * VM_INFINITY) == ODE_EVENT && s.event == 0 && e.count == 4 * k);
+        CHECK(s.t == times[4 * k - 1] && s.t == e.t);
+    }
+    for (i = 0; i < 12; i++) {
+        const double error = fabs((double)times[i] - direction * (i + 0.5) * pi);
+        check_error(m->name, "stop after k", "tol", error / (double)s.options.rtol, 100, i, action);
+    }
+    CHECK(m->solve(&s, s.t + R(direction)) == ODE_OK && e.count == 12);
+}
+
+/* Several passings in one step: none is lost, and the run ends at the right one. */
+static void test_stop_after_in_a_step(void)
+{
+    vm_real y0[1] = {R(0.5)}, work[RK87_WORK(1)];
+    ode_event e[2];
+    rk45_options o;
+    rk45 s;
+    int k;
+    e[0] = event(wave, NULL, 0, ODE_RECORD);
+    e[0].checks = 200;
+    e[0].stop_after = 7;
+    e[1] = event(wave, NULL, 0, ODE_RECORD);
+    e[1].checks = 200;
+    o = with_events(1e-6, e, 2);
+    o.h_max = 50; /* 16 zeros in a step */
+    CHECK(m->init(&s, uniform_motion, NULL, 1, 0, y0, &o, work) >= 0);
+    for (k = 1; k <= 5; k++) {
+        CHECK(m->solve(&s, VM_INFINITY) == ODE_EVENT && e[0].count == 7 * k && e[1].count == 7 * k);
+        CHECK(fabs((double)s.y[0] - 7 * k * pi) <= 1e3 * eps * (1 + 7 * k));
+    }
+}
+
+/* An infinite end needs an event that can stop the run; where it never happens, the run ends with an error. */
+static void test_infinite_end(void)
+{
+    vm_real y0[1] = {1}, work[RK87_WORK(1)];
+    ode_event e = event(level, NULL, 0, ODE_RECORD);
+    rk45_options o = with_events(1e-6, &e, 1);
+    rk45 s;
+    int status;
+    CHECK(m->init(&s, uniform_motion, NULL, 1, 0, y0, &o, work) >= 0);
+    CHECK(m->solve(&s, VM_INFINITY) == ODE_BAD_ARGUMENT && m->solve(&s, VM_NAN) == ODE_BAD_ARGUMENT && s.evals == 0);
+    CHECK(m->init(&s, uniform_motion, NULL, 1, 0, y0, NULL, work) >= 0);
+    CHECK(m->solve(&s, -VM_INFINITY) == ODE_BAD_ARGUMENT && s.evals == 0);
+    e.action = ODE_STOP;
+    CHECK(m->init(&s, uniform_motion, NULL, 1, 0, y0, &o, work) >= 0);
+    CHECK(m->solve(&s, VM_NAN) == ODE_BAD_ARGUMENT);
+    status = m->solve(&s, VM_INFINITY); /* y = 1 + t never falls to 0 */
+    CHECK(status == ODE_STEP_TOO_SMALL || status == ODE_NOT_FINITE || status == ODE_MAX_STEPS);
+    CHECK(VM_IS_FINITE(s.t) && VM_IS_FINITE(s.y[0]) && e.count == 0);
+    o.h_max = 10;
+    CHECK(m->init(&s, uniform_motion, NULL, 1, 0, y0, &o, work) >= 0);
+    CHECK(m->solve(&s, -VM_INFINITY) == ODE_EVENT && fabs((double)s.t + 1) < 1e-5);
 }
 
 /* What a run that goes on meets: a function that is no number where the run begins; an event that has been, from
@@ -583,7 +655,7 @@ static void test_reversal(double t0, double h_max)
 
 int main(void)
 {
-    int k;
+    int k, action;
     for (k = 0; k < 2; k++) {
         m = methods + k;
         noise = is_float && k ? 10 : 1;
@@ -608,6 +680,12 @@ int main(void)
         if (noise == 1) test_zeno();
         test_restart_at_a_jump();
         test_bad_events();
+        for (action = ODE_RECORD; action <= ODE_RESTART; action++) {
+            test_stop_after(action, 1);
+            test_stop_after(action, -1);
+        }
+        test_stop_after_in_a_step();
+        test_infinite_end();
         test_corners();
         test_one_failure();
     }

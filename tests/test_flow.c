@@ -24,7 +24,7 @@ static void test_e3(void)
     check_error("E3 omega(3)", "vm_flow_rhs", "abs", apart(vmi_times_transposed(&turn, b.omega), omega), bound, 0, 0);
     check_error("E3 v(3)", "vm_flow_rhs", "abs", apart(vmi_times_transposed(&turn, b.v), v), bound, 0, 0);
     check_error("E3 mass, centre", "vm_flow_rhs", "abs",
-                apart(vmi_get3(y + VM_Y_CENTRE), vmi_scale(R(.5 / 4.5), k.stream.at)) + fabs((double)b.mass - 4.5),
+                apart(vmi_get3(y + VM_Y_CENTRE), vm_scale(R(.5 / 4.5), k.stream.at)) + fabs((double)b.mass - 4.5),
                 bound, 0, 0);
 }
 
@@ -42,20 +42,20 @@ static int tank_form_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
     const tank *k = form->k;
     const vm_stream *s = &k->stream;
     const double mass = tank_mass(k, (double)t);
-    const vm_vec3 omega = vmi_get3(y), v = vmi_get3(y + 3), d = vmi_scale(R(k->empty / mass), s->at);
-    const vm_vec3 force = vmi_scale(s->rate, vmi_add(s->velocity, vmi_cross(omega, d)));
+    const vm_vec3 omega = vmi_get3(y), v = vmi_get3(y + 3), d = vm_scale(R(k->empty / mass), s->at);
+    const vm_vec3 force = vm_scale(s->rate, vm_add(s->velocity, vm_cross(omega, d)));
     const vm_inertia own_rate = vmi_stream_own(s->rate, &s->gyration), inertia_now = tank_inertia(k, (double)t);
     vm_vec3 moment;
     vmi_inertia_ldl factors;
     if (form->printed) {
         const vm_inertia whole_rate = vmi_inertia_plus(own_rate, s->rate, vmi_inertia_of_point(d));
-        moment = vmi_add(vmi_cross(d, force), vmi_inertia_times(&whole_rate, s->spin));
+        moment = vm_add(vm_cross(d, force), vmi_inertia_times(&whole_rate, s->spin));
     } else {
-        moment = vmi_add(vmi_cross(d, vmi_scale(s->rate, s->velocity)), vmi_inertia_times(&own_rate, s->spin));
+        moment = vm_add(vm_cross(d, vm_scale(s->rate, s->velocity)), vmi_inertia_times(&own_rate, s->spin));
     }
     vmi_inertia_factor(&inertia_now, &factors);
     vmi_set3(dydt, vmi_stream_euler(&inertia_now, &factors, omega, moment));
-    vmi_set3(dydt + 3, vmi_sub(vmi_scale(R(1 / mass), force), vmi_cross(omega, v)));
+    vmi_set3(dydt + 3, vm_sub(vm_scale(R(1 / mass), force), vm_cross(omega, v)));
     return 0;
 }
 
@@ -70,7 +70,7 @@ static double tank_form_error(tank *k, int printed, vm_vec3 omega)
     vmi_set3(z, k->body.omega);
     vmi_set3(z + 3, k->body.v);
     CHECK(solve(tank_form_rhs, &form, 6, z, 0, 3) >= 0);
-    error = vmi_sub(vmi_get3(z), omega);
+    error = vm_sub(vmi_get3(z), omega);
     return fmax(fabs((double)error.x), fmax(fabs((double)error.y), fabs((double)error.z)));
 }
 
@@ -79,7 +79,7 @@ static int drift_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 {
     tank *k = (tank *)ctx;
     const int status = vm_flow_rhs(t, y, dydt, &k->flow);
-    vmi_set3(dydt + VM_FLOW_STATES, vmi_sub(vmi_get3(dydt), vmi_scale(1 / y[VM_Y_MASS], vmi_get3(y + VM_Y_P))));
+    vmi_set3(dydt + VM_FLOW_STATES, vm_sub(vmi_get3(dydt), vm_scale(1 / y[VM_Y_MASS], vmi_get3(y + VM_Y_P))));
     return status;
 }
 
@@ -99,7 +99,7 @@ static void test_printed_equations(int with_spin)
     tank_init_as(&k, with_spin);
     CHECK(!vm_flow_start(&k.flow, &k.body, y) && !drift_rhs(0, y, dy, &k));
     CHECK(!vm_reactive_loads(&k.body, k.flow.centre, 1, &k.stream, &loads));
-    check_error("r' = v + drift", name, "abs", apart(vmi_get3(dy), vmi_add(k.body.v, loads.drift)), 20 * eps, 0,
+    check_error("r' = v + drift", name, "abs", apart(vmi_get3(dy), vm_add(k.body.v, loads.drift)), 20 * eps, 0,
                 0);
     CHECK(solve(drift_rhs, &k, VM_FLOW_STATES + 3, y, 0, 3) >= 0 && !vm_flow_body(&k.flow, VM_FLOW_STATES, y, &b));
     turn = vmi_rotation(b.q);
@@ -127,9 +127,9 @@ static account account_of(const vm_flow *flow, const vm_real *y)
     account a;
     vm_body b;
     CHECK(vm_flow_body(flow, VM_FLOW_STATES, y, &b) == VM_OK);
-    a.momentum = vmi_add(vm_momentum(&b), vmi_get3(y + VM_Y_BALANCE));
-    a.angular_momentum = vmi_add(vmi_get3(y + VM_Y_H), vmi_cross(b.r, vm_momentum(&b)));
-    a.angular_momentum = vmi_add(a.angular_momentum, vmi_get3(y + VM_Y_BALANCE + 3));
+    a.momentum = vm_add(vm_momentum(&b), vmi_get3(y + VM_Y_BALANCE));
+    a.angular_momentum = vm_add(vmi_get3(y + VM_Y_H), vm_cross(b.r, vm_momentum(&b)));
+    a.angular_momentum = vm_add(a.angular_momentum, vmi_get3(y + VM_Y_BALANCE + 3));
     a.energy = (double)(vm_kinetic_energy(&b) + y[VM_Y_BALANCE + 6]);
     return a;
 }
@@ -165,8 +165,8 @@ static void motion_of_stream(const vm_stream *s, const vm_body *b, vm_vec3 point
     const vmi_mat3 turn = vmi_rotation(b->q);
     switch (s->motion) {
     case VM_RELATIVE:
-        *u = vmi_add(point, vmi_times(&turn, s->velocity));
-        *spin = vmi_add(b->omega, vmi_times(&turn, s->spin));
+        *u = vm_add(point, vmi_times(&turn, s->velocity));
+        *spin = vm_add(b->omega, vmi_times(&turn, s->spin));
         break;
     case VM_ABSOLUTE:
         *u = s->velocity;
@@ -193,17 +193,17 @@ static void shed_by_stream(const vm_stream *s, const vm_body *b, vm_vec3 centre,
                            double *work)
 {
     const vmi_mat3 turn = vmi_rotation(b->q);
-    const vm_vec3 d = vmi_times(&turn, vmi_sub(s->at, centre)), point = vmi_add(b->v, vmi_cross(b->omega, d));
+    const vm_vec3 d = vmi_times(&turn, vm_sub(s->at, centre)), point = vm_add(b->v, vm_cross(b->omega, d));
     vm_vec3 u, spin, own, relative, relative_spin;
     motion_of_stream(s, b, point, &u, &spin);
     own = spin_per_mass(s, &turn, spin);
-    *p = vmi_sub(*p, vmi_scale(s->rate, u));
-    *L = vmi_sub(*L, vmi_scale(s->rate, vmi_add(vmi_cross(vmi_add(b->r, d), u), own)));
-    *T -= (double)(s->rate * (vmi_dot(u, u) + vmi_dot(spin, own))) / 2;
-    relative = vmi_sub(u, point);
-    relative_spin = vmi_sub(spin, b->omega);
+    *p = vm_sub(*p, vm_scale(s->rate, u));
+    *L = vm_sub(*L, vm_scale(s->rate, vm_add(vm_cross(vm_add(b->r, d), u), own)));
+    *T -= (double)(s->rate * (vm_dot(u, u) + vm_dot(spin, own))) / 2;
+    relative = vm_sub(u, point);
+    relative_spin = vm_sub(spin, b->omega);
     own = spin_per_mass(s, &turn, relative_spin);
-    *work -= (double)(s->rate * (vmi_dot(relative, relative) + vmi_dot(relative_spin, own))) / 2;
+    *work -= (double)(s->rate * (vm_dot(relative, relative) + vm_dot(relative_spin, own))) / 2;
 }
 
 static int shed_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
@@ -217,9 +217,9 @@ static int shed_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
     int i;
     if (status) return status;
     if (vm_flow_body(&k->flow, VM_FLOW_STATES, y, &b)) return -1;
-    p = vmi_scale(-1, F);
-    L = vmi_scale(-1, vmi_add(M, vmi_cross(b.r, F)));
-    work = (double)(vmi_dot(F, b.v) + vmi_dot(M, b.omega));
+    p = vm_scale(-1, F);
+    L = vm_scale(-1, vm_add(M, vm_cross(b.r, F)));
+    work = (double)(vm_dot(F, b.v) + vm_dot(M, b.omega));
     for (i = 0; i < SCENE_STREAMS; i++)
         shed_by_stream(k->streams + i, &b, vmi_get3(y + VM_Y_CENTRE), &p, &L, &T, &work);
     vmi_set3(dydt + SHED_P, p);
@@ -240,9 +240,9 @@ static void test_shed(void)
     CHECK(!vm_flow_start(&k.flow, &k.body, y) && !vm_flow_body(&k.flow, VM_FLOW_STATES, y, &a));
     CHECK(solve(shed_rhs, &k, SHED, y, 0, 5) >= 0 && !vm_flow_body(&k.flow, VM_FLOW_STATES, y, &b));
     check_error("body and all shed: p", "4 streams", "abs",
-                apart(vmi_add(vm_momentum(&b), vmi_get3(y + SHED_P)), vm_momentum(&a)), bound, 0, 0);
+                apart(vm_add(vm_momentum(&b), vmi_get3(y + SHED_P)), vm_momentum(&a)), bound, 0, 0);
     check_error("body and all shed: L", "4 streams", "abs",
-                apart(vmi_add(vm_angular_momentum(&b, origin), vmi_get3(y + SHED_L)),
+                apart(vm_add(vm_angular_momentum(&b, origin), vmi_get3(y + SHED_L)),
                       vm_angular_momentum(&a, origin)),
                 4 * bound, 0, 0);
     check_error("body and all shed: T", "4 streams", "abs",
@@ -288,9 +288,9 @@ static int first_moment_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ct
     vm_vec3 rate = vmi_get3(y + VM_Y_BALANCE);
     int i;
     for (i = 0; i < k->flow.n; i++) {
-        const vm_vec3 from_centre = vmi_sub(k->streams[i].at, vmi_get3(y + VM_Y_CENTRE));
-        const vm_vec3 place = vmi_add(vmi_get3(y + VM_Y_R), vmi_times(&turn, from_centre));
-        rate = vmi_sub(rate, vmi_scale(k->streams[i].rate, place));
+        const vm_vec3 from_centre = vm_sub(k->streams[i].at, vmi_get3(y + VM_Y_CENTRE));
+        const vm_vec3 place = vm_add(vmi_get3(y + VM_Y_R), vmi_times(&turn, from_centre));
+        rate = vm_sub(rate, vm_scale(k->streams[i].rate, place));
     }
     vmi_set3(dydt + FIRST_MOMENT, rate);
     return status;
@@ -299,7 +299,7 @@ static int first_moment_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ct
 static vm_vec3 reference_point(const vm_real *y)
 {
     const vmi_mat3 turn = vmi_rotation(vmi_get_quat(y + VM_Y_Q));
-    return vmi_sub(vmi_get3(y + VM_Y_R), vmi_times(&turn, vmi_get3(y + VM_Y_CENTRE)));
+    return vm_sub(vmi_get3(y + VM_Y_R), vmi_times(&turn, vmi_get3(y + VM_Y_CENTRE)));
 }
 
 /* A scene without outer loads; with stores, two of its streams come out of one or go into it. */
@@ -323,12 +323,12 @@ static void test_mass_centre(const vm_store *store, const char *region)
     account before, after;
     scene_without_loads(&k, store);
     CHECK(vm_flow_start(&k.flow, &k.body, y) == VM_OK);
-    start = vmi_scale(y[VM_Y_MASS], vmi_get3(y + VM_Y_R));
+    start = vm_scale(y[VM_Y_MASS], vmi_get3(y + VM_Y_R));
     momentum = vmi_get3(y + VM_Y_P);
     before = account_of(&k.flow, y);
     CHECK(solve(first_moment_rhs, &k, VM_FLOW_BALANCED_STATES + 3, y, 0, 3) >= 0);
-    end = vmi_add(vmi_scale(y[VM_Y_MASS], vmi_get3(y + VM_Y_R)), vmi_get3(y + FIRST_MOMENT));
-    check_error("mass centre of all", region, "abs", apart(end, vmi_add(start, vmi_scale(3, momentum))), 4 * bound,
+    end = vm_add(vm_scale(y[VM_Y_MASS], vmi_get3(y + VM_Y_R)), vmi_get3(y + FIRST_MOMENT));
+    check_error("mass centre of all", region, "abs", apart(end, vm_add(start, vm_scale(3, momentum))), 4 * bound,
                 0, 0);
     after = account_of(&k.flow, y);
     check_error("balance of L_O", region, "abs", apart(after.angular_momentum, before.angular_momentum), 4 * bound,
@@ -352,10 +352,10 @@ static void test_reference_point(const vm_store *store, const char *region)
     for (i = 0; i < VM_FLOW_STATES; i++) CHECK(VM_IS_FINITE(dy[i]));
     turn = vmi_rotation(k.body.q);
     vmi_stream_on_the_way(k.flow.n, k.streams, k.flow.centre, &slip, &spin);
-    expected = vmi_sub(k.body.v, vmi_times(&turn, vmi_scale(1 / k.body.mass, slip)));
-    expected = vmi_sub(expected, vmi_cross(k.body.omega, vmi_times(&turn, k.flow.centre)));
+    expected = vm_sub(k.body.v, vmi_times(&turn, vm_scale(1 / k.body.mass, slip)));
+    expected = vm_sub(expected, vm_cross(k.body.omega, vmi_times(&turn, k.flow.centre)));
     CHECK(solve(vm_flow_rhs, &k.flow, VM_FLOW_STATES, late, 0, h) >= 0 && solve(vm_flow_rhs, &k.flow, VM_FLOW_STATES, early, 0, -h) >= 0);
-    velocity = vmi_scale(R(.5 / h), vmi_sub(reference_point(late), reference_point(early)));
+    velocity = vm_scale(R(.5 / h), vm_sub(reference_point(late), reference_point(early)));
     check_error("a point of the body", region, "abs", apart(velocity, expected), PICK(1e-5, 4e-3), 0, 0);
 }
 
@@ -579,7 +579,7 @@ static void test_revolutions(void)
     }
     check_error("1e6 revolutions", "|q| - 1", "abs", worst, 1e-4, 0, 0);
     check_error("1e6 revolutions", "H", "eps", apart(vmi_get3(y + VM_Y_H), h) / size_of(h) / eps, 1, 0, 0);
-    check_error("1e6 revolutions", "p", "abs", apart(vmi_get3(y + VM_Y_P), vmi_scale(b.mass, b.v)),
+    check_error("1e6 revolutions", "p", "abs", apart(vmi_get3(y + VM_Y_P), vm_scale(b.mass, b.v)),
                 PICK(1e-9, 1e-3), 0, 0);
 }
 
@@ -608,7 +608,7 @@ static void test_precession(void)
     turn = vmi_rotation(b.q);
     error = fabs((double)vm_kinetic_energy(&b) / energy - 1);
     check_error("precession", "T", "tol", error / tolerance / revolutions, 1, 0, 0);
-    error = fabs((double)vmi_dot(turn.z, vmi_get3(s.y + VM_Y_H)) / along_axis - 1);
+    error = fabs((double)vm_dot(turn.z, vmi_get3(s.y + VM_Y_H)) / along_axis - 1);
     check_error("precession", "H along the axis", "tol", error / tolerance / revolutions, 1, 0, 0);
 }
 

@@ -8,7 +8,7 @@
 static void check_spin_left(const vm_body *rest, vm_vec3 wanted, const vm_body *moving, int index, int question)
 {
     check_error("separate_for: w", "space", "eps",
-                size_of(vmi_sub(rest->omega, wanted)) / eps / (1 + size_of(moving->omega)), 20, index, question);
+                size_of(vm_sub(rest->omega, wanted)) / eps / (1 + size_of(moving->omega)), 20, index, question);
 }
 
 /* In space: velocity and spin of the rest are asked for, or one of them, or nothing. Some are asked to rest, some to
@@ -20,20 +20,20 @@ static void test_inverse(void)
         vm_body a = random_body(4, 1), b = random_body(1.5, 0.5), whole, rest, moving;
         const vm_impulse impulse = random_impulse(), *j = i % 2 ? &impulse : NULL;
         vm_vec3 v = random_vector(3), omega = random_vector(3);
-        b.r = vmi_add(a.r, random_vector(1));
+        b.r = vm_add(a.r, random_vector(1));
         CHECK(vm_attach(&a, &b, NULL, &whole) == VM_OK);
         if (i % 3 == 0) v = omega = vector(0, 0, 0);
         if (i % 3 == 1) omega = whole.omega;
         CHECK(vm_separation_for_rest(&whole, &b, j, &v, &omega, &moving) == VM_OK);
         CHECK(vm_separate(&whole, &moving, j, &rest) == VM_OK);
-        check_error("separate_for: v", "space", "eps", size_of(vmi_sub(rest.v, v)) / eps, 30, i, 0);
+        check_error("separate_for: v", "space", "eps", size_of(vm_sub(rest.v, v)) / eps, 30, i, 0);
         check_spin_left(&rest, omega, &moving, i, 0);
         CHECK(vm_separation_for_rest(&whole, &b, j, NULL, &omega, &moving) == VM_OK);
-        CHECK(size_of(vmi_sub(moving.v, b.v)) == 0);
+        CHECK(size_of(vm_sub(moving.v, b.v)) == 0);
         CHECK(vm_separate(&whole, &moving, j, &rest) == VM_OK);
         check_spin_left(&rest, omega, &moving, i, 1);
         CHECK(vm_separation_for_rest(&whole, &b, j, &v, NULL, &moving) == VM_OK);
-        CHECK(size_of(vmi_sub(moving.omega, b.omega)) == 0);
+        CHECK(size_of(vm_sub(moving.omega, b.omega)) == 0);
         CHECK(vm_separation_for_rest(&whole, &b, j, NULL, NULL, &moving) == VM_OK && apart(&moving, &b) == 0);
     }
 }
@@ -43,10 +43,10 @@ static void test_inverse_of_point(void)
 {
     vm_body whole = random_body(4, 1), point = rod(1, vector(1, 0, 0)), moving;
     const vm_vec3 still = vector(0, 0, 0);
-    point.r = vmi_add(whole.r, vector(0.01, 0, 0));
+    point.r = vm_add(whole.r, vector(0.01, 0, 0));
     point.v = whole.v;
     CHECK(vm_separation_for_rest(&whole, &point, NULL, NULL, &still, &moving) == VM_NULL_AXIS);
-    point.v = vmi_add(whole.v, vmi_cross(whole.omega, vmi_sub(point.r, whole.r)));
+    point.v = vm_add(whole.v, vm_cross(whole.omega, vm_sub(point.r, whole.r)));
     CHECK(vm_separation_for_rest(&whole, &point, NULL, NULL, &whole.omega, &moving) == VM_OK);
 }
 

@@ -24,9 +24,9 @@ static vm_vec3 times(const vm_body *b, vm_vec3 a)
     return vmi_spin_momentum(&turning);
 }
 
-static vm_vec3 scaled(double c, vm_vec3 a) { return vmi_scale(R(c), a); }
-static vm_vec3 sum(vm_vec3 a, vm_vec3 b, vm_vec3 c) { return vmi_add(a, vmi_add(b, c)); }
-static double dot(vm_vec3 a, vm_vec3 b) { return (double)vmi_dot(a, b); }
+static vm_vec3 scaled(double c, vm_vec3 a) { return vm_scale(R(c), a); }
+static vm_vec3 sum(vm_vec3 a, vm_vec3 b, vm_vec3 c) { return vm_add(a, vm_add(b, c)); }
+static double dot(vm_vec3 a, vm_vec3 b) { return (double)vm_dot(a, b); }
 static double square(const vm_body *b, vm_vec3 a) { return dot(a, times(b, a)); } /* a.I a */
 
 static void set_sizes(jump *x)
@@ -40,7 +40,7 @@ static void set_sizes(jump *x)
     x->K = size_of(x->j.linear);
     x->L = size_of(x->moment_O) + size_of(x->moment_S);
     for (i = 0; i < 3; i++) {
-        x->K += (double)b[i]->mass * (size_of(b[i]->v) + size_of(x->S.omega) * size_of(vmi_sub(b[i]->r, x->S.r)));
+        x->K += (double)b[i]->mass * (size_of(b[i]->v) + size_of(x->S.omega) * size_of(vm_sub(b[i]->r, x->S.r)));
         trace += (double)vmi_inertia_trace(&b[i]->inertia);
         w += size_of(b[i]->omega);
         far = fmax(far, size_of(b[i]->r));
@@ -58,7 +58,7 @@ static jump random_jump(int s, int with_impulse)
     x.s = s;
     x.S = random_body(uniform(2, 8), 1);
     x.S2 = random_body(uniform(0.5, 2), 1);
-    x.S2.r = vmi_add(x.S.r, random_vector(1));
+    x.S2.r = vm_add(x.S.r, random_vector(1));
     failed = s > 0 && vm_attach(&x.S, &x.S2, NULL, &x.S); /* what leaves was in it */
     x.S2.v = random_vector(5);
     x.S2.omega = random_vector(4);
@@ -68,8 +68,8 @@ static jump random_jump(int s, int with_impulse)
     x.M = (double)x.S.mass;
     x.m = (double)x.S2.mass;
     x.M1 = (double)x.S1.mass;
-    x.SS1 = vmi_sub(x.S1.r, x.S.r);
-    x.SS2 = vmi_sub(x.S2.r, x.S.r);
+    x.SS1 = vm_sub(x.S1.r, x.S.r);
+    x.SS2 = vm_sub(x.S2.r, x.S.r);
     vm_to_relative(&x.S, &x.S2, &relative);
     x.vr = relative.v;
     x.Or = relative.omega;
@@ -87,7 +87,7 @@ static const char *region_of(const jump *x) { return x->s > 0 ? "separation" : "
 /* left = right, to some eps of the size */
 static void equal(const jump *x, const char *number, vm_vec3 left, vm_vec3 right, double size)
 {
-    check_error(number, region_of(x), "eps", size_of(vmi_sub(left, right)) / eps / size, 3, x->M, x->m);
+    check_error(number, region_of(x), "eps", size_of(vm_sub(left, right)) / eps / size, 3, x->M, x->m);
 }
 
 static void equal_numbers(const jump *x, const char *number, double left, double right, double size)
@@ -128,27 +128,27 @@ static void check_chapter_2(const jump *x)
     const vm_body *before = &x->S, *after = &x->S1, *other = &x->S2;
     const vm_vec3 LS = times(before, before->omega), LS1 = times(after, after->omega),
                   LS2 = times(other, other->omega);
-    vm_vec3 dK, dL, L, spins = sum(LS1, scaled(s, LS2), scaled(-1, LS)), apart = vmi_sub(after->v, other->v), moved;
+    vm_vec3 dK, dL, L, spins = sum(LS1, scaled(s, LS2), scaled(-1, LS)), apart = vm_sub(after->v, other->v), moved;
     dK = sum(vm_momentum(after), scaled(s, vm_momentum(other)), scaled(-1, vm_momentum(before))); /* (4), (5) */
     dL = sum(vm_angular_momentum(after, O), scaled(s, vm_angular_momentum(other, O)),
              scaled(-1, vm_angular_momentum(before, O))); /* (10), (11) */
     equal(x, "(1)-(3)", vm_momentum(before), scaled(M, before->v), x->K);
-    equal(x, "(6)", dK, vmi_add(scaled(M, vmi_sub(after->v, before->v)), scaled(s * m, vmi_sub(other->v, after->v))),
+    equal(x, "(6)", dK, vm_add(scaled(M, vm_sub(after->v, before->v)), scaled(s * m, vm_sub(other->v, after->v))),
           x->K);
-    equal(x, "(7)-(9)", vm_angular_momentum(other, O), vmi_add(LS2, vmi_cross(other->r, scaled(m, other->v))), x->L);
-    L = sum(vmi_cross(after->r, scaled(M1, after->v)), scaled(s, vmi_cross(other->r, scaled(m, other->v))),
-            scaled(-1, vmi_cross(S, scaled(M, before->v))));
-    equal(x, "(12)", dL, vmi_add(spins, L), x->L);
-    equal(x, "(13)", S, vmi_add(scaled(M1 / M, after->r), scaled(s * m / M, other->r)), 30);
+    equal(x, "(7)-(9)", vm_angular_momentum(other, O), vm_add(LS2, vm_cross(other->r, scaled(m, other->v))), x->L);
+    L = sum(vm_cross(after->r, scaled(M1, after->v)), scaled(s, vm_cross(other->r, scaled(m, other->v))),
+            scaled(-1, vm_cross(S, scaled(M, before->v))));
+    equal(x, "(12)", dL, vm_add(spins, L), x->L);
+    equal(x, "(13)", S, vm_add(scaled(M1 / M, after->r), scaled(s * m / M, other->r)), 30);
     equal(x, "(14), (15)", scaled(M1, x->SS1), scaled(-s * m, x->SS2), 30 * M);
     /* (16), (18), (19) lack r_S x dK, which (17) has: they fail by it, and hold with it */
-    L = vmi_cross(S, dK);
-    moved = vmi_add(vmi_cross(x->SS1, scaled(M1, after->v)), scaled(s, vmi_cross(x->SS2, scaled(m, other->v))));
+    L = vm_cross(S, dK);
+    moved = vm_add(vm_cross(x->SS1, scaled(M1, after->v)), scaled(s, vm_cross(x->SS2, scaled(m, other->v))));
     equal(x, "(16)", dL, sum(spins, moved, L), x->L);
-    moved = scaled(-s * m, vmi_cross(x->SS2, apart));
+    moved = scaled(-s * m, vm_cross(x->SS2, apart));
     equal(x, "(17)", dL, sum(spins, moved, L), x->L);
-    equal(x, "(18), (19)", vmi_sub(dL, L), vmi_add(spins, moved), x->L);
-    equal(x, "(18) printed", vmi_sub(dL, vmi_add(spins, moved)), L, x->L);
+    equal(x, "(18), (19)", vm_sub(dL, L), vm_add(spins, moved), x->L);
+    equal(x, "(18) printed", vm_sub(dL, vm_add(spins, moved)), L, x->L);
     off_by("(16), (18), (19)", size_of(L), x->L);
 }
 
@@ -158,11 +158,11 @@ static void check_chapter_3(const jump *x, int with_impulse)
 {
     const double M = x->M, m = x->m, M1 = x->M1, s = x->s;
     const vm_body *before = &x->S, *after = &x->S1, *other = &x->S2;
-    const vm_vec3 O = vector(0, 0, 0), J = x->j.linear, turned2 = vmi_cross(before->omega, x->SS2),
-                  turned1 = vmi_cross(before->omega, x->SS1);
-    vm_vec3 dL, right, I1O1 = times(after, after->omega), apart = vmi_sub(after->v, other->v);
+    const vm_vec3 O = vector(0, 0, 0), J = x->j.linear, turned2 = vm_cross(before->omega, x->SS2),
+                  turned1 = vm_cross(before->omega, x->SS1);
+    vm_vec3 dL, right, I1O1 = times(after, after->omega), apart = vm_sub(after->v, other->v);
     equal(x, "(20), (21)",
-          vmi_add(scaled(M, vmi_sub(after->v, before->v)), scaled(s * m, vmi_sub(other->v, after->v))), J, x->K);
+          vm_add(scaled(M, vm_sub(after->v, before->v)), scaled(s * m, vm_sub(other->v, after->v))), J, x->K);
     dL = sum(vm_angular_momentum(after, O), scaled(s, vm_angular_momentum(other, O)),
              scaled(-1, vm_angular_momentum(before, O)));
     equal(x, "(22)", dL, x->moment_O, x->L);
@@ -171,26 +171,26 @@ static void check_chapter_3(const jump *x, int with_impulse)
     equal(x, "(25), (98)", other->v, sum(before->v, turned2, x->vr), x->K / m);
     equal(x, "(26), (101)", after->v, sum(before->v, turned1, x->vr1), x->K / M1);
     right = sum(scaled(-s * m, turned2), scaled(-M1, turned1), J); /* (27), its bracket closed */
-    equal(x, "(27)", vmi_add(scaled(M1, x->vr1), scaled(s * m, x->vr)), right, x->K);
-    equal(x, "(28)", scaled(M1, x->vr1), vmi_sub(J, scaled(s * m, x->vr)), x->K);
-    right = scaled(1 / M1, vmi_sub(J, scaled(s * m, x->vr)));
+    equal(x, "(27)", vm_add(scaled(M1, x->vr1), scaled(s * m, x->vr)), right, x->K);
+    equal(x, "(28)", scaled(M1, x->vr1), vm_sub(J, scaled(s * m, x->vr)), x->K);
+    right = scaled(1 / M1, vm_sub(J, scaled(s * m, x->vr)));
     equal(x, "(29)", after->v, sum(before->v, turned1, right), x->K / M1);
     if (!with_impulse)
         equal(x, "(30), (31)", after->v, sum(before->v, turned1, scaled(-s * m / M1, x->vr)), x->K / M1);
     /* (32), (23a) hold with the impulse's moment about S; as printed, about O, they fail by r_S x J */
-    right = vmi_add(times(before, before->omega), sum(scaled(-s, times(other, other->omega)), x->moment_S,
-                                                      scaled(s * m, vmi_cross(x->SS2, apart))));
+    right = vm_add(times(before, before->omega), sum(scaled(-s, times(other, other->omega)), x->moment_S,
+                                                      scaled(s * m, vm_cross(x->SS2, apart))));
     equal(x, "(32)", I1O1, right, x->L);
     if (!with_impulse) equal(x, "(33), (34)", I1O1, right, x->L);
-    right = vmi_add(right, vmi_sub(x->moment_O, x->moment_S));
-    equal(x, "(32) printed", vmi_sub(right, I1O1), vmi_cross(before->r, J), x->L);
-    off_by("(23a), (32)", size_of(vmi_sub(right, I1O1)), x->L);
-    right = sum(vmi_cross(x->SS1, scaled(M1, after->v)), scaled(s, vmi_cross(x->SS2, scaled(m, other->v))),
+    right = vm_add(right, vm_sub(x->moment_O, x->moment_S));
+    equal(x, "(32) printed", vm_sub(right, I1O1), vm_cross(before->r, J), x->L);
+    off_by("(23a), (32)", size_of(vm_sub(right, I1O1)), x->L);
+    right = sum(vm_cross(x->SS1, scaled(M1, after->v)), scaled(s, vm_cross(x->SS2, scaled(m, other->v))),
                 sum(I1O1, scaled(s, times(other, other->omega)), scaled(-1, times(before, before->omega))));
     equal(x, "(23a)", right, x->moment_S, x->L);
-    equal(x, "(23a) printed", vmi_sub(x->moment_O, right), vmi_cross(before->r, J), x->L);
+    equal(x, "(23a) printed", vm_sub(x->moment_O, right), vm_cross(before->r, J), x->L);
     right =
-        sum(x->moment_S, scaled(-s, times(other, x->Or)), scaled(-s * m, vmi_cross(x->SS2, vmi_sub(x->vr, x->vr1))));
+        sum(x->moment_S, scaled(-s, times(other, x->Or)), scaled(-s * m, vm_cross(x->SS2, vm_sub(x->vr, x->vr1))));
     equal(x, "(41)-(43) in space", times(after, x->Or1), right, x->L);
 }
 
@@ -222,20 +222,20 @@ static void check_six_equations(const jump *x)
 {
     const double M = x->M, m = x->m, M1 = x->M1;
     const vm_body *S = &x->S, *S1 = &x->S1, *S2 = &x->S2;
-    const vm_vec3 turned2 = vmi_cross(S->omega, x->SS2), turned1 = vmi_cross(S->omega, x->SS1);
+    const vm_vec3 turned2 = vm_cross(S->omega, x->SS2), turned1 = vm_cross(S->omega, x->SS1);
     vm_vec3 LS = times(S, S->omega), right;
-    equal(x, "(99), (102)", vmi_add(S2->omega, S1->omega), sum(scaled(2, S->omega), x->Or, x->Or1),
+    equal(x, "(99), (102)", vm_add(S2->omega, S1->omega), sum(scaled(2, S->omega), x->Or, x->Or1),
           size_of(S2->omega) + size_of(S1->omega));
     equal(x, "(105) 1-3", scaled(M1, S->v), sum(scaled(M1, S1->v), scaled(m, x->vr), scaled(m, turned2)), x->K);
-    right = sum(times(S1, S1->omega), times(S2, vmi_add(S->omega, x->Or)),
-                scaled(m, vmi_cross(x->SS2, sum(turned2, x->vr, S->v))));
-    right = vmi_add(right, scaled(M1, vmi_cross(x->SS1, sum(turned1, x->vr1, S->v))));
+    right = sum(times(S1, S1->omega), times(S2, vm_add(S->omega, x->Or)),
+                scaled(m, vm_cross(x->SS2, sum(turned2, x->vr, S->v))));
+    right = vm_add(right, scaled(M1, vm_cross(x->SS1, sum(turned1, x->vr1, S->v))));
     equal(x, "(105) 4-6", LS, right, x->L); /* the fifth with its bracket closed */
-    equal(x, "(106)", S2->omega, vmi_add(S->omega, x->Or), size_of(S->omega) + size_of(x->Or));
+    equal(x, "(106)", S2->omega, vm_add(S->omega, x->Or), size_of(S->omega) + size_of(x->Or));
     off_by("(106)", (double)S->omega.y, size_of(S->omega)); /* Omega_2y, starred or not, for Omega*_y: by Omega_y */
-    equal(x, "(107)", scaled(M, S->v), vmi_add(scaled(m, S2->v), scaled(M1, S1->v)), x->K);
-    right = sum(times(S1, S1->omega), times(S2, S2->omega), scaled(m, vmi_cross(x->SS2, S2->v)));
-    right = vmi_add(right, scaled(M1, vmi_cross(x->SS1, S1->v)));
+    equal(x, "(107)", scaled(M, S->v), vm_add(scaled(m, S2->v), scaled(M1, S1->v)), x->K);
+    right = sum(times(S1, S1->omega), times(S2, S2->omega), scaled(m, vm_cross(x->SS2, S2->v)));
+    right = vm_add(right, scaled(M1, vm_cross(x->SS1, S1->v)));
     equal(x, "(107)-(112)", LS, right, x->L);
 }
 
@@ -256,10 +256,10 @@ static void check_energies(const jump *x)
 static double equation_117(const jump *x, double sign)
 {
     const vm_vec3 O = x->S.omega, v = x->S.v;
-    const vm_vec3 turned1 = scaled(sign, vmi_cross(O, x->SS1)), turned2 = scaled(sign, vmi_cross(O, x->SS2));
-    const vm_vec3 a = vmi_add(turned1, x->vr1), b = vmi_add(turned2, x->vr);
-    return x->M1 * dot(a, a) / 2 + x->m * dot(b, b) / 2 - x->M1 * dot(vmi_cross(x->SS1, vmi_add(v, a)), O) -
-           x->m * dot(vmi_cross(x->SS2, vmi_add(v, b)), O);
+    const vm_vec3 turned1 = scaled(sign, vm_cross(O, x->SS1)), turned2 = scaled(sign, vm_cross(O, x->SS2));
+    const vm_vec3 a = vm_add(turned1, x->vr1), b = vm_add(turned2, x->vr);
+    return x->M1 * dot(a, a) / 2 + x->m * dot(b, b) / 2 - x->M1 * dot(vm_cross(x->SS1, vm_add(v, a)), O) -
+           x->m * dot(vm_cross(x->SS2, vm_add(v, b)), O);
 }
 
 /* (114)-(117) for a free separation: by what the printed forms are off, and that the corrected ones hold */
@@ -268,8 +268,8 @@ static void check_proof(const jump *x, double difference)
     const vm_body *S = &x->S, *S1 = &x->S1, *S2 = &x->S2;
     const double M = x->M, m = x->m, M1 = x->M1;
     const vm_vec3 O = S->omega, v = S->v, u = x->vr, w = x->vr1;
-    const vm_vec3 turned1 = vmi_cross(O, x->SS1), turned2 = vmi_cross(O, x->SS2), dv1 = vmi_sub(S1->v, v),
-                  dv2 = vmi_sub(S2->v, v);
+    const vm_vec3 turned1 = vm_cross(O, x->SS1), turned2 = vm_cross(O, x->SS2), dv1 = vm_sub(S1->v, v),
+                  dv2 = vm_sub(S2->v, v);
     const double spins = (square(S1, x->Or1) + square(S2, x->Or)) / 2;
     const double shares = (square(S, O) - square(S1, O) - square(S2, O)) / 2;
     double T2 = (M1 * dot(S1->v, S1->v) + square(S1, S1->omega) + m * dot(S2->v, S2->v) + square(S2, S2->omega)) / 2;
@@ -282,8 +282,8 @@ static void check_proof(const jump *x, double difference)
     right = (M1 * dot(S1->v, S1->v) - 2 * M * dot(v, v) + m * dot(S2->v, S2->v)) / 2 + M * dot(v, v) / 2 +
             (square(S1, S1->omega) - 2 * square(S, O) + square(S2, S2->omega)) / 2 + square(S, O) / 2;
     equal_numbers(x, "(115)", difference, right, x->T);
-    printed = M1 * dot(dv1, dv1) / 2 + m * dot(dv2, dv2) / 2 - M1 * dot(vmi_cross(x->SS1, S1->v), O) -
-              m * dot(vmi_cross(x->SS2, S2->v), O) + spins;
+    printed = M1 * dot(dv1, dv1) / 2 + m * dot(dv2, dv2) / 2 - M1 * dot(vm_cross(x->SS1, S1->v), O) -
+              m * dot(vm_cross(x->SS2, S2->v), O) + spins;
     equal_numbers(x, "(116)", difference, printed + shares, x->T);
     equal_numbers(x, "(116) printed", difference - printed, m * M / (2 * M1) * dot(turned2, turned2), x->T);
     off_by("(116)", printed - difference, fabs(difference));

@@ -73,7 +73,7 @@ static void test_particles(int unequal)
         for (k = 0; k < PIECES; k++) add_piece(&all, -1, &s, k, &s.piece[k]);
         add_whole(&all, 1, &s, &whole);
         check_sums("attach_all", &all, j, s.about, i);
-        check_error("attach_all: r", "particles", "eps", size_of(vmi_sub(whole.r, s.whole.r)) / 15 / eps, 12, i, 0);
+        check_error("attach_all: r", "particles", "eps", size_of(vm_sub(whole.r, s.whole.r)) / 15 / eps, 12, i, 0);
     }
 }
 
@@ -90,18 +90,18 @@ static void test_balance(int with_impulse)
         vm_impulse impulse = random_impulse(), back = opposite(impulse);
         const vm_impulse *j = with_impulse ? &impulse : NULL, *minus_j = with_impulse ? &back : NULL;
         vm_vec3 about = random_vector(4);
-        b.r = vmi_add(a.r, random_vector(1));
+        b.r = vm_add(a.r, random_vector(1));
         if (vm_attach(&a, &b, j, &whole)) FAIL("attach");
         check_defect("attach", region, joined(&a, &b, &whole, j, about), i);
         if (vm_separate(&whole, &b, minus_j, &rest)) FAIL("separate"); /* the opposite impulse there undoes it */
-        check_error("undone: v", region, "eps", size_of(vmi_sub(rest.v, a.v)) / eps, 60, i, 0);
+        check_error("undone: v", region, "eps", size_of(vm_sub(rest.v, a.v)) / eps, 60, i, 0);
 
         part = b;
         part.omega = random_vector(3);
         part.v = random_vector(5);
         if (vm_separate(&whole, &part, j, &rest)) FAIL("separate");
         check_defect("separate", region, parted(&whole, &rest, &part, j, about), i);
-        check_error("rest: r", region, "eps", size_of(vmi_sub(rest.r, a.r)) / eps, 16, i, 0);
+        check_error("rest: r", region, "eps", size_of(vm_sub(rest.r, a.r)) / eps, 16, i, 0);
     }
 }
 
@@ -135,7 +135,7 @@ static void test_energy(int with_impulse)
         int n = 1 + i % 3;
         for (k = 0; k <= n; k++) {
             pieces[k] = random_body(uniform(1, 5), 1);
-            pieces[k].r = vmi_add(pieces[0].r, random_vector(2));
+            pieces[k].r = vm_add(pieces[0].r, random_vector(2));
         }
         if (vm_attach_all(pieces, n, pieces + 1, j, &whole)) FAIL("attach_all");
         check_energy("loss (Carnot)", region, &whole, n + 1, pieces,
@@ -162,12 +162,12 @@ static void test_unequal_bodies(void)
         vm_body whole, rest;
         vm_vec3 about = random_vector(4);
         int status;
-        b.r = vmi_add(a.r, random_vector(1));
+        b.r = vm_add(a.r, random_vector(1));
         if (i % 4 == 0) a.inertia = vmi_inertia_plus(rod(2, random_vector(1)).inertia, R(1e-4), a.inertia);
         done = done && vm_attach(&a, &b, NULL, &whole) >= 0;
         check_defect("attach", "unequal", joined(&a, &b, &whole, NULL, about), ratio);
-        b.omega = vmi_add(b.omega, random_vector(1));
-        b.v = vmi_add(b.v, random_vector(1));
+        b.omega = vm_add(b.omega, random_vector(1));
+        b.v = vm_add(b.v, random_vector(1));
         status = vm_separate(&whole, &b, NULL, &rest);
         done = done && status >= 0;
         if (status) continue; /* in float the whole's rounding errors hide a rest of 1e-4 of its mass and size */
@@ -182,7 +182,7 @@ static vm_vec3 point_beside(int which, const vm_body *a, const vm_body *b, const
 {
     if (which == 0) return a->r;
     if (which == 1) return b->r;
-    return vmi_add(whole->r, random_vector(pow(10, uniform(-6, 0))));
+    return vm_add(whole->r, random_vector(pow(10, uniform(-6, 0))));
 }
 
 /* Fast bodies far from the origin, and angular momenta about points next to one of them. There its momentum has
@@ -200,10 +200,10 @@ static void test_points_beside_bodies(void)
         const vm_impulse *j = i % 2 ? &impulse : NULL;
         vm_vec3 about;
         a.r = random_vector(pow(10, uniform(-1, farthest)));
-        b.r = vmi_add(a.r, random_vector(1));
+        b.r = vm_add(a.r, random_vector(1));
         a.v = random_vector(pow(10, uniform(-3, 6)));
         b.v = random_vector(pow(10, uniform(-3, 6)));
-        impulse.at = vmi_add(a.r, random_vector(1));
+        impulse.at = vm_add(a.r, random_vector(1));
         if (vm_attach(&a, &b, j, &whole)) continue;
         about = point_beside(i % 3, &a, &b, &whole);
         check_defect("attach", "beside bodies", joined(&a, &b, &whole, j, about), i);
@@ -260,7 +260,7 @@ static void test_burst(void)
         const int struck = i % BURST; /* the impulse comes with this part */
         for (k = 0; k < BURST; k++) {
             parts[k] = random_body(uniform(0.1, 3), 1);
-            parts[k].r = vmi_add(core.r, random_vector(2));
+            parts[k].r = vm_add(core.r, random_vector(2));
         }
         CHECK(vm_attach_all(&core, BURST, parts, j, &whole) == VM_OK);
         for (k = 0; k < BURST; k++) CHECK(vm_attach(&one, &parts[k], k == struck ? j : NULL, &one) == VM_OK);
@@ -298,7 +298,7 @@ static void test_small_part(void)
     double m;
     for (m = 1; m > (is_float ? 1e-30 : 1e-290); m *= 1e-3) {
         vm_body body = random_body(10, 1), part = random_body(m, 0.5), whole, rest;
-        part.r = vmi_add(body.r, random_vector(0.5));
+        part.r = vm_add(body.r, random_vector(0.5));
         CHECK(vm_attach(&body, &part, NULL, &whole) == VM_OK);
         part.v = random_vector(5);
         part.omega = random_vector(3);
@@ -322,14 +322,14 @@ static void test_small_rest(void)
         defect d;
         int status;
         left.q = body.q;
-        left.r = vmi_add(body.r, random_vector(0.3));
+        left.r = vm_add(body.r, random_vector(0.3));
         CHECK(vm_attach(&body, &left, NULL, &whole) == VM_OK);
         body.omega = whole.omega;
-        body.v = vmi_add(whole.v, vmi_cross(whole.omega, vmi_sub(body.r, whole.r)));
+        body.v = vm_add(whole.v, vm_cross(whole.omega, vm_sub(body.r, whole.r)));
         CHECK(vm_separate(&whole, &body, NULL, &rest) >= 0);
         /* the part's v is rounded, and that rounding kicks the rest, M/f and M/I times */
-        carried = vmi_add(whole.v, vmi_cross(whole.omega, vmi_sub(rest.r, whole.r)));
-        check_error("carried: v", "m to M", "eps/f", f * size_of(vmi_sub(rest.v, carried)) / eps, 30, f, 0);
+        carried = vm_add(whole.v, vm_cross(whole.omega, vm_sub(rest.r, whole.r)));
+        check_error("carried: v", "m to M", "eps/f", f * size_of(vm_sub(rest.v, carried)) / eps, 30, f, 0);
         check_error("carried: mass", "m to M", "eps/f", f * fabs((double)rest.mass / f - 1) / eps, 2, f, 0);
         body.v = random_vector(5);
         body.omega = random_vector(3);
@@ -366,12 +366,12 @@ static void test_lost_inertia(void)
         part.omega = whole.omega;
         part.v = whole.v;
         CHECK(vm_separate(&whole, &part, NULL, &rest) == VM_OK);
-        check_error("omega kept", "I_S1 lost", "eps", size_of(vmi_sub(rest.omega, whole.omega)) / eps, 1, own, 0);
+        check_error("omega kept", "I_S1 lost", "eps", size_of(vm_sub(rest.omega, whole.omega)) / eps, 1, own, 0);
         check_error("I_S1", "I_S1 lost", "eps",
                     fabs((double)(rest.inertia.xx - ball.xx)) / eps / (double)vmi_inertia_trace(&whole.inertia), 8, own, 0);
         /* as printed: |I_S Omega - I_S2 Omega| against I_S1 Omega, with each product rounded */
-        left = vmi_sub(vmi_spin_momentum(&whole), vmi_spin_momentum(&part));
-        left = vmi_sub(left, vmi_scale(R(own), whole.omega));
+        left = vm_sub(vmi_spin_momentum(&whole), vmi_spin_momentum(&part));
+        left = vm_sub(left, vm_scale(R(own), whole.omega));
         worst_printed = fmax(worst_printed, size_of(left) / own / size_of(whole.omega));
     }
     CHECK(worst_printed > 0.5);
@@ -394,7 +394,7 @@ static void test_light_on_heavy(void)
         light.r = heavy.r = heavy.v = heavy.omega = vector(0, 0, 0);
         light.v = vector(1e4, 0, 0);
         light.omega = vector(0, 1e4, 0);
-        light.q = heavy.q = vmi_quat_times(light.q, heavy.q);
+        light.q = heavy.q = vm_quat_times(light.q, heavy.q);
         expected = 1e4 * (double)light.mass / (1 + (double)light.mass);
         for (i = 0; i < 2; i++) {
             const vm_body *first = i ? &light : &heavy, *second = i ? &heavy : &light;
@@ -447,10 +447,10 @@ static void draw_distant(distant *d, double distance, double speed)
     d->far_part = d->part;
     d->far_impulse = d->impulse;
     d->far_whole.r = there;
-    d->far_part.r = vmi_add(d->part.r, there);
-    d->far_impulse.at = vmi_add(d->impulse.at, there);
+    d->far_part.r = vm_add(d->part.r, there);
+    d->far_impulse.at = vm_add(d->impulse.at, there);
     d->far_whole.v = d->rush;
-    d->far_part.v = vmi_add(d->part.v, d->rush);
+    d->far_part.v = vm_add(d->part.v, d->rush);
 }
 
 /* Place and velocity that all share must not cost a digit of the spin, nor of the relative velocities. Where no
@@ -469,10 +469,10 @@ static void test_far_and_fast(void)
         far_j = i % 2 ? &d.far_impulse : NULL;
         CHECK(vm_separate(&d.whole, &d.part, j, &rest) == VM_OK);
         CHECK(vm_separate(&d.far_whole, &d.far_part, far_j, &far_rest) == VM_OK);
-        check_error("separate: omega", "far and fast", "eps", size_of(vmi_sub(far_rest.omega, rest.omega)) / eps, 1,
+        check_error("separate: omega", "far and fast", "eps", size_of(vm_sub(far_rest.omega, rest.omega)) / eps, 1,
                     i, 0);
         check_error("separate: v", "far and fast", "eps",
-                    size_of(vmi_sub(vmi_sub(far_rest.v, d.rush), rest.v)) / eps / speed, 3, i, 0);
+                    size_of(vm_sub(vm_sub(far_rest.v, d.rush), rest.v)) / eps / speed, 3, i, 0);
         if (!j) {
             const double gain = (double)vm_energy_gain(&d.whole, 1, &d.part, NULL, &rest);
             const double far_gain = (double)vm_energy_gain(&d.far_whole, 1, &d.far_part, NULL, &far_rest);
@@ -482,7 +482,7 @@ static void test_far_and_fast(void)
         }
         CHECK(vm_attach(&d.whole, &d.part, j, &rest) == VM_OK);
         CHECK(vm_attach(&d.far_whole, &d.far_part, far_j, &far_rest) == VM_OK);
-        check_error("attach: omega", "far and fast", "eps", size_of(vmi_sub(far_rest.omega, rest.omega)) / eps, 1, i,
+        check_error("attach: omega", "far and fast", "eps", size_of(vm_sub(far_rest.omega, rest.omega)) / eps, 1, i,
                     0);
     }
     CHECK(lost > 1000 * speed);
@@ -497,9 +497,9 @@ static void test_far_rods(void)
         for (i = 0; i < 50; i++) {
             vm_body stick = rod(2, random_vector(0.5)), point = rod(1, vector(1, 0, 0)), whole, rest;
             int status;
-            stick.r = vmi_scale(R(distance), vector(0.3, 0.7, -0.11));
+            stick.r = vm_scale(R(distance), vector(0.3, 0.7, -0.11));
             stick.omega = random_vector(1);
-            point.r = vmi_add(stick.r, random_vector(0.5));
+            point.r = vm_add(stick.r, random_vector(0.5));
             point.v = random_vector(1);
             status = vm_attach(&stick, &point, NULL, &whole);
             CHECK(status >= 0 && vm_separate(&whole, &point, NULL, &rest) >= 0);
@@ -521,7 +521,7 @@ static void test_nearly_equal_moments(void)
         a.inertia = inertia(1, uniform(-off, off), uniform(-off, off), 1 + uniform(-off, off), uniform(-off, off),
                             1 + uniform(-off, off));
         b.inertia = vmi_inertia_plus(a.inertia, R(-0.9), a.inertia);
-        b.r = i % 2 ? a.r : vmi_add(a.r, random_vector(off));
+        b.r = i % 2 ? a.r : vm_add(a.r, random_vector(off));
         CHECK(vm_attach(&a, &b, NULL, &whole) == VM_OK);
         check_defect("attach", "equal moments", joined(&a, &b, &whole, NULL, a.r), off);
         part = b;
@@ -543,10 +543,10 @@ static void check_point_left(int i, vm_body a, const vm_body *point)
     vm_body whole, rest, again;
     CHECK(vm_attach(&a, point, NULL, &whole) == VM_OK);
     a.omega = whole.omega;
-    a.v = vmi_add(whole.v, vmi_cross(whole.omega, vmi_sub(a.r, whole.r)));
+    a.v = vm_add(whole.v, vm_cross(whole.omega, vm_sub(a.r, whole.r)));
     CHECK(vm_separate(&whole, &a, NULL, &rest) == VM_OK);
     CHECK(rest.inertia.xx == 0 && rest.inertia.yy == 0 && rest.inertia.zz == 0 && rest.inertia.xy == 0);
-    check_error("point: spin kept", "null axes", "eps", size_of(vmi_sub(rest.omega, whole.omega)) / eps, 60, i, 0);
+    check_error("point: spin kept", "null axes", "eps", size_of(vm_sub(rest.omega, whole.omega)) / eps, 60, i, 0);
     CHECK(vm_attach(&rest, &a, NULL, &again) == VM_OK && vm_attach(&a, &rest, NULL, &again) == VM_OK);
     a.omega = random_vector(3);
     CHECK(vm_separate(&whole, &a, NULL, &rest) == VM_NULL_AXIS && VM_NULL_AXIS > 0);
@@ -562,9 +562,9 @@ static void check_rod_made(int i, const vm_body *a, vm_body first, const vm_body
     first.omega = random_vector(2);
     CHECK(vm_attach(&first, point, NULL, &whole) == VM_OK);
     check_defect("attach", "two points", joined(&first, point, &whole, NULL, vector(0, 0, 0)), i);
-    axis = vmi_sub(point->r, first.r);
+    axis = vm_sub(point->r, first.r);
     check_error("rod: spin kept", "null axes", "eps",
-                fabs((double)vmi_dot(axis, vmi_sub(whole.omega, first.omega))) / size_of(axis) / eps, 20, i, 0);
+                fabs((double)vm_dot(axis, vm_sub(whole.omega, first.omega))) / size_of(axis) / eps, 20, i, 0);
     CHECK(vm_separate(&whole, point, NULL, &rest) >= 0 && vm_attach(&whole, a, NULL, &again) == VM_OK);
 }
 
@@ -576,7 +576,7 @@ static void test_null_axes(void)
     for (i = 0; i < 500; i++) {
         const vm_body a = random_body(3, 1), first = rod(1, vector(1, 0, 0));
         vm_body point = first;
-        point.r = vmi_add(a.r, random_vector(1));
+        point.r = vm_add(a.r, random_vector(1));
         point.v = random_vector(2);
         point.omega = random_vector(2);
         check_point_left(i, a, &point);
@@ -602,10 +602,10 @@ static void test_blow_on_rod(void)
         turn = vmi_rotation(stick.q);
         axis = vmi_times(&turn, axis);
         j.couple = vector(0, 0, 0);
-        j.at = vmi_add(stick.r, vmi_scale(R(uniform(-1, 1)), axis));
+        j.at = vm_add(stick.r, vm_scale(R(uniform(-1, 1)), axis));
         CHECK(vm_attach_all(&stick, 0, NULL, &j, &struck) == VM_OK);
         twist = 1e4 * eps * (1 + size_of(j.linear)) * (1 + size_of(j.at)) / size_of(axis);
-        j.couple = vmi_scale(R(twist), axis);
+        j.couple = vm_scale(R(twist), axis);
         CHECK(vm_attach_all(&stick, 0, NULL, &j, &struck) == VM_NULL_AXIS);
     }
 }
@@ -638,7 +638,7 @@ static void test_collinear_rods(void)
         const vm_vec3 e = vector(i == 0, i == 1, i == 2);
         vm_body a = rod(2, e), b = a, whole;
         vm_impulse twist;
-        b.r = vmi_scale(5, e);
+        b.r = vm_scale(5, e);
         memset(&twist, 0, sizeof twist);
         twist.couple = e;
         CHECK(vm_attach(&a, &b, &twist, &whole) == VM_NULL_AXIS && size_of(whole.omega) == 0);
@@ -676,10 +676,10 @@ static void test_rod_to_point(void)
     part.mass = 1;
     part.r = vector(1, 0, 0);
     memset(&part.inertia, 0, sizeof part.inertia);
-    part.v = vmi_add(stick.v, vmi_cross(stick.omega, part.r));
+    part.v = vm_add(stick.v, vm_cross(stick.omega, part.r));
     CHECK(vm_separate(&stick, &part, NULL, &rest) == VM_OK);
-    CHECK(size_of(vmi_sub(rest.omega, stick.omega)) == 0 && rest.r.x == -1 && rest.inertia.yy == 0);
-    CHECK(size_of(vmi_sub(rest.v, vmi_add(stick.v, vmi_cross(stick.omega, vector(-1, 0, 0))))) == 0);
+    CHECK(size_of(vm_sub(rest.omega, stick.omega)) == 0 && rest.r.x == -1 && rest.inertia.yy == 0);
+    CHECK(size_of(vm_sub(rest.v, vm_add(stick.v, vm_cross(stick.omega, vector(-1, 0, 0))))) == 0);
 }
 
 /* An input may be the output. */

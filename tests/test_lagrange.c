@@ -35,11 +35,11 @@ static int rod_forces(vm_real t, const vm_real *q, const vm_real *rates, const v
 {
     const double l = rod_length((double)t), s = sin((double)q[0]), c = cos((double)q[0]);
     const double mass_rate = -ROD_DENSITY / 4.;
-    const vm_vec3 tip_slope = vector(l * c, l * s, 0), middle_slope = vmi_scale(R(.5), tip_slope); /* dr/dphi */
-    const vm_vec3 u = vmi_scale(rates[0], tip_slope), no_moment = vector(0, 0, 0);
+    const vm_vec3 tip_slope = vector(l * c, l * s, 0), middle_slope = vm_scale(R(.5), tip_slope); /* dr/dphi */
+    const vm_vec3 u = vm_scale(rates[0], tip_slope), no_moment = vector(0, 0, 0);
     (void)ctx;
     vm_lagrange_add_force(1, vector(0, -gravity * (double)masses[0], 0), &middle_slope, no_moment, NULL, Q);
-    vm_lagrange_add_force(1, vmi_scale(R(mass_rate), u), &tip_slope, no_moment, NULL, Q);
+    vm_lagrange_add_force(1, vm_scale(R(mass_rate), u), &tip_slope, no_moment, NULL, Q);
     return 0;
 }
 
@@ -84,9 +84,9 @@ static void tank_motion(vm_real t, const vm_real *q, const vm_real *rates, const
     const vmi_mat3 turn = vmi_rotation(vm_euler_313(q[3], q[4], q[5]));
     vm_vec3 axis[3];
     vm_euler_313_body_axes(q[4], q[5], axis);
-    *omega = vmi_add(vmi_scale(rates[3], axis[0]),
-                     vmi_add(vmi_scale(rates[4], axis[1]), vmi_scale(rates[5], axis[2])));
-    *v = vmi_sub(vmi_get3(rates), vmi_times(&turn, tank_drift(k, (double)t)));
+    *omega = vm_add(vm_scale(rates[3], axis[0]),
+                     vm_add(vm_scale(rates[4], axis[1]), vm_scale(rates[5], axis[2])));
+    *v = vm_sub(vmi_get3(rates), vmi_times(&turn, tank_drift(k, (double)t)));
 }
 
 static vm_real tank_energy(vm_real t, const vm_real *q, const vm_real *rates, const vm_real *masses, void *ctx)
@@ -94,7 +94,7 @@ static vm_real tank_energy(vm_real t, const vm_real *q, const vm_real *rates, co
     const vm_inertia about_centre = vmi_get_inertia(masses + 1);
     vm_vec3 v, omega;
     tank_motion(t, q, rates, (const tank *)ctx, &v, &omega);
-    return (masses[0] * vmi_dot(v, v) + vmi_dot(omega, vmi_inertia_times(&about_centre, omega))) / 2;
+    return (masses[0] * vm_dot(v, v) + vm_dot(omega, vmi_inertia_times(&about_centre, omega))) / 2;
 }
 
 /* The stream carries the momentum rate * u and the spin of its own away at the crossing point. */
@@ -105,21 +105,21 @@ static int tank_forces(vm_real t, const vm_real *q, const vm_real *rates, const 
     const vm_stream *s = &k->stream;
     const vmi_mat3 turn = vmi_rotation(vm_euler_313(q[3], q[4], q[5]));
     const vm_inertia own_rate = vmi_stream_own(s->rate, &s->gyration);
-    const vm_vec3 d = vmi_scale(R(k->empty / tank_mass(k, (double)t)), s->at); /* from the mass centre */
+    const vm_vec3 d = vm_scale(R(k->empty / tank_mass(k, (double)t)), s->at); /* from the mass centre */
     vm_vec3 v, omega, u, moment, dr[6], domega[6], axis[3];
     int i;
     (void)masses;
     tank_motion(t, q, rates, k, &v, &omega);
-    u = vmi_add(v, vmi_times(&turn, vmi_add(s->velocity, vmi_cross(omega, d))));
-    moment = vmi_times(&turn, vmi_inertia_times(&own_rate, vmi_add(omega, s->spin)));
+    u = vm_add(v, vmi_times(&turn, vm_add(s->velocity, vm_cross(omega, d))));
+    moment = vmi_times(&turn, vmi_inertia_times(&own_rate, vm_add(omega, s->spin)));
     vm_euler_313_axes(q[3], q[4], axis);
     for (i = 0; i < 3; i++) {
         dr[i] = vector(i == 0, i == 1, i == 2);
         domega[i] = vector(0, 0, 0);
-        dr[3 + i] = vmi_cross(axis[i], vmi_times(&turn, d));
+        dr[3 + i] = vm_cross(axis[i], vmi_times(&turn, d));
         domega[3 + i] = axis[i];
     }
-    vm_lagrange_add_force(6, vmi_scale(s->rate, u), dr, moment, domega, Q);
+    vm_lagrange_add_force(6, vm_scale(s->rate, u), dr, moment, domega, Q);
     return 0;
 }
 
@@ -139,7 +139,7 @@ static void test_tank(void)
     CHECK(!vm_flow_start(&k.flow, &k.body, z) && solve(vm_flow_rhs, &k.flow, VM_FLOW_STATES, z, 0, 1) >= 0);
     CHECK(!vm_flow_body(&k.flow, VM_FLOW_STATES, z, &b));
     turn = vmi_rotation(k.body.q);
-    vmi_set3(rates, vmi_add(k.body.v, vmi_times(&turn, tank_drift(&k, 0))));
+    vmi_set3(rates, vm_add(k.body.v, vmi_times(&turn, tank_drift(&k, 0))));
     CHECK(!vm_euler_313_rates(q[3], q[4], k.body.omega, rates + 3));
     CHECK(!vm_lagrange_start(&equations, 0, q, rates, y));
     CHECK(solve(vm_lagrange_rhs, &equations, 12, y, 0, 1) >= 0);
@@ -150,7 +150,7 @@ static void test_tank(void)
                 PICK(1e-11, 1e-3), 0, 0);
     CHECK(!vm_lagrange_rates(&equations, 1, y, rates));
     vm_euler_313_axes(y[3], y[4], axis);
-    for (i = 0; i < 3; i++) omega = vmi_add(omega, vmi_scale(rates[3 + i], axis[i]));
+    for (i = 0; i < 3; i++) omega = vm_add(omega, vm_scale(rates[3 + i], axis[i]));
     check_error("(247) = vm_flow_rhs", "omega", "abs", apart(omega, b.omega), PICK(1e-11, 1e-3), 0, 0);
 }
 
@@ -165,13 +165,13 @@ static void check_euler_axes(int i, const double *q, vm_vec3 omega, const vm_vec
     int k;
     vm_euler_313_body_axes(R(q[1]), R(q[2]), body_axis);
     for (k = 0; k < 3; k++) {
-        sum = vmi_add(sum, vmi_scale(rates[k], axis[k]));
+        sum = vm_add(sum, vm_scale(rates[k], axis[k]));
         check_error("Euler 3-1-3", "body axes", "eps", apart(vmi_times(&turn, body_axis[k]), axis[k]) / eps, 8, i,
                     k);
     }
     check_error("Euler 3-1-3", "rates", "eps*", apart(sum, omega) * sin(q[1]) / eps / size_of(omega), 8, i, 0);
     check_error("Euler 3-1-3", "z of the body", "eps", apart(turn.z, axis[2]) / eps, 8, i, 0);
-    x = vmi_add(vmi_scale(R(cos(q[2])), node), vmi_scale(R(sin(q[2])), vmi_cross(axis[2], node)));
+    x = vm_add(vm_scale(R(cos(q[2])), node), vm_scale(R(sin(q[2])), vm_cross(axis[2], node)));
     check_error("Euler 3-1-3", "x of the body", "eps", apart(turn.x, x) / eps, 8, i, 0);
 }
 
@@ -190,8 +190,8 @@ static double check_axis_rates(int i, const double *q, vm_vec3 omega, const vm_v
     double largest = 0;
     int k;
     for (k = 0; k < 3; k++) {
-        const vm_vec3 difference = vmi_sub(axis_rate[k], omega_slope[k]);
-        check_error("(242) + omega x w", "3-1-3", "eps*", apart(difference, vmi_cross(omega, axis[k])) / scale, 8,
+        const vm_vec3 difference = vm_sub(axis_rate[k], omega_slope[k]);
+        check_error("(242) + omega x w", "3-1-3", "eps*", apart(difference, vm_cross(omega, axis[k])) / scale, 8,
                     i, k);
         largest = fmax(largest, size_of(difference));
     }

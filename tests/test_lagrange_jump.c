@@ -9,7 +9,7 @@
 /* The virtual work of the momenta of a body */
 static double work_of(const vm_body *b, vm_vec3 dr, vm_vec3 turn)
 {
-    return (double)(vmi_dot(vm_momentum(b), dr) + vmi_dot(vmi_spin_momentum(b), turn));
+    return (double)(vm_dot(vm_momentum(b), dr) + vm_dot(vmi_spin_momentum(b), turn));
 }
 
 /* As printed, (86) has the spin of the whole body with the wrong sign, so that 2 I_S Omega dphi is left over. */
@@ -22,17 +22,17 @@ static void test_virtual_work(void)
         vm_impulse j = random_impulse();
         vm_vec3 dr = random_vector(1), turn = random_vector(1), dr1, dr2, moment;
         double left, right, printed, spin_work;
-        part.r = vmi_add(whole.r, random_vector(0.2));
+        part.r = vm_add(whole.r, random_vector(0.2));
         if (vm_separate(&whole, &part, &j, &rest) != VM_OK) continue;
-        dr1 = vmi_add(dr, vmi_cross(turn, vmi_sub(rest.r, whole.r))); /* (83) */
-        dr2 = vmi_add(dr, vmi_cross(turn, vmi_sub(part.r, whole.r)));
-        moment = vmi_add(j.couple, vmi_cross(vmi_sub(j.at, whole.r), j.linear));
-        right = (double)(vmi_dot(j.linear, dr) + vmi_dot(moment, turn));
+        dr1 = vm_add(dr, vm_cross(turn, vm_sub(rest.r, whole.r))); /* (83) */
+        dr2 = vm_add(dr, vm_cross(turn, vm_sub(part.r, whole.r)));
+        moment = vm_add(j.couple, vm_cross(vm_sub(j.at, whole.r), j.linear));
+        right = (double)(vm_dot(j.linear, dr) + vm_dot(moment, turn));
         left = work_of(&part, dr2, turn) + work_of(&rest, dr1, turn);
-        printed = left - work_of(&whole, dr, vmi_scale(-1, turn));
+        printed = left - work_of(&whole, dr, vm_scale(-1, turn));
         left -= work_of(&whole, dr, turn);
         check_error("(86)", "virtual work", "eps", fabs(left - right) / eps / 100, 4, i, 0);
-        spin_work = (double)vmi_dot(vmi_spin_momentum(&whole), turn);
+        spin_work = (double)vm_dot(vmi_spin_momentum(&whole), turn);
         least_left_over = fmin(least_left_over, fabs(printed - right) / fabs(spin_work));
     }
     ERRATUM("(86)", least_left_over > 1.9 && least_left_over < 2.1, check_holds("(86)"));
@@ -48,7 +48,7 @@ static void free_coordinates(vm_vec3 from_S, vm_vec3 *dr, vm_vec3 *turn)
         dr[i] = vector(i == 0, i == 1, i == 2);
         turn[i] = vector(0, 0, 0);
         turn[i + 3] = dr[i];
-        dr[i + 3] = vmi_cross(turn[i + 3], from_S);
+        dr[i + 3] = vm_cross(turn[i + 3], from_S);
     }
 }
 
@@ -77,34 +77,34 @@ static void check_free_jump(int i, int attach)
     vm_vec3 dr[6], turn[6], v, omega;
     vm_real before[36] = {0}, after[36] = {0}, p[6] = {0}, Q[6] = {0}, qdot[6], work[VM_LAGRANGE_WORK(6)];
     double factor;
-    part.r = vmi_add(S, random_vector(0.3));
+    part.r = vm_add(S, random_vector(0.3));
     if ((attach ? vm_attach : vm_separate)(&whole, &part, &j, &rest) != VM_OK) return;
     free_coordinates(vector(0, 0, 0), dr, turn);
     vm_lagrange_mass(6, &whole, dr, turn, before);
     vm_lagrange_impulse(6, &j, S, dr, turn, Q);
-    free_coordinates(vmi_sub(part.r, S), dr, turn);
+    free_coordinates(vm_sub(part.r, S), dr, turn);
     vm_lagrange_momentum(6, &part, dr, turn, p);
-    free_coordinates(vmi_sub(rest.r, S), dr, turn);
+    free_coordinates(vm_sub(rest.r, S), dr, turn);
     vm_lagrange_mass(6, &rest, dr, turn, after);
     free_rates(whole.v, whole.omega, qdot);
     CHECK((attach ? vm_lagrange_attach : vm_lagrange_separate)(6, before, after, qdot, p, Q, qdot, work) == VM_OK);
     omega = vmi_get3(qdot + 3);
-    v = vmi_add(vmi_get3(qdot), vmi_cross(omega, vmi_sub(rest.r, S)));
+    v = vm_add(vmi_get3(qdot), vm_cross(omega, vm_sub(rest.r, S)));
     factor = thinness(&rest);
-    check_error("v_S1 (96)", region, "eps*", size_of(vmi_sub(v, rest.v)) / eps / factor, 3, i, 0);
-    check_error("Omega_1 (96)", region, "eps*", size_of(vmi_sub(omega, rest.omega)) / eps / factor, 10, i, 0);
+    check_error("v_S1 (96)", region, "eps*", size_of(vm_sub(v, rest.v)) / eps / factor, 3, i, 0);
+    check_error("Omega_1 (96)", region, "eps*", size_of(vm_sub(omega, rest.omega)) / eps / factor, 10, i, 0);
 }
 
 /* The kinetic energy of the rest and the part as a function of the body's velocities v and omega. The relative
    velocities (98)-(102) are held. */
 static double energy_after(const vm_body *whole, const vm_body *rest, const vm_body *part, vm_vec3 v, vm_vec3 omega)
 {
-    const vm_vec3 dv = vmi_sub(v, whole->v), domega = vmi_sub(omega, whole->omega);
+    const vm_vec3 dv = vm_sub(v, whole->v), domega = vm_sub(omega, whole->omega);
     vm_body a = *rest, b = *part;
-    a.omega = vmi_add(a.omega, domega);
-    b.omega = vmi_add(b.omega, domega);
-    a.v = vmi_add(a.v, vmi_add(dv, vmi_cross(domega, vmi_sub(rest->r, whole->r))));
-    b.v = vmi_add(b.v, vmi_add(dv, vmi_cross(domega, vmi_sub(part->r, whole->r))));
+    a.omega = vm_add(a.omega, domega);
+    b.omega = vm_add(b.omega, domega);
+    a.v = vm_add(a.v, vm_add(dv, vm_cross(domega, vm_sub(rest->r, whole->r))));
+    b.v = vm_add(b.v, vm_add(dv, vm_cross(domega, vm_sub(part->r, whole->r))));
     return (double)(vm_kinetic_energy(&a) + vm_kinetic_energy(&b));
 }
 
@@ -117,7 +117,7 @@ static void test_derivative_rule(void)
         vm_impulse j = random_impulse();
         vm_vec3 dr[6], turn[6];
         vm_real Q[6] = {0};
-        part.r = vmi_add(whole.r, random_vector(0.2));
+        part.r = vm_add(whole.r, random_vector(0.2));
         if (vm_separate(&whole, &part, &j, &rest) != VM_OK) continue;
         free_coordinates(vector(0, 0, 0), dr, turn);
         vm_lagrange_impulse(6, &j, whole.r, dr, turn, Q);
@@ -166,32 +166,32 @@ static void random_double_pendulum(double_pendulum *p)
     a2 = uniform(-3, 3);
     e1 = vector(cos(a1), sin(a1), 0);
     e2 = vector(cos(a2), sin(a2), 0);
-    f1 = vmi_cross(z, e1);
-    f2 = vmi_cross(z, e2);
-    p->hinge = vmi_scale(R(p->L1), e1);
-    p->upper = rod_at(p->M1, p->L1, a1, vmi_scale(R(p->L1 / 2), e1));
-    p->lower = rod_at(p->M2, p->L2, a2, vmi_add(p->hinge, vmi_scale(R(p->L2 / 2), e2)));
-    p->rest = rod_at(p->M2 - p->m, p->L2 - p->l, a2, vmi_add(p->hinge, vmi_scale(R((p->L2 - p->l) / 2), e2)));
-    p->part = rod_at(p->m, p->l, a2, vmi_add(p->hinge, vmi_scale(R(p->L2 - p->l / 2), e2)));
+    f1 = vm_cross(z, e1);
+    f2 = vm_cross(z, e2);
+    p->hinge = vm_scale(R(p->L1), e1);
+    p->upper = rod_at(p->M1, p->L1, a1, vm_scale(R(p->L1 / 2), e1));
+    p->lower = rod_at(p->M2, p->L2, a2, vm_add(p->hinge, vm_scale(R(p->L2 / 2), e2)));
+    p->rest = rod_at(p->M2 - p->m, p->L2 - p->l, a2, vm_add(p->hinge, vm_scale(R((p->L2 - p->l) / 2), e2)));
+    p->part = rod_at(p->m, p->l, a2, vm_add(p->hinge, vm_scale(R(p->L2 - p->l / 2), e2)));
     p->turn_upper[0] = z;
     p->turn_upper[1] = O;
     p->turn_lower[0] = O;
     p->turn_lower[1] = z;
-    p->dr_upper[0] = vmi_scale(R(p->L1 / 2), f1);
+    p->dr_upper[0] = vm_scale(R(p->L1 / 2), f1);
     p->dr_upper[1] = O;
-    p->dr_lower[0] = vmi_scale(R(p->L1), f1);
-    p->dr_lower[1] = vmi_scale(R(p->L2 / 2), f2);
+    p->dr_lower[0] = vm_scale(R(p->L1), f1);
+    p->dr_lower[1] = vm_scale(R(p->L2 / 2), f2);
     p->dr_rest[0] = p->dr_lower[0];
-    p->dr_rest[1] = vmi_scale(R((p->L2 - p->l) / 2), f2);
+    p->dr_rest[1] = vm_scale(R((p->L2 - p->l) / 2), f2);
     p->dr_part[0] = p->dr_lower[0];
-    p->dr_part[1] = vmi_scale(R(p->L2 - p->l / 2), f2);
+    p->dr_part[1] = vm_scale(R(p->L2 - p->l / 2), f2);
 }
 
 /* Gives a body the velocities that belong to those of the two coordinates. */
 static void move(vm_body *b, const vm_vec3 *dr, const vm_vec3 *turn, const vm_real *qdot)
 {
-    b->v = vmi_add(vmi_scale(qdot[0], dr[0]), vmi_scale(qdot[1], dr[1]));
-    b->omega = vmi_add(vmi_scale(qdot[0], turn[0]), vmi_scale(qdot[1], turn[1]));
+    b->v = vm_add(vm_scale(qdot[0], dr[0]), vm_scale(qdot[1], dr[1]));
+    b->omega = vm_add(vm_scale(qdot[0], turn[0]), vm_scale(qdot[1], turn[1]));
 }
 
 static vm_real about(const vm_body *b, vm_vec3 point) { return vm_angular_momentum(b, point).z; }
@@ -204,8 +204,8 @@ static void check_hit(const double_pendulum *p, const vm_real *after, const vm_r
     vm_body relative = p->part;
     vm_real momentum[2] = {0}, got[2], work[VM_LAGRANGE_WORK(2)];
     move(&relative, p->dr_part, p->turn_lower, qdot);
-    relative.v = vmi_sub(relative.v, p->part.v);
-    relative.omega = vmi_sub(relative.omega, p->part.omega);
+    relative.v = vm_sub(relative.v, p->part.v);
+    relative.omega = vm_sub(relative.omega, p->part.omega);
     vm_lagrange_momentum(2, &relative, p->dr_part, p->turn_lower, momentum);
     CHECK(vm_lagrange_impact(2, after, qdot, momentum, got, work) == VM_OK);
     check_case("vm_lagrange_impact", "double pendulum", got[0], (double)expected[0], size, 10);

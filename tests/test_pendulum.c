@@ -176,10 +176,10 @@ static void random_cut_init(random_cut *r, int axes)
     r->across = vector(-sin(angle), cos(angle), 0);
     r->whole = rod_at(3, 2, angle, along);
     r->whole.omega.z = R(r->sense) * r->pendulum.rate;
-    r->whole.v = vmi_scale(r->whole.omega.z, r->across);
-    r->part = rod_at(3 * r->l / 2, r->l, angle, vmi_scale(R(2 - r->l / 2), along));
+    r->whole.v = vm_scale(r->whole.omega.z, r->across);
+    r->part = rod_at(3 * r->l / 2, r->l, angle, vm_scale(R(2 - r->l / 2), along));
     r->part.omega.z = R(r->sense) * (r->pendulum.rate + R(r->Omega));
-    r->part.v = vmi_add(vmi_scale(r->whole.omega.z * R(2 - r->l / 2), r->across), vector(r->ux, r->uy, 0));
+    r->part.v = vm_add(vm_scale(r->whole.omega.z * R(2 - r->l / 2), r->across), vector(r->ux, r->uy, 0));
 }
 
 /* The velocity of the pivot's point of the rest after the cut with this impulse at the pivot */
@@ -189,7 +189,7 @@ static vm_vec3 velocity_at_pivot(const random_cut *r, vm_vec3 impulse, vm_body *
     memset(&j, 0, sizeof j);
     j.linear = impulse;
     CHECK(vm_separate(&r->whole, &r->part, &j, rest) >= 0);
-    return vmi_add(rest->v, vmi_cross(rest->omega, vmi_scale(-1, rest->r)));
+    return vm_add(rest->v, vm_cross(rest->omega, vm_scale(-1, rest->r)));
 }
 
 /* The impulse with which the pivot's point stays in place. The velocity depends linearly on it, so that the velocities
@@ -198,8 +198,8 @@ static vm_vec3 impulse_of_pivot(const random_cut *r)
 {
     vm_body rest;
     const vm_vec3 v0 = velocity_at_pivot(r, vector(0, 0, 0), &rest);
-    const vm_vec3 by_x = vmi_sub(velocity_at_pivot(r, vector(1, 0, 0), &rest), v0);
-    const vm_vec3 by_y = vmi_sub(velocity_at_pivot(r, vector(0, 1, 0), &rest), v0);
+    const vm_vec3 by_x = vm_sub(velocity_at_pivot(r, vector(1, 0, 0), &rest), v0);
+    const vm_vec3 by_y = vm_sub(velocity_at_pivot(r, vector(0, 1, 0), &rest), v0);
     const double xx = (double)by_x.x, xy = (double)by_x.y, yx = (double)by_y.x, yy = (double)by_y.y;
     const double x = (double)v0.x, y = (double)v0.y, determinant = xx * yy - yx * xy;
     return vector((-x * yy + y * yx) / determinant, (-y * xx + x * xy) / determinant, 0);
@@ -235,7 +235,7 @@ static void test_lagrange_form(void)
         double size, change, part_energy;
         random_cut_init(&r, i % 2);
         after = r.cut.rest.mass * r.cut.rest.length * r.cut.rest.length / 3;
-        dr = vmi_scale(R(r.sense * (2 - r.l / 2)), r.across);
+        dr = vm_scale(R(r.sense * (2 - r.l / 2)), r.across);
         turn = vector(0, 0, r.sense);
         vm_lagrange_momentum(1, &r.part, &dr, &turn, &momentum);
         CHECK(vm_lagrange_separate(1, &before, &after, &r.pendulum.rate, &momentum, NULL, &rate, work) == VM_OK);

@@ -389,7 +389,7 @@ static void test_bad_inertias(void)
     x.inertia.xy = R(0.5); /* moments 0.02 +- 0.5 */
     REFUSED(VM_BAD_INERTIA, vm_attach(&whole, &x, NULL, &out.body));
     x = part;
-    x.r = vmi_add(whole.r, vector(20, 0, 0));
+    x.r = vm_add(whole.r, vector(20, 0, 0));
     REFUSED(VM_BAD_INERTIA, vm_separate(&whole, &x, NULL, &out.body));
 }
 
@@ -787,11 +787,11 @@ static void test_torque_free_limits(void)
 static void test_statuses(void)
 {
     int i, k;
-    for (i = VM_BAD_STIFFNESS; i <= VM_TOLERANCE_MISSED; i++) {
+    for (i = VM_NOT_JOINED; i <= VM_TOLERANCE_MISSED; i++) {
         CHECK(strcmp(vm_strerror(i), vm_strerror(99)) != 0);
-        for (k = VM_BAD_STIFFNESS; k < i; k++) CHECK(strcmp(vm_strerror(i), vm_strerror(k)) != 0);
+        for (k = VM_NOT_JOINED; k < i; k++) CHECK(strcmp(vm_strerror(i), vm_strerror(k)) != 0);
     }
-    CHECK(strcmp(vm_strerror(VM_BAD_STIFFNESS - 1), vm_strerror(99)) == 0);
+    CHECK(strcmp(vm_strerror(VM_NOT_JOINED - 1), vm_strerror(99)) == 0);
 }
 
 int main(void)

@@ -11,7 +11,7 @@ static void test_relative(void)
     for (i = 0; i < 1000; i++) {
         vm_body a = random_body(4, 1), b = random_body(1.5, 0.5), whole, rest, part, relative, back;
         vm_impulse impulse = random_impulse(), *j = i % 2 ? &impulse : NULL;
-        b.r = vmi_add(a.r, random_vector(1));
+        b.r = vm_add(a.r, random_vector(1));
         CHECK(vm_attach(&a, &b, j, &whole) == VM_OK);
         CHECK(vm_to_relative(&a, &b, &relative) == VM_OK && vm_to_absolute(&a, &relative, &back) == VM_OK);
         check_error("relative", "there and back", "eps", apart(&back, &b), 4, i, 0);

@@ -204,9 +204,9 @@ static void check_numbers(void)
     begin(&s);
     vm_scene_rhs(0, s.y, dydt, &s.scene);
     omega = vmi_get3(s.y + 14);
-    torque = vmi_add(vmi_inertia_times(&body.inertia, vmi_get3(dydt + 14)),
-                     vmi_cross(omega, vmi_inertia_times(&body.inertia, omega)));
-    agrees("numbers", "rotational damper", size_of(vmi_sub(torque, vmi_scale(REAL(-0.25), omega))), 0, 1, 1e-14);
+    torque = vm_add(vmi_inertia_times(&body.inertia, vmi_get3(dydt + 14)),
+                     vm_cross(omega, vmi_inertia_times(&body.inertia, omega)));
+    agrees("numbers", "rotational damper", size_of(vm_sub(torque, vm_scale(REAL(-0.25), omega))), 0, 1, 1e-14);
 }
 
 /* ---- The dissertation's numerical examples ---- */

@@ -26,10 +26,10 @@ static void test_e1_loads(void)
                 0, 0);
     check_error("omega' (155),(160)", "E1", "abs", apart(domega, true_domega), bound, 0, 0);
     check_error("r' = v + drift", "E1", "abs",
-                apart(vmi_add(b.v, loads.drift), vector(.05833333333333333333333, .225, -.1333333333333333333333)),
+                apart(vm_add(b.v, loads.drift), vector(.05833333333333333333333, .225, -.1333333333333333333333)),
                 bound, 0, 0);
     /* (157) as printed multiplies the whole rate of inertia, that of the place of the stream too, by the spin */
-    printed = vmi_inertia_times(&loads.inertia_rate, vmi_sub(s.spin, b.omega));
+    printed = vmi_inertia_times(&loads.inertia_rate, vm_sub(s.spin, b.omega));
     check_error("(157) printed", "E1", "abs", apart(printed, vector(-.03, .244, .148)), bound, 0, 0);
     ERRATUM("(138) I_S2=dI, (150),(152),(155),(157),(160)", apart(printed, loads.torque) > .15,
             check_holds("torque (157)") && check_holds("omega' (155),(160)"));
@@ -44,7 +44,7 @@ static void test_e1_at_the_centre(void)
     vm_vec3 printed;
     s.at = vector(0, 0, 0);
     CHECK(vm_reactive_loads(&b, s.at, 1, &s, &loads) == VM_OK);
-    printed = vmi_inertia_times(&loads.inertia_rate, vmi_sub(s.spin, b.omega));
+    printed = vmi_inertia_times(&loads.inertia_rate, vm_sub(s.spin, b.omega));
     check_error("(157) printed", "at the centre", "abs", apart(printed, loads.torque), 20 * eps, 0, 0);
     CHECK(size_of(loads.moment) == 0 && size_of(loads.drift) == 0);
 }
@@ -69,18 +69,18 @@ static void test_e1_rates_of_momenta(void)
     CHECK(vm_flow_start(&flow, &b, y) == VM_OK && vm_flow_rhs(0, y, dy, &flow) == 0);
     p_rate = vmi_get3(dy + VM_Y_P);
     h_rate = vmi_get3(dy + VM_Y_H);
-    check_error("(Mv)' (151),(227)", "E1", "abs", apart(p_rate, vmi_add(force, vmi_scale(s.rate, s.velocity))),
+    check_error("(Mv)' (151),(227)", "E1", "abs", apart(p_rate, vm_add(force, vm_scale(s.rate, s.velocity))),
                 64 * bound, 0, 0);
-    outer = vmi_add(torque, loads.moment);
-    expected = vmi_add(outer, vmi_scale(s.rate, vmi_inertia_times(&s.gyration, s.spin)));
+    outer = vm_add(torque, loads.moment);
+    expected = vm_add(outer, vm_scale(s.rate, vmi_inertia_times(&s.gyration, s.spin)));
     check_error("(IW)' (152),(228)", "E1", "abs", apart(h_rate, expected), bound, 0, 0);
     /* (228), (229) print I' Omega_2 */
-    printed = vmi_add(outer, vmi_inertia_times(&loads.inertia_rate, s.spin));
+    printed = vm_add(outer, vmi_inertia_times(&loads.inertia_rate, s.spin));
     ERRATUM("(227)-(229)", apart(h_rate, printed) > .15,
             check_holds("(Mv)' (151),(227)") && check_holds("(IW)' (152),(228)"));
     /* (153) is I' omega + I omega' + omega x I omega; (230)-(232) leave the last term out */
-    printed = vmi_add(vmi_inertia_times(&loads.inertia_rate, b.omega), vmi_inertia_times(&b.inertia, domega));
-    expected = vmi_add(printed, vmi_cross(b.omega, vmi_inertia_times(&b.inertia, b.omega)));
+    printed = vm_add(vmi_inertia_times(&loads.inertia_rate, b.omega), vmi_inertia_times(&b.inertia, domega));
+    expected = vm_add(printed, vm_cross(b.omega, vmi_inertia_times(&b.inertia, b.omega)));
     check_error("(IW)' (153),(230)", "E1", "abs", apart(h_rate, expected), bound, 0, 0);
     ERRATUM("(230)-(232)", apart(h_rate, printed) > .1, check_holds("(IW)' (153),(230)"));
 }
@@ -104,7 +104,7 @@ static void test_components(void)
     s.gyration = tensor(.25, .5, .125, 0, 0, 0);
     CHECK(!vm_reactive_loads(&b, s.at, 1, &s, &loads) && !vm_accelerations(&b, &loads, F, M, &dv, &domega));
     check_error("(161),(162)", "principal", "abs",
-                apart(vmi_scale(6, dv), vector(2 + rate * (1 - .1), -3 + rate * (-.4 - .2), .5 + rate * (.3 + .1))),
+                apart(vm_scale(6, dv), vector(2 + rate * (1 - .1), -3 + rate * (-.4 - .2), .5 + rate * (.3 + .1))),
                 30 * eps, 0, 0);
     check_error("(163),(164)", "principal", "abs",
                 apart(domega, vector((.25 + rate * .25 * (p2 - p) - (C - B) * q * r) / A,
@@ -121,7 +121,7 @@ static void test_components(void)
     /* (165): the mass is constant where there is no stream */
     CHECK(!vm_reactive_loads(&b, s.at, 0, NULL, &loads) && !vm_accelerations(&b, &loads, F, M, &dv, &domega));
     CHECK(size_of(loads.force) + size_of(loads.moment) + size_of(loads.torque) == 0);
-    check_error("(165)", "principal", "abs", apart(dv, vmi_scale(1 / R(6), F)), 2 * eps, 0, 0);
+    check_error("(165)", "principal", "abs", apart(dv, vm_scale(1 / R(6), F)), 2 * eps, 0, 0);
 }
 
 /* (167)-(169): mass leaves with velocity 0. (170): it leaves at the mass centre too, as if there were no stream. */
@@ -137,13 +137,13 @@ static void test_at_rest(void)
     k.flow.moment = vector(.1, .2, .3);
     CHECK(!vm_flow_start(&k.flow, &k.body, y) && !vm_flow_rhs(0, y, dy, &k.flow));
     CHECK(!vm_reactive_loads(&k.body, k.flow.centre, 1, &k.stream, &loads));
-    from_centre = vmi_sub(k.stream.at, k.flow.centre);
-    moment = vmi_cross(from_centre, vmi_scale(k.stream.rate, k.body.v));
+    from_centre = vm_sub(k.stream.at, k.flow.centre);
+    moment = vm_cross(from_centre, vm_scale(k.stream.rate, k.body.v));
     check_error("(167)", "at rest", "eps", apart(vmi_get3(dy + VM_Y_P), k.flow.force) / eps, 4, 0, 0);
     /* the moment is -SS2 x v M'; printed with the other sign */
     check_error("(168),(169)", "at rest", "eps",
-                apart(vmi_get3(dy + VM_Y_H), vmi_sub(k.flow.moment, moment)) / eps, 2, 0, 0);
-    ERRATUM("(168),(169)", apart(vmi_get3(dy + VM_Y_H), vmi_add(k.flow.moment, moment)) > size_of(moment),
+                apart(vmi_get3(dy + VM_Y_H), vm_sub(k.flow.moment, moment)) / eps, 2, 0, 0);
+    ERRATUM("(168),(169)", apart(vmi_get3(dy + VM_Y_H), vm_add(k.flow.moment, moment)) > size_of(moment),
             check_holds("(168),(169)"));
     k.stream.at = k.flow.centre;
     CHECK(!vm_flow_rhs(0, y, dy, &k.flow));
@@ -208,17 +208,17 @@ static vm_body part_of_stream(const vm_body *b, const vm_stream *s, double mass)
     const vm_vec3 from_centre = vmi_times(&turn, s->at);
     vm_body part = *b;
     part.mass = R(mass);
-    part.r = vmi_add(b->r, from_centre);
+    part.r = vm_add(b->r, from_centre);
     part.inertia = vmi_stream_own(part.mass, &s->gyration);
     part.v = vmi_vec3(0, 0, 0);
     part.omega = vmi_vec3(0, 0, 0);
     if (s->motion == VM_RELATIVE || s->motion == VM_CARRIED) {
-        part.v = vmi_add(b->v, vmi_cross(b->omega, from_centre));
+        part.v = vm_add(b->v, vm_cross(b->omega, from_centre));
         part.omega = b->omega;
     }
     if (s->motion == VM_RELATIVE) {
-        part.v = vmi_add(part.v, vmi_times(&turn, s->velocity));
-        part.omega = vmi_add(part.omega, vmi_times(&turn, s->spin));
+        part.v = vm_add(part.v, vmi_times(&turn, s->velocity));
+        part.omega = vm_add(part.omega, vmi_times(&turn, s->spin));
     }
     if (s->motion == VM_ABSOLUTE) {
         part.v = s->velocity;
@@ -243,12 +243,12 @@ static void check_small_jump(const vm_body *body, vm_flow *flow, int motion, int
     flow->moment = M;
     CHECK(!vm_flow_start(flow, body, y) && !vm_flow_balanced_rhs(0, y, dy, flow));
     part = part_of_stream(body, flow->streams, .5 * dt);
-    outer.linear = vmi_scale(R(dt), F);
-    outer.couple = vmi_scale(R(dt), M);
+    outer.linear = vm_scale(R(dt), F);
+    outer.couple = vm_scale(R(dt), M);
     outer.at = body->r;
     CHECK((sign > 0 ? vm_attach : vm_separate)(body, &part, &outer, &after) == VM_OK);
-    p_rate = vmi_scale(R(1 / dt), vmi_sub(vm_momentum(&after), vm_momentum(body)));
-    h_rate = vmi_scale(R(1 / dt), vmi_sub(vmi_spin_momentum(&after), vmi_spin_momentum(body)));
+    p_rate = vm_scale(R(1 / dt), vm_sub(vm_momentum(&after), vm_momentum(body)));
+    h_rate = vm_scale(R(1 / dt), vm_sub(vmi_spin_momentum(&after), vmi_spin_momentum(body)));
     energy_rate = (double)(vm_kinetic_energy(&after) - vm_kinetic_energy(body)) / dt;
     check_error("p' (140),(145),(149)", "one jump", "abs", apart(p_rate, vmi_get3(dy + VM_Y_P)), PICK(2e-8, 2e-3),
                 motion, sign);
@@ -257,8 +257,8 @@ static void check_small_jump(const vm_body *body, vm_flow *flow, int motion, int
     check_error("T' (113),(118)", "one jump", "abs", fabs(energy_rate + (double)dy[VM_Y_BALANCE + 6]),
                 PICK(2e-4, 2), motion, sign);
     if (motion == VM_CARRIED && sign < 0) { /* (143) is r_S x dK = r_S x F dt; it is printed without dt */
-        const vm_vec3 moment = vmi_cross(body->r, F), change = vmi_cross(body->r, outer.linear);
-        check_error("(143)", "one jump", "abs", apart(change, vmi_scale(R(dt), moment)), 1e-6, 0, 0);
+        const vm_vec3 moment = vm_cross(body->r, F), change = vm_cross(body->r, outer.linear);
+        check_error("(143)", "one jump", "abs", apart(change, vm_scale(R(dt), moment)), 1e-6, 0, 0);
         ERRATUM("(143)", apart(change, moment) > 1, check_holds("(143)"));
     }
 }
@@ -281,17 +281,17 @@ static void test_small_jumps(void)
 /* One jump of the tank: a part of this mass leaves as the stream does. */
 static void tank_loses_part(const tank *k, vm_real mass, vm_body *b, vm_vec3 *centre)
 {
-    const vm_vec3 from_centre = vmi_sub(k->stream.at, *centre);
+    const vm_vec3 from_centre = vm_sub(k->stream.at, *centre);
     const vmi_mat3 turn = vmi_rotation(b->q);
-    const vm_vec3 dragging = vmi_cross(vmi_times_transposed(&turn, b->omega), from_centre);
+    const vm_vec3 dragging = vm_cross(vmi_times_transposed(&turn, b->omega), from_centre);
     vm_body part = *b;
     part.mass = mass;
-    part.r = vmi_add(b->r, vmi_times(&turn, from_centre));
-    part.v = vmi_add(b->v, vmi_times(&turn, vmi_add(k->stream.velocity, dragging)));
-    part.omega = vmi_add(b->omega, vmi_times(&turn, k->stream.spin));
+    part.r = vm_add(b->r, vmi_times(&turn, from_centre));
+    part.v = vm_add(b->v, vmi_times(&turn, vm_add(k->stream.velocity, dragging)));
+    part.omega = vm_add(b->omega, vmi_times(&turn, k->stream.spin));
     part.inertia = vmi_stream_own(part.mass, &k->stream.gyration);
     CHECK(vm_separate(b, &part, NULL, b) == VM_OK);
-    *centre = vmi_sub(*centre, vmi_scale(part.mass / b->mass, from_centre));
+    *centre = vm_sub(*centre, vm_scale(part.mass / b->mass, from_centre));
 }
 
 enum { OMEGA, VELOCITY, PLACE, QUANTITIES };
@@ -345,9 +345,9 @@ static void test_jump_limit(void)
     quantities_of(&b, exact);
     for (i = 0; i < 3; i++) tank_by_jumps(jumps << i, jumped[i]);
     for (i = 0; i < QUANTITIES; i++) {
-        const vm_vec3 once = vmi_sub(vmi_scale(2, jumped[1][i]), jumped[0][i]);
-        const vm_vec3 again = vmi_sub(vmi_scale(2, jumped[2][i]), jumped[1][i]);
-        const vm_vec3 limit = vmi_scale(R(1 / 3.), vmi_sub(vmi_scale(4, again), once));
+        const vm_vec3 once = vm_sub(vm_scale(2, jumped[1][i]), jumped[0][i]);
+        const vm_vec3 again = vm_sub(vm_scale(2, jumped[2][i]), jumped[1][i]);
+        const vm_vec3 limit = vm_scale(R(1 / 3.), vm_sub(vm_scale(4, again), once));
         const double ratio = apart(jumped[0][i], exact[i]) / apart(jumped[1][i], exact[i]);
         check_error("order of jumps", names[i], "1", fabs(ratio - 2), PICK(.02, .2), ratio, 0);
         check_error("limit of jumps", names[i], "abs", apart(limit, exact[i]), PICK(2e-9, 2e-4), 0, 0);

@@ -75,7 +75,7 @@ static void sample(uint64_t seed, uint64_t i, block *sum)
         sum->refused++;
         return;
     }
-    spin = sqrt((double)vmi_dot(rest.omega, rest.omega));
+    spin = sqrt((double)vm_dot(rest.omega, rest.omega));
     bin = (int)(spin * 4);
     sum->bins[bin < BINS ? bin : BINS - 1]++;
     sum->spin += spin;

@@ -5,17 +5,19 @@
 
        vm_real p = ateb_beta_inc(VM_C(0.3), VM_C(0.5), 2); // I_0.3(0.5, 2)
 
-   In this file y = 1 - x and q = 1 - p. The functions with the suffix _both also take and return y and q, which keep
-   their digits where x or p is close to 1.
+   In this file p = I_x(a, b), q = 1 - p and y = 1 - x. The functions with the suffix _both also take and return y and
+   q, which keep their digits where x or p is close to 1.
 
-   Method: the functions are computed from logarithms in two words. i, j and k are 0 or 6, the lesser number
-   for which A = a + i, B = b + j and S = a + b + k are at least 6. Stirling's formula gives
+   Method: the functions are computed from logarithms in two words. Let i be 0 for a >= 6 and 6 for a < 6, so that
+   A = a + i is at least 6. In the same way j, which is 0 or 6, makes B = b + j, and k makes S = a + b + k at least 6.
+   Then Stirling's formula gives
      ln(x^a y^b/B(a, b)) = a ln x + b ln y + (a + k - j) ln S/A + (b + k - i) ln S/B
                            + (k - i - j + 1/2) ln(A B/S) + (i + j - k) - ln(2 pi)/2
                            + delta(S) - delta(A) - delta(B) + ln((a)_i (b)_j/(a+b)_k)
-   where delta is the remainder of Stirling's formula and (a)_i = a (a + 1) ... (a + i - 1). If this sum is not large,
-   no large terms cancel in it. The products (a)_i, (b)_j and (a+b)_k neither overflow nor underflow, since i, j and
-   k are 0 or 6. vmi_beta_density computes x^a y^b/B(a, b) itself, in less time and with an error of a few ulp.
+   where delta is the remainder of Stirling's formula (vmi_beta_stirling) and (a)_i = a (a + 1) ... (a + i - 1). If this
+   sum is not large, no large terms cancel in it. The products (a)_i, (b)_j and (a+b)_k neither overflow nor underflow,
+   since they have at most 6 factors. vmi_beta_density computes x^a y^b/B(a, b) itself, in less time and with an error
+   of a few ulp.
 
    Source of the continued fraction (vmi_beta_fraction): Didonato and Morris, Algorithm 708, ACM TOMS 18 (1992). Tests:
    tests/test_ateb.c. */
@@ -29,9 +31,9 @@
 #include "../base/words.h"
 #include "powers.h"
 
-/* Returns delta(z) = ln Gamma(z) - (z - 1/2) ln z + z - ln(2 pi)/2 for z >= 6, from 1/z. z delta(z) is a polynomial in
-   1/z^2 that interpolates in Chebyshev's points, with a relative error of 2^-60 (float 2^-34). It is shorter than
-   Stirling's series. */
+/* Returns delta(z) = ln Gamma(z) - (z - 1/2) ln z + z - ln(2 pi)/2 for z >= 6, from by_z = 1/z. z delta(z) is computed
+   by a polynomial in 1/z^2, which interpolates in Chebyshev's points with a relative error of 2^-60 (float 2^-34). It
+   has fewer terms than Stirling's series. */
 VM_INLINE vm_real vmi_beta_stirling(vm_real by_z)
 {
     const vm_real w = by_z * by_z, ww = w * w;
@@ -49,7 +51,7 @@ VM_INLINE vm_real vmi_beta_stirling(vm_real by_z)
 }
 
 /* Returns (z)_i = z (z + 1) ... (z + i - 1), where i is 6 for z < 6 and 0 for any other z. *count becomes i, and *z
-   becomes z + i. With p = z (z + 5) this is p (p + 4) (p + 6). */
+   becomes z + i. With p = z (z + 5) the product is p (p + 4) (p + 6). */
 VM_API vm_two vmi_beta_rise(vm_two *z, int *count)
 {
     vm_two product = {1, 0}, p;
@@ -113,8 +115,8 @@ VM_API vm_real vmi_beta_limit(vm_real a, vm_real b)
 }
 
 /* The complete beta function B(a, b), for a and b from 1e-4 to 1e5.
-   The error is at most 1 ulp. If a or b is 0 or infinite, the result is the limit: infinity if one of them is 0 and none
-   is infinite, 0 if one is infinite and none is 0. Returns NaN for other a or b. Equation (261). */
+   The error is at most 1 ulp. If a or b is 0 or infinite, the result is the limit: infinity if one of them is 0 and
+   none is infinite, 0 if one is infinite and none is 0. Returns NaN for other a or b. Equation (261). */
 VM_API vm_real ateb_beta(vm_real a, vm_real b)
 {
     vm_two l;
@@ -124,8 +126,8 @@ VM_API vm_real ateb_beta(vm_real a, vm_real b)
 }
 
 /* The logarithm of the complete beta function, ln B(a, b), for a and b from 1e-30 to 1e30.
-   B(a, b) itself may overflow or underflow. The error is at most 1 ulp plus 2^-57 (float 2^-28), which matters where B is
-   close to 1. Limits are those of ateb_beta. Returns NaN for other a or b. */
+   B(a, b) itself may overflow or underflow. The error is at most 1 ulp plus 2^-57 (float 2^-28), which matters where B
+   is close to 1. Limits are the logarithms of those of ateb_beta. Returns NaN for other a or b. */
 VM_API vm_real ateb_ln_beta(vm_real a, vm_real b)
 {
     const vm_real least = VM_C(1e-30), largest = VM_C(1e30);
@@ -136,15 +138,15 @@ VM_API vm_real ateb_ln_beta(vm_real a, vm_real b)
     return vmi_beta_ln(vmi_two(a, 0), vmi_two(b, 0)).hi;
 }
 
-/* What the gamma function of z > 0 needs: Z = z + i, where i is 6 for z < 6 and 0 for any other z, and
-     Gamma(z) = sqrt(2 pi) Z^(z - 1/2) e^(delta - z)/factor,   factor = (z)_i e^i/Z^i,   delta = vmi_beta_stirling(1/Z) */
+/* What the gamma function of z > 0 needs: Z = z + i, where i is 6 for z < 6 and 0 for other z, and factor and delta:
+     Gamma(z) = sqrt(2 pi) Z^(z - 1/2) e^(delta - z)/factor, factor = (z)_i e^i/Z^i, delta = vmi_beta_stirling(1/Z) */
 typedef struct VM_TAG(vmi_beta_gamma) {
     vm_two Z;
     vm_real by_Z, factor, delta;
 } vmi_beta_gamma;
 
-/* Returns these numbers for z. `rest`, the remainder of the division 1/Z, has no rounding error but in its last
-   product. There is no branch: z lies above or below 6 at random. */
+/* Returns the numbers of vmi_beta_gamma for z. `rest` is the remainder of the division 1/Z; only its last product is
+   rounded. The function has no branch for z < 6, which would be mispredicted half the time. */
 VM_INLINE vmi_beta_gamma vmi_beta_gamma_of(vm_two z)
 {
     const vm_real e6 = VM_C(403.42879349273512), t = z.hi, shifted = (vm_real)(t < 6);
@@ -163,8 +165,8 @@ VM_INLINE vmi_beta_gamma vmi_beta_gamma_of(vm_two z)
     return g;
 }
 
-/* Returns ln(x S/A) in two words. The logarithm of the rounded quotient starts at once; what the rounding has lost is
-   added at the end. */
+/* Returns ln(x S/A) in two words. First the logarithm of t, the rounded quotient, is computed; then `lost`, what the
+   rounding has lost, corrects it. Both can be computed at once. */
 VM_INLINE vm_two vmi_beta_ln_quotient(vm_two x, vm_two S, const vmi_beta_gamma *A)
 {
     const vm_real t = (x.hi * S.hi) * A->by_Z;
@@ -174,8 +176,9 @@ VM_INLINE vm_two vmi_beta_ln_quotient(vm_two x, vm_two S, const vmi_beta_gamma *
     return vmi_two(l.hi, l.lo + lost / above.hi);
 }
 
-/* Returns x^a y^b/B(a, b), where x + y = 1 in two words. The relative error is a few ulp, but where x or y is close to
-   the smallest number. With A = a + i, B = b + j and S = a + b + k and the numbers of vmi_beta_gamma this is
+/* Returns x^a y^b/B(a, b), where x + y = 1 in two words. The relative error is a few ulp, unless x or y is close to the
+   smallest number. Let A, B and S be the numbers Z of vmi_beta_gamma for a, b and a + b, and let the suffixes _a, _b,
+   _s stand for the other numbers of these three. Then the result is
      (x S/A)^a (y S/B)^b sqrt(A B/(2 pi S)) factor_a factor_b/factor_s e^(delta_s - delta_a - delta_b). */
 VM_API vm_real vmi_beta_density(vm_two x, vm_two y, vm_real a, vm_real b)
 {
@@ -190,14 +193,14 @@ VM_API vm_real vmi_beta_density(vm_two x, vm_two y, vm_real a, vm_real b)
     return vmi_exp(sum.hi, sum.lo) * (root * (A.factor * B.factor / S.factor));
 }
 
-/* The continued fraction of Didonato and Morris, f_n = C_n + D_n/f_(n+1), for the point x, y = 1 - x.
-   excess is a y - b x. */
+/* The continued fraction of Didonato and Morris, f_n = C_n + D_n/f_(n+1), at x and y = 1 - x. vmi_beta_level computes
+   C_n and D_n, the numbers of level n. excess is a y - b x. */
 typedef struct VM_TAG(vmi_beta_levels) {
     vm_real x, y, a, b, excess;
 } vmi_beta_levels;
 
-/* Returns the continued fraction for given x, y, a and b. Where a and b are large, digits cancel in a y - b x;
-   therefore this number is computed in two words from the smaller of x and y. */
+/* Returns the numbers of the continued fraction. Where a and b are large, digits cancel in a y - b x; therefore this
+   difference is computed in two words from the smaller of x and y. */
 VM_INLINE vmi_beta_levels vmi_beta_levels_of(vm_real x, vm_real y, vm_real a, vm_real b)
 {
     const vm_two product = vmi_two_scaled(vmi_two_sum(a, b), vmi_smaller(x, y));
@@ -211,7 +214,8 @@ VM_INLINE vmi_beta_levels vmi_beta_levels_of(vm_real x, vm_real y, vm_real a, vm
     return levels;
 }
 
-/* Computes C_n and D_n. `before` is 1/(a + 2 n - 1), or any number for n = 0, and `after` is 1/(a + 2 n + 1). */
+/* Computes C_n and D_n, the numbers of level n. `before` is 1/(a + 2 n - 1), or any number for n = 0, and `after` is
+   1/(a + 2 n + 1). */
 VM_INLINE void vmi_beta_level(const vmi_beta_levels *l, vm_real n, vm_real before, vm_real after, vm_real *C,
                               vm_real *D)
 {
@@ -220,8 +224,8 @@ VM_INLINE void vmi_beta_level(const vmi_beta_levels *l, vm_real n, vm_real befor
     *D = ((an * share) * ((an + l->b) * share)) * (next * (l->b - next));
 }
 
-/* Returns 1/f_0 from the levels 0 ... count, from the last one to the first one. An error of f_(n+1) hardly changes
-   f_n. */
+/* Returns 1/f_0 from the levels 0 ... count. The fraction is evaluated from level `count` down to level 0, beginning
+   with a rough value of f_(count+1): an error of f_(n+1) hardly changes f_n. */
 VM_API vm_real vmi_beta_backward(const vmi_beta_levels *l, int count)
 {
     vm_real f = (l->a + (vm_real)count) / 2, before, after = 1 / (l->a + 2 * (vm_real)count + 1), C, D;
@@ -243,9 +247,9 @@ VM_API vm_real vmi_beta_backward(const vmi_beta_levels *l, int count)
 #define VMI_BETA_FINE VM_EPSILON
 
 /* Returns 1/f_0 = I_x(a, b) B(a, b)/(x^a y^b) for x <= (a + 1)/(a + b + 2), with a relative error of about
-   `tolerance`. The convergents P/Q of the fraction are computed, two at a time, until one agrees with the one before
-   it. Rounding errors add up in P and Q; therefore a fraction of more than SAFE levels is evaluated once more, from its
-   last level. */
+   `tolerance`. The convergents P/Q of the fraction are computed, two at a time, until two of them agree. Rounding
+   errors add up in P and Q; therefore a fraction of more than SAFE levels is evaluated once more, from its last
+   level. */
 VM_API vm_real vmi_beta_fraction(vm_real x, vm_real y, vm_real a, vm_real b, vm_real tolerance)
 {
     enum { MOST = 20000, SAFE = 20 }; /* MOST stops the loop for a NaN; some 250 levels are enough otherwise */
@@ -276,9 +280,9 @@ VM_API vm_real vmi_beta_fraction(vm_real x, vm_real y, vm_real a, vm_real b, vm_
     return ratio;
 }
 
-/* Returns I_x(a, b) a B(a, b)/x^a - 1 for a <= 1 and x <= 2/3. This is a times the sum over n >= 1 of (1 - b)_n/n!
-   x^n/(a + n), where (z)_n = z (z + 1) ... (z + n - 1). Term n is below the larger of x^n and (b x)^n/n!, and
-   b x < 2. */
+/* Returns I_x(a, b) a B(a, b)/x^a - 1 for a <= 1 and x <= 2/3. The result is a times the sum over n >= 1 of
+   (1 - b)_n/n! x^n/(a + n), where (z)_n = z (z + 1) ... (z + n - 1). Term n is below the larger of x^n and (b x)^n/n!,
+   and b x < 2. */
 VM_API vm_real vmi_beta_series(vm_real x, vm_real a, vm_real b)
 {
     const vm_real most = 200; /* limit of the loop if x is NaN; otherwise 96 terms are enough */
@@ -333,7 +337,7 @@ VM_API vmi_beta_point vmi_beta_mirrored(vmi_beta_point at)
     return mirrored;
 }
 
-/* Returns ln I_x(a, b) at the point x with y = 1 - x, for x <= (a + 1)/(a + b + 2), from ln(x^a y^b/B(a, b)). Where a
+/* Returns ln I_x(a, b) at the point `at`, for x <= (a + 1)/(a + b + 2), where ln_density = ln(x^a y^b/B(a, b)). Where a
    is small, I_x is close to 1, and 1 - I_x must keep its digits. Therefore a series is used for a <= 1: it loses no
    digits and has no factor y^b. */
 VM_API vm_two vmi_beta_ln_tail(vmi_beta_point at, vm_real a, vm_real b, vm_two ln_density)
@@ -346,8 +350,9 @@ VM_API vm_two vmi_beta_ln_tail(vmi_beta_point at, vm_real a, vm_real b, vm_two l
     return vmi_two_plus(ln_density, f);
 }
 
-/* Computes *ln_p = ln I_x(a, b) and *ln_q = ln I_y(b, a), where y = 1 - x and p + q = 1, from ln(x^a y^b/B(a, b)). The
-   logarithm of the shorter tail of the distribution is computed; the other logarithm follows from p + q = 1. */
+/* Computes *ln_p = ln I_x(a, b) and *ln_q = ln I_y(b, a), where y = 1 - x, from ln_density = ln(x^a y^b/B(a, b)). One
+   of them is computed directly: the one that belongs to the shorter tail of the beta distribution. The other one
+   follows from p + q = 1. */
 VM_API void vmi_beta_tails(const vmi_beta_point *at, vm_real a, vm_real b, vm_two ln_density, vm_two *ln_p,
                            vm_two *ln_q)
 {
@@ -379,8 +384,8 @@ VM_API void vmi_beta_logarithms(vm_two x, vm_two y, vm_real a, vm_real b, vm_two
     vmi_beta_tails(&at, a, b, ln_density, ln_p, ln_q);
 }
 
-/* Returns -1 where a or b is 0 or infinite and the beta distribution has all its mass at x = 0 in this limit, 1 where it
-   has all its mass at x = 1, and 0 for other a and b and where there is no limit. */
+/* Returns where the beta distribution has all its mass in the limit in which a or b is 0 or infinite: -1 means at
+   x = 0, 1 means at x = 1. Returns 0 for other a and b, and if there is no limit. */
 VM_API int vmi_beta_limit_side(vm_real a, vm_real b)
 {
     const int at_0 = a == 0 || b == VM_INFINITY, at_1 = b == 0 || a == VM_INFINITY;
@@ -388,16 +393,16 @@ VM_API int vmi_beta_limit_side(vm_real a, vm_real b)
     return at_1 - at_0;
 }
 
-/* The regularised incomplete beta function p = I_x(a, b) and q = 1 - p. They are computed from x and y = 1 - x; the
-   smaller of x and y carries the digits. For a and b from 1e-3 to 1e4 the errors of p and q are at most 30 ulp each.
-   a and b may also lie between 1e-4 and 1e5, where the function is less accurate and slower. If a or b is 0 or infinite,
-   p is the limit: 1 for x > 0 if all of the distribution moves to x = 0, and 0 for x < 1 if it moves to x = 1. The
-   results are NaN for other a or b, where there is no limit, for x or y below 0, and if x + y is not 1. docs/cost.md has
-   the time. DLMF 8.17, equation (273). */
+/* The regularised incomplete beta function p = I_x(a, b) and q = 1 - p. They are computed from the smaller of x and
+   y = 1 - x, so that this one should have all its digits. For a and b from 1e-3 to 1e4 the errors of p and q are at
+   most 30 ulp each. a and b may also lie between 1e-4 and 1e5, where the function is less accurate and slower. If a or
+   b is 0 or infinite, p is the limit: 1 for x > 0 if all of the distribution moves to x = 0, and 0 for x < 1 if it
+   moves to x = 1. The results are NaN for other a or b, if there is no limit, if x or y is negative, and if x + y is
+   not 1. docs/cost.md has the time. DLMF 8.17, equation (273). */
 VM_API void ateb_beta_inc_both(vm_real x, vm_real y, vm_real a, vm_real b, vm_real *p, vm_real *q)
 {
-    const vm_real longest = VM_C(0.6); /* 1 minus a longer tail would lose digits of the quick formula */
-    const vm_real least = VM_MIN / (VM_EPSILON * VM_EPSILON); /* products of smaller numbers may underflow */
+    const vm_real longest = VM_C(0.6); /* 1 minus a longer tail would lose digits; then logarithms are used */
+    const vm_real least = VM_MIN / (VM_EPSILON * VM_EPSILON); /* products with smaller numbers may underflow */
     vm_two x2 = vmi_two(x, 0), y2 = vmi_two(y, 0);
     vm_real tail, density;
     vm_two ln_p, ln_q;
@@ -481,13 +486,14 @@ VM_API vmi_beta_point vmi_beta_point_at(vm_real t)
     return at;
 }
 
-/* ln I_x(a, b) as a function of t = ln(x/y): its value, its derivative, and the derivative of the logarithm of this
-   derivative */
+/* ln I_x(a, b) as a function of t = ln(x/y): its value, its slope (the derivative of `value` with respect to t), and
+   its bend (the derivative of ln(slope) with respect to t) */
 typedef struct VM_TAG(vmi_beta_slope) {
     vm_real value, slope, bend;
 } vmi_beta_slope;
 
-/* Returns ln I_x(a, b) and its derivatives with an error of about 1e-8 (float 1e-4), from ln B(a, b). */
+/* Returns ln I_x(a, b) and its derivatives at t = ln(x/y) with an error of about 1e-8 (float 1e-4). ln_B is ln B(a,
+   b). */
 VM_API vmi_beta_slope vmi_beta_rough(vm_real t, vm_real a, vm_real b, vm_real ln_B)
 {
     const vm_real tolerance = VM_MANT_DIG > 24 ? VM_C(1e-8) : VM_C(1e-4), least_ln = VM_C(-0.69) * VMI_BIAS;
@@ -513,8 +519,8 @@ VM_API vmi_beta_slope vmi_beta_rough(vm_real t, vm_real a, vm_real b, vm_real ln
     return at;
 }
 
-/* Returns the step of t that changes ln I_x by `rest`. The function is approximated by a parabola, or by its tangent
-   where the parabola does not reach the value. */
+/* Returns the step of t that changes ln I_x by `rest`. ln I_x is approximated by the parabola with this slope and bend
+   (see vmi_beta_slope), or by its tangent where the parabola does not reach the wanted value. */
 VM_API vm_real vmi_beta_step(vm_real rest, vm_real slope, vm_real bend)
 {
     const vm_real step = rest / slope;
@@ -590,13 +596,13 @@ VM_API vmi_beta_point vmi_beta_invert_both(vm_real p, vm_real q, vm_real a, vm_r
     return vmi_beta_mirrored(vmi_beta_invert(vmi_log(q), b, a));
 }
 
-/* The inverse of ateb_beta_inc_both: x with I_x(a, b) = p, and y = 1 - x and ln x. They are computed from p and
-   q = 1 - p; the smaller of p and q carries the digits. ln x is also right where x underflows. For a and b from 1e-3 to
-   1e4 the errors of x, y and ln x are at most 16 ulp plus the changes that one ulp of the smaller of p and q makes. a
-   and b may also lie between 1e-4 and 1e5, where the function is less accurate and slower. If a or b is 0 or infinite, x
-   is the limit: 0 for p < 1 if all of the distribution moves to x = 0, and 1 for p > 0 if it moves to x = 1. The results
-   are NaN for other a or b, where there is no limit, for p or q below 0, and if p + q is not 1. docs/cost.md has the
-   time. */
+/* The inverse of ateb_beta_inc_both: x with I_x(a, b) = p, and y = 1 - x and ln x. They are computed from the smaller
+   of p and q = 1 - p, so that this one should have all its digits. ln x is also right where x underflows. For a and b
+   from 1e-3 to 1e4 the errors of x, y and ln x are at most 16 ulp plus the changes that one ulp of the smaller of p and
+   q makes. a and b may also lie between 1e-4 and 1e5, where the function is less accurate and slower. If a or b is 0 or
+   infinite, x is the limit: 0 for p < 1 if all of the distribution moves to x = 0, and 1 for p > 0 if it moves to
+   x = 1. The results are NaN for other a or b, if there is no limit, if p or q is negative, and if p + q is not 1.
+   docs/cost.md has the time. */
 VM_API void ateb_beta_inc_inv_both(vm_real p, vm_real q, vm_real a, vm_real b, vm_real *x, vm_real *y,
                                    vm_real *ln_x)
 {
@@ -636,10 +642,11 @@ VM_API vm_real ateb_beta_inc_inv(vm_real p, vm_real a, vm_real b)
 enum { ATEB_SIGN_OF_SA = 1, ATEB_SIGN_OF_CA = 2 };
 
 /* The mean of |sa(n, m, s)|^p |ca(m, n, s)|^q over a period, with or without the signs of sa and ca.
-   n and m lie between 0 and 1e30, p and q are above -1 and at most 1e6. signs is 0, ATEB_SIGN_OF_SA, ATEB_SIGN_OF_CA or
-   their sum: a power with the sign of its base, such as sa^3, is odd, and the mean is 0 then. So the mean of sa^2 ca^3 is
-   ateb_mean_nm(n, m, 2, 3, ATEB_SIGN_OF_CA). The mean without signs is B((p+1)/(n+1), (q+1)/(m+1))/B(1/(n+1), 1/(m+1)),
-   with an error of at most 2 ulp. Returns NaN for other numbers. Equation (316). */
+   The indices n and m of sa and ca lie between 0 and 1e30, the powers p and q are above -1 and at most 1e6. signs is 0,
+   ATEB_SIGN_OF_SA, ATEB_SIGN_OF_CA or their sum: a power with the sign of its base, such as sa^3, is odd, and the mean
+   is 0 then. So the mean of sa^2 ca^3 is ateb_mean_nm(n, m, 2, 3, ATEB_SIGN_OF_CA). The mean without signs is
+   B((p+1)/(n+1), (q+1)/(m+1))/B(1/(n+1), 1/(m+1)), with an error of at most 2 ulp. Returns NaN for other numbers.
+   Equation (316). */
 VM_API vm_real ateb_mean_nm(vm_real n, vm_real m, vm_real p, vm_real q, int signs)
 {
     const vm_real largest_index = VM_C(1e30), largest_power = VM_C(1e6);
@@ -658,7 +665,7 @@ VM_API vm_real ateb_mean_nm(vm_real n, vm_real m, vm_real p, vm_real q, int sign
 }
 
 /* The mean of |sa|^p |ca|^q over a period, for alpha >= 0 and p, q > -1. Averaged equations of oscillators need this
-   mean. alpha may be up to 1e30, p and q up to 1e6; for larger ones the result is NaN. The error is at most 2 ulp.
+   mean. alpha may be up to 1e30, p and q up to 1e6; for larger numbers the result is NaN. The error is at most 2 ulp.
    ateb_mean_nm has two indices and signs. Equation (316). */
 VM_API vm_real ateb_mean(vm_real alpha, vm_real p, vm_real q) { return ateb_mean_nm(1, alpha, p, q, 0); }
 

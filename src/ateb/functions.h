@@ -29,8 +29,8 @@ typedef struct VM_TAG(vmi_ateb_place) {
 } vmi_ateb_place;
 
 /* Returns s > 0 minus the nearest multiple of the quarter period, for an s that is large, or close to a zero of sa or
-   ca. c->quarter is replaced by two words with a relative error of 2^-102 (float 2^-44). If the result is so small that
-   this error would matter, three words are used. */
+   ca. c->quarter becomes a sum of two words with a relative error of 2^-102 (float 2^-44). If the result is so small
+   that this error would matter, the quarter period is used in three words. */
 VM_API vm_real vmi_ateb_reduce_finely(vm_real s, vmi_ateb *c, int *quarter)
 {
     const vm_real reach = VM_MANT_DIG > 24 ? VM_C(6e-14) : VM_C(1.5e-5); /* a smaller rest/s needs three words */
@@ -54,8 +54,8 @@ VM_API vm_real vmi_choose(vm_real weight, vm_real a, vm_real b) { return weight 
 /* Returns the position of s >= 0 in the period, by the quickest of three ways.
      1. s <= (alpha + 1)/2 lies in the first quarter, and r = s is known before Pi_alpha is.
      2. For s <= 128 (alpha + 1), c->quarter is accurate enough, unless s is close to a zero of sa or ca. Its products
-        with the number of quarters are exact. The number of quarters comes from the high word of c->quarter alone, so
-        that the rest may be a little longer than half a quarter.
+        high word is multiplied in two halves, whose products with the number of quarters are exact. This number comes
+        from the high word of c->quarter alone, so that the rest may be a little longer than half a quarter.
      3. Any other s is reduced by vmi_ateb_reduce_finely. */
 VM_INLINE vmi_ateb_place vmi_ateb_locate(vm_real s, vmi_ateb *c)
 {
@@ -88,8 +88,8 @@ VM_INLINE vmi_ateb_place vmi_ateb_locate(vm_real s, vmi_ateb *c)
     return at;
 }
 
-/* Gives sa and ca of the first quarter the signs that they have at s, where |s| is `quarter` quarters plus rest. The
-   function works on the bits of the signs, without a branch. */
+/* Gives sa and ca, as computed in the first quarter, the signs that they have at s, where |s| is `quarter` quarters
+   plus rest. The function works on the bits of the signs, without a branch. */
 VM_INLINE void vmi_ateb_signs(vm_real s, vm_real rest, vmi_bits quarter, vm_real *sa, vm_real *ca)
 {
     const int last = 8 * (int)sizeof(vm_real) - 1;

@@ -1,9 +1,9 @@
 /* ateb/integrals.h - integrals of Ateb functions
 
-   Two of the four simplest integrals from 0 to s need functions of their own,
+   This file has functions for two integrals from 0 to s,
      integral of sa^2 = (s - sa ca) (alpha+1)/(alpha+3),
-     integral of |ca|^(alpha+1) = s - integral of sa^2,
-   and two have a closed form: the integral of sa is (1 - ca) (alpha+1)/2, and that of ca |ca|^(alpha-1) is sa.
+     integral of |ca|^(alpha+1) = s - integral of sa^2.
+   Two others have a closed form: the integral of sa is (1 - ca) (alpha+1)/2, and that of ca |ca|^(alpha-1) is sa.
 
        vm_real work = ateb_integral_sa2(VM_C(0.7), VM_C(1.5));
 

@@ -6,12 +6,13 @@
      w, x    v^2 and 1 - w = u^(alpha+1)
      y, X    2 q d and y^(alpha+1)
      p       (1 - v)/2
-   They satisfy two equations, the second by the quadratic transformation of 2F1(1/2, q; 1 + q; x), DLMF 15.8(iii):
+   They satisfy two equations. The second one follows from the quadratic transformation of 2F1(1/2, q; 1 + q; x), DLMF
+   15.8(iii), and defines T:
      r = B_w(1/2, q)/2 = v u 2F1(1, q + 1/2; 3/2; w),
      2 q d = q B_x(q, 1/2) = u (1 + q T), where 1 + q T = 2F1(1, 2q; 1 + q; p).
 
-   Up to r = 0.55 (VMI_ATEB_CHANGE_OVER) the first equation is solved for v; for larger r the second is solved for p; at
-   the change-over w < 0.303 and p < 0.251. A rough v (or p) is taken as exact, and the r (or d) that belongs to it is
+   Up to r = 0.55 (VMI_ATEB_CHANGE_OVER) the first equation is solved for v; for larger r the second is solved for p. At
+   r = 0.55, w < 0.303 and p < 0.251. A rough v (or p) is taken as exact, and the r (or d) that belongs to it is
    computed. The computed r (or d) differs little from the given one, and a Taylor series corrects v (or p) for the
    difference. Therefore one continued fraction for 2F1 and one power are enough.
 
@@ -33,13 +34,14 @@
 /* Gauss's continued fraction (DLMF 15.7) is 2F1(1, b; c; z) = 1/(1 - b z/(c Y_1)), where Y_j = 1 - e_j/Y_(j+1) and
      e_(2n-1) = n (c - b + n - 1) z/((c + 2n - 2) (c + 2n - 1)),
      e_(2n) = (b + n) (c + n - 1) z/((c + 2n - 1) (c + 2n)).
-   Two further levels of the fraction give at least 7 more bits for z < 0.303. e_j tends to z/4, which gives a start for
-   the last Y. VMI_ATEB_W_LEVELS and VMI_ATEB_P_LEVELS are the numbers of levels of the fraction in w and of the
-   fraction in p. */
+   For z < 0.303, two further levels of the fraction give at least 7 more bits. For large j, e_j tends to z/4, from
+   which the last Y is estimated. VMI_ATEB_W_LEVELS and VMI_ATEB_P_LEVELS are the numbers of levels of the fraction in w
+   and of the fraction in p. */
 enum { VMI_ATEB_W_LEVELS = VM_MANT_DIG > 24 ? 12 : 6, VMI_ATEB_P_LEVELS = VM_MANT_DIG > 24 ? 12 : 6 };
 
-/* Computes Y_1 = P/Q from Y, the value after the last level, and from e_(j+1)/z = e_by_z[j], without a division. The
-   numbers e_j/z do not depend on z, so that the processor computes them while it waits for z. */
+/* Computes Y_1 = P/Q of Gauss's continued fraction (see above) without a division. Y is the value of Y_(levels+1).
+   Element j of e_by_z is e_(j+1)/z, beginning with e_1/z. These elements do not depend on z, so that the processor
+   computes them while it waits for z. */
 VM_INLINE void vmi_ateb_fraction(const vm_real *e_by_z, vm_real z, int levels, vm_real Y, vm_real *P, vm_real *Q)
 {
     int j;
@@ -52,8 +54,8 @@ VM_INLINE void vmi_ateb_fraction(const vm_real *e_by_z, vm_real z, int levels, v
     }
 }
 
-/* Returns (F - 1)/(w (q + 1/2)) for F = 2F1(1, q + 1/2; 3/2; w) and w < 0.303. Each e_j/w is linear in q: an element of
-   `constant` plus q times one of `slope`. */
+/* Returns (F - 1)/(w (q + 1/2)) for F = 2F1(1, q + 1/2; 3/2; w) and w < 0.303. In Gauss's continued fraction of F,
+   e_(j+1)/w is constant[j] + q slope[j]. */
 VM_API vm_real vmi_ateb_w_fraction(vm_real q, vm_real w)
 {
     VM_TABLE vm_real constant[14] = {VM_C(4.0) / 15,    VM_C(9.0) / 35,    VM_C(16.0) / 63,   VM_C(25.0) / 99,
@@ -72,9 +74,9 @@ VM_API vm_real vmi_ateb_w_fraction(vm_real q, vm_real w)
     return Q / (VM_C(1.5) * P - (q + VM_C(0.5)) * w * Q);
 }
 
-/* Computes two numbers P and Q with 2F1(1, 2q; 1 + q; p) = P/(P - 2 q p Q/(1 + q)), for p < 0.251. e_(j+1)/p is
-   (constant + q slope + q^2 square)/((q + index)(q + index + 1)), where each name stands for element j of the table
-   with this name. */
+/* Computes two numbers P and Q with 2F1(1, 2q; 1 + q; p) = P/(P - 2 q p Q/(1 + q)), for p < 0.251. In Gauss's continued
+   fraction of this function, e_(j+1)/p is (constant + q slope + q^2 square)/((q + index)(q + index + 1)), where each
+   name stands for element j of the table with this name. */
 VM_INLINE void vmi_ateb_p_fraction(vm_real q, vm_real p, vm_real *P, vm_real *Q)
 {
     VM_TABLE vm_real index[13] = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13};
@@ -96,10 +98,10 @@ VM_API vm_real vmi_ateb_power_rest(vm_real t, vm_real q)
     return -l - l * z * vmi_ateb_exp_series(z);
 }
 
-/* sa and ca at the distance r from the zero of sa, for 0 <= r <= VMI_ATEB_CHANGE_OVER. q is 1/(alpha + 1). The guess v
-   of sa is the series of sa up to r^9, which is right to 1e-5 and whose coefficients are polynomials in k = 1 - q. v is
-   shortened to half of its digits, so that w = v^2 is exact. h is r minus the r that belongs to v; a Taylor series in
-   e = h/u, where u is the ca that belongs to v, gives sa and ca. */
+/* sa and ca at the distance r from the zero of sa, for 0 <= r <= VMI_ATEB_CHANGE_OVER. q is 1/(alpha + 1). `guess` is
+   the power series of sa up to r^9, which is right to 1e-5; its coefficients are polynomials in k = 1 - q. v is the
+   guess shortened to half of its digits, so that w = v^2 is exact. u is the ca that belongs to sa = v, and h is r minus
+   the r that belongs to v. A Taylor series in e = h/u gives sa and ca. */
 VM_API void vmi_ateb_near_sa_zero(vm_real r, vm_real q, vm_real *sa, vm_real *ca)
 {
     const vm_real k = 1 - q, rr = r * r, b = q + VM_C(0.5);
@@ -138,8 +140,8 @@ typedef struct VM_TAG(vmi_ateb_base) {
 } vmi_ateb_base;
 
 /* Returns the base y from the distances r and d of s from the zeros of sa and ca. y = 2 q d is also 1 - q z, where
-   z = 2 r - (Pi_alpha - (alpha + 1)). It is computed from the smaller of r and d; for r < d, y > 1/2. The low word of y
-   matters: where alpha is large, a small change of y is a large change of X = y^(alpha+1). For y < 1/2, X is so small
+   z = 2 r - (Pi_alpha - (alpha + 1)). It is computed from the smaller of r and d; if r < d, then y > 1/2. The low word
+   of y matters: for a large alpha, a small change of y is a large change of X = y^(alpha+1). For y < 1/2, X is so small
    that y.lo need not be scaled by 2^-k. */
 VM_INLINE vmi_ateb_base vmi_ateb_base_of(vm_two twice_q, vm_real r, vm_real z, vm_real d, vm_real d_lo)
 {
@@ -174,7 +176,8 @@ VM_INLINE vm_real vmi_ateb_guess_p(vm_real q, vm_real X4)
 /* sa and ca at the distances r >= VMI_ATEB_CHANGE_OVER from the zero of sa and d from the zero of ca. Given are
    q = 1/(alpha + 1), y = 2 q d and X = y^(alpha+1). The unknown is p = (1 - sa)/2. From p follow
      v = sa = 1 - 2 p,   x = 1 - v^2 = 4 p (1 - p),   u = ca = x^q,   E = 2F1(1, 2q; 1 + q; p).
-   They satisfy y = u E, so that p is the solution of ln X = ln x + (alpha + 1) ln E. The derivatives are
+   They satisfy y = u E, so that p is the solution of ln X = ln x + (alpha + 1) ln E. The derivatives with respect to ln
+   X are
      dp/d(ln X) = x E/4,   d ln(u/y)/d(ln X) = -q (1 - v E).
    The function starts from a guess of p. rho is ln X minus the ln X that belongs to the guess; a Taylor series in
    rho gives sa and ca. */
@@ -184,8 +187,8 @@ VM_API void vmi_ateb_near_ca_zero(vm_real r, vm_real d, const vmi_ateb *c, vm_re
     const vm_real n = c->n.hi, q = c->q.hi, twice_q = 2 * q;
     const vmi_ateb_base base = vmi_ateb_base_of(vmi_two(twice_q, 2 * c->q.lo), r, (2 * r - c->g.hi) - c->g.lo, d, 0);
     const vm_real y = base.y.hi, ln_X = n * vmi_ateb_ln_of(base.k, base.t);
-    vm_real p, v, P, Q;       /* a guess of p, its v = 1 - 2 p, and E = P/(P - B) */
-    vm_real B, E, E_loss;     /* E_loss = 1 - 1/E, so that u/y of the guess is 1 - E_loss */
+    vm_real p, v, P, Q;       /* a guess of p, its v = 1 - 2 p, and the results of vmi_ateb_p_fraction */
+    vm_real B, E, E_loss;     /* B = 2 q p Q/(1 + q), E = P/(P - B), E_loss = 1 - 1/E, so that u = y (1 - E_loss) */
     vm_real rho, vE;          /* vE = v E */
     vm_real sa_rate, ca_rate; /* -d(sa)/d(ln X) and -d ln(ca/y)/d(ln X) */
     vm_real sa_change, ca_change;

@@ -18,7 +18,7 @@
 #include "../base/sums.h"
 #include "../base/words.h"
 
-/* Returns coefficient i of the polynomial in t = 2q - 1 that equals (1 + q)(2 + q)(3 + q) f(q), where
+/* Returns coefficient i of a polynomial in t = 2q - 1, which approximates (1 + q)(2 + q)(3 + q) f(q), where
      f(q) = sqrt(pi) Gamma(1 + q)/Gamma(q + 1/2) = q Pi_alpha with q = 1/(alpha + 1), between 1 and 2 for 0 < q <= 1.
    The polynomial interpolates in Chebyshev's points; each coefficient is about 1/18 of the one before it. A coefficient
    has up to three words; which_word = 0 selects the largest. Words that are too small to change the result are 0. */
@@ -106,7 +106,8 @@ VM_API vm_two vmi_ateb_gamma_ratio(vm_two q)
 }
 
 /* Returns Pi_alpha/2 in three words, with a relative error of 2^-125 (float 2^-58), for n = alpha + 1 < 1e9 (float
-   3e4). It is the product n f(q)/2, where each factor 1/(i + q) of f is computed as n/(i n + 1). */
+   3e4). It is the product n f(q)/2, where f is the polynomial of vmi_ateb_coefficient times 1/(i + q) for i = 1, 2, 3,
+   and 1/(i + q) is computed as n/(i n + 1). */
 VM_API vmi_three vmi_ateb_finest_quarter(vm_two n_two)
 {
     const vmi_three one = vmi_three_words(1, 0, 0), n = vmi_three_words(n_two.hi, n_two.lo, 0);
@@ -125,9 +126,10 @@ VM_API vmi_three vmi_ateb_finest_quarter(vm_two n_two)
     return vmi_three_times(sum, vmi_three_words(n.hi / 2, n.mid / 2, 0));
 }
 
-/* The columns of the table of g(q) = Pi_alpha - (alpha + 1), q = 1/(alpha + 1): the low words of g and of its slope at
-   q = row/32, g and its slope at that q, and the further coefficients of the Taylor series. The slope has only half of
-   the digits of a vm_real, so that a product with it can be exact. */
+/* The columns of the table of g(q) = Pi_alpha - (alpha + 1), where q = 1/(alpha + 1). A row is for q = row/32. Its
+   columns are the low words of g and of the slope of g, then g and its slope, then the further coefficients of the
+   Taylor series of g about this q. The slope has only half of the digits of a vm_real, so that a product with it can be
+   exact. */
 enum {
     VMI_ATEB_G_LOW,
     VMI_ATEB_G_SLOPE_LOW,
@@ -347,9 +349,9 @@ VM_INLINE vm_real vmi_ateb_g_constant(int row, int column)
     return VM_READ(table[row][column]);
 }
 
-/* Returns g(q) = Pi_alpha - (alpha + 1), q = 1/(alpha + 1), between 2 ln 2 (q = 0) and 1 (q = 1), with an absolute
-   error below 2^-66 (float 2^-36). g is computed as a polynomial in the distance h of q from the nearest multiple of
-   1/32. The low word of the result may be as large as 2^-13. */
+/* Returns g(q) = Pi_alpha - (alpha + 1), where q = 1/(alpha + 1). g lies between 2 ln 2 (for q = 0) and 1 (for q = 1)
+   and has an absolute error below 2^-66 (float 2^-36). g is computed as a polynomial in the distance h of q from the
+   nearest multiple of 1/32. The low word of the result may be as large as 2^-13. */
 VM_INLINE vm_two vmi_ateb_g(vm_two q)
 {
 #if VM_MANT_DIG > 24
@@ -375,8 +377,8 @@ VM_INLINE vm_two vmi_ateb_g(vm_two q)
     return g;
 }
 
-/* The numbers that sa, ca and Pi_alpha need for one alpha. A low word exceeds an ulp of its high word only after a
-   function whose comment says so. */
+/* The numbers that sa, ca and Pi_alpha need for one alpha. Each low word is below an ulp of its high word, unless the
+   comment of the function that sets it says otherwise. */
 typedef struct VM_TAG(vmi_ateb) {
     vm_two n;       /* alpha + 1 */
     vm_two q;       /* 1/(alpha + 1) */
@@ -399,8 +401,8 @@ VM_INLINE void vmi_ateb_index_constants(vmi_ateb *c, vm_real alpha)
     c->q.lo = (((1 - n_head * q_head) - n_tail * q_head) - c->n.hi * (c->q.hi - q_head)) * c->q.hi;
 }
 
-/* Sets the fields g and quarter, whose low words may be as large as 2^-13. An argument is reduced with the absolute
-   error of Pi_alpha. This error is small for a large alpha too, since Pi_alpha is computed as the sum of n = alpha + 1
+/* Sets the fields g and quarter, whose low words may be as large as 2^-13. Where an argument is reduced, the absolute
+   error of Pi_alpha matters. It is small for a large alpha too, since Pi_alpha is computed as the sum of n = alpha + 1
    and g. */
 VM_INLINE void vmi_ateb_period_constants(vmi_ateb *c)
 {
@@ -459,8 +461,8 @@ VM_API vm_two vmi_ateb_fine_quarter(const vmi_ateb *c)
 /* A function that sets all constants of one alpha: vmi_ateb_constants, or vmi_ateb_fine_constants */
 typedef void (*vmi_ateb_constants_of)(vmi_ateb *c, vm_real alpha);
 
-/* Sets all of n, q, g and quarter. It does without the table of g that vmi_ateb_constants reads: its code is shorter and
-   its results are more accurate, but it takes longer. */
+/* Sets all of n, q, g and quarter, as vmi_ateb_constants does, but without the table of g: the code is shorter and the
+   results are more accurate, but the function takes longer. */
 VM_API void vmi_ateb_fine_constants(vmi_ateb *c, vm_real alpha)
 {
     vmi_ateb_index_constants(c, alpha);

@@ -28,8 +28,8 @@ VM_API vm_real vmi_ateb_T(vm_real q, vm_real p)
     return 2 * p * Q / ((1 + q) * P - 2 * q * p * Q);
 }
 
-/* Returns the distance r of s from the zero of sa for w = sa^2 < 0.302, from h = ln(w/x) < 0. Since x is 1 - w,
-   w = e^h/(1 + e^h). sum is 1 + e^h. */
+/* Returns r, the distance between s and the zero of sa, for w = sa^2 < 0.302. The argument h is ln(w/x) < 0, and sum is
+   1 + e^h. Since x is 1 - w, w = e^h/(1 + e^h). */
 VM_API vm_real vmi_ateb_phase_near_sa_zero(vm_two h, vm_real sum, vm_real q)
 {
     const vm_real v = vmi_exp(h.hi / 2, h.lo / 2) / VM_SQRT(sum), w = v * v, b = q + VM_C(0.5);
@@ -37,10 +37,10 @@ VM_API vm_real vmi_ateb_phase_near_sa_zero(vm_two h, vm_real sum, vm_real q)
     return v + v * (w * b * vmi_ateb_w_fraction(q, w) * (1 - one_minus_u) - one_minus_u);
 }
 
-/* Returns the distance r of s from the zero of sa for w = sa^2 >= 0.302, from h = ln(w/x), where x = 1 - w, e = e^-|h|
-   and sum = 1 + e. u = x^q, which is ca, is computed from ln x = -ln(1 + e^h). Where u is well below 1, r is a quarter
-   of the period minus d = u (n + T)/2; for other u, 1 - u is computed without loss of digits, and
-   r = (n (1 - u) + g - u T)/2. n and g are fields of *c, T is the result of vmi_ateb_T. */
+/* Returns r, the distance between s and the zero of sa, for w = sa^2 >= 0.302. The arguments are h = ln(w/x) with
+   x = 1 - w, e = e^-|h| and sum = 1 + e. The function computes u = ca = x^q by means of ln x = -ln(1 + e^h). Where u is
+   well below 1, r is a quarter of the period minus d = u (n + T)/2. Where u is near 1, the function computes 1 - u
+   without loss of digits, and r = (n (1 - u) + g - u T)/2. n and g are fields of *c, T is the result of vmi_ateb_T. */
 VM_API vm_real vmi_ateb_phase_near_ca_zero(vm_two h, vm_real e, vm_real sum, const vmi_ateb *c)
 {
     const vm_real large_ln = VM_C(0.69) * VMI_BIAS, n = c->n.hi, smaller = e / sum, larger = 1 / sum;
@@ -61,7 +61,8 @@ VM_API vm_real vmi_ateb_phase_near_ca_zero(vm_two h, vm_real e, vm_real sum, con
     return (n * one_minus_u + (c->g.hi - (1 - one_minus_u) * T)) / 2;
 }
 
-/* Returns the distance r of s from the zero of sa in the first quarter, from h = ln(w/(1 - w)), where w = sa^2 */
+/* Returns r, the distance between s and the zero of sa, in the first quarter. The argument h is ln(w/(1 - w)), where
+   w = sa^2. */
 VM_API vm_real vmi_ateb_phase_r(vm_two h, const vmi_ateb *c)
 {
     const vm_real change_over = VM_C(-0.84); /* ln(w/x) for w = 0.302, the largest that vmi_ateb_w_fraction allows */
@@ -73,15 +74,15 @@ VM_API vm_real vmi_ateb_phase_r(vm_two h, const vmi_ateb *c)
     return vmi_ateb_phase_near_ca_zero(h, e, 1 + e, c);
 }
 
-/* Whether ateb_phase has a result for this alpha */
+/* Returns 1 if ateb_phase has a result for this alpha, else 0. */
 VM_API int vmi_ateb_has_phase(vm_real alpha) { return alpha >= 0 && alpha <= VM_C(1e30); }
 
 /* The phase s that belongs to given values of sa and ca, with -Pi_alpha < s <= Pi_alpha. alpha lies between 0 and 1e30.
    The pair need not satisfy sa^2 + |ca|^(alpha+1) = 1: sa lambda^((alpha+1)/2) and ca lambda have the same phase for
-   every lambda > 0. Therefore sa and ca may be -x' sqrt((alpha+1)/2)/omega and x of the oscillator x'' = -omega^2
-   x|x|^(alpha-1). Returns 0 for sa = 0 <= ca. If sa and ca come from ateb_saca(s, ...), s is returned with an error of
-   at most 8 ulp plus the change of s that 6 ulp of sa and of ca make. Returns NaN for alpha < 0, alpha > 1e30, NaN and
-   infinite arguments. */
+   every lambda > 0. Therefore the phase of the oscillator x'' = -omega^2 x|x|^(alpha-1) is found with sa = -x'
+   sqrt((alpha+1)/2)/omega and ca = x. Returns 0 for sa = 0 <= ca. If sa and ca come from ateb_saca(s, ...), s is
+   returned with an error of at most 8 ulp plus the change of s that 6 ulp of sa and of ca make. Returns NaN for
+   alpha < 0, alpha > 1e30, NaN and infinite arguments. */
 VM_API vm_real ateb_phase(vm_real sa, vm_real ca, vm_real alpha)
 {
     vm_real r;
@@ -104,8 +105,8 @@ VM_API vm_real ateb_phase(vm_real sa, vm_real ca, vm_real alpha)
 /* Number of terms that give all digits up to sa^2 = 1/2 and |ca|^(alpha+1) = 1/2 */
 enum { VMI_ATEB_PHASE_TERMS = VM_MANT_DIG > 24 ? 54 : 26 };
 
-/* Returns the distance of the phase from a zero of sa, where u = |sa| and y = sa^2 <= 1/2: the integral from 0 to u of
-   (1 - x^2)^(-alpha/(alpha+1)) dx, whose power series has positive terms. Its error is below 4 ulp. */
+/* Returns the distance between the phase and a zero of sa, where u = |sa| and y = sa^2 <= 1/2. It is the integral from
+   0 to u of (1 - x^2)^(-alpha/(alpha+1)) dx, whose power series has positive terms. Its error is below 4 ulp. */
 VM_API vm_real vmi_ateb_from_sa_0(vm_real alpha, vm_real u, vm_real y)
 {
     const vm_real power = alpha / (alpha + 1);
@@ -118,8 +119,8 @@ VM_API vm_real vmi_ateb_from_sa_0(vm_real alpha, vm_real u, vm_real y)
     return u * sum;
 }
 
-/* Returns the distance of the phase from a zero of ca, where x = |ca| and w = x^(alpha+1) <= 1/2: (alpha+1)/2 times the
-   integral from 0 to x of (1 - z^(alpha+1))^(-1/2) dz. Its error is below 4 ulp. */
+/* Returns the distance between the phase and a zero of ca, where x = |ca| and w = x^(alpha+1) <= 1/2. It is (alpha+1)/2
+   times the integral from 0 to x of (1 - z^(alpha+1))^(-1/2) dz. Its error is below 4 ulp. */
 VM_API vm_real vmi_ateb_from_ca_0(vm_real alpha, vm_real x, vm_real w)
 {
     const vm_real n = alpha + 1;
@@ -132,8 +133,8 @@ VM_API vm_real vmi_ateb_from_ca_0(vm_real alpha, vm_real x, vm_real w)
     return n / 2 * x * sum;
 }
 
-/* The phase of ateb_phase by power series, for sa and ca with sa^2 + |ca|^(alpha+1) = 1 and a valid alpha, whose quarter
-   period is given */
+/* The phase of ateb_phase by power series, for sa and ca with sa^2 + |ca|^(alpha+1) = 1 and a valid alpha. `quarter` is
+   the quarter period, Pi_alpha/2. */
 VM_API vm_real vmi_ateb_phase_by_series(vm_two quarter, vm_real alpha, vm_real sa, vm_real ca)
 {
     const vm_real y = sa * sa, x = VM_FABS(ca);

@@ -10,9 +10,9 @@
        if (ateb_plan_init(&p, VM_C(1.5)) == 0) ateb_plan_saca(&p, VM_C(0.7), &sa, &ca);
 
    Method: let r and d be the distances of s from the nearest zeros of sa and ca, and q = 1/(alpha + 1). A and C are
-   polynomials. Up to a change-over
+   polynomials. Up to a certain r, the field change_over,
      sa = r (1 + tau A(tau)) and ca = 1 + tau C(tau), where tau = r^2;
-   beyond it, with two other polynomials,
+   for larger r, with two other polynomials,
      ca = 2 q d (1 + tau A(tau)) and sa = 1 + tau C(tau), where tau is X = (2 q d)^(alpha+1) up to a factor.
    The polynomials are Taylor series from (275), economised: the last terms are removed by Chebyshev polynomials. For
    alpha = 0, 1/2, 1, ..., 7 tau = d d^alpha is computed by products and a square root; for any other alpha tau = X is
@@ -52,7 +52,7 @@ typedef struct VM_TAG(ateb_plan) {
     vm_two quarter;           /* Pi_alpha/2 */
     vm_real quarter_parts[3]; /* three numbers with the sum `quarter`; the first two have at most half of the digits */
     vm_real per_quarter;      /* 2/Pi_alpha */
-    vm_real longest;          /* for |s| < longest the products of quarter_parts and a number of quarters are exact */
+    vm_real longest;          /* for |s| < longest the first two parts times a number of quarters are exact */
     vm_real change_over;      /* part[0] is used up to this distance r from a zero of sa */
     vm_real n, g;             /* alpha + 1 and Pi_alpha - (alpha + 1) */
     vm_two twice_q;           /* 2/(alpha + 1) */
@@ -81,8 +81,8 @@ VM_INLINE vm_two vmi_ateb_twice_q_d(const ateb_plan *p, vm_real d, vm_real d_lo)
     return vmi_two(p->twice_q.hi * d, p->twice_q.lo * d + p->twice_q.hi * d_lo);
 }
 
-/* Returns X = (2 q d)^(alpha+1), where q = 1/(alpha+1), and writes 2 q d to *y. Where X would be subnormal, about the
-   least normal number is returned. */
+/* Returns X = (2 q d)^(alpha+1), where q = 1/(alpha+1), from r and d + d_lo. Writes 2 q d to *y. Where X would be
+   subnormal, the result is about the least normal number instead. */
 VM_INLINE vm_real vmi_ateb_exponential(const ateb_plan *p, vm_real r, vm_real d, vm_real d_lo, vm_two *y)
 {
     const vm_real least_ln = VM_C(-0.69) * VMI_BIAS;
@@ -166,9 +166,9 @@ VM_API void ateb_plan_saca(const ateb_plan *p, vm_real s, vm_real *sa, vm_real *
     vmi_ateb_signs(s, rest, quarter, sa, ca);
 }
 
-/* Arrays are computed in blocks of VMI_ATEB_BLOCK arguments, by loops without branches, which compilers turn into vector
-   instructions. VMI_ATEB_WIDE is 1 on processors with wide vector registers, else 0. With narrow ones, such a loop takes
-   longer than single calls. */
+/* Arrays are computed in blocks of VMI_ATEB_BLOCK arguments, by loops without branches, which compilers turn into
+   vector instructions. VMI_ATEB_WIDE is 1 on processors with wide vector registers, else 0. With narrow ones, such a
+   loop takes longer than single calls. */
 enum { VMI_ATEB_BLOCK = 32 };
 #if defined(__AVX2__) || defined(__ARM_NEON) || defined(__ARM_FEATURE_SVE)
 #define VMI_ATEB_WIDE 1
@@ -176,9 +176,9 @@ enum { VMI_ATEB_BLOCK = 32 };
 #define VMI_ATEB_WIDE 0
 #endif
 
-/* What is known of the arguments of a block: |s| minus the nearest multiple of the quarter period, the bits of the number
-   of quarters, the distances r and d of s from the zeros of sa and ca with their rounding errors, and base and tau of
-   vmi_ateb_part_at */
+/* Intermediate results for the arguments s of a block: |s| minus the nearest multiple of the quarter period, the bits
+   of the number of quarters, the distances r and d of s from the zeros of sa and ca with their rounding errors, and
+   base and tau of vmi_ateb_part_at */
 typedef struct VM_TAG(vmi_ateb_block) {
     vmi_bits quarter[VMI_ATEB_BLOCK];
     vm_real rest[VMI_ATEB_BLOCK];
@@ -214,8 +214,8 @@ VM_INLINE void vmi_ateb_block_places(const ateb_plan *p, const vm_real *s, vmi_a
     }
 }
 
-/* Sets base to 2 q d and tau to d^(1 + alpha), for alpha = 0, 1/2, ..., 7 (vmi_ateb_product). The factors that this
-   alpha does not have are 1. */
+/* Sets base to 2 q d and tau to d^(1 + alpha), for alpha = 0, 1/2, ..., 7 (vmi_ateb_product). The factors of
+   vmi_ateb_product that this alpha does not need are replaced by 1. */
 VM_INLINE void vmi_ateb_block_products(const ateb_plan *p, vmi_ateb_block *at)
 {
     const vm_real one = (vm_real)(p->twice_alpha >> 1 & 1), two = (vm_real)(p->twice_alpha >> 2 & 1);
@@ -254,8 +254,8 @@ VM_INLINE void vmi_ateb_block_exponentials(const ateb_plan *p, vmi_ateb_block *a
     }
 }
 
-/* Computes sa and ca of a block whose fields are filled, with polynomials of `length` terms. The coefficients of each
-   argument are those of its part of the quarter. */
+/* Computes sa and ca of a block whose fields are filled, with polynomials of `length` terms. For each argument the
+   coefficients are those of the part of the quarter in which it lies. */
 VM_INLINE void vmi_ateb_block_sums(const ateb_plan *p, int length, const vmi_ateb_block *at, const vm_real *s,
                                    vm_real *sa, vm_real *ca)
 {
@@ -355,7 +355,7 @@ enum { VMI_ATEB_TERMS = VM_MANT_DIG > 24 ? 56 : 26 };
 VM_API void vmi_ateb_series(int beyond, vm_real alpha, vm_real q, vm_real *odd, vm_real *even)
 {
     const vm_real large = VM_C(1e30); /* a larger alpha counts as this one, since alpha j might overflow */
-    vm_real *w = odd; /* series of ca^alpha, or of (ca/(2 q d))^alpha beyond; at the end the other function replaces it */
+    vm_real *w = odd; /* series of ca^alpha, for beyond = 1 of (ca/(2 q d))^alpha; overwritten at the end */
     int j;
     if (beyond) w = even;
     if (alpha > large) {
@@ -380,19 +380,19 @@ VM_API void vmi_ateb_series(int beyond, vm_real alpha, vm_real q, vm_real *odd, 
     }
 }
 
-/* Economises c_1 + c_2 x + c_3 x^2 + ... for 0 <= x <= limit: replaces the sum by a polynomial in x/unit with at most
-   ATEB_PLAN_LENGTH terms, and returns the number of its terms. result receives its coefficients times unit. Its error
-   is at most tolerance/limit if these terms are enough. c is overwritten. */
+/* Economises the power series c_1 + c_2 x + c_3 x^2 + ... for 0 <= x <= limit: replaces it by a polynomial in x/unit
+   with at most ATEB_PLAN_LENGTH terms, and returns the number of terms. `result` receives the coefficients times unit.
+   The error of the polynomial is at most tolerance/limit if ATEB_PLAN_LENGTH terms are enough. c is overwritten. */
 VM_API int vmi_ateb_economise(vm_real *c, vm_real limit, vm_real unit, vm_real tolerance, vm_real *result)
 {
     const int highest = VMI_ATEB_TERMS - 2;
     vm_real power = 1, height = vmi_ldexp(1, 1 - 2 * highest);
     int i, k;
-    for (i = 0; i <= highest; i++) { /* makes c limit times the polynomial, in powers of t = x/limit */
+    for (i = 0; i <= highest; i++) { /* now c holds limit times the series, in powers of x/limit */
         power *= limit;
         c[i] = c[i + 1] * power;
     }
-    for (k = highest; k > 0; k--) { /* removing c[k] adds an error of |c[k]| height, height = 2^(1-2k) */
+    for (k = highest; k > 0; k--) { /* removing c[k] adds an error |c[k]| height, where height = 2^(1-2k) */
         tolerance -= VM_FABS(c[k]) * height;
         if (tolerance < 0 && k < ATEB_PLAN_LENGTH) break;
         vmi_remove_highest(c, k, 0);
@@ -407,9 +407,9 @@ VM_API int vmi_ateb_economise(vm_real *c, vm_real limit, vm_real unit, vm_real t
     return k + 1;
 }
 
-/* Fills part 0 or 1 (`beyond`) of the plan and returns the number of terms of its polynomials in tau. In part 0,
-   tau = r^2, where r is the distance from a zero of sa, and unit is 1. In part 1, tau = X/unit, where
-   X = (2 d/(alpha + 1))^(alpha+1) and d is the distance from a zero of ca. */
+/* Fills part 0 or 1 of the plan (the argument `beyond` chooses it) and returns the number of terms of its polynomials
+   in tau. In part 0, tau = r^2, where r is the distance from a zero of sa, and unit is 1. In part 1, tau = X/unit,
+   where X = (2 d/(alpha + 1))^(alpha+1) and d is the distance from a zero of ca. */
 VM_API int vmi_ateb_part_init(vmi_ateb_part *part, int beyond, const ateb_plan *p, vm_real alpha, vm_real unit,
                               vm_real tolerance)
 {
@@ -426,8 +426,8 @@ VM_API int vmi_ateb_part_init(vmi_ateb_part *part, int beyond, const ateb_plan *
     return length;
 }
 
-/* Sets the fields for the reduction: the quarter period as a sum, and in `longest` the s up to which the products with
-   the terms of this sum are exact. */
+/* Sets the fields that reduce s: the quarter period as a sum of parts, and `longest`, the s up to which the products of
+   the first two parts and a number of quarters are exact. */
 VM_API void vmi_ateb_plan_period(ateb_plan *p, const vmi_ateb *c)
 {
     p->quarter = c->quarter;

@@ -33,8 +33,8 @@ VM_API vm_real vmi_ateb_ln_ratio(vm_real t)
 }
 
 /* Writes a normal number x > 0 as 2^k z with z between sqrt(1/2) and sqrt(2). Returns z, and k in *k. When the bits
-   of sqrt(1/2) are subtracted from those of x, the exponent of the difference is k. Vector registers of older
-   processors cannot convert long integers; therefore k is made by its bits. */
+   of sqrt(1/2) are subtracted from those of x, the exponent of the difference is k. Older processors cannot convert
+   long integers in vector registers to floating point; therefore k is put together from its bits. */
 VM_INLINE vm_real vmi_ateb_mantissa(vm_real x, vm_real *k)
 {
 #if VM_MANT_DIG > 24
@@ -88,7 +88,8 @@ VM_API vm_real vmi_ateb_exp_series(vm_real z)
 #endif
 }
 
-/* Returns e^x if e^x is a normal number. Method: x = k ln 2 + z, so that e^x = 2^k (1 + z + z^2 E(z)). */
+/* Returns e^x if e^x is a normal number. Method: x is written as k ln 2 + z with a whole k, so that e^x = 2^k
+   (1 + z + z^2 E(z)), where E is vmi_ateb_exp_series. */
 VM_INLINE vm_real vmi_ateb_exp(vm_real x)
 {
     const vm_real one_over_ln2 = VM_C(1.442695040888963407360), to_integer = VM_C(1.5) / VM_EPSILON;

@@ -1,8 +1,8 @@
 /* ateb/two_indices.h - Ateb functions with two indices, sa(n, m, s) and ca(m, n, s)
 
    sa(n, m, s) and ca(m, n, s) satisfy |sa|^(n+1) + |ca|^(m+1) = 1 and have the period 2 Pi(n, m), where
-   Pi(n, m) = B(1/(n+1), 1/(m+1)). For n = 1 and m = alpha they are the functions of ateb/functions.h, which are much
-   faster. The swapped pair sa(alpha, 1, s), ca(1, alpha, s), which (278) and (280) need, comes from
+   Pi(n, m) = B(1/(n+1), 1/(m+1)). For n = 1 and m = alpha they are sa and ca of ateb/functions.h, where they are
+   computed much faster. The swapped pair sa(alpha, 1, s), ca(1, alpha, s), which (278) and (280) need, comes from
    ateb_saca_nm(s, alpha, 1, &sa, &ca).
 
        vm_real sa, ca;
@@ -27,8 +27,8 @@ VM_API int vmi_ateb_index_is_in_domain(vm_real n) { return n == 0 || (n >= VM_C(
 VM_API vm_two vmi_ateb_exponent(vm_real n) { return vmi_two_over(vmi_two(1, 0), vmi_two_sum(n, 1)); }
 
 /* Returns B_(1/2)(a, b) 2^(a+b) = 2F1(1, a+b; a+1; 1/2)/a for b <= 1 (DLMF 8.17.8). B_(1/2) is the incomplete beta
-   function at x = 1/2. Each term of the series is at most half of the one before it, so that 2 VM_MANT_DIG terms are
-   enough for two words. */
+   function at x = 1/2, and 2F1 is a power series. Each of its terms is at most half of the one before it, so that 2
+   VM_MANT_DIG terms are enough for two words. */
 VM_API vm_two vmi_ateb_half_beta(vm_two a, vm_two b)
 {
     const vm_two one = {1, 0}, c = vmi_two_plus(a, b);

@@ -21,7 +21,7 @@ VM_API int vmi_all_finite(int n, const vm_real *y)
     return 1;
 }
 
-/* `VMI_EACH(i, n) statement` executes the statement for i = 0 ... n - 1. gcc unrolls this loop where it knows n. */
+/* `VMI_EACH(i, n) statement` executes the statement for i = 0, 1, ..., n - 1. gcc unrolls the loop where it knows n. */
 #if defined(__GNUC__) && !defined(__clang__) && !defined(__CUDACC__) && __GNUC__ >= 8 && defined(__OPTIMIZE__) && \
     !defined(__OPTIMIZE_SIZE__)
 #define VMI_UNROLL _Pragma("GCC unroll 16")
@@ -30,8 +30,8 @@ VM_API int vmi_all_finite(int n, const vm_real *y)
 #endif
 #define VMI_EACH(i, n) VMI_UNROLL for (i = 0; i < (n); i++)
 
-/* VMI_IS_SMALL(n) is 1 where the compiler knows n and n <= VMI_SMALL. An integrator then keeps a state of n
-   components in local arrays; otherwise it keeps the state in the caller's array `work`. */
+/* VMI_IS_SMALL(n) is 1 where the compiler knows n and n <= VMI_SMALL, else 0. If it is 1, an integrator keeps a state
+   of n components in local arrays, which is faster; if it is 0, it keeps the state in the caller's array `work`. */
 #define VMI_SMALL 8
 #if defined(__GNUC__) && defined(__OPTIMIZE__)
 #define VMI_IS_SMALL(n) (__builtin_constant_p(n) && (n) <= VMI_SMALL)
@@ -39,7 +39,7 @@ VM_API int vmi_all_finite(int n, const vm_real *y)
 #define VMI_IS_SMALL(n) 0
 #endif
 
-/* Copies n numbers. The arrays `from` and `to` must not overlap, but they may be one and the same array. */
+/* Copies n numbers. The arrays `from` and `to` may be one and the same array, but must not overlap in any other way. */
 VM_INLINE void vmi_copy(int n, const vm_real *from, vm_real *to)
 {
     int i;

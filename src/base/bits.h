@@ -17,8 +17,8 @@
 
 #if VM_MANT_DIG > 24
 typedef uint64_t vmi_bits;
-#define VMI_STORED_DIG 52 /* number of bits that store the mantissa */
-#define VMI_BIAS 1023     /* stored exponent of the number 1 */
+#define VMI_STORED_DIG 52 /* number of bits in which the mantissa is stored */
+#define VMI_BIAS 1023     /* the number that is stored as the exponent of 1 */
 #else
 typedef uint32_t vmi_bits;
 #define VMI_STORED_DIG 23
@@ -41,8 +41,16 @@ VM_API vm_real vmi_from_bits(vmi_bits bits)
     return x;
 }
 
-/* Returns x 2^k. The result is rounded at most once if |x| lies between 1/4 and 4 or is 0, or if x 2^(k/2) is a normal
-   number. The function multiplies by about 2^(k/2) twice, because 2^k itself may overflow or underflow. */
+/* Returns the largest power of two that is at most x, for a normal number x > 0. For a smaller x it is VM_MIN. */
+VM_API vm_real vmi_power_below(vm_real x)
+{
+    const vmi_bits mantissa = ((vmi_bits)1 << VMI_STORED_DIG) - 1;
+    if (x < VM_MIN) return VM_MIN;
+    return vmi_from_bits(vmi_to_bits(x) & ~mantissa);
+}
+
+/* Returns x 2^k. The function multiplies x twice by about 2^(k/2), because 2^k itself may overflow or underflow. It
+   rounds at most once if |x| lies between 1/4 and 4 or is 0, or if x 2^(k/2) is a normal number. */
 VM_API vm_real vmi_ldexp(vm_real x, int k)
 {
     const int limit = 2 * VMI_BIAS - 2;
@@ -55,12 +63,12 @@ VM_API vm_real vmi_ldexp(vm_real x, int k)
            vmi_from_bits((vmi_bits)(VMI_BIAS + rest) << VMI_STORED_DIG);
 }
 
-/* Returns (y + y_lo) 2^k for y from 1/2 to 2 and its low word y_lo. The result is rounded once, even if subnormal. */
+/* Returns (y + y_lo) 2^k for 1/2 <= y <= 2 and a low word y_lo of y. The result is rounded once, even if subnormal. */
 VM_API vm_real vmi_ldexp_two(vm_real y, vm_real y_lo, int k)
 {
     if (k < 1 - VMI_BIAS || (k == 1 - VMI_BIAS && y < 1)) {
-        /* A subnormal result has fewer digits than y + y_lo. Adding and subtracting a power of two removes the
-           superfluous digits with one rounding. */
+        /* A subnormal result has fewer digits than y + y_lo. The code adds a power of two and subtracts it again, which
+           removes the superfluous digits with one rounding. */
         const int most = VM_MANT_DIG + 1, lost = 1 - VMI_BIAS - k < most ? 1 - VMI_BIAS - k : most;
         const vm_real large = vmi_ldexp(1, lost);
         const vm_two sum = vmi_fast_two_sum(large, y);

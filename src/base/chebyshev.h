@@ -9,9 +9,9 @@
 
 #include "real.h"
 
-/* Removes the highest power of c_0 + c_1 t + ... + c_n t^n by subtracting a multiple of Chebyshev's polynomial of
-   degree n for the interval 0 <= t <= 1. The values in this interval change by at most |c_n| 2^(1-2n). Coefficients
-   with an index below `lowest` stay as they are. */
+/* Removes the term c_n t^n of the polynomial c_0 + c_1 t + ... + c_n t^n by subtracting a multiple of Chebyshev's
+   polynomial of degree n for the interval 0 <= t <= 1. In this interval the values of the polynomial change by at most
+   |c_n| 2^(1-2n) if `lowest` is 0. Coefficients with an index below `lowest` stay as they are. */
 VM_API void vmi_remove_highest(vm_real *c, int n, int lowest)
 {
     vm_real term = c[n];

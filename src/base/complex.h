@@ -24,7 +24,7 @@ VM_API vm_complex vmi_complex(vm_real re, vm_real im)
     return z;
 }
 
-/* The sum a + b, the difference a - b, and the products c a and i c a with a real number c */
+/* The sum a + b, the difference a - b, and the products c a and i c a of a complex number a with a real number c */
 VM_API vm_complex vmi_c_add(vm_complex a, vm_complex b) { return vmi_complex(a.re + b.re, a.im + b.im); }
 VM_API vm_complex vmi_c_sub(vm_complex a, vm_complex b) { return vmi_complex(a.re - b.re, a.im - b.im); }
 VM_API vm_complex vmi_c_scale(vm_real c, vm_complex a) { return vmi_complex(c * a.re, c * a.im); }
@@ -50,7 +50,7 @@ VM_API vm_complex vmi_c_turn(vm_real angle)
 /* The modulus |z| */
 VM_API vm_real vmi_c_modulus(vm_complex z) { return vmi_hypot(z.re, z.im); }
 
-/* The quotient a/b by Smith's method, which is also right where |b|^2 overflows or underflows */
+/* The quotient a/b by Smith's method, which is accurate even where |b|^2 overflows or underflows */
 VM_API vm_complex vmi_c_over(vm_complex a, vm_complex b)
 {
     vm_real q, d;

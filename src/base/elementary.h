@@ -18,10 +18,10 @@
 #include "sums.h"
 #include "words.h"
 
-/* Returns a constant for vmi_log, whose variable z is in interval number `row`, 0 to 31. c is a number close to all z
-   of this interval. Column 0 is 1/c; columns 1 and 2 are the two words of ln c. The first words of ln c and of ln 2 are
-   multiples of 2^-42 (float 2^-16), so that k ln 2 + ln c, formed from the first words for an integer k, has no
-   rounding error. */
+/* Returns a constant for vmi_log. The variable z of vmi_log lies in one of 32 intervals; `row` is the interval's
+   number. Let c be a number close to all z of this interval. Column 0 is 1/c; columns 1 and 2 are the two words of ln
+   c. The first words of ln c and of ln 2 are multiples of 2^-42 (float 2^-16). Therefore k ln 2 + ln c, computed from
+   the first words for an integer k, has no rounding error. */
 VM_INLINE vm_real vmi_log_constant(int row, int column)
 {
 #if VM_MANT_DIG > 24
@@ -98,8 +98,8 @@ VM_INLINE vm_real vmi_log_constant(int row, int column)
 
 /* Returns ln x in two words for finite x > 0, with a relative error below 2^-64.8 (float 2^-32). Method: x = 2^k z,
    where z lies between 0.708 and 1.417. Let c be a constant close to z and r = z/c - 1; then
-   ln x = k ln 2 + ln c + ln(1 + r). The constant 1/c has few digits, so that the square of the first half of r is
-   exact. c is 1 where z is within 0.01 of 1. */
+   ln x = k ln 2 + ln c + ln(1 + r). The constant 1/c has few digits, so that the square of r_head, the first half of
+   r, is exact. If z is within 0.01 of 1, c is 1. */
 VM_API vm_two vmi_log(vm_real x)
 {
 #if VM_MANT_DIG > 24
@@ -139,10 +139,10 @@ VM_API vm_two vmi_log(vm_real x)
     return vmi_fast_two_sum(high.hi, low + r.hi * rr * L);
 }
 
-/* Writes e^(x + x_lo) as 2^k (1 + p + p_lo), |p| < 0.42, and returns p. |x| must be at most 1500 (float 200), and
-   |x_lo| at most an ulp of x. 1 + p + p_lo has a relative error below 2^-58 (float 2^-29); for |x| < 0.34, where
-   k = 0, p alone is within 0.6 ulp of e^x - 1. Method: x = k ln 2 + r and e^r = 1 + r + r^2/2 + r^3 E(r), where the
-   square of the first half of r is exact. */
+/* Computes k, p, p_lo with e^(x + x_lo) = 2^k (1 + p + p_lo) and |p| < 0.42, and returns p. |x| must be at most 1500
+   (float 200), and |x_lo| at most an ulp of x. 1 + p + p_lo has a relative error below 2^-58 (float 2^-29); for
+   |x| < 0.34, where k = 0, p alone is within 0.6 ulp of e^x - 1. Method: x = k ln 2 + r and e^r = 1 + r + r^2/2 +
+   r^3 E(r) with a polynomial E. The square of the first half of r's digits is computed exactly. */
 VM_INLINE vm_real vmi_exp_core(vm_real x, vm_real x_lo, int *k, vm_real *p_lo)
 {
     const vm_real one_over_ln2 = VM_C(1.442695040888963407360);
@@ -206,9 +206,9 @@ VM_API vm_real vmi_pow_two(vm_two x, vm_two y)
     return vmi_exp(p.hi, p.lo);
 }
 
-/* Returns the angle atan(y/x) for x >= 0 and y >= 0 that are not both 0. Method: an angle above pi/4 (steep) is
-   subtracted from pi/2; if the result is above pi/8 (middle), pi/4 is subtracted from it. The angle is then at most
-   pi/8, and the polynomial A gives it. */
+/* Returns the angle atan(y/x) for x >= 0 and y >= 0 that are not both 0. Method: if the angle is above pi/4 (steep), it
+   is replaced by pi/2 minus the angle; if the result is above pi/8 (middle), pi/4 is subtracted from it. The size of
+   the remaining angle is at most pi/8, and a formula with the polynomial A gives this angle. */
 VM_API vm_real vmi_arctan(vm_real y, vm_real x)
 {
     const vmi_three half_pi = vmi_half_pi();
@@ -234,8 +234,8 @@ VM_API vm_real vmi_arctan(vm_real y, vm_real x)
     return angle;
 }
 
-/* Computes the sine and the cosine of the angle z, |z| <= 0.79, which is a little more than pi/4. |z.lo| is at most an
-   ulp of z.hi. */
+/* Computes the sine and the cosine of the angle z for |z| <= 0.79, a limit slightly above pi/4. |z.lo| must be at most
+   an ulp of z.hi. */
 VM_INLINE void vmi_sin_cos(vm_two z, vm_real *sine, vm_real *cosine)
 {
     const vm_real t = z.hi * z.hi, tt = t * t, w = 1 - t / 2;
@@ -263,7 +263,7 @@ VM_INLINE int vmi_nearest(vm_real x)
     return (int)(x + VM_COPYSIGN(VM_C(0.5), x));
 }
 
-/* The logarithm of x; argument and result are double-word numbers (hi + lo). */
+/* Returns ln x. The argument and the result are numbers in two words, hi + lo. */
 VM_API vm_two vmi_two_log(vm_two x)
 {
     const vm_two l = vmi_log(x.hi);
@@ -271,8 +271,8 @@ VM_API vm_two vmi_two_log(vm_two x)
     return vmi_two_sum(l.hi, l.lo + (t - t * t / 2));
 }
 
-/* Computes the sine and the cosine of any angle x in radians. First a multiple of pi/2, where pi/2 has two words, is
-   subtracted from |x|. Both results are NaN if x is infinite or NaN. */
+/* Computes the sine and the cosine of any angle x in radians. The function first subtracts from |x| the nearest
+   multiple of pi/2, taken in two words. Both results are NaN if x is infinite or NaN. */
 VM_API void vmi_sincos(vm_real x, vm_real *sine, vm_real *cosine)
 {
     const vmi_three half_pi = vmi_half_pi();

@@ -19,8 +19,8 @@
 #include "sums.h"
 #include "words.h"
 
-/* Returns the relative correction of w by Fritsch, Shafer and Crowley, where z = ln(x/w) - w is the residual and
-   w1 = 1 + w */
+/* Returns the correction of w divided by w, by the method of Fritsch, Shafer and Crowley. The arguments are w1 = 1 + w
+   and the residual z = ln(x/w) - w. */
 VM_API vm_real vmi_lambert_correction(vm_real w1, vm_real z)
 {
     const vm_real first = z / w1, half_q = w1 + 2 * z / 3;
@@ -105,8 +105,8 @@ VM_API vm_real vmi_lambert_near(vm_two s, int lower)
     return -(sum.hi + (sum.lo + dv));
 }
 
-/* Returns -1 - ln(-x), the s of vmi_lambert_near, for x < -1/4. It is computed from 1 + e x in two words, so that it
-   keeps its digits where x is close to -1/e. */
+/* Returns s = -1 - ln(-x), the argument of vmi_lambert_near, for x < -1/4. It is computed from 1 + e x in two words, so
+   that it keeps its digits where x is close to -1/e. */
 VM_API vm_two vmi_lambert_depth(vm_real x)
 {
 #if VM_MANT_DIG > 24
@@ -170,7 +170,7 @@ VM_API vm_real vm_wright_omega(vm_real l)
     return vmi_lambert_far(vmi_two(l, 0), start, 2);
 }
 
-/* W_0(-e^l), the upper branch for a negative argument given by its logarithm, l <= -1. It also works where e^l itself
+/* W_0(-e^l), the upper branch for the negative argument -e^l with l <= -1. The function also works where e^l itself
    underflows. l is taken as exact. The error is at most 1 ulp. Returns 0 for l = -infinity and NaN for l > -1. */
 VM_API vm_real vm_lambert_w0_neg_exp(vm_real l)
 {
@@ -180,7 +180,7 @@ VM_API vm_real vm_lambert_w0_neg_exp(vm_real l)
     return vmi_lambert_far(vmi_two(l, 0), vmi_lambert_pade(-vmi_exp(l, 0)), 2);
 }
 
-/* W_-1(-e^l), the lower branch for an argument given by its logarithm, l <= -1. It also works where e^l itself
+/* W_-1(-e^l), the lower branch for the negative argument -e^l with l <= -1. The function also works where e^l itself
    underflows. l is taken as exact. The error is at most 1 ulp. Returns -infinity for l = -infinity and NaN for
    l > -1. */
 VM_API vm_real vm_lambert_wm1_neg_exp(vm_real l)

@@ -1,6 +1,6 @@
 /* base/linear.h - systems of linear equations
 
-   The functions solve a x = b for a few unknowns x. The matrix a is an array of n n numbers, row after row.
+   The functions solve a x = b for n unknowns x. The matrix a is an array of n^2 numbers, row after row.
 
        vm_real a[4] = {2, 1, 1, 3}, b[2] = {3, 5};
        vmi_solve_linear(2, a, b); // b is now x = (0.8, 1.4)
@@ -33,8 +33,8 @@ VM_API void vmi_substitute_back(int n, const vm_real *a, vm_real *b)
     }
 }
 
-/* Solves a x = b for any matrix by elimination with exchange of rows. x replaces b, and a is overwritten. Returns
-   VM_SINGULAR if the pivot of a column is 0 or NaN (b is overwritten then, too), and VM_OK otherwise. */
+/* Solves a x = b for any matrix a by elimination with exchange of rows. x replaces b, and a is overwritten. Returns
+   VM_SINGULAR if the pivot of a column is 0 or NaN (a and b are then overwritten, too), and VM_OK otherwise. */
 VM_API int vmi_solve_linear(int n, vm_real *a, vm_real *b)
 {
     int i, j, k;
@@ -58,11 +58,11 @@ VM_API int vmi_solve_linear(int n, vm_real *a, vm_real *b)
     return VM_OK;
 }
 
-/* Solves a x = b for a mass matrix, which is symmetric and positive definite. x replaces b, a is overwritten, and
-   scale is work space for n numbers. Rows and columns are first scaled so that the diagonal is 1: then the units of
-   the coordinates do not matter, and the condition number is nearly the least that scaling can reach (van der Sluis
-   1969). Rows need not be exchanged. Returns VM_SINGULAR if an entry of the diagonal is not positive or a pivot is
-   not above 4 n eps, as for every matrix that is not positive definite, and VM_OK otherwise. */
+/* Solves a x = b for a mass matrix a, which is symmetric and positive definite. x replaces b, a is overwritten, and
+   `scale` is work space for n numbers. The function first scales rows and columns so that the diagonal is 1. The units
+   of the coordinates then do not matter, and the condition number is nearly the least that scaling can give (van der
+   Sluis 1969). Rows need not be exchanged. Returns VM_SINGULAR if an entry of the diagonal is not positive or a pivot
+   is not above 4 n eps, which happens for every matrix that is not positive definite, and VM_OK otherwise. */
 VM_API int vmi_solve_mass(int n, vm_real *a, vm_real *b, vm_real *scale)
 {
     int i, j;

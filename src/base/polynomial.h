@@ -15,9 +15,9 @@
 #include "hypot.h"
 #include "real.h"
 
-/* Returns the correction that is subtracted from the approximate root i. It is Newton's step for the polynomial divided
-   by z - z_j for each other approximate root z_j; this division keeps two approximations from converging to the same
-   root. The correction is 0 where the polynomial is 0 within its rounding errors. */
+/* Returns the correction that must be subtracted from the approximate root number i. It is a step of Newton's method
+   for the polynomial divided by all z - z_j, where z_j are the other approximate roots. This division keeps two
+   approximations from converging to one root. The correction is 0 if the polynomial is 0 within its rounding errors. */
 VM_API vm_complex vmi_poly_step(int n, const vm_real *c, const vm_real *re, const vm_real *im, int i)
 {
     const vm_complex z = vmi_complex(re[i], im[i]), one = vmi_complex(1, 0);
@@ -67,12 +67,12 @@ VM_API void vmi_poly_swap(vm_real *re, vm_real *im, int i, int j)
     im[j] = y;
 }
 
-/* Sorts the roots: first the real roots from the largest to the smallest, then the conjugate pairs by rising |im|, in
-   each pair the root with im > 0 first. Imaginary parts that are only rounding errors become 0, and the two roots of a
-   pair become exactly conjugate. */
+/* Sorts the roots: the real roots come first, from the largest to the smallest; then come the conjugate pairs by rising
+   |im|, and in each pair the root with im > 0 is first. Imaginary parts that are only rounding errors become 0, and the
+   two roots of a pair become exactly conjugate. */
 VM_API void vmi_poly_order(int n, const vm_real *c, vm_real *re, vm_real *im)
 {
-    const vm_real tolerance = 16 * VM_SQRT(VM_EPSILON); /* rounding may split a double root by this fraction of it */
+    const vm_real tolerance = 16 * VM_SQRT(VM_EPSILON); /* rounding may split a double root by this relative size */
     int i, j, k;
     for (i = 0; i < n; i++) {
         if (VM_FABS(im[i]) <= tolerance * VM_FABS(re[i]) && vmi_poly_root_is_real(n, c, re[i])) im[i] = 0;
@@ -105,7 +105,7 @@ VM_API void vmi_poly_roots(int n, const vm_real *c, vm_real *re, vm_real *im)
         m--;
         re[m] = im[m] = 0;
     }
-    for (i = 0; i < m; i++) /* start values symmetric about the real axis would stay symmetric; these are not */
+    for (i = 0; i < m; i++) /* start values on a circle, not symmetric about the real axis: symmetry would persist */
         vmi_sincos(VM_C(0.4) + 2 * VM_PI * (vm_real)i / (vm_real)m, &im[i], &re[i]);
     for (sweep = 0; sweep < most_sweeps && moving; sweep++) {
         for (moving = i = 0; i < m; i++) {

@@ -1,8 +1,8 @@
 /* base/real.h - the number type, the macros that a user may set, the functions of the C library
 
-   All other files are built on this one. It chooses vm_real (double, or float where VM_USE_FLOAT is defined), gives
-   each macro that the user has not set its default, refuses compilers whose options change the values of results, and
-   names the four functions of the C library that are used: sqrt, fabs, floor, copysign.
+   All other files include this one. It defines vm_real (double, or float where VM_USE_FLOAT is defined) and gives a
+   default to each macro that the user has not set. It stops the compiler with an error if a compiler option changes the
+   results. It names the four functions of the C library that are used: sqrt, fabs, floor, copysign.
 
        vm_real x = VM_C(0.1); // the number 0.1 as a vm_real, in double and in float
 
@@ -108,7 +108,7 @@ VM_API vm_real vmi_copysign(vm_real x, vm_real y)
 VM_INLINE vm_real vmi_larger(vm_real a, vm_real b) { return a > b ? a : b; }
 VM_INLINE vm_real vmi_smaller(vm_real a, vm_real b) { return a < b ? a : b; }
 
-/* Linkage of functions that are rarely called from a fast loop and would slow it down if they were inlined into it */
+/* Linkage of functions that a fast loop calls rarely and that would slow down the loop if they were inlined into it */
 #if defined(__GNUC__) && !defined(__CUDACC__)
 #define VMI_APART static __attribute__((noinline, unused))
 #else

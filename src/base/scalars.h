@@ -1,7 +1,7 @@
 /* base/scalars.h - functions that keep their digits where the plain formula loses them
 
-   The functions compute e^y - 1 and ln(1 + x) for small arguments, quotients that tend to 0/0, and a power with the
-   values of the C library's pow for 0 and infinity.
+   The functions compute e^y - 1 and ln(1 + x) accurately for small arguments, quotients that become 0/0 at x = 0, and a
+   power that has the values of the C library's pow at 0 and infinity.
 
        vm_two p = vmi_expm1(vmi_two(VM_C(1e-9), 0)); // e^1e-9 - 1 with all its digits
 
@@ -78,9 +78,9 @@ VM_API vm_real vmi_log_ratio(vm_real x)
     return vmi_two_log(vmi_two_sum(1, x)).hi / x;
 }
 
-/* Returns (x - y)/x^2, where the caller gives x and y = ln(1 + x). For |x| >= 1/4 the result has two words, and its
-   error is that of x and y, amplified by the subtraction. For smaller |x| the result has one word, from the series of
-   ln((1 + u)/(1 - u)) with u = x/(2 + x), where |u| <= 1/7. */
+/* Returns (x - y)/x^2, where y must be ln(1 + x). For |x| >= 1/4 the result has two words, and its error comes from the
+   errors of x and y, which the subtraction amplifies. For smaller |x| the result has one word and is computed by the
+   series of ln((1 + u)/(1 - u)) with u = x/(2 + x), where |u| <= 1/7. */
 VM_API vm_two vmi_log1p_rest(vm_two x, vm_two y)
 {
 #if VM_MANT_DIG > 24

@@ -1,4 +1,4 @@
-/* base/self_check.h - whether this compiler and this processor compute as varmass needs
+/* base/self_check.h - a test of whether this compiler and this processor compute as varmass needs
 
    Some options of compilers and some modes of processors change the results of floating-point arithmetic. Where a
    macro of the compiler shows such an option, the headers do not compile. vm_self_check() finds other options and modes
@@ -15,8 +15,8 @@
 #include "sums.h"
 
 /* Returns 1 if sums are computed in the order in which they are written, as arithmetic in two words needs, and if a
-   product is rounded when 0 is added to it. eps is VM_EPSILON; split is VM_SPLIT, the factor that splits a number into
-   two halves. */
+   product is rounded when 0 is added to it. `one` must be 1, `eps` VM_EPSILON, and `split` VM_SPLIT, the factor that
+   splits a number into two halves. The caller reads them from volatile variables, so that the compiler cannot guess. */
 VM_API int vmi_keeps_order(vm_real one, vm_real eps, vm_real split)
 {
     const vm_real above = one + eps, third = one / 3;

@@ -1,9 +1,9 @@
 /* base/status.h - the statuses that functions return, and what each of them means
 
    Every function of varmass.h that can fail returns one of these numbers. 0 (VM_OK) means that all went well. A
-   positive number means that the result is there, with a remark. A negative number means that nothing was done: the
-   outputs are untouched. The same mistake has the same status in every function, and where a call has several
-   mistakes, the status names the first of them in this order:
+   positive number means that the function has done its work, but the caller should know something about the result. A
+   negative number is an error: the outputs are unchanged. A mistake has the same status in every function. If a call
+   has several mistakes, the status names the first of them in this order:
 
        a null pointer, a negative count, a choice that does not exist    VM_BAD_ARGUMENT
        an infinite number or NaN                                         VM_NOT_FINITE
@@ -27,8 +27,8 @@
 
 enum {
     VM_OK = 0,                   /* success */
-    VM_NULL_AXIS = 1,            /* done, but a body (a rod, a point) has no inertia about an axis: it keeps its spin
-                                    about this axis, and the angular momentum that the spin should take up is lost */
+    VM_NULL_AXIS = 1,            /* done, but a body (a rod or a point) has no inertia about an axis. Its spin about
+                                    this axis stays as it was; angular momentum about this axis is lost. */
     VM_STOPPED = 2,              /* done: an event or the caller has ended the run */
     VM_TOLERANCE_MISSED = 3,     /* done, but the estimated error is larger than the tolerance */
     VM_BAD_ARGUMENT = -1,        /* a null pointer, a negative count, or a choice that does not exist */
@@ -62,7 +62,9 @@ enum {
     VM_DOES_NOT_GROW = -29,      /* scenes: a stream enters or leaves at a point of a body that is not a growing body */
     VM_NO_EFFECTIVE_MASS = -30,  /* scenes: a mass law M(v) makes the effective mass M + M'(v) (reactive v - u) <= 0 */
     VM_NOT_STARTED = -31,        /* scenes: the scene was not started, or was changed after its start */
-    VM_BAD_STIFFNESS = -32       /* a stiffness is not positive */
+    VM_BAD_STIFFNESS = -32,      /* a stiffness is not positive */
+    VM_BAD_POINT = -33,          /* scenes: a force at this point would turn a body about an axis without inertia */
+    VM_NOT_JOINED = -34          /* scenes: the points of a joint are apart, or move apart, at the start */
 };
 
 /* The number of elements of an array, as in scene.y_size = VM_LENGTH(y). The result is wrong for a pointer. */
@@ -104,18 +106,20 @@ VM_API const char *vm_strerror(int status)
     case VM_IS_AWAY: return "a jump needs a body that is not present: order the events, or let it be present";
     case VM_TWO_LINKS: return "a body has two links: leave one out";
     case VM_LINK_NOT_LAST: return "another effect stands after the link of its body: list the link last";
-    case VM_STORED_STREAM: return "a stream from a store cannot be used here: integrate vm_flow_rhs";
+    case VM_STORED_STREAM: return "a stream from this store cannot be used here: integrate vm_flow_rhs";
     case VM_DOES_NOT_GROW: return "the stream needs a growing body: vm_scene_body_growing_plane or _growing_free";
     case VM_NO_EFFECTIVE_MASS:
         return "M + M'(v) (reactive v - u) of the mass law M(v) is not positive: no force accelerates it";
     case VM_NOT_STARTED: return "the scene was not started, or was changed after its start: call vm_scene_start";
     case VM_BAD_STIFFNESS: return "a stiffness is not positive";
+    case VM_BAD_POINT: return "a point body has no other point, and a rod only those on its axis: choose such a point";
+    case VM_NOT_JOINED: return "the points of a joint are apart, or move apart, at the start: let the bodies fit";
     default: return "unknown status";
     }
 }
 
-/* Returns the rank of an error: of two errors, the one with the smaller rank is reported. The ranks follow the order at
-   the top of this file; errors that are not named there follow in the order of their numbers. */
+/* Returns the rank of an error. Of two errors, the one with the smaller rank is reported. The order is that of the
+   numbers -1, -2, -3, ..., but VM_BAD_STIFFNESS stands directly after VM_BAD_MASS, as at the top of base/status.h. */
 VM_API int vmi_error_rank(int status)
 {
     if (status == VM_BAD_STIFFNESS) return 2 * -VM_BAD_MASS + 1;
@@ -131,7 +135,7 @@ VM_API int vmi_first_error(int a, int b)
     return b;
 }
 
-/* Copies n numbers if all of them are finite. Returns VM_OK, or VM_NOT_FINITE and leaves the target as it was. */
+/* Copies n numbers and returns VM_OK if all of them are finite, else copies nothing and returns VM_NOT_FINITE. */
 VM_API int vmi_copy_if_finite(int n, const vm_real *from, vm_real *to)
 {
     if (!vmi_all_finite(n, from)) return VM_NOT_FINITE;

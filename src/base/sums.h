@@ -16,8 +16,8 @@ typedef struct VM_TAG(vm_two) {
     vm_real hi, lo;
 } vm_two;
 
-/* Returns x rounded to the type vm_real. x87 units compute with more digits, and gcc in its gnu modes keeps the
-   additional digits in variables. */
+/* Returns x rounded to the type vm_real. The function is needed where the processor's x87 unit computes with more
+   digits and gcc in its gnu modes keeps the additional digits in variables. */
 #if defined(FLT_EVAL_METHOD) && (FLT_EVAL_METHOD < 0 || FLT_EVAL_METHOD == 1 || FLT_EVAL_METHOD == 2)
 VM_API vm_real vmi_rounded(vm_real x)
 {
@@ -48,7 +48,7 @@ VM_API vm_two vmi_fast_two_sum(vm_real a, vm_real b)
     return s;
 }
 
-/* Makes a pair from its words hi and lo, which are not changed. */
+/* Returns the pair with the words hi and lo, which are stored as they are. */
 VM_API vm_two vmi_two(vm_real hi, vm_real lo)
 {
     vm_two x;

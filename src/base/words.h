@@ -1,9 +1,9 @@
 /* base/words.h - products, quotients and roots with two and three times the digits
 
-   Where digits cancel, one vm_real is not enough. A number in two words (vm_two, hi + lo) has twice the digits, a
-   number in three words (vmi_three, hi + mid + lo) has three times as many. p is the number of digits of vm_real, 53 or
-   24 bits. The error of a product, quotient or root is given relative to the result; that of a sum, relative to its
-   larger term.
+   Where digits cancel, one vm_real is not enough. A number in two words (vm_two, hi + lo) has twice the digits, and a
+   number in three words (vmi_three, hi + mid + lo) has three times the digits. p is the number of binary digits of a
+   vm_real, 53 or 24. Errors of products, quotients and roots are given relative to the result, errors of sums relative
+   to the larger term.
 
        vm_two third = vmi_two_over(vmi_two(1, 0), vmi_two(3, 0)); // 1/3 with 2p digits
 
@@ -41,9 +41,18 @@ VM_API vm_two vmi_two_product(vm_real a, vm_real b)
     return p;
 }
 
-/* Reduces x >= 0 by the quarter period q > 0. Returns the distance of x from the nearest multiple of q, at most q/2
-   apart from rounding, with an error of 2^-(2p) x, and writes the number of this multiple modulo 4 to *quarter.
-   For x above 2^(p-1) q the digits of x do not determine its distance from a multiple: then both results are 0. */
+/* The sum a b + c d of two products, within 2 eps of itself, however many digits cancel. No product may underflow. */
+VM_API vm_real vmi_sum_of_products(vm_real a, vm_real b, vm_real c, vm_real d)
+{
+    const vm_two ab = vmi_two_product(a, b), cd = vmi_two_product(c, d);
+    const vm_two high = vmi_two_sum(ab.hi, cd.hi), low = vmi_two_sum(ab.lo, cd.lo);
+    const vm_two sum = vmi_two_sum(high.hi, low.hi);
+    return sum.hi + (sum.lo + (high.lo + low.lo));
+}
+
+/* Reduces x >= 0 by the quarter period q > 0. Let j q be the multiple of q that is nearest to x. Returns x - j q, which
+   lies between -q/2 and q/2 (or slightly outside by rounding), with an error of 2^-(2p) x, and writes j modulo 4 to
+   *quarter. For x above 2^(p-1) q the digits of x do not determine x - j q, and both results are 0. */
 VM_API vm_two vmi_reduce(vm_real x, vm_two q, int *quarter)
 {
     const vm_real j = VM_FLOOR(x / q.hi + VM_C(0.5));
@@ -88,13 +97,13 @@ VM_API vm_two vmi_two_over(vm_two x, vm_two y)
     return vmi_two_sum(z, (((x.hi - p.hi) - p.lo) + (x.lo - z * y.lo)) / y.hi);
 }
 
-/* The number hi + mid + lo, where each word is below an ulp of the word before it. Each operation on such numbers has
-   a relative error below 2^-(3p - 4). */
+/* The number hi + mid + lo, where mid is below an ulp of hi, and lo below an ulp of mid. Each operation on such numbers
+   has a relative error below 2^-(3p - 4). */
 typedef struct VM_TAG(vmi_three) {
     vm_real hi, mid, lo;
 } vmi_three;
 
-/* Returns a + b + c as a number in three words, for |a| >= |b| >= |c|, at least approximately */
+/* Returns a + b + c as a number in three words. |a| >= |b| >= |c| must hold at least approximately. */
 VM_API vmi_three vmi_three_words(vm_real a, vm_real b, vm_real c)
 {
     const vm_two low = vmi_two_sum(b, c), high = vmi_two_sum(a, low.hi), rest = vmi_two_sum(high.lo, low.lo);
@@ -123,7 +132,7 @@ VM_API vmi_three vmi_three_times(vmi_three x, vmi_three y)
                            mid.lo + sum.lo + (a.lo + b.lo) + (x.hi * y.lo + x.mid * y.mid + x.lo * y.hi));
 }
 
-/* The quotient x / y by long division: each of three steps gives a word of the quotient */
+/* The quotient x / y of numbers in three words, by long division: each of three steps gives a word of the quotient */
 VM_API vmi_three vmi_three_over(vmi_three x, vmi_three y)
 {
     vm_real quotient[3];
@@ -144,7 +153,7 @@ VM_API vmi_three vmi_three_scaled(vmi_three x, vm_real power)
     return vmi_three_words(x.hi * power, x.mid * power, x.lo * power);
 }
 
-/* The square root of a: the root of the first word and two corrections by Newton's method, each of which adds a word */
+/* The square root of a. It starts as the root of the first word; then two steps of Newton's method add a word each. */
 VM_API vmi_three vmi_three_sqrt(vmi_three a)
 {
     const vm_real root = VM_SQRT(a.hi);
@@ -169,7 +178,7 @@ VM_API vmi_three vmi_half_pi(void)
 #endif
 }
 
-/* Returns a - root^2 without loss of digits, where root is sqrt(a) after rounding. */
+/* Returns a - root^2 without loss of digits. The argument `root` must be the rounded square root of a. */
 VM_API vm_real vmi_root_residual(vm_real a, vm_real root)
 {
     const vm_real head = vmi_head(root), tail = root - head;

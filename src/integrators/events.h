@@ -279,7 +279,7 @@ VM_API int vmi_find_cut(const rk45 *s, vm_real *cut, int *owner)
             ode_event *e = s->options.events + i, look;
             vm_real at;
             int status;
-            if (e->action == ODE_RECORD || i == *owner) continue;
+            if (!vmi_ends_step(e) || i == *owner) continue;
             look = *e;
             status = vmi_follow_event(s, &look, VMI_SMALLER(*cut, VM_C(1.0)), &at);
             if (status) return status;
@@ -295,7 +295,7 @@ VM_API int vmi_find_cut(const rk45 *s, vm_real *cut, int *owner)
     return ODE_OK;
 }
 
-/* Counts and stores each time that an event with the action ODE_RECORD happens up to the fraction `to` of the step.
+/* Counts and stores each time that an event which ends no step happens up to the fraction `to` of the step.
    Returns a status. */
 VM_API int vmi_record_until(const rk45 *s, ode_event *e, vm_real to)
 {
@@ -340,7 +340,7 @@ VM_API int vmi_cut_step(rk45 *s, vm_real x)
         ode_event *e = s->options.events + i;
         if (!e->happens) continue;
         vmi_record(s, e, x);
-        if (e->action == ODE_STOP && s->event < 0) s->event = i;
+        if (vmi_stops_now(e) && s->event < 0) s->event = i;
     }
     if (x < 1) {
         const vm_two t = vmi_two_sum(s->t_old, s->t_old_low + x * s->h_done);
@@ -395,7 +395,7 @@ VM_API void vmi_pass_on_sides(rk45 *s)
     for (i = 0; i < s->options.n_events; i++) {
         ode_event *e = s->options.events + i;
         e->happens = 0;
-        if (e->action == ODE_RECORD) continue;
+        if (!vmi_ends_step(e)) continue;
         e->side = e->side_ahead;
         e->quiet = VMI_LARGER(e->quiet - VM_FABS(s->h_done), VM_C(0.0));
     }
@@ -412,7 +412,7 @@ VM_API int vmi_events(rk45 *s)
     for (i = 0; i < n_events; i++) events[i].from = 0;
     if (status == ODE_OK) status = vmi_find_cut(s, &cut, &owner);
     for (i = 0; i < n_events && status == ODE_OK; i++)
-        if (events[i].action == ODE_RECORD) status = vmi_record_until(s, events + i, VMI_SMALLER(cut, VM_C(1.0)));
+        if (!vmi_ends_step(events + i)) status = vmi_record_until(s, events + i, VMI_SMALLER(cut, VM_C(1.0)));
     if (status) return status;
     if (cut == VMI_NONE) {
         vmi_pass_on_sides(s);

@@ -156,13 +156,29 @@ VM_INLINE int vmi_begin_step(rk45 *s, int method, vm_real *t_end)
     return ODE_OK;
 }
 
-/* Prepares the steps of rk45_solve_with, for the pair whose number is `method`. Returns a status; the steps may be made
-   if it is ODE_OK. */
+/* Prepares the steps of rk45_solve_with, for the pair whose number is `method`. t_end may be infinite if an event can
+   end the run. Returns a status; the steps may be made if it is ODE_OK. */
 VM_INLINE int vmi_begin_solve(rk45 *s, int method, ode_rhs f, int n, vm_real t_end)
 {
-    if (!s || !VM_IS_FINITE(t_end) || s->pair.method != method || f != s->f || n != s->n) return ODE_BAD_ARGUMENT;
+    if (!s || t_end != t_end || s->pair.method != method || f != s->f || n != s->n) return ODE_BAD_ARGUMENT;
+    if (!VM_IS_FINITE(t_end) && !vmi_an_event_stops(&s->options)) return ODE_BAD_ARGUMENT;
     s->attempts = s->options.max_steps;
     return ODE_OK;
+}
+
+/* The time to which the steps of a run to t_end go: the largest number of the type if t_end is infinite */
+VM_INLINE vm_real vmi_last_time(vm_real t_end)
+{
+    if (t_end > VM_MAX) return VM_MAX;
+    if (t_end < -VM_MAX) return -VM_MAX;
+    return t_end;
+}
+
+/* The status of a run to t_end whose steps have ended with `status`. If t_end is infinite, no run gets there. */
+VM_INLINE int vmi_end_solve(vm_real t_end, int status)
+{
+    if (!VM_IS_FINITE(t_end) && (status == ODE_OK || status == ODE_STIFF)) return ODE_STEP_TOO_SMALL;
+    return status;
 }
 
 #endif

@@ -28,17 +28,19 @@ enum {
     ODE_EVENT = 2,       /* an event has ended the run: s->t, s->y are its time and state, s->event is its index */
     ODE_STIFF = 3,       /* t_end was reached, but for a while stability, not the tolerance, limited the step size */
     /* An argument is wrong: n or steps is not positive, a pointer is NULL, a component has no tolerance, h_min is
-       negative or above h_max, a time, a state or an option is not finite, a time is outside the last step, an event
-       has no g, or the rk45 was made by the init function of another method. */
+       negative or above h_max, a time, a state or an option is not finite (t_end may be infinite if an event can end
+       the run), a time is outside the last step or before an earlier one, an event has no g, a saved run does not fit,
+       or the rk45 was made by the init function of another method. */
     ODE_BAD_ARGUMENT = -1,
     ODE_RHS_STOPPED = -2, /* f returned a number other than 0, which is s->rhs_status */
     ODE_NOT_FINITE = -3,  /* f or the state is infinite or NaN even in the shortest step, or an event function is NaN */
     /* Two steps of the smallest size (h_min, or the resolution of t) missed the tolerance, and fewer than three steps
        between them kept it: f is singular there, or too stiff for the resolution of t. A run also ends with this status
-       if h_max is less than the resolution of t. A jump of f does not end a run: s->missed counts it. */
+       if h_max is less than the resolution of t, or if t_end is infinite and t reaches the largest number of the type.
+       A jump of f does not end a run: s->missed counts it. */
     ODE_STEP_TOO_SMALL = -4,
     ODE_MAX_STEPS = -5,     /* max_steps attempts did not reach t_end; another call continues the run */
-    ODE_WORK_TOO_SMALL = -6 /* the option work_size is less than RK45_WORK(n) or RK87_WORK(n) */
+    ODE_WORK_TOO_SMALL = -6 /* work_size is less than RK45_WORK(n) or RK87_WORK(n), or size is less than RK45_SAVED */
 };
 
 /* A function that writes the n derivatives f(t, y) to dydt and returns 0, or any other number to stop the run. ctx is

@@ -29,7 +29,7 @@ enum {
 };
 
 /* An event happens where g(t, y) reaches zero or changes its sign. The caller owns the array of events to which the
-   options point. The caller sets the fields from g to states; the integrator sets the fields from count on. */
+   options point. The caller sets the fields from g to stop_after; the integrator sets the fields from count on. */
 typedef struct VM_TAG(ode_event) {
     ode_event_function g; /* the function whose zeros are the event */
     void *ctx;            /* pointer that g and change receive */
@@ -42,6 +42,9 @@ typedef struct VM_TAG(ode_event) {
     long room;       /* number of events for which times and states have room; later events are only counted */
     vm_real *times;  /* NULL, or an array that receives the times of the first `room` events */
     vm_real *states; /* NULL, or an array that receives the states of the first `room` events, n numbers each */
+    /* 0, or a number k > 0: the run ends with ODE_EVENT when this event happens for the kth time, the 2kth time and so
+       on, whatever its action is. An event with ODE_STOP then stops at no other time. Each event ends a step. */
+    long stop_after;
     long count;      /* number of events so far */
     vm_real t;       /* time of the last event */
     /* The fields from here on are internal. */
@@ -110,8 +113,27 @@ VM_API int vmi_options_are_valid(const rk45_options *o, int n)
     if (!VM_IS_FINITE(o->h0) || !(o->h_min >= 0) || !(o->h_max >= o->h_min)) return 0;
     if (o->n_events < 0 || (o->n_events > 0 && !o->events)) return 0;
     for (i = 0; i < o->n_events; i++)
-        if (!o->events[i].g || o->events[i].room < 0) return 0;
+        if (!o->events[i].g || o->events[i].room < 0 || o->events[i].stop_after < 0) return 0;
     return 1;
+}
+
+/* Whether the event ends the step in which it happens */
+VM_INLINE int vmi_ends_step(const ode_event *e) { return e->action != ODE_RECORD || e->stop_after > 0; }
+
+/* Whether the event, which has just been counted, ends the run */
+VM_API int vmi_stops_now(const ode_event *e)
+{
+    if (e->stop_after > 0) return e->count % e->stop_after == 0;
+    return e->action == ODE_STOP;
+}
+
+/* Whether any event can end the run */
+VM_API int vmi_an_event_stops(const rk45_options *o)
+{
+    int i;
+    for (i = 0; i < o->n_events; i++)
+        if (o->events[i].action == ODE_STOP || o->events[i].stop_after > 0) return 1;
+    return 0;
 }
 
 /* Tolerance of component i in a step, atol + rtol |y|, where y is the value of the component. VM_MIN is added so that

@@ -3,9 +3,10 @@
 
        k_i = f(t + c_i h, y + h (a_i1 k_1 + a_i2 k_2 + ...)),    y_new = y + h (b_1 k_1 + b_2 k_2 + ...),
 
-   and estimates the error by another sum of the k_i. For each pair there is a file with its public functions, its
-   coefficients and its descriptor: rk45.h, rk87.h. The descriptor, a vmi_rk_pair, holds all that an adaptive run needs
-   to know of the pair. To add a pair, write such a file and include it in src/integrators.h.
+   where c_i, a_ij and b_i are the coefficients of the pair. Another sum of the k_i estimates the error. For each pair
+   there is a file with its public functions, its coefficients and its descriptor: rk45.h, rk87.h. The descriptor, a
+   vmi_rk_pair, holds all that an adaptive run needs to know of the pair. To add a pair, write such a file and include
+   it in src/integrators.h.
 
    Tests: tests/gen/order_conditions.py, every order condition; tests/test_adaptive.c, measured orders. */
 #ifndef VARMASS_INTEGRATORS_PAIRS_H
@@ -18,12 +19,13 @@
 
 struct VM_TAG(rk45);
 
-/* The parts of a run's work, of n numbers each: VMI_Y is the state y, VMI_Y_OLD the state at t_old, VMI_Z the state at
-   which a stage evaluates f (after the stages the new state). The derivatives k_1, k_2 ... begin at VMI_K. */
+/* Indices of the parts of a run's work array. Each part has n numbers: VMI_Y is the state y, VMI_Y_OLD the state at
+   t_old, VMI_Z the state at which a stage evaluates f, and after the last stage the new state. VMI_K is k_1; k_2, k_3
+   ... follow. */
 enum { VMI_Y, VMI_Y_OLD, VMI_Z, VMI_K };
 
-/* The equations y' = f(t, y) that a step solves, n of them, and the arrays of the step: part p, such as VMI_Y, begins
-   at w + p m, where m >= n. ctx is the pointer that f receives. */
+/* The n equations y' = f(t, y) that a step solves, and w, the array of the step: its part number p, such as VMI_Y,
+   begins at w + p m, where m >= n. ctx is the pointer that f receives. */
 typedef struct VM_TAG(vmi_rk_system) {
     ode_rhs f;
     void *ctx;
@@ -37,7 +39,7 @@ typedef struct VM_TAG(vmi_rk_pair) {
     int method;           /* the number of the pair, VMI_RK45 or VMI_RK87 */
     int order;            /* the order of the state after a step; the order of the error estimate is one less */
     int stages;           /* number of evaluations of f for the new state and the error estimate */
-    int last_is_first;    /* 1: the last stage gives f at the new state, the next k_1; 0: the run evaluates it */
+    int last_is_first;    /* 1: the last stage is f at the new state, the next k_1; 0: the run evaluates f there */
     int derivatives;      /* number of all k_i of a step: stages, f at its end, stages of the continuous extension */
     int rounding;         /* bound of a step's relative rounding error, in units of VM_EPSILON; it is the least rtol */
     vm_real keep_from;    /* the step size may stay the same after an error above this fraction of the tolerance */
@@ -54,8 +56,9 @@ typedef struct VM_TAG(vmi_rk_pair) {
 } vmi_rk_pair;
 
 /* What the loop over the steps needs to know of a pair. vmi_run gets this struct as a constant, so that the compiler
-   inlines make_stages and step_error into the loop. The two functions are no part of vmi_rk_pair, which each run
-   stores, because the compiler would then compile them a second time. */
+   inlines make_stages and step_error into the loop. The two functions are not fields of vmi_rk_pair: each run stores a
+   vmi_rk_pair, and for a stored pointer to a function the compiler would compile the function once more, outside the
+   loop. */
 typedef struct VM_TAG(vmi_rk_stepper) {
     vmi_rk_pair pair;
     /* Computes stages 2, 3 ... of a step from t to t_new = t + h, after which the part VMI_Z of work is the new state.
@@ -68,17 +71,17 @@ typedef struct VM_TAG(vmi_rk_stepper) {
 
 #define VMI_MOST_OWN 14 /* the largest number of k_i in a step of any pair, without those of the continuous extension */
 
-/* Linkage of descriptors and of the parts of vmi_advance. Inlining turns the descriptors into constants, and each part
-   is called in one place only, so that inlining makes the code smaller. These functions are therefore inlined even
-   where VM_INLINE does not inline, in order to keep the code small. */
+/* Linkage of descriptors and of the parts of vmi_advance. These functions are inlined even where VM_INLINE does not
+   inline. This makes the code smaller, since the descriptors become constants and each part is called in one place
+   only. */
 #if defined(__GNUC__) && !defined(__CUDACC__) && defined(__OPTIMIZE__)
 #define VMI_FOLDED static inline __attribute__((always_inline))
 #else
 #define VMI_FOLDED VM_INLINE
 #endif
 
-/* Linkage of the loop over the steps of one pair. The loop is inlined, in order to be fast, but not if the compiler
-   optimises for size: then one copy for any n is enough. */
+/* Linkage of the loop over the steps of one pair. The loop is inlined, because this makes it fast. If the compiler
+   optimises for size, it is not inlined, so that one copy serves every n. */
 #ifdef __OPTIMIZE_SIZE__
 #define VMI_LOOP VMI_APART
 #else
@@ -92,9 +95,9 @@ VMI_FOLDED int vmi_last_k(const vmi_rk_pair *pair) { return VMI_K + pair->stages
 VMI_FOLDED vm_real vmi_least_rtol(const vmi_rk_pair *pair) { return (vm_real)pair->rounding * VM_EPSILON; }
 
 /* Macros for the stages of a pair. VMI_H is h times a coefficient. VMI_EVAL evaluates k = f(t, y) and counts it; if f
-   stops the run, it returns from the function that makes the stages. In every sum h
-   is multiplied into the coefficients and the newest k comes last, so that only one multiplication and one addition lie
-   between one evaluation of f and the next. */
+   stops the run, it returns from the function that makes the stages. In every sum h is multiplied into the
+   coefficients, and the k that was evaluated last is the last term, so that only one multiplication and one addition
+   lie between one evaluation of f and the next. */
 #define VMI_H(c) (h * VM_C(c))
 #define VMI_EVAL(t, y, k)                \
     do {                                 \

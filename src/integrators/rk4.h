@@ -14,10 +14,11 @@
 #include "../base/sums.h"
 #include "ode.h"
 
-#define RK4_WORK(n) (3 * (n)) /* number of elements of the work of rk4 with n components */
+#define RK4_WORK(n) (3 * (n)) /* number of elements of the array work for n components */
 
-/* Computes the four stages of a step of size h from the state y at t. sum becomes k_1 + 2 k_2 + 2 k_3, and k becomes
-   k_4; z receives the states at which f is evaluated. Returns 0, or the number with which f has stopped the run. */
+/* Computes the four stages of a step of size h from the state y at t; k_1 ... k_4 are the values of f in them. sum
+   becomes k_1 + 2 k_2 + 2 k_3, and k becomes k_4; z is the state at which f is evaluated. Returns 0, or the number with
+   which f has stopped the run. */
 VM_INLINE int vmi_rk4_stages(ode_rhs f, void *ctx, int n, vm_real t, vm_real h, const vm_real *y, vm_real *k,
                              vm_real *sum, vm_real *z)
 {

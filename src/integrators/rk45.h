@@ -1,7 +1,8 @@
 /* integrators/rk45.h - rk45: adaptive runs by a Runge-Kutta pair of orders 5 and 4
    Tsitouras' pair [1] has seven stages. The last stage is the first one of the next step, so that a step takes six
-   evaluations of f. The continuous extension of order 4 takes no further evaluation. Begin with rk45. It is better than
-   rk87 in float, for loose tolerances, for right-hand sides that are not smooth, and for many events.
+   evaluations of f. The continuous extension of order 4, which gives the states inside a step, takes no further
+   evaluation. Try this method first. It is better than rk87 in float, for loose tolerances, for right-hand sides that
+   are not smooth, and for many events.
 
        double y0[2] = {1, 0}, work[RK45_WORK(2)];
        rk45 s;
@@ -56,8 +57,8 @@ VMI_FOLDED int vmi_rk45_stages(vmi_rk_system sys, vm_real t, vm_real t_new, vm_r
     return 0;
 }
 
-/* The largest ratio of the error of a component to its tolerance. The error is the difference of the results of orders
-   5 and 4. */
+/* The largest ratio of the error of a component to its tolerance. The error is the difference of the two new states, of
+   order 5 and of order 4. */
 VMI_FOLDED vm_real vmi_rk45_error(const rk45_options *o, vmi_rk_system sys, vm_real h)
 {
     const ptrdiff_t m = sys.m;
@@ -75,8 +76,8 @@ VMI_FOLDED vm_real vmi_rk45_error(const rk45_options *o, vmi_rk_system sys, vm_r
     return VMI_SMALLER(worst, VMI_WORST) + bad;
 }
 
-/* For the test of stiffness: the factor of k_{j+1} in the state of stage 7 minus its factor in the state of stage 6.
-   Both stages evaluate f at the end of the step. */
+/* Returns, for the test of stiffness, the factor of k_{j+1} in the state of stage 7 minus its factor in the state of
+   stage 6. Both stages evaluate f at the end of the step. */
 VM_API vm_real vmi_rk45_end_difference(int j)
 {
     VM_TABLE vm_real weights[6] = {VM_C(-5.764994676128355), VM_C(12.93096931784711),   VM_C(-7.67947824816166),
@@ -138,7 +139,7 @@ VMI_LOOP int vmi_rk45_run(rk45 *s, ode_rhs f, int n, vm_real t_end, int single)
 
 /* -- Functions for users -- */
 
-#define RK45_WORK(n) (10 * (n)) /* number of elements of the work of an rk45 with n components */
+#define RK45_WORK(n) (10 * (n)) /* number of elements of the array work for n components */
 
 /* Options of rk45 with each zero replaced by its default, as rk45_init uses them. rtol becomes at least 16 VM_EPSILON.
    If options_or_NULL is NULL, all options have their defaults. */
@@ -172,19 +173,19 @@ VM_INLINE int rk45_step(rk45 *s)
     return vmi_rk45_run(s, s->f, s->n, t_end, 1);
 }
 
-/* Steps of rk45 to t_end, with f and n named again so that f is inlined. The compiler inlines f if f and n are
-   constants in this call, wherever rk45_init was called. Returns ODE_BAD_ARGUMENT if f or n is not that of s;
-   all else is as in rk45_solve. */
+/* Steps of rk45 to t_end, with f and n given once more so that f is inlined. The compiler inlines f if f and n are
+   constants in this call, wherever rk45_init was called. Returns ODE_BAD_ARGUMENT if f or n is not that of s; all else
+   is as in rk45_solve. */
 VM_INLINE int rk45_solve_with(rk45 *s, ode_rhs f, int n, vm_real t_end)
 {
     const int status = vmi_begin_solve(s, VMI_RK45, f, n, t_end);
     if (status) return status;
-    return vmi_rk45_run(s, f, n, t_end, 0);
+    return vmi_end_solve(t_end, vmi_rk45_run(s, f, n, vmi_last_time(t_end), 0));
 }
 
-/* Steps of rk45 to t_end exactly, forward or backward, or to an ODE_STOP event. Nothing changes if s->t is
-   t_end. After an error s->t and s->y are those of the last accepted step. Returns a status. After ODE_MAX_STEPS, that
-   is after options.max_steps attempts, another call continues the run. */
+/* Steps of rk45 to t_end exactly, forward or backward, or to an event that ends the run. t_end may be infinite if there
+   is such an event. Nothing changes if s->t is t_end. After an error s->t and s->y are those of the last accepted step.
+   Returns a status. After ODE_MAX_STEPS, that is after options.max_steps attempts, another call continues the run. */
 VM_INLINE int rk45_solve(rk45 *s, vm_real t_end)
 {
     if (!s) return ODE_BAD_ARGUMENT;

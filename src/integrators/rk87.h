@@ -1,7 +1,8 @@
 /* integrators/rk87.h - rk87: adaptive runs by a Runge-Kutta pair of orders 8 and 7
-   Verner's "most efficient" pair [4] has 13 stages. Its continuous extension of order 8 takes seven more evaluations of
-   f in each step in which it is used. The coefficients of the pair are up to 123, so that its rounding errors are
-   larger than those of rk45. Use rk87 for a smooth f in double, where the errors must be small.
+   Verner's "most efficient" pair [4] has 13 stages. Its continuous extension of order 8, which gives the states inside
+   a step, takes seven more evaluations of f in each step in which it is used. The coefficients of the pair are up to
+   123, so that its rounding errors are larger than those of rk45. Use rk87 for a smooth f in double, where the errors
+   must be small.
 
    Tests: tests/gen/order_conditions.py, tests/test_adaptive.c, tests/test_dense.c. */
 #ifndef VARMASS_INTEGRATORS_RK87_H
@@ -51,8 +52,8 @@ VMI_FOLDED int vmi_rk87_early_stages(vmi_rk_system sys, vm_real t, vm_real h, lo
 
 /* Computes stages 8 to 13 of a step of Verner's pair [4], and the new state, whose derivative is evaluated only after
    the step is accepted. Large coefficients of opposite sign belong to derivatives k at nearly equal times. The sums use
-   the differences of such k, which are exact, so that roundings remain small. Returns 0, or the number with which f has
-   stopped the run. */
+   the differences of such k. These differences have no rounding error, so that the rounding errors of the sums are
+   small. Returns 0, or the number with which f has stopped the run. */
 VMI_FOLDED int vmi_rk87_late_stages(vmi_rk_system sys, vm_real t, vm_real t_new, vm_real h, long *evals)
 {
     const ptrdiff_t m = sys.m;
@@ -123,10 +124,11 @@ VMI_FOLDED int vmi_rk87_stages(vmi_rk_system sys, vm_real t, vm_real t_new, vm_r
 }
 
 /* Estimates the error that a jump of f inside a step of size 1 causes in a component whose derivatives are k1 ... k13.
-   This error is up to a quarter of the jump. The result of order 8 minus that of order 7 hardly shows a jump in the
-   first 0.9 of the step: in this difference the weights of the k before the jump add up to 4e-4 at most. In the sum
-   `seen`, of order 5, the weights of the k before the jump add up in magnitude to
-     0.11 for a jump before 0.155 of the step (k1), 0.17 before 0.465 (k1, k7), 0.25 before 0.9 (k1, k7, k6).
+   This error is up to a quarter of the jump. The difference of the results of orders 8 and 7 hardly shows a jump in the
+   first 0.9 of the step: in this difference the weights of the k before the jump add up to 4e-4 at most. `seen` is the
+   magnitude of another sum of the k, of order 5. In it the weights of the k before the jump add up in magnitude to
+     0.11 for a jump before 0.155 of the step (only k1 is before it), 0.17 for a jump between 0.155 and 0.465 (k1 and
+     k7 are before it), 0.25 for a jump between 0.465 and 0.9 (k1, k7 and k6 are before it).
    If f is smooth, `seen` is much smaller than `change`, the change of f along the step. The result
    seen^2/(seen + change) is then of order 9, and below the difference of orders 8 and 7 unless the tolerance is
    loose. */
@@ -139,8 +141,8 @@ VM_INLINE vm_real vmi_rk87_jump(vm_real k1, vm_real k6, vm_real k7, vm_real k9, 
     return seen * (seen / (seen + change + VM_MIN));
 }
 
-/* The largest ratio of the error of a component to its tolerance. The error is the larger of two: the difference of the
-   results of orders 8 and 7, and the error that a jump of f may cause (vmi_rk87_jump). */
+/* The largest ratio of the error of a component to its tolerance. The error is the larger of two numbers: the
+   difference of the new states of orders 8 and 7, and the error that a jump of f may cause (vmi_rk87_jump). */
 VMI_FOLDED vm_real vmi_rk87_error(const rk45_options *o, vmi_rk_system sys, vm_real h)
 {
     const ptrdiff_t m = sys.m;
@@ -162,8 +164,8 @@ VMI_FOLDED vm_real vmi_rk87_error(const rk45_options *o, vmi_rk_system sys, vm_r
     return VMI_SMALLER(worst, VMI_WORST) + bad;
 }
 
-/* For the test of stiffness: the factor of k_{j+1} in the new state minus its factor in the state of stage 13. The run
-   evaluates f for both states at the end of the step. */
+/* Returns, for the test of stiffness, the factor of k_{j+1} in the new state minus its factor in the state of stage 13.
+   The run evaluates f for both states at the end of the step. */
 VM_API vm_real vmi_rk87_end_difference(int j)
 {
     VM_TABLE vm_real weights[13] = {VM_C(3.0837949279563885408),
@@ -182,7 +184,7 @@ VM_API vm_real vmi_rk87_end_difference(int j)
     return VM_READ(weights[j]);
 }
 
-/* Numbers of k_i: those that a step itself makes, and those that the continuous extension adds */
+/* How many k_i a step itself computes, and how many the continuous extension adds */
 #define VMI_RK87_OWN 14
 #define VMI_RK87_EXTRA 7
 
@@ -245,8 +247,8 @@ VM_API int vmi_rk87_extend(rk45 *s)
     return ODE_OK;
 }
 
-/* Coefficient i of b_{j+1}(x)/x in Bernstein's polynomials of degree 7; b_{j+1} is the weight of k_{j+1} in the
-   continuous extension. Coefficients of powers of x would be larger [4]. */
+/* Returns coefficient i of the polynomial b_{j+1}(x)/x, as a sum of Bernstein's polynomials of degree 7. b_{j+1}(x) is
+   the weight of k_{j+1} in the continuous extension. In powers of x the coefficients would be larger [4]. */
 VM_API vm_real vmi_rk87_bernstein(int i, int j)
 {
     VM_TABLE vm_real c[8][21] = {
@@ -348,7 +350,7 @@ VMI_LOOP int vmi_rk87_run(rk45 *s, ode_rhs f, int n, vm_real t_end, int single)
 
 /* -- Functions for users -- */
 
-#define RK87_WORK(n) (24 * (n)) /* number of elements of the work of an rk87 with n components */
+#define RK87_WORK(n) (24 * (n)) /* number of elements of the array work for n components */
 
 /* A run by rk87 has the options and the fields of a run by rk45, with the same meanings. */
 typedef rk45_options rk87_options;
@@ -374,15 +376,15 @@ VM_INLINE int rk87_step(rk87 *s)
     return vmi_rk87_run(s, s->f, s->n, t_end, 1);
 }
 
-/* Steps of rk87 to t_end, with f and n named again so that f is inlined. All else is as in rk45_solve_with. */
+/* Steps of rk87 to t_end, with f and n given once more so that f is inlined. All else is as in rk45_solve_with. */
 VM_INLINE int rk87_solve_with(rk87 *s, ode_rhs f, int n, vm_real t_end)
 {
     const int status = vmi_begin_solve(s, VMI_RK87, f, n, t_end);
     if (status) return status;
-    return vmi_rk87_run(s, f, n, t_end, 0);
+    return vmi_end_solve(t_end, vmi_rk87_run(s, f, n, vmi_last_time(t_end), 0));
 }
 
-/* Steps of rk87 to t_end exactly, forward or backward, or to an ODE_STOP event. All else is as in
+/* Steps of rk87 to t_end exactly, forward or backward, or to an event that ends the run. All else is as in
    rk45_solve. */
 VM_INLINE int rk87_solve(rk87 *s, vm_real t_end)
 {

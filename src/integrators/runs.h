@@ -23,7 +23,7 @@ typedef struct VM_TAG(rk45) {
     long evals;           /* number of evaluations of f */
     long missed;          /* number of steps of the smallest size that were accepted above the tolerance */
     int rhs_status;       /* number that f returned last */
-    int event;            /* index of the ODE_STOP event that ended the last call, else -1 */
+    int event;            /* index of the event that ended the last call, else -1 */
     int stiff;            /* nonzero once the run has looked stiff */
     ode_rhs f;            /* the right-hand side */
     void *ctx;            /* pointer that f receives */
@@ -104,6 +104,7 @@ VMI_APART int vmi_init(rk45 *s, const vmi_rk_pair *pair, ode_rhs f, void *ctx, i
     s->h = o.h0;
     s->attempts = o.max_steps;
     vmi_copy(n, y0, s->y);
+    for (i = n; i < (VMI_K + pair->derivatives) * n; i++) work[i] = 0; /* so that a run that is saved is known bytes */
     if (options_or_NULL && options_or_NULL->rtol > 0 && options_or_NULL->rtol < o.rtol) return ODE_RTOL_RAISED;
     return ODE_OK;
 }

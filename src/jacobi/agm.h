@@ -1,10 +1,10 @@
 /* jacobi/agm.h - the arithmetic-geometric mean and the quarter period from it
 
-   The numbers a_0 = 1 and b_0 = k' = sqrt(1 - m) are replaced again and again by their arithmetic mean a_1 and their
-   geometric mean b_1. Both sequences tend to one limit, agm(1, k'), and the quarter period is K = pi/(2 agm(1, k')).
-   The number of right digits doubles in each step. The mean is computed in one word for comparison
-   (jacobi/descending.h), and in two and three words to reduce arguments next to a zero of an elliptic function
-   (jacobi/reduction.h). p is the number of digits of vm_real.
+   m is the parameter of an elliptic function. From a_0 = 1 and b_0 = k' = sqrt(1 - m) each step makes the next pair:
+   a_(n+1) is the arithmetic mean of a_n and b_n, and b_(n+1) their geometric mean. Both sequences tend to one limit,
+   agm(1, k'), and the quarter period is K = pi/(2 agm(1, k')). The number of right digits doubles in each step. The
+   limit is computed in one word (one vm_real) for jacobi/descending.h, and in two and three words for arguments next to
+   a zero of an elliptic function (jacobi/reduction.h). p is the number of binary digits of vm_real.
 
        vmi_three K = vmi_K_three_words(VM_C(0.7), 0); // K(0.3) with three times the digits
 
@@ -27,13 +27,13 @@ VM_API int vmi_refused(vm_real m1) { return !(m1 >= 0) || !VM_IS_FINITE(m1); }
 typedef struct VM_TAG(vmi_ladder) {
     int n;                                /* index of the last pair a_n, b_n */
     vm_real a[VMI_LADDER], b[VMI_LADDER]; /* a_0 = 1, b_0 = k'; a_(n+1) = (a_n + b_n)/2, b_(n+1) = sqrt(a_n b_n) */
-    vm_real c;                            /* c_n = (a_(n-1) - b_(n-1))/2 for the last n */
+    vm_real c;                            /* c_n = (a_(n-1) - b_(n-1))/2, where n is the field n */
 } vmi_ladder;
 
-/* Computes agm(1, b0) for a finite b0 > 0 in at most `steps` steps. It stops where (c_n/a_n)^2 <= eps/4. This is the
-   parameter of the last sn, sn(a_n u), from which vmi_descend computes sn(u). Then sin(a_n u) may replace the last sn:
-   they differ by at most eps/60 for |a_n u| <= pi/4. The relative error of the last a_n, as a value of agm(1, b0), is
-   at most eps/16. */
+/* Computes agm(1, b0) for a finite b0 > 0 in at most `steps` steps. It stops at the first n for which
+   x = (c_n/a_n)^2 <= eps/4. vmi_descend computes sn(u), beginning with sn(a_n u), whose parameter is x. Because x is so
+   small, it may begin with sin(a_n u) instead: the two differ by at most eps/60 for |a_n u| <= pi/4. The relative error
+   of the last a_n, as a value of agm(1, b0), is at most eps/16. */
 VM_API void vmi_agm(vmi_ladder *l, vm_real b0, int steps)
 {
     int n = 0;
@@ -50,11 +50,11 @@ VM_API void vmi_agm(vmi_ladder *l, vm_real b0, int steps)
 }
 
 /* Returns the quarter period K in three words, with a relative error below 2^-(3p - 12), for 1 - m = m1 + m1_lo > 0.
-   Plans (jacobi/plans.h) need so many digits, and so does the reduction of an argument next to a multiple of K. */
+   Plans (jacobi/plans.h) and the reduction of an argument next to a multiple of K need so many digits. */
 VM_API vmi_three vmi_K_three_words(vm_real m1, vm_real m1_lo)
 {
     const vm_real tiny = VM_EPSILON * VM_EPSILON;
-    vm_real lift = 1, c; /* lift: a factor that keeps the words of the square root from underflow and overflow */
+    vm_real lift = 1, c; /* roots are taken of m1 lift^2, so that no word overflows or underflows */
     vmi_three a = vmi_three_words(1, 0, 0), b;
     if (m1 < tiny) lift = 1 / tiny;
     if (m1 > 1 / tiny) lift = VM_EPSILON;
@@ -69,14 +69,15 @@ VM_API vmi_three vmi_K_three_words(vm_real m1, vm_real m1_lo)
     return vmi_three_over(vmi_half_pi(), vmi_three_plus(a, vmi_three_words(-c * c / (4 * a.hi), 0, 0)));
 }
 
-/* Returns agm(1, k') = pi/(2K) in two words, for 1 - m = m1 + m1_lo > 0. The last step is replaced by the series
-   agm(s + c, s - c) = s (1 - x/4 - 5 x^2/64 - ...) with x = (c/s)^2, where s is the mean of a_n and b_n and c half
-   their difference. The relative error of the result is x eps/8 < 2^-85 (float 2^-41). Where the result serves to
-   reduce the argument u, this error changes sn, cn and dn/k' by less than eps/8: their slope is at most max(1, k'). */
+/* Returns agm(1, k') = pi/(2K) in two words, for 1 - m = m1 + m1_lo > 0. Let s be the mean of the last a_n and b_n, c
+   half their difference, and x = (c/s)^2. Instead of a further step, the series agm(s + c, s - c) = s (1 - x/4 - 5
+   x^2/64 - ...) is used. The relative error of the result is x eps/8 < 2^-85 (float 2^-41). Where the result serves to
+   reduce the argument u, its error changes sn, cn and dn/k' by less than eps/8, since the slopes of these functions are
+   at most max(1, k'). */
 VM_API vm_two vmi_agm_two_words(vm_real m1, vm_real m1_lo, vm_real u)
 {
     const vm_real tiny = VM_EPSILON * VM_EPSILON, last = VM_MANT_DIG > 24 ? VM_C(3e-5) : VM_C(4e-3);
-    vm_real lift = 1, slope; /* lift: a factor that keeps the words of the square root from underflow */
+    vm_real lift = 1, slope; /* the root is taken of m1 lift^2, so that no word underflows */
     vm_two root, kp, a, b, p;
     if (m1 < tiny) lift = 1 / tiny;
     root = vmi_root(m1 * lift * lift, m1_lo * lift * lift);

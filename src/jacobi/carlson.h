@@ -1,15 +1,15 @@
 /* jacobi/carlson.h - Carlson's symmetric elliptic integrals R_F, R_C, R_D, R_J and R_G
 
-   Every elliptic integral is a sum of these few, and they have no cases and no cancellations of their own:
+   Every elliptic integral is a sum of a few of these. In them no digits cancel, and no special cases are needed:
      R_F(x, y, z)    = 1/2 integral from 0 to infinity of dt/s(t),  s(t) = sqrt((t + x)(t + y)(t + z)),
-     R_J(x, y, z, p) = 3/2 integral of dt/((t + p) s(t)),
+     R_J(x, y, z, p) = 3/2 integral from 0 to infinity of dt/((t + p) s(t)),
    R_C(x, y) = R_F(x, y, y), R_D(x, y, z) = R_J(x, y, z, z), and R_G, which gives the surface of an ellipsoid.
 
        vm_real K = jacobi_RF(0, VM_C(0.75), 1); // K(m) = R_F(0, 1 - m, 1)
 
-   Method: Carlson's duplication brings the arguments together, until a series about their mean is exact enough. The
-   equations are those of Carlson, Numer. Algorithms 10 (1995) 13-26, with more terms, so that usually two or three
-   duplications are enough. Source: DLMF 19.15 to 19.36. Tests: tests/test_elliptic_integrals.c. */
+   Method: Carlson's duplication brings the arguments closer together, until a power series about their mean is exact
+   enough. The equations are those of Carlson, Numer. Algorithms 10 (1995) 13-26, with more terms of the series, so that
+   usually two or three duplications are enough. Source: DLMF 19.15 to 19.36. Tests: tests/test_elliptic_integrals.c. */
 #ifndef VARMASS_JACOBI_CARLSON_H
 #define VARMASS_JACOBI_CARLSON_H
 
@@ -19,8 +19,8 @@
 #include "../base/sums.h"
 #include "../base/words.h"
 
-/* Three arguments on their way to their mean. Each duplication divides their distances from the mean, relative to it,
-   by about 4. */
+/* The three arguments of an integral, which duplications bring together. Each duplication makes the distances of the
+   arguments from their mean, divided by the mean, about 4 times smaller. */
 typedef struct VM_TAG(vmi_carlson) {
     vm_real x, y, z; /* the arguments */
     vm_real mean;    /* their mean (x + y + z)/3 */
@@ -29,11 +29,11 @@ typedef struct VM_TAG(vmi_carlson) {
     vm_real lambda;  /* a b + b c + c a in the last duplication */
 } vmi_carlson;
 
-/* The series are used if all distances from the mean are at most this share of it. The first terms left out, of the
-   order 11 (float 5), are then below 1e-17 (float 4e-9). */
+/* The power series are used if each argument differs from the mean by at most this share of the mean. The first terms
+   that are left out, those of degree 11 (float 5) in the differences, are then below 1e-17 (float 4e-9). */
 #define VMI_CARLSON_CLOSE VM_C(0.0262)
 
-/* Begins with the arguments x, y, z. */
+/* Returns the state before the first duplication of x, y, z. */
 VM_INLINE vmi_carlson vmi_carlson_begin(vm_real x, vm_real y, vm_real z)
 {
     vmi_carlson s;
@@ -47,13 +47,13 @@ VM_INLINE vmi_carlson vmi_carlson_begin(vm_real x, vm_real y, vm_real z)
     return s;
 }
 
-/* Returns the largest distance from the mean. */
+/* Returns the largest distance of an argument from the mean. */
 VM_INLINE vm_real vmi_carlson_spread(const vmi_carlson *s)
 {
     return vmi_larger(vmi_larger(VM_FABS(s->X), VM_FABS(s->Y)), VM_FABS(s->X + s->Y));
 }
 
-/* One duplication (DLMF 19.26.18): each argument x becomes (x + lambda)/4. Nothing cancels. */
+/* Makes one duplication (DLMF 19.26.18): x becomes (x + lambda)/4, and y and z change likewise. No digits cancel. */
 VM_INLINE void vmi_carlson_duplicate(vmi_carlson *s)
 {
     s->a = VM_SQRT(s->x);
@@ -68,7 +68,8 @@ VM_INLINE void vmi_carlson_duplicate(vmi_carlson *s)
     s->Y *= VM_C(0.25);
 }
 
-/* The two symmetric functions of the relative distances X, Y, Z from the mean, whose sum is 0:
+/* Computes two symmetric functions of X, Y, Z, the distances of the arguments from the mean, divided by the mean;
+   X + Y + Z is 0:
    E2 = XY + YZ + ZX, E3 = XYZ */
 VM_INLINE void vmi_carlson_symmetric(const vmi_carlson *s, vm_real *E2, vm_real *E3)
 {
@@ -77,8 +78,9 @@ VM_INLINE void vmi_carlson_symmetric(const vmi_carlson *s, vm_real *E2, vm_real 
     *E3 = X * Y * Z;
 }
 
-/* R_F from arguments that are close together: the sum of t_N/(2N + 1), divided by the root of the mean. The terms t_N
-   are the coefficients of s^N in (1 + E2 s^2 - E3 s^3)^(-1/2) (DLMF 19.19.7). */
+/* R_F from arguments that are close together: the sum over N of t_N/(2N + 1), divided by the root of the mean. t_N is
+   the coefficient of s^N in the power series of (1 + E2 s^2 - E3 s^3)^(-1/2), with E2, E3 of vmi_carlson_symmetric
+   (DLMF 19.19.7). */
 VM_INLINE vm_real vmi_carlson_first(const vmi_carlson *s)
 {
     vm_real E2, E3, low, high = 0;
@@ -100,8 +102,8 @@ VM_INLINE vm_real vmi_carlson_first(const vmi_carlson *s)
     return (1 + (low + high)) / VM_SQRT(s->mean);
 }
 
-/* R_J from arguments x, y, z and p that are close together, where P is 1 - p/mean. The sum has the terms
-   3 T_N/(2N + 3), where T_N are the coefficients of s^N in (1 + E2 s^2 - E3 s^3)^(-1/2)/(1 - P s). */
+/* R_J from arguments x, y, z and p that are close together, where P is 1 - p/mean. It is the sum over N of 3
+   T_N/(2N + 3), divided by mean^(3/2). T_N is the coefficient of s^N in (1 + E2 s^2 - E3 s^3)^(-1/2)/(1 - P s). */
 VM_INLINE vm_real vmi_carlson_third(const vmi_carlson *s, vm_real P)
 {
     vm_real E2, E3, t, T, sum;
@@ -149,8 +151,8 @@ VM_INLINE vm_real vmi_rf(vm_real x, vm_real y, vm_real z)
     return vmi_carlson_first(&s);
 }
 
-/* R_F(x, y, z), and R_D(x, y, z) to *rd, for z > 0 and arguments of which at most one is 0. Both have the same
-   duplications; each of them adds a positive term to R_D (DLMF 19.26.20). */
+/* Returns R_F(x, y, z), and R_D(x, y, z) in *rd, for z > 0 and arguments of which at most one is 0. One sequence of
+   duplications serves both; each duplication adds a positive term to R_D (DLMF 19.26.20). */
 VM_INLINE vm_real vmi_rf_rd(vm_real x, vm_real y, vm_real z, vm_real *rd)
 {
     vmi_carlson s = vmi_carlson_begin(x, y, z);
@@ -158,7 +160,7 @@ VM_INLINE vm_real vmi_rf_rd(vm_real x, vm_real y, vm_real z, vm_real *rd)
     while (spread > VMI_CARLSON_CLOSE * s.mean) {
         vmi_carlson_duplicate(&s);
         spread *= VM_C(0.25);
-        sum += power / (4 * s.c * s.z); /* 4 z is here z + lambda of the formula */
+        sum += power / (4 * s.c * s.z); /* 4 z is the formula's z + lambda */
         power *= VM_C(0.25);
     }
     *rd = 3 * sum + power * vmi_carlson_third(&s, -(s.X + s.Y) / s.mean);
@@ -181,8 +183,8 @@ VM_INLINE vm_real vmi_rc_series(vm_real e)
 #endif
 }
 
-/* R_C(1, y) for y > 0: the arctangent of sqrt(y - 1) divided by it, or for y < 1 the inverse hyperbolic tangent. Next
-   to y = 1 it is a series after one duplication, which divides y - 1 by (1 + sqrt(y))^2. */
+/* R_C(1, y) for y > 0. With r = sqrt(|y - 1|) it is arctan(r)/r for y > 1 and artanh(r)/r for y < 1. Next to y = 1 it
+   is computed by vmi_rc_series after one duplication, which divides y - 1 by (1 + sqrt(y))^2. */
 VM_API vm_real vmi_rc_of_1(vm_real y)
 {
     const vm_real e = y - 1;
@@ -196,7 +198,7 @@ VM_API vm_real vmi_rc_of_1(vm_real y)
     return vmi_log((1 + root) * (1 + root) / y).hi / (2 * root);
 }
 
-/* R_C(x, y) for x >= 0 and y != 0; for y < 0 its Cauchy principal value (DLMF 19.2.17, 19.2.20) */
+/* R_C(x, y) for x >= 0 and y != 0. For y < 0 it is Cauchy's principal value (DLMF 19.2.17, 19.2.20). */
 VM_API vm_real vmi_rc(vm_real x, vm_real y)
 {
     if (y < 0) return VM_SQRT(x / (x - y)) * vmi_rc(x - y, -y);
@@ -204,10 +206,10 @@ VM_API vm_real vmi_rc(vm_real x, vm_real y)
     return vmi_rc_of_1(y / x) / VM_SQRT(x);
 }
 
-/* R_F(x, y, z), and R_J(x, y, z, p) to *rj, for p > 0 and arguments x, y, z >= 0 of which at most one is 0. They
-   should be about 1: d, which has their powers 3/2, must neither overflow nor underflow. Each duplication adds 6/d
-   R_C(1, 1 + e) to R_J (DLMF 19.26.21 and Carlson 1995) with d = (r + a)(r + b)(r + c), r = sqrt(p). 1 + e is here 2
-   r (p + lambda)/d, in which nothing cancels. */
+/* Returns R_F(x, y, z), and R_J(x, y, z, p) in *rj, for p > 0 and arguments x, y, z >= 0 of which at most one is 0. The
+   arguments should be about 1: d, which contains their power 3/2, must neither overflow nor underflow. Each duplication
+   adds 6/d R_C(1, 1 + e) to R_J (DLMF 19.26.21 and Carlson 1995), where d = (r + a)(r + b)(r + c) and r = sqrt(p).
+   1 + e is computed as 2 r (p + lambda)/d, so that nothing cancels. */
 VM_API vm_real vmi_rf_rj(vm_real x, vm_real y, vm_real z, vm_real p, vm_real *rj)
 {
     vmi_carlson s = vmi_carlson_begin(x, y, z);
@@ -227,8 +229,8 @@ VM_API vm_real vmi_rf_rj(vm_real x, vm_real y, vm_real z, vm_real p, vm_real *rj
     return vmi_carlson_first(&s);
 }
 
-/* A power of 4 and what it does to an integral: the arguments are multiplied by `factor`, so that the largest is about
-   1 and no power of them overflows or underflows. R_F and R_C are then multiplied by `root`, the root of the factor. */
+/* The arguments of an integral are multiplied by `factor`, a power of 4, so that the largest is about 1 and no power of
+   them overflows or underflows. R_F and R_C are then multiplied by `root`, the root of the factor. */
 typedef struct VM_TAG(vmi_carlson_scale) {
     vm_real factor, root;
 } vmi_carlson_scale;
@@ -255,8 +257,8 @@ VM_API int vmi_two_zeros(vm_real x, vm_real y, vm_real z)
     return x + y == 0 || y + z == 0 || z + x == 0;
 }
 
-/* The limit of R_F, R_D or R_J where two arguments are 0 (`zeros`) or one is infinite, else NaN: infinity for two
-   zeros, 0 for an infinite argument, and NaN where both meet. */
+/* The limit of R_F, R_D or R_J. It is infinity if arguments are 0 so that the integral diverges (`zeros`), 0 if one
+   argument is infinite (`infinite`), and NaN if both is the case. */
 VM_API vm_real vmi_carlson_limit(int zeros, int infinite)
 {
     if (zeros && infinite) return VM_NAN;
@@ -265,8 +267,8 @@ VM_API vm_real vmi_carlson_limit(int zeros, int infinite)
 }
 
 /* R_F(x, y, z), Carlson's integral of the first kind, for x, y, z >= 0. It is symmetric in all three. The error is at
-   most 8 ulp. It is infinite if two arguments are 0, and 0 if one is infinite; NaN if one is negative. K(m) is R_F(0,
-   1 - m, 1), F(phi | m) is s R_F(1 - s^2, 1 - m s^2, 1) with s = sin phi. DLMF 19.16.1. */
+   most 8 ulp. R_F is infinite if two arguments are 0, 0 if one is infinite, and NaN if one is negative. K(m) is R_F(0,
+   1 - m, 1), and F(phi | m) is s R_F(1 - s^2, 1 - m s^2, 1) with s = sin phi. DLMF 19.16.1. */
 VM_API vm_real jacobi_RF(vm_real x, vm_real y, vm_real z)
 {
     const vm_real largest = vmi_larger(vmi_larger(x, y), z);
@@ -278,8 +280,8 @@ VM_API vm_real jacobi_RF(vm_real x, vm_real y, vm_real z)
 }
 
 /* R_C(x, y) = R_F(x, y, y), Carlson's elementary integral, for x >= 0 and any y. It is an arctangent for x < y and a
-   logarithm for x > y. The error is at most 8 ulp. For y < 0 it is Cauchy's principal value. It is infinite for y =
-   0, and 0 if an argument is infinite; NaN if x is negative. DLMF 19.2.17. */
+   logarithm for x > y. The error is at most 8 ulp. For y < 0 R_C is Cauchy's principal value. It is infinite for y = 0,
+   0 if an argument is infinite, and NaN if x is negative. DLMF 19.2.17. */
 VM_API vm_real jacobi_RC(vm_real x, vm_real y)
 {
     const vm_real largest = vmi_larger(x, VM_FABS(y));
@@ -292,8 +294,8 @@ VM_API vm_real jacobi_RC(vm_real x, vm_real y)
 }
 
 /* R_D(x, y, z) = R_J(x, y, z, z), Carlson's integral of the second kind, for x, y, z >= 0. It is symmetric in x and
-   y. The error is at most 8 ulp. It is infinite if z = 0 or x = y = 0, and 0 if an argument is infinite; NaN if one
-   is negative, and if the quotient of two of them that are not 0 is above 1e307 (float 1e37). DLMF 19.16.5. */
+   y. The error is at most 8 ulp. R_D is infinite if z = 0 or x = y = 0, 0 if an argument is infinite, and NaN if one is
+   negative or more than 1e307 times (float 1e37) another one that is not 0. DLMF 19.16.5. */
 VM_API vm_real jacobi_RD(vm_real x, vm_real y, vm_real z)
 {
     const vm_real largest = vmi_larger(vmi_larger(x, y), z);
@@ -308,8 +310,8 @@ VM_API vm_real jacobi_RD(vm_real x, vm_real y, vm_real z)
     return by.root * (by.root * (by.root * rd));
 }
 
-/* R_J for p < 0: Cauchy's principal value from R_J at a positive p (DLMF 19.20.14), for 0 <= x, y <= z of which at
-   most one is 0 */
+/* R_J for p < 0: its Cauchy principal value, from R_J at the positive p that is called `other` (DLMF 19.20.14), for
+   0 <= x, y <= z of which at most one is 0 */
 VM_API vm_real vmi_rj_principal(vm_real x, vm_real y, vm_real z, vm_real p)
 {
     const vm_real q = -p, other = (z * ((x + y) + q) - x * y) / (z + q), product = x * y + other * q;
@@ -320,10 +322,10 @@ VM_API vm_real vmi_rj_principal(vm_real x, vm_real y, vm_real z, vm_real p)
 }
 
 /* R_J(x, y, z, p), Carlson's integral of the third kind, for x, y, z >= 0. It is symmetric in x, y, z. For p > 0 the
-   error is at most 8 ulp where the quotients of the arguments are below 1e16, and at most 16 ulp elsewhere. For p < 0
-   it is Cauchy's principal value, which has zeros: its error is at most 16 eps of R_J(x, y, z, |p|). It is infinite
-   if p = 0 or two of the others are 0, and 0 if an argument is infinite; NaN if x, y or z is negative, and if the
-   quotient of two arguments that are not 0 is above 1e307 (float 1e37). DLMF 19.16.2. */
+   error is at most 8 ulp where no argument is more than 1e16 times another one, and at most 16 ulp elsewhere. For p < 0
+   R_J is Cauchy's principal value, which has zeros: its error is at most 16 eps of R_J(x, y, z, |p|). R_J is infinite
+   if p = 0 or two of x, y, z are 0, 0 if an argument is infinite, and NaN if x, y or z is negative or if one argument is
+   more than 1e307 times (float 1e37) another one that is not 0. DLMF 19.16.2. */
 VM_API vm_real jacobi_RJ(vm_real x, vm_real y, vm_real z, vm_real p)
 {
     const vm_real top = vmi_larger(vmi_larger(x, y), z), largest = vmi_larger(top, VM_FABS(p));
@@ -346,9 +348,9 @@ VM_API vm_real jacobi_RJ(vm_real x, vm_real y, vm_real z, vm_real p)
     return by.root * (by.root * (by.root * rj));
 }
 
-/* R_G(x, y, z), Carlson's symmetric integral of the second kind, for x, y, z >= 0. The error is at most 10 ulp. It is
-   infinite if an argument is infinite; NaN if one is negative. E(m) is 2 R_G(0, 1 - m, 1), and an ellipsoid with the
-   half axes a, b, c has the surface 4 pi R_G(a^2 b^2, b^2 c^2, c^2 a^2). DLMF 19.16.3. With the middle one of the
+/* R_G(x, y, z), Carlson's symmetric integral of the second kind, for x, y, z >= 0. The error is at most 10 ulp. R_G is
+   infinite if an argument is infinite, and NaN if one is negative. E(m) is 2 R_G(0, 1 - m, 1), and an ellipsoid with
+   the half axes a, b, c has the surface 4 pi R_G(a^2 b^2, b^2 c^2, c^2 a^2). DLMF 19.16.3. With the middle one of the
    arguments as z all terms of DLMF 19.21.10 are positive. */
 VM_API vm_real jacobi_RG(vm_real x, vm_real y, vm_real z)
 {

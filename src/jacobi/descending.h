@@ -1,6 +1,6 @@
 /* jacobi/descending.h - sn, cn, dn and K by the arithmetic-geometric mean
 
-   In this classical method the number of steps shows what accuracy costs. It serves for comparison and teaching:
+   In this classical method the accuracy is chosen by the number of steps. It serves for comparison and teaching:
    jacobi_sncndn is faster and more accurate.
 
        vm_real sn, cn, dn;
@@ -17,9 +17,9 @@
 #include "agm.h"
 
 /* Goes back through the steps of the arithmetic-geometric mean by Gauss' transformation, beginning with the sine and
-   cosine of the phase a_n u. The results s, c, d, q give sn = s/q, cn = c/q and dn = d/q. The step back from n + 1 to n
-   turns s, c, d, q into
-     s' = (a/a+) s q,  c' = c d,  d' = c^2 + (b/a+) s^2,  q' = c^2 + (a/a+) s^2     with a = a_n, b = b_n, a+ = a_(n+1).
+   cosine of the phase a_n u. The results s, c, d, q give sn = s/q, cn = c/q and dn = d/q. With a = a_n, b = b_n and
+   a+ = a_(n+1) the step back from n + 1 to n replaces
+     s by (a/a+) s q,  c by c d,  d by c^2 + (b/a+) s^2,  q by c^2 + (a/a+) s^2.
    No subtraction occurs, not even for m < 0. */
 VM_API void vmi_descend(const vmi_ladder *l, vm_real phase, vm_real *s, vm_real *c, vm_real *d, vm_real *q)
 {
@@ -38,8 +38,9 @@ VM_API void vmi_descend(const vmi_ladder *l, vm_real phase, vm_real *s, vm_real 
 
 /* sn, cn and dn by a given number of steps of the arithmetic-geometric mean, for m < 1. Fewer steps (at least one) cost
    less and are less accurate. With steps >= 15 the function takes as many steps as the type needs; the error is then at
-   most 3 eps M (1 + M |u|) with M = max(1, k') for |u| <= 5K. The error grows with |u|, since the phase a_n u is
-   reduced by pi/2, instead of u by K. The results are NaN for m >= 1 and for infinite arguments. */
+   most 3 eps M (1 + M |u|) with M = max(1, k') for |u| <= 5K. The error grows with |u|: the rounded phase a_n u is
+   reduced by pi/2, while jacobi_sncndn reduces u itself by K. The results are NaN for m >= 1 and for infinite
+   arguments. */
 VM_API void jacobi_agm_sncndn(vm_real u, vm_real m, int steps, vm_real *sn, vm_real *cn, vm_real *dn)
 {
     const vmi_three half_pi = vmi_half_pi();

@@ -1,14 +1,15 @@
 /* jacobi/functions.h - the elliptic functions sn, cn, dn and their quotients
 
    sn(u | m), cn(u | m) and dn(u | m) of Jacobi, for every real argument u and every parameter m = k^2 <= 1, negative
-   ones included. sn and cn have the period 4 K(m), dn has 2 K(m). The motions of oscillators with cubic springs and
-   of bodies that rotate without torque are written with them. For many u and one m use a plan (jacobi/plans.h).
+   ones included. sn and cn have the period 4 K(m), dn has 2 K(m). They describe the motions of oscillators with cubic
+   springs and of bodies that rotate without torque. For many u and one m use a plan (jacobi/plans.h).
 
        vm_real sn, cn, dn;
        jacobi_sncndn(VM_C(1.2), VM_C(0.3), &sn, &cn, &dn);
 
-   Method: u is reduced to |v| <= K/2 by a multiple of K. Near 0 a series is used (vmi_theta_near), far from 0 theta
-   functions. Equations: DLMF 22. Tests: tests/test_jacobi.c. */
+   Method: a multiple of K is subtracted from u, so that the rest v has |v| <= K/2. For v near 0 a series is used
+   (vmi_theta_near), for v far from 0 theta functions (vmi_theta_far). Equations: DLMF 22. Tests:
+   tests/test_jacobi.c. */
 #ifndef VARMASS_JACOBI_FUNCTIONS_H
 #define VARMASS_JACOBI_FUNCTIONS_H
 
@@ -74,8 +75,8 @@ VM_API vm_real vmi_theta_named(vmi_thetas t, char name)
     return t.n;
 }
 
-/* The quotient pq = theta_p/theta_q. For m = 1 both theta functions may underflow to the same number: then the quotient
-   is 1. */
+/* The elliptic function whose name has the letters p and q, such as cd: the quotient theta_p/theta_q. For m = 1 both
+   theta functions may underflow to the same number: then the quotient is 1. */
 VM_API vm_real vmi_quotient(vm_real u, vm_real m, char p, char q)
 {
     vm_real bound;

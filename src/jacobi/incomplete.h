@@ -3,14 +3,16 @@
      F(phi | m)     = integral from 0 to phi of dx/sqrt(1 - m sin^2 x), the inverse of the amplitude am(u | m)
      E(phi | m)     = integral of sqrt(1 - m sin^2 x) dx
      Pi(n; phi | m) = integral of dx/((1 - n sin^2 x) sqrt(1 - m sin^2 x)), where n is the characteristic
-   The angle phi is any number of radians, and m = k^2 <= 1. F is the time in which a pendulum reaches an angle, E the
-   length of an arc of an ellipse, Pi the precession of a spherical pendulum or a top.
+   All three integrals are from 0 to phi. The angle phi is any number of radians, and m = k^2 <= 1. F is the time in
+   which a pendulum reaches an angle, E the length of an arc of an ellipse, Pi the precession of a spherical pendulum or
+   a top.
 
        vm_real u = jacobi_F(VM_C(1.2), VM_C(0.5)); // am(u | 0.5) = 1.2
 
-   Method: phi is reduced to |theta| <= pi/2 by multiples of pi, where pi has three words; each of them adds twice the
-   complete integral. The rest is a sum of Carlson's integrals whose terms are all positive, so that no digits cancel.
-   Source: DLMF 19.2, 19.7, 19.25. Tests: tests/test_elliptic_integrals.c. */
+   Method: a multiple of pi is subtracted from phi, so that the rest theta has |theta| <= pi/2; pi has three words here.
+   Each pi adds twice the complete integral. The integral from 0 to theta is a sum of Carlson's integrals whose terms
+   are all positive, so that no digits cancel. Source: DLMF 19.2, 19.7, 19.25. Tests:
+   tests/test_elliptic_integrals.c. */
 #ifndef VARMASS_JACOBI_INCOMPLETE_H
 #define VARMASS_JACOBI_INCOMPLETE_H
 
@@ -21,9 +23,9 @@
 #include "carlson.h"
 #include "integrals.h"
 
-/* An angle as a multiple of pi and a rest theta, |theta| <= pi/2 */
+/* An angle as the sum of a multiple of pi and a rest theta, |theta| <= pi/2 */
 typedef struct VM_TAG(vmi_angle) {
-    vm_real turns; /* twice the multiple: the number of complete integrals in an incomplete one */
+    vm_real turns; /* phi = turns pi/2 + theta: an integral to phi contains turns complete ones */
     vm_real s, c;  /* sin theta and cos theta, each with a small relative error */
 } vmi_angle;
 
@@ -63,7 +65,7 @@ VM_INLINE vmi_angle vmi_angle_of(vm_real phi)
     return angle;
 }
 
-/* Is 1 if an integral from 0 to phi has no ordinary value: phi or m1 is infinite, or one of them is NaN, or m1 < 0 */
+/* Is 1 if an integral from 0 to phi has no ordinary value: if phi or m1 is infinite or NaN, or if m1 < 0 */
 VM_INLINE int vmi_incomplete_special(vm_real phi, vm_real m1)
 {
     return !(VM_IS_FINITE(phi) && m1 >= 0 && VM_IS_FINITE(m1));
@@ -102,8 +104,9 @@ VM_API vm_real jacobi_F(vm_real phi, vm_real m)
    Domain and accuracy are those of jacobi_F; m1 keeps its digits where m is close to 1. */
 VM_API vm_real jacobi_F_m1(vm_real phi, vm_real m1) { return vmi_F(phi, m1, 0); }
 
-/* E(theta | m) for |theta| <= pi/2, from the sine and the cosine of theta. m and m1 = 1 - m are given both, so that
-   each has its digits. There is one form for either sign of m, with positive terms only (DLMF 19.25.9-10). */
+/* E(theta | m) for |theta| <= pi/2, from the sine and the cosine of theta. Both m and m1 = 1 - m are arguments, so that
+   each has all its digits. There is one formula for m < 0 and one for m >= 0; all their terms are positive (DLMF
+   19.25.9-10). */
 VM_API vm_real vmi_E_part(vm_real s, vm_real c, vm_real m, vm_real m1)
 {
     const vm_real cc = c * c, ss = s * s, dd = cc + m1 * ss;
@@ -145,8 +148,8 @@ VM_API vm_real jacobi_E_incomplete(vm_real phi, vm_real m)
    Domain and accuracy are those of jacobi_E_incomplete; m1 keeps its digits where m is close to 1. */
 VM_API vm_real jacobi_E_incomplete_m1(vm_real phi, vm_real m1) { return vmi_E_incomplete(phi, 1 - m1, m1, 0); }
 
-/* R_F, and weight R_J/3 to *third, for arguments of any size, of which the largest is `top`. Only the product of the
-   weight and R_J has to be within the range of the type. */
+/* Returns R_F(x, y, z), and weight R_J(x, y, z, p)/3 in *third, for arguments of any size, of which the largest is
+   `top`. R_J itself may overflow or underflow if its product with the weight does not. */
 VM_API vm_real vmi_rf_rj_weighted(vm_real x, vm_real y, vm_real z, vm_real p, vm_real top, vm_real weight,
                                   vm_real *third)
 {
@@ -163,8 +166,9 @@ VM_API vm_real vmi_rf_rj_weighted(vm_real x, vm_real y, vm_real z, vm_real p, vm
     return by.root * rf;
 }
 
-/* Pi(n; theta | m) for |theta| <= pi/2, from the sine and the cosine of theta, with 1 - m = m1. With p = 1 - n s^2 and
-   d = 1 - m s^2 there are three cases, each a sum of positive terms, but for a term of the third with m > 0:
+/* Pi(n; theta | m) for |theta| <= pi/2, from s = sin theta and c = cos theta, with 1 - m = m1. Let p = 1 - n s^2 and
+   d = 1 - m s^2. There are three cases. Each is a sum of positive terms, except for one term of the third case with
+   m > 0.
      n < 0: the characteristic N = (m - n)/(1 - n), which lies between m and 1, replaces n (DLMF 19.7.9), and q is
             1 - N s^2 = c^2 + s^2 m1/(1 - n);
      0 <= n and p > 0: s R_F + n s^3 R_J/3 (DLMF 19.25.14);
@@ -190,7 +194,7 @@ VM_API vm_real vmi_Pi_part(vm_real s, vm_real c, vm_real n, vm_real m, vm_real m
     return s * (vmi_rc(cc * d, p * q) - third);
 }
 
-/* Pi(n | m), where m and m1 = 1 - m are given both. The cases are those of vmi_Pi_part for theta = pi/2. */
+/* Pi(n | m), from both m and m1 = 1 - m. The cases are those of vmi_Pi_part for theta = pi/2. */
 VM_API vm_real vmi_Pi(vm_real n, vm_real m, vm_real m1)
 {
     const vm_real top = vmi_larger(m1, 1);
@@ -217,8 +221,8 @@ VM_API vm_real vmi_Pi(vm_real n, vm_real m, vm_real m1)
 }
 
 /* Pi(n | m), the complete elliptic integral of the third kind, for m <= 1. The characteristic n is any number. The
-   error is at most 8 ulp, unless (1 - m)/(1 - n) underflows. For n > 1 it is Cauchy's principal value. It is infinite
-   for n = 1 and for m = 1, where its sign is that of 1 - n; 0 for infinite n, and for m = -infinity with n < 1; NaN
+   error is at most 8 ulp, unless (1 - m)/(1 - n) underflows. For n > 1 Pi is Cauchy's principal value. Pi is infinite
+   for n = 1, and for m = 1 with the sign of 1 - n. It is 0 for infinite n, and for m = -infinity with n < 1. It is NaN
    for m > 1. DLMF 19.2.8, 19.6.5. */
 VM_API vm_real jacobi_Pi(vm_real n, vm_real m) { return vmi_Pi(n, m, 1 - m); }
 
@@ -226,10 +230,10 @@ VM_API vm_real jacobi_Pi(vm_real n, vm_real m) { return vmi_Pi(n, m, 1 - m); }
    Domain and accuracy are those of jacobi_Pi; m1 keeps its digits where m is close to 1. */
 VM_API vm_real jacobi_Pi_m1(vm_real n, vm_real m1) { return vmi_Pi(n, 1 - m1, m1); }
 
-/* Pi(n | m) - Pi(n; theta | m) for n < 1 and 0 <= theta <= pi/2, from the sine and the cosine of theta. With the
-   angle theta' for which tan theta tan theta' = 1/k' and N = (m - n)/(1 - n) this is the integral from 0 to theta' of
-   (1 - m sin^2 x)/((1 - n)(1 - N sin^2 x)) dx/sqrt(1 - m sin^2 x). *exact becomes 1 if no digits cancel: always for n
-   <= 0, and for n > 0 where theta is nearer to pi/2 than the larger part of the integral. */
+/* Pi(n | m) - Pi(n; theta | m) for n < 1 and 0 <= theta <= pi/2, from s = sin theta and c = cos theta. Let psi be the
+   angle for which tan theta tan psi = 1/k', and N = (m - n)/(1 - n). Then the result is the integral from 0 to psi of
+   (1 - m sin^2 x)/((1 - n)(1 - N sin^2 x)) dx/sqrt(1 - m sin^2 x). *exact becomes 1 if no digits cancel: for all
+   n <= 0, and for n > 0 if c^2 <= (1 - n) s^2. */
 VM_API vm_real vmi_Pi_complement(vm_real s, vm_real c, vm_real n, vm_real m1, int *exact)
 {
     const vm_real cc = c * c, ss = s * s, d = cc + m1 * ss, share = m1 / (1 - n);
@@ -239,8 +243,8 @@ VM_API vm_real vmi_Pi_complement(vm_real s, vm_real c, vm_real n, vm_real m1, in
     return c * (rf - third) / (1 - n);
 }
 
-/* Pi(n; phi | m), where m and m1 = 1 - m are given both. Between pi/2 and pi a difference 2 Pi(n | m) - Pi(theta)
-   would triple the errors, so that the complement is added to Pi(n | m) instead. */
+/* Pi(n; phi | m), from both m and m1 = 1 - m. For phi between pi/2 and pi, the difference 2 Pi(n | m) - Pi(n;
+   pi - phi | m) would triple the errors. Therefore the result of vmi_Pi_complement is added to Pi(n | m) there. */
 VM_API vm_real vmi_Pi_incomplete(vm_real phi, vm_real n, vm_real m, vm_real m1)
 {
     vmi_angle angle;
@@ -266,10 +270,10 @@ VM_API vm_real vmi_Pi_incomplete(vm_real phi, vm_real n, vm_real m, vm_real m1)
 
 /* Pi(n; phi | m), the incomplete elliptic integral of the third kind, for m <= 1. The characteristic n is any number.
    Pi is odd in phi, and Pi(phi + pi) = Pi(phi) + 2 Pi(n | m). The error is at most 8 ulp for n <= 1 and |phi| <= 1e9
-   (float 1e4), unless (1 - m)/(1 - n) underflows. For n > 1 it has poles where n sin^2 phi = 1, and is Cauchy's
-   principal value beyond; its error is then at most 16 eps of the larger of |F| and |Pi|, plus the change that 4 ulp
-   of n make. The limits at infinity are 0 for infinite n and for m = -infinity; NaN for m > 1. docs/cost.md has the
-   time. DLMF 19.2.7. */
+   (float 1e4), unless (1 - m)/(1 - n) underflows. For n > 1 Pi has poles where n sin^2 phi = 1, and is Cauchy's
+   principal value beyond; the error is then at most 16 eps of the larger of |F| and |Pi|, plus the change that 4 ulp of
+   n make. The result is 0 for infinite n and for m = -infinity, and NaN for m > 1. docs/cost.md has the time. DLMF
+   19.2.7. */
 VM_API vm_real jacobi_Pi_incomplete(vm_real phi, vm_real n, vm_real m)
 {
     return vmi_Pi_incomplete(phi, n, m, 1 - m);

@@ -88,9 +88,9 @@ VM_API vm_real vmi_E_rest(vm_real c, vm_real l)
     return c * (l * A - B);
 }
 
-/* Returns the series S(x) in K = pi/(1 + k') (1 + x S(x)), for x = ((1 - k')/(1 + k'))^2 <= 0.0295. The error of x S is
-   2^-60 (float 2^-31). A step of the arithmetic-geometric mean replaces k' by 2 sqrt(k')/(1 + k'). One such step makes
-   x small enough for every m1 for which VMI_MIDDLE(m1) is 1. */
+/* Returns S(x), the power series for which K = pi/(1 + k') (1 + x S(x)) with x = ((1 - k')/(1 + k'))^2, for
+   x <= 0.0295. The error of x S is 2^-60 (float 2^-31). x is made this small by a step of the arithmetic-geometric
+   mean, which replaces k' by 2 sqrt(k')/(1 + k'). One step is enough for every m1 for which VMI_MIDDLE(m1) is 1. */
 VM_API vm_real vmi_K_series(vm_real x)
 {
 #if VM_MANT_DIG > 24
@@ -104,8 +104,8 @@ VM_API vm_real vmi_K_series(vm_real x)
 #endif
 }
 
-/* Returns x S(x), where E = (pi/4) (1 + k') (1 + x S(x)), for x = ((1 - k')/(1 + k'))^2 <= 0.503. The error is
-   2^-58.7 (float 2^-32.5). */
+/* Returns x S(x) for x = ((1 - k')/(1 + k'))^2 <= 0.503, where S is the power series for which E = (pi/4) (1 + k')
+   (1 + x S(x)); it is not the series of K. The error is 2^-58.7 (float 2^-32.5). */
 VM_API vm_real vmi_E_series(vm_real x)
 {
     const vm_real xx = x * x, x4 = xx * xx;
@@ -128,8 +128,9 @@ VM_API vm_real vmi_E_series(vm_real x)
 }
 
 /* Returns K for 1 - m = m1 + m1_lo. Where VMI_MIDDLE(m1) is 1, K comes from two steps of the arithmetic-geometric mean
-   and the series: K = 2 pi (1 + x S)/(1 + f)^2 with f^2 = k' and x = ((1 - f)/(1 + f))^4. For m > 0.971 K comes from
-   logarithms (vmi_K_by_log), and for m < -33.5 too, since k' K(m) = K(mu) with 1 - mu = 1/(1 - m). */
+   and the series S(x) of vmi_K_series: K = 2 pi (1 + x S)/(1 + f)^2 with f^2 = k' and x = ((1 - f)/(1 + f))^4. For
+   m > 0.971 K comes from logarithms (vmi_K_by_log), and so it does for m < -33.5, since k' K(m) = K(mu) for the
+   parameter mu with 1 - mu = 1/(1 - m). */
 VM_API vm_real vmi_K(vm_real m1, vm_real m1_lo)
 {
     vm_two K, root;
@@ -152,7 +153,7 @@ VM_API vm_real vmi_K(vm_real m1, vm_real m1_lo)
 }
 
 /* Returns E for 1 - m = m1 + m1_lo. Where VMI_MIDDLE(m1) is 1, E comes from vmi_E_series, for m > 0.971 from
-   vmi_E_rest, and for m < -33.5 from E(m) = k' E(mu) with 1 - mu = 1/(1 - m). */
+   vmi_E_rest, and for m < -33.5 from E(m) = k' E(mu) for the parameter mu with 1 - mu = 1/(1 - m). */
 VM_API vm_real vmi_E(vm_real m1, vm_real m1_lo)
 {
     vm_two root;
@@ -161,7 +162,7 @@ VM_API vm_real vmi_E(vm_real m1, vm_real m1_lo)
         const vmi_three half_pi = vmi_half_pi();
         const vm_real kp = VM_SQRT(m1), k1 = (1 - kp) / (1 + kp);
         const vm_two sum = vmi_two_sum(1, kp);
-        const vm_real kp_lo = m1_lo * VM_C(0.09); /* low word of k', m1_lo/(2 k') for m < -15; else negligible */
+        const vm_real kp_lo = m1_lo * VM_C(0.09); /* low word of k': m1_lo/(2 k') for m < -15; for other m negligible */
         const vm_real more = (sum.lo + kp_lo) + sum.hi * vmi_E_series(k1 * k1);
         return half_pi.hi / 2 * sum.hi + (half_pi.hi / 2 * more + half_pi.mid / 2 * sum.hi);
     }

@@ -1,8 +1,8 @@
 /* jacobi/inverse.h - the inverses of sn, cn and dn
 
-   Each returns the u that is nearest to 0 among those at which the function has the value x, for cn and dn the positive
-   one. The other solutions follow from the period 4 K and the symmetries. The inverse of the amplitude is F(phi | m),
-   which jacobi_F computes.
+   Each function returns a solution u of sn(u | m) = x, cn(u | m) = x or dn(u | m) = x: the one that is nearest to 0,
+   and for cn and dn, whose solutions are pairs u, -u, the positive one of these two. All other solutions follow from
+   the period 4 K and the symmetries. The inverse of the amplitude is F(phi | m), which jacobi_F computes.
 
        vm_real u = jacobi_inverse_cn(VM_C(0.3), VM_C(0.5)); // cn(u | 0.5) = 0.3
 
@@ -62,8 +62,9 @@ VM_API vm_real jacobi_inverse_cn(vm_real x, vm_real m)
    Domain and accuracy are those of jacobi_inverse_cn; m1 keeps its digits where m is close to 1. */
 VM_API vm_real jacobi_inverse_cn_m1(vm_real x, vm_real m1) { return vmi_inverse_cn(x, m1, 0); }
 
-/* The inverse of dn for 1 - m = m1 + m1_lo. With s = sn u and c = cn u, m s^2 is 1 - x^2 and m c^2 is x^2 - m1. The
-   latter is formed from the exact square of x. It may be negative if x is k' after rounding; then c is taken as 0. */
+/* The inverse of dn for 1 - m = m1 + m1_lo. With s = sn u and c = cn u, m s^2 is 1 - x^2 and m c^2 is x^2 - m1.
+   x^2 - m1 is computed from the exact square of x. It may be negative if x is k' after rounding; then c is taken as
+   0. */
 VM_API vm_real vmi_inverse_dn(vm_real x, vm_real m, vm_real m1, vm_real m1_lo)
 {
     const vm_real bound = VM_SQRT(m1);

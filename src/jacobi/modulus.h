@@ -1,12 +1,13 @@
 /* jacobi/modulus.h - the parameter m from the quarter period
 
    The functions solve K(m) = c and k' K(m) = c for m. The second equation is (307), which gives the Jacobi function
-   whose period is that of a strongly nonlinear oscillator. Each equation has one solution for every c > 0.
+   whose period is that of a strongly nonlinear oscillator. Each equation has one solution for every c > 0. The nome of
+   a parameter m is q = exp(-pi K(1 - m)/K(m)).
 
        vm_real m = jacobi_solve_kpK(VM_C(1.2)); // sqrt(1 - m) K(m) = 1.2
 
-   Method: Newton's method for the logarithm of the nome; for c between K(-1) and K(1/2) a fixed-point iteration for
-   the nome itself. Tests: tests/test_jacobi.c. */
+   Method: for c between K(-1) and K(1/2) a fixed-point iteration finds the nome of m or of m/(m - 1); for other c
+   Newton's method finds the logarithm of another nome (see vmi_solution). Tests: tests/test_jacobi.c. */
 #ifndef VARMASS_JACOBI_MODULUS_H
 #define VARMASS_JACOBI_MODULUS_H
 
@@ -16,7 +17,7 @@
 #include "../base/words.h"
 
 /* Returns (1 - R)/q for |q| <= 0.1, where m = 16 q R is the parameter with the nome q, and
-   R = (theta_2(q)/(2 q^(1/4) theta_3(q)))^4. No digits are lost for small q. Method: for
+   R = (theta_2(q)/(2 q^(1/4) theta_3(q)))^4. No digits are lost for small q. Method: for the number
    b = R^(1/4) = (1 + q^2 + q^6 + q^12)/theta_3 the quotient (1 - b)/q is
    (2 - q + 2 q^3 - q^5 + 2 q^8 - q^11)/theta_3. */
 VM_API vm_real vmi_theta_loss(vm_real q)
@@ -50,9 +51,9 @@ VM_API vm_real vmi_solve_middle(vm_real c)
 /* After a step of Newton's method that is shorter than this number, the error is below eps. */
 #define VMI_SMALL_STEP (VM_MANT_DIG > 24 ? VM_C(1e-9) : VM_C(2e-5))
 
-/* Finds s->L = -ln q from K = L theta_3(q)^2/2 = c, for c >= K(1/2). The unknown of Newton's method is
-   lambda = 2c - L = 2c (1 - theta_3^-2), between 0 and 0.57. The method starts at lambda = 0 and needs at most seven
-   steps. */
+/* Finds s->L = -ln q for c >= K(1/2) from L theta_3(q)^2/2 = c. The left side is K(m) if q is the nome of 1 - m, and k'
+   K(m) if q is the nome of 1/(1 - m). The unknown of Newton's method is lambda = 2c - L = 2c (1 - theta_3^-2), between
+   0 and 0.57. The method starts at lambda = 0 and needs at most seven steps. */
 VM_API void vmi_solve_high(vm_real c, vmi_solution *s)
 {
     vm_real lambda = 0, step = 1;
@@ -75,10 +76,11 @@ VM_API vm_real vmi_small_log(vm_real x)
     return x - x * x * (VM_C(0.5) - x * (VM_C(0.3333333333333333333) - x * (VM_C(0.25) - x * VM_C(0.2))));
 }
 
-/* Finds s->L = -ln q from k' K = 2 L sqrt(q) (1 + q^2 + q^6)^2 = c, for 0 < c <= K(-1). Newton's method solves
+/* Finds s->L = -ln q for 0 < c <= K(-1) from 2 L sqrt(q) (1 + q^2 + q^6)^2 = c. The left side is k' K(m) if q is the
+   nome of 1 - m, and K(m) if q is the nome of 1/(1 - m). Newton's method solves
      L/2 - ln L - 2 ln(1 + q^2 + q^6) = ln(2/c),
    whose left side is a convex, rising function of L. The method starts above the solution and needs at most seven
-   steps. The residual is computed in two words. */
+   steps. The difference of the two sides is computed in two words. */
 VM_API void vmi_solve_low(vm_real c, vmi_solution *s)
 {
     const vm_two ln_c = vmi_log(c), ln2 = vmi_log(2);
@@ -121,8 +123,8 @@ VM_API vmi_solution vmi_solve_parameter(vm_real c, int inverse_of_K)
     return s;
 }
 
-/* Returns 1 - m of the solution. 16 q and 1/(16 q) are computed as exponentials of -L, since q may underflow where
-   16 q does not. */
+/* Returns 1 - m of the solution. 16 q and 1/(16 q) are computed as exp(ln 16 - L) and exp(L - ln 16), since q may
+   underflow where 16 q does not. */
 VM_API vm_real vmi_solution_m1(const vmi_solution *s)
 {
     const vm_two ln2 = vmi_log(2);

@@ -249,9 +249,10 @@ typedef struct VM_TAG(vmi_period) {
     vm_real head, middle, low, rough;
 } vmi_period;
 
-/* The number of digits of k' that are cut off to make t short, and numbers that round a sum by being added and
-   subtracted: t^2 to a multiple of 2^-21, c_1 to a multiple of 2^-16 (float c_0 to one of 2^-9), and the sum of c_1 t,
-   c_2 t^2, ... to a multiple of 2^-36 (float 2^-14) */
+/* VMI_PERIOD_CUT is the number of last digits of k' that are cut off to make t short. Each of the other numbers rounds
+   a sum by being added to it and subtracted again: VMI_SQUARE_GRID rounds t^2 to a multiple of 2^-21, VMI_SLOPE_GRID
+   c_1 to one of 2^-16, VMI_MIDDLE_GRID the sum of c_1 t, c_2 t^2, ... to one of 2^-36 (float 2^-14), and VMI_HEAD_GRID,
+   in float only, c_0 to one of 2^-9. */
 #if VM_MANT_DIG > 24
 #define VMI_PERIOD_CUT 34
 #define VMI_SQUARE_GRID VM_C(3221225472.0)
@@ -265,10 +266,11 @@ typedef struct VM_TAG(vmi_period) {
 
 /* Returns K for 1 - m = m1 + m1_lo, where kp is k' in one word and VMI_IN_PERIOD_TABLE(kp) is 1. The relative error is
    below 2^-71 (float 2^-36).
-   Method: t = head + tail, where head has at most 14 digits (float 10). The products b1, b2, ... of the heads of c_1,
-   c_2, ... and the powers of head are exact, and so is the sum from which K.middle is subtracted. All other terms are
-   so small that one word holds them. The variable t has one word and misses kp_lo, the low word of k'. It is added in
-   `tail`; the terms with t^4 and t^5 (float t^3 and t^4) take it into account by their derivative. */
+   Method: t is the sum of head, which has at most 14 digits (float 10), and a tail. The products b1, b2, ... of the
+   heads of c_1, c_2, ... and the powers of head are exact, and so are the sums in which K.middle is subtracted. All
+   other terms are so small that one word holds them. The variable t has one word and misses kp_lo, the low word of k'.
+   The tail contains kp_lo; in the terms with t^4 and t^5 (float t^3 and t^4) it counts by their derivatives with
+   respect to t. */
 VM_INLINE vmi_period vmi_period_by_table(vm_real m1, vm_real m1_lo, vm_real kp)
 {
     const vmi_bits bits = vmi_to_bits(kp), half = (vmi_bits)1 << (VMI_STORED_DIG - 4);

@@ -23,13 +23,13 @@
 #include "reduction.h"
 #include "theta.h"
 
-/* One parameter m, prepared by jacobi_plan_init. Fields that the form (the method for this m) does not use are 0. */
+/* One parameter m, prepared by jacobi_plan_init. `form` is the method for this m; fields that it does not use are 0. */
 typedef struct VM_TAG(jacobi_plan) {
     int form;            /* method: VMI_NEAR_FORM uses a and b; VMI_HYPERBOLIC and VMI_RECIPROCAL use theta */
     vm_real m1;          /* complementary parameter 1 - m */
     vm_real K[4], per_K; /* K: quarter period as a sum, see vmi_pieces; per_K: 1/K, or 0 for m = 1 */
     vm_real a[VMI_TERMS], b[VMI_TERMS]; /* coefficients of two polynomials in v^2, for the reduced argument v */
-    vmi_theta_form theta;               /* its field kp = k' is set in every form */
+    vmi_theta_form theta;               /* its field kp = k' is set for every method */
 } jacobi_plan;
 
 /* The polynomial 1 + c[0] y + c[1] y^2 + ... with VMI_TERMS coefficients c */
@@ -57,9 +57,9 @@ VM_API void vmi_shorten(vm_real *c)
     for (n = VMI_MORE_TERMS; n > VMI_TERMS; n--) vmi_remove_highest(c, n, 1);
 }
 
-/* Computes the coefficients p->a of w^2 cs^2(w) and p->b of -theta^2 d(cs^2)/d theta in powers of v^2, where
-   cs = cn/sn, w = v/2 and theta = w^2, for arguments |v| <= longest. The constant coefficients are 1 and are not
-   stored. */
+/* Computes p->a and p->b, the coefficients of two power series in v^2: p->a of w^2 cs^2(w) and p->b of -w^4
+   d(cs^2)/d(w^2), where cs = cn/sn and w = v/2, for arguments |v| <= longest. The constant coefficients are 1 and are
+   not stored. */
 VM_API void vmi_plan_prepare(jacobi_plan *p, vm_real longest)
 {
     const vm_real theta = longest * longest / 4;
@@ -119,7 +119,7 @@ VM_API int jacobi_plan_init(jacobi_plan *p, vm_real m)
 VM_API int jacobi_plan_init_m1(jacobi_plan *p, vm_real m1) { return vmi_plan_init(p, m1 + 0, 0); } /* 0 for -0 */
 
 /* The theta functions near 0, from the plan's two polynomials at w = v/2 and one duplication, which leads from w to v
-   (compare vmi_theta_near). theta_s is v times the polynomial p->b, since the derivative of sc^2 is 2 sc nc dc. */
+   (compare vmi_theta_near). theta_s is v times the polynomial p->b, since d(sc^2)/dw = 2 sc nc dc. */
 VM_INLINE vmi_thetas vmi_plan_near(const jacobi_plan *p, vm_real v)
 {
     vmi_thetas theta;

@@ -18,7 +18,7 @@
 #include "period_table.h"
 #include "theta.h"
 
-/* The product of a piece of K (see vmi_pieces) and a whole number below this limit (2^30, float 2^13) is exact. */
+/* The product of a piece of K (see vmi_pieces) and a whole number below this limit, 2^30 (float 2^13), is exact. */
 #define VMI_EXACT_QUARTERS (VM_MANT_DIG > 24 ? VM_C(1073741824.0) : VM_C(8192.0))
 
 /* Writes K to `piece` as a sum of three short numbers, the pieces, and a last word. The pieces are so short that their
@@ -65,8 +65,8 @@ VM_INLINE vmi_three vmi_reduce_pieces(vm_real u, const vm_real *K, vm_real per_K
 /* Returns u minus a multiple j K, for 0 < u < 2.5 K, where VMI_MIDDLE(m1) must be 1; kp is k'. The last bits of
    *quarters become those of j. The relative error of the result is at most about eps. A result below u/64 would
    lose digits: then the function returns NaN, and u must be reduced by vmi_reduce_long.
-   Method: after two steps of the arithmetic-geometric mean the phase u (1 + f)^2 with f^2 = k' has the quarter period
-   2 pi (1 + x S), where x S is small. The first halves (heads) of k' and f are multiples of 2^-23 and 2^-24 (float
+   Method: K (1 + f)^2 = 2 pi (1 + x S) with f^2 = k', where x S is small (vmi_K). So a multiple of 2 pi (1 + x S) is
+   subtracted from the phase u (1 + f)^2. The first halves (heads) of k' and f are multiples of 2^-23 and 2^-24 (float
    2^-8, 2^-9), so that the squares of these heads, the number (1 + f)^2 formed from them, and its product with the head
    of u are exact. */
 VMI_APART vm_real vmi_reduce_short(vm_real u, vm_real m1, vm_real m1_lo, vm_real kp, vmi_bits *quarters)
@@ -131,9 +131,9 @@ VMI_APART vm_two vmi_reduce_long(vm_real u, vm_real m1, vm_real m1_lo, vmi_bits 
 
 /* Returns u minus the nearest multiple j K, for 0 <= u < VMI_TABLE_REACH and a k' = kp for which VMI_IN_PERIOD_TABLE is
    1. The last bits of *quarters become those of j. K has a relative error below 2^-71 (float 2^-36), so that the result
-   is within half an ulp plus 2^-71 u (float 2^-36 u). Where this is too much next to a multiple of K, the result is
-   NaN, and u must be reduced by vmi_reduce_long. It is not NaN for j >= 128, since there only the absolute error
-   counts. */
+   is within half an ulp plus 2^-71 u (float 2^-36 u). Where this error is too large, next to a multiple of K, the
+   result is NaN, and u must be reduced by vmi_reduce_long. It is not NaN for j >= 128, since there only the absolute
+   error counts. */
 VMI_APART vm_real vmi_reduce_by_table(vm_real u, vm_real m1, vm_real m1_lo, vm_real kp, vmi_bits *quarters)
 {
     const vm_real closest = VM_MANT_DIG > 24 ? VM_C(1048576.0) : VM_C(1024.0);

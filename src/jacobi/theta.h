@@ -54,7 +54,8 @@ VM_INLINE void vmi_laurent(vm_real theta, vm_real m1_theta, vm_real *c)
 }
 
 /* The theta functions near 0, from the series at w = v/4 to the ninth term (float: the fifth) and two duplications.
-   Only theta.c and f are computed by subtractions, and both are far from 0. For b/a = sc^2(w), sc = sn/cn, at 2w
+   Only theta.c and f are computed by subtractions, and both are far from 0. A duplication leads from w to 2w: if a and
+   b are numbers with b/a = sc^2(w), where sc = sn/cn, then
      sc^2(2w) = 4 a b (a + b)(a + m1 b)/(a^2 - m1 b^2)^2,
      s : c : d : n = 2 sqrt(a b (a + b)(a + m1 b)) : a^2 - m1 b^2 : a^2 + 2 m1 a b + m1 b^2 : a^2 + 2 a b + m1 b^2. */
 VM_INLINE vmi_thetas vmi_theta_near(vm_real v, vm_real m1)
@@ -78,7 +79,7 @@ VM_INLINE vmi_thetas vmi_theta_near(vm_real v, vm_real m1)
 #endif
     a = 1 + ((c[1] + (c[2] + c[3])) + more);
     f = a * a - r * w2;
-    g = a * ((a + w2) * (a + r)); /* now sc^2(2w) = 4 w^2 g/f^2, which is called b/a below */
+    g = a * ((a + w2) * (a + r)); /* now sc^2(2w) = 4 w^2 g/f^2; below it is called b/a */
     b = 4 * w2 * g;
     s = 4 * r * g;
     a = f * f;
@@ -96,11 +97,12 @@ VM_INLINE vmi_thetas vmi_theta_near(vm_real v, vm_real m1)
      For m near 1 (the hyperbolic form), c = 1 - m and z = u agm(1, k).
      For m < -20 (the reciprocal form), c = 1/(1 - m) and z = k' u agm(1, k), since sn(u | m) = sd(k' u | m/(m - 1))/k'.
    In both forms c <= 0.05. With X = q cosh 2z, which is at most sqrt(q)/2 = 0.03,
-     theta_1, theta_2 ~ sinh z (P - Q), cosh z (P + Q),  P = f0 + f2 X^2,  Q = f1 X,
-     theta_3, theta_4 = E + O, E - O,                    E = 1 + (g1 X^2 - g0),  O = 2 X.
-   The terms that are left out are below 1e-18. The coefficients f contain the factor by which theta_d and theta_n must
-   differ, so that f0 is near 1/2. The factors `scale` are near 1, but in the reciprocal form that of theta_s contains
-   1/k'. x is the parameter after one step of the arithmetic-geometric mean from 1 and k. */
+     theta_1, theta_2 ~ 2 sinh z (P - Q), 2 cosh z (P + Q),  P = f0 + f2 X^2,  Q = f1 X,
+     theta_3, theta_4 = E + O, E - O,                        E = 1 + (g1 X^2 - g0),  O = 2 X.
+   f0, f1, f2 and g0, g1 are the fields f and g. The terms that are left out are below 1e-18. f contains the constant
+   factor that makes theta_d/theta_n = dn, so that f0 is near 1/2. The factors `scale` of theta_s and theta_c are near
+   1, but in the reciprocal form that of theta_s contains 1/k'. x is the parameter after one step of the
+   arithmetic-geometric mean from 1 and k. */
 VM_API void vmi_far_prepare(vmi_theta_form *t, vm_real m1, vm_real m1_lo)
 {
     const vm_real c = vmi_smaller(m1, 1 / m1), root = VM_SQRT(1 - c), fourth = VM_SQRT(root);
@@ -132,8 +134,8 @@ VM_API void vmi_far_prepare(vmi_theta_form *t, vm_real m1, vm_real m1_lo)
 /* For m = 1 a larger argument is replaced by this number, since tanh then rounds to 1 and 1/cosh to 0. */
 #define VMI_LONGEST (VM_MANT_DIG > 24 ? VM_C(1400.0) : VM_C(190.0))
 
-/* The theta functions far from 0, for |argument| <= VMI_LONGEST. All four are multiplied by 2 exp(-z), so that sinh z
-   becomes 1 - exp(-2z) and cosh z becomes 1 + exp(-2z). */
+/* The theta functions far from 0, for |argument| <= VMI_LONGEST. All four are multiplied by exp(-z), so that 2 sinh z
+   becomes 1 - exp(-2z) and 2 cosh z becomes 1 + exp(-2z). */
 VM_INLINE vmi_thetas vmi_theta_far(const vmi_theta_form *t, int reciprocal, vm_two argument)
 {
     vmi_thetas theta;
@@ -177,7 +179,7 @@ VMI_APART vmi_thetas vmi_theta_far_unprepared(vm_two v, vm_real m1, vm_real m1_l
 }
 
 /* The theta functions at an argument that is larger by the given number of quarter periods. One quarter period turns s,
-   c, d, n into c, -k's, k'n, d; two quarter periods change the signs of s and c. Products with 0, 1 and -1 replace a
+   c, d, n into c, -k' s, k' n, d; two quarter periods change the signs of s and c. Products with 0, 1 and -1 replace a
    branch, which would be mispredicted half the time. */
 VM_INLINE vmi_thetas vmi_theta_shift(vmi_thetas theta, vm_real kp, vmi_bits quarters)
 {

@@ -17,7 +17,7 @@
 
 /* Carlson's symmetric integral R_F(x, y, z) in two words, for x, y, z >= 0 of which at most one is 0. The arguments
    are brought together by duplications, usually 7, until the series in their differences (DLMF 19.36.1) has an error
-   of 2^-(2p - 4). An argument that is 2^-n times the largest needs log2(n) duplications more. */
+   of 2^-(2p - 4). If an argument is 2^-n times the largest one, log2(n) more duplications are needed. */
 VM_API vm_two vmi_carlson_rf(vm_two x, vm_two y, vm_two z)
 {
     const vm_real enough = VM_SQRT(VM_SQRT(VM_EPSILON));
@@ -49,7 +49,7 @@ VM_API vm_two vmi_carlson_rf(vm_two x, vm_two y, vm_two z)
     return vmi_two_over(sum, vmi_two_root(A));
 }
 
-/* The complete integral of the third kind, Pi(-N | m), as its quotient with K(m) */
+/* The complete integral of the third kind, Pi(-N | m), divided by K(m) */
 typedef struct VM_TAG(vmi_third_kind) {
     vm_two mean;  /* agm(1, k') = pi/(2K) */
     vm_two ratio; /* Pi(-N | m)/K(m) */
@@ -57,18 +57,18 @@ typedef struct VM_TAG(vmi_third_kind) {
 } vmi_third_kind;
 
 /* The complete integral of the third kind for m1 = 1 - m > 0 and N >= 0, where share = N/(1 + N) and
-   below = 1/(1 + N). With p = sqrt(1 + N) and the numbers a, g of the arithmetic-geometric mean (DLMF 19.8.6-7),
-   starting with Q = 1, each step is
-     e = (p^2 - a g)/(p^2 + a g),  p+ = (p^2 + a g)/(2p),  Q+ = Q e/2,  1 - Pi/K = share sum Q/2.
-   Since sum Q = 2 - sum Q (1 - e), both ratio = Pi/K and rest = 1 - Pi/K are sums of positive terms. Therefore they are
-   accurate for any N. */
+   below = 1/(1 + N). It begins with p = sqrt(1 + N), Q = 1 and the numbers a = 1, g = k' of the arithmetic-geometric
+   mean (DLMF 19.8.6-7). Each step replaces p and Q by p+ and Q+:
+     e = (p^2 - a g)/(p^2 + a g),  p+ = (p^2 + a g)/(2p),  Q+ = Q e/2.
+   1 - Pi/K is share/2 times the sum of all Q. Since this sum is 2 minus the sum of all Q (1 - e), both ratio = Pi/K and
+   rest = 1 - Pi/K are sums of positive terms. Therefore they are accurate for any N. */
 VM_API vmi_third_kind vmi_third_kind_ladder(vm_two m1, vm_two share, vm_two below)
 {
     vm_two a = vmi_two(1, 0), g = vmi_two_root(m1), p = vmi_two_root(vmi_two_over(a, below)), Q = a, ag, pp, above;
     vm_two sum = vmi_two(0, 0), less = sum;
     vmi_third_kind result;
     int step;
-    for (step = 0; step < 200; step++) { /* 5 to 10 steps, and one for each binary digit of sqrt(1 + N) */
+    for (step = 0; step < 200; step++) { /* 5 to 10 steps, plus one for each binary digit of sqrt(1 + N) */
         const vm_real apart = VM_FABS(a.hi - g.hi);
         ag = vmi_two_times(a, g);
         pp = vmi_two_times(p, p);
@@ -88,7 +88,7 @@ VM_API vmi_third_kind vmi_third_kind_ladder(vm_two m1, vm_two share, vm_two belo
     return result;
 }
 
-/* The sine and the cosine of the angle of x turns, 2 pi x, for |x| < 2^13 */
+/* The sine and the cosine of an angle of x turns, that is of 2 pi x, for |x| < 2^13 */
 VM_API void vmi_sincos_turns(vm_real x, vm_real *sine, vm_real *cosine)
 {
     const vmi_three half_pi = vmi_half_pi();
@@ -108,9 +108,9 @@ VM_API void vmi_sincos_turns(vm_real x, vm_real *sine, vm_real *cosine)
     if (quarter == 1 || quarter == 2) *cosine = -*cosine;
 }
 
-/* The complex number theta_4(z + i zy), up to a real factor. z is pi u/(2K), and zy is pi y/(2K) with 0 <= y < K',
-   where K' is K(1 - m). The nome is Q = q^2 (doubled lattice), where q is the nome of m. The angle of this number is
-   the periodic part of the angle by which a torque-free body turns. There are two forms.
+/* The complex number theta_4(z + i zy), up to a real factor. Its angle is the periodic part of the angle by which a
+   torque-free body turns. z is pi u/(2K), and zy is pi y/(2K) with 0 <= y < K', where K' is K(1 - m). The nome is
+   Q = q^2 (doubled lattice), where q is the nome of m. There are two forms of the series.
    The direct form is used for K <= 2K', so that Q <= exp(-pi):
      1 + sum over n >= 1 of (-1)^n (C_n cos 2nz - i S_n sin 2nz),
      C_n, S_n = e^(-(pi n/K)(2nK' - y)) +- e^(-(pi n/K)(2nK' + y)), with + for C_n and - for S_n.

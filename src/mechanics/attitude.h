@@ -1,15 +1,29 @@
-/* mechanics/attitude.h - how the attitude of a rotating body changes
+/* mechanics/attitude.h - attitudes: vectors in body axes and inertial axes, rotation matrices, Rodrigues parameters
+   The attitude of a body is a quaternion q = w + x i + y j + z k that turns body axes into inertial axes: a vector with
+   the components a along the body's axes has the components q a q* along inertial axes. w is the cosine of half the
+   angle of the rotation, (x, y, z) its axis times the sine of half the angle (Hamilton's quaternions, right-handed).
+   q and -q are the same attitude. The length of q does not matter; four zeros stand for the identity. This chapter
+   computes
+     - the components of a vector along inertial axes from those along body axes, and back,
+     - the rotation matrix of q, which consists of the direction cosines of the axes, and q from this matrix,
+     - the modified Rodrigues parameters of q, and q from them.
+   Euler's angles are in the chapter mechanics/euler_angles.
 
-       vm_quat q = {1, 0, 0, 0};  // the attitude: body axes are inertial axes
-       vm_vec3 omega = {0, 0, 2}; // 2 rad/s about the third axis
-       vm_real rates[4];          // w', x', y', z' of q, the derivatives with respect to time
-       vmi_attitude_rates(q, vmi_quat_square(q), omega, rates);
+       vm_quat q = {1, 0, 0, 1};                    // the body is turned by 90 degrees about z
+       vm_vec3 forward = {1, 0, 0};                 // along the body's first axis
+       vm_vec3 direction = vm_rotate(q, forward);   // (0, 1, 0), in inertial axes
+       vm_vec3 back = vm_rotate_back(q, direction); // (1, 0, 0), in body axes
 
-   Tests: tests/test_flow.c, tests/test_scene_bodies.c. */
+   Source: M. D. Shuster, A survey of attitude representations, J. Astronautical Sciences 41 (1993); his q has the
+   opposite rotation, from inertial to body axes. Tests: tests/test_attitude.c, tests/test_flow.c. */
 #ifndef VARMASS_MECHANICS_ATTITUDE_H
 #define VARMASS_MECHANICS_ATTITUDE_H
 
+#include "../base/arrays.h"
+#include "../base/bits.h"
 #include "../base/real.h"
+#include "../base/status.h"
+#include "../base/words.h"
 #include "vectors.h"
 
 /* Writes the time derivatives of w, x, y, z of the quaternion q to rates. q is the attitude of a body with the angular
@@ -18,12 +32,123 @@
    slowly than the body rotates, so that it does not make the equations of a slow rotation stiff. */
 VM_INLINE void vmi_attitude_rates(vm_quat q, vm_real square, vm_vec3 omega, vm_real *rates)
 {
-    const vm_real back = VM_SQRT(vmi_dot(omega, omega)) * (1 - square) / 8;
+    const vm_real back = VM_SQRT(vm_dot(omega, omega)) * (1 - square) / 8;
     const vm_real x = omega.x / 2, y = omega.y / 2, z = omega.z / 2;
     rates[0] = back * q.w - q.x * x - q.y * y - q.z * z;
     rates[1] = back * q.x + q.w * x + q.y * z - q.z * y;
     rates[2] = back * q.y + q.w * y + q.z * x - q.x * z;
     rates[3] = back * q.z + q.w * z + q.x * y - q.y * x;
+}
+
+/* The components along inertial axes of a vector whose components along body axes are a. The error is within 6 eps |a|.
+   Numbers that are not finite give NaN. */
+VM_API vm_vec3 vm_rotate(vm_quat q, vm_vec3 a)
+{
+    const vmi_mat3 m = vmi_rotation(q);
+    if (!vmi_quat_is_finite(q) || !vmi_vec3_is_finite(a)) return vmi_vec3(VM_NAN, VM_NAN, VM_NAN);
+    return vmi_times(&m, a);
+}
+
+/* The components along body axes of a vector whose components along inertial axes are a. The error is within 6 eps |a|.
+   Numbers that are not finite give NaN. */
+VM_API vm_vec3 vm_rotate_back(vm_quat q, vm_vec3 a)
+{
+    const vmi_mat3 m = vmi_rotation(q);
+    if (!vmi_quat_is_finite(q) || !vmi_vec3_is_finite(a)) return vmi_vec3(VM_NAN, VM_NAN, VM_NAN);
+    return vmi_times_transposed(&m, a);
+}
+
+/* The rotation matrix c of an attitude, row by row. c[3 i + j] is the direction cosine of inertial axis i and body axis
+   j: c times the body components of a vector are its inertial components. The error of an entry is within 6 eps. Books
+   that mean the matrix from inertial to body axes write the columns of c as rows.
+   Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, and VM_OK otherwise. */
+VM_API int vm_quat_to_matrix(vm_quat q, vm_real c[9])
+{
+    const vmi_mat3 m = vmi_rotation(q);
+    if (!c) return VM_BAD_ARGUMENT;
+    if (!vmi_quat_is_finite(q)) return VM_NOT_FINITE;
+    vmi_set3(c, vmi_vec3(m.x.x, m.y.x, m.z.x));
+    vmi_set3(c + 3, vmi_vec3(m.x.y, m.y.y, m.z.y));
+    vmi_set3(c + 6, vmi_vec3(m.x.z, m.y.z, m.z.z));
+    return VM_OK;
+}
+
+/* How much the entries of a rotation matrix may be wrong: matrices that were printed with three digits are accepted. */
+#define VMI_MATRIX_TOLERANCE VM_C(0.0078125)
+
+/* Whether c is a rotation matrix, apart from small errors of its entries. Its columns x, y, z must have length 1, and
+   the cross product of x and y must be z. */
+VM_API int vmi_is_rotation(const vm_real *c)
+{
+    const vm_vec3 x = vmi_vec3(c[0], c[3], c[6]), y = vmi_vec3(c[1], c[4], c[7]), z = vmi_vec3(c[2], c[5], c[8]);
+    const vm_vec3 lengths = vmi_vec3(vm_dot(x, x) - 1, vm_dot(y, y) - 1, vm_dot(z, z) - 1);
+    const vm_vec3 turned = vm_sub(vm_cross(x, y), z);
+    return vmi_norm_max(lengths) <= VMI_MATRIX_TOLERANCE && vmi_norm_max(turned) <= VMI_MATRIX_TOLERANCE;
+}
+
+/* Attitude of length 1, with w >= 0, from its rotation matrix c, which vm_quat_to_matrix describes. The error is within
+   4 eps, and within 4 eps of the angle for small rotations. A c with rounding errors gives an attitude with errors of
+   their size. Method: of the four forms of the quaternion, the one whose divisor is the largest (Shepperd 1978).
+   Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_DOMAIN if c is no rotation matrix even to two digits,
+   a reflection for example, and VM_OK otherwise. */
+VM_API int vm_quat_from_matrix(const vm_real c[9], vm_quat *q)
+{
+    vm_real v[4], trace; /* v: a multiple of the quaternion w, x, y, z */
+    int i = 0, j, k;
+    if (!c || !q) return VM_BAD_ARGUMENT;
+    if (!vmi_all_finite(9, c)) return VM_NOT_FINITE;
+    if (!vmi_is_rotation(c)) return VM_DOMAIN;
+    trace = c[0] + c[4] + c[8];
+    if (c[4] > c[0]) i = 1;
+    if (c[8] > c[4 * i]) i = 2;
+    j = (i + 1) % 3;
+    k = (i + 2) % 3;
+    if (trace > c[4 * i]) {
+        v[0] = 1 + trace;
+        v[1] = c[7] - c[5];
+        v[2] = c[2] - c[6];
+        v[3] = c[3] - c[1];
+    } else {
+        v[0] = c[3 * k + j] - c[3 * j + k];
+        v[1 + i] = 1 + c[4 * i] - c[4 * j] - c[4 * k];
+        v[1 + j] = c[3 * j + i] + c[3 * i + j];
+        v[1 + k] = c[3 * k + i] + c[3 * i + k];
+    }
+    *q = vm_unit_quat(vmi_get_quat(v));
+    if (q->w < 0) *q = vmi_quat(-q->w, vm_scale(-1, vmi_quat_vector(*q)));
+    return VM_OK;
+}
+
+/* Modified Rodrigues parameters of an attitude. They are the axis of the rotation times the tangent of a quarter of its
+   angle, for that sign of q that makes w >= 0. The angle is then at most pi, and the length of the parameters p at most
+   1, apart from rounding. The other set of parameters of the same attitude (the shadow set) is -p/|p|^2. At an angle of
+   pi, where w = 0, both sets are equally long: the result is (x, y, z)/|q|. Each component is within 4 eps of itself.
+   Numbers that are not finite give NaN. */
+VM_API vm_vec3 vm_quat_to_mrp(vm_quat q)
+{
+    vm_real divisor;
+    if (!vmi_quat_is_finite(q)) return vmi_vec3(VM_NAN, VM_NAN, VM_NAN);
+    q = vmi_quat_scaled(q);
+    divisor = VM_SQRT(vmi_quat_square(q)) + VM_FABS(q.w);
+    if (q.w < 0) divisor = -divisor;
+    return vmi_over(vmi_quat_vector(q), divisor);
+}
+
+/* Attitude of length 1 from modified Rodrigues parameters p of any length. Its w is negative if |p| > 1, where the
+   angle of the rotation is above pi. Each component of the result is within 8 eps of itself: w too, next to an angle of
+   pi, because 1 - |p|^2 is computed with twice the digits. Parameters that are not finite give NaN. */
+VM_API vm_quat vm_quat_from_mrp(vm_vec3 p)
+{
+    vm_real scale = 1; /* a power of two that makes the components of a long p at most 2 */
+    vm_two w;
+    if (!vmi_vec3_is_finite(p)) return vmi_quat(VM_NAN, vmi_vec3(VM_NAN, VM_NAN, VM_NAN));
+    if (vmi_norm_max(p) > 1) scale = 1 / vmi_power_below(vmi_norm_max(p));
+    p = vm_scale(scale, p);
+    w = vmi_two_product(scale, scale);
+    w = vmi_two_minus(w, vmi_two_product(p.x, p.x));
+    w = vmi_two_minus(w, vmi_two_product(p.y, p.y));
+    w = vmi_two_minus(w, vmi_two_product(p.z, p.z));
+    return vm_unit_quat(vmi_quat(w.hi, vm_scale(2 * scale, p)));
 }
 
 #endif

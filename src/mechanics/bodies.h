@@ -77,7 +77,7 @@ VM_API vm_vec3 vmi_spin_momentum(const vm_body *body)
 VM_API vm_vec3 vm_momentum(const vm_body *body)
 {
     if (!body) return vmi_vec3(VM_NAN, VM_NAN, VM_NAN);
-    return vmi_scale(body->mass, body->v);
+    return vm_scale(body->mass, body->v);
 }
 
 /* Angular momentum of a body about the point `about` (7)-(9), N m s. It is I omega + (r - about) x M v in inertial
@@ -86,7 +86,7 @@ VM_API vm_vec3 vm_momentum(const vm_body *body)
 VM_API vm_vec3 vm_angular_momentum(const vm_body *body, vm_vec3 about)
 {
     if (!body) return vmi_vec3(VM_NAN, VM_NAN, VM_NAN);
-    return vmi_add(vmi_spin_momentum(body), vmi_cross(vmi_sub(body->r, about), vm_momentum(body)));
+    return vm_add(vmi_spin_momentum(body), vm_cross(vm_sub(body->r, about), vm_momentum(body)));
 }
 
 /* Kinetic energy of a body (93), (97), J. It is (M v.v + omega.(I omega))/2, with the mass M and the inertia I. The
@@ -94,7 +94,7 @@ VM_API vm_vec3 vm_angular_momentum(const vm_body *body, vm_vec3 about)
 VM_API vm_real vm_kinetic_energy(const vm_body *body)
 {
     if (!body) return VM_NAN;
-    return (body->mass * vmi_dot(body->v, body->v) + vmi_dot(body->omega, vmi_spin_momentum(body))) / 2;
+    return (body->mass * vm_dot(body->v, body->v) + vm_dot(body->omega, vmi_spin_momentum(body))) / 2;
 }
 
 /* ---- conversion of bodies between the plane and space ---- */
@@ -213,30 +213,30 @@ VM_API int vmi_check_bodies(const vmi_bodies *list)
 /* The moment of an impulse about the point `about`, N m s */
 VM_API vm_vec3 vmi_impulse_moment(const vm_impulse *j, vm_vec3 about)
 {
-    return vmi_add(j->couple, vmi_cross(vmi_sub(j->at, about), j->linear));
+    return vm_add(j->couple, vm_cross(vm_sub(j->at, about), j->linear));
 }
 
 /* Adds a body to a balance (sign 1) or subtracts it (sign -1). Adds the sizes of its momenta to the two scales. */
 VM_API void vmi_balance_add(vm_balance *sum, vm_real sign, const vm_body *body, vm_vec3 about)
 {
     const vm_vec3 momentum = vm_momentum(body);
-    const vm_real size = vmi_norm2(momentum);
-    sum->momentum = vmi_add(sum->momentum, vmi_scale(sign, momentum));
-    sum->angular_momentum = vmi_add(sum->angular_momentum, vmi_scale(sign, vm_angular_momentum(body, about)));
+    const vm_real size = vm_norm(momentum);
+    sum->momentum = vm_add(sum->momentum, vm_scale(sign, momentum));
+    sum->angular_momentum = vm_add(sum->angular_momentum, vm_scale(sign, vm_angular_momentum(body, about)));
     sum->momentum_scale += size;
-    sum->angular_momentum_scale += vmi_inertia_trace(&body->inertia) * vmi_norm2(body->omega) +
-                                   (vmi_norm2(body->r) + vmi_norm2(vmi_sub(body->r, about))) * size;
+    sum->angular_momentum_scale += vmi_inertia_trace(&body->inertia) * vm_norm(body->omega) +
+                                   (vm_norm(body->r) + vm_norm(vm_sub(body->r, about))) * size;
     sum->energy += sign * vm_kinetic_energy(body);
 }
 
 /* Subtracts an impulse and its moment from a balance. Their absolute values are added to the two scales. */
 VM_API void vmi_balance_take_impulse(vm_balance *sum, const vm_impulse *j, vm_vec3 about)
 {
-    sum->momentum = vmi_sub(sum->momentum, j->linear);
-    sum->angular_momentum = vmi_sub(sum->angular_momentum, vmi_impulse_moment(j, about));
-    sum->momentum_scale += vmi_norm2(j->linear);
+    sum->momentum = vm_sub(sum->momentum, j->linear);
+    sum->angular_momentum = vm_sub(sum->angular_momentum, vmi_impulse_moment(j, about));
+    sum->momentum_scale += vm_norm(j->linear);
     sum->angular_momentum_scale +=
-        vmi_norm1(j->couple) + (vmi_norm1(j->at) + vmi_norm1(vmi_sub(j->at, about))) * vmi_norm1(j->linear);
+        vmi_norm1(j->couple) + (vmi_norm1(j->at) + vmi_norm1(vm_sub(j->at, about))) * vmi_norm1(j->linear);
 }
 
 VM_API int vmi_balance_is_finite(const vm_balance *b)

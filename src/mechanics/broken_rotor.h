@@ -1,10 +1,11 @@
 /* mechanics/broken_rotor.h - a rotor from which a piece breaks off: equations of motion and the break
 
-   The rotor is a disc on a massless elastic shaft. It moves in a plane. A torque drives it, and its rotation is damped
-   viscously (chapter 3.3.2). The shaft passes through the mass centre before the break (s = 0) and at the distance s
-   from it after the break. This chapter has the equations of motion (46), (65)-(68), also in polar form (75), and the
-   break (52)-(64), corrected as in docs/errata.md. The motion of the rotor is in mechanics/broken_rotor_motion.h, and
-   the stability of the remainder's steady motion is in mechanics/broken_rotor_stability.h.
+   The rotor is a disc on a massless elastic shaft and moves in a plane. A torque drives it, and its rotation is damped
+   viscously (section 3.3.2 of the dissertation [1]). Before the break the shaft passes through the rotor's mass centre
+   (s = 0). After the break the shaft's centre is at the distance s from the mass centre of the remainder. This chapter
+   has the equations of motion (46), (65)-(68), their polar form (75), and the equations of the break (52)-(64),
+   corrected as in docs/errata.md. The motion in closed form is in mechanics/broken_rotor_motion.h, and the stability of
+   the remainder's steady motion is in mechanics/broken_rotor_stability.h.
 
        vm_broken_rotor whole = {2, 1, 20, 1, 3, 0}; // the fields in their order below
        vm_broken_rotor_piece piece = {VM_C(0.1), VM_C(0.001), VM_C(0.5), 0, VM_C(0.6), 0};
@@ -24,75 +25,82 @@
 #include "../base/real.h"
 #include "../base/status.h"
 
-/* The rotor. The formulas use the abbreviations (67): omega^2 = stiffness/mass, p^2 = mass/inertia,
-   k* = damping/inertia, M* = torque/inertia. */
+/* The rotor. The formulas use these abbreviations (67) of its fields: omega^2 = stiffness/mass, p^2 = mass/inertia,
+   k* = damping/inertia, M* = torque/inertia. A dash means the derivative with respect to time: psi' = dpsi/dt. */
 typedef struct VM_TAG(vm_broken_rotor) {
     vm_real mass;      /* mass M > 0, kg */
     vm_real inertia;   /* inertia I > 0 about the rotor's own mass centre, kg m^2 */
     vm_real stiffness; /* stiffness c >= 0 of the shaft, N/m */
     vm_real damping;   /* damping k, N m s: at the angular velocity psi' the torque -k psi' acts on the rotor */
     vm_real torque;    /* driving torque, N m */
-    vm_real s;         /* distance from the mass centre to the shaft, which lies in the direction psi, m */
+    vm_real s;         /* distance from the mass centre to the shaft's centre, m. The vector from the mass centre to
+                          the shaft's centre points in the direction of the rotor's angle psi. */
 } vm_broken_rotor;
 
 /* Indices of the states of a rotor in the array y, and the number of states */
 enum {
-    VM_BROKEN_ROTOR_X = 0,     /* position x, y of the mass centre, from the rest position of the shaft, m */
-    VM_BROKEN_ROTOR_ANGLE = 2, /* angle psi of the rotor, rad */
+    VM_BROKEN_ROTOR_X = 0,     /* position x, y of the mass centre, measured from the shaft's rest position, m */
+    VM_BROKEN_ROTOR_ANGLE = 2, /* angle psi of the rotor, counterclockwise from the x axis, rad */
     VM_BROKEN_ROTOR_V = 3,     /* velocity x', y' of the mass centre, m/s */
     VM_BROKEN_ROTOR_OMEGA = 5, /* angular velocity psi', rad/s */
     VM_BROKEN_ROTOR_STATES = 6
 };
 
-/* Indices of the states in polar form. The angle psi and its rate have the indices VM_BROKEN_ROTOR_ANGLE and
-   VM_BROKEN_ROTOR_OMEGA. */
+/* Indices of the states in polar form. The angle psi and its rate psi' have the indices VM_BROKEN_ROTOR_ANGLE and
+   VM_BROKEN_ROTOR_OMEGA in this form, too. */
 enum {
-    VM_BROKEN_ROTOR_RADIUS = 0,        /* distance r > 0 of the mass centre from the rest position of the shaft, m */
-    VM_BROKEN_ROTOR_DIRECTION = 1,     /* angle phi of the direction to the mass centre, rad */
+    VM_BROKEN_ROTOR_RADIUS = 0,        /* distance r > 0 from the shaft's rest position to the mass centre, m */
+    VM_BROKEN_ROTOR_DIRECTION = 1,     /* angle phi of the vector from this position to the mass centre, rad */
     VM_BROKEN_ROTOR_RADIUS_RATE = 3,   /* rate r' of the distance, m/s */
-    VM_BROKEN_ROTOR_DIRECTION_RATE = 4 /* rate phi' of the direction, rad/s */
+    VM_BROKEN_ROTOR_DIRECTION_RATE = 4 /* rate phi' of the angle phi, rad/s */
 };
 
-/* The piece that breaks off. S is the mass centre of the whole, S2 that of the piece, and A the point at which the
-   whole touches the stator. */
+/* The piece that breaks off. S is the mass centre of the whole rotor, S2 the mass centre of the piece, and A the point
+   at which the whole rotor touches the stator. SS2 is the vector from S to S2, and SA the vector from S to A. */
 typedef struct VM_TAG(vm_broken_rotor_piece) {
     vm_real mass;     /* mass m of the piece, kg; 0 < m < M, where M is the mass of the whole */
     vm_real inertia;  /* inertia I_S2 >= 0 of the piece about its mass centre S2, kg m^2 */
-    vm_real distance; /* distance SS2 between the mass centres S and S2, m */
-    vm_real alpha;    /* angle from SS2 to SA, counterclockwise, rad (Fig. 17) */
-    vm_real radius;   /* distance SA of the point of contact A, called R in the formulas, m */
-    vm_real contact;  /* direction angle of SA in inertial axes, rad */
+    vm_real distance; /* length of SS2, m */
+    vm_real alpha;    /* angle from SS2 counterclockwise to SA, rad (Fig. 17) */
+    vm_real radius;   /* length of SA, called R in the formulas, m */
+    vm_real contact;  /* angle from the inertial x axis counterclockwise to SA, rad */
 } vm_broken_rotor_piece;
 
-/* The break, (52)-(64) as corrected in docs/errata.md. S, S2 and A are the points of vm_broken_rotor_piece, and S1 is
-   the mass centre of the remainder. The dissertation [1] assumes in (57): the point A of the piece keeps its velocity,
-   and the component of S2's velocity perpendicular to S2A becomes zero. Everything else follows from momentum and
-   angular momentum. */
+/* The result of the break, (52)-(64) as corrected in docs/errata.md. S, S2 and A are the points of
+   vm_broken_rotor_piece, and S1 is the mass centre of the remainder. M, I_S, m, I_S2 are mass and inertia of the whole
+   and of the piece; I_S1 is the inertia of the remainder. The dissertation [1] assumes in (57) that the point A of the
+   piece keeps its velocity, and that the component of S2's velocity perpendicular to S2A becomes zero. Everything else
+   follows from the conservation of momentum and angular momentum. */
 typedef struct VM_TAG(vm_broken_rotor_break) {
     vm_broken_rotor rest; /* the remainder, with its own mass, inertia and s = m SS2/(M - m); its stiffness, damping
                              and torque are those of the whole */
-    /* The state of the remainder. Its angle psi is the direction from its mass centre S1 to the shaft, which is the
-       direction of SS2. Its angular velocity is that of the whole, Omega_b, plus spin_rest [(59), (64) corrected]. */
+    /* The state of the remainder just after the break. The remainder's angle psi is the angle of SS2, because the line
+       from S1 to the shaft's centre is parallel to SS2. Its angular velocity is spin_rest plus the angular velocity
+       Omega_b of the whole before the break [(59), (64) corrected]. */
     vm_real state[VM_BROKEN_ROTOR_STATES];
     vm_real piece[VM_BROKEN_ROTOR_STATES]; /* state of the piece; its angle psi is that of the remainder */
     vm_real dragging;                      /* speed v_S2d of S2, the piece's mass centre, before the break (52), m/s */
-    vm_real gamma;                         /* angle from SA to S2's velocity before the break (52), (60), rad; the
-                                              velocity of S is taken into account */
-    vm_real beta;                          /* angle from SA to S2A, rad [(56) corrected], from
-                                              tan beta = SS2 sin alpha/(R - SS2 cos alpha) */
-    vm_real normal;                        /* component N of S2's velocity along S2A before the break (54), m/s */
-    vm_real tangential;                    /* component T = v_S2d sin(gamma - beta) of S2's velocity before the break,
-                                              perpendicular to S2A, m/s; T > 0 is counterclockwise, unlike (55) */
-    vm_real spin_piece;                    /* Omega_r, the angular velocity of the piece relative to the whole, rad/s:
-                                              Omega_r = T/AS2 (57), (63) */
-    vm_real spin_rest;                     /* Omega_r1, angular velocity of the remainder relative to the whole, rad/s:
-                                              I_S1 Omega_r1 = m M/(M - m) SS2 x v_T - I_S2 Omega_r, where v_T
-                                              is the vector of size T perpendicular to S2A [(58) corrected] */
-    vm_real stop_inertia;                  /* the inertia I_S2 for which the remainder would stop turning, kg m^2. There
-                                              is none if the value is < 0 or not finite. For alpha = 0 it is
-                                              I_S (R - SS2)/R [after (64), corrected] */
+    vm_real gamma;                         /* angle from SA to the velocity of S2 before the break (52), (60), rad. This
+                                              velocity is the velocity of S plus Omega_b x SS2. */
+    vm_real beta;                          /* angle from SA to S2A, rad [(56) corrected], with
+                                              tan beta = SS2 sin alpha/(R - SS2 cos alpha), where
+                                              SS2 and R are the lengths `distance` and `radius` */
+    vm_real normal;                        /* component N along S2A of the velocity of S2 before the break (54), m/s */
+    vm_real tangential;                    /* component T = v_S2d sin(gamma - beta), perpendicular to S2A, of the
+                                              velocity of S2 before the break, m/s. T > 0 means counterclockwise; (55)
+                                              has the opposite sign. */
+    vm_real spin_piece;                    /* Omega_r = T/AS2 (57), (63), the angular velocity of the piece after the
+                                              break minus that of the whole before it, rad/s; AS2 is a distance */
+    vm_real spin_rest;                     /* Omega_r1, the angular velocity of the remainder after the break minus that
+                                              of the whole before it, rad/s. I_S1 Omega_r1 is m M/(M - m) times
+                                              the cross product SS2 x v_T, minus I_S2 Omega_r. v_T is the part of the
+                                              velocity of S2 perpendicular to S2A [(58) corrected]. */
+    vm_real stop_inertia;                  /* the inertia I_S2 of the piece for which the remainder would stop turning,
+                                              kg m^2. If the value is < 0 or not finite, no such inertia exists. For
+                                              alpha = 0 the value is I_S (R - SS2)/R [after (64), corrected]. */
 } vm_broken_rotor_break;
 
+/* Returns VM_OK if all fields are finite and have the signs given in vm_broken_rotor, else the error. */
 VM_API int vmi_check_broken_rotor(const vm_broken_rotor *r)
 {
     if (!VM_IS_FINITE(r->mass) || !VM_IS_FINITE(r->inertia) || !VM_IS_FINITE(r->stiffness) ||
@@ -105,15 +113,16 @@ VM_API int vmi_check_broken_rotor(const vm_broken_rotor *r)
 }
 
 /* Right-hand side of the rotor's equations of motion, (65), (66), (68), (46).
-   An ode_rhs of VM_BROKEN_ROTOR_STATES states; ctx is a vm_broken_rotor. Returns 0; or VM_BAD_ARGUMENT for a null
-   pointer, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS for a negative stiffness, or VM_BAD_INERTIA. */
+   An ode_rhs of VM_BROKEN_ROTOR_STATES states; its ctx, here `rotor`, is a vm_broken_rotor. Returns 0; or
+   VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS for a negative stiffness, or
+   VM_BAD_INERTIA. */
 VM_API int vm_broken_rotor_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
     const vm_broken_rotor *r = (const vm_broken_rotor *)rotor;
     const vm_real omega = y[VM_BROKEN_ROTOR_OMEGA];
     const int status = vmi_check_broken_rotor(r);
-    vm_real sine, cosine, fx, fy; /* fx, fy: the force (66) of the shaft, N */
+    vm_real sine, cosine, fx, fy; /* fx, fy: the force (66) of the shaft on the rotor, N */
     (void)t;
     if (status) return status;
     vmi_sincos(y[VM_BROKEN_ROTOR_ANGLE], &sine, &cosine);
@@ -129,8 +138,8 @@ VM_API int vm_broken_rotor_rhs(vm_real t, const vm_real *y, vm_real *dydt, void 
 }
 
 /* Right-hand side of the rotor's equations of motion in polar form (75).
-   An ode_rhs of VM_BROKEN_ROTOR_STATES states {r, phi, psi, r', phi', psi'}; ctx is a vm_broken_rotor. Returns a
-   status of vm_broken_rotor_rhs, or VM_DOMAIN, which ends the run, if r is not positive. */
+   An ode_rhs of VM_BROKEN_ROTOR_STATES states {r, phi, psi, r', phi', psi'}; its ctx, here `rotor`, is a
+   vm_broken_rotor. Returns a status of vm_broken_rotor_rhs; or VM_DOMAIN, which ends the run, if r is not positive. */
 VM_API int vm_broken_rotor_polar_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
@@ -184,7 +193,7 @@ VM_API int vm_broken_rotor_to_polar(const vm_real *y, vm_real *polar)
    not positive, and VM_OK otherwise. */
 VM_API int vm_broken_rotor_from_polar(const vm_real *polar, vm_real *y)
 {
-    vm_real z[VM_BROKEN_ROTOR_STATES], radius, along, across, c, s; /* velocities: along = r', across = r phi' */
+    vm_real z[VM_BROKEN_ROTOR_STATES], radius, along, across, c, s; /* along, across: the velocities r' and r phi' */
     if (!y || !polar) return VM_BAD_ARGUMENT;
     if (!vmi_all_finite(VM_BROKEN_ROTOR_STATES, polar)) return VM_NOT_FINITE;
     radius = polar[VM_BROKEN_ROTOR_RADIUS];
@@ -234,9 +243,10 @@ VM_API vmi_broken_rotor_vector vmi_broken_rotor_turned(vm_real sine, vm_real cos
     return b;
 }
 
-/* Sets `state` to the state of a body (piece or remainder) with the angle psi. Its mass centre is at (dx, dy) from S,
-   the mass centre of the whole. Its velocity (ux, uy) and its angular velocity `spin` are relative to the whole, whose
-   state is `before`. */
+/* Sets `state` to the state of the piece, or of the remainder, just after the break. The state of the whole before the
+   break is `before`. The body (piece or remainder) has the angle psi, and the vector from S, the mass centre of the
+   whole, to the body's mass centre is (dx, dy). The break changes the velocity of the body's mass centre by (ux, uy)
+   and the angular velocity by `spin`. */
 VM_API void vmi_broken_rotor_moved(const vm_real *before, vm_real psi, vm_real dx, vm_real dy, vm_real ux, vm_real uy,
                                    vm_real spin, vm_real *state)
 {
@@ -249,8 +259,8 @@ VM_API void vmi_broken_rotor_moved(const vm_real *before, vm_real psi, vm_real d
     state[VM_BROKEN_ROTOR_OMEGA] = omega + spin;
 }
 
-/* Sets mass, inertia and eccentricity s of the remainder. Returns VM_BAD_INERTIA if its inertia is negative or not
-   larger than rounding errors, else VM_OK. */
+/* Sets the fields of the remainder *rest, among them its mass, its inertia and its s. Returns VM_BAD_INERTIA if its
+   inertia is negative or not larger than rounding errors, else VM_OK. */
 VM_API int vmi_broken_rotor_rest(const vm_broken_rotor *whole, const vm_broken_rotor_piece *p, vm_broken_rotor *rest)
 {
     const vm_real lost = 8 * VM_EPSILON, left = whole->mass - p->mass, share = p->mass / left;
@@ -263,17 +273,17 @@ VM_API int vmi_broken_rotor_rest(const vm_broken_rotor *whole, const vm_broken_r
 }
 
 /* Sets the fields of *b from `dragging` to `stop_inertia`, (52)-(58), and *e, the unit vector along S2A. Returns the
-   distance AS2. S and S2 are the mass centres of the whole and of the piece, A is the point of contact. d is the vector
-   SS2, v the velocity of S and `spin` the angular velocity of the whole before the break. The x axis of all vectors is
-   along SA, and the y axis is 90 degrees counterclockwise from it. */
+   distance AS2. The points S, S2 and A are explained at vm_broken_rotor_piece. The arguments are d, the vector SS2; v,
+   the velocity of S before the break; and `spin`, the angular velocity of the whole before the break. All vectors have
+   an x axis along SA and a y axis 90 degrees counterclockwise from it. */
 VM_API vm_real vmi_broken_rotor_contact(const vm_broken_rotor *whole, const vm_broken_rotor_piece *p, vm_real spin,
                                         vmi_broken_rotor_vector d, vmi_broken_rotor_vector v,
                                         vmi_broken_rotor_vector *e, vm_broken_rotor_break *b)
 {
     const vm_real ux = v.x - spin * d.y, uy = v.y + spin * d.x; /* velocity of S2 before the break */
-    const vm_real reduced = p->mass / b->rest.mass * whole->mass;
+    const vm_real reduced = p->mass / b->rest.mass * whole->mass; /* m M/(M - m) in (58) */
     const vm_real reach_x = p->radius - d.x, reach_y = -d.y, reach = vmi_hypot(reach_x, reach_y);
-    vm_real moment; /* SS2 x v_T, where v_T is the part of S2's velocity perpendicular to S2A */
+    vm_real moment; /* cross product SS2 x v_T, where v_T is the part of S2's velocity perpendicular to S2A */
     e->x = reach_x / reach;
     e->y = reach_y / reach;
     b->dragging = vmi_hypot(ux, uy);
@@ -290,7 +300,7 @@ VM_API vm_real vmi_broken_rotor_contact(const vm_broken_rotor *whole, const vm_b
 }
 
 /* Remainder and piece of a rotor after the break, with their motions, (52)-(64) corrected.
-   `before` is the state of the whole at the break. Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE,
+   `before` is the state of the whole just before the break. Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE,
    VM_BAD_MASS if the mass of the piece is not between 0 and that of the whole, VM_BAD_STIFFNESS for a negative
    stiffness, VM_BAD_INERTIA if the inertia of the remainder is negative or not larger than rounding errors, VM_DOMAIN
    if the whole has s != 0 or if the piece's mass centre is at the point of contact A, and VM_OK otherwise. */

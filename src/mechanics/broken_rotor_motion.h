@@ -1,16 +1,16 @@
 /* mechanics/broken_rotor_motion.h - motion of the broken rotor in closed form
 
-   This chapter computes the motion at any time without an integrator. Before the break the shaft passes through the
-   mass centre, and the solution (46)-(51) is exact. After the break the linearised equations (69) hold for short times,
-   while the angle psi of the remainder is small. vm_broken_rotor_linear solves them completely.
-   vm_broken_rotor_linear_uncoupled has the solution (70)-(72) of the dissertation [1], which leaves out the term
-   s p^2 omega^2 y. For long times integrate vm_broken_rotor_rhs.
+   This chapter computes the state of the rotor after a given time without an integrator. Before the break the shaft
+   passes through the mass centre, and the solution (46)-(51) is exact (vm_broken_rotor_free_motion). After the break
+   the linearised equations (69) hold for short times, while the angle psi of the remainder is small.
+   vm_broken_rotor_linear solves these equations completely. vm_broken_rotor_linear_uncoupled has the solution (70)-(72)
+   of the dissertation [1], which leaves out the term s p^2 omega^2 y. For long times integrate vm_broken_rotor_rhs.
 
        vm_broken_rotor whole = {2, 1, 20, 1, 3, 0};
        vm_real y[VM_BROKEN_ROTOR_STATES] = {VM_C(0.01), 0, 0, 0, 0, 3};
        int status = vm_broken_rotor_free_motion(&whole, 5, y, y); // y at 5 s
 
-   The linearised equations are, with omega, p, k*, M*, s and psi as explained at vm_broken_rotor:
+   The linearised equations (69) are as follows; omega, p, k*, M*, s and psi are explained at vm_broken_rotor:
      x'' + omega^2 (x + s) = 0,  y'' + omega^2 (y + s psi) = 0,  psi'' + k* psi' = M* - s p^2 omega^2 y.
    Tests: tests/test_broken_rotor.c. */
 #ifndef VARMASS_MECHANICS_BROKEN_ROTOR_MOTION_H
@@ -28,10 +28,10 @@
 /* The coefficients (67) of the linearised equations */
 typedef struct VM_TAG(vmi_broken_rotor_linear) {
     vm_real omega, k, torque, s; /* omega, k*, M* and s, as explained at vm_broken_rotor */
-    vm_real coupling;            /* the factor s p^2 omega^2 of y in (69); 0 if this term is left out */
+    vm_real coupling;            /* s p^2 omega^2, the factor of y in the equation of psi; 0 to leave out this term */
 } vmi_broken_rotor_linear;
 
-/* Indices in z, the array of the states that the linearised equations (69) couple: y, psi and their rates */
+/* Indices in the array z. It holds y, psi and their rates, the states that the linearised equations (69) couple. */
 enum {
     VMI_BROKEN_ROTOR_Y = 0,
     VMI_BROKEN_ROTOR_PSI = 1,
@@ -40,6 +40,7 @@ enum {
     VMI_BROKEN_ROTOR_COUPLED = 4 /* the number of coupled states */
 };
 
+/* Returns the coefficients for the rotor *r, with the coupling term if coupled = 1 and without it if coupled = 0. */
 VM_API vmi_broken_rotor_linear vmi_broken_rotor_reduced(const vm_broken_rotor *r, int coupled)
 {
     vmi_broken_rotor_linear a;
@@ -52,16 +53,17 @@ VM_API vmi_broken_rotor_linear vmi_broken_rotor_reduced(const vm_broken_rotor *r
     return a;
 }
 
-/* An upper bound of the rates at which solutions of the linearised equations change, per second */
+/* Returns an upper bound, in 1/s, of the rates at which solutions of the linearised equations grow, decay or oscillate.
+   The Taylor series below converges fast for times up to 1/(this bound). */
 VM_API vm_real vmi_broken_rotor_rate(const vmi_broken_rotor_linear *a)
 {
     return VM_FABS(a->k) + VM_C(1.5) * a->omega + VM_SQRT(VM_FABS(a->s * a->coupling));
 }
 
 /* Sets `change` to the change of the states z within the time h, by the Taylor series in h. The time must be short: |h|
-   times the rate vmi_broken_rotor_rate is at most 1. Then the n-th terms of y and of s psi are at most 1/n! times the
-   first terms, so that the number `terms` of terms is enough. y0, y1, y2 are three successive terms of y; psi0, psi1,
-   psi2 are three successive terms of psi. */
+   times vmi_broken_rotor_rate must be at most 1. The n-th terms of the series of y and of s psi are then at most 1/n!
+   times the first terms, so that a fixed number of terms is enough. In the loop y0, y1, y2 are three successive terms
+   of the series of y, and psi0, psi1, psi2 are three successive terms of the series of psi. */
 VM_API void vmi_broken_rotor_series(const vmi_broken_rotor_linear *a, vm_real h, const vm_real *z, vm_real *change)
 {
     const int terms = VM_MANT_DIG > 24 ? 20 : 12;
@@ -89,10 +91,11 @@ VM_API void vmi_broken_rotor_series(const vmi_broken_rotor_linear *a, vm_real h,
     }
 }
 
-/* With the unit matrix E, the matrix m + E advances the states by some time. This function replaces m by the matrix for
-   twice this time, which is (m + E)^2 - E = 2 m + m m. E is left out of m because digits of m would be lost in m + E.
-   Row m[j] is the change that the states undergo if they start from the unit state j without torque. The last row is
-   the change that the torque causes if the states start from 0. */
+/* Replaces the matrix m, which belongs to some time, by the matrix for twice this time. m gives the change of states
+   within its time: row m[j] is the change of states that start from z[j] = 1 and all other z = 0, without torque. The
+   last row of m is the change that the torque causes if all states start from 0. With the unit matrix E, m + E turns
+   old states into new ones. Twice the time therefore has the matrix (m + E)^2 - E = 2 m + m m. The matrix m + E itself
+   is not stored, because digits of m would be lost in the sum. */
 VM_API void vmi_broken_rotor_double(vm_real m[VMI_BROKEN_ROTOR_COUPLED + 1][VMI_BROKEN_ROTOR_COUPLED])
 {
     vm_real old[VMI_BROKEN_ROTOR_COUPLED + 1][VMI_BROKEN_ROTOR_COUPLED];
@@ -105,8 +108,9 @@ VM_API void vmi_broken_rotor_double(vm_real m[VMI_BROKEN_ROTOR_COUPLED + 1][VMI_
         }
 }
 
-/* Advances the states z by the time t, for any coefficients. The time is halved until the Taylor series converges fast.
-   The series gives the matrix for this short time h, and every doubling of the time squares the matrix. */
+/* Advances the states z by the time t, for any coefficients *a. The function halves t until the Taylor series converges
+   fast. The series gives the matrix for the short time h that results. The function then doubles the time as often as
+   it has halved it; vmi_broken_rotor_double gives the matrix for each doubled time. */
 VM_API void vmi_broken_rotor_advance(vm_real t, const vmi_broken_rotor_linear *a, vm_real *z)
 {
     enum { n = VMI_BROKEN_ROTOR_COUPLED };
@@ -134,8 +138,8 @@ VM_API void vmi_broken_rotor_advance(vm_real t, const vmi_broken_rotor_linear *a
     }
 }
 
-/* The value (e^z - 1 - z)/z^2 from the given ratio = (e^z - 1)/z. For |z| <= 1 it is summed as a series, so that no
-   digits cancel. */
+/* Returns (e^z - 1 - z)/z^2. The argument `ratio` must be (e^z - 1)/z. For |z| <= 1 the function sums a power series in
+   z, because the subtractions in the formula would lose digits. */
 VM_API vm_real vmi_broken_rotor_exp_rest(vm_real z, vm_real ratio)
 {
     const int terms = VM_MANT_DIG > 24 ? 20 : 12;
@@ -146,7 +150,8 @@ VM_API vm_real vmi_broken_rotor_exp_rest(vm_real z, vm_real ratio)
     return sum;
 }
 
-/* The value w - sin w from the given sine = sin w. For |w| <= 1 it is summed as a series, so that no digits cancel. */
+/* Returns w - sin w. The argument `sine` must be sin w. For |w| <= 1 the function sums a power series in w, because the
+   subtraction would lose digits. */
 VM_API vm_real vmi_broken_rotor_less_sine(vm_real w, vm_real sine)
 {
     const int terms = VM_MANT_DIG > 24 ? 19 : 11;
@@ -157,7 +162,8 @@ VM_API vm_real vmi_broken_rotor_less_sine(vm_real w, vm_real sine)
     return w * sum;
 }
 
-/* Functions of the time t that describe a free oscillation with the angular frequency w, which may be 0 */
+/* Functions of the time t that describe a free oscillation with the angular frequency w. If w is 0, the fields have
+   their limits as w tends to 0. */
 typedef struct VM_TAG(vmi_broken_rotor_swing) {
     vm_real c;    /* cos(w t) */
     vm_real c1;   /* 1 - cos(w t) */
@@ -183,11 +189,13 @@ VM_API vmi_broken_rotor_swing vmi_broken_rotor_swing_at(vm_real t, vm_real w)
     return g;
 }
 
-/* Advances the states z by the time t by the solution (71), (72), without the coupling term s p^2 omega^2 y. Where the
-   dissertation [1] has k* Omega, this function has M*. It is used if |t| times the rate vmi_broken_rotor_rate exceeds
-   1. With w = omega and k = k*, psi = psi0 + psi0' E1 + M* E2, where E1 = (1 - e^(-kt))/k and E2 = (t - E1)/k. The
-   motion of y is driven by -s psi. The functions g0, g1, g2 start from rest and solve g'' + w^2 g = F, where F is w^2
-   E1' for g0, w^2 E1 for g1 and w^2 E2 for g2. Therefore g2' = g1 and g1' = g0. */
+/* Advances the states z by the time t with the solution (71), (72), which lacks the coupling term s p^2 omega^2 y.
+   Where the dissertation [1] has k* Omega, this function has M*. It is used if |t| times vmi_broken_rotor_rate exceeds
+   1. With w = omega, k = k*, the initial angle psi0 and its initial rate rate0, the angle is
+   psi = psi0 + rate0 E1 + M* E2, where E1 = (1 - e^(-kt))/k and E2 = (t - E1)/k. E0 = e^(-kt) is the derivative of E1.
+   The angle drives y by the equation y'' + w^2 y = -w^2 s psi. The functions g0, g1, g2 give the response of y: each
+   solves g'' + w^2 g = F with g = g' = 0 at the start, where F is w^2 E0 for g0, w^2 E1 for g1 and w^2 E2 for g2.
+   Therefore g2' = g1 and g1' = g0. */
 VM_API void vmi_broken_rotor_follow(vm_real t, const vmi_broken_rotor_linear *a, const vmi_broken_rotor_swing *g,
                                     vm_real *z)
 {
@@ -206,7 +214,8 @@ VM_API void vmi_broken_rotor_follow(vm_real t, const vmi_broken_rotor_linear *a,
     z[VMI_BROKEN_ROTOR_PSI_RATE] = rate0 * E0 + a->torque * E1;
 }
 
-/* Checks the arguments of the three public functions for the motion below. Returns their status. */
+/* Checks the arguments of vm_broken_rotor_linear, vm_broken_rotor_linear_uncoupled and vm_broken_rotor_free_motion.
+   Returns their status. */
 VM_API int vmi_broken_rotor_check_motion(const vm_broken_rotor *rotor, vm_real t, const vm_real *start,
                                          const vm_real *end)
 {
@@ -215,8 +224,8 @@ VM_API int vmi_broken_rotor_check_motion(const vm_broken_rotor *rotor, vm_real t
     return vmi_check_broken_rotor(rotor);
 }
 
-/* Computes the results of the three public functions below. If coupled = 1, it solves all of the linearised equations
-   (69). If coupled = 0, it leaves out their last term, -s p^2 omega^2 y. */
+/* Computes the results of these three functions. If coupled = 1, it solves the complete linearised equations (69). If
+   coupled = 0, it leaves out the term -s p^2 omega^2 y of the equation of psi. */
 VM_API int vmi_broken_rotor_linearised(const vm_broken_rotor *rotor, vm_real t, const vm_real *start, int coupled,
                                        vm_real *end)
 {
@@ -245,30 +254,30 @@ VM_API int vmi_broken_rotor_linearised(const vm_broken_rotor *rotor, vm_real t, 
 }
 
 /* State of the remainder t seconds after start, by the complete linearised equations (69).
-   The result holds for short times, while |psi| << 1. t may have any sign. The arrays start and end have
-   VM_BROKEN_ROTOR_STATES numbers, and end may be start. The fields damping, stiffness and s may be 0. The error is at
-   most twice the change that rounding every input, t included, would make. Solutions of (69) grow exponentially with t.
-   Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE also if the result overflows, VM_BAD_MASS, VM_BAD_STIFFNESS
-   for a negative stiffness, VM_BAD_INERTIA, and VM_OK otherwise. */
+   The result describes the rotor for short times, while |psi| << 1, because solutions of (69) grow exponentially with
+   t. t may have any sign. The arrays start and end have VM_BROKEN_ROTOR_STATES numbers, and end may be the same array
+   as start. The fields damping, stiffness and s may be 0. The error is at most twice the change of the result that
+   rounding all inputs, t included, would cause. Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE also if the
+   result overflows, VM_BAD_MASS, VM_BAD_STIFFNESS for a negative stiffness, VM_BAD_INERTIA, and VM_OK otherwise. */
 VM_API int vm_broken_rotor_linear(const vm_broken_rotor *rotor, vm_real t, const vm_real *start, vm_real *end)
 {
     return vmi_broken_rotor_linearised(rotor, t, start, 1, end);
 }
 
 /* State of the remainder t seconds after start by (70)-(72), which lack a term of (69).
-   The dissertation leaves out the term -s p^2 omega^2 y, although it is as large as the other terms. This function
-   serves to compare the dissertation with vm_broken_rotor_linear. The error is at most the change that rounding every
-   input would make. Arguments and statuses are those of vm_broken_rotor_linear. */
+   The dissertation [1] leaves out the term -s p^2 omega^2 y, although it is as large as the other terms. This function
+   serves to compare [1] with vm_broken_rotor_linear. The error is at most the change of the result that rounding all
+   inputs would cause. Arguments and statuses are those of vm_broken_rotor_linear. */
 VM_API int vm_broken_rotor_linear_uncoupled(const vm_broken_rotor *rotor, vm_real t, const vm_real *start, vm_real *end)
 {
     return vmi_broken_rotor_linearised(rotor, t, start, 0, end);
 }
 
 /* State of the unbroken rotor t seconds after start, exact, (46)-(51).
-   t may have any sign. The arrays start and end have VM_BROKEN_ROTOR_STATES numbers, and end may be start. The fields
-   damping and stiffness may be 0. The error is at most the change that rounding every input, t included, would make.
-   Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS for a negative stiffness,
-   VM_BAD_INERTIA, VM_DOMAIN if s is not 0, and VM_OK otherwise. */
+   t may have any sign. The arrays start and end have VM_BROKEN_ROTOR_STATES numbers, and end may be the same array as
+   start. The fields damping and stiffness may be 0. The error is at most the change of the result that rounding all
+   inputs, t included, would cause. Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS,
+   VM_BAD_STIFFNESS for a negative stiffness, VM_BAD_INERTIA, VM_DOMAIN if s is not 0, and VM_OK otherwise. */
 VM_API int vm_broken_rotor_free_motion(const vm_broken_rotor *rotor, vm_real t, const vm_real *start, vm_real *end)
 {
     const int status = vmi_broken_rotor_check_motion(rotor, t, start, end);
@@ -277,11 +286,12 @@ VM_API int vm_broken_rotor_free_motion(const vm_broken_rotor *rotor, vm_real t, 
     return vmi_broken_rotor_linearised(rotor, t, start, 0, end); /* for s = 0 the linearised equations are exact (46) */
 }
 
-/* Constants A0, B0, C0, D0 (51) of the unbroken rotor's elliptic orbit, m: abcd is an array of 4 numbers. The orbit is
-   x + i y = (A0 + i B0) exp(i w t) + (C0 + i D0) exp(-i w t) (50) with w^2 = stiffness/mass, which must not be 0. Its
-   half axes are the sum and the absolute difference of |A0 + i B0| and |C0 + i D0|. The speed at the time t, which the
-   dissertation prints wrongly after (52), is
-     w sqrt(A0^2 + B0^2 + C0^2 + D0^2 - 2 (A0 C0 + B0 D0) cos 2 w t + 2 (B0 C0 - A0 D0) sin 2 w t)
+/* Constants A0, B0, C0, D0 (51) of the unbroken rotor's elliptic orbit, m. They are written to the array abcd of 4
+   numbers. The orbit of the mass centre is, with w^2 = stiffness/mass and w > 0,
+     x + i y = (A0 + i B0) exp(i w t) + (C0 + i D0) exp(-i w t).                                                   (50)
+   Its semi-axes are the sum and the absolute difference of |A0 + i B0| and |C0 + i D0|. The speed of the mass centre at
+   the time t, which the dissertation [1] prints wrongly after (52), is
+     w sqrt(A0^2 + B0^2 + C0^2 + D0^2 - 2 (A0 C0 + B0 D0) cos(2 w t) + 2 (B0 C0 - A0 D0) sin(2 w t)).
    Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS if the stiffness is not
    positive, VM_BAD_INERTIA, and VM_OK otherwise. */
 VM_API int vm_broken_rotor_orbit(const vm_broken_rotor *rotor, const vm_real *start, vm_real *abcd)

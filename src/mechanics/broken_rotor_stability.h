@@ -3,10 +3,10 @@
    After the break the remainder can turn steadily at the angular velocity psi' = Omega, with its mass centre on a
    circle (76), (77). This chapter computes
      - the radius of this circle,
-     - the characteristic polynomial (81) of small motions about the steady motion, its roots, and Routh's first column,
+     - the characteristic polynomial (81) of small deviations from the steady motion, its roots, Routh's first column,
      - the stability (82): the steady motion is stable only below resonance, where |Omega| < omega,
      - the radius of the orbit of a rotor that starts from rest at or above resonance; this orbit grows.
-   The formulas write omega^2 = stiffness/mass, p^2 = mass/inertia, k* = damping/inertia.
+   The formulas write omega^2 = stiffness/mass, p^2 = mass/inertia, k* = damping/inertia; s is the field s of the rotor.
 
        vm_broken_rotor rest = {2, 1, 20, 1, 3, VM_C(0.1)};       // 0.1 m from the shaft to the mass centre
        vm_real radius = vm_broken_rotor_steady_radius(&rest, 2); // m, at 2 rad/s
@@ -53,7 +53,7 @@ VM_API vm_real vm_broken_rotor_steady_radius(const vm_broken_rotor *rotor, vm_re
     return -rotor->s * (share / (1 - share));
 }
 
-/* The quantities omega^2, Omega^2, k*, D and G in the polynomial of vm_broken_rotor_characteristic */
+/* The quantities w2 = omega^2, O2 = Omega^2, k = k*, D and G in the polynomial of vm_broken_rotor_characteristic */
 typedef struct VM_TAG(vmi_broken_rotor_steady) {
     vm_real w2, O2, k, D, G;
 } vmi_broken_rotor_steady;
@@ -81,13 +81,14 @@ VM_API int vmi_broken_rotor_about_steady(const vm_broken_rotor *r, vm_real Omega
 enum { VM_BROKEN_ROTOR_ROOTS = 5 /* degree of the characteristic polynomial */ };
 
 /* Characteristic polynomial of small motions about the steady motion, (81) corrected.
-   Small motions about the steady motion at psi' = Omega (rad/s) are sums of exp(l t), where l is a root of the
-   polynomial. c is an array of VM_BROKEN_ROTOR_ROOTS + 1 coefficients, highest power first:
+   A small deviation from the steady motion at psi' = Omega (rad/s) is a sum of multiples of exp(l t), where l is a root
+   of the polynomial. The array c gets the VM_BROKEN_ROTOR_ROOTS + 1 coefficients of the polynomial, that of the highest
+   power first:
      l^5 + k* l^4 + (2 (w^2 + O^2) + G) l^3 + 2 k* (w^2 + O^2) l^2 + (D^2 + G (w^2 + 3 O^2)) l + k* D^2,
-   with w = omega, O = Omega, D = w^2 - O^2, G = s^2 p^2 w^4/D. Equation (81) is l times this polynomial, except that
-   its last printed term lacks the factor l^2. The additional root l = 0 of (81) exists because the phase of the steady
-   motion is arbitrary. Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS for a
-   negative stiffness, VM_BAD_INERTIA, VM_DOMAIN at resonance, and VM_OK otherwise. */
+   with w = omega, O = Omega, D = w^2 - O^2, G = s^2 p^2 w^4/D. The left side of (81) should be l times this polynomial,
+   but its last term is printed without the factor l^2. (81) has the additional root l = 0 because the phase of the
+   steady motion is arbitrary. Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS
+   for a negative stiffness, VM_BAD_INERTIA, VM_DOMAIN at resonance, and VM_OK otherwise. */
 VM_API int vm_broken_rotor_characteristic(const vm_broken_rotor *rotor, vm_real Omega, vm_real *c)
 {
     vmi_broken_rotor_steady a;
@@ -105,9 +106,9 @@ VM_API int vm_broken_rotor_characteristic(const vm_broken_rotor *rotor, vm_real 
     return vmi_copy_if_finite(VM_BROKEN_ROTOR_ROOTS + 1, p, c);
 }
 
-/* First column of Routh's scheme of the characteristic polynomial: 1, k*, G, k* D, 4 G Omega^2, k* D^2. column is an
-   array of VM_BROKEN_ROTOR_ROOTS + 1 numbers. The steady motion is asymptotically stable if all numbers of
-   the column are positive. The letters k*, G, D and the statuses are those of vm_broken_rotor_characteristic. */
+/* First column of Routh's scheme of the characteristic polynomial: 1, k*, G, k* D, 4 G Omega^2, k* D^2. The function
+   writes these VM_BROKEN_ROTOR_ROOTS + 1 numbers to the array `column`. The steady motion is asymptotically stable if
+   all of them are positive. The letters k*, G, D and the statuses are those of vm_broken_rotor_characteristic. */
 VM_API int vm_broken_rotor_routh(const vm_broken_rotor *rotor, vm_real Omega, vm_real *column)
 {
     vmi_broken_rotor_steady a;
@@ -137,9 +138,9 @@ VM_API int vm_broken_rotor_is_stable(const vm_broken_rotor *rotor, vm_real Omega
 
 /* Roots re + i im of the characteristic polynomial, 1/s.
    re and im are arrays of VM_BROKEN_ROTOR_ROOTS numbers. The roots are sorted by increasing |im|; of a conjugate pair,
-   the root with im > 0 is first. The error of each root is at most twice the change that relative changes of all
-   coefficients by eps would cause. This holds for the smallest root, too, which near resonance is many orders of
-   magnitude smaller than the largest. The statuses are those of vm_broken_rotor_characteristic. */
+   the root with im > 0 is first. The error of each root is at most twice the change of this root that would result if
+   each coefficient changed by the fraction eps of itself. This holds for the smallest root, too, which near resonance
+   is many orders of magnitude smaller than the largest. The statuses are those of vm_broken_rotor_characteristic. */
 VM_API int vm_broken_rotor_eigenvalues(const vm_broken_rotor *rotor, vm_real Omega, vm_real *re, vm_real *im)
 {
     vmi_broken_rotor_steady a;
@@ -149,7 +150,8 @@ VM_API int vm_broken_rotor_eigenvalues(const vm_broken_rotor *rotor, vm_real Ome
     status = vmi_broken_rotor_about_steady(rotor, Omega, &a);
     if (!status) status = vm_broken_rotor_characteristic(rotor, Omega, c);
     if (status) return status;
-    /* The roots are computed in units of `size`, so that no coefficient is larger than 10. */
+    /* The roots are computed as multiples of `size`. No coefficient is then larger than 10, so that sums do not
+       overflow. */
     size = VM_FABS(Omega) + VM_SQRT(a.w2) + VM_FABS(a.k) + VM_SQRT(VM_FABS(a.G));
     power = 1 / size;
     for (i = 1; i <= VM_BROKEN_ROTOR_ROOTS; i++) {
@@ -168,9 +170,10 @@ VM_API int vm_broken_rotor_eigenvalues(const vm_broken_rotor *rotor, vm_real Ome
     return status;
 }
 
-/* The value ln(1 + x) - x + x^2/2 = x^3/3 - x^4/4 + ... for x >= 0. For x <= 1 the left form would lose digits, and
-   the value is summed as a series in w = x/(2 + x) <= 1/3 with positive terms only: twice the sum over n >= 3 of
-   c_n w^n, where c_n is n - 2 for even n and n - 2 + 1/n for odd n. */
+/* Returns ln(1 + x) - x + x^2/2 = x^3/3 - x^4/4 + ... for x >= 0, the time, without unit, in which the orbit of
+   vm_broken_rotor_resonance_radius grows to the radius x, without unit. For x <= 1 the formula with the logarithm would
+   lose digits. The function then sums a series in w = x/(2 + x) <= 1/3 with positive terms only. The series is twice
+   the sum of c_n w^n for n = 3, 4, 5, ..., where c_n is n - 2 for even n and n - 2 + 1/n for odd n. */
 VM_API vm_real vmi_broken_rotor_growth_time(vm_real x)
 {
     const int terms = VM_MANT_DIG > 24 ? 45 : 21;
@@ -186,8 +189,9 @@ VM_API vm_real vmi_broken_rotor_growth_time(vm_real x)
     return 2 * w * w * w * sum;
 }
 
-/* The root x > 0 of ln(1 + x) - x + x^2/2 = tau. The left side is convex. Newton's method starts from
-   x = (3 tau)^(1/3) + (2 tau)^(1/2), which is above the root. Therefore every step decreases x until x is the root. */
+/* Returns the root x > 0 of the equation ln(1 + x) - x + x^2/2 = tau for tau > 0. The left side is a convex function of
+   x. Newton's method starts from x = (3 tau)^(1/3) + (2 tau)^(1/2), which is above the root. Therefore every step
+   decreases x, and the loop ends when rounding errors prevent a further decrease. */
 VM_API vm_real vmi_broken_rotor_growth_root(vm_real tau)
 {
     const int most_steps = 60;
@@ -204,13 +208,14 @@ VM_API vm_real vmi_broken_rotor_growth_root(vm_real tau)
 /* Radius of the orbit that grows at or above resonance, t seconds after a start from rest, m.
    Omega = torque/damping (rad/s) must be at or above omega; vm_broken_rotor explains omega, p, k* and s. The angular
    velocity psi' stays at omega, and the surplus of the torque makes the orbit grow. The radius is r = |s|/4 + R, where
-   R(0) = 0 and
+   R = 0 at t = 0 and, with R' = dR/dt,
      R R' = k* (Omega - omega)/(2 p^2 omega) + k* |s|/(4 p^2 R).
    It follows that
      R = (3 k* |s| t/(4 p^2))^(1/3) at resonance,  R -> (k* (Omega - omega) t/(p^2 omega))^(1/2) above it.
-   |s|/4 is the second term of the expansion of r for large r/|s|. Terms of order s^2/r and the time until psi' reaches
-   omega are neglected. The resulting error is small: for the rotor of Fig. 18 (s = 0.5 m, omega = 1 rad/s) after 400 s,
-   this radius differs by less than 0.002 m from that of the integrated motion for Omega = 1, 1.01 and 1.1 rad/s.
+   |s|/4 is the second term of an expansion of r for large r/|s|, whose first term is R. Terms of order s^2/r and the
+   time until psi' reaches omega are neglected. The resulting error is small: for the rotor of Fig. 18 (s = 0.5 m,
+   omega = 1 rad/s), after 400 s, the radius r differs by less than 0.002 m from the radius of the numerically
+   integrated motion for Omega = 1, 1.01 and 1.1 rad/s.
    Returns NaN below resonance, for t < 0, damping < 0, omega = 0, a null pointer and an invalid rotor. The solution of
    R R' = A + B/R, with constants A and B, is t A^3/B^2 = ln(1 + x) - x + x^2/2 with x = A R/B. */
 VM_API vm_real vm_broken_rotor_resonance_radius(const vm_broken_rotor *rotor, vm_real t, vm_real Omega)

@@ -1,18 +1,19 @@
 /* mechanics/drum.h - a band that winds up on a drum
 
-   A band that arrives at a constant velocity winds up on a drum, whose mass and inertia grow (chapter 5.2, Fig. 20).
-   This chapter has
+   A band that arrives at a constant velocity winds up on a drum. The mass and the inertia of the drum with its band
+   grow (section 5.2 and Fig. 20 of the dissertation [1]). This chapter has
      - the geometry (181)-(188),
-     - the exact equations of motion, and the reduced equations (192)-(193) of the dissertation,
+     - the exact equations of motion, and the reduced equations (192)-(193) of [1],
      - the motion on a rigid shaft in closed form (194)-(206),
      - the vibrations of an elastic shaft (210)-(226).
 
-   The band moves at the velocity v along y and meets the drum at S + (R, 0), where S is the centre of the shaft and R
-   the radius. After the drum has turned by the angle phi, the band covers the arc from 0 to phi. The mass centre of
-   this arc is in the direction phi/2. R stays constant, because only the first layer, 0 <= phi <= 2 pi, is considered.
+   The band moves at the velocity v along y and meets the drum at the point S + (R, 0), where S is the centre of the
+   shaft and R the radius of the drum. After the drum has turned by the angle phi, the band covers the arc from 0 to
+   phi. The mass centre of this arc lies in the direction phi/2 from S. R stays constant, because only the first layer
+   of the band, 0 <= phi <= 2 pi, is considered.
 
-   The fields of vm_drum name most letters of the formulas. In addition, mu is the band's mass per angle, j = mu R^2
-   (186), and e = mu v R - D with the damping D. If e > 0, the band drives the drum. If e < 0, the drum comes to rest.
+   The letters of the formulas are explained at the fields of vm_drum. Two more are j = mu R^2 (186), the inertia of the
+   band per angle, and e = mu v R - D. If e > 0, the band drives the drum. If e < 0, the drum comes to rest.
 
        vm_drum drum = {VM_C(0.2), 50, 1, VM_C(0.05), 10, VM_C(0.02), VM_C(1e5), 40}; // in the order of the fields
        vm_real angle = vm_drum_angle(&drum, 1); // rad, after 1 s on a rigid shaft
@@ -44,9 +45,9 @@ typedef struct VM_TAG(vm_drum) {
 /* Geometry of the drum and of the band wound on it, when the drum has turned by the angle phi */
 typedef struct VM_TAG(vm_drum_geometry) {
     vm_real mass;         /* mass M of drum and band (182), kg */
-    vm_real arc_centre;   /* distance of the band's mass centre S' from the shaft S (184), m */
-    vm_real offset;       /* distance from the shaft S to S1, the mass centre of drum and band, m;
-                             S1 lies in the direction phi/2 from S [(185) corrected] */
+    vm_real arc_centre;   /* distance of the band's mass centre from the shaft's centre S (184), m */
+    vm_real offset;       /* distance from the shaft's centre S to S1, the mass centre of drum and band, m.
+                             S1 lies in the direction phi/2 from S [(185) corrected]. */
     vm_real axle_inertia; /* inertia J_S of drum and band about the axle (187), kg m^2 */
     vm_real inertia;      /* inertia J_S1 of drum and band about S1 (188), kg m^2 */
 } vm_drum_geometry;
@@ -67,22 +68,22 @@ enum {
     VM_DRUM_ANGLE_STATES = 4
 };
 
-/* The elastic shaft in the first approximation, for small mu/M0, j/J0, e/(J0 Omega_b), with the letters of vm_drum,
-   j = mu R^2 and e = mu v R - D. With ' = d/dphi, the deflection x satisfies
+/* The elastic shaft in the first approximation, for small mu/M0, j/J0 and e/(J0 Omega_b). The letters mu, v, M0, J0,
+   Omega_b, c are explained at vm_drum; j = mu R^2 and e = mu v R - D. The deflection x, y of the shaft is a function
+   of the angle phi. With x' = dx/dphi the deflection x satisfies
      x'' + 2 delta x' + k^2 (1 - A phi) x = 0 (213).
-   The equation for y has mu v/(M0 Omega_b) on the right instead of 0 (214). */
+   The equation of y has mu v/(M0 Omega_b) on the right side instead of 0 (214). */
 typedef struct VM_TAG(vm_drum_shaft) {
-    vm_real k;     /* frequency divided by angular velocity, sqrt(c/M0)/Omega_b, a pure number */
-    vm_real delta; /* damping, 1/rad: (mu/M0 + e/(J0 Omega_b) - j/J0)/2 with mu = band, j = mu R^2, e = mu v R - D.
-                      This corrects the coefficient in (213). */
-    vm_real A;     /* relative decrease of the squared frequency, 1/rad: mu/M0 - 2 j/J0 + 2 e/(J0 Omega_b), with
-                      mu, j, e as for delta. This corrects (213), too. */
+    vm_real k;     /* angular frequency sqrt(c/M0) of the shaft with the empty drum, divided by Omega_b */
+    vm_real delta; /* damping, 1/rad: (mu/M0 + e/(J0 Omega_b) - j/J0)/2. The coefficient printed in (213) is wrong. */
+    vm_real A;     /* relative decrease of the squared frequency per angle, 1/rad: mu/M0 - 2 j/J0 + 2 e/(J0 Omega_b).
+                      The value in (213) is wrong. */
     vm_real shift; /* displacement mu v/(M0 Omega_b k^2), m. The deflection y oscillates about shift/(1 - A phi). */
 } vm_drum_shaft;
 
 /* The band's mass per angle on a drum, mu = R h b rho (181), kg/rad.
-   The radius R of the drum, the thickness h and the width b of the band are in m, the density rho in kg/m^3. NaN in
-   an argument gives NaN. */
+   The radius R of the drum, the thickness h and the width b of the band are in m, and the density rho of the band is in
+   kg/m^3. If an argument is NaN, the result is NaN. */
 VM_API vm_real vm_drum_band(vm_real radius, vm_real thickness, vm_real width, vm_real density)
 {
     return radius * thickness * width * density;
@@ -96,8 +97,8 @@ typedef struct VM_TAG(vmi_drum_mass) {
                         inertia about the mass centre is J - steiner */
 } vmi_drum_mass;
 
-/* Sets *m for the angle phi of the drum, where s is sin(phi/2). A call with s = 0 neglects the distance from the axle
-   to the mass centre. Returns VM_OK, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS or VM_BAD_INERTIA. */
+/* Sets *m for the angle phi of the drum. The argument s is sin(phi/2), or 0 to neglect the distance from the axle to
+   the mass centre. Returns VM_OK, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS or VM_BAD_INERTIA. */
 VM_API int vmi_drum_mass_at(const vm_drum *d, vm_real phi, vm_real s, vmi_drum_mass *m)
 {
     const vm_real q = 2 * d->band * d->radius * s;
@@ -145,9 +146,10 @@ VM_API int vm_drum_at(const vm_drum *d, vm_real phi, vm_drum_geometry *g)
 }
 
 /* Right-hand side of the drum on an elastic shaft, exact.
-   An ode_rhs of VM_DRUM_STATES states; ctx is a vm_drum. It replaces (177) and (191), which leave out that the mass
-   centre moves inside the drum, and give the torque of the shaft the wrong sign. With the deflection rS = (xS, yS), the
-   unit vector k along z and q = mu R (sin phi, 1 - cos phi), the equations are
+   An ode_rhs of VM_DRUM_STATES states; its ctx, here `drum`, is a vm_drum. The equations replace (177) and (191), which
+   neglect that the mass centre moves inside the drum, and in which the torque of the shaft has the wrong sign. Let
+   rS = (xS, yS) be the deflection of the shaft, k the unit vector along z, and q = mu R (sin phi, 1 - cos phi). With
+   the cross product x and ' = d/dt the equations are
      M rS'' + phi'' k x q - phi'^2 q = -c rS + mu phi' ((0, v) - rS' - phi' k x (R, 0))
      J_S phi'' + q x rS'' = -D phi' + mu phi' R (v - yS' - R phi')
    M is the mass of drum and band, J_S their inertia about the axle; vm_drum explains c, D, mu, v, R. Returns VM_OK; or
@@ -182,9 +184,10 @@ VM_API int vm_drum_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *drum)
 }
 
 /* Right-hand side of the drum on an elastic shaft for a light band, (192), (193).
-   An ode_rhs of VM_DRUM_STATES states; ctx is a vm_drum. These are the equations of vm_drum_rhs for a small mass mu of
-   the band per angle. Unlike (192) they contain the unbalance mu R phi'^2 (sin phi, -cos phi), because it is of the
-   same order as the terms that (192) keeps. The errors are those of vm_drum_rhs. */
+   An ode_rhs of VM_DRUM_STATES states; its ctx, here `drum`, is a vm_drum. For a small mass mu of the band per angle
+   the equations of vm_drum_rhs are reduced to these simpler ones. Unlike (192) they contain the force
+   mu R phi'^2 (sin phi, -cos phi) of the unbalance, because it is of the same order as the terms that (192) keeps. The
+   errors are those of vm_drum_rhs. */
 VM_API int vm_drum_rhs_reduced(vm_real t, const vm_real *y, vm_real *dydt, void *drum)
 {
     if (!y || !dydt || !drum) return VM_BAD_ARGUMENT;
@@ -216,7 +219,7 @@ VM_API int vmi_drum_turns(const vm_drum *d)
            VM_IS_FINITE(d->damping);
 }
 
-/* The product j = mu R^2 in two words, that is, as the sum of two numbers */
+/* The product j = mu R^2 in two words, that is, as the sum of two vm_reals */
 VM_API vm_two vmi_drum_j(const vm_drum *d)
 {
     return vmi_two_times(vmi_two_product(d->band, d->radius), vmi_two(d->radius, 0));
@@ -240,10 +243,10 @@ VM_API vm_two vmi_drum_share(vm_two a, vm_real b, vm_two c)
 
 /* Angular velocity phi' on a rigid shaft at the angle phi >= 0, rad/s: (J0 Omega_b + e phi)/(J0 + j phi) (196).
    J0 is the drum's inertia, Omega_b its initial angular velocity, e = mu v R - D and j = mu R^2 as at the top of
-   mechanics/drum.h. The results of vm_drum_rate, vm_drum_time and vm_drum_angle are right within 3 ulp if the drum's
-   fields are taken as exact and products of the fields do not overflow or underflow. This holds for e = 0 and e = j
-   Omega_b, too, and for angles up to the stop. Returns NaN beyond the stop (vm_drum_stop), for phi < 0, for a null
-   pointer, and if inertia or omega is not positive or band is negative. */
+   mechanics/drum.h. The results of vm_drum_rate, vm_drum_time and vm_drum_angle have errors of at most 3 ulp if the
+   drum's fields are taken as exact and products of the fields do not overflow or underflow. This holds for e = 0 and
+   e = j Omega_b, too, and for angles up to the stop. Returns NaN beyond the stop (vm_drum_stop), for phi < 0, for a
+   null pointer, and if inertia or omega is not positive or band is negative. */
 VM_API vm_real vm_drum_rate(const vm_drum *d, vm_real phi)
 {
     vm_two up, down;
@@ -255,9 +258,9 @@ VM_API vm_real vm_drum_rate(const vm_drum *d, vm_real phi)
 }
 
 /* Right-hand side of the elastic shaft's vibration over the angle phi, (210), (211).
-   An ode_rhs of VM_DRUM_ANGLE_STATES states; ctx is a vm_drum. The independent variable is phi. The angular velocity
-   phi' is the one that the drum has on a rigid shaft (196). Returns VM_OK; or VM_BAD_ARGUMENT for a null pointer,
-   VM_DOMAIN if the drum does not reach phi, and the errors of vm_drum_rhs. */
+   An ode_rhs of VM_DRUM_ANGLE_STATES states; its ctx, here `drum`, is a vm_drum. The independent variable is the angle
+   phi instead of time. The drum has the angular velocity phi' that it would have on a rigid shaft (196). Returns VM_OK;
+   or VM_BAD_ARGUMENT for a null pointer, VM_DOMAIN if the drum does not reach phi, and the errors of vm_drum_rhs. */
 VM_API int vm_drum_rhs_angle(vm_real phi, const vm_real *y, vm_real *dydt, void *drum)
 {
     if (!y || !dydt || !drum) return VM_BAD_ARGUMENT;
@@ -271,7 +274,7 @@ VM_API int vm_drum_rhs_angle(vm_real phi, const vm_real *y, vm_real *dydt, void 
     int status = vmi_drum_mass_at(d, phi, 0, &m);
     if (status) return status;
     if (!(rate > 0)) return VM_DOMAIN;
-    acceleration = (e - j * rate) / m.J; /* the derivative dphi'/dphi (195); phi'' is acceleration times phi' */
+    acceleration = (e - j * rate) / m.J; /* derivative of phi' with respect to phi (195) */
     drag = d->band / m.M + acceleration / rate;
     dydt[VM_DRUM_DEFLECTION] = slope_x;
     dydt[VM_DRUM_DEFLECTION + 1] = slope_y;
@@ -294,9 +297,10 @@ VM_API vm_real vm_drum_stop(const vm_drum *d)
 }
 
 /* Time at which the drum on a rigid shaft reaches the angle phi >= 0, s (197).
-   With the letters of vm_drum_rate and x = e phi/(J0 Omega_b) it is t = phi/Omega_b [ln(1 + x)/x + (j phi/J0) (x -
-   ln(1 + x))/x^2] for every sign of e. The accuracy is that of vm_drum_rate. Returns infinity at the stop, and NaN
-   where vm_drum_rate gives NaN. */
+   With x = e phi/(J0 Omega_b) and the letters explained at vm_drum_rate the time is
+     t = phi/Omega_b [ln(1 + x)/x + (j phi/J0) (x - ln(1 + x))/x^2]
+   for positive and negative e. The accuracy is that of vm_drum_rate. Returns infinity at the stop, and NaN where
+   vm_drum_rate gives NaN. */
 VM_API vm_real vm_drum_time(const vm_drum *d, vm_real phi)
 {
     vm_two x, y, s, sum, part = vmi_two(1, 0); /* y = ln(1 + x), s = j phi/J0, part = y/x */
@@ -312,10 +316,11 @@ VM_API vm_real vm_drum_time(const vm_drum *d, vm_real phi)
     return vmi_drum_share(sum, phi, vmi_two(d->omega, 0)).hi;
 }
 
-/* The first approximation p for Newton's method in vm_drum_angle. The comment of vm_drum_angle has the equation for p
-   and explains a, b, f, x, y. For a = 0 the term f^2 (x - y)/x^2 is p^2/2, and the equation has the solution p = 2/(1 +
-   sqrt(1 + 2 b)). For a > 0 this p is too large, and so is ln(1 + a p + a^2/b)/a; the function takes the smaller value.
-   For a < 0 this p is too small, and so is |a|/(|a| + b); the function takes the larger value. */
+/* Returns a start value of p for Newton's method in vm_drum_angle. The comment of vm_drum_angle has the equation for p
+   and explains a, b, f, x, y. For a = 0 the term f^2 (x - y)/x^2 of this equation is p^2/2, and the equation has the
+   solution p0 = 2/(1 + sqrt(1 + 2 b)), called p in the code. For a > 0 both p0 and ln(1 + a p0 + a^2/b)/a are larger
+   than the solution, and the function takes the smaller one. For a < 0 both p0 and |a|/(|a| + b) are smaller than the
+   solution, and the function takes the larger one. */
 VM_API vm_real vmi_drum_start(vm_real a, vm_real b)
 {
     const vm_real p = 2 / (1 + VM_SQRT(1 + 2 * b));
@@ -326,10 +331,12 @@ VM_API vm_real vmi_drum_start(vm_real a, vm_real b)
 
 /* Angle of the drum on a rigid shaft after t >= 0 seconds, rad.
    This is the inverse of vm_drum_time, computed by Newton's method in two words. It needs no branch of Lambert's W.
-   Accuracy, NaN and the letters J0, Omega_b, e, j are those of vm_drum_rate. With x = e phi/(J0 Omega_b), y = ln(1 +
-   x), a = e t/J0, b = j Omega_b t/J0, f = phi/(Omega_b t) and the unknown p = y/a the equation of vm_drum_time is
+   For the accuracy, the results NaN and the letters J0, Omega_b, e, j see vm_drum_rate. The method uses x, y, a, b, f:
+   x = e phi/(J0 Omega_b), y = ln(1 + x), a = e t/J0, b = j Omega_b t/J0, f = phi/(Omega_b t). Its unknown is p = y/a,
+   for which the equation of vm_drum_time becomes
      p + b f^2 (x - y)/x^2 = 1,   where x = exp(y) - 1 and f = p x/y.
-   Its left side increases with p, has the slope 1 + b f and is convex, so that the method converges from any start. */
+   The left side is a convex function of p with the positive slope 1 + b f. Therefore the method converges from any
+   start value. */
 VM_API vm_real vm_drum_angle(const vm_drum *d, vm_real t)
 {
     const vm_real precise = VM_EPSILON / 8; /* the relative error of phi that the last step may leave */
@@ -359,12 +366,12 @@ VM_API vm_real vm_drum_angle(const vm_drum *d, vm_real t)
 }
 
 /* Angle of the drum, rad, on a rigid shaft by Lambert's W, (198)-(206) corrected.
-   The letters J0, Omega_b, e, j are those of vm_drum_rate. With r = 1 + e phi/(J0 Omega_b), k1 = 1 - e/(j Omega_b) and
-   f1 = 1 + e^2 t/(J0 j Omega_b), the angle follows from r - k1 ln r = f1. The solution is r = -k1 W(x) for x
-   = -exp(-f1/k1)/k1. It needs the branch W_-1 for 0 < k1 < 1, and the branch W_0 for other k1. This function is for
-   comparison; vm_drum_angle is better. Near e = 0 the solution by W loses all digits, because x approaches the branch
-   point of W. The code uses ln |x|, because x itself overflows or underflows near k1 = 0 (for k1 = 1e-3 it may be
-   1e-868). Returns NaN for e = 0, for k1 = 0, and where vm_drum_rate does. */
+   The letters J0, Omega_b, e, j are explained at vm_drum_rate. With r = 1 + e phi/(J0 Omega_b), k1 = 1 - e/(j Omega_b)
+   and f1 = 1 + e^2 t/(J0 j Omega_b), the angle follows from r - k1 ln r = f1. The solution is r = -k1 W(x) with
+   x = -exp(-f1/k1)/k1. It needs the branch W_-1 of W for 0 < k1 < 1, and the branch W_0 for other k1. This function
+   serves only for comparison, since vm_drum_angle is more accurate: near e = 0 the solution by W loses all digits,
+   because x approaches the branch point of W. The code uses ln |x|, because x itself overflows or underflows near
+   k1 = 0 (for k1 = 1e-3 it may be 1e-868). Returns NaN for e = 0, for k1 = 0, and where vm_drum_rate returns NaN. */
 VM_API vm_real vm_drum_angle_lambert(const vm_drum *d, vm_real t)
 {
     vm_real j, e, k1, f1, l, w; /* l = ln |x|, w = W(x) */
@@ -375,7 +382,7 @@ VM_API vm_real vm_drum_angle_lambert(const vm_drum *d, vm_real t)
     if (k1 == 0 || e == 0) return VM_NAN;
     f1 = 1 + e * e * t / (d->inertia * j * d->omega);
     l = -vmi_log(VM_FABS(k1)).hi - f1 / k1;
-    if (l > -1 && k1 > 0) l = -1; /* only rounding can move l beyond the branch point -1 */
+    if (l > -1 && k1 > 0) l = -1; /* only rounding errors can make l larger than -1, the branch point of W */
     if (k1 < 0) w = vm_wright_omega(l);
     else if (e > 0) w = vm_lambert_wm1_neg_exp(l); /* e > 0 means k1 < 1, even if k1 has been rounded to 1 */
     else w = vm_lambert_w0_neg_exp(l);
@@ -408,13 +415,14 @@ VM_API int vm_drum_shaft_init(vm_drum_shaft *s, const vm_drum *d)
     return VM_OK;
 }
 
-/* Deflection x or y of the elastic shaft, m, at angle phi, (224), (225) corrected.
-   With the fields k, delta, A of *s it is
-     a (1 - A phi)^(-1/4) exp(-delta phi) cos(integral of k sqrt(1 - A phi) + alpha) + particular/(1 - A phi)
-   where `particular` is 0 for x and s->shift for y. a (m) is the amplitude and alpha (rad) the phase. They follow from
-   the start: at phi = 0 the deflection is a cos alpha + particular. The integral is (2k/3A) (1 - m^3) with
-   m^2 = 1 - A phi. It is computed as 2k/3 phi (1 + m + m^2)/(1 + m), which holds for A = 0, too. Returns NaN for a null
-   pointer and if 1 - A phi <= 0. */
+/* Deflection x or y of the elastic shaft, m, at the angle phi, (224), (225) corrected.
+   With the fields k, delta, A of *s the deflection is
+     a (1 - A phi)^(-1/4) exp(-delta phi) cos(I + alpha) + particular/(1 - A phi),
+   where I is the integral of k sqrt(1 - A phi) from 0 to phi. `particular` must be 0 for x and s->shift for y. The
+   amplitude a (m) and the phase alpha (rad) follow from the start: at phi = 0 the deflection is a cos alpha +
+   particular. With m^2 = 1 - A phi the integral is I = 2k/(3A) (1 - m^3). It is computed as
+   (2k/3) phi (1 + m + m^2)/(1 + m), which holds for A = 0, too. Returns NaN for a null pointer and if 1 - A phi <=
+   0. */
 VM_API vm_real vm_drum_deflection(const vm_drum_shaft *s, vm_real phi, vm_real a, vm_real alpha, vm_real particular)
 {
     vm_real square, m, sine, cosine;

@@ -1,10 +1,11 @@
 /* mechanics/flow.h - a free body in space with streams of mass
 
-   These right-hand sides for rk45 and rk87 describe a rigid body whose mass, mass centre and inertia change while it
-   moves. In vm_flow_rhs streams cause the change (151), (152). In vm_flow_given_rhs all three are given functions of
-   time (170). In vm_flow_carried_rhs the mass that is lost or gained moves with the body (166). In the first two
-   functions momentum and angular momentum are states, from which velocity and angular velocity follow. Therefore a
-   momentum that is conserved stays exactly constant, and the rate of a stream may jump.
+   These right-hand sides for the integrators rk45 and rk87 describe a rigid body whose mass, mass centre and inertia
+   change while it moves. In vm_flow_rhs streams cause the change (151), (152). In vm_flow_given_rhs mass, mass centre
+   and inertia are given functions of time (170). In vm_flow_carried_rhs they are given, too, and the mass that is lost
+   or gained moves with the body (166). In the first two functions momentum and angular momentum are states, from which
+   velocity and angular velocity follow. Therefore a momentum that is conserved stays exactly constant, and the rate of
+   a stream may jump.
 
        vm_flow flow;
        ode_event empty;
@@ -27,17 +28,18 @@
            vm_flow_body(&flow, VM_FLOW_STATES, s.y, &body);
 
    The equations. The letters M', u, d, kappa, omega2, P(d) of a stream are explained at vm_reactive. The body has the
-   mass M, the inertia I and the angular velocity omega; F is the outer force on it and M_S the outer moment:
+   mass M, the inertia I and the angular velocity omega; F is the outer force on it and M_S the outer moment about the
+   mass centre. Each sum is over all streams, and q omega is a product of quaternions:
      r' = v + R sum (M'/M) d,  p' = F + sum M' u,  H' = M_S + R sum [d x M' (u - v) + M' kappa omega2],
      q' = q omega/2 + |omega| (1 - |q|^2) q/8,  c' = sum (M'/M) d,  I' = sum M' (kappa + P(d))
    r is the position of the mass centre, p = M v the momentum, H the angular momentum about the mass centre, and q the
-   attitude. The vector c leads from the reference point to the mass centre, and d = at - c; both are in body axes. R is
-   the rotation of q/|q| from body axes to inertial ones. The last term of q' is 0 for |q| = 1. It brings the length of
-   q back to 1 and does not lower the order of an integrator. The dissertation [1] prints I' omega2 in (152) instead of
-   M' kappa omega2.
-   If a stream has a store (vm_store) at the position s, three terms differ, with d_s = s - c: d_s replaces d in c' and
-   P(d); the gyration of the store replaces kappa in I'; and the mass on its way between store and surface has the
-   momentum M' (s - at) and the angular momentum M' d x d_s.
+   attitude as a quaternion. The vector c leads from the reference point to the mass centre, and d = at - c, where `at`
+   is the field of vm_stream; all three are in body axes. R is the rotation of q/|q| from body axes to inertial axes.
+   The last term of q' is 0 for |q| = 1. It brings the length of q back to 1 and does not lower the order of an
+   integrator. The dissertation [1] prints I' omega2 in (152) instead of M' kappa omega2.
+   If a stream has a store (vm_store) at the position s, let d_s = s - c. Three things then differ: d_s replaces d in c'
+   and in P(d); the gyration of the store replaces kappa in I'; and the mass that flows between the store and the
+   surface adds M' (s - at) to the body's momentum and M' d x d_s to its angular momentum.
    The reference point, from which `at`, s and c are measured, is fixed in the body; its position is r - R c. If
    flow.centre is 0 at the start, the reference point is the initial mass centre.
    Tests: tests/test_flow.c. */
@@ -61,7 +63,7 @@ enum {
     VM_Y_H = 10,       /* angular momentum about the mass centre, 3 numbers, kg m^2/s; for vm_flow_carried_rhs the
                           angular velocity in body axes, rad/s */
     VM_Y_MASS = 13,    /* mass, kg */
-    VM_Y_CENTRE = 14,  /* mass centre from the reference point, 3 numbers, body axes, m */
+    VM_Y_CENTRE = 14,  /* vector from the reference point to the mass centre, 3 numbers, body axes, m */
     VM_Y_INERTIA = 17, /* inertia xx, yy, zz, xy, xz, yz about the mass centre, body axes, kg m^2 */
     VM_Y_BALANCE = 23, /* integrals of vm_flow_balanced_rhs: 3 of momentum, 3 of angular momentum, 1 of energy */
     VM_FLOW_GIVEN_STATES = 13,   /* states if flow.update gives the mass data: vm_flow_given_rhs, vm_flow_carried_rhs */
@@ -77,23 +79,24 @@ typedef struct VM_TAG(vm_flow) {
     vm_vec3 force;      /* resultant of the outer forces, N, inertial axes */
     vm_vec3 moment;     /* moment of the outer forces about the mass centre, plus all torques, N m, inertial axes */
     /* NULL, or a function that is called before each evaluation of a right-hand side and sets what depends on time and
-       state. It may set every field of the flow and of its streams: a weight (flow->force = y[VM_Y_MASS] g), a rate
-       that follows a valve, and the laws of mass M(t), mass centre c(t) and inertia I(t) for vm_flow_given_rhs and
-       vm_flow_carried_rhs. (One function gives all ten numbers of these laws, because they belong together.) It
-       returns 0; another number ends the run, with the integrator's status ODE_RHS_STOPPED. What it sets has to be a
-       smooth function of t and y. To switch something at an instant, use an event with the action ODE_RESTART and its
-       function `change`. */
+       state. It may set every field of the flow and of its streams: for example a weight (flow->force = y[VM_Y_MASS]
+       g), a rate that a valve changes, or the mass M(t), mass centre c(t) and inertia I(t) for vm_flow_given_rhs and
+       vm_flow_carried_rhs. The function returns 0 to go on. If it returns another number, the run ends with the
+       integrator's status ODE_RHS_STOPPED. The values that it sets must be smooth functions of t and y. To switch
+       something at an instant, use an event with the action ODE_RESTART and set the event's function `change`. */
     int (*update)(vm_real t, const vm_real *y, struct VM_TAG(vm_flow) * flow);
     void *ctx;             /* pointer for the caller's `update`; not used by the functions below */
     vm_real mass;          /* mass for vm_flow_given_rhs and vm_flow_carried_rhs, kg */
-    vm_vec3 centre;        /* mass centre from the reference point, m, body axes (vm_flow_given_rhs, vm_flow_start) */
+    vm_vec3 centre;        /* vector from the reference point to the mass centre, m, body axes; for vm_flow_given_rhs
+                              and vm_flow_start */
     vm_inertia inertia;    /* inertia for vm_flow_given_rhs and vm_flow_carried_rhs, kg m^2, body axes */
     vm_vec3 drift;         /* rate c'(t) of the mass centre for vm_flow_carried_rhs, m/s, body axes */
-    vm_real least_mass;    /* mass at which vm_flow_mass_left is 0, kg */
-    vm_real least_inertia; /* smallest pivot of the inertia at which vm_flow_inertia_left is 0, kg m^2 */
-    /* VM_OK, or the reason why the last evaluations gave NaN or ended the run. A trial step may go beyond the end of a
-       motion, where the mass is zero or negative or no body can have the inertia. The derivatives are then NaN, so that
-       the integrator shortens its step. An event should stop the run before this happens. */
+    vm_real least_mass;    /* the event function vm_flow_mass_left is 0 when the mass has fallen to this value, kg */
+    vm_real least_inertia; /* the event function vm_flow_inertia_left is 0 when the smallest pivot of the inertia has
+                              fallen to this value, kg m^2 */
+    /* VM_OK, or the reason why the last evaluations gave NaN or ended the run. A trial step of the integrator may go
+       beyond the end of a motion, where the mass is not positive or no body can have the inertia. The derivatives are
+       then NaN, so that the integrator shortens its step. An event should stop the run before this happens. */
     int status;
     /* Length of the array y, VM_LENGTH(y), which all functions below check; 0 means unknown. vm_flow_start writes
        VM_FLOW_GIVEN_STATES or VM_FLOW_STATES numbers, as many as y_size allows. If y_size allows all
@@ -112,23 +115,23 @@ VM_API int vmi_flow_reject_step(int n, vm_real *dydt)
     return 0;
 }
 
-/* Stores the status of an evaluation of a right-hand side in *kept and returns it. After several failures in a row
-   *kept is the status of the first one, because the NaN that it returned causes the later failures. */
+/* Stores the status of an evaluation of a right-hand side in *kept and returns this status. After several failures in a
+   row *kept is the status of the first failure, because its NaN derivatives may be the cause of the later failures. */
 VM_INLINE int vmi_flow_note_status(int *kept, int status)
 {
     if (!status || !*kept) *kept = status;
     return status;
 }
 
-/* Mass, mass centre and inertia of a body at an instant */
+/* Mass, vector from the reference point to the mass centre, and inertia of a body at an instant, in body axes */
 typedef struct VM_TAG(vmi_flow_mass) {
     vm_real mass;
     vm_vec3 centre;
     vm_inertia inertia;
 } vmi_flow_mass;
 
-/* The present mass, mass centre and inertia of the body: from the fields of the flow if given = 1, else from the state
-   y */
+/* Returns the present mass, mass centre and inertia of the body. They are fields of the flow if given = 1, and parts of
+   the state y if given = 0. */
 VM_INLINE vmi_flow_mass vmi_flow_mass_at(const vm_flow *flow, int given, const vm_real *y)
 {
     vmi_flow_mass b;
@@ -156,8 +159,9 @@ VM_INLINE int vmi_flow_check_mass(vm_real mass)
     return VM_OK;
 }
 
-/* Computes from the state y the rotation *turn from body axes to inertial ones, and in *seen the velocity, the
-   angular velocity and all else that the streams need. Returns VM_OK, VM_NOT_FINITE, VM_BAD_MASS or VM_BAD_INERTIA. */
+/* Computes from the state y the rotation *turn from body axes to inertial axes, and in *seen the velocity, the angular
+   velocity and the other quantities that the sums over the streams need. Returns VM_OK, VM_NOT_FINITE, VM_BAD_MASS or
+   VM_BAD_INERTIA. */
 VM_INLINE int vmi_flow_motion(const vm_flow *flow, const vm_real *y, const vmi_flow_mass *b, vmi_mat3 *turn,
                               vmi_stream_seen *seen)
 {
@@ -174,25 +178,26 @@ VM_INLINE int vmi_flow_motion(const vm_flow *flow, const vm_real *y, const vmi_f
     vmi_stream_on_the_way(flow->n, flow->streams, b->centre, &p_on_the_way, &h_on_the_way);
     seen->turn = turn;
     seen->centre = b->centre;
-    seen->v = vmi_scale(inverse, p);
-    seen->slip = vmi_scale(-inverse, p_on_the_way);
-    seen->omega = vmi_inertia_solve(&factors, vmi_sub(h, h_on_the_way));
+    seen->v = vm_scale(inverse, p);
+    seen->slip = vm_scale(-inverse, p_on_the_way);
+    seen->omega = vmi_inertia_solve(&factors, vm_sub(h, h_on_the_way));
     return VM_OK;
 }
 
-/* Sets dydt[0] ... dydt[6], the rates of the seven integrals of vm_flow_balanced_rhs: the momentum, angular momentum
-   and energy that the streams take out of the body per second, minus those that the outer loads put in */
+/* Sets dydt[0] ... dydt[6] to the rates of the seven integrals of vm_flow_balanced_rhs: the momentum, angular momentum
+   and energy that the streams take out of the body per second, minus those that outer loads put into it per second */
 VM_INLINE void vmi_flow_balance(const vm_flow *flow, const vm_real *y, const vmi_stream_seen *seen,
                                 const vmi_stream_sum *sum, vm_vec3 force, vm_vec3 moment, vm_real *dydt)
 {
     const vm_vec3 omega = vmi_times(seen->turn, seen->omega), r = vmi_get3(y + VM_Y_R);
     const vm_vec3 drift = vmi_times(seen->turn, sum->crossing);
-    vmi_set3(dydt, vmi_scale(-1, force));
-    vmi_set3(dydt + 3, vmi_scale(-1, vmi_add(moment, vmi_add(vmi_cross(r, force), vmi_cross(drift, seen->v)))));
-    dydt[6] = (sum->lost - sum->brought) / 2 - vmi_dot(flow->force, seen->v) - vmi_dot(flow->moment, omega);
+    vmi_set3(dydt, vm_scale(-1, force));
+    vmi_set3(dydt + 3, vm_scale(-1, vm_add(moment, vm_add(vm_cross(r, force), vm_cross(drift, seen->v)))));
+    dydt[6] = (sum->lost - sum->brought) / 2 - vm_dot(flow->force, seen->v) - vm_dot(flow->moment, omega);
 }
 
-/* Evaluates the right-hand side that has n states: vm_flow_given_rhs, vm_flow_rhs or vm_flow_balanced_rhs */
+/* Evaluates a right-hand side. The number n of its states tells which one: vm_flow_given_rhs, vm_flow_rhs or
+   vm_flow_balanced_rhs. */
 VM_INLINE int vmi_flow_rates(vm_flow *flow, int n, vm_real t, const vm_real *y, vm_real *dydt)
 {
     const int given = n == VM_FLOW_GIVEN_STATES;
@@ -212,25 +217,25 @@ VM_INLINE int vmi_flow_rates(vm_flow *flow, int n, vm_real t, const vm_real *y, 
     if (vmi_flow_note_status(&flow->status, status)) return vmi_flow_reject_step(n, dydt);
     seen.energy = n == VM_FLOW_BALANCED_STATES;
     if (!vmi_stream_sums(flow->n, flow->streams, &seen, &sum)) return flow->status = VM_BAD_ARGUMENT;
-    force = vmi_add(vmi_times(&turn, sum.pushed), vmi_scale(sum.carried, seen.v));
-    force = vmi_add(flow->force, vmi_add(sum.absolute, force));
-    moment = vmi_add(flow->moment, vmi_times(&turn, vmi_add(sum.moment, sum.own)));
-    vmi_set3(dydt + VM_Y_R, vmi_add(seen.v, vmi_times(&turn, vmi_scale(1 / body.mass, sum.crossing))));
+    force = vm_add(vmi_times(&turn, sum.pushed), vm_scale(sum.carried, seen.v));
+    force = vm_add(flow->force, vm_add(sum.absolute, force));
+    moment = vm_add(flow->moment, vmi_times(&turn, vm_add(sum.moment, sum.own)));
+    vmi_set3(dydt + VM_Y_R, vm_add(seen.v, vmi_times(&turn, vm_scale(1 / body.mass, sum.crossing))));
     vmi_attitude_rates(q, vmi_quat_square(q), seen.omega, dydt + VM_Y_Q);
     vmi_set3(dydt + VM_Y_P, force);
     vmi_set3(dydt + VM_Y_H, moment);
     if (given) return 0;
     dydt[VM_Y_MASS] = sum.rate;
-    vmi_set3(dydt + VM_Y_CENTRE, vmi_scale(1 / body.mass, sum.stored));
+    vmi_set3(dydt + VM_Y_CENTRE, vm_scale(1 / body.mass, sum.stored));
     vmi_set_inertia(dydt + VM_Y_INERTIA, &sum.inertia);
     if (seen.energy) vmi_flow_balance(flow, y, &seen, &sum, force, moment, dydt + VM_Y_BALANCE);
     return 0;
 }
 
 /* Right-hand side of a free body whose streams change its mass (151), (152).
-   An ode_rhs of VM_FLOW_STATES states; ctx is a vm_flow. The equations stand at the top of mechanics/flow.h. Returns
-   0; or VM_BAD_ARGUMENT for a null pointer, n < 0 or an unknown `motion` of a stream, VM_SHORT_ARRAY if y_size is too
-   small, or the number that flow.update returns, each of which ends the run. */
+   An ode_rhs of VM_FLOW_STATES states; its ctx is a vm_flow. The equations are given at the top of mechanics/flow.h.
+   Returns 0; or VM_BAD_ARGUMENT for a null pointer, n < 0 or an unknown `motion` of a stream, VM_SHORT_ARRAY if y_size
+   is too small, or the number that flow.update returns, each of which ends the run. */
 VM_API int vm_flow_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow)
 {
     if (!y || !dydt || !flow) return VM_BAD_ARGUMENT;
@@ -238,9 +243,10 @@ VM_API int vm_flow_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow)
 }
 
 /* Right-hand side of a free body with given laws of mass, mass centre and inertia.
-   An ode_rhs of VM_FLOW_GIVEN_STATES states; ctx is a vm_flow, whose `update` gives the laws as functions of time.
-   The streams make forces and moments as in vm_flow_rhs. Without streams the equations are (170): mass joins and
-   leaves at rest, at the mass centre. The errors are those of vm_flow_rhs. */
+   An ode_rhs of VM_FLOW_GIVEN_STATES states; its ctx is a vm_flow, whose `update` must set mass, centre and inertia for
+   the time t. The streams cause forces and moments as in vm_flow_rhs, but do not change the mass. Without streams the
+   equations are (170): the mass that joins or leaves is at rest and at the mass centre. The errors are those of
+   vm_flow_rhs. */
 VM_API int vm_flow_given_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow)
 {
     if (!y || !dydt || !flow) return VM_BAD_ARGUMENT;
@@ -248,13 +254,13 @@ VM_API int vm_flow_given_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *f
 }
 
 /* Right-hand side vm_flow_rhs with seven integrals that check the balances.
-   An ode_rhs of VM_FLOW_BALANCED_STATES states; ctx is a vm_flow. The integrals stand from y[VM_Y_BALANCE] on and are
-   zero at the start: momentum (3), angular momentum about the origin (3) and kinetic energy (1) that the streams took
-   out, minus those that the outer loads put in. The sum of an integral and the body's own quantity stays constant.
-   (There are two exceptions if a stream has a store: the body's angular momentum is then y[VM_Y_H] + r x p, and the
-   energy does not balance.) The rate T' of the kinetic energy follows from (113), (118), which hold for sudden
-   changes, in the limit of a continuous stream, for M' > 0 and M' < 0. With the letters of the equations at the top of
-   mechanics/flow.h:
+   An ode_rhs of VM_FLOW_BALANCED_STATES states; its ctx is a vm_flow. The integrals are the states from y[VM_Y_BALANCE]
+   on and are zero at the start. They are the momentum (3 numbers), the angular momentum about the origin (3 numbers)
+   and the kinetic energy that the streams have taken out of the body, minus those that the outer loads have put in.
+   The sum of an integral and the corresponding quantity of the body stays constant. (There are two exceptions if a
+   stream has a store: the body's angular momentum is then y[VM_Y_H] + r x p, and the energy does not balance.)
+   The rate T' of the kinetic energy is the limit of (113), (118), which hold for sudden changes, for a continuous
+   stream with M' > 0 or M' < 0. With the letters of the equations at the top of mechanics/flow.h:
      T' = F v + M_S omega + sum [M' u^2 + omega2 M' kappa omega2]/2 - sum [M' w^2 + omega_r M' kappa omega_r]/2,
      w = u - v - omega x d, omega_r = omega2 - omega.
    The first sum is the power that the streams bring. The second sum, with its minus sign, is the power of engines
@@ -266,11 +272,12 @@ VM_API int vm_flow_balanced_rhs(vm_real t, const vm_real *y, vm_real *dydt, void
 }
 
 /* Right-hand side of a free body that loses or gains mass which moves with the body (166).
-   An ode_rhs of VM_FLOW_GIVEN_STATES states; ctx is a vm_flow, whose `update` gives mass, centre, inertia and drift.
-   The states are r, q, the velocity v (not the momentum) and omega in body axes (not the angular momentum). Streams
-   are not read. The equations are v' = F/M + R (omega x c'), r' = v + R c' and I omega' + omega x I omega = M_S.
-   Their letters are explained at the top of mechanics/flow.h; here c' is flow.drift, and M_S is in body axes. The
-   errors are those of vm_flow_rhs. */
+   An ode_rhs of VM_FLOW_GIVEN_STATES states; its ctx is a vm_flow, whose `update` must set mass, inertia and drift for
+   the time t. The states are r, q, the velocity v (not the momentum) and omega in body axes (not the angular
+   momentum). Streams are not read. The equations are
+     v' = F/M + R (omega x c'), r' = v + R c', I omega' + omega x I omega = M_S.
+   The letters are explained at the top of mechanics/flow.h; here c' is flow.drift, and M_S is in body axes. The errors
+   are those of vm_flow_rhs. */
 VM_API int vm_flow_carried_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 {
     if (!y || !dydt || !ctx) return VM_BAD_ARGUMENT;
@@ -288,17 +295,18 @@ VM_API int vm_flow_carried_rhs(vm_real t, const vm_real *y, vm_real *dydt, void 
     if (!vmi_inertia_factor_if_possible(&flow->inertia, &factors)) status = vmi_first_error(status, VM_BAD_INERTIA);
     if (vmi_flow_note_status(&flow->status, status)) return vmi_flow_reject_step(VM_FLOW_GIVEN_STATES, dydt);
     turn = vmi_rotation_of_square(q, square);
-    vmi_set3(dydt + VM_Y_R, vmi_add(vmi_get3(y + VM_Y_P), vmi_times(&turn, flow->drift)));
+    vmi_set3(dydt + VM_Y_R, vm_add(vmi_get3(y + VM_Y_P), vmi_times(&turn, flow->drift)));
     vmi_attitude_rates(q, square, omega, dydt + VM_Y_Q);
     vmi_set3(dydt + VM_Y_P,
-             vmi_add(vmi_scale(1 / flow->mass, flow->force), vmi_times(&turn, vmi_cross(omega, flow->drift))));
+             vm_add(vm_scale(1 / flow->mass, flow->force), vmi_times(&turn, vm_cross(omega, flow->drift))));
     vmi_set3(dydt + VM_Y_H,
              vmi_stream_euler(&flow->inertia, &factors, omega, vmi_times_transposed(&turn, flow->moment)));
     return 0;
 }
 
-/* Returns how many numbers vm_flow_start writes: VM_FLOW_STATES, or fewer if y_size leaves less room. It writes zeros
-   for the integrals of the balance only if y_size is large enough for them. */
+/* Returns how many numbers vm_flow_start writes: VM_FLOW_STATES if y_size is unknown (0) or large enough, and
+   VM_FLOW_GIVEN_STATES if y_size is smaller. If y_size is large enough for the integrals of the balance, too, the
+   result is VM_FLOW_BALANCED_STATES. */
 VM_API int vmi_flow_size_at_start(const vm_flow *flow)
 {
     if (flow->y_size >= VM_FLOW_BALANCED_STATES) return VM_FLOW_BALANCED_STATES;
@@ -319,11 +327,11 @@ VM_API int vmi_flow_check_start(const vm_flow *flow, const vm_body *body)
 }
 
 /* Initial state y of a body with streams. Writes the first VM_FLOW_STATES states, or as many as flow.y_size allows.
-   The mass centre is flow.centre, and the streams are those of flow.streams at the start. Sets flow.mass and
-   flow.inertia too. For vm_flow_given_rhs y must have room for VM_FLOW_GIVEN_STATES numbers at least, and flow.y_size
-   must be set if it has room for fewer than VM_FLOW_STATES. vm_flow_carried_rhs has different states, which the
-   caller sets. Returns VM_BAD_ARGUMENT for a null pointer, n < 0 or an unknown `motion` of a stream, VM_NOT_FINITE,
-   VM_BAD_MASS, VM_BAD_INERTIA also for a rod or a point, VM_SHORT_ARRAY, and VM_OK otherwise. */
+   Before the call flow.centre and flow.streams must have the mass centre and the streams at the start. The function
+   sets flow.mass and flow.inertia, too. For vm_flow_given_rhs y must have room for VM_FLOW_GIVEN_STATES numbers at
+   least, and flow.y_size must be set if it has room for fewer than VM_FLOW_STATES. vm_flow_carried_rhs has different
+   states, which the caller sets. Returns VM_BAD_ARGUMENT for a null pointer, n < 0 or an unknown `motion` of a stream,
+   VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_INERTIA also for a rod or a point, VM_SHORT_ARRAY, and VM_OK otherwise. */
 VM_API int vm_flow_start(vm_flow *flow, const vm_body *body, vm_real *y)
 {
     vm_vec3 p, h;
@@ -334,7 +342,7 @@ VM_API int vm_flow_start(vm_flow *flow, const vm_body *body, vm_real *y)
     if (!flow || !body || !y) return VM_BAD_ARGUMENT;
     status = vmi_flow_check_start(flow, body);
     if (status) return status;
-    q = vmi_unit_quat(body->q);
+    q = vm_unit_quat(body->q);
     turn = vmi_rotation(q);
     vmi_stream_on_the_way(flow->n, flow->streams, flow->centre, &p, &h);
     start[VM_Y_Q] = q.w;
@@ -343,7 +351,7 @@ VM_API int vm_flow_start(vm_flow *flow, const vm_body *body, vm_real *y)
     start[VM_Y_Q + 3] = q.z;
     vmi_set3(start + VM_Y_R, body->r);
     vmi_set3(start + VM_Y_P, vm_momentum(body));
-    vmi_set3(start + VM_Y_H, vmi_add(vmi_spin_momentum(body), vmi_times(&turn, h)));
+    vmi_set3(start + VM_Y_H, vm_add(vmi_spin_momentum(body), vmi_times(&turn, h)));
     start[VM_Y_MASS] = body->mass;
     vmi_set3(start + VM_Y_CENTRE, flow->centre);
     vmi_set_inertia(start + VM_Y_INERTIA, &body->inertia);
@@ -357,10 +365,10 @@ VM_API int vm_flow_start(vm_flow *flow, const vm_body *body, vm_real *y)
     return VM_OK;
 }
 
-/* The body that n states y describe, with a quaternion of length 1. For n = VM_FLOW_GIVEN_STATES mass, mass centre
-   and inertia come from the flow, for a larger n from y. The states of vm_flow_carried_rhs are different and must not
-   be given. Returns VM_BAD_ARGUMENT for a null pointer and n < VM_FLOW_GIVEN_STATES, VM_SHORT_ARRAY, VM_BAD_MASS,
-   VM_BAD_INERTIA, VM_NOT_FINITE, and VM_OK otherwise. */
+/* The body that n states y describe, with a quaternion of length 1. If n < VM_FLOW_STATES, mass, mass centre and
+   inertia are the fields of *flow; otherwise they are states in y. y must not be a state of vm_flow_carried_rhs, which
+   has different states. Returns VM_BAD_ARGUMENT for a null pointer and n < VM_FLOW_GIVEN_STATES, VM_SHORT_ARRAY,
+   VM_BAD_MASS, VM_BAD_INERTIA, VM_NOT_FINITE, and VM_OK otherwise. */
 VM_API int vm_flow_body(const vm_flow *flow, int n, const vm_real *y, vm_body *body)
 {
     vm_body b;
@@ -377,7 +385,7 @@ VM_API int vm_flow_body(const vm_flow *flow, int n, const vm_real *y, vm_body *b
     if (status) return status;
     b.mass = now.mass;
     b.inertia = now.inertia;
-    b.q = vmi_unit_quat(vmi_get_quat(y + VM_Y_Q));
+    b.q = vm_unit_quat(vmi_get_quat(y + VM_Y_Q));
     b.r = vmi_get3(y + VM_Y_R);
     b.v = seen.v;
     b.omega = vmi_times(&turn, seen.omega);
@@ -397,10 +405,10 @@ VM_API vm_real vm_flow_mass_left(vm_real t, const vm_real *y, void *flow)
 }
 
 /* Smallest pivot of the inertia minus flow.least_inertia, kg m^2: an event function.
-   The pivots are those of the factorization L D L^T. The event stops a run before the inertia becomes singular, which
-   means that a pivot is 0. It is for vm_flow_rhs and vm_flow_balanced_rhs; its ctx is the vm_flow. The event does not
-   watch the triangle inequality of the moments, because thin bodies are always close to its limit. Returns NaN for a
-   null pointer or an inertia that is not finite. */
+   The pivots are the diagonal entries of D in the factorization L D L^T of the inertia. The event stops a run before a
+   pivot becomes 0, which would make the inertia singular. It is for vm_flow_rhs and vm_flow_balanced_rhs; the ctx of
+   the event is the vm_flow. The event does not check the triangle inequality of the moments, because thin bodies are
+   always close to its limit. Returns NaN for a null pointer or an inertia that is not finite. */
 VM_API vm_real vm_flow_inertia_left(vm_real t, const vm_real *y, void *flow)
 {
     if (!y || !flow) return VM_NAN;

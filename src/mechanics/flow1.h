@@ -2,7 +2,7 @@
 
    These right-hand sides describe motions with streams of mass that need fewer states than a free body in space:
    translation in space (172), straight motion (175), (176), and rotation about a fixed axle (173a). The equation of
-   rotation is that of straight motion, with the moment of inertia instead of the mass.
+   rotation is the equation of straight motion with the moment of inertia instead of the mass.
 
        vm_stream1 jet = {-1, -2000, VM_RELATIVE}; // 1 kg/s leaves at 2000 m/s backwards
        vm_flow1 flow;
@@ -40,9 +40,10 @@ enum {
     VM_FLOW1_STATES = 3
 };
 
-/* A stream of mass that enters or leaves a body on a line or an axle. For an axle let M' be the mass per time, rho the
-   distance of the mass from the axle and kappa its gyration (inertia per unit mass). Then `rate` is M' (kappa + rho^2),
-   and `velocity` is the angular momentum of the stream per unit mass divided by kappa + rho^2. */
+/* A stream of mass that enters or leaves a body on a line or an axle. For a body on an axle let M' be the mass per
+   time, rho the distance from the axle at which the mass enters or leaves, and kappa the inertia per unit mass of this
+   mass about its own mass centre. Then `rate` must be M' (kappa + rho^2), the rate of the moment of inertia. `velocity`
+   must be the angular momentum per unit mass, about the axle, of this mass, divided by kappa + rho^2. */
 typedef struct VM_TAG(vm_stream1) {
     vm_real rate;     /* mass per time, kg/s (axle: kg m^2/s); > 0: mass joins, < 0: mass leaves */
     vm_real velocity; /* velocity of the stream's mass, m/s (axle: rad/s) */
@@ -61,21 +62,21 @@ typedef struct VM_TAG(vm_flow1) {
     int status; /* VM_OK, or the reason why the last evaluations gave NaN or ended the run: see vm_flow.status */
 } vm_flow1;
 
-/* The velocity u of a stream's mass. v is the velocity of the body, and `given` is the field `velocity` of the stream.
-   All three vectors have the same axes. */
+/* Returns the velocity u of a stream's mass. v is the velocity of the body, and `given` is the field `velocity` of the
+   stream. All three vectors have the same axes. */
 VM_INLINE vm_vec3 vmi_translation_velocity(int motion, vm_vec3 v, vm_vec3 given)
 {
     vm_vec3 u = vmi_vec3(0, 0, 0);
     if (vmi_stream_moves_with_body(motion)) u = v;
-    if (vmi_stream_velocity_is_given(motion)) u = vmi_add(u, given);
+    if (vmi_stream_velocity_is_given(motion)) u = vm_add(u, given);
     return u;
 }
 
-/* Evaluates the right-hand side of vm_translation_rhs; flow->update has been called before */
+/* Evaluates the right-hand side of vm_translation_rhs. The caller has called flow->update before, if it is not NULL. */
 VM_INLINE int vmi_translation_rates(vm_flow *flow, const vm_real *y, vm_real *dydt)
 {
     const vm_real mass = y[VM_TRANSLATION_MASS];
-    const vm_vec3 v = vmi_scale(1 / mass, vmi_get3(y + VM_TRANSLATION_P));
+    const vm_vec3 v = vm_scale(1 / mass, vmi_get3(y + VM_TRANSLATION_P));
     vm_real rate = 0;
     vm_vec3 force = flow->force;
     int k, status = VM_OK;
@@ -87,7 +88,7 @@ VM_INLINE int vmi_translation_rates(vm_flow *flow, const vm_real *y, vm_real *dy
         const vm_stream *s = flow->streams + k;
         if (!vmi_stream_motion_is_known(s->motion)) return flow->status = VM_BAD_ARGUMENT;
         rate += s->rate;
-        force = vmi_add(force, vmi_scale(s->rate, vmi_translation_velocity(s->motion, v, s->velocity)));
+        force = vm_add(force, vm_scale(s->rate, vmi_translation_velocity(s->motion, v, s->velocity)));
     }
     vmi_set3(dydt + VM_TRANSLATION_R, v);
     vmi_set3(dydt + VM_TRANSLATION_P, force);
@@ -95,8 +96,8 @@ VM_INLINE int vmi_translation_rates(vm_flow *flow, const vm_real *y, vm_real *dy
     return 0;
 }
 
-/* Calls flow->update, then evaluates the rates. This function is not inlined, so that a flow without `update` need
-   not save registers for this call. */
+/* Calls flow->update, then evaluates the right-hand side. This function is not inlined. Otherwise a flow without
+   `update` would lose time, because the processor's registers would be saved for the call of `update`. */
 VMI_APART int vmi_translation_updated_rates(vm_real t, const vm_real *y, vm_real *dydt, vm_flow *flow)
 {
     const int status = flow->update(t, y, flow);
@@ -105,10 +106,11 @@ VMI_APART int vmi_translation_updated_rates(vm_real t, const vm_real *y, vm_real
 }
 
 /* Right-hand side of a body in translation with streams of mass: r' = p/M, p' = F + sum M' u (172).
-   An ode_rhs of VM_TRANSLATION_STATES states; ctx is a vm_flow, of which n, streams, force, update, y_size and status
-   are used. r is the position, p the momentum, M the mass, F the outer force, M' the rate of a stream and u the
-   velocity of its mass. Body axes are parallel to the inertial axes. The fields at, spin, gyration and from of the
-   streams are not read. Returns 0; or VM_BAD_ARGUMENT for a null pointer, n < 0 or an unknown `motion` of a stream,
+   An ode_rhs of VM_TRANSLATION_STATES states; its ctx, here `flow`, is a vm_flow, of which n, streams, force, update,
+   y_size and status are used. r is the position of the mass centre, p the momentum, M the mass and F the outer force.
+   The sum is over all streams; M' is the rate of a stream and u the velocity of its mass. The rate of M is the sum of
+   M'. Body axes are parallel to the inertial axes. The fields at, spin, gyration and from of the streams are not read.
+   Returns 0; or VM_BAD_ARGUMENT for a null pointer, n < 0 or an unknown `motion` of a stream,
    VM_SHORT_ARRAY if y_size is too small, or the number that flow.update returns, each of which ends the run. */
 VM_API int vm_translation_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow)
 {
@@ -118,7 +120,7 @@ VM_API int vm_translation_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *
     return vmi_translation_rates(f, y, dydt);
 }
 
-/* Evaluates the right-hand side of vm_flow1_rhs; flow->update has been called before */
+/* Evaluates the right-hand side of vm_flow1_rhs. The caller has called flow->update before, if it is not NULL. */
 VM_INLINE int vmi_flow1_rates(vm_flow1 *flow, const vm_real *y, vm_real *dydt)
 {
     const vm_real v = y[VM_FLOW1_P] / y[VM_FLOW1_MASS];
@@ -139,8 +141,8 @@ VM_INLINE int vmi_flow1_rates(vm_flow1 *flow, const vm_real *y, vm_real *dydt)
     return 0;
 }
 
-/* Calls flow->update, then evaluates the rates. The comment on vmi_translation_updated_rates says why it is not
-   inlined. */
+/* Calls flow->update, then evaluates the right-hand side. The comment on vmi_translation_updated_rates says why this
+   function is not inlined. */
 VMI_APART int vmi_flow1_updated_rates(vm_real t, const vm_real *y, vm_real *dydt, vm_flow1 *flow)
 {
     const int status = flow->update(t, y, flow);
@@ -149,10 +151,11 @@ VMI_APART int vmi_flow1_updated_rates(vm_real t, const vm_real *y, vm_real *dydt
 }
 
 /* Right-hand side of a body on a line or an axle with streams of mass, (173a), (175), (176).
-   An ode_rhs of VM_FLOW1_STATES states; ctx is a vm_flow1. The position x, the momentum p and the mass M change by
-   x' = p/M, p' = F + sum of M_i u_i, M' = sum of M_i, with the outer force F, the streams' rates M_i and the
-   velocities u_i of their mass. Returns 0; or VM_BAD_ARGUMENT for a null pointer, n < 0 or an unknown `motion` of a
-   stream, or the number that flow.update returns, each of which ends the run. */
+   An ode_rhs of VM_FLOW1_STATES states; its ctx, here `flow1`, is a vm_flow1. The equations for the position x, the
+   momentum p and the mass M are x' = p/M, p' = F + sum of M_i u_i, M' = sum of M_i. F is the outer force. Each sum is
+   over all streams; M_i is the rate of stream number i, and u_i is the velocity of its mass. Returns 0; or
+   VM_BAD_ARGUMENT for a null pointer, n < 0 or an unknown `motion` of a stream, or the number that flow.update returns,
+   each of which ends the run. */
 VM_API int vm_flow1_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow1)
 {
     if (!y || !dydt || !flow1) return VM_BAD_ARGUMENT;

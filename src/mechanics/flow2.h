@@ -1,7 +1,7 @@
 /* mechanics/flow2.h - a body in a plane with streams of mass
 
-   This is the right-hand side of mechanics/flow.h for motion in a plane, with 10 states instead of 23. Streams in the
-   plane have no stores; otherwise the equations are those of motion in space.
+   This chapter has the right-hand side of mechanics/flow.h for motion in a plane, with 10 states instead of 23. The
+   equations are those of motion in space, except that streams in the plane have no stores.
 
        vm_stream2 jet = {-1, VM_RELATIVE, -0.5, 0, -2000, 0, 0, 0}; // 1 kg/s, 0.5 m behind, 2000 m/s backwards
        vm_flow2 flow;
@@ -30,7 +30,7 @@ enum {
     VM_FLOW2_P = 3,       /* momentum, 2 numbers, kg m/s */
     VM_FLOW2_H = 5,       /* angular momentum about the mass centre, kg m^2/s */
     VM_FLOW2_MASS = 6,    /* mass, kg */
-    VM_FLOW2_CENTRE = 7,  /* mass centre from the reference point, 2 numbers, body axes, m */
+    VM_FLOW2_CENTRE = 7,  /* vector from the reference point to the mass centre, 2 numbers, body axes, m */
     VM_FLOW2_INERTIA = 9, /* moment of inertia about the mass centre, kg m^2 */
     VM_FLOW2_STATES = 10
 };
@@ -58,10 +58,11 @@ typedef struct VM_TAG(vm_flow2) {
     int status; /* VM_OK, or the reason why the last evaluations gave NaN or ended the run: see vm_flow.status */
 } vm_flow2;
 
-/* Sine and cosine of x, with errors below 0.6 eps. For |x| up to 2^20 quarter turns (float 2^10) the j quarter turns
-   nearest to x are subtracted from it, in fewer operations than vmi_sincos needs. pi/2 is taken as the sum of two
-   numbers: `first` has 33 (float 14) bits, so that j times `first` is exact. The sum of `first` and `second` differs
-   from pi/2 by 2^-87 (float 2^-38). The product j times `second` has a rounding error of 2^-67 (float 2^-28). */
+/* Computes sine and cosine of x, with errors below 0.6 eps, in fewer operations than vmi_sincos. For |x| up to 2^20
+   quarter turns (float 2^10) it subtracts j pi/2 from x, where j is the integer nearest to x/(pi/2). pi/2 is replaced
+   by the sum of two numbers: `first` has 33 (float 14) bits, so that j times `first` is exact. The sum of `first` and
+   `second` differs from pi/2 by 2^-87 (float 2^-38). The product of j and `second` has a rounding error of at most
+   2^-67 (float 2^-28). For larger |x| the function calls vmi_sincos. */
 VM_INLINE void vmi_sincos_of_angle(vm_real x, vm_real *sine, vm_real *cosine)
 {
 #if VM_MANT_DIG > 24
@@ -94,7 +95,7 @@ typedef struct VM_TAG(vmi_stream_seen2) {
     vm_real sine, cosine;       /* sine and cosine of the body's angle */
     vm_real vx, vy;             /* velocity, which is momentum/mass, body axes */
     vm_real omega;              /* angular velocity, rad/s */
-    vm_real centre_x, centre_y; /* mass centre from the reference point, body axes */
+    vm_real centre_x, centre_y; /* vector from the reference point to the mass centre, body axes */
 } vmi_stream_seen2;
 
 /* The sums over the streams of a body in the plane, in body axes except fx, fy. The letters M', u, v, d, kappa,
@@ -104,12 +105,12 @@ typedef struct VM_TAG(vmi_stream_sum2) {
     vm_real carried; /* sum of M' of the streams whose velocity is relative to the body */
     vm_real px, py;  /* force of the streams whose velocity is relative to the body: sum of M' (u - v) */
     vm_real fx, fy;  /* outer force, plus the sum of M' u of the streams whose velocity is absolute, inertial axes */
-    vm_real moment;  /* outer moment, plus the moments d x M' (u - v) + M' kappa omega2 of the streams */
-    vm_real sx, sy;  /* sum of M' d, which moves the mass centre in the body */
-    vm_real inertia; /* rate of the body's inertia: sum of M' (kappa + d^2) */
+    vm_real moment;  /* outer moment, plus the sum of d x M' (u - v) + M' kappa omega2 over all streams */
+    vm_real sx, sy;  /* sum of M' d over all streams; divided by M it is the rate of the mass centre in the body */
+    vm_real inertia; /* rate of the body's inertia: sum of M' (kappa + d^2) over all streams */
 } vmi_stream_sum2;
 
-/* Adds a stream, whose `motion` is known, to the sums */
+/* Adds the terms of a stream to the sums. Its `motion` must be known. */
 VM_INLINE void vmi_stream_add2(const vm_stream2 *s, const vmi_stream_seen2 *b, vmi_stream_sum2 *sum)
 {
     const int given = vmi_stream_velocity_is_given(s->motion);
@@ -157,7 +158,7 @@ VM_INLINE int vmi_flow2_check_state(const vm_real *y)
 }
 
 /* Right-hand side of a body in the plane with streams of mass, (151), (152).
-   An ode_rhs of VM_FLOW2_STATES states; ctx is a vm_flow2. The equations are those at the top of mechanics/flow.h.
+   An ode_rhs of VM_FLOW2_STATES states; its ctx is a vm_flow2. The equations are those at the top of mechanics/flow.h.
    Returns 0; or VM_BAD_ARGUMENT for a null pointer, n < 0 or an unknown `motion` of a stream, or the number that
    flow.update returns, each of which ends the run. */
 VM_API int vm_flow2_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)

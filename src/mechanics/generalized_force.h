@@ -30,8 +30,8 @@ VM_API void vm_lagrange_add_force(int n, vm_vec3 force, const vm_vec3 *dr_or_NUL
     if (!Q) return;
     for (k = 0; k < n; k++) {
         vm_real sum = 0;
-        if (dr_or_NULL) sum = vmi_dot(force, dr_or_NULL[k]);
-        if (domega_or_NULL) sum += vmi_dot(moment, domega_or_NULL[k]);
+        if (dr_or_NULL) sum = vm_dot(force, dr_or_NULL[k]);
+        if (domega_or_NULL) sum += vm_dot(moment, domega_or_NULL[k]);
         Q[k] += sum;
     }
 }

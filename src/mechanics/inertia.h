@@ -62,12 +62,12 @@ VM_INLINE vm_inertia vmi_inertia_along(const vm_inertia *i, const vmi_mat3 *m)
 {
     const vm_vec3 x = vmi_inertia_times(i, m->x), y = vmi_inertia_times(i, m->y), z = vmi_inertia_times(i, m->z);
     vm_inertia t;
-    t.xx = vmi_dot(m->x, x);
-    t.yy = vmi_dot(m->y, y);
-    t.zz = vmi_dot(m->z, z);
-    t.xy = vmi_dot(m->x, y);
-    t.xz = vmi_dot(m->x, z);
-    t.yz = vmi_dot(m->y, z);
+    t.xx = vm_dot(m->x, x);
+    t.yy = vm_dot(m->y, y);
+    t.zz = vm_dot(m->z, z);
+    t.xy = vm_dot(m->x, y);
+    t.xz = vm_dot(m->x, z);
+    t.yz = vm_dot(m->y, z);
     return t;
 }
 
@@ -214,7 +214,7 @@ VM_API vm_inertia vmi_inertia_from(const vmi_principal *p)
     vm_inertia i = {0, 0, 0, 0, 0, 0};
     int k;
     for (k = 0; k < 3; k++) {
-        const vm_vec3 e = p->axis[k], m = vmi_scale(p->moment[k], e);
+        const vm_vec3 e = p->axis[k], m = vm_scale(p->moment[k], e);
         i.xx += m.x * e.x;
         i.yy += m.y * e.y;
         i.zz += m.z * e.z;
@@ -241,7 +241,7 @@ VM_API int vmi_moments_are_possible(const vmi_principal *p, vm_real slack)
 VM_API int vmi_moment_is_lost(vm_real moment, vm_vec3 axis, const vm_inertia *sizes)
 {
     const vm_vec3 e = vmi_abs(axis);
-    return !(moment > VMI_LOST_SHARE * vmi_dot(e, vmi_inertia_times(sizes, e)));
+    return !(moment > VMI_LOST_SHARE * vm_dot(e, vmi_inertia_times(sizes, e)));
 }
 
 /* Changes moments that are possible within rounding errors into moments that a body can have exactly. A moment that is
@@ -270,7 +270,7 @@ VM_API vm_vec3 vmi_spin_of(const vmi_principal *p, vm_vec3 h)
     vm_vec3 omega = vmi_vec3(0, 0, 0);
     int k;
     for (k = 0; k < 3; k++)
-        if (p->moment[k] > 0) omega = vmi_add(omega, vmi_scale(vmi_dot(p->axis[k], h) / p->moment[k], p->axis[k]));
+        if (p->moment[k] > 0) omega = vm_add(omega, vm_scale(vm_dot(p->axis[k], h) / p->moment[k], p->axis[k]));
     return omega;
 }
 
@@ -284,10 +284,10 @@ VM_API int vmi_solve_spin(const vm_inertia *i, const vmi_principal *p, vm_vec3 h
     int k, left = 0;
     for (k = 0; k < 3; k++) {
         if (p->moment[k] > 0) continue;
-        w = vmi_add(w, vmi_scale(vmi_dot(p->axis[k], before), p->axis[k]));
-        left = left || VM_FABS(vmi_dot(p->axis[k], h)) > noise;
+        w = vm_add(w, vm_scale(vm_dot(p->axis[k], before), p->axis[k]));
+        left = left || VM_FABS(vm_dot(p->axis[k], h)) > noise;
     }
-    for (k = 0; k < 2; k++) w = vmi_add(w, vmi_spin_of(p, vmi_sub(h, vmi_inertia_times(i, w))));
+    for (k = 0; k < 2; k++) w = vm_add(w, vmi_spin_of(p, vm_sub(h, vmi_inertia_times(i, w))));
     *omega = w;
     return left;
 }

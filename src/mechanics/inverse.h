@@ -25,9 +25,9 @@
 VM_API vm_vec3 vmi_part_velocity(const vm_body *whole, const vm_body *part, const vm_impulse *external_or_NULL,
                                  vm_vec3 rest_v)
 {
-    vm_vec3 momentum = vmi_scale(part->mass - whole->mass, vmi_sub(rest_v, whole->v));
-    if (external_or_NULL) momentum = vmi_add(momentum, external_or_NULL->linear);
-    return vmi_add(whole->v, vmi_over(momentum, part->mass));
+    vm_vec3 momentum = vm_scale(part->mass - whole->mass, vm_sub(rest_v, whole->v));
+    if (external_or_NULL) momentum = vm_add(momentum, external_or_NULL->linear);
+    return vm_add(whole->v, vmi_over(momentum, part->mass));
 }
 
 /* The angular momentum that the part must have, relative to the turning whole, so that the rest turns with rest_omega.
@@ -36,8 +36,8 @@ VM_API vm_vec3 vmi_part_velocity(const vm_body *whole, const vm_body *part, cons
    angular velocity Omega. */
 VM_API vm_vec3 vmi_part_spin_momentum(const vmi_frame *frame, const vmi_lump *rest, vm_vec3 rest_omega)
 {
-    const vm_vec3 turning = vmi_times_transposed(&frame->turn, vmi_sub(rest_omega, frame->omega));
-    return vmi_sub(rest->h, vmi_times(&frame->turn, vmi_inertia_times(&rest->inertia, turning)));
+    const vm_vec3 turning = vmi_times_transposed(&frame->turn, vm_sub(rest_omega, frame->omega));
+    return vm_sub(rest->h, vmi_times(&frame->turn, vmi_inertia_times(&rest->inertia, turning)));
 }
 
 /* Sets *rest to what would remain if the part left with its own velocity but with the angular velocity of the whole.
@@ -72,8 +72,8 @@ VM_API int vmi_turn_part(const vmi_frame *frame, const vmi_lump *rest, vm_vec3 r
     lump.noise = rest->noise + vmi_inertia_trace(&rest->inertia) * (vmi_norm1(rest_omega) + vmi_norm1(frame->omega));
     status = vmi_lump_clamp_moments(&lump, &p);
     if (status) return status;
-    if (vmi_lump_spin(&own, &lump, &p, vmi_sub(part->omega, own.omega), &spin)) status = VM_NULL_AXIS;
-    part->omega = vmi_add(own.omega, spin);
+    if (vmi_lump_spin(&own, &lump, &p, vm_sub(part->omega, own.omega), &spin)) status = VM_NULL_AXIS;
+    part->omega = vm_add(own.omega, spin);
     return status;
 }
 

@@ -38,7 +38,7 @@ VM_API vm_real vmi_impulse_work(const vm_body *body_or_NULL, const vm_impulse *e
     const vm_body *b = body_or_NULL;
     const vm_impulse *j = external_or_NULL;
     if (!b || !j) return 0;
-    return vmi_dot(b->v, j->linear) + vmi_dot(b->omega, vmi_impulse_moment(j, b->r));
+    return vm_dot(b->v, j->linear) + vm_dot(b->omega, vmi_impulse_moment(j, b->r));
 }
 
 /* Energy gained at a separation, J: the kinetic energy of n parts and rest minus that of the whole (113), (118). It is

@@ -54,7 +54,7 @@ VM_API vmi_lump vmi_lump_of(const vmi_frame *frame, const vm_body *body)
 {
     const vmi_mat3 own = vmi_rotation(body->q);
     const vm_quat p = body->q, q = frame->q;
-    const vm_vec3 spin = vmi_sub(body->omega, frame->omega);
+    const vm_vec3 spin = vm_sub(body->omega, frame->omega);
     vmi_mat3 turn = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}; /* its columns are the frame's axes in body axes */
     vmi_lump lump;
     if (p.w != q.w || p.x != q.x || p.y != q.y || p.z != q.z) { /* for equal attitudes `turn` stays the identity */
@@ -63,8 +63,8 @@ VM_API vmi_lump vmi_lump_of(const vmi_frame *frame, const vm_body *body)
         turn.z = vmi_times_transposed(&own, frame->turn.z);
     }
     lump.mass = body->mass;
-    lump.r = vmi_sub(body->r, frame->r);
-    lump.v = vmi_sub(body->v, frame->v);
+    lump.r = vm_sub(body->r, frame->r);
+    lump.v = vm_sub(body->v, frame->v);
     lump.h = vmi_times(&own, vmi_inertia_times(&body->inertia, vmi_times_transposed(&own, spin)));
     lump.inertia = vmi_inertia_along(&body->inertia, &turn);
     lump.sizes = vmi_inertia_sizes(&body->inertia, &turn);
@@ -83,7 +83,7 @@ VM_API vm_inertia vmi_moved_inertia(const vmi_frame *frame, vm_vec3 d, vm_vec3 r
     turn.z = vmi_abs(frame->turn.z);
     size = vmi_times_transposed(&turn, vmi_abs(d));
     reach = vmi_times_transposed(&turn, reach);
-    *sizes = vmi_inertia_of_point(vmi_add(size, reach)); /* (|d| + reach)^2; the next line subtracts reach^2 again */
+    *sizes = vmi_inertia_of_point(vm_add(size, reach)); /* (|d| + reach)^2; the next line subtracts reach^2 again */
     *sizes = vmi_inertia_plus(*sizes, -1, vmi_inertia_of_point(reach));
     sizes->xy = VM_FABS(sizes->xy);
     sizes->xz = VM_FABS(sizes->xz);
@@ -96,7 +96,7 @@ VM_API vm_inertia vmi_moved_inertia(const vmi_frame *frame, vm_vec3 d, vm_vec3 r
 VM_API vm_real vmi_join_noise(const vmi_frame *frame, const vmi_lump *a, vm_real sign, const vmi_lump *b,
                               vm_real reduced, vm_vec3 reach, vm_vec3 slip)
 {
-    const vm_real distance = vmi_norm1(vmi_sub(b->r, a->r));
+    const vm_real distance = vmi_norm1(vm_sub(b->r, a->r));
     const vm_real speeds = vmi_norm1(a->v) + vmi_norm1(b->v) + 2 * vmi_norm1(frame->v);
     const vm_real moved = sign < 0 ? b->mass : reduced;
     return b->noise + VM_FABS(reduced) * distance * speeds +
@@ -108,22 +108,22 @@ VM_API int vmi_join(const vmi_frame *frame, vmi_lump *a, vm_real sign, const vmi
 {
     const vm_real mass = a->mass + sign * b->mass;
     const vm_real share = sign * (b->mass / mass), reduced = a->mass * share; /* b's share of mass; reduced mass */
-    const vm_vec3 d = vmi_sub(b->r, a->r), v = vmi_sub(b->v, a->v);
-    const vm_vec3 slip = vmi_sub(v, vmi_cross(frame->omega, d)); /* velocity of b relative to a in the turning frame */
+    const vm_vec3 d = vm_sub(b->r, a->r), v = vm_sub(b->v, a->v);
+    const vm_vec3 slip = vm_sub(v, vm_cross(frame->omega, d)); /* velocity of b relative to a in the turning frame */
     const vm_vec3 origin = vmi_abs(frame->r);
-    const vm_vec3 reach = vmi_add(vmi_add(vmi_abs(a->r), vmi_abs(b->r)), vmi_add(origin, origin));
+    const vm_vec3 reach = vm_add(vm_add(vmi_abs(a->r), vmi_abs(b->r)), vm_add(origin, origin));
     vm_inertia sizes, moved = vmi_moved_inertia(frame, d, reach, &sizes);
     if (!(mass > 0)) return VM_BAD_MASS;
     a->noise += vmi_join_noise(frame, a, sign, b, reduced, reach, slip);
     a->inertia = vmi_inertia_plus(vmi_inertia_plus(a->inertia, sign, b->inertia), reduced, moved);
     a->sizes = vmi_inertia_plus(vmi_inertia_plus(a->sizes, 1, b->sizes), VM_FABS(reduced), sizes);
-    a->h = vmi_add(a->h, vmi_add(vmi_scale(sign, b->h), vmi_scale(reduced, vmi_cross(d, slip))));
+    a->h = vm_add(a->h, vm_add(vm_scale(sign, b->h), vm_scale(reduced, vm_cross(d, slip))));
     if (b->mass > a->mass) { /* start from r and v of the heavier body, so that no digits are lost */
-        a->r = vmi_sub(b->r, vmi_scale(a->mass / mass, d));
-        a->v = vmi_sub(b->v, vmi_scale(a->mass / mass, v));
+        a->r = vm_sub(b->r, vm_scale(a->mass / mass, d));
+        a->v = vm_sub(b->v, vm_scale(a->mass / mass, v));
     } else {
-        a->r = vmi_add(a->r, vmi_scale(share, d));
-        a->v = vmi_add(a->v, vmi_scale(share, v));
+        a->r = vm_add(a->r, vm_scale(share, d));
+        a->v = vm_add(a->v, vm_scale(share, v));
     }
     a->mass = mass;
     return VM_OK;
@@ -132,9 +132,9 @@ VM_API int vmi_join(const vmi_frame *frame, vmi_lump *a, vm_real sign, const vmi
 /* Adds the effect of an impulse to the velocity and the angular momentum of the lump a */
 VM_API void vmi_apply_impulse(const vmi_frame *frame, vmi_lump *a, const vm_impulse *external)
 {
-    const vm_vec3 at = vmi_sub(vmi_sub(external->at, frame->r), a->r), j = external->linear;
-    a->v = vmi_add(a->v, vmi_over(j, a->mass));
-    a->h = vmi_add(a->h, vmi_add(external->couple, vmi_cross(at, j)));
+    const vm_vec3 at = vm_sub(vm_sub(external->at, frame->r), a->r), j = external->linear;
+    a->v = vm_add(a->v, vmi_over(j, a->mass));
+    a->h = vm_add(a->h, vm_add(external->couple, vm_cross(at, j)));
     a->noise += vmi_norm1(external->couple) + (vmi_norm1(at) + vmi_norm1(frame->r)) * vmi_norm1(j);
 }
 
@@ -236,10 +236,10 @@ VM_API int vmi_jump(const vm_body *body, int n, const vm_body *others, vm_real s
     b.mass = lump.mass;
     b.inertia = lump.inertia;
     b.q = body->q;
-    b.r = vmi_add(frame.r, lump.r);
-    b.v = vmi_add(frame.v, lump.v);
-    if (vmi_lump_spin(&frame, &lump, &p, vmi_sub(body->omega, frame.omega), &b.omega)) status = VM_NULL_AXIS;
-    b.omega = vmi_add(frame.omega, b.omega);
+    b.r = vm_add(frame.r, lump.r);
+    b.v = vm_add(frame.v, lump.v);
+    if (vmi_lump_spin(&frame, &lump, &p, vm_sub(body->omega, frame.omega), &b.omega)) status = VM_NULL_AXIS;
+    b.omega = vm_add(frame.omega, b.omega);
     if (!vmi_body_is_finite(&b)) return VM_NOT_FINITE;
     *result = b;
     return status;

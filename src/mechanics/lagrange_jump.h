@@ -47,8 +47,8 @@ VM_API void vm_lagrange_mass(int n, const vm_body *body, const vm_vec3 *dr_or_NU
         }
         for (i = 0; i < n; i++) {
             vm_real sum = 0;
-            if (dr_or_NULL) sum = body->mass * vmi_dot(dr_or_NULL[i], dr_or_NULL[j]);
-            if (turn_or_NULL) sum += vmi_dot(turn_or_NULL[i], spin);
+            if (dr_or_NULL) sum = body->mass * vm_dot(dr_or_NULL[i], dr_or_NULL[j]);
+            if (turn_or_NULL) sum += vm_dot(turn_or_NULL[i], spin);
             matrix[i * n + j] += sum;
         }
     }
@@ -72,7 +72,7 @@ VM_API void vm_lagrange_impulse(int n, const vm_impulse *impulse, vm_vec3 r, con
                                 const vm_vec3 *turn_or_NULL, vm_real *p)
 {
     if (!impulse || !p) return;
-    const vm_vec3 moment = vmi_add(impulse->couple, vmi_cross(vmi_sub(impulse->at, r), impulse->linear));
+    const vm_vec3 moment = vm_add(impulse->couple, vm_cross(vm_sub(impulse->at, r), impulse->linear));
     vm_lagrange_add_force(n, impulse->linear, dr_or_NULL, moment, turn_or_NULL, p);
 }
 

@@ -24,22 +24,22 @@
 /* Velocity of the frame that moves and turns with a body, at the point r. It is called dragging velocity in (25). */
 VM_API vm_vec3 vmi_velocity_at(const vm_body *body, vm_vec3 r)
 {
-    return vmi_add(body->v, vmi_cross(body->omega, vmi_sub(r, body->r)));
+    return vm_add(body->v, vm_cross(body->omega, vm_sub(r, body->r)));
 }
 
 /* The motion of b relative to the frame that moves and turns with the body `to`. Nothing is checked. */
 VM_API vm_body vmi_relative_motion(const vm_body *to, vm_body b)
 {
-    b.v = vmi_sub(vmi_sub(b.v, to->v), vmi_cross(to->omega, vmi_sub(b.r, to->r)));
-    b.omega = vmi_sub(b.omega, to->omega);
+    b.v = vm_sub(vm_sub(b.v, to->v), vm_cross(to->omega, vm_sub(b.r, to->r)));
+    b.omega = vm_sub(b.omega, to->omega);
     return b;
 }
 
 /* The absolute motion of b, if the motion of b is given relative to the body `to`. Nothing is checked. */
 VM_API vm_body vmi_absolute_motion(const vm_body *to, vm_body b)
 {
-    b.v = vmi_add(vmi_velocity_at(to, b.r), b.v);
-    b.omega = vmi_add(to->omega, b.omega);
+    b.v = vm_add(vmi_velocity_at(to, b.r), b.v);
+    b.omega = vm_add(to->omega, b.omega);
     return b;
 }
 

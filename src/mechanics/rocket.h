@@ -1,8 +1,8 @@
 /* mechanics/rocket.h - closed forms: velocity by momentum, Tsiolkovsky's rocket, linear flow, jet damping
 
-   These are motions with streams of mass that need no integrator: the velocity of a body from its mass alone, (151),
-   (171) and (175), (176); the motion along a line at a constant rate of mass; and the spin of a rocket whose jet
-   damps it, from Euler's equations. The formulas stay accurate as the rate of mass tends to zero.
+   These are motions with streams of mass that need no integrator: the velocity of a body as a function of its mass,
+   (151), (171), (175), (176); the motion along a line while the mass changes at a constant rate; and the angular
+   velocity of a spinning rocket that its jet damps. The formulas stay accurate as the rate of mass tends to zero.
 
        vm_real v = vm_tsiolkovsky(0, 100, 40, -2500); // m/s: from 100 kg to 40 kg, jet at 2500 m/s backwards
 
@@ -21,16 +21,17 @@
 #include "streams.h"
 #include "vectors.h"
 
-/* A spinning axisymmetric body. The mass that it loses comes from around the mass centre and leaves through a nozzle on
-   the axis (rate < 0), or mass flows the opposite way (rate > 0). The mass centre does not move in the body. The z axis
-   is the axis of symmetry. */
+/* A spinning axisymmetric body. The body axis z is the axis of symmetry. Mass from around the mass centre leaves
+   through a nozzle on the axis (rate < 0), or mass enters through the nozzle (rate > 0). The mass centre does not move
+   in the body. A transverse axis goes through the mass centre and is perpendicular to z; "inertia" means moment of
+   inertia. */
 typedef struct VM_TAG(vm_jet) {
     vm_real rate;                /* mass per time, kg/s; < 0: mass leaves */
-    vm_real axial;               /* moment of inertia C0 about the axis at t = 0, kg m^2 */
-    vm_real transverse;          /* moment of inertia A0 about a transverse axis at t = 0, kg m^2 */
-    vm_real gyration_axial;      /* inertia per unit mass about the axis, in the body and in the nozzle, m^2 */
-    vm_real gyration_transverse; /* inertia per unit mass about a transverse axis, of the mass in the body, m^2 */
-    vm_real gyration_out;        /* inertia per unit mass about a transverse axis, of the mass in the nozzle, m^2 */
+    vm_real axial;               /* inertia C0 of the body about the z axis at t = 0, kg m^2 */
+    vm_real transverse;          /* inertia A0 of the body about a transverse axis at t = 0, kg m^2 */
+    vm_real gyration_axial;      /* inertia about z per unit of the flowing mass, in the body and in the nozzle, m^2 */
+    vm_real gyration_transverse; /* inertia about a transverse axis per unit of the flowing mass, in the body, m^2 */
+    vm_real gyration_out;        /* inertia per unit of the mass in the nozzle, about a transverse axis there, m^2 */
     vm_real nozzle;              /* distance of the nozzle from the mass centre, m */
 } vm_jet;
 
@@ -40,9 +41,10 @@ VM_API int vmi_masses_are_good(vm_real m0, vm_real m)
 }
 
 /* Velocity after a stream with the absolute velocity u changes the mass from m0 to m (151), (171).
-   v0 (m/s) is the velocity at mass m0 (kg), u is in m/s, and impulse (N s) is that of the outer forces during the
-   change. The case u = 0 is that of Levi-Civita. About a fixed axle this formula gives the angular velocity, with
-   moments of inertia instead of masses. Returns NaN if a mass is not positive and for infinite arguments. */
+   v0 (m/s) is the velocity at the mass m0 (kg), u is in m/s, and `impulse` (N s) is the integral of the outer forces
+   over the time of the change. The case u = 0 is that of Levi-Civita. With moments of inertia instead of masses the
+   function gives the angular velocity about a fixed axle. Returns NaN if a mass is not positive or if an argument is
+   infinite or NaN. */
 VM_API vm_real vm_velocity_by_momentum(vm_real v0, vm_real m0, vm_real m, vm_real u, vm_real impulse)
 {
     if (!vmi_masses_are_good(m0, m)) return VM_NAN;
@@ -51,10 +53,10 @@ VM_API vm_real vm_velocity_by_momentum(vm_real v0, vm_real m0, vm_real m, vm_rea
 }
 
 /* Velocity of Tsiolkovsky's rocket after its mass changes from m0 to m: v0 + w ln(m/m0), (175), (176).
-   v0 (m/s) is the velocity at mass m0 (kg), and w (m/s) is the velocity, relative to the body, of the mass that joins
-   or leaves. There is no outer force. About a fixed axle this formula gives the angular velocity, with moments of
-   inertia instead of masses. The error is at most 4 eps of |v0| + |w ln(m/m0)|. Returns NaN if a mass is not positive
-   and for infinite arguments. */
+   v0 (m/s) is the velocity at the mass m0 (kg), and w (m/s) is the velocity, relative to the body, of the mass that
+   joins or leaves. There is no outer force. With moments of inertia instead of masses the function gives the angular
+   velocity about a fixed axle. The error is at most 4 eps (|v0| + |w ln(m/m0)|). Returns NaN if a mass is not positive
+   or if an argument is infinite or NaN. */
 VM_API vm_real vm_tsiolkovsky(vm_real v0, vm_real m0, vm_real m, vm_real w)
 {
     vm_two l;
@@ -65,9 +67,10 @@ VM_API vm_real vm_tsiolkovsky(vm_real v0, vm_real m0, vm_real m, vm_real w)
     return v0 + w * l.hi;
 }
 
-/* Sets *first = ln(1 + x)/x and *second = (x - ln(1 + x))/x^2 for -1 < x < 1e299 (float 1e34). For other x they are
-   NaN. In a flow at constant rate let s be the fraction of the time that has passed, and m = 1 + x s the mass divided
-   by its initial value. Then *first is the mean of 1/m over s, and *second the mean of s/m. */
+/* Sets *first = ln(1 + x)/x and *second = (x - ln(1 + x))/x^2 for -1 < x < 1e299 (float 1e34), and both to NaN for
+   other x. They are means over the time of a flow at constant rate. Let s grow from 0 at the start of this time to 1 at
+   its end, and let m = 1 + x s be the mass divided by its initial value. Then *first is the mean of 1/m over s, and
+   *second is the mean of s/m over s. */
 VM_API void vmi_stream_log_means(vm_real x, vm_real *first, vm_real *second)
 {
     const vm_two whole = vmi_two(x, 0), l = vmi_log1p(whole);
@@ -77,14 +80,15 @@ VM_API void vmi_stream_log_means(vm_real x, vm_real *first, vm_real *second)
 }
 
 /* Position and velocity on a line after t seconds of a stream of constant rate.
-   x0 (m), v0 (m/s) and m0 (kg) belong to t = 0. The force (N), the rate and the velocity of the stream are constant.
-   t may be negative. With tau = rate t/m0, m = m0 + rate t, L = ln(1 + tau)/tau and B = (tau - ln(1 + tau))/tau^2,
-   for an absolute velocity u:
-     v = v0 + (force + rate (u - v0)) t/m,        x = x0 + v0 t + (force + rate (u - v0)) B t^2/m0;
-   for a velocity w relative to the body:
+   The position x0 (m), the velocity v0 (m/s) and the mass m0 (kg) belong to t = 0. The outer force (N) and the rate and
+   the velocity of the stream are constant. t may be negative. Let m = m0 + rate t be the mass at the time t,
+   tau = rate t/m0, L = ln(1 + tau)/tau and B = (tau - ln(1 + tau))/tau^2. If the stream has the absolute velocity u:
+     v = v0 + (force + rate (u - v0)) t/m,        x = x0 + v0 t + (force + rate (u - v0)) B t^2/m0.
+   If the stream has the velocity w relative to the body:
      v = v0 + (force + rate w) L t/m0,            x = x0 + v0 t + (force + rate w) (L - B) t^2/m0.
-   For every rate >= 0 the errors of x and v are at most 8 eps times the terms of their sums. If mass leaves, this bound
-   grows with m0/m, because the rounding error of rate t is large relative to a small m. Returns VM_BAD_ARGUMENT,
+   If rate t >= 0, the errors of x and v are at most 8 eps times the sum of the absolute values of all terms. If the
+   mass decreases, this bound grows with m0/m, because the rounding error of rate t is large relative to a small m.
+   Returns VM_BAD_ARGUMENT,
    VM_NOT_FINITE, VM_BAD_MASS if m0 or m is not positive, and VM_OK otherwise. */
 VM_API int vm_linear_flow(const vm_stream1 *stream, vm_real t, vm_real x0, vm_real v0, vm_real m0, vm_real force,
                           vm_real *x, vm_real *v)
@@ -124,14 +128,16 @@ VM_API int vmi_jet_finite(const vm_jet *jet)
 }
 
 /* Angular velocity of a spinning rocket whose jet damps it, after t seconds, rad/s, body axes.
-   There are no outer loads. With the moments of inertia A = A0 + rate gyration_transverse t and C = C0 + rate
-   gyration_axial t the transverse part omega_t of omega has the length
+   There are no outer loads. At the time t the body has the inertia A = A0 + rate gyration_transverse t about a
+   transverse axis and C = C0 + rate gyration_axial t about the z axis. The part omega_t of the angular velocity that is
+   perpendicular to z has the length
      |omega_t| = |omega_t0| (A/A0)^((nozzle^2 + gyration_out)/gyration_transverse - 1),
-   where omega_t0 is omega_t at t = 0. omega_z stays constant, and omega_t turns by omega_z times the integral of C/A -
-   1 over time. Let L and B be the functions of tau of vm_linear_flow, here with tau = rate gyration_transverse t/A0.
-   Then ln(A/A0) is tau L, and the integral is t (L C0/A0 - 1 + B rate t gyration_axial/A0). The error is at most 8
-   times the change that an error of eps in the inputs makes. Returns VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_INERTIA if
-   A or C is not positive, and VM_OK otherwise. */
+   where omega_t0 is omega_t at t = 0. The part omega_z along z stays constant, and omega_t turns about z by the angle
+   omega_z times the integral of (C/A - 1) over time. Let L and B be the functions of tau explained at vm_linear_flow,
+   here with tau = rate gyration_transverse t/A0. Then ln(A/A0) is tau L, and the integral is
+   t (L C0/A0 - 1 + B rate t gyration_axial/A0). The error is at most 8 times the change of the result that an error of
+   eps in the inputs causes. Returns VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_INERTIA if A or C is not positive, and VM_OK
+   otherwise. */
 VM_API int vm_jet_damping(const vm_jet *jet, vm_real t, vm_vec3 omega0, vm_vec3 *omega)
 {
     vm_real change, tau, first, second, exponent, share, angle, sine, cosine;

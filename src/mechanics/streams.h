@@ -1,9 +1,9 @@
 /* mechanics/streams.h - streams of mass: reactive force, moment and torque
 
-   A stream carries mass into a body, or out of it, at one point. The mass brings or takes momentum and angular
-   momentum with it, which causes the reactive force (156), the reactive moment (158) and the reactive torque (157).
-   This chapter computes these loads at an instant and the accelerations that follow from them, (159) and (160). To
-   integrate a motion, use mechanics/flow.h (space), flow2.h (plane) or flow1.h (line, axle).
+   A stream carries mass into a body, or out of it, at one point. The mass carries momentum and angular momentum. The
+   body therefore feels a reactive force (156), a reactive moment (158) and a reactive torque (157). This chapter
+   computes these loads at an instant and the accelerations that follow from them, (159) and (160). To integrate a
+   motion, use mechanics/flow.h (in space), flow2.h (in a plane) or flow1.h (on a line or an axle).
 
        vm_vec3 centre = {0, 0, 0}; // the mass centre is the reference point
        vm_stream nozzle;
@@ -28,14 +28,15 @@
 enum {
     VM_RELATIVE = 0, /* velocity relative to the point, spin relative to the body, both in body axes */
     VM_ABSOLUTE = 1, /* absolute velocity and spin, in inertial axes */
-    VM_CARRIED = 2,  /* the mass has the velocity of the point and the spin of the body; velocity and spin of the stream
-                        are not read. There is no torque, but a force M' omega x d remains, which (166) neglects (M' is
-                        the rate, d leads from the mass centre to the point, omega is the body's spin) */
-    VM_AT_REST = 3   /* the mass is at rest (167)-(169); velocity and spin of the stream are not read */
+    VM_CARRIED = 2,  /* the mass has the velocity of the point and the spin of the body; the fields velocity and spin of
+                        the stream are not read. There is no torque, but a force M' omega x d, which (166) neglects. M'
+                        is the rate of the stream, omega the body's spin, d the vector from mass centre to point. */
+    VM_AT_REST = 3   /* the mass is at rest (167)-(169); the fields velocity and spin of the stream are not read */
 };
 
-/* A store inside a body, from which a stream takes its mass or into which it puts its mass. It is needed if the mass
-   does not lie at the point at which the stream enters or leaves the body. */
+/* A store of mass inside a body, for example a tank. A stream that leaves the body takes its mass from the store, and a
+   stream that enters puts its mass into the store. A stream needs a store if its mass is kept at another position than
+   the point at which the stream crosses the surface of the body. */
 typedef struct VM_TAG(vm_store) {
     vm_vec3 at;          /* position from the body's reference point, m, body axes */
     vm_inertia gyration; /* inertia per unit mass of the stored mass, about its own mass centre, m^2, body axes */
@@ -48,19 +49,21 @@ typedef struct VM_TAG(vm_stream) {
     vm_vec3 at;           /* point at which the mass enters or leaves, from the body's reference point, m, body axes */
     vm_vec3 velocity;     /* velocity of the mass as it enters or leaves the body, m/s */
     vm_vec3 spin;         /* angular velocity of the mass as it enters or leaves the body, rad/s */
-    vm_inertia gyration;  /* inertia per unit mass of this mass, about its own mass centre, m^2, body axes */
+    vm_inertia gyration;  /* inertia per unit mass of the mass that enters or leaves, about its own mass centre, m^2,
+                             body axes */
     const vm_store *from; /* the store that the mass comes from or goes to, or NULL for none. Between the store and the
-                             point `at` the mass flows in a straight line, and the body's momentum includes that of this
-                             flow */
+                             point `at` the mass flows in a straight line; the momentum of this flow is a part of the
+                             body's momentum. */
 } vm_stream;
 
 /* The reactive loads at an instant, in inertial axes except inertia_rate. The body has the mass M, the inertia I, the
    velocity v and the angular velocity omega. For each stream M' is the rate, u the velocity of its mass, omega2 the
    angular velocity of its mass and kappa its gyration. The vector d leads from the body's mass centre to the point at
-   which the mass enters or leaves, and P(d) = |d|^2 E - d d^T with the unit matrix E:
+   which the mass enters or leaves, and P(d) = |d|^2 E - d d^T with the unit matrix E is the inertia per unit mass of a
+   point mass at d. Each sum is over all streams:
      force   sum M' (u - v)                             (156)
      moment  sum d x M' (u - v)                         (158)
-     torque  sum M' kappa omega2 - I' omega             (157) corrected: [1] prints I' (omega2 - omega), which is right
+     torque  (sum M' kappa omega2) - I' omega           (157) corrected: [1] prints I' (omega2 - omega), which is right
                                                         only for P(d) omega2 = 0
      drift   sum (M'/M) d:  dr/dt = v + drift           not in [1]
      inertia_rate  I' = sum M' (kappa + P(d)), body axes
@@ -77,14 +80,15 @@ typedef struct VM_TAG(vm_reactive) {
 
 VM_INLINE int vmi_stream_motion_is_known(int motion) { return motion >= VM_RELATIVE && motion <= VM_AT_REST; }
 
-/* The velocity u of a stream's mass is, for every known motion, the sum of two terms: the velocity of the body's
-   point (or zero) and the velocity that the stream gives (or zero). Its spin is a sum of two such terms, too. The
-   next two functions tell which terms are not zero. No other function decodes VM_RELATIVE ... VM_AT_REST. */
+/* The velocity u of a stream's mass is the sum of two terms for every known `motion`. The first term is the velocity of
+   the body's point, or zero; the second term is the stream's field `velocity`, or zero. The spin of the mass is a sum
+   of two such terms, too. The first function below returns 1 if the first term is there, and the second function if
+   the second term is there. No other function decodes VM_RELATIVE ... VM_AT_REST. */
 VM_INLINE int vmi_stream_moves_with_body(int motion) { return motion == VM_RELATIVE || motion == VM_CARRIED; }
 VM_INLINE int vmi_stream_velocity_is_given(int motion) { return motion == VM_RELATIVE || motion == VM_ABSOLUTE; }
 
-/* The velocity u of a stream's mass along a line. `own` is the velocity of the body, and `given` the field `velocity`
-   of the stream. */
+/* Returns the velocity u of a stream's mass along a line. `own` is the velocity of the body, and `given` the field
+   `velocity` of the stream. */
 VM_INLINE vm_real vmi_stream_velocity1(int motion, vm_real own, vm_real given)
 {
     vm_real u = 0;
@@ -93,7 +97,7 @@ VM_INLINE vm_real vmi_stream_velocity1(int motion, vm_real own, vm_real given)
     return u;
 }
 
-/* The product M' kappa of a stream's rate M' and the gyration kappa (inertia per unit mass) of its mass */
+/* Returns the product M' kappa of a stream's rate M' and the gyration kappa (inertia per unit mass) of its mass. */
 VM_INLINE vm_inertia vmi_stream_own(vm_real rate, const vm_inertia *gyration)
 {
     vm_inertia i;
@@ -107,16 +111,17 @@ VM_INLINE vm_inertia vmi_stream_own(vm_real rate, const vm_inertia *gyration)
 }
 
 /* Sets *p to the momentum, and *h to the angular momentum about the mass centre, of the mass that flows between the
-   stores and the surface. A stream of rate M' that flows in a straight line between its store at s and the surface at
-   d has the momentum M' (s - d), whatever its speed is. */
+   stores and the surface. `centre` is the mass centre. If a stream of rate M' flows in a straight line between its
+   store at the position a and the surface at the position b, the flowing mass has the momentum M' (a - b) at any
+   speed. */
 VM_INLINE void vmi_stream_on_the_way(int n, const vm_stream *s, vm_vec3 centre, vm_vec3 *p, vm_vec3 *h)
 {
     int k;
     *p = *h = vmi_vec3(0, 0, 0);
     for (k = 0; k < n; k++) {
         if (!s[k].from) continue;
-        *p = vmi_add(*p, vmi_scale(s[k].rate, vmi_sub(s[k].from->at, s[k].at)));
-        *h = vmi_add(*h, vmi_scale(s[k].rate, vmi_cross(vmi_sub(s[k].at, centre), vmi_sub(s[k].from->at, centre))));
+        *p = vm_add(*p, vm_scale(s[k].rate, vm_sub(s[k].from->at, s[k].at)));
+        *h = vm_add(*h, vm_scale(s[k].rate, vm_cross(vm_sub(s[k].at, centre), vm_sub(s[k].from->at, centre))));
     }
 }
 
@@ -126,25 +131,25 @@ typedef struct VM_TAG(vmi_stream_seen) {
     vm_vec3 v;            /* velocity, which is momentum/mass, inertial axes */
     vm_vec3 slip;         /* velocity of the body's material at the mass centre minus v, body axes */
     vm_vec3 omega;        /* angular velocity, body axes */
-    vm_vec3 centre;       /* mass centre from the reference point, body axes */
+    vm_vec3 centre;       /* vector from the reference point to the mass centre, body axes */
     int energy;           /* 1 if the sums `brought` and `lost` of vmi_stream_sum are wanted */
 } vmi_stream_seen;
 
 /* The sums over the streams of a moving body, in body axes except `absolute`. The letters M', u, v, d, kappa, omega2
-   are explained at vm_reactive. For mass that moves with the body the sums use its velocity relative to the body, so
-   that they lose no digits if the body is fast. */
+   are explained at vm_reactive. If a stream's velocity is given relative to the body, the sums use this relative
+   velocity instead of the difference u - v, which would lose digits if the body is fast. */
 typedef struct VM_TAG(vmi_stream_sum) {
     vm_real rate;       /* total mass rate, the sum of M' over all streams, kg/s */
     vm_real carried;    /* sum of M' of the streams whose velocity is relative to the body */
     vm_vec3 pushed;     /* force of the streams whose velocity is relative to the body: sum of M' (u - v) */
     vm_vec3 absolute;   /* sum of M' u of the streams whose velocity u is absolute, inertial axes */
     vm_vec3 moment;     /* moment of all streams about the mass centre: sum of d x M' (u - v) */
-    vm_vec3 own;        /* sum of M' kappa omega2: angular momentum that masses bring per second by their spins */
-    vm_vec3 crossing;   /* sum of M' d, where d leads to the point at which the mass enters or leaves */
-    vm_vec3 stored;     /* sum of M' d_s, where d_s leads to the stream's store; d_s = d without a store */
+    vm_vec3 own;        /* sum of M' kappa omega2: angular momentum that the spins of the masses bring per second */
+    vm_vec3 crossing;   /* sum of M' d, where d leads from the mass centre to the point of the surface */
+    vm_vec3 stored;     /* sum of M' d_s, where d_s leads from the mass centre to the store; d_s = d without a store */
     vm_inertia inertia; /* I', the rate of the body's inertia */
-    vm_real brought;    /* sum of M' u^2 + omega2 M' kappa omega2: twice the power that the mass brings */
-    vm_real lost;       /* `brought` with velocities relative to the body: twice the power lost by mixing */
+    vm_real brought;    /* sum of M' u^2 + omega2 M' kappa omega2: twice the kinetic energy brought per second */
+    vm_real lost;       /* the same sum with velocity and spin relative to the body: twice the power lost by mixing */
 } vmi_stream_sum;
 
 /* Adds one stream, whose `motion` is known, to sum->carried, sum->pushed and sum->absolute. Sets *push = M' (u - v),
@@ -158,34 +163,34 @@ VM_INLINE void vmi_stream_motion(const vm_stream *s, const vmi_stream_seen *b, v
     if (vmi_stream_moves_with_body(s->motion)) {
         *spin = b->omega;
         if (given) {
-            carried = vmi_add(carried, s->velocity);
-            *spin = vmi_add(b->omega, s->spin);
+            carried = vm_add(carried, s->velocity);
+            *spin = vm_add(b->omega, s->spin);
         }
-        *push = vmi_scale(s->rate, carried);
+        *push = vm_scale(s->rate, carried);
         sum->carried += s->rate;
-        sum->pushed = vmi_add(sum->pushed, *push);
+        sum->pushed = vm_add(sum->pushed, *push);
     } else if (given) {
-        *push = vmi_scale(s->rate, vmi_times_transposed(b->turn, vmi_sub(s->velocity, b->v)));
+        *push = vm_scale(s->rate, vmi_times_transposed(b->turn, vm_sub(s->velocity, b->v)));
         *spin = vmi_times_transposed(b->turn, s->spin);
-        sum->absolute = vmi_add(sum->absolute, vmi_scale(s->rate, s->velocity));
+        sum->absolute = vm_add(sum->absolute, vm_scale(s->rate, s->velocity));
     } else {
-        *push = vmi_times_transposed(b->turn, vmi_scale(-s->rate, b->v));
+        *push = vmi_times_transposed(b->turn, vm_scale(-s->rate, b->v));
         *spin = vmi_vec3(0, 0, 0);
     }
 }
 
-/* Adds the share of a stream to sum->brought and sum->lost. push and spin are results of vmi_stream_motion, and carried
-   is an argument of that function. */
+/* Adds the terms of one stream to sum->brought and sum->lost. `own` is its product M' kappa. `push` and `spin` are
+   results of vmi_stream_motion, and `carried` is an argument of that function. */
 VM_INLINE void vmi_stream_energy(const vm_stream *s, const vmi_stream_seen *b, const vm_inertia *own, vm_vec3 push,
                                  vm_vec3 spin, vm_vec3 carried, vmi_stream_sum *sum)
 {
-    const vm_vec3 relative = vmi_sub(spin, b->omega);
+    const vm_vec3 relative = vm_sub(spin, b->omega);
     vm_vec3 u = push, absolute, w;
-    if (s->rate != 0) u = vmi_scale(1 / s->rate, push);
-    absolute = vmi_add(u, vmi_times_transposed(b->turn, b->v));
-    w = vmi_sub(u, carried);
-    sum->brought += s->rate * vmi_dot(absolute, absolute) + vmi_dot(spin, vmi_inertia_times(own, spin));
-    sum->lost += s->rate * vmi_dot(w, w) + vmi_dot(relative, vmi_inertia_times(own, relative));
+    if (s->rate != 0) u = vm_scale(1 / s->rate, push);
+    absolute = vm_add(u, vmi_times_transposed(b->turn, b->v));
+    w = vm_sub(u, carried);
+    sum->brought += s->rate * vm_dot(absolute, absolute) + vm_dot(spin, vmi_inertia_times(own, spin));
+    sum->lost += s->rate * vm_dot(w, w) + vm_dot(relative, vmi_inertia_times(own, relative));
 }
 
 /* Computes the sums over n streams. Returns 0 if the `motion` of a stream is unknown, else 1. */
@@ -196,30 +201,31 @@ VM_INLINE int vmi_stream_sums(int n, const vm_stream *s, const vmi_stream_seen *
     int k;
     *sum = none;
     for (k = 0; k < n; k++, s++) {
-        const vm_vec3 d = vmi_sub(s->at, b->centre), carried = vmi_add(b->slip, vmi_cross(b->omega, d));
+        const vm_vec3 d = vm_sub(s->at, b->centre), carried = vm_add(b->slip, vm_cross(b->omega, d));
         vm_inertia own = vmi_stream_own(s->rate, &s->gyration);
         vm_vec3 push, spin, stored = d;
         if (!vmi_stream_motion_is_known(s->motion)) return 0;
         vmi_stream_motion(s, b, carried, sum, &push, &spin);
         if (b->energy) vmi_stream_energy(s, b, &own, push, spin, carried, sum);
         sum->rate += s->rate;
-        sum->moment = vmi_add(sum->moment, vmi_cross(d, push));
-        sum->own = vmi_add(sum->own, vmi_inertia_times(&own, spin));
-        sum->crossing = vmi_add(sum->crossing, vmi_scale(s->rate, d));
+        sum->moment = vm_add(sum->moment, vm_cross(d, push));
+        sum->own = vm_add(sum->own, vmi_inertia_times(&own, spin));
+        sum->crossing = vm_add(sum->crossing, vm_scale(s->rate, d));
         if (s->from) {
-            stored = vmi_sub(s->from->at, b->centre);
+            stored = vm_sub(s->from->at, b->centre);
             own = vmi_stream_own(s->rate, &s->from->gyration);
         }
-        sum->stored = vmi_add(sum->stored, vmi_scale(s->rate, stored));
-        /* add the whole term at once, so that the terms of opposite streams cancel exactly */
+        sum->stored = vm_add(sum->stored, vm_scale(s->rate, stored));
+        /* add the term M' (kappa + P(d)) as a whole, so that the terms of opposite streams cancel exactly */
         own = vmi_inertia_plus(own, s->rate, vmi_inertia_of_point(stored));
         sum->inertia = vmi_inertia_plus(sum->inertia, 1, own);
     }
     return 1;
 }
 
-/* Returns VM_OK if the gyration is finite and has no negative moment. The triangle inequality, such as zz <= xx + yy,
-   is required of the body only. Therefore a gyration may have zz alone, which is enough for motion in a plane. */
+/* Returns VM_OK if the gyration is finite and has no negative moment, else the error. A gyration need not satisfy the
+   triangle inequality zz <= xx + yy; only the inertia of the body must. Therefore zz may be the only entry of a
+   gyration that is not 0, which is enough for motion in a plane. */
 VM_API int vmi_check_gyration(const vm_inertia *i)
 {
     if (!vmi_inertia_is_finite(i)) return VM_NOT_FINITE;
@@ -257,10 +263,11 @@ VM_API int vmi_reactive_finite(const vm_reactive *r)
            vmi_vec3_is_finite(r->drift) && VM_IS_FINITE(r->mass_rate) && vmi_inertia_is_finite(&r->inertia_rate);
 }
 
-/* Reactive force, moment and torque of n streams on a moving body, (156)-(158). `centre` is the body's mass centre
-   from its reference point, in body axes (m). Each load is a sum over all streams; the formulas stand at vm_reactive.
-   Returns VM_BAD_ARGUMENT for a null pointer, n < 0 or an unknown `motion` of a stream, VM_NOT_FINITE, VM_BAD_MASS,
-   VM_BAD_INERTIA, VM_STORED_STREAM if a stream has a store (integrate vm_flow_rhs instead), and VM_OK otherwise. */
+/* Reactive force, moment and torque of n streams on a moving body, (156)-(158). `centre` is the vector from the
+   body's reference point to its mass centre, in body axes (m). Each load is a sum over all streams; the formulas stand
+   at vm_reactive. Returns VM_BAD_ARGUMENT for a null pointer, n < 0 or an unknown `motion` of a stream, VM_NOT_FINITE,
+   VM_BAD_MASS, VM_BAD_INERTIA, VM_STORED_STREAM if a stream has a store (integrate vm_flow_rhs instead), and VM_OK
+   otherwise. */
 VM_API int vm_reactive_loads(const vm_body *body, vm_vec3 centre, int n, const vm_stream *streams,
                              vm_reactive *result)
 {
@@ -283,11 +290,11 @@ VM_API int vm_reactive_loads(const vm_body *body, vm_vec3 centre, int n, const v
     seen.energy = 0;
     seen.omega = vmi_times_transposed(&turn, body->omega);
     vmi_stream_sums(n, streams, &seen, &sum);
-    r.force = vmi_add(vmi_times(&turn, sum.pushed),
-                      vmi_sub(sum.absolute, vmi_scale(sum.rate - sum.carried, body->v)));
+    r.force = vm_add(vmi_times(&turn, sum.pushed),
+                      vm_sub(sum.absolute, vm_scale(sum.rate - sum.carried, body->v)));
     r.moment = vmi_times(&turn, sum.moment);
-    r.torque = vmi_times(&turn, vmi_sub(sum.own, vmi_inertia_times(&sum.inertia, seen.omega)));
-    r.drift = vmi_scale(1 / body->mass, vmi_times(&turn, sum.crossing));
+    r.torque = vmi_times(&turn, vm_sub(sum.own, vmi_inertia_times(&sum.inertia, seen.omega)));
+    r.drift = vm_scale(1 / body->mass, vmi_times(&turn, sum.crossing));
     r.mass_rate = sum.rate;
     r.inertia_rate = sum.inertia;
     if (!vmi_reactive_finite(&r)) return VM_NOT_FINITE;
@@ -295,11 +302,12 @@ VM_API int vm_reactive_loads(const vm_body *body, vm_vec3 centre, int n, const v
     return VM_OK;
 }
 
-/* Solves Euler's equations: the angular acceleration I^-1 (moment - omega x I omega) for the inertia I, in body axes */
+/* Returns the angular acceleration I^-1 (moment - omega x I omega) by Euler's equations, for the inertia I = *i. All
+   vectors are in body axes. */
 VM_INLINE vm_vec3 vmi_stream_euler(const vm_inertia *i, const vmi_inertia_ldl *factors, vm_vec3 omega,
                                    vm_vec3 moment)
 {
-    return vmi_inertia_solve(factors, vmi_sub(moment, vmi_cross(omega, vmi_inertia_times(i, omega))));
+    return vmi_inertia_solve(factors, vm_sub(moment, vm_cross(omega, vmi_inertia_times(i, omega))));
 }
 
 /* Accelerations v' (159) and omega' (160) of a body under reactive and outer loads.
@@ -322,8 +330,8 @@ VM_API int vm_accelerations(const vm_body *body, const vm_reactive *loads, vm_ve
     if (!status && !vmi_inertia_factor(&body->inertia, &factors)) status = VM_BAD_INERTIA;
     if (status) return status;
     turn = vmi_rotation(body->q);
-    sum = vmi_add(moment, vmi_add(loads->moment, loads->torque));
-    linear = vmi_scale(1 / body->mass, vmi_add(force, loads->force));
+    sum = vm_add(moment, vm_add(loads->moment, loads->torque));
+    linear = vm_scale(1 / body->mass, vm_add(force, loads->force));
     angular = vmi_stream_euler(&body->inertia, &factors, vmi_times_transposed(&turn, body->omega),
                                vmi_times_transposed(&turn, sum));
     angular = vmi_times(&turn, angular);

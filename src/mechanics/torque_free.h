@@ -1,16 +1,17 @@
 /* mechanics/torque_free.h - exact rotation of a body on which no torque acts
-   The rotation of a free body, for example after a jump, has a closed form: the angular velocity omega follows from
-   the Jacobi functions sn, cn, dn of the time, and the attitude follows from one theta function and a rotation at a
-   constant rate (Jacobi 1850). Nothing is integrated, so that an evaluation costs the same at any time and errors do
-   not grow with time. The mass centre moves on a straight line.
+   The rotation of a free body, for example after a part has separated from it, has a closed form (Jacobi 1850): the
+   angular velocity omega follows from the elliptic functions sn, cn, dn of the time, and the attitude follows from one
+   theta function and a rotation at a constant rate. Nothing is integrated. Therefore an evaluation costs the same at
+   any time, and its errors do not accumulate over time. The mass centre moves on a straight line.
 
        vm_torque_free motion;
        vm_body later; // body is a vm_body
        if (vm_torque_free_init(&motion, &body, 0) == VM_OK) vm_torque_free_at(&motion, 1e6, &later); // after 1e6 s
 
-   The functions serve all bodies: triaxial, symmetric and spherical ones, and rods and points, whose spin about an
-   axis without moment of inertia stays constant. They serve all rotations, also those about the axis of the middle
-   moment, and those on the separatrix, which tend to a rotation about this axis. No threshold has to be chosen.
+   The functions hold for all bodies: for triaxial, symmetric and spherical ones, and for rods and points, whose spin
+   about an axis without moment of inertia stays constant. They hold for all rotations, too: for a rotation about the
+   axis of the middle moment of inertia, and for rotations on the separatrix, which tend to a rotation about this axis.
+   The user need not choose a threshold between these cases.
    Tests: tests/test_torque_free.c. */
 #ifndef VARMASS_MECHANICS_TORQUE_FREE_H
 #define VARMASS_MECHANICS_TORQUE_FREE_H
@@ -33,57 +34,61 @@
 /* A motion prepared by vm_torque_free_init. It is plain data and may be copied. Its fields should only be read.
    Equations (A) and (B) stand in the next comment.
 
-   Accuracy, for inputs taken as exact and up to 1e6 turns: the attitude is within 12 eps (rad) and omega within 8 eps
-   |omega|, also close to the separatrix (1 - m from 1e-2 to 1e-27, with m the parameter of sn, cn, dn), for nearly
-   equal moments and with products of inertia. An error of eps in an input changes the attitude by eps times the angle
-   turned. Close to the separatrix it changes the attitude by more, because it changes the time of every flip of the
-   body. For tensors with products of inertia the principal moments are known to two words only, which limits the
-   accuracy after many turns close to the separatrix. Components of omega below 2^-505 (float 2^-57) times the largest
-   are taken as 0. */
+   Accuracy, for inputs taken as exact and up to 1e6 turns: the error of the attitude is at most 12 eps (rad) and that
+   of omega at most 8 eps |omega|. This holds also close to the separatrix (1 - m from 1e-2 to 1e-27, where m is the
+   parameter of sn, cn, dn), for nearly equal moments, and with products of inertia. An error of eps in an input changes
+   the attitude by eps times the angle through which the body has turned. Close to the separatrix it changes the
+   attitude by more, because it shifts the time of every flip of the body. If a tensor has products of inertia, the
+   principal moments have only the digits of two words, which limits the accuracy after many turns close to the
+   separatrix. A component of omega below 2^-505 (float 2^-57) times the largest component is taken as 0. */
 typedef struct VM_TAG(vm_torque_free) {
     vm_body body;                /* the body at the time t0 */
     vm_real t0;                  /* the time at which the body is as given, s */
     vmi_mat3 axes;               /* columns: the principal axes 1, 2, 3, right-handed, in body axes */
     vm_quat start;               /* rotation to inertial axes from axes whose axis 3 is along the angular momentum, or
                                     opposite to it if the component w3 of omega along axis 3 is negative */
-    vm_real spin[3];             /* omega along the axes 1, 2, 3 is spin[0] cn, spin[1] sn, spin[2] dn, rad/s */
+    vm_real spin[3];             /* the components of omega along the axes 1, 2, 3 are spin[0] cn, spin[1] sn and
+                                    spin[2] dn, rad/s */
     vm_real lean[3];             /* the quaternion M of equation (B) below is (w, x, y, 0)/sqrt(2 w), with
                                     w = 1 + lean[2] dn, x = lean[1] sn, y = lean[0] cn */
-    vm_two phase;                /* argument u of sn, cn, dn at t0, divided by 4K; u itself on the separatrix */
-    vm_two phase_rate;           /* rate of the phase, per second */
+    vm_two phase;                /* u/(4K) at t0, where u is the argument of sn, cn, dn; u itself on the separatrix */
+    vm_two phase_rate;           /* rate of the phase, 1/s */
     vm_two K;                    /* quarter period of sn as a function of u; 0 on the separatrix */
-    vm_two turn_rate;            /* mean rate, turns/s, of s h in equation (B) below; s h is half the angle
-                                    turned about the angular momentum */
-    vm_real m1;                  /* 1 - m, with the parameter m of sn, cn, dn */
+    vm_two turn_rate;            /* mean rate, turns/s, of the angle s h in equation (B) below; s h is half the angle
+                                    through which the body has turned about the angular momentum */
+    vm_real m1;                  /* 1 - m, where m is the parameter of sn, cn, dn */
     vmi_theta_form far_form;     /* constants for sn, cn, dn at arguments far from 0 */
-    vmi_doubled_theta theta;     /* theta function of (B) below; sigma arg theta is h minus its mean growth kappa t */
+    vmi_doubled_theta theta;     /* the theta function of equation (B) below; sigma arg theta is h - kappa t */
 } vm_torque_free;
 
-/* The solution. Let 1, 2, 3 be the principal axes, where axis 2 has the middle moment and omega moves around axis 3
-   (torque_free_axes.h), I1, I2, I3 the moments, T the kinetic energy and L the size of the angular momentum. Let
-   d12 = |I1 - I2|, d23 = |I2 - I3|, d13 = |I1 - I3|, sigma = sign(I1 - I3) and s = sign(w3). Then
-   omega = (w1, w2, w3) along these axes is
+/* The solution. Let 1, 2, 3 be the principal axes of the body: axis 2 has the middle moment of inertia, and the vector
+   omega moves around axis 3 in the body (torque_free_axes.h). Let I1, I2, I3 be the moments of inertia, T the kinetic
+   energy and L the size of the angular momentum. Let d12 = |I1 - I2|, d23 = |I2 - I3|, d13 = |I1 - I3|,
+   sigma = sign(I1 - I3) and s = sign(w3). The components w1, w2, w3 of omega along these axes are
      w1 = a1 cn u,  w2 = -sigma s a2 sn u,  w3 = s a3 dn u,  u = u0 + wp t,                                     (A)
      a1^2 = w1^2 + I2 d23/(I1 d13) w2^2,  a2^2 = a1^2 I1 d13/(I2 d23),  a3^2 = w3^2 + I2 d12/(I3 d13) w2^2,
      wp^2 = a3^2 d13 d23/(I1 I2),  m = I1 d12 a1^2/(I3 d23 a3^2),  1 - m = |2T I2 - L^2|/(I3 d23 a3^2),
-   where w1, w2, w3 on the right-hand sides are the values at t0, and t is the time since t0. With the tensor of
-   inertia J, so that L = |J omega|, the unit vector l = J omega/L and the unit vector e3 of axis 3 the attitude is
+   where w1, w2, w3 on the right-hand sides are the values at t0, t is the time since t0, and u0 is the value of u at
+   t0. m is the parameter of sn, cn, dn. Let J be the tensor of inertia, l = J omega/L the unit vector along the angular
+   momentum, l1, l2, l3 its components along the axes 1, 2, 3, and e3 the unit vector of axis 3. The attitude is the
+   product of three quaternions:
      q(t) = start (cos h + s e3 sin h) M,  h = kappa t + sigma arg theta(u),                                    (B)
      M = (1 + |l3|, s l2, -s l1, 0)/sqrt(2 (1 + |l3|)).
-   M is the shortest rotation that takes l to s e3, kappa is a constant that an integral of the third kind gives, and
-   theta is a theta function of u + i y with cd(y | 1 - m) = I3 a3/L. (B) was found by Jacobi; van Zon and Schofield,
-   J. Comput. Phys. 225 (2007), give a theta series for 2h.
+   M is the rotation through the smallest angle that takes l to s e3. kappa is a constant that follows from an elliptic
+   integral of the third kind. theta is a theta function of u + i y, where y follows from cd(y | 1 - m) = I3 a3/L. (B)
+   was found by Jacobi; van Zon and Schofield, J. Comput. Phys. 225 (2007), give a theta series for 2h.
 
-   The preparation computes in this order: the axes; the squares of the amplitudes, and m; kappa; the phase and the
-   rates; the theta function; and `start`, which makes q(t0) the given attitude. It computes in two words, because the
-   rates wp/(4K) and kappa are multiplied by long times. An evaluation at a given time has only the products of rates
-   and time in two words. Moments and omega are divided by powers of two, so that they are about 1. */
+   The preparation computes in this order: the axes; the squares of the amplitudes a1, a2, a3, and m; kappa; the phase
+   and the rates; the theta function; and `start`, for which q(t0) is the given attitude. It computes in two words,
+   because the rates wp/(4K) and kappa are multiplied by long times. An evaluation at a given time uses two words only
+   for the products of rates and time. Moments and omega are divided by powers of two so that they are about 1, which
+   prevents overflow. */
 
 /* ---- amplitudes and parameter ---- */
 
-/* The squares of the amplitudes a1, a2, a3 of equation (A) above, of h1 = I1 a1, h3 = I3 a3 and of L, and the
-   parameters m and m1 = 1 - m. The only subtraction in them is that of S = |2T I2 - L^2| (torque_free_axes.h), which is
-   computed in three words. */
+/* The fields a1, a2, a3 and L are the squares of the amplitudes a1, a2, a3 of equation (A) above and of L. The fields
+   h1 and h3 are the squares of I1 a1 and I3 a3. m is the parameter of sn, cn, dn, and m1 = 1 - m. The formulas contain
+   only one subtraction, in S = |2T I2 - L^2| (torque_free_axes.h), which is computed in three words. */
 typedef struct VM_TAG(vmi_torque_free_squares) {
     vm_two a1, a2, a3, h1, h3, L, m1, m;
 } vmi_torque_free_squares;
@@ -112,15 +117,15 @@ VM_API vmi_torque_free_squares vmi_torque_free_amplitudes(const vmi_torque_free_
     return square;
 }
 
-/* Stores m1 = 1 - m in the motion, with the parameter m of sn, cn, dn, and prepares these functions for it */
+/* Stores m1 = 1 - m in the motion, where m is the parameter of sn, cn, dn, and prepares these functions for m */
 VM_API void vmi_torque_free_parameter(vm_torque_free *motion, vm_two m1)
 {
     motion->m1 = m1.hi;
     vmi_far_prepare(&motion->far_form, m1.hi, m1.lo);
 }
 
-/* Sets the axes, and the amplitudes of omega and of the quaternion M in equation (B) above. `sign` is the sign of cn on
-   the separatrix, and 1 elsewhere. */
+/* Sets the fields axes, spin (the amplitudes of omega) and lean (those of the quaternion M in equation (B) above).
+   `sign` is a result of vmi_torque_free_phase: the sign of w1 on the separatrix, and 1 elsewhere. */
 VM_API void vmi_torque_free_sizes(vm_torque_free *motion, const vmi_torque_free_axes *axes,
                                   const vmi_torque_free_squares *square, vm_real sign)
 {
@@ -136,15 +141,16 @@ VM_API void vmi_torque_free_sizes(vm_torque_free *motion, const vmi_torque_free_
 
 /* ---- rates and phase ---- */
 
+/* Returns 2 pi in two words. */
 VM_API vm_two vmi_torque_free_two_pi(void)
 {
     const vmi_three half_pi = vmi_half_pi();
     return vmi_two(4 * half_pi.hi, 4 * half_pi.mid);
 }
 
-/* Returns 2 kappa for m < 1 and I1 != I2, by the complete elliptic integral of the third kind Pi = Pi(-N | m) with
-   N = I3 d12/(I1 d23). Sets *mean to the arithmetic-geometric mean agm(1, k'), with k'^2 = 1 - m. The letters are those
-   of equation (A) above, and c = I3 a3/L:
+/* Returns 2 kappa for m < 1 and I1 != I2. Sets *mean to the arithmetic-geometric mean agm(1, k'), with k'^2 = 1 - m.
+   Let Pi = Pi(-N | m) be the complete elliptic integral of the third kind with N = I3 d12/(I1 d23), K the complete
+   integral of the first kind, and c = I3 a3/L. The other letters are explained at equation (A) above:
      2 kappa = L/I1 + L d13/(I1 I3) (1 - Pi/K + c mean/sqrt(1 + N))  if I1 > I3,
      2 kappa = L/I3 + L d13/(I1 I3) (    Pi/K - c mean/sqrt(1 + N))  if I1 < I3. */
 VM_API vm_two vmi_torque_free_triaxial_rate(const vmi_torque_free_axes *axes, const vmi_torque_free_squares *square,
@@ -167,8 +173,8 @@ VM_API vm_two vmi_torque_free_triaxial_rate(const vmi_torque_free_axes *axes, co
     return vmi_two_times(vmi_two_root(square->L), bracket);
 }
 
-/* Returns kappa, the mean rate of the angle h in equation (B) above. Sets *mean to agm(1, k') with k'^2 = 1 - m; it is
-   0 on the separatrix. */
+/* Returns kappa, the mean rate of the angle h in equation (B) above. Sets *mean to the arithmetic-geometric mean
+   agm(1, k') with k'^2 = 1 - m, which is 0 on the separatrix. */
 VM_API vm_two vmi_torque_free_kappa(const vmi_torque_free_axes *axes, const vmi_torque_free_squares *square,
                                     vm_two *mean)
 {
@@ -186,8 +192,8 @@ VM_API vm_two vmi_torque_free_kappa(const vmi_torque_free_axes *axes, const vmi_
 }
 
 /* Computes the argument u of equation (A) above at t0 from sn^2 = (w2/a2)^2 and cn^2 = (w1/a1)^2. Returns u/(4K), or u
-   on the separatrix, where mean = 0. On the separatrix u does not determine the sign of cn, and *sign is this sign;
-   else *sign is 1. */
+   on the separatrix, where mean = 0. On the separatrix w1 can have either sign, but cn u is always positive; there
+   *sign is the sign of w1; elsewhere it is 1. */
 VM_API vm_two vmi_torque_free_phase(const vmi_torque_free_axes *axes, const vmi_torque_free_squares *square,
                                     vm_two mean, vm_real *sign)
 {
@@ -204,8 +210,8 @@ VM_API vm_two vmi_torque_free_phase(const vmi_torque_free_axes *axes, const vmi_
     return vmi_two_shifted(F, forward * *sign);
 }
 
-/* Sets K and phase, and the rates phase_rate and turn_rate that belong to omega divided by a power of two. Returns the
-   sign of cn on the separatrix, and 1 elsewhere. */
+/* Sets the fields K, phase, phase_rate and turn_rate. The two rates are those of the scaled omega, which is divided by
+   a power of two. Returns the sign of w1 on the separatrix, and 1 elsewhere. */
 VM_API vm_real vmi_torque_free_rates(vm_torque_free *motion, const vmi_torque_free_axes *axes,
                                      const vmi_torque_free_squares *square)
 {
@@ -228,8 +234,8 @@ VM_API vm_real vmi_torque_free_rates(vm_torque_free *motion, const vmi_torque_fr
 /* ---- the theta function ---- */
 
 /* Returns y, the constant imaginary part of the argument u + i y of the theta function in equation (B) above. y solves
-   cd(y | m1) = c with c = I3 a3/L. With N = I3 d12/(I1 d23) it is y = R_F(N, N/c^2, N + 1), where R_F is Carlson's
-   elliptic integral of the first kind. */
+   cd(y | 1 - m) = c with c = I3 a3/L. The solution is y = R_F(N, N/c^2, N + 1), where N = I3 d12/(I1 d23) and R_F is
+   Carlson's elliptic integral of the first kind. */
 VM_API vm_real vmi_torque_free_imaginary(const vmi_torque_free_axes *axes, const vmi_torque_free_squares *square)
 {
     const vm_two N = vmi_two_over(vmi_two_times(axes->I3, axes->d12), vmi_two_times(axes->I1, axes->d23));
@@ -237,9 +243,9 @@ VM_API vm_real vmi_torque_free_imaginary(const vmi_torque_free_axes *axes, const
     return vmi_carlson_rf(N, vmi_two_over(N, c_square), vmi_two_plus(N, vmi_two(1, 0))).hi;
 }
 
-/* Sets the theta function of equation (B) above, conjugated if sigma s < 0. For m = 0 it stays 1. K and K' (Kc in the
-   code) are the quarter periods for the parameters m and 1 - m. The function is summed directly for K <= 2K', and by
-   Jacobi's transformation for K > 2K'. */
+/* Sets the theta function of equation (B) above, or its complex conjugate if sigma s < 0. For m = 0 the theta function
+   stays 1. K and Kc are the quarter periods for the parameters m and 1 - m. The series of the theta function is used
+   directly for K <= 2 Kc, and after Jacobi's transformation for K > 2 Kc, where it converges faster. */
 VM_API void vmi_torque_free_theta(vm_torque_free *motion, const vmi_torque_free_axes *axes,
                                   const vmi_torque_free_squares *square)
 {
@@ -259,7 +265,7 @@ VM_API void vmi_torque_free_theta(vm_torque_free *motion, const vmi_torque_free_
 
 /* ---- the motion as a whole ---- */
 
-/* Sets a motion with constant omega: axis 3 is along omega, and sn stays 0 */
+/* Sets a motion with constant omega. Axis 3 is along omega, and sn stays 0. If omega is 0, nothing is set. */
 VM_API void vmi_torque_free_constant(vm_torque_free *motion, const vmi_torque_free_body *b)
 {
     const vm_two size = vmi_two_root(vmi_vec3_two_dot(&b->omega, &b->omega));
@@ -267,16 +273,17 @@ VM_API void vmi_torque_free_constant(vm_torque_free *motion, const vmi_torque_fr
     if (size.hi == 0) return;
     for (k = 0; k < 3; k++) {
         const vm_real cosine = vmi_two_over(b->omega.x[k], size).hi;
-        motion->axes.z = vmi_add(motion->axes.z, vmi_scale(cosine, vmi_vec3_two_high_words(&b->axis[k])));
+        motion->axes.z = vm_add(motion->axes.z, vm_scale(cosine, vmi_vec3_two_high_words(&b->axis[k])));
     }
     motion->spin[2] = size.hi;
     motion->turn_rate = vmi_two_over(vmi_two_shifted(size, VM_C(0.5)), vmi_torque_free_two_pi());
 }
 
-/* Sets all fields except body, t0 and `start`. spin and the rates belong to omega divided by a power of two. */
+/* Sets all fields except body, t0 and `start`. spin and the rates are those of the scaled omega, which is divided by a
+   power of two. */
 VM_API void vmi_torque_free_prepare(vm_torque_free *motion, const vmi_torque_free_body *b)
 {
-    const vm_real least_nutation = vmi_fourth_power(VM_EPSILON); /* the square of eps^2, a negligible nutation angle */
+    const vm_real least_nutation = vmi_fourth_power(VM_EPSILON); /* square of the angle eps^2, a negligible nutation */
     const vmi_torque_free_axes axes = vmi_torque_free_order(b);
     vmi_torque_free_squares square;
     int constant = vmi_torque_free_is_constant(&axes);
@@ -295,8 +302,8 @@ VM_API void vmi_torque_free_prepare(vm_torque_free *motion, const vmi_torque_fre
 
 /* ---- at a time ---- */
 
-/* The product rate t, in turns, minus the nearest whole number of turns, |result| <= 1. Beyond 2^(2p - 4) turns the
-   result has no meaning; p is the number of binary digits of the type. */
+/* Returns the product rate t, in turns, minus a whole number of turns. The result lies between -1 and 1. Beyond
+   2^(2p - 4) turns it has no meaning; p is the number of binary digits of the type vm_real. */
 VM_API vm_two vmi_torque_free_fraction(vm_two rate, vm_two t)
 {
     const vm_two p = vmi_two_product(rate.hi, t.hi);
@@ -305,8 +312,8 @@ VM_API vm_two vmi_torque_free_fraction(vm_two rate, vm_two t)
     return vmi_two_sum(p.hi - VM_FLOOR(p.hi + VM_C(0.5)), low);
 }
 
-/* Computes sn, cn, dn at the time t after t0. Returns u/(4K), with their argument u, minus the nearest multiple of 1/2;
-   or u on the separatrix. */
+/* Computes sn, cn, dn at the time t after t0. Let u be their argument. Returns u/(4K) minus the nearest multiple of
+   1/2; on the separatrix it returns u. */
 VM_API vm_real vmi_torque_free_functions(const vm_torque_free *motion, vm_two t, vm_real *sn, vm_real *cn,
                                          vm_real *dn)
 {
@@ -314,7 +321,7 @@ VM_API vm_real vmi_torque_free_functions(const vm_torque_free *motion, vm_two t,
     vmi_thetas theta;
     vm_real turns;
     int half_turns = 0, quarters = 0;
-    vm_two v; /* argument u of sn, cn, dn, minus the nearest multiple of K */
+    vm_two v; /* first u/(4K), then the argument u of sn, cn, dn minus the nearest multiple of K */
     if (motion->K.hi > 0) {
         v = vmi_two_plus(vmi_torque_free_fraction(motion->phase_rate, t), motion->phase);
         half_turns = vmi_nearest(2 * v.hi);
@@ -334,8 +341,8 @@ VM_API vm_real vmi_torque_free_functions(const vm_torque_free *motion, vm_two t,
     return turns;
 }
 
-/* Evaluates equations (A) and (B) above at the time t after t0: *omega in body axes, and the rotation *turn = (cos h +
-   s e3 sin h) M */
+/* Evaluates equations (A) and (B) above at the time t after t0. Sets *omega to the angular velocity in body axes, and
+   *turn to the factor (cos h + s e3 sin h) M of the attitude. */
 VM_API void vmi_torque_free_at(const vm_torque_free *motion, vm_two t, vm_vec3 *omega, vm_quat *turn)
 {
     vm_real sn, cn, dn, re, im, sine, cosine, w, x, y, over, c, s;
@@ -354,8 +361,8 @@ VM_API void vmi_torque_free_at(const vm_torque_free *motion, vm_two t, vm_vec3 *
 
 /* ---- setting up ---- */
 
-/* Prepares all that vm_torque_free_at needs. *b has the moments, the axes, and omega divided by `power`, a power of
-   two. */
+/* Prepares all fields that vm_torque_free_at needs. *b must have the moments, the axes, and omega divided by `power`,
+   which is a power of two. */
 VM_API void vmi_torque_free_solve(vm_torque_free *motion, const vmi_torque_free_body *b, vm_real power)
 {
     vm_quat q = motion->body.q, turn;
@@ -367,22 +374,22 @@ VM_API void vmi_torque_free_solve(vm_torque_free *motion, const vmi_torque_free_
     vmi_torque_free_prepare(motion, b);
     if (vmi_quat_is_none(q)) q.w = 1;
     vmi_torque_free_at(motion, vmi_two(0, 0), &omega, &turn);
-    turn = vmi_quat(turn.w, vmi_scale(-1, vmi_quat_vector(turn)));
-    motion->start = vmi_quat_times(q, turn);
+    turn = vmi_quat(turn.w, vm_scale(-1, vmi_quat_vector(turn)));
+    motion->start = vm_quat_times(q, turn);
     for (k = 0; k < 3; k++) motion->spin[k] *= power;
     motion->phase_rate = vmi_two_shifted(motion->phase_rate, power);
     motion->turn_rate = vmi_two_shifted(motion->turn_rate, power);
 }
 
-/* Returns x, a component of the scaled omega, or 0 if its square would underflow, which is for |x| < 2^-505 (float
-   2^-57). */
+/* Returns x, a component of the scaled omega. If |x| is below 2^-505 (float 2^-57), the square of x would underflow,
+   and the function returns 0 instead. */
 VM_API vm_two vmi_torque_free_squarable(vm_two x)
 {
     return VM_FABS(x.hi) < 64 * VM_SQRT(VM_MIN) ? vmi_two(0, 0) : x;
 }
 
-/* Prepares the motion of a body whose omega is given in body axes (along_body = 1) or in inertial axes
-   (along_body = 0) */
+/* Prepares the motion of a body whose omega is given in body axes if along_body = 1, and in inertial axes if
+   along_body = 0. Returns a status of vm_torque_free_init. */
 VM_API int vmi_torque_free_start(vm_torque_free *motion, const vm_body *body, int along_body, vm_real t0)
 {
     const vm_real power = vmi_power_of_two(vmi_norm_max(body->omega));
@@ -406,8 +413,8 @@ VM_API int vmi_torque_free_start(vm_torque_free *motion, const vm_body *body, in
     return VM_OK;
 }
 
-/* Preparation of the exact torque-free motion of a body. At the time t0 (s) the body is as given; vm_torque_free_at
-   then gives it at any time. The accuracy is described at vm_torque_free. Returns VM_OK, or VM_BAD_ARGUMENT for a
+/* Preparation of the exact torque-free motion of a body. *body is the body at the time t0 (s). vm_torque_free_at then
+   gives the body at any time. The accuracy is described at vm_torque_free. Returns VM_OK, or VM_BAD_ARGUMENT for a
    null pointer, VM_NOT_FINITE, VM_BAD_MASS or VM_BAD_INERTIA. After an error *motion is unchanged. */
 VM_API int vm_torque_free_init(vm_torque_free *motion, const vm_body *body, vm_real t0)
 {
@@ -415,9 +422,10 @@ VM_API int vm_torque_free_init(vm_torque_free *motion, const vm_body *body, vm_r
     return vmi_torque_free_start(motion, body, 0, t0);
 }
 
-/* Preparation of the exact torque-free motion from principal moments (kg m^2). The body's axes are the principal
-   axes, and omega (rad/s) is along them, not along the inertial axes. q is the attitude at t0 (s). The body has mass
-   1 and rests at the origin. The statuses are those of vm_torque_free_init. */
+/* Preparation of the exact torque-free motion from principal moments (kg m^2). The body axes are the principal axes.
+   The components of omega (rad/s) are along the body axes, not along the inertial axes. q is the attitude at t0 (s).
+   The body has the mass 1 kg, and its mass centre rests at the origin. The statuses are those of
+   vm_torque_free_init. */
 VM_API int vm_torque_free_init_principal(vm_torque_free *motion, vm_vec3 moments, vm_quat q, vm_vec3 omega,
                                          vm_real t0)
 {
@@ -433,8 +441,9 @@ VM_API int vm_torque_free_init_principal(vm_torque_free *motion, vm_vec3 moments
     return vmi_torque_free_start(motion, &body, 1, t0);
 }
 
-/* Attitude and angular velocity of a torque-free body at the time t (s). t may be later or earlier than t0. *omega is
-   along body axes, rad/s. q is continuous in t and keeps the length that it had at t0 (1 if it was all zero). Returns
+/* Attitude and angular velocity of a torque-free body at the time t (s). t may be later or earlier than t0. *omega has
+   the components along the body axes, rad/s. *q is continuous in t and keeps the length that the quaternion had at t0
+   (or 1, if the quaternion was all zero). Returns
    VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE if t or the result is not finite or if t or the number of turns
    is above 1e290 (float 1e30), and VM_OK otherwise. After an error *q and *omega are unchanged. Beyond 1/eps^2 turns
    the result is finite and has the right angular momentum, but its phase has no meaning. */
@@ -450,7 +459,7 @@ VM_API int vm_torque_free_attitude(const vm_torque_free *motion, vm_real t, vm_q
     reach = VM_FABS(motion->phase_rate.hi) + VM_FABS(motion->turn_rate.hi);
     if (!((1 + reach) * (1 + VM_FABS(elapsed.hi)) < largest_factor)) return VM_NOT_FINITE;
     vmi_torque_free_at(motion, elapsed, &w, &turn);
-    turn = vmi_quat_times(motion->start, turn);
+    turn = vm_quat_times(motion->start, turn);
     if (!vmi_vec3_is_finite(w) || !vmi_quat_is_finite(turn)) return VM_NOT_FINITE;
     *q = turn;
     *omega = w;
@@ -458,8 +467,9 @@ VM_API int vm_torque_free_attitude(const vm_torque_free *motion, vm_real t, vm_q
 }
 
 /* A torque-free body at the time t (s). t may be later or earlier than t0. Attitude and omega are those of
-   vm_torque_free_attitude, but omega is along inertial axes. The mass centre is on its straight line. The statuses
-   are those of vm_torque_free_attitude; after an error *body is unchanged. */
+   vm_torque_free_attitude, but here omega has its components along the inertial axes. The mass centre has moved on a
+   straight line at constant velocity. The statuses are those of vm_torque_free_attitude; after an error *body is
+   unchanged. */
 VM_API int vm_torque_free_at(const vm_torque_free *motion, vm_real t, vm_body *body)
 {
     vm_body b;
@@ -471,14 +481,14 @@ VM_API int vm_torque_free_at(const vm_torque_free *motion, vm_real t, vm_body *b
     if (status) return status;
     turn = vmi_rotation(b.q);
     b.omega = vmi_times(&turn, b.omega);
-    b.r = vmi_add(b.r, vmi_scale(t - motion->t0, b.v));
+    b.r = vm_add(b.r, vm_scale(t - motion->t0, b.v));
     if (!vmi_body_is_finite(&b)) return VM_NOT_FINITE;
     *body = b;
     return VM_OK;
 }
 
-/* A torque-free body a time t (s) later, in one call. It calls vm_torque_free_init, then vm_torque_free_at, and has
-   their statuses. The pointers later and body may be equal. */
+/* A torque-free body a time t (s) later, in one call. The function calls vm_torque_free_init, then vm_torque_free_at,
+   and has their statuses. The pointers `later` and `body` may be equal. */
 VM_API int vm_torque_free_rotation(const vm_body *body, vm_real t, vm_body *later)
 {
     vm_torque_free motion;

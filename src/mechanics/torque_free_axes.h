@@ -1,13 +1,13 @@
 /* mechanics/torque_free_axes.h - principal axes of a rotating body in two words, in the order of torque_free.h
-   This is the first step of exact torque-free rotation. It finds the principal moments J_a >= J_b >= J_c, the
-   principal axes a, b, c and the components w_a, w_b, w_c of omega. All are in two words, because the rates that
-   follow from them are multiplied by long times.
-   Then it names the axes 1, 2, 3. Axis 2 has the middle moment, and omega moves around axis 3. Axis 3 is a or c; this
-   depends on the sign of
+   This is the first step of the preparation in torque_free.h. It finds the principal moments of inertia
+   J_a >= J_b >= J_c, the principal axes a, b, c and the components w_a, w_b, w_c of the angular velocity omega along
+   these axes. All these numbers have two words, because the rates that follow from them are multiplied by long times.
+   Then it numbers the axes 1, 2, 3. Axis 2 is b, the axis of the middle moment. Axis 3 is the axis around which the
+   vector omega moves in the body. It is a or c; this depends on the sign of
      2T J_b - L^2 = J_c (J_b - J_c) w_c^2 - J_a (J_a - J_b) w_a^2,
-   where T is the kinetic energy and L the size of the angular momentum. If this number is positive, or 0 (on the
-   separatrix), axis 3 is c, the axis of the smallest moment; else axis 3 is a. All functions of this chapter are
-   internal:
+   where T is the kinetic energy and L the size of the angular momentum. If this number is positive or 0, axis 3 is c,
+   the axis of the smallest moment; else axis 3 is a. If it is 0, the motion lies on the separatrix: omega tends to the
+   direction of axis 2. All functions of this chapter are internal:
 
        vmi_torque_free_body b; // whole is a vm_body
        vmi_torque_free_axes axes;
@@ -29,11 +29,12 @@
 
 /* ---- vectors in two words ---- */
 
+/* A vector whose three components have two words each */
 typedef struct VM_TAG(vmi_vec3_two) {
     vm_two x[3];
 } vmi_vec3_two;
 
-/* The largest power of two that is at most x, or VM_MIN if x is 0 or subnormal */
+/* Returns the largest power of two that is at most x, for x >= 0, or VM_MIN if x is 0 or subnormal. */
 VM_API vm_real vmi_power_of_two(vm_real x)
 {
     const vmi_bits mantissa = ((vmi_bits)1 << VMI_STORED_DIG) - 1;
@@ -69,8 +70,8 @@ VM_API vmi_vec3_two vmi_vec3_two_cross(const vmi_vec3_two *a, const vmi_vec3_two
     return c;
 }
 
-/* The vector that the rotation by q turns into a. It is a + 2 (v x (v x a) - w v x a)/|q|^2 for q = (w, v) of any
-   length except 0. */
+/* Returns the vector that becomes a by the rotation q. It is a + 2 (v x (v x a) - w v x a)/|q|^2, where w is the real
+   part and v the vector part of q. q may have any length except 0. */
 VM_API vmi_vec3_two vmi_vec3_two_turned_back(vm_quat q, const vmi_vec3_two *a)
 {
     const vm_vec3 xyz = vmi_quat_vector(q);
@@ -92,14 +93,15 @@ VM_API vmi_vec3_two vmi_vec3_two_turned_back(vm_quat q, const vmi_vec3_two *a)
 
 /* ---- principal moments and axes ---- */
 
-/* The rotation of a body in its principal axes: the principal moments divided by a power of two, the principal axes
-   in body axes, and the components of omega along them, divided by another power of two */
+/* The rotation of a body in its principal axes. `moment` has the principal moments divided by a power of two, `axis`
+   the principal axes in body axes, and `omega` the components of omega along the principal axes divided by another
+   power of two. */
 typedef struct VM_TAG(vmi_torque_free_body) {
     vm_two moment[3];
     vmi_vec3_two axis[3], omega;
 } vmi_torque_free_body;
 
-/* Turns the pair *x, *y by the angle with the cosine c and the sine s */
+/* Turns the plane vector (*x, *y) by the angle whose cosine is c and whose sine is s */
 VM_API void vmi_two_turn(vm_two c, vm_two s, vm_two *x, vm_two *y)
 {
     const vm_two x0 = *x, y0 = *y;
@@ -107,8 +109,9 @@ VM_API void vmi_two_turn(vm_two c, vm_two s, vm_two *x, vm_two *y)
     *y = vmi_two_plus(vmi_two_times(s, x0), vmi_two_times(c, y0));
 }
 
-/* Makes one rotation of Jacobi's eigenvalue method in two words: turns the axes p and q so that a[p][q] becomes 0.
-   The tensor a is scaled to about 1. An entry below eps^3 is set to 0 without a rotation. */
+/* Makes one rotation of Jacobi's eigenvalue method in two words: it turns the axes number p and q in their plane so
+   that the entry a[p][q] of the tensor becomes 0. The tensor a must be scaled so that its entries are about 1. An entry
+   below eps^3 is set to 0 without a rotation. */
 VM_API void vmi_torque_free_jacobi_rotation(vm_two a[3][3], vmi_vec3_two *axis, int p, int q)
 {
     const vm_two one = vmi_two(1, 0), entry = a[p][q];
@@ -132,8 +135,9 @@ VM_API void vmi_torque_free_jacobi_rotation(vm_two a[3][3], vmi_vec3_two *axis, 
     for (k = 0; k < 3; k++) vmi_two_turn(c, s, &axis[p].x[k], &axis[q].x[k]);
 }
 
-/* Computes the principal axes, and the principal moments divided by vmi_power_of_two(trace). Sets omega to 0. For a
-   tensor without products of inertia the moments are its entries and the axes are the body axes, exactly. */
+/* Sets b->axis to the principal axes, and b->moment to the principal moments divided by vmi_power_of_two(trace), where
+   `trace` is the trace of the tensor *i. Sets b->omega to 0. If the tensor has no products of inertia, the moments are
+   exactly its scaled entries and the axes are exactly the body axes. */
 VM_API void vmi_torque_free_principal(const vm_inertia *i, vmi_torque_free_body *b)
 {
     const int most_sweeps = 12; /* more than enough, since the rotations converge quadratically */
@@ -156,8 +160,8 @@ VM_API void vmi_torque_free_principal(const vm_inertia *i, vmi_torque_free_body 
     for (k = 0; k < 3; k++) b->moment[k] = a[k][k];
 }
 
-/* Sets a moment to 0 if it is lost in the rounding errors of the tensor i. The body is then a rod or a point, and the
-   other two moments become equal. */
+/* Sets a principal moment to 0 if it is not larger than the rounding errors of the tensor *i. The body is then a rod or
+   a point, and the other two moments are set to one value. */
 VM_API void vmi_torque_free_clamp_moments(const vm_inertia *i, vmi_torque_free_body *b)
 {
     const vmi_mat3 same = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
@@ -174,8 +178,8 @@ VM_API void vmi_torque_free_clamp_moments(const vm_inertia *i, vmi_torque_free_b
 
 /* ---- the order of the axes ---- */
 
-/* Returns 1 if the difference of two moments is within the errors of their computation from a tensor in two words.
-   Moments of a tensor without products of inertia are exactly equal or differ by more. */
+/* Returns 1 if two moments differ by no more than the errors of their computation in two words, else 0. Moments of a
+   tensor without products of inertia have no such errors: they are exactly equal, or they differ by more. */
 VM_API int vmi_torque_free_are_equal(vm_two a, vm_two b)
 {
     const vm_real few = 64 * VM_EPSILON * VM_EPSILON;
@@ -187,15 +191,15 @@ typedef struct VM_TAG(vmi_torque_free_axes) {
     vm_two I1, I2, I3;    /* the principal moments */
     vm_two d12, d23, d13; /* the differences |I1 - I2|, |I2 - I3|, |I1 - I3| of the moments */
     vm_two w1, w2, w3;    /* the components of omega along the axes */
-    vm_two S;             /* |2T I2 - L^2| for the kinetic energy T and angular momentum L; 0 on the separatrix */
+    vm_two S;             /* |2T I2 - L^2| with the kinetic energy T and the angular momentum L; 0 on the separatrix */
     vm_real sigma;        /* the sign of I1 - I3 */
     vm_real s;            /* the sign of w3 */
-    int symmetric;        /* 1 if I1 = I2 */
+    int symmetric;        /* 1 if I1 = I2, else 0 */
     vmi_mat3 matrix;      /* columns: the axes 1, 2, 3 in body axes */
 } vmi_torque_free_axes;
 
-/* The product J d w^2 of a moment J, a difference d of moments and the square of a component w of omega. It is in
-   three words, so that the difference of two such products is right even if they cancel. */
+/* Returns the product J d w^2 of a moment J, a difference d of two moments and the square of a component w of omega.
+   The product has three words, so that the difference of two such products is accurate even if they nearly cancel. */
 VM_API vmi_three vmi_torque_free_excess(vm_two J, vm_two d, vm_two w)
 {
     const vmi_three J3 = vmi_three_words(J.hi, J.lo, 0), d3 = vmi_three_words(d.hi, d.lo, 0);
@@ -203,8 +207,8 @@ VM_API vmi_three vmi_torque_free_excess(vm_two J, vm_two d, vm_two w)
     return vmi_three_times(vmi_three_times(J3, d3), vmi_three_times(w3, w3));
 }
 
-/* The value J_c (J_b - J_c) w_c^2 - J_a (J_a - J_b) w_a^2 = 2T J_b - L^2, whose sign decides which axis is axis 3.
-   The axes a, b, c are order[0], order[1], order[2], by falling moments. */
+/* Returns J_c (J_b - J_c) w_c^2 - J_a (J_a - J_b) w_a^2 = 2T J_b - L^2. The sign of this number decides which axis is
+   axis 3. The axes a, b, c have the indices order[0], order[1], order[2], and their moments fall in this order. */
 VM_API vmi_three vmi_torque_free_separation(const vm_two *J, const vm_two *w, const int *order)
 {
     const int a = order[0], b = order[1], c = order[2];
@@ -212,8 +216,8 @@ VM_API vmi_three vmi_torque_free_separation(const vm_two *J, const vm_two *w, co
     return vmi_three_plus(of_smallest, vmi_torque_free_excess(J[a], vmi_two_minus(J[b], J[a]), w[a]));
 }
 
-/* Sets order[] to the indices of the axes by falling moments. Returns 1 if order[] is an even permutation of 0, 1, 2,
-   else 0. */
+/* Sets order[] to the indices 0, 1, 2 of the axes, sorted by falling moments. Returns 1 if order[] is an even
+   permutation of 0, 1, 2, else 0. */
 VM_API int vmi_torque_free_sort(const vm_two *J, int *order)
 {
     int k, even = 1;
@@ -228,8 +232,9 @@ VM_API int vmi_torque_free_sort(const vm_two *J, int *order)
     return even;
 }
 
-/* Returns 1 if axis 3 is order[2], the axis of the smallest moment, and 0 if it is order[0], the axis of the largest.
-   If two moments are equal, axis 3 is the axis of the third moment. */
+/* Returns 1 if axis 3 is order[2], the axis of the smallest moment, and 0 if axis 3 is order[0], the axis of the
+   largest moment. If two moments are equal, axis 3 is the axis of the third moment. `separation` is the result of
+   vmi_torque_free_separation. */
 VM_API int vmi_torque_free_is_about_smallest(const vm_two *J, const int *order, vmi_three separation)
 {
     if (vmi_torque_free_are_equal(J[order[0]], J[order[1]])) return 1;
@@ -237,7 +242,7 @@ VM_API int vmi_torque_free_is_about_smallest(const vm_two *J, const int *order, 
     return separation.hi >= 0;
 }
 
-/* Expresses the body in its axes 1, 2, 3. Axis 3 is reversed if the axes would be left-handed. */
+/* Returns the body's quantities in its axes 1, 2, 3. Axis 3 is reversed if the axes would otherwise be left-handed. */
 VM_API vmi_torque_free_axes vmi_torque_free_order(const vmi_torque_free_body *b)
 {
     const vm_two *J = b->moment, *w = b->omega.x;
@@ -272,7 +277,7 @@ VM_API vmi_torque_free_axes vmi_torque_free_order(const vmi_torque_free_body *b)
     axes.d13 = vmi_two_shifted(vmi_two_minus(axes.I1, axes.I3), axes.sigma);
     axes.matrix.x = vmi_vec3_two_high_words(&b->axis[first]);
     axes.matrix.y = vmi_vec3_two_high_words(&b->axis[middle]);
-    axes.matrix.z = vmi_scale(hand, vmi_vec3_two_high_words(&b->axis[last]));
+    axes.matrix.z = vm_scale(hand, vmi_vec3_two_high_words(&b->axis[last]));
     return axes;
 }
 

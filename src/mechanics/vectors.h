@@ -6,8 +6,10 @@
        vm_vec3 omega = {0, 0, 3};                 // x, y, z
        vm_quat quarter_turn = {0.7071068, 0, 0, 0.7071068}; // w, x, y, z: 90 degrees about z
 
-   The functions are internal and do not check their arguments: sums and products, norms, rotation matrices, functions
-   that read vectors and quaternions from arrays or write them. Tests: tests/test_jumps.c, tests/test_torque_free.c. */
+   The functions vm_... are for users too: sum, difference, multiple, dot product, cross product, length and direction
+   of vectors, product and normalisation of quaternions. The others read numbers of a state as a vector or a quaternion,
+   or make rotation matrices. No function here checks its arguments: infinite and NaN numbers go through the
+   arithmetic. Tests: tests/test_attitude.c, tests/test_jumps.c, tests/test_torque_free.c. */
 #ifndef VARMASS_MECHANICS_VECTORS_H
 #define VARMASS_MECHANICS_VECTORS_H
 
@@ -38,15 +40,23 @@ VM_API vm_vec3 vmi_vec3(vm_real x, vm_real y, vm_real z)
     return a;
 }
 
-VM_API vm_vec3 vmi_add(vm_vec3 a, vm_vec3 b) { return vmi_vec3(a.x + b.x, a.y + b.y, a.z + b.z); }
-VM_API vm_vec3 vmi_sub(vm_vec3 a, vm_vec3 b) { return vmi_vec3(a.x - b.x, a.y - b.y, a.z - b.z); }
-VM_API vm_vec3 vmi_scale(vm_real c, vm_vec3 a) { return vmi_vec3(c * a.x, c * a.y, c * a.z); }
-VM_API vm_real vmi_dot(vm_vec3 a, vm_vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+/* The sum a + b of two vectors */
+VM_API vm_vec3 vm_add(vm_vec3 a, vm_vec3 b) { return vmi_vec3(a.x + b.x, a.y + b.y, a.z + b.z); }
+
+/* The difference a - b of two vectors */
+VM_API vm_vec3 vm_sub(vm_vec3 a, vm_vec3 b) { return vmi_vec3(a.x - b.x, a.y - b.y, a.z - b.z); }
+
+/* The multiple c a of a vector, for a number c */
+VM_API vm_vec3 vm_scale(vm_real c, vm_vec3 a) { return vmi_vec3(c * a.x, c * a.y, c * a.z); }
+
+/* The dot product a.x b.x + a.y b.y + a.z b.z of two vectors. Its error is within 2 eps |a| |b|. */
+VM_API vm_real vm_dot(vm_vec3 a, vm_vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 
 /* The vector a/c. Each component is rounded only once; multiplication by 1/c would round it twice. */
 VM_API vm_vec3 vmi_over(vm_vec3 a, vm_real c) { return vmi_vec3(a.x / c, a.y / c, a.z / c); }
 
-VM_API vm_vec3 vmi_cross(vm_vec3 a, vm_vec3 b)
+/* The cross product a x b of two vectors, by the right-hand rule. The error of a component is within 2 eps |a| |b|. */
+VM_API vm_vec3 vm_cross(vm_vec3 a, vm_vec3 b)
 {
     return vmi_vec3(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x);
 }
@@ -56,8 +66,8 @@ VM_API vm_vec3 vmi_abs(vm_vec3 a) { return vmi_vec3(VM_FABS(a.x), VM_FABS(a.y), 
 /* The sum |x| + |y| + |z| of the absolute values of a's components */
 VM_API vm_real vmi_norm1(vm_vec3 a) { return VM_FABS(a.x) + VM_FABS(a.y) + VM_FABS(a.z); }
 
-/* The length of a. The result is also right if the square of the length would overflow. */
-VM_API vm_real vmi_norm2(vm_vec3 a) { return vmi_hypot(vmi_hypot(a.x, a.y), a.z); }
+/* The length of the vector a, within 4 eps of itself. It does not overflow if only its square would overflow. */
+VM_API vm_real vm_norm(vm_vec3 a) { return vmi_hypot(vmi_hypot(a.x, a.y), a.z); }
 
 /* The largest of |x|, |y| and |z|, where x, y, z are the components of a */
 VM_API vm_real vmi_norm_max(vm_vec3 a)
@@ -67,18 +77,26 @@ VM_API vm_real vmi_norm_max(vm_vec3 a)
     return c > b.z ? c : b.z;
 }
 
+/* The vector of length 1 in the direction of a, each component within 4 eps of itself. A vector of length 0 has no
+   direction: the result is then NaN, as for infinite components. a may have any length that is a normal number. */
+VM_API vm_vec3 vm_unit(vm_vec3 a)
+{
+    const vm_vec3 b = vmi_over(a, vmi_norm_max(a));
+    return vmi_over(b, VM_SQRT(vm_dot(b, b)));
+}
+
 VM_API int vmi_vec3_is_finite(vm_vec3 a) { return VM_IS_FINITE(a.x) && VM_IS_FINITE(a.y) && VM_IS_FINITE(a.z); }
 
 /* The product m a of the matrix m and the vector a */
 VM_API vm_vec3 vmi_times(const vmi_mat3 *m, vm_vec3 a)
 {
-    return vmi_add(vmi_scale(a.x, m->x), vmi_add(vmi_scale(a.y, m->y), vmi_scale(a.z, m->z)));
+    return vm_add(vm_scale(a.x, m->x), vm_add(vm_scale(a.y, m->y), vm_scale(a.z, m->z)));
 }
 
 /* The product of the transposed matrix m^T and the vector a. If m is a rotation matrix, it undoes the rotation. */
 VM_API vm_vec3 vmi_times_transposed(const vmi_mat3 *m, vm_vec3 a)
 {
-    return vmi_vec3(vmi_dot(m->x, a), vmi_dot(m->y, a), vmi_dot(m->z, a));
+    return vmi_vec3(vm_dot(m->x, a), vm_dot(m->y, a), vm_dot(m->z, a));
 }
 
 VM_API vm_quat vmi_quat(vm_real w, vm_vec3 xyz)
@@ -102,8 +120,9 @@ VM_API int vmi_quat_is_none(vm_quat q) { return q.w == 0 && q.x == 0 && q.y == 0
 /* The square of the length of q */
 VM_API vm_real vmi_quat_square(vm_quat q) { return q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z; }
 
-/* The product p q, which is the rotation by q followed by the rotation by p */
-VM_API vm_quat vmi_quat_times(vm_quat p, vm_quat q)
+/* The product p q of two quaternions: the rotation by q followed by the rotation by p. If q turns the axes of a part
+   into those of a body, and p those of the body into inertial ones, p q turns those of the part into inertial ones. */
+VM_API vm_quat vm_quat_times(vm_quat p, vm_quat q)
 {
     vm_quat r;
     r.w = p.w * q.w - p.x * q.x - p.y * q.y - p.z * q.z;
@@ -138,7 +157,7 @@ VM_API vm_quat vmi_quat_scaled(vm_quat q)
 }
 
 /* The quaternion of length 1 for the same rotation as q. Four zeros give the identity. */
-VM_API vm_quat vmi_unit_quat(vm_quat q)
+VM_API vm_quat vm_unit_quat(vm_quat q)
 {
     q = vmi_quat_scaled(q);
     return vmi_quat_over(q, VM_SQRT(vmi_quat_square(q)));

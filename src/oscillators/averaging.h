@@ -1,8 +1,8 @@
 /* oscillators/averaging.h - averaged equations of an oscillator with a force, and what averaging leaves out
 
    With a force F(t, x, x') the amplitude A and the phase obey averaged equations, whose right-hand sides are means
-   over a period: vm_osc_averaged computes them for each of the three waves of oscillators/waves.h, (314), (315),
-   (337)-(339), (380)-(382).
+   over a period. vm_osc_averaged computes these right-hand sides for each of the three waves of oscillators/waves.h:
+   (314), (315) for ca, (337)-(339) for cos, (380)-(382) for cn.
        vm_osc_plan plan;
        vm_real A_rate, theta_rate, psi_rate;
        int status = vm_osc_plan_init(&plan, &problem); // problem is a vm_osc_problem; t = 10 s, A = 0.1 m
@@ -26,10 +26,10 @@
 
 /* -- Averaged equations with a force -- */
 
-/* Writes the means of F s and F c over a period, with the force F and a motion x = A c, x' = -V s by the wave w. Each
-   quarter of the period is divided at psi = cut. From 0 to cut, Gauss' rule takes 20 points in psi; for large alpha the
-   velocity varies like tanh psi there. From cut to x = 0 the rule takes 20 points in the square root of the distance of
-   psi from its value at x = 0, because F may contain fractional powers of that distance. */
+/* Writes the means of F s and F c over a period, where F is the force on a motion x = A c, x' = -V s by the wave w.
+   Each quarter of the period is divided at psi = cut. From 0 to cut, Gauss' rule takes 20 points in psi; for large
+   alpha the velocity varies like tanh psi there. From cut to x = 0 the rule takes 20 points in the square root of the
+   distance between psi and its value at x = 0, because F may contain fractional powers of that distance. */
 VM_API void vmi_osc_means(const vm_osc_plan *p, const vmi_osc_wave *w, vm_real t, vm_real A, vm_real V, vm_real *Fs,
                           vm_real *Fc)
 {
@@ -67,22 +67,23 @@ VM_API void vmi_osc_averaged_rates(const vm_osc_plan *p, const vmi_osc_wave *w, 
     *theta_rate = -w->gain_theta * Fc / (now->m * V);
 }
 
-/* Om/Om0, the rate of the Ateb phase over its value at t = 0, where A/A0 = e^a, for the mass and stiffness in `now` */
+/* The rate of the Ateb phase divided by its value at t = 0, where A/A0 = exp(a) and `now` holds the mass and stiffness.
+   A0 is the amplitude at t = 0. */
 VM_API vm_real vmi_osc_Om_ratio(const vm_osc_plan *p, const vmi_osc_rates *now, vm_real a)
 {
     return VM_SQRT((now->k / p->k0) / (now->m / p->m0)) * vmi_exp((p->problem.alpha - 1) / 2 * a, 0);
 }
 
-/* Averaged rates A', theta', psi' of amplitude and phase, with the problem's force.
-   They are taken at time t (s) and amplitude A (m), in m/s and 1/s. psi is the angle of the route's wave, theta its
-   slow part. For VM_ROUTE_ATEB psi is the Ateb phase: (314), (315) averaged, with the term of omega' that they lack.
-   For VM_ROUTE_TRIG it is in radians: (337)-(339) with alpha + 3 for 5 - alpha and 4 for the 2 of (338), (339). For
-   VM_ROUTE_JACOBI it is the argument of cn: (380)-(382) with theta' in the second equation of (382). Gauss' rule
-   takes the means on each quarter of the period, so F may jump where x or x' is 0. For alpha up to 30, and F linear
-   or cubic in x and x' or dry friction, the relative error is at most 1e-10 (float 2e-6). Returns VM_BAD_ARGUMENT for
-   a null pointer or another route, VM_NOT_FINITE for a number that is infinite or NaN, VM_BAD_MASS or
-   VM_BAD_STIFFNESS for a law that is not positive at t, and VM_DOMAIN for A <= 0, t outside a table, or a user's
-   function of a law that fails. An error leaves the results untouched. */
+/* Averaged rates A', theta', psi' of amplitude and phase, with the problem's force. They are in m/s and 1/s, and belong
+   to the time t (s) and the amplitude A (m). psi is the angle of the route's wave, theta its slow part. For
+   VM_ROUTE_ATEB psi is the Ateb phase; the equations are (314), (315) averaged, with the term of omega' that they lack.
+   For VM_ROUTE_TRIG psi is in radians; the equations are (337)-(339) with alpha + 3 for 5 - alpha, and with 4 for the 2
+   of (338), (339). For VM_ROUTE_JACOBI psi is the argument of cn; the equations are (380)-(382) with theta' in the
+   second equation of (382). Gauss' rule takes the means on each quarter of the period, so F may jump where x or x' is
+   0. For alpha up to 30, and F linear or cubic in x and x' or dry friction, the relative error is at most 1e-10 (float
+   2e-6). Returns VM_BAD_ARGUMENT for a null pointer or another route, VM_NOT_FINITE for a number that is infinite or
+   NaN, VM_BAD_MASS or VM_BAD_STIFFNESS for a law that is not positive at t, and VM_DOMAIN for A <= 0, t outside a
+   table, or a user's function of a law that fails. An error leaves the results untouched. */
 VM_API int vm_osc_averaged(const vm_osc_plan *p, int route, vm_real t, vm_real A, vm_real *A_rate,
                            vm_real *theta_rate, vm_real *psi_rate)
 {
@@ -122,15 +123,15 @@ typedef struct VM_TAG(vmi_osc_moment) {
 /* What averaging leaves out at one moment, as errors of ln A and of the Ateb phase psi */
 typedef struct VM_TAG(vmi_osc_averaging) {
     vm_real Om;                 /* rate of the Ateb phase at this moment, 1/s */
-    vm_real start_A, start_psi; /* ripples of ln A and psi at the phase of this moment */
+    vm_real start_A, start_psi; /* sizes of the ripples of ln A and psi at the phase of this moment */
     vm_real ripple;             /* the largest ripple of ln A plus the largest ripple of psi */
     vm_real rate_A, rate_psi;   /* errors of the mean rates of ln A and psi, 1/s */
     vm_real growth;             /* rate, 1/s, at which a small change of ln A grows */
 } vmi_osc_averaging;
 
-/* Writes the exact rates of ln A and psi at VMI_AVERAGING_POINTS phases of the period before t, or of the first
-   period if less than a period has passed. If `frozen` is 1 the force is that at the time t, otherwise the force
-   varies with time. */
+/* Writes the exact rates of ln A and psi at VMI_AVERAGING_POINTS phases of the period before t, or of the first period
+   if less than a period has passed. If `frozen` is 1, the force is taken at the time t for all phases, otherwise at the
+   time of each phase. */
 VM_API void vmi_osc_period_rates(const vmi_osc_moment *at, int frozen, vm_real *rate_A, vm_real *rate_psi)
 {
     const vm_osc_plan *p = at->plan;
@@ -161,7 +162,8 @@ VM_API vm_real vmi_osc_take_mean(vm_real *values)
     return mean;
 }
 
-/* Integrates values whose mean is 0 over a period, in steps of `width`, and subtracts the mean of the integral */
+/* Integrates values over a period, whose mean is 0, and subtracts the mean of the integral. `width` is the distance
+   between two values. */
 VM_API void vmi_osc_integrate_ripple(const vm_real *values, vm_real width, vm_real *ripple)
 {
     int i;
@@ -180,8 +182,8 @@ VM_API vm_real vmi_osc_largest(const vm_real *values)
     return largest;
 }
 
-/* Adds the error of a wave that is not ca to the errors of the rates, and finds the rate at which a small change of
-   ln A grows */
+/* Adds to the errors of the mean rates the difference between the rates by the wave w and those by ca. It also finds
+   the rate at which a small change of ln A grows. */
 VM_API void vmi_osc_add_wave_rates(const vmi_osc_moment *at, const vmi_osc_wave *w, vmi_osc_averaging *a)
 {
     const vm_osc_plan *p = at->plan;
@@ -197,8 +199,8 @@ VM_API void vmi_osc_add_wave_rates(const vmi_osc_moment *at, const vmi_osc_wave 
     a->growth = (more_A - own_A) / change;
 }
 
-/* Integrates the rates of ln A and psi, without their means, to the ripples of ln A and psi within a period. The ripple
-   of ln A changes Om, which adds to the rate of psi. */
+/* Integrates the rates of ln A and psi, from which their means are subtracted, over a period: the integrals are the
+   ripples of ln A and psi. The ripple of ln A changes Om, and so adds to the rate of psi. */
 VM_API void vmi_osc_find_ripples(const vmi_osc_moment *at, const vm_real *rate_A, vm_real *rate_psi,
                                  vmi_osc_averaging *a)
 {
@@ -220,7 +222,8 @@ VM_API void vmi_osc_find_ripples(const vmi_osc_moment *at, const vm_real *rate_A
 VM_API int vmi_osc_averaging_at(const vm_osc_plan *p, const vmi_osc_wave *w, vm_real t, vm_real t_end, vm_real A,
                                 vm_real psi, vmi_osc_averaging *a)
 {
-    const vm_real second_order = VM_C(0.25); /* error over rate times ripple; for Duffing's equation it is 0.156 */
+    const vm_real second_order = VM_C(0.25); /* error of a mean rate over (rate times ripple); 0.156 for Duffing's
+                                                equation */
     vm_real rate_A[VMI_AVERAGING_POINTS], rate_psi[VMI_AVERAGING_POINTS], frozen_A, frozen_psi, rates, second;
     vmi_osc_moment at;
     int status = vmi_osc_rates_at(&p->problem, t, -vmi_time_side(t_end), &at.now);
@@ -260,11 +263,11 @@ VM_API vm_real vmi_osc_check_time(vm_real t, int i)
     return t * (vm_real)(4 + i) / (vm_real)(3 + VMI_OSC_CHECKS);
 }
 
-/* Estimates the error at t of the averaged equations with a force, from the motions at the times of
-   vmi_osc_check_time. Errors arise from the ripple at the start, which the equations take for a part of the mean, and
-   from errors of the mean rates. These errors grow as small changes of the motion do, and an error of the
-   amplitude adds an error of the phase. At the end the estimate adds the ripple at t, the error of a wave that is not
-   ca, and the effect of fast changes of mass and stiffness. */
+/* Estimates the error at t of the averaged equations with a force, from the motions at the times of vmi_osc_check_time.
+   Errors arise from the ripple at the start, which the equations take for a part of the mean, and from errors of the
+   mean rates. These errors grow as small changes of the motion grow, and an error of the amplitude adds an error of the
+   phase. At the end the estimate adds the ripple at t, the error of a wave that is not ca, and the effect of fast
+   changes of mass and stiffness. */
 VM_API int vmi_osc_averaging_error(const vm_osc_plan *p, const vmi_osc_wave *w, vm_real t,
                                    const vm_osc_motion *motion, vm_real *error)
 {

@@ -5,8 +5,8 @@
    (examples/print_plan.c prints it). Mass and stiffness must be
      m = m0 exp(rate_m u),   k = k0 exp(rate_k u),   u = ln(1 + base t)/base, or u = t for base = 0,
    with a common base: they may be constant, linear, exponential or powers of the same 1 + base t. With damping the mass
-   must be constant or linear. The order, 2 to 5, is a choice: a lower order is less accurate (docs/law.md) and
-   shorter. vm_osc_closed_at_order2 and vm_osc_closed_at_order3 leave out the code that only higher orders need.
+   must be constant or linear. The order, 2 to 5, is a choice: a lower order is less accurate (docs/law.md) and needs
+   less code. vm_osc_closed_at_order2 and vm_osc_closed_at_order3 leave out the code that only higher orders need.
        vm_osc_problem sieve = {3,            vm_law_linear(120, -20), vm_law_linear(VM_C(4e8), 0), 0, 0,
                                VM_C(0.005), 0,                       NULL,                        NULL};
        vm_osc_closed motion;
@@ -17,8 +17,8 @@
    Method: let p and a be the rates of oscillators/reduction.h at t = 0. Then
      G_0 = p (p - a + base),   delta = p + (p - a + base),   el = 1 + base t,   p(t) = p/el,   A = A(0) exp(-p u),
      W = W(0) exp(delta u)/el,   E_k = (k+1)! E_0(0) (-delta/W(0))^k exp(-(k+2) delta u),
-   where A and W are the mean amplitude and the mean rate of the phase. Integrals of W, W E_0 and W E_0^2 over t are
-   differences of exponentials. Sources: docs/law.md. Tests: tests/test_closed_law.c. */
+   where A is the mean amplitude and W the rate of the mean phase without the terms of E_0. Integrals of W, W E_0 and W
+   E_0^2 over t are differences of exponentials. Sources: docs/law.md. Tests: tests/test_closed_law.c. */
 #ifndef VARMASS_OSCILLATORS_CLOSED_H
 #define VARMASS_OSCILLATORS_CLOSED_H
 
@@ -36,13 +36,14 @@
 
 /* -- The laws -- */
 
-/* Mass and stiffness as exponentials of the same u; see the top of this file. All are in 1/s. */
+/* The rates base, rate_m and rate_k in the closed forms of mass and stiffness at the top of this file, 1/s */
 typedef struct VM_TAG(vmi_osc_rates_of_u) {
     vm_real base, rate_m, rate_k;
 } vmi_osc_rates_of_u;
 
 /* Finds the exponential form of both laws. Returns 0 if there is none in a common u, or if the integral of b/m is not
-   proportional to u. It is so for m = m0 (1 + base t), which includes a constant mass with base = 0. */
+   proportional to u. With damping it is proportional only for m = m0 (1 + base t), which includes a constant mass with
+   base = 0. */
 VM_API int vmi_osc_find_closed_form(const vm_osc_problem *o, vmi_osc_rates_of_u *u)
 {
     vm_real base_m, base_k;
@@ -56,13 +57,14 @@ VM_API int vmi_osc_find_closed_form(const vm_osc_problem *o, vmi_osc_rates_of_u 
     return o->damping == 0 || u->rate_m == u->base;
 }
 
-/* What the disturbances at t = 0 depend on, in 1/s: p, and delta and rest = p - a + base, so that G_0 = p rest */
+/* The rates on which the disturbances E_k at t = 0 depend, in 1/s: p; rest = p - a + base, so that G_0 = p rest; and
+   delta = p + rest */
 typedef struct VM_TAG(vmi_osc_closed_rates) {
     vm_real p, rest, delta;
 } vmi_osc_closed_rates;
 
-/* The rates at t = 0, where m0 is the mass, kg. Differences that vanish in exact arithmetic, such as base - a for a
-   linear mass with the full reactive force, vanish here, too. */
+/* The rates at t = 0, where m0 is the mass, kg. Differences that vanish in exact arithmetic vanish here, too. An
+   example is base - a for a linear mass with the full reactive force. */
 VM_API vmi_osc_closed_rates vmi_osc_closed_rates_of(const vm_osc_problem *o, const vmi_osc_rates_of_u *u, vm_real m0)
 {
     const vm_real decay = o->damping / m0;
@@ -86,16 +88,16 @@ VM_API void vmi_osc_closed_disturbance(const vmi_osc_closed_rates *r, vm_real W,
 
 /* The mean motion at t = 0, and what is needed to follow it to any t */
 typedef struct VM_TAG(vmi_osc_closed_mean) {
-    vmi_osc_reduced start;      /* mean amplitude, m, mean phase, and W, the rate that the action gives it, 1/s */
-    vm_real base;               /* 1/s; see the top of this file */
+    vmi_osc_reduced start;      /* mean amplitude, m, mean phase, and its rate W without the terms of E_0, 1/s */
+    vm_real base;               /* base of the laws, 1/s; see the top of this file */
     vmi_osc_closed_rates rates; /* rates at t = 0 */
     vm_real first, second;      /* what E_0 and E_0^2 add to the rate of the mean phase at t = 0, 1/s */
 } vmi_osc_closed_mean;
 
 /* The mean motion at t; u, el and delta are explained at the top of this file. */
 typedef struct VM_TAG(vmi_osc_closed_now) {
-    vmi_osc_reduced state; /* mean amplitude, m, mean phase, and the rate W that the action gives it, 1/s */
-    vm_real u, el;         /* u is in s */
+    vmi_osc_reduced state; /* mean amplitude, m, mean phase, and its rate W without the terms of E_0, 1/s */
+    vm_real u, el;         /* u, s, and el, a pure number */
     vm_real ln_A;          /* ln(A/A(0)) of the mean amplitude A */
     vm_real ratio;         /* W/W(0) */
     vm_real decay;         /* exp(-delta u) */
@@ -124,7 +126,7 @@ VM_API void vmi_osc_closed_mean_init(vmi_osc_closed_mean *c, const vmi_osc_reduc
    |p| < 0.42, e^x - 1 is 2^k p + (2^k - 1). */
 VM_API vm_real vmi_exp_and_ratio(vm_real x, vm_real *ratio)
 {
-    const vm_real largest = VM_MANT_DIG > 24 ? 1400 : 180; /* beyond it e^x is infinite or 0 */
+    const vm_real largest = VM_MANT_DIG > 24 ? 1400 : 180; /* for |x| beyond it e^x is infinite or 0 */
     const vm_real inside = vmi_smaller(vmi_larger(x, -largest), largest);
     vm_real p_lo, p, scale;
     int k;
@@ -135,8 +137,8 @@ VM_API vm_real vmi_exp_and_ratio(vm_real x, vm_real *ratio)
     return scale + scale * p;
 }
 
-/* The mean motion at t, where 1 + base t must be positive. The integral of exp(-3 delta u) is that of exp(-delta u)
-   times (1 + decay + decay^2)/3. */
+/* The mean motion at t, where 1 + base t must be positive. It uses that the integral of exp(-3 delta u) over u is the
+   integral of exp(-delta u) times (1 + decay + decay^2)/3, with decay = exp(-delta u). */
 VM_API void vmi_osc_closed_mean_at(const vmi_osc_closed_mean *c, vm_real t, vmi_osc_closed_now *now)
 {
     const vm_real u = t * vmi_log_ratio(c->base * t);
@@ -167,7 +169,8 @@ VM_API void vmi_osc_closed_disturbance_at(const vmi_osc_closed_mean *c, const vm
 /* A bound of what order five leaves out of the mean phase between 0 and the time of *now (vmi_expansion_third_rate) */
 VM_API vm_real vmi_osc_closed_third(const vmi_osc_closed_mean *c, const vmi_osc_closed_now *now, const vmi_ripple *r)
 {
-    const vm_real q = now->decay, sum = 1 + q * (1 + q * (1 + q * (1 + q))); /* as in vmi_osc_closed_mean_at */
+    const vm_real q = now->decay, sum = 1 + q * (1 + q * (1 + q * (1 + q))); /* the integral of q^5 is sum/5 times that
+                                                                                of q */
     vm_real E[3], e;
     vmi_osc_closed_disturbance(&c->rates, c->start.W, 3, E);
     e = VM_FABS(E[0]);
@@ -190,12 +193,12 @@ typedef struct VM_TAG(vm_osc_closed) {
 
 /* -- Preparing it -- */
 
-/* What vm_osc_closed_init computes before it writes anything */
+/* What vm_osc_closed_init computes before it writes to its result */
 typedef struct VM_TAG(vmi_osc_closed_start) {
     vmi_osc_rates_of_u laws;
     vmi_osc_closed_rates rates;
     vmi_osc_reduced state; /* the reduced state at t = 0 */
-    vm_real E[VMI_OSC_G];  /* its numbers E_k */
+    vm_real E[VMI_OSC_G];  /* the numbers E_k of this state */
 } vmi_osc_closed_start;
 
 /* Checks that the terms of the law of order five are small at the start: (alpha+1)(alpha+3)/4 (|E_0| + d^3 |E_3|) < 1/2
@@ -221,8 +224,8 @@ VMI_APART int vmi_osc_closed_check(const vm_osc_problem *o, vm_real t_end, vmi_o
     return vmi_osc_closed_is_slow(s->E, o->alpha) ? VM_OK : VM_NO_LAW;
 }
 
-/* The estimate of the error at all times from 0 to t_end, where E holds the numbers E_k of the state at t = 0. All of
-   the estimate's terms rise or fall steadily with t, so that the larger values at both ends are bounds. */
+/* The estimate of the error at all times from 0 to t_end, where E holds the numbers E_k of the state at t = 0. Each
+   term of the estimate rises or falls steadily with t. Therefore the larger of its values at both ends is a bound. */
 VM_API vm_real vmi_osc_closed_error(const vm_osc_closed *c, int order, const vm_real *E, vm_real t_end)
 {
     const vmi_ripple *r = &c->ripple;
@@ -269,7 +272,7 @@ VMI_APART void vmi_osc_closed_begin(vm_osc_closed *c, int order, const vmi_osc_c
      VM_DOMAIN for alpha < 0,
      VM_NO_LAW for laws without the closed form at the top of this file, for a force F, and where mass, stiffness or
        damping changes the motion so fast that the law of order five does not hold; use vm_osc_plan_init then.
-   The time is that of some 100 values; order 2 needs less than half of it. */
+   The call takes as long as some 100 calls of vm_osc_closed_at; with order 2 it takes less than half as long. */
 VM_API int vm_osc_closed_init(vm_osc_closed *c, const vm_osc_problem *problem, int order, vm_real t_end)
 {
     vmi_osc_closed_start s;
@@ -288,7 +291,7 @@ VM_API int vm_osc_closed_init(vm_osc_closed *c, const vm_osc_problem *problem, i
 
 /* -- Using it -- */
 
-/* Checks the arguments of a value by the law of this order. */
+/* Checks the arguments of a call that computes the motion at t by the law of this order. */
 VM_API int vmi_osc_closed_check_call(const vm_osc_closed *c, int order, vm_real t, const vm_real *x, const vm_real *v)
 {
     if (!c || !x || !v || order > c->order) return VM_BAD_ARGUMENT;
@@ -321,10 +324,10 @@ VM_API int vmi_osc_closed_motion(const vm_osc_closed *c, int order, vm_real t, v
     return VM_OK;
 }
 
-/* Position x, m, and velocity v, m/s, at time t, s, of either sign, by the law of the order for which *c was prepared.
-   c->error estimates the error up to t_end of vm_osc_closed_init. An error leaves *x and *v untouched: VM_BAD_ARGUMENT
-   for null pointers, VM_NOT_FINITE where t or a result is infinite or NaN, VM_BAD_MASS or VM_BAD_STIFFNESS where a law
-   is not positive at t. The results have the bits of vm_osc_plan_by_route if *c has order 5. */
+/* Position x (m) and velocity v (m/s) at time t (s, either sign), by the order of the law in *c. c->error
+   estimates the error up to t_end of vm_osc_closed_init. An error leaves *x and *v untouched: VM_BAD_ARGUMENT for null
+   pointers, VM_NOT_FINITE where t or a result is infinite or NaN, VM_BAD_MASS or VM_BAD_STIFFNESS where a law is not
+   positive at t. If *c has order 5, the results are bit for bit those of vm_osc_plan_by_route. */
 VM_API int vm_osc_closed_at(const vm_osc_closed *c, vm_real t, vm_real *x, vm_real *v)
 {
     int order = 0;
@@ -332,13 +335,13 @@ VM_API int vm_osc_closed_at(const vm_osc_closed *c, vm_real t, vm_real *x, vm_re
     return vmi_osc_closed_motion(c, order, t, x, v);
 }
 
-/* As vm_osc_closed_at, but by order 2 for any order of *c. Alone it links the shortest code: no ripple. */
+/* As vm_osc_closed_at, but by order 2 for any order of *c. It links the shortest code, since it needs no ripple. */
 VM_API int vm_osc_closed_at_order2(const vm_osc_closed *c, vm_real t, vm_real *x, vm_real *v)
 {
     return vmi_osc_closed_motion(c, 2, t, x, v);
 }
 
-/* As vm_osc_closed_at, but by order 3; *c must have order 3 or more, else VM_BAD_ARGUMENT. It links shorter code. */
+/* As vm_osc_closed_at, but by order 3; *c must have order 3 or more, else VM_BAD_ARGUMENT. It links less code. */
 VM_API int vm_osc_closed_at_order3(const vm_osc_closed *c, vm_real t, vm_real *x, vm_real *v)
 {
     return vmi_osc_closed_motion(c, 3, t, x, v);

@@ -7,8 +7,9 @@
    At x = 0 the force of the spring is not smooth for most alpha, but since steps end there, no order is lost.
 
    A step uses Gauss' collocation of n points. Its equations are solved by iteration, which starts from values that are
-   extrapolated from the steps before. p' is the derivative of the polynomial through the values of p at the n points,
-   so that laws have to give only f and f'. Two runs with different n go side by side; their difference gives the error.
+   extrapolated from the steps before. p' is the derivative of the polynomial through the values of p at the n points;
+   therefore the laws have to give only their values and rates. Two runs with different n go side by side; their
+   difference gives the error.
        vm_osc_motion motion;
        int status = vmi_osc_collocate(&plan, VM_ROUTE_COLLOCATION, 300, VM_C(1e-8), &motion); // plan is a vm_osc_plan
    Source: Hairer, Lubich, Wanner, Geometric Numerical Integration (2006), II.1.2 and VIII.6.
@@ -31,7 +32,7 @@
 #include "reduction.h"
 #include "waves.h"
 
-/* From how many earlier steps a step is extrapolated */
+/* The largest number of earlier steps from which a step is extrapolated */
 enum { VMI_HISTORY = 6 };
 
 /* -- A run -- */
@@ -41,7 +42,7 @@ typedef struct VM_TAG(vmi_step_waves) {
     vm_real sa[VMI_NODES], ca[VMI_NODES];
 } vmi_step_waves;
 
-/* Rates: derivatives of ln A and t by the phase psi, at the nodes of a step */
+/* Rates: derivatives of ln A and t with respect to the phase psi, at the nodes of a step */
 typedef struct VM_TAG(vmi_step_rates) {
     vm_real ln_A[VMI_NODES], t[VMI_NODES];
 } vmi_step_rates;
@@ -108,8 +109,8 @@ VM_API vmi_osc_change vmi_osc_whole_change(const vmi_osc_course *c, const vmi_os
     return sum;
 }
 
-/* Writes the rates of ln A and t by the phase at node i, where ln(A/A0) is ln_A and the time is t. *now holds mass,
-   stiffness and their rates at t, and p_rate is the derivative of now->p by time. */
+/* Writes the derivatives of ln A and t with respect to the phase at node i, where ln(A/A0) is ln_A and the time is t.
+   *now holds mass, stiffness and their rates at t, and p_rate is the time derivative of now->p. */
 VM_API int vmi_osc_course_rates(const vmi_osc_course *c, const vmi_osc_step *s, int i, const vmi_osc_rates *now,
                                 vm_real p_rate, vm_real ln_A, vm_real t, vm_real *ln_A_by_psi, vm_real *t_by_psi)
 {
@@ -132,7 +133,7 @@ VM_API int vmi_osc_course_rates(const vmi_osc_course *c, const vmi_osc_step *s, 
     return VM_OK;
 }
 
-/* The changes of ln A and t from the start of the step to node i, by integration of these rates */
+/* The changes of ln A and t from the start of the step to node i, by integration of *rates */
 VM_API vmi_osc_change vmi_osc_change_to(const vmi_osc_course *c, const vmi_osc_step *s, const vmi_step_rates *rates,
                                         int i)
 {
@@ -150,14 +151,14 @@ VM_API vmi_osc_change vmi_osc_change_to(const vmi_osc_course *c, const vmi_osc_s
     return sum;
 }
 
-/* Adds to the rates of a step what a round found to be missing, and an estimate of what this changes in turn: `missing`
-   shifts ln A and t at the nodes, and these shift the rates, mostly because W depends on both. *now holds mass,
-   stiffness and rates at about the middle of the step. */
+/* Adds to the rates of a step the corrections `missing` that a round found, and estimates of the further corrections
+   that follow: `missing` shifts ln A and t at the nodes, and these shifts change the rates, mostly because W depends on
+   both. *now holds mass, stiffness and rates at about the middle of the step. */
 VM_API void vmi_osc_correct(const vmi_osc_course *c, const vmi_osc_step *s, const vmi_osc_rates *now,
                             const vmi_step_rates *missing, vmi_step_rates *rates)
 {
     const vm_real alpha = c->plan->problem.alpha;
-    /* derivatives of ln(dt/dpsi) by t and by ln A */
+    /* derivatives of ln(dt/dpsi) with respect to t and to ln A */
     const vm_real by_t = -((alpha + 3) * now->p - 2 * now->a) / 2, by_ln_A = -(alpha - 1) / 2;
     int i;
     for (i = 0; i < c->rule.n; i++) {
@@ -203,12 +204,14 @@ VM_API int vmi_osc_sweep(vmi_osc_course *c, vmi_osc_step *s, vm_real *change)
     return VM_OK;
 }
 
-/* Makes rounds of the iteration, from the rates in s->rates, until the change of phase that they leave out is below the
-   limit of the course. A round leaves out the part `contraction` of the change that it makes. */
+/* Makes rounds of the iteration, which starts from the rates in s->rates, until the phase is in error by less than the
+   limit of the course. The error after a round is estimated as the change of phase that the round made, times
+   `contraction`. */
 VM_API int vmi_osc_iterate(vmi_osc_course *c, vmi_osc_step *s)
 {
-    const vm_real least_contraction = VM_C(0.02); /* in case the next steps are harder than this one */
-    const vm_real rounding = VM_SQRT(VM_EPSILON) / 16; /* in short steps p' has such errors, which no round mends */
+    const vm_real least_contraction = VM_C(0.02); /* a lower bound, since the next steps may converge more slowly */
+    const vm_real rounding = VM_SQRT(VM_EPSILON) / 16; /* in short steps p' has errors of this size, which no round
+                                                          removes */
     const int most_rounds = 40;
     vm_real change, before = 0;
     int sweeps, status;
@@ -225,8 +228,8 @@ VM_API int vmi_osc_iterate(vmi_osc_course *c, vmi_osc_step *s)
     return VM_OK;
 }
 
-/* Sets the rates from which the iteration of a step starts. They are extrapolated from earlier whole steps of the same
-   part of a half period; if there are none, all are the rates at the start of the step. These leave out the
+/* Sets the rates from which the iteration of a step starts. They are extrapolated from earlier whole steps over the
+   same part of a half period. If there are none, the rates at all nodes are those at the start of the step, without the
    disturbance E = (p^2 - a p - p')/W^2 and the further force F. */
 VM_API int vmi_osc_predict(vmi_osc_course *c, int part, vmi_osc_step *s)
 {
@@ -247,7 +250,8 @@ VM_API int vmi_osc_predict(vmi_osc_course *c, int part, vmi_osc_step *s)
         s->rates.ln_A[i] = 0;
         s->rates.t[i] = 0;
     }
-    for (k = 0; k < c->known[part]; k++) { /* extrapolation of n values: factors n, -n (n-1)/2, ... */
+    for (k = 0; k < c->known[part]; k++) { /* extrapolation from n earlier steps: the latest times n, the one before
+                                              times -n (n-1)/2 ... */
         const vmi_step_rates *last = &c->history[part][(c->latest[part] + k) % VMI_HISTORY];
         factor *= (vm_real)(c->known[part] - k) / (vm_real)(k + 1);
         for (i = 0; i < c->rule.n; i++) {
@@ -282,8 +286,8 @@ VM_API void vmi_osc_remember(vmi_osc_course *c, int part, const vmi_step_rates *
 
 /* -- Landing on a time -- */
 
-/* Returns at which fraction of the step the time t is reached, by Newton's method for the polynomial of the step.
-   Writes the Legendre series of dt/dpsi to series. */
+/* Returns the fraction of the step at which the time t is reached, by Newton's method. Writes the Legendre series of
+   dt/dpsi on the step to series. */
 VM_API vm_real vmi_osc_find_part(const vmi_osc_course *c, const vmi_osc_step *s, vm_real t, vm_real *series)
 {
     const int rounds = 8;
@@ -309,9 +313,9 @@ VM_API vm_real vmi_osc_find_part(const vmi_osc_course *c, const vmi_osc_step *s,
     return part;
 }
 
-/* Makes a step that ends at c->stop, in place of `beyond`, the longer step that would go past this time. certain: 0
-   where `beyond` is only predicted. If it turns out that it does not reach c->stop, the course stays where it is,
-   since no step may cross a zero of x. */
+/* Makes a step that ends at c->stop, in place of the longer step `beyond`, which would go past this time. certain is 0
+   if `beyond` is only predicted. If `beyond` then turns out not to reach c->stop, the course stays where it is, since
+   no step may cross a zero of x. */
 VM_API int vmi_osc_land(vmi_osc_course *c, const vmi_osc_step *beyond, int certain)
 {
     const int rounds = 6;
@@ -356,7 +360,7 @@ VM_API vm_real vmi_osc_next_phase(const vmi_osc_course *c, int *part, vm_real *s
 {
     const vm_real half = c->plan->ripple.pi, close = 64 * VM_EPSILON * (1 + VM_FABS(c->psi) / half);
     const vm_real per_step = (vm_real)c->parts / half, side = (vm_real)c->side;
-    const vm_real at = (c->psi + half / 2) * per_step; /* the phase, counted in steps; `next` is the end of the step */
+    const vm_real at = (c->psi + half / 2) * per_step; /* the phase, counted in steps; the step ends at `next` */
     const vm_real nearest = VM_FLOOR(at + VM_C(0.5)), next = VM_FLOOR(side * at + close) + 1;
     const vm_real cell = side > 0 ? side * next - 1 : side * next; /* the step lies between cell and cell + 1 */
     const vm_real turn = VM_FLOOR(cell / (vm_real)c->parts);
@@ -371,8 +375,8 @@ VM_API int vmi_osc_is_beyond(const vmi_osc_course *c, const vmi_osc_step *s)
     return (vm_real)c->side * ((c->t - c->stop) + (c->t_low + vmi_osc_whole_change(c, s).t)) >= 0;
 }
 
-/* Makes a step of the part `most`, 0 to 1, of its usual length. If it would go beyond c->stop, it is shortened to end
-   there. */
+/* Makes a step whose length is `most`, between 0 and 1, times the usual length. If it would go beyond c->stop, it is
+   shortened to end there. */
 VM_API int vmi_osc_course_step_of(vmi_osc_course *c, vm_real most)
 {
     vmi_step_waves inside;
@@ -408,7 +412,7 @@ VM_API int vmi_osc_course_step_of(vmi_osc_course *c, vm_real most)
 /* Makes one step. Where its iteration does not converge, it tries shorter and shorter steps. */
 VM_API int vmi_osc_course_step(vmi_osc_course *c)
 {
-    const vm_real shortest = VM_C(0.01); /* part of the usual length */
+    const vm_real shortest = VM_C(0.01); /* the shortest step, as a part of the usual length */
     vm_real most = 1;
     int status = vmi_osc_course_step_of(c, most);
     while (status == VM_NOT_INTEGRATED && most > shortest) {
@@ -419,7 +423,7 @@ VM_API int vmi_osc_course_step(vmi_osc_course *c)
     return status;
 }
 
-/* Starts a course at t = 0 from the amplitude and phase in *start, with n points a step and `parts` parts a half
+/* Starts a course at t = 0 from the amplitude and phase in *start, with n points per step and `parts` parts per half
    period. */
 VM_API void vmi_osc_course_start(vmi_osc_course *c, const vm_osc_plan *plan, const vmi_osc_reduced *start, int side,
                                  int n, int parts, vm_real sweep_limit)
@@ -487,7 +491,7 @@ VM_API int vmi_osc_courses_to(vmi_osc_course *loose, vmi_osc_course *strict, vm_
     return status;
 }
 
-/* Numbers of points a step of the loose and of the strict run, and parts of a half period in both runs */
+/* Numbers of points per step in the loose and in the strict run, and of parts per half period in both runs */
 typedef struct VM_TAG(vmi_osc_points) {
     signed char loose, strict, parts;
 } vmi_osc_points;
@@ -496,8 +500,8 @@ typedef struct VM_TAG(vmi_osc_points) {
 enum { VMI_OSC_PAIRS = 6 };
 
 /* Whether the rates are smooth inside a half period, so that one step over it is good. With a force they may have kinks
-   in the middle, where x' = 0, and where alpha > 3 they change quickly there. Then two steps are better that meet in
-   the middle. */
+   in the middle, where x' = 0; for alpha > 3 they change quickly there. In these cases two steps that meet in the
+   middle are better. */
 VM_API int vmi_osc_has_smooth_halves(const vm_osc_problem *o) { return o->alpha <= 3 && !o->force; }
 
 /* Pair number i, 0 to VMI_OSC_PAIRS - 1. Each pair is more accurate than the one before. */
@@ -521,8 +525,8 @@ VM_API int vmi_osc_first_pair(const vm_osc_problem *o, vm_real tolerance)
     return tolerance >= VM_C(1e-10) ? 3 : 4;
 }
 
-/* The number of the pair that is tried after pair i, whose error is estimated as `error`, larger than the tolerance.
-   Pairs are left out whose error would be too large even if it fell as the tenth power of the number of points. */
+/* The number of the pair that is tried after pair i, whose estimated error is `error`, larger than the tolerance. A
+   pair is skipped if its error would be too large even if errors fell as 1/(number of points)^10. */
 VM_API int vmi_osc_next_pair(const vm_osc_problem *o, int i, vm_real error, vm_real tolerance)
 {
     const vmi_osc_points last = vmi_osc_pair(o, i);
@@ -537,9 +541,10 @@ VM_API int vmi_osc_next_pair(const vm_osc_problem *o, int i, vm_real error, vm_r
 }
 
 /* Returns the estimated error of the strict run divided by the difference of the two runs, which is nearly the error of
-   the loose run. Where alpha < 1, the rates have terms of the power alpha + 2 in the distance from a zero of x. For them
-   the error of Gauss' rule of n points falls as n^-(2 alpha + 6). For larger alpha up to 10 it falls as n^-8 at least.
-   Kinks from a force or from a law by a function, and the sharp turns of a large alpha, make it fall more slowly. */
+   the loose run. Where alpha < 1, the rates have terms proportional to d^(alpha+2), where d is the distance from a zero
+   of x. For these terms the error of Gauss' rule of n points falls as n^-(2 alpha + 6). For larger alpha up to 10 it
+   falls as n^-8 at least. Kinks from a force or from a law by a function, and the sharp turns of a large alpha, make it
+   fall more slowly. */
 VM_API vm_real vmi_osc_strict_share(const vm_osc_problem *o, vmi_osc_points points)
 {
     const vm_real ratio = (vm_real)points.loose / (vm_real)points.strict, squared = ratio * ratio;
@@ -552,7 +557,7 @@ VM_API int vmi_osc_collocate_pair(const vm_osc_plan *plan, vm_real t, vmi_osc_po
                                   vm_real sweep_limit, vmi_osc_course *strict, vm_real *error)
 {
     const int side = vmi_time_side(t);
-    const vm_real looser = 16;         /* ratio of their sweep_limits, so that errors of the iteration differ, too */
+    const vm_real looser = 16;         /* ratio of the sweep_limits of both runs: errors of the iteration differ, too */
     vmi_osc_rates now;
     vmi_osc_slow start;
     vmi_osc_reduced state;
@@ -599,7 +604,7 @@ VM_API int vmi_osc_collocate(const vm_osc_plan *plan, int route, vm_real t, vm_r
         status = vmi_osc_collocate_pair(plan, t, vmi_osc_pair(&plan->problem, i), 2 * longest, sweep_limit, &c, &error);
         if (status) return status;
         evals += c.evals;
-        sweep_limit = vmi_larger(sweep_limit / 16, VM_EPSILON); /* perhaps the iterations left too much */
+        sweep_limit = vmi_larger(sweep_limit / 16, VM_EPSILON); /* the iterations may have caused most of the error */
         i = vmi_osc_next_pair(&plan->problem, i, error, tolerance);
     }
     status = vmi_osc_rates_at(&plan->problem, t, -c.side, &now);

@@ -1,13 +1,14 @@
 /* oscillators/constant_mass.h - the oscillator x'' + omega0^2 x|x|^(alpha-1) = 0 of constant mass
 
-   A mass m on a spring of force -k x|x|^(alpha-1), omega0 = sqrt(k/m), with any real alpha >= 0: 1 is the linear
-   spring, 3 the cubic one. Here are its period (262), largest velocity (267) and energy (259); the exact motion by the
-   Ateb functions (282), (283) from rest or from any state; and the approximations by the cosine (291)-(296) and by
-   Jacobi's cn (297)-(307) with their errors (268). The shortest useful calls:
+   A spring with the force -k x|x|^(alpha-1) holds a mass m, and omega0 = sqrt(k/m). alpha is any real number >= 0: 1 is
+   the linear spring, 3 the cubic one. Here are the period of the motion (262), its largest velocity (267) and its
+   energy (259); the exact motion by the Ateb functions (282), (283) from rest or from any state; and the approximations
+   by the cosine (291)-(296) and by Jacobi's cn (297)-(307) with their errors (268). The shortest useful calls:
        vm_real T = vm_osc_period(2, 1, VM_C(1.5)), x, v; // x'' = -x|x|^0.5 from x = 2 at rest
        vm_osc_exact(T / 8, 2, 1, VM_C(1.5), &x, &v);
    The functions return or write NaN for alpha < 0 and for infinite arguments, and functions with outputs write nothing
-   where an output is null. The unit of omega0 is m^((1-alpha)/2)/s. Symbols: A amplitude, psi Ateb phase, Om its rate.
+   where an output is null. With x in metres the unit of omega0 is metre^((1-alpha)/2)/s. Symbols: A amplitude, psi Ateb
+   phase, Om the rate of psi.
    Tests: tests/test_constant_mass.c. */
 #ifndef VARMASS_OSCILLATORS_CONSTANT_MASS_H
 #define VARMASS_OSCILLATORS_CONSTANT_MASS_H
@@ -56,7 +57,7 @@ VM_API vm_real vm_osc_vmax(vm_real x0, vm_real omega0, vm_real alpha)
     return VM_SQRT(2 / (alpha + 1)) * VM_FABS(omega0) * vmi_pow_checked(VM_FABS(x0), (alpha + 1) / 2);
 }
 
-/* x|x|^(alpha-1): the elastic force is this times -k */
+/* x|x|^(alpha-1). The elastic force is -k times this number. */
 VM_API vm_real vmi_osc_elastic(vm_real x, vm_real alpha)
 {
     if (alpha == 1 || x == 0) return x;
@@ -90,7 +91,7 @@ VM_API void vm_osc_exact(vm_real t, vm_real x0, vm_real omega0, vm_real alpha, v
     vmi_osc_at_phase(x0, vmi_osc_rate_from_rest(x0, omega0, alpha) * t, omega0, alpha, x, v);
 }
 
-/* (a^n + b^n)^(1/n) for a, b >= 0, scaled so that no power overflows unless the result does */
+/* (a^n + b^n)^(1/n) for a, b >= 0, computed so that no power overflows unless the result itself overflows */
 VM_API vm_real vmi_osc_power_norm(vm_real a, vm_real b, vm_real n)
 {
     const vm_real larger = vmi_larger(a, b), smaller = vmi_smaller(b, a);
@@ -99,8 +100,8 @@ VM_API vm_real vmi_osc_power_norm(vm_real a, vm_real b, vm_real n)
 }
 
 /* Amplitude A >= 0 (m) and Ateb phase psi in (-Pi, Pi] of the state x (m), v (m/s). They satisfy x = A ca(psi), v =
-   -vmax(A) sa(psi), where Pi = Pi_alpha and vmax is vm_osc_vmax. Method: from rest, the velocity v belongs to an
-   amplitude B with vmax(B) = |v|; by energy A^(alpha+1) = |x|^(alpha+1) + B^(alpha+1). */
+   -vmax(A) sa(psi), where Pi = Pi_alpha and vmax is vm_osc_vmax. Method: let B be the amplitude whose largest velocity
+   vmax(B) is |v|. Then conservation of energy gives A^(alpha+1) = |x|^(alpha+1) + B^(alpha+1). */
 VM_API void vm_osc_amplitude_phase(vm_real x, vm_real v, vm_real omega0, vm_real alpha, vm_real *A, vm_real *psi)
 {
     if (!A || !psi) return;
@@ -124,9 +125,9 @@ VM_API void vm_osc_exact_from(vm_real t, vm_real x0, vm_real v0, vm_real omega0,
     vmi_osc_at_phase(A, psi + rate * t, omega0, alpha, x, v);
 }
 
-/* The mean over a period of |ca|^power, which is B((power+1)/(alpha+1), 1/2)/Pi_alpha, where pi is Pi_alpha and B is
-   Euler's beta function. For q <= 1, B(q, 1/2) is Pi of alpha = 1/q - 1; for larger q it follows by the recurrence of
-   B. constants is the function that computes Pi. */
+/* The mean of |ca|^power over a period. It is B(q, 1/2)/Pi_alpha with q = (power+1)/(alpha+1) and Euler's beta function
+   B; the argument pi is Pi_alpha. For q <= 1, B(q, 1/2) is Pi of alpha = 1/q - 1; for larger q it follows by the
+   recurrence of B. `constants` is the function that computes Pi. */
 VM_API vm_real vmi_osc_mean_ca(vm_real power, vm_real alpha, vm_real pi, vmi_ateb_constants_of constants)
 {
     vm_real q = (power + 1) / (alpha + 1), factor = 1;
@@ -182,13 +183,14 @@ VM_API void vm_osc_jacobi(vm_real t, vm_real x0, vm_real omega0, vm_real alpha, 
     vmi_osc_by_wave(&w, t, x0, omega0, x, v);
 }
 
-/* The result of vm_osc_approximation_errors, pure numbers: ratios of velocities (268) and largest errors in a period */
+/* The result of vm_osc_approximation_errors: ratios of largest velocities (268), and largest errors in a period. All
+   are pure numbers. */
 typedef struct VM_TAG(vm_osc_errors) {
-    vm_real trig_vmax;          /* largest velocity of the cosine (296) over the exact one (267) */
-    vm_real jacobi_vmax;        /* largest velocity of cn over the exact one. At x = 0 cn has the velocity k' Omega_1
-                                   (306), but for m > 1/2 a larger one, Omega_1/(2k), near x = 0 */
+    vm_real trig_vmax;          /* largest velocity of the cosine (296) divided by the exact one (267) */
+    vm_real jacobi_vmax;        /* largest velocity of cn divided by the exact one. At x = 0 cn has the velocity k'
+                                   Omega_1 (306), but for m > 1/2 a larger one, Omega_1/(2k), near x = 0 */
     vm_real trig_x, trig_v;     /* largest errors of the cosine, of x relative to x0 and of v relative to vmax */
-    vm_real jacobi_x, jacobi_v; /* largest errors of cn, relative to x0 and vmax */
+    vm_real jacobi_x, jacobi_v; /* largest errors of cn, of x relative to x0 and of v relative to vmax */
 } vm_osc_errors;
 
 /* Errors of the approximations by cos and cn, as the fields of vm_osc_errors. They depend on alpha alone. Errors in a

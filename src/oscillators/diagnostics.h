@@ -1,7 +1,7 @@
 /* oscillators/diagnostics.h - turning points and zero crossings of any trajectory, envelopes, adiabaticity
 
-   The motion may come from a route, a closed form or an integrator's dense output. At its turning points one compares
-   it with laws of the amplitude; its zero crossings give the largest velocities and the periods.
+   The trajectory may come from a route, a closed form or an integrator's dense output. Laws of the amplitude are
+   compared with it at its turning points; its zero crossings give the largest velocities and the periods.
 
        vm_sample turning[8]; // motion: a function of the user, see vm_motion_function
        long n = vm_find_samples(motion, NULL, VM_TURNING_POINTS, 0, 20, VM_C(0.1), 8, turning);
@@ -33,7 +33,8 @@ enum {
     VM_ZERO_CROSSINGS = 1  /* where the position x is 0 */
 };
 
-/* Whether the kind of sample exists and `room` is not negative; for room > 0 samples must not be null. */
+/* Whether a search is possible: the kind of sample must exist, `room` must not be negative, and for room > 0 samples
+   must not be null. */
 VM_API int vmi_samples_are_possible(int kind, long room, const vm_sample *samples)
 {
     return (kind == VM_TURNING_POINTS || kind == VM_ZERO_CROSSINGS) && (room == 0 || (room > 0 && samples));
@@ -95,8 +96,8 @@ VM_API long vm_find_samples(vm_motion_function motion, void *ctx, int kind, vm_r
     return found;
 }
 
-/* A trajectory from the dense output of the integrator s: x and v are the indices of position and velocity in its
-   state, buffer has room for a state */
+/* A trajectory from the dense output of the integrator s. x and v are the indices of position and velocity in the state
+   of the integrator; buffer has room for a state. */
 typedef struct VM_TAG(vmi_step_motion) {
     rk45 *s;
     int x, v;

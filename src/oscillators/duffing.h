@@ -35,7 +35,7 @@ VM_API int vmi_duffing_at(const vm_odd_force *force, vm_real x, vm_real *f)
     return VM_IS_FINITE(*f) ? VM_OK : VM_NOT_FINITE;
 }
 
-/* By how much the square of the amplitude is larger than x^2. The number d solves c3 d^2/2 + slope d = v^2, where
+/* Returns d = A^2 - x^2, the square of the amplitude A minus x^2. The number d solves c3 d^2/2 + slope d = v^2, where
    slope = c1 + c3 x^2. Returns NaN for a motion that runs away. */
 VM_API vm_real vmi_duffing_above(vm_real c3, vm_real slope, vm_real v)
 {
@@ -46,8 +46,8 @@ VM_API vm_real vmi_duffing_above(vm_real c3, vm_real slope, vm_real v)
     return VM_NAN;
 }
 
-/* The size and place of the orbit through (x, v). In two wells the orbit is an inner one if its energy is below that
-   of rest at x = 0. Returns VM_NO_LAW for a motion that runs away. */
+/* Writes the size and place of the orbit through (x, v). With two wells the orbit is an inner one if its energy is
+   below the energy of rest at x = 0. Returns VM_NO_LAW for a motion that runs away. */
 VM_API int vmi_duffing_through(const vm_odd_force *force, vm_real x, vm_real v, vmi_orbit *orbit)
 {
     const vm_real k1 = force->k1, k3 = force->k3, slope = k1 + k3 * (x * x);
@@ -110,9 +110,9 @@ VM_API int vmi_duffing_complete_inner(vmi_orbit *orbit)
     orbit->lambda = A * VM_SQRT(k3 / 2);
     orbit->m1 = m1;
     orbit->w = VM_PI * orbit->lambda / jacobi_K_m1(m1);
-    orbit->j = 2 * size * size * k3 * (C2 - C4) / orbit->w; /* the mean of v^2 = 2 k3 size^2 sn^2 cn^2, over w */
+    orbit->j = 2 * size * size * k3 * (C2 - C4) / orbit->w; /* the mean of v^2 = 2 k3 size^2 sn^2 cn^2, divided by w */
     orbit->energy_slope = k3 * size / 2;
-    orbit->swing = size / (A + B); /* (A - B)/2 */
+    orbit->swing = size / (A + B); /* (A - B)/2 with the largest |x| A and the smallest |x| B */
     orbit->vmax = size * VM_SQRT(k3 / 2);
     return VM_OK;
 }
@@ -150,7 +150,8 @@ VM_API void vmi_duffing_point(const vmi_orbit *orbit, vm_real theta, vmi_orbit_p
     }
 }
 
-/* The incomplete integral F = u of the first kind, from s2 = sn^2(u), c2 = cn^2(u) and d2 = dn^2(u), 0 <= u <= K */
+/* Returns u, the incomplete elliptic integral of the first kind, from s2 = sn^2(u), c2 = cn^2(u) and d2 = dn^2(u),
+   where 0 <= u <= K. */
 VM_API vm_real vmi_duffing_argument(vm_real s2, vm_real c2, vm_real d2)
 {
     return VM_SQRT(s2) * vmi_carlson_rf(vmi_two(c2, 0), vmi_two(d2, 0), vmi_two(1, 0)).hi;

@@ -2,15 +2,17 @@
 
    With slow mass and stiffness, amplitude A and phase psi of oscillators/reduction.h obey the exact equations
      A'/A = -p + (G_0/W) sa ca,   psi' = W + (alpha+1)/2 (G_0/W) ca^2,
-   where W is the rate of the phase at the amplitude A. The slow motion A'/A = -p, psi' = W is disturbed by G_0/W^2
-   only. This number is of second order in epsilon, the relative change of mass and stiffness within a radian.
+   where W is the rate of the phase at the amplitude A. Only the number G_0/W^2 disturbs the slow motion A'/A = -p,
+   psi' = W. It is of second order in epsilon, the relative change of mass and stiffness within a radian.
 
    A canonical transformation leads from A and psi to mean values without ripple: a mean action, which is constant, and
-   a mean phase, whose rate varies slowly. The action is J = A^((alpha+3)/2) sqrt(mu kappa). The transformation is a
-   series in powers of the numbers E_k of order epsilon^(k+2), k = 0, 1 ...
+   a mean phase, whose rate varies slowly. The action is J = A^((alpha+3)/2) sqrt(mu kappa), with mu and kappa of
+   oscillators/reduction.h. The transformation is a series in powers of the numbers E_k, k = 0, 1 ..., which are of
+   order epsilon^(k+2):
      E_k = G_k/W^(k+2),   G_(k+1) = G_k' - (k+2) (2p - a) G_k.
-   This file has the transformation in both directions, and the mean rate of the phase. Cut off after order N, it gives
-   the motion with an error of O(epsilon^N) over times of 1/epsilon. The law is new; docs/law.md derives it.
+   This file has the transformation in both directions, and the mean rate of the phase. If the series is cut off after
+   the order N, it gives the motion with an error of O(epsilon^N) over times of 1/epsilon. The law is new; docs/law.md
+   derives it.
 
    C, S, S2, S3 and Q are the functions of the phase in oscillators/ripple.h. The weight of a term is the power of
    epsilon in it: E_k has weight k + 2.
@@ -19,7 +21,7 @@
        vm_real E[VMI_EXPANSION_E] = {VM_C(1e-4), 0, 0, 0}, ln_J;
        vmi_ripple_init(&r, 1, vmi_ateb_constants); // a linear spring
        vmi_ripple_at(&r, 2, 0, 0, 1, &f);          // phase 0: sa = 0, ca = 1
-       ln_J = vmi_expansion_J(&r, 2, &f, E); // ln of the mean action over the action
+       ln_J = vmi_expansion_J(&r, 2, &f, E); // ln of the mean action divided by the action
    Tests: tests/test_slow_motion.c. */
 #ifndef VARMASS_OSCILLATORS_EXPANSION_H
 #define VARMASS_OSCILLATORS_EXPANSION_H
@@ -70,7 +72,7 @@ VM_API vm_real vmi_expansion_psi(const vmi_ripple *r, int order, const vmi_rippl
 /* -- From the mean motion to the motion -- */
 
 /* Returns the phase psi minus the mean phase, with all terms up to weight order - 1. f holds C, S ... at the mean
-   phase. This is minus vmi_expansion_psi at the mean phase, and a product of first-order terms. */
+   phase. The result is -vmi_expansion_psi, evaluated at the mean phase, plus a product of first-order terms. */
 VM_API vm_real vmi_expansion_psi_back(const vmi_ripple *r, int order, const vmi_ripple_values *f, const vm_real *E)
 {
     const vm_real product = r->scale * r->scale / 4 * (1 - 2 * r->gamma) * E[0] * E[0] * f->C * f->S;
@@ -79,7 +81,7 @@ VM_API vm_real vmi_expansion_psi_back(const vmi_ripple *r, int order, const vmi_
 }
 
 /* Returns ln(action/mean action) with all terms up to weight order - 1, for an order from 3 to 5. f holds C, S ... at
-   the mean phase. This is minus vmi_expansion_J at the mean phase, and a product of first-order terms. */
+   the mean phase. The result is -vmi_expansion_J, evaluated at the mean phase, plus a product of first-order terms. */
 VM_API vm_real vmi_expansion_J_back(const vmi_ripple *r, int order, const vmi_ripple_values *f, const vm_real *E)
 {
     const vm_real g = r->gamma, square = r->scale * r->scale / 2 * E[0] * E[0];
@@ -102,8 +104,8 @@ VM_API vm_real vmi_expansion_second(const vmi_ripple *r)
 
 /* -- From state to mean state and back -- */
 
-/* The state with the same constants whose ln J, where J is the action, is larger by ln_J, and whose phase is larger by
-   shift */
+/* A copy of the state in which ln J, where J is the action, is larger by ln_J and the phase is larger by shift. Mass
+   and stiffness are those of *state. */
 VM_API vmi_osc_reduced vmi_expansion_shifted(const vmi_ripple *r, const vmi_osc_reduced *state, vm_real ln_J,
                                              vm_real shift)
 {
@@ -115,7 +117,7 @@ VM_API vmi_osc_reduced vmi_expansion_shifted(const vmi_ripple *r, const vmi_osc_
 }
 
 /* The mean motion that belongs to a reduced state, by the law of this order, 2 to 5. sa and ca are the Ateb functions
-   of its phase, and E holds its numbers E_k. Above order 2 the ripple must have its polynomials. */
+   of the state's phase, and E holds the state's numbers E_k. Above order 2 the ripple must have its polynomials. */
 VM_API vmi_osc_reduced vmi_expansion_to_mean(const vmi_ripple *r, int order, const vmi_osc_reduced *state, vm_real sa,
                                              vm_real ca, const vm_real *E)
 {
@@ -137,8 +139,8 @@ VM_API vmi_osc_reduced vmi_expansion_from_mean(const vmi_ripple *r, int order, c
 
 /* -- What the law of order five leaves out -- */
 
-/* How large the terms of weight w are in vmi_expansion_J (J[w]) and in vmi_expansion_psi (psi[w]), for w = 2 to 6; psi[6]
-   is only the part with E_4. They are of order epsilon^w, where epsilon is the relative change of mass and stiffness
+/* The sizes of the terms of weight w, for w = 2 to 6: J[w] in vmi_expansion_J, psi[w] in vmi_expansion_psi. psi[6]
+   holds only the term with E_4. All are of order epsilon^w, where epsilon is the relative change of mass and stiffness
    within a radian. */
 typedef struct VM_TAG(vmi_expansion_sizes) {
     vm_real J[7], psi[7];
@@ -163,21 +165,21 @@ VM_API void vmi_expansion_find_sizes(const vmi_ripple *r, const vm_real *e, vmi_
 }
 
 /* A bound of the first terms that order five leaves out of the mean rate of the phase, divided by W. They have weight
-   6; product is |E_0 E_2|, cube is |E_0|^3. If product and cube are integrals of these numbers over the phase, the
-   result is a bound of the error of the phase. */
+   6. product is |E_0 E_2| and cube is |E_0|^3. If product and cube are instead the integrals of these numbers over the
+   phase, the result is a bound of the error of the phase. */
 VM_API vm_real vmi_expansion_third_rate(const vmi_ripple *r, vm_real product, vm_real cube)
 {
     const vm_real d = r->pi / (2 * VM_PI), L = r->scale, g = r->gamma;
     return L * L / 64 * VM_FABS((1 - 5 * g) * (2 - 5 * g)) * d * d * product + VM_C(0.01) * L * L * L * cube;
 }
 
-/* How large the terms are that an order leaves out: relative in J, and of the phase */
+/* Sizes of the terms that the law of some order leaves out: relative to J, and in the phase psi */
 typedef struct VM_TAG(vmi_left_out) {
     vm_real J, psi;
 } vmi_left_out;
 
-/* How large the first terms are that the transformation of this order leaves out at t, where e[k] = |E_k|. Since the
-   terms of the next weight may vanish, those of the weight after it count, too. */
+/* The sizes of the first terms that the transformation of this order leaves out at t, where e[k] = |E_k|. The terms of
+   the next weight may vanish at t; therefore the terms of the weight after the next count, too. */
 VM_API vmi_left_out vmi_expansion_left_out_at(const vmi_ripple *r, int order, const vm_real *e)
 {
     vmi_expansion_sizes size;
@@ -189,7 +191,7 @@ VM_API vmi_left_out vmi_expansion_left_out_at(const vmi_ripple *r, int order, co
     return now;
 }
 
-/* How large the first terms are that the mean motion of this order leaves out at the start, where e[k] = |E_k| */
+/* The sizes of the first terms that the mean motion of this order leaves out at the start, where e[k] = |E_k| */
 VM_API vmi_left_out vmi_expansion_left_out_at_start(const vmi_ripple *r, int order, const vm_real *e)
 {
     vmi_expansion_sizes size;
@@ -200,10 +202,10 @@ VM_API vmi_left_out vmi_expansion_left_out_at_start(const vmi_ripple *r, int ord
     return start;
 }
 
-/* The estimate of the larger of |error of x|/A and |error of v|/vmax that follows from what is left out: `now` at t,
-   `start` at the start and on the way, `third` of the mean rate of the phase (vmi_expansion_third_rate). turns is the
-   phase from 0 to t; errors of ln J at the start grow with it. A factor of 2 fits the errors that
-   tests/test_slow_motion.c finds. */
+/* The estimate of the larger of |error of x|/A and |error of v|/vmax, from the terms that the law leaves out. `now` are
+   those at t, `start` those at the start and on the way, and `third` is the bound for the mean rate of the phase
+   (vmi_expansion_third_rate). turns is how far the phase advances from 0 to t; errors of ln J at the start grow with
+   it. The estimate includes a factor of 2, which fits the errors that tests/test_slow_motion.c finds. */
 VM_API vm_real vmi_expansion_error(const vmi_ripple *r, vmi_left_out now, vmi_left_out start, vm_real turns,
                                    vm_real third)
 {

@@ -16,12 +16,12 @@ VM_INLINE vm_real vmi_elastic_power(vm_real x, vm_real alpha)
     return VM_COPYSIGN(vmi_pow_checked(VM_FABS(x), alpha), x);
 }
 
-/* Van der Pol's term (404), feed - c x^2, N s/m: the force over the velocity at position x. feed > 0 (N s/m) feeds
-   the vibration, and c > 0 (N s/m^3) limits it. */
+/* Van der Pol's term (404), feed - c x^2, N s/m. It is the force divided by the velocity, at the position x. feed > 0
+   (N s/m) feeds energy into the vibration, and c > 0 (N s/m^3) limits it. */
 VM_INLINE vm_real vmi_van_der_pol_feed(vm_real feed, vm_real c, vm_real x) { return feed - c * (x * x); }
 
-/* The gyroscopic coupling 2 gyro, kg/s: the gyroscopic force is this times the velocity, turned by +90 degrees. gyro
-   is g of the remark after (516), kg/s. */
+/* The gyroscopic coupling 2 gyro, kg/s. The gyroscopic force is this coupling times the velocity, turned by +90
+   degrees. The argument gyro is called g in the remark after (516), kg/s. */
 VM_INLINE vm_real vmi_gyroscopic_coupling(vm_real gyro) { return 2 * gyro; }
 
 #endif

@@ -14,8 +14,9 @@
        f.force = vm_law_linear(VM_C(0.1), 0);
        int status = vm_forced_init(&f); // then vm_forced_rhs integrates x, x', theta
 
-   Symbols: A amplitude, psi Ateb phase, Om its rate, Pi half its period; w(A) frequency of the free vibration of
-   amplitude A, phi = pi psi/Pi phase of the vibration in radians, theta phase of the force, delta = phi - theta.
+   Symbols: A amplitude, psi Ateb phase, Om the rate of psi, 2 Pi the period of ca (Pi = Pi_alpha); w(A) frequency of
+   the free vibration of amplitude A, phi = pi psi/Pi phase of the vibration in radians, theta phase of the force, delta
+   = phi - theta.
    Tests: tests/test_forced.c. */
 #ifndef VARMASS_OSCILLATORS_FORCED_H
 #define VARMASS_OSCILLATORS_FORCED_H
@@ -76,7 +77,7 @@ VM_API int vmi_forced_at(const vm_forced *f, vm_real t, vmi_forced_parameters *n
 }
 
 /* Computes the Fourier coefficients of ca, within 8 eps, and from them those of sa. The coefficients of ca are
-     c_j = 2 int_0^1 ca(Pi u/2) cos((2j+1) pi u/2) du,
+     c[j] = 2 int_0^1 ca(Pi u/2) cos((2j+1) pi u/2) du,
    computed by the tanh-sinh rule u = 1/(1 + e^(-pi sinh t)), because ca is not analytic at u = 1 and, for large
    alpha, bends sharply at u = 0. With x = pi u/2 the cosines follow from cos((2j+3) x) = 2 cos(2x) cos((2j+1) x) -
    cos((2j-1) x). */
@@ -111,8 +112,8 @@ VM_API void vmi_forced_fourier(vm_forced *f)
 
 /* Prepare an excited oscillator: check its fields at t = 0, and write pi, Om1, G, c and s. All other functions need
    this call. Returns VM_BAD_ARGUMENT for a null pointer or a law that no constructor made, VM_NOT_FINITE for a number
-   that is infinite or NaN, VM_BAD_MASS or VM_BAD_STIFFNESS for one that is not positive, VM_DOMAIN for alpha < 0 or a
-   frequency that is not positive, and VM_OK otherwise. An error leaves f as it was. */
+   that is infinite or NaN, VM_BAD_MASS or VM_BAD_STIFFNESS for a mass or a stiffness that is not positive, VM_DOMAIN
+   for alpha < 0 or a frequency that is not positive, and VM_OK otherwise. An error leaves f as it was. */
 VM_API int vm_forced_init(vm_forced *f)
 {
     vmi_forced_parameters now;
@@ -139,11 +140,10 @@ VM_API vm_real vmi_forced_natural(const vm_forced *f, const vmi_forced_parameter
     return f->Om1 * VM_SQRT(n->k / n->mass) * vmi_pow_checked(VM_FABS(A), (f->alpha - 1) / 2);
 }
 
-/* Equation of motion of an excited oscillator, for rk45 or rk87.
-   y = (x, x', theta) is in m, m/s and rad; forced points to a prepared vm_forced. Returns VM_BAD_ARGUMENT for a null
-   pointer or a law that no constructor made, VM_NOT_FINITE for a number that is infinite or NaN, VM_BAD_MASS or
-   VM_BAD_STIFFNESS for one that is not positive, and VM_DOMAIN for alpha < 0, a frequency that is not positive or t
-   outside a table. These statuses stop the run. */
+/* Equation of motion of an excited oscillator, for rk45 or rk87. y = (x, x', theta) is in m, m/s and rad; forced points
+   to a prepared vm_forced. Returns VM_BAD_ARGUMENT for a null pointer or a law that no constructor made, VM_NOT_FINITE
+   for a number that is infinite or NaN, VM_BAD_MASS or VM_BAD_STIFFNESS for a mass or a stiffness that is not positive,
+   and VM_DOMAIN for alpha < 0, a frequency that is not positive or t outside a table. These statuses stop the run. */
 VM_API int vm_forced_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *forced)
 {
     if (!y || !dydt || !forced) return VM_BAD_ARGUMENT;
@@ -184,12 +184,12 @@ VM_API int vm_forced_exact_rhs(vm_real t, const vm_real *y, vm_real *dydt, void 
     return VM_OK;
 }
 
-/* Averaged equations of an excited oscillator near its main resonance, for rk45 or rk87.
-   At the main resonance the frequency nu of the force is the natural frequency w(A). The state is y = (A, delta,
-   theta): A is the mean amplitude, theta the phase of the force, and delta the phase by which the vibration leads the
-   force. Start with vm_forced_to_averaged, and end with vm_forced_from_averaged. The error is of the order of the
-   largest of the damping b, the mass rate m' and the force F, up to times of its inverse, and larger away from the
-   resonance. The argument forced and the statuses are those of vm_forced_rhs. */
+/* Averaged equations of an excited oscillator near its main resonance, for rk45 or rk87. At the main resonance the
+   frequency nu of the force is the natural frequency w(A). The state is y = (A, delta, theta): A is the mean amplitude,
+   theta the phase of the force, and delta the phase by which the vibration leads the force. Start with
+   vm_forced_to_averaged, and end with vm_forced_from_averaged. Let e be the largest of the damping b, the mass rate m'
+   and the force F. The error is of the order of e up to times of the order of 1/e, and larger away from the resonance.
+   The argument forced and the statuses are those of vm_forced_rhs. */
 VM_API int vm_forced_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *forced)
 {
     if (!y || !dydt || !forced) return VM_BAD_ARGUMENT;
@@ -208,7 +208,7 @@ VM_API int vm_forced_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, vo
 }
 
 /* The ripple of the exact amplitude about its mean A, m, to first order: exact amplitude = A + ripple. It is
-     q A sa ca/((alpha+3) Om) + F/(m Om nu) sum of s_j/2 (cos(n phi + theta)/(n + 1) + cos(n phi - theta)/(n - 1))
+     q A sa ca/((alpha+3) Om) + F/(m Om nu) sum of s[j]/2 (cos(n phi + theta)/(n + 1) + cos(n phi - theta)/(n - 1))
    with the order n = 2j + 1 and q of vmi_forced_q. For n = 1 the last term is left out, since it does not vary at the
    resonance. */
 VM_API vm_real vmi_forced_ripple(const vm_forced *f, const vmi_forced_parameters *n, vm_real A, vm_real phi,
@@ -229,10 +229,10 @@ VM_API vm_real vmi_forced_ripple(const vm_forced *f, const vmi_forced_parameters
     return vmi_forced_q(f, n) * A / ((f->alpha + 3) * Om) * sa * ca + n->force / (n->mass * Om * n->nu) * sum;
 }
 
-/* Motion (x, x', theta) of an excited oscillator to the mean y = (A, delta, theta).
-   A is the amplitude without its ripple within a period. If the ripple stayed in A, averaged motions would have errors
-   of order 1 where alpha is not 1. The statuses are those of vm_forced_rhs; VM_DOMAIN also means that the motion is
-   smaller than its ripple. y and motion may be the same array. */
+/* Converts a motion (x, x', theta) of an excited oscillator to its mean y = (A, delta, theta). A is the amplitude
+   without its ripple within a period. If the ripple stayed in A, averaged motions would have errors of order 1 where
+   alpha is not 1. The statuses are those of vm_forced_rhs; VM_DOMAIN also means that the motion is smaller than its
+   ripple. y and motion may be the same array. */
 VM_API int vm_forced_to_averaged(const vm_forced *f, vm_real t, const vm_real *motion, vm_real *y)
 {
     if (!f || !motion || !y) return VM_BAD_ARGUMENT;
@@ -247,16 +247,16 @@ VM_API int vm_forced_to_averaged(const vm_forced *f, vm_real t, const vm_real *m
     phi *= VM_PI / f->pi;
     A = exact;
     for (i = 0; i < 3; i++) A = exact - vmi_forced_ripple(f, &n, A, phi, theta);
-    if (!(A > 0) || !VM_IS_FINITE(A)) return VM_DOMAIN; /* then the motion is smaller than its ripple */
+    if (!(A > 0) || !VM_IS_FINITE(A)) return VM_DOMAIN; /* the motion is smaller than its ripple */
     y[0] = A;
     y[1] = phi - theta;
     y[2] = theta;
     return VM_OK;
 }
 
-/* Motion (x, x', theta) of an excited oscillator from the mean y = (A, delta, theta).
-   The inverse of vm_forced_to_averaged: it puts the ripple back. The statuses are those of vm_forced_rhs; VM_DOMAIN
-   also means that A <= 0 or that A is smaller than its ripple. motion and y may be the same array. */
+/* Converts the mean y = (A, delta, theta) of an excited oscillator to the motion (x, x', theta). This is the inverse of
+   vm_forced_to_averaged: it puts the ripple back. The statuses are those of vm_forced_rhs; VM_DOMAIN also means that A
+   <= 0 or that A is smaller than its ripple. motion and y may be the same array. */
 VM_API int vm_forced_from_averaged(const vm_forced *f, vm_real t, const vm_real *y, vm_real *motion)
 {
     if (!f || !y || !motion) return VM_BAD_ARGUMENT;

@@ -1,8 +1,9 @@
 /* oscillators/gauss_rule.h - Gauss' rule of n points on [0, 1], and polynomials through values at these points
 
-   The rule integrates polynomials of degree 2n - 1 exactly. Two matrices belong to it: they give, from the values of a
-   polynomial of degree n - 1 at the n points, its integrals from 0 to each point and its derivatives there. The method
-   of collocation (oscillators/collocation.h) solves differential equations with them.
+   The points are called nodes. The rule integrates polynomials of degree 2n - 1 exactly. Two matrices belong to it.
+   They turn the values of a polynomial of degree n - 1 at the nodes into its integrals from 0 to each node, and into
+   its derivatives at the nodes. The method of collocation (oscillators/collocation.h) solves differential equations
+   with them.
        vmi_gauss_rule rule;
        vmi_gauss_rule_init(&rule, 8);
    Tests: tests/test_collocation.c. */
@@ -16,7 +17,8 @@
 /* The largest n */
 enum { VMI_NODES = VMI_GAUSS };
 
-/* Gauss' rule, and two matrices for polynomials of degree n - 1: polynomial j is 1 at node j, 0 at all other nodes */
+/* Gauss' rule, and two matrices. Polynomial j in their comments has degree n - 1; it is 1 at node j and 0 at all other
+   nodes. */
 typedef struct VM_TAG(vmi_gauss_rule) {
     int n; /* number of nodes */
     vm_real node[VMI_NODES], weight[VMI_NODES];
@@ -38,7 +40,8 @@ VM_API vm_real vmi_legendre_polynomial(int n, vm_real x, vm_real *slope)
     return now;
 }
 
-/* Computes nodes and weights: zeros of Legendre's polynomial by Newton's method, from an approximation by cosines. */
+/* Computes nodes and weights. Newton's method finds the nodes, which are zeros of Legendre's polynomial, from an
+   approximation by cosines. */
 VM_API void vmi_gauss_rule_nodes(vmi_gauss_rule *rule)
 {
     const int rounds = 6;
@@ -56,8 +59,8 @@ VM_API void vmi_gauss_rule_nodes(vmi_gauss_rule *rule)
     }
 }
 
-/* Adds the part of Legendre's polynomial P_k to both matrices. values, integrals and derivatives are those of P_k at
-   the nodes, with integrals from 0 and derivatives by the variable of the nodes. */
+/* Adds the part of Legendre's polynomial P_k to both matrices. The arrays hold P_k at the nodes, its integrals from 0
+   to the nodes, and its derivatives there, with respect to the variable that goes from 0 to 1. */
 VM_API void vmi_gauss_rule_add(vmi_gauss_rule *rule, int k, const vm_real *values, const vm_real *integrals,
                                const vm_real *derivatives)
 {
@@ -89,14 +92,14 @@ VM_API void vmi_gauss_rule_init(vmi_gauss_rule *rule, int n)
             rule->derivative[i][j] = 0;
         }
     }
-    for (k = 0; k < n; k++) { /* with x = 2 node - 1: node integrals are half of those over x, derivatives double */
+    for (k = 0; k < n; k++) { /* x = 2 node - 1: integrals are 1/2 of those over x, derivatives double */
         for (i = 0; i < n; i++) {
             const vm_real x = 2 * rule->node[i] - 1, next = vmi_legendre_next(k, x, now[i], before[i]);
             integrals[i] = k == 0 ? rule->node[i] : (next - before[i]) / (vm_real)(2 * (2 * k + 1));
             derivatives[i] = 2 * slope[i];
         }
         vmi_gauss_rule_add(rule, k, now, integrals, derivatives);
-        for (i = 0; i < n; i++) { /* P'_(k+1) = P'_(k-1) + (2k+1) P_k */
+        for (i = 0; i < n; i++) { /* derivatives: P'_(k+1) = P'_(k-1) + (2k+1) P_k */
             const vm_real x = 2 * rule->node[i] - 1, next = vmi_legendre_next(k, x, now[i], before[i]);
             const vm_real next_slope = slope_before[i] + (vm_real)(2 * k + 1) * now[i];
             slope_before[i] = slope[i];

@@ -34,15 +34,16 @@
 /* Numbers that suit a Runge-Kutta pair */
 typedef struct VM_TAG(vmi_osc_tuning) {
     vm_real least;     /* least useful tolerance of a step, because of rounding errors within the step */
-    vm_real ratio;     /* tolerance of the loose run over that of the strict run */
-    vm_real factor;    /* estimated error of the strict run over the difference of the two runs */
+    vm_real ratio;     /* tolerance of the loose run divided by that of the strict run */
+    vm_real factor;    /* estimated error of the strict run, divided by the difference of the two runs */
     vm_real by_chance; /* the estimated error is at least this times the tolerance of the steps */
 } vmi_osc_tuning;
 
-/* How a route, which is a method of solution, integrates */
+/* A method of integration: a system of equations, a Runge-Kutta pair, and numbers that suit the pair */
 typedef struct VM_TAG(vmi_osc_method) {
     ode_rhs rhs;  /* the right-hand side: vmi_osc_averaged_rhs or vmi_osc_direct_rhs */
-    int averaged; /* 1 where rhs has averaged equations, whose error of averaging is added; else 0 */
+    int averaged; /* 1 where rhs belongs to the averaged equations, so that the error of averaging must be added; else
+                     0 */
     int direct;   /* 1 where the state of rhs is position and velocity, 0 where it is amplitude and phase */
     int (*init)(rk45 *s, ode_rhs f, void *ctx, int n, vm_real t0, const vm_real *y0,
                 const rk45_options *options_or_NULL, vm_real *work); /* rk45_init or rk87_init */
@@ -50,10 +51,10 @@ typedef struct VM_TAG(vmi_osc_method) {
     vmi_osc_tuning tuning;                                           /* numbers for this pair */
 } vmi_osc_method;
 
-/* A method of integration with the pair rk45. rk45 does not change the length of its steps while their error stays
-   within a factor of 3. `ratio` is larger than this factor, so that the two runs take different steps. `factor` leaves
-   room for errors that are not proportional to the tolerance. Errors are mostly far below the tolerance of the steps,
-   so two runs may agree well by chance; by_chance allows for this. */
+/* A method of integration with the Runge-Kutta pair rk45. The pair does not change the length of its steps while their
+   error stays within a factor of 3. `ratio` is larger than this factor, so that the two runs take different steps.
+   `factor` leaves room for errors that are not proportional to the tolerance. Errors are mostly far below the tolerance
+   of the steps, so two runs may agree well by chance; by_chance allows for this. */
 VM_API vmi_osc_method vmi_osc_method_rk45(ode_rhs rhs)
 {
     vmi_osc_method method;
@@ -69,8 +70,8 @@ VM_API vmi_osc_method vmi_osc_method_rk45(ode_rhs rhs)
     return method;
 }
 
-/* A method of integration with the pair rk87, which does not change the length of its steps while their error stays
-   within a factor of 7.5 */
+/* A method of integration with the Runge-Kutta pair rk87, which does not change the length of its steps while their
+   error stays within a factor of 7.5 */
 VM_API vmi_osc_method vmi_osc_method_rk87(ode_rhs rhs)
 {
     vmi_osc_method method = vmi_osc_method_rk45(rhs);
@@ -83,7 +84,7 @@ VM_API vmi_osc_method vmi_osc_method_rk87(ode_rhs rhs)
     return method;
 }
 
-/* Slots of the state: position and velocity for the equation of motion, ln A and Ateb phase for the averaged
+/* Indices of the state: position and velocity for the equation of motion, ln A and Ateb phase for the averaged
    equations */
 enum { VMI_OSC_X = 0, VMI_OSC_V = 1, VMI_OSC_LN_A = 0, VMI_OSC_PSI = 1, VMI_OSC_STATES = 2 };
 
@@ -99,8 +100,8 @@ typedef struct VM_TAG(vmi_osc_run) {
     int side;         /* 1 forward, -1 backward in time */
     int status;       /* status of a law of mass or stiffness that stopped the run, else VM_OK */
     vm_real longest;  /* longest step, in periods */
-    vm_real share;    /* longest step, as a part of the interval up to the next stop */
-    vm_real law_step; /* longest step, s, that skips no change of a user's law; a run shrinks it like `longest` */
+    vm_real share;    /* longest step, divided by the interval up to the next stop */
+    vm_real law_step; /* longest step, s, in the first loose run that skips no change of a user's law */
     long evals;       /* evaluations of right-hand sides by all runs so far */
     rk45 s;
     vm_real work[RK87_WORK(VMI_OSC_STATES)];
@@ -125,7 +126,8 @@ VM_API int vmi_osc_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void
     return 0;
 }
 
-/* (m/m0)^reactive: a body on which only the reactive force acts has a velocity proportional to the inverse of this. */
+/* (m/m0)^reactive. A body on which only the reactive force acts has a velocity proportional to the inverse of this
+   power. */
 VM_API vm_real vmi_osc_reactive_weight(const vm_osc_problem *o, vm_real mass_ratio)
 {
     if (o->reactive == 1) return mass_ratio;
@@ -184,8 +186,9 @@ VM_API vm_real vmi_osc_next_stop(const vmi_osc_run *c, vm_real t, vm_real period
 }
 
 /* Sets the longest step and the largest number of steps up to the next stop, on the way to t. No step is longer than a
-   part of the period. For a large Pi_alpha the velocity reverses within 10/Pi_alpha periods; then no step is longer
-   than a part of this short time, because the Runge-Kutta pair does not notice the error of a step across it. */
+   fixed part of the period. For a large Pi_alpha the velocity reverses within 10/Pi_alpha periods. Then no step is
+   longer than a fixed part of this short time, because the Runge-Kutta pair would not notice the error of a step across
+   it. */
 VM_API void vmi_osc_bound_steps(vmi_osc_run *c, vm_real stop, vm_real t, vm_real period)
 {
     const vm_real most_steps = 8192; /* steps per period, a bound that stops runs which would not end */
@@ -281,9 +284,9 @@ VM_API int vmi_osc_run_once(vmi_osc_run *c, vm_real t, vm_real tolerance, vm_osc
 
 /* -- Two runs -- */
 
-/* The largest difference of two runs, of x relative to the amplitude and of v relative to vmax, over all times of
-   vmi_osc_check_time, since at a single time two runs may agree by chance. Returns infinity where the difference is
-   unknown. */
+/* The largest difference of two runs: of x relative to the amplitude, and of v relative to vmax. It is taken over all
+   times of vmi_osc_check_time, since at a single time two runs may agree by chance. Returns infinity where the
+   difference is unknown. */
 VM_API vm_real vmi_osc_difference(const vm_osc_plan *p, vm_real t, const vm_osc_motion *a, const vm_osc_motion *b)
 {
     vm_real largest = 0;
@@ -300,9 +303,9 @@ VM_API vm_real vmi_osc_difference(const vm_osc_plan *p, vm_real t, const vm_osc_
     return largest;
 }
 
-/* Computes the longest step, s, that skips no change of a law by a user's function: a quarter of the shortest panel
-   in the walk along the laws. Because a jump of a law would make it 0, it is at least |t|/8192, or the law's
-   change_time if that is shorter. */
+/* Computes the longest step, s, that skips no change of a law by a user's function: a quarter of the shortest panel in
+   the walk along the laws. A jump of a law would make it 0; therefore it is at least |t|/8192, or the law's change_time
+   if that is shorter. */
 VM_API int vmi_osc_law_step(const vm_osc_plan *p, vm_real t, vm_real *step)
 {
     const vm_real panel_steps = 4, run_steps = 8192;
@@ -356,8 +359,8 @@ VM_API vm_real vmi_osc_first_tolerance(vm_real tolerance)
     return vmi_smaller(tolerance / part, largest);
 }
 
-/* The next tolerance of the steps, after an error that was too large. It shrinks by the ratio of tolerance to error
-   and by a further factor of 4, but to no less than 2e-5 of its last value. */
+/* The tolerance of the steps in the next pair of runs, after an error that was too large. It is the last one times the
+   ratio of tolerance to error, divided by 4, but not less than 2e-5 of the last one. */
 VM_API vm_real vmi_osc_next_tolerance(vm_real step_tolerance, vm_real tolerance, vm_real error)
 {
     const vm_real ratio = tolerance / error, reserve = 4;
@@ -365,9 +368,9 @@ VM_API vm_real vmi_osc_next_tolerance(vm_real step_tolerance, vm_real tolerance,
     return step_tolerance * VM_C(2e-5);
 }
 
-/* Makes pairs of runs until the error is within the tolerance. strict[] receives the last strict run, with the error
-   in its last element. The loop ends early where stricter runs are not better. Then rounding errors, chance or the
-   longest step dominate the error; therefore each pair that is not better halves the longest step. */
+/* Makes pairs of runs until the error is within the tolerance. strict[] receives the motions of the last strict run;
+   its last element holds the error. The loop ends early if stricter runs are not better. In that case rounding errors,
+   chance or the longest step dominate the error; therefore each pair that is not better halves the longest step. */
 VM_API int vmi_osc_refine(vmi_osc_run *c, vm_real t, vm_real tolerance, vm_osc_motion *strict)
 {
     const int most_attempts = 6, most_stalled = 3;

@@ -1,10 +1,11 @@
 /* oscillators/jeffcott.h - the Jeffcott (Laval) rotor with variable mass
 
-   A disc of mass m(t) turns in the middle of a shaft without mass. z = x + i y is the disc's centre (451), F_e(rho) the
-   shaft's elastic force at the deflection rho = |z|, and F_e'(rho) is short for F_e(rho)/rho, as in the dissertation
-   [1]. g is the gyroscopic constant of the remark after (516). r is the share of the reactive force of mass that joins
-   or leaves with the velocity u, and F_z an external force:
-       m z'' + z F_e(|z|)/|z| - 2 i g z' = F_z + r m' (u - z')
+   A disc of mass m(t) turns in the middle of a shaft without mass. z = x + i y is the disc's centre (451), and F_e(rho)
+   the shaft's elastic force at the deflection rho = |z|. The stiffness K_e(rho) is the quotient F_e(rho)/rho; the
+   dissertation [1] writes F_e'(rho) for it, although it is no derivative. g is the gyroscopic constant of the remark
+   after (516). r is the share of the reactive force of mass that joins or leaves with the velocity u, and F_z is an
+   external force. The equation of motion is
+       m z'' + z K_e(|z|) - 2 i g z' = F_z + r m' (u - z')
    Here are the equation of motion, averaged equations for a weak nonlinearity (460)-(473), averaged equations for
    nearly circular motion with any nonlinearity (491)-(507), and the law of the radius (509).
 
@@ -33,8 +34,9 @@
 #include "laws.h"
 #include "slow.h"
 
-/* Stiffness of the shaft, a user's function: returns F_e' = F_e(rho)/rho, N/m, at the deflection rho >= 0, m, and
-   writes its derivative by rho, N/m^2, to *slope. ctx is the user's pointer. vm_jeffcott_power is such a function. */
+/* Stiffness of the shaft, a user's function: returns K_e(rho) = F_e(rho)/rho, N/m, at the deflection rho >= 0, m, and
+   writes its derivative with respect to rho, N/m^2, to *slope. ctx is the user's pointer. vm_jeffcott_power is such a
+   function. */
 typedef vm_real (*vm_jeffcott_stiffness)(vm_real rho, vm_real *slope, void *ctx);
 
 /* External force, a user's function: returns F_z = F_x + i F_y, N, at time t, position z and velocity v of the disc.
@@ -56,7 +58,7 @@ typedef struct VM_TAG(vm_jeffcott) {
     vm_real gyro;            /* g, kg/s: the gyroscopic force is 2 g times the velocity, turned by +90 degrees */
     vm_real reactive;        /* r: 1 where mass joins or leaves with velocity u, 0 where it has the disc's velocity */
     vm_complex u;            /* absolute velocity of mass that joins or leaves, m/s */
-    int nodes;               /* number of phases in a mean over a period; 0 means 32 */
+    int nodes;               /* number of phases at which forces are computed for a mean over a period; 0 means 32 */
 } vm_jeffcott;
 
 /* Indices of the state of vm_jeffcott_exact_rhs and vm_jeffcott_averaged_rhs */
@@ -67,8 +69,8 @@ enum {
     VMI_JEFFCOTT_SIZE = 5
 };
 
-/* Stiffness F_e(rho)/rho = k rho^(alpha-1) of a power law, as a vm_jeffcott_stiffness. power_force points to a
-   vm_power_force. Returns the stiffness, N/m, and writes its derivative, N/m^2, to *slope. Returns NaN for null
+/* Stiffness K_e(rho) = F_e(rho)/rho = k rho^(alpha-1) of a power law, as a vm_jeffcott_stiffness. power_force points to
+   a vm_power_force. Returns the stiffness, N/m, and writes its derivative, N/m^2, to *slope. Returns NaN for null
    pointers, for rho < 0, and for an alpha that is negative or infinite. k may have any sign; the functions of the rotor
    check the stiffness. */
 VM_API vm_real vm_jeffcott_power(vm_real rho, vm_real *slope, void *power_force)
@@ -91,16 +93,16 @@ VM_API void vm_jeffcott_polar(vm_complex z, vm_real *rho, vm_real *phi)
     *phi = ateb_phase(z.im, z.re, 1);
 }
 
-/* Angular momentum of a rotor about its axis, with the gyroscopic share, kg m^2/s.
-   It is m Im(conj(z) z') - g |z|^2, and stays constant where r = 1, u = 0 and F_z = 0. The argument v is z'. Returns
-   NaN for a null pointer. */
+/* Angular momentum of a rotor about its axis, with the gyroscopic share, kg m^2/s. It is m Im(conj(z) z') - g |z|^2,
+   where conj(z) = x - i y. It stays constant where r = 1, u = 0 and F_z = 0. The argument v is z'. Returns NaN for a
+   null pointer. */
 VM_API vm_real vm_jeffcott_momentum(const vm_jeffcott *r, vm_real mass, vm_complex z, vm_complex v)
 {
     if (!r) return VM_NAN;
     return mass * (z.re * v.im - z.im * v.re) - r->gyro * (z.re * z.re + z.im * z.im);
 }
 
-/* F_e(rho)/rho and its derivative; both are NaN where the rotor has no stiffness */
+/* Returns the stiffness K_e(rho) and writes its derivative. Both are NaN where the rotor has no stiffness function. */
 VM_API vm_real vmi_jeffcott_stiffness(const vm_jeffcott *r, vm_real rho, vm_real *slope)
 {
     *slope = VM_NAN;
@@ -116,8 +118,8 @@ VM_API int vmi_jeffcott_mass_at(const vm_jeffcott *r, vm_real t, vm_real *mass, 
     return vmi_law_at(&r->mass, VM_BAD_MASS, t, mass, rate);
 }
 
-/* F_z + r m' u: the external force and the reactive force r m' (u - z') without its part that depends on z'. `rate` is
-   m'. */
+/* F_z + r m' u, N: the external force plus the part of the reactive force r m' (u - z') that does not depend on z'.
+   `rate` is m'. */
 VM_API vm_complex vmi_jeffcott_drive(const vm_jeffcott *r, vm_real t, vm_real rate, vm_complex z, vm_complex v)
 {
     const vm_complex thrust = vmi_c_scale(r->reactive * rate, r->u);
@@ -125,7 +127,8 @@ VM_API vm_complex vmi_jeffcott_drive(const vm_jeffcott *r, vm_real t, vm_real ra
     return vmi_c_add(r->force(t, z, v, r->force_ctx), thrust);
 }
 
-/* F_z + r m' u + 2 i g z': the load of vmi_jeffcott_drive and the gyroscopic force, where `rate` is m' and v is z' */
+/* F_z + r m' u + 2 i g z', N: the result of vmi_jeffcott_drive plus the gyroscopic force, where `rate` is m' and v is
+   z'. */
 VM_API vm_complex vmi_jeffcott_loads(const vm_jeffcott *r, vm_real t, vm_real rate, vm_complex z, vm_complex v)
 {
     return vmi_c_add(vmi_jeffcott_drive(r, t, rate, z, v), vmi_c_times_i(vmi_gyroscopic_coupling(r->gyro), v));
@@ -155,8 +158,8 @@ VM_API int vm_jeffcott_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rot
 
 /* -- Weak nonlinearity: forward and backward whirl together -- */
 
-/* A rotor at one time: mass m, kg, its rate m', kg/s, and the frequency of small vibrations omega = sqrt(F_e'(0)/m),
-   rad/s */
+/* A rotor at one time: its mass m, kg, the rate m' of the mass, kg/s, and the frequency of small vibrations omega =
+   sqrt(K_e(0)/m), rad/s */
 typedef struct VM_TAG(vmi_jeffcott_state) {
     vm_real mass, rate, omega;
 } vmi_jeffcott_state;
@@ -178,14 +181,14 @@ VM_API int vmi_jeffcott_now(const vm_jeffcott *r, vm_real t, vmi_jeffcott_state 
     return VM_OK;
 }
 
-/* Motion (x, y, x', y') of a rotor to forward and backward whirl, (456)-(461). The complex numbers P and N are
-   circular motions, forward and backward, of the frequency omega = sqrt(F_e'(0)/m):
+/* Converts the motion (x, y, x', y') of a rotor to forward and backward whirl, (456)-(461). The complex numbers P and
+   N describe circular motions, P forward and N backward, of the frequency omega = sqrt(K_e(0)/m):
      z = P e^(i phi) + N e^(-i phi),  z' = i omega (P e^(i phi) - N e^(-i phi)),
      P = A1 e^(i theta1),  N = A2 e^(-i theta2) in the symbols of [1].
    phi is the fast phase at the start, for example 0. y receives (Re P, Im P, Re N, Im N, phi), the state of
    vm_jeffcott_exact_rhs and vm_jeffcott_averaged_rhs. Unlike theta1 and theta2, P and N have no singularity where A1
    or A2 is 0. Returns VM_BAD_ARGUMENT for null pointers and for a rotor without mass or stiffness, VM_NOT_FINITE for
-   a number that is infinite or NaN, VM_BAD_MASS for a mass that is not positive, and VM_BAD_STIFFNESS where F_e'(0)
+   a number that is infinite or NaN, VM_BAD_MASS for a mass that is not positive, and VM_BAD_STIFFNESS where K_e(0)
    is not positive. y and motion may be the same array. */
 VM_API int vm_jeffcott_to_averaged(const vm_jeffcott *r, vm_real t, const vm_real *motion, vm_real phi, vm_real *y)
 {
@@ -217,8 +220,8 @@ VM_API void vmi_jeffcott_motion(const vm_real *y, vm_complex turn, vm_real omega
     *v = vmi_c_times_i(omega, vmi_c_sub(P, N));
 }
 
-/* Motion (x, y, x', y') of a rotor from forward and backward whirl. The inverse of vm_jeffcott_to_averaged, with its
-   statuses; y = (Re P, Im P, Re N, Im N, phi). motion and y may be the same array. */
+/* Converts forward and backward whirl of a rotor to the motion (x, y, x', y'). This is the inverse of
+   vm_jeffcott_to_averaged, with its statuses; y = (Re P, Im P, Re N, Im N, phi). motion and y may be the same array. */
 VM_API int vm_jeffcott_from_averaged(const vm_jeffcott *r, vm_real t, const vm_real *y, vm_real *motion)
 {
     if (!r || !y || !motion) return VM_BAD_ARGUMENT;
@@ -237,9 +240,9 @@ VM_API int vm_jeffcott_from_averaged(const vm_jeffcott *r, vm_real t, const vm_r
 }
 
 /* Writes the exact rates P' and N' (470)-(473) of the whirls to *dP and *dN. At the fast phase phi the disc is at z = P
-   e^(i phi) + N e^(-i phi), with the forward whirl P and the backward whirl N. The rates are
+   e^(i phi) + N e^(-i phi), with the forward whirl P and the backward whirl N in y. With the force per mass f, they are
      P' = -i e^(-i phi) f/(2 omega),  N' = i e^(i phi) f/(2 omega),
-     m f = F_z + r m' u + 2 i g z' - (F_e' - F_e'(0)) z - (r - 1/2) m' z'
+     m f = F_z + r m' u + 2 i g z' - (K_e(|z|) - K_e(0)) z - (r - 1/2) m' z'
    The last term has r - 1/2 in place of r, because the change of omega contributes m' z'/2. */
 VM_API void vmi_jeffcott_rates(const vm_jeffcott *r, vm_real t, const vmi_jeffcott_state *now, const vm_real *y,
                                vm_real phi, vm_complex *dP, vm_complex *dN)
@@ -288,22 +291,22 @@ VM_API int vmi_jeffcott_mean(vm_real t, const vm_real *y, vm_real *dydt, const v
 
 /* Exact equations (470)-(473) of forward and backward whirl, for rk45 or rk87. y = (Re P, Im P, Re N, Im N, phi), see
    vm_jeffcott_to_averaged; rotor points to a vm_jeffcott. The equations hold for any force, but are of use only where
-   the external force F_z, the velocity u of joining mass, the gyroscopic constant g and the change F_e'(rho) - F_e'(0)
-   of the stiffness are small. Returns VM_BAD_ARGUMENT for null pointers and for a rotor without mass or stiffness,
+   the external force F_z, the velocity u of joining mass, the gyroscopic constant g and the change K_e(rho) - K_e(0) of
+   the stiffness are small. Returns VM_BAD_ARGUMENT for null pointers and for a rotor without mass or stiffness,
    VM_NOT_FINITE for a number that is infinite or NaN, VM_BAD_MASS for a mass that is not positive, and VM_BAD_STIFFNESS
-   where F_e'(0) is not positive. */
+   where K_e(0) is not positive. */
 VM_API int vm_jeffcott_exact_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
     return vmi_jeffcott_mean(t, y, dydt, (const vm_jeffcott *)rotor, 1);
 }
 
-/* Averaged equations of forward and backward whirl, for rk45 or rk87. They are those of vm_jeffcott_exact_rhs, averaged
-   over the fast phase phi while P and N stay constant. The dissertation [1] averages over the angles psi1 and psi2 of
-   the two whirls separately, (474)-(477). That is wrong unless the force turns with z, since forward and backward whirl
-   are in 1:1 resonance. The error is of the order of the largest perturbation (F_z, u, g, F_e'(rho) - F_e'(0) or m'),
-   up to times of its inverse. State and statuses are those of vm_jeffcott_exact_rhs. Each call evaluates the forces at
-   `nodes` phases. */
+/* Averaged equations of forward and backward whirl, for rk45 or rk87. They are the equations of vm_jeffcott_exact_rhs,
+   averaged over the fast phase phi while P and N stay constant. The dissertation [1] averages over the angles psi1 and
+   psi2 of the two whirls separately, (474)-(477). That is wrong unless the force turns with z, since both whirls have
+   the same frequency. The error is of the order of the largest perturbation (F_z, u, g, K_e(rho) - K_e(0) or m'), up to
+   times of the order of its inverse. State and statuses are those of vm_jeffcott_exact_rhs. Each call evaluates the
+   forces at `nodes` phases. */
 VM_API int vm_jeffcott_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
@@ -314,8 +317,8 @@ VM_API int vm_jeffcott_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, 
 
 /* -- Strong nonlinearity: nearly circular whirl -- */
 
-/* The frequency of circular whirl W = (g +- S)/m with S^2 = g^2 + m F_e', where + is for forward whirl (sense >= 0). g
-   is gyro, m the mass, F_e' the stiffness. The code subtracts no nearly equal numbers. */
+/* The frequency of circular whirl W = (g +- S)/m, where S = sqrt(g^2 + m K_e) and + is for forward whirl (sense >= 0).
+   The arguments are g (gyro), m (mass) and K_e (stiffness). The code subtracts no nearly equal numbers. */
 VM_API vm_real vmi_jeffcott_root(vm_real gyro, vm_real mass, vm_real stiffness, int sense)
 {
     const vm_real S = VM_SQRT(gyro * gyro + mass * stiffness);
@@ -327,11 +330,10 @@ VM_API vm_real vmi_jeffcott_root(vm_real gyro, vm_real mass, vm_real stiffness, 
     return direction * speed;
 }
 
-/* Frequency W of circular whirl of radius A, rad/s.
-   By the corrected remark after (516), W solves m W^2 - 2 g W = F_e(A)/A. Forward whirl has W > 0; sense >= 0 asks
-   for it. Backward whirl has W < 0; sense < 0 asks for it. A >= 0 is in m, mass > 0 in kg. The result is within 8 eps
-   and the error of the stiffness. Returns NaN for null pointers, for a rotor without stiffness, and for arguments
-   outside the domain. */
+/* Frequency W of circular whirl of radius A, rad/s. By the corrected remark after (516), W solves m W^2 - 2 g W =
+   K_e(A). Forward whirl has W > 0; sense >= 0 asks for it. Backward whirl has W < 0; sense < 0 asks for it. A >= 0 is
+   in m, mass > 0 in kg. The relative error is at most 8 eps (eps is the machine epsilon), apart from the error of the
+   stiffness. Returns NaN for null pointers, for a rotor without stiffness, and for arguments outside the domain. */
 VM_API vm_real vm_jeffcott_frequency(const vm_jeffcott *r, vm_real A, vm_real mass, int sense)
 {
     if (!r || !r->stiffness) return VM_NAN;
@@ -340,9 +342,10 @@ VM_API vm_real vm_jeffcott_frequency(const vm_jeffcott *r, vm_real A, vm_real ma
     return vmi_jeffcott_root(r->gyro, mass, vmi_jeffcott_stiffness(r, A, &slope), sense);
 }
 
-/* The mean load, N, on a disc that moves on a circle of radius A at the frequency W. The load D = F_z + r m' u is taken
-   as D e^(-i angle), where `angle` is the disc's place on the circle, and averaged over one turn that begins at the
-   angle psi. The real part is the mean radial load, the imaginary part the mean tangential load. `rate` is m'. */
+/* The mean load, N, on a disc that moves on a circle of radius A at the frequency W. The load D = F_z + r m' u is
+   multiplied by e^(-i angle), where `angle` is the disc's place on the circle, and averaged over one turn that begins
+   at the angle psi. The real part of the mean is the radial load, the imaginary part the tangential load. `rate` is
+   m'. */
 VM_API vm_complex vmi_jeffcott_mean_load(const vm_jeffcott *r, vm_real t, vm_real rate, vm_real A, vm_real psi,
                                          vm_real W)
 {
@@ -359,8 +362,8 @@ VM_API vm_complex vmi_jeffcott_mean_load(const vm_jeffcott *r, vm_real t, vm_rea
 }
 
 /* Writes the averaged rates (504), (505) of the state y = (A, psi), the radius and the angle of a circular whirl. W is
-   the whirl's frequency, L the result of vmi_jeffcott_mean_load, and S = m W - g = +-sqrt(g^2 + m F_e'), where + is for
-   forward whirl. The equations are
+   the whirl's frequency, L the result of vmi_jeffcott_mean_load, and S = m W - g = +-sqrt(g^2 + m K_e(A)), where + is
+   for forward whirl. The equations are
      along the circle: (A^2 S)' = (1 - r) m' A^2 W + A Im L,
      across the circle: psi' = W - Re L/(2 A S) */
 VM_API int vmi_jeffcott_circular(vm_real t, const vm_real *y, vm_real *dydt, const vm_jeffcott *r, int sense)
@@ -383,16 +386,16 @@ VM_API int vmi_jeffcott_circular(vm_real t, const vm_real *y, vm_real *dydt, con
     return VM_OK;
 }
 
-/* Averaged equations (506), (507) of forward whirl, for rk45 or rk87.
-   The nonlinearity may be strong. The motion is nearly circular: z = A e^(i psi), z' = i W z with the frequency W of
-   vm_jeffcott_frequency. y = (A, psi) is in m and rad; rotor points to a vm_jeffcott. The error of A is of the order of
-   the largest load (by the force F_z, the velocity u or the mass rate m'), up to times of its inverse. Where F_e' is
-   not constant, the phase accumulates this error: up to these times tests bound the error of psi by 0.015 for loads
-   that turn with z (their angle to z is fixed), but for other loads it is of order 1. The equations do not hold for a
-   linear F_e with loads that do not turn with z, since these drive the motion off the circle. Returns VM_BAD_ARGUMENT
-   for null pointers and for a rotor without mass or stiffness, VM_NOT_FINITE for a number that is infinite or NaN,
-   VM_BAD_MASS for a mass that is not positive, and VM_BAD_STIFFNESS if g^2 + m F_e' is not positive. Each call
-   evaluates the force at `nodes` phases. */
+/* Averaged equations (506), (507) of forward whirl, for rk45 or rk87. The nonlinearity may be strong. The motion is
+   nearly circular: z = A e^(i psi), z' = i W z with the frequency W of vm_jeffcott_frequency. y = (A, psi) is in m and
+   rad; rotor points to a vm_jeffcott. The error of A is of the order of the largest load (by the force F_z, the
+   velocity u or the mass rate m'), up to times of the order of its inverse. Where K_e is not constant, the phase
+   accumulates this error: up to these times tests bound the error of psi by 0.015 for loads that turn with z (their
+   angle to z is fixed), but for other loads it is of order 1. The equations do not hold for a linear F_e with loads
+   that do not turn with z, since these drive the motion off the circle. Returns VM_BAD_ARGUMENT for null pointers and
+   for a rotor without mass or stiffness, VM_NOT_FINITE for a number that is infinite or NaN, VM_BAD_MASS for a mass
+   that is not positive, and VM_BAD_STIFFNESS if g^2 + m K_e(A) is not positive. Each call evaluates the force at
+   `nodes` phases. */
 VM_API int vm_jeffcott_forward_whirl_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
@@ -407,17 +410,17 @@ VM_API int vm_jeffcott_backward_whirl_rhs(vm_real t, const vm_real *y, vm_real *
     return vmi_jeffcott_circular(t, y, dydt, (const vm_jeffcott *)rotor, -1);
 }
 
-/* The search for the radius A of circular whirl after a change of the mass. A^4 (g^2 + m F_e'(A)) is an invariant: it
+/* The search for the radius A of circular whirl after a change of the mass. A^4 (g^2 + m K_e(A)) is an invariant: it
    keeps its value during the change. */
 typedef struct VM_TAG(vmi_jeffcott_orbit) {
     const vm_jeffcott *r;
     vm_real first_A; /* radius A before the change, m */
     vm_real mass;    /* mass after the change, kg */
-    vm_real first;   /* the factor g^2 + m F_e'(A) of the invariant before the change */
+    vm_real first;   /* the factor g^2 + m K_e(A) of the invariant before the change */
 } vmi_jeffcott_orbit;
 
-/* ln of the invariant over its value before the change, at the radius first_A e^x; NaN where F_e' is not a number or
-   so negative that the invariant is not positive */
+/* ln of the quotient of the invariant at the radius first_A e^x and its value before the change. Returns NaN where K_e
+   is not a number or so negative that the invariant is not positive. */
 VM_API vm_real vmi_jeffcott_invariant(vm_real x, void *orbit)
 {
     const vmi_jeffcott_orbit *o = (const vmi_jeffcott_orbit *)orbit;
@@ -463,8 +466,8 @@ VM_API int vmi_jeffcott_find_bracket(vmi_jeffcott_orbit *o, vmi_jeffcott_bracket
 /* Radius of circular whirl, m, after the mass has changed slowly.
    The radius was first_A when the mass was mass0; `mass` is the mass after the change. F_z and u must be 0. These
    products stay constant (509):
-     A^4 (g^2 + m F_e'(A)) for r = 1, which is the square of A^2 (m W - g);   A^4 F_e'(A) m^(2r-1) for g = 0.
-   For F_e = k rho^alpha and g = 0 the radius changes by vm_osc_amplitude_law, with mass/mass0 and decay 0; its relative
+     A^4 (g^2 + m K_e(A)) for r = 1, which is the square of A^2 (m W - g);   A^4 K_e(A) m^(2r-1) for g = 0.
+   For F_e = k rho^alpha and g = 0 the radius follows vm_osc_amplitude_law, with mass/mass0 and decay 0; its relative
    error is then at most 3e-15 (float 3e-6). Returns NaN for g != 0 with r != 1, since the radius then depends on all
    masses in between; where no radius is found on the way from first_A; for null pointers, for a rotor without
    stiffness, and for a radius or masses that are not positive and finite. */

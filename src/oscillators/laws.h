@@ -39,8 +39,8 @@ struct VM_TAG(vm_law) {
     vm_real change_time;      /* for vm_law_user only: the shortest time scale, s, on which f changes noticeably; 0 if
                                  it is unknown */
     /* Functions that depend on the kind of law; its constructor sets them. */
-    int (*derivatives)(const vm_law *law, vm_real t, int side, vm_real length, vm_real *f); /* null if this is no law */
-    int (*validate)(const vm_law *law, int if_not_positive, vm_real t);       /* null: checking f(0), f(t) is enough */
+    int (*derivatives)(const vm_law *law, vm_real t, int side, vm_real length, vm_real *f); /* null: no law was made */
+    int (*validate)(const vm_law *law, int if_not_positive, vm_real t);       /* null: f(0) and f(t) decide */
     int (*exponential_form)(const vm_law *law, vm_real *base, vm_real *rate); /* null if the law has no such form */
     vm_real (*inverse_integral)(const vm_law *law, vm_real t);                /* null if there is no closed form */
 };
@@ -53,11 +53,11 @@ VM_API int vmi_time_side(vm_real length) { return length < 0 ? -1 : 1; }
 /* How many numbers the function `derivatives` of a law writes: f and its first six derivatives in f[0] ... f[6] */
 enum { VMI_LAW_ORDERS = 7 };
 
-/* Writes the value of a law at t and its derivatives to f[0], f[1] ... A constructor must have made the law. Where a
-   derivative jumps at t, side = 1 asks for its value after t, side = -1 for its value before t. With length = 0 only
-   f and f' are written. A positive length, s, asks for all six derivatives; those of a user's function are then found
-   from its rates between t and t + side length. if_not_positive is the status for f <= 0, for example VM_BAD_MASS for
-   a mass; it is VM_OK for numbers of any sign. */
+/* Writes the value of a law and its derivatives at t to f[0], f[1] ... A constructor must have made the law. Where a
+   derivative jumps at t, side = 1 asks for its value after t, side = -1 for its value before t. With length = 0 only f
+   and f' are written. A positive length, s, asks for all six derivatives. For a user's function they are found from the
+   rates that the function returns between t and t + side length. if_not_positive is the status for f <= 0, for example
+   VM_BAD_MASS for a mass; it is VM_OK where f may have any sign. */
 VM_API int vmi_law_derivatives(const vm_law *law, int if_not_positive, vm_real t, int side, vm_real length, vm_real *f)
 {
     int i, status;
@@ -73,9 +73,9 @@ VM_API int vmi_law_derivatives(const vm_law *law, int if_not_positive, vm_real t
     return VM_OK;
 }
 
-/* Checks that a constructor made the law, and that the law is finite and positive between 0 and t, as far as this can
-   be told without a walk from 0 to t. With if_not_positive = VM_OK the law may have any sign. A table is checked as a
-   whole. */
+/* Checks that a constructor made the law, and that the law is finite and positive between 0 and t. Of a user's function
+   only the values at 0 and t are checked; a table is checked as a whole. With if_not_positive = VM_OK the law may have
+   any sign. */
 VM_API int vmi_law_check(const vm_law *law, int if_not_positive, vm_real t)
 {
     vm_real f[VMI_LAW_ORDERS];
@@ -88,8 +88,8 @@ VM_API int vmi_law_check(const vm_law *law, int if_not_positive, vm_real t)
 }
 
 /* Returns 1 and writes base and rate if the law is f0 exp(rate u) with u = ln(1 + base t)/base (u = t for base = 0);
-   returns 0 otherwise. Integrals of products of such laws with the same base have closed forms. A constant has rate
-   0. */
+   returns 0 otherwise. The reason for this form: integrals over t of products of such laws have closed forms if the
+   laws share their base. A constant has rate 0. */
 VM_API int vmi_law_exponential_form(const vm_law *law, vm_real *base, vm_real *rate)
 {
     *base = *rate = 0;
@@ -120,11 +120,11 @@ VM_API int vmi_law_at(const vm_law *law, int if_not_positive, vm_real t, vm_real
     return VM_OK;
 }
 
-/* Value f and rate df/dt of a law at time t (s), which may be negative. At the points of a table f is within 4 eps.
-   f may have any sign, since a law does not know whether it is the law of a mass. Returns VM_BAD_ARGUMENT for null
-   pointers and for a law that no constructor made, VM_NOT_FINITE where t or a result is infinite or NaN, and VM_DOMAIN
-   where the law has no value: for t outside a table, for a power law where 1 + f1 t <= 0, and where the user's function
-   fails. An error leaves *f and *rate untouched. */
+/* Value f and rate df/dt of a law at time t (s), which may be negative. At the points of a table f is within 4 eps of
+   the value in the table, where eps is the machine epsilon. f may have any sign, since a law does not know whether it
+   is the law of a mass. Returns VM_BAD_ARGUMENT for null pointers and for a law that no constructor made, VM_NOT_FINITE
+   where t or a result is infinite or NaN, and VM_DOMAIN where the law has no value: for t outside a table, for a power
+   law where 1 + f1 t <= 0, and where the user's function fails. An error leaves *f and *rate untouched. */
 VM_API int vm_law_at(const vm_law *law, vm_real t, vm_real *f, vm_real *rate)
 {
     vm_real value, slope;
@@ -159,7 +159,7 @@ VM_API vm_law vmi_law_of(vm_real f0, vm_real f1, vm_real f2)
 
 /* -- Linear laws -- */
 
-/* f and f' of a linear law; its higher derivatives are 0. */
+/* Writes f and f' of a linear law; its higher derivatives are 0. */
 VM_API int vmi_law_linear_derivatives(const vm_law *law, vm_real t, int side, vm_real length, vm_real *f)
 {
     (void)side;
@@ -177,7 +177,7 @@ VM_API int vmi_law_linear_form(const vm_law *law, vm_real *base, vm_real *rate)
     return 1;
 }
 
-/* The integral of dt/(f0 + f1 t) from 0 to t */
+/* The integral of dt/f from 0 to t for a linear law f = f0 + f1 t */
 VM_API vm_real vmi_law_linear_inverse_integral(const vm_law *law, vm_real t)
 {
     return t * vmi_log_ratio(law->f1 / law->f0 * t) / law->f0;
@@ -196,7 +196,7 @@ VM_API vm_law vm_law_linear(vm_real f0, vm_real f1)
 
 /* -- Quadratic laws -- */
 
-/* f, f' and f'' of a quadratic law; its higher derivatives are 0. */
+/* Writes f, f' and f'' of a quadratic law; its higher derivatives are 0. */
 VM_API int vmi_law_quadratic_derivatives(const vm_law *law, vm_real t, int side, vm_real length, vm_real *f)
 {
     (void)side;
@@ -216,8 +216,8 @@ VM_API int vmi_law_quadratic_validate(const vm_law *law, int if_not_positive, vm
     return vmi_law_derivatives(law, if_not_positive, lowest, 1, 0, f);
 }
 
-/* The exponential form of a quadratic law that is a square within rounding errors: f0 (1 + base t)^2 = f0 exp(2 base u)
-   with u = ln(1 + base t)/base */
+/* The exponential form of a quadratic law. It exists only if the law is a square within rounding errors: f0 (1 + base
+   t)^2 = f0 exp(2 base u) with u = ln(1 + base t)/base. */
 VM_API int vmi_law_quadratic_form(const vm_law *law, vm_real *base, vm_real *rate)
 {
     const vm_real square = law->f1 * law->f1, rest = square - 4 * law->f0 * law->f2;
@@ -250,7 +250,7 @@ VM_API vm_law vm_law_quadratic(vm_real f0, vm_real f1, vm_real f2)
 
 /* -- Exponential laws -- */
 
-/* f and the derivatives of an exponential law; each derivative is f1 times the one before it */
+/* Writes f and the derivatives of an exponential law. Each derivative is f1 times the one before it. */
 VM_API int vmi_law_exponential_derivatives(const vm_law *law, vm_real t, int side, vm_real length, vm_real *f)
 {
     const int orders = length > 0 ? VMI_LAW_ORDERS : 2;
@@ -281,8 +281,8 @@ VM_API vm_law vm_law_exponential(vm_real f0, vm_real f1)
 
 /* -- Power laws -- */
 
-/* f and the derivatives of a power law. Returns VM_BAD_MASS where 1 + f1 t is not positive; for laws of other numbers
-   than masses vmi_law_derivatives changes this status. */
+/* Writes f and the derivatives of a power law. Returns VM_BAD_MASS where 1 + f1 t is not positive, whatever number the
+   law describes; vmi_law_derivatives replaces this status by the right one. */
 VM_API int vmi_law_power_derivatives(const vm_law *law, vm_real t, int side, vm_real length, vm_real *f)
 {
     const vm_real base = 1 + law->f1 * t, relative_rate = law->f1 / base;
@@ -361,8 +361,8 @@ VM_API int vmi_law_interval(const vm_law *law, vm_real t, int side)
     return low;
 }
 
-/* Writes f and its derivatives, for the cubic on the interval of the table that contains t. The cubic has the values
-   and slopes of the interval's two points. */
+/* Writes f and its derivatives at t. f is the cubic on the interval of the table that contains t. The cubic has the
+   values and slopes of the two points at the ends of this interval. */
 VM_API int vmi_law_table_derivatives(const vm_law *law, vm_real t, int side, vm_real length, vm_real *f)
 {
     vm_real chord_time, u, chord, slope0, slope1, b, c;
@@ -447,9 +447,10 @@ VM_API int vmi_law_user_fit(const vm_law *law, vm_real t, vm_real length, vm_rea
     return VM_OK;
 }
 
-/* Writes the series of the rate f' between t and t + *length. The length is halved until the last terms of the series
-   are rounding errors, that is, until they do not become much smaller any more. Terms of their size are set to 0. The
-   length is also halved where the user's function fails, because the function may be defined only close to t. */
+/* Writes the Legendre series of the rate f' between t and t + *length. The length is halved until the last terms of the
+   series are rounding errors, which shows in that a further halving hardly makes them smaller. Terms as small as these
+   are set to 0. The length is also halved where the user's function fails, because the function may be defined only
+   close to t. */
 VM_API int vmi_law_user_series(const vm_law *law, vm_real t, vm_real *length, vm_real *series)
 {
     const int most_halvings = 24;
@@ -506,11 +507,11 @@ VM_API int vmi_law_user_validate(const vm_law *law, int if_not_positive, vm_real
 }
 
 /* Law by a user's function, which must be smooth. A null function makes no law: all functions refuse it with
-   VM_BAD_ARGUMENT. ctx is handed to the function. Integrals along the law evaluate the function at 20 points in each
-   panel of time. A panel is at most |t|/32 long, and is halved where the function changes fast. So a bump
-   exp(-(time/w)^2) is found if w > |t|/3000 (float |t|/2000). If the law changes in a shorter time, set law.change_time
-   to that time, s: then no panel and no step of an integrator is longer than change_time. A change_time that is
-   negative or less than |t|/2^20 is refused with VM_DOMAIN. */
+   VM_BAD_ARGUMENT. ctx is handed to the function. Integrals along the law divide the time from 0 to t into panels and
+   evaluate the function at 20 points of each. A panel is at most |t|/32 long, and is halved where the function changes
+   fast. So a bump exp(-(time/w)^2) is found if w > |t|/3000 (float |t|/2000). If the law changes in a shorter time, set
+   law.change_time to that time, s: then no panel and no step of an integrator is longer than change_time. A change_time
+   that is negative or less than |t|/2^20 is refused with VM_DOMAIN. */
 VM_API vm_law vm_law_user(vm_law_function function, void *ctx)
 {
     vm_law law = vmi_law_of(0, 0, 0);

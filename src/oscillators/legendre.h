@@ -68,7 +68,7 @@ VM_API void vmi_legendre_fit(const vm_real *values_a, const vm_real *values_b, v
     }
 }
 
-/* The value of the series at x */
+/* The value of the series with these 20 coefficients at x */
 VM_API vm_real vmi_legendre_at(const vm_real *coefficient, vm_real x)
 {
     vm_real before = 0, now = 1, sum = 0;

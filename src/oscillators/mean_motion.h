@@ -93,15 +93,16 @@ VM_API vm_real vmi_osc_rounding(const vm_osc_plan *p, const vmi_osc_mean *mean)
 }
 
 /* A bound of the change of ln J, where J is the action, that fast changes of mass and stiffness cause. The exact change
-   of ln J is the integral of E_0 times a periodic function of the phase whose mean is 0. i integrations by parts turn
+   of ln J is the integral over the phase of E_0 times a periodic function whose mean is 0. i integrations by parts turn
    it into the integral of the ith derivative of E_0 times the ith integral of the periodic function, and into terms at
-   both ends, which the solutions contain. Each i gives a bound, and the function returns the smallest. It comes from a
-   large i where the laws change slowly, and from i = 0 where they change within less than a period. */
+   both ends, which the solutions already contain. Each i gives a bound, and the function returns the smallest. The
+   smallest belongs to a large i where the laws change slowly, and to i = 0 where they change within less than a
+   period. */
 VM_API vm_real vmi_osc_fast(const vm_osc_plan *p, const vmi_osc_mean *mean)
 {
     const vmi_ripple *r = &p->ripple;
     const vm_real turn = r->pi / (2 * VM_PI);
-    const vm_real first = (r->alpha + 3) / 4; /* bound of (alpha+3)/2 |sa ca|; its integrals have others */
+    const vm_real first = (r->alpha + 3) / 4; /* bound of the periodic function (alpha+3)/2 |sa ca| */
     vm_real size = first, least = VM_INFINITY;
     int i;
     for (i = 0; i < VMI_WALK_ORDERS; i++) {
@@ -114,16 +115,18 @@ VM_API vm_real vmi_osc_fast(const vm_osc_plan *p, const vmi_osc_mean *mean)
 }
 
 /* The error that fast changes of the laws between 0 and t cause in every averaged solution. An error of ln J makes an
-   error of the phase that is larger by the factor gamma Om t. */
+   error of the phase that is larger by the factor gamma Om t, where gamma is a field of the ripple and Om the rate of
+   the phase. */
 VM_API vm_real vmi_osc_way_error(const vm_osc_plan *p, const vmi_osc_mean *mean)
 {
     return (1 + VM_FABS(p->ripple.gamma * p->Om * mean->phase)) * vmi_osc_fast(p, mean);
 }
 
 /* Estimates the error of vmi_osc_first_order, except for the error of its wave. The solution takes the amplitude and
-   the phase at the start for their mean values, and leaves out the ripple within a period and the term E_0 of the mean
-   phase. An error of ln J makes an error of the phase that is larger by the factor gamma Om t. The phase of x and x' is
-   that of x and V plus (alpha+1)/2 p/Om ca^2; the mean of this difference is the same at the start and at t. */
+   the phase at the start for their mean values, and leaves out the ripple within a period and the part of the mean
+   phase that is proportional to E_0. An error of ln J makes an error of the phase that is larger by the factor gamma Om
+   t. The phase of x and x' is the phase of x and V = x' + p x plus (alpha+1)/2 p/Om ca^2; the mean of this difference
+   is the same at the start and at t. */
 VM_API vm_real vmi_osc_first_error(const vm_osc_plan *p, const vmi_osc_mean *mean)
 {
     const vmi_ripple *r = &p->ripple;
@@ -134,17 +137,17 @@ VM_API vm_real vmi_osc_first_error(const vm_osc_plan *p, const vmi_osc_mean *mea
     const vm_real phase = VM_FABS(r->gamma) * (n + 2) / 2 * ln_A * turns + VM_FABS(shift) + ripple +
                           VM_FABS(mean->first);
     const vm_real error = phase + ln_A + e / (2 * (n + 2)) + vmi_osc_way_error(p, mean) + vmi_osc_rounding(p, mean);
-    if (!(error >= 0)) return VM_INFINITY; /* the laws are so far from slow that the mean motion has no numbers */
+    if (!(error >= 0)) return VM_INFINITY; /* the laws change so fast that the mean motion is not finite */
     return error;
 }
 
-/* Estimates the error of vmi_osc_order_n for the order 2, 3, 4 or 5. It adds up how large the first terms are that
-   are left out: by the transformation of this order at t; and by the mean motion, which is of the order of the
-   start, at the start, at points of tables, and in the mean rate of the phase. */
+/* Estimates the error of vmi_osc_order_n for the order 2, 3, 4 or 5. It adds up the sizes of the first terms that are
+   left out: by the transformation of this order at t; and by the mean motion, whose order is p->start_order, at the
+   start, at points of tables, and in the mean rate of the phase. */
 VM_API vm_real vmi_osc_order_error(const vm_osc_plan *p, int order, const vmi_osc_mean *mean)
 {
     const vmi_ripple *r = &p->ripple;
-    const vm_real largest_known = VM_C(0.25); /* where the estimate is larger the error is unknown */
+    const vm_real largest_known = VM_C(0.25); /* an estimate larger than this says nothing about the error */
     vm_real e0[VMI_OSC_G], e[VMI_OSC_G], error;
     vmi_left_out start;
     int i;
@@ -163,8 +166,9 @@ VM_API vm_real vmi_osc_order_error(const vm_osc_plan *p, int order, const vmi_os
 
 /* -- The solutions -- */
 
-/* Writes the motion of amplitude A. Om is the rate of the Ateb phase, so that the largest velocity is 2 A Om/(alpha+1);
-   c and s are the values of the wave w. evals is set to 0. VM_NOT_FINITE leaves *motion untouched. */
+/* Writes the motion of amplitude A, whose waves of position and velocity have the values c and s. Om is the rate of the
+   Ateb phase, so that the largest velocity is 2 A Om/(alpha+1); w is the wave. evals is set to 0. VM_NOT_FINITE leaves
+   *motion untouched. */
 VM_API int vmi_osc_motion_of(const vmi_osc_wave *w, vm_real A, vm_real Om, vm_real c, vm_real s, vm_real error,
                              int route, vm_osc_motion *motion)
 {

@@ -6,10 +6,10 @@
    At an amplitude A one quadrature gives the period, the action and x(t):
        vm_odd_force force = vm_odd_force_user(hard, NULL); // int hard(vm_real x, vm_real *f, void *ctx) writes *f
        vm_real T = vm_odd_period(&force, 2); // period of the motion from rest at x = 2 m
-   Method: x = A cos(theta), v = -A sin(theta) sqrt(g), and so dt = dtheta/sqrt(g), where g is the mean of F(x)/x over
-   the squares between x^2 and A^2. g is smooth and positive, so that Gauss' rule converges fast. An orbit is the
-   motion at one amplitude. Its phase is 2 pi t/period, and 0 where x is largest. Its action j is the integral of v dx
-   over a period, divided by 2 pi. Slow mass, stiffness and damping: oscillators/odd_motion.h.
+   Method: x = A cos(theta), v = -A sin(theta) sqrt(g), and so dt = dtheta/sqrt(g). Here g is the mean of F(x)/x over
+   the variable x^2, from the present x^2 to A^2. g is smooth and positive, so that Gauss' rule converges fast. An orbit
+   is the motion at one amplitude. Its phase is 2 pi t/period, and 0 where x is largest. Its action j is the integral of
+   v dx over a period, divided by 2 pi. Slow mass, stiffness and damping: oscillators/odd_motion.h.
    Tests: tests/test_odd_force.c. */
 #ifndef VARMASS_OSCILLATORS_ODD_FORCE_H
 #define VARMASS_OSCILLATORS_ODD_FORCE_H
@@ -63,9 +63,9 @@ struct VM_TAG(vmi_orbit) {
     int place;                 /* VMI_ORBIT_... */
     vm_real span;              /* the phase between theta = 0 and theta = pi/2: pi/2 around 0, else pi */
     vm_real w, j;              /* rate of the phase, 1/s, and action */
-    vm_real energy_slope;      /* derivative of the energy by `size` */
+    vm_real energy_slope;      /* derivative of the energy with respect to `size` */
     vm_real swing, vmax;       /* half the distance of the turning points, m, and largest velocity, m/s */
-    vm_real lambda, m1;        /* of Duffing's force: rate of the argument of Jacobi's functions, and their 1 - k^2 */
+    vm_real lambda, m1;        /* rate of the argument of Jacobi's functions, and 1 - k^2 with their modulus k */
     int pieces;                /* of other forces: equal pieces of 0 ... `size`, on each of which F is a series */
     vm_real series[VMI_ORBIT_PARTS][VMI_GAUSS]; /* of other forces: Legendre series of F on the pieces */
     vm_real above[VMI_ORBIT_PARTS];             /* of other forces: integral of F from the end of a piece to `size` */
@@ -75,15 +75,16 @@ struct VM_TAG(vmi_orbit) {
 struct VM_TAG(vmi_orbit_point) {
     vm_real x, v;          /* position and velocity */
     vm_real slowness;      /* dt/dtheta */
-    vm_real x_size;        /* derivative of x by the orbit's size, at fixed theta */
-    vm_real slowness_size; /* derivative of the slowness by the orbit's size, at fixed theta */
+    vm_real x_size;        /* derivative of x with respect to the orbit's size, at fixed theta */
+    vm_real slowness_size; /* derivative of the slowness with respect to the orbit's size, at fixed theta */
 };
 
 /* The largest |x| on a complete orbit, m */
 VM_API vm_real vmi_orbit_amplitude(const vmi_orbit *orbit)
 {
     if (orbit->place == VMI_ORBIT_AROUND_0) return orbit->size;
-    return orbit->size / (2 * orbit->swing) + orbit->swing; /* (A + B)/2 + (A - B)/2, as size = (A^2 - B^2)/2 */
+    return orbit->size / (2 * orbit->swing) + orbit->swing; /* (A + B)/2 + (A - B)/2 = A, with the smallest |x| B; size
+                                                               = (A^2 - B^2)/2 */
 }
 
 /* -- Integrals over theta -- */
@@ -150,7 +151,7 @@ VM_API vm_real vmi_orbit_value(const vmi_orbit_sum *sum, vm_real theta)
     return vmi_legendre_at(sum->series[part], place);
 }
 
-/* The size of the terms that the series leave out, relative to the mean of the function */
+/* The size of the terms that the series on the parts leave out, divided by the mean of the function */
 VM_API vm_real vmi_orbit_tail(const vmi_orbit_sum *sum)
 {
     vm_real largest = 0;
@@ -206,8 +207,8 @@ VM_API vmi_orbit_folded vmi_orbit_fold(const vmi_orbit *orbit, vm_real phi)
     return f;
 }
 
-/* The derivative dt/dtheta at all nodes, and its derivative by the orbit's size. Doubles the number of parts until the
-   series leave out no more than `enough`, as far as VMI_ORBIT_PARTS allows. */
+/* Computes dt/dtheta at all nodes, and its derivative with respect to the orbit's size. Doubles the number of parts
+   until the series leave out no more than `enough`, as far as VMI_ORBIT_PARTS allows. */
 VM_API void vmi_orbit_times(const vmi_orbit *orbit, vm_real enough, vmi_orbit_sum *time, vmi_orbit_sum *time_size)
 {
     vm_real slowness[VMI_ORBIT_NODES], by_size[VMI_ORBIT_NODES];
@@ -237,15 +238,16 @@ VM_API int vmi_odd_user_at(const vm_odd_force *force, vm_real x, vm_real *f)
     return VM_OK;
 }
 
-/* F at one point of an orbit, and two means up to the amplitude A, or up to the end of a piece */
+/* F at one point x, and its mean and mean slope from x to an end, which is the amplitude A or the end of a piece */
 typedef struct VM_TAG(vmi_odd_forces) {
     vm_real f;     /* F(x) */
     vm_real mean;  /* mean of F between x and the end */
     vm_real slope; /* (F(end) - F(x))/(end - x) */
 } vmi_odd_forces;
 
-/* Sums of the Legendre series of F on a piece of the length 2 half, at y between -1 and 1, where 1 is the piece's end.
-   With D_k = (1 - P_k(y))/(1 - y) no difference of close numbers occurs near the end. */
+/* Evaluates the Legendre series of F on a piece at y between -1 and 1, where y = 1 is the end of the piece. `half` is
+   half the length of the piece. The sums use D_k = (1 - P_k(y))/(1 - y) with Legendre's polynomials P_k, so that no
+   close numbers are subtracted near the end. */
 VM_API vmi_odd_forces vmi_odd_user_sums(const vm_real *series, vm_real y, vm_real half)
 {
     vm_real before = 0, now = 1, D_before = 0, D = 0;
@@ -266,7 +268,7 @@ VM_API vmi_odd_forces vmi_odd_user_sums(const vm_real *series, vm_real y, vm_rea
     return r;
 }
 
-/* F and its means between x = share A and the amplitude A, 0 <= share <= 1 */
+/* F at x = share A, and its mean and slope between x and the amplitude A, where 0 <= share <= 1 */
 VM_API vmi_odd_forces vmi_odd_user_forces(const vmi_orbit *orbit, vm_real share)
 {
     const vm_real A = orbit->size, half = A / (2 * (vm_real)orbit->pieces);
@@ -300,8 +302,8 @@ VM_API void vmi_odd_user_point(const vmi_orbit *orbit, vm_real theta, vmi_orbit_
     point->slowness_size = -point->slowness * (g_size / (2 * g));
 }
 
-/* Fits the series of F on this number of pieces of 0 ... A. Writes the size of the terms that they leave out, relative
-   to the root mean square of F. */
+/* Fits series of F on this number of equal pieces of 0 ... A. Writes the size of the terms that the series leave out,
+   relative to the root mean square of F. */
 VM_API int vmi_odd_user_fit(vmi_orbit *orbit, int pieces, vm_real *tail)
 {
     const vm_real length = orbit->size / (vm_real)pieces;
@@ -375,8 +377,8 @@ typedef struct VM_TAG(vmi_odd_state) {
     int status;   /* of the user's function */
 } vmi_odd_state;
 
-/* The potential energy between x and x + more, less the kinetic energy of the state: 0 where x + more is the
-   amplitude */
+/* The potential energy at x + more, minus that at x, minus the kinetic energy of the state. It is 0 where x + more is
+   the amplitude. */
 VM_API vm_real vmi_odd_user_missing(vm_real more, void *state)
 {
     vmi_odd_state *s = (vmi_odd_state *)state;
@@ -394,8 +396,8 @@ VM_API vm_real vmi_odd_user_missing(vm_real more, void *state)
     return sum * length - s->v * s->v / 2;
 }
 
-/* The orbit through a state. A trial of the amplitude is doubled or halved until the amplitude lies between two of
-   them. Returns VM_NO_LAW where there is no amplitude. */
+/* Finds the orbit through a state. A trial value of the amplitude is doubled or halved until the amplitude lies between
+   two trial values. Returns VM_NO_LAW where there is no amplitude. */
 VM_API int vmi_odd_user_through(const vm_odd_force *force, vm_real x, vm_real v, vmi_orbit *orbit)
 {
     const int most = 200;
@@ -428,7 +430,8 @@ VM_API int vmi_odd_user_through(const vm_odd_force *force, vm_real x, vm_real v,
     return s.status;
 }
 
-/* The phase of a state on a complete orbit. It puts x = A cos(theta) and v = -A sin(theta)/(dt/dtheta). */
+/* The phase of a state on a complete orbit. The state gives theta by x = A cos(theta) and v = -A
+   sin(theta)/(dt/dtheta). */
 VM_API int vmi_odd_user_phase(const vmi_orbit *orbit, vm_real x, vm_real v, vm_real *phi)
 {
     const vm_real above = vmi_larger(orbit->size - VM_FABS(x), 0) * (orbit->size + VM_FABS(x));
@@ -457,11 +460,10 @@ VM_API int vmi_odd_user_at_phase(const vmi_orbit *orbit, vm_real phi, vm_real *x
     return VM_OK;
 }
 
-/* Odd elastic force F(x) by a user's function.
-   The function is called for x >= 0 only. ctx is handed to it. F must be
-   positive for 0 < x <= A, or at least do positive work between every x and the amplitude A. Between 0 and A it must
-   be so smooth that polynomials of degree 19 represent it on 8 pieces; otherwise all functions refuse it with
-   VM_NO_LAW. A null function makes no force: it is refused with VM_BAD_ARGUMENT. */
+/* Odd elastic force F(x) by a user's function. The function is called for x >= 0 only. ctx is handed to it. F must be
+   positive for 0 < x <= A, or at least do positive work between every x and the amplitude A. Between 0 and A it must be
+   so smooth that polynomials of degree 19 represent it on at most 8 equal pieces; otherwise all functions refuse it
+   with VM_NO_LAW. A null function makes no force: it is refused with VM_BAD_ARGUMENT. */
 VM_API vm_odd_force vm_odd_force_user(vm_odd_function function, void *ctx)
 {
     vm_odd_force force;

@@ -69,7 +69,7 @@ typedef struct VM_TAG(vmi_odd_rates) {
     vm_real m, k, b;   /* mass, stiffness and damping */
     vm_real m_rate;    /* dm/dt, kg/s */
     vm_real speed;     /* ds/dt = sqrt(k/m) */
-    vm_real turn;      /* relative rate of `speed`, 1/s */
+    vm_real turn;      /* relative rate of change of `speed`, 1/s */
     vm_real h;         /* damping h of orbit_ripple.h, times `speed`, 1/s */
 } vmi_odd_rates;
 
@@ -91,12 +91,13 @@ VM_API int vmi_odd_rates_at(const vm_odd_problem *o, vm_real t, int side, vmi_od
     return VM_OK;
 }
 
-/* The damping h of orbit_ripple.h and its derivatives by s, where ds/dt = sqrt(k/m) */
+/* The damping h of orbit_ripple.h, and its first two derivatives h1 and h2 with respect to s, where ds/dt =
+   sqrt(k/m) */
 typedef struct VM_TAG(vmi_odd_slow) {
     vm_real h, h1, h2;
 } vmi_odd_slow;
 
-/* Computes h and its derivatives at t; length, s, is for the derivatives of users' laws (see vmi_law_derivatives). */
+/* Computes h, h1 and h2 at t. length, s, is needed for the derivatives of users' laws (see vmi_law_derivatives). */
 VM_API int vmi_odd_slow_at(const vm_odd_problem *o, vm_real t, int side, vm_real length, vmi_odd_slow *slow)
 {
     enum { TERMS = 4 };
@@ -135,14 +136,15 @@ typedef struct VM_TAG(vmi_odd_panel) {
     vm_real t, length;          /* its start and its length, s, negative backward in time */
     vm_real phase;              /* mean phase at its start */
     vm_real decay;              /* integral of b/m from 0 to its start */
-    vm_real ln_J;               /* ln of the mean action J over its value at t = 0; it changes at points of tables */
+    vm_real ln_J;               /* ln of the mean action J divided by its value at t = 0; it changes at points of
+                                   tables */
     vm_real rate[VMI_GAUSS];    /* series of the rate of the mean phase, 1/s */
     vm_real size[VMI_GAUSS];    /* series of the size of the mean orbit (see vmi_orbit) */
     /* Element i is the integral of |d^i (h/w)/dphi^i| over the phase phi, from t = 0 to the end of the panel. */
     vm_real change[VMI_ODD_ORDERS];
     vm_real knots;              /* what order two leaves out of ln J at points of tables, from 0 to the end */
     vm_real largest_a, largest_B; /* largest values of these fields of the ripple on the panel */
-    vm_real gamma;              /* largest relative change of w over that of j on the panel */
+    vm_real gamma;              /* largest ratio on the panel of a relative change of w to the relative change of j */
 } vmi_odd_panel;
 
 /* The mean motion of a problem from t = 0 to a given time. Fill it by vm_odd_plan_init; read its fields, but do not
@@ -157,15 +159,15 @@ typedef struct VM_TAG(vm_odd_plan) {
     vm_real phi;            /* phase of this state */
     vm_real ln_j, phase;    /* ln of the mean action, and mean phase, at t = 0 */
     vmi_odd_slow slow;      /* damping h at t = 0 */
-    vm_real gamma;          /* the relative change of w over that of j, at t = 0 */
+    vm_real gamma;          /* ratio of a relative change of w to that of j, at t = 0 */
     vm_real first_a;        /* field largest_a of the ripple at t = 0 */
     vm_real first_B;        /* field largest_B of the ripple at t = 0 */
     int n;                  /* number of panels */
     vmi_odd_panel panel[VMI_ODD_PANELS];
 } vm_odd_plan;
 
-/* Finds the orbit with this ln j by Newton's method, from the size that the orbit has as a guess. A step that leads
-   out of the region of such orbits is halved. Returns VM_NO_LAW where there is no such orbit. */
+/* Finds the orbit whose action j has this logarithm by Newton's method. The size that *orbit has is the first guess. A
+   step that leads out of the region of such orbits is halved. Returns VM_NO_LAW where there is no such orbit. */
 VM_API int vmi_orbit_find(vmi_orbit *orbit, vm_real ln_j)
 {
     const vm_real enough = 4 * VM_EPSILON, longest = 2;
@@ -189,7 +191,8 @@ VM_API int vmi_orbit_find(vmi_orbit *orbit, vm_real ln_j)
     return VM_NO_LAW;
 }
 
-/* The change of ln j by the adiabatic law, from t = 0 to a time with these laws and this integral of b/m */
+/* The change of ln j by the adiabatic law since t = 0. *now holds the laws at the end, and decay is the integral of
+   b/m. */
 VM_API vm_real vmi_odd_adiabatic(const vm_odd_plan *p, const vmi_odd_rates *now, vm_real decay)
 {
     const vm_real ln_m = vmi_log(now->m / p->m0).hi, ln_k = vmi_log(now->k / p->k0).hi;
@@ -241,8 +244,8 @@ VM_API int vmi_odd_read(const vm_odd_problem *o, const vmi_odd_panel *panel, vmi
     return vmi_panel_edge(&o->stiffness, VM_BAD_STIFFNESS, 0, panel->t, panel->length, at->stiffness, &at->edge);
 }
 
-/* Adds to panel->change what this panel adds, from the series of h/w: root mean squares in place of absolute values.
-   Coefficients that are as small as rounding errors are left out. The series is overwritten. */
+/* Adds to panel->change the integrals over this panel, from the series of h/w, with root mean squares in place of
+   absolute values. Coefficients that are as small as rounding errors are left out. The series is overwritten. */
 VM_API void vmi_odd_add_changes(vmi_odd_panel *panel, vm_real *ratio)
 {
     const vm_real noise = (VM_MANT_DIG > 24 ? 4096 : 16) * VM_EPSILON;
@@ -262,8 +265,8 @@ VM_API void vmi_odd_add_changes(vmi_odd_panel *panel, vm_real *ratio)
 /* The number of the kth node in the order of time, 0 <= k < 20: 0, 2 ... 18, 19, 17 ... 1 */
 VM_API int vmi_odd_node_number(int k) { return k < VMI_GAUSS / 2 ? 2 * k : 2 * VMI_GAUSS - 1 - 2 * k; }
 
-/* Computes the series of a panel. Its fields for the start and its length are set. orbit is a guess of the mean orbit
-   at the start; it becomes the orbit at the last node. */
+/* Computes the series of a panel. The fields for its start and its length must be set. orbit is a guess of the mean
+   orbit at the start; it becomes the orbit at the last node. */
 VM_API int vmi_odd_panel_of(const vm_odd_plan *p, vmi_odd_panel *panel, vmi_orbit *orbit, vmi_odd_nodes *at)
 {
     vm_real rates[VMI_GAUSS], sizes[VMI_GAUSS], bends[VMI_GAUSS], ratios[VMI_GAUSS];
@@ -468,10 +471,10 @@ VM_API int vmi_odd_fill(vm_odd_plan *p)
 /* Plan for many values of one vibration under an odd elastic force, from t = 0 to t_end (s, any sign).
    vm_odd_plan_within and vm_odd_plan_by_route use it. The problem is copied; its tables and contexts must outlive the
    plan. Where the averaged motion ends before t_end, at a separatrix or because laws change too fast, the plan's field
-   reach says where; beyond it only VM_ODD_RK87 works. Errors leave the plan untouched. Returns VM_BAD_ARGUMENT for
-   null pointers and for a law or force that no constructor made, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS for
-   laws that are not positive, VM_DOMAIN for a table out of order or one that does not hold 0 and t_end, and where a
-   user's function fails. */
+   reach says where; beyond it only VM_ODD_RK87 works. Errors leave the plan untouched. Returns VM_BAD_ARGUMENT for null
+   pointers and for a law or force that no constructor made, VM_NOT_FINITE for a number that is infinite or NaN,
+   VM_BAD_MASS or VM_BAD_STIFFNESS for a law that is not positive, VM_DOMAIN for a table out of order or one that does
+   not hold 0 and t_end, and where a user's function fails. */
 VM_API int vm_odd_plan_init(vm_odd_plan *p, const vm_odd_problem *problem, vm_real t_end)
 {
     vm_odd_plan plan;
@@ -552,8 +555,7 @@ VM_API vm_real vmi_odd_fast(const vmi_odd_mean *mean, vm_real largest_a)
     return least;
 }
 
-/* How large terms of second and of third order are at a time with this damping h, on an orbit whose phase has the rate
-   w */
+/* The sizes of terms of second and of third order, for the damping in *slow and an orbit whose phase has the rate w */
 VM_API void vmi_odd_sizes(const vmi_odd_slow *slow, vm_real w, vm_real *second, vm_real *third)
 {
     const vm_real h = VM_FABS(slow->h / w), h1 = VM_FABS(slow->h1 / w / w), h2 = VM_FABS(slow->h2 / w / w / w);
@@ -561,7 +563,7 @@ VM_API void vmi_odd_sizes(const vmi_odd_slow *slow, vm_real w, vm_real *second, 
     *third = h2 + 4 * h * h1 + 4 * h * h * h;
 }
 
-/* By how much an error of the phase is larger as an error of x/swing or of v/vmax */
+/* The factor by which a small error of the phase becomes an error of x/swing or of v/vmax */
 VM_API vm_real vmi_odd_steepness(const vmi_orbit *orbit)
 {
     const vm_real of_x = orbit->vmax / (orbit->w * orbit->swing);
@@ -569,9 +571,10 @@ VM_API vm_real vmi_odd_steepness(const vmi_orbit *orbit)
     return vmi_larger(of_x, orbit->energy_slope / (orbit->w * orbit->vmax));
 }
 
-/* Estimates the error of an averaged solution at t. It adds up how large the terms are that are left out: of the
-   transformation at the start and at t, and of the action at the start and at points of tables, which changes the
-   phase by gamma times the phase. The factors fit the errors of random problems in tests/test_odd_force.c. */
+/* Estimates the error of an averaged solution at t. It adds up the sizes of the terms that are left out: in the
+   transformation at the start and at t, and in the action at the start and at points of tables. An error of the action
+   changes the phase by gamma times the phase. The factors fit the errors of random problems in
+   tests/test_odd_force.c. */
 VM_API int vmi_odd_error(const vm_odd_plan *p, int route, vm_real t, const vmi_odd_mean *mean, vm_real *error)
 {
     const vmi_orbit *orbit = &mean->orbit;

@@ -1,12 +1,12 @@
 /* oscillators/odd_routes.h - routes to the motion of a vibration under an odd elastic force, and its integration
 
-   vm_odd_plan_by_route takes the route that its argument names. vm_odd_plan_within takes the cheapest route whose
-   error is estimated to be within a tolerance, and vm_odd_within does so without a plan. The problem and the averaged
+   vm_odd_plan_by_route takes the route that its argument names. vm_odd_plan_within takes the cheapest route whose error
+   is estimated to be within a tolerance, and vm_odd_within does so without a plan. The problem and the averaged
    solutions are those of oscillators/odd_motion.h, which also shows the shortest useful call. vm_odd_rhs is the
-   equation of motion. Estimates: tests/test_odd_force.c compares them with the true errors of random problems. The
-   true error is below three estimates in 99 % of them, and never above ten. The integration of a force with a kink,
-   as x + x|x| has, needs very short steps: it may miss tolerances below 1e-6 and then says so. Tests:
-   tests/test_odd_force.c. */
+   equation of motion. How good the estimates are: tests/test_odd_force.c compares them with the true errors of random
+   problems. The true error is below three estimates in 99 % of them, and never above ten. The integration of a force
+   with a kink, as x + x|x| has, needs very short steps: it may miss tolerances below 1e-6 and then returns
+   VM_TOLERANCE_MISSED. Tests: tests/test_odd_force.c. */
 #ifndef VARMASS_OSCILLATORS_ODD_ROUTES_H
 #define VARMASS_OSCILLATORS_ODD_ROUTES_H
 
@@ -36,10 +36,11 @@ VM_API int vmi_odd_acceleration(const vm_odd_problem *o, vm_real t, int side, vm
     return VM_OK;
 }
 
-/* Equation of motion of a vibration under an odd elastic force, for rk45 or rk87.
-   y = (x, x') is in m and m/s; problem points to a vm_odd_problem, whose x and v are not used. Returns VM_BAD_ARGUMENT
-   for null pointers and for a law or a force that no constructor made, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS,
-   and VM_DOMAIN for t outside a table and where a user's function fails. These statuses stop the run. */
+/* Equation of motion of a vibration under an odd elastic force, for rk45 or rk87. y = (x, x') is in m and m/s; problem
+   points to a vm_odd_problem, whose x and v are not used. Returns VM_BAD_ARGUMENT for null pointers and for a law or a
+   force that no constructor made, VM_NOT_FINITE for a number that is infinite or NaN, VM_BAD_MASS or VM_BAD_STIFFNESS
+   for a law that is not positive, and VM_DOMAIN for t outside a table and where a user's function fails. These statuses
+   stop the run. */
 VM_API int vm_odd_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *problem)
 {
     const vm_odd_problem *o = (const vm_odd_problem *)problem;
@@ -51,7 +52,7 @@ VM_API int vm_odd_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *problem)
     if (!VM_IS_FINITE(o->reactive)) return VM_NOT_FINITE;
     status = vmi_odd_acceleration(o, t, 1, y[0], y[1], &a);
     if (!status && !VM_IS_FINITE(a)) status = VM_NOT_FINITE;
-    if (status) { /* of several mistakes the first by the table of errors */
+    if (status) { /* return the status that comes first in the table of errors */
         vm_real f, rate;
         status = vmi_first_error(status, vmi_law_at(&o->mass, VM_BAD_MASS, t, &f, &rate));
         status = vmi_first_error(status, vmi_law_at(&o->stiffness, VM_BAD_STIFFNESS, t, &f, &rate));
@@ -89,7 +90,7 @@ VM_API int vmi_odd_run_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *run
     return VM_OK;
 }
 
-/* Chooses the units of the state, and the longest step for a way of `whole` seconds. */
+/* Chooses the units of the state, and the longest step for an integration over `whole` seconds. */
 VM_API void vmi_odd_units(vmi_odd_run *c, vm_real whole)
 {
     const vm_odd_plan *p = c->plan;
@@ -133,8 +134,8 @@ VM_API int vmi_odd_solve(vmi_odd_run *c, vm_real t)
     return VM_OK;
 }
 
-/* Writes the motion at the run's time, and the swing and the largest velocity of the vibration there. The amplitude is
-   NaN where there is no vibration; then the units of the run take their places. */
+/* Writes the motion at the run's time, and the swing and the largest velocity of the vibration there. Where there is no
+   vibration the amplitude is NaN, and the units of the run take the places of the other two. */
 VM_API int vmi_odd_motion_now(const vmi_odd_run *c, vm_odd_motion *motion, vm_real *swing, vm_real *vmax)
 {
     const vm_odd_problem *o = &c->plan->problem;
@@ -186,8 +187,8 @@ VM_API int vmi_odd_run_once(vmi_odd_run *c, vm_real t, vm_real tolerance, vm_odd
     return VM_OK;
 }
 
-/* Makes a loose and a strict run, and writes the strict run's motion at t with its error by the largest difference of
-   the two runs. */
+/* Makes a loose and a strict run. Writes the strict run's motion at t; its error is the largest difference of the two
+   runs. */
 VM_API int vmi_odd_pair(vmi_odd_run *c, vm_real t, vm_real step_tolerance, vm_odd_motion *motion)
 {
     const vmi_osc_tuning tuning = vmi_osc_method_rk87(vmi_odd_run_rhs).tuning;
@@ -259,7 +260,7 @@ VM_API int vmi_odd_check_call(const vm_odd_plan *p, int route, vm_real t, vm_rea
     return VM_OK;
 }
 
-/* Writes the motion at t = 0, or that of a body at rest, if it is one of them; returns whether it is. */
+/* If t is 0 or the body is at rest, writes the motion, which needs no computation, and returns 1; else returns 0. */
 VM_API int vmi_odd_is_known(const vm_odd_plan *p, int route, vm_real t, vm_odd_motion *motion)
 {
     if (t != 0 && !p->at_rest) return 0;
@@ -274,7 +275,7 @@ VM_API int vmi_odd_is_known(const vm_odd_plan *p, int route, vm_real t, vm_odd_m
     return 1;
 }
 
-/* Motion under an odd elastic force at time t (s, in the reach of the plan) by a given route, VM_ODD_....
+/* Motion under an odd elastic force at time t (s, within the plan's reach) by a given route VM_ODD_....
    motion->error estimates the larger of |error of x|/swing and |error of v|/vmax; it is infinite where the averaged
    solution is far off. The tolerance is for VM_ODD_RK87 only; 0 means 1e-6 (float 1e-3). Returns VM_OK, or
    VM_TOLERANCE_MISSED where the integration is less accurate than asked for. An error leaves *motion untouched; it
@@ -300,7 +301,7 @@ VM_API int vm_odd_plan_by_route(const vm_odd_plan *p, int route, vm_real t, vm_r
 /* Motion under an odd elastic force at time t (s, between 0 and the plan's t_end) within a tolerance.
    It takes the cheapest route whose error is estimated to be within the tolerance; motion->route says which. The
    tolerance is relative, for the larger of |error of x|/swing and |error of v|/vmax; 0 means 1e-6 (float 1e-3). Beyond
-   the plan's reach it integrates. The statuses are those of vm_odd_plan_by_route, but VM_NO_LAW. */
+   the plan's reach it integrates. The statuses are those of vm_odd_plan_by_route except VM_NO_LAW. */
 VM_API int vm_odd_plan_within(const vm_odd_plan *p, vm_real t, vm_real tolerance, vm_odd_motion *motion)
 {
     vm_odd_motion r;

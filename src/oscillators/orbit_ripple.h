@@ -1,19 +1,22 @@
 /* oscillators/orbit_ripple.h - how a slow change disturbs the motion on an orbit within a period
 
-   In the time s with ds = sqrt(k/m) dt, slow mass, stiffness, damping and reactive force all act as one damping h:
+   In the time s with ds = sqrt(k/m) dt, slow mass, stiffness, damping b and reactive force (of the share r) all act as
+   one damping h:
        x'' + F(x) = -2 h x',   2 h = d ln(mu sqrt(k/m))/ds,   mu' = (r m' + b) mu/m
    so that J = j mu sqrt(k/m) stays constant on average, where j is the action of the orbit. J and the phase phi are
-   canonical, and their Hamiltonian is that of constant mass plus 2 h a, times mu sqrt(k/m), with the function
+   canonical. Their Hamiltonian is (H + 2 h a) mu sqrt(k/m), where H is the Hamiltonian of constant mass and a the
+   function
        a(phi) = (integral of v dx from phase 0) - j phi
    of period pi (2 pi in a well) and mean 0. Let B be the integral of a over the phase, with mean 0. To second order
    in h the mean action and the mean phase are
        j_mean = j + 2h a/w - (B/w)(2h' + 4h^2)/w + 4h^2 j (B/w)_j/w - 2h^2 (a^2 - M) w_j/w^3 + 2h^2 (M/w^2)_j
        phi_mean = phi - 2h (B/w)_j,   phi_mean' = w(j_mean) - 2h^2 (M/w)_jj
-   where M is the mean of a^2, an index j means the derivative by j at fixed phase, and h' = dh/ds.
+   where w is the rate of the phase, M the mean of a^2, _j the derivative with respect to j at fixed phase, and h' =
+   dh/ds.
        vmi_orbit_ripple ripple;
        vmi_orbit_ripple_values now;
        vmi_orbit_ripple_init(&ripple, &orbit); // orbit is a complete vmi_orbit
-       vmi_orbit_ripple_at(&ripple, &orbit, phi, &now);
+       vmi_orbit_ripple_at(&ripple, &orbit, 1, &now); // at the phase 1
    Source: the averaging of canonical equations by Lie series, to second order; docs/duffing.md.
    Tests: tests/test_odd_force.c. */
 #ifndef VARMASS_OSCILLATORS_ORBIT_RIPPLE_H
@@ -23,7 +26,8 @@
 #include "../base/scalars.h"
 #include "odd_force.h"
 
-/* The functions of the ripple on one orbit. "By size" means the derivative by orbit.size at fixed phase. */
+/* The functions of the ripple on one orbit. "By size" stands for the derivative with respect to orbit.size at fixed
+   phase. */
 typedef struct VM_TAG(vmi_orbit_ripple) {
     vmi_orbit_sum time, time_size; /* time from theta = 0, and its derivative by size at fixed theta */
     vmi_orbit_sum squares;         /* integral of v^2 over time */
@@ -37,7 +41,7 @@ typedef struct VM_TAG(vmi_orbit_ripple) {
 
 /* The ripple at one phase */
 typedef struct VM_TAG(vmi_orbit_ripple_values) {
-    vm_real a, B; /* see above */
+    vm_real a, B; /* the functions a and B of the top of this file */
     vm_real B_j;  /* (B/w)_j */
 } vmi_orbit_ripple_values;
 
@@ -49,7 +53,7 @@ typedef struct VM_TAG(vmi_orbit_nodes) {
     vm_real phase_rate[VMI_ORBIT_NODES];                 /* dphi/dtheta */
 } vmi_orbit_nodes;
 
-/* Computes a and its derivative at the nodes. At fixed phase a changes by v times the change of x. */
+/* Computes a and its derivative by size at the nodes. At fixed phase the change of a is v times the change of x. */
 VM_API void vmi_orbit_ripple_nodes(const vmi_orbit *orbit, vmi_orbit_ripple *r, vmi_orbit_nodes *nodes)
 {
     vm_real squares[VMI_ORBIT_NODES];
@@ -81,7 +85,7 @@ VM_API vm_real vmi_orbit_mean(const vmi_orbit *orbit, const vmi_orbit_nodes *nod
     return sum * (VM_PI / 4 / ((vm_real)(nodes->n / VMI_GAUSS) * orbit->span));
 }
 
-/* The derivative by j of B/w, from B and its derivative by size */
+/* The derivative of B/w with respect to j, from B and its derivative by size */
 VM_API vm_real vmi_orbit_B_j(const vmi_orbit *orbit, const vmi_orbit_ripple *r, vm_real B, vm_real B_size)
 {
     return (B_size - B * (r->w_size / orbit->w)) / (orbit->w * r->j_size);
@@ -144,7 +148,7 @@ VM_API void vmi_orbit_ripple_at(const vmi_orbit_ripple *r, const vmi_orbit *orbi
     now->B_j = vmi_orbit_B_j(orbit, r, now->B, B_size);
 }
 
-/* The relative change of w over the relative change of j */
+/* The relative change of w divided by the relative change of j that causes it */
 VM_API vm_real vmi_orbit_gamma(const vmi_orbit_ripple *r, const vmi_orbit *orbit)
 {
     return orbit->j * r->w_size / (r->j_size * orbit->w);
@@ -156,7 +160,8 @@ VM_API vm_real vmi_orbit_M_j(const vmi_orbit_ripple *r, const vmi_orbit *orbit)
     return (r->M_size - r->M * (r->w_size / orbit->w)) / (orbit->w * r->j_size);
 }
 
-/* The mean action that belongs to the action j of an orbit at a phase. h is the damping above and h_rate = dh/ds. */
+/* The mean action that belongs to the action j of an orbit at a phase. h is the damping that the top of this file
+   defines, and h_rate = dh/ds. */
 VM_API vm_real vmi_orbit_mean_action(const vmi_orbit_ripple *r, const vmi_orbit *orbit,
                                      const vmi_orbit_ripple_values *now, vm_real h, vm_real h_rate)
 {

@@ -2,9 +2,10 @@
 
    Two bodies of equal mass m(t), with coordinates x and y on a line and a spring between them (517), (518):
        m x'' = -k (x - y)|x - y|^(alpha-1) - r m' x',   m y'' = k (x - y)|x - y|^(alpha-1) - r m' y'
-   r is the share of the reactive force (`reactive`). The sum q = x + y drifts, and the difference p = y - x vibrates
-   with the amplitude A and the Ateb phase psi, whose rate is Om, (520)-(522). Here are the equations of motion, the
-   averaged equations of both modes, and the motion in closed form for a linear mass (528), (529).
+   k is the stiffness of the spring, r the share of the reactive force (`reactive`). The sum q = x + y drifts, and the
+   difference p = y - x vibrates with the amplitude A and the Ateb phase psi, whose rate is Om, (520)-(522). Here are
+   the equations of motion, the averaged equations of both modes, and the motion in closed form for a linear mass (528),
+   (529).
 
        vm_real y[4] = {1, 3, 0, 0}; // x, y, x', y'
        vm_pair p;
@@ -45,8 +46,9 @@ enum {
     VMI_PAIR_MODES = 4
 };
 
-/* Writes the mass and its rate at time t, and checks them, the pair and the four numbers of a state. Right-hand
-   sides pass NULL for the state: where a trial step of an integrator overflows, the integrator repeats the step. */
+/* Writes the mass and its rate at time t. Checks them, the pair, and the four numbers of a state. Right-hand sides pass
+   NULL for the state: a trial step of an integrator may overflow, and then the integrator must repeat it rather than
+   stop. */
 VM_API int vmi_pair_now(const vm_pair *p, vm_real t, const vm_real *state_or_NULL, vm_real *mass, vm_real *rate)
 {
     const vm_real numbers[3] = {p->alpha, p->k, p->reactive};
@@ -77,8 +79,9 @@ VM_API int vm_pair_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *pair)
     return VM_OK;
 }
 
-/* The amplitude of y - x at the Ateb phase psi, divided by its mean A: (1 + s sa ca/(2 Om))^(2/(alpha+3)) with the rate
-   Om of psi and s = (2r - 1) m'/m. The spring acts on both bodies, so that y - x vibrates with the stiffness 2 k. */
+/* The amplitude of y - x at the Ateb phase psi, divided by the mean amplitude A. It is (1 + s sa ca/(2
+   Om))^(2/(alpha+3)) with the rate Om of psi and s = (2r - 1) m'/m. The spring acts on both bodies, so that y - x
+   vibrates with the stiffness 2 k. */
 VM_API vm_real vmi_pair_ripple(const vm_pair *p, vm_real mass, vm_real rate, vm_real A, vm_real psi)
 {
     const vm_real q = vmi_slow_q(vmi_slow_drag(p->reactive, rate, 0), mass, p->k, 0);
@@ -123,13 +126,13 @@ VM_API int vmi_pair_join(const vm_pair *p, vm_real mass, vm_real rate, const vm_
     return vmi_copy_if_finite(4, joined, y);
 }
 
-/* Motion y = (x, y, x', y') of two bodies to modes (A, psi, q, q'), (520)-(522).
-   q = x + y drifts; p = y - x vibrates with the mean amplitude A, m, and the Ateb phase psi. The ripple of the
-   amplitude within a period is taken out of A, so that any initial velocities are allowed. Returns VM_BAD_ARGUMENT
-   for null pointers or where no constructor made the mass, VM_NOT_FINITE for a number that is infinite or NaN,
-   VM_BAD_MASS or VM_BAD_STIFFNESS for one that is not positive, and VM_DOMAIN for alpha < 0 and where the ripple is
-   as large as the motion, so that |(2r - 1) m'/m| is about twice the rate of psi, for example where m tends to 0. modes
-   and y may be the same array. */
+/* Converts a motion y = (x, y, x', y') of two bodies to the modes (A, psi, q, q'), (520)-(522). q = x + y drifts; p = y
+   - x vibrates with the mean amplitude A, m, and the Ateb phase psi. The ripple of the amplitude within a period is
+   taken out of A, so that any initial velocities are allowed. Returns VM_BAD_ARGUMENT for null pointers or where no
+   constructor made the mass, VM_NOT_FINITE for a number that is infinite or NaN, VM_BAD_MASS or VM_BAD_STIFFNESS for a
+   mass or a stiffness that is not positive, and VM_DOMAIN for alpha < 0 and where the ripple is as large as the motion.
+   It is so if |(2r - 1) m'/m| is about twice the rate of psi, for example where m tends to 0. modes and y may be the
+   same array. */
 VM_API int vm_pair_to_averaged(const vm_pair *p, vm_real t, const vm_real *y, vm_real *modes)
 {
     if (!p || !y || !modes) return VM_BAD_ARGUMENT;
@@ -139,8 +142,8 @@ VM_API int vm_pair_to_averaged(const vm_pair *p, vm_real t, const vm_real *y, vm
     return vmi_pair_split(p, mass, rate, y, modes);
 }
 
-/* Motion y = (x, y, x', y') of two bodies from modes (A, psi, q, q').
-   The inverse of vm_pair_to_averaged, with its statuses. y and modes may be the same array. */
+/* Converts the modes (A, psi, q, q') of two bodies to the motion y = (x, y, x', y'). This is the inverse of
+   vm_pair_to_averaged, with its statuses. y and modes may be the same array. */
 VM_API int vm_pair_from_averaged(const vm_pair *p, vm_real t, const vm_real *modes, vm_real *y)
 {
     if (!p || !modes || !y) return VM_BAD_ARGUMENT;
@@ -172,8 +175,8 @@ VM_API int vm_pair_averaged_rhs(vm_real t, const vm_real *modes, vm_real *dmodes
    y') is the motion at t = 0. The error is of the order of m'/(m Om) up to the time m/m', where Om is the rate of the
    Ateb phase of y - x. Returns the statuses of vm_pair_to_averaged, at 0 and at t, and VM_NO_LAW where the mass is
    neither linear nor constant (integrate vm_pair_averaged_rhs instead). y and y0 may be the same array. Method: the
-   averaged equations contain powers of m/m0; the integral of (m/m0)^e dt is m0 (exp(u) - 1)/u times the integral of
-   dt/m, with u = (1 + e) ln(m/m0). */
+   averaged equations contain powers of m/m0, where m0 is the mass at t = 0. For any exponent e the integral of (m/m0)^e
+   dt is m0 (exp(u) - 1)/u times the integral of dt/m, with u = (1 + e) ln(m/m0). */
 VM_API int vm_pair_at(const vm_pair *p, vm_real t, const vm_real *y0, vm_real *y)
 {
     if (!p || !y0 || !y) return VM_BAD_ARGUMENT;

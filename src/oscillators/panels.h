@@ -19,7 +19,7 @@
 
 /* The panels from t to end, one after the other. The loop over them is
      while (vmi_panels_next(&p)) {
-         ... from p.t over p.side * p.step ...
+         ... compute the series on the panel from p.t to p.t + p.side * p.step ...
          if (too long && vmi_panels_halve(&p)) continue;
          ... use the panel ...
          vmi_panels_advance(&p);
@@ -30,7 +30,7 @@ typedef struct VM_TAG(vmi_panels) {
     vm_real longest, least; /* bounds of a panel's length, s */
     vm_real size;           /* intended length of the present panel, s */
     vm_real left, step;     /* time left to the end, and length of the present panel, which is at most `left`, s */
-    int halved;             /* how often panels were halved */
+    int halved;             /* number of halvings so far */
 } vmi_panels;
 
 /* Panels from start to end, each at most `longest` long; `whole` is the length of the whole integral, s */
@@ -41,7 +41,7 @@ VM_API vmi_panels vmi_panels_from(vm_real start, vm_real end, vm_real longest, v
     p.end = end;
     p.side = VM_COPYSIGN(1, end - start);
     p.longest = vmi_smaller(longest, VM_FABS(end - start));
-    p.least = whole / VM_C(1099511627776.); /* 2^40; what a shorter panel adds does not matter */
+    p.least = whole / VM_C(1099511627776.); /* 2^40; an error on a shorter panel does not matter */
     p.size = p.longest;
     p.left = 0;
     p.step = 0;
@@ -49,8 +49,8 @@ VM_API vmi_panels vmi_panels_from(vm_real start, vm_real end, vm_real longest, v
     return p;
 }
 
-/* Returns whether there is a panel at p->t, and sets its length p->step. If the time left is hardly longer than a
-   panel, all of it becomes one panel. */
+/* Returns whether the end is not reached yet, and sets the length p->step of the panel that starts at p->t. If the time
+   left is hardly longer than a panel, all of it becomes one panel. */
 VM_API int vmi_panels_next(vmi_panels *p)
 {
     if (p->t == p->end) return 0;
@@ -63,14 +63,14 @@ VM_API int vmi_panels_next(vmi_panels *p)
 /* Halves the intended length of the present panel, and returns whether that was possible */
 VM_API int vmi_panels_halve(vmi_panels *p)
 {
-    const int most = 4096; /* a bound for laws with noise, for which no length is short enough */
+    const int most = 4096; /* a bound that ends the search for laws with noise, for which no length is short enough */
     if (!(p->step > p->least) || p->halved >= most || p->t + p->side * (p->step / 2) == p->t) return 0;
     p->size = p->step / 2;
     p->halved++;
     return 1;
 }
 
-/* Goes on to the next panel, which is to be twice as long */
+/* Goes on to the next panel. Its intended length is twice that of the present one. */
 VM_API void vmi_panels_advance(vmi_panels *p)
 {
     if (p->step == p->left) p->t = p->end;
@@ -81,8 +81,8 @@ VM_API void vmi_panels_advance(vmi_panels *p)
 /* -- Whether a series is good enough -- */
 
 /* The relative size below which the last terms of a series do not matter. Gauss' rule integrates twice as many terms
-   exactly, so that the error of an integral is about the square of the last terms. A panel that is a small part of
-   the whole integral may be less accurate. */
+   exactly, so that the error of an integral is about the square of the last terms. The limit is larger for a panel that
+   is only a small part of the whole integral. */
 VM_API vm_real vmi_panel_limit(vm_real length, vm_real whole)
 {
     const vm_real enough = VM_MANT_DIG > 24 ? VM_C(1e-9) : VM_C(1e-5);
@@ -90,26 +90,27 @@ VM_API vm_real vmi_panel_limit(vm_real length, vm_real whole)
     return vmi_larger(enough, matters);
 }
 
-/* Whether the last terms of a series are within limit, relative to its mean */
+/* Whether the last terms of a series are at most `limit` times its mean */
 VM_API int vmi_panel_is_resolved(const vm_real *series, vm_real limit)
 {
     return vmi_legendre_tail(series) <= limit * series[0];
 }
 
-/* Bound of the difference between a law and its series at the ends of a panel, where all terms that are left out add
-   up */
+/* The largest relative difference that is allowed between a law and its series at the ends of a panel. It is larger
+   than `limit`, because all terms that the series leaves out add up there. */
 VM_API vm_real vmi_panel_edge_limit(vm_real limit) { return 16 * limit; }
 
-/* Raises *edge to the relative difference between f and `by_series`, its value by a series. With `reciprocal` the
-   series is that of 1/f. */
+/* Raises *edge to the relative difference between f and its value by a series, if this difference is larger than *edge.
+   by_series is the value of the series, which is the series of 1/f with `reciprocal`, and of f without. */
 VM_API void vmi_panel_raise_edge(int reciprocal, vm_real f, vm_real by_series, vm_real *edge)
 {
     const vm_real ratio = by_series * (reciprocal ? f : 1 / f), miss = VM_FABS(ratio - 1);
     if (!(miss <= *edge)) *edge = miss;
 }
 
-/* Raises *edge to the relative difference between a law and its series at the ends of the panel. With `reciprocal`
-   the series is that of 1/f. Only this test notices a kink between an end and the nearest point of Gauss' rule. */
+/* Raises *edge to the larger of the relative differences between a law and its series at both ends of the panel. With
+   `reciprocal` the series is that of 1/f. Only this test notices a kink between an end and the nearest point of Gauss'
+   rule. */
 VM_API int vmi_panel_edge(const vm_law *law, int if_not_positive, int reciprocal, vm_real start, vm_real length,
                           const vm_real *series, vm_real *edge)
 {
@@ -131,7 +132,8 @@ VM_API int vmi_panel_edge(const vm_law *law, int if_not_positive, int reciprocal
 
 /* -- The integral of 1/f -- */
 
-/* Computes the series of 1/f on a panel. Sets *edge to its largest relative difference from 1/f at the panel's ends. */
+/* Computes the series of 1/f on a panel. Sets *edge to the largest relative difference between this series and 1/f at
+   the ends of the panel. */
 VM_API int vmi_law_inverse_series(const vm_law *law, vm_real start, vm_real length, vm_real *series, vm_real *edge)
 {
     const int side = vmi_time_side(length);

@@ -33,8 +33,8 @@ typedef struct VM_TAG(vm_osc_plan) {
     int start_order;         /* order by which `mean` was found: 5, or 2 without the polynomials of the ripple;
                                 0 where x and v are 0, so that there is no mean motion */
     int closed;              /* 1 where all integrals along the laws have closed forms, else 0 */
-    vmi_osc_rates_of_u laws; /* where closed is 1, the rates of mass and stiffness (oscillators/closed.h) */
-    vmi_osc_closed_mean closed_mean; /* where closed is 1, what the mean motion at any t needs */
+    vmi_osc_rates_of_u laws; /* where closed is 1, the rates in the exponents of the laws (oscillators/closed.h) */
+    vmi_osc_closed_mean closed_mean; /* where closed is 1, the mean motion at t = 0 and its rates */
     int has_ateb;            /* 1 where the field ateb is set, else 0 */
     vmi_ripple ripple;       /* functions of the ripple, prepared for alpha */
     ateb_plan ateb;          /* Ateb functions, prepared for alpha */
@@ -49,7 +49,8 @@ VM_API vmi_osc_wave vmi_osc_wave_of(const vm_osc_plan *p, int route)
     return vmi_osc_wave_ca(p->problem.alpha, p->has_ateb ? &p->ateb : NULL);
 }
 
-/* The time, s, of 16 radians of the phase. From rates within such a time the derivatives of a user's law are found. */
+/* The time, s, in which the phase advances by 16 radians. The derivatives of a user's law are found from its rates
+   within such a time. */
 VM_API vm_real vmi_osc_sampling_time(const vm_osc_plan *p)
 {
     if (!(p->Om > 0)) return 0;
@@ -66,8 +67,8 @@ VM_API vmi_osc_reduced vmi_osc_mean_of(const vm_osc_plan *p, int order, const vm
     return vmi_expansion_to_mean(&p->ripple, order, state, sa, ca, E);
 }
 
-/* The function that computes constants of the Ateb functions: accurate for many values, as a vm_osc_closed does, and fast
-   for a single value */
+/* The function that computes the constants of the Ateb functions: an accurate one if for_many is 1, for objects that
+   serve many values, such as a vm_osc_closed; otherwise a fast one for a single value */
 VM_API vmi_ateb_constants_of vmi_osc_constants_of(int for_many)
 {
     if (for_many) return vmi_ateb_fine_constants;
@@ -101,9 +102,9 @@ VM_API int vmi_osc_start(vm_osc_plan *p)
     return VM_OK;
 }
 
-/* Fills the plan up to the mean motion, which vmi_osc_start adds. It leaves out two parts that are worth their time
-   only for many values: the plan of the Ateb functions and the polynomials of the ripple. for_many is 1 if they are
-   added. */
+/* Fills the plan except for three parts: the mean motion, which vmi_osc_start adds; and the plan of the Ateb functions
+   and the polynomials of the ripple, which are worth their time only for many values. for_many is 1 if the caller adds
+   these two. */
 VM_API int vmi_osc_prepare(vm_osc_plan *p, const vm_osc_problem *problem, int for_many)
 {
     const vm_osc_problem *o = &p->problem;
@@ -122,12 +123,11 @@ VM_API int vmi_osc_prepare(vm_osc_plan *p, const vm_osc_problem *problem, int fo
     return VM_OK;
 }
 
-/* Plan for many values of one problem's motion.
-   vm_osc_plan_by_route, vm_osc_plan_within and vm_osc_averaged use the
-   plan. The problem is copied; its tables and contexts must outlive the plan. Errors leave the plan untouched. Returns
-   VM_BAD_ARGUMENT for null pointers and for a law that no constructor made, VM_NOT_FINITE, VM_BAD_MASS and
-   VM_BAD_STIFFNESS for a law that is not positive at t = 0 or in a table, VM_DOMAIN for alpha < 0, a table out of order
-   or without t = 0, or a user's function of a law that fails. */
+/* Plan for many values of one problem's motion. The functions vm_osc_plan_by_route, vm_osc_plan_within and
+   vm_osc_averaged use the plan. The problem is copied; its tables and contexts must outlive the plan. Errors leave the
+   plan untouched. Returns VM_BAD_ARGUMENT for null pointers and for a law that no constructor made, VM_NOT_FINITE for a
+   number that is infinite or NaN, VM_BAD_MASS and VM_BAD_STIFFNESS for a law that is not positive at t = 0 or in a
+   table, VM_DOMAIN for alpha < 0, a table out of order or without t = 0, or a user's function of a law that fails. */
 VM_API int vm_osc_plan_init(vm_osc_plan *p, const vm_osc_problem *problem)
 {
     vm_osc_plan plan;

@@ -29,10 +29,10 @@ enum {
     VM_ROUTE_RK87 = 9         /* integration of the equation of motion by rk87 */
 };
 
-/* The order, 2 to 5, of one of the routes VM_ROUTE_ORDER2 to VM_ROUTE_ORDER5 */
+/* The order, 2 to 5, of the law that one of the routes VM_ROUTE_ORDER2 to VM_ROUTE_ORDER5 uses */
 VM_API int vmi_osc_order_of(int route) { return route - VM_ROUTE_ORDER2 + 2; }
 
-/* The route VM_ROUTE_ORDER2 to VM_ROUTE_ORDER5 that has this order, 2 to 5 */
+/* The route, VM_ROUTE_ORDER2 to VM_ROUTE_ORDER5, that uses the law of this order, 2 to 5 */
 VM_API int vmi_osc_route_of_order(int order) { return VM_ROUTE_ORDER2 + order - 2; }
 
 /* A user's function for a further small force: returns F, N, at time t (s), position x (m) and velocity v (m/s) */
@@ -54,15 +54,16 @@ typedef struct VM_TAG(vm_osc_problem) {
 /* The motion at one time */
 typedef struct VM_TAG(vm_osc_motion) {
     vm_real x, v;      /* position, m, and velocity, m/s */
-    vm_real amplitude; /* amplitude A, m. By rk45 and rk87 it is that of x and v. The other routes leave out the
-                          first-order ripple within a period that mass, stiffness and damping cause */
+    vm_real amplitude; /* amplitude A, m. The routes rk45 and rk87 give the amplitude that belongs to x and v. The other
+                          routes leave out the first-order ripple within a period, which slow changes of mass and
+                          stiffness, and damping, cause */
     vm_real error;     /* estimate of the larger of |error of x|/A and |error of v|/vmax, where vmax is the largest
                           velocity at the amplitude A; it includes all causes of errors */
     int route;         /* the route that was taken, VM_ROUTE_... */
     long evals;        /* evaluations of right-hand sides; 0 where nothing was integrated */
 } vm_osc_motion;
 
-/* Checks by vmi_law_check that mass and stiffness are finite and positive between 0 and t. */
+/* Checks mass and stiffness by vmi_law_check: both must be finite and positive between 0 and t. */
 VM_API int vmi_osc_check_laws(const vm_osc_problem *o, vm_real t)
 {
     return vmi_first_error(vmi_law_check(&o->mass, VM_BAD_MASS, t),

@@ -1,16 +1,18 @@
 /* oscillators/reduction.h - amplitude and phase of an oscillator that slow changes disturb in second order only
 
    The oscillator m x'' + k x|x|^(alpha-1) + (reactive m' + b) x' = 0 can be written d(mu x')/dt + kappa x|x|^(alpha-1)
-   = 0, where a = mu'/mu = (reactive m' + b)/m and kappa/mu = k/m. `reactive` is 1 where mass that joins or leaves is at
-   rest, and 0 where it has the body's velocity; b is the damping. Let p = (ln(mu kappa))'/(alpha+3) and V = x' + p x.
+   = 0. The functions mu(t) and kappa(t) follow from mu'/mu = a with a = (reactive m' + b)/m, and from kappa/mu = k/m.
+   `reactive` is 1 where mass that joins or leaves is at rest, and 0 where it has the body's velocity; b is the damping.
+   Let p = (ln(mu kappa))'/(alpha+3) and V = x' + p x.
    Then x = A ca(psi) and V = -(2/(alpha+1)) W A sa(psi) define an amplitude A and a phase psi with the exact equations
      A'/A = -p + (G_0/W) sa ca,   psi' = W + (alpha+1)/2 (G_0/W) ca^2,   G_0 = p^2 - a p - p',
    where W is the rate of the phase for constant mass and stiffness. Only G_0 disturbs the slow motion A'/A = -p,
-   psi' = W, and G_0 is of second order in the rates of mass and stiffness. Its derivatives lead to G_1, G_2 ...
+   psi' = W, and G_0 is of second order in the rates of mass and stiffness. The numbers G_1, G_2 ... follow from the
+   derivatives of G_0 (vmi_osc_find_G).
    This file computes a, p and G_k from the derivatives of the laws, and A and psi from x and x', and back.
        vmi_osc_slow now;
        vmi_osc_reduced r;
-       int status = vmi_osc_slow_at(&problem, 0, 1, 10, 1, &now); // laws at t = 0, from values up to 10 s
+       int status = vmi_osc_slow_at(&problem, 0, 1, 10, 1, &now); // laws at t = 0, with their values up to 10 s
        if (!status) r = vmi_osc_reduce(&now, problem.alpha, problem.x, problem.v);
    Source: the transformations of Liouville and Kummer; docs/law.md. Tests: tests/test_slow_motion.c. */
 #ifndef VARMASS_OSCILLATORS_REDUCTION_H
@@ -25,21 +27,24 @@
 #include "laws.h"
 #include "problem.h"
 
-/* How many G_k are computed: the law of order five needs G_0 ... G_3, the estimate of its error G_4 */
+/* How many numbers G_k are computed. The law of order five needs G_0 ... G_3, and the estimate of its error needs
+   G_4. */
 enum { VMI_OSC_G = 5 };
 
-/* Mass, stiffness and the numbers that follow from their rates, at one time */
+/* Mass, stiffness and the numbers a, p and G_k that follow from their rates, at one time */
 typedef struct VM_TAG(vmi_osc_slow) {
     vm_real m, k;         /* mass, kg, and stiffness, N/m^alpha */
-    vm_real a, p;         /* see above, 1/s */
-    vm_real unit;         /* the unit of time of G, s: rates of very fast or slow motions have powers out of range */
-    vm_real G[VMI_OSC_G]; /* unit^(i+2) G_i */
+    vm_real a, p;         /* the rates a and p that the top of this file defines, 1/s */
+    vm_real unit;         /* time by which G_i are scaled, s, about 1/W: it keeps powers of very fast or slow rates from
+                             overflowing */
+    vm_real G[VMI_OSC_G]; /* G[i] is unit^(i+2) G_i, a pure number */
 } vmi_osc_slow;
 
-/* Mass, stiffness and rates at one time, without the numbers G_k: values f and rates f' of the laws are enough */
+/* Mass, stiffness and the rates a and p at one time, without the numbers G_k. The laws' values and first derivatives
+   are enough for them. */
 typedef struct VM_TAG(vmi_osc_rates) {
     vm_real m, k; /* mass, kg, and stiffness, N/m^alpha */
-    vm_real a, p; /* the rates a = mu'/mu and p, 1/s */
+    vm_real a, p; /* the rates a and p of the top of this file, 1/s */
 } vmi_osc_rates;
 
 /* Writes mass, stiffness and rates at t to *r. Where the rates jump at t, side = 1 asks for those after t, side = -1
@@ -59,7 +64,8 @@ VM_API int vmi_osc_rates_at(const vm_osc_problem *o, vm_real t, int side, vmi_os
 
 /* -- Power series in time: element i of an array is the coefficient of the ith power -- */
 
-/* Turns derivatives f, f', f'' ... into the coefficients of the series in time divided by the unit, s */
+/* Replaces the n derivatives f, f', f'' ... by the coefficients of the power series of f in the variable time/unit,
+   where unit is a time in s. */
 VM_API void vmi_series_of_derivatives(int n, vm_real unit, vm_real *f)
 {
     int i, power;
@@ -67,7 +73,7 @@ VM_API void vmi_series_of_derivatives(int n, vm_real unit, vm_real *f)
         for (i = power; i < n; i++) f[i] *= unit / (vm_real)power;
 }
 
-/* Writes the series of f'/f to ratio, from the n coefficients of f; ratio has n - 1 coefficients. */
+/* Writes the series of f'/f to ratio. f has n coefficients, ratio has n - 1. */
 VM_API void vmi_series_log_rate(int n, const vm_real *f, vm_real *ratio)
 {
     int i, j;
@@ -101,8 +107,8 @@ VM_API vm_real vmi_series_product(int i, const vm_real *f, const vm_real *g)
 
 /* -- The numbers G_k -- */
 
-/* Fills now->G from the series of a and p, which have n coefficients, by G_0 = p^2 - a p - p' and
-   G_(k+1) = G_k' - (k+2) (2p - a) G_k. The array a is overwritten. */
+/* Fills now->G by G_0 = p^2 - a p - p' and G_(k+1) = G_k' - (k+2) (2p - a) G_k. The arrays a and p hold the first n
+   coefficients of the power series of a and p in time. The array a is overwritten. */
 VM_API void vmi_osc_find_G(int n, vm_real *a, vm_real *p, vmi_osc_slow *now)
 {
     vm_real G[VMI_LAW_ORDERS], next[VMI_LAW_ORDERS];
@@ -119,7 +125,8 @@ VM_API void vmi_osc_find_G(int n, vm_real *a, vm_real *p, vmi_osc_slow *now)
     }
 }
 
-/* All of *now from m, k and their derivatives up to the sixth, which are destroyed; unit: see vmi_osc_slow */
+/* Fills *now. The arrays m and k hold mass and stiffness and their derivatives up to the sixth, and are overwritten.
+   The field `unit` of vmi_osc_slow explains the argument unit, s. */
 VM_API void vmi_osc_slow_of(const vm_osc_problem *o, vm_real *m, vm_real *k, vm_real unit, vmi_osc_slow *now)
 {
     const int n = VMI_LAW_ORDERS - 1;
@@ -143,9 +150,9 @@ VM_API void vmi_osc_slow_of(const vm_osc_problem *o, vm_real *m, vm_real *k, vm_
     vmi_osc_find_G(n, m, k, now);
 }
 
-/* *now at t; where derivatives jump, after t for side = 1, before it for side = -1. length, s: see
-   vmi_law_derivatives; unit, s: see vmi_osc_slow. VM_BAD_MASS, VM_BAD_STIFFNESS, VM_DOMAIN and VM_NOT_FINITE come
-   from the laws. */
+/* Fills *now for the time t. Where derivatives of the laws jump at t, side = 1 asks for those after t, side = -1 for
+   those before t. length, s, is explained at vmi_law_derivatives, and unit, s, at the field of vmi_osc_slow. Returns
+   VM_BAD_MASS, VM_BAD_STIFFNESS, VM_DOMAIN or VM_NOT_FINITE where the laws do. */
 VM_API int vmi_osc_slow_at(const vm_osc_problem *o, vm_real t, int side, vm_real length, vm_real unit,
                            vmi_osc_slow *now)
 {
@@ -158,14 +165,14 @@ VM_API int vmi_osc_slow_at(const vm_osc_problem *o, vm_real t, int side, vm_real
 
 /* -- Amplitude and phase -- */
 
-/* Amplitude and phase of the oscillator by the reduction, that is of x and V = x' + p x */
+/* The reduced state of the oscillator: the amplitude A and the phase psi of the position x and of V = x' + p x */
 typedef struct VM_TAG(vmi_osc_reduced) {
     vm_real A;   /* amplitude, m */
     vm_real psi; /* Ateb phase */
-    vm_real W;   /* rate of the phase at this amplitude for constant mass and stiffness, 1/s */
+    vm_real W;   /* rate of the phase that this amplitude has if mass and stiffness are constant, 1/s */
 } vmi_osc_reduced;
 
-/* The reduced state that belongs to position x and velocity v, at the time of *now */
+/* The reduced state that belongs to the position x and the velocity v, with the rates at the time of *now */
 VM_API vmi_osc_reduced vmi_osc_reduce(const vmi_osc_slow *now, vm_real alpha, vm_real x, vm_real v)
 {
     const vm_real omega = VM_SQRT(now->k / now->m);
@@ -175,11 +182,12 @@ VM_API vmi_osc_reduced vmi_osc_reduce(const vmi_osc_slow *now, vm_real alpha, vm
     return r;
 }
 
-/* The reduced state of vmi_osc_reduce for alpha >= 0, by shorter and slower code, which vm_osc_closed_init shares with
-   vm_osc_plan_init. omega is sqrt(k/m), and V = v + p x. */
+/* The same state as vmi_osc_reduce finds, from omega = sqrt(k/m) and V = v + p x, for alpha >= 0. The code is shorter
+   and slower. Both vm_osc_closed_init and vm_osc_plan_init use it, so that their results agree. */
 VM_API vmi_osc_reduced vmi_osc_reduce_by_series(vm_real omega, vm_real alpha, vm_real x, vm_real V)
 {
-    const vm_real n = alpha + 1, s = 0 - V / (VM_SQRT(2 / n) * omega); /* B^(n/2), as in vm_osc_amplitude_phase */
+    const vm_real n = alpha + 1, s = 0 - V / (VM_SQRT(2 / n) * omega); /* B^(n/2), where vmax(B) = |V|; see
+                                                                          vm_osc_amplitude_phase */
     const vm_real B = vmi_pow_checked(VM_FABS(s), 2 / n);
     vmi_osc_reduced r = {0, 0, 0};
     vmi_ateb c;
@@ -193,8 +201,8 @@ VM_API vmi_osc_reduced vmi_osc_reduce_by_series(vm_real omega, vm_real alpha, vm
     return r;
 }
 
-/* Writes position x and velocity v of a reduced state: the inverse of vmi_osc_reduce. sa and ca are the Ateb functions
-   of its phase. */
+/* Writes the position x and the velocity v of a reduced state, as the inverse of vmi_osc_reduce. sa and ca are the Ateb
+   functions of the state's phase. */
 VM_API void vmi_osc_unreduce(const vmi_osc_reduced *r, vm_real p, vm_real alpha, vm_real sa, vm_real ca, vm_real *x,
                              vm_real *v)
 {
@@ -202,7 +210,7 @@ VM_API void vmi_osc_unreduce(const vmi_osc_reduced *r, vm_real p, vm_real alpha,
     *v = -2 / (alpha + 1) * r->W * r->A * sa - p * *x;
 }
 
-/* The numbers E_k = G_k/W^(k+2) of a reduced state whose phase has the rate W */
+/* Writes the numbers E_k = G_k/W^(k+2), k = 0 ... 4, of a reduced state whose phase has the rate W. */
 VM_API void vmi_osc_disturbance(const vmi_osc_slow *now, vm_real W, vm_real *E)
 {
     const vm_real radian = 1 / (W * now->unit);

@@ -35,8 +35,9 @@ typedef struct VM_TAG(vm_steady_state) {
 /* Passage through the resonance at one time */
 typedef struct VM_TAG(vm_passage) {
     vm_real A;              /* amplitude, m, whose natural frequency w(A) is nu; for alpha = 1 the given amplitude */
-    vm_real drift_ratio;    /* rate of w - nu over the largest rate that the force can balance. Below 1 the vibration
-                               may be captured, so that it follows A; above 1 it passes through the resonance */
+    vm_real drift_ratio;    /* rate at which w - nu drifts, divided by the largest rate that the force can balance.
+                               Below 1 the vibration may be captured, so that it follows A; above 1 it passes through
+                               the resonance */
     vm_real delta;          /* phase by which the captured vibration leads the force, rad; NaN for drift_ratio > 1 */
     vm_real amplitude_jump; /* largest relative change of the amplitude in a quick passage (drift_ratio much larger
                                than 1). The change depends on the phase at the start and may have either sign */
@@ -47,10 +48,10 @@ typedef struct VM_TAG(vmi_resonance) {
     vm_real w1, exponent; /* natural frequency w = w1 A^exponent, rad/s */
     vm_real nu;           /* frequency of the force, rad/s */
     vm_real p;            /* decay rate q/(alpha+3), 1/s: free vibrations follow A' = -p A */
-    vm_real push;         /* force per mass F G/m that acts on the mean motion, with the sign of F */
+    vm_real push;         /* the force per mass, F G/m, that drives the mean motion; G is a field of vm_forced */
 } vmi_resonance;
 
-/* The fields of vmi_resonance for the oscillator f with the parameters n */
+/* Computes the quantities of vmi_resonance for the oscillator f with the parameters n. */
 VM_API vmi_resonance vmi_resonance_of(const vm_forced *f, const vmi_forced_parameters *n)
 {
     vmi_resonance z;
@@ -86,9 +87,9 @@ VM_API vm_steady_state vmi_resonance_state(const vmi_resonance *z, vm_real alpha
     return s;
 }
 
-/* The extrema of vmi_resonance_excess for alpha != 1, in ascending order: writes x = ln A of at most two and returns
-   how many there are. At an extremum det = 0, so that w solves 2 alpha w^2 - (3 alpha + 1) nu w + (alpha + 1)(nu^2 +
-   p^2) = 0. */
+/* The extrema of vmi_resonance_excess for alpha != 1. Writes x = ln A of at most two extrema, in ascending order, and
+   returns how many there are. At an extremum the field det of the vibration is 0, so that w solves 2 alpha w^2 - (3
+   alpha + 1) nu w + (alpha + 1)(nu^2 + p^2) = 0. */
 VM_API int vmi_resonance_turns(const vmi_resonance *z, vm_real alpha, vm_real x[2])
 {
     const vm_real bend = (alpha - 1) * z->nu, square = bend * bend - 8 * alpha * (alpha + 1) * z->p * z->p;
@@ -106,7 +107,7 @@ VM_API int vmi_resonance_turns(const vmi_resonance *z, vm_real alpha, vm_real x[
     return 2;
 }
 
-/* The steady amplitudes for alpha != 1, in ascending order: writes at most three and returns how many there are. The
+/* The steady amplitudes for alpha != 1. Writes at most three, in ascending order, and returns how many there are. The
    excess is monotonic below, between and above its extrema, so each of these intervals of x = ln A holds at most one
    zero. */
 VM_API int vmi_resonance_roots(vmi_resonance *z, vm_real alpha, vm_real A[3])
@@ -128,12 +129,12 @@ VM_API int vmi_resonance_roots(vmi_resonance *z, vm_real alpha, vm_real A[3])
     return found;
 }
 
-/* Steady vibrations of an excited oscillator: amplitudes, phases, stability.
-   All parameters are those at time t. Writes at most three vibrations to steady, the smallest amplitude first, and
-   returns how many there are, 0 where the force is 0, or a negative status. In the tests amplitudes are within 3e-14
-   (float 3e-5), relative, of solutions of the averaged equations. To get the response at all frequencies, call it for
-   each nu. Solutions far from w(A) = nu need not be near a motion, since the averaged equations hold near the
-   resonance. The negative statuses are those of vm_forced_rhs. */
+/* Steady vibrations of an excited oscillator: amplitudes, phases, stability. All parameters are those at time t. Writes
+   at most three vibrations to steady, the smallest amplitude first, and returns how many there are, 0 where the force
+   is 0, or a negative status. In the tests the relative error of amplitudes, compared with solutions of the averaged
+   equations, is at most 3e-14 (float 3e-5). To get the response at all frequencies, call the function for each nu.
+   Solutions far from w(A) = nu need not be near a motion, since the averaged equations hold near the resonance. The
+   negative statuses are those of vm_forced_rhs. */
 VM_API int vm_forced_steady_states(const vm_forced *f, vm_real t, vm_steady_state steady[3])
 {
     if (!f || !steady) return VM_BAD_ARGUMENT;
@@ -155,10 +156,10 @@ VM_API int vm_forced_steady_states(const vm_forced *f, vm_real t, vm_steady_stat
     return found;
 }
 
-/* Steady vibrations of a given amplitude A, m, at any frequency nu > 0: the amplitude-frequency curve, traced by A.
-   Writes at most two vibrations to curve, the lower frequency first, one on each side of the backbone w(A). Returns
-   how many there are, 0 where the force is too small for A, or a negative status: those of vm_forced_rhs, and
-   VM_DOMAIN also where A is not positive. Results that overflow are NaN. */
+/* Steady vibrations of a given amplitude A, m, at any frequency nu > 0: points of the amplitude-frequency curve. Writes
+   at most two vibrations to curve, the lower frequency first. They lie on both sides of the backbone, the curve nu =
+   w(A). Returns how many there are, 0 where the force is too small for A, or a negative status: those of vm_forced_rhs,
+   and VM_DOMAIN also where A is not positive. Results that overflow are NaN. */
 VM_API int vm_forced_curve(const vm_forced *f, vm_real t, vm_real A, vm_steady_state curve[2])
 {
     if (!f || !curve) return VM_BAD_ARGUMENT;
@@ -184,7 +185,7 @@ VM_API int vm_forced_curve(const vm_forced *f, vm_real t, vm_real A, vm_steady_s
     return found;
 }
 
-/* Largest amplitude of the amplitude-frequency curve, m: where the curve meets the backbone w(A) = nu. It is infinite
+/* Largest amplitude of the amplitude-frequency curve, m: where the curve meets the backbone nu = w(A). It is infinite
    without damping. The relative error is at most 1e-14 (float 2e-5). Returns NaN for a null pointer and where the
    parameters at time t are not in their domain. */
 VM_API vm_real vm_forced_peak(const vm_forced *f, vm_real t)
@@ -197,11 +198,11 @@ VM_API vm_real vm_forced_peak(const vm_forced *f, vm_real t)
     return vmi_pow_checked(VM_FABS(z.push / z.p) / z.w1, 2 / (f->alpha + 1));
 }
 
-/* Passage through the resonance: whether a slow drift leads to capture.
-   The drift is given by the rates of mass, stiffness and frequency at time t. amplitude, m, is used for alpha = 1
-   only, where the backbone has the same frequency for all amplitudes. On the backbone delta'' = -(gamma push/A)
-   sin(delta) - nu D, as for a pendulum under a torque, where gamma = (alpha - 1)/2, push = F G/m, and D is the
-   relative drift of w - nu; drift_ratio is the torque |nu D| over |gamma push/A|, the largest torque that the pendulum
+/* Passage through the resonance: whether a slow drift leads to capture. The drift is given by the rates of mass,
+   stiffness and frequency at time t. amplitude, m, is used for alpha = 1 only, where w is the same for all amplitudes.
+   Near w(A) = nu the averaged equations give delta'' = -(gamma push/A) sin(delta) - nu D, which is the equation of a
+   pendulum under a torque. Here gamma = (alpha - 1)/2, push = F G/m, and D is the rate at which ln(w/nu) would fall
+   without the force. drift_ratio is the torque |nu D| divided by |gamma push/A|, the largest torque that the pendulum
    can hold. The statuses are those of vm_forced_rhs; VM_DOMAIN also means that the force is 0 or that the amplitude is
    not positive and finite. An error leaves *passage as it was. */
 VM_API int vm_forced_passage(const vm_forced *f, vm_real t, vm_real amplitude, vm_passage *passage)

@@ -1,11 +1,11 @@
 /* oscillators/ripple.h - the ripple of ca^2 within a period, and its integrals over the Ateb phase
 
    Amplitude and phase of an oscillator whose mass or stiffness varies slowly swing a little about mean values. This
-   ripple is computed from five functions of the Ateb phase psi. With C = ca^2(psi) - <ca^2>, where < > is the mean over
-   a period, the other four functions are integrals over psi, each with the mean 0 and the period Pi_alpha:
+   ripple is computed from five functions of the Ateb phase psi. The first is C = ca^2(psi) - <ca^2>, where < > is the
+   mean over a period. The other four are integrals over psi, each with the mean 0 and the period Pi_alpha:
      S = integral of C,   S2 = integral of S,   S3 = integral of S2,   Q = integral of C^2 - <C^2>.
-   A vmi_ripple holds what is computed once for an alpha: two sets of four polynomials, and constants of the law of
-   order five (oscillators/expansion.h). It is plain data and may lie in flash.
+   A vmi_ripple holds what is computed once for an alpha: polynomials that approximate these integrals, and constants of
+   the law of order five (oscillators/expansion.h). It is plain data and may lie in flash memory.
        vmi_ripple r;
        vmi_ripple_values f;
        vm_real sa, ca;
@@ -14,10 +14,10 @@
        ateb_saca(VM_C(0.7), VM_C(1.5), &sa, &ca);
        vmi_ripple_at(&r, 5, VM_C(0.7), sa, ca, &f); // f.S, f.S2, f.S3, f.Q at psi = 0.7
 
-   Method: the integrals from a zero of ca are |ca|^3, |ca|^4 or |ca|^5 times a power series in w = |ca|^(alpha+1). The
-   integrals from a zero of sa are power series in y = sa^2, times sa or not. The first set is used for w < 1/2, the
-   second for y <= 1/2. On [0, 1/2] each power series is replaced by the first terms of its Chebyshev series: 15 terms
-   give 1e-12, 8 terms 1e-7, for every alpha.
+   Method: let w = |ca|^(alpha+1) and y = sa^2, so that w + y = 1. An integral from a zero of ca is |ca|^3, |ca|^4 or
+   |ca|^5 times a power series in w. An integral from a zero of sa is a power series in y, times a power of sa. The
+   first set of series is used for w < 1/2, the second for y <= 1/2. On [0, 1/2] each power series is replaced by the
+   first terms of its Chebyshev series: 15 terms give an error of 1e-12, 8 terms 1e-7, for every alpha.
    Tests: tests/test_slow_motion.c. */
 #ifndef VARMASS_OSCILLATORS_RIPPLE_H
 #define VARMASS_OSCILLATORS_RIPPLE_H
@@ -29,15 +29,17 @@
 #include "../base/scalars.h"
 #include "constant_mass.h"
 
-/* Numbers of terms: of each polynomial, of the Chebyshev series of a power w^i, and of the power series in w */
+/* Numbers of terms: TERMS in each polynomial, KEPT in the Chebyshev series of a power w^i, SERIES in the power series
+   in w or y */
 #if VM_MANT_DIG > 24
 enum { VMI_RIPPLE_TERMS = 15, VMI_RIPPLE_KEPT = 24, VMI_RIPPLE_SERIES = 56 };
 #else
 enum { VMI_RIPPLE_TERMS = 8, VMI_RIPPLE_KEPT = 13, VMI_RIPPLE_SERIES = 28 };
 #endif
 
-/* The polynomials of a set: for the integrals of ca^2 and of ca^4, and for the first and the second integral of the
-   integral of ca^2. All integrals begin at the nearest zero of ca, or of sa for the other set. */
+/* The four polynomials of a set. CA2 and CA4 give the integrals of ca^2 and of ca^4; FIRST gives the integral of the
+   integral of ca^2, and SECOND gives the integral of that. In one set all integrals begin at the nearest zero of ca, in
+   the other at the nearest zero of sa. */
 enum { VMI_RIPPLE_CA2, VMI_RIPPLE_CA4, VMI_RIPPLE_FIRST, VMI_RIPPLE_SECOND, VMI_RIPPLE_FUNCTIONS };
 
 /* Constants and polynomials for one alpha, prepared by vmi_ripple_init and vmi_ripple_complete */
@@ -49,7 +51,7 @@ typedef struct VM_TAG(vmi_ripple) {
     vm_real mean2, mean4;       /* the means of ca^2 and ca^4 */
     vm_real variance;           /* the mean of C^2, where C = ca^2 - mean2 */
     int has_polynomials;        /* 1 where the fields below are set, else 0 */
-    vm_real at_sa_0, at_ca_0;   /* values of S2 (second integral of C) at the phases with sa = 0 and with ca = 0 */
+    vm_real at_sa_0, at_ca_0;   /* values of S2 at the phases with sa = 0 and with ca = 0 */
     vm_real near_ca_0[VMI_RIPPLE_FUNCTIONS][VMI_RIPPLE_TERMS]; /* polynomials in 4 w - 1, w = |ca|^(alpha+1) */
     vm_real near_sa_0[VMI_RIPPLE_FUNCTIONS][VMI_RIPPLE_TERMS]; /* polynomials in 4 y - 1, where y = sa^2 */
 } vmi_ripple;
@@ -62,8 +64,8 @@ typedef struct VM_TAG(vmi_ripple_values) {
 
 /* -- Making the polynomials -- */
 
-/* Coefficients i of all power series. For example the integral of ca^2 from a zero of ca is |ca|^3 times the sum of
-   near_ca_0[VMI_RIPPLE_CA2] w^i over all i. */
+/* Coefficients with the same index i of all power series. For example the integral of ca^2 from a zero of ca is |ca|^3
+   times the sum of near_ca_0[VMI_RIPPLE_CA2] w^i over all i. */
 typedef struct VM_TAG(vmi_ripple_series) {
     vm_real root;                 /* coefficient i of the power series of (1-w)^(-1/2) */
     vm_real power2, power3, power4; /* coefficients i of (1-y)^((j-alpha)/(alpha+1)) for j = 2, 3, 4 */
@@ -72,16 +74,16 @@ typedef struct VM_TAG(vmi_ripple_series) {
     vm_real near_ca_0[VMI_RIPPLE_FUNCTIONS], near_sa_0[VMI_RIPPLE_FUNCTIONS];
 } vmi_ripple_series;
 
-/* Coefficient i of the power series of (1-y)^exponent, where `before` is coefficient i - 1 */
+/* Coefficient i of the power series of (1-y)^exponent in y. `before` is coefficient i - 1. */
 VM_API vm_real vmi_binomial_next(vm_real before, int i, vm_real exponent)
 {
     if (i == 0) return 1;
     return before * ((vm_real)(i - 1) - exponent) / (vm_real)i;
 }
 
-/* Replaces the coefficients i - 1 of all power series by the coefficients i; for i = 0 all must be 0 before. Let D be
-   the first and E the second integral of the integral of ca^2. The differential equations D'' = ca^2 and E'' = integral
-   of ca^2, with derivatives by the phase, give each coefficient of D and E from the one before. */
+/* Replaces the coefficients i - 1 of all power series by the coefficients i; for i = 0 all must be 0 before. Method:
+   let I be the integral of ca^2 over the phase from a zero of ca or sa, D the integral of I, and E the integral of D.
+   The differential equations D'' = ca^2 and E'' = I give each coefficient of D and E from the one before. */
 VM_API void vmi_ripple_next_terms(vmi_ripple_series *s, int i, vm_real alpha)
 {
     const vm_real n = alpha + 1, nu = 2 * alpha / n, k = (vm_real)(2 * i);
@@ -105,7 +107,8 @@ VM_API void vmi_ripple_next_terms(vmi_ripple_series *s, int i, vm_real alpha)
     turn[VMI_RIPPLE_SECOND] = (turn[VMI_RIPPLE_SECOND] * (k + 1) * (k + nu) + s->product) / ((k + 3) * (k + 2));
 }
 
-/* Multiplies the Chebyshev series sum c_k T_k(z) by w = (1 + z)/4, with z T_k = (T_(k+1) + T_(k-1))/2 */
+/* Multiplies the Chebyshev series sum of c[k] T_k(z) by w = (1 + z)/4, where T_k is Chebyshev's polynomial and z T_k =
+   (T_(k+1) + T_(k-1))/2. */
 VM_API void vmi_chebyshev_times_w(vm_real *c)
 {
     const int last = VMI_RIPPLE_KEPT - 1;
@@ -121,7 +124,7 @@ VM_API void vmi_chebyshev_times_w(vm_real *c)
     c[0] = first / 4;
 }
 
-/* Turns a Chebyshev series into a polynomial in powers of z, by T_k = 2 z T_(k-1) - T_(k-2) */
+/* Turns a Chebyshev series into a polynomial in powers of z, by the recurrence T_k = 2 z T_(k-1) - T_(k-2). */
 VM_API void vmi_chebyshev_to_powers(vm_real *c)
 {
     int j, k;
@@ -131,7 +134,8 @@ VM_API void vmi_chebyshev_to_powers(vm_real *c)
     }
 }
 
-/* Makes all eight polynomials: adds up the power series, with each power w^i replaced by its Chebyshev series. */
+/* Makes all eight polynomials, four in each set. It adds up the power series, with each power w^i or y^i replaced by
+   its Chebyshev series. */
 VMI_APART void vmi_ripple_make_polynomials(vmi_ripple *r)
 {
     vm_real w_power[VMI_RIPPLE_KEPT]; /* coefficients of the Chebyshev series of w^i */
@@ -176,19 +180,20 @@ VM_API vm_real vmi_ripple_polynomial(const vm_real *c, vm_real z)
 
 /* Integrals over the phase from the nearest zero of ca (or of sa) to a given phase */
 typedef struct VM_TAG(vmi_ripple_integrals) {
-    vm_real ca2, ca4, first, second; /* integrals of ca^2 and ca^4; first and second integral of ca2 */
+    vm_real ca2, ca4, first, second; /* integrals of ca^2 and ca^4; the integral of ca2, and the integral of this */
 } vmi_ripple_integrals;
 
-/* A phase between a zero of ca or sa and the joint at sa^2 = 1/2, and what the integrals from this zero need there */
+/* A phase between a zero of ca or sa and the phase where sa^2 = 1/2, at which both sets of polynomials meet; and the
+   numbers from which the integrals from the zero to this phase follow */
 typedef struct VM_TAG(vmi_ripple_place) {
     const vm_real (*polynomial)[VMI_RIPPLE_TERMS]; /* near_ca_0 or near_sa_0 */
     vm_real z;        /* variable of the polynomials */
     vm_real x;        /* |ca| or |sa| */
-    vm_real power2;   /* factor of the integral of ca^2 */
-    vm_real power4;   /* factor of the integral of ca^4 */
+    vm_real power2;   /* the integral of ca^2 is this power of x times its polynomial */
+    vm_real power4;   /* the integral of ca^4 is this power of x times its polynomial */
 } vmi_ripple_place;
 
-/* The place where |ca| = x and sa^2 = y >= 1/2 */
+/* The place near a zero of ca where |ca| = x and sa^2 = y >= 1/2 */
 VM_API vmi_ripple_place vmi_ripple_near_ca_0(const vmi_ripple *r, vm_real x, vm_real y)
 {
     vmi_ripple_place at;
@@ -200,7 +205,7 @@ VM_API vmi_ripple_place vmi_ripple_near_ca_0(const vmi_ripple *r, vm_real x, vm_
     return at;
 }
 
-/* The place where |sa| = u and sa^2 = y <= 1/2 */
+/* The place near a zero of sa where |sa| = u and sa^2 = y <= 1/2 */
 VM_API vmi_ripple_place vmi_ripple_near_sa_0(const vmi_ripple *r, vm_real u, vm_real y)
 {
     vmi_ripple_place at;
@@ -212,7 +217,8 @@ VM_API vmi_ripple_place vmi_ripple_near_sa_0(const vmi_ripple *r, vm_real u, vm_
     return at;
 }
 
-/* The integrals from the zero to the place. Those that the law of this order, 2 to 5, does not need are 0. */
+/* The integrals from the zero to the place. Integrals that the law of this order, 2 to 5, does not need are set to
+   0. */
 VM_API vmi_ripple_integrals vmi_ripple_integrals_at(const vmi_ripple_place *at, int order)
 {
     const vm_real once = at->power2 * at->x;
@@ -229,8 +235,8 @@ VM_API vmi_ripple_integrals vmi_ripple_integrals_at(const vmi_ripple_place *at, 
 
 /* -- Preparing an alpha, and the functions -- */
 
-/* Prepares alpha >= 0 without the polynomials: only C can be computed, not S, S2, S3 and Q. constants is the function
-   that computes Pi_alpha. */
+/* Prepares the ripple for an alpha >= 0, without the polynomials. Of the five functions only C can be computed from it.
+   `constants` is the function that computes Pi_alpha. */
 VM_API void vmi_ripple_init(vmi_ripple *r, vm_real alpha, vmi_ateb_constants_of constants)
 {
     vmi_ateb c;
@@ -268,11 +274,12 @@ VM_API void vmi_ripple_complete(vmi_ripple *r)
 }
 
 /* Writes the functions of the ripple at the phase psi, where sa and ca are the Ateb functions of psi. order, 2 to 5, is
-   that of the law that needs them; above 2 the polynomials must have been made. */
+   the order of the law that needs them; above 2 vmi_ripple_complete must have made the polynomials. */
 VM_API void vmi_ripple_at(const vmi_ripple *r, int order, vm_real psi, vm_real sa, vm_real ca, vmi_ripple_values *f)
 {
     const vm_real m = r->mean2, y = sa * sa, from_sa_0 = psi - r->pi * VM_FLOOR(psi / r->pi + VM_C(0.5));
-    vm_real side = VM_COPYSIGN(1, from_sa_0), way = VM_FABS(from_sa_0), S2_at_0 = r->at_sa_0; /* way: from the zero */
+    vm_real side = VM_COPYSIGN(1, from_sa_0), way = VM_FABS(from_sa_0), S2_at_0 = r->at_sa_0; /* way: phase since the
+                                                                                                 zero */
     vmi_ripple_place place;
     vmi_ripple_integrals d;
     f->sa = sa;

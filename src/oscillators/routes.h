@@ -30,8 +30,8 @@
    difference of the two runs gives the error. With F the averaged equations of the first three routes are integrated,
    too, and the laws of orders 2 to 5 do not exist. docs/cost.md has the times.
 
-   Choice. vm_osc_within takes the first of these seven solutions that is within the tolerance. Where none is, or where
-   F is given, it integrates by collocation, and where amplitude and phase do not describe the motion by rk87.
+   Choice. vm_osc_within takes the first of these seven solutions whose estimate is within the tolerance. Where none is,
+   or where F is given, it integrates: by collocation if amplitude and phase describe the motion, otherwise by rk87.
 
    What the estimate of an averaged solution covers:
      - the terms that the solution leaves out, the error of cos and cn in place of ca, and rounding errors of the phase;
@@ -41,12 +41,12 @@
        shortest panel, so that no step skips the change.
    What the estimate of averaged equations with F covers:
      - the error of their integration, and the error of cos and cn in place of ca;
-     - what averaging leaves out: the ripple within a period, its effect at the start, and terms of second order in it;
+     - what averaging leaves out: the ripple within a period, its effect at the start, and second-order terms of it;
      - a force that changes within a period, as in a resonance. For this the estimate calls F over a period at the start
        and over periods at eight later times, so it misses a force that acts only for a short time between them.
 
    How good the estimate is. tests/test_routes.c compares it with the true error of random problems with alpha from
-   1/8 to 8, a rate q from 2e-3 to 0.1, and t from 1/q to 3/q. In double its bounds are, for
+   1/8 to 8, a rate q of the laws from 2e-3 to 0.1, and t from 1/q to 3/q. In double the test demands as bounds, for
      the share of problems whose true error is above 3 times the estimate: 1 % by vm_osc_within, 4 % by rk87, else 2 %,
      the largest ratio of true error to estimate: 30 by rk87, 40 by rk45, else 10,
      the median ratio of estimate to true error: 45 by collocation, 25 by rk87, 13 by rk45, 15 by orders 4 and 5 and for
@@ -96,7 +96,7 @@ typedef struct VM_TAG(vmi_osc_route) {
     vmi_osc_integration integrate; /* the integration, or null if there is none */
 } vmi_osc_route;
 
-/* Makes the table entry of a route from its name, closed form and integration. */
+/* Makes the entry of a route in the table of routes. solution or integrate may be null. */
 VM_API vmi_osc_route vmi_osc_route_by(const char *name, vmi_osc_solution solution, vmi_osc_integration integrate)
 {
     vmi_osc_route route;

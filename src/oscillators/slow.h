@@ -7,9 +7,9 @@
 
        vm_real A = 3 * vm_osc_amplitude_law(VM_C(0.5), 0, 1, 3); // cubic spring, half of the mass gone, A was 3
 
-   Symbols of these chapters: A amplitude, psi Ateb phase, Om = psi' its rate, m mass, k stiffness, b damping,
-   r = reactive, q the rate at which mass, damping and stiffness change the vibration (vmi_slow_q). Averaging needs q
-   much smaller than Om.
+   Symbols of these chapters: A amplitude, psi Ateb phase, Om = psi' its rate, m mass, k stiffness, b damping, r the
+   argument `reactive`, q the rate at which mass, damping and stiffness change the vibration (vmi_slow_q). Averaging
+   needs q much smaller than Om.
    Tests: tests/test_averaging.c, tests/test_constant_mass.c. */
 #ifndef VARMASS_OSCILLATORS_SLOW_H
 #define VARMASS_OSCILLATORS_SLOW_H
@@ -28,7 +28,7 @@ VM_API int vmi_osc_law_is_in_domain(vm_real mass_ratio, vm_real decay, vm_real r
            VM_IS_FINITE(reactive) && VM_IS_FINITE(alpha);
 }
 
-/* Amplitude over its first value, A/A0, of an oscillator whose mass varies slowly.
+/* Ratio A/A0 of the amplitude to its first value, of an oscillator whose mass varies slowly.
    The law, (325), (344), (367), (389) corrected, is
      A/A0 = (m0/m)^((2r-1)/(alpha+3)) exp(-2 decay/(alpha+3)).
    Averaging with ca, with cos and with cn gives this law, if the sign in (335) is corrected. It holds to first order in
@@ -42,17 +42,17 @@ VM_API vm_real vm_osc_amplitude_law(vm_real mass_ratio, vm_real decay, vm_real r
     return vmi_pow_checked(mass_ratio, (1 - 2 * reactive) / (alpha + 3)) * vmi_exp(-2 * decay / (alpha + 3), 0);
 }
 
-/* Largest velocity over its first value, of an oscillator whose mass varies slowly. It follows from the amplitude A
-   by x'_max = sqrt(2 k A^(alpha+1)/((alpha+1) m)): (326), (364), (395) corrected. The arguments and the results
-   outside the domain are those of vm_osc_amplitude_law. */
+/* Ratio of the largest velocity to its first value, of an oscillator whose mass varies slowly. It follows from the
+   amplitude A by x'_max = sqrt(2 k A^(alpha+1)/((alpha+1) m)): (326), (364), (395) corrected. The arguments and the
+   results outside the domain are those of vm_osc_amplitude_law. */
 VM_API vm_real vm_osc_velocity_law(vm_real mass_ratio, vm_real decay, vm_real reactive, vm_real alpha)
 {
-    const vm_real share = (alpha + 1) / (alpha + 3); /* (alpha+1)/2, the power of A, times 2/(alpha+3) */
+    const vm_real share = (alpha + 1) / (alpha + 3); /* (alpha+1)/2, the exponent of A in x'_max, times 2/(alpha+3) */
     if (!vmi_osc_law_is_in_domain(mass_ratio, decay, reactive, alpha)) return VM_NAN;
     return vmi_pow_checked(mass_ratio, (share * (1 - 2 * reactive) - 1) / 2) * vmi_exp(-share * decay, 0);
 }
 
-/* A linear mass m0 + rate t, from the time 0 to t */
+/* The linear mass m0 + rate time, between the times 0 and t */
 typedef struct VM_TAG(vmi_linear_mass) {
     vm_real m0, m, rate; /* mass at 0 and mass at t, kg; rate of the mass, kg/s */
     vm_real ln_ratio;    /* ln(m/m0) */
@@ -60,9 +60,9 @@ typedef struct VM_TAG(vmi_linear_mass) {
 } vmi_linear_mass;
 
 /* Writes the linear mass that a law describes between 0 and t, which closed forms need. Returns VM_NO_LAW where the law
-   is neither linear nor constant (vmi_law_exponential_form does not give rate = base), VM_BAD_MASS where the mass is
-   not positive at 0 or at t, VM_BAD_ARGUMENT where no constructor made the law, and VM_NOT_FINITE for a number that is
-   infinite or NaN. */
+   is neither linear nor constant; vmi_law_exponential_form then fails or gives a rate that differs from the base.
+   Returns VM_BAD_MASS where the mass is not positive at 0 or at t, VM_BAD_ARGUMENT where no constructor made the law,
+   and VM_NOT_FINITE for a number that is infinite or NaN. */
 VM_API int vmi_linear_mass_of(const vm_law *law, vm_real t, vmi_linear_mass *linear)
 {
     vm_real growth, mean, base, rate;
@@ -86,8 +86,8 @@ VM_API vm_real vmi_slow_drag(vm_real reactive, vm_real mass_rate, vm_real dampin
     return (2 * reactive - 1) * mass_rate + 2 * damping;
 }
 
-/* q = drag/m + k'/k, 1/s: the rate at which mass, damping and stiffness change the vibration, where drag = (2r - 1)
-   m' + 2 b. The mean amplitude follows A' = -q A/(alpha + 3). */
+/* q = drag/m + k'/k, 1/s, the rate at which mass, damping and stiffness change the vibration. drag is the result of
+   vmi_slow_drag. The mean amplitude follows A' = -q A/(alpha + 3). */
 VM_API vm_real vmi_slow_q(vm_real drag, vm_real mass, vm_real k, vm_real k_rate) { return drag / mass + k_rate / k; }
 
 /* Om, the rate of the Ateb phase at the amplitude A, 1/s; 0 at rest, where the formula may give infinity */

@@ -2,8 +2,8 @@
 
    The equation is (404), with the mass m(t) and a spring of any exponent alpha:
        m x'' + k x|x|^(alpha-1) = (feed - c x^2) x' - r m' x'
-   feed > 0 feeds the vibration and c > 0 limits it, so that it tends to a limit cycle. r (`reactive`) is 1 where mass
-   that joins or leaves is at rest, 0 where it has the body's velocity. This file has the equation of motion, the
+   If feed > 0 feeds the vibration and c > 0 limits it, the vibration tends to a limit cycle. r (`reactive`) is 1 where
+   mass that joins or leaves is at rest, 0 where it has the body's velocity. This file has the equation of motion, the
    averaged equations (410), the amplitude in closed form for a linear mass, and the amplitude of the limit cycle: (403)
    to (440), as corrected in docs/errata.md.
 
@@ -52,8 +52,8 @@ typedef struct VM_TAG(vm_vdp) {
     vm_real a1, a2, a3; /* mean values of (410), pure numbers; vm_vdp_init writes them */
 } vm_vdp;
 
-/* Writes the mean values a1, a2, a3 for the oscillator's method. For VM_VDP_JACOBI, a1 of (411) is simplified
-   by (1 - m) + m C4 = 2 a2, where m is the parameter of cn and C4 the mean of cn^4. */
+/* Writes the mean values a1, a2, a3 of (410) for the oscillator's method. For VM_VDP_JACOBI the expression for a1 in
+   (411) is simplified by (1 - m) + m C4 = 2 a2, where m is the parameter of cn and C4 the mean of cn^4. */
 VM_API void vmi_vdp_means(vm_vdp *v)
 {
     v->a1 = 1;
@@ -102,8 +102,9 @@ VM_API vm_real vmi_vdp_drive(const vm_vdp *v, vm_real mass_rate)
     return -vmi_slow_drag(v->reactive, mass_rate, -v->feed);
 }
 
-/* The growth a1 m A'/A at the amplitude A, N s/m: the averages of Van der Pol's term and of the reactive force (410),
-   with the mass m. The growth is 0 on the limit cycle. vm_vdp_amplitude is the solution of A' = A growth(A)/(a1 m). */
+/* The growth a1 m A'/A at the amplitude A, N s/m, where m is the mass. It is the sum of the averages of Van der Pol's
+   term and of the reactive force (410), and is 0 on the limit cycle. vm_vdp_amplitude is the solution of A' = A
+   growth(A)/(a1 m). */
 VM_API vm_real vmi_vdp_growth(const vm_vdp *v, vm_real mass_rate, vm_real A)
 {
     return vmi_vdp_drive(v, mass_rate) * v->a2 / 2 - v->c * A * A * v->a3;
@@ -117,8 +118,8 @@ VM_API int vmi_vdp_has_closed_forms(const vm_vdp *v) { return v->a1 > 0; }
    (431)-(435), (437), as corrected, and has no singularity where terms cancel. The error is that of averaging (see
    `method`) and that of rounding, which tests bound by 12 eps. Returns NaN for a null pointer, an oscillator that is
    not prepared, infinite arguments, a mass that is not positive at 0 or at t, and a mass that is neither linear nor
-   constant (integrate vm_vdp_averaged_rhs instead); with c < 0 also from the time on at which the amplitude becomes
-   infinite. Method: the solution of (416) is
+   constant (integrate vm_vdp_averaged_rhs instead). For c < 0 it also returns NaN from the time at which the amplitude
+   becomes infinite. Method: the solution of (416) is
      1/A^2 = e^-F (1/first_A^2 + 2 c a3/a1 times the integral of e^F dt/m),  F = drive a2/a1 times the integral of dt/m,
    where drive = 2 feed - (2r - 1) m'. For a linear mass F is proportional to the integral of dt/m, hence the integral
    of e^F dt/m is (e^F - 1)/F times the integral of dt/m. The code uses e^-|F| and divides by the larger of the two
@@ -188,12 +189,11 @@ VM_API int vm_vdp_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *vdp)
     return VM_OK;
 }
 
-/* Averaged equations (410) of a Van der Pol oscillator, for rk45 or rk87.
-   The mass M may follow any slow law. y = (A, psi) holds the mean amplitude A in metres and the Ateb phase psi:
-   x = A ca(psi), and |x| = A at the turning points. vdp points to a prepared vm_vdp with the fields feed and c. For the
-   method VM_VDP_ATEB and a start from rest, let e be the largest of feed, c A^2 and M', divided by M psi'. Then, up to
-   the time M/feed, the relative error of A is of the order of e^2, and the error of psi of the order of e. The statuses
-   are those of vm_vdp_rhs. */
+/* Averaged equations (410) of a Van der Pol oscillator, for rk45 or rk87. The mass m may follow any slow law. y = (A,
+   psi) holds the mean amplitude A, in metres, and the Ateb phase psi: x = A ca(psi), and |x| = A at the turning points.
+   vdp points to a prepared vm_vdp with the fields feed and c. For the method VM_VDP_ATEB and a start from rest, let e
+   be the largest of feed, c A^2 and m', divided by m psi'. Then, up to the time m/feed, the relative error of A is of
+   the order of e^2, and the error of psi of the order of e. The statuses are those of vm_vdp_rhs. */
 VM_API int vm_vdp_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *vdp)
 {
     if (!y || !dydt || !vdp) return VM_BAD_ARGUMENT;

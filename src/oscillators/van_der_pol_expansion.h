@@ -7,15 +7,15 @@
    with n = alpha + 1. W is the rate of the phase at the amplitude A for constant mass. Let epsilon be the relative
    change of the vibration within a radian. The disturbances are the numbers
      e = (c/m) A^2/W,  e1 = e nu/W,  Q0 = e p/W,  E0 = (p^2 - a p - p')/W^2,  nu = -m'/m - 4 p + a;
-   e is of the order epsilon, the other three are of the order epsilon^2. With feed and m' alone, only E0 is left.
+   e is of the order epsilon; e1, Q0 and E0 are of the order epsilon^2. With feed and m' alone, only E0 is left.
 
    A transformation leads from A and psi to mean values, whose rates have no ripple within a period. Let J be
    A^((alpha+3)/2) times a slow factor, so that a constant J means that only -p changes A. Then the mean values obey
      (ln J)' = W [F e + K_3 e^3 + K_1 e e1 + K_Q e Q0 + K_E e E0],
      psi'    = W [1 + K_2 e^2 - (n/2) <ca^4> Q0 + (n/2) <ca^2> E0],
-   where < > is the mean over a period. This file has the constants of these equations, and the transformation in both
-   directions. The motion that follows has an error of O(epsilon^3) over times of 1/epsilon. The law is new;
-   docs/van-der-pol.md has what it was measured at.
+   where < > is the mean over a period. F and the K are constants for each alpha. This file has these constants, and the
+   transformation in both directions. The motion that follows has an error of O(epsilon^3) over times of 1/epsilon. The
+   law is new; docs/van-der-pol.md has what it was measured at.
        vmi_ripple r;
        vmi_vdp_ripple v;
        vmi_ripple_init(&r, 1, vmi_ateb_constants);
@@ -31,12 +31,13 @@
 #include "constant_mass.h"
 #include "ripple.h"
 
-/* The polynomials that this law needs beyond those of oscillators/ripple.h. From a zero of sa: the integrals over the
-   phase of ca^6, and of the square of S, the integral of C = ca^2 - <ca^2>. */
+/* The polynomials that this law needs beyond those of oscillators/ripple.h, for phases near a zero of sa. CA6 gives the
+   integral over the phase of ca^6. SQUARE gives the integral of S^2, where S is the integral of C = ca^2 - <ca^2>. */
 enum { VMI_VDP_CA6, VMI_VDP_SQUARE, VMI_VDP_TURN_FUNCTIONS };
 
-/* From a zero of ca: the integral of ca^6, and three parts of the integral of the square of S. The first is the square
-   of the phase itself, the last the square of the integral of ca^2, the middle one their product. */
+/* The polynomials for phases near a zero of ca. CA6 gives the integral of ca^6. The others give three parts of the
+   integral of S^2: S is I - <ca^2> d with the integral I of ca^2 and the phase d since the zero, so S^2 has terms in
+   d^2 (PHASE2), I d (PRODUCT) and I^2 (INTEGRAL2). */
 enum { VMI_VDP_PHASE2 = 1, VMI_VDP_PRODUCT, VMI_VDP_INTEGRAL2, VMI_VDP_ZERO_FUNCTIONS };
 
 /* Constants and polynomials of the law for one alpha, prepared by vmi_vdp_ripple_init. The names of the constants are
@@ -46,7 +47,8 @@ typedef struct VM_TAG(vmi_vdp_ripple) {
     vm_real mean6, mean8;    /* <ca^6>, <ca^8> */
     vm_real mean_square;     /* the mean of S^2, where S is the integral of ca^2 - <ca^2> */
     vm_real F, K2, K3, K1, KQ, KE;
-    vm_real constant;        /* the part of the transformation of ln J that does not depend on the phase, over e^2 */
+    vm_real constant;        /* the part of the transformation of ln J that does not depend on the phase, divided by
+                                e^2 */
     vm_real near_ca_0[VMI_VDP_ZERO_FUNCTIONS][VMI_RIPPLE_TERMS]; /* polynomials in 4 w - 1, w = |ca|^(alpha+1) */
     vm_real near_sa_0[VMI_VDP_TURN_FUNCTIONS][VMI_RIPPLE_TERMS]; /* polynomials in 4 y - 1, where y = sa^2 */
 } vmi_vdp_ripple;
@@ -79,7 +81,7 @@ VM_API void vmi_vdp_binomial(vm_real exponent, vm_real *series)
     }
 }
 
-/* Turns a power series on [0, 1/2] into a polynomial in 4 w - 1 that differs from it by about rounding errors. */
+/* Turns a power series in w on [0, 1/2] into a polynomial in 4 w - 1 that differs from it by about rounding errors. */
 VM_API void vmi_vdp_economise(const vm_real *series, vm_real *polynomial)
 {
     vm_real w_power[VMI_RIPPLE_KEPT]; /* coefficients of the Chebyshev series of w^i */
@@ -114,8 +116,9 @@ VM_API void vmi_vdp_make_near_sa_0(vmi_vdp_ripple *v, const vmi_ripple *r)
     vmi_vdp_economise(power, v->near_sa_0[VMI_VDP_SQUARE]);
 }
 
-/* Makes one of the polynomials of the integral of S^2 close to a zero of ca, from the power series of the two factors
-   of which the product is integrated, and of dpsi/dx. x_power is the power of x = |ca| before the polynomial. */
+/* Makes one of the polynomials for the integral of S^2 close to a zero of ca. The integrand is a product: f, g and
+   slope are the power series of its two factors and of dpsi/dx. x_power is the power of x = |ca| that multiplies the
+   polynomial. */
 VM_API void vmi_vdp_make_part(const vm_real *f, const vm_real *g, const vm_real *slope, vm_real x_power, vm_real n,
                               vm_real *polynomial)
 {
@@ -223,12 +226,12 @@ VM_API void vmi_vdp_ripple_init(vmi_vdp_ripple *v, const vmi_ripple *r)
 
 /* -- The functions of the transformation -- */
 
-/* Functions of the phase in the transformation. U belongs to e, U1 to e1; P1 is the shift of the phase over e. */
+/* Functions of the phase in the transformation. Each is the factor of a disturbance that is named beside it. */
 typedef struct VM_TAG(vmi_vdp_values) {
     vmi_ripple_values f;
     vm_real C4;         /* ca^4 - <ca^4> */
-    vm_real U, U1, P1;  /* terms of ln J that belong to e and e1, and the term of the phase that belongs to e */
-    vm_real X;          /* a term of ln J that belongs to e^2 */
+    vm_real U, U1, P1;  /* factors in ln J of e and of e1, and factor in the phase of e */
+    vm_real X;          /* part of the factor in ln J of e^2 */
 } vmi_vdp_values;
 
 /* Writes the functions of the transformation at the phase psi, where sa and ca are the Ateb functions of psi. */
@@ -247,7 +250,7 @@ VM_API void vmi_vdp_values_at(const vmi_vdp_ripple *v, const vmi_ripple *r, vm_r
 /* -- From the motion to the mean motion -- */
 
 /* Returns ln(mean J/J) with all terms up to order epsilon^2, and at phases where sa or ca is 0 up to epsilon^3. *f
-   belongs to the phase, *now to the amplitude. */
+   holds the functions at the phase, *now the disturbances at the amplitude. */
 VM_API vm_real vmi_vdp_J(const vmi_vdp_ripple *v, const vmi_ripple *r, const vmi_vdp_values *f,
                          const vmi_vdp_disturbance *now)
 {
@@ -262,7 +265,7 @@ VM_API vm_real vmi_vdp_psi(const vmi_vdp_values *f, const vmi_vdp_disturbance *n
 
 /* -- From the mean motion to the motion -- */
 
-/* Returns the part of order epsilon^2 of ln(J/mean J). *f belongs to the mean phase. */
+/* Returns the part of order epsilon^2 of ln(J/mean J). *f holds the functions at the mean phase. */
 VM_API vm_real vmi_vdp_J_back_second(const vmi_vdp_ripple *v, const vmi_ripple *r, const vmi_vdp_values *f,
                                      const vmi_vdp_disturbance *now)
 {
@@ -272,7 +275,8 @@ VM_API vm_real vmi_vdp_J_back_second(const vmi_vdp_ripple *v, const vmi_ripple *
     return now->e * now->e * square + now->e1 * f->U1 + half / 2 * now->Q0 * f->C4 - half * now->E0 * f->f.C;
 }
 
-/* Returns the part of order epsilon^2 of the phase minus the mean phase psi, to which *f belongs. */
+/* Returns the part of order epsilon^2 of the difference phase - mean phase. *f holds the functions at the mean phase
+   psi. */
 VM_API vm_real vmi_vdp_psi_back_second(const vmi_vdp_ripple *v, const vmi_ripple *r, vm_real psi,
                                        const vmi_vdp_values *f, const vmi_vdp_disturbance *now)
 {
@@ -294,13 +298,14 @@ VM_API vm_real vmi_vdp_psi_back_second(const vmi_vdp_ripple *v, const vmi_ripple
 
 /* -- The mean motion -- */
 
-/* The rate of ln J over W e, without its first term F: the terms of order epsilon^2 in the brackets of (ln J)' */
+/* The rate of ln J divided by W e, without its first term F. These are the terms of order epsilon^2 in the equation of
+   (ln J)' at the top of this file. */
 VM_API vm_real vmi_vdp_mean_second(const vmi_vdp_ripple *v, const vmi_vdp_disturbance *now)
 {
     return v->K3 * now->e * now->e + v->K1 * now->e1 + v->KQ * now->Q0 + v->KE * now->E0;
 }
 
-/* The mean rate of the phase over W, up to order epsilon^3 */
+/* The mean rate of the phase divided by W, up to order epsilon^3 */
 VM_API vm_real vmi_vdp_mean_rate(const vmi_vdp_ripple *v, const vmi_ripple *r, const vmi_vdp_disturbance *now)
 {
     const vm_real n = r->alpha + 1;
@@ -309,12 +314,12 @@ VM_API vm_real vmi_vdp_mean_rate(const vmi_vdp_ripple *v, const vmi_ripple *r, c
 
 /* -- Sizes of the terms, for estimates of errors -- */
 
-/* Bounds of what order two leaves out, for one time: of the phase and of ln J by the transformation back from the mean
-   motion, and of ln J by the transformation to the mean motion. */
+/* Bounds of what order two leaves out at one time: of the phase and of ln J by the transformation back from the mean
+   motion, and of ln J by the transformation to the mean motion */
 typedef struct VM_TAG(vmi_vdp_sizes) {
-    vm_real psi, J; /* terms of order epsilon^2 of the way back */
-    vm_real start;  /* terms of order epsilon^3 of ln J on the way to the mean motion */
-    vm_real ratio;  /* about the ratio of terms of one order to those of the order before */
+    vm_real psi, J; /* terms of order epsilon^2 of the transformation back */
+    vm_real start;  /* terms of order epsilon^3 of ln J in the transformation to the mean motion */
+    vm_real ratio;  /* about the ratio of the terms of one order to the terms of the order before */
 } vmi_vdp_sizes;
 
 /* The sizes where the disturbances are *now. rate is (|nu| + |p| + |a|)/W, see the top of this file. The factors are

@@ -2,7 +2,7 @@
 
    Five routes lead from x and x' at t = 0 to x and x' at any t: the law of oscillators/van_der_pol_expansion.h, cut off
    after order one, two or three, and two integrations. Their names are those of oscillators/problem.h:
-     VM_ROUTE_ATEB           first order, from the start that the law of order three has; errors are O(epsilon)
+     VM_ROUTE_ATEB           order one, but with the start of order three; errors are O(epsilon)
      VM_ROUTE_ORDER2         order two; errors are O(epsilon^2)
      VM_ROUTE_ORDER3         the whole law; errors are O(epsilon^3)
      VM_ROUTE_COLLOCATION    integration from each zero of x or x' to the next, to a tolerance
@@ -50,10 +50,10 @@ VM_API int vmi_vdp_order_of(int route)
     }
 }
 
-/* Estimates the error of order three, and writes that of order two. Both are sums of the terms that the order leaves
-   out: in the transformations at the start and at t, and in the mean motion, where errors of ln J at the start grow
-   with the phase. Fast changes of the mass and rounding errors are added. The factor 2 fits the errors that
-   tests/test_van_der_pol_law.c finds. */
+/* Estimates the error of order three, and writes that of order two to *second. Each is the sum of the terms that the
+   order leaves out: in the transformations at the start and at t, and in the mean motion, where errors of ln J at the
+   start grow with the phase. Fast changes of the mass and rounding errors are added. A factor of 2 is included, which
+   fits the errors that tests/test_van_der_pol_law.c finds. */
 VM_API vm_real vmi_vdp_error(const vm_vdp_plan *p, const vmi_vdp_mean *mean, vm_real *second)
 {
     const vmi_ripple *r = &p->osc.ripple;
@@ -161,7 +161,7 @@ VM_API int vm_vdp_plan_by_route(const vm_vdp_plan *p, int route, vm_real t, vm_r
    VM_TOLERANCE_MISSED where there is none, and leaves *motion untouched. */
 VM_API int vmi_vdp_law_within(const vm_vdp_plan *p, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
-    const vm_real reserve = VM_C(1.5); /* as for the oscillator without feed, see vmi_osc_averaged_within */
+    const vm_real reserve = VM_C(1.5); /* the same reserve as in vmi_osc_averaged_within */
     vmi_vdp_mean mean;
     vm_osc_motion result;
     int route;
@@ -175,10 +175,10 @@ VM_API int vmi_vdp_law_within(const vm_vdp_plan *p, vm_real t, vm_real tolerance
     return VM_TOLERANCE_MISSED;
 }
 
-/* Motion x(t), x'(t) of a Van der Pol oscillator within a tolerance, from a plan.
-   t is in seconds, of either sign. It takes the first of order one, two and three whose error is estimated to be within
-   the tolerance, and else integrates; motion->route says which. The tolerance is relative, for the larger of |error of
-   x|/A and |error of v|/vmax; 0 means 1e-6 (float 1e-3). The statuses are those of vm_vdp_plan_by_route. */
+/* Motion x(t), x'(t) of a Van der Pol oscillator within a tolerance, from a plan. t is in seconds, of either sign. The
+   call takes the first of the orders one, two and three whose error is estimated to be within the tolerance, and
+   integrates if there is none; motion->route says which route it took. The tolerance is relative, for the larger of
+   |error of x|/A and |error of v|/vmax; 0 means 1e-6 (float 1e-3). The statuses are those of vm_vdp_plan_by_route. */
 VM_API int vm_vdp_plan_within(const vm_vdp_plan *p, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
     int status = vmi_vdp_check_call(p, t, &tolerance, motion);
@@ -208,13 +208,14 @@ VM_API int vm_vdp_within(const vm_vdp *v, vm_real x, vm_real x_rate, vm_real t, 
 typedef struct VM_TAG(vm_vdp_cycle) {
     vm_real largest_x; /* the largest position, m */
     vm_real period;    /* s */
-    vm_real epsilon;   /* the small number of which largest_x and period are power series */
+    vm_real epsilon;   /* the small number feed/(m W) in whose powers largest_x and period are expanded */
     int stable;        /* 1 where motions close to the cycle tend to it, else 0 */
 } vm_vdp_cycle;
 
-/* Writes the coefficients of epsilon^2 in the series of the largest x, *kx, and of the rate of the phase, *kw, where
-   epsilon = feed/(m W). The amplitude is constant on the cycle, which gives the disturbances for epsilon = 1. The
-   largest x is reached where x' = 0, that is V = p x: by `late` epsilon later than the phase 0, where V = 0. */
+/* Writes the coefficients of epsilon^2 in two series in epsilon = feed/(m W): *kx in that of the largest x, *kw in that
+   of the rate of the phase. The disturbances follow from the constant amplitude of the cycle; the code has them for
+   epsilon = 1. The largest x is reached where x' = 0, that is V = p x. The phase there is `late` times epsilon; the
+   phase 0 has V = 0. */
 VM_API void vmi_vdp_cycle_coefficients(const vmi_vdp_ripple *v, const vmi_ripple *r, vm_real *kx, vm_real *kw)
 {
     const vm_real n = r->alpha + 1, s = 4 / (r->alpha + 3);
@@ -225,7 +226,7 @@ VM_API void vmi_vdp_cycle_coefficients(const vmi_vdp_ripple *v, const vmi_ripple
     d.e1 = (2 * s - 1) * d.e;
     d.Q0 = -s / 2 * d.e;
     d.E0 = -s * (2 - s) / 4;
-    kA = -vmi_vdp_mean_second(v, &d) / v->F; /* changes of A^2 over A^2, from F + second = 0 */
+    kA = -vmi_vdp_mean_second(v, &d) / v->F; /* relative change of A^2 */
     *kw = (r->alpha - 1) / 4 * kA + vmi_vdp_mean_rate(v, r, &d) - 1;
     vmi_vdp_values_at(v, r, 0, 0, 1, &f);
     late = n * s / 4;

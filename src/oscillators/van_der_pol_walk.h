@@ -2,13 +2,15 @@
 
    The transformation of oscillators/van_der_pol_expansion.h is exact to its order where sa or ca is 0. The plan
    therefore follows the exact equations from t = 0 to the next such phase (by collocation), and starts the mean motion
-   there. The mean amplitude and phase at any other time are integrals along the law of the mass, cost does not depend
-   on the number of vibrations. With B = c/m and r = exp(-2 integral of p dt) from the start of a panel of time
-   (oscillators/panels.h), the mean amplitude A and phase psi on the panel are
+   there. The mean amplitude and phase at any other time are integrals along the law of the mass, so the cost does not
+   depend on the number of vibrations. On a panel of time (oscillators/panels.h) that starts with the mean amplitude A_0
+   and the mean phase psi_0, let B = c/m and r = exp(-2 integral of p dt from the start). Then the mean amplitude A and
+   the mean phase psi are
      A^2 = A_0^2 r/y,  y = 1 + 4/(alpha+3) A_0^2 integral of B r (-F - second order terms) dt,
-     psi = psi_0 + integral of W (1 + second order terms) dt.
-   At the points of a table p' jumps, so that the mean motion jumps, too: there the exact equations take over, from the
-   last phase before the point at which sa or ca is 0 to the first one after it.
+     psi = psi_0 + integral of W (1 + second order terms) dt,
+   where the constant F and the terms of second order are those of oscillators/van_der_pol_expansion.h. At the points of
+   a table p' jumps, so that the mean motion jumps, too. There the exact equations take over, from the last phase before
+   the point at which sa or ca is 0 to the first such phase after it.
        vm_vdp_plan plan;
        vmi_vdp_mean mean;
        int status = vm_vdp_plan_init(&plan, &vdp, VM_C(0.3), 0); // vdp is a vm_vdp; from rest at x = 0.3 m
@@ -41,13 +43,16 @@
 typedef struct VM_TAG(vmi_vdp_mean) {
     vm_real t;                    /* the time, s */
     vm_real ln_A, psi;            /* ln of the mean amplitude in m, and mean phase */
-    vm_real first_ln_A, first_psi; /* both by the first order of the same equations */
-    vm_real segment;              /* time, s, of the last point of a table, or 0: the laws are smooth since then */
+    vm_real first_ln_A, first_psi; /* the same two by the equations of first order */
+    vm_real segment;              /* time, s, of the last point of a table before t, or 0; the mass is smooth since
+                                     then */
     vmi_osc_slow now;             /* mass, stiffness and rates at t; set at the end of a walk only */
-    vm_real J_error;              /* what order two leaves out of ln J at starts, as far as it is left at t */
+    vm_real J_error;              /* what order two leaves out of ln J at starts of the mean motion, as far as it has
+                                     not died out at t */
     vm_real psi_error;            /* what order two leaves out of psi */
-    vm_real J_third, psi_third;   /* the same for order three, of terms that depend on feed and mass alone */
-    vm_real ratio;                /* largest ratio of terms of one order to those of the order before, at all starts */
+    vm_real J_third, psi_third;   /* what order three leaves out: only those terms that depend on feed and mass alone */
+    vm_real ratio;                /* largest ratio at a start of the terms of one order to the terms of the order
+                                     before */
     vmi_osc_mean fast;            /* only change, dropped, shortest and error: what fast changes of the mass cause */
 } vmi_vdp_mean;
 
@@ -78,14 +83,14 @@ VM_API vm_real vmi_vdp_rate(const vm_vdp_plan *p, vm_real mass, vm_real ln_A)
     return VM_SQRT((alpha + 1) / 2 * p->vdp.k / mass) * vmi_exp((alpha - 1) / 2 * ln_A, 0);
 }
 
-/* nu = -m'/m - 4 p + a, 1/s, with the rates a and p. From p = (2 a - m'/m)/(alpha+3) follows m'/m. */
+/* nu = -m'/m - 4 p + a, 1/s, with the rates a and p. The code finds m'/m from p = (2 a - m'/m)/(alpha+3). */
 VM_API vm_real vmi_vdp_nu(const vm_vdp_plan *p, vm_real rate_a, vm_real rate_p)
 {
     return (p->vdp.alpha - 1) * rate_p - rate_a;
 }
 
-/* The disturbances where the mass has the rates a and p, G0 is p^2 - a p - p', and the amplitude exp(ln_A) has the rate
-   of phase W */
+/* The disturbances for a mass with the rates a and p, for G0 = p^2 - a p - p', and for the amplitude exp(ln_A), whose
+   phase has the rate W */
 VM_API vmi_vdp_disturbance vmi_vdp_disturbance_of(const vm_vdp_plan *p, vm_real mass, vm_real rate_a, vm_real rate_p,
                                                   vm_real G0, vm_real ln_A, vm_real W)
 {
@@ -97,7 +102,7 @@ VM_API vmi_vdp_disturbance vmi_vdp_disturbance_of(const vm_vdp_plan *p, vm_real 
     return d;
 }
 
-/* The same where *now holds mass and rates */
+/* The disturbances for the mass and rates in *now, and for the amplitude exp(ln_A), whose phase has the rate W */
 VM_API vmi_vdp_disturbance vmi_vdp_disturbance_at(const vm_vdp_plan *p, const vmi_osc_slow *now, vm_real ln_A,
                                                   vm_real W)
 {
@@ -105,8 +110,8 @@ VM_API vmi_vdp_disturbance vmi_vdp_disturbance_at(const vm_vdp_plan *p, const vm
     return vmi_vdp_disturbance_of(p, now->m, now->a, now->p, G0, ln_A, W);
 }
 
-/* The sizes of terms for estimates, where *now holds mass and rates, and the amplitude exp(ln_A) has the rate of phase
-   W */
+/* The sizes of terms for estimates, for the mass and rates in *now, and for the amplitude exp(ln_A), whose phase has
+   the rate W */
 VM_API vmi_vdp_sizes vmi_vdp_sizes_at(const vm_vdp_plan *p, const vmi_osc_slow *now, vm_real ln_A, vm_real W)
 {
     const vmi_vdp_disturbance d = vmi_vdp_disturbance_at(p, now, ln_A, W);
@@ -125,7 +130,7 @@ VM_API void vmi_vdp_absolute_E(const vmi_osc_slow *now, vm_real W, vm_real *E)
 /* -- The start -- */
 
 /* Starts the mean motion at the state r->A, r->psi, r->W of the reduction, where sa or ca is 0. mean->t and mean->now
-   belong to this time. The errors that the start causes are added to those in *mean. */
+   must already belong to the time of this state. The errors that the start causes are added to those in *mean. */
 VM_API void vmi_vdp_start_at(const vm_vdp_plan *p, const vmi_osc_reduced *r, vmi_vdp_mean *mean)
 {
     const vmi_osc_wave wave = vmi_osc_wave_of(&p->osc, VM_ROUTE_ATEB);
@@ -150,10 +155,10 @@ VM_API void vmi_vdp_start_at(const vm_vdp_plan *p, const vmi_osc_reduced *r, vmi
     mean->ratio = vmi_larger(sizes.ratio, mean->ratio);
 }
 
-/* Follows the exact equations from the state *r at the time t to the first phase at which sa or ca is 0, but past the
-   next point of a table if `knots` is 1. Then starts the mean motion there. side is 1 forward, -1 backward in time.
-   VM_NOT_INTEGRATED means that amplitude and phase do not describe the motion, or that a table has more points on
-   the way. */
+/* Follows the exact equations from the state *r at the time t to the first phase at which sa or ca is 0, and starts the
+   mean motion there. If `knots` is 1, the phase must lie beyond the next point of a table. side is 1 forward, -1
+   backward in time. VM_NOT_INTEGRATED means that amplitude and phase do not describe the motion, or that a table has
+   more points on the way. */
 VM_API int vmi_vdp_bridge(const vm_vdp_plan *p, vm_real t, int side, const vmi_osc_reduced *r, int knots,
                           vmi_vdp_mean *mean)
 {
@@ -256,12 +261,13 @@ VM_API int vm_vdp_plan_init(vm_vdp_plan *p, const vm_vdp *v, vm_real x, vm_real 
 
 /* Series and integrals of the mean motion on a panel of time */
 typedef struct VM_TAG(vmi_vdp_panel) {
-    vmi_osc_panel laws;                   /* the law of mass; its fields E and noise for fast changes */
+    vmi_osc_panel laws;                   /* the law of the mass; E and noise serve to find its fast changes */
     vm_real r[VMI_GAUSS];                 /* series of r/m with r = exp(-2 integral of p dt) from the panel's start */
     vm_real rate[VMI_GAUSS], first_rate[VMI_GAUSS]; /* series of the rate of the mean phase, by order three and one */
     vm_real ln_A, first_ln_A;             /* change of ln A over the panel, by order three and one */
     vm_real loss;                         /* factor by which an error of ln J changes over the panel */
-    vm_real kept;                         /* integral over the phase of this factor from the start */
+    vm_real kept;                         /* integral of this factor over the phase, where the factor is taken from the
+                                             start to each phase */
 } vmi_vdp_panel;
 
 /* Mean values at the points of Gauss' rule of a panel */
@@ -269,7 +275,7 @@ typedef struct VM_TAG(vmi_vdp_nodes) {
     vm_real r[VMI_GAUSS], ln_r[VMI_GAUSS];      /* r/m, see vmi_vdp_panel, and ln r */
     vm_real first_ln_A[VMI_GAUSS], first_rate[VMI_GAUSS];
     vm_real G0[VMI_GAUSS], E[VMI_GAUSS];        /* p^2 - a p - p', and E_0 */
-    vm_real second[VMI_GAUSS];                  /* r/m times the terms of second order of (ln J)'/(W e) */
+    vm_real second[VMI_GAUSS];                  /* r/m times the result of vmi_vdp_mean_second */
     vm_real rate[VMI_GAUSS];
 } vmi_vdp_nodes;
 
@@ -456,8 +462,8 @@ VM_API int vmi_vdp_mean_update(const vm_vdp_plan *p, int side, vmi_vdp_mean *mea
     return vmi_osc_slow_at(&p->osc.problem, mean->t, -side, vmi_smaller(sampling, way), unit, &mean->now);
 }
 
-/* Takes the mean motion past its time, a point of a table: from the last phase before it where sa or ca is 0 by the
-   exact equations to the first one after it. */
+/* Takes the mean motion past its time, a point of a table. It goes back to the last phase before the point where sa or
+   ca is 0, and from there by the exact equations to the first such phase after the point. */
 VM_API int vmi_vdp_walk_past_knot(const vm_vdp_plan *p, int side, vmi_vdp_mean *mean)
 {
     const vm_real quarter = p->osc.ripple.pi / 2, turns = (vm_real)side * mean->psi / quarter;
@@ -466,7 +472,7 @@ VM_API int vmi_vdp_walk_past_knot(const vm_vdp_plan *p, int side, vmi_vdp_mean *
     vmi_vdp_panel panel;
     vmi_osc_reduced state;
     int status = VM_OK;
-    if ((vm_real)side * (knot + back - mean->segment) < 0) return VM_NOT_INTEGRATED; /* the table's points are dense */
+    if ((vm_real)side * (knot + back - mean->segment) < 0) return VM_NOT_INTEGRATED; /* the points are too close */
     if (back != 0) {
         status = vmi_vdp_panel_of(p, mean, back, &panel);
         if (status) return status;

@@ -3,8 +3,8 @@
    The mean motion at t follows from integrals along the laws of mass and stiffness from 0 to t. vmi_osc_walk_to adds up
    these integrals over panels of time (oscillators/panels.h), from one point of a table to the next. At such a point
    the second derivatives of the laws jump, so that the mean motion jumps, too. The walk also gathers what the estimates
-   of the error need: how large E_0 = G_0/W^2 and its derivatives are. E_0 measures how much changes of mass and
-   stiffness, and the damping, disturb the motion (oscillators/expansion.h).
+   of the error need: how large E_0 = G_0/W^2 and its derivatives are. E_0 measures how strongly the damping and the
+   changes of mass and stiffness disturb the motion (oscillators/expansion.h).
        vmi_osc_mean mean;
        int status = vmi_osc_walk_to(&plan, 10, &mean); // plan is a vm_osc_plan; mean.psi, mean.inverse_mass, ...
    Tests: tests/test_slow_motion.c, tests/test_averaging.c, tests/test_ladder.c. */
@@ -25,11 +25,13 @@
 #include "ripple.h"
 #include "waves.h"
 
-/* The number of derivatives of E_0 by the phase whose sizes are gathered: from the zeroth to the sixth */
+/* The walk measures how large E_0 and its first six derivatives with respect to the phase are: 7 numbers, in the field
+   `change` */
 enum { VMI_WALK_ORDERS = 7 };
 
-/* The mean motion at one time t, and what its errors depend on. By the adiabatic law, which keeps the action constant,
-   A/A0 = exp(ln_A), and the rate of the phase is `ratio` times its value at t = 0. */
+/* The mean motion at one time t, and what its errors depend on. The adiabatic law, which keeps the action constant,
+   gives the amplitude A = A0 exp(ln_A) and the rate of the phase, `ratio` times the rate at t = 0. A0 is the amplitude
+   at t = 0. */
 typedef struct VM_TAG(vmi_osc_mean) {
     vmi_osc_slow now;      /* mass, stiffness and G_k just before t; for t < 0 just after t */
     vm_real E[VMI_OSC_G];  /* the numbers E_k = G_k/W^(k+2) at t, for the rate W of the mean phase */
@@ -37,22 +39,24 @@ typedef struct VM_TAG(vmi_osc_mean) {
     vm_real inverse_mass;  /* the integral of dt/m from 0 to t, s/kg */
     vm_real phase;         /* the integral of ratio dt from 0 to t, s */
     vm_real psi;           /* the mean phase */
-    vm_real ln_J;          /* ln of the mean action over its value at t = 0; it changes only at points of tables */
-    vm_real first;         /* the part of psi that is proportional to E_0, see `largest` */
-    vm_real second, third; /* the part of psi proportional to E_0^2; a bound of what order five leaves out of psi */
-    vm_real knots_J[4];    /* for orders 2 to 5: sum of the squares of the errors of ln J at points of tables */
-    vm_real knots_psi[4];  /* for orders 2 to 5: sum of the squares of the errors of psi at points of tables */
+    vm_real ln_J;          /* ln of the mean action divided by its value at t = 0; it changes only at points of
+                              tables */
+    vm_real first;         /* the part of psi that is proportional to E_0 */
+    vm_real second, third; /* the part of psi that is proportional to E_0^2; a bound of what order five leaves out of
+                              psi */
+    vm_real knots_J[4];    /* element i, for order i + 2: sum of squares of errors of ln J at points of tables */
+    vm_real knots_psi[4];  /* element i, for order i + 2: sum of squares of errors of psi at points of tables */
     vm_real largest;       /* largest |E_0| between 0 and t; E_0 = G_0/W^2 measures how much the motion is disturbed */
-    /* Element i, from 0 to 6, is the integral of |d^i E_0/dpsi^i| dpsi from time 0 to t, where d^i/dpsi^i is the ith
-       derivative by the phase. All elements are 0 where closed forms of the laws are used. */
+    /* Element i, from 0 to 6, is the integral of |d^i E_0/dpsi^i| over psi from time 0 to t, where d^i/dpsi^i is the
+       ith derivative with respect to the phase. All elements are 0 where closed forms of the laws are used. */
     vm_real change[VMI_WALK_ORDERS];
     vm_real dropped;       /* integral over psi of the part of |E_0| that is not in `change` */
     vm_real shortest;      /* the shortest panel that the laws of mass and stiffness needed, s */
     vm_real error;         /* estimated error of `phase`, s */
 } vmi_osc_mean;
 
-/* Writes ln(A/A0) and ln(Om/Om0) by the adiabatic law, where Om is the rate of the phase. ln_m = ln(m/m0),
-   ln_k = ln(k/k0), and decay is the integral of b/m over time, where b is the damping. */
+/* Writes ln(A/A0) and ln(Om/Om0) by the adiabatic law, where Om is the rate of the phase and A0, Om0, m0, k0 are values
+   at t = 0. ln_m = ln(m/m0), ln_k = ln(k/k0), and decay is the integral of b/m over time, where b is the damping. */
 VM_API void vmi_osc_adiabatic(const vm_osc_plan *p, vm_real ln_m, vm_real ln_k, vm_real decay, vm_real *ln_A,
                               vm_real *ln_Om)
 {
@@ -102,26 +106,27 @@ VM_API vmi_osc_reduced vmi_osc_mean_state(const vm_osc_plan *p, const vmi_osc_me
 
 /* -- A panel -- */
 
-/* A panel of the walk: Legendre series of the laws on it, and what it adds to integrals along the laws */
+/* A panel of the walk: the Legendre series of the laws on the panel, and what the panel adds to the integrals */
 typedef struct VM_TAG(vmi_osc_panel) {
     vm_real edge;               /* largest relative difference between 1/m or k and its series at the panel's ends */
     vm_real inverse[VMI_GAUSS]; /* series of 1/m */
     vm_real ratio[VMI_GAUSS];   /* series of k at first, then of the phase rate divided by its value at t = 0 */
     vm_real E[VMI_GAUSS];       /* series of E_0 = G_0/W^2 */
-    vm_real noise;              /* size of the coefficients of E that rounding errors of p' cause */
+    vm_real noise;              /* size of those coefficients of E that come from rounding errors of p' alone
+                                   (vmi_osc_rate_noise) */
     vm_real first, second;      /* integrals of E_0 and of E_0^2 over the phase */
     vm_real cube;               /* integral of |E_0|^3 over the phase */
     vm_real largest;            /* largest |E_0| on the panel */
 } vmi_osc_panel;
 
-/* Mass, stiffness and rates at the points of Gauss' rule of a panel */
+/* Mass, stiffness, and the rates a and p, at the points of Gauss' rule of a panel */
 typedef struct VM_TAG(vmi_osc_panel_laws) {
     vmi_osc_rates rates[VMI_GAUSS];
-    vm_real p_rate[VMI_GAUSS]; /* time derivatives of the field p of `rates`, 1/s^2 */
+    vm_real p_rate[VMI_GAUSS]; /* time derivatives p' of the rate p of `rates`, 1/s^2 */
 } vmi_osc_panel_laws;
 
-/* Reads the laws at the points of Gauss' rule. Writes the series of 1/m and of k, and how far they are from the laws at
-   the ends of the panel. */
+/* Reads the laws at the points of Gauss' rule. Writes the series of 1/m to panel->inverse and that of k to
+   panel->ratio, and to panel->edge how far they are from the laws at the ends of the panel. */
 VM_API int vmi_osc_read_laws(const vm_osc_problem *o, int side, vm_real start, vm_real length, vmi_osc_panel_laws *at,
                              vmi_osc_panel *panel)
 {
@@ -145,8 +150,8 @@ VM_API int vmi_osc_read_laws(const vm_osc_problem *o, int side, vm_real start, v
     return vmi_panel_edge(&o->stiffness, VM_BAD_STIFFNESS, 0, start, length, panel->ratio, &panel->edge);
 }
 
-/* The factor by which rounding errors of the rates a and p become errors of p', on a panel of 1 s. In float the factor
-   is 0: there such errors cannot be told from fast changes, and count as fast changes. */
+/* The size of the errors of p' that rounding errors of the rates a and p cause on a panel of 1 s, divided by |a| + |p|.
+   In float the factor is 0: there such errors cannot be told from fast changes, and count as fast changes. */
 VM_API vm_real vmi_osc_rate_noise(void) { return VM_MANT_DIG > 24 ? 2048 * VM_EPSILON : 0; }
 
 /* Computes the panel from start to start + length, where length < 0 goes backward. *mean is the mean motion at
@@ -187,8 +192,8 @@ VM_API int vmi_osc_panel_of(const vm_osc_plan *p, const vmi_osc_mean *mean, vm_r
 }
 
 /* Whether the panel is short enough for its series. A panel on which a law has a kink never is; therefore a panel also
-   counts as short enough if the terms that its series leaves out do not matter. `whole` is the
-   length of the walk, s. */
+   counts as short enough if the terms that its series leaves out do not matter. `whole` is the length of the walk,
+   s. */
 VM_API int vmi_osc_panel_is_resolved(const vm_osc_plan *p, const vmi_osc_panel *panel, vm_real length, vm_real whole)
 {
     const vm_real E_enough = VM_MANT_DIG > 24 ? VM_C(1e-6) : VM_C(1e-3), phase_matters = 16 * VM_EPSILON;
@@ -202,14 +207,14 @@ VM_API int vmi_osc_panel_is_resolved(const vm_osc_plan *p, const vmi_osc_panel *
            E_enough * VM_SQRT(vmi_legendre_square(panel->E)) + phase_matters * (1 + 1 / phase) / phase;
 }
 
-/* Adds to mean->change the integrals of |d^i E_0/dpsi^i| over the panel, with the root mean square in place of the
-   absolute value, and to mean->third the panel's part. Coefficients of E_0 that are as small as rounding errors are set
-   to 0 first, and their integral is added to mean->dropped. The series of E_0 is overwritten. */
+/* Adds the panel's part to mean->change, the integrals of |d^i E_0/dpsi^i|, where the root mean square takes the place
+   of the absolute value, and to mean->third. Coefficients of E_0 that are as small as rounding errors are set to 0
+   first, and their integral is added to mean->dropped. The series of E_0 is overwritten. */
 VM_API void vmi_osc_add_changes(const vm_osc_plan *p, vmi_osc_panel *panel, vm_real length, vmi_osc_mean *mean)
 {
     const vm_real noise = 1024 * VM_EPSILON, W = p->mean.W * panel->ratio[0], phase_length = W * VM_FABS(length);
     const vm_real least = vmi_larger(noise * VM_SQRT(vmi_legendre_square(panel->E)), panel->noise);
-    vm_real rate = 1, size[VMI_WALK_ORDERS]; /* rate is (dx/dpsi)^i, where x goes from -1 to 1 on the panel */
+    vm_real rate = 1, size[VMI_WALK_ORDERS]; /* rate is (dx/dpsi)^i; x, the variable of the series, goes from -1 to 1 */
     vm_real dropped[VMI_GAUSS];
     int i;
     for (i = 0; i < VMI_GAUSS; i++) {
@@ -281,8 +286,8 @@ VM_API int vmi_osc_mean_update(const vm_osc_plan *p, vm_real t, int side, vmi_os
 
 /* -- Points of tables -- */
 
-/* Adds to knots_J and knots_psi what orders 2 to 5 leave out at a point of a table, where the numbers E_k jump from
-   `before` to `after` */
+/* Adds to knots_J and knots_psi the squares of the terms that orders 2 to 5 leave out at a point of a table. The
+   numbers E_k jump there from `before` to `after`. */
 VM_API void vmi_osc_add_knot_error(const vm_osc_plan *p, const vm_real *before, const vm_real *after,
                                    vmi_osc_mean *mean)
 {
@@ -297,10 +302,10 @@ VM_API void vmi_osc_add_knot_error(const vm_osc_plan *p, const vm_real *before, 
     }
 }
 
-/* Takes the mean motion past t, a point of a table. The derivatives of m' and k' jump there, but the motion does not,
-   so that the mean motion does. From the mean motion before t follows the motion at t, and from this the mean motion
-   after t. vmi_expansion_J_back would give the action at t with one order less; iteration with vmi_expansion_J has the
-   full order. */
+/* Takes the mean motion past t, a point of a table. The derivatives of m' and k' jump there. The motion does not jump,
+   so the mean motion does. The motion at t follows from the mean motion before t, and the mean motion after t follows
+   from the motion. vmi_expansion_J_back would give the action at t with one order less; iteration with vmi_expansion_J
+   has the full order. */
 VM_API int vmi_osc_walk_past_knot(const vm_osc_plan *p, vm_real t, int side, vmi_osc_mean *mean)
 {
     const vmi_ripple *r = &p->ripple;

@@ -2,12 +2,13 @@
 
    The motion of x'' + omega0^2 x|x|^(alpha-1) = 0 is x = A ca(psi), x' = -vmax(A) sa(psi) with the Ateb functions of
    the phase psi (282), (283); A is the amplitude, vmax(A) the largest velocity. Two simpler waves with the same
-   amplitude and period approximate ca: cos (291), (329) and Jacobi's cn (297), (370). A vmi_osc_wave is one of the
-   three waves c of the position, with its wave s of the velocity and what averaged equations need for a force F on the
-   mass m:
+   amplitude and period approximate ca: cos (291), (329) and Jacobi's cn (297), (370). A vmi_osc_wave describes one of
+   these three waves: the wave c of the position, the wave s of the velocity, and the factors speed, gain_A and
+   gain_theta. If a small force F acts on the mass m, the averaged equations are
      A'/A = -q/(alpha+3) - gain_A <F s>/(m V),   theta' = -gain_theta <F c>/(m V),   V = speed vmax(A),
-   where <> is the mean over a period, q the rate at which stiffness, mass and damping change the motion, and theta the
-   slow part of the wave's own angle. A new wave needs a function that evaluates it and a constructor.
+   where <> is the mean over a period and q the rate at which stiffness, mass and damping change the motion. The wave's
+   own angle, which is the argument of ca, cos or cn, is theta plus the integral of turn psi' over time: theta is its
+   slow part. A new wave needs a function that evaluates it and a constructor.
        vmi_osc_wave w = vmi_osc_wave_cn(3, ateb_pi(3));
        vm_real c, s;
        vmi_osc_wave_at(&w, VM_C(0.5), &c, &s); // at psi = 0.5: x = A c, x' = -w.speed vmax(A) s
@@ -101,7 +102,7 @@ VM_API vmi_osc_wave vmi_osc_wave_cos(vm_real alpha, vm_real pi)
 
 /* -- cn: exact for alpha = 1 and 3 -- */
 
-/* Writes c = cn and s = sn dn. */
+/* Writes c = cn and s = sn dn at the Ateb phase psi. The argument of cn, sn and dn is turn psi. */
 VM_API void vmi_osc_cn_at(const vmi_osc_wave *w, vm_real psi, vm_real *c, vm_real *s)
 {
     vm_real sn, dn;
@@ -121,7 +122,7 @@ VM_API vm_real vmi_osc_cn_error(const vmi_osc_wave *w, vm_real mean_ca2)
 VM_API vmi_osc_wave vmi_osc_wave_cn(vm_real alpha, vm_real pi)
 {
     vmi_osc_wave w = vmi_osc_wave_ca(alpha, NULL);
-    vm_real C2, C4, C6, bracket; /* means of cn^2, cn^4, cn^6; twice the mean of sn^2 dn^2 */
+    vm_real C2, C4, C6, bracket; /* means of cn^2, cn^4, cn^6; and twice the mean of sn^2 dn^2 */
     w.at = vmi_osc_cn_at;
     w.error = vmi_osc_cn_error;
     w.m = jacobi_solve_kpK(pi / (alpha + 1));
@@ -137,15 +138,17 @@ VM_API vmi_osc_wave vmi_osc_wave_cn(vm_real alpha, vm_real pi)
 
 /* -- How good a wave is -- */
 
-/* Estimate of the larger of the wave's errors of x/A and of x'/vmax, at most 1 */
+/* Estimates the error of x/A or of x'/vmax by this wave, whichever is larger, at most 1. mean_ca2 is the mean of
+   ca^2. */
 VM_API vm_real vmi_osc_wave_error(const vmi_osc_wave *w, vm_real mean_ca2)
 {
     const vm_real error = w->error ? w->error(w, mean_ca2) : 0;
     return vmi_smaller(error, 1);
 }
 
-/* Writes to *x_error the largest difference of the wave c from ca, and to *v_error that of speed s from sa. They are
-   taken over a quarter of the period, at points that are densest near x = 0. pi is Pi_alpha. */
+/* Writes to *x_error the largest difference between the wave c and ca, and to *v_error the largest difference between
+   w->speed s and sa. Both are taken over a quarter of the period, at points that are densest near x = 0. pi is
+   Pi_alpha. */
 VM_API void vmi_osc_wave_differences(const vmi_osc_wave *w, vm_real pi, vm_real *x_error, vm_real *v_error)
 {
     const int points = 256;

@@ -54,14 +54,14 @@ VM_API void vmi_scene_enter_loads(const vm_scene_body *b, const vm_real *y, vm_r
     const vm_load *load = &b->load;
     const vm_real *state = y + b->at;
     const vm_vec3 r = vmi_scene_moving(b, state), v = vmi_scene_moving(b, state + b->positions);
-    const vm_vec3 force = vmi_sub(vmi_scene_moving(b, load->force), vmi_scene_moving(b, load->reactive));
-    const vm_vec3 torque = vmi_sub(vmi_scene_turning(b, load->force), vmi_scene_turning(b, load->reactive));
+    const vm_vec3 force = vm_sub(vmi_scene_moving(b, load->force), vmi_scene_moving(b, load->reactive));
+    const vm_vec3 torque = vm_sub(vmi_scene_turning(b, load->force), vmi_scene_turning(b, load->reactive));
     const vm_vec3 brought = vmi_scene_moving(b, load->brought), turning = vmi_scene_turning(b, load->brought);
     vmi_add3(force, rates + VMI_BUDGET_IMPULSE);
-    vmi_add3(vmi_add(torque, vmi_cross(r, force)), rates + VMI_BUDGET_ANGULAR_IMPULSE);
+    vmi_add3(vm_add(torque, vm_cross(r, force)), rates + VMI_BUDGET_ANGULAR_IMPULSE);
     vmi_add3(brought, rates + VMI_BUDGET_BROUGHT);
-    vmi_add3(vmi_add(turning, vmi_cross(r, brought)), rates + VMI_BUDGET_BROUGHT_ANGULAR);
-    rates[VMI_BUDGET_WORK] += vmi_dot(force, v) + vmi_dot(torque, vmi_scene_spin(b, y));
+    vmi_add3(vm_add(turning, vm_cross(r, brought)), rates + VMI_BUDGET_BROUGHT_ANGULAR);
+    rates[VMI_BUDGET_WORK] += vm_dot(force, v) + vm_dot(torque, vmi_scene_spin(b, y));
     rates[VMI_BUDGET_BROUGHT_ENERGY] += load->brought_energy;
     rates[VMI_BUDGET_MIXING] += load->mixing;
 }
@@ -105,11 +105,11 @@ VM_API void vmi_scene_totals(const vm_scene *s, const vm_real *y, vm_budget *bud
         if (b->away) continue;
         vmi_scene_body_now(s, i, y, &now);
         if (b->motion == VM_AXLE) now.mass = 0;
-        p = vmi_scale(now.mass, now.v);
+        p = vm_scale(now.mass, now.v);
         spin = vmi_spin_momentum(&now);
-        budget->momentum = vmi_add(budget->momentum, p);
-        budget->angular_momentum = vmi_add(budget->angular_momentum, vmi_add(spin, vmi_cross(now.r, p)));
-        budget->energy += (vmi_dot(p, now.v) + vmi_dot(spin, now.omega)) / 2;
+        budget->momentum = vm_add(budget->momentum, p);
+        budget->angular_momentum = vm_add(budget->angular_momentum, vm_add(spin, vm_cross(now.r, p)));
+        budget->energy += (vm_dot(p, now.v) + vm_dot(spin, now.omega)) / 2;
     }
 }
 
@@ -158,16 +158,16 @@ VM_API int vm_scene_budget_at(vm_scene *scene, vm_real t, const vm_real *y, vm_b
     sums = y + vm_scene_size(scene) - VM_BUDGET_STATES;
     vmi_scene_evaluate(scene, t, y);
     vmi_scene_totals(scene, y, &b);
-    b.impulse = vmi_add(start->impulse, vmi_get3(sums + VMI_BUDGET_IMPULSE));
-    b.angular_impulse = vmi_add(start->angular_impulse, vmi_get3(sums + VMI_BUDGET_ANGULAR_IMPULSE));
+    b.impulse = vm_add(start->impulse, vmi_get3(sums + VMI_BUDGET_IMPULSE));
+    b.angular_impulse = vm_add(start->angular_impulse, vmi_get3(sums + VMI_BUDGET_ANGULAR_IMPULSE));
     b.brought = vmi_get3(sums + VMI_BUDGET_BROUGHT);
     b.brought_angular = vmi_get3(sums + VMI_BUDGET_BROUGHT_ANGULAR);
     b.work = sums[VMI_BUDGET_WORK];
     b.brought_energy = sums[VMI_BUDGET_BROUGHT_ENERGY];
     b.mixing = sums[VMI_BUDGET_MIXING];
-    b.momentum_defect = vmi_sub(vmi_sub(b.momentum, start->momentum), vmi_add(b.impulse, b.brought));
-    b.angular_defect = vmi_sub(vmi_sub(b.angular_momentum, start->angular_momentum),
-                               vmi_add(b.angular_impulse, b.brought_angular));
+    b.momentum_defect = vm_sub(vm_sub(b.momentum, start->momentum), vm_add(b.impulse, b.brought));
+    b.angular_defect = vm_sub(vm_sub(b.angular_momentum, start->angular_momentum),
+                               vm_add(b.angular_impulse, b.brought_angular));
     b.energy_defect = b.energy - start->energy - (b.work + b.brought_energy - b.mixing + b.jump_energy);
     *budget = b;
     return VM_OK;

@@ -59,17 +59,14 @@ VM_API int vmi_scene_check_order(vm_scene_body *b, int order)
     return VM_OK;
 }
 
-/* Checks that the bodies of an effect have motions on which it can act. A link holds mass centres, so that it cannot
-   act on a growing body, whose mass centre moves in the body. */
+/* Checks that the bodies of an effect have motions on which it can act */
 VM_API int vmi_scene_check_motions(const vm_scene *s, const vm_effect *e)
 {
     const vm_scene_body *b = s->bodies + e->body, *other = e->other == VM_GROUND ? NULL : s->bodies + e->other;
     if (!(e->motions >> b->motion & 1)) return VM_BAD_MOTION;
     if (e->not_on_angle && b->motion == VM_PLANE && e->coordinate == 2) return VM_NOT_ON_ANGLE;
     if (other && !(e->other_motions >> other->motion & 1)) return VM_BAD_MOTION;
-    if (e->order != VMI_ORDER_LINK) return VM_OK;
-    if (other == b) return VM_SAME_BODY;
-    if (b->grows || (other && other->grows)) return VM_BAD_MOTION;
+    if (e->check_in_scene) return e->check_in_scene(s, e);
     return VM_OK;
 }
 
@@ -164,6 +161,7 @@ VM_API void vmi_scene_set_fault(vm_scene_fault *fault_or_NULL, const char *kind,
      VM_BAD_MASS, VM_BAD_INERTIA, VM_BAD_MOTION       for a body, or for the part that separates;
      VM_NO_SUCH_BODY, VM_NO_SUCH_COORDINATE, VM_NO_SUCH_EFFECT      for an index that does not exist;
      VM_TWO_MASS_LAWS, VM_BAD_ORDER, VM_TWO_LINKS, VM_LINK_NOT_LAST   for the list of effects;
+     VM_BAD_POINT, VM_NOT_JOINED      for points at which springs, joints and contacts act;
      VM_BAD_TIMES           if the times of output do not increase. */
 VM_API int vm_scene_check(const vm_scene *scene, vm_scene_fault *fault_or_NULL)
 {

@@ -147,7 +147,7 @@ VM_API vm_effect vm_effect_damper(int body, int coordinate, int other, int other
 VM_API void vmi_apply_rotational_damper(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
     const vm_scene_body *b = s->bodies + e->body;
-    const vm_vec3 torque = vmi_scale(-e->p[VMI_DAMPER_DAMPING], vmi_scene_spin(b, y));
+    const vm_vec3 torque = vm_scale(-e->p[VMI_DAMPER_DAMPING], vmi_scene_spin(b, y));
     (void)t;
     vmi_scene_add(b, e->load->force, vmi_vec3(0, 0, 0), torque);
 }

@@ -73,10 +73,10 @@ VM_API void vmi_event_jump_place(const vm_body *body, vm_body *part)
 {
     const vmi_mat3 turn = vmi_rotation(body->q);
     const vm_vec3 d = vmi_times(&turn, part->r);
-    part->r = vmi_add(body->r, d);
-    part->v = vmi_add(vmi_times(&turn, part->v), vmi_add(body->v, vmi_cross(body->omega, d)));
-    part->omega = vmi_add(vmi_times(&turn, part->omega), body->omega);
-    part->q = vmi_quat_is_none(part->q) ? body->q : vmi_quat_times(body->q, part->q);
+    part->r = vm_add(body->r, d);
+    part->v = vm_add(vmi_times(&turn, part->v), vm_add(body->v, vm_cross(body->omega, d)));
+    part->omega = vm_add(vmi_times(&turn, part->omega), body->omega);
+    part->q = vmi_quat_is_none(part->q) ? body->q : vm_quat_times(body->q, part->q);
 }
 
 VM_API vm_impulse2 vmi_event_impulse2(const vm_impulse *external)
@@ -132,16 +132,25 @@ VM_API vm_real vmi_scene_angle(const vm_scene *s, int body, const vm_real *y)
     return b->motion == VM_PLANE ? y[b->at + VMI_PLANE_ANGLE] : y[b->at];
 }
 
-/* After a jump has moved the mass centre of a growing body to r, updates its position in body axes, which is in the
-   state */
+/* After a jump has moved the mass centre of a body to r, updates its position in body axes: that of a growing body,
+   which is in the state, and that of a body at whose points an effect acts */
 VM_API void vmi_scene_shift_centre(const vm_scene *s, int body, vm_vec3 r, vm_real *y)
 {
-    const vm_scene_body *b = s->bodies + body;
+    vm_scene_body *b = s->bodies + body;
     vm_real *state = y + b->at;
     vm_vec3 step;
+    if (b->shift) b->shift(b, vm_sub(r, vmi_scene_moving(b, state)), state);
     if (!b->grows) return;
-    step = vmi_times_transposed(&b->axes, vmi_sub(r, vmi_scene_moving(b, state)));
-    vmi_growth_put_centre(b, vmi_add(vmi_growth_centre(b, state), step), state);
+    step = vmi_times_transposed(&b->axes, vm_sub(r, vmi_scene_moving(b, state)));
+    vmi_growth_put_centre(b, vm_add(vmi_growth_centre(b, state), step), state);
+}
+
+/* Lets effects that hold bodies together act even if their first body is not present: they leave out such bodies */
+VM_API void vmi_scene_wake(vm_scene *s)
+{
+    int i;
+    for (i = 0; i < s->n_effects; i++)
+        if (s->effects[i].settle) s->effects[i].idle &= VMI_IDLE_SWITCHED_OFF;
 }
 
 /* Writes the bodies after a jump into the state: the body that lost or gained mass, and the part that separated, or
@@ -158,28 +167,44 @@ VM_API void vmi_scene_put_jump(vm_event *e, vm_real t, vm_real *y, const vm_body
     vmi_scene_shift_centre(s, e->jump_body, result->r, y);
     if (part_or_NULL) {
         other->noted_mass = part_or_NULL->mass;
+        other->centre = vmi_vec3(0, 0, 0);
         if (other->grows) vmi_growth_put_centre(other, vmi_vec3(0, 0, 0), y + other->at);
         vmi_scene_put(s, e->other, part_or_NULL, angle + other->angle, y);
     }
     vmi_scene_put(s, e->jump_body, result, angle, y);
     vmi_scene_presence(s);
+    vmi_scene_wake(s);
     vmi_scene_hold_masses(s, t, y);
 }
 
+/* Lets effects that hold bodies together give their impulses after a jump. The loads have been evaluated. */
+VM_API int vmi_scene_settle(vm_scene *s, vm_real *y)
+{
+    int i, status = VM_OK;
+    for (i = 0; i < s->n_effects; i++) {
+        const vm_effect *e = s->effects + i;
+        if (e->settle && !e->idle) status = vmi_first_error(status, e->settle(e, y, s));
+    }
+    return status;
+}
+
 /* Writes the bodies after a jump into the state, and adds to the budget the energy that the jump adds and the impulse
-   from outside */
-VM_API void vmi_scene_jump(vm_event *e, vm_real t, vm_real *y, const vm_body *result, const vm_body *part_or_NULL)
+   from outside. Returns VM_OK, or the status of an effect that cannot hold the bodies together. */
+VM_API int vmi_scene_jump(vm_event *e, vm_real t, vm_real *y, const vm_body *result, const vm_body *part_or_NULL)
 {
     vm_scene *s = e->scene;
     vm_budget *budget = s->budget;
     vm_budget before, after;
+    int status;
     if (budget) budget->totals(s, y, &before);
     vmi_scene_put_jump(e, t, y, result, part_or_NULL);
-    if (!budget) return;
+    status = vmi_scene_settle(s, y);
+    if (!budget) return status;
     budget->totals(s, y, &after);
     budget->jump_energy += after.energy - before.energy;
-    budget->impulse = vmi_add(budget->impulse, e->external.linear);
-    budget->angular_impulse = vmi_add(budget->angular_impulse, vmi_impulse_moment(&e->external, vmi_vec3(0, 0, 0)));
+    budget->impulse = vm_add(budget->impulse, e->external.linear);
+    budget->angular_impulse = vm_add(budget->angular_impulse, vmi_impulse_moment(&e->external, vmi_vec3(0, 0, 0)));
+    return status;
 }
 
 VM_API int vmi_then_separate(vm_event *e, vm_real t, vm_real *y)
@@ -192,8 +217,7 @@ VM_API int vmi_then_separate(vm_event *e, vm_real t, vm_real *y)
     vmi_scene_body_now(e->scene, e->jump_body, y, &body);
     status = e->jump(e, &body, &part, &rest);
     if (status < 0) return status;
-    vmi_scene_jump(e, t, y, &rest, &part);
-    return VM_OK;
+    return vmi_scene_jump(e, t, y, &rest, &part);
 }
 
 /* The event separates a part from a body on a line or on an axle. The part has the motion *part and becomes the body
@@ -246,8 +270,7 @@ VM_API int vmi_then_attach(vm_event *e, vm_real t, vm_real *y)
     vmi_scene_body_now(e->scene, e->other, y, &added);
     status = e->jump(e, &body, &added, &whole);
     if (status < 0) return status;
-    vmi_scene_jump(e, t, y, &whole, NULL);
-    return VM_OK;
+    return vmi_scene_jump(e, t, y, &whole, NULL);
 }
 
 /* The event attaches a body to another body on the same line or axle. The body `added` becomes a part of `body` and is

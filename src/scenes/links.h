@@ -114,6 +114,16 @@ VM_API int vmi_link_check(const vm_effect *e)
     return VM_DOMAIN;
 }
 
+/* Checks the ends of a link. It holds mass centres, so that it cannot act on a growing body, whose mass centre moves in
+   the body. */
+VM_API int vmi_link_check_ends(const vm_scene *s, const vm_effect *e)
+{
+    if (e->other == e->body) return VM_SAME_BODY;
+    if (s->bodies[e->body].grows) return VM_BAD_MOTION;
+    if (e->other >= 0 && s->bodies[e->other].grows) return VM_BAD_MOTION;
+    return VM_OK;
+}
+
 /* A rigid link of a given length, or a cord, which can only pull. The link holds the mass centre of `body`, a point
    or a body in the plane, at the distance `length` (m) from another mass centre or from a moving point. The other
    mass centre is that of the body `other`, which is not on an axle; point is then NULL. With other = VM_GROUND the
@@ -136,6 +146,7 @@ VM_API vm_effect vm_effect_link(int body, int other, vm_moving_point point, void
     e.other_motions = VMI_ALL_MOTIONS & ~(1 << VM_AXLE);
     e.order = VMI_ORDER_LINK;
     e.check = vmi_link_check;
+    e.check_in_scene = vmi_link_check_ends;
     e.point = point;
     e.ctx = ctx;
     return e;

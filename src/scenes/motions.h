@@ -217,15 +217,16 @@ VM_API vm_scene_body vm_scene_body_point(vm_real mass, vm_vec3 r, vm_vec3 v)
 
 enum { VMI_FREE_R = 0, VMI_FREE_Q = 3, VMI_FREE_V = 7, VMI_FREE_OMEGA = 10 }; /* indices in state; omega: body axes */
 
-/* Solves Euler's equations I omega' = torque - omega x I omega in body axes. The matrix of the linear equations
-   includes the dummy moments of b->invertible; therefore the equations can be solved for a rod, too. The spin of a
-   rod about its own axis stays constant, since no load turns the rod about this axis. */
-VM_API int vmi_free_euler(const vm_scene_body *b, const vmi_mat3 *axes, vm_vec3 omega, vm_real *rates)
+/* Solves Euler's equations I omega' = torque - omega x I omega. omega and the rates are in body axes, torque in
+   inertial axes. The matrix of the linear equations includes the dummy moments of b->invertible; therefore the
+   equations can be solved for a rod, too. The spin of a rod about its own axis stays constant, since no load turns the
+   rod about this axis. */
+VM_API int vmi_free_euler(const vm_scene_body *b, const vmi_mat3 *axes, vm_vec3 torque, vm_vec3 omega, vm_real *rates)
 {
     const vm_inertia *i = &b->invertible;
-    const vm_vec3 torque = vmi_times_transposed(axes, vmi_get3(b->load.force + 3));
+    const vm_vec3 own = vmi_times_transposed(axes, torque);
     vm_real a[9];
-    vmi_set3(rates, vmi_sub(torque, vmi_cross(omega, vmi_inertia_times(&b->inertia, omega))));
+    vmi_set3(rates, vm_sub(own, vm_cross(omega, vmi_inertia_times(&b->inertia, omega))));
     a[0] = i->xx;
     a[4] = i->yy;
     a[8] = i->zz;
@@ -243,7 +244,7 @@ VM_API int vmi_free_accelerate(const vm_scene_body *b, const vm_real *state, vm_
     const vmi_mat3 axes = vmi_rotation(q);
     vmi_point_body_accelerate(b, state, rates);
     vmi_attitude_rates(q, vmi_quat_square(q), omega, rates + VMI_FREE_Q);
-    return vmi_free_euler(b, &axes, omega, rates + VMI_FREE_OMEGA);
+    return vmi_free_euler(b, &axes, vmi_get3(b->load.force + 3), omega, rates + VMI_FREE_OMEGA);
 }
 
 /* The inertia with a dummy moment about each axis that has none, so that it can be inverted. No torque acts about such

@@ -108,6 +108,7 @@ struct VM_TAG(vm_scene_body) {
     int (*check)(const vm_body *start); /* NULL, or a check of the inertia, which returns a status */
     vm_body start;                      /* motion at the start; line: mass, r.x, v.x; axle: mass (kg m^2), omega.z */
     vm_real angle;                      /* rad: the angle of an axle or of a body in the plane at the start */
+    vm_vec3 centre;         /* m, body axes: how far jumps have moved the mass centre (points.h) */
     vm_real law_offset;     /* kg: added to the mass law, which does not know of jumps and of being switched */
     vm_inertia inertia;     /* kg m^2, body axes: the present inertia */
     vm_inertia invertible;  /* kg m^2: the inertia with a dummy moment about each axis that has none */
@@ -115,6 +116,7 @@ struct VM_TAG(vm_scene_body) {
     int listed_orders;      /* bit (1 << order) for each effect on the body that vm_scene_check has met so far */
     int status;             /* VM_OK, or the reason why the constructor could not make the body */
     vm_real noted_mass;     /* kg: the mass that the body must have after an event */
+    void (*shift)(vm_scene_body *b, vm_vec3 step, const vm_real *state); /* NULL, or it adds to `centre` */
 };
 
 /* Function of the caller that writes position (m), velocity (m/s) and acceleration (m/s^2) of a point at time t */
@@ -135,7 +137,8 @@ typedef struct VM_TAG(vm_mass_law_values) {
 enum {
     VMI_ORDER_MASS_LAW = 0, /* mass laws stand first, since all other effects may need the mass */
     VMI_ORDER_FORCE = 1,
-    VMI_ORDER_LINK = 2 /* links stand last, since the force of a link depends on all other forces on its ends */
+    VMI_ORDER_LINK = 2, /* links stand last, since the force of a link depends on all other forces on its ends */
+    VMI_ORDER_JOINTS = 3 /* joints stand last, as links; their own check looks at all their bodies */
 };
 
 /* What an effect needs of the mass of its body */
@@ -173,6 +176,9 @@ struct VM_TAG(vm_effect) {
     int order;                             /* where it stands among the effects on its body: VMI_ORDER_... */
     int off;          /* 1: switched off when the scene starts; the caller may set it before the start */
     int not_on_angle; /* 1: the effect cannot act on the angle of a body in the plane */
+    int (*check_in_scene)(const vm_scene *scene, const vm_effect *effect); /* NULL, or a check that needs the bodies */
+    int (*settle)(const vm_effect *effect, vm_real *y, vm_scene *scene); /* NULL, or gives impulses after a jump */
+    const void *parts; /* what the caller keeps for the effect: a vm_point_spring, vm_contact or vm_joints */
 };
 
 /* What a jump event does */
@@ -218,6 +224,7 @@ struct VM_TAG(vm_event) {
     long seen;       /* number of crossings found by the integrator that the run has already handled */
     vm_scene *scene; /* the scene to which the event belongs */
     int status;      /* VM_OK, or the reason why a constructor could not make the event */
+    const void *parts; /* what the caller keeps for the event: a vm_contact */
 };
 
 typedef struct VM_TAG(vm_budget) vm_budget;

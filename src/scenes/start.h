@@ -84,6 +84,7 @@ VM_API int vmi_scene_place_bodies(vm_scene *s, vm_real *y)
         b->mass_at = at + vmi_scene_mass_at(b);
         b->away = b->absent;
         b->law_offset = 0;
+        b->centre.x = b->centre.y = b->centre.z = 0;
         for (k = 0; k < vmi_scene_body_size(b); k++) y[at++] = 0;
         vmi_scene_put(s, i, &b->start, b->angle, y);
     }

@@ -307,7 +307,7 @@ static inline int judge_in_scene(const vm_scene_body *body, const vm_effect *eff
     bodies[LINE_ABSENT] = vm_scene_body_absent(vm_scene_body_line(1, 0, 0));
     bodies[AXLE] = vm_scene_body_axle(2, 0, 1);
     bodies[PLANE] = vm_scene_body_plane(2, 1, zero, 0, zero, 0);
-    bodies[PLANE_2] = vm_scene_body_plane(2, 1, zero, 0, zero, 0);
+    bodies[PLANE_2] = vm_scene_body_plane(2, 1, vmi_vec3(1, 0, 0), 0, zero, 0);
     bodies[PLANE_ABSENT] = vm_scene_body_absent(vm_scene_body_plane(1, 1, zero, 0, zero, 0));
     bodies[SPACE] = vm_scene_body_free(&free_body);
     bodies[SPACE_2] = vm_scene_body_free(&free_body);
@@ -324,6 +324,45 @@ static inline int judge_in_scene(const vm_scene_body *body, const vm_effect *eff
     scene.n_events = 1;
     scene.located = located;
     return judge_scene(&scene);
+}
+
+
+static inline const vm_contact *a_contact(void)
+{
+    static vm_contact contact;
+    memset(&contact, 0, sizeof contact);
+    contact.normal.y = 1;
+    return &contact;
+}
+
+static inline vm_joint *a_joint_list(void)
+{
+    const vm_vec3 zero = {0, 0, 0};
+    static vm_joint list[1];
+    list[0] = vm_joint_pin(PLANE, zero, VM_GROUND, zero);
+    return list;
+}
+
+static inline vm_real *a_joint_room(void)
+{
+    static vm_real room[VM_JOINTS_WORK(1)];
+    return room;
+}
+
+/* The status of a scene that has only this joint */
+static inline int judge_vm_joint(const vm_joint *joint)
+{
+    vm_joint list[1];
+    vm_joints joints;
+    vm_effect effect;
+    list[0] = *joint;
+    joints.joints = list;
+    joints.n_joints = 1;
+    joints.rate = 1;
+    joints.work = a_joint_room();
+    joints.work_size = VM_JOINTS_WORK(1);
+    effect = vm_effect_joints(&joints);
+    return judge_in_scene(NULL, &effect, NULL);
 }
 
 static inline int judge_vm_scene_body(const vm_scene_body *body) { return judge_in_scene(body, NULL, NULL); }

@@ -160,7 +160,7 @@ static void turn3(vm_quat q, const double *v, double *turned)
    m d^2, and m d |r|, which an eps of r moves. */
 static double add_body_inertia(double *sum, double sign, const vm_body *b, vm_vec3 about)
 {
-    const vm_vec3 d = vmi_sub(b->r, about);
+    const vm_vec3 d = vm_sub(b->r, about);
     double own[6] = {0, 0, 0, 0, 0, 0}, axes[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, m[3][3];
     static const int row[6] = {0, 1, 2, 0, 0, 1}, column[6] = {0, 1, 2, 1, 2, 2}; /* of xx, yy, zz, xy, xz, yz */
     int i, j, k;

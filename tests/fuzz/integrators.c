@@ -160,11 +160,11 @@ static void check_dense(rk45 *s, int high)
 {
     vm_real y[MOST];
     const vm_real middle = s->t_old + (s->t - s->t_old) * draw_in(0, 1);
+    const vm_real beyond = s->t + (s->t - s->t_old) + 1;
     int status;
     STAIN(y);
-    status = high ? rk87_interpolate(s, s->t + (s->t - s->t_old) + 1, y)
-                  : rk45_interpolate(s, s->t + (s->t - s->t_old) + 1, y);
-    HOLDS(s->t < s->t_old ? 1 : status == ODE_BAD_ARGUMENT && UNTOUCHED(y));
+    status = high ? rk87_interpolate(s, beyond, y) : rk45_interpolate(s, beyond, y);
+    if (s->t >= s->t_old && beyond > s->t) HOLDS(status == ODE_BAD_ARGUMENT && UNTOUCHED(y));
     status = high ? rk87_interpolate(s, s->t, y) : rk45_interpolate(s, s->t, y);
     if (status == ODE_OK) HOLDS(close_to(y[0], s->y[0], 64));
     HOLDS((high ? rk45_interpolate(s, s->t, y) : rk87_interpolate(s, s->t, y)) == ODE_BAD_ARGUMENT);
@@ -210,7 +210,8 @@ static void check_adaptive(void)
             HOLDS(!is_finite(t_end) && s.t == t);
             return;
         }
-        HOLDS((t_end - t) * (s.t - t) >= 0 && VM_FABS(s.t - t) <= VM_FABS(t_end - t)); /* not beyond, not back */
+        HOLDS(is_finite(t_end) || (status != ODE_OK && status != ODE_STIFF)); /* no run gets there */
+        HOLDS((t <= s.t && s.t <= t_end) || (t >= s.t && s.t >= t_end)); /* not beyond, not back */
         HOLDS(s.steps + s.rejected - before <= (i + 1) * r.options.max_steps + 1);
         HOLDS(s.event == -1 || status == ODE_EVENT);
         if (status == ODE_OK || status == ODE_STIFF) HOLDS(s.t == t_end);
@@ -246,6 +247,51 @@ static void check_accuracy(void)
     HOLDS(s.evals >= 6 * s.steps && (s.steps > 0 || t == 0));
 }
 
+/* A run at listed times, which is saved and resumed somewhere, gives what the run that goes on gives, to the bit. */
+static void check_listed(void)
+{
+    enum { TIMES = 6, BYTES = RK87_SAVED(MOST, 2) };
+    static run_of r, copy; /* static: bytes between the fields are the same */
+    unsigned char bytes[BYTES];
+    vm_real times[TIMES], rows[TIMES * MOST], again[TIMES * MOST];
+    rk45 s, other;
+    const int high = draw_below(2), count = draw_below(TIMES + 1), first = draw_below(TIMES + 1);
+    const vm_real way = MOSTLY(draw_in(-1, 1));
+    int i, done = 0, more = 0, others = 0, status, fits;
+    draw_system(&r);
+    draw_options(&r);
+    for (i = 0; i < r.options.n_events; i++) r.events[i].stop_after = draw_below(5) - (draw_byte() % 16 == 0);
+    for (i = 0; i < TIMES; i++) times[i] = R(i) * way;
+    if (start(&s, &r, high, 0) < 0) return;
+    HOLDS(r.options.n_events == 0 || r.events[0].stop_after >= 0);
+    fits = first <= count ? first : count;
+    status = high ? rk87_solve_at(&s, fits, times, rows, &done) : rk45_solve_at(&s, fits, times, rows, &done);
+    HOLDS(known(status) && done >= 0 && done <= fits && (status >= 0 ? 1 : status != ODE_OK));
+    HOLDS((status != ODE_OK && status != ODE_STIFF) || done == fits);
+    if (status == ODE_BAD_ARGUMENT) {
+        HOLDS(!is_finite(times[TIMES - 1]));
+        return;
+    }
+    HOLDS((high ? rk87_save(&s, BYTES, bytes) : rk45_save(&s, BYTES, bytes)) == ODE_OK);
+    copy = r;
+    copy.options.events = copy.events;
+    for (i = 0; i < copy.options.n_events; i++) copy.events[i].ctx = &copy.level[i];
+    HOLDS(start(&other, &copy, high, 0) >= 0);
+    HOLDS((high ? rk45_resume(&other, BYTES, bytes) : rk87_resume(&other, BYTES, bytes)) == ODE_BAD_ARGUMENT);
+    HOLDS((high ? rk87_resume(&other, BYTES, bytes) : rk45_resume(&other, BYTES, bytes)) == ODE_OK);
+    copy.system.calls = r.system.calls;
+    memcpy(again, rows, sizeof rows);
+    i = high ? rk87_solve_at(&s, count - done, times + done, rows, &more)
+             : rk45_solve_at(&s, count - done, times + done, rows, &more);
+    status = high ? rk87_solve_at(&other, count - done, times + done, again, &others)
+                  : rk45_solve_at(&other, count - done, times + done, again, &others);
+    HOLDS(i == status && more == others && same_state(more * r.system.n, rows, again));
+    HOLDS(same_bits(s.t, other.t) && s.evals == other.evals && same_state(r.system.n, s.y, other.y));
+    for (i = 0; i < r.options.n_events; i++) HOLDS(r.events[i].count == copy.events[i].count);
+    bytes[draw_below(200)] ^= 4;
+    HOLDS((high ? rk87_resume(&other, BYTES, bytes) : rk45_resume(&other, BYTES, bytes)) == ODE_BAD_ARGUMENT);
+}
+
 static void check_defaults(void)
 {
     rk45_options o, d;
@@ -268,5 +314,6 @@ static void fuzz_integrators(void)
     case 2: check_defaults(); break;
     default: check_adaptive();
     }
+    check_listed(); /* after the others, whose stored inputs stay what they are */
 }
 FUZZ_TARGET(integrators)

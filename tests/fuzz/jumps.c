@@ -70,7 +70,7 @@ static vm_body draw_part(const vm_body *whole)
     vm_body part = draw_body(0.3);
     part.mass = draw_byte() % 16 ? whole->mass * draw_in(0, 1) : draw_any();
     part.inertia = draw_inertia(is_finite(part.mass) ? part.mass : 1, 0.2);
-    part.r = vmi_add(whole->r, draw_vector(0.3));
+    part.r = vm_add(whole->r, draw_vector(0.3));
     return part;
 }
 
@@ -79,20 +79,20 @@ static vm_body draw_part(const vm_body *whole)
    the angular momentum times omega, and what they make of omega times its error, is of second order. */
 static void check_quiet(const vm_body *whole, vm_body part)
 {
-    const vm_vec3 d = vmi_sub(part.r, whole->r);
+    const vm_vec3 d = vm_sub(part.r, whole->r);
     const double turning = size3(whole->omega), speed = size3(whole->v) + turning * (size3(d) + size3(part.r));
     double share, noise, T, scale;
     const vm_body *all[3];
     vm_body rest, change;
     part.omega = whole->omega;
-    part.v = vmi_add(whole->v, vmi_cross(whole->omega, d));
+    part.v = vm_add(whole->v, vm_cross(whole->omega, d));
     if (vm_separate(whole, &part, NULL, &rest) < 0 || !tame_body(&rest) || !tame_body(&part)) return;
     share = (double)(part.mass / rest.mass);
     change = rest;
-    change.omega = vmi_sub(rest.omega, whole->omega);
+    change.omega = vm_sub(rest.omega, whole->omega);
     noise = share * (double)whole->mass * size3(d) * speed + trace_of(&rest.inertia) * turning;
     HOLDS(size3(vm_angular_momentum(&change, change.r)) <= 16 * EPS * noise);
-    HOLDS(within3(rest.v, vmi_add(whole->v, vmi_cross(whole->omega, vmi_sub(rest.r, whole->r))),
+    HOLDS(within3(rest.v, vm_add(whole->v, vm_cross(whole->omega, vm_sub(rest.r, whole->r))),
                   16 * EPS * (1 + share) * (speed + turning * size3(rest.r))));
     T = (double)vm_kinetic_energy(&rest) + (double)vm_kinetic_energy(&part) - (double)vm_kinetic_energy(whole);
     all[0] = whole;
@@ -216,7 +216,7 @@ static void check_inertia(void)
     for (i = 0; i < 6; i++) HOLDS(fabs(sum[i]) <= 64 * EPS * trace_of(&whole)); /* as check_parts */
     STAIN(part);
     STAIN(centre2);
-    if (vm_split_inertia(ma + mb, &whole, mb, &b, vmi_sub(d, centre), &part, &centre2) < 0) HOLDS(UNTOUCHED(part));
+    if (vm_split_inertia(ma + mb, &whole, mb, &b, vm_sub(d, centre), &part, &centre2) < 0) HOLDS(UNTOUCHED(part));
     else check_tensors(&part, &a, 64 * EPS * trace_of(&whole) * (1 + (double)(mb / ma)));
 }
 

@@ -52,7 +52,7 @@ plant "sign: cn next to K" jacobi jacobi.h 's/theta.c = aa - rb;/theta.c = aa + 
 plant "sign: the phase's half plane" ateb ateb.h 's/return VM_COPYSIGN(r, sa);/return VM_COPYSIGN(r, -sa);/'
 plant "sign: a weight of the step" integrators integrators.h 's/+ VMI_H(0.01) \* k2\[i\]/- VMI_H(0.01) * k2[i]/'
 plant "sign: velocity of the rest" jumps varmass.h \
-    '/^VM_API int vmi_jump(/,/^}/s/b.v = vmi_add(frame.v, lump.v)/b.v = vmi_sub(frame.v, lump.v)/'
+    '/^VM_API int vmi_jump(/,/^}/s/b.v = vm_add(frame.v, lump.v)/b.v = vm_sub(frame.v, lump.v)/'
 plant "sign: Tsiolkovsky's formula" streams varmass.h \
     '/^VM_API vm_real vm_tsiolkovsky(/,/^}/s/return v0 + w/return v0 - w/'
 # bounds
@@ -84,6 +84,6 @@ plant "inertia: of the broken rotor" rotor varmass.h \
 plant "inertia: of the cut pendulum" lagrange varmass.h \
     '/^VM_API int vm_pendulum_separate(/,/^}/s/part \* part \* c.rate \/ 12/part * part * c.rate \/ 3/'
 plant "inertia: Lagrange's matrix" lagrange varmass.h \
-    '/^VM_API void vm_lagrange_mass(/,/^}/s/+= vmi_dot(turn_or_NULL\[i\], spin)/-= vmi_dot(turn_or_NULL[i], spin)/'
+    '/^VM_API void vm_lagrange_mass(/,/^}/s/+= vm_dot(turn_or_NULL\[i\], spin)/-= vm_dot(turn_or_NULL[i], spin)/'
 echo "planted: $found passed, $missed failed, $skipped skipped"
 [ $missed = 0 ]

@@ -1,5 +1,5 @@
-/* Fuzz target: varmass.h, torque-free rotation and Euler's angles. Angular momentum and energy stay at any time, running
-   back leads back, |q| stays, refusals change nothing. */
+/* Fuzz target: varmass.h, torque-free rotation, attitudes and Euler's angles. Angular momentum and energy stay at any
+   time, running back leads back, |q| stays, refusals change nothing. */
 #include "bodies.h"
 
 static void check_free(void)
@@ -118,6 +118,40 @@ static void check_euler(void)
           within(R(sum[2]), omega.z, 8 * EPS * speeds));
 }
 
+/* Every form of an attitude is the same rotation */
+static void check_attitude(void)
+{
+    const vm_vec3 a = draw_vector(4);
+    vm_vec3 turned, p;
+    vm_quat q = draw_attitude(), from_mrp, from_matrix;
+    vm_real angles[3], c[9];
+    double size = size3(a);
+    if (draw_byte() % 8 == 0) q.x = q.y = 0;
+    if (draw_byte() % 8 == 0) q.w = draw_any();
+    STAIN(angles);
+    STAIN(c);
+    if (vm_euler_313_angles(q, angles)) {
+        HOLDS(!is_finite(q.w) && UNTOUCHED(angles) && vm_euler_321_angles(q, angles) == VM_NOT_FINITE);
+        HOLDS(UNTOUCHED(angles) && vm_quat_to_matrix(q, c) == VM_NOT_FINITE && UNTOUCHED(c));
+        HOLDS(is_nan3(vm_rotate(q, a)) && is_nan3(vm_rotate_back(q, a)) && is_nan3(vm_quat_to_mrp(q)));
+        return;
+    }
+    turned = vm_rotate(q, a);
+    if (!tame3(a)) return;
+    HOLDS(within3(vm_rotate_back(q, turned), a, 16 * EPS * size));
+    HOLDS(within3(vm_rotate(vm_euler_313(angles[0], angles[1], angles[2]), a), turned, 32 * EPS * size));
+    HOLDS(vm_euler_321_angles(q, angles) == VM_OK);
+    HOLDS(within3(vm_rotate(vm_euler_321(angles[0], angles[1], angles[2]), a), turned, 32 * EPS * size));
+    p = vm_quat_to_mrp(q);
+    from_mrp = vm_quat_from_mrp(p);
+    HOLDS(size3(p) <= 1 + 8 * EPS && within3(vm_rotate(from_mrp, a), turned, 32 * EPS * size));
+    HOLDS(vm_quat_to_matrix(q, c) == VM_OK && vm_quat_from_matrix(c, &from_matrix) == VM_OK);
+    HOLDS(within3(vm_rotate(from_matrix, a), turned, 32 * EPS * size));
+    HOLDS(fabs(norm4(vm_quat_times(from_mrp, from_matrix)) - 1) <= 16 * EPS);
+    HOLDS(size == 0 || fabs((double)vm_dot(vm_unit(a), a) - size) <= 8 * EPS * size);
+    HOLDS(within(vm_norm(a), R(size), 8 * EPS * size) && fabs(norm4(vm_unit_quat(q)) - 1) <= 8 * EPS);
+}
+
 static void fuzz_rotation(void)
 {
     switch (draw_below(4)) {
@@ -125,5 +159,6 @@ static void fuzz_rotation(void)
     case 1: check_euler(); break;
     default: check_free();
     }
+    check_attitude(); /* after the others, whose stored inputs stay what they are */
 }
 FUZZ_TARGET(rotation)

@@ -168,7 +168,51 @@ typedef struct effect_data {
     vm_stream stream;
     vm_band band;
     vm_law law;
+    vm_point_spring spring;
+    vm_contact contact;
+    vm_joint list[2];
+    vm_joints joints;
+    vm_real room[VM_JOINTS_WORK(2)];
 } effect_data;
+
+static vm_point_spring draw_point_spring(void)
+{
+    vm_point_spring spring;
+    spring.at = draw_vector(1);
+    spring.other_at = draw_vector(2);
+    spring.stiffness = MOSTLY(draw_log(0.1, 100));
+    spring.damping = MOSTLY(draw_log(0.1, 10));
+    spring.rest = MOSTLY(draw_in(0, 2));
+    return spring;
+}
+
+static vm_contact draw_contact(void)
+{
+    vm_contact contact;
+    contact.at = draw_vector(1);
+    contact.radius = MOSTLY(draw_in(0, 1));
+    contact.on = draw_vector(5);
+    contact.normal = draw_vector(1);
+    contact.stiffness = MOSTLY(draw_log(1, 1000));
+    contact.damping = MOSTLY(draw_log(0.1, 10));
+    return contact;
+}
+
+/* Joints rarely fit bodies that are drawn, except those between mass centres of bodies and rods of any length */
+static vm_effect draw_joints(int n, int body, int other, effect_data *data)
+{
+    const vm_vec3 zero = {0, 0, 0};
+    vm_joints *joints = &data->joints;
+    data->list[0] = vm_joint_pin(body, draw_vector(1), other, draw_vector(1));
+    if (draw_byte() & 1) data->list[0] = vm_joint_rod(body, zero, other, zero, MOSTLY(draw_log(0.1, 10)));
+    data->list[1] = vm_joint_rod(draw_index(n), zero, draw_index(n), zero, MOSTLY(draw_log(0.1, 10)));
+    joints->joints = draw_byte() % 32 ? data->list : NULL;
+    joints->n_joints = draw_below(3);
+    joints->rate = MOSTLY(draw_log(1, 20));
+    joints->work = draw_byte() % 32 ? data->room : NULL;
+    joints->work_size = draw_byte() % 16 ? VM_LENGTH(data->room) : (int)draw_byte() - 128;
+    return vm_effect_joints(draw_byte() % 32 ? joints : NULL);
+}
 
 static vm_effect draw_crossing(int body, effect_data *data)
 {
@@ -193,7 +237,11 @@ static vm_effect draw_effect(int n, effect_data *data)
     const vm_vec3 u = draw_vector(1);
     vm_real *ctx = &data->ctx;
     *ctx = draw_in(-0.5, 0.5);
-    switch (draw_below(24)) {
+    switch (draw_below(28)) {
+    case 24: data->spring = draw_point_spring(); return vm_effect_point_spring(body, other, &data->spring);
+    case 25: data->contact = draw_contact(); return vm_effect_contact(body, &data->contact);
+    case 26:
+    case 27: return draw_joints(n, body, other, data);
     case 14: return vm_effect_linear_spring(body, coordinate, other, other_coordinate, positive, p);
     case 15: return vm_effect_rotational_damper(body, positive);
     case 16:
@@ -219,6 +267,10 @@ static vm_effect draw_effect(int n, effect_data *data)
     case 11: return vm_effect_mass_law(body, mass_law, ctx, u, R(1 - draw_below(2)));
     case 12: return vm_effect_mass(body, draw_below(3), *ctx / 10, p, R(1 - draw_below(2)));
     case 13: return vm_effect_stream(body, *ctx / 5, u, R(1 - draw_below(2)));
+    case 23: /* a share of the springs, so that stored inputs of other effects keep their meaning */
+        if (coordinate == 1) return vm_effect_gravitation(body, other, p);
+        if (coordinate == 2) return vm_effect_central_gravity(body, u, p);
+        return vm_effect_spring(body, coordinate, other, other_coordinate, positive, alpha, p);
     default: return vm_effect_spring(body, coordinate, other, other_coordinate, positive, alpha, p);
     }
 }
@@ -246,13 +298,18 @@ static vm_event draw_attachment(vm_event event, int body, int added)
     }
 }
 
-static vm_event draw_event(int n, int effects, vm_real *ctx)
+static vm_event draw_event(int n, int effects, vm_real *ctx, vm_contact *contact)
 {
     const int body = draw_index(n), coordinate = draw_coordinate(), direction = draw_below(3) - 1;
     const vm_real value = MOSTLY(draw_in(-2, 2)), time = MOSTLY(draw_in(0, 2));
     vm_event event;
     *ctx = draw_in(0, 2);
-    switch (draw_below(6)) {
+    *contact = draw_contact();
+    switch (draw_below(7)) {
+    case 5:
+        event = vm_event_contact(body, contact);
+        if (draw_byte() & 1) return vm_then_land(event);
+        break;
     case 0: event = vm_event_position(body, coordinate, value, direction); break;
     case 1: event = vm_event_velocity(body, coordinate, value, direction); break;
     case 2: event = vm_event_mass(body, value, direction); break;
@@ -302,6 +359,7 @@ typedef struct drawn_scene {
     effect_data data[EFFECTS];
     vm_effect effects[EFFECTS];
     vm_event events[EVENTS];
+    vm_contact contacts[EVENTS];
     ode_event located[EVENTS];
     vm_budget book;
     vm_real ctx[EVENTS], y[STATE], dydt[STATE], work[VM_SCENE_WORK(STATE)];
@@ -317,7 +375,7 @@ static void draw_scene(drawn_scene *d)
     scene->n_events = draw_byte() & 1 ? draw_below(EVENTS + 1) : 0;
     for (i = 0; i < scene->n_bodies; i++) d->bodies[i] = draw_scene_body();
     for (i = 0; i < scene->n_effects; i++) d->effects[i] = draw_effect(scene->n_bodies, d->data + i);
-    for (i = 0; i < scene->n_events; i++) d->events[i] = draw_event(scene->n_bodies, scene->n_effects, d->ctx + i);
+    for (i = 0; i < scene->n_events; i++) d->events[i] = draw_event(scene->n_bodies, scene->n_effects, d->ctx + i, d->contacts + i);
     scene->bodies = d->bodies;
     scene->effects = d->effects;
     scene->events = d->events;
@@ -352,11 +410,15 @@ static int check_start(drawn_scene *d)
 /* At the end of a run the bodies are finite, and so is the book of a scene in which nothing is extreme. */
 static void check_end(drawn_scene *d, vm_real t)
 {
+    const vm_vec3 at = {1, 0, 0};
     vm_budget now;
     vm_body body;
+    vm_vec3 r, v;
     int i, status, wild = 0;
     for (i = 0; i < d->scene.n_bodies; i++) {
         vm_scene_body_at(&d->scene, i, d->y, &body);
+        vm_scene_point_at(&d->scene, i, at, d->y, &r, &v);
+        if (tame_body(&body)) HOLDS(finite3(r) && finite3(v));
         HOLDS(finite_body(&body) || fuzz.wild); /* the state is finite, omega = L/J of it may overflow */
         wild |= !tame_body(&body);
     }

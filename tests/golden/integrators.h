@@ -191,3 +191,45 @@ static void golden_integrators(void)
     try_rk45();
     try_rk87();
 }
+
+/* Output at listed times up to a stop, then saved, and resumed in another run */
+static void try_output(int high)
+{
+    static const vm_real y0[2] = {1, 0};
+    vm_real work[RK87_WORK(2)], other_work[RK87_WORK(2)], times[12], rows[24];
+    unsigned char bytes[RK87_SAVED(2, 3)];
+    rk45_options o;
+    watched w, v;
+    rk45 s, other;
+    int i, done = 0, more = 0;
+    watch(&w, &o);
+    w.events[0].stop_after = 3;
+    for (i = 0; i < 12; i++) times[i] = VM_C(1.5) * (vm_real)i;
+    for (i = 0; i < 24; i++) rows[i] = 0;
+    fold_int(high ? rk87_init(&s, duffing, NULL, 2, 0, y0, &o, work) : rk45_init(&s, duffing, NULL, 2, 0, y0, &o, work));
+    fold_int(high ? rk87_solve_at(&s, 12, times, rows, &done) : rk45_solve_at(&s, 12, times, rows, &done));
+    fold_int(done);
+    fold_all(24, rows);
+    fold_run(&s);
+    fold_int(high ? rk87_save(&s, (long)sizeof bytes, bytes) : rk45_save(&s, (long)sizeof bytes, bytes));
+    watch(&v, &o);
+    v.events[0].stop_after = 3;
+    if (high) {
+        fold_int(rk87_init(&other, duffing, NULL, 2, 0, y0, &o, other_work));
+        fold_int(rk87_resume(&other, (long)sizeof bytes, bytes));
+        fold_int(rk87_solve_at(&other, 12 - done, times + done, rows, &more));
+    } else {
+        fold_int(rk45_init(&other, duffing, NULL, 2, 0, y0, &o, other_work));
+        fold_int(rk45_resume(&other, (long)sizeof bytes, bytes));
+        fold_int(rk45_solve_at(&other, 12 - done, times + done, rows, &more));
+    }
+    fold_int(more);
+    fold_all(24, rows);
+    fold_run(&other);
+}
+
+static void golden_output(void)
+{
+    try_output(0);
+    try_output(1);
+}

@@ -70,7 +70,7 @@ static void try_bodies(void)
         fold_int(vm_combine_inertia(a.mass, &a.inertia, b.mass, &b.inertia, d, &sum, &centre));
         fold_inertia(sum);
         fold3(centre);
-        fold_int(vm_split_inertia(a.mass + b.mass, &sum, b.mass, &b.inertia, vmi_sub(d, centre), &rest, &centre));
+        fold_int(vm_split_inertia(a.mass + b.mass, &sum, b.mass, &b.inertia, vm_sub(d, centre), &rest, &centre));
         fold_inertia(rest);
         fold3(centre);
         fold_int(vm_to_relative(&a, &b, &moved));

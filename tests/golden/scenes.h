@@ -353,6 +353,47 @@ static void try_scene_of_parts_in_space(void)
     run_scene(1);
 }
 
+/* ---- points of bodies ---- */
+
+/* A pin, a rod and a spring hold a body in the plane, a point and a free body; a body falls on the ground. */
+static void try_scene_of_joints(void)
+{
+    static const vm_point_spring spring = {{VM_C(0.25), 0, 0}, {0, 0, 1}, 8, 1, VM_C(0.5)};
+    static const vm_contact ground = {{0, 0, 0}, 0, {0, VM_C(-1.5), 0}, {0, 2, 0}, 1000, 4};
+    const vm_vec3 zero = {0, 0, 0}, v = {0, 1, VM_C(0.5)}, at = {1, 0, 0}, end = {-1, 0, 0};
+    vm_body body = some_free_body();
+    vm_real room[VM_JOINTS_WORK(2)];
+    vm_joint list[2];
+    vm_joints joints;
+    vm_vec3 r, u;
+    clear_scene();
+    list[0] = vm_joint_pin(0, end, VM_GROUND, zero);
+    list[1] = vm_joint_rod(1, zero, 0, zero, 1);
+    joints.joints = list;
+    joints.n_joints = 2;
+    joints.rate = 8;
+    joints.work = room;
+    joints.work_size = VM_LENGTH(room);
+    add_body(vm_scene_body_plane(2, 1, at, 0, zero, 0));
+    add_body(vm_scene_body_point(1, vmi_vec3(2, 0, 0), v));
+    add_body(vm_scene_body_free(&body));
+    add_effect(vm_effect_gravity(0, 1, -2));
+    add_effect(vm_effect_point_spring(2, VM_GROUND, &spring));
+    add_effect(vm_effect_contact(0, &ground));
+    add_effect(vm_effect_joints(&joints));
+    run_scene(1);
+    vm_scene_point_at(&g.scene, 2, at, g.y, &r, &u);
+    fold3(r);
+    fold3(u);
+    fold3(list[0].force);
+    clear_scene();
+    add_body(vm_scene_body_plane(2, 1, at, 0, zero, VM_C(0.25)));
+    add_effect(vm_effect_gravity(0, 1, -8));
+    add_effect(vm_effect_contact(0, &ground));
+    add_event(vm_then_land(vm_event_contact(0, &ground)));
+    run_scene(2);
+}
+
 /* ---- refused ---- */
 
 static void try_refused_scenes(void)
@@ -392,4 +433,5 @@ static void golden_scenes_in_space(void)
 {
     try_scene_in_space();
     try_scene_of_parts_in_space();
+    try_scene_of_joints();
 }

@@ -1,0 +1,93 @@
+/* integrators/output.h - the solution at listed times
+   rk45_solve_at and rk87_solve_at fill a table with the state at times that the caller lists. Times between the ends of
+   the steps are taken from the continuous extension, so that the list does not make the steps shorter.
+
+       double times[3] = {1, 2, 5}, rows[3][2], y0[2] = {1, 0}, work[RK45_WORK(2)];
+       rk45 s;
+       rk45_init(&s, spring, NULL, 2, 0.0, y0, NULL, work); // spring is the ode_rhs of ode.h
+       if (rk45_solve_at(&s, 3, times, rows[0], NULL) >= 0) printf("x(5) = %g\n", rows[2][0]);
+
+   Tests: tests/test_dense.c. */
+#ifndef VARMASS_INTEGRATORS_OUTPUT_H
+#define VARMASS_INTEGRATORS_OUTPUT_H
+
+#include "../base/arrays.h"
+#include "../base/real.h"
+#include "dense.h"
+#include "ode.h"
+#include "options.h"
+#include "rk45.h"
+#include "rk87.h"
+#include "runs.h"
+
+/* Whether a run that is at the time t, and that goes forward (direction 1) or backward (-1), has reached `time` */
+VM_API int vmi_has_reached(vm_real t, vm_real time, int direction)
+{
+    if (direction > 0) return t >= time;
+    return t <= time;
+}
+
+/* Whether the times begin at t or later in the direction of the run, and none is before an earlier one */
+VM_API int vmi_times_are_in_order(vm_real t, int n_times, const vm_real *times, int direction)
+{
+    int i;
+    for (i = 0; i < n_times; i++) {
+        if (!VM_IS_FINITE(times[i]) || !vmi_has_reached(times[i], t, direction)) return 0;
+        t = times[i];
+    }
+    return 1;
+}
+
+/* Fills the rows of all times that the run has reached, from the row *done on. Returns a status. */
+VM_API int vmi_fill_rows(rk45 *s, int n_times, const vm_real *times, int direction, vm_real *rows, int *done)
+{
+    while (*done < n_times && vmi_has_reached(s->t, times[*done], direction)) {
+        const int status = vmi_interpolate(s, times[*done], rows + (ptrdiff_t)*done * s->n);
+        if (status) return status;
+        ++*done;
+    }
+    return ODE_OK;
+}
+
+/* Does the work of rk45_solve_at for the pair whose number is `method`. run makes one step of this pair. */
+VM_API int vmi_solve_at(rk45 *s, int method, int (*run)(rk45 *s, ode_rhs f, int n, vm_real t_end, int single),
+                        int n_times, const vm_real *times, vm_real *rows, int *n_done_or_NULL)
+{
+    int direction = 1, done = 0, status = ODE_OK, was_stiff;
+    if (!s || s->pair.method != method || n_times < 0) return ODE_BAD_ARGUMENT;
+    if (n_times > 0 && (!times || !rows)) return ODE_BAD_ARGUMENT;
+    if (n_times > 0 && times[n_times - 1] < s->t) direction = -1;
+    if (!vmi_times_are_in_order(s->t, n_times, times, direction)) return ODE_BAD_ARGUMENT;
+    was_stiff = s->stiff;
+    s->attempts = s->options.max_steps;
+    s->event = -1;
+    for (;;) {
+        const int filled = vmi_fill_rows(s, n_times, times, direction, rows, &done);
+        if (filled) status = filled;
+        if (done == n_times || (status != ODE_OK && status != ODE_STIFF)) break;
+        status = run(s, s->f, s->n, times[n_times - 1], 1);
+    }
+    if (n_done_or_NULL) *n_done_or_NULL = done;
+    return status == ODE_OK && s->stiff > was_stiff ? (int)ODE_STIFF : status;
+}
+
+/* Run of rk45 to the last of n_times times, with the state at each of them in a row of n numbers.
+   The times rise from s->t on, or fall from it; equal ones are allowed. rows has n_times n numbers. *n_done_or_NULL
+   becomes the number of rows that are filled: all of them, unless an event or an error ends the run; another call with
+   the times that are left continues it. If an event changes the state at a listed time, the row has the new state. The
+   values are those of rk45_interpolate, and s->y at the last time. Returns a status, as rk45_solve does, and
+   ODE_BAD_ARGUMENT for times that are not finite or in another order. */
+VM_API int rk45_solve_at(rk45 *s, int n_times, const vm_real *times, vm_real *rows, int *n_done_or_NULL)
+{
+    return vmi_solve_at(s, VMI_RK45, vmi_rk45_run, n_times, times, rows, n_done_or_NULL);
+}
+
+/* Run of rk87 to the last of n_times times, with the state at each of them in a row of n numbers.
+   All else is as in rk45_solve_at. A step with listed times takes seven more evaluations of f, which may also end the
+   run with ODE_RHS_STOPPED or ODE_NOT_FINITE. */
+VM_API int rk87_solve_at(rk87 *s, int n_times, const vm_real *times, vm_real *rows, int *n_done_or_NULL)
+{
+    return vmi_solve_at(s, VMI_RK87, vmi_rk87_run, n_times, times, rows, n_done_or_NULL);
+}
+
+#endif

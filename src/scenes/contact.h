@@ -1,0 +1,163 @@
+/* scenes/contact.h - contact of bodies with the ground
+
+   The ground is a plane through the point `on`, and `normal` points out of it. A point of a body, or a ball of a radius
+   about this point, touches the ground where its height is negative. The ground then pushes along the normal with the
+   force stiffness * depth - damping * (velocity along the normal). It never pulls and has no friction.
+
+       vm_contact wheel = {{0, 0, 0}, 0.3, {0, 0, 0}, {0, 1, 0}, 1e5, 300}; // 0.3 m radius; y points up
+       vm_effect effects[] = {vm_effect_gravity(0, 1, -9.81), vm_effect_contact(0, &wheel)};
+       vm_event events[] = {vm_then_land(vm_event_contact(0, &wheel))};     // and it does not bounce
+
+   vm_event_contact happens when the body comes down to the ground. vm_then_land makes it a stop without a bounce: an
+   impulse takes away the velocity of the point along the normal. Afterwards the body rests on the stiffness.
+
+   Tests: tests/test_scene_joints.c. */
+#ifndef VARMASS_SCENES_CONTACT_H
+#define VARMASS_SCENES_CONTACT_H
+
+#include "../base/real.h"
+#include "../base/status.h"
+#include "../mechanics/vectors.h"
+#include "effects.h"
+#include "evaluate.h"
+#include "events.h"
+#include "points.h"
+#include "scene.h"
+
+/* A point of a body, or a ball about it, and the ground on which it comes down */
+typedef struct VM_TAG(vm_contact) {
+    vm_vec3 at;        /* m, body axes: the point of the body */
+    vm_real radius;    /* m: radius of a ball about the point, >= 0 */
+    vm_vec3 on;        /* m: a point of the ground */
+    vm_vec3 normal;    /* direction out of the ground, of any length > 0 */
+    vm_real stiffness; /* N/m, >= 0 */
+    vm_real damping;   /* N s/m, >= 0 */
+} vm_contact;
+
+/* Height of the ball over the ground; it is negative where the ball touches the ground. *p is the point of the body,
+   and *normal becomes the unit vector out of the ground. */
+VM_API vm_real vmi_contact_height(const vm_contact *contact, const vmi_body_point *p, vm_vec3 *normal)
+{
+    *normal = vmi_over(contact->normal, vm_norm(contact->normal));
+    return vm_dot(vm_sub(p->r, contact->on), *normal) - contact->radius;
+}
+
+VM_API void vmi_apply_contact(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
+{
+    const vm_contact *contact = (const vm_contact *)e->parts;
+    vmi_body_point p;
+    vm_vec3 normal;
+    vm_real height, force;
+    (void)t;
+    vmi_point_now(s, e->body, contact->at, y, &p);
+    height = vmi_contact_height(contact, &p, &normal);
+    if (height >= 0) return;
+    force = -contact->stiffness * height - contact->damping * vm_dot(p.v, normal);
+    if (force > 0) vmi_point_push(s->bodies + e->body, &p, vm_scale(force, normal));
+    if (!VM_IS_FINITE(force)) s->status = VM_NOT_FINITE;
+}
+
+VM_API int vmi_contact_check_parts(const vm_scene *s, int body, const vm_contact *contact)
+{
+    int status = vmi_point_check(s, body, contact->at);
+    if (!VM_IS_FINITE(contact->radius) || !VM_IS_FINITE(contact->stiffness) || !VM_IS_FINITE(contact->damping) ||
+        !vmi_vec3_is_finite(contact->on) || !vmi_vec3_is_finite(contact->normal))
+        status = vmi_first_error(status, VM_NOT_FINITE);
+    if (contact->stiffness < 0) status = vmi_first_error(status, VM_BAD_STIFFNESS);
+    if (contact->radius < 0 || contact->damping < 0 || vm_norm(contact->normal) == 0)
+        status = vmi_first_error(status, VM_DOMAIN);
+    return status;
+}
+
+VM_API int vmi_contact_check(const vm_scene *s, const vm_effect *e)
+{
+    return vmi_contact_check_parts(s, e->body, (const vm_contact *)e->parts);
+}
+
+/* Contact of a body with the ground: one-sided stiffness and damping, which never pull. *contact is not copied: if an
+   event changes it, the run continues with the change. vm_scene_start returns VM_BAD_ARGUMENT if contact is NULL,
+   VM_NOT_FINITE, VM_BAD_STIFFNESS for a negative stiffness, VM_DOMAIN if radius or damping is negative or the normal is
+   0, and VM_BAD_POINT for a point that the body cannot have (points.h). */
+VM_API vm_effect vm_effect_contact(int body, const vm_contact *contact)
+{
+    vm_effect e = vmi_effect(body, 0, contact ? vmi_apply_contact : NULL);
+    e.parts = contact;
+    e.check_in_scene = vmi_contact_check;
+    return e;
+}
+
+VM_API vm_real vmi_when_contact(const vm_event *e, vm_real t, const vm_real *y)
+{
+    const vm_contact *contact = (const vm_contact *)e->parts;
+    vmi_body_point p;
+    vm_vec3 normal;
+    (void)t;
+    vmi_point_now(e->scene, e->body, contact->at, y, &p);
+    return vmi_contact_height(contact, &p, &normal);
+}
+
+VM_API int vmi_contact_check_event(const vm_scene *s, const vm_event *e)
+{
+    return vmi_contact_check_parts(s, e->body, (const vm_contact *)e->parts);
+}
+
+/* An event when a body comes down to the ground. Only the fields at, radius, on and normal of *contact matter, which
+   is not copied. vm_scene_start returns VM_BAD_ARGUMENT if contact is NULL, and the errors of vm_effect_contact. */
+VM_API vm_event vm_event_contact(int body, const vm_contact *contact)
+{
+    vm_event e = vmi_event(body, 0, 0, -1);
+    e.when = contact ? vmi_when_contact : NULL;
+    e.parts = contact;
+    e.check = vmi_contact_check_event;
+    if (!contact) e.status = VM_BAD_ARGUMENT;
+    return e;
+}
+
+/* Takes away the velocity of the point along the normal by an impulse, which enters the budget. The body gets the
+   velocities that the impulse 1 along the normal gives it, times a factor. */
+VM_API int vmi_then_land(vm_event *e, vm_real t, vm_real *y)
+{
+    const vm_contact *contact = (const vm_contact *)e->parts;
+    vm_scene *s = e->scene;
+    vm_budget before, after;
+    vmi_body_point p;
+    vm_vec3 normal, impulse;
+    vm_real mobility, v;
+    vmi_scene_evaluate(s, t, y);
+    vmi_point_now(s, e->body, contact->at, y, &p);
+    vmi_contact_height(contact, &p, &normal);
+    v = vm_dot(p.v, normal);
+    mobility = vmi_point_mobility(s->bodies + e->body, &p, normal);
+    if (v >= 0 || mobility == 0) return VM_OK;
+    impulse = vm_scale(-v / mobility, normal);
+    if (s->budget) s->budget->totals(s, y, &before);
+    vmi_point_kick(s->bodies + e->body, &p, impulse, y);
+    if (!s->budget) return VM_OK;
+    s->budget->totals(s, y, &after);
+    s->budget->jump_energy += after.energy - before.energy;
+    s->budget->impulse = vm_add(s->budget->impulse, impulse);
+    s->budget->angular_impulse = vm_add(s->budget->angular_impulse, vm_cross(p.r, impulse));
+    return VM_OK;
+}
+
+/* Checks a landing: reactions of links and joints would have to act in the same impulse */
+VM_API int vmi_land_check(const vm_scene *s, const vm_event *e)
+{
+    const int status = vmi_contact_check_event(s, e);
+    if (status) return status;
+    return s->bodies[e->body].listed_orders >> VMI_ORDER_LINK & 1 ? VM_TWO_LINKS : VM_OK;
+}
+
+/* The event of vm_event_contact becomes a stop without a bounce: an impulse takes away the velocity of the point along
+   the normal, and the body keeps its other velocities as far as it is free. Afterwards vm_effect_contact carries the
+   body. vm_scene_start returns VM_BAD_ARGUMENT for an event that is not of vm_event_contact, and VM_TWO_LINKS for a
+   body with a link or a joint, whose impulses this event does not compute. */
+VM_API vm_event vm_then_land(vm_event event)
+{
+    event.then = vmi_then_land;
+    event.check = vmi_land_check;
+    if (!event.parts) event.status = VM_BAD_ARGUMENT;
+    return event;
+}
+
+#endif

@@ -1,0 +1,442 @@
+/* scenes/joints.h - pins and rods between points of bodies
+
+   A pin holds a point of a body at a point of another body or of the ground: in the plane it is a hinge, in space a
+   ball joint. A rod holds the distance of two points. All joints of a scene stand in one list and are solved together,
+   by Lagrange's multipliers: chains, closed mechanisms and several joints on one body are possible. points.h explains
+   how a point is given.
+
+       vm_vec3 end = {-0.5, 0, 0}, pivot = {0, 0, 0};
+       vm_joint list[] = {vm_joint_pin(0, end, VM_GROUND, pivot)};       // body 0 hangs at the pivot
+       vm_real room[VM_JOINTS_WORK(1)];                                  // for one joint
+       vm_joints joints = {list, 1, 10, room, VM_LENGTH(room)};          // deviations decrease as exp(-10 t)
+       vm_effect effects[] = {vm_effect_gravity(0, 1, -9.81), vm_effect_joints(&joints)}; // joints stand last
+
+   The points of a joint may be apart by the vector C. The joint exerts the force for which the accelerations obey C''
+   + 2 rate C' + rate^2 C = 0, as a link does. After a jump of a body, impulses of the joints take away the velocities
+   with which points would move apart; they are in the budget. list[0].force is the reaction on body 0 at the last
+   evaluation.
+
+   Tests: tests/test_scene_joints.c. */
+#ifndef VARMASS_SCENES_JOINTS_H
+#define VARMASS_SCENES_JOINTS_H
+
+#include <string.h>
+
+#include "../base/arrays.h"
+#include "../base/linear.h"
+#include "../base/real.h"
+#include "../base/status.h"
+#include "../mechanics/vectors.h"
+#include "check.h"
+#include "effects.h"
+#include "motions.h"
+#include "points.h"
+#include "scene.h"
+
+enum { VMI_JOINT_ROWS = 3 }; /* most equations that a joint has */
+
+/* The number of elements of the work array of n joints */
+#define VM_JOINTS_WORK(n) (3 * (n) * (3 * (n) + 2))
+
+/* One equation of a joint: along * C'' is given. Index 0 belongs to the body, index 1 to the other one. For a force of
+   1 N along `along` on the body, and the opposite force on the other one, `turn` is the torque, `move` the acceleration
+   of the mass centre, and `spin` the angular acceleration. */
+typedef struct VM_TAG(vmi_joint_row) {
+    vm_vec3 along;            /* unit vector, inertial axes */
+    vm_vec3 turn[2];          /* m: torque per N */
+    vm_vec3 move[2];          /* 1/kg */
+    vm_vec3 spin[2];          /* 1/(kg m) */
+    vm_real gap;              /* m: C, the deviation from the condition of the joint */
+    vm_real gap_rate;         /* m/s: C' */
+    vm_real gap_acceleration; /* m/s^2: C'' without the joints */
+} vmi_joint_row;
+
+/* An end of a joint: its point, and the acceleration of this point without the joints */
+typedef struct VM_TAG(vmi_joint_end) {
+    vmi_body_point point;
+    vm_vec3 a; /* m/s^2 */
+} vmi_joint_end;
+
+typedef struct VM_TAG(vm_joint) vm_joint;
+
+/* A joint. vm_joint_pin or vm_joint_rod makes it; the caller changes no field. */
+struct VM_TAG(vm_joint) {
+    /* fields set by the constructor */
+    void (*equations)(vm_joint *joint, const vm_scene *scene, const vmi_joint_end *ends); /* writes the equations */
+    int body, other;      /* indices of the bodies; `other` may be VM_GROUND */
+    vm_vec3 at, other_at; /* m: the points of the bodies, in their axes */
+    vm_real length;       /* m: length of a rod */
+    /* fields for the caller to read, set by each evaluation; all 0 while a body is not present */
+    vm_vec3 force; /* N, inertial axes: reaction on the body; the other one has the opposite reaction */
+    /* fields of the last evaluation */
+    int n_rows; /* number of equations */
+    vmi_joint_row row[VMI_JOINT_ROWS];
+};
+
+/* The joints of a scene, all in one list */
+typedef struct VM_TAG(vm_joints) {
+    vm_joint *joints; /* array of n_joints joints */
+    int n_joints;
+    vm_real rate;  /* 1/s: deviations decrease as exp(-rate t); > 0 */
+    vm_real *work; /* array of VM_JOINTS_WORK(n_joints) numbers */
+    int work_size; /* number of elements of work, which vm_scene_start checks; 0 means no check */
+} vm_joints;
+
+/* Computes an end of a joint with the acceleration of its point without the joints,
+     a + alpha x arm + omega x (omega x arm - drift).
+   drift is the velocity of the mass centre of a growing body relative to the body: a is the rate of the velocity of
+   the material at the mass centre, and this material changes. */
+VM_API void vmi_joint_end_now(const vm_scene *s, int body, vm_vec3 at, const vm_real *y, vmi_joint_end *end)
+{
+    const vmi_body_point *p = &end->point;
+    const vm_scene_body *b;
+    vm_vec3 alpha, moving;
+    vmi_point_now(s, body, at, y, &end->point);
+    end->a = vmi_vec3(0, 0, 0);
+    if (body < 0) return;
+    b = s->bodies + body;
+    alpha = vmi_point_spin(b, &p->axes, vmi_scene_turning(b, b->load.force), p->omega);
+    moving = vm_cross(p->omega, p->arm);
+    if (b->grows) moving = vm_sub(moving, b->load.drift);
+    end->a = vmi_point_move(b, vmi_scene_moving(b, b->load.force));
+    end->a = vm_add(end->a, vm_add(vm_cross(alpha, p->arm), vm_cross(p->omega, moving)));
+}
+
+/* Begins a further equation of a joint, with the response of both bodies to the force 1 along a unit vector */
+VM_API vmi_joint_row *vmi_joint_add_row(vm_joint *joint, const vm_scene *s, const vmi_joint_end *ends, vm_vec3 along)
+{
+    const vm_vec3 zero = {0, 0, 0};
+    const int bodies[2] = {joint->body, joint->other};
+    vmi_joint_row *row = joint->row + joint->n_rows++;
+    int i;
+    row->along = along;
+    for (i = 0; i < 2; i++) {
+        const vmi_body_point *p = &ends[i].point;
+        row->turn[i] = row->move[i] = row->spin[i] = zero;
+        if (bodies[i] < 0) continue;
+        row->turn[i] = vm_cross(p->arm, along);
+        row->move[i] = vmi_point_move(s->bodies + bodies[i], along);
+        row->spin[i] = vmi_point_spin(s->bodies + bodies[i], &p->axes, row->turn[i], zero);
+    }
+    return row;
+}
+
+/* -- The kinds of joints -- */
+
+/* Whether a body can move across the plane of x and y */
+VM_API int vmi_joint_is_in_space(const vm_scene *s, int body)
+{
+    return body >= 0 && (s->bodies[body].motion == VM_POINT || s->bodies[body].motion == VM_FREE);
+}
+
+/* A pin has an equation for each direction in which one of its points can move: C is the vector between the points */
+VM_API void vmi_pin_equations(vm_joint *joint, const vm_scene *s, const vmi_joint_end *ends)
+{
+    const int in_space = vmi_joint_is_in_space(s, joint->body) || vmi_joint_is_in_space(s, joint->other);
+    const vm_vec3 C = vm_sub(ends[0].point.r, ends[1].point.r), v = vm_sub(ends[0].point.v, ends[1].point.v);
+    const vm_vec3 a = vm_sub(ends[0].a, ends[1].a);
+    const int n = in_space ? 3 : 2;
+    int i;
+    for (i = 0; i < n; i++) {
+        const vm_vec3 along = vmi_vec3((vm_real)(i == 0), (vm_real)(i == 1), (vm_real)(i == 2));
+        vmi_joint_row *row = vmi_joint_add_row(joint, s, ends, along);
+        row->gap = vm_dot(along, C);
+        row->gap_rate = vm_dot(along, v);
+        row->gap_acceleration = vm_dot(along, a);
+    }
+}
+
+/* A rod has one equation, C = (d^2 - length^2)/(2 |d|) with the vector d between its points. While it acts, |d| is
+   nearly constant; C' = d v/|d| and C'' = (d a + v^2)/|d|, as for a link. */
+VM_API void vmi_rod_equations(vm_joint *joint, const vm_scene *s, const vmi_joint_end *ends)
+{
+    const vm_vec3 d = vm_sub(ends[0].point.r, ends[1].point.r), v = vm_sub(ends[0].point.v, ends[1].point.v);
+    const vm_real l = vm_norm(d);
+    vmi_joint_row *row = vmi_joint_add_row(joint, s, ends, vmi_over(d, l));
+    row->gap = (l - joint->length) * (l + joint->length) / (2 * l);
+    row->gap_rate = vm_dot(row->along, v);
+    row->gap_acceleration = vm_dot(row->along, vm_sub(ends[0].a, ends[1].a)) + vm_dot(v, v) / l;
+}
+
+/* A pin between the point `at` of a body and the point other_at of the body `other`, or of the ground. In the plane it
+   is a hinge, in space a ball joint. */
+VM_API vm_joint vm_joint_pin(int body, vm_vec3 at, int other, vm_vec3 other_at)
+{
+    vm_joint joint;
+    memset(&joint, 0, sizeof joint);
+    joint.equations = vmi_pin_equations;
+    joint.body = body;
+    joint.other = other;
+    joint.at = at;
+    joint.other_at = other_at;
+    joint.length = 1; /* any positive number */
+    return joint;
+}
+
+/* A rigid rod without mass between the point `at` of a body and the point other_at of the body `other`, or of the
+   ground. It holds the distance of the points at `length` (m), by a force along the line between them. */
+VM_API vm_joint vm_joint_rod(int body, vm_vec3 at, int other, vm_vec3 other_at, vm_real length)
+{
+    vm_joint joint = vm_joint_pin(body, at, other, other_at);
+    joint.equations = vmi_rod_equations;
+    joint.length = length;
+    return joint;
+}
+
+/* -- The solution -- */
+
+/* The acceleration that the force of the equation `by`, of the joint j, adds to the equation `row` of the joint i */
+VM_API vm_real vmi_joint_coupling(const vm_joint *i, const vmi_joint_row *row, const vm_joint *j,
+                                  const vmi_joint_row *by)
+{
+    const int bodies[2] = {i->body, i->other}, others[2] = {j->body, j->other};
+    vm_real sum = 0;
+    int k, m;
+    for (k = 0; k < 2; k++)
+        for (m = 0; m < 2; m++) {
+            vm_real part;
+            if (bodies[k] < 0 || bodies[k] != others[m]) continue;
+            part = vm_dot(row->along, by->move[m]) + vm_dot(row->turn[k], by->spin[m]);
+            sum += k == m ? part : -part;
+        }
+    return sum;
+}
+
+/* Writes the equations of all joints whose bodies are present, and returns their number */
+VM_API int vmi_joints_equations(const vm_joints *joints, const vm_scene *s, const vm_real *y)
+{
+    int i, n = 0;
+    for (i = 0; i < joints->n_joints; i++) {
+        vm_joint *joint = joints->joints + i;
+        vmi_joint_end ends[2];
+        joint->n_rows = 0;
+        joint->force = vmi_vec3(0, 0, 0);
+        if (s->bodies[joint->body].away || (joint->other >= 0 && s->bodies[joint->other].away)) continue;
+        vmi_joint_end_now(s, joint->body, joint->at, y, ends);
+        vmi_joint_end_now(s, joint->other, joint->other_at, y, ends + 1);
+        joint->equations(joint, s, ends);
+        n += joint->n_rows;
+    }
+    return n;
+}
+
+/* Writes to row k of the n x n matrix how the forces of all equations accelerate the equation `row` of a joint */
+VM_API void vmi_joints_matrix_row(const vm_joints *joints, const vm_joint *joint, const vmi_joint_row *row, vm_real *a)
+{
+    int j, m, at = 0;
+    for (j = 0; j < joints->n_joints; j++) {
+        const vm_joint *other = joints->joints + j;
+        for (m = 0; m < other->n_rows; m++) a[at++] = vmi_joint_coupling(joint, row, other, other->row + m);
+    }
+}
+
+/* What the forces of an equation have to bring about: the acceleration that C lacks, so that
+   C'' + 2 rate C' + rate^2 C = 0, or for impulses the velocity that it lacks, so that C' = 0 */
+enum { VMI_JOINT_FORCES, VMI_JOINT_IMPULSES };
+
+VM_API vm_real vmi_joint_lacks(const vmi_joint_row *row, vm_real rate, int wanted)
+{
+    if (wanted == VMI_JOINT_IMPULSES) return -row->gap_rate;
+    return -(row->gap_acceleration + 2 * rate * row->gap_rate + rate * rate * row->gap);
+}
+
+/* Solves the n equations for the forces, or for the impulses. They replace the numbers of the work array from n^2 on.
+   Returns VM_SINGULAR, VM_NOT_FINITE or VM_OK. */
+VM_API int vmi_joints_solve(const vm_joints *joints, int n, int wanted)
+{
+    vm_real *a = joints->work, *b = a + n * n;
+    int i, k, at = 0;
+    for (i = 0; i < joints->n_joints; i++) {
+        const vm_joint *joint = joints->joints + i;
+        for (k = 0; k < joint->n_rows; k++) {
+            vmi_joints_matrix_row(joints, joint, joint->row + k, a + at * n);
+            b[at++] = vmi_joint_lacks(joint->row + k, joints->rate, wanted);
+        }
+    }
+    if (!vmi_all_finite(n * n + n, a)) return VM_NOT_FINITE;
+    return vmi_solve_mass(n, a, b, b + n);
+}
+
+/* The force of a joint on its body, from the forces of its equations */
+VM_API vm_vec3 vmi_joint_force(const vm_joint *joint, const vm_real *forces)
+{
+    vm_vec3 sum = {0, 0, 0};
+    int k;
+    for (k = 0; k < joint->n_rows; k++) sum = vm_add(sum, vm_scale(forces[k], joint->row[k].along));
+    return sum;
+}
+
+/* Adds the force of a joint to the loads of its bodies */
+VM_API void vmi_joint_push(const vm_joint *joint, const vm_real *y, vm_scene *s)
+{
+    vmi_body_point p;
+    vmi_point_now(s, joint->body, joint->at, y, &p);
+    vmi_point_push(s->bodies + joint->body, &p, joint->force);
+    if (joint->other < 0) return;
+    vmi_point_now(s, joint->other, joint->other_at, y, &p);
+    vmi_point_push(s->bodies + joint->other, &p, vm_scale(-1, joint->force));
+}
+
+VM_API void vmi_apply_joints(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
+{
+    const vm_joints *joints = (const vm_joints *)e->parts;
+    const int n = vmi_joints_equations(joints, s, y), status = vmi_joints_solve(joints, n, VMI_JOINT_FORCES);
+    const vm_real *forces = joints->work + n * n;
+    int i;
+    (void)t;
+    if (status) s->status = status;
+    if (status) return;
+    for (i = 0; i < joints->n_joints; i++) {
+        vm_joint *joint = joints->joints + i;
+        if (joint->n_rows == 0) continue;
+        joint->force = vmi_joint_force(joint, forces);
+        vmi_joint_push(joint, y, s);
+        forces += joint->n_rows;
+    }
+}
+
+/* Gives an impulse at a point of a body or of the ground */
+VM_API void vmi_joint_kick(const vm_scene *s, int body, vm_vec3 at, vm_vec3 impulse, vm_real *y)
+{
+    vmi_body_point p;
+    if (body < 0) return;
+    vmi_point_now(s, body, at, y, &p);
+    vmi_point_kick(s->bodies + body, &p, impulse, y);
+}
+
+/* After a jump, gives the impulses of the joints that stop the points of each joint from moving apart, and adds those
+   from the ground to the budget. The equations are those of the last evaluation. */
+VM_API int vmi_joints_settle(const vm_effect *e, vm_real *y, vm_scene *s)
+{
+    const vm_joints *joints = (const vm_joints *)e->parts;
+    const vm_real *impulses;
+    int i, n = 0, status;
+    for (i = 0; i < joints->n_joints; i++) n += joints->joints[i].n_rows;
+    impulses = joints->work + n * n;
+    status = vmi_joints_solve(joints, n, VMI_JOINT_IMPULSES);
+    if (status) return status;
+    for (i = 0; i < joints->n_joints; i++) {
+        const vm_joint *joint = joints->joints + i;
+        const vm_vec3 impulse = vmi_joint_force(joint, impulses);
+        impulses += joint->n_rows;
+        if (joint->n_rows == 0) continue;
+        vmi_joint_kick(s, joint->body, joint->at, impulse, y);
+        vmi_joint_kick(s, joint->other, joint->other_at, vm_scale(-1, impulse), y);
+        if (joint->other >= 0 || !s->budget) continue;
+        s->budget->impulse = vm_add(s->budget->impulse, impulse);
+        s->budget->angular_impulse = vm_add(s->budget->angular_impulse, vm_cross(joint->other_at, impulse));
+    }
+    return VM_OK;
+}
+
+/* -- Checks -- */
+
+/* Computes an end of a joint at the start of the scene, when the accelerations are not yet known. `size` and `speed`
+   are sums of the lengths and velocities of which the position and velocity of the point are composed. */
+VM_API void vmi_joint_end_at_start(const vm_scene *s, int body, vm_vec3 at, vmi_joint_end *end, vm_real *size,
+                                   vm_real *speed)
+{
+    enum { MOST = 13 + 1 + 3 + 6 }; /* the numbers of a free body, its mass, its mass centre and its inertia */
+    vm_real state[MOST] = {0};
+    vmi_body_point *p = &end->point;
+    end->a = vmi_vec3(0, 0, 0);
+    if (body >= 0) {
+        vm_scene_body now = s->bodies[body];
+        now.centre = vmi_vec3(0, 0, 0);
+        now.put(&now, &now.start, now.angle, state);
+        vmi_point_of_body(&now, at, state, p);
+    } else vmi_point_now(s, body, at, NULL, p);
+    *size += vmi_norm1(p->r) + vmi_norm1(p->arm);
+    *speed += vmi_norm1(p->v) + vmi_norm1(p->omega) * vmi_norm1(p->arm);
+}
+
+/* Whether the bodies fit a joint at the start: the gap and its rate are 0 but for a small fraction of the lengths and
+   velocities of which they are composed */
+VM_API int vmi_joint_fits(vm_joint *joint, const vm_scene *s)
+{
+    const vm_real loose = VM_C(1e-6) + 512 * VM_EPSILON;
+    vm_real size = 0, speed = 0;
+    vmi_joint_end ends[2];
+    int k;
+    vmi_joint_end_at_start(s, joint->body, joint->at, ends, &size, &speed);
+    vmi_joint_end_at_start(s, joint->other, joint->other_at, ends + 1, &size, &speed);
+    joint->n_rows = 0;
+    joint->equations(joint, s, ends);
+    for (k = 0; k < joint->n_rows; k++) {
+        const vmi_joint_row *row = joint->row + k;
+        if (!(VM_FABS(row->gap) <= loose * size && VM_FABS(row->gap_rate) <= loose * speed)) return 0;
+    }
+    return 1;
+}
+
+VM_API int vmi_joint_check(vm_joint *joint, const vm_scene *s)
+{
+    int status = vmi_first_error(vmi_point_check(s, joint->body, joint->at),
+                                 vmi_point_check(s, joint->other, joint->other_at));
+    if (joint->body < 0) status = vmi_first_error(status, VM_NO_SUCH_BODY);
+    if (!VM_IS_FINITE(joint->length)) status = vmi_first_error(status, VM_NOT_FINITE);
+    if (joint->length <= 0) status = vmi_first_error(status, VM_DOMAIN);
+    if (joint->body == joint->other) status = vmi_first_error(status, VM_SAME_BODY);
+    if (!joint->equations) status = VM_BAD_ARGUMENT;
+    if (status) return status;
+    if (s->bodies[joint->body].absent || (joint->other >= 0 && s->bodies[joint->other].absent)) return VM_OK;
+    return vmi_joint_fits(joint, s) ? VM_OK : VM_NOT_JOINED;
+}
+
+/* Enters in the lists of effects on the bodies of joints that a link stands there, with `enter` = 1; else returns
+   VM_TWO_LINKS if a link or another list of joints already stands there. */
+VM_API int vmi_joints_enter_links(const vm_joints *joints, const vm_scene *s, int enter)
+{
+    const int link = 1 << VMI_ORDER_LINK;
+    int i, k;
+    for (i = 0; i < joints->n_joints; i++) {
+        const int bodies[2] = {joints->joints[i].body, joints->joints[i].other};
+        for (k = 0; k < 2; k++) {
+            if (bodies[k] < 0) continue;
+            if (enter) s->bodies[bodies[k]].listed_orders |= link;
+            else if (s->bodies[bodies[k]].listed_orders & link) return VM_TWO_LINKS;
+        }
+    }
+    return VM_OK;
+}
+
+VM_API int vmi_joints_check(const vm_scene *s, const vm_effect *e)
+{
+    const vm_joints *joints = (const vm_joints *)e->parts;
+    int i, status = VM_OK;
+    if (!joints->work) return VM_BAD_ARGUMENT;
+    if (e->body >= 0 && s->bodies[e->body].absent) return VM_IS_AWAY;
+    for (i = 0; i < joints->n_joints; i++) status = vmi_first_error(status, vmi_joint_check(joints->joints + i, s));
+    if (!VM_IS_FINITE(joints->rate)) status = vmi_first_error(status, VM_NOT_FINITE);
+    if (joints->rate <= 0) status = vmi_first_error(status, VM_DOMAIN);
+    if (joints->work_size && joints->work_size < VM_JOINTS_WORK(joints->n_joints))
+        status = vmi_first_error(status, VM_SHORT_ARRAY);
+    if (!status) status = vmi_joints_enter_links(joints, s, 0);
+    if (!status) status = vmi_joints_enter_links(joints, s, 1);
+    return status;
+}
+
+/* The joints of a scene, solved together. *joints and its arrays are not copied and must stay where they are. The
+   effect stands after all other effects on the bodies of the joints. With n equations (2 a pin in the plane, 3 in
+   space, 1 a rod) an evaluation takes about n^3/3 multiplications for the solution. A high rate makes the equations
+   stiff. vm_scene_start returns VM_BAD_ARGUMENT for null pointers and an empty list, VM_NOT_FINITE, VM_DOMAIN if rate
+   or the length of a rod is not positive, VM_SHORT_ARRAY, VM_NO_SUCH_BODY, VM_IS_AWAY if the body of the first joint
+   is absent at the start, VM_SAME_BODY for a joint of a body with itself, VM_BAD_POINT for a point that the body
+   cannot have (points.h), VM_NOT_JOINED if points do not fit at the start or move apart, VM_TWO_LINKS if a body has a
+   link or joints of another list, too, and VM_LINK_NOT_LAST if another effect on one of the bodies follows. A run ends
+   with VM_SINGULAR if joints are redundant, contradict each other or hold what cannot move, if a mechanism reaches a
+   position in which it is locked, and with VM_NOT_FINITE if the points of a rod coincide. A joint does not act while
+   one of its bodies is not present. */
+VM_API vm_effect vm_effect_joints(const vm_joints *joints)
+{
+    const int is_list = joints && joints->joints && joints->n_joints > 0;
+    const int body = is_list ? joints->joints[0].body : 0;
+    vm_effect e = vmi_effect(body, 0, is_list ? vmi_apply_joints : NULL);
+    e.order = VMI_ORDER_JOINTS;
+    e.parts = joints;
+    e.check_in_scene = vmi_joints_check;
+    e.settle = vmi_joints_settle;
+    return e;
+}
+
+#endif

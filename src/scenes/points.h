@@ -1,0 +1,182 @@
+/* scenes/points.h - points of the bodies of a scene
+
+   Springs, joints and contacts act at points of bodies. A point is given by the vector from the mass centre of the body
+   at the start, in body axes, so that it moves and turns with the body. On an axle the vector leads from the axle,
+   which stands in the origin. In the plane the third number is a height above the plane. Points of the ground are given
+   by their position. A point body has only one point, the zero vector, and a rod only those on its own axis
+   (VM_BAD_POINT).
+
+       vm_vec3 tip = {0.5, 0, 0}, r, v;
+       vm_scene_point_at(&scene, 0, tip, y, &r, &v); // position and velocity of a point of body 0 in the state y
+
+   Tests: tests/test_scene_joints.c. */
+#ifndef VARMASS_SCENES_POINTS_H
+#define VARMASS_SCENES_POINTS_H
+
+#include "../base/arrays.h"
+#include "../base/elementary.h"
+#include "../base/real.h"
+#include "../base/status.h"
+#include "../mechanics/inertia.h"
+#include "../mechanics/vectors.h"
+#include "check.h"
+#include "growing.h"
+#include "motions.h"
+#include "scene.h"
+
+/* A point of a body or of the ground, and how the body moves */
+typedef struct VM_TAG(vmi_body_point) {
+    vm_vec3 arm;   /* m, inertial axes: from the mass centre (on an axle from the axle) to the point */
+    vm_vec3 r;     /* m: position of the point */
+    vm_vec3 v;     /* m/s: velocity of the point */
+    vm_vec3 omega; /* rad/s, inertial axes: angular velocity of the body */
+    vmi_mat3 axes; /* the body axes in inertial axes */
+} vmi_body_point;
+
+/* The axes of a body in its state */
+VM_API vmi_mat3 vmi_point_axes(const vm_scene_body *b, const vm_real *state)
+{
+    vmi_mat3 axes;
+    vm_real s = 0, c = 1;
+    if (b->motion == VM_FREE) return vmi_rotation(vmi_get_quat(state + VMI_FREE_Q));
+    if (b->motion == VM_PLANE) vmi_sincos(state[VMI_PLANE_ANGLE], &s, &c);
+    if (b->motion == VM_AXLE) vmi_sincos(state[0], &s, &c);
+    axes.x = vmi_vec3(c, s, 0);
+    axes.y = vmi_vec3(-s, c, 0);
+    axes.z = vmi_vec3(0, 0, 1);
+    return axes;
+}
+
+/* Computes the position and the velocity of the point `at` of a body. The velocity is that of the material: a growing
+   body moves with the velocity v of its state at its present mass centre. */
+VM_API void vmi_point_of_body(const vm_scene_body *b, vm_vec3 at, const vm_real *state, vmi_body_point *p)
+{
+    const vm_real *rates = state + b->positions;
+    p->axes = vmi_point_axes(b, state);
+    p->omega = vmi_scene_turning(b, rates);
+    if (b->motion == VM_FREE) p->omega = vmi_times(&p->axes, p->omega);
+    p->arm = vmi_times(&p->axes, vm_sub(at, b->grows ? vmi_growth_centre(b, state) : b->centre));
+    p->r = vm_add(vmi_scene_moving(b, state), p->arm);
+    p->v = vm_add(vmi_scene_moving(b, rates), vm_cross(p->omega, p->arm));
+}
+
+/* Computes a point of a body of the scene in the state y, or of the ground, which rests */
+VM_API void vmi_point_now(const vm_scene *s, int body, vm_vec3 at, const vm_real *y, vmi_body_point *p)
+{
+    const vm_vec3 zero = {0, 0, 0};
+    if (body >= 0) {
+        vmi_point_of_body(s->bodies + body, at, y + s->bodies[body].at, p);
+        return;
+    }
+    p->arm = p->v = p->omega = zero;
+    p->r = at;
+    p->axes.x = vmi_vec3(1, 0, 0);
+    p->axes.y = vmi_vec3(0, 1, 0);
+    p->axes.z = vmi_vec3(0, 0, 1);
+}
+
+/* Adds the force f at a point of a body to the load of the body */
+VM_API void vmi_point_push(vm_scene_body *b, const vmi_body_point *p, vm_vec3 f)
+{
+    if (b->motion == VM_LINE) b->load.force[0] += f.x;
+    else vmi_scene_add(b, b->load.force, f, vm_cross(p->arm, f));
+}
+
+/* The mass, or on an axle the inertia, that resists acceleration */
+VM_INLINE vm_real vmi_point_mass(const vm_scene_body *b)
+{
+    if (b->motion > VM_AXLE) return b->load.mass;
+    return b->load.mass + b->load.extra_mass;
+}
+
+/* The acceleration of the mass centre by a force */
+VM_API vm_vec3 vmi_point_move(const vm_scene_body *b, vm_vec3 force)
+{
+    if (b->motion == VM_AXLE) return vmi_vec3(0, 0, 0);
+    if (b->motion == VM_LINE) force.y = 0;
+    if (b->motion == VM_LINE || b->motion == VM_PLANE) force.z = 0;
+    return vmi_over(force, vmi_point_mass(b));
+}
+
+/* The angular acceleration I^-1 (torque - omega x I omega) of a body in inertial axes. The inertia of a free body is
+   that of its last evaluation. */
+VM_API vm_vec3 vmi_point_spin(const vm_scene_body *b, const vmi_mat3 *axes, vm_vec3 torque, vm_vec3 omega)
+{
+    vm_real rates[3];
+    if (b->motion == VM_AXLE) return vmi_vec3(0, 0, torque.z / vmi_point_mass(b));
+    if (b->motion == VM_PLANE) return vmi_vec3(0, 0, torque.z / b->inertia.zz);
+    if (b->motion != VM_FREE) return vmi_vec3(0, 0, 0);
+    if (vmi_free_euler(b, axes, torque, vmi_times_transposed(axes, omega), rates)) return vmi_vec3(VM_NAN, 0, 0);
+    return vmi_times(axes, vmi_get3(rates));
+}
+
+/* Gives an impulse at a point of a body, which changes its velocities in the state y of the scene */
+VM_API void vmi_point_kick(const vm_scene_body *b, const vmi_body_point *p, vm_vec3 impulse, vm_real *y)
+{
+    const vm_vec3 zero = {0, 0, 0}, move = vmi_point_move(b, impulse);
+    vm_vec3 spin = vmi_point_spin(b, &p->axes, vm_cross(p->arm, impulse), zero);
+    vm_real *velocities = y + b->at + b->positions;
+    if (b->motion == VM_FREE) spin = vmi_times_transposed(&p->axes, spin);
+    if (b->motion == VM_LINE) velocities[0] += move.x;
+    else vmi_scene_add(b, velocities, move, spin);
+}
+
+/* The acceleration of a point along a unit vector by a force of 1 N along this vector */
+VM_API vm_real vmi_point_mobility(const vm_scene_body *b, const vmi_body_point *p, vm_vec3 along)
+{
+    const vm_vec3 zero = {0, 0, 0}, turn = vm_cross(p->arm, along);
+    return vm_dot(along, vmi_point_move(b, along)) + vm_dot(turn, vmi_point_spin(b, &p->axes, turn, zero));
+}
+
+/* Whether a body has inertia against every force at the point `at`. Forces turn a body about all axes normal to `at`.
+   If the body is a rod or a point, `hollow` is the inertia that vmi_invertible_inertia adds, which is the same dummy
+   moment about each of the k axes that have none. The sum of the squares of the parts of `at` normal to these axes is
+   k at^2 - at (hollow at)/dummy, and must be 0 but for rounding errors. */
+VM_API int vmi_point_is_possible(const vm_scene_body *b, vm_vec3 at)
+{
+    const vm_real noise = 64 * VM_EPSILON;
+    vm_inertia whole, hollow;
+    vm_real trace, square;
+    if (b->motion == VM_POINT) return at.x == 0 && at.y == 0 && at.z == 0;
+    if (b->motion != VM_FREE) return 1;
+    whole = vmi_invertible_inertia(&b->start.inertia);
+    hollow = vmi_inertia_plus(whole, -1, b->start.inertia);
+    trace = hollow.xx + hollow.yy + hollow.zz;
+    square = vm_dot(at, at);
+    return trace * square - vm_dot(at, vmi_inertia_times(&hollow, at)) <= noise * (trace * square);
+}
+
+/* Notes that a jump has moved the mass centre of a body by `step`, in inertial axes: its points stay where they are */
+VM_API void vmi_point_shift(vm_scene_body *b, vm_vec3 step, const vm_real *state)
+{
+    const vmi_mat3 axes = vmi_point_axes(b, state);
+    b->centre = vm_add(b->centre, vmi_times_transposed(&axes, step));
+}
+
+/* Checks a point of a body of the scene, or of the ground, and lets jumps of the body call vmi_point_shift. The scene
+   has checked its bodies before. */
+VM_API int vmi_point_check(const vm_scene *s, int body, vm_vec3 at)
+{
+    if (!vmi_vec3_is_finite(at)) return VM_NOT_FINITE;
+    if (body == VM_GROUND) return VM_OK;
+    if (vmi_scene_check_coordinate(s, body, 0)) return VM_NO_SUCH_BODY;
+    s->bodies[body].shift = vmi_point_shift;
+    return vmi_point_is_possible(s->bodies + body, at) ? VM_OK : VM_BAD_POINT;
+}
+
+/* The position and velocity of a point of a body in the state y, in inertial axes. `at` is the vector from the mass
+   centre at the start to the point, in body axes; on an axle it leads from the axle. The scene must have been started.
+   *r in m and *v in m/s are NaN if no body has this index, if scene or y is NULL, and before a start. If r or v is
+   NULL, nothing is written. */
+VM_API void vm_scene_point_at(const vm_scene *scene, int body, vm_vec3 at, const vm_real *y, vm_vec3 *r, vm_vec3 *v)
+{
+    vmi_body_point p;
+    if (!r || !v) return;
+    *r = *v = vmi_vec3(VM_NAN, VM_NAN, VM_NAN);
+    if (!scene || !scene->bodies || !scene->size || !y || body < 0 || body >= scene->n_bodies) return;
+    vmi_point_now(scene, body, at, y, &p);
+    *r = p.r;
+    *v = p.v;
+}
+
+#endif
