@@ -63,7 +63,8 @@ cat "$folder"/*.csv | awk -F, -v rows="$rows" -v style="$style" '
             theirs = ""
             if (peer_ratio[i] != "") {
                 theirs = peer_error[i] ", " digits(peer_ratio[i]) " x"
-                if (peer_ratio[i] < ratio[i] && peer_beside[i] == beside[i]) theirs = theirs ": the peer wins"
+                if (peer_ratio[i] < ratio[i] && peer_error[i] + 0 <= error[i] + 0 && peer_beside[i] == beside[i])
+                    theirs = theirs ": the peer wins"
             }
             line(what[i], job[i], route[i] (knob[i] != "" && knob[i] != "*" ? " " knob[i] : ""), error[i], digits(ns[i]),
                  digits(ratio[i]) " x " beside[i], sprintf("%.1f %%", 100*spread[i]), peer_ratio[i] != "" ? peer[i] : "", theirs)

@@ -23,7 +23,7 @@
                     it), in space and in the plane; how a part must leave so that the remaining body moves as wanted;
                     energy of a jump; a rotor that breaks; Lagrange's equations across a jump and with variable mass; a
                     pendulum that is cut; torque-free rotation; streams of mass with their reactive force and torque;
-                    rockets; a band that winds up on a drum
+                    rockets; tanks and grains; orbits of two bodies; a band that winds up on a drum
      oscillators/   m x'' + k x|x|^(alpha-1) = F with constant mass and with laws of mass, stiffness and damping;
                     Duffing's oscillator k1 x + k3 x^3 and any other odd elastic force; Van der Pol's oscillator,
                     Jeffcott's rotor, two bodies with a nonlinear spring, harmonic excitation, resonance, turning
@@ -126,6 +126,8 @@
 #include "mechanics/flow2.h"
 #include "mechanics/flow1.h"
 #include "mechanics/rocket.h"
+#include "mechanics/supply.h"
+#include "mechanics/orbit.h"
 #include "mechanics/drum.h"
 #include "mechanics/lagrange.h"
 #include "oscillators/constant_mass.h"
@@ -162,6 +164,7 @@
 #include "scenes/growing.h"
 #include "scenes/forces.h"
 #include "scenes/effects.h"
+#include "scenes/gravitation.h"
 #include "scenes/mass.h"
 #include "scenes/mass_of_time.h"
 #include "scenes/streams.h"

@@ -151,6 +151,7 @@ static vm_vec3 vector(vm_real size)
 #include "golden/slow.h"
 #include "golden/duffing.h"
 #include "golden/scenes.h"
+#include "golden/orbit.h"
 
 /* The texts of statuses, apart from the numbers, so that a better text changes no other hash */
 static void golden_texts(void)
@@ -218,6 +219,7 @@ int main(void)
     RUN(scenes_on_a_line);
     RUN(scenes_in_the_plane);
     RUN(scenes_in_space);
+    RUN(orbit);
     RUN(texts);
 #endif
     return 0;

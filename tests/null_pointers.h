@@ -229,6 +229,8 @@ static void null_streams(void)
     const vm_body body = a_body(3);
     const vm_stream1 line = {1, 0, VM_AT_REST};
     const vm_jet jet = {R(-0.1), 1, 1, R(0.1), R(0.1), R(0.1), 1};
+    const vm_supply tank = {VM_TANK_OF_LIQUID, {0, 0, 0}, {0, 0, 1}, 1, 1, 0, 3};
+    const vm_vec3 place = {1, 0, 0};
     vm_stream stream;
     vm_stream1 stream1 = line;
     vm_stream2 stream2;
@@ -275,6 +277,9 @@ static void null_streams(void)
     CHECK(vm_flow1_rhs(0, y, null_output[0], &flow1) == VM_BAD_ARGUMENT);
     CHECK(vm_flow2_rhs(0, y, null_output[0], &flow2) == VM_BAD_ARGUMENT);
     STATUS(3, vm_linear_flow(IN(0, vm_stream1, &line), 1, 0, 1, 2, 0, X(1, vm_real), X(2, vm_real)));
+    STATUS(2, vm_supply_at(IN(0, vm_supply, &tank), 1, X(1, vm_supply_left)));
+    STATUS(2, vm_orbit(1, 1, place, zero, X(0, vm_vec3), X(1, vm_vec3)));
+    STATUS(2, vm_orbit_meshchersky(1, 1, R(0.1), place, zero, X(0, vm_vec3), X(1, vm_vec3)));
     STATUS(2, vm_jet_damping(IN(0, vm_jet, &jet), 1, zero, X(1, vm_vec3)));
 }
 

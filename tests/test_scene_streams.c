@@ -179,12 +179,10 @@ static vm_vec3 shaft_of(const vm_real *y)
 
 static void band_now(vm_real t, const vm_real *y, vm_stream *stream, void *ctx)
 {
-    static const vm_store far_away = {{9, 9, 9}, {9, 9, 9, 0, 0, 0}};
     const vm_drum *d = (const vm_drum *)ctx;
     vm_real s, c;
     (void)t;
     vmi_sincos(y[2], &s, &c);
-    stream->from = &far_away; /* not read: a stream of a scene has no store */
     stream->at = vmi_vec3(d->radius * c, -d->radius * s, 0); /* (R, 0) from S in space */
     stream->rate = d->band * y[5];
 }
@@ -417,7 +415,7 @@ static void refused_effect(stage *s, vm_effect effect, int status)
 static void check_refusals(void)
 {
     const vm_body body = probe();
-    const vm_store tank = {{0, 0, 0}, {0, 0, 0, 0, 0, 0}};
+    vm_store tank = {{0, 0, 0}, {0, 0, 0, 0, 0, 0}};
     vm_stream stream = jet(1, VM_RELATIVE);
     stage s;
     stage_clear(&s, 1);
@@ -433,7 +431,9 @@ static void check_refusals(void)
     stream.motion = 9;
     refused_effect(&s, vm_effect_stream_force(0, &stream), VM_BAD_ARGUMENT);
     stream.motion = VM_RELATIVE;
-    stream.from = &tank;
+    stream.from = &tank; /* in the mass centre, which is on every line through it */
+    CHECK(vmi_crossing_check(&s.effects[0]) == VM_OK);
+    tank.at = vmi_vec3(1, 2, 3);
     refused_effect(&s, vm_effect_stream_force(0, &stream), VM_STORED_STREAM);
     stream.from = NULL;
     stream.at.y = VM_NAN;

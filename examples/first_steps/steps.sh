@@ -7,9 +7,8 @@ mkdir -p "$build" || exit 1
 {
     echo '# First steps'
     echo
-    echo 'Twelve programs of less than 60 lines each, from a spring with a leaking mass to a satellite that throws off a'
-    echo 'panel. Written by `make first-steps`, which builds, runs and draws them; each is also one compiler line, which'
-    echo 'stands in it.'
+    echo 'Thirteen programs of less than 60 lines each, from a spring with a leaking mass to a sounding rocket.'
+    echo 'Written by `make first-steps`, which builds, runs and draws them; each is also one compiler line, which stands in it.'
     echo 'Numbers in round brackets are equations of the dissertation.'
 } >"$doc"
 for source in examples/first_steps/*.c; do

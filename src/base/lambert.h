@@ -6,8 +6,9 @@
 
        vm_real w = vm_lambert_w0(1); // 0.567..., the solution of w e^w = 1
 
-   Method: two steps of fourth order by Fritsch, Shafer and Crowley (Comm. ACM 16, 1973) from a start value with an
-   error of at most 2 %. The residual is computed in two words, so that the error is little more than a rounding.
+   Method: steps of fourth order by Fritsch, Shafer and Crowley (Comm. ACM 16, 1973), two of them from a start value
+   with an error of at most 2 %, or one from a start value with an error of at most 1e-4. The residual is computed in
+   two words, so that the error is little more than a rounding.
    Tests: tests/test_lambert.c. */
 #ifndef VARMASS_BASE_LAMBERT_H
 #define VARMASS_BASE_LAMBERT_H
@@ -26,11 +27,12 @@ VM_API vm_real vmi_lambert_correction(vm_real w1, vm_real z)
     return first * ((half_q - first / 2) / (half_q - first));
 }
 
-/* Returns Lambert's W of a number x that is not close to -1/e. l is ln|x| in two words; w is a rough value of W(x). */
-VM_API vm_real vmi_lambert_far(vm_two l, vm_real w)
+/* Returns Lambert's W of a number x that is not close to -1/e, from l = ln|x| in two words and a rough value w of W. Two
+   steps are enough where w is right to 2 %, and one where it is right to 1e-4. */
+VM_API vm_real vmi_lambert_far(vm_two l, vm_real w, int steps)
 {
     int i;
-    for (i = 0; i < 2; i++) {
+    for (i = 0; i < steps; i++) {
         const vm_two ln = vmi_log(VM_FABS(w));
         const vm_two z = vmi_two_plus(vmi_two_plus(l, vmi_minus(ln)), vmi_two(-w, 0));
         w += w * vmi_lambert_correction(1 + w, z.hi);
@@ -38,10 +40,47 @@ VM_API vm_real vmi_lambert_far(vm_two l, vm_real w)
     return w;
 }
 
-/* Returns Lambert's W of x < 0 from s = -1 - ln(-x): W_-1 if `lower` is 1, else W_0, which needs x close to -1/e.
-   Method: W = -1 - v, where v solves v - ln(1 + v) = s, with v > 0 for W_-1 and v < 0 for W_0. A value of s between
-   -eps/2 and 0 is caused by rounding and means x = -1/e. The start value of v is a formula by Barry, Culligan-Hensley
-   and Barry (ACM TOMS 21, 1995) for W_-1, and a series in sqrt(2s), good for s < 0.4, for W_0. */
+/* Returns W_0(x) for x from -1/4 to 55. With r = sqrt(1 + e x), in which W_0 is smooth also next to -1/e, the quotient
+   g of two polynomials is W_0(x)/x with an error of at most 1e-4. One step from w = g x, held in two words, follows; in it
+   ln(x/w) is -ln g. */
+VM_API vm_real vmi_lambert_middle(vm_real x)
+{
+    const vm_real r = VM_SQRT(1 + VM_C(2.718281828459045) * x);
+    vm_real g, z;
+    vm_two w, ln;
+    if (r < VM_C(2.97))
+        g = (VM_C(2.724123732) + r * (VM_C(0.2279612433) - r * VM_C(0.008327681558))) /
+            (1 + r * (VM_C(1.510476714) + r * VM_C(0.4332891023)));
+    else
+        g = (VM_C(3.123770417) + r * (VM_C(0.07756765143) - r * VM_C(0.0009571950887))) /
+            (1 + r * (VM_C(1.818644339) + r * VM_C(0.3351457891)));
+    w = vmi_two_product(x, g);
+    ln = vmi_log(g);
+    z = -((ln.hi + w.hi) + (ln.lo + w.lo));
+    return w.hi + (w.lo + w.hi * vmi_lambert_correction(1 + w.hi, z));
+}
+
+/* A rough value of W_0(e^l), right to 6e-5, for l from 3.95 to 712 */
+VM_API vm_real vmi_lambert_rational(vm_real l)
+{
+    vm_real above, below;
+    if (l < 24) {
+        above = VM_C(0.662180417) + l * (VM_C(0.3951587621) + l * (VM_C(0.2108913562) + l * VM_C(0.005136464812)));
+        below = 1 + l * (VM_C(0.2373079821) + l * VM_C(0.005161503917));
+    } else if (l < 120) {
+        above = VM_C(-0.7963177685) + l * (VM_C(0.7513901587) + l * VM_C(0.05372887458));
+        below = 1 + l * (VM_C(0.05415434916) - l * VM_C(6.990819291e-7));
+    } else {
+        above = VM_C(-2.789606648) + l * (VM_C(0.9409089019) + l * VM_C(0.009304151471));
+        below = 1 + l * (VM_C(0.009316976902) - l * VM_C(3.625903141e-9));
+    }
+    return above / below;
+}
+
+/* Returns Lambert's W of x < 0 from s = -1 - ln(-x). If `lower` is 1, this is W_-1; if it is 0, it is W_0, for x close
+   to -1/e. Method: W = -1 - v, where v solves v - ln(1 + v) = s, v > 0 for W_-1 and v < 0 for W_0. A value of s between
+   -eps/2 and 0 is caused by rounding and means x = -1/e. v starts from a formula by Barry, Culligan-Hensley and Barry
+   (ACM TOMS 21, 1995) for W_-1, and from a series in sqrt(2s) for W_0, which is good for s < 0.4. */
 VM_API vm_real vmi_lambert_near(vm_two s, int lower)
 {
     const vm_real barry = VM_C(0.3361), root = VM_SQRT(2 * s.hi);
@@ -91,13 +130,13 @@ VM_API vm_real vmi_lambert_winitzki(vm_real L) { return L * (1 - vmi_log(1 + L).
    number next to -1/e counts as -1/e and gives -1. */
 VM_API vm_real vm_lambert_w0(vm_real x)
 {
-    vm_real start;
-    if (x == 0 || x != x || x == VM_INFINITY) return x;
+    vm_two l;
+    if (VM_FABS(x) < VM_EPSILON / 8 || x != x || x == VM_INFINITY) return x; /* W_0(x) = x - x^2 + ... */
     if (x == -VM_INFINITY) return VM_NAN;
     if (x < VM_C(-0.25)) return vmi_lambert_near(vmi_lambert_depth(x), 0);
-    if (x < 1) start = vmi_lambert_pade(x);
-    else start = vmi_lambert_winitzki(vmi_log(1 + x).hi);
-    return vmi_lambert_far(vmi_log(VM_FABS(x)), start);
+    if (x < 55) return vmi_lambert_middle(x);
+    l = vmi_log(x);
+    return vmi_lambert_far(l, vmi_lambert_rational(l.hi), 1);
 }
 
 /* Lambert's W_-1(x), the lower branch: the solution w <= -1 of w e^w = x, for -1/e <= x < 0. x is a pure number and
@@ -124,10 +163,11 @@ VM_API vm_real vm_wright_omega(vm_real l)
     vm_real start;
     if (l != l || l == VM_INFINITY) return l;
     if (l < VMI_LAMBERT_TINY) return vmi_exp(l, 0);
+    if (l > 4 && l < 712) return vmi_lambert_far(vmi_two(l, 0), vmi_lambert_rational(l), 1);
     if (l < 0) start = vmi_lambert_pade(vmi_exp(l, 0));
     else if (l < direct_from) start = vmi_lambert_winitzki(vmi_log(1 + vmi_exp(l, 0)).hi);
     else start = vmi_lambert_winitzki(l);
-    return vmi_lambert_far(vmi_two(l, 0), start);
+    return vmi_lambert_far(vmi_two(l, 0), start, 2);
 }
 
 /* W_0(-e^l), the upper branch for the negative argument -e^l with l <= -1. The function also works where e^l itself
@@ -137,7 +177,7 @@ VM_API vm_real vm_lambert_w0_neg_exp(vm_real l)
     if (!(l <= -1)) return VM_NAN;
     if (l < VMI_LAMBERT_TINY) return -vmi_exp(l, 0);
     if (l > VM_C(-1.375)) return vmi_lambert_near(vmi_two(-1 - l, 0), 0);
-    return vmi_lambert_far(vmi_two(l, 0), vmi_lambert_pade(-vmi_exp(l, 0)));
+    return vmi_lambert_far(vmi_two(l, 0), vmi_lambert_pade(-vmi_exp(l, 0)), 2);
 }
 
 /* W_-1(-e^l), the lower branch for the negative argument -e^l with l <= -1. The function also works where e^l itself
@@ -147,7 +187,7 @@ VM_API vm_real vm_lambert_wm1_neg_exp(vm_real l)
 {
     if (!(l <= -1)) return VM_NAN;
     if (l == -VM_INFINITY) return l;
-    if (l < -1 / VM_EPSILON) return vmi_lambert_far(vmi_two(l, 0), l);
+    if (l < -1 / VM_EPSILON) return vmi_lambert_far(vmi_two(l, 0), l, 2);
     return vmi_lambert_near(vmi_two_sum(-1, -l), 1);
 }
 

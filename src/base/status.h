@@ -106,7 +106,7 @@ VM_API const char *vm_strerror(int status)
     case VM_IS_AWAY: return "a jump needs a body that is not present: order the events, or let it be present";
     case VM_TWO_LINKS: return "a body has two links: leave one out";
     case VM_LINK_NOT_LAST: return "another effect stands after the link of its body: list the link last";
-    case VM_STORED_STREAM: return "a stream from a store cannot be used here: integrate vm_flow_rhs";
+    case VM_STORED_STREAM: return "a stream from this store cannot be used here: integrate vm_flow_rhs";
     case VM_DOES_NOT_GROW: return "the stream needs a growing body: vm_scene_body_growing_plane or _growing_free";
     case VM_NO_EFFECTIVE_MASS:
         return "M + M'(v) (reactive v - u) of the mass law M(v) is not positive: no force accelerates it";

@@ -67,12 +67,10 @@ VM_API void vmi_crossing_now(const vm_effect *e, vm_real t, const vm_real *y, vm
 {
     const vm_scene_body *b = s->bodies + e->body;
     vm_stream stream = *e->stream;
-    if (e->vary) {
-        e->vary(t, y, &stream, e->ctx);
-        stream.from = NULL;
-    }
+    if (e->vary) e->vary(t, y, &stream, e->ctx);
     c->seen.turn = &b->axes;
     c->seen.slip = vmi_vec3(0, 0, 0);
+    if (stream.from) c->seen.slip = vm_scale(stream.rate / e->load->mass, vm_sub(stream.at, stream.from->at));
     c->seen.energy = s->budget != NULL;
     c->seen.v = vmi_scene_moving(b, y + e->v);
     c->seen.omega = vmi_scene_turning(b, y + e->v);
@@ -105,7 +103,7 @@ VM_API void vmi_apply_stream_mass(const vm_effect *e, vm_real t, const vm_real *
     shift = vm_scale(1 / load->mass, c.sum.crossing);
     load->mass_rate += c.sum.rate;
     load->drift = vm_add(load->drift, vmi_times(c.seen.turn, shift));
-    load->centre_rate = vm_add(load->centre_rate, shift);
+    load->centre_rate = vm_add(load->centre_rate, vm_scale(1 / load->mass, c.sum.stored));
     load->inertia_rate = vmi_inertia_plus(load->inertia_rate, 1, c.sum.inertia);
     if (!s->budget) return;
     spin = vmi_inertia_times(&c.sum.inertia, c.seen.omega);
@@ -140,12 +138,20 @@ VM_API void vmi_apply_stream_torque(const vm_effect *e, vm_real t, const vm_real
     vmi_crossing_push(e, s, &c, vmi_vec3(0, 0, 0), vmi_times(c.seen.turn, torque));
 }
 
-/* Checks a stream by vmi_check_stream, and refuses a stream with a store (stream->from), since a scene neglects the
-   momentum of mass that flows between a store and the surface of the body */
+/* Checks a stream by vmi_check_stream. A store (stream->from) must lie on the line through the point of the stream and
+   the mass centre at the start, which is the origin of body axes: a scene neglects the angular momentum of the mass
+   that flows between the store and the point, which is 0 only on such a line. */
 VM_API int vmi_crossing_check(const vm_effect *e)
 {
-    if (!e->stream) return VM_BAD_ARGUMENT;
-    return e->stream->from ? (int)VM_STORED_STREAM : vmi_check_stream(e->stream);
+    const vm_stream *stream = e->stream;
+    vm_real moment;
+    int status;
+    if (!stream) return VM_BAD_ARGUMENT;
+    status = vmi_check_stream(stream);
+    if (status || !stream->from) return status;
+    moment = vmi_norm_max(vm_cross(stream->at, stream->from->at));
+    if (moment <= 32 * VM_EPSILON * vmi_norm1(stream->at) * vmi_norm1(stream->from->at)) return VM_OK;
+    return VM_STORED_STREAM;
 }
 
 VM_API vm_effect vmi_effect_crossing(int body, const vm_stream *stream,
@@ -162,8 +168,11 @@ VM_API vm_effect vmi_effect_crossing(int body, const vm_stream *stream,
 /* Mass, mass centre and inertia that a stream brings to a growing body. *stream is not copied: if an event changes
    it, the run continues with the change. stream->at is in body axes, from the position of the mass centre at the
    start. The field `mixing` of the budget is right only if the effects for mass, force, moment and torque of the
-   stream are all listed. vm_scene_start returns VM_BAD_ARGUMENT if stream is NULL or its motion is unknown,
-   VM_STORED_STREAM if it has a store, and VM_DOES_NOT_GROW if the body is not a growing body. */
+   stream are all listed, and if the stream has no store. A stream may have a store on the line through its point and
+   the mass centre, as a rocket has whose tank and nozzle lie on its axis. The motion is then that of vm_flow_rhs if no
+   other stream of the body has a store. vm_scene_start returns VM_BAD_ARGUMENT if stream is NULL or its motion is
+   unknown, VM_STORED_STREAM if its store does not lie on this line, and VM_DOES_NOT_GROW if the body is not a growing
+   body. */
 VM_API vm_effect vm_effect_stream_mass(int body, const vm_stream *stream)
 {
     return vmi_effect_crossing(body, stream, vmi_apply_stream_mass);
@@ -194,8 +203,8 @@ VM_API vm_effect vm_effect_stream_torque(int body, const vm_stream *stream)
 
 /* An effect of a stream that varies in time. effect comes from vm_effect_stream_mass, _force, _moment or _torque. At
    each evaluation vary receives a copy of the stream and writes the values of its fields for the time t and the state
-   y: the point, which may move in the body, the rate or the velocity. vm_scene_start returns VM_BAD_ARGUMENT if vary is
-   NULL or the effect has no stream. */
+   y: the point, which may move in the body, the rate, the velocity or the store (vm_supply_at gives that of a tank).
+   vm_scene_start returns VM_BAD_ARGUMENT if vary is NULL or the effect has no stream. */
 VM_API vm_effect vm_effect_varying(vm_effect effect,
                                    void (*vary)(vm_real t, const vm_real *y, vm_stream *stream, void *ctx),
                                    void *ctx)

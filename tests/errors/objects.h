@@ -307,7 +307,7 @@ static inline int judge_in_scene(const vm_scene_body *body, const vm_effect *eff
     bodies[LINE_ABSENT] = vm_scene_body_absent(vm_scene_body_line(1, 0, 0));
     bodies[AXLE] = vm_scene_body_axle(2, 0, 1);
     bodies[PLANE] = vm_scene_body_plane(2, 1, zero, 0, zero, 0);
-    bodies[PLANE_2] = vm_scene_body_plane(2, 1, zero, 0, zero, 0);
+    bodies[PLANE_2] = vm_scene_body_plane(2, 1, vmi_vec3(1, 0, 0), 0, zero, 0);
     bodies[PLANE_ABSENT] = vm_scene_body_absent(vm_scene_body_plane(1, 1, zero, 0, zero, 0));
     bodies[SPACE] = vm_scene_body_free(&free_body);
     bodies[SPACE_2] = vm_scene_body_free(&free_body);

@@ -267,6 +267,10 @@ static vm_effect draw_effect(int n, effect_data *data)
     case 11: return vm_effect_mass_law(body, mass_law, ctx, u, R(1 - draw_below(2)));
     case 12: return vm_effect_mass(body, draw_below(3), *ctx / 10, p, R(1 - draw_below(2)));
     case 13: return vm_effect_stream(body, *ctx / 5, u, R(1 - draw_below(2)));
+    case 23: /* a share of the springs, so that stored inputs of other effects keep their meaning */
+        if (coordinate == 1) return vm_effect_gravitation(body, other, p);
+        if (coordinate == 2) return vm_effect_central_gravity(body, u, p);
+        return vm_effect_spring(body, coordinate, other, other_coordinate, positive, alpha, p);
     default: return vm_effect_spring(body, coordinate, other, other_coordinate, positive, alpha, p);
     }
 }

@@ -350,13 +350,79 @@ static void check_jet(void)
     if (tame3(omega0)) HOLDS(within3(omega, omega0, 8 * EPS * size3(omega0)));
 }
 
+/* d(m c)/dm = s and dI/dm = Q + P(s - c) for whatever is left of a supply */
+static void check_supply(void)
+{
+    vm_supply s;
+    vm_supply_left left;
+    vm_inertia growth;
+    vm_vec3 store;
+    const vm_real mass = MOSTLY(draw_in(0, 10));
+    double size;
+    int status;
+    s.kind = draw_below(4);
+    s.at = draw_vector(2);
+    s.axis = draw_vector(1);
+    s.length = MOSTLY(draw_log(0.1, 10));
+    s.radius = MOSTLY(draw_log(0.1, 10));
+    s.bore = MOSTLY(draw_in(0, 1)) * s.radius;
+    s.full = MOSTLY(draw_log(1, 100));
+    STAIN(left);
+    status = vm_supply_at(&s, mass, &left);
+    if (status) {
+        HOLDS(status < 0 && UNTOUCHED(left));
+        return;
+    }
+    HOLDS(s.kind <= VM_GRAIN && s.full > 0 && s.length > 0 && s.radius > 0 && left.mass == mass);
+    if (!tame(mass) || !tame3(s.at) || !tame(s.length) || !tame(s.radius) || !tame(s.full)) return;
+    if (!(mass >= 0 && mass <= s.full)) return;
+    store = vm_add(left.centre, vm_scale(mass, left.centre_by_mass));
+    HOLDS(within3(store, left.store.at, 16 * EPS * (size3(s.at) + (double)s.length)));
+    growth = vmi_inertia_plus(left.store.gyration, 1, vmi_inertia_of_point(vm_sub(left.store.at, left.centre)));
+    size = (double)(s.length * s.length + s.radius * s.radius) + size3(s.at) * (double)s.length;
+    HOLDS(within(growth.xx, left.inertia_by_mass.xx, 16 * EPS * size));
+    HOLDS(within(growth.yz, left.inertia_by_mass.yz, 16 * EPS * size));
+    if (mass > 0) HOLDS(vm_inertia_is_possible(&left.inertia));
+}
+
+/* Energy and angular momentum of an orbit; Meshchersky's law with the rate 0 is the orbit */
+static void check_orbit(void)
+{
+    const vm_vec3 r0 = draw_vector(2), v0 = draw_vector(2);
+    const vm_real t = MOSTLY(draw_in(-5, 5)), mu = MOSTLY(draw_log(0.1, 10)), rate = MOSTLY(draw_in(-1, 1));
+    vm_vec3 r, v, s, w;
+    double size, speed;
+    int status;
+    STAIN(r);
+    STAIN(v);
+    status = vm_orbit_meshchersky(t, mu, rate, r0, v0, &r, &v);
+    if (status) HOLDS(status < 0 && UNTOUCHED(r) && UNTOUCHED(v));
+    else HOLDS(finite3(r) && finite3(v) && mu > 0);
+    STAIN(r);
+    STAIN(v);
+    status = vm_orbit(t, mu, r0, v0, &r, &v);
+    if (status) {
+        HOLDS(status < 0 && UNTOUCHED(r) && UNTOUCHED(v));
+        return;
+    }
+    HOLDS(finite3(r) && finite3(v) && mu > 0);
+    HOLDS(vm_orbit_meshchersky(t, mu, 0, r0, v0, &s, &w) == VM_OK && within3(s, r, 0) && within3(w, v, 0));
+    if (!tame3(r0) || !tame3(v0) || !tame(mu) || !(VM_FABS(t) <= 5)) return;
+    if (size3(r0) < 0.1 || size3(r) < 0.1 || size3(vm_cross(r0, v0)) < 0.1) return;
+    size = size3(r0) + size3(r);
+    speed = size3(v0) + size3(v);
+    HOLDS(within3(vm_cross(r, v), vm_cross(r0, v0), 4096 * EPS * size * speed));
+}
+
 static void fuzz_streams(void)
 {
-    switch (draw_below(5)) {
+    switch (draw_below(7)) {
     case 0: check_loads(); break;
     case 1: check_plane_and_line(); break;
     case 2: check_closed_forms(); break;
     case 3: check_jet(); break;
+    case 5: check_supply(); break;
+    case 6: check_orbit(); break;
     default: check_flow();
     }
 }

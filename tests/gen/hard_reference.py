@@ -585,6 +585,20 @@ def arcs(third):
 rough_spring = adiabatic_late
 
 
+def grain_bore(m, R, L):
+    return R * sqrt((40 - m) / 40)
+
+
+def slim_orbit(t, v):
+    """By Kepler's equation, with the digits that it loses"""
+    a = 1 / (2 - v * v)
+    e, M = 1 - 1 / a, t / (a * sqrt(a))
+    with mp.workdps(120):
+        E = findroot(lambda E: E - e * sin(E) - M, (M, (6 * M)**(mpf(1) / 3) + M), solver="anderson", tol=mpf(10)**-220)
+        x = a * (cos(E) - e)
+    return x, 1 + fabs(x)
+
+
 # -- stiffness --
 
 def burnt_mass(m):

@@ -1,0 +1,209 @@
+/* mechanics/orbit.h - two bodies that attract each other, with constant masses and with masses that change
+
+   The vector r from one body to the other obeys r'' = -mu r/|r|^3 with mu = G (M1 + M2), if mass that leaves or joins
+   has the velocity of its body (reactive = 0). vm_orbit solves this equation for constant mu (Kepler's problem), for
+   ellipses, parabolas, hyperbolas and straight lines alike. vm_orbit_meshchersky solves it for Meshchersky's law
+   mu/(1 + c t), one of Gylden's problems of variable mass that have a closed form. The scene with vm_effect_gravitation
+   takes any law of mass.
+
+       vm_vec3 r = {7e6, 0, 0}, v = {0, 7.6e3, 0}; // m, m/s
+       vm_orbit(3600, 3.986004418e14, r, v, &r, &v); // an hour later; the results may be the inputs
+
+   The equations. Lengths are in units of |r0|, times in units of sqrt(|r0|^3/mu). With sigma = r0 v0 (the dot product)
+   and beta = 2 - v0^2, and the functions of Stumpff in the form
+     G1 = s - beta s^3/3! + ..., G2 = s^2/2! - beta s^4/4! + ..., G3 = s^3/3! - beta s^5/5! + ...
+   (sines and cosines of sqrt(beta) s for beta > 0, hyperbolic ones for beta < 0), the time is t = s + sigma G2 +
+   (1 - beta) G3, and its derivative dt/ds = 1 + sigma G1 + (1 - beta) G2 is the distance R. Then
+     r = (1 - G2) r0 + (t - G3) v0,  v = -G1/R r0 + (1 - G2/R) v0.
+   Meshchersky's law: with f = 1 + c t, r = f xi and the time tau = t/f, xi obeys the equation for constant mu.
+   Tests: tests/test_orbit.c. */
+#ifndef VARMASS_MECHANICS_ORBIT_H
+#define VARMASS_MECHANICS_ORBIT_H
+
+#include "../base/elementary.h"
+#include "../base/real.h"
+#include "../base/scalars.h"
+#include "../base/status.h"
+#include "vectors.h"
+
+/* The functions G1, G2, G3 of the text above */
+typedef struct VM_TAG(vmi_stumpff) {
+    vm_real g1, g2, g3;
+} vmi_stumpff;
+
+/* The functions by their series, for |beta| s^2 <= 4, where the first omitted term is below 1e-18 of the sum */
+VM_API vmi_stumpff vmi_stumpff_series(vm_real beta, vm_real s)
+{
+    const vm_real x = beta * s * s;
+    vm_real c2 = 1, c3 = 1;
+    vmi_stumpff g;
+    int k;
+    for (k = 11; k > 0; k--) {
+        c2 = 1 - x * c2 / (vm_real)((2 * k + 1) * (2 * k + 2));
+        c3 = 1 - x * c3 / (vm_real)((2 * k + 2) * (2 * k + 3));
+    }
+    c2 /= 2;
+    c3 /= 6;
+    g.g1 = s * (1 - x * c3);
+    g.g2 = s * s * c2;
+    g.g3 = s * s * s * c3;
+    return g;
+}
+
+/* The functions for any beta and s >= 0. Where e^(sqrt(-beta) s) overflows they are infinite. */
+VM_API vmi_stumpff vmi_stumpff_at(vm_real beta, vm_real s)
+{
+    const vm_real root = VM_SQRT(VM_FABS(beta)), z = root * s;
+    vm_real sine, cosine, half;
+    vmi_stumpff g;
+    if (z <= 2) return vmi_stumpff_series(beta, s);
+    if (beta > 0) {
+        vmi_sincos(z / 2, &half, &cosine);
+        vmi_sincos(z, &sine, &cosine);
+        g.g3 = (z - sine) / (root * root * root);
+    } else {
+        const vm_real growing = vmi_exp(z / 2, 0);
+        half = (growing - 1 / growing) / 2;
+        sine = half * (growing + 1 / growing);
+        g.g3 = (sine - z) / (root * root * root);
+    }
+    g.g1 = sine / root;
+    g.g2 = 2 * (half / root) * (half / root);
+    return g;
+}
+
+/* Kepler's problem in the units of the text above */
+typedef struct VM_TAG(vmi_kepler) {
+    vm_real sigma; /* r0 v0 */
+    vm_real beta;  /* 2 - v0^2; the energy is -beta/2 */
+} vmi_kepler;
+
+/* What belongs to a value of the variable s */
+typedef struct VM_TAG(vmi_kepler_point) {
+    vmi_stumpff g;
+    vm_real time, distance;
+    vm_real noise; /* sum of the absolute values of the terms of `time`, times 4 VM_EPSILON */
+} vmi_kepler_point;
+
+VM_API vmi_kepler_point vmi_kepler_at(const vmi_kepler *o, vm_real s)
+{
+    vmi_kepler_point p;
+    vm_real first, second;
+    p.g = vmi_stumpff_at(o->beta, s);
+    first = o->sigma * p.g.g2;
+    second = (1 - o->beta) * p.g.g3;
+    p.time = s + (first + second);
+    p.noise = 4 * VM_EPSILON * (s + VM_FABS(first) + VM_FABS(second));
+    p.distance = 1 + (o->sigma * p.g.g1 + (1 - o->beta) * p.g.g2);
+    return p;
+}
+
+/* Finds the variable s >= 0 at the time t >= 0 and returns what belongs to it. The time rises with s, so that Newton's
+   steps are kept between bounds of s that close in. A step that leaves them, or that is longer than half the step
+   before, is replaced by doubling or halving. On a fast hyperbola, where the time rises exponentially, Newton's steps
+   alone would be too many. */
+VM_API vmi_kepler_point vmi_kepler_solve(const vmi_kepler *o, vm_real t)
+{
+    const int most = 3 * VM_MANT_DIG; /* halving alone needs VM_MANT_DIG steps, Newton's steps are fewer */
+    vm_real low = 0, high = VM_INFINITY, s = vmi_smaller(t, 1), before = VM_INFINITY;
+    vmi_kepler_point p = vmi_kepler_at(o, s);
+    int i;
+    for (i = 0; i < most; i++) {
+        const vm_real late = p.time - t, step = late / p.distance;
+        vm_real next = s - step;
+        if (VM_FABS(late) <= vmi_smaller(p.noise, t) || VM_FABS(step) <= VM_EPSILON * s) break;
+        if (late < 0) low = s;
+        else high = s; /* also where the time is infinite or NaN */
+        if (!(next > low && next < high && 2 * VM_FABS(step) <= before)) {
+            next = (low + high) / 2;
+            if (high == VM_INFINITY) next = 2 * s;
+        }
+        if (high == VM_INFINITY) next = vmi_smaller(next, 16 * s); /* before the time overflows */
+        if (next == s) break;
+        before = VM_FABS(next - s);
+        s = next;
+        p = vmi_kepler_at(o, s);
+    }
+    return p;
+}
+
+/* Reduces the time t on an ellipse (beta > 0) by whole periods, to at most half a period on either side of 0 */
+VM_API vm_real vmi_kepler_reduce(vm_real beta, vm_real t)
+{
+    vm_real period;
+    if (!(beta > 0)) return t;
+    period = 2 * VM_PI / (beta * VM_SQRT(beta));
+    if (!(VM_FABS(t) > period / 2 && period > 0)) return t;
+    return t - period * VM_FLOOR(t / period + VM_C(0.5));
+}
+
+/* Position and velocity after t seconds on an orbit about a centre with the attraction mu/r^2 (Kepler's problem).
+   r0 (m) is the position relative to the centre and v0 (m/s) the velocity at t = 0; mu (m^3/s^2) is G times the mass in
+   the centre, or G (M1 + M2) if r0 and v0 belong to two bodies, one relative to the other. t may be negative. The orbit
+   may be an ellipse, a parabola, a hyperbola or a straight line; on a straight line the body turns back at the centre.
+   The error is that which an error of a few eps in t, r0, v0 and mu makes; it grows with the number of revolutions.
+   The cost is that of some ten sines. Returns VM_BAD_ARGUMENT, VM_NOT_FINITE also where the results are not finite,
+   VM_DOMAIN for mu <= 0 or r0 = 0, and VM_OK otherwise. */
+VM_API int vm_orbit(vm_real t, vm_real mu, vm_vec3 r0, vm_vec3 v0, vm_vec3 *r, vm_vec3 *v)
+{
+    vm_real distance0, speed, unit, time, sign = 1;
+    vm_vec3 start, rate, position, velocity;
+    vmi_kepler o;
+    vmi_kepler_point p;
+    if (!r || !v) return VM_BAD_ARGUMENT;
+    if (!VM_IS_FINITE(t) || !VM_IS_FINITE(mu)) return VM_NOT_FINITE;
+    if (!vmi_vec3_is_finite(r0) || !vmi_vec3_is_finite(v0)) return VM_NOT_FINITE;
+    distance0 = vm_norm(r0);
+    if (!(mu > 0 && distance0 > 0)) return VM_DOMAIN;
+    speed = VM_SQRT(mu / distance0);
+    unit = distance0 / speed;
+    start = vmi_over(r0, distance0);
+    rate = vmi_over(v0, speed);
+    o.sigma = vm_dot(start, rate);
+    o.beta = 2 - vm_dot(rate, rate);
+    time = vmi_kepler_reduce(o.beta, t / unit);
+    if (!VM_IS_FINITE(time) || !VM_IS_FINITE(o.beta)) return VM_NOT_FINITE;
+    if (time < 0) {
+        sign = -1;
+        time = -time;
+        o.sigma = -o.sigma;
+        rate = vm_scale(-1, rate);
+    }
+    p = vmi_kepler_solve(&o, time);
+    position = vm_add(vm_scale(1 - p.g.g2, start), vm_scale(time - p.g.g3, rate));
+    velocity = vm_sub(vm_scale(1 - p.g.g2 / p.distance, rate), vm_scale(p.g.g1 / p.distance, start));
+    position = vm_scale(distance0, position);
+    velocity = vm_scale(sign * speed, velocity);
+    if (!vmi_vec3_is_finite(position) || !vmi_vec3_is_finite(velocity)) return VM_NOT_FINITE;
+    *r = position;
+    *v = velocity;
+    return VM_OK;
+}
+
+/* Position and velocity after t seconds, while the attraction changes by Meshchersky's law mu/(1 + rate t).
+   The two bodies lose mass (rate > 0, per second) or gain it (rate < 0) in the same proportion, and the mass that
+   leaves or joins has the velocity of its body. The equation is that of Gylden and Meshchersky,
+   r'' = -mu/(1 + rate t) r/|r|^3. The other arguments and the accuracy are those of vm_orbit. Returns VM_BAD_MASS if
+   1 + rate t is not positive, and the errors of vm_orbit. */
+VM_API int vm_orbit_meshchersky(vm_real t, vm_real mu, vm_real rate, vm_vec3 r0, vm_vec3 v0, vm_vec3 *r, vm_vec3 *v)
+{
+    vm_vec3 position, velocity;
+    vm_real f;
+    int status;
+    if (!r || !v) return VM_BAD_ARGUMENT;
+    if (!VM_IS_FINITE(t) || !VM_IS_FINITE(rate)) return VM_NOT_FINITE;
+    if (!VM_IS_FINITE(mu) || !vmi_vec3_is_finite(r0) || !vmi_vec3_is_finite(v0)) return VM_NOT_FINITE;
+    f = 1 + rate * t;
+    if (!VM_IS_FINITE(f)) return VM_NOT_FINITE;
+    if (!(f > 0)) return VM_BAD_MASS;
+    status = vm_orbit(t / f, mu, r0, vm_sub(v0, vm_scale(rate, r0)), &position, &velocity);
+    if (status) return status;
+    velocity = vm_add(vmi_over(velocity, f), vm_scale(rate, position));
+    position = vm_scale(f, position);
+    if (!vmi_vec3_is_finite(position) || !vmi_vec3_is_finite(velocity)) return VM_NOT_FINITE;
+    *r = position;
+    *v = velocity;
+    return VM_OK;
+}
+
+#endif

@@ -1,0 +1,214 @@
+/* Chapters of varmass.h on two bodies: Kepler's problem and Meshchersky's law in closed form, gravitation in scenes.
+   Oracles: closed forms of the straight parabola, the circle and the ellipse, conservation laws, integration of the
+   equation of Gylden and Meshchersky, and the two against each other: scenes of two bodies whose masses change. */
+#include "streams.h"
+
+static double mu_of(double t, double rate) { return 1.5 / (1 + rate * t); }
+
+typedef struct pull {
+    double rate;
+} pull;
+
+/* r'' = -mu(t) r/|r|^3 */
+static int gylden(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
+{
+    const vm_vec3 r = vmi_get3(y);
+    const vm_real d = R(size_of(r)), mu = R(mu_of((double)t, ((const pull *)ctx)->rate));
+    vmi_set3(dydt, vmi_get3(y + 3));
+    vmi_set3(dydt + 3, vm_scale(-mu / (d * d * d), r));
+    return 0;
+}
+
+/* Any shape of the orbit, forward and backward, against integration */
+static void test_integration(double speed, double rate, double t)
+{
+    const vm_vec3 r0 = vector(1, -.5, .25), v0 = vector(.3 * speed, .9 * speed, -.2 * speed);
+    pull p;
+    vm_vec3 r = r0, v = v0;
+    vm_real y[6];
+    p.rate = rate;
+    vmi_set3(y, r0);
+    vmi_set3(y + 3, v0);
+    CHECK(solve(gylden, &p, 6, y, 0, t) >= 0);
+    if (rate == 0) CHECK(vm_orbit(R(t), R(1.5), r, v, &r, &v) == VM_OK);
+    else CHECK(vm_orbit_meshchersky(R(t), R(1.5), R(rate), r, v, &r, &v) == VM_OK);
+    check_error("integration", "r", "abs", apart(r, vmi_get3(y)), PICK(1e-11, 1e-3), speed, t);
+    check_error("integration", "v", "abs", apart(v, vmi_get3(y + 3)), PICK(1e-11, 1e-3), speed, t);
+}
+
+/* A fall from rest at the speed of a parabola outwards: |r| = (1 + 3/2 sqrt(2) t)^(2/3) for mu = 1, |r0| = 1 */
+static void test_parabola(void)
+{
+    int i;
+    for (i = 0; i < 40; i++) {
+        const double t = pow(10, i / 4. - 4), wanted = pow(1 + 1.5 * sqrt(2) * t, 2. / 3);
+        vm_vec3 r = vector(0, 1, 0), v = vector(0, sqrt(2), 0);
+        CHECK(vm_orbit(R(t), 1, r, v, &r, &v) == VM_OK && r.x == 0 && r.z == 0);
+        /* the rounded sqrt(2) makes it an ellipse or a hyperbola; its effect grows with the distance */
+        check_error("parabola", "r", "eps (1 + r)", fabs((double)r.y / wanted - 1) / eps / (1 + wanted), 4, t, 0);
+    }
+}
+
+/* A circle is at the angle t; after half a period an ellipse is at its other end, and after periods where it was. */
+static void test_ellipse(void)
+{
+    int i;
+    for (i = -50; i <= 50; i++) {
+        const double t = (double)R(i * .37);
+        vm_vec3 r = vector(1, 0, 0), v = vector(0, 1, 0);
+        CHECK(vm_orbit(R(i * .37), 1, r, v, &r, &v) == VM_OK);
+        check_error("circle", "r", "eps", apart(r, vector(cos(t), sin(t), 0)) / eps, 64, i, 0);
+    }
+    for (i = 1; i < 10; i++) {
+        const double e = i / 10., a = 1 / (1 - e), half = 3.14159265358979324 * pow(a, 1.5);
+        vm_vec3 r = vector(1, 0, 0), v = vector(0, sqrt(1 + e), 0), s, w;
+        s = r;
+        w = v;
+        CHECK(vm_orbit(R(half), 1, r, v, &s, &w) == VM_OK);
+        check_error("ellipse", "apocentre", "eps", apart(s, vector(-a * (1 + e), 0, 0)) / a / eps, 64, e, 0);
+        CHECK(vm_orbit(R(-200 * half), 1, r, v, &s, &w) == VM_OK);
+        /* an error of eps in v0^2 moves the body by 600 pi (1 - e)^-2.5 eps along its path */
+        check_error("ellipse", "100 periods", "eps", apart(s, r) / eps * pow(1 - e, 2.5), 2000, e, 0);
+    }
+}
+
+static double energy(vm_vec3 r, vm_vec3 v) { return (double)vm_dot(v, v) / 2 - 1 / size_of(r); }
+
+/* Energy and angular momentum stay, and the way back leads to the start: random orbits, some of them next to a
+   parabola */
+static void test_conservation(void)
+{
+    int i;
+    for (i = 0; i < 3000; i++) {
+        vm_vec3 r0 = vector(uniform(-1, 1), uniform(-1, 1), uniform(-1, 1)), r, v, v0, s, w;
+        const double t = uniform(-5, 5);
+        double scale;
+        r0 = vm_scale(R(1 / size_of(r0)), r0);
+        v0 = vector(uniform(-1, 1), uniform(-1, 1), uniform(-1, 1));
+        if (i % 3 == 0) v0 = vm_scale(R(sqrt(2) * (1 + uniform(-1, 1) * 1e-6) / size_of(v0)), v0);
+        if (size_of(vm_cross(r0, v0)) < .3) continue; /* close to the centre everything is badly conditioned */
+        r = s = r0;
+        v = w = v0;
+        CHECK(vm_orbit(R(t), 1, r0, v0, &r, &v) == VM_OK && vm_orbit(R(-t), 1, r, v, &s, &w) == VM_OK);
+        scale = (double)vm_dot(v, v) + 1;
+        check_error("conservation", "energy", "eps", fabs(energy(r, v) - energy(r0, v0)) / scale / eps, 200, i, t);
+        check_error("conservation", "angular momentum", "eps", apart(vm_cross(r, v), vm_cross(r0, v0)) / eps, 400, i,
+                    t);
+        check_error("conservation", "there and back", "eps", apart(s, r0) / eps, 2e4, i, t);
+    }
+}
+
+/* ---- Scenes ---- */
+
+/* Two bodies that attract each other and lose mass by the law m/(1 + rate t): in r2 - r1 it is vm_orbit_meshchersky. A
+   third one turns about a fixed centre. */
+static void test_scene(int plane)
+{
+    const vm_vec3 r1 = vector(.1, .2, 0), v1 = vector(0, -.2, .3), r2 = vector(1.2, -.3, plane ? 0 : .4);
+    const vm_vec3 v2 = vector(.2, .7, .3), zero = vector(0, 0, 0), far_away = vector(9, 9, 0), up = vector(0, .8, 0);
+    const vm_law first = vm_law_power(2, R(.1), -1), second = vm_law_power(3, R(.1), -1);
+    vm_scene_body bodies[3];
+    vm_effect effects[4];
+    vm_scene stage;
+    vm_body one, two, three;
+    vm_vec3 r = zero, v = zero, flat = v2;
+    vm_real y[40], work[VM_SCENE_WORK(40)], t = 0;
+    vm_budget budget, totals;
+    rk45_options options = rk45_defaults(NULL);
+    flat.z = v1.z;
+    memset(&stage, 0, sizeof stage);
+    memset(&totals, 0, sizeof totals);
+    bodies[0] = vm_scene_body_point(1, r1, v1);
+    if (plane) bodies[0] = vm_scene_body_plane(1, 1, r1, 0, v1, 0);
+    bodies[1] = vm_scene_body_point(1, r2, flat);
+    bodies[2] = vm_scene_body_point(5, vm_add(far_away, vector(1, 0, 0)), up);
+    effects[0] = vm_effect_mass_of_time(0, &first, zero, 0);
+    effects[1] = vm_effect_mass_of_time(1, &second, zero, 0);
+    effects[2] = vm_effect_gravitation(0, 1, R(.3));
+    effects[3] = vm_effect_central_gravity(2, far_away, R(1.5));
+    stage.bodies = bodies;
+    stage.n_bodies = 3;
+    stage.effects = effects;
+    stage.n_effects = 4;
+    vm_scene_keep_budget(&stage, &budget);
+    options.rtol = R(PICK(1e-12, 1e-6));
+    options.atol = R(PICK(1e-12, 1e-6));
+    memset(y, 0, sizeof y);
+    CHECK(vm_scene_size(&stage) <= 40);
+    CHECK(vm_scene_start(&stage, 0, y, NULL) == VM_OK && vm_scene_run(&stage, &t, 4, y, work, &options) == VM_OK);
+    vm_scene_body_at(&stage, 0, y, &one);
+    vm_scene_body_at(&stage, 1, y, &two);
+    vm_scene_body_at(&stage, 2, y, &three);
+    CHECK(vm_scene_budget_at(&stage, t, y, &totals) == VM_OK);
+    check_error("scene", "momentum", "abs", size_of(totals.momentum_defect), PICK(1e-9, 1e-3), plane, 0);
+    check_error("scene", "angular momentum", "abs", size_of(totals.angular_defect), PICK(1e-9, 1e-3), plane, 0);
+    check_error("scene", "energy", "abs", fabs((double)totals.energy_defect), PICK(1e-9, 1e-3), plane, 0);
+    if (!plane) {
+        CHECK(!vm_orbit_meshchersky(4, R(1.5), R(.1), vm_sub(r2, r1), vm_sub(flat, v1), &r, &v));
+        check_error("scene", "two bodies", "abs", apart(vm_sub(two.r, one.r), r), PICK(1e-9, 1e-3), 0, 0);
+        check_error("scene", "two velocities", "abs", apart(vm_sub(two.v, one.v), v), PICK(1e-9, 1e-3), 0, 0);
+    }
+    CHECK(!vm_orbit(4, R(1.5), vector(1, 0, 0), up, &r, &v));
+    check_error("scene", "one centre", "abs", apart(vm_sub(three.r, far_away), r), PICK(1e-9, 5e-3), 0, 0);
+}
+
+static void refuse_effect(vm_effect e, int status)
+{
+    const vm_vec3 zero = vector(0, 0, 0);
+    vm_scene_body bodies[3];
+    vm_scene stage;
+    memset(&stage, 0, sizeof stage);
+    bodies[0] = vm_scene_body_point(1, zero, zero);
+    bodies[1] = vm_scene_body_point(1, vector(1, 0, 0), zero);
+    bodies[2] = vm_scene_body_line(1, 0, 0);
+    stage.bodies = bodies;
+    stage.n_bodies = 3;
+    stage.effects = &e;
+    stage.n_effects = 1;
+    CHECK(vm_scene_check(&stage, NULL) == status);
+}
+
+static void test_refusals(void)
+{
+    const vm_vec3 x = vector(1, 0, 0), zero = vector(0, 0, 0);
+    vm_vec3 r = vector(7, 7, 7), v = r;
+    refuse_effect(vm_effect_gravitation(0, 1, 1), VM_OK);
+    refuse_effect(vm_effect_gravitation(0, VM_GROUND, 1), VM_NO_SUCH_BODY);
+    refuse_effect(vm_effect_gravitation(1, 1, 1), VM_SAME_BODY);
+    refuse_effect(vm_effect_gravitation(0, 2, 1), VM_BAD_MOTION);
+    refuse_effect(vm_effect_gravitation(2, 0, 1), VM_BAD_MOTION);
+    refuse_effect(vm_effect_gravitation(0, 1, VM_NAN), VM_NOT_FINITE);
+    refuse_effect(vm_effect_central_gravity(0, x, 1), VM_OK);
+    refuse_effect(vm_effect_central_gravity(2, x, 1), VM_BAD_MOTION);
+    refuse_effect(vm_effect_central_gravity(0, x, VM_INFINITY), VM_NOT_FINITE);
+    CHECK(vm_orbit(1, 1, x, x, NULL, &v) == VM_BAD_ARGUMENT && vm_orbit(1, 1, x, x, &r, NULL) == VM_BAD_ARGUMENT);
+    CHECK(vm_orbit_meshchersky(1, 1, 0, x, x, NULL, &v) == VM_BAD_ARGUMENT);
+    CHECK(vm_orbit_meshchersky(1, 1, 0, x, x, &r, NULL) == VM_BAD_ARGUMENT);
+    CHECK(vm_orbit(1, 0, x, x, &r, &v) == VM_DOMAIN && vm_orbit(1, 1, zero, x, &r, &v) == VM_DOMAIN);
+    CHECK(vm_orbit(VM_NAN, 1, x, x, &r, &v) == VM_NOT_FINITE);
+    CHECK(vm_orbit(1, VM_INFINITY, x, x, &r, &v) == VM_NOT_FINITE);
+    CHECK(vm_orbit_meshchersky(2, 1, -1, x, x, &r, &v) == VM_BAD_MASS);
+    CHECK(vm_orbit_meshchersky(1, 1, VM_NAN, x, x, &r, &v) == VM_NOT_FINITE);
+    CHECK(r.x == 7 && v.z == 7);
+    CHECK(vm_orbit(1, 1, x, zero, &r, &v) == VM_OK); /* a straight fall towards the centre, which it reaches at 1.11 */
+    CHECK(vm_orbit(R(1e30), 1, x, vector(0, 2, 0), &r, &v) == VM_OK && size_of(r) > 1);
+}
+
+int main(void)
+{
+    const double speeds[6] = {.3, .9, 1.2, 1.7038, 1.75, 4};
+    int i;
+    for (i = 0; i < 6; i++) {
+        test_integration(speeds[i], 0, 3);
+        test_integration(speeds[i], 0, -2);
+        test_integration(speeds[i], .2, 4);
+        test_integration(speeds[i], -.1, 3);
+    }
+    test_parabola();
+    test_ellipse();
+    test_conservation();
+    test_scene(0);
+    test_scene(1);
+    test_refusals();
+    return check_finish("orbit");
+}
