@@ -3272,16 +3272,38 @@ VM_API vm_real vmi_beta_step(vm_real rest, vm_real slope, vm_real bend)
     return 2 * step / (1 + VM_SQRT(vmi_larger(1 + 2 * step * bend, 0)));
 }
 
-/* Returns the point where I_x(a, b) = p, from ln p, for p <= 1/2. ln I_x is a concave function of t = ln(x/y). At the
-   first t the asymptote of ln I_x for t to -infinity equals ln p; this t is below the solution. Then t is improved by
-   steps of vmi_beta_step, which are of third order: first with rough values of ln I_x, and after the first short step
-   with logarithms in two words. The last step changes x, y, ln x and ln y directly instead of t. */
+/* Returns a value of t = ln(x/y) from which the solution of I_x(a, b) = p is sought, for p <= 1/2. It is the t where the
+   asymptote of ln I_x for t to -infinity equals ln p, which lies left of the solution. For a, b > 1 it is the
+   approximation by a normal distribution, where that is larger: Abramowitz and Stegun 26.5.22, with the quantile by
+   26.2.23. */
+VM_API vm_real vmi_beta_start(vm_real ln_p, vm_real a, vm_real b, vm_real ln_B)
+{
+    const vm_real ln_a = vmi_ateb_ln(a), asymptote = (ln_p + ln_a + ln_B) / a;
+    vm_real s, above, below, quantile, by_a, by_b, h, shift, w;
+    if (!(a > 1) || !(b > 1)) return asymptote;
+    s = VM_SQRT(-2 * ln_p);
+    above = VM_C(2.515517) + s * (VM_C(0.802853) + s * VM_C(0.010328));
+    below = 1 + s * (VM_C(1.432788) + s * (VM_C(0.189269) + s * VM_C(0.001308)));
+    quantile = s - above / below;
+    by_a = 1 / (2 * a - 1);
+    by_b = 1 / (2 * b - 1);
+    h = 2 / (by_a + by_b);
+    shift = (quantile * quantile - 3) / 6;
+    w = quantile * VM_SQRT(h + shift) / h - (by_b - by_a) * (shift + VM_C(0.83333333) - VM_C(0.66666667) / h);
+    return vmi_larger(asymptote, ln_a - vmi_ateb_ln(b) - 2 * w);
+}
+
+/* Returns the point where I_x(a, b) = p, from ln p, for p <= 1/2. ln I_x is a concave function of t = ln(x/y). From
+   vmi_beta_start on, steps of third order by vmi_beta_step follow, first with rough values of ln I_x; from the step on
+   that is short, with logarithms in two words. The error after a step is about its third power. The last step changes x,
+   y, ln x and ln y directly instead of t. */
 VM_API vmi_beta_point vmi_beta_invert(vm_two ln_p, vm_real a, vm_real b)
 {
-    const vm_real enough = VM_MANT_DIG > 24 ? VM_C(1e-4) : VM_C(1e-2); /* after a step the error is about step^3 */
-    const int most = 60;                                               /* largest number of steps; 12 are enough */
+    const vm_real enough = VM_MANT_DIG > 24 ? VM_C(2e-3) : VM_C(2e-2);    /* the last one of the rough steps */
+    const vm_real enough_last = VM_MANT_DIG > 24 ? VM_C(1e-6) : VM_C(1e-3); /* the last one of all */
+    const int most = 60; /* largest number of steps; 12 are enough */
     const vm_two ln_B = vmi_beta_ln(vmi_two(a, 0), vmi_two(b, 0));
-    vm_real t = (ln_p.hi + vmi_ateb_ln(a) + ln_B.hi) / a, step, half;
+    vm_real t = vmi_beta_start(ln_p.hi, a, b, ln_B.hi), step, half;
     vmi_beta_point at, result;
     vmi_beta_slope rough;
     int i = 0;
@@ -3301,7 +3323,7 @@ VM_API vmi_beta_point vmi_beta_invert(vm_two ln_p, vm_real a, vm_real b)
         rest = vmi_two_plus(ln_p, vmi_minus(tail));
         slope = vmi_exp(density.hi - tail.hi, density.lo - tail.lo);
         step = vmi_beta_step(rest.hi, slope, a * at.y - b * at.x - slope);
-        if (!(VM_FABS(step) * (1 + slope) > enough) || VM_FABS(step) <= VM_EPSILON * VM_FABS(t) || i > most) break;
+        if (!(VM_FABS(step) * (1 + slope) > enough_last) || VM_FABS(step) <= VM_EPSILON * VM_FABS(t) || i > most) break;
         t += step;
     }
     half = step / 2;

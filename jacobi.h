@@ -1295,6 +1295,7 @@ VM_API vm_real vmi_K(vm_real m1, vm_real m1_lo)
         const vm_real start = 4 * half_pi.hi / sum.hi, low = (first.lo + sum.lo) * VM_C(0.1591549430918953358);
         return start + start * (x * vmi_K_series(x) - start * low + half_pi.mid / half_pi.hi);
     }
+    if (m1 == VM_INFINITY) return 0;
     if (vmi_refused(m1)) return VM_NAN;
     if (m1 == 0) return VM_INFINITY;
     K = vmi_K_by_log(m1 < 1 ? m1 : 1 / m1, vmi_log_4(m1, m1_lo));
@@ -1318,6 +1319,7 @@ VM_API vm_real vmi_E(vm_real m1, vm_real m1_lo)
         const vm_real more = (sum.lo + kp_lo) + sum.hi * vmi_E_series(k1 * k1);
         return half_pi.hi / 2 * sum.hi + (half_pi.hi / 2 * more + half_pi.mid / 2 * sum.hi);
     }
+    if (m1 == VM_INFINITY) return VM_INFINITY;
     if (vmi_refused(m1)) return VM_NAN;
     if (m1 == 0) return 1;
     rest = vmi_E_rest(vmi_smaller(m1, 1 / m1), vmi_log_4(m1, m1_lo).hi);
@@ -1335,7 +1337,7 @@ VM_API vm_real jacobi_K_m1(vm_real m1) { return vmi_K(m1, 0); }
 VM_API vm_real jacobi_E_m1(vm_real m1) { return vmi_E(m1, 0); }
 
 /* K(m), the complete elliptic integral of the first kind, for m <= 1: a quarter of the period of sn. The error is at
-   most 2 ulp. Returns infinity for m = 1, and NaN for m > 1 and for infinite m. DLMF 19.2.8. */
+   most 2 ulp. Returns infinity for m = 1, 0 for m = -infinity, and NaN for m > 1. DLMF 19.2.8. */
 VM_API vm_real jacobi_K(vm_real m)
 {
     const vm_two m1 = vmi_two_sum(1, -m);
@@ -1343,7 +1345,7 @@ VM_API vm_real jacobi_K(vm_real m)
 }
 
 /* E(m), the complete elliptic integral of the second kind, for m <= 1. The error is at most 2 ulp. Returns 1 for
-   m = 1, and NaN for m > 1 and for infinite m. DLMF 19.2.8. */
+   m = 1, infinity for m = -infinity, and NaN for m > 1. DLMF 19.2.8. */
 VM_API vm_real jacobi_E(vm_real m)
 {
     const vm_two m1 = vmi_two_sum(1, -m);

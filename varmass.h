@@ -23,7 +23,7 @@
                     it), in space and in the plane; how a part must leave so that the remaining body moves as wanted;
                     energy of a jump; a rotor that breaks; Lagrange's equations across a jump and with variable mass; a
                     pendulum that is cut; torque-free rotation; streams of mass with their reactive force and torque;
-                    rockets; a band that winds up on a drum
+                    rockets; tanks and grains; orbits of two bodies; a band that winds up on a drum
      oscillators/   m x'' + k x|x|^(alpha-1) = F with constant mass and with laws of mass, stiffness and damping;
                     Duffing's oscillator k1 x + k3 x^3 and any other odd elastic force; Van der Pol's oscillator,
                     Jeffcott's rotor, two bodies with a nonlinear spring, harmonic excitation, resonance, turning
@@ -246,6 +246,13 @@
        vm_linear_flow                 Position and velocity on a line after t seconds of a stream of constant rate
        vm_jet_damping                 Angular velocity of a spinning rocket whose jet damps it, after t seconds, rad/s, body axes
 
+     mechanics/supply: tanks and grains: mass, mass centre and inertia follow from the mass that is left
+       vm_supply_at                   What is left of a tank or grain when its mass is `mass`
+
+     mechanics/orbit: two bodies that attract each other, with constant masses and with masses that change
+       vm_orbit                       Position and velocity after t seconds on an orbit about a centre with the attraction mu/r^2 (Kepler's problem)
+       vm_orbit_meshchersky           Position and velocity after t seconds, while the attraction changes by Meshchersky's law mu/(1 + rate t)
+
      mechanics/drum: a band that winds up on a drum
        vm_drum_band                   The band's mass per angle on a drum, mu = R h b rho (181), kg/rad
        vm_drum_at                     Mass, mass centre and inertia of the drum with its band at an angle, (182)-(188)
@@ -436,6 +443,10 @@
        vm_effect_unbalance            A rotating unbalance, the force m e Omega^2 (cos a, sin a) at the angle a = Omega t + phase
        vm_effect_gyroscopic           A gyroscopic force normal to the velocity (vx, vy), 2 gyro (-vy, vx)
 
+     scenes/gravitation: Newton's gravitation between bodies and towards a fixed centre
+       vm_effect_gravitation          Gravitation between two bodies, the force G M1 M2/r^2
+       vm_effect_central_gravity      Gravitation towards a centre at rest, the force mu M/r^2
+
      scenes/mass: mass that follows a law, and its reactive force
        vm_effect_mass_law             A mass law M(t, x, v) that the caller's function returns
        vm_effect_mass                 A mass that is M0 + c t, M0 + c x or M0 + c v^2, with its reactive force
@@ -623,7 +634,7 @@ VM_API const char *vm_strerror(int status)
     case VM_IS_AWAY: return "a jump needs a body that is not present: order the events, or let it be present";
     case VM_TWO_LINKS: return "a body has two links: leave one out";
     case VM_LINK_NOT_LAST: return "another effect stands after the link of its body: list the link last";
-    case VM_STORED_STREAM: return "a stream from a store cannot be used here: integrate vm_flow_rhs";
+    case VM_STORED_STREAM: return "a stream from this store cannot be used here: integrate vm_flow_rhs";
     case VM_DOES_NOT_GROW: return "the stream needs a growing body: vm_scene_body_growing_plane or _growing_free";
     case VM_NO_EFFECTIVE_MASS:
         return "M + M'(v) (reactive v - u) of the mass law M(v) is not positive: no force accelerates it";
@@ -997,8 +1008,9 @@ VM_API void vmi_poly_roots(int n, const vm_real *c, vm_real *re, vm_real *im)
 
        vm_real w = vm_lambert_w0(1); // 0.567..., the solution of w e^w = 1
 
-   Method: two steps of fourth order by Fritsch, Shafer and Crowley (Comm. ACM 16, 1973) from a start value with an
-   error of at most 2 %. The residual is computed in two words, so that the error is little more than a rounding.
+   Method: steps of fourth order by Fritsch, Shafer and Crowley (Comm. ACM 16, 1973), two of them from a start value
+   with an error of at most 2 %, or one from a start value with an error of at most 1e-4. The residual is computed in
+   two words, so that the error is little more than a rounding.
    Tests: tests/test_lambert.c. */
 #ifndef VARMASS_BASE_LAMBERT_H
 #define VARMASS_BASE_LAMBERT_H
@@ -1011,11 +1023,12 @@ VM_API vm_real vmi_lambert_correction(vm_real w1, vm_real z)
     return first * ((half_q - first / 2) / (half_q - first));
 }
 
-/* Returns Lambert's W of a number x that is not close to -1/e. l is ln|x| in two words; w is a rough value of W(x). */
-VM_API vm_real vmi_lambert_far(vm_two l, vm_real w)
+/* Returns Lambert's W of a number x that is not close to -1/e, from l = ln|x| in two words and a rough value w of W. Two
+   steps are enough where w is right to 2 %, and one where it is right to 1e-4. */
+VM_API vm_real vmi_lambert_far(vm_two l, vm_real w, int steps)
 {
     int i;
-    for (i = 0; i < 2; i++) {
+    for (i = 0; i < steps; i++) {
         const vm_two ln = vmi_log(VM_FABS(w));
         const vm_two z = vmi_two_plus(vmi_two_plus(l, vmi_minus(ln)), vmi_two(-w, 0));
         w += w * vmi_lambert_correction(1 + w, z.hi);
@@ -1023,10 +1036,47 @@ VM_API vm_real vmi_lambert_far(vm_two l, vm_real w)
     return w;
 }
 
-/* Returns Lambert's W of x < 0 from s = -1 - ln(-x): W_-1 if `lower` is 1, else W_0, which needs x close to -1/e.
-   Method: W = -1 - v, where v solves v - ln(1 + v) = s, with v > 0 for W_-1 and v < 0 for W_0. A value of s between
-   -eps/2 and 0 is caused by rounding and means x = -1/e. The start value of v is a formula by Barry, Culligan-Hensley
-   and Barry (ACM TOMS 21, 1995) for W_-1, and a series in sqrt(2s), good for s < 0.4, for W_0. */
+/* Returns W_0(x) for x from -1/4 to 55. With r = sqrt(1 + e x), in which W_0 is smooth also next to -1/e, the quotient
+   g of two polynomials is W_0(x)/x with an error of at most 1e-4. One step from w = g x, held in two words, follows; in it
+   ln(x/w) is -ln g. */
+VM_API vm_real vmi_lambert_middle(vm_real x)
+{
+    const vm_real r = VM_SQRT(1 + VM_C(2.718281828459045) * x);
+    vm_real g, z;
+    vm_two w, ln;
+    if (r < VM_C(2.97))
+        g = (VM_C(2.724123732) + r * (VM_C(0.2279612433) - r * VM_C(0.008327681558))) /
+            (1 + r * (VM_C(1.510476714) + r * VM_C(0.4332891023)));
+    else
+        g = (VM_C(3.123770417) + r * (VM_C(0.07756765143) - r * VM_C(0.0009571950887))) /
+            (1 + r * (VM_C(1.818644339) + r * VM_C(0.3351457891)));
+    w = vmi_two_product(x, g);
+    ln = vmi_log(g);
+    z = -((ln.hi + w.hi) + (ln.lo + w.lo));
+    return w.hi + (w.lo + w.hi * vmi_lambert_correction(1 + w.hi, z));
+}
+
+/* A rough value of W_0(e^l), right to 6e-5, for l from 3.95 to 712 */
+VM_API vm_real vmi_lambert_rational(vm_real l)
+{
+    vm_real above, below;
+    if (l < 24) {
+        above = VM_C(0.662180417) + l * (VM_C(0.3951587621) + l * (VM_C(0.2108913562) + l * VM_C(0.005136464812)));
+        below = 1 + l * (VM_C(0.2373079821) + l * VM_C(0.005161503917));
+    } else if (l < 120) {
+        above = VM_C(-0.7963177685) + l * (VM_C(0.7513901587) + l * VM_C(0.05372887458));
+        below = 1 + l * (VM_C(0.05415434916) - l * VM_C(6.990819291e-7));
+    } else {
+        above = VM_C(-2.789606648) + l * (VM_C(0.9409089019) + l * VM_C(0.009304151471));
+        below = 1 + l * (VM_C(0.009316976902) - l * VM_C(3.625903141e-9));
+    }
+    return above / below;
+}
+
+/* Returns Lambert's W of x < 0 from s = -1 - ln(-x). If `lower` is 1, this is W_-1; if it is 0, it is W_0, for x close
+   to -1/e. Method: W = -1 - v, where v solves v - ln(1 + v) = s, v > 0 for W_-1 and v < 0 for W_0. A value of s between
+   -eps/2 and 0 is caused by rounding and means x = -1/e. v starts from a formula by Barry, Culligan-Hensley and Barry
+   (ACM TOMS 21, 1995) for W_-1, and from a series in sqrt(2s) for W_0, which is good for s < 0.4. */
 VM_API vm_real vmi_lambert_near(vm_two s, int lower)
 {
     const vm_real barry = VM_C(0.3361), root = VM_SQRT(2 * s.hi);
@@ -1076,13 +1126,13 @@ VM_API vm_real vmi_lambert_winitzki(vm_real L) { return L * (1 - vmi_log(1 + L).
    number next to -1/e counts as -1/e and gives -1. */
 VM_API vm_real vm_lambert_w0(vm_real x)
 {
-    vm_real start;
-    if (x == 0 || x != x || x == VM_INFINITY) return x;
+    vm_two l;
+    if (VM_FABS(x) < VM_EPSILON / 8 || x != x || x == VM_INFINITY) return x; /* W_0(x) = x - x^2 + ... */
     if (x == -VM_INFINITY) return VM_NAN;
     if (x < VM_C(-0.25)) return vmi_lambert_near(vmi_lambert_depth(x), 0);
-    if (x < 1) start = vmi_lambert_pade(x);
-    else start = vmi_lambert_winitzki(vmi_log(1 + x).hi);
-    return vmi_lambert_far(vmi_log(VM_FABS(x)), start);
+    if (x < 55) return vmi_lambert_middle(x);
+    l = vmi_log(x);
+    return vmi_lambert_far(l, vmi_lambert_rational(l.hi), 1);
 }
 
 /* Lambert's W_-1(x), the lower branch: the solution w <= -1 of w e^w = x, for -1/e <= x < 0. x is a pure number and
@@ -1109,10 +1159,11 @@ VM_API vm_real vm_wright_omega(vm_real l)
     vm_real start;
     if (l != l || l == VM_INFINITY) return l;
     if (l < VMI_LAMBERT_TINY) return vmi_exp(l, 0);
+    if (l > 4 && l < 712) return vmi_lambert_far(vmi_two(l, 0), vmi_lambert_rational(l), 1);
     if (l < 0) start = vmi_lambert_pade(vmi_exp(l, 0));
     else if (l < direct_from) start = vmi_lambert_winitzki(vmi_log(1 + vmi_exp(l, 0)).hi);
     else start = vmi_lambert_winitzki(l);
-    return vmi_lambert_far(vmi_two(l, 0), start);
+    return vmi_lambert_far(vmi_two(l, 0), start, 2);
 }
 
 /* W_0(-e^l), the upper branch for the negative argument -e^l with l <= -1. The function also works where e^l itself
@@ -1122,7 +1173,7 @@ VM_API vm_real vm_lambert_w0_neg_exp(vm_real l)
     if (!(l <= -1)) return VM_NAN;
     if (l < VMI_LAMBERT_TINY) return -vmi_exp(l, 0);
     if (l > VM_C(-1.375)) return vmi_lambert_near(vmi_two(-1 - l, 0), 0);
-    return vmi_lambert_far(vmi_two(l, 0), vmi_lambert_pade(-vmi_exp(l, 0)));
+    return vmi_lambert_far(vmi_two(l, 0), vmi_lambert_pade(-vmi_exp(l, 0)), 2);
 }
 
 /* W_-1(-e^l), the lower branch for the negative argument -e^l with l <= -1. The function also works where e^l itself
@@ -1132,7 +1183,7 @@ VM_API vm_real vm_lambert_wm1_neg_exp(vm_real l)
 {
     if (!(l <= -1)) return VM_NAN;
     if (l == -VM_INFINITY) return l;
-    if (l < -1 / VM_EPSILON) return vmi_lambert_far(vmi_two(l, 0), l);
+    if (l < -1 / VM_EPSILON) return vmi_lambert_far(vmi_two(l, 0), l, 2);
     return vmi_lambert_near(vmi_two_sum(-1, -l), 1);
 }
 
@@ -6485,6 +6536,357 @@ VM_API int vm_jet_damping(const vm_jet *jet, vm_real t, vm_vec3 omega0, vm_vec3 
                      omega0.z);
     if (!vmi_vec3_is_finite(later)) return VM_NOT_FINITE;
     *omega = later;
+    return VM_OK;
+}
+
+#endif
+/* mechanics/supply.h - tanks and grains: mass, mass centre and inertia follow from the mass that is left
+
+   A supply is a round cylinder of stored mass inside a body: a tank of liquid, whose level falls; a tank of gas, whose
+   density falls; or a hollow cylinder of solid propellant (a grain), which burns radially outwards. The mass that is
+   left determines its mass centre, its inertia and their rates, and also the store (vm_store) from which a stream takes
+   the next mass. With this store the moments that streams exert, jet damping among them, are right.
+
+       vm_supply tank = {VM_TANK_OF_LIQUID, {0, 0, -2}, {0, 0, 1}, 3, 0.5, 0, 800}; // 3 m long, radius 0.5 m, 800 kg
+       vm_supply_left left;
+       if (vm_supply_at(&tank, 200, &left) == VM_OK) printf("level %g m\n", left.size); // 0.75 m: a quarter is left
+
+   The equations. Let m be the mass that is left, m1 that of the full supply, L the length, R the radius, e the unit
+   vector along the axis from the lower end to the upper one, E the unit matrix, and b the lower end of the axis. The
+   inertia about the mass centre c is m [k_a e e^T + k_t (E - e e^T)]. The next mass lies at the point s, and its
+   inertia per unit mass is q_a e e^T + q_t (E - e e^T).
+     liquid  level h = L m/m1, c = b + e h/2, k_a = R^2/2, k_t = R^2/4 + h^2/12; s = b + e h, q_a = R^2/2, q_t = R^2/4
+     gas     c = s = b + e L/2, k_a = q_a = R^2/2, k_t = q_t = R^2/4 + L^2/12
+     grain   bore r, r^2 = (m r0^2 + (m1 - m) R^2)/m1 with the bore r0 of the full grain, c = s = b + e L/2,
+             k_a = (R^2 + r^2)/2, k_t = (R^2 + r^2)/4 + L^2/12, q_a = r^2, q_t = r^2/2 + L^2/12
+   They follow from the volumes. Moments about a fixed point give the identities d(m c)/dm = s and dI/dm = Q + P(s - c),
+   where I is the inertia about c, Q the inertia of the next mass per unit mass, and P(d) = |d|^2 E - d d^T.
+   Tests: tests/test_supply.c. */
+#ifndef VARMASS_MECHANICS_SUPPLY_H
+#define VARMASS_MECHANICS_SUPPLY_H
+
+/* The kinds of supplies */
+enum {
+    VM_TANK_OF_LIQUID = 0, /* constant density; the tank empties from the lower end, and its surface stays normal to the
+                              axis. The liquid turns with the tank */
+    VM_TANK_OF_GAS = 1,    /* constant volume; the density falls everywhere alike */
+    VM_GRAIN = 2           /* constant density; a hollow cylinder that burns from its bore outwards, not at its ends */
+};
+
+/* A supply of mass inside a body */
+typedef struct VM_TAG(vm_supply) {
+    int kind;       /* VM_TANK_OF_LIQUID, VM_TANK_OF_GAS or VM_GRAIN */
+    vm_vec3 at;     /* centre of the lower end, from the body's reference point, m, body axes */
+    vm_vec3 axis;   /* direction from the lower end to the upper end, of any length but 0, body axes */
+    vm_real length; /* distance of the ends, m; that of a tank of liquid when it is full */
+    vm_real radius; /* outer radius, m */
+    vm_real bore;   /* inner radius of the full grain, m, 0 <= bore < radius; not used by the tanks */
+    vm_real full;   /* mass of the full supply, kg */
+} vm_supply;
+
+/* What is left of a supply. The rates are derivatives with respect to the mass that is left; multiply them by its rate
+   in kg/s (< 0 while the supply empties) to get rates in time. */
+typedef struct VM_TAG(vm_supply_left) {
+    vm_real mass;               /* mass that is left, kg */
+    vm_real size;               /* level of the liquid, length of the gas, or bore of the grain, m */
+    vm_vec3 centre;             /* mass centre, from the body's reference point, m, body axes */
+    vm_inertia inertia;         /* inertia about this mass centre, kg m^2, body axes */
+    vm_vec3 centre_by_mass;     /* rate of the mass centre, m/kg */
+    vm_inertia inertia_by_mass; /* rate of the inertia, m^2 */
+    vm_store store;             /* where the next mass that leaves lies, for the field `from` of a vm_stream */
+} vm_supply_left;
+
+/* The tensor axial e e^T + transverse (E - e e^T) for a unit vector e and the unit matrix E. The diagonal entries are
+   sums of positive terms. */
+VM_API vm_inertia vmi_inertia_of_revolution(vm_vec3 e, vm_real axial, vm_real transverse)
+{
+    const vm_real difference = axial - transverse;
+    vm_inertia i;
+    i.xx = axial * (e.x * e.x) + transverse * (e.y * e.y + e.z * e.z);
+    i.yy = axial * (e.y * e.y) + transverse * (e.x * e.x + e.z * e.z);
+    i.zz = axial * (e.z * e.z) + transverse * (e.x * e.x + e.y * e.y);
+    i.xy = difference * (e.x * e.y);
+    i.xz = difference * (e.x * e.z);
+    i.yz = difference * (e.y * e.z);
+    return i;
+}
+
+VM_API int vmi_supply_check(const vm_supply *s, vm_real mass)
+{
+    if (s->kind < VM_TANK_OF_LIQUID || s->kind > VM_GRAIN) return VM_BAD_ARGUMENT;
+    if (!vmi_vec3_is_finite(s->at) || !vmi_vec3_is_finite(s->axis) || !VM_IS_FINITE(s->length)) return VM_NOT_FINITE;
+    if (!VM_IS_FINITE(s->radius) || !VM_IS_FINITE(s->bore) || !VM_IS_FINITE(s->full)) return VM_NOT_FINITE;
+    if (!VM_IS_FINITE(mass)) return VM_NOT_FINITE;
+    if (!(s->full > 0)) return VM_BAD_MASS;
+    if (!(s->length > 0 && s->radius > 0) || vmi_norm_max(s->axis) == 0) return VM_DOMAIN;
+    if (s->kind == VM_GRAIN && !(s->bore >= 0 && s->bore < s->radius)) return VM_DOMAIN;
+    return VM_OK;
+}
+
+/* Writes to *left what is left of a tank of liquid; e is the unit vector along the axis */
+VM_API void vmi_supply_liquid(const vm_supply *s, vm_vec3 e, vm_supply_left *left)
+{
+    const vm_real m = left->mass, level = s->length * (m / s->full), disc = s->radius * s->radius / 4;
+    const vm_real slope = s->length / s->full / 2;
+    left->size = level;
+    left->centre = vm_add(s->at, vm_scale(level / 2, e));
+    left->centre_by_mass = vm_scale(slope, e);
+    left->inertia = vmi_inertia_of_revolution(e, m * (2 * disc), m * (disc + level * level / 12));
+    left->inertia_by_mass = vmi_inertia_of_revolution(e, 2 * disc, disc + level * level / 4);
+    left->store.at = vm_add(s->at, vm_scale(level, e));
+    left->store.gyration = vmi_inertia_of_revolution(e, 2 * disc, disc);
+}
+
+/* Writes to *left what is left of a tank of gas or of a grain. The square of the bore is that of the text at the top;
+   it is 0 for gas, which leaves everywhere alike. */
+VM_API void vmi_supply_hollow(const vm_supply *s, vm_vec3 e, vm_supply_left *left)
+{
+    const vm_real m = left->mass, square = s->radius * s->radius, rod = s->length * s->length / 12;
+    vm_real bore = 0, axial = square / 2, transverse = square / 4;
+    left->size = s->length;
+    if (s->kind == VM_GRAIN) {
+        bore = (m * (s->bore * s->bore) + (s->full - m) * square) / s->full;
+        left->size = bore > 0 ? VM_SQRT(bore) : 0;
+        axial = bore;
+        transverse = bore / 2;
+    }
+    left->centre = left->store.at = vm_add(s->at, vm_scale(s->length / 2, e));
+    left->centre_by_mass = vmi_vec3(0, 0, 0);
+    left->inertia = vmi_inertia_of_revolution(e, m * ((square + bore) / 2), m * ((square + bore) / 4 + rod));
+    left->inertia_by_mass = left->store.gyration = vmi_inertia_of_revolution(e, axial, transverse + rod);
+}
+
+VM_API int vmi_supply_left_is_finite(const vm_supply_left *left)
+{
+    return VM_IS_FINITE(left->size) && vmi_vec3_is_finite(left->centre) && vmi_vec3_is_finite(left->centre_by_mass) &&
+           vmi_inertia_is_finite(&left->inertia) && vmi_inertia_is_finite(&left->inertia_by_mass) &&
+           vmi_vec3_is_finite(left->store.at) && vmi_inertia_is_finite(&left->store.gyration);
+}
+
+/* What is left of a tank or grain when its mass is `mass`: mass centre, inertia, their rates, and the next store.
+   mass is in kg and lies between 0 and supply.full. Beyond both ends the formulas go on as polynomials of the mass, so
+   that trial steps of an integrator see smooth functions, but what they then describe is no body. The errors are at
+   most 8 eps of |at| + length, of the largest entry of a tensor and of the rate, next to an empty or full supply too.
+   Returns VM_BAD_ARGUMENT for a null pointer or an unknown kind, VM_NOT_FINITE, VM_BAD_MASS if supply.full is not
+   positive, VM_DOMAIN for a length, radius, bore or axis outside its domain, and VM_OK otherwise. */
+VM_API int vm_supply_at(const vm_supply *supply, vm_real mass, vm_supply_left *left)
+{
+    vm_supply_left result;
+    vm_vec3 e;
+    int status;
+    if (!supply || !left) return VM_BAD_ARGUMENT;
+    status = vmi_supply_check(supply, mass);
+    if (status) return status;
+    e = vmi_over(supply->axis, vmi_norm_max(supply->axis));
+    e = vmi_over(e, VM_SQRT(vm_dot(e, e)));
+    result.mass = mass;
+    if (supply->kind == VM_TANK_OF_LIQUID) vmi_supply_liquid(supply, e, &result);
+    else vmi_supply_hollow(supply, e, &result);
+    if (!vmi_supply_left_is_finite(&result)) return VM_NOT_FINITE;
+    *left = result;
+    return VM_OK;
+}
+
+#endif
+/* mechanics/orbit.h - two bodies that attract each other, with constant masses and with masses that change
+
+   The vector r from one body to the other obeys r'' = -mu r/|r|^3 with mu = G (M1 + M2), if mass that leaves or joins
+   has the velocity of its body (reactive = 0). vm_orbit solves this equation for constant mu (Kepler's problem), for
+   ellipses, parabolas, hyperbolas and straight lines alike. vm_orbit_meshchersky solves it for Meshchersky's law
+   mu/(1 + c t), one of Gylden's problems of variable mass that have a closed form. The scene with vm_effect_gravitation
+   takes any law of mass.
+
+       vm_vec3 r = {7e6, 0, 0}, v = {0, 7.6e3, 0}; // m, m/s
+       vm_orbit(3600, 3.986004418e14, r, v, &r, &v); // an hour later; the results may be the inputs
+
+   The equations. Lengths are in units of |r0|, times in units of sqrt(|r0|^3/mu). With sigma = r0 v0 (the dot product)
+   and beta = 2 - v0^2, and the functions of Stumpff in the form
+     G1 = s - beta s^3/3! + ..., G2 = s^2/2! - beta s^4/4! + ..., G3 = s^3/3! - beta s^5/5! + ...
+   (sines and cosines of sqrt(beta) s for beta > 0, hyperbolic ones for beta < 0), the time is t = s + sigma G2 +
+   (1 - beta) G3, and its derivative dt/ds = 1 + sigma G1 + (1 - beta) G2 is the distance R. Then
+     r = (1 - G2) r0 + (t - G3) v0,  v = -G1/R r0 + (1 - G2/R) v0.
+   Meshchersky's law: with f = 1 + c t, r = f xi and the time tau = t/f, xi obeys the equation for constant mu.
+   Tests: tests/test_orbit.c. */
+#ifndef VARMASS_MECHANICS_ORBIT_H
+#define VARMASS_MECHANICS_ORBIT_H
+
+/* The functions G1, G2, G3 of the text above */
+typedef struct VM_TAG(vmi_stumpff) {
+    vm_real g1, g2, g3;
+} vmi_stumpff;
+
+/* The functions by their series, for |beta| s^2 <= 4, where the first omitted term is below 1e-18 of the sum */
+VM_API vmi_stumpff vmi_stumpff_series(vm_real beta, vm_real s)
+{
+    const vm_real x = beta * s * s;
+    vm_real c2 = 1, c3 = 1;
+    vmi_stumpff g;
+    int k;
+    for (k = 11; k > 0; k--) {
+        c2 = 1 - x * c2 / (vm_real)((2 * k + 1) * (2 * k + 2));
+        c3 = 1 - x * c3 / (vm_real)((2 * k + 2) * (2 * k + 3));
+    }
+    c2 /= 2;
+    c3 /= 6;
+    g.g1 = s * (1 - x * c3);
+    g.g2 = s * s * c2;
+    g.g3 = s * s * s * c3;
+    return g;
+}
+
+/* The functions for any beta and s >= 0. Where e^(sqrt(-beta) s) overflows they are infinite. */
+VM_API vmi_stumpff vmi_stumpff_at(vm_real beta, vm_real s)
+{
+    const vm_real root = VM_SQRT(VM_FABS(beta)), z = root * s;
+    vm_real sine, cosine, half;
+    vmi_stumpff g;
+    if (z <= 2) return vmi_stumpff_series(beta, s);
+    if (beta > 0) {
+        vmi_sincos(z / 2, &half, &cosine);
+        vmi_sincos(z, &sine, &cosine);
+        g.g3 = (z - sine) / (root * root * root);
+    } else {
+        const vm_real growing = vmi_exp(z / 2, 0);
+        half = (growing - 1 / growing) / 2;
+        sine = half * (growing + 1 / growing);
+        g.g3 = (sine - z) / (root * root * root);
+    }
+    g.g1 = sine / root;
+    g.g2 = 2 * (half / root) * (half / root);
+    return g;
+}
+
+/* Kepler's problem in the units of the text above */
+typedef struct VM_TAG(vmi_kepler) {
+    vm_real sigma; /* r0 v0 */
+    vm_real beta;  /* 2 - v0^2; the energy is -beta/2 */
+} vmi_kepler;
+
+/* What belongs to a value of the variable s */
+typedef struct VM_TAG(vmi_kepler_point) {
+    vmi_stumpff g;
+    vm_real time, distance;
+    vm_real noise; /* sum of the absolute values of the terms of `time`, times 4 VM_EPSILON */
+} vmi_kepler_point;
+
+VM_API vmi_kepler_point vmi_kepler_at(const vmi_kepler *o, vm_real s)
+{
+    vmi_kepler_point p;
+    vm_real first, second;
+    p.g = vmi_stumpff_at(o->beta, s);
+    first = o->sigma * p.g.g2;
+    second = (1 - o->beta) * p.g.g3;
+    p.time = s + (first + second);
+    p.noise = 4 * VM_EPSILON * (s + VM_FABS(first) + VM_FABS(second));
+    p.distance = 1 + (o->sigma * p.g.g1 + (1 - o->beta) * p.g.g2);
+    return p;
+}
+
+/* Finds the variable s >= 0 at the time t >= 0 and returns what belongs to it. The time rises with s, so that Newton's
+   steps are kept between bounds of s that close in. A step that leaves them, or that is longer than half the step
+   before, is replaced by doubling or halving. On a fast hyperbola, where the time rises exponentially, Newton's steps
+   alone would be too many. */
+VM_API vmi_kepler_point vmi_kepler_solve(const vmi_kepler *o, vm_real t)
+{
+    const int most = 3 * VM_MANT_DIG; /* halving alone needs VM_MANT_DIG steps, Newton's steps are fewer */
+    vm_real low = 0, high = VM_INFINITY, s = vmi_smaller(t, 1), before = VM_INFINITY;
+    vmi_kepler_point p = vmi_kepler_at(o, s);
+    int i;
+    for (i = 0; i < most; i++) {
+        const vm_real late = p.time - t, step = late / p.distance;
+        vm_real next = s - step;
+        if (VM_FABS(late) <= vmi_smaller(p.noise, t) || VM_FABS(step) <= VM_EPSILON * s) break;
+        if (late < 0) low = s;
+        else high = s; /* also where the time is infinite or NaN */
+        if (!(next > low && next < high && 2 * VM_FABS(step) <= before)) {
+            next = (low + high) / 2;
+            if (high == VM_INFINITY) next = 2 * s;
+        }
+        if (high == VM_INFINITY) next = vmi_smaller(next, 16 * s); /* before the time overflows */
+        if (next == s) break;
+        before = VM_FABS(next - s);
+        s = next;
+        p = vmi_kepler_at(o, s);
+    }
+    return p;
+}
+
+/* Reduces the time t on an ellipse (beta > 0) by whole periods, to at most half a period on either side of 0 */
+VM_API vm_real vmi_kepler_reduce(vm_real beta, vm_real t)
+{
+    vm_real period;
+    if (!(beta > 0)) return t;
+    period = 2 * VM_PI / (beta * VM_SQRT(beta));
+    if (!(VM_FABS(t) > period / 2 && period > 0)) return t;
+    return t - period * VM_FLOOR(t / period + VM_C(0.5));
+}
+
+/* Position and velocity after t seconds on an orbit about a centre with the attraction mu/r^2 (Kepler's problem).
+   r0 (m) is the position relative to the centre and v0 (m/s) the velocity at t = 0; mu (m^3/s^2) is G times the mass in
+   the centre, or G (M1 + M2) if r0 and v0 belong to two bodies, one relative to the other. t may be negative. The orbit
+   may be an ellipse, a parabola, a hyperbola or a straight line; on a straight line the body turns back at the centre.
+   The error is that which an error of a few eps in t, r0, v0 and mu makes; it grows with the number of revolutions.
+   The cost is that of some ten sines. Returns VM_BAD_ARGUMENT, VM_NOT_FINITE also where the results are not finite,
+   VM_DOMAIN for mu <= 0 or r0 = 0, and VM_OK otherwise. */
+VM_API int vm_orbit(vm_real t, vm_real mu, vm_vec3 r0, vm_vec3 v0, vm_vec3 *r, vm_vec3 *v)
+{
+    vm_real distance0, speed, unit, time, sign = 1;
+    vm_vec3 start, rate, position, velocity;
+    vmi_kepler o;
+    vmi_kepler_point p;
+    if (!r || !v) return VM_BAD_ARGUMENT;
+    if (!VM_IS_FINITE(t) || !VM_IS_FINITE(mu)) return VM_NOT_FINITE;
+    if (!vmi_vec3_is_finite(r0) || !vmi_vec3_is_finite(v0)) return VM_NOT_FINITE;
+    distance0 = vm_norm(r0);
+    if (!(mu > 0 && distance0 > 0)) return VM_DOMAIN;
+    speed = VM_SQRT(mu / distance0);
+    unit = distance0 / speed;
+    start = vmi_over(r0, distance0);
+    rate = vmi_over(v0, speed);
+    o.sigma = vm_dot(start, rate);
+    o.beta = 2 - vm_dot(rate, rate);
+    time = vmi_kepler_reduce(o.beta, t / unit);
+    if (!VM_IS_FINITE(time) || !VM_IS_FINITE(o.beta)) return VM_NOT_FINITE;
+    if (time < 0) {
+        sign = -1;
+        time = -time;
+        o.sigma = -o.sigma;
+        rate = vm_scale(-1, rate);
+    }
+    p = vmi_kepler_solve(&o, time);
+    position = vm_add(vm_scale(1 - p.g.g2, start), vm_scale(time - p.g.g3, rate));
+    velocity = vm_sub(vm_scale(1 - p.g.g2 / p.distance, rate), vm_scale(p.g.g1 / p.distance, start));
+    position = vm_scale(distance0, position);
+    velocity = vm_scale(sign * speed, velocity);
+    if (!vmi_vec3_is_finite(position) || !vmi_vec3_is_finite(velocity)) return VM_NOT_FINITE;
+    *r = position;
+    *v = velocity;
+    return VM_OK;
+}
+
+/* Position and velocity after t seconds, while the attraction changes by Meshchersky's law mu/(1 + rate t).
+   The two bodies lose mass (rate > 0, per second) or gain it (rate < 0) in the same proportion, and the mass that
+   leaves or joins has the velocity of its body. The equation is that of Gylden and Meshchersky,
+   r'' = -mu/(1 + rate t) r/|r|^3. The other arguments and the accuracy are those of vm_orbit. Returns VM_BAD_MASS if
+   1 + rate t is not positive, and the errors of vm_orbit. */
+VM_API int vm_orbit_meshchersky(vm_real t, vm_real mu, vm_real rate, vm_vec3 r0, vm_vec3 v0, vm_vec3 *r, vm_vec3 *v)
+{
+    vm_vec3 position, velocity;
+    vm_real f;
+    int status;
+    if (!r || !v) return VM_BAD_ARGUMENT;
+    if (!VM_IS_FINITE(t) || !VM_IS_FINITE(rate)) return VM_NOT_FINITE;
+    if (!VM_IS_FINITE(mu) || !vmi_vec3_is_finite(r0) || !vmi_vec3_is_finite(v0)) return VM_NOT_FINITE;
+    f = 1 + rate * t;
+    if (!VM_IS_FINITE(f)) return VM_NOT_FINITE;
+    if (!(f > 0)) return VM_BAD_MASS;
+    status = vm_orbit(t / f, mu, r0, vm_sub(v0, vm_scale(rate, r0)), &position, &velocity);
+    if (status) return status;
+    velocity = vm_add(vmi_over(velocity, f), vm_scale(rate, position));
+    position = vm_scale(f, position);
+    if (!vmi_vec3_is_finite(position) || !vmi_vec3_is_finite(velocity)) return VM_NOT_FINITE;
+    *r = position;
+    *v = velocity;
     return VM_OK;
 }
 
@@ -17932,6 +18334,96 @@ VM_API vm_effect vm_effect_gyroscopic(int body, vm_real gyro)
 }
 
 #endif
+/* scenes/gravitation.h - Newton's gravitation between bodies and towards a fixed centre
+
+   The attraction falls with the inverse square of the distance and acts at the mass centres. It takes the present
+   masses, whatever changes them. The bodies move in the plane or in space, or are points. For uniform gravity use
+   vm_effect_gravity.
+
+       vm_vec3 zero = {0, 0, 0};
+       vm_effect effects[] = {vm_effect_gravitation(0, 1, 6.6743e-11),                // between the bodies 0 and 1
+                              vm_effect_central_gravity(2, zero, 3.986004418e14)};    // towards the Earth's centre
+
+   Tests: tests/test_orbit.c. */
+#ifndef VARMASS_SCENES_GRAVITATION_H
+#define VARMASS_SCENES_GRAVITATION_H
+
+enum { VMI_GRAVITATION_G = 0, VMI_CENTRAL_CENTRE = 0, VMI_CENTRAL_MU = 3 };
+
+/* The attraction a b/r^2 along d, the vector to the other mass, with r = |d|. The factors a and b are divided one by
+   one, because their product could overflow. If the force is not finite, since the masses are at the same place, the
+   scene gets the status VM_NOT_FINITE, and the integrator refuses the step. */
+VM_INLINE vm_vec3 vmi_gravitation(vm_real a, vm_real b, vm_vec3 d, vm_scene *s)
+{
+    const vm_real r = VM_SQRT(vm_dot(d, d));
+    const vm_vec3 force = vm_scale(a / r * (b / r), vm_scale(1 / r, d));
+    if (!vmi_vec3_is_finite(force)) s->status = VM_NOT_FINITE;
+    return force;
+}
+
+/* An effect of gravitation: it acts on bodies in the plane, points and free bodies */
+VM_API vm_effect vmi_effect_gravitation(int body, int other,
+                                        void (*apply)(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s))
+{
+    vm_effect e = vmi_effect_between(body, 0, other, 0, apply);
+    e.motions = VMI_FLAT | 1 << VM_FREE;
+    e.other_motions = VMI_FLAT | 1 << VM_FREE;
+    return e;
+}
+
+VM_API void vmi_apply_gravitation(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
+{
+    const vm_scene_body *b = s->bodies + e->body, *other = s->bodies + e->other;
+    const vm_vec3 d = vm_sub(vmi_scene_moving(other, y + other->at), vmi_scene_moving(b, y + b->at));
+    const vm_vec3 force = vmi_gravitation(e->p[VMI_GRAVITATION_G] * e->load->mass, e->other_load->mass, d, s);
+    const vm_vec3 none = {0, 0, 0};
+    (void)t;
+    vmi_scene_add(b, e->load->force, force, none);
+    vmi_scene_add(other, e->other_load->force, vm_scale(-1, force), none);
+}
+
+VM_API int vmi_gravitation_check(const vm_effect *e)
+{
+    if (e->other == VM_GROUND) return VM_NO_SUCH_BODY;
+    return e->other == e->body ? (int)VM_SAME_BODY : (int)VM_OK;
+}
+
+/* Gravitation between two bodies, the force G M1 M2/r^2. G is in m^3/(kg s^2), 6.6743e-11 in nature; M1 and M2 are the
+   present masses and r is the distance of the mass centres. The force on a body in the plane stays in the plane.
+   vm_scene_start returns VM_NO_SUCH_BODY if `other` is VM_GROUND, VM_SAME_BODY if it is `body`, and VM_BAD_MOTION for a
+   body on a line or an axle. A run ends with VM_NOT_FINITE if the bodies meet. */
+VM_API vm_effect vm_effect_gravitation(int body, int other, vm_real G)
+{
+    vm_effect e = vmi_effect_gravitation(body, other, vmi_apply_gravitation);
+    e.p[VMI_GRAVITATION_G] = G;
+    e.check = vmi_gravitation_check;
+    return e;
+}
+
+VM_API void vmi_apply_central_gravity(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
+{
+    const vm_scene_body *b = s->bodies + e->body;
+    const vm_vec3 d = vm_sub(vmi_scene_moving(b, e->p + VMI_CENTRAL_CENTRE), vmi_scene_moving(b, y + b->at));
+    const vm_vec3 none = {0, 0, 0};
+    (void)t;
+    vmi_scene_add(b, e->load->force, vmi_gravitation(e->load->mass, e->p[VMI_CENTRAL_MU], d, s), none);
+}
+
+/* Gravitation towards a centre at rest, the force mu M/r^2. mu is G times the mass in the centre, in m^3/s^2
+   (3.986004418e14 for the Earth); M is the present mass of the body and r its distance from the centre (m, inertial
+   axes). For a body in the plane centre.z is not used. vm_scene_start returns VM_BAD_MOTION for a body on a line or an
+   axle. */
+VM_API vm_effect vm_effect_central_gravity(int body, vm_vec3 centre, vm_real mu)
+{
+    vm_effect e = vmi_effect_gravitation(body, VM_GROUND, vmi_apply_central_gravity);
+    e.p[VMI_CENTRAL_CENTRE] = centre.x;
+    e.p[VMI_CENTRAL_CENTRE + 1] = centre.y;
+    e.p[VMI_CENTRAL_CENTRE + 2] = centre.z;
+    e.p[VMI_CENTRAL_MU] = mu;
+    return e;
+}
+
+#endif
 /* scenes/mass.h - mass that follows a law, and its reactive force
 
    A mass law M(t, x, v) gives the mass of a body at any time; the mass is then not a number of the state. The mass
@@ -18173,12 +18665,10 @@ VM_API void vmi_crossing_now(const vm_effect *e, vm_real t, const vm_real *y, vm
 {
     const vm_scene_body *b = s->bodies + e->body;
     vm_stream stream = *e->stream;
-    if (e->vary) {
-        e->vary(t, y, &stream, e->ctx);
-        stream.from = NULL;
-    }
+    if (e->vary) e->vary(t, y, &stream, e->ctx);
     c->seen.turn = &b->axes;
     c->seen.slip = vmi_vec3(0, 0, 0);
+    if (stream.from) c->seen.slip = vm_scale(stream.rate / e->load->mass, vm_sub(stream.at, stream.from->at));
     c->seen.energy = s->budget != NULL;
     c->seen.v = vmi_scene_moving(b, y + e->v);
     c->seen.omega = vmi_scene_turning(b, y + e->v);
@@ -18211,7 +18701,7 @@ VM_API void vmi_apply_stream_mass(const vm_effect *e, vm_real t, const vm_real *
     shift = vm_scale(1 / load->mass, c.sum.crossing);
     load->mass_rate += c.sum.rate;
     load->drift = vm_add(load->drift, vmi_times(c.seen.turn, shift));
-    load->centre_rate = vm_add(load->centre_rate, shift);
+    load->centre_rate = vm_add(load->centre_rate, vm_scale(1 / load->mass, c.sum.stored));
     load->inertia_rate = vmi_inertia_plus(load->inertia_rate, 1, c.sum.inertia);
     if (!s->budget) return;
     spin = vmi_inertia_times(&c.sum.inertia, c.seen.omega);
@@ -18246,12 +18736,20 @@ VM_API void vmi_apply_stream_torque(const vm_effect *e, vm_real t, const vm_real
     vmi_crossing_push(e, s, &c, vmi_vec3(0, 0, 0), vmi_times(c.seen.turn, torque));
 }
 
-/* Checks a stream by vmi_check_stream, and refuses a stream with a store (stream->from), since a scene neglects the
-   momentum of mass that flows between a store and the surface of the body */
+/* Checks a stream by vmi_check_stream. A store (stream->from) must lie on the line through the point of the stream and
+   the mass centre at the start, which is the origin of body axes: a scene neglects the angular momentum of the mass
+   that flows between the store and the point, which is 0 only on such a line. */
 VM_API int vmi_crossing_check(const vm_effect *e)
 {
-    if (!e->stream) return VM_BAD_ARGUMENT;
-    return e->stream->from ? (int)VM_STORED_STREAM : vmi_check_stream(e->stream);
+    const vm_stream *stream = e->stream;
+    vm_real moment;
+    int status;
+    if (!stream) return VM_BAD_ARGUMENT;
+    status = vmi_check_stream(stream);
+    if (status || !stream->from) return status;
+    moment = vmi_norm_max(vm_cross(stream->at, stream->from->at));
+    if (moment <= 32 * VM_EPSILON * vmi_norm1(stream->at) * vmi_norm1(stream->from->at)) return VM_OK;
+    return VM_STORED_STREAM;
 }
 
 VM_API vm_effect vmi_effect_crossing(int body, const vm_stream *stream,
@@ -18268,8 +18766,11 @@ VM_API vm_effect vmi_effect_crossing(int body, const vm_stream *stream,
 /* Mass, mass centre and inertia that a stream brings to a growing body. *stream is not copied: if an event changes
    it, the run continues with the change. stream->at is in body axes, from the position of the mass centre at the
    start. The field `mixing` of the budget is right only if the effects for mass, force, moment and torque of the
-   stream are all listed. vm_scene_start returns VM_BAD_ARGUMENT if stream is NULL or its motion is unknown,
-   VM_STORED_STREAM if it has a store, and VM_DOES_NOT_GROW if the body is not a growing body. */
+   stream are all listed, and if the stream has no store. A stream may have a store on the line through its point and
+   the mass centre, as a rocket has whose tank and nozzle lie on its axis. The motion is then that of vm_flow_rhs if no
+   other stream of the body has a store. vm_scene_start returns VM_BAD_ARGUMENT if stream is NULL or its motion is
+   unknown, VM_STORED_STREAM if its store does not lie on this line, and VM_DOES_NOT_GROW if the body is not a growing
+   body. */
 VM_API vm_effect vm_effect_stream_mass(int body, const vm_stream *stream)
 {
     return vmi_effect_crossing(body, stream, vmi_apply_stream_mass);
@@ -18300,8 +18801,8 @@ VM_API vm_effect vm_effect_stream_torque(int body, const vm_stream *stream)
 
 /* An effect of a stream that varies in time. effect comes from vm_effect_stream_mass, _force, _moment or _torque. At
    each evaluation vary receives a copy of the stream and writes the values of its fields for the time t and the state
-   y: the point, which may move in the body, the rate or the velocity. vm_scene_start returns VM_BAD_ARGUMENT if vary is
-   NULL or the effect has no stream. */
+   y: the point, which may move in the body, the rate, the velocity or the store (vm_supply_at gives that of a tank).
+   vm_scene_start returns VM_BAD_ARGUMENT if vary is NULL or the effect has no stream. */
 VM_API vm_effect vm_effect_varying(vm_effect effect,
                                    void (*vary)(vm_real t, const vm_real *y, vm_stream *stream, void *ctx),
                                    void *ctx)
