@@ -478,14 +478,6 @@ VM_API vm_real vmi_from_bits(vmi_bits bits)
     return x;
 }
 
-/* Returns the largest power of two that is at most x, for a normal number x > 0. For a smaller x it is VM_MIN. */
-VM_API vm_real vmi_power_below(vm_real x)
-{
-    const vmi_bits mantissa = ((vmi_bits)1 << VMI_STORED_DIG) - 1;
-    if (x < VM_MIN) return VM_MIN;
-    return vmi_from_bits(vmi_to_bits(x) & ~mantissa);
-}
-
 /* Returns x 2^k. The function multiplies x twice by about 2^(k/2), because 2^k itself may overflow or underflow. It
    rounds at most once if |x| lies between 1/4 and 4 or is 0, or if x 2^(k/2) is a normal number. */
 VM_API vm_real vmi_ldexp(vm_real x, int k)
@@ -562,15 +554,6 @@ VM_API vm_two vmi_two_product(vm_real a, vm_real b)
     p.lo = vmi_rounded(((ah * bh - p.hi) + ah * bl + al * bh) + al * bl);
 #endif
     return p;
-}
-
-/* The sum a b + c d of two products, within 2 eps of itself, however many digits cancel. No product may underflow. */
-VM_API vm_real vmi_sum_of_products(vm_real a, vm_real b, vm_real c, vm_real d)
-{
-    const vm_two ab = vmi_two_product(a, b), cd = vmi_two_product(c, d);
-    const vm_two high = vmi_two_sum(ab.hi, cd.hi), low = vmi_two_sum(ab.lo, cd.lo);
-    const vm_two sum = vmi_two_sum(high.hi, low.hi);
-    return sum.hi + (sum.lo + (high.lo + low.lo));
 }
 
 /* Reduces x >= 0 by the quarter period q > 0. Let j q be the multiple of q that is nearest to x. Returns x - j q, which

@@ -108,11 +108,11 @@
        vm_dot                         The dot product a.x b.x + a.y b.y + a.z b.z of two vectors
        vm_cross                       The cross product a x b of two vectors, by the right-hand rule
        vm_norm                        The length of the vector a, within 4 eps of itself
-       vm_unit                        The vector of length 1 in the direction of a, each component within 4 eps of itself
        vm_quat_times                  The product p q of two quaternions
        vm_unit_quat                   The quaternion of length 1 for the same rotation as q
 
      mechanics/attitude: attitudes: vectors in body axes and inertial axes, rotation matrices, Rodrigues parameters
+       vm_unit                        The vector of length 1 in the direction of a, each component within 4 eps of itself
        vm_rotate                      The components along inertial axes of a vector whose components along body axes are a
        vm_rotate_back                 The components along body axes of a vector whose components along inertial axes are a
        vm_quat_to_matrix              The rotation matrix c of an attitude, row by row
@@ -1196,10 +1196,10 @@ VM_API vm_real vm_lambert_wm1_neg_exp(vm_real l)
        vm_vec3 omega = {0, 0, 3};                 // x, y, z
        vm_quat quarter_turn = {0.7071068, 0, 0, 0.7071068}; // w, x, y, z: 90 degrees about z
 
-   The functions vm_... are for users too: sum, difference, multiple, dot product, cross product, length and direction
-   of vectors, product and normalisation of quaternions. The others read numbers of a state as a vector or a quaternion,
-   or make rotation matrices. No function here checks its arguments: infinite and NaN numbers go through the
-   arithmetic. Tests: tests/test_attitude.c, tests/test_jumps.c, tests/test_torque_free.c. */
+   The functions vm_... are for users too: sum, difference, multiple, dot product, cross product and length of vectors,
+   product and normalisation of quaternions. The others are norms and rotation matrices. No function here checks its
+   arguments: infinite and NaN numbers go through the arithmetic. Tests: tests/test_attitude.c, tests/test_jumps.c,
+   tests/test_torque_free.c. */
 #ifndef VARMASS_MECHANICS_VECTORS_H
 #define VARMASS_MECHANICS_VECTORS_H
 
@@ -1262,14 +1262,6 @@ VM_API vm_real vmi_norm_max(vm_vec3 a)
     const vm_vec3 b = vmi_abs(a);
     const vm_real c = b.x > b.y ? b.x : b.y;
     return c > b.z ? c : b.z;
-}
-
-/* The vector of length 1 in the direction of a, each component within 4 eps of itself. A vector of length 0 has no
-   direction: the result is then NaN, as for infinite components. a may have any length that is a normal number. */
-VM_API vm_vec3 vm_unit(vm_vec3 a)
-{
-    const vm_vec3 b = vmi_over(a, vmi_norm_max(a));
-    return vmi_over(b, VM_SQRT(vm_dot(b, b)));
 }
 
 VM_API int vmi_vec3_is_finite(vm_vec3 a) { return VM_IS_FINITE(a.x) && VM_IS_FINITE(a.y) && VM_IS_FINITE(a.z); }
@@ -1370,19 +1362,6 @@ VM_API vmi_mat3 vmi_rotation(vm_quat q)
     return vmi_rotation_of_square(q, vmi_quat_square(q));
 }
 
-/* Reads a vector from three numbers of a state array. vmi_set3 writes a vector to a state array. */
-VM_API vm_vec3 vmi_get3(const vm_real *y) { return vmi_vec3(y[0], y[1], y[2]); }
-
-VM_API void vmi_set3(vm_real *y, vm_vec3 a)
-{
-    y[0] = a.x;
-    y[1] = a.y;
-    y[2] = a.z;
-}
-
-/* Reads a quaternion from four numbers of a state array, in the order w, x, y, z */
-VM_API vm_quat vmi_get_quat(const vm_real *y) { return vmi_quat(y[0], vmi_get3(y + 1)); }
-
 #endif
 /* mechanics/attitude.h - attitudes: vectors in body axes and inertial axes, rotation matrices, Rodrigues parameters
    The attitude of a body is a quaternion q = w + x i + y j + z k that turns body axes into inertial axes: a vector with
@@ -1404,6 +1383,44 @@ VM_API vm_quat vmi_get_quat(const vm_real *y) { return vmi_quat(y[0], vmi_get3(y
    opposite rotation, from inertial to body axes. Tests: tests/test_attitude.c, tests/test_flow.c. */
 #ifndef VARMASS_MECHANICS_ATTITUDE_H
 #define VARMASS_MECHANICS_ATTITUDE_H
+
+/* Reads a vector from three numbers of a state array. vmi_set3 writes a vector to a state array. */
+VM_API vm_vec3 vmi_get3(const vm_real *y) { return vmi_vec3(y[0], y[1], y[2]); }
+
+VM_API void vmi_set3(vm_real *y, vm_vec3 a)
+{
+    y[0] = a.x;
+    y[1] = a.y;
+    y[2] = a.z;
+}
+
+/* Reads a quaternion from four numbers of a state array, in the order w, x, y, z */
+VM_API vm_quat vmi_get_quat(const vm_real *y) { return vmi_quat(y[0], vmi_get3(y + 1)); }
+
+/* Returns the largest power of two that is at most x, for a normal number x > 0. For a smaller x it is VM_MIN. */
+VM_API vm_real vmi_power_below(vm_real x)
+{
+    const vmi_bits mantissa = ((vmi_bits)1 << VMI_STORED_DIG) - 1;
+    if (x < VM_MIN) return VM_MIN;
+    return vmi_from_bits(vmi_to_bits(x) & ~mantissa);
+}
+
+/* The sum a b + c d of two products, within 2 eps of itself, however many digits cancel. No product may underflow. */
+VM_API vm_real vmi_sum_of_products(vm_real a, vm_real b, vm_real c, vm_real d)
+{
+    const vm_two ab = vmi_two_product(a, b), cd = vmi_two_product(c, d);
+    const vm_two high = vmi_two_sum(ab.hi, cd.hi), low = vmi_two_sum(ab.lo, cd.lo);
+    const vm_two sum = vmi_two_sum(high.hi, low.hi);
+    return sum.hi + (sum.lo + (high.lo + low.lo));
+}
+
+/* The vector of length 1 in the direction of a, each component within 4 eps of itself. A vector of length 0 has no
+   direction: the result is then NaN, as for infinite components. a may have any length that is a normal number. */
+VM_API vm_vec3 vm_unit(vm_vec3 a)
+{
+    const vm_vec3 b = vmi_over(a, vmi_norm_max(a));
+    return vmi_over(b, VM_SQRT(vm_dot(b, b)));
+}
 
 /* Writes the time derivatives of w, x, y, z of the quaternion q to rates. q is the attitude of a body with the angular
    velocity omega (rad/s, body axes): q' = q (0, omega)/2 + |omega| (1 - |q|^2) q/8. square is |q|^2. q should have

@@ -41,14 +41,6 @@ VM_API vm_real vmi_from_bits(vmi_bits bits)
     return x;
 }
 
-/* Returns the largest power of two that is at most x, for a normal number x > 0. For a smaller x it is VM_MIN. */
-VM_API vm_real vmi_power_below(vm_real x)
-{
-    const vmi_bits mantissa = ((vmi_bits)1 << VMI_STORED_DIG) - 1;
-    if (x < VM_MIN) return VM_MIN;
-    return vmi_from_bits(vmi_to_bits(x) & ~mantissa);
-}
-
 /* Returns x 2^k. The function multiplies x twice by about 2^(k/2), because 2^k itself may overflow or underflow. It
    rounds at most once if |x| lies between 1/4 and 4 or is 0, or if x 2^(k/2) is a normal number. */
 VM_API vm_real vmi_ldexp(vm_real x, int k)

@@ -41,15 +41,6 @@ VM_API vm_two vmi_two_product(vm_real a, vm_real b)
     return p;
 }
 
-/* The sum a b + c d of two products, within 2 eps of itself, however many digits cancel. No product may underflow. */
-VM_API vm_real vmi_sum_of_products(vm_real a, vm_real b, vm_real c, vm_real d)
-{
-    const vm_two ab = vmi_two_product(a, b), cd = vmi_two_product(c, d);
-    const vm_two high = vmi_two_sum(ab.hi, cd.hi), low = vmi_two_sum(ab.lo, cd.lo);
-    const vm_two sum = vmi_two_sum(high.hi, low.hi);
-    return sum.hi + (sum.lo + (high.lo + low.lo));
-}
-
 /* Reduces x >= 0 by the quarter period q > 0. Let j q be the multiple of q that is nearest to x. Returns x - j q, which
    lies between -q/2 and q/2 (or slightly outside by rounding), with an error of 2^-(2p) x, and writes j modulo 4 to
    *quarter. For x above 2^(p-1) q the digits of x do not determine x - j q, and both results are 0. */

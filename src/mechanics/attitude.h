@@ -26,6 +26,44 @@
 #include "../base/words.h"
 #include "vectors.h"
 
+/* Reads a vector from three numbers of a state array. vmi_set3 writes a vector to a state array. */
+VM_API vm_vec3 vmi_get3(const vm_real *y) { return vmi_vec3(y[0], y[1], y[2]); }
+
+VM_API void vmi_set3(vm_real *y, vm_vec3 a)
+{
+    y[0] = a.x;
+    y[1] = a.y;
+    y[2] = a.z;
+}
+
+/* Reads a quaternion from four numbers of a state array, in the order w, x, y, z */
+VM_API vm_quat vmi_get_quat(const vm_real *y) { return vmi_quat(y[0], vmi_get3(y + 1)); }
+
+/* Returns the largest power of two that is at most x, for a normal number x > 0. For a smaller x it is VM_MIN. */
+VM_API vm_real vmi_power_below(vm_real x)
+{
+    const vmi_bits mantissa = ((vmi_bits)1 << VMI_STORED_DIG) - 1;
+    if (x < VM_MIN) return VM_MIN;
+    return vmi_from_bits(vmi_to_bits(x) & ~mantissa);
+}
+
+/* The sum a b + c d of two products, within 2 eps of itself, however many digits cancel. No product may underflow. */
+VM_API vm_real vmi_sum_of_products(vm_real a, vm_real b, vm_real c, vm_real d)
+{
+    const vm_two ab = vmi_two_product(a, b), cd = vmi_two_product(c, d);
+    const vm_two high = vmi_two_sum(ab.hi, cd.hi), low = vmi_two_sum(ab.lo, cd.lo);
+    const vm_two sum = vmi_two_sum(high.hi, low.hi);
+    return sum.hi + (sum.lo + (high.lo + low.lo));
+}
+
+/* The vector of length 1 in the direction of a, each component within 4 eps of itself. A vector of length 0 has no
+   direction: the result is then NaN, as for infinite components. a may have any length that is a normal number. */
+VM_API vm_vec3 vm_unit(vm_vec3 a)
+{
+    const vm_vec3 b = vmi_over(a, vmi_norm_max(a));
+    return vmi_over(b, VM_SQRT(vm_dot(b, b)));
+}
+
 /* Writes the time derivatives of w, x, y, z of the quaternion q to rates. q is the attitude of a body with the angular
    velocity omega (rad/s, body axes): q' = q (0, omega)/2 + |omega| (1 - |q|^2) q/8. square is |q|^2. q should have
    length 1, but errors of an integration change its length. The second term lets the length return to 1. It acts more

@@ -25,6 +25,7 @@
 #include "../base/status.h"
 #include "../base/sums.h"
 #include "../base/words.h"
+#include "attitude.h"
 #include "vectors.h"
 
 /* Attitude from Euler's angles: a quaternion of length 1. It converts vectors from body axes to inertial axes. Infinite

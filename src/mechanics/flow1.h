@@ -19,6 +19,7 @@
 
 #include "../base/real.h"
 #include "../base/status.h"
+#include "attitude.h"
 #include "flow.h"
 #include "streams.h"
 #include "vectors.h"

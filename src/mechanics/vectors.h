@@ -6,10 +6,10 @@
        vm_vec3 omega = {0, 0, 3};                 // x, y, z
        vm_quat quarter_turn = {0.7071068, 0, 0, 0.7071068}; // w, x, y, z: 90 degrees about z
 
-   The functions vm_... are for users too: sum, difference, multiple, dot product, cross product, length and direction
-   of vectors, product and normalisation of quaternions. The others read numbers of a state as a vector or a quaternion,
-   or make rotation matrices. No function here checks its arguments: infinite and NaN numbers go through the
-   arithmetic. Tests: tests/test_attitude.c, tests/test_jumps.c, tests/test_torque_free.c. */
+   The functions vm_... are for users too: sum, difference, multiple, dot product, cross product and length of vectors,
+   product and normalisation of quaternions. The others are norms and rotation matrices. No function here checks its
+   arguments: infinite and NaN numbers go through the arithmetic. Tests: tests/test_attitude.c, tests/test_jumps.c,
+   tests/test_torque_free.c. */
 #ifndef VARMASS_MECHANICS_VECTORS_H
 #define VARMASS_MECHANICS_VECTORS_H
 
@@ -75,14 +75,6 @@ VM_API vm_real vmi_norm_max(vm_vec3 a)
     const vm_vec3 b = vmi_abs(a);
     const vm_real c = b.x > b.y ? b.x : b.y;
     return c > b.z ? c : b.z;
-}
-
-/* The vector of length 1 in the direction of a, each component within 4 eps of itself. A vector of length 0 has no
-   direction: the result is then NaN, as for infinite components. a may have any length that is a normal number. */
-VM_API vm_vec3 vm_unit(vm_vec3 a)
-{
-    const vm_vec3 b = vmi_over(a, vmi_norm_max(a));
-    return vmi_over(b, VM_SQRT(vm_dot(b, b)));
 }
 
 VM_API int vmi_vec3_is_finite(vm_vec3 a) { return VM_IS_FINITE(a.x) && VM_IS_FINITE(a.y) && VM_IS_FINITE(a.z); }
@@ -182,18 +174,5 @@ VM_API vmi_mat3 vmi_rotation(vm_quat q)
     q = vmi_quat_scaled(q);
     return vmi_rotation_of_square(q, vmi_quat_square(q));
 }
-
-/* Reads a vector from three numbers of a state array. vmi_set3 writes a vector to a state array. */
-VM_API vm_vec3 vmi_get3(const vm_real *y) { return vmi_vec3(y[0], y[1], y[2]); }
-
-VM_API void vmi_set3(vm_real *y, vm_vec3 a)
-{
-    y[0] = a.x;
-    y[1] = a.y;
-    y[2] = a.z;
-}
-
-/* Reads a quaternion from four numbers of a state array, in the order w, x, y, z */
-VM_API vm_quat vmi_get_quat(const vm_real *y) { return vmi_quat(y[0], vmi_get3(y + 1)); }
 
 #endif

@@ -22,6 +22,7 @@
 #include "../base/arrays.h"
 #include "../base/real.h"
 #include "../base/status.h"
+#include "../mechanics/attitude.h"
 #include "../mechanics/bodies.h"
 #include "../mechanics/vectors.h"
 #include "evaluate.h"

@@ -15,6 +15,7 @@
 #include "../base/elementary.h"
 #include "../base/real.h"
 #include "../base/status.h"
+#include "../mechanics/attitude.h"
 #include "../mechanics/bodies.h"
 #include "../mechanics/inertia.h"
 #include "../mechanics/vectors.h"

@@ -12,6 +12,7 @@
 
 #include "../base/real.h"
 #include "../base/status.h"
+#include "../mechanics/attitude.h"
 #include "../mechanics/vectors.h"
 #include "effects.h"
 #include "motions.h"

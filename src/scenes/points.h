@@ -17,6 +17,7 @@
 #include "../base/elementary.h"
 #include "../base/real.h"
 #include "../base/status.h"
+#include "../mechanics/attitude.h"
 #include "../mechanics/inertia.h"
 #include "../mechanics/vectors.h"
 #include "check.h"
