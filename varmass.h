@@ -14173,7 +14173,9 @@ VM_API int vmi_odd_motion_now(const vmi_odd_run *c, vm_odd_motion *motion, vm_re
     motion->x = c->length * c->s.y[0];
     motion->v = c->velocity * c->s.y[1];
     motion->amplitude = VM_NAN;
+    motion->error = VM_NAN;
     motion->route = VM_ODD_RK87;
+    motion->evals = 0;
     *swing = c->length;
     *vmax = c->velocity;
     if (!VM_IS_FINITE(motion->x) || !VM_IS_FINITE(motion->v)) return VM_NOT_INTEGRATED;

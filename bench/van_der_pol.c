@@ -156,7 +156,7 @@ static void limit_cycles(void)
         vmi_ripple r;
         vmi_vdp_ripple v;
         double kx, kw;
-        vmi_ripple_init(&r, alphas[a], ateb_pi(alphas[a]));
+        vmi_ripple_init(&r, alphas[a], vmi_ateb_constants);
         vmi_ripple_complete(&r);
         vmi_vdp_ripple_init(&v, &r);
         vmi_vdp_cycle_coefficients(&v, &r, &kx, &kw);

@@ -32,6 +32,7 @@ static void test_table(void)
         vmi_orbit orbit;
         double amplitude, vmax;
         vm_real x, v;
+        memset(&orbit, 0, sizeof orbit);
         vm_duffing_exact_from(R(t), R(x0), R(v0), R(c1), R(c3), &x, &v);
         CHECK(vmi_orbit_of_state(&force, R(x0), R(v0), &orbit) == VM_OK);
         amplitude = (double)vmi_orbit_amplitude(&orbit);

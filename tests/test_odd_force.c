@@ -55,7 +55,7 @@ static void test_against_duffing(void)
         vm_real k[2];
         vm_odd_force user, closed;
         vmi_orbit orbit;
-        vm_real x, v, want_x, want_v;
+        vm_real x = 0, v = 0, want_x = 0, want_v = 0;
         const double x0 = uniform(-1.5, 1.5), v0 = uniform(-1, 1), t = uniform(-30, 30);
         k[0] = R(i % 3 == 0 ? 0.0625 : uniform(0.5, 2));
         k[1] = R(i % 3 == 2 ? uniform(-0.1, 0) : uniform(0, 2));
@@ -99,7 +99,7 @@ static void test_other_forces(void)
     int i;
     for (i = 0; i < 40; i++) {
         const double x0 = uniform(-3, 3), v0 = uniform(-2, 2), t = uniform(0, 30);
-        vm_real x, v, back_x, back_v;
+        vm_real x = 0, v = 0, back_x = 0, back_v = 0;
         double before, after;
         CHECK(vm_odd_exact_from(&kink, R(t), R(x0), R(v0), &x, &v) == VM_OK);
         before = v0 * v0 / 2 + x0 * x0 / 2 + fabs(x0 * x0 * x0) / 3;
@@ -162,7 +162,7 @@ static void waveform_errors(vm_odd_problem *o, double from, double T, double *er
         const double t = from + (T - from) * i / 120;
         CHECK(rk87_solve(&s, t) >= 0);
         for (route = VM_ODD_MEAN; route <= VM_ODD_ORDER2; route++) {
-            vm_odd_motion m;
+            vm_odd_motion m = {0, 0, 0, 0, 0, 0};
             CHECK(vm_odd_plan_by_route(&plan, route, t, 0, &m) == VM_OK);
             error[route] = fmax(error[route], fabs(m.x - s.y[0]));
         }
@@ -413,8 +413,8 @@ static void test_constant_laws(void)
     int number;
     for (number = 0; number < 7; number++) {
         const vm_odd_problem o = numbered(number);
-        vm_odd_motion m;
-        vm_real x, v;
+        vm_odd_motion m = {0, 0, 0, 0, 0, 0};
+        vm_real x = 0, v = 0;
         CHECK(vm_odd_exact_from(&o.force, 300, o.x, o.v, &x, &v) == VM_OK);
         CHECK(vm_odd_within(&o, 300, 1e-9, &m) == VM_OK && m.route == VM_ODD_MEAN);
         check_error("constant laws", "x", "abs", fabs(m.x - x), 2e-12, number, 0);
