@@ -78,7 +78,7 @@ static int errors_of(const one_case *c, double eps, double *error, double *estim
 static void print_table(void)
 {
     int i, k;
-    puts("| force | law | eps = 0.04 | 0.01 | 0.0025 | slope | estimate at 0.01 |\n|---|---|---|---|---|---|---|");
+    puts("| force | route | eps = 0.04 | 0.01 | 0.0025 | slope | estimated error at eps = 0.01 |\n|---|---|---|---|---|---|---|");
     for (i = 0; i < CASES; i++) {
         double error[3][2], estimate[3][2];
         int route;

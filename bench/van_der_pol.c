@@ -151,7 +151,7 @@ static void table(void)
 static void limit_cycles(void)
 {
     int a;
-    puts("| alpha | A sqrt(c/feed) | kx | kw |\n|---|---|---|---|");
+    puts("| alpha | A sqrt(c/b) | kx | kw |\n|---|---|---|---|");
     for (a = 0; a < ALPHAS; a++) {
         vmi_ripple r;
         vmi_vdp_ripple v;
