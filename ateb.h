@@ -527,8 +527,9 @@ VM_API vm_two vmi_two_product(vm_real a, vm_real b)
 }
 
 /* Reduces x >= 0 by the quarter period q > 0. Let j q be the multiple of q that is nearest to x. Returns x - j q, which
-   lies between -q/2 and q/2 (or slightly outside by rounding), with an error of 2^-(2p) x, and writes j modulo 4 to
-   *quarter. For x above 2^(p-1) q the digits of x do not determine x - j q, and both results are 0. */
+   lies between -q/2 and q/2 (or slightly outside by rounding), with an error of x 2^(-2p), and writes j modulo 4 to
+   *quarter; p is the number of bits of vm_real. For x above 2^(p-1) q the digits of x do not determine x - j q, and
+   both results are 0. */
 VM_API vm_two vmi_reduce(vm_real x, vm_two q, int *quarter)
 {
     const vm_real j = VM_FLOOR(x / q.hi + VM_C(0.5));
@@ -1574,8 +1575,8 @@ VM_INLINE vmi_ateb_place vmi_ateb_locate(vm_real s, vmi_ateb *c)
     return at;
 }
 
-/* Gives sa and ca, as computed in the first quarter, the signs that they have at s, where |s| is `quarter` quarters
-   plus rest. The function works on the bits of the signs, without a branch. */
+/* Sets the signs of sa and ca to those at s. On entry both hold the values of the first quarter. |s| is `quarter`
+   quarters plus rest. The function works on the bits of the signs, without a branch. */
 VM_INLINE void vmi_ateb_signs(vm_real s, vm_real rest, vmi_bits quarter, vm_real *sa, vm_real *ca)
 {
     const int last = 8 * (int)sizeof(vm_real) - 1;
@@ -2524,7 +2525,8 @@ VM_INLINE void vmi_ateb_block_sums(const ateb_plan *p, int length, const vmi_ate
         const vm_real r = at->r[i];
         const vmi_bits beyond = vmi_mask_of_sign(change_over - r);
         const vm_real tau = vmi_select(beyond, at->tau[i], r * r), square = tau * tau;
-        const vm_real base = vmi_select(beyond, at->base[i], r), base_lo = vmi_select(beyond, at->base_lo[i], at->r_lo[i]);
+        const vm_real base = vmi_select(beyond, at->base[i], r);
+        const vm_real base_lo = vmi_select(beyond, at->base_lo[i], at->r_lo[i]);
         vm_real odd0 = 0, odd1 = 0, even0 = 0, even1 = 0, odd, even, v, u;
         int j;
         VMI_UNROLL for (j = length - 2; j >= 0; j -= 2) {
@@ -3255,8 +3257,8 @@ VM_API vm_real vmi_beta_step(vm_real rest, vm_real slope, vm_real bend)
     return 2 * step / (1 + VM_SQRT(vmi_larger(1 + 2 * step * bend, 0)));
 }
 
-/* Returns a value of t = ln(x/y) from which the solution of I_x(a, b) = p is sought, for p <= 1/2. It is the t where the
-   asymptote of ln I_x for t to -infinity equals ln p, which lies left of the solution. For a, b > 1 it is the
+/* Returns a value of t = ln(x/y) from which the solution of I_x(a, b) = p is sought, for p <= 1/2. It is the t where
+   the asymptote of ln I_x for t to -infinity equals ln p, which lies left of the solution. For a, b > 1 it is the
    approximation by a normal distribution, where that is larger: Abramowitz and Stegun 26.5.22, with the quantile by
    26.2.23. */
 VM_API vm_real vmi_beta_start(vm_real ln_p, vm_real a, vm_real b, vm_real ln_B)
@@ -3278,12 +3280,12 @@ VM_API vm_real vmi_beta_start(vm_real ln_p, vm_real a, vm_real b, vm_real ln_B)
 
 /* Returns the point where I_x(a, b) = p, from ln p, for p <= 1/2. ln I_x is a concave function of t = ln(x/y). From
    vmi_beta_start on, steps of third order by vmi_beta_step follow, first with rough values of ln I_x; from the step on
-   that is short, with logarithms in two words. The error after a step is about its third power. The last step changes x,
-   y, ln x and ln y directly instead of t. */
+   that is short, with logarithms in two words. The error after a step is about its third power. The last step changes
+   x, y, ln x and ln y directly instead of t. */
 VM_API vmi_beta_point vmi_beta_invert(vm_two ln_p, vm_real a, vm_real b)
 {
-    const vm_real enough = VM_MANT_DIG > 24 ? VM_C(2e-3) : VM_C(2e-2);    /* the last one of the rough steps */
-    const vm_real enough_last = VM_MANT_DIG > 24 ? VM_C(1e-6) : VM_C(1e-3); /* the last one of all */
+    const vm_real enough = VM_MANT_DIG > 24 ? VM_C(2e-3) : VM_C(2e-2);    /* a shorter step ends the rough steps */
+    const vm_real enough_last = VM_MANT_DIG > 24 ? VM_C(1e-6) : VM_C(1e-3); /* a shorter step ends all */
     const int most = 60; /* largest number of steps; 12 are enough */
     const vm_two ln_B = vmi_beta_ln(vmi_two(a, 0), vmi_two(b, 0));
     vm_real t = vmi_beta_start(ln_p.hi, a, b, ln_B.hi), step, half;

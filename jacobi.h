@@ -557,8 +557,9 @@ VM_API vm_two vmi_two_product(vm_real a, vm_real b)
 }
 
 /* Reduces x >= 0 by the quarter period q > 0. Let j q be the multiple of q that is nearest to x. Returns x - j q, which
-   lies between -q/2 and q/2 (or slightly outside by rounding), with an error of 2^-(2p) x, and writes j modulo 4 to
-   *quarter. For x above 2^(p-1) q the digits of x do not determine x - j q, and both results are 0. */
+   lies between -q/2 and q/2 (or slightly outside by rounding), with an error of x 2^(-2p), and writes j modulo 4 to
+   *quarter; p is the number of bits of vm_real. For x above 2^(p-1) q the digits of x do not determine x - j q, and
+   both results are 0. */
 VM_API vm_two vmi_reduce(vm_real x, vm_two q, int *quarter)
 {
     const vm_real j = VM_FLOOR(x / q.hi + VM_C(0.5));
@@ -1723,7 +1724,8 @@ VM_INLINE void vmi_laurent(vm_real theta, vm_real m1_theta, vm_real *c)
 }
 
 /* The theta functions near 0, from the series at w = v/4 to the ninth term (float: the fifth) and two duplications.
-   Only theta.c and f are computed by subtractions, and both are far from 0. A duplication leads from w to 2w: if a and
+   Only theta.c and the local variable f are computed by subtractions, and both are far from 0. s, c, d and n below
+   are the four theta functions. A duplication leads from w to 2w: if a and
    b are numbers with b/a = sc^2(w), where sc = sn/cn, then
      sc^2(2w) = 4 a b (a + b)(a + m1 b)/(a^2 - m1 b^2)^2,
      s : c : d : n = 2 sqrt(a b (a + b)(a + m1 b)) : a^2 - m1 b^2 : a^2 + 2 m1 a b + m1 b^2 : a^2 + 2 a b + m1 b^2. */
@@ -3324,8 +3326,8 @@ VM_API vm_real vmi_rj_principal(vm_real x, vm_real y, vm_real z, vm_real p)
 /* R_J(x, y, z, p), Carlson's integral of the third kind, for x, y, z >= 0. It is symmetric in x, y, z. For p > 0 the
    error is at most 8 ulp where no argument is more than 1e16 times another one, and at most 16 ulp elsewhere. For p < 0
    R_J is Cauchy's principal value, which has zeros: its error is at most 16 eps of R_J(x, y, z, |p|). R_J is infinite
-   if p = 0 or two of x, y, z are 0, 0 if an argument is infinite, and NaN if x, y or z is negative or if one argument is
-   more than 1e307 times (float 1e37) another one that is not 0. DLMF 19.16.2. */
+   if p = 0 or two of x, y, z are 0, 0 if an argument is infinite, and NaN if x, y or z is negative or if one argument
+   is more than 1e307 times (float 1e37) another one that is not 0. DLMF 19.16.2. */
 VM_API vm_real jacobi_RJ(vm_real x, vm_real y, vm_real z, vm_real p)
 {
     const vm_real top = vmi_larger(vmi_larger(x, y), z), largest = vmi_larger(top, VM_FABS(p));

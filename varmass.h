@@ -299,7 +299,7 @@
 
      oscillators/closed: the law of order five as plain data, where all its integrals have closed forms
        vm_osc_closed_init             Prepares the motion of the problem by the law of an order, 2 to 5; a higher order is more accurate
-       vm_osc_closed_at               Position x (m) and velocity v (m/s) at time t (s, either sign), by the order of the law in *c
+       vm_osc_closed_at               Position x (m) and velocity v (m/s) at time t (s, either sign), from the law in *c, with its order
        vm_osc_closed_at_order2        As vm_osc_closed_at, but by order 2 for any order of *c
        vm_osc_closed_at_order3        As vm_osc_closed_at, but by order 3; *c must have order 3 or more, else VM_BAD_ARGUMENT
 
@@ -353,7 +353,7 @@
        vm_vdp_averaged_rhs            Averaged equations (410) of a Van der Pol oscillator, for rk45 or rk87
 
      oscillators/van_der_pol_walk: the mean motion of a Van der Pol oscillator along any slow law of its mass
-       vm_vdp_plan_init               Plan for many values of the motion of a Van der Pol oscillator
+       vm_vdp_plan_init               Prepares a plan for many values of the motion of a Van der Pol oscillator
 
      oscillators/van_der_pol_routes: the motion x(t) of a Van der Pol oscillator, and its limit cycle to second order
        vm_vdp_plan_by_route           Motion x(t), x'(t) of a Van der Pol oscillator by a given route, from a plan
@@ -456,7 +456,7 @@
 
      scenes/streams: streams of mass into and out of the bodies of a scene
        vm_effect_stream               A stream that enters or leaves at the mass centre, with its reactive force
-       vm_effect_stream_mass          Mass, mass centre and inertia that a stream brings to a growing body
+       vm_effect_stream_mass          Changes of mass, mass centre and inertia of a growing body by a stream
        vm_effect_stream_force         Reactive force M' (u - v) of a stream at a point of a growing body (156)
        vm_effect_stream_moment        Moment d x M' (u - v) of a stream on a growing body (158)
        vm_effect_stream_torque        Torque M' kappa omega2 - I' omega of a stream on a growing body (157)
@@ -1023,8 +1023,8 @@ VM_API vm_real vmi_lambert_correction(vm_real w1, vm_real z)
     return first * ((half_q - first / 2) / (half_q - first));
 }
 
-/* Returns Lambert's W of a number x that is not close to -1/e, from l = ln|x| in two words and a rough value w of W. Two
-   steps are enough where w is right to 2 %, and one where it is right to 1e-4. */
+/* Returns Lambert's W of a number x that is not close to -1/e, from l = ln|x| in two words and a rough value w of W.
+   Two steps are enough where w is right to 2 %, and one where it is right to 1e-4. */
 VM_API vm_real vmi_lambert_far(vm_two l, vm_real w, int steps)
 {
     int i;
@@ -1036,9 +1036,8 @@ VM_API vm_real vmi_lambert_far(vm_two l, vm_real w, int steps)
     return w;
 }
 
-/* Returns W_0(x) for x from -1/4 to 55. With r = sqrt(1 + e x), in which W_0 is smooth also next to -1/e, the quotient
-   g of two polynomials is W_0(x)/x with an error of at most 1e-4. One step from w = g x, held in two words, follows; in it
-   ln(x/w) is -ln g. */
+/* Returns W_0(x) for x from -1/4 to 55. g, a quotient of polynomials in r = sqrt(1 + e x), is W_0(x)/x with an error of
+   at most 1e-4. One step of vmi_lambert_correction then improves w = g x, held in two words; in it ln(x/w) = -ln g. */
 VM_API vm_real vmi_lambert_middle(vm_real x)
 {
     const vm_real r = VM_SQRT(1 + VM_C(2.718281828459045) * x);
@@ -1455,9 +1454,9 @@ VM_API vm_vec3 vm_rotate_back(vm_quat q, vm_vec3 a)
 }
 
 /* The rotation matrix c of an attitude, row by row. c[3 i + j] is the direction cosine of inertial axis i and body axis
-   j: c times the body components of a vector are its inertial components. The error of an entry is within 6 eps. Books
-   that mean the matrix from inertial to body axes write the columns of c as rows.
-   Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, and VM_OK otherwise. */
+   j: c times the body components of a vector are its inertial components. The error of an entry is within 6 eps. Some
+   books define the inverse matrix, from inertial to body axes, which is the transpose of c.
+   Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE if q is not finite, and VM_OK otherwise. */
 VM_API int vm_quat_to_matrix(vm_quat q, vm_real c[9])
 {
     const vmi_mat3 m = vmi_rotation(q);
@@ -8648,15 +8647,15 @@ VM_API vm_real vmi_law_longest_panel(const vm_law *law, vm_real whole)
 #define VARMASS_OSCILLATORS_PROBLEM_H
 
 /* Routes to x(t) and x'(t), the cheapest first. All but the last three use averaging: mass and stiffness must change
-   little within a period. */
+   little within a period. The routes of order 2 to 5 exist only without a further force F. */
 enum {
     VM_ROUTE_TRIG = 0,        /* cosine (329), (330), averaged to first order; the sign of (335) is corrected */
     VM_ROUTE_JACOBI = 1,      /* Jacobi's cn (370), (371), averaged to first order */
     VM_ROUTE_ATEB = 2,        /* Ateb function ca (310), (311), averaged to first order */
-    VM_ROUTE_ORDER2 = 3,      /* law of order five (oscillators/expansion.h), cut off after order two; only without F */
-    VM_ROUTE_ORDER3 = 4,      /* law of order five, cut off after order three; only without F */
-    VM_ROUTE_ORDER4 = 5,      /* law of order five, cut off after order four; only without F */
-    VM_ROUTE_ORDER5 = 6,      /* the whole law of order five; only without F */
+    VM_ROUTE_ORDER2 = 3,      /* terms up to order two of the law of order five (oscillators/expansion.h) */
+    VM_ROUTE_ORDER3 = 4,      /* terms up to order three of this law */
+    VM_ROUTE_ORDER4 = 5,      /* terms up to order four of this law */
+    VM_ROUTE_ORDER5 = 6,      /* the whole law of order five */
     VM_ROUTE_COLLOCATION = 7, /* integration from each zero of x to the next (oscillators/collocation.h) */
     VM_ROUTE_RK45 = 8,        /* integration of the equation of motion by rk45 */
     VM_ROUTE_RK87 = 9         /* integration of the equation of motion by rk87 */
@@ -9392,9 +9391,9 @@ VM_API void vmi_expansion_find_sizes(const vmi_ripple *r, const vm_real *e, vmi_
     size->psi[5] += square * e[0] * e[1] * d * d;
 }
 
-/* A bound of the first terms that order five leaves out of the mean rate of the phase, divided by W. They have weight
-   6. product is |E_0 E_2| and cube is |E_0|^3. If product and cube are instead the integrals of these numbers over the
-   phase, the result is a bound of the error of the phase. */
+/* An upper bound of the terms of weight 6, divided by W. These are the first that order five leaves out of the mean
+   rate of the phase. product is |E_0 E_2| and cube is |E_0|^3. If product and cube are instead the integrals of these
+   numbers over the phase, the result is a bound of the error of the phase. */
 VM_API vm_real vmi_expansion_third_rate(const vmi_ripple *r, vm_real product, vm_real cube)
 {
     const vm_real d = r->pi / (2 * VM_PI), L = r->scale, g = r->gamma;
@@ -9757,10 +9756,11 @@ VM_API int vmi_osc_closed_motion(const vm_osc_closed *c, int order, vm_real t, v
     return VM_OK;
 }
 
-/* Position x (m) and velocity v (m/s) at time t (s, either sign), by the order of the law in *c. c->error
-   estimates the error up to t_end of vm_osc_closed_init. An error leaves *x and *v untouched: VM_BAD_ARGUMENT for null
-   pointers, VM_NOT_FINITE where t or a result is infinite or NaN, VM_BAD_MASS or VM_BAD_STIFFNESS where a law is not
-   positive at t. If *c has order 5, the results are bit for bit those of vm_osc_plan_by_route. */
+/* Position x (m) and velocity v (m/s) at time t (s, either sign), from the law in *c, with its order. c->error
+   estimates the error up to the time t_end that vm_osc_closed_init received. An error leaves *x and *v untouched:
+   VM_BAD_ARGUMENT for null pointers, VM_NOT_FINITE where t or a result is infinite or NaN, VM_BAD_MASS or
+   VM_BAD_STIFFNESS where a law is not positive at t. If *c has order 5, the results are bit for bit those of
+   vm_osc_plan_by_route. */
 VM_API int vm_osc_closed_at(const vm_osc_closed *c, vm_real t, vm_real *x, vm_real *v)
 {
     int order = 0;
@@ -10632,7 +10632,8 @@ VM_API vm_real vmi_osc_order_error(const vm_osc_plan *p, int order, const vmi_os
     start = vmi_expansion_left_out_at_start(r, p->start_order, e0);
     start.J += VM_SQRT(mean->knots_J[p->start_order - 2]);
     start.psi += VM_SQRT(mean->knots_psi[p->start_order - 2]);
-    error = vmi_expansion_error(r, vmi_expansion_left_out_at(r, order, e), start, p->Om * VM_FABS(mean->phase), mean->third) +
+    error = vmi_expansion_error(r, vmi_expansion_left_out_at(r, order, e), start, p->Om * VM_FABS(mean->phase),
+                                mean->third) +
             vmi_osc_way_error(p, mean) + vmi_osc_rounding(p, mean);
     return error < largest_known ? error : VM_INFINITY;
 }
@@ -11163,7 +11164,7 @@ VM_API vm_real vmi_osc_next_stop(const vmi_osc_run *c, vm_real t, vm_real period
 VM_API void vmi_osc_bound_steps(vmi_osc_run *c, vm_real stop, vm_real t, vm_real period)
 {
     const vm_real most_steps = 8192; /* steps per period, a bound that stops runs which would not end */
-    const vm_real largest_long = VM_C(1e9), bounces_from = 10; /* Pi_alpha counts as large from 10 on */
+    const vm_real largest_long = VM_C(1e9), bounces_from = 10; /* from this Pi_alpha on it counts as large */
     const vm_real way = VM_FABS(stop - c->s.t), most = c->share * way + 64 * VM_EPSILON * VM_FABS(t);
     const vm_real law_step = c->law_step * c->longest / VMI_OSC_LONGEST;
     vm_real longest = period * c->longest, steps;
@@ -11564,7 +11565,7 @@ typedef struct VM_TAG(vmi_osc_course) {
     vm_real rate;          /* rate of the phase at the end of the last step, 1/s */
     vmi_step_waves waves[2];                        /* sa and ca on each part of the half period from psi = -Pi/2 */
     vmi_step_rates history[2][VMI_HISTORY];         /* rates from earlier steps that covered all of a part */
-    int latest[2];                                  /* index in history of the latest step; earlier ones come after it */
+    int latest[2];                                  /* index of the latest step in history; earlier ones follow it */
     int known[2];                                   /* number of earlier steps over each part that history holds */
     int status;
     long evals;            /* evaluations of the rates */
@@ -11586,7 +11587,7 @@ typedef struct VM_TAG(vmi_osc_step) {
     vmi_step_rates rates;        /* rates at the nodes by the last round of the iteration */
 } vmi_osc_step;
 
-/* Changes of ln A and of t, s, over a step or a part of it */
+/* Changes of ln A and of the time t (in seconds) over a step or a part of it */
 typedef struct VM_TAG(vmi_osc_change) {
     vm_real ln_A, t;
 } vmi_osc_change;
@@ -12074,7 +12075,8 @@ VM_API int vmi_osc_collocate_pair(const vm_osc_plan *plan, vm_real t, vmi_osc_po
     while (!status && strict->t != t)
         status = vmi_osc_courses_to(&loose, strict, vmi_osc_next_knot(&plan->problem, strict->t, t), &difference);
     strict->evals += loose.evals;
-    *error = vmi_osc_strict_share(&plan->problem, points) * difference + strict->left + 4 * VM_EPSILON * (2 + VM_FABS(strict->psi - state.psi));
+    *error = vmi_osc_strict_share(&plan->problem, points) * difference + strict->left +
+             4 * VM_EPSILON * (2 + VM_FABS(strict->psi - state.psi));
     return status;
 }
 
@@ -12468,7 +12470,7 @@ struct VM_TAG(vmi_orbit) {
     const vm_odd_force *force;
     vm_real size;              /* amplitude, m, if the orbit lies around 0; else half the difference of the largest and
                                   the smallest x^2, m^2 */
-    int place;                 /* VMI_ORBIT_... */
+    int place;                 /* around 0 or at one side of it, one of VMI_ORBIT_... */
     vm_real span;              /* the phase between theta = 0 and theta = pi/2: pi/2 around 0, else pi */
     vm_real w, j;              /* rate of the phase, 1/s, and action */
     vm_real energy_slope;      /* derivative of the energy with respect to `size` */
@@ -13549,7 +13551,7 @@ enum { VMI_ODD_PANELS = 48, VMI_ODD_ORDERS = 7 };
 
 /* A panel of time, on which the laws and the mean motion are Legendre series */
 typedef struct VM_TAG(vmi_odd_panel) {
-    vm_real t, length;          /* its start and its length, s, negative backward in time */
+    vm_real t, length;          /* its start and its length, s; backward in time the length is negative */
     vm_real phase;              /* mean phase at its start */
     vm_real decay;              /* integral of b/m from 0 to its start */
     vm_real ln_J;               /* ln of the mean action J divided by its value at t = 0; it changes at points of
@@ -13574,7 +13576,7 @@ typedef struct VM_TAG(vm_odd_plan) {
     vmi_orbit start;        /* the orbit of the state at t = 0; its size is 0 where there is no vibration */
     vm_real phi;            /* phase of this state */
     vm_real ln_j, phase;    /* ln of the mean action, and mean phase, at t = 0 */
-    vmi_odd_slow slow;      /* damping h at t = 0 */
+    vmi_odd_slow slow;      /* damping h at t = 0, and its first two derivatives */
     vm_real gamma;          /* ratio of a relative change of w to that of j, at t = 0 */
     vm_real first_a;        /* field largest_a of the ripple at t = 0 */
     vm_real first_B;        /* field largest_B of the ripple at t = 0 */
@@ -13615,7 +13617,8 @@ VM_API vm_real vmi_odd_adiabatic(const vm_odd_plan *p, const vmi_odd_rates *now,
     return -(ln_k / 2 + (p->problem.reactive - VM_C(0.5)) * ln_m + decay);
 }
 
-/* A time in which the orbit turns by 16 radians, s; derivatives of users' laws are found within it */
+/* The time, s, in which the phase of the orbit grows by 16. Derivatives of users' laws are computed from rates between
+   the present time and this much later or earlier. */
 VM_API vm_real vmi_odd_sampling_time(vm_real w, vm_real speed) { return 16 / (w * speed); }
 
 /* -- A panel -- */
@@ -13798,7 +13801,7 @@ VM_API int vmi_odd_walk_past_knot(const vm_odd_plan *p, vmi_orbit *orbit, vmi_od
     return VM_OK;
 }
 
-/* Walks from t = 0 to the plan's end. */
+/* Computes the panels of the mean motion one after the other, from t = 0 to the plan's end. Returns a status. */
 VM_API int vmi_odd_walk(vm_odd_plan *p, vmi_orbit *orbit)
 {
     const vm_odd_problem *o = &p->problem;
@@ -14709,8 +14712,9 @@ typedef struct VM_TAG(vmi_vdp_ripple) {
     vm_real F, K2, K3, K1, KQ, KE;
     vm_real constant;        /* the part of the transformation of ln J that does not depend on the phase, divided by
                                 e^2 */
-    vm_real near_ca_0[VMI_VDP_ZERO_FUNCTIONS][VMI_RIPPLE_TERMS]; /* polynomials in 4 w - 1, w = |ca|^(alpha+1) */
-    vm_real near_sa_0[VMI_VDP_TURN_FUNCTIONS][VMI_RIPPLE_TERMS]; /* polynomials in 4 y - 1, where y = sa^2 */
+    /* The functions of the transformation as polynomials: the factors of the powers of 4 w - 1 and 4 y - 1 */
+    vm_real near_ca_0[VMI_VDP_ZERO_FUNCTIONS][VMI_RIPPLE_TERMS]; /* where w = |ca|^(alpha+1) */
+    vm_real near_sa_0[VMI_VDP_TURN_FUNCTIONS][VMI_RIPPLE_TERMS]; /* where y = sa^2 */
 } vmi_vdp_ripple;
 
 /* The disturbances at one time and one amplitude, see the top of this file */
@@ -14890,8 +14894,8 @@ VM_API void vmi_vdp_ripple_init(vmi_vdp_ripple *v, const vmi_ripple *r)
 typedef struct VM_TAG(vmi_vdp_values) {
     vmi_ripple_values f;
     vm_real C4;         /* ca^4 - <ca^4> */
-    vm_real U, U1, P1;  /* factors in ln J of e and of e1, and factor in the phase of e */
-    vm_real X;          /* part of the factor in ln J of e^2 */
+    vm_real U, U1, P1;  /* U and U1 multiply e and e1 in ln J; P1 multiplies e in the phase */
+    vm_real X;          /* a part of what multiplies e^2 in ln J */
 } vmi_vdp_values;
 
 /* Writes the functions of the transformation at the phase psi, where sa and ca are the Ateb functions of psi. */
@@ -15203,12 +15207,12 @@ VM_API int vmi_vdp_start(const vm_vdp_plan *p, int side, vmi_vdp_mean *mean)
     return VM_OK;
 }
 
-/* Plan for many values of the motion of a Van der Pol oscillator.
+/* Prepares a plan for many values of the motion of a Van der Pol oscillator.
    x is the position, m, x_rate the velocity, m/s, both at t = 0. vm_vdp_plan_by_route and vm_vdp_plan_within use the
-   plan. The fields method and a1 to a3 of the oscillator do not matter. The oscillator is copied; the tables and
-   contexts of its mass must outlive the plan. Errors leave the plan untouched. Returns VM_BAD_ARGUMENT for null
-   pointers, an unknown method, and a mass that no constructor made, VM_NOT_FINITE for numbers that are infinite or NaN,
-   VM_BAD_MASS for a mass that is not positive at t = 0 or in a table, VM_BAD_STIFFNESS for k <= 0, VM_DOMAIN for
+   plan. The field method must be valid, but it has no effect, and a1 to a3 have none. The oscillator is copied; the
+   tables and contexts of its mass must outlive the plan. Errors leave the plan untouched. Returns VM_BAD_ARGUMENT for
+   null pointers, an unknown method, and a mass that no constructor made, VM_NOT_FINITE for numbers that are infinite or
+   NaN, VM_BAD_MASS for a mass that is not positive at t = 0 or in a table, VM_BAD_STIFFNESS for k <= 0, VM_DOMAIN for
    alpha < 0, a table out of order or without t = 0, or a user's function that fails. */
 VM_API int vm_vdp_plan_init(vm_vdp_plan *p, const vm_vdp *v, vm_real x, vm_real x_rate)
 {
@@ -18782,14 +18786,14 @@ VM_API vm_effect vmi_effect_crossing(int body, const vm_stream *stream,
     return e;
 }
 
-/* Mass, mass centre and inertia that a stream brings to a growing body. *stream is not copied: if an event changes
+/* Changes of mass, mass centre and inertia of a growing body by a stream. *stream is not copied: if an event changes
    it, the run continues with the change. stream->at is in body axes, from the position of the mass centre at the
    start. The field `mixing` of the budget is right only if the effects for mass, force, moment and torque of the
    stream are all listed, and if the stream has no store. A stream may have a store on the line through its point and
-   the mass centre, as a rocket has whose tank and nozzle lie on its axis. The motion is then that of vm_flow_rhs if no
-   other stream of the body has a store. vm_scene_start returns VM_BAD_ARGUMENT if stream is NULL or its motion is
-   unknown, VM_STORED_STREAM if its store does not lie on this line, and VM_DOES_NOT_GROW if the body is not a growing
-   body. */
+   the mass centre; for example, the tank and the nozzle of a rocket lie on its axis. The motion is then that of
+   vm_flow_rhs if no other stream of the body has a store. vm_scene_start returns VM_BAD_ARGUMENT if stream is NULL or
+   its motion is unknown, VM_STORED_STREAM if its store does not lie on this line, and VM_DOES_NOT_GROW if the body is
+   not a growing body. */
 VM_API vm_effect vm_effect_stream_mass(int body, const vm_stream *stream)
 {
     return vmi_effect_crossing(body, stream, vmi_apply_stream_mass);
@@ -19137,8 +19141,8 @@ VM_API vm_effect vm_effect_link(int body, int other, vm_moving_point point, void
 #endif
 /* scenes/state.h - the state of a scene: its size, and the bodies in it
 
-   The state y of a scene holds the numbers of the bodies, one body after the other. If the scene keeps a budget, its
-   VM_BUDGET_STATES numbers follow. scene.h has a table of the numbers of each body.
+   The state y of a scene holds the state variables of the bodies, one body after the other. If the scene keeps a
+   budget, its VM_BUDGET_STATES numbers follow. scene.h has a table of the numbers of each body.
 
        vm_body now;
        vm_scene_body_at(&scene, 0, y, &now); // now.r.x, now.v.x, now.mass: body 0 in the state y

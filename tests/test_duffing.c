@@ -39,7 +39,7 @@ static void test_table(void)
         vmax = (double)orbit.vmax;
         check_error("exact x", kind, "eps", ERROR_EPS(x, table[i][5], 0, amplitude) / (turns * cancels), 32, c1, x0);
         check_error("exact v", kind, "eps", ERROR_EPS(v, table[i][6], 0, vmax) / (turns * cancels), 32, c1, x0);
-        check_error("w", kind, "eps", relative_error(2 * VM_PI / (double)orbit.w, period) / (eps * cancels), 8, c1, x0);
+        check_error("w", kind, "eps", relative_error(2 * (double)VM_PI / (double)orbit.w, period) / (eps * cancels), 8, c1, x0);
         check_error("action", kind, "eps", relative_error((double)orbit.j, table[i][8]) / (eps * cancels), 24, c1, x0);
         if (v0 != 0) continue;
         near_eps("vm_duffing_period", kind, (double)vm_duffing_period(R(x0), R(c1), R(c3)), period, 8 * cancels);
@@ -66,7 +66,7 @@ static void test_energy_and_return(void)
         }
         bound_motions++;
         cancels = cancellation(c1, c3, x0, v0);
-        turns = 1 + fabs(t) * (double)orbit.w / (2 * VM_PI);
+        turns = 1 + fabs(t) * (double)orbit.w / (2 * (double)VM_PI);
         scale = (double)(orbit.vmax * orbit.vmax);
         check_error("energy", "random", "eps", fabs((double)vm_duffing_energy(x, v, R(c1), R(c3)) -
                     (double)vm_duffing_energy(R(x0), R(v0), R(c1), R(c3))) / (eps * scale * cancels), 32, c1, c3);

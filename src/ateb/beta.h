@@ -527,8 +527,8 @@ VM_API vm_real vmi_beta_step(vm_real rest, vm_real slope, vm_real bend)
     return 2 * step / (1 + VM_SQRT(vmi_larger(1 + 2 * step * bend, 0)));
 }
 
-/* Returns a value of t = ln(x/y) from which the solution of I_x(a, b) = p is sought, for p <= 1/2. It is the t where the
-   asymptote of ln I_x for t to -infinity equals ln p, which lies left of the solution. For a, b > 1 it is the
+/* Returns a value of t = ln(x/y) from which the solution of I_x(a, b) = p is sought, for p <= 1/2. It is the t where
+   the asymptote of ln I_x for t to -infinity equals ln p, which lies left of the solution. For a, b > 1 it is the
    approximation by a normal distribution, where that is larger: Abramowitz and Stegun 26.5.22, with the quantile by
    26.2.23. */
 VM_API vm_real vmi_beta_start(vm_real ln_p, vm_real a, vm_real b, vm_real ln_B)
@@ -550,12 +550,12 @@ VM_API vm_real vmi_beta_start(vm_real ln_p, vm_real a, vm_real b, vm_real ln_B)
 
 /* Returns the point where I_x(a, b) = p, from ln p, for p <= 1/2. ln I_x is a concave function of t = ln(x/y). From
    vmi_beta_start on, steps of third order by vmi_beta_step follow, first with rough values of ln I_x; from the step on
-   that is short, with logarithms in two words. The error after a step is about its third power. The last step changes x,
-   y, ln x and ln y directly instead of t. */
+   that is short, with logarithms in two words. The error after a step is about its third power. The last step changes
+   x, y, ln x and ln y directly instead of t. */
 VM_API vmi_beta_point vmi_beta_invert(vm_two ln_p, vm_real a, vm_real b)
 {
-    const vm_real enough = VM_MANT_DIG > 24 ? VM_C(2e-3) : VM_C(2e-2);    /* the last one of the rough steps */
-    const vm_real enough_last = VM_MANT_DIG > 24 ? VM_C(1e-6) : VM_C(1e-3); /* the last one of all */
+    const vm_real enough = VM_MANT_DIG > 24 ? VM_C(2e-3) : VM_C(2e-2);    /* a shorter step ends the rough steps */
+    const vm_real enough_last = VM_MANT_DIG > 24 ? VM_C(1e-6) : VM_C(1e-3); /* a shorter step ends all */
     const int most = 60; /* largest number of steps; 12 are enough */
     const vm_two ln_B = vmi_beta_ln(vmi_two(a, 0), vmi_two(b, 0));
     vm_real t = vmi_beta_start(ln_p.hi, a, b, ln_B.hi), step, half;

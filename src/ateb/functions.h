@@ -88,8 +88,8 @@ VM_INLINE vmi_ateb_place vmi_ateb_locate(vm_real s, vmi_ateb *c)
     return at;
 }
 
-/* Gives sa and ca, as computed in the first quarter, the signs that they have at s, where |s| is `quarter` quarters
-   plus rest. The function works on the bits of the signs, without a branch. */
+/* Sets the signs of sa and ca to those at s. On entry both hold the values of the first quarter. |s| is `quarter`
+   quarters plus rest. The function works on the bits of the signs, without a branch. */
 VM_INLINE void vmi_ateb_signs(vm_real s, vm_real rest, vmi_bits quarter, vm_real *sa, vm_real *ca)
 {
     const int last = 8 * (int)sizeof(vm_real) - 1;

@@ -266,7 +266,8 @@ VM_INLINE void vmi_ateb_block_sums(const ateb_plan *p, int length, const vmi_ate
         const vm_real r = at->r[i];
         const vmi_bits beyond = vmi_mask_of_sign(change_over - r);
         const vm_real tau = vmi_select(beyond, at->tau[i], r * r), square = tau * tau;
-        const vm_real base = vmi_select(beyond, at->base[i], r), base_lo = vmi_select(beyond, at->base_lo[i], at->r_lo[i]);
+        const vm_real base = vmi_select(beyond, at->base[i], r);
+        const vm_real base_lo = vmi_select(beyond, at->base_lo[i], at->r_lo[i]);
         vm_real odd0 = 0, odd1 = 0, even0 = 0, even1 = 0, odd, even, v, u;
         int j;
         VMI_UNROLL for (j = length - 2; j >= 0; j -= 2) {

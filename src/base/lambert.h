@@ -27,8 +27,8 @@ VM_API vm_real vmi_lambert_correction(vm_real w1, vm_real z)
     return first * ((half_q - first / 2) / (half_q - first));
 }
 
-/* Returns Lambert's W of a number x that is not close to -1/e, from l = ln|x| in two words and a rough value w of W. Two
-   steps are enough where w is right to 2 %, and one where it is right to 1e-4. */
+/* Returns Lambert's W of a number x that is not close to -1/e, from l = ln|x| in two words and a rough value w of W.
+   Two steps are enough where w is right to 2 %, and one where it is right to 1e-4. */
 VM_API vm_real vmi_lambert_far(vm_two l, vm_real w, int steps)
 {
     int i;
@@ -40,9 +40,8 @@ VM_API vm_real vmi_lambert_far(vm_two l, vm_real w, int steps)
     return w;
 }
 
-/* Returns W_0(x) for x from -1/4 to 55. With r = sqrt(1 + e x), in which W_0 is smooth also next to -1/e, the quotient
-   g of two polynomials is W_0(x)/x with an error of at most 1e-4. One step from w = g x, held in two words, follows; in it
-   ln(x/w) is -ln g. */
+/* Returns W_0(x) for x from -1/4 to 55. g, a quotient of polynomials in r = sqrt(1 + e x), is W_0(x)/x with an error of
+   at most 1e-4. One step of vmi_lambert_correction then improves w = g x, held in two words; in it ln(x/w) = -ln g. */
 VM_API vm_real vmi_lambert_middle(vm_real x)
 {
     const vm_real r = VM_SQRT(1 + VM_C(2.718281828459045) * x);

@@ -42,8 +42,9 @@ VM_API vm_two vmi_two_product(vm_real a, vm_real b)
 }
 
 /* Reduces x >= 0 by the quarter period q > 0. Let j q be the multiple of q that is nearest to x. Returns x - j q, which
-   lies between -q/2 and q/2 (or slightly outside by rounding), with an error of 2^-(2p) x, and writes j modulo 4 to
-   *quarter. For x above 2^(p-1) q the digits of x do not determine x - j q, and both results are 0. */
+   lies between -q/2 and q/2 (or slightly outside by rounding), with an error of x 2^(-2p), and writes j modulo 4 to
+   *quarter; p is the number of bits of vm_real. For x above 2^(p-1) q the digits of x do not determine x - j q, and
+   both results are 0. */
 VM_API vm_two vmi_reduce(vm_real x, vm_two q, int *quarter)
 {
     const vm_real j = VM_FLOOR(x / q.hi + VM_C(0.5));

@@ -324,8 +324,8 @@ VM_API vm_real vmi_rj_principal(vm_real x, vm_real y, vm_real z, vm_real p)
 /* R_J(x, y, z, p), Carlson's integral of the third kind, for x, y, z >= 0. It is symmetric in x, y, z. For p > 0 the
    error is at most 8 ulp where no argument is more than 1e16 times another one, and at most 16 ulp elsewhere. For p < 0
    R_J is Cauchy's principal value, which has zeros: its error is at most 16 eps of R_J(x, y, z, |p|). R_J is infinite
-   if p = 0 or two of x, y, z are 0, 0 if an argument is infinite, and NaN if x, y or z is negative or if one argument is
-   more than 1e307 times (float 1e37) another one that is not 0. DLMF 19.16.2. */
+   if p = 0 or two of x, y, z are 0, 0 if an argument is infinite, and NaN if x, y or z is negative or if one argument
+   is more than 1e307 times (float 1e37) another one that is not 0. DLMF 19.16.2. */
 VM_API vm_real jacobi_RJ(vm_real x, vm_real y, vm_real z, vm_real p)
 {
     const vm_real top = vmi_larger(vmi_larger(x, y), z), largest = vmi_larger(top, VM_FABS(p));

@@ -54,7 +54,8 @@ VM_INLINE void vmi_laurent(vm_real theta, vm_real m1_theta, vm_real *c)
 }
 
 /* The theta functions near 0, from the series at w = v/4 to the ninth term (float: the fifth) and two duplications.
-   Only theta.c and f are computed by subtractions, and both are far from 0. A duplication leads from w to 2w: if a and
+   Only theta.c and the local variable f are computed by subtractions, and both are far from 0. s, c, d and n below
+   are the four theta functions. A duplication leads from w to 2w: if a and
    b are numbers with b/a = sc^2(w), where sc = sn/cn, then
      sc^2(2w) = 4 a b (a + b)(a + m1 b)/(a^2 - m1 b^2)^2,
      s : c : d : n = 2 sqrt(a b (a + b)(a + m1 b)) : a^2 - m1 b^2 : a^2 + 2 m1 a b + m1 b^2 : a^2 + 2 a b + m1 b^2. */

@@ -97,9 +97,9 @@ VM_API vm_vec3 vm_rotate_back(vm_quat q, vm_vec3 a)
 }
 
 /* The rotation matrix c of an attitude, row by row. c[3 i + j] is the direction cosine of inertial axis i and body axis
-   j: c times the body components of a vector are its inertial components. The error of an entry is within 6 eps. Books
-   that mean the matrix from inertial to body axes write the columns of c as rows.
-   Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, and VM_OK otherwise. */
+   j: c times the body components of a vector are its inertial components. The error of an entry is within 6 eps. Some
+   books define the inverse matrix, from inertial to body axes, which is the transpose of c.
+   Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE if q is not finite, and VM_OK otherwise. */
 VM_API int vm_quat_to_matrix(vm_quat q, vm_real c[9])
 {
     const vmi_mat3 m = vmi_rotation(q);

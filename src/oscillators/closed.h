@@ -324,10 +324,11 @@ VM_API int vmi_osc_closed_motion(const vm_osc_closed *c, int order, vm_real t, v
     return VM_OK;
 }
 
-/* Position x (m) and velocity v (m/s) at time t (s, either sign), by the order of the law in *c. c->error
-   estimates the error up to t_end of vm_osc_closed_init. An error leaves *x and *v untouched: VM_BAD_ARGUMENT for null
-   pointers, VM_NOT_FINITE where t or a result is infinite or NaN, VM_BAD_MASS or VM_BAD_STIFFNESS where a law is not
-   positive at t. If *c has order 5, the results are bit for bit those of vm_osc_plan_by_route. */
+/* Position x (m) and velocity v (m/s) at time t (s, either sign), from the law in *c, with its order. c->error
+   estimates the error up to the time t_end that vm_osc_closed_init received. An error leaves *x and *v untouched:
+   VM_BAD_ARGUMENT for null pointers, VM_NOT_FINITE where t or a result is infinite or NaN, VM_BAD_MASS or
+   VM_BAD_STIFFNESS where a law is not positive at t. If *c has order 5, the results are bit for bit those of
+   vm_osc_plan_by_route. */
 VM_API int vm_osc_closed_at(const vm_osc_closed *c, vm_real t, vm_real *x, vm_real *v)
 {
     int order = 0;

@@ -66,7 +66,7 @@ typedef struct VM_TAG(vmi_osc_course) {
     vm_real rate;          /* rate of the phase at the end of the last step, 1/s */
     vmi_step_waves waves[2];                        /* sa and ca on each part of the half period from psi = -Pi/2 */
     vmi_step_rates history[2][VMI_HISTORY];         /* rates from earlier steps that covered all of a part */
-    int latest[2];                                  /* index in history of the latest step; earlier ones come after it */
+    int latest[2];                                  /* index of the latest step in history; earlier ones follow it */
     int known[2];                                   /* number of earlier steps over each part that history holds */
     int status;
     long evals;            /* evaluations of the rates */
@@ -88,7 +88,7 @@ typedef struct VM_TAG(vmi_osc_step) {
     vmi_step_rates rates;        /* rates at the nodes by the last round of the iteration */
 } vmi_osc_step;
 
-/* Changes of ln A and of t, s, over a step or a part of it */
+/* Changes of ln A and of the time t (in seconds) over a step or a part of it */
 typedef struct VM_TAG(vmi_osc_change) {
     vm_real ln_A, t;
 } vmi_osc_change;
@@ -576,7 +576,8 @@ VM_API int vmi_osc_collocate_pair(const vm_osc_plan *plan, vm_real t, vmi_osc_po
     while (!status && strict->t != t)
         status = vmi_osc_courses_to(&loose, strict, vmi_osc_next_knot(&plan->problem, strict->t, t), &difference);
     strict->evals += loose.evals;
-    *error = vmi_osc_strict_share(&plan->problem, points) * difference + strict->left + 4 * VM_EPSILON * (2 + VM_FABS(strict->psi - state.psi));
+    *error = vmi_osc_strict_share(&plan->problem, points) * difference + strict->left +
+             4 * VM_EPSILON * (2 + VM_FABS(strict->psi - state.psi));
     return status;
 }
 

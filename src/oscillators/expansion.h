@@ -164,9 +164,9 @@ VM_API void vmi_expansion_find_sizes(const vmi_ripple *r, const vm_real *e, vmi_
     size->psi[5] += square * e[0] * e[1] * d * d;
 }
 
-/* A bound of the first terms that order five leaves out of the mean rate of the phase, divided by W. They have weight
-   6. product is |E_0 E_2| and cube is |E_0|^3. If product and cube are instead the integrals of these numbers over the
-   phase, the result is a bound of the error of the phase. */
+/* An upper bound of the terms of weight 6, divided by W. These are the first that order five leaves out of the mean
+   rate of the phase. product is |E_0 E_2| and cube is |E_0|^3. If product and cube are instead the integrals of these
+   numbers over the phase, the result is a bound of the error of the phase. */
 VM_API vm_real vmi_expansion_third_rate(const vmi_ripple *r, vm_real product, vm_real cube)
 {
     const vm_real d = r->pi / (2 * VM_PI), L = r->scale, g = r->gamma;

@@ -192,7 +192,7 @@ VM_API vm_real vmi_osc_next_stop(const vmi_osc_run *c, vm_real t, vm_real period
 VM_API void vmi_osc_bound_steps(vmi_osc_run *c, vm_real stop, vm_real t, vm_real period)
 {
     const vm_real most_steps = 8192; /* steps per period, a bound that stops runs which would not end */
-    const vm_real largest_long = VM_C(1e9), bounces_from = 10; /* Pi_alpha counts as large from 10 on */
+    const vm_real largest_long = VM_C(1e9), bounces_from = 10; /* from this Pi_alpha on it counts as large */
     const vm_real way = VM_FABS(stop - c->s.t), most = c->share * way + 64 * VM_EPSILON * VM_FABS(t);
     const vm_real law_step = c->law_step * c->longest / VMI_OSC_LONGEST;
     vm_real longest = period * c->longest, steps;

@@ -159,7 +159,8 @@ VM_API vm_real vmi_osc_order_error(const vm_osc_plan *p, int order, const vmi_os
     start = vmi_expansion_left_out_at_start(r, p->start_order, e0);
     start.J += VM_SQRT(mean->knots_J[p->start_order - 2]);
     start.psi += VM_SQRT(mean->knots_psi[p->start_order - 2]);
-    error = vmi_expansion_error(r, vmi_expansion_left_out_at(r, order, e), start, p->Om * VM_FABS(mean->phase), mean->third) +
+    error = vmi_expansion_error(r, vmi_expansion_left_out_at(r, order, e), start, p->Om * VM_FABS(mean->phase),
+                                mean->third) +
             vmi_osc_way_error(p, mean) + vmi_osc_rounding(p, mean);
     return error < largest_known ? error : VM_INFINITY;
 }

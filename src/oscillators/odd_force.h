@@ -60,7 +60,7 @@ struct VM_TAG(vmi_orbit) {
     const vm_odd_force *force;
     vm_real size;              /* amplitude, m, if the orbit lies around 0; else half the difference of the largest and
                                   the smallest x^2, m^2 */
-    int place;                 /* VMI_ORBIT_... */
+    int place;                 /* around 0 or at one side of it, one of VMI_ORBIT_... */
     vm_real span;              /* the phase between theta = 0 and theta = pi/2: pi/2 around 0, else pi */
     vm_real w, j;              /* rate of the phase, 1/s, and action */
     vm_real energy_slope;      /* derivative of the energy with respect to `size` */

@@ -133,7 +133,7 @@ enum { VMI_ODD_PANELS = 48, VMI_ODD_ORDERS = 7 };
 
 /* A panel of time, on which the laws and the mean motion are Legendre series */
 typedef struct VM_TAG(vmi_odd_panel) {
-    vm_real t, length;          /* its start and its length, s, negative backward in time */
+    vm_real t, length;          /* its start and its length, s; backward in time the length is negative */
     vm_real phase;              /* mean phase at its start */
     vm_real decay;              /* integral of b/m from 0 to its start */
     vm_real ln_J;               /* ln of the mean action J divided by its value at t = 0; it changes at points of
@@ -158,7 +158,7 @@ typedef struct VM_TAG(vm_odd_plan) {
     vmi_orbit start;        /* the orbit of the state at t = 0; its size is 0 where there is no vibration */
     vm_real phi;            /* phase of this state */
     vm_real ln_j, phase;    /* ln of the mean action, and mean phase, at t = 0 */
-    vmi_odd_slow slow;      /* damping h at t = 0 */
+    vmi_odd_slow slow;      /* damping h at t = 0, and its first two derivatives */
     vm_real gamma;          /* ratio of a relative change of w to that of j, at t = 0 */
     vm_real first_a;        /* field largest_a of the ripple at t = 0 */
     vm_real first_B;        /* field largest_B of the ripple at t = 0 */
@@ -199,7 +199,8 @@ VM_API vm_real vmi_odd_adiabatic(const vm_odd_plan *p, const vmi_odd_rates *now,
     return -(ln_k / 2 + (p->problem.reactive - VM_C(0.5)) * ln_m + decay);
 }
 
-/* A time in which the orbit turns by 16 radians, s; derivatives of users' laws are found within it */
+/* The time, s, in which the phase of the orbit grows by 16. Derivatives of users' laws are computed from rates between
+   the present time and this much later or earlier. */
 VM_API vm_real vmi_odd_sampling_time(vm_real w, vm_real speed) { return 16 / (w * speed); }
 
 /* -- A panel -- */
@@ -382,7 +383,7 @@ VM_API int vmi_odd_walk_past_knot(const vm_odd_plan *p, vmi_orbit *orbit, vmi_od
     return VM_OK;
 }
 
-/* Walks from t = 0 to the plan's end. */
+/* Computes the panels of the mean motion one after the other, from t = 0 to the plan's end. Returns a status. */
 VM_API int vmi_odd_walk(vm_odd_plan *p, vmi_orbit *orbit)
 {
     const vm_odd_problem *o = &p->problem;

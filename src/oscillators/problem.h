@@ -15,15 +15,15 @@
 #include "laws.h"
 
 /* Routes to x(t) and x'(t), the cheapest first. All but the last three use averaging: mass and stiffness must change
-   little within a period. */
+   little within a period. The routes of order 2 to 5 exist only without a further force F. */
 enum {
     VM_ROUTE_TRIG = 0,        /* cosine (329), (330), averaged to first order; the sign of (335) is corrected */
     VM_ROUTE_JACOBI = 1,      /* Jacobi's cn (370), (371), averaged to first order */
     VM_ROUTE_ATEB = 2,        /* Ateb function ca (310), (311), averaged to first order */
-    VM_ROUTE_ORDER2 = 3,      /* law of order five (oscillators/expansion.h), cut off after order two; only without F */
-    VM_ROUTE_ORDER3 = 4,      /* law of order five, cut off after order three; only without F */
-    VM_ROUTE_ORDER4 = 5,      /* law of order five, cut off after order four; only without F */
-    VM_ROUTE_ORDER5 = 6,      /* the whole law of order five; only without F */
+    VM_ROUTE_ORDER2 = 3,      /* terms up to order two of the law of order five (oscillators/expansion.h) */
+    VM_ROUTE_ORDER3 = 4,      /* terms up to order three of this law */
+    VM_ROUTE_ORDER4 = 5,      /* terms up to order four of this law */
+    VM_ROUTE_ORDER5 = 6,      /* the whole law of order five */
     VM_ROUTE_COLLOCATION = 7, /* integration from each zero of x to the next (oscillators/collocation.h) */
     VM_ROUTE_RK45 = 8,        /* integration of the equation of motion by rk45 */
     VM_ROUTE_RK87 = 9         /* integration of the equation of motion by rk87 */

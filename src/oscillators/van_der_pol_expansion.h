@@ -49,8 +49,9 @@ typedef struct VM_TAG(vmi_vdp_ripple) {
     vm_real F, K2, K3, K1, KQ, KE;
     vm_real constant;        /* the part of the transformation of ln J that does not depend on the phase, divided by
                                 e^2 */
-    vm_real near_ca_0[VMI_VDP_ZERO_FUNCTIONS][VMI_RIPPLE_TERMS]; /* polynomials in 4 w - 1, w = |ca|^(alpha+1) */
-    vm_real near_sa_0[VMI_VDP_TURN_FUNCTIONS][VMI_RIPPLE_TERMS]; /* polynomials in 4 y - 1, where y = sa^2 */
+    /* The functions of the transformation as polynomials: the factors of the powers of 4 w - 1 and 4 y - 1 */
+    vm_real near_ca_0[VMI_VDP_ZERO_FUNCTIONS][VMI_RIPPLE_TERMS]; /* where w = |ca|^(alpha+1) */
+    vm_real near_sa_0[VMI_VDP_TURN_FUNCTIONS][VMI_RIPPLE_TERMS]; /* where y = sa^2 */
 } vmi_vdp_ripple;
 
 /* The disturbances at one time and one amplitude, see the top of this file */
@@ -230,8 +231,8 @@ VM_API void vmi_vdp_ripple_init(vmi_vdp_ripple *v, const vmi_ripple *r)
 typedef struct VM_TAG(vmi_vdp_values) {
     vmi_ripple_values f;
     vm_real C4;         /* ca^4 - <ca^4> */
-    vm_real U, U1, P1;  /* factors in ln J of e and of e1, and factor in the phase of e */
-    vm_real X;          /* part of the factor in ln J of e^2 */
+    vm_real U, U1, P1;  /* U and U1 multiply e and e1 in ln J; P1 multiplies e in the phase */
+    vm_real X;          /* a part of what multiplies e^2 in ln J */
 } vmi_vdp_values;
 
 /* Writes the functions of the transformation at the phase psi, where sa and ca are the Ateb functions of psi. */

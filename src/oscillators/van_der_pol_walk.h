@@ -222,12 +222,12 @@ VM_API int vmi_vdp_start(const vm_vdp_plan *p, int side, vmi_vdp_mean *mean)
     return VM_OK;
 }
 
-/* Plan for many values of the motion of a Van der Pol oscillator.
+/* Prepares a plan for many values of the motion of a Van der Pol oscillator.
    x is the position, m, x_rate the velocity, m/s, both at t = 0. vm_vdp_plan_by_route and vm_vdp_plan_within use the
-   plan. The fields method and a1 to a3 of the oscillator do not matter. The oscillator is copied; the tables and
-   contexts of its mass must outlive the plan. Errors leave the plan untouched. Returns VM_BAD_ARGUMENT for null
-   pointers, an unknown method, and a mass that no constructor made, VM_NOT_FINITE for numbers that are infinite or NaN,
-   VM_BAD_MASS for a mass that is not positive at t = 0 or in a table, VM_BAD_STIFFNESS for k <= 0, VM_DOMAIN for
+   plan. The field method must be valid, but it has no effect, and a1 to a3 have none. The oscillator is copied; the
+   tables and contexts of its mass must outlive the plan. Errors leave the plan untouched. Returns VM_BAD_ARGUMENT for
+   null pointers, an unknown method, and a mass that no constructor made, VM_NOT_FINITE for numbers that are infinite or
+   NaN, VM_BAD_MASS for a mass that is not positive at t = 0 or in a table, VM_BAD_STIFFNESS for k <= 0, VM_DOMAIN for
    alpha < 0, a table out of order or without t = 0, or a user's function that fails. */
 VM_API int vm_vdp_plan_init(vm_vdp_plan *p, const vm_vdp *v, vm_real x, vm_real x_rate)
 {

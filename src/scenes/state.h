@@ -1,7 +1,7 @@
 /* scenes/state.h - the state of a scene: its size, and the bodies in it
 
-   The state y of a scene holds the numbers of the bodies, one body after the other. If the scene keeps a budget, its
-   VM_BUDGET_STATES numbers follow. scene.h has a table of the numbers of each body.
+   The state y of a scene holds the state variables of the bodies, one body after the other. If the scene keeps a
+   budget, its VM_BUDGET_STATES numbers follow. scene.h has a table of the numbers of each body.
 
        vm_body now;
        vm_scene_body_at(&scene, 0, y, &now); // now.r.x, now.v.x, now.mass: body 0 in the state y

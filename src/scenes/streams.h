@@ -165,14 +165,14 @@ VM_API vm_effect vmi_effect_crossing(int body, const vm_stream *stream,
     return e;
 }
 
-/* Mass, mass centre and inertia that a stream brings to a growing body. *stream is not copied: if an event changes
+/* Changes of mass, mass centre and inertia of a growing body by a stream. *stream is not copied: if an event changes
    it, the run continues with the change. stream->at is in body axes, from the position of the mass centre at the
    start. The field `mixing` of the budget is right only if the effects for mass, force, moment and torque of the
    stream are all listed, and if the stream has no store. A stream may have a store on the line through its point and
-   the mass centre, as a rocket has whose tank and nozzle lie on its axis. The motion is then that of vm_flow_rhs if no
-   other stream of the body has a store. vm_scene_start returns VM_BAD_ARGUMENT if stream is NULL or its motion is
-   unknown, VM_STORED_STREAM if its store does not lie on this line, and VM_DOES_NOT_GROW if the body is not a growing
-   body. */
+   the mass centre; for example, the tank and the nozzle of a rocket lie on its axis. The motion is then that of
+   vm_flow_rhs if no other stream of the body has a store. vm_scene_start returns VM_BAD_ARGUMENT if stream is NULL or
+   its motion is unknown, VM_STORED_STREAM if its store does not lie on this line, and VM_DOES_NOT_GROW if the body is
+   not a growing body. */
 VM_API vm_effect vm_effect_stream_mass(int body, const vm_stream *stream)
 {
     return vmi_effect_crossing(body, stream, vmi_apply_stream_mass);
