@@ -105,7 +105,7 @@ static int write_slopes(const char *name)
     for (eps = 0.1; eps > 0.0009; eps /= pow(10, 0.125)) {
         fprintf(csv, "\n%.6g", eps);
         for (i = 0; i < 3; i++) {
-            double error[2] = {NAN, NAN}, estimate[2];
+            double error[2] = {(double)NAN, (double)NAN}, estimate[2];
             errors_of(cases + i, eps, error, estimate);
             for (route = 0; route < 2; route++) fprintf(csv, ",%.4e", error[route]);
         }

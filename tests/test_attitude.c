@@ -28,10 +28,10 @@ static wide_quat widened(vm_quat q)
     wide_quat a;
     const wide most = (wide)vmi_larger(VM_FABS(q.w), vmi_norm_max(vmi_quat_vector(q)));
     wide length;
-    a.w = q.w / most;
-    a.x = q.x / most;
-    a.y = q.y / most;
-    a.z = q.z / most;
+    a.w = (long double)q.w / most;
+    a.x = (long double)q.x / most;
+    a.y = (long double)q.y / most;
+    a.z = (long double)q.z / most;
     length = sqrtl(a.w * a.w + a.x * a.x + a.y * a.y + a.z * a.z);
     a.w /= length;
     a.x /= length;
@@ -144,7 +144,7 @@ static void test_round_trips(void)
     for (i = 0; i < 20000; i++) {
         const vm_quat q = some_attitude(i);
         vm_real angles[3], c[9];
-        vm_quat back;
+        vm_quat back = {0, 0, 0, 0};
         CHECK(vm_euler_313_angles(q, angles) == VM_OK);
         check_error("313 angles", "random", "eps", between(widened(q), by_angles(axes_313, angles)), 8, i, 0);
         CHECK(angles[1] >= 0 && (double)angles[1] <= (double)R(pi));
@@ -178,9 +178,9 @@ static void test_from_angles(void)
 static void turn_wide(vm_quat attitude, vm_vec3 a, wide *result)
 {
     wide_quat q = widened(attitude), v = {0, 0, 0, 0}, conjugate = q;
-    v.x = a.x;
-    v.y = a.y;
-    v.z = a.z;
+    v.x = (wide)a.x;
+    v.y = (wide)a.y;
+    v.z = (wide)a.z;
     conjugate.x = -q.x;
     conjugate.y = -q.y;
     conjugate.z = -q.z;
@@ -192,7 +192,7 @@ static void turn_wide(vm_quat attitude, vm_vec3 a, wide *result)
 
 static double vector_error(vm_vec3 a, const wide *want)
 {
-    const wide x = a.x - want[0], y = a.y - want[1], z = a.z - want[2];
+    const wide x = (wide)a.x - want[0], y = (wide)a.y - want[1], z = (wide)a.z - want[2];
     return (double)sqrtl(x * x + y * y + z * z);
 }
 
@@ -273,8 +273,8 @@ static void test_vectors(void)
 
 static void test_refusals(void)
 {
-    const vm_quat bad = quaternion(NAN, 0, 0, 1), one = {1, 0, 0, 0};
-    const vm_vec3 endless = vector(INFINITY, 0, 0);
+    const vm_quat bad = quaternion((double)NAN, 0, 0, 1), one = {1, 0, 0, 0};
+    const vm_vec3 endless = vector((double)INFINITY, 0, 0);
     vm_real angles[3] = {7, 7, 7}, c[9] = {7};
     CHECK(vm_euler_313_angles(bad, angles) == VM_NOT_FINITE && angles[0] == 7);
     CHECK(vm_euler_321_angles(bad, angles) == VM_NOT_FINITE && angles[0] == 7);
@@ -283,7 +283,7 @@ static void test_refusals(void)
     CHECK(vm_rotate(bad, vector(1, 2, 3)).x != vm_rotate(bad, vector(1, 2, 3)).x);
     CHECK(vm_rotate_back(one, endless).y != vm_rotate_back(one, endless).y);
     CHECK(vm_quat_to_mrp(bad).x != vm_quat_to_mrp(bad).x && vm_quat_from_mrp(endless).w != vm_quat_from_mrp(endless).w);
-    CHECK(vm_euler_321(R(INFINITY), 0, 0).w != vm_euler_321(R(INFINITY), 0, 0).w);
+    CHECK(vm_euler_321(VM_INFINITY, 0, 0).w != vm_euler_321(VM_INFINITY, 0, 0).w);
 }
 
 int main(void)
