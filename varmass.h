@@ -9735,11 +9735,12 @@ VM_API int vmi_osc_closed_check_call(const vm_osc_closed *c, int order, vm_real 
 /* Writes the motion at t by the law of an order that is at most that of *c. */
 VM_API int vmi_osc_closed_motion(const vm_osc_closed *c, int order, vm_real t, vm_real *x, vm_real *v)
 {
-    const vmi_osc_closed_mean *mean = &c->mean;
+    const vmi_osc_closed_mean *mean;
     vmi_osc_closed_now now;
     vm_real E[VMI_EXPANSION_E] = {0, 0, 0, 0}, sa, ca, result[2] = {0, 0}; /* E_3 is not needed here */
     int status = vmi_osc_closed_check_call(c, order, t, x, v);
     if (status) return status;
+    mean = &c->mean;
     if (mean->start.A != 0) {
         vmi_osc_closed_mean_at(mean, t, &now);
         ateb_plan_saca(&c->ateb, now.state.psi, &sa, &ca);
@@ -21123,7 +21124,8 @@ VM_API int vmi_land_check(const vm_scene *s, const vm_event *e)
 {
     const int status = vmi_contact_check_event(s, e);
     if (status) return status;
-    return s->bodies[e->body].listed_orders >> VMI_ORDER_LINK & 1 ? VM_TWO_LINKS : VM_OK;
+    if (s->bodies[e->body].listed_orders >> VMI_ORDER_LINK & 1) return VM_TWO_LINKS;
+    return VM_OK;
 }
 
 /* The event of vm_event_contact becomes a stop without a bounce: an impulse takes away the velocity of the point along

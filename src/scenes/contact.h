@@ -145,7 +145,8 @@ VM_API int vmi_land_check(const vm_scene *s, const vm_event *e)
 {
     const int status = vmi_contact_check_event(s, e);
     if (status) return status;
-    return s->bodies[e->body].listed_orders >> VMI_ORDER_LINK & 1 ? VM_TWO_LINKS : VM_OK;
+    if (s->bodies[e->body].listed_orders >> VMI_ORDER_LINK & 1) return VM_TWO_LINKS;
+    return VM_OK;
 }
 
 /* The event of vm_event_contact becomes a stop without a bounce: an impulse takes away the velocity of the point along
