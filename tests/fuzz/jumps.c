@@ -450,7 +450,7 @@ static void fuzz_jumps(void)
     case 4: check_attach(); break;
     default: check_separate();
     }
-    HOLDS(strcmp(vm_strerror(-draw_below(33)), "unknown status") != 0 &&
+    HOLDS(strcmp(vm_strerror(-draw_below(35)), "unknown status") != 0 &&
           strcmp(vm_strerror(-33 - draw_below(90)), "unknown status") == 0);
 }
 FUZZ_TARGET(jumps)
