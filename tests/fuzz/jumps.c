@@ -451,6 +451,6 @@ static void fuzz_jumps(void)
     default: check_separate();
     }
     HOLDS(strcmp(vm_strerror(-draw_below(35)), "unknown status") != 0 &&
-          strcmp(vm_strerror(-33 - draw_below(90)), "unknown status") == 0);
+          strcmp(vm_strerror(-35 - draw_below(90)), "unknown status") == 0);
 }
 FUZZ_TARGET(jumps)
