@@ -175,7 +175,7 @@ static int by_fehlberg(double tolerance, double *y) { return by_arkode(ARKODE_FE
 #endif
 
 static const struct {
-    const char *library, *name;
+    const char *maker, *name;
     method run;
 } methods[] = {{"", "`rk45_solve`", by_rk45},
                {"", "`rk87_solve`", by_rk87},
@@ -244,8 +244,8 @@ static double time_to(int k, double goal)
 // The first method of the next library
 static int next_library(int k)
 {
-    const char *library = methods[k].library;
-    while (k < METHODS && strcmp(methods[k].library, library) == 0) k++;
+    const char *maker = methods[k].maker;
+    while (k < METHODS && strcmp(methods[k].maker, maker) == 0) k++;
     return k;
 }
 
@@ -273,7 +273,7 @@ static int compare()
             const int won = peer < MARGIN * kit;
             if (peer == HUGE_VAL) continue;
             printf("| %s | %.0e | %s | %.1f | %s %s | %.1f | %.2f |%s\n", now->what, goals[g], methods[best].name,
-                   1e6 * kit, methods[k].library, methods[k].name, 1e6 * peer, kit / peer, won ? " wins" : "");
+                   1e6 * kit, methods[k].maker, methods[k].name, 1e6 * peer, kit / peer, won ? " wins" : "");
             wins += won;
         }
     }
