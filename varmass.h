@@ -6842,7 +6842,7 @@ VM_API vm_real vmi_kepler_reduce(vm_real beta, vm_real t)
    the centre, or G (M1 + M2) if r0 and v0 belong to two bodies, one relative to the other. t may be negative. The orbit
    may be an ellipse, a parabola, a hyperbola or a straight line; on a straight line the body turns back at the centre.
    The error is that which an error of a few eps in t, r0, v0 and mu makes; it grows with the number of revolutions.
-   The cost is that of some ten sines. Returns VM_BAD_ARGUMENT, VM_NOT_FINITE also where the results are not finite,
+   The cost is that of some 50 sines. Returns VM_BAD_ARGUMENT, VM_NOT_FINITE also where the results are not finite,
    VM_DOMAIN for mu <= 0 or r0 = 0, and VM_OK otherwise. */
 VM_API int vm_orbit(vm_real t, vm_real mu, vm_vec3 r0, vm_vec3 v0, vm_vec3 *r, vm_vec3 *v)
 {
