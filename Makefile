@@ -9,7 +9,7 @@
 #   make scan     millions of random arguments (minutes)                make points SEED=n   20 000 fresh table points
 #   make exhaustive   every float of a period (minutes)                 make data    write the reference tables anew
 #   make figures  draw docs/figures                                     make measurements    write docs/measurements.md
-#   make first-steps   twelve short programs, docs/first-steps.md
+#   make first-steps   fourteen short programs, docs/first-steps.md
 #   make wasm      an oscillator for the browser, build/wasm
 #   make sweep     a Monte-Carlo of break-ups over all cores          make firmware-table   flash, stack, instructions
 #   make firmware   a controller on an emulated Cortex-M4F           make scene-sizes    flash of scenes
@@ -249,11 +249,13 @@ first-steps: build/command
 	CC="$(CC)" sh examples/first_steps/steps.sh build write
 
 # docs/law.md: the law of order five; its text is bench/law.md
-law: build/law build/examples/solvable
+law: build/law build/examples/solvable build/examples/law_as_data
 	@sh tests/install.sh "command -v gnuplot" gnuplot-nox
 	sh bench/law.sh build
 build/law: bench/law.c build/command $(HEADERS)
 	$(COMPILE) bench/law.c -o $@ -lm
+build/examples/law_as_data: examples/first_steps/14_law_as_data.c build/command $(HEADERS)
+	@$(IN_BUILD) && $(COMPILE) -ffp-contract=off $< -o $@ -lm
 
 # docs/duffing.md: Duffing's oscillator and other odd forces; its text is bench/duffing.md
 duffing: build/duffing
