@@ -33,7 +33,7 @@ lie "a table without rows" docs/promises.md '/^| [^p]/d' 'has no row'
 lie "a generated part without a line" docs/cost.md '/^<!-- table summary/,/^<!-- end/{/^|/d}' 'nothing was generated'
 lie "a row that lacks a cell" docs/counts.md 's/^| `jacobi_E` | [0-9]* /| `jacobi_E` /' 'a row with 2 cells'
 lie "a marked number of the README" README.md 's/has [0-9]*<!--hard_cases-->/has 999<!--hard_cases-->/' 'hard_cases is'
-lie "a marked number of a manual" src/jacobi.h 's/304 \[jacobi_plan_bytes\]/305 [jacobi_plan_bytes]/' 'jacobi_plan_bytes is 304'
+lie "a marked number of a manual" src/jacobi.h 's/[0-9]* \[jacobi_plan_bytes\]/999 [jacobi_plan_bytes]/' 'jacobi_plan_bytes is'
 lie "a mark that has no source" README.md 's/<!--hard_cases-->/<!--hard_case-->/' 'no number of this name'
 lie "a document without a stamp" docs/counts.md '/^Measured on/d' 'which headers it was measured on'
 lie "a document that hides its age" docs/exhaustive.md \
