@@ -177,7 +177,7 @@ static const hard_case slow_oscillators_cases[] = {
          -0.375),
     CASE(slow_leak, 96, "the same, mass falling", 1.5, R(-1e-10, -1e-6), 40, 0.8125, -0.375),
     CASE(slow_leak, 96, "base = 0 itself", 3, 0, 40, 0.8125, -0.375),
-    CASE(turning_leak, 96, "sa -> 0 at the start: sqrt(1 - |ca|^(alpha+1)) forgets V", 3, 0.0078125, 120, 0.8125,
+    CASE(turning_leak, 96, "sa -> 0 at the start: sqrt(1 - (x/A)^(alpha+1)) forgets V", 3, 0.0078125, 120, 0.8125,
          R(0.00634765725, 0.0062)),
     CASE(turning_leak, 96, "the same on the other side, alpha = 1/2", 0.5, 0.0078125, 128, -0.8125,
          R(-0.00634765525, -0.0062)),
