@@ -3242,8 +3242,8 @@ typedef struct VM_TAG(vmi_carlson_scale) {
     vm_real factor, root;
 } vmi_carlson_scale;
 
-/* Returns the scale for the largest of the arguments, a finite number > 0. A subnormal number is not brought to 1, since
-   the factor would overflow; the product is at least eps. */
+/* Returns the scale for the largest of the arguments, a finite number > 0. A subnormal number is not brought to 1,
+   since the factor would overflow; the product is at least eps. */
 VM_API vmi_carlson_scale vmi_carlson_scale_of(vm_real largest)
 {
     const int exponent = (int)(vmi_to_bits(largest) >> VMI_STORED_DIG) - VMI_BIAS;
@@ -3671,8 +3671,8 @@ VM_API vm_real vmi_F(vm_real phi, vm_real m1, vm_real m1_lo)
     return angle.turns * vmi_K(m1, m1_lo) + part;
 }
 
-/* F(phi | m), the incomplete elliptic integral of the first kind. It is the inverse of the amplitude and odd in phi, and
-   for m <= 1 F(phi + pi) = F(phi) + 2K. The error is at most 8 ulp for |phi| <= 1e9 (float 1e4). Returns phi for
+/* F(phi | m), the incomplete elliptic integral of the first kind. It is the inverse of the amplitude. It is odd in phi,
+   and for m <= 1 F(phi + pi) = F(phi) + 2K. The error is at most 8 ulp for |phi| <= 1e9 (float 1e4). Returns phi for
    infinite phi, 0 for m = -infinity, and NaN where both are infinite. For m = 1 it is infinite beyond pi/2. For m > 1
    it is NaN where m sin^2 phi > 1, beyond pi/2, and for infinite m. docs/cost.md has the time. DLMF 19.2.4, 19.25.5. */
 VM_API vm_real jacobi_F(vm_real phi, vm_real m)
@@ -3731,12 +3731,14 @@ VM_API vm_real jacobi_E_incomplete(vm_real phi, vm_real m)
    Domain and accuracy are those of jacobi_E_incomplete; m1 keeps its digits where m is close to 1. */
 VM_API vm_real jacobi_E_incomplete_m1(vm_real phi, vm_real m1) { return vmi_E_incomplete(phi, 1 - m1, m1, 0); }
 
-/* Carlson's integrals of arguments so small that a product underflows lose digits. Then all arguments are multiplied by
-   the square of this factor, and the integral R_F, and R_D and R_J with a weight that grew likewise, by the factor. It
-   is 1 unless `least`, the smallest argument, lacks digits or may lack them. */
-VM_INLINE vm_real vmi_lift_of(vm_real least)
+/* Carlson's integrals of arguments so small that a product underflows, or so large that a sum overflows, lose digits.
+   Then all arguments are multiplied by the square of this factor, and the integral R_F, and R_D and R_J with a weight
+   that was multiplied likewise, by the factor. It is 1 for ordinary arguments, and above 1 only where m1 < 1. `least`
+   is about the smallest of the arguments. */
+VM_INLINE vm_real vmi_lift_of(vm_real least, vm_real m1)
 {
-    if (least < VM_MIN / VM_EPSILON) return vmi_ldexp(1, VM_MANT_DIG > 24 ? 300 : 40);
+    if (m1 < 1 && least < VM_MIN / VM_EPSILON) return vmi_ldexp(1, VM_MANT_DIG > 24 ? 300 : 40);
+    if (m1 > VM_MAX * VM_EPSILON) return VM_EPSILON;
     return 1;
 }
 
@@ -3753,7 +3755,7 @@ VM_API vm_real vmi_D_part(vm_real s, vm_real c, vm_real m1)
    c (s/sqrt(d) + c^2 R_D(m1 s^2, m1, d)/3), a sum of positive terms. */
 VM_API vm_real vmi_D_complement(vm_real s, vm_real c, vm_real m1)
 {
-    const vm_real cc = c * c, ss = s * s, d = cc + m1 * ss, lift = vmi_lift_of(m1 * ss), more = lift * lift;
+    const vm_real cc = c * c, ss = s * s, d = cc + m1 * ss, lift = vmi_lift_of(m1 * ss, m1), more = lift * lift;
     const vm_real y = more * m1, z = more * d;
     vm_real third;
     vmi_rf_rd_weighted(y * ss, y, z, lift > 1 ? 1 : vmi_larger(z, y), more * cc, &third);
@@ -3769,8 +3771,8 @@ VM_API vm_real vmi_D(vm_real m1)
     return vmi_D_part(1, 0, m1);
 }
 
-/* D(m) = (K(m) - E(m))/m, the complete elliptic integral D, for m <= 1. The error is at most 8 ulp. It is pi/4 for
-   m = 0, infinite for m = 1, 0 for m = -infinity, and NaN for m > 1. DLMF 19.2.8. */
+/* D(m) = (K(m) - E(m))/m, the complete elliptic integral D, for m <= 1. The error is at most 8 ulp for m >= -1e300
+   (float -1e30). D is pi/4 for m = 0, infinite for m = 1, 0 for m = -infinity, and NaN for m > 1. DLMF 19.2.8. */
 VM_API vm_real jacobi_D(vm_real m) { return vmi_D(1 - m); }
 
 /* D(m) from the complementary parameter m1 = 1 - m >= 0.
@@ -3801,9 +3803,9 @@ VM_API vm_real vmi_D_incomplete(vm_real phi, vm_real m1, vm_real m1_lo)
 
 /* D(phi | m) = (F(phi | m) - E(phi | m))/m, the incomplete integral of sin^2 x/sqrt(1 - m sin^2 x). No digits cancel,
    not even for m = 0. It is odd in phi, and for m <= 1 D(phi + pi) = D(phi) + 2D(m). The error is at most 8 ulp for
-   |phi| <= 1e9 (float 1e4), unless phi^3 underflows. Returns phi for infinite phi, 0 for m = -infinity, and NaN where
-   both are infinite. For m = 1 it is infinite beyond pi/2. For m > 1 it is NaN where m sin^2 phi > 1, beyond pi/2, and
-   for infinite m. Its time is that of jacobi_E_incomplete. DLMF 19.2.6, 19.25.13. */
+   |phi| <= 1e9 (float 1e4) and m >= -1e300 (float -1e30), unless phi^3 underflows. Returns phi for infinite phi, 0 for
+   m = -infinity, and NaN where both are infinite. For m = 1 it is infinite beyond pi/2. For m > 1 it is NaN where
+   m sin^2 phi > 1, beyond pi/2, and for infinite m. Its time is that of jacobi_E_incomplete. DLMF 19.2.6, 19.25.13. */
 VM_API vm_real jacobi_D_incomplete(vm_real phi, vm_real m)
 {
     const vm_two m1 = vmi_two_sum(1, -m);
@@ -3813,6 +3815,12 @@ VM_API vm_real jacobi_D_incomplete(vm_real phi, vm_real m)
 /* D(phi | m) from the complementary parameter m1 = 1 - m.
    Domain and accuracy are those of jacobi_D_incomplete; m1 keeps its digits where m is close to 1. */
 VM_API vm_real jacobi_D_incomplete_m1(vm_real phi, vm_real m1) { return vmi_D_incomplete(phi, m1, 0); }
+
+/* 1 - m/n for n > 1 and m1 = 1 - m >= 0, computed in quarters so that no sum overflows */
+VM_INLINE vm_real vmi_share_below_pole(vm_real n, vm_real m1)
+{
+    return ((n - 1) * VM_C(0.25) + m1 * VM_C(0.25)) / (n * VM_C(0.25));
+}
 
 /* Pi(n; theta | m) for |theta| <= pi/2, from s = sin theta and c = cos theta, with 1 - m = m1. Let p = 1 - n s^2 and
    d = 1 - m s^2. There are three cases. Each is a sum of positive terms, except for one term of the third case with
@@ -3837,7 +3845,7 @@ VM_API vm_real vmi_Pi_part(vm_real s, vm_real c, vm_real n, vm_real m, vm_real m
         return s * (rf + third);
     }
     if (p == 0) return VM_COPYSIGN(VM_INFINITY, s);
-    q = cc + ((n - 1) + m1) / n * ss;
+    q = cc + vmi_share_below_pole(n, m1) * ss;
     vmi_rf_rj_weighted(cc, d, 1, q, top, m / n * ss, &third);
     return s * (vmi_rc(cc * d, p * q) - third);
 }
@@ -3846,11 +3854,11 @@ VM_API vm_real vmi_Pi_part(vm_real s, vm_real c, vm_real n, vm_real m, vm_real m
    Pi is (pi/2)/sqrt(1 - n) + K/(1 - n): the next term, -E/(1 - n), is far below an ulp there. */
 VM_API vm_real vmi_Pi_negative(vm_real n, vm_real m1)
 {
-    const vm_real lift = vmi_lift_of(m1 / (1 - n)), more = lift * lift, share = more * m1 / (1 - n);
+    const vm_real lift = vmi_lift_of(m1 / (1 - n), m1), more = lift * lift, share = more * m1 / (1 - n);
     vm_real rf, third;
     if (lift > 1 && n < -1000 / (VM_EPSILON * VM_EPSILON))
         return VM_PI / 2 / VM_SQRT(1 - n) + vmi_K(m1, 0) / (1 - n);
-    rf = vmi_rf_rj_weighted(0, more * m1, more, share, lift > 1 ? 1 : vmi_larger(m1, 1), share, &third);
+    rf = vmi_rf_rj_weighted(0, more * m1, more, share, lift > 1 ? 1 : more * vmi_larger(m1, 1), share, &third);
     return lift * (rf / (1 - n) + n / (n - 1) * third);
 }
 
@@ -3872,7 +3880,7 @@ VM_API vm_real vmi_Pi(vm_real n, vm_real m, vm_real m1)
         rf = vmi_rf_rj_weighted(0, m1, 1, 1 - n, top, n, &third);
         return rf + third;
     }
-    vmi_rf_rj_weighted(0, m1, 1, ((n - 1) + m1) / n, top, m / n, &third);
+    vmi_rf_rj_weighted(0, m1, 1, vmi_share_below_pole(n, m1), top, m / n, &third);
     return 0 - third;
 }
 
@@ -3889,15 +3897,16 @@ VM_API vm_real jacobi_Pi_m1(vm_real n, vm_real m1) { return vmi_Pi(n, 1 - m1, m1
 /* Pi(n | m) - Pi(n; theta | m) for n < 1 and 0 <= theta <= pi/2, from s = sin theta and c = cos theta. Let psi be the
    angle for which tan theta tan psi = 1/k', and N = (m - n)/(1 - n). Then the result is the integral from 0 to psi of
    (1 - m sin^2 x)/((1 - n)(1 - N sin^2 x)) dx/sqrt(1 - m sin^2 x). *exact becomes 1 if no digits cancel: for all
-   n <= 0, and for n > 0 if c^2 <= (1 - n) s^2. */
+   n <= 0, and for n > 0 if c^2 <= (1 - n) s^2; else the result is 0. */
 VM_API vm_real vmi_Pi_complement(vm_real s, vm_real c, vm_real n, vm_real m1, int *exact)
 {
     const vm_real cc = c * c, ss = s * s, d = cc + m1 * ss;
-    const vm_real least = vmi_smaller(ss, 1 / (1 - n)) * m1, lift = m1 < 1 ? vmi_lift_of(least) : 1;
+    const vm_real least = vmi_smaller(ss, 1 / (1 - n)) * m1, lift = vmi_lift_of(least, m1);
     const vm_real more = lift * lift;
     const vm_real y = more * m1, z = more * d, share = y / (1 - n), p = y * ss + share * cc;
     vm_real rf, third;
     *exact = n <= 0 || share * cc <= y * ss;
+    if (!*exact) return 0; /* the result is not used */
     rf = vmi_rf_rj_weighted(y * ss, y, z, p, lift > 1 ? 1 : vmi_larger(z, y), n * share * cc, &third);
     return lift * (c * (rf - third) / (1 - n));
 }
@@ -3911,7 +3920,7 @@ VM_API vm_real vmi_Pi_incomplete(vm_real phi, vm_real n, vm_real m, vm_real m1, 
     if (m1 < 0 && VM_IS_FINITE(n)) return vmi_Pi_above(phi, n, m, vmi_two(m1, m1_lo));
     if (vmi_incomplete_special(phi, m1) || !VM_IS_FINITE(n)) {
         const vm_real complete = vmi_Pi(n, m, m1);
-        if (!(m1 >= 0) || phi != phi || n != n) return VM_NAN;
+        if (!(m1 >= 0) || phi != phi || complete != complete) return VM_NAN;
         if (!VM_IS_FINITE(phi) && complete != 0) return VM_COPYSIGN(phi, phi * complete);
         if (VM_IS_FINITE(phi) && (complete == 0 || m1 == 0)) return 0 * phi;
         return VM_NAN;
@@ -3931,9 +3940,9 @@ VM_API vm_real vmi_Pi_incomplete(vm_real phi, vm_real n, vm_real m, vm_real m1, 
 /* Pi(n; phi | m), the incomplete elliptic integral of the third kind. The characteristic n is any number. Pi is odd in
    phi, and for m <= 1 Pi(phi + pi) = Pi(phi) + 2 Pi(n | m). The error is at most 8 ulp for n <= 1 and |phi| <= 1e9
    (float 1e4). For n > 1 Pi has poles where n sin^2 phi = 1. Beyond the first pole Pi is Cauchy's principal value. For
-   n > 1 the error is at most 16 eps max(|F|, |Pi|), plus the effect of changing n by 4 ulp. The result is 0 for infinite
-   n and m <= 1, and for m = -infinity. For m > 1 it is NaN where m sin^2 phi > 1, beyond pi/2, and for infinite m or n.
-   docs/cost.md has the time. DLMF 19.2.7. */
+   n > 1 the error is at most 16 eps max(|F|, |Pi|), plus the effect of changing n by 4 ulp. The result is 0 for
+   infinite n and m <= 1, and for m = -infinity. For m > 1 it is NaN where m sin^2 phi > 1, beyond pi/2, and for
+   infinite m or n. docs/cost.md has the time. DLMF 19.2.7. */
 VM_API vm_real jacobi_Pi_incomplete(vm_real phi, vm_real n, vm_real m)
 {
     const vm_two m1 = vmi_two_sum(1, -m);
@@ -4008,7 +4017,7 @@ VM_API vm_real jacobi_inverse_cn_m1(vm_real x, vm_real m1) { return vmi_inverse_
 
 /* The inverse of dn for 1 - m = m1 + m1_lo. With s = sn u and c = cn u, m s^2 is 1 - x^2 and m c^2 is x^2 - m1.
    x^2 - m1 is computed from the exact square of x. It may be negative if x is k' after rounding; then c is taken as
-   0. */
+   0, and s as 1. */
 VM_API vm_real vmi_inverse_dn(vm_real x, vm_real m, vm_real m1, vm_real m1_lo)
 {
     const vm_real bound = VM_SQRT(m1);
@@ -4017,7 +4026,7 @@ VM_API vm_real vmi_inverse_dn(vm_real x, vm_real m, vm_real m1, vm_real m1_lo)
     if (!(x >= vmi_smaller(bound, 1) && x <= vmi_larger(bound, 1)) || !(m1 >= 0)) return VM_NAN;
     if (x == 1) return 0;
     if (m1 == 0 && x == 0) return VM_INFINITY;
-    ss = (1 - x) * (1 + x) / m;
+    ss = vmi_smaller((1 - x) * (1 + x) / m, 1);
     cc = vmi_larger(((square.hi - m1) + (square.lo - m1_lo)) / m, 0);
     return VM_SQRT(ss) * vmi_rf(cc, square.hi, 1);
 }

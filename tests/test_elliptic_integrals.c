@@ -293,8 +293,11 @@ static void test_limits(void)
     CHECK(jacobi_Pi_incomplete(inf, half, half) == inf && jacobi_Pi_incomplete(-inf, half, half) == -inf);
     CHECK(jacobi_Pi_incomplete(inf, 2, half) == -inf && jacobi_Pi_incomplete(1, -inf, half) == 0);
     CHECK(jacobi_Pi_incomplete(1, half, -inf) == 0 && jacobi_Pi_incomplete_m1(2, 1, half) == inf);
+    CHECK(jacobi_Pi_incomplete(R(1.5707964), R(0.99), -VM_MAX) >= 0 && jacobi_Pi_incomplete(2, R(0.3), -VM_MAX) > 0);
+    CHECK(jacobi_D_incomplete(2, R(by_precision(-1e300, -1e30))) > 0 && jacobi_Pi_incomplete(2, R(-0.3), -VM_MAX) > 0);
     CHECK(jacobi_inverse_sn(1, 1) == inf && jacobi_inverse_sn(-1, 1) == -inf && jacobi_inverse_cn(0, 1) == inf);
     CHECK(jacobi_inverse_dn(0, 1) == inf && jacobi_inverse_dn_m1(0, 0) == inf && jacobi_inverse_dn(1, 0) == 0);
+    CHECK(jacobi_inverse_dn(1 - VM_EPSILON / 2, VM_EPSILON / 2) <= jacobi_K(VM_EPSILON / 2)); /* dn rounds to k' */
     CHECK(jacobi_inverse_sn(half, -inf) == 0 && jacobi_inverse_cn_m1(half, inf) == 0);
     CHECK(jacobi_RF(inf, 1, 2) == 0 && jacobi_RF(0, 0, 1) == inf && is_nan(jacobi_RF(0, 0, inf)));
     CHECK(jacobi_RC(1, 0) == inf && jacobi_RC(1, inf) == 0 && jacobi_RC(inf, -1) == 0);

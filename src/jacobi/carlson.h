@@ -235,8 +235,8 @@ typedef struct VM_TAG(vmi_carlson_scale) {
     vm_real factor, root;
 } vmi_carlson_scale;
 
-/* Returns the scale for the largest of the arguments, a finite number > 0. A subnormal number is not brought to 1, since
-   the factor would overflow; the product is at least eps. */
+/* Returns the scale for the largest of the arguments, a finite number > 0. A subnormal number is not brought to 1,
+   since the factor would overflow; the product is at least eps. */
 VM_API vmi_carlson_scale vmi_carlson_scale_of(vm_real largest)
 {
     const int exponent = (int)(vmi_to_bits(largest) >> VMI_STORED_DIG) - VMI_BIAS;
