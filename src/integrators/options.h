@@ -120,10 +120,23 @@ VM_API int vmi_options_are_valid(const rk45_options *o, int n)
 /* Whether the event ends the step in which it happens */
 VM_INLINE int vmi_ends_step(const ode_event *e) { return e->action != ODE_RECORD || e->stop_after > 0; }
 
+/* Whether n >= 0 is a multiple of k > 0. The function subtracts k 2^j for falling j, so that a program for a processor
+   that cannot divide does not link a division only for this. */
+VM_API int vmi_is_multiple(long n, long k)
+{
+    long part = k;
+    while (part <= n - part) part *= 2;
+    while (part > k) {
+        if (n >= part) n -= part;
+        part /= 2;
+    }
+    return n == 0 || n == k;
+}
+
 /* Whether the event, which has just been counted, ends the run */
 VM_API int vmi_stops_now(const ode_event *e)
 {
-    if (e->stop_after > 0) return e->count % e->stop_after == 0;
+    if (e->stop_after > 0) return vmi_is_multiple(e->count, e->stop_after);
     return e->action == ODE_STOP;
 }
 
