@@ -433,6 +433,7 @@ static void check_end(drawn_scene *d, vm_real t)
         vm_scene_body_at(&d->scene, i, d->y, &body);
         vm_scene_point_at(&d->scene, i, at, d->y, &r, &v);
         if (tame_body(&body)) HOLDS(finite3(r) && finite3(v));
+        vm_scene_push_at(&d->scene, i, at, d->y, v);
         HOLDS(finite_body(&body) || fuzz.wild); /* the state is finite, omega = L/J of it may overflow */
         wild |= !tame_body(&body);
     }

@@ -406,6 +406,8 @@ static void try_scene_of_joints(void)
     vm_scene_point_at(&g.scene, 2, at, g.y, &r, &u);
     fold3(r);
     fold3(u);
+    vm_scene_push_at(&g.scene, 2, at, g.y, u);
+    fold3(vmi_get3(g.bodies[2].load.force + 3));
     fold3(list[0].force);
     clear_scene();
     add_body(vm_scene_body_plane(2, 1, at, 0, zero, VM_C(0.25)));
