@@ -702,14 +702,15 @@ enum {
     ODE_RESTART = 2 /* the run ends the step at the event, calls `change`, and begins a new step */
 };
 
-/* An event happens where g(t, y) reaches zero or changes its sign. The caller owns the array of events to which the
-   options point. The caller sets the fields from g to stop_after; the integrator sets the fields from count on. */
+/* An event of a run: it happens when g(t, y) reaches zero or changes its sign. The caller makes an array of events, to
+   which the field `events` of rk45_options points, sets all fields to 0 first, and then the fields from g to stop_after
+   that it needs. The integrator sets the fields from count on. */
 typedef struct VM_TAG(ode_event) {
     ode_event_function g; /* the function whose zeros are the event */
     void *ctx;            /* pointer that g and change receive */
-    int direction; /* which changes of sign of g count, along the run: > 0 from - to +, < 0 from + to -, 0 both */
+    int direction; /* changes of the sign of g that count as the run goes on: > 0 from - to +, < 0 from + to -, 0 both */
     int action;    /* ODE_RECORD, ODE_STOP or ODE_RESTART */
-    int checks;    /* number of points inside each step at which g is evaluated, at most 9999; 0 means 3, < 0 none */
+    int checks;    /* number of points inside each step at which g is evaluated, at most 9999; 0: 3 points; < 0: none */
     /* NULL, or the function that an event with ODE_RESTART calls. It may change y, and in ctx the data on which f
        depends. */
     void (*change)(vm_real t, vm_real *y, void *ctx);

@@ -17355,11 +17355,11 @@ struct VM_TAG(vm_scene) {
     vm_event *events;   /* array of n_events events */
     ode_event *located; /* array of n_events elements, with which the integrator locates the events */
     int n_events;
-    vm_budget *budget; /* set by vm_scene_keep_budget: the budget at the start; it adds VM_BUDGET_STATES numbers to y */
-    /* NULL, or a function of the caller. It is called when a run starts and after each step, or only at `times` if they
-       are given. The run stops if it returns a number other than 0. */
+    vm_budget *budget; /* NULL, or the budget that vm_scene_keep_budget has set; y then has VM_BUDGET_STATES more numbers */
+    /* NULL, or a function of the caller that writes or keeps results. If `times` is NULL, a run calls it at its start and
+       after each step; else only at these times. If it returns a number other than 0, the run stops. */
     int (*output)(vm_real t, const vm_real *y, vm_scene *scene, void *ctx);
-    const vm_real *times; /* s: NULL, or n_times increasing times at which output is called, instead of after steps */
+    const vm_real *times; /* s: NULL, or an array of n_times increasing times at which output is called */
     int n_times;
     void *output_ctx; /* pointer that output receives */
     int y_size;       /* number of elements of y, which vm_scene_start and vm_scene_run check; 0 means no check */
@@ -20366,7 +20366,8 @@ VM_API int vm_scene_start(vm_scene *scene, vm_real t, vm_real *y, vm_scene_fault
 
 #include <string.h>
 
-/* Indices of the sums of the budget among the VM_BUDGET_STATES numbers that it adds to the state */
+/* The budget adds VM_BUDGET_STATES numbers to the end of the state: sums over the time of the run. These are their
+   indices among the numbers of the budget; a vector takes three numbers. vm_budget in scene.h explains each sum. */
 enum {
     VMI_BUDGET_IMPULSE = 0,
     VMI_BUDGET_ANGULAR_IMPULSE = 3,
@@ -20384,7 +20385,9 @@ VM_INLINE void vmi_add3(vm_vec3 a, vm_real *sum)
     sum[2] += a.z;
 }
 
-/* Adds the load of a body to the rates of the budget's sums */
+/* Adds what the load of a body brings per second to the rates of the budget's sums: force, moment and power of the
+   effects, and momentum, angular momentum and energy of the streams. Reactive forces are left out of the first three,
+   because the momentum of the streams accounts for them. */
 VM_API void vmi_scene_enter_loads(const vm_scene_body *b, const vm_real *y, vm_real *rates)
 {
     const vm_load *load = &b->load;
@@ -20402,8 +20405,9 @@ VM_API void vmi_scene_enter_loads(const vm_scene_body *b, const vm_real *y, vm_r
     rates[VMI_BUDGET_MIXING] += load->mixing;
 }
 
-/* Adds the contribution of a body to the rates of the budget's sums. For a mass law M(v) the term dM/dv v' of the mass
-   rate is added only here, because v' is known only after all effects have added their forces. */
+/* Adds to the rates of the budget's sums what acts on a body and what streams bring to it. With a mass law M(v), where v
+   is the velocity, the mass also changes by dM/dv v' per second. The momentum and energy of this mass are added here and
+   not by the effect, because the acceleration v' is known only after all effects have added their forces. */
 VM_API void vmi_scene_enter(vm_scene_body *b, const vm_real *y, vm_real *rates)
 {
     vm_load *load = &b->load;

@@ -266,11 +266,11 @@ struct VM_TAG(vm_scene) {
     vm_event *events;   /* array of n_events events */
     ode_event *located; /* array of n_events elements, with which the integrator locates the events */
     int n_events;
-    vm_budget *budget; /* set by vm_scene_keep_budget: the budget at the start; it adds VM_BUDGET_STATES numbers to y */
-    /* NULL, or a function of the caller. It is called when a run starts and after each step, or only at `times` if they
-       are given. The run stops if it returns a number other than 0. */
+    vm_budget *budget; /* NULL, or the budget that vm_scene_keep_budget has set; y then has VM_BUDGET_STATES more numbers */
+    /* NULL, or a function of the caller that writes or keeps results. If `times` is NULL, a run calls it at its start and
+       after each step; else only at these times. If it returns a number other than 0, the run stops. */
     int (*output)(vm_real t, const vm_real *y, vm_scene *scene, void *ctx);
-    const vm_real *times; /* s: NULL, or n_times increasing times at which output is called, instead of after steps */
+    const vm_real *times; /* s: NULL, or an array of n_times increasing times at which output is called */
     int n_times;
     void *output_ctx; /* pointer that output receives */
     int y_size;       /* number of elements of y, which vm_scene_start and vm_scene_run check; 0 means no check */
