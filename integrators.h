@@ -708,7 +708,7 @@ enum {
 typedef struct VM_TAG(ode_event) {
     ode_event_function g; /* the function whose zeros are the event */
     void *ctx;            /* pointer that g and change receive */
-    int direction; /* changes of the sign of g that count as the run goes on: > 0 from - to +, < 0 from + to -, 0 both */
+    int direction; /* changes of the sign of g that count in the run: > 0 from - to +, < 0 from + to -, 0 both */
     int action;    /* ODE_RECORD, ODE_STOP or ODE_RESTART */
     int checks;    /* number of points inside each step at which g is evaluated, at most 9999; 0: 3 points; < 0: none */
     /* NULL, or the function that an event with ODE_RESTART calls. It may change y, and in ctx the data on which f

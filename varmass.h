@@ -17355,9 +17355,9 @@ struct VM_TAG(vm_scene) {
     vm_event *events;   /* array of n_events events */
     ode_event *located; /* array of n_events elements, with which the integrator locates the events */
     int n_events;
-    vm_budget *budget; /* NULL, or the budget that vm_scene_keep_budget has set; y then has VM_BUDGET_STATES more numbers */
-    /* NULL, or a function of the caller that writes or keeps results. If `times` is NULL, a run calls it at its start and
-       after each step; else only at these times. If it returns a number other than 0, the run stops. */
+    vm_budget *budget; /* NULL, or the budget of vm_scene_keep_budget; y then has VM_BUDGET_STATES more numbers */
+    /* NULL, or a function of the caller that writes or keeps results. If `times` is NULL, a run calls it at its start
+       and after each step; else only at these times. If it returns a number other than 0, the run stops. */
     int (*output)(vm_real t, const vm_real *y, vm_scene *scene, void *ctx);
     const vm_real *times; /* s: NULL, or an array of n_times increasing times at which output is called */
     int n_times;
@@ -20405,9 +20405,9 @@ VM_API void vmi_scene_enter_loads(const vm_scene_body *b, const vm_real *y, vm_r
     rates[VMI_BUDGET_MIXING] += load->mixing;
 }
 
-/* Adds to the rates of the budget's sums what acts on a body and what streams bring to it. With a mass law M(v), where v
-   is the velocity, the mass also changes by dM/dv v' per second. The momentum and energy of this mass are added here and
-   not by the effect, because the acceleration v' is known only after all effects have added their forces. */
+/* Adds to the rates of the budget's sums what acts on a body and what streams bring to it. With a mass law M(v), where
+   v is the velocity, the mass also changes by dM/dv v' per second. The momentum and energy of this mass are added here
+   and not by the effect, because the acceleration v' is known only after all effects have added their forces. */
 VM_API void vmi_scene_enter(vm_scene_body *b, const vm_real *y, vm_real *rates)
 {
     vm_load *load = &b->load;

@@ -208,7 +208,6 @@ static void test_list_of_actions(void)
 static void test_contact_of_an_event(void)
 {
     static const vm_contact beside = {{1, 0, 0}, 0, {0, 0, 0}, {0, 1, 0}, 1, 0};
-    const vm_vec3 zero = {0, 0, 0};
     static stage g;
     set_stage(&g, 2, 0, 1);
     g.bodies[0] = vm_scene_body_point(1, zero, zero);

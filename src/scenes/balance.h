@@ -70,9 +70,9 @@ VM_API void vmi_scene_enter_loads(const vm_scene_body *b, const vm_real *y, vm_r
     rates[VMI_BUDGET_MIXING] += load->mixing;
 }
 
-/* Adds to the rates of the budget's sums what acts on a body and what streams bring to it. With a mass law M(v), where v
-   is the velocity, the mass also changes by dM/dv v' per second. The momentum and energy of this mass are added here and
-   not by the effect, because the acceleration v' is known only after all effects have added their forces. */
+/* Adds to the rates of the budget's sums what acts on a body and what streams bring to it. With a mass law M(v), where
+   v is the velocity, the mass also changes by dM/dv v' per second. The momentum and energy of this mass are added here
+   and not by the effect, because the acceleration v' is known only after all effects have added their forces. */
 VM_API void vmi_scene_enter(vm_scene_body *b, const vm_real *y, vm_real *rates)
 {
     vm_load *load = &b->load;

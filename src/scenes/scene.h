@@ -266,9 +266,9 @@ struct VM_TAG(vm_scene) {
     vm_event *events;   /* array of n_events events */
     ode_event *located; /* array of n_events elements, with which the integrator locates the events */
     int n_events;
-    vm_budget *budget; /* NULL, or the budget that vm_scene_keep_budget has set; y then has VM_BUDGET_STATES more numbers */
-    /* NULL, or a function of the caller that writes or keeps results. If `times` is NULL, a run calls it at its start and
-       after each step; else only at these times. If it returns a number other than 0, the run stops. */
+    vm_budget *budget; /* NULL, or the budget of vm_scene_keep_budget; y then has VM_BUDGET_STATES more numbers */
+    /* NULL, or a function of the caller that writes or keeps results. If `times` is NULL, a run calls it at its start
+       and after each step; else only at these times. If it returns a number other than 0, the run stops. */
     int (*output)(vm_real t, const vm_real *y, vm_scene *scene, void *ctx);
     const vm_real *times; /* s: NULL, or an array of n_times increasing times at which output is called */
     int n_times;
