@@ -12440,6 +12440,7 @@ typedef int (*vm_odd_function)(vm_real x, vm_real *f, void *ctx);
 
 typedef struct VM_TAG(vmi_orbit) vmi_orbit;
 typedef struct VM_TAG(vmi_orbit_point) vmi_orbit_point;
+typedef struct VM_TAG(vmi_orbit_ripple) vmi_orbit_ripple; /* oscillators/orbit_ripple.h */
 
 /* An odd elastic force F(x). The constructors vm_odd_force_user and vm_duffing_force fill it. It points to functions
    of this header and to the user's function and ctx, which must outlive it. */
@@ -12458,6 +12459,8 @@ struct VM_TAG(vm_odd_force) {
     void (*point)(const vmi_orbit *orbit, vm_real theta, vmi_orbit_point *point);
     int (*phase)(const vmi_orbit *orbit, vm_real x, vm_real v, vm_real *phi);
     int (*at_phase)(const vmi_orbit *orbit, vm_real phi, vm_real *x, vm_real *v);
+    /* Writes the ripple of a complete orbit; null where quadrature has to find it. */
+    void (*ripple)(const vmi_orbit *orbit, vmi_orbit_ripple *ripple);
 };
 
 /* Where an orbit lies: around x = 0, or around another place of rest, to the right or to the left of x = 0 */
@@ -12477,6 +12480,7 @@ struct VM_TAG(vmi_orbit) {
     vm_real energy_slope;      /* derivative of the energy with respect to `size` */
     vm_real swing, vmax;       /* half the distance of the turning points, m, and largest velocity, m/s */
     vm_real lambda, m1;        /* rate of the argument of Jacobi's functions, and 1 - k^2 with their modulus k */
+    vm_real C2, C4;            /* for Duffing's force: means of cn^2 and cn^4 over a period, for this modulus */
     int pieces;                /* for a user's force: number of equal pieces of 0 ... `size`; a series gives F
                                   on each piece */
     vm_real series[VMI_ORBIT_PARTS][VMI_GAUSS]; /* for a user's force: Legendre series of F on each piece */
@@ -12890,6 +12894,7 @@ VM_API vm_odd_force vm_odd_force_user(vm_odd_function function, void *ctx)
     force.point = vmi_odd_user_point;
     force.phase = vmi_odd_user_phase;
     force.at_phase = vmi_odd_user_at_phase;
+    force.ripple = NULL;
     return force;
 }
 
@@ -12953,6 +12958,381 @@ VM_API int vm_odd_exact_from(const vm_odd_force *force, vm_real t, vm_real x0, v
     *x = now[0];
     *v = now[1];
     return VM_OK;
+}
+
+#endif
+/* oscillators/orbit_ripple.h - how a slow change disturbs the motion on an orbit within a period
+
+   In the time s with ds = sqrt(k/m) dt, slow mass, stiffness, damping b and reactive force (of the share r) all act as
+   one damping h:
+       x'' + F(x) = -2 h x',   2 h = d ln(mu sqrt(k/m))/ds,   mu' = (r m' + b) mu/m
+   so that J = j mu sqrt(k/m) stays constant on average, where j is the action of the orbit. J and the phase phi are
+   canonical. Their Hamiltonian is (H + 2 h a) mu sqrt(k/m), where H is the Hamiltonian of constant mass and a the
+   function
+       a(phi) = (integral of v dx from phase 0) - j phi
+   of period pi (2 pi in a well) and mean 0. Let B be the integral of a over the phase, with mean 0. To second order
+   in h the mean action and the mean phase are
+       j_mean = j + 2h a/w - (B/w)(2h' + 4h^2)/w + 4h^2 j (B/w)_j/w - 2h^2 (a^2 - M) w_j/w^3 + 2h^2 (M/w^2)_j
+       phi_mean = phi - 2h (B/w)_j,   phi_mean' = w(j_mean) - 2h^2 (M/w)_jj
+   where w is the rate of the phase, M the mean of a^2, _j the derivative with respect to j at fixed phase, and h' =
+   dh/ds.
+       vmi_orbit_ripple ripple;
+       vmi_orbit_ripple_values now;
+       vmi_orbit_ripple_init(&ripple, &orbit); // orbit is a complete vmi_orbit
+       vmi_orbit_ripple_at(&ripple, &orbit, 1, &now); // at the phase 1
+   Source: the averaging of canonical equations by Lie series, to second order; docs/duffing.md.
+   Tests: tests/test_odd_force.c. */
+#ifndef VARMASS_OSCILLATORS_ORBIT_RIPPLE_H
+#define VARMASS_OSCILLATORS_ORBIT_RIPPLE_H
+
+/* The largest number of terms of a Fourier series of the ripple */
+enum { VMI_RIPPLE_HARMONICS = 96 };
+
+/* The functions of the ripple on one orbit. "By size" stands for the derivative with respect to orbit.size at fixed
+   phase. a is a Fourier series in sin(n zeta) where it has a closed form, with zeta = 2 phi for an orbit around 0 and
+   zeta = phi in a well; otherwise it is an integral over theta. */
+struct VM_TAG(vmi_orbit_ripple) {
+    vm_real M, M_size;     /* mean of a^2, and its derivative by size */
+    vm_real X, X_size;     /* mean of x^2, and its derivative by size; set for Duffing's force only, else 0 */
+    vm_real w_size, j_size; /* derivatives of w and j by size */
+    vm_real largest_a;     /* largest |a|/j; for a Fourier series a bound of it */
+    vm_real largest_B;     /* largest w |(B/w)_j|; for a Fourier series a bound of it */
+    int harmonics;         /* number of terms of the Fourier series; 0 where the fields below it are in use */
+    vm_real a[VMI_RIPPLE_HARMONICS + 1], a_size[VMI_RIPPLE_HARMONICS + 1]; /* factor of sin(n zeta) in a, and its
+                                                                              derivative by size, n >= 1 */
+    vm_real b[VMI_RIPPLE_HARMONICS + 1];                                   /* factor of cos(n zeta) in (B/w)_j */
+    vmi_orbit_sum time, time_size; /* time from theta = 0, and its derivative by size at fixed theta */
+    vmi_orbit_sum squares;         /* integral of v^2 over time */
+    vmi_orbit_sum B, B_size;       /* integrals of a over the phase, and of its derivative by size */
+    vm_real B_mean, B_size_mean;   /* the means of these integrals */
+};
+
+/* The ripple at one phase */
+typedef struct VM_TAG(vmi_orbit_ripple_values) {
+    vm_real a, B; /* the functions a and B of the top of this file */
+    vm_real B_j;  /* (B/w)_j */
+} vmi_orbit_ripple_values;
+
+/* Values at the nodes of theta, from which the sums are made */
+typedef struct VM_TAG(vmi_orbit_nodes) {
+    int n;
+    vmi_orbit_point point[VMI_ORBIT_NODES];
+    vm_real a[VMI_ORBIT_NODES], a_size[VMI_ORBIT_NODES]; /* a, and its derivative by size at fixed phase */
+    vm_real phase_rate[VMI_ORBIT_NODES];                 /* dphi/dtheta */
+} vmi_orbit_nodes;
+
+/* Computes a and its derivative by size at the nodes. At fixed phase the change of a is v times the change of x. */
+VM_API void vmi_orbit_ripple_nodes(const vmi_orbit *orbit, vmi_orbit_ripple *r, vmi_orbit_nodes *nodes)
+{
+    vm_real squares[VMI_ORBIT_NODES];
+    const int parts = r->time.parts;
+    int i;
+    nodes->n = parts * VMI_GAUSS;
+    for (i = 0; i < nodes->n; i++) {
+        vmi_orbit_point *p = nodes->point + i;
+        orbit->force->point(orbit, vmi_orbit_node(parts, i), p);
+        squares[i] = p->v * p->v * p->slowness;
+    }
+    vmi_orbit_sums(parts, squares, squares, &r->squares, &r->B);
+    for (i = 0; i < nodes->n; i++) {
+        const vmi_orbit_point *p = nodes->point + i;
+        const vm_real theta = vmi_orbit_node(parts, i), time = vmi_orbit_sum_to(&r->time, theta);
+        const vm_real phi_size = r->w_size * time + orbit->w * vmi_orbit_sum_to(&r->time_size, theta);
+        nodes->a[i] = vmi_orbit_sum_to(&r->squares, theta) - orbit->j * (orbit->w * time);
+        nodes->a_size[i] = p->v * (p->x_size - p->v * phi_size / orbit->w);
+        nodes->phase_rate[i] = orbit->w * p->slowness;
+    }
+}
+
+/* The mean over the phase of a function with these values at the nodes */
+VM_API vm_real vmi_orbit_mean(const vmi_orbit *orbit, const vmi_orbit_nodes *nodes, const vm_real *values)
+{
+    vm_real sum = 0;
+    int i;
+    for (i = 0; i < nodes->n; i++) sum += vmi_gauss_weight(i % VMI_GAUSS) * values[i] * nodes->phase_rate[i];
+    return sum * (VM_PI / 4 / ((vm_real)(nodes->n / VMI_GAUSS) * orbit->span));
+}
+
+/* The derivative of B/w with respect to j, from B and its derivative by size */
+VM_API vm_real vmi_orbit_B_j(const vmi_orbit *orbit, const vmi_orbit_ripple *r, vm_real B, vm_real B_size)
+{
+    return (B_size - B * (r->w_size / orbit->w)) / (orbit->w * r->j_size);
+}
+
+/* Computes B, the means and the largest values from the nodes. */
+VM_API void vmi_orbit_ripple_means(const vmi_orbit *orbit, const vmi_orbit_nodes *nodes, vmi_orbit_ripple *r)
+{
+    const int parts = r->time.parts;
+    vm_real first[VMI_ORBIT_NODES], second[VMI_ORBIT_NODES];
+    int i;
+    for (i = 0; i < nodes->n; i++) {
+        first[i] = nodes->a[i] * nodes->phase_rate[i];
+        second[i] = nodes->a_size[i] * nodes->phase_rate[i];
+    }
+    vmi_orbit_sums(parts, first, second, &r->B, &r->B_size);
+    for (i = 0; i < nodes->n; i++) {
+        first[i] = nodes->a[i] * nodes->a[i];
+        second[i] = 2 * nodes->a[i] * nodes->a_size[i];
+    }
+    r->M = vmi_orbit_mean(orbit, nodes, first);
+    r->M_size = vmi_orbit_mean(orbit, nodes, second);
+    for (i = 0; i < nodes->n; i++) {
+        const vm_real theta = vmi_orbit_node(parts, i);
+        first[i] = vmi_orbit_sum_to(&r->B, theta);
+        second[i] = vmi_orbit_sum_to(&r->B_size, theta);
+    }
+    r->B_mean = vmi_orbit_mean(orbit, nodes, first);
+    r->B_size_mean = vmi_orbit_mean(orbit, nodes, second);
+    r->largest_a = 0;
+    r->largest_B = 0;
+    for (i = 0; i < nodes->n; i++) {
+        const vm_real B_j = vmi_orbit_B_j(orbit, r, first[i] - r->B_mean, second[i] - r->B_size_mean);
+        r->largest_a = vmi_larger(VM_FABS(nodes->a[i]) / orbit->j, r->largest_a);
+        r->largest_B = vmi_larger(VM_FABS(B_j) * orbit->w, r->largest_B);
+    }
+}
+
+/* Completes the ripple whose Fourier coefficients a, a_size and their number, and w_size and j_size, are set. */
+VM_API void vmi_orbit_ripple_of_harmonics(const vmi_orbit *orbit, vmi_orbit_ripple *r)
+{
+    const vm_real turn = VM_PI / orbit->span; /* zeta/phi */
+    int n;
+    r->M = 0;
+    r->M_size = 0;
+    r->largest_a = 0;
+    r->largest_B = 0;
+    for (n = 1; n <= r->harmonics; n++) {
+        const vm_real integral = -1 / ((vm_real)n * turn);
+        r->b[n] = vmi_orbit_B_j(orbit, r, integral * r->a[n], integral * r->a_size[n]);
+        r->M += r->a[n] * r->a[n] / 2;
+        r->M_size += r->a[n] * r->a_size[n];
+        r->largest_a += VM_FABS(r->a[n]) / orbit->j;
+        r->largest_B += VM_FABS(r->b[n]) * orbit->w;
+    }
+}
+
+/* Computes the ripple of a complete orbit. Its terms are small, so that 8 digits are enough for them. */
+VM_API void vmi_orbit_ripple_init(vmi_orbit_ripple *r, const vmi_orbit *orbit)
+{
+    const vm_real enough = VM_MANT_DIG > 24 ? VM_C(1e-8) : VM_C(1e-5);
+    vmi_orbit_nodes nodes;
+    if (orbit->force->ripple) {
+        orbit->force->ripple(orbit, r);
+        return;
+    }
+    r->harmonics = 0;
+    r->X = 0;
+    r->X_size = 0;
+    vmi_orbit_times(orbit, enough, &r->time, &r->time_size);
+    r->w_size = -orbit->w * (vmi_orbit_whole(&r->time_size) / vmi_orbit_whole(&r->time));
+    r->j_size = orbit->energy_slope / orbit->w;
+    vmi_orbit_ripple_nodes(orbit, r, &nodes);
+    vmi_orbit_ripple_means(orbit, &nodes, r);
+}
+
+/* The ripple at a phase by the Fourier series, which Clenshaw's recurrence adds up from the last term to the first */
+VM_API void vmi_orbit_ripple_by_harmonics(const vmi_orbit_ripple *r, const vmi_orbit *orbit, vm_real phi,
+                                          vmi_orbit_ripple_values *now)
+{
+    const vm_real turn = VM_PI / orbit->span;
+    vm_real sine, cosine, a = 0, a_next = 0, B = 0, B_next = 0, b = 0, b_next = 0;
+    int n;
+    vmi_sincos(turn * phi, &sine, &cosine);
+    for (n = r->harmonics; n >= 1; n--) {
+        const vm_real a_now = r->a[n] + 2 * cosine * a - a_next, b_now = r->b[n] + 2 * cosine * b - b_next;
+        const vm_real B_now = -r->a[n] / ((vm_real)n * turn) + 2 * cosine * B - B_next;
+        a_next = a;
+        a = a_now;
+        b_next = b;
+        b = b_now;
+        B_next = B;
+        B = B_now;
+    }
+    now->a = sine * a;
+    now->B = cosine * B - B_next;
+    now->B_j = cosine * b - b_next;
+}
+
+/* The ripple at a phase of any size */
+VM_API void vmi_orbit_ripple_at(const vmi_orbit_ripple *r, const vmi_orbit *orbit, vm_real phi,
+                                vmi_orbit_ripple_values *now)
+{
+    vmi_orbit_folded f;
+    vm_real time, theta, B_size;
+    if (r->harmonics > 0) {
+        vmi_orbit_ripple_by_harmonics(r, orbit, phi, now);
+        return;
+    }
+    f = vmi_orbit_fold(orbit, phi);
+    time = f.phi / orbit->w;
+    theta = vmi_orbit_theta(&r->time, time);
+    B_size = vmi_orbit_sum_to(&r->B_size, theta) - r->B_size_mean;
+    now->a = f.sign * (vmi_orbit_sum_to(&r->squares, theta) - orbit->j * f.phi);
+    now->B = vmi_orbit_sum_to(&r->B, theta) - r->B_mean;
+    now->B_j = vmi_orbit_B_j(orbit, r, now->B, B_size);
+}
+
+/* The relative change of w divided by the relative change of j that causes it */
+VM_API vm_real vmi_orbit_gamma(const vmi_orbit_ripple *r, const vmi_orbit *orbit)
+{
+    return orbit->j * r->w_size / (r->j_size * orbit->w);
+}
+
+/* (M/w)_j, on which the mean rate of the phase depends */
+VM_API vm_real vmi_orbit_M_j(const vmi_orbit_ripple *r, const vmi_orbit *orbit)
+{
+    return (r->M_size - r->M * (r->w_size / orbit->w)) / (orbit->w * r->j_size);
+}
+
+/* The mean action that belongs to the action j of an orbit at a phase. h is the damping that the top of this file
+   defines, and h_rate = dh/ds. */
+VM_API vm_real vmi_orbit_mean_action(const vmi_orbit_ripple *r, const vmi_orbit *orbit,
+                                     const vmi_orbit_ripple_values *now, vm_real h, vm_real h_rate)
+{
+    const vm_real w = orbit->w, w_j = r->w_size / r->j_size, first = 2 * h * now->a / w;
+    const vm_real M2_j = (vmi_orbit_M_j(r, orbit) - r->M * w_j / (w * w)) / w; /* (M/w^2)_j */
+    vm_real second = -(2 * h_rate + 4 * h * h) * now->B / (w * w) + 4 * h * h * orbit->j * now->B_j / w;
+    second += 2 * h * h * (M2_j - (now->a * now->a - r->M) * w_j / (w * w * w));
+    return orbit->j + first + second;
+}
+
+#endif
+/* oscillators/duffing_ripple.h - how slow changes disturb Duffing's oscillator within a period, in closed form
+
+   oscillators/orbit_ripple.h defines a(phi), the function of the phase phi on an orbit from which all of the ripple
+   follows. For Duffing's force c1 x + c3 x^3 it is a Fourier series whose terms have a closed form, so that no
+   quadrature is needed. Let zeta be 2 phi for an orbit around 0 and phi for an orbit in a well, Omega the rate of
+   zeta, and q the nome of the parameter m of Jacobi's functions. Then
+       a = sum over n >= 1 of a_n sin(n zeta),   a_n = -(2 Omega/(3 c3)) (2 c1 + n^2 Omega^2) q^n/(1 - q^(2n)).
+   Method: v^2 is a polynomial in sn^2(u) with the argument u of Jacobi's functions. The integral of sn^4 follows from
+   the derivative of sn cn dn, and the integral of sn^2 has Jacobi's zeta function Z(u) as its periodic part. sn cn dn
+   is -Z''/(2m). So a is a combination of Z and Z'', whose Fourier series is that of Z (DLMF 22.11, 22.16(iii)).
+       vmi_orbit_ripple ripple;
+       vmi_duffing_ripple(&orbit, &ripple); // orbit is a complete orbit of vm_duffing_force
+   Tests: tests/test_odd_force.c. */
+#ifndef VARMASS_OSCILLATORS_DUFFING_RIPPLE_H
+#define VARMASS_OSCILLATORS_DUFFING_RIPPLE_H
+
+/* Writes the nome q of the parameter m = 1 - m1, and q/m, which has a limit for m -> 0. K is K(m). Both have an error
+   of some 1e-13 (float: some rounding errors), which is enough for the ripple. Close to m = 0 the code uses a series
+   in e = (1 - k'^(1/2))/(2 (1 + k'^(1/2))) with k' = sqrt(m1). For m < 0 the nome of m is minus that of m/(m - 1). */
+VM_API vm_real vmi_duffing_nome(vm_real m, vm_real m1, vm_real K, vm_real *by_m)
+{
+    const vm_real series_holds = VM_C(0.1), kp = VM_SQRT(m1), root = VM_SQRT(kp);
+    const vm_real e_by_m = 1 / (2 * (1 + kp) * ((1 + root) * (1 + root))), e = m * e_by_m, e4 = (e * e) * (e * e);
+    vm_real q;
+    if (VM_FABS(e) <= series_holds) {
+        *by_m = e_by_m * (1 + e4 * (2 + e4 * (15 + e4 * 150)));
+        return m * *by_m;
+    }
+    if (m > 0) q = vmi_exp(-VM_PI * jacobi_K_m1(m) / K, 0);
+    else q = -vmi_exp(-VM_PI * jacobi_K_m1(-m / m1) / (kp * K), 0);
+    *by_m = q / m;
+    return q;
+}
+
+/* The number 2 c1/Omega^2 + 1 for an orbit in a well. It is -24 (sum of d q^(2d)/(1 - q^(2d)) over odd d): for small
+   orbits c1 and Omega^2 nearly cancel, and the sum keeps the digits. */
+VM_API vm_real vmi_duffing_well_term(vm_real q)
+{
+    const vm_real q2 = q * q;
+    vm_real power = q2, sum = 0;
+    int d;
+    for (d = 1; (vm_real)d * power > VM_EPSILON * sum; d += 2) {
+        sum += (vm_real)d * power / (1 - power);
+        power *= q2 * q2;
+    }
+    return -24 * sum;
+}
+
+/* What the terms of the series depend on. "By size" stands for the derivative with respect to orbit->size. */
+typedef struct VM_TAG(vmi_duffing_terms) {
+    vm_real Omega, Omega_size; /* the rate of zeta, see the top of this file, and its derivative by size */
+    vm_real q, q_by_k3;        /* the nome q, and q/c3 */
+    vm_real ln_q_size;         /* derivative of ln |q| by size */
+} vmi_duffing_terms;
+
+/* Computes them for an orbit around 0, where m = c3 A^2/(2 lambda^2) with the amplitude A. */
+VM_API vmi_duffing_terms vmi_duffing_outer_terms(const vmi_orbit *orbit)
+{
+    const vm_real k1 = orbit->force->k1, k3 = orbit->force->k3, A = orbit->size, m1 = orbit->m1;
+    const vm_real lambda2 = orbit->lambda * orbit->lambda, m_by_k3 = A * A / (2 * lambda2), m = k3 * m_by_k3;
+    vmi_duffing_terms r;
+    vm_real by_m;
+    r.Omega = 2 * orbit->w;
+    r.Omega_size = r.Omega * (m / A) * (2 - orbit->C2 * (k1 / lambda2) / m1);
+    r.q = vmi_duffing_nome(m, m1, VM_PI / 2 * orbit->lambda / orbit->w, &by_m);
+    r.q_by_k3 = by_m * m_by_k3;
+    r.ln_q_size = 2 / A * (orbit->w * orbit->w / lambda2) * (k1 / lambda2) / m1;
+    return r;
+}
+
+/* Computes them for an orbit in a well, where m = 2 s/(rest^2 + s), s is the orbit's size and rest^2 = -c1/c3. */
+VM_API vmi_duffing_terms vmi_duffing_inner_terms(const vmi_orbit *orbit)
+{
+    const vm_real k3 = orbit->force->k3, rest2 = -orbit->force->k1 / k3, size = orbit->size, m1 = orbit->m1;
+    const vm_real A2 = rest2 + size, lambda2 = orbit->lambda * orbit->lambda;
+    vmi_duffing_terms r;
+    vm_real by_m;
+    r.Omega = orbit->w;
+    r.Omega_size = r.Omega / A2 * (VM_C(0.5) - orbit->C2 * rest2 / (m1 * A2));
+    r.q = vmi_duffing_nome(2 * size / A2, m1, VM_PI * orbit->lambda / orbit->w, &by_m);
+    r.q_by_k3 = r.q / k3;
+    r.ln_q_size = orbit->w * orbit->w / (4 * lambda2 * m1) * (rest2 / (size * A2));
+    return r;
+}
+
+/* Writes the mean of x^2 over a period and its derivative by size, from C2 and C4, the means of cn^2 and cn^4. The
+   derivative of C2 with respect to m is 1/2 - 2 C2 + 3 C4/2 - C2^2/(2 m1). */
+VM_API void vmi_duffing_mean_square(const vmi_orbit *orbit, vm_real *X, vm_real *X_size)
+{
+    const vm_real k1 = orbit->force->k1, k3 = orbit->force->k3, size = orbit->size, m1 = orbit->m1, C2 = orbit->C2;
+    if (orbit->place == VMI_ORBIT_AROUND_0) {
+        const vm_real lambda2 = orbit->lambda * orbit->lambda, m = k3 * size * size / (2 * lambda2);
+        const vm_real C2_m = VM_C(0.5) - 2 * C2 + VM_C(1.5) * orbit->C4 - C2 * C2 / (2 * m1);
+        *X = size * size * C2;
+        *X_size = 2 * size * (C2 + C2_m * m * (k1 / lambda2));
+    } else {
+        const vm_real rest2 = -k1 / k3, A2 = rest2 + size, m = 2 * size / A2, dn2 = m1 + m * C2; /* mean of dn^2 */
+        *X = A2 * dn2;
+        *X_size = dn2 - (m * C2 * C2 + m1) / m1 * (rest2 / A2);
+    }
+}
+
+/* What the terms of the series depend on, for an orbit of either kind */
+VM_API vmi_duffing_terms vmi_duffing_terms_of(const vmi_orbit *orbit)
+{
+    if (orbit->place == VMI_ORBIT_AROUND_0) return vmi_duffing_outer_terms(orbit);
+    return vmi_duffing_inner_terms(orbit);
+}
+
+/* Writes the ripple of a complete orbit of Duffing's force. The sum ends where the terms are too small to matter; 96
+   terms are enough up to a distance of a rounding error from a separatrix. */
+VM_API void vmi_duffing_ripple(const vmi_orbit *orbit, vmi_orbit_ripple *r)
+{
+    const vm_real enough = VM_MANT_DIG > 24 ? VM_C(1e-11) : VM_C(1e-6);
+    const vmi_duffing_terms t = vmi_duffing_terms_of(orbit);
+    const vm_real square = t.Omega * t.Omega;
+    vm_real power = t.q_by_k3, q_n = t.q, largest = 0;
+    int n;
+    r->w_size = orbit->w * (t.Omega_size / t.Omega);
+    r->j_size = orbit->energy_slope / orbit->w;
+    for (n = 1; n <= VMI_RIPPLE_HARMONICS; n++) {
+        const vm_real N = (vm_real)n, Q = power / (1 - q_n * q_n);
+        const vm_real ln_Q_size = N * t.ln_q_size * (1 + q_n * q_n) / (1 - q_n * q_n);
+        const vm_real factor = -2 * t.Omega / 3 * Q, factor_size = factor * (t.Omega_size / t.Omega + ln_Q_size);
+        vm_real term = 2 * orbit->force->k1 + N * N * square;
+        if (orbit->place != VMI_ORBIT_AROUND_0 && n == 1) term = square * vmi_duffing_well_term(t.q);
+        r->a[n] = factor * term;
+        r->a_size[n] = factor_size * term + factor * (2 * N * N * t.Omega * t.Omega_size);
+        r->harmonics = n;
+        largest = vmi_larger(VM_FABS(r->a[n]), largest);
+        if (n > 2 && VM_FABS(r->a[n]) + VM_FABS(r->a_size[n] * orbit->size) <= enough * largest) break;
+        power *= t.q;
+        q_n *= t.q;
+    }
+    vmi_duffing_mean_square(orbit, &r->X, &r->X_size);
+    vmi_orbit_ripple_of_harmonics(orbit, r);
 }
 
 #endif
@@ -13033,6 +13413,8 @@ VM_API int vmi_duffing_complete_outer(vmi_orbit *orbit)
     orbit->span = VM_PI / 2;
     orbit->lambda = VM_SQRT(lambda2);
     orbit->m1 = m1;
+    orbit->C2 = C2;
+    orbit->C4 = C4;
     orbit->w = VM_PI / 2 * orbit->lambda / jacobi_K_m1(m1);
     orbit->j = square * lambda2 * (m1 * (1 - C2) + m * (C2 - C4)) / orbit->w;
     orbit->energy_slope = orbit->size * lambda2;
@@ -13055,6 +13437,8 @@ VM_API int vmi_duffing_complete_inner(vmi_orbit *orbit)
     orbit->span = VM_PI;
     orbit->lambda = A * VM_SQRT(k3 / 2);
     orbit->m1 = m1;
+    orbit->C2 = C2;
+    orbit->C4 = C4;
     orbit->w = VM_PI * orbit->lambda / jacobi_K_m1(m1);
     orbit->j = 2 * size * size * k3 * (C2 - C4) / orbit->w; /* the mean of v^2 = 2 k3 size^2 sn^2 cn^2, divided by w */
     orbit->energy_slope = k3 * size / 2;
@@ -13156,9 +13540,8 @@ VM_API int vmi_duffing_at_phase(const vmi_orbit *orbit, vm_real phi, vm_real *x,
     return VM_OK;
 }
 
-/* Duffing's force k1 x + k3 x^3. k1, N/m, and k3, N/m^3, may have either sign, but not both may be negative or 0: then
-   nothing vibrates, and all functions refuse the force with VM_NO_LAW. */
-VM_API vm_odd_force vm_duffing_force(vm_real k1, vm_real k3)
+/* Duffing's force as the functions for constant mass need it: without its ripple, so that they do not link it */
+VM_API vm_odd_force vmi_duffing_elastic(vm_real k1, vm_real k3)
 {
     vm_odd_force force = vm_odd_force_user(NULL, NULL);
     force.k1 = k1;
@@ -13169,6 +13552,15 @@ VM_API vm_odd_force vm_duffing_force(vm_real k1, vm_real k3)
     force.point = vmi_duffing_point;
     force.phase = vmi_duffing_phase;
     force.at_phase = vmi_duffing_at_phase;
+    return force;
+}
+
+/* Duffing's force k1 x + k3 x^3. k1, N/m, and k3, N/m^3, may have either sign, but not both may be negative or 0: then
+   nothing vibrates, and all functions refuse the force with VM_NO_LAW. */
+VM_API vm_odd_force vm_duffing_force(vm_real k1, vm_real k3)
+{
+    vm_odd_force force = vmi_duffing_elastic(k1, k3);
+    force.ripple = vmi_duffing_ripple;
     return force;
 }
 
@@ -13197,7 +13589,7 @@ VM_API int vmi_duffing_is_separatrix(const vmi_orbit *orbit)
    x0 = 0, and for infinite arguments. */
 VM_API vm_real vm_duffing_period(vm_real x0, vm_real c1, vm_real c3)
 {
-    const vm_odd_force force = vm_duffing_force(c1, c3);
+    const vm_odd_force force = vmi_duffing_elastic(c1, c3);
     vmi_orbit orbit;
     if (!VM_IS_FINITE(x0) || !VM_IS_FINITE(c1) || !VM_IS_FINITE(c3)) return VM_NAN;
     if (vmi_duffing_through(&force, x0, 0, &orbit) || orbit.size == 0) return VM_NAN;
@@ -13211,7 +13603,7 @@ VM_API vm_real vm_duffing_period(vm_real x0, vm_real c1, vm_real c3)
    those of vm_duffing_period, but it is 0 for x0 = 0, and NaN on the separatrix. */
 VM_API vm_real vm_duffing_action(vm_real x0, vm_real c1, vm_real c3)
 {
-    const vm_odd_force force = vm_duffing_force(c1, c3);
+    const vm_odd_force force = vmi_duffing_elastic(c1, c3);
     if (!VM_IS_FINITE(c1) || !VM_IS_FINITE(c3)) return VM_NAN;
     return vm_odd_action(&force, x0);
 }
@@ -13237,7 +13629,7 @@ VM_API void vmi_duffing_on_separatrix(vm_real t, vm_real x0, vm_real v0, vm_real
 VM_API void vm_duffing_exact_from(vm_real t, vm_real x0, vm_real v0, vm_real c1, vm_real c3, vm_real *x, vm_real *v)
 {
     if (!x || !v) return;
-    const vm_odd_force force = vm_duffing_force(c1, c3);
+    const vm_odd_force force = vmi_duffing_elastic(c1, c3);
     vmi_orbit orbit;
     *x = VM_NAN;
     *v = VM_NAN;
@@ -13254,177 +13646,6 @@ VM_API void vm_duffing_exact_from(vm_real t, vm_real x0, vm_real v0, vm_real c1,
     if (VM_IS_FINITE(*x) && VM_IS_FINITE(*v)) return;
     *x = VM_NAN; /* a number has overflowed */
     *v = VM_NAN;
-}
-
-#endif
-/* oscillators/orbit_ripple.h - how a slow change disturbs the motion on an orbit within a period
-
-   In the time s with ds = sqrt(k/m) dt, slow mass, stiffness, damping b and reactive force (of the share r) all act as
-   one damping h:
-       x'' + F(x) = -2 h x',   2 h = d ln(mu sqrt(k/m))/ds,   mu' = (r m' + b) mu/m
-   so that J = j mu sqrt(k/m) stays constant on average, where j is the action of the orbit. J and the phase phi are
-   canonical. Their Hamiltonian is (H + 2 h a) mu sqrt(k/m), where H is the Hamiltonian of constant mass and a the
-   function
-       a(phi) = (integral of v dx from phase 0) - j phi
-   of period pi (2 pi in a well) and mean 0. Let B be the integral of a over the phase, with mean 0. To second order
-   in h the mean action and the mean phase are
-       j_mean = j + 2h a/w - (B/w)(2h' + 4h^2)/w + 4h^2 j (B/w)_j/w - 2h^2 (a^2 - M) w_j/w^3 + 2h^2 (M/w^2)_j
-       phi_mean = phi - 2h (B/w)_j,   phi_mean' = w(j_mean) - 2h^2 (M/w)_jj
-   where w is the rate of the phase, M the mean of a^2, _j the derivative with respect to j at fixed phase, and h' =
-   dh/ds.
-       vmi_orbit_ripple ripple;
-       vmi_orbit_ripple_values now;
-       vmi_orbit_ripple_init(&ripple, &orbit); // orbit is a complete vmi_orbit
-       vmi_orbit_ripple_at(&ripple, &orbit, 1, &now); // at the phase 1
-   Source: the averaging of canonical equations by Lie series, to second order; docs/duffing.md.
-   Tests: tests/test_odd_force.c. */
-#ifndef VARMASS_OSCILLATORS_ORBIT_RIPPLE_H
-#define VARMASS_OSCILLATORS_ORBIT_RIPPLE_H
-
-/* The functions of the ripple on one orbit. "By size" stands for the derivative with respect to orbit.size at fixed
-   phase. */
-typedef struct VM_TAG(vmi_orbit_ripple) {
-    vmi_orbit_sum time, time_size; /* time from theta = 0, and its derivative by size at fixed theta */
-    vmi_orbit_sum squares;         /* integral of v^2 over time */
-    vmi_orbit_sum B, B_size;       /* integrals of a over the phase, and of its derivative by size */
-    vm_real B_mean, B_size_mean;   /* the means of these integrals */
-    vm_real M, M_size;             /* mean of a^2, and its derivative by size */
-    vm_real w_size, j_size;        /* derivatives of w and j by size */
-    vm_real largest_a;             /* largest |a|/j */
-    vm_real largest_B;             /* largest w |(B/w)_j| */
-} vmi_orbit_ripple;
-
-/* The ripple at one phase */
-typedef struct VM_TAG(vmi_orbit_ripple_values) {
-    vm_real a, B; /* the functions a and B of the top of this file */
-    vm_real B_j;  /* (B/w)_j */
-} vmi_orbit_ripple_values;
-
-/* Values at the nodes of theta, from which the sums are made */
-typedef struct VM_TAG(vmi_orbit_nodes) {
-    int n;
-    vmi_orbit_point point[VMI_ORBIT_NODES];
-    vm_real a[VMI_ORBIT_NODES], a_size[VMI_ORBIT_NODES]; /* a, and its derivative by size at fixed phase */
-    vm_real phase_rate[VMI_ORBIT_NODES];                 /* dphi/dtheta */
-} vmi_orbit_nodes;
-
-/* Computes a and its derivative by size at the nodes. At fixed phase the change of a is v times the change of x. */
-VM_API void vmi_orbit_ripple_nodes(const vmi_orbit *orbit, vmi_orbit_ripple *r, vmi_orbit_nodes *nodes)
-{
-    vm_real squares[VMI_ORBIT_NODES];
-    const int parts = r->time.parts;
-    int i;
-    nodes->n = parts * VMI_GAUSS;
-    for (i = 0; i < nodes->n; i++) {
-        vmi_orbit_point *p = nodes->point + i;
-        orbit->force->point(orbit, vmi_orbit_node(parts, i), p);
-        squares[i] = p->v * p->v * p->slowness;
-    }
-    vmi_orbit_sums(parts, squares, squares, &r->squares, &r->B);
-    for (i = 0; i < nodes->n; i++) {
-        const vmi_orbit_point *p = nodes->point + i;
-        const vm_real theta = vmi_orbit_node(parts, i), time = vmi_orbit_sum_to(&r->time, theta);
-        const vm_real phi_size = r->w_size * time + orbit->w * vmi_orbit_sum_to(&r->time_size, theta);
-        nodes->a[i] = vmi_orbit_sum_to(&r->squares, theta) - orbit->j * (orbit->w * time);
-        nodes->a_size[i] = p->v * (p->x_size - p->v * phi_size / orbit->w);
-        nodes->phase_rate[i] = orbit->w * p->slowness;
-    }
-}
-
-/* The mean over the phase of a function with these values at the nodes */
-VM_API vm_real vmi_orbit_mean(const vmi_orbit *orbit, const vmi_orbit_nodes *nodes, const vm_real *values)
-{
-    vm_real sum = 0;
-    int i;
-    for (i = 0; i < nodes->n; i++) sum += vmi_gauss_weight(i % VMI_GAUSS) * values[i] * nodes->phase_rate[i];
-    return sum * (VM_PI / 4 / ((vm_real)(nodes->n / VMI_GAUSS) * orbit->span));
-}
-
-/* The derivative of B/w with respect to j, from B and its derivative by size */
-VM_API vm_real vmi_orbit_B_j(const vmi_orbit *orbit, const vmi_orbit_ripple *r, vm_real B, vm_real B_size)
-{
-    return (B_size - B * (r->w_size / orbit->w)) / (orbit->w * r->j_size);
-}
-
-/* Computes B, the means and the largest values from the nodes. */
-VM_API void vmi_orbit_ripple_means(const vmi_orbit *orbit, const vmi_orbit_nodes *nodes, vmi_orbit_ripple *r)
-{
-    const int parts = r->time.parts;
-    vm_real first[VMI_ORBIT_NODES], second[VMI_ORBIT_NODES];
-    int i;
-    for (i = 0; i < nodes->n; i++) {
-        first[i] = nodes->a[i] * nodes->phase_rate[i];
-        second[i] = nodes->a_size[i] * nodes->phase_rate[i];
-    }
-    vmi_orbit_sums(parts, first, second, &r->B, &r->B_size);
-    for (i = 0; i < nodes->n; i++) {
-        first[i] = nodes->a[i] * nodes->a[i];
-        second[i] = 2 * nodes->a[i] * nodes->a_size[i];
-    }
-    r->M = vmi_orbit_mean(orbit, nodes, first);
-    r->M_size = vmi_orbit_mean(orbit, nodes, second);
-    for (i = 0; i < nodes->n; i++) {
-        const vm_real theta = vmi_orbit_node(parts, i);
-        first[i] = vmi_orbit_sum_to(&r->B, theta);
-        second[i] = vmi_orbit_sum_to(&r->B_size, theta);
-    }
-    r->B_mean = vmi_orbit_mean(orbit, nodes, first);
-    r->B_size_mean = vmi_orbit_mean(orbit, nodes, second);
-    r->largest_a = 0;
-    r->largest_B = 0;
-    for (i = 0; i < nodes->n; i++) {
-        const vm_real B_j = vmi_orbit_B_j(orbit, r, first[i] - r->B_mean, second[i] - r->B_size_mean);
-        r->largest_a = vmi_larger(VM_FABS(nodes->a[i]) / orbit->j, r->largest_a);
-        r->largest_B = vmi_larger(VM_FABS(B_j) * orbit->w, r->largest_B);
-    }
-}
-
-/* Computes the ripple of a complete orbit. Its terms are small, so that 8 digits are enough for them. */
-VM_API void vmi_orbit_ripple_init(vmi_orbit_ripple *r, const vmi_orbit *orbit)
-{
-    const vm_real enough = VM_MANT_DIG > 24 ? VM_C(1e-8) : VM_C(1e-5);
-    vmi_orbit_nodes nodes;
-    vmi_orbit_times(orbit, enough, &r->time, &r->time_size);
-    r->w_size = -orbit->w * (vmi_orbit_whole(&r->time_size) / vmi_orbit_whole(&r->time));
-    r->j_size = orbit->energy_slope / orbit->w;
-    vmi_orbit_ripple_nodes(orbit, r, &nodes);
-    vmi_orbit_ripple_means(orbit, &nodes, r);
-}
-
-/* The ripple at a phase of any size */
-VM_API void vmi_orbit_ripple_at(const vmi_orbit_ripple *r, const vmi_orbit *orbit, vm_real phi,
-                                vmi_orbit_ripple_values *now)
-{
-    const vmi_orbit_folded f = vmi_orbit_fold(orbit, phi);
-    const vm_real time = f.phi / orbit->w, theta = vmi_orbit_theta(&r->time, time);
-    const vm_real B_size = vmi_orbit_sum_to(&r->B_size, theta) - r->B_size_mean;
-    now->a = f.sign * (vmi_orbit_sum_to(&r->squares, theta) - orbit->j * f.phi);
-    now->B = vmi_orbit_sum_to(&r->B, theta) - r->B_mean;
-    now->B_j = vmi_orbit_B_j(orbit, r, now->B, B_size);
-}
-
-/* The relative change of w divided by the relative change of j that causes it */
-VM_API vm_real vmi_orbit_gamma(const vmi_orbit_ripple *r, const vmi_orbit *orbit)
-{
-    return orbit->j * r->w_size / (r->j_size * orbit->w);
-}
-
-/* (M/w)_j, on which the mean rate of the phase depends */
-VM_API vm_real vmi_orbit_M_j(const vmi_orbit_ripple *r, const vmi_orbit *orbit)
-{
-    return (r->M_size - r->M * (r->w_size / orbit->w)) / (orbit->w * r->j_size);
-}
-
-/* The mean action that belongs to the action j of an orbit at a phase. h is the damping that the top of this file
-   defines, and h_rate = dh/ds. */
-VM_API vm_real vmi_orbit_mean_action(const vmi_orbit_ripple *r, const vmi_orbit *orbit,
-                                     const vmi_orbit_ripple_values *now, vm_real h, vm_real h_rate)
-{
-    const vm_real w = orbit->w, w_j = r->w_size / r->j_size, first = 2 * h * now->a / w;
-    const vm_real M2_j = (vmi_orbit_M_j(r, orbit) - r->M * w_j / (w * w)) / w; /* (M/w^2)_j */
-    vm_real second = -(2 * h_rate + 4 * h * h) * now->B / (w * w) + 4 * h * h * orbit->j * now->B_j / w;
-    second += 2 * h * h * (M2_j - (now->a * now->a - r->M) * w_j / (w * w * w));
-    return orbit->j + first + second;
 }
 
 #endif
