@@ -327,6 +327,7 @@
 
      oscillators/duffing: Duffing's oscillator, with the elastic force k1 x + k3 x^3
        vm_duffing_force               Duffing's force k1 x + k3 x^3
+       vm_duffing_force_of_laws       Duffing's force k1(t) x + k3(t) x^3 whose coefficients follow laws of their own
        vm_duffing_energy              Energy per unit mass of Duffing's oscillator, v^2/2 + c1 x^2/2 + c3 x^4/4, m^2/s^2
        vm_duffing_period              Exact period, s, of Duffing's oscillator x'' + c1 x + c3 x^3 = 0 from rest at x0 (m, either sign)
        vm_duffing_action              Action, m^2/s, of Duffing's oscillator x'' + c1 x + c3 x^3 = 0 from rest at x0 (m, either sign)
@@ -12445,8 +12446,10 @@ typedef struct VM_TAG(vmi_orbit_ripple) vmi_orbit_ripple; /* oscillators/orbit_r
 /* An odd elastic force F(x). The constructors vm_odd_force_user and vm_duffing_force fill it. It points to functions
    of this header and to the user's function and ctx, which must outlive it. */
 typedef struct VM_TAG(vm_odd_force) vm_odd_force;
+struct VM_TAG(vm_law); /* oscillators/laws.h */
 struct VM_TAG(vm_odd_force) {
     vm_real k1, k3;           /* coefficients of x and x^3 of Duffing's force; 0 for a user's function */
+    const struct VM_TAG(vm_law) *laws; /* two laws of time for k1 and k3; null where they are constant */
     vm_odd_function function; /* the user's function; else null */
     void *ctx;                /* the user's pointer, last argument of function */
     /* Functions that depend on the kind of force; its constructor sets them. All but `point` return a status. */
@@ -12885,6 +12888,7 @@ VM_API vm_odd_force vm_odd_force_user(vm_odd_function function, void *ctx)
     vm_odd_force force;
     force.k1 = 0;
     force.k3 = 0;
+    force.laws = NULL;
     force.function = function;
     force.ctx = ctx;
     force.at = NULL;
@@ -13196,6 +13200,13 @@ VM_API vm_real vmi_orbit_mean_action(const vmi_orbit_ripple *r, const vmi_orbit 
     return orbit->j + first + second;
 }
 
+/* The mean action minus the action for a weak linear spring of stiffness 1 that acts beside the force; x is the position
+   on the orbit */
+VM_API vm_real vmi_orbit_spring_action(const vmi_orbit_ripple *r, const vmi_orbit *orbit, vm_real x)
+{
+    return (x * x - r->X) / (2 * orbit->w);
+}
+
 #endif
 /* oscillators/duffing_ripple.h - how slow changes disturb Duffing's oscillator within a period, in closed form
 
@@ -13347,7 +13358,8 @@ VM_API void vmi_duffing_ripple(const vmi_orbit *orbit, vmi_orbit_ripple *r)
        vm_real x, v;
        vm_real T = vm_duffing_period(2, 1, VM_C(0.5)); // x'' + x + x^3/2 = 0 from rest at x = 2 m
        vm_duffing_exact_from(T / 8, 2, 0, 1, VM_C(0.5), &x, &v);
-   For a slow mass, stiffness or damping give vm_duffing_force(k1, k3) to the functions of oscillators/odd_motion.h.
+   For a slow mass, stiffness or damping give vm_duffing_force(k1, k3) to the functions of oscillators/odd_motion.h; for
+   k1 and k3 that follow laws of their own, vm_duffing_force_of_laws.
    Guide: docs/duffing.md. Tests: tests/test_duffing.c. */
 #ifndef VARMASS_OSCILLATORS_DUFFING_H
 #define VARMASS_OSCILLATORS_DUFFING_H
@@ -13564,6 +13576,18 @@ VM_API vm_odd_force vm_duffing_force(vm_real k1, vm_real k3)
     return force;
 }
 
+/* Duffing's force k1(t) x + k3(t) x^3 whose coefficients follow laws of their own: laws[0] is k1, N/m, and laws[1] is
+   k3, N/m^3. Both may have either sign; the two laws must outlive the force. It is for a vm_odd_problem
+   (oscillators/odd_motion.h), whose factor `stiffness` multiplies both. The functions for constant mass refuse it with
+   VM_NO_LAW. A null pointer makes no force: it is refused with VM_BAD_ARGUMENT. */
+VM_API vm_odd_force vm_duffing_force_of_laws(const struct VM_TAG(vm_law) *laws)
+{
+    vm_odd_force force = vm_duffing_force(0, 0); /* vm_odd_plan_init writes the coefficients at t = 0 */
+    force.laws = laws;
+    if (!laws) force.at = NULL;
+    return force;
+}
+
 /* -- Constant mass: functions of numbers -- */
 
 /* Energy per unit mass of Duffing's oscillator, v^2/2 + c1 x^2/2 + c3 x^4/4, m^2/s^2.
@@ -13649,13 +13673,274 @@ VM_API void vm_duffing_exact_from(vm_real t, vm_real x0, vm_real v0, vm_real c1,
 }
 
 #endif
+/* oscillators/odd_laws.h - a vibration under an odd elastic force, and its slow laws at one time
+
+   The problem is that of oscillators/odd_motion.h, which also shows the shortest useful call. This file reads the laws
+   and computes the numbers that the averaging needs from them.
+
+   Where k1 and k3 of Duffing's force follow laws of their own (vm_duffing_force_of_laws), the shape of the force
+   changes with time. It is made constant by a length s(t) with s^2 = (k1/k3)/(its value at t = 0): y = x/s obeys,
+   without any approximation,
+       m y'' + K F(y) + (reactive m' + b + 2 m s'/s) y' + m G y = 0
+   with F(y) = k1(0) y + k3(0) y^3, K(t) = k(t) k1(t)/k1(0) and G = s''/s + (s'/s) (reactive m' + b)/m. So the change of
+   shape acts as more damping, and as a weak linear spring, whose stiffness is of second order in the rates of the
+   laws. Where k1 or k3 is 0 all the time, s is 1. Where one of them is 0 at one time only, there is no such s; then the
+   equation of motion is integrated. Guide: docs/duffing.md. Tests: tests/test_odd_force.c. */
+#ifndef VARMASS_OSCILLATORS_ODD_LAWS_H
+#define VARMASS_OSCILLATORS_ODD_LAWS_H
+
+/* A vibration under an odd elastic force, and its state at t = 0 */
+typedef struct VM_TAG(vm_odd_problem) {
+    vm_odd_force force; /* F(x), N, by vm_duffing_force, vm_duffing_force_of_laws or vm_odd_force_user */
+    vm_law mass;        /* mass m(t), kg, positive */
+    vm_law stiffness;   /* factor k(t) of the whole elastic force, a pure number, positive */
+    vm_law damping;     /* damping b(t), kg/s; positive takes energy out */
+    vm_real reactive;   /* share of the full reactive force: 1 where mass that joins or leaves is at rest, 0 where this
+                           mass has the body's own velocity; numbers between are allowed */
+    vm_real x, v;       /* position, m, and velocity, m/s, at t = 0 */
+} vm_odd_problem;
+
+/* -- All laws of a problem -- */
+
+/* Writes pointers to the laws of a problem, and the status for a law that is not positive; returns their number. */
+enum { VMI_ODD_LAWS = 5 };
+VM_API int vmi_odd_all_laws(const vm_odd_problem *o, const vm_law **laws, int *if_not_positive)
+{
+    laws[0] = &o->mass;
+    laws[1] = &o->stiffness;
+    laws[2] = &o->damping;
+    if_not_positive[0] = VM_BAD_MASS;
+    if_not_positive[1] = VM_BAD_STIFFNESS;
+    if_not_positive[2] = VM_OK;
+    if (!o->force.laws) return 3;
+    laws[3] = &o->force.laws[0];
+    laws[4] = &o->force.laws[1];
+    if_not_positive[3] = VM_OK;
+    if_not_positive[4] = VM_OK;
+    return VMI_ODD_LAWS;
+}
+
+/* Whether constructors made all laws of a problem */
+VM_API int vmi_odd_has_laws(const vm_odd_problem *o)
+{
+    const vm_law *laws[VMI_ODD_LAWS];
+    int statuses[VMI_ODD_LAWS], i;
+    const int n = vmi_odd_all_laws(o, laws, statuses);
+    for (i = 0; i < n; i++)
+        if (!laws[i]->derivatives) return 0;
+    return 1;
+}
+
+/* The first point of a table of any law after t on the way to t_end, or t_end if there is none */
+VM_API vm_real vmi_odd_next_knot(const vm_odd_problem *o, vm_real t, vm_real t_end)
+{
+    const vm_law *laws[VMI_ODD_LAWS];
+    int statuses[VMI_ODD_LAWS], i;
+    const int n = vmi_odd_all_laws(o, laws, statuses);
+    for (i = 0; i < n; i++) t_end = vmi_law_next_knot(laws[i], t, t_end);
+    return t_end;
+}
+
+/* Checks all laws of a problem between 0 and t. Returns the status that comes first in the table of errors. */
+VM_API int vmi_odd_check_laws(const vm_odd_problem *o, vm_real t)
+{
+    const vm_law *laws[VMI_ODD_LAWS];
+    int statuses[VMI_ODD_LAWS], i, status = VM_OK;
+    const int n = vmi_odd_all_laws(o, laws, statuses);
+    for (i = 0; i < n; i++) status = vmi_first_error(status, vmi_law_check(laws[i], statuses[i], t));
+    return status;
+}
+
+/* -- The laws at one time -- */
+
+/* Mass, stiffness and damping at one time, as the equation of motion needs them */
+typedef struct VM_TAG(vmi_odd_now) {
+    vm_real m, k, b; /* mass, factor of the elastic force, and damping */
+    vm_real m_rate;  /* dm/dt, kg/s */
+    vm_real k1, k3;  /* coefficients of Duffing's force if they follow laws; else unused */
+} vmi_odd_now;
+
+/* Reads the laws at t. Where a rate jumps at t, side = 1 asks for its value after t, side = -1 before t. */
+VM_API int vmi_odd_read_laws(const vm_odd_problem *o, vm_real t, int side, vmi_odd_now *now)
+{
+    vm_real m[VMI_LAW_ORDERS], k[VMI_LAW_ORDERS], b[VMI_LAW_ORDERS], k1[VMI_LAW_ORDERS], k3[VMI_LAW_ORDERS];
+    int status = vmi_law_derivatives(&o->mass, VM_BAD_MASS, t, side, 0, m);
+    k1[0] = 0;
+    k3[0] = 0;
+    if (!status) status = vmi_law_derivatives(&o->stiffness, VM_BAD_STIFFNESS, t, side, 0, k);
+    if (!status) status = vmi_law_derivatives(&o->damping, VM_OK, t, side, 0, b);
+    if (!status && o->force.laws) status = vmi_law_derivatives(&o->force.laws[0], VM_OK, t, side, 0, k1);
+    if (!status && o->force.laws) status = vmi_law_derivatives(&o->force.laws[1], VM_OK, t, side, 0, k3);
+    if (status) return status;
+    now->m = m[0];
+    now->k = k[0];
+    now->b = b[0];
+    now->m_rate = m[1];
+    now->k1 = k1[0];
+    now->k3 = k3[0];
+    return VM_OK;
+}
+
+/* Writes the force F(x) with the coefficients of the present time. */
+VM_API int vmi_odd_elastic(const vm_odd_problem *o, const vmi_odd_now *now, vm_real x, vm_real *f)
+{
+    if (!o->force.laws) return o->force.at(&o->force, x, f);
+    *f = x * (now->k1 + now->k3 * (x * x));
+    return VM_IS_FINITE(*f) ? VM_OK : VM_NOT_FINITE;
+}
+
+/* -- The shape of the force -- */
+
+/* k1 and k3 of Duffing's force, divided by their values at t = 0, and the relative rates of change of both as power
+   series in time. They are 1 and 0 where k1 or k3 is constant. */
+typedef struct VM_TAG(vmi_odd_shape) {
+    vm_real ratio1, ratio3;
+    vm_real rate1[4], rate3[4];
+} vmi_odd_shape;
+
+/* Writes the ratio and the rates of one of both laws. first is its value at t = 0. The first `orders` terms of the rates
+   are written; length is that of vmi_law_derivatives. Returns VM_NO_LAW where the law is 0 but not all the time. */
+VM_API int vmi_odd_coefficient(const vm_law *law, vm_real first, vm_real t, int side, vm_real length, int orders,
+                               vm_real *ratio, vm_real *rates)
+{
+    vm_real f[VMI_LAW_ORDERS];
+    int i, status = vmi_law_derivatives(law, VM_OK, t, side, length, f);
+    if (status) return status;
+    *ratio = 1;
+    for (i = 0; i < orders; i++) rates[i] = 0;
+    if (first == 0) return f[0] == 0 && f[1] == 0 ? VM_OK : VM_NO_LAW;
+    *ratio = f[0] / first;
+    if (!(*ratio > 0)) return VM_NO_LAW;
+    if (orders == 1) {
+        rates[0] = f[1] / f[0];
+        return VM_OK;
+    }
+    vmi_series_of_derivatives(4, 1, f);
+    vmi_series_log_rate(4, f, rates);
+    return VM_OK;
+}
+
+/* Reads the shape of the force at t. With orders = 1 only the rates themselves are written, with orders = 4 their series.
+   Where one coefficient is 0 all the time, the other one counts for both, so that s is 1. */
+VM_API int vmi_odd_shape_at(const vm_odd_problem *o, vm_real t, int side, vm_real length, int orders,
+                            vmi_odd_shape *shape)
+{
+    const vm_odd_force *force = &o->force;
+    int i, status;
+    shape->ratio1 = 1;
+    shape->ratio3 = 1;
+    for (i = 0; i < 4; i++) {
+        shape->rate1[i] = 0;
+        shape->rate3[i] = 0;
+    }
+    if (!force->laws) return VM_OK;
+    status = vmi_odd_coefficient(&force->laws[0], force->k1, t, side, length, orders, &shape->ratio1, shape->rate1);
+    if (!status)
+        status = vmi_odd_coefficient(&force->laws[1], force->k3, t, side, length, orders, &shape->ratio3, shape->rate3);
+    if (status) return status;
+    if (force->k1 == 0) {
+        shape->ratio1 = shape->ratio3;
+        for (i = 0; i < orders; i++) shape->rate1[i] = shape->rate3[i];
+    }
+    if (force->k3 == 0) {
+        shape->ratio3 = shape->ratio1;
+        for (i = 0; i < orders; i++) shape->rate3[i] = shape->rate1[i];
+    }
+    return VM_OK;
+}
+
+/* -- What the averaging needs -- */
+
+/* Mass, stiffness and damping of y = x/s, and the rates that follow from them, at one time */
+typedef struct VM_TAG(vmi_odd_rates) {
+    vm_real m, k, b;       /* mass, stiffness K and damping b */
+    vm_real loss;          /* (reactive m' + b)/m, 1/s */
+    vm_real speed;         /* ds/dt = sqrt(K/m) for the time s of orbit_ripple.h */
+    vm_real turn;          /* relative rate of change of `speed`, 1/s */
+    vm_real h;             /* damping h of orbit_ripple.h, times `speed`, 1/s */
+    vm_real ratio1, ratio3; /* k1 and k3 divided by their values at t = 0; 1 where they are constant */
+    vm_real scale;         /* the length s at the top of this file */
+    vm_real scale_rate;    /* s'/s, 1/s */
+} vmi_odd_rates;
+
+/* Computes them at t. side is that of vmi_odd_read_laws. Returns VM_NO_LAW where the shape cannot be made constant. */
+VM_API int vmi_odd_rates_at(const vm_odd_problem *o, vm_real t, int side, vmi_odd_rates *r)
+{
+    vm_real m[VMI_LAW_ORDERS], k[VMI_LAW_ORDERS], b[VMI_LAW_ORDERS];
+    vmi_odd_shape shape;
+    int status = vmi_law_derivatives(&o->mass, VM_BAD_MASS, t, side, 0, m);
+    if (!status) status = vmi_law_derivatives(&o->stiffness, VM_BAD_STIFFNESS, t, side, 0, k);
+    if (!status) status = vmi_law_derivatives(&o->damping, VM_OK, t, side, 0, b);
+    if (!status) status = vmi_odd_shape_at(o, t, side, 0, 1, &shape);
+    if (status) return status;
+    r->m = m[0];
+    r->k = k[0] * shape.ratio1;
+    r->b = b[0];
+    r->loss = (o->reactive * m[1] + b[0]) / m[0];
+    r->speed = VM_SQRT(r->k / m[0]);
+    r->turn = (k[1] / k[0] + shape.rate1[0] - m[1] / m[0]) / 2;
+    r->ratio1 = shape.ratio1;
+    r->ratio3 = shape.ratio3;
+    r->scale = VM_SQRT(shape.ratio1 / shape.ratio3);
+    r->scale_rate = (shape.rate1[0] - shape.rate3[0]) / 2;
+    r->h = (r->turn + r->loss) / 2 + r->scale_rate;
+    return VM_OK;
+}
+
+/* The damping h of orbit_ripple.h, and its first two derivatives h1 and h2 with respect to s, where ds/dt =
+   sqrt(K/m). spring is G m/K, the weak linear spring at the top of this file, and spring1 its derivative. */
+typedef struct VM_TAG(vmi_odd_slow) {
+    vm_real h, h1, h2;
+    vm_real spring, spring1;
+} vmi_odd_slow;
+
+/* Computes h, h1, h2 and the spring at t. length, s, is needed for the derivatives of users' laws (see
+   vmi_law_derivatives). */
+VM_API int vmi_odd_slow_at(const vm_odd_problem *o, vm_real t, int side, vm_real length, vmi_odd_slow *slow)
+{
+    enum { TERMS = 4 };
+    vm_real m[VMI_LAW_ORDERS], k[VMI_LAW_ORDERS], b[VMI_LAW_ORDERS], ln_m[TERMS], ln_k[TERMS], inverse[TERMS];
+    vm_real h[3], turn[2], scale[3], loss[3], speed, rate, rate_rate, G, G_rate;
+    vmi_odd_shape shape;
+    int i, status = vmi_law_derivatives(&o->mass, VM_BAD_MASS, t, side, length, m);
+    if (!status) status = vmi_law_derivatives(&o->stiffness, VM_BAD_STIFFNESS, t, side, length, k);
+    if (!status) status = vmi_law_derivatives(&o->damping, VM_OK, t, side, length, b);
+    if (!status) status = vmi_odd_shape_at(o, t, side, length, TERMS, &shape);
+    if (status) return status;
+    speed = VM_SQRT(k[0] * shape.ratio1 / m[0]);
+    vmi_series_of_derivatives(TERMS, 1, m);
+    vmi_series_of_derivatives(TERMS, 1, k);
+    vmi_series_of_derivatives(TERMS, 1, b);
+    vmi_series_log_rate(TERMS, m, ln_m);
+    vmi_series_log_rate(TERMS, k, ln_k);
+    vmi_series_inverse(TERMS, m, inverse);
+    for (i = 0; i < 3; i++) {
+        ln_k[i] += shape.rate1[i];
+        scale[i] = (shape.rate1[i] - shape.rate3[i]) / 2;
+        loss[i] = o->reactive * ln_m[i] + vmi_series_product(i, b, inverse);
+        h[i] = ((ln_k[i] - ln_m[i]) / 2 + loss[i]) / 2 + scale[i];
+    }
+    for (i = 0; i < 2; i++) turn[i] = (ln_k[i] - ln_m[i]) / 2;
+    rate = h[1] - turn[0] * h[0];
+    rate_rate = 2 * h[2] - turn[1] * h[0] - turn[0] * h[1];
+    G = scale[1] + scale[0] * (scale[0] + loss[0]);
+    G_rate = 2 * (scale[2] + scale[0] * scale[1]) + scale[1] * loss[0] + scale[0] * loss[1];
+    slow->h = h[0] / speed;
+    slow->h1 = rate / (speed * speed);
+    slow->h2 = (rate_rate - 2 * turn[0] * rate) / (speed * speed * speed);
+    slow->spring = G / (speed * speed);
+    slow->spring1 = (G_rate - 2 * turn[0] * G) / (speed * speed * speed);
+    return VM_OK;
+}
+
+#endif
 /* oscillators/odd_motion.h - vibration under an odd elastic force with slow mass, stiffness and damping
 
    The equation of motion, with the laws of time m(t) (kg), k(t) (a pure number) and b(t) (kg/s), is
        m x'' + k F(x) + (reactive m' + b) x' = 0,   x(0) and x'(0) given
    F is odd: Duffing's force k1 x + k3 x^3 (oscillators/duffing.h) or a function of the user (oscillators/odd_force.h).
-   `reactive` is 1 where mass that joins or leaves is at rest, 0 where it has the body's velocity. Shortest useful
-   call:
+   `reactive` is 1 where mass that joins or leaves is at rest, 0 where it has the body's velocity. k1 and k3 may follow
+   laws of their own (vm_duffing_force_of_laws). Shortest useful call:
        vm_odd_problem problem;
        vm_odd_motion motion;
        problem.force = vm_duffing_force(100, 2000);           // 100 N/m x + 2000 N/m^3 x^3
@@ -13681,17 +13966,6 @@ enum {
     VM_ODD_RK87 = 2    /* integration of the equation of motion by rk87 */
 };
 
-/* A vibration under an odd elastic force, and its state at t = 0 */
-typedef struct VM_TAG(vm_odd_problem) {
-    vm_odd_force force; /* F(x), N, by vm_duffing_force or vm_odd_force_user */
-    vm_law mass;        /* mass m(t), kg, positive */
-    vm_law stiffness;   /* factor k(t) of the whole elastic force, a pure number, positive */
-    vm_law damping;     /* damping b(t), kg/s; positive takes energy out */
-    vm_real reactive;   /* share of the full reactive force: 1 where mass that joins or leaves is at rest, 0 where this
-                           mass has the body's own velocity; numbers between are allowed */
-    vm_real x, v;       /* position, m, and velocity, m/s, at t = 0 */
-} vm_odd_problem;
-
 /* The motion at one time */
 typedef struct VM_TAG(vm_odd_motion) {
     vm_real x, v;      /* position, m, and velocity, m/s */
@@ -13701,69 +13975,6 @@ typedef struct VM_TAG(vm_odd_motion) {
     int route;         /* the route that was taken, VM_ODD_... */
     long evals;        /* evaluations of the equation of motion; 0 where nothing was integrated */
 } vm_odd_motion;
-
-/* -- The laws at one time -- */
-
-/* Mass, stiffness, damping and the rates that follow from them, at one time */
-typedef struct VM_TAG(vmi_odd_rates) {
-    vm_real m, k, b;   /* mass, stiffness and damping */
-    vm_real m_rate;    /* dm/dt, kg/s */
-    vm_real speed;     /* ds/dt = sqrt(k/m) */
-    vm_real turn;      /* relative rate of change of `speed`, 1/s */
-    vm_real h;         /* damping h of orbit_ripple.h, times `speed`, 1/s */
-} vmi_odd_rates;
-
-/* Reads the laws at t. Where a rate jumps at t, side = 1 asks for its value after t, side = -1 before t. */
-VM_API int vmi_odd_rates_at(const vm_odd_problem *o, vm_real t, int side, vmi_odd_rates *r)
-{
-    vm_real m[VMI_LAW_ORDERS], k[VMI_LAW_ORDERS], b[VMI_LAW_ORDERS];
-    int status = vmi_law_derivatives(&o->mass, VM_BAD_MASS, t, side, 0, m);
-    if (!status) status = vmi_law_derivatives(&o->stiffness, VM_BAD_STIFFNESS, t, side, 0, k);
-    if (!status) status = vmi_law_derivatives(&o->damping, VM_OK, t, side, 0, b);
-    if (status) return status;
-    r->m = m[0];
-    r->k = k[0];
-    r->b = b[0];
-    r->m_rate = m[1];
-    r->speed = VM_SQRT(k[0] / m[0]);
-    r->turn = (k[1] / k[0] - m[1] / m[0]) / 2;
-    r->h = (r->turn + (o->reactive * m[1] + b[0]) / m[0]) / 2;
-    return VM_OK;
-}
-
-/* The damping h of orbit_ripple.h, and its first two derivatives h1 and h2 with respect to s, where ds/dt =
-   sqrt(k/m) */
-typedef struct VM_TAG(vmi_odd_slow) {
-    vm_real h, h1, h2;
-} vmi_odd_slow;
-
-/* Computes h, h1 and h2 at t. length, s, is needed for the derivatives of users' laws (see vmi_law_derivatives). */
-VM_API int vmi_odd_slow_at(const vm_odd_problem *o, vm_real t, int side, vm_real length, vmi_odd_slow *slow)
-{
-    enum { TERMS = 4 };
-    vm_real m[VMI_LAW_ORDERS], k[VMI_LAW_ORDERS], b[VMI_LAW_ORDERS], ln_m[TERMS], ln_k[TERMS], inverse[TERMS];
-    vm_real h[3], turn[2], speed, rate, rate_rate;
-    int i, status = vmi_law_derivatives(&o->mass, VM_BAD_MASS, t, side, length, m);
-    if (!status) status = vmi_law_derivatives(&o->stiffness, VM_BAD_STIFFNESS, t, side, length, k);
-    if (!status) status = vmi_law_derivatives(&o->damping, VM_OK, t, side, length, b);
-    if (status) return status;
-    speed = VM_SQRT(k[0] / m[0]);
-    vmi_series_of_derivatives(TERMS, 1, m);
-    vmi_series_of_derivatives(TERMS, 1, k);
-    vmi_series_of_derivatives(TERMS, 1, b);
-    vmi_series_log_rate(TERMS, m, ln_m);
-    vmi_series_log_rate(TERMS, k, ln_k);
-    vmi_series_inverse(TERMS, m, inverse);
-    for (i = 0; i < 3; i++)
-        h[i] = (ln_k[i] + (2 * o->reactive - 1) * ln_m[i] + 2 * vmi_series_product(i, b, inverse)) / 4;
-    for (i = 0; i < 2; i++) turn[i] = (ln_k[i] - ln_m[i]) / 2;
-    rate = h[1] - turn[0] * h[0];
-    rate_rate = 2 * h[2] - turn[1] * h[0] - turn[0] * h[1];
-    slow->h = h[0] / speed;
-    slow->h1 = rate / (speed * speed);
-    slow->h2 = (rate_rate - 2 * turn[0] * rate) / (speed * speed * speed);
-    return VM_OK;
-}
 
 /* -- The plan -- */
 
@@ -13793,12 +14004,13 @@ typedef struct VM_TAG(vm_odd_plan) {
     vm_odd_problem problem; /* a copy of the problem */
     vm_real t_end;          /* the time up to which the plan was asked for, s */
     vm_real reach;          /* the time up to which the averaged solutions exist, s: t_end, or less */
-    vm_real m0, k0, speed0; /* mass, stiffness and sqrt(k/m) at t = 0 */
+    vm_real m0, k0, speed0; /* mass, factor k and sqrt(k/m) at t = 0 */
+    vm_real v0;             /* velocity of the reduced motion x/s of odd_laws.h at t = 0, divided by speed0 */
     int at_rest;            /* 1 where the body rests in equilibrium, else 0 */
     vmi_orbit start;        /* the orbit of the state at t = 0; its size is 0 where there is no vibration */
     vm_real phi;            /* phase of this state */
     vm_real ln_j, phase;    /* ln of the mean action, and mean phase, at t = 0 */
-    vmi_odd_slow slow;      /* damping h at t = 0, and its first two derivatives */
+    vmi_odd_slow slow;      /* damping h and weak spring at t = 0, and their derivatives */
     vm_real gamma;          /* ratio of a relative change of w to that of j, at t = 0 */
     vm_real first_a;        /* field largest_a of the ripple at t = 0 */
     vm_real first_B;        /* field largest_B of the ripple at t = 0 */
@@ -13836,7 +14048,20 @@ VM_API int vmi_orbit_find(vmi_orbit *orbit, vm_real ln_j)
 VM_API vm_real vmi_odd_adiabatic(const vm_odd_plan *p, const vmi_odd_rates *now, vm_real decay)
 {
     const vm_real ln_m = vmi_log(now->m / p->m0).hi, ln_k = vmi_log(now->k / p->k0).hi;
-    return -(ln_k / 2 + (p->problem.reactive - VM_C(0.5)) * ln_m + decay);
+    vm_real shape = 0; /* 2 ln s, where s is the length of odd_laws.h */
+    if (now->ratio1 != now->ratio3) shape = vmi_log(now->ratio1 / now->ratio3).hi;
+    return -(ln_k / 2 + (p->problem.reactive - VM_C(0.5)) * ln_m + decay + shape);
+}
+
+/* The longest panel of time that the laws allow for a walk over `whole` seconds, s */
+VM_API vm_real vmi_odd_longest_panel(const vm_odd_problem *o, vm_real whole)
+{
+    const vm_law *laws[VMI_ODD_LAWS];
+    int statuses[VMI_ODD_LAWS], i;
+    const int n = vmi_odd_all_laws(o, laws, statuses);
+    vm_real longest = whole;
+    for (i = 0; i < n; i++) longest = vmi_smaller(vmi_law_longest_panel(laws[i], whole), longest);
+    return longest;
 }
 
 /* The time, s, in which the phase of the orbit grows by 16. Derivatives of users' laws are computed from rates between
@@ -13850,10 +14075,40 @@ typedef struct VM_TAG(vmi_odd_nodes) {
     vmi_odd_rates rates[VMI_GAUSS];
     vm_real decay[VMI_GAUSS];  /* integral of b/m from t = 0 */
     vm_real h_rate[VMI_GAUSS]; /* time derivative of the field h of the rates, 1/s^2 */
-    vm_real edge;              /* largest relative difference between 1/m or k and its series at the panel's ends */
+    vm_real spring[VMI_GAUSS]; /* stiffness G of the weak spring of odd_laws.h, divided by the mass, 1/s^2 */
+    vm_real edge;              /* largest relative difference between a law and its series at the panel's ends */
     vm_real decay_end;         /* integral of b/m from t = 0 to the end of the panel */
     vm_real inverse[VMI_GAUSS], stiffness[VMI_GAUSS]; /* series of 1/m and k */
+    vm_real ratio1[VMI_GAUSS], ratio3[VMI_GAUSS];     /* series of these fields of the rates */
 } vmi_odd_nodes;
+
+/* Reads the shape of the force: its series, how well they hold at the ends, and the weak spring at the nodes. The rates at
+   the nodes must be set. */
+VM_API int vmi_odd_read_shape(const vm_odd_problem *o, const vmi_odd_panel *panel, vmi_odd_nodes *at)
+{
+    const vm_odd_force *force = &o->force;
+    vm_real ratio1[VMI_GAUSS], ratio3[VMI_GAUSS], scale[VMI_GAUSS], k1[VMI_GAUSS], k3[VMI_GAUSS], rate[VMI_GAUSS];
+    int i, status = VM_OK;
+    for (i = 0; i < VMI_GAUSS; i++) {
+        at->spring[i] = 0;
+        ratio1[i] = at->rates[i].ratio1;
+        ratio3[i] = at->rates[i].ratio3;
+        scale[i] = at->rates[i].scale_rate;
+    }
+    if (!force->laws) return VM_OK;
+    vmi_legendre_fit(ratio1, ratio3, at->ratio1, at->ratio3);
+    vmi_legendre_fit(scale, scale, rate, k1);
+    vmi_legendre_derive(rate);
+    for (i = 0; i < VMI_GAUSS; i++) {
+        const vm_real scale_change = 2 / panel->length * vmi_legendre_at(rate, vmi_gauss_node(i));
+        at->spring[i] = scale_change + scale[i] * (scale[i] + at->rates[i].loss);
+        k1[i] = force->k1 * at->ratio1[i];
+        k3[i] = force->k3 * at->ratio3[i];
+    }
+    if (force->k1 != 0) status = vmi_panel_edge(&force->laws[0], VM_OK, 0, panel->t, panel->length, k1, &at->edge);
+    if (status || force->k3 == 0) return status;
+    return vmi_panel_edge(&force->laws[1], VM_OK, 0, panel->t, panel->length, k3, &at->edge);
+}
 
 /* Reads the laws at the nodes of a panel. */
 VM_API int vmi_odd_read(const vm_odd_problem *o, const vmi_odd_panel *panel, vmi_odd_nodes *at)
@@ -13866,7 +14121,7 @@ VM_API int vmi_odd_read(const vm_odd_problem *o, const vmi_odd_panel *panel, vmi
         status = vmi_odd_rates_at(o, t, side, &at->rates[i]);
         if (status) return status;
         inverse[i] = 1 / at->rates[i].m;
-        k[i] = at->rates[i].k;
+        k[i] = at->rates[i].k / at->rates[i].ratio1;
         losses[i] = at->rates[i].b / at->rates[i].m;
         h[i] = at->rates[i].h;
     }
@@ -13882,7 +14137,9 @@ VM_API int vmi_odd_read(const vm_odd_problem *o, const vmi_odd_panel *panel, vmi
     at->edge = 0;
     status = vmi_panel_edge(&o->mass, VM_BAD_MASS, 1, panel->t, panel->length, at->inverse, &at->edge);
     if (status) return status;
-    return vmi_panel_edge(&o->stiffness, VM_BAD_STIFFNESS, 0, panel->t, panel->length, at->stiffness, &at->edge);
+    status = vmi_panel_edge(&o->stiffness, VM_BAD_STIFFNESS, 0, panel->t, panel->length, at->stiffness, &at->edge);
+    if (status) return status;
+    return vmi_odd_read_shape(o, panel, at);
 }
 
 /* Adds to panel->change the integrals over this panel, from the series of h/w, with root mean squares in place of
@@ -13936,6 +14193,7 @@ VM_API int vmi_odd_panel_of(const vm_odd_plan *p, vmi_odd_panel *panel, vmi_orbi
         bends[i] = h * M_j;
         ratios[i] = h / orbit->w;
         rates[i] = (orbit->w - M_j * (h1 + 2 * h * h)) * now->speed;
+        rates[i] += at->spring[i] / now->speed * (ripple.X_size / (2 * ripple.j_size));
     }
     vmi_legendre_fit(bends, ratios, bend, ratio);
     vmi_legendre_derive(bend);
@@ -13946,12 +14204,15 @@ VM_API int vmi_odd_panel_of(const vm_odd_plan *p, vmi_odd_panel *panel, vmi_orbi
 }
 
 /* Whether a panel is short enough for its series. Phase and size are evaluated inside the panel, where the terms that
-   their series leave out are not squared. whole is the length of the walk, s. */
-VM_API int vmi_odd_panel_is_resolved(const vmi_odd_panel *panel, const vmi_odd_nodes *at, vm_real whole)
+   their series leave out are not squared. varying is 1 where k1 and k3 follow laws of their own. whole is the length of
+   the walk, s. */
+VM_API int vmi_odd_panel_is_resolved(const vmi_odd_panel *panel, const vmi_odd_nodes *at, int varying, vm_real whole)
 {
     const vm_real limit = vmi_panel_limit(panel->length, whole), fine = VM_MANT_DIG > 24 ? VM_C(1e-12) : VM_C(1e-5);
     if (!(at->edge <= vmi_panel_edge_limit(limit))) return 0;
     if (!vmi_panel_is_resolved(at->inverse, limit) || !vmi_panel_is_resolved(at->stiffness, limit)) return 0;
+    if (varying && !vmi_panel_is_resolved(at->ratio1, limit)) return 0;
+    if (varying && !vmi_panel_is_resolved(at->ratio3, limit)) return 0;
     return vmi_panel_is_resolved(panel->rate, fine) && vmi_panel_is_resolved(panel->size, fine);
 }
 
@@ -13985,7 +14246,7 @@ VM_API int vmi_odd_walk_piece(vm_odd_plan *p, vm_real end, vm_real longest, vmi_
         panel.length = panels.side * panels.step;
         status = vmi_odd_panel_of(p, &panel, &trial, &at);
         if (status && (status != VM_NO_LAW || panels.step < shortest_at_end)) return status;
-        if (status || !vmi_odd_panel_is_resolved(&panel, &at, whole)) {
+        if (status || !vmi_odd_panel_is_resolved(&panel, &at, p->problem.force.laws != NULL, whole)) {
             if (vmi_panels_halve(&panels)) continue;
             return VM_NO_LAW;
         }
@@ -13998,6 +14259,15 @@ VM_API int vmi_odd_walk_piece(vm_odd_plan *p, vm_real end, vm_real longest, vmi_
     return VM_OK;
 }
 
+/* The relative change of the action within a period that a weak linear spring of stiffness 1 causes. In a well it is
+   larger for a smaller orbit, because the spring moves the place of rest. */
+VM_API vm_real vmi_odd_spring_ripple(const vmi_orbit *orbit)
+{
+    vm_real squares = orbit->size; /* the largest change of x^2 */
+    if (orbit->place == VMI_ORBIT_AROUND_0) squares *= orbit->size;
+    return squares / (2 * orbit->w * orbit->j);
+}
+
 /* Takes the mean motion past t, a point of a table: the derivative of h jumps there, but the motion does not, so that
    the mean action jumps. */
 VM_API int vmi_odd_walk_past_knot(const vm_odd_plan *p, vmi_orbit *orbit, vmi_odd_panel *next)
@@ -14008,18 +14278,22 @@ VM_API int vmi_odd_walk_past_knot(const vm_odd_plan *p, vmi_orbit *orbit, vmi_od
     vmi_odd_slow before, after;
     vmi_orbit_ripple ripple;
     vmi_orbit_ripple_values now;
-    vm_real w, left;
+    vm_real w, left, x, v;
     int status = vmi_odd_rates_at(&p->problem, next->t, -side, &rates);
     if (!status) status = vmi_orbit_find(orbit, p->ln_j + next->ln_J + vmi_odd_adiabatic(p, &rates, next->decay));
     if (!status) status = vmi_odd_slow_at(&p->problem, next->t, -side, length, &before);
     if (!status) status = vmi_odd_slow_at(&p->problem, next->t, side, length, &after);
+    if (!status) status = orbit->force->at_phase(orbit, next->phase, &x, &v);
     if (status) return status;
     vmi_orbit_ripple_init(&ripple, orbit);
     vmi_orbit_ripple_at(&ripple, orbit, next->phase, &now);
     w = orbit->w;
     next->ln_J -= 2 * (after.h1 - before.h1) * now.B / (w * w * orbit->j);
+    next->ln_J += (after.spring - before.spring) * vmi_orbit_spring_action(&ripple, orbit, x) / orbit->j;
     left = VM_FABS(after.h2 - before.h2) + 4 * VM_FABS((after.h1 - before.h1) * after.h);
     next->knots += left / (w * w * w);
+    left = VM_FABS(after.spring1 - before.spring1) + 4 * VM_FABS((after.spring - before.spring) * after.h);
+    next->knots += left / w * vmi_odd_spring_ripple(orbit);
     return VM_OK;
 }
 
@@ -14027,11 +14301,9 @@ VM_API int vmi_odd_walk_past_knot(const vm_odd_plan *p, vmi_orbit *orbit, vmi_od
 VM_API int vmi_odd_walk(vm_odd_plan *p, vmi_orbit *orbit)
 {
     const vm_odd_problem *o = &p->problem;
-    const vm_real whole = VM_FABS(p->t_end);
-    vm_real longest = vmi_smaller(vmi_law_longest_panel(&o->mass, whole), vmi_law_longest_panel(&o->stiffness, whole));
+    const vm_real longest = vmi_odd_longest_panel(o, VM_FABS(p->t_end));
     vmi_odd_panel next;
     int i, status = VM_OK;
-    longest = vmi_smaller(longest, vmi_law_longest_panel(&o->damping, whole));
     next.t = 0;
     next.length = 0;
     next.phase = p->phase;
@@ -14043,9 +14315,7 @@ VM_API int vmi_odd_walk(vm_odd_plan *p, vmi_orbit *orbit)
     next.gamma = 0;
     for (i = 0; i < VMI_ODD_ORDERS; i++) next.change[i] = 0;
     while (!status && next.t != p->t_end) {
-        vm_real end = vmi_law_next_knot(&o->mass, next.t, p->t_end);
-        end = vmi_law_next_knot(&o->stiffness, next.t, end);
-        end = vmi_law_next_knot(&o->damping, next.t, end);
+        const vm_real end = vmi_odd_next_knot(o, next.t, p->t_end);
         status = vmi_odd_walk_piece(p, end, longest, orbit, &next);
         if (!status && end != p->t_end) status = vmi_odd_walk_past_knot(p, orbit, &next);
     }
@@ -14060,11 +14330,12 @@ VM_API int vmi_odd_start(vm_odd_plan *p, const vmi_orbit *orbit)
     vmi_orbit_ripple_values now;
     vm_real mean;
     int status = vmi_odd_slow_at(&p->problem, 0, side, vmi_odd_sampling_time(orbit->w, p->speed0), &p->slow);
-    if (!status) status = orbit->force->phase(orbit, p->problem.x, p->problem.v / p->speed0, &p->phi);
+    if (!status) status = orbit->force->phase(orbit, p->problem.x, p->v0, &p->phi);
     if (status) return status;
     vmi_orbit_ripple_init(&ripple, orbit);
     vmi_orbit_ripple_at(&ripple, orbit, p->phi, &now);
-    mean = vmi_orbit_mean_action(&ripple, orbit, &now, p->slow.h, p->slow.h1);
+    mean = vmi_orbit_mean_action(&ripple, orbit, &now, p->slow.h, p->slow.h1) +
+           p->slow.spring * vmi_orbit_spring_action(&ripple, orbit, p->problem.x);
     p->phase = p->phi - 2 * p->slow.h * now.B_j;
     p->gamma = vmi_orbit_gamma(&ripple, orbit);
     p->first_a = ripple.largest_a;
@@ -14080,14 +14351,26 @@ VM_API int vmi_odd_check(const vm_odd_problem *o, vm_real t)
     const vm_real numbers[5] = {o->reactive, o->x, o->v, o->force.k1, o->force.k3};
     int status = vmi_all_finite(5, numbers) ? VM_OK : VM_NOT_FINITE;
     if (!o->force.at) return VM_BAD_ARGUMENT;
-    status = vmi_first_error(status, vmi_law_check(&o->mass, VM_BAD_MASS, t));
-    status = vmi_first_error(status, vmi_law_check(&o->stiffness, VM_BAD_STIFFNESS, t));
-    return vmi_first_error(status, vmi_law_check(&o->damping, VM_OK, t));
+    return vmi_first_error(status, vmi_odd_check_laws(o, t));
+}
+
+/* Writes the velocity of the reduced motion at t = 0, divided by speed0. Where the shape of the force cannot be made
+   constant, it is that of the body. */
+VM_API int vmi_odd_first_velocity(vm_odd_plan *p)
+{
+    const vm_odd_problem *o = &p->problem;
+    vmi_odd_rates rates;
+    const int status = vmi_odd_rates_at(o, 0, vmi_time_side(p->t_end), &rates);
+    p->v0 = o->v / p->speed0;
+    if (status) return status == VM_NO_LAW ? VM_OK : status;
+    if (o->force.laws) p->v0 = (o->v - rates.scale_rate * o->x) / p->speed0;
+    return VM_OK;
 }
 
 /* Fills a plan whose fields problem, t_end, m0, k0 and speed0 are set. */
 VM_API int vmi_odd_fill(vm_odd_plan *p)
 {
+    const vm_odd_problem *o = &p->problem;
     vmi_orbit orbit;
     int status;
     vm_real f;
@@ -14096,10 +14379,11 @@ VM_API int vmi_odd_fill(vm_odd_plan *p)
     p->at_rest = 0;
     orbit.size = 0;
     p->start = orbit;
-    status = p->problem.force.at(&p->problem.force, p->problem.x, &f);
+    status = o->force.at(&o->force, o->x, &f);
+    if (!status) status = vmi_odd_first_velocity(p);
     if (status) return status;
-    if (p->problem.v == 0 && f == 0) p->at_rest = 1;
-    else status = vmi_orbit_of_state(&p->problem.force, p->problem.x, p->problem.v / p->speed0, &orbit);
+    if (o->v == 0 && f == 0 && (o->x == 0 || !o->force.laws)) p->at_rest = 1;
+    else status = vmi_orbit_of_state(&o->force, o->x, p->v0, &orbit);
     if (status == VM_NO_LAW) return VM_OK;
     if (status || p->at_rest || orbit.size == 0) return status;
     p->start = orbit;
@@ -14119,7 +14403,7 @@ VM_API int vmi_odd_fill(vm_odd_plan *p)
 VM_API int vm_odd_plan_init(vm_odd_plan *p, const vm_odd_problem *problem, vm_real t_end)
 {
     vm_odd_plan plan;
-    vmi_odd_rates rates;
+    vmi_odd_now now;
     int status;
     if (!p || !problem) return VM_BAD_ARGUMENT;
     memset(&plan, 0, sizeof plan);
@@ -14127,11 +14411,15 @@ VM_API int vm_odd_plan_init(vm_odd_plan *p, const vm_odd_problem *problem, vm_re
     plan.t_end = t_end;
     if (VM_IS_FINITE(t_end)) status = vmi_odd_check(problem, t_end);
     else status = vmi_first_error(VM_NOT_FINITE, vmi_odd_check(problem, 0));
-    if (!status) status = vmi_odd_rates_at(problem, 0, vmi_time_side(t_end), &rates);
+    if (!status) status = vmi_odd_read_laws(problem, 0, vmi_time_side(t_end), &now);
     if (status) return status;
-    plan.m0 = rates.m;
-    plan.k0 = rates.k;
-    plan.speed0 = rates.speed;
+    if (problem->force.laws) {
+        plan.problem.force.k1 = now.k1;
+        plan.problem.force.k3 = now.k3;
+    }
+    plan.m0 = now.m;
+    plan.k0 = now.k;
+    plan.speed0 = VM_SQRT(now.k / now.m);
     status = vmi_odd_fill(&plan);
     if (!status) *p = plan;
     return status;
@@ -14196,12 +14484,14 @@ VM_API vm_real vmi_odd_fast(const vmi_odd_mean *mean, vm_real largest_a)
     return least;
 }
 
-/* The sizes of terms of second and of third order, for the damping in *slow and an orbit whose phase has the rate w */
-VM_API void vmi_odd_sizes(const vmi_odd_slow *slow, vm_real w, vm_real *second, vm_real *third)
+/* The sizes of terms of second and of third order, for the damping and the spring in *slow and an orbit */
+VM_API void vmi_odd_sizes(const vmi_odd_slow *slow, const vmi_orbit *orbit, vm_real *second, vm_real *third)
 {
+    const vm_real w = orbit->w, by_spring = vmi_odd_spring_ripple(orbit);
     const vm_real h = VM_FABS(slow->h / w), h1 = VM_FABS(slow->h1 / w / w), h2 = VM_FABS(slow->h2 / w / w / w);
-    *second = h1 + 2 * h * h;
-    *third = h2 + 4 * h * h1 + 4 * h * h * h;
+    const vm_real spring = VM_FABS(slow->spring) * by_spring, spring1 = VM_FABS(slow->spring1 / w) * by_spring;
+    *second = h1 + 2 * h * h + spring;
+    *third = h2 + 4 * h * h1 + 4 * h * h * h + spring1 + 4 * h * spring;
 }
 
 /* The factor by which a small error of the phase becomes an error of x/swing or of v/vmax */
@@ -14228,8 +14518,8 @@ VM_API int vmi_odd_error(const vm_odd_plan *p, int route, vm_real t, const vmi_o
     int status = vmi_odd_slow_at(&p->problem, t, -vmi_time_side(p->t_end),
                                  vmi_odd_sampling_time(w, mean->rates.speed), &slow);
     if (status) return status;
-    vmi_odd_sizes(&p->slow, p->start.w, &second0, &third0);
-    vmi_odd_sizes(&slow, w, &second, &third);
+    vmi_odd_sizes(&p->slow, &p->start, &second0, &third0);
+    vmi_odd_sizes(&slow, orbit, &second, &third);
     action = p->first_a * (third0 + mean->panel->knots) + vmi_odd_fast(mean, a);
     phase = (1 + gamma) * (p->first_B * second0 + B * (second + third)) + (1 + gamma * turns) * action;
     *error = (vmi_odd_steepness(orbit) * phase + a * (second + third) + action) / 2 +
@@ -14250,8 +14540,9 @@ VM_API int vmi_odd_averaged(const vm_odd_plan *p, int route, vm_real t, vm_odd_m
     if (!status && route == VM_ODD_ORDER2) status = vmi_odd_add_ripple(&mean);
     if (!status) status = mean.orbit.force->at_phase(&mean.orbit, mean.phase, &r.x, &r.v);
     if (status) return status;
-    r.v *= mean.rates.speed;
-    r.amplitude = vmi_orbit_amplitude(&mean.orbit);
+    r.v = mean.rates.scale * (mean.rates.speed * r.v + mean.rates.scale_rate * r.x); /* from x/s to x */
+    r.x *= mean.rates.scale;
+    r.amplitude = mean.rates.scale * vmi_orbit_amplitude(&mean.orbit);
     r.route = route;
     r.evals = 0;
     if (!VM_IS_FINITE(r.x) || !VM_IS_FINITE(r.v)) return VM_NOT_FINITE;
@@ -14279,13 +14570,26 @@ VM_API int vmi_odd_averaged(const vm_odd_plan *p, int route, vm_real t, vm_odd_m
 /* Writes the acceleration at t, position x and velocity v, m/s^2. */
 VM_API int vmi_odd_acceleration(const vm_odd_problem *o, vm_real t, int side, vm_real x, vm_real v, vm_real *a)
 {
-    vmi_odd_rates now;
+    vmi_odd_now now;
     vm_real f;
-    int status = vmi_odd_rates_at(o, t, side, &now);
-    if (!status) status = o->force.at(&o->force, x, &f);
+    int status = vmi_odd_read_laws(o, t, side, &now);
+    if (!status) status = vmi_odd_elastic(o, &now, x, &f);
     if (status) return status;
     *a = -(now.k * f + (o->reactive * now.m_rate + now.b) * v) / now.m;
     return VM_OK;
+}
+
+/* The status of the laws at t that comes first in the table of errors */
+VM_API int vmi_odd_statuses_at(const vm_odd_problem *o, vm_real t)
+{
+    const vm_law *laws[VMI_ODD_LAWS];
+    int statuses[VMI_ODD_LAWS], i, status = VM_OK;
+    const int n = vmi_odd_all_laws(o, laws, statuses);
+    for (i = 0; i < n; i++) {
+        vm_real f, rate;
+        status = vmi_first_error(status, vmi_law_at(laws[i], statuses[i], t, &f, &rate));
+    }
+    return status;
 }
 
 /* Equation of motion of a vibration under an odd elastic force, for rk45 or rk87. y = (x, x') is in m and m/s; problem
@@ -14299,17 +14603,13 @@ VM_API int vm_odd_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *problem)
     vm_real a;
     int status;
     if (!y || !dydt || !o || !o->force.at) return VM_BAD_ARGUMENT;
-    if (!o->mass.derivatives || !o->stiffness.derivatives || !o->damping.derivatives) return VM_BAD_ARGUMENT;
+    if (!vmi_odd_has_laws(o)) return VM_BAD_ARGUMENT;
     if (!VM_IS_FINITE(t) || !VM_IS_FINITE(y[0]) || !VM_IS_FINITE(y[1])) return VM_NOT_FINITE;
     if (!VM_IS_FINITE(o->reactive)) return VM_NOT_FINITE;
     status = vmi_odd_acceleration(o, t, 1, y[0], y[1], &a);
     if (!status && !VM_IS_FINITE(a)) status = VM_NOT_FINITE;
-    if (status) { /* return the status that comes first in the table of errors */
-        vm_real f, rate;
-        status = vmi_first_error(status, vmi_law_at(&o->mass, VM_BAD_MASS, t, &f, &rate));
-        status = vmi_first_error(status, vmi_law_at(&o->stiffness, VM_BAD_STIFFNESS, t, &f, &rate));
-        return vmi_first_error(status, vmi_law_at(&o->damping, VM_OK, t, &f, &rate));
-    }
+    if (status) /* return the status that comes first in the table of errors */
+        return vmi_first_error(status, vmi_odd_statuses_at(o, t));
     dydt[0] = y[1];
     dydt[1] = a;
     return VM_OK;
@@ -14347,8 +14647,9 @@ VM_API void vmi_odd_units(vmi_odd_run *c, vm_real whole)
 {
     const vm_odd_plan *p = c->plan;
     const vm_odd_problem *o = &p->problem;
-    const vm_law *laws[3];
-    int i;
+    const vm_law *laws[VMI_ODD_LAWS];
+    int statuses[VMI_ODD_LAWS], i;
+    const int n = vmi_odd_all_laws(o, laws, statuses);
     c->longest = whole;
     c->length = VM_FABS(o->x);
     c->velocity = VM_FABS(o->v);
@@ -14359,10 +14660,7 @@ VM_API void vmi_odd_units(vmi_odd_run *c, vm_real whole)
     }
     if (!(c->length > 0)) c->length = c->velocity;
     if (!(c->velocity > 0)) c->velocity = c->length;
-    laws[0] = &o->mass;
-    laws[1] = &o->stiffness;
-    laws[2] = &o->damping;
-    for (i = 0; i < 3; i++)
+    for (i = 0; i < n; i++)
         if (laws[i]->function) c->longest = vmi_smaller(vmi_law_longest_panel(laws[i], whole) / 4, c->longest);
 }
 
@@ -14371,10 +14669,9 @@ VM_API int vmi_odd_solve(vmi_odd_run *c, vm_real t)
 {
     const vm_odd_problem *o = &c->plan->problem;
     while (c->s.t != t) {
-        vm_real y[2], stop = vmi_law_next_knot(&o->mass, c->s.t, t);
+        const vm_real stop = vmi_odd_next_knot(o, c->s.t, t);
+        vm_real y[2];
         int status;
-        stop = vmi_law_next_knot(&o->stiffness, c->s.t, stop);
-        stop = vmi_law_next_knot(&o->damping, c->s.t, stop);
         status = rk87_solve(&c->s, stop);
         if (c->status) return c->status;
         if (status < 0) return VM_NOT_INTEGRATED;
@@ -14391,10 +14688,17 @@ VM_API int vmi_odd_solve(vmi_odd_run *c, vm_real t)
 VM_API int vmi_odd_motion_now(const vmi_odd_run *c, vm_odd_motion *motion, vm_real *swing, vm_real *vmax)
 {
     const vm_odd_problem *o = &c->plan->problem;
-    vmi_odd_rates now;
+    vm_odd_force force = o->force;
+    vmi_odd_now now;
     vmi_orbit orbit;
-    int status = vmi_odd_rates_at(o, c->s.t, -c->side, &now);
+    vm_real speed;
+    int status = vmi_odd_read_laws(o, c->s.t, -c->side, &now);
     if (status) return status;
+    speed = VM_SQRT(now.k / now.m);
+    if (o->force.laws) { /* the vibration with the coefficients of this time */
+        force.k1 = now.k1;
+        force.k3 = now.k3;
+    }
     motion->x = c->length * c->s.y[0];
     motion->v = c->velocity * c->s.y[1];
     motion->amplitude = VM_NAN;
@@ -14404,10 +14708,10 @@ VM_API int vmi_odd_motion_now(const vmi_odd_run *c, vm_odd_motion *motion, vm_re
     *swing = c->length;
     *vmax = c->velocity;
     if (!VM_IS_FINITE(motion->x) || !VM_IS_FINITE(motion->v)) return VM_NOT_INTEGRATED;
-    if (vmi_orbit_of_state(&o->force, motion->x, motion->v / now.speed, &orbit) || !(orbit.size > 0)) return VM_OK;
+    if (vmi_orbit_of_state(&force, motion->x, motion->v / speed, &orbit) || !(orbit.size > 0)) return VM_OK;
     motion->amplitude = vmi_orbit_amplitude(&orbit);
     *swing = orbit.swing;
-    *vmax = orbit.vmax * now.speed;
+    *vmax = orbit.vmax * speed;
     return VM_OK;
 }
 

@@ -378,6 +378,8 @@ static void null_odd_force(void)
     NOTHING(2, vm_duffing_exact_from(1, 1, 0, 1, 1, X(0, vm_real), X(1, vm_real)));
     o.force = vm_odd_force_user(NULL, NULL);
     CHECK(vm_odd_plan_init(&p, &o, 2) == VM_BAD_ARGUMENT);
+    o.force = vm_duffing_force_of_laws(NULL);
+    CHECK(vm_odd_plan_init(&p, &o, 2) == VM_BAD_ARGUMENT);
 }
 
 static void null_van_der_pol(void)

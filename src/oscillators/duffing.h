@@ -9,7 +9,8 @@
        vm_real x, v;
        vm_real T = vm_duffing_period(2, 1, VM_C(0.5)); // x'' + x + x^3/2 = 0 from rest at x = 2 m
        vm_duffing_exact_from(T / 8, 2, 0, 1, VM_C(0.5), &x, &v);
-   For a slow mass, stiffness or damping give vm_duffing_force(k1, k3) to the functions of oscillators/odd_motion.h.
+   For a slow mass, stiffness or damping give vm_duffing_force(k1, k3) to the functions of oscillators/odd_motion.h; for
+   k1 and k3 that follow laws of their own, vm_duffing_force_of_laws.
    Guide: docs/duffing.md. Tests: tests/test_duffing.c. */
 #ifndef VARMASS_OSCILLATORS_DUFFING_H
 #define VARMASS_OSCILLATORS_DUFFING_H
@@ -236,6 +237,18 @@ VM_API vm_odd_force vm_duffing_force(vm_real k1, vm_real k3)
 {
     vm_odd_force force = vmi_duffing_elastic(k1, k3);
     force.ripple = vmi_duffing_ripple;
+    return force;
+}
+
+/* Duffing's force k1(t) x + k3(t) x^3 whose coefficients follow laws of their own: laws[0] is k1, N/m, and laws[1] is
+   k3, N/m^3. Both may have either sign; the two laws must outlive the force. It is for a vm_odd_problem
+   (oscillators/odd_motion.h), whose factor `stiffness` multiplies both. The functions for constant mass refuse it with
+   VM_NO_LAW. A null pointer makes no force: it is refused with VM_BAD_ARGUMENT. */
+VM_API vm_odd_force vm_duffing_force_of_laws(const struct VM_TAG(vm_law) *laws)
+{
+    vm_odd_force force = vm_duffing_force(0, 0); /* vm_odd_plan_init writes the coefficients at t = 0 */
+    force.laws = laws;
+    if (!laws) force.at = NULL;
     return force;
 }
 

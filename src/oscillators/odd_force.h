@@ -34,8 +34,10 @@ typedef struct VM_TAG(vmi_orbit_ripple) vmi_orbit_ripple; /* oscillators/orbit_r
 /* An odd elastic force F(x). The constructors vm_odd_force_user and vm_duffing_force fill it. It points to functions
    of this header and to the user's function and ctx, which must outlive it. */
 typedef struct VM_TAG(vm_odd_force) vm_odd_force;
+struct VM_TAG(vm_law); /* oscillators/laws.h */
 struct VM_TAG(vm_odd_force) {
     vm_real k1, k3;           /* coefficients of x and x^3 of Duffing's force; 0 for a user's function */
+    const struct VM_TAG(vm_law) *laws; /* two laws of time for k1 and k3; null where they are constant */
     vm_odd_function function; /* the user's function; else null */
     void *ctx;                /* the user's pointer, last argument of function */
     /* Functions that depend on the kind of force; its constructor sets them. All but `point` return a status. */
@@ -474,6 +476,7 @@ VM_API vm_odd_force vm_odd_force_user(vm_odd_function function, void *ctx)
     vm_odd_force force;
     force.k1 = 0;
     force.k3 = 0;
+    force.laws = NULL;
     force.function = function;
     force.ctx = ctx;
     force.at = NULL;
