@@ -353,7 +353,7 @@
        vm_vdp_rhs                     Equation of motion (404) of a Van der Pol oscillator, for rk45 or rk87
        vm_vdp_averaged_rhs            Averaged equations (410) of a Van der Pol oscillator, for rk45 or rk87
 
-     oscillators/van_der_pol_walk: the mean motion of a Van der Pol oscillator along any slow law of its mass
+     oscillators/van_der_pol_walk: the mean motion of a Van der Pol oscillator along slow laws of mass and stiffness
        vm_vdp_plan_init               Prepares a plan for many values of the motion of a Van der Pol oscillator
 
      oscillators/van_der_pol_routes: the motion x(t) of a Van der Pol oscillator, and its limit cycle to second order
@@ -8748,6 +8748,7 @@ enum { VMI_OSC_G = 5 };
 typedef struct VM_TAG(vmi_osc_slow) {
     vm_real m, k;         /* mass, kg, and stiffness, N/m^alpha */
     vm_real a, p;         /* the rates a and p that the top of this file defines, 1/s */
+    vm_real k_rate;       /* k'/k, 1/s */
     vm_real unit;         /* time by which G_i are scaled, s, about 1/W: it keeps powers of very fast or slow rates from
                              overflowing */
     vm_real G[VMI_OSC_G]; /* G[i] is unit^(i+2) G_i, a pure number */
@@ -8758,6 +8759,7 @@ typedef struct VM_TAG(vmi_osc_slow) {
 typedef struct VM_TAG(vmi_osc_rates) {
     vm_real m, k; /* mass, kg, and stiffness, N/m^alpha */
     vm_real a, p; /* the rates a and p of the top of this file, 1/s */
+    vm_real k_rate; /* k'/k, 1/s */
 } vmi_osc_rates;
 
 /* Writes mass, stiffness and rates at t to *r. Where the rates jump at t, side = 1 asks for those after t, side = -1
@@ -8771,6 +8773,7 @@ VM_API int vmi_osc_rates_at(const vm_osc_problem *o, vm_real t, int side, vmi_os
     r->m = m[0];
     r->k = k[0];
     r->a = (o->reactive * m[1] + o->damping) / m[0];
+    r->k_rate = k[1] / k[0];
     r->p = (k[1] / k[0] + 2 * r->a - m[1] / m[0]) / (o->alpha + 3);
     return VM_OK;
 }
@@ -8859,6 +8862,7 @@ VM_API void vmi_osc_slow_of(const vm_osc_problem *o, vm_real *m, vm_real *k, vm_
         k[i] = (k_rate[i] + 2 * a - m_rate[i]) / (o->alpha + 3);
     }
     now->a = m[0] / unit;
+    now->k_rate = k_rate[0] / unit;
     now->p = k[0] / unit;
     vmi_osc_find_G(n, m, k, now);
 }
@@ -13685,7 +13689,7 @@ VM_API void vm_duffing_exact_from(vm_real t, vm_real x0, vm_real v0, vm_real c1,
    with F(y) = k1(0) y + k3(0) y^3, K(t) = k(t) k1(t)/k1(0) and G = s''/s + (s'/s) (reactive m' + b)/m. So the change of
    shape acts as more damping, and as a weak linear spring, whose stiffness is of second order in the rates of the
    laws. Where k1 or k3 is 0 all the time, s is 1. Where one of them is 0 at one time only, there is no such s; then the
-   equation of motion is integrated. Guide: docs/duffing.md. Tests: tests/test_odd_force.c. */
+   equation of motion is integrated. Guide: docs/duffing.md. Tests: tests/test_duffing_laws.c. */
 #ifndef VARMASS_OSCILLATORS_ODD_LAWS_H
 #define VARMASS_OSCILLATORS_ODD_LAWS_H
 
@@ -14998,7 +15002,7 @@ VM_API void vmi_slow_phase(vm_real x, vm_real v, vm_real k, vm_real mass, vm_rea
 #endif
 /* oscillators/van_der_pol.h - the Van der Pol oscillator with variable mass
 
-   The equation is (404), with the mass m(t) and a spring of any exponent alpha:
+   The equation is (404), with the mass m(t), a spring of any exponent alpha, and a stiffness k that may be slow, too:
        m x'' + k x|x|^(alpha-1) = (feed - c x^2) x' - r m' x'
    If feed > 0 feeds the vibration and c > 0 limits it, the vibration tends to a limit cycle. r (`reactive`) is 1 where
    mass that joins or leaves is at rest, 0 where it has the body's velocity. This file has the equation of motion, the
@@ -15029,12 +15033,14 @@ enum {
    the dissertation; both may have either sign. */
 typedef struct VM_TAG(vm_vdp) {
     vm_real alpha;      /* exponent of the spring, >= 0 */
-    vm_real k;          /* stiffness, N/m^alpha, > 0 */
+    vm_real k;          /* stiffness, N/m^alpha, > 0, where it is constant */
     vm_real feed;       /* coefficient of the term that feeds the vibration, N s/m; < 0 takes energy out */
     vm_real c;          /* coefficient of the term that limits the vibration, N s/m^3 */
     vm_real reactive;   /* r: 1 where mass that joins or leaves is at rest, 0 where it has the body's velocity */
     int method;         /* method of averaging, VM_VDP_... */
     vm_law mass;        /* slow mass m, kg, > 0; vm_vdp_init and vm_vdp_limit_cycle do not use it */
+    vm_law stiffness;   /* slow stiffness, N/m^alpha, > 0, in place of k; zeros, as memset leaves them, stand for the
+                           constant k. vm_vdp_init and vm_vdp_limit_cycle do not use it */
     vm_real a1, a2, a3; /* mean values of (410), pure numbers; vm_vdp_init writes them */
 } vm_vdp;
 
@@ -15058,12 +15064,22 @@ VM_API void vmi_vdp_means(vm_vdp *v)
     }
 }
 
-/* Checks that the numbers of a Van der Pol oscillator are in their domains. */
+/* Whether the stiffness follows a law; else it is the constant k */
+VM_API int vmi_vdp_has_stiffness_law(const vm_vdp *v) { return v->stiffness.derivatives != NULL; }
+
+/* The law of the stiffness */
+VM_API vm_law vmi_vdp_stiffness(const vm_vdp *v)
+{
+    if (vmi_vdp_has_stiffness_law(v)) return v->stiffness;
+    return vm_law_linear(v->k, 0);
+}
+
+/* Checks that the numbers of a Van der Pol oscillator are in their domains. k counts only where it is the stiffness. */
 VM_API int vmi_vdp_check(const vm_vdp *v)
 {
     const vm_real numbers[5] = {v->alpha, v->k, v->feed, v->c, v->reactive};
     if (!vmi_all_finite(5, numbers)) return VM_NOT_FINITE;
-    if (v->k <= 0) return VM_BAD_STIFFNESS;
+    if (v->k <= 0 && !vmi_vdp_has_stiffness_law(v)) return VM_BAD_STIFFNESS;
     if (v->alpha < 0) return VM_DOMAIN;
     return VM_OK;
 }
@@ -15103,8 +15119,8 @@ VM_API int vmi_vdp_has_closed_forms(const vm_vdp *v) { return v->a1 > 0; }
    first_A is the amplitude, m, at t = 0, of either sign. One formula stands for (422), (424), (427), (429),
    (431)-(435), (437), as corrected, and has no singularity where terms cancel. The error is that of averaging (see
    `method`) and that of rounding, which tests bound by 12 eps. Returns NaN for a null pointer, an oscillator that is
-   not prepared, infinite arguments, a mass that is not positive at 0 or at t, and a mass that is neither linear nor
-   constant (integrate vm_vdp_averaged_rhs instead). For c < 0 it also returns NaN from the time at which the amplitude
+   not prepared, infinite arguments, a mass that is not positive at 0 or at t, a mass that is neither linear nor
+   constant, and a stiffness that follows a law (integrate vm_vdp_averaged_rhs instead). For c < 0 it also returns NaN from the time at which the amplitude
    becomes infinite. Method: the solution of (416) is
      1/A^2 = e^-F (1/first_A^2 + 2 c a3/a1 times the integral of e^F dt/m),  F = drive a2/a1 times the integral of dt/m,
    where drive = 2 feed - (2r - 1) m'. For a linear mass F is proportional to the integral of dt/m, hence the integral
@@ -15116,6 +15132,7 @@ VM_API vm_real vm_vdp_amplitude(const vm_vdp *v, vm_real t, vm_real first_A)
     vmi_linear_mass m;
     vm_real F, e, limit, root, size, scale, numerator, free_term, denominator;
     if (!VM_IS_FINITE(first_A) || !VM_IS_FINITE(v->c) || !vmi_vdp_has_closed_forms(v)) return VM_NAN;
+    if (vmi_vdp_has_stiffness_law(v)) return VM_NAN;
     if (vmi_linear_mass_of(&v->mass, t, &m)) return VM_NAN;
     F = vmi_vdp_drive(v, 0) * (v->a2 / v->a1) * m.integral -
         (2 * v->reactive - 1) * (v->a2 / v->a1) * m.ln_ratio;
@@ -15141,8 +15158,8 @@ VM_API vm_real vm_vdp_amplitude(const vm_vdp *v, vm_real t, vm_real first_A)
     return scale * VM_SQRT(numerator / denominator);
 }
 
-/* Amplitude of the limit cycle, m, while the mass changes at mass_rate (kg/s): (425), (430), (438). It is 0 where
-   there is no limit cycle. *stable_or_NULL becomes 1 if amplitudes near the result tend to it, else 0. The relative
+/* Amplitude of the limit cycle, m, while the mass changes at mass_rate (kg/s): (425), (430), (438). The stiffness must be
+   constant. The amplitude is 0 where there is no limit cycle. *stable_or_NULL becomes 1 if amplitudes near the result tend to it, else 0. The relative
    rounding error is at most 3e-15 (float 6e-6); the error of averaging comes on top. Returns NaN for a null pointer, an
    oscillator that is not prepared, or an infinite mass_rate. */
 VM_API vm_real vm_vdp_limit_cycle(const vm_vdp *v, vm_real mass_rate, int *stable_or_NULL)
@@ -15157,6 +15174,17 @@ VM_API vm_real vm_vdp_limit_cycle(const vm_vdp *v, vm_real mass_rate, int *stabl
     return VM_SQRT(drive / v->c * (v->a2 / (2 * v->a3)));
 }
 
+/* Reads mass and stiffness at t, and their rates, after a check of the oscillator's numbers. */
+VM_API int vmi_vdp_laws_at(const vm_vdp *v, vm_real t, vm_real *mass, vm_real *mass_rate, vm_real *k, vm_real *k_rate)
+{
+    int status = vmi_first_error(vmi_law_at(&v->mass, VM_BAD_MASS, t, mass, mass_rate), vmi_vdp_check(v));
+    *k = v->k;
+    *k_rate = 0;
+    if (vmi_vdp_has_stiffness_law(v))
+        status = vmi_first_error(status, vmi_law_at(&v->stiffness, VM_BAD_STIFFNESS, t, k, k_rate));
+    return status;
+}
+
 /* Equation of motion (404) of a Van der Pol oscillator, for rk45 or rk87.
    y = (x, x') is in m and m/s; vdp points to a vm_vdp. Returns VM_BAD_ARGUMENT for null pointers or where no
    constructor made the mass, VM_NOT_FINITE for a number that is infinite or NaN, VM_BAD_MASS for a mass that is not
@@ -15166,16 +15194,16 @@ VM_API int vm_vdp_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *vdp)
 {
     if (!y || !dydt || !vdp) return VM_BAD_ARGUMENT;
     const vm_vdp *v = (const vm_vdp *)vdp;
-    vm_real mass, rate, feed;
-    const int status = vmi_first_error(vmi_law_at(&v->mass, VM_BAD_MASS, t, &mass, &rate), vmi_vdp_check(v));
+    vm_real mass, rate, k, k_rate, feed;
+    const int status = vmi_vdp_laws_at(v, t, &mass, &rate, &k, &k_rate);
     if (status) return status;
     feed = vmi_van_der_pol_feed(v->feed, v->c, y[0]) - v->reactive * rate;
     dydt[0] = y[1];
-    dydt[1] = (feed * y[1] - v->k * vmi_osc_elastic(y[0], v->alpha)) / mass;
+    dydt[1] = (feed * y[1] - k * vmi_osc_elastic(y[0], v->alpha)) / mass;
     return VM_OK;
 }
 
-/* Averaged equations (410) of a Van der Pol oscillator, for rk45 or rk87. The mass m may follow any slow law. y = (A,
+/* Averaged equations (410) of a Van der Pol oscillator, for rk45 or rk87. Mass and stiffness may follow any slow law. y = (A,
    psi) holds the mean amplitude A, in metres, and the Ateb phase psi: x = A ca(psi), and |x| = A at the turning points.
    vdp points to a prepared vm_vdp with the fields feed and c. For the method VM_VDP_ATEB and a start from rest, let e
    be the largest of feed, c A^2 and m', divided by m psi'. Then, up to the time m/feed, the relative error of A is of
@@ -15184,11 +15212,12 @@ VM_API int vm_vdp_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void 
 {
     if (!y || !dydt || !vdp) return VM_BAD_ARGUMENT;
     const vm_vdp *v = (const vm_vdp *)vdp;
-    vm_real mass, rate;
-    const int status = vmi_first_error(vmi_law_at(&v->mass, VM_BAD_MASS, t, &mass, &rate), vmi_vdp_check(v));
+    vm_real mass, rate, k, k_rate;
+    const int status = vmi_vdp_laws_at(v, t, &mass, &rate, &k, &k_rate);
     if (status) return status;
     dydt[0] = y[0] / (v->a1 * mass) * vmi_vdp_growth(v, rate, y[0]);
-    dydt[1] = vmi_slow_rate(y[0], v->k, mass, v->alpha);
+    if (k_rate != 0) dydt[0] -= y[0] * k_rate / k / (v->alpha + 3);
+    dydt[1] = vmi_slow_rate(y[0], k, mass, v->alpha);
     return VM_OK;
 }
 
@@ -15529,11 +15558,11 @@ VM_API vmi_vdp_sizes vmi_vdp_sizes_of(const vmi_ripple *r, const vmi_vdp_disturb
 }
 
 #endif
-/* oscillators/van_der_pol_walk.h - the mean motion of a Van der Pol oscillator along any slow law of its mass
+/* oscillators/van_der_pol_walk.h - the mean motion of a Van der Pol oscillator along slow laws of mass and stiffness
 
    The transformation of oscillators/van_der_pol_expansion.h is exact to its order where sa or ca is 0. The plan
    therefore follows the exact equations from t = 0 to the next such phase (by collocation), and starts the mean motion
-   there. The mean amplitude and phase at any other time are integrals along the law of the mass, so the cost does not
+   there. The mean amplitude and phase at any other time are integrals along the laws, so the cost does not
    depend on the number of vibrations. On a panel of time (oscillators/panels.h) that starts with the mean amplitude A_0
    and the mean phase psi_0, let B = c/m and r = exp(-2 integral of p dt from the start). Then the mean amplitude A and
    the mean phase psi are
@@ -15588,26 +15617,27 @@ VM_API vm_real vmi_vdp_force(vm_real t, vm_real x, vm_real v, void *ctx)
 /* -- The disturbances -- */
 
 /* The rate of the phase, 1/s, at the amplitude exp(ln_A) */
-VM_API vm_real vmi_vdp_rate(const vm_vdp_plan *p, vm_real mass, vm_real ln_A)
+VM_API vm_real vmi_vdp_rate(const vm_vdp_plan *p, vm_real mass, vm_real k, vm_real ln_A)
 {
     const vm_real alpha = p->vdp.alpha;
-    return VM_SQRT((alpha + 1) / 2 * p->vdp.k / mass) * vmi_exp((alpha - 1) / 2 * ln_A, 0);
+    return VM_SQRT((alpha + 1) / 2 * k / mass) * vmi_exp((alpha - 1) / 2 * ln_A, 0);
 }
 
-/* nu = -m'/m - 4 p + a, 1/s, with the rates a and p. The code finds m'/m from p = (2 a - m'/m)/(alpha+3). */
-VM_API vm_real vmi_vdp_nu(const vm_vdp_plan *p, vm_real rate_a, vm_real rate_p)
+/* nu = -m'/m - 4 p + a, 1/s, with the rates a, p and k'/k. The code finds m'/m from p = (k'/k + 2 a -
+   m'/m)/(alpha+3). */
+VM_API vm_real vmi_vdp_nu(const vm_vdp_plan *p, vm_real rate_a, vm_real rate_p, vm_real k_rate)
 {
-    return (p->vdp.alpha - 1) * rate_p - rate_a;
+    return (p->vdp.alpha - 1) * rate_p - rate_a - k_rate;
 }
 
-/* The disturbances for a mass with the rates a and p, for G0 = p^2 - a p - p', and for the amplitude exp(ln_A), whose
-   phase has the rate W */
-VM_API vmi_vdp_disturbance vmi_vdp_disturbance_of(const vm_vdp_plan *p, vm_real mass, vm_real rate_a, vm_real rate_p,
+/* The disturbances for a mass with the rates a and p and for nu, for G0 = p^2 - a p - p', and for the amplitude
+   exp(ln_A), whose phase has the rate W */
+VM_API vmi_vdp_disturbance vmi_vdp_disturbance_of(const vm_vdp_plan *p, vm_real mass, vm_real nu, vm_real rate_p,
                                                   vm_real G0, vm_real ln_A, vm_real W)
 {
     vmi_vdp_disturbance d;
     d.e = p->vdp.c / mass * vmi_exp(2 * ln_A, 0) / W;
-    d.e1 = d.e * vmi_vdp_nu(p, rate_a, rate_p) / W;
+    d.e1 = d.e * nu / W;
     d.Q0 = d.e * rate_p / W;
     d.E0 = G0 / W / W;
     return d;
@@ -15617,8 +15647,8 @@ VM_API vmi_vdp_disturbance vmi_vdp_disturbance_of(const vm_vdp_plan *p, vm_real 
 VM_API vmi_vdp_disturbance vmi_vdp_disturbance_at(const vm_vdp_plan *p, const vmi_osc_slow *now, vm_real ln_A,
                                                   vm_real W)
 {
-    const vm_real G0 = now->G[0] / now->unit / now->unit;
-    return vmi_vdp_disturbance_of(p, now->m, now->a, now->p, G0, ln_A, W);
+    const vm_real G0 = now->G[0] / now->unit / now->unit, nu = vmi_vdp_nu(p, now->a, now->p, now->k_rate);
+    return vmi_vdp_disturbance_of(p, now->m, nu, now->p, G0, ln_A, W);
 }
 
 /* The sizes of terms for estimates, for the mass and rates in *now, and for the amplitude exp(ln_A), whose phase has
@@ -15626,7 +15656,9 @@ VM_API vmi_vdp_disturbance vmi_vdp_disturbance_at(const vm_vdp_plan *p, const vm
 VM_API vmi_vdp_sizes vmi_vdp_sizes_at(const vm_vdp_plan *p, const vmi_osc_slow *now, vm_real ln_A, vm_real W)
 {
     const vmi_vdp_disturbance d = vmi_vdp_disturbance_at(p, now, ln_A, W);
-    const vm_real rate = (VM_FABS(vmi_vdp_nu(p, now->a, now->p)) + VM_FABS(now->p) + VM_FABS(now->a)) / W;
+    const vm_real rate = (VM_FABS(vmi_vdp_nu(p, now->a, now->p, now->k_rate)) + VM_FABS(now->p) +
+                          VM_FABS(now->a)) /
+                         W;
     return vmi_vdp_sizes_of(&p->osc.ripple, &d, rate);
 }
 
@@ -15738,8 +15770,8 @@ VM_API int vmi_vdp_start(const vm_vdp_plan *p, int side, vmi_vdp_mean *mean)
    plan. The field method must be valid, but it has no effect, and a1 to a3 have none. The oscillator is copied; the
    tables and contexts of its mass must outlive the plan. Errors leave the plan untouched. Returns VM_BAD_ARGUMENT for
    null pointers, an unknown method, and a mass that no constructor made, VM_NOT_FINITE for numbers that are infinite or
-   NaN, VM_BAD_MASS for a mass that is not positive at t = 0 or in a table, VM_BAD_STIFFNESS for k <= 0, VM_DOMAIN for
-   alpha < 0, a table out of order or without t = 0, or a user's function that fails. */
+   NaN, VM_BAD_MASS for a mass that is not positive at t = 0 or in a table, VM_BAD_STIFFNESS for such a stiffness,
+   VM_DOMAIN for alpha < 0, a table out of order or without t = 0, or a user's function that fails. */
 VM_API int vm_vdp_plan_init(vm_vdp_plan *p, const vm_vdp *v, vm_real x, vm_real x_rate)
 {
     vm_vdp_plan plan;
@@ -15748,7 +15780,7 @@ VM_API int vm_vdp_plan_init(vm_vdp_plan *p, const vm_vdp *v, vm_real x, vm_real 
     if (!p || !v || v->method < VM_VDP_ATEB || v->method > VM_VDP_TRIGONOMETRIC) return VM_BAD_ARGUMENT;
     o.alpha = v->alpha;
     o.mass = v->mass;
-    o.stiffness = vm_law_linear(v->k, 0);
+    o.stiffness = vmi_vdp_stiffness(v);
     o.reactive = v->reactive;
     o.damping = -v->feed;
     o.x = x;
@@ -15790,19 +15822,27 @@ typedef struct VM_TAG(vmi_vdp_nodes) {
     vm_real rate[VMI_GAUSS];
 } vmi_vdp_nodes;
 
-/* Returns ln r, where r = exp(-2 integral of p dt), for an interval of time in which the mass changes by the factor
-   exp(ln_m). `way` is the integral of dt/m over this interval. */
-VM_API vm_real vmi_vdp_ln_r(const vm_vdp_plan *p, vm_real ln_m, vm_real way)
+/* Returns ln r, where r = exp(-2 integral of p dt), for an interval of time in which mass and stiffness change by the
+   factors exp(ln_m) and exp(ln_k). `way` is the integral of dt/m over this interval. */
+VM_API vm_real vmi_vdp_ln_r(const vm_vdp_plan *p, vm_real ln_m, vm_real ln_k, vm_real way)
 {
     vm_real ln_A, ln_Om;
-    vmi_osc_adiabatic(&p->osc, ln_m, 0, p->osc.problem.damping * way, &ln_A, &ln_Om);
+    vmi_osc_adiabatic(&p->osc, ln_m, ln_k, p->osc.problem.damping * way, &ln_A, &ln_Om);
     return 2 * ln_A;
 }
 
+/* ln(k/k_start); most stiffnesses are constant, and need no logarithm */
+VM_API vm_real vmi_vdp_ln_k(vm_real k, vm_real k_start)
+{
+    if (k == k_start) return 0;
+    return vmi_log(k / k_start).hi;
+}
+
 /* Computes the first order at the nodes, and from it the terms of second order. *mean is the mean motion at the start
-   of the panel, where the mass is m_start. */
-VM_API void vmi_vdp_first_order(const vm_vdp_plan *p, const vmi_vdp_mean *mean, vm_real length, vm_real m_start,
-                                const vmi_osc_panel_laws *at, vmi_vdp_nodes *nodes, vmi_vdp_panel *panel)
+   of the panel, where *start has mass and stiffness. */
+VM_API void vmi_vdp_first_order(const vm_vdp_plan *p, const vmi_vdp_mean *mean, vm_real length,
+                                const vmi_osc_rates *start, const vmi_osc_panel_laws *at, vmi_vdp_nodes *nodes,
+                                vmi_vdp_panel *panel)
 {
     const vm_real gain = -4 / (p->vdp.alpha + 3) * p->ripple.F * p->vdp.c * vmi_exp(2 * mean->first_ln_A, 0);
     vm_real unused[VMI_GAUSS];
@@ -15811,7 +15851,8 @@ VM_API void vmi_vdp_first_order(const vm_vdp_plan *p, const vmi_vdp_mean *mean, 
     for (i = 0; i < VMI_GAUSS; i++) {
         const vmi_osc_rates *now = &at->rates[i];
         const vm_real way = length / 2 * vmi_legendre_integral(panel->laws.inverse, vmi_gauss_node(i));
-        nodes->ln_r[i] = vmi_vdp_ln_r(p, vmi_log(now->m / m_start).hi, way);
+        const vm_real ln_k = vmi_vdp_ln_k(now->k, start->k);
+        nodes->ln_r[i] = vmi_vdp_ln_r(p, vmi_log(now->m / start->m).hi, ln_k, way);
         nodes->r[i] = vmi_exp(nodes->ln_r[i], 0) / now->m;
         nodes->G0[i] = now->p * (now->p - now->a) - at->p_rate[i];
     }
@@ -15820,9 +15861,9 @@ VM_API void vmi_vdp_first_order(const vm_vdp_plan *p, const vmi_vdp_mean *mean, 
         const vmi_osc_rates *now = &at->rates[i];
         const vm_real y = 1 + gain * (length / 2) * vmi_legendre_integral(panel->r, vmi_gauss_node(i));
         const vm_real ln_A = mean->first_ln_A + (nodes->ln_r[i] - vmi_log(y).hi) / 2;
-        const vm_real W = vmi_vdp_rate(p, now->m, ln_A);
+        const vm_real W = vmi_vdp_rate(p, now->m, now->k, ln_A), nu = vmi_vdp_nu(p, now->a, now->p, now->k_rate);
         const vm_real p_noise = vmi_osc_rate_noise() / VM_FABS(length);
-        vmi_vdp_disturbance d = vmi_vdp_disturbance_of(p, now->m, now->a, now->p, nodes->G0[i], ln_A, W);
+        vmi_vdp_disturbance d = vmi_vdp_disturbance_of(p, now->m, nu, now->p, nodes->G0[i], ln_A, W);
         nodes->first_ln_A[i] = ln_A;
         nodes->first_rate[i] = y > 0 ? W : VM_NAN;
         nodes->second[i] = nodes->r[i] * vmi_vdp_mean_second(&p->ripple, &d);
@@ -15845,8 +15886,9 @@ VM_API void vmi_vdp_second_order(const vm_vdp_plan *p, const vmi_vdp_mean *mean,
         const vm_real node = vmi_gauss_node(i);
         const vm_real sum = p->ripple.F * vmi_legendre_integral(panel->r, node) + vmi_legendre_integral(second, node);
         const vm_real y = 1 + gain * (length / 2) * sum;
-        const vm_real ln_A = mean->ln_A + (nodes->ln_r[i] - vmi_log(y).hi) / 2, W = vmi_vdp_rate(p, now->m, ln_A);
-        const vmi_vdp_disturbance d = vmi_vdp_disturbance_of(p, now->m, now->a, now->p, nodes->G0[i], ln_A, W);
+        const vm_real ln_A = mean->ln_A + (nodes->ln_r[i] - vmi_log(y).hi) / 2;
+        const vm_real W = vmi_vdp_rate(p, now->m, now->k, ln_A), nu = vmi_vdp_nu(p, now->a, now->p, now->k_rate);
+        const vmi_vdp_disturbance d = vmi_vdp_disturbance_of(p, now->m, nu, now->p, nodes->G0[i], ln_A, W);
         nodes->rate[i] = y > 0 ? W * vmi_vdp_mean_rate(&p->ripple, &p->osc.ripple, &d) : VM_NAN;
         panel->kept += vmi_gauss_weight(i) / 2 * VM_FABS(length) * W / y;
     }
@@ -15860,16 +15902,18 @@ VM_API int vmi_vdp_panel_of(const vm_vdp_plan *p, const vmi_vdp_mean *mean, vm_r
     const int side = vmi_time_side(length);
     vmi_osc_panel_laws at;
     vmi_vdp_nodes nodes;
-    vm_real m_start[VMI_LAW_ORDERS], m_end[VMI_LAW_ORDERS], second[VMI_GAUSS], ln_r;
-    int status = vmi_law_derivatives(&o->mass, VM_BAD_MASS, mean->t, side, 0, m_start);
-    if (!status) status = vmi_law_derivatives(&o->mass, VM_BAD_MASS, mean->t + length, -side, 0, m_end);
+    vmi_osc_rates start, end;
+    vm_real second[VMI_GAUSS], ln_r;
+    int status = vmi_osc_rates_at(o, mean->t, side, &start);
+    if (!status) status = vmi_osc_rates_at(o, mean->t + length, -side, &end);
     if (!status) status = vmi_osc_read_laws(o, side, mean->t, length, &at, &panel->laws);
     if (status) return status;
-    vmi_vdp_first_order(p, mean, length, m_start[0], &at, &nodes, panel);
+    vmi_vdp_first_order(p, mean, length, &start, &at, &nodes, panel);
     vmi_legendre_fit(nodes.second, nodes.E, second, panel->laws.E);
     vmi_vdp_second_order(p, mean, length, &at, second, &nodes, panel);
     vmi_legendre_fit(nodes.rate, nodes.first_rate, panel->rate, panel->first_rate);
-    ln_r = vmi_vdp_ln_r(p, vmi_log(m_end[0] / m_start[0]).hi, length * panel->laws.inverse[0]);
+    ln_r = vmi_vdp_ln_r(p, vmi_log(end.m / start.m).hi, vmi_vdp_ln_k(end.k, start.k),
+                        length * panel->laws.inverse[0]);
     panel->first_ln_A = (ln_r - vmi_log(panel->first_ln_A).hi) / 2;
     panel->ln_A = (ln_r + vmi_log(panel->loss).hi) / 2;
     return VM_OK;
@@ -15883,6 +15927,7 @@ VM_API int vmi_vdp_panel_is_resolved(const vmi_vdp_panel *panel, vm_real length,
     const vm_real limit = vmi_panel_limit(length, whole), phase = panel->rate[0] * VM_FABS(length);
     if (!(panel->laws.edge <= vmi_panel_edge_limit(limit))) return 0;
     if (!vmi_panel_is_resolved(panel->laws.inverse, limit) || !vmi_panel_is_resolved(panel->r, limit)) return 0;
+    if (!vmi_panel_is_resolved(panel->laws.ratio, limit)) return 0; /* the series of the stiffness */
     if (!vmi_panel_is_resolved(panel->rate, limit) || !vmi_panel_is_resolved(panel->first_rate, limit)) return 0;
     return vmi_legendre_tail(panel->laws.E) <= E_enough * VM_SQRT(vmi_legendre_square(panel->laws.E)) +
                                                    phase_matters * (1 + 1 / phase) / phase;
@@ -15942,7 +15987,7 @@ VM_API vmi_osc_reduced vmi_vdp_state(const vm_vdp_plan *p, int order, const vmi_
     vmi_osc_reduced state;
     vmi_vdp_disturbance now;
     vmi_vdp_values f;
-    state.W = vmi_vdp_rate(p, mean->now.m, ln_A);
+    state.W = vmi_vdp_rate(p, mean->now.m, mean->now.k, ln_A);
     state.psi = order == 1 ? mean->first_psi : mean->psi;
     if (order > 1) {
         now = vmi_vdp_disturbance_at(p, &mean->now, ln_A, state.W);
@@ -15978,7 +16023,7 @@ VM_API int vmi_vdp_mean_update(const vm_vdp_plan *p, int side, vmi_vdp_mean *mea
 VM_API int vmi_vdp_walk_past_knot(const vm_vdp_plan *p, int side, vmi_vdp_mean *mean)
 {
     const vm_real quarter = p->osc.ripple.pi / 2, turns = (vm_real)side * mean->psi / quarter;
-    const vm_real W = vmi_vdp_rate(p, mean->now.m, mean->ln_A), knot = mean->t;
+    const vm_real W = vmi_vdp_rate(p, mean->now.m, mean->now.k, mean->ln_A), knot = mean->t;
     const vm_real back = -(vm_real)side * quarter * (turns - VM_FLOOR(turns)) / W;
     vmi_vdp_panel panel;
     vmi_osc_reduced state;
@@ -16003,18 +16048,18 @@ VM_API int vmi_vdp_walk_past_knot(const vm_vdp_plan *p, int side, vmi_vdp_mean *
    a quarter of a vibration, and VM_NOT_FINITE where the amplitude becomes infinite between 0 and t. */
 VM_API int vmi_vdp_mean_at(const vm_vdp_plan *p, vm_real t, vmi_vdp_mean *mean)
 {
-    const vm_law *mass = &p->osc.problem.mass;
+    const vm_osc_problem *o = &p->osc.problem;
     const int side = vmi_time_side(t);
     vm_real whole, longest, at = 0;
     int status = p->start_status;
-    if (side < 0 && mass->time) status = vmi_vdp_start(p, -1, mean);
+    if (side < 0 && (o->mass.time || o->stiffness.time)) status = vmi_vdp_start(p, -1, mean);
     else if (!status) *mean = p->start;
     if (status) return status;
     whole = vmi_larger(VM_FABS(t), VM_FABS(mean->t));
-    longest = vmi_law_longest_panel(mass, whole);
+    longest = vmi_smaller(vmi_law_longest_panel(&o->mass, whole), vmi_law_longest_panel(&o->stiffness, whole));
     mean->fast.shortest = longest;
     while (!status) {
-        const vm_real next = vmi_law_next_knot(mass, at, t);
+        const vm_real next = vmi_osc_next_knot(o, at, t);
         if (next != t && (vm_real)side * (mean->t - next) > 0) return VM_NOT_INTEGRATED;
         status = vmi_vdp_walk_piece(p, next, longest, whole, mean);
         if (!status) status = vmi_vdp_mean_update(p, side, mean);
@@ -16023,6 +16068,158 @@ VM_API int vmi_vdp_mean_at(const vm_vdp_plan *p, vm_real t, vmi_vdp_mean *mean)
         at = next;
     }
     return status;
+}
+
+#endif
+/* oscillators/van_der_pol_constant.h - the mean motion of a Van der Pol oscillator of constant mass and stiffness
+
+   The mean motion of oscillators/van_der_pol_walk.h is an integral along the laws. If mass and stiffness are constant,
+   no walk along them is needed. With alpha = 1, Van der Pol's own equation, the integrals have closed forms. Let
+   kappa = feed/m, beta = -F (c/m) A_0^2 with the constant F = -1/4, z = beta/kappa, and y = 1 + z (e^(kappa t) - 1). To
+   first order the amplitude A is A_0 R^(1/2) with R = e^(kappa t)/y, and
+       integral of R dt = ln(y)/beta,   integral of R^2 dt = (kappa ln(y)/beta - R + 1)/beta.
+   The terms of second order are such integrals, too (vmi_vdp_closed_loss). For other alpha the walk ends where the limit
+   cycle is reached: from there on the phase grows evenly. So the cost does not depend on t.
+       vmi_vdp_mean mean;
+       int status = vmi_vdp_mean_motion(&plan, 100, &mean); // plan is a vm_vdp_plan
+   Tests: tests/test_van_der_pol_law.c. */
+#ifndef VARMASS_OSCILLATORS_VAN_DER_POL_CONSTANT_H
+#define VARMASS_OSCILLATORS_VAN_DER_POL_CONSTANT_H
+
+/* Whether a law is constant, as far as its form tells */
+VM_API int vmi_vdp_is_constant(const vm_law *law)
+{
+    vm_real base, rate;
+    return vmi_law_exponential_form(law, &base, &rate) && rate == 0;
+}
+
+/* The growth of the first-order amplitude from the start of the mean motion to a later or earlier time */
+typedef struct VM_TAG(vmi_vdp_growth_course) {
+    vm_real kappa, beta, z; /* see the top of this file; kappa and beta are in 1/s */
+    vm_real ln_R, R;        /* R = (A/A_0)^2, and its logarithm */
+    vm_real ln_y, q;        /* ln(y), and q = 1/y */
+} vmi_vdp_growth_course;
+
+/* Computes kappa, beta and z for a start of the mean motion. s = 4/(alpha+3) is 1 for alpha = 1. */
+VM_API vmi_vdp_growth_course vmi_vdp_course_from(const vm_vdp_plan *p, const vmi_vdp_mean *start)
+{
+    vmi_vdp_growth_course g;
+    g.kappa = p->vdp.feed / start->now.m;
+    g.beta = -p->ripple.F * (p->vdp.c / start->now.m) * vmi_exp(2 * start->ln_A, 0);
+    g.z = g.beta / g.kappa;
+    return g;
+}
+
+/* Computes the growth over `time` seconds, of either sign. The code uses exp(-|kappa time|), so that nothing overflows.
+   Returns VM_NOT_FINITE where the amplitude becomes infinite on the way. */
+VM_API int vmi_vdp_grow(vmi_vdp_growth_course *g, vm_real time)
+{
+    const vm_real x = g->kappa * time, e = vmi_exp(-VM_FABS(x), 0);
+    vm_real free_part = 1 - g->z, limit_part = g->z, sum;
+    if (x >= 0) free_part *= e;
+    else limit_part *= e;
+    sum = free_part + limit_part; /* y if x < 0, else y e^-x */
+    if (!(sum > 0)) return VM_NOT_FINITE;
+    g->ln_y = vmi_log(sum).hi;
+    g->q = 1 / sum;
+    if (x >= 0) {
+        g->ln_R = -g->ln_y;
+        g->ln_y += x;
+        g->q *= e;
+    } else {
+        g->ln_R = x - g->ln_y;
+    }
+    g->R = vmi_exp(g->ln_R, 0);
+    return VM_OK;
+}
+
+/* The terms of second order of y, divided by y, for alpha = 1. They are integrals of e^(kappa t) times 1, A^2 and
+   A^4. */
+VM_API vm_real vmi_vdp_closed_loss(const vm_vdp_plan *p, const vmi_vdp_growth_course *g, vm_real W)
+{
+    const vmi_vdp_ripple *v = &p->ripple;
+    const vm_real a = 1 - g->z, z = g->z, q = g->q, B = -g->beta / v->F; /* B = (c/m) A_0^2 */
+    const vm_real rate_p = -g->kappa / 2, nu = g->kappa, G0 = -g->kappa * g->kappa / 4;
+    const vm_real J0 = (g->R - q) / g->kappa;
+    const vm_real J2 = (1 - q - a * g->ln_y * q) / (g->kappa * z * z);
+    const vm_real J4 = (1 - q - 2 * a * g->ln_y * q + a * a * (q - q * q)) / (g->kappa * z * z * z);
+    return -B * (v->K3 * (B / W) * (B / W) * J4 + (nu * v->K1 + rate_p * v->KQ) / W * (B / W) * J2 +
+                 v->KE * G0 / W / W * J0);
+}
+
+/* Computes the mean motion at t in closed form, for alpha = 1. *mean is its start. */
+VM_API int vmi_vdp_closed(const vm_vdp_plan *p, vmi_vdp_growth_course *g, vm_real t, vmi_vdp_mean *mean)
+{
+    const vmi_ripple *r = &p->osc.ripple;
+    const vm_real time = t - mean->t, W = vmi_vdp_rate(p, mean->now.m, mean->now.k, mean->ln_A);
+    const vm_real B = -g->beta / p->ripple.F, G0 = -g->kappa * g->kappa / 4, E0 = G0 / W / W;
+    vm_real loss, square, fourth;
+    int status = vmi_vdp_grow(g, time);
+    if (status) return status;
+    loss = 1 + vmi_vdp_closed_loss(p, g, W);
+    if (!(loss > 0)) return VM_NOT_FINITE;
+    square = g->ln_y / g->beta;
+    fourth = (g->kappa * square - (g->R - 1)) / g->beta;
+    mean->first_psi += W * time;
+    mean->psi += W * time + p->ripple.K2 * B * B * fourth / W + r->mean4 * B * (g->kappa / 2) * square / W +
+                 r->mean2 * G0 * time / W;
+    mean->first_ln_A += g->ln_R / 2;
+    mean->ln_A += (g->ln_R - vmi_log(loss).hi) / 2;
+    mean->J_error *= g->q / loss;
+    mean->J_third *= g->q / loss;
+    mean->psi_third += VM_FABS(W * time * vmi_expansion_second(r)) * E0 * E0;
+    mean->t = t;
+    mean->fast.shortest = vmi_larger(VM_FABS(t), VM_FABS(time));
+    return VM_OK;
+}
+
+/* The time, s, from the start of the mean motion, after which the limit cycle is reached to rounding errors in the
+   direction `side` of time; infinite if the motion does not tend to a limit cycle. */
+VM_API vm_real vmi_vdp_settling_time(const vm_vdp_plan *p, const vmi_vdp_growth_course *g, int side)
+{
+    const vm_real digits = VM_MANT_DIG > 24 ? 45 : 24; /* exp(-45) is below the rounding error */
+    const vm_real share = 4 / (p->vdp.alpha + 3);
+    if (!((vm_real)side * g->kappa > 0) || !(g->z > 0)) return VM_INFINITY;
+    return (digits + VM_FABS(vmi_log(g->z).hi)) / (share * VM_FABS(g->kappa));
+}
+
+/* Advances the mean motion on the limit cycle to t. */
+VM_API void vmi_vdp_stay(const vm_vdp_plan *p, vm_real t, vmi_vdp_mean *mean)
+{
+    const vmi_ripple *r = &p->osc.ripple;
+    const vm_real time = t - mean->t, W = vmi_vdp_rate(p, mean->now.m, mean->now.k, mean->ln_A);
+    const vmi_vdp_disturbance now = vmi_vdp_disturbance_at(p, &mean->now, mean->ln_A, W);
+    mean->psi += time * W * vmi_vdp_mean_rate(&p->ripple, r, &now);
+    mean->first_psi += time * vmi_vdp_rate(p, mean->now.m, mean->now.k, mean->first_ln_A);
+    mean->psi_third += VM_FABS(time * W * vmi_expansion_second(r)) * now.E0 * now.E0;
+    mean->t = t;
+}
+
+/* Computes the mean motion at t: in closed form if there is one, or by a walk along the laws as far as it is needed. The
+   statuses are those of vmi_vdp_mean_at. */
+VM_API int vmi_vdp_mean_motion(const vm_vdp_plan *p, vm_real t, vmi_vdp_mean *mean)
+{
+    const vm_real extreme = VM_C(1e6); /* for larger |z|, or smaller than its inverse, the closed form divides by about 0 */
+    const int side = vmi_time_side(t);
+    vmi_vdp_growth_course g;
+    vm_real settled;
+    int status = p->start_status;
+    if (status) return status;
+    if (!vmi_vdp_is_constant(&p->osc.problem.mass) || !vmi_vdp_is_constant(&p->osc.problem.stiffness))
+        return vmi_vdp_mean_at(p, t, mean);
+    g = vmi_vdp_course_from(p, &p->start);
+    if (p->vdp.alpha == 1 && VM_FABS(g.z) < extreme && VM_FABS(g.z) * extreme > 1) {
+        *mean = p->start;
+        status = vmi_vdp_closed(p, &g, t, mean);
+        if (status) return status;
+        return vmi_vdp_mean_update(p, side, mean);
+    }
+    settled = p->start.t + (vm_real)side * vmi_vdp_settling_time(p, &g, side);
+    if (!(VM_FABS(settled) < VM_FABS(t))) return vmi_vdp_mean_at(p, t, mean);
+    status = vmi_vdp_mean_at(p, settled, mean);
+    if (status) return status;
+    vmi_vdp_stay(p, t, mean);
+    return vmi_vdp_mean_update(p, side, mean);
 }
 
 #endif
@@ -16070,7 +16267,7 @@ VM_API vm_real vmi_vdp_error(const vm_vdp_plan *p, const vmi_vdp_mean *mean, vm_
 {
     const vmi_ripple *r = &p->osc.ripple;
     const vm_real n = r->alpha + 1, largest_known = VM_C(0.25); /* where the estimate is larger the error is unknown */
-    const vm_real W = vmi_vdp_rate(p, mean->now.m, mean->ln_A), turns = VM_FABS(mean->psi - p->start.psi);
+    const vm_real W = vmi_vdp_rate(p, mean->now.m, mean->now.k, mean->ln_A), turns = VM_FABS(mean->psi - p->start.psi);
     const vmi_vdp_sizes now = vmi_vdp_sizes_at(p, &mean->now, mean->ln_A, W);
     const vm_real back = 2 / n * now.psi + 2 / (n + 2) * now.J;
     const vm_real all = back + 2 / n * mean->psi_error + 2 / (n + 2) * mean->J_error;
@@ -16147,7 +16344,7 @@ VM_API int vmi_vdp_check_call(const vm_vdp_plan *p, vm_real t, vm_real *toleranc
    leaves *motion untouched; it returns
      VM_BAD_ARGUMENT for null pointers or a route that is not one of the five,
      VM_NOT_FINITE for a number that is infinite or NaN, and for the law where the amplitude becomes infinite before t,
-     VM_BAD_MASS for a mass that is not positive between 0 and t,
+     VM_BAD_MASS or VM_BAD_STIFFNESS for a law that is not positive between 0 and t,
      VM_DOMAIN for a negative tolerance, t outside a table, a table out of order, or a user's function that fails,
      VM_NOT_INTEGRATED where amplitude and phase do not describe the motion, for the law and collocation,
      VM_NOT_INTEGRATED for the law where a table has points closer than a quarter of a vibration,
@@ -16162,7 +16359,7 @@ VM_API int vm_vdp_plan_by_route(const vm_vdp_plan *p, int route, vm_real t, vm_r
     if (status) return status;
     if (p->osc.A == 0) return vmi_osc_at_rest(&p->osc, route, motion);
     if (!by_law) return vmi_vdp_integrate(p, route, t, tolerance, motion);
-    status = vmi_vdp_mean_at(p, t, &mean);
+    status = vmi_vdp_mean_motion(p, t, &mean);
     if (status) return status;
     return vmi_vdp_order_n(p, route, &mean, motion);
 }
@@ -16177,7 +16374,7 @@ VM_API int vmi_vdp_law_within(const vm_vdp_plan *p, vm_real t, vm_real tolerance
     vmi_vdp_mean mean;
     vm_osc_motion result;
     int route;
-    if (vmi_vdp_mean_at(p, t, &mean)) return VM_TOLERANCE_MISSED;
+    if (vmi_vdp_mean_motion(p, t, &mean)) return VM_TOLERANCE_MISSED;
     for (route = VM_ROUTE_ATEB; route <= VM_ROUTE_ORDER3; route++) {
         if (vmi_vdp_order_n(p, route, &mean, &result)) return VM_TOLERANCE_MISSED;
         if (!(reserve * result.error <= tolerance)) continue;
@@ -16248,21 +16445,21 @@ VM_API void vmi_vdp_cycle_coefficients(const vmi_vdp_ripple *v, const vmi_ripple
 /* Limit cycle of a Van der Pol oscillator of constant mass, to second order in epsilon.
    epsilon = feed/(m W), where W is the rate of the phase, 1/s, at the amplitude A of vm_vdp_limit_cycle. Then the
    largest x is A (1 + kx epsilon^2) and the period is 2 Pi_alpha/(W (1 + kw epsilon^2)), with kx = 1/192 and kw = -1/16
-   for alpha = 1. Both are right to O(epsilon^4). The mass is that of the law v->mass at t = 0; the fields method,
+   for alpha = 1. Both are right to O(epsilon^4). Mass and stiffness are those at t = 0; the fields method,
    reactive and a1 to a3 do not matter. Returns VM_BAD_ARGUMENT for null pointers, an unknown method, and a mass that no
    constructor made, VM_NOT_FINITE for numbers that are infinite or NaN, VM_BAD_MASS for a mass that is not positive,
-   VM_BAD_STIFFNESS for k <= 0, VM_DOMAIN for alpha < 0 or a law that fails, and VM_NO_LAW where there is no limit
+   VM_BAD_STIFFNESS for such a stiffness, VM_DOMAIN for alpha < 0 or a law that fails, and VM_NO_LAW where there is no limit
    cycle, that is unless feed and c have the same sign. An error leaves *cycle untouched. */
 VM_API int vm_vdp_cycle_of(const vm_vdp *v, vm_vdp_cycle *cycle)
 {
     vmi_ripple r;
     vmi_vdp_ripple ripple;
     vm_vdp_cycle result;
-    vm_real mass, mass_rate, A, W, kx, kw, numbers[3];
+    vm_real mass, mass_rate, k, k_rate, A, W, kx, kw, numbers[3];
     int status;
     if (!v || !cycle || v->method < VM_VDP_ATEB || v->method > VM_VDP_TRIGONOMETRIC) return VM_BAD_ARGUMENT;
     status = vmi_first_error(vmi_vdp_check(v), vmi_law_check(&v->mass, VM_BAD_MASS, 0));
-    if (!status) status = vmi_law_at(&v->mass, VM_BAD_MASS, 0, &mass, &mass_rate);
+    if (!status) status = vmi_vdp_laws_at(v, 0, &mass, &mass_rate, &k, &k_rate);
     if (status) return status;
     if (!((v->feed > 0 && v->c > 0) || (v->feed < 0 && v->c < 0))) return VM_NO_LAW;
     vmi_ripple_init(&r, v->alpha, vmi_ateb_constants);
@@ -16270,7 +16467,7 @@ VM_API int vm_vdp_cycle_of(const vm_vdp *v, vm_vdp_cycle *cycle)
     vmi_vdp_ripple_init(&ripple, &r);
     vmi_vdp_cycle_coefficients(&ripple, &r, &kx, &kw);
     A = VM_SQRT(v->feed / v->c / -ripple.F);
-    W = vmi_slow_rate(A, v->k, mass, v->alpha);
+    W = vmi_slow_rate(A, k, mass, v->alpha);
     result.epsilon = v->feed / mass / W;
     result.largest_x = A * (1 + kx * result.epsilon * result.epsilon);
     result.period = 2 * r.pi / (W * (1 + kw * result.epsilon * result.epsilon));

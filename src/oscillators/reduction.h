@@ -35,6 +35,7 @@ enum { VMI_OSC_G = 5 };
 typedef struct VM_TAG(vmi_osc_slow) {
     vm_real m, k;         /* mass, kg, and stiffness, N/m^alpha */
     vm_real a, p;         /* the rates a and p that the top of this file defines, 1/s */
+    vm_real k_rate;       /* k'/k, 1/s */
     vm_real unit;         /* time by which G_i are scaled, s, about 1/W: it keeps powers of very fast or slow rates from
                              overflowing */
     vm_real G[VMI_OSC_G]; /* G[i] is unit^(i+2) G_i, a pure number */
@@ -45,6 +46,7 @@ typedef struct VM_TAG(vmi_osc_slow) {
 typedef struct VM_TAG(vmi_osc_rates) {
     vm_real m, k; /* mass, kg, and stiffness, N/m^alpha */
     vm_real a, p; /* the rates a and p of the top of this file, 1/s */
+    vm_real k_rate; /* k'/k, 1/s */
 } vmi_osc_rates;
 
 /* Writes mass, stiffness and rates at t to *r. Where the rates jump at t, side = 1 asks for those after t, side = -1
@@ -58,6 +60,7 @@ VM_API int vmi_osc_rates_at(const vm_osc_problem *o, vm_real t, int side, vmi_os
     r->m = m[0];
     r->k = k[0];
     r->a = (o->reactive * m[1] + o->damping) / m[0];
+    r->k_rate = k[1] / k[0];
     r->p = (k[1] / k[0] + 2 * r->a - m[1] / m[0]) / (o->alpha + 3);
     return VM_OK;
 }
@@ -146,6 +149,7 @@ VM_API void vmi_osc_slow_of(const vm_osc_problem *o, vm_real *m, vm_real *k, vm_
         k[i] = (k_rate[i] + 2 * a - m_rate[i]) / (o->alpha + 3);
     }
     now->a = m[0] / unit;
+    now->k_rate = k_rate[0] / unit;
     now->p = k[0] / unit;
     vmi_osc_find_G(n, m, k, now);
 }

@@ -57,7 +57,7 @@ static void check_slow_duffing(void)
     int route = draw_byte() % 16 ? draw_below(3) : 9, kind, status;
     k[0] = MOSTLY(draw_in(0.1, 2));
     k[1] = MOSTLY(draw_in(-0.2, 1));
-    kind = draw_byte();
+    kind = (int)draw_byte();
     o.force = kind & 1 ? vm_duffing_force(k[0], k[1]) : vm_odd_force_user(fuzz_spring, k);
     if ((kind & 7) == 7) {
         laws[0] = vm_law_linear(k[0], k[1] / 16);

@@ -101,7 +101,7 @@ static void try_duffing_of_laws(void)
         o.stiffness = vm_law_linear(1, 0);
         o.damping = vm_law_linear(uniform(0, 1) / 128, 0);
         o.reactive = 1;
-        o.x = uniform(0, 1) + (i == 3 ? R(0.875) : 2);
+        o.x = uniform(0, 1) + (i == 3 ? VM_C(0.875) : 2);
         o.v = uniform(-1, 1) / 8;
         fold_int(vm_odd_plan_init(&plan, &o, 20));
         for (route = VM_ODD_MEAN; route <= VM_ODD_RK87; route++)
