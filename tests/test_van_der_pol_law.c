@@ -365,6 +365,48 @@ static void test_removable(void)
     }
 }
 
+/* x at t by order three, from x0 and v0 */
+static double x_at(const vm_vdp *v, double x0, double v0, double t)
+{
+    static vm_vdp_plan plan;
+    vm_osc_motion m = {0, 0, 0, 0, 0, 0};
+    CHECK(vm_vdp_plan_init(&plan, v, R(x0), R(v0)) == VM_OK);
+    CHECK(vm_vdp_plan_by_route(&plan, VM_ROUTE_ORDER3, R(t), 0, &m) == VM_OK);
+    return (double)m.x;
+}
+
+/* Where something cancels, the motion is continuous: a mass that is nearly constant, a start next to the limit cycle, an
+   amplitude that tends to 0, a feed that tends to 0, and a start next to a zero of sa or ca. */
+static void test_hard_points(void)
+{
+    static const double alphas[3] = {1, 4. / 3, 3};
+    const double tiny_rate = by_precision(1e-14, 1e-6), rounding = by_precision(1e-8, 1e-3), t = 300;
+    int k, i;
+    for (k = 0; k < 3; k++) {
+        vm_vdp v = oscillator(alphas[k], 0.01, 0.01, 1, vm_law_linear(1, 0)), other = v;
+        const double near_cycle = 2 / sqrt(1 + 0.01 * 0.01 / 4), one = x_at(&v, 0.5, 0.1, t);
+        other.mass = vm_law_linear(1, R(tiny_rate));
+        check_error("hard points", "mass -> const", "abs", fabs(x_at(&other, 0.5, 0.1, t) - one),
+                    by_precision(3e-8, 0.3), alphas[k], 0); /* the closed form leaves out terms of order four */
+        for (i = -1; i <= 1; i += 2) {
+            const double next = by_precision(1e-11, 1e-6) * i;
+            check_error("hard points", "limit cycle", "abs",
+                        fabs(x_at(&v, near_cycle + next, 0, t) - x_at(&v, near_cycle, 0, t)), rounding, alphas[k], i);
+            check_error("hard points", "sa -> 0", "abs", fabs(x_at(&v, 0.75, next, t) - x_at(&v, 0.75, 0, t)),
+                        rounding, alphas[k], i);
+            check_error("hard points", "ca -> 0", "abs", fabs(x_at(&v, next * 1e-3, 1, t) - x_at(&v, 0, 1, t)),
+                        rounding, alphas[k], i);
+        }
+        if (alphas[k] != 1) continue;
+        check_error("hard points", "amplitude -> 0", "rel",
+                    fabs(x_at(&v, 1e-9, 0, t) / x_at(&v, 1e-12, 0, t) / 1e3 - 1), by_precision(1e-12, 1e-4), 0, 0);
+        other = oscillator(1, 1e-10, 0.01, 1, vm_law_linear(1, 0)); /* z beyond the closed form */
+        v = oscillator(1, 0, 0.01, 1, vm_law_linear(1, 0));
+        check_error("hard points", "feed -> 0", "abs", fabs(x_at(&other, 1, 0, t) - x_at(&v, 1, 0, t)),
+                    by_precision(1e-7, 1e-3), 0, 0);
+    }
+}
+
 /* With c < 0 the amplitude becomes infinite: y = 1 - (1/4) 0.2 t = 0 for alpha = 1, A = 1, at t = 20. The law refuses
    times beyond, and so does the choice of a route. */
 static void test_infinite(void)
@@ -650,6 +692,7 @@ int main(void)
     test_times();
     test_kinds_of_law();
     test_removable();
+    test_hard_points();
     test_infinite();
     test_not_slow();
     test_cycle();

@@ -81,6 +81,7 @@ static void check_van_der_pol_law(void)
     v.c = MOSTLY(draw_in(-0.05, 0.1));
     v.reactive = MOSTLY(draw_in(0, 1));
     v.mass = draw_mass();
+    if (draw_byte() % 4 == 1) v.stiffness = vm_law_linear(v.k, v.k / 64);
     STAIN(cycle);
     status = vm_vdp_cycle_of(&v, &cycle);
     if (status) HOLDS(status < 0 && UNTOUCHED(cycle));

@@ -297,6 +297,9 @@ static void golden_van_der_pol(void)
         v.reactive = uniform(0, 1);
         draw_all(3, 1, 2, mass);
         v.mass = i % 2 ? vm_law_linear(mass[0], mass[1] / 128) : vm_law_exponential(mass[0], mass[2] / 128);
+        if (i == 3) v.alpha = 1;
+        if (i == 3) v.mass = vm_law_linear(mass[0], 0); /* closed form */
+        if (i == 4) v.stiffness = vm_law_exponential(mass[1], mass[0] / 256);
         fold_int(vm_vdp_plan_init(&plan, &v, x, uniform(-1, 1)));
         for (k = 0; k < 5; k++) {
             if (i > 1 && routes[k] == VM_ROUTE_RK87) continue; /* it takes long on an emulator */
