@@ -79,14 +79,14 @@ VM_API vmi_duffing_terms vmi_duffing_outer_terms(const vmi_orbit *orbit)
 VM_API vmi_duffing_terms vmi_duffing_inner_terms(const vmi_orbit *orbit)
 {
     const vm_real k3 = orbit->force->k3, rest2 = -orbit->force->k1 / k3, size = orbit->size, m1 = orbit->m1;
-    const vm_real A2 = rest2 + size, lambda2 = orbit->lambda * orbit->lambda;
+    const vm_real top2 = rest2 + size, lambda2 = orbit->lambda * orbit->lambda;
     vmi_duffing_terms r;
     vm_real by_m;
     r.Omega = orbit->w;
-    r.Omega_size = r.Omega / A2 * (VM_C(0.5) - orbit->C2 * rest2 / (m1 * A2));
-    r.q = vmi_duffing_nome(2 * size / A2, m1, VM_PI * orbit->lambda / orbit->w, &by_m);
+    r.Omega_size = r.Omega / top2 * (VM_C(0.5) - orbit->C2 * rest2 / (m1 * top2));
+    r.q = vmi_duffing_nome(2 * size / top2, m1, VM_PI * orbit->lambda / orbit->w, &by_m);
     r.q_by_k3 = r.q / k3;
-    r.ln_q_size = orbit->w * orbit->w / (4 * lambda2 * m1) * (rest2 / (size * A2));
+    r.ln_q_size = orbit->w * orbit->w / (4 * lambda2 * m1) * (rest2 / (size * top2));
     return r;
 }
 
@@ -101,9 +101,9 @@ VM_API void vmi_duffing_mean_square(const vmi_orbit *orbit, vm_real *X, vm_real 
         *X = size * size * C2;
         *X_size = 2 * size * (C2 + C2_m * m * (k1 / lambda2));
     } else {
-        const vm_real rest2 = -k1 / k3, A2 = rest2 + size, m = 2 * size / A2, dn2 = m1 + m * C2; /* mean of dn^2 */
-        *X = A2 * dn2;
-        *X_size = dn2 - (m * C2 * C2 + m1) / m1 * (rest2 / A2);
+        const vm_real rest2 = -k1 / k3, top2 = rest2 + size, m = 2 * size / top2, dn2 = m1 + m * C2; /* mean of dn^2 */
+        *X = top2 * dn2;
+        *X_size = dn2 - (m * C2 * C2 + m1) / m1 * (rest2 / top2);
     }
 }
 

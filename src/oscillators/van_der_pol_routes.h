@@ -251,6 +251,8 @@ VM_API int vm_vdp_cycle_of(const vm_vdp *v, vm_vdp_cycle *cycle)
     int status;
     if (!v || !cycle || v->method < VM_VDP_ATEB || v->method > VM_VDP_TRIGONOMETRIC) return VM_BAD_ARGUMENT;
     status = vmi_first_error(vmi_vdp_check(v), vmi_law_check(&v->mass, VM_BAD_MASS, 0));
+    if (vmi_vdp_has_stiffness_law(v))
+        status = vmi_first_error(status, vmi_law_check(&v->stiffness, VM_BAD_STIFFNESS, 0));
     if (!status) status = vmi_vdp_laws_at(v, 0, &mass, &mass_rate, &k, &k_rate);
     if (status) return status;
     if (!((v->feed > 0 && v->c > 0) || (v->feed < 0 && v->c < 0))) return VM_NO_LAW;
