@@ -287,6 +287,7 @@ data:
 	python3 tests/gen/beta_reference.py
 	python3 tests/gen/lambert_reference.py
 	python3 tests/gen/drum_reference.py
+	python3 tests/gen/drum_shaft_reference.py
 	python3 tests/gen/elementary.py table
 	python3 tests/gen/table5.py
 	python3 tests/gen/order_conditions.py

@@ -285,14 +285,16 @@ static void null_streams(void)
 
 static void null_drum(void)
 {
-    static const vm_real y[6] = {R(0.1), 0, 0, 0, R(0.2), 1};
+    static const vm_real y[6] = {R(0.1), 0, 0, 0, R(0.2), 1}, y_coupled[6] = {R(0.1), 0, 0, 0, 3, 0};
     vm_drum d = {R(0.3), 20, R(0.9), R(0.45), R(0.9), R(0.05), 2000, 3};
     vm_drum_shaft shaft = {0};
     STATUS(2, vm_drum_at(IN(0, vm_drum, &d), 1, X(1, vm_drum_geometry)));
     STATUS(3, vm_drum_rhs(0, IN(0, vm_real, y), X(1, vm_real), IO(2, vm_drum, &d)));
     STATUS(3, vm_drum_rhs_reduced(0, IN(0, vm_real, y), X(1, vm_real), IO(2, vm_drum, &d)));
     STATUS(3, vm_drum_rhs_angle(0, IN(0, vm_real, y), X(1, vm_real), IO(2, vm_drum, &d)));
+    STATUS(3, vm_drum_rhs_coupled(0, IN(0, vm_real, y_coupled), X(1, vm_real), IO(2, vm_drum, &d)));
     NUMBER(1, vm_drum_rate(IN(0, vm_drum, &d), 1));
+    NUMBER(1, vm_drum_rate_elastic(IN(0, vm_drum, &d), 1, R(0.01)));
     NUMBER(1, vm_drum_time(IN(0, vm_drum, &d), 1));
     NUMBER(1, vm_drum_angle(IN(0, vm_drum, &d), 1));
     NUMBER(1, vm_drum_stop(IN(0, vm_drum, &d)));
@@ -300,6 +302,8 @@ static void null_drum(void)
     STATUS(2, vm_drum_shaft_init(IO(1, vm_drum_shaft, &shaft), IN(0, vm_drum, &d)));
     CHECK(vm_drum_shaft_init(&shaft, &d) == VM_OK);
     NUMBER(1, vm_drum_deflection(IN(0, vm_drum_shaft, &shaft), 1, 1, 0, 0));
+    NUMBER(1, vm_drum_deflection_slope(IN(0, vm_drum_shaft, &shaft), 1, 1, 0, 0));
+    STATUS(3, vm_drum_deflection_start(IN(0, vm_drum_shaft, &shaft), 1, 0, 0, X(1, vm_real), X(2, vm_real)));
     ANSWER(1, vm_drum_shaft_valid(IN(0, vm_drum_shaft, &shaft)));
 }
 

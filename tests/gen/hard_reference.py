@@ -353,6 +353,10 @@ def drum_rate(mu, v, D, phi):
     return (2 + (mu * v / 2 - D) * phi) / (1 + mu / 4 * phi)
 
 
+def drum_rate_elastic(mu, v, D, phi, rise):
+    return drum_rate(mu, v, D, phi) * (1 - mu / 2 * rise / (1 + mu / 4 * phi))
+
+
 def start_velocity(t, alpha):
     n = alpha + 1
     return -sqrt(2 / n) * ateb(sqrt(n / 2) * t, alpha)[0]
