@@ -301,6 +301,10 @@
        vm_law_table                   Table of n >= 2 points (time[i], value[i]), joined by monotone cubics
        vm_law_user                    Law by a user's function, which must be smooth
 
+     oscillators/loads: mass that joins or leaves an oscillator with a velocity, and damping that depends on time
+       vm_osc_load_force              Force of a vm_osc_load on an oscillator, N
+       vm_osc_load_init               Gives an oscillator a velocity u of the mass that joins or leaves, and a damping that depends on time
+
      oscillators/closed: the law of order five as plain data, where all its integrals have closed forms
        vm_osc_closed_init             Prepares the motion of the problem by the law of an order, 2 to 5; a higher order is more accurate
        vm_osc_closed_at               Position x (m) and velocity v (m/s) at time t (s, either sign), from the law in *c, with its order
@@ -310,8 +314,9 @@
      oscillators/plan: the plan of an oscillator: what is computed once and then used at many times t
        vm_osc_plan_init               Plan for many values of one problem's motion
 
-     oscillators/panels: panels of time in which a law is smooth, and the integral of 1/f
+     oscillators/panels: panels of time in which a law is smooth, and the integrals of 1/f and f/g
        vm_law_inverse_integral        Integral of ds/f(s) from 0 to t, s per unit of f, for t of either sign
+       vm_law_ratio_integral          Integral of f(s)/g(s) ds from 0 to t, for t of either sign, f of any sign and g > 0
 
      oscillators/averaging: averaged equations of an oscillator with a force, and what averaging leaves out
        vm_osc_averaged                Averaged rates A', theta', psi' of amplitude and phase, with the problem's force
@@ -8838,6 +8843,93 @@ VM_API int vmi_osc_check_problem(const vm_osc_problem *o, vm_real t, vm_real *ma
 }
 
 #endif
+/* oscillators/loads.h - mass that joins or leaves an oscillator with a velocity, and damping that depends on time
+
+   In the equation of motion of a vm_osc_problem (oscillators/problem.h) mass joins or leaves at rest, u = 0, and the
+   damping is constant. The dissertation's equation (248) has the reactive force m' (u - x') with any velocity u along
+   x. A vm_osc_load adds what is missing on the right side:
+     m x'' + k x|x|^(alpha-1) + (reactive m' + b) x' = reactive m' u(t) - damping(t) x' + force(t, x, x')
+   m' is the rate of the mass, u(t) the absolute velocity of the mass that joins or leaves, damping(t) a law that adds to
+   the constant b of the problem, and force the problem's own further force, if there was one. Every route that allows a
+   force computes the motion: the first-order averaged equations and the integrations of oscillators/routes.h. Shortest
+   useful call, for a problem with the fields of oscillators/problem.h:
+       const vm_law u = vm_law_linear(VM_C(0.3), 0), damping = vm_law_linear(VM_C(0.02), VM_C(0.001));
+       vm_osc_load load;
+       vm_osc_motion motion;
+       int status = vm_osc_load_init(&load, &problem, &u, &damping); // 0.3 m/s; 0.02 kg/s, growing
+       if (!status) status = vm_osc_within(&problem, 10, VM_C(1e-6), &motion);
+   To first order a thrust m' u leaves the averaged amplitude as it is, since its mean over a period is 0: it only moves
+   the middle of the vibration, for alpha = 1 by m' u/k. The averaged routes leave this out, and say so by their `error`.
+   damping(t) changes the amplitude by vm_osc_amplitude_law, with vm_law_ratio_integral(&damping, &mass, t, &decay).
+   Tests: tests/test_loads.c. */
+#ifndef VARMASS_OSCILLATORS_LOADS_H
+#define VARMASS_OSCILLATORS_LOADS_H
+
+/* What vm_osc_load_force adds to an oscillator. vm_osc_load_init fills it. The problem points to it, so that it must
+   outlive the problem and must not move. */
+typedef struct VM_TAG(vm_osc_load) {
+    vm_law mass;        /* mass m(t) of the oscillator, kg, whose rate m' the thrust needs */
+    vm_law u;           /* velocity of the mass that joins or leaves, m/s */
+    vm_law damping;     /* damping, kg/s, that adds to the problem's; positive takes energy out */
+    vm_real reactive;   /* share of the thrust m' u that acts. The init function takes the problem's `reactive`. With 1
+                           here and 0 in the problem, u is the velocity relative to the oscillator. */
+    vm_osc_force force; /* the further force that the problem had before, or NULL */
+    void *ctx;          /* the user's pointer, last argument of force */
+} vm_osc_load;
+
+/* Force of a vm_osc_load on an oscillator, N: reactive m' u(t) - damping(t) v + force(t, x, v).
+   A vm_osc_force; its ctx, here `load`, is a vm_osc_load, and vm_osc_load_init makes it the force of a problem. t is the
+   time (s), x the position (m) and v the velocity (m/s). The laws of mass, u and damping are evaluated once. Returns NaN
+   for a null pointer, for arguments that are infinite or NaN, and where a law has no value at t; the routes then return
+   VM_NOT_INTEGRATED or VM_NOT_FINITE. */
+VM_API vm_real vm_osc_load_force(vm_real t, vm_real x, vm_real v, void *load)
+{
+    if (!load) return VM_NAN;
+    const vm_osc_load *l = (const vm_osc_load *)load;
+    vm_real mass, rate, u, damping, force, unused;
+    int status = vmi_law_at(&l->mass, VM_BAD_MASS, t, &mass, &rate);
+    if (!status) status = vmi_law_at(&l->u, VM_OK, t, &u, &unused);
+    if (!status) status = vmi_law_at(&l->damping, VM_OK, t, &damping, &unused);
+    if (status || !VM_IS_FINITE(x) || !VM_IS_FINITE(v)) return VM_NAN;
+    force = l->reactive * rate * u - damping * v;
+    if (l->force) force += l->force(t, x, v, l->ctx);
+    return force;
+}
+
+/* Gives an oscillator a velocity u of the mass that joins or leaves, and a damping that depends on time.
+   u_or_NULL is the law of this velocity, m/s, and damping_or_NULL the law of the damping, kg/s, which adds to the
+   problem's constant damping; a null pointer means 0. *load is filled, and problem->force and problem->ctx are set to
+   it; a force that the problem had acts as before. Call it once for a problem, after its other fields are set. Routes
+   step over the points of a table in u and damping without stopping there, which costs steps, not accuracy. Returns
+   VM_BAD_ARGUMENT for other null pointers, for a law that no constructor made, and for a problem that has this load
+   already; VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS or VM_DOMAIN where a number of the problem or a law at t = 0 is
+   not finite, not positive or outside its domain. An error leaves *load and *problem untouched. */
+VM_API int vm_osc_load_init(vm_osc_load *load, vm_osc_problem *problem, const vm_law *u_or_NULL,
+                            const vm_law *damping_or_NULL)
+{
+    vm_osc_load l;
+    vm_real mass, stiffness;
+    int status;
+    if (!load || !problem || problem->ctx == load) return VM_BAD_ARGUMENT;
+    status = vmi_osc_check_problem(problem, 0, &mass, &stiffness);
+    if (u_or_NULL) status = vmi_first_error(status, vmi_law_check(u_or_NULL, VM_OK, 0));
+    if (damping_or_NULL) status = vmi_first_error(status, vmi_law_check(damping_or_NULL, VM_OK, 0));
+    if (status) return status;
+    l.mass = problem->mass;
+    l.u = vm_law_linear(0, 0);
+    if (u_or_NULL) l.u = *u_or_NULL;
+    l.damping = vm_law_linear(0, 0);
+    if (damping_or_NULL) l.damping = *damping_or_NULL;
+    l.reactive = problem->reactive;
+    l.force = problem->force;
+    l.ctx = problem->ctx;
+    *load = l;
+    problem->force = vm_osc_load_force;
+    problem->ctx = load;
+    return VM_OK;
+}
+
+#endif
 /* oscillators/reduction.h - amplitude and phase of an oscillator that slow changes disturb in second order only
 
    The oscillator m x'' + k x|x|^(alpha-1) + (reactive m' + b) x' = 0 can be written d(mu x')/dt + kappa x|x|^(alpha-1)
@@ -10033,7 +10125,7 @@ VM_API int vm_osc_plan_init(vm_osc_plan *p, const vm_osc_problem *problem)
 }
 
 #endif
-/* oscillators/panels.h - panels of time in which a law is smooth, and the integral of 1/f
+/* oscillators/panels.h - panels of time in which a law is smooth, and the integrals of 1/f and f/g
 
    An integral along a law f(t) from 0 to t is a sum over intervals of time, called panels. Each panel is so short that
    a series of 20 Legendre polynomials represents the law on it. A panel that is too long for its series is halved; each
@@ -10228,6 +10320,107 @@ VM_API int vm_law_inverse_integral(const vm_law *law, vm_real t, vm_real *integr
     if (status) return status;
     if (law->inverse_integral) sum = law->inverse_integral(law, t);
     else status = vmi_law_inverse_integral_by_panels(law, t, &sum);
+    if (status) return status;
+    return vmi_copy_if_finite(1, &sum, integral);
+}
+
+/* -- The integral of f/g -- */
+
+/* Computes the series of f/g on a panel, where f may have any sign and g is positive. *size receives the largest
+   absolute value of f/g at the points of Gauss' rule and at the ends, and *edge the largest difference between the
+   series and f/g at the ends. */
+VM_API int vmi_law_ratio_series(const vm_law *f, const vm_law *g, vm_real start, vm_real length, vm_real *series,
+                                vm_real *size, vm_real *edge)
+{
+    const int side = vmi_time_side(length);
+    vm_real values[VMI_GAUSS + 2], same[VMI_GAUSS], up[VMI_LAW_ORDERS], down[VMI_LAW_ORDERS];
+    int i, status;
+    *size = 0;
+    for (i = 0; i < VMI_GAUSS + 2; i++) { /* the last two are the start and the end of the panel */
+        const int end = i - VMI_GAUSS;
+        vm_real t = start;
+        if (end < 0) t = start + length * ((1 + vmi_gauss_node(i)) / 2);
+        if (end == 1) t = start + length;
+        status = vmi_law_derivatives(f, VM_OK, t, end == 1 ? -side : side, 0, up);
+        if (!status) status = vmi_law_derivatives(g, VM_BAD_MASS, t, end == 1 ? -side : side, 0, down);
+        if (status) return status;
+        values[i] = up[0] / down[0];
+        *size = vmi_larger(VM_FABS(values[i]), *size);
+    }
+    vmi_legendre_fit(values, values, series, same);
+    *edge = vmi_larger(VM_FABS(vmi_legendre_at(series, -1) - values[VMI_GAUSS]),
+                       VM_FABS(vmi_legendre_at(series, 1) - values[VMI_GAUSS + 1]));
+    return VM_OK;
+}
+
+/* Adds the integral of f/g dt from start to end to *sum; tables must have no point between them. `whole` is the length
+   of the whole integral. */
+VM_API int vmi_law_add_ratio_integral(const vm_law *f, const vm_law *g, vm_real start, vm_real end, vm_real whole,
+                                      vm_real *sum)
+{
+    const vm_real longest = vmi_smaller(vmi_law_longest_panel(f, whole), vmi_law_longest_panel(g, whole));
+    vmi_panels p = vmi_panels_from(start, end, longest, whole);
+    while (vmi_panels_next(&p)) {
+        const vm_real length = p.side * p.step, limit = vmi_panel_limit(length, whole);
+        vm_real series[VMI_GAUSS], size, edge;
+        const int status = vmi_law_ratio_series(f, g, p.t, length, series, &size, &edge);
+        if (status) return status;
+        if (!(edge <= vmi_panel_edge_limit(limit) * size) || !(vmi_legendre_tail(series) <= limit * size))
+            if (vmi_panels_halve(&p)) continue;
+        *sum += length * series[0];
+        vmi_panels_advance(&p);
+    }
+    return VM_OK;
+}
+
+/* The integral of f/g dt from 0 to t by panels, from one point of a table to the next */
+VM_API int vmi_law_ratio_integral_by_panels(const vm_law *f, const vm_law *g, vm_real t, vm_real *integral)
+{
+    vm_real at = 0;
+    int status = VM_OK;
+    *integral = 0;
+    while (!status && at != t) {
+        const vm_real next = vmi_law_next_knot(g, at, vmi_law_next_knot(f, at, t));
+        status = vmi_law_add_ratio_integral(f, g, at, next, VM_FABS(t), integral);
+        at = next;
+    }
+    return status;
+}
+
+/* Computes the integral of f/g dt from 0 to t in closed form, and returns whether there is one: f is constant, or f and
+   g have exponential forms with the same base. */
+VM_API int vmi_law_ratio_integral_closed(const vm_law *f, const vm_law *g, vm_real t, vm_real *integral)
+{
+    vm_real base, rate, base_g, rate_g, u;
+    if (!(f->f0 != 0) || !vmi_law_exponential_form(f, &base, &rate)) return 0;
+    if (rate == 0 && g->inverse_integral) {
+        *integral = f->f0 * g->inverse_integral(g, t);
+        return 1;
+    }
+    if (!vmi_law_exponential_form(g, &base_g, &rate_g)) return 0;
+    if (base != base_g && rate_g != 0) return 0;
+    u = t * vmi_log_ratio(base * t);
+    *integral = f->f0 / g->f0 * u * vmi_exp_ratio((base + rate - rate_g) * u);
+    return 1;
+}
+
+/* Integral of f(s)/g(s) ds from 0 to t, for t of either sign, f of any sign and g > 0.
+   With the damping b(t) for f and the mass m(t) for g it is the `decay` of the amplitude laws (vm_osc_amplitude_law). A
+   closed form is used where f is constant, or where f and g are powers of the same 1 + c t or both exponential. All
+   other laws use Gauss' rule on panels: the error is at most 1e-13 (float 1e-5) of the integral of |f/g|, if user's
+   functions change no faster than vm_law_user says. Returns VM_BAD_ARGUMENT for null pointers and for a law that no
+   constructor made, VM_NOT_FINITE for numbers that are infinite or NaN, VM_BAD_MASS where g <= 0 between 0 and t, and
+   VM_DOMAIN for t outside a table, for a table out of order, where a user's function fails, or where a change_time is
+   negative or less than |t|/2^20. An error leaves *integral untouched. */
+VM_API int vm_law_ratio_integral(const vm_law *f, const vm_law *g, vm_real t, vm_real *integral)
+{
+    vm_real sum = 0;
+    int status;
+    if (!f || !g || !f->derivatives || !g->derivatives || !integral) return VM_BAD_ARGUMENT;
+    if (!VM_IS_FINITE(t)) return VM_NOT_FINITE;
+    status = vmi_first_error(vmi_law_check(f, VM_OK, t), vmi_law_check(g, VM_BAD_MASS, t));
+    if (status) return status;
+    if (!vmi_law_ratio_integral_closed(f, g, t, &sum)) status = vmi_law_ratio_integral_by_panels(f, g, t, &sum);
     if (status) return status;
     return vmi_copy_if_finite(1, &sum, integral);
 }

@@ -133,6 +133,7 @@
 #include "oscillators/constant_mass.h"
 #include "oscillators/laws.h"
 #include "oscillators/problem.h"
+#include "oscillators/loads.h"
 #include "oscillators/reduction.h"
 #include "oscillators/ripple.h"
 #include "oscillators/expansion.h"

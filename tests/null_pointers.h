@@ -310,14 +310,16 @@ static void null_drum(void)
 static void null_oscillators(void)
 {
     const vm_law law = vm_law_linear(1, 0);
-    vm_osc_problem o;
+    vm_osc_problem o, with_load;
     vm_osc_plan p;
+    vm_osc_load load;
     static vm_osc_closed c;
     memset(&o, 0, sizeof o);
     o.mass = law;
     o.stiffness = vm_law_linear(4, 0);
     o.x = 1;
     o.alpha = 1;
+    with_load = o;
     CHECK(vm_osc_plan_init(&p, &o) == VM_OK);
     CHECK(vm_osc_closed_init(&c, &o, 5, 1) == VM_OK);
     NOTHING(2, vm_osc_exact(1, 1, 2, 3, X(0, vm_real), X(1, vm_real)));
@@ -327,6 +329,11 @@ static void null_oscillators(void)
     NOTHING(2, vm_osc_exact_from(1, 1, 1, 2, 3, X(0, vm_real), X(1, vm_real)));
     STATUS(3, vm_law_at(IN(0, vm_law, &law), 1, X(1, vm_real), X(2, vm_real)));
     STATUS(2, vm_law_inverse_integral(IN(0, vm_law, &law), 1, X(1, vm_real)));
+    STATUS(3, vm_law_ratio_integral(IN(0, vm_law, &law), IN(1, vm_law, &law), 1, X(2, vm_real)));
+    CHECK(vm_osc_load_init(&load, &with_load, NULL, NULL) == VM_OK);
+    NUMBER(1, vm_osc_load_force(0, 1, 1, IO(0, vm_osc_load, &load)));
+    CHECK(vm_osc_load_init(NULL, &o, NULL, NULL) == VM_BAD_ARGUMENT);
+    CHECK(vm_osc_load_init(&load, NULL, NULL, NULL) == VM_BAD_ARGUMENT);
     NUMBER(1, vm_adiabaticity(IN(0, vm_osc_problem, &o), 0, 1));
     STATUS(2, vm_osc_plan_init(IO(0, vm_osc_plan, &p), IN(1, vm_osc_problem, &o)));
     STATUS(2, vm_osc_closed_init(IO(0, vm_osc_closed, &c), IN(1, vm_osc_problem, &o), 5, 1));

@@ -86,6 +86,10 @@ def jet(rate, t):
 
 
 @lambda f: with_digits(120, f)
+def ratio_laws(f, g, t):
+    return expm1((f - g) * t) / (f - g)
+
+
 def drum_time(phi, D):
     e = 1 - D
     if e == 0:

@@ -47,6 +47,14 @@ static vm_real quadratic_law_naive(const vm_real *x)
     if (D > 0) return 2 / root * (ATAN2(late, root) - ATAN2(x[0], root));
     return LOG((late - root) * (x[0] + root) / ((late + root) * (x[0] - root))) / root;
 }
+/* exp(x0 t) over exp(x1 t), t = x2 */
+static vm_real ratio_laws_ours(const vm_real *x)
+{
+    const vm_law f = vm_law_exponential(1, x[0]), g = vm_law_exponential(1, x[1]);
+    vm_real integral;
+    return vm_law_ratio_integral(&f, &g, x[2], &integral) == VM_OK ? integral : VM_NAN;
+}
+static vm_real ratio_laws_naive(const vm_real *x) { return (EXP((x[0] - x[1]) * x[2]) - 1) / (x[0] - x[1]); }
 
 /* Way in t = x0 of a body of mass 1 that takes up mass at the rate x1, the relative velocity being 3 */
 static vm_real rocket_way_ours(const vm_real *x)
@@ -254,6 +262,7 @@ static const hard_case removable_cases[] = {
     CASE(exponential_law, 8, "q = 0 itself", 0, 2),
     CASE(linear_law, 8, "ln(1 + q t)/q as q -> 0: the sum forgets q t", R(7e-13, 7e-6), 2),
     CASE(linear_law, 8, "the same, mass falling", R(-7e-10, -7e-5), 3),
+    CASE(ratio_laws, 4, "integral of damping over mass that grow almost alike", 0.3, R(0.3000000001, 0.30001), 3),
     CASE(quadratic_law, 16, "arctangent and logarithm of the quadratic law meet where the roots do", 2,
          R(1.00000001, 1.0001), 1),
     CASE(quadratic_law, 16, "a double root: the discriminant is 0", 2, 1, 3),
