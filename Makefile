@@ -36,7 +36,7 @@ HEADERS = jacobi.h ateb.h integrators.h varmass.h
 TESTS = jacobi elliptic_integrals ateb rk4 pairs adaptive dense events saved_runs coincidences attitude bodies jumps jumps2 relative inverse \
     jump_equations torque_free streams flow flow1 flow2 supply orbit drum drum_shaft lambert broken_rotor broken_rotor_stability \
     lagrange lagrange_jump pendulum constant_mass laws loads averaging slow_motion closed_law collocation routes ladder duffing odd_force van_der_pol \
-    van_der_pol_law jeffcott pair forced diagnostics forces scene_bodies scene_effects scene_mass scene_streams scene_links scene_joints scene_events scene_runs scenes \
+    van_der_pol_law jeffcott jeffcott_motion pair forced diagnostics forces scene_bodies scene_effects scene_mass scene_streams scene_links scene_joints scene_events scene_runs scenes \
     dissertation validation hard refusals_numerics refusals_bodies refusals_streams refusals_oscillators refusals_slow \
     refusals_scenes null_pointers
 # Scripts of make test (tests/test_NAME.sh), and those of make test-all; some are in both, called with "quick" by make test
@@ -296,6 +296,7 @@ data:
 	python3 tests/gen/rotor_reference.py
 	python3 tests/gen/streams.py
 	python3 tests/gen/slow.py
+	python3 tests/gen/jeffcott_reference.py
 	python3 tests/gen/loads_reference.py
 	python3 tests/gen/oscillator_reference.py
 	python3 tests/gen/slow_motion.py

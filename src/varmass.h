@@ -156,6 +156,7 @@
 #include "oscillators/van_der_pol_walk.h"
 #include "oscillators/van_der_pol_routes.h"
 #include "oscillators/jeffcott.h"
+#include "oscillators/jeffcott_motion.h"
 #include "oscillators/pair.h"
 #include "oscillators/forced.h"
 #include "oscillators/resonance.h"

@@ -428,6 +428,9 @@ static void null_laval(void)
     STATUS(3, vm_jeffcott_forward_whirl_rhs(0, IN(0, vm_real, slow_y), X(1, vm_real), IO(2, vm_jeffcott, &r)));
     STATUS(3, vm_jeffcott_backward_whirl_rhs(0, IN(0, vm_real, slow_y), X(1, vm_real), IO(2, vm_jeffcott, &r)));
     NUMBER(1, vm_jeffcott_amplitude(IN(0, vm_jeffcott, &r), 1, 1, 2));
+    NUMBER(1, vm_jeffcott_whirl_amplitude(IN(0, vm_jeffcott, &r), 1, 1, 2, 1));
+    STATUS(2, vm_jeffcott_whirl_at(IN(0, vm_jeffcott, &r), 1, 0, 1, 1, X(1, vm_jeffcott_whirl)));
+    STATUS(3, vm_jeffcott_linear_at(IN(0, vm_jeffcott, &soft), IN(1, vm_real, slow_y), 1, X(2, vm_real)));
     memset(&r.mass, 0, sizeof r.mass); /* no law */
     soft.mass = r.mass;
     CHECK(vm_jeffcott_rhs(0, slow_y, null_output[0], &r) == VM_BAD_ARGUMENT);

@@ -498,8 +498,8 @@ VM_API vm_real vm_drum_deflection(const vm_drum_shaft *s, vm_real phi, vm_real a
      amplitude [(A/(4 m^2) - delta) cos(I + alpha) - k m sin(I + alpha)] + A particular/m^4,   m^2 = 1 - A phi,
    with the letters of vm_drum_deflection. [1] drops the term with A/4 and prints another last term. Times the angular
    velocity phi', the derivative is the velocity of the shaft's centre. The absolute error is a few roundings of
-   amplitude (k m + |delta|), besides what the rounding of the phase makes. Returns NaN where vm_drum_deflection does. */
-VM_API vm_real vm_drum_deflection_slope(const vm_drum_shaft *s, vm_real phi, vm_real a, vm_real alpha,
+   amplitude (k m + |delta|), besides what the rounding of the phase makes. Returns NaN where vm_drum_deflection does.
+*/ VM_API vm_real vm_drum_deflection_slope(const vm_drum_shaft *s, vm_real phi, vm_real a, vm_real alpha,
                                         vm_real particular)
 {
     vmi_drum_wave w;

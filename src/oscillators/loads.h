@@ -4,19 +4,19 @@
    damping is constant. The dissertation's equation (248) has the reactive force m' (u - x') with any velocity u along
    x. A vm_osc_load adds what is missing on the right side:
      m x'' + k x|x|^(alpha-1) + (reactive m' + b) x' = reactive m' u(t) - damping(t) x' + force(t, x, x')
-   m' is the rate of the mass, u(t) the absolute velocity of the mass that joins or leaves, damping(t) a law that adds to
-   the constant b of the problem, and force the problem's own further force, if there was one. Every route that allows a
-   force computes the motion: the first-order averaged equations and the integrations of oscillators/routes.h. Shortest
-   useful call, for a problem with the fields of oscillators/problem.h:
+   m' is the rate of the mass, u(t) the absolute velocity of the mass that joins or leaves, damping(t) a law that adds
+   to the constant b of the problem, and force the problem's own further force, if there was one. Every route that
+   allows a force computes the motion: the first-order averaged equations and the integrations of oscillators/routes.h.
+   Shortest useful call, for a problem with the fields of oscillators/problem.h:
        const vm_law u = vm_law_linear(VM_C(0.3), 0), damping = vm_law_linear(VM_C(0.02), VM_C(0.001));
        vm_osc_load load;
        vm_osc_motion motion;
        int status = vm_osc_load_init(&load, &problem, &u, &damping); // 0.3 m/s; 0.02 kg/s, growing
        if (!status) status = vm_osc_within(&problem, 10, VM_C(1e-6), &motion);
    To first order a thrust m' u leaves the averaged amplitude as it is, since its mean over a period is 0: it only moves
-   the middle of the vibration, for alpha = 1 by m' u/k. The averaged routes leave this out, and say so by their `error`.
-   damping(t) changes the amplitude by vm_osc_amplitude_law, with vm_law_ratio_integral(&damping, &mass, t, &decay).
-   Tests: tests/test_loads.c. */
+   the middle of the vibration, for alpha = 1 by m' u/k. The averaged routes leave this out, and say so by their
+   `error`. damping(t) changes the amplitude by vm_osc_amplitude_law, with vm_law_ratio_integral(&damping, &mass, t,
+   &decay). Tests: tests/test_loads.c. */
 #ifndef VARMASS_OSCILLATORS_LOADS_H
 #define VARMASS_OSCILLATORS_LOADS_H
 
@@ -38,10 +38,10 @@ typedef struct VM_TAG(vm_osc_load) {
 } vm_osc_load;
 
 /* Force of a vm_osc_load on an oscillator, N: reactive m' u(t) - damping(t) v + force(t, x, v).
-   A vm_osc_force; its ctx, here `load`, is a vm_osc_load, and vm_osc_load_init makes it the force of a problem. t is the
-   time (s), x the position (m) and v the velocity (m/s). The laws of mass, u and damping are evaluated once. Returns NaN
-   for a null pointer, for arguments that are infinite or NaN, and where a law has no value at t; the routes then return
-   VM_NOT_INTEGRATED or VM_NOT_FINITE. */
+   A vm_osc_force; its ctx, here `load`, is a vm_osc_load, and vm_osc_load_init makes it the force of a problem. t is
+   the time (s), x the position (m) and v the velocity (m/s). The laws of mass, u and damping are evaluated once.
+   Returns NaN for a null pointer, for arguments that are infinite or NaN, and where a law has no value at t; the routes
+   then return VM_NOT_INTEGRATED or VM_NOT_FINITE. */
 VM_API vm_real vm_osc_load_force(vm_real t, vm_real x, vm_real v, void *load)
 {
     if (!load) return VM_NAN;

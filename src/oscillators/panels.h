@@ -202,46 +202,45 @@ VM_API int vm_law_inverse_integral(const vm_law *law, vm_real t, vm_real *integr
     return vmi_copy_if_finite(1, &sum, integral);
 }
 
-/* -- The integral of f/g -- */
+/* -- The integral of any function of time -- */
 
-/* Computes the series of f/g on a panel, where f may have any sign and g is positive. *size receives the largest
-   absolute value of f/g at the points of Gauss' rule and at the ends, and *edge the largest difference between the
-   series and f/g at the ends. */
-VM_API int vmi_law_ratio_series(const vm_law *f, const vm_law *g, vm_real start, vm_real length, vm_real *series,
+/* A function of time that is integrated: writes its value at t, and returns VM_OK or the status with which it fails.
+   Where the value jumps at t, side = 1 asks for the one after t, side = -1 for the one before t. */
+typedef int (*vmi_integrand)(vm_real t, int side, vm_real *value, void *ctx);
+
+/* Computes the series of a function on a panel. *size receives its largest absolute value at the points of Gauss' rule
+   and at the ends of the panel, and *edge the largest difference between series and function at the ends. */
+VM_API int vmi_integrand_series(vmi_integrand f, void *ctx, vm_real start, vm_real length, vm_real *series,
                                 vm_real *size, vm_real *edge)
 {
     const int side = vmi_time_side(length);
-    vm_real values[VMI_GAUSS + 2], same[VMI_GAUSS], up[VMI_LAW_ORDERS], down[VMI_LAW_ORDERS];
+    vm_real values[VMI_GAUSS + 2], same[VMI_GAUSS];
     int i, status;
     *size = 0;
-    for (i = 0; i < VMI_GAUSS + 2; i++) { /* the last two are the start and the end of the panel */
-        const int end = i - VMI_GAUSS;
-        vm_real t = start;
-        if (end < 0) t = start + length * ((1 + vmi_gauss_node(i)) / 2);
-        if (end == 1) t = start + length;
-        status = vmi_law_derivatives(f, VM_OK, t, end == 1 ? -side : side, 0, up);
-        if (!status) status = vmi_law_derivatives(g, VM_BAD_MASS, t, end == 1 ? -side : side, 0, down);
+    for (i = 0; i < VMI_GAUSS; i++) {
+        status = f(start + length * ((1 + vmi_gauss_node(i)) / 2), side, &values[i], ctx);
         if (status) return status;
-        values[i] = up[0] / down[0];
-        *size = vmi_larger(VM_FABS(values[i]), *size);
     }
+    status = f(start, side, &values[VMI_GAUSS], ctx);
+    if (!status) status = f(start + length, -side, &values[VMI_GAUSS + 1], ctx);
+    if (status) return status;
+    for (i = 0; i < VMI_GAUSS + 2; i++) *size = vmi_larger(VM_FABS(values[i]), *size);
     vmi_legendre_fit(values, values, series, same);
     *edge = vmi_larger(VM_FABS(vmi_legendre_at(series, -1) - values[VMI_GAUSS]),
                        VM_FABS(vmi_legendre_at(series, 1) - values[VMI_GAUSS + 1]));
     return VM_OK;
 }
 
-/* Adds the integral of f/g dt from start to end to *sum; tables must have no point between them. `whole` is the length
-   of the whole integral. */
-VM_API int vmi_law_add_ratio_integral(const vm_law *f, const vm_law *g, vm_real start, vm_real end, vm_real whole,
-                                      vm_real *sum)
+/* Adds the integral of a function from start to end to *sum. The function must be smooth between them, and no panel is
+   longer than `longest`; `whole` is the length of the whole integral, s. */
+VM_API int vmi_add_integral(vmi_integrand f, void *ctx, vm_real start, vm_real end, vm_real longest, vm_real whole,
+                            vm_real *sum)
 {
-    const vm_real longest = vmi_smaller(vmi_law_longest_panel(f, whole), vmi_law_longest_panel(g, whole));
     vmi_panels p = vmi_panels_from(start, end, longest, whole);
     while (vmi_panels_next(&p)) {
         const vm_real length = p.side * p.step, limit = vmi_panel_limit(length, whole);
         vm_real series[VMI_GAUSS], size, edge;
-        const int status = vmi_law_ratio_series(f, g, p.t, length, series, &size, &edge);
+        const int status = vmi_integrand_series(f, ctx, p.t, length, series, &size, &edge);
         if (status) return status;
         if (!(edge <= vmi_panel_edge_limit(limit) * size) || !(vmi_legendre_tail(series) <= limit * size))
             if (vmi_panels_halve(&p)) continue;
@@ -251,15 +250,38 @@ VM_API int vmi_law_add_ratio_integral(const vm_law *f, const vm_law *g, vm_real 
     return VM_OK;
 }
 
+/* -- The integral of f/g -- */
+
+/* Two laws, whose quotient f/g is integrated */
+typedef struct VM_TAG(vmi_law_ratio) {
+    const vm_law *f, *g;
+} vmi_law_ratio;
+
+/* The value of f/g, where f may have any sign and g is positive. A vmi_integrand; ratio points to a vmi_law_ratio. */
+VM_API int vmi_law_ratio_at(vm_real t, int side, vm_real *value, void *ratio)
+{
+    const vmi_law_ratio *r = (const vmi_law_ratio *)ratio;
+    vm_real up[VMI_LAW_ORDERS], down[VMI_LAW_ORDERS];
+    int status = vmi_law_derivatives(r->f, VM_OK, t, side, 0, up);
+    if (!status) status = vmi_law_derivatives(r->g, VM_BAD_MASS, t, side, 0, down);
+    if (!status) *value = up[0] / down[0];
+    return status;
+}
+
 /* The integral of f/g dt from 0 to t by panels, from one point of a table to the next */
 VM_API int vmi_law_ratio_integral_by_panels(const vm_law *f, const vm_law *g, vm_real t, vm_real *integral)
 {
+    const vm_real whole = VM_FABS(t);
+    const vm_real longest = vmi_smaller(vmi_law_longest_panel(f, whole), vmi_law_longest_panel(g, whole));
+    vmi_law_ratio ratio;
     vm_real at = 0;
     int status = VM_OK;
+    ratio.f = f;
+    ratio.g = g;
     *integral = 0;
     while (!status && at != t) {
         const vm_real next = vmi_law_next_knot(g, at, vmi_law_next_knot(f, at, t));
-        status = vmi_law_add_ratio_integral(f, g, at, next, VM_FABS(t), integral);
+        status = vmi_add_integral(vmi_law_ratio_at, &ratio, at, next, longest, whole, integral);
         at = next;
     }
     return status;

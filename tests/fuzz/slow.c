@@ -199,6 +199,30 @@ static void check_laval_circle(vm_jeffcott *r, vm_real t, vm_real A, vm_real W, 
                      A * vm_osc_amplitude_law(R(1.5), 0, r->reactive, spring->alpha), 1e3 * EPS * (double)A));
 }
 
+/* Motions in closed form, for a rotor without load: at t = 0 the start, and the whirl on its circle */
+static void check_laval_motion(vm_jeffcott r, vm_real t, const vm_real *y, int sense)
+{
+    vm_jeffcott_whirl w;
+    vm_real motion[4];
+    int status, i;
+    r.force = NULL;
+    r.u.re = 0;
+    STAIN(w);
+    status = vm_jeffcott_whirl_at(&r, y[4], y[0], sense, t, &w);
+    if (status) HOLDS(status < 0 && UNTOUCHED(w));
+    else {
+        HOLDS(w.radius > 0 && (w.frequency > 0) == (sense > 0));
+        HOLDS(fabs((double)(w.angle - y[0])) <= 100 * (1 + fabs((double)w.frequency)) * (1 + fabs((double)t)));
+        HOLDS(within(vm_jeffcott_whirl_amplitude(&r, w.radius, r.mass.f0, r.mass.f0, sense), w.radius,
+                     256 * EPS * (double)w.radius));
+    }
+    STAIN(motion);
+    status = vm_jeffcott_linear_at(&r, y, 0, motion);
+    if (status) HOLDS(status < 0 && UNTOUCHED(motion));
+    else
+        for (i = 0; i < 4; i++) HOLDS(fabs((double)(motion[i] - y[i])) <= 1e-3 * (1 + fabs((double)y[i])));
+}
+
 static void check_laval(void)
 {
     const vm_law m = draw_mass();
@@ -226,6 +250,8 @@ static void check_laval(void)
     A = MOSTLY(draw_in(0.1, 2));
     W = vm_jeffcott_frequency(&r, A, m.f0, sense);
     if (all_tame && tame(A) && A > R(0.05) && A < 3) check_laval_circle(&r, t, A, W, sense);
+    if (all_tame && spring.k < 100) check_laval_motion(r, t, y, sense);
+    HOLDS(is_nan(vm_jeffcott_whirl_amplitude(NULL, A, 1, 2, sense)));
 }
 
 /* Roundings of amplitude and phase move p by some eps of A, p' by (alpha + 1) times as many of the largest p': A

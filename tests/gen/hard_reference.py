@@ -86,6 +86,11 @@ def jet(rate, t):
 
 
 @lambda f: with_digits(120, f)
+def whirl_angle(c, n, t):
+    e = 1 - n / 2
+    return 2 * (expm1(e * log1p(c * t)) / (c * e) if e else log1p(c * t) / c)
+
+
 def ratio_laws(f, g, t):
     return expm1((f - g) * t) / (f - g)
 

@@ -107,6 +107,38 @@ static void try_laval(void)
     }
 }
 
+static void try_laval_motions(void)
+{
+    int i, sense;
+    for (i = 0; i < 8; i++) {
+        vm_power_force spring;
+        vm_jeffcott_whirl w;
+        vm_jeffcott r;
+        vm_real motion[4];
+        memset(&r, 0, sizeof r);
+        spring.k = uniform(1, 2);
+        spring.alpha = i % 2 ? 1 : uniform(1, 4);
+        r.mass = some_mass();
+        r.stiffness = vm_jeffcott_power;
+        r.stiffness_ctx = &spring;
+        if (i % 4 > 1) r.gyro = uniform(-1, 1) / 8;
+        r.reactive = uniform(0, 1);
+        for (sense = -1; sense < 2; sense += 2) {
+            CLEAR(w);
+            fold(vm_jeffcott_whirl_amplitude(&r, 1, 2, uniform(1, 3), sense));
+            fold_int(vm_jeffcott_whirl_at(&r, uniform(0, 1), 1, sense, uniform(0, 2), &w));
+            fold(w.radius);
+            fold(w.angle);
+            fold(w.frequency);
+            fold_two(w.z.re, w.z.im);
+            fold_two(w.v.re, w.v.im);
+        }
+        draw_all(4, -1, 1, motion);
+        fold_int(vm_jeffcott_linear_at(&r, motion, uniform(0, 2), motion));
+        fold_all(4, motion);
+    }
+}
+
 static void try_pair(void)
 {
     int i;
@@ -273,6 +305,7 @@ static void golden_slow(void)
     try_van_der_pol();
     try_laval();
     try_pair();
+    try_laval_motions();
 }
 
 /* The law of order three: its orders, both integrations, the choice of a route, the limit cycle */
