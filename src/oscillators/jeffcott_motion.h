@@ -14,12 +14,14 @@
 #ifndef VARMASS_OSCILLATORS_JEFFCOTT_MOTION_H
 #define VARMASS_OSCILLATORS_JEFFCOTT_MOTION_H
 
+#include "../base/arrays.h"
 #include "../base/complex.h"
 #include "../base/elementary.h"
 #include "../base/real.h"
 #include "../base/scalars.h"
 #include "../base/status.h"
 #include "../integrators/ode.h"
+#include "../integrators/rk45.h"
 #include "../integrators/rk87.h"
 #include "../integrators/runs.h"
 #include "jeffcott.h"
