@@ -5,9 +5,16 @@
    on the mass alone, so that W is a known function of time: psi is an integral, and has a closed form for a power law
    of the shaft without gyroscopic moments. On a linear shaft a forward and a backward whirl add up to any motion: this
    is (481), (482), with any start, reactive force and gyroscopic moment. The letters and the vm_jeffcott are those of
-   oscillators/jeffcott.h; g is its gyro, r its reactive. Shortest useful call, for the rotor that is set up there:
+   oscillators/jeffcott.h; g is its gyro, r its reactive. Shortest useful call:
+       vm_power_force shaft = {4, 1}; // F_e = 4 N/m rho
        vm_jeffcott_whirl whirl;
-       int status = vm_jeffcott_whirl_at(&rotor, 1, 0, 1, 20, &whirl); // forward, radius 1 m and angle 0 at t = 0
+       vm_jeffcott rotor;
+       int status;
+       memset(&rotor, 0, sizeof rotor);
+       rotor.stiffness = vm_jeffcott_power;
+       rotor.stiffness_ctx = &shaft;
+       rotor.mass = vm_law_linear(1, VM_C(0.01)); // 1 kg, and 0.01 kg/s joins
+       status = vm_jeffcott_whirl_at(&rotor, 1, 0, 1, 20, &whirl); // forward, radius 1 m and angle 0 at t = 0
    All of this is averaged: the error of A is of first order in the relative change of the mass within a radian of the
    phase, and the error of psi too, up to times of the order of the inverse of this change.
    Tests: tests/test_jeffcott_motion.c. */
