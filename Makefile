@@ -294,6 +294,7 @@ data:
 	python3 tests/gen/rotation_reference.py
 	python3 tests/gen/rotor_reference.py
 	python3 tests/gen/streams.py
+	python3 tests/gen/lagrange_inverse.py
 	python3 tests/gen/slow.py
 	python3 tests/gen/oscillator_reference.py
 	python3 tests/gen/slow_motion.py

@@ -217,6 +217,10 @@ static void null_lagrange(void)
     STATUS(4, vm_lagrange_start(IO(0, vm_lagrange_system, &l), 0, IN(1, vm_real, q), IN(2, vm_real, y), X(3, vm_real)));
     STATUS(3, vm_lagrange_rates(IO(0, vm_lagrange_system, &l), 0, IN(1, vm_real, y), X(2, vm_real)));
     NUMBER(3, vm_lagrange_partial_q(IO(0, vm_lagrange_system, &l), 0, IN(1, vm_real, q), IN(2, vm_real, q), 0));
+    STATUS(5, vm_lagrange_needed_forces(IO(0, vm_lagrange_system, &l), 0, 1, IN(1, vm_real, q), IN(2, vm_real, q),
+                                        IN(3, vm_real, q), X(4, vm_real)));
+    STATUS(5, vm_lagrange_drive_forces(IO(0, vm_lagrange_system, &l), 0, 1, IN(1, vm_real, q), IN(2, vm_real, q),
+                                       IN(3, vm_real, q), X(4, vm_real)));
     NOTHING(1, vm_lagrange_add_force(1, along[0], along, along[0], NULL, X(0, vm_real)));
     NOTHING(1, vm_euler_313_axes(1, 1, X(0, vm_vec3)));
     NOTHING(1, vm_euler_313_body_axes(1, 1, X(0, vm_vec3)));

@@ -170,6 +170,30 @@ static int forces_of(vm_real t, const vm_real *q, const vm_real *rates, const vm
     return p[5] > R(0.99) ? 3 : 0;
 }
 
+/* The drive's forces and those of forces_of are together what the motion needs. */
+static void check_needed_forces(vm_lagrange_system *l, vm_real t, const vm_real *q, const vm_real *rates,
+                                int all_tame)
+{
+    const vm_real time_scale = draw_byte() % 4 ? draw_in(0, 9) : draw_any();
+    vm_real accelerations[2], needed[2], drive[2], masses[2], forces[2] = {0, 0};
+    int i, status;
+    for (i = 0; i < 2; i++) accelerations[i] = MOSTLY(draw_in(-3, 3));
+    STAIN(needed);
+    status = vm_lagrange_needed_forces(l, t, time_scale, q, rates, accelerations, needed);
+    if (status) HOLDS(status < 0 && UNTOUCHED(needed));
+    else HOLDS(vmi_all_finite(2, needed) && time_scale >= 0);
+    STAIN(drive);
+    status = vm_lagrange_drive_forces(l, t, time_scale, q, rates, accelerations, drive);
+    if (status) HOLDS(UNTOUCHED(drive));
+    else HOLDS(vmi_all_finite(2, drive));
+    if (status || !all_tame || !tame(accelerations[0]) || !tame(accelerations[1])) return;
+    masses_of(t, q, masses, l->ctx);
+    forces_of(t, q, rates, masses, forces, l->ctx);
+    for (i = 0; i < 2; i++)
+        HOLDS(within(drive[i] + forces[i], needed[i],
+                     8 * EPS * (fabs((double)needed[i]) + fabs((double)forces[i]))));
+}
+
 static void check_equations(void)
 {
     vm_real p[6], work[VM_LAGRANGE_RHS_WORK(2, 2)], q[2], rates[2], y[4], back[2], dydt[4], derivative;
@@ -217,6 +241,7 @@ static void check_equations(void)
         status = vm_lagrange_rhs(t, y, dydt, &l);
         HOLDS(status == 3 ? p[5] > R(0.99) : status == 0 && vmi_all_finite(4, dydt));
     }
+    check_needed_forces(&l, t, q, rates, all_tame);
     derivative = vm_lagrange_partial_q(&l, t, q, rates, draw_below(2));
     if (all_tame) HOLDS(is_finite(derivative));
     HOLDS(is_nan(vm_lagrange_partial_q(&l, t, q, rates, outside)) &&

@@ -128,6 +128,10 @@ static void try_mechanism(void)
     fold_int(vm_lagrange_start(&l, 0, q, rates, y));
     fold_all(4, y);
     fold(vm_lagrange_partial_q(&l, 0, q, rates, 1));
+    fold_int(vm_lagrange_needed_forces(&l, 1, 4, q, rates, q, back));
+    fold_all(2, back);
+    fold_int(vm_lagrange_drive_forces(&l, 1, 0, q, rates, q, back));
+    fold_all(2, back);
     integrate(vm_lagrange_rhs, &l, 4, 3, y);
     fold_int(vm_lagrange_rates(&l, 3, y, back));
     fold_all(2, back);
