@@ -177,6 +177,10 @@
        vm_energy_gain                 Energy gained at a separation, J
        vm_energy_loss                 Energy lost at an attachment, J
 
+     mechanics/axle: jumps of a body that turns about a fixed axle
+       vm_separate_on_axle            Separation of n parts from a body on a fixed axle
+       vm_attach_on_axle              Attachment of n bodies to a body on a fixed axle (plastic impact)
+
      mechanics/broken_rotor: a rotor from which a piece breaks off: equations of motion and the break
        vm_broken_rotor_rhs            Right-hand side of the rotor's equations of motion, (65), (66), (68), (46)
        vm_broken_rotor_polar_rhs      Right-hand side of the rotor's equations of motion in polar form (75)
@@ -211,6 +215,7 @@
 
      mechanics/pendulum: a pendulum from which a part is cut
        vm_pendulum_separate           Motion of a pendulum and of the part that is cut off from it, (119)-(132)
+       vm_compound_pendulum_separate  Motion of a pendulum of any shape and of the part that is cut off from it, (119)-(132) for a body that is not uniform
 
      mechanics/torque_free: exact rotation of a body on which no torque acts
        vm_torque_free_init            Preparation of the exact torque-free motion of a body
@@ -3326,6 +3331,142 @@ VM_API vm_real vm_energy_loss(const vm_body *body, int n, const vm_body *added, 
 }
 
 #endif
+/* mechanics/axle.h - jumps of a body that turns about a fixed axle
+
+   A body can only turn about a fixed axle. When a part separates from it, or another body is attached to it, the axle
+   gives an impulse, and only the angular momentum about the axle follows from the parts. This generalizes the pendulum
+   of (119)-(132) to a body and an axle of any shape, place and direction. The results are the motion of the body after
+   the jump and the impulse of the axle. With n = 0 parts, the functions say how a body moves on that an impulse hits,
+   or that is caught by an axle while it flies.
+
+       vm_axle hinge = {{0, 0, 0}, {0, 0, 1}};                       // through the origin, along z
+       vm_body door = {20, {2, 2, 2, 0, 0, 0}, {1, 0, 0, 0}, {0.5, 0, 0}, {0, 1, 0}, {0, 0, 2}};
+       vm_body part = {1, {0, 0, 0, 0, 0, 0}, {1, 0, 0, 0}, {1, 0, 0}, {0, 5, 0}, {0, 0, 0}}; // leaves at 5 m/s
+       vm_impulse reaction;                                          // of the axle on the door
+       int status = vm_separate_on_axle(&hinge, &door, 1, &part, NULL, &door, &reaction);
+
+   The equations. e is the unit vector along the axle, which passes through the point O. All motions are taken relative
+   to the frame that turns about the axle as the body did before, with the rate w = e . omega. In this frame (42) holds,
+   and the body was at rest if the axle guided it before. Let P and L be the momentum of all bodies that join (+) or
+   leave (-), of the body before, and of the external impulse, L about O. Let I be the inertia of the body after the
+   jump about O. Then w grows by (e . L)/(e . I e), and the axle gives what is left: the impulse M1 v1 - P at O, with
+   the velocity v1 of the mass centre, and a couple, which is orthogonal to the axle. Tests: tests/test_axle.c. */
+#ifndef VARMASS_MECHANICS_AXLE_H
+#define VARMASS_MECHANICS_AXLE_H
+
+/* A fixed axle without friction */
+typedef struct VM_TAG(vm_axle) {
+    vm_vec3 at;   /* a point O of the axle, m */
+    vm_vec3 axis; /* its direction, of any length > 0; angular velocities are positive about it */
+} vm_axle;
+
+/* Momentum, N s, and angular momentum about the point O of an axle, N m s, relative to the turning frame */
+typedef struct VM_TAG(vmi_axle_sum) {
+    vm_vec3 linear, angular;
+} vmi_axle_sum;
+
+/* The angular momentum of a body that turns with the angular velocity omega, about its own mass centre */
+VM_API vm_vec3 vmi_axle_spin(const vm_body *body, vm_vec3 omega)
+{
+    const vmi_mat3 turn = vmi_rotation(body->q);
+    return vmi_times(&turn, vmi_inertia_times(&body->inertia, vmi_times_transposed(&turn, omega)));
+}
+
+/* Adds `sign` times the momenta of a body to *sum, relative to the frame that turns about the point O with omega. */
+VM_API void vmi_axle_add(vmi_axle_sum *sum, vm_real sign, const vm_body *body, vm_vec3 O, vm_vec3 omega)
+{
+    const vm_vec3 d = vm_sub(body->r, O), slip = vm_sub(body->v, vm_cross(omega, d));
+    const vm_vec3 momentum = vm_scale(body->mass, slip), spin = vmi_axle_spin(body, vm_sub(body->omega, omega));
+    sum->linear = vm_add(sum->linear, vm_scale(sign, momentum));
+    sum->angular = vm_add(sum->angular, vm_scale(sign, vm_add(spin, vm_cross(d, momentum))));
+}
+
+/* Checks the axle, and writes its unit vector. */
+VM_API int vmi_axle_direction(const vm_axle *axle, vm_vec3 *e)
+{
+    vm_real length;
+    if (!vmi_vec3_is_finite(axle->at) || !vmi_vec3_is_finite(axle->axis)) return VM_NOT_FINITE;
+    length = vm_norm(axle->axis);
+    if (!(length > 0)) return VM_DOMAIN;
+    *e = vmi_over(axle->axis, length);
+    return VM_OK;
+}
+
+/* Gives the body *b, whose mass, inertia and place are those after the jump, its motion about the axle, and computes
+   the impulse of the axle. *sum holds P and L of the text above; `before` is w e. Returns VM_NULL_AXIS if b has no
+   inertia about the axle, but would need angular momentum, else VM_OK. */
+VM_API int vmi_axle_turn(vm_vec3 O, vm_vec3 e, vm_vec3 before, const vmi_axle_sum *sum, vm_body *b,
+                         vm_impulse *reaction)
+{
+    const vm_vec3 d = vm_sub(b->r, O), speed = vm_cross(e, d); /* of the mass centre at 1 rad/s */
+    const vm_vec3 column = vm_add(vmi_axle_spin(b, e), vm_scale(b->mass, vm_cross(d, speed)));
+    const vm_real inertia = vm_dot(e, column), momentum = vm_dot(e, sum->angular);
+    vm_real change = 0;
+    vm_vec3 couple;
+    int status = VM_OK;
+    if (inertia > 0) change = momentum / inertia;
+    else if (momentum != 0) status = VM_NULL_AXIS;
+    b->omega = vm_add(before, vm_scale(change, e));
+    b->v = vm_cross(b->omega, d);
+    reaction->at = O;
+    reaction->linear = vm_sub(vm_scale(b->mass * change, speed), sum->linear);
+    couple = vm_sub(vm_scale(change, column), sum->angular);
+    reaction->couple = vm_sub(couple, vm_scale(vm_dot(e, couple), e)); /* the axle turns freely */
+    return status;
+}
+
+/* The jump of both functions below: sign is VMI_SEPARATE or VMI_ATTACH. */
+VM_API int vmi_axle_jump(const vm_axle *axle, const vm_body *body, int n, const vm_body *others, vm_real sign,
+                         const vm_impulse *external_or_NULL, vm_body *result, vm_impulse *reaction_or_NULL)
+{
+    vmi_axle_sum sum = {{0, 0, 0}, {0, 0, 0}};
+    vm_impulse reaction;
+    vm_vec3 e, turning;
+    vm_body b;
+    int i, status, axle_status;
+    if (!axle || !body || !result) return VM_BAD_ARGUMENT;
+    axle_status = vmi_axle_direction(axle, &e);
+    status = vmi_jump(body, n, others, sign, external_or_NULL, &b);
+    if (status < 0 || axle_status) return vmi_first_error(status < 0 ? status : VM_OK, axle_status);
+    turning = vm_scale(vm_dot(e, body->omega), e);
+    vmi_axle_add(&sum, 1, body, axle->at, turning);
+    for (i = 0; i < n; i++) vmi_axle_add(&sum, sign, &others[i], axle->at, turning);
+    if (external_or_NULL) {
+        sum.linear = vm_add(sum.linear, external_or_NULL->linear);
+        sum.angular = vm_add(sum.angular, vmi_impulse_moment(external_or_NULL, axle->at));
+    }
+    status = vmi_axle_turn(axle->at, e, turning, &sum, &b, &reaction);
+    if (!vmi_body_is_finite(&b) || !vmi_impulse_is_finite(&reaction)) return VM_NOT_FINITE;
+    *result = b;
+    if (reaction_or_NULL) *reaction_or_NULL = reaction;
+    return status;
+}
+
+/* Separation of n parts from a body on a fixed axle: *rest is what remains, guided by the axle.
+   The parts must have their motions after the separation. The external impulse, if there is one, acts during the
+   separation. *reaction_or_NULL is the impulse of the axle on the body: `linear` acts at the point axle->at, and
+   `couple` is orthogonal to the axle. If the parts go on as the whole did, the motion of the rest does not change. With
+   n = 0 only the impulse acts. The whole need not have turned about the axle before; it is then caught by the axle. The
+   error of the angular velocity is a few eps of the sum of the terms of e . L divided by the inertia about the axle.
+   Returns VM_OK, the errors of vm_separate_all, VM_DOMAIN if axle->axis is 0, and VM_NULL_AXIS (> 0) if the rest has
+   no inertia about the axle, but would need angular momentum; it then turns as the whole did. `rest` may be equal to
+   `whole`. */
+VM_API int vm_separate_on_axle(const vm_axle *axle, const vm_body *whole, int n, const vm_body *parts,
+                               const vm_impulse *external_or_NULL, vm_body *rest, vm_impulse *reaction_or_NULL)
+{
+    return vmi_axle_jump(axle, whole, n, parts, VMI_SEPARATE, external_or_NULL, rest, reaction_or_NULL);
+}
+
+/* Attachment of n bodies to a body on a fixed axle (plastic impact): *whole is all together, guided by the axle.
+   The bodies must have their motions just before the impact. The other arguments and the statuses are those of
+   vm_separate_on_axle. */
+VM_API int vm_attach_on_axle(const vm_axle *axle, const vm_body *body, int n, const vm_body *added,
+                             const vm_impulse *external_or_NULL, vm_body *whole, vm_impulse *reaction_or_NULL)
+{
+    return vmi_axle_jump(axle, body, n, added, VMI_ATTACH, external_or_NULL, whole, reaction_or_NULL);
+}
+
+#endif
 /* mechanics/broken_rotor.h - a rotor from which a piece breaks off: equations of motion and the break
 
    The rotor is a disc on a massless elastic shaft and moves in a plane. A torque drives it, and its rotation is damped
@@ -4393,7 +4534,7 @@ VM_API int vm_lagrange_impact(int n, const vm_real *matrix, const vm_real *qdot,
        vm_pendulum_cut cut;
        int status = vm_pendulum_separate(&rod, VM_C(0.25), 0, 0, 1, &cut); // 0.25 m leaves at 1 m/s along y
 
-   Tests: tests/test_pendulum.c. */
+   vm_compound_pendulum_separate is the same for a pendulum of any shape, and axle.h for any axle in space. Tests: tests/test_pendulum.c. */
 #ifndef VARMASS_MECHANICS_PENDULUM_H
 #define VARMASS_MECHANICS_PENDULUM_H
 
@@ -4508,6 +4649,109 @@ VM_API int vm_pendulum_separate(const vm_pendulum *pendulum, vm_real part, vm_re
     c.pivot_x = rest_mass * left / 2 * change * fx + c.mass * ux; /* total momentum after the cut minus before it */
     c.pivot_y = rest_mass * left / 2 * change * fy + c.mass * uy;
     if (!vmi_pendulum_cut_finite(&c)) return VM_NOT_FINITE;
+    *cut = c;
+    return VM_OK;
+}
+
+/* ---- A pendulum that is not uniform ---- */
+
+/* A body of any shape that swings in the plane about the fixed point O, the origin: a compound pendulum */
+typedef struct VM_TAG(vm_compound_pendulum) {
+    vm_real mass;    /* mass M > 0, kg */
+    vm_real inertia; /* moment of inertia about O, kg m^2, >= M times the square of the distance from O to S */
+    vm_real x, y;    /* position of the mass centre S, m */
+    vm_real rate;    /* angular velocity phi', rad/s, anticlockwise */
+} vm_compound_pendulum;
+
+/* The part that is cut off from a compound pendulum */
+typedef struct VM_TAG(vm_compound_part) {
+    vm_real mass;    /* mass m > 0, kg */
+    vm_real inertia; /* moment of inertia about the part's own mass centre S2, kg m^2, >= 0 */
+    vm_real x, y;    /* position of S2, m */
+    vm_real ux, uy;  /* velocity of S2 relative to the pendulum, m/s */
+    vm_real Omega;   /* angular velocity of the part relative to the pendulum, rad/s, anticlockwise */
+} vm_compound_part;
+
+/* The compound pendulum and the part after the cut */
+typedef struct VM_TAG(vm_compound_cut) {
+    vm_compound_pendulum rest; /* what remains; rest.rate is phi1', rest.inertia is about O */
+    vm_real vx, vy;            /* velocity of the part's mass centre, m/s */
+    vm_real rate;              /* angular velocity of the part, rad/s */
+    vm_real T1, T_S1, T_S2;    /* kinetic energy of the whole before, of the rest and of the part after the cut, J */
+    vm_real L1, L2;            /* angular momentum of the rest and of the part about O after the cut, kg m^2/s */
+    vm_real pivot_x, pivot_y;  /* impulse of the pivot on the rest during the cut, N s */
+} vm_compound_cut;
+
+/* Checks numbers, masses and inertias of a compound pendulum and its part. */
+VM_API int vmi_check_compound(const vm_compound_pendulum *p, const vm_compound_part *part)
+{
+    const vm_real numbers[12] = {p->mass,       p->inertia,    p->x,     p->y,     p->rate, part->mass,
+                                 part->inertia, part->x,       part->y,  part->ux, part->uy, part->Omega};
+    if (!vmi_all_finite(12, numbers)) return VM_NOT_FINITE;
+    if (!(p->mass > 0 && part->mass > 0 && part->mass < p->mass)) return VM_BAD_MASS;
+    if (part->inertia < 0) return VM_BAD_INERTIA;
+    if (p->inertia * (1 + 8 * VM_EPSILON) < p->mass * (p->x * p->x + p->y * p->y)) return VM_BAD_INERTIA;
+    return VM_OK;
+}
+
+/* Computes mass, mass centre and inertia of what remains of a compound pendulum. Returns VM_BAD_INERTIA if no body has
+   this inertia about O, because the part cannot have been in the pendulum. */
+VM_API int vmi_compound_rest(const vm_compound_pendulum *p, const vm_compound_part *part, vm_compound_pendulum *rest)
+{
+    const vm_real share = part->mass / (p->mass - part->mass);
+    const vm_real about_O = part->inertia + part->mass * (part->x * part->x + part->y * part->y);
+    const vm_real noise = 32 * VM_EPSILON * p->inertia;
+    vm_real least;
+    rest->mass = p->mass - part->mass;
+    rest->x = p->x + share * (p->x - part->x);
+    rest->y = p->y + share * (p->y - part->y);
+    rest->inertia = p->inertia - about_O;
+    rest->rate = p->rate;
+    least = rest->mass * (rest->x * rest->x + rest->y * rest->y);
+    if (!VM_IS_FINITE(least) || !VM_IS_FINITE(rest->inertia)) return VM_NOT_FINITE;
+    if (rest->inertia < least - noise || !(rest->inertia > 0)) return VM_BAD_INERTIA;
+    return VM_OK;
+}
+
+VM_API int vmi_compound_cut_finite(const vm_compound_cut *c)
+{
+    const vm_real numbers[11] = {c->rest.rate, c->vx, c->vy, c->rate,    c->T1,     c->T_S1,
+                                 c->T_S2,      c->L1, c->L2, c->pivot_x, c->pivot_y};
+    return vmi_all_finite(11, numbers);
+}
+
+/* Motion of a pendulum of any shape and of the part that is cut off from it, (119)-(132) for a body that is not uniform.
+   Position and inertia of the part are free. With the moment of inertia I1 of the rest about O and the velocity u of
+   the part at r2 relative to the pendulum, the angular velocity changes by
+     phi1' - phi' = -(I2 Omega + m (r2 x u))/I1.
+   This form has no cancellation but that in I1, the difference of the moments of inertia about O. Returns
+   VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS if a mass, that of the rest included, is not positive,
+   VM_BAD_INERTIA for an inertia that no body has, that of the rest included, and VM_OK otherwise. For axles in space
+   see vm_separate_on_axle. */
+VM_API int vm_compound_pendulum_separate(const vm_compound_pendulum *pendulum, const vm_compound_part *part,
+                                         vm_compound_cut *cut)
+{
+    vm_compound_cut c;
+    vm_real moment, change;
+    int status;
+    if (!pendulum || !part || !cut) return VM_BAD_ARGUMENT;
+    status = vmi_check_compound(pendulum, part);
+    if (!status) status = vmi_compound_rest(pendulum, part, &c.rest);
+    if (status) return status;
+    moment = part->inertia * part->Omega + part->mass * (part->x * part->uy - part->y * part->ux);
+    change = -moment / c.rest.inertia;
+    c.rest.rate = pendulum->rate + change;
+    c.vx = part->ux - pendulum->rate * part->y;
+    c.vy = part->uy + pendulum->rate * part->x;
+    c.rate = pendulum->rate + part->Omega;
+    c.L1 = c.rest.inertia * c.rest.rate;
+    c.L2 = moment + (part->inertia + part->mass * (part->x * part->x + part->y * part->y)) * pendulum->rate;
+    c.T1 = pendulum->inertia * pendulum->rate * pendulum->rate / 2;
+    c.T_S1 = c.L1 * c.rest.rate / 2;
+    c.T_S2 = (part->mass * (c.vx * c.vx + c.vy * c.vy) + part->inertia * c.rate * c.rate) / 2;
+    c.pivot_x = part->mass * part->ux - c.rest.mass * change * c.rest.y; /* momentum after the cut minus before it */
+    c.pivot_y = part->mass * part->uy + c.rest.mass * change * c.rest.x;
+    if (!vmi_compound_cut_finite(&c)) return VM_NOT_FINITE;
     *cut = c;
     return VM_OK;
 }

@@ -115,6 +115,7 @@
 #include "mechanics/relative.h"
 #include "mechanics/inverse.h"
 #include "mechanics/jump_energy.h"
+#include "mechanics/axle.h"
 #include "mechanics/broken_rotor.h"
 #include "mechanics/broken_rotor_motion.h"
 #include "mechanics/broken_rotor_stability.h"

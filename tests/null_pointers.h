@@ -92,6 +92,7 @@ static void null_checked(const char *call)
 
 static void null_bodies(void)
 {
+    const vm_axle axle = {{0, 0, 0}, {0, 0, 1}};
     const vm_vec3 zero = {0, 0, 0};
     const vm_body whole = a_body(3), part = a_body(1);
     const vm_body2 whole2 = a_body2(3), part2 = a_body2(1);
@@ -116,6 +117,10 @@ static void null_bodies(void)
     STATUS(3, vm_attach(IN(0, vm_body, &whole), IN(1, vm_body, &part), NULL, X(2, vm_body)));
     STATUS(3, vm_separate_all(IN(0, vm_body, &whole), 1, IN(1, vm_body, &part), NULL, X(2, vm_body)));
     STATUS(3, vm_attach_all(IN(0, vm_body, &whole), 1, IN(1, vm_body, &part), NULL, X(2, vm_body)));
+    STATUS(4, vm_separate_on_axle(IN(0, vm_axle, &axle), IN(1, vm_body, &whole), 1, IN(2, vm_body, &part), NULL,
+                                  X(3, vm_body), NULL));
+    STATUS(4, vm_attach_on_axle(IN(0, vm_axle, &axle), IN(1, vm_body, &whole), 1, IN(2, vm_body, &part), NULL,
+                                X(3, vm_body), NULL));
     STATUS(3, vm_separate2(IN(0, vm_body2, &whole2), IN(1, vm_body2, &part2), NULL, X(2, vm_body2)));
     STATUS(3, vm_attach2(IN(0, vm_body2, &whole2), IN(1, vm_body2, &part2), NULL, X(2, vm_body2)));
     STATUS(3, vm_separate_all2(IN(0, vm_body2, &whole2), 1, IN(1, vm_body2, &part2), NULL, X(2, vm_body2)));
@@ -195,6 +200,8 @@ static void null_lagrange(void)
     static const vm_real two = 2, three = 3, q[2] = {R(0.1), R(0.2)}, y[4] = {R(0.1), R(0.2), R(0.3), R(0.4)};
     static const vm_impulse blow = {{1, 0, 0}, {0, 0, 0}, {0, 0, 0}};
     const vm_pendulum pendulum = {1, 1, R(0.3), 1, VM_AXES_COS_SIN};
+    const vm_compound_pendulum compound = {3, 4, 1, 0, 2};
+    const vm_compound_part disc = {R(0.5), R(0.1), 1, 0, 1, 1, 1};
     const vm_body body = a_body(2);
     vm_real work[VM_LAGRANGE_WORK(1)], moment = 0, mass = 0;
     vm_lagrange_system l = system_of_two();
@@ -213,6 +220,8 @@ static void null_lagrange(void)
     STATUS(5, vm_lagrange_impact(1, IN(0, vm_real, &two), IN(1, vm_real, &two), IN(2, vm_real, &three), X(3, vm_real),
                               IO(4, vm_real, work)));
     STATUS(2, vm_pendulum_separate(IN(0, vm_pendulum, &pendulum), R(0.25), 1, 0, 0, X(1, vm_pendulum_cut)));
+    STATUS(3, vm_compound_pendulum_separate(IN(0, vm_compound_pendulum, &compound), IN(1, vm_compound_part, &disc),
+                                            X(2, vm_compound_cut)));
     STATUS(3, vm_lagrange_rhs(0, IN(0, vm_real, y), X(1, vm_real), IO(2, vm_lagrange_system, &l)));
     STATUS(4, vm_lagrange_start(IO(0, vm_lagrange_system, &l), 0, IN(1, vm_real, q), IN(2, vm_real, y), X(3, vm_real)));
     STATUS(3, vm_lagrange_rates(IO(0, vm_lagrange_system, &l), 0, IN(1, vm_real, y), X(2, vm_real)));

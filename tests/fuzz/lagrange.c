@@ -138,6 +138,42 @@ static void check_pendulum(void)
           close_to(cut.L1 + cut.L2, p.mass * p.length * p.length / 3 * p.rate, 32));
 }
 
+/* The angular momentum about the pivot stays, and without relative velocities nothing changes. */
+static void check_compound(void)
+{
+    vm_compound_pendulum p;
+    vm_compound_part part;
+    vm_compound_cut cut;
+    int status, all_tame;
+    p.mass = MOSTLY(draw_log(0.5, 10));
+    p.x = MOSTLY(draw_in(-1, 1));
+    p.y = MOSTLY(draw_in(-1, 1));
+    p.inertia = MOSTLY(draw_in(0, 20));
+    p.rate = MOSTLY(draw_in(-5, 5));
+    part.mass = MOSTLY(draw_log(0.1, 1));
+    part.inertia = MOSTLY(draw_in(0, 1));
+    part.x = MOSTLY(draw_in(-1, 1));
+    part.y = MOSTLY(draw_in(-1, 1));
+    part.ux = MOSTLY(draw_in(-3, 3));
+    part.uy = MOSTLY(draw_in(-3, 3));
+    part.Omega = MOSTLY(draw_in(-3, 3));
+    STAIN(cut);
+    status = vm_compound_pendulum_separate(&p, &part, &cut);
+    if (status) {
+        HOLDS(status < 0 && UNTOUCHED(cut));
+        return;
+    }
+    HOLDS(cut.rest.mass > 0 && cut.rest.inertia > 0 && is_finite(cut.rest.rate) && cut.T1 >= 0 && cut.T_S2 >= 0);
+    all_tame = tame(p.mass) && tame(p.x) && tame(p.y) && tame(p.inertia) && tame(p.rate) && tame(part.ux) &&
+               tame(part.uy) && tame(part.Omega) && tame(part.x) && tame(part.y);
+    if (!all_tame) return;
+    HOLDS(fabs((double)(cut.L1 + cut.L2) - (double)(p.inertia * p.rate)) <=
+          64 * EPS * (fabs((double)cut.L1) + fabs((double)cut.L2) + fabs((double)(p.inertia * p.rate)) +
+                      (double)(part.mass * (VM_FABS(part.x * part.uy) + VM_FABS(part.y * part.ux)))));
+    part.ux = part.uy = part.Omega = 0;
+    HOLDS(vm_compound_pendulum_separate(&p, &part, &cut) == VM_OK && cut.rest.rate == p.rate && cut.rate == p.rate);
+}
+
 /* A double pendulum of drawn lengths; the mass of its bob falls with time. */
 static void masses_of(vm_real t, const vm_real *q, vm_real *masses, void *ctx)
 {
@@ -250,10 +286,11 @@ static void check_equations(void)
 
 static void fuzz_lagrange(void)
 {
-    switch (draw_below(5)) {
+    switch (draw_below(6)) {
     case 0: check_singular(); break;
     case 1: check_pendulum(); break;
     case 2: check_hit(); break;
+    case 3: check_compound(); break;
     default: check_equations();
     }
 }
