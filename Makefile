@@ -23,6 +23,7 @@
 #   make law       docs/law.md, the law of order five, with its figures
 #   make toronto   the Toronto test set of initial value problems, docs/toronto.md
 #   make validation   published numbers of other programs and papers beside ours, docs/validation.md
+#   make tables   Tables 1 to 4 of the dissertation, row by row, docs/tables.md
 #   make clean    remove build/
 
 CC = cc
@@ -37,7 +38,7 @@ TESTS = jacobi elliptic_integrals ateb rk4 pairs adaptive dense events saved_run
     jump_equations torque_free streams flow flow1 flow2 supply orbit drum drum_shaft lambert broken_rotor broken_rotor_stability \
     lagrange lagrange_jump pendulum constant_mass laws averaging slow_motion closed_law collocation routes ladder duffing odd_force van_der_pol \
     van_der_pol_law jeffcott pair forced diagnostics forces scene_bodies scene_effects scene_mass scene_streams scene_links scene_joints scene_events scene_runs scenes \
-    dissertation validation hard refusals_numerics refusals_bodies refusals_streams refusals_oscillators refusals_slow \
+    dissertation tables validation hard refusals_numerics refusals_bodies refusals_streams refusals_oscillators refusals_slow \
     refusals_scenes null_pointers
 # Scripts of make test (tests/test_NAME.sh), and those of make test-all; some are in both, called with "quick" by make test
 SCRIPTS = headers readme documents errors parts golden errata install gsl hard_cases
@@ -54,7 +55,7 @@ RUN_TESTS = @rm -f $(1); $(MAKE) -s -k $(if $(findstring jobserver,$(MAKEFLAGS))
 TEST_FILES = build/command $(HEADERS) $(wildcard tests/*.h tests/data/*.h tests/hard/* examples/*.h examples/scenes/*.h)
 GSL_CHECK = echo '\#include <gsl/gsl_sf.h>' | $(CC) -E -
 
-.PHONY: headers part parts-table law duffing van-der-pol toronto validation test-events test-readme scaling wasm first-steps sweep firmware firmware-table test-cross install uninstall amalgamation run test test-all scan points exhaustive lint bench measurements figures data clean bench-quick bench-count cost scene-sizes test-fuzz evaluations test-threads coverage test-mutate test-sanitize proof
+.PHONY: headers part parts-table law duffing van-der-pol toronto tables validation test-events test-readme scaling wasm first-steps sweep firmware firmware-table test-cross install uninstall amalgamation run test test-all scan points exhaustive lint bench measurements figures data clean bench-quick bench-count cost scene-sizes test-fuzz evaluations test-threads coverage test-mutate test-sanitize proof
 
 headers:
 	@mkdir -p build && echo '*' >build/.gitignore
@@ -279,6 +280,10 @@ build/toronto: bench/toronto.c bench/dop853.h tests/detest.h tests/data/detest_t
 validation: build/tests/double/validation
 	./build/tests/double/validation markdown >build/validation.md && mv build/validation.md docs/validation.md
 
+# docs/tables.md: Tables 1 to 4 of the dissertation, as printed and as they are true
+tables: build/tests/double/tables
+	./build/tests/double/tables markdown >build/tables.md && mv build/tables.md docs/tables.md
+
 data:
 	@sh tests/install.sh "python3 -c 'import mpmath'" python3-mpmath
 	python3 tests/gen/ateb_reference.py
@@ -382,7 +387,7 @@ $(LONG_SCRIPTS:%=build/tests/all/%.log): build/tests/all/%.log: tests/test_%.sh 
 # what these read of the programs above
 build/tests/headers.log: build/tests/double/headers.o build/tests/float/headers.o
 build/tests/hard_cases.log: build/tests/double/hard build/tests/float/hard
-build/tests/documents.log: build/tests/double/validation
+build/tests/documents.log: build/tests/double/validation build/tests/double/tables
 
 build/tests/all/exhaustive_jacobi.log: build/tests/exhaustive_jacobi FORCE
 	@$(IN_BUILD) && sh tests/run.sh one $@ "./$< 997"
