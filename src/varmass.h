@@ -157,6 +157,7 @@
 #include "oscillators/van_der_pol_routes.h"
 #include "oscillators/jeffcott.h"
 #include "oscillators/pair.h"
+#include "oscillators/coupled_pair.h"
 #include "oscillators/forced.h"
 #include "oscillators/resonance.h"
 #include "oscillators/diagnostics.h"

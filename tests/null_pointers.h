@@ -444,11 +444,20 @@ static void null_laval(void)
 static void null_pair(void)
 {
     vm_pair pair = a_pair();
+    vm_coupled_pair coupled = a_coupled_pair();
     STATUS(3, vm_pair_rhs(0, IN(0, vm_real, slow_y), X(1, vm_real), IO(2, vm_pair, &pair)));
     STATUS(3, vm_pair_to_averaged(IN(0, vm_pair, &pair), 0, IN(1, vm_real, slow_y), X(2, vm_real)));
     STATUS(3, vm_pair_from_averaged(IN(0, vm_pair, &pair), 0, IN(1, vm_real, slow_y), X(2, vm_real)));
     STATUS(3, vm_pair_averaged_rhs(0, IN(0, vm_real, slow_y), X(1, vm_real), IO(2, vm_pair, &pair)));
     STATUS(3, vm_pair_at(IN(0, vm_pair, &pair), 1, IN(1, vm_real, slow_y), X(2, vm_real)));
+    STATUS(3, vm_pair_by_method(IN(0, vm_pair, &pair), VM_PAIR_TRIG, 1, IN(1, vm_real, slow_y), X(2, vm_real)));
+    STATUS(3, vm_coupled_pair_rhs(0, IN(0, vm_real, slow_y), X(1, vm_real), IO(2, vm_coupled_pair, &coupled)));
+    STATUS(3, vm_coupled_pair_to_modes(IN(0, vm_coupled_pair, &coupled), 0, IN(1, vm_real, slow_y), X(2, vm_real)));
+    STATUS(3, vm_coupled_pair_from_modes(IN(0, vm_coupled_pair, &coupled), 0, IN(1, vm_real, slow_y), X(2, vm_real)));
+    STATUS(3, vm_coupled_pair_oscillator(IO(0, vm_coupled_pair, &coupled), IN(1, vm_real, slow_y),
+                                         X(2, vm_osc_problem)));
+    coupled.connections = NULL; /* one connection, which is not there */
+    CHECK(vm_coupled_pair_rhs(0, slow_y, null_output[0], &coupled) == VM_BAD_ARGUMENT);
     memset(&pair.mass, 0, sizeof pair.mass); /* no law */
     CHECK(vm_pair_rhs(0, slow_y, null_output[0], &pair) == VM_BAD_ARGUMENT);
     CHECK(vm_pair_to_averaged(&pair, 0, slow_y, null_output[0]) == VM_BAD_ARGUMENT);

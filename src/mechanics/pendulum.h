@@ -202,8 +202,8 @@ VM_API int vmi_compound_cut_finite(const vm_compound_cut *c)
 }
 
 /* Motion of a pendulum of any shape and of the part that is cut off from it, (119)-(132).
-   The pendulum need not be uniform. Position and inertia of the part are free. With the moment of inertia I1 of the rest about O and the velocity u of
-   the part at r2 relative to the pendulum, the angular velocity changes by
+   The pendulum need not be uniform. Position and inertia of the part are free. With the moment of inertia I1 of the
+   rest about O and the velocity u of the part at r2 relative to the pendulum, the angular velocity changes by
      phi1' - phi' = -(I2 Omega + m (r2 x u))/I1.
    This form has no cancellation but that in I1, the difference of the moments of inertia about O. Returns
    VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS if a mass, that of the rest included, is not positive,
