@@ -22,7 +22,7 @@ enum { VMI_NODES = VMI_GAUSS };
 typedef struct VM_TAG(vmi_gauss_rule) {
     int n; /* number of nodes */
     vm_real node[VMI_NODES], weight[VMI_NODES];
-    vm_real integral[VMI_NODES][VMI_NODES];   /* [i][j]: integral of polynomial j from 0 to node i */
+    vm_real integral[VMI_NODES + 1][VMI_NODES]; /* [i][j]: integral of polynomial j from 0 to node i, or to 1 for i = n */
     vm_real derivative[VMI_NODES][VMI_NODES]; /* [i][j]: derivative of polynomial j at node i */
 } vmi_gauss_rule;
 
@@ -92,6 +92,7 @@ VM_API void vmi_gauss_rule_init(vmi_gauss_rule *rule, int n)
             rule->derivative[i][j] = 0;
         }
     }
+    for (j = 0; j < n; j++) rule->integral[n][j] = rule->weight[j];
     for (k = 0; k < n; k++) { /* x = 2 node - 1: integrals are 1/2 of those over x, derivatives double */
         for (i = 0; i < n; i++) {
             const vm_real x = 2 * rule->node[i] - 1, next = vmi_legendre_next(k, x, now[i], before[i]);
