@@ -62,31 +62,35 @@ typedef struct VM_TAG(vmi_osc_points) {
 /* The number of pairs of runs that can be tried one after the other */
 enum { VMI_OSC_PAIRS = 6 };
 
-/* Whether the rates are smooth inside a half period, so that one step over it is good. With a force they may have kinks
-   in the middle, where x' = 0; for alpha > 3 they change quickly there. In these cases two steps that meet in the
-   middle are better. */
-VM_API int vmi_osc_has_smooth_halves(const vm_osc_problem *o) { return o->alpha <= 3 && !o->force; }
-
-/* Pair number i, 0 to VMI_OSC_PAIRS - 1. Each pair is more accurate than the one before. */
+/* Pair number i, 0 to VMI_OSC_PAIRS - 1. Each pair is more accurate than the one before. With a force the rates may have
+   kinks in the middle of a half period, where x' = 0, and what the rule misses has no closed form; so there are two parts
+   and more points. For alpha > 3 the rates change quickly in the middle; two parts that meet there are better. */
 VM_API vmi_osc_points vmi_osc_pair(const vm_osc_problem *o, int i)
 {
-    static const vmi_osc_points free[VMI_OSC_PAIRS] = {{2, 3, 1}, {3, 4, 1},  {4, 6, 1},
-                                                       {6, 9, 1}, {8, 11, 2}, {14, 20, 2}};
+    static const vmi_osc_points alone[VMI_OSC_PAIRS] = {{2, 3, 1}, {3, 4, 1},  {4, 6, 1},
+                                                        {6, 9, 1}, {8, 11, 2}, {14, 20, 2}};
     static const vmi_osc_points forced[VMI_OSC_PAIRS] = {{4, 6, 2},  {5, 7, 2},   {6, 8, 2},
                                                          {8, 11, 2}, {10, 14, 2}, {14, 20, 2}};
-    vmi_osc_points points = o->force ? forced[i] : free[i];
+    vmi_osc_points points = alone[i];
+    if (o->force) points = forced[i];
     if (o->alpha > 3) points.parts = 2;
     return points;
 }
 
 /* The number of the pair that is tried first. It is about the cheapest that reaches the tolerance where mass and
-   stiffness change by 1 % while the phase grows by 1. */
+   stiffness change by 1 % while the phase grows by 1. Laws by functions of the user need more points, for the
+   derivative of p. */
 VM_API int vmi_osc_first_pair(const vm_osc_problem *o, vm_real tolerance)
 {
     if (o->force) return tolerance >= VM_C(1e-6) ? 2 : 4;
+    if (vmi_osc_has_user_law(o)) {
+        if (tolerance >= VM_C(1e-6)) return 1;
+        return tolerance >= VM_C(1e-8) ? 2 : 3;
+    }
     if (tolerance >= VM_C(1e-8)) return 0;
     if (tolerance >= VM_C(1e-9)) return 1;
-    return tolerance >= VM_C(1e-11) ? 2 : 3;
+    if (tolerance >= VM_C(1e-11)) return 2;
+    return 3;
 }
 
 /* The number of the pair that is tried after pair i, whose estimated error is `error`, larger than the tolerance. A
