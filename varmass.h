@@ -8990,7 +8990,7 @@ VM_API void vmi_osc_disturbance(const vmi_osc_slow *now, vm_real W, vm_real *E)
        vmi_ripple_values f;
        vm_real sa, ca;
        vmi_ripple_init(&r, VM_C(1.5), vmi_ateb_constants);
-       vmi_ripple_complete(&r);
+       vmi_ripple_complete(&r, 5);
        ateb_saca(VM_C(0.7), VM_C(1.5), &sa, &ca);
        vmi_ripple_at(&r, 5, VM_C(0.7), sa, ca, &f); // f.S, f.S2, f.S3, f.Q at psi = 0.7
 
@@ -9054,27 +9054,29 @@ VM_API vm_real vmi_binomial_next(vm_real before, int i, vm_real exponent)
     return before * ((vm_real)(i - 1) - exponent) / (vm_real)i;
 }
 
-/* Replaces the coefficients i - 1 of all power series by the coefficients i; for i = 0 all must be 0 before. Method:
-   let I be the integral of ca^2 over the phase from a zero of ca or sa, D the integral of I, and E the integral of D.
-   The differential equations D'' = ca^2 and E'' = I give each coefficient of D and E from the one before. */
-VM_API void vmi_ripple_next_terms(vmi_ripple_series *s, int i, vm_real alpha)
+/* Replaces the coefficients i - 1 of the power series by the coefficients i; for i = 0 all must be 0 before. Up to order 3
+   only the series for the integral of ca^2 are needed. Method: let I be this integral over the phase from a zero of ca or
+   sa, D the integral of I, and E the integral of D. The differential equations D'' = ca^2 and E'' = I give each
+   coefficient of D and E from the one before. */
+VM_API void vmi_ripple_next_terms(vmi_ripple_series *s, int order, int i, vm_real alpha)
 {
     const vm_real n = alpha + 1, nu = 2 * alpha / n, k = (vm_real)(2 * i);
     const vm_real now = (vm_real)i * n, before = now - n;
     vm_real *zero = s->near_ca_0, *turn = s->near_sa_0;
     s->root = vmi_binomial_next(s->root, i, VM_C(-0.5));
     s->power2 = vmi_binomial_next(s->power2, i, (2 - alpha) / n);
+    zero[VMI_RIPPLE_CA2] = n / 2 * s->root / (3 + now);
+    turn[VMI_RIPPLE_CA2] = s->power2 / (k + 1);
+    if (order <= 3) return;
     s->power3 = vmi_binomial_next(s->power3, i, (3 - alpha) / n);
     s->power4 = vmi_binomial_next(s->power4, i, (4 - alpha) / n);
     s->product = (s->product * (k - 3 + 2 * nu) + s->power4) / (k + 1);
-    zero[VMI_RIPPLE_CA2] = n / 2 * s->root / (3 + now);
     zero[VMI_RIPPLE_CA4] = n / 2 * s->root / (5 + now);
     if (i == 0) zero[VMI_RIPPLE_FIRST] = n * n / 48;
     else zero[VMI_RIPPLE_FIRST] *= (4 + before) * (3 + before + n / 2) / ((4 + now) * (3 + now));
     zero[VMI_RIPPLE_SECOND] =
         (zero[VMI_RIPPLE_SECOND] * (5 + before) * (4 + before + n / 2) + n * n / 4 * zero[VMI_RIPPLE_CA2]) /
         ((5 + now) * (4 + now));
-    turn[VMI_RIPPLE_CA2] = s->power2 / (k + 1);
     turn[VMI_RIPPLE_CA4] = s->power4 / (k + 1);
     turn[VMI_RIPPLE_FIRST] = (turn[VMI_RIPPLE_FIRST] * k * (k - 1 + nu) + s->power3) / ((k + 2) * (k + 1));
     turn[VMI_RIPPLE_SECOND] = (turn[VMI_RIPPLE_SECOND] * (k + 1) * (k + nu) + s->product) / ((k + 3) * (k + 2));
@@ -9107,9 +9109,9 @@ VM_API void vmi_chebyshev_to_powers(vm_real *c)
     }
 }
 
-/* Makes all eight polynomials, four in each set. It adds up the power series, with each power w^i or y^i replaced by
+/* Makes the eight polynomials, four in each set; those that no law up to `order` needs become 0. It adds up the power series, with each power w^i or y^i replaced by
    its Chebyshev series. */
-VMI_APART void vmi_ripple_make_polynomials(vmi_ripple *r)
+VMI_APART void vmi_ripple_make_polynomials(vmi_ripple *r, int order)
 {
     vm_real w_power[VMI_RIPPLE_KEPT]; /* coefficients of the Chebyshev series of w^i */
     vmi_ripple_series s;
@@ -9126,7 +9128,7 @@ VMI_APART void vmi_ripple_make_polynomials(vmi_ripple *r)
     for (k = 0; k < VMI_RIPPLE_KEPT; k++) w_power[k] = 0;
     w_power[0] = 1;
     for (i = 0; i < VMI_RIPPLE_SERIES; i++) {
-        vmi_ripple_next_terms(&s, i, r->alpha);
+        vmi_ripple_next_terms(&s, order, i, r->alpha);
         for (j = 0; j < VMI_RIPPLE_FUNCTIONS; j++)
             for (k = 0; k < VMI_RIPPLE_TERMS; k++) {
                 r->near_ca_0[j][k] += s.near_ca_0[j] * w_power[k];
@@ -9224,25 +9226,33 @@ VM_API void vmi_ripple_init(vmi_ripple *r, vm_real alpha, vmi_ateb_constants_of 
     r->has_polynomials = 0;
 }
 
-/* Adds the polynomials, and S2 at the zeros of sa and of ca. These two values of S2 follow from the condition that both
-   sets of polynomials give the same S2 and S3 at the phase where sa^2 = 1/2. */
-VM_API void vmi_ripple_complete(vmi_ripple *r)
+/* Sets S2 at the zeros of sa and of ca. They follow from the condition that both sets of polynomials give the same S2
+   and S3 at the phase where sa^2 = 1/2. */
+VM_API void vmi_ripple_join(vmi_ripple *r)
 {
     const vm_real half = VM_C(0.5), sa = VM_SQRT(half), ca = vmi_pow_checked(half, 1 / (r->alpha + 1));
     const vm_real t = vmi_ateb_from_sa_0(r->alpha, sa, half), s = vmi_ateb_from_ca_0(r->alpha, ca, half);
-    vmi_ripple_place place;
-    vmi_ripple_integrals zero, turn;
+    vmi_ripple_place place = vmi_ripple_near_ca_0(r, ca, half);
+    const vmi_ripple_integrals zero = vmi_ripple_integrals_at(&place, 5);
+    vmi_ripple_integrals turn;
     vm_real jump; /* at_sa_0 - at_ca_0 */
-    if (r->has_polynomials) return;
-    vmi_ripple_make_polynomials(r);
-    place = vmi_ripple_near_ca_0(r, ca, half);
-    zero = vmi_ripple_integrals_at(&place, 5);
     place = vmi_ripple_near_sa_0(r, sa, half);
     turn = vmi_ripple_integrals_at(&place, 5);
     jump = (zero.first - r->mean2 * s * s / 2) - (turn.first - r->mean2 * t * t / 2);
     r->at_ca_0 = -((turn.second - r->mean2 * t * t * t / 6) + (zero.second - r->mean2 * s * s * s / 6) + jump * t) /
                  (r->pi / 2);
     r->at_sa_0 = r->at_ca_0 + jump;
+}
+
+/* Adds what the laws up to `order`, 3 to 5, need: the polynomials, and S2 at the zeros of sa and of ca. What only higher
+   orders need is set to 0. */
+VM_API void vmi_ripple_complete(vmi_ripple *r, int order)
+{
+    if (r->has_polynomials) return;
+    vmi_ripple_make_polynomials(r, order);
+    r->at_ca_0 = 0;
+    r->at_sa_0 = 0;
+    if (order > 3) vmi_ripple_join(r);
     r->has_polynomials = 1;
 }
 
@@ -9759,7 +9769,7 @@ VM_API int vm_osc_closed_init(vm_osc_closed *c, const vm_osc_problem *problem, i
     c->beyond = s.laws.rate_m != 0 ? VM_BAD_MASS : VM_BAD_STIFFNESS;
     ateb_plan_init(&c->ateb, problem->alpha);
     vmi_ripple_init(&c->ripple, problem->alpha, vmi_ateb_fine_constants);
-    if (order > 2) vmi_ripple_complete(&c->ripple);
+    if (order > 2) vmi_ripple_complete(&c->ripple, order);
     vmi_osc_closed_begin(c, order, &s, t_end);
     return VM_OK;
 }
@@ -9950,7 +9960,7 @@ VM_API int vm_osc_plan_init(vm_osc_plan *p, const vm_osc_problem *problem)
     status = vmi_osc_prepare(&plan, problem, 1);
     if (status) return status;
     plan.has_ateb = ateb_plan_init(&plan.ateb, problem->alpha) == 0;
-    vmi_ripple_complete(&plan.ripple);
+    vmi_ripple_complete(&plan.ripple, 5);
     status = vmi_osc_start(&plan);
     if (!status) *p = plan;
     return status;
@@ -12601,7 +12611,7 @@ VM_API int vmi_osc_once(const vm_osc_problem *problem, int complete, vm_osc_plan
     if (!problem) return VM_BAD_ARGUMENT;
     status = vmi_osc_prepare(plan, problem, 0);
     if (status) return status;
-    if (complete) vmi_ripple_complete(&plan->ripple);
+    if (complete) vmi_ripple_complete(&plan->ripple, 5);
     return vmi_osc_start(plan);
 }
 
@@ -12634,7 +12644,7 @@ VM_API int vm_osc_within(const vm_osc_problem *problem, vm_real t, vm_real toler
         status = vmi_osc_averaged_within(&plan, t, tolerance, motion);
         if (status != VM_TOLERANCE_MISSED) return status;
     }
-    vmi_ripple_complete(&plan.ripple);
+    vmi_ripple_complete(&plan.ripple, 5);
     status = vmi_osc_start(&plan);
     if (status) return status;
     return vm_osc_plan_within(&plan, t, tolerance, motion);
@@ -14914,7 +14924,7 @@ VM_API int vm_vdp_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void 
        vmi_ripple r;
        vmi_vdp_ripple v;
        vmi_ripple_init(&r, 1, vmi_ateb_constants);
-       vmi_ripple_complete(&r);
+       vmi_ripple_complete(&r, 5);
        vmi_vdp_ripple_init(&v, &r); // v.F is -1/4, v.K2 -11/256
    Tests: tests/test_van_der_pol_law.c. */
 #ifndef VARMASS_OSCILLATORS_VAN_DER_POL_EXPANSION_H
@@ -15966,7 +15976,7 @@ VM_API int vm_vdp_cycle_of(const vm_vdp *v, vm_vdp_cycle *cycle)
     if (status) return status;
     if (!((v->feed > 0 && v->c > 0) || (v->feed < 0 && v->c < 0))) return VM_NO_LAW;
     vmi_ripple_init(&r, v->alpha, vmi_ateb_constants);
-    vmi_ripple_complete(&r);
+    vmi_ripple_complete(&r, 5);
     vmi_vdp_ripple_init(&ripple, &r);
     vmi_vdp_cycle_coefficients(&ripple, &r, &kx, &kw);
     A = VM_SQRT(v->feed / v->c / -ripple.F);

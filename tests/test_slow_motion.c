@@ -58,7 +58,7 @@ static void functions_at(const vmi_ripple *r, int order, double psi, double *f, 
 static void ripple_of(double alpha, vmi_ripple *r)
 {
     vmi_ripple_init(r, R(alpha), vmi_ateb_fine_constants);
-    vmi_ripple_complete(r);
+    vmi_ripple_complete(r, 5);
 }
 
 /* The largest value of each function in the table at this alpha */

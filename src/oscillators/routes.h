@@ -261,7 +261,7 @@ VM_API int vmi_osc_once(const vm_osc_problem *problem, int complete, vm_osc_plan
     if (!problem) return VM_BAD_ARGUMENT;
     status = vmi_osc_prepare(plan, problem, 0);
     if (status) return status;
-    if (complete) vmi_ripple_complete(&plan->ripple);
+    if (complete) vmi_ripple_complete(&plan->ripple, 5);
     return vmi_osc_start(plan);
 }
 
@@ -294,7 +294,7 @@ VM_API int vm_osc_within(const vm_osc_problem *problem, vm_real t, vm_real toler
         status = vmi_osc_averaged_within(&plan, t, tolerance, motion);
         if (status != VM_TOLERANCE_MISSED) return status;
     }
-    vmi_ripple_complete(&plan.ripple);
+    vmi_ripple_complete(&plan.ripple, 5);
     status = vmi_osc_start(&plan);
     if (status) return status;
     return vm_osc_plan_within(&plan, t, tolerance, motion);
