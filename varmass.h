@@ -11475,7 +11475,9 @@ enum { VMI_NODES = VMI_GAUSS };
 /* Gauss' rule, and two matrices. Polynomial j in their comments has degree n - 1; it is 1 at node j and 0 at all other
    nodes. */
 typedef struct VM_TAG(vmi_gauss_rule) {
-    int n; /* number of nodes */
+    int n;      /* number of nodes */
+    int graded; /* 1 after vmi_gauss_rule_grade, else 0 */
+    vm_real place[VMI_NODES]; /* the nodes x; they differ from node[] only in a graded rule */
     vm_real node[VMI_NODES], weight[VMI_NODES];
     vm_real integral[VMI_NODES + 1][VMI_NODES]; /* [i][j]: integral of polynomial j from 0 to node i, or to 1 for i = n */
     vm_real derivative[VMI_NODES][VMI_NODES]; /* [i][j]: derivative of polynomial j at node i */
@@ -11536,8 +11538,10 @@ VM_API void vmi_gauss_rule_init(vmi_gauss_rule *rule, int n)
     vm_real integrals[VMI_NODES], derivatives[VMI_NODES];
     int i, j, k;
     rule->n = n;
+    rule->graded = 0;
     vmi_gauss_rule_nodes(rule);
     for (i = 0; i < n; i++) {
+        rule->place[i] = rule->node[i];
         before[i] = 0;
         now[i] = 1;
         slope_before[i] = 0;
@@ -11566,6 +11570,26 @@ VM_API void vmi_gauss_rule_init(vmi_gauss_rule *rule, int n)
     }
 }
 
+/* The point z = x^2 (3 - 2x) of a graded rule, where the rule before had x */
+VM_API vm_real vmi_graded(vm_real x) { return x * x * (3 - 2 * x); }
+
+/* Changes the rule for functions of z on [0, 1] that have singularities at the ends, such as fractional powers. The
+   polynomials of the rule become polynomials in x, where z = x^2 (3 - 2x). In x such a power is twice as high, so the
+   error falls faster with n. */
+VM_API void vmi_gauss_rule_grade(vmi_gauss_rule *rule)
+{
+    const int n = rule->n;
+    int i, j;
+    rule->graded = 1;
+    for (j = 0; j < n; j++) {
+        const vm_real x = rule->place[j], slope = 6 * x * (1 - x); /* dz/dx */
+        rule->node[j] = vmi_graded(x);
+        rule->weight[j] *= slope;
+        for (i = 0; i <= n; i++) rule->integral[i][j] *= slope;
+        for (i = 0; i < n; i++) rule->derivative[j][i] /= slope;
+    }
+}
+
 #endif
 /* oscillators/course.h - a run of an oscillator that goes in steps from each zero of x to the next
 
@@ -11581,7 +11605,8 @@ VM_API void vmi_gauss_rule_init(vmi_gauss_rule *rule, int n)
    Without a force the rates of ln A and t consist of slow functions and of a swing with ca^2 and sa ca that is
    proportional to E. A polynomial of few nodes is good for the slow functions, but not for ca^2 and sa ca. Their
    integrals have closed forms (oscillators/ripple.h). So each step adds to Gauss' rule what the rule misses in these
-   integrals, and 2 or 3 nodes a step become enough for errors of 1e-8.
+   integrals, and 2 or 3 nodes a step become enough for errors of 1e-8. With a force such closed forms do not exist; for
+   alpha < 3 the nodes then lie closer at the ends of the steps (vmi_gauss_rule_grade).
        vmi_osc_course c;
        int status;
        vmi_osc_course_start(&c, &plan, &state, 1, 4, 1, VM_C(1e-12)); // plan is a vm_osc_plan, state its reduced state
@@ -11712,6 +11737,11 @@ VM_API void vmi_osc_course_waves(const vmi_osc_course *c, vm_real from, vm_real 
     for (i = 0; i <= rule->n; i++)
         for (k = 0; k < VMI_MISSES; k++) w->misses[i][k] = 0;
 }
+
+/* Whether the rule must be graded. A force that depends on the velocity brings into the rates the power alpha + 1 of the
+   distance from a zero of x, which is no integer power for most alpha. From alpha = 3 on it is so high that it does no
+   harm. */
+VM_API int vmi_osc_needs_grading(const vm_osc_problem *o) { return o->force && o->alpha < 3 && o->alpha != 1; }
 
 /* -- Rates and changes -- */
 
@@ -12003,19 +12033,19 @@ VM_API void vmi_osc_remember(vmi_osc_course *c, int part, const vmi_step_rates *
 
 /* -- Landing on a time -- */
 
-/* Returns the fraction of the step at which the time t is reached, by Newton's method. Writes the Legendre series of
-   dt/dpsi on the step to series. */
-VM_API vm_real vmi_osc_find_part(const vmi_osc_course *c, const vmi_osc_step *s, vm_real t, vm_real *series)
+/* Returns the fraction of the step at which the time t is reached, by Newton's method on the Legendre series of dt/dpsi,
+   or in a graded rule of dt/dx (vmi_gauss_rule_grade). */
+VM_API vm_real vmi_osc_find_part(const vmi_osc_course *c, const vmi_osc_step *s, vm_real t)
 {
     const int rounds = 8;
     const vm_real way = (t - c->t) - c->t_low;
-    vm_real part, slope;
+    vm_real series[VMI_GAUSS], part, slope;
     int i, k;
     for (k = 0; k < VMI_GAUSS; k++) series[k] = 0;
     for (i = 0; i < c->rule.n; i++) {
         vm_real before = 0, now = 1;
         for (k = 0; k < c->rule.n; k++) {
-            const vm_real next = vmi_legendre_next(k, 2 * c->rule.node[i] - 1, now, before);
+            const vm_real next = vmi_legendre_next(k, 2 * c->rule.place[i] - 1, now, before);
             series[k] += (vm_real)(2 * k + 1) * c->rule.weight[i] * now * s->rates.t[i];
             before = now;
             now = next;
@@ -12027,7 +12057,7 @@ VM_API vm_real vmi_osc_find_part(const vmi_osc_course *c, const vmi_osc_step *s,
         part -= (s->length / 2 * vmi_legendre_integral(series, 2 * part - 1) - way) / slope;
         part = vmi_smaller(vmi_larger(part, 0), 1);
     }
-    return part;
+    return c->rule.graded ? vmi_graded(part) : part;
 }
 
 /* Makes a step that ends at c->stop, in place of the longer step `beyond`, which would go past this time. certain is 0
@@ -12037,7 +12067,7 @@ VM_API int vmi_osc_land(vmi_osc_course *c, const vmi_osc_step *beyond, int certa
 {
     const int rounds = 6;
     const vm_real way = (c->stop - c->t) - c->t_low;
-    vm_real series[VMI_GAUSS], part = vmi_osc_find_part(c, beyond, c->stop, series);
+    const vm_real part = vmi_osc_find_part(c, beyond, c->stop);
     vmi_step_waves waves;
     vmi_osc_step s;
     int i, attempt, status;
@@ -12045,7 +12075,7 @@ VM_API int vmi_osc_land(vmi_osc_course *c, const vmi_osc_step *beyond, int certa
     s.waves = &waves;
     s.length = part * beyond->length;
     for (i = 0; i < c->rule.n; i++) {
-        s.rates.t[i] = vmi_legendre_at(series, 2 * part * c->rule.node[i] - 1);
+        s.rates.t[i] = beyond->rates.t[i];
         s.rates.ln_A[i] = beyond->rates.ln_A[i];
     }
     s.rates.E[0] = beyond->rates.E[0];
@@ -12154,6 +12184,7 @@ VM_API void vmi_osc_course_start(vmi_osc_course *c, const vm_osc_plan *plan, con
     c->plan = plan;
     c->wave = vmi_osc_wave_of(plan, VM_ROUTE_COLLOCATION);
     vmi_gauss_rule_init(&c->rule, n);
+    if (vmi_osc_needs_grading(&plan->problem)) vmi_gauss_rule_grade(&c->rule);
     c->side = side;
     c->parts = parts;
     c->sweep_limit = sweep_limit;
@@ -12277,12 +12308,15 @@ VM_API int vmi_osc_next_pair(const vm_osc_problem *o, int i, vm_real error, vm_r
 /* Returns the estimated error of the strict run divided by the difference of the two runs, which is nearly the error of
    the loose run. Where alpha < 1, the rates have terms proportional to d^(alpha+2), where d is the distance from a zero
    of x. For these terms the error of Gauss' rule of n points falls as n^-(2 alpha + 6). For larger alpha up to 10 it
-   falls as n^-8 at least. Up to 4 points, kinks from a force or from a law by a function, and the sharp turns of a large
-   alpha, make it fall more slowly. */
+   falls as n^-8 at least. Few points, kinks from a force or from a law by a function, and the sharp turns of a large
+   alpha, make it fall more slowly. In a graded rule the points are densest where x' is near 0, so kinks there count
+   less. */
 VM_API vm_real vmi_osc_strict_share(const vm_osc_problem *o, vmi_osc_points points)
 {
     const vm_real ratio = (vm_real)points.loose / (vm_real)points.strict, squared = ratio * ratio;
-    if (o->force || vmi_osc_has_user_law(o) || o->alpha > 10 || points.strict <= 4) return squared * squared;
+    const int graded = vmi_osc_needs_grading(o), kinks = (o->force && !graded) || vmi_osc_has_user_law(o);
+    const int few = graded ? 8 : 4;
+    if (kinks || o->alpha > 10 || points.strict <= few) return squared * squared;
     return squared * squared * squared * (o->alpha >= 1 ? squared : 1);
 }
 

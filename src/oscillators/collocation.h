@@ -111,12 +111,15 @@ VM_API int vmi_osc_next_pair(const vm_osc_problem *o, int i, vm_real error, vm_r
 /* Returns the estimated error of the strict run divided by the difference of the two runs, which is nearly the error of
    the loose run. Where alpha < 1, the rates have terms proportional to d^(alpha+2), where d is the distance from a zero
    of x. For these terms the error of Gauss' rule of n points falls as n^-(2 alpha + 6). For larger alpha up to 10 it
-   falls as n^-8 at least. Up to 4 points, kinks from a force or from a law by a function, and the sharp turns of a large
-   alpha, make it fall more slowly. */
+   falls as n^-8 at least. Few points, kinks from a force or from a law by a function, and the sharp turns of a large
+   alpha, make it fall more slowly. In a graded rule the points are densest where x' is near 0, so kinks there count
+   less. */
 VM_API vm_real vmi_osc_strict_share(const vm_osc_problem *o, vmi_osc_points points)
 {
     const vm_real ratio = (vm_real)points.loose / (vm_real)points.strict, squared = ratio * ratio;
-    if (o->force || vmi_osc_has_user_law(o) || o->alpha > 10 || points.strict <= 4) return squared * squared;
+    const int graded = vmi_osc_needs_grading(o), kinks = (o->force && !graded) || vmi_osc_has_user_law(o);
+    const int few = graded ? 8 : 4;
+    if (kinks || o->alpha > 10 || points.strict <= few) return squared * squared;
     return squared * squared * squared * (o->alpha >= 1 ? squared : 1);
 }
 

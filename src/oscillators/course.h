@@ -12,7 +12,8 @@
    Without a force the rates of ln A and t consist of slow functions and of a swing with ca^2 and sa ca that is
    proportional to E. A polynomial of few nodes is good for the slow functions, but not for ca^2 and sa ca. Their
    integrals have closed forms (oscillators/ripple.h). So each step adds to Gauss' rule what the rule misses in these
-   integrals, and 2 or 3 nodes a step become enough for errors of 1e-8.
+   integrals, and 2 or 3 nodes a step become enough for errors of 1e-8. With a force such closed forms do not exist; for
+   alpha < 3 the nodes then lie closer at the ends of the steps (vmi_gauss_rule_grade).
        vmi_osc_course c;
        int status;
        vmi_osc_course_start(&c, &plan, &state, 1, 4, 1, VM_C(1e-12)); // plan is a vm_osc_plan, state its reduced state
@@ -157,6 +158,11 @@ VM_API void vmi_osc_course_waves(const vmi_osc_course *c, vm_real from, vm_real 
     for (i = 0; i <= rule->n; i++)
         for (k = 0; k < VMI_MISSES; k++) w->misses[i][k] = 0;
 }
+
+/* Whether the rule must be graded. A force that depends on the velocity brings into the rates the power alpha + 1 of the
+   distance from a zero of x, which is no integer power for most alpha. From alpha = 3 on it is so high that it does no
+   harm. */
+VM_API int vmi_osc_needs_grading(const vm_osc_problem *o) { return o->force && o->alpha < 3 && o->alpha != 1; }
 
 /* -- Rates and changes -- */
 
@@ -448,19 +454,19 @@ VM_API void vmi_osc_remember(vmi_osc_course *c, int part, const vmi_step_rates *
 
 /* -- Landing on a time -- */
 
-/* Returns the fraction of the step at which the time t is reached, by Newton's method. Writes the Legendre series of
-   dt/dpsi on the step to series. */
-VM_API vm_real vmi_osc_find_part(const vmi_osc_course *c, const vmi_osc_step *s, vm_real t, vm_real *series)
+/* Returns the fraction of the step at which the time t is reached, by Newton's method on the Legendre series of dt/dpsi,
+   or in a graded rule of dt/dx (vmi_gauss_rule_grade). */
+VM_API vm_real vmi_osc_find_part(const vmi_osc_course *c, const vmi_osc_step *s, vm_real t)
 {
     const int rounds = 8;
     const vm_real way = (t - c->t) - c->t_low;
-    vm_real part, slope;
+    vm_real series[VMI_GAUSS], part, slope;
     int i, k;
     for (k = 0; k < VMI_GAUSS; k++) series[k] = 0;
     for (i = 0; i < c->rule.n; i++) {
         vm_real before = 0, now = 1;
         for (k = 0; k < c->rule.n; k++) {
-            const vm_real next = vmi_legendre_next(k, 2 * c->rule.node[i] - 1, now, before);
+            const vm_real next = vmi_legendre_next(k, 2 * c->rule.place[i] - 1, now, before);
             series[k] += (vm_real)(2 * k + 1) * c->rule.weight[i] * now * s->rates.t[i];
             before = now;
             now = next;
@@ -472,7 +478,7 @@ VM_API vm_real vmi_osc_find_part(const vmi_osc_course *c, const vmi_osc_step *s,
         part -= (s->length / 2 * vmi_legendre_integral(series, 2 * part - 1) - way) / slope;
         part = vmi_smaller(vmi_larger(part, 0), 1);
     }
-    return part;
+    return c->rule.graded ? vmi_graded(part) : part;
 }
 
 /* Makes a step that ends at c->stop, in place of the longer step `beyond`, which would go past this time. certain is 0
@@ -482,7 +488,7 @@ VM_API int vmi_osc_land(vmi_osc_course *c, const vmi_osc_step *beyond, int certa
 {
     const int rounds = 6;
     const vm_real way = (c->stop - c->t) - c->t_low;
-    vm_real series[VMI_GAUSS], part = vmi_osc_find_part(c, beyond, c->stop, series);
+    const vm_real part = vmi_osc_find_part(c, beyond, c->stop);
     vmi_step_waves waves;
     vmi_osc_step s;
     int i, attempt, status;
@@ -490,7 +496,7 @@ VM_API int vmi_osc_land(vmi_osc_course *c, const vmi_osc_step *beyond, int certa
     s.waves = &waves;
     s.length = part * beyond->length;
     for (i = 0; i < c->rule.n; i++) {
-        s.rates.t[i] = vmi_legendre_at(series, 2 * part * c->rule.node[i] - 1);
+        s.rates.t[i] = beyond->rates.t[i];
         s.rates.ln_A[i] = beyond->rates.ln_A[i];
     }
     s.rates.E[0] = beyond->rates.E[0];
@@ -599,6 +605,7 @@ VM_API void vmi_osc_course_start(vmi_osc_course *c, const vm_osc_plan *plan, con
     c->plan = plan;
     c->wave = vmi_osc_wave_of(plan, VM_ROUTE_COLLOCATION);
     vmi_gauss_rule_init(&c->rule, n);
+    if (vmi_osc_needs_grading(&plan->problem)) vmi_gauss_rule_grade(&c->rule);
     c->side = side;
     c->parts = parts;
     c->sweep_limit = sweep_limit;
