@@ -9054,10 +9054,10 @@ VM_API vm_real vmi_binomial_next(vm_real before, int i, vm_real exponent)
     return before * ((vm_real)(i - 1) - exponent) / (vm_real)i;
 }
 
-/* Replaces the coefficients i - 1 of the power series by the coefficients i; for i = 0 all must be 0 before. Up to order 3
-   only the series for the integral of ca^2 are needed. Method: let I be this integral over the phase from a zero of ca or
-   sa, D the integral of I, and E the integral of D. The differential equations D'' = ca^2 and E'' = I give each
-   coefficient of D and E from the one before. */
+/* Replaces the coefficients i - 1 of the power series by the coefficients i; for i = 0 all must be 0 before. Up to
+   order 3 only the series for the integral of ca^2 are needed. Method: let I be this integral over the phase from a
+   zero of ca or sa, D the integral of I, and E the integral of D. The differential equations D'' = ca^2 and E'' = I
+   give each coefficient of D and E from the one before. */
 VM_API void vmi_ripple_next_terms(vmi_ripple_series *s, int order, int i, vm_real alpha)
 {
     const vm_real n = alpha + 1, nu = 2 * alpha / n, k = (vm_real)(2 * i);
@@ -9109,8 +9109,8 @@ VM_API void vmi_chebyshev_to_powers(vm_real *c)
     }
 }
 
-/* Makes the eight polynomials, four in each set; those that no law up to `order` needs become 0. It adds up the power series, with each power w^i or y^i replaced by
-   its Chebyshev series. */
+/* Makes the eight polynomials, four in each set; those that no law up to `order` needs become 0. It adds up the power
+   series, with each power w^i or y^i replaced by its Chebyshev series. */
 VMI_APART void vmi_ripple_make_polynomials(vmi_ripple *r, int order)
 {
     vm_real w_power[VMI_RIPPLE_KEPT]; /* coefficients of the Chebyshev series of w^i */
@@ -9244,8 +9244,8 @@ VM_API void vmi_ripple_join(vmi_ripple *r)
     r->at_sa_0 = r->at_ca_0 + jump;
 }
 
-/* Adds what the laws up to `order`, 3 to 5, need: the polynomials, and S2 at the zeros of sa and of ca. What only higher
-   orders need is set to 0. */
+/* Adds what the laws up to `order`, 3 to 5, need: the polynomials, and S2 at the zeros of sa and of ca. What only
+   higher orders need is set to 0. */
 VM_API void vmi_ripple_complete(vmi_ripple *r, int order)
 {
     if (r->has_polynomials) return;
@@ -11479,7 +11479,7 @@ typedef struct VM_TAG(vmi_gauss_rule) {
     int graded; /* 1 after vmi_gauss_rule_grade, else 0 */
     vm_real place[VMI_NODES]; /* the nodes x; they differ from node[] only in a graded rule */
     vm_real node[VMI_NODES], weight[VMI_NODES];
-    vm_real integral[VMI_NODES + 1][VMI_NODES]; /* [i][j]: integral of polynomial j from 0 to node i, or to 1 for i = n */
+    vm_real integral[VMI_NODES + 1][VMI_NODES]; /* [i][j]: integral of polynomial j from 0 to node i; to 1 if i is n */
     vm_real derivative[VMI_NODES][VMI_NODES]; /* [i][j]: derivative of polynomial j at node i */
 } vmi_gauss_rule;
 
@@ -11599,8 +11599,8 @@ VM_API void vmi_gauss_rule_grade(vmi_gauss_rule *rule)
    They are solved with psi as the independent variable: each step integrates ln A and t from one zero of x to the next.
    At x = 0 the force of the spring is not smooth for most alpha, but since steps end there, no order is lost.
 
-   A step uses Gauss' collocation of n points, the nodes. Its equations are solved by iteration, which starts from values
-   that are extrapolated from the steps before.
+   A step uses Gauss' collocation of n points, the nodes. Its equations are solved by iteration, which starts from
+   values that are extrapolated from the steps before.
 
    Without a force the rates of ln A and t consist of slow functions and of a swing with ca^2 and sa ca that is
    proportional to E. A polynomial of few nodes is good for the slow functions, but not for ca^2 and sa ca. Their
@@ -11683,8 +11683,8 @@ VM_API void vmi_osc_course_ripple(const vmi_osc_course *c, vm_real psi, vmi_ripp
 }
 
 /* Writes the integrals of the four functions over x from 0 to x, for a step of this length in phase. *first is the
-   ripple at the start of the step, *now that at x. The integral of ca^2 over psi is <ca^2> psi + S, and that of sa ca is
-   -(alpha+1)/4 ca^2. Integration by parts gives those with the factor x - 1/2. */
+   ripple at the start of the step, *now that at x. The integral of ca^2 over psi is <ca^2> psi + S, and that of sa ca
+   is -(alpha+1)/4 ca^2. Integration by parts gives those with the factor x - 1/2. */
 VM_API void vmi_osc_wave_integrals(const vmi_ripple *r, const vmi_ripple_values *first, const vmi_ripple_values *now,
                                    vm_real x, vm_real length, vm_real *sum)
 {
@@ -11738,9 +11738,9 @@ VM_API void vmi_osc_course_waves(const vmi_osc_course *c, vm_real from, vm_real 
         for (k = 0; k < VMI_MISSES; k++) w->misses[i][k] = 0;
 }
 
-/* Whether the rule must be graded. A force that depends on the velocity brings into the rates the power alpha + 1 of the
-   distance from a zero of x, which is no integer power for most alpha. From alpha = 3 on it is so high that it does no
-   harm. */
+/* Whether the rule must be graded. A force that depends on the velocity brings into the rates the power alpha + 1 of
+   the distance from a zero of x, which is no integer power for most alpha. From alpha = 3 on it is so high that it does
+   no harm. */
 VM_API int vmi_osc_needs_grading(const vm_osc_problem *o) { return o->force && o->alpha < 3 && o->alpha != 1; }
 
 /* -- Rates and changes -- */
@@ -11827,9 +11827,10 @@ VM_API vmi_osc_change vmi_osc_change_to(const vmi_osc_course *c, const vmi_osc_s
     return sum;
 }
 
-/* Sets what follows from the rates of a step: the swing, and the changes over the whole step. To first order in E, dt/dpsi
-   = (1 - (alpha+1)/2 E ca^2)/W and d ln A/dpsi = -p dt/dpsi + E sa ca. The integral of E sa ca is -(alpha+1)/4 E ca^2, by
-   which ln A swings. W is proportional to A^((alpha-1)/2), so this adds (alpha-1)(alpha+1)/8 E ca^2/W to dt/dpsi. */
+/* Sets what follows from the rates of a step: the swing, and the changes over the whole step. To first order in E,
+   dt/dpsi = (1 - (alpha+1)/2 E ca^2)/W and d ln A/dpsi = -p dt/dpsi + E sa ca. The integral of E sa ca is -(alpha+1)/4
+   E ca^2, by which ln A swings. W is proportional to A^((alpha-1)/2), so this adds (alpha-1)(alpha+1)/8 E ca^2/W to
+   dt/dpsi. */
 VM_API void vmi_osc_complete_step(const vmi_osc_course *c, vmi_osc_step *s)
 {
     const vm_real alpha = c->plan->problem.alpha, factor = (alpha + 1) * (alpha - 5) / 8;
@@ -12010,8 +12011,8 @@ VM_API void vmi_keep_and_subtract(vm_real *kept, vm_real *value)
     *value = difference;
 }
 
-/* Stores the rates of ln A and t over a whole step, by renewing their backward differences. vmi_osc_predict extrapolates
-   from them the rates of the next step over the same part (first or second) of a half period. */
+/* Stores the rates of ln A and t over a whole step, by renewing their backward differences. vmi_osc_predict
+   extrapolates from them the rates of the next step over the same part (first or second) of a half period. */
 VM_API void vmi_osc_remember(vmi_osc_course *c, int part, const vmi_step_rates *rates)
 {
     const int terms = c->known[part] < VMI_HISTORY ? c->known[part] + 1 : VMI_HISTORY;
@@ -12033,8 +12034,8 @@ VM_API void vmi_osc_remember(vmi_osc_course *c, int part, const vmi_step_rates *
 
 /* -- Landing on a time -- */
 
-/* Returns the fraction of the step at which the time t is reached, by Newton's method on the Legendre series of dt/dpsi,
-   or in a graded rule of dt/dx (vmi_gauss_rule_grade). */
+/* Returns the fraction of the step at which the time t is reached, by Newton's method on the Legendre series of
+   dt/dpsi, or in a graded rule of dt/dx (vmi_gauss_rule_grade). */
 VM_API vm_real vmi_osc_find_part(const vmi_osc_course *c, const vmi_osc_step *s, vm_real t)
 {
     const int rounds = 8;
@@ -12210,8 +12211,8 @@ VM_API void vmi_osc_course_start(vmi_osc_course *c, const vm_osc_plan *plan, con
 #endif
 /* oscillators/collocation.h - the motion of an oscillator by collocation, to a tolerance
 
-   Two runs from zero to zero of x (oscillators/course.h), with different numbers of points a step, go side by side. Their
-   difference gives the error. If the error is larger than the tolerance, the next pair of runs has more points.
+   Two runs from zero to zero of x (oscillators/course.h), with different numbers of points a step, go side by side.
+   Their difference gives the error. If the error is larger than the tolerance, the next pair of runs has more points.
        vm_osc_motion motion;
        int status = vmi_osc_collocate(&plan, VM_ROUTE_COLLOCATION, 300, VM_C(1e-8), &motion); // plan is a vm_osc_plan
    Tests: tests/test_collocation.c, tests/test_routes.c. */
@@ -12259,9 +12260,10 @@ typedef struct VM_TAG(vmi_osc_points) {
 /* The number of pairs of runs that can be tried one after the other */
 enum { VMI_OSC_PAIRS = 6 };
 
-/* Pair number i, 0 to VMI_OSC_PAIRS - 1. Each pair is more accurate than the one before. With a force the rates may have
-   kinks in the middle of a half period, where x' = 0, and what the rule misses has no closed form; so there are two parts
-   and more points. For alpha > 3 the rates change quickly in the middle; two parts that meet there are better. */
+/* Pair number i, 0 to VMI_OSC_PAIRS - 1. Each pair is more accurate than the one before. With a force the rates may
+   have kinks in the middle of a half period, where x' = 0, and what the rule misses has no closed form; so there are
+   two parts and more points. For alpha > 3 the rates change quickly in the middle; two parts that meet there are
+   better. */
 VM_API vmi_osc_points vmi_osc_pair(const vm_osc_problem *o, int i)
 {
     static const vmi_osc_points alone[VMI_OSC_PAIRS] = {{2, 3, 1}, {3, 4, 1},  {4, 6, 1},

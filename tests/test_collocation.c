@@ -216,7 +216,7 @@ static void test_motions(void)
     for (i = 0; i < COUNT(slow_tables); i += 2) judge_case(slow_tables + i, &tables);
     report(&free_motion, 25, 1);
     report(&tables, 25, by_precision(1, 6));
-    report(&forced, by_precision(35, 25), by_precision(40, 5)); /* true errors of graded rules are far below the bound */
+    report(&forced, by_precision(35, 25), by_precision(40, 5)); /* graded rules are better than their estimate says */
 }
 
 /* The least error, each alpha by itself. Where alpha is small or no integer, sa has a singularity of the power alpha + 1

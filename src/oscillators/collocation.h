@@ -1,7 +1,7 @@
 /* oscillators/collocation.h - the motion of an oscillator by collocation, to a tolerance
 
-   Two runs from zero to zero of x (oscillators/course.h), with different numbers of points a step, go side by side. Their
-   difference gives the error. If the error is larger than the tolerance, the next pair of runs has more points.
+   Two runs from zero to zero of x (oscillators/course.h), with different numbers of points a step, go side by side.
+   Their difference gives the error. If the error is larger than the tolerance, the next pair of runs has more points.
        vm_osc_motion motion;
        int status = vmi_osc_collocate(&plan, VM_ROUTE_COLLOCATION, 300, VM_C(1e-8), &motion); // plan is a vm_osc_plan
    Tests: tests/test_collocation.c, tests/test_routes.c. */
@@ -62,9 +62,10 @@ typedef struct VM_TAG(vmi_osc_points) {
 /* The number of pairs of runs that can be tried one after the other */
 enum { VMI_OSC_PAIRS = 6 };
 
-/* Pair number i, 0 to VMI_OSC_PAIRS - 1. Each pair is more accurate than the one before. With a force the rates may have
-   kinks in the middle of a half period, where x' = 0, and what the rule misses has no closed form; so there are two parts
-   and more points. For alpha > 3 the rates change quickly in the middle; two parts that meet there are better. */
+/* Pair number i, 0 to VMI_OSC_PAIRS - 1. Each pair is more accurate than the one before. With a force the rates may
+   have kinks in the middle of a half period, where x' = 0, and what the rule misses has no closed form; so there are
+   two parts and more points. For alpha > 3 the rates change quickly in the middle; two parts that meet there are
+   better. */
 VM_API vmi_osc_points vmi_osc_pair(const vm_osc_problem *o, int i)
 {
     static const vmi_osc_points alone[VMI_OSC_PAIRS] = {{2, 3, 1}, {3, 4, 1},  {4, 6, 1},

@@ -6,8 +6,8 @@
    They are solved with psi as the independent variable: each step integrates ln A and t from one zero of x to the next.
    At x = 0 the force of the spring is not smooth for most alpha, but since steps end there, no order is lost.
 
-   A step uses Gauss' collocation of n points, the nodes. Its equations are solved by iteration, which starts from values
-   that are extrapolated from the steps before.
+   A step uses Gauss' collocation of n points, the nodes. Its equations are solved by iteration, which starts from
+   values that are extrapolated from the steps before.
 
    Without a force the rates of ln A and t consist of slow functions and of a swing with ca^2 and sa ca that is
    proportional to E. A polynomial of few nodes is good for the slow functions, but not for ca^2 and sa ca. Their
@@ -104,8 +104,8 @@ VM_API void vmi_osc_course_ripple(const vmi_osc_course *c, vm_real psi, vmi_ripp
 }
 
 /* Writes the integrals of the four functions over x from 0 to x, for a step of this length in phase. *first is the
-   ripple at the start of the step, *now that at x. The integral of ca^2 over psi is <ca^2> psi + S, and that of sa ca is
-   -(alpha+1)/4 ca^2. Integration by parts gives those with the factor x - 1/2. */
+   ripple at the start of the step, *now that at x. The integral of ca^2 over psi is <ca^2> psi + S, and that of sa ca
+   is -(alpha+1)/4 ca^2. Integration by parts gives those with the factor x - 1/2. */
 VM_API void vmi_osc_wave_integrals(const vmi_ripple *r, const vmi_ripple_values *first, const vmi_ripple_values *now,
                                    vm_real x, vm_real length, vm_real *sum)
 {
@@ -159,9 +159,9 @@ VM_API void vmi_osc_course_waves(const vmi_osc_course *c, vm_real from, vm_real 
         for (k = 0; k < VMI_MISSES; k++) w->misses[i][k] = 0;
 }
 
-/* Whether the rule must be graded. A force that depends on the velocity brings into the rates the power alpha + 1 of the
-   distance from a zero of x, which is no integer power for most alpha. From alpha = 3 on it is so high that it does no
-   harm. */
+/* Whether the rule must be graded. A force that depends on the velocity brings into the rates the power alpha + 1 of
+   the distance from a zero of x, which is no integer power for most alpha. From alpha = 3 on it is so high that it does
+   no harm. */
 VM_API int vmi_osc_needs_grading(const vm_osc_problem *o) { return o->force && o->alpha < 3 && o->alpha != 1; }
 
 /* -- Rates and changes -- */
@@ -248,9 +248,10 @@ VM_API vmi_osc_change vmi_osc_change_to(const vmi_osc_course *c, const vmi_osc_s
     return sum;
 }
 
-/* Sets what follows from the rates of a step: the swing, and the changes over the whole step. To first order in E, dt/dpsi
-   = (1 - (alpha+1)/2 E ca^2)/W and d ln A/dpsi = -p dt/dpsi + E sa ca. The integral of E sa ca is -(alpha+1)/4 E ca^2, by
-   which ln A swings. W is proportional to A^((alpha-1)/2), so this adds (alpha-1)(alpha+1)/8 E ca^2/W to dt/dpsi. */
+/* Sets what follows from the rates of a step: the swing, and the changes over the whole step. To first order in E,
+   dt/dpsi = (1 - (alpha+1)/2 E ca^2)/W and d ln A/dpsi = -p dt/dpsi + E sa ca. The integral of E sa ca is -(alpha+1)/4
+   E ca^2, by which ln A swings. W is proportional to A^((alpha-1)/2), so this adds (alpha-1)(alpha+1)/8 E ca^2/W to
+   dt/dpsi. */
 VM_API void vmi_osc_complete_step(const vmi_osc_course *c, vmi_osc_step *s)
 {
     const vm_real alpha = c->plan->problem.alpha, factor = (alpha + 1) * (alpha - 5) / 8;
@@ -431,8 +432,8 @@ VM_API void vmi_keep_and_subtract(vm_real *kept, vm_real *value)
     *value = difference;
 }
 
-/* Stores the rates of ln A and t over a whole step, by renewing their backward differences. vmi_osc_predict extrapolates
-   from them the rates of the next step over the same part (first or second) of a half period. */
+/* Stores the rates of ln A and t over a whole step, by renewing their backward differences. vmi_osc_predict
+   extrapolates from them the rates of the next step over the same part (first or second) of a half period. */
 VM_API void vmi_osc_remember(vmi_osc_course *c, int part, const vmi_step_rates *rates)
 {
     const int terms = c->known[part] < VMI_HISTORY ? c->known[part] + 1 : VMI_HISTORY;
@@ -454,8 +455,8 @@ VM_API void vmi_osc_remember(vmi_osc_course *c, int part, const vmi_step_rates *
 
 /* -- Landing on a time -- */
 
-/* Returns the fraction of the step at which the time t is reached, by Newton's method on the Legendre series of dt/dpsi,
-   or in a graded rule of dt/dx (vmi_gauss_rule_grade). */
+/* Returns the fraction of the step at which the time t is reached, by Newton's method on the Legendre series of
+   dt/dpsi, or in a graded rule of dt/dx (vmi_gauss_rule_grade). */
 VM_API vm_real vmi_osc_find_part(const vmi_osc_course *c, const vmi_osc_step *s, vm_real t)
 {
     const int rounds = 8;

@@ -24,7 +24,7 @@ typedef struct VM_TAG(vmi_gauss_rule) {
     int graded; /* 1 after vmi_gauss_rule_grade, else 0 */
     vm_real place[VMI_NODES]; /* the nodes x; they differ from node[] only in a graded rule */
     vm_real node[VMI_NODES], weight[VMI_NODES];
-    vm_real integral[VMI_NODES + 1][VMI_NODES]; /* [i][j]: integral of polynomial j from 0 to node i, or to 1 for i = n */
+    vm_real integral[VMI_NODES + 1][VMI_NODES]; /* [i][j]: integral of polynomial j from 0 to node i; to 1 if i is n */
     vm_real derivative[VMI_NODES][VMI_NODES]; /* [i][j]: derivative of polynomial j at node i */
 } vmi_gauss_rule;
 

@@ -81,10 +81,10 @@ VM_API vm_real vmi_binomial_next(vm_real before, int i, vm_real exponent)
     return before * ((vm_real)(i - 1) - exponent) / (vm_real)i;
 }
 
-/* Replaces the coefficients i - 1 of the power series by the coefficients i; for i = 0 all must be 0 before. Up to order 3
-   only the series for the integral of ca^2 are needed. Method: let I be this integral over the phase from a zero of ca or
-   sa, D the integral of I, and E the integral of D. The differential equations D'' = ca^2 and E'' = I give each
-   coefficient of D and E from the one before. */
+/* Replaces the coefficients i - 1 of the power series by the coefficients i; for i = 0 all must be 0 before. Up to
+   order 3 only the series for the integral of ca^2 are needed. Method: let I be this integral over the phase from a
+   zero of ca or sa, D the integral of I, and E the integral of D. The differential equations D'' = ca^2 and E'' = I
+   give each coefficient of D and E from the one before. */
 VM_API void vmi_ripple_next_terms(vmi_ripple_series *s, int order, int i, vm_real alpha)
 {
     const vm_real n = alpha + 1, nu = 2 * alpha / n, k = (vm_real)(2 * i);
@@ -136,8 +136,8 @@ VM_API void vmi_chebyshev_to_powers(vm_real *c)
     }
 }
 
-/* Makes the eight polynomials, four in each set; those that no law up to `order` needs become 0. It adds up the power series, with each power w^i or y^i replaced by
-   its Chebyshev series. */
+/* Makes the eight polynomials, four in each set; those that no law up to `order` needs become 0. It adds up the power
+   series, with each power w^i or y^i replaced by its Chebyshev series. */
 VMI_APART void vmi_ripple_make_polynomials(vmi_ripple *r, int order)
 {
     vm_real w_power[VMI_RIPPLE_KEPT]; /* coefficients of the Chebyshev series of w^i */
@@ -271,8 +271,8 @@ VM_API void vmi_ripple_join(vmi_ripple *r)
     r->at_sa_0 = r->at_ca_0 + jump;
 }
 
-/* Adds what the laws up to `order`, 3 to 5, need: the polynomials, and S2 at the zeros of sa and of ca. What only higher
-   orders need is set to 0. */
+/* Adds what the laws up to `order`, 3 to 5, need: the polynomials, and S2 at the zeros of sa and of ca. What only
+   higher orders need is set to 0. */
 VM_API void vmi_ripple_complete(vmi_ripple *r, int order)
 {
     if (r->has_polynomials) return;

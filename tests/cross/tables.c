@@ -1,7 +1,7 @@
 /* Calls that read every table of jacobi.h and ateb.h (-DATEB), those of the law of order five from a constant plan
    (-DCLOSED=HEADER) or from a plan of this order made on the board (-DMADE=3), or of one pair of integrators.h
-   (-DRK45, -DRK87: both do not fit into 32 KB of flash). It prints the bits of each result. tests/test_avr.sh compares the
-   lines of an ATmega328P, whose tables may lie in flash, with those of a PC. */
+   (-DRK45, -DRK87: both do not fit into 32 KB of flash). It prints the bits of each result. tests/test_avr.sh compares
+   the lines of an ATmega328P, whose tables may lie in flash, with those of a PC. */
 #define VM_USE_FLOAT
 #ifdef ATEB
 #include "../../ateb.h"
