@@ -20,6 +20,7 @@
 #   make coverage   lines and branches that the tests execute       make test-mutate SEED=n MUTANTS=n   wrong headers
 #   make test-sanitize   sanitizers, valgrind, static analysers      make proof   abstract interpretation by Frama-C
 #   make install PREFIX=/usr/local   headers, pkg-config and CMake files     make amalgamation   build/amalgamation/varmass.h
+#   make packages   an Arduino and PlatformIO library, a release with its checksum, build/packages
 #   make law       docs/law.md, the law of order five, with its figures
 #   make toronto   the Toronto test set of initial value problems, docs/toronto.md
 #   make validation   published numbers of other programs and papers beside ours, docs/validation.md
@@ -54,7 +55,7 @@ RUN_TESTS = @rm -f $(1); $(MAKE) -s -k $(if $(findstring jobserver,$(MAKEFLAGS))
 TEST_FILES = build/command $(HEADERS) $(wildcard tests/*.h tests/data/*.h tests/hard/* examples/*.h examples/scenes/*.h)
 GSL_CHECK = echo '\#include <gsl/gsl_sf.h>' | $(CC) -E -
 
-.PHONY: headers part parts-table law duffing van-der-pol toronto validation test-events test-readme scaling wasm first-steps sweep firmware firmware-table test-cross install uninstall amalgamation run test test-all scan points exhaustive lint bench measurements figures data clean bench-quick bench-count cost scene-sizes test-fuzz evaluations test-threads coverage test-mutate test-sanitize proof
+.PHONY: headers part parts-table law duffing van-der-pol toronto validation test-events test-readme scaling wasm first-steps sweep firmware firmware-table test-cross install uninstall amalgamation packages run test test-all scan points exhaustive lint bench measurements figures data clean bench-quick bench-count cost scene-sizes test-fuzz evaluations test-threads coverage test-mutate test-sanitize proof
 
 headers:
 	@mkdir -p build && echo '*' >build/.gitignore
@@ -310,6 +311,10 @@ data:
 amalgamation: build/amalgamation/varmass.h
 build/amalgamation/varmass.h: src/headers.awk $(wildcard src/*.h src/*/*.h)
 	@$(IN_BUILD) && mkdir -p $(@D) && awk -v whole=1 -f src/headers.awk src/varmass.h >$@
+
+# a library for the Arduino IDE and PlatformIO, and a release with its checksum, under build/packages
+packages: headers amalgamation
+	CC="$(CC)" sh examples/package/packages.sh build $(VERSION)
 
 # headers under PREFIX/include/varmass, found by pkg-config and by CMake's find_package
 PREFIX = /usr/local
