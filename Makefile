@@ -20,6 +20,7 @@
 #   make coverage   lines and branches that the tests execute       make test-mutate SEED=n MUTANTS=n   wrong headers
 #   make test-sanitize   sanitizers, valgrind, static analysers      make proof   abstract interpretation by Frama-C
 #   make install PREFIX=/usr/local   headers, pkg-config and CMake files     make amalgamation   build/amalgamation/varmass.h
+#   make site     the reference in HTML, build/site/index.html
 #   make packages   an Arduino and PlatformIO library, a release with its checksum, build/packages
 #   make law       docs/law.md, the law of order five, with its figures
 #   make toronto   the Toronto test set of initial value problems, docs/toronto.md
@@ -43,7 +44,7 @@ TESTS = jacobi elliptic_integrals ateb rk4 pairs adaptive dense events saved_run
 # Scripts of make test (tests/test_NAME.sh), and those of make test-all; some are in both, called with "quick" by make test
 SCRIPTS = headers readme documents errors parts golden errata install gsl hard_cases
 LONG_SCRIPTS = readme headers golden snippets parts sanitize fuzz options first_steps scene_cost package plans languages \
-    avr sweep guides
+    avr sweep guides site
 EXAMPLES = table5 example1 example2 drum scenes dzhanibekov tumbling rocket dust slow resonance rotor pendulum solvable
 TEST_PROGRAMS = $(TESTS:%=build/tests/double/%) $(TESTS:%=build/tests/float/%)
 LOGS = $(SCRIPTS:%=build/tests/%.log) $(TESTS:%=build/tests/%.log)
@@ -55,7 +56,7 @@ RUN_TESTS = @rm -f $(1); $(MAKE) -s -k $(if $(findstring jobserver,$(MAKEFLAGS))
 TEST_FILES = build/command $(HEADERS) $(wildcard tests/*.h tests/data/*.h tests/hard/* examples/*.h examples/scenes/*.h)
 GSL_CHECK = echo '\#include <gsl/gsl_sf.h>' | $(CC) -E -
 
-.PHONY: headers part parts-table law duffing van-der-pol toronto validation test-events test-readme scaling wasm first-steps sweep firmware firmware-table test-cross install uninstall amalgamation packages run test test-all scan points exhaustive lint bench measurements figures data clean bench-quick bench-count cost scene-sizes test-fuzz evaluations test-threads coverage test-mutate test-sanitize proof
+.PHONY: headers part parts-table law duffing van-der-pol toronto validation test-events test-readme scaling wasm first-steps sweep firmware firmware-table test-cross install uninstall amalgamation packages site run test test-all scan points exhaustive lint bench measurements figures data clean bench-quick bench-count cost scene-sizes test-fuzz evaluations test-threads coverage test-mutate test-sanitize proof
 
 headers:
 	@mkdir -p build && echo '*' >build/.gitignore
@@ -311,6 +312,11 @@ data:
 amalgamation: build/amalgamation/varmass.h
 build/amalgamation/varmass.h: src/headers.awk $(wildcard src/*.h src/*/*.h)
 	@$(IN_BUILD) && mkdir -p $(@D) && awk -v whole=1 -f src/headers.awk src/varmass.h >$@
+
+# a reference in HTML, with search, figures and guides: build/site/index.html; fails where Doxygen warns
+site:
+	@sh tests/install.sh -w "to write the reference" "command -v doxygen" doxygen
+	rm -rf build/site && mkdir -p build/site && doxygen docs/site/Doxyfile
 
 # a library for the Arduino IDE and PlatformIO, and a release with its checksum, under build/packages
 packages: headers amalgamation

@@ -47,7 +47,7 @@ cmake_installs() { # the same files as make install, with the same content
 }
 # Meson: the project as a subproject, and installed
 with_meson() {
-    mkdir -p "$build/meson/subprojects" && ln -s "$PWD" "$build/meson/subprojects/varmass" &&
+    mkdir -p "$build/meson/subprojects/varmass" && cp ./*.h meson.build "$build/meson/subprojects/varmass" &&
         cp examples/package/consumer/main.c "$build/meson" && cat >"$build/meson/meson.build" <<'END' &&
 project('consumer', 'c', default_options: ['c_std=c99'])
 executable('consumer', 'main.c', dependencies: dependency('varmass', version: '>=0.2', fallback: ['varmass', 'varmass']))
