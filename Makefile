@@ -10,7 +10,7 @@
 #   make exhaustive   every float of a period (minutes)                 make data    write the reference tables anew
 #   make figures  draw docs/figures                                     make measurements    write docs/measurements.md
 #   make first-steps   twelve short programs, docs/first-steps.md
-#   make wasm      an oscillator for the browser, build/wasm
+#   make wasm      pages for the browser: build/wasm/play.html, what accuracy costs
 #   make sweep     a Monte-Carlo of break-ups over all cores          make firmware-table   flash, stack, instructions
 #   make firmware   a controller on an emulated Cortex-M4F           make scene-sizes    flash of scenes
 #   make test-cross   the same bits and the tests on every target (half an hour)
@@ -44,7 +44,7 @@ TESTS = jacobi elliptic_integrals ateb rk4 pairs adaptive dense events saved_run
 # Scripts of make test (tests/test_NAME.sh), and those of make test-all; some are in both, called with "quick" by make test
 SCRIPTS = headers readme documents errors parts golden errata install gsl hard_cases
 LONG_SCRIPTS = readme headers golden snippets parts sanitize fuzz options first_steps scene_cost package plans languages \
-    avr sweep guides site
+    avr sweep guides site page
 EXAMPLES = table5 example1 example2 drum scenes dzhanibekov tumbling rocket dust slow resonance rotor pendulum solvable
 TEST_PROGRAMS = $(TESTS:%=build/tests/double/%) $(TESTS:%=build/tests/float/%)
 LOGS = $(SCRIPTS:%=build/tests/%.log) $(TESTS:%=build/tests/%.log)
@@ -212,14 +212,19 @@ firmware-table:
 	gnuplot -e "csv='build/firmware/table.csv'; svg='docs/figures/firmware.svg'" examples/firmware/table.gp
 
 # an oscillator for the browser: serve build/wasm
+WASM = clang --target=wasm32-wasi --sysroot=/usr -std=c99 -ffp-contract=off -Oz -mexec-model=reactor -Wl,-s
 wasm:
 	@sh tests/install.sh "command -v clang && test -e /usr/lib/wasm32-wasi/libc.a && command -v node" \
 	    clang lld wasi-libc libclang-rt-14-dev-wasm32 nodejs
 	mkdir -p build/wasm && cp examples/wasm/index.html build/wasm
-	clang --target=wasm32-wasi --sysroot=/usr -std=c99 -ffp-contract=off -Oz -mexec-model=reactor -Wl,-s examples/wasm/leaking.c \
-	    -o build/wasm/leaking.wasm -lm
-	wc -c build/wasm/leaking.wasm
+	$(WASM) examples/wasm/leaking.c -o build/wasm/leaking.wasm -lm
+	$(WASM) examples/wasm/play.c -o build/wasm/play.wasm -lm
+	wc -c build/wasm/leaking.wasm build/wasm/play.wasm
 	node examples/wasm/leaking.mjs build/wasm/leaking.wasm
+	base64 -w0 build/wasm/play.wasm >build/wasm/play.base64
+	awk 'NR == FNR {program = $$0; next} {at = index($$0, "@WASM@")} \
+	    at {print substr($$0, 1, at - 1) program substr($$0, at + 6); next} {print}' \
+	    build/wasm/play.base64 examples/wasm/play.html >build/wasm/play.html
 
 scene-sizes:
 	@sh tests/install.sh "command -v arm-none-eabi-gcc" gcc-arm-none-eabi libnewlib-arm-none-eabi

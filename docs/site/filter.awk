@@ -47,6 +47,7 @@ function line_of(text) {
         print "*/"
         inside = 0
     } else line_of(text)
+    if (is_first) print ""
     next
 }
 inside {
