@@ -8535,6 +8535,19 @@ VM_API int vmi_time_side(vm_real length) { return length < 0 ? -1 : 1; }
 /* How many numbers the function `derivatives` of a law writes: f and its first six derivatives in f[0] ... f[6] */
 enum { VMI_LAW_ORDERS = 7 };
 
+/* Checks the first n numbers that a law's function `derivatives` wrote to f when it returned `status`. */
+VM_API int vmi_law_status(int status, int if_not_positive, int n, const vm_real *f)
+{
+    vm_real sum = 0; /* sum of f[i] - f[i], which is 0, or NaN if a number is infinite or NaN */
+    int i;
+    if (status == VM_BAD_MASS) return if_not_positive ? if_not_positive : (int)VM_DOMAIN;
+    if (status) return status;
+    for (i = 0; i < n; i++) sum += f[i] - f[i];
+    if (!(sum == 0)) return VM_NOT_FINITE;
+    if (if_not_positive && !(f[0] > 0)) return if_not_positive;
+    return VM_OK;
+}
+
 /* Writes the value of a law and its derivatives at t to f[0], f[1] ... A constructor must have made the law. Where a
    derivative jumps at t, side = 1 asks for its value after t, side = -1 for its value before t. With length = 0 only f
    and f' are written. A positive length, s, asks for all six derivatives. For a user's function they are found from the
@@ -8542,17 +8555,19 @@ enum { VMI_LAW_ORDERS = 7 };
    VM_BAD_MASS for a mass; it is VM_OK where f may have any sign. */
 VM_API int vmi_law_derivatives(const vm_law *law, int if_not_positive, vm_real t, int side, vm_real length, vm_real *f)
 {
-    int i, status;
-    vm_real sum = 0; /* sum of f[i] - f[i], which is 0, or NaN if a number is infinite or NaN */
-    if (length > 0)
-        for (i = 2; i < VMI_LAW_ORDERS; i++) f[i] = 0;
-    status = law->derivatives(law, t, side, length, f);
-    if (status == VM_BAD_MASS) return if_not_positive ? if_not_positive : (int)VM_DOMAIN;
-    if (status) return status;
-    for (i = 0; i < (length > 0 ? VMI_LAW_ORDERS : 2); i++) sum += f[i] - f[i];
-    if (!(sum == 0)) return VM_NOT_FINITE;
-    if (if_not_positive && !(f[0] > 0)) return if_not_positive;
-    return VM_OK;
+    const int orders = length > 0 ? VMI_LAW_ORDERS : 2;
+    int i;
+    for (i = 2; i < orders; i++) f[i] = 0;
+    return vmi_law_status(law->derivatives(law, t, side, length, f), if_not_positive, orders, f);
+}
+
+/* Does what vmi_law_derivatives does, but only f, f' and f'' are right and checked. The law must not be a function of
+   the user. */
+VM_API int vmi_law_two_derivatives(const vm_law *law, int if_not_positive, vm_real t, int side, vm_real *f)
+{
+    const vm_real length = 1; /* 1 s: only a user's function needs a certain length */
+    f[2] = 0;
+    return vmi_law_status(law->derivatives(law, t, side, length, f), if_not_positive, 3, f);
 }
 
 /* Checks that a constructor made the law, and that the law is finite and positive between 0 and t. Of a user's function
@@ -9154,6 +9169,34 @@ VM_API int vmi_osc_rates_at(const vm_osc_problem *o, vm_real t, int side, vmi_os
     return VM_OK;
 }
 
+/* Whether mass or stiffness is a function of the user, which gives no second derivative */
+VM_API int vmi_osc_has_user_law(const vm_osc_problem *o) { return o->mass.function || o->stiffness.function; }
+
+/* Writes what vmi_osc_rates_at writes, and the time derivative of p to *p_rate, which is 0 for laws by functions of the
+   user. */
+VM_API int vmi_osc_rates_and_slope(const vm_osc_problem *o, vm_real t, int side, vmi_osc_rates *r, vm_real *p_rate)
+{
+    const vm_real share = 1 / (o->alpha + 3);
+    vm_real m[VMI_LAW_ORDERS], k[VMI_LAW_ORDERS], per_m, per_k, m_rate, k_rate, a_rate;
+    int status;
+    *p_rate = 0;
+    if (vmi_osc_has_user_law(o)) return vmi_osc_rates_at(o, t, side, r);
+    status = vmi_law_two_derivatives(&o->mass, VM_BAD_MASS, t, side, m);
+    if (!status) status = vmi_law_two_derivatives(&o->stiffness, VM_BAD_STIFFNESS, t, side, k);
+    if (status) return status;
+    per_m = 1 / m[0];
+    per_k = 1 / k[0];
+    m_rate = m[1] * per_m;
+    k_rate = k[1] * per_k;
+    r->m = m[0];
+    r->k = k[0];
+    r->a = (o->reactive * m[1] + o->damping) * per_m;
+    r->p = (k_rate + 2 * r->a - m_rate) * share;
+    a_rate = o->reactive * m[2] * per_m - r->a * m_rate;
+    *p_rate = ((k[2] * per_k - k_rate * k_rate) + 2 * a_rate - (m[2] * per_m - m_rate * m_rate)) * share;
+    return VM_OK;
+}
+
 /* -- Power series in time: element i of an array is the coefficient of the ith power -- */
 
 /* Replaces the n derivatives f, f', f'' ... by the coefficients of the power series of f in the variable time/unit,
@@ -9327,7 +9370,7 @@ VM_API void vmi_osc_disturbance(const vmi_osc_slow *now, vm_real W, vm_real *E)
        vmi_ripple_values f;
        vm_real sa, ca;
        vmi_ripple_init(&r, VM_C(1.5), vmi_ateb_constants);
-       vmi_ripple_complete(&r);
+       vmi_ripple_complete(&r, 5);
        ateb_saca(VM_C(0.7), VM_C(1.5), &sa, &ca);
        vmi_ripple_at(&r, 5, VM_C(0.7), sa, ca, &f); // f.S, f.S2, f.S3, f.Q at psi = 0.7
 
@@ -9391,27 +9434,29 @@ VM_API vm_real vmi_binomial_next(vm_real before, int i, vm_real exponent)
     return before * ((vm_real)(i - 1) - exponent) / (vm_real)i;
 }
 
-/* Replaces the coefficients i - 1 of all power series by the coefficients i; for i = 0 all must be 0 before. Method:
-   let I be the integral of ca^2 over the phase from a zero of ca or sa, D the integral of I, and E the integral of D.
-   The differential equations D'' = ca^2 and E'' = I give each coefficient of D and E from the one before. */
-VM_API void vmi_ripple_next_terms(vmi_ripple_series *s, int i, vm_real alpha)
+/* Replaces the coefficients i - 1 of the power series by the coefficients i; for i = 0 all must be 0 before. Up to
+   order 3 only the series for the integral of ca^2 are needed. Method: let I be this integral over the phase from a
+   zero of ca or sa, D the integral of I, and E the integral of D. The differential equations D'' = ca^2 and E'' = I
+   give each coefficient of D and E from the one before. */
+VM_API void vmi_ripple_next_terms(vmi_ripple_series *s, int order, int i, vm_real alpha)
 {
     const vm_real n = alpha + 1, nu = 2 * alpha / n, k = (vm_real)(2 * i);
     const vm_real now = (vm_real)i * n, before = now - n;
     vm_real *zero = s->near_ca_0, *turn = s->near_sa_0;
     s->root = vmi_binomial_next(s->root, i, VM_C(-0.5));
     s->power2 = vmi_binomial_next(s->power2, i, (2 - alpha) / n);
+    zero[VMI_RIPPLE_CA2] = n / 2 * s->root / (3 + now);
+    turn[VMI_RIPPLE_CA2] = s->power2 / (k + 1);
+    if (order <= 3) return;
     s->power3 = vmi_binomial_next(s->power3, i, (3 - alpha) / n);
     s->power4 = vmi_binomial_next(s->power4, i, (4 - alpha) / n);
     s->product = (s->product * (k - 3 + 2 * nu) + s->power4) / (k + 1);
-    zero[VMI_RIPPLE_CA2] = n / 2 * s->root / (3 + now);
     zero[VMI_RIPPLE_CA4] = n / 2 * s->root / (5 + now);
     if (i == 0) zero[VMI_RIPPLE_FIRST] = n * n / 48;
     else zero[VMI_RIPPLE_FIRST] *= (4 + before) * (3 + before + n / 2) / ((4 + now) * (3 + now));
     zero[VMI_RIPPLE_SECOND] =
         (zero[VMI_RIPPLE_SECOND] * (5 + before) * (4 + before + n / 2) + n * n / 4 * zero[VMI_RIPPLE_CA2]) /
         ((5 + now) * (4 + now));
-    turn[VMI_RIPPLE_CA2] = s->power2 / (k + 1);
     turn[VMI_RIPPLE_CA4] = s->power4 / (k + 1);
     turn[VMI_RIPPLE_FIRST] = (turn[VMI_RIPPLE_FIRST] * k * (k - 1 + nu) + s->power3) / ((k + 2) * (k + 1));
     turn[VMI_RIPPLE_SECOND] = (turn[VMI_RIPPLE_SECOND] * (k + 1) * (k + nu) + s->product) / ((k + 3) * (k + 2));
@@ -9444,9 +9489,9 @@ VM_API void vmi_chebyshev_to_powers(vm_real *c)
     }
 }
 
-/* Makes all eight polynomials, four in each set. It adds up the power series, with each power w^i or y^i replaced by
-   its Chebyshev series. */
-VMI_APART void vmi_ripple_make_polynomials(vmi_ripple *r)
+/* Makes the eight polynomials, four in each set; those that no law up to `order` needs become 0. It adds up the power
+   series, with each power w^i or y^i replaced by its Chebyshev series. */
+VMI_APART void vmi_ripple_make_polynomials(vmi_ripple *r, int order)
 {
     vm_real w_power[VMI_RIPPLE_KEPT]; /* coefficients of the Chebyshev series of w^i */
     vmi_ripple_series s;
@@ -9463,7 +9508,7 @@ VMI_APART void vmi_ripple_make_polynomials(vmi_ripple *r)
     for (k = 0; k < VMI_RIPPLE_KEPT; k++) w_power[k] = 0;
     w_power[0] = 1;
     for (i = 0; i < VMI_RIPPLE_SERIES; i++) {
-        vmi_ripple_next_terms(&s, i, r->alpha);
+        vmi_ripple_next_terms(&s, order, i, r->alpha);
         for (j = 0; j < VMI_RIPPLE_FUNCTIONS; j++)
             for (k = 0; k < VMI_RIPPLE_TERMS; k++) {
                 r->near_ca_0[j][k] += s.near_ca_0[j] * w_power[k];
@@ -9561,25 +9606,33 @@ VM_API void vmi_ripple_init(vmi_ripple *r, vm_real alpha, vmi_ateb_constants_of 
     r->has_polynomials = 0;
 }
 
-/* Adds the polynomials, and S2 at the zeros of sa and of ca. These two values of S2 follow from the condition that both
-   sets of polynomials give the same S2 and S3 at the phase where sa^2 = 1/2. */
-VM_API void vmi_ripple_complete(vmi_ripple *r)
+/* Sets S2 at the zeros of sa and of ca. They follow from the condition that both sets of polynomials give the same S2
+   and S3 at the phase where sa^2 = 1/2. */
+VM_API void vmi_ripple_join(vmi_ripple *r)
 {
     const vm_real half = VM_C(0.5), sa = VM_SQRT(half), ca = vmi_pow_checked(half, 1 / (r->alpha + 1));
     const vm_real t = vmi_ateb_from_sa_0(r->alpha, sa, half), s = vmi_ateb_from_ca_0(r->alpha, ca, half);
-    vmi_ripple_place place;
-    vmi_ripple_integrals zero, turn;
+    vmi_ripple_place place = vmi_ripple_near_ca_0(r, ca, half);
+    const vmi_ripple_integrals zero = vmi_ripple_integrals_at(&place, 5);
+    vmi_ripple_integrals turn;
     vm_real jump; /* at_sa_0 - at_ca_0 */
-    if (r->has_polynomials) return;
-    vmi_ripple_make_polynomials(r);
-    place = vmi_ripple_near_ca_0(r, ca, half);
-    zero = vmi_ripple_integrals_at(&place, 5);
     place = vmi_ripple_near_sa_0(r, sa, half);
     turn = vmi_ripple_integrals_at(&place, 5);
     jump = (zero.first - r->mean2 * s * s / 2) - (turn.first - r->mean2 * t * t / 2);
     r->at_ca_0 = -((turn.second - r->mean2 * t * t * t / 6) + (zero.second - r->mean2 * s * s * s / 6) + jump * t) /
                  (r->pi / 2);
     r->at_sa_0 = r->at_ca_0 + jump;
+}
+
+/* Adds what the laws up to `order`, 3 to 5, need: the polynomials, and S2 at the zeros of sa and of ca. What only
+   higher orders need is set to 0. */
+VM_API void vmi_ripple_complete(vmi_ripple *r, int order)
+{
+    if (r->has_polynomials) return;
+    vmi_ripple_make_polynomials(r, order);
+    r->at_ca_0 = 0;
+    r->at_sa_0 = 0;
+    if (order > 3) vmi_ripple_join(r);
     r->has_polynomials = 1;
 }
 
@@ -10096,7 +10149,7 @@ VM_API int vm_osc_closed_init(vm_osc_closed *c, const vm_osc_problem *problem, i
     c->beyond = s.laws.rate_m != 0 ? VM_BAD_MASS : VM_BAD_STIFFNESS;
     ateb_plan_init(&c->ateb, problem->alpha);
     vmi_ripple_init(&c->ripple, problem->alpha, vmi_ateb_fine_constants);
-    if (order > 2) vmi_ripple_complete(&c->ripple);
+    if (order > 2) vmi_ripple_complete(&c->ripple, order);
     vmi_osc_closed_begin(c, order, &s, t_end);
     return VM_OK;
 }
@@ -10287,7 +10340,7 @@ VM_API int vm_osc_plan_init(vm_osc_plan *p, const vm_osc_problem *problem)
     status = vmi_osc_prepare(&plan, problem, 1);
     if (status) return status;
     plan.has_ateb = ateb_plan_init(&plan.ateb, problem->alpha) == 0;
-    vmi_ripple_complete(&plan.ripple);
+    vmi_ripple_complete(&plan.ripple, 5);
     status = vmi_osc_start(&plan);
     if (!status) *p = plan;
     return status;
@@ -11802,9 +11855,11 @@ enum { VMI_NODES = VMI_GAUSS };
 /* Gauss' rule, and two matrices. Polynomial j in their comments has degree n - 1; it is 1 at node j and 0 at all other
    nodes. */
 typedef struct VM_TAG(vmi_gauss_rule) {
-    int n; /* number of nodes */
+    int n;      /* number of nodes */
+    int graded; /* 1 after vmi_gauss_rule_grade, else 0 */
+    vm_real place[VMI_NODES]; /* the nodes x; they differ from node[] only in a graded rule */
     vm_real node[VMI_NODES], weight[VMI_NODES];
-    vm_real integral[VMI_NODES][VMI_NODES];   /* [i][j]: integral of polynomial j from 0 to node i */
+    vm_real integral[VMI_NODES + 1][VMI_NODES]; /* [i][j]: integral of polynomial j from 0 to node i; to 1 if i is n */
     vm_real derivative[VMI_NODES][VMI_NODES]; /* [i][j]: derivative of polynomial j at node i */
 } vmi_gauss_rule;
 
@@ -11863,8 +11918,10 @@ VM_API void vmi_gauss_rule_init(vmi_gauss_rule *rule, int n)
     vm_real integrals[VMI_NODES], derivatives[VMI_NODES];
     int i, j, k;
     rule->n = n;
+    rule->graded = 0;
     vmi_gauss_rule_nodes(rule);
     for (i = 0; i < n; i++) {
+        rule->place[i] = rule->node[i];
         before[i] = 0;
         now[i] = 1;
         slope_before[i] = 0;
@@ -11874,6 +11931,7 @@ VM_API void vmi_gauss_rule_init(vmi_gauss_rule *rule, int n)
             rule->derivative[i][j] = 0;
         }
     }
+    for (j = 0; j < n; j++) rule->integral[n][j] = rule->weight[j];
     for (k = 0; k < n; k++) { /* x = 2 node - 1: integrals are 1/2 of those over x, derivatives double */
         for (i = 0; i < n; i++) {
             const vm_real x = 2 * rule->node[i] - 1, next = vmi_legendre_next(k, x, now[i], before[i]);
@@ -11892,8 +11950,28 @@ VM_API void vmi_gauss_rule_init(vmi_gauss_rule *rule, int n)
     }
 }
 
+/* The point z = x^2 (3 - 2x) of a graded rule, where the rule before had x */
+VM_API vm_real vmi_graded(vm_real x) { return x * x * (3 - 2 * x); }
+
+/* Changes the rule for functions of z on [0, 1] that have singularities at the ends, such as fractional powers. The
+   polynomials of the rule become polynomials in x, where z = x^2 (3 - 2x). In x such a power is twice as high, so the
+   error falls faster with n. */
+VM_API void vmi_gauss_rule_grade(vmi_gauss_rule *rule)
+{
+    const int n = rule->n;
+    int i, j;
+    rule->graded = 1;
+    for (j = 0; j < n; j++) {
+        const vm_real x = rule->place[j], slope = 6 * x * (1 - x); /* dz/dx */
+        rule->node[j] = vmi_graded(x);
+        rule->weight[j] *= slope;
+        for (i = 0; i <= n; i++) rule->integral[i][j] *= slope;
+        for (i = 0; i < n; i++) rule->derivative[j][i] /= slope;
+    }
+}
+
 #endif
-/* oscillators/collocation.h - integration of an oscillator from each zero of x to the next, to a tolerance
+/* oscillators/course.h - a run of an oscillator that goes in steps from each zero of x to the next
 
    The exact equations of oscillators/reduction.h for the amplitude A and the phase psi, with a further force F, are
      (ln A)' = -p + W E sa ca - 2/(alpha+1) f sa,   psi' = W (1 + (alpha+1)/2 E ca^2) - f ca,
@@ -11901,30 +11979,42 @@ VM_API void vmi_gauss_rule_init(vmi_gauss_rule *rule, int n)
    They are solved with psi as the independent variable: each step integrates ln A and t from one zero of x to the next.
    At x = 0 the force of the spring is not smooth for most alpha, but since steps end there, no order is lost.
 
-   A step uses Gauss' collocation of n points. Its equations are solved by iteration, which starts from values that are
-   extrapolated from the steps before. p' is the derivative of the polynomial through the values of p at the n points;
-   therefore the laws have to give only their values and rates. Two runs with different n go side by side; their
-   difference gives the error.
-       vm_osc_motion motion;
-       int status = vmi_osc_collocate(&plan, VM_ROUTE_COLLOCATION, 300, VM_C(1e-8), &motion); // plan is a vm_osc_plan
+   A step uses Gauss' collocation of n points, the nodes. Its equations are solved by iteration, which starts from
+   values that are extrapolated from the steps before.
+
+   Without a force the rates of ln A and t consist of slow functions and of a swing with ca^2 and sa ca that is
+   proportional to E. A polynomial of few nodes is good for the slow functions, but not for ca^2 and sa ca. Their
+   integrals have closed forms (oscillators/ripple.h). So each step adds to Gauss' rule what the rule misses in these
+   integrals, and 2 or 3 nodes a step become enough for errors of 1e-8. With a force such closed forms do not exist; for
+   alpha < 3 the nodes then lie closer at the ends of the steps (vmi_gauss_rule_grade).
+       vmi_osc_course c;
+       int status;
+       vmi_osc_course_start(&c, &plan, &state, 1, 4, 1, VM_C(1e-12)); // plan is a vm_osc_plan, state its reduced state
+       c.stop = 10;
+       status = vmi_osc_course_step(&c); // to the first zero of x, or to 10 s
    Source: Hairer, Lubich, Wanner, Geometric Numerical Integration (2006), II.1.2 and VIII.6.
-   Tests: tests/test_collocation.c, tests/test_routes.c. */
-#ifndef VARMASS_OSCILLATORS_COLLOCATION_H
-#define VARMASS_OSCILLATORS_COLLOCATION_H
+   Tests: tests/test_collocation.c. */
+#ifndef VARMASS_OSCILLATORS_COURSE_H
+#define VARMASS_OSCILLATORS_COURSE_H
 
 /* The largest number of earlier steps from which a step is extrapolated */
-enum { VMI_HISTORY = 6 };
+enum { VMI_HISTORY = 7 };
 
 /* -- A run -- */
 
-/* sa and ca at the nodes of a step */
+/* sa and ca at the nodes of a step, and what Gauss' rule misses in the integrals of four functions: ca^2, (x - 1/2)
+   ca^2, sa ca and (x - 1/2) sa ca, where x goes from 0 at the start of the step to 1 at its end. Row i < n of `misses`
+   is for the integrals over x from 0 to node i, row n for those from 0 to 1. */
+enum { VMI_MISSES_CA2, VMI_MISSES_CA2_X, VMI_MISSES_SACA, VMI_MISSES_SACA_X, VMI_MISSES };
 typedef struct VM_TAG(vmi_step_waves) {
     vm_real sa[VMI_NODES], ca[VMI_NODES];
+    vm_real misses[VMI_NODES + 1][VMI_MISSES];
 } vmi_step_waves;
 
 /* Rates: derivatives of ln A and t with respect to the phase psi, at the nodes of a step */
 typedef struct VM_TAG(vmi_step_rates) {
     vm_real ln_A[VMI_NODES], t[VMI_NODES];
+    vm_real E[2]; /* E at the first and at the last node */
 } vmi_step_rates;
 
 /* A run from 0 to t. A half period, from one zero of ca to the next, is one part, or it is two parts that meet where
@@ -11940,70 +12030,157 @@ typedef struct VM_TAG(vmi_osc_course) {
     vm_real longest;       /* the longest step, s */
     vm_real sweep_limit;   /* the iteration of a step ends when a round changes the phase by less than this */
     vm_real psi, ln_A, t;  /* phase, ln(A/A0) with the amplitude A0 of the plan, time, s */
+    vm_real A;             /* amplitude, m; only set for problems with a force */
+    vm_real Om;            /* rate of the phase, 1/s, that this amplitude has with the mass and stiffness at time 0 */
     vm_real t_low;         /* the exact time is t + t_low, s */
     vm_real left;          /* sum over the steps of the change of phase that their iterations leave out */
     vm_real contraction;   /* factor by which a round of the iteration reduces its error */
     vm_real rate;          /* rate of the phase at the end of the last step, 1/s */
-    vmi_step_waves waves[2];                        /* sa and ca on each part of the half period from psi = -Pi/2 */
-    vmi_step_rates history[2][VMI_HISTORY];         /* rates from earlier steps that covered all of a part */
-    int latest[2];                                  /* index of the latest step in history; earlier ones follow it */
-    int known[2];                                   /* number of earlier steps over each part that history holds */
-    int status;
+    vmi_step_waves waves[2];                 /* waves on each part of the half period from psi = -Pi/2 */
+    vmi_step_rates difference[2][VMI_HISTORY]; /* rates of the last step that covered all of a part, and their
+                                                backward differences over such steps */
+    int known[2];          /* number of earlier steps over each part that `difference` represents */
     long evals;            /* evaluations of the rates */
 } vmi_osc_course;
 
-/* Writes sa and ca at the nodes of a step that starts at the phase `from`. */
-VM_API void vmi_osc_course_waves(const vmi_osc_course *c, vm_real from, vm_real length, vmi_step_waves *w)
+/* Sets the amplitude of the course from ln(A/A0). */
+VM_API void vmi_osc_course_amplitude(vmi_osc_course *c, vm_real ln_A)
 {
-    int i;
-    for (i = 0; i < c->rule.n; i++)
-        vmi_osc_wave_at(&c->wave, from + length * c->rule.node[i], &w->ca[i], &w->sa[i]);
+    const vm_osc_plan *plan = c->plan;
+    c->ln_A = ln_A;
+    c->A = plan->problem.force ? plan->A * vmi_exp(ln_A, 0) : 0;
+    c->Om = plan->Om * vmi_exp((plan->problem.alpha - 1) / 2 * ln_A, 0);
 }
 
-/* A step that is being computed; it starts at the present state of the course */
-typedef struct VM_TAG(vmi_osc_step) {
-    vm_real length;              /* length in phase */
-    vm_real sign;                /* factor of waves: -1 in every second half period, else 1 */
-    const vmi_step_waves *waves; /* sa and ca at the nodes, without the factor sign */
-    vmi_step_rates rates;        /* rates at the nodes by the last round of the iteration */
-} vmi_osc_step;
+/* -- What Gauss' rule misses -- */
+
+/* Writes the ripple at a phase, up to the integral S2. */
+VM_API void vmi_osc_course_ripple(const vmi_osc_course *c, vm_real psi, vmi_ripple_values *f)
+{
+    vm_real sa, ca;
+    vmi_osc_wave_at(&c->wave, psi, &ca, &sa);
+    vmi_ripple_at(&c->plan->ripple, 4, psi, sa, ca, f);
+}
+
+/* Writes the integrals of the four functions over x from 0 to x, for a step of this length in phase. *first is the
+   ripple at the start of the step, *now that at x. The integral of ca^2 over psi is <ca^2> psi + S, and that of sa ca
+   is -(alpha+1)/4 ca^2. Integration by parts gives those with the factor x - 1/2. */
+VM_API void vmi_osc_wave_integrals(const vmi_ripple *r, const vmi_ripple_values *first, const vmi_ripple_values *now,
+                                   vm_real x, vm_real length, vm_real *sum)
+{
+    const vm_real psi = x * length, from_middle = x - VM_C(0.5), quarter = (r->alpha + 1) / 4;
+    const vm_real ca2 = r->mean2 * psi + (now->S - first->S), saca = quarter * (first->C - now->C);
+    /* the integrals of these two over psi */
+    const vm_real ca2_twice = r->mean2 * psi * psi / 2 + (now->S2 - first->S2) - first->S * psi;
+    const vm_real saca_twice = quarter * (first->ca * first->ca * psi - ca2);
+    sum[VMI_MISSES_CA2] = ca2 / length;
+    sum[VMI_MISSES_CA2_X] = (from_middle * ca2 - ca2_twice / length) / length;
+    sum[VMI_MISSES_SACA] = saca / length;
+    sum[VMI_MISSES_SACA_X] = (from_middle * saca - saca_twice / length) / length;
+}
+
+/* Subtracts from the integrals to row i what Gauss' rule gives for them. */
+VM_API void vmi_osc_subtract_rule(const vmi_gauss_rule *rule, int i, vmi_step_waves *w)
+{
+    vm_real *misses = w->misses[i];
+    int j;
+    for (j = 0; j < rule->n; j++) {
+        const vm_real from_middle = rule->node[j] - VM_C(0.5);
+        const vm_real ca2 = rule->integral[i][j] * w->ca[j] * w->ca[j];
+        const vm_real saca = rule->integral[i][j] * w->sa[j] * w->ca[j];
+        misses[VMI_MISSES_CA2] -= ca2;
+        misses[VMI_MISSES_CA2_X] -= from_middle * ca2;
+        misses[VMI_MISSES_SACA] -= saca;
+        misses[VMI_MISSES_SACA_X] -= from_middle * saca;
+    }
+}
+
+/* Writes the waves of a step that starts at the phase `from`. In a very short step the rule misses nothing but rounding
+   errors. */
+VM_API void vmi_osc_course_waves(const vmi_osc_course *c, vm_real from, vm_real length, vmi_step_waves *w)
+{
+    const vm_real very_short = VM_SQRT(VM_SQRT(VM_EPSILON));
+    const vmi_gauss_rule *rule = &c->rule;
+    vmi_ripple_values first, now;
+    int i, k;
+    vmi_osc_course_ripple(c, from, &first);
+    for (i = 0; i <= rule->n; i++) {
+        const vm_real x = i < rule->n ? rule->node[i] : 1;
+        vmi_osc_course_ripple(c, from + length * x, &now);
+        vmi_osc_wave_integrals(&c->plan->ripple, &first, &now, x, length, w->misses[i]);
+        if (i == rule->n) break;
+        w->sa[i] = now.sa;
+        w->ca[i] = now.ca;
+    }
+    for (i = 0; i <= rule->n; i++) vmi_osc_subtract_rule(rule, i, w);
+    if (VM_FABS(length) > very_short) return;
+    for (i = 0; i <= rule->n; i++)
+        for (k = 0; k < VMI_MISSES; k++) w->misses[i][k] = 0;
+}
+
+/* Whether the rule must be graded. A force that depends on the velocity brings into the rates the power alpha + 1 of
+   the distance from a zero of x, which is no integer power for most alpha. From alpha = 3 on it is so high that it does
+   no harm. */
+VM_API int vmi_osc_needs_grading(const vm_osc_problem *o) { return o->force && o->alpha < 3 && o->alpha != 1; }
+
+/* -- Rates and changes -- */
 
 /* Changes of ln A and of the time t (in seconds) over a step or a part of it */
 typedef struct VM_TAG(vmi_osc_change) {
     vm_real ln_A, t;
 } vmi_osc_change;
 
-/* The changes of ln A and t over the whole step */
-VM_API vmi_osc_change vmi_osc_whole_change(const vmi_osc_course *c, const vmi_osc_step *s)
+/* A step that is being computed; it starts at the present state of the course */
+typedef struct VM_TAG(vmi_osc_step) {
+    vm_real length;              /* length in phase */
+    vm_real sign;                /* factor of waves: -1 in every second half period, else 1 */
+    const vmi_step_waves *waves; /* waves at the nodes, without the factor sign */
+    vmi_step_rates rates;        /* rates at the nodes by the last round of the iteration */
+    vm_real swing_t[2];          /* the rate of t swings with (swing_t[0] + (x - 1/2) swing_t[1]) ca^2 */
+    vm_real swing_ln_A[2];       /* the rate of ln A swings with (swing_ln_A[0] + (x - 1/2) swing_ln_A[1]) sa ca, and
+                                    with -p times the swing of t */
+    vm_real p;                   /* p in the middle of the step, 1/s */
+    vmi_osc_change whole;        /* the changes over the whole step */
+} vmi_osc_step;
+
+/* The state at a node: mass, stiffness and their rates, and the changes since the start of the step */
+typedef struct VM_TAG(vmi_step_node) {
+    vmi_osc_rates now;
+    vm_real p_rate; /* time derivative of now.p */
+    vm_real t;      /* time, s */
+    vmi_osc_change moved;
+} vmi_step_node;
+
+/* Returns e^x for the small |x| of a change within a step, from its power series; otherwise by vmi_exp. */
+VM_API vm_real vmi_osc_exp_of_change(vm_real x)
 {
-    vmi_osc_change sum;
-    int j;
-    sum.ln_A = 0;
-    sum.t = 0;
-    for (j = 0; j < c->rule.n; j++) {
-        sum.ln_A += c->rule.weight[j] * s->rates.ln_A[j];
-        sum.t += c->rule.weight[j] * s->rates.t[j];
-    }
-    sum.ln_A *= s->length;
-    sum.t *= s->length;
-    return sum;
+    const vm_real most = VM_C(0.0625), xx = x * x;
+    const vm_real low = 1 + x + xx * (VM_C(0.5) + x * VM_C(0.16666666666666666667));
+    const vm_real middle = VM_C(0.041666666666666666667) + x * VM_C(0.0083333333333333333333) +
+                           xx * (VM_C(0.0013888888888888888889) + x * VM_C(1.984126984126984127e-4));
+    const vm_real high = VM_C(2.4801587301587301587e-5) + x * VM_C(2.7557319223985890653e-6);
+    if (!(VM_FABS(x) <= most)) return vmi_exp(x, 0);
+    return low + xx * xx * (middle + xx * xx * high);
 }
 
-/* Writes the derivatives of ln A and t with respect to the phase at node i, where ln(A/A0) is ln_A and the time is t.
-   *now holds mass, stiffness and their rates at t, and p_rate is the time derivative of now->p. */
-VM_API int vmi_osc_course_rates(const vmi_osc_course *c, const vmi_osc_step *s, int i, const vmi_osc_rates *now,
-                                vm_real p_rate, vm_real ln_A, vm_real t, vm_real *ln_A_by_psi, vm_real *t_by_psi)
+/* Writes the derivatives of ln A and t with respect to the phase at node i, and E there. */
+VM_API int vmi_osc_course_rates(const vmi_osc_course *c, const vmi_osc_step *s, int i, const vmi_step_node *at,
+                                vm_real *ln_A_by_psi, vm_real *t_by_psi, vm_real *E)
 {
     const vm_osc_plan *plan = c->plan;
     const vm_osc_problem *o = &plan->problem;
     const vm_real least_rate = VM_C(0.03); /* below this ratio of the phase's rate to W there is no vibration */
     const vm_real n = o->alpha + 1, sa = s->sign * s->waves->sa[i], ca = s->sign * s->waves->ca[i];
-    const vm_real W = plan->Om * vmi_osc_Om_ratio(plan, now, ln_A);
-    const vm_real E = (now->p * (now->p - now->a) - p_rate) / (W * W);
-    vm_real rate = 1 + n / 2 * E * ca * ca, ln_A_rate = -now->p + W * E * sa * ca;
+    const vmi_osc_rates *now = &at->now;
+    const vm_real omega_ratio = VM_SQRT((now->k / plan->k0) / (now->m / plan->m0));
+    const vm_real W = c->Om * omega_ratio * vmi_osc_exp_of_change((o->alpha - 1) / 2 * at->moved.ln_A);
+    vm_real rate, ln_A_rate;
+    *E = (now->p * (now->p - now->a) - at->p_rate) / (W * W);
+    rate = 1 + n / 2 * *E * ca * ca;
+    ln_A_rate = -now->p + W * *E * sa * ca;
     if (o->force) {
-        const vm_real A = plan->A * vmi_exp(ln_A, 0), V = 2 * A * W / n, x = A * ca;
-        const vm_real f = o->force(t, x, -V * sa - now->p * x, o->ctx) / (now->m * V);
+        const vm_real A = c->A * vmi_osc_exp_of_change(at->moved.ln_A), V = 2 * A * W / n, x = A * ca;
+        const vm_real f = o->force(at->t, x, -V * sa - now->p * x, o->ctx) / (now->m * V);
         rate -= f * ca / W;
         ln_A_rate -= 2 / n * f * sa;
     }
@@ -12013,73 +12190,123 @@ VM_API int vmi_osc_course_rates(const vmi_osc_course *c, const vmi_osc_step *s, 
     return VM_OK;
 }
 
-/* The changes of ln A and t from the start of the step to node i, by integration of *rates */
-VM_API vmi_osc_change vmi_osc_change_to(const vmi_osc_course *c, const vmi_osc_step *s, const vmi_step_rates *rates,
-                                        int i)
+/* The changes of ln A and t from the start of the step to node i, or over the whole step for i = n */
+VM_API vmi_osc_change vmi_osc_change_to(const vmi_osc_course *c, const vmi_osc_step *s, int i)
 {
-    const vm_real *weight = c->rule.integral[i];
+    const vm_real *weight = c->rule.integral[i], *misses = s->waves->misses[i];
+    vm_real t = s->swing_t[0] * misses[VMI_MISSES_CA2] + s->swing_t[1] * misses[VMI_MISSES_CA2_X];
+    vm_real ln_A = s->swing_ln_A[0] * misses[VMI_MISSES_SACA] + s->swing_ln_A[1] * misses[VMI_MISSES_SACA_X] - s->p * t;
     vmi_osc_change sum;
     int j;
-    sum.ln_A = 0;
-    sum.t = 0;
     for (j = 0; j < c->rule.n; j++) {
-        sum.ln_A += weight[j] * rates->ln_A[j];
-        sum.t += weight[j] * rates->t[j];
+        ln_A += weight[j] * s->rates.ln_A[j];
+        t += weight[j] * s->rates.t[j];
     }
-    sum.ln_A *= s->length;
-    sum.t *= s->length;
+    sum.ln_A = ln_A * s->length;
+    sum.t = t * s->length;
     return sum;
 }
+
+/* Sets what follows from the rates of a step: the swing, and the changes over the whole step. To first order in E,
+   dt/dpsi = (1 - (alpha+1)/2 E ca^2)/W and d ln A/dpsi = -p dt/dpsi + E sa ca. The integral of E sa ca is -(alpha+1)/4
+   E ca^2, by which ln A swings. W is proportional to A^((alpha-1)/2), so this adds (alpha-1)(alpha+1)/8 E ca^2/W to
+   dt/dpsi. */
+VM_API void vmi_osc_complete_step(const vmi_osc_course *c, vmi_osc_step *s)
+{
+    const vm_real alpha = c->plan->problem.alpha, factor = (alpha + 1) * (alpha - 5) / 8;
+    const int last = c->rule.n - 1, middle = c->rule.n / 2;
+    const vmi_step_rates *rates = &s->rates;
+    const vm_real first_t = factor * rates->E[0] * rates->t[0], last_t = factor * rates->E[1] * rates->t[last];
+    const vm_real per_x = 1 / (c->rule.node[last] - c->rule.node[0]);
+    s->swing_t[0] = (first_t + last_t) / 2;
+    s->swing_t[1] = (last_t - first_t) * per_x;
+    s->swing_ln_A[0] = (rates->E[0] + rates->E[1]) / 2;
+    s->swing_ln_A[1] = (rates->E[1] - rates->E[0]) * per_x;
+    s->p = -rates->ln_A[middle] / rates->t[middle];
+    s->whole = vmi_osc_change_to(c, s, c->rule.n);
+}
+
+/* -- The iteration of a step -- */
 
 /* Adds to the rates of a step the corrections `missing` that a round found, and estimates of the further corrections
    that follow: `missing` shifts ln A and t at the nodes, and these shifts change the rates, mostly because W depends on
    both. *now holds mass, stiffness and rates at about the middle of the step. */
-VM_API void vmi_osc_correct(const vmi_osc_course *c, const vmi_osc_step *s, const vmi_osc_rates *now,
-                            const vmi_step_rates *missing, vmi_step_rates *rates)
+VM_API void vmi_osc_correct(const vmi_osc_course *c, const vmi_osc_rates *now, const vmi_step_rates *missing,
+                            vmi_osc_step *s)
 {
     const vm_real alpha = c->plan->problem.alpha;
     /* derivatives of ln(dt/dpsi) with respect to t and to ln A */
     const vm_real by_t = -((alpha + 3) * now->p - 2 * now->a) / 2, by_ln_A = -(alpha - 1) / 2;
+    vm_real slope[VMI_NODES]; /* rate over psi of the change of ln(dt/dpsi) */
+    int i, j;
+    for (j = 0; j < c->rule.n; j++) slope[j] = s->length * (by_t * missing->t[j] + by_ln_A * missing->ln_A[j]);
+    for (i = 0; i < c->rule.n; i++) {
+        vm_real sum = 0, change;
+        for (j = 0; j < c->rule.n; j++) sum += c->rule.integral[i][j] * slope[j];
+        change = s->rates.t[i] * sum;
+        s->rates.t[i] += missing->t[i] + change;
+        s->rates.ln_A[i] += missing->ln_A[i] - now->p * change;
+    }
+}
+
+/* Finds the time derivatives of p at the nodes from the polynomial through the values of p. This is for laws by
+   functions of the user, which have no second derivatives. */
+VM_API void vmi_osc_find_p_rates(const vmi_osc_course *c, const vmi_osc_step *s, vmi_step_node *at)
+{
+    const vm_real too_short = 256 * VM_EPSILON; /* a phase in which differences of p are rounding errors */
+    int i, j;
+    if (VM_FABS(s->length) < too_short) return;
+    for (i = 0; i < c->rule.n; i++) {
+        vm_real sum = 0;
+        for (j = 0; j < c->rule.n; j++) sum += c->rule.derivative[i][j] * at[j].now.p;
+        at[i].p_rate = sum / (s->length * s->rates.t[i]);
+    }
+}
+
+/* Finds the state at each node from the present rates of the step. */
+VM_API int vmi_osc_find_nodes(const vmi_osc_course *c, const vmi_osc_step *s, vmi_step_node *at)
+{
+    const vm_osc_problem *o = &c->plan->problem;
     int i;
     for (i = 0; i < c->rule.n; i++) {
-        const vmi_osc_change moved = vmi_osc_change_to(c, s, missing, i);
-        const vm_real change = rates->t[i] * (by_t * moved.t + by_ln_A * moved.ln_A);
-        rates->t[i] += missing->t[i] + change;
-        rates->ln_A[i] += missing->ln_A[i] - now->p * change;
+        int side = c->side, status;
+        at[i].moved = vmi_osc_change_to(c, s, i);
+        at[i].t = c->t + (c->t_low + at[i].moved.t);
+        if ((vm_real)side * (at[i].t - c->stop) >= 0) {
+            at[i].t = c->stop;
+            side = -side;
+        }
+        status = vmi_osc_rates_and_slope(o, at[i].t, side, &at[i].now, &at[i].p_rate);
+        if (status) return status;
     }
+    if (vmi_osc_has_user_law(o)) vmi_osc_find_p_rates(c, s, at);
+    return VM_OK;
 }
 
 /* Makes one round of the iteration. *change becomes the largest change of the rates, times the length of the step. */
 VM_API int vmi_osc_sweep(vmi_osc_course *c, vmi_osc_step *s, vm_real *change)
 {
-    const vm_real too_short = 256 * VM_EPSILON; /* a phase in which differences of p are rounding errors */
     const int n = c->rule.n;
-    vmi_osc_rates now[VMI_NODES];
+    const vm_real length = VM_FABS(s->length);
+    vmi_step_node at[VMI_NODES];
     vmi_step_rates missing;
-    vm_real ln_A[VMI_NODES], t[VMI_NODES];
-    int i, j, status;
-    for (i = 0; i < n; i++) {
-        const vmi_osc_change moved = vmi_osc_change_to(c, s, &s->rates, i);
-        ln_A[i] = c->ln_A + moved.ln_A;
-        t[i] = c->t + (c->t_low + moved.t);
-        if ((vm_real)c->side * (t[i] - c->stop) > 0) t[i] = c->stop;
-        status = vmi_osc_rates_at(&c->plan->problem, t[i], t[i] == c->stop ? -c->side : c->side, &now[i]);
-        if (status) return status;
-    }
+    vm_real E[VMI_NODES];
+    int i, status = vmi_osc_find_nodes(c, s, at);
+    if (status) return status;
     *change = 0;
     for (i = 0; i < n; i++) {
         const vm_real old_ln_A = s->rates.ln_A[i], old_t = s->rates.t[i];
-        vm_real p_rate = 0, new_ln_A, new_t;
-        for (j = 0; j < n; j++) p_rate += c->rule.derivative[i][j] * now[j].p;
-        p_rate /= s->length * old_t;
-        if (VM_FABS(s->length) < too_short) p_rate = 0;
-        status = vmi_osc_course_rates(c, s, i, &now[i], p_rate, ln_A[i], t[i], &new_ln_A, &new_t);
+        vm_real new_ln_A, new_t;
+        status = vmi_osc_course_rates(c, s, i, &at[i], &new_ln_A, &new_t, &E[i]);
         if (status) return status;
         missing.ln_A[i] = new_ln_A - old_ln_A;
         missing.t[i] = new_t - old_t;
-        *change = vmi_larger((VM_FABS(new_t / old_t - 1) + VM_FABS(new_ln_A - old_ln_A)) * VM_FABS(s->length), *change);
+        *change = vmi_larger((VM_FABS(missing.t[i] / old_t) + VM_FABS(missing.ln_A[i])) * length, *change);
     }
-    vmi_osc_correct(c, s, &now[n / 2], &missing, &s->rates);
+    vmi_osc_correct(c, &at[n / 2].now, &missing, s);
+    s->rates.E[0] = E[0];
+    s->rates.E[1] = E[n - 1];
+    vmi_osc_complete_step(c, s);
     c->evals += n;
     return VM_OK;
 }
@@ -12089,7 +12316,7 @@ VM_API int vmi_osc_sweep(vmi_osc_course *c, vmi_osc_step *s, vm_real *change)
    `contraction`. */
 VM_API int vmi_osc_iterate(vmi_osc_course *c, vmi_osc_step *s)
 {
-    const vm_real least_contraction = VM_C(0.02); /* a lower bound, since the next steps may converge more slowly */
+    const vm_real least_contraction = VM_C(0.005); /* a lower bound, since the next steps may converge more slowly */
     const vm_real rounding = VM_SQRT(VM_EPSILON) / 16; /* in short steps p' has errors of this size, which no round
                                                           removes */
     const int most_rounds = 40;
@@ -12111,34 +12338,36 @@ VM_API int vmi_osc_iterate(vmi_osc_course *c, vmi_osc_step *s)
 /* Sets the rates from which the iteration of a step starts. They are extrapolated from earlier whole steps over the
    same part of a half period. If there are none, the rates at all nodes are those at the start of the step, without the
    disturbance E = (p^2 - a p - p')/W^2 and the further force F. */
-VM_API int vmi_osc_predict(vmi_osc_course *c, int part, vmi_osc_step *s)
+VM_API int vmi_osc_predict(const vmi_osc_course *c, int part, vmi_osc_step *s)
 {
+    const vmi_step_rates *difference = c->difference[part];
+    vmi_step_rates *rates = &s->rates;
     vmi_osc_rates now;
-    vm_real rate, factor = -1;
+    vm_real rate;
     int i, k, status;
+    rates->E[0] = rates->E[1] = 0;
     if (c->known[part] == 0) {
         status = vmi_osc_rates_at(&c->plan->problem, c->t, c->side, &now);
         if (status) return status;
-        rate = 1 / (c->plan->Om * vmi_osc_Om_ratio(c->plan, &now, c->ln_A));
+        rate = 1 / (c->Om * VM_SQRT((now.k / c->plan->k0) / (now.m / c->plan->m0)));
         for (i = 0; i < c->rule.n; i++) {
-            s->rates.ln_A[i] = -now.p * rate;
-            s->rates.t[i] = rate;
+            rates->ln_A[i] = -now.p * rate;
+            rates->t[i] = rate;
         }
         return VM_OK;
     }
-    for (i = 0; i < c->rule.n; i++) {
-        s->rates.ln_A[i] = 0;
-        s->rates.t[i] = 0;
-    }
-    for (k = 0; k < c->known[part]; k++) { /* extrapolation from n earlier steps: the latest times n, the one before
-                                              times -n (n-1)/2 ... */
-        const vmi_step_rates *last = &c->history[part][(c->latest[part] + k) % VMI_HISTORY];
-        factor *= (vm_real)(c->known[part] - k) / (vm_real)(k + 1);
-        for (i = 0; i < c->rule.n; i++) {
-            s->rates.ln_A[i] -= factor * last->ln_A[i];
-            s->rates.t[i] -= factor * last->t[i];
+    for (i = 0; i < c->rule.n; i++) { /* the next value of a polynomial is the sum of its backward differences */
+        vm_real ln_A = 0, t = 0;
+        for (k = 0; k < c->known[part]; k++) {
+            ln_A += difference[k].ln_A[i];
+            t += difference[k].t[i];
         }
-        factor = -factor;
+        rates->ln_A[i] = ln_A;
+        rates->t[i] = t;
+    }
+    for (k = 0; k < c->known[part]; k++) {
+        rates->E[0] += difference[k].E[0];
+        rates->E[1] += difference[k].E[1];
     }
     return VM_OK;
 }
@@ -12146,39 +12375,58 @@ VM_API int vmi_osc_predict(vmi_osc_course *c, int part, vmi_osc_step *s)
 /* Advances the state of the course by the step. */
 VM_API void vmi_osc_take(vmi_osc_course *c, const vmi_osc_step *s)
 {
-    const vmi_osc_change moved = vmi_osc_whole_change(c, s);
-    const vm_real change = c->t_low + moved.t, t = c->t + change;
+    const vm_real change = c->t_low + s->whole.t, t = c->t + change;
     c->t_low = change - (t - c->t);
     c->t = t;
-    c->ln_A += moved.ln_A;
+    vmi_osc_course_amplitude(c, c->ln_A + s->whole.ln_A);
     c->psi += s->length;
     c->rate = 1 / s->rates.t[c->rule.n - 1];
 }
 
-/* Stores the rates of ln A and t over a whole step. vmi_osc_predict extrapolates from them the rates of the next step
-   over the same part (first or second) of a half period. */
+/* Replaces a value in *kept by *value, and *value by the difference of the two. */
+VM_API void vmi_keep_and_subtract(vm_real *kept, vm_real *value)
+{
+    const vm_real difference = *value - *kept;
+    *kept = *value;
+    *value = difference;
+}
+
+/* Stores the rates of ln A and t over a whole step, by renewing their backward differences. vmi_osc_predict
+   extrapolates from them the rates of the next step over the same part (first or second) of a half period. */
 VM_API void vmi_osc_remember(vmi_osc_course *c, int part, const vmi_step_rates *rates)
 {
-    c->latest[part] = (c->latest[part] + VMI_HISTORY - 1) % VMI_HISTORY;
-    c->history[part][c->latest[part]] = *rates;
-    if (c->known[part] < VMI_HISTORY) c->known[part]++;
+    const int terms = c->known[part] < VMI_HISTORY ? c->known[part] + 1 : VMI_HISTORY;
+    int i, k;
+    vmi_step_rates *difference = c->difference[part];
+    for (i = 0; i < c->rule.n; i++) {
+        vm_real ln_A = rates->ln_A[i], t = rates->t[i];
+        for (k = 0; k < terms; k++) {
+            vmi_keep_and_subtract(&difference[k].ln_A[i], &ln_A);
+            vmi_keep_and_subtract(&difference[k].t[i], &t);
+        }
+    }
+    for (i = 0; i < 2; i++) {
+        vm_real E = rates->E[i];
+        for (k = 0; k < terms; k++) vmi_keep_and_subtract(&difference[k].E[i], &E);
+    }
+    c->known[part] = terms;
 }
 
 /* -- Landing on a time -- */
 
-/* Returns the fraction of the step at which the time t is reached, by Newton's method. Writes the Legendre series of
-   dt/dpsi on the step to series. */
-VM_API vm_real vmi_osc_find_part(const vmi_osc_course *c, const vmi_osc_step *s, vm_real t, vm_real *series)
+/* Returns the fraction of the step at which the time t is reached, by Newton's method on the Legendre series of
+   dt/dpsi, or in a graded rule of dt/dx (vmi_gauss_rule_grade). */
+VM_API vm_real vmi_osc_find_part(const vmi_osc_course *c, const vmi_osc_step *s, vm_real t)
 {
     const int rounds = 8;
     const vm_real way = (t - c->t) - c->t_low;
-    vm_real part, slope;
+    vm_real series[VMI_GAUSS], part, slope;
     int i, k;
     for (k = 0; k < VMI_GAUSS; k++) series[k] = 0;
     for (i = 0; i < c->rule.n; i++) {
         vm_real before = 0, now = 1;
         for (k = 0; k < c->rule.n; k++) {
-            const vm_real next = vmi_legendre_next(k, 2 * c->rule.node[i] - 1, now, before);
+            const vm_real next = vmi_legendre_next(k, 2 * c->rule.place[i] - 1, now, before);
             series[k] += (vm_real)(2 * k + 1) * c->rule.weight[i] * now * s->rates.t[i];
             before = now;
             now = next;
@@ -12190,7 +12438,7 @@ VM_API vm_real vmi_osc_find_part(const vmi_osc_course *c, const vmi_osc_step *s,
         part -= (s->length / 2 * vmi_legendre_integral(series, 2 * part - 1) - way) / slope;
         part = vmi_smaller(vmi_larger(part, 0), 1);
     }
-    return part;
+    return c->rule.graded ? vmi_graded(part) : part;
 }
 
 /* Makes a step that ends at c->stop, in place of the longer step `beyond`, which would go past this time. certain is 0
@@ -12200,7 +12448,7 @@ VM_API int vmi_osc_land(vmi_osc_course *c, const vmi_osc_step *beyond, int certa
 {
     const int rounds = 6;
     const vm_real way = (c->stop - c->t) - c->t_low;
-    vm_real series[VMI_GAUSS], part = vmi_osc_find_part(c, beyond, c->stop, series);
+    const vm_real part = vmi_osc_find_part(c, beyond, c->stop);
     vmi_step_waves waves;
     vmi_osc_step s;
     int i, attempt, status;
@@ -12208,16 +12456,19 @@ VM_API int vmi_osc_land(vmi_osc_course *c, const vmi_osc_step *beyond, int certa
     s.waves = &waves;
     s.length = part * beyond->length;
     for (i = 0; i < c->rule.n; i++) {
-        s.rates.t[i] = vmi_legendre_at(series, 2 * part * c->rule.node[i] - 1);
+        s.rates.t[i] = beyond->rates.t[i];
         s.rates.ln_A[i] = beyond->rates.ln_A[i];
     }
+    s.rates.E[0] = beyond->rates.E[0];
+    s.rates.E[1] = beyond->rates.E[1];
     for (attempt = 0; attempt < rounds; attempt++) {
         vm_real missing;
         vmi_osc_course_waves(c, c->psi, s.length, &waves);
+        vmi_osc_complete_step(c, &s);
         status = vmi_osc_iterate(c, &s);
         if (status == VM_NOT_INTEGRATED && !certain) return VM_OK;
         if (status) return status;
-        missing = (way - vmi_osc_whole_change(c, &s).t) / s.rates.t[c->rule.n - 1];
+        missing = (way - s.whole.t) / s.rates.t[c->rule.n - 1];
         if (VM_FABS(missing) <= c->sweep_limit) break;
         s.length += missing;
     }
@@ -12252,7 +12503,7 @@ VM_API vm_real vmi_osc_next_phase(const vmi_osc_course *c, int *part, vm_real *s
 /* Whether the step, by its present rates, ends at or beyond c->stop */
 VM_API int vmi_osc_is_beyond(const vmi_osc_course *c, const vmi_osc_step *s)
 {
-    return (vm_real)c->side * ((c->t - c->stop) + (c->t_low + vmi_osc_whole_change(c, s).t)) >= 0;
+    return (vm_real)c->side * ((c->t - c->stop) + (c->t_low + s->whole.t)) >= 0;
 }
 
 /* Makes a step whose length is `most`, between 0 and 1, times the usual length. If it would go beyond c->stop, it is
@@ -12266,17 +12517,17 @@ VM_API int vmi_osc_course_step_of(vmi_osc_course *c, vm_real most)
     s.length = vmi_osc_next_phase(c, &part, &s.sign) - c->psi;
     status = vmi_osc_predict(c, part < 0 ? 0 : part, &s);
     if (status) return status;
-    share = vmi_smaller(c->longest / VM_FABS(vmi_osc_whole_change(c, &s).t), most);
+    share = vmi_smaller(c->longest / VM_FABS(s.length * s.rates.t[c->rule.n / 2]), most);
     if (share < 1) {
         s.length *= share;
         part = -1;
     }
-    s.waves = &c->waves[part < 0 ? 0 : part];
     if (part < 0) {
         s.sign = 1;
         s.waves = &inside;
         vmi_osc_course_waves(c, c->psi, s.length, &inside);
-    }
+    } else s.waves = &c->waves[part];
+    vmi_osc_complete_step(c, &s);
     if (vmi_osc_is_beyond(c, &s)) {
         status = vmi_osc_land(c, &s, 0);
         if (status || c->t == c->stop) return status;
@@ -12314,13 +12565,14 @@ VM_API void vmi_osc_course_start(vmi_osc_course *c, const vm_osc_plan *plan, con
     c->plan = plan;
     c->wave = vmi_osc_wave_of(plan, VM_ROUTE_COLLOCATION);
     vmi_gauss_rule_init(&c->rule, n);
+    if (vmi_osc_needs_grading(&plan->problem)) vmi_gauss_rule_grade(&c->rule);
     c->side = side;
     c->parts = parts;
     c->sweep_limit = sweep_limit;
     c->stop = 0;
     c->longest = VM_INFINITY;
     c->psi = start->psi;
-    c->ln_A = vmi_log(start->A / plan->A).hi;
+    vmi_osc_course_amplitude(c, vmi_log(start->A / plan->A).hi);
     c->t = 0;
     c->t_low = 0;
     c->left = 0;
@@ -12331,12 +12583,21 @@ VM_API void vmi_osc_course_start(vmi_osc_course *c, const vm_osc_plan *plan, con
         if (side < 0) from += half / (vm_real)parts;
         vmi_osc_course_waves(c, from, length, &c->waves[part]);
     }
-    for (part = 0; part < 2; part++) {
-        c->latest[part] = 0;
-        c->known[part] = 0;
-    }
+    c->known[0] = 0;
+    c->known[1] = 0;
     c->evals = 0;
 }
+
+#endif
+/* oscillators/collocation.h - the motion of an oscillator by collocation, to a tolerance
+
+   Two runs from zero to zero of x (oscillators/course.h), with different numbers of points a step, go side by side.
+   Their difference gives the error. If the error is larger than the tolerance, the next pair of runs has more points.
+       vm_osc_motion motion;
+       int status = vmi_osc_collocate(&plan, VM_ROUTE_COLLOCATION, 300, VM_C(1e-8), &motion); // plan is a vm_osc_plan
+   Tests: tests/test_collocation.c, tests/test_routes.c. */
+#ifndef VARMASS_OSCILLATORS_COLLOCATION_H
+#define VARMASS_OSCILLATORS_COLLOCATION_H
 
 /* -- Two runs side by side -- */
 
@@ -12379,30 +12640,36 @@ typedef struct VM_TAG(vmi_osc_points) {
 /* The number of pairs of runs that can be tried one after the other */
 enum { VMI_OSC_PAIRS = 6 };
 
-/* Whether the rates are smooth inside a half period, so that one step over it is good. With a force they may have kinks
-   in the middle, where x' = 0; for alpha > 3 they change quickly there. In these cases two steps that meet in the
-   middle are better. */
-VM_API int vmi_osc_has_smooth_halves(const vm_osc_problem *o) { return o->alpha <= 3 && !o->force; }
-
-/* Pair number i, 0 to VMI_OSC_PAIRS - 1. Each pair is more accurate than the one before. */
+/* Pair number i, 0 to VMI_OSC_PAIRS - 1. Each pair is more accurate than the one before. With a force the rates may
+   have kinks in the middle of a half period, where x' = 0, and what the rule misses has no closed form; so there are
+   two parts and more points. For alpha > 3 the rates change quickly in the middle; two parts that meet there are
+   better. */
 VM_API vmi_osc_points vmi_osc_pair(const vm_osc_problem *o, int i)
 {
-    static const vmi_osc_points smooth[VMI_OSC_PAIRS] = {{4, 6, 1}, {5, 7, 1},  {8, 11, 1},
-                                                         {5, 7, 2}, {8, 11, 2}, {14, 20, 2}};
-    static const vmi_osc_points other[VMI_OSC_PAIRS] = {{4, 6, 2},  {5, 7, 2},   {6, 8, 2},
-                                                        {8, 11, 2}, {10, 14, 2}, {14, 20, 2}};
-    return vmi_osc_has_smooth_halves(o) ? smooth[i] : other[i];
+    static const vmi_osc_points alone[VMI_OSC_PAIRS] = {{2, 3, 1}, {3, 4, 1},  {4, 6, 1},
+                                                        {6, 9, 1}, {8, 11, 2}, {14, 20, 2}};
+    static const vmi_osc_points forced[VMI_OSC_PAIRS] = {{4, 6, 2},  {5, 7, 2},   {6, 8, 2},
+                                                         {8, 11, 2}, {10, 14, 2}, {14, 20, 2}};
+    vmi_osc_points points = alone[i];
+    if (o->force) points = forced[i];
+    if (o->alpha > 3) points.parts = 2;
+    return points;
 }
 
 /* The number of the pair that is tried first. It is about the cheapest that reaches the tolerance where mass and
-   stiffness change by 1 % while the phase grows by 1. */
+   stiffness change by 1 % while the phase grows by 1. Laws by functions of the user need more points, for the
+   derivative of p. */
 VM_API int vmi_osc_first_pair(const vm_osc_problem *o, vm_real tolerance)
 {
     if (o->force) return tolerance >= VM_C(1e-6) ? 2 : 4;
-    if (tolerance >= VM_C(1e-6)) return 0;
-    if (tolerance >= VM_C(1e-8)) return vmi_osc_has_smooth_halves(o) ? 1 : 0;
-    if (tolerance >= VM_C(1e-9)) return 2;
-    return tolerance >= VM_C(1e-10) ? 3 : 4;
+    if (vmi_osc_has_user_law(o)) {
+        if (tolerance >= VM_C(1e-6)) return 1;
+        return tolerance >= VM_C(1e-8) ? 2 : 3;
+    }
+    if (tolerance >= VM_C(1e-8)) return 0;
+    if (tolerance >= VM_C(1e-9)) return 1;
+    if (tolerance >= VM_C(1e-11)) return 2;
+    return 3;
 }
 
 /* The number of the pair that is tried after pair i, whose estimated error is `error`, larger than the tolerance. A
@@ -12423,12 +12690,15 @@ VM_API int vmi_osc_next_pair(const vm_osc_problem *o, int i, vm_real error, vm_r
 /* Returns the estimated error of the strict run divided by the difference of the two runs, which is nearly the error of
    the loose run. Where alpha < 1, the rates have terms proportional to d^(alpha+2), where d is the distance from a zero
    of x. For these terms the error of Gauss' rule of n points falls as n^-(2 alpha + 6). For larger alpha up to 10 it
-   falls as n^-8 at least. Kinks from a force or from a law by a function, and the sharp turns of a large alpha, make it
-   fall more slowly. */
+   falls as n^-8 at least. Few points, kinks from a force or from a law by a function, and the sharp turns of a large
+   alpha, make it fall more slowly. In a graded rule the points are densest where x' is near 0, so kinks there count
+   less. */
 VM_API vm_real vmi_osc_strict_share(const vm_osc_problem *o, vmi_osc_points points)
 {
     const vm_real ratio = (vm_real)points.loose / (vm_real)points.strict, squared = ratio * ratio;
-    if (o->force || o->mass.function || o->stiffness.function || o->alpha > 10) return squared * squared;
+    const int graded = vmi_osc_needs_grading(o), kinks = (o->force && !graded) || vmi_osc_has_user_law(o);
+    const int few = graded ? 8 : 4;
+    if (kinks || o->alpha > 10 || points.strict <= few) return squared * squared;
     return squared * squared * squared * (o->alpha >= 1 ? squared : 1);
 }
 
@@ -12749,14 +13019,15 @@ VM_API int vm_osc_plan_within(const vm_osc_plan *p, vm_real t, vm_real tolerance
 /* -- Without a plan -- */
 
 /* Makes the plan of a problem for one call, without the plan of the Ateb functions, which is worth its time only for
-   many calls. complete = 1 also makes the polynomials of the ripple, which orders 3 to 5 need. */
+   many calls. complete = 1 also makes the polynomials of the ripple, which orders 3 to 5 and collocation
+   need. */
 VM_API int vmi_osc_once(const vm_osc_problem *problem, int complete, vm_osc_plan *plan)
 {
     int status;
     if (!problem) return VM_BAD_ARGUMENT;
     status = vmi_osc_prepare(plan, problem, 0);
     if (status) return status;
-    if (complete) vmi_ripple_complete(&plan->ripple);
+    if (complete) vmi_ripple_complete(&plan->ripple, 5);
     return vmi_osc_start(plan);
 }
 
@@ -12766,7 +13037,7 @@ VM_API int vmi_osc_once(const vm_osc_problem *problem, int complete, vm_osc_plan
 VM_API int vm_osc_by_route(const vm_osc_problem *problem, int route, vm_real t, vm_real tolerance,
                            vm_osc_motion *motion)
 {
-    const int complete = route >= VM_ROUTE_ORDER3 && route <= VM_ROUTE_ORDER5;
+    const int complete = route >= VM_ROUTE_ORDER3 && route <= VM_ROUTE_COLLOCATION;
     vm_osc_plan plan;
     int status = vmi_osc_check_arguments(route, t, tolerance, motion);
     status = vmi_first_error(status, vmi_osc_once(problem, complete, &plan));
@@ -12788,10 +13059,10 @@ VM_API int vm_osc_within(const vm_osc_problem *problem, vm_real t, vm_real toler
     if (!problem->force) {
         status = vmi_osc_averaged_within(&plan, t, tolerance, motion);
         if (status != VM_TOLERANCE_MISSED) return status;
-        vmi_ripple_complete(&plan.ripple);
-        status = vmi_osc_start(&plan);
-        if (status) return status;
     }
+    vmi_ripple_complete(&plan.ripple, 5);
+    status = vmi_osc_start(&plan);
+    if (status) return status;
     return vm_osc_plan_within(&plan, t, tolerance, motion);
 }
 
@@ -15069,7 +15340,7 @@ VM_API int vm_vdp_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void 
        vmi_ripple r;
        vmi_vdp_ripple v;
        vmi_ripple_init(&r, 1, vmi_ateb_constants);
-       vmi_ripple_complete(&r);
+       vmi_ripple_complete(&r, 5);
        vmi_vdp_ripple_init(&v, &r); // v.F is -1/4, v.K2 -11/256
    Tests: tests/test_van_der_pol_law.c. */
 #ifndef VARMASS_OSCILLATORS_VAN_DER_POL_EXPANSION_H
@@ -16121,7 +16392,7 @@ VM_API int vm_vdp_cycle_of(const vm_vdp *v, vm_vdp_cycle *cycle)
     if (status) return status;
     if (!((v->feed > 0 && v->c > 0) || (v->feed < 0 && v->c < 0))) return VM_NO_LAW;
     vmi_ripple_init(&r, v->alpha, vmi_ateb_constants);
-    vmi_ripple_complete(&r);
+    vmi_ripple_complete(&r, 5);
     vmi_vdp_ripple_init(&ripple, &r);
     vmi_vdp_cycle_coefficients(&ripple, &r, &kx, &kw);
     A = VM_SQRT(v->feed / v->c / -ripple.F);
