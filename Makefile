@@ -5,12 +5,14 @@
 #   make parts-table   lines and flash of each chapter taken alone, docs/parts.md
 #   make run      build and run the examples, draw their figures        make bench   time everything (minutes)
 #   make bench-quick   the same, roughly       make bench-count   count instructions       make cost   write docs/cost.md
+#   make docs     write all documents whose numbers take minutes, and the marked numbers of the README and the manuals
+#   make check-docs   fail where a document was written from other headers      make campaigns   the long checks, part by part
 #   make test     the tests, three minutes       make test-all   the rest       make lint    strict warnings, gcc and clang
 #   make scan     millions of random arguments (minutes)                make points SEED=n   20 000 fresh table points
 #   make exhaustive   every float of a period (minutes)                 make data    write the reference tables anew
 #   make figures  draw docs/figures                                     make measurements    write docs/measurements.md
 #   make first-steps   twelve short programs, docs/first-steps.md
-#   make wasm      an oscillator for the browser, build/wasm
+#   make wasm      pages for the browser: build/wasm/play.html, what accuracy costs
 #   make sweep     a Monte-Carlo of break-ups over all cores          make firmware-table   flash, stack, instructions
 #   make firmware   a controller on an emulated Cortex-M4F           make scene-sizes    flash of scenes
 #   make test-cross   the same bits and the tests on every target (half an hour)
@@ -20,9 +22,12 @@
 #   make coverage   lines and branches that the tests execute       make test-mutate SEED=n MUTANTS=n   wrong headers
 #   make test-sanitize   sanitizers, valgrind, static analysers      make proof   abstract interpretation by Frama-C
 #   make install PREFIX=/usr/local   headers, pkg-config and CMake files     make amalgamation   build/amalgamation/varmass.h
+#   make site     the reference in HTML, build/site/index.html
+#   make packages   an Arduino and PlatformIO library, a release with its checksum, build/packages
 #   make law       docs/law.md, the law of order five, with its figures
 #   make toronto   the Toronto test set of initial value problems, docs/toronto.md
 #   make validation   published numbers of other programs and papers beside ours, docs/validation.md
+#   make tables   Tables 1 to 4 of the dissertation, row by row, docs/tables.md
 #   make clean    remove build/
 
 CC = cc
@@ -33,16 +38,17 @@ COMPILE = $(CC) -std=c99 $(CFLAGS)
 IN_BUILD = mkdir -p $(@D) && echo '*' >build/.gitignore
 
 HEADERS = jacobi.h ateb.h integrators.h varmass.h
-TESTS = jacobi elliptic_integrals ateb rk4 pairs adaptive dense events saved_runs coincidences attitude bodies jumps jumps2 relative inverse \
+TESTS = jacobi elliptic_integrals ateb rk4 pairs adaptive dense events saved_runs coincidences attitude bodies jumps jumps2 relative inverse axle \
     jump_equations torque_free streams flow flow1 flow2 supply orbit drum drum_shaft lambert broken_rotor broken_rotor_stability \
-    lagrange lagrange_jump pendulum constant_mass laws loads averaging slow_motion closed_law collocation routes ladder duffing odd_force van_der_pol \
-    van_der_pol_law jeffcott jeffcott_motion pair forced diagnostics forces scene_bodies scene_effects scene_mass scene_streams scene_links scene_joints scene_events scene_runs scenes \
-    dissertation validation hard refusals_numerics refusals_bodies refusals_streams refusals_oscillators refusals_slow \
+    lagrange lagrange_jump pendulum constant_mass laws loads averaging slow_motion closed_law collocation routes ladder \
+    duffing odd_force van_der_pol van_der_pol_law jeffcott jeffcott_motion pair forced diagnostics forces scene_bodies \
+    scene_effects scene_mass scene_streams scene_links scene_joints scene_events scene_runs scenes dissertation tables \
+    validation hard refusals_numerics refusals_bodies refusals_streams refusals_oscillators refusals_slow \
     refusals_scenes null_pointers
 # Scripts of make test (tests/test_NAME.sh), and those of make test-all; some are in both, called with "quick" by make test
-SCRIPTS = headers readme documents errors parts golden errata install gsl hard_cases
+SCRIPTS = headers readme documents promises errors parts golden errata install gsl hard_cases
 LONG_SCRIPTS = readme headers golden snippets parts sanitize fuzz options first_steps scene_cost package plans languages \
-    avr sweep
+    avr sweep guides site page
 EXAMPLES = table5 example1 example2 drum scenes dzhanibekov tumbling rocket dust slow resonance rotor pendulum solvable
 TEST_PROGRAMS = $(TESTS:%=build/tests/double/%) $(TESTS:%=build/tests/float/%)
 LOGS = $(SCRIPTS:%=build/tests/%.log) $(TESTS:%=build/tests/%.log)
@@ -54,7 +60,7 @@ RUN_TESTS = @rm -f $(1); $(MAKE) -s -k $(if $(findstring jobserver,$(MAKEFLAGS))
 TEST_FILES = build/command $(HEADERS) $(wildcard tests/*.h tests/data/*.h tests/hard/* examples/*.h examples/scenes/*.h)
 GSL_CHECK = echo '\#include <gsl/gsl_sf.h>' | $(CC) -E -
 
-.PHONY: headers part parts-table law duffing van-der-pol toronto validation test-events test-readme scaling wasm first-steps sweep firmware firmware-table test-cross install uninstall amalgamation run test test-all scan points exhaustive lint bench measurements figures data clean bench-quick bench-count cost scene-sizes test-fuzz evaluations test-threads coverage test-mutate test-sanitize proof
+.PHONY: headers part parts-table law duffing van-der-pol toronto tables validation test-events test-readme scaling wasm first-steps sweep firmware firmware-table test-cross install uninstall amalgamation run test test-all scan points exhaustive lint bench measurements figures data clean bench-quick bench-count cost scene-sizes test-fuzz evaluations test-threads coverage test-mutate test-sanitize proof packages site docs check-docs campaigns counts hard-cases promises numbers peers
 
 headers:
 	@mkdir -p build && echo '*' >build/.gitignore
@@ -71,6 +77,49 @@ part:
 parts-table:
 	@sh tests/install.sh "command -v arm-none-eabi-gcc" gcc-arm-none-eabi libnewlib-arm-none-eabi
 	sh src/parts_table.sh build >build/parts.md && mv build/parts.md docs/parts.md
+	@$(STAMP) parts
+
+# A document that a program writes ends with a stamp of the headers; bench/documents.txt lists these documents.
+STAMP = sh bench/stamp.sh write
+# Documents in the order in which they are written: the table of numbers is made from the others, and the numbers of the
+# README and the manuals from it. Times need an idle machine and are not among them (make cost, make peers).
+DOCUMENTS = counts hard-cases validation toronto law duffing van-der-pol first-steps figures parts-table firmware-table \
+    scene-sizes measurements promises numbers
+docs: headers
+	+@for document in $(DOCUMENTS); do echo "docs: $$document"; $(MAKE) -s $$document >build/docs.log 2>&1 || \
+	    { cat build/docs.log; echo "FAILED: make $$document"; exit 1; }; done
+	@sh bench/stamp.sh refresh
+	@sh tests/check_docs.sh . today
+
+check-docs:
+	@sh tests/check_docs.sh . today && echo "the documents are sound, and those of make docs are from today's headers"
+
+# the long checks one after the other; those that passed with these headers are not run again
+CAMPAIGNS = # names, none: all
+campaigns:
+	sh bench/campaigns.sh $(CAMPAIGNS)
+
+counts: bench-count
+	cp build/bench/count/counts.md docs/counts.md
+	@$(STAMP) counts
+
+hard-cases:
+	CC="$(CC)" sh tests/test_hard_cases.sh build write
+	@$(STAMP) hard-cases
+
+promises: build/tests/promises.log
+	sh bench/promises.sh build <bench/promises.md >build/promises.md && mv build/promises.md docs/promises.md
+	@$(STAMP) promises
+
+numbers:
+	CC="$(CC)" sh bench/numbers.sh table >build/numbers.md && mv build/numbers.md docs/numbers.md
+	@$(STAMP) numbers
+	sh bench/numbers.sh write README.md src/*.h src/*/*.h
+	@$(MAKE) -s headers
+
+peers:
+	CC="$(CC)" sh bench/no_peer_wins.sh build
+	@$(STAMP) peers
 
 run: $(EXAMPLES:%=build/examples/%)
 	@mkdir -p build/figures
@@ -83,8 +132,8 @@ run: $(EXAMPLES:%=build/examples/%)
 test:
 	+$(call RUN_TESTS,$(LOGS))
 
-# What make test leaves out, and its programs again: as headers are used, included and compiled with the caller's code, and
-# with fused multiply-adds; logs in build/tests/all
+# What make test leaves out, and its programs again: as headers are used, included and compiled with the caller's code; and
+# linked with headers that were compiled with fused multiply-adds; logs in build/tests/all
 test-all:
 	+$(call RUN_TESTS,$(LONG_LOGS))
 
@@ -107,15 +156,18 @@ bench-count: build/bench/count/double build/bench/count/float
 	@sh tests/install.sh "command -v valgrind" valgrind && CC="$(CC)" FLAGS="$(CFLAGS)" sh bench/count.sh build/bench/count
 
 # the tables and figures of docs/cost.md from the last `make bench`, which it runs where there was none
-cost: bench-count
-	cp build/bench/count/counts.md docs
+cost:
 	@[ -f build/bench/machine ] || $(MAKE) bench
 	@sh bench/cost.sh build/bench build/figures docs/cost.md docs/figures
+	@$(STAMP) cost
 
 # a campaign of minutes: random arguments against quadruple precision (gcc with libquadmath)
 scan: build/tests/scan build/tests/scan_float
-	./build/tests/scan 1000000
-	./build/tests/scan_float 1000000
+	@mkdir -p build/campaigns/tables
+	./build/tests/scan 1000000 >build/campaigns/tables/scan.log
+	./build/tests/scan_float 1000000 >>build/campaigns/tables/scan.log
+	@cat build/campaigns/tables/scan.log
+	@sh bench/measurements.sh function build/campaigns/tables/scan.log <bench/scan.md >docs/scan.md && $(STAMP) scan
 
 # a campaign of minutes: the float functions at every float of a period
 EXHAUSTIVE = build/tests/exhaustive_jacobi build/tests/exhaustive_ateb
@@ -123,6 +175,7 @@ exhaustive: $(EXHAUSTIVE)
 	{ printf '# Every float of a period\n\nWritten by `make exhaustive`.\n\n```\n'; ./build/tests/exhaustive_jacobi 1; \
 	for alpha in 0 0.5 1.5 3 33.3; do ./build/tests/exhaustive_ateb $$alpha; done; printf '```\n'; } >docs/exhaustive.md
 	! grep -E 'FAILED|[1-9][0-9]* failed' docs/exhaustive.md
+	@grep 'passed,' docs/exhaustive.md; $(STAMP) exhaustive
 
 # a campaign of minutes: 20 000 points of each table and more, drawn anew and computed by mpmath
 points: build/command
@@ -137,6 +190,7 @@ points: build/command
 # a campaign of half an hour: the same bits and the tests on every target that can be had, with emulators
 test-cross:
 	sh tests/cross.sh build docs/cross.md $(TESTS)
+	@$(STAMP) cross
 
 # a bounded time of fuzzing, all targets together; then errors that are planted must be found
 SECONDS = 240
@@ -149,14 +203,12 @@ COUNT = 10000000
 LINES = # first and last line of the table, none: all
 evaluations:
 	@mkdir -p build/tests
-	@{ printf '# Random evaluations\n\nPrinted by `make evaluations COUNT=%s SEED=%s`: random arguments from the whole domains' $(COUNT) $(SEED); \
-	echo '; ranges, symmetries,'; echo 'identities within the promised bounds, neighbours in order, inverses (tests/evaluations.c).'; \
-	echo 'Of slow functions fewer; nanoseconds are those of the functions and their checks, all cores together.'; echo; \
-	} >build/evaluations.md; \
+	@sed 's/@COUNT@/$(COUNT)/; s/@SEED@/$(SEED)/' bench/evaluations.md >build/evaluations.md; \
 	for precision in "" -DVM_USE_FLOAT; do \
 	    $(COMPILE) -fopenmp $$precision tests/evaluations.c -o build/tests/evaluations -lm && \
 	    ./build/tests/evaluations $(COUNT) $(SEED) $(LINES) >>build/evaluations.md || { cat build/evaluations.md; exit 1; }; done; \
 	cat build/evaluations.md >docs/evaluations.md
+	@$(STAMP) evaluations
 
 # a campaign of minutes: random runs whose events coincide, jump or vanish, each known beforehand
 RUNS = 1000000
@@ -206,22 +258,29 @@ firmware-table:
 	@sh tests/install.sh "command -v riscv64-unknown-elf-gcc" gcc-riscv64-unknown-elf picolibc-riscv64-unknown-elf
 	@sh tests/install.sh "command -v qemu-system-arm && command -v qemu-system-riscv32" qemu-system-arm qemu-system-misc
 	@sh tests/install.sh "command -v gnuplot" gnuplot-nox
-	sh examples/firmware/table.sh build >docs/firmware.md
+	sh examples/firmware/table.sh build >build/firmware.md && mv build/firmware.md docs/firmware.md
 	gnuplot -e "csv='build/firmware/table.csv'; svg='docs/figures/firmware.svg'" examples/firmware/table.gp
+	@$(STAMP) firmware
 
 # an oscillator for the browser: serve build/wasm
+WASM = clang --target=wasm32-wasi --sysroot=/usr -std=c99 -ffp-contract=off -Oz -mexec-model=reactor -Wl,-s
 wasm:
 	@sh tests/install.sh "command -v clang && test -e /usr/lib/wasm32-wasi/libc.a && command -v node" \
 	    clang lld wasi-libc libclang-rt-14-dev-wasm32 nodejs
 	mkdir -p build/wasm && cp examples/wasm/index.html build/wasm
-	clang --target=wasm32-wasi --sysroot=/usr -std=c99 -ffp-contract=off -Oz -mexec-model=reactor -Wl,-s examples/wasm/leaking.c \
-	    -o build/wasm/leaking.wasm -lm
-	wc -c build/wasm/leaking.wasm
+	$(WASM) examples/wasm/leaking.c -o build/wasm/leaking.wasm -lm
+	$(WASM) examples/wasm/play.c -o build/wasm/play.wasm -lm
+	wc -c build/wasm/leaking.wasm build/wasm/play.wasm
 	node examples/wasm/leaking.mjs build/wasm/leaking.wasm
+	base64 -w0 build/wasm/play.wasm >build/wasm/play.base64
+	awk 'NR == FNR {program = $$0; next} {at = index($$0, "@WASM@")} \
+	    at {print substr($$0, 1, at - 1) program substr($$0, at + 6); next} {print}' \
+	    build/wasm/play.base64 examples/wasm/play.html >build/wasm/play.html
 
 scene-sizes:
 	@sh tests/install.sh "command -v arm-none-eabi-gcc" gcc-arm-none-eabi libnewlib-arm-none-eabi
 	sh examples/firmware/scene_sizes.sh build >build/scene-sizes.md && mv build/scene-sizes.md docs/scene-sizes.md
+	@$(STAMP) scene-sizes
 
 # a Monte-Carlo of break-ups over all cores, and by MPI where it is
 sweep:
@@ -237,21 +296,26 @@ test-readme:
 # how the sweep scales over threads and ranks, docs/scaling.md
 scaling:
 	@sh tests/install.sh "command -v mpicc && command -v mpirun" openmpi-bin libopenmpi-dev
-	sh examples/sweep/scaling.sh build >docs/scaling.md
+	sh examples/sweep/scaling.sh build >build/scaling.md && mv build/scaling.md docs/scaling.md
+	@$(STAMP) scaling
 
-measurements: $(TEST_PROGRAMS) build/tests/scan build/tests/scan_float
-	sh bench/measurements.sh build "$(TESTS)"
+measurements: $(TESTS:%=build/tests/%.log)
+	sh bench/measurements.sh bound $^ <bench/measurements.md >build/measurements.md && mv build/measurements.md docs
+	@$(STAMP) measurements
 
 figures: run
 	for figure in $$(grep -o 'figures/[a-z0-9_]*\.svg' docs/figures.md); do cp "build/$$figure" docs/figures || exit 1; done
+	@$(STAMP) figures
 
 first-steps: build/command
 	CC="$(CC)" sh examples/first_steps/steps.sh build write
+	@$(STAMP) first-steps
 
 # docs/law.md: the law of order five; its text is bench/law.md
 law: build/law build/examples/solvable
 	@sh tests/install.sh "command -v gnuplot" gnuplot-nox
 	sh bench/law.sh build
+	@$(STAMP) law
 build/law: bench/law.c build/command $(HEADERS)
 	$(COMPILE) bench/law.c -o $@ -lm
 
@@ -259,6 +323,7 @@ build/law: bench/law.c build/command $(HEADERS)
 duffing: build/duffing
 	@sh tests/install.sh "command -v gnuplot" gnuplot-nox
 	sh bench/duffing.sh build
+	@$(STAMP) duffing
 build/duffing: bench/duffing.c build/command $(HEADERS)
 	$(COMPILE) bench/duffing.c -o $@ -lm
 
@@ -266,18 +331,25 @@ build/duffing: bench/duffing.c build/command $(HEADERS)
 van-der-pol: build/van_der_pol
 	@sh tests/install.sh "command -v gnuplot" gnuplot-nox
 	sh bench/van_der_pol.sh build
+	@$(STAMP) van-der-pol
 build/van_der_pol: bench/van_der_pol.c build/command $(HEADERS)
 	@$(IN_BUILD) && $(COMPILE) $< -o $@ -lm
 
 # docs/toronto.md: the Toronto test set, beside version 0.1 and DOP853
 toronto: build/toronto
 	./build/toronto markdown bench/toronto_before.csv >build/toronto.md && mv build/toronto.md docs/toronto.md
+	@$(STAMP) toronto
 build/toronto: bench/toronto.c bench/dop853.h tests/detest.h tests/data/detest_table.h build/command $(HEADERS)
 	@$(IN_BUILD) && $(COMPILE) $< -o $@ -lm
 
 # docs/validation.md: numbers that others have published, beside ours
 validation: build/tests/double/validation
 	./build/tests/double/validation markdown >build/validation.md && mv build/validation.md docs/validation.md
+	@$(STAMP) validation
+
+# docs/tables.md: Tables 1 to 4 of the dissertation, as printed and as they are true
+tables: build/tests/double/tables
+	./build/tests/double/tables markdown >build/tables.md && mv build/tables.md docs/tables.md
 
 data:
 	@sh tests/install.sh "python3 -c 'import mpmath'" python3-mpmath
@@ -295,6 +367,7 @@ data:
 	python3 tests/gen/rotation_reference.py
 	python3 tests/gen/rotor_reference.py
 	python3 tests/gen/streams.py
+	python3 tests/gen/lagrange_inverse.py
 	python3 tests/gen/slow.py
 	python3 tests/gen/jeffcott_reference.py
 	python3 tests/gen/loads_reference.py
@@ -313,6 +386,15 @@ data:
 amalgamation: build/amalgamation/varmass.h
 build/amalgamation/varmass.h: src/headers.awk $(wildcard src/*.h src/*/*.h)
 	@$(IN_BUILD) && mkdir -p $(@D) && awk -v whole=1 -f src/headers.awk src/varmass.h >$@
+
+# a reference in HTML, with search, figures and guides: build/site/index.html; fails where Doxygen warns
+site:
+	@sh tests/install.sh -w "to write the reference" "command -v doxygen" doxygen
+	rm -rf build/site && mkdir -p build/site && doxygen docs/site/Doxyfile
+
+# a library for the Arduino IDE and PlatformIO, and a release with its checksum, under build/packages
+packages: headers amalgamation
+	CC="$(CC)" sh examples/package/packages.sh build $(VERSION)
 
 # headers under PREFIX/include/varmass, found by pkg-config and by CMake's find_package
 PREFIX = /usr/local
@@ -337,19 +419,25 @@ build/command: FORCE
 FORCE:
 
 # The programs of make test. The headers are compiled once for all of them, with external functions; what is left of a
-# program is small (tests/linked.h). Warnings belong to make lint.
-LINKED = -O1 -fno-inline -w -include tests/linked.h
+# program is small (tests/linked.h), and reads the headers without the functions' bodies (tests/declared.awk): those that it
+# includes itself, or varmass.h where its own headers do. Warnings belong to make lint.
+LINKED = -w -include tests/linked.h $$(sed -n 's|^\#include "\.\./\([a-z]*\.h\)".*|-include build/tests/declared/\1|p' $< | \
+    grep . || echo "-include build/tests/declared/varmass.h")
+DECLARED = tests/linked.h $(HEADERS:%=build/tests/declared/%)
+build/tests/declared/%.h: %.h tests/declared.awk
+	@$(IN_BUILD) && awk -f tests/declared.awk $< >$@
+
 build/tests/double/headers.o: build/command $(HEADERS)
 	@$(IN_BUILD) && $(COMPILE) -DVM_API= -x c -c varmass.h -o $@
 
 build/tests/float/headers.o: build/command $(HEADERS)
 	@$(IN_BUILD) && $(COMPILE) -DVM_USE_FLOAT -DVM_API= -x c -c varmass.h -o $@
 
-build/tests/double/%: tests/test_%.c build/tests/double/headers.o tests/linked.h $(TEST_FILES)
-	@$(IN_BUILD) && $(COMPILE) $(LINKED) $< build/tests/double/headers.o -o $@ -lm
+build/tests/double/%: tests/test_%.c build/tests/double/headers.o $(DECLARED) $(TEST_FILES)
+	@$(IN_BUILD) && $(COMPILE) -O1 -fno-inline $(LINKED) $< build/tests/double/headers.o -o $@ -lm
 
-build/tests/float/%: tests/test_%.c build/tests/float/headers.o tests/linked.h $(TEST_FILES)
-	@$(IN_BUILD) && $(COMPILE) $(LINKED) -DVM_USE_FLOAT $< build/tests/float/headers.o -o $@ -lm
+build/tests/float/%: tests/test_%.c build/tests/float/headers.o $(DECLARED) $(TEST_FILES)
+	@$(IN_BUILD) && $(COMPILE) -O1 -fno-inline $(LINKED) -DVM_USE_FLOAT $< build/tests/float/headers.o -o $@ -lm
 
 # The programs of make test-all: the headers included as users include them. make lint compiles the objects of the first two.
 build/lint/double/%.o: tests/test_%.c $(TEST_FILES)
@@ -365,9 +453,14 @@ build/tests/all/double_%: build/lint/double/%.o
 build/tests/all/float_%: build/lint/float/%.o
 	@$(IN_BUILD) && gcc $< -o $@ -lm
 
-# the promised bounds hold with fused multiply-adds wherever the compiler likes them
-build/tests/contracted/%: tests/test_%.c $(TEST_FILES)
-	@$(IN_BUILD) && $(CC) -std=c99 -O3 -march=native -ffp-contract=fast -w $< -o $@ -lm
+# the promised bounds hold with fused multiply-adds wherever the compiler likes them: in the headers, compiled once, and in
+# the programs that are linked with them
+CONTRACTED = $(CC) -std=c99 -march=native -ffp-contract=fast
+build/tests/contracted/headers.o: build/command $(HEADERS)
+	@$(IN_BUILD) && $(CONTRACTED) -O3 -DVM_API= -x c -c varmass.h -o $@
+
+build/tests/contracted/%: tests/test_%.c build/tests/contracted/headers.o $(DECLARED) $(TEST_FILES)
+	@$(IN_BUILD) && $(CONTRACTED) -O1 $(LINKED) $< build/tests/contracted/headers.o -o $@ -lm
 
 $(TESTS:%=build/tests/%.log): build/tests/%.log: build/tests/double/% build/tests/float/% FORCE
 	@sh tests/run.sh one $@ ./build/tests/double/$* ./build/tests/float/$*
@@ -384,7 +477,8 @@ $(LONG_SCRIPTS:%=build/tests/all/%.log): build/tests/all/%.log: tests/test_%.sh 
 # what these read of the programs above
 build/tests/headers.log: build/tests/double/headers.o build/tests/float/headers.o
 build/tests/hard_cases.log: build/tests/double/hard build/tests/float/hard
-build/tests/documents.log: build/tests/double/validation
+build/tests/documents.log: build/tests/double/validation build/tests/double/tables
+build/tests/promises.log: $(patsubst %,build/tests/%.log,jacobi elliptic_integrals ateb jumps torque_free lambert drum)
 
 build/tests/all/exhaustive_jacobi.log: build/tests/exhaustive_jacobi FORCE
 	@$(IN_BUILD) && sh tests/run.sh one $@ "./$< 997"

@@ -1,21 +1,40 @@
 #!/bin/sh
-# Write docs/measurements.md from what the test programs print; some minutes. Times are in docs/cost.md (make cost).
-# usage: measurements.sh BUILD_FOLDER "TESTS", from the top of the project
-build=$1
-block() { printf '```\n'; cat; printf '```\n\n'; }
-{
-    printf '# Measurements\n\n'
-    printf 'Written by `make measurements`: what `make test` and `make scan` print. Times: [cost.md](cost.md).\n\n'
-    printf '## Accuracy\n\n'
-    printf 'Worst errors over the stored arbitrary-precision tables (inputs taken as exact), identities and random bodies.\n'
-    printf 'eps: of the type, times the function'"'"'s largest value; ulp: of the true value; eps\\*: eps times what an eps\n'
-    printf 'in each argument or result makes; tol: the tolerance asked for.\n\n'
-    for precision in double float; do
-        for program in $2; do
-            "$build/tests/$precision/$program" | block
-        done
-    done
-    printf '## Random arguments against quadruple precision\n\n'
-    "$build/tests/scan" 300000 | block
-    "$build/tests/scan_float" 300000 | block
-} >docs/measurements.md
+# Write a document of worst errors: a row for each bound that a program of tests enforces, with the functions it is for and
+# the worst error found, in double and in float. The full tables stay in build/.
+# usage: measurements.sh bound|function LOG... <TEXT, from the top of the project; prints the text and then the table. LOGs
+# are what the programs print (build/tests/NAME.log). With "function" each function has rows of its own.
+by=$1
+shift
+cat
+echo
+echo '| program | unit | bound | functions | double: worst | of which | float: worst | of which |'
+echo '|---|---|---|---|---|---|---|---|'
+for log in "$@"; do
+    awk -f tests/rows.awk "$log" | awk -F '\t' -v program="$(basename "$log" .log)" -v by="$by" '
+        function value(x) { return x ~ /nan|inf/ ? 1e300 : x + 0 }
+        function cell(group, precision,    key) {
+            key = group SUBSEP precision
+            return key in worst ? worst[key] " | " of_which[key] : "- | -"
+        }
+        $5 ~ /^(eps|ulp)/ {
+            gsub(/[|]/, "\\\\|")
+            group = $5 SUBSEP $7 (by == "function" ? SUBSEP $3 : "")
+            if (!(group in functions)) order[++n] = group
+            if (!((group, $3) in seen)) {
+                seen[group, $3] = 1
+                functions[group] = functions[group] (functions[group] == "" ? "" : "; ") $3
+            }
+            key = group SUBSEP $2
+            if (!(key in worst) || value($6) > value(worst[key])) {
+                worst[key] = $6
+                of_which[key] = $3 ($4 == "-" ? "" : ": " $4)
+            }
+        }
+        END {
+            for (i = 1; i <= n; i++) {
+                split(order[i], part, SUBSEP)
+                printf "| %s | %s | %s | %s | %s | %s |\n", program, part[1], part[2], functions[order[i]],
+                    cell(order[i], "double"), cell(order[i], "float")
+            }
+        }'
+done

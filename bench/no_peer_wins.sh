@@ -48,8 +48,7 @@ verdict="No peer wins in any of $rows rows."
     echo "compiler   $($cxx --version | head -n 1), -O2"
     echo "system     $(. /etc/os-release 2>/dev/null && echo "$PRETTY_NAME"), $(getconf GNU_LIBC_VERSION 2>/dev/null)"
 } >"$build/machine"
-stamp=$(cat varmass.h ateb.h jacobi.h integrators.h | cksum | cut -d' ' -f1)
-awk -v folder="$build" -v date="$(date +%F)" -v stamp="$stamp" -v peers="$peers" -v verdict="$verdict" '
+awk -v folder="$build" -v peers="$peers" -v verdict="$verdict" '
     function insert(file,    line) { while ((getline line < (folder "/" file)) > 0) print line }
     /^@(machine|functions|integrators)@$/ {
         name = substr($0, 2, length($0) - 2)
@@ -57,7 +56,7 @@ awk -v folder="$build" -v date="$(date +%F)" -v stamp="$stamp" -v peers="$peers"
         insert(name)
         next
     }
-    { gsub("@date@", date); gsub("@stamp@", stamp); gsub("@peers@", peers); gsub("@verdict@", verdict); print }
+    { gsub("@peers@", peers); gsub("@verdict@", verdict); print }
     ' bench/peers.md >docs/peers.md
 echo "$verdict"
 [ "$wins" = 0 ] || { echo "FAILED, a peer wins:" && cat "$build/functions.md" "$build/integrators.md" | grep ' wins$'; }

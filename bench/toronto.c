@@ -157,10 +157,21 @@ static void print_mean_row(const char *by, int class, int method, results all)
     puts("");
 }
 
+/* A text in a cell of a table, where a bar needs a backslash */
+static void print_cell(const char *text)
+{
+    for (; *text; text++) {
+        if (*text == '|') putchar('\\');
+        putchar(*text);
+    }
+}
+
 static void print_row(const char *by, const detest_problem *p, const result *row)
 {
     int i;
-    printf("| %s %s | %s |", p->name, p->what, by);
+    printf("| %s ", p->name);
+    print_cell(p->what);
+    printf(" | %s |", by);
     for (i = 0; i < TOLERANCES; i++)
         printf(" %.2g / %ld%s |", row[i].error, row[i].evals, row[i].status < 0 ? " (failed)" : "");
     puts("");

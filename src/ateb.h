@@ -101,8 +101,9 @@
      integrals              those of sa^2 and |ca|^(alpha+1) add up to s within 3 eps (1 + |s|)
 
    COST
-     docs/cost.md has the times, docs/counts.md the instructions of each function. An ateb_plan has 552 bytes (float
-     184). The largest stack frame is below 2 kB.
+     docs/cost.md has the times, docs/counts.md the instructions of each function. An ateb_plan has
+     552 [ateb_plan_bytes] bytes, in float 184 [ateb_plan_bytes_float]; the words in brackets name the rows of
+     docs/numbers.md. The largest stack frame is below 2 kB.
 
    REFERENCES
      [1] L. Cveticanin, Dynamics of Mass Variable System, dissertation; numbers like (277) are its equations. Where [1]

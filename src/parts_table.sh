@@ -53,8 +53,8 @@ for folder in mechanics oscillators scenes integrators ateb jacobi base; do
         chapter=${chapter%.h}
         [ -n "$(public_functions "$file")" ] || continue
         sh src/part.sh "$build/part.h" "$chapter" || exit 1
-        title=$(sed -n '1s|^/\* [^ ]* - \(.*\)|\1|; 1s| *\*/$||; 1p' "$file")
+        title=$(sed -n '1s|^/\* [^ ]* - \(.*\)|\1|; 1s| *\*/$||; 1s/[|]/\\|/g; 1p' "$file")
         needed=$(needs "$chapter" | tr '\n' ' ' | sed 's/ $//; s/ /, /g')
-        echo "| \`$chapter\` | $title | $(lines "$build/part.h") | $(flash "$chapter") | $needed |"
+        printf '| `%s` | %s | %s | %s | %s |\n' "$chapter" "$title" "$(lines "$build/part.h")" "$(flash "$chapter")" "${needed:--}"
     done
 done

@@ -114,15 +114,17 @@ static inline double uniform(double low, double high)
     return (double)rounded;
 }
 
+/* Prints the table of worst errors and the closing line. At least two blanks are between the words of a row, which may
+   have one blank themselves: tests/rows.awk reads the table again. */
 static inline int check_finish(const char *program)
 {
     int i;
     if (check_row_count)
-        printf("%-14s %-16s %-5s %9s %9s %6s   worst at\n", program, PRECISION, "unit", "worst", "bound", "n");
+        printf("%-14s  %-16s  %-5s  %9s %9s %6s   worst at\n", program, PRECISION, "unit", "worst", "bound", "n");
     for (i = 0; i < check_row_count; i++) {
         const check_row *row = check_rows + i;
         int good = row->worst <= row->bound;
-        printf("%-14s %-16s %-5s %9.3g %9.3g %6ld   %.17g, %.17g%s\n", row->function, row->region, row->unit,
+        printf("%-14s  %-16s  %-5s  %9.3g %9.3g %6ld   %.17g, %.17g%s\n", row->function, row->region, row->unit,
                row->worst, row->bound, row->count, row->at[0], row->at[1], good ? "" : "   FAILED");
         if (good) check_passed++;
         else check_failed++;

@@ -166,7 +166,9 @@ user() { # user NAME PACKAGES COMPILER FLAGS QEMU
     echo "cross: $passed passed, $failed failed, $skipped skipped"
 } | tee "$build/report"
 {
-    printf '# The same bits everywhere\n\nWritten by `make test-cross`: tests/golden.c on each target, the numbers are those of the first; and the tests.\n\n```\n'
+    cat bench/cross.md
+    echo
+    echo '```'
     cat "$build/double" "$build/float" "$build/report"
     printf '```\n'
 } >"$report"

@@ -1,83 +1,75 @@
 #!/bin/sh
 # No document holds a table without rows or a number that is none, the program that counts instructions fails where it
-# cannot count, docs/validation.md has the rows of its test, and docs/changes.md knows every public name of version 0.1.
+# cannot count, docs/validation.md has the rows of its test, and docs/names.md knows every public name of version 0.1.
 # usage: test_documents.sh BUILD_FOLDER, from the top of the project
 build=$1/documents
 . tests/check.sh
 
-# Prints the lines that are wrong, and fails if there are any: nan or inf, as C prints them, as a word of a table's row,
-# a table without a row, a generated part without a line.
-sound() { # sound DOCUMENT...
-    awk '
-        function wrong(why) { print FILENAME ":" FNR ": " why ": " $0; n++ }
-        function is_rule(line) { return line ~ /^\|[-:| ]*-[-:| ]*$/ }
-        FNR == 1 { after_rule = after_mark = 0 }
-        after_rule && !/^\|/ { wrong("the table before this line has no row") }
-        after_mark && /^<!-- end -->/ { wrong("nothing was generated before this line") }
-        { after_rule = is_rule($0); after_mark = /^<!-- table / }
-        { words = " " $0 " "; gsub(/[^A-Za-z0-9_.+-]/, " ", words) }
-        /^\|/ && words ~ / [-+]?(nan|inf) / { wrong("not a number") }
-        END { if (after_rule || after_mark) wrong("nothing comes after"); exit n > 0 }' "$@"
-}
+# What every document must satisfy: tests/check_docs.sh says what that is. That the documents are written from today's headers
+# is asked by make check-docs alone.
+check "the documents are sound" sh tests/check_docs.sh .
 
-for document in README.md docs/*.md; do check "$document: numbers and rows" sound "$document"; done
+# lies, each planted in a copy of the documents, which check_docs.sh must refuse for the reason given
+copy=$build/copy
+fresh_copy() {
+    rm -rf "$copy" && mkdir -p "$copy/bench" "$copy/src/jacobi"
+    cp README.md jacobi.h ateb.h integrators.h varmass.h "$copy" && cp bench/documents.txt "$copy/bench"
+    mkdir -p "$copy/docs" && cp docs/*.md "$copy/docs"
+    cp src/jacobi.h src/ateb.h "$copy/src" && cp src/jacobi/means.h "$copy/src/jacobi"
+}
+refused() { # refused REASON [today] : the copy is refused with these words
+    sh tests/check_docs.sh "$copy" "$2" >"$build/said" 2>&1 && return 1
+    grep -q "$1" "$build/said" || { cat "$build/said"; false; }
+}
+lie() { # lie NAME FILE SED REASON [today]
+    fresh_copy && sed "$3" "$2" >"$copy/$2"
+    check "changed: $1" fails cmp -s "$2" "$copy/$2"
+    check "found: $1" refused "$4" "$5"
+}
+lie "a count that is no number" docs/counts.md 's/^| `jacobi_K` | [0-9]*/| `jacobi_K` | -nan/' 'not a number'
+lie "infinity beside a number" docs/counts.md 's/^| `jacobi_K` | [0-9]*/| `jacobi_K` | 12 (inf)/' 'not a number'
+lie "an empty cell" docs/counts.md 's/^| `jacobi_E` | [0-9]*/| `jacobi_E` | /' 'an empty cell'
+lie "a table without rows" docs/promises.md '/^| [^p]/d' 'has no row'
+lie "a generated part without a line" docs/cost.md '/^<!-- table summary/,/^<!-- end/{/^|/d}' 'nothing was generated'
+lie "a row that lacks a cell" docs/counts.md 's/^| `jacobi_E` | [0-9]* /| `jacobi_E` /' 'a row with 2 cells'
+lie "a marked number of the README" README.md 's/has [0-9]*<!--hard_cases-->/has 999<!--hard_cases-->/' 'hard_cases is'
+lie "a marked number of a manual" src/jacobi.h 's/[0-9]* \[jacobi_plan_bytes\]/999 [jacobi_plan_bytes]/' 'jacobi_plan_bytes is'
+lie "a mark that has no source" README.md 's/<!--hard_cases-->/<!--hard_case-->/' 'no number of this name'
+lie "a document without a stamp" docs/counts.md '/^Measured on/d' 'which headers it was measured on'
+lie "a document that hides its age" docs/exhaustive.md \
+    's/^Measured on.*/Measured on the headers ateb.h 00000000, jacobi.h 00000000 (bench\/stamp.sh)./' 'does not say so' today
+lie "a document of make docs from other headers" docs/counts.md \
+    's/^Measured on.*/Measured on the headers ateb.h 00000000 (bench\/stamp.sh)./' 'make docs' today
+fresh_copy && printf '\nint new_line(void);\n' >>"$copy/jacobi.h"
+check "found: headers that changed since" refused 'counts.md: written from other headers' today
+fresh_copy && printf '\n/* a comment */\n' >>"$copy/jacobi.h"
+stamp() { STAMP_ROOT=$1 sh bench/stamp.sh of jacobi; }
+check "comments and blanks do not change a stamp" test "$(stamp .)" = "$(stamp "$copy")"
+fresh_copy && printf '\nNaN is refused, x infinite; inf is a word.\n' >>"$copy/docs/glossary.md"
+check "NaN in a sentence is none" sh tests/check_docs.sh "$copy"
 
-# what sound must find
-planted() { # planted NAME TEXT: a document of that text is not sound
-    printf "$2" >"$build/$1.md"
-    check "found: $1" fails sound "$build/$1.md"
+# docs/numbers.md is what the documents say
+numbers_are_fresh() { # the table holds no stamp
+    BUILD=$build CC=${CC:-cc} sh bench/numbers.sh table >"$build/fresh_numbers" && grep -v '^Measured on' docs/numbers.md |
+        sed '$ {/^$/d}' | diff "$build/fresh_numbers" -
 }
-planted nan '| a | b |\n|---|---|\n| `jacobi_K` | -nan | 54 |\n'
-planted inf '| a | b |\n|---|---|\n| x | 12 (inf) |\n'
-planted rowless '| a | b |\n|---|---|\n\ntext\n'
-planted rowless_at_end '| a | b |\n|---|---|\n'
-planted unwritten '<!-- table summary -->\n<!-- end -->\n'
-printf '| a | b |\n|---|---|\n| NaN is refused, x infinite | `isnan` 1 |\n\ninf is a word\n' >"$build/good.md"
-check "NaN in a sentence is none" sound "$build/good.md"
-
-# numbers of the README against the documents that they are from
-in_readme() { grep -qF -e "$1" README.md || { echo "README.md does not say: $1"; false; }; }
-hard_cases() { # cases; those where the naive formula gives no number; those where it is 1000 times worse, or gives none
-    awk -F' *[|] *' '/^\| / && $2 != "what would go wrong" {n++; if ($7 == "no number") none++
-            if ($7 == "no number" || $7 >= 1000 * $5) worse++} END {print n, none, worse}' docs/hard-cases.md
-}
-set -- $(hard_cases)
-check "README: number of hard cases" in_readme "has $1 points at which"
-check "README: naive formulas without a number" in_readme "it gives no number in $2 of them"
-check "README: naive formulas far off" in_readme "a thousand times worse, or more, in $3."
-set -- $(awk -F' *[|] *' '$2 == "`GSL rk8pd`, 1e-09" {sub(",", "", $6); print $6}' docs/cost.md)
-check "README: GSL's attitude after 1e6 turns" in_readme "$1 rad in $2 $3"
-ratios() { # ratios PROBLEMS GOAL ROUTE PEER: least and largest time of the route over the peer's, of docs/cost.md
-    awk -F' *[|] *' -v problems="^($1)\$" -v column="$2" -v route="\`$3\`" -v peer="\`$4\`" '
-        /^<!-- table integrators/ {on = 1}
-        /^<!-- end/ {on = 0}
-        on && $2 ~ problems && ($3 == route || $3 == peer) {time[$2, $3] = $column + 0; seen[$2] = 1}
-        END {
-            for (p in seen) {
-                ratio = time[p, route] / time[p, peer]
-                if (least == "" || ratio < least) least = ratio
-                if (ratio > most) most = ratio
-            }
-            if (sprintf("%.2f", least) == sprintf("%.2f", most)) printf "%.2f\n", least
-            else printf "%.2f to %.2f\n", least, most
-        }' docs/cost.md
-}
-all='cubic|mass|momentum|body|orbit' smooth='cubic|mass|momentum|body'
-loop='of a hand-written Dormand-Prince loop'
-check "README: rk45 beside a loop" in_readme "$(ratios "$all" 5 rk45_solve dp54_loop) $loop"
-check "README: rk45 beside GSL" in_readme "$(ratios "$all" 5 rk45_solve gsl_rkf45) of GSL rkf45"
-orbit=$(ratios orbit 6 rk87_solve gsl_rk8pd)
-check "README: rk87 beside GSL" in_readme "$(ratios "$smooth" 7 rk87_solve gsl_rk8pd); $orbit of GSL rk8pd"
+check "docs/numbers.md is what the documents say" numbers_are_fresh
 
 # docs/validation.md has the groups, rows and published numbers of the test program. Our numbers and the differences may
 # differ in the last digits, with the C library's cosine, and are not compared.
-without_ours() { awk -F' [|] ' '/^[|]/ {print $1, $2; next} {print}' "$@"; }
+without_ours() { awk -F' [|] ' '/^Measured on/ {next} /^[|]/ {print $1, $2; next} /./' "$@"; }
 validation_is_fresh() {
     make -s build/tests/double/validation || return 1
     ./build/tests/double/validation markdown | without_ours >"$build/validation"
     without_ours docs/validation.md | diff "$build/validation" -
 }
 check "docs/validation.md has every row of tests/test_validation.c" validation_is_fresh
+
+tables_are_fresh() {
+    make -s build/tests/double/tables || return 1
+    ./build/tests/double/tables markdown | diff - docs/tables.md
+}
+check "docs/tables.md is what make tables writes" tables_are_fresh
 
 counted_functions() { # the rows of docs/counts.md are the functions of bench/count.c
     grep -o '^COUNT([a-z0-9_A-Z]*\|^SEPARATE static void count_[a-z_]*' bench/count.c | sed 's/^COUNT(//; s/.*count_//' |
@@ -123,14 +115,14 @@ tool callgrind_annotate "$annotates | grep -v 'count_ateb_pi '"
 check "counting fails where a function is missing" cannot_count
 tool callgrind_annotate "$annotates | sed '/count_ateb_pi / s/5,000/900/'"
 check "counting fails where a function takes less than nothing" cannot_count
-# docs/changes.md: what became of each public name of version 0.1, and whether the new names exist
+# docs/names.md: what became of each public name of version 0.1, and whether the new names exist
 words_of_headers() { cat jacobi.h ateb.h integrators.h varmass.h | grep -oE '[A-Za-z_][A-Za-z_0-9]*' | sort -u; }
 words_of_headers >"$build/words"
-sed -n 's/^\([A-Za-z_0-9]*\) -> \([A-Za-z_0-9]*\)$/\1 \2/p' docs/changes.md >"$build/renamed"
+sed -n 's/^\([A-Za-z_0-9]*\) -> \([A-Za-z_0-9]*\)$/\1 \2/p' docs/names.md >"$build/renamed"
 names_are_explained() {
     missing=0
     for name in $(grep -v '^#' tests/data/names_0.1.txt); do
-        grep -qx "$name" "$build/words" || grep -q "^$name " "$build/renamed" || grep -q "\`$name\`" docs/changes.md ||
+        grep -qx "$name" "$build/words" || grep -q "^$name " "$build/renamed" || grep -q "\`$name\`" docs/names.md docs/changes.md ||
             { echo "$name"; missing=1; }
     done
     [ $missing = 0 ]
@@ -142,14 +134,14 @@ new_names_exist() {
     done
     [ $missing = 0 ]
 }
-check "docs/changes.md: the list of names is found" test "$(wc -l <"$build/renamed")" -gt 50
-check "docs/changes.md: every public name of version 0.1 still exists or is listed" names_are_explained
-check "docs/changes.md: every new name exists" new_names_exist
-renames() { # the commands of docs/changes.md, run on a line of a program written for version 0.1
-    sed -n '/^    sed -n /,/^$/p' docs/changes.md | sed -n '1s/^    //p' >"$build/rename.sh"
+check "docs/names.md: the list of names is found" test "$(wc -l <"$build/renamed")" -gt 50
+check "docs/names.md: every public name of version 0.1 still exists or is listed" names_are_explained
+check "docs/names.md: every new name exists" new_names_exist
+renames() { # the commands of docs/names.md, run on a line of a program written for version 0.1
+    sed -n '/^    sed -n /,/^$/p' docs/names.md | sed -n '1s/^    //p' >"$build/rename.sh"
     sh "$build/rename.sh" || return 1
     mv names.sed "$build" && echo 'vm_culprit who; vm_rhs(t, y, d, &f); my_vm_rhs();' | sed -f "$build/names.sed" |
         grep -qx 'vm_scene_fault who; vm_flow_rhs(t, y, d, &f); my_vm_rhs();'
 }
-check "docs/changes.md: its commands rename" renames
+check "docs/names.md: its commands rename" renames
 check_finish documents

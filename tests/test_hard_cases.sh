@@ -29,19 +29,22 @@ write() {
     cat <<'END'
 # Hard cases
 
-Written by `sh tests/test_hard_cases.sh build write` from the output of tests/test_hard.c. Each case is a point at
-which a formula of the textbook, or of the dissertation, goes wrong, and says what would. Its value there is known from
-arbitrary precision (tests/gen/hard_reference.py). The error of the headers' function and, beside it, that of the naive
-formula, evaluated in the same precision, are in eps (2.2e-16, in float 1.2e-7) of the value, or of the scale that the
-generator gives with it (the largest value of an oscillation, say); "no number" is infinite, NaN or a division by zero.
-The test holds the first below the bound, and the second above four bounds. What a kernel is, and which formula is
-the naive one, stands with it in tests/hard/; what a point lacks at its end are zeros. Numbers in a text are those of
-the point in double.
+Written by `make hard-cases` from the output of tests/test_hard.c. Each case is a point at which a formula of the textbook,
+or of the dissertation, goes wrong, and its first column says why. The true value there is known from arbitrary precision
+(tests/gen/hard_reference.py).
+
+- "kernel" names the function of tests/hard/ that computes the case, with the naive formula beside it. "at" has its arguments;
+  arguments that are left out at the end are zero. Numbers in the first column are those of the point in double.
+- "error" is the error of the headers' function. "naive" is the error of the naive formula in the same precision; "no number"
+  means that it gives infinity or NaN, or divides by zero. Both are in eps (2.2e-16, in float 1.2e-7) of the value, or of the
+  scale of the problem, such as the largest value of an oscillation.
+- "bound" is what the test allows. It fails where an error is above its bound, and also where the naive formula is less than four
+  bounds off: then the point is no hard case.
 END
     tables
 }
 # what does not depend on the compiler: without the measured errors
-lasting() { awk -F' *[|] *' '/^\| / {$5 = $7 = $8 = $10 = ""} {print}' "$1"; }
+lasting() { awk -F' *[|] *' '/^Measured on/ {next} /^\| / {$5 = $7 = $8 = $10 = ""} /./' "$1"; }
 same_cases() { lasting "$build/hard-cases.md" >"$build/new" && lasting docs/hard-cases.md | diff - "$build/new"; }
 program() { # program double|float : the program of make test, by its compiler
     make -s CC="$cc" "build/tests/$1/hard" && "./build/tests/$1/hard" >"$build/$1.txt"

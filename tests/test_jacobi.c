@@ -112,6 +112,17 @@ static void test_amplitude_table(void)
     }
 }
 
+/* The solution of K(m) = c, where c is the K of the table, rounded: that moves it from the table's m by (c - K)/K'(m).
+   What one ulp of c would move it is no error of the function. */
+static void check_solve_K(const char *region, double m, double K, double K_low, double E)
+{
+    const vm_real c = (vm_real)K;
+    const double slope = fabs(m) < 1e-4 ? 0.39269908 * (1 + 1.125 * m) : (E - (1 - m) * K) / (2 * m * (1 - m));
+    const double moved = (((double)c - K) - K_low) / slope, by_one_ulp = ULP(K) / slope;
+    const double error = fabs(((double)jacobi_solve_K(c) - m) - moved);
+    check_error("solve_K", region, "ulp", fmax(0, error - by_one_ulp) / ULP(m), 4, (double)c, m);
+}
+
 static void test_complete(void)
 {
     static const struct {
@@ -143,6 +154,7 @@ static void test_complete(void)
                     ERROR_ULP(jacobi_kpK(m), sqrt(1 - table[i].m) * table[i].K, 0), 5, table[i].m, 0);
         check_error("K by AGM", region, "ulp", ERROR_ULP(jacobi_agm_K(m), table[i].K, table[i].K_low), 6,
                     table[i].m, 0);
+        check_solve_K(region, table[i].m, table[i].K, table[i].K_low, table[i].E);
     }
     CHECK(jacobi_K(1) == VM_INFINITY && jacobi_E(1) == 1 && jacobi_agm_K(1) == VM_INFINITY && jacobi_kpK(1) == 0);
 }

@@ -7,8 +7,8 @@ build=$PWD/$1/readme
 copy=$build/copy
 . tests/check.sh
 skipped=0
-long='test|test-all|lint|bench|measurements|cost|scan|points|exhaustive|data|figures|test-.*|evaluations|coverage|first-steps|scene-sizes|sweep|firmware-table'
-[ "$2" = quick ] && long="$long|run|bench-quick|bench-count|toronto|parts-table|firmware|wasm"
+long='test|test-all|lint|bench|measurements|cost|scan|points|exhaustive|data|figures|test-.*|evaluations|coverage|first-steps|scene-sizes|sweep|firmware-table|docs|check-docs|campaigns|peers'
+[ "$2" = quick ] && long="$long|run|bench-quick|bench-count|toronto|validation|parts-table|firmware|wasm"
 
 # indented lines and `spans` that begin with a command; a line may go on with && and so on
 commands() {
@@ -17,7 +17,7 @@ commands() {
 }
 unique() { awk '!seen[$0]++'; }
 known_name() { grep -qwF -e "$1" jacobi.h ateb.h integrators.h varmass.h; }
-takes_minutes() { echo "$1" | grep -Eq "^(make ($long)( |\$)|build/|sh tests/)"; }
+takes_minutes() { echo "$1" | grep -Eq "^(make ($long)( |\$)|build/|sh (tests|bench)/)"; }
 builds() { # what a program under build/ needs: make knows how
     set -- $1
     case $1 in build/*) make -s "$1" ;; *) true ;; esac

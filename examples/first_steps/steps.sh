@@ -36,5 +36,5 @@ if [ "$2" = write ]; then
     done
     echo "docs/first-steps.md and its figures are written"
 else
-    diff docs/first-steps.md "$doc"
+    grep -v '^Measured on' docs/first-steps.md | sed '$ {/^$/d}' | diff - "$doc"
 fi

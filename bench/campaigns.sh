@@ -1,0 +1,93 @@
+#!/bin/sh
+# The campaigns: checks that take from minutes to hours. Each part that passes leaves build/campaigns/PART.stamp, which holds the
+# stamp of the headers that it depends on (bench/stamp.sh); it is not run again while they stay as they are. So a series that
+# was broken off goes on where it was. What a part printed is in build/campaigns/PART.log. In the end docs/campaigns.md has a
+# row for each part: a part that was not run keeps its row, which then names the older headers.
+# usage: campaigns.sh [PART...], from the top of the project; without a name all parts are run, in this order
+folder=build/campaigns document=docs/campaigns.md
+mkdir -p $folder && echo '*' >build/.gitignore || exit 1
+wanted=$*
+failed=
+
+# A row a part: name; headers; command; the lines of its output that are the result (a regular expression); what it shows
+parts() {
+    cat <<'END'
+scan; ateb jacobi; make scan; passed, ; errors at a million random arguments in each region against quadruple precision
+points; ateb jacobi; make points; passed, ; errors at 20 000 fresh points of each table against arbitrary precision
+exhaustive; ateb jacobi; make exhaustive; passed, ; errors at every float of a period
+evaluations; ateb jacobi varmass; make evaluations; ^all|violations; ranges, symmetries and identities at random arguments
+events; integrators; make test-events; passed, ; random runs whose events coincide, jump or vanish
+threads; ateb jacobi integrators varmass; make test-threads; passed|equal; the same bits from eight threads, under ThreadSanitizer
+coverage; ateb jacobi integrators varmass; make coverage; [.]h ; lines and outcomes of conditions that the tests execute
+mutation; ateb jacobi integrators varmass; make test-mutate; caught, ; wrong headers that the tests notice
+proof; ateb jacobi integrators; make proof; passed|kinds of alarms; abstract interpretation of all public functions
+sanitizers; ateb jacobi integrators varmass; make test-sanitize; passed, ; sanitizers, valgrind and static analysers
+fuzz; ateb jacobi integrators varmass; make test-fuzz; planted|passed, ; all functions fuzzed, and planted errors found
+cross; ateb jacobi integrators varmass; make test-cross; ^cross: ; the same bits and the tests on every target
+peers; ateb jacobi integrators varmass; make peers; ^No peer|^A peer; times and errors beside GSL, Boost and SUNDIALS
+cost; ateb jacobi integrators varmass; make cost; ^wrote; times of all routes, on a machine that does nothing else
+END
+}
+is_wanted() { [ -z "$wanted" ] || echo " $wanted " | grep -q " $1 "; }
+for part in $wanted; do
+    parts | grep -q "^$part; " || { echo "campaigns.sh: no such part: $part" >&2; exit 2; }
+done
+
+parts >$folder/parts
+while IFS= read -r line <&3; do
+    name=${line%%; *}
+    is_wanted "$name" || continue
+    headers=$(echo "$line" | awk -F'; ' '{print $2}')
+    command=$(echo "$line" | awk -F'; ' '{print $3}')
+    result=$(echo "$line" | awk -F'; ' '{print $4}')
+    stamp=$(sh bench/stamp.sh of $headers)
+    if [ "$(cat $folder/"$name".stamp 2>/dev/null)" = "$stamp" ]; then
+        echo "$name: passed before, with these headers"
+        continue
+    fi
+    echo "$name: $command"
+    if $command >$folder/"$name".log 2>&1; then
+        grep -E "$result" $folder/"$name".log | tail -n 4 | tr -s ' ' | sed 's/[|]/\\|/g; s/^ //' | paste -s -d ';' - |
+            sed 's/;/; /g' >$folder/"$name".result
+        echo "$stamp" >$folder/"$name".stamp
+        echo "$name: $(cat $folder/"$name".result)"
+    else
+        failed="$failed $name"
+        echo "$name: FAILED, see $folder/$name.log"
+    fi
+done 3<$folder/parts
+
+{
+    cat <<'END'
+# Campaigns
+
+Written by `make campaigns` (bench/campaigns.sh): the checks that take too long for `make test-all`, what each printed at its
+end, and the headers that it ran on, as hashes (bench/stamp.sh). A row whose hashes are not those of today's headers is of an
+earlier state; [reliability.md](reliability.md) tells what the campaigns found. `make campaigns CAMPAIGNS="scan proof"` runs some.
+
+| campaign | command | what it shows | headers | result |
+|---|---|---|---|---|
+END
+    while IFS= read -r line <&3; do
+        name=${line%%; *}
+        if [ -f $folder/"$name".stamp ]; then
+            echo "$line" | awk -F'; ' -v stamp="$(cat $folder/"$name".stamp)" -v result="$(cat $folder/"$name".result)" \
+                '{printf "| %s | `%s` | %s | %s | %s |\n", $1, $3, $5, stamp, result == "" ? "passed" : result}'
+        else
+            grep -s "^| $name | " $document ||
+                echo "$line" | awk -F'; ' '{printf "| %s | `%s` | %s | not run since stamps are kept | - |\n", $1, $3, $5}'
+        fi
+    done 3<$folder/parts
+} >$folder/document
+current=1
+while IFS= read -r line <&3; do
+    headers=$(echo "$line" | awk -F'; ' '{print $2}')
+    [ "$(cat $folder/"${line%%; *}".stamp 2>/dev/null)" = "$(sh bench/stamp.sh of $headers)" ] || current=
+done 3<$folder/parts
+{
+    cat $folder/document
+    printf '\nMeasured on headers of an earlier state, but for the rows whose hashes are those of today.\n'
+} >$folder/new && mv $folder/new $document
+[ -z "$current" ] || sh bench/stamp.sh write campaigns
+sh bench/stamp.sh refresh
+[ -z "$failed" ] || { echo "campaigns that failed:$failed" >&2; exit 1; }
