@@ -21,13 +21,14 @@
      base/          numbers with more digits, elementary functions, Lambert's W, linear equations, roots; statuses
      mechanics/     vectors, attitudes, Euler's angles; bodies; jumps (a part separates from a body or is attached to
                     it), in space and in the plane; how a part must leave so that the remaining body moves as wanted;
-                    energy of a jump; a rotor that breaks; Lagrange's equations across a jump and with variable mass; a
-                    pendulum that is cut; torque-free rotation; streams of mass with their reactive force and torque;
-                    rockets; tanks and grains; orbits of two bodies; a band that winds up on a drum
+                    energy of a jump; jumps on a fixed axle; a rotor that breaks; Lagrange's equations across a jump
+                    and with variable mass, inverse dynamics; a pendulum that is cut; torque-free rotation; streams of
+                    mass with their reactive force and torque; rockets; tanks and grains; orbits of two bodies; a band
+                    that winds up on a drum
      oscillators/   m x'' + k x|x|^(alpha-1) = F with constant mass and with laws of mass, stiffness and damping;
                     Duffing's oscillator k1 x + k3 x^3 and any other odd elastic force; Van der Pol's oscillator,
-                    Jeffcott's rotor, two bodies with a nonlinear spring, harmonic excitation, resonance, turning
-                    points
+                    Jeffcott's rotor, two bodies with nonlinear connections, harmonic excitation, resonance,
+                    turning points
      scenes/        lists of bodies, of effects that act on them, and of events that change them; a scene simulates
                     only what is listed
    Each chapter begins with a comment that says what it is for and shows a call; the index below names all functions.
@@ -177,6 +178,10 @@
        vm_energy_gain                 Energy gained at a separation, J
        vm_energy_loss                 Energy lost at an attachment, J
 
+     mechanics/axle: jumps of a body that turns about a fixed axle
+       vm_separate_on_axle            Separation of n parts from a body on a fixed axle
+       vm_attach_on_axle              Attachment of n bodies to a body on a fixed axle (plastic impact)
+
      mechanics/broken_rotor: a rotor from which a piece breaks off: equations of motion and the break
        vm_broken_rotor_rhs            Right-hand side of the rotor's equations of motion, (65), (66), (68), (46)
        vm_broken_rotor_polar_rhs      Right-hand side of the rotor's equations of motion in polar form (75)
@@ -211,6 +216,7 @@
 
      mechanics/pendulum: a pendulum from which a part is cut
        vm_pendulum_separate           Motion of a pendulum and of the part that is cut off from it, (119)-(132)
+       vm_compound_pendulum_separate  Motion of a pendulum of any shape and of the part that is cut off from it, (119)-(132)
 
      mechanics/torque_free: exact rotation of a body on which no torque acts
        vm_torque_free_init            Preparation of the exact torque-free motion of a body
@@ -260,12 +266,15 @@
        vm_drum_rhs_reduced            Right-hand side of the drum on an elastic shaft for a light band, (192), (193)
        vm_drum_rate                   Angular velocity phi' on a rigid shaft at the angle phi >= 0, rad/s
        vm_drum_rhs_angle              Right-hand side of the elastic shaft's vibration over the angle phi, (210), (211)
+       vm_drum_rhs_coupled            Right-hand side of the drum on an elastic shaft over the angle phi, (210)-(212)
        vm_drum_stop                   Angle at which the drum on a rigid shaft comes to rest, rad
        vm_drum_time                   Time at which the drum on a rigid shaft reaches the angle phi >= 0, s (197)
        vm_drum_angle                  Angle of the drum on a rigid shaft after t >= 0 seconds, rad
        vm_drum_angle_lambert          Angle of the drum, rad, on a rigid shaft by Lambert's W, (198)-(206) corrected
        vm_drum_shaft_init             Coefficients of the elastic shaft in the first approximation, (213), (214)
        vm_drum_deflection             Deflection x or y of the elastic shaft, m, at the angle phi, (224), (225) corrected
+       vm_drum_deflection_start       Amplitude and phase (223) of the elastic shaft from deflection and slope at phi = 0
+       vm_drum_rate_elastic           Angular velocity phi' on an elastic shaft, rad/s
        vm_drum_shaft_valid            Whether the shaft's frequency, k sqrt(1 - A phi), stays real for the whole first layer (226)
 
      mechanics/lagrange: Lagrange's equations with variable mass
@@ -273,6 +282,8 @@
        vm_lagrange_start              Initial state y of a system at time t, from its n coordinates q and n rates q'
        vm_lagrange_rates              Rates q' of a system at time t, from its state y
        vm_lagrange_partial_q          Derivative dT/dq_i of the kinetic energy with frozen masses, J per unit of q_i
+       vm_lagrange_needed_forces      Inverse dynamics
+       vm_lagrange_drive_forces       Inverse dynamics
 
      oscillators/constant_mass: the oscillator x'' + omega0^2 x|x|^(alpha-1) = 0 of constant mass
        vm_osc_period                  Exact period (262), s, of the motion from rest at x0 (m, either sign)
@@ -297,6 +308,10 @@
        vm_law_table                   Table of n >= 2 points (time[i], value[i]), joined by monotone cubics
        vm_law_user                    Law by a user's function, which must be smooth
 
+     oscillators/loads: mass that joins or leaves an oscillator with a velocity, and damping that depends on time
+       vm_osc_load_force              Force of a vm_osc_load on an oscillator, N
+       vm_osc_load_init               Gives an oscillator a velocity u of the mass that joins or leaves, and a damping that depends on time
+
      oscillators/closed: the law of order five as plain data, where all its integrals have closed forms
        vm_osc_closed_init             Prepares the motion of the problem by the law of an order, 2 to 5; a higher order is more accurate
        vm_osc_closed_at               Position x (m) and velocity v (m/s) at time t (s, either sign), from the law in *c, with its order
@@ -306,8 +321,9 @@
      oscillators/plan: the plan of an oscillator: what is computed once and then used at many times t
        vm_osc_plan_init               Plan for many values of one problem's motion
 
-     oscillators/panels: panels of time in which a law is smooth, and the integral of 1/f
+     oscillators/panels: panels of time in which a law is smooth, and the integrals of 1/f and f/g
        vm_law_inverse_integral        Integral of ds/f(s) from 0 to t, s per unit of f, for t of either sign
+       vm_law_ratio_integral          Integral of f(s)/g(s) ds from 0 to t, for t of either sign, f of any sign and g > 0
 
      oscillators/averaging: averaged equations of an oscillator with a force, and what averaging leaves out
        vm_osc_averaged                Averaged rates A', theta', psi' of amplitude and phase, with the problem's force
@@ -376,12 +392,24 @@
        vm_jeffcott_backward_whirl_rhs Averaged equations (506), (507) of backward whirl, for rk45 or rk87
        vm_jeffcott_amplitude          Radius of circular whirl, m, after the mass has changed slowly
 
+     oscillators/jeffcott_motion: the motion z(t) of the Jeffcott (Laval) rotor by its amplitude law and a phase
+       vm_jeffcott_whirl_amplitude    Radius of circular whirl, m, after the mass has changed slowly, for any share of the reactive force
+       vm_jeffcott_whirl_at           Circular whirl of the rotor at time t, of either sign, from radius and angle at t = 0
+       vm_jeffcott_linear_at          Motion of a rotor on a linear shaft at time t, of either sign, from its motion at t = 0
+
      oscillators/pair: two bodies with a nonlinear connection
        vm_pair_rhs                    Equations of motion (517), (518) of two bodies, for rk45 or rk87
        vm_pair_to_averaged            Converts a motion y = (x, y, x', y') of two bodies to the modes (A, psi, q, q'), (520)-(522)
        vm_pair_from_averaged          Converts the modes (A, psi, q, q') of two bodies to the motion y = (x, y, x', y')
        vm_pair_averaged_rhs           Averaged equations of the two modes of a pair, for rk45 or rk87
        vm_pair_at                     Motion of two bodies at time t, in closed form for a linear mass
+       vm_pair_by_method              Motion of two bodies at time t by one of the three methods of (524), so that they can be compared
+
+     oscillators/coupled_pair: two bodies of different, variable masses with nonlinear connections
+       vm_coupled_pair_rhs            Equations of motion of two bodies with different masses and several connections, for rk45 or rk87
+       vm_coupled_pair_to_modes       Converts a motion y = (x, y, x', y') of two bodies to the modes (p, p', X, V), m and m/s
+       vm_coupled_pair_from_modes     Converts the modes (p, p', X, V) of two bodies to the motion y = (x, y, x', y')
+       vm_coupled_pair_oscillator     The oscillator that the relative motion p = y - x of two bodies with one connection is, for the routes of routes.h
 
      oscillators/forced: harmonic excitation of a strongly nonlinear oscillator
        vm_forced_init                 Prepare an excited oscillator
@@ -3325,6 +3353,142 @@ VM_API vm_real vm_energy_loss(const vm_body *body, int n, const vm_body *added, 
 }
 
 #endif
+/* mechanics/axle.h - jumps of a body that turns about a fixed axle
+
+   A body can only turn about a fixed axle. When a part separates from it, or another body is attached to it, the axle
+   gives an impulse, and only the angular momentum about the axle follows from the parts. This generalizes the pendulum
+   of (119)-(132) to a body and an axle of any shape, place and direction. The results are the motion of the body after
+   the jump and the impulse of the axle. With n = 0 parts, the functions say how a body moves on that an impulse hits,
+   or that is caught by an axle while it flies.
+
+       vm_axle hinge = {{0, 0, 0}, {0, 0, 1}};                       // through the origin, along z
+       vm_body door = {20, {2, 2, 2, 0, 0, 0}, {1, 0, 0, 0}, {0.5, 0, 0}, {0, 1, 0}, {0, 0, 2}};
+       vm_body part = {1, {0, 0, 0, 0, 0, 0}, {1, 0, 0, 0}, {1, 0, 0}, {0, 5, 0}, {0, 0, 0}}; // leaves at 5 m/s
+       vm_impulse reaction;                                          // of the axle on the door
+       int status = vm_separate_on_axle(&hinge, &door, 1, &part, NULL, &door, &reaction);
+
+   The equations. e is the unit vector along the axle, which passes through the point O. All motions are taken relative
+   to the frame that turns about the axle as the body did before, with the rate w = e . omega. In this frame (42) holds,
+   and the body was at rest if the axle guided it before. Let P and L be the momentum of all bodies that join (+) or
+   leave (-), of the body before, and of the external impulse, L about O. Let I be the inertia of the body after the
+   jump about O. Then w grows by (e . L)/(e . I e), and the axle gives what is left: the impulse M1 v1 - P at O, with
+   the velocity v1 of the mass centre, and a couple, which is orthogonal to the axle. Tests: tests/test_axle.c. */
+#ifndef VARMASS_MECHANICS_AXLE_H
+#define VARMASS_MECHANICS_AXLE_H
+
+/* A fixed axle without friction */
+typedef struct VM_TAG(vm_axle) {
+    vm_vec3 at;   /* a point O of the axle, m */
+    vm_vec3 axis; /* its direction, of any length > 0; angular velocities are positive about it */
+} vm_axle;
+
+/* Momentum, N s, and angular momentum about the point O of an axle, N m s, relative to the turning frame */
+typedef struct VM_TAG(vmi_axle_sum) {
+    vm_vec3 linear, angular;
+} vmi_axle_sum;
+
+/* The angular momentum of a body that turns with the angular velocity omega, about its own mass centre */
+VM_API vm_vec3 vmi_axle_spin(const vm_body *body, vm_vec3 omega)
+{
+    const vmi_mat3 turn = vmi_rotation(body->q);
+    return vmi_times(&turn, vmi_inertia_times(&body->inertia, vmi_times_transposed(&turn, omega)));
+}
+
+/* Adds `sign` times the momenta of a body to *sum, relative to the frame that turns about the point O with omega. */
+VM_API void vmi_axle_add(vmi_axle_sum *sum, vm_real sign, const vm_body *body, vm_vec3 O, vm_vec3 omega)
+{
+    const vm_vec3 d = vm_sub(body->r, O), slip = vm_sub(body->v, vm_cross(omega, d));
+    const vm_vec3 momentum = vm_scale(body->mass, slip), spin = vmi_axle_spin(body, vm_sub(body->omega, omega));
+    sum->linear = vm_add(sum->linear, vm_scale(sign, momentum));
+    sum->angular = vm_add(sum->angular, vm_scale(sign, vm_add(spin, vm_cross(d, momentum))));
+}
+
+/* Checks the axle, and writes its unit vector. */
+VM_API int vmi_axle_direction(const vm_axle *axle, vm_vec3 *e)
+{
+    vm_real length;
+    if (!vmi_vec3_is_finite(axle->at) || !vmi_vec3_is_finite(axle->axis)) return VM_NOT_FINITE;
+    length = vm_norm(axle->axis);
+    if (!(length > 0)) return VM_DOMAIN;
+    *e = vmi_over(axle->axis, length);
+    return VM_OK;
+}
+
+/* Gives the body *b, whose mass, inertia and place are those after the jump, its motion about the axle, and computes
+   the impulse of the axle. *sum holds P and L of the text above; `before` is w e. Returns VM_NULL_AXIS if b has no
+   inertia about the axle, but would need angular momentum, else VM_OK. */
+VM_API int vmi_axle_turn(vm_vec3 O, vm_vec3 e, vm_vec3 before, const vmi_axle_sum *sum, vm_body *b,
+                         vm_impulse *reaction)
+{
+    const vm_vec3 d = vm_sub(b->r, O), speed = vm_cross(e, d); /* of the mass centre at 1 rad/s */
+    const vm_vec3 column = vm_add(vmi_axle_spin(b, e), vm_scale(b->mass, vm_cross(d, speed)));
+    const vm_real inertia = vm_dot(e, column), momentum = vm_dot(e, sum->angular);
+    vm_real change = 0;
+    vm_vec3 couple;
+    int status = VM_OK;
+    if (inertia > 0) change = momentum / inertia;
+    else if (momentum != 0) status = VM_NULL_AXIS;
+    b->omega = vm_add(before, vm_scale(change, e));
+    b->v = vm_cross(b->omega, d);
+    reaction->at = O;
+    reaction->linear = vm_sub(vm_scale(b->mass * change, speed), sum->linear);
+    couple = vm_sub(vm_scale(change, column), sum->angular);
+    reaction->couple = vm_sub(couple, vm_scale(vm_dot(e, couple), e)); /* the axle turns freely */
+    return status;
+}
+
+/* The jump of both functions below: sign is VMI_SEPARATE or VMI_ATTACH. */
+VM_API int vmi_axle_jump(const vm_axle *axle, const vm_body *body, int n, const vm_body *others, vm_real sign,
+                         const vm_impulse *external_or_NULL, vm_body *result, vm_impulse *reaction_or_NULL)
+{
+    vmi_axle_sum sum = {{0, 0, 0}, {0, 0, 0}};
+    vm_impulse reaction;
+    vm_vec3 e, turning;
+    vm_body b;
+    int i, status, axle_status;
+    if (!axle || !body || !result) return VM_BAD_ARGUMENT;
+    axle_status = vmi_axle_direction(axle, &e);
+    status = vmi_jump(body, n, others, sign, external_or_NULL, &b);
+    if (status < 0 || axle_status) return vmi_first_error(status < 0 ? status : VM_OK, axle_status);
+    turning = vm_scale(vm_dot(e, body->omega), e);
+    vmi_axle_add(&sum, 1, body, axle->at, turning);
+    for (i = 0; i < n; i++) vmi_axle_add(&sum, sign, &others[i], axle->at, turning);
+    if (external_or_NULL) {
+        sum.linear = vm_add(sum.linear, external_or_NULL->linear);
+        sum.angular = vm_add(sum.angular, vmi_impulse_moment(external_or_NULL, axle->at));
+    }
+    status = vmi_axle_turn(axle->at, e, turning, &sum, &b, &reaction);
+    if (!vmi_body_is_finite(&b) || !vmi_impulse_is_finite(&reaction)) return VM_NOT_FINITE;
+    *result = b;
+    if (reaction_or_NULL) *reaction_or_NULL = reaction;
+    return status;
+}
+
+/* Separation of n parts from a body on a fixed axle: *rest is what remains, guided by the axle.
+   The parts must have their motions after the separation. The external impulse, if there is one, acts during the
+   separation. *reaction_or_NULL is the impulse of the axle on the body: `linear` acts at the point axle->at, and
+   `couple` is orthogonal to the axle. If the parts go on as the whole did, the motion of the rest does not change. With
+   n = 0 only the impulse acts. The whole need not have turned about the axle before; it is then caught by the axle. The
+   error of the angular velocity is a few eps of the sum of the terms of e . L divided by the inertia about the axle.
+   Returns VM_OK, the errors of vm_separate_all, VM_DOMAIN if axle->axis is 0, and VM_NULL_AXIS (> 0) if the rest has
+   no inertia about the axle, but would need angular momentum; it then turns as the whole did. `rest` may be equal to
+   `whole`. */
+VM_API int vm_separate_on_axle(const vm_axle *axle, const vm_body *whole, int n, const vm_body *parts,
+                               const vm_impulse *external_or_NULL, vm_body *rest, vm_impulse *reaction_or_NULL)
+{
+    return vmi_axle_jump(axle, whole, n, parts, VMI_SEPARATE, external_or_NULL, rest, reaction_or_NULL);
+}
+
+/* Attachment of n bodies to a body on a fixed axle (plastic impact): *whole is all together, guided by the axle.
+   The bodies must have their motions just before the impact. The other arguments and the statuses are those of
+   vm_separate_on_axle. */
+VM_API int vm_attach_on_axle(const vm_axle *axle, const vm_body *body, int n, const vm_body *added,
+                             const vm_impulse *external_or_NULL, vm_body *whole, vm_impulse *reaction_or_NULL)
+{
+    return vmi_axle_jump(axle, body, n, added, VMI_ATTACH, external_or_NULL, whole, reaction_or_NULL);
+}
+
+#endif
 /* mechanics/broken_rotor.h - a rotor from which a piece breaks off: equations of motion and the break
 
    The rotor is a disc on a massless elastic shaft and moves in a plane. A torque drives it, and its rotation is damped
@@ -4392,6 +4556,7 @@ VM_API int vm_lagrange_impact(int n, const vm_real *matrix, const vm_real *qdot,
        vm_pendulum_cut cut;
        int status = vm_pendulum_separate(&rod, VM_C(0.25), 0, 0, 1, &cut); // 0.25 m leaves at 1 m/s along y
 
+   vm_compound_pendulum_separate is the same for a pendulum of any shape, and axle.h for any axle in space.
    Tests: tests/test_pendulum.c. */
 #ifndef VARMASS_MECHANICS_PENDULUM_H
 #define VARMASS_MECHANICS_PENDULUM_H
@@ -4507,6 +4672,109 @@ VM_API int vm_pendulum_separate(const vm_pendulum *pendulum, vm_real part, vm_re
     c.pivot_x = rest_mass * left / 2 * change * fx + c.mass * ux; /* total momentum after the cut minus before it */
     c.pivot_y = rest_mass * left / 2 * change * fy + c.mass * uy;
     if (!vmi_pendulum_cut_finite(&c)) return VM_NOT_FINITE;
+    *cut = c;
+    return VM_OK;
+}
+
+/* ---- A pendulum that is not uniform ---- */
+
+/* A body of any shape that swings in the plane about the fixed point O, the origin: a compound pendulum */
+typedef struct VM_TAG(vm_compound_pendulum) {
+    vm_real mass;    /* mass M > 0, kg */
+    vm_real inertia; /* moment of inertia about O, kg m^2, >= M times the square of the distance from O to S */
+    vm_real x, y;    /* position of the mass centre S, m */
+    vm_real rate;    /* angular velocity phi', rad/s, anticlockwise */
+} vm_compound_pendulum;
+
+/* The part that is cut off from a compound pendulum */
+typedef struct VM_TAG(vm_compound_part) {
+    vm_real mass;    /* mass m > 0, kg */
+    vm_real inertia; /* moment of inertia about the part's own mass centre S2, kg m^2, >= 0 */
+    vm_real x, y;    /* position of S2, m */
+    vm_real ux, uy;  /* velocity of S2 relative to the pendulum, m/s */
+    vm_real Omega;   /* angular velocity of the part relative to the pendulum, rad/s, anticlockwise */
+} vm_compound_part;
+
+/* The compound pendulum and the part after the cut */
+typedef struct VM_TAG(vm_compound_cut) {
+    vm_compound_pendulum rest; /* what remains; rest.rate is phi1', rest.inertia is about O */
+    vm_real vx, vy;            /* velocity of the part's mass centre, m/s */
+    vm_real rate;              /* angular velocity of the part, rad/s */
+    vm_real T1, T_S1, T_S2;    /* kinetic energy of the whole before, of the rest and of the part after the cut, J */
+    vm_real L1, L2;            /* angular momentum of the rest and of the part about O after the cut, kg m^2/s */
+    vm_real pivot_x, pivot_y;  /* impulse of the pivot on the rest during the cut, N s */
+} vm_compound_cut;
+
+/* Checks numbers, masses and inertias of a compound pendulum and its part. */
+VM_API int vmi_check_compound(const vm_compound_pendulum *p, const vm_compound_part *part)
+{
+    const vm_real numbers[12] = {p->mass,       p->inertia,    p->x,     p->y,     p->rate, part->mass,
+                                 part->inertia, part->x,       part->y,  part->ux, part->uy, part->Omega};
+    if (!vmi_all_finite(12, numbers)) return VM_NOT_FINITE;
+    if (!(p->mass > 0 && part->mass > 0 && part->mass < p->mass)) return VM_BAD_MASS;
+    if (part->inertia < 0) return VM_BAD_INERTIA;
+    if (p->inertia * (1 + 8 * VM_EPSILON) < p->mass * (p->x * p->x + p->y * p->y)) return VM_BAD_INERTIA;
+    return VM_OK;
+}
+
+/* Computes mass, mass centre and inertia of what remains of a compound pendulum. Returns VM_BAD_INERTIA if no body has
+   this inertia about O, because the part cannot have been in the pendulum. */
+VM_API int vmi_compound_rest(const vm_compound_pendulum *p, const vm_compound_part *part, vm_compound_pendulum *rest)
+{
+    const vm_real share = part->mass / (p->mass - part->mass);
+    const vm_real about_O = part->inertia + part->mass * (part->x * part->x + part->y * part->y);
+    const vm_real noise = 32 * VM_EPSILON * p->inertia;
+    vm_real least;
+    rest->mass = p->mass - part->mass;
+    rest->x = p->x + share * (p->x - part->x);
+    rest->y = p->y + share * (p->y - part->y);
+    rest->inertia = p->inertia - about_O;
+    rest->rate = p->rate;
+    least = rest->mass * (rest->x * rest->x + rest->y * rest->y);
+    if (!VM_IS_FINITE(least) || !VM_IS_FINITE(rest->inertia)) return VM_NOT_FINITE;
+    if (rest->inertia < least - noise || !(rest->inertia > 0)) return VM_BAD_INERTIA;
+    return VM_OK;
+}
+
+VM_API int vmi_compound_cut_finite(const vm_compound_cut *c)
+{
+    const vm_real numbers[11] = {c->rest.rate, c->vx, c->vy, c->rate,    c->T1,     c->T_S1,
+                                 c->T_S2,      c->L1, c->L2, c->pivot_x, c->pivot_y};
+    return vmi_all_finite(11, numbers);
+}
+
+/* Motion of a pendulum of any shape and of the part that is cut off from it, (119)-(132).
+   The pendulum need not be uniform. Position and inertia of the part are free. With the moment of inertia I1 of the
+   rest about O and the velocity u of the part at r2 relative to the pendulum, the angular velocity changes by
+     phi1' - phi' = -(I2 Omega + m (r2 x u))/I1.
+   This form has no cancellation but that in I1, the difference of the moments of inertia about O. Returns
+   VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS if a mass, that of the rest included, is not positive,
+   VM_BAD_INERTIA for an inertia that no body has, that of the rest included, and VM_OK otherwise. For axles in space
+   see vm_separate_on_axle. */
+VM_API int vm_compound_pendulum_separate(const vm_compound_pendulum *pendulum, const vm_compound_part *part,
+                                         vm_compound_cut *cut)
+{
+    vm_compound_cut c;
+    vm_real moment, change;
+    int status;
+    if (!pendulum || !part || !cut) return VM_BAD_ARGUMENT;
+    status = vmi_check_compound(pendulum, part);
+    if (!status) status = vmi_compound_rest(pendulum, part, &c.rest);
+    if (status) return status;
+    moment = part->inertia * part->Omega + part->mass * (part->x * part->uy - part->y * part->ux);
+    change = -moment / c.rest.inertia;
+    c.rest.rate = pendulum->rate + change;
+    c.vx = part->ux - pendulum->rate * part->y;
+    c.vy = part->uy + pendulum->rate * part->x;
+    c.rate = pendulum->rate + part->Omega;
+    c.L1 = c.rest.inertia * c.rest.rate;
+    c.L2 = moment + (part->inertia + part->mass * (part->x * part->x + part->y * part->y)) * pendulum->rate;
+    c.T1 = pendulum->inertia * pendulum->rate * pendulum->rate / 2;
+    c.T_S1 = c.L1 * c.rest.rate / 2;
+    c.T_S2 = (part->mass * (c.vx * c.vx + c.vy * c.vy) + part->inertia * c.rate * c.rate) / 2;
+    c.pivot_x = part->mass * part->ux - c.rest.mass * change * c.rest.y; /* momentum after the cut minus before it */
+    c.pivot_y = part->mass * part->uy + c.rest.mass * change * c.rest.x;
+    if (!vmi_compound_cut_finite(&c)) return VM_NOT_FINITE;
     *cut = c;
     return VM_OK;
 }
@@ -6915,7 +7183,7 @@ VM_API int vm_orbit_meshchersky(vm_real t, vm_real mu, vm_real rate, vm_vec3 r0,
      - the geometry (181)-(188),
      - the exact equations of motion, and the reduced equations (192)-(193) of [1],
      - the motion on a rigid shaft in closed form (194)-(206),
-     - the vibrations of an elastic shaft (210)-(226).
+     - the vibrations of an elastic shaft (210)-(226), and how they change the angular velocity.
 
    The band moves at the velocity v along y and meets the drum at the point S + (R, 0), where S is the centre of the
    shaft and R the radius of the drum. After the drum has turned by the angle phi, the band covers the arc from 0 to
@@ -6963,11 +7231,14 @@ enum {
     VM_DRUM_STATES = 6
 };
 
-/* Indices of the states of vm_drum_rhs_angle in y, and the number of states */
+/* Indices of the states of vm_drum_rhs_angle and vm_drum_rhs_coupled in y, and the numbers of states */
 enum {
     VM_DRUM_DEFLECTION = 0, /* deflection of the shaft: position x, y of its centre S, m */
     VM_DRUM_SLOPE = 2,      /* derivatives dx/dphi, dy/dphi of the deflection, m/rad */
-    VM_DRUM_ANGLE_STATES = 4
+    VM_DRUM_ANGLE_STATES = 4,
+    VM_DRUM_RATE = 4, /* angular velocity phi' of the drum, rad/s, of vm_drum_rhs_coupled only */
+    VM_DRUM_TIME = 5, /* time t, s, of vm_drum_rhs_coupled only */
+    VM_DRUM_COUPLED_STATES = 6
 };
 
 /* The elastic shaft in the first approximation, for small mu/M0, j/J0 and e/(J0 Omega_b). The letters mu, v, M0, J0,
@@ -7186,6 +7457,43 @@ VM_API int vm_drum_rhs_angle(vm_real phi, const vm_real *y, vm_real *dydt, void 
     return VM_OK;
 }
 
+/* Right-hand side of the drum on an elastic shaft over the angle phi, (210)-(212).
+   An ode_rhs of VM_DRUM_COUPLED_STATES states; its ctx, here `drum`, is a vm_drum. The independent variable is the
+   angle phi instead of time. Unlike vm_drum_rhs_angle, the function does not take the angular velocity u = dphi/dt from
+   the rigid shaft, but integrates it together with the deflection x, y (m) and the time t (s). With ' = d/dphi the
+   equations are
+     M u (u x')' = -c x - mu u^2 x' + mu R u^2 sin phi
+     M u (u y')' = -c y + mu u (v - u y') - mu R u^2 cos phi
+     J_S u' = e - j u - mu R u y',   t' = 1/u
+   The letters are those of vm_drum_rhs; e = mu v R - D and j = mu R^2. The sine and the cosine are the unbalance, which
+   [1] leaves out. The motion is that of vm_drum_rhs_reduced. Returns VM_OK; or VM_BAD_ARGUMENT for a null pointer,
+   VM_DOMAIN if u is not positive, and the errors of vm_drum_rhs. */
+VM_API int vm_drum_rhs_coupled(vm_real phi, const vm_real *y, vm_real *dydt, void *drum)
+{
+    if (!y || !dydt || !drum) return VM_BAD_ARGUMENT;
+    const vm_drum *d = (const vm_drum *)drum;
+    if (!VM_IS_FINITE(phi) || !VM_IS_FINITE(y[VM_DRUM_RATE]) || !vmi_drum_finite(d)) return VM_NOT_FINITE;
+    const vm_real rate = y[VM_DRUM_RATE], slope_x = y[VM_DRUM_SLOPE], slope_y = y[VM_DRUM_SLOPE + 1];
+    const vm_real unbalance = d->band * d->radius;
+    vm_real turn, drag, force_x, force_y, s, c; /* turn: d(phi')/dphi */
+    vmi_drum_mass m;
+    const int status = vmi_drum_mass_at(d, phi, 0, &m);
+    if (status) return status;
+    if (!(rate > 0)) return VM_DOMAIN;
+    vmi_sincos(phi, &s, &c);
+    turn = (d->band * d->radius * (d->speed - rate * slope_y - d->radius * rate) - d->damping) / m.J;
+    drag = d->band / m.M + turn / rate;
+    force_x = unbalance * s - d->stiffness / rate * y[VM_DRUM_DEFLECTION] / rate;
+    force_y = d->band * d->speed / rate - unbalance * c - d->stiffness / rate * y[VM_DRUM_DEFLECTION + 1] / rate;
+    dydt[VM_DRUM_DEFLECTION] = slope_x;
+    dydt[VM_DRUM_DEFLECTION + 1] = slope_y;
+    dydt[VM_DRUM_SLOPE] = force_x / m.M - drag * slope_x;
+    dydt[VM_DRUM_SLOPE + 1] = force_y / m.M - drag * slope_y;
+    dydt[VM_DRUM_RATE] = turn;
+    dydt[VM_DRUM_TIME] = 1 / rate;
+    return VM_OK;
+}
+
 /* Angle at which the drum on a rigid shaft comes to rest, rad: J0 Omega_b/|e| if e = mu v R - D < 0.
    The drum approaches this angle as t grows, but never reaches it. Returns infinity for e >= 0, and NaN for a drum for
    which vm_drum_rate gives NaN. */
@@ -7317,23 +7625,98 @@ VM_API int vm_drum_shaft_init(vm_drum_shaft *s, const vm_drum *d)
     return VM_OK;
 }
 
+/* The oscillation in the closed form (224) at the angle phi: envelope * cosine is the deflection about the particular
+   solution */
+typedef struct VM_TAG(vmi_drum_wave) {
+    vm_real square;       /* 1 - A phi */
+    vm_real root;         /* the square root of 1 - A phi */
+    vm_real envelope;     /* amplitude at this angle, m */
+    vm_real sine, cosine; /* of the phase at this angle */
+} vmi_drum_wave;
+
+/* Sets *w for the angle phi, the amplitude a and the phase alpha at phi = 0. Returns 1, or 0 if 1 - A phi is not
+   positive or a number is not finite. The letters are explained at vm_drum_deflection. */
+VM_API int vmi_drum_wave_at(const vm_drum_shaft *s, vm_real phi, vm_real a, vm_real alpha, vmi_drum_wave *w)
+{
+    const vm_real square = 1 - s->A * phi, m = VM_SQRT(vmi_larger(square, 0));
+    if (!(square > 0) || !VM_IS_FINITE(phi) || !VM_IS_FINITE(a)) return 0;
+    w->square = square;
+    w->root = m;
+    w->envelope = a / VM_SQRT(m) * vmi_exp(-s->delta * phi, 0);
+    vmi_sincos(2 * s->k / 3 * phi * ((1 + m + square) / (1 + m)) + alpha, &w->sine, &w->cosine);
+    return 1;
+}
+
 /* Deflection x or y of the elastic shaft, m, at the angle phi, (224), (225) corrected.
    With the fields k, delta, A of *s the deflection is
      a (1 - A phi)^(-1/4) exp(-delta phi) cos(I + alpha) + particular/(1 - A phi),
    where I is the integral of k sqrt(1 - A phi) from 0 to phi. `particular` must be 0 for x and s->shift for y. The
-   amplitude a (m) and the phase alpha (rad) follow from the start: at phi = 0 the deflection is a cos alpha +
-   particular. With m^2 = 1 - A phi the integral is I = 2k/(3A) (1 - m^3). It is computed as
+   amplitude a (m) and the phase alpha (rad) follow from the start by vm_drum_deflection_start: at phi = 0 the
+   deflection is a cos alpha + particular. With m^2 = 1 - A phi the integral is I = 2k/(3A) (1 - m^3). It is computed as
    (2k/3) phi (1 + m + m^2)/(1 + m), which holds for A = 0, too. Returns NaN for a null pointer and if 1 - A phi <=
    0. */
 VM_API vm_real vm_drum_deflection(const vm_drum_shaft *s, vm_real phi, vm_real a, vm_real alpha, vm_real particular)
 {
-    vm_real square, m, sine, cosine;
-    if (!s) return VM_NAN;
-    square = 1 - s->A * phi;
-    if (!(square > 0) || !VM_IS_FINITE(phi) || !VM_IS_FINITE(a) || !VM_IS_FINITE(particular)) return VM_NAN;
-    m = VM_SQRT(square);
-    vmi_sincos(2 * s->k / 3 * phi * ((1 + m + square) / (1 + m)) + alpha, &sine, &cosine);
-    return a / VM_SQRT(m) * vmi_exp(-s->delta * phi, 0) * cosine + particular / square;
+    vmi_drum_wave w;
+    if (!s || !VM_IS_FINITE(particular) || !vmi_drum_wave_at(s, phi, a, alpha, &w)) return VM_NAN;
+    return w.envelope * w.cosine + particular / w.square;
+}
+
+/* Derivative of vm_drum_deflection with respect to the angle phi, m/rad: (218), (220) corrected.
+   The deflection is a product of an amplitude and a cosine, plus a particular solution. Its derivative is
+     amplitude [(A/(4 m^2) - delta) cos(I + alpha) - k m sin(I + alpha)] + A particular/m^4,   m^2 = 1 - A phi,
+   with the letters of vm_drum_deflection. [1] drops the term with A/4 and prints another last term. Times the angular
+   velocity phi', the derivative is the velocity of the shaft's centre. The absolute error is a few roundings of
+   amplitude (k m + |delta|), besides what the rounding of the phase makes. Returns NaN where vm_drum_deflection does.
+*/ VM_API vm_real vm_drum_deflection_slope(const vm_drum_shaft *s, vm_real phi, vm_real a, vm_real alpha,
+                                        vm_real particular)
+{
+    vmi_drum_wave w;
+    vm_real growth;
+    if (!s || !VM_IS_FINITE(particular) || !vmi_drum_wave_at(s, phi, a, alpha, &w)) return VM_NAN;
+    growth = s->A / (4 * w.square) - s->delta;
+    return w.envelope * (growth * w.cosine - s->k * w.root * w.sine) + s->A * particular / w.square / w.square;
+}
+
+/* Amplitude and phase (223) of the elastic shaft from deflection and slope at phi = 0.
+   deflection is x or y (m) and slope its derivative with respect to phi (m/rad) when the winding begins; a velocity in
+   m/s is divided by Omega_b. `particular` must be 0 for x and s->shift for y. *a receives the amplitude a >= 0 (m) and
+   *alpha the phase in [-pi, pi] (rad) for which vm_drum_deflection and vm_drum_deflection_slope begin so:
+     a cos alpha = deflection - particular,   a k sin alpha = (A/4 - delta) a cos alpha + A particular - slope.
+   Their errors are a few roundings of these four terms, divided by k where they have k. Returns VM_BAD_ARGUMENT for a
+   null pointer, VM_NOT_FINITE, VM_DOMAIN if s->k is not positive, and VM_OK otherwise. */
+VM_API int vm_drum_deflection_start(const vm_drum_shaft *s, vm_real deflection, vm_real slope, vm_real particular,
+                                    vm_real *a, vm_real *alpha)
+{
+    vm_real cosine, sine, size; /* a cos alpha, a sin alpha, a */
+    if (!s || !a || !alpha) return VM_BAD_ARGUMENT;
+    if (!VM_IS_FINITE(deflection) || !VM_IS_FINITE(slope) || !VM_IS_FINITE(particular) || !VM_IS_FINITE(s->k) ||
+        !VM_IS_FINITE(s->A) || !VM_IS_FINITE(s->delta))
+        return VM_NOT_FINITE;
+    if (s->k <= 0) return VM_DOMAIN;
+    cosine = deflection - particular;
+    sine = ((s->A / 4 - s->delta) * cosine + (s->A * particular - slope)) / s->k;
+    size = vmi_hypot(cosine, sine);
+    if (!VM_IS_FINITE(size)) return VM_NOT_FINITE;
+    *a = size;
+    *alpha = 0;
+    if (size > 0) *alpha = vmi_atan2(sine, cosine);
+    return VM_OK;
+}
+
+/* Angular velocity phi' on an elastic shaft, rad/s: (196) corrected by the deflection (224).
+   `rise` is the deflection y(phi) - y(0) in the band's direction since the winding began, m, for example by
+   vm_drum_deflection. A rim that rises with the band is driven less by it. To the first order in rise the solution of
+   (212) and (215) is
+     phi' = vm_drum_rate [1 - mu R rise/(J0 + j phi)].
+   mu is the mass of the band per angle, R the radius, J0 the drum's inertia and j = mu R^2. For a drum on which
+   mu R |rise|/J0, mu/M0, j/J0 and |e|/(J0 Omega_b) are at most eps, the error is of the order of eps^2 Omega_b: halving
+   all four divides it by four. Returns NaN where vm_drum_rate does, and for a rise that is not finite. */
+VM_API vm_real vm_drum_rate_elastic(const vm_drum *d, vm_real phi, vm_real rise)
+{
+    const vm_real rate = vm_drum_rate(d, phi);
+    if (rate != rate || !VM_IS_FINITE(rise)) return VM_NAN;
+    return rate * (1 - d->band * d->radius * rise / (d->inertia + d->band * d->radius * d->radius * phi));
 }
 
 /* Whether the shaft's frequency, k sqrt(1 - A phi), stays real for the whole first layer (226).
@@ -7381,6 +7764,8 @@ VM_API int vm_drum_shaft_valid(const vm_drum_shaft *s) { return s && s->A < 1 / 
    mass, so that its mass m decreases. If the leaking mass has the velocity of the bob and takes its momentum along,
    Q = -m g l sin q + m' l^2 q'. Without the last term the mass would leave at rest.
 
+   Inverse dynamics asks which forces a given motion needs: vm_lagrange_needed_forces and vm_lagrange_drive_forces.
+
    Accuracy: A and b are computed as differences of values of T, exactly except for rounding errors of T. dT/dq is a
    central difference of order 6. Its error is below 2e-13 (float 1e-5) of the largest T, if a coordinate must change by
    as much as the field `scales` says before T changes noticeably. Tests: tests/test_lagrange.c. */
@@ -7404,7 +7789,7 @@ typedef struct VM_TAG(vm_lagrange_system) {
 } vm_lagrange_system;
 
 /* Length of vm_lagrange_system.work */
-#define VM_LAGRANGE_RHS_WORK(n, n_masses) ((n) * (n) + 3 * (n) + (n_masses))
+#define VM_LAGRANGE_RHS_WORK(n, n_masses) ((n) * (n) + 4 * (n) + (n_masses))
 
 /* The arrays into which the array `work` of a system is divided */
 typedef struct VM_TAG(vmi_lagrange_parts) {
@@ -7412,6 +7797,7 @@ typedef struct VM_TAG(vmi_lagrange_parts) {
     vm_real *b;      /* the vector b in T, the coefficients of the terms that are linear in the rates q', n numbers */
     vm_real *rates;  /* the generalized momenta minus b, later the rates q', n numbers */
     vm_real *trial;  /* rates or coordinates at which T is evaluated, n numbers */
+    vm_real *forces; /* generalized forces of inverse dynamics, n numbers */
     vm_real *masses; /* the masses, which stay constant while T is differentiated, n_masses numbers */
 } vmi_lagrange_parts;
 
@@ -7422,7 +7808,8 @@ VM_API vmi_lagrange_parts vmi_lagrange_work(const vm_lagrange_system *system)
     w.b = w.A + (ptrdiff_t)system->n * system->n;
     w.rates = w.b + system->n;
     w.trial = w.rates + system->n;
-    w.masses = w.trial + system->n;
+    w.forces = w.trial + system->n;
+    w.masses = w.forces + system->n;
     return w;
 }
 
@@ -7585,6 +7972,127 @@ VM_API vm_real vm_lagrange_partial_q(vm_lagrange_system *system, vm_real t, cons
     if (!vmi_lagrange_is_valid(system) || !q || !rates || i < 0 || i >= system->n) return VM_NAN;
     vmi_lagrange_freeze(system, t, q);
     return vmi_lagrange_derivative(system, t, q, rates, i);
+}
+
+/* ---- Inverse dynamics ---- */
+
+/* Adds `weight` times the generalized momenta dT/dq' = A q' + b at time t and coordinates q to p, n numbers. */
+VM_API void vmi_lagrange_add_momenta(const vm_lagrange_system *system, vm_real t, const vm_real *q,
+                                     const vm_real *rates, vm_real weight, vm_real *p)
+{
+    const vmi_lagrange_parts w = vmi_lagrange_work(system);
+    const int n = system->n;
+    int i, j;
+    vmi_lagrange_freeze(system, t, q);
+    vmi_lagrange_quadratic(system, t, q);
+    for (i = 0; i < n; i++) {
+        vm_real sum = w.b[i];
+        for (j = 0; j < n; j++) sum += w.A[i * n + j] * rates[j];
+        p[i] += weight * sum;
+    }
+}
+
+/* The step in time for the derivative of the momenta along the motion. During one step no coordinate changes by more
+   than h times its scale, and time by at most h time_scale, with the h of vmi_lagrange_derivative. The step is 0 if
+   nothing changes. */
+VM_API vm_real vmi_lagrange_time_step(const vm_lagrange_system *system, vm_real time_scale, const vm_real *rates)
+{
+    const vm_real h = VM_MANT_DIG > 24 ? VM_C(0.0078125) : VM_C(0.125);
+    vm_real fastest = 0;
+    int k;
+    if (time_scale > 0) fastest = 1 / time_scale;
+    for (k = 0; k < system->n; k++) {
+        vm_real fast = VM_FABS(rates[k]);
+        if (system->scales) fast /= VM_FABS(system->scales[k]);
+        fastest = vmi_larger(fastest, fast);
+    }
+    if (fastest == 0) return 0;
+    return h / fastest;
+}
+
+/* Adds the change of the momenta per second to p, while the coordinates and the time go on and the rates q' stay. It is
+   a central difference of order 6. Time stands still if time_scale is 0. */
+VM_API void vmi_lagrange_add_momentum_rates(const vm_lagrange_system *system, vm_real t, vm_real time_scale,
+                                            const vm_real *q, const vm_real *rates, vm_real *p)
+{
+    const vm_real weights[3] = {VM_C(0.75), VM_C(-0.15), VM_C(1.0) / 60};
+    const vm_real step = vmi_lagrange_time_step(system, time_scale, rates);
+    const vmi_lagrange_parts w = vmi_lagrange_work(system);
+    int i, k;
+    if (step == 0) return;
+    for (k = -3; k <= 3; k++) {
+        const vm_real moved = (vm_real)k * step;
+        vm_real weight, time = t;
+        if (k == 0) continue;
+        weight = weights[k > 0 ? k - 1 : -k - 1] / step;
+        if (k < 0) weight = -weight;
+        if (time_scale > 0) time = t + moved;
+        for (i = 0; i < system->n; i++) w.rates[i] = q[i] + moved * rates[i];
+        vmi_lagrange_add_momenta(system, time, w.rates, rates, weight, p);
+    }
+}
+
+/* Checks the arguments of vm_lagrange_needed_forces, and writes what it computes to the work array. */
+VM_API int vmi_lagrange_inverse(const vm_lagrange_system *system, vm_real t, vm_real time_scale, const vm_real *q,
+                                const vm_real *rates, const vm_real *accelerations)
+{
+    vmi_lagrange_parts w;
+    int i, j, n;
+    if (!vmi_lagrange_is_valid(system) || !q || !rates || !accelerations) return VM_BAD_ARGUMENT;
+    n = system->n;
+    w = vmi_lagrange_work(system);
+    if (!VM_IS_FINITE(t) || !VM_IS_FINITE(time_scale)) return VM_NOT_FINITE;
+    if (!vmi_all_finite(n, q) || !vmi_all_finite(n, rates) || !vmi_all_finite(n, accelerations)) return VM_NOT_FINITE;
+    if (time_scale < 0) return VM_DOMAIN;
+    for (i = 0; i < n; i++) w.forces[i] = 0;
+    vmi_lagrange_add_momentum_rates(system, t, time_scale, q, rates, w.forces);
+    vmi_lagrange_freeze(system, t, q);
+    vmi_lagrange_quadratic(system, t, q);
+    for (i = 0; i < n; i++) {
+        if (w.A[i * n + i] <= 0) return VM_SINGULAR;
+        for (j = 0; j < n; j++) w.forces[i] += w.A[i * n + j] * accelerations[j];
+        w.forces[i] -= vmi_lagrange_derivative(system, t, q, rates, i);
+    }
+    return VM_OK;
+}
+
+/* Inverse dynamics: generalized forces Q that a given motion needs, the left side of (247).
+   They are Q_i = d/dt dT/dq'_i - (dT/dq_i, masses frozen), the sum of all forces, those of the streams of mass
+   included. q, rates and accelerations are the n coordinates q and their derivatives q' and q'' at time t; Q has n
+   numbers. time_scale (s) is the time after which T or the masses differ noticeably while q stays, as `scales` is for
+   the coordinates; it is 0 if T and the masses do not depend on time. Returns VM_BAD_ARGUMENT, VM_NOT_FINITE also if a
+   result is not finite, VM_DOMAIN for time_scale < 0, VM_SINGULAR if T does not grow with each of the rates, and VM_OK
+   otherwise. The error is below 2e-13 (float 1e-5) of the largest term: of A q'', of T divided by the scale of a
+   coordinate, and of dT/dq' divided by the time in which the system changes noticeably. T is evaluated
+   14 n^2 + 6 n + 7 times. */
+VM_API int vm_lagrange_needed_forces(vm_lagrange_system *system, vm_real t, vm_real time_scale, const vm_real *q,
+                                     const vm_real *rates, const vm_real *accelerations, vm_real *Q)
+{
+    int status;
+    if (!Q) return VM_BAD_ARGUMENT;
+    status = vmi_lagrange_inverse(system, t, time_scale, q, rates, accelerations);
+    if (status) return status;
+    return vmi_copy_if_finite(system->n, vmi_lagrange_work(system).forces, Q);
+}
+
+/* Inverse dynamics: generalized forces that drives must add to system->forces for a given motion.
+   They are those of vm_lagrange_needed_forces minus those that the function `forces` of the system gives. Arguments,
+   accuracy and statuses are those of vm_lagrange_needed_forces, and the number that system->forces returns if it is
+   not 0. */
+VM_API int vm_lagrange_drive_forces(vm_lagrange_system *system, vm_real t, vm_real time_scale, const vm_real *q,
+                                    const vm_real *rates, const vm_real *accelerations, vm_real *Q)
+{
+    vmi_lagrange_parts w;
+    int i, status;
+    if (!Q) return VM_BAD_ARGUMENT;
+    status = vmi_lagrange_inverse(system, t, time_scale, q, rates, accelerations);
+    if (status) return status;
+    w = vmi_lagrange_work(system);
+    for (i = 0; i < system->n; i++) w.b[i] = 0;
+    if (system->forces) status = system->forces(t, q, rates, w.masses, w.b, system->ctx);
+    if (status) return status;
+    for (i = 0; i < system->n; i++) w.forces[i] -= w.b[i];
+    return vmi_copy_if_finite(system->n, w.forces, Q);
 }
 
 #endif
@@ -8156,6 +8664,19 @@ VM_API int vmi_time_side(vm_real length) { return length < 0 ? -1 : 1; }
 /* How many numbers the function `derivatives` of a law writes: f and its first six derivatives in f[0] ... f[6] */
 enum { VMI_LAW_ORDERS = 7 };
 
+/* Checks the first n numbers that a law's function `derivatives` wrote to f when it returned `status`. */
+VM_API int vmi_law_status(int status, int if_not_positive, int n, const vm_real *f)
+{
+    vm_real sum = 0; /* sum of f[i] - f[i], which is 0, or NaN if a number is infinite or NaN */
+    int i;
+    if (status == VM_BAD_MASS) return if_not_positive ? if_not_positive : (int)VM_DOMAIN;
+    if (status) return status;
+    for (i = 0; i < n; i++) sum += f[i] - f[i];
+    if (!(sum == 0)) return VM_NOT_FINITE;
+    if (if_not_positive && !(f[0] > 0)) return if_not_positive;
+    return VM_OK;
+}
+
 /* Writes the value of a law and its derivatives at t to f[0], f[1] ... A constructor must have made the law. Where a
    derivative jumps at t, side = 1 asks for its value after t, side = -1 for its value before t. With length = 0 only f
    and f' are written. A positive length, s, asks for all six derivatives. For a user's function they are found from the
@@ -8163,17 +8684,19 @@ enum { VMI_LAW_ORDERS = 7 };
    VM_BAD_MASS for a mass; it is VM_OK where f may have any sign. */
 VM_API int vmi_law_derivatives(const vm_law *law, int if_not_positive, vm_real t, int side, vm_real length, vm_real *f)
 {
-    int i, status;
-    vm_real sum = 0; /* sum of f[i] - f[i], which is 0, or NaN if a number is infinite or NaN */
-    if (length > 0)
-        for (i = 2; i < VMI_LAW_ORDERS; i++) f[i] = 0;
-    status = law->derivatives(law, t, side, length, f);
-    if (status == VM_BAD_MASS) return if_not_positive ? if_not_positive : (int)VM_DOMAIN;
-    if (status) return status;
-    for (i = 0; i < (length > 0 ? VMI_LAW_ORDERS : 2); i++) sum += f[i] - f[i];
-    if (!(sum == 0)) return VM_NOT_FINITE;
-    if (if_not_positive && !(f[0] > 0)) return if_not_positive;
-    return VM_OK;
+    const int orders = length > 0 ? VMI_LAW_ORDERS : 2;
+    int i;
+    for (i = 2; i < orders; i++) f[i] = 0;
+    return vmi_law_status(law->derivatives(law, t, side, length, f), if_not_positive, orders, f);
+}
+
+/* Does what vmi_law_derivatives does, but only f, f' and f'' are right and checked. The law must not be a function of
+   the user. */
+VM_API int vmi_law_two_derivatives(const vm_law *law, int if_not_positive, vm_real t, int side, vm_real *f)
+{
+    const vm_real length = 1; /* 1 s: only a user's function needs a certain length */
+    f[2] = 0;
+    return vmi_law_status(law->derivatives(law, t, side, length, f), if_not_positive, 3, f);
 }
 
 /* Checks that a constructor made the law, and that the law is finite and positive between 0 and t. Of a user's function
@@ -8720,6 +9243,93 @@ VM_API int vmi_osc_check_problem(const vm_osc_problem *o, vm_real t, vm_real *ma
 }
 
 #endif
+/* oscillators/loads.h - mass that joins or leaves an oscillator with a velocity, and damping that depends on time
+
+   In the equation of motion of a vm_osc_problem (oscillators/problem.h) mass joins or leaves at rest, u = 0, and the
+   damping is constant. The dissertation's equation (248) has the reactive force m' (u - x') with any velocity u along
+   x. A vm_osc_load adds what is missing on the right side:
+     m x'' + k x|x|^(alpha-1) + (reactive m' + b) x' = reactive m' u(t) - damping(t) x' + force(t, x, x')
+   m' is the rate of the mass, u(t) the absolute velocity of the mass that joins or leaves, damping(t) a law that adds
+   to the constant b of the problem, and force the problem's own further force, if there was one. Every route that
+   allows a force computes the motion: the first-order averaged equations and the integrations of oscillators/routes.h.
+   Shortest useful call, for a problem with the fields of oscillators/problem.h:
+       const vm_law u = vm_law_linear(VM_C(0.3), 0), damping = vm_law_linear(VM_C(0.02), VM_C(0.001));
+       vm_osc_load load;
+       vm_osc_motion motion;
+       int status = vm_osc_load_init(&load, &problem, &u, &damping); // 0.3 m/s; 0.02 kg/s, growing
+       if (!status) status = vm_osc_within(&problem, 10, VM_C(1e-6), &motion);
+   To first order a thrust m' u leaves the averaged amplitude as it is, since its mean over a period is 0: it only moves
+   the middle of the vibration, for alpha = 1 by m' u/k. The averaged routes leave this out, and say so by their
+   `error`. damping(t) changes the amplitude by vm_osc_amplitude_law, with vm_law_ratio_integral(&damping, &mass, t,
+   &decay). Tests: tests/test_loads.c. */
+#ifndef VARMASS_OSCILLATORS_LOADS_H
+#define VARMASS_OSCILLATORS_LOADS_H
+
+/* What vm_osc_load_force adds to an oscillator. vm_osc_load_init fills it. The problem points to it, so that it must
+   outlive the problem and must not move. */
+typedef struct VM_TAG(vm_osc_load) {
+    vm_law mass;        /* mass m(t) of the oscillator, kg, whose rate m' the thrust needs */
+    vm_law u;           /* velocity of the mass that joins or leaves, m/s */
+    vm_law damping;     /* damping, kg/s, that adds to the problem's; positive takes energy out */
+    vm_real reactive;   /* share of the thrust m' u that acts. The init function takes the problem's `reactive`. With 1
+                           here and 0 in the problem, u is the velocity relative to the oscillator. */
+    vm_osc_force force; /* the further force that the problem had before, or NULL */
+    void *ctx;          /* the user's pointer, last argument of force */
+} vm_osc_load;
+
+/* Force of a vm_osc_load on an oscillator, N: reactive m' u(t) - damping(t) v + force(t, x, v).
+   A vm_osc_force; its ctx, here `load`, is a vm_osc_load, and vm_osc_load_init makes it the force of a problem. t is
+   the time (s), x the position (m) and v the velocity (m/s). The laws of mass, u and damping are evaluated once.
+   Returns NaN for a null pointer, for arguments that are infinite or NaN, and where a law has no value at t; the routes
+   then return VM_NOT_INTEGRATED or VM_NOT_FINITE. */
+VM_API vm_real vm_osc_load_force(vm_real t, vm_real x, vm_real v, void *load)
+{
+    if (!load) return VM_NAN;
+    const vm_osc_load *l = (const vm_osc_load *)load;
+    vm_real mass, rate, u, damping, force, unused;
+    int status = vmi_law_at(&l->mass, VM_BAD_MASS, t, &mass, &rate);
+    if (!status) status = vmi_law_at(&l->u, VM_OK, t, &u, &unused);
+    if (!status) status = vmi_law_at(&l->damping, VM_OK, t, &damping, &unused);
+    if (status || !VM_IS_FINITE(x) || !VM_IS_FINITE(v)) return VM_NAN;
+    force = l->reactive * rate * u - damping * v;
+    if (l->force) force += l->force(t, x, v, l->ctx);
+    return force;
+}
+
+/* Gives an oscillator a velocity u of the mass that joins or leaves, and a damping that depends on time.
+   u_or_NULL is the law of this velocity, m/s, and damping_or_NULL the law of the damping, kg/s, which adds to the
+   problem's constant damping; a null pointer means 0. *load is filled, and problem->force and problem->ctx are set to
+   it; a force that the problem had acts as before. Call it once for a problem, after its other fields are set. Routes
+   step over the points of a table in u and damping without stopping there, which costs steps, not accuracy. Returns
+   VM_BAD_ARGUMENT for other null pointers, for a law that no constructor made, and for a problem that has this load
+   already; VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS or VM_DOMAIN where a number of the problem or a law at t = 0 is
+   not finite, not positive or outside its domain. An error leaves *load and *problem untouched. */
+VM_API int vm_osc_load_init(vm_osc_load *load, vm_osc_problem *problem, const vm_law *u_or_NULL,
+                            const vm_law *damping_or_NULL)
+{
+    vm_osc_load l;
+    vm_real mass, stiffness;
+    int status;
+    if (!load || !problem || problem->ctx == load) return VM_BAD_ARGUMENT;
+    status = vmi_osc_check_problem(problem, 0, &mass, &stiffness);
+    if (u_or_NULL) status = vmi_first_error(status, vmi_law_check(u_or_NULL, VM_OK, 0));
+    if (damping_or_NULL) status = vmi_first_error(status, vmi_law_check(damping_or_NULL, VM_OK, 0));
+    if (status) return status;
+    l.mass = problem->mass;
+    l.u = vm_law_linear(0, 0);
+    if (u_or_NULL) l.u = *u_or_NULL;
+    l.damping = vm_law_linear(0, 0);
+    if (damping_or_NULL) l.damping = *damping_or_NULL;
+    l.reactive = problem->reactive;
+    l.force = problem->force;
+    l.ctx = problem->ctx;
+    *load = l;
+    problem->force = vm_osc_load_force;
+    problem->ctx = load;
+    return VM_OK;
+}
+
+#endif
 /* oscillators/reduction.h - amplitude and phase of an oscillator that slow changes disturb in second order only
 
    The oscillator m x'' + k x|x|^(alpha-1) + (reactive m' + b) x' = 0 can be written d(mu x')/dt + kappa x|x|^(alpha-1)
@@ -8775,6 +9385,34 @@ VM_API int vmi_osc_rates_at(const vm_osc_problem *o, vm_real t, int side, vmi_os
     r->a = (o->reactive * m[1] + o->damping) / m[0];
     r->k_rate = k[1] / k[0];
     r->p = (k[1] / k[0] + 2 * r->a - m[1] / m[0]) / (o->alpha + 3);
+    return VM_OK;
+}
+
+/* Whether mass or stiffness is a function of the user, which gives no second derivative */
+VM_API int vmi_osc_has_user_law(const vm_osc_problem *o) { return o->mass.function || o->stiffness.function; }
+
+/* Writes what vmi_osc_rates_at writes, and the time derivative of p to *p_rate, which is 0 for laws by functions of the
+   user. */
+VM_API int vmi_osc_rates_and_slope(const vm_osc_problem *o, vm_real t, int side, vmi_osc_rates *r, vm_real *p_rate)
+{
+    const vm_real share = 1 / (o->alpha + 3);
+    vm_real m[VMI_LAW_ORDERS], k[VMI_LAW_ORDERS], per_m, per_k, m_rate, k_rate, a_rate;
+    int status;
+    *p_rate = 0;
+    if (vmi_osc_has_user_law(o)) return vmi_osc_rates_at(o, t, side, r);
+    status = vmi_law_two_derivatives(&o->mass, VM_BAD_MASS, t, side, m);
+    if (!status) status = vmi_law_two_derivatives(&o->stiffness, VM_BAD_STIFFNESS, t, side, k);
+    if (status) return status;
+    per_m = 1 / m[0];
+    per_k = 1 / k[0];
+    m_rate = m[1] * per_m;
+    k_rate = k[1] * per_k;
+    r->m = m[0];
+    r->k = k[0];
+    r->a = (o->reactive * m[1] + o->damping) * per_m;
+    r->p = (k_rate + 2 * r->a - m_rate) * share;
+    a_rate = o->reactive * m[2] * per_m - r->a * m_rate;
+    *p_rate = ((k[2] * per_k - k_rate * k_rate) + 2 * a_rate - (m[2] * per_m - m_rate * m_rate)) * share;
     return VM_OK;
 }
 
@@ -8952,7 +9590,7 @@ VM_API void vmi_osc_disturbance(const vmi_osc_slow *now, vm_real W, vm_real *E)
        vmi_ripple_values f;
        vm_real sa, ca;
        vmi_ripple_init(&r, VM_C(1.5), vmi_ateb_constants);
-       vmi_ripple_complete(&r);
+       vmi_ripple_complete(&r, 5);
        ateb_saca(VM_C(0.7), VM_C(1.5), &sa, &ca);
        vmi_ripple_at(&r, 5, VM_C(0.7), sa, ca, &f); // f.S, f.S2, f.S3, f.Q at psi = 0.7
 
@@ -9016,27 +9654,29 @@ VM_API vm_real vmi_binomial_next(vm_real before, int i, vm_real exponent)
     return before * ((vm_real)(i - 1) - exponent) / (vm_real)i;
 }
 
-/* Replaces the coefficients i - 1 of all power series by the coefficients i; for i = 0 all must be 0 before. Method:
-   let I be the integral of ca^2 over the phase from a zero of ca or sa, D the integral of I, and E the integral of D.
-   The differential equations D'' = ca^2 and E'' = I give each coefficient of D and E from the one before. */
-VM_API void vmi_ripple_next_terms(vmi_ripple_series *s, int i, vm_real alpha)
+/* Replaces the coefficients i - 1 of the power series by the coefficients i; for i = 0 all must be 0 before. Up to
+   order 3 only the series for the integral of ca^2 are needed. Method: let I be this integral over the phase from a
+   zero of ca or sa, D the integral of I, and E the integral of D. The differential equations D'' = ca^2 and E'' = I
+   give each coefficient of D and E from the one before. */
+VM_API void vmi_ripple_next_terms(vmi_ripple_series *s, int order, int i, vm_real alpha)
 {
     const vm_real n = alpha + 1, nu = 2 * alpha / n, k = (vm_real)(2 * i);
     const vm_real now = (vm_real)i * n, before = now - n;
     vm_real *zero = s->near_ca_0, *turn = s->near_sa_0;
     s->root = vmi_binomial_next(s->root, i, VM_C(-0.5));
     s->power2 = vmi_binomial_next(s->power2, i, (2 - alpha) / n);
+    zero[VMI_RIPPLE_CA2] = n / 2 * s->root / (3 + now);
+    turn[VMI_RIPPLE_CA2] = s->power2 / (k + 1);
+    if (order <= 3) return;
     s->power3 = vmi_binomial_next(s->power3, i, (3 - alpha) / n);
     s->power4 = vmi_binomial_next(s->power4, i, (4 - alpha) / n);
     s->product = (s->product * (k - 3 + 2 * nu) + s->power4) / (k + 1);
-    zero[VMI_RIPPLE_CA2] = n / 2 * s->root / (3 + now);
     zero[VMI_RIPPLE_CA4] = n / 2 * s->root / (5 + now);
     if (i == 0) zero[VMI_RIPPLE_FIRST] = n * n / 48;
     else zero[VMI_RIPPLE_FIRST] *= (4 + before) * (3 + before + n / 2) / ((4 + now) * (3 + now));
     zero[VMI_RIPPLE_SECOND] =
         (zero[VMI_RIPPLE_SECOND] * (5 + before) * (4 + before + n / 2) + n * n / 4 * zero[VMI_RIPPLE_CA2]) /
         ((5 + now) * (4 + now));
-    turn[VMI_RIPPLE_CA2] = s->power2 / (k + 1);
     turn[VMI_RIPPLE_CA4] = s->power4 / (k + 1);
     turn[VMI_RIPPLE_FIRST] = (turn[VMI_RIPPLE_FIRST] * k * (k - 1 + nu) + s->power3) / ((k + 2) * (k + 1));
     turn[VMI_RIPPLE_SECOND] = (turn[VMI_RIPPLE_SECOND] * (k + 1) * (k + nu) + s->product) / ((k + 3) * (k + 2));
@@ -9069,9 +9709,9 @@ VM_API void vmi_chebyshev_to_powers(vm_real *c)
     }
 }
 
-/* Makes all eight polynomials, four in each set. It adds up the power series, with each power w^i or y^i replaced by
-   its Chebyshev series. */
-VMI_APART void vmi_ripple_make_polynomials(vmi_ripple *r)
+/* Makes the eight polynomials, four in each set; those that no law up to `order` needs become 0. It adds up the power
+   series, with each power w^i or y^i replaced by its Chebyshev series. */
+VMI_APART void vmi_ripple_make_polynomials(vmi_ripple *r, int order)
 {
     vm_real w_power[VMI_RIPPLE_KEPT]; /* coefficients of the Chebyshev series of w^i */
     vmi_ripple_series s;
@@ -9088,7 +9728,7 @@ VMI_APART void vmi_ripple_make_polynomials(vmi_ripple *r)
     for (k = 0; k < VMI_RIPPLE_KEPT; k++) w_power[k] = 0;
     w_power[0] = 1;
     for (i = 0; i < VMI_RIPPLE_SERIES; i++) {
-        vmi_ripple_next_terms(&s, i, r->alpha);
+        vmi_ripple_next_terms(&s, order, i, r->alpha);
         for (j = 0; j < VMI_RIPPLE_FUNCTIONS; j++)
             for (k = 0; k < VMI_RIPPLE_TERMS; k++) {
                 r->near_ca_0[j][k] += s.near_ca_0[j] * w_power[k];
@@ -9186,25 +9826,33 @@ VM_API void vmi_ripple_init(vmi_ripple *r, vm_real alpha, vmi_ateb_constants_of 
     r->has_polynomials = 0;
 }
 
-/* Adds the polynomials, and S2 at the zeros of sa and of ca. These two values of S2 follow from the condition that both
-   sets of polynomials give the same S2 and S3 at the phase where sa^2 = 1/2. */
-VM_API void vmi_ripple_complete(vmi_ripple *r)
+/* Sets S2 at the zeros of sa and of ca. They follow from the condition that both sets of polynomials give the same S2
+   and S3 at the phase where sa^2 = 1/2. */
+VM_API void vmi_ripple_join(vmi_ripple *r)
 {
     const vm_real half = VM_C(0.5), sa = VM_SQRT(half), ca = vmi_pow_checked(half, 1 / (r->alpha + 1));
     const vm_real t = vmi_ateb_from_sa_0(r->alpha, sa, half), s = vmi_ateb_from_ca_0(r->alpha, ca, half);
-    vmi_ripple_place place;
-    vmi_ripple_integrals zero, turn;
+    vmi_ripple_place place = vmi_ripple_near_ca_0(r, ca, half);
+    const vmi_ripple_integrals zero = vmi_ripple_integrals_at(&place, 5);
+    vmi_ripple_integrals turn;
     vm_real jump; /* at_sa_0 - at_ca_0 */
-    if (r->has_polynomials) return;
-    vmi_ripple_make_polynomials(r);
-    place = vmi_ripple_near_ca_0(r, ca, half);
-    zero = vmi_ripple_integrals_at(&place, 5);
     place = vmi_ripple_near_sa_0(r, sa, half);
     turn = vmi_ripple_integrals_at(&place, 5);
     jump = (zero.first - r->mean2 * s * s / 2) - (turn.first - r->mean2 * t * t / 2);
     r->at_ca_0 = -((turn.second - r->mean2 * t * t * t / 6) + (zero.second - r->mean2 * s * s * s / 6) + jump * t) /
                  (r->pi / 2);
     r->at_sa_0 = r->at_ca_0 + jump;
+}
+
+/* Adds what the laws up to `order`, 3 to 5, need: the polynomials, and S2 at the zeros of sa and of ca. What only
+   higher orders need is set to 0. */
+VM_API void vmi_ripple_complete(vmi_ripple *r, int order)
+{
+    if (r->has_polynomials) return;
+    vmi_ripple_make_polynomials(r, order);
+    r->at_ca_0 = 0;
+    r->at_sa_0 = 0;
+    if (order > 3) vmi_ripple_join(r);
     r->has_polynomials = 1;
 }
 
@@ -9721,7 +10369,7 @@ VM_API int vm_osc_closed_init(vm_osc_closed *c, const vm_osc_problem *problem, i
     c->beyond = s.laws.rate_m != 0 ? VM_BAD_MASS : VM_BAD_STIFFNESS;
     ateb_plan_init(&c->ateb, problem->alpha);
     vmi_ripple_init(&c->ripple, problem->alpha, vmi_ateb_fine_constants);
-    if (order > 2) vmi_ripple_complete(&c->ripple);
+    if (order > 2) vmi_ripple_complete(&c->ripple, order);
     vmi_osc_closed_begin(c, order, &s, t_end);
     return VM_OK;
 }
@@ -9912,14 +10560,14 @@ VM_API int vm_osc_plan_init(vm_osc_plan *p, const vm_osc_problem *problem)
     status = vmi_osc_prepare(&plan, problem, 1);
     if (status) return status;
     plan.has_ateb = ateb_plan_init(&plan.ateb, problem->alpha) == 0;
-    vmi_ripple_complete(&plan.ripple);
+    vmi_ripple_complete(&plan.ripple, 5);
     status = vmi_osc_start(&plan);
     if (!status) *p = plan;
     return status;
 }
 
 #endif
-/* oscillators/panels.h - panels of time in which a law is smooth, and the integral of 1/f
+/* oscillators/panels.h - panels of time in which a law is smooth, and the integrals of 1/f and f/g
 
    An integral along a law f(t) from 0 to t is a sum over intervals of time, called panels. Each panel is so short that
    a series of 20 Legendre polynomials represents the law on it. A panel that is too long for its series is halved; each
@@ -10114,6 +10762,129 @@ VM_API int vm_law_inverse_integral(const vm_law *law, vm_real t, vm_real *integr
     if (status) return status;
     if (law->inverse_integral) sum = law->inverse_integral(law, t);
     else status = vmi_law_inverse_integral_by_panels(law, t, &sum);
+    if (status) return status;
+    return vmi_copy_if_finite(1, &sum, integral);
+}
+
+/* -- The integral of any function of time -- */
+
+/* A function of time that is integrated: writes its value at t, and returns VM_OK or the status with which it fails.
+   Where the value jumps at t, side = 1 asks for the one after t, side = -1 for the one before t. */
+typedef int (*vmi_integrand)(vm_real t, int side, vm_real *value, void *ctx);
+
+/* Computes the series of a function on a panel. *size receives its largest absolute value at the points of Gauss' rule
+   and at the ends of the panel, and *edge the largest difference between series and function at the ends. */
+VM_API int vmi_integrand_series(vmi_integrand f, void *ctx, vm_real start, vm_real length, vm_real *series,
+                                vm_real *size, vm_real *edge)
+{
+    const int side = vmi_time_side(length);
+    vm_real values[VMI_GAUSS + 2], same[VMI_GAUSS];
+    int i, status;
+    *size = 0;
+    for (i = 0; i < VMI_GAUSS; i++) {
+        status = f(start + length * ((1 + vmi_gauss_node(i)) / 2), side, &values[i], ctx);
+        if (status) return status;
+    }
+    status = f(start, side, &values[VMI_GAUSS], ctx);
+    if (!status) status = f(start + length, -side, &values[VMI_GAUSS + 1], ctx);
+    if (status) return status;
+    for (i = 0; i < VMI_GAUSS + 2; i++) *size = vmi_larger(VM_FABS(values[i]), *size);
+    vmi_legendre_fit(values, values, series, same);
+    *edge = vmi_larger(VM_FABS(vmi_legendre_at(series, -1) - values[VMI_GAUSS]),
+                       VM_FABS(vmi_legendre_at(series, 1) - values[VMI_GAUSS + 1]));
+    return VM_OK;
+}
+
+/* Adds the integral of a function from start to end to *sum. The function must be smooth between them, and no panel is
+   longer than `longest`; `whole` is the length of the whole integral, s. */
+VM_API int vmi_add_integral(vmi_integrand f, void *ctx, vm_real start, vm_real end, vm_real longest, vm_real whole,
+                            vm_real *sum)
+{
+    vmi_panels p = vmi_panels_from(start, end, longest, whole);
+    while (vmi_panels_next(&p)) {
+        const vm_real length = p.side * p.step, limit = vmi_panel_limit(length, whole);
+        vm_real series[VMI_GAUSS], size, edge;
+        const int status = vmi_integrand_series(f, ctx, p.t, length, series, &size, &edge);
+        if (status) return status;
+        if (!(edge <= vmi_panel_edge_limit(limit) * size) || !(vmi_legendre_tail(series) <= limit * size))
+            if (vmi_panels_halve(&p)) continue;
+        *sum += length * series[0];
+        vmi_panels_advance(&p);
+    }
+    return VM_OK;
+}
+
+/* -- The integral of f/g -- */
+
+/* Two laws, whose quotient f/g is integrated */
+typedef struct VM_TAG(vmi_law_ratio) {
+    const vm_law *f, *g;
+} vmi_law_ratio;
+
+/* The value of f/g, where f may have any sign and g is positive. A vmi_integrand; ratio points to a vmi_law_ratio. */
+VM_API int vmi_law_ratio_at(vm_real t, int side, vm_real *value, void *ratio)
+{
+    const vmi_law_ratio *r = (const vmi_law_ratio *)ratio;
+    vm_real up[VMI_LAW_ORDERS], down[VMI_LAW_ORDERS];
+    int status = vmi_law_derivatives(r->f, VM_OK, t, side, 0, up);
+    if (!status) status = vmi_law_derivatives(r->g, VM_BAD_MASS, t, side, 0, down);
+    if (!status) *value = up[0] / down[0];
+    return status;
+}
+
+/* The integral of f/g dt from 0 to t by panels, from one point of a table to the next */
+VM_API int vmi_law_ratio_integral_by_panels(const vm_law *f, const vm_law *g, vm_real t, vm_real *integral)
+{
+    const vm_real whole = VM_FABS(t);
+    const vm_real longest = vmi_smaller(vmi_law_longest_panel(f, whole), vmi_law_longest_panel(g, whole));
+    vmi_law_ratio ratio;
+    vm_real at = 0;
+    int status = VM_OK;
+    ratio.f = f;
+    ratio.g = g;
+    *integral = 0;
+    while (!status && at != t) {
+        const vm_real next = vmi_law_next_knot(g, at, vmi_law_next_knot(f, at, t));
+        status = vmi_add_integral(vmi_law_ratio_at, &ratio, at, next, longest, whole, integral);
+        at = next;
+    }
+    return status;
+}
+
+/* Computes the integral of f/g dt from 0 to t in closed form, and returns whether there is one: f is constant, or f and
+   g have exponential forms with the same base. */
+VM_API int vmi_law_ratio_integral_closed(const vm_law *f, const vm_law *g, vm_real t, vm_real *integral)
+{
+    vm_real base, rate, base_g, rate_g, u;
+    if (!(f->f0 != 0) || !vmi_law_exponential_form(f, &base, &rate)) return 0;
+    if (rate == 0 && g->inverse_integral) {
+        *integral = f->f0 * g->inverse_integral(g, t);
+        return 1;
+    }
+    if (!vmi_law_exponential_form(g, &base_g, &rate_g)) return 0;
+    if (base != base_g && rate_g != 0) return 0;
+    u = t * vmi_log_ratio(base * t);
+    *integral = f->f0 / g->f0 * u * vmi_exp_ratio((base + rate - rate_g) * u);
+    return 1;
+}
+
+/* Integral of f(s)/g(s) ds from 0 to t, for t of either sign, f of any sign and g > 0.
+   With the damping b(t) for f and the mass m(t) for g it is the `decay` of the amplitude laws (vm_osc_amplitude_law). A
+   closed form is used where f is constant, or where f and g are powers of the same 1 + c t or both exponential. All
+   other laws use Gauss' rule on panels: the error is at most 1e-13 (float 1e-5) of the integral of |f/g|, if user's
+   functions change no faster than vm_law_user says. Returns VM_BAD_ARGUMENT for null pointers and for a law that no
+   constructor made, VM_NOT_FINITE for numbers that are infinite or NaN, VM_BAD_MASS where g <= 0 between 0 and t, and
+   VM_DOMAIN for t outside a table, for a table out of order, where a user's function fails, or where a change_time is
+   negative or less than |t|/2^20. An error leaves *integral untouched. */
+VM_API int vm_law_ratio_integral(const vm_law *f, const vm_law *g, vm_real t, vm_real *integral)
+{
+    vm_real sum = 0;
+    int status;
+    if (!f || !g || !f->derivatives || !g->derivatives || !integral) return VM_BAD_ARGUMENT;
+    if (!VM_IS_FINITE(t)) return VM_NOT_FINITE;
+    status = vmi_first_error(vmi_law_check(f, VM_OK, t), vmi_law_check(g, VM_BAD_MASS, t));
+    if (status) return status;
+    if (!vmi_law_ratio_integral_closed(f, g, t, &sum)) status = vmi_law_ratio_integral_by_panels(f, g, t, &sum);
     if (status) return status;
     return vmi_copy_if_finite(1, &sum, integral);
 }
@@ -11427,9 +12198,11 @@ enum { VMI_NODES = VMI_GAUSS };
 /* Gauss' rule, and two matrices. Polynomial j in their comments has degree n - 1; it is 1 at node j and 0 at all other
    nodes. */
 typedef struct VM_TAG(vmi_gauss_rule) {
-    int n; /* number of nodes */
+    int n;      /* number of nodes */
+    int graded; /* 1 after vmi_gauss_rule_grade, else 0 */
+    vm_real place[VMI_NODES]; /* the nodes x; they differ from node[] only in a graded rule */
     vm_real node[VMI_NODES], weight[VMI_NODES];
-    vm_real integral[VMI_NODES][VMI_NODES];   /* [i][j]: integral of polynomial j from 0 to node i */
+    vm_real integral[VMI_NODES + 1][VMI_NODES]; /* [i][j]: integral of polynomial j from 0 to node i; to 1 if i is n */
     vm_real derivative[VMI_NODES][VMI_NODES]; /* [i][j]: derivative of polynomial j at node i */
 } vmi_gauss_rule;
 
@@ -11488,8 +12261,10 @@ VM_API void vmi_gauss_rule_init(vmi_gauss_rule *rule, int n)
     vm_real integrals[VMI_NODES], derivatives[VMI_NODES];
     int i, j, k;
     rule->n = n;
+    rule->graded = 0;
     vmi_gauss_rule_nodes(rule);
     for (i = 0; i < n; i++) {
+        rule->place[i] = rule->node[i];
         before[i] = 0;
         now[i] = 1;
         slope_before[i] = 0;
@@ -11499,6 +12274,7 @@ VM_API void vmi_gauss_rule_init(vmi_gauss_rule *rule, int n)
             rule->derivative[i][j] = 0;
         }
     }
+    for (j = 0; j < n; j++) rule->integral[n][j] = rule->weight[j];
     for (k = 0; k < n; k++) { /* x = 2 node - 1: integrals are 1/2 of those over x, derivatives double */
         for (i = 0; i < n; i++) {
             const vm_real x = 2 * rule->node[i] - 1, next = vmi_legendre_next(k, x, now[i], before[i]);
@@ -11517,8 +12293,28 @@ VM_API void vmi_gauss_rule_init(vmi_gauss_rule *rule, int n)
     }
 }
 
+/* The point z = x^2 (3 - 2x) of a graded rule, where the rule before had x */
+VM_API vm_real vmi_graded(vm_real x) { return x * x * (3 - 2 * x); }
+
+/* Changes the rule for functions of z on [0, 1] that have singularities at the ends, such as fractional powers. The
+   polynomials of the rule become polynomials in x, where z = x^2 (3 - 2x). In x such a power is twice as high, so the
+   error falls faster with n. */
+VM_API void vmi_gauss_rule_grade(vmi_gauss_rule *rule)
+{
+    const int n = rule->n;
+    int i, j;
+    rule->graded = 1;
+    for (j = 0; j < n; j++) {
+        const vm_real x = rule->place[j], slope = 6 * x * (1 - x); /* dz/dx */
+        rule->node[j] = vmi_graded(x);
+        rule->weight[j] *= slope;
+        for (i = 0; i <= n; i++) rule->integral[i][j] *= slope;
+        for (i = 0; i < n; i++) rule->derivative[j][i] /= slope;
+    }
+}
+
 #endif
-/* oscillators/collocation.h - integration of an oscillator from each zero of x to the next, to a tolerance
+/* oscillators/course.h - a run of an oscillator that goes in steps from each zero of x to the next
 
    The exact equations of oscillators/reduction.h for the amplitude A and the phase psi, with a further force F, are
      (ln A)' = -p + W E sa ca - 2/(alpha+1) f sa,   psi' = W (1 + (alpha+1)/2 E ca^2) - f ca,
@@ -11526,30 +12322,42 @@ VM_API void vmi_gauss_rule_init(vmi_gauss_rule *rule, int n)
    They are solved with psi as the independent variable: each step integrates ln A and t from one zero of x to the next.
    At x = 0 the force of the spring is not smooth for most alpha, but since steps end there, no order is lost.
 
-   A step uses Gauss' collocation of n points. Its equations are solved by iteration, which starts from values that are
-   extrapolated from the steps before. p' is the derivative of the polynomial through the values of p at the n points;
-   therefore the laws have to give only their values and rates. Two runs with different n go side by side; their
-   difference gives the error.
-       vm_osc_motion motion;
-       int status = vmi_osc_collocate(&plan, VM_ROUTE_COLLOCATION, 300, VM_C(1e-8), &motion); // plan is a vm_osc_plan
+   A step uses Gauss' collocation of n points, the nodes. Its equations are solved by iteration, which starts from
+   values that are extrapolated from the steps before.
+
+   Without a force the rates of ln A and t consist of slow functions and of a swing with ca^2 and sa ca that is
+   proportional to E. A polynomial of few nodes is good for the slow functions, but not for ca^2 and sa ca. Their
+   integrals have closed forms (oscillators/ripple.h). So each step adds to Gauss' rule what the rule misses in these
+   integrals, and 2 or 3 nodes a step become enough for errors of 1e-8. With a force such closed forms do not exist; for
+   alpha < 3 the nodes then lie closer at the ends of the steps (vmi_gauss_rule_grade).
+       vmi_osc_course c;
+       int status;
+       vmi_osc_course_start(&c, &plan, &state, 1, 4, 1, VM_C(1e-12)); // plan is a vm_osc_plan, state its reduced state
+       c.stop = 10;
+       status = vmi_osc_course_step(&c); // to the first zero of x, or to 10 s
    Source: Hairer, Lubich, Wanner, Geometric Numerical Integration (2006), II.1.2 and VIII.6.
-   Tests: tests/test_collocation.c, tests/test_routes.c. */
-#ifndef VARMASS_OSCILLATORS_COLLOCATION_H
-#define VARMASS_OSCILLATORS_COLLOCATION_H
+   Tests: tests/test_collocation.c. */
+#ifndef VARMASS_OSCILLATORS_COURSE_H
+#define VARMASS_OSCILLATORS_COURSE_H
 
 /* The largest number of earlier steps from which a step is extrapolated */
-enum { VMI_HISTORY = 6 };
+enum { VMI_HISTORY = 7 };
 
 /* -- A run -- */
 
-/* sa and ca at the nodes of a step */
+/* sa and ca at the nodes of a step, and what Gauss' rule misses in the integrals of four functions: ca^2, (x - 1/2)
+   ca^2, sa ca and (x - 1/2) sa ca, where x goes from 0 at the start of the step to 1 at its end. Row i < n of `misses`
+   is for the integrals over x from 0 to node i, row n for those from 0 to 1. */
+enum { VMI_MISSES_CA2, VMI_MISSES_CA2_X, VMI_MISSES_SACA, VMI_MISSES_SACA_X, VMI_MISSES };
 typedef struct VM_TAG(vmi_step_waves) {
     vm_real sa[VMI_NODES], ca[VMI_NODES];
+    vm_real misses[VMI_NODES + 1][VMI_MISSES];
 } vmi_step_waves;
 
 /* Rates: derivatives of ln A and t with respect to the phase psi, at the nodes of a step */
 typedef struct VM_TAG(vmi_step_rates) {
     vm_real ln_A[VMI_NODES], t[VMI_NODES];
+    vm_real E[2]; /* E at the first and at the last node */
 } vmi_step_rates;
 
 /* A run from 0 to t. A half period, from one zero of ca to the next, is one part, or it is two parts that meet where
@@ -11565,70 +12373,157 @@ typedef struct VM_TAG(vmi_osc_course) {
     vm_real longest;       /* the longest step, s */
     vm_real sweep_limit;   /* the iteration of a step ends when a round changes the phase by less than this */
     vm_real psi, ln_A, t;  /* phase, ln(A/A0) with the amplitude A0 of the plan, time, s */
+    vm_real A;             /* amplitude, m; only set for problems with a force */
+    vm_real Om;            /* rate of the phase, 1/s, that this amplitude has with the mass and stiffness at time 0 */
     vm_real t_low;         /* the exact time is t + t_low, s */
     vm_real left;          /* sum over the steps of the change of phase that their iterations leave out */
     vm_real contraction;   /* factor by which a round of the iteration reduces its error */
     vm_real rate;          /* rate of the phase at the end of the last step, 1/s */
-    vmi_step_waves waves[2];                        /* sa and ca on each part of the half period from psi = -Pi/2 */
-    vmi_step_rates history[2][VMI_HISTORY];         /* rates from earlier steps that covered all of a part */
-    int latest[2];                                  /* index of the latest step in history; earlier ones follow it */
-    int known[2];                                   /* number of earlier steps over each part that history holds */
-    int status;
+    vmi_step_waves waves[2];                 /* waves on each part of the half period from psi = -Pi/2 */
+    vmi_step_rates difference[2][VMI_HISTORY]; /* rates of the last step that covered all of a part, and their
+                                                backward differences over such steps */
+    int known[2];          /* number of earlier steps over each part that `difference` represents */
     long evals;            /* evaluations of the rates */
 } vmi_osc_course;
 
-/* Writes sa and ca at the nodes of a step that starts at the phase `from`. */
-VM_API void vmi_osc_course_waves(const vmi_osc_course *c, vm_real from, vm_real length, vmi_step_waves *w)
+/* Sets the amplitude of the course from ln(A/A0). */
+VM_API void vmi_osc_course_amplitude(vmi_osc_course *c, vm_real ln_A)
 {
-    int i;
-    for (i = 0; i < c->rule.n; i++)
-        vmi_osc_wave_at(&c->wave, from + length * c->rule.node[i], &w->ca[i], &w->sa[i]);
+    const vm_osc_plan *plan = c->plan;
+    c->ln_A = ln_A;
+    c->A = plan->problem.force ? plan->A * vmi_exp(ln_A, 0) : 0;
+    c->Om = plan->Om * vmi_exp((plan->problem.alpha - 1) / 2 * ln_A, 0);
 }
 
-/* A step that is being computed; it starts at the present state of the course */
-typedef struct VM_TAG(vmi_osc_step) {
-    vm_real length;              /* length in phase */
-    vm_real sign;                /* factor of waves: -1 in every second half period, else 1 */
-    const vmi_step_waves *waves; /* sa and ca at the nodes, without the factor sign */
-    vmi_step_rates rates;        /* rates at the nodes by the last round of the iteration */
-} vmi_osc_step;
+/* -- What Gauss' rule misses -- */
+
+/* Writes the ripple at a phase, up to the integral S2. */
+VM_API void vmi_osc_course_ripple(const vmi_osc_course *c, vm_real psi, vmi_ripple_values *f)
+{
+    vm_real sa, ca;
+    vmi_osc_wave_at(&c->wave, psi, &ca, &sa);
+    vmi_ripple_at(&c->plan->ripple, 4, psi, sa, ca, f);
+}
+
+/* Writes the integrals of the four functions over x from 0 to x, for a step of this length in phase. *first is the
+   ripple at the start of the step, *now that at x. The integral of ca^2 over psi is <ca^2> psi + S, and that of sa ca
+   is -(alpha+1)/4 ca^2. Integration by parts gives those with the factor x - 1/2. */
+VM_API void vmi_osc_wave_integrals(const vmi_ripple *r, const vmi_ripple_values *first, const vmi_ripple_values *now,
+                                   vm_real x, vm_real length, vm_real *sum)
+{
+    const vm_real psi = x * length, from_middle = x - VM_C(0.5), quarter = (r->alpha + 1) / 4;
+    const vm_real ca2 = r->mean2 * psi + (now->S - first->S), saca = quarter * (first->C - now->C);
+    /* the integrals of these two over psi */
+    const vm_real ca2_twice = r->mean2 * psi * psi / 2 + (now->S2 - first->S2) - first->S * psi;
+    const vm_real saca_twice = quarter * (first->ca * first->ca * psi - ca2);
+    sum[VMI_MISSES_CA2] = ca2 / length;
+    sum[VMI_MISSES_CA2_X] = (from_middle * ca2 - ca2_twice / length) / length;
+    sum[VMI_MISSES_SACA] = saca / length;
+    sum[VMI_MISSES_SACA_X] = (from_middle * saca - saca_twice / length) / length;
+}
+
+/* Subtracts from the integrals to row i what Gauss' rule gives for them. */
+VM_API void vmi_osc_subtract_rule(const vmi_gauss_rule *rule, int i, vmi_step_waves *w)
+{
+    vm_real *misses = w->misses[i];
+    int j;
+    for (j = 0; j < rule->n; j++) {
+        const vm_real from_middle = rule->node[j] - VM_C(0.5);
+        const vm_real ca2 = rule->integral[i][j] * w->ca[j] * w->ca[j];
+        const vm_real saca = rule->integral[i][j] * w->sa[j] * w->ca[j];
+        misses[VMI_MISSES_CA2] -= ca2;
+        misses[VMI_MISSES_CA2_X] -= from_middle * ca2;
+        misses[VMI_MISSES_SACA] -= saca;
+        misses[VMI_MISSES_SACA_X] -= from_middle * saca;
+    }
+}
+
+/* Writes the waves of a step that starts at the phase `from`. In a very short step the rule misses nothing but rounding
+   errors. */
+VM_API void vmi_osc_course_waves(const vmi_osc_course *c, vm_real from, vm_real length, vmi_step_waves *w)
+{
+    const vm_real very_short = VM_SQRT(VM_SQRT(VM_EPSILON));
+    const vmi_gauss_rule *rule = &c->rule;
+    vmi_ripple_values first, now;
+    int i, k;
+    vmi_osc_course_ripple(c, from, &first);
+    for (i = 0; i <= rule->n; i++) {
+        const vm_real x = i < rule->n ? rule->node[i] : 1;
+        vmi_osc_course_ripple(c, from + length * x, &now);
+        vmi_osc_wave_integrals(&c->plan->ripple, &first, &now, x, length, w->misses[i]);
+        if (i == rule->n) break;
+        w->sa[i] = now.sa;
+        w->ca[i] = now.ca;
+    }
+    for (i = 0; i <= rule->n; i++) vmi_osc_subtract_rule(rule, i, w);
+    if (VM_FABS(length) > very_short) return;
+    for (i = 0; i <= rule->n; i++)
+        for (k = 0; k < VMI_MISSES; k++) w->misses[i][k] = 0;
+}
+
+/* Whether the rule must be graded. A force that depends on the velocity brings into the rates the power alpha + 1 of
+   the distance from a zero of x, which is no integer power for most alpha. From alpha = 3 on it is so high that it does
+   no harm. */
+VM_API int vmi_osc_needs_grading(const vm_osc_problem *o) { return o->force && o->alpha < 3 && o->alpha != 1; }
+
+/* -- Rates and changes -- */
 
 /* Changes of ln A and of the time t (in seconds) over a step or a part of it */
 typedef struct VM_TAG(vmi_osc_change) {
     vm_real ln_A, t;
 } vmi_osc_change;
 
-/* The changes of ln A and t over the whole step */
-VM_API vmi_osc_change vmi_osc_whole_change(const vmi_osc_course *c, const vmi_osc_step *s)
+/* A step that is being computed; it starts at the present state of the course */
+typedef struct VM_TAG(vmi_osc_step) {
+    vm_real length;              /* length in phase */
+    vm_real sign;                /* factor of waves: -1 in every second half period, else 1 */
+    const vmi_step_waves *waves; /* waves at the nodes, without the factor sign */
+    vmi_step_rates rates;        /* rates at the nodes by the last round of the iteration */
+    vm_real swing_t[2];          /* the rate of t swings with (swing_t[0] + (x - 1/2) swing_t[1]) ca^2 */
+    vm_real swing_ln_A[2];       /* the rate of ln A swings with (swing_ln_A[0] + (x - 1/2) swing_ln_A[1]) sa ca, and
+                                    with -p times the swing of t */
+    vm_real p;                   /* p in the middle of the step, 1/s */
+    vmi_osc_change whole;        /* the changes over the whole step */
+} vmi_osc_step;
+
+/* The state at a node: mass, stiffness and their rates, and the changes since the start of the step */
+typedef struct VM_TAG(vmi_step_node) {
+    vmi_osc_rates now;
+    vm_real p_rate; /* time derivative of now.p */
+    vm_real t;      /* time, s */
+    vmi_osc_change moved;
+} vmi_step_node;
+
+/* Returns e^x for the small |x| of a change within a step, from its power series; otherwise by vmi_exp. */
+VM_API vm_real vmi_osc_exp_of_change(vm_real x)
 {
-    vmi_osc_change sum;
-    int j;
-    sum.ln_A = 0;
-    sum.t = 0;
-    for (j = 0; j < c->rule.n; j++) {
-        sum.ln_A += c->rule.weight[j] * s->rates.ln_A[j];
-        sum.t += c->rule.weight[j] * s->rates.t[j];
-    }
-    sum.ln_A *= s->length;
-    sum.t *= s->length;
-    return sum;
+    const vm_real most = VM_C(0.0625), xx = x * x;
+    const vm_real low = 1 + x + xx * (VM_C(0.5) + x * VM_C(0.16666666666666666667));
+    const vm_real middle = VM_C(0.041666666666666666667) + x * VM_C(0.0083333333333333333333) +
+                           xx * (VM_C(0.0013888888888888888889) + x * VM_C(1.984126984126984127e-4));
+    const vm_real high = VM_C(2.4801587301587301587e-5) + x * VM_C(2.7557319223985890653e-6);
+    if (!(VM_FABS(x) <= most)) return vmi_exp(x, 0);
+    return low + xx * xx * (middle + xx * xx * high);
 }
 
-/* Writes the derivatives of ln A and t with respect to the phase at node i, where ln(A/A0) is ln_A and the time is t.
-   *now holds mass, stiffness and their rates at t, and p_rate is the time derivative of now->p. */
-VM_API int vmi_osc_course_rates(const vmi_osc_course *c, const vmi_osc_step *s, int i, const vmi_osc_rates *now,
-                                vm_real p_rate, vm_real ln_A, vm_real t, vm_real *ln_A_by_psi, vm_real *t_by_psi)
+/* Writes the derivatives of ln A and t with respect to the phase at node i, and E there. */
+VM_API int vmi_osc_course_rates(const vmi_osc_course *c, const vmi_osc_step *s, int i, const vmi_step_node *at,
+                                vm_real *ln_A_by_psi, vm_real *t_by_psi, vm_real *E)
 {
     const vm_osc_plan *plan = c->plan;
     const vm_osc_problem *o = &plan->problem;
     const vm_real least_rate = VM_C(0.03); /* below this ratio of the phase's rate to W there is no vibration */
     const vm_real n = o->alpha + 1, sa = s->sign * s->waves->sa[i], ca = s->sign * s->waves->ca[i];
-    const vm_real W = plan->Om * vmi_osc_Om_ratio(plan, now, ln_A);
-    const vm_real E = (now->p * (now->p - now->a) - p_rate) / (W * W);
-    vm_real rate = 1 + n / 2 * E * ca * ca, ln_A_rate = -now->p + W * E * sa * ca;
+    const vmi_osc_rates *now = &at->now;
+    const vm_real omega_ratio = VM_SQRT((now->k / plan->k0) / (now->m / plan->m0));
+    const vm_real W = c->Om * omega_ratio * vmi_osc_exp_of_change((o->alpha - 1) / 2 * at->moved.ln_A);
+    vm_real rate, ln_A_rate;
+    *E = (now->p * (now->p - now->a) - at->p_rate) / (W * W);
+    rate = 1 + n / 2 * *E * ca * ca;
+    ln_A_rate = -now->p + W * *E * sa * ca;
     if (o->force) {
-        const vm_real A = plan->A * vmi_exp(ln_A, 0), V = 2 * A * W / n, x = A * ca;
-        const vm_real f = o->force(t, x, -V * sa - now->p * x, o->ctx) / (now->m * V);
+        const vm_real A = c->A * vmi_osc_exp_of_change(at->moved.ln_A), V = 2 * A * W / n, x = A * ca;
+        const vm_real f = o->force(at->t, x, -V * sa - now->p * x, o->ctx) / (now->m * V);
         rate -= f * ca / W;
         ln_A_rate -= 2 / n * f * sa;
     }
@@ -11638,73 +12533,123 @@ VM_API int vmi_osc_course_rates(const vmi_osc_course *c, const vmi_osc_step *s, 
     return VM_OK;
 }
 
-/* The changes of ln A and t from the start of the step to node i, by integration of *rates */
-VM_API vmi_osc_change vmi_osc_change_to(const vmi_osc_course *c, const vmi_osc_step *s, const vmi_step_rates *rates,
-                                        int i)
+/* The changes of ln A and t from the start of the step to node i, or over the whole step for i = n */
+VM_API vmi_osc_change vmi_osc_change_to(const vmi_osc_course *c, const vmi_osc_step *s, int i)
 {
-    const vm_real *weight = c->rule.integral[i];
+    const vm_real *weight = c->rule.integral[i], *misses = s->waves->misses[i];
+    vm_real t = s->swing_t[0] * misses[VMI_MISSES_CA2] + s->swing_t[1] * misses[VMI_MISSES_CA2_X];
+    vm_real ln_A = s->swing_ln_A[0] * misses[VMI_MISSES_SACA] + s->swing_ln_A[1] * misses[VMI_MISSES_SACA_X] - s->p * t;
     vmi_osc_change sum;
     int j;
-    sum.ln_A = 0;
-    sum.t = 0;
     for (j = 0; j < c->rule.n; j++) {
-        sum.ln_A += weight[j] * rates->ln_A[j];
-        sum.t += weight[j] * rates->t[j];
+        ln_A += weight[j] * s->rates.ln_A[j];
+        t += weight[j] * s->rates.t[j];
     }
-    sum.ln_A *= s->length;
-    sum.t *= s->length;
+    sum.ln_A = ln_A * s->length;
+    sum.t = t * s->length;
     return sum;
 }
+
+/* Sets what follows from the rates of a step: the swing, and the changes over the whole step. To first order in E,
+   dt/dpsi = (1 - (alpha+1)/2 E ca^2)/W and d ln A/dpsi = -p dt/dpsi + E sa ca. The integral of E sa ca is -(alpha+1)/4
+   E ca^2, by which ln A swings. W is proportional to A^((alpha-1)/2), so this adds (alpha-1)(alpha+1)/8 E ca^2/W to
+   dt/dpsi. */
+VM_API void vmi_osc_complete_step(const vmi_osc_course *c, vmi_osc_step *s)
+{
+    const vm_real alpha = c->plan->problem.alpha, factor = (alpha + 1) * (alpha - 5) / 8;
+    const int last = c->rule.n - 1, middle = c->rule.n / 2;
+    const vmi_step_rates *rates = &s->rates;
+    const vm_real first_t = factor * rates->E[0] * rates->t[0], last_t = factor * rates->E[1] * rates->t[last];
+    const vm_real per_x = 1 / (c->rule.node[last] - c->rule.node[0]);
+    s->swing_t[0] = (first_t + last_t) / 2;
+    s->swing_t[1] = (last_t - first_t) * per_x;
+    s->swing_ln_A[0] = (rates->E[0] + rates->E[1]) / 2;
+    s->swing_ln_A[1] = (rates->E[1] - rates->E[0]) * per_x;
+    s->p = -rates->ln_A[middle] / rates->t[middle];
+    s->whole = vmi_osc_change_to(c, s, c->rule.n);
+}
+
+/* -- The iteration of a step -- */
 
 /* Adds to the rates of a step the corrections `missing` that a round found, and estimates of the further corrections
    that follow: `missing` shifts ln A and t at the nodes, and these shifts change the rates, mostly because W depends on
    both. *now holds mass, stiffness and rates at about the middle of the step. */
-VM_API void vmi_osc_correct(const vmi_osc_course *c, const vmi_osc_step *s, const vmi_osc_rates *now,
-                            const vmi_step_rates *missing, vmi_step_rates *rates)
+VM_API void vmi_osc_correct(const vmi_osc_course *c, const vmi_osc_rates *now, const vmi_step_rates *missing,
+                            vmi_osc_step *s)
 {
     const vm_real alpha = c->plan->problem.alpha;
     /* derivatives of ln(dt/dpsi) with respect to t and to ln A */
     const vm_real by_t = -((alpha + 3) * now->p - 2 * now->a) / 2, by_ln_A = -(alpha - 1) / 2;
+    vm_real slope[VMI_NODES]; /* rate over psi of the change of ln(dt/dpsi) */
+    int i, j;
+    for (j = 0; j < c->rule.n; j++) slope[j] = s->length * (by_t * missing->t[j] + by_ln_A * missing->ln_A[j]);
+    for (i = 0; i < c->rule.n; i++) {
+        vm_real sum = 0, change;
+        for (j = 0; j < c->rule.n; j++) sum += c->rule.integral[i][j] * slope[j];
+        change = s->rates.t[i] * sum;
+        s->rates.t[i] += missing->t[i] + change;
+        s->rates.ln_A[i] += missing->ln_A[i] - now->p * change;
+    }
+}
+
+/* Finds the time derivatives of p at the nodes from the polynomial through the values of p. This is for laws by
+   functions of the user, which have no second derivatives. */
+VM_API void vmi_osc_find_p_rates(const vmi_osc_course *c, const vmi_osc_step *s, vmi_step_node *at)
+{
+    const vm_real too_short = 256 * VM_EPSILON; /* a phase in which differences of p are rounding errors */
+    int i, j;
+    if (VM_FABS(s->length) < too_short) return;
+    for (i = 0; i < c->rule.n; i++) {
+        vm_real sum = 0;
+        for (j = 0; j < c->rule.n; j++) sum += c->rule.derivative[i][j] * at[j].now.p;
+        at[i].p_rate = sum / (s->length * s->rates.t[i]);
+    }
+}
+
+/* Finds the state at each node from the present rates of the step. */
+VM_API int vmi_osc_find_nodes(const vmi_osc_course *c, const vmi_osc_step *s, vmi_step_node *at)
+{
+    const vm_osc_problem *o = &c->plan->problem;
     int i;
     for (i = 0; i < c->rule.n; i++) {
-        const vmi_osc_change moved = vmi_osc_change_to(c, s, missing, i);
-        const vm_real change = rates->t[i] * (by_t * moved.t + by_ln_A * moved.ln_A);
-        rates->t[i] += missing->t[i] + change;
-        rates->ln_A[i] += missing->ln_A[i] - now->p * change;
+        int side = c->side, status;
+        at[i].moved = vmi_osc_change_to(c, s, i);
+        at[i].t = c->t + (c->t_low + at[i].moved.t);
+        if ((vm_real)side * (at[i].t - c->stop) >= 0) {
+            at[i].t = c->stop;
+            side = -side;
+        }
+        status = vmi_osc_rates_and_slope(o, at[i].t, side, &at[i].now, &at[i].p_rate);
+        if (status) return status;
     }
+    if (vmi_osc_has_user_law(o)) vmi_osc_find_p_rates(c, s, at);
+    return VM_OK;
 }
 
 /* Makes one round of the iteration. *change becomes the largest change of the rates, times the length of the step. */
 VM_API int vmi_osc_sweep(vmi_osc_course *c, vmi_osc_step *s, vm_real *change)
 {
-    const vm_real too_short = 256 * VM_EPSILON; /* a phase in which differences of p are rounding errors */
     const int n = c->rule.n;
-    vmi_osc_rates now[VMI_NODES];
+    const vm_real length = VM_FABS(s->length);
+    vmi_step_node at[VMI_NODES];
     vmi_step_rates missing;
-    vm_real ln_A[VMI_NODES], t[VMI_NODES];
-    int i, j, status;
-    for (i = 0; i < n; i++) {
-        const vmi_osc_change moved = vmi_osc_change_to(c, s, &s->rates, i);
-        ln_A[i] = c->ln_A + moved.ln_A;
-        t[i] = c->t + (c->t_low + moved.t);
-        if ((vm_real)c->side * (t[i] - c->stop) > 0) t[i] = c->stop;
-        status = vmi_osc_rates_at(&c->plan->problem, t[i], t[i] == c->stop ? -c->side : c->side, &now[i]);
-        if (status) return status;
-    }
+    vm_real E[VMI_NODES];
+    int i, status = vmi_osc_find_nodes(c, s, at);
+    if (status) return status;
     *change = 0;
     for (i = 0; i < n; i++) {
         const vm_real old_ln_A = s->rates.ln_A[i], old_t = s->rates.t[i];
-        vm_real p_rate = 0, new_ln_A, new_t;
-        for (j = 0; j < n; j++) p_rate += c->rule.derivative[i][j] * now[j].p;
-        p_rate /= s->length * old_t;
-        if (VM_FABS(s->length) < too_short) p_rate = 0;
-        status = vmi_osc_course_rates(c, s, i, &now[i], p_rate, ln_A[i], t[i], &new_ln_A, &new_t);
+        vm_real new_ln_A, new_t;
+        status = vmi_osc_course_rates(c, s, i, &at[i], &new_ln_A, &new_t, &E[i]);
         if (status) return status;
         missing.ln_A[i] = new_ln_A - old_ln_A;
         missing.t[i] = new_t - old_t;
-        *change = vmi_larger((VM_FABS(new_t / old_t - 1) + VM_FABS(new_ln_A - old_ln_A)) * VM_FABS(s->length), *change);
+        *change = vmi_larger((VM_FABS(missing.t[i] / old_t) + VM_FABS(missing.ln_A[i])) * length, *change);
     }
-    vmi_osc_correct(c, s, &now[n / 2], &missing, &s->rates);
+    vmi_osc_correct(c, &at[n / 2].now, &missing, s);
+    s->rates.E[0] = E[0];
+    s->rates.E[1] = E[n - 1];
+    vmi_osc_complete_step(c, s);
     c->evals += n;
     return VM_OK;
 }
@@ -11714,7 +12659,7 @@ VM_API int vmi_osc_sweep(vmi_osc_course *c, vmi_osc_step *s, vm_real *change)
    `contraction`. */
 VM_API int vmi_osc_iterate(vmi_osc_course *c, vmi_osc_step *s)
 {
-    const vm_real least_contraction = VM_C(0.02); /* a lower bound, since the next steps may converge more slowly */
+    const vm_real least_contraction = VM_C(0.005); /* a lower bound, since the next steps may converge more slowly */
     const vm_real rounding = VM_SQRT(VM_EPSILON) / 16; /* in short steps p' has errors of this size, which no round
                                                           removes */
     const int most_rounds = 40;
@@ -11736,34 +12681,36 @@ VM_API int vmi_osc_iterate(vmi_osc_course *c, vmi_osc_step *s)
 /* Sets the rates from which the iteration of a step starts. They are extrapolated from earlier whole steps over the
    same part of a half period. If there are none, the rates at all nodes are those at the start of the step, without the
    disturbance E = (p^2 - a p - p')/W^2 and the further force F. */
-VM_API int vmi_osc_predict(vmi_osc_course *c, int part, vmi_osc_step *s)
+VM_API int vmi_osc_predict(const vmi_osc_course *c, int part, vmi_osc_step *s)
 {
+    const vmi_step_rates *difference = c->difference[part];
+    vmi_step_rates *rates = &s->rates;
     vmi_osc_rates now;
-    vm_real rate, factor = -1;
+    vm_real rate;
     int i, k, status;
+    rates->E[0] = rates->E[1] = 0;
     if (c->known[part] == 0) {
         status = vmi_osc_rates_at(&c->plan->problem, c->t, c->side, &now);
         if (status) return status;
-        rate = 1 / (c->plan->Om * vmi_osc_Om_ratio(c->plan, &now, c->ln_A));
+        rate = 1 / (c->Om * VM_SQRT((now.k / c->plan->k0) / (now.m / c->plan->m0)));
         for (i = 0; i < c->rule.n; i++) {
-            s->rates.ln_A[i] = -now.p * rate;
-            s->rates.t[i] = rate;
+            rates->ln_A[i] = -now.p * rate;
+            rates->t[i] = rate;
         }
         return VM_OK;
     }
-    for (i = 0; i < c->rule.n; i++) {
-        s->rates.ln_A[i] = 0;
-        s->rates.t[i] = 0;
-    }
-    for (k = 0; k < c->known[part]; k++) { /* extrapolation from n earlier steps: the latest times n, the one before
-                                              times -n (n-1)/2 ... */
-        const vmi_step_rates *last = &c->history[part][(c->latest[part] + k) % VMI_HISTORY];
-        factor *= (vm_real)(c->known[part] - k) / (vm_real)(k + 1);
-        for (i = 0; i < c->rule.n; i++) {
-            s->rates.ln_A[i] -= factor * last->ln_A[i];
-            s->rates.t[i] -= factor * last->t[i];
+    for (i = 0; i < c->rule.n; i++) { /* the next value of a polynomial is the sum of its backward differences */
+        vm_real ln_A = 0, t = 0;
+        for (k = 0; k < c->known[part]; k++) {
+            ln_A += difference[k].ln_A[i];
+            t += difference[k].t[i];
         }
-        factor = -factor;
+        rates->ln_A[i] = ln_A;
+        rates->t[i] = t;
+    }
+    for (k = 0; k < c->known[part]; k++) {
+        rates->E[0] += difference[k].E[0];
+        rates->E[1] += difference[k].E[1];
     }
     return VM_OK;
 }
@@ -11771,39 +12718,58 @@ VM_API int vmi_osc_predict(vmi_osc_course *c, int part, vmi_osc_step *s)
 /* Advances the state of the course by the step. */
 VM_API void vmi_osc_take(vmi_osc_course *c, const vmi_osc_step *s)
 {
-    const vmi_osc_change moved = vmi_osc_whole_change(c, s);
-    const vm_real change = c->t_low + moved.t, t = c->t + change;
+    const vm_real change = c->t_low + s->whole.t, t = c->t + change;
     c->t_low = change - (t - c->t);
     c->t = t;
-    c->ln_A += moved.ln_A;
+    vmi_osc_course_amplitude(c, c->ln_A + s->whole.ln_A);
     c->psi += s->length;
     c->rate = 1 / s->rates.t[c->rule.n - 1];
 }
 
-/* Stores the rates of ln A and t over a whole step. vmi_osc_predict extrapolates from them the rates of the next step
-   over the same part (first or second) of a half period. */
+/* Replaces a value in *kept by *value, and *value by the difference of the two. */
+VM_API void vmi_keep_and_subtract(vm_real *kept, vm_real *value)
+{
+    const vm_real difference = *value - *kept;
+    *kept = *value;
+    *value = difference;
+}
+
+/* Stores the rates of ln A and t over a whole step, by renewing their backward differences. vmi_osc_predict
+   extrapolates from them the rates of the next step over the same part (first or second) of a half period. */
 VM_API void vmi_osc_remember(vmi_osc_course *c, int part, const vmi_step_rates *rates)
 {
-    c->latest[part] = (c->latest[part] + VMI_HISTORY - 1) % VMI_HISTORY;
-    c->history[part][c->latest[part]] = *rates;
-    if (c->known[part] < VMI_HISTORY) c->known[part]++;
+    const int terms = c->known[part] < VMI_HISTORY ? c->known[part] + 1 : VMI_HISTORY;
+    int i, k;
+    vmi_step_rates *difference = c->difference[part];
+    for (i = 0; i < c->rule.n; i++) {
+        vm_real ln_A = rates->ln_A[i], t = rates->t[i];
+        for (k = 0; k < terms; k++) {
+            vmi_keep_and_subtract(&difference[k].ln_A[i], &ln_A);
+            vmi_keep_and_subtract(&difference[k].t[i], &t);
+        }
+    }
+    for (i = 0; i < 2; i++) {
+        vm_real E = rates->E[i];
+        for (k = 0; k < terms; k++) vmi_keep_and_subtract(&difference[k].E[i], &E);
+    }
+    c->known[part] = terms;
 }
 
 /* -- Landing on a time -- */
 
-/* Returns the fraction of the step at which the time t is reached, by Newton's method. Writes the Legendre series of
-   dt/dpsi on the step to series. */
-VM_API vm_real vmi_osc_find_part(const vmi_osc_course *c, const vmi_osc_step *s, vm_real t, vm_real *series)
+/* Returns the fraction of the step at which the time t is reached, by Newton's method on the Legendre series of
+   dt/dpsi, or in a graded rule of dt/dx (vmi_gauss_rule_grade). */
+VM_API vm_real vmi_osc_find_part(const vmi_osc_course *c, const vmi_osc_step *s, vm_real t)
 {
     const int rounds = 8;
     const vm_real way = (t - c->t) - c->t_low;
-    vm_real part, slope;
+    vm_real series[VMI_GAUSS], part, slope;
     int i, k;
     for (k = 0; k < VMI_GAUSS; k++) series[k] = 0;
     for (i = 0; i < c->rule.n; i++) {
         vm_real before = 0, now = 1;
         for (k = 0; k < c->rule.n; k++) {
-            const vm_real next = vmi_legendre_next(k, 2 * c->rule.node[i] - 1, now, before);
+            const vm_real next = vmi_legendre_next(k, 2 * c->rule.place[i] - 1, now, before);
             series[k] += (vm_real)(2 * k + 1) * c->rule.weight[i] * now * s->rates.t[i];
             before = now;
             now = next;
@@ -11815,7 +12781,7 @@ VM_API vm_real vmi_osc_find_part(const vmi_osc_course *c, const vmi_osc_step *s,
         part -= (s->length / 2 * vmi_legendre_integral(series, 2 * part - 1) - way) / slope;
         part = vmi_smaller(vmi_larger(part, 0), 1);
     }
-    return part;
+    return c->rule.graded ? vmi_graded(part) : part;
 }
 
 /* Makes a step that ends at c->stop, in place of the longer step `beyond`, which would go past this time. certain is 0
@@ -11825,7 +12791,7 @@ VM_API int vmi_osc_land(vmi_osc_course *c, const vmi_osc_step *beyond, int certa
 {
     const int rounds = 6;
     const vm_real way = (c->stop - c->t) - c->t_low;
-    vm_real series[VMI_GAUSS], part = vmi_osc_find_part(c, beyond, c->stop, series);
+    const vm_real part = vmi_osc_find_part(c, beyond, c->stop);
     vmi_step_waves waves;
     vmi_osc_step s;
     int i, attempt, status;
@@ -11833,16 +12799,19 @@ VM_API int vmi_osc_land(vmi_osc_course *c, const vmi_osc_step *beyond, int certa
     s.waves = &waves;
     s.length = part * beyond->length;
     for (i = 0; i < c->rule.n; i++) {
-        s.rates.t[i] = vmi_legendre_at(series, 2 * part * c->rule.node[i] - 1);
+        s.rates.t[i] = beyond->rates.t[i];
         s.rates.ln_A[i] = beyond->rates.ln_A[i];
     }
+    s.rates.E[0] = beyond->rates.E[0];
+    s.rates.E[1] = beyond->rates.E[1];
     for (attempt = 0; attempt < rounds; attempt++) {
         vm_real missing;
         vmi_osc_course_waves(c, c->psi, s.length, &waves);
+        vmi_osc_complete_step(c, &s);
         status = vmi_osc_iterate(c, &s);
         if (status == VM_NOT_INTEGRATED && !certain) return VM_OK;
         if (status) return status;
-        missing = (way - vmi_osc_whole_change(c, &s).t) / s.rates.t[c->rule.n - 1];
+        missing = (way - s.whole.t) / s.rates.t[c->rule.n - 1];
         if (VM_FABS(missing) <= c->sweep_limit) break;
         s.length += missing;
     }
@@ -11877,7 +12846,7 @@ VM_API vm_real vmi_osc_next_phase(const vmi_osc_course *c, int *part, vm_real *s
 /* Whether the step, by its present rates, ends at or beyond c->stop */
 VM_API int vmi_osc_is_beyond(const vmi_osc_course *c, const vmi_osc_step *s)
 {
-    return (vm_real)c->side * ((c->t - c->stop) + (c->t_low + vmi_osc_whole_change(c, s).t)) >= 0;
+    return (vm_real)c->side * ((c->t - c->stop) + (c->t_low + s->whole.t)) >= 0;
 }
 
 /* Makes a step whose length is `most`, between 0 and 1, times the usual length. If it would go beyond c->stop, it is
@@ -11891,17 +12860,17 @@ VM_API int vmi_osc_course_step_of(vmi_osc_course *c, vm_real most)
     s.length = vmi_osc_next_phase(c, &part, &s.sign) - c->psi;
     status = vmi_osc_predict(c, part < 0 ? 0 : part, &s);
     if (status) return status;
-    share = vmi_smaller(c->longest / VM_FABS(vmi_osc_whole_change(c, &s).t), most);
+    share = vmi_smaller(c->longest / VM_FABS(s.length * s.rates.t[c->rule.n / 2]), most);
     if (share < 1) {
         s.length *= share;
         part = -1;
     }
-    s.waves = &c->waves[part < 0 ? 0 : part];
     if (part < 0) {
         s.sign = 1;
         s.waves = &inside;
         vmi_osc_course_waves(c, c->psi, s.length, &inside);
-    }
+    } else s.waves = &c->waves[part];
+    vmi_osc_complete_step(c, &s);
     if (vmi_osc_is_beyond(c, &s)) {
         status = vmi_osc_land(c, &s, 0);
         if (status || c->t == c->stop) return status;
@@ -11939,13 +12908,14 @@ VM_API void vmi_osc_course_start(vmi_osc_course *c, const vm_osc_plan *plan, con
     c->plan = plan;
     c->wave = vmi_osc_wave_of(plan, VM_ROUTE_COLLOCATION);
     vmi_gauss_rule_init(&c->rule, n);
+    if (vmi_osc_needs_grading(&plan->problem)) vmi_gauss_rule_grade(&c->rule);
     c->side = side;
     c->parts = parts;
     c->sweep_limit = sweep_limit;
     c->stop = 0;
     c->longest = VM_INFINITY;
     c->psi = start->psi;
-    c->ln_A = vmi_log(start->A / plan->A).hi;
+    vmi_osc_course_amplitude(c, vmi_log(start->A / plan->A).hi);
     c->t = 0;
     c->t_low = 0;
     c->left = 0;
@@ -11956,12 +12926,21 @@ VM_API void vmi_osc_course_start(vmi_osc_course *c, const vm_osc_plan *plan, con
         if (side < 0) from += half / (vm_real)parts;
         vmi_osc_course_waves(c, from, length, &c->waves[part]);
     }
-    for (part = 0; part < 2; part++) {
-        c->latest[part] = 0;
-        c->known[part] = 0;
-    }
+    c->known[0] = 0;
+    c->known[1] = 0;
     c->evals = 0;
 }
+
+#endif
+/* oscillators/collocation.h - the motion of an oscillator by collocation, to a tolerance
+
+   Two runs from zero to zero of x (oscillators/course.h), with different numbers of points a step, go side by side.
+   Their difference gives the error. If the error is larger than the tolerance, the next pair of runs has more points.
+       vm_osc_motion motion;
+       int status = vmi_osc_collocate(&plan, VM_ROUTE_COLLOCATION, 300, VM_C(1e-8), &motion); // plan is a vm_osc_plan
+   Tests: tests/test_collocation.c, tests/test_routes.c. */
+#ifndef VARMASS_OSCILLATORS_COLLOCATION_H
+#define VARMASS_OSCILLATORS_COLLOCATION_H
 
 /* -- Two runs side by side -- */
 
@@ -12004,30 +12983,36 @@ typedef struct VM_TAG(vmi_osc_points) {
 /* The number of pairs of runs that can be tried one after the other */
 enum { VMI_OSC_PAIRS = 6 };
 
-/* Whether the rates are smooth inside a half period, so that one step over it is good. With a force they may have kinks
-   in the middle, where x' = 0; for alpha > 3 they change quickly there. In these cases two steps that meet in the
-   middle are better. */
-VM_API int vmi_osc_has_smooth_halves(const vm_osc_problem *o) { return o->alpha <= 3 && !o->force; }
-
-/* Pair number i, 0 to VMI_OSC_PAIRS - 1. Each pair is more accurate than the one before. */
+/* Pair number i, 0 to VMI_OSC_PAIRS - 1. Each pair is more accurate than the one before. With a force the rates may
+   have kinks in the middle of a half period, where x' = 0, and what the rule misses has no closed form; so there are
+   two parts and more points. For alpha > 3 the rates change quickly in the middle; two parts that meet there are
+   better. */
 VM_API vmi_osc_points vmi_osc_pair(const vm_osc_problem *o, int i)
 {
-    static const vmi_osc_points smooth[VMI_OSC_PAIRS] = {{4, 6, 1}, {5, 7, 1},  {8, 11, 1},
-                                                         {5, 7, 2}, {8, 11, 2}, {14, 20, 2}};
-    static const vmi_osc_points other[VMI_OSC_PAIRS] = {{4, 6, 2},  {5, 7, 2},   {6, 8, 2},
-                                                        {8, 11, 2}, {10, 14, 2}, {14, 20, 2}};
-    return vmi_osc_has_smooth_halves(o) ? smooth[i] : other[i];
+    static const vmi_osc_points alone[VMI_OSC_PAIRS] = {{2, 3, 1}, {3, 4, 1},  {4, 6, 1},
+                                                        {6, 9, 1}, {8, 11, 2}, {14, 20, 2}};
+    static const vmi_osc_points forced[VMI_OSC_PAIRS] = {{4, 6, 2},  {5, 7, 2},   {6, 8, 2},
+                                                         {8, 11, 2}, {10, 14, 2}, {14, 20, 2}};
+    vmi_osc_points points = alone[i];
+    if (o->force) points = forced[i];
+    if (o->alpha > 3) points.parts = 2;
+    return points;
 }
 
 /* The number of the pair that is tried first. It is about the cheapest that reaches the tolerance where mass and
-   stiffness change by 1 % while the phase grows by 1. */
+   stiffness change by 1 % while the phase grows by 1. Laws by functions of the user need more points, for the
+   derivative of p. */
 VM_API int vmi_osc_first_pair(const vm_osc_problem *o, vm_real tolerance)
 {
     if (o->force) return tolerance >= VM_C(1e-6) ? 2 : 4;
-    if (tolerance >= VM_C(1e-6)) return 0;
-    if (tolerance >= VM_C(1e-8)) return vmi_osc_has_smooth_halves(o) ? 1 : 0;
-    if (tolerance >= VM_C(1e-9)) return 2;
-    return tolerance >= VM_C(1e-10) ? 3 : 4;
+    if (vmi_osc_has_user_law(o)) {
+        if (tolerance >= VM_C(1e-6)) return 1;
+        return tolerance >= VM_C(1e-8) ? 2 : 3;
+    }
+    if (tolerance >= VM_C(1e-8)) return 0;
+    if (tolerance >= VM_C(1e-9)) return 1;
+    if (tolerance >= VM_C(1e-11)) return 2;
+    return 3;
 }
 
 /* The number of the pair that is tried after pair i, whose estimated error is `error`, larger than the tolerance. A
@@ -12048,12 +13033,15 @@ VM_API int vmi_osc_next_pair(const vm_osc_problem *o, int i, vm_real error, vm_r
 /* Returns the estimated error of the strict run divided by the difference of the two runs, which is nearly the error of
    the loose run. Where alpha < 1, the rates have terms proportional to d^(alpha+2), where d is the distance from a zero
    of x. For these terms the error of Gauss' rule of n points falls as n^-(2 alpha + 6). For larger alpha up to 10 it
-   falls as n^-8 at least. Kinks from a force or from a law by a function, and the sharp turns of a large alpha, make it
-   fall more slowly. */
+   falls as n^-8 at least. Few points, kinks from a force or from a law by a function, and the sharp turns of a large
+   alpha, make it fall more slowly. In a graded rule the points are densest where x' is near 0, so kinks there count
+   less. */
 VM_API vm_real vmi_osc_strict_share(const vm_osc_problem *o, vmi_osc_points points)
 {
     const vm_real ratio = (vm_real)points.loose / (vm_real)points.strict, squared = ratio * ratio;
-    if (o->force || o->mass.function || o->stiffness.function || o->alpha > 10) return squared * squared;
+    const int graded = vmi_osc_needs_grading(o), kinks = (o->force && !graded) || vmi_osc_has_user_law(o);
+    const int few = graded ? 8 : 4;
+    if (kinks || o->alpha > 10 || points.strict <= few) return squared * squared;
     return squared * squared * squared * (o->alpha >= 1 ? squared : 1);
 }
 
@@ -12374,14 +13362,15 @@ VM_API int vm_osc_plan_within(const vm_osc_plan *p, vm_real t, vm_real tolerance
 /* -- Without a plan -- */
 
 /* Makes the plan of a problem for one call, without the plan of the Ateb functions, which is worth its time only for
-   many calls. complete = 1 also makes the polynomials of the ripple, which orders 3 to 5 need. */
+   many calls. complete = 1 also makes the polynomials of the ripple, which orders 3 to 5 and collocation
+   need. */
 VM_API int vmi_osc_once(const vm_osc_problem *problem, int complete, vm_osc_plan *plan)
 {
     int status;
     if (!problem) return VM_BAD_ARGUMENT;
     status = vmi_osc_prepare(plan, problem, 0);
     if (status) return status;
-    if (complete) vmi_ripple_complete(&plan->ripple);
+    if (complete) vmi_ripple_complete(&plan->ripple, 5);
     return vmi_osc_start(plan);
 }
 
@@ -12391,7 +13380,7 @@ VM_API int vmi_osc_once(const vm_osc_problem *problem, int complete, vm_osc_plan
 VM_API int vm_osc_by_route(const vm_osc_problem *problem, int route, vm_real t, vm_real tolerance,
                            vm_osc_motion *motion)
 {
-    const int complete = route >= VM_ROUTE_ORDER3 && route <= VM_ROUTE_ORDER5;
+    const int complete = route >= VM_ROUTE_ORDER3 && route <= VM_ROUTE_COLLOCATION;
     vm_osc_plan plan;
     int status = vmi_osc_check_arguments(route, t, tolerance, motion);
     status = vmi_first_error(status, vmi_osc_once(problem, complete, &plan));
@@ -12413,10 +13402,10 @@ VM_API int vm_osc_within(const vm_osc_problem *problem, vm_real t, vm_real toler
     if (!problem->force) {
         status = vmi_osc_averaged_within(&plan, t, tolerance, motion);
         if (status != VM_TOLERANCE_MISSED) return status;
-        vmi_ripple_complete(&plan.ripple);
-        status = vmi_osc_start(&plan);
-        if (status) return status;
     }
+    vmi_ripple_complete(&plan.ripple, 5);
+    status = vmi_osc_start(&plan);
+    if (status) return status;
     return vm_osc_plan_within(&plan, t, tolerance, motion);
 }
 
@@ -15243,7 +16232,7 @@ VM_API int vm_vdp_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void 
        vmi_ripple r;
        vmi_vdp_ripple v;
        vmi_ripple_init(&r, 1, vmi_ateb_constants);
-       vmi_ripple_complete(&r);
+       vmi_ripple_complete(&r, 5);
        vmi_vdp_ripple_init(&v, &r); // v.F is -1/4, v.K2 -11/256
    Tests: tests/test_van_der_pol_law.c. */
 #ifndef VARMASS_OSCILLATORS_VAN_DER_POL_EXPANSION_H
@@ -16465,7 +17454,7 @@ VM_API int vm_vdp_cycle_of(const vm_vdp *v, vm_vdp_cycle *cycle)
     if (status) return status;
     if (!((v->feed > 0 && v->c > 0) || (v->feed < 0 && v->c < 0))) return VM_NO_LAW;
     vmi_ripple_init(&r, v->alpha, vmi_ateb_constants);
-    vmi_ripple_complete(&r);
+    vmi_ripple_complete(&r, 5);
     vmi_vdp_ripple_init(&ripple, &r);
     vmi_vdp_cycle_coefficients(&ripple, &r, &kx, &kw);
     A = VM_SQRT(v->feed / v->c / -ripple.F);
@@ -16941,8 +17930,8 @@ VM_API int vmi_jeffcott_find_bracket(vmi_jeffcott_orbit *o, vmi_jeffcott_bracket
    products stay constant (509):
      A^4 (g^2 + m K_e(A)) for r = 1, which is the square of A^2 (m W - g);   A^4 K_e(A) m^(2r-1) for g = 0.
    For F_e = k rho^alpha and g = 0 the radius follows vm_osc_amplitude_law, with mass/mass0 and decay 0; its relative
-   error is then at most 3e-15 (float 3e-6). Returns NaN for g != 0 with r != 1, since the radius then depends on all
-   masses in between; where no radius is found on the way from first_A; for null pointers, for a rotor without
+   error is then at most 3e-15 (float 3e-6). Returns NaN for g != 0 with r != 1, for which vm_jeffcott_whirl_amplitude
+   integrates; where no radius is found on the way from first_A; for null pointers, for a rotor without
    stiffness, and for a radius or masses that are not positive and finite. */
 VM_API vm_real vm_jeffcott_amplitude(const vm_jeffcott *r, vm_real first_A, vm_real mass0, vm_real mass)
 {
@@ -16968,6 +17957,256 @@ VM_API vm_real vm_jeffcott_amplitude(const vm_jeffcott *r, vm_real first_A, vm_r
 }
 
 #endif
+/* oscillators/jeffcott_motion.h - the motion z(t) of the Jeffcott (Laval) rotor by its amplitude law and a phase
+
+   A whirl z = A e^(i psi) on a circle (497) with the velocity z' = i W z (498) has the phase psi, the integral of its
+   frequency W over time (499). Where neither an external force nor a velocity u of the mass acts, the radius A depends
+   on the mass alone, so that W is a known function of time: psi is an integral, and has a closed form for a power law
+   of the shaft without gyroscopic moments. On a linear shaft a forward and a backward whirl add up to any motion: this
+   is (481), (482), with any start, reactive force and gyroscopic moment. The letters and the vm_jeffcott are those of
+   oscillators/jeffcott.h; g is its gyro, r its reactive. Shortest useful call:
+       vm_power_force shaft = {4, 1}; // F_e = 4 N/m rho
+       vm_jeffcott_whirl whirl;
+       vm_jeffcott rotor;
+       int status;
+       memset(&rotor, 0, sizeof rotor);
+       rotor.stiffness = vm_jeffcott_power;
+       rotor.stiffness_ctx = &shaft;
+       rotor.mass = vm_law_linear(1, VM_C(0.01)); // 1 kg, and 0.01 kg/s joins
+       status = vm_jeffcott_whirl_at(&rotor, 1, 0, 1, 20, &whirl); // forward, radius 1 m and angle 0 at t = 0
+   All of this is averaged: the error of A is of first order in the relative change of the mass within a radian of the
+   phase, and the error of psi too, up to times of the order of the inverse of this change.
+   Tests: tests/test_jeffcott_motion.c. */
+#ifndef VARMASS_OSCILLATORS_JEFFCOTT_MOTION_H
+#define VARMASS_OSCILLATORS_JEFFCOTT_MOTION_H
+
+/* A circular whirl at one time */
+typedef struct VM_TAG(vm_jeffcott_whirl) {
+    vm_real radius;    /* A, m */
+    vm_real angle;     /* psi, rad; it counts all turns */
+    vm_real frequency; /* W = psi', rad/s; negative for backward whirl */
+    vm_complex z, v;   /* position A e^(i psi) and velocity i W z of the disc's centre, m and m/s */
+} vm_jeffcott_whirl;
+
+/* -- The radius as a function of the mass -- */
+
+/* A change of mass along which the radius is integrated: the radius and the mass at its start, and the sense of the
+   whirl, 1 forward or -1 backward */
+typedef struct VM_TAG(vmi_jeffcott_change) {
+    const vm_jeffcott *r;
+    vm_real first_A, mass0;
+    int sense;
+} vmi_jeffcott_change;
+
+/* The derivative of ln A with respect to s = ln(m/mass0), by (504) with m as the independent variable:
+     (ln A)' (2 + m K_e' A/(2 S^2)) = (1 - r) (1 + g/S) - m K_e/(2 S^2),   S = m W - g,
+   where K_e' is the derivative of the stiffness K_e with respect to the radius. An ode_rhs of the single state ln(A/
+   first_A). */
+VM_API int vmi_jeffcott_change_rhs(vm_real s, const vm_real *y, vm_real *dyds, void *change)
+{
+    const vmi_jeffcott_change *c = (const vmi_jeffcott_change *)change;
+    const vm_real mass = c->mass0 * vmi_exp(s, 0), A = c->first_A * vmi_exp(y[0], 0), g = c->r->gyro;
+    vm_real slope, S, share;
+    const vm_real stiffness = vmi_jeffcott_stiffness(c->r, A, &slope), square = g * g + mass * stiffness;
+    if (!(square > 0)) return VM_BAD_STIFFNESS;
+    S = VM_SQRT(square);
+    share = mass / (2 * square);
+    if (c->sense < 0) S = -S;
+    dyds[0] = ((1 - c->r->reactive) * (1 + g / S) - share * stiffness) / (2 + share * slope * A);
+    return VM_OK;
+}
+
+/* Radius of circular whirl, m, after the mass has changed slowly, for any share of the reactive force.
+   Where vm_jeffcott_amplitude has the radius, for g = 0 or r = 1, this is the result. Otherwise A^2 S grows with the
+   mass by (1 - r) (1 + g/S) per relative change of the mass, S = m W - g, and the function integrates this over the
+   mass by rk87; the relative error is at most 1e-13 (float 3e-6). The radius was first_A when the mass was mass0;
+   `mass` is the mass after the change. sense >= 0 means forward, sense < 0 backward whirl. Returns NaN where
+   vm_jeffcott_amplitude does, but for g != 0 with r != 1, and where g^2 + m K_e(A) is not positive on the way. */
+VM_API vm_real vm_jeffcott_whirl_amplitude(const vm_jeffcott *r, vm_real first_A, vm_real mass0, vm_real mass,
+                                           int sense)
+{
+    const vm_real tolerance = 16 * VM_EPSILON;
+    vm_real work[RK87_WORK(1)], y = 0;
+    rk87_options options = rk45_defaults(NULL);
+    vmi_jeffcott_change change;
+    rk87 run;
+    if (!r || r->gyro == 0 || r->reactive == 1) return vm_jeffcott_amplitude(r, first_A, mass0, mass);
+    if (!r->stiffness || !(first_A > 0) || !(mass0 > 0) || !(mass > 0) || !VM_IS_FINITE(first_A) ||
+        !VM_IS_FINITE(mass0) || !VM_IS_FINITE(mass) || !VM_IS_FINITE(r->reactive) || !VM_IS_FINITE(r->gyro))
+        return VM_NAN;
+    change.r = r;
+    change.first_A = first_A;
+    change.mass0 = mass0;
+    change.sense = sense;
+    options.atol = tolerance;
+    options.rtol = -1; /* errors of ln A are absolute */
+    if (rk87_init(&run, vmi_jeffcott_change_rhs, &change, 1, 0, &y, &options, work) < 0) return VM_NAN;
+    if (rk87_solve(&run, vmi_log(mass / mass0).hi) < 0) return VM_NAN;
+    return first_A * vmi_exp(run.y[0], 0);
+}
+
+/* -- The phase -- */
+
+/* A circular whirl whose frequency is integrated over time */
+typedef struct VM_TAG(vmi_jeffcott_phase) {
+    const vm_jeffcott *r;
+    vm_real first_A, mass0; /* radius and mass at t = 0 */
+    int sense;
+} vmi_jeffcott_phase;
+
+/* Writes the radius and the frequency of the whirl for this mass. Returns VM_BAD_STIFFNESS where there is none. */
+VM_API int vmi_jeffcott_whirl_of_mass(const vmi_jeffcott_phase *p, vm_real mass, vm_real *A, vm_real *W)
+{
+    *A = vm_jeffcott_whirl_amplitude(p->r, p->first_A, p->mass0, mass, p->sense);
+    *W = vm_jeffcott_frequency(p->r, *A, mass, p->sense);
+    if (!VM_IS_FINITE(*W) || *W == 0) return VM_BAD_STIFFNESS;
+    return VM_OK;
+}
+
+/* The frequency W at time t. A vmi_integrand; phase points to a vmi_jeffcott_phase. */
+VM_API int vmi_jeffcott_frequency_at(vm_real t, int side, vm_real *W, void *phase)
+{
+    const vmi_jeffcott_phase *p = (const vmi_jeffcott_phase *)phase;
+    vm_real m[VMI_LAW_ORDERS], A;
+    const int status = vmi_law_derivatives(&p->r->mass, VM_BAD_MASS, t, side, 0, m);
+    if (status) return status;
+    return vmi_jeffcott_whirl_of_mass(p, m[0], &A, W);
+}
+
+/* Computes the phase in closed form, where the frequency was W at t = 0, and returns whether there is one: for F_e = k
+   rho^alpha and g = 0 the frequency is proportional to m^-q, with 2 q = 1 + (alpha - 1) (2 r - 1)/(alpha + 3), and the
+   law of the mass has an exponential form (oscillators/laws.h). (482) is this for alpha = 1, m = m0 (1 + c t)^2. */
+VM_API int vmi_jeffcott_phase_closed(const vm_jeffcott *r, vm_real W, vm_real t, vm_real *psi)
+{
+    vm_real base, rate, q, u;
+    const vm_power_force *p = (const vm_power_force *)r->stiffness_ctx;
+    if (r->stiffness != vm_jeffcott_power || r->gyro != 0) return 0;
+    if (!vmi_law_exponential_form(&r->mass, &base, &rate)) return 0;
+    q = (1 + (p->alpha - 1) / (p->alpha + 3) * (2 * r->reactive - 1)) / 2;
+    u = t * vmi_log_ratio(base * t);
+    *psi = W * u * vmi_exp_ratio((base - q * rate) * u);
+    return 1;
+}
+
+/* Computes the phase from 0 to t by quadrature along the law of the mass. */
+VM_API int vmi_jeffcott_phase_by_panels(vmi_jeffcott_phase *p, vm_real t, vm_real *psi)
+{
+    const vm_law *mass = &p->r->mass;
+    vm_real at = 0;
+    int status = VM_OK;
+    *psi = 0;
+    while (!status && at != t) {
+        const vm_real next = vmi_law_next_knot(mass, at, t), whole = VM_FABS(t);
+        status = vmi_add_integral(vmi_jeffcott_frequency_at, p, at, next, vmi_law_longest_panel(mass, whole), whole,
+                                  psi);
+        at = next;
+    }
+    return status;
+}
+
+/* Checks what the motions of this chapter ask for: a rotor without load, and finite positive masses from 0 to t. Writes
+   the masses at 0 and at t. */
+VM_API int vmi_jeffcott_check_motion(const vm_jeffcott *r, vm_real t, vm_real *mass0, vm_real *mass)
+{
+    vm_real rate;
+    int status;
+    if (!r->stiffness || !r->mass.derivatives) return VM_BAD_ARGUMENT;
+    if (!VM_IS_FINITE(t) || !VM_IS_FINITE(r->gyro) || !VM_IS_FINITE(r->reactive) || !VM_IS_FINITE(r->u.re) ||
+        !VM_IS_FINITE(r->u.im))
+        return VM_NOT_FINITE;
+    status = vmi_law_check(&r->mass, VM_BAD_MASS, t);
+    if (!status) status = vmi_jeffcott_mass_at(r, 0, mass0, &rate);
+    if (!status) status = vmi_jeffcott_mass_at(r, t, mass, &rate);
+    if (!status && (r->force || r->u.re != 0 || r->u.im != 0)) return VM_NO_LAW;
+    return status;
+}
+
+/* Circular whirl of the rotor at time t, of either sign, from radius and angle at t = 0: (497)-(499).
+   first_A > 0 is the radius (m) and first_angle the angle (rad) at t = 0; sense >= 0 means forward, sense < 0 backward
+   whirl. The radius is vm_jeffcott_whirl_amplitude. The angle has a closed form for a power law of the shaft
+   (vm_jeffcott_power) with g = 0 and a mass that is constant, linear, exponential or a power; it is then within 8 eps
+   of the phase. Otherwise it is the integral of the frequency by Gauss' rule on panels of 20 points, each of which asks
+   for the radius; it is then within 1e-12 (float 1e-4) of the phase for a smooth stiffness. The velocity is i W z,
+   without the small radial velocity. Returns VM_BAD_ARGUMENT for null pointers and a rotor without mass or stiffness,
+   VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS where there is no such whirl, VM_DOMAIN for a radius that is not
+   positive or t outside a table, and VM_NO_LAW for a rotor with a force or a velocity u. */
+VM_API int vm_jeffcott_whirl_at(const vm_jeffcott *r, vm_real first_A, vm_real first_angle, int sense, vm_real t,
+                                vm_jeffcott_whirl *whirl)
+{
+    vmi_jeffcott_phase phase;
+    vm_jeffcott_whirl w;
+    vm_real mass, psi, first_W, unused;
+    int status;
+    if (!r || !whirl) return VM_BAD_ARGUMENT;
+    status = vmi_jeffcott_check_motion(r, t, &phase.mass0, &mass);
+    if (!VM_IS_FINITE(first_A) || !VM_IS_FINITE(first_angle)) status = vmi_first_error(status, VM_NOT_FINITE);
+    else if (first_A <= 0) status = vmi_first_error(status, VM_DOMAIN);
+    if (status) return status;
+    phase.r = r;
+    phase.first_A = first_A;
+    phase.sense = sense;
+    status = vmi_jeffcott_whirl_of_mass(&phase, phase.mass0, &unused, &first_W);
+    if (!status) status = vmi_jeffcott_whirl_of_mass(&phase, mass, &w.radius, &w.frequency);
+    if (status) return status;
+    if (!vmi_jeffcott_phase_closed(r, first_W, t, &psi)) status = vmi_jeffcott_phase_by_panels(&phase, t, &psi);
+    if (status) return status;
+    w.angle = first_angle + psi;
+    w.z = vmi_c_scale(w.radius, vmi_c_turn(w.angle));
+    w.v = vmi_c_times_i(w.frequency, w.z);
+    if (!VM_IS_FINITE(w.angle) || !VM_IS_FINITE(w.v.re) || !VM_IS_FINITE(w.v.im)) return VM_NOT_FINITE;
+    *whirl = w;
+    return VM_OK;
+}
+
+/* -- Any motion on a linear shaft -- */
+
+/* Adds the whirl of this sense that was at z = first at t = 0, if it is there, to the motion (x, y, x', y') at t. */
+VM_API int vmi_jeffcott_add_whirl(const vm_jeffcott *r, vm_complex first, int sense, vm_real t, vm_real *motion)
+{
+    const vm_real A = vmi_c_modulus(first);
+    vm_jeffcott_whirl w;
+    int status;
+    if (A == 0) return VM_OK;
+    status = vm_jeffcott_whirl_at(r, A, vmi_atan2(first.im, first.re), sense, t, &w);
+    if (status) return status;
+    motion[0] += w.z.re;
+    motion[1] += w.z.im;
+    motion[2] += w.v.re;
+    motion[3] += w.v.im;
+    return VM_OK;
+}
+
+/* Motion of a rotor on a linear shaft at time t, of either sign, from its motion at t = 0: (480)-(482).
+   start and motion are (x, y, x', y') in m and m/s; they may be the same array. The motion is the sum of a forward
+   whirl P and a backward whirl N, which do not disturb each other: z = P + N, z' = i (W1 P + W2 N) with the frequencies
+   W1 > 0 and W2 < 0 of vm_jeffcott_frequency. Each follows vm_jeffcott_whirl_at, with the gyroscopic moment g and any
+   share r of the reactive force. Where P and conj(N) are equal, the rotor oscillates along a line (481). The statuses
+   are those of vm_jeffcott_whirl_at, and VM_NO_LAW for a shaft that is not linear. */
+VM_API int vm_jeffcott_linear_at(const vm_jeffcott *r, const vm_real *start, vm_real t, vm_real *motion)
+{
+    vm_real mass0, mass, slope, stiffness, W1, W2, found[4] = {0, 0, 0, 0};
+    vm_complex z, P;
+    int status;
+    if (!r || !start || !motion) return VM_BAD_ARGUMENT;
+    status = vmi_jeffcott_check_motion(r, t, &mass0, &mass);
+    if (!vmi_all_finite(4, start)) status = vmi_first_error(status, VM_NOT_FINITE);
+    if (status) return status;
+    z = vmi_complex(start[0], start[1]);
+    stiffness = vmi_jeffcott_stiffness(r, vmi_c_modulus(z), &slope);
+    if (stiffness <= 0) return VM_BAD_STIFFNESS;
+    if (slope != 0) return VM_NO_LAW;
+    W1 = vmi_jeffcott_root(r->gyro, mass0, stiffness, 1);
+    W2 = vmi_jeffcott_root(r->gyro, mass0, stiffness, -1);
+    if (!VM_IS_FINITE(W1) || !VM_IS_FINITE(W2) || !(W1 - W2 > 0)) return VM_NOT_FINITE;
+    P = vmi_c_times_i(-1, vmi_complex(start[2], start[3])); /* z'/i */
+    P = vmi_c_scale(1 / (W1 - W2), vmi_c_sub(P, vmi_c_scale(W2, z)));
+    status = vmi_jeffcott_add_whirl(r, P, 1, t, found);
+    if (!status) status = vmi_jeffcott_add_whirl(r, vmi_c_sub(z, P), -1, t, found);
+    if (status) return status;
+    return vmi_copy_if_finite(4, found, motion);
+}
+
+#endif
 /* oscillators/pair.h - two bodies with a nonlinear connection
 
    Two bodies of equal mass m(t), with coordinates x and y on a line and a spring between them (517), (518):
@@ -16985,6 +18224,7 @@ VM_API vm_real vm_jeffcott_amplitude(const vm_jeffcott *r, vm_real first_A, vm_r
        p.mass = vm_law_linear(1, VM_C(0.01)); // 1 kg, and 0.01 kg/s joins at rest
        int status = vm_pair_at(&p, 50, y, y); // the motion at t = 50 s
 
+   Bodies of different masses, several springs, damping and further forces are in coupled_pair.h.
    Tests: tests/test_pair.c. */
 #ifndef VARMASS_OSCILLATORS_PAIR_H
 #define VARMASS_OSCILLATORS_PAIR_H
@@ -17131,31 +18371,264 @@ VM_API int vm_pair_averaged_rhs(vm_real t, const vm_real *modes, vm_real *dmodes
     return VM_OK;
 }
 
+/* Computes the modes at time t from the motion y0 at t = 0, in closed form for a linear mass, and the mass at t.
+   Method: the averaged equations contain powers of m/m0, where m0 is the mass at t = 0. For any exponent e the integral of
+   (m/m0)^e dt is m0 (exp(u) - 1)/u times the integral of dt/m, with u = (1 + e) ln(m/m0). */
+VM_API int vmi_pair_modes_at(const vm_pair *p, vm_real t, const vm_real *y0, vmi_linear_mass *m, vm_real *modes)
+{
+    const vm_real fall = (2 * p->reactive - 1) / (p->alpha + 3); /* A is proportional to (m/m0)^-fall */
+    vm_real rate0, exponent;
+    int status = vmi_pair_now(p, 0, y0, &m->m0, &m->rate);
+    if (status != VM_BAD_ARGUMENT && !VM_IS_FINITE(t)) status = VM_NOT_FINITE;
+    if (!status) status = vmi_linear_mass_of(&p->mass, t, m);
+    if (!status) status = vmi_pair_split(p, m->m0, m->rate, y0, modes);
+    if (status) return status;
+    rate0 = vmi_slow_rate(modes[VMI_PAIR_A], 2 * p->k, m->m0, p->alpha);
+    exponent = VM_C(0.5) - (p->alpha - 1) / 2 * fall;
+    modes[VMI_PAIR_PSI] += rate0 * m->m0 * m->integral * vmi_exp_ratio(exponent * m->ln_ratio);
+    modes[VMI_PAIR_A] *= vmi_exp(-fall * m->ln_ratio, 0);
+    modes[VMI_PAIR_SUM] +=
+        modes[VMI_PAIR_SUM_RATE] * m->m0 * m->integral * vmi_exp_ratio((1 - p->reactive) * m->ln_ratio);
+    modes[VMI_PAIR_SUM_RATE] *= vmi_exp(-p->reactive * m->ln_ratio, 0);
+    return VM_OK;
+}
+
 /* Motion of two bodies at time t, in closed form for a linear mass: (528), (529) with p0 = y(0) - x(0). y0 = (x, y, x',
    y') is the motion at t = 0. The error is of the order of m'/(m Om) up to the time m/m', where Om is the rate of the
    Ateb phase of y - x. Returns the statuses of vm_pair_to_averaged, at 0 and at t, and VM_NO_LAW where the mass is
-   neither linear nor constant (integrate vm_pair_averaged_rhs instead). y and y0 may be the same array. Method: the
-   averaged equations contain powers of m/m0, where m0 is the mass at t = 0. For any exponent e the integral of (m/m0)^e
-   dt is m0 (exp(u) - 1)/u times the integral of dt/m, with u = (1 + e) ln(m/m0). */
+   neither linear nor constant (integrate vm_pair_averaged_rhs instead). y and y0 may be the same array. */
 VM_API int vm_pair_at(const vm_pair *p, vm_real t, const vm_real *y0, vm_real *y)
 {
     if (!p || !y0 || !y) return VM_BAD_ARGUMENT;
-    const vm_real fall = (2 * p->reactive - 1) / (p->alpha + 3); /* A is proportional to (m/m0)^-fall */
     vmi_linear_mass m;
-    vm_real modes[VMI_PAIR_MODES], rate0, exponent;
-    int status = vmi_pair_now(p, 0, y0, &m.m0, &m.rate);
-    if (status != VM_BAD_ARGUMENT && !VM_IS_FINITE(t)) status = VM_NOT_FINITE;
-    if (!status) status = vmi_linear_mass_of(&p->mass, t, &m);
-    if (!status) status = vmi_pair_split(p, m.m0, m.rate, y0, modes);
+    vm_real modes[VMI_PAIR_MODES];
+    const int status = vmi_pair_modes_at(p, t, y0, &m, modes);
     if (status) return status;
-    rate0 = vmi_slow_rate(modes[VMI_PAIR_A], 2 * p->k, m.m0, p->alpha);
-    exponent = VM_C(0.5) - (p->alpha - 1) / 2 * fall;
-    modes[VMI_PAIR_PSI] += rate0 * m.m0 * m.integral * vmi_exp_ratio(exponent * m.ln_ratio);
-    modes[VMI_PAIR_A] *= vmi_exp(-fall * m.ln_ratio, 0);
-    modes[VMI_PAIR_SUM] +=
-        modes[VMI_PAIR_SUM_RATE] * m.m0 * m.integral * vmi_exp_ratio((1 - p->reactive) * m.ln_ratio);
-    modes[VMI_PAIR_SUM_RATE] *= vmi_exp(-p->reactive * m.ln_ratio, 0);
     return vmi_pair_join(p, m.m, m.rate, modes, y);
+}
+
+/* The three methods of (524) */
+enum {
+    VM_PAIR_ATEB = 0,  /* the Ateb function ca, which is exact where the mass is constant */
+    VM_PAIR_TRIG = 1,  /* the cosine with the exact period */
+    VM_PAIR_JACOBI = 2 /* Jacobi's cn with the exact period and the exact velocity at p = 0 */
+};
+
+/* Motion of two bodies at time t by one of the three methods of (524), so that they can be compared.
+   p = A(t) ca, A(t) cos or A(t) cn, with the mean amplitude A of vm_pair_to_averaged, whose law is the same for all
+   three, and x, y by (528), (529). `method` is VM_PAIR_ATEB, VM_PAIR_TRIG or VM_PAIR_JACOBI. Unlike vm_pair_at this
+   leaves out the ripple of the amplitude within a period, as the text does. The other arguments are those of
+   vm_pair_at. The error is that of vm_osc_approximation_errors times A/2, and of the order of m'/(m Om). Returns the statuses of
+   vm_pair_at, and VM_BAD_ARGUMENT for a method that does not exist. y and y0 may be the same array. */
+VM_API int vm_pair_by_method(const vm_pair *p, int method, vm_real t, const vm_real *y0, vm_real *y)
+{
+    if (!p || !y0 || !y || method < VM_PAIR_ATEB || method > VM_PAIR_JACOBI) return VM_BAD_ARGUMENT;
+    vmi_linear_mass m;
+    vmi_osc_wave w;
+    vm_real modes[VMI_PAIR_MODES], found[4], c, s, x, v;
+    const int status = vmi_pair_modes_at(p, t, y0, &m, modes);
+    if (status) return status;
+    w = vmi_osc_wave_ca(p->alpha, NULL);
+    if (method == VM_PAIR_TRIG) w = vmi_osc_wave_cos(p->alpha, ateb_pi(p->alpha));
+    if (method == VM_PAIR_JACOBI) w = vmi_osc_wave_cn(p->alpha, ateb_pi(p->alpha));
+    vmi_osc_wave_at(&w, modes[VMI_PAIR_PSI], &c, &s);
+    x = modes[VMI_PAIR_A] * c;
+    v = -w.speed * vm_osc_vmax(modes[VMI_PAIR_A], VM_SQRT(2 * p->k / m.m), p->alpha) * s;
+    found[0] = (modes[VMI_PAIR_SUM] - x) / 2;
+    found[1] = (modes[VMI_PAIR_SUM] + x) / 2;
+    found[2] = (modes[VMI_PAIR_SUM_RATE] - v) / 2;
+    found[3] = (modes[VMI_PAIR_SUM_RATE] + v) / 2;
+    return vmi_copy_if_finite(4, found, y);
+}
+
+#endif
+/* oscillators/coupled_pair.h - two bodies of different, variable masses with nonlinear connections
+
+   This generalizes the pair (517), (518) to two masses m1(t) and m2(t), each with its own law, any number of springs
+   and a damper between the bodies, and further forces f1, f2. With p = y - x and S(p), the sum of k p|p|^(alpha-1) over
+   all springs, the equations are
+       m1 x'' =  S(p) + b p' - r m1' x' + f1,   m2 y'' = -S(p) - b p' - r m2' y' + f2
+   b is the damping of the connection, r the share of the reactive force. In the relative coordinate p, with the reduced
+   mass mu = m1 m2/(m1 + m2) and the velocity V of the mass centre, they become
+       mu p'' + S(p) + (r mu' + b) p' = -r mu (m2'/m2 - m1'/m1) V + mu (f2/m2 - f1/m1)
+   exactly, for all laws. This is the equation of one oscillator, so that all routes of routes.h serve for it.
+
+       vm_connection springs[2] = {{100, 1}, {2000, 3}}; // 100 N/m p + 2000 N/m^3 p^3
+       vm_coupled_pair pair;
+       pair.mass[0] = vm_law_linear(1, VM_C(0.01)); // mass of the body at x
+       pair.mass[1] = vm_law_linear(3, 0);          // mass of the body at y
+       pair.reactive = 1;
+       pair.damping = 0;
+       pair.n = 2;
+       pair.connections = springs;
+       pair.force = NULL; // then rk45_init(..., vm_coupled_pair_rhs, &pair, ...)
+
+   Tests: tests/test_pair.c. */
+#ifndef VARMASS_OSCILLATORS_COUPLED_PAIR_H
+#define VARMASS_OSCILLATORS_COUPLED_PAIR_H
+
+/* A spring between two bodies: it pulls with k p|p|^(alpha-1), N, where p is their distance minus its length at rest */
+typedef struct VM_TAG(vm_connection) {
+    vm_real k;     /* stiffness, N/m^alpha, > 0 */
+    vm_real alpha; /* exponent, >= 0 */
+} vm_connection;
+
+/* A user's function for further forces: y = (x, y, x', y'). It adds the forces on the bodies, N, to force[0] and
+   force[1], and returns 0 to go on; any other number ends the run. */
+typedef int (*vm_pair_force)(vm_real t, const vm_real *y, vm_real *force, void *ctx);
+
+/* Two bodies, the connections between them, and further forces */
+typedef struct VM_TAG(vm_coupled_pair) {
+    vm_law mass[2];                   /* masses m1 and m2 of the bodies at x and y, kg, > 0 */
+    vm_real reactive;                 /* r: 1 where mass that joins or leaves is at rest, 0 where it has the velocity of
+                                         its body; numbers between are allowed */
+    vm_real damping;                  /* damping b of the connection, kg/s; positive takes energy out */
+    int n;                            /* number of connections, >= 0 */
+    const vm_connection *connections; /* n connections; may be null if n is 0 */
+    vm_pair_force force;              /* further forces, or NULL */
+    void *ctx;                        /* the user's pointer, last argument of force */
+    vm_real momentum;                 /* set by vm_coupled_pair_oscillator: m1 x' + m2 y' at t = 0, kg m/s */
+} vm_coupled_pair;
+
+/* Both masses and their rates at one time */
+typedef struct VM_TAG(vmi_pair_masses) {
+    vm_real m[2], rate[2];
+} vmi_pair_masses;
+
+/* Writes the masses and their rates at time t, and checks them and the pair. */
+VM_API int vmi_coupled_now(const vm_coupled_pair *p, vm_real t, vmi_pair_masses *now)
+{
+    int i, status;
+    if (p->n < 0 || (p->n > 0 && !p->connections)) return VM_BAD_ARGUMENT;
+    status = vmi_law_at(&p->mass[0], VM_BAD_MASS, t, &now->m[0], &now->rate[0]);
+    status = vmi_first_error(status, vmi_law_at(&p->mass[1], VM_BAD_MASS, t, &now->m[1], &now->rate[1]));
+    if (!VM_IS_FINITE(p->reactive) || !VM_IS_FINITE(p->damping)) status = vmi_first_error(status, VM_NOT_FINITE);
+    for (i = 0; i < p->n; i++) {
+        const vm_connection *c = &p->connections[i];
+        if (!VM_IS_FINITE(c->k) || !VM_IS_FINITE(c->alpha)) status = vmi_first_error(status, VM_NOT_FINITE);
+        if (c->k <= 0) status = vmi_first_error(status, VM_BAD_STIFFNESS);
+        if (c->alpha < 0) status = vmi_first_error(status, VM_DOMAIN);
+    }
+    return status;
+}
+
+/* Equations of motion of two bodies with different masses and several connections, for rk45 or rk87.
+   y = (x, y, x', y') is in m and m/s; pair points to a vm_coupled_pair. Returns VM_BAD_ARGUMENT for null pointers, a
+   negative number of connections, or where no constructor made a mass, VM_NOT_FINITE for a number that is infinite or
+   NaN, VM_BAD_MASS or VM_BAD_STIFFNESS for one that is not positive, VM_DOMAIN for an exponent < 0 or t outside a
+   table, and the number that the function `force` returns if it is not 0. These statuses stop the run. */
+VM_API int vm_coupled_pair_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *pair)
+{
+    if (!y || !dydt || !pair) return VM_BAD_ARGUMENT;
+    const vm_coupled_pair *p = (const vm_coupled_pair *)pair;
+    vmi_pair_masses now;
+    vm_real pull = p->damping * (y[3] - y[2]), force[2] = {0, 0};
+    int i, status = vmi_coupled_now(p, t, &now);
+    if (!status && p->force) status = p->force(t, y, force, p->ctx);
+    if (status) return status;
+    for (i = 0; i < p->n; i++) pull += p->connections[i].k * vmi_osc_elastic(y[1] - y[0], p->connections[i].alpha);
+    dydt[0] = y[2];
+    dydt[1] = y[3];
+    dydt[2] = (pull - p->reactive * now.rate[0] * y[2] + force[0]) / now.m[0];
+    dydt[3] = (-pull - p->reactive * now.rate[1] * y[3] + force[1]) / now.m[1];
+    return VM_OK;
+}
+
+/* Converts a motion y = (x, y, x', y') of two bodies to the modes (p, p', X, V), m and m/s.
+   p = y - x is the relative coordinate and X = (m1 x + m2 y)/(m1 + m2) the mass centre. V = (m1 x' + m2 y')/(m1 + m2)
+   is the velocity of the mass centre of the two bodies as they are at time t. Returns VM_BAD_ARGUMENT for null pointers
+   and the statuses of vm_coupled_pair_rhs. modes and y may be the same array. */
+VM_API int vm_coupled_pair_to_modes(const vm_coupled_pair *p, vm_real t, const vm_real *y, vm_real *modes)
+{
+    if (!p || !y || !modes) return VM_BAD_ARGUMENT;
+    vmi_pair_masses now;
+    vm_real share, found[4];
+    int status = vmi_coupled_now(p, t, &now);
+    if (status != VM_BAD_ARGUMENT && !vmi_all_finite(4, y)) status = vmi_first_error(status, VM_NOT_FINITE);
+    if (status) return status;
+    share = now.m[1] / (now.m[0] + now.m[1]);
+    found[0] = y[1] - y[0];
+    found[1] = y[3] - y[2];
+    found[2] = y[0] + share * found[0];
+    found[3] = y[2] + share * found[1];
+    return vmi_copy_if_finite(4, found, modes);
+}
+
+/* Converts the modes (p, p', X, V) of two bodies to the motion y = (x, y, x', y').
+   This is the inverse of vm_coupled_pair_to_modes, with its statuses. y and modes may be the same array. */
+VM_API int vm_coupled_pair_from_modes(const vm_coupled_pair *p, vm_real t, const vm_real *modes, vm_real *y)
+{
+    if (!p || !modes || !y) return VM_BAD_ARGUMENT;
+    vmi_pair_masses now;
+    vm_real first, second, found[4];
+    int status = vmi_coupled_now(p, t, &now);
+    if (status != VM_BAD_ARGUMENT && !vmi_all_finite(4, modes)) status = vmi_first_error(status, VM_NOT_FINITE);
+    if (status) return status;
+    first = now.m[0] / (now.m[0] + now.m[1]);
+    second = now.m[1] / (now.m[0] + now.m[1]);
+    found[0] = modes[2] - second * modes[0];
+    found[1] = modes[2] + first * modes[0];
+    found[2] = modes[3] - second * modes[1];
+    found[3] = modes[3] + first * modes[1];
+    return vmi_copy_if_finite(4, found, y);
+}
+
+/* The reduced mass mu = m1 m2/(m1 + m2) and its rate, a vm_law_function; ctx points to a vm_coupled_pair */
+VM_API int vmi_coupled_reduced_mass(vm_real t, vm_real *f, vm_real *rate, void *ctx)
+{
+    vmi_pair_masses now;
+    vm_real first, second;
+    const int status = vmi_coupled_now((const vm_coupled_pair *)ctx, t, &now);
+    if (status) return status;
+    first = now.m[0] / (now.m[0] + now.m[1]);
+    second = now.m[1] / (now.m[0] + now.m[1]);
+    *f = now.m[0] * second;
+    *rate = now.rate[0] * second * second + now.rate[1] * first * first;
+    return VM_OK;
+}
+
+/* The force -mu (m2'/m2 - m1'/m1) V of the text above, for r = 1, where the momentum stays; a vm_osc_force */
+VM_API vm_real vmi_coupled_drift(vm_real t, vm_real x, vm_real v, void *ctx)
+{
+    const vm_coupled_pair *p = (const vm_coupled_pair *)ctx;
+    vmi_pair_masses now;
+    vm_real whole;
+    (void)x;
+    (void)v;
+    if (vmi_coupled_now(p, t, &now)) return VM_NAN;
+    whole = now.m[0] + now.m[1];
+    return (now.rate[0] * now.m[1] - now.rate[1] * now.m[0]) / whole * (p->momentum / whole);
+}
+
+/* The oscillator that the relative motion p = y - x of two bodies with one connection is, for the routes of routes.h.
+   y0 = (x, y, x', y') is the motion at t = 0; pair must outlive *problem. The equation is exact; where the mass centre
+   drifts and m1'/m1 differs from m2'/m2, it has the further small force of the text above. Returns the statuses of
+   vm_coupled_pair_rhs at t = 0, and VM_NO_LAW where there is not exactly one connection, where there are further
+   forces, or where the reactive force is a share other than 0 and 1, because then the drift of the mass centre depends
+   on the vibration. Integrate vm_coupled_pair_rhs then. */
+VM_API int vm_coupled_pair_oscillator(vm_coupled_pair *pair, const vm_real *y0, vm_osc_problem *problem)
+{
+    if (!pair || !y0 || !problem) return VM_BAD_ARGUMENT;
+    vmi_pair_masses now;
+    vm_osc_problem o;
+    int status = vmi_coupled_now(pair, 0, &now);
+    if (status != VM_BAD_ARGUMENT && !vmi_all_finite(4, y0)) status = vmi_first_error(status, VM_NOT_FINITE);
+    if (status) return status;
+    if (pair->n != 1 || pair->force || (pair->reactive != 0 && pair->reactive != 1)) return VM_NO_LAW;
+    o.alpha = pair->connections[0].alpha;
+    o.mass = vm_law_user(vmi_coupled_reduced_mass, pair);
+    o.stiffness = vm_law_linear(pair->connections[0].k, 0);
+    o.reactive = pair->reactive;
+    o.damping = pair->damping;
+    o.x = y0[1] - y0[0];
+    o.v = y0[3] - y0[2];
+    o.force = NULL;
+    o.ctx = pair;
+    pair->momentum = now.m[0] * y0[2] + now.m[1] * y0[3];
+    if (!VM_IS_FINITE(pair->momentum) || !VM_IS_FINITE(o.x) || !VM_IS_FINITE(o.v)) return VM_NOT_FINITE;
+    if (pair->reactive == 1 && pair->momentum != 0) o.force = vmi_coupled_drift;
+    *problem = o;
+    return VM_OK;
 }
 
 #endif

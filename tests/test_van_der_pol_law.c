@@ -69,7 +69,7 @@ static int route_of(int order) { return order == 1 ? (int)VM_ROUTE_ATEB : (int)V
 static void prepare(double alpha, vmi_ripple *r, vmi_vdp_ripple *v)
 {
     vmi_ripple_init(r, R(alpha), vmi_ateb_constants);
-    vmi_ripple_complete(r);
+    vmi_ripple_complete(r, 5);
     vmi_vdp_ripple_init(v, r);
 }
 

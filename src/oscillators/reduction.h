@@ -65,6 +65,34 @@ VM_API int vmi_osc_rates_at(const vm_osc_problem *o, vm_real t, int side, vmi_os
     return VM_OK;
 }
 
+/* Whether mass or stiffness is a function of the user, which gives no second derivative */
+VM_API int vmi_osc_has_user_law(const vm_osc_problem *o) { return o->mass.function || o->stiffness.function; }
+
+/* Writes what vmi_osc_rates_at writes, and the time derivative of p to *p_rate, which is 0 for laws by functions of the
+   user. */
+VM_API int vmi_osc_rates_and_slope(const vm_osc_problem *o, vm_real t, int side, vmi_osc_rates *r, vm_real *p_rate)
+{
+    const vm_real share = 1 / (o->alpha + 3);
+    vm_real m[VMI_LAW_ORDERS], k[VMI_LAW_ORDERS], per_m, per_k, m_rate, k_rate, a_rate;
+    int status;
+    *p_rate = 0;
+    if (vmi_osc_has_user_law(o)) return vmi_osc_rates_at(o, t, side, r);
+    status = vmi_law_two_derivatives(&o->mass, VM_BAD_MASS, t, side, m);
+    if (!status) status = vmi_law_two_derivatives(&o->stiffness, VM_BAD_STIFFNESS, t, side, k);
+    if (status) return status;
+    per_m = 1 / m[0];
+    per_k = 1 / k[0];
+    m_rate = m[1] * per_m;
+    k_rate = k[1] * per_k;
+    r->m = m[0];
+    r->k = k[0];
+    r->a = (o->reactive * m[1] + o->damping) * per_m;
+    r->p = (k_rate + 2 * r->a - m_rate) * share;
+    a_rate = o->reactive * m[2] * per_m - r->a * m_rate;
+    *p_rate = ((k[2] * per_k - k_rate * k_rate) + 2 * a_rate - (m[2] * per_m - m_rate * m_rate)) * share;
+    return VM_OK;
+}
+
 /* -- Power series in time: element i of an array is the coefficient of the ith power -- */
 
 /* Replaces the n derivatives f, f', f'' ... by the coefficients of the power series of f in the variable time/unit,

@@ -257,7 +257,7 @@ VM_API int vm_vdp_cycle_of(const vm_vdp *v, vm_vdp_cycle *cycle)
     if (status) return status;
     if (!((v->feed > 0 && v->c > 0) || (v->feed < 0 && v->c < 0))) return VM_NO_LAW;
     vmi_ripple_init(&r, v->alpha, vmi_ateb_constants);
-    vmi_ripple_complete(&r);
+    vmi_ripple_complete(&r, 5);
     vmi_vdp_ripple_init(&ripple, &r);
     vmi_vdp_cycle_coefficients(&ripple, &r, &kx, &kw);
     A = VM_SQRT(v->feed / v->c / -ripple.F);
