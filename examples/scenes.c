@@ -66,6 +66,8 @@ int main(int argc, char **argv)
         length = (int)strlen(file_name) - 4;
     }
     puts("The machines of chapter 1 as scenes: where they come to (reference)");
+    vessel_on_regulated_hook(&s);
+    play(&s, "pouring", "a hook tips a vessel until it is empty: rad", 0, 10, 1.57079632679489662);
     vessel_by_motor(&s);
     play(&s, "vessel", "tipped by a motor to 1.4 rad: rad/s", 1, 4.23898704805918765, 0.372068251670792583);
     turner_scene(&s, &turn, 1);

@@ -32,6 +32,13 @@ static void check_vessel(void)
     /* in float the roundings of the steps have grown 16 times since t = 4, to 1.4e-4 or 5.8e-4, as they fall */
     agrees("vessel", "phi(5)", s.y[0], 0.896055384571343956, is_float ? 3 : 1, 1e-9);
     balanced(&s, "vessel", 1e4, 1e4);
+    vessel_on_regulated_hook(&s);
+    begin(&s);
+    run(&s, 8, VM_OK);
+    agrees("vessel", "regulated hook, phi(8)", s.y[0], 1.26109338225244042, is_float ? 3 : 1, 1e-8);
+    run(&s, 10, VM_OK);
+    agrees("vessel", "regulated hook, empty", s.y[0], 1.57079632679489662, is_float ? 3 : 1, 1e-8);
+    balanced(&s, "vessel, regulated", 1e4, 1e4);
     vessel_by_motor(&s);
     begin(&s);
     run(&s, 10, VM_STOPPED);

@@ -3,7 +3,7 @@
    ends the run. The grain leaves with the velocity of the hopper, so that there is no reactive force, (166). The scale
    swings, and what it shows is not what has left: a slow fine gate gives a better bag, and takes longer.
 
-   cc -O2 14_hopper.c -lm && ./a.out [file.csv] */
+   cc -O2 15_hopper.c -lm && ./a.out [file.csv] */
 #include <stdio.h>
 #include "../../varmass.h"
 

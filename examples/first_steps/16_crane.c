@@ -3,7 +3,7 @@
    mass with u = 0 is (m L^2 phi')' = -m g L sin phi, (170). As long as the rope is slow, the swings grow as L^(-3/4);
    for small angles, the second axle, the exact motion has Bessel functions (Lorentz's pendulum).
 
-   cc -O2 15_crane.c -lm && ./a.out [file.csv] */
+   cc -O2 16_crane.c -lm && ./a.out [file.csv] */
 #include <math.h>
 #include <stdio.h>
 #include "../../varmass.h"

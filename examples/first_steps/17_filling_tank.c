@@ -2,7 +2,7 @@
    liquid come at rest through a line on this axis. The level, the mass centre and the inertia follow from vm_supply_at;
    what comes has no angular momentum, so that the satellite turns more slowly.
 
-   cc -O2 16_filling_tank.c -lm && ./a.out [file.csv] */
+   cc -O2 17_filling_tank.c -lm && ./a.out [file.csv] */
 #include <stdio.h>
 #include "../../varmass.h"
 static const vm_supply tank = {VM_TANK_OF_LIQUID, {0, 0, 0.2}, {0, 0, 1}, 1.2, 0.4, 0, 300}; /* 1.2 m long, 300 kg */
