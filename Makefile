@@ -11,8 +11,8 @@
 #   make scan     millions of random arguments (minutes)                make points SEED=n   20 000 fresh table points
 #   make exhaustive   every float of a period (minutes)                 make data    write the reference tables anew
 #   make figures  draw docs/figures                                     make measurements    write docs/measurements.md
-#   make first-steps   fourteen short programs, docs/first-steps.md
-#   make wasm      an oscillator for the browser, build/wasm
+#   make first-steps   short programs, docs/first-steps.md
+#   make wasm      pages for the browser: build/wasm/play.html, what accuracy costs
 #   make sweep     a Monte-Carlo of break-ups over all cores          make firmware-table   flash, stack, instructions
 #   make firmware   a controller on an emulated Cortex-M4F           make scene-sizes    flash of scenes
 #   make test-cross   the same bits and the tests on every target (half an hour)
@@ -22,9 +22,12 @@
 #   make coverage   lines and branches that the tests execute       make test-mutate SEED=n MUTANTS=n   wrong headers
 #   make test-sanitize   sanitizers, valgrind, static analysers      make proof   abstract interpretation by Frama-C
 #   make install PREFIX=/usr/local   headers, pkg-config and CMake files     make amalgamation   build/amalgamation/varmass.h
+#   make site     the reference in HTML, build/site/index.html
+#   make packages   an Arduino and PlatformIO library, a release with its checksum, build/packages
 #   make law       docs/law.md, the law of order five, with its figures
 #   make toronto   the Toronto test set of initial value problems, docs/toronto.md
 #   make validation   published numbers of other programs and papers beside ours, docs/validation.md
+#   make tables   Tables 1 to 4 of the dissertation, row by row, docs/tables.md
 #   make clean    remove build/
 
 CC = cc
@@ -35,16 +38,18 @@ COMPILE = $(CC) -std=c99 $(CFLAGS)
 IN_BUILD = mkdir -p $(@D) && echo '*' >build/.gitignore
 
 HEADERS = jacobi.h ateb.h integrators.h varmass.h
-TESTS = jacobi elliptic_integrals ateb rk4 pairs adaptive dense events saved_runs coincidences attitude bodies jumps jumps2 relative inverse \
+TESTS = jacobi elliptic_integrals ateb rk4 pairs adaptive dense events saved_runs coincidences attitude bodies jumps jumps2 relative inverse axle \
     jump_equations torque_free streams flow flow1 flow2 supply orbit drum drum_shaft lambert broken_rotor broken_rotor_stability \
-    lagrange lagrange_jump pendulum constant_mass laws averaging slow_motion closed_law collocation routes ladder duffing odd_force van_der_pol \
-    van_der_pol_law jeffcott pair forced diagnostics forces scene_bodies scene_effects scene_mass scene_streams scene_links scene_joints scene_events scene_runs scenes \
-    dissertation validation hard refusals_numerics refusals_bodies refusals_streams refusals_oscillators refusals_slow \
+    lagrange lagrange_jump pendulum constant_mass laws loads averaging slow_motion closed_law collocation routes ladder \
+    duffing duffing_laws odd_force van_der_pol van_der_pol_law jeffcott jeffcott_motion pair forced diagnostics forces \
+    scene_bodies scene_effects scene_mass scene_streams scene_links scene_joints scene_events scene_runs scenes \
+    dissertation tables validation hard refusals_numerics refusals_bodies refusals_streams refusals_oscillators \
+    refusals_slow \
     refusals_scenes null_pointers
 # Scripts of make test (tests/test_NAME.sh), and those of make test-all; some are in both, called with "quick" by make test
 SCRIPTS = headers readme documents promises errors parts golden errata install gsl hard_cases
 LONG_SCRIPTS = readme headers golden snippets parts sanitize fuzz options first_steps scene_cost package plans languages \
-    avr sweep
+    avr sweep guides site page
 EXAMPLES = table5 example1 example2 drum scenes dzhanibekov tumbling rocket dust slow resonance rotor pendulum solvable
 TEST_PROGRAMS = $(TESTS:%=build/tests/double/%) $(TESTS:%=build/tests/float/%)
 LOGS = $(SCRIPTS:%=build/tests/%.log) $(TESTS:%=build/tests/%.log)
@@ -56,7 +61,7 @@ RUN_TESTS = @rm -f $(1); $(MAKE) -s -k $(if $(findstring jobserver,$(MAKEFLAGS))
 TEST_FILES = build/command $(HEADERS) $(wildcard tests/*.h tests/data/*.h tests/hard/* examples/*.h examples/scenes/*.h)
 GSL_CHECK = echo '\#include <gsl/gsl_sf.h>' | $(CC) -E -
 
-.PHONY: docs check-docs campaigns counts hard-cases promises numbers peers headers part parts-table law duffing van-der-pol toronto validation test-events test-readme scaling wasm first-steps sweep firmware firmware-table test-cross install uninstall amalgamation run test test-all scan points exhaustive lint bench measurements figures data clean bench-quick bench-count cost scene-sizes test-fuzz evaluations test-threads coverage test-mutate test-sanitize proof
+.PHONY: headers part parts-table law duffing van-der-pol toronto tables validation test-events test-readme scaling wasm first-steps sweep firmware firmware-table test-cross install uninstall amalgamation run test test-all scan points exhaustive lint bench measurements figures data clean bench-quick bench-count cost scene-sizes test-fuzz evaluations test-threads coverage test-mutate test-sanitize proof packages site docs check-docs campaigns counts hard-cases promises numbers peers
 
 headers:
 	@mkdir -p build && echo '*' >build/.gitignore
@@ -259,14 +264,19 @@ firmware-table:
 	@$(STAMP) firmware
 
 # an oscillator for the browser: serve build/wasm
+WASM = clang --target=wasm32-wasi --sysroot=/usr -std=c99 -ffp-contract=off -Oz -mexec-model=reactor -Wl,-s
 wasm:
 	@sh tests/install.sh "command -v clang && test -e /usr/lib/wasm32-wasi/libc.a && command -v node" \
 	    clang lld wasi-libc libclang-rt-14-dev-wasm32 nodejs
 	mkdir -p build/wasm && cp examples/wasm/index.html build/wasm
-	clang --target=wasm32-wasi --sysroot=/usr -std=c99 -ffp-contract=off -Oz -mexec-model=reactor -Wl,-s examples/wasm/leaking.c \
-	    -o build/wasm/leaking.wasm -lm
-	wc -c build/wasm/leaking.wasm
+	$(WASM) examples/wasm/leaking.c -o build/wasm/leaking.wasm -lm
+	$(WASM) examples/wasm/play.c -o build/wasm/play.wasm -lm
+	wc -c build/wasm/leaking.wasm build/wasm/play.wasm
 	node examples/wasm/leaking.mjs build/wasm/leaking.wasm
+	base64 -w0 build/wasm/play.wasm >build/wasm/play.base64
+	awk 'NR == FNR {program = $$0; next} {at = index($$0, "@WASM@")} \
+	    at {print substr($$0, 1, at - 1) program substr($$0, at + 6); next} {print}' \
+	    build/wasm/play.base64 examples/wasm/play.html >build/wasm/play.html
 
 scene-sizes:
 	@sh tests/install.sh "command -v arm-none-eabi-gcc" gcc-arm-none-eabi libnewlib-arm-none-eabi
@@ -309,7 +319,7 @@ law: build/law build/examples/solvable build/examples/law_as_data
 	@$(STAMP) law
 build/law: bench/law.c build/command $(HEADERS)
 	$(COMPILE) bench/law.c -o $@ -lm
-build/examples/law_as_data: examples/first_steps/14_law_as_data.c build/command $(HEADERS)
+build/examples/law_as_data: examples/first_steps/18_law_as_data.c build/command $(HEADERS)
 	@$(IN_BUILD) && $(COMPILE) -ffp-contract=off $< -o $@ -lm
 
 # docs/duffing.md: Duffing's oscillator and other odd forces; its text is bench/duffing.md
@@ -340,6 +350,10 @@ validation: build/tests/double/validation
 	./build/tests/double/validation markdown >build/validation.md && mv build/validation.md docs/validation.md
 	@$(STAMP) validation
 
+# docs/tables.md: Tables 1 to 4 of the dissertation, as printed and as they are true
+tables: build/tests/double/tables
+	./build/tests/double/tables markdown >build/tables.md && mv build/tables.md docs/tables.md
+
 data:
 	@sh tests/install.sh "python3 -c 'import mpmath'" python3-mpmath
 	python3 tests/gen/ateb_reference.py
@@ -348,14 +362,19 @@ data:
 	python3 tests/gen/beta_reference.py
 	python3 tests/gen/lambert_reference.py
 	python3 tests/gen/drum_reference.py
+	python3 tests/gen/drum_shaft_reference.py
 	python3 tests/gen/elementary.py table
 	python3 tests/gen/table5.py
 	python3 tests/gen/order_conditions.py
 	python3 tests/gen/attitude.py
 	python3 tests/gen/rotation_reference.py
 	python3 tests/gen/rotor_reference.py
+	python3 tests/gen/supply.py
 	python3 tests/gen/streams.py
+	python3 tests/gen/lagrange_inverse.py
 	python3 tests/gen/slow.py
+	python3 tests/gen/jeffcott_reference.py
+	python3 tests/gen/loads_reference.py
 	python3 tests/gen/oscillator_reference.py
 	python3 tests/gen/slow_motion.py
 	python3 tests/gen/hard_reference.py
@@ -371,6 +390,15 @@ data:
 amalgamation: build/amalgamation/varmass.h
 build/amalgamation/varmass.h: src/headers.awk $(wildcard src/*.h src/*/*.h)
 	@$(IN_BUILD) && mkdir -p $(@D) && awk -v whole=1 -f src/headers.awk src/varmass.h >$@
+
+# a reference in HTML, with search, figures and guides: build/site/index.html; fails where Doxygen warns
+site:
+	@sh tests/install.sh -w "to write the reference" "command -v doxygen" doxygen
+	rm -rf build/site && mkdir -p build/site && doxygen docs/site/Doxyfile
+
+# a library for the Arduino IDE and PlatformIO, and a release with its checksum, under build/packages
+packages: headers amalgamation
+	CC="$(CC)" sh examples/package/packages.sh build $(VERSION)
 
 # headers under PREFIX/include/varmass, found by pkg-config and by CMake's find_package
 PREFIX = /usr/local
@@ -453,7 +481,7 @@ $(LONG_SCRIPTS:%=build/tests/all/%.log): build/tests/all/%.log: tests/test_%.sh 
 # what these read of the programs above
 build/tests/headers.log: build/tests/double/headers.o build/tests/float/headers.o
 build/tests/hard_cases.log: build/tests/double/hard build/tests/float/hard
-build/tests/documents.log: build/tests/double/validation
+build/tests/documents.log: build/tests/double/validation build/tests/double/tables
 build/tests/promises.log: $(patsubst %,build/tests/%.log,jacobi elliptic_integrals ateb jumps torque_free lambert drum)
 
 build/tests/all/exhaustive_jacobi.log: build/tests/exhaustive_jacobi FORCE

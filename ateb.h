@@ -170,7 +170,7 @@
 #ifndef VARMASS_BASE_REAL_H
 #define VARMASS_BASE_REAL_H
 
-#define VARMASS_VERSION "0.1.0"
+#define VARMASS_VERSION "0.2.0"
 
 #if defined(__STRICT_ANSI__) && !defined(__cplusplus) && (!defined(__STDC_VERSION__) || __STDC_VERSION__ < 199901L)
 #error "varmass is C99 or C++11: compile with -std=c99 or later"

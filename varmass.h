@@ -21,13 +21,14 @@
      base/          numbers with more digits, elementary functions, Lambert's W, linear equations, roots; statuses
      mechanics/     vectors, attitudes, Euler's angles; bodies; jumps (a part separates from a body or is attached to
                     it), in space and in the plane; how a part must leave so that the remaining body moves as wanted;
-                    energy of a jump; a rotor that breaks; Lagrange's equations across a jump and with variable mass; a
-                    pendulum that is cut; torque-free rotation; streams of mass with their reactive force and torque;
-                    rockets; tanks and grains; orbits of two bodies; a band that winds up on a drum
+                    energy of a jump; jumps on a fixed axle; a rotor that breaks; Lagrange's equations across a jump
+                    and with variable mass, inverse dynamics; a pendulum that is cut; torque-free rotation; streams of
+                    mass with their reactive force and torque; rockets; tanks and grains; orbits of two bodies; a band
+                    that winds up on a drum
      oscillators/   m x'' + k x|x|^(alpha-1) = F with constant mass and with laws of mass, stiffness and damping;
                     Duffing's oscillator k1 x + k3 x^3 and any other odd elastic force; Van der Pol's oscillator,
-                    Jeffcott's rotor, two bodies with a nonlinear spring, harmonic excitation, resonance, turning
-                    points
+                    Jeffcott's rotor, two bodies with nonlinear connections, harmonic excitation, resonance,
+                    turning points
      scenes/        lists of bodies, of effects that act on them, and of events that change them; a scene simulates
                     only what is listed
    Each chapter begins with a comment that says what it is for and shows a call; the index below names all functions.
@@ -177,6 +178,10 @@
        vm_energy_gain                 Energy gained at a separation, J
        vm_energy_loss                 Energy lost at an attachment, J
 
+     mechanics/axle: jumps of a body that turns about a fixed axle
+       vm_separate_on_axle            Separation of n parts from a body on a fixed axle
+       vm_attach_on_axle              Attachment of n bodies to a body on a fixed axle (plastic impact)
+
      mechanics/broken_rotor: a rotor from which a piece breaks off: equations of motion and the break
        vm_broken_rotor_rhs            Right-hand side of the rotor's equations of motion, (65), (66), (68), (46)
        vm_broken_rotor_polar_rhs      Right-hand side of the rotor's equations of motion in polar form (75)
@@ -211,6 +216,7 @@
 
      mechanics/pendulum: a pendulum from which a part is cut
        vm_pendulum_separate           Motion of a pendulum and of the part that is cut off from it, (119)-(132)
+       vm_compound_pendulum_separate  Motion of a pendulum of any shape and of the part that is cut off from it, (119)-(132)
 
      mechanics/torque_free: exact rotation of a body on which no torque acts
        vm_torque_free_init            Preparation of the exact torque-free motion of a body
@@ -260,12 +266,15 @@
        vm_drum_rhs_reduced            Right-hand side of the drum on an elastic shaft for a light band, (192), (193)
        vm_drum_rate                   Angular velocity phi' on a rigid shaft at the angle phi >= 0, rad/s
        vm_drum_rhs_angle              Right-hand side of the elastic shaft's vibration over the angle phi, (210), (211)
+       vm_drum_rhs_coupled            Right-hand side of the drum on an elastic shaft over the angle phi, (210)-(212)
        vm_drum_stop                   Angle at which the drum on a rigid shaft comes to rest, rad
        vm_drum_time                   Time at which the drum on a rigid shaft reaches the angle phi >= 0, s (197)
        vm_drum_angle                  Angle of the drum on a rigid shaft after t >= 0 seconds, rad
        vm_drum_angle_lambert          Angle of the drum, rad, on a rigid shaft by Lambert's W, (198)-(206) corrected
        vm_drum_shaft_init             Coefficients of the elastic shaft in the first approximation, (213), (214)
        vm_drum_deflection             Deflection x or y of the elastic shaft, m, at the angle phi, (224), (225) corrected
+       vm_drum_deflection_start       Amplitude and phase (223) of the elastic shaft from deflection and slope at phi = 0
+       vm_drum_rate_elastic           Angular velocity phi' on an elastic shaft, rad/s
        vm_drum_shaft_valid            Whether the shaft's frequency, k sqrt(1 - A phi), stays real for the whole first layer (226)
 
      mechanics/lagrange: Lagrange's equations with variable mass
@@ -273,6 +282,8 @@
        vm_lagrange_start              Initial state y of a system at time t, from its n coordinates q and n rates q'
        vm_lagrange_rates              Rates q' of a system at time t, from its state y
        vm_lagrange_partial_q          Derivative dT/dq_i of the kinetic energy with frozen masses, J per unit of q_i
+       vm_lagrange_needed_forces      Inverse dynamics
+       vm_lagrange_drive_forces       Inverse dynamics
 
      oscillators/constant_mass: the oscillator x'' + omega0^2 x|x|^(alpha-1) = 0 of constant mass
        vm_osc_period                  Exact period (262), s, of the motion from rest at x0 (m, either sign)
@@ -297,6 +308,10 @@
        vm_law_table                   Table of n >= 2 points (time[i], value[i]), joined by monotone cubics
        vm_law_user                    Law by a user's function, which must be smooth
 
+     oscillators/loads: mass that joins or leaves an oscillator with a velocity, and damping that depends on time
+       vm_osc_load_force              Force of a vm_osc_load on an oscillator, N
+       vm_osc_load_init               Gives an oscillator a velocity u of the mass that joins or leaves, and a damping that depends on time
+
      oscillators/closed: the law of order five as plain data, where all its integrals have closed forms
        vm_osc_closed_init             Prepares the motion of the problem by the law of an order, 2 to 5; a higher order is more accurate
        vm_osc_closed_at               Position x (m) and velocity v (m/s) at time t (s, either sign), from the law in *c, with its order
@@ -306,8 +321,9 @@
      oscillators/plan: the plan of an oscillator: what is computed once and then used at many times t
        vm_osc_plan_init               Plan for many values of one problem's motion
 
-     oscillators/panels: panels of time in which a law is smooth, and the integral of 1/f
+     oscillators/panels: panels of time in which a law is smooth, and the integrals of 1/f and f/g
        vm_law_inverse_integral        Integral of ds/f(s) from 0 to t, s per unit of f, for t of either sign
+       vm_law_ratio_integral          Integral of f(s)/g(s) ds from 0 to t, for t of either sign, f of any sign and g > 0
 
      oscillators/averaging: averaged equations of an oscillator with a force, and what averaging leaves out
        vm_osc_averaged                Averaged rates A', theta', psi' of amplitude and phase, with the problem's force
@@ -327,6 +343,7 @@
 
      oscillators/duffing: Duffing's oscillator, with the elastic force k1 x + k3 x^3
        vm_duffing_force               Duffing's force k1 x + k3 x^3
+       vm_duffing_force_of_laws       Duffing's force k1(t) x + k3(t) x^3 whose coefficients follow laws of their own
        vm_duffing_energy              Energy per unit mass of Duffing's oscillator, v^2/2 + c1 x^2/2 + c3 x^4/4, m^2/s^2
        vm_duffing_period              Exact period, s, of Duffing's oscillator x'' + c1 x + c3 x^3 = 0 from rest at x0 (m, either sign)
        vm_duffing_action              Action, m^2/s, of Duffing's oscillator x'' + c1 x + c3 x^3 = 0 from rest at x0 (m, either sign)
@@ -352,7 +369,7 @@
        vm_vdp_rhs                     Equation of motion (404) of a Van der Pol oscillator, for rk45 or rk87
        vm_vdp_averaged_rhs            Averaged equations (410) of a Van der Pol oscillator, for rk45 or rk87
 
-     oscillators/van_der_pol_walk: the mean motion of a Van der Pol oscillator along any slow law of its mass
+     oscillators/van_der_pol_walk: the mean motion of a Van der Pol oscillator along slow laws of mass and stiffness
        vm_vdp_plan_init               Prepares a plan for many values of the motion of a Van der Pol oscillator
 
      oscillators/van_der_pol_routes: the motion x(t) of a Van der Pol oscillator, and its limit cycle to second order
@@ -375,12 +392,24 @@
        vm_jeffcott_backward_whirl_rhs Averaged equations (506), (507) of backward whirl, for rk45 or rk87
        vm_jeffcott_amplitude          Radius of circular whirl, m, after the mass has changed slowly
 
+     oscillators/jeffcott_motion: the motion z(t) of the Jeffcott (Laval) rotor by its amplitude law and a phase
+       vm_jeffcott_whirl_amplitude    Radius of circular whirl, m, after the mass has changed slowly, for any share of the reactive force
+       vm_jeffcott_whirl_at           Circular whirl of the rotor at time t, of either sign, from radius and angle at t = 0
+       vm_jeffcott_linear_at          Motion of a rotor on a linear shaft at time t, of either sign, from its motion at t = 0
+
      oscillators/pair: two bodies with a nonlinear connection
        vm_pair_rhs                    Equations of motion (517), (518) of two bodies, for rk45 or rk87
        vm_pair_to_averaged            Converts a motion y = (x, y, x', y') of two bodies to the modes (A, psi, q, q'), (520)-(522)
        vm_pair_from_averaged          Converts the modes (A, psi, q, q') of two bodies to the motion y = (x, y, x', y')
        vm_pair_averaged_rhs           Averaged equations of the two modes of a pair, for rk45 or rk87
        vm_pair_at                     Motion of two bodies at time t, in closed form for a linear mass
+       vm_pair_by_method              Motion of two bodies at time t by one of the three methods of (524), so that they can be compared
+
+     oscillators/coupled_pair: two bodies of different, variable masses with nonlinear connections
+       vm_coupled_pair_rhs            Equations of motion of two bodies with different masses and several connections, for rk45 or rk87
+       vm_coupled_pair_to_modes       Converts a motion y = (x, y, x', y') of two bodies to the modes (p, p', X, V), m and m/s
+       vm_coupled_pair_from_modes     Converts the modes (p, p', X, V) of two bodies to the motion y = (x, y, x', y')
+       vm_coupled_pair_oscillator     The oscillator that the relative motion p = y - x of two bodies with one connection is, for the routes of routes.h
 
      oscillators/forced: harmonic excitation of a strongly nonlinear oscillator
        vm_forced_init                 Prepare an excited oscillator
@@ -481,6 +510,7 @@
 
      scenes/points: points of the bodies of a scene
        vm_scene_point_at              The position and velocity of a point of a body in the state y, in inertial axes
+       vm_scene_push_at               Adds a force at a point of a body, in an effect of the caller's own
 
      scenes/springs: springs and dampers between points of bodies
        vm_effect_point_spring         A spring and a damper between a point of a body and a point of the body `other`, or of the ground
@@ -504,8 +534,10 @@
        vm_event_mass                  An event when a mass crosses a value
        vm_event_user                  An event when a function of the caller crosses zero
        vm_then_stop                   The event ends the run
+       vm_then_switch_range           The event switches n effects that follow each other in the list, off (off = 1) or on (off = 0)
        vm_then_switch                 The event switches an effect off (off = 1) or on (off = 0)
        vm_then_user                   The event calls a function of the caller
+       vm_then_all                    The event does a list of actions, one after the other, at the same instant
 
      scenes/jumps: separation and attachment as events of a scene
        vm_then_separate_on_line       The event separates a part from a body on a line or on an axle
@@ -3324,6 +3356,142 @@ VM_API vm_real vm_energy_loss(const vm_body *body, int n, const vm_body *added, 
 }
 
 #endif
+/* mechanics/axle.h - jumps of a body that turns about a fixed axle
+
+   A body can only turn about a fixed axle. When a part separates from it, or another body is attached to it, the axle
+   gives an impulse, and only the angular momentum about the axle follows from the parts. This generalizes the pendulum
+   of (119)-(132) to a body and an axle of any shape, place and direction. The results are the motion of the body after
+   the jump and the impulse of the axle. With n = 0 parts, the functions say how a body moves on that an impulse hits,
+   or that is caught by an axle while it flies.
+
+       vm_axle hinge = {{0, 0, 0}, {0, 0, 1}};                       // through the origin, along z
+       vm_body door = {20, {2, 2, 2, 0, 0, 0}, {1, 0, 0, 0}, {0.5, 0, 0}, {0, 1, 0}, {0, 0, 2}};
+       vm_body part = {1, {0, 0, 0, 0, 0, 0}, {1, 0, 0, 0}, {1, 0, 0}, {0, 5, 0}, {0, 0, 0}}; // leaves at 5 m/s
+       vm_impulse reaction;                                          // of the axle on the door
+       int status = vm_separate_on_axle(&hinge, &door, 1, &part, NULL, &door, &reaction);
+
+   The equations. e is the unit vector along the axle, which passes through the point O. All motions are taken relative
+   to the frame that turns about the axle as the body did before, with the rate w = e . omega. In this frame (42) holds,
+   and the body was at rest if the axle guided it before. Let P and L be the momentum of all bodies that join (+) or
+   leave (-), of the body before, and of the external impulse, L about O. Let I be the inertia of the body after the
+   jump about O. Then w grows by (e . L)/(e . I e), and the axle gives what is left: the impulse M1 v1 - P at O, with
+   the velocity v1 of the mass centre, and a couple, which is orthogonal to the axle. Tests: tests/test_axle.c. */
+#ifndef VARMASS_MECHANICS_AXLE_H
+#define VARMASS_MECHANICS_AXLE_H
+
+/* A fixed axle without friction */
+typedef struct VM_TAG(vm_axle) {
+    vm_vec3 at;   /* a point O of the axle, m */
+    vm_vec3 axis; /* its direction, of any length > 0; angular velocities are positive about it */
+} vm_axle;
+
+/* Momentum, N s, and angular momentum about the point O of an axle, N m s, relative to the turning frame */
+typedef struct VM_TAG(vmi_axle_sum) {
+    vm_vec3 linear, angular;
+} vmi_axle_sum;
+
+/* The angular momentum of a body that turns with the angular velocity omega, about its own mass centre */
+VM_API vm_vec3 vmi_axle_spin(const vm_body *body, vm_vec3 omega)
+{
+    const vmi_mat3 turn = vmi_rotation(body->q);
+    return vmi_times(&turn, vmi_inertia_times(&body->inertia, vmi_times_transposed(&turn, omega)));
+}
+
+/* Adds `sign` times the momenta of a body to *sum, relative to the frame that turns about the point O with omega. */
+VM_API void vmi_axle_add(vmi_axle_sum *sum, vm_real sign, const vm_body *body, vm_vec3 O, vm_vec3 omega)
+{
+    const vm_vec3 d = vm_sub(body->r, O), slip = vm_sub(body->v, vm_cross(omega, d));
+    const vm_vec3 momentum = vm_scale(body->mass, slip), spin = vmi_axle_spin(body, vm_sub(body->omega, omega));
+    sum->linear = vm_add(sum->linear, vm_scale(sign, momentum));
+    sum->angular = vm_add(sum->angular, vm_scale(sign, vm_add(spin, vm_cross(d, momentum))));
+}
+
+/* Checks the axle, and writes its unit vector. */
+VM_API int vmi_axle_direction(const vm_axle *axle, vm_vec3 *e)
+{
+    vm_real length;
+    if (!vmi_vec3_is_finite(axle->at) || !vmi_vec3_is_finite(axle->axis)) return VM_NOT_FINITE;
+    length = vm_norm(axle->axis);
+    if (!(length > 0)) return VM_DOMAIN;
+    *e = vmi_over(axle->axis, length);
+    return VM_OK;
+}
+
+/* Gives the body *b, whose mass, inertia and place are those after the jump, its motion about the axle, and computes
+   the impulse of the axle. *sum holds P and L of the text above; `before` is w e. Returns VM_NULL_AXIS if b has no
+   inertia about the axle, but would need angular momentum, else VM_OK. */
+VM_API int vmi_axle_turn(vm_vec3 O, vm_vec3 e, vm_vec3 before, const vmi_axle_sum *sum, vm_body *b,
+                         vm_impulse *reaction)
+{
+    const vm_vec3 d = vm_sub(b->r, O), speed = vm_cross(e, d); /* of the mass centre at 1 rad/s */
+    const vm_vec3 column = vm_add(vmi_axle_spin(b, e), vm_scale(b->mass, vm_cross(d, speed)));
+    const vm_real inertia = vm_dot(e, column), momentum = vm_dot(e, sum->angular);
+    vm_real change = 0;
+    vm_vec3 couple;
+    int status = VM_OK;
+    if (inertia > 0) change = momentum / inertia;
+    else if (momentum != 0) status = VM_NULL_AXIS;
+    b->omega = vm_add(before, vm_scale(change, e));
+    b->v = vm_cross(b->omega, d);
+    reaction->at = O;
+    reaction->linear = vm_sub(vm_scale(b->mass * change, speed), sum->linear);
+    couple = vm_sub(vm_scale(change, column), sum->angular);
+    reaction->couple = vm_sub(couple, vm_scale(vm_dot(e, couple), e)); /* the axle turns freely */
+    return status;
+}
+
+/* The jump of both functions below: sign is VMI_SEPARATE or VMI_ATTACH. */
+VM_API int vmi_axle_jump(const vm_axle *axle, const vm_body *body, int n, const vm_body *others, vm_real sign,
+                         const vm_impulse *external_or_NULL, vm_body *result, vm_impulse *reaction_or_NULL)
+{
+    vmi_axle_sum sum = {{0, 0, 0}, {0, 0, 0}};
+    vm_impulse reaction;
+    vm_vec3 e, turning;
+    vm_body b;
+    int i, status, axle_status;
+    if (!axle || !body || !result) return VM_BAD_ARGUMENT;
+    axle_status = vmi_axle_direction(axle, &e);
+    status = vmi_jump(body, n, others, sign, external_or_NULL, &b);
+    if (status < 0 || axle_status) return vmi_first_error(status < 0 ? status : VM_OK, axle_status);
+    turning = vm_scale(vm_dot(e, body->omega), e);
+    vmi_axle_add(&sum, 1, body, axle->at, turning);
+    for (i = 0; i < n; i++) vmi_axle_add(&sum, sign, &others[i], axle->at, turning);
+    if (external_or_NULL) {
+        sum.linear = vm_add(sum.linear, external_or_NULL->linear);
+        sum.angular = vm_add(sum.angular, vmi_impulse_moment(external_or_NULL, axle->at));
+    }
+    status = vmi_axle_turn(axle->at, e, turning, &sum, &b, &reaction);
+    if (!vmi_body_is_finite(&b) || !vmi_impulse_is_finite(&reaction)) return VM_NOT_FINITE;
+    *result = b;
+    if (reaction_or_NULL) *reaction_or_NULL = reaction;
+    return status;
+}
+
+/* Separation of n parts from a body on a fixed axle: *rest is what remains, guided by the axle.
+   The parts must have their motions after the separation. The external impulse, if there is one, acts during the
+   separation. *reaction_or_NULL is the impulse of the axle on the body: `linear` acts at the point axle->at, and
+   `couple` is orthogonal to the axle. If the parts go on as the whole did, the motion of the rest does not change. With
+   n = 0 only the impulse acts. The whole need not have turned about the axle before; it is then caught by the axle. The
+   error of the angular velocity is a few eps of the sum of the terms of e . L divided by the inertia about the axle.
+   Returns VM_OK, the errors of vm_separate_all, VM_DOMAIN if axle->axis is 0, and VM_NULL_AXIS (> 0) if the rest has
+   no inertia about the axle, but would need angular momentum; it then turns as the whole did. `rest` may be equal to
+   `whole`. */
+VM_API int vm_separate_on_axle(const vm_axle *axle, const vm_body *whole, int n, const vm_body *parts,
+                               const vm_impulse *external_or_NULL, vm_body *rest, vm_impulse *reaction_or_NULL)
+{
+    return vmi_axle_jump(axle, whole, n, parts, VMI_SEPARATE, external_or_NULL, rest, reaction_or_NULL);
+}
+
+/* Attachment of n bodies to a body on a fixed axle (plastic impact): *whole is all together, guided by the axle.
+   The bodies must have their motions just before the impact. The other arguments and the statuses are those of
+   vm_separate_on_axle. */
+VM_API int vm_attach_on_axle(const vm_axle *axle, const vm_body *body, int n, const vm_body *added,
+                             const vm_impulse *external_or_NULL, vm_body *whole, vm_impulse *reaction_or_NULL)
+{
+    return vmi_axle_jump(axle, body, n, added, VMI_ATTACH, external_or_NULL, whole, reaction_or_NULL);
+}
+
+#endif
 /* mechanics/broken_rotor.h - a rotor from which a piece breaks off: equations of motion and the break
 
    The rotor is a disc on a massless elastic shaft and moves in a plane. A torque drives it, and its rotation is damped
@@ -4391,6 +4559,7 @@ VM_API int vm_lagrange_impact(int n, const vm_real *matrix, const vm_real *qdot,
        vm_pendulum_cut cut;
        int status = vm_pendulum_separate(&rod, VM_C(0.25), 0, 0, 1, &cut); // 0.25 m leaves at 1 m/s along y
 
+   vm_compound_pendulum_separate is the same for a pendulum of any shape, and axle.h for any axle in space.
    Tests: tests/test_pendulum.c. */
 #ifndef VARMASS_MECHANICS_PENDULUM_H
 #define VARMASS_MECHANICS_PENDULUM_H
@@ -4506,6 +4675,109 @@ VM_API int vm_pendulum_separate(const vm_pendulum *pendulum, vm_real part, vm_re
     c.pivot_x = rest_mass * left / 2 * change * fx + c.mass * ux; /* total momentum after the cut minus before it */
     c.pivot_y = rest_mass * left / 2 * change * fy + c.mass * uy;
     if (!vmi_pendulum_cut_finite(&c)) return VM_NOT_FINITE;
+    *cut = c;
+    return VM_OK;
+}
+
+/* ---- A pendulum that is not uniform ---- */
+
+/* A body of any shape that swings in the plane about the fixed point O, the origin: a compound pendulum */
+typedef struct VM_TAG(vm_compound_pendulum) {
+    vm_real mass;    /* mass M > 0, kg */
+    vm_real inertia; /* moment of inertia about O, kg m^2, >= M times the square of the distance from O to S */
+    vm_real x, y;    /* position of the mass centre S, m */
+    vm_real rate;    /* angular velocity phi', rad/s, anticlockwise */
+} vm_compound_pendulum;
+
+/* The part that is cut off from a compound pendulum */
+typedef struct VM_TAG(vm_compound_part) {
+    vm_real mass;    /* mass m > 0, kg */
+    vm_real inertia; /* moment of inertia about the part's own mass centre S2, kg m^2, >= 0 */
+    vm_real x, y;    /* position of S2, m */
+    vm_real ux, uy;  /* velocity of S2 relative to the pendulum, m/s */
+    vm_real Omega;   /* angular velocity of the part relative to the pendulum, rad/s, anticlockwise */
+} vm_compound_part;
+
+/* The compound pendulum and the part after the cut */
+typedef struct VM_TAG(vm_compound_cut) {
+    vm_compound_pendulum rest; /* what remains; rest.rate is phi1', rest.inertia is about O */
+    vm_real vx, vy;            /* velocity of the part's mass centre, m/s */
+    vm_real rate;              /* angular velocity of the part, rad/s */
+    vm_real T1, T_S1, T_S2;    /* kinetic energy of the whole before, of the rest and of the part after the cut, J */
+    vm_real L1, L2;            /* angular momentum of the rest and of the part about O after the cut, kg m^2/s */
+    vm_real pivot_x, pivot_y;  /* impulse of the pivot on the rest during the cut, N s */
+} vm_compound_cut;
+
+/* Checks numbers, masses and inertias of a compound pendulum and its part. */
+VM_API int vmi_check_compound(const vm_compound_pendulum *p, const vm_compound_part *part)
+{
+    const vm_real numbers[12] = {p->mass,       p->inertia,    p->x,     p->y,     p->rate, part->mass,
+                                 part->inertia, part->x,       part->y,  part->ux, part->uy, part->Omega};
+    if (!vmi_all_finite(12, numbers)) return VM_NOT_FINITE;
+    if (!(p->mass > 0 && part->mass > 0 && part->mass < p->mass)) return VM_BAD_MASS;
+    if (part->inertia < 0) return VM_BAD_INERTIA;
+    if (p->inertia * (1 + 8 * VM_EPSILON) < p->mass * (p->x * p->x + p->y * p->y)) return VM_BAD_INERTIA;
+    return VM_OK;
+}
+
+/* Computes mass, mass centre and inertia of what remains of a compound pendulum. Returns VM_BAD_INERTIA if no body has
+   this inertia about O, because the part cannot have been in the pendulum. */
+VM_API int vmi_compound_rest(const vm_compound_pendulum *p, const vm_compound_part *part, vm_compound_pendulum *rest)
+{
+    const vm_real share = part->mass / (p->mass - part->mass);
+    const vm_real about_O = part->inertia + part->mass * (part->x * part->x + part->y * part->y);
+    const vm_real noise = 32 * VM_EPSILON * p->inertia;
+    vm_real least;
+    rest->mass = p->mass - part->mass;
+    rest->x = p->x + share * (p->x - part->x);
+    rest->y = p->y + share * (p->y - part->y);
+    rest->inertia = p->inertia - about_O;
+    rest->rate = p->rate;
+    least = rest->mass * (rest->x * rest->x + rest->y * rest->y);
+    if (!VM_IS_FINITE(least) || !VM_IS_FINITE(rest->inertia)) return VM_NOT_FINITE;
+    if (rest->inertia < least - noise || !(rest->inertia > 0)) return VM_BAD_INERTIA;
+    return VM_OK;
+}
+
+VM_API int vmi_compound_cut_finite(const vm_compound_cut *c)
+{
+    const vm_real numbers[11] = {c->rest.rate, c->vx, c->vy, c->rate,    c->T1,     c->T_S1,
+                                 c->T_S2,      c->L1, c->L2, c->pivot_x, c->pivot_y};
+    return vmi_all_finite(11, numbers);
+}
+
+/* Motion of a pendulum of any shape and of the part that is cut off from it, (119)-(132).
+   The pendulum need not be uniform. Position and inertia of the part are free. With the moment of inertia I1 of the
+   rest about O and the velocity u of the part at r2 relative to the pendulum, the angular velocity changes by
+     phi1' - phi' = -(I2 Omega + m (r2 x u))/I1.
+   This form has no cancellation but that in I1, the difference of the moments of inertia about O. Returns
+   VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS if a mass, that of the rest included, is not positive,
+   VM_BAD_INERTIA for an inertia that no body has, that of the rest included, and VM_OK otherwise. For axles in space
+   see vm_separate_on_axle. */
+VM_API int vm_compound_pendulum_separate(const vm_compound_pendulum *pendulum, const vm_compound_part *part,
+                                         vm_compound_cut *cut)
+{
+    vm_compound_cut c;
+    vm_real moment, change;
+    int status;
+    if (!pendulum || !part || !cut) return VM_BAD_ARGUMENT;
+    status = vmi_check_compound(pendulum, part);
+    if (!status) status = vmi_compound_rest(pendulum, part, &c.rest);
+    if (status) return status;
+    moment = part->inertia * part->Omega + part->mass * (part->x * part->uy - part->y * part->ux);
+    change = -moment / c.rest.inertia;
+    c.rest.rate = pendulum->rate + change;
+    c.vx = part->ux - pendulum->rate * part->y;
+    c.vy = part->uy + pendulum->rate * part->x;
+    c.rate = pendulum->rate + part->Omega;
+    c.L1 = c.rest.inertia * c.rest.rate;
+    c.L2 = moment + (part->inertia + part->mass * (part->x * part->x + part->y * part->y)) * pendulum->rate;
+    c.T1 = pendulum->inertia * pendulum->rate * pendulum->rate / 2;
+    c.T_S1 = c.L1 * c.rest.rate / 2;
+    c.T_S2 = (part->mass * (c.vx * c.vx + c.vy * c.vy) + part->inertia * c.rate * c.rate) / 2;
+    c.pivot_x = part->mass * part->ux - c.rest.mass * change * c.rest.y; /* momentum after the cut minus before it */
+    c.pivot_y = part->mass * part->uy + c.rest.mass * change * c.rest.x;
+    if (!vmi_compound_cut_finite(&c)) return VM_NOT_FINITE;
     *cut = c;
     return VM_OK;
 }
@@ -6914,7 +7186,7 @@ VM_API int vm_orbit_meshchersky(vm_real t, vm_real mu, vm_real rate, vm_vec3 r0,
      - the geometry (181)-(188),
      - the exact equations of motion, and the reduced equations (192)-(193) of [1],
      - the motion on a rigid shaft in closed form (194)-(206),
-     - the vibrations of an elastic shaft (210)-(226).
+     - the vibrations of an elastic shaft (210)-(226), and how they change the angular velocity.
 
    The band moves at the velocity v along y and meets the drum at the point S + (R, 0), where S is the centre of the
    shaft and R the radius of the drum. After the drum has turned by the angle phi, the band covers the arc from 0 to
@@ -6962,11 +7234,14 @@ enum {
     VM_DRUM_STATES = 6
 };
 
-/* Indices of the states of vm_drum_rhs_angle in y, and the number of states */
+/* Indices of the states of vm_drum_rhs_angle and vm_drum_rhs_coupled in y, and the numbers of states */
 enum {
     VM_DRUM_DEFLECTION = 0, /* deflection of the shaft: position x, y of its centre S, m */
     VM_DRUM_SLOPE = 2,      /* derivatives dx/dphi, dy/dphi of the deflection, m/rad */
-    VM_DRUM_ANGLE_STATES = 4
+    VM_DRUM_ANGLE_STATES = 4,
+    VM_DRUM_RATE = 4, /* angular velocity phi' of the drum, rad/s, of vm_drum_rhs_coupled only */
+    VM_DRUM_TIME = 5, /* time t, s, of vm_drum_rhs_coupled only */
+    VM_DRUM_COUPLED_STATES = 6
 };
 
 /* The elastic shaft in the first approximation, for small mu/M0, j/J0 and e/(J0 Omega_b). The letters mu, v, M0, J0,
@@ -7185,6 +7460,43 @@ VM_API int vm_drum_rhs_angle(vm_real phi, const vm_real *y, vm_real *dydt, void 
     return VM_OK;
 }
 
+/* Right-hand side of the drum on an elastic shaft over the angle phi, (210)-(212).
+   An ode_rhs of VM_DRUM_COUPLED_STATES states; its ctx, here `drum`, is a vm_drum. The independent variable is the
+   angle phi instead of time. Unlike vm_drum_rhs_angle, the function does not take the angular velocity u = dphi/dt from
+   the rigid shaft, but integrates it together with the deflection x, y (m) and the time t (s). With ' = d/dphi the
+   equations are
+     M u (u x')' = -c x - mu u^2 x' + mu R u^2 sin phi
+     M u (u y')' = -c y + mu u (v - u y') - mu R u^2 cos phi
+     J_S u' = e - j u - mu R u y',   t' = 1/u
+   The letters are those of vm_drum_rhs; e = mu v R - D and j = mu R^2. The sine and the cosine are the unbalance, which
+   [1] leaves out. The motion is that of vm_drum_rhs_reduced. Returns VM_OK; or VM_BAD_ARGUMENT for a null pointer,
+   VM_DOMAIN if u is not positive, and the errors of vm_drum_rhs. */
+VM_API int vm_drum_rhs_coupled(vm_real phi, const vm_real *y, vm_real *dydt, void *drum)
+{
+    if (!y || !dydt || !drum) return VM_BAD_ARGUMENT;
+    const vm_drum *d = (const vm_drum *)drum;
+    if (!VM_IS_FINITE(phi) || !VM_IS_FINITE(y[VM_DRUM_RATE]) || !vmi_drum_finite(d)) return VM_NOT_FINITE;
+    const vm_real rate = y[VM_DRUM_RATE], slope_x = y[VM_DRUM_SLOPE], slope_y = y[VM_DRUM_SLOPE + 1];
+    const vm_real unbalance = d->band * d->radius;
+    vm_real turn, drag, force_x, force_y, s, c; /* turn: d(phi')/dphi */
+    vmi_drum_mass m;
+    const int status = vmi_drum_mass_at(d, phi, 0, &m);
+    if (status) return status;
+    if (!(rate > 0)) return VM_DOMAIN;
+    vmi_sincos(phi, &s, &c);
+    turn = (d->band * d->radius * (d->speed - rate * slope_y - d->radius * rate) - d->damping) / m.J;
+    drag = d->band / m.M + turn / rate;
+    force_x = unbalance * s - d->stiffness / rate * y[VM_DRUM_DEFLECTION] / rate;
+    force_y = d->band * d->speed / rate - unbalance * c - d->stiffness / rate * y[VM_DRUM_DEFLECTION + 1] / rate;
+    dydt[VM_DRUM_DEFLECTION] = slope_x;
+    dydt[VM_DRUM_DEFLECTION + 1] = slope_y;
+    dydt[VM_DRUM_SLOPE] = force_x / m.M - drag * slope_x;
+    dydt[VM_DRUM_SLOPE + 1] = force_y / m.M - drag * slope_y;
+    dydt[VM_DRUM_RATE] = turn;
+    dydt[VM_DRUM_TIME] = 1 / rate;
+    return VM_OK;
+}
+
 /* Angle at which the drum on a rigid shaft comes to rest, rad: J0 Omega_b/|e| if e = mu v R - D < 0.
    The drum approaches this angle as t grows, but never reaches it. Returns infinity for e >= 0, and NaN for a drum for
    which vm_drum_rate gives NaN. */
@@ -7316,23 +7628,98 @@ VM_API int vm_drum_shaft_init(vm_drum_shaft *s, const vm_drum *d)
     return VM_OK;
 }
 
+/* The oscillation in the closed form (224) at the angle phi: envelope * cosine is the deflection about the particular
+   solution */
+typedef struct VM_TAG(vmi_drum_wave) {
+    vm_real square;       /* 1 - A phi */
+    vm_real root;         /* the square root of 1 - A phi */
+    vm_real envelope;     /* amplitude at this angle, m */
+    vm_real sine, cosine; /* of the phase at this angle */
+} vmi_drum_wave;
+
+/* Sets *w for the angle phi, the amplitude a and the phase alpha at phi = 0. Returns 1, or 0 if 1 - A phi is not
+   positive or a number is not finite. The letters are explained at vm_drum_deflection. */
+VM_API int vmi_drum_wave_at(const vm_drum_shaft *s, vm_real phi, vm_real a, vm_real alpha, vmi_drum_wave *w)
+{
+    const vm_real square = 1 - s->A * phi, m = VM_SQRT(vmi_larger(square, 0));
+    if (!(square > 0) || !VM_IS_FINITE(phi) || !VM_IS_FINITE(a)) return 0;
+    w->square = square;
+    w->root = m;
+    w->envelope = a / VM_SQRT(m) * vmi_exp(-s->delta * phi, 0);
+    vmi_sincos(2 * s->k / 3 * phi * ((1 + m + square) / (1 + m)) + alpha, &w->sine, &w->cosine);
+    return 1;
+}
+
 /* Deflection x or y of the elastic shaft, m, at the angle phi, (224), (225) corrected.
    With the fields k, delta, A of *s the deflection is
      a (1 - A phi)^(-1/4) exp(-delta phi) cos(I + alpha) + particular/(1 - A phi),
    where I is the integral of k sqrt(1 - A phi) from 0 to phi. `particular` must be 0 for x and s->shift for y. The
-   amplitude a (m) and the phase alpha (rad) follow from the start: at phi = 0 the deflection is a cos alpha +
-   particular. With m^2 = 1 - A phi the integral is I = 2k/(3A) (1 - m^3). It is computed as
+   amplitude a (m) and the phase alpha (rad) follow from the start by vm_drum_deflection_start: at phi = 0 the
+   deflection is a cos alpha + particular. With m^2 = 1 - A phi the integral is I = 2k/(3A) (1 - m^3). It is computed as
    (2k/3) phi (1 + m + m^2)/(1 + m), which holds for A = 0, too. Returns NaN for a null pointer and if 1 - A phi <=
    0. */
 VM_API vm_real vm_drum_deflection(const vm_drum_shaft *s, vm_real phi, vm_real a, vm_real alpha, vm_real particular)
 {
-    vm_real square, m, sine, cosine;
-    if (!s) return VM_NAN;
-    square = 1 - s->A * phi;
-    if (!(square > 0) || !VM_IS_FINITE(phi) || !VM_IS_FINITE(a) || !VM_IS_FINITE(particular)) return VM_NAN;
-    m = VM_SQRT(square);
-    vmi_sincos(2 * s->k / 3 * phi * ((1 + m + square) / (1 + m)) + alpha, &sine, &cosine);
-    return a / VM_SQRT(m) * vmi_exp(-s->delta * phi, 0) * cosine + particular / square;
+    vmi_drum_wave w;
+    if (!s || !VM_IS_FINITE(particular) || !vmi_drum_wave_at(s, phi, a, alpha, &w)) return VM_NAN;
+    return w.envelope * w.cosine + particular / w.square;
+}
+
+/* Derivative of vm_drum_deflection with respect to the angle phi, m/rad: (218), (220) corrected.
+   The deflection is a product of an amplitude and a cosine, plus a particular solution. Its derivative is
+     amplitude [(A/(4 m^2) - delta) cos(I + alpha) - k m sin(I + alpha)] + A particular/m^4,   m^2 = 1 - A phi,
+   with the letters of vm_drum_deflection. [1] drops the term with A/4 and prints another last term. Times the angular
+   velocity phi', the derivative is the velocity of the shaft's centre. The absolute error is a few roundings of
+   amplitude (k m + |delta|), besides what the rounding of the phase makes. Returns NaN where vm_drum_deflection does.
+*/ VM_API vm_real vm_drum_deflection_slope(const vm_drum_shaft *s, vm_real phi, vm_real a, vm_real alpha,
+                                        vm_real particular)
+{
+    vmi_drum_wave w;
+    vm_real growth;
+    if (!s || !VM_IS_FINITE(particular) || !vmi_drum_wave_at(s, phi, a, alpha, &w)) return VM_NAN;
+    growth = s->A / (4 * w.square) - s->delta;
+    return w.envelope * (growth * w.cosine - s->k * w.root * w.sine) + s->A * particular / w.square / w.square;
+}
+
+/* Amplitude and phase (223) of the elastic shaft from deflection and slope at phi = 0.
+   deflection is x or y (m) and slope its derivative with respect to phi (m/rad) when the winding begins; a velocity in
+   m/s is divided by Omega_b. `particular` must be 0 for x and s->shift for y. *a receives the amplitude a >= 0 (m) and
+   *alpha the phase in [-pi, pi] (rad) for which vm_drum_deflection and vm_drum_deflection_slope begin so:
+     a cos alpha = deflection - particular,   a k sin alpha = (A/4 - delta) a cos alpha + A particular - slope.
+   Their errors are a few roundings of these four terms, divided by k where they have k. Returns VM_BAD_ARGUMENT for a
+   null pointer, VM_NOT_FINITE, VM_DOMAIN if s->k is not positive, and VM_OK otherwise. */
+VM_API int vm_drum_deflection_start(const vm_drum_shaft *s, vm_real deflection, vm_real slope, vm_real particular,
+                                    vm_real *a, vm_real *alpha)
+{
+    vm_real cosine, sine, size; /* a cos alpha, a sin alpha, a */
+    if (!s || !a || !alpha) return VM_BAD_ARGUMENT;
+    if (!VM_IS_FINITE(deflection) || !VM_IS_FINITE(slope) || !VM_IS_FINITE(particular) || !VM_IS_FINITE(s->k) ||
+        !VM_IS_FINITE(s->A) || !VM_IS_FINITE(s->delta))
+        return VM_NOT_FINITE;
+    if (s->k <= 0) return VM_DOMAIN;
+    cosine = deflection - particular;
+    sine = ((s->A / 4 - s->delta) * cosine + (s->A * particular - slope)) / s->k;
+    size = vmi_hypot(cosine, sine);
+    if (!VM_IS_FINITE(size)) return VM_NOT_FINITE;
+    *a = size;
+    *alpha = 0;
+    if (size > 0) *alpha = vmi_atan2(sine, cosine);
+    return VM_OK;
+}
+
+/* Angular velocity phi' on an elastic shaft, rad/s: (196) corrected by the deflection (224).
+   `rise` is the deflection y(phi) - y(0) in the band's direction since the winding began, m, for example by
+   vm_drum_deflection. A rim that rises with the band is driven less by it. To the first order in rise the solution of
+   (212) and (215) is
+     phi' = vm_drum_rate [1 - mu R rise/(J0 + j phi)].
+   mu is the mass of the band per angle, R the radius, J0 the drum's inertia and j = mu R^2. For a drum on which
+   mu R |rise|/J0, mu/M0, j/J0 and |e|/(J0 Omega_b) are at most eps, the error is of the order of eps^2 Omega_b: halving
+   all four divides it by four. Returns NaN where vm_drum_rate does, and for a rise that is not finite. */
+VM_API vm_real vm_drum_rate_elastic(const vm_drum *d, vm_real phi, vm_real rise)
+{
+    const vm_real rate = vm_drum_rate(d, phi);
+    if (rate != rate || !VM_IS_FINITE(rise)) return VM_NAN;
+    return rate * (1 - d->band * d->radius * rise / (d->inertia + d->band * d->radius * d->radius * phi));
 }
 
 /* Whether the shaft's frequency, k sqrt(1 - A phi), stays real for the whole first layer (226).
@@ -7380,6 +7767,8 @@ VM_API int vm_drum_shaft_valid(const vm_drum_shaft *s) { return s && s->A < 1 / 
    mass, so that its mass m decreases. If the leaking mass has the velocity of the bob and takes its momentum along,
    Q = -m g l sin q + m' l^2 q'. Without the last term the mass would leave at rest.
 
+   Inverse dynamics asks which forces a given motion needs: vm_lagrange_needed_forces and vm_lagrange_drive_forces.
+
    Accuracy: A and b are computed as differences of values of T, exactly except for rounding errors of T. dT/dq is a
    central difference of order 6. Its error is below 2e-13 (float 1e-5) of the largest T, if a coordinate must change by
    as much as the field `scales` says before T changes noticeably. Tests: tests/test_lagrange.c. */
@@ -7403,7 +7792,7 @@ typedef struct VM_TAG(vm_lagrange_system) {
 } vm_lagrange_system;
 
 /* Length of vm_lagrange_system.work */
-#define VM_LAGRANGE_RHS_WORK(n, n_masses) ((n) * (n) + 3 * (n) + (n_masses))
+#define VM_LAGRANGE_RHS_WORK(n, n_masses) ((n) * (n) + 4 * (n) + (n_masses))
 
 /* The arrays into which the array `work` of a system is divided */
 typedef struct VM_TAG(vmi_lagrange_parts) {
@@ -7411,6 +7800,7 @@ typedef struct VM_TAG(vmi_lagrange_parts) {
     vm_real *b;      /* the vector b in T, the coefficients of the terms that are linear in the rates q', n numbers */
     vm_real *rates;  /* the generalized momenta minus b, later the rates q', n numbers */
     vm_real *trial;  /* rates or coordinates at which T is evaluated, n numbers */
+    vm_real *forces; /* generalized forces of inverse dynamics, n numbers */
     vm_real *masses; /* the masses, which stay constant while T is differentiated, n_masses numbers */
 } vmi_lagrange_parts;
 
@@ -7421,7 +7811,8 @@ VM_API vmi_lagrange_parts vmi_lagrange_work(const vm_lagrange_system *system)
     w.b = w.A + (ptrdiff_t)system->n * system->n;
     w.rates = w.b + system->n;
     w.trial = w.rates + system->n;
-    w.masses = w.trial + system->n;
+    w.forces = w.trial + system->n;
+    w.masses = w.forces + system->n;
     return w;
 }
 
@@ -7584,6 +7975,127 @@ VM_API vm_real vm_lagrange_partial_q(vm_lagrange_system *system, vm_real t, cons
     if (!vmi_lagrange_is_valid(system) || !q || !rates || i < 0 || i >= system->n) return VM_NAN;
     vmi_lagrange_freeze(system, t, q);
     return vmi_lagrange_derivative(system, t, q, rates, i);
+}
+
+/* ---- Inverse dynamics ---- */
+
+/* Adds `weight` times the generalized momenta dT/dq' = A q' + b at time t and coordinates q to p, n numbers. */
+VM_API void vmi_lagrange_add_momenta(const vm_lagrange_system *system, vm_real t, const vm_real *q,
+                                     const vm_real *rates, vm_real weight, vm_real *p)
+{
+    const vmi_lagrange_parts w = vmi_lagrange_work(system);
+    const int n = system->n;
+    int i, j;
+    vmi_lagrange_freeze(system, t, q);
+    vmi_lagrange_quadratic(system, t, q);
+    for (i = 0; i < n; i++) {
+        vm_real sum = w.b[i];
+        for (j = 0; j < n; j++) sum += w.A[i * n + j] * rates[j];
+        p[i] += weight * sum;
+    }
+}
+
+/* The step in time for the derivative of the momenta along the motion. During one step no coordinate changes by more
+   than h times its scale, and time by at most h time_scale, with the h of vmi_lagrange_derivative. The step is 0 if
+   nothing changes. */
+VM_API vm_real vmi_lagrange_time_step(const vm_lagrange_system *system, vm_real time_scale, const vm_real *rates)
+{
+    const vm_real h = VM_MANT_DIG > 24 ? VM_C(0.0078125) : VM_C(0.125);
+    vm_real fastest = 0;
+    int k;
+    if (time_scale > 0) fastest = 1 / time_scale;
+    for (k = 0; k < system->n; k++) {
+        vm_real fast = VM_FABS(rates[k]);
+        if (system->scales) fast /= VM_FABS(system->scales[k]);
+        fastest = vmi_larger(fastest, fast);
+    }
+    if (fastest == 0) return 0;
+    return h / fastest;
+}
+
+/* Adds the change of the momenta per second to p, while the coordinates and the time go on and the rates q' stay. It is
+   a central difference of order 6. Time stands still if time_scale is 0. */
+VM_API void vmi_lagrange_add_momentum_rates(const vm_lagrange_system *system, vm_real t, vm_real time_scale,
+                                            const vm_real *q, const vm_real *rates, vm_real *p)
+{
+    const vm_real weights[3] = {VM_C(0.75), VM_C(-0.15), VM_C(1.0) / 60};
+    const vm_real step = vmi_lagrange_time_step(system, time_scale, rates);
+    const vmi_lagrange_parts w = vmi_lagrange_work(system);
+    int i, k;
+    if (step == 0) return;
+    for (k = -3; k <= 3; k++) {
+        const vm_real moved = (vm_real)k * step;
+        vm_real weight, time = t;
+        if (k == 0) continue;
+        weight = weights[k > 0 ? k - 1 : -k - 1] / step;
+        if (k < 0) weight = -weight;
+        if (time_scale > 0) time = t + moved;
+        for (i = 0; i < system->n; i++) w.rates[i] = q[i] + moved * rates[i];
+        vmi_lagrange_add_momenta(system, time, w.rates, rates, weight, p);
+    }
+}
+
+/* Checks the arguments of vm_lagrange_needed_forces, and writes what it computes to the work array. */
+VM_API int vmi_lagrange_inverse(const vm_lagrange_system *system, vm_real t, vm_real time_scale, const vm_real *q,
+                                const vm_real *rates, const vm_real *accelerations)
+{
+    vmi_lagrange_parts w;
+    int i, j, n;
+    if (!vmi_lagrange_is_valid(system) || !q || !rates || !accelerations) return VM_BAD_ARGUMENT;
+    n = system->n;
+    w = vmi_lagrange_work(system);
+    if (!VM_IS_FINITE(t) || !VM_IS_FINITE(time_scale)) return VM_NOT_FINITE;
+    if (!vmi_all_finite(n, q) || !vmi_all_finite(n, rates) || !vmi_all_finite(n, accelerations)) return VM_NOT_FINITE;
+    if (time_scale < 0) return VM_DOMAIN;
+    for (i = 0; i < n; i++) w.forces[i] = 0;
+    vmi_lagrange_add_momentum_rates(system, t, time_scale, q, rates, w.forces);
+    vmi_lagrange_freeze(system, t, q);
+    vmi_lagrange_quadratic(system, t, q);
+    for (i = 0; i < n; i++) {
+        if (w.A[i * n + i] <= 0) return VM_SINGULAR;
+        for (j = 0; j < n; j++) w.forces[i] += w.A[i * n + j] * accelerations[j];
+        w.forces[i] -= vmi_lagrange_derivative(system, t, q, rates, i);
+    }
+    return VM_OK;
+}
+
+/* Inverse dynamics: generalized forces Q that a given motion needs, the left side of (247).
+   They are Q_i = d/dt dT/dq'_i - (dT/dq_i, masses frozen), the sum of all forces, those of the streams of mass
+   included. q, rates and accelerations are the n coordinates q and their derivatives q' and q'' at time t; Q has n
+   numbers. time_scale (s) is the time after which T or the masses differ noticeably while q stays, as `scales` is for
+   the coordinates; it is 0 if T and the masses do not depend on time. Returns VM_BAD_ARGUMENT, VM_NOT_FINITE also if a
+   result is not finite, VM_DOMAIN for time_scale < 0, VM_SINGULAR if T does not grow with each of the rates, and VM_OK
+   otherwise. The error is below 2e-13 (float 1e-5) of the largest term: of A q'', of T divided by the scale of a
+   coordinate, and of dT/dq' divided by the time in which the system changes noticeably. T is evaluated
+   14 n^2 + 6 n + 7 times. */
+VM_API int vm_lagrange_needed_forces(vm_lagrange_system *system, vm_real t, vm_real time_scale, const vm_real *q,
+                                     const vm_real *rates, const vm_real *accelerations, vm_real *Q)
+{
+    int status;
+    if (!Q) return VM_BAD_ARGUMENT;
+    status = vmi_lagrange_inverse(system, t, time_scale, q, rates, accelerations);
+    if (status) return status;
+    return vmi_copy_if_finite(system->n, vmi_lagrange_work(system).forces, Q);
+}
+
+/* Inverse dynamics: generalized forces that drives must add to system->forces for a given motion.
+   They are those of vm_lagrange_needed_forces minus those that the function `forces` of the system gives. Arguments,
+   accuracy and statuses are those of vm_lagrange_needed_forces, and the number that system->forces returns if it is
+   not 0. */
+VM_API int vm_lagrange_drive_forces(vm_lagrange_system *system, vm_real t, vm_real time_scale, const vm_real *q,
+                                    const vm_real *rates, const vm_real *accelerations, vm_real *Q)
+{
+    vmi_lagrange_parts w;
+    int i, status;
+    if (!Q) return VM_BAD_ARGUMENT;
+    status = vmi_lagrange_inverse(system, t, time_scale, q, rates, accelerations);
+    if (status) return status;
+    w = vmi_lagrange_work(system);
+    for (i = 0; i < system->n; i++) w.b[i] = 0;
+    if (system->forces) status = system->forces(t, q, rates, w.masses, w.b, system->ctx);
+    if (status) return status;
+    for (i = 0; i < system->n; i++) w.forces[i] -= w.b[i];
+    return vmi_copy_if_finite(system->n, w.forces, Q);
 }
 
 #endif
@@ -8155,6 +8667,19 @@ VM_API int vmi_time_side(vm_real length) { return length < 0 ? -1 : 1; }
 /* How many numbers the function `derivatives` of a law writes: f and its first six derivatives in f[0] ... f[6] */
 enum { VMI_LAW_ORDERS = 7 };
 
+/* Checks the first n numbers that a law's function `derivatives` wrote to f when it returned `status`. */
+VM_API int vmi_law_status(int status, int if_not_positive, int n, const vm_real *f)
+{
+    vm_real sum = 0; /* sum of f[i] - f[i], which is 0, or NaN if a number is infinite or NaN */
+    int i;
+    if (status == VM_BAD_MASS) return if_not_positive ? if_not_positive : (int)VM_DOMAIN;
+    if (status) return status;
+    for (i = 0; i < n; i++) sum += f[i] - f[i];
+    if (!(sum == 0)) return VM_NOT_FINITE;
+    if (if_not_positive && !(f[0] > 0)) return if_not_positive;
+    return VM_OK;
+}
+
 /* Writes the value of a law and its derivatives at t to f[0], f[1] ... A constructor must have made the law. Where a
    derivative jumps at t, side = 1 asks for its value after t, side = -1 for its value before t. With length = 0 only f
    and f' are written. A positive length, s, asks for all six derivatives. For a user's function they are found from the
@@ -8162,17 +8687,19 @@ enum { VMI_LAW_ORDERS = 7 };
    VM_BAD_MASS for a mass; it is VM_OK where f may have any sign. */
 VM_API int vmi_law_derivatives(const vm_law *law, int if_not_positive, vm_real t, int side, vm_real length, vm_real *f)
 {
-    int i, status;
-    vm_real sum = 0; /* sum of f[i] - f[i], which is 0, or NaN if a number is infinite or NaN */
-    if (length > 0)
-        for (i = 2; i < VMI_LAW_ORDERS; i++) f[i] = 0;
-    status = law->derivatives(law, t, side, length, f);
-    if (status == VM_BAD_MASS) return if_not_positive ? if_not_positive : (int)VM_DOMAIN;
-    if (status) return status;
-    for (i = 0; i < (length > 0 ? VMI_LAW_ORDERS : 2); i++) sum += f[i] - f[i];
-    if (!(sum == 0)) return VM_NOT_FINITE;
-    if (if_not_positive && !(f[0] > 0)) return if_not_positive;
-    return VM_OK;
+    const int orders = length > 0 ? VMI_LAW_ORDERS : 2;
+    int i;
+    for (i = 2; i < orders; i++) f[i] = 0;
+    return vmi_law_status(law->derivatives(law, t, side, length, f), if_not_positive, orders, f);
+}
+
+/* Does what vmi_law_derivatives does, but only f, f' and f'' are right and checked. The law must not be a function of
+   the user. */
+VM_API int vmi_law_two_derivatives(const vm_law *law, int if_not_positive, vm_real t, int side, vm_real *f)
+{
+    const vm_real length = 1; /* 1 s: only a user's function needs a certain length */
+    f[2] = 0;
+    return vmi_law_status(law->derivatives(law, t, side, length, f), if_not_positive, 3, f);
 }
 
 /* Checks that a constructor made the law, and that the law is finite and positive between 0 and t. Of a user's function
@@ -8719,6 +9246,93 @@ VM_API int vmi_osc_check_problem(const vm_osc_problem *o, vm_real t, vm_real *ma
 }
 
 #endif
+/* oscillators/loads.h - mass that joins or leaves an oscillator with a velocity, and damping that depends on time
+
+   In the equation of motion of a vm_osc_problem (oscillators/problem.h) mass joins or leaves at rest, u = 0, and the
+   damping is constant. The dissertation's equation (248) has the reactive force m' (u - x') with any velocity u along
+   x. A vm_osc_load adds what is missing on the right side:
+     m x'' + k x|x|^(alpha-1) + (reactive m' + b) x' = reactive m' u(t) - damping(t) x' + force(t, x, x')
+   m' is the rate of the mass, u(t) the absolute velocity of the mass that joins or leaves, damping(t) a law that adds
+   to the constant b of the problem, and force the problem's own further force, if there was one. Every route that
+   allows a force computes the motion: the first-order averaged equations and the integrations of oscillators/routes.h.
+   Shortest useful call, for a problem with the fields of oscillators/problem.h:
+       const vm_law u = vm_law_linear(VM_C(0.3), 0), damping = vm_law_linear(VM_C(0.02), VM_C(0.001));
+       vm_osc_load load;
+       vm_osc_motion motion;
+       int status = vm_osc_load_init(&load, &problem, &u, &damping); // 0.3 m/s; 0.02 kg/s, growing
+       if (!status) status = vm_osc_within(&problem, 10, VM_C(1e-6), &motion);
+   To first order a thrust m' u leaves the averaged amplitude as it is, since its mean over a period is 0: it only moves
+   the middle of the vibration, for alpha = 1 by m' u/k. The averaged routes leave this out, and say so by their
+   `error`. damping(t) changes the amplitude by vm_osc_amplitude_law, with vm_law_ratio_integral(&damping, &mass, t,
+   &decay). Tests: tests/test_loads.c. */
+#ifndef VARMASS_OSCILLATORS_LOADS_H
+#define VARMASS_OSCILLATORS_LOADS_H
+
+/* What vm_osc_load_force adds to an oscillator. vm_osc_load_init fills it. The problem points to it, so that it must
+   outlive the problem and must not move. */
+typedef struct VM_TAG(vm_osc_load) {
+    vm_law mass;        /* mass m(t) of the oscillator, kg, whose rate m' the thrust needs */
+    vm_law u;           /* velocity of the mass that joins or leaves, m/s */
+    vm_law damping;     /* damping, kg/s, that adds to the problem's; positive takes energy out */
+    vm_real reactive;   /* share of the thrust m' u that acts. The init function takes the problem's `reactive`. With 1
+                           here and 0 in the problem, u is the velocity relative to the oscillator. */
+    vm_osc_force force; /* the further force that the problem had before, or NULL */
+    void *ctx;          /* the user's pointer, last argument of force */
+} vm_osc_load;
+
+/* Force of a vm_osc_load on an oscillator, N: reactive m' u(t) - damping(t) v + force(t, x, v).
+   A vm_osc_force; its ctx, here `load`, is a vm_osc_load, and vm_osc_load_init makes it the force of a problem. t is
+   the time (s), x the position (m) and v the velocity (m/s). The laws of mass, u and damping are evaluated once.
+   Returns NaN for a null pointer, for arguments that are infinite or NaN, and where a law has no value at t; the routes
+   then return VM_NOT_INTEGRATED or VM_NOT_FINITE. */
+VM_API vm_real vm_osc_load_force(vm_real t, vm_real x, vm_real v, void *load)
+{
+    if (!load) return VM_NAN;
+    const vm_osc_load *l = (const vm_osc_load *)load;
+    vm_real mass, rate, u, damping, force, unused;
+    int status = vmi_law_at(&l->mass, VM_BAD_MASS, t, &mass, &rate);
+    if (!status) status = vmi_law_at(&l->u, VM_OK, t, &u, &unused);
+    if (!status) status = vmi_law_at(&l->damping, VM_OK, t, &damping, &unused);
+    if (status || !VM_IS_FINITE(x) || !VM_IS_FINITE(v)) return VM_NAN;
+    force = l->reactive * rate * u - damping * v;
+    if (l->force) force += l->force(t, x, v, l->ctx);
+    return force;
+}
+
+/* Gives an oscillator a velocity u of the mass that joins or leaves, and a damping that depends on time.
+   u_or_NULL is the law of this velocity, m/s, and damping_or_NULL the law of the damping, kg/s, which adds to the
+   problem's constant damping; a null pointer means 0. *load is filled, and problem->force and problem->ctx are set to
+   it; a force that the problem had acts as before. Call it once for a problem, after its other fields are set. Routes
+   step over the points of a table in u and damping without stopping there, which costs steps, not accuracy. Returns
+   VM_BAD_ARGUMENT for other null pointers, for a law that no constructor made, and for a problem that has this load
+   already; VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS or VM_DOMAIN where a number of the problem or a law at t = 0 is
+   not finite, not positive or outside its domain. An error leaves *load and *problem untouched. */
+VM_API int vm_osc_load_init(vm_osc_load *load, vm_osc_problem *problem, const vm_law *u_or_NULL,
+                            const vm_law *damping_or_NULL)
+{
+    vm_osc_load l;
+    vm_real mass, stiffness;
+    int status;
+    if (!load || !problem || problem->ctx == load) return VM_BAD_ARGUMENT;
+    status = vmi_osc_check_problem(problem, 0, &mass, &stiffness);
+    if (u_or_NULL) status = vmi_first_error(status, vmi_law_check(u_or_NULL, VM_OK, 0));
+    if (damping_or_NULL) status = vmi_first_error(status, vmi_law_check(damping_or_NULL, VM_OK, 0));
+    if (status) return status;
+    l.mass = problem->mass;
+    l.u = vm_law_linear(0, 0);
+    if (u_or_NULL) l.u = *u_or_NULL;
+    l.damping = vm_law_linear(0, 0);
+    if (damping_or_NULL) l.damping = *damping_or_NULL;
+    l.reactive = problem->reactive;
+    l.force = problem->force;
+    l.ctx = problem->ctx;
+    *load = l;
+    problem->force = vm_osc_load_force;
+    problem->ctx = load;
+    return VM_OK;
+}
+
+#endif
 /* oscillators/reduction.h - amplitude and phase of an oscillator that slow changes disturb in second order only
 
    The oscillator m x'' + k x|x|^(alpha-1) + (reactive m' + b) x' = 0 can be written d(mu x')/dt + kappa x|x|^(alpha-1)
@@ -8747,6 +9361,7 @@ enum { VMI_OSC_G = 5 };
 typedef struct VM_TAG(vmi_osc_slow) {
     vm_real m, k;         /* mass, kg, and stiffness, N/m^alpha */
     vm_real a, p;         /* the rates a and p that the top of this file defines, 1/s */
+    vm_real k_rate;       /* k'/k, 1/s */
     vm_real unit;         /* time by which G_i are scaled, s, about 1/W: it keeps powers of very fast or slow rates from
                              overflowing */
     vm_real G[VMI_OSC_G]; /* G[i] is unit^(i+2) G_i, a pure number */
@@ -8757,6 +9372,7 @@ typedef struct VM_TAG(vmi_osc_slow) {
 typedef struct VM_TAG(vmi_osc_rates) {
     vm_real m, k; /* mass, kg, and stiffness, N/m^alpha */
     vm_real a, p; /* the rates a and p of the top of this file, 1/s */
+    vm_real k_rate; /* k'/k, 1/s */
 } vmi_osc_rates;
 
 /* Writes mass, stiffness and rates at t to *r. Where the rates jump at t, side = 1 asks for those after t, side = -1
@@ -8770,7 +9386,36 @@ VM_API int vmi_osc_rates_at(const vm_osc_problem *o, vm_real t, int side, vmi_os
     r->m = m[0];
     r->k = k[0];
     r->a = (o->reactive * m[1] + o->damping) / m[0];
+    r->k_rate = k[1] / k[0];
     r->p = (k[1] / k[0] + 2 * r->a - m[1] / m[0]) / (o->alpha + 3);
+    return VM_OK;
+}
+
+/* Whether mass or stiffness is a function of the user, which gives no second derivative */
+VM_API int vmi_osc_has_user_law(const vm_osc_problem *o) { return o->mass.function || o->stiffness.function; }
+
+/* Writes what vmi_osc_rates_at writes, and the time derivative of p to *p_rate, which is 0 for laws by functions of the
+   user. */
+VM_API int vmi_osc_rates_and_slope(const vm_osc_problem *o, vm_real t, int side, vmi_osc_rates *r, vm_real *p_rate)
+{
+    const vm_real share = 1 / (o->alpha + 3);
+    vm_real m[VMI_LAW_ORDERS], k[VMI_LAW_ORDERS], per_m, per_k, m_rate, k_rate, a_rate;
+    int status;
+    *p_rate = 0;
+    if (vmi_osc_has_user_law(o)) return vmi_osc_rates_at(o, t, side, r);
+    status = vmi_law_two_derivatives(&o->mass, VM_BAD_MASS, t, side, m);
+    if (!status) status = vmi_law_two_derivatives(&o->stiffness, VM_BAD_STIFFNESS, t, side, k);
+    if (status) return status;
+    per_m = 1 / m[0];
+    per_k = 1 / k[0];
+    m_rate = m[1] * per_m;
+    k_rate = k[1] * per_k;
+    r->m = m[0];
+    r->k = k[0];
+    r->a = (o->reactive * m[1] + o->damping) * per_m;
+    r->p = (k_rate + 2 * r->a - m_rate) * share;
+    a_rate = o->reactive * m[2] * per_m - r->a * m_rate;
+    *p_rate = ((k[2] * per_k - k_rate * k_rate) + 2 * a_rate - (m[2] * per_m - m_rate * m_rate)) * share;
     return VM_OK;
 }
 
@@ -8858,6 +9503,7 @@ VM_API void vmi_osc_slow_of(const vm_osc_problem *o, vm_real *m, vm_real *k, vm_
         k[i] = (k_rate[i] + 2 * a - m_rate[i]) / (o->alpha + 3);
     }
     now->a = m[0] / unit;
+    now->k_rate = k_rate[0] / unit;
     now->p = k[0] / unit;
     vmi_osc_find_G(n, m, k, now);
 }
@@ -8947,7 +9593,7 @@ VM_API void vmi_osc_disturbance(const vmi_osc_slow *now, vm_real W, vm_real *E)
        vmi_ripple_values f;
        vm_real sa, ca;
        vmi_ripple_init(&r, VM_C(1.5), vmi_ateb_constants);
-       vmi_ripple_complete(&r);
+       vmi_ripple_complete(&r, 5);
        ateb_saca(VM_C(0.7), VM_C(1.5), &sa, &ca);
        vmi_ripple_at(&r, 5, VM_C(0.7), sa, ca, &f); // f.S, f.S2, f.S3, f.Q at psi = 0.7
 
@@ -9011,27 +9657,29 @@ VM_API vm_real vmi_binomial_next(vm_real before, int i, vm_real exponent)
     return before * ((vm_real)(i - 1) - exponent) / (vm_real)i;
 }
 
-/* Replaces the coefficients i - 1 of all power series by the coefficients i; for i = 0 all must be 0 before. Method:
-   let I be the integral of ca^2 over the phase from a zero of ca or sa, D the integral of I, and E the integral of D.
-   The differential equations D'' = ca^2 and E'' = I give each coefficient of D and E from the one before. */
-VM_API void vmi_ripple_next_terms(vmi_ripple_series *s, int i, vm_real alpha)
+/* Replaces the coefficients i - 1 of the power series by the coefficients i; for i = 0 all must be 0 before. Up to
+   order 3 only the series for the integral of ca^2 are needed. Method: let I be this integral over the phase from a
+   zero of ca or sa, D the integral of I, and E the integral of D. The differential equations D'' = ca^2 and E'' = I
+   give each coefficient of D and E from the one before. */
+VM_API void vmi_ripple_next_terms(vmi_ripple_series *s, int order, int i, vm_real alpha)
 {
     const vm_real n = alpha + 1, nu = 2 * alpha / n, k = (vm_real)(2 * i);
     const vm_real now = (vm_real)i * n, before = now - n;
     vm_real *zero = s->near_ca_0, *turn = s->near_sa_0;
     s->root = vmi_binomial_next(s->root, i, VM_C(-0.5));
     s->power2 = vmi_binomial_next(s->power2, i, (2 - alpha) / n);
+    zero[VMI_RIPPLE_CA2] = n / 2 * s->root / (3 + now);
+    turn[VMI_RIPPLE_CA2] = s->power2 / (k + 1);
+    if (order <= 3) return;
     s->power3 = vmi_binomial_next(s->power3, i, (3 - alpha) / n);
     s->power4 = vmi_binomial_next(s->power4, i, (4 - alpha) / n);
     s->product = (s->product * (k - 3 + 2 * nu) + s->power4) / (k + 1);
-    zero[VMI_RIPPLE_CA2] = n / 2 * s->root / (3 + now);
     zero[VMI_RIPPLE_CA4] = n / 2 * s->root / (5 + now);
     if (i == 0) zero[VMI_RIPPLE_FIRST] = n * n / 48;
     else zero[VMI_RIPPLE_FIRST] *= (4 + before) * (3 + before + n / 2) / ((4 + now) * (3 + now));
     zero[VMI_RIPPLE_SECOND] =
         (zero[VMI_RIPPLE_SECOND] * (5 + before) * (4 + before + n / 2) + n * n / 4 * zero[VMI_RIPPLE_CA2]) /
         ((5 + now) * (4 + now));
-    turn[VMI_RIPPLE_CA2] = s->power2 / (k + 1);
     turn[VMI_RIPPLE_CA4] = s->power4 / (k + 1);
     turn[VMI_RIPPLE_FIRST] = (turn[VMI_RIPPLE_FIRST] * k * (k - 1 + nu) + s->power3) / ((k + 2) * (k + 1));
     turn[VMI_RIPPLE_SECOND] = (turn[VMI_RIPPLE_SECOND] * (k + 1) * (k + nu) + s->product) / ((k + 3) * (k + 2));
@@ -9064,9 +9712,9 @@ VM_API void vmi_chebyshev_to_powers(vm_real *c)
     }
 }
 
-/* Makes all eight polynomials, four in each set. It adds up the power series, with each power w^i or y^i replaced by
-   its Chebyshev series. */
-VMI_APART void vmi_ripple_make_polynomials(vmi_ripple *r)
+/* Makes the eight polynomials, four in each set; those that no law up to `order` needs become 0. It adds up the power
+   series, with each power w^i or y^i replaced by its Chebyshev series. */
+VMI_APART void vmi_ripple_make_polynomials(vmi_ripple *r, int order)
 {
     vm_real w_power[VMI_RIPPLE_KEPT]; /* coefficients of the Chebyshev series of w^i */
     vmi_ripple_series s;
@@ -9083,7 +9731,7 @@ VMI_APART void vmi_ripple_make_polynomials(vmi_ripple *r)
     for (k = 0; k < VMI_RIPPLE_KEPT; k++) w_power[k] = 0;
     w_power[0] = 1;
     for (i = 0; i < VMI_RIPPLE_SERIES; i++) {
-        vmi_ripple_next_terms(&s, i, r->alpha);
+        vmi_ripple_next_terms(&s, order, i, r->alpha);
         for (j = 0; j < VMI_RIPPLE_FUNCTIONS; j++)
             for (k = 0; k < VMI_RIPPLE_TERMS; k++) {
                 r->near_ca_0[j][k] += s.near_ca_0[j] * w_power[k];
@@ -9181,25 +9829,33 @@ VM_API void vmi_ripple_init(vmi_ripple *r, vm_real alpha, vmi_ateb_constants_of 
     r->has_polynomials = 0;
 }
 
-/* Adds the polynomials, and S2 at the zeros of sa and of ca. These two values of S2 follow from the condition that both
-   sets of polynomials give the same S2 and S3 at the phase where sa^2 = 1/2. */
-VM_API void vmi_ripple_complete(vmi_ripple *r)
+/* Sets S2 at the zeros of sa and of ca. They follow from the condition that both sets of polynomials give the same S2
+   and S3 at the phase where sa^2 = 1/2. */
+VM_API void vmi_ripple_join(vmi_ripple *r)
 {
     const vm_real half = VM_C(0.5), sa = VM_SQRT(half), ca = vmi_pow_checked(half, 1 / (r->alpha + 1));
     const vm_real t = vmi_ateb_from_sa_0(r->alpha, sa, half), s = vmi_ateb_from_ca_0(r->alpha, ca, half);
-    vmi_ripple_place place;
-    vmi_ripple_integrals zero, turn;
+    vmi_ripple_place place = vmi_ripple_near_ca_0(r, ca, half);
+    const vmi_ripple_integrals zero = vmi_ripple_integrals_at(&place, 5);
+    vmi_ripple_integrals turn;
     vm_real jump; /* at_sa_0 - at_ca_0 */
-    if (r->has_polynomials) return;
-    vmi_ripple_make_polynomials(r);
-    place = vmi_ripple_near_ca_0(r, ca, half);
-    zero = vmi_ripple_integrals_at(&place, 5);
     place = vmi_ripple_near_sa_0(r, sa, half);
     turn = vmi_ripple_integrals_at(&place, 5);
     jump = (zero.first - r->mean2 * s * s / 2) - (turn.first - r->mean2 * t * t / 2);
     r->at_ca_0 = -((turn.second - r->mean2 * t * t * t / 6) + (zero.second - r->mean2 * s * s * s / 6) + jump * t) /
                  (r->pi / 2);
     r->at_sa_0 = r->at_ca_0 + jump;
+}
+
+/* Adds what the laws up to `order`, 3 to 5, need: the polynomials, and S2 at the zeros of sa and of ca. What only
+   higher orders need is set to 0. */
+VM_API void vmi_ripple_complete(vmi_ripple *r, int order)
+{
+    if (r->has_polynomials) return;
+    vmi_ripple_make_polynomials(r, order);
+    r->at_ca_0 = 0;
+    r->at_sa_0 = 0;
+    if (order > 3) vmi_ripple_join(r);
     r->has_polynomials = 1;
 }
 
@@ -9716,7 +10372,7 @@ VM_API int vm_osc_closed_init(vm_osc_closed *c, const vm_osc_problem *problem, i
     c->beyond = s.laws.rate_m != 0 ? VM_BAD_MASS : VM_BAD_STIFFNESS;
     ateb_plan_init(&c->ateb, problem->alpha);
     vmi_ripple_init(&c->ripple, problem->alpha, vmi_ateb_fine_constants);
-    if (order > 2) vmi_ripple_complete(&c->ripple);
+    if (order > 2) vmi_ripple_complete(&c->ripple, order);
     vmi_osc_closed_begin(c, order, &s, t_end);
     return VM_OK;
 }
@@ -9907,14 +10563,14 @@ VM_API int vm_osc_plan_init(vm_osc_plan *p, const vm_osc_problem *problem)
     status = vmi_osc_prepare(&plan, problem, 1);
     if (status) return status;
     plan.has_ateb = ateb_plan_init(&plan.ateb, problem->alpha) == 0;
-    vmi_ripple_complete(&plan.ripple);
+    vmi_ripple_complete(&plan.ripple, 5);
     status = vmi_osc_start(&plan);
     if (!status) *p = plan;
     return status;
 }
 
 #endif
-/* oscillators/panels.h - panels of time in which a law is smooth, and the integral of 1/f
+/* oscillators/panels.h - panels of time in which a law is smooth, and the integrals of 1/f and f/g
 
    An integral along a law f(t) from 0 to t is a sum over intervals of time, called panels. Each panel is so short that
    a series of 20 Legendre polynomials represents the law on it. A panel that is too long for its series is halved; each
@@ -10109,6 +10765,129 @@ VM_API int vm_law_inverse_integral(const vm_law *law, vm_real t, vm_real *integr
     if (status) return status;
     if (law->inverse_integral) sum = law->inverse_integral(law, t);
     else status = vmi_law_inverse_integral_by_panels(law, t, &sum);
+    if (status) return status;
+    return vmi_copy_if_finite(1, &sum, integral);
+}
+
+/* -- The integral of any function of time -- */
+
+/* A function of time that is integrated: writes its value at t, and returns VM_OK or the status with which it fails.
+   Where the value jumps at t, side = 1 asks for the one after t, side = -1 for the one before t. */
+typedef int (*vmi_integrand)(vm_real t, int side, vm_real *value, void *ctx);
+
+/* Computes the series of a function on a panel. *size receives its largest absolute value at the points of Gauss' rule
+   and at the ends of the panel, and *edge the largest difference between series and function at the ends. */
+VM_API int vmi_integrand_series(vmi_integrand f, void *ctx, vm_real start, vm_real length, vm_real *series,
+                                vm_real *size, vm_real *edge)
+{
+    const int side = vmi_time_side(length);
+    vm_real values[VMI_GAUSS + 2], same[VMI_GAUSS];
+    int i, status;
+    *size = 0;
+    for (i = 0; i < VMI_GAUSS; i++) {
+        status = f(start + length * ((1 + vmi_gauss_node(i)) / 2), side, &values[i], ctx);
+        if (status) return status;
+    }
+    status = f(start, side, &values[VMI_GAUSS], ctx);
+    if (!status) status = f(start + length, -side, &values[VMI_GAUSS + 1], ctx);
+    if (status) return status;
+    for (i = 0; i < VMI_GAUSS + 2; i++) *size = vmi_larger(VM_FABS(values[i]), *size);
+    vmi_legendre_fit(values, values, series, same);
+    *edge = vmi_larger(VM_FABS(vmi_legendre_at(series, -1) - values[VMI_GAUSS]),
+                       VM_FABS(vmi_legendre_at(series, 1) - values[VMI_GAUSS + 1]));
+    return VM_OK;
+}
+
+/* Adds the integral of a function from start to end to *sum. The function must be smooth between them, and no panel is
+   longer than `longest`; `whole` is the length of the whole integral, s. */
+VM_API int vmi_add_integral(vmi_integrand f, void *ctx, vm_real start, vm_real end, vm_real longest, vm_real whole,
+                            vm_real *sum)
+{
+    vmi_panels p = vmi_panels_from(start, end, longest, whole);
+    while (vmi_panels_next(&p)) {
+        const vm_real length = p.side * p.step, limit = vmi_panel_limit(length, whole);
+        vm_real series[VMI_GAUSS], size, edge;
+        const int status = vmi_integrand_series(f, ctx, p.t, length, series, &size, &edge);
+        if (status) return status;
+        if (!(edge <= vmi_panel_edge_limit(limit) * size) || !(vmi_legendre_tail(series) <= limit * size))
+            if (vmi_panels_halve(&p)) continue;
+        *sum += length * series[0];
+        vmi_panels_advance(&p);
+    }
+    return VM_OK;
+}
+
+/* -- The integral of f/g -- */
+
+/* Two laws, whose quotient f/g is integrated */
+typedef struct VM_TAG(vmi_law_ratio) {
+    const vm_law *f, *g;
+} vmi_law_ratio;
+
+/* The value of f/g, where f may have any sign and g is positive. A vmi_integrand; ratio points to a vmi_law_ratio. */
+VM_API int vmi_law_ratio_at(vm_real t, int side, vm_real *value, void *ratio)
+{
+    const vmi_law_ratio *r = (const vmi_law_ratio *)ratio;
+    vm_real up[VMI_LAW_ORDERS], down[VMI_LAW_ORDERS];
+    int status = vmi_law_derivatives(r->f, VM_OK, t, side, 0, up);
+    if (!status) status = vmi_law_derivatives(r->g, VM_BAD_MASS, t, side, 0, down);
+    if (!status) *value = up[0] / down[0];
+    return status;
+}
+
+/* The integral of f/g dt from 0 to t by panels, from one point of a table to the next */
+VM_API int vmi_law_ratio_integral_by_panels(const vm_law *f, const vm_law *g, vm_real t, vm_real *integral)
+{
+    const vm_real whole = VM_FABS(t);
+    const vm_real longest = vmi_smaller(vmi_law_longest_panel(f, whole), vmi_law_longest_panel(g, whole));
+    vmi_law_ratio ratio;
+    vm_real at = 0;
+    int status = VM_OK;
+    ratio.f = f;
+    ratio.g = g;
+    *integral = 0;
+    while (!status && at != t) {
+        const vm_real next = vmi_law_next_knot(g, at, vmi_law_next_knot(f, at, t));
+        status = vmi_add_integral(vmi_law_ratio_at, &ratio, at, next, longest, whole, integral);
+        at = next;
+    }
+    return status;
+}
+
+/* Computes the integral of f/g dt from 0 to t in closed form, and returns whether there is one: f is constant, or f and
+   g have exponential forms with the same base. */
+VM_API int vmi_law_ratio_integral_closed(const vm_law *f, const vm_law *g, vm_real t, vm_real *integral)
+{
+    vm_real base, rate, base_g, rate_g, u;
+    if (!(f->f0 != 0) || !vmi_law_exponential_form(f, &base, &rate)) return 0;
+    if (rate == 0 && g->inverse_integral) {
+        *integral = f->f0 * g->inverse_integral(g, t);
+        return 1;
+    }
+    if (!vmi_law_exponential_form(g, &base_g, &rate_g)) return 0;
+    if (base != base_g && rate_g != 0) return 0;
+    u = t * vmi_log_ratio(base * t);
+    *integral = f->f0 / g->f0 * u * vmi_exp_ratio((base + rate - rate_g) * u);
+    return 1;
+}
+
+/* Integral of f(s)/g(s) ds from 0 to t, for t of either sign, f of any sign and g > 0.
+   With the damping b(t) for f and the mass m(t) for g it is the `decay` of the amplitude laws (vm_osc_amplitude_law). A
+   closed form is used where f is constant, or where f and g are powers of the same 1 + c t or both exponential. All
+   other laws use Gauss' rule on panels: the error is at most 1e-13 (float 1e-5) of the integral of |f/g|, if user's
+   functions change no faster than vm_law_user says. Returns VM_BAD_ARGUMENT for null pointers and for a law that no
+   constructor made, VM_NOT_FINITE for numbers that are infinite or NaN, VM_BAD_MASS where g <= 0 between 0 and t, and
+   VM_DOMAIN for t outside a table, for a table out of order, where a user's function fails, or where a change_time is
+   negative or less than |t|/2^20. An error leaves *integral untouched. */
+VM_API int vm_law_ratio_integral(const vm_law *f, const vm_law *g, vm_real t, vm_real *integral)
+{
+    vm_real sum = 0;
+    int status;
+    if (!f || !g || !f->derivatives || !g->derivatives || !integral) return VM_BAD_ARGUMENT;
+    if (!VM_IS_FINITE(t)) return VM_NOT_FINITE;
+    status = vmi_first_error(vmi_law_check(f, VM_OK, t), vmi_law_check(g, VM_BAD_MASS, t));
+    if (status) return status;
+    if (!vmi_law_ratio_integral_closed(f, g, t, &sum)) status = vmi_law_ratio_integral_by_panels(f, g, t, &sum);
     if (status) return status;
     return vmi_copy_if_finite(1, &sum, integral);
 }
@@ -11422,9 +12201,11 @@ enum { VMI_NODES = VMI_GAUSS };
 /* Gauss' rule, and two matrices. Polynomial j in their comments has degree n - 1; it is 1 at node j and 0 at all other
    nodes. */
 typedef struct VM_TAG(vmi_gauss_rule) {
-    int n; /* number of nodes */
+    int n;      /* number of nodes */
+    int graded; /* 1 after vmi_gauss_rule_grade, else 0 */
+    vm_real place[VMI_NODES]; /* the nodes x; they differ from node[] only in a graded rule */
     vm_real node[VMI_NODES], weight[VMI_NODES];
-    vm_real integral[VMI_NODES][VMI_NODES];   /* [i][j]: integral of polynomial j from 0 to node i */
+    vm_real integral[VMI_NODES + 1][VMI_NODES]; /* [i][j]: integral of polynomial j from 0 to node i; to 1 if i is n */
     vm_real derivative[VMI_NODES][VMI_NODES]; /* [i][j]: derivative of polynomial j at node i */
 } vmi_gauss_rule;
 
@@ -11483,8 +12264,10 @@ VM_API void vmi_gauss_rule_init(vmi_gauss_rule *rule, int n)
     vm_real integrals[VMI_NODES], derivatives[VMI_NODES];
     int i, j, k;
     rule->n = n;
+    rule->graded = 0;
     vmi_gauss_rule_nodes(rule);
     for (i = 0; i < n; i++) {
+        rule->place[i] = rule->node[i];
         before[i] = 0;
         now[i] = 1;
         slope_before[i] = 0;
@@ -11494,6 +12277,7 @@ VM_API void vmi_gauss_rule_init(vmi_gauss_rule *rule, int n)
             rule->derivative[i][j] = 0;
         }
     }
+    for (j = 0; j < n; j++) rule->integral[n][j] = rule->weight[j];
     for (k = 0; k < n; k++) { /* x = 2 node - 1: integrals are 1/2 of those over x, derivatives double */
         for (i = 0; i < n; i++) {
             const vm_real x = 2 * rule->node[i] - 1, next = vmi_legendre_next(k, x, now[i], before[i]);
@@ -11512,8 +12296,28 @@ VM_API void vmi_gauss_rule_init(vmi_gauss_rule *rule, int n)
     }
 }
 
+/* The point z = x^2 (3 - 2x) of a graded rule, where the rule before had x */
+VM_API vm_real vmi_graded(vm_real x) { return x * x * (3 - 2 * x); }
+
+/* Changes the rule for functions of z on [0, 1] that have singularities at the ends, such as fractional powers. The
+   polynomials of the rule become polynomials in x, where z = x^2 (3 - 2x). In x such a power is twice as high, so the
+   error falls faster with n. */
+VM_API void vmi_gauss_rule_grade(vmi_gauss_rule *rule)
+{
+    const int n = rule->n;
+    int i, j;
+    rule->graded = 1;
+    for (j = 0; j < n; j++) {
+        const vm_real x = rule->place[j], slope = 6 * x * (1 - x); /* dz/dx */
+        rule->node[j] = vmi_graded(x);
+        rule->weight[j] *= slope;
+        for (i = 0; i <= n; i++) rule->integral[i][j] *= slope;
+        for (i = 0; i < n; i++) rule->derivative[j][i] /= slope;
+    }
+}
+
 #endif
-/* oscillators/collocation.h - integration of an oscillator from each zero of x to the next, to a tolerance
+/* oscillators/course.h - a run of an oscillator that goes in steps from each zero of x to the next
 
    The exact equations of oscillators/reduction.h for the amplitude A and the phase psi, with a further force F, are
      (ln A)' = -p + W E sa ca - 2/(alpha+1) f sa,   psi' = W (1 + (alpha+1)/2 E ca^2) - f ca,
@@ -11521,30 +12325,42 @@ VM_API void vmi_gauss_rule_init(vmi_gauss_rule *rule, int n)
    They are solved with psi as the independent variable: each step integrates ln A and t from one zero of x to the next.
    At x = 0 the force of the spring is not smooth for most alpha, but since steps end there, no order is lost.
 
-   A step uses Gauss' collocation of n points. Its equations are solved by iteration, which starts from values that are
-   extrapolated from the steps before. p' is the derivative of the polynomial through the values of p at the n points;
-   therefore the laws have to give only their values and rates. Two runs with different n go side by side; their
-   difference gives the error.
-       vm_osc_motion motion;
-       int status = vmi_osc_collocate(&plan, VM_ROUTE_COLLOCATION, 300, VM_C(1e-8), &motion); // plan is a vm_osc_plan
+   A step uses Gauss' collocation of n points, the nodes. Its equations are solved by iteration, which starts from
+   values that are extrapolated from the steps before.
+
+   Without a force the rates of ln A and t consist of slow functions and of a swing with ca^2 and sa ca that is
+   proportional to E. A polynomial of few nodes is good for the slow functions, but not for ca^2 and sa ca. Their
+   integrals have closed forms (oscillators/ripple.h). So each step adds to Gauss' rule what the rule misses in these
+   integrals, and 2 or 3 nodes a step become enough for errors of 1e-8. With a force such closed forms do not exist; for
+   alpha < 3 the nodes then lie closer at the ends of the steps (vmi_gauss_rule_grade).
+       vmi_osc_course c;
+       int status;
+       vmi_osc_course_start(&c, &plan, &state, 1, 4, 1, VM_C(1e-12)); // plan is a vm_osc_plan, state its reduced state
+       c.stop = 10;
+       status = vmi_osc_course_step(&c); // to the first zero of x, or to 10 s
    Source: Hairer, Lubich, Wanner, Geometric Numerical Integration (2006), II.1.2 and VIII.6.
-   Tests: tests/test_collocation.c, tests/test_routes.c. */
-#ifndef VARMASS_OSCILLATORS_COLLOCATION_H
-#define VARMASS_OSCILLATORS_COLLOCATION_H
+   Tests: tests/test_collocation.c. */
+#ifndef VARMASS_OSCILLATORS_COURSE_H
+#define VARMASS_OSCILLATORS_COURSE_H
 
 /* The largest number of earlier steps from which a step is extrapolated */
-enum { VMI_HISTORY = 6 };
+enum { VMI_HISTORY = 7 };
 
 /* -- A run -- */
 
-/* sa and ca at the nodes of a step */
+/* sa and ca at the nodes of a step, and what Gauss' rule misses in the integrals of four functions: ca^2, (x - 1/2)
+   ca^2, sa ca and (x - 1/2) sa ca, where x goes from 0 at the start of the step to 1 at its end. Row i < n of `misses`
+   is for the integrals over x from 0 to node i, row n for those from 0 to 1. */
+enum { VMI_MISSES_CA2, VMI_MISSES_CA2_X, VMI_MISSES_SACA, VMI_MISSES_SACA_X, VMI_MISSES };
 typedef struct VM_TAG(vmi_step_waves) {
     vm_real sa[VMI_NODES], ca[VMI_NODES];
+    vm_real misses[VMI_NODES + 1][VMI_MISSES];
 } vmi_step_waves;
 
 /* Rates: derivatives of ln A and t with respect to the phase psi, at the nodes of a step */
 typedef struct VM_TAG(vmi_step_rates) {
     vm_real ln_A[VMI_NODES], t[VMI_NODES];
+    vm_real E[2]; /* E at the first and at the last node */
 } vmi_step_rates;
 
 /* A run from 0 to t. A half period, from one zero of ca to the next, is one part, or it is two parts that meet where
@@ -11560,70 +12376,157 @@ typedef struct VM_TAG(vmi_osc_course) {
     vm_real longest;       /* the longest step, s */
     vm_real sweep_limit;   /* the iteration of a step ends when a round changes the phase by less than this */
     vm_real psi, ln_A, t;  /* phase, ln(A/A0) with the amplitude A0 of the plan, time, s */
+    vm_real A;             /* amplitude, m; only set for problems with a force */
+    vm_real Om;            /* rate of the phase, 1/s, that this amplitude has with the mass and stiffness at time 0 */
     vm_real t_low;         /* the exact time is t + t_low, s */
     vm_real left;          /* sum over the steps of the change of phase that their iterations leave out */
     vm_real contraction;   /* factor by which a round of the iteration reduces its error */
     vm_real rate;          /* rate of the phase at the end of the last step, 1/s */
-    vmi_step_waves waves[2];                        /* sa and ca on each part of the half period from psi = -Pi/2 */
-    vmi_step_rates history[2][VMI_HISTORY];         /* rates from earlier steps that covered all of a part */
-    int latest[2];                                  /* index of the latest step in history; earlier ones follow it */
-    int known[2];                                   /* number of earlier steps over each part that history holds */
-    int status;
+    vmi_step_waves waves[2];                 /* waves on each part of the half period from psi = -Pi/2 */
+    vmi_step_rates difference[2][VMI_HISTORY]; /* rates of the last step that covered all of a part, and their
+                                                backward differences over such steps */
+    int known[2];          /* number of earlier steps over each part that `difference` represents */
     long evals;            /* evaluations of the rates */
 } vmi_osc_course;
 
-/* Writes sa and ca at the nodes of a step that starts at the phase `from`. */
-VM_API void vmi_osc_course_waves(const vmi_osc_course *c, vm_real from, vm_real length, vmi_step_waves *w)
+/* Sets the amplitude of the course from ln(A/A0). */
+VM_API void vmi_osc_course_amplitude(vmi_osc_course *c, vm_real ln_A)
 {
-    int i;
-    for (i = 0; i < c->rule.n; i++)
-        vmi_osc_wave_at(&c->wave, from + length * c->rule.node[i], &w->ca[i], &w->sa[i]);
+    const vm_osc_plan *plan = c->plan;
+    c->ln_A = ln_A;
+    c->A = plan->problem.force ? plan->A * vmi_exp(ln_A, 0) : 0;
+    c->Om = plan->Om * vmi_exp((plan->problem.alpha - 1) / 2 * ln_A, 0);
 }
 
-/* A step that is being computed; it starts at the present state of the course */
-typedef struct VM_TAG(vmi_osc_step) {
-    vm_real length;              /* length in phase */
-    vm_real sign;                /* factor of waves: -1 in every second half period, else 1 */
-    const vmi_step_waves *waves; /* sa and ca at the nodes, without the factor sign */
-    vmi_step_rates rates;        /* rates at the nodes by the last round of the iteration */
-} vmi_osc_step;
+/* -- What Gauss' rule misses -- */
+
+/* Writes the ripple at a phase, up to the integral S2. */
+VM_API void vmi_osc_course_ripple(const vmi_osc_course *c, vm_real psi, vmi_ripple_values *f)
+{
+    vm_real sa, ca;
+    vmi_osc_wave_at(&c->wave, psi, &ca, &sa);
+    vmi_ripple_at(&c->plan->ripple, 4, psi, sa, ca, f);
+}
+
+/* Writes the integrals of the four functions over x from 0 to x, for a step of this length in phase. *first is the
+   ripple at the start of the step, *now that at x. The integral of ca^2 over psi is <ca^2> psi + S, and that of sa ca
+   is -(alpha+1)/4 ca^2. Integration by parts gives those with the factor x - 1/2. */
+VM_API void vmi_osc_wave_integrals(const vmi_ripple *r, const vmi_ripple_values *first, const vmi_ripple_values *now,
+                                   vm_real x, vm_real length, vm_real *sum)
+{
+    const vm_real psi = x * length, from_middle = x - VM_C(0.5), quarter = (r->alpha + 1) / 4;
+    const vm_real ca2 = r->mean2 * psi + (now->S - first->S), saca = quarter * (first->C - now->C);
+    /* the integrals of these two over psi */
+    const vm_real ca2_twice = r->mean2 * psi * psi / 2 + (now->S2 - first->S2) - first->S * psi;
+    const vm_real saca_twice = quarter * (first->ca * first->ca * psi - ca2);
+    sum[VMI_MISSES_CA2] = ca2 / length;
+    sum[VMI_MISSES_CA2_X] = (from_middle * ca2 - ca2_twice / length) / length;
+    sum[VMI_MISSES_SACA] = saca / length;
+    sum[VMI_MISSES_SACA_X] = (from_middle * saca - saca_twice / length) / length;
+}
+
+/* Subtracts from the integrals to row i what Gauss' rule gives for them. */
+VM_API void vmi_osc_subtract_rule(const vmi_gauss_rule *rule, int i, vmi_step_waves *w)
+{
+    vm_real *misses = w->misses[i];
+    int j;
+    for (j = 0; j < rule->n; j++) {
+        const vm_real from_middle = rule->node[j] - VM_C(0.5);
+        const vm_real ca2 = rule->integral[i][j] * w->ca[j] * w->ca[j];
+        const vm_real saca = rule->integral[i][j] * w->sa[j] * w->ca[j];
+        misses[VMI_MISSES_CA2] -= ca2;
+        misses[VMI_MISSES_CA2_X] -= from_middle * ca2;
+        misses[VMI_MISSES_SACA] -= saca;
+        misses[VMI_MISSES_SACA_X] -= from_middle * saca;
+    }
+}
+
+/* Writes the waves of a step that starts at the phase `from`. In a very short step the rule misses nothing but rounding
+   errors. */
+VM_API void vmi_osc_course_waves(const vmi_osc_course *c, vm_real from, vm_real length, vmi_step_waves *w)
+{
+    const vm_real very_short = VM_SQRT(VM_SQRT(VM_EPSILON));
+    const vmi_gauss_rule *rule = &c->rule;
+    vmi_ripple_values first, now;
+    int i, k;
+    vmi_osc_course_ripple(c, from, &first);
+    for (i = 0; i <= rule->n; i++) {
+        const vm_real x = i < rule->n ? rule->node[i] : 1;
+        vmi_osc_course_ripple(c, from + length * x, &now);
+        vmi_osc_wave_integrals(&c->plan->ripple, &first, &now, x, length, w->misses[i]);
+        if (i == rule->n) break;
+        w->sa[i] = now.sa;
+        w->ca[i] = now.ca;
+    }
+    for (i = 0; i <= rule->n; i++) vmi_osc_subtract_rule(rule, i, w);
+    if (VM_FABS(length) > very_short) return;
+    for (i = 0; i <= rule->n; i++)
+        for (k = 0; k < VMI_MISSES; k++) w->misses[i][k] = 0;
+}
+
+/* Whether the rule must be graded. A force that depends on the velocity brings into the rates the power alpha + 1 of
+   the distance from a zero of x, which is no integer power for most alpha. From alpha = 3 on it is so high that it does
+   no harm. */
+VM_API int vmi_osc_needs_grading(const vm_osc_problem *o) { return o->force && o->alpha < 3 && o->alpha != 1; }
+
+/* -- Rates and changes -- */
 
 /* Changes of ln A and of the time t (in seconds) over a step or a part of it */
 typedef struct VM_TAG(vmi_osc_change) {
     vm_real ln_A, t;
 } vmi_osc_change;
 
-/* The changes of ln A and t over the whole step */
-VM_API vmi_osc_change vmi_osc_whole_change(const vmi_osc_course *c, const vmi_osc_step *s)
+/* A step that is being computed; it starts at the present state of the course */
+typedef struct VM_TAG(vmi_osc_step) {
+    vm_real length;              /* length in phase */
+    vm_real sign;                /* factor of waves: -1 in every second half period, else 1 */
+    const vmi_step_waves *waves; /* waves at the nodes, without the factor sign */
+    vmi_step_rates rates;        /* rates at the nodes by the last round of the iteration */
+    vm_real swing_t[2];          /* the rate of t swings with (swing_t[0] + (x - 1/2) swing_t[1]) ca^2 */
+    vm_real swing_ln_A[2];       /* the rate of ln A swings with (swing_ln_A[0] + (x - 1/2) swing_ln_A[1]) sa ca, and
+                                    with -p times the swing of t */
+    vm_real p;                   /* p in the middle of the step, 1/s */
+    vmi_osc_change whole;        /* the changes over the whole step */
+} vmi_osc_step;
+
+/* The state at a node: mass, stiffness and their rates, and the changes since the start of the step */
+typedef struct VM_TAG(vmi_step_node) {
+    vmi_osc_rates now;
+    vm_real p_rate; /* time derivative of now.p */
+    vm_real t;      /* time, s */
+    vmi_osc_change moved;
+} vmi_step_node;
+
+/* Returns e^x for the small |x| of a change within a step, from its power series; otherwise by vmi_exp. */
+VM_API vm_real vmi_osc_exp_of_change(vm_real x)
 {
-    vmi_osc_change sum;
-    int j;
-    sum.ln_A = 0;
-    sum.t = 0;
-    for (j = 0; j < c->rule.n; j++) {
-        sum.ln_A += c->rule.weight[j] * s->rates.ln_A[j];
-        sum.t += c->rule.weight[j] * s->rates.t[j];
-    }
-    sum.ln_A *= s->length;
-    sum.t *= s->length;
-    return sum;
+    const vm_real most = VM_C(0.0625), xx = x * x;
+    const vm_real low = 1 + x + xx * (VM_C(0.5) + x * VM_C(0.16666666666666666667));
+    const vm_real middle = VM_C(0.041666666666666666667) + x * VM_C(0.0083333333333333333333) +
+                           xx * (VM_C(0.0013888888888888888889) + x * VM_C(1.984126984126984127e-4));
+    const vm_real high = VM_C(2.4801587301587301587e-5) + x * VM_C(2.7557319223985890653e-6);
+    if (!(VM_FABS(x) <= most)) return vmi_exp(x, 0);
+    return low + xx * xx * (middle + xx * xx * high);
 }
 
-/* Writes the derivatives of ln A and t with respect to the phase at node i, where ln(A/A0) is ln_A and the time is t.
-   *now holds mass, stiffness and their rates at t, and p_rate is the time derivative of now->p. */
-VM_API int vmi_osc_course_rates(const vmi_osc_course *c, const vmi_osc_step *s, int i, const vmi_osc_rates *now,
-                                vm_real p_rate, vm_real ln_A, vm_real t, vm_real *ln_A_by_psi, vm_real *t_by_psi)
+/* Writes the derivatives of ln A and t with respect to the phase at node i, and E there. */
+VM_API int vmi_osc_course_rates(const vmi_osc_course *c, const vmi_osc_step *s, int i, const vmi_step_node *at,
+                                vm_real *ln_A_by_psi, vm_real *t_by_psi, vm_real *E)
 {
     const vm_osc_plan *plan = c->plan;
     const vm_osc_problem *o = &plan->problem;
     const vm_real least_rate = VM_C(0.03); /* below this ratio of the phase's rate to W there is no vibration */
     const vm_real n = o->alpha + 1, sa = s->sign * s->waves->sa[i], ca = s->sign * s->waves->ca[i];
-    const vm_real W = plan->Om * vmi_osc_Om_ratio(plan, now, ln_A);
-    const vm_real E = (now->p * (now->p - now->a) - p_rate) / (W * W);
-    vm_real rate = 1 + n / 2 * E * ca * ca, ln_A_rate = -now->p + W * E * sa * ca;
+    const vmi_osc_rates *now = &at->now;
+    const vm_real omega_ratio = VM_SQRT((now->k / plan->k0) / (now->m / plan->m0));
+    const vm_real W = c->Om * omega_ratio * vmi_osc_exp_of_change((o->alpha - 1) / 2 * at->moved.ln_A);
+    vm_real rate, ln_A_rate;
+    *E = (now->p * (now->p - now->a) - at->p_rate) / (W * W);
+    rate = 1 + n / 2 * *E * ca * ca;
+    ln_A_rate = -now->p + W * *E * sa * ca;
     if (o->force) {
-        const vm_real A = plan->A * vmi_exp(ln_A, 0), V = 2 * A * W / n, x = A * ca;
-        const vm_real f = o->force(t, x, -V * sa - now->p * x, o->ctx) / (now->m * V);
+        const vm_real A = c->A * vmi_osc_exp_of_change(at->moved.ln_A), V = 2 * A * W / n, x = A * ca;
+        const vm_real f = o->force(at->t, x, -V * sa - now->p * x, o->ctx) / (now->m * V);
         rate -= f * ca / W;
         ln_A_rate -= 2 / n * f * sa;
     }
@@ -11633,73 +12536,123 @@ VM_API int vmi_osc_course_rates(const vmi_osc_course *c, const vmi_osc_step *s, 
     return VM_OK;
 }
 
-/* The changes of ln A and t from the start of the step to node i, by integration of *rates */
-VM_API vmi_osc_change vmi_osc_change_to(const vmi_osc_course *c, const vmi_osc_step *s, const vmi_step_rates *rates,
-                                        int i)
+/* The changes of ln A and t from the start of the step to node i, or over the whole step for i = n */
+VM_API vmi_osc_change vmi_osc_change_to(const vmi_osc_course *c, const vmi_osc_step *s, int i)
 {
-    const vm_real *weight = c->rule.integral[i];
+    const vm_real *weight = c->rule.integral[i], *misses = s->waves->misses[i];
+    vm_real t = s->swing_t[0] * misses[VMI_MISSES_CA2] + s->swing_t[1] * misses[VMI_MISSES_CA2_X];
+    vm_real ln_A = s->swing_ln_A[0] * misses[VMI_MISSES_SACA] + s->swing_ln_A[1] * misses[VMI_MISSES_SACA_X] - s->p * t;
     vmi_osc_change sum;
     int j;
-    sum.ln_A = 0;
-    sum.t = 0;
     for (j = 0; j < c->rule.n; j++) {
-        sum.ln_A += weight[j] * rates->ln_A[j];
-        sum.t += weight[j] * rates->t[j];
+        ln_A += weight[j] * s->rates.ln_A[j];
+        t += weight[j] * s->rates.t[j];
     }
-    sum.ln_A *= s->length;
-    sum.t *= s->length;
+    sum.ln_A = ln_A * s->length;
+    sum.t = t * s->length;
     return sum;
 }
+
+/* Sets what follows from the rates of a step: the swing, and the changes over the whole step. To first order in E,
+   dt/dpsi = (1 - (alpha+1)/2 E ca^2)/W and d ln A/dpsi = -p dt/dpsi + E sa ca. The integral of E sa ca is -(alpha+1)/4
+   E ca^2, by which ln A swings. W is proportional to A^((alpha-1)/2), so this adds (alpha-1)(alpha+1)/8 E ca^2/W to
+   dt/dpsi. */
+VM_API void vmi_osc_complete_step(const vmi_osc_course *c, vmi_osc_step *s)
+{
+    const vm_real alpha = c->plan->problem.alpha, factor = (alpha + 1) * (alpha - 5) / 8;
+    const int last = c->rule.n - 1, middle = c->rule.n / 2;
+    const vmi_step_rates *rates = &s->rates;
+    const vm_real first_t = factor * rates->E[0] * rates->t[0], last_t = factor * rates->E[1] * rates->t[last];
+    const vm_real per_x = 1 / (c->rule.node[last] - c->rule.node[0]);
+    s->swing_t[0] = (first_t + last_t) / 2;
+    s->swing_t[1] = (last_t - first_t) * per_x;
+    s->swing_ln_A[0] = (rates->E[0] + rates->E[1]) / 2;
+    s->swing_ln_A[1] = (rates->E[1] - rates->E[0]) * per_x;
+    s->p = -rates->ln_A[middle] / rates->t[middle];
+    s->whole = vmi_osc_change_to(c, s, c->rule.n);
+}
+
+/* -- The iteration of a step -- */
 
 /* Adds to the rates of a step the corrections `missing` that a round found, and estimates of the further corrections
    that follow: `missing` shifts ln A and t at the nodes, and these shifts change the rates, mostly because W depends on
    both. *now holds mass, stiffness and rates at about the middle of the step. */
-VM_API void vmi_osc_correct(const vmi_osc_course *c, const vmi_osc_step *s, const vmi_osc_rates *now,
-                            const vmi_step_rates *missing, vmi_step_rates *rates)
+VM_API void vmi_osc_correct(const vmi_osc_course *c, const vmi_osc_rates *now, const vmi_step_rates *missing,
+                            vmi_osc_step *s)
 {
     const vm_real alpha = c->plan->problem.alpha;
     /* derivatives of ln(dt/dpsi) with respect to t and to ln A */
     const vm_real by_t = -((alpha + 3) * now->p - 2 * now->a) / 2, by_ln_A = -(alpha - 1) / 2;
+    vm_real slope[VMI_NODES]; /* rate over psi of the change of ln(dt/dpsi) */
+    int i, j;
+    for (j = 0; j < c->rule.n; j++) slope[j] = s->length * (by_t * missing->t[j] + by_ln_A * missing->ln_A[j]);
+    for (i = 0; i < c->rule.n; i++) {
+        vm_real sum = 0, change;
+        for (j = 0; j < c->rule.n; j++) sum += c->rule.integral[i][j] * slope[j];
+        change = s->rates.t[i] * sum;
+        s->rates.t[i] += missing->t[i] + change;
+        s->rates.ln_A[i] += missing->ln_A[i] - now->p * change;
+    }
+}
+
+/* Finds the time derivatives of p at the nodes from the polynomial through the values of p. This is for laws by
+   functions of the user, which have no second derivatives. */
+VM_API void vmi_osc_find_p_rates(const vmi_osc_course *c, const vmi_osc_step *s, vmi_step_node *at)
+{
+    const vm_real too_short = 256 * VM_EPSILON; /* a phase in which differences of p are rounding errors */
+    int i, j;
+    if (VM_FABS(s->length) < too_short) return;
+    for (i = 0; i < c->rule.n; i++) {
+        vm_real sum = 0;
+        for (j = 0; j < c->rule.n; j++) sum += c->rule.derivative[i][j] * at[j].now.p;
+        at[i].p_rate = sum / (s->length * s->rates.t[i]);
+    }
+}
+
+/* Finds the state at each node from the present rates of the step. */
+VM_API int vmi_osc_find_nodes(const vmi_osc_course *c, const vmi_osc_step *s, vmi_step_node *at)
+{
+    const vm_osc_problem *o = &c->plan->problem;
     int i;
     for (i = 0; i < c->rule.n; i++) {
-        const vmi_osc_change moved = vmi_osc_change_to(c, s, missing, i);
-        const vm_real change = rates->t[i] * (by_t * moved.t + by_ln_A * moved.ln_A);
-        rates->t[i] += missing->t[i] + change;
-        rates->ln_A[i] += missing->ln_A[i] - now->p * change;
+        int side = c->side, status;
+        at[i].moved = vmi_osc_change_to(c, s, i);
+        at[i].t = c->t + (c->t_low + at[i].moved.t);
+        if ((vm_real)side * (at[i].t - c->stop) >= 0) {
+            at[i].t = c->stop;
+            side = -side;
+        }
+        status = vmi_osc_rates_and_slope(o, at[i].t, side, &at[i].now, &at[i].p_rate);
+        if (status) return status;
     }
+    if (vmi_osc_has_user_law(o)) vmi_osc_find_p_rates(c, s, at);
+    return VM_OK;
 }
 
 /* Makes one round of the iteration. *change becomes the largest change of the rates, times the length of the step. */
 VM_API int vmi_osc_sweep(vmi_osc_course *c, vmi_osc_step *s, vm_real *change)
 {
-    const vm_real too_short = 256 * VM_EPSILON; /* a phase in which differences of p are rounding errors */
     const int n = c->rule.n;
-    vmi_osc_rates now[VMI_NODES];
+    const vm_real length = VM_FABS(s->length);
+    vmi_step_node at[VMI_NODES];
     vmi_step_rates missing;
-    vm_real ln_A[VMI_NODES], t[VMI_NODES];
-    int i, j, status;
-    for (i = 0; i < n; i++) {
-        const vmi_osc_change moved = vmi_osc_change_to(c, s, &s->rates, i);
-        ln_A[i] = c->ln_A + moved.ln_A;
-        t[i] = c->t + (c->t_low + moved.t);
-        if ((vm_real)c->side * (t[i] - c->stop) > 0) t[i] = c->stop;
-        status = vmi_osc_rates_at(&c->plan->problem, t[i], t[i] == c->stop ? -c->side : c->side, &now[i]);
-        if (status) return status;
-    }
+    vm_real E[VMI_NODES];
+    int i, status = vmi_osc_find_nodes(c, s, at);
+    if (status) return status;
     *change = 0;
     for (i = 0; i < n; i++) {
         const vm_real old_ln_A = s->rates.ln_A[i], old_t = s->rates.t[i];
-        vm_real p_rate = 0, new_ln_A, new_t;
-        for (j = 0; j < n; j++) p_rate += c->rule.derivative[i][j] * now[j].p;
-        p_rate /= s->length * old_t;
-        if (VM_FABS(s->length) < too_short) p_rate = 0;
-        status = vmi_osc_course_rates(c, s, i, &now[i], p_rate, ln_A[i], t[i], &new_ln_A, &new_t);
+        vm_real new_ln_A, new_t;
+        status = vmi_osc_course_rates(c, s, i, &at[i], &new_ln_A, &new_t, &E[i]);
         if (status) return status;
         missing.ln_A[i] = new_ln_A - old_ln_A;
         missing.t[i] = new_t - old_t;
-        *change = vmi_larger((VM_FABS(new_t / old_t - 1) + VM_FABS(new_ln_A - old_ln_A)) * VM_FABS(s->length), *change);
+        *change = vmi_larger((VM_FABS(missing.t[i] / old_t) + VM_FABS(missing.ln_A[i])) * length, *change);
     }
-    vmi_osc_correct(c, s, &now[n / 2], &missing, &s->rates);
+    vmi_osc_correct(c, &at[n / 2].now, &missing, s);
+    s->rates.E[0] = E[0];
+    s->rates.E[1] = E[n - 1];
+    vmi_osc_complete_step(c, s);
     c->evals += n;
     return VM_OK;
 }
@@ -11709,7 +12662,7 @@ VM_API int vmi_osc_sweep(vmi_osc_course *c, vmi_osc_step *s, vm_real *change)
    `contraction`. */
 VM_API int vmi_osc_iterate(vmi_osc_course *c, vmi_osc_step *s)
 {
-    const vm_real least_contraction = VM_C(0.02); /* a lower bound, since the next steps may converge more slowly */
+    const vm_real least_contraction = VM_C(0.005); /* a lower bound, since the next steps may converge more slowly */
     const vm_real rounding = VM_SQRT(VM_EPSILON) / 16; /* in short steps p' has errors of this size, which no round
                                                           removes */
     const int most_rounds = 40;
@@ -11731,34 +12684,36 @@ VM_API int vmi_osc_iterate(vmi_osc_course *c, vmi_osc_step *s)
 /* Sets the rates from which the iteration of a step starts. They are extrapolated from earlier whole steps over the
    same part of a half period. If there are none, the rates at all nodes are those at the start of the step, without the
    disturbance E = (p^2 - a p - p')/W^2 and the further force F. */
-VM_API int vmi_osc_predict(vmi_osc_course *c, int part, vmi_osc_step *s)
+VM_API int vmi_osc_predict(const vmi_osc_course *c, int part, vmi_osc_step *s)
 {
+    const vmi_step_rates *difference = c->difference[part];
+    vmi_step_rates *rates = &s->rates;
     vmi_osc_rates now;
-    vm_real rate, factor = -1;
+    vm_real rate;
     int i, k, status;
+    rates->E[0] = rates->E[1] = 0;
     if (c->known[part] == 0) {
         status = vmi_osc_rates_at(&c->plan->problem, c->t, c->side, &now);
         if (status) return status;
-        rate = 1 / (c->plan->Om * vmi_osc_Om_ratio(c->plan, &now, c->ln_A));
+        rate = 1 / (c->Om * VM_SQRT((now.k / c->plan->k0) / (now.m / c->plan->m0)));
         for (i = 0; i < c->rule.n; i++) {
-            s->rates.ln_A[i] = -now.p * rate;
-            s->rates.t[i] = rate;
+            rates->ln_A[i] = -now.p * rate;
+            rates->t[i] = rate;
         }
         return VM_OK;
     }
-    for (i = 0; i < c->rule.n; i++) {
-        s->rates.ln_A[i] = 0;
-        s->rates.t[i] = 0;
-    }
-    for (k = 0; k < c->known[part]; k++) { /* extrapolation from n earlier steps: the latest times n, the one before
-                                              times -n (n-1)/2 ... */
-        const vmi_step_rates *last = &c->history[part][(c->latest[part] + k) % VMI_HISTORY];
-        factor *= (vm_real)(c->known[part] - k) / (vm_real)(k + 1);
-        for (i = 0; i < c->rule.n; i++) {
-            s->rates.ln_A[i] -= factor * last->ln_A[i];
-            s->rates.t[i] -= factor * last->t[i];
+    for (i = 0; i < c->rule.n; i++) { /* the next value of a polynomial is the sum of its backward differences */
+        vm_real ln_A = 0, t = 0;
+        for (k = 0; k < c->known[part]; k++) {
+            ln_A += difference[k].ln_A[i];
+            t += difference[k].t[i];
         }
-        factor = -factor;
+        rates->ln_A[i] = ln_A;
+        rates->t[i] = t;
+    }
+    for (k = 0; k < c->known[part]; k++) {
+        rates->E[0] += difference[k].E[0];
+        rates->E[1] += difference[k].E[1];
     }
     return VM_OK;
 }
@@ -11766,39 +12721,58 @@ VM_API int vmi_osc_predict(vmi_osc_course *c, int part, vmi_osc_step *s)
 /* Advances the state of the course by the step. */
 VM_API void vmi_osc_take(vmi_osc_course *c, const vmi_osc_step *s)
 {
-    const vmi_osc_change moved = vmi_osc_whole_change(c, s);
-    const vm_real change = c->t_low + moved.t, t = c->t + change;
+    const vm_real change = c->t_low + s->whole.t, t = c->t + change;
     c->t_low = change - (t - c->t);
     c->t = t;
-    c->ln_A += moved.ln_A;
+    vmi_osc_course_amplitude(c, c->ln_A + s->whole.ln_A);
     c->psi += s->length;
     c->rate = 1 / s->rates.t[c->rule.n - 1];
 }
 
-/* Stores the rates of ln A and t over a whole step. vmi_osc_predict extrapolates from them the rates of the next step
-   over the same part (first or second) of a half period. */
+/* Replaces a value in *kept by *value, and *value by the difference of the two. */
+VM_API void vmi_keep_and_subtract(vm_real *kept, vm_real *value)
+{
+    const vm_real difference = *value - *kept;
+    *kept = *value;
+    *value = difference;
+}
+
+/* Stores the rates of ln A and t over a whole step, by renewing their backward differences. vmi_osc_predict
+   extrapolates from them the rates of the next step over the same part (first or second) of a half period. */
 VM_API void vmi_osc_remember(vmi_osc_course *c, int part, const vmi_step_rates *rates)
 {
-    c->latest[part] = (c->latest[part] + VMI_HISTORY - 1) % VMI_HISTORY;
-    c->history[part][c->latest[part]] = *rates;
-    if (c->known[part] < VMI_HISTORY) c->known[part]++;
+    const int terms = c->known[part] < VMI_HISTORY ? c->known[part] + 1 : VMI_HISTORY;
+    int i, k;
+    vmi_step_rates *difference = c->difference[part];
+    for (i = 0; i < c->rule.n; i++) {
+        vm_real ln_A = rates->ln_A[i], t = rates->t[i];
+        for (k = 0; k < terms; k++) {
+            vmi_keep_and_subtract(&difference[k].ln_A[i], &ln_A);
+            vmi_keep_and_subtract(&difference[k].t[i], &t);
+        }
+    }
+    for (i = 0; i < 2; i++) {
+        vm_real E = rates->E[i];
+        for (k = 0; k < terms; k++) vmi_keep_and_subtract(&difference[k].E[i], &E);
+    }
+    c->known[part] = terms;
 }
 
 /* -- Landing on a time -- */
 
-/* Returns the fraction of the step at which the time t is reached, by Newton's method. Writes the Legendre series of
-   dt/dpsi on the step to series. */
-VM_API vm_real vmi_osc_find_part(const vmi_osc_course *c, const vmi_osc_step *s, vm_real t, vm_real *series)
+/* Returns the fraction of the step at which the time t is reached, by Newton's method on the Legendre series of
+   dt/dpsi, or in a graded rule of dt/dx (vmi_gauss_rule_grade). */
+VM_API vm_real vmi_osc_find_part(const vmi_osc_course *c, const vmi_osc_step *s, vm_real t)
 {
     const int rounds = 8;
     const vm_real way = (t - c->t) - c->t_low;
-    vm_real part, slope;
+    vm_real series[VMI_GAUSS], part, slope;
     int i, k;
     for (k = 0; k < VMI_GAUSS; k++) series[k] = 0;
     for (i = 0; i < c->rule.n; i++) {
         vm_real before = 0, now = 1;
         for (k = 0; k < c->rule.n; k++) {
-            const vm_real next = vmi_legendre_next(k, 2 * c->rule.node[i] - 1, now, before);
+            const vm_real next = vmi_legendre_next(k, 2 * c->rule.place[i] - 1, now, before);
             series[k] += (vm_real)(2 * k + 1) * c->rule.weight[i] * now * s->rates.t[i];
             before = now;
             now = next;
@@ -11810,7 +12784,7 @@ VM_API vm_real vmi_osc_find_part(const vmi_osc_course *c, const vmi_osc_step *s,
         part -= (s->length / 2 * vmi_legendre_integral(series, 2 * part - 1) - way) / slope;
         part = vmi_smaller(vmi_larger(part, 0), 1);
     }
-    return part;
+    return c->rule.graded ? vmi_graded(part) : part;
 }
 
 /* Makes a step that ends at c->stop, in place of the longer step `beyond`, which would go past this time. certain is 0
@@ -11820,7 +12794,7 @@ VM_API int vmi_osc_land(vmi_osc_course *c, const vmi_osc_step *beyond, int certa
 {
     const int rounds = 6;
     const vm_real way = (c->stop - c->t) - c->t_low;
-    vm_real series[VMI_GAUSS], part = vmi_osc_find_part(c, beyond, c->stop, series);
+    const vm_real part = vmi_osc_find_part(c, beyond, c->stop);
     vmi_step_waves waves;
     vmi_osc_step s;
     int i, attempt, status;
@@ -11828,16 +12802,19 @@ VM_API int vmi_osc_land(vmi_osc_course *c, const vmi_osc_step *beyond, int certa
     s.waves = &waves;
     s.length = part * beyond->length;
     for (i = 0; i < c->rule.n; i++) {
-        s.rates.t[i] = vmi_legendre_at(series, 2 * part * c->rule.node[i] - 1);
+        s.rates.t[i] = beyond->rates.t[i];
         s.rates.ln_A[i] = beyond->rates.ln_A[i];
     }
+    s.rates.E[0] = beyond->rates.E[0];
+    s.rates.E[1] = beyond->rates.E[1];
     for (attempt = 0; attempt < rounds; attempt++) {
         vm_real missing;
         vmi_osc_course_waves(c, c->psi, s.length, &waves);
+        vmi_osc_complete_step(c, &s);
         status = vmi_osc_iterate(c, &s);
         if (status == VM_NOT_INTEGRATED && !certain) return VM_OK;
         if (status) return status;
-        missing = (way - vmi_osc_whole_change(c, &s).t) / s.rates.t[c->rule.n - 1];
+        missing = (way - s.whole.t) / s.rates.t[c->rule.n - 1];
         if (VM_FABS(missing) <= c->sweep_limit) break;
         s.length += missing;
     }
@@ -11872,7 +12849,7 @@ VM_API vm_real vmi_osc_next_phase(const vmi_osc_course *c, int *part, vm_real *s
 /* Whether the step, by its present rates, ends at or beyond c->stop */
 VM_API int vmi_osc_is_beyond(const vmi_osc_course *c, const vmi_osc_step *s)
 {
-    return (vm_real)c->side * ((c->t - c->stop) + (c->t_low + vmi_osc_whole_change(c, s).t)) >= 0;
+    return (vm_real)c->side * ((c->t - c->stop) + (c->t_low + s->whole.t)) >= 0;
 }
 
 /* Makes a step whose length is `most`, between 0 and 1, times the usual length. If it would go beyond c->stop, it is
@@ -11886,17 +12863,17 @@ VM_API int vmi_osc_course_step_of(vmi_osc_course *c, vm_real most)
     s.length = vmi_osc_next_phase(c, &part, &s.sign) - c->psi;
     status = vmi_osc_predict(c, part < 0 ? 0 : part, &s);
     if (status) return status;
-    share = vmi_smaller(c->longest / VM_FABS(vmi_osc_whole_change(c, &s).t), most);
+    share = vmi_smaller(c->longest / VM_FABS(s.length * s.rates.t[c->rule.n / 2]), most);
     if (share < 1) {
         s.length *= share;
         part = -1;
     }
-    s.waves = &c->waves[part < 0 ? 0 : part];
     if (part < 0) {
         s.sign = 1;
         s.waves = &inside;
         vmi_osc_course_waves(c, c->psi, s.length, &inside);
-    }
+    } else s.waves = &c->waves[part];
+    vmi_osc_complete_step(c, &s);
     if (vmi_osc_is_beyond(c, &s)) {
         status = vmi_osc_land(c, &s, 0);
         if (status || c->t == c->stop) return status;
@@ -11934,13 +12911,14 @@ VM_API void vmi_osc_course_start(vmi_osc_course *c, const vm_osc_plan *plan, con
     c->plan = plan;
     c->wave = vmi_osc_wave_of(plan, VM_ROUTE_COLLOCATION);
     vmi_gauss_rule_init(&c->rule, n);
+    if (vmi_osc_needs_grading(&plan->problem)) vmi_gauss_rule_grade(&c->rule);
     c->side = side;
     c->parts = parts;
     c->sweep_limit = sweep_limit;
     c->stop = 0;
     c->longest = VM_INFINITY;
     c->psi = start->psi;
-    c->ln_A = vmi_log(start->A / plan->A).hi;
+    vmi_osc_course_amplitude(c, vmi_log(start->A / plan->A).hi);
     c->t = 0;
     c->t_low = 0;
     c->left = 0;
@@ -11951,12 +12929,21 @@ VM_API void vmi_osc_course_start(vmi_osc_course *c, const vm_osc_plan *plan, con
         if (side < 0) from += half / (vm_real)parts;
         vmi_osc_course_waves(c, from, length, &c->waves[part]);
     }
-    for (part = 0; part < 2; part++) {
-        c->latest[part] = 0;
-        c->known[part] = 0;
-    }
+    c->known[0] = 0;
+    c->known[1] = 0;
     c->evals = 0;
 }
+
+#endif
+/* oscillators/collocation.h - the motion of an oscillator by collocation, to a tolerance
+
+   Two runs from zero to zero of x (oscillators/course.h), with different numbers of points a step, go side by side.
+   Their difference gives the error. If the error is larger than the tolerance, the next pair of runs has more points.
+       vm_osc_motion motion;
+       int status = vmi_osc_collocate(&plan, VM_ROUTE_COLLOCATION, 300, VM_C(1e-8), &motion); // plan is a vm_osc_plan
+   Tests: tests/test_collocation.c, tests/test_routes.c. */
+#ifndef VARMASS_OSCILLATORS_COLLOCATION_H
+#define VARMASS_OSCILLATORS_COLLOCATION_H
 
 /* -- Two runs side by side -- */
 
@@ -11999,30 +12986,36 @@ typedef struct VM_TAG(vmi_osc_points) {
 /* The number of pairs of runs that can be tried one after the other */
 enum { VMI_OSC_PAIRS = 6 };
 
-/* Whether the rates are smooth inside a half period, so that one step over it is good. With a force they may have kinks
-   in the middle, where x' = 0; for alpha > 3 they change quickly there. In these cases two steps that meet in the
-   middle are better. */
-VM_API int vmi_osc_has_smooth_halves(const vm_osc_problem *o) { return o->alpha <= 3 && !o->force; }
-
-/* Pair number i, 0 to VMI_OSC_PAIRS - 1. Each pair is more accurate than the one before. */
+/* Pair number i, 0 to VMI_OSC_PAIRS - 1. Each pair is more accurate than the one before. With a force the rates may
+   have kinks in the middle of a half period, where x' = 0, and what the rule misses has no closed form; so there are
+   two parts and more points. For alpha > 3 the rates change quickly in the middle; two parts that meet there are
+   better. */
 VM_API vmi_osc_points vmi_osc_pair(const vm_osc_problem *o, int i)
 {
-    static const vmi_osc_points smooth[VMI_OSC_PAIRS] = {{4, 6, 1}, {5, 7, 1},  {8, 11, 1},
-                                                         {5, 7, 2}, {8, 11, 2}, {14, 20, 2}};
-    static const vmi_osc_points other[VMI_OSC_PAIRS] = {{4, 6, 2},  {5, 7, 2},   {6, 8, 2},
-                                                        {8, 11, 2}, {10, 14, 2}, {14, 20, 2}};
-    return vmi_osc_has_smooth_halves(o) ? smooth[i] : other[i];
+    static const vmi_osc_points alone[VMI_OSC_PAIRS] = {{2, 3, 1}, {3, 4, 1},  {4, 6, 1},
+                                                        {6, 9, 1}, {8, 11, 2}, {14, 20, 2}};
+    static const vmi_osc_points forced[VMI_OSC_PAIRS] = {{4, 6, 2},  {5, 7, 2},   {6, 8, 2},
+                                                         {8, 11, 2}, {10, 14, 2}, {14, 20, 2}};
+    vmi_osc_points points = alone[i];
+    if (o->force) points = forced[i];
+    if (o->alpha > 3) points.parts = 2;
+    return points;
 }
 
 /* The number of the pair that is tried first. It is about the cheapest that reaches the tolerance where mass and
-   stiffness change by 1 % while the phase grows by 1. */
+   stiffness change by 1 % while the phase grows by 1. Laws by functions of the user need more points, for the
+   derivative of p. */
 VM_API int vmi_osc_first_pair(const vm_osc_problem *o, vm_real tolerance)
 {
     if (o->force) return tolerance >= VM_C(1e-6) ? 2 : 4;
-    if (tolerance >= VM_C(1e-6)) return 0;
-    if (tolerance >= VM_C(1e-8)) return vmi_osc_has_smooth_halves(o) ? 1 : 0;
-    if (tolerance >= VM_C(1e-9)) return 2;
-    return tolerance >= VM_C(1e-10) ? 3 : 4;
+    if (vmi_osc_has_user_law(o)) {
+        if (tolerance >= VM_C(1e-6)) return 1;
+        return tolerance >= VM_C(1e-8) ? 2 : 3;
+    }
+    if (tolerance >= VM_C(1e-8)) return 0;
+    if (tolerance >= VM_C(1e-9)) return 1;
+    if (tolerance >= VM_C(1e-11)) return 2;
+    return 3;
 }
 
 /* The number of the pair that is tried after pair i, whose estimated error is `error`, larger than the tolerance. A
@@ -12043,12 +13036,15 @@ VM_API int vmi_osc_next_pair(const vm_osc_problem *o, int i, vm_real error, vm_r
 /* Returns the estimated error of the strict run divided by the difference of the two runs, which is nearly the error of
    the loose run. Where alpha < 1, the rates have terms proportional to d^(alpha+2), where d is the distance from a zero
    of x. For these terms the error of Gauss' rule of n points falls as n^-(2 alpha + 6). For larger alpha up to 10 it
-   falls as n^-8 at least. Kinks from a force or from a law by a function, and the sharp turns of a large alpha, make it
-   fall more slowly. */
+   falls as n^-8 at least. Few points, kinks from a force or from a law by a function, and the sharp turns of a large
+   alpha, make it fall more slowly. In a graded rule the points are densest where x' is near 0, so kinks there count
+   less. */
 VM_API vm_real vmi_osc_strict_share(const vm_osc_problem *o, vmi_osc_points points)
 {
     const vm_real ratio = (vm_real)points.loose / (vm_real)points.strict, squared = ratio * ratio;
-    if (o->force || o->mass.function || o->stiffness.function || o->alpha > 10) return squared * squared;
+    const int graded = vmi_osc_needs_grading(o), kinks = (o->force && !graded) || vmi_osc_has_user_law(o);
+    const int few = graded ? 8 : 4;
+    if (kinks || o->alpha > 10 || points.strict <= few) return squared * squared;
     return squared * squared * squared * (o->alpha >= 1 ? squared : 1);
 }
 
@@ -12369,14 +13365,15 @@ VM_API int vm_osc_plan_within(const vm_osc_plan *p, vm_real t, vm_real tolerance
 /* -- Without a plan -- */
 
 /* Makes the plan of a problem for one call, without the plan of the Ateb functions, which is worth its time only for
-   many calls. complete = 1 also makes the polynomials of the ripple, which orders 3 to 5 need. */
+   many calls. complete = 1 also makes the polynomials of the ripple, which orders 3 to 5 and collocation
+   need. */
 VM_API int vmi_osc_once(const vm_osc_problem *problem, int complete, vm_osc_plan *plan)
 {
     int status;
     if (!problem) return VM_BAD_ARGUMENT;
     status = vmi_osc_prepare(plan, problem, 0);
     if (status) return status;
-    if (complete) vmi_ripple_complete(&plan->ripple);
+    if (complete) vmi_ripple_complete(&plan->ripple, 5);
     return vmi_osc_start(plan);
 }
 
@@ -12386,7 +13383,7 @@ VM_API int vmi_osc_once(const vm_osc_problem *problem, int complete, vm_osc_plan
 VM_API int vm_osc_by_route(const vm_osc_problem *problem, int route, vm_real t, vm_real tolerance,
                            vm_osc_motion *motion)
 {
-    const int complete = route >= VM_ROUTE_ORDER3 && route <= VM_ROUTE_ORDER5;
+    const int complete = route >= VM_ROUTE_ORDER3 && route <= VM_ROUTE_COLLOCATION;
     vm_osc_plan plan;
     int status = vmi_osc_check_arguments(route, t, tolerance, motion);
     status = vmi_first_error(status, vmi_osc_once(problem, complete, &plan));
@@ -12408,10 +13405,10 @@ VM_API int vm_osc_within(const vm_osc_problem *problem, vm_real t, vm_real toler
     if (!problem->force) {
         status = vmi_osc_averaged_within(&plan, t, tolerance, motion);
         if (status != VM_TOLERANCE_MISSED) return status;
-        vmi_ripple_complete(&plan.ripple);
-        status = vmi_osc_start(&plan);
-        if (status) return status;
     }
+    vmi_ripple_complete(&plan.ripple, 5);
+    status = vmi_osc_start(&plan);
+    if (status) return status;
     return vm_osc_plan_within(&plan, t, tolerance, motion);
 }
 
@@ -12440,12 +13437,15 @@ typedef int (*vm_odd_function)(vm_real x, vm_real *f, void *ctx);
 
 typedef struct VM_TAG(vmi_orbit) vmi_orbit;
 typedef struct VM_TAG(vmi_orbit_point) vmi_orbit_point;
+typedef struct VM_TAG(vmi_orbit_ripple) vmi_orbit_ripple; /* oscillators/orbit_ripple.h */
 
 /* An odd elastic force F(x). The constructors vm_odd_force_user and vm_duffing_force fill it. It points to functions
    of this header and to the user's function and ctx, which must outlive it. */
 typedef struct VM_TAG(vm_odd_force) vm_odd_force;
+struct VM_TAG(vm_law); /* oscillators/laws.h */
 struct VM_TAG(vm_odd_force) {
     vm_real k1, k3;           /* coefficients of x and x^3 of Duffing's force; 0 for a user's function */
+    const struct VM_TAG(vm_law) *laws; /* two laws of time for k1 and k3; null where they are constant */
     vm_odd_function function; /* the user's function; else null */
     void *ctx;                /* the user's pointer, last argument of function */
     /* Functions that depend on the kind of force; its constructor sets them. All but `point` return a status. */
@@ -12458,6 +13458,8 @@ struct VM_TAG(vm_odd_force) {
     void (*point)(const vmi_orbit *orbit, vm_real theta, vmi_orbit_point *point);
     int (*phase)(const vmi_orbit *orbit, vm_real x, vm_real v, vm_real *phi);
     int (*at_phase)(const vmi_orbit *orbit, vm_real phi, vm_real *x, vm_real *v);
+    /* Writes the ripple of a complete orbit; null where quadrature has to find it. */
+    void (*ripple)(const vmi_orbit *orbit, vmi_orbit_ripple *ripple);
 };
 
 /* Where an orbit lies: around x = 0, or around another place of rest, to the right or to the left of x = 0 */
@@ -12477,6 +13479,7 @@ struct VM_TAG(vmi_orbit) {
     vm_real energy_slope;      /* derivative of the energy with respect to `size` */
     vm_real swing, vmax;       /* half the distance of the turning points, m, and largest velocity, m/s */
     vm_real lambda, m1;        /* rate of the argument of Jacobi's functions, and 1 - k^2 with their modulus k */
+    vm_real C2, C4;            /* for Duffing's force: means of cn^2 and cn^4 over a period, for this modulus */
     int pieces;                /* for a user's force: number of equal pieces of 0 ... `size`; a series gives F
                                   on each piece */
     vm_real series[VMI_ORBIT_PARTS][VMI_GAUSS]; /* for a user's force: Legendre series of F on each piece */
@@ -12881,6 +13884,7 @@ VM_API vm_odd_force vm_odd_force_user(vm_odd_function function, void *ctx)
     vm_odd_force force;
     force.k1 = 0;
     force.k3 = 0;
+    force.laws = NULL;
     force.function = function;
     force.ctx = ctx;
     force.at = NULL;
@@ -12890,6 +13894,7 @@ VM_API vm_odd_force vm_odd_force_user(vm_odd_function function, void *ctx)
     force.point = vmi_odd_user_point;
     force.phase = vmi_odd_user_phase;
     force.at_phase = vmi_odd_user_at_phase;
+    force.ripple = NULL;
     return force;
 }
 
@@ -12956,6 +13961,388 @@ VM_API int vm_odd_exact_from(const vm_odd_force *force, vm_real t, vm_real x0, v
 }
 
 #endif
+/* oscillators/orbit_ripple.h - how a slow change disturbs the motion on an orbit within a period
+
+   In the time s with ds = sqrt(k/m) dt, slow mass, stiffness, damping b and reactive force (of the share r) all act as
+   one damping h:
+       x'' + F(x) = -2 h x',   2 h = d ln(mu sqrt(k/m))/ds,   mu' = (r m' + b) mu/m
+   so that J = j mu sqrt(k/m) stays constant on average, where j is the action of the orbit. J and the phase phi are
+   canonical. Their Hamiltonian is (H + 2 h a) mu sqrt(k/m), where H is the Hamiltonian of constant mass and a the
+   function
+       a(phi) = (integral of v dx from phase 0) - j phi
+   of period pi (2 pi in a well) and mean 0. Let B be the integral of a over the phase, with mean 0. To second order
+   in h the mean action and the mean phase are
+       j_mean = j + 2h a/w - (B/w)(2h' + 4h^2)/w + 4h^2 j (B/w)_j/w - 2h^2 (a^2 - M) w_j/w^3 + 2h^2 (M/w^2)_j
+       phi_mean = phi - 2h (B/w)_j,   phi_mean' = w(j_mean) - 2h^2 (M/w)_jj
+   where w is the rate of the phase, M the mean of a^2, _j the derivative with respect to j at fixed phase, and h' =
+   dh/ds.
+       vmi_orbit_ripple ripple;
+       vmi_orbit_ripple_values now;
+       vmi_orbit_ripple_init(&ripple, &orbit); // orbit is a complete vmi_orbit
+       vmi_orbit_ripple_at(&ripple, &orbit, 1, &now); // at the phase 1
+   Source: the averaging of canonical equations by Lie series, to second order; docs/duffing.md.
+   Tests: tests/test_odd_force.c. */
+#ifndef VARMASS_OSCILLATORS_ORBIT_RIPPLE_H
+#define VARMASS_OSCILLATORS_ORBIT_RIPPLE_H
+
+/* The largest number of terms of a Fourier series of the ripple */
+enum { VMI_RIPPLE_HARMONICS = 96 };
+
+/* The functions of the ripple on one orbit. "By size" stands for the derivative with respect to orbit.size at fixed
+   phase. a is a Fourier series in sin(n zeta) where it has a closed form, with zeta = 2 phi for an orbit around 0 and
+   zeta = phi in a well; otherwise it is an integral over theta. */
+struct VM_TAG(vmi_orbit_ripple) {
+    vm_real M, M_size;     /* mean of a^2, and its derivative by size */
+    vm_real X, X_size;     /* mean of x^2, and its derivative by size; set for Duffing's force only, else 0 */
+    vm_real w_size, j_size; /* derivatives of w and j by size */
+    vm_real largest_a;     /* largest |a|/j; for a Fourier series a bound of it */
+    vm_real largest_B;     /* largest w |(B/w)_j|; for a Fourier series a bound of it */
+    int harmonics;         /* number of terms of the Fourier series; 0 where the fields below it are in use */
+    vm_real a[VMI_RIPPLE_HARMONICS + 1], a_size[VMI_RIPPLE_HARMONICS + 1]; /* factor of sin(n zeta) in a, and its
+                                                                              derivative by size, n >= 1 */
+    vm_real b[VMI_RIPPLE_HARMONICS + 1];                                   /* factor of cos(n zeta) in (B/w)_j */
+    vmi_orbit_sum time, time_size; /* time from theta = 0, and its derivative by size at fixed theta */
+    vmi_orbit_sum squares;         /* integral of v^2 over time */
+    vmi_orbit_sum B, B_size;       /* integrals of a over the phase, and of its derivative by size */
+    vm_real B_mean, B_size_mean;   /* the means of these integrals */
+};
+
+/* The ripple at one phase */
+typedef struct VM_TAG(vmi_orbit_ripple_values) {
+    vm_real a, B; /* the functions a and B of the top of this file */
+    vm_real B_j;  /* (B/w)_j */
+} vmi_orbit_ripple_values;
+
+/* Values at the nodes of theta, from which the sums are made */
+typedef struct VM_TAG(vmi_orbit_nodes) {
+    int n;
+    vmi_orbit_point point[VMI_ORBIT_NODES];
+    vm_real a[VMI_ORBIT_NODES], a_size[VMI_ORBIT_NODES]; /* a, and its derivative by size at fixed phase */
+    vm_real phase_rate[VMI_ORBIT_NODES];                 /* dphi/dtheta */
+} vmi_orbit_nodes;
+
+/* Computes a and its derivative by size at the nodes. At fixed phase the change of a is v times the change of x. */
+VM_API void vmi_orbit_ripple_nodes(const vmi_orbit *orbit, vmi_orbit_ripple *r, vmi_orbit_nodes *nodes)
+{
+    vm_real squares[VMI_ORBIT_NODES];
+    const int parts = r->time.parts;
+    int i;
+    nodes->n = parts * VMI_GAUSS;
+    for (i = 0; i < nodes->n; i++) {
+        vmi_orbit_point *p = nodes->point + i;
+        orbit->force->point(orbit, vmi_orbit_node(parts, i), p);
+        squares[i] = p->v * p->v * p->slowness;
+    }
+    vmi_orbit_sums(parts, squares, squares, &r->squares, &r->B);
+    for (i = 0; i < nodes->n; i++) {
+        const vmi_orbit_point *p = nodes->point + i;
+        const vm_real theta = vmi_orbit_node(parts, i), time = vmi_orbit_sum_to(&r->time, theta);
+        const vm_real phi_size = r->w_size * time + orbit->w * vmi_orbit_sum_to(&r->time_size, theta);
+        nodes->a[i] = vmi_orbit_sum_to(&r->squares, theta) - orbit->j * (orbit->w * time);
+        nodes->a_size[i] = p->v * (p->x_size - p->v * phi_size / orbit->w);
+        nodes->phase_rate[i] = orbit->w * p->slowness;
+    }
+}
+
+/* The mean over the phase of a function with these values at the nodes */
+VM_API vm_real vmi_orbit_mean(const vmi_orbit *orbit, const vmi_orbit_nodes *nodes, const vm_real *values)
+{
+    vm_real sum = 0;
+    int i;
+    for (i = 0; i < nodes->n; i++) sum += vmi_gauss_weight(i % VMI_GAUSS) * values[i] * nodes->phase_rate[i];
+    return sum * (VM_PI / 4 / ((vm_real)(nodes->n / VMI_GAUSS) * orbit->span));
+}
+
+/* The derivative of B/w with respect to j, from B and its derivative by size */
+VM_API vm_real vmi_orbit_B_j(const vmi_orbit *orbit, const vmi_orbit_ripple *r, vm_real B, vm_real B_size)
+{
+    return (B_size - B * (r->w_size / orbit->w)) / (orbit->w * r->j_size);
+}
+
+/* Computes B, the means and the largest values from the nodes. */
+VM_API void vmi_orbit_ripple_means(const vmi_orbit *orbit, const vmi_orbit_nodes *nodes, vmi_orbit_ripple *r)
+{
+    const int parts = r->time.parts;
+    vm_real first[VMI_ORBIT_NODES], second[VMI_ORBIT_NODES];
+    int i;
+    for (i = 0; i < nodes->n; i++) {
+        first[i] = nodes->a[i] * nodes->phase_rate[i];
+        second[i] = nodes->a_size[i] * nodes->phase_rate[i];
+    }
+    vmi_orbit_sums(parts, first, second, &r->B, &r->B_size);
+    for (i = 0; i < nodes->n; i++) {
+        first[i] = nodes->a[i] * nodes->a[i];
+        second[i] = 2 * nodes->a[i] * nodes->a_size[i];
+    }
+    r->M = vmi_orbit_mean(orbit, nodes, first);
+    r->M_size = vmi_orbit_mean(orbit, nodes, second);
+    for (i = 0; i < nodes->n; i++) {
+        const vm_real theta = vmi_orbit_node(parts, i);
+        first[i] = vmi_orbit_sum_to(&r->B, theta);
+        second[i] = vmi_orbit_sum_to(&r->B_size, theta);
+    }
+    r->B_mean = vmi_orbit_mean(orbit, nodes, first);
+    r->B_size_mean = vmi_orbit_mean(orbit, nodes, second);
+    r->largest_a = 0;
+    r->largest_B = 0;
+    for (i = 0; i < nodes->n; i++) {
+        const vm_real B_j = vmi_orbit_B_j(orbit, r, first[i] - r->B_mean, second[i] - r->B_size_mean);
+        r->largest_a = vmi_larger(VM_FABS(nodes->a[i]) / orbit->j, r->largest_a);
+        r->largest_B = vmi_larger(VM_FABS(B_j) * orbit->w, r->largest_B);
+    }
+}
+
+/* Completes the ripple whose Fourier coefficients a, a_size and their number, and w_size and j_size, are set. */
+VM_API void vmi_orbit_ripple_of_harmonics(const vmi_orbit *orbit, vmi_orbit_ripple *r)
+{
+    const vm_real turn = VM_PI / orbit->span; /* zeta/phi */
+    int n;
+    r->M = 0;
+    r->M_size = 0;
+    r->largest_a = 0;
+    r->largest_B = 0;
+    for (n = 1; n <= r->harmonics; n++) {
+        const vm_real integral = -1 / ((vm_real)n * turn);
+        r->b[n] = vmi_orbit_B_j(orbit, r, integral * r->a[n], integral * r->a_size[n]);
+        r->M += r->a[n] * r->a[n] / 2;
+        r->M_size += r->a[n] * r->a_size[n];
+        r->largest_a += VM_FABS(r->a[n]) / orbit->j;
+        r->largest_B += VM_FABS(r->b[n]) * orbit->w;
+    }
+}
+
+/* Computes the ripple of a complete orbit. Its terms are small, so that 8 digits are enough for them. */
+VM_API void vmi_orbit_ripple_init(vmi_orbit_ripple *r, const vmi_orbit *orbit)
+{
+    const vm_real enough = VM_MANT_DIG > 24 ? VM_C(1e-8) : VM_C(1e-5);
+    vmi_orbit_nodes nodes;
+    if (orbit->force->ripple) {
+        orbit->force->ripple(orbit, r);
+        return;
+    }
+    r->harmonics = 0;
+    r->X = 0;
+    r->X_size = 0;
+    vmi_orbit_times(orbit, enough, &r->time, &r->time_size);
+    r->w_size = -orbit->w * (vmi_orbit_whole(&r->time_size) / vmi_orbit_whole(&r->time));
+    r->j_size = orbit->energy_slope / orbit->w;
+    vmi_orbit_ripple_nodes(orbit, r, &nodes);
+    vmi_orbit_ripple_means(orbit, &nodes, r);
+}
+
+/* The ripple at a phase by the Fourier series, which Clenshaw's recurrence adds up from the last term to the first */
+VM_API void vmi_orbit_ripple_by_harmonics(const vmi_orbit_ripple *r, const vmi_orbit *orbit, vm_real phi,
+                                          vmi_orbit_ripple_values *now)
+{
+    const vm_real turn = VM_PI / orbit->span;
+    vm_real sine, cosine, a = 0, a_next = 0, B = 0, B_next = 0, b = 0, b_next = 0;
+    int n;
+    vmi_sincos(turn * phi, &sine, &cosine);
+    for (n = r->harmonics; n >= 1; n--) {
+        const vm_real a_now = r->a[n] + 2 * cosine * a - a_next, b_now = r->b[n] + 2 * cosine * b - b_next;
+        const vm_real B_now = -r->a[n] / ((vm_real)n * turn) + 2 * cosine * B - B_next;
+        a_next = a;
+        a = a_now;
+        b_next = b;
+        b = b_now;
+        B_next = B;
+        B = B_now;
+    }
+    now->a = sine * a;
+    now->B = cosine * B - B_next;
+    now->B_j = cosine * b - b_next;
+}
+
+/* The ripple at a phase of any size */
+VM_API void vmi_orbit_ripple_at(const vmi_orbit_ripple *r, const vmi_orbit *orbit, vm_real phi,
+                                vmi_orbit_ripple_values *now)
+{
+    vmi_orbit_folded f;
+    vm_real time, theta, B_size;
+    if (r->harmonics > 0) {
+        vmi_orbit_ripple_by_harmonics(r, orbit, phi, now);
+        return;
+    }
+    f = vmi_orbit_fold(orbit, phi);
+    time = f.phi / orbit->w;
+    theta = vmi_orbit_theta(&r->time, time);
+    B_size = vmi_orbit_sum_to(&r->B_size, theta) - r->B_size_mean;
+    now->a = f.sign * (vmi_orbit_sum_to(&r->squares, theta) - orbit->j * f.phi);
+    now->B = vmi_orbit_sum_to(&r->B, theta) - r->B_mean;
+    now->B_j = vmi_orbit_B_j(orbit, r, now->B, B_size);
+}
+
+/* The relative change of w divided by the relative change of j that causes it */
+VM_API vm_real vmi_orbit_gamma(const vmi_orbit_ripple *r, const vmi_orbit *orbit)
+{
+    return orbit->j * r->w_size / (r->j_size * orbit->w);
+}
+
+/* (M/w)_j, on which the mean rate of the phase depends */
+VM_API vm_real vmi_orbit_M_j(const vmi_orbit_ripple *r, const vmi_orbit *orbit)
+{
+    return (r->M_size - r->M * (r->w_size / orbit->w)) / (orbit->w * r->j_size);
+}
+
+/* The mean action that belongs to the action j of an orbit at a phase. h is the damping that the top of this file
+   defines, and h_rate = dh/ds. */
+VM_API vm_real vmi_orbit_mean_action(const vmi_orbit_ripple *r, const vmi_orbit *orbit,
+                                     const vmi_orbit_ripple_values *now, vm_real h, vm_real h_rate)
+{
+    const vm_real w = orbit->w, w_j = r->w_size / r->j_size, first = 2 * h * now->a / w;
+    const vm_real M2_j = (vmi_orbit_M_j(r, orbit) - r->M * w_j / (w * w)) / w; /* (M/w^2)_j */
+    vm_real second = -(2 * h_rate + 4 * h * h) * now->B / (w * w) + 4 * h * h * orbit->j * now->B_j / w;
+    second += 2 * h * h * (M2_j - (now->a * now->a - r->M) * w_j / (w * w * w));
+    return orbit->j + first + second;
+}
+
+/* The mean action minus the action for a weak linear spring of stiffness 1 that acts beside the force; x is the position
+   on the orbit */
+VM_API vm_real vmi_orbit_spring_action(const vmi_orbit_ripple *r, const vmi_orbit *orbit, vm_real x)
+{
+    return (x * x - r->X) / (2 * orbit->w);
+}
+
+#endif
+/* oscillators/duffing_ripple.h - how slow changes disturb Duffing's oscillator within a period, in closed form
+
+   oscillators/orbit_ripple.h defines a(phi), the function of the phase phi on an orbit from which all of the ripple
+   follows. For Duffing's force c1 x + c3 x^3 it is a Fourier series whose terms have a closed form, so that no
+   quadrature is needed. Let zeta be 2 phi for an orbit around 0 and phi for an orbit in a well, Omega the rate of
+   zeta, and q the nome of the parameter m of Jacobi's functions. Then
+       a = sum over n >= 1 of a_n sin(n zeta),   a_n = -(2 Omega/(3 c3)) (2 c1 + n^2 Omega^2) q^n/(1 - q^(2n)).
+   Method: v^2 is a polynomial in sn^2(u) with the argument u of Jacobi's functions. The integral of sn^4 follows from
+   the derivative of sn cn dn, and the integral of sn^2 has Jacobi's zeta function Z(u) as its periodic part. sn cn dn
+   is -Z''/(2m). So a is a combination of Z and Z'', whose Fourier series is that of Z (DLMF 22.11, 22.16(iii)).
+       vmi_orbit_ripple ripple;
+       vmi_duffing_ripple(&orbit, &ripple); // orbit is a complete orbit of vm_duffing_force
+   Tests: tests/test_odd_force.c. */
+#ifndef VARMASS_OSCILLATORS_DUFFING_RIPPLE_H
+#define VARMASS_OSCILLATORS_DUFFING_RIPPLE_H
+
+/* Writes the nome q of the parameter m = 1 - m1, and q/m, which has a limit for m -> 0. K is K(m). Both have an error
+   of some 1e-13 (float: some rounding errors), which is enough for the ripple. Close to m = 0 the code uses a series
+   in e = (1 - k'^(1/2))/(2 (1 + k'^(1/2))) with k' = sqrt(m1). For m < 0 the nome of m is minus that of m/(m - 1). */
+VM_API vm_real vmi_duffing_nome(vm_real m, vm_real m1, vm_real K, vm_real *by_m)
+{
+    const vm_real series_holds = VM_C(0.1), kp = VM_SQRT(m1), root = VM_SQRT(kp);
+    const vm_real e_by_m = 1 / (2 * (1 + kp) * ((1 + root) * (1 + root))), e = m * e_by_m, e4 = (e * e) * (e * e);
+    vm_real q;
+    if (VM_FABS(e) <= series_holds) {
+        *by_m = e_by_m * (1 + e4 * (2 + e4 * (15 + e4 * 150)));
+        return m * *by_m;
+    }
+    if (m > 0) q = vmi_exp(-VM_PI * jacobi_K_m1(m) / K, 0);
+    else q = -vmi_exp(-VM_PI * jacobi_K_m1(-m / m1) / (kp * K), 0);
+    *by_m = q / m;
+    return q;
+}
+
+/* The number 2 c1/Omega^2 + 1 for an orbit in a well. It is -24 (sum of d q^(2d)/(1 - q^(2d)) over odd d): for small
+   orbits c1 and Omega^2 nearly cancel, and the sum keeps the digits. */
+VM_API vm_real vmi_duffing_well_term(vm_real q)
+{
+    const vm_real q2 = q * q;
+    vm_real power = q2, sum = 0;
+    int d;
+    for (d = 1; (vm_real)d * power > VM_EPSILON * sum; d += 2) {
+        sum += (vm_real)d * power / (1 - power);
+        power *= q2 * q2;
+    }
+    return -24 * sum;
+}
+
+/* What the terms of the series depend on. "By size" stands for the derivative with respect to orbit->size. */
+typedef struct VM_TAG(vmi_duffing_terms) {
+    vm_real Omega, Omega_size; /* the rate of zeta, see the top of this file, and its derivative by size */
+    vm_real q, q_by_k3;        /* the nome q, and q/c3 */
+    vm_real ln_q_size;         /* derivative of ln |q| by size */
+} vmi_duffing_terms;
+
+/* Computes them for an orbit around 0, where m = c3 A^2/(2 lambda^2) with the amplitude A. */
+VM_API vmi_duffing_terms vmi_duffing_outer_terms(const vmi_orbit *orbit)
+{
+    const vm_real k1 = orbit->force->k1, k3 = orbit->force->k3, A = orbit->size, m1 = orbit->m1;
+    const vm_real lambda2 = orbit->lambda * orbit->lambda, m_by_k3 = A * A / (2 * lambda2), m = k3 * m_by_k3;
+    vmi_duffing_terms r;
+    vm_real by_m;
+    r.Omega = 2 * orbit->w;
+    r.Omega_size = r.Omega * (m / A) * (2 - orbit->C2 * (k1 / lambda2) / m1);
+    r.q = vmi_duffing_nome(m, m1, VM_PI / 2 * orbit->lambda / orbit->w, &by_m);
+    r.q_by_k3 = by_m * m_by_k3;
+    r.ln_q_size = 2 / A * (orbit->w * orbit->w / lambda2) * (k1 / lambda2) / m1;
+    return r;
+}
+
+/* Computes them for an orbit in a well, where m = 2 s/(rest^2 + s), s is the orbit's size and rest^2 = -c1/c3. */
+VM_API vmi_duffing_terms vmi_duffing_inner_terms(const vmi_orbit *orbit)
+{
+    const vm_real k3 = orbit->force->k3, rest2 = -orbit->force->k1 / k3, size = orbit->size, m1 = orbit->m1;
+    const vm_real top2 = rest2 + size, lambda2 = orbit->lambda * orbit->lambda;
+    vmi_duffing_terms r;
+    vm_real by_m;
+    r.Omega = orbit->w;
+    r.Omega_size = r.Omega / top2 * (VM_C(0.5) - orbit->C2 * rest2 / (m1 * top2));
+    r.q = vmi_duffing_nome(2 * size / top2, m1, VM_PI * orbit->lambda / orbit->w, &by_m);
+    r.q_by_k3 = r.q / k3;
+    r.ln_q_size = orbit->w * orbit->w / (4 * lambda2 * m1) * (rest2 / (size * top2));
+    return r;
+}
+
+/* Writes the mean of x^2 over a period and its derivative by size, from C2 and C4, the means of cn^2 and cn^4. The
+   derivative of C2 with respect to m is 1/2 - 2 C2 + 3 C4/2 - C2^2/(2 m1). */
+VM_API void vmi_duffing_mean_square(const vmi_orbit *orbit, vm_real *X, vm_real *X_size)
+{
+    const vm_real k1 = orbit->force->k1, k3 = orbit->force->k3, size = orbit->size, m1 = orbit->m1, C2 = orbit->C2;
+    if (orbit->place == VMI_ORBIT_AROUND_0) {
+        const vm_real lambda2 = orbit->lambda * orbit->lambda, m = k3 * size * size / (2 * lambda2);
+        const vm_real C2_m = VM_C(0.5) - 2 * C2 + VM_C(1.5) * orbit->C4 - C2 * C2 / (2 * m1);
+        *X = size * size * C2;
+        *X_size = 2 * size * (C2 + C2_m * m * (k1 / lambda2));
+    } else {
+        const vm_real rest2 = -k1 / k3, top2 = rest2 + size, m = 2 * size / top2, dn2 = m1 + m * C2; /* mean of dn^2 */
+        *X = top2 * dn2;
+        *X_size = dn2 - (m * C2 * C2 + m1) / m1 * (rest2 / top2);
+    }
+}
+
+/* What the terms of the series depend on, for an orbit of either kind */
+VM_API vmi_duffing_terms vmi_duffing_terms_of(const vmi_orbit *orbit)
+{
+    if (orbit->place == VMI_ORBIT_AROUND_0) return vmi_duffing_outer_terms(orbit);
+    return vmi_duffing_inner_terms(orbit);
+}
+
+/* Writes the ripple of a complete orbit of Duffing's force. The sum ends where the terms are too small to matter; 96
+   terms are enough up to a distance of a rounding error from a separatrix. */
+VM_API void vmi_duffing_ripple(const vmi_orbit *orbit, vmi_orbit_ripple *r)
+{
+    const vm_real enough = VM_MANT_DIG > 24 ? VM_C(1e-11) : VM_C(1e-6);
+    const vmi_duffing_terms t = vmi_duffing_terms_of(orbit);
+    const vm_real square = t.Omega * t.Omega;
+    vm_real power = t.q_by_k3, q_n = t.q, largest = 0;
+    int n;
+    r->w_size = orbit->w * (t.Omega_size / t.Omega);
+    r->j_size = orbit->energy_slope / orbit->w;
+    for (n = 1; n <= VMI_RIPPLE_HARMONICS; n++) {
+        const vm_real N = (vm_real)n, Q = power / (1 - q_n * q_n);
+        const vm_real ln_Q_size = N * t.ln_q_size * (1 + q_n * q_n) / (1 - q_n * q_n);
+        const vm_real factor = -2 * t.Omega / 3 * Q, factor_size = factor * (t.Omega_size / t.Omega + ln_Q_size);
+        vm_real term = 2 * orbit->force->k1 + N * N * square;
+        if (orbit->place != VMI_ORBIT_AROUND_0 && n == 1) term = square * vmi_duffing_well_term(t.q);
+        r->a[n] = factor * term;
+        r->a_size[n] = factor_size * term + factor * (2 * N * N * t.Omega * t.Omega_size);
+        r->harmonics = n;
+        largest = vmi_larger(VM_FABS(r->a[n]), largest);
+        if (n > 2 && VM_FABS(r->a[n]) + VM_FABS(r->a_size[n] * orbit->size) <= enough * largest) break;
+        power *= t.q;
+        q_n *= t.q;
+    }
+    vmi_duffing_mean_square(orbit, &r->X, &r->X_size);
+    vmi_orbit_ripple_of_harmonics(orbit, r);
+}
+
+#endif
 /* oscillators/duffing.h - Duffing's oscillator, with the elastic force k1 x + k3 x^3
 
    With constant mass the equation is x'' + c1 x + c3 x^3 = 0, where c1 = k1/m and c3 = k3/m. Its exact motion is
@@ -12967,7 +14354,8 @@ VM_API int vm_odd_exact_from(const vm_odd_force *force, vm_real t, vm_real x0, v
        vm_real x, v;
        vm_real T = vm_duffing_period(2, 1, VM_C(0.5)); // x'' + x + x^3/2 = 0 from rest at x = 2 m
        vm_duffing_exact_from(T / 8, 2, 0, 1, VM_C(0.5), &x, &v);
-   For a slow mass, stiffness or damping give vm_duffing_force(k1, k3) to the functions of oscillators/odd_motion.h.
+   For a slow mass, stiffness or damping give vm_duffing_force(k1, k3) to the functions of oscillators/odd_motion.h; for
+   k1 and k3 that follow laws of their own, vm_duffing_force_of_laws.
    Guide: docs/duffing.md. Tests: tests/test_duffing.c. */
 #ifndef VARMASS_OSCILLATORS_DUFFING_H
 #define VARMASS_OSCILLATORS_DUFFING_H
@@ -13033,6 +14421,8 @@ VM_API int vmi_duffing_complete_outer(vmi_orbit *orbit)
     orbit->span = VM_PI / 2;
     orbit->lambda = VM_SQRT(lambda2);
     orbit->m1 = m1;
+    orbit->C2 = C2;
+    orbit->C4 = C4;
     orbit->w = VM_PI / 2 * orbit->lambda / jacobi_K_m1(m1);
     orbit->j = square * lambda2 * (m1 * (1 - C2) + m * (C2 - C4)) / orbit->w;
     orbit->energy_slope = orbit->size * lambda2;
@@ -13055,6 +14445,8 @@ VM_API int vmi_duffing_complete_inner(vmi_orbit *orbit)
     orbit->span = VM_PI;
     orbit->lambda = A * VM_SQRT(k3 / 2);
     orbit->m1 = m1;
+    orbit->C2 = C2;
+    orbit->C4 = C4;
     orbit->w = VM_PI * orbit->lambda / jacobi_K_m1(m1);
     orbit->j = 2 * size * size * k3 * (C2 - C4) / orbit->w; /* the mean of v^2 = 2 k3 size^2 sn^2 cn^2, divided by w */
     orbit->energy_slope = k3 * size / 2;
@@ -13156,9 +14548,8 @@ VM_API int vmi_duffing_at_phase(const vmi_orbit *orbit, vm_real phi, vm_real *x,
     return VM_OK;
 }
 
-/* Duffing's force k1 x + k3 x^3. k1, N/m, and k3, N/m^3, may have either sign, but not both may be negative or 0: then
-   nothing vibrates, and all functions refuse the force with VM_NO_LAW. */
-VM_API vm_odd_force vm_duffing_force(vm_real k1, vm_real k3)
+/* Duffing's force as the functions for constant mass need it: without its ripple, so that they do not link it */
+VM_API vm_odd_force vmi_duffing_elastic(vm_real k1, vm_real k3)
 {
     vm_odd_force force = vm_odd_force_user(NULL, NULL);
     force.k1 = k1;
@@ -13169,6 +14560,27 @@ VM_API vm_odd_force vm_duffing_force(vm_real k1, vm_real k3)
     force.point = vmi_duffing_point;
     force.phase = vmi_duffing_phase;
     force.at_phase = vmi_duffing_at_phase;
+    return force;
+}
+
+/* Duffing's force k1 x + k3 x^3. k1, N/m, and k3, N/m^3, may have either sign, but not both may be negative or 0: then
+   nothing vibrates, and all functions refuse the force with VM_NO_LAW. */
+VM_API vm_odd_force vm_duffing_force(vm_real k1, vm_real k3)
+{
+    vm_odd_force force = vmi_duffing_elastic(k1, k3);
+    force.ripple = vmi_duffing_ripple;
+    return force;
+}
+
+/* Duffing's force k1(t) x + k3(t) x^3 whose coefficients follow laws of their own: laws[0] is k1, N/m, and laws[1] is
+   k3, N/m^3. Both may have either sign; the two laws must outlive the force. It is for a vm_odd_problem
+   (oscillators/odd_motion.h), whose factor `stiffness` multiplies both. The functions for constant mass refuse it with
+   VM_NO_LAW. A null pointer makes no force: it is refused with VM_BAD_ARGUMENT. */
+VM_API vm_odd_force vm_duffing_force_of_laws(const struct VM_TAG(vm_law) *laws)
+{
+    vm_odd_force force = vm_duffing_force(0, 0); /* vm_odd_plan_init writes the coefficients at t = 0 */
+    force.laws = laws;
+    if (!laws) force.at = NULL;
     return force;
 }
 
@@ -13197,7 +14609,7 @@ VM_API int vmi_duffing_is_separatrix(const vmi_orbit *orbit)
    x0 = 0, and for infinite arguments. */
 VM_API vm_real vm_duffing_period(vm_real x0, vm_real c1, vm_real c3)
 {
-    const vm_odd_force force = vm_duffing_force(c1, c3);
+    const vm_odd_force force = vmi_duffing_elastic(c1, c3);
     vmi_orbit orbit;
     if (!VM_IS_FINITE(x0) || !VM_IS_FINITE(c1) || !VM_IS_FINITE(c3)) return VM_NAN;
     if (vmi_duffing_through(&force, x0, 0, &orbit) || orbit.size == 0) return VM_NAN;
@@ -13211,7 +14623,7 @@ VM_API vm_real vm_duffing_period(vm_real x0, vm_real c1, vm_real c3)
    those of vm_duffing_period, but it is 0 for x0 = 0, and NaN on the separatrix. */
 VM_API vm_real vm_duffing_action(vm_real x0, vm_real c1, vm_real c3)
 {
-    const vm_odd_force force = vm_duffing_force(c1, c3);
+    const vm_odd_force force = vmi_duffing_elastic(c1, c3);
     if (!VM_IS_FINITE(c1) || !VM_IS_FINITE(c3)) return VM_NAN;
     return vm_odd_action(&force, x0);
 }
@@ -13237,7 +14649,7 @@ VM_API void vmi_duffing_on_separatrix(vm_real t, vm_real x0, vm_real v0, vm_real
 VM_API void vm_duffing_exact_from(vm_real t, vm_real x0, vm_real v0, vm_real c1, vm_real c3, vm_real *x, vm_real *v)
 {
     if (!x || !v) return;
-    const vm_odd_force force = vm_duffing_force(c1, c3);
+    const vm_odd_force force = vmi_duffing_elastic(c1, c3);
     vmi_orbit orbit;
     *x = VM_NAN;
     *v = VM_NAN;
@@ -13257,174 +14669,264 @@ VM_API void vm_duffing_exact_from(vm_real t, vm_real x0, vm_real v0, vm_real c1,
 }
 
 #endif
-/* oscillators/orbit_ripple.h - how a slow change disturbs the motion on an orbit within a period
+/* oscillators/odd_laws.h - a vibration under an odd elastic force, and its slow laws at one time
 
-   In the time s with ds = sqrt(k/m) dt, slow mass, stiffness, damping b and reactive force (of the share r) all act as
-   one damping h:
-       x'' + F(x) = -2 h x',   2 h = d ln(mu sqrt(k/m))/ds,   mu' = (r m' + b) mu/m
-   so that J = j mu sqrt(k/m) stays constant on average, where j is the action of the orbit. J and the phase phi are
-   canonical. Their Hamiltonian is (H + 2 h a) mu sqrt(k/m), where H is the Hamiltonian of constant mass and a the
-   function
-       a(phi) = (integral of v dx from phase 0) - j phi
-   of period pi (2 pi in a well) and mean 0. Let B be the integral of a over the phase, with mean 0. To second order
-   in h the mean action and the mean phase are
-       j_mean = j + 2h a/w - (B/w)(2h' + 4h^2)/w + 4h^2 j (B/w)_j/w - 2h^2 (a^2 - M) w_j/w^3 + 2h^2 (M/w^2)_j
-       phi_mean = phi - 2h (B/w)_j,   phi_mean' = w(j_mean) - 2h^2 (M/w)_jj
-   where w is the rate of the phase, M the mean of a^2, _j the derivative with respect to j at fixed phase, and h' =
-   dh/ds.
-       vmi_orbit_ripple ripple;
-       vmi_orbit_ripple_values now;
-       vmi_orbit_ripple_init(&ripple, &orbit); // orbit is a complete vmi_orbit
-       vmi_orbit_ripple_at(&ripple, &orbit, 1, &now); // at the phase 1
-   Source: the averaging of canonical equations by Lie series, to second order; docs/duffing.md.
-   Tests: tests/test_odd_force.c. */
-#ifndef VARMASS_OSCILLATORS_ORBIT_RIPPLE_H
-#define VARMASS_OSCILLATORS_ORBIT_RIPPLE_H
+   The problem is that of oscillators/odd_motion.h, which also shows the shortest useful call. This file reads the laws
+   and computes the numbers that the averaging needs from them.
 
-/* The functions of the ripple on one orbit. "By size" stands for the derivative with respect to orbit.size at fixed
-   phase. */
-typedef struct VM_TAG(vmi_orbit_ripple) {
-    vmi_orbit_sum time, time_size; /* time from theta = 0, and its derivative by size at fixed theta */
-    vmi_orbit_sum squares;         /* integral of v^2 over time */
-    vmi_orbit_sum B, B_size;       /* integrals of a over the phase, and of its derivative by size */
-    vm_real B_mean, B_size_mean;   /* the means of these integrals */
-    vm_real M, M_size;             /* mean of a^2, and its derivative by size */
-    vm_real w_size, j_size;        /* derivatives of w and j by size */
-    vm_real largest_a;             /* largest |a|/j */
-    vm_real largest_B;             /* largest w |(B/w)_j| */
-} vmi_orbit_ripple;
+   Where k1 and k3 of Duffing's force follow laws of their own (vm_duffing_force_of_laws), the shape of the force
+   changes with time. It is made constant by a length s(t) with s^2 = (k1/k3)/(its value at t = 0): y = x/s obeys,
+   without any approximation,
+       m y'' + K F(y) + (reactive m' + b + 2 m s'/s) y' + m G y = 0
+   with F(y) = k1(0) y + k3(0) y^3, K(t) = k(t) k1(t)/k1(0) and G = s''/s + (s'/s) (reactive m' + b)/m. So the change of
+   shape acts as more damping, and as a weak linear spring, whose stiffness is of second order in the rates of the
+   laws. Where k1 or k3 is 0 all the time, s is 1. Where one of them is 0 at one time only, there is no such s; then the
+   equation of motion is integrated. Guide: docs/duffing.md. Tests: tests/test_duffing_laws.c. */
+#ifndef VARMASS_OSCILLATORS_ODD_LAWS_H
+#define VARMASS_OSCILLATORS_ODD_LAWS_H
 
-/* The ripple at one phase */
-typedef struct VM_TAG(vmi_orbit_ripple_values) {
-    vm_real a, B; /* the functions a and B of the top of this file */
-    vm_real B_j;  /* (B/w)_j */
-} vmi_orbit_ripple_values;
+/* A vibration under an odd elastic force, and its state at t = 0 */
+typedef struct VM_TAG(vm_odd_problem) {
+    vm_odd_force force; /* F(x), N, by vm_duffing_force, vm_duffing_force_of_laws or vm_odd_force_user */
+    vm_law mass;        /* mass m(t), kg, positive */
+    vm_law stiffness;   /* factor k(t) of the whole elastic force, a pure number, positive */
+    vm_law damping;     /* damping b(t), kg/s; positive takes energy out */
+    vm_real reactive;   /* share of the full reactive force: 1 where mass that joins or leaves is at rest, 0 where this
+                           mass has the body's own velocity; numbers between are allowed */
+    vm_real x, v;       /* position, m, and velocity, m/s, at t = 0 */
+} vm_odd_problem;
 
-/* Values at the nodes of theta, from which the sums are made */
-typedef struct VM_TAG(vmi_orbit_nodes) {
-    int n;
-    vmi_orbit_point point[VMI_ORBIT_NODES];
-    vm_real a[VMI_ORBIT_NODES], a_size[VMI_ORBIT_NODES]; /* a, and its derivative by size at fixed phase */
-    vm_real phase_rate[VMI_ORBIT_NODES];                 /* dphi/dtheta */
-} vmi_orbit_nodes;
+/* -- All laws of a problem -- */
 
-/* Computes a and its derivative by size at the nodes. At fixed phase the change of a is v times the change of x. */
-VM_API void vmi_orbit_ripple_nodes(const vmi_orbit *orbit, vmi_orbit_ripple *r, vmi_orbit_nodes *nodes)
+/* Writes pointers to the laws of a problem, and the status for a law that is not positive; returns their number. */
+enum { VMI_ODD_LAWS = 5 };
+VM_API int vmi_odd_all_laws(const vm_odd_problem *o, const vm_law **laws, int *if_not_positive)
 {
-    vm_real squares[VMI_ORBIT_NODES];
-    const int parts = r->time.parts;
-    int i;
-    nodes->n = parts * VMI_GAUSS;
-    for (i = 0; i < nodes->n; i++) {
-        vmi_orbit_point *p = nodes->point + i;
-        orbit->force->point(orbit, vmi_orbit_node(parts, i), p);
-        squares[i] = p->v * p->v * p->slowness;
+    laws[0] = &o->mass;
+    laws[1] = &o->stiffness;
+    laws[2] = &o->damping;
+    if_not_positive[0] = VM_BAD_MASS;
+    if_not_positive[1] = VM_BAD_STIFFNESS;
+    if_not_positive[2] = VM_OK;
+    if (!o->force.laws) return 3;
+    laws[3] = &o->force.laws[0];
+    laws[4] = &o->force.laws[1];
+    if_not_positive[3] = VM_OK;
+    if_not_positive[4] = VM_OK;
+    return VMI_ODD_LAWS;
+}
+
+/* Whether constructors made all laws of a problem */
+VM_API int vmi_odd_has_laws(const vm_odd_problem *o)
+{
+    const vm_law *laws[VMI_ODD_LAWS];
+    int statuses[VMI_ODD_LAWS], i;
+    const int n = vmi_odd_all_laws(o, laws, statuses);
+    for (i = 0; i < n; i++)
+        if (!laws[i]->derivatives) return 0;
+    return 1;
+}
+
+/* The first point of a table of any law after t on the way to t_end, or t_end if there is none */
+VM_API vm_real vmi_odd_next_knot(const vm_odd_problem *o, vm_real t, vm_real t_end)
+{
+    const vm_law *laws[VMI_ODD_LAWS];
+    int statuses[VMI_ODD_LAWS], i;
+    const int n = vmi_odd_all_laws(o, laws, statuses);
+    for (i = 0; i < n; i++) t_end = vmi_law_next_knot(laws[i], t, t_end);
+    return t_end;
+}
+
+/* Checks all laws of a problem between 0 and t. Returns the status that comes first in the table of errors. */
+VM_API int vmi_odd_check_laws(const vm_odd_problem *o, vm_real t)
+{
+    const vm_law *laws[VMI_ODD_LAWS];
+    int statuses[VMI_ODD_LAWS], i, status = VM_OK;
+    const int n = vmi_odd_all_laws(o, laws, statuses);
+    for (i = 0; i < n; i++) status = vmi_first_error(status, vmi_law_check(laws[i], statuses[i], t));
+    return status;
+}
+
+/* -- The laws at one time -- */
+
+/* Mass, stiffness and damping at one time, as the equation of motion needs them */
+typedef struct VM_TAG(vmi_odd_now) {
+    vm_real m, k, b; /* mass, factor of the elastic force, and damping */
+    vm_real m_rate;  /* dm/dt, kg/s */
+    vm_real k1, k3;  /* coefficients of Duffing's force if they follow laws; else unused */
+} vmi_odd_now;
+
+/* Reads the laws at t. Where a rate jumps at t, side = 1 asks for its value after t, side = -1 before t. */
+VM_API int vmi_odd_read_laws(const vm_odd_problem *o, vm_real t, int side, vmi_odd_now *now)
+{
+    vm_real m[VMI_LAW_ORDERS], k[VMI_LAW_ORDERS], b[VMI_LAW_ORDERS], k1[VMI_LAW_ORDERS], k3[VMI_LAW_ORDERS];
+    int status = vmi_law_derivatives(&o->mass, VM_BAD_MASS, t, side, 0, m);
+    k1[0] = 0;
+    k3[0] = 0;
+    if (!status) status = vmi_law_derivatives(&o->stiffness, VM_BAD_STIFFNESS, t, side, 0, k);
+    if (!status) status = vmi_law_derivatives(&o->damping, VM_OK, t, side, 0, b);
+    if (!status && o->force.laws) status = vmi_law_derivatives(&o->force.laws[0], VM_OK, t, side, 0, k1);
+    if (!status && o->force.laws) status = vmi_law_derivatives(&o->force.laws[1], VM_OK, t, side, 0, k3);
+    if (status) return status;
+    now->m = m[0];
+    now->k = k[0];
+    now->b = b[0];
+    now->m_rate = m[1];
+    now->k1 = k1[0];
+    now->k3 = k3[0];
+    return VM_OK;
+}
+
+/* Writes the force F(x) with the coefficients of the present time. */
+VM_API int vmi_odd_elastic(const vm_odd_problem *o, const vmi_odd_now *now, vm_real x, vm_real *f)
+{
+    if (!o->force.laws) return o->force.at(&o->force, x, f);
+    *f = x * (now->k1 + now->k3 * (x * x));
+    return VM_IS_FINITE(*f) ? VM_OK : VM_NOT_FINITE;
+}
+
+/* -- The shape of the force -- */
+
+/* k1 and k3 of Duffing's force, divided by their values at t = 0, and the relative rates of change of both as power
+   series in time. They are 1 and 0 where k1 or k3 is constant. */
+typedef struct VM_TAG(vmi_odd_shape) {
+    vm_real ratio1, ratio3;
+    vm_real rate1[4], rate3[4];
+} vmi_odd_shape;
+
+/* Writes the ratio and the rates of one of both laws. first is its value at t = 0. The first `orders` terms of the rates
+   are written; length is that of vmi_law_derivatives. Returns VM_NO_LAW where the law is 0 but not all the time. */
+VM_API int vmi_odd_coefficient(const vm_law *law, vm_real first, vm_real t, int side, vm_real length, int orders,
+                               vm_real *ratio, vm_real *rates)
+{
+    vm_real f[VMI_LAW_ORDERS];
+    int i, status = vmi_law_derivatives(law, VM_OK, t, side, length, f);
+    if (status) return status;
+    *ratio = 1;
+    for (i = 0; i < orders; i++) rates[i] = 0;
+    if (first == 0) return f[0] == 0 && f[1] == 0 ? VM_OK : VM_NO_LAW;
+    *ratio = f[0] / first;
+    if (!(*ratio > 0)) return VM_NO_LAW;
+    if (orders == 1) {
+        rates[0] = f[1] / f[0];
+        return VM_OK;
     }
-    vmi_orbit_sums(parts, squares, squares, &r->squares, &r->B);
-    for (i = 0; i < nodes->n; i++) {
-        const vmi_orbit_point *p = nodes->point + i;
-        const vm_real theta = vmi_orbit_node(parts, i), time = vmi_orbit_sum_to(&r->time, theta);
-        const vm_real phi_size = r->w_size * time + orbit->w * vmi_orbit_sum_to(&r->time_size, theta);
-        nodes->a[i] = vmi_orbit_sum_to(&r->squares, theta) - orbit->j * (orbit->w * time);
-        nodes->a_size[i] = p->v * (p->x_size - p->v * phi_size / orbit->w);
-        nodes->phase_rate[i] = orbit->w * p->slowness;
+    vmi_series_of_derivatives(4, 1, f);
+    vmi_series_log_rate(4, f, rates);
+    return VM_OK;
+}
+
+/* Reads the shape of the force at t. With orders = 1 only the rates themselves are written, with orders = 4 their series.
+   Where one coefficient is 0 all the time, the other one counts for both, so that s is 1. */
+VM_API int vmi_odd_shape_at(const vm_odd_problem *o, vm_real t, int side, vm_real length, int orders,
+                            vmi_odd_shape *shape)
+{
+    const vm_odd_force *force = &o->force;
+    int i, status;
+    shape->ratio1 = 1;
+    shape->ratio3 = 1;
+    for (i = 0; i < 4; i++) {
+        shape->rate1[i] = 0;
+        shape->rate3[i] = 0;
     }
-}
-
-/* The mean over the phase of a function with these values at the nodes */
-VM_API vm_real vmi_orbit_mean(const vmi_orbit *orbit, const vmi_orbit_nodes *nodes, const vm_real *values)
-{
-    vm_real sum = 0;
-    int i;
-    for (i = 0; i < nodes->n; i++) sum += vmi_gauss_weight(i % VMI_GAUSS) * values[i] * nodes->phase_rate[i];
-    return sum * (VM_PI / 4 / ((vm_real)(nodes->n / VMI_GAUSS) * orbit->span));
-}
-
-/* The derivative of B/w with respect to j, from B and its derivative by size */
-VM_API vm_real vmi_orbit_B_j(const vmi_orbit *orbit, const vmi_orbit_ripple *r, vm_real B, vm_real B_size)
-{
-    return (B_size - B * (r->w_size / orbit->w)) / (orbit->w * r->j_size);
-}
-
-/* Computes B, the means and the largest values from the nodes. */
-VM_API void vmi_orbit_ripple_means(const vmi_orbit *orbit, const vmi_orbit_nodes *nodes, vmi_orbit_ripple *r)
-{
-    const int parts = r->time.parts;
-    vm_real first[VMI_ORBIT_NODES], second[VMI_ORBIT_NODES];
-    int i;
-    for (i = 0; i < nodes->n; i++) {
-        first[i] = nodes->a[i] * nodes->phase_rate[i];
-        second[i] = nodes->a_size[i] * nodes->phase_rate[i];
+    if (!force->laws) return VM_OK;
+    status = vmi_odd_coefficient(&force->laws[0], force->k1, t, side, length, orders, &shape->ratio1, shape->rate1);
+    if (!status)
+        status = vmi_odd_coefficient(&force->laws[1], force->k3, t, side, length, orders, &shape->ratio3, shape->rate3);
+    if (status) return status;
+    if (force->k1 == 0) {
+        shape->ratio1 = shape->ratio3;
+        for (i = 0; i < orders; i++) shape->rate1[i] = shape->rate3[i];
     }
-    vmi_orbit_sums(parts, first, second, &r->B, &r->B_size);
-    for (i = 0; i < nodes->n; i++) {
-        first[i] = nodes->a[i] * nodes->a[i];
-        second[i] = 2 * nodes->a[i] * nodes->a_size[i];
+    if (force->k3 == 0) {
+        shape->ratio3 = shape->ratio1;
+        for (i = 0; i < orders; i++) shape->rate3[i] = shape->rate1[i];
     }
-    r->M = vmi_orbit_mean(orbit, nodes, first);
-    r->M_size = vmi_orbit_mean(orbit, nodes, second);
-    for (i = 0; i < nodes->n; i++) {
-        const vm_real theta = vmi_orbit_node(parts, i);
-        first[i] = vmi_orbit_sum_to(&r->B, theta);
-        second[i] = vmi_orbit_sum_to(&r->B_size, theta);
+    return VM_OK;
+}
+
+/* -- What the averaging needs -- */
+
+/* Mass, stiffness and damping of y = x/s, and the rates that follow from them, at one time */
+typedef struct VM_TAG(vmi_odd_rates) {
+    vm_real m, k, b;       /* mass, stiffness K and damping b */
+    vm_real loss;          /* (reactive m' + b)/m, 1/s */
+    vm_real speed;         /* ds/dt = sqrt(K/m) for the time s of orbit_ripple.h */
+    vm_real turn;          /* relative rate of change of `speed`, 1/s */
+    vm_real h;             /* damping h of orbit_ripple.h, times `speed`, 1/s */
+    vm_real ratio1, ratio3; /* k1 and k3 divided by their values at t = 0; 1 where they are constant */
+    vm_real scale;         /* the length s at the top of this file */
+    vm_real scale_rate;    /* s'/s, 1/s */
+} vmi_odd_rates;
+
+/* Computes them at t. side is that of vmi_odd_read_laws. Returns VM_NO_LAW where the shape cannot be made constant. */
+VM_API int vmi_odd_rates_at(const vm_odd_problem *o, vm_real t, int side, vmi_odd_rates *r)
+{
+    vm_real m[VMI_LAW_ORDERS], k[VMI_LAW_ORDERS], b[VMI_LAW_ORDERS];
+    vmi_odd_shape shape;
+    int status = vmi_law_derivatives(&o->mass, VM_BAD_MASS, t, side, 0, m);
+    if (!status) status = vmi_law_derivatives(&o->stiffness, VM_BAD_STIFFNESS, t, side, 0, k);
+    if (!status) status = vmi_law_derivatives(&o->damping, VM_OK, t, side, 0, b);
+    if (!status) status = vmi_odd_shape_at(o, t, side, 0, 1, &shape);
+    if (status) return status;
+    r->m = m[0];
+    r->k = k[0] * shape.ratio1;
+    r->b = b[0];
+    r->loss = (o->reactive * m[1] + b[0]) / m[0];
+    r->speed = VM_SQRT(r->k / m[0]);
+    r->turn = (k[1] / k[0] + shape.rate1[0] - m[1] / m[0]) / 2;
+    r->ratio1 = shape.ratio1;
+    r->ratio3 = shape.ratio3;
+    r->scale = VM_SQRT(shape.ratio1 / shape.ratio3);
+    r->scale_rate = (shape.rate1[0] - shape.rate3[0]) / 2;
+    r->h = (r->turn + r->loss) / 2 + r->scale_rate;
+    return VM_OK;
+}
+
+/* The damping h of orbit_ripple.h, and its first two derivatives h1 and h2 with respect to s, where ds/dt =
+   sqrt(K/m). spring is G m/K, the weak linear spring at the top of this file, and spring1 its derivative. */
+typedef struct VM_TAG(vmi_odd_slow) {
+    vm_real h, h1, h2;
+    vm_real spring, spring1;
+} vmi_odd_slow;
+
+/* Computes h, h1, h2 and the spring at t. length, s, is needed for the derivatives of users' laws (see
+   vmi_law_derivatives). */
+VM_API int vmi_odd_slow_at(const vm_odd_problem *o, vm_real t, int side, vm_real length, vmi_odd_slow *slow)
+{
+    enum { TERMS = 4 };
+    vm_real m[VMI_LAW_ORDERS], k[VMI_LAW_ORDERS], b[VMI_LAW_ORDERS], ln_m[TERMS], ln_k[TERMS], inverse[TERMS];
+    vm_real h[3], turn[2], scale[3], loss[3], speed, rate, rate_rate, G, G_rate;
+    vmi_odd_shape shape;
+    int i, status = vmi_law_derivatives(&o->mass, VM_BAD_MASS, t, side, length, m);
+    if (!status) status = vmi_law_derivatives(&o->stiffness, VM_BAD_STIFFNESS, t, side, length, k);
+    if (!status) status = vmi_law_derivatives(&o->damping, VM_OK, t, side, length, b);
+    if (!status) status = vmi_odd_shape_at(o, t, side, length, TERMS, &shape);
+    if (status) return status;
+    speed = VM_SQRT(k[0] * shape.ratio1 / m[0]);
+    vmi_series_of_derivatives(TERMS, 1, m);
+    vmi_series_of_derivatives(TERMS, 1, k);
+    vmi_series_of_derivatives(TERMS, 1, b);
+    vmi_series_log_rate(TERMS, m, ln_m);
+    vmi_series_log_rate(TERMS, k, ln_k);
+    vmi_series_inverse(TERMS, m, inverse);
+    for (i = 0; i < 3; i++) {
+        ln_k[i] += shape.rate1[i];
+        scale[i] = (shape.rate1[i] - shape.rate3[i]) / 2;
+        loss[i] = o->reactive * ln_m[i] + vmi_series_product(i, b, inverse);
+        h[i] = ((ln_k[i] - ln_m[i]) / 2 + loss[i]) / 2 + scale[i];
     }
-    r->B_mean = vmi_orbit_mean(orbit, nodes, first);
-    r->B_size_mean = vmi_orbit_mean(orbit, nodes, second);
-    r->largest_a = 0;
-    r->largest_B = 0;
-    for (i = 0; i < nodes->n; i++) {
-        const vm_real B_j = vmi_orbit_B_j(orbit, r, first[i] - r->B_mean, second[i] - r->B_size_mean);
-        r->largest_a = vmi_larger(VM_FABS(nodes->a[i]) / orbit->j, r->largest_a);
-        r->largest_B = vmi_larger(VM_FABS(B_j) * orbit->w, r->largest_B);
-    }
-}
-
-/* Computes the ripple of a complete orbit. Its terms are small, so that 8 digits are enough for them. */
-VM_API void vmi_orbit_ripple_init(vmi_orbit_ripple *r, const vmi_orbit *orbit)
-{
-    const vm_real enough = VM_MANT_DIG > 24 ? VM_C(1e-8) : VM_C(1e-5);
-    vmi_orbit_nodes nodes;
-    vmi_orbit_times(orbit, enough, &r->time, &r->time_size);
-    r->w_size = -orbit->w * (vmi_orbit_whole(&r->time_size) / vmi_orbit_whole(&r->time));
-    r->j_size = orbit->energy_slope / orbit->w;
-    vmi_orbit_ripple_nodes(orbit, r, &nodes);
-    vmi_orbit_ripple_means(orbit, &nodes, r);
-}
-
-/* The ripple at a phase of any size */
-VM_API void vmi_orbit_ripple_at(const vmi_orbit_ripple *r, const vmi_orbit *orbit, vm_real phi,
-                                vmi_orbit_ripple_values *now)
-{
-    const vmi_orbit_folded f = vmi_orbit_fold(orbit, phi);
-    const vm_real time = f.phi / orbit->w, theta = vmi_orbit_theta(&r->time, time);
-    const vm_real B_size = vmi_orbit_sum_to(&r->B_size, theta) - r->B_size_mean;
-    now->a = f.sign * (vmi_orbit_sum_to(&r->squares, theta) - orbit->j * f.phi);
-    now->B = vmi_orbit_sum_to(&r->B, theta) - r->B_mean;
-    now->B_j = vmi_orbit_B_j(orbit, r, now->B, B_size);
-}
-
-/* The relative change of w divided by the relative change of j that causes it */
-VM_API vm_real vmi_orbit_gamma(const vmi_orbit_ripple *r, const vmi_orbit *orbit)
-{
-    return orbit->j * r->w_size / (r->j_size * orbit->w);
-}
-
-/* (M/w)_j, on which the mean rate of the phase depends */
-VM_API vm_real vmi_orbit_M_j(const vmi_orbit_ripple *r, const vmi_orbit *orbit)
-{
-    return (r->M_size - r->M * (r->w_size / orbit->w)) / (orbit->w * r->j_size);
-}
-
-/* The mean action that belongs to the action j of an orbit at a phase. h is the damping that the top of this file
-   defines, and h_rate = dh/ds. */
-VM_API vm_real vmi_orbit_mean_action(const vmi_orbit_ripple *r, const vmi_orbit *orbit,
-                                     const vmi_orbit_ripple_values *now, vm_real h, vm_real h_rate)
-{
-    const vm_real w = orbit->w, w_j = r->w_size / r->j_size, first = 2 * h * now->a / w;
-    const vm_real M2_j = (vmi_orbit_M_j(r, orbit) - r->M * w_j / (w * w)) / w; /* (M/w^2)_j */
-    vm_real second = -(2 * h_rate + 4 * h * h) * now->B / (w * w) + 4 * h * h * orbit->j * now->B_j / w;
-    second += 2 * h * h * (M2_j - (now->a * now->a - r->M) * w_j / (w * w * w));
-    return orbit->j + first + second;
+    for (i = 0; i < 2; i++) turn[i] = (ln_k[i] - ln_m[i]) / 2;
+    rate = h[1] - turn[0] * h[0];
+    rate_rate = 2 * h[2] - turn[1] * h[0] - turn[0] * h[1];
+    G = scale[1] + scale[0] * (scale[0] + loss[0]);
+    G_rate = 2 * (scale[2] + scale[0] * scale[1]) + scale[1] * loss[0] + scale[0] * loss[1];
+    slow->h = h[0] / speed;
+    slow->h1 = rate / (speed * speed);
+    slow->h2 = (rate_rate - 2 * turn[0] * rate) / (speed * speed * speed);
+    slow->spring = G / (speed * speed);
+    slow->spring1 = (G_rate - 2 * turn[0] * G) / (speed * speed * speed);
+    return VM_OK;
 }
 
 #endif
@@ -13433,8 +14935,8 @@ VM_API vm_real vmi_orbit_mean_action(const vmi_orbit_ripple *r, const vmi_orbit 
    The equation of motion, with the laws of time m(t) (kg), k(t) (a pure number) and b(t) (kg/s), is
        m x'' + k F(x) + (reactive m' + b) x' = 0,   x(0) and x'(0) given
    F is odd: Duffing's force k1 x + k3 x^3 (oscillators/duffing.h) or a function of the user (oscillators/odd_force.h).
-   `reactive` is 1 where mass that joins or leaves is at rest, 0 where it has the body's velocity. Shortest useful
-   call:
+   `reactive` is 1 where mass that joins or leaves is at rest, 0 where it has the body's velocity. k1 and k3 may follow
+   laws of their own (vm_duffing_force_of_laws). Shortest useful call:
        vm_odd_problem problem;
        vm_odd_motion motion;
        problem.force = vm_duffing_force(100, 2000);           // 100 N/m x + 2000 N/m^3 x^3
@@ -13460,17 +14962,6 @@ enum {
     VM_ODD_RK87 = 2    /* integration of the equation of motion by rk87 */
 };
 
-/* A vibration under an odd elastic force, and its state at t = 0 */
-typedef struct VM_TAG(vm_odd_problem) {
-    vm_odd_force force; /* F(x), N, by vm_duffing_force or vm_odd_force_user */
-    vm_law mass;        /* mass m(t), kg, positive */
-    vm_law stiffness;   /* factor k(t) of the whole elastic force, a pure number, positive */
-    vm_law damping;     /* damping b(t), kg/s; positive takes energy out */
-    vm_real reactive;   /* share of the full reactive force: 1 where mass that joins or leaves is at rest, 0 where this
-                           mass has the body's own velocity; numbers between are allowed */
-    vm_real x, v;       /* position, m, and velocity, m/s, at t = 0 */
-} vm_odd_problem;
-
 /* The motion at one time */
 typedef struct VM_TAG(vm_odd_motion) {
     vm_real x, v;      /* position, m, and velocity, m/s */
@@ -13480,69 +14971,6 @@ typedef struct VM_TAG(vm_odd_motion) {
     int route;         /* the route that was taken, VM_ODD_... */
     long evals;        /* evaluations of the equation of motion; 0 where nothing was integrated */
 } vm_odd_motion;
-
-/* -- The laws at one time -- */
-
-/* Mass, stiffness, damping and the rates that follow from them, at one time */
-typedef struct VM_TAG(vmi_odd_rates) {
-    vm_real m, k, b;   /* mass, stiffness and damping */
-    vm_real m_rate;    /* dm/dt, kg/s */
-    vm_real speed;     /* ds/dt = sqrt(k/m) */
-    vm_real turn;      /* relative rate of change of `speed`, 1/s */
-    vm_real h;         /* damping h of orbit_ripple.h, times `speed`, 1/s */
-} vmi_odd_rates;
-
-/* Reads the laws at t. Where a rate jumps at t, side = 1 asks for its value after t, side = -1 before t. */
-VM_API int vmi_odd_rates_at(const vm_odd_problem *o, vm_real t, int side, vmi_odd_rates *r)
-{
-    vm_real m[VMI_LAW_ORDERS], k[VMI_LAW_ORDERS], b[VMI_LAW_ORDERS];
-    int status = vmi_law_derivatives(&o->mass, VM_BAD_MASS, t, side, 0, m);
-    if (!status) status = vmi_law_derivatives(&o->stiffness, VM_BAD_STIFFNESS, t, side, 0, k);
-    if (!status) status = vmi_law_derivatives(&o->damping, VM_OK, t, side, 0, b);
-    if (status) return status;
-    r->m = m[0];
-    r->k = k[0];
-    r->b = b[0];
-    r->m_rate = m[1];
-    r->speed = VM_SQRT(k[0] / m[0]);
-    r->turn = (k[1] / k[0] - m[1] / m[0]) / 2;
-    r->h = (r->turn + (o->reactive * m[1] + b[0]) / m[0]) / 2;
-    return VM_OK;
-}
-
-/* The damping h of orbit_ripple.h, and its first two derivatives h1 and h2 with respect to s, where ds/dt =
-   sqrt(k/m) */
-typedef struct VM_TAG(vmi_odd_slow) {
-    vm_real h, h1, h2;
-} vmi_odd_slow;
-
-/* Computes h, h1 and h2 at t. length, s, is needed for the derivatives of users' laws (see vmi_law_derivatives). */
-VM_API int vmi_odd_slow_at(const vm_odd_problem *o, vm_real t, int side, vm_real length, vmi_odd_slow *slow)
-{
-    enum { TERMS = 4 };
-    vm_real m[VMI_LAW_ORDERS], k[VMI_LAW_ORDERS], b[VMI_LAW_ORDERS], ln_m[TERMS], ln_k[TERMS], inverse[TERMS];
-    vm_real h[3], turn[2], speed, rate, rate_rate;
-    int i, status = vmi_law_derivatives(&o->mass, VM_BAD_MASS, t, side, length, m);
-    if (!status) status = vmi_law_derivatives(&o->stiffness, VM_BAD_STIFFNESS, t, side, length, k);
-    if (!status) status = vmi_law_derivatives(&o->damping, VM_OK, t, side, length, b);
-    if (status) return status;
-    speed = VM_SQRT(k[0] / m[0]);
-    vmi_series_of_derivatives(TERMS, 1, m);
-    vmi_series_of_derivatives(TERMS, 1, k);
-    vmi_series_of_derivatives(TERMS, 1, b);
-    vmi_series_log_rate(TERMS, m, ln_m);
-    vmi_series_log_rate(TERMS, k, ln_k);
-    vmi_series_inverse(TERMS, m, inverse);
-    for (i = 0; i < 3; i++)
-        h[i] = (ln_k[i] + (2 * o->reactive - 1) * ln_m[i] + 2 * vmi_series_product(i, b, inverse)) / 4;
-    for (i = 0; i < 2; i++) turn[i] = (ln_k[i] - ln_m[i]) / 2;
-    rate = h[1] - turn[0] * h[0];
-    rate_rate = 2 * h[2] - turn[1] * h[0] - turn[0] * h[1];
-    slow->h = h[0] / speed;
-    slow->h1 = rate / (speed * speed);
-    slow->h2 = (rate_rate - 2 * turn[0] * rate) / (speed * speed * speed);
-    return VM_OK;
-}
 
 /* -- The plan -- */
 
@@ -13572,12 +15000,13 @@ typedef struct VM_TAG(vm_odd_plan) {
     vm_odd_problem problem; /* a copy of the problem */
     vm_real t_end;          /* the time up to which the plan was asked for, s */
     vm_real reach;          /* the time up to which the averaged solutions exist, s: t_end, or less */
-    vm_real m0, k0, speed0; /* mass, stiffness and sqrt(k/m) at t = 0 */
+    vm_real m0, k0, speed0; /* mass, factor k and sqrt(k/m) at t = 0 */
+    vm_real v0;             /* velocity of the reduced motion x/s of odd_laws.h at t = 0, divided by speed0 */
     int at_rest;            /* 1 where the body rests in equilibrium, else 0 */
     vmi_orbit start;        /* the orbit of the state at t = 0; its size is 0 where there is no vibration */
     vm_real phi;            /* phase of this state */
     vm_real ln_j, phase;    /* ln of the mean action, and mean phase, at t = 0 */
-    vmi_odd_slow slow;      /* damping h at t = 0, and its first two derivatives */
+    vmi_odd_slow slow;      /* damping h and weak spring at t = 0, and their derivatives */
     vm_real gamma;          /* ratio of a relative change of w to that of j, at t = 0 */
     vm_real first_a;        /* field largest_a of the ripple at t = 0 */
     vm_real first_B;        /* field largest_B of the ripple at t = 0 */
@@ -13615,7 +15044,20 @@ VM_API int vmi_orbit_find(vmi_orbit *orbit, vm_real ln_j)
 VM_API vm_real vmi_odd_adiabatic(const vm_odd_plan *p, const vmi_odd_rates *now, vm_real decay)
 {
     const vm_real ln_m = vmi_log(now->m / p->m0).hi, ln_k = vmi_log(now->k / p->k0).hi;
-    return -(ln_k / 2 + (p->problem.reactive - VM_C(0.5)) * ln_m + decay);
+    vm_real shape = 0; /* 2 ln s, where s is the length of odd_laws.h */
+    if (now->ratio1 != now->ratio3) shape = vmi_log(now->ratio1 / now->ratio3).hi;
+    return -(ln_k / 2 + (p->problem.reactive - VM_C(0.5)) * ln_m + decay + shape);
+}
+
+/* The longest panel of time that the laws allow for a walk over `whole` seconds, s */
+VM_API vm_real vmi_odd_longest_panel(const vm_odd_problem *o, vm_real whole)
+{
+    const vm_law *laws[VMI_ODD_LAWS];
+    int statuses[VMI_ODD_LAWS], i;
+    const int n = vmi_odd_all_laws(o, laws, statuses);
+    vm_real longest = whole;
+    for (i = 0; i < n; i++) longest = vmi_smaller(vmi_law_longest_panel(laws[i], whole), longest);
+    return longest;
 }
 
 /* The time, s, in which the phase of the orbit grows by 16. Derivatives of users' laws are computed from rates between
@@ -13629,10 +15071,40 @@ typedef struct VM_TAG(vmi_odd_nodes) {
     vmi_odd_rates rates[VMI_GAUSS];
     vm_real decay[VMI_GAUSS];  /* integral of b/m from t = 0 */
     vm_real h_rate[VMI_GAUSS]; /* time derivative of the field h of the rates, 1/s^2 */
-    vm_real edge;              /* largest relative difference between 1/m or k and its series at the panel's ends */
+    vm_real spring[VMI_GAUSS]; /* stiffness G of the weak spring of odd_laws.h, divided by the mass, 1/s^2 */
+    vm_real edge;              /* largest relative difference between a law and its series at the panel's ends */
     vm_real decay_end;         /* integral of b/m from t = 0 to the end of the panel */
     vm_real inverse[VMI_GAUSS], stiffness[VMI_GAUSS]; /* series of 1/m and k */
+    vm_real ratio1[VMI_GAUSS], ratio3[VMI_GAUSS];     /* series of these fields of the rates */
 } vmi_odd_nodes;
+
+/* Reads the shape of the force: its series, how well they hold at the ends, and the weak spring at the nodes. The rates at
+   the nodes must be set. */
+VM_API int vmi_odd_read_shape(const vm_odd_problem *o, const vmi_odd_panel *panel, vmi_odd_nodes *at)
+{
+    const vm_odd_force *force = &o->force;
+    vm_real ratio1[VMI_GAUSS], ratio3[VMI_GAUSS], scale[VMI_GAUSS], k1[VMI_GAUSS], k3[VMI_GAUSS], rate[VMI_GAUSS];
+    int i, status = VM_OK;
+    for (i = 0; i < VMI_GAUSS; i++) {
+        at->spring[i] = 0;
+        ratio1[i] = at->rates[i].ratio1;
+        ratio3[i] = at->rates[i].ratio3;
+        scale[i] = at->rates[i].scale_rate;
+    }
+    if (!force->laws) return VM_OK;
+    vmi_legendre_fit(ratio1, ratio3, at->ratio1, at->ratio3);
+    vmi_legendre_fit(scale, scale, rate, k1);
+    vmi_legendre_derive(rate);
+    for (i = 0; i < VMI_GAUSS; i++) {
+        const vm_real scale_change = 2 / panel->length * vmi_legendre_at(rate, vmi_gauss_node(i));
+        at->spring[i] = scale_change + scale[i] * (scale[i] + at->rates[i].loss);
+        k1[i] = force->k1 * at->ratio1[i];
+        k3[i] = force->k3 * at->ratio3[i];
+    }
+    if (force->k1 != 0) status = vmi_panel_edge(&force->laws[0], VM_OK, 0, panel->t, panel->length, k1, &at->edge);
+    if (status || force->k3 == 0) return status;
+    return vmi_panel_edge(&force->laws[1], VM_OK, 0, panel->t, panel->length, k3, &at->edge);
+}
 
 /* Reads the laws at the nodes of a panel. */
 VM_API int vmi_odd_read(const vm_odd_problem *o, const vmi_odd_panel *panel, vmi_odd_nodes *at)
@@ -13645,7 +15117,7 @@ VM_API int vmi_odd_read(const vm_odd_problem *o, const vmi_odd_panel *panel, vmi
         status = vmi_odd_rates_at(o, t, side, &at->rates[i]);
         if (status) return status;
         inverse[i] = 1 / at->rates[i].m;
-        k[i] = at->rates[i].k;
+        k[i] = at->rates[i].k / at->rates[i].ratio1;
         losses[i] = at->rates[i].b / at->rates[i].m;
         h[i] = at->rates[i].h;
     }
@@ -13661,7 +15133,9 @@ VM_API int vmi_odd_read(const vm_odd_problem *o, const vmi_odd_panel *panel, vmi
     at->edge = 0;
     status = vmi_panel_edge(&o->mass, VM_BAD_MASS, 1, panel->t, panel->length, at->inverse, &at->edge);
     if (status) return status;
-    return vmi_panel_edge(&o->stiffness, VM_BAD_STIFFNESS, 0, panel->t, panel->length, at->stiffness, &at->edge);
+    status = vmi_panel_edge(&o->stiffness, VM_BAD_STIFFNESS, 0, panel->t, panel->length, at->stiffness, &at->edge);
+    if (status) return status;
+    return vmi_odd_read_shape(o, panel, at);
 }
 
 /* Adds to panel->change the integrals over this panel, from the series of h/w, with root mean squares in place of
@@ -13715,6 +15189,7 @@ VM_API int vmi_odd_panel_of(const vm_odd_plan *p, vmi_odd_panel *panel, vmi_orbi
         bends[i] = h * M_j;
         ratios[i] = h / orbit->w;
         rates[i] = (orbit->w - M_j * (h1 + 2 * h * h)) * now->speed;
+        rates[i] += at->spring[i] / now->speed * (ripple.X_size / (2 * ripple.j_size));
     }
     vmi_legendre_fit(bends, ratios, bend, ratio);
     vmi_legendre_derive(bend);
@@ -13725,12 +15200,15 @@ VM_API int vmi_odd_panel_of(const vm_odd_plan *p, vmi_odd_panel *panel, vmi_orbi
 }
 
 /* Whether a panel is short enough for its series. Phase and size are evaluated inside the panel, where the terms that
-   their series leave out are not squared. whole is the length of the walk, s. */
-VM_API int vmi_odd_panel_is_resolved(const vmi_odd_panel *panel, const vmi_odd_nodes *at, vm_real whole)
+   their series leave out are not squared. varying is 1 where k1 and k3 follow laws of their own. whole is the length of
+   the walk, s. */
+VM_API int vmi_odd_panel_is_resolved(const vmi_odd_panel *panel, const vmi_odd_nodes *at, int varying, vm_real whole)
 {
     const vm_real limit = vmi_panel_limit(panel->length, whole), fine = VM_MANT_DIG > 24 ? VM_C(1e-12) : VM_C(1e-5);
     if (!(at->edge <= vmi_panel_edge_limit(limit))) return 0;
     if (!vmi_panel_is_resolved(at->inverse, limit) || !vmi_panel_is_resolved(at->stiffness, limit)) return 0;
+    if (varying && !vmi_panel_is_resolved(at->ratio1, limit)) return 0;
+    if (varying && !vmi_panel_is_resolved(at->ratio3, limit)) return 0;
     return vmi_panel_is_resolved(panel->rate, fine) && vmi_panel_is_resolved(panel->size, fine);
 }
 
@@ -13764,7 +15242,7 @@ VM_API int vmi_odd_walk_piece(vm_odd_plan *p, vm_real end, vm_real longest, vmi_
         panel.length = panels.side * panels.step;
         status = vmi_odd_panel_of(p, &panel, &trial, &at);
         if (status && (status != VM_NO_LAW || panels.step < shortest_at_end)) return status;
-        if (status || !vmi_odd_panel_is_resolved(&panel, &at, whole)) {
+        if (status || !vmi_odd_panel_is_resolved(&panel, &at, p->problem.force.laws != NULL, whole)) {
             if (vmi_panels_halve(&panels)) continue;
             return VM_NO_LAW;
         }
@@ -13777,6 +15255,15 @@ VM_API int vmi_odd_walk_piece(vm_odd_plan *p, vm_real end, vm_real longest, vmi_
     return VM_OK;
 }
 
+/* The relative change of the action within a period that a weak linear spring of stiffness 1 causes. In a well it is
+   larger for a smaller orbit, because the spring moves the place of rest. */
+VM_API vm_real vmi_odd_spring_ripple(const vmi_orbit *orbit)
+{
+    vm_real squares = orbit->size; /* the largest change of x^2 */
+    if (orbit->place == VMI_ORBIT_AROUND_0) squares *= orbit->size;
+    return squares / (2 * orbit->w * orbit->j);
+}
+
 /* Takes the mean motion past t, a point of a table: the derivative of h jumps there, but the motion does not, so that
    the mean action jumps. */
 VM_API int vmi_odd_walk_past_knot(const vm_odd_plan *p, vmi_orbit *orbit, vmi_odd_panel *next)
@@ -13787,18 +15274,22 @@ VM_API int vmi_odd_walk_past_knot(const vm_odd_plan *p, vmi_orbit *orbit, vmi_od
     vmi_odd_slow before, after;
     vmi_orbit_ripple ripple;
     vmi_orbit_ripple_values now;
-    vm_real w, left;
+    vm_real w, left, x, v;
     int status = vmi_odd_rates_at(&p->problem, next->t, -side, &rates);
     if (!status) status = vmi_orbit_find(orbit, p->ln_j + next->ln_J + vmi_odd_adiabatic(p, &rates, next->decay));
     if (!status) status = vmi_odd_slow_at(&p->problem, next->t, -side, length, &before);
     if (!status) status = vmi_odd_slow_at(&p->problem, next->t, side, length, &after);
+    if (!status) status = orbit->force->at_phase(orbit, next->phase, &x, &v);
     if (status) return status;
     vmi_orbit_ripple_init(&ripple, orbit);
     vmi_orbit_ripple_at(&ripple, orbit, next->phase, &now);
     w = orbit->w;
     next->ln_J -= 2 * (after.h1 - before.h1) * now.B / (w * w * orbit->j);
+    next->ln_J += (after.spring - before.spring) * vmi_orbit_spring_action(&ripple, orbit, x) / orbit->j;
     left = VM_FABS(after.h2 - before.h2) + 4 * VM_FABS((after.h1 - before.h1) * after.h);
     next->knots += left / (w * w * w);
+    left = VM_FABS(after.spring1 - before.spring1) + 4 * VM_FABS((after.spring - before.spring) * after.h);
+    next->knots += left / w * vmi_odd_spring_ripple(orbit);
     return VM_OK;
 }
 
@@ -13806,11 +15297,9 @@ VM_API int vmi_odd_walk_past_knot(const vm_odd_plan *p, vmi_orbit *orbit, vmi_od
 VM_API int vmi_odd_walk(vm_odd_plan *p, vmi_orbit *orbit)
 {
     const vm_odd_problem *o = &p->problem;
-    const vm_real whole = VM_FABS(p->t_end);
-    vm_real longest = vmi_smaller(vmi_law_longest_panel(&o->mass, whole), vmi_law_longest_panel(&o->stiffness, whole));
+    const vm_real longest = vmi_odd_longest_panel(o, VM_FABS(p->t_end));
     vmi_odd_panel next;
     int i, status = VM_OK;
-    longest = vmi_smaller(longest, vmi_law_longest_panel(&o->damping, whole));
     next.t = 0;
     next.length = 0;
     next.phase = p->phase;
@@ -13822,9 +15311,7 @@ VM_API int vmi_odd_walk(vm_odd_plan *p, vmi_orbit *orbit)
     next.gamma = 0;
     for (i = 0; i < VMI_ODD_ORDERS; i++) next.change[i] = 0;
     while (!status && next.t != p->t_end) {
-        vm_real end = vmi_law_next_knot(&o->mass, next.t, p->t_end);
-        end = vmi_law_next_knot(&o->stiffness, next.t, end);
-        end = vmi_law_next_knot(&o->damping, next.t, end);
+        const vm_real end = vmi_odd_next_knot(o, next.t, p->t_end);
         status = vmi_odd_walk_piece(p, end, longest, orbit, &next);
         if (!status && end != p->t_end) status = vmi_odd_walk_past_knot(p, orbit, &next);
     }
@@ -13839,11 +15326,12 @@ VM_API int vmi_odd_start(vm_odd_plan *p, const vmi_orbit *orbit)
     vmi_orbit_ripple_values now;
     vm_real mean;
     int status = vmi_odd_slow_at(&p->problem, 0, side, vmi_odd_sampling_time(orbit->w, p->speed0), &p->slow);
-    if (!status) status = orbit->force->phase(orbit, p->problem.x, p->problem.v / p->speed0, &p->phi);
+    if (!status) status = orbit->force->phase(orbit, p->problem.x, p->v0, &p->phi);
     if (status) return status;
     vmi_orbit_ripple_init(&ripple, orbit);
     vmi_orbit_ripple_at(&ripple, orbit, p->phi, &now);
-    mean = vmi_orbit_mean_action(&ripple, orbit, &now, p->slow.h, p->slow.h1);
+    mean = vmi_orbit_mean_action(&ripple, orbit, &now, p->slow.h, p->slow.h1) +
+           p->slow.spring * vmi_orbit_spring_action(&ripple, orbit, p->problem.x);
     p->phase = p->phi - 2 * p->slow.h * now.B_j;
     p->gamma = vmi_orbit_gamma(&ripple, orbit);
     p->first_a = ripple.largest_a;
@@ -13859,14 +15347,26 @@ VM_API int vmi_odd_check(const vm_odd_problem *o, vm_real t)
     const vm_real numbers[5] = {o->reactive, o->x, o->v, o->force.k1, o->force.k3};
     int status = vmi_all_finite(5, numbers) ? VM_OK : VM_NOT_FINITE;
     if (!o->force.at) return VM_BAD_ARGUMENT;
-    status = vmi_first_error(status, vmi_law_check(&o->mass, VM_BAD_MASS, t));
-    status = vmi_first_error(status, vmi_law_check(&o->stiffness, VM_BAD_STIFFNESS, t));
-    return vmi_first_error(status, vmi_law_check(&o->damping, VM_OK, t));
+    return vmi_first_error(status, vmi_odd_check_laws(o, t));
+}
+
+/* Writes the velocity of the reduced motion at t = 0, divided by speed0. Where the shape of the force cannot be made
+   constant, it is that of the body. */
+VM_API int vmi_odd_first_velocity(vm_odd_plan *p)
+{
+    const vm_odd_problem *o = &p->problem;
+    vmi_odd_rates rates;
+    const int status = vmi_odd_rates_at(o, 0, vmi_time_side(p->t_end), &rates);
+    p->v0 = o->v / p->speed0;
+    if (status) return status == VM_NO_LAW ? VM_OK : status;
+    if (o->force.laws) p->v0 = (o->v - rates.scale_rate * o->x) / p->speed0;
+    return VM_OK;
 }
 
 /* Fills a plan whose fields problem, t_end, m0, k0 and speed0 are set. */
 VM_API int vmi_odd_fill(vm_odd_plan *p)
 {
+    const vm_odd_problem *o = &p->problem;
     vmi_orbit orbit;
     int status;
     vm_real f;
@@ -13875,10 +15375,11 @@ VM_API int vmi_odd_fill(vm_odd_plan *p)
     p->at_rest = 0;
     orbit.size = 0;
     p->start = orbit;
-    status = p->problem.force.at(&p->problem.force, p->problem.x, &f);
+    status = o->force.at(&o->force, o->x, &f);
+    if (!status) status = vmi_odd_first_velocity(p);
     if (status) return status;
-    if (p->problem.v == 0 && f == 0) p->at_rest = 1;
-    else status = vmi_orbit_of_state(&p->problem.force, p->problem.x, p->problem.v / p->speed0, &orbit);
+    if (o->v == 0 && f == 0 && (o->x == 0 || !o->force.laws)) p->at_rest = 1;
+    else status = vmi_orbit_of_state(&o->force, o->x, p->v0, &orbit);
     if (status == VM_NO_LAW) return VM_OK;
     if (status || p->at_rest || orbit.size == 0) return status;
     p->start = orbit;
@@ -13898,7 +15399,7 @@ VM_API int vmi_odd_fill(vm_odd_plan *p)
 VM_API int vm_odd_plan_init(vm_odd_plan *p, const vm_odd_problem *problem, vm_real t_end)
 {
     vm_odd_plan plan;
-    vmi_odd_rates rates;
+    vmi_odd_now now;
     int status;
     if (!p || !problem) return VM_BAD_ARGUMENT;
     memset(&plan, 0, sizeof plan);
@@ -13906,11 +15407,15 @@ VM_API int vm_odd_plan_init(vm_odd_plan *p, const vm_odd_problem *problem, vm_re
     plan.t_end = t_end;
     if (VM_IS_FINITE(t_end)) status = vmi_odd_check(problem, t_end);
     else status = vmi_first_error(VM_NOT_FINITE, vmi_odd_check(problem, 0));
-    if (!status) status = vmi_odd_rates_at(problem, 0, vmi_time_side(t_end), &rates);
+    if (!status) status = vmi_odd_read_laws(problem, 0, vmi_time_side(t_end), &now);
     if (status) return status;
-    plan.m0 = rates.m;
-    plan.k0 = rates.k;
-    plan.speed0 = rates.speed;
+    if (problem->force.laws) {
+        plan.problem.force.k1 = now.k1;
+        plan.problem.force.k3 = now.k3;
+    }
+    plan.m0 = now.m;
+    plan.k0 = now.k;
+    plan.speed0 = VM_SQRT(now.k / now.m);
     status = vmi_odd_fill(&plan);
     if (!status) *p = plan;
     return status;
@@ -13975,12 +15480,14 @@ VM_API vm_real vmi_odd_fast(const vmi_odd_mean *mean, vm_real largest_a)
     return least;
 }
 
-/* The sizes of terms of second and of third order, for the damping in *slow and an orbit whose phase has the rate w */
-VM_API void vmi_odd_sizes(const vmi_odd_slow *slow, vm_real w, vm_real *second, vm_real *third)
+/* The sizes of terms of second and of third order, for the damping and the spring in *slow and an orbit */
+VM_API void vmi_odd_sizes(const vmi_odd_slow *slow, const vmi_orbit *orbit, vm_real *second, vm_real *third)
 {
+    const vm_real w = orbit->w, by_spring = vmi_odd_spring_ripple(orbit);
     const vm_real h = VM_FABS(slow->h / w), h1 = VM_FABS(slow->h1 / w / w), h2 = VM_FABS(slow->h2 / w / w / w);
-    *second = h1 + 2 * h * h;
-    *third = h2 + 4 * h * h1 + 4 * h * h * h;
+    const vm_real spring = VM_FABS(slow->spring) * by_spring, spring1 = VM_FABS(slow->spring1 / w) * by_spring;
+    *second = h1 + 2 * h * h + spring;
+    *third = h2 + 4 * h * h1 + 4 * h * h * h + spring1 + 4 * h * spring;
 }
 
 /* The factor by which a small error of the phase becomes an error of x/swing or of v/vmax */
@@ -14007,8 +15514,8 @@ VM_API int vmi_odd_error(const vm_odd_plan *p, int route, vm_real t, const vmi_o
     int status = vmi_odd_slow_at(&p->problem, t, -vmi_time_side(p->t_end),
                                  vmi_odd_sampling_time(w, mean->rates.speed), &slow);
     if (status) return status;
-    vmi_odd_sizes(&p->slow, p->start.w, &second0, &third0);
-    vmi_odd_sizes(&slow, w, &second, &third);
+    vmi_odd_sizes(&p->slow, &p->start, &second0, &third0);
+    vmi_odd_sizes(&slow, orbit, &second, &third);
     action = p->first_a * (third0 + mean->panel->knots) + vmi_odd_fast(mean, a);
     phase = (1 + gamma) * (p->first_B * second0 + B * (second + third)) + (1 + gamma * turns) * action;
     *error = (vmi_odd_steepness(orbit) * phase + a * (second + third) + action) / 2 +
@@ -14029,8 +15536,9 @@ VM_API int vmi_odd_averaged(const vm_odd_plan *p, int route, vm_real t, vm_odd_m
     if (!status && route == VM_ODD_ORDER2) status = vmi_odd_add_ripple(&mean);
     if (!status) status = mean.orbit.force->at_phase(&mean.orbit, mean.phase, &r.x, &r.v);
     if (status) return status;
-    r.v *= mean.rates.speed;
-    r.amplitude = vmi_orbit_amplitude(&mean.orbit);
+    r.v = mean.rates.scale * (mean.rates.speed * r.v + mean.rates.scale_rate * r.x); /* from x/s to x */
+    r.x *= mean.rates.scale;
+    r.amplitude = mean.rates.scale * vmi_orbit_amplitude(&mean.orbit);
     r.route = route;
     r.evals = 0;
     if (!VM_IS_FINITE(r.x) || !VM_IS_FINITE(r.v)) return VM_NOT_FINITE;
@@ -14058,13 +15566,26 @@ VM_API int vmi_odd_averaged(const vm_odd_plan *p, int route, vm_real t, vm_odd_m
 /* Writes the acceleration at t, position x and velocity v, m/s^2. */
 VM_API int vmi_odd_acceleration(const vm_odd_problem *o, vm_real t, int side, vm_real x, vm_real v, vm_real *a)
 {
-    vmi_odd_rates now;
+    vmi_odd_now now;
     vm_real f;
-    int status = vmi_odd_rates_at(o, t, side, &now);
-    if (!status) status = o->force.at(&o->force, x, &f);
+    int status = vmi_odd_read_laws(o, t, side, &now);
+    if (!status) status = vmi_odd_elastic(o, &now, x, &f);
     if (status) return status;
     *a = -(now.k * f + (o->reactive * now.m_rate + now.b) * v) / now.m;
     return VM_OK;
+}
+
+/* The status of the laws at t that comes first in the table of errors */
+VM_API int vmi_odd_statuses_at(const vm_odd_problem *o, vm_real t)
+{
+    const vm_law *laws[VMI_ODD_LAWS];
+    int statuses[VMI_ODD_LAWS], i, status = VM_OK;
+    const int n = vmi_odd_all_laws(o, laws, statuses);
+    for (i = 0; i < n; i++) {
+        vm_real f, rate;
+        status = vmi_first_error(status, vmi_law_at(laws[i], statuses[i], t, &f, &rate));
+    }
+    return status;
 }
 
 /* Equation of motion of a vibration under an odd elastic force, for rk45 or rk87. y = (x, x') is in m and m/s; problem
@@ -14078,17 +15599,13 @@ VM_API int vm_odd_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *problem)
     vm_real a;
     int status;
     if (!y || !dydt || !o || !o->force.at) return VM_BAD_ARGUMENT;
-    if (!o->mass.derivatives || !o->stiffness.derivatives || !o->damping.derivatives) return VM_BAD_ARGUMENT;
+    if (!vmi_odd_has_laws(o)) return VM_BAD_ARGUMENT;
     if (!VM_IS_FINITE(t) || !VM_IS_FINITE(y[0]) || !VM_IS_FINITE(y[1])) return VM_NOT_FINITE;
     if (!VM_IS_FINITE(o->reactive)) return VM_NOT_FINITE;
     status = vmi_odd_acceleration(o, t, 1, y[0], y[1], &a);
     if (!status && !VM_IS_FINITE(a)) status = VM_NOT_FINITE;
-    if (status) { /* return the status that comes first in the table of errors */
-        vm_real f, rate;
-        status = vmi_first_error(status, vmi_law_at(&o->mass, VM_BAD_MASS, t, &f, &rate));
-        status = vmi_first_error(status, vmi_law_at(&o->stiffness, VM_BAD_STIFFNESS, t, &f, &rate));
-        return vmi_first_error(status, vmi_law_at(&o->damping, VM_OK, t, &f, &rate));
-    }
+    if (status) /* return the status that comes first in the table of errors */
+        return vmi_first_error(status, vmi_odd_statuses_at(o, t));
     dydt[0] = y[1];
     dydt[1] = a;
     return VM_OK;
@@ -14126,8 +15643,9 @@ VM_API void vmi_odd_units(vmi_odd_run *c, vm_real whole)
 {
     const vm_odd_plan *p = c->plan;
     const vm_odd_problem *o = &p->problem;
-    const vm_law *laws[3];
-    int i;
+    const vm_law *laws[VMI_ODD_LAWS];
+    int statuses[VMI_ODD_LAWS], i;
+    const int n = vmi_odd_all_laws(o, laws, statuses);
     c->longest = whole;
     c->length = VM_FABS(o->x);
     c->velocity = VM_FABS(o->v);
@@ -14138,10 +15656,7 @@ VM_API void vmi_odd_units(vmi_odd_run *c, vm_real whole)
     }
     if (!(c->length > 0)) c->length = c->velocity;
     if (!(c->velocity > 0)) c->velocity = c->length;
-    laws[0] = &o->mass;
-    laws[1] = &o->stiffness;
-    laws[2] = &o->damping;
-    for (i = 0; i < 3; i++)
+    for (i = 0; i < n; i++)
         if (laws[i]->function) c->longest = vmi_smaller(vmi_law_longest_panel(laws[i], whole) / 4, c->longest);
 }
 
@@ -14150,10 +15665,9 @@ VM_API int vmi_odd_solve(vmi_odd_run *c, vm_real t)
 {
     const vm_odd_problem *o = &c->plan->problem;
     while (c->s.t != t) {
-        vm_real y[2], stop = vmi_law_next_knot(&o->mass, c->s.t, t);
+        const vm_real stop = vmi_odd_next_knot(o, c->s.t, t);
+        vm_real y[2];
         int status;
-        stop = vmi_law_next_knot(&o->stiffness, c->s.t, stop);
-        stop = vmi_law_next_knot(&o->damping, c->s.t, stop);
         status = rk87_solve(&c->s, stop);
         if (c->status) return c->status;
         if (status < 0) return VM_NOT_INTEGRATED;
@@ -14170,10 +15684,17 @@ VM_API int vmi_odd_solve(vmi_odd_run *c, vm_real t)
 VM_API int vmi_odd_motion_now(const vmi_odd_run *c, vm_odd_motion *motion, vm_real *swing, vm_real *vmax)
 {
     const vm_odd_problem *o = &c->plan->problem;
-    vmi_odd_rates now;
+    vm_odd_force force = o->force;
+    vmi_odd_now now;
     vmi_orbit orbit;
-    int status = vmi_odd_rates_at(o, c->s.t, -c->side, &now);
+    vm_real speed;
+    int status = vmi_odd_read_laws(o, c->s.t, -c->side, &now);
     if (status) return status;
+    speed = VM_SQRT(now.k / now.m);
+    if (o->force.laws) { /* the vibration with the coefficients of this time */
+        force.k1 = now.k1;
+        force.k3 = now.k3;
+    }
     motion->x = c->length * c->s.y[0];
     motion->v = c->velocity * c->s.y[1];
     motion->amplitude = VM_NAN;
@@ -14183,10 +15704,10 @@ VM_API int vmi_odd_motion_now(const vmi_odd_run *c, vm_odd_motion *motion, vm_re
     *swing = c->length;
     *vmax = c->velocity;
     if (!VM_IS_FINITE(motion->x) || !VM_IS_FINITE(motion->v)) return VM_NOT_INTEGRATED;
-    if (vmi_orbit_of_state(&o->force, motion->x, motion->v / now.speed, &orbit) || !(orbit.size > 0)) return VM_OK;
+    if (vmi_orbit_of_state(&force, motion->x, motion->v / speed, &orbit) || !(orbit.size > 0)) return VM_OK;
     motion->amplitude = vmi_orbit_amplitude(&orbit);
     *swing = orbit.swing;
-    *vmax = orbit.vmax * now.speed;
+    *vmax = orbit.vmax * speed;
     return VM_OK;
 }
 
@@ -14473,7 +15994,7 @@ VM_API void vmi_slow_phase(vm_real x, vm_real v, vm_real k, vm_real mass, vm_rea
 #endif
 /* oscillators/van_der_pol.h - the Van der Pol oscillator with variable mass
 
-   The equation is (404), with the mass m(t) and a spring of any exponent alpha:
+   The equation is (404), with the mass m(t), a spring of any exponent alpha, and a stiffness k that may be slow, too:
        m x'' + k x|x|^(alpha-1) = (feed - c x^2) x' - r m' x'
    If feed > 0 feeds the vibration and c > 0 limits it, the vibration tends to a limit cycle. r (`reactive`) is 1 where
    mass that joins or leaves is at rest, 0 where it has the body's velocity. This file has the equation of motion, the
@@ -14504,12 +16025,14 @@ enum {
    the dissertation; both may have either sign. */
 typedef struct VM_TAG(vm_vdp) {
     vm_real alpha;      /* exponent of the spring, >= 0 */
-    vm_real k;          /* stiffness, N/m^alpha, > 0 */
+    vm_real k;          /* stiffness, N/m^alpha, > 0, where it is constant */
     vm_real feed;       /* coefficient of the term that feeds the vibration, N s/m; < 0 takes energy out */
     vm_real c;          /* coefficient of the term that limits the vibration, N s/m^3 */
     vm_real reactive;   /* r: 1 where mass that joins or leaves is at rest, 0 where it has the body's velocity */
     int method;         /* method of averaging, VM_VDP_... */
     vm_law mass;        /* slow mass m, kg, > 0; vm_vdp_init and vm_vdp_limit_cycle do not use it */
+    vm_law stiffness;   /* slow stiffness, N/m^alpha, > 0, in place of k; zeros, as memset leaves them, stand for the
+                           constant k. vm_vdp_init and vm_vdp_limit_cycle do not use it */
     vm_real a1, a2, a3; /* mean values of (410), pure numbers; vm_vdp_init writes them */
 } vm_vdp;
 
@@ -14533,12 +16056,22 @@ VM_API void vmi_vdp_means(vm_vdp *v)
     }
 }
 
-/* Checks that the numbers of a Van der Pol oscillator are in their domains. */
+/* Whether the stiffness follows a law; else it is the constant k */
+VM_API int vmi_vdp_has_stiffness_law(const vm_vdp *v) { return v->stiffness.derivatives != NULL; }
+
+/* The law of the stiffness */
+VM_API vm_law vmi_vdp_stiffness(const vm_vdp *v)
+{
+    if (vmi_vdp_has_stiffness_law(v)) return v->stiffness;
+    return vm_law_linear(v->k, 0);
+}
+
+/* Checks that the numbers of a Van der Pol oscillator are in their domains. k counts only where it is the stiffness. */
 VM_API int vmi_vdp_check(const vm_vdp *v)
 {
     const vm_real numbers[5] = {v->alpha, v->k, v->feed, v->c, v->reactive};
     if (!vmi_all_finite(5, numbers)) return VM_NOT_FINITE;
-    if (v->k <= 0) return VM_BAD_STIFFNESS;
+    if (v->k <= 0 && !vmi_vdp_has_stiffness_law(v)) return VM_BAD_STIFFNESS;
     if (v->alpha < 0) return VM_DOMAIN;
     return VM_OK;
 }
@@ -14578,8 +16111,8 @@ VM_API int vmi_vdp_has_closed_forms(const vm_vdp *v) { return v->a1 > 0; }
    first_A is the amplitude, m, at t = 0, of either sign. One formula stands for (422), (424), (427), (429),
    (431)-(435), (437), as corrected, and has no singularity where terms cancel. The error is that of averaging (see
    `method`) and that of rounding, which tests bound by 12 eps. Returns NaN for a null pointer, an oscillator that is
-   not prepared, infinite arguments, a mass that is not positive at 0 or at t, and a mass that is neither linear nor
-   constant (integrate vm_vdp_averaged_rhs instead). For c < 0 it also returns NaN from the time at which the amplitude
+   not prepared, infinite arguments, a mass that is not positive at 0 or at t, a mass that is neither linear nor
+   constant, and a stiffness that follows a law (integrate vm_vdp_averaged_rhs instead). For c < 0 it also returns NaN from the time at which the amplitude
    becomes infinite. Method: the solution of (416) is
      1/A^2 = e^-F (1/first_A^2 + 2 c a3/a1 times the integral of e^F dt/m),  F = drive a2/a1 times the integral of dt/m,
    where drive = 2 feed - (2r - 1) m'. For a linear mass F is proportional to the integral of dt/m, hence the integral
@@ -14591,6 +16124,7 @@ VM_API vm_real vm_vdp_amplitude(const vm_vdp *v, vm_real t, vm_real first_A)
     vmi_linear_mass m;
     vm_real F, e, limit, root, size, scale, numerator, free_term, denominator;
     if (!VM_IS_FINITE(first_A) || !VM_IS_FINITE(v->c) || !vmi_vdp_has_closed_forms(v)) return VM_NAN;
+    if (vmi_vdp_has_stiffness_law(v)) return VM_NAN;
     if (vmi_linear_mass_of(&v->mass, t, &m)) return VM_NAN;
     F = vmi_vdp_drive(v, 0) * (v->a2 / v->a1) * m.integral -
         (2 * v->reactive - 1) * (v->a2 / v->a1) * m.ln_ratio;
@@ -14616,8 +16150,8 @@ VM_API vm_real vm_vdp_amplitude(const vm_vdp *v, vm_real t, vm_real first_A)
     return scale * VM_SQRT(numerator / denominator);
 }
 
-/* Amplitude of the limit cycle, m, while the mass changes at mass_rate (kg/s): (425), (430), (438). It is 0 where
-   there is no limit cycle. *stable_or_NULL becomes 1 if amplitudes near the result tend to it, else 0. The relative
+/* Amplitude of the limit cycle, m, while the mass changes at mass_rate (kg/s): (425), (430), (438). The stiffness must be
+   constant. The amplitude is 0 where there is no limit cycle. *stable_or_NULL becomes 1 if amplitudes near the result tend to it, else 0. The relative
    rounding error is at most 3e-15 (float 6e-6); the error of averaging comes on top. Returns NaN for a null pointer, an
    oscillator that is not prepared, or an infinite mass_rate. */
 VM_API vm_real vm_vdp_limit_cycle(const vm_vdp *v, vm_real mass_rate, int *stable_or_NULL)
@@ -14632,6 +16166,17 @@ VM_API vm_real vm_vdp_limit_cycle(const vm_vdp *v, vm_real mass_rate, int *stabl
     return VM_SQRT(drive / v->c * (v->a2 / (2 * v->a3)));
 }
 
+/* Reads mass and stiffness at t, and their rates, after a check of the oscillator's numbers. */
+VM_API int vmi_vdp_laws_at(const vm_vdp *v, vm_real t, vm_real *mass, vm_real *mass_rate, vm_real *k, vm_real *k_rate)
+{
+    int status = vmi_first_error(vmi_law_at(&v->mass, VM_BAD_MASS, t, mass, mass_rate), vmi_vdp_check(v));
+    *k = v->k;
+    *k_rate = 0;
+    if (vmi_vdp_has_stiffness_law(v))
+        status = vmi_first_error(status, vmi_law_at(&v->stiffness, VM_BAD_STIFFNESS, t, k, k_rate));
+    return status;
+}
+
 /* Equation of motion (404) of a Van der Pol oscillator, for rk45 or rk87.
    y = (x, x') is in m and m/s; vdp points to a vm_vdp. Returns VM_BAD_ARGUMENT for null pointers or where no
    constructor made the mass, VM_NOT_FINITE for a number that is infinite or NaN, VM_BAD_MASS for a mass that is not
@@ -14641,16 +16186,16 @@ VM_API int vm_vdp_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *vdp)
 {
     if (!y || !dydt || !vdp) return VM_BAD_ARGUMENT;
     const vm_vdp *v = (const vm_vdp *)vdp;
-    vm_real mass, rate, feed;
-    const int status = vmi_first_error(vmi_law_at(&v->mass, VM_BAD_MASS, t, &mass, &rate), vmi_vdp_check(v));
+    vm_real mass, rate, k, k_rate, feed;
+    const int status = vmi_vdp_laws_at(v, t, &mass, &rate, &k, &k_rate);
     if (status) return status;
     feed = vmi_van_der_pol_feed(v->feed, v->c, y[0]) - v->reactive * rate;
     dydt[0] = y[1];
-    dydt[1] = (feed * y[1] - v->k * vmi_osc_elastic(y[0], v->alpha)) / mass;
+    dydt[1] = (feed * y[1] - k * vmi_osc_elastic(y[0], v->alpha)) / mass;
     return VM_OK;
 }
 
-/* Averaged equations (410) of a Van der Pol oscillator, for rk45 or rk87. The mass m may follow any slow law. y = (A,
+/* Averaged equations (410) of a Van der Pol oscillator, for rk45 or rk87. Mass and stiffness may follow any slow law. y = (A,
    psi) holds the mean amplitude A, in metres, and the Ateb phase psi: x = A ca(psi), and |x| = A at the turning points.
    vdp points to a prepared vm_vdp with the fields feed and c. For the method VM_VDP_ATEB and a start from rest, let e
    be the largest of feed, c A^2 and m', divided by m psi'. Then, up to the time m/feed, the relative error of A is of
@@ -14659,11 +16204,12 @@ VM_API int vm_vdp_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void 
 {
     if (!y || !dydt || !vdp) return VM_BAD_ARGUMENT;
     const vm_vdp *v = (const vm_vdp *)vdp;
-    vm_real mass, rate;
-    const int status = vmi_first_error(vmi_law_at(&v->mass, VM_BAD_MASS, t, &mass, &rate), vmi_vdp_check(v));
+    vm_real mass, rate, k, k_rate;
+    const int status = vmi_vdp_laws_at(v, t, &mass, &rate, &k, &k_rate);
     if (status) return status;
     dydt[0] = y[0] / (v->a1 * mass) * vmi_vdp_growth(v, rate, y[0]);
-    dydt[1] = vmi_slow_rate(y[0], v->k, mass, v->alpha);
+    if (k_rate != 0) dydt[0] -= y[0] * k_rate / k / (v->alpha + 3);
+    dydt[1] = vmi_slow_rate(y[0], k, mass, v->alpha);
     return VM_OK;
 }
 
@@ -14689,7 +16235,7 @@ VM_API int vm_vdp_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void 
        vmi_ripple r;
        vmi_vdp_ripple v;
        vmi_ripple_init(&r, 1, vmi_ateb_constants);
-       vmi_ripple_complete(&r);
+       vmi_ripple_complete(&r, 5);
        vmi_vdp_ripple_init(&v, &r); // v.F is -1/4, v.K2 -11/256
    Tests: tests/test_van_der_pol_law.c. */
 #ifndef VARMASS_OSCILLATORS_VAN_DER_POL_EXPANSION_H
@@ -15004,11 +16550,11 @@ VM_API vmi_vdp_sizes vmi_vdp_sizes_of(const vmi_ripple *r, const vmi_vdp_disturb
 }
 
 #endif
-/* oscillators/van_der_pol_walk.h - the mean motion of a Van der Pol oscillator along any slow law of its mass
+/* oscillators/van_der_pol_walk.h - the mean motion of a Van der Pol oscillator along slow laws of mass and stiffness
 
    The transformation of oscillators/van_der_pol_expansion.h is exact to its order where sa or ca is 0. The plan
    therefore follows the exact equations from t = 0 to the next such phase (by collocation), and starts the mean motion
-   there. The mean amplitude and phase at any other time are integrals along the law of the mass, so the cost does not
+   there. The mean amplitude and phase at any other time are integrals along the laws, so the cost does not
    depend on the number of vibrations. On a panel of time (oscillators/panels.h) that starts with the mean amplitude A_0
    and the mean phase psi_0, let B = c/m and r = exp(-2 integral of p dt from the start). Then the mean amplitude A and
    the mean phase psi are
@@ -15063,26 +16609,27 @@ VM_API vm_real vmi_vdp_force(vm_real t, vm_real x, vm_real v, void *ctx)
 /* -- The disturbances -- */
 
 /* The rate of the phase, 1/s, at the amplitude exp(ln_A) */
-VM_API vm_real vmi_vdp_rate(const vm_vdp_plan *p, vm_real mass, vm_real ln_A)
+VM_API vm_real vmi_vdp_rate(const vm_vdp_plan *p, vm_real mass, vm_real k, vm_real ln_A)
 {
     const vm_real alpha = p->vdp.alpha;
-    return VM_SQRT((alpha + 1) / 2 * p->vdp.k / mass) * vmi_exp((alpha - 1) / 2 * ln_A, 0);
+    return VM_SQRT((alpha + 1) / 2 * k / mass) * vmi_exp((alpha - 1) / 2 * ln_A, 0);
 }
 
-/* nu = -m'/m - 4 p + a, 1/s, with the rates a and p. The code finds m'/m from p = (2 a - m'/m)/(alpha+3). */
-VM_API vm_real vmi_vdp_nu(const vm_vdp_plan *p, vm_real rate_a, vm_real rate_p)
+/* nu = -m'/m - 4 p + a, 1/s, with the rates a, p and k'/k. The code finds m'/m from p = (k'/k + 2 a -
+   m'/m)/(alpha+3). */
+VM_API vm_real vmi_vdp_nu(const vm_vdp_plan *p, vm_real rate_a, vm_real rate_p, vm_real k_rate)
 {
-    return (p->vdp.alpha - 1) * rate_p - rate_a;
+    return (p->vdp.alpha - 1) * rate_p - rate_a - k_rate;
 }
 
-/* The disturbances for a mass with the rates a and p, for G0 = p^2 - a p - p', and for the amplitude exp(ln_A), whose
-   phase has the rate W */
-VM_API vmi_vdp_disturbance vmi_vdp_disturbance_of(const vm_vdp_plan *p, vm_real mass, vm_real rate_a, vm_real rate_p,
+/* The disturbances for a mass with the rates a and p and for nu, for G0 = p^2 - a p - p', and for the amplitude
+   exp(ln_A), whose phase has the rate W */
+VM_API vmi_vdp_disturbance vmi_vdp_disturbance_of(const vm_vdp_plan *p, vm_real mass, vm_real nu, vm_real rate_p,
                                                   vm_real G0, vm_real ln_A, vm_real W)
 {
     vmi_vdp_disturbance d;
     d.e = p->vdp.c / mass * vmi_exp(2 * ln_A, 0) / W;
-    d.e1 = d.e * vmi_vdp_nu(p, rate_a, rate_p) / W;
+    d.e1 = d.e * nu / W;
     d.Q0 = d.e * rate_p / W;
     d.E0 = G0 / W / W;
     return d;
@@ -15092,8 +16639,8 @@ VM_API vmi_vdp_disturbance vmi_vdp_disturbance_of(const vm_vdp_plan *p, vm_real 
 VM_API vmi_vdp_disturbance vmi_vdp_disturbance_at(const vm_vdp_plan *p, const vmi_osc_slow *now, vm_real ln_A,
                                                   vm_real W)
 {
-    const vm_real G0 = now->G[0] / now->unit / now->unit;
-    return vmi_vdp_disturbance_of(p, now->m, now->a, now->p, G0, ln_A, W);
+    const vm_real G0 = now->G[0] / now->unit / now->unit, nu = vmi_vdp_nu(p, now->a, now->p, now->k_rate);
+    return vmi_vdp_disturbance_of(p, now->m, nu, now->p, G0, ln_A, W);
 }
 
 /* The sizes of terms for estimates, for the mass and rates in *now, and for the amplitude exp(ln_A), whose phase has
@@ -15101,7 +16648,9 @@ VM_API vmi_vdp_disturbance vmi_vdp_disturbance_at(const vm_vdp_plan *p, const vm
 VM_API vmi_vdp_sizes vmi_vdp_sizes_at(const vm_vdp_plan *p, const vmi_osc_slow *now, vm_real ln_A, vm_real W)
 {
     const vmi_vdp_disturbance d = vmi_vdp_disturbance_at(p, now, ln_A, W);
-    const vm_real rate = (VM_FABS(vmi_vdp_nu(p, now->a, now->p)) + VM_FABS(now->p) + VM_FABS(now->a)) / W;
+    const vm_real rate = (VM_FABS(vmi_vdp_nu(p, now->a, now->p, now->k_rate)) + VM_FABS(now->p) +
+                          VM_FABS(now->a)) /
+                         W;
     return vmi_vdp_sizes_of(&p->osc.ripple, &d, rate);
 }
 
@@ -15213,8 +16762,8 @@ VM_API int vmi_vdp_start(const vm_vdp_plan *p, int side, vmi_vdp_mean *mean)
    plan. The field method must be valid, but it has no effect, and a1 to a3 have none. The oscillator is copied; the
    tables and contexts of its mass must outlive the plan. Errors leave the plan untouched. Returns VM_BAD_ARGUMENT for
    null pointers, an unknown method, and a mass that no constructor made, VM_NOT_FINITE for numbers that are infinite or
-   NaN, VM_BAD_MASS for a mass that is not positive at t = 0 or in a table, VM_BAD_STIFFNESS for k <= 0, VM_DOMAIN for
-   alpha < 0, a table out of order or without t = 0, or a user's function that fails. */
+   NaN, VM_BAD_MASS for a mass that is not positive at t = 0 or in a table, VM_BAD_STIFFNESS for such a stiffness,
+   VM_DOMAIN for alpha < 0, a table out of order or without t = 0, or a user's function that fails. */
 VM_API int vm_vdp_plan_init(vm_vdp_plan *p, const vm_vdp *v, vm_real x, vm_real x_rate)
 {
     vm_vdp_plan plan;
@@ -15223,7 +16772,7 @@ VM_API int vm_vdp_plan_init(vm_vdp_plan *p, const vm_vdp *v, vm_real x, vm_real 
     if (!p || !v || v->method < VM_VDP_ATEB || v->method > VM_VDP_TRIGONOMETRIC) return VM_BAD_ARGUMENT;
     o.alpha = v->alpha;
     o.mass = v->mass;
-    o.stiffness = vm_law_linear(v->k, 0);
+    o.stiffness = vmi_vdp_stiffness(v);
     o.reactive = v->reactive;
     o.damping = -v->feed;
     o.x = x;
@@ -15265,19 +16814,27 @@ typedef struct VM_TAG(vmi_vdp_nodes) {
     vm_real rate[VMI_GAUSS];
 } vmi_vdp_nodes;
 
-/* Returns ln r, where r = exp(-2 integral of p dt), for an interval of time in which the mass changes by the factor
-   exp(ln_m). `way` is the integral of dt/m over this interval. */
-VM_API vm_real vmi_vdp_ln_r(const vm_vdp_plan *p, vm_real ln_m, vm_real way)
+/* Returns ln r, where r = exp(-2 integral of p dt), for an interval of time in which mass and stiffness change by the
+   factors exp(ln_m) and exp(ln_k). `way` is the integral of dt/m over this interval. */
+VM_API vm_real vmi_vdp_ln_r(const vm_vdp_plan *p, vm_real ln_m, vm_real ln_k, vm_real way)
 {
     vm_real ln_A, ln_Om;
-    vmi_osc_adiabatic(&p->osc, ln_m, 0, p->osc.problem.damping * way, &ln_A, &ln_Om);
+    vmi_osc_adiabatic(&p->osc, ln_m, ln_k, p->osc.problem.damping * way, &ln_A, &ln_Om);
     return 2 * ln_A;
 }
 
+/* ln(k/k_start); most stiffnesses are constant, and need no logarithm */
+VM_API vm_real vmi_vdp_ln_k(vm_real k, vm_real k_start)
+{
+    if (k == k_start) return 0;
+    return vmi_log(k / k_start).hi;
+}
+
 /* Computes the first order at the nodes, and from it the terms of second order. *mean is the mean motion at the start
-   of the panel, where the mass is m_start. */
-VM_API void vmi_vdp_first_order(const vm_vdp_plan *p, const vmi_vdp_mean *mean, vm_real length, vm_real m_start,
-                                const vmi_osc_panel_laws *at, vmi_vdp_nodes *nodes, vmi_vdp_panel *panel)
+   of the panel, where *start has mass and stiffness. */
+VM_API void vmi_vdp_first_order(const vm_vdp_plan *p, const vmi_vdp_mean *mean, vm_real length,
+                                const vmi_osc_rates *start, const vmi_osc_panel_laws *at, vmi_vdp_nodes *nodes,
+                                vmi_vdp_panel *panel)
 {
     const vm_real gain = -4 / (p->vdp.alpha + 3) * p->ripple.F * p->vdp.c * vmi_exp(2 * mean->first_ln_A, 0);
     vm_real unused[VMI_GAUSS];
@@ -15286,7 +16843,8 @@ VM_API void vmi_vdp_first_order(const vm_vdp_plan *p, const vmi_vdp_mean *mean, 
     for (i = 0; i < VMI_GAUSS; i++) {
         const vmi_osc_rates *now = &at->rates[i];
         const vm_real way = length / 2 * vmi_legendre_integral(panel->laws.inverse, vmi_gauss_node(i));
-        nodes->ln_r[i] = vmi_vdp_ln_r(p, vmi_log(now->m / m_start).hi, way);
+        const vm_real ln_k = vmi_vdp_ln_k(now->k, start->k);
+        nodes->ln_r[i] = vmi_vdp_ln_r(p, vmi_log(now->m / start->m).hi, ln_k, way);
         nodes->r[i] = vmi_exp(nodes->ln_r[i], 0) / now->m;
         nodes->G0[i] = now->p * (now->p - now->a) - at->p_rate[i];
     }
@@ -15295,9 +16853,9 @@ VM_API void vmi_vdp_first_order(const vm_vdp_plan *p, const vmi_vdp_mean *mean, 
         const vmi_osc_rates *now = &at->rates[i];
         const vm_real y = 1 + gain * (length / 2) * vmi_legendre_integral(panel->r, vmi_gauss_node(i));
         const vm_real ln_A = mean->first_ln_A + (nodes->ln_r[i] - vmi_log(y).hi) / 2;
-        const vm_real W = vmi_vdp_rate(p, now->m, ln_A);
+        const vm_real W = vmi_vdp_rate(p, now->m, now->k, ln_A), nu = vmi_vdp_nu(p, now->a, now->p, now->k_rate);
         const vm_real p_noise = vmi_osc_rate_noise() / VM_FABS(length);
-        vmi_vdp_disturbance d = vmi_vdp_disturbance_of(p, now->m, now->a, now->p, nodes->G0[i], ln_A, W);
+        vmi_vdp_disturbance d = vmi_vdp_disturbance_of(p, now->m, nu, now->p, nodes->G0[i], ln_A, W);
         nodes->first_ln_A[i] = ln_A;
         nodes->first_rate[i] = y > 0 ? W : VM_NAN;
         nodes->second[i] = nodes->r[i] * vmi_vdp_mean_second(&p->ripple, &d);
@@ -15320,8 +16878,9 @@ VM_API void vmi_vdp_second_order(const vm_vdp_plan *p, const vmi_vdp_mean *mean,
         const vm_real node = vmi_gauss_node(i);
         const vm_real sum = p->ripple.F * vmi_legendre_integral(panel->r, node) + vmi_legendre_integral(second, node);
         const vm_real y = 1 + gain * (length / 2) * sum;
-        const vm_real ln_A = mean->ln_A + (nodes->ln_r[i] - vmi_log(y).hi) / 2, W = vmi_vdp_rate(p, now->m, ln_A);
-        const vmi_vdp_disturbance d = vmi_vdp_disturbance_of(p, now->m, now->a, now->p, nodes->G0[i], ln_A, W);
+        const vm_real ln_A = mean->ln_A + (nodes->ln_r[i] - vmi_log(y).hi) / 2;
+        const vm_real W = vmi_vdp_rate(p, now->m, now->k, ln_A), nu = vmi_vdp_nu(p, now->a, now->p, now->k_rate);
+        const vmi_vdp_disturbance d = vmi_vdp_disturbance_of(p, now->m, nu, now->p, nodes->G0[i], ln_A, W);
         nodes->rate[i] = y > 0 ? W * vmi_vdp_mean_rate(&p->ripple, &p->osc.ripple, &d) : VM_NAN;
         panel->kept += vmi_gauss_weight(i) / 2 * VM_FABS(length) * W / y;
     }
@@ -15335,16 +16894,18 @@ VM_API int vmi_vdp_panel_of(const vm_vdp_plan *p, const vmi_vdp_mean *mean, vm_r
     const int side = vmi_time_side(length);
     vmi_osc_panel_laws at;
     vmi_vdp_nodes nodes;
-    vm_real m_start[VMI_LAW_ORDERS], m_end[VMI_LAW_ORDERS], second[VMI_GAUSS], ln_r;
-    int status = vmi_law_derivatives(&o->mass, VM_BAD_MASS, mean->t, side, 0, m_start);
-    if (!status) status = vmi_law_derivatives(&o->mass, VM_BAD_MASS, mean->t + length, -side, 0, m_end);
+    vmi_osc_rates start, end;
+    vm_real second[VMI_GAUSS], ln_r;
+    int status = vmi_osc_rates_at(o, mean->t, side, &start);
+    if (!status) status = vmi_osc_rates_at(o, mean->t + length, -side, &end);
     if (!status) status = vmi_osc_read_laws(o, side, mean->t, length, &at, &panel->laws);
     if (status) return status;
-    vmi_vdp_first_order(p, mean, length, m_start[0], &at, &nodes, panel);
+    vmi_vdp_first_order(p, mean, length, &start, &at, &nodes, panel);
     vmi_legendre_fit(nodes.second, nodes.E, second, panel->laws.E);
     vmi_vdp_second_order(p, mean, length, &at, second, &nodes, panel);
     vmi_legendre_fit(nodes.rate, nodes.first_rate, panel->rate, panel->first_rate);
-    ln_r = vmi_vdp_ln_r(p, vmi_log(m_end[0] / m_start[0]).hi, length * panel->laws.inverse[0]);
+    ln_r = vmi_vdp_ln_r(p, vmi_log(end.m / start.m).hi, vmi_vdp_ln_k(end.k, start.k),
+                        length * panel->laws.inverse[0]);
     panel->first_ln_A = (ln_r - vmi_log(panel->first_ln_A).hi) / 2;
     panel->ln_A = (ln_r + vmi_log(panel->loss).hi) / 2;
     return VM_OK;
@@ -15358,6 +16919,7 @@ VM_API int vmi_vdp_panel_is_resolved(const vmi_vdp_panel *panel, vm_real length,
     const vm_real limit = vmi_panel_limit(length, whole), phase = panel->rate[0] * VM_FABS(length);
     if (!(panel->laws.edge <= vmi_panel_edge_limit(limit))) return 0;
     if (!vmi_panel_is_resolved(panel->laws.inverse, limit) || !vmi_panel_is_resolved(panel->r, limit)) return 0;
+    if (!vmi_panel_is_resolved(panel->laws.ratio, limit)) return 0; /* the series of the stiffness */
     if (!vmi_panel_is_resolved(panel->rate, limit) || !vmi_panel_is_resolved(panel->first_rate, limit)) return 0;
     return vmi_legendre_tail(panel->laws.E) <= E_enough * VM_SQRT(vmi_legendre_square(panel->laws.E)) +
                                                    phase_matters * (1 + 1 / phase) / phase;
@@ -15417,7 +16979,7 @@ VM_API vmi_osc_reduced vmi_vdp_state(const vm_vdp_plan *p, int order, const vmi_
     vmi_osc_reduced state;
     vmi_vdp_disturbance now;
     vmi_vdp_values f;
-    state.W = vmi_vdp_rate(p, mean->now.m, ln_A);
+    state.W = vmi_vdp_rate(p, mean->now.m, mean->now.k, ln_A);
     state.psi = order == 1 ? mean->first_psi : mean->psi;
     if (order > 1) {
         now = vmi_vdp_disturbance_at(p, &mean->now, ln_A, state.W);
@@ -15453,7 +17015,7 @@ VM_API int vmi_vdp_mean_update(const vm_vdp_plan *p, int side, vmi_vdp_mean *mea
 VM_API int vmi_vdp_walk_past_knot(const vm_vdp_plan *p, int side, vmi_vdp_mean *mean)
 {
     const vm_real quarter = p->osc.ripple.pi / 2, turns = (vm_real)side * mean->psi / quarter;
-    const vm_real W = vmi_vdp_rate(p, mean->now.m, mean->ln_A), knot = mean->t;
+    const vm_real W = vmi_vdp_rate(p, mean->now.m, mean->now.k, mean->ln_A), knot = mean->t;
     const vm_real back = -(vm_real)side * quarter * (turns - VM_FLOOR(turns)) / W;
     vmi_vdp_panel panel;
     vmi_osc_reduced state;
@@ -15478,18 +17040,18 @@ VM_API int vmi_vdp_walk_past_knot(const vm_vdp_plan *p, int side, vmi_vdp_mean *
    a quarter of a vibration, and VM_NOT_FINITE where the amplitude becomes infinite between 0 and t. */
 VM_API int vmi_vdp_mean_at(const vm_vdp_plan *p, vm_real t, vmi_vdp_mean *mean)
 {
-    const vm_law *mass = &p->osc.problem.mass;
+    const vm_osc_problem *o = &p->osc.problem;
     const int side = vmi_time_side(t);
     vm_real whole, longest, at = 0;
     int status = p->start_status;
-    if (side < 0 && mass->time) status = vmi_vdp_start(p, -1, mean);
+    if (side < 0 && (o->mass.time || o->stiffness.time)) status = vmi_vdp_start(p, -1, mean);
     else if (!status) *mean = p->start;
     if (status) return status;
     whole = vmi_larger(VM_FABS(t), VM_FABS(mean->t));
-    longest = vmi_law_longest_panel(mass, whole);
+    longest = vmi_smaller(vmi_law_longest_panel(&o->mass, whole), vmi_law_longest_panel(&o->stiffness, whole));
     mean->fast.shortest = longest;
     while (!status) {
-        const vm_real next = vmi_law_next_knot(mass, at, t);
+        const vm_real next = vmi_osc_next_knot(o, at, t);
         if (next != t && (vm_real)side * (mean->t - next) > 0) return VM_NOT_INTEGRATED;
         status = vmi_vdp_walk_piece(p, next, longest, whole, mean);
         if (!status) status = vmi_vdp_mean_update(p, side, mean);
@@ -15498,6 +17060,158 @@ VM_API int vmi_vdp_mean_at(const vm_vdp_plan *p, vm_real t, vmi_vdp_mean *mean)
         at = next;
     }
     return status;
+}
+
+#endif
+/* oscillators/van_der_pol_constant.h - the mean motion of a Van der Pol oscillator of constant mass and stiffness
+
+   The mean motion of oscillators/van_der_pol_walk.h is an integral along the laws. If mass and stiffness are constant,
+   no walk along them is needed. With alpha = 1, Van der Pol's own equation, the integrals have closed forms. Let
+   kappa = feed/m, beta = -F (c/m) A_0^2 with the constant F = -1/4, z = beta/kappa, and y = 1 + z (e^(kappa t) - 1). To
+   first order the amplitude A is A_0 R^(1/2) with R = e^(kappa t)/y, and
+       integral of R dt = ln(y)/beta,   integral of R^2 dt = (kappa ln(y)/beta - R + 1)/beta.
+   The terms of second order are such integrals, too (vmi_vdp_closed_loss). For other alpha the walk ends where the limit
+   cycle is reached: from there on the phase grows evenly. So the cost does not depend on t.
+       vmi_vdp_mean mean;
+       int status = vmi_vdp_mean_motion(&plan, 100, &mean); // plan is a vm_vdp_plan
+   Tests: tests/test_van_der_pol_law.c. */
+#ifndef VARMASS_OSCILLATORS_VAN_DER_POL_CONSTANT_H
+#define VARMASS_OSCILLATORS_VAN_DER_POL_CONSTANT_H
+
+/* Whether a law is constant, as far as its form tells */
+VM_API int vmi_vdp_is_constant(const vm_law *law)
+{
+    vm_real base, rate;
+    return vmi_law_exponential_form(law, &base, &rate) && rate == 0;
+}
+
+/* The growth of the first-order amplitude from the start of the mean motion to a later or earlier time */
+typedef struct VM_TAG(vmi_vdp_growth_course) {
+    vm_real kappa, beta, z; /* see the top of this file; kappa and beta are in 1/s */
+    vm_real ln_R, R;        /* R = (A/A_0)^2, and its logarithm */
+    vm_real ln_y, q;        /* ln(y), and q = 1/y */
+} vmi_vdp_growth_course;
+
+/* Computes kappa, beta and z for a start of the mean motion. s = 4/(alpha+3) is 1 for alpha = 1. */
+VM_API vmi_vdp_growth_course vmi_vdp_course_from(const vm_vdp_plan *p, const vmi_vdp_mean *start)
+{
+    vmi_vdp_growth_course g;
+    g.kappa = p->vdp.feed / start->now.m;
+    g.beta = -p->ripple.F * (p->vdp.c / start->now.m) * vmi_exp(2 * start->ln_A, 0);
+    g.z = g.beta / g.kappa;
+    return g;
+}
+
+/* Computes the growth over `time` seconds, of either sign. The code uses exp(-|kappa time|), so that nothing overflows.
+   Returns VM_NOT_FINITE where the amplitude becomes infinite on the way. */
+VM_API int vmi_vdp_grow(vmi_vdp_growth_course *g, vm_real time)
+{
+    const vm_real x = g->kappa * time, e = vmi_exp(-VM_FABS(x), 0);
+    vm_real free_part = 1 - g->z, limit_part = g->z, sum;
+    if (x >= 0) free_part *= e;
+    else limit_part *= e;
+    sum = free_part + limit_part; /* y if x < 0, else y e^-x */
+    if (!(sum > 0)) return VM_NOT_FINITE;
+    g->ln_y = vmi_log(sum).hi;
+    g->q = 1 / sum;
+    if (x >= 0) {
+        g->ln_R = -g->ln_y;
+        g->ln_y += x;
+        g->q *= e;
+    } else {
+        g->ln_R = x - g->ln_y;
+    }
+    g->R = vmi_exp(g->ln_R, 0);
+    return VM_OK;
+}
+
+/* The terms of second order of y, divided by y, for alpha = 1. They are integrals of e^(kappa t) times 1, A^2 and
+   A^4. */
+VM_API vm_real vmi_vdp_closed_loss(const vm_vdp_plan *p, const vmi_vdp_growth_course *g, vm_real W)
+{
+    const vmi_vdp_ripple *v = &p->ripple;
+    const vm_real a = 1 - g->z, z = g->z, q = g->q, B = -g->beta / v->F; /* B = (c/m) A_0^2 */
+    const vm_real rate_p = -g->kappa / 2, nu = g->kappa, G0 = -g->kappa * g->kappa / 4;
+    const vm_real J0 = (g->R - q) / g->kappa;
+    const vm_real J2 = (1 - q - a * g->ln_y * q) / (g->kappa * z * z);
+    const vm_real J4 = (1 - q - 2 * a * g->ln_y * q + a * a * (q - q * q)) / (g->kappa * z * z * z);
+    return -B * (v->K3 * (B / W) * (B / W) * J4 + (nu * v->K1 + rate_p * v->KQ) / W * (B / W) * J2 +
+                 v->KE * G0 / W / W * J0);
+}
+
+/* Computes the mean motion at t in closed form, for alpha = 1. *mean is its start. */
+VM_API int vmi_vdp_closed(const vm_vdp_plan *p, vmi_vdp_growth_course *g, vm_real t, vmi_vdp_mean *mean)
+{
+    const vmi_ripple *r = &p->osc.ripple;
+    const vm_real time = t - mean->t, W = vmi_vdp_rate(p, mean->now.m, mean->now.k, mean->ln_A);
+    const vm_real B = -g->beta / p->ripple.F, G0 = -g->kappa * g->kappa / 4, E0 = G0 / W / W;
+    vm_real loss, square, fourth;
+    int status = vmi_vdp_grow(g, time);
+    if (status) return status;
+    loss = 1 + vmi_vdp_closed_loss(p, g, W);
+    if (!(loss > 0)) return VM_NOT_FINITE;
+    square = g->ln_y / g->beta;
+    fourth = (g->kappa * square - (g->R - 1)) / g->beta;
+    mean->first_psi += W * time;
+    mean->psi += W * time + p->ripple.K2 * B * B * fourth / W + r->mean4 * B * (g->kappa / 2) * square / W +
+                 r->mean2 * G0 * time / W;
+    mean->first_ln_A += g->ln_R / 2;
+    mean->ln_A += (g->ln_R - vmi_log(loss).hi) / 2;
+    mean->J_error *= g->q / loss;
+    mean->J_third *= g->q / loss;
+    mean->psi_third += VM_FABS(W * time * vmi_expansion_second(r)) * E0 * E0;
+    mean->t = t;
+    mean->fast.shortest = vmi_larger(VM_FABS(t), VM_FABS(time));
+    return VM_OK;
+}
+
+/* The time, s, from the start of the mean motion, after which the limit cycle is reached to rounding errors in the
+   direction `side` of time; infinite if the motion does not tend to a limit cycle. */
+VM_API vm_real vmi_vdp_settling_time(const vm_vdp_plan *p, const vmi_vdp_growth_course *g, int side)
+{
+    const vm_real digits = VM_MANT_DIG > 24 ? 45 : 24; /* exp(-45) is below the rounding error */
+    const vm_real share = 4 / (p->vdp.alpha + 3);
+    if (!((vm_real)side * g->kappa > 0) || !(g->z > 0)) return VM_INFINITY;
+    return (digits + VM_FABS(vmi_log(g->z).hi)) / (share * VM_FABS(g->kappa));
+}
+
+/* Advances the mean motion on the limit cycle to t. */
+VM_API void vmi_vdp_stay(const vm_vdp_plan *p, vm_real t, vmi_vdp_mean *mean)
+{
+    const vmi_ripple *r = &p->osc.ripple;
+    const vm_real time = t - mean->t, W = vmi_vdp_rate(p, mean->now.m, mean->now.k, mean->ln_A);
+    const vmi_vdp_disturbance now = vmi_vdp_disturbance_at(p, &mean->now, mean->ln_A, W);
+    mean->psi += time * W * vmi_vdp_mean_rate(&p->ripple, r, &now);
+    mean->first_psi += time * vmi_vdp_rate(p, mean->now.m, mean->now.k, mean->first_ln_A);
+    mean->psi_third += VM_FABS(time * W * vmi_expansion_second(r)) * now.E0 * now.E0;
+    mean->t = t;
+}
+
+/* Computes the mean motion at t: in closed form if there is one, or by a walk along the laws as far as it is needed. The
+   statuses are those of vmi_vdp_mean_at. */
+VM_API int vmi_vdp_mean_motion(const vm_vdp_plan *p, vm_real t, vmi_vdp_mean *mean)
+{
+    const vm_real extreme = VM_C(1e6); /* for larger |z|, or smaller than its inverse, the closed form divides by about 0 */
+    const int side = vmi_time_side(t);
+    vmi_vdp_growth_course g;
+    vm_real settled;
+    int status = p->start_status;
+    if (status) return status;
+    if (!vmi_vdp_is_constant(&p->osc.problem.mass) || !vmi_vdp_is_constant(&p->osc.problem.stiffness))
+        return vmi_vdp_mean_at(p, t, mean);
+    g = vmi_vdp_course_from(p, &p->start);
+    if (p->vdp.alpha == 1 && VM_FABS(g.z) < extreme && VM_FABS(g.z) * extreme > 1) {
+        *mean = p->start;
+        status = vmi_vdp_closed(p, &g, t, mean);
+        if (status) return status;
+        return vmi_vdp_mean_update(p, side, mean);
+    }
+    settled = p->start.t + (vm_real)side * vmi_vdp_settling_time(p, &g, side);
+    if (!(VM_FABS(settled) < VM_FABS(t))) return vmi_vdp_mean_at(p, t, mean);
+    status = vmi_vdp_mean_at(p, settled, mean);
+    if (status) return status;
+    vmi_vdp_stay(p, t, mean);
+    return vmi_vdp_mean_update(p, side, mean);
 }
 
 #endif
@@ -15545,7 +17259,7 @@ VM_API vm_real vmi_vdp_error(const vm_vdp_plan *p, const vmi_vdp_mean *mean, vm_
 {
     const vmi_ripple *r = &p->osc.ripple;
     const vm_real n = r->alpha + 1, largest_known = VM_C(0.25); /* where the estimate is larger the error is unknown */
-    const vm_real W = vmi_vdp_rate(p, mean->now.m, mean->ln_A), turns = VM_FABS(mean->psi - p->start.psi);
+    const vm_real W = vmi_vdp_rate(p, mean->now.m, mean->now.k, mean->ln_A), turns = VM_FABS(mean->psi - p->start.psi);
     const vmi_vdp_sizes now = vmi_vdp_sizes_at(p, &mean->now, mean->ln_A, W);
     const vm_real back = 2 / n * now.psi + 2 / (n + 2) * now.J;
     const vm_real all = back + 2 / n * mean->psi_error + 2 / (n + 2) * mean->J_error;
@@ -15622,7 +17336,7 @@ VM_API int vmi_vdp_check_call(const vm_vdp_plan *p, vm_real t, vm_real *toleranc
    leaves *motion untouched; it returns
      VM_BAD_ARGUMENT for null pointers or a route that is not one of the five,
      VM_NOT_FINITE for a number that is infinite or NaN, and for the law where the amplitude becomes infinite before t,
-     VM_BAD_MASS for a mass that is not positive between 0 and t,
+     VM_BAD_MASS or VM_BAD_STIFFNESS for a law that is not positive between 0 and t,
      VM_DOMAIN for a negative tolerance, t outside a table, a table out of order, or a user's function that fails,
      VM_NOT_INTEGRATED where amplitude and phase do not describe the motion, for the law and collocation,
      VM_NOT_INTEGRATED for the law where a table has points closer than a quarter of a vibration,
@@ -15637,7 +17351,7 @@ VM_API int vm_vdp_plan_by_route(const vm_vdp_plan *p, int route, vm_real t, vm_r
     if (status) return status;
     if (p->osc.A == 0) return vmi_osc_at_rest(&p->osc, route, motion);
     if (!by_law) return vmi_vdp_integrate(p, route, t, tolerance, motion);
-    status = vmi_vdp_mean_at(p, t, &mean);
+    status = vmi_vdp_mean_motion(p, t, &mean);
     if (status) return status;
     return vmi_vdp_order_n(p, route, &mean, motion);
 }
@@ -15652,7 +17366,7 @@ VM_API int vmi_vdp_law_within(const vm_vdp_plan *p, vm_real t, vm_real tolerance
     vmi_vdp_mean mean;
     vm_osc_motion result;
     int route;
-    if (vmi_vdp_mean_at(p, t, &mean)) return VM_TOLERANCE_MISSED;
+    if (vmi_vdp_mean_motion(p, t, &mean)) return VM_TOLERANCE_MISSED;
     for (route = VM_ROUTE_ATEB; route <= VM_ROUTE_ORDER3; route++) {
         if (vmi_vdp_order_n(p, route, &mean, &result)) return VM_TOLERANCE_MISSED;
         if (!(reserve * result.error <= tolerance)) continue;
@@ -15723,29 +17437,31 @@ VM_API void vmi_vdp_cycle_coefficients(const vmi_vdp_ripple *v, const vmi_ripple
 /* Limit cycle of a Van der Pol oscillator of constant mass, to second order in epsilon.
    epsilon = feed/(m W), where W is the rate of the phase, 1/s, at the amplitude A of vm_vdp_limit_cycle. Then the
    largest x is A (1 + kx epsilon^2) and the period is 2 Pi_alpha/(W (1 + kw epsilon^2)), with kx = 1/192 and kw = -1/16
-   for alpha = 1. Both are right to O(epsilon^4). The mass is that of the law v->mass at t = 0; the fields method,
+   for alpha = 1. Both are right to O(epsilon^4). Mass and stiffness are those at t = 0; the fields method,
    reactive and a1 to a3 do not matter. Returns VM_BAD_ARGUMENT for null pointers, an unknown method, and a mass that no
    constructor made, VM_NOT_FINITE for numbers that are infinite or NaN, VM_BAD_MASS for a mass that is not positive,
-   VM_BAD_STIFFNESS for k <= 0, VM_DOMAIN for alpha < 0 or a law that fails, and VM_NO_LAW where there is no limit
+   VM_BAD_STIFFNESS for such a stiffness, VM_DOMAIN for alpha < 0 or a law that fails, and VM_NO_LAW where there is no limit
    cycle, that is unless feed and c have the same sign. An error leaves *cycle untouched. */
 VM_API int vm_vdp_cycle_of(const vm_vdp *v, vm_vdp_cycle *cycle)
 {
     vmi_ripple r;
     vmi_vdp_ripple ripple;
     vm_vdp_cycle result;
-    vm_real mass, mass_rate, A, W, kx, kw, numbers[3];
+    vm_real mass, mass_rate, k, k_rate, A, W, kx, kw, numbers[3];
     int status;
     if (!v || !cycle || v->method < VM_VDP_ATEB || v->method > VM_VDP_TRIGONOMETRIC) return VM_BAD_ARGUMENT;
     status = vmi_first_error(vmi_vdp_check(v), vmi_law_check(&v->mass, VM_BAD_MASS, 0));
-    if (!status) status = vmi_law_at(&v->mass, VM_BAD_MASS, 0, &mass, &mass_rate);
+    if (vmi_vdp_has_stiffness_law(v))
+        status = vmi_first_error(status, vmi_law_check(&v->stiffness, VM_BAD_STIFFNESS, 0));
+    if (!status) status = vmi_vdp_laws_at(v, 0, &mass, &mass_rate, &k, &k_rate);
     if (status) return status;
     if (!((v->feed > 0 && v->c > 0) || (v->feed < 0 && v->c < 0))) return VM_NO_LAW;
     vmi_ripple_init(&r, v->alpha, vmi_ateb_constants);
-    vmi_ripple_complete(&r);
+    vmi_ripple_complete(&r, 5);
     vmi_vdp_ripple_init(&ripple, &r);
     vmi_vdp_cycle_coefficients(&ripple, &r, &kx, &kw);
     A = VM_SQRT(v->feed / v->c / -ripple.F);
-    W = vmi_slow_rate(A, v->k, mass, v->alpha);
+    W = vmi_slow_rate(A, k, mass, v->alpha);
     result.epsilon = v->feed / mass / W;
     result.largest_x = A * (1 + kx * result.epsilon * result.epsilon);
     result.period = 2 * r.pi / (W * (1 + kw * result.epsilon * result.epsilon));
@@ -16217,8 +17933,8 @@ VM_API int vmi_jeffcott_find_bracket(vmi_jeffcott_orbit *o, vmi_jeffcott_bracket
    products stay constant (509):
      A^4 (g^2 + m K_e(A)) for r = 1, which is the square of A^2 (m W - g);   A^4 K_e(A) m^(2r-1) for g = 0.
    For F_e = k rho^alpha and g = 0 the radius follows vm_osc_amplitude_law, with mass/mass0 and decay 0; its relative
-   error is then at most 3e-15 (float 3e-6). Returns NaN for g != 0 with r != 1, since the radius then depends on all
-   masses in between; where no radius is found on the way from first_A; for null pointers, for a rotor without
+   error is then at most 3e-15 (float 3e-6). Returns NaN for g != 0 with r != 1, for which vm_jeffcott_whirl_amplitude
+   integrates; where no radius is found on the way from first_A; for null pointers, for a rotor without
    stiffness, and for a radius or masses that are not positive and finite. */
 VM_API vm_real vm_jeffcott_amplitude(const vm_jeffcott *r, vm_real first_A, vm_real mass0, vm_real mass)
 {
@@ -16244,6 +17960,256 @@ VM_API vm_real vm_jeffcott_amplitude(const vm_jeffcott *r, vm_real first_A, vm_r
 }
 
 #endif
+/* oscillators/jeffcott_motion.h - the motion z(t) of the Jeffcott (Laval) rotor by its amplitude law and a phase
+
+   A whirl z = A e^(i psi) on a circle (497) with the velocity z' = i W z (498) has the phase psi, the integral of its
+   frequency W over time (499). Where neither an external force nor a velocity u of the mass acts, the radius A depends
+   on the mass alone, so that W is a known function of time: psi is an integral, and has a closed form for a power law
+   of the shaft without gyroscopic moments. On a linear shaft a forward and a backward whirl add up to any motion: this
+   is (481), (482), with any start, reactive force and gyroscopic moment. The letters and the vm_jeffcott are those of
+   oscillators/jeffcott.h; g is its gyro, r its reactive. Shortest useful call:
+       vm_power_force shaft = {4, 1}; // F_e = 4 N/m rho
+       vm_jeffcott_whirl whirl;
+       vm_jeffcott rotor;
+       int status;
+       memset(&rotor, 0, sizeof rotor);
+       rotor.stiffness = vm_jeffcott_power;
+       rotor.stiffness_ctx = &shaft;
+       rotor.mass = vm_law_linear(1, VM_C(0.01)); // 1 kg, and 0.01 kg/s joins
+       status = vm_jeffcott_whirl_at(&rotor, 1, 0, 1, 20, &whirl); // forward, radius 1 m and angle 0 at t = 0
+   All of this is averaged: the error of A is of first order in the relative change of the mass within a radian of the
+   phase, and the error of psi too, up to times of the order of the inverse of this change.
+   Tests: tests/test_jeffcott_motion.c. */
+#ifndef VARMASS_OSCILLATORS_JEFFCOTT_MOTION_H
+#define VARMASS_OSCILLATORS_JEFFCOTT_MOTION_H
+
+/* A circular whirl at one time */
+typedef struct VM_TAG(vm_jeffcott_whirl) {
+    vm_real radius;    /* A, m */
+    vm_real angle;     /* psi, rad; it counts all turns */
+    vm_real frequency; /* W = psi', rad/s; negative for backward whirl */
+    vm_complex z, v;   /* position A e^(i psi) and velocity i W z of the disc's centre, m and m/s */
+} vm_jeffcott_whirl;
+
+/* -- The radius as a function of the mass -- */
+
+/* A change of mass along which the radius is integrated: the radius and the mass at its start, and the sense of the
+   whirl, 1 forward or -1 backward */
+typedef struct VM_TAG(vmi_jeffcott_change) {
+    const vm_jeffcott *r;
+    vm_real first_A, mass0;
+    int sense;
+} vmi_jeffcott_change;
+
+/* The derivative of ln A with respect to s = ln(m/mass0), by (504) with m as the independent variable:
+     (ln A)' (2 + m K_e' A/(2 S^2)) = (1 - r) (1 + g/S) - m K_e/(2 S^2),   S = m W - g,
+   where K_e' is the derivative of the stiffness K_e with respect to the radius. An ode_rhs of the single state ln(A/
+   first_A). */
+VM_API int vmi_jeffcott_change_rhs(vm_real s, const vm_real *y, vm_real *dyds, void *change)
+{
+    const vmi_jeffcott_change *c = (const vmi_jeffcott_change *)change;
+    const vm_real mass = c->mass0 * vmi_exp(s, 0), A = c->first_A * vmi_exp(y[0], 0), g = c->r->gyro;
+    vm_real slope, S, share;
+    const vm_real stiffness = vmi_jeffcott_stiffness(c->r, A, &slope), square = g * g + mass * stiffness;
+    if (!(square > 0)) return VM_BAD_STIFFNESS;
+    S = VM_SQRT(square);
+    share = mass / (2 * square);
+    if (c->sense < 0) S = -S;
+    dyds[0] = ((1 - c->r->reactive) * (1 + g / S) - share * stiffness) / (2 + share * slope * A);
+    return VM_OK;
+}
+
+/* Radius of circular whirl, m, after the mass has changed slowly, for any share of the reactive force.
+   Where vm_jeffcott_amplitude has the radius, for g = 0 or r = 1, this is the result. Otherwise A^2 S grows with the
+   mass by (1 - r) (1 + g/S) per relative change of the mass, S = m W - g, and the function integrates this over the
+   mass by rk87; the relative error is at most 1e-13 (float 3e-6). The radius was first_A when the mass was mass0;
+   `mass` is the mass after the change. sense >= 0 means forward, sense < 0 backward whirl. Returns NaN where
+   vm_jeffcott_amplitude does, but for g != 0 with r != 1, and where g^2 + m K_e(A) is not positive on the way. */
+VM_API vm_real vm_jeffcott_whirl_amplitude(const vm_jeffcott *r, vm_real first_A, vm_real mass0, vm_real mass,
+                                           int sense)
+{
+    const vm_real tolerance = 16 * VM_EPSILON;
+    vm_real work[RK87_WORK(1)], y = 0;
+    rk87_options options = rk45_defaults(NULL);
+    vmi_jeffcott_change change;
+    rk87 run;
+    if (!r || r->gyro == 0 || r->reactive == 1) return vm_jeffcott_amplitude(r, first_A, mass0, mass);
+    if (!r->stiffness || !(first_A > 0) || !(mass0 > 0) || !(mass > 0) || !VM_IS_FINITE(first_A) ||
+        !VM_IS_FINITE(mass0) || !VM_IS_FINITE(mass) || !VM_IS_FINITE(r->reactive) || !VM_IS_FINITE(r->gyro))
+        return VM_NAN;
+    change.r = r;
+    change.first_A = first_A;
+    change.mass0 = mass0;
+    change.sense = sense;
+    options.atol = tolerance;
+    options.rtol = -1; /* errors of ln A are absolute */
+    if (rk87_init(&run, vmi_jeffcott_change_rhs, &change, 1, 0, &y, &options, work) < 0) return VM_NAN;
+    if (rk87_solve(&run, vmi_log(mass / mass0).hi) < 0) return VM_NAN;
+    return first_A * vmi_exp(run.y[0], 0);
+}
+
+/* -- The phase -- */
+
+/* A circular whirl whose frequency is integrated over time */
+typedef struct VM_TAG(vmi_jeffcott_phase) {
+    const vm_jeffcott *r;
+    vm_real first_A, mass0; /* radius and mass at t = 0 */
+    int sense;
+} vmi_jeffcott_phase;
+
+/* Writes the radius and the frequency of the whirl for this mass. Returns VM_BAD_STIFFNESS where there is none. */
+VM_API int vmi_jeffcott_whirl_of_mass(const vmi_jeffcott_phase *p, vm_real mass, vm_real *A, vm_real *W)
+{
+    *A = vm_jeffcott_whirl_amplitude(p->r, p->first_A, p->mass0, mass, p->sense);
+    *W = vm_jeffcott_frequency(p->r, *A, mass, p->sense);
+    if (!VM_IS_FINITE(*W) || *W == 0) return VM_BAD_STIFFNESS;
+    return VM_OK;
+}
+
+/* The frequency W at time t. A vmi_integrand; phase points to a vmi_jeffcott_phase. */
+VM_API int vmi_jeffcott_frequency_at(vm_real t, int side, vm_real *W, void *phase)
+{
+    const vmi_jeffcott_phase *p = (const vmi_jeffcott_phase *)phase;
+    vm_real m[VMI_LAW_ORDERS], A;
+    const int status = vmi_law_derivatives(&p->r->mass, VM_BAD_MASS, t, side, 0, m);
+    if (status) return status;
+    return vmi_jeffcott_whirl_of_mass(p, m[0], &A, W);
+}
+
+/* Computes the phase in closed form, where the frequency was W at t = 0, and returns whether there is one: for F_e = k
+   rho^alpha and g = 0 the frequency is proportional to m^-q, with 2 q = 1 + (alpha - 1) (2 r - 1)/(alpha + 3), and the
+   law of the mass has an exponential form (oscillators/laws.h). (482) is this for alpha = 1, m = m0 (1 + c t)^2. */
+VM_API int vmi_jeffcott_phase_closed(const vm_jeffcott *r, vm_real W, vm_real t, vm_real *psi)
+{
+    vm_real base, rate, q, u;
+    const vm_power_force *p = (const vm_power_force *)r->stiffness_ctx;
+    if (r->stiffness != vm_jeffcott_power || r->gyro != 0) return 0;
+    if (!vmi_law_exponential_form(&r->mass, &base, &rate)) return 0;
+    q = (1 + (p->alpha - 1) / (p->alpha + 3) * (2 * r->reactive - 1)) / 2;
+    u = t * vmi_log_ratio(base * t);
+    *psi = W * u * vmi_exp_ratio((base - q * rate) * u);
+    return 1;
+}
+
+/* Computes the phase from 0 to t by quadrature along the law of the mass. */
+VM_API int vmi_jeffcott_phase_by_panels(vmi_jeffcott_phase *p, vm_real t, vm_real *psi)
+{
+    const vm_law *mass = &p->r->mass;
+    vm_real at = 0;
+    int status = VM_OK;
+    *psi = 0;
+    while (!status && at != t) {
+        const vm_real next = vmi_law_next_knot(mass, at, t), whole = VM_FABS(t);
+        status = vmi_add_integral(vmi_jeffcott_frequency_at, p, at, next, vmi_law_longest_panel(mass, whole), whole,
+                                  psi);
+        at = next;
+    }
+    return status;
+}
+
+/* Checks what the motions of this chapter ask for: a rotor without load, and finite positive masses from 0 to t. Writes
+   the masses at 0 and at t. */
+VM_API int vmi_jeffcott_check_motion(const vm_jeffcott *r, vm_real t, vm_real *mass0, vm_real *mass)
+{
+    vm_real rate;
+    int status;
+    if (!r->stiffness || !r->mass.derivatives) return VM_BAD_ARGUMENT;
+    if (!VM_IS_FINITE(t) || !VM_IS_FINITE(r->gyro) || !VM_IS_FINITE(r->reactive) || !VM_IS_FINITE(r->u.re) ||
+        !VM_IS_FINITE(r->u.im))
+        return VM_NOT_FINITE;
+    status = vmi_law_check(&r->mass, VM_BAD_MASS, t);
+    if (!status) status = vmi_jeffcott_mass_at(r, 0, mass0, &rate);
+    if (!status) status = vmi_jeffcott_mass_at(r, t, mass, &rate);
+    if (!status && (r->force || r->u.re != 0 || r->u.im != 0)) return VM_NO_LAW;
+    return status;
+}
+
+/* Circular whirl of the rotor at time t, of either sign, from radius and angle at t = 0: (497)-(499).
+   first_A > 0 is the radius (m) and first_angle the angle (rad) at t = 0; sense >= 0 means forward, sense < 0 backward
+   whirl. The radius is vm_jeffcott_whirl_amplitude. The angle has a closed form for a power law of the shaft
+   (vm_jeffcott_power) with g = 0 and a mass that is constant, linear, exponential or a power; it is then within 8 eps
+   of the phase. Otherwise it is the integral of the frequency by Gauss' rule on panels of 20 points, each of which asks
+   for the radius; it is then within 1e-12 (float 1e-4) of the phase for a smooth stiffness. The velocity is i W z,
+   without the small radial velocity. Returns VM_BAD_ARGUMENT for null pointers and a rotor without mass or stiffness,
+   VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS where there is no such whirl, VM_DOMAIN for a radius that is not
+   positive or t outside a table, and VM_NO_LAW for a rotor with a force or a velocity u. */
+VM_API int vm_jeffcott_whirl_at(const vm_jeffcott *r, vm_real first_A, vm_real first_angle, int sense, vm_real t,
+                                vm_jeffcott_whirl *whirl)
+{
+    vmi_jeffcott_phase phase;
+    vm_jeffcott_whirl w;
+    vm_real mass, psi, first_W, unused;
+    int status;
+    if (!r || !whirl) return VM_BAD_ARGUMENT;
+    status = vmi_jeffcott_check_motion(r, t, &phase.mass0, &mass);
+    if (!VM_IS_FINITE(first_A) || !VM_IS_FINITE(first_angle)) status = vmi_first_error(status, VM_NOT_FINITE);
+    else if (first_A <= 0) status = vmi_first_error(status, VM_DOMAIN);
+    if (status) return status;
+    phase.r = r;
+    phase.first_A = first_A;
+    phase.sense = sense;
+    status = vmi_jeffcott_whirl_of_mass(&phase, phase.mass0, &unused, &first_W);
+    if (!status) status = vmi_jeffcott_whirl_of_mass(&phase, mass, &w.radius, &w.frequency);
+    if (status) return status;
+    if (!vmi_jeffcott_phase_closed(r, first_W, t, &psi)) status = vmi_jeffcott_phase_by_panels(&phase, t, &psi);
+    if (status) return status;
+    w.angle = first_angle + psi;
+    w.z = vmi_c_scale(w.radius, vmi_c_turn(w.angle));
+    w.v = vmi_c_times_i(w.frequency, w.z);
+    if (!VM_IS_FINITE(w.angle) || !VM_IS_FINITE(w.v.re) || !VM_IS_FINITE(w.v.im)) return VM_NOT_FINITE;
+    *whirl = w;
+    return VM_OK;
+}
+
+/* -- Any motion on a linear shaft -- */
+
+/* Adds the whirl of this sense that was at z = first at t = 0, if it is there, to the motion (x, y, x', y') at t. */
+VM_API int vmi_jeffcott_add_whirl(const vm_jeffcott *r, vm_complex first, int sense, vm_real t, vm_real *motion)
+{
+    const vm_real A = vmi_c_modulus(first);
+    vm_jeffcott_whirl w;
+    int status;
+    if (A == 0) return VM_OK;
+    status = vm_jeffcott_whirl_at(r, A, vmi_atan2(first.im, first.re), sense, t, &w);
+    if (status) return status;
+    motion[0] += w.z.re;
+    motion[1] += w.z.im;
+    motion[2] += w.v.re;
+    motion[3] += w.v.im;
+    return VM_OK;
+}
+
+/* Motion of a rotor on a linear shaft at time t, of either sign, from its motion at t = 0: (480)-(482).
+   start and motion are (x, y, x', y') in m and m/s; they may be the same array. The motion is the sum of a forward
+   whirl P and a backward whirl N, which do not disturb each other: z = P + N, z' = i (W1 P + W2 N) with the frequencies
+   W1 > 0 and W2 < 0 of vm_jeffcott_frequency. Each follows vm_jeffcott_whirl_at, with the gyroscopic moment g and any
+   share r of the reactive force. Where P and conj(N) are equal, the rotor oscillates along a line (481). The statuses
+   are those of vm_jeffcott_whirl_at, and VM_NO_LAW for a shaft that is not linear. */
+VM_API int vm_jeffcott_linear_at(const vm_jeffcott *r, const vm_real *start, vm_real t, vm_real *motion)
+{
+    vm_real mass0, mass, slope, stiffness, W1, W2, found[4] = {0, 0, 0, 0};
+    vm_complex z, P;
+    int status;
+    if (!r || !start || !motion) return VM_BAD_ARGUMENT;
+    status = vmi_jeffcott_check_motion(r, t, &mass0, &mass);
+    if (!vmi_all_finite(4, start)) status = vmi_first_error(status, VM_NOT_FINITE);
+    if (status) return status;
+    z = vmi_complex(start[0], start[1]);
+    stiffness = vmi_jeffcott_stiffness(r, vmi_c_modulus(z), &slope);
+    if (stiffness <= 0) return VM_BAD_STIFFNESS;
+    if (slope != 0) return VM_NO_LAW;
+    W1 = vmi_jeffcott_root(r->gyro, mass0, stiffness, 1);
+    W2 = vmi_jeffcott_root(r->gyro, mass0, stiffness, -1);
+    if (!VM_IS_FINITE(W1) || !VM_IS_FINITE(W2) || !(W1 - W2 > 0)) return VM_NOT_FINITE;
+    P = vmi_c_times_i(-1, vmi_complex(start[2], start[3])); /* z'/i */
+    P = vmi_c_scale(1 / (W1 - W2), vmi_c_sub(P, vmi_c_scale(W2, z)));
+    status = vmi_jeffcott_add_whirl(r, P, 1, t, found);
+    if (!status) status = vmi_jeffcott_add_whirl(r, vmi_c_sub(z, P), -1, t, found);
+    if (status) return status;
+    return vmi_copy_if_finite(4, found, motion);
+}
+
+#endif
 /* oscillators/pair.h - two bodies with a nonlinear connection
 
    Two bodies of equal mass m(t), with coordinates x and y on a line and a spring between them (517), (518):
@@ -16261,6 +18227,7 @@ VM_API vm_real vm_jeffcott_amplitude(const vm_jeffcott *r, vm_real first_A, vm_r
        p.mass = vm_law_linear(1, VM_C(0.01)); // 1 kg, and 0.01 kg/s joins at rest
        int status = vm_pair_at(&p, 50, y, y); // the motion at t = 50 s
 
+   Bodies of different masses, several springs, damping and further forces are in coupled_pair.h.
    Tests: tests/test_pair.c. */
 #ifndef VARMASS_OSCILLATORS_PAIR_H
 #define VARMASS_OSCILLATORS_PAIR_H
@@ -16407,31 +18374,264 @@ VM_API int vm_pair_averaged_rhs(vm_real t, const vm_real *modes, vm_real *dmodes
     return VM_OK;
 }
 
+/* Computes the modes at time t from the motion y0 at t = 0, in closed form for a linear mass, and the mass at t.
+   Method: the averaged equations contain powers of m/m0, where m0 is the mass at t = 0. For any exponent e the integral of
+   (m/m0)^e dt is m0 (exp(u) - 1)/u times the integral of dt/m, with u = (1 + e) ln(m/m0). */
+VM_API int vmi_pair_modes_at(const vm_pair *p, vm_real t, const vm_real *y0, vmi_linear_mass *m, vm_real *modes)
+{
+    const vm_real fall = (2 * p->reactive - 1) / (p->alpha + 3); /* A is proportional to (m/m0)^-fall */
+    vm_real rate0, exponent;
+    int status = vmi_pair_now(p, 0, y0, &m->m0, &m->rate);
+    if (status != VM_BAD_ARGUMENT && !VM_IS_FINITE(t)) status = VM_NOT_FINITE;
+    if (!status) status = vmi_linear_mass_of(&p->mass, t, m);
+    if (!status) status = vmi_pair_split(p, m->m0, m->rate, y0, modes);
+    if (status) return status;
+    rate0 = vmi_slow_rate(modes[VMI_PAIR_A], 2 * p->k, m->m0, p->alpha);
+    exponent = VM_C(0.5) - (p->alpha - 1) / 2 * fall;
+    modes[VMI_PAIR_PSI] += rate0 * m->m0 * m->integral * vmi_exp_ratio(exponent * m->ln_ratio);
+    modes[VMI_PAIR_A] *= vmi_exp(-fall * m->ln_ratio, 0);
+    modes[VMI_PAIR_SUM] +=
+        modes[VMI_PAIR_SUM_RATE] * m->m0 * m->integral * vmi_exp_ratio((1 - p->reactive) * m->ln_ratio);
+    modes[VMI_PAIR_SUM_RATE] *= vmi_exp(-p->reactive * m->ln_ratio, 0);
+    return VM_OK;
+}
+
 /* Motion of two bodies at time t, in closed form for a linear mass: (528), (529) with p0 = y(0) - x(0). y0 = (x, y, x',
    y') is the motion at t = 0. The error is of the order of m'/(m Om) up to the time m/m', where Om is the rate of the
    Ateb phase of y - x. Returns the statuses of vm_pair_to_averaged, at 0 and at t, and VM_NO_LAW where the mass is
-   neither linear nor constant (integrate vm_pair_averaged_rhs instead). y and y0 may be the same array. Method: the
-   averaged equations contain powers of m/m0, where m0 is the mass at t = 0. For any exponent e the integral of (m/m0)^e
-   dt is m0 (exp(u) - 1)/u times the integral of dt/m, with u = (1 + e) ln(m/m0). */
+   neither linear nor constant (integrate vm_pair_averaged_rhs instead). y and y0 may be the same array. */
 VM_API int vm_pair_at(const vm_pair *p, vm_real t, const vm_real *y0, vm_real *y)
 {
     if (!p || !y0 || !y) return VM_BAD_ARGUMENT;
-    const vm_real fall = (2 * p->reactive - 1) / (p->alpha + 3); /* A is proportional to (m/m0)^-fall */
     vmi_linear_mass m;
-    vm_real modes[VMI_PAIR_MODES], rate0, exponent;
-    int status = vmi_pair_now(p, 0, y0, &m.m0, &m.rate);
-    if (status != VM_BAD_ARGUMENT && !VM_IS_FINITE(t)) status = VM_NOT_FINITE;
-    if (!status) status = vmi_linear_mass_of(&p->mass, t, &m);
-    if (!status) status = vmi_pair_split(p, m.m0, m.rate, y0, modes);
+    vm_real modes[VMI_PAIR_MODES];
+    const int status = vmi_pair_modes_at(p, t, y0, &m, modes);
     if (status) return status;
-    rate0 = vmi_slow_rate(modes[VMI_PAIR_A], 2 * p->k, m.m0, p->alpha);
-    exponent = VM_C(0.5) - (p->alpha - 1) / 2 * fall;
-    modes[VMI_PAIR_PSI] += rate0 * m.m0 * m.integral * vmi_exp_ratio(exponent * m.ln_ratio);
-    modes[VMI_PAIR_A] *= vmi_exp(-fall * m.ln_ratio, 0);
-    modes[VMI_PAIR_SUM] +=
-        modes[VMI_PAIR_SUM_RATE] * m.m0 * m.integral * vmi_exp_ratio((1 - p->reactive) * m.ln_ratio);
-    modes[VMI_PAIR_SUM_RATE] *= vmi_exp(-p->reactive * m.ln_ratio, 0);
     return vmi_pair_join(p, m.m, m.rate, modes, y);
+}
+
+/* The three methods of (524) */
+enum {
+    VM_PAIR_ATEB = 0,  /* the Ateb function ca, which is exact where the mass is constant */
+    VM_PAIR_TRIG = 1,  /* the cosine with the exact period */
+    VM_PAIR_JACOBI = 2 /* Jacobi's cn with the exact period and the exact velocity at p = 0 */
+};
+
+/* Motion of two bodies at time t by one of the three methods of (524), so that they can be compared.
+   p = A(t) ca, A(t) cos or A(t) cn, with the mean amplitude A of vm_pair_to_averaged, whose law is the same for all
+   three, and x, y by (528), (529). `method` is VM_PAIR_ATEB, VM_PAIR_TRIG or VM_PAIR_JACOBI. Unlike vm_pair_at this
+   leaves out the ripple of the amplitude within a period, as the text does. The other arguments are those of
+   vm_pair_at. The error is that of vm_osc_approximation_errors times A/2, and of the order of m'/(m Om). Returns the statuses of
+   vm_pair_at, and VM_BAD_ARGUMENT for a method that does not exist. y and y0 may be the same array. */
+VM_API int vm_pair_by_method(const vm_pair *p, int method, vm_real t, const vm_real *y0, vm_real *y)
+{
+    if (!p || !y0 || !y || method < VM_PAIR_ATEB || method > VM_PAIR_JACOBI) return VM_BAD_ARGUMENT;
+    vmi_linear_mass m;
+    vmi_osc_wave w;
+    vm_real modes[VMI_PAIR_MODES], found[4], c, s, x, v;
+    const int status = vmi_pair_modes_at(p, t, y0, &m, modes);
+    if (status) return status;
+    w = vmi_osc_wave_ca(p->alpha, NULL);
+    if (method == VM_PAIR_TRIG) w = vmi_osc_wave_cos(p->alpha, ateb_pi(p->alpha));
+    if (method == VM_PAIR_JACOBI) w = vmi_osc_wave_cn(p->alpha, ateb_pi(p->alpha));
+    vmi_osc_wave_at(&w, modes[VMI_PAIR_PSI], &c, &s);
+    x = modes[VMI_PAIR_A] * c;
+    v = -w.speed * vm_osc_vmax(modes[VMI_PAIR_A], VM_SQRT(2 * p->k / m.m), p->alpha) * s;
+    found[0] = (modes[VMI_PAIR_SUM] - x) / 2;
+    found[1] = (modes[VMI_PAIR_SUM] + x) / 2;
+    found[2] = (modes[VMI_PAIR_SUM_RATE] - v) / 2;
+    found[3] = (modes[VMI_PAIR_SUM_RATE] + v) / 2;
+    return vmi_copy_if_finite(4, found, y);
+}
+
+#endif
+/* oscillators/coupled_pair.h - two bodies of different, variable masses with nonlinear connections
+
+   This generalizes the pair (517), (518) to two masses m1(t) and m2(t), each with its own law, any number of springs
+   and a damper between the bodies, and further forces f1, f2. With p = y - x and S(p), the sum of k p|p|^(alpha-1) over
+   all springs, the equations are
+       m1 x'' =  S(p) + b p' - r m1' x' + f1,   m2 y'' = -S(p) - b p' - r m2' y' + f2
+   b is the damping of the connection, r the share of the reactive force. In the relative coordinate p, with the reduced
+   mass mu = m1 m2/(m1 + m2) and the velocity V of the mass centre, they become
+       mu p'' + S(p) + (r mu' + b) p' = -r mu (m2'/m2 - m1'/m1) V + mu (f2/m2 - f1/m1)
+   exactly, for all laws. This is the equation of one oscillator, so that all routes of routes.h serve for it.
+
+       vm_connection springs[2] = {{100, 1}, {2000, 3}}; // 100 N/m p + 2000 N/m^3 p^3
+       vm_coupled_pair pair;
+       pair.mass[0] = vm_law_linear(1, VM_C(0.01)); // mass of the body at x
+       pair.mass[1] = vm_law_linear(3, 0);          // mass of the body at y
+       pair.reactive = 1;
+       pair.damping = 0;
+       pair.n = 2;
+       pair.connections = springs;
+       pair.force = NULL; // then rk45_init(..., vm_coupled_pair_rhs, &pair, ...)
+
+   Tests: tests/test_pair.c. */
+#ifndef VARMASS_OSCILLATORS_COUPLED_PAIR_H
+#define VARMASS_OSCILLATORS_COUPLED_PAIR_H
+
+/* A spring between two bodies: it pulls with k p|p|^(alpha-1), N, where p is their distance minus its length at rest */
+typedef struct VM_TAG(vm_connection) {
+    vm_real k;     /* stiffness, N/m^alpha, > 0 */
+    vm_real alpha; /* exponent, >= 0 */
+} vm_connection;
+
+/* A user's function for further forces: y = (x, y, x', y'). It adds the forces on the bodies, N, to force[0] and
+   force[1], and returns 0 to go on; any other number ends the run. */
+typedef int (*vm_pair_force)(vm_real t, const vm_real *y, vm_real *force, void *ctx);
+
+/* Two bodies, the connections between them, and further forces */
+typedef struct VM_TAG(vm_coupled_pair) {
+    vm_law mass[2];                   /* masses m1 and m2 of the bodies at x and y, kg, > 0 */
+    vm_real reactive;                 /* r: 1 where mass that joins or leaves is at rest, 0 where it has the velocity of
+                                         its body; numbers between are allowed */
+    vm_real damping;                  /* damping b of the connection, kg/s; positive takes energy out */
+    int n;                            /* number of connections, >= 0 */
+    const vm_connection *connections; /* n connections; may be null if n is 0 */
+    vm_pair_force force;              /* further forces, or NULL */
+    void *ctx;                        /* the user's pointer, last argument of force */
+    vm_real momentum;                 /* set by vm_coupled_pair_oscillator: m1 x' + m2 y' at t = 0, kg m/s */
+} vm_coupled_pair;
+
+/* Both masses and their rates at one time */
+typedef struct VM_TAG(vmi_pair_masses) {
+    vm_real m[2], rate[2];
+} vmi_pair_masses;
+
+/* Writes the masses and their rates at time t, and checks them and the pair. */
+VM_API int vmi_coupled_now(const vm_coupled_pair *p, vm_real t, vmi_pair_masses *now)
+{
+    int i, status;
+    if (p->n < 0 || (p->n > 0 && !p->connections)) return VM_BAD_ARGUMENT;
+    status = vmi_law_at(&p->mass[0], VM_BAD_MASS, t, &now->m[0], &now->rate[0]);
+    status = vmi_first_error(status, vmi_law_at(&p->mass[1], VM_BAD_MASS, t, &now->m[1], &now->rate[1]));
+    if (!VM_IS_FINITE(p->reactive) || !VM_IS_FINITE(p->damping)) status = vmi_first_error(status, VM_NOT_FINITE);
+    for (i = 0; i < p->n; i++) {
+        const vm_connection *c = &p->connections[i];
+        if (!VM_IS_FINITE(c->k) || !VM_IS_FINITE(c->alpha)) status = vmi_first_error(status, VM_NOT_FINITE);
+        if (c->k <= 0) status = vmi_first_error(status, VM_BAD_STIFFNESS);
+        if (c->alpha < 0) status = vmi_first_error(status, VM_DOMAIN);
+    }
+    return status;
+}
+
+/* Equations of motion of two bodies with different masses and several connections, for rk45 or rk87.
+   y = (x, y, x', y') is in m and m/s; pair points to a vm_coupled_pair. Returns VM_BAD_ARGUMENT for null pointers, a
+   negative number of connections, or where no constructor made a mass, VM_NOT_FINITE for a number that is infinite or
+   NaN, VM_BAD_MASS or VM_BAD_STIFFNESS for one that is not positive, VM_DOMAIN for an exponent < 0 or t outside a
+   table, and the number that the function `force` returns if it is not 0. These statuses stop the run. */
+VM_API int vm_coupled_pair_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *pair)
+{
+    if (!y || !dydt || !pair) return VM_BAD_ARGUMENT;
+    const vm_coupled_pair *p = (const vm_coupled_pair *)pair;
+    vmi_pair_masses now;
+    vm_real pull = p->damping * (y[3] - y[2]), force[2] = {0, 0};
+    int i, status = vmi_coupled_now(p, t, &now);
+    if (!status && p->force) status = p->force(t, y, force, p->ctx);
+    if (status) return status;
+    for (i = 0; i < p->n; i++) pull += p->connections[i].k * vmi_osc_elastic(y[1] - y[0], p->connections[i].alpha);
+    dydt[0] = y[2];
+    dydt[1] = y[3];
+    dydt[2] = (pull - p->reactive * now.rate[0] * y[2] + force[0]) / now.m[0];
+    dydt[3] = (-pull - p->reactive * now.rate[1] * y[3] + force[1]) / now.m[1];
+    return VM_OK;
+}
+
+/* Converts a motion y = (x, y, x', y') of two bodies to the modes (p, p', X, V), m and m/s.
+   p = y - x is the relative coordinate and X = (m1 x + m2 y)/(m1 + m2) the mass centre. V = (m1 x' + m2 y')/(m1 + m2)
+   is the velocity of the mass centre of the two bodies as they are at time t. Returns VM_BAD_ARGUMENT for null pointers
+   and the statuses of vm_coupled_pair_rhs. modes and y may be the same array. */
+VM_API int vm_coupled_pair_to_modes(const vm_coupled_pair *p, vm_real t, const vm_real *y, vm_real *modes)
+{
+    if (!p || !y || !modes) return VM_BAD_ARGUMENT;
+    vmi_pair_masses now;
+    vm_real share, found[4];
+    int status = vmi_coupled_now(p, t, &now);
+    if (status != VM_BAD_ARGUMENT && !vmi_all_finite(4, y)) status = vmi_first_error(status, VM_NOT_FINITE);
+    if (status) return status;
+    share = now.m[1] / (now.m[0] + now.m[1]);
+    found[0] = y[1] - y[0];
+    found[1] = y[3] - y[2];
+    found[2] = y[0] + share * found[0];
+    found[3] = y[2] + share * found[1];
+    return vmi_copy_if_finite(4, found, modes);
+}
+
+/* Converts the modes (p, p', X, V) of two bodies to the motion y = (x, y, x', y').
+   This is the inverse of vm_coupled_pair_to_modes, with its statuses. y and modes may be the same array. */
+VM_API int vm_coupled_pair_from_modes(const vm_coupled_pair *p, vm_real t, const vm_real *modes, vm_real *y)
+{
+    if (!p || !modes || !y) return VM_BAD_ARGUMENT;
+    vmi_pair_masses now;
+    vm_real first, second, found[4];
+    int status = vmi_coupled_now(p, t, &now);
+    if (status != VM_BAD_ARGUMENT && !vmi_all_finite(4, modes)) status = vmi_first_error(status, VM_NOT_FINITE);
+    if (status) return status;
+    first = now.m[0] / (now.m[0] + now.m[1]);
+    second = now.m[1] / (now.m[0] + now.m[1]);
+    found[0] = modes[2] - second * modes[0];
+    found[1] = modes[2] + first * modes[0];
+    found[2] = modes[3] - second * modes[1];
+    found[3] = modes[3] + first * modes[1];
+    return vmi_copy_if_finite(4, found, y);
+}
+
+/* The reduced mass mu = m1 m2/(m1 + m2) and its rate, a vm_law_function; ctx points to a vm_coupled_pair */
+VM_API int vmi_coupled_reduced_mass(vm_real t, vm_real *f, vm_real *rate, void *ctx)
+{
+    vmi_pair_masses now;
+    vm_real first, second;
+    const int status = vmi_coupled_now((const vm_coupled_pair *)ctx, t, &now);
+    if (status) return status;
+    first = now.m[0] / (now.m[0] + now.m[1]);
+    second = now.m[1] / (now.m[0] + now.m[1]);
+    *f = now.m[0] * second;
+    *rate = now.rate[0] * second * second + now.rate[1] * first * first;
+    return VM_OK;
+}
+
+/* The force -mu (m2'/m2 - m1'/m1) V of the text above, for r = 1, where the momentum stays; a vm_osc_force */
+VM_API vm_real vmi_coupled_drift(vm_real t, vm_real x, vm_real v, void *ctx)
+{
+    const vm_coupled_pair *p = (const vm_coupled_pair *)ctx;
+    vmi_pair_masses now;
+    vm_real whole;
+    (void)x;
+    (void)v;
+    if (vmi_coupled_now(p, t, &now)) return VM_NAN;
+    whole = now.m[0] + now.m[1];
+    return (now.rate[0] * now.m[1] - now.rate[1] * now.m[0]) / whole * (p->momentum / whole);
+}
+
+/* The oscillator that the relative motion p = y - x of two bodies with one connection is, for the routes of routes.h.
+   y0 = (x, y, x', y') is the motion at t = 0; pair must outlive *problem. The equation is exact; where the mass centre
+   drifts and m1'/m1 differs from m2'/m2, it has the further small force of the text above. Returns the statuses of
+   vm_coupled_pair_rhs at t = 0, and VM_NO_LAW where there is not exactly one connection, where there are further
+   forces, or where the reactive force is a share other than 0 and 1, because then the drift of the mass centre depends
+   on the vibration. Integrate vm_coupled_pair_rhs then. */
+VM_API int vm_coupled_pair_oscillator(vm_coupled_pair *pair, const vm_real *y0, vm_osc_problem *problem)
+{
+    if (!pair || !y0 || !problem) return VM_BAD_ARGUMENT;
+    vmi_pair_masses now;
+    vm_osc_problem o;
+    int status = vmi_coupled_now(pair, 0, &now);
+    if (status != VM_BAD_ARGUMENT && !vmi_all_finite(4, y0)) status = vmi_first_error(status, VM_NOT_FINITE);
+    if (status) return status;
+    if (pair->n != 1 || pair->force || (pair->reactive != 0 && pair->reactive != 1)) return VM_NO_LAW;
+    o.alpha = pair->connections[0].alpha;
+    o.mass = vm_law_user(vmi_coupled_reduced_mass, pair);
+    o.stiffness = vm_law_linear(pair->connections[0].k, 0);
+    o.reactive = pair->reactive;
+    o.damping = pair->damping;
+    o.x = y0[1] - y0[0];
+    o.v = y0[3] - y0[2];
+    o.force = NULL;
+    o.ctx = pair;
+    pair->momentum = now.m[0] * y0[2] + now.m[1] * y0[3];
+    if (!VM_IS_FINITE(pair->momentum) || !VM_IS_FINITE(o.x) || !VM_IS_FINITE(o.v)) return VM_NOT_FINITE;
+    if (pair->reactive == 1 && pair->momentum != 0) o.force = vmi_coupled_drift;
+    *problem = o;
+    return VM_OK;
 }
 
 #endif
@@ -17262,7 +19462,9 @@ struct VM_TAG(vm_effect) {
     int order;                             /* where it stands among the effects on its body: VMI_ORDER_... */
     int off;          /* 1: switched off when the scene starts; the caller may set it before the start */
     int not_on_angle; /* 1: the effect cannot act on the angle of a body in the plane */
-    int (*check_in_scene)(const vm_scene *scene, const vm_effect *effect); /* NULL, or a check that needs the bodies */
+    /* NULL, or a check that needs the scene. It is called after the bodies of the effect have been checked, and before
+       the parameters p are checked. It returns a status. */
+    int (*check_in_scene)(const vm_scene *scene, const vm_effect *effect);
     int (*settle)(const vm_effect *effect, vm_real *y, vm_scene *scene); /* NULL, or gives impulses after a jump */
     const void *parts; /* what the caller keeps for the effect: a vm_point_spring, vm_contact or vm_joints */
 };
@@ -17279,17 +19481,17 @@ struct VM_TAG(vm_event) {
     int (*then)(vm_event *event, vm_real t, vm_real *y);
     vm_real time;  /* s: time of the event if `when` is NULL; else when it last happened, or the start of the scene */
     int direction; /* > 0: `when` rises through zero; < 0: `when` falls; 0: both count */
+    /* NULL, or functions that return a status: check_when checks when the event happens, check what it does */
+    int (*check_when)(const vm_scene *scene, const vm_event *event);
+    int (*check)(const vm_scene *scene, const vm_event *event);
     /* fields for an event that happens when a coordinate, a velocity or the mass of a body crosses `value` */
-    int watches; /* 1: the event watches a body */
     int body, coordinate;
     vm_real value;
-    /* fields for an event that switches an effect */
-    int switches; /* 1: the event switches an effect */
-    int effect;   /* index of the effect */
-    int off;      /* 1: the effect is switched off; 0: on */
-    /* fields for a jump: check returns a status, and jump computes the motion after the jump on a line, in the plane,
-       or for any motion */
-    int (*check)(const vm_scene *scene, const vm_event *event);
+    /* fields for an event that switches effects */
+    int effect;    /* index of the first effect */
+    int n_effects; /* number of effects that follow each other in the list, the first one included */
+    int off;       /* 1: the effects are switched off; 0: on */
+    /* fields for a jump: jump computes the motion after the jump on a line, in the plane, or for any motion */
     int (*jump)(const vm_event *event, const vm_body *body, vm_body *other, vm_body *result);
     unsigned motions;    /* bit (1 << motion) for each motion of a body that can jump in this way */
     int jump_kind;       /* VMI_JUMP_NONE, VMI_JUMP_SEPARATES or VMI_JUMP_ATTACHES */
@@ -17311,6 +19513,8 @@ struct VM_TAG(vm_event) {
     vm_scene *scene; /* the scene to which the event belongs */
     int status;      /* VM_OK, or the reason why a constructor could not make the event */
     const void *parts; /* what the caller keeps for the event: a vm_contact */
+    vm_event *actions; /* NULL, or the array of n_actions events whose actions this event does (vm_then_all) */
+    int n_actions;
 };
 
 typedef struct VM_TAG(vm_budget) vm_budget;
@@ -17348,11 +19552,11 @@ struct VM_TAG(vm_scene) {
     vm_event *events;   /* array of n_events events */
     ode_event *located; /* array of n_events elements, with which the integrator locates the events */
     int n_events;
-    vm_budget *budget; /* set by vm_scene_keep_budget: the budget at the start; it adds VM_BUDGET_STATES numbers to y */
-    /* NULL, or a function of the caller. It is called when a run starts and after each step, or only at `times` if they
-       are given. The run stops if it returns a number other than 0. */
+    vm_budget *budget; /* NULL, or the budget of vm_scene_keep_budget; y then has VM_BUDGET_STATES more numbers */
+    /* NULL, or a function of the caller that writes or keeps results. If `times` is NULL, a run calls it at its start
+       and after each step; else only at these times. If it returns a number other than 0, the run stops. */
     int (*output)(vm_real t, const vm_real *y, vm_scene *scene, void *ctx);
-    const vm_real *times; /* s: NULL, or n_times increasing times at which output is called, instead of after steps */
+    const vm_real *times; /* s: NULL, or an array of n_times increasing times at which output is called */
     int n_times;
     void *output_ctx; /* pointer that output receives */
     int y_size;       /* number of elements of y, which vm_scene_start and vm_scene_run check; 0 means no check */
@@ -18603,9 +20807,11 @@ VM_API void vmi_apply_mass_of_time(const vm_effect *e, vm_real t, const vm_real 
     else vmi_scene_apply_law(e, y, s, &now, e->p + VMI_MASS_U, e->p[VMI_MASS_REACTIVE]);
 }
 
-/* Returns VM_OK if a constructor made the law, else VM_BAD_ARGUMENT. */
-VM_API int vmi_check_mass_of_time(const vm_effect *e)
+/* Returns VM_OK if a constructor made the law, else VM_BAD_ARGUMENT. The scene calls this check before it looks at the
+   parameters, because VM_BAD_ARGUMENT comes before VM_NOT_FINITE. */
+VM_API int vmi_check_mass_of_time(const vm_scene *s, const vm_effect *e)
 {
+    (void)s;
     if (!((const vm_law *)e->ctx)->derivatives) return VM_BAD_ARGUMENT;
     return VM_OK;
 }
@@ -18625,7 +20831,7 @@ VM_API vm_effect vm_effect_mass_of_time(int body, const vm_law *law, vm_vec3 u, 
     e.p[VMI_MASS_U + 2] = u.z;
     e.p[VMI_MASS_REACTIVE] = reactive;
     e.order = VMI_ORDER_MASS_LAW;
-    e.check = vmi_check_mass_of_time;
+    e.check_in_scene = vmi_check_mass_of_time;
     e.ctx = (void *)law;
     return e;
 }
@@ -19004,6 +21210,8 @@ VM_API vm_effect vm_effect_band(int body, const vm_band *band)
 #ifndef VARMASS_SCENES_LINKS_H
 #define VARMASS_SCENES_LINKS_H
 
+#include <string.h>
+
 /* An end of a link: a body, which can accelerate, or a point whose motion is given */
 typedef struct VM_TAG(vmi_link_end) {
     vm_real r[3], v[3];
@@ -19011,35 +21219,30 @@ typedef struct VM_TAG(vmi_link_end) {
     vm_real mobility[3]; /* acceleration per force along each coordinate: 1/mass, or 0 where the end cannot move */
 } vmi_link_end;
 
+/* Writes an end that is a body. The numbers of *end for further directions stay 0. */
 VM_API void vmi_link_to_body(const vm_scene *s, int body, const vm_real *y, vmi_link_end *end)
 {
     const vm_scene_body *b = s->bodies + body;
     const vm_real *r = y + b->at, *v = r + b->positions;
+    const vm_real mobility = 1 / (b->load.mass + b->load.extra_mass);
     const int n = vmi_scene_directions(b->motion);
     int i;
     for (i = 0; i < n; i++) {
         end->r[i] = r[i];
         end->v[i] = v[i];
-        end->mobility[i] = 1 / (b->load.mass + b->load.extra_mass);
-        end->a[i] = end->mobility[i] * b->load.force[i];
-    }
-    for (; i < 3; i++) {
-        end->r[i] = 0;
-        end->v[i] = 0;
-        end->mobility[i] = 0;
-        end->a[i] = 0;
+        end->mobility[i] = mobility;
+        end->a[i] = mobility * b->load.force[i];
     }
 }
 
+/* Writes an end that is a point with a given motion, which no force accelerates: its mobility stays 0 */
 VM_API void vmi_link_to_point(const vm_effect *e, vm_real t, vmi_link_end *end)
 {
     vm_vec3 r = {0, 0, 0}, v = {0, 0, 0}, a = {0, 0, 0};
-    int i;
     e->point(t, &r, &v, &a, e->ctx);
     vmi_set3(end->r, r);
     vmi_set3(end->v, v);
     vmi_set3(end->a, a);
-    for (i = 0; i < 3; i++) end->mobility[i] = 0;
 }
 
 enum { VMI_LINK_LENGTH, VMI_LINK_RATE }; /* indices of the parameters in p; the variant is 1 for a cord */
@@ -19077,21 +21280,21 @@ VM_API int vmi_link_lambda(const vm_effect *e, const vmi_link_end *here, const v
 
 VM_API void vmi_apply_link(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
-    vm_real *force = s->bodies[e->body].load.force;
-    vm_real *far_force = e->other >= 0 ? s->bodies[e->other].load.force : NULL;
     vmi_link_end here, there;
     vm_real lambda = 0;
     int i, status;
+    memset(&here, 0, sizeof here);
+    memset(&there, 0, sizeof there);
     vmi_link_to_body(s, e->body, y, &here);
-    if (far_force) vmi_link_to_body(s, e->other, y, &there);
+    if (e->other_load) vmi_link_to_body(s, e->other, y, &there);
     else vmi_link_to_point(e, t, &there);
     status = vmi_link_lambda(e, &here, &there, &lambda);
     if (status) s->status = status;
     if (lambda == 0) return;
     for (i = 0; i < 3; i++) {
         const vm_real d = here.r[i] - there.r[i];
-        if (here.mobility[i] > 0) force[i] += lambda * d;
-        if (far_force && there.mobility[i] > 0) far_force[i] -= lambda * d;
+        if (here.mobility[i] > 0) e->load->force[i] += lambda * d;
+        if (e->other_load && there.mobility[i] > 0) e->other_load->force[i] -= lambda * d;
     }
 }
 
@@ -19280,7 +21483,7 @@ VM_INLINE void vmi_scene_evaluate(vm_scene *s, vm_real t, const vm_real *y)
 /* The status that says which mass of the load is not positive or not finite, so that the body cannot be accelerated */
 VMI_APART int vmi_scene_mass_status(const vm_load *load)
 {
-    if (!VM_IS_FINITE(load->mass) || !VM_IS_FINITE(load->extra_mass)) return VM_NOT_FINITE;
+    if (!VM_IS_FINITE(load->mass + load->extra_mass)) return VM_NOT_FINITE;
     if (load->mass > 0) return VM_NO_EFFECTIVE_MASS;
     return VM_BAD_MASS;
 }
@@ -19299,21 +21502,11 @@ VM_INLINE int vmi_scene_accelerate(const vm_scene_body *b, const vm_real *y, vm_
     return b->accelerate(b, y + b->at, dydt + b->at);
 }
 
-/* Handles an evaluation that failed: all derivatives become NaN, so that an integrator tries a shorter step. `before`
-   is the status of the preceding evaluation. If the preceding evaluation failed too, its status is kept, because its
-   NaN has caused this failure. */
-VMI_APART void vmi_scene_refuse(vm_scene *s, int before, vm_real *dydt)
+/* Sets n derivatives to one value. The derivatives of a body that is not present are 0. */
+VMI_APART void vmi_scene_fill(int n, vm_real value, vm_real *dydt)
 {
     int k;
-    for (k = vm_scene_size(s) - 1; k >= 0; k--) dydt[k] = VM_NAN;
-    if (before) s->status = before;
-}
-
-/* Sets the derivatives of a body that is not present to 0 */
-VMI_APART void vmi_scene_clear_derivatives(const vm_scene_body *b, vm_real *dydt)
-{
-    int k;
-    for (k = 0; k < vmi_scene_body_size(b); k++) dydt[b->at + k] = 0;
+    for (k = 0; k < n; k++) dydt[k] = value;
 }
 
 /* The right-hand side of a scene, an ode_rhs. ctx is the scene, which must have been started. Returns 0, or
@@ -19331,12 +21524,13 @@ VM_API int vm_scene_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
     for (i = 0; i < s->n_bodies; i++) {
         const vm_scene_body *b = s->bodies + i;
         int status = 0;
-        if (b->away) vmi_scene_clear_derivatives(b, dydt);
+        if (b->away) vmi_scene_fill(vmi_scene_body_size(b), 0, dydt + b->at);
         else status = vmi_scene_accelerate(b, y, dydt);
         if (status && !s->status) s->status = status;
     }
     if (s->budget) s->budget->rates(s, y, dydt + vm_scene_size(s) - VM_BUDGET_STATES);
-    if (s->status) vmi_scene_refuse(s, before, dydt);
+    if (s->status) vmi_scene_fill(vm_scene_size(s), VM_NAN, dydt);
+    if (s->status && before) s->status = before;
     return 0;
 }
 
@@ -19409,13 +21603,13 @@ VM_API int vmi_scene_check_motions(const vm_scene *s, const vm_effect *e)
 
 VM_API int vmi_scene_check_parameters(const vm_scene_body *b, const vm_effect *e)
 {
-    const int own = e->check ? (e->check)(e) : VM_OK;
     int k;
     for (k = 0; k < VM_LENGTH(e->p); k++)
-        if (!VM_IS_FINITE(e->p[k])) return vmi_first_error(VM_NOT_FINITE, own);
+        if (!VM_IS_FINITE(e->p[k])) return VM_NOT_FINITE;
     if (e->needs >= VMI_NEEDS_MASS_STATE && !b->mass_is_state) return VM_MASS_IS_NO_STATE;
     if (e->needs >= VMI_NEEDS_GROWING_BODY && !b->grows) return VM_DOES_NOT_GROW;
-    return own;
+    if (e->check) return (e->check)(e);
+    return VM_OK;
 }
 
 VM_API int vmi_scene_check_effect(const vm_scene *s, const vm_effect *e)
@@ -19457,13 +21651,11 @@ VM_API int vmi_scene_check_jump(const vm_scene *s, const vm_event *e)
 
 VM_API int vmi_scene_check_event(const vm_scene *s, const vm_event *e)
 {
-    int status = VM_OK;
-    if (e->watches) status = vmi_scene_check_coordinate(s, e->body, e->coordinate);
+    int status = e->status;
+    if (!status && e->check_when) status = (e->check_when)(s, e);
     if (status) return status;
-    if (e->status) return e->status;
     if (e->most < 0) return VM_BAD_ARGUMENT;
     if (!VM_IS_FINITE(e->time) || !VM_IS_FINITE(e->value)) return VM_NOT_FINITE;
-    if (e->switches && (e->effect < 0 || e->effect >= s->n_effects)) return VM_NO_SUCH_EFFECT;
     if (e->check) return (e->check)(s, e);
     return VM_OK;
 }
@@ -19538,6 +21730,8 @@ VM_API int vm_scene_check(const vm_scene *scene, vm_scene_fault *fault_or_NULL)
 
        vm_vec3 tip = {0.5, 0, 0}, r, v;
        vm_scene_point_at(&scene, 0, tip, y, &r, &v); // position and velocity of a point of body 0 in the state y
+
+   An effect of the caller's own (vm_effect_custom) adds a force at a point by vm_scene_push_at.
 
    Tests: tests/test_scene_joints.c. */
 #ifndef VARMASS_SCENES_POINTS_H
@@ -19696,6 +21890,23 @@ VM_API void vm_scene_point_at(const vm_scene *scene, int body, vm_vec3 at, const
     vmi_point_now(scene, body, at, y, &p);
     *r = p.r;
     *v = p.v;
+}
+
+/* Adds a force at a point of a body, in an effect of the caller's own. It adds force, in N and inertial axes, to the
+   load of the body, and its moment about the mass centre, so that drag, wind and thrusters are a few lines of a function
+   for vm_effect_custom. `at` and y are those of vm_scene_point_at. A force on VM_GROUND changes nothing. If no body has
+   this index, scene->status becomes VM_NO_SUCH_BODY, which ends the run; if y is NULL or the scene was not started, it
+   becomes VM_BAD_ARGUMENT. If scene is NULL, nothing is done. */
+VM_API void vm_scene_push_at(vm_scene *scene, int body, vm_vec3 at, const vm_real *y, vm_vec3 force)
+{
+    vmi_body_point p;
+    if (!scene || body == VM_GROUND) return;
+    if (!scene->bodies || !scene->size || !y) scene->status = VM_BAD_ARGUMENT;
+    else if (body < 0 || body >= scene->n_bodies) scene->status = VM_NO_SUCH_BODY;
+    else {
+        vmi_point_now(scene, body, at, y, &p);
+        vmi_point_push(scene->bodies + body, &p, force);
+    }
 }
 
 #endif
@@ -20352,7 +22563,8 @@ VM_API int vm_scene_start(vm_scene *scene, vm_real t, vm_real *y, vm_scene_fault
 
 #include <string.h>
 
-/* Indices of the sums of the budget among the VM_BUDGET_STATES numbers that it adds to the state */
+/* The budget adds VM_BUDGET_STATES numbers to the end of the state: sums over the time of the run. These are their
+   indices among the numbers of the budget; a vector takes three numbers. vm_budget in scene.h explains each sum. */
 enum {
     VMI_BUDGET_IMPULSE = 0,
     VMI_BUDGET_ANGULAR_IMPULSE = 3,
@@ -20370,7 +22582,9 @@ VM_INLINE void vmi_add3(vm_vec3 a, vm_real *sum)
     sum[2] += a.z;
 }
 
-/* Adds the load of a body to the rates of the budget's sums */
+/* Adds what the load of a body brings per second to the rates of the budget's sums: force, moment and power of the
+   effects, and momentum, angular momentum and energy of the streams. Reactive forces are left out of the first three,
+   because the momentum of the streams accounts for them. */
 VM_API void vmi_scene_enter_loads(const vm_scene_body *b, const vm_real *y, vm_real *rates)
 {
     const vm_load *load = &b->load;
@@ -20388,8 +22602,9 @@ VM_API void vmi_scene_enter_loads(const vm_scene_body *b, const vm_real *y, vm_r
     rates[VMI_BUDGET_MIXING] += load->mixing;
 }
 
-/* Adds the contribution of a body to the rates of the budget's sums. For a mass law M(v) the term dM/dv v' of the mass
-   rate is added only here, because v' is known only after all effects have added their forces. */
+/* Adds to the rates of the budget's sums what acts on a body and what streams bring to it. With a mass law M(v), where
+   v is the velocity, the mass also changes by dM/dv v' per second. The momentum and energy of this mass are added here
+   and not by the effect, because the acceleration v' is known only after all effects have added their forces. */
 VM_API void vmi_scene_enter(vm_scene_body *b, const vm_real *y, vm_real *rates)
 {
     vm_load *load = &b->load;
@@ -20498,18 +22713,23 @@ VM_API int vm_scene_budget_at(vm_scene *scene, vm_real t, const vm_real *y, vm_b
 #endif
 /* scenes/events.h - when an event happens, and what it does
 
-   An event is made in two steps: vm_event_... says when it happens, and vm_then_... says what happens then. An event
-   takes only one vm_then_... function. An event without such a function is only counted: event.count says how often
-   it has happened and event.time when it last happened, and the motion is the same as without the event.
+   An event is made in two steps: vm_event_... says when it happens, and vm_then_... says what it does. An event without
+   a vm_then_... function only observes: event.count says how often it has happened and event.time when it last
+   happened, and the motion is the same as without the event. An event takes one vm_then_... function; vm_then_all
+   makes it do a list of actions.
 
-       vm_event events[] = {vm_then_switch(vm_event_at(60), 3, 1),              // at 60 s effect 3 goes off
-                            vm_then_stop(vm_event_position(0, 0, 0.5, 1))};     // the run ends where x rises to 0.5 m
-       ode_event located[2];                                                    // one for each event
+       vm_event empty = vm_event_mass(0, 70, -1);                             // the mass of body 0 falls to 70 kg
+       vm_event staging[] = {vm_then_switch_range(empty, 0, 4, 1),            // effects 0 to 3 are switched off
+                             vm_then_switch(empty, 4, 0)};                    // effect 4 is switched on
+       vm_event events[] = {vm_then_all(empty, staging, 2),
+                            vm_then_stop(vm_event_position(0, 0, 0.5, 1)),    // the run ends where x rises to 0.5 m
+                            vm_event_velocity(0, 0, 0, -1)};                  // events[2].time: time of the greatest x
+       ode_event located[3];                                                  // one for each of `events`
        vm_scene scene;
-       memset(&scene, 0, sizeof scene);                                         // its bodies and effects: see scene.h
+       memset(&scene, 0, sizeof scene);                                       // its bodies and effects: see scene.h
        scene.events = events;
        scene.located = located;
-       scene.n_events = 2;
+       scene.n_events = 3;
 
    An event at a time happens once. A crossing of a value happens at most event.most times, or without limit if
    event.most is 0; direction > 0 counts rising values, direction < 0 falling values, and direction = 0 both. Only
@@ -20524,6 +22744,11 @@ VM_API int vm_scene_budget_at(vm_scene *scene, vm_real t, const vm_real *y, vm_b
 
 #include <string.h>
 
+VM_API int vmi_event_check_coordinate(const vm_scene *s, const vm_event *e)
+{
+    return vmi_scene_check_coordinate(s, e->body, e->coordinate);
+}
+
 /* An event that watches a coordinate of a body */
 VM_API vm_event vmi_event(int body, int coordinate, vm_real value, int direction)
 {
@@ -20533,7 +22758,7 @@ VM_API vm_event vmi_event(int body, int coordinate, vm_real value, int direction
     e.coordinate = coordinate;
     e.value = value;
     e.direction = direction;
-    e.watches = 1;
+    e.check_when = vmi_event_check_coordinate;
     return e;
 }
 
@@ -20543,7 +22768,7 @@ VM_API vm_event vm_event_at(vm_real time)
 {
     vm_event e = vmi_event(0, 0, 0, 0);
     e.time = time;
-    e.watches = 0;
+    e.check_when = NULL;
     e.most = 1;
     return e;
 }
@@ -20602,7 +22827,7 @@ VM_API vm_real vmi_when_user(const vm_event *e, vm_real t, const vm_real *y) { r
 VM_API vm_event vm_event_user(vm_real (*when)(vm_real t, const vm_real *y, void *ctx), void *ctx, int direction)
 {
     vm_event e = vmi_event(0, 0, 0, direction);
-    e.watches = 0;
+    e.check_when = NULL;
     e.when = when ? vmi_when_user : NULL;
     e.user_when = when;
     e.ctx = ctx;
@@ -20654,13 +22879,37 @@ VM_API void vmi_scene_hold_masses(vm_scene *s, vm_real t, const vm_real *y)
 VM_API int vmi_then_switch(vm_event *e, vm_real t, vm_real *y)
 {
     vm_scene *s = e->scene;
-    vm_effect *effect = s->effects + e->effect;
+    int i;
     vmi_scene_evaluate(s, t, y);
     vmi_scene_note_masses(s);
-    effect->idle &= VMI_IDLE_BODY_AWAY;
-    if (e->off) effect->idle |= VMI_IDLE_SWITCHED_OFF;
+    for (i = 0; i < e->n_effects; i++) {
+        vm_effect *effect = s->effects + e->effect + i;
+        effect->idle &= VMI_IDLE_BODY_AWAY;
+        if (e->off) effect->idle |= VMI_IDLE_SWITCHED_OFF;
+    }
     vmi_scene_hold_masses(s, t, y);
     return VM_OK;
+}
+
+VM_API int vmi_event_check_switch(const vm_scene *s, const vm_event *e)
+{
+    if (e->effect < 0 || e->n_effects > s->n_effects - e->effect) return VM_NO_SUCH_EFFECT;
+    return VM_OK;
+}
+
+/* The event switches n effects that follow each other in the list, off (off = 1) or on (off = 0). first is the index
+   of the first of them. Switching a mass law does not change the mass at this instant: the law continues from the
+   present mass. vm_scene_start returns VM_NO_SUCH_EFFECT if one of the effects does not exist, and VM_BAD_ARGUMENT if n
+   is negative. */
+VM_API vm_event vm_then_switch_range(vm_event event, int first, int n, int off)
+{
+    event.then = vmi_then_switch;
+    event.check = vmi_event_check_switch;
+    event.effect = first;
+    event.n_effects = n;
+    event.off = off != 0;
+    if (n < 0) event.status = VM_BAD_ARGUMENT;
+    return event;
 }
 
 /* The event switches an effect off (off = 1) or on (off = 0). effect is the index of the effect. Switching a mass law
@@ -20668,11 +22917,7 @@ VM_API int vmi_then_switch(vm_event *e, vm_real t, vm_real *y)
    VM_NO_SUCH_EFFECT if no effect has this index. */
 VM_API vm_event vm_then_switch(vm_event event, int effect, int off)
 {
-    event.then = vmi_then_switch;
-    event.effect = effect;
-    event.off = off != 0;
-    event.switches = 1;
-    return event;
+    return vm_then_switch_range(event, effect, 1, off);
 }
 
 VM_API int vmi_then_user(vm_event *e, vm_real t, vm_real *y) { return e->user_then(t, y, e->then_ctx); }
@@ -20685,6 +22930,48 @@ VM_API vm_event vm_then_user(vm_event event, int (*then)(vm_real t, vm_real *y, 
     if (!then) event.status = VM_BAD_ARGUMENT;
     event.user_then = then;
     event.then_ctx = ctx;
+    return event;
+}
+
+/* Does the actions of the event in the order of their list. Returns the first status other than VM_OK, or VM_OK if
+   there is none. An error (a negative status) ends the list, and is returned even if an earlier action has stopped the
+   run. */
+VM_API int vmi_then_all(vm_event *e, vm_real t, vm_real *y)
+{
+    int i, status = VM_OK;
+    for (i = 0; i < e->n_actions && status >= 0; i++) {
+        vm_event *action = e->actions + i;
+        int result = VM_OK;
+        action->scene = e->scene;
+        if (action->then) result = action->then(action, t, y);
+        if (result < 0 || status == VM_OK) status = result;
+    }
+    return status;
+}
+
+/* Checks the actions of an event. A list of actions cannot contain another list. */
+VM_API int vmi_event_check_all(const vm_scene *s, const vm_event *e)
+{
+    int i, status = VM_OK;
+    for (i = 0; i < e->n_actions && !status; i++) {
+        status = VM_BAD_ARGUMENT;
+        if (!e->actions[i].actions) status = vmi_scene_check_event(s, e->actions + i);
+    }
+    return status;
+}
+
+/* The event does a list of actions, one after the other, at the same instant. actions is an array of n events made by
+   vm_then_... functions; when each of them would happen does not matter, so that all can be made from the same
+   vm_event_... value. The array is not copied and must stay where it is. An action that stops the run lets the
+   following actions happen, too. vm_scene_start returns VM_BAD_ARGUMENT if actions is NULL, n is negative or an action
+   is a list itself, and else the status of the first action that is wrong. */
+VM_API vm_event vm_then_all(vm_event event, vm_event *actions, int n)
+{
+    event.then = vmi_then_all;
+    event.check = vmi_event_check_all;
+    event.actions = actions;
+    event.n_actions = n;
+    if (!actions || n < 0) event.status = VM_BAD_ARGUMENT;
     return event;
 }
 
@@ -21087,7 +23374,7 @@ VM_API vm_event vm_event_contact(int body, const vm_contact *contact)
     vm_event e = vmi_event(body, 0, 0, -1);
     e.when = contact ? vmi_when_contact : NULL;
     e.parts = contact;
-    e.check = vmi_contact_check_event;
+    e.check_when = vmi_contact_check_event;
     if (!contact) e.status = VM_BAD_ARGUMENT;
     return e;
 }
@@ -21122,8 +23409,6 @@ VM_API int vmi_then_land(vm_event *e, vm_real t, vm_real *y)
 /* Checks a landing: reactions of links and joints would have to act in the same impulse */
 VM_API int vmi_land_check(const vm_scene *s, const vm_event *e)
 {
-    const int status = vmi_contact_check_event(s, e);
-    if (status) return status;
     if (s->bodies[e->body].listed_orders >> VMI_ORDER_LINK & 1) return VM_TWO_LINKS;
     return VM_OK;
 }

@@ -122,6 +122,21 @@ COUNT(vm_osc_at_to_1e_3, vm_osc_within(&problem, 10 + 300 * p[i], VM_C(1e-3), &n
 COUNT(vm_osc_plan_init, vm_osc_plan_init(&oscillator, &problem))
 COUNT(vm_osc_plan_at_to_1e_3, vm_osc_plan_within(&oscillator, 10 + 300 * p[i], VM_C(1e-3), &now); a = now.x)
 
+static vm_odd_problem duffing;
+static vm_odd_plan duffing_plan;
+static vm_odd_motion duffing_now;
+COUNT(vm_duffing_exact_from, vm_duffing_exact_from(10 * p[i], 1, 0, 1, p[i], &a, &b))
+COUNT(vm_odd_plan_init, vm_odd_plan_init(&duffing_plan, &duffing, 300); a = duffing_plan.reach)
+COUNT(vm_odd_plan_mean, vm_odd_plan_by_route(&duffing_plan, VM_ODD_MEAN, 300 * p[i], 0, &duffing_now); a = duffing_now.x)
+COUNT(vm_odd_plan_ripple, vm_odd_plan_by_route(&duffing_plan, VM_ODD_ORDER2, 300 * p[i], 0, &duffing_now);
+      a = duffing_now.x)
+
+static vm_vdp self_excited[2]; /* constant mass, a mass that grows */
+static vm_vdp_plan vdp_plans[2];
+COUNT(vm_vdp_plan_init, vm_vdp_plan_init(vdp_plans, self_excited, VM_C(0.5), 0); a = vdp_plans[0].start.psi)
+COUNT(vm_vdp_order3_constant, vm_vdp_plan_by_route(vdp_plans, VM_ROUTE_ORDER3, 10 + 300 * p[i], 0, &now); a = now.x)
+COUNT(vm_vdp_order3_growing, vm_vdp_plan_by_route(vdp_plans + 1, VM_ROUTE_ORDER3, 10 + 300 * p[i], 0, &now); a = now.x)
+
 static vm_stream stream;
 static vm_flow flow;
 static vm_real y_flow[VM_FLOW_STATES], dy_flow[VM_FLOW_STATES];
@@ -167,6 +182,22 @@ static void set_up(void)
     problem.stiffness = vm_law_linear(1, 0);
     problem.reactive = 1;
     problem.x = 1;
+    duffing.force = vm_duffing_force(1, VM_C(0.5));
+    duffing.mass = vm_law_linear(1, VM_C(0.002));
+    duffing.stiffness = vm_law_linear(1, 0);
+    duffing.damping = vm_law_linear(VM_C(0.005), 0);
+    duffing.reactive = 1;
+    duffing.x = VM_C(1.5);
+    duffing.v = 0;
+    for (i = 0; i < 2; i++) {
+        self_excited[i].alpha = 1;
+        self_excited[i].k = 1;
+        self_excited[i].feed = VM_C(0.01);
+        self_excited[i].c = VM_C(0.01);
+        self_excited[i].reactive = 1;
+        self_excited[i].mass = vm_law_linear(1, i ? VM_C(0.002) : 0);
+        vm_vdp_plan_init(vdp_plans + i, self_excited + i, VM_C(0.5), 0);
+    }
     flow.streams = &stream;
     flow.n = 1;
     stream.rate = 1;
@@ -239,6 +270,13 @@ int main(void)
                                            count_vm_osc_at_to_1e_3,
                                            count_vm_osc_plan_init,
                                            count_vm_osc_plan_at_to_1e_3,
+                                           count_vm_duffing_exact_from,
+                                           count_vm_odd_plan_init,
+                                           count_vm_odd_plan_mean,
+                                           count_vm_odd_plan_ripple,
+                                           count_vm_vdp_plan_init,
+                                           count_vm_vdp_order3_constant,
+                                           count_vm_vdp_order3_growing,
                                            count_vm_flow_rhs_1_stream,
                                            count_vm_scene_rhs_no_effect,
                                            count_vm_scene_rhs_3_effects};

@@ -10,13 +10,16 @@ typedef struct one_case {
     const char *name;
     double k1, k3, x, v;
     int growing; /* 1 where the action must grow to stay away from the separatrix */
+    double k1_rate, k3_rate; /* rates of k1 and k3, divided by eps; 0 where they are constant */
 } one_case;
 
 static const one_case cases[] = {
-    {"x + x^3/2, hardening", 1, 0.5, 1.5, 0.4, 0},  {"x - x^3/5, softening", 1, -0.2, 1.2, 0.3, 0},
-    {"x^3, purely cubic", 0, 1, 1, 0.5, 0},         {"x, linear", 1, 0, 1, 1, 0},
-    {"x^3 - x, around both wells", -1, 1, 1.8, 0.2, 1}, {"x^3 - x, in one well", -1, 1, 1.2, 0.1, 0},
-    {"sin x, by a user's function", 0, 0, 1.5, 0, 0},
+    {"x + x^3/2, hardening", 1, 0.5, 1.5, 0.4, 0, 0, 0},  {"x - x^3/5, softening", 1, -0.2, 1.2, 0.3, 0, 0, 0},
+    {"x^3, purely cubic", 0, 1, 1, 0.5, 0, 0, 0}, {"x, linear", 1, 0, 1, 1, 0, 0, 0},
+    {"x^3 - x, around both wells", -1, 1, 1.8, 0.2, 1, 0, 0}, {"x^3 - x, in one well", -1, 1, 1.2, 0.1, 0, 0, 0},
+    {"sin x, by a user's function", 0, 0, 1.5, 0, 0, 0, 0},
+    {"x + x^3/2, k1 rises and k3 falls", 1, 0.5, 1.5, 0.4, 0, 0.2, -0.1},
+    {"x^3 - x, in one well, k1 and k3 apart", -1, 1, 1.2, 0.1, 0, 0.05, 0.1},
 };
 enum { CASES = sizeof cases / sizeof *cases };
 
@@ -30,10 +33,14 @@ static int sine(double x, double *f, void *ctx)
 /* Mass, stiffness and damping all drift with rates of the order of eps. */
 static vm_odd_problem problem_of(const one_case *c, double eps)
 {
+    static vm_law laws[2];
     const double sign = c->growing ? -1 : 1;
     vm_odd_problem o;
     o.force = vm_duffing_force(c->k1, c->k3);
     if (c->k1 == 0 && c->k3 == 0) o.force = vm_odd_force_user(sine, NULL);
+    laws[0] = vm_law_linear(c->k1, c->k1_rate * eps);
+    laws[1] = vm_law_linear(c->k3, c->k3_rate * eps);
+    if (c->k1_rate != 0 || c->k3_rate != 0) o.force = vm_duffing_force_of_laws(laws);
     o.mass = vm_law_linear(1, -0.2 * eps * sign);
     o.stiffness = vm_law_exponential(1, 0.1 * eps);
     o.damping = vm_law_linear(0.5 * eps * sign, 0.2 * eps * eps * sign);

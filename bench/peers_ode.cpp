@@ -26,9 +26,9 @@
 #include <sunnonlinsol/sunnonlinsol_fixedpoint.h>
 #endif
 
-enum { SETTINGS = 45, GOALS = 5, MOST_CALLS = 200000, TIMED_RUNS = 7, MOST_COMPONENTS = 7 };
+enum { SETTINGS = 45, GOALS = 6, MOST_CALLS = 200000, TIMED_RUNS = 7, MOST_COMPONENTS = 7 };
 // A change of the orbit's initial values by their rounding moves its end by 5e-11: lesser errors there than this are chance.
-static const double MARGIN = 0.9, LEAST_OF_ORBIT = 1e-9, goals[GOALS] = {1e-4, 1e-6, 1e-8, 1e-10, 1e-11};
+static const double MARGIN = 0.9, LEAST_OF_ORBIT = 1e-9, goals[GOALS] = {1e-4, 1e-6, 1e-8, 1e-10, 1e-11, 1e-12};
 
 // What is integrated now, from 0 to T
 struct task {

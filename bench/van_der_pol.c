@@ -157,7 +157,7 @@ static void limit_cycles(void)
         vmi_vdp_ripple v;
         double kx, kw;
         vmi_ripple_init(&r, alphas[a], vmi_ateb_constants);
-        vmi_ripple_complete(&r);
+        vmi_ripple_complete(&r, 5);
         vmi_vdp_ripple_init(&v, &r);
         vmi_vdp_cycle_coefficients(&v, &r, &kx, &kw);
         printf("| %s | %.9f | %.9f | %.9f |\n", labels[a], sqrt(-1 / v.F), kx, kw);

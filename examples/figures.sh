@@ -47,5 +47,7 @@ for figure in break transient fig18; do
         { cat "$folder/gnuplot.log"; exit 1; }
 done
 echo "  $folder/rotor_{break,transient,fig18}.svg   Figs 17 and 18, the motion after the break"
+gnuplot -e "folder='$folder'" examples/models.gp || exit 1
+echo "  $folder/model_{14,15,16,31}.svg   the models of Figs 14, 15, 16, 31"
 gnuplot -e "prefix='$folder/pendulum'" examples/pendulum.gp || exit 1
 echo "  $folder/pendulum.svg   Fig. 19"

@@ -9,6 +9,7 @@ draw() { # draw NAME COLUMN TITLE LABEL
     gnuplot -e "csv='$folder/scenes_$1.csv'; svg='$folder/scenes_$1.svg'; title=\"$3\"; label=\"$4\"; column=$2" \
         examples/scenes.gp || exit 1
 }
+draw pouring 2 "Fig. 1: a hook tips a vessel" "rad"
 draw vessel 3 "Figs 2, 3: a vessel tipped by a motor" "rad/s"
 draw turner 3 "Fig. 4: a wagon turner" "rad/s"
 draw tippler 3 "Fig. 5: a tippler with counterweights" "rad/s"
@@ -24,7 +25,8 @@ draw heap 3 "Cayley's chain from a heap" "m/s"
 draw winding 3 "A chain winds on a drum" "rad/s"
 draw stator 4 "A broken rotor meets the stator" "psi, rad"
 draw reel 3 "A band winds up on a drum, layer by layer" "rad/s"
+draw rocket 4 "A rocket of two stages" "height, m"
 draw fig18 4 "Fig. 18: the rest of a broken rotor" "psi, rad"
 draw fig30 2 "Fig. 30: Laval's rotor" "x, m"
 draw fig32 2 "Fig. 32: one of two bodies and a spring" "x, m"
-echo "  $folder/scenes_*.svg   the machines of chapter 1, Figs 2 to 13, and numerical examples"
+echo "  $folder/scenes_*.svg   the machines of chapter 1, Figs 1 to 13, and numerical examples"

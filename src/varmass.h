@@ -21,13 +21,14 @@
      base/          numbers with more digits, elementary functions, Lambert's W, linear equations, roots; statuses
      mechanics/     vectors, attitudes, Euler's angles; bodies; jumps (a part separates from a body or is attached to
                     it), in space and in the plane; how a part must leave so that the remaining body moves as wanted;
-                    energy of a jump; a rotor that breaks; Lagrange's equations across a jump and with variable mass; a
-                    pendulum that is cut; torque-free rotation; streams of mass with their reactive force and torque;
-                    rockets; tanks and grains; orbits of two bodies; a band that winds up on a drum
+                    energy of a jump; jumps on a fixed axle; a rotor that breaks; Lagrange's equations across a jump
+                    and with variable mass, inverse dynamics; a pendulum that is cut; torque-free rotation; streams of
+                    mass with their reactive force and torque; rockets; tanks and grains; orbits of two bodies; a band
+                    that winds up on a drum
      oscillators/   m x'' + k x|x|^(alpha-1) = F with constant mass and with laws of mass, stiffness and damping;
                     Duffing's oscillator k1 x + k3 x^3 and any other odd elastic force; Van der Pol's oscillator,
-                    Jeffcott's rotor, two bodies with a nonlinear spring, harmonic excitation, resonance, turning
-                    points
+                    Jeffcott's rotor, two bodies with nonlinear connections, harmonic excitation, resonance,
+                    turning points
      scenes/        lists of bodies, of effects that act on them, and of events that change them; a scene simulates
                     only what is listed
    Each chapter begins with a comment that says what it is for and shows a call; the index below names all functions.
@@ -115,6 +116,7 @@
 #include "mechanics/relative.h"
 #include "mechanics/inverse.h"
 #include "mechanics/jump_energy.h"
+#include "mechanics/axle.h"
 #include "mechanics/broken_rotor.h"
 #include "mechanics/broken_rotor_motion.h"
 #include "mechanics/broken_rotor_stability.h"
@@ -133,6 +135,7 @@
 #include "oscillators/constant_mass.h"
 #include "oscillators/laws.h"
 #include "oscillators/problem.h"
+#include "oscillators/loads.h"
 #include "oscillators/reduction.h"
 #include "oscillators/ripple.h"
 #include "oscillators/expansion.h"
@@ -155,7 +158,9 @@
 #include "oscillators/van_der_pol_walk.h"
 #include "oscillators/van_der_pol_routes.h"
 #include "oscillators/jeffcott.h"
+#include "oscillators/jeffcott_motion.h"
 #include "oscillators/pair.h"
+#include "oscillators/coupled_pair.h"
 #include "oscillators/forced.h"
 #include "oscillators/resonance.h"
 #include "oscillators/diagnostics.h"

@@ -92,6 +92,7 @@ static void null_checked(const char *call)
 
 static void null_bodies(void)
 {
+    const vm_axle axle = {{0, 0, 0}, {0, 0, 1}};
     const vm_vec3 zero = {0, 0, 0};
     const vm_body whole = a_body(3), part = a_body(1);
     const vm_body2 whole2 = a_body2(3), part2 = a_body2(1);
@@ -116,6 +117,10 @@ static void null_bodies(void)
     STATUS(3, vm_attach(IN(0, vm_body, &whole), IN(1, vm_body, &part), NULL, X(2, vm_body)));
     STATUS(3, vm_separate_all(IN(0, vm_body, &whole), 1, IN(1, vm_body, &part), NULL, X(2, vm_body)));
     STATUS(3, vm_attach_all(IN(0, vm_body, &whole), 1, IN(1, vm_body, &part), NULL, X(2, vm_body)));
+    STATUS(4, vm_separate_on_axle(IN(0, vm_axle, &axle), IN(1, vm_body, &whole), 1, IN(2, vm_body, &part), NULL,
+                                  X(3, vm_body), NULL));
+    STATUS(4, vm_attach_on_axle(IN(0, vm_axle, &axle), IN(1, vm_body, &whole), 1, IN(2, vm_body, &part), NULL,
+                                X(3, vm_body), NULL));
     STATUS(3, vm_separate2(IN(0, vm_body2, &whole2), IN(1, vm_body2, &part2), NULL, X(2, vm_body2)));
     STATUS(3, vm_attach2(IN(0, vm_body2, &whole2), IN(1, vm_body2, &part2), NULL, X(2, vm_body2)));
     STATUS(3, vm_separate_all2(IN(0, vm_body2, &whole2), 1, IN(1, vm_body2, &part2), NULL, X(2, vm_body2)));
@@ -195,6 +200,8 @@ static void null_lagrange(void)
     static const vm_real two = 2, three = 3, q[2] = {R(0.1), R(0.2)}, y[4] = {R(0.1), R(0.2), R(0.3), R(0.4)};
     static const vm_impulse blow = {{1, 0, 0}, {0, 0, 0}, {0, 0, 0}};
     const vm_pendulum pendulum = {1, 1, R(0.3), 1, VM_AXES_COS_SIN};
+    const vm_compound_pendulum compound = {3, 4, 1, 0, 2};
+    const vm_compound_part disc = {R(0.5), R(0.1), 1, 0, 1, 1, 1};
     const vm_body body = a_body(2);
     vm_real work[VM_LAGRANGE_WORK(1)], moment = 0, mass = 0;
     vm_lagrange_system l = system_of_two();
@@ -213,10 +220,16 @@ static void null_lagrange(void)
     STATUS(5, vm_lagrange_impact(1, IN(0, vm_real, &two), IN(1, vm_real, &two), IN(2, vm_real, &three), X(3, vm_real),
                               IO(4, vm_real, work)));
     STATUS(2, vm_pendulum_separate(IN(0, vm_pendulum, &pendulum), R(0.25), 1, 0, 0, X(1, vm_pendulum_cut)));
+    STATUS(3, vm_compound_pendulum_separate(IN(0, vm_compound_pendulum, &compound), IN(1, vm_compound_part, &disc),
+                                            X(2, vm_compound_cut)));
     STATUS(3, vm_lagrange_rhs(0, IN(0, vm_real, y), X(1, vm_real), IO(2, vm_lagrange_system, &l)));
     STATUS(4, vm_lagrange_start(IO(0, vm_lagrange_system, &l), 0, IN(1, vm_real, q), IN(2, vm_real, y), X(3, vm_real)));
     STATUS(3, vm_lagrange_rates(IO(0, vm_lagrange_system, &l), 0, IN(1, vm_real, y), X(2, vm_real)));
     NUMBER(3, vm_lagrange_partial_q(IO(0, vm_lagrange_system, &l), 0, IN(1, vm_real, q), IN(2, vm_real, q), 0));
+    STATUS(5, vm_lagrange_needed_forces(IO(0, vm_lagrange_system, &l), 0, 1, IN(1, vm_real, q), IN(2, vm_real, q),
+                                        IN(3, vm_real, q), X(4, vm_real)));
+    STATUS(5, vm_lagrange_drive_forces(IO(0, vm_lagrange_system, &l), 0, 1, IN(1, vm_real, q), IN(2, vm_real, q),
+                                       IN(3, vm_real, q), X(4, vm_real)));
     NOTHING(1, vm_lagrange_add_force(1, along[0], along, along[0], NULL, X(0, vm_real)));
     NOTHING(1, vm_euler_313_axes(1, 1, X(0, vm_vec3)));
     NOTHING(1, vm_euler_313_body_axes(1, 1, X(0, vm_vec3)));
@@ -285,14 +298,16 @@ static void null_streams(void)
 
 static void null_drum(void)
 {
-    static const vm_real y[6] = {R(0.1), 0, 0, 0, R(0.2), 1};
+    static const vm_real y[6] = {R(0.1), 0, 0, 0, R(0.2), 1}, y_coupled[6] = {R(0.1), 0, 0, 0, 3, 0};
     vm_drum d = {R(0.3), 20, R(0.9), R(0.45), R(0.9), R(0.05), 2000, 3};
     vm_drum_shaft shaft = {0};
     STATUS(2, vm_drum_at(IN(0, vm_drum, &d), 1, X(1, vm_drum_geometry)));
     STATUS(3, vm_drum_rhs(0, IN(0, vm_real, y), X(1, vm_real), IO(2, vm_drum, &d)));
     STATUS(3, vm_drum_rhs_reduced(0, IN(0, vm_real, y), X(1, vm_real), IO(2, vm_drum, &d)));
     STATUS(3, vm_drum_rhs_angle(0, IN(0, vm_real, y), X(1, vm_real), IO(2, vm_drum, &d)));
+    STATUS(3, vm_drum_rhs_coupled(0, IN(0, vm_real, y_coupled), X(1, vm_real), IO(2, vm_drum, &d)));
     NUMBER(1, vm_drum_rate(IN(0, vm_drum, &d), 1));
+    NUMBER(1, vm_drum_rate_elastic(IN(0, vm_drum, &d), 1, R(0.01)));
     NUMBER(1, vm_drum_time(IN(0, vm_drum, &d), 1));
     NUMBER(1, vm_drum_angle(IN(0, vm_drum, &d), 1));
     NUMBER(1, vm_drum_stop(IN(0, vm_drum, &d)));
@@ -300,20 +315,24 @@ static void null_drum(void)
     STATUS(2, vm_drum_shaft_init(IO(1, vm_drum_shaft, &shaft), IN(0, vm_drum, &d)));
     CHECK(vm_drum_shaft_init(&shaft, &d) == VM_OK);
     NUMBER(1, vm_drum_deflection(IN(0, vm_drum_shaft, &shaft), 1, 1, 0, 0));
+    NUMBER(1, vm_drum_deflection_slope(IN(0, vm_drum_shaft, &shaft), 1, 1, 0, 0));
+    STATUS(3, vm_drum_deflection_start(IN(0, vm_drum_shaft, &shaft), 1, 0, 0, X(1, vm_real), X(2, vm_real)));
     ANSWER(1, vm_drum_shaft_valid(IN(0, vm_drum_shaft, &shaft)));
 }
 
 static void null_oscillators(void)
 {
     const vm_law law = vm_law_linear(1, 0);
-    vm_osc_problem o;
+    vm_osc_problem o, with_load;
     vm_osc_plan p;
+    vm_osc_load load;
     static vm_osc_closed c;
     memset(&o, 0, sizeof o);
     o.mass = law;
     o.stiffness = vm_law_linear(4, 0);
     o.x = 1;
     o.alpha = 1;
+    with_load = o;
     CHECK(vm_osc_plan_init(&p, &o) == VM_OK);
     CHECK(vm_osc_closed_init(&c, &o, 5, 1) == VM_OK);
     NOTHING(2, vm_osc_exact(1, 1, 2, 3, X(0, vm_real), X(1, vm_real)));
@@ -323,6 +342,11 @@ static void null_oscillators(void)
     NOTHING(2, vm_osc_exact_from(1, 1, 1, 2, 3, X(0, vm_real), X(1, vm_real)));
     STATUS(3, vm_law_at(IN(0, vm_law, &law), 1, X(1, vm_real), X(2, vm_real)));
     STATUS(2, vm_law_inverse_integral(IN(0, vm_law, &law), 1, X(1, vm_real)));
+    STATUS(3, vm_law_ratio_integral(IN(0, vm_law, &law), IN(1, vm_law, &law), 1, X(2, vm_real)));
+    CHECK(vm_osc_load_init(&load, &with_load, NULL, NULL) == VM_OK);
+    NUMBER(1, vm_osc_load_force(0, 1, 1, IO(0, vm_osc_load, &load)));
+    CHECK(vm_osc_load_init(NULL, &o, NULL, NULL) == VM_BAD_ARGUMENT);
+    CHECK(vm_osc_load_init(&load, NULL, NULL, NULL) == VM_BAD_ARGUMENT);
     NUMBER(1, vm_adiabaticity(IN(0, vm_osc_problem, &o), 0, 1));
     STATUS(2, vm_osc_plan_init(IO(0, vm_osc_plan, &p), IN(1, vm_osc_problem, &o)));
     STATUS(2, vm_osc_closed_init(IO(0, vm_osc_closed, &c), IN(1, vm_osc_problem, &o), 5, 1));
@@ -378,6 +402,8 @@ static void null_odd_force(void)
     NOTHING(2, vm_duffing_exact_from(1, 1, 0, 1, 1, X(0, vm_real), X(1, vm_real)));
     o.force = vm_odd_force_user(NULL, NULL);
     CHECK(vm_odd_plan_init(&p, &o, 2) == VM_BAD_ARGUMENT);
+    o.force = vm_duffing_force_of_laws(NULL);
+    CHECK(vm_odd_plan_init(&p, &o, 2) == VM_BAD_ARGUMENT);
 }
 
 static void null_van_der_pol(void)
@@ -417,6 +443,9 @@ static void null_laval(void)
     STATUS(3, vm_jeffcott_forward_whirl_rhs(0, IN(0, vm_real, slow_y), X(1, vm_real), IO(2, vm_jeffcott, &r)));
     STATUS(3, vm_jeffcott_backward_whirl_rhs(0, IN(0, vm_real, slow_y), X(1, vm_real), IO(2, vm_jeffcott, &r)));
     NUMBER(1, vm_jeffcott_amplitude(IN(0, vm_jeffcott, &r), 1, 1, 2));
+    NUMBER(1, vm_jeffcott_whirl_amplitude(IN(0, vm_jeffcott, &r), 1, 1, 2, 1));
+    STATUS(2, vm_jeffcott_whirl_at(IN(0, vm_jeffcott, &r), 1, 0, 1, 1, X(1, vm_jeffcott_whirl)));
+    STATUS(3, vm_jeffcott_linear_at(IN(0, vm_jeffcott, &soft), IN(1, vm_real, slow_y), 1, X(2, vm_real)));
     memset(&r.mass, 0, sizeof r.mass); /* no law */
     soft.mass = r.mass;
     CHECK(vm_jeffcott_rhs(0, slow_y, null_output[0], &r) == VM_BAD_ARGUMENT);
@@ -431,11 +460,20 @@ static void null_laval(void)
 static void null_pair(void)
 {
     vm_pair pair = a_pair();
+    vm_coupled_pair coupled = a_coupled_pair();
     STATUS(3, vm_pair_rhs(0, IN(0, vm_real, slow_y), X(1, vm_real), IO(2, vm_pair, &pair)));
     STATUS(3, vm_pair_to_averaged(IN(0, vm_pair, &pair), 0, IN(1, vm_real, slow_y), X(2, vm_real)));
     STATUS(3, vm_pair_from_averaged(IN(0, vm_pair, &pair), 0, IN(1, vm_real, slow_y), X(2, vm_real)));
     STATUS(3, vm_pair_averaged_rhs(0, IN(0, vm_real, slow_y), X(1, vm_real), IO(2, vm_pair, &pair)));
     STATUS(3, vm_pair_at(IN(0, vm_pair, &pair), 1, IN(1, vm_real, slow_y), X(2, vm_real)));
+    STATUS(3, vm_pair_by_method(IN(0, vm_pair, &pair), VM_PAIR_TRIG, 1, IN(1, vm_real, slow_y), X(2, vm_real)));
+    STATUS(3, vm_coupled_pair_rhs(0, IN(0, vm_real, slow_y), X(1, vm_real), IO(2, vm_coupled_pair, &coupled)));
+    STATUS(3, vm_coupled_pair_to_modes(IN(0, vm_coupled_pair, &coupled), 0, IN(1, vm_real, slow_y), X(2, vm_real)));
+    STATUS(3, vm_coupled_pair_from_modes(IN(0, vm_coupled_pair, &coupled), 0, IN(1, vm_real, slow_y), X(2, vm_real)));
+    STATUS(3, vm_coupled_pair_oscillator(IO(0, vm_coupled_pair, &coupled), IN(1, vm_real, slow_y),
+                                         X(2, vm_osc_problem)));
+    coupled.connections = NULL; /* one connection, which is not there */
+    CHECK(vm_coupled_pair_rhs(0, slow_y, null_output[0], &coupled) == VM_BAD_ARGUMENT);
     memset(&pair.mass, 0, sizeof pair.mass); /* no law */
     CHECK(vm_pair_rhs(0, slow_y, null_output[0], &pair) == VM_BAD_ARGUMENT);
     CHECK(vm_pair_to_averaged(&pair, 0, slow_y, null_output[0]) == VM_BAD_ARGUMENT);
@@ -607,6 +645,7 @@ static void null_parts_of_scenes(void)
     vm_body body = a_body(2), part;
     vm_stream stream;
     vm_effect mass;
+    vm_event action = vm_then_stop(vm_event_at(1));
     memset(&stream, 0, sizeof stream);
     memset(&part, 0, sizeof part);
     stream.rate = 1;
@@ -630,6 +669,7 @@ static void null_parts_of_scenes(void)
     NUMBER(1, vm_band_at(1, IN(0, vm_band, &band)).inertia);
     STATUS(1, event_in_scene(vm_then_stop(vm_event_user(CALLBACK(0, null_when), NULL, 0))));
     STATUS(1, event_in_scene(vm_then_user(vm_event_at(1), CALLBACK(0, null_then), NULL)));
+    STATUS(1, event_in_scene(vm_then_all(vm_event_at(1), IN(0, vm_event, &action), 1)));
     STATUS(1, event_in_scene(vm_then_separate(vm_event_at(1), 0, 5, IN(0, vm_body, &part), 0)));
     STATUS(1, event_in_scene(vm_then_separate_on_line(vm_event_at(1), 0, 5, IN(0, vm_body, &part), 0)));
     part.inertia.zz = 1;

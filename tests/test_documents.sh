@@ -65,6 +65,12 @@ validation_is_fresh() {
 }
 check "docs/validation.md has every row of tests/test_validation.c" validation_is_fresh
 
+tables_are_fresh() {
+    make -s build/tests/double/tables || return 1
+    ./build/tests/double/tables markdown | diff - docs/tables.md
+}
+check "docs/tables.md is what make tables writes" tables_are_fresh
+
 counted_functions() { # the rows of docs/counts.md are the functions of bench/count.c
     grep -o '^COUNT([a-z0-9_A-Z]*\|^SEPARATE static void count_[a-z_]*' bench/count.c | sed 's/^COUNT(//; s/.*count_//' |
         grep -vx nothing >"$build/functions"

@@ -289,6 +289,84 @@ static void test_moving_frame(void)
                 (fabs((double)back[0] - 1.5) + 1e-3 * fabs((double)back[1] - 300)) / eps, 8, 0, 0);
 }
 
+/* ---- Inverse dynamics ---- */
+
+/* A double pendulum whose masses depend on time and place, and whose second rod changes its length with the angle, as
+   in tests/gen/lagrange_inverse.py */
+static void double_masses(vm_real t, const vm_real *q, vm_real *masses, void *ctx)
+{
+    (void)ctx;
+    masses[0] = 2 - t / 8;
+    masses[1] = 1 + t / 16 + q[0] * q[0] / 8;
+}
+
+static vm_real double_energy(vm_real t, const vm_real *q, const vm_real *rates, const vm_real *masses, void *ctx)
+{
+    const vm_real s0 = VM_LIBM(sin)(q[0]), c0 = VM_LIBM(cos)(q[0]), s1 = VM_LIBM(sin)(q[1]), c1 = VM_LIBM(cos)(q[1]);
+    const vm_real length = 1 + s1 / 8, stretch = c1 / 8 * rates[1];
+    const vm_real x = c0 * rates[0] + length * c1 * rates[1] + stretch * s1;
+    const vm_real y = stretch * c1 - s0 * rates[0] - length * s1 * rates[1];
+    (void)t;
+    (void)ctx;
+    return masses[0] * rates[0] * rates[0] / 2 + masses[1] * (x * x + y * y) / 2;
+}
+
+/* Q from q, q', q'' against arbitrary precision. The bound is that of the documentation; the scale of the angles is 1,
+   the masses change noticeably in about 8 s. */
+static void test_needed_forces(void)
+{
+    static const double table[][9] = {
+#include "data/lagrange_inverse.h"
+    };
+    vm_real work[VM_LAGRANGE_RHS_WORK(2, 2)], masses[2], Q[2] = {0, 0}, drive[2] = {0, 0};
+    vm_lagrange_system l = {2, 2, double_masses, double_energy, NULL, NULL, NULL, NULL};
+    size_t i;
+    int k;
+    l.work = work;
+    for (i = 0; i < sizeof table / sizeof *table; i++) {
+        const double *row = table[i];
+        const vm_real t = R(row[0]), q[2] = {R(row[1]), R(row[2])}, rates[2] = {R(row[3]), R(row[4])};
+        const vm_real accelerations[2] = {R(row[5]), R(row[6])};
+        double largest;
+        CHECK(!vm_lagrange_needed_forces(&l, t, 8, q, rates, accelerations, Q));
+        CHECK(!vm_lagrange_drive_forces(&l, t, 8, q, rates, accelerations, drive));
+        double_masses(t, q, masses, NULL);
+        largest = (double)double_energy(t, q, rates, masses, NULL) * (1 + fabs(row[3]) + fabs(row[4])) +
+                  4 * (fabs(row[5]) + fabs(row[6]));
+        for (k = 0; k < 2; k++) {
+            check_error("needed forces", "double pendulum", "largest", fabs((double)Q[k] - row[7 + k]) / largest,
+                        PICK(2e-13, 1e-5), (double)i, k);
+            CHECK(drive[k] == Q[k]); /* there are no other forces */
+        }
+    }
+}
+
+/* The rod that loses its tip swings freely with phi'' = -3 g/(2 l) sin phi: no drive is needed, and all forces together
+   are those of rod_forces. At another phi'' the drive gives what is missing, the moment of inertia l^3 times that. */
+static void test_drive_forces(void)
+{
+    vm_real work[VM_LAGRANGE_RHS_WORK(1, 2)], masses[2], Q, forces;
+    vm_lagrange_system l = {1, 2, rod_masses, rod_energy, rod_forces, NULL, NULL, NULL};
+    int i;
+    l.work = work;
+    for (i = 0; i < 40; i++) {
+        const vm_real t = R(i) / 16, q = R(i) / 8 - 2, rate = R(3) - R(i) / 8;
+        const double length = rod_length((double)t), inertia = length * length * length;
+        const double free = -1.5 * gravity / length * sin((double)q);
+        const double scale = inertia * (fabs(free) + (double)(rate * rate) + 1);
+        const vm_real accelerations[2] = {R(free), R(free + 1)};
+        CHECK(!vm_lagrange_drive_forces(&l, t, 1, &q, &rate, accelerations, &Q));
+        check_error("drive", "free motion", "", fabs((double)Q) / scale, PICK(2e-13, 1e-5), i, 0);
+        CHECK(!vm_lagrange_drive_forces(&l, t, 1, &q, &rate, accelerations + 1, &Q));
+        check_error("drive", "1 rad/s^2 more", "", fabs((double)Q - inertia) / scale, PICK(2e-13, 1e-5), i, 0);
+        CHECK(!vm_lagrange_needed_forces(&l, t, 1, &q, &rate, accelerations, &Q));
+        rod_masses(t, &q, masses, NULL);
+        forces = 0;
+        rod_forces(t, &q, &rate, masses, &forces, NULL);
+        check_error("needed forces", "rod", "", fabs((double)(Q - forces)) / scale, PICK(2e-13, 1e-5), i, 0);
+    }
+}
+
 /* ---- Refusals ---- */
 
 /* The kinetic energy does not depend on the second coordinate. */
@@ -315,6 +393,32 @@ static void test_refusals(void)
     CHECK(vm_lagrange_start(&l, 0, q, rates, y) == VM_NOT_FINITE && y[0] == 1);
     slope = vm_lagrange_partial_q(&l, 0, q, rates, beyond);
     CHECK(slope != slope);
+    q[0] = 0;
+    CHECK(vm_lagrange_needed_forces(&l, 0, 0, q, rates, rates, y) == VM_SINGULAR && y[0] == 1);
+    CHECK(vm_lagrange_drive_forces(&l, 0, -1, q, rates, rates, y) == VM_DOMAIN && y[0] == 1);
+    CHECK(vm_lagrange_needed_forces(&l, 0, 0, q, rates, rates, NULL) == VM_BAD_ARGUMENT);
+}
+
+static int refusing_forces(vm_real t, const vm_real *q, const vm_real *rates, const vm_real *masses, vm_real *Q,
+                           void *ctx)
+{
+    (void)t;
+    (void)q;
+    (void)rates;
+    (void)masses;
+    (void)ctx;
+    Q[0] = 5;
+    return 42;
+}
+
+/* The number that the function `forces` returns comes back, and Q is left alone. */
+static void test_forces_that_refuse(void)
+{
+    vm_real work[VM_LAGRANGE_RHS_WORK(1, 1)], q = 1, rate = 2, Q = 7;
+    vm_lagrange_system l = {1, 1, arm_masses, arm_energy, refusing_forces, NULL, NULL, NULL};
+    l.work = work;
+    CHECK(vm_lagrange_drive_forces(&l, 0, 0, &q, &rate, &rate, &Q) == 42 && Q == 7);
+    CHECK(vm_lagrange_needed_forces(&l, 0, 0, &q, &rate, &rate, &Q) == VM_OK && Q != 7);
 }
 
 /* A point on an arm leaks: its mass is 0 at t = 2. */
@@ -371,7 +475,10 @@ int main(void)
     test_euler_refusals();
     test_frozen_derivative();
     test_moving_frame();
+    test_needed_forces();
+    test_drive_forces();
     test_refusals();
+    test_forces_that_refuse();
     test_singular_mass_matrices();
     return check_finish("lagrange");
 }

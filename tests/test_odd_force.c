@@ -114,6 +114,46 @@ static void test_other_forces(void)
     }
 }
 
+/* ---- The ripple ---- */
+
+/* The ripple of Duffing's force in closed form against its quadrature, on orbits of every kind */
+static void test_ripple(void)
+{
+    static const double k[9][4] = {{1, 0.5, 1.5, 0.4},  {1, -0.2, 1.2, 0.3},  {0, 1, 1, 0.5},
+                                   {1, 0, 1, 1},        {-1, 1, 1.8, 0.2},    {-1, 1, 1.2, 0.1},
+                                   {-1, 1, -1.2, -0.2}, {1, -1e-6, 1, 0},     {1, 100, 1, 0}};
+    static vmi_orbit_ripple closed, summed;
+    int i, n;
+    for (i = 0; i < 9; i++) {
+        const vm_odd_force force = vm_duffing_force(R(k[i][0]), R(k[i][1]));
+        vm_odd_force by_quadrature = force;
+        vmi_orbit orbit;
+        double largest = 0, largest_B = 0, largest_B_j = 0;
+        by_quadrature.ripple = NULL;
+        CHECK(vmi_orbit_of_state(&force, R(k[i][2]), R(k[i][3]), &orbit) == VM_OK);
+        vmi_orbit_ripple_init(&closed, &orbit);
+        orbit.force = &by_quadrature;
+        vmi_orbit_ripple_init(&summed, &orbit);
+        for (n = -30; n < 30; n++) {
+            vmi_orbit_ripple_values a, b;
+            vmi_orbit_ripple_at(&closed, &orbit, R(0.23 * n), &a);
+            vmi_orbit_ripple_at(&summed, &orbit, R(0.23 * n), &b);
+            largest = fmax(largest, fabs((double)(a.a - b.a)));
+            largest_B = fmax(largest_B, fabs((double)(a.B - b.B)));
+            largest_B_j = fmax(largest_B_j, fabs((double)(a.B_j - b.B_j)));
+        }
+        check_error("ripple", "a/j", "abs", largest / (double)orbit.j, by_precision(1e-10, 1e-5), k[i][0], k[i][1]);
+        check_error("ripple", "B/j", "abs", largest_B / (double)orbit.j, by_precision(1e-10, 1e-5), k[i][0], k[i][1]);
+        check_error("ripple", "(B/w)_j w", "abs", largest_B_j * (double)orbit.w, by_precision(1e-10, 1e-4), k[i][0],
+                    k[i][1]);
+        near("ripple", "M", (double)closed.M, (double)summed.M, 1e-12, 1e-4);
+        near("ripple", "M by size", (double)closed.M_size, (double)summed.M_size, 1e-12, 1e-3);
+        check_error("ripple", "w by size", "abs",
+                    fabs((double)((closed.w_size - summed.w_size) * orbit.size / orbit.w)), by_precision(1e-12, 1e-4),
+                    k[i][0], k[i][1]);
+    }
+}
+
 /* ---- Slow mass, stiffness and damping ---- */
 
 static vm_odd_problem problem_of(vm_odd_force force, double x, double v)
@@ -508,6 +548,7 @@ int main(void)
     test_against_duffing();
     test_pendulum();
     test_other_forces();
+    test_ripple();
 #ifndef VM_USE_FLOAT
     test_orders();
     test_estimates();

@@ -225,8 +225,198 @@ static void test_bad_input(void)
     for (i = 0; i < 4; i++) CHECK(d[i] == 7); /* all of them left it alone */
 }
 
+/* ---- (524) by ca, cos and cn ---- */
+
+/* The three methods beside direct integration of the example E2 and of alpha = 3/2. Ateb's errors are of the order
+   m'/(m Om); for alpha = 3 cn is as good, since it is exact there; the errors of the cosine, and of cn for 3/2, are
+   those of vm_osc_approximation_errors, times A/2. */
+static void test_three_methods(void)
+{
+    static const double alphas[] = {1, 1.5, 3};
+    int i, k, method;
+    for (i = 0; i < 3; i++) {
+        const vm_osc_errors known = vm_osc_approximation_errors(R(alphas[i]));
+        const double expected[3] = {0, (double)known.trig_x, (double)known.jacobi_x};
+        const vm_law m = linear(1, 0.01);
+        vm_pair p = make_pair(alphas[i], 1, 1, m);
+        vm_real y0[4] = {1, 3, 0, 0}, y[4] = {1, 3, 0, 0}, got[4] = {0, 0, 0, 0};
+        double worst[3] = {0, 0, 0};
+        rough = alphas[i] < 1.6 && alphas[i] != 1;
+        for (k = 1; k <= 100; k++) {
+            solve(vm_pair_rhs, &p, 4, 0.3 * (k - 1), 0.3 * k, 1e-11, y);
+            for (method = 0; method < 3; method++) {
+                CHECK(vm_pair_by_method(&p, method, R(0.3 * k), y0, got) == VM_OK);
+                worst[method] = fmax(worst[method], fabs((double)(got[0] - y[0])));
+                check_error("(524)", "x + y", "abs", fabs((double)(got[0] + got[1]) - 4), by_precision(1e-12, 1e-4),
+                            k, 0);
+            }
+        }
+        for (method = 0; method < 3; method++)
+            check_error("(524)", "beside integration", "abs", fabs(worst[method] - expected[method]),
+                        by_precision(0.004, 0.01), alphas[i], method);
+        CHECK(alphas[i] == 1 || worst[VM_PAIR_TRIG] > 0.01); /* the cosine is not exact */
+    }
+    rough = 0;
+}
+
+/* ---- Different masses, several connections, damping, forces ---- */
+
+static vm_coupled_pair make_coupled(int n, const vm_connection *connections, vm_law first, vm_law second)
+{
+    vm_coupled_pair c;
+    memset(&c, 0, sizeof c);
+    c.mass[0] = first;
+    c.mass[1] = second;
+    c.reactive = 1;
+    c.n = n;
+    c.connections = connections;
+    return c;
+}
+
+/* Equal masses and one connection: the pair of (517), (518). */
+static void test_coupled_as_pair(void)
+{
+    int i, k;
+    for (i = 0; i < 100; i++) {
+        const vm_connection spring = {R(uniform(0.5, 2)), R(uniform(0.3, 5))};
+        const vm_law m = linear(uniform(0.5, 2), uniform(-0.1, 0.1));
+        vm_coupled_pair c = make_coupled(1, &spring, m, m);
+        vm_pair p = make_pair((double)spring.alpha, (double)spring.k, uniform(0, 1), m);
+        vm_real y[4], a[4] = {0}, b[4] = {1, 1, 1, 1};
+        c.reactive = p.reactive;
+        for (k = 0; k < 4; k++) y[k] = R(uniform(-2, 2));
+        CHECK(vm_coupled_pair_rhs(1, y, a, &c) == VM_OK && vm_pair_rhs(1, y, b, &p) == VM_OK);
+        for (k = 0; k < 4; k++)
+            check_error("coupled pair", "equal masses", "eps",
+                        fabs((double)(a[k] - b[k])) / (1 + fabs((double)b[k])) / eps, 4, i, k);
+    }
+}
+
+/* A constant force on each body, which puts the power f1 x' + f2 y' into them */
+static int steady_forces(vm_real t, const vm_real *y, vm_real *force, void *ctx)
+{
+    (void)t;
+    (void)y;
+    (void)ctx;
+    force[0] += R(0.3);
+    force[1] -= R(0.7);
+    return 0;
+}
+
+/* Kinetic and elastic energy, and the momentum */
+static double coupled_energy(const vm_coupled_pair *c, const vmi_pair_masses *m, const vm_real *y)
+{
+    double T = (double)(m->m[0] * y[2] * y[2] + m->m[1] * y[3] * y[3]) / 2;
+    int i;
+    for (i = 0; i < c->n; i++) {
+        const double order = (double)c->connections[i].alpha + 1;
+        T += (double)c->connections[i].k * pow(fabs((double)(y[1] - y[0])), order) / order;
+    }
+    return T;
+}
+
+/* Constant masses, two springs, constant forces: energy less the work of the forces, and momentum less their impulse,
+   stay. Then variable masses with r = 1 and no forces: the momentum stays. */
+static void test_coupled_conservation(void)
+{
+    const vm_connection springs[2] = {{1, 1}, {R(0.5), 3}};
+    vm_coupled_pair c = make_coupled(2, springs, linear(1, 0), linear(3, 0));
+    vm_real y[4] = {1, 3, R(0.25), R(-0.5)}, start[4];
+    vmi_pair_masses m;
+    double before, momentum, work;
+    memcpy(start, y, sizeof y);
+    c.force = steady_forces;
+    CHECK(vmi_coupled_now(&c, 0, &m) == VM_OK);
+    before = coupled_energy(&c, &m, y);
+    momentum = (double)(m.m[0] * y[2] + m.m[1] * y[3]);
+    solve(vm_coupled_pair_rhs, &c, 4, 0, 20, 1e-12, y);
+    work = 0.3 * (double)(y[0] - start[0]) - 0.7 * (double)(y[1] - start[1]);
+    near("coupled pair", "energy", coupled_energy(&c, &m, y) - work, before, 1e-9, 1e-3);
+    near("coupled pair", "momentum", (double)(m.m[0] * y[2] + m.m[1] * y[3]) + 0.4 * 20, momentum, 1e-10, 1e-3);
+    c.force = NULL;
+    c.damping = R(0.1);
+    c.mass[0] = linear(1, 0.05);
+    c.mass[1] = vm_law_exponential(3, R(-0.02));
+    memcpy(y, start, sizeof y);
+    solve(vm_coupled_pair_rhs, &c, 4, 0, 20, 1e-12, y);
+    CHECK(vmi_coupled_now(&c, 20, &m) == VM_OK);
+    near("coupled pair", "momentum, r = 1", (double)(m.m[0] * y[2] + m.m[1] * y[3]), momentum, 1e-10, 1e-3);
+}
+
+/* The relative motion as one oscillator, by integration of its equation, is that of the two bodies, though the masses
+   follow different laws and the mass centre drifts; and the modes lead back to the motion. */
+static void test_coupled_oscillator(void)
+{
+    static const double shares[] = {0, 1};
+    const vm_connection spring = {R(1.5), 3};
+    int i, k;
+    for (i = 0; i < 2; i++) {
+        vm_coupled_pair c = make_coupled(1, &spring, linear(1, 0.02), vm_law_exponential(2, R(-0.01)));
+        vm_real y[4] = {R(0.5), 2, R(0.75), R(-0.25)}, modes[4] = {0}, back[4] = {0};
+        vm_osc_problem problem;
+        vm_osc_motion motion;
+        memset(&motion, 0, sizeof motion);
+        c.reactive = R(shares[i]);
+        c.damping = R(0.02);
+        CHECK(vm_coupled_pair_oscillator(&c, y, &problem) == VM_OK);
+        CHECK((problem.force != NULL) == (shares[i] == 1));
+        CHECK(vm_osc_by_route(&problem, VM_ROUTE_RK87, 10, R(by_precision(1e-10, 1e-4)), &motion) == VM_OK);
+        solve(vm_coupled_pair_rhs, &c, 4, 0, 10, 1e-12, y);
+        CHECK(vm_coupled_pair_to_modes(&c, 10, y, modes) == VM_OK);
+        near("coupled pair", "oscillator, p", (double)motion.x, (double)modes[0], 1e-8, 2e-3);
+        near("coupled pair", "oscillator, p'", (double)motion.v, (double)modes[1], 1e-8, 5e-3);
+        CHECK(vm_coupled_pair_from_modes(&c, 10, modes, back) == VM_OK);
+        for (k = 0; k < 4; k++)
+            check_error("coupled pair", "modes, back", "eps", fabs((double)(back[k] - y[k])) / eps / 4, 4, i, k);
+    }
+}
+
+static void test_coupled_refusals(void)
+{
+    vm_connection spring = {1, 3};
+    const vm_law m = linear(1, 0);
+    vm_coupled_pair c = make_coupled(1, &spring, m, m);
+    vm_osc_problem o;
+    vm_real y[4] = {1, 2, 3, 4}, d[4] = {7, 7, 7, 7};
+    memset(&o, 0, sizeof o);
+    c.reactive = R(0.5);
+    CHECK(vm_coupled_pair_oscillator(&c, y, &o) == VM_NO_LAW);
+    c.reactive = 1;
+    c.force = steady_forces;
+    CHECK(vm_coupled_pair_oscillator(&c, y, &o) == VM_NO_LAW);
+    c.force = NULL;
+    c.n = 0;
+    CHECK(vm_coupled_pair_oscillator(&c, y, &o) == VM_NO_LAW && vm_coupled_pair_rhs(0, y, d, &c) == VM_OK);
+    CHECK(d[0] == 3 && d[2] == 0);
+    d[0] = 7;
+    c.n = -1;
+    CHECK(vm_coupled_pair_rhs(0, y, d, &c) == VM_BAD_ARGUMENT);
+    c.n = 1;
+    spring.k = 0;
+    CHECK(vm_coupled_pair_rhs(0, y, d, &c) == VM_BAD_STIFFNESS);
+    spring.k = 1;
+    spring.alpha = -1;
+    CHECK(vm_coupled_pair_to_modes(&c, 0, y, d) == VM_DOMAIN);
+    spring.alpha = VM_NAN;
+    CHECK(vm_coupled_pair_from_modes(&c, 0, y, d) == VM_NOT_FINITE);
+    spring.alpha = 1;
+    c.mass[1] = linear(-1, 0);
+    CHECK(vm_coupled_pair_rhs(0, y, d, &c) == VM_BAD_MASS);
+    c.mass[1] = m;
+    y[2] = VM_NAN;
+    CHECK(vm_coupled_pair_to_modes(&c, 0, y, d) == VM_NOT_FINITE);
+    CHECK(vm_coupled_pair_oscillator(&c, y, &o) == VM_NOT_FINITE);
+    CHECK(d[0] == 7 && o.alpha == 0);
+    CHECK(vm_pair_by_method(NULL, 0, 1, y, d) == VM_BAD_ARGUMENT);
+}
+
 int main(void)
 {
+    test_three_methods();
+    test_coupled_as_pair();
+    test_coupled_conservation();
+    test_coupled_oscillator();
+    test_coupled_refusals();
     test_modes();
     test_below_ripple();
     test_start_of_the_example();

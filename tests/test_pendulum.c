@@ -249,6 +249,127 @@ static void test_lagrange_form(void)
     }
 }
 
+/* ---- A pendulum that is not uniform ---- */
+
+/* A random disc, its mass centre anywhere, from which a disc anywhere in it is cut, so that the rest is possible */
+static vm_compound_pendulum random_compound(vm_compound_part *part)
+{
+    vm_compound_pendulum p;
+    p.mass = R(uniform(2, 3));
+    p.x = R(uniform(-1, 1));
+    p.y = R(uniform(-1, 1));
+    p.inertia = p.mass * (p.x * p.x + p.y * p.y + R(uniform(1, 2)));
+    p.rate = R(uniform(-3, 3));
+    part->mass = R(uniform(0.2, 0.5));
+    part->inertia = part->mass * R(uniform(0, 0.5));
+    part->x = p.x + R(uniform(-0.5, 0.5));
+    part->y = p.y + R(uniform(-0.5, 0.5));
+    part->ux = R(uniform(-2, 2));
+    part->uy = R(uniform(-2, 2));
+    part->Omega = R(uniform(-2, 2));
+    return p;
+}
+
+/* The body of the plane that belongs to a compound pendulum */
+static vm_body2 plane_body_of(const vm_compound_pendulum *p)
+{
+    vm_body2 b;
+    memset(&b, 0, sizeof b);
+    b.mass = p->mass;
+    b.inertia = p->inertia - p->mass * (p->x * p->x + p->y * p->y);
+    b.x = p->x;
+    b.y = p->y;
+    b.vx = -p->rate * p->y;
+    b.vy = p->rate * p->x;
+    b.omega = p->rate;
+    return b;
+}
+
+/* Angular momentum about O stays, the momentum changes by the impulse of the pivot, and energies, mass and mass centre
+   are those of the bodies */
+static void test_compound(void)
+{
+    int i;
+    for (i = 0; i < 1000; i++) {
+        vm_compound_part part;
+        const vm_compound_pendulum p = random_compound(&part);
+        const vm_body2 whole = plane_body_of(&p);
+        vm_compound_cut c;
+        vm_body2 rest, piece;
+        double scale;
+        memset(&c, 0, sizeof c);
+        CHECK(vm_compound_pendulum_separate(&p, &part, &c) == VM_OK);
+        rest = plane_body_of(&c.rest);
+        memset(&piece, 0, sizeof piece);
+        piece.mass = part.mass;
+        piece.inertia = part.inertia;
+        piece.x = part.x;
+        piece.y = part.y;
+        piece.vx = c.vx;
+        piece.vy = c.vy;
+        piece.omega = c.rate;
+        scale = 20 + 20 * fabs((double)c.rest.rate);
+        check_case("L about O", "compound", c.L1 + c.L2, (double)(p.inertia * p.rate), scale, 4);
+        check_case("L1", "compound", c.L1, (double)vm_angular_momentum2(&rest, 0, 0), scale, 4);
+        check_case("L2", "compound", c.L2, (double)vm_angular_momentum2(&piece, 0, 0), scale, 4);
+        check_case("impulse of the pivot", "compound", c.pivot_x,
+                   (double)(rest.mass * rest.vx + piece.mass * piece.vx - whole.mass * whole.vx), scale, 4);
+        check_case("impulse of the pivot", "compound", c.pivot_y,
+                   (double)(rest.mass * rest.vy + piece.mass * piece.vy - whole.mass * whole.vy), scale, 4);
+        check_case("T1", "compound", c.T1, (double)vm_kinetic_energy2(&whole), scale * (1 + fabs((double)p.rate)), 4);
+        check_case("T_S1", "compound", c.T_S1, (double)vm_kinetic_energy2(&rest),
+                   scale * (1 + fabs((double)c.rest.rate)), 4);
+        check_case("T_S2", "compound", c.T_S2, (double)vm_kinetic_energy2(&piece), scale * (1 + fabs((double)c.rate)),
+                   4);
+        check_case("mass centre", "compound", rest.mass * rest.x + part.mass * part.x, (double)(p.mass * p.x), 5, 4);
+        check_case("mass", "compound", rest.mass + part.mass, (double)p.mass, 5, 1);
+    }
+}
+
+/* The uniform rod of case D2, and the same cut by an axle in space */
+static void test_compound_D2(void)
+{
+    const double x = 1.75 * cos(0.7), y = 1.75 * sin(0.7);
+    const vm_compound_pendulum rod = {3, 4, R(cos(0.7)), R(sin(0.7)), R(1.3)};
+    const vm_compound_part part = {R(0.75), R(0.75 * 0.25 / 12), R(x), R(y), R(0.4), R(-0.25), R(0.6)};
+    const vm_pendulum_cut uniform_rod = cut_D2(VM_AXES_COS_SIN);
+    vm_compound_cut c;
+    memset(&c, 0, sizeof c);
+    CHECK(vm_compound_pendulum_separate(&rod, &part, &c) == VM_OK);
+    check_case("phi1' (125)", "D2, compound", c.rest.rate, 1.643587039112598855137, 4, 4);
+    check_case("T_S2 (122)", "D2, compound", c.T_S2, 1.286568432946736261544, 2, 4);
+    check_case("L_2 (128)", "D2, compound", c.L2, 2.426446871497489431957, 2, 4);
+    check_case("impulse of the pivot", "D2, compound", c.pivot_x, (double)uniform_rod.pivot_x, 4, 4);
+    check_case("impulse of the pivot", "D2, compound", c.pivot_y, (double)uniform_rod.pivot_y, 4, 4);
+    check_case("inertia", "D2, compound", c.rest.inertia, 2.25 * 2.25 / 3, 4, 4);
+}
+
+static void test_bad_compounds(void)
+{
+    const int expected[] = {VM_NOT_FINITE, VM_BAD_MASS,    VM_BAD_MASS,    VM_BAD_MASS,
+                            VM_NOT_FINITE, VM_BAD_INERTIA, VM_BAD_INERTIA, VM_BAD_INERTIA};
+    vm_compound_cut c, kept;
+    int i;
+    memset(&c, 1, sizeof c);
+    memset(&kept, 1, sizeof kept);
+    for (i = 0; i < 8; i++) {
+        vm_compound_pendulum p = {3, 4, 1, 0, 2};
+        vm_compound_part part = {R(0.5), R(0.1), 1, 0, 1, 1, 1};
+        if (i == 0) p.rate = VM_NAN;
+        if (i == 1) p.mass = 0;
+        if (i == 2) part.mass = -1;
+        if (i == 3) part.mass = 3;
+        if (i == 4) part.Omega = VM_INFINITY;
+        if (i == 5) part.inertia = -1;
+        if (i == 6) p.inertia = R(2.9); /* less than M d^2 */
+        if (i == 7) part.x = 3;         /* the part cannot have been in the whole */
+        CHECK(vm_compound_pendulum_separate(&p, &part, &c) == expected[i]);
+        CHECK(memcmp(&c, &kept, sizeof c) == 0);
+        CHECK(vm_compound_pendulum_separate(i == 0 ? NULL : &p, i == 1 ? NULL : &part, i > 1 ? NULL : &c) ==
+              VM_BAD_ARGUMENT);
+    }
+}
+
 /* ---- Limits ---- */
 
 /* phi1' by (125) as it stands, without a relative velocity: it must come out as phi', but cancellation destroys it
@@ -342,6 +463,9 @@ int main(void)
     test_mass_of_part();
     test_vector_form();
     test_lagrange_form();
+    test_compound();
+    test_compound_D2();
+    test_bad_compounds();
     test_short_rest();
     test_short_part();
     test_bad_pendulums();

@@ -69,7 +69,7 @@ static int route_of(int order) { return order == 1 ? (int)VM_ROUTE_ATEB : (int)V
 static void prepare(double alpha, vmi_ripple *r, vmi_vdp_ripple *v)
 {
     vmi_ripple_init(r, R(alpha), vmi_ateb_constants);
-    vmi_ripple_complete(r);
+    vmi_ripple_complete(r, 5);
     vmi_vdp_ripple_init(v, r);
 }
 
@@ -365,6 +365,48 @@ static void test_removable(void)
     }
 }
 
+/* x at t by order three, from x0 and v0 */
+static double x_at(const vm_vdp *v, double x0, double v0, double t)
+{
+    static vm_vdp_plan plan;
+    vm_osc_motion m = {0, 0, 0, 0, 0, 0};
+    CHECK(vm_vdp_plan_init(&plan, v, R(x0), R(v0)) == VM_OK);
+    CHECK(vm_vdp_plan_by_route(&plan, VM_ROUTE_ORDER3, R(t), 0, &m) == VM_OK);
+    return (double)m.x;
+}
+
+/* Where something cancels, the motion is continuous: a mass that is nearly constant, a start next to the limit cycle, an
+   amplitude that tends to 0, a feed that tends to 0, and a start next to a zero of sa or ca. */
+static void test_hard_points(void)
+{
+    static const double alphas[3] = {1, 4. / 3, 3};
+    const double tiny_rate = by_precision(1e-14, 1e-6), rounding = by_precision(1e-8, 1e-3), t = 300;
+    int k, i;
+    for (k = 0; k < 3; k++) {
+        vm_vdp v = oscillator(alphas[k], 0.01, 0.01, 1, vm_law_linear(1, 0)), other = v;
+        const double near_cycle = 2 / sqrt(1 + 0.01 * 0.01 / 4), one = x_at(&v, 0.5, 0.1, t);
+        other.mass = vm_law_linear(1, R(tiny_rate));
+        check_error("hard points", "mass -> const", "abs", fabs(x_at(&other, 0.5, 0.1, t) - one),
+                    by_precision(3e-8, 0.3), alphas[k], 0); /* the closed form leaves out terms of order four */
+        for (i = -1; i <= 1; i += 2) {
+            const double next = by_precision(1e-11, 1e-6) * i;
+            check_error("hard points", "limit cycle", "abs",
+                        fabs(x_at(&v, near_cycle + next, 0, t) - x_at(&v, near_cycle, 0, t)), rounding, alphas[k], i);
+            check_error("hard points", "sa -> 0", "abs", fabs(x_at(&v, 0.75, next, t) - x_at(&v, 0.75, 0, t)),
+                        rounding, alphas[k], i);
+            check_error("hard points", "ca -> 0", "abs", fabs(x_at(&v, next * 1e-3, 1, t) - x_at(&v, 0, 1, t)),
+                        rounding, alphas[k], i);
+        }
+        if (alphas[k] != 1) continue;
+        check_error("hard points", "amplitude -> 0", "rel",
+                    fabs(x_at(&v, 1e-9, 0, t) / x_at(&v, 1e-12, 0, t) / 1e3 - 1), by_precision(1e-12, 1e-4), 0, 0);
+        other = oscillator(1, 1e-10, 0.01, 1, vm_law_linear(1, 0)); /* z beyond the closed form */
+        v = oscillator(1, 0, 0.01, 1, vm_law_linear(1, 0));
+        check_error("hard points", "feed -> 0", "abs", fabs(x_at(&other, 1, 0, t) - x_at(&v, 1, 0, t)),
+                    by_precision(1e-7, 1e-3), 0, 0);
+    }
+}
+
 /* With c < 0 the amplitude becomes infinite: y = 1 - (1/4) 0.2 t = 0 for alpha = 1, A = 1, at t = 20. The law refuses
    times beyond, and so does the choice of a route. */
 static void test_infinite(void)
@@ -539,6 +581,106 @@ static void test_refusals(void)
     CHECK(vm_vdp_plan_within(&p, 3, 0, &m) == VM_OK && m.x == 0 && m.v == 0 && m.error == 0);
 }
 
+/* ---- Slow stiffness ---- */
+
+#ifndef VM_USE_FLOAT
+/* Law number 0 to 2: the stiffness rises with constant mass, falls, and has a table */
+static vm_vdp with_stiffness(int number, double alpha, double small_rate, vm_real *time, vm_real *value)
+{
+    vm_vdp v = oscillator(alpha, small_rate, small_rate, 0.5, vm_law_linear(1, number == 1 ? small_rate / 2 : 0));
+    int i;
+    if (number == 0) v.stiffness = vm_law_exponential(1, 0.4 * small_rate);
+    if (number == 1) v.stiffness = vm_law_linear(1, -0.2 * small_rate);
+    if (number < 2) return v;
+    for (i = 0; i < 4; i++) {
+        time[i] = 1.2 * i / small_rate;
+        value[i] = 1 + 0.2 * i;
+    }
+    v.stiffness = vm_law_table(4, time, value);
+    return v;
+}
+
+/* Order three keeps its order where the stiffness follows a law, and its estimate holds. */
+static void test_slow_stiffness(void)
+{
+    static const double alphas[4] = {1, 4. / 3, 3, 5};
+    static vm_vdp_plan plan;
+    int number, k, n, i;
+    for (number = 0; number < 3; number++)
+        for (k = 0; k < 4; k++) {
+            double error[2] = {0, 0}, share = 0;
+            for (n = 0; n < 2; n++) {
+                const double small_rate = 0.04 / (1 << (2 * n));
+                vm_real time[4], value[4];
+                const vm_vdp v = with_stiffness(number, alphas[k], small_rate, time, value);
+                CHECK(vm_vdp_plan_init(&plan, &v, 1.3, 0.4) == VM_OK);
+                for (i = 0; i < 8; i++) {
+                    const double t = (2.1 + 0.1 * i) / small_rate;
+                    vm_osc_motion exact = {0, 0, 0, 0, 0, 0}, m = exact;
+                    double now;
+                    CHECK(vm_vdp_plan_by_route(&plan, VM_ROUTE_COLLOCATION, t, 1e-12, &exact) >= 0);
+                    CHECK(vm_vdp_plan_by_route(&plan, VM_ROUTE_ORDER3, t, 0, &m) == VM_OK);
+                    now = fabs(m.x - exact.x) / exact.amplitude;
+                    error[n] = fmax(error[n], now);
+                    share = fmax(share, now / m.error);
+                }
+            }
+            check_error("slow stiffness", "slope - 3", "abs", fabs(log(error[0] / error[1]) / log(4) - 3), 1, number,
+                        alphas[k]);
+            check_error("slow stiffness", "error/estimate", "", share, 1, number, alphas[k]);
+        }
+}
+#endif
+
+#ifndef VM_USE_FLOAT
+/* With constant mass the mean motion in closed form (alpha = 1), or by a walk that ends on the limit cycle, is that of
+   the walk to the end, forward and backward in time. */
+static void test_constant_mass(void)
+{
+    static const double cases[6][3] = {{0.01, 0.01, 0.5}, {0.01, 0.01, 3.2},  {0.01, 0.01, 1.99},
+                                       {-0.005, 0.01, 1}, {-0.01, -0.002, 0.5}, {0.01, 1e-5, 0.01}};
+    static const double times[5] = {3, 100, 400, -60, 2500}, alphas[3] = {1, 4. / 3, 3};
+    static vm_vdp_plan plan;
+    int i, k, n;
+    for (i = 0; i < 6; i++)
+        for (k = 0; k < 3; k++) {
+            const vm_vdp v = oscillator(alphas[k], cases[i][0], cases[i][1], 1, vm_law_linear(1, 0));
+            CHECK(vm_vdp_plan_init(&plan, &v, cases[i][2], 0.3) == VM_OK);
+            for (n = 0; n < (k == 0 ? 5 : 3); n++) {
+                const double turns = 1 + fabs(times[n]);
+                vmi_vdp_mean closed, walked;
+                const int status = vmi_vdp_mean_at(&plan, times[n], &walked);
+                CHECK(vmi_vdp_mean_motion(&plan, times[n], &closed) == status);
+                if (status) continue; /* the amplitude becomes infinite */
+                check_error("constant mass", "ln A", "abs", fabs(closed.ln_A - walked.ln_A), 1e-13, i, times[n]);
+                check_error("constant mass", "psi/turn", "abs", fabs(closed.psi - walked.psi) / turns, 1e-8, i,
+                            times[n]); /* the closed form leaves out terms of order four of the rate of psi */
+                check_error("constant mass", "ln A, order 1", "abs", fabs(closed.first_ln_A - walked.first_ln_A), 1e-12, i,
+                            times[n]);
+                CHECK(closed.t == walked.t && closed.J_error <= 1.01 * walked.J_error + 1e-15);
+            }
+        }
+}
+#endif
+
+static void test_stiffness_refused(void)
+{
+    vm_vdp v = oscillator(3, 0.01, 0.01, 1, vm_law_linear(1, 0));
+    static vm_vdp_plan plan;
+    vm_real y[2] = {1, 1}, d[2] = {7, 7};
+    vm_osc_motion m;
+    memset(&m, 0, sizeof m);
+    v.stiffness = vm_law_linear(-1, 0);
+    CHECK(vm_vdp_plan_init(&plan, &v, 1, 0) == VM_BAD_STIFFNESS && vm_vdp_rhs(0, y, d, &v) == VM_BAD_STIFFNESS);
+    v.stiffness = vm_law_linear(1, VM_NAN);
+    CHECK(vm_vdp_plan_init(&plan, &v, 1, 0) == VM_NOT_FINITE && vm_vdp_averaged_rhs(0, y, d, &v) == VM_NOT_FINITE);
+    v.stiffness = vm_law_linear(1, R(-0.5));
+    CHECK(vm_vdp_plan_init(&plan, &v, 1, 0) == VM_OK);
+    CHECK(vm_vdp_plan_by_route(&plan, VM_ROUTE_ORDER3, 4, 0, &m) == VM_BAD_STIFFNESS);
+    v.k = 0; /* the law takes the place of k */
+    CHECK(vm_vdp_init(&v) == VM_OK && vm_vdp_rhs(0, y, d, &v) == VM_OK && !VM_IS_FINITE(vm_vdp_amplitude(&v, 1, 1)));
+}
+
 int main(void)
 {
     test_constants();
@@ -550,9 +692,15 @@ int main(void)
     test_times();
     test_kinds_of_law();
     test_removable();
+    test_hard_points();
     test_infinite();
     test_not_slow();
     test_cycle();
+#ifndef VM_USE_FLOAT
+    test_slow_stiffness();
+    test_constant_mass();
+#endif
+    test_stiffness_refused();
     test_refusals();
     return check_finish("van_der_pol_law");
 }

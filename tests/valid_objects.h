@@ -90,6 +90,25 @@ static inline vm_pair a_pair(void)
     return p;
 }
 
+/* Two bodies of different masses with one connection */
+static inline vm_coupled_pair a_coupled_pair(void)
+{
+    static vm_connection spring; /* not constant: mistakes are made in it */
+    vm_coupled_pair p;
+    spring.k = 2;
+    spring.alpha = 3;
+    p.mass[0] = vm_law_linear(2, R(0.01));
+    p.mass[1] = vm_law_linear(3, R(0.01));
+    p.reactive = 1;
+    p.damping = R(0.01);
+    p.n = 1;
+    p.connections = &spring;
+    p.force = NULL;
+    p.ctx = NULL;
+    p.momentum = 0;
+    return p;
+}
+
 /* A rotor on a cubic shaft, whose mass grows */
 static inline vm_jeffcott a_laval(void)
 {

@@ -89,6 +89,21 @@ rows() { # rows PRECISION
     measure $1 "rk4_step" integrators.h "rk4_step(oscillate, NULL, 2, 0, m, y, work), a = y[0]"
     measure $1 "rk45_step" integrators.h "rk45_step(&run), a = run.y[0]" "-DINIT=rk45_init(&run, oscillate, NULL, 2, 0, y, NULL, work)"
 }
+avr_flash() { # avr_flash ORDER FLAG... : flash of a program that makes a plan of this order on an ATmega328P and uses it
+    order=$1
+    shift
+    avr-gcc -mmcu=atmega328p -DF_CPU=16000000UL -std=c99 -Os -ffp-contract=off -ffunction-sections -Wno-unused-function "$@" \
+        -Wl,--gc-sections -Wl,--defsym=__TEXT_REGION_LENGTH__=64K -DMADE=$order tests/cross/avr.c tests/cross/tables.c \
+        -o "$build/made.elf" -lm && avr-size "$build/made.elf" | awk 'NR == 2 {print $1 + $2}'
+}
+avr_table() {
+    printf '\n## ATmega328P\n\nBytes of flash of a whole program in float that makes the plan of a leaking oscillator on the board, evaluates\n'
+    printf 'it at 16 times and prints the results (tests/cross/tables.c). The ATmega328P has 32768. A plan that is made on a\n'
+    printf 'PC is a constant and needs none of the code that makes it.\n\n| order of the law | -Os | -Os -mcall-prologues -mrelax |\n|---|---|---|\n'
+    for order in 2 3 5; do
+        printf '| %s | %s | %s |\n' $order "$(avr_flash $order)" "$(avr_flash $order -mcall-prologues -mrelax)"
+    done
+}
 echo "function,precision,target,flash,stack,instructions" >"$build/table.csv"
 cat <<'END'
 # Flash, stack and instructions of a call
@@ -106,3 +121,4 @@ included.
 END
 rows float
 rows double
+avr_table

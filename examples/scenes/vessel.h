@@ -89,6 +89,35 @@ static inline void vessel_on_hook(stage *s)
     stage_effect(s, vm_effect_force(body, 0, hook_torque, NULL));
 }
 
+/* The tilt and its rate at time t for the constant rate of pouring, 1260 kg/s */
+static inline double pouring_tilt(double t, double *rate)
+{
+    const double q = 1260, a = vessel_a, h = vessel_h, rb = vessel_rho_b, t1 = rb * a * h / (2 * q);
+    const double phi = t <= t1 ? atan(2 * q * t / (rb * a * a)) : atan2(rb * h * h, 2 * (rb * a * h - q * t));
+    const metal f = metal_at(phi);
+    *rate = 2 * q / (rb * f.L * f.L);
+    return phi;
+}
+
+/* The hook regulates its velocity: it adds 2e5 N m for each rad/s by which the vessel turns too slowly. */
+static inline vm_real regulated_torque(vm_real t, vm_real phi, vm_real omega, void *ctx)
+{
+    double wanted;
+    pouring_tilt((double)t, &wanted);
+    return hook_torque(t, phi, omega, ctx) + REAL(2e5 * (wanted - (double)omega));
+}
+
+/* Figure 1 until the vessel is empty after 10 s. Regulated, the tipping is stable after 5 s, too. */
+static inline void vessel_on_regulated_hook(stage *s)
+{
+    int body;
+    stage_clear(s, 10);
+    body = stage_body(s, vm_scene_body_axle(5000, 0, REAL(0.25)));
+    stage_effect(s, vm_effect_mass_law(body, vessel_inertia, NULL, stage_vec(0, 0, 0), 1));
+    stage_effect(s, vm_effect_force(body, 0, regulated_torque, NULL));
+    stage_event(s, vm_then_user(vm_event_at(5), stage_kink, NULL));
+}
+
 /* ---- By a motor about the trunnion: T0 - kappa phi'; what leaves has the lip's velocity ---- */
 
 static inline vm_mass_law_values trunnion_inertia(vm_real t, vm_real phi, vm_real omega, void *ctx)

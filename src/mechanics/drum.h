@@ -5,7 +5,7 @@
      - the geometry (181)-(188),
      - the exact equations of motion, and the reduced equations (192)-(193) of [1],
      - the motion on a rigid shaft in closed form (194)-(206),
-     - the vibrations of an elastic shaft (210)-(226).
+     - the vibrations of an elastic shaft (210)-(226), and how they change the angular velocity.
 
    The band moves at the velocity v along y and meets the drum at the point S + (R, 0), where S is the centre of the
    shaft and R the radius of the drum. After the drum has turned by the angle phi, the band covers the arc from 0 to
@@ -23,6 +23,7 @@
 #define VARMASS_MECHANICS_DRUM_H
 
 #include "../base/elementary.h"
+#include "../base/hypot.h"
 #include "../base/lambert.h"
 #include "../base/real.h"
 #include "../base/scalars.h"
@@ -61,11 +62,14 @@ enum {
     VM_DRUM_STATES = 6
 };
 
-/* Indices of the states of vm_drum_rhs_angle in y, and the number of states */
+/* Indices of the states of vm_drum_rhs_angle and vm_drum_rhs_coupled in y, and the numbers of states */
 enum {
     VM_DRUM_DEFLECTION = 0, /* deflection of the shaft: position x, y of its centre S, m */
     VM_DRUM_SLOPE = 2,      /* derivatives dx/dphi, dy/dphi of the deflection, m/rad */
-    VM_DRUM_ANGLE_STATES = 4
+    VM_DRUM_ANGLE_STATES = 4,
+    VM_DRUM_RATE = 4, /* angular velocity phi' of the drum, rad/s, of vm_drum_rhs_coupled only */
+    VM_DRUM_TIME = 5, /* time t, s, of vm_drum_rhs_coupled only */
+    VM_DRUM_COUPLED_STATES = 6
 };
 
 /* The elastic shaft in the first approximation, for small mu/M0, j/J0 and e/(J0 Omega_b). The letters mu, v, M0, J0,
@@ -284,6 +288,43 @@ VM_API int vm_drum_rhs_angle(vm_real phi, const vm_real *y, vm_real *dydt, void 
     return VM_OK;
 }
 
+/* Right-hand side of the drum on an elastic shaft over the angle phi, (210)-(212).
+   An ode_rhs of VM_DRUM_COUPLED_STATES states; its ctx, here `drum`, is a vm_drum. The independent variable is the
+   angle phi instead of time. Unlike vm_drum_rhs_angle, the function does not take the angular velocity u = dphi/dt from
+   the rigid shaft, but integrates it together with the deflection x, y (m) and the time t (s). With ' = d/dphi the
+   equations are
+     M u (u x')' = -c x - mu u^2 x' + mu R u^2 sin phi
+     M u (u y')' = -c y + mu u (v - u y') - mu R u^2 cos phi
+     J_S u' = e - j u - mu R u y',   t' = 1/u
+   The letters are those of vm_drum_rhs; e = mu v R - D and j = mu R^2. The sine and the cosine are the unbalance, which
+   [1] leaves out. The motion is that of vm_drum_rhs_reduced. Returns VM_OK; or VM_BAD_ARGUMENT for a null pointer,
+   VM_DOMAIN if u is not positive, and the errors of vm_drum_rhs. */
+VM_API int vm_drum_rhs_coupled(vm_real phi, const vm_real *y, vm_real *dydt, void *drum)
+{
+    if (!y || !dydt || !drum) return VM_BAD_ARGUMENT;
+    const vm_drum *d = (const vm_drum *)drum;
+    if (!VM_IS_FINITE(phi) || !VM_IS_FINITE(y[VM_DRUM_RATE]) || !vmi_drum_finite(d)) return VM_NOT_FINITE;
+    const vm_real rate = y[VM_DRUM_RATE], slope_x = y[VM_DRUM_SLOPE], slope_y = y[VM_DRUM_SLOPE + 1];
+    const vm_real unbalance = d->band * d->radius;
+    vm_real turn, drag, force_x, force_y, s, c; /* turn: d(phi')/dphi */
+    vmi_drum_mass m;
+    const int status = vmi_drum_mass_at(d, phi, 0, &m);
+    if (status) return status;
+    if (!(rate > 0)) return VM_DOMAIN;
+    vmi_sincos(phi, &s, &c);
+    turn = (d->band * d->radius * (d->speed - rate * slope_y - d->radius * rate) - d->damping) / m.J;
+    drag = d->band / m.M + turn / rate;
+    force_x = unbalance * s - d->stiffness / rate * y[VM_DRUM_DEFLECTION] / rate;
+    force_y = d->band * d->speed / rate - unbalance * c - d->stiffness / rate * y[VM_DRUM_DEFLECTION + 1] / rate;
+    dydt[VM_DRUM_DEFLECTION] = slope_x;
+    dydt[VM_DRUM_DEFLECTION + 1] = slope_y;
+    dydt[VM_DRUM_SLOPE] = force_x / m.M - drag * slope_x;
+    dydt[VM_DRUM_SLOPE + 1] = force_y / m.M - drag * slope_y;
+    dydt[VM_DRUM_RATE] = turn;
+    dydt[VM_DRUM_TIME] = 1 / rate;
+    return VM_OK;
+}
+
 /* Angle at which the drum on a rigid shaft comes to rest, rad: J0 Omega_b/|e| if e = mu v R - D < 0.
    The drum approaches this angle as t grows, but never reaches it. Returns infinity for e >= 0, and NaN for a drum for
    which vm_drum_rate gives NaN. */
@@ -415,23 +456,98 @@ VM_API int vm_drum_shaft_init(vm_drum_shaft *s, const vm_drum *d)
     return VM_OK;
 }
 
+/* The oscillation in the closed form (224) at the angle phi: envelope * cosine is the deflection about the particular
+   solution */
+typedef struct VM_TAG(vmi_drum_wave) {
+    vm_real square;       /* 1 - A phi */
+    vm_real root;         /* the square root of 1 - A phi */
+    vm_real envelope;     /* amplitude at this angle, m */
+    vm_real sine, cosine; /* of the phase at this angle */
+} vmi_drum_wave;
+
+/* Sets *w for the angle phi, the amplitude a and the phase alpha at phi = 0. Returns 1, or 0 if 1 - A phi is not
+   positive or a number is not finite. The letters are explained at vm_drum_deflection. */
+VM_API int vmi_drum_wave_at(const vm_drum_shaft *s, vm_real phi, vm_real a, vm_real alpha, vmi_drum_wave *w)
+{
+    const vm_real square = 1 - s->A * phi, m = VM_SQRT(vmi_larger(square, 0));
+    if (!(square > 0) || !VM_IS_FINITE(phi) || !VM_IS_FINITE(a)) return 0;
+    w->square = square;
+    w->root = m;
+    w->envelope = a / VM_SQRT(m) * vmi_exp(-s->delta * phi, 0);
+    vmi_sincos(2 * s->k / 3 * phi * ((1 + m + square) / (1 + m)) + alpha, &w->sine, &w->cosine);
+    return 1;
+}
+
 /* Deflection x or y of the elastic shaft, m, at the angle phi, (224), (225) corrected.
    With the fields k, delta, A of *s the deflection is
      a (1 - A phi)^(-1/4) exp(-delta phi) cos(I + alpha) + particular/(1 - A phi),
    where I is the integral of k sqrt(1 - A phi) from 0 to phi. `particular` must be 0 for x and s->shift for y. The
-   amplitude a (m) and the phase alpha (rad) follow from the start: at phi = 0 the deflection is a cos alpha +
-   particular. With m^2 = 1 - A phi the integral is I = 2k/(3A) (1 - m^3). It is computed as
+   amplitude a (m) and the phase alpha (rad) follow from the start by vm_drum_deflection_start: at phi = 0 the
+   deflection is a cos alpha + particular. With m^2 = 1 - A phi the integral is I = 2k/(3A) (1 - m^3). It is computed as
    (2k/3) phi (1 + m + m^2)/(1 + m), which holds for A = 0, too. Returns NaN for a null pointer and if 1 - A phi <=
    0. */
 VM_API vm_real vm_drum_deflection(const vm_drum_shaft *s, vm_real phi, vm_real a, vm_real alpha, vm_real particular)
 {
-    vm_real square, m, sine, cosine;
-    if (!s) return VM_NAN;
-    square = 1 - s->A * phi;
-    if (!(square > 0) || !VM_IS_FINITE(phi) || !VM_IS_FINITE(a) || !VM_IS_FINITE(particular)) return VM_NAN;
-    m = VM_SQRT(square);
-    vmi_sincos(2 * s->k / 3 * phi * ((1 + m + square) / (1 + m)) + alpha, &sine, &cosine);
-    return a / VM_SQRT(m) * vmi_exp(-s->delta * phi, 0) * cosine + particular / square;
+    vmi_drum_wave w;
+    if (!s || !VM_IS_FINITE(particular) || !vmi_drum_wave_at(s, phi, a, alpha, &w)) return VM_NAN;
+    return w.envelope * w.cosine + particular / w.square;
+}
+
+/* Derivative of vm_drum_deflection with respect to the angle phi, m/rad: (218), (220) corrected.
+   The deflection is a product of an amplitude and a cosine, plus a particular solution. Its derivative is
+     amplitude [(A/(4 m^2) - delta) cos(I + alpha) - k m sin(I + alpha)] + A particular/m^4,   m^2 = 1 - A phi,
+   with the letters of vm_drum_deflection. [1] drops the term with A/4 and prints another last term. Times the angular
+   velocity phi', the derivative is the velocity of the shaft's centre. The absolute error is a few roundings of
+   amplitude (k m + |delta|), besides what the rounding of the phase makes. Returns NaN where vm_drum_deflection does.
+*/ VM_API vm_real vm_drum_deflection_slope(const vm_drum_shaft *s, vm_real phi, vm_real a, vm_real alpha,
+                                        vm_real particular)
+{
+    vmi_drum_wave w;
+    vm_real growth;
+    if (!s || !VM_IS_FINITE(particular) || !vmi_drum_wave_at(s, phi, a, alpha, &w)) return VM_NAN;
+    growth = s->A / (4 * w.square) - s->delta;
+    return w.envelope * (growth * w.cosine - s->k * w.root * w.sine) + s->A * particular / w.square / w.square;
+}
+
+/* Amplitude and phase (223) of the elastic shaft from deflection and slope at phi = 0.
+   deflection is x or y (m) and slope its derivative with respect to phi (m/rad) when the winding begins; a velocity in
+   m/s is divided by Omega_b. `particular` must be 0 for x and s->shift for y. *a receives the amplitude a >= 0 (m) and
+   *alpha the phase in [-pi, pi] (rad) for which vm_drum_deflection and vm_drum_deflection_slope begin so:
+     a cos alpha = deflection - particular,   a k sin alpha = (A/4 - delta) a cos alpha + A particular - slope.
+   Their errors are a few roundings of these four terms, divided by k where they have k. Returns VM_BAD_ARGUMENT for a
+   null pointer, VM_NOT_FINITE, VM_DOMAIN if s->k is not positive, and VM_OK otherwise. */
+VM_API int vm_drum_deflection_start(const vm_drum_shaft *s, vm_real deflection, vm_real slope, vm_real particular,
+                                    vm_real *a, vm_real *alpha)
+{
+    vm_real cosine, sine, size; /* a cos alpha, a sin alpha, a */
+    if (!s || !a || !alpha) return VM_BAD_ARGUMENT;
+    if (!VM_IS_FINITE(deflection) || !VM_IS_FINITE(slope) || !VM_IS_FINITE(particular) || !VM_IS_FINITE(s->k) ||
+        !VM_IS_FINITE(s->A) || !VM_IS_FINITE(s->delta))
+        return VM_NOT_FINITE;
+    if (s->k <= 0) return VM_DOMAIN;
+    cosine = deflection - particular;
+    sine = ((s->A / 4 - s->delta) * cosine + (s->A * particular - slope)) / s->k;
+    size = vmi_hypot(cosine, sine);
+    if (!VM_IS_FINITE(size)) return VM_NOT_FINITE;
+    *a = size;
+    *alpha = 0;
+    if (size > 0) *alpha = vmi_atan2(sine, cosine);
+    return VM_OK;
+}
+
+/* Angular velocity phi' on an elastic shaft, rad/s: (196) corrected by the deflection (224).
+   `rise` is the deflection y(phi) - y(0) in the band's direction since the winding began, m, for example by
+   vm_drum_deflection. A rim that rises with the band is driven less by it. To the first order in rise the solution of
+   (212) and (215) is
+     phi' = vm_drum_rate [1 - mu R rise/(J0 + j phi)].
+   mu is the mass of the band per angle, R the radius, J0 the drum's inertia and j = mu R^2. For a drum on which
+   mu R |rise|/J0, mu/M0, j/J0 and |e|/(J0 Omega_b) are at most eps, the error is of the order of eps^2 Omega_b: halving
+   all four divides it by four. Returns NaN where vm_drum_rate does, and for a rise that is not finite. */
+VM_API vm_real vm_drum_rate_elastic(const vm_drum *d, vm_real phi, vm_real rise)
+{
+    const vm_real rate = vm_drum_rate(d, phi);
+    if (rate != rate || !VM_IS_FINITE(rise)) return VM_NAN;
+    return rate * (1 - d->band * d->radius * rise / (d->inertia + d->band * d->radius * d->radius * phi));
 }
 
 /* Whether the shaft's frequency, k sqrt(1 - A phi), stays real for the whole first layer (226).

@@ -38,6 +38,8 @@
    mass, so that its mass m decreases. If the leaking mass has the velocity of the bob and takes its momentum along,
    Q = -m g l sin q + m' l^2 q'. Without the last term the mass would leave at rest.
 
+   Inverse dynamics asks which forces a given motion needs: vm_lagrange_needed_forces and vm_lagrange_drive_forces.
+
    Accuracy: A and b are computed as differences of values of T, exactly except for rounding errors of T. dT/dq is a
    central difference of order 6. Its error is below 2e-13 (float 1e-5) of the largest T, if a coordinate must change by
    as much as the field `scales` says before T changes noticeably. Tests: tests/test_lagrange.c. */
@@ -66,7 +68,7 @@ typedef struct VM_TAG(vm_lagrange_system) {
 } vm_lagrange_system;
 
 /* Length of vm_lagrange_system.work */
-#define VM_LAGRANGE_RHS_WORK(n, n_masses) ((n) * (n) + 3 * (n) + (n_masses))
+#define VM_LAGRANGE_RHS_WORK(n, n_masses) ((n) * (n) + 4 * (n) + (n_masses))
 
 /* The arrays into which the array `work` of a system is divided */
 typedef struct VM_TAG(vmi_lagrange_parts) {
@@ -74,6 +76,7 @@ typedef struct VM_TAG(vmi_lagrange_parts) {
     vm_real *b;      /* the vector b in T, the coefficients of the terms that are linear in the rates q', n numbers */
     vm_real *rates;  /* the generalized momenta minus b, later the rates q', n numbers */
     vm_real *trial;  /* rates or coordinates at which T is evaluated, n numbers */
+    vm_real *forces; /* generalized forces of inverse dynamics, n numbers */
     vm_real *masses; /* the masses, which stay constant while T is differentiated, n_masses numbers */
 } vmi_lagrange_parts;
 
@@ -84,7 +87,8 @@ VM_API vmi_lagrange_parts vmi_lagrange_work(const vm_lagrange_system *system)
     w.b = w.A + (ptrdiff_t)system->n * system->n;
     w.rates = w.b + system->n;
     w.trial = w.rates + system->n;
-    w.masses = w.trial + system->n;
+    w.forces = w.trial + system->n;
+    w.masses = w.forces + system->n;
     return w;
 }
 
@@ -247,6 +251,127 @@ VM_API vm_real vm_lagrange_partial_q(vm_lagrange_system *system, vm_real t, cons
     if (!vmi_lagrange_is_valid(system) || !q || !rates || i < 0 || i >= system->n) return VM_NAN;
     vmi_lagrange_freeze(system, t, q);
     return vmi_lagrange_derivative(system, t, q, rates, i);
+}
+
+/* ---- Inverse dynamics ---- */
+
+/* Adds `weight` times the generalized momenta dT/dq' = A q' + b at time t and coordinates q to p, n numbers. */
+VM_API void vmi_lagrange_add_momenta(const vm_lagrange_system *system, vm_real t, const vm_real *q,
+                                     const vm_real *rates, vm_real weight, vm_real *p)
+{
+    const vmi_lagrange_parts w = vmi_lagrange_work(system);
+    const int n = system->n;
+    int i, j;
+    vmi_lagrange_freeze(system, t, q);
+    vmi_lagrange_quadratic(system, t, q);
+    for (i = 0; i < n; i++) {
+        vm_real sum = w.b[i];
+        for (j = 0; j < n; j++) sum += w.A[i * n + j] * rates[j];
+        p[i] += weight * sum;
+    }
+}
+
+/* The step in time for the derivative of the momenta along the motion. During one step no coordinate changes by more
+   than h times its scale, and time by at most h time_scale, with the h of vmi_lagrange_derivative. The step is 0 if
+   nothing changes. */
+VM_API vm_real vmi_lagrange_time_step(const vm_lagrange_system *system, vm_real time_scale, const vm_real *rates)
+{
+    const vm_real h = VM_MANT_DIG > 24 ? VM_C(0.0078125) : VM_C(0.125);
+    vm_real fastest = 0;
+    int k;
+    if (time_scale > 0) fastest = 1 / time_scale;
+    for (k = 0; k < system->n; k++) {
+        vm_real fast = VM_FABS(rates[k]);
+        if (system->scales) fast /= VM_FABS(system->scales[k]);
+        fastest = vmi_larger(fastest, fast);
+    }
+    if (fastest == 0) return 0;
+    return h / fastest;
+}
+
+/* Adds the change of the momenta per second to p, while the coordinates and the time go on and the rates q' stay. It is
+   a central difference of order 6. Time stands still if time_scale is 0. */
+VM_API void vmi_lagrange_add_momentum_rates(const vm_lagrange_system *system, vm_real t, vm_real time_scale,
+                                            const vm_real *q, const vm_real *rates, vm_real *p)
+{
+    const vm_real weights[3] = {VM_C(0.75), VM_C(-0.15), VM_C(1.0) / 60};
+    const vm_real step = vmi_lagrange_time_step(system, time_scale, rates);
+    const vmi_lagrange_parts w = vmi_lagrange_work(system);
+    int i, k;
+    if (step == 0) return;
+    for (k = -3; k <= 3; k++) {
+        const vm_real moved = (vm_real)k * step;
+        vm_real weight, time = t;
+        if (k == 0) continue;
+        weight = weights[k > 0 ? k - 1 : -k - 1] / step;
+        if (k < 0) weight = -weight;
+        if (time_scale > 0) time = t + moved;
+        for (i = 0; i < system->n; i++) w.rates[i] = q[i] + moved * rates[i];
+        vmi_lagrange_add_momenta(system, time, w.rates, rates, weight, p);
+    }
+}
+
+/* Checks the arguments of vm_lagrange_needed_forces, and writes what it computes to the work array. */
+VM_API int vmi_lagrange_inverse(const vm_lagrange_system *system, vm_real t, vm_real time_scale, const vm_real *q,
+                                const vm_real *rates, const vm_real *accelerations)
+{
+    vmi_lagrange_parts w;
+    int i, j, n;
+    if (!vmi_lagrange_is_valid(system) || !q || !rates || !accelerations) return VM_BAD_ARGUMENT;
+    n = system->n;
+    w = vmi_lagrange_work(system);
+    if (!VM_IS_FINITE(t) || !VM_IS_FINITE(time_scale)) return VM_NOT_FINITE;
+    if (!vmi_all_finite(n, q) || !vmi_all_finite(n, rates) || !vmi_all_finite(n, accelerations)) return VM_NOT_FINITE;
+    if (time_scale < 0) return VM_DOMAIN;
+    for (i = 0; i < n; i++) w.forces[i] = 0;
+    vmi_lagrange_add_momentum_rates(system, t, time_scale, q, rates, w.forces);
+    vmi_lagrange_freeze(system, t, q);
+    vmi_lagrange_quadratic(system, t, q);
+    for (i = 0; i < n; i++) {
+        if (w.A[i * n + i] <= 0) return VM_SINGULAR;
+        for (j = 0; j < n; j++) w.forces[i] += w.A[i * n + j] * accelerations[j];
+        w.forces[i] -= vmi_lagrange_derivative(system, t, q, rates, i);
+    }
+    return VM_OK;
+}
+
+/* Inverse dynamics: generalized forces Q that a given motion needs, the left side of (247).
+   They are Q_i = d/dt dT/dq'_i - (dT/dq_i, masses frozen), the sum of all forces, those of the streams of mass
+   included. q, rates and accelerations are the n coordinates q and their derivatives q' and q'' at time t; Q has n
+   numbers. time_scale (s) is the time after which T or the masses differ noticeably while q stays, as `scales` is for
+   the coordinates; it is 0 if T and the masses do not depend on time. Returns VM_BAD_ARGUMENT, VM_NOT_FINITE also if a
+   result is not finite, VM_DOMAIN for time_scale < 0, VM_SINGULAR if T does not grow with each of the rates, and VM_OK
+   otherwise. The error is below 2e-13 (float 1e-5) of the largest term: of A q'', of T divided by the scale of a
+   coordinate, and of dT/dq' divided by the time in which the system changes noticeably. T is evaluated
+   14 n^2 + 6 n + 7 times. */
+VM_API int vm_lagrange_needed_forces(vm_lagrange_system *system, vm_real t, vm_real time_scale, const vm_real *q,
+                                     const vm_real *rates, const vm_real *accelerations, vm_real *Q)
+{
+    int status;
+    if (!Q) return VM_BAD_ARGUMENT;
+    status = vmi_lagrange_inverse(system, t, time_scale, q, rates, accelerations);
+    if (status) return status;
+    return vmi_copy_if_finite(system->n, vmi_lagrange_work(system).forces, Q);
+}
+
+/* Inverse dynamics: generalized forces that drives must add to system->forces for a given motion.
+   They are those of vm_lagrange_needed_forces minus those that the function `forces` of the system gives. Arguments,
+   accuracy and statuses are those of vm_lagrange_needed_forces, and the number that system->forces returns if it is
+   not 0. */
+VM_API int vm_lagrange_drive_forces(vm_lagrange_system *system, vm_real t, vm_real time_scale, const vm_real *q,
+                                    const vm_real *rates, const vm_real *accelerations, vm_real *Q)
+{
+    vmi_lagrange_parts w;
+    int i, status;
+    if (!Q) return VM_BAD_ARGUMENT;
+    status = vmi_lagrange_inverse(system, t, time_scale, q, rates, accelerations);
+    if (status) return status;
+    w = vmi_lagrange_work(system);
+    for (i = 0; i < system->n; i++) w.b[i] = 0;
+    if (system->forces) status = system->forces(t, q, rates, w.masses, w.b, system->ctx);
+    if (status) return status;
+    for (i = 0; i < system->n; i++) w.forces[i] -= w.b[i];
+    return vmi_copy_if_finite(system->n, w.forces, Q);
 }
 
 #endif

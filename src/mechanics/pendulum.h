@@ -9,10 +9,12 @@
        vm_pendulum_cut cut;
        int status = vm_pendulum_separate(&rod, VM_C(0.25), 0, 0, 1, &cut); // 0.25 m leaves at 1 m/s along y
 
+   vm_compound_pendulum_separate is the same for a pendulum of any shape, and axle.h for any axle in space.
    Tests: tests/test_pendulum.c. */
 #ifndef VARMASS_MECHANICS_PENDULUM_H
 #define VARMASS_MECHANICS_PENDULUM_H
 
+#include "../base/arrays.h"
 #include "../base/elementary.h"
 #include "../base/real.h"
 #include "../base/status.h"
@@ -128,6 +130,109 @@ VM_API int vm_pendulum_separate(const vm_pendulum *pendulum, vm_real part, vm_re
     c.pivot_x = rest_mass * left / 2 * change * fx + c.mass * ux; /* total momentum after the cut minus before it */
     c.pivot_y = rest_mass * left / 2 * change * fy + c.mass * uy;
     if (!vmi_pendulum_cut_finite(&c)) return VM_NOT_FINITE;
+    *cut = c;
+    return VM_OK;
+}
+
+/* ---- A pendulum that is not uniform ---- */
+
+/* A body of any shape that swings in the plane about the fixed point O, the origin: a compound pendulum */
+typedef struct VM_TAG(vm_compound_pendulum) {
+    vm_real mass;    /* mass M > 0, kg */
+    vm_real inertia; /* moment of inertia about O, kg m^2, >= M times the square of the distance from O to S */
+    vm_real x, y;    /* position of the mass centre S, m */
+    vm_real rate;    /* angular velocity phi', rad/s, anticlockwise */
+} vm_compound_pendulum;
+
+/* The part that is cut off from a compound pendulum */
+typedef struct VM_TAG(vm_compound_part) {
+    vm_real mass;    /* mass m > 0, kg */
+    vm_real inertia; /* moment of inertia about the part's own mass centre S2, kg m^2, >= 0 */
+    vm_real x, y;    /* position of S2, m */
+    vm_real ux, uy;  /* velocity of S2 relative to the pendulum, m/s */
+    vm_real Omega;   /* angular velocity of the part relative to the pendulum, rad/s, anticlockwise */
+} vm_compound_part;
+
+/* The compound pendulum and the part after the cut */
+typedef struct VM_TAG(vm_compound_cut) {
+    vm_compound_pendulum rest; /* what remains; rest.rate is phi1', rest.inertia is about O */
+    vm_real vx, vy;            /* velocity of the part's mass centre, m/s */
+    vm_real rate;              /* angular velocity of the part, rad/s */
+    vm_real T1, T_S1, T_S2;    /* kinetic energy of the whole before, of the rest and of the part after the cut, J */
+    vm_real L1, L2;            /* angular momentum of the rest and of the part about O after the cut, kg m^2/s */
+    vm_real pivot_x, pivot_y;  /* impulse of the pivot on the rest during the cut, N s */
+} vm_compound_cut;
+
+/* Checks numbers, masses and inertias of a compound pendulum and its part. */
+VM_API int vmi_check_compound(const vm_compound_pendulum *p, const vm_compound_part *part)
+{
+    const vm_real numbers[12] = {p->mass,       p->inertia,    p->x,     p->y,     p->rate, part->mass,
+                                 part->inertia, part->x,       part->y,  part->ux, part->uy, part->Omega};
+    if (!vmi_all_finite(12, numbers)) return VM_NOT_FINITE;
+    if (!(p->mass > 0 && part->mass > 0 && part->mass < p->mass)) return VM_BAD_MASS;
+    if (part->inertia < 0) return VM_BAD_INERTIA;
+    if (p->inertia * (1 + 8 * VM_EPSILON) < p->mass * (p->x * p->x + p->y * p->y)) return VM_BAD_INERTIA;
+    return VM_OK;
+}
+
+/* Computes mass, mass centre and inertia of what remains of a compound pendulum. Returns VM_BAD_INERTIA if no body has
+   this inertia about O, because the part cannot have been in the pendulum. */
+VM_API int vmi_compound_rest(const vm_compound_pendulum *p, const vm_compound_part *part, vm_compound_pendulum *rest)
+{
+    const vm_real share = part->mass / (p->mass - part->mass);
+    const vm_real about_O = part->inertia + part->mass * (part->x * part->x + part->y * part->y);
+    const vm_real noise = 32 * VM_EPSILON * p->inertia;
+    vm_real least;
+    rest->mass = p->mass - part->mass;
+    rest->x = p->x + share * (p->x - part->x);
+    rest->y = p->y + share * (p->y - part->y);
+    rest->inertia = p->inertia - about_O;
+    rest->rate = p->rate;
+    least = rest->mass * (rest->x * rest->x + rest->y * rest->y);
+    if (!VM_IS_FINITE(least) || !VM_IS_FINITE(rest->inertia)) return VM_NOT_FINITE;
+    if (rest->inertia < least - noise || !(rest->inertia > 0)) return VM_BAD_INERTIA;
+    return VM_OK;
+}
+
+VM_API int vmi_compound_cut_finite(const vm_compound_cut *c)
+{
+    const vm_real numbers[11] = {c->rest.rate, c->vx, c->vy, c->rate,    c->T1,     c->T_S1,
+                                 c->T_S2,      c->L1, c->L2, c->pivot_x, c->pivot_y};
+    return vmi_all_finite(11, numbers);
+}
+
+/* Motion of a pendulum of any shape and of the part that is cut off from it, (119)-(132).
+   The pendulum need not be uniform. Position and inertia of the part are free. With the moment of inertia I1 of the
+   rest about O and the velocity u of the part at r2 relative to the pendulum, the angular velocity changes by
+     phi1' - phi' = -(I2 Omega + m (r2 x u))/I1.
+   This form has no cancellation but that in I1, the difference of the moments of inertia about O. Returns
+   VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS if a mass, that of the rest included, is not positive,
+   VM_BAD_INERTIA for an inertia that no body has, that of the rest included, and VM_OK otherwise. For axles in space
+   see vm_separate_on_axle. */
+VM_API int vm_compound_pendulum_separate(const vm_compound_pendulum *pendulum, const vm_compound_part *part,
+                                         vm_compound_cut *cut)
+{
+    vm_compound_cut c;
+    vm_real moment, change;
+    int status;
+    if (!pendulum || !part || !cut) return VM_BAD_ARGUMENT;
+    status = vmi_check_compound(pendulum, part);
+    if (!status) status = vmi_compound_rest(pendulum, part, &c.rest);
+    if (status) return status;
+    moment = part->inertia * part->Omega + part->mass * (part->x * part->uy - part->y * part->ux);
+    change = -moment / c.rest.inertia;
+    c.rest.rate = pendulum->rate + change;
+    c.vx = part->ux - pendulum->rate * part->y;
+    c.vy = part->uy + pendulum->rate * part->x;
+    c.rate = pendulum->rate + part->Omega;
+    c.L1 = c.rest.inertia * c.rest.rate;
+    c.L2 = moment + (part->inertia + part->mass * (part->x * part->x + part->y * part->y)) * pendulum->rate;
+    c.T1 = pendulum->inertia * pendulum->rate * pendulum->rate / 2;
+    c.T_S1 = c.L1 * c.rest.rate / 2;
+    c.T_S2 = (part->mass * (c.vx * c.vx + c.vy * c.vy) + part->inertia * c.rate * c.rate) / 2;
+    c.pivot_x = part->mass * part->ux - c.rest.mass * change * c.rest.y; /* momentum after the cut minus before it */
+    c.pivot_y = part->mass * part->uy + c.rest.mass * change * c.rest.x;
+    if (!vmi_compound_cut_finite(&c)) return VM_NOT_FINITE;
     *cut = c;
     return VM_OK;
 }

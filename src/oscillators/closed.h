@@ -284,7 +284,7 @@ VM_API int vm_osc_closed_init(vm_osc_closed *c, const vm_osc_problem *problem, i
     c->beyond = s.laws.rate_m != 0 ? VM_BAD_MASS : VM_BAD_STIFFNESS;
     ateb_plan_init(&c->ateb, problem->alpha);
     vmi_ripple_init(&c->ripple, problem->alpha, vmi_ateb_fine_constants);
-    if (order > 2) vmi_ripple_complete(&c->ripple);
+    if (order > 2) vmi_ripple_complete(&c->ripple, order);
     vmi_osc_closed_begin(c, order, &s, t_end);
     return VM_OK;
 }

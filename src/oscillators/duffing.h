@@ -9,7 +9,8 @@
        vm_real x, v;
        vm_real T = vm_duffing_period(2, 1, VM_C(0.5)); // x'' + x + x^3/2 = 0 from rest at x = 2 m
        vm_duffing_exact_from(T / 8, 2, 0, 1, VM_C(0.5), &x, &v);
-   For a slow mass, stiffness or damping give vm_duffing_force(k1, k3) to the functions of oscillators/odd_motion.h.
+   For a slow mass, stiffness or damping give vm_duffing_force(k1, k3) to the functions of oscillators/odd_motion.h; for
+   k1 and k3 that follow laws of their own, vm_duffing_force_of_laws.
    Guide: docs/duffing.md. Tests: tests/test_duffing.c. */
 #ifndef VARMASS_OSCILLATORS_DUFFING_H
 #define VARMASS_OSCILLATORS_DUFFING_H
@@ -24,6 +25,7 @@
 #include "../jacobi/integrals.h"
 #include "../jacobi/means.h"
 #include "../jacobi/third_kind.h"
+#include "duffing_ripple.h"
 #include "odd_force.h"
 
 /* -- The orbit through a state -- */
@@ -87,6 +89,8 @@ VM_API int vmi_duffing_complete_outer(vmi_orbit *orbit)
     orbit->span = VM_PI / 2;
     orbit->lambda = VM_SQRT(lambda2);
     orbit->m1 = m1;
+    orbit->C2 = C2;
+    orbit->C4 = C4;
     orbit->w = VM_PI / 2 * orbit->lambda / jacobi_K_m1(m1);
     orbit->j = square * lambda2 * (m1 * (1 - C2) + m * (C2 - C4)) / orbit->w;
     orbit->energy_slope = orbit->size * lambda2;
@@ -109,6 +113,8 @@ VM_API int vmi_duffing_complete_inner(vmi_orbit *orbit)
     orbit->span = VM_PI;
     orbit->lambda = A * VM_SQRT(k3 / 2);
     orbit->m1 = m1;
+    orbit->C2 = C2;
+    orbit->C4 = C4;
     orbit->w = VM_PI * orbit->lambda / jacobi_K_m1(m1);
     orbit->j = 2 * size * size * k3 * (C2 - C4) / orbit->w; /* the mean of v^2 = 2 k3 size^2 sn^2 cn^2, divided by w */
     orbit->energy_slope = k3 * size / 2;
@@ -210,9 +216,8 @@ VM_API int vmi_duffing_at_phase(const vmi_orbit *orbit, vm_real phi, vm_real *x,
     return VM_OK;
 }
 
-/* Duffing's force k1 x + k3 x^3. k1, N/m, and k3, N/m^3, may have either sign, but not both may be negative or 0: then
-   nothing vibrates, and all functions refuse the force with VM_NO_LAW. */
-VM_API vm_odd_force vm_duffing_force(vm_real k1, vm_real k3)
+/* Duffing's force as the functions for constant mass need it: without its ripple, so that they do not link it */
+VM_API vm_odd_force vmi_duffing_elastic(vm_real k1, vm_real k3)
 {
     vm_odd_force force = vm_odd_force_user(NULL, NULL);
     force.k1 = k1;
@@ -223,6 +228,27 @@ VM_API vm_odd_force vm_duffing_force(vm_real k1, vm_real k3)
     force.point = vmi_duffing_point;
     force.phase = vmi_duffing_phase;
     force.at_phase = vmi_duffing_at_phase;
+    return force;
+}
+
+/* Duffing's force k1 x + k3 x^3. k1, N/m, and k3, N/m^3, may have either sign, but not both may be negative or 0: then
+   nothing vibrates, and all functions refuse the force with VM_NO_LAW. */
+VM_API vm_odd_force vm_duffing_force(vm_real k1, vm_real k3)
+{
+    vm_odd_force force = vmi_duffing_elastic(k1, k3);
+    force.ripple = vmi_duffing_ripple;
+    return force;
+}
+
+/* Duffing's force k1(t) x + k3(t) x^3 whose coefficients follow laws of their own: laws[0] is k1, N/m, and laws[1] is
+   k3, N/m^3. Both may have either sign; the two laws must outlive the force. It is for a vm_odd_problem
+   (oscillators/odd_motion.h), whose factor `stiffness` multiplies both. The functions for constant mass refuse it with
+   VM_NO_LAW. A null pointer makes no force: it is refused with VM_BAD_ARGUMENT. */
+VM_API vm_odd_force vm_duffing_force_of_laws(const struct VM_TAG(vm_law) *laws)
+{
+    vm_odd_force force = vm_duffing_force(0, 0); /* vm_odd_plan_init writes the coefficients at t = 0 */
+    force.laws = laws;
+    if (!laws) force.at = NULL;
     return force;
 }
 
@@ -251,7 +277,7 @@ VM_API int vmi_duffing_is_separatrix(const vmi_orbit *orbit)
    x0 = 0, and for infinite arguments. */
 VM_API vm_real vm_duffing_period(vm_real x0, vm_real c1, vm_real c3)
 {
-    const vm_odd_force force = vm_duffing_force(c1, c3);
+    const vm_odd_force force = vmi_duffing_elastic(c1, c3);
     vmi_orbit orbit;
     if (!VM_IS_FINITE(x0) || !VM_IS_FINITE(c1) || !VM_IS_FINITE(c3)) return VM_NAN;
     if (vmi_duffing_through(&force, x0, 0, &orbit) || orbit.size == 0) return VM_NAN;
@@ -265,7 +291,7 @@ VM_API vm_real vm_duffing_period(vm_real x0, vm_real c1, vm_real c3)
    those of vm_duffing_period, but it is 0 for x0 = 0, and NaN on the separatrix. */
 VM_API vm_real vm_duffing_action(vm_real x0, vm_real c1, vm_real c3)
 {
-    const vm_odd_force force = vm_duffing_force(c1, c3);
+    const vm_odd_force force = vmi_duffing_elastic(c1, c3);
     if (!VM_IS_FINITE(c1) || !VM_IS_FINITE(c3)) return VM_NAN;
     return vm_odd_action(&force, x0);
 }
@@ -291,7 +317,7 @@ VM_API void vmi_duffing_on_separatrix(vm_real t, vm_real x0, vm_real v0, vm_real
 VM_API void vm_duffing_exact_from(vm_real t, vm_real x0, vm_real v0, vm_real c1, vm_real c3, vm_real *x, vm_real *v)
 {
     if (!x || !v) return;
-    const vm_odd_force force = vm_duffing_force(c1, c3);
+    const vm_odd_force force = vmi_duffing_elastic(c1, c3);
     vmi_orbit orbit;
     *x = VM_NAN;
     *v = VM_NAN;

@@ -53,6 +53,19 @@ VM_API int vmi_time_side(vm_real length) { return length < 0 ? -1 : 1; }
 /* How many numbers the function `derivatives` of a law writes: f and its first six derivatives in f[0] ... f[6] */
 enum { VMI_LAW_ORDERS = 7 };
 
+/* Checks the first n numbers that a law's function `derivatives` wrote to f when it returned `status`. */
+VM_API int vmi_law_status(int status, int if_not_positive, int n, const vm_real *f)
+{
+    vm_real sum = 0; /* sum of f[i] - f[i], which is 0, or NaN if a number is infinite or NaN */
+    int i;
+    if (status == VM_BAD_MASS) return if_not_positive ? if_not_positive : (int)VM_DOMAIN;
+    if (status) return status;
+    for (i = 0; i < n; i++) sum += f[i] - f[i];
+    if (!(sum == 0)) return VM_NOT_FINITE;
+    if (if_not_positive && !(f[0] > 0)) return if_not_positive;
+    return VM_OK;
+}
+
 /* Writes the value of a law and its derivatives at t to f[0], f[1] ... A constructor must have made the law. Where a
    derivative jumps at t, side = 1 asks for its value after t, side = -1 for its value before t. With length = 0 only f
    and f' are written. A positive length, s, asks for all six derivatives. For a user's function they are found from the
@@ -60,17 +73,19 @@ enum { VMI_LAW_ORDERS = 7 };
    VM_BAD_MASS for a mass; it is VM_OK where f may have any sign. */
 VM_API int vmi_law_derivatives(const vm_law *law, int if_not_positive, vm_real t, int side, vm_real length, vm_real *f)
 {
-    int i, status;
-    vm_real sum = 0; /* sum of f[i] - f[i], which is 0, or NaN if a number is infinite or NaN */
-    if (length > 0)
-        for (i = 2; i < VMI_LAW_ORDERS; i++) f[i] = 0;
-    status = law->derivatives(law, t, side, length, f);
-    if (status == VM_BAD_MASS) return if_not_positive ? if_not_positive : (int)VM_DOMAIN;
-    if (status) return status;
-    for (i = 0; i < (length > 0 ? VMI_LAW_ORDERS : 2); i++) sum += f[i] - f[i];
-    if (!(sum == 0)) return VM_NOT_FINITE;
-    if (if_not_positive && !(f[0] > 0)) return if_not_positive;
-    return VM_OK;
+    const int orders = length > 0 ? VMI_LAW_ORDERS : 2;
+    int i;
+    for (i = 2; i < orders; i++) f[i] = 0;
+    return vmi_law_status(law->derivatives(law, t, side, length, f), if_not_positive, orders, f);
+}
+
+/* Does what vmi_law_derivatives does, but only f, f' and f'' are right and checked. The law must not be a function of
+   the user. */
+VM_API int vmi_law_two_derivatives(const vm_law *law, int if_not_positive, vm_real t, int side, vm_real *f)
+{
+    const vm_real length = 1; /* 1 s: only a user's function needs a certain length */
+    f[2] = 0;
+    return vmi_law_status(law->derivatives(law, t, side, length, f), if_not_positive, 3, f);
 }
 
 /* Checks that a constructor made the law, and that the law is finite and positive between 0 and t. Of a user's function

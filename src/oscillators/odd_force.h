@@ -29,12 +29,15 @@ typedef int (*vm_odd_function)(vm_real x, vm_real *f, void *ctx);
 
 typedef struct VM_TAG(vmi_orbit) vmi_orbit;
 typedef struct VM_TAG(vmi_orbit_point) vmi_orbit_point;
+typedef struct VM_TAG(vmi_orbit_ripple) vmi_orbit_ripple; /* oscillators/orbit_ripple.h */
 
 /* An odd elastic force F(x). The constructors vm_odd_force_user and vm_duffing_force fill it. It points to functions
    of this header and to the user's function and ctx, which must outlive it. */
 typedef struct VM_TAG(vm_odd_force) vm_odd_force;
+struct VM_TAG(vm_law); /* oscillators/laws.h */
 struct VM_TAG(vm_odd_force) {
     vm_real k1, k3;           /* coefficients of x and x^3 of Duffing's force; 0 for a user's function */
+    const struct VM_TAG(vm_law) *laws; /* two laws of time for k1 and k3; null where they are constant */
     vm_odd_function function; /* the user's function; else null */
     void *ctx;                /* the user's pointer, last argument of function */
     /* Functions that depend on the kind of force; its constructor sets them. All but `point` return a status. */
@@ -47,6 +50,8 @@ struct VM_TAG(vm_odd_force) {
     void (*point)(const vmi_orbit *orbit, vm_real theta, vmi_orbit_point *point);
     int (*phase)(const vmi_orbit *orbit, vm_real x, vm_real v, vm_real *phi);
     int (*at_phase)(const vmi_orbit *orbit, vm_real phi, vm_real *x, vm_real *v);
+    /* Writes the ripple of a complete orbit; null where quadrature has to find it. */
+    void (*ripple)(const vmi_orbit *orbit, vmi_orbit_ripple *ripple);
 };
 
 /* Where an orbit lies: around x = 0, or around another place of rest, to the right or to the left of x = 0 */
@@ -66,6 +71,7 @@ struct VM_TAG(vmi_orbit) {
     vm_real energy_slope;      /* derivative of the energy with respect to `size` */
     vm_real swing, vmax;       /* half the distance of the turning points, m, and largest velocity, m/s */
     vm_real lambda, m1;        /* rate of the argument of Jacobi's functions, and 1 - k^2 with their modulus k */
+    vm_real C2, C4;            /* for Duffing's force: means of cn^2 and cn^4 over a period, for this modulus */
     int pieces;                /* for a user's force: number of equal pieces of 0 ... `size`; a series gives F
                                   on each piece */
     vm_real series[VMI_ORBIT_PARTS][VMI_GAUSS]; /* for a user's force: Legendre series of F on each piece */
@@ -470,6 +476,7 @@ VM_API vm_odd_force vm_odd_force_user(vm_odd_function function, void *ctx)
     vm_odd_force force;
     force.k1 = 0;
     force.k3 = 0;
+    force.laws = NULL;
     force.function = function;
     force.ctx = ctx;
     force.at = NULL;
@@ -479,6 +486,7 @@ VM_API vm_odd_force vm_odd_force_user(vm_odd_function function, void *ctx)
     force.point = vmi_odd_user_point;
     force.phase = vmi_odd_user_phase;
     force.at_phase = vmi_odd_user_at_phase;
+    force.ripple = NULL;
     return force;
 }
 

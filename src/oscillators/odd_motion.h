@@ -3,8 +3,8 @@
    The equation of motion, with the laws of time m(t) (kg), k(t) (a pure number) and b(t) (kg/s), is
        m x'' + k F(x) + (reactive m' + b) x' = 0,   x(0) and x'(0) given
    F is odd: Duffing's force k1 x + k3 x^3 (oscillators/duffing.h) or a function of the user (oscillators/odd_force.h).
-   `reactive` is 1 where mass that joins or leaves is at rest, 0 where it has the body's velocity. Shortest useful
-   call:
+   `reactive` is 1 where mass that joins or leaves is at rest, 0 where it has the body's velocity. k1 and k3 may follow
+   laws of their own (vm_duffing_force_of_laws). Shortest useful call:
        vm_odd_problem problem;
        vm_odd_motion motion;
        problem.force = vm_duffing_force(100, 2000);           // 100 N/m x + 2000 N/m^3 x^3
@@ -30,9 +30,9 @@
 #include "laws.h"
 #include "legendre.h"
 #include "odd_force.h"
+#include "odd_laws.h"
 #include "orbit_ripple.h"
 #include "panels.h"
-#include "reduction.h"
 
 /* Routes to x(t) and x'(t), the cheapest first */
 enum {
@@ -40,17 +40,6 @@ enum {
     VM_ODD_ORDER2 = 1, /* the mean motion and its ripple within a period: an error of second order */
     VM_ODD_RK87 = 2    /* integration of the equation of motion by rk87 */
 };
-
-/* A vibration under an odd elastic force, and its state at t = 0 */
-typedef struct VM_TAG(vm_odd_problem) {
-    vm_odd_force force; /* F(x), N, by vm_duffing_force or vm_odd_force_user */
-    vm_law mass;        /* mass m(t), kg, positive */
-    vm_law stiffness;   /* factor k(t) of the whole elastic force, a pure number, positive */
-    vm_law damping;     /* damping b(t), kg/s; positive takes energy out */
-    vm_real reactive;   /* share of the full reactive force: 1 where mass that joins or leaves is at rest, 0 where this
-                           mass has the body's own velocity; numbers between are allowed */
-    vm_real x, v;       /* position, m, and velocity, m/s, at t = 0 */
-} vm_odd_problem;
 
 /* The motion at one time */
 typedef struct VM_TAG(vm_odd_motion) {
@@ -61,69 +50,6 @@ typedef struct VM_TAG(vm_odd_motion) {
     int route;         /* the route that was taken, VM_ODD_... */
     long evals;        /* evaluations of the equation of motion; 0 where nothing was integrated */
 } vm_odd_motion;
-
-/* -- The laws at one time -- */
-
-/* Mass, stiffness, damping and the rates that follow from them, at one time */
-typedef struct VM_TAG(vmi_odd_rates) {
-    vm_real m, k, b;   /* mass, stiffness and damping */
-    vm_real m_rate;    /* dm/dt, kg/s */
-    vm_real speed;     /* ds/dt = sqrt(k/m) */
-    vm_real turn;      /* relative rate of change of `speed`, 1/s */
-    vm_real h;         /* damping h of orbit_ripple.h, times `speed`, 1/s */
-} vmi_odd_rates;
-
-/* Reads the laws at t. Where a rate jumps at t, side = 1 asks for its value after t, side = -1 before t. */
-VM_API int vmi_odd_rates_at(const vm_odd_problem *o, vm_real t, int side, vmi_odd_rates *r)
-{
-    vm_real m[VMI_LAW_ORDERS], k[VMI_LAW_ORDERS], b[VMI_LAW_ORDERS];
-    int status = vmi_law_derivatives(&o->mass, VM_BAD_MASS, t, side, 0, m);
-    if (!status) status = vmi_law_derivatives(&o->stiffness, VM_BAD_STIFFNESS, t, side, 0, k);
-    if (!status) status = vmi_law_derivatives(&o->damping, VM_OK, t, side, 0, b);
-    if (status) return status;
-    r->m = m[0];
-    r->k = k[0];
-    r->b = b[0];
-    r->m_rate = m[1];
-    r->speed = VM_SQRT(k[0] / m[0]);
-    r->turn = (k[1] / k[0] - m[1] / m[0]) / 2;
-    r->h = (r->turn + (o->reactive * m[1] + b[0]) / m[0]) / 2;
-    return VM_OK;
-}
-
-/* The damping h of orbit_ripple.h, and its first two derivatives h1 and h2 with respect to s, where ds/dt =
-   sqrt(k/m) */
-typedef struct VM_TAG(vmi_odd_slow) {
-    vm_real h, h1, h2;
-} vmi_odd_slow;
-
-/* Computes h, h1 and h2 at t. length, s, is needed for the derivatives of users' laws (see vmi_law_derivatives). */
-VM_API int vmi_odd_slow_at(const vm_odd_problem *o, vm_real t, int side, vm_real length, vmi_odd_slow *slow)
-{
-    enum { TERMS = 4 };
-    vm_real m[VMI_LAW_ORDERS], k[VMI_LAW_ORDERS], b[VMI_LAW_ORDERS], ln_m[TERMS], ln_k[TERMS], inverse[TERMS];
-    vm_real h[3], turn[2], speed, rate, rate_rate;
-    int i, status = vmi_law_derivatives(&o->mass, VM_BAD_MASS, t, side, length, m);
-    if (!status) status = vmi_law_derivatives(&o->stiffness, VM_BAD_STIFFNESS, t, side, length, k);
-    if (!status) status = vmi_law_derivatives(&o->damping, VM_OK, t, side, length, b);
-    if (status) return status;
-    speed = VM_SQRT(k[0] / m[0]);
-    vmi_series_of_derivatives(TERMS, 1, m);
-    vmi_series_of_derivatives(TERMS, 1, k);
-    vmi_series_of_derivatives(TERMS, 1, b);
-    vmi_series_log_rate(TERMS, m, ln_m);
-    vmi_series_log_rate(TERMS, k, ln_k);
-    vmi_series_inverse(TERMS, m, inverse);
-    for (i = 0; i < 3; i++)
-        h[i] = (ln_k[i] + (2 * o->reactive - 1) * ln_m[i] + 2 * vmi_series_product(i, b, inverse)) / 4;
-    for (i = 0; i < 2; i++) turn[i] = (ln_k[i] - ln_m[i]) / 2;
-    rate = h[1] - turn[0] * h[0];
-    rate_rate = 2 * h[2] - turn[1] * h[0] - turn[0] * h[1];
-    slow->h = h[0] / speed;
-    slow->h1 = rate / (speed * speed);
-    slow->h2 = (rate_rate - 2 * turn[0] * rate) / (speed * speed * speed);
-    return VM_OK;
-}
 
 /* -- The plan -- */
 
@@ -153,12 +79,13 @@ typedef struct VM_TAG(vm_odd_plan) {
     vm_odd_problem problem; /* a copy of the problem */
     vm_real t_end;          /* the time up to which the plan was asked for, s */
     vm_real reach;          /* the time up to which the averaged solutions exist, s: t_end, or less */
-    vm_real m0, k0, speed0; /* mass, stiffness and sqrt(k/m) at t = 0 */
+    vm_real m0, k0, speed0; /* mass, factor k and sqrt(k/m) at t = 0 */
+    vm_real v0;             /* velocity of the reduced motion x/s of odd_laws.h at t = 0, divided by speed0 */
     int at_rest;            /* 1 where the body rests in equilibrium, else 0 */
     vmi_orbit start;        /* the orbit of the state at t = 0; its size is 0 where there is no vibration */
     vm_real phi;            /* phase of this state */
     vm_real ln_j, phase;    /* ln of the mean action, and mean phase, at t = 0 */
-    vmi_odd_slow slow;      /* damping h at t = 0, and its first two derivatives */
+    vmi_odd_slow slow;      /* damping h and weak spring at t = 0, and their derivatives */
     vm_real gamma;          /* ratio of a relative change of w to that of j, at t = 0 */
     vm_real first_a;        /* field largest_a of the ripple at t = 0 */
     vm_real first_B;        /* field largest_B of the ripple at t = 0 */
@@ -196,7 +123,20 @@ VM_API int vmi_orbit_find(vmi_orbit *orbit, vm_real ln_j)
 VM_API vm_real vmi_odd_adiabatic(const vm_odd_plan *p, const vmi_odd_rates *now, vm_real decay)
 {
     const vm_real ln_m = vmi_log(now->m / p->m0).hi, ln_k = vmi_log(now->k / p->k0).hi;
-    return -(ln_k / 2 + (p->problem.reactive - VM_C(0.5)) * ln_m + decay);
+    vm_real shape = 0; /* 2 ln s, where s is the length of odd_laws.h */
+    if (now->ratio1 != now->ratio3) shape = vmi_log(now->ratio1 / now->ratio3).hi;
+    return -(ln_k / 2 + (p->problem.reactive - VM_C(0.5)) * ln_m + decay + shape);
+}
+
+/* The longest panel of time that the laws allow for a walk over `whole` seconds, s */
+VM_API vm_real vmi_odd_longest_panel(const vm_odd_problem *o, vm_real whole)
+{
+    const vm_law *laws[VMI_ODD_LAWS];
+    int statuses[VMI_ODD_LAWS], i;
+    const int n = vmi_odd_all_laws(o, laws, statuses);
+    vm_real longest = whole;
+    for (i = 0; i < n; i++) longest = vmi_smaller(vmi_law_longest_panel(laws[i], whole), longest);
+    return longest;
 }
 
 /* The time, s, in which the phase of the orbit grows by 16. Derivatives of users' laws are computed from rates between
@@ -210,10 +150,40 @@ typedef struct VM_TAG(vmi_odd_nodes) {
     vmi_odd_rates rates[VMI_GAUSS];
     vm_real decay[VMI_GAUSS];  /* integral of b/m from t = 0 */
     vm_real h_rate[VMI_GAUSS]; /* time derivative of the field h of the rates, 1/s^2 */
-    vm_real edge;              /* largest relative difference between 1/m or k and its series at the panel's ends */
+    vm_real spring[VMI_GAUSS]; /* stiffness G of the weak spring of odd_laws.h, divided by the mass, 1/s^2 */
+    vm_real edge;              /* largest relative difference between a law and its series at the panel's ends */
     vm_real decay_end;         /* integral of b/m from t = 0 to the end of the panel */
     vm_real inverse[VMI_GAUSS], stiffness[VMI_GAUSS]; /* series of 1/m and k */
+    vm_real ratio1[VMI_GAUSS], ratio3[VMI_GAUSS];     /* series of these fields of the rates */
 } vmi_odd_nodes;
+
+/* Reads the shape of the force: its series, how well they hold at the ends, and the weak spring at the nodes. The rates at
+   the nodes must be set. */
+VM_API int vmi_odd_read_shape(const vm_odd_problem *o, const vmi_odd_panel *panel, vmi_odd_nodes *at)
+{
+    const vm_odd_force *force = &o->force;
+    vm_real ratio1[VMI_GAUSS], ratio3[VMI_GAUSS], scale[VMI_GAUSS], k1[VMI_GAUSS], k3[VMI_GAUSS], rate[VMI_GAUSS];
+    int i, status = VM_OK;
+    for (i = 0; i < VMI_GAUSS; i++) {
+        at->spring[i] = 0;
+        ratio1[i] = at->rates[i].ratio1;
+        ratio3[i] = at->rates[i].ratio3;
+        scale[i] = at->rates[i].scale_rate;
+    }
+    if (!force->laws) return VM_OK;
+    vmi_legendre_fit(ratio1, ratio3, at->ratio1, at->ratio3);
+    vmi_legendre_fit(scale, scale, rate, k1);
+    vmi_legendre_derive(rate);
+    for (i = 0; i < VMI_GAUSS; i++) {
+        const vm_real scale_change = 2 / panel->length * vmi_legendre_at(rate, vmi_gauss_node(i));
+        at->spring[i] = scale_change + scale[i] * (scale[i] + at->rates[i].loss);
+        k1[i] = force->k1 * at->ratio1[i];
+        k3[i] = force->k3 * at->ratio3[i];
+    }
+    if (force->k1 != 0) status = vmi_panel_edge(&force->laws[0], VM_OK, 0, panel->t, panel->length, k1, &at->edge);
+    if (status || force->k3 == 0) return status;
+    return vmi_panel_edge(&force->laws[1], VM_OK, 0, panel->t, panel->length, k3, &at->edge);
+}
 
 /* Reads the laws at the nodes of a panel. */
 VM_API int vmi_odd_read(const vm_odd_problem *o, const vmi_odd_panel *panel, vmi_odd_nodes *at)
@@ -226,7 +196,7 @@ VM_API int vmi_odd_read(const vm_odd_problem *o, const vmi_odd_panel *panel, vmi
         status = vmi_odd_rates_at(o, t, side, &at->rates[i]);
         if (status) return status;
         inverse[i] = 1 / at->rates[i].m;
-        k[i] = at->rates[i].k;
+        k[i] = at->rates[i].k / at->rates[i].ratio1;
         losses[i] = at->rates[i].b / at->rates[i].m;
         h[i] = at->rates[i].h;
     }
@@ -242,7 +212,9 @@ VM_API int vmi_odd_read(const vm_odd_problem *o, const vmi_odd_panel *panel, vmi
     at->edge = 0;
     status = vmi_panel_edge(&o->mass, VM_BAD_MASS, 1, panel->t, panel->length, at->inverse, &at->edge);
     if (status) return status;
-    return vmi_panel_edge(&o->stiffness, VM_BAD_STIFFNESS, 0, panel->t, panel->length, at->stiffness, &at->edge);
+    status = vmi_panel_edge(&o->stiffness, VM_BAD_STIFFNESS, 0, panel->t, panel->length, at->stiffness, &at->edge);
+    if (status) return status;
+    return vmi_odd_read_shape(o, panel, at);
 }
 
 /* Adds to panel->change the integrals over this panel, from the series of h/w, with root mean squares in place of
@@ -296,6 +268,7 @@ VM_API int vmi_odd_panel_of(const vm_odd_plan *p, vmi_odd_panel *panel, vmi_orbi
         bends[i] = h * M_j;
         ratios[i] = h / orbit->w;
         rates[i] = (orbit->w - M_j * (h1 + 2 * h * h)) * now->speed;
+        rates[i] += at->spring[i] / now->speed * (ripple.X_size / (2 * ripple.j_size));
     }
     vmi_legendre_fit(bends, ratios, bend, ratio);
     vmi_legendre_derive(bend);
@@ -306,12 +279,15 @@ VM_API int vmi_odd_panel_of(const vm_odd_plan *p, vmi_odd_panel *panel, vmi_orbi
 }
 
 /* Whether a panel is short enough for its series. Phase and size are evaluated inside the panel, where the terms that
-   their series leave out are not squared. whole is the length of the walk, s. */
-VM_API int vmi_odd_panel_is_resolved(const vmi_odd_panel *panel, const vmi_odd_nodes *at, vm_real whole)
+   their series leave out are not squared. varying is 1 where k1 and k3 follow laws of their own. whole is the length of
+   the walk, s. */
+VM_API int vmi_odd_panel_is_resolved(const vmi_odd_panel *panel, const vmi_odd_nodes *at, int varying, vm_real whole)
 {
     const vm_real limit = vmi_panel_limit(panel->length, whole), fine = VM_MANT_DIG > 24 ? VM_C(1e-12) : VM_C(1e-5);
     if (!(at->edge <= vmi_panel_edge_limit(limit))) return 0;
     if (!vmi_panel_is_resolved(at->inverse, limit) || !vmi_panel_is_resolved(at->stiffness, limit)) return 0;
+    if (varying && !vmi_panel_is_resolved(at->ratio1, limit)) return 0;
+    if (varying && !vmi_panel_is_resolved(at->ratio3, limit)) return 0;
     return vmi_panel_is_resolved(panel->rate, fine) && vmi_panel_is_resolved(panel->size, fine);
 }
 
@@ -345,7 +321,7 @@ VM_API int vmi_odd_walk_piece(vm_odd_plan *p, vm_real end, vm_real longest, vmi_
         panel.length = panels.side * panels.step;
         status = vmi_odd_panel_of(p, &panel, &trial, &at);
         if (status && (status != VM_NO_LAW || panels.step < shortest_at_end)) return status;
-        if (status || !vmi_odd_panel_is_resolved(&panel, &at, whole)) {
+        if (status || !vmi_odd_panel_is_resolved(&panel, &at, p->problem.force.laws != NULL, whole)) {
             if (vmi_panels_halve(&panels)) continue;
             return VM_NO_LAW;
         }
@@ -358,6 +334,15 @@ VM_API int vmi_odd_walk_piece(vm_odd_plan *p, vm_real end, vm_real longest, vmi_
     return VM_OK;
 }
 
+/* The relative change of the action within a period that a weak linear spring of stiffness 1 causes. In a well it is
+   larger for a smaller orbit, because the spring moves the place of rest. */
+VM_API vm_real vmi_odd_spring_ripple(const vmi_orbit *orbit)
+{
+    vm_real squares = orbit->size; /* the largest change of x^2 */
+    if (orbit->place == VMI_ORBIT_AROUND_0) squares *= orbit->size;
+    return squares / (2 * orbit->w * orbit->j);
+}
+
 /* Takes the mean motion past t, a point of a table: the derivative of h jumps there, but the motion does not, so that
    the mean action jumps. */
 VM_API int vmi_odd_walk_past_knot(const vm_odd_plan *p, vmi_orbit *orbit, vmi_odd_panel *next)
@@ -368,18 +353,22 @@ VM_API int vmi_odd_walk_past_knot(const vm_odd_plan *p, vmi_orbit *orbit, vmi_od
     vmi_odd_slow before, after;
     vmi_orbit_ripple ripple;
     vmi_orbit_ripple_values now;
-    vm_real w, left;
+    vm_real w, left, x, v;
     int status = vmi_odd_rates_at(&p->problem, next->t, -side, &rates);
     if (!status) status = vmi_orbit_find(orbit, p->ln_j + next->ln_J + vmi_odd_adiabatic(p, &rates, next->decay));
     if (!status) status = vmi_odd_slow_at(&p->problem, next->t, -side, length, &before);
     if (!status) status = vmi_odd_slow_at(&p->problem, next->t, side, length, &after);
+    if (!status) status = orbit->force->at_phase(orbit, next->phase, &x, &v);
     if (status) return status;
     vmi_orbit_ripple_init(&ripple, orbit);
     vmi_orbit_ripple_at(&ripple, orbit, next->phase, &now);
     w = orbit->w;
     next->ln_J -= 2 * (after.h1 - before.h1) * now.B / (w * w * orbit->j);
+    next->ln_J += (after.spring - before.spring) * vmi_orbit_spring_action(&ripple, orbit, x) / orbit->j;
     left = VM_FABS(after.h2 - before.h2) + 4 * VM_FABS((after.h1 - before.h1) * after.h);
     next->knots += left / (w * w * w);
+    left = VM_FABS(after.spring1 - before.spring1) + 4 * VM_FABS((after.spring - before.spring) * after.h);
+    next->knots += left / w * vmi_odd_spring_ripple(orbit);
     return VM_OK;
 }
 
@@ -387,11 +376,9 @@ VM_API int vmi_odd_walk_past_knot(const vm_odd_plan *p, vmi_orbit *orbit, vmi_od
 VM_API int vmi_odd_walk(vm_odd_plan *p, vmi_orbit *orbit)
 {
     const vm_odd_problem *o = &p->problem;
-    const vm_real whole = VM_FABS(p->t_end);
-    vm_real longest = vmi_smaller(vmi_law_longest_panel(&o->mass, whole), vmi_law_longest_panel(&o->stiffness, whole));
+    const vm_real longest = vmi_odd_longest_panel(o, VM_FABS(p->t_end));
     vmi_odd_panel next;
     int i, status = VM_OK;
-    longest = vmi_smaller(longest, vmi_law_longest_panel(&o->damping, whole));
     next.t = 0;
     next.length = 0;
     next.phase = p->phase;
@@ -403,9 +390,7 @@ VM_API int vmi_odd_walk(vm_odd_plan *p, vmi_orbit *orbit)
     next.gamma = 0;
     for (i = 0; i < VMI_ODD_ORDERS; i++) next.change[i] = 0;
     while (!status && next.t != p->t_end) {
-        vm_real end = vmi_law_next_knot(&o->mass, next.t, p->t_end);
-        end = vmi_law_next_knot(&o->stiffness, next.t, end);
-        end = vmi_law_next_knot(&o->damping, next.t, end);
+        const vm_real end = vmi_odd_next_knot(o, next.t, p->t_end);
         status = vmi_odd_walk_piece(p, end, longest, orbit, &next);
         if (!status && end != p->t_end) status = vmi_odd_walk_past_knot(p, orbit, &next);
     }
@@ -420,11 +405,12 @@ VM_API int vmi_odd_start(vm_odd_plan *p, const vmi_orbit *orbit)
     vmi_orbit_ripple_values now;
     vm_real mean;
     int status = vmi_odd_slow_at(&p->problem, 0, side, vmi_odd_sampling_time(orbit->w, p->speed0), &p->slow);
-    if (!status) status = orbit->force->phase(orbit, p->problem.x, p->problem.v / p->speed0, &p->phi);
+    if (!status) status = orbit->force->phase(orbit, p->problem.x, p->v0, &p->phi);
     if (status) return status;
     vmi_orbit_ripple_init(&ripple, orbit);
     vmi_orbit_ripple_at(&ripple, orbit, p->phi, &now);
-    mean = vmi_orbit_mean_action(&ripple, orbit, &now, p->slow.h, p->slow.h1);
+    mean = vmi_orbit_mean_action(&ripple, orbit, &now, p->slow.h, p->slow.h1) +
+           p->slow.spring * vmi_orbit_spring_action(&ripple, orbit, p->problem.x);
     p->phase = p->phi - 2 * p->slow.h * now.B_j;
     p->gamma = vmi_orbit_gamma(&ripple, orbit);
     p->first_a = ripple.largest_a;
@@ -440,14 +426,26 @@ VM_API int vmi_odd_check(const vm_odd_problem *o, vm_real t)
     const vm_real numbers[5] = {o->reactive, o->x, o->v, o->force.k1, o->force.k3};
     int status = vmi_all_finite(5, numbers) ? VM_OK : VM_NOT_FINITE;
     if (!o->force.at) return VM_BAD_ARGUMENT;
-    status = vmi_first_error(status, vmi_law_check(&o->mass, VM_BAD_MASS, t));
-    status = vmi_first_error(status, vmi_law_check(&o->stiffness, VM_BAD_STIFFNESS, t));
-    return vmi_first_error(status, vmi_law_check(&o->damping, VM_OK, t));
+    return vmi_first_error(status, vmi_odd_check_laws(o, t));
+}
+
+/* Writes the velocity of the reduced motion at t = 0, divided by speed0. Where the shape of the force cannot be made
+   constant, it is that of the body. */
+VM_API int vmi_odd_first_velocity(vm_odd_plan *p)
+{
+    const vm_odd_problem *o = &p->problem;
+    vmi_odd_rates rates;
+    const int status = vmi_odd_rates_at(o, 0, vmi_time_side(p->t_end), &rates);
+    p->v0 = o->v / p->speed0;
+    if (status) return status == VM_NO_LAW ? VM_OK : status;
+    if (o->force.laws) p->v0 = (o->v - rates.scale_rate * o->x) / p->speed0;
+    return VM_OK;
 }
 
 /* Fills a plan whose fields problem, t_end, m0, k0 and speed0 are set. */
 VM_API int vmi_odd_fill(vm_odd_plan *p)
 {
+    const vm_odd_problem *o = &p->problem;
     vmi_orbit orbit;
     int status;
     vm_real f;
@@ -456,10 +454,11 @@ VM_API int vmi_odd_fill(vm_odd_plan *p)
     p->at_rest = 0;
     orbit.size = 0;
     p->start = orbit;
-    status = p->problem.force.at(&p->problem.force, p->problem.x, &f);
+    status = o->force.at(&o->force, o->x, &f);
+    if (!status) status = vmi_odd_first_velocity(p);
     if (status) return status;
-    if (p->problem.v == 0 && f == 0) p->at_rest = 1;
-    else status = vmi_orbit_of_state(&p->problem.force, p->problem.x, p->problem.v / p->speed0, &orbit);
+    if (o->v == 0 && f == 0 && (o->x == 0 || !o->force.laws)) p->at_rest = 1;
+    else status = vmi_orbit_of_state(&o->force, o->x, p->v0, &orbit);
     if (status == VM_NO_LAW) return VM_OK;
     if (status || p->at_rest || orbit.size == 0) return status;
     p->start = orbit;
@@ -479,7 +478,7 @@ VM_API int vmi_odd_fill(vm_odd_plan *p)
 VM_API int vm_odd_plan_init(vm_odd_plan *p, const vm_odd_problem *problem, vm_real t_end)
 {
     vm_odd_plan plan;
-    vmi_odd_rates rates;
+    vmi_odd_now now;
     int status;
     if (!p || !problem) return VM_BAD_ARGUMENT;
     memset(&plan, 0, sizeof plan);
@@ -487,11 +486,15 @@ VM_API int vm_odd_plan_init(vm_odd_plan *p, const vm_odd_problem *problem, vm_re
     plan.t_end = t_end;
     if (VM_IS_FINITE(t_end)) status = vmi_odd_check(problem, t_end);
     else status = vmi_first_error(VM_NOT_FINITE, vmi_odd_check(problem, 0));
-    if (!status) status = vmi_odd_rates_at(problem, 0, vmi_time_side(t_end), &rates);
+    if (!status) status = vmi_odd_read_laws(problem, 0, vmi_time_side(t_end), &now);
     if (status) return status;
-    plan.m0 = rates.m;
-    plan.k0 = rates.k;
-    plan.speed0 = rates.speed;
+    if (problem->force.laws) {
+        plan.problem.force.k1 = now.k1;
+        plan.problem.force.k3 = now.k3;
+    }
+    plan.m0 = now.m;
+    plan.k0 = now.k;
+    plan.speed0 = VM_SQRT(now.k / now.m);
     status = vmi_odd_fill(&plan);
     if (!status) *p = plan;
     return status;
@@ -556,12 +559,14 @@ VM_API vm_real vmi_odd_fast(const vmi_odd_mean *mean, vm_real largest_a)
     return least;
 }
 
-/* The sizes of terms of second and of third order, for the damping in *slow and an orbit whose phase has the rate w */
-VM_API void vmi_odd_sizes(const vmi_odd_slow *slow, vm_real w, vm_real *second, vm_real *third)
+/* The sizes of terms of second and of third order, for the damping and the spring in *slow and an orbit */
+VM_API void vmi_odd_sizes(const vmi_odd_slow *slow, const vmi_orbit *orbit, vm_real *second, vm_real *third)
 {
+    const vm_real w = orbit->w, by_spring = vmi_odd_spring_ripple(orbit);
     const vm_real h = VM_FABS(slow->h / w), h1 = VM_FABS(slow->h1 / w / w), h2 = VM_FABS(slow->h2 / w / w / w);
-    *second = h1 + 2 * h * h;
-    *third = h2 + 4 * h * h1 + 4 * h * h * h;
+    const vm_real spring = VM_FABS(slow->spring) * by_spring, spring1 = VM_FABS(slow->spring1 / w) * by_spring;
+    *second = h1 + 2 * h * h + spring;
+    *third = h2 + 4 * h * h1 + 4 * h * h * h + spring1 + 4 * h * spring;
 }
 
 /* The factor by which a small error of the phase becomes an error of x/swing or of v/vmax */
@@ -588,8 +593,8 @@ VM_API int vmi_odd_error(const vm_odd_plan *p, int route, vm_real t, const vmi_o
     int status = vmi_odd_slow_at(&p->problem, t, -vmi_time_side(p->t_end),
                                  vmi_odd_sampling_time(w, mean->rates.speed), &slow);
     if (status) return status;
-    vmi_odd_sizes(&p->slow, p->start.w, &second0, &third0);
-    vmi_odd_sizes(&slow, w, &second, &third);
+    vmi_odd_sizes(&p->slow, &p->start, &second0, &third0);
+    vmi_odd_sizes(&slow, orbit, &second, &third);
     action = p->first_a * (third0 + mean->panel->knots) + vmi_odd_fast(mean, a);
     phase = (1 + gamma) * (p->first_B * second0 + B * (second + third)) + (1 + gamma * turns) * action;
     *error = (vmi_odd_steepness(orbit) * phase + a * (second + third) + action) / 2 +
@@ -610,8 +615,9 @@ VM_API int vmi_odd_averaged(const vm_odd_plan *p, int route, vm_real t, vm_odd_m
     if (!status && route == VM_ODD_ORDER2) status = vmi_odd_add_ripple(&mean);
     if (!status) status = mean.orbit.force->at_phase(&mean.orbit, mean.phase, &r.x, &r.v);
     if (status) return status;
-    r.v *= mean.rates.speed;
-    r.amplitude = vmi_orbit_amplitude(&mean.orbit);
+    r.v = mean.rates.scale * (mean.rates.speed * r.v + mean.rates.scale_rate * r.x); /* from x/s to x */
+    r.x *= mean.rates.scale;
+    r.amplitude = mean.rates.scale * vmi_orbit_amplitude(&mean.orbit);
     r.route = route;
     r.evals = 0;
     if (!VM_IS_FINITE(r.x) || !VM_IS_FINITE(r.v)) return VM_NOT_FINITE;

@@ -27,13 +27,26 @@
 /* Writes the acceleration at t, position x and velocity v, m/s^2. */
 VM_API int vmi_odd_acceleration(const vm_odd_problem *o, vm_real t, int side, vm_real x, vm_real v, vm_real *a)
 {
-    vmi_odd_rates now;
+    vmi_odd_now now;
     vm_real f;
-    int status = vmi_odd_rates_at(o, t, side, &now);
-    if (!status) status = o->force.at(&o->force, x, &f);
+    int status = vmi_odd_read_laws(o, t, side, &now);
+    if (!status) status = vmi_odd_elastic(o, &now, x, &f);
     if (status) return status;
     *a = -(now.k * f + (o->reactive * now.m_rate + now.b) * v) / now.m;
     return VM_OK;
+}
+
+/* The status of the laws at t that comes first in the table of errors */
+VM_API int vmi_odd_statuses_at(const vm_odd_problem *o, vm_real t)
+{
+    const vm_law *laws[VMI_ODD_LAWS];
+    int statuses[VMI_ODD_LAWS], i, status = VM_OK;
+    const int n = vmi_odd_all_laws(o, laws, statuses);
+    for (i = 0; i < n; i++) {
+        vm_real f, rate;
+        status = vmi_first_error(status, vmi_law_at(laws[i], statuses[i], t, &f, &rate));
+    }
+    return status;
 }
 
 /* Equation of motion of a vibration under an odd elastic force, for rk45 or rk87. y = (x, x') is in m and m/s; problem
@@ -47,17 +60,13 @@ VM_API int vm_odd_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *problem)
     vm_real a;
     int status;
     if (!y || !dydt || !o || !o->force.at) return VM_BAD_ARGUMENT;
-    if (!o->mass.derivatives || !o->stiffness.derivatives || !o->damping.derivatives) return VM_BAD_ARGUMENT;
+    if (!vmi_odd_has_laws(o)) return VM_BAD_ARGUMENT;
     if (!VM_IS_FINITE(t) || !VM_IS_FINITE(y[0]) || !VM_IS_FINITE(y[1])) return VM_NOT_FINITE;
     if (!VM_IS_FINITE(o->reactive)) return VM_NOT_FINITE;
     status = vmi_odd_acceleration(o, t, 1, y[0], y[1], &a);
     if (!status && !VM_IS_FINITE(a)) status = VM_NOT_FINITE;
-    if (status) { /* return the status that comes first in the table of errors */
-        vm_real f, rate;
-        status = vmi_first_error(status, vmi_law_at(&o->mass, VM_BAD_MASS, t, &f, &rate));
-        status = vmi_first_error(status, vmi_law_at(&o->stiffness, VM_BAD_STIFFNESS, t, &f, &rate));
-        return vmi_first_error(status, vmi_law_at(&o->damping, VM_OK, t, &f, &rate));
-    }
+    if (status) /* return the status that comes first in the table of errors */
+        return vmi_first_error(status, vmi_odd_statuses_at(o, t));
     dydt[0] = y[1];
     dydt[1] = a;
     return VM_OK;
@@ -95,8 +104,9 @@ VM_API void vmi_odd_units(vmi_odd_run *c, vm_real whole)
 {
     const vm_odd_plan *p = c->plan;
     const vm_odd_problem *o = &p->problem;
-    const vm_law *laws[3];
-    int i;
+    const vm_law *laws[VMI_ODD_LAWS];
+    int statuses[VMI_ODD_LAWS], i;
+    const int n = vmi_odd_all_laws(o, laws, statuses);
     c->longest = whole;
     c->length = VM_FABS(o->x);
     c->velocity = VM_FABS(o->v);
@@ -107,10 +117,7 @@ VM_API void vmi_odd_units(vmi_odd_run *c, vm_real whole)
     }
     if (!(c->length > 0)) c->length = c->velocity;
     if (!(c->velocity > 0)) c->velocity = c->length;
-    laws[0] = &o->mass;
-    laws[1] = &o->stiffness;
-    laws[2] = &o->damping;
-    for (i = 0; i < 3; i++)
+    for (i = 0; i < n; i++)
         if (laws[i]->function) c->longest = vmi_smaller(vmi_law_longest_panel(laws[i], whole) / 4, c->longest);
 }
 
@@ -119,10 +126,9 @@ VM_API int vmi_odd_solve(vmi_odd_run *c, vm_real t)
 {
     const vm_odd_problem *o = &c->plan->problem;
     while (c->s.t != t) {
-        vm_real y[2], stop = vmi_law_next_knot(&o->mass, c->s.t, t);
+        const vm_real stop = vmi_odd_next_knot(o, c->s.t, t);
+        vm_real y[2];
         int status;
-        stop = vmi_law_next_knot(&o->stiffness, c->s.t, stop);
-        stop = vmi_law_next_knot(&o->damping, c->s.t, stop);
         status = rk87_solve(&c->s, stop);
         if (c->status) return c->status;
         if (status < 0) return VM_NOT_INTEGRATED;
@@ -139,10 +145,17 @@ VM_API int vmi_odd_solve(vmi_odd_run *c, vm_real t)
 VM_API int vmi_odd_motion_now(const vmi_odd_run *c, vm_odd_motion *motion, vm_real *swing, vm_real *vmax)
 {
     const vm_odd_problem *o = &c->plan->problem;
-    vmi_odd_rates now;
+    vm_odd_force force = o->force;
+    vmi_odd_now now;
     vmi_orbit orbit;
-    int status = vmi_odd_rates_at(o, c->s.t, -c->side, &now);
+    vm_real speed;
+    int status = vmi_odd_read_laws(o, c->s.t, -c->side, &now);
     if (status) return status;
+    speed = VM_SQRT(now.k / now.m);
+    if (o->force.laws) { /* the vibration with the coefficients of this time */
+        force.k1 = now.k1;
+        force.k3 = now.k3;
+    }
     motion->x = c->length * c->s.y[0];
     motion->v = c->velocity * c->s.y[1];
     motion->amplitude = VM_NAN;
@@ -152,10 +165,10 @@ VM_API int vmi_odd_motion_now(const vmi_odd_run *c, vm_odd_motion *motion, vm_re
     *swing = c->length;
     *vmax = c->velocity;
     if (!VM_IS_FINITE(motion->x) || !VM_IS_FINITE(motion->v)) return VM_NOT_INTEGRATED;
-    if (vmi_orbit_of_state(&o->force, motion->x, motion->v / now.speed, &orbit) || !(orbit.size > 0)) return VM_OK;
+    if (vmi_orbit_of_state(&force, motion->x, motion->v / speed, &orbit) || !(orbit.size > 0)) return VM_OK;
     motion->amplitude = vmi_orbit_amplitude(&orbit);
     *swing = orbit.swing;
-    *vmax = orbit.vmax * now.speed;
+    *vmax = orbit.vmax * speed;
     return VM_OK;
 }
 

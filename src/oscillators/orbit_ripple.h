@@ -22,22 +22,32 @@
 #ifndef VARMASS_OSCILLATORS_ORBIT_RIPPLE_H
 #define VARMASS_OSCILLATORS_ORBIT_RIPPLE_H
 
+#include "../base/elementary.h"
 #include "../base/real.h"
 #include "../base/scalars.h"
 #include "odd_force.h"
 
+/* The largest number of terms of a Fourier series of the ripple */
+enum { VMI_RIPPLE_HARMONICS = 96 };
+
 /* The functions of the ripple on one orbit. "By size" stands for the derivative with respect to orbit.size at fixed
-   phase. */
-typedef struct VM_TAG(vmi_orbit_ripple) {
+   phase. a is a Fourier series in sin(n zeta) where it has a closed form, with zeta = 2 phi for an orbit around 0 and
+   zeta = phi in a well; otherwise it is an integral over theta. */
+struct VM_TAG(vmi_orbit_ripple) {
+    vm_real M, M_size;     /* mean of a^2, and its derivative by size */
+    vm_real X, X_size;     /* mean of x^2, and its derivative by size; set for Duffing's force only, else 0 */
+    vm_real w_size, j_size; /* derivatives of w and j by size */
+    vm_real largest_a;     /* largest |a|/j; for a Fourier series a bound of it */
+    vm_real largest_B;     /* largest w |(B/w)_j|; for a Fourier series a bound of it */
+    int harmonics;         /* number of terms of the Fourier series; 0 where the fields below it are in use */
+    vm_real a[VMI_RIPPLE_HARMONICS + 1], a_size[VMI_RIPPLE_HARMONICS + 1]; /* factor of sin(n zeta) in a, and its
+                                                                              derivative by size, n >= 1 */
+    vm_real b[VMI_RIPPLE_HARMONICS + 1];                                   /* factor of cos(n zeta) in (B/w)_j */
     vmi_orbit_sum time, time_size; /* time from theta = 0, and its derivative by size at fixed theta */
     vmi_orbit_sum squares;         /* integral of v^2 over time */
     vmi_orbit_sum B, B_size;       /* integrals of a over the phase, and of its derivative by size */
     vm_real B_mean, B_size_mean;   /* the means of these integrals */
-    vm_real M, M_size;             /* mean of a^2, and its derivative by size */
-    vm_real w_size, j_size;        /* derivatives of w and j by size */
-    vm_real largest_a;             /* largest |a|/j */
-    vm_real largest_B;             /* largest w |(B/w)_j| */
-} vmi_orbit_ripple;
+};
 
 /* The ripple at one phase */
 typedef struct VM_TAG(vmi_orbit_ripple_values) {
@@ -124,11 +134,37 @@ VM_API void vmi_orbit_ripple_means(const vmi_orbit *orbit, const vmi_orbit_nodes
     }
 }
 
+/* Completes the ripple whose Fourier coefficients a, a_size and their number, and w_size and j_size, are set. */
+VM_API void vmi_orbit_ripple_of_harmonics(const vmi_orbit *orbit, vmi_orbit_ripple *r)
+{
+    const vm_real turn = VM_PI / orbit->span; /* zeta/phi */
+    int n;
+    r->M = 0;
+    r->M_size = 0;
+    r->largest_a = 0;
+    r->largest_B = 0;
+    for (n = 1; n <= r->harmonics; n++) {
+        const vm_real integral = -1 / ((vm_real)n * turn);
+        r->b[n] = vmi_orbit_B_j(orbit, r, integral * r->a[n], integral * r->a_size[n]);
+        r->M += r->a[n] * r->a[n] / 2;
+        r->M_size += r->a[n] * r->a_size[n];
+        r->largest_a += VM_FABS(r->a[n]) / orbit->j;
+        r->largest_B += VM_FABS(r->b[n]) * orbit->w;
+    }
+}
+
 /* Computes the ripple of a complete orbit. Its terms are small, so that 8 digits are enough for them. */
 VM_API void vmi_orbit_ripple_init(vmi_orbit_ripple *r, const vmi_orbit *orbit)
 {
     const vm_real enough = VM_MANT_DIG > 24 ? VM_C(1e-8) : VM_C(1e-5);
     vmi_orbit_nodes nodes;
+    if (orbit->force->ripple) {
+        orbit->force->ripple(orbit, r);
+        return;
+    }
+    r->harmonics = 0;
+    r->X = 0;
+    r->X_size = 0;
     vmi_orbit_times(orbit, enough, &r->time, &r->time_size);
     r->w_size = -orbit->w * (vmi_orbit_whole(&r->time_size) / vmi_orbit_whole(&r->time));
     r->j_size = orbit->energy_slope / orbit->w;
@@ -136,13 +172,43 @@ VM_API void vmi_orbit_ripple_init(vmi_orbit_ripple *r, const vmi_orbit *orbit)
     vmi_orbit_ripple_means(orbit, &nodes, r);
 }
 
+/* The ripple at a phase by the Fourier series, which Clenshaw's recurrence adds up from the last term to the first */
+VM_API void vmi_orbit_ripple_by_harmonics(const vmi_orbit_ripple *r, const vmi_orbit *orbit, vm_real phi,
+                                          vmi_orbit_ripple_values *now)
+{
+    const vm_real turn = VM_PI / orbit->span;
+    vm_real sine, cosine, a = 0, a_next = 0, B = 0, B_next = 0, b = 0, b_next = 0;
+    int n;
+    vmi_sincos(turn * phi, &sine, &cosine);
+    for (n = r->harmonics; n >= 1; n--) {
+        const vm_real a_now = r->a[n] + 2 * cosine * a - a_next, b_now = r->b[n] + 2 * cosine * b - b_next;
+        const vm_real B_now = -r->a[n] / ((vm_real)n * turn) + 2 * cosine * B - B_next;
+        a_next = a;
+        a = a_now;
+        b_next = b;
+        b = b_now;
+        B_next = B;
+        B = B_now;
+    }
+    now->a = sine * a;
+    now->B = cosine * B - B_next;
+    now->B_j = cosine * b - b_next;
+}
+
 /* The ripple at a phase of any size */
 VM_API void vmi_orbit_ripple_at(const vmi_orbit_ripple *r, const vmi_orbit *orbit, vm_real phi,
                                 vmi_orbit_ripple_values *now)
 {
-    const vmi_orbit_folded f = vmi_orbit_fold(orbit, phi);
-    const vm_real time = f.phi / orbit->w, theta = vmi_orbit_theta(&r->time, time);
-    const vm_real B_size = vmi_orbit_sum_to(&r->B_size, theta) - r->B_size_mean;
+    vmi_orbit_folded f;
+    vm_real time, theta, B_size;
+    if (r->harmonics > 0) {
+        vmi_orbit_ripple_by_harmonics(r, orbit, phi, now);
+        return;
+    }
+    f = vmi_orbit_fold(orbit, phi);
+    time = f.phi / orbit->w;
+    theta = vmi_orbit_theta(&r->time, time);
+    B_size = vmi_orbit_sum_to(&r->B_size, theta) - r->B_size_mean;
     now->a = f.sign * (vmi_orbit_sum_to(&r->squares, theta) - orbit->j * f.phi);
     now->B = vmi_orbit_sum_to(&r->B, theta) - r->B_mean;
     now->B_j = vmi_orbit_B_j(orbit, r, now->B, B_size);
@@ -170,6 +236,13 @@ VM_API vm_real vmi_orbit_mean_action(const vmi_orbit_ripple *r, const vmi_orbit 
     vm_real second = -(2 * h_rate + 4 * h * h) * now->B / (w * w) + 4 * h * h * orbit->j * now->B_j / w;
     second += 2 * h * h * (M2_j - (now->a * now->a - r->M) * w_j / (w * w * w));
     return orbit->j + first + second;
+}
+
+/* The mean action minus the action for a weak linear spring of stiffness 1 that acts beside the force; x is the position
+   on the orbit */
+VM_API vm_real vmi_orbit_spring_action(const vmi_orbit_ripple *r, const vmi_orbit *orbit, vm_real x)
+{
+    return (x * x - r->X) / (2 * orbit->w);
 }
 
 #endif

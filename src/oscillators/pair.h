@@ -15,6 +15,7 @@
        p.mass = vm_law_linear(1, VM_C(0.01)); // 1 kg, and 0.01 kg/s joins at rest
        int status = vm_pair_at(&p, 50, y, y); // the motion at t = 50 s
 
+   Bodies of different masses, several springs, damping and further forces are in coupled_pair.h.
    Tests: tests/test_pair.c. */
 #ifndef VARMASS_OSCILLATORS_PAIR_H
 #define VARMASS_OSCILLATORS_PAIR_H
@@ -28,6 +29,7 @@
 #include "constant_mass.h"
 #include "laws.h"
 #include "slow.h"
+#include "waves.h"
 
 /* Two bodies of equal mass and the spring between them */
 typedef struct VM_TAG(vm_pair) {
@@ -171,31 +173,74 @@ VM_API int vm_pair_averaged_rhs(vm_real t, const vm_real *modes, vm_real *dmodes
     return VM_OK;
 }
 
+/* Computes the modes at time t from the motion y0 at t = 0, in closed form for a linear mass, and the mass at t.
+   Method: the averaged equations contain powers of m/m0, where m0 is the mass at t = 0. For any exponent e the integral of
+   (m/m0)^e dt is m0 (exp(u) - 1)/u times the integral of dt/m, with u = (1 + e) ln(m/m0). */
+VM_API int vmi_pair_modes_at(const vm_pair *p, vm_real t, const vm_real *y0, vmi_linear_mass *m, vm_real *modes)
+{
+    const vm_real fall = (2 * p->reactive - 1) / (p->alpha + 3); /* A is proportional to (m/m0)^-fall */
+    vm_real rate0, exponent;
+    int status = vmi_pair_now(p, 0, y0, &m->m0, &m->rate);
+    if (status != VM_BAD_ARGUMENT && !VM_IS_FINITE(t)) status = VM_NOT_FINITE;
+    if (!status) status = vmi_linear_mass_of(&p->mass, t, m);
+    if (!status) status = vmi_pair_split(p, m->m0, m->rate, y0, modes);
+    if (status) return status;
+    rate0 = vmi_slow_rate(modes[VMI_PAIR_A], 2 * p->k, m->m0, p->alpha);
+    exponent = VM_C(0.5) - (p->alpha - 1) / 2 * fall;
+    modes[VMI_PAIR_PSI] += rate0 * m->m0 * m->integral * vmi_exp_ratio(exponent * m->ln_ratio);
+    modes[VMI_PAIR_A] *= vmi_exp(-fall * m->ln_ratio, 0);
+    modes[VMI_PAIR_SUM] +=
+        modes[VMI_PAIR_SUM_RATE] * m->m0 * m->integral * vmi_exp_ratio((1 - p->reactive) * m->ln_ratio);
+    modes[VMI_PAIR_SUM_RATE] *= vmi_exp(-p->reactive * m->ln_ratio, 0);
+    return VM_OK;
+}
+
 /* Motion of two bodies at time t, in closed form for a linear mass: (528), (529) with p0 = y(0) - x(0). y0 = (x, y, x',
    y') is the motion at t = 0. The error is of the order of m'/(m Om) up to the time m/m', where Om is the rate of the
    Ateb phase of y - x. Returns the statuses of vm_pair_to_averaged, at 0 and at t, and VM_NO_LAW where the mass is
-   neither linear nor constant (integrate vm_pair_averaged_rhs instead). y and y0 may be the same array. Method: the
-   averaged equations contain powers of m/m0, where m0 is the mass at t = 0. For any exponent e the integral of (m/m0)^e
-   dt is m0 (exp(u) - 1)/u times the integral of dt/m, with u = (1 + e) ln(m/m0). */
+   neither linear nor constant (integrate vm_pair_averaged_rhs instead). y and y0 may be the same array. */
 VM_API int vm_pair_at(const vm_pair *p, vm_real t, const vm_real *y0, vm_real *y)
 {
     if (!p || !y0 || !y) return VM_BAD_ARGUMENT;
-    const vm_real fall = (2 * p->reactive - 1) / (p->alpha + 3); /* A is proportional to (m/m0)^-fall */
     vmi_linear_mass m;
-    vm_real modes[VMI_PAIR_MODES], rate0, exponent;
-    int status = vmi_pair_now(p, 0, y0, &m.m0, &m.rate);
-    if (status != VM_BAD_ARGUMENT && !VM_IS_FINITE(t)) status = VM_NOT_FINITE;
-    if (!status) status = vmi_linear_mass_of(&p->mass, t, &m);
-    if (!status) status = vmi_pair_split(p, m.m0, m.rate, y0, modes);
+    vm_real modes[VMI_PAIR_MODES];
+    const int status = vmi_pair_modes_at(p, t, y0, &m, modes);
     if (status) return status;
-    rate0 = vmi_slow_rate(modes[VMI_PAIR_A], 2 * p->k, m.m0, p->alpha);
-    exponent = VM_C(0.5) - (p->alpha - 1) / 2 * fall;
-    modes[VMI_PAIR_PSI] += rate0 * m.m0 * m.integral * vmi_exp_ratio(exponent * m.ln_ratio);
-    modes[VMI_PAIR_A] *= vmi_exp(-fall * m.ln_ratio, 0);
-    modes[VMI_PAIR_SUM] +=
-        modes[VMI_PAIR_SUM_RATE] * m.m0 * m.integral * vmi_exp_ratio((1 - p->reactive) * m.ln_ratio);
-    modes[VMI_PAIR_SUM_RATE] *= vmi_exp(-p->reactive * m.ln_ratio, 0);
     return vmi_pair_join(p, m.m, m.rate, modes, y);
+}
+
+/* The three methods of (524) */
+enum {
+    VM_PAIR_ATEB = 0,  /* the Ateb function ca, which is exact where the mass is constant */
+    VM_PAIR_TRIG = 1,  /* the cosine with the exact period */
+    VM_PAIR_JACOBI = 2 /* Jacobi's cn with the exact period and the exact velocity at p = 0 */
+};
+
+/* Motion of two bodies at time t by one of the three methods of (524), so that they can be compared.
+   p = A(t) ca, A(t) cos or A(t) cn, with the mean amplitude A of vm_pair_to_averaged, whose law is the same for all
+   three, and x, y by (528), (529). `method` is VM_PAIR_ATEB, VM_PAIR_TRIG or VM_PAIR_JACOBI. Unlike vm_pair_at this
+   leaves out the ripple of the amplitude within a period, as the text does. The other arguments are those of
+   vm_pair_at. The error is that of vm_osc_approximation_errors times A/2, and of the order of m'/(m Om). Returns the statuses of
+   vm_pair_at, and VM_BAD_ARGUMENT for a method that does not exist. y and y0 may be the same array. */
+VM_API int vm_pair_by_method(const vm_pair *p, int method, vm_real t, const vm_real *y0, vm_real *y)
+{
+    if (!p || !y0 || !y || method < VM_PAIR_ATEB || method > VM_PAIR_JACOBI) return VM_BAD_ARGUMENT;
+    vmi_linear_mass m;
+    vmi_osc_wave w;
+    vm_real modes[VMI_PAIR_MODES], found[4], c, s, x, v;
+    const int status = vmi_pair_modes_at(p, t, y0, &m, modes);
+    if (status) return status;
+    w = vmi_osc_wave_ca(p->alpha, NULL);
+    if (method == VM_PAIR_TRIG) w = vmi_osc_wave_cos(p->alpha, ateb_pi(p->alpha));
+    if (method == VM_PAIR_JACOBI) w = vmi_osc_wave_cn(p->alpha, ateb_pi(p->alpha));
+    vmi_osc_wave_at(&w, modes[VMI_PAIR_PSI], &c, &s);
+    x = modes[VMI_PAIR_A] * c;
+    v = -w.speed * vm_osc_vmax(modes[VMI_PAIR_A], VM_SQRT(2 * p->k / m.m), p->alpha) * s;
+    found[0] = (modes[VMI_PAIR_SUM] - x) / 2;
+    found[1] = (modes[VMI_PAIR_SUM] + x) / 2;
+    found[2] = (modes[VMI_PAIR_SUM_RATE] - v) / 2;
+    found[3] = (modes[VMI_PAIR_SUM_RATE] + v) / 2;
+    return vmi_copy_if_finite(4, found, y);
 }
 
 #endif

@@ -136,7 +136,7 @@ VM_API int vm_osc_plan_init(vm_osc_plan *p, const vm_osc_problem *problem)
     status = vmi_osc_prepare(&plan, problem, 1);
     if (status) return status;
     plan.has_ateb = ateb_plan_init(&plan.ateb, problem->alpha) == 0;
-    vmi_ripple_complete(&plan.ripple);
+    vmi_ripple_complete(&plan.ripple, 5);
     status = vmi_osc_start(&plan);
     if (!status) *p = plan;
     return status;

@@ -35,6 +35,7 @@ enum { VMI_OSC_G = 5 };
 typedef struct VM_TAG(vmi_osc_slow) {
     vm_real m, k;         /* mass, kg, and stiffness, N/m^alpha */
     vm_real a, p;         /* the rates a and p that the top of this file defines, 1/s */
+    vm_real k_rate;       /* k'/k, 1/s */
     vm_real unit;         /* time by which G_i are scaled, s, about 1/W: it keeps powers of very fast or slow rates from
                              overflowing */
     vm_real G[VMI_OSC_G]; /* G[i] is unit^(i+2) G_i, a pure number */
@@ -45,6 +46,7 @@ typedef struct VM_TAG(vmi_osc_slow) {
 typedef struct VM_TAG(vmi_osc_rates) {
     vm_real m, k; /* mass, kg, and stiffness, N/m^alpha */
     vm_real a, p; /* the rates a and p of the top of this file, 1/s */
+    vm_real k_rate; /* k'/k, 1/s */
 } vmi_osc_rates;
 
 /* Writes mass, stiffness and rates at t to *r. Where the rates jump at t, side = 1 asks for those after t, side = -1
@@ -58,7 +60,36 @@ VM_API int vmi_osc_rates_at(const vm_osc_problem *o, vm_real t, int side, vmi_os
     r->m = m[0];
     r->k = k[0];
     r->a = (o->reactive * m[1] + o->damping) / m[0];
+    r->k_rate = k[1] / k[0];
     r->p = (k[1] / k[0] + 2 * r->a - m[1] / m[0]) / (o->alpha + 3);
+    return VM_OK;
+}
+
+/* Whether mass or stiffness is a function of the user, which gives no second derivative */
+VM_API int vmi_osc_has_user_law(const vm_osc_problem *o) { return o->mass.function || o->stiffness.function; }
+
+/* Writes what vmi_osc_rates_at writes, and the time derivative of p to *p_rate, which is 0 for laws by functions of the
+   user. */
+VM_API int vmi_osc_rates_and_slope(const vm_osc_problem *o, vm_real t, int side, vmi_osc_rates *r, vm_real *p_rate)
+{
+    const vm_real share = 1 / (o->alpha + 3);
+    vm_real m[VMI_LAW_ORDERS], k[VMI_LAW_ORDERS], per_m, per_k, m_rate, k_rate, a_rate;
+    int status;
+    *p_rate = 0;
+    if (vmi_osc_has_user_law(o)) return vmi_osc_rates_at(o, t, side, r);
+    status = vmi_law_two_derivatives(&o->mass, VM_BAD_MASS, t, side, m);
+    if (!status) status = vmi_law_two_derivatives(&o->stiffness, VM_BAD_STIFFNESS, t, side, k);
+    if (status) return status;
+    per_m = 1 / m[0];
+    per_k = 1 / k[0];
+    m_rate = m[1] * per_m;
+    k_rate = k[1] * per_k;
+    r->m = m[0];
+    r->k = k[0];
+    r->a = (o->reactive * m[1] + o->damping) * per_m;
+    r->p = (k_rate + 2 * r->a - m_rate) * share;
+    a_rate = o->reactive * m[2] * per_m - r->a * m_rate;
+    *p_rate = ((k[2] * per_k - k_rate * k_rate) + 2 * a_rate - (m[2] * per_m - m_rate * m_rate)) * share;
     return VM_OK;
 }
 
@@ -146,6 +177,7 @@ VM_API void vmi_osc_slow_of(const vm_osc_problem *o, vm_real *m, vm_real *k, vm_
         k[i] = (k_rate[i] + 2 * a - m_rate[i]) / (o->alpha + 3);
     }
     now->a = m[0] / unit;
+    now->k_rate = k_rate[0] / unit;
     now->p = k[0] / unit;
     vmi_osc_find_G(n, m, k, now);
 }

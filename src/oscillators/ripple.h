@@ -10,7 +10,7 @@
        vmi_ripple_values f;
        vm_real sa, ca;
        vmi_ripple_init(&r, VM_C(1.5), vmi_ateb_constants);
-       vmi_ripple_complete(&r);
+       vmi_ripple_complete(&r, 5);
        ateb_saca(VM_C(0.7), VM_C(1.5), &sa, &ca);
        vmi_ripple_at(&r, 5, VM_C(0.7), sa, ca, &f); // f.S, f.S2, f.S3, f.Q at psi = 0.7
 
@@ -81,27 +81,29 @@ VM_API vm_real vmi_binomial_next(vm_real before, int i, vm_real exponent)
     return before * ((vm_real)(i - 1) - exponent) / (vm_real)i;
 }
 
-/* Replaces the coefficients i - 1 of all power series by the coefficients i; for i = 0 all must be 0 before. Method:
-   let I be the integral of ca^2 over the phase from a zero of ca or sa, D the integral of I, and E the integral of D.
-   The differential equations D'' = ca^2 and E'' = I give each coefficient of D and E from the one before. */
-VM_API void vmi_ripple_next_terms(vmi_ripple_series *s, int i, vm_real alpha)
+/* Replaces the coefficients i - 1 of the power series by the coefficients i; for i = 0 all must be 0 before. Up to
+   order 3 only the series for the integral of ca^2 are needed. Method: let I be this integral over the phase from a
+   zero of ca or sa, D the integral of I, and E the integral of D. The differential equations D'' = ca^2 and E'' = I
+   give each coefficient of D and E from the one before. */
+VM_API void vmi_ripple_next_terms(vmi_ripple_series *s, int order, int i, vm_real alpha)
 {
     const vm_real n = alpha + 1, nu = 2 * alpha / n, k = (vm_real)(2 * i);
     const vm_real now = (vm_real)i * n, before = now - n;
     vm_real *zero = s->near_ca_0, *turn = s->near_sa_0;
     s->root = vmi_binomial_next(s->root, i, VM_C(-0.5));
     s->power2 = vmi_binomial_next(s->power2, i, (2 - alpha) / n);
+    zero[VMI_RIPPLE_CA2] = n / 2 * s->root / (3 + now);
+    turn[VMI_RIPPLE_CA2] = s->power2 / (k + 1);
+    if (order <= 3) return;
     s->power3 = vmi_binomial_next(s->power3, i, (3 - alpha) / n);
     s->power4 = vmi_binomial_next(s->power4, i, (4 - alpha) / n);
     s->product = (s->product * (k - 3 + 2 * nu) + s->power4) / (k + 1);
-    zero[VMI_RIPPLE_CA2] = n / 2 * s->root / (3 + now);
     zero[VMI_RIPPLE_CA4] = n / 2 * s->root / (5 + now);
     if (i == 0) zero[VMI_RIPPLE_FIRST] = n * n / 48;
     else zero[VMI_RIPPLE_FIRST] *= (4 + before) * (3 + before + n / 2) / ((4 + now) * (3 + now));
     zero[VMI_RIPPLE_SECOND] =
         (zero[VMI_RIPPLE_SECOND] * (5 + before) * (4 + before + n / 2) + n * n / 4 * zero[VMI_RIPPLE_CA2]) /
         ((5 + now) * (4 + now));
-    turn[VMI_RIPPLE_CA2] = s->power2 / (k + 1);
     turn[VMI_RIPPLE_CA4] = s->power4 / (k + 1);
     turn[VMI_RIPPLE_FIRST] = (turn[VMI_RIPPLE_FIRST] * k * (k - 1 + nu) + s->power3) / ((k + 2) * (k + 1));
     turn[VMI_RIPPLE_SECOND] = (turn[VMI_RIPPLE_SECOND] * (k + 1) * (k + nu) + s->product) / ((k + 3) * (k + 2));
@@ -134,9 +136,9 @@ VM_API void vmi_chebyshev_to_powers(vm_real *c)
     }
 }
 
-/* Makes all eight polynomials, four in each set. It adds up the power series, with each power w^i or y^i replaced by
-   its Chebyshev series. */
-VMI_APART void vmi_ripple_make_polynomials(vmi_ripple *r)
+/* Makes the eight polynomials, four in each set; those that no law up to `order` needs become 0. It adds up the power
+   series, with each power w^i or y^i replaced by its Chebyshev series. */
+VMI_APART void vmi_ripple_make_polynomials(vmi_ripple *r, int order)
 {
     vm_real w_power[VMI_RIPPLE_KEPT]; /* coefficients of the Chebyshev series of w^i */
     vmi_ripple_series s;
@@ -153,7 +155,7 @@ VMI_APART void vmi_ripple_make_polynomials(vmi_ripple *r)
     for (k = 0; k < VMI_RIPPLE_KEPT; k++) w_power[k] = 0;
     w_power[0] = 1;
     for (i = 0; i < VMI_RIPPLE_SERIES; i++) {
-        vmi_ripple_next_terms(&s, i, r->alpha);
+        vmi_ripple_next_terms(&s, order, i, r->alpha);
         for (j = 0; j < VMI_RIPPLE_FUNCTIONS; j++)
             for (k = 0; k < VMI_RIPPLE_TERMS; k++) {
                 r->near_ca_0[j][k] += s.near_ca_0[j] * w_power[k];
@@ -251,25 +253,33 @@ VM_API void vmi_ripple_init(vmi_ripple *r, vm_real alpha, vmi_ateb_constants_of 
     r->has_polynomials = 0;
 }
 
-/* Adds the polynomials, and S2 at the zeros of sa and of ca. These two values of S2 follow from the condition that both
-   sets of polynomials give the same S2 and S3 at the phase where sa^2 = 1/2. */
-VM_API void vmi_ripple_complete(vmi_ripple *r)
+/* Sets S2 at the zeros of sa and of ca. They follow from the condition that both sets of polynomials give the same S2
+   and S3 at the phase where sa^2 = 1/2. */
+VM_API void vmi_ripple_join(vmi_ripple *r)
 {
     const vm_real half = VM_C(0.5), sa = VM_SQRT(half), ca = vmi_pow_checked(half, 1 / (r->alpha + 1));
     const vm_real t = vmi_ateb_from_sa_0(r->alpha, sa, half), s = vmi_ateb_from_ca_0(r->alpha, ca, half);
-    vmi_ripple_place place;
-    vmi_ripple_integrals zero, turn;
+    vmi_ripple_place place = vmi_ripple_near_ca_0(r, ca, half);
+    const vmi_ripple_integrals zero = vmi_ripple_integrals_at(&place, 5);
+    vmi_ripple_integrals turn;
     vm_real jump; /* at_sa_0 - at_ca_0 */
-    if (r->has_polynomials) return;
-    vmi_ripple_make_polynomials(r);
-    place = vmi_ripple_near_ca_0(r, ca, half);
-    zero = vmi_ripple_integrals_at(&place, 5);
     place = vmi_ripple_near_sa_0(r, sa, half);
     turn = vmi_ripple_integrals_at(&place, 5);
     jump = (zero.first - r->mean2 * s * s / 2) - (turn.first - r->mean2 * t * t / 2);
     r->at_ca_0 = -((turn.second - r->mean2 * t * t * t / 6) + (zero.second - r->mean2 * s * s * s / 6) + jump * t) /
                  (r->pi / 2);
     r->at_sa_0 = r->at_ca_0 + jump;
+}
+
+/* Adds what the laws up to `order`, 3 to 5, need: the polynomials, and S2 at the zeros of sa and of ca. What only
+   higher orders need is set to 0. */
+VM_API void vmi_ripple_complete(vmi_ripple *r, int order)
+{
+    if (r->has_polynomials) return;
+    vmi_ripple_make_polynomials(r, order);
+    r->at_ca_0 = 0;
+    r->at_sa_0 = 0;
+    if (order > 3) vmi_ripple_join(r);
     r->has_polynomials = 1;
 }
 

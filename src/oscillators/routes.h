@@ -253,14 +253,15 @@ VM_API int vm_osc_plan_within(const vm_osc_plan *p, vm_real t, vm_real tolerance
 /* -- Without a plan -- */
 
 /* Makes the plan of a problem for one call, without the plan of the Ateb functions, which is worth its time only for
-   many calls. complete = 1 also makes the polynomials of the ripple, which orders 3 to 5 need. */
+   many calls. complete = 1 also makes the polynomials of the ripple, which orders 3 to 5 and collocation
+   need. */
 VM_API int vmi_osc_once(const vm_osc_problem *problem, int complete, vm_osc_plan *plan)
 {
     int status;
     if (!problem) return VM_BAD_ARGUMENT;
     status = vmi_osc_prepare(plan, problem, 0);
     if (status) return status;
-    if (complete) vmi_ripple_complete(&plan->ripple);
+    if (complete) vmi_ripple_complete(&plan->ripple, 5);
     return vmi_osc_start(plan);
 }
 
@@ -270,7 +271,7 @@ VM_API int vmi_osc_once(const vm_osc_problem *problem, int complete, vm_osc_plan
 VM_API int vm_osc_by_route(const vm_osc_problem *problem, int route, vm_real t, vm_real tolerance,
                            vm_osc_motion *motion)
 {
-    const int complete = route >= VM_ROUTE_ORDER3 && route <= VM_ROUTE_ORDER5;
+    const int complete = route >= VM_ROUTE_ORDER3 && route <= VM_ROUTE_COLLOCATION;
     vm_osc_plan plan;
     int status = vmi_osc_check_arguments(route, t, tolerance, motion);
     status = vmi_first_error(status, vmi_osc_once(problem, complete, &plan));
@@ -292,10 +293,10 @@ VM_API int vm_osc_within(const vm_osc_problem *problem, vm_real t, vm_real toler
     if (!problem->force) {
         status = vmi_osc_averaged_within(&plan, t, tolerance, motion);
         if (status != VM_TOLERANCE_MISSED) return status;
-        vmi_ripple_complete(&plan.ripple);
-        status = vmi_osc_start(&plan);
-        if (status) return status;
     }
+    vmi_ripple_complete(&plan.ripple, 5);
+    status = vmi_osc_start(&plan);
+    if (status) return status;
     return vm_osc_plan_within(&plan, t, tolerance, motion);
 }
 

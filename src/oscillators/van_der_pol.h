@@ -1,6 +1,6 @@
 /* oscillators/van_der_pol.h - the Van der Pol oscillator with variable mass
 
-   The equation is (404), with the mass m(t) and a spring of any exponent alpha:
+   The equation is (404), with the mass m(t), a spring of any exponent alpha, and a stiffness k that may be slow, too:
        m x'' + k x|x|^(alpha-1) = (feed - c x^2) x' - r m' x'
    If feed > 0 feeds the vibration and c > 0 limits it, the vibration tends to a limit cycle. r (`reactive`) is 1 where
    mass that joins or leaves is at rest, 0 where it has the body's velocity. This file has the equation of motion, the
@@ -43,12 +43,14 @@ enum {
    the dissertation; both may have either sign. */
 typedef struct VM_TAG(vm_vdp) {
     vm_real alpha;      /* exponent of the spring, >= 0 */
-    vm_real k;          /* stiffness, N/m^alpha, > 0 */
+    vm_real k;          /* stiffness, N/m^alpha, > 0, where it is constant */
     vm_real feed;       /* coefficient of the term that feeds the vibration, N s/m; < 0 takes energy out */
     vm_real c;          /* coefficient of the term that limits the vibration, N s/m^3 */
     vm_real reactive;   /* r: 1 where mass that joins or leaves is at rest, 0 where it has the body's velocity */
     int method;         /* method of averaging, VM_VDP_... */
     vm_law mass;        /* slow mass m, kg, > 0; vm_vdp_init and vm_vdp_limit_cycle do not use it */
+    vm_law stiffness;   /* slow stiffness, N/m^alpha, > 0, in place of k; zeros, as memset leaves them, stand for the
+                           constant k. vm_vdp_init and vm_vdp_limit_cycle do not use it */
     vm_real a1, a2, a3; /* mean values of (410), pure numbers; vm_vdp_init writes them */
 } vm_vdp;
 
@@ -72,12 +74,22 @@ VM_API void vmi_vdp_means(vm_vdp *v)
     }
 }
 
-/* Checks that the numbers of a Van der Pol oscillator are in their domains. */
+/* Whether the stiffness follows a law; else it is the constant k */
+VM_API int vmi_vdp_has_stiffness_law(const vm_vdp *v) { return v->stiffness.derivatives != NULL; }
+
+/* The law of the stiffness */
+VM_API vm_law vmi_vdp_stiffness(const vm_vdp *v)
+{
+    if (vmi_vdp_has_stiffness_law(v)) return v->stiffness;
+    return vm_law_linear(v->k, 0);
+}
+
+/* Checks that the numbers of a Van der Pol oscillator are in their domains. k counts only where it is the stiffness. */
 VM_API int vmi_vdp_check(const vm_vdp *v)
 {
     const vm_real numbers[5] = {v->alpha, v->k, v->feed, v->c, v->reactive};
     if (!vmi_all_finite(5, numbers)) return VM_NOT_FINITE;
-    if (v->k <= 0) return VM_BAD_STIFFNESS;
+    if (v->k <= 0 && !vmi_vdp_has_stiffness_law(v)) return VM_BAD_STIFFNESS;
     if (v->alpha < 0) return VM_DOMAIN;
     return VM_OK;
 }
@@ -117,8 +129,8 @@ VM_API int vmi_vdp_has_closed_forms(const vm_vdp *v) { return v->a1 > 0; }
    first_A is the amplitude, m, at t = 0, of either sign. One formula stands for (422), (424), (427), (429),
    (431)-(435), (437), as corrected, and has no singularity where terms cancel. The error is that of averaging (see
    `method`) and that of rounding, which tests bound by 12 eps. Returns NaN for a null pointer, an oscillator that is
-   not prepared, infinite arguments, a mass that is not positive at 0 or at t, and a mass that is neither linear nor
-   constant (integrate vm_vdp_averaged_rhs instead). For c < 0 it also returns NaN from the time at which the amplitude
+   not prepared, infinite arguments, a mass that is not positive at 0 or at t, a mass that is neither linear nor
+   constant, and a stiffness that follows a law (integrate vm_vdp_averaged_rhs instead). For c < 0 it also returns NaN from the time at which the amplitude
    becomes infinite. Method: the solution of (416) is
      1/A^2 = e^-F (1/first_A^2 + 2 c a3/a1 times the integral of e^F dt/m),  F = drive a2/a1 times the integral of dt/m,
    where drive = 2 feed - (2r - 1) m'. For a linear mass F is proportional to the integral of dt/m, hence the integral
@@ -130,6 +142,7 @@ VM_API vm_real vm_vdp_amplitude(const vm_vdp *v, vm_real t, vm_real first_A)
     vmi_linear_mass m;
     vm_real F, e, limit, root, size, scale, numerator, free_term, denominator;
     if (!VM_IS_FINITE(first_A) || !VM_IS_FINITE(v->c) || !vmi_vdp_has_closed_forms(v)) return VM_NAN;
+    if (vmi_vdp_has_stiffness_law(v)) return VM_NAN;
     if (vmi_linear_mass_of(&v->mass, t, &m)) return VM_NAN;
     F = vmi_vdp_drive(v, 0) * (v->a2 / v->a1) * m.integral -
         (2 * v->reactive - 1) * (v->a2 / v->a1) * m.ln_ratio;
@@ -155,8 +168,8 @@ VM_API vm_real vm_vdp_amplitude(const vm_vdp *v, vm_real t, vm_real first_A)
     return scale * VM_SQRT(numerator / denominator);
 }
 
-/* Amplitude of the limit cycle, m, while the mass changes at mass_rate (kg/s): (425), (430), (438). It is 0 where
-   there is no limit cycle. *stable_or_NULL becomes 1 if amplitudes near the result tend to it, else 0. The relative
+/* Amplitude of the limit cycle, m, while the mass changes at mass_rate (kg/s): (425), (430), (438). The stiffness must be
+   constant. The amplitude is 0 where there is no limit cycle. *stable_or_NULL becomes 1 if amplitudes near the result tend to it, else 0. The relative
    rounding error is at most 3e-15 (float 6e-6); the error of averaging comes on top. Returns NaN for a null pointer, an
    oscillator that is not prepared, or an infinite mass_rate. */
 VM_API vm_real vm_vdp_limit_cycle(const vm_vdp *v, vm_real mass_rate, int *stable_or_NULL)
@@ -171,6 +184,17 @@ VM_API vm_real vm_vdp_limit_cycle(const vm_vdp *v, vm_real mass_rate, int *stabl
     return VM_SQRT(drive / v->c * (v->a2 / (2 * v->a3)));
 }
 
+/* Reads mass and stiffness at t, and their rates, after a check of the oscillator's numbers. */
+VM_API int vmi_vdp_laws_at(const vm_vdp *v, vm_real t, vm_real *mass, vm_real *mass_rate, vm_real *k, vm_real *k_rate)
+{
+    int status = vmi_first_error(vmi_law_at(&v->mass, VM_BAD_MASS, t, mass, mass_rate), vmi_vdp_check(v));
+    *k = v->k;
+    *k_rate = 0;
+    if (vmi_vdp_has_stiffness_law(v))
+        status = vmi_first_error(status, vmi_law_at(&v->stiffness, VM_BAD_STIFFNESS, t, k, k_rate));
+    return status;
+}
+
 /* Equation of motion (404) of a Van der Pol oscillator, for rk45 or rk87.
    y = (x, x') is in m and m/s; vdp points to a vm_vdp. Returns VM_BAD_ARGUMENT for null pointers or where no
    constructor made the mass, VM_NOT_FINITE for a number that is infinite or NaN, VM_BAD_MASS for a mass that is not
@@ -180,16 +204,16 @@ VM_API int vm_vdp_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *vdp)
 {
     if (!y || !dydt || !vdp) return VM_BAD_ARGUMENT;
     const vm_vdp *v = (const vm_vdp *)vdp;
-    vm_real mass, rate, feed;
-    const int status = vmi_first_error(vmi_law_at(&v->mass, VM_BAD_MASS, t, &mass, &rate), vmi_vdp_check(v));
+    vm_real mass, rate, k, k_rate, feed;
+    const int status = vmi_vdp_laws_at(v, t, &mass, &rate, &k, &k_rate);
     if (status) return status;
     feed = vmi_van_der_pol_feed(v->feed, v->c, y[0]) - v->reactive * rate;
     dydt[0] = y[1];
-    dydt[1] = (feed * y[1] - v->k * vmi_osc_elastic(y[0], v->alpha)) / mass;
+    dydt[1] = (feed * y[1] - k * vmi_osc_elastic(y[0], v->alpha)) / mass;
     return VM_OK;
 }
 
-/* Averaged equations (410) of a Van der Pol oscillator, for rk45 or rk87. The mass m may follow any slow law. y = (A,
+/* Averaged equations (410) of a Van der Pol oscillator, for rk45 or rk87. Mass and stiffness may follow any slow law. y = (A,
    psi) holds the mean amplitude A, in metres, and the Ateb phase psi: x = A ca(psi), and |x| = A at the turning points.
    vdp points to a prepared vm_vdp with the fields feed and c. For the method VM_VDP_ATEB and a start from rest, let e
    be the largest of feed, c A^2 and m', divided by m psi'. Then, up to the time m/feed, the relative error of A is of
@@ -198,11 +222,12 @@ VM_API int vm_vdp_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void 
 {
     if (!y || !dydt || !vdp) return VM_BAD_ARGUMENT;
     const vm_vdp *v = (const vm_vdp *)vdp;
-    vm_real mass, rate;
-    const int status = vmi_first_error(vmi_law_at(&v->mass, VM_BAD_MASS, t, &mass, &rate), vmi_vdp_check(v));
+    vm_real mass, rate, k, k_rate;
+    const int status = vmi_vdp_laws_at(v, t, &mass, &rate, &k, &k_rate);
     if (status) return status;
     dydt[0] = y[0] / (v->a1 * mass) * vmi_vdp_growth(v, rate, y[0]);
-    dydt[1] = vmi_slow_rate(y[0], v->k, mass, v->alpha);
+    if (k_rate != 0) dydt[0] -= y[0] * k_rate / k / (v->alpha + 3);
+    dydt[1] = vmi_slow_rate(y[0], k, mass, v->alpha);
     return VM_OK;
 }
 

@@ -19,7 +19,7 @@
        vmi_ripple r;
        vmi_vdp_ripple v;
        vmi_ripple_init(&r, 1, vmi_ateb_constants);
-       vmi_ripple_complete(&r);
+       vmi_ripple_complete(&r, 5);
        vmi_vdp_ripple_init(&v, &r); // v.F is -1/4, v.K2 -11/256
    Tests: tests/test_van_der_pol_law.c. */
 #ifndef VARMASS_OSCILLATORS_VAN_DER_POL_EXPANSION_H

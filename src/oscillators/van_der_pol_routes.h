@@ -34,6 +34,7 @@
 #include "ripple.h"
 #include "routes.h"
 #include "van_der_pol.h"
+#include "van_der_pol_constant.h"
 #include "van_der_pol_expansion.h"
 #include "van_der_pol_walk.h"
 
@@ -58,7 +59,7 @@ VM_API vm_real vmi_vdp_error(const vm_vdp_plan *p, const vmi_vdp_mean *mean, vm_
 {
     const vmi_ripple *r = &p->osc.ripple;
     const vm_real n = r->alpha + 1, largest_known = VM_C(0.25); /* where the estimate is larger the error is unknown */
-    const vm_real W = vmi_vdp_rate(p, mean->now.m, mean->ln_A), turns = VM_FABS(mean->psi - p->start.psi);
+    const vm_real W = vmi_vdp_rate(p, mean->now.m, mean->now.k, mean->ln_A), turns = VM_FABS(mean->psi - p->start.psi);
     const vmi_vdp_sizes now = vmi_vdp_sizes_at(p, &mean->now, mean->ln_A, W);
     const vm_real back = 2 / n * now.psi + 2 / (n + 2) * now.J;
     const vm_real all = back + 2 / n * mean->psi_error + 2 / (n + 2) * mean->J_error;
@@ -135,7 +136,7 @@ VM_API int vmi_vdp_check_call(const vm_vdp_plan *p, vm_real t, vm_real *toleranc
    leaves *motion untouched; it returns
      VM_BAD_ARGUMENT for null pointers or a route that is not one of the five,
      VM_NOT_FINITE for a number that is infinite or NaN, and for the law where the amplitude becomes infinite before t,
-     VM_BAD_MASS for a mass that is not positive between 0 and t,
+     VM_BAD_MASS or VM_BAD_STIFFNESS for a law that is not positive between 0 and t,
      VM_DOMAIN for a negative tolerance, t outside a table, a table out of order, or a user's function that fails,
      VM_NOT_INTEGRATED where amplitude and phase do not describe the motion, for the law and collocation,
      VM_NOT_INTEGRATED for the law where a table has points closer than a quarter of a vibration,
@@ -150,7 +151,7 @@ VM_API int vm_vdp_plan_by_route(const vm_vdp_plan *p, int route, vm_real t, vm_r
     if (status) return status;
     if (p->osc.A == 0) return vmi_osc_at_rest(&p->osc, route, motion);
     if (!by_law) return vmi_vdp_integrate(p, route, t, tolerance, motion);
-    status = vmi_vdp_mean_at(p, t, &mean);
+    status = vmi_vdp_mean_motion(p, t, &mean);
     if (status) return status;
     return vmi_vdp_order_n(p, route, &mean, motion);
 }
@@ -165,7 +166,7 @@ VM_API int vmi_vdp_law_within(const vm_vdp_plan *p, vm_real t, vm_real tolerance
     vmi_vdp_mean mean;
     vm_osc_motion result;
     int route;
-    if (vmi_vdp_mean_at(p, t, &mean)) return VM_TOLERANCE_MISSED;
+    if (vmi_vdp_mean_motion(p, t, &mean)) return VM_TOLERANCE_MISSED;
     for (route = VM_ROUTE_ATEB; route <= VM_ROUTE_ORDER3; route++) {
         if (vmi_vdp_order_n(p, route, &mean, &result)) return VM_TOLERANCE_MISSED;
         if (!(reserve * result.error <= tolerance)) continue;
@@ -236,29 +237,31 @@ VM_API void vmi_vdp_cycle_coefficients(const vmi_vdp_ripple *v, const vmi_ripple
 /* Limit cycle of a Van der Pol oscillator of constant mass, to second order in epsilon.
    epsilon = feed/(m W), where W is the rate of the phase, 1/s, at the amplitude A of vm_vdp_limit_cycle. Then the
    largest x is A (1 + kx epsilon^2) and the period is 2 Pi_alpha/(W (1 + kw epsilon^2)), with kx = 1/192 and kw = -1/16
-   for alpha = 1. Both are right to O(epsilon^4). The mass is that of the law v->mass at t = 0; the fields method,
+   for alpha = 1. Both are right to O(epsilon^4). Mass and stiffness are those at t = 0; the fields method,
    reactive and a1 to a3 do not matter. Returns VM_BAD_ARGUMENT for null pointers, an unknown method, and a mass that no
    constructor made, VM_NOT_FINITE for numbers that are infinite or NaN, VM_BAD_MASS for a mass that is not positive,
-   VM_BAD_STIFFNESS for k <= 0, VM_DOMAIN for alpha < 0 or a law that fails, and VM_NO_LAW where there is no limit
+   VM_BAD_STIFFNESS for such a stiffness, VM_DOMAIN for alpha < 0 or a law that fails, and VM_NO_LAW where there is no limit
    cycle, that is unless feed and c have the same sign. An error leaves *cycle untouched. */
 VM_API int vm_vdp_cycle_of(const vm_vdp *v, vm_vdp_cycle *cycle)
 {
     vmi_ripple r;
     vmi_vdp_ripple ripple;
     vm_vdp_cycle result;
-    vm_real mass, mass_rate, A, W, kx, kw, numbers[3];
+    vm_real mass, mass_rate, k, k_rate, A, W, kx, kw, numbers[3];
     int status;
     if (!v || !cycle || v->method < VM_VDP_ATEB || v->method > VM_VDP_TRIGONOMETRIC) return VM_BAD_ARGUMENT;
     status = vmi_first_error(vmi_vdp_check(v), vmi_law_check(&v->mass, VM_BAD_MASS, 0));
-    if (!status) status = vmi_law_at(&v->mass, VM_BAD_MASS, 0, &mass, &mass_rate);
+    if (vmi_vdp_has_stiffness_law(v))
+        status = vmi_first_error(status, vmi_law_check(&v->stiffness, VM_BAD_STIFFNESS, 0));
+    if (!status) status = vmi_vdp_laws_at(v, 0, &mass, &mass_rate, &k, &k_rate);
     if (status) return status;
     if (!((v->feed > 0 && v->c > 0) || (v->feed < 0 && v->c < 0))) return VM_NO_LAW;
     vmi_ripple_init(&r, v->alpha, vmi_ateb_constants);
-    vmi_ripple_complete(&r);
+    vmi_ripple_complete(&r, 5);
     vmi_vdp_ripple_init(&ripple, &r);
     vmi_vdp_cycle_coefficients(&ripple, &r, &kx, &kw);
     A = VM_SQRT(v->feed / v->c / -ripple.F);
-    W = vmi_slow_rate(A, v->k, mass, v->alpha);
+    W = vmi_slow_rate(A, k, mass, v->alpha);
     result.epsilon = v->feed / mass / W;
     result.largest_x = A * (1 + kx * result.epsilon * result.epsilon);
     result.period = 2 * r.pi / (W * (1 + kw * result.epsilon * result.epsilon));

@@ -1,8 +1,8 @@
-/* oscillators/van_der_pol_walk.h - the mean motion of a Van der Pol oscillator along any slow law of its mass
+/* oscillators/van_der_pol_walk.h - the mean motion of a Van der Pol oscillator along slow laws of mass and stiffness
 
    The transformation of oscillators/van_der_pol_expansion.h is exact to its order where sa or ca is 0. The plan
    therefore follows the exact equations from t = 0 to the next such phase (by collocation), and starts the mean motion
-   there. The mean amplitude and phase at any other time are integrals along the law of the mass, so the cost does not
+   there. The mean amplitude and phase at any other time are integrals along the laws, so the cost does not
    depend on the number of vibrations. On a panel of time (oscillators/panels.h) that starts with the mean amplitude A_0
    and the mean phase psi_0, let B = c/m and r = exp(-2 integral of p dt from the start). Then the mean amplitude A and
    the mean phase psi are
@@ -77,26 +77,27 @@ VM_API vm_real vmi_vdp_force(vm_real t, vm_real x, vm_real v, void *ctx)
 /* -- The disturbances -- */
 
 /* The rate of the phase, 1/s, at the amplitude exp(ln_A) */
-VM_API vm_real vmi_vdp_rate(const vm_vdp_plan *p, vm_real mass, vm_real ln_A)
+VM_API vm_real vmi_vdp_rate(const vm_vdp_plan *p, vm_real mass, vm_real k, vm_real ln_A)
 {
     const vm_real alpha = p->vdp.alpha;
-    return VM_SQRT((alpha + 1) / 2 * p->vdp.k / mass) * vmi_exp((alpha - 1) / 2 * ln_A, 0);
+    return VM_SQRT((alpha + 1) / 2 * k / mass) * vmi_exp((alpha - 1) / 2 * ln_A, 0);
 }
 
-/* nu = -m'/m - 4 p + a, 1/s, with the rates a and p. The code finds m'/m from p = (2 a - m'/m)/(alpha+3). */
-VM_API vm_real vmi_vdp_nu(const vm_vdp_plan *p, vm_real rate_a, vm_real rate_p)
+/* nu = -m'/m - 4 p + a, 1/s, with the rates a, p and k'/k. The code finds m'/m from p = (k'/k + 2 a -
+   m'/m)/(alpha+3). */
+VM_API vm_real vmi_vdp_nu(const vm_vdp_plan *p, vm_real rate_a, vm_real rate_p, vm_real k_rate)
 {
-    return (p->vdp.alpha - 1) * rate_p - rate_a;
+    return (p->vdp.alpha - 1) * rate_p - rate_a - k_rate;
 }
 
-/* The disturbances for a mass with the rates a and p, for G0 = p^2 - a p - p', and for the amplitude exp(ln_A), whose
-   phase has the rate W */
-VM_API vmi_vdp_disturbance vmi_vdp_disturbance_of(const vm_vdp_plan *p, vm_real mass, vm_real rate_a, vm_real rate_p,
+/* The disturbances for a mass with the rates a and p and for nu, for G0 = p^2 - a p - p', and for the amplitude
+   exp(ln_A), whose phase has the rate W */
+VM_API vmi_vdp_disturbance vmi_vdp_disturbance_of(const vm_vdp_plan *p, vm_real mass, vm_real nu, vm_real rate_p,
                                                   vm_real G0, vm_real ln_A, vm_real W)
 {
     vmi_vdp_disturbance d;
     d.e = p->vdp.c / mass * vmi_exp(2 * ln_A, 0) / W;
-    d.e1 = d.e * vmi_vdp_nu(p, rate_a, rate_p) / W;
+    d.e1 = d.e * nu / W;
     d.Q0 = d.e * rate_p / W;
     d.E0 = G0 / W / W;
     return d;
@@ -106,8 +107,8 @@ VM_API vmi_vdp_disturbance vmi_vdp_disturbance_of(const vm_vdp_plan *p, vm_real 
 VM_API vmi_vdp_disturbance vmi_vdp_disturbance_at(const vm_vdp_plan *p, const vmi_osc_slow *now, vm_real ln_A,
                                                   vm_real W)
 {
-    const vm_real G0 = now->G[0] / now->unit / now->unit;
-    return vmi_vdp_disturbance_of(p, now->m, now->a, now->p, G0, ln_A, W);
+    const vm_real G0 = now->G[0] / now->unit / now->unit, nu = vmi_vdp_nu(p, now->a, now->p, now->k_rate);
+    return vmi_vdp_disturbance_of(p, now->m, nu, now->p, G0, ln_A, W);
 }
 
 /* The sizes of terms for estimates, for the mass and rates in *now, and for the amplitude exp(ln_A), whose phase has
@@ -115,7 +116,9 @@ VM_API vmi_vdp_disturbance vmi_vdp_disturbance_at(const vm_vdp_plan *p, const vm
 VM_API vmi_vdp_sizes vmi_vdp_sizes_at(const vm_vdp_plan *p, const vmi_osc_slow *now, vm_real ln_A, vm_real W)
 {
     const vmi_vdp_disturbance d = vmi_vdp_disturbance_at(p, now, ln_A, W);
-    const vm_real rate = (VM_FABS(vmi_vdp_nu(p, now->a, now->p)) + VM_FABS(now->p) + VM_FABS(now->a)) / W;
+    const vm_real rate = (VM_FABS(vmi_vdp_nu(p, now->a, now->p, now->k_rate)) + VM_FABS(now->p) +
+                          VM_FABS(now->a)) /
+                         W;
     return vmi_vdp_sizes_of(&p->osc.ripple, &d, rate);
 }
 
@@ -227,8 +230,8 @@ VM_API int vmi_vdp_start(const vm_vdp_plan *p, int side, vmi_vdp_mean *mean)
    plan. The field method must be valid, but it has no effect, and a1 to a3 have none. The oscillator is copied; the
    tables and contexts of its mass must outlive the plan. Errors leave the plan untouched. Returns VM_BAD_ARGUMENT for
    null pointers, an unknown method, and a mass that no constructor made, VM_NOT_FINITE for numbers that are infinite or
-   NaN, VM_BAD_MASS for a mass that is not positive at t = 0 or in a table, VM_BAD_STIFFNESS for k <= 0, VM_DOMAIN for
-   alpha < 0, a table out of order or without t = 0, or a user's function that fails. */
+   NaN, VM_BAD_MASS for a mass that is not positive at t = 0 or in a table, VM_BAD_STIFFNESS for such a stiffness,
+   VM_DOMAIN for alpha < 0, a table out of order or without t = 0, or a user's function that fails. */
 VM_API int vm_vdp_plan_init(vm_vdp_plan *p, const vm_vdp *v, vm_real x, vm_real x_rate)
 {
     vm_vdp_plan plan;
@@ -237,7 +240,7 @@ VM_API int vm_vdp_plan_init(vm_vdp_plan *p, const vm_vdp *v, vm_real x, vm_real 
     if (!p || !v || v->method < VM_VDP_ATEB || v->method > VM_VDP_TRIGONOMETRIC) return VM_BAD_ARGUMENT;
     o.alpha = v->alpha;
     o.mass = v->mass;
-    o.stiffness = vm_law_linear(v->k, 0);
+    o.stiffness = vmi_vdp_stiffness(v);
     o.reactive = v->reactive;
     o.damping = -v->feed;
     o.x = x;
@@ -279,19 +282,27 @@ typedef struct VM_TAG(vmi_vdp_nodes) {
     vm_real rate[VMI_GAUSS];
 } vmi_vdp_nodes;
 
-/* Returns ln r, where r = exp(-2 integral of p dt), for an interval of time in which the mass changes by the factor
-   exp(ln_m). `way` is the integral of dt/m over this interval. */
-VM_API vm_real vmi_vdp_ln_r(const vm_vdp_plan *p, vm_real ln_m, vm_real way)
+/* Returns ln r, where r = exp(-2 integral of p dt), for an interval of time in which mass and stiffness change by the
+   factors exp(ln_m) and exp(ln_k). `way` is the integral of dt/m over this interval. */
+VM_API vm_real vmi_vdp_ln_r(const vm_vdp_plan *p, vm_real ln_m, vm_real ln_k, vm_real way)
 {
     vm_real ln_A, ln_Om;
-    vmi_osc_adiabatic(&p->osc, ln_m, 0, p->osc.problem.damping * way, &ln_A, &ln_Om);
+    vmi_osc_adiabatic(&p->osc, ln_m, ln_k, p->osc.problem.damping * way, &ln_A, &ln_Om);
     return 2 * ln_A;
 }
 
+/* ln(k/k_start); most stiffnesses are constant, and need no logarithm */
+VM_API vm_real vmi_vdp_ln_k(vm_real k, vm_real k_start)
+{
+    if (k == k_start) return 0;
+    return vmi_log(k / k_start).hi;
+}
+
 /* Computes the first order at the nodes, and from it the terms of second order. *mean is the mean motion at the start
-   of the panel, where the mass is m_start. */
-VM_API void vmi_vdp_first_order(const vm_vdp_plan *p, const vmi_vdp_mean *mean, vm_real length, vm_real m_start,
-                                const vmi_osc_panel_laws *at, vmi_vdp_nodes *nodes, vmi_vdp_panel *panel)
+   of the panel, where *start has mass and stiffness. */
+VM_API void vmi_vdp_first_order(const vm_vdp_plan *p, const vmi_vdp_mean *mean, vm_real length,
+                                const vmi_osc_rates *start, const vmi_osc_panel_laws *at, vmi_vdp_nodes *nodes,
+                                vmi_vdp_panel *panel)
 {
     const vm_real gain = -4 / (p->vdp.alpha + 3) * p->ripple.F * p->vdp.c * vmi_exp(2 * mean->first_ln_A, 0);
     vm_real unused[VMI_GAUSS];
@@ -300,7 +311,8 @@ VM_API void vmi_vdp_first_order(const vm_vdp_plan *p, const vmi_vdp_mean *mean, 
     for (i = 0; i < VMI_GAUSS; i++) {
         const vmi_osc_rates *now = &at->rates[i];
         const vm_real way = length / 2 * vmi_legendre_integral(panel->laws.inverse, vmi_gauss_node(i));
-        nodes->ln_r[i] = vmi_vdp_ln_r(p, vmi_log(now->m / m_start).hi, way);
+        const vm_real ln_k = vmi_vdp_ln_k(now->k, start->k);
+        nodes->ln_r[i] = vmi_vdp_ln_r(p, vmi_log(now->m / start->m).hi, ln_k, way);
         nodes->r[i] = vmi_exp(nodes->ln_r[i], 0) / now->m;
         nodes->G0[i] = now->p * (now->p - now->a) - at->p_rate[i];
     }
@@ -309,9 +321,9 @@ VM_API void vmi_vdp_first_order(const vm_vdp_plan *p, const vmi_vdp_mean *mean, 
         const vmi_osc_rates *now = &at->rates[i];
         const vm_real y = 1 + gain * (length / 2) * vmi_legendre_integral(panel->r, vmi_gauss_node(i));
         const vm_real ln_A = mean->first_ln_A + (nodes->ln_r[i] - vmi_log(y).hi) / 2;
-        const vm_real W = vmi_vdp_rate(p, now->m, ln_A);
+        const vm_real W = vmi_vdp_rate(p, now->m, now->k, ln_A), nu = vmi_vdp_nu(p, now->a, now->p, now->k_rate);
         const vm_real p_noise = vmi_osc_rate_noise() / VM_FABS(length);
-        vmi_vdp_disturbance d = vmi_vdp_disturbance_of(p, now->m, now->a, now->p, nodes->G0[i], ln_A, W);
+        vmi_vdp_disturbance d = vmi_vdp_disturbance_of(p, now->m, nu, now->p, nodes->G0[i], ln_A, W);
         nodes->first_ln_A[i] = ln_A;
         nodes->first_rate[i] = y > 0 ? W : VM_NAN;
         nodes->second[i] = nodes->r[i] * vmi_vdp_mean_second(&p->ripple, &d);
@@ -334,8 +346,9 @@ VM_API void vmi_vdp_second_order(const vm_vdp_plan *p, const vmi_vdp_mean *mean,
         const vm_real node = vmi_gauss_node(i);
         const vm_real sum = p->ripple.F * vmi_legendre_integral(panel->r, node) + vmi_legendre_integral(second, node);
         const vm_real y = 1 + gain * (length / 2) * sum;
-        const vm_real ln_A = mean->ln_A + (nodes->ln_r[i] - vmi_log(y).hi) / 2, W = vmi_vdp_rate(p, now->m, ln_A);
-        const vmi_vdp_disturbance d = vmi_vdp_disturbance_of(p, now->m, now->a, now->p, nodes->G0[i], ln_A, W);
+        const vm_real ln_A = mean->ln_A + (nodes->ln_r[i] - vmi_log(y).hi) / 2;
+        const vm_real W = vmi_vdp_rate(p, now->m, now->k, ln_A), nu = vmi_vdp_nu(p, now->a, now->p, now->k_rate);
+        const vmi_vdp_disturbance d = vmi_vdp_disturbance_of(p, now->m, nu, now->p, nodes->G0[i], ln_A, W);
         nodes->rate[i] = y > 0 ? W * vmi_vdp_mean_rate(&p->ripple, &p->osc.ripple, &d) : VM_NAN;
         panel->kept += vmi_gauss_weight(i) / 2 * VM_FABS(length) * W / y;
     }
@@ -349,16 +362,18 @@ VM_API int vmi_vdp_panel_of(const vm_vdp_plan *p, const vmi_vdp_mean *mean, vm_r
     const int side = vmi_time_side(length);
     vmi_osc_panel_laws at;
     vmi_vdp_nodes nodes;
-    vm_real m_start[VMI_LAW_ORDERS], m_end[VMI_LAW_ORDERS], second[VMI_GAUSS], ln_r;
-    int status = vmi_law_derivatives(&o->mass, VM_BAD_MASS, mean->t, side, 0, m_start);
-    if (!status) status = vmi_law_derivatives(&o->mass, VM_BAD_MASS, mean->t + length, -side, 0, m_end);
+    vmi_osc_rates start, end;
+    vm_real second[VMI_GAUSS], ln_r;
+    int status = vmi_osc_rates_at(o, mean->t, side, &start);
+    if (!status) status = vmi_osc_rates_at(o, mean->t + length, -side, &end);
     if (!status) status = vmi_osc_read_laws(o, side, mean->t, length, &at, &panel->laws);
     if (status) return status;
-    vmi_vdp_first_order(p, mean, length, m_start[0], &at, &nodes, panel);
+    vmi_vdp_first_order(p, mean, length, &start, &at, &nodes, panel);
     vmi_legendre_fit(nodes.second, nodes.E, second, panel->laws.E);
     vmi_vdp_second_order(p, mean, length, &at, second, &nodes, panel);
     vmi_legendre_fit(nodes.rate, nodes.first_rate, panel->rate, panel->first_rate);
-    ln_r = vmi_vdp_ln_r(p, vmi_log(m_end[0] / m_start[0]).hi, length * panel->laws.inverse[0]);
+    ln_r = vmi_vdp_ln_r(p, vmi_log(end.m / start.m).hi, vmi_vdp_ln_k(end.k, start.k),
+                        length * panel->laws.inverse[0]);
     panel->first_ln_A = (ln_r - vmi_log(panel->first_ln_A).hi) / 2;
     panel->ln_A = (ln_r + vmi_log(panel->loss).hi) / 2;
     return VM_OK;
@@ -372,6 +387,7 @@ VM_API int vmi_vdp_panel_is_resolved(const vmi_vdp_panel *panel, vm_real length,
     const vm_real limit = vmi_panel_limit(length, whole), phase = panel->rate[0] * VM_FABS(length);
     if (!(panel->laws.edge <= vmi_panel_edge_limit(limit))) return 0;
     if (!vmi_panel_is_resolved(panel->laws.inverse, limit) || !vmi_panel_is_resolved(panel->r, limit)) return 0;
+    if (!vmi_panel_is_resolved(panel->laws.ratio, limit)) return 0; /* the series of the stiffness */
     if (!vmi_panel_is_resolved(panel->rate, limit) || !vmi_panel_is_resolved(panel->first_rate, limit)) return 0;
     return vmi_legendre_tail(panel->laws.E) <= E_enough * VM_SQRT(vmi_legendre_square(panel->laws.E)) +
                                                    phase_matters * (1 + 1 / phase) / phase;
@@ -431,7 +447,7 @@ VM_API vmi_osc_reduced vmi_vdp_state(const vm_vdp_plan *p, int order, const vmi_
     vmi_osc_reduced state;
     vmi_vdp_disturbance now;
     vmi_vdp_values f;
-    state.W = vmi_vdp_rate(p, mean->now.m, ln_A);
+    state.W = vmi_vdp_rate(p, mean->now.m, mean->now.k, ln_A);
     state.psi = order == 1 ? mean->first_psi : mean->psi;
     if (order > 1) {
         now = vmi_vdp_disturbance_at(p, &mean->now, ln_A, state.W);
@@ -467,7 +483,7 @@ VM_API int vmi_vdp_mean_update(const vm_vdp_plan *p, int side, vmi_vdp_mean *mea
 VM_API int vmi_vdp_walk_past_knot(const vm_vdp_plan *p, int side, vmi_vdp_mean *mean)
 {
     const vm_real quarter = p->osc.ripple.pi / 2, turns = (vm_real)side * mean->psi / quarter;
-    const vm_real W = vmi_vdp_rate(p, mean->now.m, mean->ln_A), knot = mean->t;
+    const vm_real W = vmi_vdp_rate(p, mean->now.m, mean->now.k, mean->ln_A), knot = mean->t;
     const vm_real back = -(vm_real)side * quarter * (turns - VM_FLOOR(turns)) / W;
     vmi_vdp_panel panel;
     vmi_osc_reduced state;
@@ -492,18 +508,18 @@ VM_API int vmi_vdp_walk_past_knot(const vm_vdp_plan *p, int side, vmi_vdp_mean *
    a quarter of a vibration, and VM_NOT_FINITE where the amplitude becomes infinite between 0 and t. */
 VM_API int vmi_vdp_mean_at(const vm_vdp_plan *p, vm_real t, vmi_vdp_mean *mean)
 {
-    const vm_law *mass = &p->osc.problem.mass;
+    const vm_osc_problem *o = &p->osc.problem;
     const int side = vmi_time_side(t);
     vm_real whole, longest, at = 0;
     int status = p->start_status;
-    if (side < 0 && mass->time) status = vmi_vdp_start(p, -1, mean);
+    if (side < 0 && (o->mass.time || o->stiffness.time)) status = vmi_vdp_start(p, -1, mean);
     else if (!status) *mean = p->start;
     if (status) return status;
     whole = vmi_larger(VM_FABS(t), VM_FABS(mean->t));
-    longest = vmi_law_longest_panel(mass, whole);
+    longest = vmi_smaller(vmi_law_longest_panel(&o->mass, whole), vmi_law_longest_panel(&o->stiffness, whole));
     mean->fast.shortest = longest;
     while (!status) {
-        const vm_real next = vmi_law_next_knot(mass, at, t);
+        const vm_real next = vmi_osc_next_knot(o, at, t);
         if (next != t && (vm_real)side * (mean->t - next) > 0) return VM_NOT_INTEGRATED;
         status = vmi_vdp_walk_piece(p, next, longest, whole, mean);
         if (!status) status = vmi_vdp_mean_update(p, side, mean);

@@ -1,10 +1,11 @@
-/* Calls that read every table of jacobi.h and ateb.h (-DATEB), those of the law of order five (-DCLOSED=HEADER), or of
-   one pair of integrators.h (-DRK45, -DRK87: both do not fit into 32 KB of flash). It prints the bits of each result. tests/test_avr.sh compares the lines of an ATmega328P,
-   whose tables may lie in flash, with those of a PC. */
+/* Calls that read every table of jacobi.h and ateb.h (-DATEB), those of the law of order five from a constant plan
+   (-DCLOSED=HEADER) or from a plan of this order made on the board (-DMADE=3), or of one pair of integrators.h
+   (-DRK45, -DRK87: both do not fit into 32 KB of flash). It prints the bits of each result. tests/test_avr.sh compares
+   the lines of an ATmega328P, whose tables may lie in flash, with those of a PC. */
 #define VM_USE_FLOAT
 #ifdef ATEB
 #include "../../ateb.h"
-#elif defined CLOSED
+#elif defined CLOSED || defined MADE
 #include "../../varmass.h"
 #else
 #include "../../integrators.h"
@@ -70,6 +71,35 @@ static void read_tables(void)
     show(c.error);
     for (i = 0; i < 16; i++) {
         vm_osc_closed_at(&c, 2 * (vm_real)i, &x, &v);
+        show(x);
+        show(v);
+    }
+}
+#elif defined MADE
+#if MADE == 2
+#define CLOSED_AT vm_osc_closed_at_order2
+#elif MADE == 3
+#define CLOSED_AT vm_osc_closed_at_order3
+#else
+#define CLOSED_AT vm_osc_closed_at
+#endif
+
+/* The motion of a leaking oscillator whose plan is made here */
+static void read_tables(void)
+{
+    static vm_osc_closed c;
+    static vm_osc_problem o;
+    vm_real x = 0, v = 0;
+    int i;
+    o.alpha = (vm_real)1.7;
+    o.mass = vm_law_linear(10, (vm_real)-0.1);
+    o.stiffness = vm_law_linear(100, 0);
+    o.reactive = 1;
+    o.x = (vm_real)0.1;
+    show(vm_osc_closed_init(&c, &o, MADE, 30));
+    show(c.error);
+    for (i = 0; i < 16; i++) {
+        CLOSED_AT(&c, 2 * (vm_real)i, &x, &v);
         show(x);
         show(v);
     }

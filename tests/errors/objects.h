@@ -112,6 +112,14 @@ static inline vm_odd_plan an_odd_plan(void)
     return plan;
 }
 
+/* Zeros in place of a law */
+static inline vm_law no_law(void)
+{
+    vm_law law;
+    memset(&law, 0, sizeof law);
+    return law;
+}
+
 static inline vm_vdp_plan a_vdp_plan(void)
 {
     const vm_vdp v = a_vdp();

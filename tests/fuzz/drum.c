@@ -111,6 +111,44 @@ static void check_rigid(void)
     check_published(&d, t);
 }
 
+/* The wave that a start begins begins so, to a few roundings of the terms, of which a and k make the sizes. */
+static void check_start(const vm_drum_shaft *s)
+{
+    const vm_real at_0 = MOSTLY(draw_in(-1, 1)), slope = MOSTLY(draw_in(-1, 1)), particular = MOSTLY(draw_in(-1, 1));
+    vm_real a = 7, alpha = 7;
+    const int status = vm_drum_deflection_start(s, at_0, slope, particular, &a, &alpha);
+    double terms;
+    if (status) {
+        HOLDS(a == 7 && alpha == 7);
+        return;
+    }
+    HOLDS(a >= 0 && is_finite(a) && VM_FABS(alpha) <= VM_PI);
+    if (!tame(at_0) || !tame(slope) || !tame(particular) || !tame(s->A) || !tame(s->delta) || !tame(s->k)) return;
+    terms = (1 + fabs((double)s->A) + fabs((double)s->delta)) * (fabs((double)at_0) + fabs((double)particular));
+    terms = (terms + fabs((double)slope)) * (1 + 1 / (double)s->k) * (1 + (double)s->k);
+    HOLDS(within(vm_drum_deflection(s, 0, a, alpha, particular), at_0, 32 * EPS * terms));
+    HOLDS(within(vm_drum_deflection_slope(s, 0, a, alpha, particular), slope,
+                 32 * EPS * terms * (1 + fabs((double)s->A) + fabs((double)s->delta))));
+}
+
+/* The motion over the angle with the angular velocity among its states; the correction of this velocity */
+static void check_coupled(void)
+{
+    vm_drum d = draw_drum();
+    vm_real y[VM_DRUM_COUPLED_STATES], dydt[VM_DRUM_COUPLED_STATES];
+    const vm_real phi = MOSTLY(draw_in(0, 6)), rise = MOSTLY(draw_in(-0.1, 0.1));
+    const vm_real rate = vm_drum_rate(&d, phi), elastic = vm_drum_rate_elastic(&d, phi, rise);
+    int i, status;
+    for (i = 0; i < VM_DRUM_COUPLED_STATES; i++) y[i] = MOSTLY(draw_in(-1, 1));
+    STAIN(dydt);
+    status = vm_drum_rhs_coupled(phi, y, dydt, &d);
+    if (status) HOLDS(UNTOUCHED(dydt));
+    else HOLDS(y[VM_DRUM_RATE] > 0 && dydt[VM_DRUM_TIME] > 0);
+    if (is_nan(rate) || !is_finite(rise)) HOLDS(is_nan(elastic));
+    else if (tame_drum(&d) && tame(phi) && tame(rise) && d.band > 0)
+        HOLDS(elastic == rate || (elastic < rate) == (rise > 0 && rate > 0));
+}
+
 static void check_shaft(void)
 {
     vm_drum d = draw_drum();
@@ -134,6 +172,7 @@ static void check_shaft(void)
         HOLDS(UNTOUCHED(s));
         return;
     }
+    check_start(&s);
     x = vm_drum_deflection(&s, phi, 1, 0, 0);
     if (tame_drum(&d) && phi >= 0 && phi < 7) {
         HOLDS(is_nan(x) == !(1 - s.A * phi > 0));
@@ -147,7 +186,10 @@ static void check_shaft(void)
 static void fuzz_drum(void)
 {
     switch (draw_below(4)) {
-    case 0: check_shaft(); break;
+    case 0:
+        check_shaft();
+        check_coupled();
+        break;
     case 1: check_lambert(); break;
     default: check_rigid();
     }

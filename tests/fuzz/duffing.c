@@ -53,10 +53,17 @@ static void check_slow_duffing(void)
     vm_real k[2], k_state[2], k_rate[2];
     vm_odd_problem o;
     vm_odd_motion motion;
-    int route = draw_byte() % 16 ? draw_below(3) : 9, status;
+    vm_law laws[2];
+    int route = draw_byte() % 16 ? draw_below(3) : 9, kind, status;
     k[0] = MOSTLY(draw_in(0.1, 2));
     k[1] = MOSTLY(draw_in(-0.2, 1));
-    o.force = draw_byte() & 1 ? vm_duffing_force(k[0], k[1]) : vm_odd_force_user(fuzz_spring, k);
+    kind = (int)draw_byte();
+    o.force = kind & 1 ? vm_duffing_force(k[0], k[1]) : vm_odd_force_user(fuzz_spring, k);
+    if ((kind & 7) == 7) {
+        laws[0] = vm_law_linear(k[0], k[1] / 16);
+        laws[1] = vm_law_exponential(k[1], k[0] / 16);
+        o.force = vm_duffing_force_of_laws(laws);
+    }
     o.mass = vm_law_linear(MOSTLY(draw_log(0.5, 2)), MOSTLY(draw_in(-0.03, 0.03)));
     o.stiffness = vm_law_exponential(MOSTLY(draw_log(0.5, 2)), MOSTLY(draw_in(-0.03, 0.03)));
     o.damping = vm_law_linear(MOSTLY(draw_in(-0.02, 0.03)), 0);

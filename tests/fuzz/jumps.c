@@ -141,6 +141,34 @@ static void check_separate(void)
     }
 }
 
+/* Jumps on an axle: the body then turns about the axle, and momenta balance with the impulse of the axle. */
+static void check_axle(void)
+{
+    const vm_body whole = draw_body(1), part = draw_part(&whole);
+    const int attach = draw_byte() & 1;
+    vm_body after[2], before[2];
+    vm_impulse reaction;
+    vm_axle axle;
+    int status;
+    axle.at = draw_vector(2);
+    axle.axis = draw_vector(2);
+    STAIN(after[0]);
+    STAIN(reaction);
+    if (attach) status = vm_attach_on_axle(&axle, &whole, 1, &part, NULL, &after[0], &reaction);
+    else status = vm_separate_on_axle(&axle, &whole, 1, &part, NULL, &after[0], &reaction);
+    if (status < 0) {
+        HOLDS(UNTOUCHED(after[0]) && UNTOUCHED(reaction));
+        return;
+    }
+    HOLDS(finite_body(&after[0]) && after[0].mass > 0 && (status == VM_OK || status == VM_NULL_AXIS));
+    if (status || !tame_body(&whole) || !tame_body(&part) || !tame_body(&after[0]) || !tame_impulse(&reaction)) return;
+    if (!tame3(axle.at) || !tame3(axle.axis) || size3(axle.axis) < 1e-3) return;
+    before[0] = whole;
+    before[1] = after[1] = part;
+    if (attach) check_balance(2, before, 1, after, &reaction, 0);
+    else check_balance(1, before, 2, after, &reaction, 0);
+}
+
 static void check_attach(void)
 {
     const vm_body body = draw_body(1);
@@ -448,7 +476,9 @@ static void fuzz_jumps(void)
     case 2: check_inverse(); break;
     case 3: check_plane(); break;
     case 4: check_attach(); break;
-    default: check_separate();
+    default:
+        check_separate();
+        check_axle(); /* after it, so that stored inputs keep their meaning */
     }
     HOLDS(strcmp(vm_strerror(-draw_below(35)), "unknown status") != 0 &&
           strcmp(vm_strerror(-35 - draw_below(90)), "unknown status") == 0);

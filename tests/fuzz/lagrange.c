@@ -138,6 +138,42 @@ static void check_pendulum(void)
           close_to(cut.L1 + cut.L2, p.mass * p.length * p.length / 3 * p.rate, 32));
 }
 
+/* The angular momentum about the pivot stays, and without relative velocities nothing changes. */
+static void check_compound(void)
+{
+    vm_compound_pendulum p;
+    vm_compound_part part;
+    vm_compound_cut cut;
+    int status, all_tame;
+    p.mass = MOSTLY(draw_log(0.5, 10));
+    p.x = MOSTLY(draw_in(-1, 1));
+    p.y = MOSTLY(draw_in(-1, 1));
+    p.inertia = MOSTLY(draw_in(0, 20));
+    p.rate = MOSTLY(draw_in(-5, 5));
+    part.mass = MOSTLY(draw_log(0.1, 1));
+    part.inertia = MOSTLY(draw_in(0, 1));
+    part.x = MOSTLY(draw_in(-1, 1));
+    part.y = MOSTLY(draw_in(-1, 1));
+    part.ux = MOSTLY(draw_in(-3, 3));
+    part.uy = MOSTLY(draw_in(-3, 3));
+    part.Omega = MOSTLY(draw_in(-3, 3));
+    STAIN(cut);
+    status = vm_compound_pendulum_separate(&p, &part, &cut);
+    if (status) {
+        HOLDS(status < 0 && UNTOUCHED(cut));
+        return;
+    }
+    HOLDS(cut.rest.mass > 0 && cut.rest.inertia > 0 && is_finite(cut.rest.rate) && cut.T1 >= 0 && cut.T_S2 >= 0);
+    all_tame = tame(p.mass) && tame(p.x) && tame(p.y) && tame(p.inertia) && tame(p.rate) && tame(part.ux) &&
+               tame(part.uy) && tame(part.Omega) && tame(part.x) && tame(part.y);
+    if (!all_tame) return;
+    HOLDS(fabs((double)(cut.L1 + cut.L2) - (double)(p.inertia * p.rate)) <=
+          64 * EPS * (fabs((double)cut.L1) + fabs((double)cut.L2) + fabs((double)(p.inertia * p.rate)) +
+                      (double)(part.mass * (VM_FABS(part.x * part.uy) + VM_FABS(part.y * part.ux)))));
+    part.ux = part.uy = part.Omega = 0;
+    HOLDS(vm_compound_pendulum_separate(&p, &part, &cut) == VM_OK && cut.rest.rate == p.rate && cut.rate == p.rate);
+}
+
 /* A double pendulum of drawn lengths; the mass of its bob falls with time. */
 static void masses_of(vm_real t, const vm_real *q, vm_real *masses, void *ctx)
 {
@@ -168,6 +204,30 @@ static int forces_of(vm_real t, const vm_real *q, const vm_real *rates, const vm
     dr[1].y = p[4] * VM_LIBM(sin)(q[1]);
     vm_lagrange_add_force(2, weight, dr, none, NULL, Q);
     return p[5] > R(0.99) ? 3 : 0;
+}
+
+/* The drive's forces and those of forces_of are together what the motion needs. */
+static void check_needed_forces(vm_lagrange_system *l, vm_real t, const vm_real *q, const vm_real *rates,
+                                int all_tame)
+{
+    const vm_real time_scale = draw_byte() % 4 ? draw_in(0, 9) : draw_any();
+    vm_real accelerations[2], needed[2], drive[2], masses[2], forces[2] = {0, 0};
+    int i, status;
+    for (i = 0; i < 2; i++) accelerations[i] = MOSTLY(draw_in(-3, 3));
+    STAIN(needed);
+    status = vm_lagrange_needed_forces(l, t, time_scale, q, rates, accelerations, needed);
+    if (status) HOLDS(status < 0 && UNTOUCHED(needed));
+    else HOLDS(vmi_all_finite(2, needed) && time_scale >= 0);
+    STAIN(drive);
+    status = vm_lagrange_drive_forces(l, t, time_scale, q, rates, accelerations, drive);
+    if (status) HOLDS(UNTOUCHED(drive));
+    else HOLDS(vmi_all_finite(2, drive));
+    if (status || !all_tame || !tame(accelerations[0]) || !tame(accelerations[1])) return;
+    masses_of(t, q, masses, l->ctx);
+    forces_of(t, q, rates, masses, forces, l->ctx);
+    for (i = 0; i < 2; i++)
+        HOLDS(within(drive[i] + forces[i], needed[i],
+                     8 * EPS * (fabs((double)needed[i]) + fabs((double)forces[i]))));
 }
 
 static void check_equations(void)
@@ -217,6 +277,7 @@ static void check_equations(void)
         status = vm_lagrange_rhs(t, y, dydt, &l);
         HOLDS(status == 3 ? p[5] > R(0.99) : status == 0 && vmi_all_finite(4, dydt));
     }
+    check_needed_forces(&l, t, q, rates, all_tame);
     derivative = vm_lagrange_partial_q(&l, t, q, rates, draw_below(2));
     if (all_tame) HOLDS(is_finite(derivative));
     HOLDS(is_nan(vm_lagrange_partial_q(&l, t, q, rates, outside)) &&
@@ -225,10 +286,11 @@ static void check_equations(void)
 
 static void fuzz_lagrange(void)
 {
-    switch (draw_below(5)) {
+    switch (draw_below(6)) {
     case 0: check_singular(); break;
     case 1: check_pendulum(); break;
     case 2: check_hit(); break;
+    case 3: check_compound(); break;
     default: check_equations();
     }
 }

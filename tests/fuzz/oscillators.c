@@ -220,6 +220,50 @@ static double plan_may_differ(const vm_osc_motion *by_plan, const vm_osc_motion 
     return 3 * ((double)by_plan->error + (double)by_call->error) * amplitude;
 }
 
+/* The integral of f/g: of 1/g by the other function, of g/g, and its sign; nothing is written where it is refused. */
+static void check_ratio_integral(void)
+{
+    table_of tables[2];
+    vm_real ctx[2][3], ratio, inverse;
+    const vm_law f = draw_law(tables, ctx[0]), g = draw_law(tables + 1, ctx[1]), one = vm_law_linear(1, 0);
+    const vm_real t = MOSTLY(draw_in(-1, 20));
+    int status;
+    STAIN(ratio);
+    status = vm_law_ratio_integral(&f, &g, t, &ratio);
+    if (status) HOLDS(status < 0 && UNTOUCHED(ratio));
+    else HOLDS(is_finite(ratio));
+    status = vm_law_inverse_integral(&g, t, &inverse);
+    if (status || !tame_law(&g) || !tame(t)) return;
+    HOLDS(vm_law_ratio_integral(&one, &g, t, &ratio) == 0 &&
+          within(ratio, inverse, (IS_FLOAT ? 1e-4 : 1e-12) * fabs((double)inverse)));
+    if (vm_law_ratio_integral(&g, &g, t, &ratio) == 0)
+        HOLDS(within(ratio, t, (IS_FLOAT ? 1e-4 : 1e-12) * fabs((double)t)));
+}
+
+/* The force of a load is the sum of its terms, is linear in the velocity, and keeps the force that was there. */
+static void check_load(void)
+{
+    table_of tables[4];
+    vm_real ctx[3][3], law_ctx[2][3], b, rate, at_0, at_v;
+    vm_osc_problem p = draw_problem(tables, ctx), before = p;
+    const vm_law u = draw_law(tables + 2, law_ctx[0]), damping = draw_law(tables + 3, law_ctx[1]);
+    const vm_real t = MOSTLY(draw_in(-1, 5)), x = MOSTLY(draw_in(-1, 1)), v = MOSTLY(draw_in(-1, 1));
+    vm_osc_load load;
+    int status;
+    STAIN(load);
+    status = vm_osc_load_init(&load, &p, draw_byte() & 1 ? &u : NULL, &damping);
+    if (status) {
+        HOLDS(status < 0 && UNTOUCHED(load) && p.force == before.force && p.ctx == before.ctx);
+        return;
+    }
+    HOLDS(p.force == vm_osc_load_force && p.ctx == &load && load.force == before.force);
+    at_0 = p.force(t, x, 0, p.ctx);
+    at_v = p.force(t, x, v, p.ctx);
+    if (vm_law_at(&damping, t, &b, &rate)) HOLDS(is_nan(at_v));
+    else if (tame(b) && tame(v) && tame(x) && tame(t) && !is_nan(at_0) && is_finite(at_0) && !before.force)
+        HOLDS(within(at_v, at_0 - b * v, 8 * EPS * (fabs((double)at_0) + fabs((double)(b * v)))));
+}
+
 static void check_routes(void)
 {
     table_of tables[2];
@@ -326,7 +370,11 @@ static void fuzz_oscillators(void)
     switch (draw_below(7)) {
     case 6: check_closed_law(); break;
     case 0: check_constants(); break;
-    case 1: check_laws(); break;
+    case 1:
+        check_laws();
+        check_ratio_integral();
+        check_load();
+        break;
     case 2: check_routes(); break;
     case 3: check_at(); break;
     default: check_exact();

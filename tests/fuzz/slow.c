@@ -81,6 +81,7 @@ static void check_van_der_pol_law(void)
     v.c = MOSTLY(draw_in(-0.05, 0.1));
     v.reactive = MOSTLY(draw_in(0, 1));
     v.mass = draw_mass();
+    if (draw_byte() % 4 == 1) v.stiffness = vm_law_linear(v.k, v.k / 64);
     STAIN(cycle);
     status = vm_vdp_cycle_of(&v, &cycle);
     if (status) HOLDS(status < 0 && UNTOUCHED(cycle));
@@ -199,6 +200,30 @@ static void check_laval_circle(vm_jeffcott *r, vm_real t, vm_real A, vm_real W, 
                      A * vm_osc_amplitude_law(R(1.5), 0, r->reactive, spring->alpha), 1e3 * EPS * (double)A));
 }
 
+/* Motions in closed form, for a rotor without load: at t = 0 the start, and the whirl on its circle */
+static void check_laval_motion(vm_jeffcott r, vm_real t, const vm_real *y, int sense)
+{
+    vm_jeffcott_whirl w;
+    vm_real motion[4];
+    int status, i;
+    r.force = NULL;
+    r.u.re = 0;
+    STAIN(w);
+    status = vm_jeffcott_whirl_at(&r, y[4], y[0], sense, t, &w);
+    if (status) HOLDS(status < 0 && UNTOUCHED(w));
+    else {
+        HOLDS(w.radius > 0 && (w.frequency > 0) == (sense > 0));
+        HOLDS(fabs((double)(w.angle - y[0])) <= 100 * (1 + fabs((double)w.frequency)) * (1 + fabs((double)t)));
+        HOLDS(within(vm_jeffcott_whirl_amplitude(&r, w.radius, r.mass.f0, r.mass.f0, sense), w.radius,
+                     256 * EPS * (double)w.radius));
+    }
+    STAIN(motion);
+    status = vm_jeffcott_linear_at(&r, y, 0, motion);
+    if (status) HOLDS(status < 0 && UNTOUCHED(motion));
+    else
+        for (i = 0; i < 4; i++) HOLDS(fabs((double)(motion[i] - y[i])) <= 1e-3 * (1 + fabs((double)y[i])));
+}
+
 static void check_laval(void)
 {
     const vm_law m = draw_mass();
@@ -226,6 +251,8 @@ static void check_laval(void)
     A = MOSTLY(draw_in(0.1, 2));
     W = vm_jeffcott_frequency(&r, A, m.f0, sense);
     if (all_tame && tame(A) && A > R(0.05) && A < 3) check_laval_circle(&r, t, A, W, sense);
+    if (all_tame && spring.k < 100) check_laval_motion(r, t, y, sense);
+    HOLDS(is_nan(vm_jeffcott_whirl_amplitude(NULL, A, 1, 2, sense)));
 }
 
 /* Roundings of amplitude and phase move p by some eps of A, p' by (alpha + 1) times as many of the largest p': A
@@ -266,6 +293,10 @@ static void check_pair(void)
             HOLDS(vmi_all_finite(4, dydt));
     }
     STAIN(back);
+    status = vm_pair_by_method(&p, t > 1 ? VM_PAIR_TRIG : VM_PAIR_JACOBI, t, y, back);
+    if (status) HOLDS(status < 0 && UNTOUCHED(back));
+    else HOLDS(vmi_all_finite(4, back));
+    STAIN(back);
     status = vm_pair_at(&p, t, y, back);
     if (status) HOLDS(status < 0 && UNTOUCHED(back));
     else {
@@ -273,6 +304,47 @@ static void check_pair(void)
         if (all_tame && p.reactive == 0 && m.f1 == 0)
             HOLDS(within(back[2] + back[3], y[2] + y[3], 256 * EPS * 8));
     }
+}
+
+/* The modes lead back to the motion, the three methods leave the sum of the modes alike, and refusals nothing. */
+static void check_coupled(void)
+{
+    vm_connection springs[2];
+    vm_coupled_pair p;
+    vm_osc_problem problem;
+    const vm_real t = draw_in(0, 3);
+    vm_real y[4], dydt[4], modes[4], back[4];
+    int i, status, all_tame;
+    memset(&p, 0, sizeof p);
+    p.mass[0] = draw_mass();
+    p.mass[1] = draw_mass();
+    p.reactive = MOSTLY(draw_below(3) / R(2));
+    p.damping = MOSTLY(draw_in(0, 1));
+    p.n = draw_byte() % 64 ? draw_below(3) : -1;
+    p.connections = springs;
+    for (i = 0; i < 2; i++) {
+        springs[i].k = MOSTLY(draw_log(0.1, 10));
+        springs[i].alpha = MOSTLY(draw_in(0, 6));
+    }
+    all_tame = tame_mass(p.mass[0]) && tame_mass(p.mass[1]);
+    for (i = 0; i < 4; i++) {
+        y[i] = draw_byte() % 64 ? draw_in(-2, 2) : draw_any();
+        all_tame = all_tame && tame(y[i]) && VM_FABS(y[i]) < 3;
+    }
+    STAIN(modes);
+    status = vm_coupled_pair_to_modes(&p, t, y, modes);
+    if (status) {
+        HOLDS(status < 0 && UNTOUCHED(modes));
+    } else {
+        HOLDS(vmi_all_finite(4, modes) && p.n >= 0);
+        if (vm_coupled_pair_from_modes(&p, t, modes, back) == 0 && all_tame)
+            for (i = 0; i < 4; i++) HOLDS(within(back[i], y[i], 64 * EPS));
+        if (vm_coupled_pair_rhs(t, y, dydt, &p) == 0) HOLDS(dydt[0] == y[2] || y[2] != y[2]);
+    }
+    STAIN(problem);
+    status = vm_coupled_pair_oscillator(&p, y, &problem);
+    if (status) HOLDS(status < 0 && UNTOUCHED(problem));
+    else HOLDS(p.n == 1 && problem.alpha >= 0 && (p.reactive == 0 || p.reactive == 1));
 }
 
 static vm_forced draw_forced(vm_real drift)
@@ -464,7 +536,10 @@ static void fuzz_slow(void)
     switch (draw_below(6)) {
     case 0: check_van_der_pol(); break;
     case 1: check_laval(); break;
-    case 2: check_pair(); break;
+    case 2:
+        check_pair();
+        check_coupled(); /* after it, so that stored inputs keep their meaning */
+        break;
     case 3: check_diagnostics(); break;
     case 4: check_van_der_pol_law(); break;
     default: check_forced();

@@ -86,6 +86,15 @@ def jet(rate, t):
 
 
 @lambda f: with_digits(120, f)
+def whirl_angle(c, n, t):
+    e = 1 - n / 2
+    return 2 * (expm1(e * log1p(c * t)) / (c * e) if e else log1p(c * t) / c)
+
+
+def ratio_laws(f, g, t):
+    return expm1((f - g) * t) / (f - g)
+
+
 def drum_time(phi, D):
     e = 1 - D
     if e == 0:
@@ -351,6 +360,10 @@ def drum_stop(mu, v, D):
 
 def drum_rate(mu, v, D, phi):
     return (2 + (mu * v / 2 - D) * phi) / (1 + mu / 4 * phi)
+
+
+def drum_rate_elastic(mu, v, D, phi, rise):
+    return drum_rate(mu, v, D, phi) * (1 - mu / 2 * rise / (1 + mu / 4 * phi))
 
 
 def start_velocity(t, alpha):

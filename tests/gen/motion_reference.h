@@ -286,16 +286,19 @@ static void ref_t_leg(ref_motion *o, REAL A, REAL stop, REAL *step)
     o->failed = 1;
 }
 
+/* Follows the motion to t. It gives up where the amplitude has grown ten thousandfold: a limiting term of the wrong sign
+   makes it infinite in finite time, and the steps before that time become shorter without end. */
 static void ref_follow(ref_motion *o, REAL t)
 {
-    REAL step = 0.05;
+    REAL step = 0.05, v_now, most = 1e4 * ref_amplitude(o, &v_now);
     while (o->t < t && !o->failed) {
         REAL stop = ref_next(&o->stiffness, o->t, ref_next(&o->mass, o->t, t)), v, A;
         ref_choose_piece(&o->mass, (o->t + stop) / 2);
         ref_choose_piece(&o->stiffness, (o->t + stop) / 2);
         while (o->t < stop && !o->failed) {
             A = ref_amplitude(o, &v);
-            if (REAL_FABS(o->x) < (REAL)0.5 * A) ref_sigma_leg(o, A, v, stop);
+            if (!(A < most)) o->failed = 1;
+            else if (REAL_FABS(o->x) < (REAL)0.5 * A) ref_sigma_leg(o, A, v, stop);
             else ref_t_leg(o, A, stop, &step);
         }
     }

@@ -76,9 +76,37 @@ static void try_drum_runs(void)
     drum_run(vm_drum_rhs_angle, 4, 5);
 }
 
+static void try_elastic_shaft(void)
+{
+    int i;
+    for (i = 0; i < COUNT / 8; i++) {
+        const vm_drum d = some_drum();
+        const vm_real phi = uniform(0, 6), at_0 = uniform(-1, 1) / 64, slope = uniform(-1, 1) / 64;
+        vm_real a = 0, alpha = 0;
+        vm_drum_shaft s;
+        CLEAR(s);
+        fold_int(vm_drum_shaft_init(&s, &d));
+        fold_int(vm_drum_deflection_start(&s, at_0, slope, s.shift, &a, &alpha));
+        fold(a);
+        fold(alpha);
+        fold(vm_drum_deflection_slope(&s, phi, a, alpha, s.shift));
+        fold(vm_drum_rate_elastic(&d, phi, at_0));
+    }
+}
+
+static void try_coupled_run(void)
+{
+    vm_drum d = some_drum();
+    vm_real y[VM_DRUM_COUPLED_STATES] = {VM_C(0.01), 0, 0, 0, 0, 0};
+    y[VM_DRUM_RATE] = d.omega;
+    integrate(vm_drum_rhs_coupled, &d, VM_DRUM_COUPLED_STATES, 5, y);
+}
+
 static void golden_drum(void)
 {
     try_lambert();
     try_drum();
     try_drum_runs();
+    try_elastic_shaft();
+    try_coupled_run();
 }

@@ -84,9 +84,39 @@ static void try_slow_odd(void)
     }
 }
 
+static void try_duffing_of_laws(void)
+{
+    static vm_odd_plan plan;
+    int i, route;
+    for (i = 0; i < 4; i++) {
+        vm_law laws[2];
+        vm_odd_problem o;
+        vm_odd_motion motion;
+        vm_real y[2], d[2] = {7, 7};
+        memset(&motion, 0, sizeof motion);
+        laws[0] = vm_law_linear(i % 2 ? -1 : 1, uniform(-1, 1) / 128);
+        laws[1] = vm_law_exponential(1, uniform(-1, 1) / 128);
+        o.force = vm_duffing_force_of_laws(laws);
+        o.mass = vm_law_linear(1, uniform(-1, 1) / 128);
+        o.stiffness = vm_law_linear(1, 0);
+        o.damping = vm_law_linear(uniform(0, 1) / 128, 0);
+        o.reactive = 1;
+        o.x = uniform(0, 1) + (i == 3 ? VM_C(0.875) : 2);
+        o.v = uniform(-1, 1) / 8;
+        fold_int(vm_odd_plan_init(&plan, &o, 20));
+        for (route = VM_ODD_MEAN; route <= VM_ODD_RK87; route++)
+            fold_odd_motion(vm_odd_plan_by_route(&plan, route, 15, VM_C(1e-4), &motion), &motion);
+        y[0] = o.x;
+        y[1] = o.v;
+        fold_int(vm_odd_rhs(1, y, d, &o));
+        fold(d[1]);
+    }
+}
+
 static void golden_duffing(void)
 {
     try_exact_duffing();
     try_exact_odd();
     try_slow_odd();
+    try_duffing_of_laws();
 }

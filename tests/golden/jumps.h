@@ -122,7 +122,9 @@ static void try_jumps_of_several(void)
     for (i = 0; i < COUNT / 16; i++) {
         const vm_body body = some_body();
         const vm_impulse impulse = some_impulse();
+        const vm_axle axle = {{1, 2, -1}, {VM_C(0.5), -1, 1}};
         vm_body parts[3], result;
+        vm_impulse reaction = impulse;
         parts[0] = some_part(&body);
         parts[1] = some_part(&body);
         parts[2] = some_body();
@@ -133,6 +135,14 @@ static void try_jumps_of_several(void)
         fold_body(&result); /* a blow */
         fold_int(vm_attach_all(&body, 3, parts, NULL, &result));
         fold_body(&result);
+        fold_int(vm_separate_on_axle(&axle, &body, 2, parts, &impulse, &result, &reaction));
+        fold_body(&result);
+        fold3(reaction.linear);
+        fold3(reaction.couple);
+        fold_int(vm_attach_on_axle(&axle, &body, 3, parts, NULL, &result, &reaction));
+        fold_body(&result);
+        fold3(reaction.linear);
+        fold3(reaction.couple);
     }
 }
 

@@ -80,6 +80,45 @@ static void try_pendulum(void)
     }
 }
 
+static void try_compound(void)
+{
+    int i;
+    for (i = 0; i < COUNT / 8; i++) {
+        vm_compound_pendulum p;
+        vm_compound_part part;
+        vm_compound_cut c;
+        CLEAR(c);
+        p.mass = uniform(2, 3);
+        p.x = uniform(-1, 1);
+        p.y = uniform(-1, 1);
+        p.inertia = p.mass * (p.x * p.x + p.y * p.y) + uniform(1, 2);
+        p.rate = uniform(-4, 4);
+        part.mass = uniform(0, 1);
+        part.inertia = uniform(0, 1);
+        part.x = uniform(-1, 1);
+        part.y = uniform(-1, 1);
+        part.ux = uniform(-1, 1);
+        part.uy = uniform(-1, 1);
+        part.Omega = uniform(-1, 1);
+        fold_int(vm_compound_pendulum_separate(&p, &part, &c));
+        fold(c.rest.mass);
+        fold(c.rest.inertia);
+        fold(c.rest.x);
+        fold(c.rest.y);
+        fold(c.rest.rate);
+        fold(c.vx);
+        fold(c.vy);
+        fold(c.rate);
+        fold(c.T1);
+        fold(c.T_S1);
+        fold(c.T_S2);
+        fold(c.L1);
+        fold(c.L2);
+        fold(c.pivot_x);
+        fold(c.pivot_y);
+    }
+}
+
 /* A carriage on a spring carries a pendulum that leaks. The height of its bob is q1^2/2, so that no sine of the C
    library is needed. */
 static void leaking(vm_real t, const vm_real *q, vm_real *masses, void *ctx)
@@ -128,6 +167,10 @@ static void try_mechanism(void)
     fold_int(vm_lagrange_start(&l, 0, q, rates, y));
     fold_all(4, y);
     fold(vm_lagrange_partial_q(&l, 0, q, rates, 1));
+    fold_int(vm_lagrange_needed_forces(&l, 1, 4, q, rates, q, back));
+    fold_all(2, back);
+    fold_int(vm_lagrange_drive_forces(&l, 1, 0, q, rates, q, back));
+    fold_all(2, back);
     integrate(vm_lagrange_rhs, &l, 4, 3, y);
     fold_int(vm_lagrange_rates(&l, 3, y, back));
     fold_all(2, back);
@@ -137,5 +180,6 @@ static void golden_lagrange(void)
 {
     try_lagrange_jumps();
     try_pendulum();
+    try_compound();
     try_mechanism();
 }

@@ -117,6 +117,34 @@ static void fold_motion(const vm_osc_motion *m)
     fold_int(m->evals);
 }
 
+static void try_ratio_integrals(void)
+{
+    int i;
+    for (i = 0; i < 36; i++) {
+        const vm_law f = some_law(i % 6), g = some_law(i / 6);
+        vm_real integral = 3;
+        fold_int(vm_law_ratio_integral(&f, &g, uniform(0, 15), &integral));
+        fold(integral);
+    }
+}
+
+static void try_osc_loads(void)
+{
+    const int routes[4] = {VM_ROUTE_TRIG, VM_ROUTE_ATEB, VM_ROUTE_COLLOCATION, VM_ROUTE_RK87};
+    int i;
+    for (i = 0; i < 8; i++) {
+        const vm_law u = some_law(i % 4), damping = vm_law_linear(uniform(0, 1) / 64, uniform(0, 1) / 1024);
+        vm_osc_problem p = some_problem(i % 3, 0);
+        vm_osc_load load;
+        vm_osc_motion motion;
+        CLEAR(motion);
+        fold_int(vm_osc_load_init(&load, &p, &u, &damping));
+        fold(vm_osc_load_force(uniform(0, 5), p.x, p.v, &load));
+        fold_int(vm_osc_by_route(&p, routes[i % 4], uniform(1, 5), VM_C(1e-5), &motion));
+        fold_motion(&motion);
+    }
+}
+
 static vm_real small_force(vm_real t, vm_real x, vm_real v, void *ctx)
 {
     (void)ctx;
@@ -219,4 +247,6 @@ static void golden_routes(void)
     try_integrated_routes();
     try_osc_plans();
     try_closed_laws();
+    try_ratio_integrals();
+    try_osc_loads();
 }

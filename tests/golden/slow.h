@@ -107,6 +107,38 @@ static void try_laval(void)
     }
 }
 
+static void try_laval_motions(void)
+{
+    int i, sense;
+    for (i = 0; i < 8; i++) {
+        vm_power_force spring;
+        vm_jeffcott_whirl w;
+        vm_jeffcott r;
+        vm_real motion[4];
+        memset(&r, 0, sizeof r);
+        spring.k = uniform(1, 2);
+        spring.alpha = i % 2 ? 1 : uniform(1, 4);
+        r.mass = some_mass();
+        r.stiffness = vm_jeffcott_power;
+        r.stiffness_ctx = &spring;
+        if (i % 4 > 1) r.gyro = uniform(-1, 1) / 8;
+        r.reactive = uniform(0, 1);
+        for (sense = -1; sense < 2; sense += 2) {
+            CLEAR(w);
+            fold(vm_jeffcott_whirl_amplitude(&r, 1, 2, uniform(1, 3), sense));
+            fold_int(vm_jeffcott_whirl_at(&r, uniform(0, 1), 1, sense, uniform(0, 2), &w));
+            fold(w.radius);
+            fold(w.angle);
+            fold(w.frequency);
+            fold_two(w.z.re, w.z.im);
+            fold_two(w.v.re, w.v.im);
+        }
+        draw_all(4, -1, 1, motion);
+        fold_int(vm_jeffcott_linear_at(&r, motion, uniform(0, 2), motion));
+        fold_all(4, motion);
+    }
+}
+
 static void try_pair(void)
 {
     int i;
@@ -126,10 +158,57 @@ static void try_pair(void)
         fold_all(4, back);
         fold_int(vm_pair_at(&p, 4, y, back));
         fold_all(4, back);
+        fold_int(vm_pair_by_method(&p, i % 3, 4, y, back));
+        fold_all(4, back);
         if (i % 2) {
             integrate_from(y, vm_pair_rhs, &p, 4, 3);
             integrate_from(modes, vm_pair_averaged_rhs, &p, 4, 3);
         }
+    }
+}
+
+static int push_pair(vm_real t, const vm_real *y, vm_real *force, void *ctx)
+{
+    (void)ctx;
+    force[0] += t / 8;
+    force[1] -= y[3] / 16;
+    return 0;
+}
+
+static void try_coupled_pair(void)
+{
+    int i;
+    for (i = 0; i < 6; i++) {
+        vm_connection springs[2];
+        vm_coupled_pair p;
+        vm_osc_problem o;
+        vm_real y[4], modes[4] = {1, 2, 3, 4}, back[4] = {1, 2, 3, 4}, f, rate;
+        memset(&p, 0, sizeof p);
+        memset(&o, 0, sizeof o);
+        springs[0].k = uniform(1, 2);
+        springs[0].alpha = uniform(1, 4);
+        springs[1].k = uniform(1, 2);
+        springs[1].alpha = 1;
+        p.mass[0] = some_mass();
+        p.mass[1] = some_mass();
+        p.reactive = i % 2;
+        p.damping = uniform(0, 1) / 8;
+        p.n = 1 + i % 2;
+        p.connections = springs;
+        draw_all(4, -1, 1, y);
+        fold_int(vm_coupled_pair_to_modes(&p, 1, y, modes));
+        fold_all(4, modes);
+        fold_int(vm_coupled_pair_from_modes(&p, 2, modes, back));
+        fold_all(4, back);
+        fold_int(vm_coupled_pair_oscillator(&p, y, &o));
+        if (p.n == 1) {
+            fold_int(vm_law_at(&o.mass, 2, &f, &rate));
+            fold(f);
+            fold(rate);
+        }
+        fold(p.momentum);
+        p.force = i % 3 ? NULL : push_pair;
+        integrate_from(y, vm_coupled_pair_rhs, &p, 4, 3);
     }
 }
 
@@ -273,6 +352,8 @@ static void golden_slow(void)
     try_van_der_pol();
     try_laval();
     try_pair();
+    try_laval_motions();
+    try_coupled_pair();
 }
 
 /* The law of order three: its orders, both integrations, the choice of a route, the limit cycle */
@@ -297,6 +378,9 @@ static void golden_van_der_pol(void)
         v.reactive = uniform(0, 1);
         draw_all(3, 1, 2, mass);
         v.mass = i % 2 ? vm_law_linear(mass[0], mass[1] / 128) : vm_law_exponential(mass[0], mass[2] / 128);
+        if (i == 3) v.alpha = 1;
+        if (i == 3) v.mass = vm_law_linear(mass[0], 0); /* closed form */
+        if (i == 4) v.stiffness = vm_law_exponential(mass[1], mass[0] / 256);
         fold_int(vm_vdp_plan_init(&plan, &v, x, uniform(-1, 1)));
         for (k = 0; k < 5; k++) {
             if (i > 1 && routes[k] == VM_ROUTE_RK87) continue; /* it takes long on an emulator */

@@ -218,6 +218,16 @@ static vm_real drum_rate_naive(const vm_real *x)
 {
     return (2 + (x[0] * x[1] / 2 - x[2]) * x[3]) / (1 + x[0] / 4 * x[3]);
 }
+/* The same on an elastic shaft whose centre has risen by x4 */
+static vm_real drum_rate_elastic_ours(const vm_real *x)
+{
+    const vm_drum d = drum_driven(x);
+    return vm_drum_rate_elastic(&d, x[3], x[4]);
+}
+static vm_real drum_rate_elastic_naive(const vm_real *x)
+{
+    return drum_rate_naive(x) * (1 - x[0] / 2 * x[4] / (1 + x[0] / 4 * x[3]));
+}
 
 /* Velocity at t = x0 after a start at rest from 1, alpha = x1, by the energy */
 static vm_real start_velocity_ours(const vm_real *x)
@@ -317,6 +327,7 @@ static const hard_case cancellation_cases[] = {
     CASE(split_inertia, 8, "inertia of a remainder by Steiner's theorem there and back", R(31234567.3, 1234.3)),
     CASE(drum_stop, 4, "what drives a drum and what brakes it nearly cancel", 0.3, 0.7, R(0.1050000001, 0.10501)),
     CASE(drum_rate, 8, "the drum just before it stops", 0.3, 0.7, 0.205, R(19.9999999, 19.999)),
+    CASE(drum_rate_elastic, 8, "the same on an elastic shaft", 0.3, 0.7, 0.205, R(19.9999999, 19.999), 0.05),
     CASE(start_velocity, 16, "velocity from the energy next to a turning point", R(1e-5, 1e-2), 3),
     CASE(start_velocity, 16, "the same, alpha < 1", R(1e-6, 1e-3), 0.5),
     CASE(broken_rotor, 4, "1 - cos w t just after a rotor has broken", R(1e-6, 1e-3)),

@@ -5,7 +5,7 @@
    the law as a constant in flash, which examples/print_plan.c prints; docs/firmware.md has the flash, the stack and the
    instructions of each order.
 
-   cc -O2 14_law_as_data.c -lm && ./a.out [file.csv] */
+   cc -O2 18_law_as_data.c -lm && ./a.out [file.csv] */
 #include <stdio.h>
 #include "../../varmass.h"
 

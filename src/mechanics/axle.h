@@ -1,0 +1,143 @@
+/* mechanics/axle.h - jumps of a body that turns about a fixed axle
+
+   A body can only turn about a fixed axle. When a part separates from it, or another body is attached to it, the axle
+   gives an impulse, and only the angular momentum about the axle follows from the parts. This generalizes the pendulum
+   of (119)-(132) to a body and an axle of any shape, place and direction. The results are the motion of the body after
+   the jump and the impulse of the axle. With n = 0 parts, the functions say how a body moves on that an impulse hits,
+   or that is caught by an axle while it flies.
+
+       vm_axle hinge = {{0, 0, 0}, {0, 0, 1}};                       // through the origin, along z
+       vm_body door = {20, {2, 2, 2, 0, 0, 0}, {1, 0, 0, 0}, {0.5, 0, 0}, {0, 1, 0}, {0, 0, 2}};
+       vm_body part = {1, {0, 0, 0, 0, 0, 0}, {1, 0, 0, 0}, {1, 0, 0}, {0, 5, 0}, {0, 0, 0}}; // leaves at 5 m/s
+       vm_impulse reaction;                                          // of the axle on the door
+       int status = vm_separate_on_axle(&hinge, &door, 1, &part, NULL, &door, &reaction);
+
+   The equations. e is the unit vector along the axle, which passes through the point O. All motions are taken relative
+   to the frame that turns about the axle as the body did before, with the rate w = e . omega. In this frame (42) holds,
+   and the body was at rest if the axle guided it before. Let P and L be the momentum of all bodies that join (+) or
+   leave (-), of the body before, and of the external impulse, L about O. Let I be the inertia of the body after the
+   jump about O. Then w grows by (e . L)/(e . I e), and the axle gives what is left: the impulse M1 v1 - P at O, with
+   the velocity v1 of the mass centre, and a couple, which is orthogonal to the axle. Tests: tests/test_axle.c. */
+#ifndef VARMASS_MECHANICS_AXLE_H
+#define VARMASS_MECHANICS_AXLE_H
+
+#include "../base/real.h"
+#include "../base/status.h"
+#include "bodies.h"
+#include "inertia.h"
+#include "jumps.h"
+#include "vectors.h"
+
+/* A fixed axle without friction */
+typedef struct VM_TAG(vm_axle) {
+    vm_vec3 at;   /* a point O of the axle, m */
+    vm_vec3 axis; /* its direction, of any length > 0; angular velocities are positive about it */
+} vm_axle;
+
+/* Momentum, N s, and angular momentum about the point O of an axle, N m s, relative to the turning frame */
+typedef struct VM_TAG(vmi_axle_sum) {
+    vm_vec3 linear, angular;
+} vmi_axle_sum;
+
+/* The angular momentum of a body that turns with the angular velocity omega, about its own mass centre */
+VM_API vm_vec3 vmi_axle_spin(const vm_body *body, vm_vec3 omega)
+{
+    const vmi_mat3 turn = vmi_rotation(body->q);
+    return vmi_times(&turn, vmi_inertia_times(&body->inertia, vmi_times_transposed(&turn, omega)));
+}
+
+/* Adds `sign` times the momenta of a body to *sum, relative to the frame that turns about the point O with omega. */
+VM_API void vmi_axle_add(vmi_axle_sum *sum, vm_real sign, const vm_body *body, vm_vec3 O, vm_vec3 omega)
+{
+    const vm_vec3 d = vm_sub(body->r, O), slip = vm_sub(body->v, vm_cross(omega, d));
+    const vm_vec3 momentum = vm_scale(body->mass, slip), spin = vmi_axle_spin(body, vm_sub(body->omega, omega));
+    sum->linear = vm_add(sum->linear, vm_scale(sign, momentum));
+    sum->angular = vm_add(sum->angular, vm_scale(sign, vm_add(spin, vm_cross(d, momentum))));
+}
+
+/* Checks the axle, and writes its unit vector. */
+VM_API int vmi_axle_direction(const vm_axle *axle, vm_vec3 *e)
+{
+    vm_real length;
+    if (!vmi_vec3_is_finite(axle->at) || !vmi_vec3_is_finite(axle->axis)) return VM_NOT_FINITE;
+    length = vm_norm(axle->axis);
+    if (!(length > 0)) return VM_DOMAIN;
+    *e = vmi_over(axle->axis, length);
+    return VM_OK;
+}
+
+/* Gives the body *b, whose mass, inertia and place are those after the jump, its motion about the axle, and computes
+   the impulse of the axle. *sum holds P and L of the text above; `before` is w e. Returns VM_NULL_AXIS if b has no
+   inertia about the axle, but would need angular momentum, else VM_OK. */
+VM_API int vmi_axle_turn(vm_vec3 O, vm_vec3 e, vm_vec3 before, const vmi_axle_sum *sum, vm_body *b,
+                         vm_impulse *reaction)
+{
+    const vm_vec3 d = vm_sub(b->r, O), speed = vm_cross(e, d); /* of the mass centre at 1 rad/s */
+    const vm_vec3 column = vm_add(vmi_axle_spin(b, e), vm_scale(b->mass, vm_cross(d, speed)));
+    const vm_real inertia = vm_dot(e, column), momentum = vm_dot(e, sum->angular);
+    vm_real change = 0;
+    vm_vec3 couple;
+    int status = VM_OK;
+    if (inertia > 0) change = momentum / inertia;
+    else if (momentum != 0) status = VM_NULL_AXIS;
+    b->omega = vm_add(before, vm_scale(change, e));
+    b->v = vm_cross(b->omega, d);
+    reaction->at = O;
+    reaction->linear = vm_sub(vm_scale(b->mass * change, speed), sum->linear);
+    couple = vm_sub(vm_scale(change, column), sum->angular);
+    reaction->couple = vm_sub(couple, vm_scale(vm_dot(e, couple), e)); /* the axle turns freely */
+    return status;
+}
+
+/* The jump of both functions below: sign is VMI_SEPARATE or VMI_ATTACH. */
+VM_API int vmi_axle_jump(const vm_axle *axle, const vm_body *body, int n, const vm_body *others, vm_real sign,
+                         const vm_impulse *external_or_NULL, vm_body *result, vm_impulse *reaction_or_NULL)
+{
+    vmi_axle_sum sum = {{0, 0, 0}, {0, 0, 0}};
+    vm_impulse reaction;
+    vm_vec3 e, turning;
+    vm_body b;
+    int i, status, axle_status;
+    if (!axle || !body || !result) return VM_BAD_ARGUMENT;
+    axle_status = vmi_axle_direction(axle, &e);
+    status = vmi_jump(body, n, others, sign, external_or_NULL, &b);
+    if (status < 0 || axle_status) return vmi_first_error(status < 0 ? status : VM_OK, axle_status);
+    turning = vm_scale(vm_dot(e, body->omega), e);
+    vmi_axle_add(&sum, 1, body, axle->at, turning);
+    for (i = 0; i < n; i++) vmi_axle_add(&sum, sign, &others[i], axle->at, turning);
+    if (external_or_NULL) {
+        sum.linear = vm_add(sum.linear, external_or_NULL->linear);
+        sum.angular = vm_add(sum.angular, vmi_impulse_moment(external_or_NULL, axle->at));
+    }
+    status = vmi_axle_turn(axle->at, e, turning, &sum, &b, &reaction);
+    if (!vmi_body_is_finite(&b) || !vmi_impulse_is_finite(&reaction)) return VM_NOT_FINITE;
+    *result = b;
+    if (reaction_or_NULL) *reaction_or_NULL = reaction;
+    return status;
+}
+
+/* Separation of n parts from a body on a fixed axle: *rest is what remains, guided by the axle.
+   The parts must have their motions after the separation. The external impulse, if there is one, acts during the
+   separation. *reaction_or_NULL is the impulse of the axle on the body: `linear` acts at the point axle->at, and
+   `couple` is orthogonal to the axle. If the parts go on as the whole did, the motion of the rest does not change. With
+   n = 0 only the impulse acts. The whole need not have turned about the axle before; it is then caught by the axle. The
+   error of the angular velocity is a few eps of the sum of the terms of e . L divided by the inertia about the axle.
+   Returns VM_OK, the errors of vm_separate_all, VM_DOMAIN if axle->axis is 0, and VM_NULL_AXIS (> 0) if the rest has
+   no inertia about the axle, but would need angular momentum; it then turns as the whole did. `rest` may be equal to
+   `whole`. */
+VM_API int vm_separate_on_axle(const vm_axle *axle, const vm_body *whole, int n, const vm_body *parts,
+                               const vm_impulse *external_or_NULL, vm_body *rest, vm_impulse *reaction_or_NULL)
+{
+    return vmi_axle_jump(axle, whole, n, parts, VMI_SEPARATE, external_or_NULL, rest, reaction_or_NULL);
+}
+
+/* Attachment of n bodies to a body on a fixed axle (plastic impact): *whole is all together, guided by the axle.
+   The bodies must have their motions just before the impact. The other arguments and the statuses are those of
+   vm_separate_on_axle. */
+VM_API int vm_attach_on_axle(const vm_axle *axle, const vm_body *body, int n, const vm_body *added,
+                             const vm_impulse *external_or_NULL, vm_body *whole, vm_impulse *reaction_or_NULL)
+{
+    return vmi_axle_jump(axle, body, n, added, VMI_ATTACH, external_or_NULL, whole, reaction_or_NULL);
+}
+
+#endif

@@ -1,0 +1,92 @@
+/* oscillators/loads.h - mass that joins or leaves an oscillator with a velocity, and damping that depends on time
+
+   In the equation of motion of a vm_osc_problem (oscillators/problem.h) mass joins or leaves at rest, u = 0, and the
+   damping is constant. The dissertation's equation (248) has the reactive force m' (u - x') with any velocity u along
+   x. A vm_osc_load adds what is missing on the right side:
+     m x'' + k x|x|^(alpha-1) + (reactive m' + b) x' = reactive m' u(t) - damping(t) x' + force(t, x, x')
+   m' is the rate of the mass, u(t) the absolute velocity of the mass that joins or leaves, damping(t) a law that adds
+   to the constant b of the problem, and force the problem's own further force, if there was one. Every route that
+   allows a force computes the motion: the first-order averaged equations and the integrations of oscillators/routes.h.
+   Shortest useful call, for a problem with the fields of oscillators/problem.h:
+       const vm_law u = vm_law_linear(VM_C(0.3), 0), damping = vm_law_linear(VM_C(0.02), VM_C(0.001));
+       vm_osc_load load;
+       vm_osc_motion motion;
+       int status = vm_osc_load_init(&load, &problem, &u, &damping); // 0.3 m/s; 0.02 kg/s, growing
+       if (!status) status = vm_osc_within(&problem, 10, VM_C(1e-6), &motion);
+   To first order a thrust m' u leaves the averaged amplitude as it is, since its mean over a period is 0: it only moves
+   the middle of the vibration, for alpha = 1 by m' u/k. The averaged routes leave this out, and say so by their
+   `error`. damping(t) changes the amplitude by vm_osc_amplitude_law, with vm_law_ratio_integral(&damping, &mass, t,
+   &decay). Tests: tests/test_loads.c. */
+#ifndef VARMASS_OSCILLATORS_LOADS_H
+#define VARMASS_OSCILLATORS_LOADS_H
+
+#include "../base/real.h"
+#include "../base/status.h"
+#include "laws.h"
+#include "problem.h"
+
+/* What vm_osc_load_force adds to an oscillator. vm_osc_load_init fills it. The problem points to it, so that it must
+   outlive the problem and must not move. */
+typedef struct VM_TAG(vm_osc_load) {
+    vm_law mass;        /* mass m(t) of the oscillator, kg, whose rate m' the thrust needs */
+    vm_law u;           /* velocity of the mass that joins or leaves, m/s */
+    vm_law damping;     /* damping, kg/s, that adds to the problem's; positive takes energy out */
+    vm_real reactive;   /* share of the thrust m' u that acts. The init function takes the problem's `reactive`. With 1
+                           here and 0 in the problem, u is the velocity relative to the oscillator. */
+    vm_osc_force force; /* the further force that the problem had before, or NULL */
+    void *ctx;          /* the user's pointer, last argument of force */
+} vm_osc_load;
+
+/* Force of a vm_osc_load on an oscillator, N: reactive m' u(t) - damping(t) v + force(t, x, v).
+   A vm_osc_force; its ctx, here `load`, is a vm_osc_load, and vm_osc_load_init makes it the force of a problem. t is
+   the time (s), x the position (m) and v the velocity (m/s). The laws of mass, u and damping are evaluated once.
+   Returns NaN for a null pointer, for arguments that are infinite or NaN, and where a law has no value at t; the routes
+   then return VM_NOT_INTEGRATED or VM_NOT_FINITE. */
+VM_API vm_real vm_osc_load_force(vm_real t, vm_real x, vm_real v, void *load)
+{
+    if (!load) return VM_NAN;
+    const vm_osc_load *l = (const vm_osc_load *)load;
+    vm_real mass, rate, u, damping, force, unused;
+    int status = vmi_law_at(&l->mass, VM_BAD_MASS, t, &mass, &rate);
+    if (!status) status = vmi_law_at(&l->u, VM_OK, t, &u, &unused);
+    if (!status) status = vmi_law_at(&l->damping, VM_OK, t, &damping, &unused);
+    if (status || !VM_IS_FINITE(x) || !VM_IS_FINITE(v)) return VM_NAN;
+    force = l->reactive * rate * u - damping * v;
+    if (l->force) force += l->force(t, x, v, l->ctx);
+    return force;
+}
+
+/* Gives an oscillator a velocity u of the mass that joins or leaves, and a damping that depends on time.
+   u_or_NULL is the law of this velocity, m/s, and damping_or_NULL the law of the damping, kg/s, which adds to the
+   problem's constant damping; a null pointer means 0. *load is filled, and problem->force and problem->ctx are set to
+   it; a force that the problem had acts as before. Call it once for a problem, after its other fields are set. Routes
+   step over the points of a table in u and damping without stopping there, which costs steps, not accuracy. Returns
+   VM_BAD_ARGUMENT for other null pointers, for a law that no constructor made, and for a problem that has this load
+   already; VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS or VM_DOMAIN where a number of the problem or a law at t = 0 is
+   not finite, not positive or outside its domain. An error leaves *load and *problem untouched. */
+VM_API int vm_osc_load_init(vm_osc_load *load, vm_osc_problem *problem, const vm_law *u_or_NULL,
+                            const vm_law *damping_or_NULL)
+{
+    vm_osc_load l;
+    vm_real mass, stiffness;
+    int status;
+    if (!load || !problem || problem->ctx == load) return VM_BAD_ARGUMENT;
+    status = vmi_osc_check_problem(problem, 0, &mass, &stiffness);
+    if (u_or_NULL) status = vmi_first_error(status, vmi_law_check(u_or_NULL, VM_OK, 0));
+    if (damping_or_NULL) status = vmi_first_error(status, vmi_law_check(damping_or_NULL, VM_OK, 0));
+    if (status) return status;
+    l.mass = problem->mass;
+    l.u = vm_law_linear(0, 0);
+    if (u_or_NULL) l.u = *u_or_NULL;
+    l.damping = vm_law_linear(0, 0);
+    if (damping_or_NULL) l.damping = *damping_or_NULL;
+    l.reactive = problem->reactive;
+    l.force = problem->force;
+    l.ctx = problem->ctx;
+    *load = l;
+    problem->force = vm_osc_load_force;
+    problem->ctx = load;
+    return VM_OK;
+}
+
+#endif

@@ -1,0 +1,269 @@
+/* oscillators/odd_laws.h - a vibration under an odd elastic force, and its slow laws at one time
+
+   The problem is that of oscillators/odd_motion.h, which also shows the shortest useful call. This file reads the laws
+   and computes the numbers that the averaging needs from them.
+
+   Where k1 and k3 of Duffing's force follow laws of their own (vm_duffing_force_of_laws), the shape of the force
+   changes with time. It is made constant by a length s(t) with s^2 = (k1/k3)/(its value at t = 0): y = x/s obeys,
+   without any approximation,
+       m y'' + K F(y) + (reactive m' + b + 2 m s'/s) y' + m G y = 0
+   with F(y) = k1(0) y + k3(0) y^3, K(t) = k(t) k1(t)/k1(0) and G = s''/s + (s'/s) (reactive m' + b)/m. So the change of
+   shape acts as more damping, and as a weak linear spring, whose stiffness is of second order in the rates of the
+   laws. Where k1 or k3 is 0 all the time, s is 1. Where one of them is 0 at one time only, there is no such s; then the
+   equation of motion is integrated. Guide: docs/duffing.md. Tests: tests/test_duffing_laws.c. */
+#ifndef VARMASS_OSCILLATORS_ODD_LAWS_H
+#define VARMASS_OSCILLATORS_ODD_LAWS_H
+
+#include "../base/elementary.h"
+#include "../base/real.h"
+#include "../base/scalars.h"
+#include "../base/status.h"
+#include "laws.h"
+#include "odd_force.h"
+#include "reduction.h"
+
+/* A vibration under an odd elastic force, and its state at t = 0 */
+typedef struct VM_TAG(vm_odd_problem) {
+    vm_odd_force force; /* F(x), N, by vm_duffing_force, vm_duffing_force_of_laws or vm_odd_force_user */
+    vm_law mass;        /* mass m(t), kg, positive */
+    vm_law stiffness;   /* factor k(t) of the whole elastic force, a pure number, positive */
+    vm_law damping;     /* damping b(t), kg/s; positive takes energy out */
+    vm_real reactive;   /* share of the full reactive force: 1 where mass that joins or leaves is at rest, 0 where this
+                           mass has the body's own velocity; numbers between are allowed */
+    vm_real x, v;       /* position, m, and velocity, m/s, at t = 0 */
+} vm_odd_problem;
+
+/* -- All laws of a problem -- */
+
+/* Writes pointers to the laws of a problem, and the status for a law that is not positive; returns their number. */
+enum { VMI_ODD_LAWS = 5 };
+VM_API int vmi_odd_all_laws(const vm_odd_problem *o, const vm_law **laws, int *if_not_positive)
+{
+    laws[0] = &o->mass;
+    laws[1] = &o->stiffness;
+    laws[2] = &o->damping;
+    if_not_positive[0] = VM_BAD_MASS;
+    if_not_positive[1] = VM_BAD_STIFFNESS;
+    if_not_positive[2] = VM_OK;
+    if (!o->force.laws) return 3;
+    laws[3] = &o->force.laws[0];
+    laws[4] = &o->force.laws[1];
+    if_not_positive[3] = VM_OK;
+    if_not_positive[4] = VM_OK;
+    return VMI_ODD_LAWS;
+}
+
+/* Whether constructors made all laws of a problem */
+VM_API int vmi_odd_has_laws(const vm_odd_problem *o)
+{
+    const vm_law *laws[VMI_ODD_LAWS];
+    int statuses[VMI_ODD_LAWS], i;
+    const int n = vmi_odd_all_laws(o, laws, statuses);
+    for (i = 0; i < n; i++)
+        if (!laws[i]->derivatives) return 0;
+    return 1;
+}
+
+/* The first point of a table of any law after t on the way to t_end, or t_end if there is none */
+VM_API vm_real vmi_odd_next_knot(const vm_odd_problem *o, vm_real t, vm_real t_end)
+{
+    const vm_law *laws[VMI_ODD_LAWS];
+    int statuses[VMI_ODD_LAWS], i;
+    const int n = vmi_odd_all_laws(o, laws, statuses);
+    for (i = 0; i < n; i++) t_end = vmi_law_next_knot(laws[i], t, t_end);
+    return t_end;
+}
+
+/* Checks all laws of a problem between 0 and t. Returns the status that comes first in the table of errors. */
+VM_API int vmi_odd_check_laws(const vm_odd_problem *o, vm_real t)
+{
+    const vm_law *laws[VMI_ODD_LAWS];
+    int statuses[VMI_ODD_LAWS], i, status = VM_OK;
+    const int n = vmi_odd_all_laws(o, laws, statuses);
+    for (i = 0; i < n; i++) status = vmi_first_error(status, vmi_law_check(laws[i], statuses[i], t));
+    return status;
+}
+
+/* -- The laws at one time -- */
+
+/* Mass, stiffness and damping at one time, as the equation of motion needs them */
+typedef struct VM_TAG(vmi_odd_now) {
+    vm_real m, k, b; /* mass, factor of the elastic force, and damping */
+    vm_real m_rate;  /* dm/dt, kg/s */
+    vm_real k1, k3;  /* coefficients of Duffing's force if they follow laws; else unused */
+} vmi_odd_now;
+
+/* Reads the laws at t. Where a rate jumps at t, side = 1 asks for its value after t, side = -1 before t. */
+VM_API int vmi_odd_read_laws(const vm_odd_problem *o, vm_real t, int side, vmi_odd_now *now)
+{
+    vm_real m[VMI_LAW_ORDERS], k[VMI_LAW_ORDERS], b[VMI_LAW_ORDERS], k1[VMI_LAW_ORDERS], k3[VMI_LAW_ORDERS];
+    int status = vmi_law_derivatives(&o->mass, VM_BAD_MASS, t, side, 0, m);
+    k1[0] = 0;
+    k3[0] = 0;
+    if (!status) status = vmi_law_derivatives(&o->stiffness, VM_BAD_STIFFNESS, t, side, 0, k);
+    if (!status) status = vmi_law_derivatives(&o->damping, VM_OK, t, side, 0, b);
+    if (!status && o->force.laws) status = vmi_law_derivatives(&o->force.laws[0], VM_OK, t, side, 0, k1);
+    if (!status && o->force.laws) status = vmi_law_derivatives(&o->force.laws[1], VM_OK, t, side, 0, k3);
+    if (status) return status;
+    now->m = m[0];
+    now->k = k[0];
+    now->b = b[0];
+    now->m_rate = m[1];
+    now->k1 = k1[0];
+    now->k3 = k3[0];
+    return VM_OK;
+}
+
+/* Writes the force F(x) with the coefficients of the present time. */
+VM_API int vmi_odd_elastic(const vm_odd_problem *o, const vmi_odd_now *now, vm_real x, vm_real *f)
+{
+    if (!o->force.laws) return o->force.at(&o->force, x, f);
+    *f = x * (now->k1 + now->k3 * (x * x));
+    return VM_IS_FINITE(*f) ? VM_OK : VM_NOT_FINITE;
+}
+
+/* -- The shape of the force -- */
+
+/* k1 and k3 of Duffing's force, divided by their values at t = 0, and the relative rates of change of both as power
+   series in time. They are 1 and 0 where k1 or k3 is constant. */
+typedef struct VM_TAG(vmi_odd_shape) {
+    vm_real ratio1, ratio3;
+    vm_real rate1[4], rate3[4];
+} vmi_odd_shape;
+
+/* Writes the ratio and the rates of one of both laws. first is its value at t = 0. The first `orders` terms of the rates
+   are written; length is that of vmi_law_derivatives. Returns VM_NO_LAW where the law is 0 but not all the time. */
+VM_API int vmi_odd_coefficient(const vm_law *law, vm_real first, vm_real t, int side, vm_real length, int orders,
+                               vm_real *ratio, vm_real *rates)
+{
+    vm_real f[VMI_LAW_ORDERS];
+    int i, status = vmi_law_derivatives(law, VM_OK, t, side, length, f);
+    if (status) return status;
+    *ratio = 1;
+    for (i = 0; i < orders; i++) rates[i] = 0;
+    if (first == 0) return f[0] == 0 && f[1] == 0 ? VM_OK : VM_NO_LAW;
+    *ratio = f[0] / first;
+    if (!(*ratio > 0)) return VM_NO_LAW;
+    if (orders == 1) {
+        rates[0] = f[1] / f[0];
+        return VM_OK;
+    }
+    vmi_series_of_derivatives(4, 1, f);
+    vmi_series_log_rate(4, f, rates);
+    return VM_OK;
+}
+
+/* Reads the shape of the force at t. With orders = 1 only the rates themselves are written, with orders = 4 their series.
+   Where one coefficient is 0 all the time, the other one counts for both, so that s is 1. */
+VM_API int vmi_odd_shape_at(const vm_odd_problem *o, vm_real t, int side, vm_real length, int orders,
+                            vmi_odd_shape *shape)
+{
+    const vm_odd_force *force = &o->force;
+    int i, status;
+    shape->ratio1 = 1;
+    shape->ratio3 = 1;
+    for (i = 0; i < 4; i++) {
+        shape->rate1[i] = 0;
+        shape->rate3[i] = 0;
+    }
+    if (!force->laws) return VM_OK;
+    status = vmi_odd_coefficient(&force->laws[0], force->k1, t, side, length, orders, &shape->ratio1, shape->rate1);
+    if (!status)
+        status = vmi_odd_coefficient(&force->laws[1], force->k3, t, side, length, orders, &shape->ratio3, shape->rate3);
+    if (status) return status;
+    if (force->k1 == 0) {
+        shape->ratio1 = shape->ratio3;
+        for (i = 0; i < orders; i++) shape->rate1[i] = shape->rate3[i];
+    }
+    if (force->k3 == 0) {
+        shape->ratio3 = shape->ratio1;
+        for (i = 0; i < orders; i++) shape->rate3[i] = shape->rate1[i];
+    }
+    return VM_OK;
+}
+
+/* -- What the averaging needs -- */
+
+/* Mass, stiffness and damping of y = x/s, and the rates that follow from them, at one time */
+typedef struct VM_TAG(vmi_odd_rates) {
+    vm_real m, k, b;       /* mass, stiffness K and damping b */
+    vm_real loss;          /* (reactive m' + b)/m, 1/s */
+    vm_real speed;         /* ds/dt = sqrt(K/m) for the time s of orbit_ripple.h */
+    vm_real turn;          /* relative rate of change of `speed`, 1/s */
+    vm_real h;             /* damping h of orbit_ripple.h, times `speed`, 1/s */
+    vm_real ratio1, ratio3; /* k1 and k3 divided by their values at t = 0; 1 where they are constant */
+    vm_real scale;         /* the length s at the top of this file */
+    vm_real scale_rate;    /* s'/s, 1/s */
+} vmi_odd_rates;
+
+/* Computes them at t. side is that of vmi_odd_read_laws. Returns VM_NO_LAW where the shape cannot be made constant. */
+VM_API int vmi_odd_rates_at(const vm_odd_problem *o, vm_real t, int side, vmi_odd_rates *r)
+{
+    vm_real m[VMI_LAW_ORDERS], k[VMI_LAW_ORDERS], b[VMI_LAW_ORDERS];
+    vmi_odd_shape shape;
+    int status = vmi_law_derivatives(&o->mass, VM_BAD_MASS, t, side, 0, m);
+    if (!status) status = vmi_law_derivatives(&o->stiffness, VM_BAD_STIFFNESS, t, side, 0, k);
+    if (!status) status = vmi_law_derivatives(&o->damping, VM_OK, t, side, 0, b);
+    if (!status) status = vmi_odd_shape_at(o, t, side, 0, 1, &shape);
+    if (status) return status;
+    r->m = m[0];
+    r->k = k[0] * shape.ratio1;
+    r->b = b[0];
+    r->loss = (o->reactive * m[1] + b[0]) / m[0];
+    r->speed = VM_SQRT(r->k / m[0]);
+    r->turn = (k[1] / k[0] + shape.rate1[0] - m[1] / m[0]) / 2;
+    r->ratio1 = shape.ratio1;
+    r->ratio3 = shape.ratio3;
+    r->scale = VM_SQRT(shape.ratio1 / shape.ratio3);
+    r->scale_rate = (shape.rate1[0] - shape.rate3[0]) / 2;
+    r->h = (r->turn + r->loss) / 2 + r->scale_rate;
+    return VM_OK;
+}
+
+/* The damping h of orbit_ripple.h, and its first two derivatives h1 and h2 with respect to s, where ds/dt =
+   sqrt(K/m). spring is G m/K, the weak linear spring at the top of this file, and spring1 its derivative. */
+typedef struct VM_TAG(vmi_odd_slow) {
+    vm_real h, h1, h2;
+    vm_real spring, spring1;
+} vmi_odd_slow;
+
+/* Computes h, h1, h2 and the spring at t. length, s, is needed for the derivatives of users' laws (see
+   vmi_law_derivatives). */
+VM_API int vmi_odd_slow_at(const vm_odd_problem *o, vm_real t, int side, vm_real length, vmi_odd_slow *slow)
+{
+    enum { TERMS = 4 };
+    vm_real m[VMI_LAW_ORDERS], k[VMI_LAW_ORDERS], b[VMI_LAW_ORDERS], ln_m[TERMS], ln_k[TERMS], inverse[TERMS];
+    vm_real h[3], turn[2], scale[3], loss[3], speed, rate, rate_rate, G, G_rate;
+    vmi_odd_shape shape;
+    int i, status = vmi_law_derivatives(&o->mass, VM_BAD_MASS, t, side, length, m);
+    if (!status) status = vmi_law_derivatives(&o->stiffness, VM_BAD_STIFFNESS, t, side, length, k);
+    if (!status) status = vmi_law_derivatives(&o->damping, VM_OK, t, side, length, b);
+    if (!status) status = vmi_odd_shape_at(o, t, side, length, TERMS, &shape);
+    if (status) return status;
+    speed = VM_SQRT(k[0] * shape.ratio1 / m[0]);
+    vmi_series_of_derivatives(TERMS, 1, m);
+    vmi_series_of_derivatives(TERMS, 1, k);
+    vmi_series_of_derivatives(TERMS, 1, b);
+    vmi_series_log_rate(TERMS, m, ln_m);
+    vmi_series_log_rate(TERMS, k, ln_k);
+    vmi_series_inverse(TERMS, m, inverse);
+    for (i = 0; i < 3; i++) {
+        ln_k[i] += shape.rate1[i];
+        scale[i] = (shape.rate1[i] - shape.rate3[i]) / 2;
+        loss[i] = o->reactive * ln_m[i] + vmi_series_product(i, b, inverse);
+        h[i] = ((ln_k[i] - ln_m[i]) / 2 + loss[i]) / 2 + scale[i];
+    }
+    for (i = 0; i < 2; i++) turn[i] = (ln_k[i] - ln_m[i]) / 2;
+    rate = h[1] - turn[0] * h[0];
+    rate_rate = 2 * h[2] - turn[1] * h[0] - turn[0] * h[1];
+    G = scale[1] + scale[0] * (scale[0] + loss[0]);
+    G_rate = 2 * (scale[2] + scale[0] * scale[1]) + scale[1] * loss[0] + scale[0] * loss[1];
+    slow->h = h[0] / speed;
+    slow->h1 = rate / (speed * speed);
+    slow->h2 = (rate_rate - 2 * turn[0] * rate) / (speed * speed * speed);
+    slow->spring = G / (speed * speed);
+    slow->spring1 = (G_rate - 2 * turn[0] * G) / (speed * speed * speed);
+    return VM_OK;
+}
+
+#endif

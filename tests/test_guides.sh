@@ -1,0 +1,21 @@
+#!/bin/sh
+# The guides, docs/guide-*.md: their program prints what is shown below it, and the functions that they name exist. That the
+# programs compile without a warning in C and C++ is checked by tests/test_snippets.sh.
+# usage: CC=compiler test_guides.sh BUILD_FOLDER, from the top of the project
+build=$1/guides
+. tests/check.sh
+prints_as_shown() { # prints_as_shown GUIDE PROGRAM : the block of C, and the indented lines after it
+    awk '/^```$/ {on = 0} on {print} /^```c$/ {on = 1}' "$1" >"$2.c"
+    awk '/^```$/ {after = 1} after && /^    / {print substr($0, 5)}' "$1" >"$2.shown"
+    [ -s "$2.shown" ] && ${CC:-cc} -std=c99 -O1 -I. "$2.c" -o "$2" -lm && "$2" >"$2.printed" && diff "$2.shown" "$2.printed"
+}
+for guide in docs/guide-*.md; do
+    check "$guide prints what is shown" prints_as_shown "$guide" "$build/$(basename "$guide" .md)"
+    for name in $(grep -o '`[a-z0-9_]*[a-z0-9]`' "$guide" | tr -d '`' | grep -E '^(vm|jacobi|ateb|rk4|rk45|rk87|ode)_' | sort -u); do
+        check "$guide: $name" grep -qw "$name" varmass.h ateb.h jacobi.h integrators.h
+    done
+    for link in $(grep -oh ']([A-Za-z0-9_./-]*)' "$guide" | tr -d ']()' | sort -u); do
+        check "$guide links to $link" test -e "docs/$link"
+    done
+done
+check_finish guides
