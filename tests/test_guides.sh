@@ -5,8 +5,8 @@
 build=$1/guides
 . tests/check.sh
 prints_as_shown() { # prints_as_shown GUIDE PROGRAM : the block of C, and the indented lines after it
-    awk '/^```$/ {on = 0} on {print} /^```c$/ {on = 1}' "$1" >"$2.c"
-    awk '/^```$/ {after = 1} after && /^    / {print substr($0, 5)}' "$1" >"$2.shown"
+    awk '/^```$/ {on = 0} on {print} /^```c$/ {on = ++block == 1}' "$1" >"$2.c" # the first block
+    awk '/^```/ {fence = !fence; block++} block >= 2 && !fence && /^    / {print substr($0, 5)}' "$1" >"$2.shown"
     [ -s "$2.shown" ] && ${CC:-cc} -std=c99 -O1 -I. "$2.c" -o "$2" -lm && "$2" >"$2.printed" && diff "$2.shown" "$2.printed"
 }
 for guide in docs/guide-*.md; do
