@@ -160,4 +160,8 @@ stored_plan_is_current() {
         cmp - examples/firmware/plan.h
 }
 check "the firmware example's plan is what init computes" stored_plan_is_current
+guide_plan_is_current() { # the plan that the guide's program shows
+    "$build/float/print" jacobi 0.5 swing >"$build/guide" && grep -Fxf "$build/guide" docs/guide-firmware.md | cmp - "$build/guide"
+}
+check "the firmware guide's plan is what init computes" guide_plan_is_current
 check_finish plans
