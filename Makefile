@@ -11,7 +11,7 @@
 #   make scan     millions of random arguments (minutes)                make points SEED=n   20 000 fresh table points
 #   make exhaustive   every float of a period (minutes)                 make data    write the reference tables anew
 #   make figures  draw docs/figures                                     make measurements    write docs/measurements.md
-#   make first-steps   twelve short programs, docs/first-steps.md
+#   make first-steps   short programs, docs/first-steps.md
 #   make wasm      pages for the browser: build/wasm/play.html, what accuracy costs
 #   make sweep     a Monte-Carlo of break-ups over all cores          make firmware-table   flash, stack, instructions
 #   make firmware   a controller on an emulated Cortex-M4F           make scene-sizes    flash of scenes
@@ -313,12 +313,14 @@ first-steps: build/command
 	@$(STAMP) first-steps
 
 # docs/law.md: the law of order five; its text is bench/law.md
-law: build/law build/examples/solvable
+law: build/law build/examples/solvable build/examples/law_as_data
 	@sh tests/install.sh "command -v gnuplot" gnuplot-nox
 	sh bench/law.sh build
 	@$(STAMP) law
 build/law: bench/law.c build/command $(HEADERS)
 	$(COMPILE) bench/law.c -o $@ -lm
+build/examples/law_as_data: examples/first_steps/18_law_as_data.c build/command $(HEADERS)
+	@$(IN_BUILD) && $(COMPILE) -ffp-contract=off $< -o $@ -lm
 
 # docs/duffing.md: Duffing's oscillator and other odd forces; its text is bench/duffing.md
 duffing: build/duffing
@@ -367,6 +369,7 @@ data:
 	python3 tests/gen/attitude.py
 	python3 tests/gen/rotation_reference.py
 	python3 tests/gen/rotor_reference.py
+	python3 tests/gen/supply.py
 	python3 tests/gen/streams.py
 	python3 tests/gen/lagrange_inverse.py
 	python3 tests/gen/slow.py

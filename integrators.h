@@ -702,14 +702,15 @@ enum {
     ODE_RESTART = 2 /* the run ends the step at the event, calls `change`, and begins a new step */
 };
 
-/* An event happens where g(t, y) reaches zero or changes its sign. The caller owns the array of events to which the
-   options point. The caller sets the fields from g to stop_after; the integrator sets the fields from count on. */
+/* An event of a run: it happens when g(t, y) reaches zero or changes its sign. The caller makes an array of events, to
+   which the field `events` of rk45_options points, sets all fields to 0 first, and then the fields from g to stop_after
+   that it needs. The integrator sets the fields from count on. */
 typedef struct VM_TAG(ode_event) {
     ode_event_function g; /* the function whose zeros are the event */
     void *ctx;            /* pointer that g and change receive */
-    int direction; /* which changes of sign of g count, along the run: > 0 from - to +, < 0 from + to -, 0 both */
+    int direction; /* changes of the sign of g that count in the run: > 0 from - to +, < 0 from + to -, 0 both */
     int action;    /* ODE_RECORD, ODE_STOP or ODE_RESTART */
-    int checks;    /* number of points inside each step at which g is evaluated, at most 9999; 0 means 3, < 0 none */
+    int checks;    /* number of points inside each step at which g is evaluated, at most 9999; 0: 3 points; < 0: none */
     /* NULL, or the function that an event with ODE_RESTART calls. It may change y, and in ctx the data on which f
        depends. */
     void (*change)(vm_real t, vm_real *y, void *ctx);
@@ -794,10 +795,23 @@ VM_API int vmi_options_are_valid(const rk45_options *o, int n)
 /* Whether the event ends the step in which it happens */
 VM_INLINE int vmi_ends_step(const ode_event *e) { return e->action != ODE_RECORD || e->stop_after > 0; }
 
+/* Whether n >= 0 is a multiple of k > 0. The function subtracts k 2^j for falling j, so that a program for a processor
+   that cannot divide does not link a division only for this. */
+VM_API int vmi_is_multiple(long n, long k)
+{
+    long part = k;
+    while (part <= n - part) part *= 2;
+    while (part > k) {
+        if (n >= part) n -= part;
+        part /= 2;
+    }
+    return n == 0 || n == k;
+}
+
 /* Whether the event, which has just been counted, ends the run */
 VM_API int vmi_stops_now(const ode_event *e)
 {
-    if (e->stop_after > 0) return e->count % e->stop_after == 0;
+    if (e->stop_after > 0) return vmi_is_multiple(e->count, e->stop_after);
     return e->action == ODE_STOP;
 }
 

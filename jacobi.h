@@ -23,10 +23,11 @@
      jacobi_sncndn        sn, cn and dn for one u and one m; the twelve quotients and the amplitude have functions of
                           their own
      jacobi_sncndn_any    sn, cn and dn for m > 1 too, as a rotating pendulum needs them
-     jacobi_K, jacobi_E, jacobi_Pi
-                          complete elliptic integrals of the first, second and third kind
-     jacobi_F, jacobi_E_incomplete, jacobi_Pi_incomplete
-                          incomplete elliptic integrals from 0 to any angle phi; F is the inverse of the amplitude
+     jacobi_K, jacobi_E, jacobi_Pi, jacobi_D
+                          complete elliptic integrals of the first, second and third kind; D is (K - E)/m
+     jacobi_F, jacobi_E_incomplete, jacobi_Pi_incomplete, jacobi_D_incomplete
+                          incomplete elliptic integrals from 0 to any angle phi; F is the inverse of the amplitude. For
+                          m > 1 they have values up to phi = arcsin(1/sqrt(m)).
      jacobi_inverse_sn    u from sn(u | m); jacobi_inverse_cn and jacobi_inverse_dn do the same for cn and dn
      jacobi_RF            Carlson's integrals R_F, R_C, R_D, R_J, R_G; all other elliptic integrals are sums of these
      jacobi_plan_init     prepares a plan for one m; then call jacobi_plan_sncndn for one u, or
@@ -39,9 +40,9 @@
                           argument
 
    ERRORS
-     m > 1 (except in jacobi_sncndn_any), m1 < 0, c < 0 (the argument of the solvers), NaN and infinite arguments give
-     NaN. The incomplete integrals, jacobi_Pi, the inverses and Carlson's integrals return the limit at an infinite
-     argument, and NaN where there is no limit. m = 1 gives the limits: K is infinite, E is 1, sn is tanh u, cn and dn
+     m > 1 and m1 < 0 (except in jacobi_sncndn_any and in incomplete integrals), c < 0 (the argument of the solvers),
+     NaN and infinite arguments give NaN. The incomplete integrals, jacobi_D, jacobi_Pi, the inverses and Carlson's
+     integrals return the limit at an infinite argument, and NaN where there is no limit. m = 1 gives the limits: K is infinite, E is 1, sn is tanh u, cn and dn
      are 1/cosh u, for u = +-infinity too. A quotient at a pole is infinite. For a bad m jacobi_plan_init returns -1 and
      leaves the plan as it was. Nothing else can fail. The functions allocate no memory and keep no state; the value of
      errno means nothing.
@@ -91,7 +92,7 @@
      k'K          <= 5 ulp
      means        <= 8 ulp
      quotients    <= 8 ulp, the amplitude too
-     F, E, Pi     <= 8 ulp for |phi| <= 1e9 (float 1e4) and n <= 1; for n > 1 as at jacobi_Pi_incomplete
+     F, E, D, Pi  <= 8 ulp for |phi| <= 1e9 (float 1e4) and n <= 1; for n > 1 as at jacobi_Pi_incomplete
      inverses of sn, cn and dn, Carlson's integrals   <= 8 ulp, but R_G <= 10 ulp, and R_J as at jacobi_RJ
      m > 1        as sn, cn, dn for m <= 1, with k u in place of u
      solvers      m and m1: <= 4 ulp plus the change that one ulp of c makes
@@ -165,15 +166,19 @@
        jacobi_RJ                      R_J(x, y, z, p), Carlson's integral of the third kind, for x, y, z >= 0
        jacobi_RG                      R_G(x, y, z), Carlson's symmetric integral of the second kind, for x, y, z >= 0
 
-     jacobi/incomplete: incomplete elliptic integrals F, E and Pi, and the complete one of the third kind
-       jacobi_F                       F(phi | m), the incomplete elliptic integral of the first kind, for m <= 1
-       jacobi_F_m1                    F(phi | m) from the complementary parameter m1 = 1 - m >= 0
-       jacobi_E_incomplete            E(phi | m), the incomplete elliptic integral of the second kind, for m <= 1
-       jacobi_E_incomplete_m1         E(phi | m) from the complementary parameter m1 = 1 - m >= 0
+     jacobi/incomplete: incomplete elliptic integrals F, E, D and Pi, and the complete D and Pi
+       jacobi_F                       F(phi | m), the incomplete elliptic integral of the first kind
+       jacobi_F_m1                    F(phi | m) from the complementary parameter m1 = 1 - m
+       jacobi_E_incomplete            E(phi | m), the incomplete elliptic integral of the second kind
+       jacobi_E_incomplete_m1         E(phi | m) from the complementary parameter m1 = 1 - m
+       jacobi_D                       D(m) = (K(m) - E(m))/m, the complete elliptic integral D, for m <= 1
+       jacobi_D_m1                    D(m) from the complementary parameter m1 = 1 - m >= 0
+       jacobi_D_incomplete            D(phi | m) = (F(phi | m) - E(phi | m))/m, the incomplete integral of sin^2 x/sqrt(1 - m sin^2 x)
+       jacobi_D_incomplete_m1         D(phi | m) from the complementary parameter m1 = 1 - m
        jacobi_Pi                      Pi(n | m), the complete elliptic integral of the third kind, for m <= 1
        jacobi_Pi_m1                   Pi(n | m) from the complementary parameter m1 = 1 - m >= 0
-       jacobi_Pi_incomplete           Pi(n; phi | m), the incomplete elliptic integral of the third kind, for m <= 1
-       jacobi_Pi_incomplete_m1        Pi(n; phi | m) from the complementary parameter m1 = 1 - m >= 0
+       jacobi_Pi_incomplete           Pi(n; phi | m), the incomplete elliptic integral of the third kind
+       jacobi_Pi_incomplete_m1        Pi(n; phi | m) from the complementary parameter m1 = 1 - m
 
      jacobi/inverse: the inverses of sn, cn and dn
        jacobi_inverse_sn              The inverse of sn
@@ -3238,14 +3243,51 @@ typedef struct VM_TAG(vmi_carlson_scale) {
     vm_real factor, root;
 } vmi_carlson_scale;
 
-/* Returns the scale for the largest of the arguments, a finite number > 0. */
+/* Returns the scale for the largest of the arguments, a finite number > 0. A subnormal number is not brought to 1,
+   since the factor would overflow; the product is at least eps. */
 VM_API vmi_carlson_scale vmi_carlson_scale_of(vm_real largest)
 {
-    const int exponent = (int)(vmi_to_bits(largest) >> VMI_STORED_DIG) - VMI_BIAS, half = (exponent - 1) / 2;
+    const int exponent = (int)(vmi_to_bits(largest) >> VMI_STORED_DIG) - VMI_BIAS;
+    const int half = exponent < 1 - VMI_BIAS ? -(VMI_BIAS / 2) : (exponent - 1) / 2;
     vmi_carlson_scale scale;
     scale.factor = vmi_ldexp(1, -2 * half);
     scale.root = vmi_ldexp(1, -half);
     return scale;
+}
+
+/* Returns R_F(x, y, z), and weight R_D(x, y, z)/3 in *third, for arguments of any size, of which the largest is
+   `top`. R_D itself may overflow or underflow if its product with the weight does not. */
+VM_API vm_real vmi_rf_rd_weighted(vm_real x, vm_real y, vm_real z, vm_real top, vm_real weight, vm_real *third)
+{
+    vmi_carlson_scale by;
+    vm_real rf, rd;
+    if (top > VM_EPSILON && top < 1 / VM_EPSILON) {
+        rf = vmi_rf_rd(x, y, z, &rd);
+        *third = weight * rd * VM_C(0.3333333333333333333);
+        return rf;
+    }
+    by = vmi_carlson_scale_of(top);
+    rf = vmi_rf_rd(by.factor * x, by.factor * y, by.factor * z, &rd);
+    *third = by.root * (by.root * weight) * (by.root * rd) * VM_C(0.3333333333333333333);
+    return by.root * rf;
+}
+
+/* Returns R_F(x, y, z), and weight R_J(x, y, z, p)/3 in *third, for arguments of any size, of which the largest is
+   `top`. R_J itself may overflow or underflow if its product with the weight does not. */
+VM_API vm_real vmi_rf_rj_weighted(vm_real x, vm_real y, vm_real z, vm_real p, vm_real top, vm_real weight,
+                                  vm_real *third)
+{
+    vmi_carlson_scale by;
+    vm_real rf, rj;
+    if (top > VM_EPSILON && top < 1 / VM_EPSILON) {
+        rf = vmi_rf_rj(x, y, z, p, &rj);
+        *third = weight * (rj * VM_C(0.3333333333333333333));
+        return rf;
+    }
+    by = vmi_carlson_scale_of(top);
+    rf = vmi_rf_rj(by.factor * x, by.factor * y, by.factor * z, by.factor * p, &rj);
+    *third = by.root * (by.root * weight) * (by.root * rj) * VM_C(0.3333333333333333333);
+    return by.root * rf;
 }
 
 /* Is 1 if a positive argument is so much smaller than the largest one that the scale makes it subnormal or 0 */
@@ -3269,6 +3311,15 @@ VM_API vm_real vmi_carlson_limit(int zeros, int infinite)
     return 0;
 }
 
+/* R_F for a largest argument so great that sums would overflow. One duplication is made here, in quarters, which leaves
+   no argument small; then all are divided by 16. */
+VM_API vm_real vmi_rf_huge(vm_real x, vm_real y, vm_real z)
+{
+    const vm_real a = VM_SQRT(x) / 2, b = VM_SQRT(y) / 2, c = VM_SQRT(z) / 2;
+    const vm_real lambda = a * (b / 16 + c / 16) + b / 16 * c;
+    return VM_C(0.25) * vmi_rf(x / 64 + lambda, y / 64 + lambda, z / 64 + lambda);
+}
+
 /* R_F(x, y, z), Carlson's integral of the first kind, for x, y, z >= 0. It is symmetric in all three. The error is at
    most 8 ulp. R_F is infinite if two arguments are 0, 0 if one is infinite, and NaN if one is negative. K(m) is R_F(0,
    1 - m, 1), and F(phi | m) is s R_F(1 - s^2, 1 - m s^2, 1) with s = sin phi. DLMF 19.16.1. */
@@ -3276,10 +3327,13 @@ VM_API vm_real jacobi_RF(vm_real x, vm_real y, vm_real z)
 {
     const vm_real largest = vmi_larger(vmi_larger(x, y), z);
     const int zeros = vmi_two_zeros(x, y, z), infinite = !VM_IS_FINITE(largest);
+    vmi_carlson_scale by;
     if (!vmi_carlson_allowed(x, y, z)) return VM_NAN;
     if (zeros || infinite) return vmi_carlson_limit(zeros, infinite);
-    if (largest <= 1) return vmi_rf(x, y, z);
-    return VM_C(0.25) * vmi_rf(x / 16, y / 16, z / 16); /* sums of the arguments do not overflow */
+    if (largest > VM_MAX / 64) return vmi_rf_huge(x, y, z);
+    if (largest > VM_MIN / vmi_fourth_power(VM_EPSILON)) return vmi_rf(x, y, z);
+    by = vmi_carlson_scale_of(largest); /* else products of two small arguments would lose digits */
+    return by.root * vmi_rf(by.factor * x, by.factor * y, by.factor * z);
 }
 
 /* R_C(x, y) = R_F(x, y, y), Carlson's elementary integral, for x >= 0 and any y. It is an arctangent for x < y and a
@@ -3373,14 +3427,172 @@ VM_API vm_real jacobi_RG(vm_real x, vm_real y, vm_real z)
 }
 
 #endif
-/* jacobi/incomplete.h - incomplete elliptic integrals F, E and Pi, and the complete one of the third kind
+/* jacobi/above_one.h - incomplete elliptic integrals for m > 1
+
+   For m > 1 the root sqrt(1 - m sin^2 x) is real only up to the angle arcsin(1/k), where k = sqrt(m). Up to there the
+   integrals F, E, D and Pi have ordinary values, also at the end, and beyond they are NaN. With them one counts the
+   time of a pendulum from its angle: if it swings to and fro up to the angle A, it takes F(a/2 | m)/(k w0) seconds from
+   its lowest point to the angle a, where k is 1/sin(A/2) and w0 the frequency of its small oscillations.
+
+       vm_real u = jacobi_F(VM_C(0.4), VM_C(2.5)); // sn(u | 2.5) = sin 0.4
+
+   Method: the reciprocal transformation leads to the parameter 1/m and the angle whose sine is k sin phi. In Carlson's
+   integrals it means that cos^2 phi and 1 - m sin^2 phi change places. The latter number falls to 0 at the end, where
+   an integral changes as its root. Therefore the sine and the cosine of phi are computed in two words. All functions
+   of this file are internal; jacobi/incomplete.h calls them. Source: DLMF 19.7.4, 19.25. Tests:
+   tests/test_elliptic_integrals.c. */
+#ifndef VARMASS_JACOBI_ABOVE_ONE_H
+#define VARMASS_JACOBI_ABOVE_ONE_H
+
+/* The sine of t in two words for 0 <= t <= 0.1, by its power series. The terms from t^11 on are so small that one word
+   is enough for them. */
+VM_API vm_two vmi_two_sine_series(vm_two t)
+{
+    const vm_two square = vmi_two_times(t, t);
+    vm_real rest = 1;
+    vm_two sum;
+    int n;
+    for (n = 19; n > 9; n -= 2) rest = 1 - square.hi / (vm_real)(n * (n - 1)) * rest;
+    sum = vmi_two(rest, 0);
+    for (; n > 1; n -= 2) {
+        const vm_two part = vmi_two_over(square, vmi_two((vm_real)(n * (n - 1)), 0));
+        sum = vmi_two_minus(vmi_two(1, 0), vmi_two_times(part, sum));
+    }
+    return vmi_two_times(t, sum);
+}
+
+/* The sine and the cosine of z in two words for 0 <= z <= pi/4: those of z/8, and three doublings of the angle */
+VM_API void vmi_two_sin_cos(vm_two z, vm_two *sine, vm_two *cosine)
+{
+    const vm_two one = vmi_two(1, 0);
+    vm_two s = vmi_two_sine_series(vmi_two_shifted(z, VM_C(0.125))), ss = vmi_two_times(s, s);
+    vm_two c = vmi_two_root(vmi_two_minus(one, ss));
+    int i;
+    for (i = 0; i < 3; i++) {
+        s = vmi_two_shifted(vmi_two_times(s, c), 2);
+        c = vmi_two_minus(one, vmi_two_shifted(ss, 2));
+        ss = vmi_two_times(s, s);
+    }
+    *sine = s;
+    *cosine = c;
+}
+
+/* An angle phi between 0 and arcsin(1/k), with the numbers of which the integrals for m > 1 consist */
+typedef struct VM_TAG(vmi_above) {
+    vm_two s, c;   /* sin phi and cos phi */
+    vm_real cc;    /* cos^2 phi */
+    vm_real share; /* (m - 1) sin^2 phi */
+    vm_real d;     /* 1 - m sin^2 phi = cc - share; below 0 or NaN where the integrals have no real value */
+} vmi_above;
+
+/* Returns the root of |x| times sin phi in two words. The root keeps the product from overflow and underflow. */
+VM_API vm_two vmi_root_times_sine(vm_two x, const vmi_above *angle)
+{
+    if (x.hi < 0) x = vmi_minus(x);
+    return vmi_two_times(vmi_two_root(x), angle->s);
+}
+
+/* Returns c^2 - x^2 as a product, which has a small relative error. */
+VM_API vm_real vmi_difference_of_squares(vm_two c, vm_two x)
+{
+    return vmi_two_times(vmi_two_minus(c, x), vmi_two_plus(c, x)).hi;
+}
+
+/* Prepares |phi| and m1 = 1 - m < 0, which is given in two words. */
+VM_API vmi_above vmi_above_of(vm_real phi, vm_two m1)
+{
+    const vmi_three half_pi = vmi_half_pi();
+    const vm_real x = VM_FABS(phi);
+    vmi_above angle;
+    vm_two z = vmi_two(x, 0), root;
+    if (x <= half_pi.hi / 2) vmi_two_sin_cos(z, &angle.s, &angle.c);
+    else {
+        const vm_two sum = vmi_two_sum(half_pi.hi - x, half_pi.mid);
+        z = vmi_fast_two_sum(sum.hi, sum.lo + half_pi.lo);
+        vmi_two_sin_cos(z, &angle.c, &angle.s);
+    }
+    root = vmi_root_times_sine(m1, &angle);
+    angle.cc = angle.c.hi * angle.c.hi;
+    angle.share = root.hi * root.hi;
+    angle.d = vmi_difference_of_squares(angle.c, root);
+    if (!(z.hi >= 0) || !VM_IS_FINITE(m1.hi)) angle.d = VM_NAN; /* beyond pi/2 */
+    return angle;
+}
+
+/* F(phi | m) for m > 1: s R_F(d, cc, 1) */
+VM_API vm_real vmi_F_above(vm_real phi, vm_two m1)
+{
+    const vmi_above angle = vmi_above_of(phi, m1);
+    if (!(angle.d >= 0)) return VM_NAN;
+    return VM_COPYSIGN(angle.s.hi * vmi_rf(angle.cc, angle.d, 1), phi);
+}
+
+/* E(phi | m) for m > 1. With M = 1/m and the angle B whose sine is k s it is (E(B | M) - (1 - M) F(B | M)) k, a
+   difference whose digits would cancel. The formula here is a sum of positive terms (DLMF 19.25.10). */
+VM_API vm_real vmi_E_above(vm_real phi, vm_two m1)
+{
+    const vmi_above angle = vmi_above_of(phi, m1);
+    vm_real rd, sum;
+    if (!(angle.d >= 0)) return VM_NAN;
+    vmi_rf_rd(angle.d, 1, angle.cc, &rd);
+    sum = VM_SQRT(angle.d / angle.cc) + angle.share * rd * VM_C(0.3333333333333333333);
+    return VM_COPYSIGN(angle.s.hi * sum, phi);
+}
+
+/* D(phi | m) for m > 1: s^3 R_D(cc, d, 1)/3 */
+VM_API vm_real vmi_D_above(vm_real phi, vm_two m1)
+{
+    const vmi_above angle = vmi_above_of(phi, m1);
+    const vm_real s = angle.s.hi;
+    vm_real rd;
+    if (!(angle.d >= 0)) return VM_NAN;
+    vmi_rf_rd(angle.cc, angle.d, 1, &rd);
+    return VM_COPYSIGN(s * (s * s * rd * VM_C(0.3333333333333333333)), phi);
+}
+
+/* Pi(n; phi | m) for m > 1 and n < 0. The characteristic N = (1 - n)/(m - n) of the parameter 1/m replaces n/m (DLMF
+   19.7.9), so that all terms are positive. q is 1 - N k^2 s^2. */
+VM_API vm_real vmi_Pi_above_negative(const vmi_above *angle, vm_real n, vm_real m, vm_real m1)
+{
+    const vm_real s = angle->s.hi, ratio = n / m, per = 1 / (1 - ratio);
+    const vm_real p = angle->cc + (1 - n) * s * s, weight = -m1 / m * per * (angle->share + s * s);
+    const vm_real q = angle->d + weight;
+    vm_real third;
+    const vm_real rf = vmi_rf_rj_weighted(angle->cc, angle->d, 1, q, 1, weight, &third);
+    return s * (rf * per - ratio * per * (VM_SQRT(angle->d) * vmi_rc(angle->cc, p * q) + third));
+}
+
+/* Pi(n; phi | m) for m > 1 and a finite n. p = 1 - n s^2 is computed in two words, since it falls to 0 at a pole. For
+   p < 0, where n > m, the formula of vmi_Pi_part holds: q is 1 - s^2 m/n, and R_C has its principal value. */
+VM_API vm_real vmi_Pi_above(vm_real phi, vm_real n, vm_real m, vm_two m1)
+{
+    const vmi_above angle = vmi_above_of(phi, m1);
+    const vm_two less = vmi_two_sum(n, -1), root = vmi_root_times_sine(less, &angle);
+    const vm_real s = angle.s.hi;
+    vm_real p = angle.cc + root.hi * root.hi, q, rf, third;
+    if (!(angle.d >= 0)) return VM_NAN;
+    if (n < 0) return VM_COPYSIGN(vmi_Pi_above_negative(&angle, n, m, m1.hi), phi);
+    if (n > 1) p = vmi_difference_of_squares(angle.c, root);
+    if (p == 0) return VM_COPYSIGN(VM_INFINITY, phi);
+    if (p > 0) {
+        rf = vmi_rf_rj_weighted(angle.cc, angle.d, 1, p, 1, n * s * s, &third);
+        return VM_COPYSIGN(s * (rf + third), phi);
+    }
+    q = angle.cc + vmi_two_plus(less, m1).hi / n * s * s;
+    vmi_rf_rj_weighted(angle.cc, angle.d, 1, q, 1, m / n * s * s, &third);
+    return VM_COPYSIGN((vm_real)1, phi) * (s * (vmi_rc(angle.cc * angle.d, p * q) - third));
+}
+
+#endif
+/* jacobi/incomplete.h - incomplete elliptic integrals F, E, D and Pi, and the complete D and Pi
 
      F(phi | m)     = integral from 0 to phi of dx/sqrt(1 - m sin^2 x), the inverse of the amplitude am(u | m)
      E(phi | m)     = integral of sqrt(1 - m sin^2 x) dx
+     D(phi | m)     = integral of sin^2 x dx/sqrt(1 - m sin^2 x), which is (F - E)/m
      Pi(n; phi | m) = integral of dx/((1 - n sin^2 x) sqrt(1 - m sin^2 x)), where n is the characteristic
-   All three integrals are from 0 to phi. The angle phi is any number of radians, and m = k^2 <= 1. F is the time in
-   which a pendulum reaches an angle, E the length of an arc of an ellipse, Pi the precession of a spherical pendulum or
-   a top.
+   All integrals are from 0 to phi. For m = k^2 <= 1 the angle phi is any number of radians; for m > 1 it lies between
+   -arcsin(1/k) and arcsin(1/k), where the roots are real (jacobi/above_one.h). F is the time in which a pendulum
+   reaches an angle, E the length of an arc of an ellipse, Pi the precession of a spherical pendulum or a top.
 
        vm_real u = jacobi_F(VM_C(1.2), VM_C(0.5)); // am(u | 0.5) = 1.2
 
@@ -3433,7 +3645,8 @@ VM_INLINE vmi_angle vmi_angle_of(vm_real phi)
     return angle;
 }
 
-/* Is 1 if an integral from 0 to phi has no ordinary value: if phi or m1 is infinite or NaN, or if m1 < 0 */
+/* Is 1 if an integral from 0 to phi for m <= 1 has no ordinary value: if phi or m1 is infinite or NaN, or if m1 < 0.
+   The case m1 < 0 belongs to jacobi/above_one.h. */
 VM_INLINE int vmi_incomplete_special(vm_real phi, vm_real m1)
 {
     return !(VM_IS_FINITE(phi) && m1 >= 0 && VM_IS_FINITE(m1));
@@ -3444,6 +3657,7 @@ VM_API vm_real vmi_F(vm_real phi, vm_real m1, vm_real m1_lo)
 {
     vmi_angle angle;
     vm_real cc, ss, part;
+    if (m1 < 0) return vmi_F_above(phi, vmi_two(m1, m1_lo));
     if (vmi_incomplete_special(phi, m1)) {
         if (!(m1 >= 0) || phi != phi) return VM_NAN;
         if (VM_IS_FINITE(phi)) return 0 * phi; /* m is -infinity */
@@ -3458,30 +3672,30 @@ VM_API vm_real vmi_F(vm_real phi, vm_real m1, vm_real m1_lo)
     return angle.turns * vmi_K(m1, m1_lo) + part;
 }
 
-/* F(phi | m), the incomplete elliptic integral of the first kind, for m <= 1. It is the inverse of the amplitude, odd
-   in phi, and F(phi + pi) = F(phi) + 2K. The error is at most 8 ulp for |phi| <= 1e9 (float 1e4). Returns phi for
-   infinite phi, 0 for m = -infinity, and NaN for m > 1 and where both are infinite. For m = 1 it is infinite beyond
-   pi/2. docs/cost.md has the time. DLMF 19.2.4, 19.25.5. */
+/* F(phi | m), the incomplete elliptic integral of the first kind. It is the inverse of the amplitude. It is odd in phi,
+   and for m <= 1 F(phi + pi) = F(phi) + 2K. The error is at most 8 ulp for |phi| <= 1e9 (float 1e4). Returns phi for
+   infinite phi, 0 for m = -infinity, and NaN where both are infinite. For m = 1 it is infinite beyond pi/2. For m > 1
+   it is NaN where m sin^2 phi > 1, beyond pi/2, and for infinite m. docs/cost.md has the time. DLMF 19.2.4, 19.25.5. */
 VM_API vm_real jacobi_F(vm_real phi, vm_real m)
 {
     const vm_two m1 = vmi_two_sum(1, -m);
     return vmi_F(phi, m1.hi, m1.lo);
 }
 
-/* F(phi | m) from the complementary parameter m1 = 1 - m >= 0.
+/* F(phi | m) from the complementary parameter m1 = 1 - m.
    Domain and accuracy are those of jacobi_F; m1 keeps its digits where m is close to 1. */
 VM_API vm_real jacobi_F_m1(vm_real phi, vm_real m1) { return vmi_F(phi, m1, 0); }
 
-/* E(theta | m) for |theta| <= pi/2, from the sine and the cosine of theta. Both m and m1 = 1 - m are arguments, so that
-   each has all its digits. There is one formula for m < 0 and one for m >= 0; all their terms are positive (DLMF
-   19.25.9-10). */
+/* E(theta | m) for |theta| <= pi/2 and m <= 1, from the sine and the cosine of theta. Both m and m1 = 1 - m are
+   arguments, so that each has all its digits. There is one formula for m < 0 and one for m >= 0; all their terms are
+   positive (DLMF 19.25.9-10). */
 VM_API vm_real vmi_E_part(vm_real s, vm_real c, vm_real m, vm_real m1)
 {
     const vm_real cc = c * c, ss = s * s, dd = cc + m1 * ss;
-    vm_real rf, rd;
+    vm_real rf, rd, third;
     if (m < 0) {
-        rf = vmi_rf_rd(cc, dd, 1, &rd);
-        return s * (rf - m * ss * rd * VM_C(0.3333333333333333333));
+        rf = vmi_rf_rd_weighted(cc, dd, 1, vmi_larger(dd, 1), m * ss, &third);
+        return s * (rf - third);
     }
     rf = vmi_rf_rd(cc, 1, dd, &rd);
     return s * (m1 * (rf + m * ss * rd * VM_C(0.3333333333333333333)) + m * (c / VM_SQRT(dd)));
@@ -3492,6 +3706,7 @@ VM_API vm_real vmi_E_incomplete(vm_real phi, vm_real m, vm_real m1, vm_real m1_l
 {
     vmi_angle angle;
     vm_real part;
+    if (m1 < 0) return vmi_E_above(phi, vmi_two(m1, m1_lo));
     if (vmi_incomplete_special(phi, m1)) {
         if (!(m1 >= 0) || phi != phi) return VM_NAN;
         if (phi == 0 || !VM_IS_FINITE(phi)) return phi;
@@ -3503,35 +3718,109 @@ VM_API vm_real vmi_E_incomplete(vm_real phi, vm_real m, vm_real m1, vm_real m1_l
     return angle.turns * vmi_E(m1, m1_lo) + part;
 }
 
-/* E(phi | m), the incomplete elliptic integral of the second kind, for m <= 1. It is odd in phi, and E(phi + pi) =
-   E(phi) + 2E(m). The error is at most 8 ulp for |phi| <= 1e9 (float 1e4). Returns phi for infinite phi, infinity
-   with the sign of phi for m = -infinity, and NaN for m > 1. docs/cost.md has the time. DLMF 19.2.5. */
+/* E(phi | m), the incomplete elliptic integral of the second kind. It is odd in phi, and for m <= 1 E(phi + pi) =
+   E(phi) + 2E(m). The error is at most 8 ulp for |phi| <= 1e9 (float 1e4). Returns phi for infinite phi, and infinity
+   with the sign of phi for m = -infinity. For m > 1 it is NaN where m sin^2 phi > 1, beyond pi/2, and for infinite m.
+   docs/cost.md has the time. DLMF 19.2.5. */
 VM_API vm_real jacobi_E_incomplete(vm_real phi, vm_real m)
 {
     const vm_two m1 = vmi_two_sum(1, -m);
     return vmi_E_incomplete(phi, m, m1.hi, m1.lo);
 }
 
-/* E(phi | m) from the complementary parameter m1 = 1 - m >= 0.
+/* E(phi | m) from the complementary parameter m1 = 1 - m.
    Domain and accuracy are those of jacobi_E_incomplete; m1 keeps its digits where m is close to 1. */
 VM_API vm_real jacobi_E_incomplete_m1(vm_real phi, vm_real m1) { return vmi_E_incomplete(phi, 1 - m1, m1, 0); }
 
-/* Returns R_F(x, y, z), and weight R_J(x, y, z, p)/3 in *third, for arguments of any size, of which the largest is
-   `top`. R_J itself may overflow or underflow if its product with the weight does not. */
-VM_API vm_real vmi_rf_rj_weighted(vm_real x, vm_real y, vm_real z, vm_real p, vm_real top, vm_real weight,
-                                  vm_real *third)
+/* Carlson's integrals of arguments so small that a product underflows, or so large that a sum overflows, lose digits.
+   Then all arguments are multiplied by the square of this factor, and the integral R_F, and R_D and R_J with a weight
+   that was multiplied likewise, by the factor. It is 1 for ordinary arguments, and above 1 only where m1 < 1. `least`
+   is about the smallest of the arguments. */
+VM_INLINE vm_real vmi_lift_of(vm_real least, vm_real m1)
 {
-    vmi_carlson_scale by;
-    vm_real rf, rj;
-    if (top > VM_EPSILON && top < 1 / VM_EPSILON) {
-        rf = vmi_rf_rj(x, y, z, p, &rj);
-        *third = weight * (rj * VM_C(0.3333333333333333333));
-        return rf;
+    if (m1 < 1 && least < VM_MIN / VM_EPSILON) return vmi_ldexp(1, VM_MANT_DIG > 24 ? 300 : 40);
+    if (m1 > VM_MAX * VM_EPSILON) return VM_EPSILON;
+    return 1;
+}
+
+/* D(theta | m) for 0 <= theta <= pi/2 and m <= 1, from s = sin theta and c = cos theta: s^3 R_D(c^2, 1 - m s^2, 1)/3 */
+VM_API vm_real vmi_D_part(vm_real s, vm_real c, vm_real m1)
+{
+    const vm_real cc = c * c, ss = s * s, d = cc + m1 * ss;
+    vm_real third;
+    vmi_rf_rd_weighted(cc, d, 1, vmi_larger(d, 1), ss, &third);
+    return s * third;
+}
+
+/* D(m) - D(theta | m) for 0 <= theta <= pi/2 and m <= 1, from s = sin theta and c = cos theta. With d = 1 - m s^2 it is
+   c (s/sqrt(d) + c^2 R_D(m1 s^2, m1, d)/3), a sum of positive terms. */
+VM_API vm_real vmi_D_complement(vm_real s, vm_real c, vm_real m1)
+{
+    const vm_real cc = c * c, ss = s * s, d = cc + m1 * ss, lift = vmi_lift_of(m1 * ss, m1), more = lift * lift;
+    const vm_real y = more * m1, z = more * d;
+    vm_real third;
+    vmi_rf_rd_weighted(y * ss, y, z, lift > 1 ? 1 : vmi_larger(z, y), more * cc, &third);
+    return c * (s / VM_SQRT(d) + lift * third);
+}
+
+/* D(m) for m1 = 1 - m */
+VM_API vm_real vmi_D(vm_real m1)
+{
+    if (!(m1 >= 0)) return VM_NAN;
+    if (m1 == 0) return VM_INFINITY;
+    if (!VM_IS_FINITE(m1)) return 0;
+    return vmi_D_part(1, 0, m1);
+}
+
+/* D(m) = (K(m) - E(m))/m, the complete elliptic integral D, for m <= 1. The error is at most 8 ulp for m >= -1e300
+   (float -1e30). D is pi/4 for m = 0, infinite for m = 1, 0 for m = -infinity, and NaN for m > 1. DLMF 19.2.8. */
+VM_API vm_real jacobi_D(vm_real m) { return vmi_D(1 - m); }
+
+/* D(m) from the complementary parameter m1 = 1 - m >= 0.
+   Domain and accuracy are those of jacobi_D; m1 keeps its digits where m is close to 1. */
+VM_API vm_real jacobi_D_m1(vm_real m1) { return vmi_D(m1); }
+
+/* D(phi | m) for 1 - m = m1 + m1_lo. For phi between pi/2 and pi the difference 2 D(m) - D(pi - phi | m) would triple
+   the errors. Therefore the result of vmi_D_complement is added to D(m) there. */
+VM_API vm_real vmi_D_incomplete(vm_real phi, vm_real m1, vm_real m1_lo)
+{
+    vmi_angle angle;
+    vm_real s, turns, sum;
+    if (m1 < 0) return vmi_D_above(phi, vmi_two(m1, m1_lo));
+    if (vmi_incomplete_special(phi, m1)) {
+        if (!(m1 >= 0) || phi != phi) return VM_NAN;
+        if (VM_IS_FINITE(phi)) return 0 * phi; /* m is -infinity */
+        if (VM_IS_FINITE(m1)) return phi;
+        return VM_NAN;
     }
-    by = vmi_carlson_scale_of(top);
-    rf = vmi_rf_rj(by.factor * x, by.factor * y, by.factor * z, by.factor * p, &rj);
-    *third = by.root * (by.root * weight) * (by.root * rj) * VM_C(0.3333333333333333333);
-    return by.root * rf;
+    angle = vmi_angle_of(VM_FABS(phi));
+    turns = angle.turns;
+    s = VM_FABS(angle.s);
+    if (turns == 0) sum = vmi_D_part(s, angle.c, m1);
+    else if (turns == 2 && angle.s < 0 && m1 > 0) sum = vmi_D(m1) + vmi_D_complement(s, angle.c, m1);
+    else sum = turns * vmi_D(m1) + VM_COPYSIGN(vmi_D_part(s, angle.c, m1), angle.s);
+    return VM_COPYSIGN(sum, phi);
+}
+
+/* D(phi | m) = (F(phi | m) - E(phi | m))/m, the incomplete integral of sin^2 x/sqrt(1 - m sin^2 x). No digits cancel,
+   not even for m = 0. It is odd in phi, and for m <= 1 D(phi + pi) = D(phi) + 2D(m). The error is at most 8 ulp for
+   |phi| <= 1e9 (float 1e4) and m >= -1e300 (float -1e30), unless phi^3 underflows. Returns phi for infinite phi, 0 for
+   m = -infinity, and NaN where both are infinite. For m = 1 it is infinite beyond pi/2. For m > 1 it is NaN where
+   m sin^2 phi > 1, beyond pi/2, and for infinite m. Its time is that of jacobi_E_incomplete. DLMF 19.2.6, 19.25.13. */
+VM_API vm_real jacobi_D_incomplete(vm_real phi, vm_real m)
+{
+    const vm_two m1 = vmi_two_sum(1, -m);
+    return vmi_D_incomplete(phi, m1.hi, m1.lo);
+}
+
+/* D(phi | m) from the complementary parameter m1 = 1 - m.
+   Domain and accuracy are those of jacobi_D_incomplete; m1 keeps its digits where m is close to 1. */
+VM_API vm_real jacobi_D_incomplete_m1(vm_real phi, vm_real m1) { return vmi_D_incomplete(phi, m1, 0); }
+
+/* 1 - m/n for n > 1 and m1 = 1 - m >= 0, computed in quarters so that no sum overflows */
+VM_INLINE vm_real vmi_share_below_pole(vm_real n, vm_real m1)
+{
+    return ((n - 1) * VM_C(0.25) + m1 * VM_C(0.25)) / (n * VM_C(0.25));
 }
 
 /* Pi(n; theta | m) for |theta| <= pi/2, from s = sin theta and c = cos theta, with 1 - m = m1. Let p = 1 - n s^2 and
@@ -3557,16 +3846,28 @@ VM_API vm_real vmi_Pi_part(vm_real s, vm_real c, vm_real n, vm_real m, vm_real m
         return s * (rf + third);
     }
     if (p == 0) return VM_COPYSIGN(VM_INFINITY, s);
-    q = cc + ((n - 1) + m1) / n * ss;
+    q = cc + vmi_share_below_pole(n, m1) * ss;
     vmi_rf_rj_weighted(cc, d, 1, q, top, m / n * ss, &third);
     return s * (vmi_rc(cc * d, p * q) - third);
+}
+
+/* Pi(n | m) for n < 0 and m1 = 1 - m > 0. Where -n is so large that (1 - m)/(1 - n) may underflow even after the lift,
+   Pi is (pi/2)/sqrt(1 - n) + K/(1 - n): the next term, -E/(1 - n), is far below an ulp there. */
+VM_API vm_real vmi_Pi_negative(vm_real n, vm_real m1)
+{
+    const vm_real lift = vmi_lift_of(m1 / (1 - n), m1), more = lift * lift, share = more * m1 / (1 - n);
+    vm_real rf, third;
+    if (lift > 1 && n < -1000 / (VM_EPSILON * VM_EPSILON))
+        return VM_PI / 2 / VM_SQRT(1 - n) + vmi_K(m1, 0) / (1 - n);
+    rf = vmi_rf_rj_weighted(0, more * m1, more, share, lift > 1 ? 1 : more * vmi_larger(m1, 1), share, &third);
+    return lift * (rf / (1 - n) + n / (n - 1) * third);
 }
 
 /* Pi(n | m), from both m and m1 = 1 - m. The cases are those of vmi_Pi_part for theta = pi/2. */
 VM_API vm_real vmi_Pi(vm_real n, vm_real m, vm_real m1)
 {
     const vm_real top = vmi_larger(m1, 1);
-    vm_real share, rf, third;
+    vm_real rf, third;
     if (!(m1 >= 0) || n != n) return VM_NAN;
     if (!VM_IS_FINITE(n) || !VM_IS_FINITE(m1)) {
         if (VM_IS_FINITE(n) && n < 1) return 0; /* m is -infinity */
@@ -3575,21 +3876,17 @@ VM_API vm_real vmi_Pi(vm_real n, vm_real m, vm_real m1)
     }
     if (n == 1) return VM_INFINITY;
     if (m1 == 0) return VM_COPYSIGN(VM_INFINITY, 1 - n);
-    if (n < 0) {
-        share = m1 / (1 - n);
-        rf = vmi_rf_rj_weighted(0, m1, 1, share, top, share, &third);
-        return rf / (1 - n) + n / (n - 1) * third;
-    }
+    if (n < 0) return vmi_Pi_negative(n, m1);
     if (n < 1) {
         rf = vmi_rf_rj_weighted(0, m1, 1, 1 - n, top, n, &third);
         return rf + third;
     }
-    vmi_rf_rj_weighted(0, m1, 1, ((n - 1) + m1) / n, top, m / n, &third);
+    vmi_rf_rj_weighted(0, m1, 1, vmi_share_below_pole(n, m1), top, m / n, &third);
     return 0 - third;
 }
 
 /* Pi(n | m), the complete elliptic integral of the third kind, for m <= 1. The characteristic n is any number. The
-   error is at most 8 ulp, unless (1 - m)/(1 - n) underflows. For n > 1 Pi is Cauchy's principal value. Pi is infinite
+   error is at most 8 ulp. For n > 1 Pi is Cauchy's principal value. Pi is infinite
    for n = 1, and for m = 1 with the sign of 1 - n. It is 0 for infinite n, and for m = -infinity with n < 1. It is NaN
    for m > 1. DLMF 19.2.8, 19.6.5. */
 VM_API vm_real jacobi_Pi(vm_real n, vm_real m) { return vmi_Pi(n, m, 1 - m); }
@@ -3601,25 +3898,30 @@ VM_API vm_real jacobi_Pi_m1(vm_real n, vm_real m1) { return vmi_Pi(n, 1 - m1, m1
 /* Pi(n | m) - Pi(n; theta | m) for n < 1 and 0 <= theta <= pi/2, from s = sin theta and c = cos theta. Let psi be the
    angle for which tan theta tan psi = 1/k', and N = (m - n)/(1 - n). Then the result is the integral from 0 to psi of
    (1 - m sin^2 x)/((1 - n)(1 - N sin^2 x)) dx/sqrt(1 - m sin^2 x). *exact becomes 1 if no digits cancel: for all
-   n <= 0, and for n > 0 if c^2 <= (1 - n) s^2. */
+   n <= 0, and for n > 0 if c^2 <= (1 - n) s^2; else the result is 0. */
 VM_API vm_real vmi_Pi_complement(vm_real s, vm_real c, vm_real n, vm_real m1, int *exact)
 {
-    const vm_real cc = c * c, ss = s * s, d = cc + m1 * ss, share = m1 / (1 - n);
+    const vm_real cc = c * c, ss = s * s, d = cc + m1 * ss;
+    const vm_real least = vmi_smaller(ss, 1 / (1 - n)) * m1, lift = vmi_lift_of(least, m1);
+    const vm_real more = lift * lift;
+    const vm_real y = more * m1, z = more * d, share = y / (1 - n), p = y * ss + share * cc;
     vm_real rf, third;
-    *exact = n <= 0 || share * cc <= m1 * ss;
-    rf = vmi_rf_rj_weighted(m1 * ss, m1, d, m1 * ss + share * cc, vmi_larger(d, m1), n * share * cc, &third);
-    return c * (rf - third) / (1 - n);
+    *exact = n <= 0 || share * cc <= y * ss;
+    if (!*exact) return 0; /* the result is not used */
+    rf = vmi_rf_rj_weighted(y * ss, y, z, p, lift > 1 ? 1 : vmi_larger(z, y), n * share * cc, &third);
+    return lift * (c * (rf - third) / (1 - n));
 }
 
-/* Pi(n; phi | m), from both m and m1 = 1 - m. For phi between pi/2 and pi, the difference 2 Pi(n | m) - Pi(n;
+/* Pi(n; phi | m) for 1 - m = m1 + m1_lo. For phi between pi/2 and pi, the difference 2 Pi(n | m) - Pi(n;
    pi - phi | m) would triple the errors. Therefore the result of vmi_Pi_complement is added to Pi(n | m) there. */
-VM_API vm_real vmi_Pi_incomplete(vm_real phi, vm_real n, vm_real m, vm_real m1)
+VM_API vm_real vmi_Pi_incomplete(vm_real phi, vm_real n, vm_real m, vm_real m1, vm_real m1_lo)
 {
     vmi_angle angle;
     vm_real part;
+    if (m1 < 0 && VM_IS_FINITE(n)) return vmi_Pi_above(phi, n, m, vmi_two(m1, m1_lo));
     if (vmi_incomplete_special(phi, m1) || !VM_IS_FINITE(n)) {
         const vm_real complete = vmi_Pi(n, m, m1);
-        if (!(m1 >= 0) || phi != phi || n != n) return VM_NAN;
+        if (!(m1 >= 0) || phi != phi || complete != complete) return VM_NAN;
         if (!VM_IS_FINITE(phi) && complete != 0) return VM_COPYSIGN(phi, phi * complete);
         if (VM_IS_FINITE(phi) && (complete == 0 || m1 == 0)) return 0 * phi;
         return VM_NAN;
@@ -3636,22 +3938,23 @@ VM_API vm_real vmi_Pi_incomplete(vm_real phi, vm_real n, vm_real m, vm_real m1)
     return angle.turns * vmi_Pi(n, m, m1) + part;
 }
 
-/* Pi(n; phi | m), the incomplete elliptic integral of the third kind, for m <= 1. The characteristic n is any number.
-   Pi is odd in phi, and Pi(phi + pi) = Pi(phi) + 2 Pi(n | m). The error is at most 8 ulp for n <= 1 and |phi| <= 1e9
-   (float 1e4), unless (1 - m)/(1 - n) underflows. For n > 1 Pi has poles where n sin^2 phi = 1. Beyond
-   the first pole Pi is Cauchy's principal value. For n > 1 the error is at most 16 eps max(|F|, |Pi|), plus the effect
-   of changing n by 4 ulp. The result is 0 for infinite n and for m = -infinity, and NaN for m > 1. docs/cost.md has the
-   time. DLMF 19.2.7. */
+/* Pi(n; phi | m), the incomplete elliptic integral of the third kind. The characteristic n is any number. Pi is odd in
+   phi, and for m <= 1 Pi(phi + pi) = Pi(phi) + 2 Pi(n | m). The error is at most 8 ulp for n <= 1 and |phi| <= 1e9
+   (float 1e4). For n > 1 Pi has poles where n sin^2 phi = 1. Beyond the first pole Pi is Cauchy's principal value. For
+   n > 1 the error is at most 16 eps max(|F|, |Pi|), plus the effect of changing n by 4 ulp. The result is 0 for
+   infinite n and m <= 1, and for m = -infinity. For m > 1 it is NaN where m sin^2 phi > 1, beyond pi/2, and for
+   infinite m or n. docs/cost.md has the time. DLMF 19.2.7. */
 VM_API vm_real jacobi_Pi_incomplete(vm_real phi, vm_real n, vm_real m)
 {
-    return vmi_Pi_incomplete(phi, n, m, 1 - m);
+    const vm_two m1 = vmi_two_sum(1, -m);
+    return vmi_Pi_incomplete(phi, n, m, m1.hi, m1.lo);
 }
 
-/* Pi(n; phi | m) from the complementary parameter m1 = 1 - m >= 0.
+/* Pi(n; phi | m) from the complementary parameter m1 = 1 - m.
    Domain and accuracy are those of jacobi_Pi_incomplete; m1 keeps its digits where m is close to 1. */
 VM_API vm_real jacobi_Pi_incomplete_m1(vm_real phi, vm_real n, vm_real m1)
 {
-    return vmi_Pi_incomplete(phi, n, 1 - m1, m1);
+    return vmi_Pi_incomplete(phi, n, 1 - m1, m1, 0);
 }
 
 #endif
@@ -3715,7 +4018,7 @@ VM_API vm_real jacobi_inverse_cn_m1(vm_real x, vm_real m1) { return vmi_inverse_
 
 /* The inverse of dn for 1 - m = m1 + m1_lo. With s = sn u and c = cn u, m s^2 is 1 - x^2 and m c^2 is x^2 - m1.
    x^2 - m1 is computed from the exact square of x. It may be negative if x is k' after rounding; then c is taken as
-   0. */
+   0, and s as 1. */
 VM_API vm_real vmi_inverse_dn(vm_real x, vm_real m, vm_real m1, vm_real m1_lo)
 {
     const vm_real bound = VM_SQRT(m1);
@@ -3724,7 +4027,7 @@ VM_API vm_real vmi_inverse_dn(vm_real x, vm_real m, vm_real m1, vm_real m1_lo)
     if (!(x >= vmi_smaller(bound, 1) && x <= vmi_larger(bound, 1)) || !(m1 >= 0)) return VM_NAN;
     if (x == 1) return 0;
     if (m1 == 0 && x == 0) return VM_INFINITY;
-    ss = (1 - x) * (1 + x) / m;
+    ss = vmi_smaller((1 - x) * (1 + x) / m, 1);
     cc = vmi_larger(((square.hi - m1) + (square.lo - m1_lo)) / m, 0);
     return VM_SQRT(ss) * vmi_rf(cc, square.hi, 1);
 }

@@ -510,6 +510,7 @@
 
      scenes/points: points of the bodies of a scene
        vm_scene_point_at              The position and velocity of a point of a body in the state y, in inertial axes
+       vm_scene_push_at               Adds a force at a point of a body, in an effect of the caller's own
 
      scenes/springs: springs and dampers between points of bodies
        vm_effect_point_spring         A spring and a damper between a point of a body and a point of the body `other`, or of the ground
@@ -533,8 +534,10 @@
        vm_event_mass                  An event when a mass crosses a value
        vm_event_user                  An event when a function of the caller crosses zero
        vm_then_stop                   The event ends the run
+       vm_then_switch_range           The event switches n effects that follow each other in the list, off (off = 1) or on (off = 0)
        vm_then_switch                 The event switches an effect off (off = 1) or on (off = 0)
        vm_then_user                   The event calls a function of the caller
+       vm_then_all                    The event does a list of actions, one after the other, at the same instant
 
      scenes/jumps: separation and attachment as events of a scene
        vm_then_separate_on_line       The event separates a part from a body on a line or on an axle
@@ -19459,7 +19462,9 @@ struct VM_TAG(vm_effect) {
     int order;                             /* where it stands among the effects on its body: VMI_ORDER_... */
     int off;          /* 1: switched off when the scene starts; the caller may set it before the start */
     int not_on_angle; /* 1: the effect cannot act on the angle of a body in the plane */
-    int (*check_in_scene)(const vm_scene *scene, const vm_effect *effect); /* NULL, or a check that needs the bodies */
+    /* NULL, or a check that needs the scene. It is called after the bodies of the effect have been checked, and before
+       the parameters p are checked. It returns a status. */
+    int (*check_in_scene)(const vm_scene *scene, const vm_effect *effect);
     int (*settle)(const vm_effect *effect, vm_real *y, vm_scene *scene); /* NULL, or gives impulses after a jump */
     const void *parts; /* what the caller keeps for the effect: a vm_point_spring, vm_contact or vm_joints */
 };
@@ -19476,17 +19481,17 @@ struct VM_TAG(vm_event) {
     int (*then)(vm_event *event, vm_real t, vm_real *y);
     vm_real time;  /* s: time of the event if `when` is NULL; else when it last happened, or the start of the scene */
     int direction; /* > 0: `when` rises through zero; < 0: `when` falls; 0: both count */
+    /* NULL, or functions that return a status: check_when checks when the event happens, check what it does */
+    int (*check_when)(const vm_scene *scene, const vm_event *event);
+    int (*check)(const vm_scene *scene, const vm_event *event);
     /* fields for an event that happens when a coordinate, a velocity or the mass of a body crosses `value` */
-    int watches; /* 1: the event watches a body */
     int body, coordinate;
     vm_real value;
-    /* fields for an event that switches an effect */
-    int switches; /* 1: the event switches an effect */
-    int effect;   /* index of the effect */
-    int off;      /* 1: the effect is switched off; 0: on */
-    /* fields for a jump: check returns a status, and jump computes the motion after the jump on a line, in the plane,
-       or for any motion */
-    int (*check)(const vm_scene *scene, const vm_event *event);
+    /* fields for an event that switches effects */
+    int effect;    /* index of the first effect */
+    int n_effects; /* number of effects that follow each other in the list, the first one included */
+    int off;       /* 1: the effects are switched off; 0: on */
+    /* fields for a jump: jump computes the motion after the jump on a line, in the plane, or for any motion */
     int (*jump)(const vm_event *event, const vm_body *body, vm_body *other, vm_body *result);
     unsigned motions;    /* bit (1 << motion) for each motion of a body that can jump in this way */
     int jump_kind;       /* VMI_JUMP_NONE, VMI_JUMP_SEPARATES or VMI_JUMP_ATTACHES */
@@ -19508,6 +19513,8 @@ struct VM_TAG(vm_event) {
     vm_scene *scene; /* the scene to which the event belongs */
     int status;      /* VM_OK, or the reason why a constructor could not make the event */
     const void *parts; /* what the caller keeps for the event: a vm_contact */
+    vm_event *actions; /* NULL, or the array of n_actions events whose actions this event does (vm_then_all) */
+    int n_actions;
 };
 
 typedef struct VM_TAG(vm_budget) vm_budget;
@@ -19545,11 +19552,11 @@ struct VM_TAG(vm_scene) {
     vm_event *events;   /* array of n_events events */
     ode_event *located; /* array of n_events elements, with which the integrator locates the events */
     int n_events;
-    vm_budget *budget; /* set by vm_scene_keep_budget: the budget at the start; it adds VM_BUDGET_STATES numbers to y */
-    /* NULL, or a function of the caller. It is called when a run starts and after each step, or only at `times` if they
-       are given. The run stops if it returns a number other than 0. */
+    vm_budget *budget; /* NULL, or the budget of vm_scene_keep_budget; y then has VM_BUDGET_STATES more numbers */
+    /* NULL, or a function of the caller that writes or keeps results. If `times` is NULL, a run calls it at its start
+       and after each step; else only at these times. If it returns a number other than 0, the run stops. */
     int (*output)(vm_real t, const vm_real *y, vm_scene *scene, void *ctx);
-    const vm_real *times; /* s: NULL, or n_times increasing times at which output is called, instead of after steps */
+    const vm_real *times; /* s: NULL, or an array of n_times increasing times at which output is called */
     int n_times;
     void *output_ctx; /* pointer that output receives */
     int y_size;       /* number of elements of y, which vm_scene_start and vm_scene_run check; 0 means no check */
@@ -20800,9 +20807,11 @@ VM_API void vmi_apply_mass_of_time(const vm_effect *e, vm_real t, const vm_real 
     else vmi_scene_apply_law(e, y, s, &now, e->p + VMI_MASS_U, e->p[VMI_MASS_REACTIVE]);
 }
 
-/* Returns VM_OK if a constructor made the law, else VM_BAD_ARGUMENT. */
-VM_API int vmi_check_mass_of_time(const vm_effect *e)
+/* Returns VM_OK if a constructor made the law, else VM_BAD_ARGUMENT. The scene calls this check before it looks at the
+   parameters, because VM_BAD_ARGUMENT comes before VM_NOT_FINITE. */
+VM_API int vmi_check_mass_of_time(const vm_scene *s, const vm_effect *e)
 {
+    (void)s;
     if (!((const vm_law *)e->ctx)->derivatives) return VM_BAD_ARGUMENT;
     return VM_OK;
 }
@@ -20822,7 +20831,7 @@ VM_API vm_effect vm_effect_mass_of_time(int body, const vm_law *law, vm_vec3 u, 
     e.p[VMI_MASS_U + 2] = u.z;
     e.p[VMI_MASS_REACTIVE] = reactive;
     e.order = VMI_ORDER_MASS_LAW;
-    e.check = vmi_check_mass_of_time;
+    e.check_in_scene = vmi_check_mass_of_time;
     e.ctx = (void *)law;
     return e;
 }
@@ -21201,6 +21210,8 @@ VM_API vm_effect vm_effect_band(int body, const vm_band *band)
 #ifndef VARMASS_SCENES_LINKS_H
 #define VARMASS_SCENES_LINKS_H
 
+#include <string.h>
+
 /* An end of a link: a body, which can accelerate, or a point whose motion is given */
 typedef struct VM_TAG(vmi_link_end) {
     vm_real r[3], v[3];
@@ -21208,35 +21219,30 @@ typedef struct VM_TAG(vmi_link_end) {
     vm_real mobility[3]; /* acceleration per force along each coordinate: 1/mass, or 0 where the end cannot move */
 } vmi_link_end;
 
+/* Writes an end that is a body. The numbers of *end for further directions stay 0. */
 VM_API void vmi_link_to_body(const vm_scene *s, int body, const vm_real *y, vmi_link_end *end)
 {
     const vm_scene_body *b = s->bodies + body;
     const vm_real *r = y + b->at, *v = r + b->positions;
+    const vm_real mobility = 1 / (b->load.mass + b->load.extra_mass);
     const int n = vmi_scene_directions(b->motion);
     int i;
     for (i = 0; i < n; i++) {
         end->r[i] = r[i];
         end->v[i] = v[i];
-        end->mobility[i] = 1 / (b->load.mass + b->load.extra_mass);
-        end->a[i] = end->mobility[i] * b->load.force[i];
-    }
-    for (; i < 3; i++) {
-        end->r[i] = 0;
-        end->v[i] = 0;
-        end->mobility[i] = 0;
-        end->a[i] = 0;
+        end->mobility[i] = mobility;
+        end->a[i] = mobility * b->load.force[i];
     }
 }
 
+/* Writes an end that is a point with a given motion, which no force accelerates: its mobility stays 0 */
 VM_API void vmi_link_to_point(const vm_effect *e, vm_real t, vmi_link_end *end)
 {
     vm_vec3 r = {0, 0, 0}, v = {0, 0, 0}, a = {0, 0, 0};
-    int i;
     e->point(t, &r, &v, &a, e->ctx);
     vmi_set3(end->r, r);
     vmi_set3(end->v, v);
     vmi_set3(end->a, a);
-    for (i = 0; i < 3; i++) end->mobility[i] = 0;
 }
 
 enum { VMI_LINK_LENGTH, VMI_LINK_RATE }; /* indices of the parameters in p; the variant is 1 for a cord */
@@ -21274,21 +21280,21 @@ VM_API int vmi_link_lambda(const vm_effect *e, const vmi_link_end *here, const v
 
 VM_API void vmi_apply_link(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
-    vm_real *force = s->bodies[e->body].load.force;
-    vm_real *far_force = e->other >= 0 ? s->bodies[e->other].load.force : NULL;
     vmi_link_end here, there;
     vm_real lambda = 0;
     int i, status;
+    memset(&here, 0, sizeof here);
+    memset(&there, 0, sizeof there);
     vmi_link_to_body(s, e->body, y, &here);
-    if (far_force) vmi_link_to_body(s, e->other, y, &there);
+    if (e->other_load) vmi_link_to_body(s, e->other, y, &there);
     else vmi_link_to_point(e, t, &there);
     status = vmi_link_lambda(e, &here, &there, &lambda);
     if (status) s->status = status;
     if (lambda == 0) return;
     for (i = 0; i < 3; i++) {
         const vm_real d = here.r[i] - there.r[i];
-        if (here.mobility[i] > 0) force[i] += lambda * d;
-        if (far_force && there.mobility[i] > 0) far_force[i] -= lambda * d;
+        if (here.mobility[i] > 0) e->load->force[i] += lambda * d;
+        if (e->other_load && there.mobility[i] > 0) e->other_load->force[i] -= lambda * d;
     }
 }
 
@@ -21477,7 +21483,7 @@ VM_INLINE void vmi_scene_evaluate(vm_scene *s, vm_real t, const vm_real *y)
 /* The status that says which mass of the load is not positive or not finite, so that the body cannot be accelerated */
 VMI_APART int vmi_scene_mass_status(const vm_load *load)
 {
-    if (!VM_IS_FINITE(load->mass) || !VM_IS_FINITE(load->extra_mass)) return VM_NOT_FINITE;
+    if (!VM_IS_FINITE(load->mass + load->extra_mass)) return VM_NOT_FINITE;
     if (load->mass > 0) return VM_NO_EFFECTIVE_MASS;
     return VM_BAD_MASS;
 }
@@ -21496,21 +21502,11 @@ VM_INLINE int vmi_scene_accelerate(const vm_scene_body *b, const vm_real *y, vm_
     return b->accelerate(b, y + b->at, dydt + b->at);
 }
 
-/* Handles an evaluation that failed: all derivatives become NaN, so that an integrator tries a shorter step. `before`
-   is the status of the preceding evaluation. If the preceding evaluation failed too, its status is kept, because its
-   NaN has caused this failure. */
-VMI_APART void vmi_scene_refuse(vm_scene *s, int before, vm_real *dydt)
+/* Sets n derivatives to one value. The derivatives of a body that is not present are 0. */
+VMI_APART void vmi_scene_fill(int n, vm_real value, vm_real *dydt)
 {
     int k;
-    for (k = vm_scene_size(s) - 1; k >= 0; k--) dydt[k] = VM_NAN;
-    if (before) s->status = before;
-}
-
-/* Sets the derivatives of a body that is not present to 0 */
-VMI_APART void vmi_scene_clear_derivatives(const vm_scene_body *b, vm_real *dydt)
-{
-    int k;
-    for (k = 0; k < vmi_scene_body_size(b); k++) dydt[b->at + k] = 0;
+    for (k = 0; k < n; k++) dydt[k] = value;
 }
 
 /* The right-hand side of a scene, an ode_rhs. ctx is the scene, which must have been started. Returns 0, or
@@ -21528,12 +21524,13 @@ VM_API int vm_scene_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
     for (i = 0; i < s->n_bodies; i++) {
         const vm_scene_body *b = s->bodies + i;
         int status = 0;
-        if (b->away) vmi_scene_clear_derivatives(b, dydt);
+        if (b->away) vmi_scene_fill(vmi_scene_body_size(b), 0, dydt + b->at);
         else status = vmi_scene_accelerate(b, y, dydt);
         if (status && !s->status) s->status = status;
     }
     if (s->budget) s->budget->rates(s, y, dydt + vm_scene_size(s) - VM_BUDGET_STATES);
-    if (s->status) vmi_scene_refuse(s, before, dydt);
+    if (s->status) vmi_scene_fill(vm_scene_size(s), VM_NAN, dydt);
+    if (s->status && before) s->status = before;
     return 0;
 }
 
@@ -21606,13 +21603,13 @@ VM_API int vmi_scene_check_motions(const vm_scene *s, const vm_effect *e)
 
 VM_API int vmi_scene_check_parameters(const vm_scene_body *b, const vm_effect *e)
 {
-    const int own = e->check ? (e->check)(e) : VM_OK;
     int k;
     for (k = 0; k < VM_LENGTH(e->p); k++)
-        if (!VM_IS_FINITE(e->p[k])) return vmi_first_error(VM_NOT_FINITE, own);
+        if (!VM_IS_FINITE(e->p[k])) return VM_NOT_FINITE;
     if (e->needs >= VMI_NEEDS_MASS_STATE && !b->mass_is_state) return VM_MASS_IS_NO_STATE;
     if (e->needs >= VMI_NEEDS_GROWING_BODY && !b->grows) return VM_DOES_NOT_GROW;
-    return own;
+    if (e->check) return (e->check)(e);
+    return VM_OK;
 }
 
 VM_API int vmi_scene_check_effect(const vm_scene *s, const vm_effect *e)
@@ -21654,13 +21651,11 @@ VM_API int vmi_scene_check_jump(const vm_scene *s, const vm_event *e)
 
 VM_API int vmi_scene_check_event(const vm_scene *s, const vm_event *e)
 {
-    int status = VM_OK;
-    if (e->watches) status = vmi_scene_check_coordinate(s, e->body, e->coordinate);
+    int status = e->status;
+    if (!status && e->check_when) status = (e->check_when)(s, e);
     if (status) return status;
-    if (e->status) return e->status;
     if (e->most < 0) return VM_BAD_ARGUMENT;
     if (!VM_IS_FINITE(e->time) || !VM_IS_FINITE(e->value)) return VM_NOT_FINITE;
-    if (e->switches && (e->effect < 0 || e->effect >= s->n_effects)) return VM_NO_SUCH_EFFECT;
     if (e->check) return (e->check)(s, e);
     return VM_OK;
 }
@@ -21735,6 +21730,8 @@ VM_API int vm_scene_check(const vm_scene *scene, vm_scene_fault *fault_or_NULL)
 
        vm_vec3 tip = {0.5, 0, 0}, r, v;
        vm_scene_point_at(&scene, 0, tip, y, &r, &v); // position and velocity of a point of body 0 in the state y
+
+   An effect of the caller's own (vm_effect_custom) adds a force at a point by vm_scene_push_at.
 
    Tests: tests/test_scene_joints.c. */
 #ifndef VARMASS_SCENES_POINTS_H
@@ -21893,6 +21890,23 @@ VM_API void vm_scene_point_at(const vm_scene *scene, int body, vm_vec3 at, const
     vmi_point_now(scene, body, at, y, &p);
     *r = p.r;
     *v = p.v;
+}
+
+/* Adds a force at a point of a body, in an effect of the caller's own. It adds force, in N and inertial axes, to the
+   load of the body, and its moment about the mass centre, so that drag, wind and thrusters are a few lines of a function
+   for vm_effect_custom. `at` and y are those of vm_scene_point_at. A force on VM_GROUND changes nothing. If no body has
+   this index, scene->status becomes VM_NO_SUCH_BODY, which ends the run; if y is NULL or the scene was not started, it
+   becomes VM_BAD_ARGUMENT. If scene is NULL, nothing is done. */
+VM_API void vm_scene_push_at(vm_scene *scene, int body, vm_vec3 at, const vm_real *y, vm_vec3 force)
+{
+    vmi_body_point p;
+    if (!scene || body == VM_GROUND) return;
+    if (!scene->bodies || !scene->size || !y) scene->status = VM_BAD_ARGUMENT;
+    else if (body < 0 || body >= scene->n_bodies) scene->status = VM_NO_SUCH_BODY;
+    else {
+        vmi_point_now(scene, body, at, y, &p);
+        vmi_point_push(scene->bodies + body, &p, force);
+    }
 }
 
 #endif
@@ -22549,7 +22563,8 @@ VM_API int vm_scene_start(vm_scene *scene, vm_real t, vm_real *y, vm_scene_fault
 
 #include <string.h>
 
-/* Indices of the sums of the budget among the VM_BUDGET_STATES numbers that it adds to the state */
+/* The budget adds VM_BUDGET_STATES numbers to the end of the state: sums over the time of the run. These are their
+   indices among the numbers of the budget; a vector takes three numbers. vm_budget in scene.h explains each sum. */
 enum {
     VMI_BUDGET_IMPULSE = 0,
     VMI_BUDGET_ANGULAR_IMPULSE = 3,
@@ -22567,7 +22582,9 @@ VM_INLINE void vmi_add3(vm_vec3 a, vm_real *sum)
     sum[2] += a.z;
 }
 
-/* Adds the load of a body to the rates of the budget's sums */
+/* Adds what the load of a body brings per second to the rates of the budget's sums: force, moment and power of the
+   effects, and momentum, angular momentum and energy of the streams. Reactive forces are left out of the first three,
+   because the momentum of the streams accounts for them. */
 VM_API void vmi_scene_enter_loads(const vm_scene_body *b, const vm_real *y, vm_real *rates)
 {
     const vm_load *load = &b->load;
@@ -22585,8 +22602,9 @@ VM_API void vmi_scene_enter_loads(const vm_scene_body *b, const vm_real *y, vm_r
     rates[VMI_BUDGET_MIXING] += load->mixing;
 }
 
-/* Adds the contribution of a body to the rates of the budget's sums. For a mass law M(v) the term dM/dv v' of the mass
-   rate is added only here, because v' is known only after all effects have added their forces. */
+/* Adds to the rates of the budget's sums what acts on a body and what streams bring to it. With a mass law M(v), where
+   v is the velocity, the mass also changes by dM/dv v' per second. The momentum and energy of this mass are added here
+   and not by the effect, because the acceleration v' is known only after all effects have added their forces. */
 VM_API void vmi_scene_enter(vm_scene_body *b, const vm_real *y, vm_real *rates)
 {
     vm_load *load = &b->load;
@@ -22695,18 +22713,23 @@ VM_API int vm_scene_budget_at(vm_scene *scene, vm_real t, const vm_real *y, vm_b
 #endif
 /* scenes/events.h - when an event happens, and what it does
 
-   An event is made in two steps: vm_event_... says when it happens, and vm_then_... says what happens then. An event
-   takes only one vm_then_... function. An event without such a function is only counted: event.count says how often
-   it has happened and event.time when it last happened, and the motion is the same as without the event.
+   An event is made in two steps: vm_event_... says when it happens, and vm_then_... says what it does. An event without
+   a vm_then_... function only observes: event.count says how often it has happened and event.time when it last
+   happened, and the motion is the same as without the event. An event takes one vm_then_... function; vm_then_all
+   makes it do a list of actions.
 
-       vm_event events[] = {vm_then_switch(vm_event_at(60), 3, 1),              // at 60 s effect 3 goes off
-                            vm_then_stop(vm_event_position(0, 0, 0.5, 1))};     // the run ends where x rises to 0.5 m
-       ode_event located[2];                                                    // one for each event
+       vm_event empty = vm_event_mass(0, 70, -1);                             // the mass of body 0 falls to 70 kg
+       vm_event staging[] = {vm_then_switch_range(empty, 0, 4, 1),            // effects 0 to 3 are switched off
+                             vm_then_switch(empty, 4, 0)};                    // effect 4 is switched on
+       vm_event events[] = {vm_then_all(empty, staging, 2),
+                            vm_then_stop(vm_event_position(0, 0, 0.5, 1)),    // the run ends where x rises to 0.5 m
+                            vm_event_velocity(0, 0, 0, -1)};                  // events[2].time: time of the greatest x
+       ode_event located[3];                                                  // one for each of `events`
        vm_scene scene;
-       memset(&scene, 0, sizeof scene);                                         // its bodies and effects: see scene.h
+       memset(&scene, 0, sizeof scene);                                       // its bodies and effects: see scene.h
        scene.events = events;
        scene.located = located;
-       scene.n_events = 2;
+       scene.n_events = 3;
 
    An event at a time happens once. A crossing of a value happens at most event.most times, or without limit if
    event.most is 0; direction > 0 counts rising values, direction < 0 falling values, and direction = 0 both. Only
@@ -22721,6 +22744,11 @@ VM_API int vm_scene_budget_at(vm_scene *scene, vm_real t, const vm_real *y, vm_b
 
 #include <string.h>
 
+VM_API int vmi_event_check_coordinate(const vm_scene *s, const vm_event *e)
+{
+    return vmi_scene_check_coordinate(s, e->body, e->coordinate);
+}
+
 /* An event that watches a coordinate of a body */
 VM_API vm_event vmi_event(int body, int coordinate, vm_real value, int direction)
 {
@@ -22730,7 +22758,7 @@ VM_API vm_event vmi_event(int body, int coordinate, vm_real value, int direction
     e.coordinate = coordinate;
     e.value = value;
     e.direction = direction;
-    e.watches = 1;
+    e.check_when = vmi_event_check_coordinate;
     return e;
 }
 
@@ -22740,7 +22768,7 @@ VM_API vm_event vm_event_at(vm_real time)
 {
     vm_event e = vmi_event(0, 0, 0, 0);
     e.time = time;
-    e.watches = 0;
+    e.check_when = NULL;
     e.most = 1;
     return e;
 }
@@ -22799,7 +22827,7 @@ VM_API vm_real vmi_when_user(const vm_event *e, vm_real t, const vm_real *y) { r
 VM_API vm_event vm_event_user(vm_real (*when)(vm_real t, const vm_real *y, void *ctx), void *ctx, int direction)
 {
     vm_event e = vmi_event(0, 0, 0, direction);
-    e.watches = 0;
+    e.check_when = NULL;
     e.when = when ? vmi_when_user : NULL;
     e.user_when = when;
     e.ctx = ctx;
@@ -22851,13 +22879,37 @@ VM_API void vmi_scene_hold_masses(vm_scene *s, vm_real t, const vm_real *y)
 VM_API int vmi_then_switch(vm_event *e, vm_real t, vm_real *y)
 {
     vm_scene *s = e->scene;
-    vm_effect *effect = s->effects + e->effect;
+    int i;
     vmi_scene_evaluate(s, t, y);
     vmi_scene_note_masses(s);
-    effect->idle &= VMI_IDLE_BODY_AWAY;
-    if (e->off) effect->idle |= VMI_IDLE_SWITCHED_OFF;
+    for (i = 0; i < e->n_effects; i++) {
+        vm_effect *effect = s->effects + e->effect + i;
+        effect->idle &= VMI_IDLE_BODY_AWAY;
+        if (e->off) effect->idle |= VMI_IDLE_SWITCHED_OFF;
+    }
     vmi_scene_hold_masses(s, t, y);
     return VM_OK;
+}
+
+VM_API int vmi_event_check_switch(const vm_scene *s, const vm_event *e)
+{
+    if (e->effect < 0 || e->n_effects > s->n_effects - e->effect) return VM_NO_SUCH_EFFECT;
+    return VM_OK;
+}
+
+/* The event switches n effects that follow each other in the list, off (off = 1) or on (off = 0). first is the index
+   of the first of them. Switching a mass law does not change the mass at this instant: the law continues from the
+   present mass. vm_scene_start returns VM_NO_SUCH_EFFECT if one of the effects does not exist, and VM_BAD_ARGUMENT if n
+   is negative. */
+VM_API vm_event vm_then_switch_range(vm_event event, int first, int n, int off)
+{
+    event.then = vmi_then_switch;
+    event.check = vmi_event_check_switch;
+    event.effect = first;
+    event.n_effects = n;
+    event.off = off != 0;
+    if (n < 0) event.status = VM_BAD_ARGUMENT;
+    return event;
 }
 
 /* The event switches an effect off (off = 1) or on (off = 0). effect is the index of the effect. Switching a mass law
@@ -22865,11 +22917,7 @@ VM_API int vmi_then_switch(vm_event *e, vm_real t, vm_real *y)
    VM_NO_SUCH_EFFECT if no effect has this index. */
 VM_API vm_event vm_then_switch(vm_event event, int effect, int off)
 {
-    event.then = vmi_then_switch;
-    event.effect = effect;
-    event.off = off != 0;
-    event.switches = 1;
-    return event;
+    return vm_then_switch_range(event, effect, 1, off);
 }
 
 VM_API int vmi_then_user(vm_event *e, vm_real t, vm_real *y) { return e->user_then(t, y, e->then_ctx); }
@@ -22882,6 +22930,48 @@ VM_API vm_event vm_then_user(vm_event event, int (*then)(vm_real t, vm_real *y, 
     if (!then) event.status = VM_BAD_ARGUMENT;
     event.user_then = then;
     event.then_ctx = ctx;
+    return event;
+}
+
+/* Does the actions of the event in the order of their list. Returns the first status other than VM_OK, or VM_OK if
+   there is none. An error (a negative status) ends the list, and is returned even if an earlier action has stopped the
+   run. */
+VM_API int vmi_then_all(vm_event *e, vm_real t, vm_real *y)
+{
+    int i, status = VM_OK;
+    for (i = 0; i < e->n_actions && status >= 0; i++) {
+        vm_event *action = e->actions + i;
+        int result = VM_OK;
+        action->scene = e->scene;
+        if (action->then) result = action->then(action, t, y);
+        if (result < 0 || status == VM_OK) status = result;
+    }
+    return status;
+}
+
+/* Checks the actions of an event. A list of actions cannot contain another list. */
+VM_API int vmi_event_check_all(const vm_scene *s, const vm_event *e)
+{
+    int i, status = VM_OK;
+    for (i = 0; i < e->n_actions && !status; i++) {
+        status = VM_BAD_ARGUMENT;
+        if (!e->actions[i].actions) status = vmi_scene_check_event(s, e->actions + i);
+    }
+    return status;
+}
+
+/* The event does a list of actions, one after the other, at the same instant. actions is an array of n events made by
+   vm_then_... functions; when each of them would happen does not matter, so that all can be made from the same
+   vm_event_... value. The array is not copied and must stay where it is. An action that stops the run lets the
+   following actions happen, too. vm_scene_start returns VM_BAD_ARGUMENT if actions is NULL, n is negative or an action
+   is a list itself, and else the status of the first action that is wrong. */
+VM_API vm_event vm_then_all(vm_event event, vm_event *actions, int n)
+{
+    event.then = vmi_then_all;
+    event.check = vmi_event_check_all;
+    event.actions = actions;
+    event.n_actions = n;
+    if (!actions || n < 0) event.status = VM_BAD_ARGUMENT;
     return event;
 }
 
@@ -23284,7 +23374,7 @@ VM_API vm_event vm_event_contact(int body, const vm_contact *contact)
     vm_event e = vmi_event(body, 0, 0, -1);
     e.when = contact ? vmi_when_contact : NULL;
     e.parts = contact;
-    e.check = vmi_contact_check_event;
+    e.check_when = vmi_contact_check_event;
     if (!contact) e.status = VM_BAD_ARGUMENT;
     return e;
 }
@@ -23319,8 +23409,6 @@ VM_API int vmi_then_land(vm_event *e, vm_real t, vm_real *y)
 /* Checks a landing: reactions of links and joints would have to act in the same impulse */
 VM_API int vmi_land_check(const vm_scene *s, const vm_event *e)
 {
-    const int status = vmi_contact_check_event(s, e);
-    if (status) return status;
     if (s->bodies[e->body].listed_orders >> VMI_ORDER_LINK & 1) return VM_TWO_LINKS;
     return VM_OK;
 }

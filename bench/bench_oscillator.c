@@ -6,6 +6,7 @@
      vm_osc_by_route ...       the kit's routes: any laws of mass and stiffness, preparation and an estimate of the error in
                          the time; the integrators among them run twice or more for that
      vm_osc_plan_by_route ...  the same where the plan has been made beforehand
+     vm_osc_closed_at ...    the law of order 2 or 5 as plain data, made beforehand
      vm_osc_within           the cheapest of these within a tolerance, by the kit's own choice
      ..._solve, GSL ...  integration of (x, m x') from 0 to t, nothing known of the error; the same right-hand side,
                          inlined by the kit, called through a pointer by GSL, whose driver is allocated beforehand
@@ -119,6 +120,16 @@ static void by_kit(int n, const double *t, double *x)
     int i;
     if (n > 1 && !prepared) vm_osc_plan_init(&plan, &problem);
     for (i = 0; i < n; i++) x[i] = n > 1 || prepared ? by_plan(t[i]) : by_problem(t[i]);
+}
+
+static vm_osc_closed closed;
+
+static void by_closed(int n, const double *t, double *x)
+{
+    double v;
+    int i;
+    for (i = 0; i < n; i++)
+        if (vm_osc_closed_at(&closed, t[i], x + i, &v)) x[i] = VM_NAN;
 }
 
 /* ---- Integration of y = (x, m x') ---- */
@@ -291,6 +302,10 @@ static void measure_kit(void)
     prepared = vm_osc_plan_init(&plan, &problem) == VM_OK;
     for (route = VM_ROUTE_TRIG; route <= VM_ROUTE_ORDER5; route++) measure_route(planned[route], "");
     prepared = 0;
+    through = by_closed;
+    if (!vm_osc_closed_init(&closed, &problem, 2, 3 / now->eps)) measure_route("vm_osc_closed_at order 2", "");
+    if (!vm_osc_closed_init(&closed, &problem, 5, 3 / now->eps)) measure_route("vm_osc_closed_at order 5", "");
+    through = by_kit;
     measure_tolerances("vm_osc_within", 1e-11, set_route, AT);
     for (route = VM_ROUTE_COLLOCATION; route <= (is_flagship(now) ? VM_ROUTE_RK87 : VM_ROUTE_COLLOCATION); route++)
         measure_tolerances(names[route], 1e-11, set_route, route);
@@ -322,10 +337,11 @@ static double time_to(double error, int i)
     return a->ns * pow(b->ns / a->ns, log(error / a->error) / log(b->error / a->error));
 }
 
-/* Not the plans: they answer many questions, not one */
+/* Not what is made beforehand, plans and the law as data: they answer many questions, not one */
 static int is_of(int gsl, const char *name)
 {
-    return gsl ? strncmp(name, "GSL", 3) == 0 : strncmp(name, "GSL", 3) && strncmp(name, "vm_osc_plan", 11);
+    if (strncmp(name, "vm_osc_plan", 11) == 0 || strncmp(name, "vm_osc_closed", 13) == 0) return 0;
+    return (strncmp(name, "GSL", 3) == 0) == gsl;
 }
 
 static double cheapest(double error, int gsl, const char **name)

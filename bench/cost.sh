@@ -8,6 +8,7 @@ mkdir -p "$tables"
 
 { echo '```'; cat "$folder/machine"; echo '```'; } >"$tables/machine"
 sh bench/summary.sh "$folder" markdown >"$tables/summary"
+sh bench/goals.sh "$folder" docs/counts.md >"$tables/goals"
 
 # routes PROGRAM JOB : error, ns and ratio of each route to a job, in double, float and with -O3 -march=native
 routes() {

@@ -3,6 +3,7 @@
    motion against t.
 
    usage: law table          the table of errors and slopes, in Markdown
+          law random [N]     the two tables of N random problems, in Markdown; N is 1000 if it is not given
           law errors FILE    t and the errors of orders 2 to 5 along one motion, as CSV
           law slopes FILE    eps and the errors of orders 2 to 5 for one law of mass, as CSV */
 #include <math.h>
@@ -10,6 +11,8 @@
 #include <stdlib.h>
 #include <string.h>
 #include "../varmass.h"
+
+static const double ROUNDING = 1e-12; /* errors below it are mostly roundings of the phase */
 
 enum { ORDERS = 4, EPSILONS = 5, CASES = 8 };
 static const double epsilons[EPSILONS] = {0.1, 0.03, 0.01, 0.003, 0.001};
@@ -60,20 +63,26 @@ static void errors_at(const vm_osc_plan *plan, double t, double *error)
     }
 }
 
-/* The largest errors over the last tenth of a run of 3/e */
-static void largest_errors(int which, double alpha, double e, double *error)
+/* The largest errors over the last tenth of a run from 0 to T */
+static void largest_errors(const vm_osc_problem *o, double T, double *error)
 {
-    const vm_osc_problem o = case_of(which, alpha, e);
     const int times = 12;
     vm_osc_plan plan;
     int i, k;
     for (k = 0; k < ORDERS; k++) error[k] = 0;
-    check(vm_osc_plan_init(&plan, &o));
+    check(vm_osc_plan_init(&plan, o));
     for (i = 0; i < times; i++) {
         double at[ORDERS];
-        errors_at(&plan, 3 / e * (0.9 + 0.1 * i / (times - 1)), at);
+        errors_at(&plan, T * (0.9 + 0.1 * i / (times - 1)), at);
         for (k = 0; k < ORDERS; k++) error[k] = fmax(error[k], at[k]);
     }
+}
+
+/* The largest errors over the last tenth of a run of 3/e of one of the eight laws */
+static void largest_errors_of(int which, double alpha, double e, double *error)
+{
+    const vm_osc_problem o = case_of(which, alpha, e);
+    largest_errors(&o, 3 / e, error);
 }
 
 static int rising(const void *a, const void *b)
@@ -99,7 +108,7 @@ static void table(void)
         double error[EPSILONS][CASES][ORDERS];
         for (k = 0; k < EPSILONS; k++) {
             int order;
-            for (i = 0; i < CASES; i++) largest_errors(i, alphas[a], epsilons[k], error[k][i]);
+            for (i = 0; i < CASES; i++) largest_errors_of(i, alphas[a], epsilons[k], error[k][i]);
             printf("| %s | %g |", labels[a], epsilons[k]);
             for (order = 0; order < ORDERS; order++) {
                 double values[CASES];
@@ -115,6 +124,160 @@ static void table(void)
     for (k = 0; k < ORDERS; k++) printf(" %.2f |", median(slopes[k], count));
     puts("");
 }
+
+/* ---- Random problems ---- */
+
+static unsigned long long seed = 2026;
+
+/* A random number between low and high */
+static double uniform(double low, double high)
+{
+    seed = seed * 6364136223846793005ull + 1442695040888963407ull;
+    return low + (high - low) * ((double)(seed >> 11) / 9007199254740992.0);
+}
+
+/* A random law of mass: linear, exponential, power or quadratic. The mass is 1 at t = 0, and `change` is its relative
+   change in the time 1/e there. It is between 0.1 and 1.4; or, where the law may fall, between -0.3 and -0.05. */
+static vm_law random_mass(double e)
+{
+    const int kind = (int)uniform(0, 4);
+    double change = uniform(-0.6, 1.4);
+    if (change < 0 && change > -0.1) change = 0.1;
+    if (change < 0) change /= 2;
+    switch (kind) {
+    case 0: return vm_law_linear(1, e * change);
+    case 1: return vm_law_exponential(1, e * change);
+    case 2: return vm_law_power(1, e * fabs(change), uniform(0, 3));
+    default: return vm_law_quadratic(1, e * fabs(change), e * e * uniform(0, 0.4));
+    }
+}
+
+/* A random problem: alpha is a whole number of quarters from 1/4 to 8, the reactive force is full, absent or partial,
+   half of the problems are damped, by either sign, and two of five have an exponential stiffness. The amplitude at the
+   start is between 0.6 and 1.65, the phase anything. */
+static vm_osc_problem random_problem(double e)
+{
+    vm_osc_problem o;
+    double A, sa, ca;
+    memset(&o, 0, sizeof o);
+    o.alpha = floor(uniform(1, 33)) / 4;
+    o.mass = random_mass(e);
+    o.stiffness = vm_law_linear(1, 0);
+    o.reactive = uniform(0, 1);
+    if (uniform(0, 1) < 0.7) o.reactive = uniform(0, 7) < 4;
+    if (uniform(0, 1) < 0.5) o.damping = uniform(-e, e);
+    if (uniform(0, 1) < 0.4) o.stiffness = vm_law_exponential(1, uniform(-e, e) / 2);
+    A = exp(uniform(-0.5, 0.5));
+    ateb_saca(uniform(0, 2 * ateb_pi(o.alpha)), o.alpha, &sa, &ca);
+    o.x = A * ca;
+    o.v = -sqrt(2 / (o.alpha + 1)) * pow(A, (o.alpha + 1) / 2) * sa;
+    return o;
+}
+
+/* The largest of the relative changes of mass, stiffness and momentum (by damping) in a vibration at t, at amplitude A */
+static double change_at(const vm_osc_problem *o, double t, double A)
+{
+    double m = 1, m_rate = 0, k = 1, k_rate = 0, fastest, W;
+    check(vm_law_at(&o->mass, t, &m, &m_rate));
+    check(vm_law_at(&o->stiffness, t, &k, &k_rate));
+    fastest = fmax(fabs(m_rate / m), fmax(fabs(k_rate / k), fabs(o->damping / m)));
+    W = sqrt((o->alpha + 1) / 2 * k / m) * pow(A, (o->alpha - 1) / 2);
+    return fastest * 2 * ateb_pi(o->alpha) / W;
+}
+
+/* The change within a vibration at the start or at T, the larger one */
+static double change_of(const vm_osc_problem *o, double T)
+{
+    vm_osc_plan plan;
+    vm_osc_motion end;
+    check(vm_osc_plan_init(&plan, o));
+    check(vm_osc_plan_by_route(&plan, VM_ROUTE_ORDER5, T, 0, &end));
+    return fmax(change_at(o, 0, plan.A), change_at(o, T, end.amplitude));
+}
+
+enum { MOST_PROBLEMS = 10000, CLASSES = 5 };
+static double random_error[ORDERS][MOST_PROBLEMS], random_slope[ORDERS][MOST_PROBLEMS], changes[MOST_PROBLEMS];
+static int slope_count[ORDERS];
+
+/* Draws n problems, and fills the arrays above: errors at the rate 0.01, and slopes between 0.02 and 0.01 where both
+   errors are more than roundings. */
+static void draw_problems(int n)
+{
+    const double e = 0.01, length = 2;
+    int i, k;
+    for (i = 0; i < n; i++) {
+        const unsigned long long before = seed;
+        const vm_osc_problem o = random_problem(e);
+        double fast[ORDERS], slow[ORDERS];
+        vm_osc_problem twice;
+        seed = before;
+        twice = random_problem(2 * e); /* the same problem at twice the rate */
+        largest_errors(&o, length / e, slow);
+        largest_errors(&twice, length / (2 * e), fast);
+        changes[i] = change_of(&o, length / e);
+        for (k = 0; k < ORDERS; k++) {
+            random_error[k][i] = slow[k];
+            if (slow[k] > ROUNDING) random_slope[k][slope_count[k]++] = log(fast[k] / slow[k]) / log(2);
+        }
+    }
+}
+
+/* How many of n numbers are larger than a bound, in % */
+static double share_above(double bound, const double *values, int n)
+{
+    int i, above = 0;
+    for (i = 0; i < n; i++) above += values[i] > bound;
+    return 100. * above / n;
+}
+
+static void print_orders(int n)
+{
+    int k;
+    puts("| order | median | 90 % | 95 % | largest | above 1e-9 | median slope |\n|---|---|---|---|---|---|---|");
+    for (k = 0; k < ORDERS; k++) {
+        double sorted[MOST_PROBLEMS];
+        memcpy(sorted, random_error[k], (size_t)n * sizeof *sorted);
+        qsort(sorted, (size_t)n, sizeof *sorted, rising);
+        printf("| %d | %.1e | %.1e | %.1e | %.1e | %.1f %% | %.2f |\n", k + 2, median(sorted, n), sorted[n * 9 / 10],
+               sorted[n * 95 / 100], sorted[n - 1], share_above(1e-9, sorted, n), median(random_slope[k], slope_count[k]));
+    }
+}
+
+/* A line of the second table: the errors of the problems that change by `least` to `most` within a vibration */
+static void print_class(int n, double least, double most)
+{
+    double four[MOST_PROBLEMS], five[MOST_PROBLEMS], gain[MOST_PROBLEMS], worst = 0;
+    int i, count = 0;
+    for (i = 0; i < n; i++) {
+        if (!(changes[i] >= least && changes[i] < most)) continue;
+        four[count] = random_error[2][i];
+        five[count] = random_error[3][i];
+        gain[count] = four[count] / five[count];
+        worst = fmax(worst, five[count]);
+        count++;
+    }
+    if (most < HUGE_VAL) printf("| %.0f to %.0f %%", 100 * least, 100 * most);
+    else printf("| more");
+    printf(" | %.1f %% | %.1f %% | %.1f %% | %.1e | %.1f |\n", 100. * count / n, share_above(1e-9, four, count),
+           share_above(1e-9, five, count), worst, median(gain, count));
+}
+
+static void random_tables(int n)
+{
+    static const double limits[CLASSES + 1] = {0, 0.05, 0.1, 0.2, 0.4, HUGE_VAL};
+    int i;
+    if (n < 100 || n > MOST_PROBLEMS) {
+        fprintf(stderr, "law: 100 to %d random problems\n", MOST_PROBLEMS);
+        exit(1);
+    }
+    draw_problems(n);
+    print_orders(n);
+    puts("\n| change within a vibration | of all | order 4 above 1e-9 | order 5 above 1e-9 | largest | order 4 / order 5 |\n"
+         "|---|---|---|---|---|---|");
+    for (i = 0; i < CLASSES; i++) print_class(n, limits[i], limits[i + 1]);
+}
+
+/* ---- The figures ---- */
 
 static void along(const char *path)
 {
@@ -137,7 +300,7 @@ static void slopes(const char *path)
     double e, error[ORDERS];
     if (!file) exit(1);
     for (e = 0.2; e > 0.0009; e /= 1.3) {
-        largest_errors(0, 4. / 3, e, error);
+        largest_errors_of(0, 4. / 3, e, error);
         fprintf(file, "%.6g,%.3g,%.3g,%.3g,%.3g\n", e, error[0], error[1], error[2], error[3]);
     }
     fclose(file);
@@ -146,10 +309,12 @@ static void slopes(const char *path)
 int main(int argc, char **argv)
 {
     if (argc == 2 && !strcmp(argv[1], "table")) table();
+    else if (argc == 2 && !strcmp(argv[1], "random")) random_tables(1000);
+    else if (argc == 3 && !strcmp(argv[1], "random")) random_tables(atoi(argv[2]));
     else if (argc == 3 && !strcmp(argv[1], "errors")) along(argv[2]);
     else if (argc == 3 && !strcmp(argv[1], "slopes")) slopes(argv[2]);
     else {
-        fputs("usage: law table | law errors FILE | law slopes FILE\n", stderr);
+        fputs("usage: law table | law random [N] | law errors FILE | law slopes FILE\n", stderr);
         return 1;
     }
     return 0;

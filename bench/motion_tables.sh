@@ -20,7 +20,7 @@ awk -F, -v table="$2" '
         for (goal = 2; goal <= 10; goal += 2) keep($3 sixteen, goal)
         if (!sixteen && (!($3 in least) || $6 + 0 < least[$3])) least[$3] = $6 + 0
     }
-    table == "oscillator_all" && $2 ~ /^alpha=/ && $2 !~ /of 16$/ && $3 !~ /^vm_osc_plan/ {
+    table == "oscillator_all" && $2 ~ /^alpha=/ && $2 !~ /of 16$/ && $3 !~ /^vm_osc_(plan|closed)/ {
         line($2)
         for (goal = 2; goal <= 10; goal += 2) keep($2 ($3 ~ /^GSL/), goal)
     }

@@ -35,12 +35,14 @@ for program in peers peers_ode; do
 done
 "$build/peers" >"$build/functions.md"
 functions=$?
-"$build/peers_ode" >"$build/integrators.md" 2>"$build/integrators.log" # peers say there where they give up
+"$build/peers_ode" >"$build/ode.md" 2>"$build/ode.log" # peers say there where they give up
 integrators=$?
-cat "$build/functions.md" "$build/integrators.md"
+cat "$build/functions.md" "$build/ode.md"
+# its two tables, with an empty line between them
+awk -v RS= -v folder="$build" 'NR <= 2 {print >(folder "/" (NR == 1 ? "integrators" : "motions") ".md")}' "$build/ode.md"
 
-wins=$(cat "$build/functions.md" "$build/integrators.md" | grep -c ' wins$')
-rows=$(cat "$build/functions.md" "$build/integrators.md" | grep -c '^| .*[0-9] |')
+wins=$(cat "$build/functions.md" "$build/ode.md" | grep -c ' wins$')
+rows=$(cat "$build/functions.md" "$build/ode.md" | grep -c '^| .*[0-9] |')
 verdict="No peer wins in any of $rows rows."
 [ "$wins" = 0 ] || verdict="A peer wins in $wins of $rows rows, which end in \"wins\"."
 {
@@ -50,7 +52,7 @@ verdict="No peer wins in any of $rows rows."
 } >"$build/machine"
 awk -v folder="$build" -v peers="$peers" -v verdict="$verdict" '
     function insert(file,    line) { while ((getline line < (folder "/" file)) > 0) print line }
-    /^@(machine|functions|integrators)@$/ {
+    /^@(machine|functions|integrators|motions)@$/ {
         name = substr($0, 2, length($0) - 2)
         if (name != "machine") name = name ".md"
         insert(name)
@@ -59,5 +61,5 @@ awk -v folder="$build" -v peers="$peers" -v verdict="$verdict" '
     { gsub("@peers@", peers); gsub("@verdict@", verdict); print }
     ' bench/peers.md >docs/peers.md
 echo "$verdict"
-[ "$wins" = 0 ] || { echo "FAILED, a peer wins:" && cat "$build/functions.md" "$build/integrators.md" | grep ' wins$'; }
+[ "$wins" = 0 ] || { echo "FAILED, a peer wins:" && cat "$build/functions.md" "$build/ode.md" | grep ' wins$'; }
 [ "$functions" = 0 ] && [ "$integrators" = 0 ]

@@ -72,6 +72,13 @@ static void fill_negative(double size, double least_m)
     }
 }
 
+// m between -1e4 and -1, by the logarithm of -m
+static void fill_far_negative(double size)
+{
+    fill_negative(size, -1);
+    for (int i = 0; i < ARGUMENTS; i++) arg_a[i] = -between_logs(1, 1e4);
+}
+
 // a and b by their logarithms; x within three standard deviations of the mean of the beta distribution
 static void fill_beta(double least, double largest)
 {
@@ -156,6 +163,16 @@ static void exact_w0(double x, double, double, exact_value *v) { *v = exact_lamb
 
 #ifdef WITH_GSL
 static inline void gsl_jacobi(double x, double a, double, double *r) { gsl_sf_elljac_e(x, a, r, r + 1, r + 2); }
+// m < -1, which elljac refuses, by the transformation to m/(m - 1) (DLMF 22.17.5-8)
+static inline void gsl_far_jacobi(double x, double a, double, double *r)
+{
+    const double kp = sqrt(1 - a);
+    double sn = 0, cn = 0, dn = 1;
+    gsl_sf_elljac_e(kp * x, a / (a - 1), &sn, &cn, &dn);
+    r[0] = sn / (kp * dn);
+    r[1] = cn / dn;
+    r[2] = 1 / dn;
+}
 static inline void gsl_K(double, double, double b, double *r) { *r = gsl_sf_ellint_Kcomp(b, GSL_PREC_DOUBLE); }
 static inline void gsl_E(double, double, double b, double *r) { *r = gsl_sf_ellint_Ecomp(b, GSL_PREC_DOUBLE); }
 static inline void gsl_F(double x, double, double b, double *r) { *r = gsl_sf_ellint_F(x, b, GSL_PREC_DOUBLE); }
@@ -291,6 +308,12 @@ static void compare_sncndn()
     sncndn_region("\\|u\\| < 2, -1 < m < 0");
     fill_negative(1e6, -1);
     sncndn_region("\\|u\\| < 1e6, -1 < m < 0");
+    fill_far_negative(2);
+    region("`jacobi_sncndn`", "\\|u\\| < 2, -1e4 < m < -1", 3, exact_jacobi);
+    GSL(kit_sncndn, gsl_far_jacobi, "elljac_e at m/(m - 1)");
+    fill_far_negative(1e6);
+    region("`jacobi_sncndn`", "\\|u\\| < 1e6, -1e4 < m < -1", 3, exact_jacobi);
+    GSL(kit_sncndn, gsl_far_jacobi, "elljac_e at m/(m - 1)");
 }
 
 static void compare_integrals()

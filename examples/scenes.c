@@ -13,6 +13,7 @@
 #include "scenes/scoop.h"
 #include "scenes/stator.h"
 #include "scenes/turner.h"
+#include "scenes/two_stages.h"
 #include "scenes/vessel.h"
 #include "scenes/wagon.h"
 #include "scenes/weighing.h"
@@ -98,6 +99,8 @@ int main(int argc, char **argv)
     play(&s, "stator", "a broken rotor meets the stator: rad", 2, 10.0667375197206978, 18.8738526581898339);
     reel(&s, 1, 40);
     play(&s, "reel", "a band winds up, layer by layer: rad/s", 1, 4.96711418419346504, 7.25340764780580859);
+    two_stages(&s);
+    play(&s, "rocket", "two stages, burnt out: mass centre, m", 14, 40, 3.125);
     puts("Numerical examples of the dissertation as scenes: where they are (reference)");
     figure18(&s, 0.625);
     s.end = 10;

@@ -23,10 +23,11 @@
      jacobi_sncndn        sn, cn and dn for one u and one m; the twelve quotients and the amplitude have functions of
                           their own
      jacobi_sncndn_any    sn, cn and dn for m > 1 too, as a rotating pendulum needs them
-     jacobi_K, jacobi_E, jacobi_Pi
-                          complete elliptic integrals of the first, second and third kind
-     jacobi_F, jacobi_E_incomplete, jacobi_Pi_incomplete
-                          incomplete elliptic integrals from 0 to any angle phi; F is the inverse of the amplitude
+     jacobi_K, jacobi_E, jacobi_Pi, jacobi_D
+                          complete elliptic integrals of the first, second and third kind; D is (K - E)/m
+     jacobi_F, jacobi_E_incomplete, jacobi_Pi_incomplete, jacobi_D_incomplete
+                          incomplete elliptic integrals from 0 to any angle phi; F is the inverse of the amplitude. For
+                          m > 1 they have values up to phi = arcsin(1/sqrt(m)).
      jacobi_inverse_sn    u from sn(u | m); jacobi_inverse_cn and jacobi_inverse_dn do the same for cn and dn
      jacobi_RF            Carlson's integrals R_F, R_C, R_D, R_J, R_G; all other elliptic integrals are sums of these
      jacobi_plan_init     prepares a plan for one m; then call jacobi_plan_sncndn for one u, or
@@ -39,9 +40,9 @@
                           argument
 
    ERRORS
-     m > 1 (except in jacobi_sncndn_any), m1 < 0, c < 0 (the argument of the solvers), NaN and infinite arguments give
-     NaN. The incomplete integrals, jacobi_Pi, the inverses and Carlson's integrals return the limit at an infinite
-     argument, and NaN where there is no limit. m = 1 gives the limits: K is infinite, E is 1, sn is tanh u, cn and dn
+     m > 1 and m1 < 0 (except in jacobi_sncndn_any and in incomplete integrals), c < 0 (the argument of the solvers),
+     NaN and infinite arguments give NaN. The incomplete integrals, jacobi_D, jacobi_Pi, the inverses and Carlson's
+     integrals return the limit at an infinite argument, and NaN where there is no limit. m = 1 gives the limits: K is infinite, E is 1, sn is tanh u, cn and dn
      are 1/cosh u, for u = +-infinity too. A quotient at a pole is infinite. For a bad m jacobi_plan_init returns -1 and
      leaves the plan as it was. Nothing else can fail. The functions allocate no memory and keep no state; the value of
      errno means nothing.
@@ -91,7 +92,7 @@
      k'K          <= 5 ulp
      means        <= 8 ulp
      quotients    <= 8 ulp, the amplitude too
-     F, E, Pi     <= 8 ulp for |phi| <= 1e9 (float 1e4) and n <= 1; for n > 1 as at jacobi_Pi_incomplete
+     F, E, D, Pi  <= 8 ulp for |phi| <= 1e9 (float 1e4) and n <= 1; for n > 1 as at jacobi_Pi_incomplete
      inverses of sn, cn and dn, Carlson's integrals   <= 8 ulp, but R_G <= 10 ulp, and R_J as at jacobi_RJ
      m > 1        as sn, cn, dn for m <= 1, with k u in place of u
      solvers      m and m1: <= 4 ulp plus the change that one ulp of c makes
@@ -124,6 +125,7 @@
 #include "jacobi/descending.h"
 #include "jacobi/third_kind.h"
 #include "jacobi/carlson.h"
+#include "jacobi/above_one.h"
 #include "jacobi/incomplete.h"
 #include "jacobi/inverse.h"
 #include "jacobi/reciprocal.h"

@@ -46,6 +46,14 @@ void eva_incomplete(void)
     sink[7] = jacobi_Pi_incomplete_m1(any, any, any);
 }
 
+void eva_D(void)
+{
+    sink[0] = jacobi_D(any);
+    sink[1] = jacobi_D_m1(any);
+    sink[2] = jacobi_D_incomplete(any, any);
+    sink[3] = jacobi_D_incomplete_m1(any, any);
+}
+
 void eva_carlson(void)
 {
     sink[0] = jacobi_RF(any, any, any);

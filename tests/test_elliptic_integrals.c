@@ -1,5 +1,5 @@
-/* Elliptic integrals, their inverses and Jacobi's functions for m > 1 (jacobi/carlson.h, incomplete.h, inverse.h,
-   reciprocal.h) against arbitrary-precision tables, identities, and the limits at the edges of their domains. */
+/* Elliptic integrals, their inverses and Jacobi's functions for m > 1 (jacobi/carlson.h, above_one.h, incomplete.h,
+   inverse.h, reciprocal.h) against arbitrary-precision tables, identities, and the limits at the edges of their domains. */
 #include "../jacobi.h"
 #include "check.h"
 #include "precision.h"
@@ -10,6 +10,10 @@ static vm_real F(const vm_real *x) { return jacobi_F(x[0], x[1]); }
 static vm_real F_m1(const vm_real *x) { return jacobi_F_m1(x[0], x[1]); }
 static vm_real E(const vm_real *x) { return jacobi_E_incomplete(x[0], x[1]); }
 static vm_real E_m1(const vm_real *x) { return jacobi_E_incomplete_m1(x[0], x[1]); }
+static vm_real D(const vm_real *x) { return jacobi_D_incomplete(x[0], x[1]); }
+static vm_real D_m1(const vm_real *x) { return jacobi_D_incomplete_m1(x[0], x[1]); }
+static vm_real complete_D(const vm_real *x) { return jacobi_D(x[0]); }
+static vm_real complete_D_m1(const vm_real *x) { return jacobi_D_m1(x[0]); }
 static vm_real Pi(const vm_real *x) { return jacobi_Pi_incomplete(x[0], x[1], x[2]); }
 static vm_real Pi_m1(const vm_real *x) { return jacobi_Pi_incomplete_m1(x[0], x[1], x[2]); }
 static vm_real complete_Pi(const vm_real *x) { return jacobi_Pi(x[0], x[1]); }
@@ -47,6 +51,10 @@ static const struct {
                  {"F_m1", F_m1, 4},
                  {"E", E, 4},
                  {"E_m1", E_m1, 4},
+                 {"D", D, 4},
+                 {"D_m1", D_m1, 4},
+                 {"complete D", complete_D, 4},
+                 {"complete D_m1", complete_D_m1, 4},
                  {"Pi", Pi, 16},
                  {"Pi_m1", Pi_m1, 16},
                  {"complete Pi", complete_Pi, 4},
@@ -306,13 +314,19 @@ static void test_limits(void)
     CHECK(is_nan(jacobi_F(inf, -inf)) && jacobi_F_m1(2, inf) == 0 && jacobi_F(inf, 1) == inf);
     CHECK(jacobi_E_incomplete(inf, half) == inf && jacobi_E_incomplete(-1, -inf) == -inf);
     CHECK(jacobi_E_incomplete(0, -inf) == 0 && jacobi_E_incomplete_m1(-inf, 2) == -inf);
+    CHECK(jacobi_D_incomplete(inf, half) == inf && jacobi_D_incomplete(-1, -inf) == 0 && jacobi_D(-inf) == 0);
+    CHECK(is_nan(jacobi_D_incomplete(inf, -inf)) && jacobi_D(1) == inf && jacobi_D_m1(0) == inf);
+    CHECK(jacobi_D_incomplete(-R(1.6), 1) == -inf && jacobi_D_m1(inf) == 0);
     CHECK(jacobi_Pi(-inf, half) == 0 && jacobi_Pi(half, -inf) == 0 && jacobi_Pi(1, half) == inf);
     CHECK(jacobi_Pi(half, 1) == inf && jacobi_Pi(2, 1) == -inf && jacobi_Pi_m1(2, 0) == -inf);
     CHECK(jacobi_Pi_incomplete(inf, half, half) == inf && jacobi_Pi_incomplete(-inf, half, half) == -inf);
     CHECK(jacobi_Pi_incomplete(inf, 2, half) == -inf && jacobi_Pi_incomplete(1, -inf, half) == 0);
     CHECK(jacobi_Pi_incomplete(1, half, -inf) == 0 && jacobi_Pi_incomplete_m1(2, 1, half) == inf);
+    CHECK(jacobi_Pi_incomplete(R(1.5707964), R(0.99), -VM_MAX) >= 0 && jacobi_Pi_incomplete(2, R(0.3), -VM_MAX) > 0);
+    CHECK(jacobi_D_incomplete(2, R(by_precision(-1e300, -1e30))) > 0 && jacobi_Pi_incomplete(2, R(-0.3), -VM_MAX) > 0);
     CHECK(jacobi_inverse_sn(1, 1) == inf && jacobi_inverse_sn(-1, 1) == -inf && jacobi_inverse_cn(0, 1) == inf);
     CHECK(jacobi_inverse_dn(0, 1) == inf && jacobi_inverse_dn_m1(0, 0) == inf && jacobi_inverse_dn(1, 0) == 0);
+    CHECK(jacobi_inverse_dn(1 - VM_EPSILON / 2, VM_EPSILON / 2) <= jacobi_K(VM_EPSILON / 2)); /* dn rounds to k' */
     CHECK(jacobi_inverse_sn(half, -inf) == 0 && jacobi_inverse_cn_m1(half, inf) == 0);
     CHECK(jacobi_RF(inf, 1, 2) == 0 && jacobi_RF(0, 0, 1) == inf && is_nan(jacobi_RF(0, 0, inf)));
     CHECK(jacobi_RC(1, 0) == inf && jacobi_RC(1, inf) == 0 && jacobi_RC(inf, -1) == 0);
@@ -328,9 +342,20 @@ static void test_quotients(void)
     const double size = by_precision(1e300, 1e30);
     const vm_real x = R(size), y = R(1 / size);
     const double exact = (log(4.) + log((double)x) - log((double)y)) / (2 * sqrt((double)x));
+    int i;
     check_error("R_F", "quotients", "eps", fabs((double)jacobi_RF(y, x, y) / exact - 1) / eps, 8, 0, 0);
     check_error("R_C", "quotients", "eps", fabs((double)jacobi_RC(x, y) / exact - 1) / eps, 8, 0, 0);
     check_error("R_C", "quotients", "eps", fabs((double)jacobi_RC(x, -y) / exact - 1) / eps, 8, 0, 0);
+    for (i = 1; i < 8; i += 2) { /* subnormal arguments: R_C(0, y) = pi/(2 sqrt(y)) and R_G(y, y, y) = sqrt(y) */
+        const vm_real least = VM_MIN * VM_EPSILON * R(i), large = i < 4 ? 8 : VM_MAX / R(i);
+        const double root = sqrt((double)least), logarithm = log(4.) + log((double)large) - log((double)least);
+        const vm_real lifted = R(ldexp((double)least, is_float ? 100 : 1000)), lift = R(ldexp(1, is_float ? 50 : 500));
+        check_error("R_C", "subnormal", "eps",
+                    fabs((double)jacobi_RC(large, least) * 2 * sqrt((double)large) / logarithm - 1) / eps, 8, 0, 0);
+        CHECK(jacobi_RF(least, 3 * least, 7 * least) == jacobi_RF(lifted, 3 * lifted, 7 * lifted) * lift);
+        check_error("R_C", "subnormal", "eps", fabs((double)jacobi_RC(0, least) * root / (pi / 2) - 1) / eps, 8, 0, 0);
+        check_error("R_G", "subnormal", "eps", fabs((double)jacobi_RG(least, least, least) / root - 1) / eps, 8, 0, 0);
+    }
     check_error("R_G", "quotients", "eps", fabs((double)(jacobi_RG(y, y, x) / VM_SQRT(x)) - 0.5) / eps, 1, 0, 0);
     CHECK(is_nan(jacobi_RD(y, y, x)) && is_nan(jacobi_RD(x, 1, y)));
     CHECK(is_nan(jacobi_RJ(y, y, x, 1)) && is_nan(jacobi_RJ(1, 1, y, x)) && is_nan(jacobi_RJ(x, 1, 1, -y)));
@@ -346,6 +371,8 @@ static void test_domain(void)
         CHECK(is_nan(jacobi_F(1, m)) && is_nan(jacobi_F_m1(1, m1)) && is_nan(jacobi_E_incomplete(1, m)));
         CHECK(is_nan(jacobi_E_incomplete_m1(1, m1)) && is_nan(jacobi_Pi(half, m)) &&
               is_nan(jacobi_Pi_m1(half, m1)));
+        CHECK(is_nan(jacobi_D(m)) && is_nan(jacobi_D_m1(m1)) && is_nan(jacobi_D_incomplete(1, m)) &&
+              is_nan(jacobi_D_incomplete_m1(1, m1)));
         CHECK(is_nan(jacobi_Pi_incomplete(1, half, m)) && is_nan(jacobi_Pi_incomplete_m1(1, half, m1)));
         CHECK(is_nan(jacobi_inverse_sn(half, m)) && is_nan(jacobi_inverse_sn(m, half)));
         CHECK(is_nan(jacobi_inverse_cn(half, m)) && is_nan(jacobi_inverse_cn(m, half)));
@@ -354,6 +381,7 @@ static void test_domain(void)
         CHECK(is_nan(jacobi_inverse_dn_m1(half, m1)) && is_nan(jacobi_RF(m1, 1, 2)) && is_nan(jacobi_RG(m1, 1, 2)));
         CHECK(is_nan(jacobi_RC(m1, 1)) && is_nan(jacobi_RD(m1, 1, 2)) && is_nan(jacobi_RJ(1, 2, m1, 3)));
     }
+    CHECK(is_nan(jacobi_D_incomplete(VM_NAN, half)) && is_nan(jacobi_D_incomplete(VM_NAN, 2)));
     CHECK(is_nan(jacobi_F(VM_NAN, half)) && is_nan(jacobi_E_incomplete(VM_NAN, half)) &&
           is_nan(jacobi_Pi(VM_NAN, half)));
     CHECK(is_nan(jacobi_Pi_incomplete(VM_NAN, half, half)) && is_nan(jacobi_Pi_incomplete(1, VM_NAN, half)));
@@ -363,6 +391,40 @@ static void test_domain(void)
     CHECK(is_nan(sn) && is_nan(cn) && is_nan(dn));
     jacobi_sncndn_any(VM_INFINITY, 2, &sn, &cn, &dn);
     CHECK(is_nan(sn) && is_nan(cn) && is_nan(dn));
+}
+
+/* m > 1: F leads back to u by the amplitude's sine, (F - E)/m is D, the integrals are odd, they have a value at
+   arcsin(1/k), K(1/m)/k for F, and none beyond. Each step of phi there moves F by the slope of F, which is 1/dn. */
+static void test_integrals_above_one(void)
+{
+    int i;
+    for (i = 0; i < 4000; i++) {
+        const vm_real m = R(1 + pow(10, uniform(by_precision(-12, -5), 3)));
+        const double end = atan(1 / sqrt((double)m - 1)); /* arcsin(1/k), exact next to pi/2 too */
+        const vm_real phi = R(end * uniform(0.001, 0.98)), n = R(uniform(-3, 1)), beyond = R(end + 8 * eps * (1 + end));
+        const vm_real F = jacobi_F(phi, m), E = jacobi_E_incomplete(phi, m), P = jacobi_Pi_incomplete(phi, n, m);
+        const double size = (double)phi, slope = 1 / sqrt(1 - (double)m * sin(size) * sin(size));
+        vm_real sn, cn, dn;
+        jacobi_sncndn_any(F, m, &sn, &cn, &dn);
+        check_error("sn(F(phi)) = sin phi", "m > 1", "eps", ERROR_EPS(sn, sin(size), 0, sin(size) * slope), 16, size,
+                    (double)m);
+        CHECK(E > 0 && E <= phi * (1 + 8 * VM_EPSILON) && F * (1 + 8 * VM_EPSILON) >= phi);
+        CHECK(jacobi_F(-phi, m) == -F && jacobi_E_incomplete(-phi, m) == -E && jacobi_Pi_incomplete(-phi, n, m) == -P);
+        check_error("D = (F - E)/m", "m > 1", "eps",
+                    ERROR_EPS((double)m * (double)jacobi_D_incomplete(phi, m), (double)F - (double)E, 0, (double)F), 16,
+                    size, (double)m);
+        CHECK(is_nan(jacobi_F(beyond, m)) && is_nan(jacobi_E_incomplete(-beyond, m)) &&
+              is_nan(jacobi_D_incomplete(beyond, m)) && is_nan(jacobi_Pi_incomplete(beyond, n, m)));
+    }
+    for (i = 0; i <= 8; i++) { /* the largest angles for which there are values, for m = 2 and 4 */
+        const double end = asin(i % 2 ? 0.5 : sqrt(0.5)), m = i % 2 ? 4 : 2, before = end * (1 - (1 + i) * eps);
+        const double slack = sqrt(2 * (1 + i) * eps * end) + 16 * eps;
+        const double K = (double)jacobi_K(R(1 / m)) / sqrt(m), F = (double)jacobi_F(R(before), R(m));
+        CHECK(F <= K * (1 + 8 * eps) && F >= K - 2 * slack);
+    }
+    CHECK(is_nan(jacobi_F(VM_NAN, 2)) && is_nan(jacobi_F(VM_INFINITY, 2)) && is_nan(jacobi_F(R(1.6), R(1.0625))));
+    CHECK(jacobi_F(0, 2) == 0 && jacobi_E_incomplete(0, 2) == 0 && jacobi_Pi_incomplete(0, 3, 2) == 0);
+    CHECK(is_nan(jacobi_Pi_incomplete(R(0.1), VM_INFINITY, 2)) && is_nan(jacobi_Pi_incomplete(R(0.1), VM_NAN, 2)));
 }
 
 /* For m <= 1 jacobi_sncndn_any is jacobi_sncndn. For m > 1 its values satisfy the two algebraic equations. */
@@ -398,5 +460,6 @@ int main(void)
     test_quotients();
     test_domain();
     test_any_parameter();
+    test_integrals_above_one();
     return check_finish("integrals");
 }

@@ -10,6 +10,7 @@
 #include "hard/stiffness.c"
 #include "hard/resonance.c"
 #include "hard/jumps.c"
+#include "hard/slow_oscillators.c"
 
 typedef struct hard_value {
     const char *kernel;
@@ -95,6 +96,7 @@ int main(void)
     GROUP("Stiffness", stiffness_cases);
     GROUP("Resonance", resonance_cases);
     GROUP("Ill-posed jumps", jumps_cases);
+    GROUP("Oscillators with slow mass", slow_oscillators_cases);
     printf("\n");
     return check_finish("hard");
 }

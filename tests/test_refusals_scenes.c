@@ -3,6 +3,7 @@
    that time. */
 #include "../varmass.h"
 #include "check.h"
+#include <limits.h>
 
 #define R(x) ((vm_real)(x))
 static const double eps = (double)VM_EPSILON;
@@ -155,6 +156,66 @@ static void test_switched_effect(void)
         g.events[0] = vm_then_switch(vm_event_at(1), k, 1);
         CHECK(vm_scene_check(&g.s, NULL) == (k == 0 ? VM_OK : VM_NO_SUCH_EFFECT));
     }
+}
+
+/* Of a range of effects each must be there, and its length cannot be negative. An empty range switches nothing. */
+static void test_switched_range(void)
+{
+    static const struct {
+        int first, n, status;
+    } cases[] = {{0, 2, VM_OK}, {1, 1, VM_OK}, {2, 0, VM_OK}, {1, 2, VM_NO_SUCH_EFFECT}, {-1, 2, VM_NO_SUCH_EFFECT},
+                 {3, 0, VM_NO_SUCH_EFFECT}, {1, INT_MAX, VM_NO_SUCH_EFFECT}, {0, -1, VM_BAD_ARGUMENT}};
+    static stage g;
+    int k;
+    for (k = 0; k < VM_LENGTH(cases); k++) {
+        set_stage(&g, 1, 2, 1);
+        g.bodies[0] = vm_scene_body_line(1, 0, 0);
+        g.effects[0] = vm_effect_gravity(0, 0, 1);
+        g.effects[1] = vm_effect_gravity(0, 0, 1);
+        g.events[0] = vm_then_switch_range(vm_event_at(1), cases[k].first, cases[k].n, 1);
+        CHECK(vm_scene_check(&g.s, NULL) == cases[k].status);
+    }
+}
+
+/* A list of actions is refused with the status of the first action that is wrong, and if it contains a list. */
+static void test_list_of_actions(void)
+{
+    const vm_event now = vm_event_at(1);
+    vm_event actions[2];
+    static stage g;
+    set_stage(&g, 1, 1, 1);
+    g.bodies[0] = vm_scene_body_line(1, 0, 0);
+    g.effects[0] = vm_effect_gravity(0, 0, 1);
+    actions[0] = vm_then_stop(now);
+    actions[1] = vm_then_switch(now, 0, 1);
+    g.events[0] = vm_then_all(now, actions, 2);
+    CHECK(vm_scene_check(&g.s, NULL) == VM_OK);
+    actions[1] = vm_then_switch(now, 1, 1);
+    CHECK(vm_scene_check(&g.s, NULL) == VM_NO_SUCH_EFFECT);
+    actions[0] = vm_then_attach_on_line(now, 0, 0);
+    CHECK(vm_scene_check(&g.s, NULL) == VM_SAME_BODY);
+    actions[0] = vm_then_user(now, NULL, NULL);
+    CHECK(vm_scene_check(&g.s, NULL) == VM_BAD_ARGUMENT);
+    actions[0] = vm_then_all(now, actions, 2);
+    CHECK(vm_scene_check(&g.s, NULL) == VM_BAD_ARGUMENT);
+    g.events[0] = vm_then_all(now, actions, -1);
+    CHECK(vm_scene_check(&g.s, NULL) == VM_BAD_ARGUMENT);
+    g.events[0] = vm_then_all(now, NULL, 0);
+    CHECK(vm_scene_check(&g.s, NULL) == VM_BAD_ARGUMENT);
+}
+
+/* An event at a contact checks its point, whatever it does. */
+static void test_contact_of_an_event(void)
+{
+    static const vm_contact beside = {{1, 0, 0}, 0, {0, 0, 0}, {0, 1, 0}, 1, 0};
+    static stage g;
+    set_stage(&g, 2, 0, 1);
+    g.bodies[0] = vm_scene_body_point(1, zero, zero);
+    g.bodies[1] = vm_scene_body_point(1, zero, zero);
+    g.events[0] = vm_then_stop(vm_event_contact(0, &beside));
+    CHECK(vm_scene_check(&g.s, NULL) == VM_BAD_POINT);
+    g.events[0] = vm_then_attach(vm_event_contact(0, &beside), 0, 1);
+    CHECK(vm_scene_check(&g.s, NULL) == VM_BAD_POINT);
 }
 
 static void fixed_point(vm_real t, vm_vec3 *r, vm_vec3 *v, vm_vec3 *a, void *ctx)
@@ -821,6 +882,9 @@ int main(void)
 {
     test_spoiled_scenes();
     test_switched_effect();
+    test_switched_range();
+    test_list_of_actions();
+    test_contact_of_an_event();
     test_links_and_bands();
     test_bad_mass_laws();
     test_output();

@@ -1,5 +1,5 @@
-/* varmass.h, scenes: events. Events that only count, several at one instant, endless ones; and jumps of bodies of all
-   motions, against closed forms, the jumps of chapter 3 and the balances of momentum and energy. */
+/* varmass.h, scenes: events. Events that only count, several at one instant, lists of actions, endless ones; and jumps of
+   bodies of all motions, against closed forms, the jumps of chapter 3 and the balances of momentum and energy. */
 #include "stage_check.h"
 
 /* ---- Events that only count ---- */
@@ -422,8 +422,119 @@ static void check_axle_jump(void)
     balanced(&s, "axle jump", 10, 10);
 }
 
+/* ---- Lists of actions ---- */
+
+/* A body between three springs throws off a part at 1 s; a damper is switched on and two springs are switched off at the
+   same instant. With listed = 1 one event does all this, else four events do. */
+static void staging(stage *s, int listed, vm_event *actions)
+{
+    vm_body part = part_of(0.5, 0);
+    const vm_event now = vm_event_position(0, 0, REAL(0.5), 1);
+    int i;
+    part.v.x = -1;
+    stage_clear(s, 3);
+    stage_body(s, vm_scene_body_line(2, 0, 1));
+    stage_body(s, vm_scene_body_absent(vm_scene_body_line(1, 0, 0)));
+    for (i = 1; i < 4; i++) stage_effect(s, vm_effect_linear_spring(0, 0, VM_GROUND, 0, (vm_real)i, REAL(0.25)));
+    stage_effect(s, vm_effect_damper(0, 0, VM_GROUND, 0, 1));
+    s->effects[3].off = 1;
+    actions[0] = vm_then_switch_range(now, 1, 2, 1);
+    actions[1] = vm_then_separate_on_line(now, 0, 1, &part, 1);
+    actions[2] = vm_then_switch(now, 3, 0);
+    if (listed) {
+        stage_event(s, vm_then_all(now, actions, 3));
+        return;
+    }
+    stage_event(s, vm_then_switch(now, 1, 1));
+    stage_event(s, vm_then_switch(now, 2, 1));
+    stage_event(s, actions[1]);
+    stage_event(s, actions[2]);
+}
+
+/* A list of actions leaves the same bits as the events that do its actions one by one. A second start begins anew. */
+static void check_list(void)
+{
+    vm_event actions[3];
+    vm_real apart[STAGE_STATE];
+    stage s;
+    int again;
+    staging(&s, 0, actions);
+    begin(&s);
+    run(&s, 3, VM_OK);
+    memcpy(apart, s.y, sizeof apart);
+    staging(&s, 1, actions);
+    for (again = 0; again < 2; again++) {
+        begin(&s);
+        run(&s, 3, VM_OK);
+        CHECK(s.events[0].count == 1 && memcmp(apart, s.y, (size_t)vm_scene_size(&s.scene) * sizeof *s.y) == 0);
+        CHECK(s.effects[0].idle == 0 && s.effects[1].idle && s.effects[2].idle && s.effects[3].idle == 0);
+        balanced(&s, "list", 1, 1);
+    }
+}
+
+/* An action that stops the run lets the following ones happen; an error ends the list, and is what the run returns. */
+static void check_list_ends(void)
+{
+    const vm_event now = vm_event_at(1);
+    vm_event actions[4];
+    int order = 0;
+    note one, two;
+    stage s;
+    one.order = two.order = &order;
+    one.number = 1;
+    two.number = 2;
+    stage_clear(&s, 2);
+    stage_body(&s, vm_scene_body_line(1, -1, 1));
+    stage_body(&s, vm_scene_body_absent(vm_scene_body_line(1, 0, 0)));
+    actions[0] = vm_then_stop(now);
+    actions[1] = vm_then_user(now, take_down, &one);
+    actions[2] = vm_then_attach_on_line(now, 0, 1);
+    actions[3] = vm_then_user(now, take_down, &two);
+    stage_event(&s, vm_then_all(now, actions, 2));
+    begin(&s);
+    run(&s, 2, VM_STOPPED);
+    CHECK(s.t == 1 && order == 1);
+    run(&s, 2, VM_OK);
+    s.events[0] = vm_then_all(now, actions, 4);
+    begin(&s);
+    run(&s, 2, VM_IS_AWAY);
+    CHECK(s.t == 1 && order == 11);
+    s.events[0] = vm_then_all(now, actions, 0); /* an empty list does nothing */
+    begin(&s);
+    run(&s, 2, VM_OK);
+    CHECK(s.events[0].count == 1);
+}
+
+/* A landing takes its contact from its event, in a list, too: the body falls 1 m and stays on the ground. */
+static void check_landing_in_list(void)
+{
+    const vm_vec3 zero = {0, 0, 0};
+    vm_contact ground = {{0, 0, 0}, 0, {0, 0, 0}, {0, 1, 0}, 1e4, 100};
+    vm_event touch, actions[2];
+    stage s;
+    stage_clear(&s, 1);
+    stage_body(&s, vm_scene_body_point(1, stage_vec(0, 1, 0), zero));
+    stage_effect(&s, vm_effect_gravity(0, 1, REAL(-9.81)));
+    stage_effect(&s, vm_effect_contact(0, &ground));
+    s.effects[1].off = 1;
+    touch = vm_event_contact(0, &ground);
+    actions[0] = vm_then_land(touch);
+    actions[1] = vm_then_switch(touch, 1, 0);
+    stage_event(&s, vm_then_all(touch, actions, 2));
+    s.events[0].most = 1;
+    begin(&s);
+    run(&s, 3, VM_OK);
+    agrees("landing", "time", s.events[0].time, sqrt(2 / 9.81), 1, 1e-10);
+    agrees("landing", "depth", s.y[1], -9.81 / 1e4, 1, 1e-8);
+    agrees("landing", "v", s.y[4], 0, 1, 1e-8);
+    balanced(&s, "landing", 10, 10);
+}
+
 int main(void)
 {
+    check_list();
+    check_list_ends();
+    check_landing_in_list();
     check_counting();
     check_counted_motion();
     check_most();

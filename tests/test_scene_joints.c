@@ -748,8 +748,54 @@ static void check_point_at(void)
     CHECK(r.x != r.x);
 }
 
+/* A spring from the point ctx of body 0 to the origin, written by a user */
+static void own_spring(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *scene)
+{
+    const vm_vec3 *at = (const vm_vec3 *)e->ctx;
+    vm_vec3 r, v;
+    (void)t;
+    vm_scene_point_at(scene, e->body, *at, y, &r, &v);
+    vm_scene_push_at(scene, e->body, *at, y, vm_scale(-40, r));
+}
+
+/* Bodies of all motions move under a spring that a user writes as under vm_effect_point_spring. */
+static void check_push_at(void)
+{
+    vm_point_spring spring = {{REAL(0.3), REAL(-0.2), 0}, {0, 0, 0}, 40, 0, 0};
+    const vm_body free_body = probe();
+    vm_real wanted[STAGE_STATE];
+    stage s;
+    int own, motion, k;
+    for (motion = 0; motion < 8; motion++) {
+        own = motion & 1;
+        stage_clear(&s, 3);
+        if (motion / 2 == 0) stage_body(&s, vm_scene_body_line(2, 1, 1));
+        if (motion / 2 == 1) stage_body(&s, vm_scene_body_axle(2, REAL(0.5), 1));
+        if (motion / 2 == 2) stage_body(&s, vm_scene_body_plane(2, 1, stage_vec(1, 2, 0), 1, stage_vec(1, 0, 0), 2));
+        if (motion / 2 == 3) stage_body(&s, vm_scene_body_free(&free_body));
+        if (own) stage_effect(&s, vm_effect_custom(0, VM_GROUND, own_spring, &spring.at));
+        else stage_effect(&s, vm_effect_point_spring(0, VM_GROUND, &spring));
+        begin(&s);
+        run(&s, 3, VM_OK);
+        for (k = 0; k < vm_scene_size(&s.scene) - VM_BUDGET_STATES; k++) {
+            if (own) agrees("pushed", "state", s.y[k], (double)wanted[k], 1 + fabs((double)wanted[k]), 1e-9);
+            else wanted[k] = s.y[k];
+        }
+        balanced(&s, "pushed", 10, 100);
+    }
+    s.scene.status = VM_OK;
+    vm_scene_push_at(&s.scene, VM_GROUND, origin, s.y, origin);
+    CHECK(s.scene.status == VM_OK);
+    vm_scene_push_at(&s.scene, 1, origin, s.y, origin);
+    CHECK(s.scene.status == VM_NO_SUCH_BODY);
+    vm_scene_push_at(&s.scene, 0, origin, NULL, origin);
+    CHECK(s.scene.status == VM_BAD_ARGUMENT);
+    vm_scene_push_at(NULL, 0, origin, s.y, origin);
+}
+
 int main(void)
 {
+    check_push_at();
     check_refused_joints();
     check_refused_velocity();
     check_refused_lists();

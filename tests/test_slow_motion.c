@@ -416,6 +416,71 @@ static void test_size(void)
     check_error("order 5", "error > 1e-9", "%", 100. * larger / count, 5, larger, count);
 }
 
+/* The largest error of x by order five at the four times of a case, relative to the amplitude */
+static double largest_error_of_x(const slow_case *s)
+{
+    const vm_osc_problem o = problem_of(&s->c);
+    vm_osc_plan plan;
+    double worst = 0;
+    int i;
+    CHECK(vm_osc_plan_init(&plan, &o) == VM_OK);
+    for (i = 0; i < TIMES; i++) {
+        vm_osc_motion m = {0, 0, 0, 0, 0, 0};
+        CHECK(vm_osc_plan_by_route(&plan, VM_ROUTE_ORDER5, R(slow_time(s, i)), 0, &m) == VM_OK);
+        m.v = R(s->v[i]); /* its error does not count here */
+        worst = fmax(worst, slow_error(s, &o, i, &m));
+    }
+    return worst;
+}
+
+/* The largest of the relative changes of mass, stiffness and momentum (by damping) in a vibration of amplitude A at t */
+static double change_at(const vm_osc_problem *o, double t, double A)
+{
+    const double alpha = (double)o->alpha;
+    vm_real m = 1, m_rate = 0, k = 1, k_rate = 0;
+    double fastest, W;
+    law(&o->mass, R(t), &m, &m_rate);
+    law(&o->stiffness, R(t), &k, &k_rate);
+    fastest = fmax(fabs((double)(m_rate / m)), fmax(fabs((double)(k_rate / k)), fabs((double)(o->damping / m))));
+    W = sqrt((alpha + 1) / 2 * (double)(k / m)) * pow(A, (alpha - 1) / 2);
+    return fastest * 2 * (double)ateb_pi(o->alpha) / W;
+}
+
+/* The larger change within a vibration of those at the start and at T */
+static double change_of(const slow_case *s)
+{
+    const vm_osc_problem o = problem_of(&s->c);
+    vm_osc_plan plan;
+    vm_osc_motion end = {0, 0, 0, 0, 0, 0};
+    CHECK(vm_osc_plan_init(&plan, &o) == VM_OK);
+    CHECK(vm_osc_plan_by_route(&plan, VM_ROUTE_ORDER5, R(s->c.T), 0, &end) == VM_OK);
+    return fmax(change_at(&o, 0, (double)plan.A), change_at(&o, s->c.T, (double)end.amplitude));
+}
+
+/* Random problems at the rate 0.01, as in section 5 of docs/law.md. Where mass, stiffness and damping change the motion
+   by at most 20 % within a vibration, which is so in five problems of six, the error of x is below 1e-9 A in 98 %. Of all
+   problems together it is in 90 %: the others are not slow. */
+static void test_campaign(void)
+{
+    double error[COUNT(slow_campaign)];
+    int i, slow = 0, larger = 0, slow_and_larger = 0;
+    if (is_float) return;
+    CHECK(COUNT(slow_campaign) == 200);
+    for (i = 0; i < COUNT(slow_campaign); i++) {
+        const int is_slow = change_of(slow_campaign + i) <= 0.2;
+        error[i] = largest_error_of_x(slow_campaign + i);
+        slow += is_slow;
+        larger += error[i] > 1e-9;
+        slow_and_larger += is_slow && error[i] > 1e-9;
+        if (is_slow) check_error("campaign", "slow, error", "A", error[i], 1e-7, i, slow_campaign[i].c.alpha);
+        else check_error("campaign", "others, error", "A", error[i], 1e-3, i, slow_campaign[i].c.alpha);
+    }
+    check_error("campaign", "not slow", "%", 100. - 100. * slow / COUNT(slow_campaign), 20, slow, 0);
+    check_error("campaign", "slow, > 1e-9", "%", 100. * slow_and_larger / slow, 2, slow_and_larger, slow);
+    check_error("campaign", "all, > 1e-9", "%", 100. * larger / COUNT(slow_campaign), 10, larger, 0);
+    check_error("campaign", "median", "A", median(error, COUNT(slow_campaign)), 1e-12, 0, 0);
+}
+
 /* ---- Solved motions ---- */
 
 static void test_solved(void)
@@ -519,6 +584,7 @@ int main(void)
     test_action();
     test_estimates();
     test_size();
+    test_campaign();
     test_solved();
     test_closed();
     return check_finish("slow_motion");

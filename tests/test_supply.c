@@ -2,6 +2,7 @@
    Oracles: sums over particles, the identities of moments about a fixed point, differences of the cubic polynomials,
    the body that vm_flow_rhs integrates, vm_flow_rhs itself for a scene. */
 #include "streams.h"
+#include "data/supply_table.h"
 
 static vm_supply some_supply(int kind)
 {
@@ -325,8 +326,70 @@ static void test_refusals(void)
     refuse(s, 1, VM_NOT_FINITE);
 }
 
+/* The largest of n errors, in eps of `scale`; the references are in 20 digits */
+static double worst_of(int n, const vm_real *got, const double *wanted, double scale)
+{
+    double worst = 0;
+    int i;
+    for (i = 0; i < n; i++) worst = fmax(worst, fabs((double)got[i] - wanted[i]) / (scale * (double)VM_EPSILON));
+    return worst;
+}
+
+/* Fills got[6] with the entries of a tensor, and returns the largest of those that are wanted. */
+static double entries(const vm_inertia *i, const double *wanted, vm_real *got)
+{
+    double largest = 0;
+    int k;
+    got[0] = i->xx;
+    got[1] = i->yy;
+    got[2] = i->zz;
+    got[3] = i->xy;
+    got[4] = i->xz;
+    got[5] = i->yz;
+    for (k = 0; k < 6; k++) largest = fmax(largest, fabs(wanted[k]));
+    return largest;
+}
+
+/* Errors against 40 digits, from 2^-20 of the full mass to 1 - 2^-20 of it: at most 8 eps of |at| + length, of the
+   largest entry of a tensor, and of the rate. */
+static void test_against_digits(void)
+{
+    int k;
+    for (k = 0; k < VM_LENGTH(supply_table); k++) {
+        const double *in = supply_table[k].in, *out = supply_table[k].out;
+        const double rate = sqrt(out[4] * out[4] + out[5] * out[5] + out[6] * out[6]);
+        const double size = fabs(in[0]) + fabs(in[1]) + fabs(in[2]) + in[6];
+        vm_supply s;
+        vm_supply_left left;
+        vm_real got[6];
+        double largest;
+        s.kind = supply_table[k].kind;
+        s.at = vector(in[0], in[1], in[2]);
+        s.axis = vector(in[3], in[4], in[5]);
+        s.length = R(in[6]);
+        s.radius = R(in[7]);
+        s.bore = R(in[8]);
+        s.full = R(in[9]);
+        CHECK(vm_supply_at(&s, R(in[10]), &left) == VM_OK);
+        check_error("digits", "size", "eps", worst_of(1, &left.size, out, out[0]), 8, s.kind, in[10]);
+        vmi_set3(got, left.centre);
+        check_error("digits", "centre", "eps", worst_of(3, got, out + 1, size), 8, s.kind, in[10]);
+        vmi_set3(got, left.centre_by_mass);
+        check_error("digits", "centre by mass", "eps", worst_of(3, got, out + 4, rate > 0 ? rate : 1), 8, s.kind, in[10]);
+        largest = entries(&left.inertia, out + 7, got);
+        check_error("digits", "inertia", "eps", worst_of(6, got, out + 7, largest), 8, s.kind, in[10]);
+        largest = entries(&left.inertia_by_mass, out + 13, got);
+        check_error("digits", "inertia by mass", "eps", worst_of(6, got, out + 13, largest), 8, s.kind, in[10]);
+        vmi_set3(got, left.store.at);
+        check_error("digits", "store", "eps", worst_of(3, got, out + 19, size), 8, s.kind, in[10]);
+        largest = entries(&left.store.gyration, out + 22, got);
+        check_error("digits", "gyration", "eps", worst_of(6, got, out + 22, largest), 8, s.kind, in[10]);
+    }
+}
+
 int main(void)
 {
+    test_against_digits();
     int kind;
     for (kind = VM_TANK_OF_LIQUID; kind <= VM_GRAIN; kind++) {
         test_particles(kind);

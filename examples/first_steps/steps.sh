@@ -7,7 +7,7 @@ mkdir -p "$build" || exit 1
 {
     echo '# First steps'
     echo
-    echo 'Fourteen programs of less than 60 lines each, from a spring with a leaking mass to a sounding rocket.'
+    echo "$(ls examples/first_steps/*.c | wc -l) programs of less than 60 lines each, from a spring with a leaking mass to a satellite whose tank is filled."
     echo 'Written by `make first-steps`, which builds, runs and draws them; each is also one compiler line, which stands in it.'
     echo 'Numbers in round brackets are equations of the dissertation.'
 } >"$doc"

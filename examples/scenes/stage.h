@@ -6,7 +6,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-enum { STAGE_BODIES = 4, STAGE_EFFECTS = 8, STAGE_EVENTS = 6, STAGE_STATE = 60 };
+enum { STAGE_BODIES = 4, STAGE_EFFECTS = 12, STAGE_EVENTS = 6, STAGE_STATE = 60 };
 
 typedef struct stage {
     vm_scene scene;

@@ -235,14 +235,51 @@ typedef struct VM_TAG(vmi_carlson_scale) {
     vm_real factor, root;
 } vmi_carlson_scale;
 
-/* Returns the scale for the largest of the arguments, a finite number > 0. */
+/* Returns the scale for the largest of the arguments, a finite number > 0. A subnormal number is not brought to 1,
+   since the factor would overflow; the product is at least eps. */
 VM_API vmi_carlson_scale vmi_carlson_scale_of(vm_real largest)
 {
-    const int exponent = (int)(vmi_to_bits(largest) >> VMI_STORED_DIG) - VMI_BIAS, half = (exponent - 1) / 2;
+    const int exponent = (int)(vmi_to_bits(largest) >> VMI_STORED_DIG) - VMI_BIAS;
+    const int half = exponent < 1 - VMI_BIAS ? -(VMI_BIAS / 2) : (exponent - 1) / 2;
     vmi_carlson_scale scale;
     scale.factor = vmi_ldexp(1, -2 * half);
     scale.root = vmi_ldexp(1, -half);
     return scale;
+}
+
+/* Returns R_F(x, y, z), and weight R_D(x, y, z)/3 in *third, for arguments of any size, of which the largest is
+   `top`. R_D itself may overflow or underflow if its product with the weight does not. */
+VM_API vm_real vmi_rf_rd_weighted(vm_real x, vm_real y, vm_real z, vm_real top, vm_real weight, vm_real *third)
+{
+    vmi_carlson_scale by;
+    vm_real rf, rd;
+    if (top > VM_EPSILON && top < 1 / VM_EPSILON) {
+        rf = vmi_rf_rd(x, y, z, &rd);
+        *third = weight * rd * VM_C(0.3333333333333333333);
+        return rf;
+    }
+    by = vmi_carlson_scale_of(top);
+    rf = vmi_rf_rd(by.factor * x, by.factor * y, by.factor * z, &rd);
+    *third = by.root * (by.root * weight) * (by.root * rd) * VM_C(0.3333333333333333333);
+    return by.root * rf;
+}
+
+/* Returns R_F(x, y, z), and weight R_J(x, y, z, p)/3 in *third, for arguments of any size, of which the largest is
+   `top`. R_J itself may overflow or underflow if its product with the weight does not. */
+VM_API vm_real vmi_rf_rj_weighted(vm_real x, vm_real y, vm_real z, vm_real p, vm_real top, vm_real weight,
+                                  vm_real *third)
+{
+    vmi_carlson_scale by;
+    vm_real rf, rj;
+    if (top > VM_EPSILON && top < 1 / VM_EPSILON) {
+        rf = vmi_rf_rj(x, y, z, p, &rj);
+        *third = weight * (rj * VM_C(0.3333333333333333333));
+        return rf;
+    }
+    by = vmi_carlson_scale_of(top);
+    rf = vmi_rf_rj(by.factor * x, by.factor * y, by.factor * z, by.factor * p, &rj);
+    *third = by.root * (by.root * weight) * (by.root * rj) * VM_C(0.3333333333333333333);
+    return by.root * rf;
 }
 
 /* Is 1 if a positive argument is so much smaller than the largest one that the scale makes it subnormal or 0 */
@@ -266,6 +303,15 @@ VM_API vm_real vmi_carlson_limit(int zeros, int infinite)
     return 0;
 }
 
+/* R_F for a largest argument so great that sums would overflow. One duplication is made here, in quarters, which leaves
+   no argument small; then all are divided by 16. */
+VM_API vm_real vmi_rf_huge(vm_real x, vm_real y, vm_real z)
+{
+    const vm_real a = VM_SQRT(x) / 2, b = VM_SQRT(y) / 2, c = VM_SQRT(z) / 2;
+    const vm_real lambda = a * (b / 16 + c / 16) + b / 16 * c;
+    return VM_C(0.25) * vmi_rf(x / 64 + lambda, y / 64 + lambda, z / 64 + lambda);
+}
+
 /* R_F(x, y, z), Carlson's integral of the first kind, for x, y, z >= 0. It is symmetric in all three. The error is at
    most 8 ulp. R_F is infinite if two arguments are 0, 0 if one is infinite, and NaN if one is negative. K(m) is R_F(0,
    1 - m, 1), and F(phi | m) is s R_F(1 - s^2, 1 - m s^2, 1) with s = sin phi. DLMF 19.16.1. */
@@ -273,10 +319,13 @@ VM_API vm_real jacobi_RF(vm_real x, vm_real y, vm_real z)
 {
     const vm_real largest = vmi_larger(vmi_larger(x, y), z);
     const int zeros = vmi_two_zeros(x, y, z), infinite = !VM_IS_FINITE(largest);
+    vmi_carlson_scale by;
     if (!vmi_carlson_allowed(x, y, z)) return VM_NAN;
     if (zeros || infinite) return vmi_carlson_limit(zeros, infinite);
-    if (largest <= 1) return vmi_rf(x, y, z);
-    return VM_C(0.25) * vmi_rf(x / 16, y / 16, z / 16); /* sums of the arguments do not overflow */
+    if (largest > VM_MAX / 64) return vmi_rf_huge(x, y, z);
+    if (largest > VM_MIN / vmi_fourth_power(VM_EPSILON)) return vmi_rf(x, y, z);
+    by = vmi_carlson_scale_of(largest); /* else products of two small arguments would lose digits */
+    return by.root * vmi_rf(by.factor * x, by.factor * y, by.factor * z);
 }
 
 /* R_C(x, y) = R_F(x, y, y), Carlson's elementary integral, for x >= 0 and any y. It is an arctangent for x < y and a

@@ -1,11 +1,12 @@
-/* jacobi/incomplete.h - incomplete elliptic integrals F, E and Pi, and the complete one of the third kind
+/* jacobi/incomplete.h - incomplete elliptic integrals F, E, D and Pi, and the complete D and Pi
 
      F(phi | m)     = integral from 0 to phi of dx/sqrt(1 - m sin^2 x), the inverse of the amplitude am(u | m)
      E(phi | m)     = integral of sqrt(1 - m sin^2 x) dx
+     D(phi | m)     = integral of sin^2 x dx/sqrt(1 - m sin^2 x), which is (F - E)/m
      Pi(n; phi | m) = integral of dx/((1 - n sin^2 x) sqrt(1 - m sin^2 x)), where n is the characteristic
-   All three integrals are from 0 to phi. The angle phi is any number of radians, and m = k^2 <= 1. F is the time in
-   which a pendulum reaches an angle, E the length of an arc of an ellipse, Pi the precession of a spherical pendulum or
-   a top.
+   All integrals are from 0 to phi. For m = k^2 <= 1 the angle phi is any number of radians; for m > 1 it lies between
+   -arcsin(1/k) and arcsin(1/k), where the roots are real (jacobi/above_one.h). F is the time in which a pendulum
+   reaches an angle, E the length of an arc of an ellipse, Pi the precession of a spherical pendulum or a top.
 
        vm_real u = jacobi_F(VM_C(1.2), VM_C(0.5)); // am(u | 0.5) = 1.2
 
@@ -20,6 +21,7 @@
 #include "../base/real.h"
 #include "../base/sums.h"
 #include "../base/words.h"
+#include "above_one.h"
 #include "carlson.h"
 #include "integrals.h"
 
@@ -65,7 +67,8 @@ VM_INLINE vmi_angle vmi_angle_of(vm_real phi)
     return angle;
 }
 
-/* Is 1 if an integral from 0 to phi has no ordinary value: if phi or m1 is infinite or NaN, or if m1 < 0 */
+/* Is 1 if an integral from 0 to phi for m <= 1 has no ordinary value: if phi or m1 is infinite or NaN, or if m1 < 0.
+   The case m1 < 0 belongs to jacobi/above_one.h. */
 VM_INLINE int vmi_incomplete_special(vm_real phi, vm_real m1)
 {
     return !(VM_IS_FINITE(phi) && m1 >= 0 && VM_IS_FINITE(m1));
@@ -76,6 +79,7 @@ VM_API vm_real vmi_F(vm_real phi, vm_real m1, vm_real m1_lo)
 {
     vmi_angle angle;
     vm_real cc, ss, part;
+    if (m1 < 0) return vmi_F_above(phi, vmi_two(m1, m1_lo));
     if (vmi_incomplete_special(phi, m1)) {
         if (!(m1 >= 0) || phi != phi) return VM_NAN;
         if (VM_IS_FINITE(phi)) return 0 * phi; /* m is -infinity */
@@ -90,30 +94,30 @@ VM_API vm_real vmi_F(vm_real phi, vm_real m1, vm_real m1_lo)
     return angle.turns * vmi_K(m1, m1_lo) + part;
 }
 
-/* F(phi | m), the incomplete elliptic integral of the first kind, for m <= 1. It is the inverse of the amplitude, odd
-   in phi, and F(phi + pi) = F(phi) + 2K. The error is at most 8 ulp for |phi| <= 1e9 (float 1e4). Returns phi for
-   infinite phi, 0 for m = -infinity, and NaN for m > 1 and where both are infinite. For m = 1 it is infinite beyond
-   pi/2. docs/cost.md has the time. DLMF 19.2.4, 19.25.5. */
+/* F(phi | m), the incomplete elliptic integral of the first kind. It is the inverse of the amplitude. It is odd in phi,
+   and for m <= 1 F(phi + pi) = F(phi) + 2K. The error is at most 8 ulp for |phi| <= 1e9 (float 1e4). Returns phi for
+   infinite phi, 0 for m = -infinity, and NaN where both are infinite. For m = 1 it is infinite beyond pi/2. For m > 1
+   it is NaN where m sin^2 phi > 1, beyond pi/2, and for infinite m. docs/cost.md has the time. DLMF 19.2.4, 19.25.5. */
 VM_API vm_real jacobi_F(vm_real phi, vm_real m)
 {
     const vm_two m1 = vmi_two_sum(1, -m);
     return vmi_F(phi, m1.hi, m1.lo);
 }
 
-/* F(phi | m) from the complementary parameter m1 = 1 - m >= 0.
+/* F(phi | m) from the complementary parameter m1 = 1 - m.
    Domain and accuracy are those of jacobi_F; m1 keeps its digits where m is close to 1. */
 VM_API vm_real jacobi_F_m1(vm_real phi, vm_real m1) { return vmi_F(phi, m1, 0); }
 
-/* E(theta | m) for |theta| <= pi/2, from the sine and the cosine of theta. Both m and m1 = 1 - m are arguments, so that
-   each has all its digits. There is one formula for m < 0 and one for m >= 0; all their terms are positive (DLMF
-   19.25.9-10). */
+/* E(theta | m) for |theta| <= pi/2 and m <= 1, from the sine and the cosine of theta. Both m and m1 = 1 - m are
+   arguments, so that each has all its digits. There is one formula for m < 0 and one for m >= 0; all their terms are
+   positive (DLMF 19.25.9-10). */
 VM_API vm_real vmi_E_part(vm_real s, vm_real c, vm_real m, vm_real m1)
 {
     const vm_real cc = c * c, ss = s * s, dd = cc + m1 * ss;
-    vm_real rf, rd;
+    vm_real rf, rd, third;
     if (m < 0) {
-        rf = vmi_rf_rd(cc, dd, 1, &rd);
-        return s * (rf - m * ss * rd * VM_C(0.3333333333333333333));
+        rf = vmi_rf_rd_weighted(cc, dd, 1, vmi_larger(dd, 1), m * ss, &third);
+        return s * (rf - third);
     }
     rf = vmi_rf_rd(cc, 1, dd, &rd);
     return s * (m1 * (rf + m * ss * rd * VM_C(0.3333333333333333333)) + m * (c / VM_SQRT(dd)));
@@ -124,6 +128,7 @@ VM_API vm_real vmi_E_incomplete(vm_real phi, vm_real m, vm_real m1, vm_real m1_l
 {
     vmi_angle angle;
     vm_real part;
+    if (m1 < 0) return vmi_E_above(phi, vmi_two(m1, m1_lo));
     if (vmi_incomplete_special(phi, m1)) {
         if (!(m1 >= 0) || phi != phi) return VM_NAN;
         if (phi == 0 || !VM_IS_FINITE(phi)) return phi;
@@ -135,35 +140,109 @@ VM_API vm_real vmi_E_incomplete(vm_real phi, vm_real m, vm_real m1, vm_real m1_l
     return angle.turns * vmi_E(m1, m1_lo) + part;
 }
 
-/* E(phi | m), the incomplete elliptic integral of the second kind, for m <= 1. It is odd in phi, and E(phi + pi) =
-   E(phi) + 2E(m). The error is at most 8 ulp for |phi| <= 1e9 (float 1e4). Returns phi for infinite phi, infinity
-   with the sign of phi for m = -infinity, and NaN for m > 1. docs/cost.md has the time. DLMF 19.2.5. */
+/* E(phi | m), the incomplete elliptic integral of the second kind. It is odd in phi, and for m <= 1 E(phi + pi) =
+   E(phi) + 2E(m). The error is at most 8 ulp for |phi| <= 1e9 (float 1e4). Returns phi for infinite phi, and infinity
+   with the sign of phi for m = -infinity. For m > 1 it is NaN where m sin^2 phi > 1, beyond pi/2, and for infinite m.
+   docs/cost.md has the time. DLMF 19.2.5. */
 VM_API vm_real jacobi_E_incomplete(vm_real phi, vm_real m)
 {
     const vm_two m1 = vmi_two_sum(1, -m);
     return vmi_E_incomplete(phi, m, m1.hi, m1.lo);
 }
 
-/* E(phi | m) from the complementary parameter m1 = 1 - m >= 0.
+/* E(phi | m) from the complementary parameter m1 = 1 - m.
    Domain and accuracy are those of jacobi_E_incomplete; m1 keeps its digits where m is close to 1. */
 VM_API vm_real jacobi_E_incomplete_m1(vm_real phi, vm_real m1) { return vmi_E_incomplete(phi, 1 - m1, m1, 0); }
 
-/* Returns R_F(x, y, z), and weight R_J(x, y, z, p)/3 in *third, for arguments of any size, of which the largest is
-   `top`. R_J itself may overflow or underflow if its product with the weight does not. */
-VM_API vm_real vmi_rf_rj_weighted(vm_real x, vm_real y, vm_real z, vm_real p, vm_real top, vm_real weight,
-                                  vm_real *third)
+/* Carlson's integrals of arguments so small that a product underflows, or so large that a sum overflows, lose digits.
+   Then all arguments are multiplied by the square of this factor, and the integral R_F, and R_D and R_J with a weight
+   that was multiplied likewise, by the factor. It is 1 for ordinary arguments, and above 1 only where m1 < 1. `least`
+   is about the smallest of the arguments. */
+VM_INLINE vm_real vmi_lift_of(vm_real least, vm_real m1)
 {
-    vmi_carlson_scale by;
-    vm_real rf, rj;
-    if (top > VM_EPSILON && top < 1 / VM_EPSILON) {
-        rf = vmi_rf_rj(x, y, z, p, &rj);
-        *third = weight * (rj * VM_C(0.3333333333333333333));
-        return rf;
+    if (m1 < 1 && least < VM_MIN / VM_EPSILON) return vmi_ldexp(1, VM_MANT_DIG > 24 ? 300 : 40);
+    if (m1 > VM_MAX * VM_EPSILON) return VM_EPSILON;
+    return 1;
+}
+
+/* D(theta | m) for 0 <= theta <= pi/2 and m <= 1, from s = sin theta and c = cos theta: s^3 R_D(c^2, 1 - m s^2, 1)/3 */
+VM_API vm_real vmi_D_part(vm_real s, vm_real c, vm_real m1)
+{
+    const vm_real cc = c * c, ss = s * s, d = cc + m1 * ss;
+    vm_real third;
+    vmi_rf_rd_weighted(cc, d, 1, vmi_larger(d, 1), ss, &third);
+    return s * third;
+}
+
+/* D(m) - D(theta | m) for 0 <= theta <= pi/2 and m <= 1, from s = sin theta and c = cos theta. With d = 1 - m s^2 it is
+   c (s/sqrt(d) + c^2 R_D(m1 s^2, m1, d)/3), a sum of positive terms. */
+VM_API vm_real vmi_D_complement(vm_real s, vm_real c, vm_real m1)
+{
+    const vm_real cc = c * c, ss = s * s, d = cc + m1 * ss, lift = vmi_lift_of(m1 * ss, m1), more = lift * lift;
+    const vm_real y = more * m1, z = more * d;
+    vm_real third;
+    vmi_rf_rd_weighted(y * ss, y, z, lift > 1 ? 1 : vmi_larger(z, y), more * cc, &third);
+    return c * (s / VM_SQRT(d) + lift * third);
+}
+
+/* D(m) for m1 = 1 - m */
+VM_API vm_real vmi_D(vm_real m1)
+{
+    if (!(m1 >= 0)) return VM_NAN;
+    if (m1 == 0) return VM_INFINITY;
+    if (!VM_IS_FINITE(m1)) return 0;
+    return vmi_D_part(1, 0, m1);
+}
+
+/* D(m) = (K(m) - E(m))/m, the complete elliptic integral D, for m <= 1. The error is at most 8 ulp for m >= -1e300
+   (float -1e30). D is pi/4 for m = 0, infinite for m = 1, 0 for m = -infinity, and NaN for m > 1. DLMF 19.2.8. */
+VM_API vm_real jacobi_D(vm_real m) { return vmi_D(1 - m); }
+
+/* D(m) from the complementary parameter m1 = 1 - m >= 0.
+   Domain and accuracy are those of jacobi_D; m1 keeps its digits where m is close to 1. */
+VM_API vm_real jacobi_D_m1(vm_real m1) { return vmi_D(m1); }
+
+/* D(phi | m) for 1 - m = m1 + m1_lo. For phi between pi/2 and pi the difference 2 D(m) - D(pi - phi | m) would triple
+   the errors. Therefore the result of vmi_D_complement is added to D(m) there. */
+VM_API vm_real vmi_D_incomplete(vm_real phi, vm_real m1, vm_real m1_lo)
+{
+    vmi_angle angle;
+    vm_real s, turns, sum;
+    if (m1 < 0) return vmi_D_above(phi, vmi_two(m1, m1_lo));
+    if (vmi_incomplete_special(phi, m1)) {
+        if (!(m1 >= 0) || phi != phi) return VM_NAN;
+        if (VM_IS_FINITE(phi)) return 0 * phi; /* m is -infinity */
+        if (VM_IS_FINITE(m1)) return phi;
+        return VM_NAN;
     }
-    by = vmi_carlson_scale_of(top);
-    rf = vmi_rf_rj(by.factor * x, by.factor * y, by.factor * z, by.factor * p, &rj);
-    *third = by.root * (by.root * weight) * (by.root * rj) * VM_C(0.3333333333333333333);
-    return by.root * rf;
+    angle = vmi_angle_of(VM_FABS(phi));
+    turns = angle.turns;
+    s = VM_FABS(angle.s);
+    if (turns == 0) sum = vmi_D_part(s, angle.c, m1);
+    else if (turns == 2 && angle.s < 0 && m1 > 0) sum = vmi_D(m1) + vmi_D_complement(s, angle.c, m1);
+    else sum = turns * vmi_D(m1) + VM_COPYSIGN(vmi_D_part(s, angle.c, m1), angle.s);
+    return VM_COPYSIGN(sum, phi);
+}
+
+/* D(phi | m) = (F(phi | m) - E(phi | m))/m, the incomplete integral of sin^2 x/sqrt(1 - m sin^2 x). No digits cancel,
+   not even for m = 0. It is odd in phi, and for m <= 1 D(phi + pi) = D(phi) + 2D(m). The error is at most 8 ulp for
+   |phi| <= 1e9 (float 1e4) and m >= -1e300 (float -1e30), unless phi^3 underflows. Returns phi for infinite phi, 0 for
+   m = -infinity, and NaN where both are infinite. For m = 1 it is infinite beyond pi/2. For m > 1 it is NaN where
+   m sin^2 phi > 1, beyond pi/2, and for infinite m. Its time is that of jacobi_E_incomplete. DLMF 19.2.6, 19.25.13. */
+VM_API vm_real jacobi_D_incomplete(vm_real phi, vm_real m)
+{
+    const vm_two m1 = vmi_two_sum(1, -m);
+    return vmi_D_incomplete(phi, m1.hi, m1.lo);
+}
+
+/* D(phi | m) from the complementary parameter m1 = 1 - m.
+   Domain and accuracy are those of jacobi_D_incomplete; m1 keeps its digits where m is close to 1. */
+VM_API vm_real jacobi_D_incomplete_m1(vm_real phi, vm_real m1) { return vmi_D_incomplete(phi, m1, 0); }
+
+/* 1 - m/n for n > 1 and m1 = 1 - m >= 0, computed in quarters so that no sum overflows */
+VM_INLINE vm_real vmi_share_below_pole(vm_real n, vm_real m1)
+{
+    return ((n - 1) * VM_C(0.25) + m1 * VM_C(0.25)) / (n * VM_C(0.25));
 }
 
 /* Pi(n; theta | m) for |theta| <= pi/2, from s = sin theta and c = cos theta, with 1 - m = m1. Let p = 1 - n s^2 and
@@ -189,16 +268,28 @@ VM_API vm_real vmi_Pi_part(vm_real s, vm_real c, vm_real n, vm_real m, vm_real m
         return s * (rf + third);
     }
     if (p == 0) return VM_COPYSIGN(VM_INFINITY, s);
-    q = cc + ((n - 1) + m1) / n * ss;
+    q = cc + vmi_share_below_pole(n, m1) * ss;
     vmi_rf_rj_weighted(cc, d, 1, q, top, m / n * ss, &third);
     return s * (vmi_rc(cc * d, p * q) - third);
+}
+
+/* Pi(n | m) for n < 0 and m1 = 1 - m > 0. Where -n is so large that (1 - m)/(1 - n) may underflow even after the lift,
+   Pi is (pi/2)/sqrt(1 - n) + K/(1 - n): the next term, -E/(1 - n), is far below an ulp there. */
+VM_API vm_real vmi_Pi_negative(vm_real n, vm_real m1)
+{
+    const vm_real lift = vmi_lift_of(m1 / (1 - n), m1), more = lift * lift, share = more * m1 / (1 - n);
+    vm_real rf, third;
+    if (lift > 1 && n < -1000 / (VM_EPSILON * VM_EPSILON))
+        return VM_PI / 2 / VM_SQRT(1 - n) + vmi_K(m1, 0) / (1 - n);
+    rf = vmi_rf_rj_weighted(0, more * m1, more, share, lift > 1 ? 1 : more * vmi_larger(m1, 1), share, &third);
+    return lift * (rf / (1 - n) + n / (n - 1) * third);
 }
 
 /* Pi(n | m), from both m and m1 = 1 - m. The cases are those of vmi_Pi_part for theta = pi/2. */
 VM_API vm_real vmi_Pi(vm_real n, vm_real m, vm_real m1)
 {
     const vm_real top = vmi_larger(m1, 1);
-    vm_real share, rf, third;
+    vm_real rf, third;
     if (!(m1 >= 0) || n != n) return VM_NAN;
     if (!VM_IS_FINITE(n) || !VM_IS_FINITE(m1)) {
         if (VM_IS_FINITE(n) && n < 1) return 0; /* m is -infinity */
@@ -207,21 +298,17 @@ VM_API vm_real vmi_Pi(vm_real n, vm_real m, vm_real m1)
     }
     if (n == 1) return VM_INFINITY;
     if (m1 == 0) return VM_COPYSIGN(VM_INFINITY, 1 - n);
-    if (n < 0) {
-        share = m1 / (1 - n);
-        rf = vmi_rf_rj_weighted(0, m1, 1, share, top, share, &third);
-        return rf / (1 - n) + n / (n - 1) * third;
-    }
+    if (n < 0) return vmi_Pi_negative(n, m1);
     if (n < 1) {
         rf = vmi_rf_rj_weighted(0, m1, 1, 1 - n, top, n, &third);
         return rf + third;
     }
-    vmi_rf_rj_weighted(0, m1, 1, ((n - 1) + m1) / n, top, m / n, &third);
+    vmi_rf_rj_weighted(0, m1, 1, vmi_share_below_pole(n, m1), top, m / n, &third);
     return 0 - third;
 }
 
 /* Pi(n | m), the complete elliptic integral of the third kind, for m <= 1. The characteristic n is any number. The
-   error is at most 8 ulp, unless (1 - m)/(1 - n) underflows. For n > 1 Pi is Cauchy's principal value. Pi is infinite
+   error is at most 8 ulp. For n > 1 Pi is Cauchy's principal value. Pi is infinite
    for n = 1, and for m = 1 with the sign of 1 - n. It is 0 for infinite n, and for m = -infinity with n < 1. It is NaN
    for m > 1. DLMF 19.2.8, 19.6.5. */
 VM_API vm_real jacobi_Pi(vm_real n, vm_real m) { return vmi_Pi(n, m, 1 - m); }
@@ -233,25 +320,30 @@ VM_API vm_real jacobi_Pi_m1(vm_real n, vm_real m1) { return vmi_Pi(n, 1 - m1, m1
 /* Pi(n | m) - Pi(n; theta | m) for n < 1 and 0 <= theta <= pi/2, from s = sin theta and c = cos theta. Let psi be the
    angle for which tan theta tan psi = 1/k', and N = (m - n)/(1 - n). Then the result is the integral from 0 to psi of
    (1 - m sin^2 x)/((1 - n)(1 - N sin^2 x)) dx/sqrt(1 - m sin^2 x). *exact becomes 1 if no digits cancel: for all
-   n <= 0, and for n > 0 if c^2 <= (1 - n) s^2. */
+   n <= 0, and for n > 0 if c^2 <= (1 - n) s^2; else the result is 0. */
 VM_API vm_real vmi_Pi_complement(vm_real s, vm_real c, vm_real n, vm_real m1, int *exact)
 {
-    const vm_real cc = c * c, ss = s * s, d = cc + m1 * ss, share = m1 / (1 - n);
+    const vm_real cc = c * c, ss = s * s, d = cc + m1 * ss;
+    const vm_real least = vmi_smaller(ss, 1 / (1 - n)) * m1, lift = vmi_lift_of(least, m1);
+    const vm_real more = lift * lift;
+    const vm_real y = more * m1, z = more * d, share = y / (1 - n), p = y * ss + share * cc;
     vm_real rf, third;
-    *exact = n <= 0 || share * cc <= m1 * ss;
-    rf = vmi_rf_rj_weighted(m1 * ss, m1, d, m1 * ss + share * cc, vmi_larger(d, m1), n * share * cc, &third);
-    return c * (rf - third) / (1 - n);
+    *exact = n <= 0 || share * cc <= y * ss;
+    if (!*exact) return 0; /* the result is not used */
+    rf = vmi_rf_rj_weighted(y * ss, y, z, p, lift > 1 ? 1 : vmi_larger(z, y), n * share * cc, &third);
+    return lift * (c * (rf - third) / (1 - n));
 }
 
-/* Pi(n; phi | m), from both m and m1 = 1 - m. For phi between pi/2 and pi, the difference 2 Pi(n | m) - Pi(n;
+/* Pi(n; phi | m) for 1 - m = m1 + m1_lo. For phi between pi/2 and pi, the difference 2 Pi(n | m) - Pi(n;
    pi - phi | m) would triple the errors. Therefore the result of vmi_Pi_complement is added to Pi(n | m) there. */
-VM_API vm_real vmi_Pi_incomplete(vm_real phi, vm_real n, vm_real m, vm_real m1)
+VM_API vm_real vmi_Pi_incomplete(vm_real phi, vm_real n, vm_real m, vm_real m1, vm_real m1_lo)
 {
     vmi_angle angle;
     vm_real part;
+    if (m1 < 0 && VM_IS_FINITE(n)) return vmi_Pi_above(phi, n, m, vmi_two(m1, m1_lo));
     if (vmi_incomplete_special(phi, m1) || !VM_IS_FINITE(n)) {
         const vm_real complete = vmi_Pi(n, m, m1);
-        if (!(m1 >= 0) || phi != phi || n != n) return VM_NAN;
+        if (!(m1 >= 0) || phi != phi || complete != complete) return VM_NAN;
         if (!VM_IS_FINITE(phi) && complete != 0) return VM_COPYSIGN(phi, phi * complete);
         if (VM_IS_FINITE(phi) && (complete == 0 || m1 == 0)) return 0 * phi;
         return VM_NAN;
@@ -268,22 +360,23 @@ VM_API vm_real vmi_Pi_incomplete(vm_real phi, vm_real n, vm_real m, vm_real m1)
     return angle.turns * vmi_Pi(n, m, m1) + part;
 }
 
-/* Pi(n; phi | m), the incomplete elliptic integral of the third kind, for m <= 1. The characteristic n is any number.
-   Pi is odd in phi, and Pi(phi + pi) = Pi(phi) + 2 Pi(n | m). The error is at most 8 ulp for n <= 1 and |phi| <= 1e9
-   (float 1e4), unless (1 - m)/(1 - n) underflows. For n > 1 Pi has poles where n sin^2 phi = 1. Beyond
-   the first pole Pi is Cauchy's principal value. For n > 1 the error is at most 16 eps max(|F|, |Pi|), plus the effect
-   of changing n by 4 ulp. The result is 0 for infinite n and for m = -infinity, and NaN for m > 1. docs/cost.md has the
-   time. DLMF 19.2.7. */
+/* Pi(n; phi | m), the incomplete elliptic integral of the third kind. The characteristic n is any number. Pi is odd in
+   phi, and for m <= 1 Pi(phi + pi) = Pi(phi) + 2 Pi(n | m). The error is at most 8 ulp for n <= 1 and |phi| <= 1e9
+   (float 1e4). For n > 1 Pi has poles where n sin^2 phi = 1. Beyond the first pole Pi is Cauchy's principal value. For
+   n > 1 the error is at most 16 eps max(|F|, |Pi|), plus the effect of changing n by 4 ulp. The result is 0 for
+   infinite n and m <= 1, and for m = -infinity. For m > 1 it is NaN where m sin^2 phi > 1, beyond pi/2, and for
+   infinite m or n. docs/cost.md has the time. DLMF 19.2.7. */
 VM_API vm_real jacobi_Pi_incomplete(vm_real phi, vm_real n, vm_real m)
 {
-    return vmi_Pi_incomplete(phi, n, m, 1 - m);
+    const vm_two m1 = vmi_two_sum(1, -m);
+    return vmi_Pi_incomplete(phi, n, m, m1.hi, m1.lo);
 }
 
-/* Pi(n; phi | m) from the complementary parameter m1 = 1 - m >= 0.
+/* Pi(n; phi | m) from the complementary parameter m1 = 1 - m.
    Domain and accuracy are those of jacobi_Pi_incomplete; m1 keeps its digits where m is close to 1. */
 VM_API vm_real jacobi_Pi_incomplete_m1(vm_real phi, vm_real n, vm_real m1)
 {
-    return vmi_Pi_incomplete(phi, n, 1 - m1, m1);
+    return vmi_Pi_incomplete(phi, n, 1 - m1, m1, 0);
 }
 
 #endif

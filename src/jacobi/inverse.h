@@ -64,7 +64,7 @@ VM_API vm_real jacobi_inverse_cn_m1(vm_real x, vm_real m1) { return vmi_inverse_
 
 /* The inverse of dn for 1 - m = m1 + m1_lo. With s = sn u and c = cn u, m s^2 is 1 - x^2 and m c^2 is x^2 - m1.
    x^2 - m1 is computed from the exact square of x. It may be negative if x is k' after rounding; then c is taken as
-   0. */
+   0, and s as 1. */
 VM_API vm_real vmi_inverse_dn(vm_real x, vm_real m, vm_real m1, vm_real m1_lo)
 {
     const vm_real bound = VM_SQRT(m1);
@@ -73,7 +73,7 @@ VM_API vm_real vmi_inverse_dn(vm_real x, vm_real m, vm_real m1, vm_real m1_lo)
     if (!(x >= vmi_smaller(bound, 1) && x <= vmi_larger(bound, 1)) || !(m1 >= 0)) return VM_NAN;
     if (x == 1) return 0;
     if (m1 == 0 && x == 0) return VM_INFINITY;
-    ss = (1 - x) * (1 + x) / m;
+    ss = vmi_smaller((1 - x) * (1 + x) / m, 1);
     cc = vmi_larger(((square.hi - m1) + (square.lo - m1_lo)) / m, 0);
     return VM_SQRT(ss) * vmi_rf(cc, square.hi, 1);
 }

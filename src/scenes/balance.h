@@ -31,7 +31,8 @@
 #include "start.h"
 #include "state.h"
 
-/* Indices of the sums of the budget among the VM_BUDGET_STATES numbers that it adds to the state */
+/* The budget adds VM_BUDGET_STATES numbers to the end of the state: sums over the time of the run. These are their
+   indices among the numbers of the budget; a vector takes three numbers. vm_budget in scene.h explains each sum. */
 enum {
     VMI_BUDGET_IMPULSE = 0,
     VMI_BUDGET_ANGULAR_IMPULSE = 3,
@@ -49,7 +50,9 @@ VM_INLINE void vmi_add3(vm_vec3 a, vm_real *sum)
     sum[2] += a.z;
 }
 
-/* Adds the load of a body to the rates of the budget's sums */
+/* Adds what the load of a body brings per second to the rates of the budget's sums: force, moment and power of the
+   effects, and momentum, angular momentum and energy of the streams. Reactive forces are left out of the first three,
+   because the momentum of the streams accounts for them. */
 VM_API void vmi_scene_enter_loads(const vm_scene_body *b, const vm_real *y, vm_real *rates)
 {
     const vm_load *load = &b->load;
@@ -67,8 +70,9 @@ VM_API void vmi_scene_enter_loads(const vm_scene_body *b, const vm_real *y, vm_r
     rates[VMI_BUDGET_MIXING] += load->mixing;
 }
 
-/* Adds the contribution of a body to the rates of the budget's sums. For a mass law M(v) the term dM/dv v' of the mass
-   rate is added only here, because v' is known only after all effects have added their forces. */
+/* Adds to the rates of the budget's sums what acts on a body and what streams bring to it. With a mass law M(v), where
+   v is the velocity, the mass also changes by dM/dv v' per second. The momentum and energy of this mass are added here
+   and not by the effect, because the acceleration v' is known only after all effects have added their forces. */
 VM_API void vmi_scene_enter(vm_scene_body *b, const vm_real *y, vm_real *rates)
 {
     vm_load *load = &b->load;

@@ -72,13 +72,13 @@ VM_API int vmi_scene_check_motions(const vm_scene *s, const vm_effect *e)
 
 VM_API int vmi_scene_check_parameters(const vm_scene_body *b, const vm_effect *e)
 {
-    const int own = e->check ? (e->check)(e) : VM_OK;
     int k;
     for (k = 0; k < VM_LENGTH(e->p); k++)
-        if (!VM_IS_FINITE(e->p[k])) return vmi_first_error(VM_NOT_FINITE, own);
+        if (!VM_IS_FINITE(e->p[k])) return VM_NOT_FINITE;
     if (e->needs >= VMI_NEEDS_MASS_STATE && !b->mass_is_state) return VM_MASS_IS_NO_STATE;
     if (e->needs >= VMI_NEEDS_GROWING_BODY && !b->grows) return VM_DOES_NOT_GROW;
-    return own;
+    if (e->check) return (e->check)(e);
+    return VM_OK;
 }
 
 VM_API int vmi_scene_check_effect(const vm_scene *s, const vm_effect *e)
@@ -120,13 +120,11 @@ VM_API int vmi_scene_check_jump(const vm_scene *s, const vm_event *e)
 
 VM_API int vmi_scene_check_event(const vm_scene *s, const vm_event *e)
 {
-    int status = VM_OK;
-    if (e->watches) status = vmi_scene_check_coordinate(s, e->body, e->coordinate);
+    int status = e->status;
+    if (!status && e->check_when) status = (e->check_when)(s, e);
     if (status) return status;
-    if (e->status) return e->status;
     if (e->most < 0) return VM_BAD_ARGUMENT;
     if (!VM_IS_FINITE(e->time) || !VM_IS_FINITE(e->value)) return VM_NOT_FINITE;
-    if (e->switches && (e->effect < 0 || e->effect >= s->n_effects)) return VM_NO_SUCH_EFFECT;
     if (e->check) return (e->check)(s, e);
     return VM_OK;
 }

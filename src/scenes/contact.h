@@ -108,7 +108,7 @@ VM_API vm_event vm_event_contact(int body, const vm_contact *contact)
     vm_event e = vmi_event(body, 0, 0, -1);
     e.when = contact ? vmi_when_contact : NULL;
     e.parts = contact;
-    e.check = vmi_contact_check_event;
+    e.check_when = vmi_contact_check_event;
     if (!contact) e.status = VM_BAD_ARGUMENT;
     return e;
 }
@@ -143,8 +143,6 @@ VM_API int vmi_then_land(vm_event *e, vm_real t, vm_real *y)
 /* Checks a landing: reactions of links and joints would have to act in the same impulse */
 VM_API int vmi_land_check(const vm_scene *s, const vm_event *e)
 {
-    const int status = vmi_contact_check_event(s, e);
-    if (status) return status;
     if (s->bodies[e->body].listed_orders >> VMI_ORDER_LINK & 1) return VM_TWO_LINKS;
     return VM_OK;
 }

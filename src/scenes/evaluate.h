@@ -51,7 +51,7 @@ VM_INLINE void vmi_scene_evaluate(vm_scene *s, vm_real t, const vm_real *y)
 /* The status that says which mass of the load is not positive or not finite, so that the body cannot be accelerated */
 VMI_APART int vmi_scene_mass_status(const vm_load *load)
 {
-    if (!VM_IS_FINITE(load->mass) || !VM_IS_FINITE(load->extra_mass)) return VM_NOT_FINITE;
+    if (!VM_IS_FINITE(load->mass + load->extra_mass)) return VM_NOT_FINITE;
     if (load->mass > 0) return VM_NO_EFFECTIVE_MASS;
     return VM_BAD_MASS;
 }
@@ -70,21 +70,11 @@ VM_INLINE int vmi_scene_accelerate(const vm_scene_body *b, const vm_real *y, vm_
     return b->accelerate(b, y + b->at, dydt + b->at);
 }
 
-/* Handles an evaluation that failed: all derivatives become NaN, so that an integrator tries a shorter step. `before`
-   is the status of the preceding evaluation. If the preceding evaluation failed too, its status is kept, because its
-   NaN has caused this failure. */
-VMI_APART void vmi_scene_refuse(vm_scene *s, int before, vm_real *dydt)
+/* Sets n derivatives to one value. The derivatives of a body that is not present are 0. */
+VMI_APART void vmi_scene_fill(int n, vm_real value, vm_real *dydt)
 {
     int k;
-    for (k = vm_scene_size(s) - 1; k >= 0; k--) dydt[k] = VM_NAN;
-    if (before) s->status = before;
-}
-
-/* Sets the derivatives of a body that is not present to 0 */
-VMI_APART void vmi_scene_clear_derivatives(const vm_scene_body *b, vm_real *dydt)
-{
-    int k;
-    for (k = 0; k < vmi_scene_body_size(b); k++) dydt[b->at + k] = 0;
+    for (k = 0; k < n; k++) dydt[k] = value;
 }
 
 /* The right-hand side of a scene, an ode_rhs. ctx is the scene, which must have been started. Returns 0, or
@@ -102,12 +92,13 @@ VM_API int vm_scene_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
     for (i = 0; i < s->n_bodies; i++) {
         const vm_scene_body *b = s->bodies + i;
         int status = 0;
-        if (b->away) vmi_scene_clear_derivatives(b, dydt);
+        if (b->away) vmi_scene_fill(vmi_scene_body_size(b), 0, dydt + b->at);
         else status = vmi_scene_accelerate(b, y, dydt);
         if (status && !s->status) s->status = status;
     }
     if (s->budget) s->budget->rates(s, y, dydt + vm_scene_size(s) - VM_BUDGET_STATES);
-    if (s->status) vmi_scene_refuse(s, before, dydt);
+    if (s->status) vmi_scene_fill(vm_scene_size(s), VM_NAN, dydt);
+    if (s->status && before) s->status = before;
     return 0;
 }
 

@@ -1,17 +1,22 @@
 /* scenes/events.h - when an event happens, and what it does
 
-   An event is made in two steps: vm_event_... says when it happens, and vm_then_... says what happens then. An event
-   takes only one vm_then_... function. An event without such a function is only counted: event.count says how often
-   it has happened and event.time when it last happened, and the motion is the same as without the event.
+   An event is made in two steps: vm_event_... says when it happens, and vm_then_... says what it does. An event without
+   a vm_then_... function only observes: event.count says how often it has happened and event.time when it last
+   happened, and the motion is the same as without the event. An event takes one vm_then_... function; vm_then_all
+   makes it do a list of actions.
 
-       vm_event events[] = {vm_then_switch(vm_event_at(60), 3, 1),              // at 60 s effect 3 goes off
-                            vm_then_stop(vm_event_position(0, 0, 0.5, 1))};     // the run ends where x rises to 0.5 m
-       ode_event located[2];                                                    // one for each event
+       vm_event empty = vm_event_mass(0, 70, -1);                             // the mass of body 0 falls to 70 kg
+       vm_event staging[] = {vm_then_switch_range(empty, 0, 4, 1),            // effects 0 to 3 are switched off
+                             vm_then_switch(empty, 4, 0)};                    // effect 4 is switched on
+       vm_event events[] = {vm_then_all(empty, staging, 2),
+                            vm_then_stop(vm_event_position(0, 0, 0.5, 1)),    // the run ends where x rises to 0.5 m
+                            vm_event_velocity(0, 0, 0, -1)};                  // events[2].time: time of the greatest x
+       ode_event located[3];                                                  // one for each of `events`
        vm_scene scene;
-       memset(&scene, 0, sizeof scene);                                         // its bodies and effects: see scene.h
+       memset(&scene, 0, sizeof scene);                                       // its bodies and effects: see scene.h
        scene.events = events;
        scene.located = located;
-       scene.n_events = 2;
+       scene.n_events = 3;
 
    An event at a time happens once. A crossing of a value happens at most event.most times, or without limit if
    event.most is 0; direction > 0 counts rising values, direction < 0 falling values, and direction = 0 both. Only
@@ -28,8 +33,14 @@
 
 #include "../base/real.h"
 #include "../base/status.h"
+#include "check.h"
 #include "evaluate.h"
 #include "scene.h"
+
+VM_API int vmi_event_check_coordinate(const vm_scene *s, const vm_event *e)
+{
+    return vmi_scene_check_coordinate(s, e->body, e->coordinate);
+}
 
 /* An event that watches a coordinate of a body */
 VM_API vm_event vmi_event(int body, int coordinate, vm_real value, int direction)
@@ -40,7 +51,7 @@ VM_API vm_event vmi_event(int body, int coordinate, vm_real value, int direction
     e.coordinate = coordinate;
     e.value = value;
     e.direction = direction;
-    e.watches = 1;
+    e.check_when = vmi_event_check_coordinate;
     return e;
 }
 
@@ -50,7 +61,7 @@ VM_API vm_event vm_event_at(vm_real time)
 {
     vm_event e = vmi_event(0, 0, 0, 0);
     e.time = time;
-    e.watches = 0;
+    e.check_when = NULL;
     e.most = 1;
     return e;
 }
@@ -109,7 +120,7 @@ VM_API vm_real vmi_when_user(const vm_event *e, vm_real t, const vm_real *y) { r
 VM_API vm_event vm_event_user(vm_real (*when)(vm_real t, const vm_real *y, void *ctx), void *ctx, int direction)
 {
     vm_event e = vmi_event(0, 0, 0, direction);
-    e.watches = 0;
+    e.check_when = NULL;
     e.when = when ? vmi_when_user : NULL;
     e.user_when = when;
     e.ctx = ctx;
@@ -161,13 +172,37 @@ VM_API void vmi_scene_hold_masses(vm_scene *s, vm_real t, const vm_real *y)
 VM_API int vmi_then_switch(vm_event *e, vm_real t, vm_real *y)
 {
     vm_scene *s = e->scene;
-    vm_effect *effect = s->effects + e->effect;
+    int i;
     vmi_scene_evaluate(s, t, y);
     vmi_scene_note_masses(s);
-    effect->idle &= VMI_IDLE_BODY_AWAY;
-    if (e->off) effect->idle |= VMI_IDLE_SWITCHED_OFF;
+    for (i = 0; i < e->n_effects; i++) {
+        vm_effect *effect = s->effects + e->effect + i;
+        effect->idle &= VMI_IDLE_BODY_AWAY;
+        if (e->off) effect->idle |= VMI_IDLE_SWITCHED_OFF;
+    }
     vmi_scene_hold_masses(s, t, y);
     return VM_OK;
+}
+
+VM_API int vmi_event_check_switch(const vm_scene *s, const vm_event *e)
+{
+    if (e->effect < 0 || e->n_effects > s->n_effects - e->effect) return VM_NO_SUCH_EFFECT;
+    return VM_OK;
+}
+
+/* The event switches n effects that follow each other in the list, off (off = 1) or on (off = 0). first is the index
+   of the first of them. Switching a mass law does not change the mass at this instant: the law continues from the
+   present mass. vm_scene_start returns VM_NO_SUCH_EFFECT if one of the effects does not exist, and VM_BAD_ARGUMENT if n
+   is negative. */
+VM_API vm_event vm_then_switch_range(vm_event event, int first, int n, int off)
+{
+    event.then = vmi_then_switch;
+    event.check = vmi_event_check_switch;
+    event.effect = first;
+    event.n_effects = n;
+    event.off = off != 0;
+    if (n < 0) event.status = VM_BAD_ARGUMENT;
+    return event;
 }
 
 /* The event switches an effect off (off = 1) or on (off = 0). effect is the index of the effect. Switching a mass law
@@ -175,11 +210,7 @@ VM_API int vmi_then_switch(vm_event *e, vm_real t, vm_real *y)
    VM_NO_SUCH_EFFECT if no effect has this index. */
 VM_API vm_event vm_then_switch(vm_event event, int effect, int off)
 {
-    event.then = vmi_then_switch;
-    event.effect = effect;
-    event.off = off != 0;
-    event.switches = 1;
-    return event;
+    return vm_then_switch_range(event, effect, 1, off);
 }
 
 VM_API int vmi_then_user(vm_event *e, vm_real t, vm_real *y) { return e->user_then(t, y, e->then_ctx); }
@@ -192,6 +223,48 @@ VM_API vm_event vm_then_user(vm_event event, int (*then)(vm_real t, vm_real *y, 
     if (!then) event.status = VM_BAD_ARGUMENT;
     event.user_then = then;
     event.then_ctx = ctx;
+    return event;
+}
+
+/* Does the actions of the event in the order of their list. Returns the first status other than VM_OK, or VM_OK if
+   there is none. An error (a negative status) ends the list, and is returned even if an earlier action has stopped the
+   run. */
+VM_API int vmi_then_all(vm_event *e, vm_real t, vm_real *y)
+{
+    int i, status = VM_OK;
+    for (i = 0; i < e->n_actions && status >= 0; i++) {
+        vm_event *action = e->actions + i;
+        int result = VM_OK;
+        action->scene = e->scene;
+        if (action->then) result = action->then(action, t, y);
+        if (result < 0 || status == VM_OK) status = result;
+    }
+    return status;
+}
+
+/* Checks the actions of an event. A list of actions cannot contain another list. */
+VM_API int vmi_event_check_all(const vm_scene *s, const vm_event *e)
+{
+    int i, status = VM_OK;
+    for (i = 0; i < e->n_actions && !status; i++) {
+        status = VM_BAD_ARGUMENT;
+        if (!e->actions[i].actions) status = vmi_scene_check_event(s, e->actions + i);
+    }
+    return status;
+}
+
+/* The event does a list of actions, one after the other, at the same instant. actions is an array of n events made by
+   vm_then_... functions; when each of them would happen does not matter, so that all can be made from the same
+   vm_event_... value. The array is not copied and must stay where it is. An action that stops the run lets the
+   following actions happen, too. vm_scene_start returns VM_BAD_ARGUMENT if actions is NULL, n is negative or an action
+   is a list itself, and else the status of the first action that is wrong. */
+VM_API vm_event vm_then_all(vm_event event, vm_event *actions, int n)
+{
+    event.then = vmi_then_all;
+    event.check = vmi_event_check_all;
+    event.actions = actions;
+    event.n_actions = n;
+    if (!actions || n < 0) event.status = VM_BAD_ARGUMENT;
     return event;
 }
 

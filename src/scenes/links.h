@@ -10,6 +10,8 @@
 #ifndef VARMASS_SCENES_LINKS_H
 #define VARMASS_SCENES_LINKS_H
 
+#include <string.h>
+
 #include "../base/real.h"
 #include "../base/status.h"
 #include "../mechanics/attitude.h"
@@ -25,35 +27,30 @@ typedef struct VM_TAG(vmi_link_end) {
     vm_real mobility[3]; /* acceleration per force along each coordinate: 1/mass, or 0 where the end cannot move */
 } vmi_link_end;
 
+/* Writes an end that is a body. The numbers of *end for further directions stay 0. */
 VM_API void vmi_link_to_body(const vm_scene *s, int body, const vm_real *y, vmi_link_end *end)
 {
     const vm_scene_body *b = s->bodies + body;
     const vm_real *r = y + b->at, *v = r + b->positions;
+    const vm_real mobility = 1 / (b->load.mass + b->load.extra_mass);
     const int n = vmi_scene_directions(b->motion);
     int i;
     for (i = 0; i < n; i++) {
         end->r[i] = r[i];
         end->v[i] = v[i];
-        end->mobility[i] = 1 / (b->load.mass + b->load.extra_mass);
-        end->a[i] = end->mobility[i] * b->load.force[i];
-    }
-    for (; i < 3; i++) {
-        end->r[i] = 0;
-        end->v[i] = 0;
-        end->mobility[i] = 0;
-        end->a[i] = 0;
+        end->mobility[i] = mobility;
+        end->a[i] = mobility * b->load.force[i];
     }
 }
 
+/* Writes an end that is a point with a given motion, which no force accelerates: its mobility stays 0 */
 VM_API void vmi_link_to_point(const vm_effect *e, vm_real t, vmi_link_end *end)
 {
     vm_vec3 r = {0, 0, 0}, v = {0, 0, 0}, a = {0, 0, 0};
-    int i;
     e->point(t, &r, &v, &a, e->ctx);
     vmi_set3(end->r, r);
     vmi_set3(end->v, v);
     vmi_set3(end->a, a);
-    for (i = 0; i < 3; i++) end->mobility[i] = 0;
 }
 
 enum { VMI_LINK_LENGTH, VMI_LINK_RATE }; /* indices of the parameters in p; the variant is 1 for a cord */
@@ -91,21 +88,21 @@ VM_API int vmi_link_lambda(const vm_effect *e, const vmi_link_end *here, const v
 
 VM_API void vmi_apply_link(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
-    vm_real *force = s->bodies[e->body].load.force;
-    vm_real *far_force = e->other >= 0 ? s->bodies[e->other].load.force : NULL;
     vmi_link_end here, there;
     vm_real lambda = 0;
     int i, status;
+    memset(&here, 0, sizeof here);
+    memset(&there, 0, sizeof there);
     vmi_link_to_body(s, e->body, y, &here);
-    if (far_force) vmi_link_to_body(s, e->other, y, &there);
+    if (e->other_load) vmi_link_to_body(s, e->other, y, &there);
     else vmi_link_to_point(e, t, &there);
     status = vmi_link_lambda(e, &here, &there, &lambda);
     if (status) s->status = status;
     if (lambda == 0) return;
     for (i = 0; i < 3; i++) {
         const vm_real d = here.r[i] - there.r[i];
-        if (here.mobility[i] > 0) force[i] += lambda * d;
-        if (far_force && there.mobility[i] > 0) far_force[i] -= lambda * d;
+        if (here.mobility[i] > 0) e->load->force[i] += lambda * d;
+        if (e->other_load && there.mobility[i] > 0) e->other_load->force[i] -= lambda * d;
     }
 }
 

@@ -30,9 +30,11 @@ VM_API void vmi_apply_mass_of_time(const vm_effect *e, vm_real t, const vm_real 
     else vmi_scene_apply_law(e, y, s, &now, e->p + VMI_MASS_U, e->p[VMI_MASS_REACTIVE]);
 }
 
-/* Returns VM_OK if a constructor made the law, else VM_BAD_ARGUMENT. */
-VM_API int vmi_check_mass_of_time(const vm_effect *e)
+/* Returns VM_OK if a constructor made the law, else VM_BAD_ARGUMENT. The scene calls this check before it looks at the
+   parameters, because VM_BAD_ARGUMENT comes before VM_NOT_FINITE. */
+VM_API int vmi_check_mass_of_time(const vm_scene *s, const vm_effect *e)
 {
+    (void)s;
     if (!((const vm_law *)e->ctx)->derivatives) return VM_BAD_ARGUMENT;
     return VM_OK;
 }
@@ -52,7 +54,7 @@ VM_API vm_effect vm_effect_mass_of_time(int body, const vm_law *law, vm_vec3 u, 
     e.p[VMI_MASS_U + 2] = u.z;
     e.p[VMI_MASS_REACTIVE] = reactive;
     e.order = VMI_ORDER_MASS_LAW;
-    e.check = vmi_check_mass_of_time;
+    e.check_in_scene = vmi_check_mass_of_time;
     e.ctx = (void *)law;
     return e;
 }

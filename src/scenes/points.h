@@ -9,6 +9,8 @@
        vm_vec3 tip = {0.5, 0, 0}, r, v;
        vm_scene_point_at(&scene, 0, tip, y, &r, &v); // position and velocity of a point of body 0 in the state y
 
+   An effect of the caller's own (vm_effect_custom) adds a force at a point by vm_scene_push_at.
+
    Tests: tests/test_scene_joints.c. */
 #ifndef VARMASS_SCENES_POINTS_H
 #define VARMASS_SCENES_POINTS_H
@@ -178,6 +180,23 @@ VM_API void vm_scene_point_at(const vm_scene *scene, int body, vm_vec3 at, const
     vmi_point_now(scene, body, at, y, &p);
     *r = p.r;
     *v = p.v;
+}
+
+/* Adds a force at a point of a body, in an effect of the caller's own. It adds force, in N and inertial axes, to the
+   load of the body, and its moment about the mass centre, so that drag, wind and thrusters are a few lines of a function
+   for vm_effect_custom. `at` and y are those of vm_scene_point_at. A force on VM_GROUND changes nothing. If no body has
+   this index, scene->status becomes VM_NO_SUCH_BODY, which ends the run; if y is NULL or the scene was not started, it
+   becomes VM_BAD_ARGUMENT. If scene is NULL, nothing is done. */
+VM_API void vm_scene_push_at(vm_scene *scene, int body, vm_vec3 at, const vm_real *y, vm_vec3 force)
+{
+    vmi_body_point p;
+    if (!scene || body == VM_GROUND) return;
+    if (!scene->bodies || !scene->size || !y) scene->status = VM_BAD_ARGUMENT;
+    else if (body < 0 || body >= scene->n_bodies) scene->status = VM_NO_SUCH_BODY;
+    else {
+        vmi_point_now(scene, body, at, y, &p);
+        vmi_point_push(scene->bodies + body, &p, force);
+    }
 }
 
 #endif

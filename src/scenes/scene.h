@@ -176,7 +176,9 @@ struct VM_TAG(vm_effect) {
     int order;                             /* where it stands among the effects on its body: VMI_ORDER_... */
     int off;          /* 1: switched off when the scene starts; the caller may set it before the start */
     int not_on_angle; /* 1: the effect cannot act on the angle of a body in the plane */
-    int (*check_in_scene)(const vm_scene *scene, const vm_effect *effect); /* NULL, or a check that needs the bodies */
+    /* NULL, or a check that needs the scene. It is called after the bodies of the effect have been checked, and before
+       the parameters p are checked. It returns a status. */
+    int (*check_in_scene)(const vm_scene *scene, const vm_effect *effect);
     int (*settle)(const vm_effect *effect, vm_real *y, vm_scene *scene); /* NULL, or gives impulses after a jump */
     const void *parts; /* what the caller keeps for the effect: a vm_point_spring, vm_contact or vm_joints */
 };
@@ -193,17 +195,17 @@ struct VM_TAG(vm_event) {
     int (*then)(vm_event *event, vm_real t, vm_real *y);
     vm_real time;  /* s: time of the event if `when` is NULL; else when it last happened, or the start of the scene */
     int direction; /* > 0: `when` rises through zero; < 0: `when` falls; 0: both count */
+    /* NULL, or functions that return a status: check_when checks when the event happens, check what it does */
+    int (*check_when)(const vm_scene *scene, const vm_event *event);
+    int (*check)(const vm_scene *scene, const vm_event *event);
     /* fields for an event that happens when a coordinate, a velocity or the mass of a body crosses `value` */
-    int watches; /* 1: the event watches a body */
     int body, coordinate;
     vm_real value;
-    /* fields for an event that switches an effect */
-    int switches; /* 1: the event switches an effect */
-    int effect;   /* index of the effect */
-    int off;      /* 1: the effect is switched off; 0: on */
-    /* fields for a jump: check returns a status, and jump computes the motion after the jump on a line, in the plane,
-       or for any motion */
-    int (*check)(const vm_scene *scene, const vm_event *event);
+    /* fields for an event that switches effects */
+    int effect;    /* index of the first effect */
+    int n_effects; /* number of effects that follow each other in the list, the first one included */
+    int off;       /* 1: the effects are switched off; 0: on */
+    /* fields for a jump: jump computes the motion after the jump on a line, in the plane, or for any motion */
     int (*jump)(const vm_event *event, const vm_body *body, vm_body *other, vm_body *result);
     unsigned motions;    /* bit (1 << motion) for each motion of a body that can jump in this way */
     int jump_kind;       /* VMI_JUMP_NONE, VMI_JUMP_SEPARATES or VMI_JUMP_ATTACHES */
@@ -225,6 +227,8 @@ struct VM_TAG(vm_event) {
     vm_scene *scene; /* the scene to which the event belongs */
     int status;      /* VM_OK, or the reason why a constructor could not make the event */
     const void *parts; /* what the caller keeps for the event: a vm_contact */
+    vm_event *actions; /* NULL, or the array of n_actions events whose actions this event does (vm_then_all) */
+    int n_actions;
 };
 
 typedef struct VM_TAG(vm_budget) vm_budget;
@@ -262,11 +266,11 @@ struct VM_TAG(vm_scene) {
     vm_event *events;   /* array of n_events events */
     ode_event *located; /* array of n_events elements, with which the integrator locates the events */
     int n_events;
-    vm_budget *budget; /* set by vm_scene_keep_budget: the budget at the start; it adds VM_BUDGET_STATES numbers to y */
-    /* NULL, or a function of the caller. It is called when a run starts and after each step, or only at `times` if they
-       are given. The run stops if it returns a number other than 0. */
+    vm_budget *budget; /* NULL, or the budget of vm_scene_keep_budget; y then has VM_BUDGET_STATES more numbers */
+    /* NULL, or a function of the caller that writes or keeps results. If `times` is NULL, a run calls it at its start
+       and after each step; else only at these times. If it returns a number other than 0, the run stops. */
     int (*output)(vm_real t, const vm_real *y, vm_scene *scene, void *ctx);
-    const vm_real *times; /* s: NULL, or n_times increasing times at which output is called, instead of after steps */
+    const vm_real *times; /* s: NULL, or an array of n_times increasing times at which output is called */
     int n_times;
     void *output_ctx; /* pointer that output receives */
     int y_size;       /* number of elements of y, which vm_scene_start and vm_scene_run check; 0 means no check */

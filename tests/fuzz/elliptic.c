@@ -31,14 +31,20 @@ static int regular(vm_real phi, vm_real m) { return is_finite(phi) && is_finite(
 static void check_first_and_second(void)
 {
     const vm_real m = draw_parameter(), phi = draw_angle(), F = jacobi_F(phi, m), E = jacobi_E_incomplete(phi, m);
+    const vm_real D = jacobi_D_incomplete(phi, m), complete = jacobi_D(m);
     vm_real next;
     if (is_nan(phi) || is_nan(m) || m > 1) {
-        HOLDS(is_nan(F) && is_nan(E));
+        HOLDS((is_nan(F) && is_nan(E) && is_nan(D)) || (m > 1 && VM_FABS(phi) < R(1.5708)));
+        HOLDS(m <= 1 || is_nan(complete));
         return;
     }
+    HOLDS(same_bits(jacobi_D_incomplete(-phi, m), -D) && complete >= 0);
     HOLDS(same_bits(jacobi_F(-phi, m), -F) && same_bits(jacobi_E_incomplete(-phi, m), -E));
     if (!regular(phi, m)) return;
     HOLDS(!is_nan(F) && !is_nan(E) && (phi < 0 ? F <= 0 && E <= 0 : F >= 0 && E >= 0));
+    HOLDS(!is_nan(D) && (phi < 0 ? D <= 0 : D >= 0) && VM_FABS(D) <= VM_FABS(F) * (1 + 16 * VM_EPSILON));
+    if (m >= R(0.5))
+        HOLDS(same_bits(jacobi_D_incomplete_m1(phi, 1 - m), D) && same_bits(jacobi_D_m1(1 - m), complete));
     if (m >= R(0.5))
         HOLDS(same_bits(jacobi_F_m1(phi, 1 - m), F) && same_bits(jacobi_E_incomplete_m1(phi, 1 - m), E));
     if (VM_FABS(phi) > (IS_FLOAT ? R(1e4) : R(1e9))) return;
@@ -55,13 +61,34 @@ static void check_first_and_second(void)
     }
 }
 
+/* m > 1: E <= phi <= F, D <= F, and Pi is below F for n < 0 and above it for 0 < n < 1 */
+static void check_above_one(void)
+{
+    const vm_real m = MOSTLY(1 + draw_log(IS_FLOAT ? 1e-7 : 1e-15, IS_FLOAT ? 1e30 : 1e200));
+    const vm_real share = MOSTLY(draw_in(-1, 1)), n = MOSTLY(draw_byte() & 1 ? draw_in(-3, 1) : -draw_log(1e-9, 1e9));
+    const vm_real phi = share / VM_SQRT(m), F = jacobi_F(phi, m), E = jacobi_E_incomplete(phi, m);
+    const vm_real D = jacobi_D_incomplete(phi, m), P = jacobi_Pi_incomplete(phi, n, m);
+    const vm_real x = VM_FABS(phi), f = VM_FABS(F);
+    HOLDS(same_bits(jacobi_F(-phi, m), -F) && same_bits(jacobi_E_incomplete(-phi, m), -E));
+    HOLDS(same_bits(jacobi_D_incomplete(-phi, m), -D) && same_bits(jacobi_Pi_incomplete(-phi, n, m), -P));
+    if (fuzz.wild || !(m > 1) || !(VM_FABS(share) <= R(0.999))) return; /* next to 1 phi may be outside by rounding */
+    HOLDS(is_finite(F) && is_finite(E) && is_finite(D));
+    HOLDS(VM_FABS(E) <= x * (1 + 16 * VM_EPSILON) && f >= x * (1 - 16 * VM_EPSILON) && VM_FABS(D) <= f);
+    if (VM_FABS(n) <= 1)
+        HOLDS(n < 0 ? VM_FABS(P) <= f * (1 + 24 * VM_EPSILON) : VM_FABS(P) >= f * (1 - 24 * VM_EPSILON));
+    if (m < 2) {
+        HOLDS(same_bits(jacobi_F_m1(phi, 1 - m), F) && same_bits(jacobi_E_incomplete_m1(phi, 1 - m), E));
+        HOLDS(same_bits(jacobi_D_incomplete_m1(phi, 1 - m), D) && same_bits(jacobi_Pi_incomplete_m1(phi, n, 1 - m), P));
+    }
+}
+
 static void check_third(void)
 {
     const vm_real m = draw_parameter(), phi = draw_angle();
     const vm_real n = MOSTLY(draw_byte() & 1 ? draw_in(-3, 1) : -draw_log(1e-9, 1e9));
     const vm_real P = jacobi_Pi_incomplete(phi, n, m), complete = jacobi_Pi(n, m);
     if (is_nan(phi) || is_nan(m) || is_nan(n) || m > 1) {
-        HOLDS(is_nan(P));
+        HOLDS(is_nan(P) || (m > 1 && VM_FABS(phi) < R(1.5708)));
         return;
     }
     HOLDS(same_bits(jacobi_Pi_incomplete(-phi, n, m), -P));
@@ -94,7 +121,7 @@ static void check_symmetric(void)
         HOLDS(is_nan(F) && is_nan(G) && is_nan(D) && is_nan(J));
         return;
     }
-    HOLDS(!is_nan(G) && !is_nan(C) && G >= 0 && C >= 0);
+    HOLDS(!is_nan(G) && G >= 0 && ((x > VM_MAX && y == 0) || C >= 0)); /* R_C(infinity, 0) has no limit */
     if (fuzz.wild || x == 0 || y == 0 || z == 0 || p == 0) return;
     HOLDS(F > 0 && D > 0 && is_finite(F) && is_finite(D) && close_to(jacobi_RF(z, x, y), F, 16));
     HOLDS(close_to(jacobi_RJ(x, y, z, z), D, 24) && close_to(jacobi_RF(x, y, y), C, 16));
@@ -132,16 +159,17 @@ static void check_any_m(void)
     HOLDS(same_bits(s, -sn) && same_bits(c, cn) && same_bits(d, dn));
     if (!is_finite(m) || !is_finite(u) || fuzz.wild) return;
     HOLDS(within(sn * sn + cn * cn, 1, 24 * EPS));
-    HOLDS(within(dn * dn + m * sn * sn, 1, 24 * EPS * larger(1, (double)m)));
+    HOLDS(within(dn * dn + m * sn * sn, 1, 24 * EPS * larger(1, fabs((double)m))));
 }
 
 static void fuzz_elliptic(void)
 {
-    switch (draw_below(5)) {
+    switch (draw_below(6)) {
     case 0: check_first_and_second(); break;
     case 1: check_third(); break;
     case 2: check_symmetric(); break;
     case 3: check_inverses(); break;
+    case 4: check_above_one(); break;
     default: check_any_m();
     }
 }

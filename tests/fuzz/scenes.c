@@ -298,7 +298,16 @@ static vm_event draw_attachment(vm_event event, int body, int added)
     }
 }
 
-static vm_event draw_event(int n, int effects, vm_real *ctx, vm_contact *contact)
+/* The same event with a list of two actions instead of one */
+static vm_event draw_list(vm_event event, int n, int effects, vm_event *actions)
+{
+    const int body = draw_index(n);
+    actions[0] = vm_then_switch_range(event, draw_index(effects), draw_below(4) - 1, draw_byte() & 1);
+    actions[1] = draw_byte() & 1 ? draw_separation(event, body, draw_index(n)) : vm_then_stop(event);
+    return vm_then_all(event, actions, 2);
+}
+
+static vm_event draw_event(int n, int effects, vm_real *ctx, vm_contact *contact, vm_event *actions)
 {
     const int body = draw_index(n), coordinate = draw_coordinate(), direction = draw_below(3) - 1;
     const vm_real value = MOSTLY(draw_in(-2, 2)), time = MOSTLY(draw_in(0, 2));
@@ -322,7 +331,10 @@ static vm_event draw_event(int n, int effects, vm_real *ctx, vm_contact *contact
     case 2: return draw_attachment(event, body, draw_index(n));
     case 3: return vm_then_user(event, user_then, NULL);
     case 4: return vm_then_stop(event);
-    default: event.most = 3; return vm_then_stop(event);
+    default:
+        event.most = 3;
+        if (draw_below(3) == 0) return draw_list(event, n, effects, actions);
+        return vm_then_stop(event);
     }
 }
 
@@ -360,6 +372,7 @@ typedef struct drawn_scene {
     vm_effect effects[EFFECTS];
     vm_event events[EVENTS];
     vm_contact contacts[EVENTS];
+    vm_event actions[EVENTS][2];
     ode_event located[EVENTS];
     vm_budget book;
     vm_real ctx[EVENTS], y[STATE], dydt[STATE], work[VM_SCENE_WORK(STATE)];
@@ -375,7 +388,8 @@ static void draw_scene(drawn_scene *d)
     scene->n_events = draw_byte() & 1 ? draw_below(EVENTS + 1) : 0;
     for (i = 0; i < scene->n_bodies; i++) d->bodies[i] = draw_scene_body();
     for (i = 0; i < scene->n_effects; i++) d->effects[i] = draw_effect(scene->n_bodies, d->data + i);
-    for (i = 0; i < scene->n_events; i++) d->events[i] = draw_event(scene->n_bodies, scene->n_effects, d->ctx + i, d->contacts + i);
+    for (i = 0; i < scene->n_events; i++)
+        d->events[i] = draw_event(scene->n_bodies, scene->n_effects, d->ctx + i, d->contacts + i, d->actions[i]);
     scene->bodies = d->bodies;
     scene->effects = d->effects;
     scene->events = d->events;
@@ -419,6 +433,7 @@ static void check_end(drawn_scene *d, vm_real t)
         vm_scene_body_at(&d->scene, i, d->y, &body);
         vm_scene_point_at(&d->scene, i, at, d->y, &r, &v);
         if (tame_body(&body)) HOLDS(finite3(r) && finite3(v));
+        vm_scene_push_at(&d->scene, i, at, d->y, v);
         HOLDS(finite_body(&body) || fuzz.wild); /* the state is finite, omega = L/J of it may overflow */
         wild |= !tame_body(&body);
     }

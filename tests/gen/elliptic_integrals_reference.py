@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Write tests/data/elliptic_integrals_table.h: arbitrary-precision values of the incomplete elliptic integrals, of Pi,
-of Carlson's integrals, of the inverses of sn, cn, dn and of sn, cn, dn for m > 1, at exactly the stored inputs.
+of Carlson's integrals, of the inverses of sn, cn, dn, and of sn, cn, dn and the incomplete integrals for m > 1, at exactly
+the stored inputs.
 
 usage: elliptic_integrals_reference.py [FACTOR [FOLDER [SEED]]]   FACTOR times as many points, elsewhere, others
 
@@ -12,7 +13,7 @@ mpmath's Legendre forms, with numerical integrals and, beyond a pole, with mpmat
 import random
 import struct
 import sys
-from mpmath import mp, mpf, cos, ellipe, ellipf, ellipfun, ellippi, elliprc, elliprd, elliprf, elliprg, elliprj, nint, pi
+from mpmath import mp, mpf, asin, cos, ellipe, ellipf, ellipfun, ellippi, elliprc, elliprd, elliprf, elliprg, elliprj, nint, pi
 from mpmath import quad, sin, sqrt
 
 FACTOR = int(sys.argv[1]) if len(sys.argv) > 1 else 1
@@ -61,6 +62,15 @@ def rj(x, y, z, p):
     other = (z * (x + y + q) - x * y) / (z + q)
     rest = 3 * sqrt(x * y * z / (x * y + other * q)) * elliprc(x * y + other * q, other * q)
     return ((other - z) * elliprj(x, y, z, other) - 3 * elliprf(x, y, z) + rest) / (z + q)
+
+
+def D_part(s, c, m1):
+    return s ** 3 * elliprd(c * c, c * c + m1 * s * s, 1) / 3
+
+
+def D(phi, m1):
+    turns, s, c = angle(phi)
+    return (turns * D_part(mpf(1), mpf(0), m1) if turns else 0) + D_part(s, c, m1)
 
 
 def third_part(s, c, n, m1):
@@ -215,15 +225,80 @@ def reciprocal_rows():
             yield row("dn, m > 1", region, (u, m), dn, scale)
 
 
+def D_rows():
+    for region, draw_phi in angles().items():
+        for draw_m in parameters().values():
+            for k in range(4 * FACTOR):
+                phi, m = drawn(k, draw_phi, draw_m)
+                if m < 1:
+                    yield row("D", region, (phi, m), D(mpf(phi), 1 - mpf(m)))
+                    yield row("complete D", region, (m,), D_part(mpf(1), mpf(0), 1 - mpf(m)))
+        for k in range(6 * FACTOR):
+            phi, m1 = drawn(k, draw_phi, lambda: log_uniform(-30, 0))
+            yield row("D_m1", region, (phi, m1), D(mpf(phi), mpf(m1)))
+            yield row("complete D_m1", region, (m1,), D_part(mpf(1), mpf(0), mpf(m1)))
+
+
+def above_rows():
+    """m > 1: angles up to arcsin(1/k), most of all next to it"""
+    parameter = {"m above 1": lambda: 1 + log_uniform(-6, -1), "1 < m < 5": lambda: uniform(1.001, 5), "m >> 1": lambda: log_uniform(0.5, 30)}
+    share = (lambda: uniform(-1, 1), lambda: log_uniform(-8, 0), lambda: 1 - log_uniform(-16, -2))
+    for region, draw_m in parameter.items():
+        for k in range(60 * FACTOR):
+            m = drawn(k, draw_m)[0]
+            end = asin(1 / sqrt(mpf(m)))
+            phi = drawn(k, lambda: float(end) * random.choice(share)())[0]
+            n = drawn(k, random.choice((lambda: uniform(0, 1), lambda: -log_uniform(-6, 6), lambda: 1 + (m - 1) * uniform(0, 1))))[0]
+            x, m1 = mpf(phi), 1 - mpf(m)
+            if not 0 < abs(x) < end or n == 1:
+                continue
+            yield row("F", region, (phi, m), first(x, m1))
+            yield row("E", region, (phi, m), second(x, m1))
+            yield row("D", region, (phi, m), D(x, m1))
+            if n < m:
+                yield row("Pi", region, (phi, n, m), third(x, mpf(n), m1))
+        for k in range(20 * FACTOR): # n > m, where there is a pole before the end: the scale is that of principal_rows
+            m = drawn(k, draw_m)[0]
+            phi, n = drawn(k, lambda: float(asin(1 / sqrt(mpf(m)))) * uniform(0, 0.999), lambda: m * (1 + log_uniform(-3, 4)))
+            x, N, m1, h = mpf(phi), mpf(n), 1 - mpf(m), mpf(10) ** -25
+            value = third(x, N, m1)
+            change = abs(third(x, N * (1 + h), m1) - value) / h
+            yield row("Pi", "n > m > 1", (phi, n, m), value, max(abs(value), abs(first(x, m1))) + change / 4)
+    for k in range(40 * FACTOR):
+        m1 = drawn(k, lambda: -log_uniform(-30, -1))[0]
+        end = asin(1 / sqrt(1 - mpf(m1)))
+        phi, n = drawn(k, lambda: float(end) * random.choice(share)(), lambda: uniform(-3, 1))
+        if 0 < abs(mpf(phi)) < end:
+            yield row("F_m1", "m above 1", (phi, m1), first(mpf(phi), mpf(m1)))
+            yield row("E_m1", "m above 1", (phi, m1), second(mpf(phi), mpf(m1)))
+            yield row("D_m1", "m above 1", (phi, m1), D(mpf(phi), mpf(m1)))
+            yield row("Pi_m1", "m above 1", (phi, n, m1), third(mpf(phi), mpf(n), mpf(m1)))
+
+
+def underflow_rows():
+    """Pi for n < 0 where (1 - m)/(1 - n) is subnormal or 0 in single precision, with the digits that the terms lose"""
+    for k in range(60 * FACTOR):
+        phi, n, m1 = [single(v) for v in (uniform(0, 3.1), -log_uniform(0, 37), log_uniform(-37, 0))]
+        mp.dps = 160
+        yield row("Pi_m1", "n << 0", (phi, n, m1), third(mpf(phi), mpf(n), mpf(m1)))
+        yield row("complete Pi_m1", "n << 0", (n, m1), third_part(mpf(1), mpf(0), mpf(n), mpf(m1)))
+        yield row("D_m1", "m1 << 1", (phi, m1), D(mpf(phi), mpf(m1)))
+        mp.dps = 60
+
+
 def check():
     close = lambda a, b: abs(a - b) < mpf(10) ** -35 * (1 + abs(b))
     mp.dps = 40
     for phi, n, m in ((mpf("0.7"), mpf("0.3"), mpf("0.4")), (mpf("-5.1"), mpf("-2.5"), mpf("-3")), (mpf(20), mpf("0.9"), mpf("0.99"))):
         m1 = 1 - m
         assert close(first(phi, m1), ellipf(phi, m)) and close(second(phi, m1), ellipe(phi, m))
-        assert close(third(phi, n, m1), ellippi(n, phi, m))
+        assert close(third(phi, n, m1), ellippi(n, phi, m)) and close(m * D(phi, m1), first(phi, m1) - second(phi, m1))
         assert close(first(phi, m1), quad(lambda x: 1 / sqrt(1 - m * sin(x) ** 2), mp.linspace(0, phi, 41)))
         assert close(third(phi, n, m1), quad(lambda x: 1 / (1 - n * sin(x) ** 2) / sqrt(1 - m * sin(x) ** 2), mp.linspace(0, phi, 41)))
+    x, m, n = mpf("0.5"), mpf("2.5"), mpf("1.5")
+    root, lines = lambda t: sqrt(1 - m * sin(t) ** 2), mp.linspace(0, x, 5)
+    assert close(first(x, 1 - m), quad(lambda t: 1 / root(t), lines)) and close(second(x, 1 - m), quad(root, lines))
+    assert close(third(x, n, 1 - m), quad(lambda t: 1 / root(t) / (1 - n * sin(t) ** 2), lines))
     assert close(inverse_cn(ellipfun("cn", mpf("2.5"), m=mpf("0.7")), mpf("0.3")), mpf("2.5"))
     assert close(inverse_dn(ellipfun("dn", mpf("0.7"), m=mpf("-3")), mpf(4)), mpf("0.7"))
     assert all(close(a, ellipfun(name, mpf("1.3"), m=mpf("2.5"))) for a, name in zip(reciprocal(mpf("1.3"), mpf("2.5")), ("sn", "cn", "dn")))
@@ -233,7 +308,7 @@ def check():
 
 
 check()
-rows = [line for part in (incomplete_rows, principal_rows, complete_rows, symmetric_rows, inverse_rows, reciprocal_rows) for line in part()]
+rows = [line for part in (incomplete_rows, principal_rows, complete_rows, symmetric_rows, inverse_rows, reciprocal_rows, D_rows, above_rows, underflow_rows) for line in part()]
 with open(f"{FOLDER}/elliptic_integrals_table.h", "w") as file:
     file.write("/* Written by tests/gen/elliptic_integrals_reference.py: function, region, inputs, value as high and low word, scale */\n")
     file.write("\n".join(rows) + "\n")

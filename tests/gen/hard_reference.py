@@ -612,6 +612,74 @@ def slim_orbit(t, v):
     return x, 1 + fabs(x)
 
 
+# -- oscillators with slow mass; the scale is the amplitude --
+
+def whole_phase(x, V, alpha):
+    """Amplitude and phase of x = A ca(psi), V = -sqrt(2/(alpha+1)) A^((alpha+1)/2) sa(psi)"""
+    n = alpha + 1
+    A = amplitude(x, V, alpha)
+    psi = betainc(half, 1 / n, 0, n / 2 * V * V / A**n) / 2 if V else mpf(0)
+    if x < 0:
+        psi = ateb_pi(alpha) - psi
+    return A, -psi if V > 0 else psi
+
+
+def leak(alpha, rate, t, x, v):
+    """m = (1 + rate t)^(alpha+3) and no reactive force"""
+    A, psi = whole_phase(x, v - rate * x, alpha)
+    el = 1 + rate * t
+    W = sqrt((alpha + 1) / 2) * A**((alpha - 1) / 2)
+    return A * el * ateb(psi + W * t / el, alpha)[1], A * el
+
+
+slow_leak = turning_leak = crossing_leak = wall_leak = leak
+
+
+def leak_width(alpha, rate, t, x, v):
+    return whole_phase(x, v - rate * x, alpha)[0] * (1 + rate * t)
+
+
+@lambda f: with_digits(90, f)
+def nearly_solved(d, rate, t):
+    """With s = 1 + rate t: rate^2 x_ss + s^-(4+d) x = 0 has the solutions sqrt(s) Z_nu(2 nu/rate s^(-1/(2 nu)))"""
+    nu = 1 / (2 + d)
+
+    def solution(Z, s):
+        return sqrt(s) * Z(nu, 2 * nu / rate * s**(-1 / (2 * nu)))
+
+    s = 1 + rate * t
+    slope = [mp.diff(lambda z: solution(Z, z), mpf(1)) for Z in (besselj, bessely)]
+    start = [solution(Z, mpf(1)) for Z in (besselj, bessely)]
+    end = [solution(Z, s) for Z in (besselj, bessely)]
+    return (end[0] * slope[1] - end[1] * slope[0]) / (start[0] * slope[1] - start[1] * slope[0]), s
+
+
+@unit
+def half_quadratic(alpha, b, c, t):
+    way = quad(lambda s: 1 / sqrt(1 + b * s + c * s * s), [0, t / 4, t / 2, t])
+    return ateb(sqrt((alpha + 1) / 2) * way, alpha)[1]
+
+
+@unit
+def half_table(alpha, t):
+    """The monotone cubics of Fritsch and Butland through points 20 s apart"""
+    mass = [mpf(z) for z in (1, 1.125, 1.5, 1.75, 2.5, 2.75)]
+    d = [b - a for a, b in zip(mass, mass[1:])]
+    slope = [2 * d[i - 1] * d[i] / (d[i - 1] + d[i]) for i in range(1, 5)]
+    slope = [(3 * d[0] - d[1]) / 2] + slope + [(3 * d[4] - d[3]) / 2]
+
+    def cubic(i, u):
+        f0, f1, s0, s1 = mass[i], mass[i + 1], slope[i], slope[i + 1]
+        return (f0 * (1 + 2 * u) + s0 * u) * (1 - u)**2 + (f1 * (3 - 2 * u) - s1 * (1 - u)) * u * u
+
+    way = mpf(0)
+    for i in range(5):
+        last = min(1, max(0, t / 20 - i))
+        if last > 0:
+            way += 20 * quad(lambda u: 1 / sqrt(cubic(i, u)), [0, last / 2, last])
+    return ateb(sqrt((alpha + 1) / 2) * way, alpha)[1]
+
+
 # -- stiffness --
 
 def burnt_mass(m):

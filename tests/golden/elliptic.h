@@ -15,8 +15,26 @@ static void try_elliptic_integrals(void)
         fold(jacobi_Pi_m1(n, m1));
         fold(jacobi_Pi_incomplete(phi, n, m));
         fold(jacobi_Pi_incomplete_m1(phi, n, m1));
+        fold(jacobi_D(m));
+        fold(jacobi_D_m1(m1));
+        fold(jacobi_D_incomplete(phi, m));
+        fold(jacobi_D_incomplete_m1(phi, m1));
     }
     fold(jacobi_F(1, 2)); /* outside the domain */
+}
+
+static void try_integrals_above_one(void)
+{
+    int i;
+    for (i = 0; i < COUNT; i++) {
+        const vm_real m = i % 2 ? uniform(1, 2) : uniform(1, 1000), n = uniform(-3, 4);
+        const vm_real phi = uniform(-1, 1) / VM_SQRT(m);
+        fold(jacobi_F(phi, m));
+        fold(jacobi_E_incomplete(phi, m));
+        fold(jacobi_D_incomplete(phi, m));
+        fold(jacobi_Pi_incomplete(phi, n, m));
+        fold(jacobi_F_m1(phi, 1 - m));
+    }
 }
 
 static void try_carlson(void)
@@ -55,4 +73,5 @@ static void golden_elliptic(void)
     try_elliptic_integrals();
     try_carlson();
     try_inverses();
+    try_integrals_above_one();
 }

@@ -187,6 +187,27 @@ static void try_scene_of_parts_on_a_line(void)
     run_scene(4);
 }
 
+/* When a body has come so far, it throws off a part and loses two springs, by one event. */
+static void try_list_of_actions(void)
+{
+    const vm_event now = vm_event_position(0, 0, VM_C(0.5), 1);
+    vm_event actions[2];
+    vm_body part;
+    clear_scene();
+    memset(&part, 0, sizeof part);
+    part.mass = VM_C(0.5);
+    part.v.x = -1;
+    add_body(vm_scene_body_line(2, 0, 1));
+    add_body(vm_scene_body_absent(vm_scene_body_line(1, 0, 0)));
+    add_effect(vm_effect_damper(0, 0, VM_GROUND, 0, VM_C(0.125)));
+    add_effect(vm_effect_linear_spring(0, 0, VM_GROUND, 0, 1, VM_C(0.25)));
+    add_effect(vm_effect_linear_spring(0, 0, VM_GROUND, 0, 2, VM_C(-0.25)));
+    actions[0] = vm_then_switch_range(now, 1, 2, 1);
+    actions[1] = vm_then_separate_on_line(now, 0, 1, &part, 1);
+    add_event(vm_then_all(now, actions, 2));
+    run_scene(3);
+}
+
 /* ---- on axles ---- */
 
 static vm_mass_law_values swelling(vm_real t, vm_real x, vm_real v, void *ctx)
@@ -385,6 +406,8 @@ static void try_scene_of_joints(void)
     vm_scene_point_at(&g.scene, 2, at, g.y, &r, &u);
     fold3(r);
     fold3(u);
+    vm_scene_push_at(&g.scene, 2, at, g.y, u);
+    fold3(vmi_get3(g.bodies[2].load.force + 3));
     fold3(list[0].force);
     clear_scene();
     add_body(vm_scene_body_plane(2, 1, at, 0, zero, VM_C(0.25)));
@@ -422,6 +445,7 @@ static void golden_scenes_on_a_line(void)
     try_scene_of_parts_on_a_line();
     try_scene_of_axles();
     try_refused_scenes();
+    try_list_of_actions();
 }
 static void golden_scenes_in_the_plane(void)
 {

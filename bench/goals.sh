@@ -1,0 +1,49 @@
+#!/bin/sh
+# The goals of speed, each beside what the bench programs measured, and the reason where it is not reached: a table for
+# docs/cost.md. The instructions of a call come from docs/counts.md.
+# usage: goals.sh FOLDER COUNTS, FOLDER with the CSV files of the programs
+folder=$1 counts=$2
+# what @ program @ job @ route @ at most so many sin (float: sinf) @ its line in docs/counts.md @ reason where it takes longer
+rows='sn, cn, dn to 2K @ jacobi @ sncndn; |u| < 2K; 0 < m < 0.5 @ jacobi_sncndn @ 5 @ jacobi_sncndn @ K comes from a table, a root and a division; then the theta functions wait for u - j K
+sn, cn, dn to 2K @ jacobi @ sncndn; |u| < 2K; 0.5 < m < 1 @ jacobi_sncndn @ 5 @ jacobi_sncndn @ above m = 0.97 K needs a logarithm, and the theta functions far from 0 an exponential
+sn, cn, dn to 2K @ jacobi @ sncndn; |u| < 2K; -30 < m < -1 @ jacobi_sncndn @ 5 @ jacobi_sncndn @ below -1.25 K comes from the arithmetic-geometric mean
+sn, cn, dn to 1e9 @ jacobi @ sncndn; |u| < 1e9; 0 < m < 0.5 @ jacobi_sncndn @ 10 @  @ beyond 2^20 K needs two words: the mean in two words, whose steps wait for each other
+sn, cn, dn to 1e9 @ jacobi @ sncndn; |u| < 1e9; 0.5 < m < 1 @ jacobi_sncndn @ 10 @  @ as for 0 < m < 0.5, and the theta functions far from 0
+sn, cn, dn prepared @ jacobi @ sncndn; |u| < 2K; m = 0.5 @ jacobi_plan_sncndn @ 2 @ jacobi_plan_sncndn @ two polynomials of degree 10, and a division at the end
+sn, cn, dn prepared, m near 1 @ jacobi @ sncndn; |u| < 2K; m = 0.99 @ jacobi_plan_sncndn @ 3 @  @ the theta functions far from 0 need an exponential, which waits for the reduction
+sa, ca @ ateb @ saca; |s| < 10; 0 < alpha < 5 @ ateb_saca @ 12 @ ateb_saca @ Pi_alpha, the powers and the inversion are computed anew for each alpha
+sa, ca prepared, without a power @ ateb @ saca; |s| < 10; alpha = 3 @ ateb_plan_saca @ 2 @ ateb_plan_saca_3 @ the reduction of the phase, the polynomial and the root wait for each other
+sa, ca prepared, with a power @ ateb @ saca; |s| < 10; alpha = 1.333 @ ateb_plan_saca @ 3 @ ateb_plan_saca_4_3 @ the power: its logarithm and exponential, in two words, wait for the polynomial
+sa, ca prepared, with a power @ ateb @ saca; |s| < 10; alpha = 1000 @ ateb_plan_saca @ 3 @  @ the power, as for alpha = 1.333
+arrays, -O3 -march=native @ jacobi_wide @ sncndn; |u| < 2K; m = 0.5 @ jacobi_plan_sncndn_array @ 0.5 @ jacobi_plan_sncndn_array @ a vector holds few numbers, and each needs the reduction and a division
+arrays, -O3 -march=native @ ateb_wide @ saca; |s| < 10; alpha = 3 @ ateb_plan_saca_array @ 0.5 @  @ both ranges of s are computed for each s, since a vector cannot branch
+sn, cn, dn in float @ jacobi_float @ sncndn; |u| < 2K; 0 < m < 0.5 @ jacobi_sncndn @ 5 @ jacobi_sncndn @ sinf computes in double, which this code must not need
+sn, cn, dn prepared, in float @ jacobi_float @ sncndn; |u| < 2K; m = 0.5 @ jacobi_plan_sncndn @ 2 @ jacobi_plan_sncndn @ sinf computes in double, which this code must not need
+sa, ca in float @ ateb_float @ saca; |s| < 10; 0 < alpha < 5 @ ateb_saca @ 12 @ ateb_saca @ sinf computes in double, which this code must not need
+sa, ca prepared, in float @ ateb_float @ saca; |s| < 10; alpha = 3 @ ateb_plan_saca @ 2 @ ateb_plan_saca_3 @ sinf computes in double, which this code must not need'
+echo '| what | of which | goal | measured | reached | instructions, double; float | reason where not |'
+echo '|---|---|---|---|---|---|---|'
+for program in jacobi ateb jacobi_wide ateb_wide jacobi_float ateb_float; do
+    [ -f "$folder/$program.csv" ] && sed "s/^[^,]*/$program/" "$folder/$program.csv"
+done | awk -F, -v rows="$rows" -v counts="$counts" '
+    BEGIN {
+        while ((getline line <counts) > 0)
+            if (split(line, cell, / *[|] */) > 3) count[cell[2]] = cell[3] "; " cell[4]
+        n = split(rows, row, "\n")
+    }
+    $4 == "" { ratio[$1, $2, $3] = $7 }
+    END {
+        for (i = 1; i <= n; i++) {
+            split(row[i], field, / *@ */)
+            measured = ratio[field[2], field[3], field[4]]
+            reached = measured == "" ? "not measured" : measured + 0 <= field[5] + 0 ? "yes" : "no"
+            of = field[3]
+            gsub(/;/, ",", of)
+            gsub(/[|]/, "\\\\|", of)
+            printf "| %s | %s | %s | %s | %s | %s | %s |\n", field[1], of, field[5],
+                measured == "" ? "" : sprintf("%.2f", measured), reached, count["`" field[6] "`"],
+                reached == "no" ? field[7] : ""
+        }
+    }'
+echo
+echo "Measured on: $(sed -n 's/^processor *//p' "$folder/machine")."

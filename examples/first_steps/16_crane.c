@@ -1,0 +1,57 @@
+/* A crane draws in its load. The crane stops at 0.05 m/s, and the load, 200 kg on a rope of 20 m, swings while the rope
+   becomes shorter by 0.25 m/s. About the crane the load is an axle with the moment of inertia m L(t)^2, and its law of
+   mass with u = 0 is (m L^2 phi')' = -m g L sin phi, (170). As long as the rope is slow, the swings grow as L^(-3/4);
+   for small angles, the second axle, the exact motion has Bessel functions (Lorentz's pendulum).
+
+   cc -O2 16_crane.c -lm && ./a.out [file.csv] */
+#include <math.h>
+#include <stdio.h>
+#include "../../varmass.h"
+
+static const double m = 200, g = 9.81, length = 20, speed = 0.25; /* kg, m/s^2, m, m/s */
+
+static vm_real weight(vm_real t, vm_real phi, vm_real omega, void *sine_or_NULL)
+{
+    (void)omega;
+    return -m * g * (length - speed * t) * (sine_or_NULL ? sin(phi) : phi);
+}
+
+int main(int argc, char **argv)
+{
+    FILE *csv = argc > 1 ? fopen(argv[1], "w") : NULL;
+    const vm_vec3 zero = {0, 0, 0};
+    const vm_law inertia = vm_law_quadratic(m * length * length, -2 * m * length * speed, m * speed * speed);
+    vm_scene_body bodies[] = {vm_scene_body_axle(1, 0, 0.05 / length), vm_scene_body_axle(1, 0, 0.05 / length)};
+    int sine = 1, status;
+    vm_effect effects[] = {vm_effect_mass_of_time(0, &inertia, zero, 1), vm_effect_mass_of_time(1, &inertia, zero, 1),
+                           vm_effect_force(0, 0, weight, &sine), vm_effect_force(1, 0, weight, NULL)};
+    vm_event events[] = {vm_then_stop(vm_event_velocity(0, 0, 0, -1))}; /* where a swing to one side ends */
+    vm_real y[4], work[VM_SCENE_WORK(4)], t = 0, next = 0, now = length, law = 0;
+    ode_event located[1];
+    static vm_scene scene; /* what is not set is zero */
+    rk45_options options = rk45_defaults(NULL);
+    options.rtol = 1e-11;
+    options.atol = 1e-14;
+    scene.bodies = bodies;
+    scene.n_bodies = 2;
+    scene.effects = effects;
+    scene.n_effects = 4;
+    scene.events = events;
+    scene.located = located;
+    scene.n_events = 1;
+    status = vm_scene_start(&scene, t, y, NULL);
+    if (csv) fprintf(csv, "t (s),\"angle (mrad)\",\"path of the load (cm)\"\n");
+    while (status >= VM_OK && t < 70) {
+        status = vm_scene_run(&scene, &t, next, y, work, &options);
+        now = length - speed * t;
+        if (events[0].count == 1 && law == 0) law = y[0] * pow(now, 0.75);
+        if (status == VM_STOPPED && events[0].count % 3 == 1)
+            printf("a swing ends at %9.6f s: rope %.4f m, angle %.6f rad (by L^(-3/4): %.6f)\n", t, now, y[0],
+                   law * pow(now, -0.75));
+        if (csv) fprintf(csv, "%g,%.6f,%.6f\n", t, 1000 * y[0], 100 * now * y[0]);
+        if (status == VM_OK) next += 0.125;
+    }
+    printf("at %g s: %.9f rad; for small angles %.9f rad (by Bessel functions -0.002976876)\n", t, y[0], y[2]);
+    if (csv) fclose(csv);
+    return status < 0;
+}

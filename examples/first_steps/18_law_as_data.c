@@ -1,0 +1,38 @@
+/* A motion as plain data. A bucket of sand hangs on a cubic spring, m x'' + k x^3 = 0, and leaks: x(t) has no formula.
+   vm_osc_closed holds its law of order 2, 3, 4 or 5 as numbers without a pointer. vm_osc_closed_init makes it once, on
+   a PC or on board, and vm_osc_closed_at then gives x and v at any time, without integration and in constant time. The
+   field `error` estimates the error at all times up to the last argument of vm_osc_closed_init. A controller may keep
+   the law as a constant in flash, which examples/print_plan.c prints; docs/firmware.md has the flash, the stack and the
+   instructions of each order.
+
+   cc -O2 18_law_as_data.c -lm && ./a.out [file.csv] */
+#include <stdio.h>
+#include "../../varmass.h"
+
+int main(int argc, char **argv)
+{
+    FILE *csv = argc > 1 ? fopen(argv[1], "w") : NULL;
+    vm_osc_problem bucket = {3, vm_law_linear(10, -0.1), vm_law_linear(20000, 0), 0, 0, 0.05, 0, NULL, NULL};
+    const double end = 70; /* s: 7 of 10 kg have gone */
+    vm_osc_motion exact;
+    vm_osc_closed law;
+    double x = 0, v = 0, t;
+    int order, status = VM_OK;
+
+    for (order = 2; order <= 5 && !status; order++) {
+        status = vm_osc_closed_init(&law, &bucket, order, end);
+        if (!status) status = vm_osc_closed_at(&law, end, &x, &v);
+        if (!status) printf("order %d: x(70 s) = %.11f m, estimated error %.0e of the amplitude\n", order, x, law.error);
+    }
+    if (!status) status = vm_osc_by_route(&bucket, VM_ROUTE_COLLOCATION, end, 1e-13, &exact);
+    if (status >= 0) printf("by integration:   %.11f m, in %ld evaluations\n", exact.x, exact.evals);
+    printf("the law takes %d bytes\n", (int)sizeof law);
+    if (csv) fprintf(csv, "t (s),\"x (mm)\",\"v (mm/s)\"\n");
+    for (t = 0; csv && t <= end && status >= 0; t += 0.05) {
+        status = vm_osc_closed_at(&law, t, &x, &v); /* order 5 */
+        fprintf(csv, "%g,%.5f,%.5f\n", t, 1000 * x, 1000 * v);
+    }
+    if (csv) fclose(csv);
+    if (status < 0) printf("%s\n", vm_strerror(status));
+    return status < 0;
+}

@@ -1,0 +1,162 @@
+/* jacobi/above_one.h - incomplete elliptic integrals for m > 1
+
+   For m > 1 the root sqrt(1 - m sin^2 x) is real only up to the angle arcsin(1/k), where k = sqrt(m). Up to there the
+   integrals F, E, D and Pi have ordinary values, also at the end, and beyond they are NaN. With them one counts the
+   time of a pendulum from its angle: if it swings to and fro up to the angle A, it takes F(a/2 | m)/(k w0) seconds from
+   its lowest point to the angle a, where k is 1/sin(A/2) and w0 the frequency of its small oscillations.
+
+       vm_real u = jacobi_F(VM_C(0.4), VM_C(2.5)); // sn(u | 2.5) = sin 0.4
+
+   Method: the reciprocal transformation leads to the parameter 1/m and the angle whose sine is k sin phi. In Carlson's
+   integrals it means that cos^2 phi and 1 - m sin^2 phi change places. The latter number falls to 0 at the end, where
+   an integral changes as its root. Therefore the sine and the cosine of phi are computed in two words. All functions
+   of this file are internal; jacobi/incomplete.h calls them. Source: DLMF 19.7.4, 19.25. Tests:
+   tests/test_elliptic_integrals.c. */
+#ifndef VARMASS_JACOBI_ABOVE_ONE_H
+#define VARMASS_JACOBI_ABOVE_ONE_H
+
+#include "../base/real.h"
+#include "../base/sums.h"
+#include "../base/words.h"
+#include "carlson.h"
+
+/* The sine of t in two words for 0 <= t <= 0.1, by its power series. The terms from t^11 on are so small that one word
+   is enough for them. */
+VM_API vm_two vmi_two_sine_series(vm_two t)
+{
+    const vm_two square = vmi_two_times(t, t);
+    vm_real rest = 1;
+    vm_two sum;
+    int n;
+    for (n = 19; n > 9; n -= 2) rest = 1 - square.hi / (vm_real)(n * (n - 1)) * rest;
+    sum = vmi_two(rest, 0);
+    for (; n > 1; n -= 2) {
+        const vm_two part = vmi_two_over(square, vmi_two((vm_real)(n * (n - 1)), 0));
+        sum = vmi_two_minus(vmi_two(1, 0), vmi_two_times(part, sum));
+    }
+    return vmi_two_times(t, sum);
+}
+
+/* The sine and the cosine of z in two words for 0 <= z <= pi/4: those of z/8, and three doublings of the angle */
+VM_API void vmi_two_sin_cos(vm_two z, vm_two *sine, vm_two *cosine)
+{
+    const vm_two one = vmi_two(1, 0);
+    vm_two s = vmi_two_sine_series(vmi_two_shifted(z, VM_C(0.125))), ss = vmi_two_times(s, s);
+    vm_two c = vmi_two_root(vmi_two_minus(one, ss));
+    int i;
+    for (i = 0; i < 3; i++) {
+        s = vmi_two_shifted(vmi_two_times(s, c), 2);
+        c = vmi_two_minus(one, vmi_two_shifted(ss, 2));
+        ss = vmi_two_times(s, s);
+    }
+    *sine = s;
+    *cosine = c;
+}
+
+/* An angle phi between 0 and arcsin(1/k), with the numbers of which the integrals for m > 1 consist */
+typedef struct VM_TAG(vmi_above) {
+    vm_two s, c;   /* sin phi and cos phi */
+    vm_real cc;    /* cos^2 phi */
+    vm_real share; /* (m - 1) sin^2 phi */
+    vm_real d;     /* 1 - m sin^2 phi = cc - share; below 0 or NaN where the integrals have no real value */
+} vmi_above;
+
+/* Returns the root of |x| times sin phi in two words. The root keeps the product from overflow and underflow. */
+VM_API vm_two vmi_root_times_sine(vm_two x, const vmi_above *angle)
+{
+    if (x.hi < 0) x = vmi_minus(x);
+    return vmi_two_times(vmi_two_root(x), angle->s);
+}
+
+/* Returns c^2 - x^2 as a product, which has a small relative error. */
+VM_API vm_real vmi_difference_of_squares(vm_two c, vm_two x)
+{
+    return vmi_two_times(vmi_two_minus(c, x), vmi_two_plus(c, x)).hi;
+}
+
+/* Prepares |phi| and m1 = 1 - m < 0, which is given in two words. */
+VM_API vmi_above vmi_above_of(vm_real phi, vm_two m1)
+{
+    const vmi_three half_pi = vmi_half_pi();
+    const vm_real x = VM_FABS(phi);
+    vmi_above angle;
+    vm_two z = vmi_two(x, 0), root;
+    if (x <= half_pi.hi / 2) vmi_two_sin_cos(z, &angle.s, &angle.c);
+    else {
+        const vm_two sum = vmi_two_sum(half_pi.hi - x, half_pi.mid);
+        z = vmi_fast_two_sum(sum.hi, sum.lo + half_pi.lo);
+        vmi_two_sin_cos(z, &angle.c, &angle.s);
+    }
+    root = vmi_root_times_sine(m1, &angle);
+    angle.cc = angle.c.hi * angle.c.hi;
+    angle.share = root.hi * root.hi;
+    angle.d = vmi_difference_of_squares(angle.c, root);
+    if (!(z.hi >= 0) || !VM_IS_FINITE(m1.hi)) angle.d = VM_NAN; /* beyond pi/2 */
+    return angle;
+}
+
+/* F(phi | m) for m > 1: s R_F(d, cc, 1) */
+VM_API vm_real vmi_F_above(vm_real phi, vm_two m1)
+{
+    const vmi_above angle = vmi_above_of(phi, m1);
+    if (!(angle.d >= 0)) return VM_NAN;
+    return VM_COPYSIGN(angle.s.hi * vmi_rf(angle.cc, angle.d, 1), phi);
+}
+
+/* E(phi | m) for m > 1. With M = 1/m and the angle B whose sine is k s it is (E(B | M) - (1 - M) F(B | M)) k, a
+   difference whose digits would cancel. The formula here is a sum of positive terms (DLMF 19.25.10). */
+VM_API vm_real vmi_E_above(vm_real phi, vm_two m1)
+{
+    const vmi_above angle = vmi_above_of(phi, m1);
+    vm_real rd, sum;
+    if (!(angle.d >= 0)) return VM_NAN;
+    vmi_rf_rd(angle.d, 1, angle.cc, &rd);
+    sum = VM_SQRT(angle.d / angle.cc) + angle.share * rd * VM_C(0.3333333333333333333);
+    return VM_COPYSIGN(angle.s.hi * sum, phi);
+}
+
+/* D(phi | m) for m > 1: s^3 R_D(cc, d, 1)/3 */
+VM_API vm_real vmi_D_above(vm_real phi, vm_two m1)
+{
+    const vmi_above angle = vmi_above_of(phi, m1);
+    const vm_real s = angle.s.hi;
+    vm_real rd;
+    if (!(angle.d >= 0)) return VM_NAN;
+    vmi_rf_rd(angle.cc, angle.d, 1, &rd);
+    return VM_COPYSIGN(s * (s * s * rd * VM_C(0.3333333333333333333)), phi);
+}
+
+/* Pi(n; phi | m) for m > 1 and n < 0. The characteristic N = (1 - n)/(m - n) of the parameter 1/m replaces n/m (DLMF
+   19.7.9), so that all terms are positive. q is 1 - N k^2 s^2. */
+VM_API vm_real vmi_Pi_above_negative(const vmi_above *angle, vm_real n, vm_real m, vm_real m1)
+{
+    const vm_real s = angle->s.hi, ratio = n / m, per = 1 / (1 - ratio);
+    const vm_real p = angle->cc + (1 - n) * s * s, weight = -m1 / m * per * (angle->share + s * s);
+    const vm_real q = angle->d + weight;
+    vm_real third;
+    const vm_real rf = vmi_rf_rj_weighted(angle->cc, angle->d, 1, q, 1, weight, &third);
+    return s * (rf * per - ratio * per * (VM_SQRT(angle->d) * vmi_rc(angle->cc, p * q) + third));
+}
+
+/* Pi(n; phi | m) for m > 1 and a finite n. p = 1 - n s^2 is computed in two words, since it falls to 0 at a pole. For
+   p < 0, where n > m, the formula of vmi_Pi_part holds: q is 1 - s^2 m/n, and R_C has its principal value. */
+VM_API vm_real vmi_Pi_above(vm_real phi, vm_real n, vm_real m, vm_two m1)
+{
+    const vmi_above angle = vmi_above_of(phi, m1);
+    const vm_two less = vmi_two_sum(n, -1), root = vmi_root_times_sine(less, &angle);
+    const vm_real s = angle.s.hi;
+    vm_real p = angle.cc + root.hi * root.hi, q, rf, third;
+    if (!(angle.d >= 0)) return VM_NAN;
+    if (n < 0) return VM_COPYSIGN(vmi_Pi_above_negative(&angle, n, m, m1.hi), phi);
+    if (n > 1) p = vmi_difference_of_squares(angle.c, root);
+    if (p == 0) return VM_COPYSIGN(VM_INFINITY, phi);
+    if (p > 0) {
+        rf = vmi_rf_rj_weighted(angle.cc, angle.d, 1, p, 1, n * s * s, &third);
+        return VM_COPYSIGN(s * (rf + third), phi);
+    }
+    q = angle.cc + vmi_two_plus(less, m1).hi / n * s * s;
+    vmi_rf_rj_weighted(angle.cc, angle.d, 1, q, 1, m / n * s * s, &third);
+    return VM_COPYSIGN((vm_real)1, phi) * (s * (vmi_rc(angle.cc * angle.d, p * q) - third));
+}
+
+#endif
