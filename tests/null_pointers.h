@@ -709,6 +709,7 @@ static void null_scenes(void)
     STATUS(3, vm_scene_budget_at(IO(0, vm_scene, &s), 0, IN(1, vm_real, y), IO(2, vm_budget, &totals)));
     NOTHING(3, vm_scene_body_at(IN(0, vm_scene, &s), 0, IN(1, vm_real, y), X(2, vm_body)));
     NOTHING(4, vm_scene_point_at(IN(0, vm_scene, &s), 0, vmi_vec3(1, 0, 0), IN(1, vm_real, y), X(2, vm_vec3), X(3, vm_vec3)));
+    NOTHING(1, vm_scene_push_at(X(0, vm_scene), 0, vmi_vec3(1, 0, 0), y, vmi_vec3(0, 0, 1)));
     s.bodies = NULL;
     CHECK(vm_scene_size(&s) == VM_BAD_ARGUMENT && vm_scene_check(&s, NULL) == VM_BAD_ARGUMENT);
 }
