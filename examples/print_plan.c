@@ -4,7 +4,11 @@
           print_plan ateb ALPHA [ACCURACY [NAME]]     sa, ca for ALPHA; accuracy 0 is the full one
           print_plan closed ALPHA M0 M1 K0 K1 REACTIVE DAMPING X V ORDER T_END [NAME]
                                                       the motion of an oscillator with the mass M0 + M1 t and the
-                                                      stiffness K0 + K1 t from the position X and the velocity V */
+                                                      stiffness K0 + K1 t from the position X and the velocity V
+          print_plan rotation IX IY IZ WX WY WZ [NAME]
+                                                      the rotation of a free body with the principal moments of inertia
+                                                      IX, IY, IZ that turns at t = 0 with the angular velocity (WX, WY,
+                                                      WZ); its body axes are those of space at t = 0 */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -54,13 +58,23 @@ static vm_real number(int argc, char **argv, int i, double otherwise)
 
 static const char *name(int argc, char **argv, int i) { return i < argc ? argv[i] : "plan"; }
 
+static void print_theta_form(const vmi_theta_form *t, const char *after)
+{
+    print_numbers("    {", &t->kp, 1, ", ");
+    print_numbers("", &t->kp_lo, 1, ", ");
+    print_numbers("", &t->q, 1, ", ");
+    print_numbers("", &t->defect, 1, ",\n");
+    print_numbers("     {", t->f, 3, "},\n");
+    print_numbers("     {", t->g, 2, "},\n");
+    print_numbers("     {", t->scale, 2, "}}");
+    printf("%s", after);
+}
+
 static int print_jacobi(int argc, char **argv)
 {
     const vm_real m = number(argc, argv, 2, 0.3);
-    const vmi_theta_form *t;
     jacobi_plan p;
     if (jacobi_plan_init(&p, m) != 0) return 1;
-    t = &p.theta;
     print_head("jacobi_plan", argc > 2 ? argv[2] : "0.3", sizeof p, name(argc, argv, 3));
     printf("    %d,\n", p.form);
     print_numbers("    ", &p.m1, 1, ",\n");
@@ -68,13 +82,7 @@ static int print_jacobi(int argc, char **argv)
     print_numbers("    ", &p.per_K, 1, ",\n");
     print_numbers("    {", p.a, VMI_TERMS, "},\n");
     print_numbers("    {", p.b, VMI_TERMS, "},\n");
-    print_numbers("    {", &t->kp, 1, ", ");
-    print_numbers("", &t->kp_lo, 1, ", ");
-    print_numbers("", &t->q, 1, ", ");
-    print_numbers("", &t->defect, 1, ",\n");
-    print_numbers("     {", t->f, 3, "},\n");
-    print_numbers("     {", t->g, 2, "},\n");
-    print_numbers("     {", t->scale, 2, "}}\n};\n");
+    print_theta_form(&p.theta, "\n};\n");
     return 0;
 }
 
@@ -182,13 +190,104 @@ static int print_closed(int argc, char **argv)
     return 0;
 }
 
+static void print_vector(const char *before, vm_vec3 a, const char *after)
+{
+    print_numbers(before, &a.x, 1, ", ");
+    print_numbers("", &a.y, 1, ", ");
+    print_numbers("", &a.z, 1, after);
+}
+
+static void print_quaternion(const char *before, vm_quat q, const char *after)
+{
+    print_numbers(before, &q.w, 1, ", ");
+    print_numbers("", &q.x, 1, ", ");
+    print_numbers("", &q.y, 1, ", ");
+    print_numbers("", &q.z, 1, after);
+}
+
+static void print_two(const char *before, vm_two a, const char *after)
+{
+    print_numbers(before, &a.hi, 1, ", ");
+    print_numbers("", &a.lo, 1, after);
+}
+
+static void print_body(const vm_body *body)
+{
+    const vm_inertia *i = &body->inertia;
+    print_numbers("    {", &body->mass, 1, ", ");
+    print_numbers("{", &i->xx, 1, ", ");
+    print_numbers("", &i->yy, 1, ", ");
+    print_numbers("", &i->zz, 1, ", ");
+    print_numbers("", &i->xy, 1, ", ");
+    print_numbers("", &i->xz, 1, ", ");
+    print_numbers("", &i->yz, 1, "},\n");
+    print_quaternion("     {", body->q, "},\n");
+    print_vector("     {", body->r, "}, ");
+    print_vector("{", body->v, "},\n");
+    print_vector("     {", body->omega, "}},\n");
+}
+
+static void print_doubled_theta(const vmi_doubled_theta *t)
+{
+    print_numbers("    {", &t->decay, 1, ", ");
+    print_numbers("", &t->shift, 1, ", ");
+    print_numbers("", &t->Q, 1, ",\n");
+    print_numbers("     {", t->re, 4, "},\n");
+    print_numbers("     {", t->im, 4, "}}\n");
+}
+
+static void print_torque_free(const vm_torque_free *r)
+{
+    print_body(&r->body);
+    print_numbers("    ", &r->t0, 1, ",\n");
+    print_vector("    {{", r->axes.x, "},\n");
+    print_vector("     {", r->axes.y, "},\n");
+    print_vector("     {", r->axes.z, "}},\n");
+    print_quaternion("    {", r->start, "},\n");
+    print_numbers("    {", r->spin, 3, "},\n");
+    print_numbers("    {", r->lean, 3, "},\n");
+    print_two("    {", r->phase, "}, ");
+    print_two("{", r->phase_rate, "},\n");
+    print_two("    {", r->K, "}, ");
+    print_two("{", r->turn_rate, "},\n");
+    print_numbers("    ", &r->m1, 1, ",\n");
+    print_theta_form(&r->far_form, ",\n");
+    print_doubled_theta(&r->theta);
+}
+
+static int print_rotation(int argc, char **argv)
+{
+    const vm_quat none = {1, 0, 0, 0};
+    vm_vec3 moments, omega;
+    vm_torque_free r;
+    int status;
+    if (argc < 8) return 1;
+    moments.x = number(argc, argv, 2, 0);
+    moments.y = number(argc, argv, 3, 0);
+    moments.z = number(argc, argv, 4, 0);
+    omega.x = number(argc, argv, 5, 0);
+    omega.y = number(argc, argv, 6, 0);
+    omega.z = number(argc, argv, 7, 0);
+    status = vm_torque_free_init_principal(&r, moments, none, omega, 0);
+    if (status) {
+        fprintf(stderr, "print_plan: %s\n", vm_strerror(status));
+        return 1;
+    }
+    print_head("vm_torque_free", "the rotation of a free body", sizeof r, name(argc, argv, 8));
+    print_torque_free(&r);
+    printf("};\n");
+    return 0;
+}
+
 int main(int argc, char **argv)
 {
     int failed = 1;
     if (argc > 1 && strcmp(argv[1], "jacobi") == 0) failed = print_jacobi(argc, argv);
     if (argc > 1 && strcmp(argv[1], "ateb") == 0) failed = print_ateb(argc, argv);
     if (argc > 1 && strcmp(argv[1], "closed") == 0) failed = print_closed(argc, argv);
-    if (failed) fprintf(stderr, "usage: print_plan jacobi M [NAME], print_plan ateb ALPHA [ACCURACY [NAME]], or\n"
-                                "       print_plan closed ALPHA M0 M1 K0 K1 REACTIVE DAMPING X V ORDER T_END [NAME]\n");
+    if (argc > 1 && strcmp(argv[1], "rotation") == 0) failed = print_rotation(argc, argv);
+    if (failed) fprintf(stderr, "usage: print_plan jacobi M [NAME], print_plan ateb ALPHA [ACCURACY [NAME]],\n"
+                                "       print_plan closed ALPHA M0 M1 K0 K1 REACTIVE DAMPING X V ORDER T_END [NAME], or\n"
+                                "       print_plan rotation IX IY IZ WX WY WZ [NAME]\n");
     return failed;
 }

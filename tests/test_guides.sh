@@ -18,4 +18,10 @@ for guide in docs/guide-*.md; do
         check "$guide links to $link" test -e "docs/$link"
     done
 done
+same_rules() { # the MISRA rules of the firmware guide are those whose findings tests/analysers.txt accepts
+    sed -n 's/^misra-c2012-\([0-9]*\)\\\.\([0-9]*\).*/\1.\2/p' tests/analysers.txt | sort >"$build/accepted"
+    sed -n 's/^| \([0-9]*\.[0-9]*\) | .*/\1/p' docs/guide-firmware.md | sort >"$build/listed"
+    [ -s "$build/listed" ] && diff "$build/accepted" "$build/listed"
+}
+check "the MISRA rules that the firmware guide lists" same_rules
 check_finish guides

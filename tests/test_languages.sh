@@ -27,9 +27,12 @@ else
 fi
 
 if command -v python3 >/dev/null; then
-    check "Python: examples/python/swing.py" env CC="$cc" python3 examples/python/swing.py
+    export PYTHONDONTWRITEBYTECODE=1 CC="$cc"
+    check "Python: examples/python/swing.py" python3 examples/python/swing.py
+    check "Python: examples/python/cost.py" python3 examples/python/cost.py
+    check "Python: the module's functions" python3 tests/python_module.py
 else
-    skip 1 "Python: not here"
+    skip 3 "Python: not here"
 fi
 
 if command -v nvcc >/dev/null; then

@@ -114,6 +114,29 @@ END
     $cc -std=c99 -O2 -Wall -Wextra -Werror $float -I. -c "$folder/closed.c" -o "$folder/closed.o" || return 1
     $cc "$folder/closed.o" -o "$folder/closed" -lm && "$folder/closed" && is_read_only "$folder/closed.o" plan
 }
+rotation_round_trip() { # rotation_round_trip PRECISION ARGUMENT... : so has the printed rotation of a free body
+    folder=$build/$1 float=
+    [ $1 = float ] && float=-DVM_USE_FLOAT
+    shift
+    { printf '#include "varmass.h"\n'
+      "$folder/print" rotation "$@" || return 1
+      echo "static const double a[] = {$(echo "$@" | tr ' ' ',')};"
+      cat <<'END'
+int main(void)
+{
+    const vm_torque_free *volatile printed = &plan;
+    const vm_vec3 moments = {(vm_real)a[0], (vm_real)a[1], (vm_real)a[2]};
+    const vm_vec3 omega = {(vm_real)a[3], (vm_real)a[4], (vm_real)a[5]};
+    const vm_quat none = {1, 0, 0, 0};
+    vm_torque_free r;
+    if (vm_torque_free_init_principal(&r, moments, none, omega, 0)) return 1;
+    return memcmp(&r, printed, sizeof r) != 0;
+}
+END
+    } >"$folder/rotation.c"
+    $cc -std=c99 -O2 -Wall -Wextra -Werror $float -I. -c "$folder/rotation.c" -o "$folder/rotation.o" || return 1
+    $cc "$folder/rotation.o" -o "$folder/rotation" -lm && "$folder/rotation" && is_read_only "$folder/rotation.o" plan
+}
 for alpha in 0 0.1 1 1.5 2.7 3 100; do
     check "printed plan, alpha $alpha" ateb_round_trip double $alpha 0
     check "printed plan, alpha $alpha, float" ateb_round_trip float $alpha 0
@@ -126,9 +149,19 @@ for precision in double float; do
     check "$precision: at rest" closed_round_trip $precision 0 2 0.01 5 0 0 0 0 0 4 1
     check "$precision: one without a law is refused" fails "$build/$precision/print" closed 1 1 10 1 0 0 0 0.1 0 5 1
 done
+for precision in double float; do
+    check "$precision: a printed rotation, next to the middle axis" rotation_round_trip $precision 1 2 3 0.01 5 0
+    check "$precision: of a symmetric body" rotation_round_trip $precision 2 2 1 0.3 0.4 2
+    check "$precision: of a body at rest" rotation_round_trip $precision 1 2 2.5 0 0 0
+    check "$precision: of an impossible body is refused" fails "$build/$precision/print" rotation 1 1 5 0 0 1
+done
 stored_plan_is_current() {
     { echo '/* Written by examples/print_plan ateb 3, built with -DVM_USE_FLOAT */'; "$build/float/print" ateb 3 0; } |
         cmp - examples/firmware/plan.h
 }
 check "the firmware example's plan is what init computes" stored_plan_is_current
+guide_plan_is_current() { # the plan that the guide's program shows
+    "$build/float/print" jacobi 0.5 swing >"$build/guide" && grep -Fxf "$build/guide" docs/guide-firmware.md | cmp - "$build/guide"
+}
+check "the firmware guide's plan is what init computes" guide_plan_is_current
 check_finish plans
