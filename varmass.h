@@ -12335,7 +12335,7 @@ VM_API void vmi_gauss_rule_grade(vmi_gauss_rule *rule)
    alpha < 3 the nodes then lie closer at the ends of the steps (vmi_gauss_rule_grade).
        vmi_osc_course c;
        int status;
-       vmi_osc_course_start(&c, &plan, &state, 1, 4, 1, VM_C(1e-12)); // plan is a vm_osc_plan, state its reduced state
+       vmi_osc_course_start(&c, &plan, &reduced, 1, 4, 1, VM_C(1e-12)); // the vm_osc_plan plan, reduced at t = 0
        c.stop = 10;
        status = vmi_osc_course_step(&c); // to the first zero of x, or to 10 s
    Source: Hairer, Lubich, Wanner, Geometric Numerical Integration (2006), II.1.2 and VIII.6.
@@ -17073,7 +17073,9 @@ VM_API int vmi_vdp_mean_at(const vm_vdp_plan *p, vm_real t, vmi_vdp_mean *mean)
    The terms of second order are such integrals, too (vmi_vdp_closed_loss). For other alpha the walk ends where the limit
    cycle is reached: from there on the phase grows evenly. So the cost does not depend on t.
        vmi_vdp_mean mean;
-       int status = vmi_vdp_mean_motion(&plan, 100, &mean); // plan is a vm_vdp_plan
+       vm_vdp_plan plan;
+       int status = vm_vdp_plan_init(&plan, &vdp, VM_C(0.3), 0); // vdp is a vm_vdp; from rest at x = 0.3 m
+       if (!status) status = vmi_vdp_mean_motion(&plan, 100, &mean);
    Tests: tests/test_van_der_pol_law.c. */
 #ifndef VARMASS_OSCILLATORS_VAN_DER_POL_CONSTANT_H
 #define VARMASS_OSCILLATORS_VAN_DER_POL_CONSTANT_H

@@ -9,7 +9,8 @@ extern vm_real dry;            /* its mass without fuel, kg */
 extern vm_body whole, part;    /* a body, and what leaves it in an instant */
 extern vm_osc_problem problem; /* an oscillator ... */
 extern vm_osc_plan plan;       /* ... after vm_osc_plan_init */
-extern vm_vdp vdp;            /* Van der Pol's oscillator, with all fields set */
+extern vmi_osc_reduced reduced; /* its reduced state at t = 0 */
+extern vm_vdp vdp;             /* Van der Pol's oscillator, with all fields set */
 extern vmi_orbit orbit;        /* a motion under an odd force, complete */
 extern vm_forced forced;       /* after vm_forced_init */
 extern vm_scene scene;         /* a scene whose state has two numbers */

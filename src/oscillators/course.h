@@ -16,7 +16,7 @@
    alpha < 3 the nodes then lie closer at the ends of the steps (vmi_gauss_rule_grade).
        vmi_osc_course c;
        int status;
-       vmi_osc_course_start(&c, &plan, &state, 1, 4, 1, VM_C(1e-12)); // plan is a vm_osc_plan, state its reduced state
+       vmi_osc_course_start(&c, &plan, &reduced, 1, 4, 1, VM_C(1e-12)); // the vm_osc_plan plan, reduced at t = 0
        c.stop = 10;
        status = vmi_osc_course_step(&c); // to the first zero of x, or to 10 s
    Source: Hairer, Lubich, Wanner, Geometric Numerical Integration (2006), II.1.2 and VIII.6.

@@ -8,7 +8,9 @@
    The terms of second order are such integrals, too (vmi_vdp_closed_loss). For other alpha the walk ends where the limit
    cycle is reached: from there on the phase grows evenly. So the cost does not depend on t.
        vmi_vdp_mean mean;
-       int status = vmi_vdp_mean_motion(&plan, 100, &mean); // plan is a vm_vdp_plan
+       vm_vdp_plan plan;
+       int status = vm_vdp_plan_init(&plan, &vdp, VM_C(0.3), 0); // vdp is a vm_vdp; from rest at x = 0.3 m
+       if (!status) status = vmi_vdp_mean_motion(&plan, 100, &mean);
    Tests: tests/test_van_der_pol_law.c. */
 #ifndef VARMASS_OSCILLATORS_VAN_DER_POL_CONSTANT_H
 #define VARMASS_OSCILLATORS_VAN_DER_POL_CONSTANT_H
