@@ -669,7 +669,7 @@ static void null_parts_of_scenes(void)
     NUMBER(1, vm_band_at(1, IN(0, vm_band, &band)).inertia);
     STATUS(1, event_in_scene(vm_then_stop(vm_event_user(CALLBACK(0, null_when), NULL, 0))));
     STATUS(1, event_in_scene(vm_then_user(vm_event_at(1), CALLBACK(0, null_then), NULL)));
-    STATUS(1, event_in_scene(vm_then_all(vm_event_at(1), IN(0, vm_event, &action), 1)));
+    STATUS(1, event_in_scene(vm_then_all(vm_event_at(1), IO(0, vm_event, &action), 1)));
     STATUS(1, event_in_scene(vm_then_separate(vm_event_at(1), 0, 5, IN(0, vm_body, &part), 0)));
     STATUS(1, event_in_scene(vm_then_separate_on_line(vm_event_at(1), 0, 5, IN(0, vm_body, &part), 0)));
     part.inertia.zz = 1;

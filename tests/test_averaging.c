@@ -787,7 +787,7 @@ static void test_missing_mass(void)
 static double drift_of(double reactive, double damping)
 {
     const vm_osc_problem o = problem(2, vm_law_linear(2, R(0.1)), reactive, damping);
-    vmi_osc_rates r = {0, 0, 0, 0};
+    vmi_osc_rates r = {0, 0, 0, 0, 0};
     CHECK(vmi_osc_rates_at(&o, 5, 1, &r) == VM_OK);
     near("(346)", "", mass_at(&o, 5), 2.5, 1e-15);
     return ((double)o.alpha + 3) * (double)r.p;
