@@ -398,6 +398,7 @@ site:
 
 # a library for the Arduino IDE and PlatformIO, and a release with its checksum, under build/packages
 packages: headers amalgamation
+	@sh tests/install.sh -w "to compress a release" "command -v xz" xz-utils
 	CC="$(CC)" sh examples/package/packages.sh build $(VERSION)
 
 # headers under PREFIX/include/varmass, found by pkg-config and by CMake's find_package

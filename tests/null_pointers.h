@@ -685,6 +685,17 @@ static int run_from_0(vm_scene *s, vm_real *t, vm_real *y, vm_real *work)
     return vm_scene_run(s, t, 1, y, work, NULL);
 }
 
+/* Whether vm_scene_push_at finds no fault; with a null pointer it must not crash */
+static int push_works(vm_scene *scene, const vm_real *y)
+{
+    int works;
+    vm_scene_push_at(scene, 0, vmi_vec3(1, 0, 0), y, vmi_vec3(0, 0, 1));
+    if (!scene) return 0;
+    works = scene->status == VM_OK;
+    scene->status = VM_OK;
+    return works;
+}
+
 static void null_scenes(void)
 {
     vm_scene_body body = vm_scene_body_line(2, 0, 1);
@@ -709,7 +720,7 @@ static void null_scenes(void)
     STATUS(3, vm_scene_budget_at(IO(0, vm_scene, &s), 0, IN(1, vm_real, y), IO(2, vm_budget, &totals)));
     NOTHING(3, vm_scene_body_at(IN(0, vm_scene, &s), 0, IN(1, vm_real, y), X(2, vm_body)));
     NOTHING(4, vm_scene_point_at(IN(0, vm_scene, &s), 0, vmi_vec3(1, 0, 0), IN(1, vm_real, y), X(2, vm_vec3), X(3, vm_vec3)));
-    NOTHING(1, vm_scene_push_at(X(0, vm_scene), 0, vmi_vec3(1, 0, 0), y, vmi_vec3(0, 0, 1)));
+    ANSWER(2, push_works(IO(0, vm_scene, &s), IN(1, vm_real, y)));
     s.bodies = NULL;
     CHECK(vm_scene_size(&s) == VM_BAD_ARGUMENT && vm_scene_check(&s, NULL) == VM_BAD_ARGUMENT);
 }

@@ -8,7 +8,7 @@ copy=$build/copy
 . tests/check.sh
 skipped=0
 long='test|test-all|lint|bench|measurements|cost|scan|points|exhaustive|data|figures|test-.*|evaluations|coverage|first-steps|scene-sizes|sweep|firmware-table|docs|check-docs|campaigns|peers'
-[ "$2" = quick ] && long="$long|run|bench-quick|bench-count|toronto|validation|parts-table|firmware|wasm"
+[ "$2" = quick ] && long="$long|run|packages|site|bench-quick|bench-count|toronto|validation|parts-table|firmware|wasm"
 
 # indented lines and `spans` that begin with a command; a line may go on with && and so on
 commands() {
