@@ -112,7 +112,7 @@ static void check_rigid(void)
 }
 
 /* The wave that a start begins begins so, to a few roundings of the terms, of which a and k make the sizes. */
-static void check_start(const vm_drum_shaft *s)
+static void check_drum_start(const vm_drum_shaft *s)
 {
     const vm_real at_0 = MOSTLY(draw_in(-1, 1)), slope = MOSTLY(draw_in(-1, 1)), particular = MOSTLY(draw_in(-1, 1));
     vm_real a = 7, alpha = 7;
@@ -132,7 +132,7 @@ static void check_start(const vm_drum_shaft *s)
 }
 
 /* The motion over the angle with the angular velocity among its states; the correction of this velocity */
-static void check_coupled(void)
+static void check_drum_coupled(void)
 {
     vm_drum d = draw_drum();
     vm_real y[VM_DRUM_COUPLED_STATES], dydt[VM_DRUM_COUPLED_STATES];
@@ -172,7 +172,7 @@ static void check_shaft(void)
         HOLDS(UNTOUCHED(s));
         return;
     }
-    check_start(&s);
+    check_drum_start(&s);
     x = vm_drum_deflection(&s, phi, 1, 0, 0);
     if (tame_drum(&d) && phi >= 0 && phi < 7) {
         HOLDS(is_nan(x) == !(1 - s.A * phi > 0));
@@ -188,7 +188,7 @@ static void fuzz_drum(void)
     switch (draw_below(4)) {
     case 0:
         check_shaft();
-        check_coupled();
+        check_drum_coupled();
         break;
     case 1: check_lambert(); break;
     default: check_rigid();
