@@ -402,7 +402,7 @@ static void test_start_refusals(void)
     s.k = 0;
     CHECK(vm_drum_deflection_start(&s, 1, 0, 0, &a, &alpha) == VM_DOMAIN && a == 7 && alpha == 7);
     s.k = 1;
-    CHECK(vm_drum_deflection_start(&s, s.shift, s.A * s.shift, s.shift, &a, &alpha) == VM_OK && a == 0 && alpha == 0);
+    CHECK(vm_drum_deflection_start(&s, R(0.5), s.A * R(0.5), R(0.5), &a, &alpha) == VM_OK && a == 0 && alpha == 0);
     CHECK(vm_drum_rhs_coupled(1, z, f, &d) == VM_DOMAIN && f[0] == 7); /* the drum stands */
     z[VM_DRUM_RATE] = VM_NAN;
     CHECK(vm_drum_rhs_coupled(1, z, f, &d) == VM_NOT_FINITE);

@@ -7,7 +7,7 @@ arduino=/usr/share/arduino/hardware/arduino/avr
 . tests/check.sh
 skipped=0
 wanted_for="to try the packages"
-sh tests/install.sh -w "$wanted_for" "command -v cmake" cmake
+sh tests/install.sh -w "$wanted_for" "command -v cmake && command -v pkg-config" cmake pkg-config
 sh tests/install.sh -w "$wanted_for" "command -v meson && command -v ninja" meson ninja-build
 sh tests/install.sh -w "$wanted_for" "command -v avr-g++ && test -e $arduino/cores/arduino/Arduino.h" gcc-avr avr-libc arduino-core-avr
 PKG_CONFIG_PATH=$build/installed/share/pkgconfig
@@ -158,7 +158,7 @@ if command -v cmake >/dev/null; then
 else
     skipped=$((skipped + 3))
 fi
-if command -v meson >/dev/null && command -v ninja >/dev/null; then
+if command -v meson >/dev/null && command -v ninja >/dev/null && command -v pkg-config >/dev/null; then
     check "Meson: a subproject" with_meson
     check "Meson installs" meson_installs
 else
