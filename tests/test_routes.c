@@ -79,14 +79,15 @@ static void errors_of_row(const order_row *row, double e, double error[LAWS])
 
 /* The errors are those of the table, which are stated to two digits of a largest value on 400 points; those of orders 2
    and 5 come from a program in 80-bit arithmetic without the headers. From eps = 0.03 to 0.003, that of second order falls
-   by 80 to 126. */
+   by 80 to 126. For alpha < 1 the reference, an integration over a force that is far from smooth, is itself uncertain by up to
+   6e-9 (from one compiler option to the next), a fifth of the lesser error, so that more is allowed there. */
 static void test_stated_errors(void)
 {
     int r, i, k;
     if (is_float) return; /* float holds no second order so long */
     for (r = 0; r < COUNT(order_rows); r++) {
         const order_row *row = order_rows + r;
-        double error[LAWS], coarse[LAWS], fine[LAWS], ratio;
+        double error[LAWS], coarse[LAWS], fine[LAWS], ratio, allowed;
         for (i = 0; i < 3 && row->eps[i] > 0; i++) {
             errors_of_row(row, row->eps[i], error);
             for (k = 0; k < LAWS; k++)
@@ -97,8 +98,9 @@ static void test_stated_errors(void)
         errors_of_row(row, 0.03, coarse);
         errors_of_row(row, 0.003, fine);
         ratio = coarse[1] / fine[1];
-        check_error("law of order two", "ratio/100", "", ratio / 100, 1.26, row->alpha, ratio);
-        check_error("law of order two", "100/ratio", "", 100 / ratio, 1.25, row->alpha, ratio);
+        allowed = row->alpha < 1 ? 1.35 : 1.26;
+        check_error("law of order two", "ratio/100", "", ratio / 100, allowed, row->alpha, ratio);
+        check_error("law of order two", "100/ratio", "", 100 / ratio, allowed, row->alpha, ratio);
     }
 }
 
