@@ -133,7 +133,9 @@ static void try_osc_loads(void)
     const int routes[4] = {VM_ROUTE_TRIG, VM_ROUTE_ATEB, VM_ROUTE_COLLOCATION, VM_ROUTE_RK87};
     int i;
     for (i = 0; i < 8; i++) {
-        const vm_law u = some_law(i % 4), damping = vm_law_linear(uniform(0, 1) / 64, uniform(0, 1) / 1024);
+        const vm_law u = some_law(i % 4);
+        const vm_real damping_rate = uniform(0, 1) / 1024;
+        const vm_law damping = vm_law_linear(uniform(0, 1) / 64, damping_rate);
         vm_osc_problem p = some_problem(i % 3, 0);
         vm_osc_load load;
         vm_osc_motion motion;

@@ -114,7 +114,7 @@ static void try_laval_motions(void)
         vm_power_force spring;
         vm_jeffcott_whirl w;
         vm_jeffcott r;
-        vm_real motion[4];
+        vm_real motion[4], t;
         memset(&r, 0, sizeof r);
         spring.k = uniform(1, 2);
         spring.alpha = i % 2 ? 1 : uniform(1, 4);
@@ -126,7 +126,8 @@ static void try_laval_motions(void)
         for (sense = -1; sense < 2; sense += 2) {
             CLEAR(w);
             fold(vm_jeffcott_whirl_amplitude(&r, 1, 2, uniform(1, 3), sense));
-            fold_int(vm_jeffcott_whirl_at(&r, uniform(0, 1), 1, sense, uniform(0, 2), &w));
+            t = uniform(0, 2);
+            fold_int(vm_jeffcott_whirl_at(&r, uniform(0, 1), 1, sense, t, &w));
             fold(w.radius);
             fold(w.angle);
             fold(w.frequency);
