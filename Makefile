@@ -9,6 +9,7 @@
 #   make check-docs   fail where a document was written from other headers      make campaigns   the long checks, part by part
 #   make test     the tests, three minutes       make test-all   the rest       make lint    strict warnings, gcc and clang
 #   make scan     millions of random arguments (minutes)                make points SEED=n   20 000 fresh table points
+#   make routes    random oscillators by all routes against exact motions, docs/routes.md (minutes)
 #   make exhaustive   every float of a period (minutes)                 make data    write the reference tables anew
 #   make figures  draw docs/figures                                     make measurements    write docs/measurements.md
 #   make first-steps   short programs, docs/first-steps.md
@@ -61,7 +62,7 @@ RUN_TESTS = @rm -f $(1); $(MAKE) -s -k $(if $(findstring jobserver,$(MAKEFLAGS))
 TEST_FILES = build/command $(HEADERS) $(wildcard tests/*.h tests/data/*.h tests/hard/* examples/*.h examples/scenes/*.h)
 GSL_CHECK = echo '\#include <gsl/gsl_sf.h>' | $(CC) -E -
 
-.PHONY: headers part parts-table law duffing van-der-pol toronto tables validation test-events test-readme scaling wasm first-steps sweep firmware firmware-table test-cross install uninstall amalgamation run test test-all scan points exhaustive lint bench measurements figures data clean bench-quick bench-count cost scene-sizes test-fuzz evaluations test-threads coverage test-mutate test-sanitize proof packages site docs check-docs campaigns counts hard-cases promises numbers peers
+.PHONY: headers part parts-table law duffing van-der-pol toronto tables validation test-events test-readme scaling wasm first-steps sweep firmware firmware-table test-cross install uninstall amalgamation run test test-all scan routes points exhaustive lint bench measurements figures data clean bench-quick bench-count cost scene-sizes test-fuzz evaluations test-threads coverage test-mutate test-sanitize proof packages site docs check-docs campaigns counts hard-cases promises numbers peers
 
 headers:
 	@mkdir -p build && echo '*' >build/.gitignore
@@ -169,6 +170,15 @@ scan: build/tests/scan build/tests/scan_float
 	./build/tests/scan_float 1000000 >>build/campaigns/tables/scan.log
 	@cat build/campaigns/tables/scan.log
 	@sh bench/measurements.sh function build/campaigns/tables/scan.log <bench/scan.md >docs/scan.md && $(STAMP) scan
+
+# a campaign of minutes: random oscillators by all routes against exact motions in long double
+RUNS_OF_ROUTES = 2000
+routes: build/tests/random_routes
+	@mkdir -p build/campaigns/tables
+	./build/tests/random_routes $(RUNS_OF_ROUTES) >build/campaigns/tables/routes.md || \
+	    { cat build/campaigns/tables/routes.md; exit 1; }
+	@grep 'passed,' build/campaigns/tables/routes.md
+	@{ cat bench/routes.md; grep -v 'passed,' build/campaigns/tables/routes.md; } >docs/routes.md && $(STAMP) routes
 
 # a campaign of minutes: the float functions at every float of a period
 EXHAUSTIVE = build/tests/exhaustive_jacobi build/tests/exhaustive_ateb
@@ -490,6 +500,9 @@ build/tests/all/exhaustive_jacobi.log: build/tests/exhaustive_jacobi FORCE
 
 build/tests/exhaustive_%: tests/exhaustive_%.c tests/exhaustive_double.c tests/exhaustive.h $(TEST_FILES)
 	@$(IN_BUILD) && $(COMPILE) -c tests/exhaustive_double.c -o $@.o && $(COMPILE) $< $@.o -o $@ -lm
+
+build/tests/random_routes: tests/random_routes.c $(wildcard tests/gen/*.h) $(TEST_FILES)
+	@$(IN_BUILD) && $(COMPILE) $< -o $@ -lm
 
 build/tests/scan: tests/scan.c tests/quad.h $(TEST_FILES)
 	@$(IN_BUILD) && $(CC) -std=gnu99 -ffp-contract=off $(CFLAGS) $< -o $@ -lquadmath -lm

@@ -14,6 +14,7 @@ parts() {
     cat <<'END'
 scan; ateb jacobi; make scan; passed, ; errors at a million random arguments in each region against quadruple precision
 points; ateb jacobi; make points; passed, ; errors at 20 000 fresh points of each table against arbitrary precision
+routes; ateb jacobi integrators varmass; make routes; passed, ; errors and estimates of 2000 random oscillators by all routes
 exhaustive; ateb jacobi; make exhaustive; passed, ; errors at every float of a period
 evaluations; ateb jacobi varmass; make evaluations; ^all|violations; ranges, symmetries and identities at random arguments
 events; integrators; make test-events; passed, ; random runs whose events coincide, jump or vanish

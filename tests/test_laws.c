@@ -120,6 +120,16 @@ static void test_limits(void)
     }
 }
 
+/* At a time so small that its 32nd part is 0 a panel has a length nevertheless, so that the integral ends. */
+static void test_subnormal_times(void)
+{
+    const vm_real least = VM_MIN * VM_EPSILON;
+    vm_real rate = 1, integral = 0;
+    const vm_law law = vm_law_user(sine_law, &rate), one = vm_law_linear(1, 0);
+    CHECK(vm_law_inverse_integral(&law, least, &integral) == VM_OK && integral == least);
+    CHECK(vm_law_ratio_integral(&one, &law, -least, &integral) == VM_OK && integral == -least);
+}
+
 /* ---- Bad input ---- */
 
 /* All routes to x(t) end with this status for a mass of this law. */
@@ -191,6 +201,7 @@ int main(void)
     test_closed_laws();
     test_tables();
     test_limits();
+    test_subnormal_times();
     test_not_positive();
     test_bad_tables();
     test_bad_functions();

@@ -10,6 +10,7 @@
 #include "trajectory.h"
 #include "routes_problems.h"
 #include "exact_motion.h"
+#include "random_routes.h"
 
 #define COUNT(cases) ((int)(sizeof(cases) / sizeof *(cases)))
 
@@ -278,6 +279,42 @@ static void test_localised(void)
                 check_error("localised", "laws, true/est", "", 1 / ratio, 10, i, route);
         }
     }
+}
+
+/* A small sample of the campaign that `make routes` runs (docs/routes.md): alpha from 0 to 10, all laws, both directions of
+   time. The exact motions are in double here; their error grows as that of exact_tolerance says. */
+static void test_random_problems(void)
+{
+    enum { N = 80 };
+    static double ratio[N];
+    random_tally tally = {"random", 0, 0, 0, 0, 0, 0, 0, NULL};
+    random_numbers g = {77};
+    int i;
+    if (is_float) return; /* float cannot hold most of these phases */
+    tally.ratio = ratio;
+    for (i = 0; i < N; i++) {
+        const double rate = draw_spread(&g, 2e-3, 0.15), tolerance = draw_spread(&g, 1e-8, 1e-2);
+        const double T = fmin(draw_uniform(&g, 0.3, 3) / rate, 200), own = 1e-11 + 1e-13 * T;
+        exact_motion exact;
+        routes_case c;
+        vm_osc_problem o;
+        vm_osc_motion m = {0, 0, 0, 0, 0, 0};
+        double error;
+        int status;
+        exact.c = draw_case(&g, rate, T);
+        exact_start(&exact, exact_tolerance);
+        CHECK(exact_follow(&exact, T));
+        c = exact.c;
+        o = problem_of(&c);
+        if (i % 2) o = reversed_problem(&exact.c, &c);
+        status = vm_osc_within(&o, R(c.T), R(tolerance), &m);
+        CHECK(status == VM_OK);
+        error = case_error(&c, &o, m.x, m.v);
+        random_count(&tally, status, tolerance, error, (double)m.error, own);
+        check_error("random problems", "true/tolerance", "", error / (tolerance + own), 1, c.alpha, tolerance);
+    }
+    check_error("random problems", "true/est, worst", "", random_worst(&tally), 10, tally.n, 0);
+    check_error("random problems", "true > 3 est", "%", 100. * random_above(&tally, 3) / tally.n, 2, tally.n, 0);
 }
 
 /* With a force: the exact routes, and the averaged ones, whose error is more than that of their integration */
@@ -784,6 +821,7 @@ int main(void)
     test_stated_errors();
     test_action();
     test_estimates();
+    test_random_problems();
     test_localised();
     test_forced();
     test_exact_motions();

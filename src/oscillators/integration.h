@@ -319,6 +319,7 @@ VM_API int vmi_osc_law_step(const vm_osc_plan *p, vm_real t, vm_real *step)
     status = vmi_osc_walk_to(p, t, &mean);
     if (status) return status;
     *step = vmi_larger(mean.shortest / panel_steps, VM_FABS(t) / run_steps);
+    *step = vmi_larger(*step, VM_MIN); /* t may be subnormal */
     for (i = 0; i < 2; i++) {
         const vm_real change_time = laws[i]->function ? laws[i]->change_time : 0;
         if (change_time > 0 && change_time < *step) *step = change_time;

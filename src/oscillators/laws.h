@@ -538,10 +538,10 @@ VM_API vm_law vm_law_user(vm_law_function function, void *ctx)
 }
 
 /* The longest panel of time, s, for integrals along the law from 0 to t: short enough to notice the changes that
-   vm_law_user promises to find. `whole` is |t|. */
+   vm_law_user promises to find, but not 0, which subnormal numbers would give. `whole` is |t|. */
 VM_API vm_real vmi_law_longest_panel(const vm_law *law, vm_real whole)
 {
-    const vm_real longest = whole / 32;
+    const vm_real longest = vmi_larger(whole / 32, VM_MIN);
     if (!law->function) return whole;
     if (law->change_time > 0 && law->change_time < longest) return law->change_time;
     return longest;

@@ -47,7 +47,8 @@ static void check_constants(void)
     }
     if (alpha > R(1e6)) return;
     HOLDS(trig > 0 && jacobi > 0 && m > R(-1.8080) && m < R(0.8063));
-    HOLDS(vm_osc_jacobi_parameter(neighbour(alpha, 1)) >= m - 16 * VM_EPSILON);
+    /* Rising, but for roundings: 4 ulp of each m, and an ulp of ateb_pi, which changes m by up to 7 ulp */
+    HOLDS(vm_osc_jacobi_parameter(neighbour(alpha, 1)) >= m - 32 * VM_EPSILON);
     HOLDS(c.trig_vmax > 0 && c.jacobi_vmax > 0 && c.trig_x >= 0 && c.jacobi_x >= 0 && c.trig_v >= 0 &&
           c.jacobi_v >= 0);
     if (ratio > R(1e-4) && ratio < R(1e4) && r >= 0 && r <= 1) {
@@ -183,11 +184,18 @@ static int tame_problem(const vm_osc_problem *p)
            VM_FABS(p->v) < 4;
 }
 
+/* Does the law bring its user a million panels of time? It may: change_time is refused below |t|/2^20 only. */
+static int changes_fast(const vm_law *law, vm_real t)
+{
+    return law->change_time > 0 && VM_FABS(t) > R(65536) * law->change_time;
+}
+
 /* The integrators give up after 2^23 periods of 2^13 steps each, which takes hours. Here a run has thousands of
    periods at most. */
 static int takes_long(const vm_osc_plan *plan, vm_real t)
 {
     const vm_osc_problem *p = &plan->problem;
+    if (changes_fast(&p->mass, t) || changes_fast(&p->stiffness, t)) return 1;
     return is_finite(t) && (!tame_problem(p) || VM_FABS(t) > 100 || plan->Om * VM_FABS(t) > R(1e4) ||
                             VM_FABS(plan->slow.p * t) > 3); /* it dies out, for alpha < 1 in ever shorter periods */
 }
@@ -211,12 +219,19 @@ static int by_name(const vm_osc_problem *p, int route, vm_real t, vm_real tolera
     }
 }
 
+/* Where a law's estimate is infinite, its terms may be of any size, and so may be what they make of roundings. The law of
+   order two, which a plan starts by order five, may then even overflow. */
+static int law_fails(const vm_osc_motion *m) { return route_is_law(m->route) && !is_finite(m->error); }
+
 /* How far a motion by a plan may be from one by a call. A plan's Ateb functions err by 2 ulp and those without a plan by 3;
-   all else is the same work, but the law of order two, which the plan starts by order five. */
-static double plan_may_differ(const vm_osc_motion *by_plan, const vm_osc_motion *by_call)
+   all else is the same work, but the law of order two, which the plan starts by order five. The rate of the phase goes as
+   the power (alpha-1)/2 of the amplitude, so that a difference at the start grows with the phase; and each step of an
+   integration, of ten evaluations at least, adds a rounding. */
+static double plan_may_differ(const vm_osc_plan *plan, vm_real t, const vm_osc_motion *by_plan, const vm_osc_motion *by_call)
 {
-    const double amplitude = (double)by_call->amplitude;
-    if (by_plan->route == by_call->route && by_call->route != VM_ROUTE_ORDER2) return 8 * EPS * amplitude;
+    const double amplitude = (double)by_call->amplitude, phase = (double)(plan->Om * VM_FABS(t));
+    if (by_plan->route == by_call->route && by_call->route != VM_ROUTE_ORDER2)
+        return EPS * amplitude * (8 * (1 + (double)plan->problem.alpha) * (1 + phase) + (double)by_call->evals / 10);
     return 3 * ((double)by_plan->error + (double)by_call->error) * amplitude;
 }
 
@@ -234,6 +249,7 @@ static void check_ratio_integral(void)
     else HOLDS(is_finite(ratio));
     status = vm_law_inverse_integral(&g, t, &inverse);
     if (status || !tame_law(&g) || !tame(t)) return;
+    if (g.function && VM_FABS(t) > 100) return; /* the panels may step over the waves: they are longer than |t|/3000 */
     HOLDS(vm_law_ratio_integral(&one, &g, t, &ratio) == 0 &&
           within(ratio, inverse, (IS_FLOAT ? 1e-4 : 1e-12) * fabs((double)inverse)));
     if (vm_law_ratio_integral(&g, &g, t, &ratio) == 0)
@@ -297,10 +313,10 @@ static void check_routes(void)
         if (status >= 0) HOLDS(same_bits(n.x, m.x) && same_bits(n.v, m.v) && same_bits(n.error, m.error));
     }
     STAIN(n);
-    if (planned == 0) {
+    if (planned == 0 && !(status >= 0 && law_fails(&m))) {
         by = vm_osc_plan_by_route(&plan, route, t, tolerance, &n);
         HOLDS(by == status && (by >= 0 || UNTOUCHED(n)));
-        if (by >= 0 && same_work) HOLDS(within(n.x, m.x, plan_may_differ(&n, &m)));
+        if (by >= 0 && same_work) HOLDS(within(n.x, m.x, plan_may_differ(&plan, t, &n, &m)));
     }
 }
 
@@ -323,7 +339,7 @@ static void check_at(void)
     if (planned) return;
     HOLDS(vm_osc_plan_within(&plan, t, tolerance, &n) == status);
     if (status >= 0 && route_is_law(m.route) && tame_law(&p.mass) && tame_law(&p.stiffness))
-        HOLDS(within(n.x, m.x, plan_may_differ(&n, &m)));
+        HOLDS(within(n.x, m.x, plan_may_differ(&plan, t, &n, &m)));
     method = draw_below(8) - 1;
     STAIN(rates);
     status = vm_osc_averaged(&plan, method, t, MOSTLY(draw_in(0.1, 2)), rates, rates + 1, rates + 2);
