@@ -63,7 +63,7 @@ static void judge_result(int row, int status, double tolerance, const routes_cas
 static int try_problem(random_numbers *g, int number)
 {
     const double rate = draw_spread(g, slowest, fastest), tolerance = draw_spread(g, 1e-11, 1e-2);
-    const double T = fmin(draw_uniform(g, 0.3, 3) / rate, longest);
+    const double T = draw_end(fmin(draw_uniform(g, 0.3, 3) / rate, longest));
     exact_motion exact;
     routes_case c;
     vm_osc_problem o;
@@ -76,7 +76,9 @@ static int try_problem(random_numbers *g, int number)
     c = exact.c;
     o = problem_of(&c);
     if (number % 2) o = reversed_problem(&exact.c, &c);
-    CHECK(vm_osc_plan_init(&plan, &o) == VM_OK);
+    status = vm_osc_plan_init(&plan, &o);
+    CHECK(status == VM_OK);
+    if (status) return 1;
     for (route = VM_ROUTE_ATEB; route <= VM_ROUTE_COLLOCATION; route++) {
         const double asked = route == VM_ROUTE_COLLOCATION ? tolerance : 0;
         status = vm_osc_plan_by_route(&plan, route, R(c.T), R(asked), &m);

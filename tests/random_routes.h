@@ -59,6 +59,9 @@ static inline routes_law draw_law(random_numbers *g, double rate, double T)
     return l;
 }
 
+/* A time of about T whose multiples by 1/20, the times of tables, are numbers of double precision */
+static inline double draw_end(double T) { return floor(T / 20 * 4096 + 1) / 4096 * 20; }
+
 /* A problem without a force: alpha is a fraction from 0 to 10, the laws change at the rate `rate`, per second. */
 static inline routes_case draw_case(random_numbers *g, double rate, double T)
 {

@@ -294,7 +294,7 @@ static void test_random_problems(void)
     tally.ratio = ratio;
     for (i = 0; i < N; i++) {
         const double rate = draw_spread(&g, 2e-3, 0.15), tolerance = draw_spread(&g, 1e-8, 1e-2);
-        const double T = fmin(draw_uniform(&g, 0.3, 3) / rate, 200), own = 1e-11 + 1e-13 * T;
+        const double T = draw_end(fmin(draw_uniform(&g, 0.3, 3) / rate, 200)), own = 1e-11 + 1e-13 * T;
         exact_motion exact;
         routes_case c;
         vm_osc_problem o;
