@@ -48,7 +48,7 @@ TESTS = jacobi elliptic_integrals ateb rk4 pairs adaptive dense events saved_run
     refusals_scenes null_pointers
 # Scripts of make test (tests/test_NAME.sh), and those of make test-all; some are in both, called with "quick" by make test
 SCRIPTS = headers readme documents promises errors parts golden errata install gsl hard_cases
-LONG_SCRIPTS = readme headers golden snippets parts sanitize fuzz options first_steps scene_cost package plans languages \
+LONG_SCRIPTS = readme headers projects golden snippets parts sanitize fuzz options first_steps scene_cost package plans languages \
     avr sweep guides site page
 EXAMPLES = table5 example1 example2 drum scenes dzhanibekov tumbling rocket dust slow resonance rotor pendulum solvable
 TEST_PROGRAMS = $(TESTS:%=build/tests/double/%) $(TESTS:%=build/tests/float/%)
