@@ -18,6 +18,14 @@ for guide in docs/guide-*.md; do
         check "$guide links to $link" test -e "docs/$link"
     done
 done
+each_line_is_shown() { # the program of docs/duffing.md, which has formulas beside it
+    awk '/^```$/ {on = 0} on {print} /^```c$/ {on = 1}' docs/duffing.md >"$build/duffing.c"
+    ${CC:-cc} -std=c99 -O1 -I. "$build/duffing.c" -o "$build/duffing" -lm && "$build/duffing" >"$build/duffing.printed" || return 1
+    [ -s "$build/duffing.printed" ] && while IFS= read -r line; do
+        grep -qxF "$line" docs/duffing.md || { echo "not shown: $line"; return 1; }
+    done <"$build/duffing.printed"
+}
+check "docs/duffing.md shows what its program prints" each_line_is_shown
 same_rules() { # the MISRA rules of the firmware guide are those whose findings tests/analysers.txt accepts
     sed -n 's/^misra-c2012-\([0-9]*\)\\\.\([0-9]*\).*/\1.\2/p' tests/analysers.txt | sort >"$build/accepted"
     sed -n 's/^| \([0-9]*\.[0-9]*\) | .*/\1/p' docs/guide-firmware.md | sort >"$build/listed"
