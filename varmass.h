@@ -87,6 +87,13 @@
      Oscillators  every route returns an estimate of its whole error in the field error, or infinity where no
                   estimate is possible.
 
+   COST
+     docs/cost.md has the times of oscillators, free rotation, streams and scenes, docs/counts.md the instructions of a
+     call, docs/firmware.md the flash, stack and instructions on microcontrollers, docs/parts.md the flash of a chapter.
+     The time of a call is bounded, with two exceptions. A function that takes n objects or a list needs a time in
+     proportion to their number. A function that integrates (routes of oscillators, scenes) needs a time in proportion
+     to the length of the run; its comment says so.
+
    REFERENCES
      [1] L. Cveticanin, Dynamics of Mass Variable System, dissertation.
      Other sources are named in the chapters that use them.
@@ -22732,6 +22739,9 @@ VM_API int vm_scene_budget_at(vm_scene *scene, vm_real t, const vm_real *y, vm_b
        scene.events = events;
        scene.located = located;
        scene.n_events = 3;
+
+   The functions of this chapter do not fail. vm_scene_start refuses an event with a wrong number (VM_NOT_FINITE for an
+   infinite or NaN time or value, VM_NO_SUCH_BODY for a body that does not exist), and its fault names the event.
 
    An event at a time happens once. A crossing of a value happens at most event.most times, or without limit if
    event.most is 0; direction > 0 counts rising values, direction < 0 falling values, and direction = 0 both. Only
