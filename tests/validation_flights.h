@@ -187,7 +187,7 @@ static void validate_other_bricks(void)
     static const validation_group others = {
         "Atmos_02 by the other simulators, body rates at 30 s",
         "the same collection, Atmos_02_sim_01.csv, 02, 05 and 06",
-        "As above. The simulators agree with each other to the digits that their own steps allow; sim_01 and sim_04 agree with "
+        "The call is that of the last table. The simulators agree with each other to the digits that their own steps allow; sim_01 and sim_04 agree with "
         "us to 10 digits.",
         "The largest difference between two of the simulators is 2e-4.",
         3e-4, 3e-4};
