@@ -293,7 +293,7 @@ static void validate_orekit(void)
         "the same test",
         "The run is that of the last table. The orbit has a = 24396159 m, e = 0.72831215 and an inclination of 7 degrees before the burn, which points to the right "
         "ascension 351 and the declination -7.4978 degrees.",
-        "Orekit prints the inclination to 1e-4 degrees, 4e-5 of it, and the axis to 1 km.",
+        "Orekit prints the inclination to 1e-4 degrees, which is a relative error of 4e-5, and the axis to 1 km.",
         4e-5, 4e-5};
     const double degree = acos(-1) / 180, mu = 3.9860047e14;
     vm_real y[7];
