@@ -62,8 +62,8 @@ done 3<$folder/parts
     cat <<'END'
 # Campaigns
 
-Written by `make campaigns` (bench/campaigns.sh): the checks that take too long for `make test-all`, what each printed at its
-end, and the headers that it ran on, as hashes (bench/stamp.sh). A row whose hashes are not those of today's headers is of an
+Written by `make campaigns` (bench/campaigns.sh). The table has the checks that take too long for `make test-all`, what each
+printed at its end, and the headers that it ran on, as hashes (bench/stamp.sh). A row whose hashes are not those of today's headers is of an
 earlier state; [reliability.md](reliability.md) tells what the campaigns found. `make campaigns CAMPAIGNS="scan proof"` runs some.
 
 | campaign | command | what it shows | headers | result |

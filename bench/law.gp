@@ -11,7 +11,7 @@ if (name eq "slopes") {
     set title "law of order five, cut off after order 2, 3, 4, 5"
 } else {
     set xlabel "t" offset 0,0.3
-    set xrange [2:2000]
+    set xrange [0.6:2000] # the motion begins at 2; the names of the curves stand before it
     set xtics ("10" 10, "100" 100, "1000" 1000)
     set title "eps = 0.01: the error of x along one motion"
 }
@@ -19,9 +19,9 @@ set ylabel "error of x / amplitude" offset 0.8,0
 set yrange [1e-16:1e-2]
 set ytics 1e-16,100
 array colour[4] = [grey, green, blue, red]
-# a name stands beside the first point of a motion, and beside the line at one eps; that of order 5 to its right
+# a name stands before the first point of a motion, and beside the line at one eps; that of order 5 to its right
 named(x) = name eq "slopes" ? abs(log(x/0.0253)) < 0.14 : x < 2.01
 label(i, x, y) = named(x) ? y : NaN
 plot for [i=1:4] csv using 1:(column(i+1)) with lines lc rgb colour[i] lw 2.4, \
     for [i=1:4] csv using 1:(label(i, $1, column(i+1))):(sprintf("order %d", i+1)) with labels \
-    left offset (name eq "errors" ? 0.6 : i < 4 ? -6.4 : 1),(name eq "errors" ? 1 : i < 4 ? 0.3 : -0.9) textcolor rgb colour[i]
+    left offset (name eq "errors" ? -6.4 : i < 4 ? -6.4 : 1),(name eq "errors" ? 0 : i < 4 ? 0.3 : -0.9) textcolor rgb colour[i]

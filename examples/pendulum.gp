@@ -20,8 +20,8 @@ set title "angular velocity of what remains (125), φ' = 1.3"
 set xlabel "l/L"; set ylabel "φ_1', rad/s"
 set xrange [0:0.5]; set yrange [-11:3]
 set key bottom left
-plot file("rate") using 1:3 with lines lc rgb "#d62728" lw 2 dt 2 title "printed", \
-     "" using 1:2 with lines lc rgb "#1f77b4" lw 2 title "corrected; u = (0.4, -0.25), Ω = 0.6", \
-     "" using 1:5 with lines lc rgb "#ff7f0e" lw 2 dt 2 title "printed", \
-     "" using 1:4 with lines lc rgb "#2ca02c" lw 2 title "corrected; u = 0, Ω = 3"
+plot file("rate") using 1:2 with lines lc rgb "#1f77b4" lw 2 title "u = (0.4, -0.25), Ω = 0.6", \
+     "" using 1:3 with lines lc rgb "#d62728" lw 2 dt 2 title "the same, as printed", \
+     "" using 1:4 with lines lc rgb "#2ca02c" lw 2 title "u = 0, Ω = 3", \
+     "" using 1:5 with lines lc rgb "#ff7f0e" lw 2 dt 2 title "the same, as printed"
 unset multiplot

@@ -12,7 +12,7 @@ set xlabel "t"
 set ylabel label
 set yrange [low:high]
 set grid lc rgb "#dddddd"
-set key top right reverse Left samplen 2
+if (waves) { set key top right reverse Left samplen 2 } else { set key top left reverse Left samplen 2 } # where no curve is
 thin = waves == 2 ? 1 : 10 # the curves are smooth: one point in so many is drawn
 set multiplot layout 1,panels
 do for [p=0:panels-1] {

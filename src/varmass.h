@@ -90,6 +90,13 @@
      Oscillators  every route returns an estimate of its whole error in the field error, or infinity where no
                   estimate is possible.
 
+   COST
+     docs/cost.md has the times of oscillators, free rotation, streams and scenes, docs/counts.md the instructions of a
+     call, docs/firmware.md the flash, stack and instructions on microcontrollers, docs/parts.md the flash of a chapter.
+     The time of a call is bounded, with two exceptions. A function that takes n objects or a list needs a time in
+     proportion to their number. A function that integrates (routes of oscillators, scenes) needs a time in proportion
+     to the length of the run; its comment says so.
+
    REFERENCES
      [1] L. Cveticanin, Dynamics of Mass Variable System, dissertation.
      Other sources are named in the chapters that use them.

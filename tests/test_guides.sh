@@ -18,6 +18,32 @@ for guide in docs/guide-*.md; do
         check "$guide links to $link" test -e "docs/$link"
     done
 done
+each_line_is_shown() { # the program of docs/duffing.md, which has formulas beside it
+    awk '/^```$/ {on = 0} on {print} /^```c$/ {on = 1}' docs/duffing.md >"$build/duffing.c"
+    ${CC:-cc} -std=c99 -O1 -I. "$build/duffing.c" -o "$build/duffing" -lm && "$build/duffing" >"$build/duffing.printed" || return 1
+    [ -s "$build/duffing.printed" ] && while IFS= read -r line; do
+        grep -qxF "$line" docs/duffing.md || { echo "not shown: $line"; return 1; }
+    done <"$build/duffing.printed"
+}
+check "docs/duffing.md shows what its program prints" each_line_is_shown
+# the errors of envelopes in the guide of oscillators are those that the examples print, for t <= 50
+envelopes() {
+    make -s build/examples/example1 build/examples/table5 || return 1
+    ./build/examples/example1 "$build/example1" | awk '
+        /^t <= 200/ {exit}
+        / m\^/ {sub(/^ +/, ""); split($0, cell, /  +/); print cell[1] " | " $(NF - 3) " | " $NF}' |
+        sed 's/e-0/e-/g; s/^Ateb corrected/Ateb functions, corrected (printed alike)/; s/(400) as printed/, as printed (400)/
+            s/^Jacobi (401) as printed/Jacobi functions, as printed (401)/; s/^Jacobi, exact means of cn^2, cn^4/Jacobi functions, exact means/
+            s/trigonometric ,/trigonometric,/' >"$build/envelopes"
+    sed -n 's/^| \(.*functions.*\|trigonometric.*\) |$/\1/p' docs/guide-oscillators.md >"$build/envelopes_shown"
+    [ "$(wc -l <"$build/envelopes_shown")" = 5 ] || return 1
+    while IFS= read -r line; do
+        grep -qxF "$line" "$build/envelopes" || { echo "not printed: $line"; return 1; }
+    done <"$build/envelopes_shown"
+    ./build/examples/table5 | grep -q '^38 rows; 17 have a printed digit off'
+}
+check "the errors of envelopes in docs/guide-oscillators.md" envelopes
+for guide in docs/guide-*.md; do check "$guide has a figure" grep -q '^!\[.*](figures/' "$guide"; done
 same_rules() { # the MISRA rules of the firmware guide are those whose findings tests/analysers.txt accepts
     sed -n 's/^misra-c2012-\([0-9]*\)\\\.\([0-9]*\).*/\1.\2/p' tests/analysers.txt | sort >"$build/accepted"
     sed -n 's/^| \([0-9]*\.[0-9]*\) | .*/\1/p' docs/guide-firmware.md | sort >"$build/listed"

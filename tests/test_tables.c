@@ -351,9 +351,8 @@ static void table1(void)
              (double)vm_angular_momentum(&rest, origin).z, (double)vm_angular_momentum(&part, origin).z);
     CHECK(vm_momentum(&whole).x == vm_momentum(&rest).x + vm_momentum(&part).x);
     if (prints)
-        puts("\n## Table 1: nomenclature\n\nFrom the second row on, the labels stand one row too high for the "
-             "entries. "
-             "Values are those of the sample of Table 4 with its row 1: of the initial body, the final one and "
+        puts("\n## Table 1: nomenclature\n\nFrom the second row on, the printed labels stand one row too high. "
+             "The values are those of the sample of Table 4, row 1, for the initial body, the final one and "
              "the part.\n\n"
              "| the printed label | entries in its row | their true label | here | values "
              "|\n|---|---|---|---|---|");
@@ -383,14 +382,12 @@ static void table1(void)
 static void print_head(void)
 {
     puts("# Tables 1 to 4 of the dissertation\n\n"
-         "Written by `make tables` (tests/test_tables.c), which `make test` checks row by row: L. Cveticanin, "
-         "*Dynamics of "
-         "Mass Variable System*, Tables 1 to 4, each row with numbers. Table 5 is printed by "
+         "Written by `make tables` (tests/test_tables.c), which `make test` checks row by row. It has every row of "
+         "Tables 1 to 4 in L. Cveticanin, *Dynamics of Mass Variable System*, with numbers. Table 5 is printed by "
          "build/examples/table5. What is "
          "wrong in the text is in [errata.md](errata.md).\n\n"
-         "The sample: a plate with M = 5 kg, I_S = 2 kg m², S at the origin; a part with m = 1 kg, I_S2 = "
-         "0.125 kg m², "
-         "**SS**_2 = (0.5, 0.25) m separates. So **SS**_1 = (-0.125, -0.0625) m and I_S1 = 1.484375 kg m². "
+         "In the sample a part separates from a plate. The plate has M = 5 kg, I_S = 2 kg m² and its mass centre S at "
+         "the origin. The part has m = 1 kg, I_S2 = 0.125 kg m² and **SS**_2 = (0.5, 0.25) m. So **SS**_1 = (-0.125, -0.0625) m and I_S1 = 1.484375 kg m². "
          "Lengths are in m, "
          "velocities in m/s, angular velocities in rad/s. **v**_r and Ω_r are the motion of the part relative "
          "to the whole, "

@@ -187,7 +187,7 @@ static void validate_other_bricks(void)
     static const validation_group others = {
         "Atmos_02 by the other simulators, body rates at 30 s",
         "the same collection, Atmos_02_sim_01.csv, 02, 05 and 06",
-        "As above. The simulators agree with each other to the digits that their own steps allow; sim_01 and sim_04 agree with "
+        "The call is that of the last table. The simulators agree with each other to the digits that their own steps allow; sim_01 and sim_04 agree with "
         "us to 10 digits.",
         "The largest difference between two of the simulators is 2e-4.",
         3e-4, 3e-4};
@@ -212,9 +212,9 @@ static void validate_second_stage(void)
         "the same collection, Atmos_17_sim_06.csv, and twostage_prop.dml (revision A), twostage_inertia.dml",
         "`rk87_solve` from the published state at 134.1 s over the burn of 80 t of propellant out of 99 t (5 MN, specific "
         "impulse 390 s, g0 = 9.8066 m/s^2) to 200 s, under gravity with J2. The published pitch gives the direction of the "
-        "thrust. Left out: the first stage, since its flight through the atmosphere needs tables of drag; drag, below 0.01 N "
-        "here; and the rotation: the file has a pitch moment of 29 ft lbf at 200 s, at a dynamic pressure of 4e-11 lbf/ft^2, "
-        "which no aerodynamic coefficient makes, and we do not know where it comes from. The time of ignition is not in the "
+        "thrust. The first stage is left out, since its flight through the atmosphere needs tables of drag; the drag of the second "
+        "is below 0.01 N. The rotation is left out, too: the file has a pitch moment of 29 ft lbf at 200 s, at a dynamic "
+        "pressure of 4e-11 lbf/ft^2, which no aerodynamic coefficient makes, and we do not know where it comes from. The time of ignition is not in the "
         "file; both velocities at 134.3 s give 134.1745 s, within 4e-6 s. The files of two more simulators were not at hand.",
         "Our speed at 200 s is smaller by 1.6 ft/s. That is the engine's work of 1.8 ms before burnout; the simulator has steps "
         "of 100 ms. The remaining rows follow from it.",
@@ -310,8 +310,8 @@ static void validate_toutatis_periods(void)
         "Y. Zhao et al., MNRAS 450 (2015) 3620, 5.38 and 7.40 days, each within 0.03 days; R. S. Hudson and S. J. Ostro, Science "
         "270 (1995) 84, 5.41 and 7.35 days",
         "`vm_torque_free_rotation` from the spin state of Takahashi, Busch and Scheeres, AJ 146 (2013) 95 (moments of inertia "
-        "3.0836, 3.235 and 1, rates 14.51, 33.529 and -98.709 degrees a day), over 10000 days. Left out: the torque of earth and "
-        "sun.",
+        "3.0836, 3.235 and 1, rates 14.51, 33.529 and -98.709 degrees a day), over 10000 days. The torque of earth and sun is "
+        "left out.",
         "The uncertainty that the authors give is 0.6 %; the older periods differ from the newer ones by as much.",
         1e-2, 1e-2};
     double spin, precession;

@@ -65,7 +65,7 @@ static void validate_gsl_functions(void)
         "GSL's Jacobi functions and incomplete beta function",
         "GNU Scientific Library 2.8, specfunc/test_sf.c, test_jac, and specfunc/test_gamma.c",
         "GSL's elljac has the parameter m as ours has. Its beta_inc(a, b, x) is ateb_beta_inc(x, a, b).",
-        "8 ulp is our bound of the Jacobi functions; m = 0.3, 0.6 and 0.999999 are rounded.",
+        "Our bound of the Jacobi functions is 8 ulp; the rounding of m = 0.3, 0.6 and 0.999999 adds to it.",
         3e-15, 6e-6};
     validation_begin(&group);
     ROW("0.4707504736556572833", jacobi_sn(0.5, 0.5));
@@ -88,8 +88,8 @@ static void validate_gsl_large_beta(void)
     static const validation_group group = {
         "GSL's incomplete beta function of large parameters",
         "GNU Scientific Library 2.8, specfunc/test_gamma.c",
-        "As above. Numbers below 1e-37 are not compared in float.",
-        "0.4 and 0.6 are no doubles. The logarithm of the function has a slope of some thousand in x, and so the relative error "
+        "The notation is that of the last table. Numbers below 1e-37 are not compared in float.",
+        "The arguments 0.4 and 0.6 are rounded to double. The logarithm of the function has a slope of some thousand in x, and so the relative error "
         "of rounding x grows as much.",
         6e-13, 1e-6};
     validation_begin(&group);
@@ -153,7 +153,7 @@ static void validate_carlson(void)
         "Carlson's symmetric integrals",
         "B. C. Carlson, Numerical computation of real or complex elliptic integrals, Numerical Algorithms 10 (1995), "
         "section 3",
-        "The integrals with real arguments; R_J with p < 0 is Cauchy's principal value.",
+        "The table has the integrals with real arguments; R_J with p < 0 is Cauchy's principal value.",
         "The paper prints 14 digits.",
         1e-13, 3e-6};
     validation_begin(&group);
@@ -179,7 +179,7 @@ static void validate_handbooks(void)
     static const validation_group group = {
         "Abramowitz and Stegun, K(m)",
         "Handbook of Mathematical Functions (1964), table 17.1",
-        "The nine rows for m = 0.1 to 0.9.",
+        "The table has the nine rows for m = 0.1 to 0.9.",
         "The table has 15 decimals; half a unit is 5e-16, and the rounding of m adds as much.",
         2e-15, 1e-6};
     static const validation_group short_rows = {

@@ -108,7 +108,7 @@ static void validate_cv_rocket(void)
         "the closed form of the same problem, with an exponential integral, evaluated by mpmath to 40 digits",
         "The run is that of the last table. CVODE's errors are 3e-5 of the cutoff, 7e-5 of the time of the apogee and 1.2e-4 of "
         "its height.",
-        "The tolerance of a step, and some steps.",
+        "The error is the tolerance of a step, added up over the steps.",
         1e-12, 1e-5};
     const cv_rocket_flight flight = cv_rocket_fly();
     validation_begin(&printed);
@@ -291,9 +291,9 @@ static void validate_orekit(void)
     static const validation_group orbit = {
         "Orekit's burn of constant thrust, the orbit",
         "the same test",
-        "As above: a = 24396159 m, e = 0.72831215 and an inclination of 7 degrees before the burn, which points to the right "
+        "The run is that of the last table. The orbit has a = 24396159 m, e = 0.72831215 and an inclination of 7 degrees before the burn, which points to the right "
         "ascension 351 and the declination -7.4978 degrees.",
-        "Orekit prints the inclination to 1e-4 degrees, 4e-5 of it, and the axis to 1 km.",
+        "Orekit prints the inclination to 1e-4 degrees, which is a relative error of 4e-5, and the axis to 1 km.",
         4e-5, 4e-5};
     const double degree = acos(-1) / 180, mu = 3.9860047e14;
     vm_real y[7];

@@ -10,7 +10,7 @@ set style line 4 lc rgb "#d62728" pt 6 ps 0.8 lw 2
 set style line 5 lc rgb "#ff7f0e" pt 8 ps 0.9 lw 2
 set grid lc rgb "#dddddd"
 set logscale y
-set yrange [30:1e7]
+set yrange [30:1e9] # room for the names of the processors above the points
 set format y "10^{%L}"
 set ylabel "instructions"
 targets = "M0 M4F M7 RV32IMAC RV32IMAFDC"

@@ -18,6 +18,9 @@
        scene.located = located;
        scene.n_events = 3;
 
+   The functions of this chapter do not fail. vm_scene_start refuses an event with a wrong number (VM_NOT_FINITE for an
+   infinite or NaN time or value, VM_NO_SUCH_BODY for a body that does not exist), and its fault names the event.
+
    An event at a time happens once. A crossing of a value happens at most event.most times, or without limit if
    event.most is 0; direction > 0 counts rising values, direction < 0 falling values, and direction = 0 both. Only
    motion causes a crossing: there is none if an event moves a coordinate beyond the value, or while the body is not
