@@ -163,6 +163,7 @@
 #include "oscillators/coupled_pair.h"
 #include "oscillators/forced.h"
 #include "oscillators/resonance.h"
+#include "oscillators/periodic.h"
 #include "oscillators/diagnostics.h"
 #include "scenes/scene.h"
 #include "scenes/motions.h"

@@ -137,4 +137,18 @@ static inline vm_forced a_forced(void)
     return f;
 }
 
+/* The same oscillator under a force with two harmonics, prepared by vm_periodic_init */
+static inline vm_periodic a_periodic(void)
+{
+    vm_periodic p;
+    memset(&p, 0, sizeof p);
+    p.oscillator = a_forced();
+    p.cosine[1] = 1;
+    p.sine[3] = R(0.5);
+    p.vibrations = 1;
+    p.periods = 1;
+    vm_periodic_init(&p);
+    return p;
+}
+
 #endif

@@ -293,6 +293,44 @@ static void try_steady(void)
     }
 }
 
+/* A periodic force that is not harmonic, at the resonances 1:1, 3:1 and 1:3 */
+static void try_periodic(void)
+{
+    static const int ratios[3][2] = {{1, 1}, {3, 1}, {1, 3}};
+    int i, k, n;
+    for (i = 0; i < 6; i++) {
+        const vm_real motion[3] = {1, VM_C(0.5), VM_C(0.25)};
+        vm_real g[12], y[3] = {1, 2, 3}, back[3] = {1, 2, 3};
+        vm_steady_state steady[8], point;
+        vm_periodic p;
+        memset(&p, 0, sizeof p);
+        memset(&point, 0, sizeof point);
+        p.oscillator = some_forced();
+        p.vibrations = ratios[i % 3][0];
+        p.periods = ratios[i % 3][1];
+        draw_all(12, -1, 1, g);
+        fold_int(vm_periodic_from_samples(&p, 8 + i % 5, g));
+        fold_all(VM_PERIODIC_HARMONICS + 1, p.cosine);
+        fold_all(VM_PERIODIC_HARMONICS + 1, p.sine);
+        fold_int(vm_periodic_init(&p));
+        fold(p.oscillator.G);
+        fold(vm_periodic_shape(&p, uniform(-9, 9)));
+        fold_int(vm_periodic_to_averaged(&p, 1, motion, y));
+        fold_all(3, y);
+        fold_int(vm_periodic_from_averaged(&p, 1, y, back));
+        fold_all(3, back);
+        integrate_from(motion, vm_periodic_rhs, &p, 3, 2);
+        integrate_from(motion, vm_periodic_exact_rhs, &p, 3, 1);
+        integrate_from(y, vm_periodic_averaged_rhs, &p, 3, 2);
+        fold_int(vm_periodic_curve(&p, 1, uniform(-3, 3), &point));
+        fold_steady(&point);
+        if (i > 2) continue; /* the search takes long on an emulator */
+        n = vm_periodic_steady_states(&p, 1, 8, steady);
+        fold_int(n);
+        for (k = 0; k < n && k < 8; k++) fold_steady(steady + k);
+    }
+}
+
 static void exact_motion(vm_real t, vm_real *x, vm_real *v, void *ctx)
 {
     const vm_real omega0 = *(const vm_real *)ctx;
@@ -405,4 +443,5 @@ static void golden_resonance(void)
     try_forced();
     try_steady();
     try_diagnostics();
+    try_periodic();
 }
