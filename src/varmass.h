@@ -164,6 +164,7 @@
 #include "oscillators/forced.h"
 #include "oscillators/resonance.h"
 #include "oscillators/periodic.h"
+#include "oscillators/grounded_pair.h"
 #include "oscillators/diagnostics.h"
 #include "scenes/scene.h"
 #include "scenes/motions.h"

@@ -515,6 +515,17 @@ static void null_periodic(void)
     STATUS(2, vm_periodic_steady_states(IN(0, vm_periodic, &p), 0, 1, X(1, vm_steady_state)));
 }
 
+static void null_grounded_pair(void)
+{
+    static const vm_real moving[4] = {1, R(0.9), R(0.1), R(0.2)};
+    vm_grounded_pair p = a_grounded_pair();
+    STATUS(1, vm_grounded_pair_init(IO(0, vm_grounded_pair, &p)));
+    STATUS(3, vm_grounded_pair_rhs(0, IN(0, vm_real, moving), X(1, vm_real), IO(2, vm_grounded_pair, &p)));
+    STATUS(3, vm_grounded_pair_averaged_rhs(0, IN(0, vm_real, moving), X(1, vm_real), IO(2, vm_grounded_pair, &p)));
+    STATUS(3, vm_grounded_pair_to_averaged(IN(0, vm_grounded_pair, &p), 0, IN(1, vm_real, moving), X(2, vm_real)));
+    STATUS(3, vm_grounded_pair_from_averaged(IN(0, vm_grounded_pair, &p), 0, IN(1, vm_real, moving), X(2, vm_real)));
+}
+
 static vm_real null_law(vm_real t, void *ctx)
 {
     (void)ctx;
@@ -758,6 +769,7 @@ static void call_with_null_pointers(void)
     null_pair();
     null_forced();
     null_periodic();
+    null_grounded_pair();
     null_diagnostics();
     null_parts_of_scenes();
     null_scenes();

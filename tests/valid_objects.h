@@ -151,4 +151,19 @@ static inline vm_periodic a_periodic(void)
     return p;
 }
 
+/* Two such oscillators of nearly equal frequencies with a weak coupling, prepared by vm_grounded_pair_init */
+static inline vm_grounded_pair a_grounded_pair(void)
+{
+    vm_grounded_pair p;
+    memset(&p, 0, sizeof p);
+    p.oscillator[0] = a_forced();
+    p.oscillator[1] = a_forced();
+    p.spring = R(0.001);
+    p.damper = R(0.001);
+    p.vibrations[0] = 1;
+    p.vibrations[1] = 1;
+    vm_grounded_pair_init(&p);
+    return p;
+}
+
 #endif

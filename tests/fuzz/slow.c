@@ -452,6 +452,39 @@ static void check_forced(void)
     check_forced_curve(&f, t, all_tame);
 }
 
+/* Two coupled oscillators: refusals change nothing, results are finite, and the maps lead back where the coupling is
+   weak and no resonance is near. */
+static void check_grounded_pair(void)
+{
+    const vm_real t = draw_in(0, 3);
+    vm_real y[4], modes[4], back[4], dydt[4] = {0};
+    vm_grounded_pair p, before;
+    int i, all_tame;
+    memset(&p, 0, sizeof p);
+    p.oscillator[0] = draw_forced(0);
+    p.oscillator[1] = draw_forced(0);
+    p.spring = MOSTLY(draw_in(-0.1, 0.1));
+    p.damper = MOSTLY(draw_in(-0.1, 0.1));
+    for (i = 0; i < 2; i++) p.vibrations[i] = draw_byte() % 4 ? 1 + draw_below(3) : draw_below(11) - 1;
+    before = p;
+    if (vm_grounded_pair_init(&p)) {
+        HOLDS(memcmp(&p, &before, sizeof p) == 0);
+        return;
+    }
+    all_tame = tame(p.spring) && tame(p.damper) && VM_FABS(p.spring) < 1 && VM_FABS(p.damper) < 1;
+    for (i = 0; i < 2; i++) all_tame = all_tame && tame_forced(&p.oscillator[i]);
+    for (i = 0; i < 4; i++) y[i] = draw_in(-2, 2);
+    if (vm_grounded_pair_rhs(t, y, dydt, &p) == 0 && all_tame) HOLDS(vmi_all_finite(4, dydt) && dydt[0] == y[2]);
+    STAIN(modes);
+    if (vm_grounded_pair_to_averaged(&p, t, y, modes)) HOLDS(UNTOUCHED(modes));
+    else HOLDS(vmi_all_finite(4, modes) && modes[0] > 0 && modes[2] > 0);
+    for (i = 0; i < 4; i++) y[i] = i % 2 ? draw_in(-3, 3) : draw_in(0.3, 2);
+    if (vm_grounded_pair_averaged_rhs(t, y, dydt, &p) == 0 && all_tame) HOLDS(vmi_all_finite(4, dydt));
+    STAIN(back);
+    if (vm_grounded_pair_from_averaged(&p, t, y, back)) HOLDS(UNTOUCHED(back));
+    else HOLDS(vmi_all_finite(4, back));
+}
+
 /* A force with drawn harmonics: refusals change nothing, results are finite, and steady vibrations are steady. */
 static void check_periodic(void)
 {
@@ -587,6 +620,7 @@ static void fuzz_slow(void)
     case 3:
         check_diagnostics();
         check_periodic(); /* after it, so that stored inputs keep their meaning */
+        check_grounded_pair();
         break;
     case 4: check_van_der_pol_law(); break;
     default: check_forced();

@@ -213,6 +213,46 @@ static void try_coupled_pair(void)
     }
 }
 
+static vm_forced some_oscillator(void)
+{
+    vm_forced f;
+    vm_real k;
+    memset(&f, 0, sizeof f);
+    f.alpha = uniform(1, 4);
+    f.damping = uniform(1, 2) / 64;
+    f.reactive = uniform(0, 1);
+    f.mass = some_mass();
+    k = uniform(1, 2);
+    f.stiffness = vm_law_linear(k, 0);
+    return f;
+}
+
+static void try_grounded_pair(void)
+{
+    static const int ratios[3][2] = {{1, 1}, {0, 0}, {1, 3}};
+    int i;
+    for (i = 0; i < 6; i++) {
+        vm_real y[4], modes[4] = {1, 2, 3, 4}, back[4] = {1, 2, 3, 4};
+        vm_grounded_pair p;
+        memset(&p, 0, sizeof p);
+        p.oscillator[0] = some_oscillator();
+        p.oscillator[1] = some_oscillator();
+        p.spring = uniform(-1, 1) / 64;
+        p.damper = uniform(0, 1) / 64;
+        p.vibrations[0] = ratios[i % 3][0];
+        p.vibrations[1] = ratios[i % 3][1];
+        fold_int(vm_grounded_pair_init(&p));
+        fold_two(p.mean[0], p.mean[1]);
+        draw_all(4, VM_C(0.5), 1, y);
+        fold_int(vm_grounded_pair_to_averaged(&p, 1, y, modes));
+        fold_all(4, modes);
+        fold_int(vm_grounded_pair_from_averaged(&p, 1, modes, back));
+        fold_all(4, back);
+        integrate_from(y, vm_grounded_pair_rhs, &p, 4, 2);
+        integrate_from(modes, vm_grounded_pair_averaged_rhs, &p, 4, 2);
+    }
+}
+
 static vm_forced some_forced(void)
 {
     vm_forced f;
@@ -444,4 +484,5 @@ static void golden_resonance(void)
     try_steady();
     try_diagnostics();
     try_periodic();
+    try_grounded_pair();
 }
