@@ -42,7 +42,8 @@ HEADERS = jacobi.h ateb.h integrators.h varmass.h
 TESTS = jacobi elliptic_integrals ateb rk4 pairs adaptive dense events saved_runs coincidences attitude bodies jumps jumps2 relative inverse axle \
     jump_equations torque_free streams flow flow1 flow2 supply orbit drum drum_shaft lambert broken_rotor broken_rotor_stability \
     lagrange lagrange_jump pendulum constant_mass laws loads averaging slow_motion closed_law collocation routes ladder \
-    duffing duffing_laws odd_force van_der_pol van_der_pol_law jeffcott jeffcott_motion pair forced diagnostics forces \
+    duffing duffing_laws odd_force van_der_pol van_der_pol_law jeffcott jeffcott_motion pair forced periodic grounded_pair \
+    diagnostics forces \
     scene_bodies scene_effects scene_mass scene_streams scene_links scene_joints scene_events scene_runs scenes \
     dissertation tables validation hard refusals_numerics refusals_bodies refusals_streams refusals_oscillators \
     refusals_slow \

@@ -175,6 +175,8 @@ VMI_QUIET_BEGIN
 #include "oscillators/coupled_pair.h"
 #include "oscillators/forced.h"
 #include "oscillators/resonance.h"
+#include "oscillators/periodic.h"
+#include "oscillators/grounded_pair.h"
 #include "oscillators/diagnostics.h"
 #include "scenes/scene.h"
 #include "scenes/motions.h"

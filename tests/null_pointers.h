@@ -314,6 +314,7 @@ static void null_drum(void)
     NUMBER(1, vm_drum_angle_lambert(IN(0, vm_drum, &d), R(0.1)));
     STATUS(2, vm_drum_shaft_init(IO(1, vm_drum_shaft, &shaft), IN(0, vm_drum, &d)));
     CHECK(vm_drum_shaft_init(&shaft, &d) == VM_OK);
+    STATUS(3, vm_drum_unbalance(IN(0, vm_drum, &d), 1, X(1, vm_real), X(2, vm_real)));
     NUMBER(1, vm_drum_deflection(IN(0, vm_drum_shaft, &shaft), 1, 1, 0, 0));
     NUMBER(1, vm_drum_deflection_slope(IN(0, vm_drum_shaft, &shaft), 1, 1, 0, 0));
     STATUS(3, vm_drum_deflection_start(IN(0, vm_drum_shaft, &shaft), 1, 0, 0, X(1, vm_real), X(2, vm_real)));
@@ -496,6 +497,33 @@ static void null_forced(void)
     f.mass = f.stiffness = vm_law_linear(1, 0); /* not prepared */
     CHECK(vm_forced_to_averaged(&f, 0, slow_y, null_output[0]) < 0 &&
           vm_forced_averaged_rhs(0, slow_y, null_output[0], &f) < 0);
+}
+
+static void null_periodic(void)
+{
+    vm_periodic p = a_periodic();
+    STATUS(1, vm_periodic_init(IO(0, vm_periodic, &p)));
+    STATUS(2, vm_periodic_from_samples(IO(0, vm_periodic, &p), 4, IN(1, vm_real, slow_y)));
+    NUMBER(1, vm_periodic_shape(IN(0, vm_periodic, &p), 1));
+    STATUS(3, vm_periodic_rhs(0, IN(0, vm_real, slow_y), X(1, vm_real), IO(2, vm_periodic, &p)));
+    STATUS(3, vm_periodic_exact_rhs(0, IN(0, vm_real, slow_y), X(1, vm_real), IO(2, vm_periodic, &p)));
+    STATUS(3, vm_periodic_averaged_rhs(0, IN(0, vm_real, slow_y), X(1, vm_real), IO(2, vm_periodic, &p)));
+    STATUS(3, vm_periodic_to_averaged(IN(0, vm_periodic, &p), 0, IN(1, vm_real, slow_y), X(2, vm_real)));
+    STATUS(3, vm_periodic_from_averaged(IN(0, vm_periodic, &p), 0, IN(1, vm_real, slow_y), X(2, vm_real)));
+    p = a_periodic();
+    STATUS(2, vm_periodic_curve(IN(0, vm_periodic, &p), 0, R(-0.5), X(1, vm_steady_state)));
+    STATUS(2, vm_periodic_steady_states(IN(0, vm_periodic, &p), 0, 1, X(1, vm_steady_state)));
+}
+
+static void null_grounded_pair(void)
+{
+    static const vm_real moving[4] = {1, R(0.9), R(0.1), R(0.2)};
+    vm_grounded_pair p = a_grounded_pair();
+    STATUS(1, vm_grounded_pair_init(IO(0, vm_grounded_pair, &p)));
+    STATUS(3, vm_grounded_pair_rhs(0, IN(0, vm_real, moving), X(1, vm_real), IO(2, vm_grounded_pair, &p)));
+    STATUS(3, vm_grounded_pair_averaged_rhs(0, IN(0, vm_real, moving), X(1, vm_real), IO(2, vm_grounded_pair, &p)));
+    STATUS(3, vm_grounded_pair_to_averaged(IN(0, vm_grounded_pair, &p), 0, IN(1, vm_real, moving), X(2, vm_real)));
+    STATUS(3, vm_grounded_pair_from_averaged(IN(0, vm_grounded_pair, &p), 0, IN(1, vm_real, moving), X(2, vm_real)));
 }
 
 static vm_real null_law(vm_real t, void *ctx)
@@ -740,6 +768,8 @@ static void call_with_null_pointers(void)
     null_laval();
     null_pair();
     null_forced();
+    null_periodic();
+    null_grounded_pair();
     null_diagnostics();
     null_parts_of_scenes();
     null_scenes();

@@ -13,7 +13,7 @@ sanitized() { # sanitized NAME "COMPILER FLAGS" TEST...
     log=$build/$1 title=$1 command=$2
     shift 2
     printf '%s\n' "$@" | xargs -P "$jobs" -I{} sh -c "
-        case {} in van_der_pol|jeffcott|pair|forced|averaging|routes|ladder) level=-O1 ;; *) level=-O0 ;; esac
+        case {} in van_der_pol|jeffcott|pair|forced|periodic|grounded_pair|averaging|routes|ladder) level=-O1 ;; *) level=-O0 ;; esac
         $command \$level tests/test_{}.c -o $log.{} -lm >$log.{}.log 2>&1 &&
         $log.{} >>$log.{}.log 2>&1; echo \$? >$log.{}.status"
     for test in "$@"; do

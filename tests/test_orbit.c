@@ -36,6 +36,62 @@ static void test_integration(double speed, double rate, double t)
     check_error("integration", "v", "abs", apart(v, vmi_get3(y + 3)), PICK(1e-11, 1e-3), speed, t);
 }
 
+/* ---- Meshchersky's second law, mu/sqrt(1 + c t), which the banner of mechanics/orbit.h reduces ---- */
+
+/* In t: r'' = -mu/sqrt(1 + c t) r/|r|^3 */
+static int second_law(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
+{
+    const vm_vec3 r = vmi_get3(y);
+    const vm_real d = R(size_of(r)), mu = R(1.5 / sqrt(1 + ((const pull *)ctx)->rate * (double)t));
+    vmi_set3(dydt, vmi_get3(y + 3));
+    vmi_set3(dydt + 3, vm_scale(-mu / (d * d * d), r));
+    return 0;
+}
+
+/* In tau: xi'' = (c^2/4) xi - mu xi/|xi|^3 */
+static int second_law_reduced(vm_real tau, const vm_real *y, vm_real *dydt, void *ctx)
+{
+    const vm_vec3 xi = vmi_get3(y);
+    const vm_real d = R(size_of(xi)), c = R(((const pull *)ctx)->rate);
+    (void)tau;
+    vmi_set3(dydt, vmi_get3(y + 3));
+    vmi_set3(dydt + 3, vm_scale(c * c / 4 - R(1.5) / (d * d * d), xi));
+    return 0;
+}
+
+static double second_energy(const vm_real *y, double c)
+{
+    const double d = size_of(vmi_get3(y)), v = size_of(vmi_get3(y + 3));
+    return v * v / 2 - 1.5 / d - c * c * d * d / 8;
+}
+
+/* The reduced equation gives the motion, and its energy and angular momentum stay. */
+static void test_second_law(double speed, double c, double t)
+{
+    const double f = sqrt(1 + c * t), tau = log(1 + c * t) / c, slope = c / (2 * f); /* slope = df/dt */
+    const vm_vec3 r0 = vector(1, -.5, .25), v0 = vector(.3 * speed, .9 * speed, -.2 * speed);
+    const vm_vec3 xi_rate = vm_sub(v0, vm_scale(R(c / 2), r0)); /* f^2 d(r/f)/dt at t = 0 */
+    vm_vec3 spin, r, v;
+    vm_real y[6], xi[6];
+    double start;
+    pull p;
+    p.rate = c;
+    vmi_set3(y, r0);
+    vmi_set3(y + 3, v0);
+    vmi_set3(xi, r0);
+    vmi_set3(xi + 3, xi_rate);
+    start = second_energy(xi, c);
+    spin = vm_cross(r0, xi_rate);
+    CHECK(solve(second_law, &p, 6, y, 0, t) >= 0 && solve(second_law_reduced, &p, 6, xi, 0, tau) >= 0);
+    r = vm_scale(R(f), vmi_get3(xi));
+    v = vm_add(vm_scale(R(1 / f), vmi_get3(xi + 3)), vm_scale(R(slope), vmi_get3(xi)));
+    check_error("second law", "r", "abs", apart(r, vmi_get3(y)), PICK(1e-11, 1e-3), speed, c);
+    check_error("second law", "v", "abs", apart(v, vmi_get3(y + 3)), PICK(1e-11, 1e-3), speed, c);
+    check_error("second law", "energy", "abs", fabs(second_energy(xi, c) - start), PICK(1e-11, 1e-3), speed, c);
+    check_error("second law", "angular momentum", "abs", apart(vm_cross(vmi_get3(xi), vmi_get3(xi + 3)), spin),
+                PICK(1e-11, 1e-3), speed, c);
+}
+
 /* A fall from rest at the speed of a parabola outwards: |r| = (1 + 3/2 sqrt(2) t)^(2/3) for mu = 1, |r0| = 1 */
 static void test_parabola(void)
 {
@@ -203,6 +259,8 @@ int main(void)
         test_integration(speeds[i], 0, -2);
         test_integration(speeds[i], .2, 4);
         test_integration(speeds[i], -.1, 3);
+        test_second_law(speeds[i], .2, 4);
+        test_second_law(speeds[i], -.1, 3);
     }
     test_parabola();
     test_ellipse();

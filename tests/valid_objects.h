@@ -137,4 +137,33 @@ static inline vm_forced a_forced(void)
     return f;
 }
 
+/* The same oscillator under a force with two harmonics, prepared by vm_periodic_init */
+static inline vm_periodic a_periodic(void)
+{
+    vm_periodic p;
+    memset(&p, 0, sizeof p);
+    p.oscillator = a_forced();
+    p.cosine[1] = 1;
+    p.sine[3] = R(0.5);
+    p.vibrations = 1;
+    p.periods = 1;
+    vm_periodic_init(&p);
+    return p;
+}
+
+/* Two such oscillators of nearly equal frequencies with a weak coupling, prepared by vm_grounded_pair_init */
+static inline vm_grounded_pair a_grounded_pair(void)
+{
+    vm_grounded_pair p;
+    memset(&p, 0, sizeof p);
+    p.oscillator[0] = a_forced();
+    p.oscillator[1] = a_forced();
+    p.spring = R(0.001);
+    p.damper = R(0.001);
+    p.vibrations[0] = 1;
+    p.vibrations[1] = 1;
+    vm_grounded_pair_init(&p);
+    return p;
+}
+
 #endif

@@ -47,6 +47,15 @@ VM_API vm_complex vmi_c_turn(vm_real angle)
     return e;
 }
 
+/* Writes the complex numbers e^(i k angle) for k = 0 to n, for an angle in radians. The error is of k roundings. */
+VM_API void vmi_c_turns(int n, vm_real angle, vm_complex *turns)
+{
+    const vm_complex once = vmi_c_turn(angle);
+    int k;
+    turns[0] = vmi_complex(1, 0);
+    for (k = 1; k <= n; k++) turns[k] = vmi_c_times(turns[k - 1], once);
+}
+
 /* The modulus |z| */
 VM_API vm_real vmi_c_modulus(vm_complex z) { return vmi_hypot(z.re, z.im); }
 

@@ -5,7 +5,8 @@
      - the geometry (181)-(188),
      - the exact equations of motion, and the reduced equations (192)-(193) of [1],
      - the motion on a rigid shaft in closed form (194)-(206),
-     - the vibrations of an elastic shaft (210)-(226), and how they change the angular velocity.
+     - the vibrations of an elastic shaft (210)-(226), with the unbalance that [1] leaves out, and how they change the
+       angular velocity.
 
    The band moves at the velocity v along y and meets the drum at the point S + (R, 0), where S is the centre of the
    shaft and R the radius of the drum. After the drum has turned by the angle phi, the band covers the arc from 0 to
@@ -484,8 +485,8 @@ VM_API int vmi_drum_wave_at(const vm_drum_shaft *s, vm_real phi, vm_real a, vm_r
    where I is the integral of k sqrt(1 - A phi) from 0 to phi. `particular` must be 0 for x and s->shift for y. The
    amplitude a (m) and the phase alpha (rad) follow from the start by vm_drum_deflection_start: at phi = 0 the
    deflection is a cos alpha + particular. With m^2 = 1 - A phi the integral is I = 2k/(3A) (1 - m^3). It is computed as
-   (2k/3) phi (1 + m + m^2)/(1 + m), which holds for A = 0, too. Returns NaN for a null pointer and if 1 - A phi <=
-   0. */
+   (2k/3) phi (1 + m + m^2)/(1 + m), which holds for A = 0, too. [1] leaves out
+   the unbalance of the band; vm_drum_unbalance adds its part. Returns NaN for a null pointer and if 1 - A phi <= 0. */
 VM_API vm_real vm_drum_deflection(const vm_drum_shaft *s, vm_real phi, vm_real a, vm_real alpha, vm_real particular)
 {
     vmi_drum_wave w;
@@ -535,10 +536,59 @@ VM_API int vm_drum_deflection_start(const vm_drum_shaft *s, vm_real deflection, 
     return VM_OK;
 }
 
+/* sin(x)/x, which is 1 at x = 0, and the cosine of x */
+VM_API void vmi_drum_sinc(vm_real x, vm_real *sinc, vm_real *cosine)
+{
+    vm_real sine;
+    vmi_sincos(x, &sine, cosine);
+    *sinc = 1;
+    if (x != 0) *sinc = sine / x;
+}
+
+/* Deflection of the elastic shaft by the unbalance of the band, which (224), (225) leave out.
+   The band's mass centre is off the shaft, so that (213), (214) need the terms U sin phi and -U cos phi, U = mu R/M0,
+   on their right sides. They are of the same order as mu v/(M0 Omega_b), which [1] keeps. Add deflection[0] (x) and
+   deflection[1] (y), m, to the two results of vm_drum_deflection, and slope[0], slope[1] (m/rad) to those of
+   vm_drum_deflection_slope. All four are 0 at phi = 0, so that vm_drum_deflection_start needs no change. With the ratio
+   k of frequencies, a field of vm_drum_shaft, they are
+     x = U (sin phi - sin(k phi)/k)/(k^2 - 1),   y = -U (cos phi - cos(k phi))/(k^2 - 1).
+   At the resonance k = 1 they are the limit, which grows with phi. phi >= 0 is in rad. For a drum on which mu/M0, j/J0,
+   |e|/(J0 Omega_b) and the deflections divided by R are at most eps, the error of the whole deflection is of the order
+   of eps^2. Errors by rounding are a few eps times U phi (1 + phi), and 1/k of that in x. Returns VM_BAD_ARGUMENT for a
+   null pointer, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS, VM_BAD_INERTIA, VM_DOMAIN if omega is not positive or phi
+   is negative, and VM_OK otherwise. */
+VM_API int vm_drum_unbalance(const vm_drum *d, vm_real phi, vm_real deflection[2], vm_real slope[2])
+{
+    vm_drum_shaft s;
+    vm_real size, x, sine, cosine;
+    vm_real sum, sum_cosine, gap, gap_cosine; /* sin(z)/z and cos z of z = (k + 1) phi/2 and of z = (k - 1) phi/2 */
+    int status;
+    if (!d || !deflection || !slope) return VM_BAD_ARGUMENT;
+    if (!VM_IS_FINITE(phi)) return VM_NOT_FINITE;
+    status = vm_drum_shaft_init(&s, d);
+    if (status) return status;
+    if (phi < 0) return VM_DOMAIN;
+    size = d->band / d->mass * d->radius * phi / 2; /* U phi/2 */
+    vmi_drum_sinc((s.k + 1) * phi / 2, &sum, &sum_cosine);
+    vmi_drum_sinc((s.k - 1) * phi / 2, &gap, &gap_cosine);
+    x = (sum * gap_cosine - sum_cosine * gap) / s.k;
+    if (s.k < VM_C(0.5)) { /* far from the resonance this form has no division by k */
+        vmi_drum_sinc(phi, &sine, &cosine);
+        vmi_drum_sinc(s.k * phi, &x, &cosine);
+        x = 2 * (x - sine) / ((1 - s.k) * (1 + s.k));
+    }
+    if (!VM_IS_FINITE(size * phi) || !VM_IS_FINITE(s.k * phi) || !VM_IS_FINITE(size * x)) return VM_NOT_FINITE;
+    deflection[0] = size * x;
+    deflection[1] = -size * phi * sum * gap;
+    slope[0] = size * phi * sum * gap;
+    slope[1] = -size * (sum * gap_cosine + sum_cosine * gap);
+    return VM_OK;
+}
+
 /* Angular velocity phi' on an elastic shaft, rad/s: (196) corrected by the deflection (224).
    `rise` is the deflection y(phi) - y(0) in the band's direction since the winding began, m, for example by
-   vm_drum_deflection. A rim that rises with the band is driven less by it. To the first order in rise the solution of
-   (212) and (215) is
+   vm_drum_deflection and vm_drum_unbalance. A rim that rises with the band is driven less by it. To the first order in
+   rise the solution of (212) and (215) is
      phi' = vm_drum_rate [1 - mu R rise/(J0 + j phi)].
    mu is the mass of the band per angle, R the radius, J0 the drum's inertia and j = mu R^2. For a drum on which
    mu R |rise|/J0, mu/M0, j/J0 and |e|/(J0 Omega_b) are at most eps, the error is of the order of eps^2 Omega_b: halving

@@ -16,6 +16,14 @@
    (1 - beta) G3, and its derivative dt/ds = 1 + sigma G1 + (1 - beta) G2 is the distance R. Then
      r = (1 - G2) r0 + (t - G3) v0,  v = -G1/R r0 + (1 - G2/R) v0.
    Meshchersky's law: with f = 1 + c t, r = f xi and the time tau = t/f, xi obeys the equation for constant mu.
+   Meshchersky's second law, mu/sqrt(1 + c t), has no function here. With f = sqrt(1 + c t), r = f xi and tau =
+   ln(1 + c t)/c it becomes, with ' = d/dtau,
+     xi'' = (c^2/4) xi - mu xi/|xi|^3.
+   So |xi'|^2/2 - mu/|xi| - c^2 |xi|^2/8 and the angular momentum xi x xi' are constant, and with d tau = |xi| ds the
+   distance is an elliptic function of s. But tau and the angle are elliptic integrals of the third kind, whose parameters
+   are the roots of a quartic: complex for most orbits, and of three kinds. tau(s) must be inverted by iteration, and
+   digits cancel where two roots are close, that is, next to a circle and where mu or c is small. Integration by rk87 of
+   the equation in t or in tau has none of these cases (tests/test_orbit.c, test_second_law).
    Tests: tests/test_orbit.c. */
 #ifndef VARMASS_MECHANICS_ORBIT_H
 #define VARMASS_MECHANICS_ORBIT_H

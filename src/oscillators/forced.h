@@ -14,6 +14,8 @@
        f.force = vm_law_linear(VM_C(0.1), 0);
        int status = vm_forced_init(&f); // then vm_forced_rhs integrates x, x', theta
 
+   Forces that are periodic, but not harmonic, are in periodic.h.
+
    Symbols: A amplitude, psi Ateb phase, Om the rate of psi, 2 Pi the period of ca (Pi = Pi_alpha); w(A) frequency of
    the free vibration of amplitude A, phi = pi psi/Pi phase of the vibration in radians, theta phase of the force, delta
    = phi - theta.
@@ -140,6 +142,18 @@ VM_API vm_real vmi_forced_natural(const vm_forced *f, const vmi_forced_parameter
     return f->Om1 * VM_SQRT(n->k / n->mass) * vmi_pow_checked(VM_FABS(A), (f->alpha - 1) / 2);
 }
 
+/* Writes the rates of y = (x, x', theta) by the equation of motion. shape is the force divided by F, cos(theta) for a
+   harmonic force. */
+VM_API void vmi_forced_motion(const vm_forced *f, const vmi_forced_parameters *n, const vm_real *y, vm_real shape,
+                              vm_real *dydt)
+{
+    dydt[0] = y[1];
+    dydt[1] = (n->force * shape - (f->reactive * n->mass_rate + f->damping) * y[1] -
+               n->k * vmi_osc_elastic(y[0], f->alpha)) /
+              n->mass;
+    dydt[2] = n->nu;
+}
+
 /* Equation of motion of an excited oscillator, for rk45 or rk87. y = (x, x', theta) is in m, m/s and rad; forced points
    to a prepared vm_forced. Returns VM_BAD_ARGUMENT for a null pointer or a law that no constructor made, VM_NOT_FINITE
    for a number that is infinite or NaN, VM_BAD_MASS or VM_BAD_STIFFNESS for a mass or a stiffness that is not positive,
@@ -153,12 +167,22 @@ VM_API int vm_forced_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *force
     const int status = vmi_forced_at(f, t, &n);
     if (status) return status;
     vmi_sincos(y[2], &sine, &cosine);
-    dydt[0] = y[1];
-    dydt[1] = (n.force * cosine - (f->reactive * n.mass_rate + f->damping) * y[1] -
-               n.k * vmi_osc_elastic(y[0], f->alpha)) /
-              n.mass;
-    dydt[2] = n.nu;
+    vmi_forced_motion(f, &n, y, cosine, dydt);
     return VM_OK;
+}
+
+/* Writes the rates of y = (A, psi, theta) by the exact equations. shape is the force divided by F, cos(theta) for a
+   harmonic force. */
+VM_API void vmi_forced_exact(const vm_forced *f, const vmi_forced_parameters *n, const vm_real *y, vm_real shape,
+                             vm_real *dydt)
+{
+    const vm_real q = vmi_forced_q(f, n), Om = vmi_slow_rate(y[0], n->k, n->mass, f->alpha);
+    const vm_real push = n->force / (n->mass * Om) * shape;
+    vm_real sa, ca;
+    ateb_saca(y[1], f->alpha, &sa, &ca);
+    dydt[0] = -(q * y[0] / (f->alpha + 1) * sa + push) * sa;
+    dydt[1] = Om - (q / 2 * sa + (f->alpha + 1) / (2 * y[0]) * push) * ca;
+    dydt[2] = n->nu;
 }
 
 /* Exact equations of amplitude and phase of an excited oscillator, for rk45 or rk87.
@@ -171,16 +195,10 @@ VM_API int vm_forced_exact_rhs(vm_real t, const vm_real *y, vm_real *dydt, void 
     const vm_forced *f = (const vm_forced *)forced;
     vmi_forced_parameters n;
     const int status = vmi_forced_at(f, t, &n);
-    vm_real q, Om, push, sa, ca, sine, cosine;
+    vm_real sine, cosine;
     if (status) return status;
-    q = vmi_forced_q(f, &n);
-    Om = vmi_slow_rate(y[0], n.k, n.mass, f->alpha);
-    ateb_saca(y[1], f->alpha, &sa, &ca);
     vmi_sincos(y[2], &sine, &cosine);
-    push = n.force / (n.mass * Om) * cosine;
-    dydt[0] = -(q * y[0] / (f->alpha + 1) * sa + push) * sa;
-    dydt[1] = Om - (q / 2 * sa + (f->alpha + 1) / (2 * y[0]) * push) * ca;
-    dydt[2] = n.nu;
+    vmi_forced_exact(f, &n, y, cosine, dydt);
     return VM_OK;
 }
 
@@ -211,9 +229,10 @@ VM_API int vm_forced_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, vo
      q A sa ca/((alpha+3) Om) + F/(m Om nu) sum of s[j]/2 (cos(n phi + theta)/(n + 1) + cos(n phi - theta)/(n - 1))
    with the order n = 2j + 1 and q of vmi_forced_q. For n = 1 the last term is left out, since it does not vary at the
    resonance. */
-VM_API vm_real vmi_forced_ripple(const vm_forced *f, const vmi_forced_parameters *n, vm_real A, vm_real phi,
+VM_API vm_real vmi_forced_ripple(const void *forced, const vmi_forced_parameters *n, vm_real A, vm_real phi,
                                  vm_real theta)
 {
+    const vm_forced *f = (const vm_forced *)forced;
     const vm_real Om = vmi_slow_rate(A, n->k, n->mass, f->alpha);
     vm_real sa, ca, sum = 0, unused, plus, minus;
     int j;
@@ -229,6 +248,40 @@ VM_API vm_real vmi_forced_ripple(const vm_forced *f, const vmi_forced_parameters
     return vmi_forced_q(f, n) * A / ((f->alpha + 3) * Om) * sa * ca + n->force / (n->mass * Om * n->nu) * sum;
 }
 
+/* A function that returns the ripple of the amplitude for a kind of force; object is the oscillator with its force. */
+typedef vm_real (*vmi_ripple_of_force)(const void *object, const vmi_forced_parameters *n, vm_real A, vm_real phi,
+                                       vm_real theta);
+
+/* Writes the mean amplitude A and the phase phi, rad, of a motion (x, x', theta). Three iterations solve A + ripple(A) =
+   exact, where `exact` is the amplitude at this instant. Returns VM_DOMAIN where the motion is smaller than its
+   ripple. */
+VM_API int vmi_forced_split(const vm_forced *f, const vmi_forced_parameters *n, vmi_ripple_of_force ripple,
+                            const void *object, const vm_real *motion, vm_real *A, vm_real *phi)
+{
+    vm_real exact, mean;
+    int i;
+    vmi_slow_phase(motion[0], motion[1], n->k, n->mass, f->alpha, &exact, phi);
+    *phi *= VM_PI / f->pi;
+    mean = exact;
+    for (i = 0; i < 3; i++) mean = exact - ripple(object, n, mean, *phi, motion[2]);
+    if (!(mean > 0) || !VM_IS_FINITE(mean)) return VM_DOMAIN;
+    *A = mean;
+    return VM_OK;
+}
+
+/* Writes the motion (x, x', theta) of the mean amplitude `mean` and the phase phi, rad. Returns VM_DOMAIN where the
+   mean amplitude is not positive or is smaller than its ripple. */
+VM_API int vmi_forced_join(const vm_forced *f, const vmi_forced_parameters *n, vmi_ripple_of_force ripple,
+                           const void *object, vm_real mean, vm_real phi, vm_real theta, vm_real *motion)
+{
+    const vm_real A = mean + ripple(object, n, mean, phi, theta);
+    vm_real r[3];
+    if (!(mean > 0) || !(A >= 0)) return VM_DOMAIN;
+    vmi_slow_motion(A, phi * (f->pi / VM_PI), n->k, n->mass, f->alpha, &r[0], &r[1]);
+    r[2] = theta;
+    return vmi_copy_if_finite(3, r, motion);
+}
+
 /* Converts a motion (x, x', theta) of an excited oscillator to its mean y = (A, delta, theta). A is the amplitude
    without its ripple within a period. If the ripple stayed in A, averaged motions would have errors of order 1 where
    alpha is not 1. The statuses are those of vm_forced_rhs; VM_DOMAIN also means that the motion is smaller than its
@@ -239,15 +292,10 @@ VM_API int vm_forced_to_averaged(const vm_forced *f, vm_real t, const vm_real *m
     vmi_forced_parameters n;
     int status = vmi_forced_at(f, t, &n);
     const vm_real theta = motion[2];
-    vm_real exact, A, phi;
-    int i;
+    vm_real A, phi;
     if (!vmi_all_finite(3, motion)) status = vmi_first_error(status, VM_NOT_FINITE);
+    if (!status) status = vmi_forced_split(f, &n, vmi_forced_ripple, f, motion, &A, &phi);
     if (status) return status;
-    vmi_slow_phase(motion[0], motion[1], n.k, n.mass, f->alpha, &exact, &phi);
-    phi *= VM_PI / f->pi;
-    A = exact;
-    for (i = 0; i < 3; i++) A = exact - vmi_forced_ripple(f, &n, A, phi, theta);
-    if (!(A > 0) || !VM_IS_FINITE(A)) return VM_DOMAIN; /* the motion is smaller than its ripple */
     y[0] = A;
     y[1] = phi - theta;
     y[2] = theta;
@@ -262,15 +310,9 @@ VM_API int vm_forced_from_averaged(const vm_forced *f, vm_real t, const vm_real 
     if (!f || !y || !motion) return VM_BAD_ARGUMENT;
     vmi_forced_parameters n;
     int status = vmi_forced_at(f, t, &n);
-    const vm_real theta = y[2], phi = y[1] + theta;
-    vm_real A, r[3];
     if (!vmi_all_finite(3, y)) status = vmi_first_error(status, VM_NOT_FINITE);
     if (status) return status;
-    A = y[0] + vmi_forced_ripple(f, &n, y[0], phi, theta);
-    if (!(y[0] > 0) || !(A >= 0)) return VM_DOMAIN;
-    vmi_slow_motion(A, phi * (f->pi / VM_PI), n.k, n.mass, f->alpha, &r[0], &r[1]);
-    r[2] = theta;
-    return vmi_copy_if_finite(3, r, motion);
+    return vmi_forced_join(f, &n, vmi_forced_ripple, f, y[0], y[1] + y[2], y[2], motion);
 }
 
 #endif

@@ -135,7 +135,7 @@ static void check_drum_start(const vm_drum_shaft *s)
 static void check_drum_coupled(void)
 {
     vm_drum d = draw_drum();
-    vm_real y[VM_DRUM_COUPLED_STATES], dydt[VM_DRUM_COUPLED_STATES];
+    vm_real y[VM_DRUM_COUPLED_STATES], dydt[VM_DRUM_COUPLED_STATES], at[2], slope[2];
     const vm_real phi = MOSTLY(draw_in(0, 6)), rise = MOSTLY(draw_in(-0.1, 0.1));
     const vm_real rate = vm_drum_rate(&d, phi), elastic = vm_drum_rate_elastic(&d, phi, rise);
     int i, status;
@@ -144,6 +144,10 @@ static void check_drum_coupled(void)
     status = vm_drum_rhs_coupled(phi, y, dydt, &d);
     if (status) HOLDS(UNTOUCHED(dydt));
     else HOLDS(y[VM_DRUM_RATE] > 0 && dydt[VM_DRUM_TIME] > 0);
+    STAIN(at);
+    status = vm_drum_unbalance(&d, phi, at, slope);
+    if (status) HOLDS(UNTOUCHED(at) && status < 0);
+    else HOLDS(phi >= 0 && vmi_all_finite(2, at) && vmi_all_finite(2, slope) && slope[0] == -at[1]);
     if (is_nan(rate) || !is_finite(rise)) HOLDS(is_nan(elastic));
     else if (tame_drum(&d) && tame(phi) && tame(rise) && d.band > 0)
         HOLDS(elastic == rate || (elastic < rate) == (rise > 0 && rate > 0));

@@ -452,6 +452,83 @@ static void check_forced(void)
     check_forced_curve(&f, t, all_tame);
 }
 
+/* Two coupled oscillators: refusals change nothing, results are finite, and the maps lead back where the coupling is
+   weak and no resonance is near. */
+static void check_grounded_pair(void)
+{
+    const vm_real t = draw_in(0, 3);
+    vm_real y[4], modes[4], back[4], dydt[4] = {0};
+    vm_grounded_pair p, before;
+    int i, all_tame;
+    memset(&p, 0, sizeof p);
+    p.oscillator[0] = draw_forced(0);
+    p.oscillator[1] = draw_forced(0);
+    p.spring = MOSTLY(draw_in(-0.1, 0.1));
+    p.damper = MOSTLY(draw_in(-0.1, 0.1));
+    for (i = 0; i < 2; i++) p.vibrations[i] = draw_byte() % 4 ? 1 + draw_below(3) : draw_below(11) - 1;
+    before = p;
+    if (vm_grounded_pair_init(&p)) {
+        HOLDS(memcmp(&p, &before, sizeof p) == 0);
+        return;
+    }
+    all_tame = tame(p.spring) && tame(p.damper) && VM_FABS(p.spring) < 1 && VM_FABS(p.damper) < 1;
+    for (i = 0; i < 2; i++) all_tame = all_tame && tame_forced(&p.oscillator[i]);
+    for (i = 0; i < 4; i++) y[i] = draw_in(-2, 2);
+    if (vm_grounded_pair_rhs(t, y, dydt, &p) == 0 && all_tame) HOLDS(vmi_all_finite(4, dydt) && dydt[0] == y[2]);
+    STAIN(modes);
+    if (vm_grounded_pair_to_averaged(&p, t, y, modes)) HOLDS(UNTOUCHED(modes));
+    else HOLDS(vmi_all_finite(4, modes) && modes[0] > 0 && modes[2] > 0);
+    for (i = 0; i < 4; i++) y[i] = i % 2 ? draw_in(-3, 3) : draw_in(0.3, 2);
+    if (vm_grounded_pair_averaged_rhs(t, y, dydt, &p) == 0 && all_tame) HOLDS(vmi_all_finite(4, dydt));
+    STAIN(back);
+    if (vm_grounded_pair_from_averaged(&p, t, y, back)) HOLDS(UNTOUCHED(back));
+    else HOLDS(vmi_all_finite(4, back));
+}
+
+/* A force with drawn harmonics: refusals change nothing, results are finite, and steady vibrations are steady. */
+static void check_periodic(void)
+{
+    const vm_real t = draw_in(0, 3);
+    const int n = draw_byte() % 24 - 1;
+    vm_real g[24], y[3], motion[3], dydt[3] = {0};
+    vm_steady_state steady[4];
+    vm_periodic p, before;
+    int i, found, all_tame;
+    memset(&p, 0, sizeof p);
+    p.oscillator = draw_forced(0);
+    p.vibrations = 1 + draw_below(9);
+    p.periods = draw_byte() % 32 ? 1 + draw_below(3) : 10;
+    for (i = 0; i < 24; i++) g[i] = draw_byte() % 128 ? draw_in(-1, 1) : draw_any();
+    before = p;
+    if (vm_periodic_from_samples(&p, n, g)) HOLDS(memcmp(&p, &before, sizeof p) == 0);
+    before = p;
+    if (vm_periodic_init(&p)) {
+        HOLDS(memcmp(&p, &before, sizeof p) == 0);
+        return;
+    }
+    all_tame = tame_forced(&p.oscillator) && vmi_all_finite(24, g);
+    for (i = 0; i < 24; i++) all_tame = all_tame && VM_FABS(g[i]) <= 1;
+    for (i = 0; i < 3; i++) motion[i] = draw_in(-2, 2);
+    if (vm_periodic_rhs(t, motion, dydt, &p) == 0 && all_tame) HOLDS(vmi_all_finite(3, dydt) && dydt[0] == motion[1]);
+    STAIN(y);
+    if (vm_periodic_to_averaged(&p, t, motion, y)) HOLDS(UNTOUCHED(y));
+    else if (vm_periodic_from_averaged(&p, t, y, motion) == 0) HOLDS(vmi_all_finite(3, motion));
+    y[0] = draw_in(0.1, 2);
+    y[1] = draw_in(-3, 3);
+    y[2] = draw_in(-3, 3);
+    if (vm_periodic_exact_rhs(t, y, dydt, &p) == 0 && all_tame) HOLDS(vmi_all_finite(3, dydt));
+    if (vm_periodic_averaged_rhs(t, y, dydt, &p) == 0 && all_tame) HOLDS(vmi_all_finite(3, dydt));
+    HOLDS(!is_nan(vm_periodic_shape(&p, y[1])) || !all_tame);
+    STAIN(steady);
+    found = vm_periodic_steady_states(&p, t, 4, steady);
+    if (found <= 0) HOLDS(UNTOUCHED(steady));
+    for (i = 0; i < found && i < 4 && all_tame; i++) {
+        HOLDS(steady[i].A > 0 && (i == 0 || steady[i].A >= steady[i - 1].A));
+        HOLDS(steady[i].stable == (steady[i].det > 0 && steady[i].trace < 0));
+    }
+    if (vm_periodic_curve(&p, t, y[1], steady) == 0) HOLDS(steady[0].A > 0 && steady[0].nu > 0);
+}
+
 static void cosine_motion(vm_real t, vm_real *x, vm_real *v, void *ctx)
 {
     const vm_real w = *(const vm_real *)ctx;
@@ -540,7 +617,11 @@ static void fuzz_slow(void)
         check_pair();
         check_coupled(); /* after it, so that stored inputs keep their meaning */
         break;
-    case 3: check_diagnostics(); break;
+    case 3:
+        check_diagnostics();
+        check_periodic(); /* after it, so that stored inputs keep their meaning */
+        check_grounded_pair();
+        break;
     case 4: check_van_der_pol_law(); break;
     default: check_forced();
     }

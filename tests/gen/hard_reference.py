@@ -103,6 +103,13 @@ def drum_time(phi, D):
     return phi / 2 * (log(1 + z) / z + phi / 8 * (z - log(1 + z)) / z**2)
 
 
+def drum_unbalance(phi, square):
+    if square == 1:
+        return (sin(phi) - phi * cos(phi)) / 2
+    k = sqrt(square)
+    return (sin(phi) - sin(k * phi) / k) / (square - 1)
+
+
 def drum_angle(t, D):
     return findroot(lambda phi: drum_time(phi, D) - t, 2 * t)
 

@@ -82,7 +82,7 @@ static void try_elastic_shaft(void)
     for (i = 0; i < COUNT / 8; i++) {
         const vm_drum d = some_drum();
         const vm_real phi = uniform(0, 6), at_0 = uniform(-1, 1) / 64, slope = uniform(-1, 1) / 64;
-        vm_real a = 0, alpha = 0;
+        vm_real a = 0, alpha = 0, at[2] = {1, 2}, slopes[2] = {1, 2};
         vm_drum_shaft s;
         CLEAR(s);
         fold_int(vm_drum_shaft_init(&s, &d));
@@ -91,6 +91,9 @@ static void try_elastic_shaft(void)
         fold(alpha);
         fold(vm_drum_deflection_slope(&s, phi, a, alpha, s.shift));
         fold(vm_drum_rate_elastic(&d, phi, at_0));
+        fold_int(vm_drum_unbalance(&d, phi, at, slopes));
+        fold_all(2, at);
+        fold_all(2, slopes);
     }
 }
 

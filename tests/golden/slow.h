@@ -213,6 +213,46 @@ static void try_coupled_pair(void)
     }
 }
 
+static vm_forced some_oscillator(void)
+{
+    vm_forced f;
+    vm_real k;
+    memset(&f, 0, sizeof f);
+    f.alpha = uniform(1, 4);
+    f.damping = uniform(1, 2) / 64;
+    f.reactive = uniform(0, 1);
+    f.mass = some_mass();
+    k = uniform(1, 2);
+    f.stiffness = vm_law_linear(k, 0);
+    return f;
+}
+
+static void try_grounded_pair(void)
+{
+    static const int ratios[3][2] = {{1, 1}, {0, 0}, {1, 3}};
+    int i;
+    for (i = 0; i < 6; i++) {
+        vm_real y[4], modes[4] = {1, 2, 3, 4}, back[4] = {1, 2, 3, 4};
+        vm_grounded_pair p;
+        memset(&p, 0, sizeof p);
+        p.oscillator[0] = some_oscillator();
+        p.oscillator[1] = some_oscillator();
+        p.spring = uniform(-1, 1) / 64;
+        p.damper = uniform(0, 1) / 64;
+        p.vibrations[0] = ratios[i % 3][0];
+        p.vibrations[1] = ratios[i % 3][1];
+        fold_int(vm_grounded_pair_init(&p));
+        fold_two(p.mean[0], p.mean[1]);
+        draw_all(4, VM_C(0.5), 1, y);
+        fold_int(vm_grounded_pair_to_averaged(&p, 1, y, modes));
+        fold_all(4, modes);
+        fold_int(vm_grounded_pair_from_averaged(&p, 1, modes, back));
+        fold_all(4, back);
+        integrate_from(y, vm_grounded_pair_rhs, &p, 4, 2);
+        integrate_from(modes, vm_grounded_pair_averaged_rhs, &p, 4, 2);
+    }
+}
+
 static vm_forced some_forced(void)
 {
     vm_forced f;
@@ -290,6 +330,44 @@ static void try_steady(void)
         fold(passage.A);
         fold(passage.drift_ratio);
         fold(passage.amplitude_jump);
+    }
+}
+
+/* A periodic force that is not harmonic, at the resonances 1:1, 3:1 and 1:3 */
+static void try_periodic(void)
+{
+    static const int ratios[3][2] = {{1, 1}, {3, 1}, {1, 3}};
+    int i, k, n;
+    for (i = 0; i < 6; i++) {
+        const vm_real motion[3] = {1, VM_C(0.5), VM_C(0.25)};
+        vm_real g[12], y[3] = {1, 2, 3}, back[3] = {1, 2, 3};
+        vm_steady_state steady[8], point;
+        vm_periodic p;
+        memset(&p, 0, sizeof p);
+        memset(&point, 0, sizeof point);
+        p.oscillator = some_forced();
+        p.vibrations = ratios[i % 3][0];
+        p.periods = ratios[i % 3][1];
+        draw_all(12, -1, 1, g);
+        fold_int(vm_periodic_from_samples(&p, 8 + i % 5, g));
+        fold_all(VM_PERIODIC_HARMONICS + 1, p.cosine);
+        fold_all(VM_PERIODIC_HARMONICS + 1, p.sine);
+        fold_int(vm_periodic_init(&p));
+        fold(p.oscillator.G);
+        fold(vm_periodic_shape(&p, uniform(-9, 9)));
+        fold_int(vm_periodic_to_averaged(&p, 1, motion, y));
+        fold_all(3, y);
+        fold_int(vm_periodic_from_averaged(&p, 1, y, back));
+        fold_all(3, back);
+        integrate_from(motion, vm_periodic_rhs, &p, 3, 2);
+        integrate_from(motion, vm_periodic_exact_rhs, &p, 3, 1);
+        integrate_from(y, vm_periodic_averaged_rhs, &p, 3, 2);
+        fold_int(vm_periodic_curve(&p, 1, uniform(-3, 3), &point));
+        fold_steady(&point);
+        if (i > 2) continue; /* the search takes long on an emulator */
+        n = vm_periodic_steady_states(&p, 1, 8, steady);
+        fold_int(n);
+        for (k = 0; k < n && k < 8; k++) fold_steady(steady + k);
     }
 }
 
@@ -405,4 +483,6 @@ static void golden_resonance(void)
     try_forced();
     try_steady();
     try_diagnostics();
+    try_periodic();
+    try_grounded_pair();
 }

@@ -131,6 +131,22 @@ static vm_real drum_time_naive(const vm_real *x)
     const vm_real e = 1 - x[1], z = e * x[0] / 2, s = x[0] / 8, ln = LOG(1 + z);
     return x[0] / 2 * (ln / z + s * (z - ln) / (z * z));
 }
+
+/* Deflection x by the unbalance of a drum whose shaft has the ratio of frequencies k = sqrt(x1), at the angle x0, over
+   mu R/M0 */
+static vm_real drum_unbalance_ours(const vm_real *x)
+{
+    vm_drum d = {1, 1, 1, 1, 0, 0, 1, 1};
+    vm_real at[2] = {0, 0}, slope[2];
+    d.stiffness = x[1];
+    return vm_drum_unbalance(&d, x[0], at, slope) == VM_OK ? at[0] : VM_NAN;
+}
+static vm_real drum_unbalance_naive(const vm_real *x)
+{
+    const vm_real k = SQRT(x[1]);
+    return (SIN(x[0]) - SIN(k * x[0]) / k) / (x[1] - 1);
+}
+
 static vm_real drum_angle_ours(const vm_real *x)
 {
     const vm_drum d = drum_of(x);
@@ -296,6 +312,10 @@ static const hard_case removable_cases[] = {
     CASE(jet, 16, "jet damping: axial over transverse moment integrated, A' -> 0", R(1e-9, 1e-4), 2),
     CASE(drum_time, 8, "(197): t(phi) has 1/e^2 as e -> 0", 3, R(0.999999, 0.999)),
     CASE(drum_time, 8, "e = 0 itself: driving and damping cancel", 3, 1),
+    CASE(drum_unbalance, 16, "the unbalance at the resonance: sin phi - sin(k phi)/k over k^2 - 1 as k -> 1", 2,
+         R(1.0000000001, 1.0001)),
+    CASE(drum_unbalance, 16, "the same below the resonance", 5, R(0.99999999999, 0.9999)),
+    CASE(drum_unbalance, 16, "k = 1 itself", 2, 1),
     CASE(drum_angle, 8, "(206): Lambert's function at its branch point as e -> 0", 3, R(0.9999999, 0.999)),
     CASE(drum_angle, 8, "(206): -exp(-f1/k1)/k1 underflows as k1 -> 0", 3, R(0.7501, 0.7502)),
     CASE(drum_angle, 8, "k1 = 0 itself", 3, 0.75),

@@ -1,0 +1,298 @@
+/* oscillators/grounded_pair.h - two strongly nonlinear oscillators with slow masses and a weak coupling
+
+   Two bodies, each on a spring of its own that is fixed to the ground, with a weak spring kappa and a weak damper c
+   between them: a system of two degrees of freedom for which averaged equations exist, because each body without the
+   coupling vibrates as an oscillator of one degree. For i = 0 and 1, where o is the other body:
+       m_i x_i'' + k_i x_i|x_i|^(alpha_i-1) = -(r_i m_i' + b_i) x_i' + kappa (x_o - x_i) + c (x_o' - x_i')
+   m_i and k_i may vary slowly. Here are the equations of motion, the averaged equations for amplitudes and phases, and
+   the maps to and from the motion. Bodies that have no springs to the ground, on which the coupling may be strong, are in
+   coupled_pair.h.
+
+       vm_grounded_pair p;
+       memset(&p, 0, sizeof p);
+       p.oscillator[0].alpha = p.oscillator[1].alpha = 3;
+       p.oscillator[0].mass = p.oscillator[1].mass = vm_law_linear(1, VM_C(0.001));
+       p.oscillator[0].stiffness = p.oscillator[1].stiffness = vm_law_linear(1, 0);
+       p.spring = VM_C(0.01);
+       p.vibrations[0] = p.vibrations[1] = 1; // equal frequencies
+       int status = vm_grounded_pair_init(&p);
+
+   The state of the averaged equations is (A_0, phi_0, A_1, phi_1): the mean amplitudes and the phases in radians. With
+   the symbols of forced.h, the largest velocity V = 2 Om A/(alpha+1) of a vibration, and q_i with the damping b_i + c,
+       A_i' = -q_i A_i/(alpha_i+3) - S_i/(m_i Om_i),
+       phi_i' = w_i(A_i) + h_i kappa <ca^2> - h_i C_i/A_i,   h_i = (alpha_i+1) pi/(2 Pi_i m_i Om_i),
+       S_i = sum of s_j/2 (kappa A_o c_n sin u - c V_o s_n cos u),
+       C_i = sum of c_j/2 (kappa A_o c_n cos u + c V_o s_n sin u),   u = j phi_i - n phi_o,
+   over the odd j, n up to 9 whose u varies slowly: those with j P_i = n P_o, where the frequencies of the two bodies
+   are as P_0 to P_1. c_j and s_j are the Fourier coefficients of ca and sa of body i, c_n and s_n those of body o. Where
+   the frequencies are in no such ratio, the sums are empty: each body then vibrates on its own.
+   Tests: tests/test_grounded_pair.c. */
+#ifndef VARMASS_OSCILLATORS_GROUNDED_PAIR_H
+#define VARMASS_OSCILLATORS_GROUNDED_PAIR_H
+
+#include "../ateb/beta.h"
+#include "../ateb/functions.h"
+#include "../base/arrays.h"
+#include "../base/complex.h"
+#include "../base/real.h"
+#include "../base/status.h"
+#include "constant_mass.h"
+#include "forced.h"
+#include "slow.h"
+
+/* Two oscillators and the coupling between them. Set the fields above mean, then call vm_grounded_pair_init; call it
+   again after a change of alpha. */
+typedef struct VM_TAG(vm_grounded_pair) {
+    vm_forced oscillator[2]; /* the oscillators: their fields alpha, damping, reactive, mass and stiffness;
+                                vm_grounded_pair_init writes the other fields */
+    vm_real spring;          /* stiffness kappa of the coupling, N/m, of either sign; it must be weak */
+    vm_real damper;          /* damping c of the coupling, kg/s; it must be weak */
+    int vibrations[2];       /* P_0 and P_1, from 1 to 9: at the resonance the bodies make P_0 and P_1 vibrations in the
+                                same time. Both 0 where the frequencies are in no resonance */
+    vm_real mean[2];         /* means of ca^2; vm_grounded_pair_init writes this field */
+} vm_grounded_pair;
+
+/* The parameters of both oscillators at one time, and what follows from the amplitudes */
+typedef struct VM_TAG(vmi_grounded_now) {
+    vmi_forced_parameters n[2];
+    vm_real q[2]; /* rates of the slow changes, 1/s, which the damper of the coupling is part of */
+} vmi_grounded_now;
+
+/* Whether a resonance exists: both numbers 0, or both from 1 to 9 */
+VM_API int vmi_grounded_ratio_is_valid(const int *vibrations)
+{
+    if (vibrations[0] == 0 && vibrations[1] == 0) return 1;
+    return vibrations[0] > 0 && vibrations[1] > 0 && vibrations[0] < 2 * VMI_FORCED_HARMONICS &&
+           vibrations[1] < 2 * VMI_FORCED_HARMONICS;
+}
+
+/* Writes the parameters at time t and checks them and the pair. */
+VM_API int vmi_grounded_at(const vm_grounded_pair *p, vm_real t, vmi_grounded_now *now)
+{
+    int i, status = VM_OK;
+    for (i = 0; i < 2; i++) {
+        const vm_forced *f = &p->oscillator[i];
+        status = vmi_first_error(status, vmi_forced_at(f, t, &now->n[i]));
+    }
+    if (!vmi_grounded_ratio_is_valid(p->vibrations)) status = vmi_first_error(status, VM_BAD_ARGUMENT);
+    if (!VM_IS_FINITE(p->spring) || !VM_IS_FINITE(p->damper)) status = vmi_first_error(status, VM_NOT_FINITE);
+    if (status) return status;
+    for (i = 0; i < 2; i++)
+        now->q[i] = vmi_forced_q(&p->oscillator[i], &now->n[i]) + 2 * p->damper / now->n[i].mass;
+    return VM_OK;
+}
+
+/* Prepare a pair of coupled oscillators: check it at t = 0 and write the constants of the averaged equations.
+   All other functions need this call. Returns VM_BAD_ARGUMENT for a null pointer, a law that no constructor made, or
+   `vibrations` that are neither both 0 nor both from 1 to 9, VM_NOT_FINITE for a number that is infinite or NaN,
+   VM_BAD_MASS or VM_BAD_STIFFNESS for a mass or a stiffness that is not positive, VM_DOMAIN for alpha < 0, and VM_OK
+   otherwise. An error leaves *p as it was. */
+VM_API int vm_grounded_pair_init(vm_grounded_pair *p)
+{
+    vmi_grounded_now now;
+    vm_grounded_pair r;
+    int i, status;
+    if (!p) return VM_BAD_ARGUMENT;
+    r = *p;
+    for (i = 0; i < 2; i++) {
+        r.oscillator[i].frequency = vm_law_linear(1, 0); /* not used, but vm_forced_init checks them */
+        r.oscillator[i].force = vm_law_linear(0, 0);
+    }
+    status = vmi_grounded_at(&r, 0, &now);
+    for (i = 0; i < 2 && !status; i++) {
+        status = vm_forced_init(&r.oscillator[i]);
+        r.mean[i] = ateb_mean(r.oscillator[i].alpha, 0, 2);
+    }
+    if (!status) *p = r;
+    return status;
+}
+
+/* Equations of motion of two weakly coupled oscillators, for rk45 or rk87. y = (x_0, x_1, x_0', x_1') is in m and m/s;
+   pair points to a prepared vm_grounded_pair. The statuses are those of vm_grounded_pair_init at the time t, and
+   VM_DOMAIN for t outside a table; they stop the run. */
+VM_API int vm_grounded_pair_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *pair)
+{
+    if (!y || !dydt || !pair) return VM_BAD_ARGUMENT;
+    const vm_grounded_pair *p = (const vm_grounded_pair *)pair;
+    vmi_grounded_now now;
+    vm_real pull; /* the force of the coupling on body 0 */
+    int i;
+    const int status = vmi_grounded_at(p, t, &now);
+    if (status) return status;
+    pull = p->spring * (y[1] - y[0]) + p->damper * (y[3] - y[2]);
+    for (i = 0; i < 2; i++) {
+        const vm_forced *f = &p->oscillator[i];
+        const vmi_forced_parameters *n = &now.n[i];
+        vm_real force = pull;
+        if (i == 1) force = -pull;
+        dydt[i] = y[2 + i];
+        dydt[2 + i] = (force - (f->reactive * n->mass_rate + f->damping) * y[2 + i] -
+                       n->k * vmi_osc_elastic(y[i], f->alpha)) /
+                      n->mass;
+    }
+    return VM_OK;
+}
+
+/* What belongs to one body at one time. The index `other` is that of the other body. */
+typedef struct VM_TAG(vmi_grounded_body) {
+    vm_real Om, w; /* rate of the Ateb phase, 1/s; frequency of the free vibration, rad/s */
+    vm_real pull;  /* kappa A, N: amplitude of the force that this body's motion exerts by the spring */
+    vm_real drag;  /* c V, N: the same by the damper */
+    vm_complex turns[2 * VMI_FORCED_HARMONICS]; /* e^(i k phi) */
+} vmi_grounded_body;
+
+VM_API void vmi_grounded_bodies(const vm_grounded_pair *p, const vmi_grounded_now *now, const vm_real *A,
+                                const vm_real *phi, vmi_grounded_body *b)
+{
+    int i;
+    for (i = 0; i < 2; i++) {
+        const vm_forced *f = &p->oscillator[i];
+        b[i].Om = vmi_slow_rate(A[i], now->n[i].k, now->n[i].mass, f->alpha);
+        b[i].w = VM_PI / f->pi * b[i].Om;
+        b[i].pull = p->spring * A[i];
+        b[i].drag = p->damper * 2 * b[i].Om * A[i] / (f->alpha + 1);
+        vmi_c_turns(2 * VMI_FORCED_HARMONICS - 1, phi[i], b[i].turns);
+    }
+}
+
+/* Writes the sums S_i and C_i of the text above for the body i. */
+VM_API void vmi_grounded_sums(const vm_grounded_pair *p, const vmi_grounded_body *b, int i, vm_real *S, vm_real *C)
+{
+    const vm_forced *f = &p->oscillator[i], *other = &p->oscillator[1 - i];
+    const vmi_grounded_body *o = &b[1 - i];
+    int j, n;
+    *S = *C = 0;
+    if (p->vibrations[0] == 0) return;
+    for (j = 0; j < VMI_FORCED_HARMONICS; j++)
+        for (n = 0; n < VMI_FORCED_HARMONICS; n++) {
+            const vm_real spring = o->pull * other->c[n], damper = o->drag * other->s[n];
+            vm_complex u;
+            if ((2 * j + 1) * p->vibrations[i] != (2 * n + 1) * p->vibrations[1 - i]) continue;
+            u = vmi_c_times(b[i].turns[2 * j + 1], vmi_c_conjugate(o->turns[2 * n + 1]));
+            *S += f->s[j] / 2 * (spring * u.im - damper * u.re);
+            *C += f->c[j] / 2 * (spring * u.re + damper * u.im);
+        }
+}
+
+/* Averaged equations of two weakly coupled oscillators, for rk45 or rk87. They are written in the text above. The state
+   is y = (A_0, phi_0, A_1, phi_1), mean amplitudes (m) and phases (rad). Start with vm_grounded_pair_to_averaged, and end
+   with vm_grounded_pair_from_averaged. Let e be the largest of the couplings, dampings and mass rates. Up to times of
+   the order of 1/e the error of the amplitudes is of the order of e, and that of the positions too for alpha = 1. For
+   other alpha the positions fall behind by the phases, which depend on the amplitudes: in the tests their error is at
+   most 0.04 of the amplitude for e = 0.005, and falls more slowly than e. The equations are singular where an amplitude is 0: there integrate
+   vm_grounded_pair_rhs. The argument pair and the statuses are those of vm_grounded_pair_rhs. */
+VM_API int vm_grounded_pair_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *pair)
+{
+    if (!y || !dydt || !pair) return VM_BAD_ARGUMENT;
+    const vm_grounded_pair *p = (const vm_grounded_pair *)pair;
+    const vm_real A[2] = {y[0], y[2]}, phi[2] = {y[1], y[3]};
+    vmi_grounded_body b[2];
+    vmi_grounded_now now;
+    int i;
+    const int status = vmi_grounded_at(p, t, &now);
+    if (status) return status;
+    vmi_grounded_bodies(p, &now, A, phi, b);
+    for (i = 0; i < 2; i++) {
+        const vm_forced *f = &p->oscillator[i];
+        const vm_real turn = (f->alpha + 1) * VM_PI / (2 * f->pi * now.n[i].mass * b[i].Om); /* h of the text above */
+        vm_real S, C;
+        vmi_grounded_sums(p, b, i, &S, &C);
+        dydt[2 * i] = -now.q[i] * A[i] / (f->alpha + 3) - S / (now.n[i].mass * b[i].Om);
+        dydt[2 * i + 1] = b[i].w + turn * (p->spring * p->mean[i] - C / A[i]);
+    }
+    return VM_OK;
+}
+
+/* The ripple of the amplitude of the body i: what the exact amplitude has more than the mean one. It has the parts
+     q A/((alpha+3) Om) sa ca                               by the slow changes and the dampings,
+     -(alpha+1) kappa A/(4 m Om^2) (ca^2 - <ca^2>)          by this body's own motion in the coupling,
+     1/(m Om) times the sum over j and n of s_j/2 [(kappa A_o c_n cos v - c V_o s_n sin v)/(j w_i + n w_o)
+       + (kappa A_o c_n cos u + c V_o s_n sin u)/(j w_i - n w_o)]    by the other body,
+   where v = j phi_i + n phi_o and u = j phi_i - n phi_o. The last quotient is left out for the pairs j, n in resonance. */
+VM_API vm_real vmi_grounded_ripple(const vm_grounded_pair *p, const vmi_grounded_now *now, const vmi_grounded_body *b,
+                                   const vm_real *A, const vm_real *phi, int i)
+{
+    const vm_forced *f = &p->oscillator[i], *other = &p->oscillator[1 - i];
+    const vmi_grounded_body *o = &b[1 - i];
+    const vm_real mass = now->n[i].mass, Om = b[i].Om;
+    vm_real sa, ca, own, sum = 0;
+    int j, n;
+    ateb_saca(phi[i] * (f->pi / VM_PI), f->alpha, &sa, &ca);
+    own = now->q[i] / (f->alpha + 3) * sa * ca - (f->alpha + 1) * p->spring / (4 * mass * Om) * (ca * ca - p->mean[i]);
+    for (j = 0; j < VMI_FORCED_HARMONICS; j++)
+        for (n = 0; n < VMI_FORCED_HARMONICS; n++) {
+            const int J = 2 * j + 1, N = 2 * n + 1;
+            const vm_complex v = vmi_c_times(b[i].turns[J], o->turns[N]);
+            const vm_complex u = vmi_c_times(b[i].turns[J], vmi_c_conjugate(o->turns[N]));
+            const vm_real spring = o->pull * other->c[n], damper = o->drag * other->s[n];
+            const vm_real own_rate = (vm_real)J * b[i].w, other_rate = (vm_real)N * o->w;
+            sum += f->s[j] / 2 * (spring * v.re - damper * v.im) / (own_rate + other_rate);
+            if (p->vibrations[0] > 0 && J * p->vibrations[i] == N * p->vibrations[1 - i]) continue;
+            sum += f->s[j] / 2 * (spring * u.re + damper * u.im) / (own_rate - other_rate);
+        }
+    return A[i] / Om * own + sum / (mass * Om);
+}
+
+/* Converts a motion (x_0, x_1, x_0', x_1') of two weakly coupled oscillators to its mean y = (A_0, phi_0, A_1, phi_1).
+   The amplitudes are those without their ripple within a period. The statuses are those of vm_grounded_pair_rhs;
+   VM_NOT_FINITE also means that the motion is infinite or NaN, and VM_DOMAIN that a body moves less than its ripple, for
+   instance is at rest, or that the frequencies are in a resonance which the field vibrations does not name. y and motion
+   may be the same array. */
+VM_API int vm_grounded_pair_to_averaged(const vm_grounded_pair *p, vm_real t, const vm_real *motion, vm_real *y)
+{
+    if (!p || !motion || !y) return VM_BAD_ARGUMENT;
+    vmi_grounded_now now;
+    vmi_grounded_body b[2];
+    vm_real exact[2], A[2], phi[2], ripple[2];
+    int i, step, status = vmi_grounded_at(p, t, &now);
+    if (status != VM_BAD_ARGUMENT && !vmi_all_finite(4, motion)) status = vmi_first_error(status, VM_NOT_FINITE);
+    if (status) return status;
+    for (i = 0; i < 2; i++) {
+        const vm_forced *f = &p->oscillator[i];
+        vmi_slow_phase(motion[i], motion[2 + i], now.n[i].k, now.n[i].mass, f->alpha, &exact[i], &phi[i]);
+        phi[i] *= VM_PI / f->pi;
+        A[i] = exact[i];
+    }
+    for (step = 0; step < 3; step++) {
+        vmi_grounded_bodies(p, &now, A, phi, b);
+        for (i = 0; i < 2; i++) ripple[i] = vmi_grounded_ripple(p, &now, b, A, phi, i);
+        for (i = 0; i < 2; i++) A[i] = exact[i] - ripple[i];
+        if (!(A[0] > 0) || !(A[1] > 0) || !vmi_all_finite(2, A)) return VM_DOMAIN;
+    }
+    for (i = 0; i < 2; i++) {
+        y[2 * i] = A[i];
+        y[2 * i + 1] = phi[i];
+    }
+    return VM_OK;
+}
+
+/* Converts the mean y = (A_0, phi_0, A_1, phi_1) of two weakly coupled oscillators to the motion
+   (x_0, x_1, x_0', x_1'). This is the inverse of vm_grounded_pair_to_averaged: it puts the ripples back. The statuses
+   are those of vm_grounded_pair_rhs; VM_NOT_FINITE also means that y is infinite or NaN, and VM_DOMAIN that an amplitude
+   is not positive or smaller than its ripple. motion and y may be the same array. */
+VM_API int vm_grounded_pair_from_averaged(const vm_grounded_pair *p, vm_real t, const vm_real *y, vm_real *motion)
+{
+    if (!p || !y || !motion) return VM_BAD_ARGUMENT;
+    vmi_grounded_now now;
+    vmi_grounded_body b[2];
+    vm_real A[2], phi[2], found[4];
+    int i, status = vmi_grounded_at(p, t, &now);
+    if (status != VM_BAD_ARGUMENT && !vmi_all_finite(4, y)) status = vmi_first_error(status, VM_NOT_FINITE);
+    if (status) return status;
+    for (i = 0; i < 2; i++) {
+        A[i] = y[2 * i];
+        phi[i] = y[2 * i + 1];
+        if (!(A[i] > 0)) return VM_DOMAIN;
+    }
+    vmi_grounded_bodies(p, &now, A, phi, b);
+    for (i = 0; i < 2; i++) {
+        const vm_forced *f = &p->oscillator[i];
+        const vm_real exact = A[i] + vmi_grounded_ripple(p, &now, b, A, phi, i);
+        if (!(exact >= 0)) return VM_DOMAIN;
+        vmi_slow_motion(exact, phi[i] * (f->pi / VM_PI), now.n[i].k, now.n[i].mass, f->alpha, &found[i],
+                        &found[2 + i]);
+    }
+    return vmi_copy_if_finite(4, found, motion);
+}
+
+#endif

@@ -1,0 +1,414 @@
+/* oscillators/periodic.h - periodic excitation that is not harmonic, of a strongly nonlinear oscillator
+
+   The oscillator of forced.h under a force F g(theta) with theta' = nu, where the shape g has the period 2 pi:
+       m x'' + k x|x|^(alpha-1) = -(r m' + b) x' + F g(theta),   g = sum over n of a_n cos(n theta) + b_n sin(n theta)
+   for n = 0 to 9. Here are the equation of motion, the exact equations of amplitude and phase, the averaged equations
+   near a resonance, and the steady vibrations with their stability. The dissertation leaves this problem to the future.
+
+       vm_periodic p;
+       memset(&p, 0, sizeof p);
+       p.oscillator = forced;          // as in forced.h, but vm_forced_init need not be called
+       p.cosine[1] = 1;
+       p.cosine[3] = VM_C(-0.333);     // a flattened force; vm_periodic_from_samples serves for other shapes
+       p.vibrations = p.periods = 1;   // main resonance
+       int status = vm_periodic_init(&p);
+
+   Resonances. In P = vibrations periods of the oscillator fit Q = periods of the force: near the resonance the frequency
+   w(A) of the free vibration is (P/Q) nu. P = Q = 1 is the main resonance. P = 3, Q = 1 is the resonance with the third
+   harmonic of the force. P = 1, Q = 3 is a subharmonic resonance with a third of the frequency of the force, which
+   exists where alpha is not 1. The vibration has odd harmonics only, so that for even Q (in lowest terms) the averaged
+   equations contain no force.
+
+   The averaged equations. With the phase phi of the vibration, delta = phi - (P/Q) theta, and the symbols of forced.h:
+       A' = -q A/(alpha+3) - F/(m w) S,   delta' = w(A) - (P/Q) nu - F/(m w A) C,
+       S = sum of j G_j (a_n sin(j delta) + b_n cos(j delta)),   C = sum of G_j (a_n cos(j delta) - b_n sin(j delta)),
+   over the odd j for which n = j P/Q is a whole number. G_j = Om1^2 c_j/2, with the Fourier coefficient c_j of
+   cos(j phi) in ca. Terms with j > 9 are left out; for alpha = 3 they are below 1e-7 of the first.
+   Tests: tests/test_periodic.c. */
+#ifndef VARMASS_OSCILLATORS_PERIODIC_H
+#define VARMASS_OSCILLATORS_PERIODIC_H
+
+#include "../base/arrays.h"
+#include "../base/complex.h"
+#include "../base/elementary.h"
+#include "../base/real.h"
+#include "../base/scalars.h"
+#include "../base/status.h"
+#include "../base/zero.h"
+#include "forced.h"
+#include "resonance.h"
+
+/* Largest order of a harmonic of the force, and largest number of periods in a resonance */
+enum { VM_PERIODIC_HARMONICS = 9 };
+
+/* An oscillator under a periodic force. Set all fields, then call vm_periodic_init. The coefficients and the resonance
+   may change without a new call; a change of oscillator.alpha needs one. */
+typedef struct VM_TAG(vm_periodic) {
+    vm_forced oscillator; /* the oscillator; its field `force` is the factor F of the shape g, N */
+    vm_real cosine[VM_PERIODIC_HARMONICS + 1]; /* the coefficients a_n of cos(n theta) in g; a_0 is the mean of g */
+    vm_real sine[VM_PERIODIC_HARMONICS + 1];   /* the coefficients b_n of sin(n theta) in g; b_0 has no effect */
+    int vibrations; /* P, from 1 to 9: at the resonance the oscillator makes P vibrations ... */
+    int periods;    /* Q, from 1 to 9: ... in Q periods of the force */
+} vm_periodic;
+
+/* Writes the parameters at time t, and checks them, the coefficients and the resonance. */
+VM_API int vmi_periodic_at(const vm_periodic *p, vm_real t, vmi_forced_parameters *n)
+{
+    int status = vmi_forced_at(&p->oscillator, t, n);
+    if (p->vibrations < 1 || p->vibrations > VM_PERIODIC_HARMONICS || p->periods < 1 ||
+        p->periods > VM_PERIODIC_HARMONICS)
+        status = vmi_first_error(status, VM_BAD_ARGUMENT);
+    if (!vmi_all_finite(VM_PERIODIC_HARMONICS + 1, p->cosine) || !vmi_all_finite(VM_PERIODIC_HARMONICS + 1, p->sine))
+        status = vmi_first_error(status, VM_NOT_FINITE);
+    return status;
+}
+
+/* Prepare an oscillator under a periodic force: check it at t = 0, and prepare its field `oscillator`.
+   All other functions need this call. Returns the statuses of vm_forced_init, VM_BAD_ARGUMENT also where `vibrations` or
+   `periods` is not from 1 to 9, and VM_NOT_FINITE also for a coefficient that is infinite or NaN. An error leaves *p as
+   it was. */
+VM_API int vm_periodic_init(vm_periodic *p)
+{
+    vmi_forced_parameters now;
+    int status;
+    if (!p) return VM_BAD_ARGUMENT;
+    status = vmi_periodic_at(p, 0, &now);
+    if (status) return status;
+    return vm_forced_init(&p->oscillator);
+}
+
+/* Set the shape of a periodic force from n samples g[i] = g(2 pi i/n) over one period.
+   Writes the fields cosine and sine of *p, and no other. Harmonics of an order below n/2, up to the ninth, are computed;
+   the others become 0. The result is exact but for rounding where g has no harmonics of an order >= n/2. The samples may
+   be those of ca, of Jacobi's cn or of a rectangle; higher harmonics than the ninth excite the vibration little. The cost
+   is that of 9 n sines. Returns VM_BAD_ARGUMENT for a null pointer or n < 1, VM_NOT_FINITE for a sample that is infinite
+   or NaN, and VM_OK otherwise. An error leaves *p as it was. */
+VM_API int vm_periodic_from_samples(vm_periodic *p, int n, const vm_real *g)
+{
+    int k, i;
+    if (!p || !g || n < 1) return VM_BAD_ARGUMENT;
+    if (!vmi_all_finite(n, g)) return VM_NOT_FINITE;
+    for (k = 0; k <= VM_PERIODIC_HARMONICS; k++) {
+        vm_real even = 0, odd = 0;
+        int step = 0; /* k i modulo n */
+        for (i = 0; i < n && 2 * k < n; i++) {
+            const vm_complex turn = vmi_c_turn(2 * VM_PI * (vm_real)step / (vm_real)n);
+            even += g[i] / (vm_real)n * turn.re;
+            odd += g[i] / (vm_real)n * turn.im;
+            step = (step + k % n) % n;
+        }
+        p->cosine[k] = 2 * even;
+        p->sine[k] = 2 * odd;
+    }
+    p->cosine[0] /= 2;
+    return VM_OK;
+}
+
+/* Shape of the force: g(theta), a pure number. Returns NaN for a null pointer and for a theta that is infinite or NaN.
+   The error is that of 9 roundings of the largest term. */
+VM_API vm_real vm_periodic_shape(const vm_periodic *p, vm_real theta)
+{
+    vm_complex turns[VM_PERIODIC_HARMONICS + 1];
+    vm_real g;
+    int n;
+    if (!p || !VM_IS_FINITE(theta)) return VM_NAN;
+    vmi_c_turns(VM_PERIODIC_HARMONICS, theta, turns);
+    g = p->cosine[0];
+    for (n = 1; n <= VM_PERIODIC_HARMONICS; n++) g += p->cosine[n] * turns[n].re + p->sine[n] * turns[n].im;
+    return g;
+}
+
+/* Equation of motion of an oscillator under a periodic force, for rk45 or rk87. y = (x, x', theta) is in m, m/s and rad;
+   periodic points to a prepared vm_periodic. The statuses are those of vm_periodic_init at the time t, and VM_DOMAIN for
+   t outside a table; they stop the run. */
+VM_API int vm_periodic_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *periodic)
+{
+    if (!y || !dydt || !periodic) return VM_BAD_ARGUMENT;
+    const vm_periodic *p = (const vm_periodic *)periodic;
+    vmi_forced_parameters n;
+    const int status = vmi_periodic_at(p, t, &n);
+    if (status) return status;
+    vmi_forced_motion(&p->oscillator, &n, y, vm_periodic_shape(p, y[2]), dydt);
+    return VM_OK;
+}
+
+/* Exact equations of amplitude and phase under a periodic force, for rk45 or rk87. The state is y = (A, psi, theta), as
+   for vm_forced_exact_rhs: they neglect nothing, but are singular at A = 0. The argument periodic and the statuses are
+   those of vm_periodic_rhs. */
+VM_API int vm_periodic_exact_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *periodic)
+{
+    if (!y || !dydt || !periodic) return VM_BAD_ARGUMENT;
+    const vm_periodic *p = (const vm_periodic *)periodic;
+    vmi_forced_parameters n;
+    const int status = vmi_periodic_at(p, t, &n);
+    if (status) return status;
+    vmi_forced_exact(&p->oscillator, &n, y, vm_periodic_shape(p, y[2]), dydt);
+    return VM_OK;
+}
+
+/* The sums of the averaged equations at the phase delta */
+typedef struct VM_TAG(vmi_periodic_sums) {
+    vm_real S, C; /* the sums of the text above */
+    vm_real slope; /* dS/ddelta; dC/ddelta is -S */
+} vmi_periodic_sums;
+
+/* The order of the force's harmonic that is in resonance with the harmonic j of the vibration; 0 where there is none */
+VM_API int vmi_periodic_partner(const vm_periodic *p, int j)
+{
+    const int n = j * p->vibrations / p->periods;
+    if (n * p->periods != j * p->vibrations || n > VM_PERIODIC_HARMONICS) return 0;
+    return n;
+}
+
+VM_API vmi_periodic_sums vmi_periodic_sums_at(const vm_periodic *p, vm_real delta)
+{
+    const vm_forced *f = &p->oscillator;
+    vm_complex turns[2 * VMI_FORCED_HARMONICS];
+    vmi_periodic_sums sums = {0, 0, 0};
+    int i;
+    vmi_c_turns(2 * VMI_FORCED_HARMONICS - 1, delta, turns);
+    for (i = 0; i < VMI_FORCED_HARMONICS; i++) {
+        const int j = 2 * i + 1, n = vmi_periodic_partner(p, j);
+        const vm_real order = (vm_real)j, G = f->Om1 * f->Om1 / 2 * f->c[i];
+        vm_real along, across;
+        if (n == 0) continue;
+        along = p->cosine[n] * turns[j].re - p->sine[n] * turns[j].im;
+        across = p->cosine[n] * turns[j].im + p->sine[n] * turns[j].re;
+        sums.S += order * G * across;
+        sums.C += G * along;
+        sums.slope += order * order * G * along;
+    }
+    return sums;
+}
+
+/* The frequency (P/Q) nu, rad/s, with which the vibration is in resonance */
+VM_API vm_real vmi_periodic_frequency(const vm_periodic *p, vm_real nu)
+{
+    return nu * (vm_real)p->vibrations / (vm_real)p->periods;
+}
+
+/* Averaged equations of an oscillator under a periodic force near a resonance, for rk45 or rk87. They are written in the
+   text above. The state is y = (A, delta, theta): A is the mean amplitude, theta the phase of the force, and delta =
+   phi - (P/Q) theta. Start with vm_periodic_to_averaged, and end with vm_periodic_from_averaged. Let e be the largest of
+   the damping b, the mass rate m' and the force F. Near the resonance the error of x up to times of the order of 1/e is of
+   the order of e for alpha = 1, and between e and sqrt(e) for others; it is larger for motions that pass a saddle. The
+   argument periodic and the statuses are those of vm_periodic_rhs. */
+VM_API int vm_periodic_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *periodic)
+{
+    if (!y || !dydt || !periodic) return VM_BAD_ARGUMENT;
+    const vm_periodic *p = (const vm_periodic *)periodic;
+    const vm_forced *f = &p->oscillator;
+    vmi_forced_parameters n;
+    vmi_periodic_sums sums;
+    vm_real w;
+    const int status = vmi_periodic_at(p, t, &n);
+    if (status) return status;
+    sums = vmi_periodic_sums_at(p, y[1]);
+    w = vmi_forced_natural(f, &n, y[0]);
+    dydt[0] = -vmi_forced_q(f, &n) * y[0] / (f->alpha + 3) - n.force / (n.mass * w) * sums.S;
+    dydt[1] = w - vmi_periodic_frequency(p, n.nu) - n.force / (n.mass * w * y[0]) * sums.C;
+    dydt[2] = n.nu;
+    return VM_OK;
+}
+
+/* The ripple of the amplitude: what the exact amplitude has more than the mean one, at the phases phi of the vibration
+   and theta of the force, a vmi_ripple_of_force. It is q A/((alpha+3) Om) sa ca for the slow changes, and for the force
+   F/(m Om) times the sum over j and n of
+     s_j/2 [(a_n cos u + b_n sin u)/(j w + n nu) + (a_n cos v - b_n sin v)/(j w - n nu)],
+   where u = j phi + n theta, v = j phi - n theta, w is the frequency of the free vibration, and s_j is the Fourier
+   coefficient of sin(j phi) in sa. The second quotient is left out for the pairs j, n that are in resonance, since it
+   does not vary there. */
+VM_API vm_real vmi_periodic_ripple(const void *periodic, const vmi_forced_parameters *n, vm_real A, vm_real phi,
+                                   vm_real theta)
+{
+    const vm_periodic *p = (const vm_periodic *)periodic;
+    const vm_forced *f = &p->oscillator;
+    const vm_real Om = vmi_slow_rate(A, n->k, n->mass, f->alpha), w = VM_PI / f->pi * Om;
+    vm_complex vibration[2 * VMI_FORCED_HARMONICS], force[VM_PERIODIC_HARMONICS + 1];
+    vm_real sa, ca, sum = 0;
+    int i, k;
+    ateb_saca(phi * (f->pi / VM_PI), f->alpha, &sa, &ca);
+    vmi_c_turns(2 * VMI_FORCED_HARMONICS - 1, phi, vibration);
+    vmi_c_turns(VM_PERIODIC_HARMONICS, theta, force);
+    for (i = 0; i < VMI_FORCED_HARMONICS; i++) {
+        const int j = 2 * i + 1;
+        const vm_real rate = (vm_real)j * w;
+        for (k = 0; k <= VM_PERIODIC_HARMONICS; k++) {
+            const vm_complex u = vmi_c_times(vibration[j], force[k]);
+            const vm_complex v = vmi_c_times(vibration[j], vmi_c_conjugate(force[k]));
+            const vm_real a = p->cosine[k], b = p->sine[k], turn = (vm_real)k * n->nu;
+            sum += f->s[i] / 2 * (a * u.re + b * u.im) / (rate + turn);
+            if (k == 0 || k != vmi_periodic_partner(p, j)) sum += f->s[i] / 2 * (a * v.re - b * v.im) / (rate - turn);
+        }
+    }
+    return vmi_forced_q(f, n) * A / ((f->alpha + 3) * Om) * sa * ca + n->force / (n->mass * Om) * sum;
+}
+
+/* Converts a motion (x, x', theta) under a periodic force to its mean y = (A, delta, theta), near the resonance. A is
+   the amplitude without its ripple within a period. The statuses are those of vm_periodic_rhs; VM_NOT_FINITE also
+   means that the motion is infinite or NaN, and VM_DOMAIN that it is smaller than its ripple. y and motion may be the
+   same array. */
+VM_API int vm_periodic_to_averaged(const vm_periodic *p, vm_real t, const vm_real *motion, vm_real *y)
+{
+    if (!p || !motion || !y) return VM_BAD_ARGUMENT;
+    vmi_forced_parameters n;
+    int status = vmi_periodic_at(p, t, &n);
+    const vm_real theta = motion[2];
+    vm_real A, phi;
+    if (!vmi_all_finite(3, motion)) status = vmi_first_error(status, VM_NOT_FINITE);
+    if (!status) status = vmi_forced_split(&p->oscillator, &n, vmi_periodic_ripple, p, motion, &A, &phi);
+    if (status) return status;
+    y[0] = A;
+    y[1] = phi - vmi_periodic_frequency(p, theta);
+    y[2] = theta;
+    return VM_OK;
+}
+
+/* Converts the mean y = (A, delta, theta) under a periodic force to the motion (x, x', theta). This is the inverse of
+   vm_periodic_to_averaged: it puts the ripple back. The statuses are those of vm_periodic_rhs; VM_NOT_FINITE also means
+   that y is infinite or NaN, and VM_DOMAIN that A <= 0 or that A is smaller than its ripple. motion and y may be the
+   same array. */
+VM_API int vm_periodic_from_averaged(const vm_periodic *p, vm_real t, const vm_real *y, vm_real *motion)
+{
+    if (!p || !y || !motion) return VM_BAD_ARGUMENT;
+    vmi_forced_parameters n;
+    int status = vmi_periodic_at(p, t, &n);
+    if (!vmi_all_finite(3, y)) status = vmi_first_error(status, VM_NOT_FINITE);
+    if (status) return status;
+    return vmi_forced_join(&p->oscillator, &n, vmi_periodic_ripple, p, y[0], y[1] + vmi_periodic_frequency(p, y[2]),
+                           y[2], motion);
+}
+
+/* The search for steady vibrations */
+typedef struct VM_TAG(vmi_periodic_search) {
+    const vm_periodic *p;
+    vmi_resonance z; /* its field push is F/m, without G; its field nu is (P/Q) nu */
+} vmi_periodic_search;
+
+VM_API vmi_periodic_search vmi_periodic_search_of(const vm_periodic *p, const vmi_forced_parameters *n)
+{
+    vmi_periodic_search search;
+    search.p = p;
+    search.z = vmi_resonance_of(&p->oscillator, n);
+    search.z.push = n->force / n->mass;
+    search.z.nu = vmi_periodic_frequency(p, n->nu);
+    return search;
+}
+
+/* The amplitude that A' = 0 asks for at the sum S, or 0 where no amplitude does: A w(A) = -S F/(m p), where p is
+   q/(alpha+3) */
+VM_API vm_real vmi_periodic_amplitude(const vmi_resonance *z, vm_real S)
+{
+    const vm_real product = -z->push / z->p * S;
+    if (!(product > 0)) return 0;
+    return vmi_pow_checked(product / z->w1, 1 / (1 + z->exponent));
+}
+
+/* The excess (delta' of the averaged equations) |S| at the phase delta, with the amplitude that A' = 0 asks for; its
+   zeros with A > 0 are the steady vibrations. It is continuous: where no amplitude has A' = 0 it goes on as the limit for
+   A -> 0. */
+VM_API vm_real vmi_periodic_excess(vm_real delta, void *search)
+{
+    const vmi_periodic_search *s = (const vmi_periodic_search *)search;
+    const vmi_resonance *z = &s->z;
+    const vmi_periodic_sums sums = vmi_periodic_sums_at(s->p, delta);
+    const vm_real A = vmi_periodic_amplitude(z, sums.S);
+    const vm_real limit = -VM_COPYSIGN(z->p, z->push) * sums.C; /* p C sign(S), where sign(S) is -sign(push p) */
+    vm_real w;
+    if (A == 0) return limit;
+    w = z->w1 * vmi_pow_checked(A, z->exponent);
+    return (w - z->nu) * VM_FABS(sums.S) + limit;
+}
+
+/* The steady vibration of the phase delta, with trace and determinant of the linearized averaged equations; its
+   frequency nu is the one that the phase asks for. A is 0 where there is none. */
+VM_API vm_steady_state vmi_periodic_state(const vmi_periodic_search *search, vm_real delta)
+{
+    const vmi_resonance *z = &search->z;
+    const vmi_periodic_sums sums = vmi_periodic_sums_at(search->p, delta);
+    const vm_real gain = 1 + z->exponent, p = z->p;
+    vm_steady_state s;
+    vm_real w, off;
+    s.A = vmi_periodic_amplitude(z, sums.S);
+    w = z->w1 * vmi_pow_checked(s.A, z->exponent);
+    off = -p * sums.C / sums.S; /* w - (P/Q) nu */
+    s.nu = (w - off) * (vm_real)search->p->periods / (vm_real)search->p->vibrations;
+    s.delta = delta;
+    s.trace = -(1 + gain) * p;
+    s.det = p * p * gain - p * sums.slope / sums.S * (z->exponent * w + gain * off);
+    s.stable = s.det > 0 && s.trace < 0;
+    return s;
+}
+
+/* Steady vibration of the phase delta under a periodic force: a point of the resonance curve.
+   Each phase, rad, belongs to at most one amplitude and one frequency nu of the force, so that a run of delta from -pi to
+   pi gives the whole curve. The field nu of *steady is this frequency; that of the oscillator is not used. All other
+   parameters are those at time t. Returns the statuses of vm_periodic_rhs, VM_NOT_FINITE also where delta is not finite,
+   and VM_DOMAIN also where no steady vibration has this phase or where q = 0: without damping and slow changes the phase
+   does not determine the amplitude. An error leaves *steady as it was. */
+VM_API int vm_periodic_curve(const vm_periodic *p, vm_real t, vm_real delta, vm_steady_state *steady)
+{
+    if (!p || !steady) return VM_BAD_ARGUMENT;
+    vmi_forced_parameters n;
+    vmi_periodic_search search;
+    vm_steady_state found;
+    int status = vmi_periodic_at(p, t, &n);
+    if (status != VM_BAD_ARGUMENT && !VM_IS_FINITE(delta)) status = VM_NOT_FINITE;
+    if (status) return status;
+    search = vmi_periodic_search_of(p, &n);
+    if (search.z.p == 0) return VM_DOMAIN;
+    found = vmi_periodic_state(&search, delta);
+    if (!(found.A > 0) || !(found.nu > 0)) return VM_DOMAIN;
+    if (!VM_IS_FINITE(found.A) || !VM_IS_FINITE(found.nu) || !VM_IS_FINITE(found.det)) return VM_NOT_FINITE;
+    *steady = found;
+    return VM_OK;
+}
+
+/* Writes state into the list of n states, which has `room` places and is sorted by amplitude; if it is full, the
+   largest amplitude is left out. */
+VM_API void vmi_periodic_insert(const vm_steady_state *state, int n, int room, vm_steady_state *steady)
+{
+    int i = n;
+    if (i > room) i = room;
+    for (; i > 0 && steady[i - 1].A > state->A; i--)
+        if (i < room) steady[i] = steady[i - 1];
+    if (i < room) steady[i] = *state;
+}
+
+/* Steady vibrations under a periodic force: amplitudes, phases, stability, near the resonance. All parameters are those
+   at time t. Writes at most `room` vibrations to steady, the smallest amplitudes first, and returns how many there are
+   (it may be more than room), or a negative status. The function looks for changes of sign between 360 phases, so that
+   two vibrations whose phases differ by less than a degree, next to a fold of the resonance curve, may be missed
+   together. The cost is that of some 4000 sines. The negative statuses are those of vm_periodic_rhs; VM_BAD_ARGUMENT also
+   means room < 0, VM_DOMAIN also q = 0, where vm_periodic_curve explains why. */
+VM_API int vm_periodic_steady_states(const vm_periodic *p, vm_real t, int room, vm_steady_state *steady)
+{
+    if (!p || !steady || room < 0) return VM_BAD_ARGUMENT;
+    const int phases = 360;
+    vmi_forced_parameters n;
+    vmi_periodic_search search;
+    vm_real before, after, left, right = -VM_PI;
+    int i, found = 0;
+    const int status = vmi_periodic_at(p, t, &n);
+    if (status) return status;
+    search = vmi_periodic_search_of(p, &n);
+    if (search.z.p == 0) return VM_DOMAIN;
+    if (search.z.push == 0) return 0;
+    after = vmi_periodic_excess(right, &search);
+    for (i = 1; i <= phases; i++) {
+        vm_steady_state state;
+        left = right;
+        before = after;
+        right = VM_PI * (vm_real)(2 * i - phases) / (vm_real)phases;
+        after = vmi_periodic_excess(right, &search);
+        if (!((before > 0) != (after > 0))) continue;
+        state = vmi_periodic_state(&search, vmi_find_zero(vmi_periodic_excess, &search, left, right, before, after));
+        if (!(state.A > 0)) continue;
+        state.nu = n.nu;
+        vmi_periodic_insert(&state, found, room, steady);
+        found++;
+    }
+    return found;
+}
+
+#endif
