@@ -479,7 +479,7 @@ $(LONG_SCRIPTS:%=build/tests/all/%.log): build/tests/all/%.log: tests/test_%.sh 
 build/tests/headers.log: build/tests/double/headers.o build/tests/float/headers.o
 build/tests/hard_cases.log: build/tests/double/hard build/tests/float/hard
 build/tests/documents.log: build/tests/double/validation build/tests/double/tables
-build/tests/promises.log: $(patsubst %,build/tests/%.log,jacobi elliptic_integrals ateb jumps torque_free lambert drum)
+build/tests/promises.log: $(patsubst %,build/tests/%.log,$(shell sed -n '/^programs="/,/"$$/p' tests/test_promises.sh | sed 's/programs=//' | tr -d '"'))
 
 build/tests/all/exhaustive_jacobi.log: build/tests/exhaustive_jacobi FORCE
 	@$(IN_BUILD) && sh tests/run.sh one $@ "./$< 997"
