@@ -49,7 +49,7 @@ TESTS = jacobi elliptic_integrals ateb rk4 pairs adaptive dense events saved_run
 # Scripts of make test (tests/test_NAME.sh), and those of make test-all; some are in both, called with "quick" by make test and
 # with "rest" by make test-all, for what the quick part leaves out
 SCRIPTS = headers readme documents promises errors parts golden errata install gsl hard_cases
-LONG_SCRIPTS = readme headers golden snippets parts sanitize fuzz options first_steps scene_cost package plans languages \
+LONG_SCRIPTS = readme headers projects golden snippets parts sanitize fuzz options first_steps scene_cost package plans languages \
     avr sweep guides site page
 EXAMPLES = table5 example1 example2 drum scenes dzhanibekov tumbling rocket dust slow resonance rotor pendulum solvable
 TEST_PROGRAMS = $(TESTS:%=build/tests/double/%) $(TESTS:%=build/tests/float/%)
@@ -116,7 +116,7 @@ promises: build/tests/promises.log
 numbers:
 	CC="$(CC)" sh bench/numbers.sh table >build/numbers.md && mv build/numbers.md docs/numbers.md
 	@$(STAMP) numbers
-	sh bench/numbers.sh write README.md docs/extending.md src/*.h src/*/*.h
+	sh bench/numbers.sh write README.md docs/accuracy.md docs/extending.md src/*.h src/*/*.h
 	@$(MAKE) -s headers
 
 peers:
