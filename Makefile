@@ -48,7 +48,8 @@ TESTS = jacobi elliptic_integrals ateb rk4 pairs adaptive dense events saved_run
     dissertation tables validation hard refusals_numerics refusals_bodies refusals_streams refusals_oscillators \
     refusals_slow \
     refusals_scenes null_pointers
-# Scripts of make test (tests/test_NAME.sh), and those of make test-all; some are in both, called with "quick" by make test
+# Scripts of make test (tests/test_NAME.sh), and those of make test-all; some are in both, called with "quick" by make test and
+# with "rest" by make test-all, for what the quick part leaves out
 SCRIPTS = headers readme documents promises errors parts golden errata install gsl hard_cases
 LONG_SCRIPTS = readme headers projects golden snippets parts sanitize fuzz options first_steps scene_cost package plans languages \
     avr sweep guides site page
@@ -483,13 +484,13 @@ $(SCRIPTS:%=build/tests/%.log): build/tests/%.log: tests/test_%.sh FORCE
 	@$(IN_BUILD) && CC="$(CC)" sh tests/run.sh one $@ "sh $< build quick"
 
 $(LONG_SCRIPTS:%=build/tests/all/%.log): build/tests/all/%.log: tests/test_%.sh FORCE
-	@$(IN_BUILD) && CC="$(CC)" sh tests/run.sh one $@ "sh $< build"
+	@$(IN_BUILD) && CC="$(CC)" sh tests/run.sh one $@ "sh $< build $(if $(filter $*,$(SCRIPTS)),rest)"
 
 # what these read of the programs above
 build/tests/headers.log: build/tests/double/headers.o build/tests/float/headers.o
 build/tests/hard_cases.log: build/tests/double/hard build/tests/float/hard
 build/tests/documents.log: build/tests/double/validation build/tests/double/tables
-build/tests/promises.log: $(patsubst %,build/tests/%.log,jacobi elliptic_integrals ateb jumps torque_free lambert drum)
+build/tests/promises.log: $(patsubst %,build/tests/%.log,$(shell sed -n '/^programs="/,/"$$/p' tests/test_promises.sh | sed 's/programs=//' | tr -d '"'))
 
 build/tests/all/exhaustive_jacobi.log: build/tests/exhaustive_jacobi FORCE
 	@$(IN_BUILD) && sh tests/run.sh one $@ "./$< 997"

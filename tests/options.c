@@ -1,7 +1,8 @@
 /* Prints results whose bits may depend on the compiler's options, as hexadecimal numbers in a line, and after them what
    vm_self_check returns. tests/test_options.sh compares the lines. -DUPWARD and -DFLUSH first set the processor's rounding
    and its treatment of subnormal numbers. -DPRAGMA_CLANG and -DPRAGMA_GCC change values without an option.
-   -DALONE="file" includes another header, of which only vm_self_check is called. */
+   -DALONE="file" includes that header, of which only vm_self_check is called; -DPART="file" includes that one for the results,
+   in place of varmass.h. */
 #include <fenv.h>
 #include <stdio.h>
 #ifdef FLUSH
@@ -15,6 +16,8 @@
 #endif
 #ifdef ALONE
 #include ALONE
+#elif defined(PART)
+#include PART
 #else
 #include "../varmass.h"
 #endif

@@ -219,6 +219,27 @@ static void test_rotate(void)
     }
 }
 
+/* The matrix of an attitude, without another error than that of rounding its entries: by half an eps at most, so that the
+   promised 4 eps of vm_quat_from_matrix include what they change. */
+static void test_rounded_matrices(void)
+{
+    int i;
+    for (i = 0; i < 20000; i++) {
+        const vm_quat attitude = some_attitude(i);
+        const wide_quat q = widened(attitude);
+        const wide entries[9] = {
+            1 - 2 * (q.y * q.y + q.z * q.z), 2 * (q.x * q.y - q.w * q.z), 2 * (q.x * q.z + q.w * q.y),
+            2 * (q.x * q.y + q.w * q.z), 1 - 2 * (q.x * q.x + q.z * q.z), 2 * (q.y * q.z - q.w * q.x),
+            2 * (q.x * q.z - q.w * q.y), 2 * (q.y * q.z + q.w * q.x), 1 - 2 * (q.x * q.x + q.y * q.y)};
+        vm_real c[9];
+        vm_quat back = {0, 0, 0, 0};
+        int k;
+        for (k = 0; k < 9; k++) c[k] = (vm_real)entries[k];
+        CHECK(vm_quat_from_matrix(c, &back) == VM_OK);
+        check_error("quat_from_matrix", "random", "eps", apart(attitude, back), 4, i, 0);
+    }
+}
+
 /* Small turns keep their relative accuracy on the way through the matrix; a printed matrix is accepted, and a wrong one
    is not. */
 static void test_matrices(void)
@@ -262,6 +283,56 @@ static void test_rodrigues(void)
     }
 }
 
+/* Components that are integers, whose products and their sums fit into 64 bits, so that the true results are known. The
+   products have more digits than a vm_real: they are rounded there. */
+typedef struct integers {
+    long long x, y, z;
+} integers;
+
+static integers random_integers(void)
+{
+    const double size = by_precision(1 << 30, 1 << 23);
+    integers a;
+    a.x = (long long)(size * uniform(-1, 1));
+    a.y = (long long)(size * uniform(-1, 1));
+    a.z = (long long)(size * uniform(-1, 1));
+    return a;
+}
+static vm_vec3 as_vector(integers a) { return vector((double)a.x, (double)a.y, (double)a.z); }
+
+/* The error of a result, in eps of a size */
+static double integer_error(vm_real result, long long exact, double size)
+{
+    return fabs((double)((long long)result - exact)) / (eps * size);
+}
+
+/* A vector k (2, 3, 6), k (1, 4, 8) or k (12, 16, 21), with its components in any order, has the length 7 k, 9 k or 29 k. */
+static void test_lengths(void)
+{
+    static const int sides[3][4] = {{2, 3, 6, 7}, {1, 4, 8, 9}, {12, 16, 21, 29}};
+    int i;
+    for (i = 0; i < 5000; i++) {
+        const int *side = sides[i % 3], first = i % 2, second = 1 - first;
+        const double k = floor(by_precision(1 << 25, 1 << 18) * uniform(0.1, 1));
+        const vm_vec3 a = vector(k * side[first], -k * side[second], k * side[2]);
+        check_error("norm", "", "eps", fabs((double)vm_norm(a) / (k * side[3]) - 1) / eps, 4, k, side[3]);
+    }
+}
+
+static void test_products(void)
+{
+    int i;
+    for (i = 0; i < 5000; i++) {
+        const integers a = random_integers(), b = random_integers();
+        const vm_vec3 u = as_vector(a), v = as_vector(b), cross = vm_cross(u, v);
+        const double size = size_of(u) * size_of(v);
+        check_error("dot", "", "eps", integer_error(vm_dot(u, v), a.x * b.x + a.y * b.y + a.z * b.z, size), 2, i, 0);
+        check_error("cross", "", "eps", integer_error(cross.x, a.y * b.z - a.z * b.y, size), 2, i, 0);
+        check_error("cross", "", "eps", integer_error(cross.y, a.z * b.x - a.x * b.z, size), 2, i, 1);
+        check_error("cross", "", "eps", integer_error(cross.z, a.x * b.y - a.y * b.x, size), 2, i, 2);
+    }
+}
+
 static void test_vectors(void)
 {
     const vm_vec3 a = {1, 2, 3}, b = {-2, R(0.5), 4}, c = vm_cross(a, b), huge = {VM_MAX / 4, 0, VM_MAX / 4};
@@ -293,8 +364,11 @@ int main(void)
     test_from_angles();
     test_rotate();
     test_matrices();
+    test_rounded_matrices();
     test_rodrigues();
     test_vectors();
+    test_products();
+    test_lengths();
     test_refusals();
     return check_finish("attitude");
 }

@@ -115,6 +115,29 @@ tool callgrind_annotate "$annotates | grep -v 'count_ateb_pi '"
 check "counting fails where a function is missing" cannot_count
 tool callgrind_annotate "$annotates | sed '/count_ateb_pi / s/5,000/900/'"
 check "counting fails where a function takes less than nothing" cannot_count
+# The campaigns, each replaced by a target that takes no time: a part that fails does not stop the others, a second call runs
+# that part alone, a third one none, and after a change of a header those run that depend on it.
+campaigns=$build/campaigns
+mkdir -p "$campaigns/bench" "$campaigns/docs" && cp jacobi.h ateb.h integrators.h varmass.h "$campaigns"
+cp bench/campaigns.sh bench/stamp.sh bench/documents.txt "$campaigns/bench" && cp docs/*.md "$campaigns/docs"
+printf '.DEFAULT:\n\t@echo $@ >>ran; echo "3 passed, 0 failed"; ! [ -e broken_$@ ]\n' >"$campaigns/Makefile"
+run_campaigns() { (cd "$campaigns" && rm -f ran && touch ran && sh bench/campaigns.sh "$@"); }
+ran() { [ "$(paste -s -d ' ' "$campaigns/ran")" = "$1" ] || { cat "$campaigns/ran"; false; }; }
+all_of_them=$(sed -n 's/^[a-z]*; [^;]*; make \([a-z-]*\); .*/\1/p' bench/campaigns.sh | paste -s -d ' ' -)
+touch "$campaigns/broken_exhaustive"
+check "campaigns: one that fails is told" fails run_campaigns
+check "campaigns: the others run nevertheless" ran "$all_of_them"
+rm "$campaigns/broken_exhaustive"
+check "campaigns: the second call passes" run_campaigns
+check "campaigns: it runs what failed" ran exhaustive
+each_has_a_row() { [ "$(grep -cE '^[|] .* [|] (passed|3 passed, 0 failed) [|]$' "$campaigns/docs/campaigns.md")" = "$(echo "$all_of_them" | wc -w)" ]; }
+check "campaigns: the document has a row for each" each_has_a_row
+check "campaigns: a third call passes" run_campaigns
+check "campaigns: it runs none" ran ""
+echo 'typedef int vmi_changed;' >>"$campaigns/integrators.h"
+check "campaigns: after a change of integrators.h" run_campaigns scan events exhaustive
+check "campaigns: only what depends on it runs" ran test-events
+
 # docs/names.md: what became of each public name of version 0.1, and whether the new names exist
 words_of_headers() { cat jacobi.h ateb.h integrators.h varmass.h | grep -oE '[A-Za-z_][A-Za-z_0-9]*' | sort -u; }
 words_of_headers >"$build/words"

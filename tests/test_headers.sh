@@ -1,11 +1,11 @@
 #!/bin/sh
 # What the headers are as files: each compiles alone, both precisions fit into one program, nothing but a few functions
 # of the C library is needed, nothing is writable, the examples run, no function's null pointers are forgotten.
-# usage: CC=compiler test_headers.sh BUILD_FOLDER [quick], from the top of the project
+# usage: CC=compiler test_headers.sh BUILD_FOLDER [quick|rest], from the top of the project
 # With "quick", what takes long is left out: what compiles all functions of a header once more (the objects of make test have
-# those of varmass.h, and so of all), and the examples among hostile words.
-cc=${CC:-cc} folder=$1 build=$1/headers quick=
-[ "$2" = quick ] && build=$1/headers_quick quick=1
+# those of varmass.h, and so of all), and the examples among hostile words. With "rest", only that is done.
+cc=${CC:-cc} folder=$1 build=$1/headers
+[ "$2" = quick ] && build=$1/headers_quick
 . tests/check.sh
 
 needs_little() { # needs_little OBJECT : only the libm functions named here, and memory copies of the compiler
@@ -30,63 +30,28 @@ imports() { # imports HEADER double|float [OPTION] : an object of all functions,
 manual_example() { awk '/^       #include/ {on = 1} on && !/^       / {exit} on {print substr($0, 8)}' "$1"; }
 readme_example() { awk -v which="$1" '/^```c$/ {on = ++block == which; next} /^```$/ {on = 0} on' README.md; }
 
-for header in jacobi ateb integrators; do
-    mkdir "$build/$header"
-    cp $header.h "$build/$header"
-    printf '#include "%s.h"\nint main(void) { return 0; }\n' $header >"$build/$header/alone.c"
-    check "$header.h compiles alone" $cc -std=c99 -c "$build/$header/alone.c" -o "$build/$header/alone.o"
-done
-for header in jacobi ateb integrators varmass; do
-    if [ -z "$quick" ] || [ $header = varmass ]; then
-        check "$header.h, double: imports and data" imports $header double
-        check "$header.h, float: imports and data" imports $header float -DVM_USE_FLOAT
-    fi
-    printf '#include "%s.h"\n' $header >"$build/fast.c"
-    check "$header.h refuses -ffast-math" fails $cc -std=c99 -ffast-math -I. -c "$build/fast.c" -o "$build/fast.o"
-    check "$header.h: VM_ALLOW_FAST_MATH" $cc -std=c99 -ffast-math -DVM_ALLOW_FAST_MATH -I. -c "$build/fast.c" -o "$build/fast.o"
-done
-tells_standard() { # C89 has no inline functions: an error that says what to do comes first
-    ! $cc -std=c89 -I. -fsyntax-only "$build/standard.c" 2>"$build/c89" && grep error "$build/c89" | head -n 1 | grep -q -e '-std=c99'
-}
-for header in jacobi ateb integrators varmass; do
-    printf '#include "%s.h"\n' $header >"$build/standard.c"
-    check "$header.h: -std=c89 is told to be too old" tells_standard
-    if command -v g++ >/dev/null; then
-        check "$header.h: C++20" g++ -x c++ -std=c++20 -Wall -Wextra -Wpedantic -Werror -I. -fsyntax-only "$build/standard.c"
-    fi
-done
 printf '#include "varmass.h"\n' >"$build/shared.c"
-# tables that a plain read does not find, such as those of PROGMEM on AVR, need to be read in their own way
-check "VM_TABLE without VM_READ is refused" fails $cc -std=c99 "-DVM_TABLE=static const" -I. -c "$build/shared.c" -o "$build/shared.o"
-check "VM_READ without VM_TABLE is refused" fails $cc -std=c99 "-DVM_READ(x)=(x)" -I. -c "$build/shared.c" -o "$build/shared.o"
-check "VM_TABLE and VM_READ" $cc -std=c99 "-DVM_TABLE=static const" "-DVM_READ(x)=(x)" -I. -c "$build/shared.c" -o "$build/shared.o"
-single_precision() { # in float nothing is computed in double, for which a Cortex-M4F has no unit
-    arm-none-eabi-gcc -mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16 -std=c99 -O2 -DVM_USE_FLOAT -DVM_API= -I. \
-        -c "$build/shared.c" -o "$build/cortex.o" || return 1
+single_precision() { # in float no warning, and nothing is computed in double, for which a Cortex-M4F has no unit
+    arm-none-eabi-gcc -mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16 -std=c99 -O2 -Wall -Wextra -Werror \
+        -DVM_USE_FLOAT -DVM_API= -I. -c "$build/shared.c" -o "$build/cortex.o" || return 1
     ! arm-none-eabi-nm -u "$build/cortex.o" | grep -E '__aeabi_(d|f2d|i2d|ui2d|l2d|ul2d)|__(add|sub|mul|div)df3'
 }
-has_tables() { # has_tables VALUE : whether the section of the tables is there if VM_READ(x) is VALUE
-    $cc -std=c99 -O2 '-DVM_TABLE=static const __attribute__((section("vm_tables")))' "-DVM_READ(x)=$1" -DVM_API= -I. \
+has_tables() { # has_tables LEVEL VALUE : whether the section of the tables is there if VM_READ(x) is VALUE
+    $cc -std=c99 $1 '-DVM_TABLE=static const __attribute__((section("vm_tables")))' "-DVM_READ(x)=$2" -DVM_API= -I. \
         -c "$build/shared.c" -o "$build/tables.o" && objdump -h "$build/tables.o" | grep vm_tables
 }
-all_functions() { # what takes long
+all_functions() { # what compiles all functions of varmass.h
     if command -v arm-none-eabi-gcc >/dev/null; then
-        check "float on a Cortex-M4F: no double arithmetic" single_precision
+        check "float on a Cortex-M4F: no warning, no double arithmetic" single_precision
     else
         echo "no arm-none-eabi-gcc here: whether float computes in double on a Cortex-M4F is not checked"
     fi
     check "a shared library of all functions builds without a warning" $cc -std=c99 -O2 -Wall -Wextra -Werror -shared -fPIC \
         -DVM_API= -I. "$build/shared.c" -o "$build/libvarmass.so" -lm
-    check "VM_TABLE places the tables" has_tables "(x)"
-    check "every table is read by VM_READ" fails has_tables "((vm_real)1)"
+    check "VM_TABLE places the tables" has_tables -O0 "(x)"
+    # only an optimiser leaves out tables that nothing reads
+    check "every table is read by VM_READ" fails has_tables "-O1 -fno-inline" "((vm_real)1)"
 }
-check "float and double in one program: builds" $cc -std=c99 -O2 tests/mixed_double.c tests/mixed_float.c -o "$build/mixed" -lm
-check "float and double in one program: agrees" "$build/mixed"
-for header in jacobi ateb integrators varmass; do
-    manual_example $header.h >"$build/$header.c"
-    check "$header.h: the manual's example builds" $cc -std=c99 -I. "$build/$header.c" -o "$build/$header.example" -lm
-    check "$header.h: the manual's example runs" "$build/$header.example"
-done
 # hostile HEADER... : #include lines for standard headers, then every word of tests/hostile_words.txt as a syntax error
 hostile_words() {
     for header in assert float limits math stddef stdint stdio stdlib string time; do echo "#include <$header.h>"; done
@@ -108,6 +73,55 @@ hostile_words >"$build/hostile.h"
 survives() { # survives COMPILER... SOURCE: compiles where all hostile words are macros
     "$@" -include "$build/hostile.h" -I. -fsyntax-only
 }
+objects() { # objects HEADER... : what their objects import and hold
+    for header in "$@"; do
+        check "$header.h, double: imports and data" imports $header double
+        check "$header.h, float: imports and data" imports $header float -DVM_USE_FLOAT
+    done
+}
+what_takes_long() {
+    objects jacobi ateb integrators
+    for example in examples/*.c examples/first_steps/*.c examples/wasm/*.c examples/package/consumer/*.c; do
+        check "$example among hostile words" survives $cc -std=c99 $example
+    done
+    all_functions
+}
+[ "$2" = quick ] || what_takes_long
+[ "$2" = rest ] && { check_finish headers; exit; }
+
+objects varmass
+for header in jacobi ateb integrators; do
+    mkdir "$build/$header"
+    cp $header.h "$build/$header"
+    printf '#include "%s.h"\nint main(void) { return 0; }\n' $header >"$build/$header/alone.c"
+    check "$header.h compiles alone" $cc -std=c99 -c "$build/$header/alone.c" -o "$build/$header/alone.o"
+done
+for header in jacobi ateb integrators varmass; do
+    printf '#include "%s.h"\n' $header >"$build/fast.c"
+    check "$header.h refuses -ffast-math" fails $cc -std=c99 -ffast-math -I. -c "$build/fast.c" -o "$build/fast.o"
+    check "$header.h: VM_ALLOW_FAST_MATH" $cc -std=c99 -ffast-math -DVM_ALLOW_FAST_MATH -I. -c "$build/fast.c" -o "$build/fast.o"
+done
+tells_standard() { # C89 has no inline functions: an error that says what to do comes first
+    ! $cc -std=c89 -I. -fsyntax-only "$build/standard.c" 2>"$build/c89" && grep error "$build/c89" | head -n 1 | grep -q -e '-std=c99'
+}
+for header in jacobi ateb integrators varmass; do
+    printf '#include "%s.h"\n' $header >"$build/standard.c"
+    check "$header.h: -std=c89 is told to be too old" tells_standard
+    if command -v g++ >/dev/null; then
+        check "$header.h: C++20" g++ -x c++ -std=c++20 -Wall -Wextra -Wpedantic -Werror -I. -fsyntax-only "$build/standard.c"
+    fi
+done
+# tables that a plain read does not find, such as those of PROGMEM on AVR, need to be read in their own way
+check "VM_TABLE without VM_READ is refused" fails $cc -std=c99 "-DVM_TABLE=static const" -I. -c "$build/shared.c" -o "$build/shared.o"
+check "VM_READ without VM_TABLE is refused" fails $cc -std=c99 "-DVM_READ(x)=(x)" -I. -c "$build/shared.c" -o "$build/shared.o"
+check "VM_TABLE and VM_READ" $cc -std=c99 "-DVM_TABLE=static const" "-DVM_READ(x)=(x)" -I. -c "$build/shared.c" -o "$build/shared.o"
+check "float and double in one program: builds" $cc -std=c99 -O2 tests/mixed_double.c tests/mixed_float.c -o "$build/mixed" -lm
+check "float and double in one program: agrees" "$build/mixed"
+for header in jacobi ateb integrators varmass; do
+    manual_example $header.h >"$build/$header.c"
+    check "$header.h: the manual's example builds" $cc -std=c99 -I. "$build/$header.c" -o "$build/$header.example" -lm
+    check "$header.h: the manual's example runs" "$build/$header.example"
+done
 check "the hostile words are found" test "$(grep -c define "$build/hostile.h")" -gt 700
 check "the hostile words are hostile" fails $cc -std=c99 -include "$build/hostile.h" -DVM_NAME=near -x c -c - -o "$build/hostile.o" <<'END'
 int VM_NAME;
@@ -123,12 +137,6 @@ if command -v x86_64-w64-mingw32-gcc >/dev/null; then
         printf '#include <windows.h>\n#include "%s.h"\n' $header >"$build/windows.c"
         check "$header.h after <windows.h>" x86_64-w64-mingw32-gcc -std=c99 -I. -c "$build/windows.c" -o "$build/windows.o"
     done
-fi
-if [ -z "$quick" ]; then
-    for example in examples/*.c examples/first_steps/*.c examples/wasm/*.c examples/package/consumer/*.c; do
-        check "$example among hostile words" survives $cc -std=c99 $example
-    done
-    all_functions
 fi
 inlined() { # the right-hand side of the integrators is in the loop: no call of it is left
     cat >"$build/inlined.c" <<'END'

@@ -111,7 +111,7 @@ int main(void)
 }
 END
     } >"$folder/closed.c"
-    $cc -std=c99 -O2 -Wall -Wextra -Werror $float -I. -c "$folder/closed.c" -o "$folder/closed.o" || return 1
+    $cc -std=c99 -Wall -Wextra -Werror $float -I. -c "$folder/closed.c" -o "$folder/closed.o" || return 1
     $cc "$folder/closed.o" -o "$folder/closed" -lm && "$folder/closed" && is_read_only "$folder/closed.o" plan
 }
 rotation_round_trip() { # rotation_round_trip PRECISION ARGUMENT... : so has the printed rotation of a free body
@@ -134,7 +134,7 @@ int main(void)
 }
 END
     } >"$folder/rotation.c"
-    $cc -std=c99 -O2 -Wall -Wextra -Werror $float -I. -c "$folder/rotation.c" -o "$folder/rotation.o" || return 1
+    $cc -std=c99 -Wall -Wextra -Werror $float -I. -c "$folder/rotation.c" -o "$folder/rotation.o" || return 1
     $cc "$folder/rotation.o" -o "$folder/rotation" -lm && "$folder/rotation" && is_read_only "$folder/rotation.o" plan
 }
 for alpha in 0 0.1 1 1.5 2.7 3 100; do

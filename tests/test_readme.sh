@@ -1,14 +1,16 @@
 #!/bin/sh
 # What the documents say exists: names of the glossary, files that are linked, targets; and the README's commands run as
 # they stand, in a copy of the project. usage: CC=compiler test_readme.sh BUILD_FOLDER [quick|all], from the top of the project
-# Without "all", a command that takes minutes is only checked to be there; with "quick", one that takes many seconds, too.
+# Without "all", a command that takes minutes, or that another script of make test-all runs, is only checked to be there; with
+# "quick", one that takes many seconds, too.
 build=$PWD/$1/readme
 [ "$2" = quick ] && build=${build}_quick
 copy=$build/copy
 . tests/check.sh
 skipped=0
-long='test|test-all|lint|bench|measurements|cost|scan|points|exhaustive|data|figures|test-.*|evaluations|coverage|first-steps|scene-sizes|sweep|firmware-table|docs|check-docs|campaigns|peers'
-[ "$2" = quick ] && long="$long|run|packages|site|bench-quick|bench-count|toronto|validation|parts-table|firmware|wasm"
+long='test|test-all|lint|bench|measurements|cost|scan|points|exhaustive|data|figures|test-.*|evaluations|coverage|first-steps|scene-sizes|sweep|firmware-table|docs|check-docs|campaigns|peers|parts-table'
+elsewhere='packages|amalgamation|site|wasm' # by test_package, test_site and test_page
+[ "$2" = quick ] && long="$long|run|bench-quick|bench-count|toronto|validation|firmware"
 
 # indented lines and `spans` that begin with a command; a line may go on with && and so on
 commands() {
@@ -17,7 +19,7 @@ commands() {
 }
 unique() { awk '!seen[$0]++'; }
 known_name() { grep -qwF -e "$1" jacobi.h ateb.h integrators.h varmass.h; }
-takes_minutes() { echo "$1" | grep -Eq "^(make ($long)( |\$)|build/|sh (tests|bench)/)"; }
+is_long() { echo "$1" | grep -Eq "^(make ($long|$elsewhere)( |\$)|build/|sh (tests|bench)/)"; }
 builds() { # what a program under build/ needs: make knows how
     set -- $1
     case $1 in build/*) make -s "$1" ;; *) true ;; esac
@@ -67,7 +69,7 @@ done
 commands | unique >"$build/commands"
 check "commands are found" test "$(wc -l <"$build/commands")" -gt 10
 while IFS= read -r command <&3; do
-    if [ "$2" != all ] && takes_minutes "$command"; then
+    if [ "$2" != all ] && is_long "$command"; then
         check "is there: $command" dry_run "$command"
     elif [ "$2" != all ] && ! there $(tools "$command"); then
         skipped=$((skipped + 1))

@@ -1,6 +1,6 @@
 #!/bin/sh
 # The first steps: build and run them, draw their figures, and write down what they say.
-# usage: [CC=compiler] steps.sh BUILD_FOLDER [write], from the top of the project
+# usage: [CC=compiler] [LEVEL=-O2] steps.sh BUILD_FOLDER [write], from the top of the project
 # Without write, docs/first-steps.md is compared with what it would be.
 build=$1/first_steps doc=$1/first_steps/first-steps.md
 mkdir -p "$build" || exit 1
@@ -14,7 +14,7 @@ mkdir -p "$build" || exit 1
 } >"$doc"
 for source in examples/first_steps/*.c; do
     name=$(basename "$source" .c)
-    ${CC:-cc} -std=c99 -O2 -ffp-contract=off "$source" -o "$build/$name" -lm || exit 1
+    ${CC:-cc} -std=c99 ${LEVEL:--O2} -ffp-contract=off "$source" -o "$build/$name" -lm || exit 1
     "$build/$name" "$build/$name.csv" >"$build/$name.txt" || { echo "$name failed"; exit 1; }
     title=$(sed -n '1s|^/\* \([^.]*\)\..*|\1|p' "$source")
     {

@@ -70,6 +70,7 @@ VM_API void vmi_orbit_ripple_nodes(const vmi_orbit *orbit, vmi_orbit_ripple *r, 
     const int parts = r->time.parts;
     int i;
     nodes->n = parts * VMI_GAUSS;
+    squares[0] = 0; /* There is at least one node, but compilers would warn of an array without values. */
     for (i = 0; i < nodes->n; i++) {
         vmi_orbit_point *p = nodes->point + i;
         orbit->force->point(orbit, vmi_orbit_node(parts, i), p);
@@ -107,6 +108,8 @@ VM_API void vmi_orbit_ripple_means(const vmi_orbit *orbit, const vmi_orbit_nodes
     const int parts = r->time.parts;
     vm_real first[VMI_ORBIT_NODES], second[VMI_ORBIT_NODES];
     int i;
+    first[0] = 0; /* as in vmi_orbit_ripple_nodes: there is at least one node */
+    second[0] = 0;
     for (i = 0; i < nodes->n; i++) {
         first[i] = nodes->a[i] * nodes->phase_rate[i];
         second[i] = nodes->a_size[i] * nodes->phase_rate[i];
