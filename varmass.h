@@ -9303,8 +9303,9 @@ typedef struct VM_TAG(vm_osc_load) {
     vm_law mass;        /* mass m(t) of the oscillator, kg, whose rate m' the thrust needs */
     vm_law u;           /* velocity of the mass that joins or leaves, m/s */
     vm_law damping;     /* damping, kg/s, that adds to the problem's; positive takes energy out */
-    vm_real reactive;   /* share of the thrust m' u that acts. The init function takes the problem's `reactive`. With 1
-                           here and 0 in the problem, u is the velocity relative to the oscillator. */
+    vm_real reactive;   /* share of the thrust m' u that acts; the init function copies it from the problem. If u is the
+                           velocity relative to the oscillator, let the problem's `reactive` be 0, and set this field to
+                           1 after the init function. */
     vm_osc_force force; /* the further force that the problem had before, or NULL */
     void *ctx;          /* the user's pointer, last argument of force */
 } vm_osc_load;
@@ -13071,10 +13072,13 @@ VM_API int vmi_osc_next_pair(const vm_osc_problem *o, int i, vm_real error, vm_r
 VM_API vm_real vmi_osc_strict_share(const vm_osc_problem *o, vmi_osc_points points)
 {
     const vm_real ratio = (vm_real)points.loose / (vm_real)points.strict, squared = ratio * ratio;
+    const vm_real fourth = squared * squared, sixth = fourth * squared;
     const int graded = vmi_osc_needs_grading(o), kinks = (o->force && !graded) || vmi_osc_has_user_law(o);
-    const int few = graded ? 8 : 4;
-    if (kinks || o->alpha > 10 || points.strict <= few) return squared * squared;
-    return squared * squared * squared * (o->alpha >= 1 ? squared : 1);
+    int few = 4;
+    if (graded) few = 8;
+    if (kinks || o->alpha > 10 || points.strict <= few) return fourth;
+    if (o->alpha < 1) return sixth;
+    return sixth * squared;
 }
 
 /* Makes one pair of runs from 0 to t. *strict becomes the strict run at t, *error the estimate of its error. */
@@ -17308,29 +17312,40 @@ VM_API vm_real vmi_vdp_error(const vm_vdp_plan *p, const vmi_vdp_mean *mean, vm_
     return error < largest_known ? error : VM_INFINITY;
 }
 
-/* Computes the motion by order 1, 2 or 3 from the mean motion. */
-VM_API int vmi_vdp_order_n(const vm_vdp_plan *p, int route, const vmi_vdp_mean *mean, vm_osc_motion *motion)
+/* Computes the motion by order 1, 2 or 3 from the mean motion, with the estimate of what the order leaves out. Writes
+   amplitude, phase and rate of the phase to *state. */
+VM_API int vmi_vdp_truncated(const vm_vdp_plan *p, int route, const vmi_vdp_mean *mean, vmi_osc_reduced *state,
+                             vm_osc_motion *motion)
 {
     const int order = vmi_vdp_order_of(route);
-    const vm_real alpha = p->vdp.alpha;
     const vmi_osc_wave wave = vmi_osc_wave_of(&p->osc, VM_ROUTE_ATEB);
-    const vmi_osc_reduced state = vmi_vdp_state(p, order, mean);
-    vm_osc_motion result, better;
     vm_real sa, ca, second;
-    vmi_osc_wave_at(&wave, state.psi, &ca, &sa);
-    vmi_osc_unreduce(&state, mean->now.p, alpha, sa, ca, &result.x, &result.v);
-    result.amplitude = state.A;
-    result.error = vmi_vdp_error(p, mean, &second);
-    if (order < 3) result.error = second;
-    result.route = route;
-    result.evals = 0;
-    if (order == 1) { /* the estimate is the difference from order two */
-        const vm_real vmax = 2 / (alpha + 1) * state.A * state.W;
-        int status = vmi_vdp_order_n(p, VM_ROUTE_ORDER2, mean, &better);
+    *state = vmi_vdp_state(p, order, mean);
+    vmi_osc_wave_at(&wave, state->psi, &ca, &sa);
+    vmi_osc_unreduce(state, mean->now.p, p->vdp.alpha, sa, ca, &motion->x, &motion->v);
+    motion->amplitude = state->A;
+    motion->error = vmi_vdp_error(p, mean, &second);
+    if (order < 3) motion->error = second;
+    motion->route = route;
+    motion->evals = 0;
+    if (!VM_IS_FINITE(motion->x) || !VM_IS_FINITE(motion->v)) return VM_NOT_FINITE;
+    return VM_OK;
+}
+
+/* Computes the motion by order 1, 2 or 3 from the mean motion, with an estimate of its error. For order 1 the estimate
+   is that of order 2 plus the difference of the two orders. */
+VM_API int vmi_vdp_order_n(const vm_vdp_plan *p, int route, const vmi_vdp_mean *mean, vm_osc_motion *motion)
+{
+    vmi_osc_reduced state, unused;
+    vm_osc_motion result, better;
+    int status = vmi_vdp_truncated(p, route, mean, &state, &result);
+    if (status) return status;
+    if (vmi_vdp_order_of(route) == 1) {
+        const vm_real vmax = 2 / (p->vdp.alpha + 1) * state.A * state.W;
+        status = vmi_vdp_truncated(p, VM_ROUTE_ORDER2, mean, &unused, &better);
         if (status) return status;
         result.error += vmi_larger(VM_FABS(result.x - better.x) / state.A, VM_FABS(result.v - better.v) / vmax);
     }
-    if (!VM_IS_FINITE(result.x) || !VM_IS_FINITE(result.v)) return VM_NOT_FINITE;
     if (!(result.error >= 0)) result.error = VM_INFINITY;
     *motion = result;
     return VM_OK;
@@ -18405,8 +18420,9 @@ VM_API int vm_pair_averaged_rhs(vm_real t, const vm_real *modes, vm_real *dmodes
     return VM_OK;
 }
 
-/* Computes the modes at time t from the motion y0 at t = 0, in closed form for a linear mass, and the mass at t.
-   Method: the averaged equations contain powers of m/m0, where m0 is the mass at t = 0. For any exponent e the integral of
+/* Computes the averaged motion at time t by closed formulas, which hold for a mass that is linear in time. y0 holds x, y,
+   x' and y' at t = 0. `modes` receives the results in the order VMI_PAIR_..., and *m the mass at t with its integrals.
+   The averaged equations contain powers of m/m0, where m0 is the mass at t = 0. For any exponent e the integral of
    (m/m0)^e dt is m0 (exp(u) - 1)/u times the integral of dt/m, with u = (1 + e) ln(m/m0). */
 VM_API int vmi_pair_modes_at(const vm_pair *p, vm_real t, const vm_real *y0, vmi_linear_mass *m, vm_real *modes)
 {

@@ -136,23 +136,29 @@ echo "function,precision,target,flash,stack,instructions" >"$build/table.csv"
 cat <<'END'
 # Flash, stack and instructions of a call
 
-Written by `make firmware-table`: bytes of flash that a program grows by, tables and all that the function needs included;
-bytes of stack and instructions of a call, the most of all calls, on emulated boards; gcc -Os. M0: Cortex-M0, no
-floating-point unit; M4F: Cortex-M4F, single precision in hardware, so that double is emulated; M7: Cortex-M7, both in
-hardware; RV32IMAC: RISC-V without floating-point unit; RV32IMAFDC: with both precisions in hardware.
+Written by `make firmware-table`, with gcc -Os. A cell has three numbers: flash, stack, instructions. Flash is the number of bytes by
+which a program grows, with all tables and functions that the call needs. Stack, in bytes, and instructions are the most of many
+calls on emulated boards.
 
-The most is that of 300 calls with random arguments (10 for `vm_osc_closed_init`), and of some hard ones: ends of the domain,
-u = 1e9 (float 1e4), m next to 1 (examples/firmware/table.sh lists them). Random are -10 < m < 1, u and s from -100 to 100, alpha
-from 0 to 10, and bodies with three different moments in any attitude and motion. It is a measured number and no proof of a bound.
+| target | processor |
+|---|---|
+| M0 | Cortex-M0, without floating-point unit |
+| M4F | Cortex-M4F, with float in hardware; double is emulated |
+| M7 | Cortex-M7, with float and double in hardware |
+| RV32IMAC | RISC-V without floating-point unit |
+| RV32IMAFDC | RISC-V with float and double in hardware |
 
-The rows of `jacobi_plan_sncndn` and `ateb_plan_saca` include what makes the plan, which a `const` plan in flash does not
-need. `vm_osc_closed_at` is a leaking oscillator's motion by the law of order two, three and five, from such a constant
-plan; its flash contains the plan. `vm_osc_closed_init` is the preparation of such a plan on the board, with a linear law
-of mass. `vm_osc_exact` is the motion with constant mass. `vm_torque_free_attitude` is a free body's rotation at times
-from -1000 s to 1000 s, prepared by `vm_torque_free_init`, whose flash is not in the row. The scene is a tray on a spring
-of any power, with a damper, that loses its load: one evaluation, and a step of `rk4` with four of them;
-[scene-sizes.md](scene-sizes.md) has the flash of whole scenes. `rk4_step` and `rk45_step` are of a cubic oscillator; a
-first step of `rk45` has to find its length.
+There are 300 calls with random arguments (10 of `vm_osc_closed_init`), and some with hard ones: ends of the domain, u = 1e9 (float
+1e4), m next to 1; examples/firmware/table.sh lists them. Random are m from -10 to 1, u and s from -100 to 100, alpha from 0 to 10, and
+bodies with three different moments in any attitude and motion. The most of these calls is a measured number and no proof of a bound.
+
+The rows of `jacobi_plan_sncndn` and `ateb_plan_saca` include the code that makes the plan; a `const` plan in flash does not need it.
+`vm_osc_closed_at` is the motion of a leaking oscillator by the law of order two, three and five, from such a constant plan. Its flash
+contains the plan. `vm_osc_closed_init` makes such a plan on the board, for a linear law of mass. `vm_osc_exact` is the motion with
+constant mass. `vm_torque_free_attitude` is the rotation of a free body at times from -1000 s to 1000 s. `vm_torque_free_init`
+prepares it; the flash of this preparation has a row of its own. The scene is a tray on a spring with any exponent and a damper; the
+tray loses its load. `vm_scene_rhs` evaluates it once, and a step of `rk4` four times; [scene-sizes.md](scene-sizes.md) has the flash of
+whole scenes. `rk4_step` and `rk45_step` are steps of a cubic oscillator; the step of `rk45` is the first one of a run.
 
 ![instructions of a call](figures/firmware.svg)
 END
