@@ -642,16 +642,22 @@ VM_API vm_two vmi_two_product(vm_real a, vm_real b)
    both results are 0. */
 VM_API vm_two vmi_reduce(vm_real x, vm_two q, int *quarter)
 {
-    const vm_real j = VM_FLOOR(x / q.hi + VM_C(0.5));
+    vm_real j = VM_FLOOR(x / q.hi + VM_C(0.5));
     const vm_real scale = q.hi > VM_MAX * VM_EPSILON ? VM_EPSILON : 1; /* keeps the product from overflowing */
+    const vm_real hi = q.hi * scale, lo = q.lo * scale;
     vm_two p;
     *quarter = 0;
     if (j == 0) return vmi_two(x, 0);
     if (!(j < 1 / VM_EPSILON)) return vmi_two(0, 0);
-    *quarter = (int)(j - 4 * VM_FLOOR(j / 4));
-    p = vmi_two_product(j, q.hi * scale);
+    p = vmi_two_product(j, hi);
     p = vmi_two_sum(x * scale - p.hi, -p.lo); /* x scale - p.hi has no rounding error */
-    p = vmi_fast_two_sum(p.hi, p.lo - j * (q.lo * scale));
+    p = vmi_fast_two_sum(p.hi, p.lo - j * lo);
+    if (VM_FABS(p.hi) > VM_C(0.501) * hi) { /* for x > q/(1000 eps): the rounding of the quotient moves j */
+        const vm_real further = VM_FLOOR(p.hi / hi + VM_C(0.5));
+        p = vmi_two_sum(p.hi - further * hi, p.lo - further * lo);
+        j += further;
+    }
+    *quarter = (int)(j - 4 * VM_FLOOR(j / 4));
     return vmi_two(p.hi / scale, p.lo / scale);
 }
 
@@ -2059,10 +2065,10 @@ VMI_APART vm_two vmi_reduce_long(vm_real u, vm_real m1, vm_real m1_lo, vmi_bits 
     phase = vmi_two_product(u, rate.hi);
     whole = vmi_two_product(j, half_pi.hi);
     rest = vmi_two_sum(phase.hi - whole.hi, (phase.lo - whole.lo) + (u * rate.lo - j * half_pi.mid));
-    if (VM_FABS(rest.hi) > VM_C(0.75) * half_pi.hi) { /* this may happen for u > K/(16 eps), since count is rounded */
-        const vm_real side = VM_COPYSIGN((vm_real)1, rest.hi);
-        rest = vmi_two_sum(rest.hi - side * half_pi.hi, rest.lo - side * half_pi.mid);
-        *quarters += (vmi_bits)(side < 0 ? 3 : 1);
+    if (VM_FABS(rest.hi) > VM_C(0.501) * half_pi.hi) { /* for u > K/(1000 eps): the rounding of count moves j */
+        const vm_real further = VM_FLOOR(rest.hi / half_pi.hi + VM_C(0.5));
+        rest = vmi_two_sum(rest.hi - further * half_pi.hi, rest.lo - further * half_pi.mid);
+        *quarters += (vmi_bits)(further + 4);
     }
     if (VM_FABS(rest.hi) < size * next && count < 128) {
         vm_real K[4];

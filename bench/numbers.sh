@@ -164,6 +164,10 @@ table() {
     number chain_least "docs/cost.md, a chain of bodies, ns a body" cell least cost "$chain" 2
     number chain_most "docs/cost.md, a chain of bodies, ns a body" cell most cost "$chain" 2
     number spring_flash "docs/scene-sizes.md, M4F, of a linear spring over nothing" spring_flash
+    closed='^[|] `vm_osc_closed_at [(]order 5[)]`'
+    number closed_flash "docs/firmware.md, M4F, float" cell least firmware "$closed" 3 1
+    number closed_stack "docs/firmware.md, M4F, float" cell least firmware "$closed" 3 2
+    number closed_instructions "docs/firmware.md, M4F, float" cell least firmware "$closed" 3 3
     number coverage_lines "docs/reliability.md, least of the headers, %" coverage 3
     number coverage_outcomes "docs/reliability.md, least of the headers, %" coverage 5
     number jacobi_plan_bytes "sizeof" size_of "" jacobi.h jacobi_plan

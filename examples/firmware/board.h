@@ -36,6 +36,17 @@ static inline uint32_t board_instructions(void)
 }
 #endif
 
+/* Instructions since board_instructions() returned start: fewer than 2^32 40/1024, after which the MPS2 boards' counter
+   begins again */
+static inline uint32_t board_instructions_since(uint32_t start)
+{
+    uint32_t passed = board_instructions() - start;
+#ifndef __riscv
+    if (passed > 167772160u) passed += 167772160u;
+#endif
+    return passed;
+}
+
 static inline void board_print_number(int32_t x, int width)
 {
     char text[16];

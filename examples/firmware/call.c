@@ -1,17 +1,26 @@
-/* What one call costs on a microcontroller: CALL, an expression with the variables below, from HEADER. Prints its
-   instructions, the mean of 16 calls, or with TIMES the most of so many calls at u = 0, 1/8, 2/8 ...; and the depth of its
-   stack. Flash is the program's size less that of one with CALL = 0. */
+/* What one call costs on a microcontroller: CALL, an expression with the variables below, from HEADER. It is called TRIALS
+   times with arguments that DRAW sets, most of them at random, and then with the arguments listed in HARD. Prints the
+   most instructions of a call, and the depth of the stack over all calls. Flash is the program's size less that of one
+   with CALL = (a = u). */
 #include HEADER
 #include "board.h"
 
-volatile vm_real input[4] = {(vm_real)0.75, (vm_real)0.3, (vm_real)1.7, 3}, output;
-extern uint32_t stack_top[];
+volatile vm_real output;
+static vm_real u, m, alpha; /* the arguments of CALL */
+static uint32_t state = 1;
+
+/* A random number between low and high */
+static vm_real between(vm_real low, vm_real high)
+{
+    state = state * 1664525u + 1013904223u;
+    return low + (high - low) * ((vm_real)(state >> 8) / 16777216);
+}
 
 #ifdef PLAN
 static PLAN plan;
 #endif
 #ifdef VARMASS_INTEGRATORS_H
-static vm_real y[2] = {1, 0}, work[RK45_WORK(2)];
+static vm_real y[6] = {1, 0}, work[RK87_WORK(2)];
 static rk45 run;
 
 static int oscillate(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
@@ -26,67 +35,166 @@ static int oscillate(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 #ifdef CONSTANT_PLAN
 #include CONSTANT_PLAN
 #endif
-#ifdef PROBLEM
+#ifdef VARMASS_H
 static vm_osc_problem problem;
 static vm_osc_closed made;
+static vm_body2 whole2, part2, rest2;
+static vm_body whole, part, rest;
+static vm_torque_free motion;
+static vm_quat attitude;
+static vm_vec3 spin;
+static vm_scene_body scene_body;
+static vm_effect effects[3];
+static vm_scene scene;
+static vm_real scene_work[RK4_WORK(6)];
 
-static void set_problem(vm_real rate)
+static void draw_problem(void)
 {
-    problem.alpha = (vm_real)1.7;
-    problem.mass = vm_law_linear(10, rate / 10);
+    alpha = between(VM_C(0.5), 5);
+    problem.alpha = alpha;
+    problem.mass = vm_law_linear(10, between(VM_C(-0.03), VM_C(0.03)));
     problem.stiffness = vm_law_linear(100, 0);
-    problem.reactive = 1;
-    problem.x = (vm_real)0.1;
+    problem.reactive = between(0, 1);
+    problem.damping = between(0, VM_C(0.02));
+    problem.x = between(VM_C(-0.2), VM_C(0.2));
+    problem.v = between(-1, 1);
+}
+
+static void draw_bodies2(void)
+{
+    whole2.mass = between(1, 10);
+    whole2.inertia = whole2.mass * between(1, 2);
+    whole2.vx = between(-10, 10);
+    whole2.omega = between(-10, 10);
+    part2.mass = whole2.mass * between(0, VM_C(0.5)) + VM_C(0.001);
+    part2.inertia = part2.mass * VM_C(0.1);
+    part2.x = between(VM_C(-0.5), VM_C(0.5));
+    part2.vy = between(-10, 10);
+    part2.omega = between(-10, 10);
+}
+
+static vm_vec3 draw_vector(vm_real largest)
+{
+    vm_vec3 a;
+    a.x = between(-largest, largest);
+    a.y = between(-largest, largest);
+    a.z = between(-largest, largest);
+    return a;
+}
+
+/* A body of this mass with three different moments, in any attitude, in any motion */
+static vm_body draw_body(vm_real mass, vm_real size)
+{
+    vm_body b;
+    const vm_real xx = between(1, 2), yy = between(1, 2), all = mass * size * size;
+    b.mass = mass;
+    b.inertia.xx = all * xx;
+    b.inertia.yy = all * yy;
+    b.inertia.zz = all * between(VM_C(1.2), VM_C(1.8));
+    b.inertia.xy = all * between(VM_C(-0.1), VM_C(0.1));
+    b.inertia.xz = all * between(VM_C(-0.1), VM_C(0.1));
+    b.inertia.yz = all * between(VM_C(-0.1), VM_C(0.1));
+    b.r = draw_vector(size);
+    b.v = draw_vector(10);
+    b.omega = draw_vector(10);
+    b.q.w = between(VM_C(0.1), 1); /* of any length */
+    b.q.x = between(-1, 1);
+    b.q.y = between(-1, 1);
+    b.q.z = between(-1, 1);
+    return b;
+}
+
+static void draw_bodies(void)
+{
+    const vm_real mass = between(1, 10), share = between(VM_C(0.001), VM_C(0.5));
+    whole = draw_body(mass, 1);
+    part = draw_body(mass * share, VM_C(0.1));
+}
+
+/* A free body, and a time at which its attitude is asked for */
+static void draw_rotation(void)
+{
+    whole = draw_body(between(1, 10), 1);
+    u = between(-1000, 1000);
+}
+
+/* A tray on a spring of any power, with a damper, that loses its load */
+static void draw_scene(void)
+{
+    const vm_real rate = between(VM_C(-0.05), 0);
+    scene_body = vm_scene_body_line(between(1, 10), between(-1, 1), between(-1, 1));
+    effects[0] = vm_effect_mass(0, VM_MASS_OF_T, rate, 0, 1);
+    effects[1] = vm_effect_spring(0, 0, VM_GROUND, 0, between(1, 100), between(1, 4), 0);
+    effects[2] = vm_effect_damper(0, 0, VM_GROUND, 0, between(0, 1));
+    scene.bodies = &scene_body;
+    scene.n_bodies = 1;
+    scene.effects = effects;
+    scene.n_effects = 3;
+    if (vm_scene_start(&scene, 0, y, NULL) != VM_OK) board_print("FAILED ");
 }
 #endif
-#ifdef VARMASS_H
-static vm_body2 whole = {2, 3, 0, 0, 0, 0, 0, 1}, part = {1, (vm_real)0.1, 1, 0, 0, 0, 0, 1}, rest;
-#endif
 
-static int __attribute__((noinline, noclone)) call(vm_real u, vm_real m, vm_real alpha, vm_real n)
+static int __attribute__((noinline, noclone)) call(void)
 {
     vm_real a = 0, b = 0, c = 0;
-    (void)u;
-    (void)m;
-    (void)alpha;
-    (void)n;
     CALL;
     output = a + b + c;
     return 0;
 }
 
-enum { DEPTH = 1500 }; /* words of stack that are painted */
+enum { DEPTH = 2600 }; /* words of stack that are painted before a call, to see later how many it has used */
+static uint32_t most, deepest;
 
-int main(void)
+static void __attribute__((noinline)) count_call(void)
 {
     const uint32_t paint = 0xdeadbeefu;
     volatile uint32_t *low, here = 0;
-    uint32_t start, used;
-    long i;
+    uint32_t start, reading, used;
+    for (low = &here - DEPTH; low < &here - 16; low++) *low = paint;
+    start = board_instructions();
+    reading = board_instructions_since(start); /* what the counter itself takes */
+    start = board_instructions();
+    call();
+    used = board_instructions_since(start) - reading;
+    if (used > most) most = used;
+    for (low = &here - DEPTH; *low == paint && low < &here; low++) {}
+    used = (uint32_t)(&here - low) * 4;
+    if (used > deepest) deepest = used;
+}
+
+static void __attribute__((noinline)) draw(void) { DRAW; }
+
+#ifdef HARD
+static const vm_real hard[][3] = {HARD};
+enum { HARD_ONES = sizeof hard / sizeof *hard };
+#else
+static const vm_real hard[1][3];
+enum { HARD_ONES = 0 };
+#endif
+
+static void count_calls(void)
+{
+    int i;
+    for (i = 0; i < TRIALS + HARD_ONES; i++) {
+        draw();
+        if (i >= TRIALS) {
+            u = hard[i - TRIALS][0];
+            m = hard[i - TRIALS][1];
+            alpha = hard[i - TRIALS][2];
+        }
+        count_call();
+    }
+}
+
+int main(void)
+{
 #ifdef INIT
     INIT;
 #endif
-    for (low = &here - DEPTH; low < &here - 16; low++) *low = paint;
-    call(input[0], input[1], input[2], input[3]); /* warm */
-    for (low = &here - DEPTH; *low == paint && low < &here; low++) {}
-#ifdef TIMES
-    used = 0;
-    for (i = 0; i < TIMES; i++) {
-        const vm_real u = (vm_real)i / 8;
-        uint32_t now;
-        start = board_instructions();
-        call(u, input[1], input[2], input[3]);
-        now = board_instructions() - start;
-        if (now > used) used = now;
-    }
-#else
-    start = board_instructions();
-    for (i = 0; i < 16; i++) call(input[0], input[1], input[2], input[3]);
-    used = (board_instructions() - start) / 16;
-#endif
-    board_print_number((int32_t)used, 1);
+    count_calls();
+    board_print_number((int32_t)most, 1);
     board_print(" ");
-    board_print_number((int32_t)((&here - low) * 4), 1);
+    board_print_number((int32_t)deepest, 1);
     board_print("\n");
     return 0;
 }

@@ -6,7 +6,7 @@ mkdir -p "$build"
 common="-std=c99 -Os -fno-math-errno -ffp-contract=off -ffunction-sections -fdata-sections -nostartfiles -Wl,--gc-sections -I."
 cortex="-T tests/cross/cortex_m.ld -Wl,--defsym=FLASH_SIZE=0x40000 tests/cross/cortex_m.c"
 riscv="--specs=picolibc.specs -mcmodel=medany -T tests/cross/riscv.ld -Wl,--no-warn-rwx-segments tests/cross/riscv.c"
-targets="M0 M4F M7 RV32IMAC RV32IMAFDC"
+targets=${TARGETS:-M0 M4F M7 RV32IMAC RV32IMAFDC}
 
 build_one() { # build_one TARGET FLAGS... : $build/call.elf
     compiler="arm-none-eabi-gcc -mthumb -Wl,--defsym=RAM_SIZE=0x10000" startup=$cortex
@@ -33,17 +33,18 @@ run() { # run TARGET : instructions and stack. The code for Cortex-M0 runs on a 
     esac
     $board -nographic -monitor none -serial none -semihosting-config enable=on,target=native -kernel "$build/call.elf" 2>&1 </dev/null
 }
-measure() { # measure PRECISION NAME HEADER CALL EXTRA_FLAG... : a row
-    precision=$1 name=$2 header=$3 call=$4 flag=
-    shift 4
+measure() { # measure PRECISION NAME HEADER CALL DRAW HARD EXTRA_FLAG... : a row. Flash is beyond a program with the same arguments
+    precision=$1 name=$2 header=$3 call=$4 draw=$5 hard=${6:+-DHARD=$6} flag=-DIN_DOUBLE
+    shift 6
     [ $precision = float ] && flag=-DVM_USE_FLOAT
     printf '| `%s` |' "$name"
     for target in $targets; do
-        build_one $target $flag "-DHEADER=\"$header\"" "-DCALL=a = u" || exit 1
+        build_one $target $flag "-DHEADER=\"$header\"" "-DCALL=a = u" -DTRIALS=1 "-DDRAW=$draw" ${hard:+"$hard"} || exit 1
         empty=$(flash $target)
-        build_one $target $flag "-DHEADER=\"$header\"" "-DCALL=$call" "$@" || exit 1
+        build_one $target $flag "-DHEADER=\"$header\"" "-DCALL=$call" -DTRIALS=$trials "-DDRAW=$draw" ${hard:+"$hard"} "$@" || exit 1
         grown=$(($(flash $target) - empty))
         result=$(run $target)
+        case $result in *[!0-9\ ]* | "") echo "table.sh: $name, $target: $result" >&2; exit 1 ;; esac
         instructions=${result% *} stack=${result#* }
         printf ' %s, %s, %s |' "$grown" "$stack" "$instructions"
         echo "$name,$precision,$target,$grown,$stack,$instructions" >>"$build/table.csv"
@@ -62,32 +63,59 @@ rows() { # rows PRECISION
     printf '\n|---|'
     for target in $targets; do printf -- '---|'; done
     printf '\n'
-    measure $1 "jacobi_K" jacobi.h "a = jacobi_K(m)"
-    measure $1 "jacobi_E" jacobi.h "a = jacobi_E(m)"
-    measure $1 "jacobi_sncndn" jacobi.h "jacobi_sncndn(u, m, &a, &b, &c)"
-    measure $1 "jacobi_plan_sncndn" jacobi.h "jacobi_plan_sncndn(&plan, u, &a, &b, &c)" -DPLAN=jacobi_plan "-DINIT=jacobi_plan_init(&plan, input[1])"
-    measure $1 "jacobi_am" jacobi.h "a = jacobi_am(u, m)"
-    measure $1 "jacobi_solve_kpK" jacobi.h "a = jacobi_solve_kpK(alpha)"
-    measure $1 "ateb_pi" ateb.h "a = ateb_pi(alpha)"
-    measure $1 "ateb_saca" ateb.h "ateb_saca(u, alpha, &a, &b)"
-    measure $1 "ateb_plan_saca (alpha = 3)" ateb.h "ateb_plan_saca(&plan, u, &a, &b)" -DPLAN=ateb_plan "-DINIT=ateb_plan_init(&plan, 3)"
-    measure $1 "ateb_plan_saca (alpha = 1.7)" ateb.h "ateb_plan_saca(&plan, u, &a, &b)" -DPLAN=ateb_plan "-DINIT=ateb_plan_init(&plan, (vm_real)1.7)"
-    measure $1 "ateb_phase" ateb.h "a = ateb_phase(m, u, alpha)"
-    measure $1 "ateb_beta_inc" ateb.h "a = ateb_beta_inc(u, m, alpha)"
-    measure $1 "vm_osc_period" varmass.h "a = vm_osc_period(u, m, alpha)"
+    # for float |u| goes to 1e4, for double to 1e9, as the bounds of docs/measurements.md do
+    largest=1e9
+    [ $1 = float ] && largest=1e4
+    of_m="m = 1 - 11 * between(0, 1)" hard_m="{0,0,0},{0,(vm_real)0.9999999,0},{0,-1000000,0},{0,1,0}"
+    of_u_m="u = between(-100, 100); $of_m"
+    hard_u_m="{VM_C($largest),VM_C(0.3),0},{VM_C($largest),VM_C(0.9999),0},{VM_C($largest),-10,0},{30,1,0},{1000,VM_C(0.9999999),0},{0,0,0}"
+    of_alpha="alpha = between(0, 10)" hard_alpha="{0,0,0},{0,0,VM_C(1e-3)},{0,0,VM_C(1e3)},{0,0,1},{0,0,3}"
+    of_s="u = between(-100, 100); $of_alpha"
+    hard_s="{VM_C($largest),0,VM_C(1.7)},{VM_C($largest),0,VM_C(0.01)},{VM_C($largest),0,100},{0,0,1},{3,0,0}"
+    of_times="u = between(0, 30)" hard_times="{0,0,0},{30,0,0}"
+    trials=300
+    measure $1 "jacobi_K" jacobi.h "a = jacobi_K(m)" "$of_m" "$hard_m"
+    measure $1 "jacobi_E" jacobi.h "a = jacobi_E(m)" "$of_m" "$hard_m"
+    measure $1 "jacobi_sncndn" jacobi.h "jacobi_sncndn(u, m, &a, &b, &c)" "$of_u_m" "$hard_u_m"
+    measure $1 "jacobi_plan_sncndn" jacobi.h "jacobi_plan_sncndn(&plan, u, &a, &b, &c)" "$of_u_m" "$hard_u_m" \
+        -DPLAN=jacobi_plan "-DINIT=jacobi_plan_init(&plan, VM_C(0.3))"
+    measure $1 "jacobi_am" jacobi.h "a = jacobi_am(u, m)" "$of_u_m" "$hard_u_m"
+    measure $1 "jacobi_solve_kpK" jacobi.h "a = jacobi_solve_kpK(u)" "u = between(0, 4)" "{VM_C(1e-3),0,0},{VM_C(1.5707),0,0},{100,0,0},{10,0,0}"
+    measure $1 "ateb_pi" ateb.h "a = ateb_pi(alpha)" "$of_alpha" "$hard_alpha"
+    measure $1 "ateb_saca" ateb.h "ateb_saca(u, alpha, &a, &b)" "$of_s" "$hard_s"
+    measure $1 "ateb_plan_saca (alpha = 3)" ateb.h "ateb_plan_saca(&plan, u, &a, &b)" "$of_s" "$hard_s" \
+        -DPLAN=ateb_plan "-DINIT=ateb_plan_init(&plan, 3)"
+    measure $1 "ateb_plan_saca (alpha = 1.7)" ateb.h "ateb_plan_saca(&plan, u, &a, &b)" "$of_s" "$hard_s" \
+        -DPLAN=ateb_plan "-DINIT=ateb_plan_init(&plan, VM_C(1.7))"
+    measure $1 "ateb_phase" ateb.h "a = ateb_phase(u, m, alpha)" "u = between(-1, 1); m = between(-1, 1); $of_alpha" "{0,1,1},{1,0,1},{VM_C(1e-6),1,5}"
+    measure $1 "ateb_beta_inc" ateb.h "a = ateb_beta_inc(u, m, alpha)" \
+        "u = between(0, 1); m = between(VM_C(0.01), 100); alpha = between(VM_C(0.01), 100)" "{VM_C(0.5),100,100},{VM_C(0.5),1000,1000},{VM_C(0.999),5,VM_C(0.01)}"
+    measure $1 "vm_osc_period" varmass.h "a = vm_osc_period(u, m, alpha)" "u = between(VM_C(0.1), 10); m = between(VM_C(0.1), 10); $of_alpha" ""
+    measure $1 "vm_osc_exact" varmass.h "vm_osc_exact(u, m, 1, alpha, &a, &b)" "u = between(-100, 100); m = between(VM_C(0.1), 10); $of_alpha" ""
     for order in 2 3 5; do
         at=vm_osc_closed_at name="vm_osc_closed_at (order 5)"
         [ $order -lt 5 ] && at=vm_osc_closed_at_order$order name=vm_osc_closed_at_order$order
         print_plan $1 $order
-        measure $1 "$name" varmass.h "$at(&plan, u, &a, &b)" \
-            "-DCONSTANT_PLAN=\"$build/closed.h\"" -DTIMES=200
-        measure $1 "vm_osc_closed_init (order $order)" varmass.h "set_problem(m), a = vm_osc_closed_init(&made, &problem, $order, 30)" -DPROBLEM
+        trials=300
+        measure $1 "$name" varmass.h "$at(&plan, u, &a, &b)" "$of_times" "$hard_times" "-DCONSTANT_PLAN=\"$build/closed.h\""
+        trials=10 # of some million instructions each
+        measure $1 "vm_osc_closed_init (order $order)" varmass.h "a = vm_osc_closed_init(&made, &problem, $order, 30)" "draw_problem()" ""
     done
-    measure $1 "vm_osc_amplitude_law" varmass.h "a = vm_osc_amplitude_law(u, m, 1, alpha)"
-    measure $1 "vm_lambert_w0" varmass.h "a = vm_lambert_w0(u)"
-    measure $1 "vm_separate2" varmass.h "part.vx = m, vm_separate2(&whole, &part, NULL, &rest), a = rest.omega"
-    measure $1 "rk4_step" integrators.h "rk4_step(oscillate, NULL, 2, 0, m, y, work), a = y[0]"
-    measure $1 "rk45_step" integrators.h "rk45_step(&run), a = run.y[0]" "-DINIT=rk45_init(&run, oscillate, NULL, 2, 0, y, NULL, work)"
+    trials=300
+    measure $1 "vm_osc_amplitude_law" varmass.h "a = vm_osc_amplitude_law(u, m, 1, alpha)" \
+        "u = between(VM_C(0.1), 10); m = between(0, 1); $of_alpha" ""
+    measure $1 "vm_lambert_w0" varmass.h "a = vm_lambert_w0(u)" "u = between(VM_C(-0.367), 10)" "{VM_C(1e9),0,0},{VM_C(-0.36787),0,0},{0,0,0}"
+    measure $1 "vm_separate2" varmass.h "a = vm_separate2(&whole2, &part2, NULL, &rest2)" "draw_bodies2()" ""
+    measure $1 "vm_attach2" varmass.h "a = vm_attach2(&whole2, &part2, NULL, &rest2)" "draw_bodies2()" ""
+    measure $1 "vm_separate" varmass.h "a = vm_separate(&whole, &part, NULL, &rest)" "draw_bodies()" ""
+    measure $1 "vm_attach" varmass.h "a = vm_attach(&whole, &part, NULL, &rest)" "draw_bodies()" ""
+    measure $1 "vm_torque_free_init" varmass.h "a = vm_torque_free_init(&motion, &whole, 0)" "draw_rotation()" ""
+    measure $1 "vm_torque_free_attitude" varmass.h "a = vm_torque_free_attitude(&motion, u, &attitude, &spin)" \
+        "draw_rotation(); vm_torque_free_init(&motion, &whole, 0)" ""
+    measure $1 "vm_scene_rhs (3 effects)" varmass.h "a = vm_scene_rhs(0, y, y + 3, &scene)" "draw_scene()" ""
+    measure $1 "rk4_step of the scene" varmass.h "a = rk4_step(vm_scene_rhs, &scene, vm_scene_size(&scene), 0, VM_C(0.01), y, scene_work)" "draw_scene()" ""
+    measure $1 "rk4_step" integrators.h "a = rk4_step(oscillate, NULL, 2, 0, m, y, work)" "m = between(0, VM_C(0.1)); y[0] = between(-1, 1); y[1] = between(-1, 1)" ""
+    measure $1 "rk45_step" integrators.h "a = rk45_step(&run)" "y[0] = between(-1, 1); y[1] = between(-1, 1); rk45_init(&run, oscillate, NULL, 2, 0, y, NULL, work)" ""
 }
 avr_flash() { # avr_flash ORDER FLAG... : flash of a program that makes a plan of this order on an ATmega328P and uses it
     order=$1
@@ -108,8 +136,9 @@ echo "function,precision,target,flash,stack,instructions" >"$build/table.csv"
 cat <<'END'
 # Flash, stack and instructions of a call
 
-Written by `make firmware-table`, with gcc -Os. "Flash" is the number of bytes by which a program grows, with all tables and functions
-that the call needs. "Stack" is in bytes. "Instructions" are those of one call, counted on emulated boards.
+Written by `make firmware-table`, with gcc -Os. A cell has three numbers: flash, stack, instructions. Flash is the number of bytes by
+which a program grows, with all tables and functions that the call needs. Stack, in bytes, and instructions are the most of many
+calls on emulated boards.
 
 | target | processor |
 |---|---|
@@ -119,10 +148,17 @@ that the call needs. "Stack" is in bytes. "Instructions" are those of one call, 
 | RV32IMAC | RISC-V without floating-point unit |
 | RV32IMAFDC | RISC-V with float and double in hardware |
 
-The rows of plans include the code that makes the plan; a `const` plan in flash does not need it. `vm_osc_closed_at` is the motion of a
-leaking oscillator by the law of order two, three and five, from such a constant plan. Its flash contains the plan, and its
-instructions are the most at 200 times. `vm_osc_closed_init` makes such a plan on the board, for a linear law of mass. `rk4_step` and
-`rk45_step` are steps of a cubic oscillator, with their four and six evaluations of the right-hand side.
+There are 300 calls with random arguments (10 of `vm_osc_closed_init`), and some with hard ones: ends of the domain, u = 1e9 (float
+1e4), m next to 1; examples/firmware/table.sh lists them. Random are m from -10 to 1, u and s from -100 to 100, alpha from 0 to 10, and
+bodies with three different moments in any attitude and motion. The most of these calls is a measured number and no proof of a bound.
+
+The rows of `jacobi_plan_sncndn` and `ateb_plan_saca` include the code that makes the plan; a `const` plan in flash does not need it.
+`vm_osc_closed_at` is the motion of a leaking oscillator by the law of order two, three and five, from such a constant plan. Its flash
+contains the plan. `vm_osc_closed_init` makes such a plan on the board, for a linear law of mass. `vm_osc_exact` is the motion with
+constant mass. `vm_torque_free_attitude` is the rotation of a free body at times from -1000 s to 1000 s. `vm_torque_free_init`
+prepares it; the flash of this preparation has a row of its own. The scene is a tray on a spring with any exponent and a damper; the
+tray loses its load. `vm_scene_rhs` evaluates it once, and a step of `rk4` four times; [scene-sizes.md](scene-sizes.md) has the flash of
+whole scenes. `rk4_step` and `rk45_step` are steps of a cubic oscillator; the step of `rk45` is the first one of a run.
 
 ![instructions of a call](figures/firmware.svg)
 END

@@ -47,16 +47,22 @@ VM_API vm_two vmi_two_product(vm_real a, vm_real b)
    both results are 0. */
 VM_API vm_two vmi_reduce(vm_real x, vm_two q, int *quarter)
 {
-    const vm_real j = VM_FLOOR(x / q.hi + VM_C(0.5));
+    vm_real j = VM_FLOOR(x / q.hi + VM_C(0.5));
     const vm_real scale = q.hi > VM_MAX * VM_EPSILON ? VM_EPSILON : 1; /* keeps the product from overflowing */
+    const vm_real hi = q.hi * scale, lo = q.lo * scale;
     vm_two p;
     *quarter = 0;
     if (j == 0) return vmi_two(x, 0);
     if (!(j < 1 / VM_EPSILON)) return vmi_two(0, 0);
-    *quarter = (int)(j - 4 * VM_FLOOR(j / 4));
-    p = vmi_two_product(j, q.hi * scale);
+    p = vmi_two_product(j, hi);
     p = vmi_two_sum(x * scale - p.hi, -p.lo); /* x scale - p.hi has no rounding error */
-    p = vmi_fast_two_sum(p.hi, p.lo - j * (q.lo * scale));
+    p = vmi_fast_two_sum(p.hi, p.lo - j * lo);
+    if (VM_FABS(p.hi) > VM_C(0.501) * hi) { /* for x > q/(1000 eps): the rounding of the quotient moves j */
+        const vm_real further = VM_FLOOR(p.hi / hi + VM_C(0.5));
+        p = vmi_two_sum(p.hi - further * hi, p.lo - further * lo);
+        j += further;
+    }
+    *quarter = (int)(j - 4 * VM_FLOOR(j / 4));
     return vmi_two(p.hi / scale, p.lo / scale);
 }
 

@@ -110,10 +110,10 @@ VMI_APART vm_two vmi_reduce_long(vm_real u, vm_real m1, vm_real m1_lo, vmi_bits 
     phase = vmi_two_product(u, rate.hi);
     whole = vmi_two_product(j, half_pi.hi);
     rest = vmi_two_sum(phase.hi - whole.hi, (phase.lo - whole.lo) + (u * rate.lo - j * half_pi.mid));
-    if (VM_FABS(rest.hi) > VM_C(0.75) * half_pi.hi) { /* this may happen for u > K/(16 eps), since count is rounded */
-        const vm_real side = VM_COPYSIGN((vm_real)1, rest.hi);
-        rest = vmi_two_sum(rest.hi - side * half_pi.hi, rest.lo - side * half_pi.mid);
-        *quarters += (vmi_bits)(side < 0 ? 3 : 1);
+    if (VM_FABS(rest.hi) > VM_C(0.501) * half_pi.hi) { /* for u > K/(1000 eps): the rounding of count moves j */
+        const vm_real further = VM_FLOOR(rest.hi / half_pi.hi + VM_C(0.5));
+        rest = vmi_two_sum(rest.hi - further * half_pi.hi, rest.lo - further * half_pi.mid);
+        *quarters += (vmi_bits)(further + 4);
     }
     if (VM_FABS(rest.hi) < size * next && count < 128) {
         vm_real K[4];

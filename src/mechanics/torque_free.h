@@ -361,18 +361,30 @@ VM_API void vmi_torque_free_at(const vm_torque_free *motion, vm_two t, vm_vec3 *
 
 /* ---- setting up ---- */
 
+/* Returns the attitude q, or a unit quaternion for it if the length of q is within 64 eps of 1. Each call of
+   vm_torque_free_rotation changes the length by up to 0.4 eps. Where each call begins with the attitude of the last one,
+   the length would go on changing in the same direction. A length that differs from 1 by at most 4 eps stays, so that
+   the bits of q stay. */
+VM_API vm_quat vmi_torque_free_attitude_at_start(vm_quat q)
+{
+    const vm_real excess = VM_FABS(vmi_quat_square(q) - 1); /* twice the length's difference from 1 */
+    if (vmi_quat_is_none(q)) q.w = 1;
+    else if (excess > 8 * VM_EPSILON && excess < 128 * VM_EPSILON) q = vm_unit_quat(q);
+    return q;
+}
+
 /* Prepares all fields that vm_torque_free_at needs. *b must have the moments, the axes, and omega divided by `power`,
    which is a power of two. */
 VM_API void vmi_torque_free_solve(vm_torque_free *motion, const vmi_torque_free_body *b, vm_real power)
 {
-    vm_quat q = motion->body.q, turn;
+    const vm_quat q = vmi_torque_free_attitude_at_start(motion->body.q);
+    vm_quat turn;
     vm_vec3 omega;
     int k;
     vmi_torque_free_parameter(motion, vmi_two(1, 0)); /* m = 0 and u = 0: sn = 0, cn = dn = 1 */
     motion->theta.re[0] = 1;
     motion->lean[2] = 1;
     vmi_torque_free_prepare(motion, b);
-    if (vmi_quat_is_none(q)) q.w = 1;
     vmi_torque_free_at(motion, vmi_two(0, 0), &omega, &turn);
     turn = vmi_quat(turn.w, vm_scale(-1, vmi_quat_vector(turn)));
     motion->start = vm_quat_times(q, turn);
@@ -442,8 +454,8 @@ VM_API int vm_torque_free_init_principal(vm_torque_free *motion, vm_vec3 moments
 }
 
 /* Attitude and angular velocity of a torque-free body at the time t (s). t may be later or earlier than t0. *omega has
-   the components along the body axes, rad/s. *q is continuous in t and keeps the length that the quaternion had at t0
-   (or 1, if the quaternion was all zero). Returns
+   the components along the body axes, rad/s. *q is continuous in t and keeps the length that the quaternion had at t0.
+   The length becomes 1 if the quaternion was all zero or its length was within 64 eps of 1. Returns
    VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE if t or the result is not finite or if t or the number of turns
    is above 1e290 (float 1e30), and VM_OK otherwise. After an error *q and *omega are unchanged. Beyond 1/eps^2 turns
    the result is finite and has the right angular momentum, but its phase has no meaning. */
