@@ -38,7 +38,7 @@ COMPILE = $(CC) -std=c99 $(CFLAGS)
 IN_BUILD = mkdir -p $(@D) && echo '*' >build/.gitignore
 
 HEADERS = jacobi.h ateb.h integrators.h varmass.h
-TESTS = jacobi elliptic_integrals ateb rk4 pairs adaptive dense events saved_runs coincidences attitude bodies jumps jumps2 relative inverse axle \
+TESTS = jacobi elliptic_integrals ateb rk4 pairs adaptive dense events saved_runs faults coincidences attitude bodies jumps jumps2 relative inverse axle \
     jump_equations torque_free streams flow flow1 flow2 supply orbit drum drum_shaft lambert broken_rotor broken_rotor_stability \
     lagrange lagrange_jump pendulum constant_mass laws loads averaging slow_motion closed_law collocation routes ladder \
     duffing duffing_laws odd_force van_der_pol van_der_pol_law jeffcott jeffcott_motion pair forced diagnostics forces \

@@ -7862,7 +7862,7 @@ VM_API void vmi_lagrange_freeze(const vm_lagrange_system *system, vm_real t, con
 }
 
 /* Writes the rates q' = A^-1 (pi - b) to the work array. y holds the coordinates q and the momenta pi. Returns
-   VM_SINGULAR if A is not positive definite, VM_NOT_FINITE if the reason is that t or y is not finite, and VM_OK
+   VM_NOT_FINITE if A, t or y is not finite, VM_SINGULAR if A is not positive definite for another reason, and VM_OK
    otherwise. */
 VM_API int vmi_lagrange_solve_rates(const vm_lagrange_system *system, vm_real t, const vm_real *y)
 {
@@ -7870,6 +7870,7 @@ VM_API int vmi_lagrange_solve_rates(const vm_lagrange_system *system, vm_real t,
     int k, status;
     vmi_lagrange_freeze(system, t, y);
     vmi_lagrange_quadratic(system, t, y);
+    if (!vmi_all_finite(system->n * system->n, w.A)) return VM_NOT_FINITE;
     for (k = 0; k < system->n; k++) w.rates[k] = y[system->n + k] - w.b[k];
     status = vmi_solve_mass(system->n, w.A, w.rates, w.trial);
     if (status && !(VM_IS_FINITE(t) && vmi_all_finite(2 * system->n, y))) return VM_NOT_FINITE;
@@ -7910,8 +7911,8 @@ VM_API int vmi_lagrange_is_valid(const vm_lagrange_system *system)
 /* Right-hand side of Lagrange's equations with variable mass (247).
    An ode_rhs of 2 n states: n coordinates q, then n generalized momenta pi. `lagrange` points to a vm_lagrange_system.
    Returns 0 or an error that ends the run. The errors are VM_BAD_ARGUMENT, VM_SINGULAR if the mass matrix is not
-   positive definite, VM_NOT_FINITE if t or y is not finite, or the number that system->forces returns. The mass matrix
-   is not positive definite if, for example, a mass has become negative; use an event to stop the run before that. The
+   positive definite, VM_NOT_FINITE if t, y or an energy is not finite, or the number that system->forces returns. The
+   mass matrix is not positive definite if, for example, a mass has become negative; use an event to stop the run before that. The
    number of calls of system->energy grows with n^2. */
 VM_API int vm_lagrange_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *lagrange)
 {
@@ -18189,7 +18190,7 @@ VM_API int vmi_jeffcott_add_whirl(const vm_jeffcott *r, vm_complex first, int se
    are those of vm_jeffcott_whirl_at, and VM_NO_LAW for a shaft that is not linear. */
 VM_API int vm_jeffcott_linear_at(const vm_jeffcott *r, const vm_real *start, vm_real t, vm_real *motion)
 {
-    vm_real mass0, mass, slope, stiffness, W1, W2, found[4] = {0, 0, 0, 0};
+    vm_real mass0 = 0, mass = 0, slope, stiffness, W1, W2, found[4] = {0, 0, 0, 0};
     vm_complex z, P;
     int status;
     if (!r || !start || !motion) return VM_BAD_ARGUMENT;
@@ -19165,6 +19166,7 @@ typedef struct VM_TAG(vmi_sample_search) {
     void *ctx;
     int kind;
     vm_real x, v; /* position and velocity at the time of the last evaluation */
+    int failed;   /* 1 if the trajectory was not finite at an evaluation, else 0 */
 } vmi_sample_search;
 
 /* The function of t whose zeros are sought: the position x for zero crossings, the velocity v for turning points */
@@ -19172,6 +19174,7 @@ VM_API vm_real vmi_sample_function(vm_real t, void *search)
 {
     vmi_sample_search *s = (vmi_sample_search *)search;
     s->motion(t, &s->x, &s->v, s->ctx);
+    if (!VM_IS_FINITE(s->x) || !VM_IS_FINITE(s->v)) s->failed = 1;
     if (s->kind == VM_ZERO_CROSSINGS) return s->x;
     return s->v;
 }
@@ -19198,20 +19201,23 @@ VM_API long vm_find_samples(vm_motion_function motion, void *ctx, int kind, vm_r
     s.motion = motion;
     s.ctx = ctx;
     s.kind = kind;
+    s.failed = 0;
     here = vmi_sample_function(t0, &s);
     for (i = 1; i <= last; i++) {
         const vm_real before = t, value_before = here;
         t = i == last ? t1 : t0 + (t1 - t0) * ((vm_real)i / intervals);
         here = vmi_sample_function(t, &s);
-        if (!VM_IS_FINITE(here)) return VM_NOT_FINITE;
+        if (s.failed) return VM_NOT_FINITE;
         if (value_before == 0 || !(here == 0 || (here > 0) != (value_before > 0))) continue;
         if (found < room) {
             samples[found].t = vmi_find_zero(vmi_sample_function, &s, before, t, value_before, here);
-            motion(samples[found].t, &samples[found].x, &samples[found].v, ctx);
+            vmi_sample_function(samples[found].t, &s);
+            samples[found].x = s.x;
+            samples[found].v = s.v;
         }
         found++;
     }
-    if (!VM_IS_FINITE(here)) return VM_NOT_FINITE;
+    if (s.failed) return VM_NOT_FINITE;
     return found;
 }
 
@@ -23456,8 +23462,8 @@ enum {
 
 VM_API vm_real vmi_scene_larger(vm_real a, vm_real b) { return a > b ? a : b; }
 
-/* Whether event i is due at the time t: its time has come, or the integrator has counted *times new crossings. The
-   integrator counts from 0 in each run, so that *times may be negative at the beginning of a run. */
+/* Whether event i is due at the time t: its time has come, or the integrator has counted *times new crossings. At the
+   beginning of a run these are the crossings that vmi_scene_keep_crossings has kept. */
 VM_API int vmi_scene_event_is_due(vm_scene *s, int i, vm_real t, long *times)
 {
     vm_event *e = s->events + i;
@@ -23592,6 +23598,18 @@ VM_API int vmi_scene_step(vm_scene *s, rk45 *r, vm_real t_end, int next)
     return vmi_scene_status_of_ode(ode_status);
 }
 
+/* Keeps the crossings that the last run has found but not handled, because an earlier event of the same instant
+   returned an error: the next run handles them at its start. The integrator counts from 0 in each run, so that `seen`
+   becomes negative by their number. */
+VM_API void vmi_scene_keep_crossings(vm_scene *s)
+{
+    int i;
+    for (i = 0; i < s->n_events; i++) {
+        s->events[i].seen -= s->located[i].count;
+        s->located[i].count = 0;
+    }
+}
+
 /* Prepares rk45 for the scene. Each number of a body has its tolerance. The numbers of the budget have none (VM_MAX),
    so that the bodies alone determine the steps. The tolerances are stored in work after the numbers of the
    integrator. */
@@ -23608,6 +23626,7 @@ VM_API int vmi_scene_integrator(vm_scene *s, rk45 *r, vm_real t, const vm_real *
     o.events = s->located;
     o.n_events = s->n_events;
     if (!vmi_all_finite(n, y)) return VM_NOT_FINITE;
+    vmi_scene_keep_crossings(s);
     s->ode_status = rk45_init(r, vm_scene_rhs, s, n, t, y, &o, work);
     r->attempts = o.max_steps;
     if (s->ode_status < 0) return vmi_scene_status_of_ode(s->ode_status);
@@ -23640,7 +23659,9 @@ VM_API int vmi_scene_check_run(const vm_scene *s, const vm_real *t, vm_real t_en
                            event follows the one before within 256 VM_EPSILON of the time;
      VM_IS_THERE, VM_IS_AWAY and the errors of vm_separate and vm_attach
                            if a jump is impossible;
-     VM_STEP_TOO_SMALL, VM_MAX_STEPS   if the integrator failed; its own status is in scene.ode_status. */
+     VM_STEP_TOO_SMALL, VM_MAX_STEPS   if the integrator failed; its own status is in scene.ode_status;
+     any other negative number         that an event's function (vm_then_user) returned. This event counts as handled.
+   Another call goes on from *t, with the events of this instant that were not handled. */
 VM_API int vm_scene_run(vm_scene *scene, vm_real *t, vm_real t_end, vm_real *y, vm_real *work,
                         const rk45_options *options_or_NULL)
 {
