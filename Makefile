@@ -39,7 +39,7 @@ COMPILE = $(CC) -std=c99 $(CFLAGS)
 IN_BUILD = mkdir -p $(@D) && echo '*' >build/.gitignore
 
 HEADERS = jacobi.h ateb.h integrators.h varmass.h
-TESTS = jacobi elliptic_integrals ateb rk4 pairs adaptive dense events saved_runs coincidences attitude bodies jumps jumps2 relative inverse axle \
+TESTS = jacobi elliptic_integrals ateb rk4 pairs adaptive dense events saved_runs faults coincidences attitude bodies jumps jumps2 relative inverse axle \
     jump_equations torque_free streams flow flow1 flow2 supply orbit drum drum_shaft lambert broken_rotor broken_rotor_stability \
     lagrange lagrange_jump pendulum constant_mass laws loads averaging slow_motion closed_law collocation routes ladder \
     duffing duffing_laws odd_force van_der_pol van_der_pol_law jeffcott jeffcott_motion pair forced periodic grounded_pair \
@@ -52,7 +52,7 @@ TESTS = jacobi elliptic_integrals ateb rk4 pairs adaptive dense events saved_run
 # with "rest" by make test-all, for what the quick part leaves out
 SCRIPTS = headers readme documents promises errors parts golden errata install gsl hard_cases
 LONG_SCRIPTS = readme headers projects golden snippets parts sanitize fuzz options first_steps scene_cost package plans languages \
-    avr sweep guides site page
+    avr sweep guides site page resumed
 EXAMPLES = table5 example1 example2 drum scenes dzhanibekov tumbling rocket dust slow resonance rotor pendulum solvable
 TEST_PROGRAMS = $(TESTS:%=build/tests/double/%) $(TESTS:%=build/tests/float/%)
 LOGS = $(SCRIPTS:%=build/tests/%.log) $(TESTS:%=build/tests/%.log)

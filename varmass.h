@@ -90,6 +90,13 @@
      Oscillators  every route returns an estimate of its whole error in the field error, or infinity where no
                   estimate is possible.
 
+   COST
+     docs/cost.md has the times of oscillators, free rotation, streams and scenes, docs/counts.md the instructions of a
+     call, docs/firmware.md the flash, stack and instructions on microcontrollers, docs/parts.md the flash of a chapter.
+     The time of a call is bounded, with two exceptions. A function that takes n objects or a list needs a time in
+     proportion to their number. A function that integrates (routes of oscillators, scenes) needs a time in proportion
+     to the length of the run; its comment says so.
+
    REFERENCES
      [1] L. Cveticanin, Dynamics of Mass Variable System, dissertation.
      Other sources are named in the chapters that use them.
@@ -277,6 +284,7 @@
        vm_drum_shaft_init             Coefficients of the elastic shaft in the first approximation, (213), (214)
        vm_drum_deflection             Deflection x or y of the elastic shaft, m, at the angle phi, (224), (225) corrected
        vm_drum_deflection_start       Amplitude and phase (223) of the elastic shaft from deflection and slope at phi = 0
+       vm_drum_unbalance              Deflection of the elastic shaft by the unbalance of the band, which (224), (225) leave out
        vm_drum_rate_elastic           Angular velocity phi' on an elastic shaft, rad/s
        vm_drum_shaft_valid            Whether the shaft's frequency, k sqrt(1 - A phi), stays real for the whole first layer (226)
 
@@ -427,6 +435,25 @@
        vm_forced_curve                Steady vibrations of a given amplitude A, m, at any frequency nu > 0
        vm_forced_peak                 Largest amplitude of the amplitude-frequency curve, m
        vm_forced_passage              Passage through the resonance
+
+     oscillators/periodic: periodic excitation that is not harmonic, of a strongly nonlinear oscillator
+       vm_periodic_init               Prepare an oscillator under a periodic force
+       vm_periodic_from_samples       Set the shape of a periodic force from n samples g[i] = g(2 pi i/n) over one period
+       vm_periodic_shape              Shape of the force
+       vm_periodic_rhs                Equation of motion of an oscillator under a periodic force, for rk45 or rk87
+       vm_periodic_exact_rhs          Exact equations of amplitude and phase under a periodic force, for rk45 or rk87
+       vm_periodic_averaged_rhs       Averaged equations of an oscillator under a periodic force near a resonance, for rk45 or rk87
+       vm_periodic_to_averaged        Converts a motion (x, x', theta) under a periodic force to its mean y = (A, delta, theta), near the resonance
+       vm_periodic_from_averaged      Converts the mean y = (A, delta, theta) under a periodic force to the motion (x, x', theta)
+       vm_periodic_curve              Steady vibration of the phase delta under a periodic force
+       vm_periodic_steady_states      Steady vibrations under a periodic force
+
+     oscillators/grounded_pair: two strongly nonlinear oscillators with slow masses and a weak coupling
+       vm_grounded_pair_init          Prepare a pair of coupled oscillators
+       vm_grounded_pair_rhs           Equations of motion of two weakly coupled oscillators, for rk45 or rk87
+       vm_grounded_pair_averaged_rhs  Averaged equations of two weakly coupled oscillators, for rk45 or rk87
+       vm_grounded_pair_to_averaged   Converts a motion (x_0, x_1, x_0', x_1') of two weakly coupled oscillators to its mean y = (A_0, phi_0, A_1, phi_1)
+       vm_grounded_pair_from_averaged Converts the mean y = (A_0, phi_0, A_1, phi_1) of two weakly coupled oscillators to the motion (x_0, x_1, x_0', x_1')
 
      oscillators/diagnostics: turning points and zero crossings of any trajectory, envelopes, adiabaticity
        vm_find_samples                Turning points or zero crossings of a trajectory in (t0, t1]
@@ -901,6 +928,15 @@ VM_API vm_complex vmi_c_turn(vm_real angle)
     vm_complex e;
     vmi_sincos(angle, &e.im, &e.re);
     return e;
+}
+
+/* Writes the complex numbers e^(i k angle) for k = 0 to n, for an angle in radians. The error is of k roundings. */
+VM_API void vmi_c_turns(int n, vm_real angle, vm_complex *turns)
+{
+    const vm_complex once = vmi_c_turn(angle);
+    int k;
+    turns[0] = vmi_complex(1, 0);
+    for (k = 1; k <= n; k++) turns[k] = vmi_c_times(turns[k - 1], once);
 }
 
 /* The modulus |z| */
@@ -5341,18 +5377,30 @@ VM_API void vmi_torque_free_at(const vm_torque_free *motion, vm_two t, vm_vec3 *
 
 /* ---- setting up ---- */
 
+/* Returns the attitude q, or a unit quaternion for it if the length of q is within 64 eps of 1. Each call of
+   vm_torque_free_rotation changes the length by up to 0.4 eps. Where each call begins with the attitude of the last one,
+   the length would go on changing in the same direction. A length that differs from 1 by at most 4 eps stays, so that
+   the bits of q stay. */
+VM_API vm_quat vmi_torque_free_attitude_at_start(vm_quat q)
+{
+    const vm_real excess = VM_FABS(vmi_quat_square(q) - 1); /* twice the length's difference from 1 */
+    if (vmi_quat_is_none(q)) q.w = 1;
+    else if (excess > 8 * VM_EPSILON && excess < 128 * VM_EPSILON) q = vm_unit_quat(q);
+    return q;
+}
+
 /* Prepares all fields that vm_torque_free_at needs. *b must have the moments, the axes, and omega divided by `power`,
    which is a power of two. */
 VM_API void vmi_torque_free_solve(vm_torque_free *motion, const vmi_torque_free_body *b, vm_real power)
 {
-    vm_quat q = motion->body.q, turn;
+    const vm_quat q = vmi_torque_free_attitude_at_start(motion->body.q);
+    vm_quat turn;
     vm_vec3 omega;
     int k;
     vmi_torque_free_parameter(motion, vmi_two(1, 0)); /* m = 0 and u = 0: sn = 0, cn = dn = 1 */
     motion->theta.re[0] = 1;
     motion->lean[2] = 1;
     vmi_torque_free_prepare(motion, b);
-    if (vmi_quat_is_none(q)) q.w = 1;
     vmi_torque_free_at(motion, vmi_two(0, 0), &omega, &turn);
     turn = vmi_quat(turn.w, vm_scale(-1, vmi_quat_vector(turn)));
     motion->start = vm_quat_times(q, turn);
@@ -5422,8 +5470,8 @@ VM_API int vm_torque_free_init_principal(vm_torque_free *motion, vm_vec3 moments
 }
 
 /* Attitude and angular velocity of a torque-free body at the time t (s). t may be later or earlier than t0. *omega has
-   the components along the body axes, rad/s. *q is continuous in t and keeps the length that the quaternion had at t0
-   (or 1, if the quaternion was all zero). Returns
+   the components along the body axes, rad/s. *q is continuous in t and keeps the length that the quaternion had at t0.
+   The length becomes 1 if the quaternion was all zero or its length was within 64 eps of 1. Returns
    VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE if t or the result is not finite or if t or the number of turns
    is above 1e290 (float 1e30), and VM_OK otherwise. After an error *q and *omega are unchanged. Beyond 1/eps^2 turns
    the result is finite and has the right angular momentum, but its phase has no meaning. */
@@ -7011,6 +7059,14 @@ VM_API int vm_supply_at(const vm_supply *supply, vm_real mass, vm_supply_left *l
    (1 - beta) G3, and its derivative dt/ds = 1 + sigma G1 + (1 - beta) G2 is the distance R. Then
      r = (1 - G2) r0 + (t - G3) v0,  v = -G1/R r0 + (1 - G2/R) v0.
    Meshchersky's law: with f = 1 + c t, r = f xi and the time tau = t/f, xi obeys the equation for constant mu.
+   Meshchersky's second law, mu/sqrt(1 + c t), has no function here. With f = sqrt(1 + c t), r = f xi and tau =
+   ln(1 + c t)/c it becomes, with ' = d/dtau,
+     xi'' = (c^2/4) xi - mu xi/|xi|^3.
+   So |xi'|^2/2 - mu/|xi| - c^2 |xi|^2/8 and the angular momentum xi x xi' are constant, and with d tau = |xi| ds the
+   distance is an elliptic function of s. But tau and the angle are elliptic integrals of the third kind, whose parameters
+   are the roots of a quartic: complex for most orbits, and of three kinds. tau(s) must be inverted by iteration, and
+   digits cancel where two roots are close, that is, next to a circle and where mu or c is small. Integration by rk87 of
+   the equation in t or in tau has none of these cases (tests/test_orbit.c, test_second_law).
    Tests: tests/test_orbit.c. */
 #ifndef VARMASS_MECHANICS_ORBIT_H
 #define VARMASS_MECHANICS_ORBIT_H
@@ -7203,7 +7259,8 @@ VM_API int vm_orbit_meshchersky(vm_real t, vm_real mu, vm_real rate, vm_vec3 r0,
      - the geometry (181)-(188),
      - the exact equations of motion, and the reduced equations (192)-(193) of [1],
      - the motion on a rigid shaft in closed form (194)-(206),
-     - the vibrations of an elastic shaft (210)-(226), and how they change the angular velocity.
+     - the vibrations of an elastic shaft (210)-(226), with the unbalance that [1] leaves out, and how they change the
+       angular velocity.
 
    The band moves at the velocity v along y and meets the drum at the point S + (R, 0), where S is the centre of the
    shaft and R the radius of the drum. After the drum has turned by the angle phi, the band covers the arc from 0 to
@@ -7673,8 +7730,8 @@ VM_API int vmi_drum_wave_at(const vm_drum_shaft *s, vm_real phi, vm_real a, vm_r
    where I is the integral of k sqrt(1 - A phi) from 0 to phi. `particular` must be 0 for x and s->shift for y. The
    amplitude a (m) and the phase alpha (rad) follow from the start by vm_drum_deflection_start: at phi = 0 the
    deflection is a cos alpha + particular. With m^2 = 1 - A phi the integral is I = 2k/(3A) (1 - m^3). It is computed as
-   (2k/3) phi (1 + m + m^2)/(1 + m), which holds for A = 0, too. Returns NaN for a null pointer and if 1 - A phi <=
-   0. */
+   (2k/3) phi (1 + m + m^2)/(1 + m), which holds for A = 0, too. [1] leaves out
+   the unbalance of the band; vm_drum_unbalance adds its part. Returns NaN for a null pointer and if 1 - A phi <= 0. */
 VM_API vm_real vm_drum_deflection(const vm_drum_shaft *s, vm_real phi, vm_real a, vm_real alpha, vm_real particular)
 {
     vmi_drum_wave w;
@@ -7724,10 +7781,59 @@ VM_API int vm_drum_deflection_start(const vm_drum_shaft *s, vm_real deflection, 
     return VM_OK;
 }
 
+/* sin(x)/x, which is 1 at x = 0, and the cosine of x */
+VM_API void vmi_drum_sinc(vm_real x, vm_real *sinc, vm_real *cosine)
+{
+    vm_real sine;
+    vmi_sincos(x, &sine, cosine);
+    *sinc = 1;
+    if (x != 0) *sinc = sine / x;
+}
+
+/* Deflection of the elastic shaft by the unbalance of the band, which (224), (225) leave out.
+   The band's mass centre is off the shaft, so that (213), (214) need the terms U sin phi and -U cos phi, U = mu R/M0,
+   on their right sides. They are of the same order as mu v/(M0 Omega_b), which [1] keeps. Add deflection[0] (x) and
+   deflection[1] (y), m, to the two results of vm_drum_deflection, and slope[0], slope[1] (m/rad) to those of
+   vm_drum_deflection_slope. All four are 0 at phi = 0, so that vm_drum_deflection_start needs no change. With the ratio
+   k of frequencies, a field of vm_drum_shaft, they are
+     x = U (sin phi - sin(k phi)/k)/(k^2 - 1),   y = -U (cos phi - cos(k phi))/(k^2 - 1).
+   At the resonance k = 1 they are the limit, which grows with phi. phi >= 0 is in rad. For a drum on which mu/M0, j/J0,
+   |e|/(J0 Omega_b) and the deflections divided by R are at most eps, the error of the whole deflection is of the order
+   of eps^2. Errors by rounding are a few eps times U phi (1 + phi), and 1/k of that in x. Returns VM_BAD_ARGUMENT for a
+   null pointer, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS, VM_BAD_INERTIA, VM_DOMAIN if omega is not positive or phi
+   is negative, and VM_OK otherwise. */
+VM_API int vm_drum_unbalance(const vm_drum *d, vm_real phi, vm_real deflection[2], vm_real slope[2])
+{
+    vm_drum_shaft s;
+    vm_real size, x, sine, cosine;
+    vm_real sum, sum_cosine, gap, gap_cosine; /* sin(z)/z and cos z of z = (k + 1) phi/2 and of z = (k - 1) phi/2 */
+    int status;
+    if (!d || !deflection || !slope) return VM_BAD_ARGUMENT;
+    if (!VM_IS_FINITE(phi)) return VM_NOT_FINITE;
+    status = vm_drum_shaft_init(&s, d);
+    if (status) return status;
+    if (phi < 0) return VM_DOMAIN;
+    size = d->band / d->mass * d->radius * phi / 2; /* U phi/2 */
+    vmi_drum_sinc((s.k + 1) * phi / 2, &sum, &sum_cosine);
+    vmi_drum_sinc((s.k - 1) * phi / 2, &gap, &gap_cosine);
+    x = (sum * gap_cosine - sum_cosine * gap) / s.k;
+    if (s.k < VM_C(0.5)) { /* far from the resonance this form has no division by k */
+        vmi_drum_sinc(phi, &sine, &cosine);
+        vmi_drum_sinc(s.k * phi, &x, &cosine);
+        x = 2 * (x - sine) / ((1 - s.k) * (1 + s.k));
+    }
+    if (!VM_IS_FINITE(size * phi) || !VM_IS_FINITE(s.k * phi) || !VM_IS_FINITE(size * x)) return VM_NOT_FINITE;
+    deflection[0] = size * x;
+    deflection[1] = -size * phi * sum * gap;
+    slope[0] = size * phi * sum * gap;
+    slope[1] = -size * (sum * gap_cosine + sum_cosine * gap);
+    return VM_OK;
+}
+
 /* Angular velocity phi' on an elastic shaft, rad/s: (196) corrected by the deflection (224).
    `rise` is the deflection y(phi) - y(0) in the band's direction since the winding began, m, for example by
-   vm_drum_deflection. A rim that rises with the band is driven less by it. To the first order in rise the solution of
-   (212) and (215) is
+   vm_drum_deflection and vm_drum_unbalance. A rim that rises with the band is driven less by it. To the first order in
+   rise the solution of (212) and (215) is
      phi' = vm_drum_rate [1 - mu R rise/(J0 + j phi)].
    mu is the mass of the band per angle, R the radius, J0 the drum's inertia and j = mu R^2. For a drum on which
    mu R |rise|/J0, mu/M0, j/J0 and |e|/(J0 Omega_b) are at most eps, the error is of the order of eps^2 Omega_b: halving
@@ -7879,7 +7985,7 @@ VM_API void vmi_lagrange_freeze(const vm_lagrange_system *system, vm_real t, con
 }
 
 /* Writes the rates q' = A^-1 (pi - b) to the work array. y holds the coordinates q and the momenta pi. Returns
-   VM_SINGULAR if A is not positive definite, VM_NOT_FINITE if the reason is that t or y is not finite, and VM_OK
+   VM_NOT_FINITE if A, t or y is not finite, VM_SINGULAR if A is not positive definite for another reason, and VM_OK
    otherwise. */
 VM_API int vmi_lagrange_solve_rates(const vm_lagrange_system *system, vm_real t, const vm_real *y)
 {
@@ -7887,6 +7993,7 @@ VM_API int vmi_lagrange_solve_rates(const vm_lagrange_system *system, vm_real t,
     int k, status;
     vmi_lagrange_freeze(system, t, y);
     vmi_lagrange_quadratic(system, t, y);
+    if (!vmi_all_finite(system->n * system->n, w.A)) return VM_NOT_FINITE;
     for (k = 0; k < system->n; k++) w.rates[k] = y[system->n + k] - w.b[k];
     status = vmi_solve_mass(system->n, w.A, w.rates, w.trial);
     if (status && !(VM_IS_FINITE(t) && vmi_all_finite(2 * system->n, y))) return VM_NOT_FINITE;
@@ -7927,8 +8034,8 @@ VM_API int vmi_lagrange_is_valid(const vm_lagrange_system *system)
 /* Right-hand side of Lagrange's equations with variable mass (247).
    An ode_rhs of 2 n states: n coordinates q, then n generalized momenta pi. `lagrange` points to a vm_lagrange_system.
    Returns 0 or an error that ends the run. The errors are VM_BAD_ARGUMENT, VM_SINGULAR if the mass matrix is not
-   positive definite, VM_NOT_FINITE if t or y is not finite, or the number that system->forces returns. The mass matrix
-   is not positive definite if, for example, a mass has become negative; use an event to stop the run before that. The
+   positive definite, VM_NOT_FINITE if t, y or an energy is not finite, or the number that system->forces returns. The
+   mass matrix is not positive definite if, for example, a mass has become negative; use an event to stop the run before that. The
    number of calls of system->energy grows with n^2. */
 VM_API int vm_lagrange_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *lagrange)
 {
@@ -14062,6 +14169,7 @@ VM_API void vmi_orbit_ripple_nodes(const vmi_orbit *orbit, vmi_orbit_ripple *r, 
     const int parts = r->time.parts;
     int i;
     nodes->n = parts * VMI_GAUSS;
+    squares[0] = 0; /* There is at least one node, but compilers would warn of an array without values. */
     for (i = 0; i < nodes->n; i++) {
         vmi_orbit_point *p = nodes->point + i;
         orbit->force->point(orbit, vmi_orbit_node(parts, i), p);
@@ -14099,6 +14207,8 @@ VM_API void vmi_orbit_ripple_means(const vmi_orbit *orbit, const vmi_orbit_nodes
     const int parts = r->time.parts;
     vm_real first[VMI_ORBIT_NODES], second[VMI_ORBIT_NODES];
     int i;
+    first[0] = 0; /* as in vmi_orbit_ripple_nodes: there is at least one node */
+    second[0] = 0;
     for (i = 0; i < nodes->n; i++) {
         first[i] = nodes->a[i] * nodes->phase_rate[i];
         second[i] = nodes->a_size[i] * nodes->phase_rate[i];
@@ -18237,7 +18347,7 @@ VM_API int vmi_jeffcott_add_whirl(const vm_jeffcott *r, vm_complex first, int se
    are those of vm_jeffcott_whirl_at, and VM_NO_LAW for a shaft that is not linear. */
 VM_API int vm_jeffcott_linear_at(const vm_jeffcott *r, const vm_real *start, vm_real t, vm_real *motion)
 {
-    vm_real mass0, mass, slope, stiffness, W1, W2, found[4] = {0, 0, 0, 0};
+    vm_real mass0 = 0, mass = 0, slope, stiffness, W1, W2, found[4] = {0, 0, 0, 0};
     vm_complex z, P;
     int status;
     if (!r || !start || !motion) return VM_BAD_ARGUMENT;
@@ -18702,6 +18812,8 @@ VM_API int vm_coupled_pair_oscillator(vm_coupled_pair *pair, const vm_real *y0, 
        f.force = vm_law_linear(VM_C(0.1), 0);
        int status = vm_forced_init(&f); // then vm_forced_rhs integrates x, x', theta
 
+   Forces that are periodic, but not harmonic, are in periodic.h.
+
    Symbols: A amplitude, psi Ateb phase, Om the rate of psi, 2 Pi the period of ca (Pi = Pi_alpha); w(A) frequency of
    the free vibration of amplitude A, phi = pi psi/Pi phase of the vibration in radians, theta phase of the force, delta
    = phi - theta.
@@ -18817,6 +18929,18 @@ VM_API vm_real vmi_forced_natural(const vm_forced *f, const vmi_forced_parameter
     return f->Om1 * VM_SQRT(n->k / n->mass) * vmi_pow_checked(VM_FABS(A), (f->alpha - 1) / 2);
 }
 
+/* Writes the rates of y = (x, x', theta) by the equation of motion. shape is the force divided by F, cos(theta) for a
+   harmonic force. */
+VM_API void vmi_forced_motion(const vm_forced *f, const vmi_forced_parameters *n, const vm_real *y, vm_real shape,
+                              vm_real *dydt)
+{
+    dydt[0] = y[1];
+    dydt[1] = (n->force * shape - (f->reactive * n->mass_rate + f->damping) * y[1] -
+               n->k * vmi_osc_elastic(y[0], f->alpha)) /
+              n->mass;
+    dydt[2] = n->nu;
+}
+
 /* Equation of motion of an excited oscillator, for rk45 or rk87. y = (x, x', theta) is in m, m/s and rad; forced points
    to a prepared vm_forced. Returns VM_BAD_ARGUMENT for a null pointer or a law that no constructor made, VM_NOT_FINITE
    for a number that is infinite or NaN, VM_BAD_MASS or VM_BAD_STIFFNESS for a mass or a stiffness that is not positive,
@@ -18830,12 +18954,22 @@ VM_API int vm_forced_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *force
     const int status = vmi_forced_at(f, t, &n);
     if (status) return status;
     vmi_sincos(y[2], &sine, &cosine);
-    dydt[0] = y[1];
-    dydt[1] = (n.force * cosine - (f->reactive * n.mass_rate + f->damping) * y[1] -
-               n.k * vmi_osc_elastic(y[0], f->alpha)) /
-              n.mass;
-    dydt[2] = n.nu;
+    vmi_forced_motion(f, &n, y, cosine, dydt);
     return VM_OK;
+}
+
+/* Writes the rates of y = (A, psi, theta) by the exact equations. shape is the force divided by F, cos(theta) for a
+   harmonic force. */
+VM_API void vmi_forced_exact(const vm_forced *f, const vmi_forced_parameters *n, const vm_real *y, vm_real shape,
+                             vm_real *dydt)
+{
+    const vm_real q = vmi_forced_q(f, n), Om = vmi_slow_rate(y[0], n->k, n->mass, f->alpha);
+    const vm_real push = n->force / (n->mass * Om) * shape;
+    vm_real sa, ca;
+    ateb_saca(y[1], f->alpha, &sa, &ca);
+    dydt[0] = -(q * y[0] / (f->alpha + 1) * sa + push) * sa;
+    dydt[1] = Om - (q / 2 * sa + (f->alpha + 1) / (2 * y[0]) * push) * ca;
+    dydt[2] = n->nu;
 }
 
 /* Exact equations of amplitude and phase of an excited oscillator, for rk45 or rk87.
@@ -18848,16 +18982,10 @@ VM_API int vm_forced_exact_rhs(vm_real t, const vm_real *y, vm_real *dydt, void 
     const vm_forced *f = (const vm_forced *)forced;
     vmi_forced_parameters n;
     const int status = vmi_forced_at(f, t, &n);
-    vm_real q, Om, push, sa, ca, sine, cosine;
+    vm_real sine, cosine;
     if (status) return status;
-    q = vmi_forced_q(f, &n);
-    Om = vmi_slow_rate(y[0], n.k, n.mass, f->alpha);
-    ateb_saca(y[1], f->alpha, &sa, &ca);
     vmi_sincos(y[2], &sine, &cosine);
-    push = n.force / (n.mass * Om) * cosine;
-    dydt[0] = -(q * y[0] / (f->alpha + 1) * sa + push) * sa;
-    dydt[1] = Om - (q / 2 * sa + (f->alpha + 1) / (2 * y[0]) * push) * ca;
-    dydt[2] = n.nu;
+    vmi_forced_exact(f, &n, y, cosine, dydt);
     return VM_OK;
 }
 
@@ -18888,9 +19016,10 @@ VM_API int vm_forced_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, vo
      q A sa ca/((alpha+3) Om) + F/(m Om nu) sum of s[j]/2 (cos(n phi + theta)/(n + 1) + cos(n phi - theta)/(n - 1))
    with the order n = 2j + 1 and q of vmi_forced_q. For n = 1 the last term is left out, since it does not vary at the
    resonance. */
-VM_API vm_real vmi_forced_ripple(const vm_forced *f, const vmi_forced_parameters *n, vm_real A, vm_real phi,
+VM_API vm_real vmi_forced_ripple(const void *forced, const vmi_forced_parameters *n, vm_real A, vm_real phi,
                                  vm_real theta)
 {
+    const vm_forced *f = (const vm_forced *)forced;
     const vm_real Om = vmi_slow_rate(A, n->k, n->mass, f->alpha);
     vm_real sa, ca, sum = 0, unused, plus, minus;
     int j;
@@ -18906,6 +19035,40 @@ VM_API vm_real vmi_forced_ripple(const vm_forced *f, const vmi_forced_parameters
     return vmi_forced_q(f, n) * A / ((f->alpha + 3) * Om) * sa * ca + n->force / (n->mass * Om * n->nu) * sum;
 }
 
+/* A function that returns the ripple of the amplitude for a kind of force; object is the oscillator with its force. */
+typedef vm_real (*vmi_ripple_of_force)(const void *object, const vmi_forced_parameters *n, vm_real A, vm_real phi,
+                                       vm_real theta);
+
+/* Writes the mean amplitude A and the phase phi, rad, of a motion (x, x', theta). Three iterations solve A + ripple(A) =
+   exact, where `exact` is the amplitude at this instant. Returns VM_DOMAIN where the motion is smaller than its
+   ripple. */
+VM_API int vmi_forced_split(const vm_forced *f, const vmi_forced_parameters *n, vmi_ripple_of_force ripple,
+                            const void *object, const vm_real *motion, vm_real *A, vm_real *phi)
+{
+    vm_real exact, mean;
+    int i;
+    vmi_slow_phase(motion[0], motion[1], n->k, n->mass, f->alpha, &exact, phi);
+    *phi *= VM_PI / f->pi;
+    mean = exact;
+    for (i = 0; i < 3; i++) mean = exact - ripple(object, n, mean, *phi, motion[2]);
+    if (!(mean > 0) || !VM_IS_FINITE(mean)) return VM_DOMAIN;
+    *A = mean;
+    return VM_OK;
+}
+
+/* Writes the motion (x, x', theta) of the mean amplitude `mean` and the phase phi, rad. Returns VM_DOMAIN where the
+   mean amplitude is not positive or is smaller than its ripple. */
+VM_API int vmi_forced_join(const vm_forced *f, const vmi_forced_parameters *n, vmi_ripple_of_force ripple,
+                           const void *object, vm_real mean, vm_real phi, vm_real theta, vm_real *motion)
+{
+    const vm_real A = mean + ripple(object, n, mean, phi, theta);
+    vm_real r[3];
+    if (!(mean > 0) || !(A >= 0)) return VM_DOMAIN;
+    vmi_slow_motion(A, phi * (f->pi / VM_PI), n->k, n->mass, f->alpha, &r[0], &r[1]);
+    r[2] = theta;
+    return vmi_copy_if_finite(3, r, motion);
+}
+
 /* Converts a motion (x, x', theta) of an excited oscillator to its mean y = (A, delta, theta). A is the amplitude
    without its ripple within a period. If the ripple stayed in A, averaged motions would have errors of order 1 where
    alpha is not 1. The statuses are those of vm_forced_rhs; VM_DOMAIN also means that the motion is smaller than its
@@ -18916,15 +19079,10 @@ VM_API int vm_forced_to_averaged(const vm_forced *f, vm_real t, const vm_real *m
     vmi_forced_parameters n;
     int status = vmi_forced_at(f, t, &n);
     const vm_real theta = motion[2];
-    vm_real exact, A, phi;
-    int i;
+    vm_real A, phi;
     if (!vmi_all_finite(3, motion)) status = vmi_first_error(status, VM_NOT_FINITE);
+    if (!status) status = vmi_forced_split(f, &n, vmi_forced_ripple, f, motion, &A, &phi);
     if (status) return status;
-    vmi_slow_phase(motion[0], motion[1], n.k, n.mass, f->alpha, &exact, &phi);
-    phi *= VM_PI / f->pi;
-    A = exact;
-    for (i = 0; i < 3; i++) A = exact - vmi_forced_ripple(f, &n, A, phi, theta);
-    if (!(A > 0) || !VM_IS_FINITE(A)) return VM_DOMAIN; /* the motion is smaller than its ripple */
     y[0] = A;
     y[1] = phi - theta;
     y[2] = theta;
@@ -18939,15 +19097,9 @@ VM_API int vm_forced_from_averaged(const vm_forced *f, vm_real t, const vm_real 
     if (!f || !y || !motion) return VM_BAD_ARGUMENT;
     vmi_forced_parameters n;
     int status = vmi_forced_at(f, t, &n);
-    const vm_real theta = y[2], phi = y[1] + theta;
-    vm_real A, r[3];
     if (!vmi_all_finite(3, y)) status = vmi_first_error(status, VM_NOT_FINITE);
     if (status) return status;
-    A = y[0] + vmi_forced_ripple(f, &n, y[0], phi, theta);
-    if (!(y[0] > 0) || !(A >= 0)) return VM_DOMAIN;
-    vmi_slow_motion(A, phi * (f->pi / VM_PI), n.k, n.mass, f->alpha, &r[0], &r[1]);
-    r[2] = theta;
-    return vmi_copy_if_finite(3, r, motion);
+    return vmi_forced_join(f, &n, vmi_forced_ripple, f, y[0], y[1] + y[2], y[2], motion);
 }
 
 #endif
@@ -19175,6 +19327,698 @@ VM_API int vm_forced_passage(const vm_forced *f, vm_real t, vm_real amplitude, v
 }
 
 #endif
+/* oscillators/periodic.h - periodic excitation that is not harmonic, of a strongly nonlinear oscillator
+
+   The oscillator of forced.h under a force F g(theta) with theta' = nu, where the shape g has the period 2 pi:
+       m x'' + k x|x|^(alpha-1) = -(r m' + b) x' + F g(theta),   g = sum over n of a_n cos(n theta) + b_n sin(n theta)
+   for n = 0 to 9. Here are the equation of motion, the exact equations of amplitude and phase, the averaged equations
+   near a resonance, and the steady vibrations with their stability. The dissertation leaves this problem to the future.
+
+       vm_periodic p;
+       memset(&p, 0, sizeof p);
+       p.oscillator = forced;          // as in forced.h, but vm_forced_init need not be called
+       p.cosine[1] = 1;
+       p.cosine[3] = VM_C(-0.333);     // a flattened force; vm_periodic_from_samples serves for other shapes
+       p.vibrations = p.periods = 1;   // main resonance
+       int status = vm_periodic_init(&p);
+
+   Resonances. In P = vibrations periods of the oscillator fit Q = periods of the force: near the resonance the frequency
+   w(A) of the free vibration is (P/Q) nu. P = Q = 1 is the main resonance. P = 3, Q = 1 is the resonance with the third
+   harmonic of the force. P = 1, Q = 3 is a subharmonic resonance with a third of the frequency of the force, which
+   exists where alpha is not 1. The vibration has odd harmonics only, so that for even Q (in lowest terms) the averaged
+   equations contain no force.
+
+   The averaged equations. With the phase phi of the vibration, delta = phi - (P/Q) theta, and the symbols of forced.h:
+       A' = -q A/(alpha+3) - F/(m w) S,   delta' = w(A) - (P/Q) nu - F/(m w A) C,
+       S = sum of j G_j (a_n sin(j delta) + b_n cos(j delta)),   C = sum of G_j (a_n cos(j delta) - b_n sin(j delta)),
+   over the odd j for which n = j P/Q is a whole number. G_j = Om1^2 c_j/2, with the Fourier coefficient c_j of
+   cos(j phi) in ca. Terms with j > 9 are left out; for alpha = 3 they are below 1e-7 of the first.
+   Tests: tests/test_periodic.c. */
+#ifndef VARMASS_OSCILLATORS_PERIODIC_H
+#define VARMASS_OSCILLATORS_PERIODIC_H
+
+/* Largest order of a harmonic of the force, and largest number of periods in a resonance */
+enum { VM_PERIODIC_HARMONICS = 9 };
+
+/* An oscillator under a periodic force. Set all fields, then call vm_periodic_init. The coefficients and the resonance
+   may change without a new call; a change of oscillator.alpha needs one. */
+typedef struct VM_TAG(vm_periodic) {
+    vm_forced oscillator; /* the oscillator; its field `force` is the factor F of the shape g, N */
+    vm_real cosine[VM_PERIODIC_HARMONICS + 1]; /* the coefficients a_n of cos(n theta) in g; a_0 is the mean of g */
+    vm_real sine[VM_PERIODIC_HARMONICS + 1];   /* the coefficients b_n of sin(n theta) in g; b_0 has no effect */
+    int vibrations; /* P, from 1 to 9: at the resonance the oscillator makes P vibrations ... */
+    int periods;    /* Q, from 1 to 9: ... in Q periods of the force */
+} vm_periodic;
+
+/* Writes the parameters at time t, and checks them, the coefficients and the resonance. */
+VM_API int vmi_periodic_at(const vm_periodic *p, vm_real t, vmi_forced_parameters *n)
+{
+    int status = vmi_forced_at(&p->oscillator, t, n);
+    if (p->vibrations < 1 || p->vibrations > VM_PERIODIC_HARMONICS || p->periods < 1 ||
+        p->periods > VM_PERIODIC_HARMONICS)
+        status = vmi_first_error(status, VM_BAD_ARGUMENT);
+    if (!vmi_all_finite(VM_PERIODIC_HARMONICS + 1, p->cosine) || !vmi_all_finite(VM_PERIODIC_HARMONICS + 1, p->sine))
+        status = vmi_first_error(status, VM_NOT_FINITE);
+    return status;
+}
+
+/* Prepare an oscillator under a periodic force: check it at t = 0, and prepare its field `oscillator`.
+   All other functions need this call. Returns the statuses of vm_forced_init, VM_BAD_ARGUMENT also where `vibrations` or
+   `periods` is not from 1 to 9, and VM_NOT_FINITE also for a coefficient that is infinite or NaN. An error leaves *p as
+   it was. */
+VM_API int vm_periodic_init(vm_periodic *p)
+{
+    vmi_forced_parameters now;
+    int status;
+    if (!p) return VM_BAD_ARGUMENT;
+    status = vmi_periodic_at(p, 0, &now);
+    if (status) return status;
+    return vm_forced_init(&p->oscillator);
+}
+
+/* Set the shape of a periodic force from n samples g[i] = g(2 pi i/n) over one period.
+   Writes the fields cosine and sine of *p, and no other. Harmonics of an order below n/2, up to the ninth, are computed;
+   the others become 0. The result is exact but for rounding where g has no harmonics of an order >= n/2. The samples may
+   be those of ca, of Jacobi's cn or of a rectangle; higher harmonics than the ninth excite the vibration little. The cost
+   is that of 9 n sines. Returns VM_BAD_ARGUMENT for a null pointer or n < 1, VM_NOT_FINITE for a sample that is infinite
+   or NaN, and VM_OK otherwise. An error leaves *p as it was. */
+VM_API int vm_periodic_from_samples(vm_periodic *p, int n, const vm_real *g)
+{
+    int k, i;
+    if (!p || !g || n < 1) return VM_BAD_ARGUMENT;
+    if (!vmi_all_finite(n, g)) return VM_NOT_FINITE;
+    for (k = 0; k <= VM_PERIODIC_HARMONICS; k++) {
+        vm_real even = 0, odd = 0;
+        int step = 0; /* k i modulo n */
+        for (i = 0; i < n && 2 * k < n; i++) {
+            const vm_complex turn = vmi_c_turn(2 * VM_PI * (vm_real)step / (vm_real)n);
+            even += g[i] / (vm_real)n * turn.re;
+            odd += g[i] / (vm_real)n * turn.im;
+            step = (step + k % n) % n;
+        }
+        p->cosine[k] = 2 * even;
+        p->sine[k] = 2 * odd;
+    }
+    p->cosine[0] /= 2;
+    return VM_OK;
+}
+
+/* Shape of the force: g(theta), a pure number. Returns NaN for a null pointer and for a theta that is infinite or NaN.
+   The error is that of 9 roundings of the largest term. */
+VM_API vm_real vm_periodic_shape(const vm_periodic *p, vm_real theta)
+{
+    vm_complex turns[VM_PERIODIC_HARMONICS + 1];
+    vm_real g;
+    int n;
+    if (!p || !VM_IS_FINITE(theta)) return VM_NAN;
+    vmi_c_turns(VM_PERIODIC_HARMONICS, theta, turns);
+    g = p->cosine[0];
+    for (n = 1; n <= VM_PERIODIC_HARMONICS; n++) g += p->cosine[n] * turns[n].re + p->sine[n] * turns[n].im;
+    return g;
+}
+
+/* Equation of motion of an oscillator under a periodic force, for rk45 or rk87. y = (x, x', theta) is in m, m/s and rad;
+   periodic points to a prepared vm_periodic. The statuses are those of vm_periodic_init at the time t, and VM_DOMAIN for
+   t outside a table; they stop the run. */
+VM_API int vm_periodic_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *periodic)
+{
+    if (!y || !dydt || !periodic) return VM_BAD_ARGUMENT;
+    const vm_periodic *p = (const vm_periodic *)periodic;
+    vmi_forced_parameters n;
+    const int status = vmi_periodic_at(p, t, &n);
+    if (status) return status;
+    vmi_forced_motion(&p->oscillator, &n, y, vm_periodic_shape(p, y[2]), dydt);
+    return VM_OK;
+}
+
+/* Exact equations of amplitude and phase under a periodic force, for rk45 or rk87. The state is y = (A, psi, theta), as
+   for vm_forced_exact_rhs: they neglect nothing, but are singular at A = 0. The argument periodic and the statuses are
+   those of vm_periodic_rhs. */
+VM_API int vm_periodic_exact_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *periodic)
+{
+    if (!y || !dydt || !periodic) return VM_BAD_ARGUMENT;
+    const vm_periodic *p = (const vm_periodic *)periodic;
+    vmi_forced_parameters n;
+    const int status = vmi_periodic_at(p, t, &n);
+    if (status) return status;
+    vmi_forced_exact(&p->oscillator, &n, y, vm_periodic_shape(p, y[2]), dydt);
+    return VM_OK;
+}
+
+/* The sums of the averaged equations at the phase delta */
+typedef struct VM_TAG(vmi_periodic_sums) {
+    vm_real S, C; /* the sums of the text above */
+    vm_real slope; /* dS/ddelta; dC/ddelta is -S */
+} vmi_periodic_sums;
+
+/* The order of the force's harmonic that is in resonance with the harmonic j of the vibration; 0 where there is none */
+VM_API int vmi_periodic_partner(const vm_periodic *p, int j)
+{
+    const int n = j * p->vibrations / p->periods;
+    if (n * p->periods != j * p->vibrations || n > VM_PERIODIC_HARMONICS) return 0;
+    return n;
+}
+
+VM_API vmi_periodic_sums vmi_periodic_sums_at(const vm_periodic *p, vm_real delta)
+{
+    const vm_forced *f = &p->oscillator;
+    vm_complex turns[2 * VMI_FORCED_HARMONICS];
+    vmi_periodic_sums sums = {0, 0, 0};
+    int i;
+    vmi_c_turns(2 * VMI_FORCED_HARMONICS - 1, delta, turns);
+    for (i = 0; i < VMI_FORCED_HARMONICS; i++) {
+        const int j = 2 * i + 1, n = vmi_periodic_partner(p, j);
+        const vm_real order = (vm_real)j, G = f->Om1 * f->Om1 / 2 * f->c[i];
+        vm_real along, across;
+        if (n == 0) continue;
+        along = p->cosine[n] * turns[j].re - p->sine[n] * turns[j].im;
+        across = p->cosine[n] * turns[j].im + p->sine[n] * turns[j].re;
+        sums.S += order * G * across;
+        sums.C += G * along;
+        sums.slope += order * order * G * along;
+    }
+    return sums;
+}
+
+/* The frequency (P/Q) nu, rad/s, with which the vibration is in resonance */
+VM_API vm_real vmi_periodic_frequency(const vm_periodic *p, vm_real nu)
+{
+    return nu * (vm_real)p->vibrations / (vm_real)p->periods;
+}
+
+/* Averaged equations of an oscillator under a periodic force near a resonance, for rk45 or rk87. They are written in the
+   text above. The state is y = (A, delta, theta): A is the mean amplitude, theta the phase of the force, and delta =
+   phi - (P/Q) theta. Start with vm_periodic_to_averaged, and end with vm_periodic_from_averaged. Let e be the largest of
+   the damping b, the mass rate m' and the force F. Near the resonance the error of x up to times of the order of 1/e is of
+   the order of e for alpha = 1, and between e and sqrt(e) for others; it is larger for motions that pass a saddle. The
+   argument periodic and the statuses are those of vm_periodic_rhs. */
+VM_API int vm_periodic_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *periodic)
+{
+    if (!y || !dydt || !periodic) return VM_BAD_ARGUMENT;
+    const vm_periodic *p = (const vm_periodic *)periodic;
+    const vm_forced *f = &p->oscillator;
+    vmi_forced_parameters n;
+    vmi_periodic_sums sums;
+    vm_real w;
+    const int status = vmi_periodic_at(p, t, &n);
+    if (status) return status;
+    sums = vmi_periodic_sums_at(p, y[1]);
+    w = vmi_forced_natural(f, &n, y[0]);
+    dydt[0] = -vmi_forced_q(f, &n) * y[0] / (f->alpha + 3) - n.force / (n.mass * w) * sums.S;
+    dydt[1] = w - vmi_periodic_frequency(p, n.nu) - n.force / (n.mass * w * y[0]) * sums.C;
+    dydt[2] = n.nu;
+    return VM_OK;
+}
+
+/* The ripple of the amplitude: what the exact amplitude has more than the mean one, at the phases phi of the vibration
+   and theta of the force, a vmi_ripple_of_force. It is q A/((alpha+3) Om) sa ca for the slow changes, and for the force
+   F/(m Om) times the sum over j and n of
+     s_j/2 [(a_n cos u + b_n sin u)/(j w + n nu) + (a_n cos v - b_n sin v)/(j w - n nu)],
+   where u = j phi + n theta, v = j phi - n theta, w is the frequency of the free vibration, and s_j is the Fourier
+   coefficient of sin(j phi) in sa. The second quotient is left out for the pairs j, n that are in resonance, since it
+   does not vary there. */
+VM_API vm_real vmi_periodic_ripple(const void *periodic, const vmi_forced_parameters *n, vm_real A, vm_real phi,
+                                   vm_real theta)
+{
+    const vm_periodic *p = (const vm_periodic *)periodic;
+    const vm_forced *f = &p->oscillator;
+    const vm_real Om = vmi_slow_rate(A, n->k, n->mass, f->alpha), w = VM_PI / f->pi * Om;
+    vm_complex vibration[2 * VMI_FORCED_HARMONICS], force[VM_PERIODIC_HARMONICS + 1];
+    vm_real sa, ca, sum = 0;
+    int i, k;
+    ateb_saca(phi * (f->pi / VM_PI), f->alpha, &sa, &ca);
+    vmi_c_turns(2 * VMI_FORCED_HARMONICS - 1, phi, vibration);
+    vmi_c_turns(VM_PERIODIC_HARMONICS, theta, force);
+    for (i = 0; i < VMI_FORCED_HARMONICS; i++) {
+        const int j = 2 * i + 1;
+        const vm_real rate = (vm_real)j * w;
+        for (k = 0; k <= VM_PERIODIC_HARMONICS; k++) {
+            const vm_complex u = vmi_c_times(vibration[j], force[k]);
+            const vm_complex v = vmi_c_times(vibration[j], vmi_c_conjugate(force[k]));
+            const vm_real a = p->cosine[k], b = p->sine[k], turn = (vm_real)k * n->nu;
+            sum += f->s[i] / 2 * (a * u.re + b * u.im) / (rate + turn);
+            if (k == 0 || k != vmi_periodic_partner(p, j)) sum += f->s[i] / 2 * (a * v.re - b * v.im) / (rate - turn);
+        }
+    }
+    return vmi_forced_q(f, n) * A / ((f->alpha + 3) * Om) * sa * ca + n->force / (n->mass * Om) * sum;
+}
+
+/* Converts a motion (x, x', theta) under a periodic force to its mean y = (A, delta, theta), near the resonance. A is
+   the amplitude without its ripple within a period. The statuses are those of vm_periodic_rhs; VM_NOT_FINITE also
+   means that the motion is infinite or NaN, and VM_DOMAIN that it is smaller than its ripple. y and motion may be the
+   same array. */
+VM_API int vm_periodic_to_averaged(const vm_periodic *p, vm_real t, const vm_real *motion, vm_real *y)
+{
+    if (!p || !motion || !y) return VM_BAD_ARGUMENT;
+    vmi_forced_parameters n;
+    int status = vmi_periodic_at(p, t, &n);
+    const vm_real theta = motion[2];
+    vm_real A, phi;
+    if (!vmi_all_finite(3, motion)) status = vmi_first_error(status, VM_NOT_FINITE);
+    if (!status) status = vmi_forced_split(&p->oscillator, &n, vmi_periodic_ripple, p, motion, &A, &phi);
+    if (status) return status;
+    y[0] = A;
+    y[1] = phi - vmi_periodic_frequency(p, theta);
+    y[2] = theta;
+    return VM_OK;
+}
+
+/* Converts the mean y = (A, delta, theta) under a periodic force to the motion (x, x', theta). This is the inverse of
+   vm_periodic_to_averaged: it puts the ripple back. The statuses are those of vm_periodic_rhs; VM_NOT_FINITE also means
+   that y is infinite or NaN, and VM_DOMAIN that A <= 0 or that A is smaller than its ripple. motion and y may be the
+   same array. */
+VM_API int vm_periodic_from_averaged(const vm_periodic *p, vm_real t, const vm_real *y, vm_real *motion)
+{
+    if (!p || !y || !motion) return VM_BAD_ARGUMENT;
+    vmi_forced_parameters n;
+    int status = vmi_periodic_at(p, t, &n);
+    if (!vmi_all_finite(3, y)) status = vmi_first_error(status, VM_NOT_FINITE);
+    if (status) return status;
+    return vmi_forced_join(&p->oscillator, &n, vmi_periodic_ripple, p, y[0], y[1] + vmi_periodic_frequency(p, y[2]),
+                           y[2], motion);
+}
+
+/* The search for steady vibrations */
+typedef struct VM_TAG(vmi_periodic_search) {
+    const vm_periodic *p;
+    vmi_resonance z; /* its field push is F/m, without G; its field nu is (P/Q) nu */
+} vmi_periodic_search;
+
+VM_API vmi_periodic_search vmi_periodic_search_of(const vm_periodic *p, const vmi_forced_parameters *n)
+{
+    vmi_periodic_search search;
+    search.p = p;
+    search.z = vmi_resonance_of(&p->oscillator, n);
+    search.z.push = n->force / n->mass;
+    search.z.nu = vmi_periodic_frequency(p, n->nu);
+    return search;
+}
+
+/* The amplitude that A' = 0 asks for at the sum S, or 0 where no amplitude does: A w(A) = -S F/(m p), where p is
+   q/(alpha+3) */
+VM_API vm_real vmi_periodic_amplitude(const vmi_resonance *z, vm_real S)
+{
+    const vm_real product = -z->push / z->p * S;
+    if (!(product > 0)) return 0;
+    return vmi_pow_checked(product / z->w1, 1 / (1 + z->exponent));
+}
+
+/* The excess (delta' of the averaged equations) |S| at the phase delta, with the amplitude that A' = 0 asks for; its
+   zeros with A > 0 are the steady vibrations. It is continuous: where no amplitude has A' = 0 it goes on as the limit for
+   A -> 0. */
+VM_API vm_real vmi_periodic_excess(vm_real delta, void *search)
+{
+    const vmi_periodic_search *s = (const vmi_periodic_search *)search;
+    const vmi_resonance *z = &s->z;
+    const vmi_periodic_sums sums = vmi_periodic_sums_at(s->p, delta);
+    const vm_real A = vmi_periodic_amplitude(z, sums.S);
+    const vm_real limit = -VM_COPYSIGN(z->p, z->push) * sums.C; /* p C sign(S), where sign(S) is -sign(push p) */
+    vm_real w;
+    if (A == 0) return limit;
+    w = z->w1 * vmi_pow_checked(A, z->exponent);
+    return (w - z->nu) * VM_FABS(sums.S) + limit;
+}
+
+/* The steady vibration of the phase delta, with trace and determinant of the linearized averaged equations; its
+   frequency nu is the one that the phase asks for. A is 0 where there is none. */
+VM_API vm_steady_state vmi_periodic_state(const vmi_periodic_search *search, vm_real delta)
+{
+    const vmi_resonance *z = &search->z;
+    const vmi_periodic_sums sums = vmi_periodic_sums_at(search->p, delta);
+    const vm_real gain = 1 + z->exponent, p = z->p;
+    vm_steady_state s;
+    vm_real w, off;
+    s.A = vmi_periodic_amplitude(z, sums.S);
+    w = z->w1 * vmi_pow_checked(s.A, z->exponent);
+    off = -p * sums.C / sums.S; /* w - (P/Q) nu */
+    s.nu = (w - off) * (vm_real)search->p->periods / (vm_real)search->p->vibrations;
+    s.delta = delta;
+    s.trace = -(1 + gain) * p;
+    s.det = p * p * gain - p * sums.slope / sums.S * (z->exponent * w + gain * off);
+    s.stable = s.det > 0 && s.trace < 0;
+    return s;
+}
+
+/* Steady vibration of the phase delta under a periodic force: a point of the resonance curve.
+   Each phase, rad, belongs to at most one amplitude and one frequency nu of the force, so that a run of delta from -pi to
+   pi gives the whole curve. The field nu of *steady is this frequency; that of the oscillator is not used. All other
+   parameters are those at time t. Returns the statuses of vm_periodic_rhs, VM_NOT_FINITE also where delta is not finite,
+   and VM_DOMAIN also where no steady vibration has this phase or where q = 0: without damping and slow changes the phase
+   does not determine the amplitude. An error leaves *steady as it was. */
+VM_API int vm_periodic_curve(const vm_periodic *p, vm_real t, vm_real delta, vm_steady_state *steady)
+{
+    if (!p || !steady) return VM_BAD_ARGUMENT;
+    vmi_forced_parameters n;
+    vmi_periodic_search search;
+    vm_steady_state found;
+    int status = vmi_periodic_at(p, t, &n);
+    if (status != VM_BAD_ARGUMENT && !VM_IS_FINITE(delta)) status = VM_NOT_FINITE;
+    if (status) return status;
+    search = vmi_periodic_search_of(p, &n);
+    if (search.z.p == 0) return VM_DOMAIN;
+    found = vmi_periodic_state(&search, delta);
+    if (!(found.A > 0) || !(found.nu > 0)) return VM_DOMAIN;
+    if (!VM_IS_FINITE(found.A) || !VM_IS_FINITE(found.nu) || !VM_IS_FINITE(found.det)) return VM_NOT_FINITE;
+    *steady = found;
+    return VM_OK;
+}
+
+/* Writes state into the list of n states, which has `room` places and is sorted by amplitude; if it is full, the
+   largest amplitude is left out. */
+VM_API void vmi_periodic_insert(const vm_steady_state *state, int n, int room, vm_steady_state *steady)
+{
+    int i = n;
+    if (i > room) i = room;
+    for (; i > 0 && steady[i - 1].A > state->A; i--)
+        if (i < room) steady[i] = steady[i - 1];
+    if (i < room) steady[i] = *state;
+}
+
+/* Steady vibrations under a periodic force: amplitudes, phases, stability, near the resonance. All parameters are those
+   at time t. Writes at most `room` vibrations to steady, the smallest amplitudes first, and returns how many there are
+   (it may be more than room), or a negative status. The function looks for changes of sign between 360 phases, so that
+   two vibrations whose phases differ by less than a degree, next to a fold of the resonance curve, may be missed
+   together. The cost is that of some 4000 sines. The negative statuses are those of vm_periodic_rhs; VM_BAD_ARGUMENT also
+   means room < 0, VM_DOMAIN also q = 0, where vm_periodic_curve explains why. */
+VM_API int vm_periodic_steady_states(const vm_periodic *p, vm_real t, int room, vm_steady_state *steady)
+{
+    if (!p || !steady || room < 0) return VM_BAD_ARGUMENT;
+    const int phases = 360;
+    vmi_forced_parameters n;
+    vmi_periodic_search search;
+    vm_real before, after, left, right = -VM_PI;
+    int i, found = 0;
+    const int status = vmi_periodic_at(p, t, &n);
+    if (status) return status;
+    search = vmi_periodic_search_of(p, &n);
+    if (search.z.p == 0) return VM_DOMAIN;
+    if (search.z.push == 0) return 0;
+    after = vmi_periodic_excess(right, &search);
+    for (i = 1; i <= phases; i++) {
+        vm_steady_state state;
+        left = right;
+        before = after;
+        right = VM_PI * (vm_real)(2 * i - phases) / (vm_real)phases;
+        after = vmi_periodic_excess(right, &search);
+        if (!((before > 0) != (after > 0))) continue;
+        state = vmi_periodic_state(&search, vmi_find_zero(vmi_periodic_excess, &search, left, right, before, after));
+        if (!(state.A > 0)) continue;
+        state.nu = n.nu;
+        vmi_periodic_insert(&state, found, room, steady);
+        found++;
+    }
+    return found;
+}
+
+#endif
+/* oscillators/grounded_pair.h - two strongly nonlinear oscillators with slow masses and a weak coupling
+
+   Two bodies, each on a spring of its own that is fixed to the ground, with a weak spring kappa and a weak damper c
+   between them: a system of two degrees of freedom for which averaged equations exist, because each body without the
+   coupling vibrates as an oscillator of one degree. For i = 0 and 1, where o is the other body:
+       m_i x_i'' + k_i x_i|x_i|^(alpha_i-1) = -(r_i m_i' + b_i) x_i' + kappa (x_o - x_i) + c (x_o' - x_i')
+   m_i and k_i may vary slowly. Here are the equations of motion, the averaged equations for amplitudes and phases, and
+   the maps to and from the motion. Bodies that have no springs to the ground, on which the coupling may be strong, are in
+   coupled_pair.h.
+
+       vm_grounded_pair p;
+       memset(&p, 0, sizeof p);
+       p.oscillator[0].alpha = p.oscillator[1].alpha = 3;
+       p.oscillator[0].mass = p.oscillator[1].mass = vm_law_linear(1, VM_C(0.001));
+       p.oscillator[0].stiffness = p.oscillator[1].stiffness = vm_law_linear(1, 0);
+       p.spring = VM_C(0.01);
+       p.vibrations[0] = p.vibrations[1] = 1; // equal frequencies
+       int status = vm_grounded_pair_init(&p);
+
+   The state of the averaged equations is (A_0, phi_0, A_1, phi_1): the mean amplitudes and the phases in radians. With
+   the symbols of forced.h, the largest velocity V = 2 Om A/(alpha+1) of a vibration, and q_i with the damping b_i + c,
+       A_i' = -q_i A_i/(alpha_i+3) - S_i/(m_i Om_i),
+       phi_i' = w_i(A_i) + h_i kappa <ca^2> - h_i C_i/A_i,   h_i = (alpha_i+1) pi/(2 Pi_i m_i Om_i),
+       S_i = sum of s_j/2 (kappa A_o c_n sin u - c V_o s_n cos u),
+       C_i = sum of c_j/2 (kappa A_o c_n cos u + c V_o s_n sin u),   u = j phi_i - n phi_o,
+   over the odd j, n up to 9 whose u varies slowly: those with j P_i = n P_o, where the frequencies of the two bodies
+   are as P_0 to P_1. c_j and s_j are the Fourier coefficients of ca and sa of body i, c_n and s_n those of body o. Where
+   the frequencies are in no such ratio, the sums are empty: each body then vibrates on its own.
+   Tests: tests/test_grounded_pair.c. */
+#ifndef VARMASS_OSCILLATORS_GROUNDED_PAIR_H
+#define VARMASS_OSCILLATORS_GROUNDED_PAIR_H
+
+/* Two oscillators and the coupling between them. Set the fields above mean, then call vm_grounded_pair_init; call it
+   again after a change of alpha. */
+typedef struct VM_TAG(vm_grounded_pair) {
+    vm_forced oscillator[2]; /* the oscillators: their fields alpha, damping, reactive, mass and stiffness;
+                                vm_grounded_pair_init writes the other fields */
+    vm_real spring;          /* stiffness kappa of the coupling, N/m, of either sign; it must be weak */
+    vm_real damper;          /* damping c of the coupling, kg/s; it must be weak */
+    int vibrations[2];       /* P_0 and P_1, from 1 to 9: at the resonance the bodies make P_0 and P_1 vibrations in the
+                                same time. Both 0 where the frequencies are in no resonance */
+    vm_real mean[2];         /* means of ca^2; vm_grounded_pair_init writes this field */
+} vm_grounded_pair;
+
+/* The parameters of both oscillators at one time, and what follows from the amplitudes */
+typedef struct VM_TAG(vmi_grounded_now) {
+    vmi_forced_parameters n[2];
+    vm_real q[2]; /* rates of the slow changes, 1/s, which the damper of the coupling is part of */
+} vmi_grounded_now;
+
+/* Whether a resonance exists: both numbers 0, or both from 1 to 9 */
+VM_API int vmi_grounded_ratio_is_valid(const int *vibrations)
+{
+    if (vibrations[0] == 0 && vibrations[1] == 0) return 1;
+    return vibrations[0] > 0 && vibrations[1] > 0 && vibrations[0] < 2 * VMI_FORCED_HARMONICS &&
+           vibrations[1] < 2 * VMI_FORCED_HARMONICS;
+}
+
+/* Writes the parameters at time t and checks them and the pair. */
+VM_API int vmi_grounded_at(const vm_grounded_pair *p, vm_real t, vmi_grounded_now *now)
+{
+    int i, status = VM_OK;
+    for (i = 0; i < 2; i++) {
+        const vm_forced *f = &p->oscillator[i];
+        status = vmi_first_error(status, vmi_forced_at(f, t, &now->n[i]));
+    }
+    if (!vmi_grounded_ratio_is_valid(p->vibrations)) status = vmi_first_error(status, VM_BAD_ARGUMENT);
+    if (!VM_IS_FINITE(p->spring) || !VM_IS_FINITE(p->damper)) status = vmi_first_error(status, VM_NOT_FINITE);
+    if (status) return status;
+    for (i = 0; i < 2; i++)
+        now->q[i] = vmi_forced_q(&p->oscillator[i], &now->n[i]) + 2 * p->damper / now->n[i].mass;
+    return VM_OK;
+}
+
+/* Prepare a pair of coupled oscillators: check it at t = 0 and write the constants of the averaged equations.
+   All other functions need this call. Returns VM_BAD_ARGUMENT for a null pointer, a law that no constructor made, or
+   `vibrations` that are neither both 0 nor both from 1 to 9, VM_NOT_FINITE for a number that is infinite or NaN,
+   VM_BAD_MASS or VM_BAD_STIFFNESS for a mass or a stiffness that is not positive, VM_DOMAIN for alpha < 0, and VM_OK
+   otherwise. An error leaves *p as it was. */
+VM_API int vm_grounded_pair_init(vm_grounded_pair *p)
+{
+    vmi_grounded_now now;
+    vm_grounded_pair r;
+    int i, status;
+    if (!p) return VM_BAD_ARGUMENT;
+    r = *p;
+    for (i = 0; i < 2; i++) {
+        r.oscillator[i].frequency = vm_law_linear(1, 0); /* not used, but vm_forced_init checks them */
+        r.oscillator[i].force = vm_law_linear(0, 0);
+    }
+    status = vmi_grounded_at(&r, 0, &now);
+    for (i = 0; i < 2 && !status; i++) {
+        status = vm_forced_init(&r.oscillator[i]);
+        r.mean[i] = ateb_mean(r.oscillator[i].alpha, 0, 2);
+    }
+    if (!status) *p = r;
+    return status;
+}
+
+/* Equations of motion of two weakly coupled oscillators, for rk45 or rk87. y = (x_0, x_1, x_0', x_1') is in m and m/s;
+   pair points to a prepared vm_grounded_pair. The statuses are those of vm_grounded_pair_init at the time t, and
+   VM_DOMAIN for t outside a table; they stop the run. */
+VM_API int vm_grounded_pair_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *pair)
+{
+    if (!y || !dydt || !pair) return VM_BAD_ARGUMENT;
+    const vm_grounded_pair *p = (const vm_grounded_pair *)pair;
+    vmi_grounded_now now;
+    vm_real pull; /* the force of the coupling on body 0 */
+    int i;
+    const int status = vmi_grounded_at(p, t, &now);
+    if (status) return status;
+    pull = p->spring * (y[1] - y[0]) + p->damper * (y[3] - y[2]);
+    for (i = 0; i < 2; i++) {
+        const vm_forced *f = &p->oscillator[i];
+        const vmi_forced_parameters *n = &now.n[i];
+        vm_real force = pull;
+        if (i == 1) force = -pull;
+        dydt[i] = y[2 + i];
+        dydt[2 + i] = (force - (f->reactive * n->mass_rate + f->damping) * y[2 + i] -
+                       n->k * vmi_osc_elastic(y[i], f->alpha)) /
+                      n->mass;
+    }
+    return VM_OK;
+}
+
+/* What belongs to one body at one time. The index `other` is that of the other body. */
+typedef struct VM_TAG(vmi_grounded_body) {
+    vm_real Om, w; /* rate of the Ateb phase, 1/s; frequency of the free vibration, rad/s */
+    vm_real pull;  /* kappa A, N: amplitude of the force that this body's motion exerts by the spring */
+    vm_real drag;  /* c V, N: the same by the damper */
+    vm_complex turns[2 * VMI_FORCED_HARMONICS]; /* e^(i k phi) */
+} vmi_grounded_body;
+
+VM_API void vmi_grounded_bodies(const vm_grounded_pair *p, const vmi_grounded_now *now, const vm_real *A,
+                                const vm_real *phi, vmi_grounded_body *b)
+{
+    int i;
+    for (i = 0; i < 2; i++) {
+        const vm_forced *f = &p->oscillator[i];
+        b[i].Om = vmi_slow_rate(A[i], now->n[i].k, now->n[i].mass, f->alpha);
+        b[i].w = VM_PI / f->pi * b[i].Om;
+        b[i].pull = p->spring * A[i];
+        b[i].drag = p->damper * 2 * b[i].Om * A[i] / (f->alpha + 1);
+        vmi_c_turns(2 * VMI_FORCED_HARMONICS - 1, phi[i], b[i].turns);
+    }
+}
+
+/* Writes the sums S_i and C_i of the text above for the body i. */
+VM_API void vmi_grounded_sums(const vm_grounded_pair *p, const vmi_grounded_body *b, int i, vm_real *S, vm_real *C)
+{
+    const vm_forced *f = &p->oscillator[i], *other = &p->oscillator[1 - i];
+    const vmi_grounded_body *o = &b[1 - i];
+    int j, n;
+    *S = *C = 0;
+    if (p->vibrations[0] == 0) return;
+    for (j = 0; j < VMI_FORCED_HARMONICS; j++)
+        for (n = 0; n < VMI_FORCED_HARMONICS; n++) {
+            const vm_real spring = o->pull * other->c[n], damper = o->drag * other->s[n];
+            vm_complex u;
+            if ((2 * j + 1) * p->vibrations[i] != (2 * n + 1) * p->vibrations[1 - i]) continue;
+            u = vmi_c_times(b[i].turns[2 * j + 1], vmi_c_conjugate(o->turns[2 * n + 1]));
+            *S += f->s[j] / 2 * (spring * u.im - damper * u.re);
+            *C += f->c[j] / 2 * (spring * u.re + damper * u.im);
+        }
+}
+
+/* Averaged equations of two weakly coupled oscillators, for rk45 or rk87. They are written in the text above. The state
+   is y = (A_0, phi_0, A_1, phi_1), mean amplitudes (m) and phases (rad). Start with vm_grounded_pair_to_averaged, and end
+   with vm_grounded_pair_from_averaged. Let e be the largest of the couplings, dampings and mass rates. Up to times of
+   the order of 1/e the error of the amplitudes is of the order of e, and that of the positions too for alpha = 1. For
+   other alpha the positions fall behind by the phases, which depend on the amplitudes: in the tests their error is at
+   most 0.04 of the amplitude for e = 0.005, and falls more slowly than e. The equations are singular where an amplitude is 0: there integrate
+   vm_grounded_pair_rhs. The argument pair and the statuses are those of vm_grounded_pair_rhs. */
+VM_API int vm_grounded_pair_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *pair)
+{
+    if (!y || !dydt || !pair) return VM_BAD_ARGUMENT;
+    const vm_grounded_pair *p = (const vm_grounded_pair *)pair;
+    const vm_real A[2] = {y[0], y[2]}, phi[2] = {y[1], y[3]};
+    vmi_grounded_body b[2];
+    vmi_grounded_now now;
+    int i;
+    const int status = vmi_grounded_at(p, t, &now);
+    if (status) return status;
+    vmi_grounded_bodies(p, &now, A, phi, b);
+    for (i = 0; i < 2; i++) {
+        const vm_forced *f = &p->oscillator[i];
+        const vm_real turn = (f->alpha + 1) * VM_PI / (2 * f->pi * now.n[i].mass * b[i].Om); /* h of the text above */
+        vm_real S, C;
+        vmi_grounded_sums(p, b, i, &S, &C);
+        dydt[2 * i] = -now.q[i] * A[i] / (f->alpha + 3) - S / (now.n[i].mass * b[i].Om);
+        dydt[2 * i + 1] = b[i].w + turn * (p->spring * p->mean[i] - C / A[i]);
+    }
+    return VM_OK;
+}
+
+/* The ripple of the amplitude of the body i: what the exact amplitude has more than the mean one. It has the parts
+     q A/((alpha+3) Om) sa ca                               by the slow changes and the dampings,
+     -(alpha+1) kappa A/(4 m Om^2) (ca^2 - <ca^2>)          by this body's own motion in the coupling,
+     1/(m Om) times the sum over j and n of s_j/2 [(kappa A_o c_n cos v - c V_o s_n sin v)/(j w_i + n w_o)
+       + (kappa A_o c_n cos u + c V_o s_n sin u)/(j w_i - n w_o)]    by the other body,
+   where v = j phi_i + n phi_o and u = j phi_i - n phi_o. The last quotient is left out for the pairs j, n in resonance. */
+VM_API vm_real vmi_grounded_ripple(const vm_grounded_pair *p, const vmi_grounded_now *now, const vmi_grounded_body *b,
+                                   const vm_real *A, const vm_real *phi, int i)
+{
+    const vm_forced *f = &p->oscillator[i], *other = &p->oscillator[1 - i];
+    const vmi_grounded_body *o = &b[1 - i];
+    const vm_real mass = now->n[i].mass, Om = b[i].Om;
+    vm_real sa, ca, own, sum = 0;
+    int j, n;
+    ateb_saca(phi[i] * (f->pi / VM_PI), f->alpha, &sa, &ca);
+    own = now->q[i] / (f->alpha + 3) * sa * ca - (f->alpha + 1) * p->spring / (4 * mass * Om) * (ca * ca - p->mean[i]);
+    for (j = 0; j < VMI_FORCED_HARMONICS; j++)
+        for (n = 0; n < VMI_FORCED_HARMONICS; n++) {
+            const int J = 2 * j + 1, N = 2 * n + 1;
+            const vm_complex v = vmi_c_times(b[i].turns[J], o->turns[N]);
+            const vm_complex u = vmi_c_times(b[i].turns[J], vmi_c_conjugate(o->turns[N]));
+            const vm_real spring = o->pull * other->c[n], damper = o->drag * other->s[n];
+            const vm_real own_rate = (vm_real)J * b[i].w, other_rate = (vm_real)N * o->w;
+            sum += f->s[j] / 2 * (spring * v.re - damper * v.im) / (own_rate + other_rate);
+            if (p->vibrations[0] > 0 && J * p->vibrations[i] == N * p->vibrations[1 - i]) continue;
+            sum += f->s[j] / 2 * (spring * u.re + damper * u.im) / (own_rate - other_rate);
+        }
+    return A[i] / Om * own + sum / (mass * Om);
+}
+
+/* Converts a motion (x_0, x_1, x_0', x_1') of two weakly coupled oscillators to its mean y = (A_0, phi_0, A_1, phi_1).
+   The amplitudes are those without their ripple within a period. The statuses are those of vm_grounded_pair_rhs;
+   VM_NOT_FINITE also means that the motion is infinite or NaN, and VM_DOMAIN that a body moves less than its ripple, for
+   instance is at rest, or that the frequencies are in a resonance which the field vibrations does not name. y and motion
+   may be the same array. */
+VM_API int vm_grounded_pair_to_averaged(const vm_grounded_pair *p, vm_real t, const vm_real *motion, vm_real *y)
+{
+    if (!p || !motion || !y) return VM_BAD_ARGUMENT;
+    vmi_grounded_now now;
+    vmi_grounded_body b[2];
+    vm_real exact[2], A[2], phi[2], ripple[2];
+    int i, step, status = vmi_grounded_at(p, t, &now);
+    if (status != VM_BAD_ARGUMENT && !vmi_all_finite(4, motion)) status = vmi_first_error(status, VM_NOT_FINITE);
+    if (status) return status;
+    for (i = 0; i < 2; i++) {
+        const vm_forced *f = &p->oscillator[i];
+        vmi_slow_phase(motion[i], motion[2 + i], now.n[i].k, now.n[i].mass, f->alpha, &exact[i], &phi[i]);
+        phi[i] *= VM_PI / f->pi;
+        A[i] = exact[i];
+    }
+    for (step = 0; step < 3; step++) {
+        vmi_grounded_bodies(p, &now, A, phi, b);
+        for (i = 0; i < 2; i++) ripple[i] = vmi_grounded_ripple(p, &now, b, A, phi, i);
+        for (i = 0; i < 2; i++) A[i] = exact[i] - ripple[i];
+        if (!(A[0] > 0) || !(A[1] > 0) || !vmi_all_finite(2, A)) return VM_DOMAIN;
+    }
+    for (i = 0; i < 2; i++) {
+        y[2 * i] = A[i];
+        y[2 * i + 1] = phi[i];
+    }
+    return VM_OK;
+}
+
+/* Converts the mean y = (A_0, phi_0, A_1, phi_1) of two weakly coupled oscillators to the motion
+   (x_0, x_1, x_0', x_1'). This is the inverse of vm_grounded_pair_to_averaged: it puts the ripples back. The statuses
+   are those of vm_grounded_pair_rhs; VM_NOT_FINITE also means that y is infinite or NaN, and VM_DOMAIN that an amplitude
+   is not positive or smaller than its ripple. motion and y may be the same array. */
+VM_API int vm_grounded_pair_from_averaged(const vm_grounded_pair *p, vm_real t, const vm_real *y, vm_real *motion)
+{
+    if (!p || !y || !motion) return VM_BAD_ARGUMENT;
+    vmi_grounded_now now;
+    vmi_grounded_body b[2];
+    vm_real A[2], phi[2], found[4];
+    int i, status = vmi_grounded_at(p, t, &now);
+    if (status != VM_BAD_ARGUMENT && !vmi_all_finite(4, y)) status = vmi_first_error(status, VM_NOT_FINITE);
+    if (status) return status;
+    for (i = 0; i < 2; i++) {
+        A[i] = y[2 * i];
+        phi[i] = y[2 * i + 1];
+        if (!(A[i] > 0)) return VM_DOMAIN;
+    }
+    vmi_grounded_bodies(p, &now, A, phi, b);
+    for (i = 0; i < 2; i++) {
+        const vm_forced *f = &p->oscillator[i];
+        const vm_real exact = A[i] + vmi_grounded_ripple(p, &now, b, A, phi, i);
+        if (!(exact >= 0)) return VM_DOMAIN;
+        vmi_slow_motion(exact, phi[i] * (f->pi / VM_PI), now.n[i].k, now.n[i].mass, f->alpha, &found[i],
+                        &found[2 + i]);
+    }
+    return vmi_copy_if_finite(4, found, motion);
+}
+
+#endif
 /* oscillators/diagnostics.h - turning points and zero crossings of any trajectory, envelopes, adiabaticity
 
    The trajectory may come from a route, a closed form or an integrator's dense output. Laws of the amplitude are
@@ -19214,6 +20058,7 @@ typedef struct VM_TAG(vmi_sample_search) {
     void *ctx;
     int kind;
     vm_real x, v; /* position and velocity at the time of the last evaluation */
+    int failed;   /* 1 if the trajectory was not finite at an evaluation, else 0 */
 } vmi_sample_search;
 
 /* The function of t whose zeros are sought: the position x for zero crossings, the velocity v for turning points */
@@ -19221,6 +20066,7 @@ VM_API vm_real vmi_sample_function(vm_real t, void *search)
 {
     vmi_sample_search *s = (vmi_sample_search *)search;
     s->motion(t, &s->x, &s->v, s->ctx);
+    if (!VM_IS_FINITE(s->x) || !VM_IS_FINITE(s->v)) s->failed = 1;
     if (s->kind == VM_ZERO_CROSSINGS) return s->x;
     return s->v;
 }
@@ -19247,20 +20093,23 @@ VM_API long vm_find_samples(vm_motion_function motion, void *ctx, int kind, vm_r
     s.motion = motion;
     s.ctx = ctx;
     s.kind = kind;
+    s.failed = 0;
     here = vmi_sample_function(t0, &s);
     for (i = 1; i <= last; i++) {
         const vm_real before = t, value_before = here;
         t = i == last ? t1 : t0 + (t1 - t0) * ((vm_real)i / intervals);
         here = vmi_sample_function(t, &s);
-        if (!VM_IS_FINITE(here)) return VM_NOT_FINITE;
+        if (s.failed) return VM_NOT_FINITE;
         if (value_before == 0 || !(here == 0 || (here > 0) != (value_before > 0))) continue;
         if (found < room) {
             samples[found].t = vmi_find_zero(vmi_sample_function, &s, before, t, value_before, here);
-            motion(samples[found].t, &samples[found].x, &samples[found].v, ctx);
+            vmi_sample_function(samples[found].t, &s);
+            samples[found].x = s.x;
+            samples[found].v = s.v;
         }
         found++;
     }
-    if (!VM_IS_FINITE(here)) return VM_NOT_FINITE;
+    if (s.failed) return VM_NOT_FINITE;
     return found;
 }
 
@@ -22782,6 +23631,9 @@ VM_API int vm_scene_budget_at(vm_scene *scene, vm_real t, const vm_real *y, vm_b
        scene.located = located;
        scene.n_events = 3;
 
+   The functions of this chapter do not fail. vm_scene_start refuses an event with a wrong number (VM_NOT_FINITE for an
+   infinite or NaN time or value, VM_NO_SUCH_BODY for a body that does not exist), and its fault names the event.
+
    An event at a time happens once. A crossing of a value happens at most event.most times, or without limit if
    event.most is 0; direction > 0 counts rising values, direction < 0 falling values, and direction = 0 both. Only
    motion causes a crossing: there is none if an event moves a coordinate beyond the value, or while the body is not
@@ -23505,8 +24357,8 @@ enum {
 
 VM_API vm_real vmi_scene_larger(vm_real a, vm_real b) { return a > b ? a : b; }
 
-/* Whether event i is due at the time t: its time has come, or the integrator has counted *times new crossings. The
-   integrator counts from 0 in each run, so that *times may be negative at the beginning of a run. */
+/* Whether event i is due at the time t: its time has come, or the integrator has counted *times new crossings. At the
+   beginning of a run these are the crossings that vmi_scene_keep_crossings has kept. */
 VM_API int vmi_scene_event_is_due(vm_scene *s, int i, vm_real t, long *times)
 {
     vm_event *e = s->events + i;
@@ -23641,6 +24493,18 @@ VM_API int vmi_scene_step(vm_scene *s, rk45 *r, vm_real t_end, int next)
     return vmi_scene_status_of_ode(ode_status);
 }
 
+/* Keeps the crossings that the last run has found but not handled, because an earlier event of the same instant
+   returned an error: the next run handles them at its start. The integrator counts from 0 in each run, so that `seen`
+   becomes negative by their number. */
+VM_API void vmi_scene_keep_crossings(vm_scene *s)
+{
+    int i;
+    for (i = 0; i < s->n_events; i++) {
+        s->events[i].seen -= s->located[i].count;
+        s->located[i].count = 0;
+    }
+}
+
 /* Prepares rk45 for the scene. Each number of a body has its tolerance. The numbers of the budget have none (VM_MAX),
    so that the bodies alone determine the steps. The tolerances are stored in work after the numbers of the
    integrator. */
@@ -23657,6 +24521,7 @@ VM_API int vmi_scene_integrator(vm_scene *s, rk45 *r, vm_real t, const vm_real *
     o.events = s->located;
     o.n_events = s->n_events;
     if (!vmi_all_finite(n, y)) return VM_NOT_FINITE;
+    vmi_scene_keep_crossings(s);
     s->ode_status = rk45_init(r, vm_scene_rhs, s, n, t, y, &o, work);
     r->attempts = o.max_steps;
     if (s->ode_status < 0) return vmi_scene_status_of_ode(s->ode_status);
@@ -23689,7 +24554,9 @@ VM_API int vmi_scene_check_run(const vm_scene *s, const vm_real *t, vm_real t_en
                            event follows the one before within 256 VM_EPSILON of the time;
      VM_IS_THERE, VM_IS_AWAY and the errors of vm_separate and vm_attach
                            if a jump is impossible;
-     VM_STEP_TOO_SMALL, VM_MAX_STEPS   if the integrator failed; its own status is in scene.ode_status. */
+     VM_STEP_TOO_SMALL, VM_MAX_STEPS   if the integrator failed; its own status is in scene.ode_status;
+     any other negative number         that an event's function (vm_then_user) returned. This event counts as handled.
+   Another call goes on from *t, with the events of this instant that were not handled. */
 VM_API int vm_scene_run(vm_scene *scene, vm_real *t, vm_real t_end, vm_real *y, vm_real *work,
                         const rk45_options *options_or_NULL)
 {

@@ -5,6 +5,7 @@
 #include "scenes/chains.h"
 #include "scenes/crane.h"
 #include "scenes/dosing.h"
+#include "scenes/excavator.h"
 #include "scenes/mechanism.h"
 #include "scenes/mill.h"
 #include "scenes/oscillators.h"
@@ -84,6 +85,8 @@ int main(int argc, char **argv)
     play(&s, "regulator", "holds its speed: switched off last at 9.43 s", 1, 10, 12.0231459473126);
     scoop(&s, &full);
     play(&s, "scoop", "cuts, carries and drops: rad/s", 1, 2, 2.03335511035973);
+    excavator(&s);
+    play(&s, "excavator", "five bodies, the scoop is filled: height, m", 25, 40, 0.397576169435684206);
     crane(&s);
     play(&s, "crane", "picks up, leaks, drops: m", 0, 12, 0.000712652643793425313);
     dosing(&s, 40);

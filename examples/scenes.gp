@@ -2,7 +2,7 @@
 set terminal svg size 480,320 font "Helvetica,13" background "white"
 set output svg
 set datafile separator ","
-set xlabel "t, s"
+set xlabel "time t, s"
 set ylabel label
 set title title
 set grid lc rgb "#dddddd"

@@ -6,7 +6,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-enum { STAGE_BODIES = 4, STAGE_EFFECTS = 12, STAGE_EVENTS = 6, STAGE_STATE = 60 };
+enum { STAGE_BODIES = 5, STAGE_EFFECTS = 16, STAGE_EVENTS = 6, STAGE_STATE = 60 };
 
 typedef struct stage {
     vm_scene scene;
@@ -101,5 +101,29 @@ static inline vm_vec3 stage_vec(double x, double y, double z)
 #define REAL(x) ((vm_real)(x))
 
 static const double gravity = 9.81; /* m/s^2 */
+
+/* -- Mechanisms of bodies whose angles are 0 at the start -- */
+
+/* A point of the ground or of a body, given by where it lies at the start, when all angles are 0 */
+static inline vm_vec3 stage_point(const stage *s, int body, double x, double y)
+{
+    const vm_vec3 p = stage_vec(x, y, 0);
+    return body < 0 ? p : vm_sub(p, s->bodies[body].start.r);
+}
+
+/* A spring without tension at the start, from the point e[0], e[1] of a body to e[2], e[3] of another or the ground */
+static inline vm_point_spring stage_spring(const stage *s, int body, int other, const double *e)
+{
+    vm_point_spring spring = {{0, 0, 0}, {0, 0, 0}, REAL(e[4]), REAL(e[5]), 0};
+    spring.at = stage_point(s, body, e[0], e[1]);
+    spring.other_at = stage_point(s, other, e[2], e[3]);
+    spring.rest = vm_norm(stage_vec(e[0] - e[2], e[1] - e[3], 0));
+    return spring;
+}
+
+static inline vm_joint stage_pin(const stage *s, int body, int other, double x, double y)
+{
+    return vm_joint_pin(body, stage_point(s, body, x, y), other, stage_point(s, other, x, y));
+}
 
 #endif

@@ -358,19 +358,11 @@ VM_API int vmi_cut_step(rk45 *s, vm_real x)
 
 /* Takes back the last step, inside which f is not finite, and makes the next step a quarter as long. Returns
    ODE_NOT_FINITE if the next step would be shorter than the shortest step allowed, else ODE_OK. */
-VM_API int vmi_take_back(rk45 *s)
+VM_API int vmi_shorten_last_step(rk45 *s)
 {
-    vmi_copy(s->n, vmi_part(s, VMI_Y_OLD), s->y);
-    s->t = s->t_old;
-    s->t_low = s->t_old_low;
+    vmi_take_back_step(s);
     s->h = s->h_done / 4;
-    if (s->missed > 0 && s->next_miss == s->steps + VMI_BETWEEN_MISSES) {
-        s->missed--;
-        s->next_miss = 0;
-    }
-    s->steps--;
     s->rejected++;
-    s->k1 = VMI_K1_READY; /* with events vmi_advance makes one step, whose k_1 is still in work */
     s->failure = VMI_NOT_FINITE;
     return VM_FABS(s->h) >= vmi_least_step(&s->options, s->t) ? (int)ODE_OK : (int)ODE_NOT_FINITE;
 }
@@ -401,25 +393,68 @@ VM_API void vmi_pass_on_sides(rk45 *s)
     }
 }
 
-/* Handles the events of the last step, up to the first instant at which an event ends the step. Returns a status. */
-VM_API int vmi_events(rk45 *s)
+/* Keeps what the events were before the last step, in their field `past` */
+VM_API void vmi_keep_events(rk45 *s)
+{
+    int i;
+    for (i = 0; i < s->options.n_events; i++) {
+        ode_event *e = s->options.events + i;
+        e->past.count = e->count;
+        e->past.t = e->t;
+        e->past.slack = e->slack;
+        e->past.quiet = e->quiet;
+        e->past.side = e->side;
+    }
+}
+
+/* Takes back the last step, with the events that were counted in it, because a function of the user failed while events
+   were sought. The next call then makes the same step again, and no event is lost. */
+VM_API void vmi_take_back_events(rk45 *s)
+{
+    int i;
+    for (i = 0; i < s->options.n_events; i++) {
+        ode_event *e = s->options.events + i;
+        e->count = e->past.count;
+        e->t = e->past.t;
+        e->slack = e->past.slack;
+        e->quiet = e->past.quiet;
+        e->side = e->past.side;
+    }
+    vmi_take_back_step(s);
+}
+
+/* Finds the events of the last step, up to the first instant at which an event ends the step. *cut becomes the fraction
+   of the step at this instant, or VMI_NONE. The continuous extension must be ready. Returns a status. */
+VM_API int vmi_find_events(rk45 *s, vm_real *cut)
 {
     const int n_events = s->options.n_events;
     ode_event *events = s->options.events;
-    vm_real cut = VMI_NONE;
-    int i, owner = -1, status = vmi_extend(s);
-    if (status == ODE_NOT_FINITE) return vmi_take_back(s);
+    int i, owner = -1, status;
+    *cut = VMI_NONE;
     for (i = 0; i < n_events; i++) events[i].from = 0;
-    if (status == ODE_OK) status = vmi_find_cut(s, &cut, &owner);
+    status = vmi_find_cut(s, cut, &owner);
     for (i = 0; i < n_events && status == ODE_OK; i++)
-        if (!vmi_ends_step(events + i)) status = vmi_record_until(s, events + i, VMI_SMALLER(cut, VM_C(1.0)));
-    if (status) return status;
-    if (cut == VMI_NONE) {
-        vmi_pass_on_sides(s);
-        return ODE_OK;
+        if (!vmi_ends_step(events + i)) status = vmi_record_until(s, events + i, VMI_SMALLER(*cut, VM_C(1.0)));
+    if (status == ODE_OK && *cut != VMI_NONE) status = vmi_meet_at_cut(s, *cut, owner);
+    return status;
+}
+
+/* Handles the events of the last step, up to the first instant at which an event ends the step. Returns a status. After
+   an error the step is taken back. */
+VM_API int vmi_events(rk45 *s)
+{
+    vm_real cut = VMI_NONE;
+    int status = vmi_extend(s);
+    if (status == ODE_NOT_FINITE) return vmi_shorten_last_step(s);
+    vmi_keep_events(s);
+    if (status == ODE_OK) status = vmi_find_events(s, &cut);
+    if (status) {
+        vmi_take_back_events(s);
+        return status;
     }
-    status = vmi_meet_at_cut(s, cut, owner);
-    return status ? status : vmi_cut_step(s, cut);
+    if (cut != VMI_NONE) return vmi_cut_step(s, cut);
+    vmi_pass_on_sides(s);
+    return ODE_OK;
 }
 
 #endif

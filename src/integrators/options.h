@@ -28,6 +28,13 @@ enum {
     ODE_RESTART = 2 /* the run ends the step at the event, calls `change`, and begins a new step */
 };
 
+/* What a run keeps of an event at the beginning of a step: the fields of ode_event with these names */
+typedef struct VM_TAG(vmi_event_past) {
+    long count;
+    vm_real t, slack, quiet;
+    int side;
+} vmi_event_past;
+
 /* An event of a run: it happens when g(t, y) reaches zero or changes its sign. The caller makes an array of events, to
    which the field `events` of rk45_options points, sets all fields to 0 first, and then the fields from g to stop_after
    that it needs. The integrator sets the fields from count on. */
@@ -55,6 +62,7 @@ typedef struct VM_TAG(ode_event) {
     vm_real from;   /* g has been evaluated up to this fraction of the step */
     vm_real slack;  /* after the event, the sign of g is uncertain while |g| <= slack */
     vm_real quiet;  /* time after the event for which the sign of g may still be uncertain */
+    vmi_event_past past; /* the fields at the beginning of the step, for a step that is taken back */
 } ode_event;
 
 /* Options of a run. A zero in any field means its default; rk45_defaults shows all defaults. */

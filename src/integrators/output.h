@@ -19,6 +19,7 @@
 #include "rk45.h"
 #include "rk87.h"
 #include "runs.h"
+#include "steps.h"
 
 /* Whether a run that is at the time t, and that goes forward (direction 1) or backward (-1), has reached `time` */
 VM_API int vmi_has_reached(vm_real t, vm_real time, int direction)
@@ -43,7 +44,10 @@ VM_API int vmi_fill_rows(rk45 *s, int n_times, const vm_real *times, int directi
 {
     while (*done < n_times && vmi_has_reached(s->t, times[*done], direction)) {
         const int status = vmi_interpolate(s, times[*done], rows + (ptrdiff_t)*done * s->n);
-        if (status) return status;
+        if (status) { /* f failed in the continuous extension; another call begins with this step */
+            vmi_take_back_step(s);
+            return status;
+        }
         ++*done;
     }
     return ODE_OK;

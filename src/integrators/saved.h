@@ -13,14 +13,17 @@
        rk45_init(&again, spring, NULL, 2, 0.0, y0, NULL, other_work);
        rk45_resume(&again, sizeof bytes, bytes); // goes on where s is
 
-   Bytes are for the same machine, the same type vm_real and the same version of this header.
+   Bytes are for the same type vm_real and the same version of this header. They are the same on every machine, so that a
+   run that was saved on one machine can be resumed on another one, with the same bits.
    Tests: tests/test_saved_runs.c. */
 #ifndef VARMASS_INTEGRATORS_SAVED_H
 #define VARMASS_INTEGRATORS_SAVED_H
 
+#include <limits.h>
 #include <stdint.h>
 #include <string.h>
 
+#include "../base/bits.h"
 #include "../base/real.h"
 #include "ode.h"
 #include "options.h"
@@ -43,8 +46,12 @@ enum {
 enum {
     VMI_SAVED_FORMAT_NOW = 0x7601, /* "v" and the number of this format */
     VMI_SAVED_RUN_INTS = VMI_SAVED_HEAD + 9,
-    VMI_SAVED_RUN_BYTES = 7 * sizeof(vm_real) + 6 * sizeof(long) + VMI_SAVED_RUN_INTS * sizeof(int) + sizeof(uint32_t),
-    VMI_SAVED_EVENT_BYTES = 4 * sizeof(vm_real) + sizeof(long) + 3 * sizeof(int)
+    VMI_SAVED_INT_BYTES = 4,  /* an int is saved as a number of 32 bits, whatever its size here */
+    VMI_SAVED_LONG_BYTES = 8, /* a long is saved as a number of 64 bits */
+    VMI_SAVED_SUM_BYTES = 4,
+    VMI_SAVED_RUN_BYTES = 7 * sizeof(vm_real) + 6 * VMI_SAVED_LONG_BYTES + VMI_SAVED_RUN_INTS * VMI_SAVED_INT_BYTES +
+                          VMI_SAVED_SUM_BYTES,
+    VMI_SAVED_EVENT_BYTES = 4 * sizeof(vm_real) + VMI_SAVED_LONG_BYTES + 3 * VMI_SAVED_INT_BYTES
 };
 
 /* Number of bytes of a saved run with n components and n_events events */
@@ -60,28 +67,62 @@ typedef struct VM_TAG(vmi_saved_place) {
     int saves;
 } vmi_saved_place;
 
-/* Writes the number x of `size` bytes, or reads it, and goes on to the next place */
-VM_API void vmi_saved_move(vmi_saved_place *p, void *x, size_t size)
+/* Writes the lowest 8 `count` bits of *bits as bytes, the lowest first, or reads them, and goes on to the next place */
+VM_API void vmi_saved_bits(vmi_saved_place *p, uint64_t *bits, int count)
 {
-    if (p->saves) {
-        memcpy(p->to, x, size);
-        p->to += size;
-    } else {
-        memcpy(x, p->from, size);
-        p->from += size;
+    uint64_t read = 0;
+    int i;
+    for (i = 0; i < count; i++) {
+        if (p->saves) *p->to++ = (unsigned char)(*bits >> (8 * i) & 0xff);
+        else read |= (uint64_t)*p->from++ << (8 * i);
     }
+    if (!p->saves) *bits = read;
+}
+
+/* Writes or reads the bits of a number of type vm_real */
+VM_API void vmi_saved_real(vmi_saved_place *p, vm_real *x)
+{
+    vmi_signed_bits own;
+    uint64_t bits;
+    memcpy(&own, x, sizeof own);
+    bits = (uint64_t)own;
+    vmi_saved_bits(p, &bits, (int)sizeof own);
+    if (p->saves) return;
+    own = (vmi_signed_bits)bits;
+    memcpy(x, &own, sizeof own);
+}
+
+/* Writes or reads a number of type long. If a machine's long cannot hold what it reads, it reads the nearest number. */
+VM_API void vmi_saved_long(vmi_saved_place *p, long *x)
+{
+    uint64_t bits = (uint64_t)(int64_t)*x;
+    int64_t value;
+    vmi_saved_bits(p, &bits, VMI_SAVED_LONG_BYTES);
+    if (p->saves) return;
+    value = (int64_t)bits;
+    if (value > LONG_MAX) value = LONG_MAX;
+    if (value < LONG_MIN) value = LONG_MIN;
+    *x = (long)value;
+}
+
+/* Writes or reads a number of type int */
+VM_API void vmi_saved_int(vmi_saved_place *p, int *x)
+{
+    uint64_t bits = (uint64_t)(int64_t)*x;
+    vmi_saved_bits(p, &bits, VMI_SAVED_INT_BYTES);
+    if (!p->saves) *x = (int)(int32_t)(uint32_t)bits;
 }
 
 VM_API void vmi_saved_move_event(vmi_saved_place *p, ode_event *e)
 {
-    vmi_saved_move(p, &e->count, sizeof e->count);
-    vmi_saved_move(p, &e->t, sizeof e->t);
-    vmi_saved_move(p, &e->from, sizeof e->from);
-    vmi_saved_move(p, &e->slack, sizeof e->slack);
-    vmi_saved_move(p, &e->quiet, sizeof e->quiet);
-    vmi_saved_move(p, &e->side, sizeof e->side);
-    vmi_saved_move(p, &e->side_ahead, sizeof e->side_ahead);
-    vmi_saved_move(p, &e->happens, sizeof e->happens);
+    vmi_saved_long(p, &e->count);
+    vmi_saved_real(p, &e->t);
+    vmi_saved_real(p, &e->from);
+    vmi_saved_real(p, &e->slack);
+    vmi_saved_real(p, &e->quiet);
+    vmi_saved_int(p, &e->side);
+    vmi_saved_int(p, &e->side_ahead);
+    vmi_saved_int(p, &e->happens);
 }
 
 /* Number of vm_reals in the work of the run s that belong to the integrator */
@@ -90,30 +131,32 @@ VM_API long vmi_saved_numbers(const rk45 *s) { return (long)(VMI_K + s->pair.der
 /* Writes all numbers of the run, its work and its events, or reads them */
 VM_API void vmi_saved_move_run(vmi_saved_place *p, rk45 *s)
 {
+    const long numbers = vmi_saved_numbers(s);
+    long number;
     int i;
-    vmi_saved_move(p, &s->t, sizeof s->t);
-    vmi_saved_move(p, &s->t_low, sizeof s->t_low);
-    vmi_saved_move(p, &s->t_old, sizeof s->t_old);
-    vmi_saved_move(p, &s->t_old_low, sizeof s->t_old_low);
-    vmi_saved_move(p, &s->h, sizeof s->h);
-    vmi_saved_move(p, &s->h_done, sizeof s->h_done);
-    vmi_saved_move(p, &s->inverse_error, sizeof s->inverse_error);
-    vmi_saved_move(p, &s->steps, sizeof s->steps);
-    vmi_saved_move(p, &s->rejected, sizeof s->rejected);
-    vmi_saved_move(p, &s->evals, sizeof s->evals);
-    vmi_saved_move(p, &s->missed, sizeof s->missed);
-    vmi_saved_move(p, &s->next_miss, sizeof s->next_miss);
-    vmi_saved_move(p, &s->attempts, sizeof s->attempts);
-    vmi_saved_move(p, &s->rhs_status, sizeof s->rhs_status);
-    vmi_saved_move(p, &s->event, sizeof s->event);
-    vmi_saved_move(p, &s->k1, sizeof s->k1);
-    vmi_saved_move(p, &s->extended, sizeof s->extended);
-    vmi_saved_move(p, &s->failure, sizeof s->failure);
-    vmi_saved_move(p, &s->stiff, sizeof s->stiff);
-    vmi_saved_move(p, &s->stiff_wait, sizeof s->stiff_wait);
-    vmi_saved_move(p, &s->stiff_hits, sizeof s->stiff_hits);
-    vmi_saved_move(p, &s->stiff_misses, sizeof s->stiff_misses);
-    vmi_saved_move(p, s->work, (size_t)vmi_saved_numbers(s) * sizeof *s->work);
+    vmi_saved_real(p, &s->t);
+    vmi_saved_real(p, &s->t_low);
+    vmi_saved_real(p, &s->t_old);
+    vmi_saved_real(p, &s->t_old_low);
+    vmi_saved_real(p, &s->h);
+    vmi_saved_real(p, &s->h_done);
+    vmi_saved_real(p, &s->inverse_error);
+    vmi_saved_long(p, &s->steps);
+    vmi_saved_long(p, &s->rejected);
+    vmi_saved_long(p, &s->evals);
+    vmi_saved_long(p, &s->missed);
+    vmi_saved_long(p, &s->next_miss);
+    vmi_saved_long(p, &s->attempts);
+    vmi_saved_int(p, &s->rhs_status);
+    vmi_saved_int(p, &s->event);
+    vmi_saved_int(p, &s->k1);
+    vmi_saved_int(p, &s->extended);
+    vmi_saved_int(p, &s->failure);
+    vmi_saved_int(p, &s->stiff);
+    vmi_saved_int(p, &s->stiff_wait);
+    vmi_saved_int(p, &s->stiff_hits);
+    vmi_saved_int(p, &s->stiff_misses);
+    for (number = 0; number < numbers; number++) vmi_saved_real(p, s->work + number);
     for (i = 0; i < s->options.n_events; i++) vmi_saved_move_event(p, s->options.events + i);
 }
 
@@ -122,10 +165,25 @@ VM_API void vmi_saved_head(const rk45 *s, int *head)
 {
     head[VMI_SAVED_FORMAT] = VMI_SAVED_FORMAT_NOW;
     head[VMI_SAVED_REAL] = (int)sizeof(vm_real);
-    head[VMI_SAVED_LONG] = (int)sizeof(long);
+    head[VMI_SAVED_LONG] = VMI_SAVED_LONG_BYTES;
     head[VMI_SAVED_METHOD] = s->pair.method;
     head[VMI_SAVED_N] = s->n;
     head[VMI_SAVED_EVENTS] = s->options.n_events;
+}
+
+/* Writes or reads these numbers */
+VM_API void vmi_saved_move_head(vmi_saved_place *p, int *head)
+{
+    int i;
+    for (i = 0; i < VMI_SAVED_HEAD; i++) vmi_saved_int(p, head + i);
+}
+
+/* Writes or reads a checksum */
+VM_API void vmi_saved_move_sum(vmi_saved_place *p, uint32_t *sum)
+{
+    uint64_t bits = *sum;
+    vmi_saved_bits(p, &bits, VMI_SAVED_SUM_BYTES);
+    *sum = (uint32_t)bits;
 }
 
 /* A checksum of bytes (FNV-1a), which a saved run ends with, so that damaged bytes are refused */
@@ -158,10 +216,10 @@ VM_API int vmi_save(const rk45 *s, int method, long size, unsigned char *bytes)
     place.from = NULL;
     place.saves = 1;
     vmi_saved_head(s, head);
-    vmi_saved_move(&place, head, sizeof head);
+    vmi_saved_move_head(&place, head);
     vmi_saved_move_run(&place, &copy);
     sum = vmi_saved_checksum(bytes, (long)(place.to - bytes));
-    vmi_saved_move(&place, &sum, sizeof sum);
+    vmi_saved_move_sum(&place, &sum);
     return ODE_OK;
 }
 
@@ -169,19 +227,21 @@ VM_API int vmi_save(const rk45 *s, int method, long size, unsigned char *bytes)
 VM_API int vmi_resume(rk45 *s, int method, long size, const unsigned char *bytes)
 {
     vmi_saved_place place;
-    int head[VMI_SAVED_HEAD];
-    uint32_t sum;
+    int wanted[VMI_SAVED_HEAD], head[VMI_SAVED_HEAD];
+    uint32_t sum = 0;
     long before; /* number of bytes before the checksum */
     if (!s || !bytes || size < 0 || s->pair.method != method) return ODE_BAD_ARGUMENT;
     if (size < vmi_saved_size(s)) return ODE_WORK_TOO_SMALL;
-    before = vmi_saved_size(s) - (long)sizeof sum;
-    vmi_saved_head(s, head);
-    if (memcmp(head, bytes, sizeof head) != 0) return ODE_BAD_ARGUMENT;
-    memcpy(&sum, bytes + before, sizeof sum);
-    if (sum != vmi_saved_checksum(bytes, before)) return ODE_BAD_ARGUMENT;
+    before = vmi_saved_size(s) - VMI_SAVED_SUM_BYTES;
     place.to = NULL;
-    place.from = bytes + sizeof head;
+    place.from = bytes + before;
     place.saves = 0;
+    vmi_saved_move_sum(&place, &sum);
+    if (sum != vmi_saved_checksum(bytes, before)) return ODE_BAD_ARGUMENT;
+    vmi_saved_head(s, wanted);
+    place.from = bytes;
+    vmi_saved_move_head(&place, head);
+    if (memcmp(head, wanted, sizeof head) != 0) return ODE_BAD_ARGUMENT;
     vmi_saved_move_run(&place, s);
     return ODE_OK;
 }

@@ -247,6 +247,7 @@ VMI_FOLDED int vmi_reject(int order, const vmi_trial *trial, vm_real error, vmi_
     p->h_next = trial->h * vmi_shrink(order, error);
     if (!trial->shortest) return ODE_OK;
     if (p->missed > 0 && p->steps == p->next_miss - VMI_BETWEEN_MISSES) vmi_drop_missed_step(sys, p);
+    if (not_a_number) p->k1 = VMI_K1_MISSING; /* k_1 itself may be NaN: another call evaluates it again */
     return not_a_number ? ODE_NOT_FINITE : ODE_STEP_TOO_SMALL;
 }
 
@@ -369,6 +370,22 @@ VMI_FOLDED int vmi_advance_small(rk45 *s, vmi_rk_stepper stepper, vmi_rk_system 
         vmi_copy(n, w + VMI_K * n, vmi_part(s, VMI_K));
     }
     return status;
+}
+
+/* Takes back the last accepted step, so that the next step is the same again. vmi_advance must have returned after this
+   step: its k_1 is then still in work. */
+VM_API void vmi_take_back_step(rk45 *s)
+{
+    vmi_copy(s->n, vmi_part(s, VMI_Y_OLD), s->y);
+    s->t = s->t_old;
+    s->t_low = s->t_old_low;
+    s->h = s->h_done;
+    if (s->missed > 0 && s->next_miss == s->steps + VMI_BETWEEN_MISSES) {
+        s->missed--;
+        s->next_miss = 0;
+    }
+    s->steps--;
+    s->k1 = VMI_K1_READY;
 }
 
 #endif

@@ -138,7 +138,7 @@ VM_API void vmi_lagrange_freeze(const vm_lagrange_system *system, vm_real t, con
 }
 
 /* Writes the rates q' = A^-1 (pi - b) to the work array. y holds the coordinates q and the momenta pi. Returns
-   VM_SINGULAR if A is not positive definite, VM_NOT_FINITE if the reason is that t or y is not finite, and VM_OK
+   VM_NOT_FINITE if A, t or y is not finite, VM_SINGULAR if A is not positive definite for another reason, and VM_OK
    otherwise. */
 VM_API int vmi_lagrange_solve_rates(const vm_lagrange_system *system, vm_real t, const vm_real *y)
 {
@@ -146,6 +146,7 @@ VM_API int vmi_lagrange_solve_rates(const vm_lagrange_system *system, vm_real t,
     int k, status;
     vmi_lagrange_freeze(system, t, y);
     vmi_lagrange_quadratic(system, t, y);
+    if (!vmi_all_finite(system->n * system->n, w.A)) return VM_NOT_FINITE;
     for (k = 0; k < system->n; k++) w.rates[k] = y[system->n + k] - w.b[k];
     status = vmi_solve_mass(system->n, w.A, w.rates, w.trial);
     if (status && !(VM_IS_FINITE(t) && vmi_all_finite(2 * system->n, y))) return VM_NOT_FINITE;
@@ -186,8 +187,8 @@ VM_API int vmi_lagrange_is_valid(const vm_lagrange_system *system)
 /* Right-hand side of Lagrange's equations with variable mass (247).
    An ode_rhs of 2 n states: n coordinates q, then n generalized momenta pi. `lagrange` points to a vm_lagrange_system.
    Returns 0 or an error that ends the run. The errors are VM_BAD_ARGUMENT, VM_SINGULAR if the mass matrix is not
-   positive definite, VM_NOT_FINITE if t or y is not finite, or the number that system->forces returns. The mass matrix
-   is not positive definite if, for example, a mass has become negative; use an event to stop the run before that. The
+   positive definite, VM_NOT_FINITE if t, y or an energy is not finite, or the number that system->forces returns. The
+   mass matrix is not positive definite if, for example, a mass has become negative; use an event to stop the run before that. The
    number of calls of system->energy grows with n^2. */
 VM_API int vm_lagrange_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *lagrange)
 {

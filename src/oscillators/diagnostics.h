@@ -46,6 +46,7 @@ typedef struct VM_TAG(vmi_sample_search) {
     void *ctx;
     int kind;
     vm_real x, v; /* position and velocity at the time of the last evaluation */
+    int failed;   /* 1 if the trajectory was not finite at an evaluation, else 0 */
 } vmi_sample_search;
 
 /* The function of t whose zeros are sought: the position x for zero crossings, the velocity v for turning points */
@@ -53,6 +54,7 @@ VM_API vm_real vmi_sample_function(vm_real t, void *search)
 {
     vmi_sample_search *s = (vmi_sample_search *)search;
     s->motion(t, &s->x, &s->v, s->ctx);
+    if (!VM_IS_FINITE(s->x) || !VM_IS_FINITE(s->v)) s->failed = 1;
     if (s->kind == VM_ZERO_CROSSINGS) return s->x;
     return s->v;
 }
@@ -79,20 +81,23 @@ VM_API long vm_find_samples(vm_motion_function motion, void *ctx, int kind, vm_r
     s.motion = motion;
     s.ctx = ctx;
     s.kind = kind;
+    s.failed = 0;
     here = vmi_sample_function(t0, &s);
     for (i = 1; i <= last; i++) {
         const vm_real before = t, value_before = here;
         t = i == last ? t1 : t0 + (t1 - t0) * ((vm_real)i / intervals);
         here = vmi_sample_function(t, &s);
-        if (!VM_IS_FINITE(here)) return VM_NOT_FINITE;
+        if (s.failed) return VM_NOT_FINITE;
         if (value_before == 0 || !(here == 0 || (here > 0) != (value_before > 0))) continue;
         if (found < room) {
             samples[found].t = vmi_find_zero(vmi_sample_function, &s, before, t, value_before, here);
-            motion(samples[found].t, &samples[found].x, &samples[found].v, ctx);
+            vmi_sample_function(samples[found].t, &s);
+            samples[found].x = s.x;
+            samples[found].v = s.v;
         }
         found++;
     }
-    if (!VM_IS_FINITE(here)) return VM_NOT_FINITE;
+    if (s.failed) return VM_NOT_FINITE;
     return found;
 }
 

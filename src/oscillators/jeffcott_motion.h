@@ -239,7 +239,7 @@ VM_API int vmi_jeffcott_add_whirl(const vm_jeffcott *r, vm_complex first, int se
    are those of vm_jeffcott_whirl_at, and VM_NO_LAW for a shaft that is not linear. */
 VM_API int vm_jeffcott_linear_at(const vm_jeffcott *r, const vm_real *start, vm_real t, vm_real *motion)
 {
-    vm_real mass0, mass, slope, stiffness, W1, W2, found[4] = {0, 0, 0, 0};
+    vm_real mass0 = 0, mass = 0, slope, stiffness, W1, W2, found[4] = {0, 0, 0, 0};
     vm_complex z, P;
     int status;
     if (!r || !start || !motion) return VM_BAD_ARGUMENT;

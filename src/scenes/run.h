@@ -37,8 +37,8 @@ enum {
 
 VM_API vm_real vmi_scene_larger(vm_real a, vm_real b) { return a > b ? a : b; }
 
-/* Whether event i is due at the time t: its time has come, or the integrator has counted *times new crossings. The
-   integrator counts from 0 in each run, so that *times may be negative at the beginning of a run. */
+/* Whether event i is due at the time t: its time has come, or the integrator has counted *times new crossings. At the
+   beginning of a run these are the crossings that vmi_scene_keep_crossings has kept. */
 VM_API int vmi_scene_event_is_due(vm_scene *s, int i, vm_real t, long *times)
 {
     vm_event *e = s->events + i;
@@ -173,6 +173,18 @@ VM_API int vmi_scene_step(vm_scene *s, rk45 *r, vm_real t_end, int next)
     return vmi_scene_status_of_ode(ode_status);
 }
 
+/* Keeps the crossings that the last run has found but not handled, because an earlier event of the same instant
+   returned an error: the next run handles them at its start. The integrator counts from 0 in each run, so that `seen`
+   becomes negative by their number. */
+VM_API void vmi_scene_keep_crossings(vm_scene *s)
+{
+    int i;
+    for (i = 0; i < s->n_events; i++) {
+        s->events[i].seen -= s->located[i].count;
+        s->located[i].count = 0;
+    }
+}
+
 /* Prepares rk45 for the scene. Each number of a body has its tolerance. The numbers of the budget have none (VM_MAX),
    so that the bodies alone determine the steps. The tolerances are stored in work after the numbers of the
    integrator. */
@@ -189,6 +201,7 @@ VM_API int vmi_scene_integrator(vm_scene *s, rk45 *r, vm_real t, const vm_real *
     o.events = s->located;
     o.n_events = s->n_events;
     if (!vmi_all_finite(n, y)) return VM_NOT_FINITE;
+    vmi_scene_keep_crossings(s);
     s->ode_status = rk45_init(r, vm_scene_rhs, s, n, t, y, &o, work);
     r->attempts = o.max_steps;
     if (s->ode_status < 0) return vmi_scene_status_of_ode(s->ode_status);
@@ -221,7 +234,9 @@ VM_API int vmi_scene_check_run(const vm_scene *s, const vm_real *t, vm_real t_en
                            event follows the one before within 256 VM_EPSILON of the time;
      VM_IS_THERE, VM_IS_AWAY and the errors of vm_separate and vm_attach
                            if a jump is impossible;
-     VM_STEP_TOO_SMALL, VM_MAX_STEPS   if the integrator failed; its own status is in scene.ode_status. */
+     VM_STEP_TOO_SMALL, VM_MAX_STEPS   if the integrator failed; its own status is in scene.ode_status;
+     any other negative number         that an event's function (vm_then_user) returned. This event counts as handled.
+   Another call goes on from *t, with the events of this instant that were not handled. */
 VM_API int vm_scene_run(vm_scene *scene, vm_real *t, vm_real t_end, vm_real *y, vm_real *work,
                         const rk45_options *options_or_NULL)
 {

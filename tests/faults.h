@@ -1,0 +1,165 @@
+/* faults.h - functions of a user that fail at one of their calls, and the check of what the library does then
+
+   A scenario is a function that gives the library functions of a user, calls it, and, where that ended with an error,
+   calls it again to go on. check_faults first lets it run without a fault. Then it lets the first call of the user's
+   functions fail, in a second run the second call, and so on to the last one. Each run must end with a status that the
+   documentation names, must leave outputs as they are promised, and must go on to the result of the run without a
+   fault. */
+#ifndef FAULTS_H
+#define FAULTS_H
+
+#include "../varmass.h"
+#include "check.h"
+
+#define R(x) ((vm_real)(x))
+
+/* How a call of the user's function fails */
+enum {
+    FAULT_STATUS = 1, /* it returns a number other than 0 */
+    FAULT_NAN = 2,    /* it returns or writes NaN */
+    FAULT_BOTH = 4    /* it does both */
+};
+
+/* The number that a failing function returns */
+enum { FAULT_NUMBER = -1234 };
+
+/* The fault of the present run: call number `at` fails in the way `kind`. `calls` counts from 0. */
+static struct {
+    long calls, at;
+    int kind;
+} fault;
+
+/* Counts a call of a user's function. Returns 1 if this call has to fail. */
+static inline int fault_strikes(void) { return fault.calls++ == fault.at; }
+
+/* Does the same for a function that has no status, and so cannot fail by one. */
+static inline int fault_strikes_nan(void) { return fault.kind == FAULT_STATUS ? 0 : fault_strikes(); }
+
+/* The number that a user's function returns or writes instead of `right` */
+static inline vm_real fault_value(int strikes, vm_real right)
+{
+    return strikes && fault.kind != FAULT_STATUS ? VM_NAN : right;
+}
+
+/* The status that a user's function returns */
+static inline int fault_status(int strikes) { return strikes && fault.kind != FAULT_NAN ? (int)FAULT_NUMBER : 0; }
+
+/* What a scenario reports */
+typedef struct outcome {
+    int status;    /* of the first call that did not succeed, else of the last call */
+    int sound;     /* 1 if the outputs of that call were as promised */
+    int again;     /* status at the end, after the calls that went on */
+    double result; /* the result at the end */
+} outcome;
+
+typedef struct scenario {
+    const char *name;               /* of the function that is tested */
+    void (*run)(outcome *o);        /* NULL if `call` is all there is to do */
+    int kinds;                      /* sum of the kinds of faults that the user's functions can have */
+    int stopped;                    /* status where the user's function returned a number other than 0 */
+    int not_a_number;               /* status where it returned NaN; 0 is possible too, since a run may step over it */
+    double difference;              /* largest relative difference of the results in eps; 0: they have the same bits */
+    int (*call)(vm_real *result);   /* a call that can be made again: writes its result and returns its status */
+    int other;                      /* 0, or a further status that all kinds of faults may have */
+    int may_be_nan;                 /* 1 for right-hand sides: with NaN in them an integrator tries a shorter step */
+} scenario;
+
+/* What a result is before the call. A call that fails leaves it, or writes NaN. */
+#define FAULT_UNTOUCHED R(-77.125)
+
+/* The scenario of a function that keeps nothing from call to call: it is called, and where it failed, called again. */
+static inline void fault_call_twice(const scenario *s, outcome *o)
+{
+    vm_real result = FAULT_UNTOUCHED;
+    o->status = o->again = s->call(&result);
+    if (o->status < 0) {
+        o->sound = result == FAULT_UNTOUCHED || result != result;
+        o->again = s->call(&result);
+    }
+    o->result = (double)result;
+}
+
+/* A number that depends on each of n numbers */
+static inline vm_real fault_sum(int n, const vm_real *y)
+{
+    vm_real sum = 0;
+    int i;
+    for (i = 0; i < n; i++) sum += (vm_real)(2 * i + 1) * y[i];
+    return sum;
+}
+
+/* One run of the scenario with a fault at the call `at` */
+static inline outcome fault_run(const scenario *s, int kind, long at)
+{
+    outcome o = {0, 1, 0, 0};
+    fault.calls = 0;
+    fault.at = at;
+    fault.kind = kind;
+    if (s->run) s->run(&o);
+    else fault_call_twice(s, &o);
+    return o;
+}
+
+/* Whether the status is one that this fault may have */
+static inline int fault_has_status(const scenario *s, int kind, int status)
+{
+    if (status == 0) return kind == FAULT_NAN || s->difference > 0;
+    if (kind != FAULT_NAN && status == s->stopped) return 1;
+    if (kind != FAULT_STATUS && status == s->not_a_number) return 1;
+    return s->other && status == s->other;
+}
+
+/* Whether the result is that of the run without a fault. A function that keeps nothing from call to call must have the
+   same bits after an error; a run that has stepped over the fault, or goes on after it, may differ by s->difference. */
+static inline int fault_same(const scenario *s, const outcome *o, double result)
+{
+    if (s->may_be_nan && o->status == 0 && o->result != o->result) return 1;
+    if (s->difference == 0 || (o->status < 0 && s->call)) return o->result == result;
+    return fabs(o->result - result) <= s->difference * (double)VM_EPSILON * fabs(result);
+}
+
+/* The call that fails after the call `at` has failed: all calls of an integrator's or a scene's run; of functions whose
+   calls last longer each of the first 40, and then fewer and fewer, so that the test lasts some seconds. Where there
+   are very many calls, `at` is doubled at once. */
+static inline long fault_next(const scenario *s, long at, long calls)
+{
+    if (s->run) return at + 1;
+    if (calls > 50000) return 2 * at + 1;
+    return at < 40 ? at + 1 : at + 1 + at / 4;
+}
+
+/* The scenario with a fault of this kind at each call in turn. `calls` is how many calls there are without a fault. */
+static inline void check_faults_of(const scenario *s, int kind, long calls, double result)
+{
+    const char *names[5] = {"", "status", "NaN", "", "both"};
+    long at, errors = 0, bad = 0, tried = 0;
+    for (at = 0; at < calls; at = fault_next(s, at, calls)) {
+        const outcome o = fault_run(s, kind, at);
+        const int good = fault_has_status(s, kind, o.status) && o.sound && o.again >= 0 && fault_same(s, &o, result);
+        tried++;
+        errors += o.status != 0;
+        bad += !good;
+        if (!good && bad <= 3)
+            printf("%s, %s at call %ld: status %d, sound %d, then %d, %.17g instead of %.17g\n", s->name, names[kind],
+                   at, o.status, o.sound, o.again, o.result, result);
+    }
+    printf("%-26s  %-6s  %5ld of %5ld calls, %5ld ended with an error, %ld wrong\n", s->name, names[kind], tried, calls,
+           errors, bad);
+    check_count(bad == 0 && (errors > 0 || kind == FAULT_NAN), __FILE__, __LINE__, s->name);
+}
+
+static inline void check_faults(const scenario *s)
+{
+    const outcome without = fault_run(s, FAULT_STATUS, -1);
+    int kind;
+    check_count(without.status >= 0 && without.sound && without.result == without.result, __FILE__, __LINE__,
+                s->name);
+    if (without.status < 0) printf("%s: status %d without a fault\n", s->name, without.status);
+    for (kind = FAULT_STATUS; kind <= FAULT_BOTH; kind *= 2) {
+        if (!(s->kinds & kind)) continue;
+        fault_run(s, kind, -1);
+        check_faults_of(s, kind, fault.calls, without.result);
+    }
+}
+
+#endif

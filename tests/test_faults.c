@@ -1,0 +1,110 @@
+/* Functions of a user that fail at each of their calls in turn, in every function of the library that takes one: the
+   status is right, outputs are as promised, and a second call goes on. */
+#include "faults_integrators.h"
+#include "faults_oscillators.h"
+#include "faults_scenes.h"
+
+/* A user's function of a law may be defined only close to t. A call that fails may therefore only make steps shorter:
+   the results then differ within the tolerances of the calls. */
+#define FAULT_TOLERANCE (5e-3 / (double)VM_EPSILON)
+#define ROW(call, kinds, stopped, difference, other, nan) \
+    {#call, NULL, kinds, stopped, VM_NOT_FINITE, difference, call, other, nan}
+#define LAW(call) ROW(call, FAULT_ALL, VM_DOMAIN, FAULT_TOLERANCE, VM_NOT_INTEGRATED, 0)
+#define RHS(call, stopped) ROW(call, FAULT_ALL, stopped, 0, VM_DOMAIN, 1)
+#define NUMBER(call) ROW(call, FAULT_ALL, VM_NOT_FINITE, 0, 0, 0) /* a function of numbers; NaN stands for an error */
+#define ONLY_NAN(call) ROW(call, FAULT_NAN, 0, FAULT_TOLERANCE, VM_NOT_INTEGRATED, 0)
+/* The stiffness and the force of a rotor have no status, so that both kinds of faults at once are those of a NaN. */
+#define ROTOR(call) ROW(call, FAULT_STATUS + FAULT_NAN, VM_DOMAIN, 0, 0, 1)
+#define WHIRL(call) ROW(call, FAULT_STATUS + FAULT_NAN, VM_DOMAIN, 0, VM_BAD_STIFFNESS, 0)
+
+static const scenario fault_oscillators[] = {
+    LAW(call_law_at),
+    LAW(call_inverse_integral),
+    LAW(call_ratio_integral),
+    LAW(call_within),
+    LAW(call_plan),
+    LAW(call_load),
+    NUMBER(call_load_force),
+    NUMBER(call_adiabaticity),
+    ONLY_NAN(call_force_within),
+    ONLY_NAN(call_averaged),
+    NUMBER(call_odd_period),
+    NUMBER(call_odd_action),
+    LAW(call_odd_exact),
+    LAW(call_odd_within),
+    LAW(call_odd_integrated),
+    LAW(call_duffing_within),
+    LAW(call_duffing_integrated),
+    RHS(call_odd_rhs, VM_DOMAIN),
+#ifndef VM_USE_FLOAT /* in float the panels of a user's law become so short that a plan takes 200000 calls of the law */
+    LAW(call_vdp_law),
+    LAW(call_vdp_rk87),
+    LAW(call_vdp_within),
+#endif
+    RHS(call_vdp_rhs, VM_DOMAIN),
+    RHS(call_vdp_averaged_rhs, VM_DOMAIN),
+    ROTOR(call_rotor_rhs),
+    ROTOR(call_rotor_exact_rhs),
+    ROTOR(call_rotor_averaged_rhs),
+    RHS(call_rotor_whirl_rhs, VM_DOMAIN),
+    WHIRL(call_rotor_to_averaged),
+    WHIRL(call_rotor_from_averaged),
+    ONLY_NAN(call_rotor_frequency),
+    ONLY_NAN(call_rotor_amplitude),
+    ONLY_NAN(call_rotor_whirl_amplitude),
+    WHIRL(call_rotor_whirl_at),
+    LAW(call_rotor_linear_at),
+    RHS(call_pair_rhs, VM_DOMAIN),
+    RHS(call_pair_averaged_rhs, VM_DOMAIN),
+    LAW(call_pair_to_averaged),
+    RHS(call_coupled_rhs, FAULT_NUMBER),
+    LAW(call_coupled_to_modes),
+    LAW(call_coupled_from_modes),
+    ROW(call_coupled_oscillator, FAULT_ALL, VM_DOMAIN, FAULT_TOLERANCE, VM_DOMAIN, 0), /* the reduced mass is a law */
+    LAW(call_forced_init),
+    RHS(call_forced_rhs, VM_DOMAIN),
+    RHS(call_forced_exact_rhs, VM_DOMAIN),
+    RHS(call_forced_averaged_rhs, VM_DOMAIN),
+    LAW(call_forced_to_averaged),
+    LAW(call_forced_steady),
+    NUMBER(call_forced_peak),
+    LAW(call_forced_passage),
+    ONLY_NAN(call_find_samples),
+    ONLY_NAN(call_envelope_error),
+    ROW(call_lagrange_rhs, FAULT_NAN, 0, 0, 0, 1),
+    RHS(call_lagrange_forces_rhs, FAULT_NUMBER),
+    ONLY_NAN(call_lagrange_start),
+    ONLY_NAN(call_lagrange_rates),
+    ONLY_NAN(call_lagrange_partial),
+    ONLY_NAN(call_lagrange_needed),
+    ROW(call_lagrange_drive, FAULT_ALL, FAULT_NUMBER, 0, 0, 0),
+};
+
+#define CHECK_ALL(scenarios) check_all(scenarios, (int)(sizeof scenarios / sizeof *scenarios))
+static void check_all(const scenario *scenarios, int n)
+{
+    int i;
+    for (i = 0; i < n; i++) check_faults(scenarios + i);
+}
+
+/* All routes to the motion of an oscillator: with laws that fail, and with a force that fails if a route allows one */
+static void check_routes(void)
+{
+    static const scenario by_laws = LAW(call_by_route), by_force = ONLY_NAN(call_force_by_route);
+    int route;
+    for (route = VM_ROUTE_TRIG; route <= VM_ROUTE_RK87; route++) {
+        fault_route = route;
+        printf("route %s\n", vm_osc_route_name(route));
+        check_faults(&by_laws);
+        if (route >= VM_ROUTE_COLLOCATION) check_faults(&by_force);
+    }
+}
+
+int main(void)
+{
+    CHECK_ALL(fault_integrators);
+    CHECK_ALL(fault_oscillators);
+    CHECK_ALL(fault_scenes);
+    check_routes();
+    return check_finish("faults");
+}
