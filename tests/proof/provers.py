@@ -8,10 +8,11 @@ from source import dyadic
 
 
 class Case:
-    """A problem for Gappa. It is proved if Gappa proves its goals. `tight`: the quick run takes this case."""
+    """A problem for Gappa. It is proved if Gappa proves its goals. `tight`: the quick run takes this case. `digits`:
+    with which Gappa computes. `size`: of the argument."""
 
-    def __init__(self, where, problem, digits=120, tight=False):
-        self.where, self.problem, self.digits, self.tight = where, problem, digits, tight
+    def __init__(self, where, problem, digits=120, tight=False, size=0):
+        self.where, self.problem, self.digits, self.tight, self.size = where, problem, digits, tight, size
 
     def prove(self, seconds=600):
         """Returns the empty text, or what Gappa said."""

@@ -44,7 +44,7 @@ def sine_case(m, e, low, high, bound, tight):
     g += f"{{ z_hi in {between(low, high)} /\\ |z_lo| <= {above(z_lo)} /\\ |Y - Msine| <= {above(delta)}\n"
     g += f"/\\ sine in [1b{e}, {2**digits - 1}b{e + 1 - digits}] -> |error| <= {bound} }}\n"
     g += f"error -> ((sine - Msine) - (Y - Msine)) * {ulps};\n"
-    return Case(f"sine from 2^{e}, z.hi from {float(low):.4g} to {float(high):.4g}", g, 60, tight)
+    return Case(f"sine from 2^{e}, z.hi from {float(low):.4g} to {float(high):.4g}", g, 60, tight, high)
 
 
 def sine(precision, bound, full):
@@ -77,7 +77,7 @@ def cosine_case(m, low, high, bound):
     g += "rest - t * 0.5 -> (rest - (1 - w)) - (w - (1 - t * 0.5));\n"
     g += "cosine - Mcosine -> (cosine - (w + inner)) + (inner - (lost + q)) + (lost - (rest - t * 0.5))"
     g += " + (rest - (1 - w)) + (q - Mq) - (t - Mt) * 0.5;\n"
-    return Case(f"cosine, z.hi from {float(low):.4g} to {float(high):.4g}", g, 60, low > F(2, 3) or low == 0)
+    return Case(f"cosine, z.hi from {float(low):.4g} to {float(high):.4g}", g, 60, low > F(2, 3) or low == 0, high)
 
 
 def cosine(precision, bound, _full):
