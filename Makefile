@@ -22,6 +22,7 @@
 #   make test-threads   everything from many threads, under ThreadSanitizer
 #   make coverage   lines and branches that the tests execute       make test-mutate SEED=n MUTANTS=n   wrong headers
 #   make test-sanitize   sanitizers, valgrind, static analysers      make proof   abstract interpretation by Frama-C
+#   make proof-kernels KERNELS=full   error bounds by Gappa and Sollya, docs/proof.md (quick: a minute; full: twenty)
 #   make install PREFIX=/usr/local   headers, pkg-config and CMake files     make amalgamation   build/amalgamation/varmass.h
 #   make site     the reference in HTML, build/site/index.html
 #   make packages   an Arduino and PlatformIO library, a release with its checksum, build/packages
@@ -64,7 +65,7 @@ RUN_TESTS = @rm -f $(1); $(MAKE) -s -k $(if $(findstring jobserver,$(MAKEFLAGS))
 TEST_FILES = build/command $(HEADERS) $(wildcard tests/*.h tests/data/*.h tests/hard/* examples/*.h examples/scenes/*.h)
 GSL_CHECK = echo '\#include <gsl/gsl_sf.h>' | $(CC) -E -
 
-.PHONY: headers part parts-table law duffing van-der-pol toronto tables validation test-events test-readme scaling wasm first-steps sweep firmware firmware-table test-cross install uninstall amalgamation run test test-all scan routes points exhaustive lint bench measurements figures data clean bench-quick bench-count cost scene-sizes test-fuzz evaluations test-threads coverage test-mutate test-sanitize proof packages site docs check-docs campaigns counts hard-cases promises numbers peers
+.PHONY: headers part parts-table law duffing van-der-pol toronto tables validation test-events test-readme scaling wasm first-steps sweep firmware firmware-table test-cross install uninstall amalgamation run test test-all scan routes points exhaustive lint bench measurements figures data clean bench-quick bench-count cost scene-sizes test-fuzz evaluations test-threads coverage test-mutate test-sanitize proof proof-kernels packages site docs check-docs campaigns counts hard-cases promises numbers peers
 
 headers:
 	@mkdir -p build && echo '*' >build/.gitignore
@@ -251,6 +252,13 @@ test-sanitize:
 	@sh tests/install.sh "command -v clang" clang; mkdir -p build && echo '*' >build/.gitignore; sh tests/sanitize.sh build $(PART) $(TESTS)
 proof:
 	@mkdir -p build && echo '*' >build/.gitignore; sh tests/eva.sh build
+KERNELS = quick # or full, which takes twenty minutes
+proof-kernels:
+	@sh tests/install.sh "command -v gappa && command -v sollya" gappa sollya
+	@mkdir -p build/proof && echo '*' >build/.gitignore
+	python3 tests/proof/prove.py $(KERNELS) >build/proof/results || { cat build/proof/results; exit 1; }
+	@cat build/proof/results
+	@sed -e '/@RESULTS@/{' -e 'r build/proof/results' -e 'd' -e '}' bench/proof.md >docs/proof.md && $(STAMP) proof
 
 # a controller on an emulated Cortex-M4F
 CORTEX_M4F = -mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16

@@ -18,7 +18,7 @@
 /* Returns infinity if the condition holds, else 0. */
 VM_API vm_real vmi_infinity_if(int condition) { return condition ? VM_INFINITY : 0; }
 
-/* Returns x^y for x >= 0 within 0.6 ulp; NaN if x < 0 or an argument is NaN. At 0 and infinity it has the values of
+/* Returns x^y for x >= 0 within 0.9 ulp; NaN if x < 0 or an argument is NaN. At 0 and infinity it has the values of
    the C library's pow. */
 VM_API vm_real vmi_pow_checked(vm_real x, vm_real y)
 {

@@ -42,9 +42,10 @@ VM_API vm_two vmi_two_product(vm_real a, vm_real b)
 }
 
 /* Reduces x >= 0 by the quarter period q > 0. Let j q be the multiple of q that is nearest to x. Returns x - j q, which
-   lies between -q/2 and q/2 (or slightly outside by rounding), with an error of x 2^(-2p), and writes j modulo 4 to
-   *quarter; p is the number of bits of vm_real. For x above 2^(p-1) q the digits of x do not determine x - j q, and
-   both results are 0. */
+   lies between -q/2 and q/2 (or slightly outside by rounding), with an error below x 2^-(2p - 2), and writes j modulo 4
+   to *quarter; p is the number of bits of vm_real. One x has a larger error: if q.hi is a power of two and x is the
+   number just below q.hi/2, the result is -q.hi/2, and the error is x 2^-p. For x above 2^(p-1) q the digits of
+   x do not determine x - j q, and both results are 0. */
 VM_API vm_two vmi_reduce(vm_real x, vm_two q, int *quarter)
 {
     vm_real j = VM_FLOOR(x / q.hi + VM_C(0.5));
@@ -55,7 +56,7 @@ VM_API vm_two vmi_reduce(vm_real x, vm_two q, int *quarter)
     if (j == 0) return vmi_two(x, 0);
     if (!(j < 1 / VM_EPSILON)) return vmi_two(0, 0);
     p = vmi_two_product(j, hi);
-    p = vmi_two_sum(x * scale - p.hi, -p.lo); /* x scale - p.hi has no rounding error */
+    p = vmi_two_sum(x * scale - p.hi, -p.lo); /* x scale - p.hi is exact but for that x */
     p = vmi_fast_two_sum(p.hi, p.lo - j * lo);
     if (VM_FABS(p.hi) > VM_C(0.501) * hi) { /* for x > q/(1000 eps): the rounding of the quotient moves j */
         const vm_real further = VM_FLOOR(p.hi / hi + VM_C(0.5));

@@ -36,8 +36,8 @@ VM_API vm_two vmi_log_4(vm_real m1, vm_real m1_lo)
     return vmi_two(sum.hi, sum.lo + (ln4_lo + half * (L.lo + m1_lo / m1)));
 }
 
-/* Returns K for 1 - m = c <= 1/2 and l = ln(4/k'), with a relative error of 2^-58 (float 2^-30):
-   K = l + c (l - 1)/4 + c^2 (l A(c) - B(c)), where the polynomials A and B were fitted together. */
+/* Returns K for 1 - m = c <= 1/2 and l = ln(4/k'), as K = l + c (l - 1)/4 + c^2 (l A(c) - B(c)). The polynomials A
+   and B were fitted together; the relative error that they make in K is below 2^-58 (float 2^-30). */
 VM_API vm_two vmi_K_by_log(vm_real c, vm_two l)
 {
     const vm_real cc = c * c, head = vmi_head(c), tail = c - head;
@@ -63,8 +63,8 @@ VM_API vm_two vmi_K_by_log(vm_real c, vm_two l)
     return vmi_fast_two_sum(sum.hi, sum.lo + (l.lo + middle));
 }
 
-/* Returns E - 1 for 1 - m = c <= 1/2 and l = ln(4/k'), with an error of 2^-56 (float 2^-29):
-   E - 1 = c (l A(c) - B(c)), where A and B are polynomials. */
+/* Returns E - 1 for 1 - m = c <= 1/2 and l = ln(4/k'), as E - 1 = c (l A(c) - B(c)). The error that the polynomials A
+   and B make is below 2^-54.5 (float 2^-25.7). */
 VM_API vm_real vmi_E_rest(vm_real c, vm_real l)
 {
     const vm_real cc = c * c;
@@ -88,9 +88,10 @@ VM_API vm_real vmi_E_rest(vm_real c, vm_real l)
     return c * (l * A - B);
 }
 
-/* Returns S(x), the power series for which K = pi/(1 + k') (1 + x S(x)) with x = ((1 - k')/(1 + k'))^2, for
-   x <= 0.0295. The error of x S is 2^-60 (float 2^-31). x is made this small by a step of the arithmetic-geometric
-   mean, which replaces k' by 2 sqrt(k')/(1 + k'). One step is enough for every m1 for which VMI_MIDDLE(m1) is 1. */
+/* Returns S(x), the power series for which K = pi/(1 + k') (1 + x S(x)) with x = ((1 - k')/(1 + k'))^2, for x <=
+   0.0295. The polynomial's error of x S is below 2^-59.2 (float 2^-29.9). x is made this small by a step of the
+   arithmetic-geometric mean, which replaces k' by 2 sqrt(k')/(1 + k'). One step is enough for every m1 for which
+   VMI_MIDDLE(m1) is 1. */
 VM_API vm_real vmi_K_series(vm_real x)
 {
 #if VM_MANT_DIG > 24
@@ -105,7 +106,7 @@ VM_API vm_real vmi_K_series(vm_real x)
 }
 
 /* Returns x S(x) for x = ((1 - k')/(1 + k'))^2 <= 0.503, where S is the power series for which E = (pi/4) (1 + k')
-   (1 + x S(x)); it is not the series of K. The error is 2^-58.7 (float 2^-32.5). */
+   (1 + x S(x)); it is not the series of K. The polynomial's error of x S is below 2^-56.7 (float 2^-28.5). */
 VM_API vm_real vmi_E_series(vm_real x)
 {
     const vm_real xx = x * x, x4 = xx * xx;

@@ -9,7 +9,7 @@ Exponential: e^r = 1 + r + r^2/2 + r^3 E(r), |r| <= ln(2)/2. L and E by interpol
 import random
 import struct
 import sys
-from mpmath import mp, mpf, cos, pi, log, exp, factorial, floor, polyval, nstr
+from mpmath import mp, mpf, cos, sin, pi, log, exp, factorial, floor, polyval, nstr
 
 mp.dps = 60
 N = 32
@@ -105,8 +105,43 @@ def reference():
                        f"{words(mpf(x)**mpf(y)) if power else '0, 0'}}},\n")
 
 
-if len(sys.argv) > 1:  # any argument: the table of the tests
+# Where the errors of the kernels are largest, as far as a search found; of each bound of tests/proof/bounds.txt one point in
+# double and one in float. An argument is a pair of words; a power has a second argument of one word.
+POINTS = """
+double sine     0x1.770d3a0a8d98cp-1  -0x1.9b29d4a081482p-55
+double cosine   0x1.8c5987a858075p-1   0x1.83d9889367f6p-54
+double exp     -0x1.5d432eedecb6ep-2   0x1.b10a9668bfdb2p-55
+double exp     -0x1.5d911d0777eaep-2   0x1.97ab20555957cp-56
+double log      0x1.fa2c38efad3abp-1   0x0p+0
+double log      0x1.fa2b8d3d4f1b3p-1   0x0p+0
+double pow      0x1.fa2c38efad3abp-1   0x0p+0               -0x1.e1991e13f56edp+15
+double pow      0x1.fa2b8d3d4f1b3p-1   0x0p+0               -0x1.de11e024367dfp+15
+float  sine     0x1.861c4p-1           0x1.b2b526p-26
+float  cosine   0x1.8b7022p-1          0x1.e2ff3p-25
+float  exp     -0x1.60ce08p-2         -0x1.c653fap-26
+float  exp     -0x1.5d79p-2           -0x1.fe83acp-33
+float  exp     -0x1.1f4a04p+2          0x0p+0
+float  log      0x1.034be6p+0          0x0p+0
+float  pow      0x1.034be6p+0          0x0p+0                0x1.a73baep+12
+"""
+
+
+def points():
+    """tests/data/kernel_points.h: whether the point is for float; kernel; hi, lo and y of the argument; the value"""
+    functions = {"sine": sin, "cosine": cos, "exp": exp, "log": log}
+    with open("tests/data/kernel_points.h", "w") as file:
+        file.write("/* Written by tests/gen/elementary.py: 1 for float; kernel; the argument's words; y; the value's words */\n")
+        for line in POINTS.strip().split("\n"):
+            precision, name, *numbers = line.split()
+            hi, lo, y = [float.fromhex(x) for x in (numbers + ["0x0p+0"])[:3]]
+            x = mpf(hi) + mpf(lo)
+            value = x**mpf(y) if name == "pow" else functions[name](x)
+            file.write(f'    {{{int(precision == "float")}, "{name}", {hi!r}, {lo!r}, {y!r}, {words(value)}}},\n')
+
+
+if len(sys.argv) > 1:  # any argument: the tables of the tests
     reference()
+    points()
 else:
     tables(53, 10, 42, 7, 9)
     tables(24, 8, 16, 3, 5)
