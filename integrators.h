@@ -108,6 +108,8 @@
      VM_TABLE, VM_READ    storage of the tables, and how an element of one is read; both or none. Default: static const
                           and (x); on AVR static const PROGMEM and pgm_read_float(&(x)), so that tables take no RAM
      VM_ALLOW_FAST_MATH   compile under -ffast-math or a part of it, although the checks for NaN do not work then
+     VM_MIXED_PRECISIONS  link with files in the other precision. Otherwise gcc and MSVC, and clang for Windows, refuse to
+                          link a program of which some files define VM_USE_FLOAT and others do not.
    Names that begin with vmi_ or VMI_ are internal.
 
    OPTIONS THAT CHANGE VALUES
@@ -174,7 +176,8 @@
 
    All other files include this one. It defines vm_real (double, or float where VM_USE_FLOAT is defined) and gives a
    default to each macro that the user has not set. It stops the compiler with an error if a compiler option changes the
-   results. It names the four functions of the C library that are used: sqrt, fabs, floor, copysign.
+   results, and the linker where a program has files in float and in double. It names the four functions of the C
+   library that are used: sqrt, fabs, floor, copysign.
 
        vm_real x = VM_C(0.1); // the number 0.1 as a vm_real, in double and in float
 
@@ -210,6 +213,41 @@
 #define VM_INLINE VM_API /* the code is slower than with forced inlining, but the results are the same */
 #endif
 
+/* Between VMI_QUIET_BEGIN and VMI_QUIET_END the compiler does not warn of what is meant as it stands, such as casts that
+   C and C++ both accept and comparisons with exact numbers. A project that asks for such warnings gets those of its own
+   files only. */
+#if defined(__GNUC__) && !defined(__CUDACC__)
+#define VMI_IGNORE(warning) VMI_PRAGMA(GCC diagnostic ignored warning)
+#define VMI_PRAGMA(text) _Pragma(#text)
+#if defined(__clang__)
+#define VMI_QUIET_MORE                                                                                              \
+    VMI_IGNORE("-Wunknown-warning-option") VMI_IGNORE("-Wold-style-cast") VMI_IGNORE("-Wused-but-marked-unused")     \
+    VMI_IGNORE("-Wconditional-uninitialized") VMI_IGNORE("-Wzero-as-null-pointer-constant")                         \
+    VMI_IGNORE("-Wdeclaration-after-statement") VMI_IGNORE("-Wbad-function-cast") VMI_IGNORE("-Wuseless-cast")       \
+    VMI_IGNORE("-Wunsafe-buffer-usage")
+#elif defined(__cplusplus)
+#define VMI_QUIET_MORE                                                                                              \
+    VMI_IGNORE("-Wold-style-cast") VMI_IGNORE("-Wuseless-cast") VMI_IGNORE("-Wzero-as-null-pointer-constant")
+#else
+#define VMI_QUIET_MORE                                                                                              \
+    VMI_IGNORE("-Wdeclaration-after-statement") VMI_IGNORE("-Wbad-function-cast")                                    \
+    VMI_IGNORE("-Wunsuffixed-float-constants")
+#endif
+#define VMI_QUIET_BEGIN                                                                                             \
+    VMI_PRAGMA(GCC diagnostic push) VMI_QUIET_MORE VMI_IGNORE("-Wfloat-equal") VMI_IGNORE("-Wcast-qual")             \
+    VMI_IGNORE("-Wpadded") VMI_IGNORE("-Wstrict-overflow")
+#define VMI_QUIET_END VMI_PRAGMA(GCC diagnostic pop)
+#else
+#define VMI_QUIET_BEGIN
+#define VMI_QUIET_END
+#endif
+
+#ifdef __cplusplus
+#define VMI_CAST(type, x) static_cast<type>(x)
+#else
+#define VMI_CAST(type, x) ((type)(x))
+#endif
+
 #ifdef VM_USE_FLOAT
 typedef float vm_real;
 #define VM_C(x) x##f            /* the constant x as a vm_real */
@@ -219,6 +257,8 @@ typedef float vm_real;
 #define VM_MAX FLT_MAX
 #define VM_MIN FLT_MIN /* the smallest normal number */
 #define VM_MANT_DIG FLT_MANT_DIG
+#define VM_NAN NAN
+#define VM_INFINITY INFINITY
 #ifdef FP_FAST_FMAF
 #define VM_FAST_FMA
 #endif
@@ -231,10 +271,41 @@ typedef double vm_real;
 #define VM_MAX DBL_MAX
 #define VM_MIN DBL_MIN
 #define VM_MANT_DIG DBL_MANT_DIG /* bits; 24 where double is as short as float (AVR). Table lengths depend on it. */
+#define VM_NAN VMI_CAST(double, NAN)
+#define VM_INFINITY VMI_CAST(double, INFINITY)
 #ifdef FP_FAST_FMA
 #define VM_FAST_FMA
 #endif
 #endif
+
+/* A struct in float and the same struct in double have other sizes. In C the linker does not see where one file passes
+   such a struct to another. So each file marks its precision here, and files of both precisions do not link, unless all
+   of one precision define VM_MIXED_PRECISIONS. gcc marks by an absolute symbol, of which every file of a program must
+   have the same value; with clang this would refuse equal values too under -flto. */
+#if defined(VM_MIXED_PRECISIONS) || defined(__CUDACC__)
+#elif defined(_MSC_VER)
+#ifdef VM_USE_FLOAT
+#pragma detect_mismatch("varmass in float and in double: see VM_MIXED_PRECISIONS", "float")
+#else
+#pragma detect_mismatch("varmass in float and in double: see VM_MIXED_PRECISIONS", "double")
+#endif
+#elif defined(__GNUC__) && !defined(__clang__) && (defined(__ELF__) || defined(__MINGW32__))
+#define VMI_MARK "varmass_in_float_and_in_double__see_VM_MIXED_PRECISIONS"
+#ifdef VM_USE_FLOAT
+#define VMI_MARKED "4"
+#else
+#define VMI_MARKED "8"
+#endif
+#ifdef __ELF__
+#define VMI_HIDDEN ".hidden " VMI_MARK "\n"
+#else
+#define VMI_HIDDEN
+#endif
+__asm__(".globl " VMI_MARK "\n" VMI_HIDDEN ".ifdef " VMI_MARK "\n.if " VMI_MARK " - " VMI_MARKED "\n.error \"" VMI_MARK
+        "\"\n.endif\n.else\n.set " VMI_MARK ", " VMI_MARKED "\n.endif");
+#endif
+
+VMI_QUIET_BEGIN
 
 /* -fsingle-precision-constant makes constants shorter than vm_real. This array then has -1 elements, which is an
    error. */
@@ -262,8 +333,6 @@ typedef char vmi_constants_are_vm_real[sizeof(VM_C(1.0)) == sizeof(vm_real) ? 1 
 #endif
 #endif
 
-#define VM_NAN ((vm_real)NAN)
-#define VM_INFINITY ((vm_real)INFINITY)
 #define VM_IS_FINITE(x) ((x) - (x) == 0)
 #define VM_PI VM_C(3.141592653589793238463)
 
@@ -287,7 +356,12 @@ VM_INLINE vm_real vmi_smaller(vm_real a, vm_real b) { return a < b ? a : b; }
 #define VMI_APART VM_API
 #endif
 
+VMI_QUIET_END
+
 #endif
+
+VMI_QUIET_BEGIN
+
 /* base/sums.h - sums without rounding error, numbers in two words
 
    A sum of two numbers of type vm_real is rounded. The functions here return the rounded sum (hi) and its rounding
@@ -3042,5 +3116,7 @@ VM_API int rk87_save(const rk87 *s, long size, unsigned char *bytes) { return vm
 VM_API int rk87_resume(rk87 *s, long size, const unsigned char *bytes) { return vmi_resume(s, VMI_RK87, size, bytes); }
 
 #endif
+
+VMI_QUIET_END
 
 #endif

@@ -67,6 +67,9 @@
                           take no RAM
      VM_SQRT, VM_FABS ... the functions of the C library that are used (define all of them or none)
      VM_ALLOW_FAST_MATH   compile under -ffast-math or a part of it, although no result is promised to be right then
+     VM_MIXED_PRECISIONS  link with files in the other precision. Otherwise gcc and MSVC, and clang for Windows, refuse to
+                          link a program of which some files define VM_USE_FLOAT and others do not, since a struct
+                          that one passes to the other would be misread. In C++ every compiler refuses such a call.
 
    OPTIONS THAT CHANGE VALUES
      -ffast-math, its parts (-funsafe-math-optimizations, -fassociative-math, -freciprocal-math, -ffinite-math-only,
@@ -560,6 +563,8 @@
 #include "ateb.h"
 #include "integrators.h"
 #include "jacobi.h"
+
+VMI_QUIET_BEGIN
 
 /* base/status.h - the statuses that functions return, and what each of them means
 
@@ -1861,29 +1866,6 @@ VM_INLINE vm_inertia vmi_inertia_sizes(const vm_inertia *i, const vmi_mat3 *m)
 /* The sum |xx| + |yy| + |zz|. It equals the trace if i is the inertia of a body. */
 VM_API vm_real vmi_inertia_trace(const vm_inertia *i) { return VM_FABS(i->xx) + VM_FABS(i->yy) + VM_FABS(i->zz); }
 
-/* Reads an inertia tensor from six numbers of a state array. vmi_set_inertia writes a tensor to a state array. */
-VM_API vm_inertia vmi_get_inertia(const vm_real *y)
-{
-    vm_inertia i;
-    i.xx = y[0];
-    i.yy = y[1];
-    i.zz = y[2];
-    i.xy = y[3];
-    i.xz = y[4];
-    i.yz = y[5];
-    return i;
-}
-
-VM_API void vmi_set_inertia(vm_real *y, const vm_inertia *i)
-{
-    y[0] = i->xx;
-    y[1] = i->yy;
-    y[2] = i->zz;
-    y[3] = i->xy;
-    y[4] = i->xz;
-    y[5] = i->yz;
-}
-
 /* The tolerance, in kg m^2, for the rounding errors of a tensor. Usually i is this tensor. If its entries were computed
    as sums, i may instead have for each entry the sum of the terms' absolute values (vmi_inertia_sizes). */
 VM_API vm_real vmi_inertia_slack(const vm_inertia *i) { return 32 * VM_EPSILON * vmi_inertia_trace(i); }
@@ -2059,66 +2041,6 @@ VM_API int vmi_solve_spin(const vm_inertia *i, const vmi_principal *p, vm_vec3 h
     for (k = 0; k < 2; k++) w = vm_add(w, vmi_spin_of(p, vm_sub(h, vmi_inertia_times(i, w))));
     *omega = w;
     return left;
-}
-
-/* ---- factors, for bodies whose inertia is inverted in every step of an integration ---- */
-
-/* The factors of an inertia tensor L D L^T. L is a lower triangular matrix with ones on the diagonal; xy, xz, yz are
-   its other entries. D is a diagonal matrix; x, y, z are the diagonal entries of its inverse. */
-typedef struct VM_TAG(vmi_inertia_ldl) {
-    vm_real xy, xz, yz, x, y, z;
-} vmi_inertia_ldl;
-
-/* Computes the factors f of the tensor i. Returns 0 if an entry of D is <= 0 or only a rounding error, else 1. */
-VM_INLINE int vmi_inertia_factor(const vm_inertia *i, vmi_inertia_ldl *f)
-{
-    vm_real y, z, t;
-    f->x = 1 / i->xx;
-    f->xy = i->xy * f->x;
-    f->xz = i->xz * f->x;
-    y = i->yy - f->xy * i->xy;
-    t = i->yz - f->xz * i->xy;
-    f->y = 1 / y;
-    f->yz = t * f->y;
-    z = i->zz - f->xz * i->xz - f->yz * t;
-    f->z = 1 / z;
-    return i->xx > 0 && y > VMI_LOST_SHARE * i->yy && z > VMI_LOST_SHARE * i->zz;
-}
-
-/* The angular velocity w for the angular momentum h: the solution of i w = h for the tensor i with the factors f */
-VM_INLINE vm_vec3 vmi_inertia_solve(const vmi_inertia_ldl *f, vm_vec3 h)
-{
-    vm_vec3 w;
-    w.y = h.y - f->xy * h.x;
-    w.z = (h.z - f->xz * h.x - f->yz * w.y) * f->z;
-    w.y = w.y * f->y - f->yz * w.z;
-    w.x = h.x * f->x - f->xy * w.y - f->xz * w.z;
-    return w;
-}
-
-/* Returns 1 if a body, perhaps a thin one, can have the inertia i within a tolerance. One moment of a flat body equals
-   the sum of the other two, but the rounding errors of all steps of an integration add up and disturb this equality.
-   The tolerance is sqrt(eps) times the trace, which is enough for about 1/sqrt(eps) steps. */
-VMI_APART int vmi_thin_inertia_is_possible(const vm_inertia *i)
-{
-    const vm_real slack = VM_MANT_DIG > 24 ? VM_C(1.5e-8) : VM_C(3.5e-4); /* as a share of the trace */
-    return vmi_inertia_is_finite(i) && vmi_inertia_is_within(i, slack * (i->xx + i->yy + i->zz));
-}
-
-/* Returns 1 if a body can have the inertia i, which must have positive principal moments. Every step of an integration
-   calls this test, so a cheap condition comes first: tr(i)/2 E - i (trace tr, unit matrix E) is positive definite if
-   each of its diagonal entries exceeds |xy| + |xz| + |yz|. Most bodies fulfil this. */
-VM_INLINE int vmi_running_inertia_is_possible(const vm_inertia *i)
-{
-    const vm_real half = (i->xx + i->yy + i->zz) / 2;
-    const vm_real least = half - (VM_FABS(i->xy) + VM_FABS(i->xz) + VM_FABS(i->yz));
-    return (least > i->xx && least > i->yy && least > i->zz) || vmi_thin_inertia_is_possible(i);
-}
-
-/* Computes the factors of i as vmi_inertia_factor does, but also returns 0 if no body can have the inertia i */
-VM_INLINE int vmi_inertia_factor_if_possible(const vm_inertia *i, vmi_inertia_ldl *f)
-{
-    return vmi_inertia_factor(i, f) && vmi_running_inertia_is_possible(i);
 }
 
 #endif
@@ -5555,6 +5477,101 @@ VM_API int vm_torque_free_rotation(const vm_body *body, vm_real t, vm_body *late
     if (!VM_IS_FINITE(t)) return VM_NOT_FINITE;
     status = vm_torque_free_init(&motion, body, 0);
     return status ? status : vm_torque_free_at(&motion, t, later);
+}
+
+#endif
+/* mechanics/inertia_factors.h - inertia tensors as factors, and in arrays of state
+   A body with streams needs the inverse of its inertia in every evaluation of its equations of motion. The factors
+   L D L^T of the tensor give the angular velocity for an angular momentum in a few products. In an array of state the
+   tensor is six numbers, which this chapter reads and writes. A tensor that no body can have has no factors.
+
+       vm_inertia disc = {1, 1, 2, 0, 0, 0};
+       vmi_inertia_ldl f;
+       int possible = vmi_inertia_factor_if_possible(&disc, &f); // 1; vmi_inertia_solve(&f, h) then gives omega
+
+   Tests: tests/test_flow.c, tests/test_streams.c, tests/test_scene_mass.c. */
+#ifndef VARMASS_MECHANICS_INERTIA_FACTORS_H
+#define VARMASS_MECHANICS_INERTIA_FACTORS_H
+
+/* Reads an inertia tensor from six numbers of a state array. vmi_set_inertia writes a tensor to a state array. */
+VM_API vm_inertia vmi_get_inertia(const vm_real *y)
+{
+    vm_inertia i;
+    i.xx = y[0];
+    i.yy = y[1];
+    i.zz = y[2];
+    i.xy = y[3];
+    i.xz = y[4];
+    i.yz = y[5];
+    return i;
+}
+
+VM_API void vmi_set_inertia(vm_real *y, const vm_inertia *i)
+{
+    y[0] = i->xx;
+    y[1] = i->yy;
+    y[2] = i->zz;
+    y[3] = i->xy;
+    y[4] = i->xz;
+    y[5] = i->yz;
+}
+
+/* The factors of an inertia tensor L D L^T. L is a lower triangular matrix with ones on the diagonal; xy, xz, yz are
+   its other entries. D is a diagonal matrix; x, y, z are the diagonal entries of its inverse. */
+typedef struct VM_TAG(vmi_inertia_ldl) {
+    vm_real xy, xz, yz, x, y, z;
+} vmi_inertia_ldl;
+
+/* Computes the factors f of the tensor i. Returns 0 if an entry of D is <= 0 or only a rounding error, else 1. */
+VM_INLINE int vmi_inertia_factor(const vm_inertia *i, vmi_inertia_ldl *f)
+{
+    vm_real y, z, t;
+    f->x = 1 / i->xx;
+    f->xy = i->xy * f->x;
+    f->xz = i->xz * f->x;
+    y = i->yy - f->xy * i->xy;
+    t = i->yz - f->xz * i->xy;
+    f->y = 1 / y;
+    f->yz = t * f->y;
+    z = i->zz - f->xz * i->xz - f->yz * t;
+    f->z = 1 / z;
+    return i->xx > 0 && y > VMI_LOST_SHARE * i->yy && z > VMI_LOST_SHARE * i->zz;
+}
+
+/* The angular velocity w for the angular momentum h: the solution of i w = h for the tensor i with the factors f */
+VM_INLINE vm_vec3 vmi_inertia_solve(const vmi_inertia_ldl *f, vm_vec3 h)
+{
+    vm_vec3 w;
+    w.y = h.y - f->xy * h.x;
+    w.z = (h.z - f->xz * h.x - f->yz * w.y) * f->z;
+    w.y = w.y * f->y - f->yz * w.z;
+    w.x = h.x * f->x - f->xy * w.y - f->xz * w.z;
+    return w;
+}
+
+/* Returns 1 if a body, perhaps a thin one, can have the inertia i within a tolerance. One moment of a flat body equals
+   the sum of the other two, but the rounding errors of all steps of an integration add up and disturb this equality.
+   The tolerance is sqrt(eps) times the trace, which is enough for about 1/sqrt(eps) steps. */
+VMI_APART int vmi_thin_inertia_is_possible(const vm_inertia *i)
+{
+    const vm_real slack = VM_MANT_DIG > 24 ? VM_C(1.5e-8) : VM_C(3.5e-4); /* as a share of the trace */
+    return vmi_inertia_is_finite(i) && vmi_inertia_is_within(i, slack * (i->xx + i->yy + i->zz));
+}
+
+/* Returns 1 if a body can have the inertia i, which must have positive principal moments. Every step of an integration
+   calls this test, so a cheap condition comes first: tr(i)/2 E - i (trace tr, unit matrix E) is positive definite if
+   each of its diagonal entries exceeds |xy| + |xz| + |yz|. Most bodies fulfil this. */
+VM_INLINE int vmi_running_inertia_is_possible(const vm_inertia *i)
+{
+    const vm_real half = (i->xx + i->yy + i->zz) / 2;
+    const vm_real least = half - (VM_FABS(i->xy) + VM_FABS(i->xz) + VM_FABS(i->yz));
+    return (least > i->xx && least > i->yy && least > i->zz) || vmi_thin_inertia_is_possible(i);
+}
+
+/* Computes the factors of i as vmi_inertia_factor does, but also returns 0 if no body can have the inertia i */
+VM_INLINE int vmi_inertia_factor_if_possible(const vm_inertia *i, vmi_inertia_ldl *f)
+{
+    return vmi_inertia_factor(i, f) && vmi_running_inertia_is_possible(i);
 }
 
 #endif
@@ -9274,8 +9291,9 @@ typedef struct VM_TAG(vm_osc_load) {
     vm_law mass;        /* mass m(t) of the oscillator, kg, whose rate m' the thrust needs */
     vm_law u;           /* velocity of the mass that joins or leaves, m/s */
     vm_law damping;     /* damping, kg/s, that adds to the problem's; positive takes energy out */
-    vm_real reactive;   /* share of the thrust m' u that acts. The init function takes the problem's `reactive`. With 1
-                           here and 0 in the problem, u is the velocity relative to the oscillator. */
+    vm_real reactive;   /* share of the thrust m' u that acts; the init function copies it from the problem. If u is the
+                           velocity relative to the oscillator, let the problem's `reactive` be 0, and set this field to
+                           1 after the init function. */
     vm_osc_force force; /* the further force that the problem had before, or NULL */
     void *ctx;          /* the user's pointer, last argument of force */
 } vm_osc_load;
@@ -13042,10 +13060,13 @@ VM_API int vmi_osc_next_pair(const vm_osc_problem *o, int i, vm_real error, vm_r
 VM_API vm_real vmi_osc_strict_share(const vm_osc_problem *o, vmi_osc_points points)
 {
     const vm_real ratio = (vm_real)points.loose / (vm_real)points.strict, squared = ratio * ratio;
+    const vm_real fourth = squared * squared, sixth = fourth * squared;
     const int graded = vmi_osc_needs_grading(o), kinks = (o->force && !graded) || vmi_osc_has_user_law(o);
-    const int few = graded ? 8 : 4;
-    if (kinks || o->alpha > 10 || points.strict <= few) return squared * squared;
-    return squared * squared * squared * (o->alpha >= 1 ? squared : 1);
+    int few = 4;
+    if (graded) few = 8;
+    if (kinks || o->alpha > 10 || points.strict <= few) return fourth;
+    if (o->alpha < 1) return sixth;
+    return sixth * squared;
 }
 
 /* Makes one pair of runs from 0 to t. *strict becomes the strict run at t, *error the estimate of its error. */
@@ -17279,29 +17300,40 @@ VM_API vm_real vmi_vdp_error(const vm_vdp_plan *p, const vmi_vdp_mean *mean, vm_
     return error < largest_known ? error : VM_INFINITY;
 }
 
-/* Computes the motion by order 1, 2 or 3 from the mean motion. */
-VM_API int vmi_vdp_order_n(const vm_vdp_plan *p, int route, const vmi_vdp_mean *mean, vm_osc_motion *motion)
+/* Computes the motion by order 1, 2 or 3 from the mean motion, with the estimate of what the order leaves out. Writes
+   amplitude, phase and rate of the phase to *state. */
+VM_API int vmi_vdp_truncated(const vm_vdp_plan *p, int route, const vmi_vdp_mean *mean, vmi_osc_reduced *state,
+                             vm_osc_motion *motion)
 {
     const int order = vmi_vdp_order_of(route);
-    const vm_real alpha = p->vdp.alpha;
     const vmi_osc_wave wave = vmi_osc_wave_of(&p->osc, VM_ROUTE_ATEB);
-    const vmi_osc_reduced state = vmi_vdp_state(p, order, mean);
-    vm_osc_motion result, better;
     vm_real sa, ca, second;
-    vmi_osc_wave_at(&wave, state.psi, &ca, &sa);
-    vmi_osc_unreduce(&state, mean->now.p, alpha, sa, ca, &result.x, &result.v);
-    result.amplitude = state.A;
-    result.error = vmi_vdp_error(p, mean, &second);
-    if (order < 3) result.error = second;
-    result.route = route;
-    result.evals = 0;
-    if (order == 1) { /* the estimate is the difference from order two */
-        const vm_real vmax = 2 / (alpha + 1) * state.A * state.W;
-        int status = vmi_vdp_order_n(p, VM_ROUTE_ORDER2, mean, &better);
+    *state = vmi_vdp_state(p, order, mean);
+    vmi_osc_wave_at(&wave, state->psi, &ca, &sa);
+    vmi_osc_unreduce(state, mean->now.p, p->vdp.alpha, sa, ca, &motion->x, &motion->v);
+    motion->amplitude = state->A;
+    motion->error = vmi_vdp_error(p, mean, &second);
+    if (order < 3) motion->error = second;
+    motion->route = route;
+    motion->evals = 0;
+    if (!VM_IS_FINITE(motion->x) || !VM_IS_FINITE(motion->v)) return VM_NOT_FINITE;
+    return VM_OK;
+}
+
+/* Computes the motion by order 1, 2 or 3 from the mean motion, with an estimate of its error. For order 1 the estimate
+   is that of order 2 plus the difference of the two orders. */
+VM_API int vmi_vdp_order_n(const vm_vdp_plan *p, int route, const vmi_vdp_mean *mean, vm_osc_motion *motion)
+{
+    vmi_osc_reduced state, unused;
+    vm_osc_motion result, better;
+    int status = vmi_vdp_truncated(p, route, mean, &state, &result);
+    if (status) return status;
+    if (vmi_vdp_order_of(route) == 1) {
+        const vm_real vmax = 2 / (p->vdp.alpha + 1) * state.A * state.W;
+        status = vmi_vdp_truncated(p, VM_ROUTE_ORDER2, mean, &unused, &better);
         if (status) return status;
         result.error += vmi_larger(VM_FABS(result.x - better.x) / state.A, VM_FABS(result.v - better.v) / vmax);
     }
-    if (!VM_IS_FINITE(result.x) || !VM_IS_FINITE(result.v)) return VM_NOT_FINITE;
     if (!(result.error >= 0)) result.error = VM_INFINITY;
     *motion = result;
     return VM_OK;
@@ -18376,8 +18408,9 @@ VM_API int vm_pair_averaged_rhs(vm_real t, const vm_real *modes, vm_real *dmodes
     return VM_OK;
 }
 
-/* Computes the modes at time t from the motion y0 at t = 0, in closed form for a linear mass, and the mass at t.
-   Method: the averaged equations contain powers of m/m0, where m0 is the mass at t = 0. For any exponent e the integral of
+/* Computes the averaged motion at time t by closed formulas, which hold for a mass that is linear in time. y0 holds x, y,
+   x' and y' at t = 0. `modes` receives the results in the order VMI_PAIR_..., and *m the mass at t with its integrals.
+   The averaged equations contain powers of m/m0, where m0 is the mass at t = 0. For any exponent e the integral of
    (m/m0)^e dt is m0 (exp(u) - 1)/u times the integral of dt/m, with u = (1 + e) ln(m/m0). */
 VM_API int vmi_pair_modes_at(const vm_pair *p, vm_real t, const vm_real *y0, vmi_linear_mass *m, vm_real *modes)
 {
@@ -23670,5 +23703,7 @@ VM_API int vm_scene_run(vm_scene *scene, vm_real *t, vm_real t_end, vm_real *y, 
 }
 
 #endif
+
+VMI_QUIET_END
 
 #endif

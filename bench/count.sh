@@ -73,8 +73,8 @@ compiler=$($CC --version) || fail "the compiler $CC does not say its version"
     echo '# Instructions of a call'
     echo
     echo "Written by \`make bench-count\`: $(uname -m), $(echo "$compiler" | head -n 1), $FLAGS, counted by"
-    echo 'callgrind, the same in every run. Means over 200 calls, with arguments as bench/count.c has them; a step of'
-    echo "x'' = -x^3 for the integrators."
+    echo 'callgrind; the numbers are the same in every run. Each number is the mean over 200 calls, whose arguments are in bench/count.c. For'
+    echo "integrators a call is one step of x'' = -x^3."
     echo
     echo '| function | double | float |'
     echo '|---|---|---|'

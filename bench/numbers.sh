@@ -78,6 +78,17 @@ ratios() { # ratios NAME PROBLEMS COLUMN ROUTE PEER : NAME_least and NAME_most
     number "$1_least" "docs/cost.md, integrators: least of \`$4\` over \`$5\`" ratio least "$2" "$3" "$4" "$5"
     number "$1_most" "docs/cost.md, integrators: most of \`$4\` over \`$5\`" ratio most "$2" "$3" "$4" "$5"
 }
+# the law of an order at once and from a plan, in the table of oscillators of docs/cost.md: error, µs, ns
+law_numbers() { # law_numbers ORDER
+    number "order$1_error" "docs/cost.md, oscillators" cell least cost "^[|] .vm_osc_by_route order $1. [|] [^|]* µs [|]" 2 1
+    number "order$1_time" "docs/cost.md, oscillators, µs" cell least cost "^[|] .vm_osc_by_route order $1. [|] [^|]* µs [|]" 2 2
+    # a plan's time stands in ns there
+    number "order$1_plan_time" "docs/cost.md, oscillators, from a plan, µs" plan_time "$1"
+}
+plan_time() {
+    ns=$(cell least cost "^[|] .vm_osc_plan_by_route order $1. [|] [^|]* ns [|]" 2 2)
+    awk -v ns="$ns" 'BEGIN {if (ns > 0) print ns / 1000}'
+}
 coverage() { awk -F' [|] ' -v column="$1" '$1 ~ /^[|] [a-z]+[.]h$/ && $3 ~ /%/ && $5 ~ /%/ {if (least == "" || $column + 0 < least) least = $column + 0}
     END {print least}' "$root/docs/reliability.md"; }
 size_of() { # size_of "FLAGS" HEADER TYPE : bytes of a type, by the compiler
@@ -131,6 +142,12 @@ table() {
     number cn_corrected_time "docs/cost.md, oscillators, ns" cell least cost '^[|] `cn corrected`' 2 2
     number oscillator_gsl_2 "docs/cost.md, oscillators, to 1e-2, µs" cell least cost '^[|] `GSL rk8pd` [|]' 3
     number oscillator_gsl_8 "docs/cost.md, oscillators, to 1e-8, µs" cell least cost '^[|] `GSL rk8pd` [|]' 6
+    number oscillator_gsl_10 "docs/cost.md, oscillators, to 1e-10, µs" cell least cost '^[|] `GSL rk8pd` [|]' 7
+    law_numbers 3
+    law_numbers 5
+    power='^[|] alpha=4/3 psi0=0[.]7 eps=0[.]01 [|].*[|] `vm_osc_by_route order 3` [0-9.]+ µs; GSL [0-9.]+ ms [|]'
+    number power_time "docs/cost.md, all oscillators, alpha = 4/3, to 1e-8, µs" cell least cost "$power" 5 2
+    number power_gsl_time "docs/cost.md, all oscillators, alpha = 4/3, to 1e-8, ms" cell least cost "$power" 5 3
     number oscillator_rk87_8 "docs/cost.md, oscillators, to 1e-8, µs" cell least cost '^[|] `rk87_solve` [|]  [|]' 6
 
     all='cubic|mass|momentum|body|orbit' smooth='cubic|mass|momentum|body'
@@ -141,6 +158,11 @@ table() {
     number rk87_gsl_orbit "docs/cost.md, integrators, to 1e-8" ratio least orbit 6 rk87_solve gsl_rk8pd
 
     number effect_least "docs/cost.md, effects, linear spring" cell least cost '^[|] linear spring [|]' 3
+    effects='linear spring|cubic spring|second damper|Van der Pol|gravity|drive|harmonic|own force|mass of time'
+    number effect_most "docs/cost.md, effects, most of those that call no power" cell most cost "^[|] ($effects) [|]" 3
+    chain='^[|] 10* [|] [0-9.]+ [|]$'
+    number chain_least "docs/cost.md, a chain of bodies, ns a body" cell least cost "$chain" 2
+    number chain_most "docs/cost.md, a chain of bodies, ns a body" cell most cost "$chain" 2
     number spring_flash "docs/scene-sizes.md, M4F, of a linear spring over nothing" spring_flash
     number coverage_lines "docs/reliability.md, least of the headers, %" coverage 3
     number coverage_outcomes "docs/reliability.md, least of the headers, %" coverage 5

@@ -20,8 +20,8 @@ awk -F '\t' '
             points += k[8]
         }
         sub(/^manual: /, "the manual, ", field[1])
-        sub(/^README: /, "the README, ", field[1])
-        if (field[1] !~ /^the/) field[1] = "`" field[1] "`"
+        sub(/^docs.accuracy.md: /, "docs/accuracy.md, ", field[1])
+        if (field[1] !~ /^(the|docs)/) field[1] = "`" field[1] "`"
         line = "| " field[1] " | " field[2] " | " worst["double"] " | " worst["float"] " | " points " | tests/test_" part[1] ".c |"
         print line
     }' "$1/promises/rows" tests/promises.txt

@@ -185,16 +185,20 @@ static int print_markdown(const char *name)
     if (read_all(name, before) < DETEST_PROBLEMS * 2 * TOLERANCES) return fprintf(stderr, "%s is not complete\n", name);
     solve_all(now);
     puts("# The Toronto test set\n\n"
-         "Written by `make toronto` (bench/toronto.c). DETEST, thirty problems from t = 0 to 20 by Hull, Enright, Fellen and\n"
-         "Sedgwick (1972; class F by Enright and Pryce, 1987), stands in tests/detest.h; the solutions at t = 20 are known to\n"
-         "20 digits (tests/gen/detest_reference.c). The classes: A one equation, B small systems, C larger systems, D Kepler's\n"
-         "orbits, E equations of second order, F right-hand sides that jump or whose slopes do.\n\n"
-         "A cell is error / evaluations at the tolerance (relative and absolute) on top of its column. The error is that of\n"
-         "the end in tolerances, the largest |error| / (tolerance (1 + |y|)) of all components; the evaluations are those of\n"
-         "the right-hand side. \"0.1\" is version 0.1 (commit dd359b9; bench/toronto_before.csv). DOP853 is the pair of order 8\n"
-         "by Dormand and Prince with Hairer's error estimate and the step size control of SciPy's `solve_ivp` (bench/dop853.h);\n"
-         "it is no part of the kit. The errors of class F depend on where its steps meet the jumps, and so on chance: compare\n"
-         "rows, not cells.\n\n"
+         "Written by `make toronto` (bench/toronto.c). The set, called DETEST, has thirty problems from t = 0\n"
+         "to 20 by Hull, Enright, Fellen and Sedgwick (1972; class F by Enright and Pryce, 1987). They stand\n"
+         "in tests/detest.h, and their solutions at t = 20 are known to 20 digits\n"
+         "(tests/gen/detest_reference.c). Class A has single equations, class B small systems, class C larger\n"
+         "systems, class D Kepler's orbits and class E equations of second order. In class F right-hand sides\n"
+         "or their slopes jump.\n"
+         "\n"
+         "A cell has the error and, after a stroke, the number of evaluations of the right-hand side. The\n"
+         "relative and the absolute tolerance of a step stand on top of the column. The error is the largest\n"
+         "|error| / (tolerance (1 + |y|)) of all components at the end of the run, so that 1 means an error as\n"
+         "large as the tolerance. \"0.1\" is version 0.1 (commit dd359b9; bench/toronto_before.csv). DOP853 is\n"
+         "the pair of order 8 by Dormand and Prince, with Hairer's error estimate and the step size control of\n"
+         "SciPy's `solve_ivp` (bench/dop853.h); it is no part of the kit. In class F errors depend on where\n"
+         "the steps meet the jumps, which is chance: compare whole rows there.\n\n"
          "## Classes: geometric mean of the errors / sum of the evaluations");
     print_head("class");
     for (k = 0; k < 6; k++)

@@ -108,6 +108,8 @@
      VM_TABLE, VM_READ    storage of the tables, and how an element of one is read; both or none. Default: static const
                           and (x); on AVR static const PROGMEM and pgm_read_float(&(x)), so that tables take no RAM
      VM_ALLOW_FAST_MATH   compile under -ffast-math or a part of it, although the checks for NaN do not work then
+     VM_MIXED_PRECISIONS  link with files in the other precision. Otherwise gcc and MSVC, and clang for Windows, refuse to
+                          link a program of which some files define VM_USE_FLOAT and others do not.
    Names that begin with vmi_ or VMI_ are internal.
 
    OPTIONS THAT CHANGE VALUES
@@ -134,11 +136,17 @@
 #ifndef VARMASS_INTEGRATORS_H
 #define VARMASS_INTEGRATORS_H
 
+#include "base/real.h"
+
+VMI_QUIET_BEGIN
+
 #include "base/self_check.h"
 #include "integrators/rk4.h"
 #include "integrators/rk45.h"
 #include "integrators/rk87.h"
 #include "integrators/output.h"
 #include "integrators/saved.h"
+
+VMI_QUIET_END
 
 #endif

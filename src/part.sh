@@ -21,10 +21,15 @@ root=$folder/$name.root
     echo "#ifndef $guard"
     echo "#define $guard"
     echo
+    echo "#include \"$up/src/base/real.h\""
+    echo
+    echo "VMI_QUIET_BEGIN"
     for chapter; do
         [ -f "src/$chapter.h" ] || { echo "there is no chapter src/$chapter.h" >&2; exit 1; }
         echo "#include \"$up/src/$chapter.h\""
     done
+    echo
+    echo "VMI_QUIET_END"
     echo
     echo "#endif"
 } >"$root" && awk -f src/headers.awk "$root" >"$file" || exit 1

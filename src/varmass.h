@@ -67,6 +67,9 @@
                           take no RAM
      VM_SQRT, VM_FABS ... the functions of the C library that are used (define all of them or none)
      VM_ALLOW_FAST_MATH   compile under -ffast-math or a part of it, although no result is promised to be right then
+     VM_MIXED_PRECISIONS  link with files in the other precision. Otherwise gcc and MSVC, and clang for Windows, refuse to
+                          link a program of which some files define VM_USE_FLOAT and others do not, since a struct
+                          that one passes to the other would be misread. In C++ every compiler refuses such a call.
 
    OPTIONS THAT CHANGE VALUES
      -ffast-math, its parts (-funsafe-math-optimizations, -fassociative-math, -freciprocal-math, -ffinite-math-only,
@@ -99,6 +102,8 @@
 #include "ateb.h"
 #include "integrators.h"
 #include "jacobi.h"
+
+VMI_QUIET_BEGIN
 
 #include "base/status.h"
 #include "base/linear.h"
@@ -187,5 +192,7 @@
 #include "scenes/jumps.h"
 #include "scenes/contact.h"
 #include "scenes/run.h"
+
+VMI_QUIET_END
 
 #endif

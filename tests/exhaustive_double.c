@@ -1,4 +1,5 @@
 /* The double half of the exhaustive float tests: reference values, accurate to a millionth of a float's ulp. */
+#define VM_MIXED_PRECISIONS /* the test itself is in float */
 #include "../ateb.h"
 #include "../jacobi.h"
 #include "exhaustive.h"

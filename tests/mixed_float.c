@@ -1,5 +1,6 @@
 /* The float half of the program that holds both precisions (mixed_double.c is the other). */
 #define VM_USE_FLOAT
+#define VM_MIXED_PRECISIONS /* the other half is in double */
 #include "../varmass.h"
 
 float float_half(float x);

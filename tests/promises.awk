@@ -69,6 +69,6 @@ in_accuracy && !/^     [^ ]/ { text = text " " $0 }
     if (/\| promised \|/) {
         in_table = 0
         for (i = 1; i <= n; i++) if (cell[i] == "promised") in_table = i
-    } else if (in_table) bounds("README: " cell[2], cell[in_table])
+    } else if (in_table) bounds("docs/accuracy.md: " cell[2], cell[in_table])
 }
 !/^\|/ { in_table = 0 }

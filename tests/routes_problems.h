@@ -1,6 +1,5 @@
 /* routes_problems.h - the problems of data/routes_table.h, whose motions tests/gen/routes_reference.c computes
-   without the headers, and the exact equations of amplitude and phase for tests that need many times of one
-   motion. Include it after oscillator_checks.h. */
+   without the headers. Include it after oscillator_checks.h. */
 #ifndef ROUTES_PROBLEMS_H
 #define ROUTES_PROBLEMS_H
 
@@ -21,86 +20,9 @@ typedef struct routes_case {
 } routes_case;
 #include "data/routes_table.h"
 
-/* ---- The exact equations of ln A and psi, written here anew and integrated by rk45 ---- */
-
-/* Used where a test needs many times of one motion. test_truth compares it with the motions of the table. */
-typedef struct truth {
-    const vm_osc_problem *o;
-    ateb_plan ateb;
-    double omega_scale; /* sqrt((alpha+1)/2) A0^((alpha-1)/2) */
-    vm_real work[RK45_WORK(2)];
-    rk45 s;
-} truth;
-
 static inline void law(const vm_law *f, vm_real t, vm_real *value, vm_real *rate)
 {
     CHECK(vm_law_at(f, t, value, rate) == VM_OK);
-}
-
-static inline int truth_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
-{
-    const truth *c = (const truth *)ctx;
-    vm_real m = 1, m_rate = 0, k = 1, k_rate = 0, sa, ca, q;
-    if (vm_law_at(&c->o->mass, t, &m, &m_rate) || vm_law_at(&c->o->stiffness, t, &k, &k_rate)) return 1;
-    q = k_rate / k + (2 * c->o->reactive - 1) * m_rate / m + 2 * c->o->damping / m;
-    ateb_plan_saca(&c->ateb, y[1], &sa, &ca);
-    dydt[0] = -q / (c->o->alpha + 1) * sa * sa;
-    dydt[1] =
-        R(c->omega_scale) * VM_SQRT(k / m) * R(exp((double)((c->o->alpha - 1) / 2 * y[0]))) - q / 2 * sa * ca;
-    return 0;
-}
-
-/* A motion that starts with the amplitude 1 and the phase psi; the problem gets its x and v. */
-static inline void truth_start(truth *c, vm_osc_problem *o, double psi, double tolerance)
-{
-    rk45_options options = {0};
-    vm_real y[2], m = 1, k = 1, rate = 0, sa, ca;
-    law(&o->mass, 0, &m, &rate);
-    law(&o->stiffness, 0, &k, &rate);
-    c->o = o;
-    CHECK(ateb_plan_init(&c->ateb, o->alpha) == 0);
-    ateb_plan_saca(&c->ateb, R(psi), &sa, &ca);
-    o->x = ca;
-    o->v = -VM_SQRT(2 * k / ((o->alpha + 1) * m)) * sa;
-    c->omega_scale = sqrt(((double)o->alpha + 1) / 2);
-    y[0] = 0;
-    y[1] = R(psi);
-    options.rtol = -1;
-    options.atol = R(tolerance);
-    options.max_steps = -1;
-    CHECK(rk45_init(&c->s, truth_rhs, c, 2, 0, y, &options, c->work) >= 0);
-}
-
-/* The motion goes on to t, with stops at the points of a table, and whole periods are taken off the phase. */
-static inline void truth_follow(truth *c, vm_real t)
-{
-    const vm_law *m = &c->o->mass;
-    const vm_real period = 2 * ateb_pi(c->o->alpha);
-    while (c->s.t < t) {
-        vm_real stop = c->s.t + 200, y[2];
-        int i;
-        if (stop > t) stop = t;
-        if (m->time)
-            for (i = m->n - 1; i >= 0; i--)
-                if (m->time[i] > c->s.t && m->time[i] < stop) stop = m->time[i];
-        CHECK(rk45_solve(&c->s, stop) >= 0);
-        y[0] = c->s.y[0];
-        y[1] = c->s.y[1] - period * VM_FLOOR(c->s.y[1] / period);
-        CHECK(rk45_restart(&c->s, c->s.t, y) >= 0);
-    }
-}
-
-/* The larger of the error of x relative to A and the error of v relative to vmax */
-static inline double error_of(const truth *c, const vm_osc_motion *motion)
-{
-    const double A = exp((double)c->s.y[0]), alpha = (double)c->o->alpha;
-    vm_real m = 1, k = 1, rate = 0, sa, ca;
-    double V;
-    law(&c->o->mass, c->s.t, &m, &rate);
-    law(&c->o->stiffness, c->s.t, &k, &rate);
-    ateb_plan_saca(&c->ateb, c->s.y[1], &sa, &ca);
-    V = sqrt(2 * (double)(k / m) / (alpha + 1)) * pow(A, (alpha + 1) / 2);
-    return fmax(fabs((double)motion->x - A * (double)ca) / A, fabs((double)motion->v + V * (double)sa) / V);
 }
 
 /* ---- The problems of the table ---- */

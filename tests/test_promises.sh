@@ -1,6 +1,6 @@
 #!/bin/sh
 # No bound is promised that no test enforces. tests/promises.awk collects the bounds from the comments of jacobi.h and ateb.h,
-# the manuals and the README; tests/promises.txt says which rows of the tests' tables enforce each; here both are compared.
+# the manuals and docs/accuracy.md; tests/promises.txt says which rows of the tests' tables enforce each; here both are compared.
 # usage: test_promises.sh BUILD_FOLDER, from the top of the project; it reads BUILD_FOLDER/tests/PROGRAM.log of these programs
 build=$1/promises logs=$1/tests
 . tests/check.sh
@@ -14,7 +14,7 @@ done >"$build/rows"
 # Prints what is wrong, and fails if there is anything.
 kept() { # kept FOLDER ROWS: the promises of the texts in FOLDER, those of its tests/promises.txt, and the rows
     awk -f tests/promises.awk "$1/src/jacobi.h" "$1/src/ateb.h" "$1/src/varmass.h" "$1"/src/jacobi/*.h "$1"/src/ateb/*.h \
-        "$1/README.md" >"$build/promised"
+        "$1/docs/accuracy.md" >"$build/promised"
     awk -F '\t' -v folder="$1" -v rows="$2" '
         function wrong(text) { print text; failures++ }
         function name(where, bound, unit) {
@@ -73,14 +73,15 @@ check "every promise is enforced by a test" kept . "$build/rows"
 # what kept must find, each in a copy of the texts
 copy=$build/copy
 lie() { # lie NAME FILE SED: the copy, with that file changed, is refused
-    rm -rf "$copy" && mkdir -p "$copy/tests" && cp -R src README.md "$copy" && cp tests/promises.txt tests/test_*.c "$copy/tests"
+    rm -rf "$copy" && mkdir -p "$copy/tests" "$copy/docs" && cp -R src "$copy" && cp docs/accuracy.md "$copy/docs"
+    cp tests/promises.txt tests/test_*.c "$copy/tests"
     sed "$3" "$2" >"$copy/$2"
     check "the lie changes $2" fails cmp -s "$2" "$copy/$2"
     check "found: $1" fails kept "$copy" "$build/rows"
 }
 lie "a comment promises more than the test asks" src/jacobi/integrals.h 's/most 2 ulp\. Returns infinity/most 1 ulp. Returns infinity/'
 lie "the manual promises more than the test asks" src/ateb.h 's/Pi_alpha               <= 1 ulp/Pi_alpha               <= 0.5 ulp/'
-lie "the README promises more than the test asks" README.md 's/| 8; 5 eps |/| 4; 5 eps |/'
+lie "docs/accuracy.md promises more than the test asks" docs/accuracy.md 's/| 8; 5 eps |/| 4; 5 eps |/'
 lie "a promise that no test is named for" src/ateb/integrals.h 's/No digits cancel for a small s/The error is at most 3 ulp/'
 lie "a check that is gone" tests/test_jacobi.c 's/jacobi_dn(u, m) == dn/1/'
 sed '/	double	K	/s/	2	/	3	/' "$build/rows" >"$build/weaker"

@@ -73,8 +73,8 @@ growing="*b++ = vm_scene_body_growing_plane(vm_scene_body_plane(1, 1, zero, 0, z
 cat <<'END'
 # Flash of scenes
 
-Written by `make scene-sizes`: bytes of flash that an image grows by, tables and all that is needed included, in float,
-gcc -Os; M0: Cortex-M0, whose floating-point arithmetic is emulated (that is counted too); M4F: Cortex-M4F.
+Written by `make scene-sizes`. The table has the bytes of flash by which an image grows, in float with gcc -Os, with all tables and
+functions that are needed. M0 is a Cortex-M0, which emulates floating-point arithmetic (this code is counted too), and M4F a Cortex-M4F.
 
 | a scene with vm_scene_start and vm_scene_rhs | M0 | M4F |
 |---|---|---|
@@ -114,7 +114,7 @@ awk '/^ \.text\.vm/ {name = $1} name && /0x/ {for (i = 1; i <= NF; i++) if ($i ~
     "$build/scene.map" | sed 's/^\.text\.//; s/\..*//' | sort -u >"$build/linked"
 others=$(grep -E '^vmi_(apply|plane|point|free|axle|then|jump|when|growth|crossing|band|link)|^vmi_scene_(totals|rates|happen)' "$build/linked" |
     grep -vE '^vmi_apply_(linear_spring|damper)$')
-printf '\nThe link map of the line body with spring and damper has these functions of the kit'
+printf '\nA scene of a body on a line with a spring and a damper links these functions of the kit'
 [ -n "$others" ] && echo ", and should not have: $others" && exit 1
-printf ', of no other effect, motion or event:\n\n'
+printf ', and none of another effect, motion or event:\n\n'
 sed 's/^/- `/; s/$/`/' "$build/linked"

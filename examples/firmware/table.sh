@@ -108,14 +108,21 @@ echo "function,precision,target,flash,stack,instructions" >"$build/table.csv"
 cat <<'END'
 # Flash, stack and instructions of a call
 
-Written by `make firmware-table`: bytes of flash that a program grows by, tables and all that the function needs included;
-bytes of stack; instructions of a call, on emulated boards; gcc -Os. M0: Cortex-M0, no floating-point unit; M4F: Cortex-M4F,
-single precision in hardware, so that double is emulated; M7: Cortex-M7, both in hardware; RV32IMAC: RISC-V without
-floating-point unit; RV32IMAFDC: with both precisions in hardware. The rows of plans include what makes the plan, which
-a `const` plan in flash does not need. `vm_osc_closed_at` is a leaking oscillator's motion by the law of order two, three
-and five, from such a constant plan; its flash contains the plan, and its instructions are the most of 200 times.
-`vm_osc_closed_init` is the preparation of such a plan on the board, with a linear law of mass. `rk4_step` and `rk45_step` are of a cubic oscillator, its four and six evaluations
-included.
+Written by `make firmware-table`, with gcc -Os. "Flash" is the number of bytes by which a program grows, with all tables and functions
+that the call needs. "Stack" is in bytes. "Instructions" are those of one call, counted on emulated boards.
+
+| target | processor |
+|---|---|
+| M0 | Cortex-M0, without floating-point unit |
+| M4F | Cortex-M4F, with float in hardware; double is emulated |
+| M7 | Cortex-M7, with float and double in hardware |
+| RV32IMAC | RISC-V without floating-point unit |
+| RV32IMAFDC | RISC-V with float and double in hardware |
+
+The rows of plans include the code that makes the plan; a `const` plan in flash does not need it. `vm_osc_closed_at` is the motion of a
+leaking oscillator by the law of order two, three and five, from such a constant plan. Its flash contains the plan, and its
+instructions are the most at 200 times. `vm_osc_closed_init` makes such a plan on the board, for a linear law of mass. `rk4_step` and
+`rk45_step` are steps of a cubic oscillator, with their four and six evaluations of the right-hand side.
 
 ![instructions of a call](figures/firmware.svg)
 END

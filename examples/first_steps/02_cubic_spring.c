@@ -1,6 +1,7 @@
-/* A spring that stiffens. x'' + x^3 = 0: the wider it swings the faster, (262), and its motion is no cosine but the
-   Ateb function ca(3, 1, s), (282); for a force x |x|^(alpha-1) it is ca(alpha, 1, s). Beside it the cosine with the
-   exact period, (291), up to 7 % of the amplitude off, and cn, (297), which for alpha = 3 is exact.
+/* A spring that stiffens. The oscillator x'' + x^3 = 0 vibrates faster when it swings wider, (262). Its motion is no
+   cosine but the Ateb function ca(3, 1, s), (282); for a force x |x|^(alpha-1) it is ca(alpha, 1, s). The program
+   compares two simpler formulas with it. A cosine with the exact period, (291), is wrong by up to 7 % of the
+   amplitude. Jacobi's function cn, (297), is exact for alpha = 3.
 
    cc -O2 02_cubic_spring.c -lm && ./a.out [file.csv] */
 #include <stdio.h>

@@ -1,6 +1,7 @@
-/* A vibrating sieve that is being loaded. As a scene: bodies, the effects that act, the events that change them,
-   and nothing else is simulated. 20 kg on a spring and a damper, shaken by 60 N; from t = 4 s on 2 kg of gravel a
-   second fall in without sideways velocity, (175), until 20 kg are in; the resonance is passed on the way.
+/* A vibrating sieve that is being loaded. This is a scene: a list of bodies, of effects that act on them, and of
+   events that change it; nothing else is simulated. A sieve of 20 kg on a spring and a damper is shaken by a force of
+   60 N. From t = 4 s on, 2 kg of gravel a second fall into it without sideways velocity, (175), until 20 kg are in. On
+   the way the sieve passes its resonance.
 
    cc -O2 03_sieve.c -lm && ./a.out [file.csv] */
 #include <stdio.h>

@@ -1,6 +1,6 @@
-/* A rocket rises. M x'' = -M g + M' (u - v), (175), (176): M' = -5 kg/s leave at u - v = -2000 m/s, which is a thrust
-   upwards. By an integrator that finds the burn-out (an event), and by the closed form of Tsiolkovsky less g t; what
-   goes on without thrust is a parabola.
+/* A rocket rises. Its equation of motion is M x'' = -M g + M' (u - v), (175), (176). The mass changes by M' = -5 kg/s,
+   and the gas leaves with u - v = -2000 m/s relative to the rocket, which gives an upward thrust. The program compares
+   an integrator, which finds the burn-out as an event, with Tsiolkovsky's closed form less g t.
 
    cc -O2 04_rocket.c -lm && ./a.out [file.csv] */
 #include <stdio.h>

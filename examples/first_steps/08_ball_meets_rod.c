@@ -1,5 +1,6 @@
-/* A ball hits a rod that lies on ice. It sticks; where it hits decides how much goes into the spin, (35)-(39) by
-   vm_attach2, and how much energy is lost, Carnot's theorem (118). The plane: mass, inertia, x, y, angle, v, omega.
+/* A ball hits a rod that lies on ice. The ball sticks to the rod. Where it hits decides how fast the rod spins
+   afterwards, (35)-(39) by vm_attach2, and how much energy is lost, by Carnot's theorem (118). The bodies move in the
+   plane; the numbers of each are mass, inertia, x, y, angle, v and omega.
 
    cc -O2 08_ball_meets_rod.c -lm && ./a.out [file.csv] */
 #include <stdio.h>

@@ -1,7 +1,7 @@
-/* A satellite throws off a panel. It turns about the axis of its middle moment of inertia, which is not stable: it
-   tumbles, over and over. At t = 250 s it throws off a panel, (15), (24), (34), and what was the middle axis is now
-   that of the largest moment of inertia: it only wobbles. Before and after it turns freely: vm_torque_free_attitude gives
-   attitude and angular velocity at any time, exactly and at once; nothing is integrated.
+/* A satellite throws off a panel. The satellite turns about the axis of its middle moment of inertia, which is not
+   stable, so that it tumbles again and again. At t = 250 s it throws off a panel, (15), (24), (34). The same axis is
+   then that of the largest moment of inertia, and the satellite only wobbles. Before and after this instant it turns
+   freely: vm_torque_free_attitude gives attitude and angular velocity at any time without integration.
 
    cc -O2 10_satellite.c -lm && ./a.out [file.csv] */
 #include <stdio.h>

@@ -1,5 +1,5 @@
-/* A sounding rocket in two stages. Straight up: two motors, staging, weight, drag in an atmosphere that thins by e
-   every 8 km, and from the apogee on a parachute. Drag is an effect of one's own; the parachute is a larger one.
+/* A sounding rocket in two stages. It flies straight up with two motors, and opens a parachute at the top. Drag, in
+   air whose density falls by e every 8 km, and the parachute are effects that the program defines.
 
    cc -O2 13_sounding_rocket.c -lm && ./a.out [file.csv] */
 #include <math.h>

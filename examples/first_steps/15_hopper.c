@@ -1,7 +1,8 @@
-/* A hopper fills a bag by its own scale. 500 kg of grain hang on a spring, which is the scale. Two gates are open; when
-   the scale shows that 45 kg have left, the coarse one shuts, and when it shows 50 kg, one event shuts the fine one and
-   ends the run. The grain leaves with the velocity of the hopper, so that there is no reactive force, (166). The scale
-   swings, and what it shows is not what has left: a slow fine gate gives a better bag, and takes longer.
+/* A hopper fills a bag by its own scale. A hopper with 500 kg of grain hangs on a spring, which is its scale. Two
+   gates are open. When the scale shows that 45 kg have left, the coarse gate shuts. When it shows 50 kg, an event
+   shuts the fine gate and ends the run. The grain leaves with the velocity of the hopper, so that there is no reactive
+   force, (166). Because the hopper swings, the scale shows a little more or less than what has left. How much the bag
+   is wrong depends on the fine gate: of the three here, the fastest is the worst.
 
    cc -O2 15_hopper.c -lm && ./a.out [file.csv] */
 #include <stdio.h>

@@ -102,18 +102,19 @@ VM_INLINE vm_real vmi_ateb_four_terms(const vm_real *c, vm_real x, vm_real xx)
     return (c[0] + x * c[1]) + xx * (c[2] + x * c[3]);
 }
 
-/* The polynomial c[0] + c[1] x + ... with at least `length` terms. The coefficients beyond `length` are 0. Terms are
-   grouped by four, so that the processor computes the groups at once. */
+/* The polynomial c[0] + c[1] x + ... with at least `length` terms. The coefficients beyond `length` are 0. The terms
+   after the first are grouped by four, so that the processor computes the groups at once. The first and largest term is
+   added last, so that only one rounding error of the size of the sum is made. */
 VM_INLINE vm_real vmi_ateb_part_series(const vm_real *c, int length, vm_real x)
 {
     const vm_real xx = x * x, x4 = xx * xx;
     vm_real more;
-    if (length <= 4) return vmi_ateb_four_terms(c, x, xx);
-    more = vmi_ateb_four_terms(c + 4, x, xx);
+    if (length <= 5) return c[0] + x * vmi_ateb_four_terms(c + 1, x, xx);
+    more = (c[5] + x * c[6]) + xx * c[7];
 #if ATEB_PLAN_LENGTH > 8
-    if (length > 8) more += x4 * (vmi_ateb_four_terms(c + 8, x, xx) + x4 * (c[12] + x * c[13]));
+    if (length > 8) more = vmi_ateb_four_terms(c + 5, x, xx) + x4 * (vmi_ateb_four_terms(c + 9, x, xx) + x4 * c[13]);
 #endif
-    return vmi_ateb_four_terms(c, x, xx) + x4 * more;
+    return c[0] + x * (vmi_ateb_four_terms(c + 1, x, xx) + x4 * more);
 }
 
 /* Computes *odd = base (1 + tau A(tau)) and *even = 1 + tau C(tau), where A and C are the polynomials part->odd and

@@ -57,8 +57,8 @@ VM_API void vmi_two_sin_cos(vm_two z, vm_two *sine, vm_two *cosine)
 typedef struct VM_TAG(vmi_above) {
     vm_two s, c;   /* sin phi and cos phi */
     vm_real cc;    /* cos^2 phi */
-    vm_real share; /* (m - 1) sin^2 phi */
-    vm_real d;     /* 1 - m sin^2 phi = cc - share; below 0 or NaN where the integrals have no real value */
+    vm_real share; /* (m - 1) sin^2 phi, by which d is smaller than cc */
+    vm_real d;     /* 1 - m sin^2 phi, which is cc - share; below 0 or NaN where the integrals have no real value */
 } vmi_above;
 
 /* Returns the root of |x| times sin phi in two words. The root keeps the product from overflow and underflow. */

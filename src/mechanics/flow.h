@@ -52,6 +52,7 @@
 #include "attitude.h"
 #include "bodies.h"
 #include "inertia.h"
+#include "inertia_factors.h"
 #include "streams.h"
 #include "vectors.h"
 

@@ -92,29 +92,6 @@ VM_INLINE vm_inertia vmi_inertia_sizes(const vm_inertia *i, const vmi_mat3 *m)
 /* The sum |xx| + |yy| + |zz|. It equals the trace if i is the inertia of a body. */
 VM_API vm_real vmi_inertia_trace(const vm_inertia *i) { return VM_FABS(i->xx) + VM_FABS(i->yy) + VM_FABS(i->zz); }
 
-/* Reads an inertia tensor from six numbers of a state array. vmi_set_inertia writes a tensor to a state array. */
-VM_API vm_inertia vmi_get_inertia(const vm_real *y)
-{
-    vm_inertia i;
-    i.xx = y[0];
-    i.yy = y[1];
-    i.zz = y[2];
-    i.xy = y[3];
-    i.xz = y[4];
-    i.yz = y[5];
-    return i;
-}
-
-VM_API void vmi_set_inertia(vm_real *y, const vm_inertia *i)
-{
-    y[0] = i->xx;
-    y[1] = i->yy;
-    y[2] = i->zz;
-    y[3] = i->xy;
-    y[4] = i->xz;
-    y[5] = i->yz;
-}
-
 /* The tolerance, in kg m^2, for the rounding errors of a tensor. Usually i is this tensor. If its entries were computed
    as sums, i may instead have for each entry the sum of the terms' absolute values (vmi_inertia_sizes). */
 VM_API vm_real vmi_inertia_slack(const vm_inertia *i) { return 32 * VM_EPSILON * vmi_inertia_trace(i); }
@@ -290,66 +267,6 @@ VM_API int vmi_solve_spin(const vm_inertia *i, const vmi_principal *p, vm_vec3 h
     for (k = 0; k < 2; k++) w = vm_add(w, vmi_spin_of(p, vm_sub(h, vmi_inertia_times(i, w))));
     *omega = w;
     return left;
-}
-
-/* ---- factors, for bodies whose inertia is inverted in every step of an integration ---- */
-
-/* The factors of an inertia tensor L D L^T. L is a lower triangular matrix with ones on the diagonal; xy, xz, yz are
-   its other entries. D is a diagonal matrix; x, y, z are the diagonal entries of its inverse. */
-typedef struct VM_TAG(vmi_inertia_ldl) {
-    vm_real xy, xz, yz, x, y, z;
-} vmi_inertia_ldl;
-
-/* Computes the factors f of the tensor i. Returns 0 if an entry of D is <= 0 or only a rounding error, else 1. */
-VM_INLINE int vmi_inertia_factor(const vm_inertia *i, vmi_inertia_ldl *f)
-{
-    vm_real y, z, t;
-    f->x = 1 / i->xx;
-    f->xy = i->xy * f->x;
-    f->xz = i->xz * f->x;
-    y = i->yy - f->xy * i->xy;
-    t = i->yz - f->xz * i->xy;
-    f->y = 1 / y;
-    f->yz = t * f->y;
-    z = i->zz - f->xz * i->xz - f->yz * t;
-    f->z = 1 / z;
-    return i->xx > 0 && y > VMI_LOST_SHARE * i->yy && z > VMI_LOST_SHARE * i->zz;
-}
-
-/* The angular velocity w for the angular momentum h: the solution of i w = h for the tensor i with the factors f */
-VM_INLINE vm_vec3 vmi_inertia_solve(const vmi_inertia_ldl *f, vm_vec3 h)
-{
-    vm_vec3 w;
-    w.y = h.y - f->xy * h.x;
-    w.z = (h.z - f->xz * h.x - f->yz * w.y) * f->z;
-    w.y = w.y * f->y - f->yz * w.z;
-    w.x = h.x * f->x - f->xy * w.y - f->xz * w.z;
-    return w;
-}
-
-/* Returns 1 if a body, perhaps a thin one, can have the inertia i within a tolerance. One moment of a flat body equals
-   the sum of the other two, but the rounding errors of all steps of an integration add up and disturb this equality.
-   The tolerance is sqrt(eps) times the trace, which is enough for about 1/sqrt(eps) steps. */
-VMI_APART int vmi_thin_inertia_is_possible(const vm_inertia *i)
-{
-    const vm_real slack = VM_MANT_DIG > 24 ? VM_C(1.5e-8) : VM_C(3.5e-4); /* as a share of the trace */
-    return vmi_inertia_is_finite(i) && vmi_inertia_is_within(i, slack * (i->xx + i->yy + i->zz));
-}
-
-/* Returns 1 if a body can have the inertia i, which must have positive principal moments. Every step of an integration
-   calls this test, so a cheap condition comes first: tr(i)/2 E - i (trace tr, unit matrix E) is positive definite if
-   each of its diagonal entries exceeds |xy| + |xz| + |yz|. Most bodies fulfil this. */
-VM_INLINE int vmi_running_inertia_is_possible(const vm_inertia *i)
-{
-    const vm_real half = (i->xx + i->yy + i->zz) / 2;
-    const vm_real least = half - (VM_FABS(i->xy) + VM_FABS(i->xz) + VM_FABS(i->yz));
-    return (least > i->xx && least > i->yy && least > i->zz) || vmi_thin_inertia_is_possible(i);
-}
-
-/* Computes the factors of i as vmi_inertia_factor does, but also returns 0 if no body can have the inertia i */
-VM_INLINE int vmi_inertia_factor_if_possible(const vm_inertia *i, vmi_inertia_ldl *f)
-{
-    return vmi_inertia_factor(i, f) && vmi_running_inertia_is_possible(i);
 }
 
 #endif

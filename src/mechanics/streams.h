@@ -21,6 +21,7 @@
 #include "../base/status.h"
 #include "bodies.h"
 #include "inertia.h"
+#include "inertia_factors.h"
 #include "vectors.h"
 
 /* How the velocity and the spin of a stream's mass are given. "The point" is the point of the body's surface at which

@@ -118,10 +118,13 @@ VM_API int vmi_osc_next_pair(const vm_osc_problem *o, int i, vm_real error, vm_r
 VM_API vm_real vmi_osc_strict_share(const vm_osc_problem *o, vmi_osc_points points)
 {
     const vm_real ratio = (vm_real)points.loose / (vm_real)points.strict, squared = ratio * ratio;
+    const vm_real fourth = squared * squared, sixth = fourth * squared;
     const int graded = vmi_osc_needs_grading(o), kinks = (o->force && !graded) || vmi_osc_has_user_law(o);
-    const int few = graded ? 8 : 4;
-    if (kinks || o->alpha > 10 || points.strict <= few) return squared * squared;
-    return squared * squared * squared * (o->alpha >= 1 ? squared : 1);
+    int few = 4;
+    if (graded) few = 8;
+    if (kinks || o->alpha > 10 || points.strict <= few) return fourth;
+    if (o->alpha < 1) return sixth;
+    return sixth * squared;
 }
 
 /* Makes one pair of runs from 0 to t. *strict becomes the strict run at t, *error the estimate of its error. */

@@ -31,8 +31,9 @@ typedef struct VM_TAG(vm_osc_load) {
     vm_law mass;        /* mass m(t) of the oscillator, kg, whose rate m' the thrust needs */
     vm_law u;           /* velocity of the mass that joins or leaves, m/s */
     vm_law damping;     /* damping, kg/s, that adds to the problem's; positive takes energy out */
-    vm_real reactive;   /* share of the thrust m' u that acts. The init function takes the problem's `reactive`. With 1
-                           here and 0 in the problem, u is the velocity relative to the oscillator. */
+    vm_real reactive;   /* share of the thrust m' u that acts; the init function copies it from the problem. If u is the
+                           velocity relative to the oscillator, let the problem's `reactive` be 0, and set this field to
+                           1 after the init function. */
     vm_osc_force force; /* the further force that the problem had before, or NULL */
     void *ctx;          /* the user's pointer, last argument of force */
 } vm_osc_load;

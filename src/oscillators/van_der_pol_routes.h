@@ -77,29 +77,40 @@ VM_API vm_real vmi_vdp_error(const vm_vdp_plan *p, const vmi_vdp_mean *mean, vm_
     return error < largest_known ? error : VM_INFINITY;
 }
 
-/* Computes the motion by order 1, 2 or 3 from the mean motion. */
-VM_API int vmi_vdp_order_n(const vm_vdp_plan *p, int route, const vmi_vdp_mean *mean, vm_osc_motion *motion)
+/* Computes the motion by order 1, 2 or 3 from the mean motion, with the estimate of what the order leaves out. Writes
+   amplitude, phase and rate of the phase to *state. */
+VM_API int vmi_vdp_truncated(const vm_vdp_plan *p, int route, const vmi_vdp_mean *mean, vmi_osc_reduced *state,
+                             vm_osc_motion *motion)
 {
     const int order = vmi_vdp_order_of(route);
-    const vm_real alpha = p->vdp.alpha;
     const vmi_osc_wave wave = vmi_osc_wave_of(&p->osc, VM_ROUTE_ATEB);
-    const vmi_osc_reduced state = vmi_vdp_state(p, order, mean);
-    vm_osc_motion result, better;
     vm_real sa, ca, second;
-    vmi_osc_wave_at(&wave, state.psi, &ca, &sa);
-    vmi_osc_unreduce(&state, mean->now.p, alpha, sa, ca, &result.x, &result.v);
-    result.amplitude = state.A;
-    result.error = vmi_vdp_error(p, mean, &second);
-    if (order < 3) result.error = second;
-    result.route = route;
-    result.evals = 0;
-    if (order == 1) { /* the estimate is the difference from order two */
-        const vm_real vmax = 2 / (alpha + 1) * state.A * state.W;
-        int status = vmi_vdp_order_n(p, VM_ROUTE_ORDER2, mean, &better);
+    *state = vmi_vdp_state(p, order, mean);
+    vmi_osc_wave_at(&wave, state->psi, &ca, &sa);
+    vmi_osc_unreduce(state, mean->now.p, p->vdp.alpha, sa, ca, &motion->x, &motion->v);
+    motion->amplitude = state->A;
+    motion->error = vmi_vdp_error(p, mean, &second);
+    if (order < 3) motion->error = second;
+    motion->route = route;
+    motion->evals = 0;
+    if (!VM_IS_FINITE(motion->x) || !VM_IS_FINITE(motion->v)) return VM_NOT_FINITE;
+    return VM_OK;
+}
+
+/* Computes the motion by order 1, 2 or 3 from the mean motion, with an estimate of its error. For order 1 the estimate
+   is that of order 2 plus the difference of the two orders. */
+VM_API int vmi_vdp_order_n(const vm_vdp_plan *p, int route, const vmi_vdp_mean *mean, vm_osc_motion *motion)
+{
+    vmi_osc_reduced state, unused;
+    vm_osc_motion result, better;
+    int status = vmi_vdp_truncated(p, route, mean, &state, &result);
+    if (status) return status;
+    if (vmi_vdp_order_of(route) == 1) {
+        const vm_real vmax = 2 / (p->vdp.alpha + 1) * state.A * state.W;
+        status = vmi_vdp_truncated(p, VM_ROUTE_ORDER2, mean, &unused, &better);
         if (status) return status;
         result.error += vmi_larger(VM_FABS(result.x - better.x) / state.A, VM_FABS(result.v - better.v) / vmax);
     }
-    if (!VM_IS_FINITE(result.x) || !VM_IS_FINITE(result.v)) return VM_NOT_FINITE;
     if (!(result.error >= 0)) result.error = VM_INFINITY;
     *motion = result;
     return VM_OK;

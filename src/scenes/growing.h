@@ -18,6 +18,7 @@
 #include "../mechanics/attitude.h"
 #include "../mechanics/bodies.h"
 #include "../mechanics/inertia.h"
+#include "../mechanics/inertia_factors.h"
 #include "../mechanics/vectors.h"
 #include "motions.h"
 #include "scene.h"
