@@ -104,7 +104,7 @@
 
    COST
      docs/cost.md has the times, docs/counts.md the instructions of each function. An ateb_plan has
-     552 [ateb_plan_bytes] bytes, in float 184 [ateb_plan_bytes_float]; the words in brackets name the rows of
+     560 [ateb_plan_bytes] bytes, in float 184 [ateb_plan_bytes_float]; the words in brackets name the rows of
      docs/numbers.md. The largest stack frame is below 2 kB.
 
    REFERENCES
@@ -888,7 +888,7 @@ VM_API vm_two vmi_ateb_polynomial(vm_two t)
     return sum;
 }
 
-/* Returns f(q) = q Pi_alpha, where q = 1/(alpha + 1), with a relative error of 2^-102 (float 2^-44) */
+/* Returns f(q) = q Pi_alpha, where q = 1/(alpha + 1), with a relative error of 2^-102 (float 2^-43) */
 VM_API vm_two vmi_ateb_gamma_ratio(vm_two q)
 {
     const vm_two one = {1, 0}, minus_one = {-1, 0}, twice_q = vmi_two(2 * q.hi, 2 * q.lo);
@@ -1242,13 +1242,22 @@ VM_API vm_two vmi_ateb_g_of_large(vm_real q)
     return vmi_two_sum(two_ln2, two_ln2_lo + q * (VM_C(-0.6840280390118235871) + q * VM_C(0.5677838543520556957)));
 }
 
-/* Returns Pi_alpha/2 with a relative error of 2^-102 (float 2^-44). Let n = alpha + 1 and q = 1/n. For a large alpha
+/* Returns Pi_alpha/2 with a relative error of 2^-102 (float 2^-43). Let n = alpha + 1 and q = 1/n. For a large alpha
    Pi_alpha is n + g(q); for any other alpha it is n f(q), where f is vmi_ateb_gamma_ratio. */
 VM_API vm_two vmi_ateb_fine_quarter(const vmi_ateb *c)
 {
     const vm_two one = {1, 0};
     if (vmi_ateb_is_large(c)) return vmi_half(vmi_two_plus(c->n, vmi_ateb_g_of_large(c->q.hi)));
     return vmi_half(vmi_two_times(c->n, vmi_ateb_gamma_ratio(vmi_two_over(one, c->n))));
+}
+
+/* Returns Pi_alpha/2 in three words, with a relative error of 2^-122 (float 2^-52), from the fields n and q of *c. */
+VM_API vmi_three vmi_ateb_quarter_in_words(const vmi_ateb *c)
+{
+    vm_two g;
+    if (!vmi_ateb_is_large(c)) return vmi_ateb_finest_quarter(c->n);
+    g = vmi_ateb_g_of_large(c->q.hi);
+    return vmi_three_plus(vmi_three_words(c->n.hi / 2, c->n.lo / 2, 0), vmi_three_words(g.hi / 2, g.lo / 2, 0));
 }
 
 /* A function that sets all constants of one alpha: vmi_ateb_constants, or vmi_ateb_fine_constants */
@@ -1262,456 +1271,6 @@ VM_API void vmi_ateb_fine_constants(vmi_ateb *c, vm_real alpha)
     c->quarter = vmi_ateb_fine_quarter(c);
     c->g = vmi_two_minus(vmi_two_scaled(c->quarter, 2), c->n);
     if (vmi_ateb_is_large(c)) c->g = vmi_ateb_g_of_large(c->q.hi);
-}
-
-#endif
-/* ateb/powers.h - a logarithm and an exponential that are quicker and have one word only
-
-   vmi_log and vmi_exp (base/elementary.h) return two words. The functions in this file return one word, with an error
-   of one or two ulp. They are used where the error is later multiplied by less than about 1/2: in ateb/inversion.h and
-   in ateb/plans.h.
-
-       vm_real y = vmi_ateb_exp(vmi_ateb_ln(3) / 2); // the square root of 3
-
-   The polynomials are computed by tests/gen/ateb_coefficients.py. Tests: tests/test_ateb.c. */
-#ifndef VARMASS_ATEB_POWERS_H
-#define VARMASS_ATEB_POWERS_H
-
-#include <stdint.h>
-
-/* Returns ln((1 + t)/(1 - t)) = 2 t + t^3 L(t^2) for |t| < 0.18, where L is a polynomial. */
-VM_API vm_real vmi_ateb_ln_ratio(vm_real t)
-{
-    const vm_real x = t * t;
-#if VM_MANT_DIG > 24
-    const vm_real xx = x * x;
-    const vm_real L01 = VM_C(0.66666666666666727634) + x * VM_C(0.39999999999816214631);
-    const vm_real L23 = VM_C(0.28571428661769779675) + x * VM_C(0.2222220559437561072);
-    const vm_real L45 = VM_C(0.18183272190739985335) + x * VM_C(0.15319628746766105066);
-    const vm_real L = (L01 + xx * L23) + (xx * xx) * (L45 + xx * VM_C(0.1475852205325647575));
-#else
-    const vm_real L = VM_C(0.666666914868) + x * (VM_C(0.399862738125) + x * VM_C(0.296881029198));
-#endif
-    return 2 * t + t * x * L;
-}
-
-/* Writes a normal number x > 0 as 2^k z with z between sqrt(1/2) and sqrt(2). Returns z, and k in *k. When the bits
-   of sqrt(1/2) are subtracted from those of x, the exponent of the difference is k. Older processors cannot convert
-   long integers in vector registers to floating point; therefore k is put together from its bits. */
-VM_INLINE vm_real vmi_ateb_mantissa(vm_real x, vm_real *k)
-{
-#if VM_MANT_DIG > 24
-    const vmi_bits least = UINT64_C(0x3fe6a09e667f3bcd); /* sqrt(1/2) */
-#else
-    const vmi_bits least = UINT32_C(0x3f3504f3);
-#endif
-    const vm_real to_integer = 1 / VM_EPSILON; /* the last bits of this number plus an integer are the integer's bits */
-    const vmi_bits one = (vmi_bits)1 << VMI_STORED_DIG, above = vmi_to_bits(x) - least;
-    const vmi_bits exponent = (above + (VMI_BIAS + 1) * one) >> VMI_STORED_DIG;
-    *k = vmi_from_bits(vmi_to_bits(to_integer) | exponent) - (to_integer + (VMI_BIAS + 1));
-    return vmi_from_bits((above & (one - 1)) + least);
-}
-
-/* Returns ln(2^k (1 + t)/(1 - t)) for |t| < 0.18. The product of k and the first word of ln 2 has no rounding error. */
-VM_API vm_real vmi_ateb_ln_of(vm_real k, vm_real t)
-{
-#if VM_MANT_DIG > 24
-    const vm_real ln2_hi = VM_C(0.69314718055989033019), ln2_lo = VM_C(5.4979230187083711552e-14);
-#else
-    const vm_real ln2_hi = VM_C(0.693145751953125), ln2_lo = VM_C(1.42860676533e-6);
-#endif
-    return k * ln2_hi + (vmi_ateb_ln_ratio(t) + k * ln2_lo);
-}
-
-/* Returns ln x for a normal number x > 0. */
-VM_API vm_real vmi_ateb_ln(vm_real x)
-{
-    vm_real k;
-    const vm_real z = vmi_ateb_mantissa(x, &k);
-    return vmi_ateb_ln_of(k, (z - 1) / (z + 1));
-}
-
-/* Returns (e^z - 1 - z)/z^2 for |z| < 0.36, by a polynomial. */
-VM_API vm_real vmi_ateb_exp_series(vm_real z)
-{
-    const vm_real zz = z * z;
-#if VM_MANT_DIG > 24
-    const vm_real E01 = VM_C(0.50000000000000000036) + z * VM_C(0.16666666666666673812);
-    const vm_real E23 = VM_C(0.041666666666666509662) + z * VM_C(0.0083333333333225907093);
-    const vm_real E45 = VM_C(0.0013888888888994840818) + z * VM_C(1.9841269886522535599e-4);
-    const vm_real E67 = VM_C(2.4801587060781651877e-5) + z * VM_C(2.7557241366121292995e-6);
-    const vm_real E89 = VM_C(2.7557527466964916697e-7) + z * VM_C(2.5110746416563258294e-8);
-    const vm_real high = E89 + zz * VM_C(2.0830505426946652755e-9);
-    return (E01 + zz * E23) + (zz * zz) * ((E45 + zz * E67) + (zz * zz) * high);
-#else
-    const vm_real E01 = VM_C(0.500000001824) + z * VM_C(0.166666664398);
-    const vm_real E23 = VM_C(0.0416664198173) + z * VM_C(0.00833340486371);
-    const vm_real E45 = VM_C(0.00139382863335) + z * VM_C(1.98219343782e-4);
-    return E01 + zz * (E23 + zz * E45); /* this form avoids z^4, which could be subnormal and slow */
-#endif
-}
-
-/* Returns e^x if e^x is a normal number. Method: x is written as k ln 2 + z with a whole k, so that e^x = 2^k
-   (1 + z + z^2 E(z)), where E is vmi_ateb_exp_series. */
-VM_INLINE vm_real vmi_ateb_exp(vm_real x)
-{
-    const vm_real one_over_ln2 = VM_C(1.442695040888963407360), to_integer = VM_C(1.5) / VM_EPSILON;
-#if VM_MANT_DIG > 24
-    const vm_real ln2_hi = VM_C(0.69314718055989033019), ln2_lo = VM_C(5.4979230187083711552e-14);
-#else
-    const vm_real ln2_hi = VM_C(0.693145751953125), ln2_lo = VM_C(1.42860676533e-6);
-#endif
-    const vm_real shifted = vmi_rounded(x * one_over_ln2 + to_integer), k = vmi_rounded(shifted - to_integer);
-    const vm_real z = (x - k * ln2_hi) - k * ln2_lo;
-    const vm_real scale = vmi_from_bits((vmi_to_bits(shifted) + VMI_BIAS) << VMI_STORED_DIG);
-    return scale + scale * (z + z * z * vmi_ateb_exp_series(z));
-}
-
-#endif
-/* ateb/inversion.h - inversion of the incomplete beta function, for sa and ca in the first quarter of the period
-
-   Symbols, for s in the first quarter and q = 1/(alpha + 1):
-     r, d    distances of s from the zero of sa and from the zero of ca; r + d = Pi_alpha/2
-     v, u    sa and ca
-     w, x    v^2 and 1 - w = u^(alpha+1)
-     y, X    2 q d and y^(alpha+1)
-     p       (1 - v)/2
-   They satisfy two equations. The second one follows from the quadratic transformation of 2F1(1/2, q; 1 + q; x), DLMF
-   15.8(iii), and defines T:
-     r = B_w(1/2, q)/2 = v u 2F1(1, q + 1/2; 3/2; w),
-     2 q d = q B_x(q, 1/2) = u (1 + q T), where 1 + q T = 2F1(1, 2q; 1 + q; p).
-
-   Up to r = 0.55 (VMI_ATEB_CHANGE_OVER) the first equation is solved for v; for larger r the second is solved for p. At
-   r = 0.55, w < 0.303 and p < 0.251. A rough v (or p) is taken as exact, and the r (or d) that belongs to it is
-   computed. The computed r (or d) differs little from the given one, and a Taylor series corrects v (or p) for the
-   difference. Therefore one continued fraction for 2F1 and one power are enough.
-
-   Tests: tests/test_ateb.c. */
-#ifndef VARMASS_ATEB_INVERSION_H
-#define VARMASS_ATEB_INVERSION_H
-
-/* Up to this distance r from a zero of sa, sa is computed by vmi_ateb_near_sa_zero; for larger r by
-   vmi_ateb_near_ca_zero. */
-#define VMI_ATEB_CHANGE_OVER VM_C(0.55)
-
-/* Gauss's continued fraction (DLMF 15.7) is 2F1(1, b; c; z) = 1/(1 - b z/(c Y_1)), where Y_j = 1 - e_j/Y_(j+1) and
-     e_(2n-1) = n (c - b + n - 1) z/((c + 2n - 2) (c + 2n - 1)),
-     e_(2n) = (b + n) (c + n - 1) z/((c + 2n - 1) (c + 2n)).
-   For z < 0.303, two further levels of the fraction give at least 7 more bits. For large j, e_j tends to z/4, from
-   which the last Y is estimated. VMI_ATEB_W_LEVELS and VMI_ATEB_P_LEVELS are the numbers of levels of the fraction in w
-   and of the fraction in p. */
-enum { VMI_ATEB_W_LEVELS = VM_MANT_DIG > 24 ? 12 : 6, VMI_ATEB_P_LEVELS = VM_MANT_DIG > 24 ? 12 : 6 };
-
-/* Computes Y_1 = P/Q of Gauss's continued fraction (see above) without a division. Y is the value of Y_(levels+1).
-   Element j of e_by_z is e_(j+1)/z, beginning with e_1/z. These elements do not depend on z, so that the processor
-   computes them while it waits for z. */
-VM_INLINE void vmi_ateb_fraction(const vm_real *e_by_z, vm_real z, int levels, vm_real Y, vm_real *P, vm_real *Q)
-{
-    int j;
-    *P = Y;
-    *Q = 1;
-    for (j = levels - 2; j >= 0; j -= 2) {
-        const vm_real next = *P - (e_by_z[j + 1] * z) * *Q;
-        *P = next - (e_by_z[j] * z) * *P;
-        *Q = next;
-    }
-}
-
-/* Returns (F - 1)/(w (q + 1/2)) for F = 2F1(1, q + 1/2; 3/2; w) and w < 0.303. In Gauss's continued fraction of F,
-   e_(j+1)/w is constant[j] + q slope[j]. */
-VM_API vm_real vmi_ateb_w_fraction(vm_real q, vm_real w)
-{
-    VM_TABLE vm_real constant[14] = {VM_C(4.0) / 15,    VM_C(9.0) / 35,    VM_C(16.0) / 63,   VM_C(25.0) / 99,
-                                     VM_C(36.0) / 143,  VM_C(49.0) / 195,  VM_C(64.0) / 255,  VM_C(81.0) / 323,
-                                     VM_C(100.0) / 399, VM_C(121.0) / 483, VM_C(144.0) / 575, VM_C(169.0) / 675,
-                                     VM_C(196.0) / 783, VM_C(225.0) / 899};
-    VM_TABLE vm_real slope[14] = {VM_C(-4.0) / 15,   VM_C(6.0) / 35,   VM_C(-8.0) / 63,   VM_C(10.0) / 99,
-                                  VM_C(-12.0) / 143, VM_C(14.0) / 195, VM_C(-16.0) / 255, VM_C(18.0) / 323,
-                                  VM_C(-20.0) / 399, VM_C(22.0) / 483, VM_C(-24.0) / 575, VM_C(26.0) / 675,
-                                  VM_C(-28.0) / 783, VM_C(30.0) / 899};
-    vm_real e_by_w[VMI_ATEB_W_LEVELS + 2], P, Q;
-    int j;
-    for (j = 0; j < VMI_ATEB_W_LEVELS + 2; j++) e_by_w[j] = VM_READ(constant[j]) + q * VM_READ(slope[j]);
-    vmi_ateb_fraction(e_by_w, w, VMI_ATEB_W_LEVELS, 1 - e_by_w[VMI_ATEB_W_LEVELS] * w * (1 + w * (1 + w / 2) / 4),
-                      &P, &Q);
-    return Q / (VM_C(1.5) * P - (q + VM_C(0.5)) * w * Q);
-}
-
-/* Computes two numbers P and Q with 2F1(1, 2q; 1 + q; p) = P/(P - 2 q p Q/(1 + q)), for p < 0.251. In Gauss's continued
-   fraction of this function, e_(j+1)/p is (constant + q slope + q^2 square)/((q + index)(q + index + 1)), where each
-   name stands for element j of the table with this name. */
-VM_INLINE void vmi_ateb_p_fraction(vm_real q, vm_real p, vm_real *P, vm_real *Q)
-{
-    VM_TABLE vm_real index[13] = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13};
-    VM_TABLE vm_real constant[12] = {1, 1, 4, 4, 9, 9, 16, 16, 25, 25, 36, 36};
-    VM_TABLE vm_real slope[12] = {-1, 3, -2, 6, -3, 9, -4, 12, -5, 15, -6, 18};
-    VM_TABLE vm_real square[12] = {0, 2, 0, 2, 0, 2, 0, 2, 0, 2, 0, 2};
-    vm_real e_by_p[VMI_ATEB_P_LEVELS];
-    int j;
-    for (j = 0; j < VMI_ATEB_P_LEVELS; j++)
-        e_by_p[j] = (VM_READ(constant[j]) + q * (VM_READ(slope[j]) + q * VM_READ(square[j]))) /
-                    ((q + VM_READ(index[j])) * (q + VM_READ(index[j + 1])));
-    vmi_ateb_fraction(e_by_p, p, VMI_ATEB_P_LEVELS, 1 - p * (1 + p / 2) / 4, P, Q);
-}
-
-/* Returns (1 - a^q)/q for a = (1 + t)/(1 - t), where ln a is small. No digits cancel. */
-VM_API vm_real vmi_ateb_power_rest(vm_real t, vm_real q)
-{
-    const vm_real l = vmi_ateb_ln_ratio(t), z = q * l;
-    return -l - l * z * vmi_ateb_exp_series(z);
-}
-
-/* sa and ca at the distance r from the zero of sa, for 0 <= r <= VMI_ATEB_CHANGE_OVER. q is 1/(alpha + 1). `guess` is
-   the power series of sa up to r^9, which is right to 1e-5; its coefficients are polynomials in k = 1 - q. v is the
-   guess shortened to half of its digits, so that w = v^2 is exact. u is the ca that belongs to sa = v, and h is r minus
-   the r that belongs to v. A Taylor series in e = h/u gives sa and ca. */
-VM_API void vmi_ateb_near_sa_zero(vm_real r, vm_real q, vm_real *sa, vm_real *ca)
-{
-    const vm_real k = 1 - q, rr = r * r, b = q + VM_C(0.5);
-    const vm_real c1 = -1 / VM_C(3.0);
-    const vm_real c2 = (7 * k - 3) * (1 / VM_C(30.0));
-    const vm_real c3 = ((-127 * k + 123) * k - 30) * (1 / VM_C(630.0));
-    const vm_real c4 = (((4369 * k - 6822) * k + 3579) * k - 630) * (1 / VM_C(22680.0));
-    const vm_real guess = r * (1 + k * rr * ((c1 + rr * c2) + rr * rr * (c3 + rr * c4)));
-    const vm_real v = vmi_head(guess), w = v * v, x = 1 - w;
-    const vm_real one_minus_u = q * vmi_ateb_power_rest(-w / (2 - w), q), u = 1 - one_minus_u, by_u = 1 / u;
-    const vm_real h = (r - v) - v * (w * b * vmi_ateb_w_fraction(q, w) * u - one_minus_u), e = h * by_u;
-    *sa = v + x * e * (1 - k * e * (v + (x - (2 - 4 * q) * w) * (e / 3)));
-    *ca = 1 - (one_minus_u + h * q * (2 * v + x * e * (1 - k * v * e * VM_C(0.66666666666666667))));
-}
-
-/* Returns (2^k (1 + t)/(1 - t))^n/4 with a relative error of 2e-7 (1 + |logarithm of the result|), if the result is a
-   normal number. The result is 2^power/4, where power is split into an integer and z between -1/2 and 1/2. */
-VM_INLINE vm_real vmi_ateb_rough_power(vm_real k, vm_real t, vm_real n)
-{
-    const vm_real to_integer = VM_C(1.5) / VM_EPSILON, tt = t * t;
-    const vm_real log2 = (VM_C(2.885390422) + tt * VM_C(0.9615889072)) + (tt * tt) * VM_C(0.5957613972);
-    const vm_real power = n * k + (n * t) * log2, shifted = vmi_rounded(power + to_integer);
-    const vm_real z = power - vmi_rounded(shifted - to_integer), zz = z * z;
-    const vm_real low = VM_C(0.2500000189) + z * VM_C(0.173286797);
-    const vm_real mid = VM_C(0.06005526871) + z * VM_C(0.01387589279);
-    const vm_real high = VM_C(0.00241900798) + z * VM_C(0.0003347715841);
-    return vmi_from_bits(vmi_to_bits((low + zz * mid) + (zz * zz) * high) +
-                         (vmi_to_bits(shifted) << VMI_STORED_DIG));
-}
-
-/* The number y = 2 q d in two words, where q = 1/(alpha + 1) and d is the distance from a zero of ca. The power
-   y^(alpha + 1) is X; ln y is vmi_ateb_ln_of(k, t). */
-typedef struct VM_TAG(vmi_ateb_base) {
-    vm_two y;
-    vm_real k, t;
-} vmi_ateb_base;
-
-/* Returns the base y from the distances r and d of s from the zeros of sa and ca. y = 2 q d is also 1 - q z, where
-   z = 2 r - (Pi_alpha - (alpha + 1)). It is computed from the smaller of r and d; if r < d, then y > 1/2. The low word
-   of y matters: for a large alpha, a small change of y is a large change of X = y^(alpha+1). For y < 1/2, X is so small
-   that y.lo need not be scaled by 2^-k. */
-VM_INLINE vmi_ateb_base vmi_ateb_base_of(vm_two twice_q, vm_real r, vm_real z, vm_real d, vm_real d_lo)
-{
-    const vm_real sqrt_half = VM_C(0.70710678118654752), qz = twice_q.hi * (z / 2);
-    vmi_ateb_base base;
-    vm_real mantissa, scale;
-    if (r < d) {
-        base.y.hi = 1 - qz;
-        base.y.lo = (1 - base.y.hi) - qz;
-    } else if (d < 1 / VM_EPSILON) {
-        base.y = vmi_two_product(twice_q.hi, d);
-        base.y.lo += twice_q.lo * d + twice_q.hi * d_lo;
-    } else base.y = vmi_two(twice_q.hi * d, 0); /* here X underflows, and the low word does not matter */
-    mantissa = vmi_ateb_mantissa(base.y.hi, &base.k);
-    scale = VM_C(1.5) - VM_COPYSIGN(VM_C(0.5), base.y.hi - sqrt_half); /* 2^-k for y > 1/2 */
-    base.t = ((mantissa - 1) + scale * base.y.lo) / (mantissa + 1);
-    return base;
-}
-
-/* Returns p = (1 - sa)/2 within 1e-5, from X4 = X/4, where X = (2 q d)^(alpha+1). p/X4 is computed by its (1, 1) Pade
-   approximant and a correction, which contains X4^3 q (1 - q) and a polynomial fitted by
-   tests/gen/ateb_coefficients.py. */
-VM_INLINE vm_real vmi_ateb_guess_p(vm_real q, vm_real X4)
-{
-    const vm_real k = 1 - q, m = (1 + q) * (2 + q);
-    const vm_real lack0 = VM_C(0.1695201) + q * (VM_C(-0.4597204) + q * (VM_C(0.3548526) - q * VM_C(0.1130212)));
-    const vm_real lack1 = VM_C(-0.0790485) + q * VM_C(0.1329593);
-    return ((m - (q + q * q) * X4) / (m + 2 * (k - q * q) * X4)) *
-           (X4 + (X4 * X4) * (X4 * X4) * (q * k * (lack0 + X4 * lack1)));
-}
-
-/* sa and ca at the distances r >= VMI_ATEB_CHANGE_OVER from the zero of sa and d from the zero of ca. Given are
-   q = 1/(alpha + 1), y = 2 q d and X = y^(alpha+1). The unknown is p = (1 - sa)/2. From p follow
-     v = sa = 1 - 2 p,   x = 1 - v^2 = 4 p (1 - p),   u = ca = x^q,   E = 2F1(1, 2q; 1 + q; p).
-   They satisfy y = u E, so that p is the solution of ln X = ln x + (alpha + 1) ln E. The derivatives with respect to ln
-   X are
-     dp/d(ln X) = x E/4,   d ln(u/y)/d(ln X) = -q (1 - v E).
-   The function starts from a guess of p. rho is ln X minus the ln X that belongs to the guess; a Taylor series in
-   rho gives sa and ca. */
-VM_API void vmi_ateb_near_ca_zero(vm_real r, vm_real d, const vmi_ateb *c, vm_real *sa, vm_real *ca)
-{
-    const vm_real least_ln = -(vm_real)(VM_MANT_DIG + 2) * VM_C(0.6931471805599453); /* X < eps/8 may be neglected */
-    const vm_real n = c->n.hi, q = c->q.hi, twice_q = 2 * q;
-    const vmi_ateb_base base = vmi_ateb_base_of(vmi_two(twice_q, 2 * c->q.lo), r, (2 * r - c->g.hi) - c->g.lo, d, 0);
-    const vm_real y = base.y.hi, ln_X = n * vmi_ateb_ln_of(base.k, base.t);
-    vm_real p, v, P, Q;       /* a guess of p, its v = 1 - 2 p, and the results of vmi_ateb_p_fraction */
-    vm_real B, E, E_loss;     /* B = 2 q p Q/(1 + q), E = P/(P - B), E_loss = 1 - 1/E, so that u = y (1 - E_loss) */
-    vm_real rho, vE;          /* vE = v E */
-    vm_real sa_rate, ca_rate; /* -d(sa)/d(ln X) and -d ln(ca/y)/d(ln X) */
-    vm_real sa_change, ca_change;
-    *sa = 1;
-    *ca = y + base.y.lo;
-    if (!(y > VM_MIN) || !(ln_X > least_ln)) return;
-    p = vmi_ateb_guess_p(q, vmi_ateb_rough_power(base.k, base.t, n));
-    v = 1 - 2 * p;
-    vmi_ateb_p_fraction(q, p, &P, &Q);
-    B = twice_q / (1 + q) * p * Q;
-    E = P / (P - B);
-    E_loss = B / P;
-    rho = (ln_X - vmi_ateb_ln(4 * p * (1 - p))) - n * vmi_ateb_ln_ratio(B / (2 * P - B));
-    vE = v * E;
-    sa_rate = 2 * p * (1 - p) * E;
-    ca_rate = q * (1 - vE);
-    sa_change = (sa_rate * rho) * (1 + rho * ((q + (1 - q) * vE) / 2));
-    ca_change = ((1 - E_loss) * rho) * (ca_rate - rho * ((ca_rate * (ca_rate + q * vE) - q * sa_rate * E) / 2));
-    *sa = 1 - (2 * p + sa_change);
-    *ca = y - (y * (E_loss + ca_change) - base.y.lo);
-}
-
-#endif
-/* ateb/functions.h - the Ateb functions sa and ca for any real argument and any alpha >= 0
-
-   v = sa(1, alpha, s) and u = ca(alpha, 1, s) solve v' = u|u|^(alpha-1), u' = -2 v/(alpha + 1) with v(0) = 0 and
-   u(0) = 1: equations (275), (276). They have the period 2 Pi_alpha (ateb/period.h) and describe the motion of the
-   oscillator with the restoring force x|x|^(alpha-1). For many arguments and one alpha prepare a plan (ateb/plans.h).
-
-       vm_real sa, ca;
-       ateb_saca(VM_C(0.7), VM_C(1.5), &sa, &ca);
-
-   Method: s is reduced to the first quarter of the period, where an incomplete beta function is inverted
-   (ateb/inversion.h). r is the distance of s from the nearest zero of sa, and d the distance from the nearest zero of
-   ca, so that r + d = Pi_alpha/2. Tests: tests/test_ateb.c. */
-#ifndef VARMASS_ATEB_FUNCTIONS_H
-#define VARMASS_ATEB_FUNCTIONS_H
-
-/* The position of s in the period. s is `quarter` quarters of the period plus rest, where whole periods (4 quarters)
-   are left out. r and d are the distances of s from the nearest zeros of sa and ca. */
-typedef struct VM_TAG(vmi_ateb_place) {
-    vm_real rest, r, d;
-    int quarter;
-} vmi_ateb_place;
-
-/* Returns s > 0 minus the nearest multiple of the quarter period, for an s that is large, or close to a zero of sa or
-   ca. c->quarter becomes a sum of two words with a relative error of 2^-102 (float 2^-44). If the result is so small
-   that this error would matter, the quarter period is used in three words. */
-VM_API vm_real vmi_ateb_reduce_finely(vm_real s, vmi_ateb *c, int *quarter)
-{
-    const vm_real reach = VM_MANT_DIG > 24 ? VM_C(6e-14) : VM_C(1.5e-5); /* a smaller rest/s needs three words */
-    vm_real rest, count;
-    c->quarter = vmi_ateb_fine_quarter(c);
-    rest = vmi_reduce(s, c->quarter, quarter).hi;
-    count = VM_FLOOR(s / c->quarter.hi + VM_C(0.5));
-    if (VM_FABS(rest) < reach * s && !vmi_ateb_is_large(c)) {
-        const vmi_three Q = vmi_ateb_finest_quarter(c->n);
-        const vm_two high = vmi_two_product(count, Q.hi), mid = vmi_two_product(count, Q.mid);
-        if (count * VM_EPSILON < 1) rest = (((s - high.hi) - high.lo) - mid.hi) - (mid.lo + count * Q.lo);
-    }
-    if (VM_FABS(rest) < c->quarter.hi) return rest;
-    return 0; /* s is above 2^52 quarters: its digits do not give the phase */
-}
-
-/* Returns a for the weight 1 and b for the weight 0. A condition would become a branch, which is mispredicted half
-   the time. */
-VM_API vm_real vmi_choose(vm_real weight, vm_real a, vm_real b) { return weight * a + (1 - weight) * b; }
-
-/* Returns the position of s >= 0 in the period, by the quickest of three ways.
-     1. s <= (alpha + 1)/2 lies in the first quarter, and r = s is known before Pi_alpha is.
-     2. For s <= 128 (alpha + 1), c->quarter is accurate enough, unless s is close to a zero of sa or ca. Its products
-        high word is multiplied in two halves, whose products with the number of quarters are exact. This number comes
-        from the high word of c->quarter alone, so that the rest may be a little longer than half a quarter.
-     3. Any other s is reduced by vmi_ateb_reduce_finely. */
-VM_INLINE vmi_ateb_place vmi_ateb_locate(vm_real s, vmi_ateb *c)
-{
-    const vm_real n = c->n.hi, to_integer = VM_C(1.5) / VM_EPSILON;
-    vmi_ateb_place at;
-    vm_real size, other, odd;
-    int is_coarse = s / 128 <= n;
-    at.quarter = 0;
-    at.rest = 0;
-    if (s <= n / 2) {
-        at.rest = s;
-        at.r = s;
-        at.d = (c->quarter.hi - s) + c->quarter.lo;
-        return at;
-    }
-    if (is_coarse) { /* the last bits of the rounded quotient are the number of quarters */
-        const vm_real high = vmi_head(c->quarter.hi), low = c->quarter.hi - high;
-        const vm_real shifted = vmi_rounded(s / c->quarter.hi + to_integer);
-        const vm_real count = vmi_rounded(shifted - to_integer);
-        at.quarter = (int)(vmi_to_bits(shifted) & 3);
-        at.rest = ((s - count * high) - count * low) - count * c->quarter.lo;
-        is_coarse = VM_FABS(at.rest) * n * 1024 >= s;
-    }
-    if (!is_coarse) at.rest = vmi_ateb_reduce_finely(s, c, &at.quarter);
-    odd = (vm_real)(at.quarter & 1);
-    size = VM_FABS(at.rest);
-    other = (c->quarter.hi - size) + c->quarter.lo;
-    at.r = vmi_choose(odd, other, size);
-    at.d = vmi_choose(odd, size, other);
-    return at;
-}
-
-/* Sets the signs of sa and ca to those at s. On entry both hold the values of the first quarter. |s| is `quarter`
-   quarters plus rest. The function works on the bits of the signs, without a branch. */
-VM_INLINE void vmi_ateb_signs(vm_real s, vm_real rest, vmi_bits quarter, vm_real *sa, vm_real *ca)
-{
-    const int last = 8 * (int)sizeof(vm_real) - 1;
-    const vmi_bits sign = (vmi_bits)1 << last, odd = quarter & 1;
-    const vmi_bits half = quarter >> 1 << last, rest_bits = vmi_to_bits(rest);
-    *sa = vmi_from_bits(vmi_to_bits(*sa) ^ half ^ ((vmi_to_bits(s) ^ (rest_bits & (odd - 1))) & sign));
-    *ca = vmi_from_bits(vmi_to_bits(*ca) ^ half ^ (~rest_bits & (odd << last)));
-}
-
-/* sa(1, alpha, s) and ca(alpha, 1, s), the Ateb sine and cosine. s is any real number and alpha >= 0; both are pure
-   numbers. |sa| <= 1 and |ca| <= 1. sa is odd in s and ca is even, to the last bit. The errors are at most 4 VM_EPSILON
-   for |s| <= 1e9 (float 1e4), and at most 8 ulp for |s| <= 100 Pi_alpha, also next to the zeros of sa and ca. The
-   results are NaN for alpha < 0 and for NaN and infinite arguments. docs/cost.md has the time. Equations (275),
-   (276). */
-VM_API void ateb_saca(vm_real s, vm_real alpha, vm_real *sa, vm_real *ca)
-{
-    vmi_ateb c;
-    vmi_ateb_place at;
-    if (!(alpha >= 0) || !VM_IS_FINITE(alpha) || !VM_IS_FINITE(s)) {
-        *sa = VM_NAN;
-        *ca = VM_NAN;
-        return;
-    }
-    vmi_ateb_index_constants(&c, alpha);
-    at.quarter = 0;
-    at.rest = VM_FABS(s);
-    at.r = at.rest;
-    at.d = 0;
-    if (at.r > VMI_ATEB_CHANGE_OVER) {
-        vmi_ateb_period_constants(&c);
-        at = vmi_ateb_locate(at.r, &c);
-    }
-    if (at.r <= VMI_ATEB_CHANGE_OVER) vmi_ateb_near_sa_zero(at.r, c.q.hi, sa, ca);
-    else vmi_ateb_near_ca_zero(at.r, at.d, &c, sa, ca);
-    vmi_ateb_signs(s, at.rest, (vmi_bits)at.quarter, sa, ca);
-}
-
-/* sa(1, alpha, s), the Ateb sine, alone.
-   Domain and accuracy are those of ateb_saca, which computes both functions in the same time. */
-VM_API vm_real ateb_sa(vm_real s, vm_real alpha)
-{
-    vm_real sa, ca;
-    ateb_saca(s, alpha, &sa, &ca);
-    return sa;
-}
-
-/* ca(alpha, 1, s), the Ateb cosine, alone.
-   Domain and accuracy are those of ateb_saca, which computes both functions in the same time. */
-VM_API vm_real ateb_ca(vm_real s, vm_real alpha)
-{
-    vm_real sa, ca;
-    ateb_saca(s, alpha, &sa, &ca);
-    return ca;
 }
 
 #endif
@@ -2108,6 +1667,508 @@ VM_API vm_two vmi_log1p_rest(vm_two x, vm_two y)
 }
 
 #endif
+/* ateb/powers.h - a logarithm and an exponential that are quicker and have one word only
+
+   vmi_log and vmi_exp (base/elementary.h) return two words. The functions in this file return one word, with an error
+   of one or two ulp. They are used where the error is later multiplied by less than about 1/2: in ateb/inversion.h and
+   in ateb/plans.h.
+
+       vm_real y = vmi_ateb_exp(vmi_ateb_ln(3) / 2); // the square root of 3
+
+   The polynomials are computed by tests/gen/ateb_coefficients.py. Tests: tests/test_ateb.c. */
+#ifndef VARMASS_ATEB_POWERS_H
+#define VARMASS_ATEB_POWERS_H
+
+#include <stdint.h>
+
+/* Returns a if all bits of the mask are set, and b if none is set. */
+VM_INLINE vm_real vmi_select(vmi_bits mask, vm_real a, vm_real b)
+{
+    return vmi_from_bits((vmi_to_bits(a) & mask) | (vmi_to_bits(b) & ~mask));
+}
+
+/* Returns a mask with all bits set if x < 0, and with no bit set if x > 0. */
+VM_INLINE vmi_bits vmi_mask_of_sign(vm_real x) { return 0 - (vmi_to_bits(x) >> (8 * sizeof(vm_real) - 1)); }
+
+/* Returns L(x), where ln((1 + t)/(1 - t)) = 2 t + t^3 L(t^2), by a polynomial for |t| < 0.18. */
+VM_INLINE vm_real vmi_ateb_ln_series(vm_real x)
+{
+#if VM_MANT_DIG > 24
+    const vm_real xx = x * x;
+    const vm_real L01 = VM_C(0.66666666666666727634) + x * VM_C(0.39999999999816214631);
+    const vm_real L23 = VM_C(0.28571428661769779675) + x * VM_C(0.2222220559437561072);
+    const vm_real L45 = VM_C(0.18183272190739985335) + x * VM_C(0.15319628746766105066);
+    return (L01 + xx * L23) + (xx * xx) * (L45 + xx * VM_C(0.1475852205325647575));
+#else
+    return VM_C(0.666666914868) + x * (VM_C(0.399862738125) + x * VM_C(0.296881029198));
+#endif
+}
+
+/* Returns ln((1 + t)/(1 - t)) for |t| < 0.18. */
+VM_API vm_real vmi_ateb_ln_ratio(vm_real t)
+{
+    const vm_real x = t * t;
+    return 2 * t + t * x * vmi_ateb_ln_series(x);
+}
+
+/* Writes a normal number x > 0 as 2^k z with z between sqrt(1/2) and sqrt(2). Returns z, and k in *k. When the bits
+   of sqrt(1/2) are subtracted from those of x, the exponent of the difference is k. Older processors cannot convert
+   long integers in vector registers to floating point; therefore k is put together from its bits. */
+VM_INLINE vm_real vmi_ateb_mantissa(vm_real x, vm_real *k)
+{
+#if VM_MANT_DIG > 24
+    const vmi_bits least = UINT64_C(0x3fe6a09e667f3bcd); /* sqrt(1/2) */
+#else
+    const vmi_bits least = UINT32_C(0x3f3504f3);
+#endif
+    const vm_real to_integer = 1 / VM_EPSILON; /* the last bits of this number plus an integer are the integer's bits */
+    const vmi_bits one = (vmi_bits)1 << VMI_STORED_DIG, above = vmi_to_bits(x) - least;
+    const vmi_bits exponent = (above + (VMI_BIAS + 1) * one) >> VMI_STORED_DIG;
+    *k = vmi_from_bits(vmi_to_bits(to_integer) | exponent) - (to_integer + (VMI_BIAS + 1));
+    return vmi_from_bits((above & (one - 1)) + least);
+}
+
+/* Returns ln(2^k (1 + t)/(1 - t)) for |t| < 0.18. The product of k and the first word of ln 2 has no rounding error. */
+VM_API vm_real vmi_ateb_ln_of(vm_real k, vm_real t)
+{
+#if VM_MANT_DIG > 24
+    const vm_real ln2_hi = VM_C(0.69314718055989033019), ln2_lo = VM_C(5.4979230187083711552e-14);
+#else
+    const vm_real ln2_hi = VM_C(0.693145751953125), ln2_lo = VM_C(1.42860676533e-6);
+#endif
+    return k * ln2_hi + (vmi_ateb_ln_ratio(t) + k * ln2_lo);
+}
+
+/* Returns ln x for a normal number x > 0. */
+VM_API vm_real vmi_ateb_ln(vm_real x)
+{
+    vm_real k;
+    const vm_real z = vmi_ateb_mantissa(x, &k);
+    return vmi_ateb_ln_of(k, (z - 1) / (z + 1));
+}
+
+/* Returns (e^z - 1 - z)/z^2 for |z| < 0.36, by a polynomial. */
+VM_API vm_real vmi_ateb_exp_series(vm_real z)
+{
+    const vm_real zz = z * z;
+#if VM_MANT_DIG > 24
+    const vm_real E01 = VM_C(0.50000000000000000036) + z * VM_C(0.16666666666666673812);
+    const vm_real E23 = VM_C(0.041666666666666509662) + z * VM_C(0.0083333333333225907093);
+    const vm_real E45 = VM_C(0.0013888888888994840818) + z * VM_C(1.9841269886522535599e-4);
+    const vm_real E67 = VM_C(2.4801587060781651877e-5) + z * VM_C(2.7557241366121292995e-6);
+    const vm_real E89 = VM_C(2.7557527466964916697e-7) + z * VM_C(2.5110746416563258294e-8);
+    const vm_real high = E89 + zz * VM_C(2.0830505426946652755e-9);
+    return (E01 + zz * E23) + (zz * zz) * ((E45 + zz * E67) + (zz * zz) * high);
+#else
+    const vm_real E01 = VM_C(0.500000001824) + z * VM_C(0.166666664398);
+    const vm_real E23 = VM_C(0.0416664198173) + z * VM_C(0.00833340486371);
+    const vm_real E45 = VM_C(0.00139382863335) + z * VM_C(1.98219343782e-4);
+    return E01 + zz * (E23 + zz * E45); /* this form avoids z^4, which could be subnormal and slow */
+#endif
+}
+
+/* Returns e^x if e^x is a normal number. Method: x is written as k ln 2 + z with a whole k, so that e^x = 2^k
+   (1 + z + z^2 E(z)), where E is vmi_ateb_exp_series. */
+VM_INLINE vm_real vmi_ateb_exp(vm_real x)
+{
+    const vm_real one_over_ln2 = VM_C(1.442695040888963407360), to_integer = VM_C(1.5) / VM_EPSILON;
+#if VM_MANT_DIG > 24
+    const vm_real ln2_hi = VM_C(0.69314718055989033019), ln2_lo = VM_C(5.4979230187083711552e-14);
+#else
+    const vm_real ln2_hi = VM_C(0.693145751953125), ln2_lo = VM_C(1.42860676533e-6);
+#endif
+    const vm_real shifted = vmi_rounded(x * one_over_ln2 + to_integer), k = vmi_rounded(shifted - to_integer);
+    const vm_real z = (x - k * ln2_hi) - k * ln2_lo;
+    const vm_real scale = vmi_from_bits((vmi_to_bits(shifted) + VMI_BIAS) << VMI_STORED_DIG);
+    return scale + scale * (z + z * z * vmi_ateb_exp_series(z));
+}
+
+/* Computes the logarithm to the base 2 of (2^k (1 + t)/(1 - t))^n as a sum *whole + *rest, for |t| < 0.18. *whole is n k,
+   without the last digits of n, and has no rounding error. *rest has an error of at most 2 ulp. */
+VM_INLINE void vmi_ateb_log2_of_power(vm_real n, vm_real k, vm_real t, vm_real *whole, vm_real *rest)
+{
+    const vm_real one_over_ln2 = VM_C(1.442695040888963407360), n_head = vmi_head(n);
+    const vm_real slope = n * (t * one_over_ln2), x = t * t;
+    *whole = n_head * k;
+    *rest = (2 * slope + (n - n_head) * k) + (slope * x) * vmi_ateb_ln_series(x);
+}
+
+/* The least logarithm to the base 2 for which vmi_ateb_exp2 gives a normal number */
+#define VMI_LEAST_LOG2 ((vm_real)(3 - VMI_BIAS))
+
+/* Returns 2^(whole + rest) if the sum is at least VMI_LEAST_LOG2. Method: whole + rest = k + z/ln 2 with an integer k and
+   |z| < 0.36, so that the result is 2^k (1 + z + z^2 E(z)), where E is vmi_ateb_exp_series. */
+VM_INLINE vm_real vmi_ateb_exp2(vm_real whole, vm_real rest)
+{
+    const vm_real ln2 = VM_C(0.69314718055994530942), to_integer = VM_C(1.5) / VM_EPSILON;
+    const vm_real shifted = vmi_rounded(whole + rest + to_integer), k = vmi_rounded(shifted - to_integer);
+    const vm_real z = ((whole - k) + rest) * ln2;
+    const vm_real scale = vmi_from_bits((vmi_to_bits(shifted) + VMI_BIAS) << VMI_STORED_DIG);
+    return scale + scale * (z + z * z * vmi_ateb_exp_series(z));
+}
+
+#endif
+/* ateb/inversion.h - inversion of the incomplete beta function, for sa and ca in the first quarter of the period
+
+   Symbols, for s in the first quarter and q = 1/(alpha + 1):
+     r, d    distances of s from the zero of sa and from the zero of ca; r + d = Pi_alpha/2
+     v, u    sa and ca
+     w, x    v^2 and 1 - w = u^(alpha+1)
+     y, X    2 q d and y^(alpha+1)
+     p       (1 - v)/2
+   They satisfy two equations. The second one follows from the quadratic transformation of 2F1(1/2, q; 1 + q; x), DLMF
+   15.8(iii), and defines T:
+     r = B_w(1/2, q)/2 = v u 2F1(1, q + 1/2; 3/2; w),
+     2 q d = q B_x(q, 1/2) = u (1 + q T), where 1 + q T = 2F1(1, 2q; 1 + q; p).
+
+   Up to r = 0.55 (VMI_ATEB_CHANGE_OVER) the first equation is solved for v; for larger r the second is solved for p. At
+   r = 0.55, w < 0.303 and p < 0.251. A rough v (or p) is taken as exact, and the r (or d) that belongs to it is
+   computed. The computed r (or d) differs little from the given one, and a Taylor series corrects v (or p) for the
+   difference. Therefore one continued fraction for 2F1 and one power are enough.
+
+   Tests: tests/test_ateb.c. */
+#ifndef VARMASS_ATEB_INVERSION_H
+#define VARMASS_ATEB_INVERSION_H
+
+/* Up to this distance r from a zero of sa, sa is computed by vmi_ateb_near_sa_zero; for larger r by
+   vmi_ateb_near_ca_zero. */
+#define VMI_ATEB_CHANGE_OVER VM_C(0.55)
+
+/* Gauss's continued fraction (DLMF 15.7) is 2F1(1, b; c; z) = 1/(1 - b z/(c Y_1)), where Y_j = 1 - e_j/Y_(j+1) and
+     e_(2n-1) = n (c - b + n - 1) z/((c + 2n - 2) (c + 2n - 1)),
+     e_(2n) = (b + n) (c + n - 1) z/((c + 2n - 1) (c + 2n)).
+   For z < 0.303, two further levels of the fraction give at least 7 more bits. For large j, e_j tends to z/4, from
+   which the last Y is estimated. VMI_ATEB_W_LEVELS and VMI_ATEB_P_LEVELS are the numbers of levels of the fraction in w
+   and of the fraction in p. */
+enum { VMI_ATEB_W_LEVELS = VM_MANT_DIG > 24 ? 12 : 6, VMI_ATEB_P_LEVELS = VM_MANT_DIG > 24 ? 12 : 6 };
+
+/* Computes Y_1 = P/Q of Gauss's continued fraction (see above) without a division. Y is the value of Y_(levels+1).
+   Element j of e_by_z is e_(j+1)/z, beginning with e_1/z. These elements do not depend on z, so that the processor
+   computes them while it waits for z. */
+VM_INLINE void vmi_ateb_fraction(const vm_real *e_by_z, vm_real z, int levels, vm_real Y, vm_real *P, vm_real *Q)
+{
+    int j;
+    *P = Y;
+    *Q = 1;
+    for (j = levels - 2; j >= 0; j -= 2) {
+        const vm_real next = *P - (e_by_z[j + 1] * z) * *Q;
+        *P = next - (e_by_z[j] * z) * *P;
+        *Q = next;
+    }
+}
+
+/* Returns (F - 1)/(w (q + 1/2)) for F = 2F1(1, q + 1/2; 3/2; w) and w < 0.303. In Gauss's continued fraction of F,
+   e_(j+1)/w is constant[j] + q slope[j]. */
+VM_API vm_real vmi_ateb_w_fraction(vm_real q, vm_real w)
+{
+    VM_TABLE vm_real constant[14] = {VM_C(4.0) / 15,    VM_C(9.0) / 35,    VM_C(16.0) / 63,   VM_C(25.0) / 99,
+                                     VM_C(36.0) / 143,  VM_C(49.0) / 195,  VM_C(64.0) / 255,  VM_C(81.0) / 323,
+                                     VM_C(100.0) / 399, VM_C(121.0) / 483, VM_C(144.0) / 575, VM_C(169.0) / 675,
+                                     VM_C(196.0) / 783, VM_C(225.0) / 899};
+    VM_TABLE vm_real slope[14] = {VM_C(-4.0) / 15,   VM_C(6.0) / 35,   VM_C(-8.0) / 63,   VM_C(10.0) / 99,
+                                  VM_C(-12.0) / 143, VM_C(14.0) / 195, VM_C(-16.0) / 255, VM_C(18.0) / 323,
+                                  VM_C(-20.0) / 399, VM_C(22.0) / 483, VM_C(-24.0) / 575, VM_C(26.0) / 675,
+                                  VM_C(-28.0) / 783, VM_C(30.0) / 899};
+    vm_real e_by_w[VMI_ATEB_W_LEVELS + 2], P, Q;
+    int j;
+    for (j = 0; j < VMI_ATEB_W_LEVELS + 2; j++) e_by_w[j] = VM_READ(constant[j]) + q * VM_READ(slope[j]);
+    vmi_ateb_fraction(e_by_w, w, VMI_ATEB_W_LEVELS, 1 - e_by_w[VMI_ATEB_W_LEVELS] * w * (1 + w * (1 + w / 2) / 4),
+                      &P, &Q);
+    return Q / (VM_C(1.5) * P - (q + VM_C(0.5)) * w * Q);
+}
+
+/* Computes two numbers P and Q with 2F1(1, 2q; 1 + q; p) = P/(P - 2 q p Q/(1 + q)), for p < 0.251. In Gauss's continued
+   fraction of this function, e_(j+1)/p is (constant + q slope + q^2 square)/((q + index)(q + index + 1)), where each
+   name stands for element j of the table with this name. */
+VM_INLINE void vmi_ateb_p_fraction(vm_real q, vm_real p, vm_real *P, vm_real *Q)
+{
+    VM_TABLE vm_real index[13] = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13};
+    VM_TABLE vm_real constant[12] = {1, 1, 4, 4, 9, 9, 16, 16, 25, 25, 36, 36};
+    VM_TABLE vm_real slope[12] = {-1, 3, -2, 6, -3, 9, -4, 12, -5, 15, -6, 18};
+    VM_TABLE vm_real square[12] = {0, 2, 0, 2, 0, 2, 0, 2, 0, 2, 0, 2};
+    vm_real e_by_p[VMI_ATEB_P_LEVELS];
+    int j;
+    for (j = 0; j < VMI_ATEB_P_LEVELS; j++)
+        e_by_p[j] = (VM_READ(constant[j]) + q * (VM_READ(slope[j]) + q * VM_READ(square[j]))) /
+                    ((q + VM_READ(index[j])) * (q + VM_READ(index[j + 1])));
+    vmi_ateb_fraction(e_by_p, p, VMI_ATEB_P_LEVELS, 1 - p * (1 + p / 2) / 4, P, Q);
+}
+
+/* Returns (1 - a^q)/q for a = (1 + t)/(1 - t), where ln a is small. No digits cancel. */
+VM_API vm_real vmi_ateb_power_rest(vm_real t, vm_real q)
+{
+    const vm_real l = vmi_ateb_ln_ratio(t), z = q * l;
+    return -l - l * z * vmi_ateb_exp_series(z);
+}
+
+/* sa and ca at the distance r from the zero of sa, for 0 <= r <= VMI_ATEB_CHANGE_OVER. q is 1/(alpha + 1). `guess` is
+   the power series of sa up to r^9, which is right to 1e-5; its coefficients are polynomials in k = 1 - q. v is the
+   guess shortened to half of its digits, so that w = v^2 is exact. u is the ca that belongs to sa = v, and h is r minus
+   the r that belongs to v. A Taylor series in e = h/u gives sa and ca. */
+VM_API void vmi_ateb_near_sa_zero(vm_real r, vm_real q, vm_real *sa, vm_real *ca)
+{
+    const vm_real k = 1 - q, rr = r * r, b = q + VM_C(0.5);
+    const vm_real c1 = -1 / VM_C(3.0);
+    const vm_real c2 = (7 * k - 3) * (1 / VM_C(30.0));
+    const vm_real c3 = ((-127 * k + 123) * k - 30) * (1 / VM_C(630.0));
+    const vm_real c4 = (((4369 * k - 6822) * k + 3579) * k - 630) * (1 / VM_C(22680.0));
+    const vm_real guess = r * (1 + k * rr * ((c1 + rr * c2) + rr * rr * (c3 + rr * c4)));
+    const vm_real v = vmi_head(guess), w = v * v, x = 1 - w;
+    const vm_real one_minus_u = q * vmi_ateb_power_rest(-w / (2 - w), q), u = 1 - one_minus_u, by_u = 1 / u;
+    const vm_real h = (r - v) - v * (w * b * vmi_ateb_w_fraction(q, w) * u - one_minus_u), e = h * by_u;
+    *sa = v + x * e * (1 - k * e * (v + (x - (2 - 4 * q) * w) * (e / 3)));
+    *ca = 1 - (one_minus_u + h * q * (2 * v + x * e * (1 - k * v * e * VM_C(0.66666666666666667))));
+}
+
+/* Returns (2^k (1 + t)/(1 - t))^n/4 with a relative error of 2e-7 (1 + |logarithm of the result|), if the result is a
+   normal number. The result is 2^power/4, where power is split into an integer and z between -1/2 and 1/2. */
+VM_INLINE vm_real vmi_ateb_rough_power(vm_real k, vm_real t, vm_real n)
+{
+    const vm_real to_integer = VM_C(1.5) / VM_EPSILON, tt = t * t;
+    const vm_real log2 = (VM_C(2.885390422) + tt * VM_C(0.9615889072)) + (tt * tt) * VM_C(0.5957613972);
+    const vm_real power = n * k + (n * t) * log2, shifted = vmi_rounded(power + to_integer);
+    const vm_real z = power - vmi_rounded(shifted - to_integer), zz = z * z;
+    const vm_real low = VM_C(0.2500000189) + z * VM_C(0.173286797);
+    const vm_real mid = VM_C(0.06005526871) + z * VM_C(0.01387589279);
+    const vm_real high = VM_C(0.00241900798) + z * VM_C(0.0003347715841);
+    return vmi_from_bits(vmi_to_bits((low + zz * mid) + (zz * zz) * high) +
+                         (vmi_to_bits(shifted) << VMI_STORED_DIG));
+}
+
+/* The number y = 2 q d in two words, where q = 1/(alpha + 1) and d is the distance from a zero of ca. The power
+   y^(alpha + 1) is X; ln y is vmi_ateb_ln_of(k, t). */
+typedef struct VM_TAG(vmi_ateb_base) {
+    vm_two y;
+    vm_real k, t;
+} vmi_ateb_base;
+
+/* Returns 2 q d in two words, for q and d in two words. The halves of the digits of q and d have exact products. */
+VM_INLINE vm_two vmi_ateb_twice_q_times(vm_two twice_q, vm_real d, vm_real d_lo)
+{
+    const vm_real q = twice_q.hi, q_head = vmi_head(q), d_head = vmi_head(d);
+    vm_two y;
+    y.hi = q * d + 0; /* "+ 0": see vmi_two_product */
+    y.lo = (q_head * d_head - y.hi) + (q_head * (d - d_head) + (q - q_head) * d) + (twice_q.lo * d + q * d_lo);
+    return y;
+}
+
+/* Returns the base y from the distances r and d of s from the zeros of sa and ca. y = 2 q d is also 1 - q z, where
+   z = 2 r - (Pi_alpha - (alpha + 1)); this form is used for r < d and y > 0.71. The low word of y matters: for a large alpha, a
+   small change of y is a large change of X = y^(alpha+1). For y < 1/2, X is so small that y.lo need not be scaled by
+   2^-k. */
+VM_INLINE vmi_ateb_base vmi_ateb_base_of(vm_two twice_q, vm_real r, vm_real z, vm_real d, vm_real d_lo)
+{
+    const vm_real sqrt_half = VM_C(0.70710678118654752), qz = twice_q.hi * (z / 2);
+    vmi_ateb_base base;
+    vm_real mantissa, scale;
+    if (r < d && qz < VM_C(0.29)) {
+        base.y.hi = 1 - qz;
+        base.y.lo = (1 - base.y.hi) - qz;
+        base.k = 0;
+        base.t = -qz / (2 - qz);
+        return base;
+    }
+    base.y = vmi_ateb_twice_q_times(twice_q, d, d_lo);
+    mantissa = vmi_ateb_mantissa(base.y.hi, &base.k);
+    scale = VM_C(1.5) - VM_COPYSIGN(VM_C(0.5), base.y.hi - sqrt_half); /* 2^-k for y > 1/2 */
+    base.t = ((mantissa - 1) + scale * base.y.lo) / (mantissa + 1);
+    return base;
+}
+
+/* Returns p = (1 - sa)/2 within 1e-5, from X4 = X/4, where X = (2 q d)^(alpha+1). p/X4 is computed by its (1, 1) Pade
+   approximant and a correction, which contains X4^3 q (1 - q) and a polynomial fitted by
+   tests/gen/ateb_coefficients.py. */
+VM_INLINE vm_real vmi_ateb_guess_p(vm_real q, vm_real X4)
+{
+    const vm_real k = 1 - q, m = (1 + q) * (2 + q);
+    const vm_real lack0 = VM_C(0.1695201) + q * (VM_C(-0.4597204) + q * (VM_C(0.3548526) - q * VM_C(0.1130212)));
+    const vm_real lack1 = VM_C(-0.0790485) + q * VM_C(0.1329593);
+    return ((m - (q + q * q) * X4) / (m + 2 * (k - q * q) * X4)) *
+           (X4 + (X4 * X4) * (X4 * X4) * (q * k * (lack0 + X4 * lack1)));
+}
+
+/* sa and ca at the distances r >= VMI_ATEB_CHANGE_OVER from the zero of sa and d from the zero of ca. Given are
+   q = 1/(alpha + 1), y = 2 q d and X = y^(alpha+1). The unknown is p = (1 - sa)/2. From p follow
+     v = sa = 1 - 2 p,   x = 1 - v^2 = 4 p (1 - p),   u = ca = x^q,   E = 2F1(1, 2q; 1 + q; p).
+   They satisfy y = u E, so that p is the solution of ln X = ln x + (alpha + 1) ln E. The derivatives with respect to ln
+   X are
+     dp/d(ln X) = x E/4,   d ln(u/y)/d(ln X) = -q (1 - v E).
+   The function starts from a guess of p. rho is ln X minus the ln X that belongs to the guess; a Taylor series in
+   rho gives sa and ca. */
+VM_API void vmi_ateb_near_ca_zero(vm_real r, vm_real d, const vmi_ateb *c, vm_real *sa, vm_real *ca)
+{
+    const vm_real least_ln = -(vm_real)(VM_MANT_DIG + 2) * VM_C(0.6931471805599453); /* X < eps/8 may be neglected */
+    const vm_real n = c->n.hi, q = c->q.hi, twice_q = 2 * q;
+    const vmi_ateb_base base = vmi_ateb_base_of(vmi_two(twice_q, 2 * c->q.lo), r, (2 * r - c->g.hi) - c->g.lo, d, 0);
+    const vm_real y = base.y.hi, ln_X = n * vmi_ateb_ln_of(base.k, base.t);
+    vm_real p, v, P, Q;       /* a guess of p, its v = 1 - 2 p, and the results of vmi_ateb_p_fraction */
+    vm_real B, E, E_loss;     /* B = 2 q p Q/(1 + q), E = P/(P - B), E_loss = 1 - 1/E, so that u = y (1 - E_loss) */
+    vm_real rho, vE;          /* vE = v E */
+    vm_real sa_rate, ca_rate; /* -d(sa)/d(ln X) and -d ln(ca/y)/d(ln X) */
+    vm_real sa_change, ca_change;
+    *sa = 1;
+    *ca = y + base.y.lo;
+    if (!(y > VM_MIN) || !(ln_X > least_ln)) return;
+    p = vmi_ateb_guess_p(q, vmi_ateb_rough_power(base.k, base.t, n));
+    v = 1 - 2 * p;
+    vmi_ateb_p_fraction(q, p, &P, &Q);
+    B = twice_q / (1 + q) * p * Q;
+    E = P / (P - B);
+    E_loss = B / P;
+    rho = (ln_X - vmi_ateb_ln(4 * p * (1 - p))) - n * vmi_ateb_ln_ratio(B / (2 * P - B));
+    vE = v * E;
+    sa_rate = 2 * p * (1 - p) * E;
+    ca_rate = q * (1 - vE);
+    sa_change = (sa_rate * rho) * (1 + rho * ((q + (1 - q) * vE) / 2));
+    ca_change = ((1 - E_loss) * rho) * (ca_rate - rho * ((ca_rate * (ca_rate + q * vE) - q * sa_rate * E) / 2));
+    *sa = 1 - (2 * p + sa_change);
+    *ca = y - (y * (E_loss + ca_change) - base.y.lo);
+}
+
+#endif
+/* ateb/functions.h - the Ateb functions sa and ca for any real argument and any alpha >= 0
+
+   v = sa(1, alpha, s) and u = ca(alpha, 1, s) solve v' = u|u|^(alpha-1), u' = -2 v/(alpha + 1) with v(0) = 0 and
+   u(0) = 1: equations (275), (276). They have the period 2 Pi_alpha (ateb/period.h) and describe the motion of the
+   oscillator with the restoring force x|x|^(alpha-1). For many arguments and one alpha prepare a plan (ateb/plans.h).
+
+       vm_real sa, ca;
+       ateb_saca(VM_C(0.7), VM_C(1.5), &sa, &ca);
+
+   Method: s is reduced to the first quarter of the period, where an incomplete beta function is inverted
+   (ateb/inversion.h). r is the distance of s from the nearest zero of sa, and d the distance from the nearest zero of
+   ca, so that r + d = Pi_alpha/2. Tests: tests/test_ateb.c. */
+#ifndef VARMASS_ATEB_FUNCTIONS_H
+#define VARMASS_ATEB_FUNCTIONS_H
+
+/* The position of s in the period. s is `quarter` quarters of the period plus rest, where whole periods (4 quarters)
+   are left out. r and d are the distances of s from the nearest zeros of sa and ca. */
+typedef struct VM_TAG(vmi_ateb_place) {
+    vm_real rest, r, d;
+    int quarter;
+} vmi_ateb_place;
+
+/* If s minus the nearest multiple of the quarter period is less than this number times s, the quarter period is needed
+   in three words. */
+#define VMI_ATEB_FINE_REACH (VM_MANT_DIG > 24 ? VM_C(6e-14) : VM_C(1.5e-5))
+
+/* Returns s > 0 minus the nearest multiple of the quarter period, for an s that is large, or close to a zero of sa or
+   ca. c->quarter becomes a sum of two words with a relative error of 2^-102 (float 2^-43). If the result is so small
+   that this error would matter, the quarter period is used in three words. */
+VM_API vm_real vmi_ateb_reduce_finely(vm_real s, vmi_ateb *c, int *quarter)
+{
+    vm_real rest, count;
+    c->quarter = vmi_ateb_fine_quarter(c);
+    rest = vmi_reduce(s, c->quarter, quarter).hi;
+    count = VM_FLOOR(s / c->quarter.hi + VM_C(0.5));
+    if (VM_FABS(rest) < VMI_ATEB_FINE_REACH * s) {
+        const vmi_three Q = vmi_ateb_quarter_in_words(c);
+        const vm_two high = vmi_two_product(count, Q.hi), mid = vmi_two_product(count, Q.mid);
+        if (count * VM_EPSILON < 1) rest = (((s - high.hi) - high.lo) - mid.hi) - (mid.lo + count * Q.lo);
+    }
+    if (VM_FABS(rest) < c->quarter.hi) return rest;
+    return 0; /* s is above 2^52 quarters: its digits do not give the phase */
+}
+
+/* Returns a for the weight 1 and b for the weight 0. A condition would become a branch, which is mispredicted half
+   the time. */
+VM_API vm_real vmi_choose(vm_real weight, vm_real a, vm_real b) { return weight * a + (1 - weight) * b; }
+
+/* Returns the position of s >= 0 in the period, by the quickest of three ways.
+     1. s <= (alpha + 1)/2 lies in the first quarter, and r = s is known before Pi_alpha is.
+     2. For s <= 128 (alpha + 1), c->quarter is accurate enough, unless s is close to a zero of sa or ca. Its products
+        high word is multiplied in two halves, whose products with the number of quarters are exact. This number comes
+        from the high word of c->quarter alone, so that the rest may be a little longer than half a quarter.
+     3. Any other s is reduced by vmi_ateb_reduce_finely. */
+VM_INLINE vmi_ateb_place vmi_ateb_locate(vm_real s, vmi_ateb *c)
+{
+    const vm_real n = c->n.hi, to_integer = VM_C(1.5) / VM_EPSILON;
+    vmi_ateb_place at;
+    vm_real size, other, odd;
+    int is_coarse = s / 128 <= n;
+    at.quarter = 0;
+    at.rest = 0;
+    if (s <= n / 2) {
+        at.rest = s;
+        at.r = s;
+        at.d = (c->quarter.hi - s) + c->quarter.lo;
+        return at;
+    }
+    if (is_coarse) { /* the last bits of the rounded quotient are the number of quarters */
+        const vm_real high = vmi_head(c->quarter.hi), low = c->quarter.hi - high;
+        const vm_real shifted = vmi_rounded(s / c->quarter.hi + to_integer);
+        const vm_real count = vmi_rounded(shifted - to_integer);
+        at.quarter = (int)(vmi_to_bits(shifted) & 3);
+        at.rest = ((s - count * high) - count * low) - count * c->quarter.lo;
+        is_coarse = VM_FABS(at.rest) * n * 1024 >= s;
+    }
+    if (!is_coarse) at.rest = vmi_ateb_reduce_finely(s, c, &at.quarter);
+    odd = (vm_real)(at.quarter & 1);
+    size = VM_FABS(at.rest);
+    other = (c->quarter.hi - size) + c->quarter.lo;
+    at.r = vmi_choose(odd, other, size);
+    at.d = vmi_choose(odd, size, other);
+    return at;
+}
+
+/* Sets the signs of sa and ca to those at s. On entry both hold the values of the first quarter. |s| is `quarter`
+   quarters plus rest. The function works on the bits of the signs, without a branch. */
+VM_INLINE void vmi_ateb_signs(vm_real s, vm_real rest, vmi_bits quarter, vm_real *sa, vm_real *ca)
+{
+    const int last = 8 * (int)sizeof(vm_real) - 1;
+    const vmi_bits sign = (vmi_bits)1 << last, odd = quarter & 1;
+    const vmi_bits half = quarter >> 1 << last, rest_bits = vmi_to_bits(rest);
+    *sa = vmi_from_bits(vmi_to_bits(*sa) ^ half ^ ((vmi_to_bits(s) ^ (rest_bits & (odd - 1))) & sign));
+    *ca = vmi_from_bits(vmi_to_bits(*ca) ^ half ^ (~rest_bits & (odd << last)));
+}
+
+/* sa(1, alpha, s) and ca(alpha, 1, s), the Ateb sine and cosine. s is any real number and alpha >= 0; both are pure
+   numbers. |sa| <= 1 and |ca| <= 1. sa is odd in s and ca is even, to the last bit. The errors are at most 4 VM_EPSILON
+   for |s| <= 1e9 (float 1e4), and at most 8 ulp for |s| <= 100 Pi_alpha, also next to the zeros of sa and ca. The
+   results are NaN for alpha < 0 and for NaN and infinite arguments. docs/cost.md has the time. Equations (275),
+   (276). */
+VM_API void ateb_saca(vm_real s, vm_real alpha, vm_real *sa, vm_real *ca)
+{
+    vmi_ateb c;
+    vmi_ateb_place at;
+    if (!(alpha >= 0) || !VM_IS_FINITE(alpha) || !VM_IS_FINITE(s)) {
+        *sa = VM_NAN;
+        *ca = VM_NAN;
+        return;
+    }
+    vmi_ateb_index_constants(&c, alpha);
+    at.quarter = 0;
+    at.rest = VM_FABS(s);
+    at.r = at.rest;
+    at.d = 0;
+    if (at.r > VMI_ATEB_CHANGE_OVER) {
+        vmi_ateb_period_constants(&c);
+        at = vmi_ateb_locate(at.r, &c);
+    }
+    if (at.r <= VMI_ATEB_CHANGE_OVER) vmi_ateb_near_sa_zero(at.r, c.q.hi, sa, ca);
+    else vmi_ateb_near_ca_zero(at.r, at.d, &c, sa, ca);
+    vmi_ateb_signs(s, at.rest, (vmi_bits)at.quarter, sa, ca);
+}
+
+/* sa(1, alpha, s), the Ateb sine, alone.
+   Domain and accuracy are those of ateb_saca, which computes both functions in the same time. */
+VM_API vm_real ateb_sa(vm_real s, vm_real alpha)
+{
+    vm_real sa, ca;
+    ateb_saca(s, alpha, &sa, &ca);
+    return sa;
+}
+
+/* ca(alpha, 1, s), the Ateb cosine, alone.
+   Domain and accuracy are those of ateb_saca, which computes both functions in the same time. */
+VM_API vm_real ateb_ca(vm_real s, vm_real alpha)
+{
+    vm_real sa, ca;
+    ateb_saca(s, alpha, &sa, &ca);
+    return ca;
+}
+
+#endif
 /* ateb/phase.h - the phase s that belongs to a pair of values sa and ca
 
    As atan2 computes an angle from its sine and cosine, ateb_phase computes the phase s from sa and ca, for example
@@ -2393,6 +2454,9 @@ typedef struct VM_TAG(vmi_ateb_part) {
 /* What sa and ca need for one alpha. ateb_plan_init fills it. All fields are pure numbers. */
 typedef struct VM_TAG(ateb_plan) {
     vm_two quarter;           /* Pi_alpha/2 */
+#if VM_MANT_DIG > 24
+    vm_real quarter_low; /* Pi_alpha/2 minus its two words in `quarter`; float plans are kept short */
+#endif
     vm_real quarter_parts[3]; /* three numbers with the sum `quarter`; the first two have at most half of the digits */
     vm_real per_quarter;      /* 2/Pi_alpha */
     vm_real longest;          /* for |s| < longest the first two parts times a number of quarters are exact */
@@ -2428,30 +2492,42 @@ VM_INLINE vm_two vmi_ateb_twice_q_d(const ateb_plan *p, vm_real d, vm_real d_lo)
    subnormal, the result is about the least normal number instead. */
 VM_INLINE vm_real vmi_ateb_exponential(const ateb_plan *p, vm_real r, vm_real d, vm_real d_lo, vm_two *y)
 {
-    const vm_real least_ln = VM_C(-0.69) * VMI_BIAS;
     const vmi_ateb_base base = vmi_ateb_base_of(p->twice_q, r, 2 * r - p->g, d, d_lo);
-    const vm_real ln_X = p->n * vmi_ateb_ln_of(base.k, base.t);
+    vm_real whole, rest;
+    vmi_ateb_log2_of_power(p->n, base.k, base.t, &whole, &rest);
     *y = base.y;
-    return vmi_ateb_exp(vmi_larger(ln_X, least_ln));
+    if (!(whole + rest > VMI_LEAST_LOG2)) return vmi_ateb_exp2(VMI_LEAST_LOG2, 0);
+    return vmi_ateb_exp2(whole, rest);
+}
+
+/* The polynomial c[0] + c[1] x + c[2] x^2 + c[3] x^3, where xx = x^2 */
+VM_INLINE vm_real vmi_ateb_four_terms(const vm_real *c, vm_real x, vm_real xx)
+{
+    return (c[0] + x * c[1]) + xx * (c[2] + x * c[3]);
+}
+
+/* The polynomial c[0] + c[1] x + ... with at least `length` terms. The coefficients beyond `length` are 0. The terms
+   after the first are grouped by four, so that the processor computes the groups at once. The first and largest term is
+   added last, so that only one rounding error of the size of the sum is made. */
+VM_INLINE vm_real vmi_ateb_part_series(const vm_real *c, int length, vm_real x)
+{
+    const vm_real xx = x * x, x4 = xx * xx;
+    vm_real more;
+    if (length <= 5) return c[0] + x * vmi_ateb_four_terms(c + 1, x, xx);
+    more = (c[5] + x * c[6]) + xx * c[7];
+#if ATEB_PLAN_LENGTH > 8
+    if (length > 8) more = vmi_ateb_four_terms(c + 5, x, xx) + x4 * (vmi_ateb_four_terms(c + 9, x, xx) + x4 * c[13]);
+#endif
+    return c[0] + x * (vmi_ateb_four_terms(c + 1, x, xx) + x4 * more);
 }
 
 /* Computes *odd = base (1 + tau A(tau)) and *even = 1 + tau C(tau), where A and C are the polynomials part->odd and
-   part->even, and base is r or 2 q d. Terms with even powers of tau and terms with odd powers are added up separately,
-   so that the processor computes both sums at once. */
+   part->even, and base is r or 2 q d. */
 VM_INLINE void vmi_ateb_part_at(const vmi_ateb_part *part, int length, vm_two base, vm_real tau, vm_real *odd,
                                 vm_real *even)
 {
-    const vm_real square = tau * tau;
-    vm_real odd0 = 0, odd1 = 0, even0 = 0, even1 = 0;
-    int j;
-    for (j = length - 2; j >= 0; j -= 2) {
-        odd0 = part->odd[j] + square * odd0;
-        odd1 = part->odd[j + 1] + square * odd1;
-        even0 = part->even[j] + square * even0;
-        even1 = part->even[j + 1] + square * even1;
-    }
-    *odd = base.hi + (base.lo + base.hi * tau * (odd0 + tau * odd1));
-    *even = 1 + tau * (even0 + tau * even1);
+    *odd = base.hi + (base.lo + (base.hi * tau) * vmi_ateb_part_series(part->odd, length, tau));
+    *even = 1 + tau * vmi_ateb_part_series(part->even, length, tau);
 }
 
 /* Returns |s| minus the nearest multiple of Pi_alpha/2, for |s| < p->longest, which is 2^26 quarters (float 2^12).
@@ -2464,13 +2540,36 @@ VM_INLINE vm_real vmi_ateb_plan_reduce(const ateb_plan *p, vm_real s, vmi_bits *
     return ((x - count * p->quarter_parts[0]) - count * p->quarter_parts[1]) - count * p->quarter_parts[2];
 }
 
+/* Returns 1 if `rest`, which is s minus a multiple of Pi_alpha/2, is so small that two words of Pi_alpha/2 are not enough
+   to compute it, else 0. A float plan has no more words: then the result is 0. */
+VM_INLINE int vmi_ateb_plan_is_close(vm_real rest, vm_real s)
+{
+    return VM_MANT_DIG > 24 && VM_FABS(rest) < VMI_ATEB_FINE_REACH * VM_FABS(s);
+}
+
+/* Returns x minus the nearest multiple of Pi_alpha/2, for an x > 0 that is close to a multiple (see
+   vmi_ateb_plan_is_close). `rest` is the same number by two words. */
+VM_API vm_real vmi_ateb_plan_reduce_finely(const ateb_plan *p, vm_real x, vm_real rest)
+{
+#if VM_MANT_DIG > 24
+    const vm_real count = VM_FLOOR(x / p->quarter.hi + VM_C(0.5));
+    const vm_two high = vmi_two_product(count, p->quarter.hi), mid = vmi_two_product(count, p->quarter.lo);
+    if (count * VM_EPSILON < 1) rest = (((x - high.hi) - high.lo) - mid.hi) - (mid.lo + count * p->quarter_low);
+#else
+    (void)p;
+    (void)x;
+#endif
+    return rest; /* where count eps >= 1, the digits of x do not give the phase */
+}
+
 /* sa and ca of the argument s for the plan's alpha.
    s may be any number. For alpha up to 1e6 and |s| <= 100 Pi_alpha, the error of a plan of full accuracy is at most 2
-   ulp; any other plan has the accuracy that was given to ateb_plan_init_to. The results are NaN for infinite and NaN s.
+   ulp (in float, next to a zero of sa or ca, 2 ulp plus the change that a change of s by 1e-13 |s| makes); any other plan
+   has the accuracy that was given to ateb_plan_init_to. The results are NaN for infinite and NaN s.
    docs/cost.md has the time. */
 VM_API void ateb_plan_saca(const ateb_plan *p, vm_real s, vm_real *sa, vm_real *ca)
 {
-    vm_real rest, near_zero, far_zero, lost;
+    vm_real rest, near_zero, far_zero, lost, v, u;
     vm_real r, r_lo, d, d_lo; /* distances of s from the zeros of sa, ca, and their rounding errors */
     vmi_bits quarter;
     if (VM_FABS(s) < p->longest) rest = vmi_ateb_plan_reduce(p, s, &quarter);
@@ -2483,6 +2582,7 @@ VM_API void ateb_plan_saca(const ateb_plan *p, vm_real s, vm_real *sa, vm_real *
         *ca = VM_NAN;
         return;
     }
+    if (vmi_ateb_plan_is_close(rest, s)) rest = vmi_ateb_plan_reduce_finely(p, VM_FABS(s), rest);
     near_zero = VM_FABS(rest);
     far_zero = vmi_rounded((p->quarter.hi - near_zero) + p->quarter.lo);
     lost = ((p->quarter.hi - far_zero) - near_zero) + p->quarter.lo;
@@ -2496,7 +2596,7 @@ VM_API void ateb_plan_saca(const ateb_plan *p, vm_real s, vm_real *sa, vm_real *
         d = far_zero;
         d_lo = lost;
     }
-    if (r <= p->change_over) vmi_ateb_part_at(p->part, p->length, vmi_two(r, r_lo), r * r, sa, ca);
+    if (r <= p->change_over) vmi_ateb_part_at(p->part, p->length, vmi_two(r, r_lo), r * r, &v, &u);
     else {
         vm_two base;
         vm_real tau;
@@ -2504,9 +2604,11 @@ VM_API void ateb_plan_saca(const ateb_plan *p, vm_real s, vm_real *sa, vm_real *
             base = vmi_ateb_twice_q_d(p, d, d_lo);
             tau = vmi_ateb_product(p, d, d_lo);
         } else tau = vmi_ateb_exponential(p, r, d, d_lo, &base);
-        vmi_ateb_part_at(p->part + 1, p->length, base, tau, ca, sa);
+        vmi_ateb_part_at(p->part + 1, p->length, base, tau, &u, &v);
     }
-    vmi_ateb_signs(s, rest, quarter, sa, ca);
+    vmi_ateb_signs(s, rest, quarter, &v, &u);
+    *sa = v;
+    *ca = u;
 }
 
 /* Arrays are computed in blocks of VMI_ATEB_BLOCK arguments, by loops without branches, which compilers turn into
@@ -2528,15 +2630,6 @@ typedef struct VM_TAG(vmi_ateb_block) {
     vm_real r[VMI_ATEB_BLOCK], r_lo[VMI_ATEB_BLOCK], d[VMI_ATEB_BLOCK], d_lo[VMI_ATEB_BLOCK];
     vm_real base[VMI_ATEB_BLOCK], base_lo[VMI_ATEB_BLOCK], tau[VMI_ATEB_BLOCK];
 } vmi_ateb_block;
-
-/* Returns a if all bits of the mask are set, and b if none is set. */
-VM_INLINE vm_real vmi_select(vmi_bits mask, vm_real a, vm_real b)
-{
-    return vmi_from_bits((vmi_to_bits(a) & mask) | (vmi_to_bits(b) & ~mask));
-}
-
-/* Returns a mask with all bits set if x < 0, and with no bit set if x > 0. */
-VM_INLINE vmi_bits vmi_mask_of_sign(vm_real x) { return 0 - (vmi_to_bits(x) >> (8 * sizeof(vm_real) - 1)); }
 
 /* Fills the fields up to d_lo from the arguments, each with |s| < p->longest. */
 VM_INLINE void vmi_ateb_block_places(const ateb_plan *p, const vm_real *s, vmi_ateb_block *at)
@@ -2579,19 +2672,20 @@ VM_INLINE void vmi_ateb_block_products(const ateb_plan *p, vmi_ateb_block *at)
 /* Sets base to 2 q d and tau to X = (2 q d)^(alpha+1), for any other alpha below 1/VM_EPSILON (vmi_ateb_exponential) */
 VM_INLINE void vmi_ateb_block_exponentials(const ateb_plan *p, vmi_ateb_block *at)
 {
-    const vm_real least_ln = VM_C(-0.69) * VMI_BIAS, sqrt_half = VM_C(0.70710678118654752);
+    const vm_real sqrt_half = VM_C(0.70710678118654752);
     int i;
     for (i = 0; i < VMI_ATEB_BLOCK; i++) {
         const vm_real r = at->r[i], d = at->d[i], qz = p->twice_q.hi * ((2 * r - p->g) / 2), by_r = 1 - qz;
-        const vm_two by_d = vmi_two_product(p->twice_q.hi, d);
-        const vm_real by_d_lo = by_d.lo + (p->twice_q.lo * d + p->twice_q.hi * at->d_lo[i]);
+        const vm_two by_d = vmi_ateb_twice_q_times(p->twice_q, d, at->d_lo[i]);
         const vmi_bits is_near = vmi_mask_of_sign(r - d);
-        const vm_real y = vmi_select(is_near, by_r, by_d.hi), y_lo = vmi_select(is_near, (1 - by_r) - qz, by_d_lo);
+        const vm_real y = vmi_select(is_near, by_r, by_d.hi), y_lo = vmi_select(is_near, (1 - by_r) - qz, by_d.lo);
         const vm_real scale = VM_C(1.5) - VM_COPYSIGN(VM_C(0.5), y - sqrt_half);
-        vm_real k, ln_X;
+        vm_real k, whole, rest;
+        vmi_bits is_small;
         const vm_real mantissa = vmi_ateb_mantissa(y, &k);
-        ln_X = p->n * vmi_ateb_ln_of(k, ((mantissa - 1) + scale * y_lo) / (mantissa + 1));
-        at->tau[i] = vmi_ateb_exp(vmi_select(vmi_mask_of_sign(ln_X - least_ln), least_ln, ln_X));
+        vmi_ateb_log2_of_power(p->n, k, ((mantissa - 1) + scale * y_lo) / (mantissa + 1), &whole, &rest);
+        is_small = vmi_mask_of_sign(whole + rest - VMI_LEAST_LOG2);
+        at->tau[i] = vmi_ateb_exp2(vmi_select(is_small, VMI_LEAST_LOG2, whole), vmi_select(is_small, 0, rest));
         at->base[i] = y;
         at->base_lo[i] = y_lo;
     }
@@ -2630,12 +2724,14 @@ VM_INLINE void vmi_ateb_block_sums(const ateb_plan *p, int length, const vmi_ate
 }
 
 /* Computes sa and ca of a block of arguments, each with |s| < p->longest. The number of terms is a constant in each of
-   the calls, so that compilers can vectorise the loop over the arguments. The plan is copied: the compiler then knows
+   the calls, so that compilers can vectorise the loop over the arguments. Arguments next to a zero of sa or ca are
+   computed once more, one by one. The plan is copied: the compiler then knows
    that the results do not change it. */
 VM_API void vmi_ateb_block_saca(const ateb_plan *plan, const vm_real *s, vm_real *sa, vm_real *ca)
 {
     const ateb_plan p = *plan;
     vmi_ateb_block at;
+    int i, any_close = 0;
     vmi_ateb_block_places(&p, s, &at);
     if (p.twice_alpha >= 0) vmi_ateb_block_products(&p, &at);
     else vmi_ateb_block_exponentials(&p, &at);
@@ -2647,6 +2743,9 @@ VM_API void vmi_ateb_block_saca(const ateb_plan *plan, const vm_real *s, vm_real
         if (p.length > 4)
         vmi_ateb_block_sums(&p, 8, &at, s, sa, ca);
     else vmi_ateb_block_sums(&p, 4, &at, s, sa, ca);
+    for (i = 0; i < VMI_ATEB_BLOCK; i++) any_close |= vmi_ateb_plan_is_close(at.rest[i], s[i]);
+    for (i = 0; any_close && i < VMI_ATEB_BLOCK; i++)
+        if (vmi_ateb_plan_is_close(at.rest[i], s[i])) ateb_plan_saca(plan, s[i], sa + i, ca + i);
 }
 
 /* sa and ca of n arguments for the plan's alpha. The arrays s, sa and ca have n elements each. s may be the array sa or
@@ -2774,7 +2873,13 @@ VM_API int vmi_ateb_part_init(vmi_ateb_part *part, int beyond, const ateb_plan *
    the first two parts and a number of quarters are exact. */
 VM_API void vmi_ateb_plan_period(ateb_plan *p, const vmi_ateb *c)
 {
+#if VM_MANT_DIG > 24
+    const vmi_three quarter = vmi_ateb_quarter_in_words(c);
+    p->quarter = vmi_two(quarter.hi, quarter.mid);
+    p->quarter_low = quarter.lo;
+#else
     p->quarter = c->quarter;
+#endif
     p->quarter_parts[0] = vmi_head(p->quarter.hi);
     p->quarter_parts[1] = vmi_head(p->quarter.hi - p->quarter_parts[0]);
     p->quarter_parts[2] = ((p->quarter.hi - p->quarter_parts[0]) - p->quarter_parts[1]) + p->quarter.lo;

@@ -17217,8 +17217,8 @@ VM_API int vmi_vdp_mean_at(const vm_vdp_plan *p, vm_real t, vmi_vdp_mean *mean)
    The terms of second order are such integrals, too (vmi_vdp_closed_loss). For other alpha the amplitude of first order
    has the same form with (4/(alpha+3)) kappa in place of kappa, but the phase needs the integral of R^((alpha-1)/4) dt,
    an incomplete beta function whose second parameter is 0. It is elementary only if (alpha-1)/4 is rational, and the
-   other orders need several of them (docs/van-der-pol.md). There the walk computes all integrals at once, and ends where
-   the limit cycle is reached: from there on the phase grows evenly. So the cost does not depend on t.
+   other orders need several of them (docs/van-der-pol.md). There the walk computes all integrals at once, and ends
+   where the limit cycle is reached: from there on the phase grows evenly. So the cost does not depend on t.
        vmi_vdp_mean mean;
        vm_vdp_plan plan;
        int status = vm_vdp_plan_init(&plan, &vdp, VM_C(0.3), 0); // vdp is a vm_vdp; from rest at x = 0.3 m
@@ -18534,8 +18534,8 @@ VM_API int vm_pair_averaged_rhs(vm_real t, const vm_real *modes, vm_real *dmodes
     return VM_OK;
 }
 
-/* Computes the averaged motion at time t by closed formulas, which hold for a mass that is linear in time. y0 holds x, y,
-   x' and y' at t = 0. `modes` receives the results in the order VMI_PAIR_..., and *m the mass at t with its integrals.
+/* Computes the averaged motion at time t by closed formulas, which hold for a mass that is linear in time. y0 holds x,
+   y, x' and y' at t = 0. `modes` receives the results in the order VMI_PAIR_..., and *m the mass at t with its integrals.
    The averaged equations contain powers of m/m0, where m0 is the mass at t = 0. For any exponent e the integral of
    (m/m0)^e dt is m0 (exp(u) - 1)/u times the integral of dt/m, with u = (1 + e) ln(m/m0). */
 VM_API int vmi_pair_modes_at(const vm_pair *p, vm_real t, const vm_real *y0, vmi_linear_mass *m, vm_real *modes)

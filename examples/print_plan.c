@@ -97,6 +97,9 @@ static void print_ateb_members(const ateb_plan *p)
 {
     print_numbers("    {", &p->quarter.hi, 1, ", ");
     print_numbers("", &p->quarter.lo, 1, "},\n");
+#if VM_MANT_DIG > 24
+    print_numbers("    ", &p->quarter_low, 1, ",\n");
+#endif
     print_numbers("    {", p->quarter_parts, 3, "},\n");
     print_numbers("    ", &p->per_quarter, 1, ", ");
     print_numbers("", &p->longest, 1, ", ");

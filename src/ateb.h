@@ -104,7 +104,7 @@
 
    COST
      docs/cost.md has the times, docs/counts.md the instructions of each function. An ateb_plan has
-     552 [ateb_plan_bytes] bytes, in float 184 [ateb_plan_bytes_float]; the words in brackets name the rows of
+     560 [ateb_plan_bytes] bytes, in float 184 [ateb_plan_bytes_float]; the words in brackets name the rows of
      docs/numbers.md. The largest stack frame is below 2 kB.
 
    REFERENCES

@@ -62,6 +62,9 @@ static void any_plan(ateb_plan *p)
     p->quarter.lo = any;
     p->twice_q.hi = any;
     p->twice_q.lo = any;
+#if VM_MANT_DIG > 24
+    p->quarter_low = any;
+#endif
     for (i = 0; i < 3; i++) p->quarter_parts[i] = any;
     p->per_quarter = any;
     p->longest = any;

@@ -28,18 +28,21 @@ typedef struct VM_TAG(vmi_ateb_place) {
     int quarter;
 } vmi_ateb_place;
 
+/* If s minus the nearest multiple of the quarter period is less than this number times s, the quarter period is needed
+   in three words. */
+#define VMI_ATEB_FINE_REACH (VM_MANT_DIG > 24 ? VM_C(6e-14) : VM_C(1.5e-5))
+
 /* Returns s > 0 minus the nearest multiple of the quarter period, for an s that is large, or close to a zero of sa or
-   ca. c->quarter becomes a sum of two words with a relative error of 2^-102 (float 2^-44). If the result is so small
+   ca. c->quarter becomes a sum of two words with a relative error of 2^-102 (float 2^-43). If the result is so small
    that this error would matter, the quarter period is used in three words. */
 VM_API vm_real vmi_ateb_reduce_finely(vm_real s, vmi_ateb *c, int *quarter)
 {
-    const vm_real reach = VM_MANT_DIG > 24 ? VM_C(6e-14) : VM_C(1.5e-5); /* a smaller rest/s needs three words */
     vm_real rest, count;
     c->quarter = vmi_ateb_fine_quarter(c);
     rest = vmi_reduce(s, c->quarter, quarter).hi;
     count = VM_FLOOR(s / c->quarter.hi + VM_C(0.5));
-    if (VM_FABS(rest) < reach * s && !vmi_ateb_is_large(c)) {
-        const vmi_three Q = vmi_ateb_finest_quarter(c->n);
+    if (VM_FABS(rest) < VMI_ATEB_FINE_REACH * s) {
+        const vmi_three Q = vmi_ateb_quarter_in_words(c);
         const vm_two high = vmi_two_product(count, Q.hi), mid = vmi_two_product(count, Q.mid);
         if (count * VM_EPSILON < 1) rest = (((s - high.hi) - high.lo) - mid.hi) - (mid.lo + count * Q.lo);
     }

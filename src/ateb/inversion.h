@@ -139,22 +139,33 @@ typedef struct VM_TAG(vmi_ateb_base) {
     vm_real k, t;
 } vmi_ateb_base;
 
+/* Returns 2 q d in two words, for q and d in two words. The halves of the digits of q and d have exact products. */
+VM_INLINE vm_two vmi_ateb_twice_q_times(vm_two twice_q, vm_real d, vm_real d_lo)
+{
+    const vm_real q = twice_q.hi, q_head = vmi_head(q), d_head = vmi_head(d);
+    vm_two y;
+    y.hi = q * d + 0; /* "+ 0": see vmi_two_product */
+    y.lo = (q_head * d_head - y.hi) + (q_head * (d - d_head) + (q - q_head) * d) + (twice_q.lo * d + q * d_lo);
+    return y;
+}
+
 /* Returns the base y from the distances r and d of s from the zeros of sa and ca. y = 2 q d is also 1 - q z, where
-   z = 2 r - (Pi_alpha - (alpha + 1)). It is computed from the smaller of r and d; if r < d, then y > 1/2. The low word
-   of y matters: for a large alpha, a small change of y is a large change of X = y^(alpha+1). For y < 1/2, X is so small
-   that y.lo need not be scaled by 2^-k. */
+   z = 2 r - (Pi_alpha - (alpha + 1)); this form is used for r < d and y > 0.71. The low word of y matters: for a large alpha, a
+   small change of y is a large change of X = y^(alpha+1). For y < 1/2, X is so small that y.lo need not be scaled by
+   2^-k. */
 VM_INLINE vmi_ateb_base vmi_ateb_base_of(vm_two twice_q, vm_real r, vm_real z, vm_real d, vm_real d_lo)
 {
     const vm_real sqrt_half = VM_C(0.70710678118654752), qz = twice_q.hi * (z / 2);
     vmi_ateb_base base;
     vm_real mantissa, scale;
-    if (r < d) {
+    if (r < d && qz < VM_C(0.29)) {
         base.y.hi = 1 - qz;
         base.y.lo = (1 - base.y.hi) - qz;
-    } else if (d < 1 / VM_EPSILON) {
-        base.y = vmi_two_product(twice_q.hi, d);
-        base.y.lo += twice_q.lo * d + twice_q.hi * d_lo;
-    } else base.y = vmi_two(twice_q.hi * d, 0); /* here X underflows, and the low word does not matter */
+        base.k = 0;
+        base.t = -qz / (2 - qz);
+        return base;
+    }
+    base.y = vmi_ateb_twice_q_times(twice_q, d, d_lo);
     mantissa = vmi_ateb_mantissa(base.y.hi, &base.k);
     scale = VM_C(1.5) - VM_COPYSIGN(VM_C(0.5), base.y.hi - sqrt_half); /* 2^-k for y > 1/2 */
     base.t = ((mantissa - 1) + scale * base.y.lo) / (mantissa + 1);

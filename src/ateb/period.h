@@ -95,7 +95,7 @@ VM_API vm_two vmi_ateb_polynomial(vm_two t)
     return sum;
 }
 
-/* Returns f(q) = q Pi_alpha, where q = 1/(alpha + 1), with a relative error of 2^-102 (float 2^-44) */
+/* Returns f(q) = q Pi_alpha, where q = 1/(alpha + 1), with a relative error of 2^-102 (float 2^-43) */
 VM_API vm_two vmi_ateb_gamma_ratio(vm_two q)
 {
     const vm_two one = {1, 0}, minus_one = {-1, 0}, twice_q = vmi_two(2 * q.hi, 2 * q.lo);
@@ -449,13 +449,22 @@ VM_API vm_two vmi_ateb_g_of_large(vm_real q)
     return vmi_two_sum(two_ln2, two_ln2_lo + q * (VM_C(-0.6840280390118235871) + q * VM_C(0.5677838543520556957)));
 }
 
-/* Returns Pi_alpha/2 with a relative error of 2^-102 (float 2^-44). Let n = alpha + 1 and q = 1/n. For a large alpha
+/* Returns Pi_alpha/2 with a relative error of 2^-102 (float 2^-43). Let n = alpha + 1 and q = 1/n. For a large alpha
    Pi_alpha is n + g(q); for any other alpha it is n f(q), where f is vmi_ateb_gamma_ratio. */
 VM_API vm_two vmi_ateb_fine_quarter(const vmi_ateb *c)
 {
     const vm_two one = {1, 0};
     if (vmi_ateb_is_large(c)) return vmi_half(vmi_two_plus(c->n, vmi_ateb_g_of_large(c->q.hi)));
     return vmi_half(vmi_two_times(c->n, vmi_ateb_gamma_ratio(vmi_two_over(one, c->n))));
+}
+
+/* Returns Pi_alpha/2 in three words, with a relative error of 2^-122 (float 2^-52), from the fields n and q of *c. */
+VM_API vmi_three vmi_ateb_quarter_in_words(const vmi_ateb *c)
+{
+    vm_two g;
+    if (!vmi_ateb_is_large(c)) return vmi_ateb_finest_quarter(c->n);
+    g = vmi_ateb_g_of_large(c->q.hi);
+    return vmi_three_plus(vmi_three_words(c->n.hi / 2, c->n.lo / 2, 0), vmi_three_words(g.hi / 2, g.lo / 2, 0));
 }
 
 /* A function that sets all constants of one alpha: vmi_ateb_constants, or vmi_ateb_fine_constants */

@@ -50,6 +50,9 @@ typedef struct VM_TAG(vmi_ateb_part) {
 /* What sa and ca need for one alpha. ateb_plan_init fills it. All fields are pure numbers. */
 typedef struct VM_TAG(ateb_plan) {
     vm_two quarter;           /* Pi_alpha/2 */
+#if VM_MANT_DIG > 24
+    vm_real quarter_low; /* Pi_alpha/2 minus its two words in `quarter`; float plans are kept short */
+#endif
     vm_real quarter_parts[3]; /* three numbers with the sum `quarter`; the first two have at most half of the digits */
     vm_real per_quarter;      /* 2/Pi_alpha */
     vm_real longest;          /* for |s| < longest the first two parts times a number of quarters are exact */
@@ -85,30 +88,42 @@ VM_INLINE vm_two vmi_ateb_twice_q_d(const ateb_plan *p, vm_real d, vm_real d_lo)
    subnormal, the result is about the least normal number instead. */
 VM_INLINE vm_real vmi_ateb_exponential(const ateb_plan *p, vm_real r, vm_real d, vm_real d_lo, vm_two *y)
 {
-    const vm_real least_ln = VM_C(-0.69) * VMI_BIAS;
     const vmi_ateb_base base = vmi_ateb_base_of(p->twice_q, r, 2 * r - p->g, d, d_lo);
-    const vm_real ln_X = p->n * vmi_ateb_ln_of(base.k, base.t);
+    vm_real whole, rest;
+    vmi_ateb_log2_of_power(p->n, base.k, base.t, &whole, &rest);
     *y = base.y;
-    return vmi_ateb_exp(vmi_larger(ln_X, least_ln));
+    if (!(whole + rest > VMI_LEAST_LOG2)) return vmi_ateb_exp2(VMI_LEAST_LOG2, 0);
+    return vmi_ateb_exp2(whole, rest);
+}
+
+/* The polynomial c[0] + c[1] x + c[2] x^2 + c[3] x^3, where xx = x^2 */
+VM_INLINE vm_real vmi_ateb_four_terms(const vm_real *c, vm_real x, vm_real xx)
+{
+    return (c[0] + x * c[1]) + xx * (c[2] + x * c[3]);
+}
+
+/* The polynomial c[0] + c[1] x + ... with at least `length` terms. The coefficients beyond `length` are 0. The terms
+   after the first are grouped by four, so that the processor computes the groups at once. The first and largest term is
+   added last, so that only one rounding error of the size of the sum is made. */
+VM_INLINE vm_real vmi_ateb_part_series(const vm_real *c, int length, vm_real x)
+{
+    const vm_real xx = x * x, x4 = xx * xx;
+    vm_real more;
+    if (length <= 5) return c[0] + x * vmi_ateb_four_terms(c + 1, x, xx);
+    more = (c[5] + x * c[6]) + xx * c[7];
+#if ATEB_PLAN_LENGTH > 8
+    if (length > 8) more = vmi_ateb_four_terms(c + 5, x, xx) + x4 * (vmi_ateb_four_terms(c + 9, x, xx) + x4 * c[13]);
+#endif
+    return c[0] + x * (vmi_ateb_four_terms(c + 1, x, xx) + x4 * more);
 }
 
 /* Computes *odd = base (1 + tau A(tau)) and *even = 1 + tau C(tau), where A and C are the polynomials part->odd and
-   part->even, and base is r or 2 q d. Terms with even powers of tau and terms with odd powers are added up separately,
-   so that the processor computes both sums at once. */
+   part->even, and base is r or 2 q d. */
 VM_INLINE void vmi_ateb_part_at(const vmi_ateb_part *part, int length, vm_two base, vm_real tau, vm_real *odd,
                                 vm_real *even)
 {
-    const vm_real square = tau * tau;
-    vm_real odd0 = 0, odd1 = 0, even0 = 0, even1 = 0;
-    int j;
-    for (j = length - 2; j >= 0; j -= 2) {
-        odd0 = part->odd[j] + square * odd0;
-        odd1 = part->odd[j + 1] + square * odd1;
-        even0 = part->even[j] + square * even0;
-        even1 = part->even[j + 1] + square * even1;
-    }
-    *odd = base.hi + (base.lo + base.hi * tau * (odd0 + tau * odd1));
-    *even = 1 + tau * (even0 + tau * even1);
+    *odd = base.hi + (base.lo + (base.hi * tau) * vmi_ateb_part_series(part->odd, length, tau));
+    *even = 1 + tau * vmi_ateb_part_series(part->even, length, tau);
 }
 
 /* Returns |s| minus the nearest multiple of Pi_alpha/2, for |s| < p->longest, which is 2^26 quarters (float 2^12).
@@ -121,13 +136,36 @@ VM_INLINE vm_real vmi_ateb_plan_reduce(const ateb_plan *p, vm_real s, vmi_bits *
     return ((x - count * p->quarter_parts[0]) - count * p->quarter_parts[1]) - count * p->quarter_parts[2];
 }
 
+/* Returns 1 if `rest`, which is s minus a multiple of Pi_alpha/2, is so small that two words of Pi_alpha/2 are not enough
+   to compute it, else 0. A float plan has no more words: then the result is 0. */
+VM_INLINE int vmi_ateb_plan_is_close(vm_real rest, vm_real s)
+{
+    return VM_MANT_DIG > 24 && VM_FABS(rest) < VMI_ATEB_FINE_REACH * VM_FABS(s);
+}
+
+/* Returns x minus the nearest multiple of Pi_alpha/2, for an x > 0 that is close to a multiple (see
+   vmi_ateb_plan_is_close). `rest` is the same number by two words. */
+VM_API vm_real vmi_ateb_plan_reduce_finely(const ateb_plan *p, vm_real x, vm_real rest)
+{
+#if VM_MANT_DIG > 24
+    const vm_real count = VM_FLOOR(x / p->quarter.hi + VM_C(0.5));
+    const vm_two high = vmi_two_product(count, p->quarter.hi), mid = vmi_two_product(count, p->quarter.lo);
+    if (count * VM_EPSILON < 1) rest = (((x - high.hi) - high.lo) - mid.hi) - (mid.lo + count * p->quarter_low);
+#else
+    (void)p;
+    (void)x;
+#endif
+    return rest; /* where count eps >= 1, the digits of x do not give the phase */
+}
+
 /* sa and ca of the argument s for the plan's alpha.
    s may be any number. For alpha up to 1e6 and |s| <= 100 Pi_alpha, the error of a plan of full accuracy is at most 2
-   ulp; any other plan has the accuracy that was given to ateb_plan_init_to. The results are NaN for infinite and NaN s.
+   ulp (in float, next to a zero of sa or ca, 2 ulp plus the change that a change of s by 1e-13 |s| makes); any other plan
+   has the accuracy that was given to ateb_plan_init_to. The results are NaN for infinite and NaN s.
    docs/cost.md has the time. */
 VM_API void ateb_plan_saca(const ateb_plan *p, vm_real s, vm_real *sa, vm_real *ca)
 {
-    vm_real rest, near_zero, far_zero, lost;
+    vm_real rest, near_zero, far_zero, lost, v, u;
     vm_real r, r_lo, d, d_lo; /* distances of s from the zeros of sa, ca, and their rounding errors */
     vmi_bits quarter;
     if (VM_FABS(s) < p->longest) rest = vmi_ateb_plan_reduce(p, s, &quarter);
@@ -140,6 +178,7 @@ VM_API void ateb_plan_saca(const ateb_plan *p, vm_real s, vm_real *sa, vm_real *
         *ca = VM_NAN;
         return;
     }
+    if (vmi_ateb_plan_is_close(rest, s)) rest = vmi_ateb_plan_reduce_finely(p, VM_FABS(s), rest);
     near_zero = VM_FABS(rest);
     far_zero = vmi_rounded((p->quarter.hi - near_zero) + p->quarter.lo);
     lost = ((p->quarter.hi - far_zero) - near_zero) + p->quarter.lo;
@@ -153,7 +192,7 @@ VM_API void ateb_plan_saca(const ateb_plan *p, vm_real s, vm_real *sa, vm_real *
         d = far_zero;
         d_lo = lost;
     }
-    if (r <= p->change_over) vmi_ateb_part_at(p->part, p->length, vmi_two(r, r_lo), r * r, sa, ca);
+    if (r <= p->change_over) vmi_ateb_part_at(p->part, p->length, vmi_two(r, r_lo), r * r, &v, &u);
     else {
         vm_two base;
         vm_real tau;
@@ -161,9 +200,11 @@ VM_API void ateb_plan_saca(const ateb_plan *p, vm_real s, vm_real *sa, vm_real *
             base = vmi_ateb_twice_q_d(p, d, d_lo);
             tau = vmi_ateb_product(p, d, d_lo);
         } else tau = vmi_ateb_exponential(p, r, d, d_lo, &base);
-        vmi_ateb_part_at(p->part + 1, p->length, base, tau, ca, sa);
+        vmi_ateb_part_at(p->part + 1, p->length, base, tau, &u, &v);
     }
-    vmi_ateb_signs(s, rest, quarter, sa, ca);
+    vmi_ateb_signs(s, rest, quarter, &v, &u);
+    *sa = v;
+    *ca = u;
 }
 
 /* Arrays are computed in blocks of VMI_ATEB_BLOCK arguments, by loops without branches, which compilers turn into
@@ -185,15 +226,6 @@ typedef struct VM_TAG(vmi_ateb_block) {
     vm_real r[VMI_ATEB_BLOCK], r_lo[VMI_ATEB_BLOCK], d[VMI_ATEB_BLOCK], d_lo[VMI_ATEB_BLOCK];
     vm_real base[VMI_ATEB_BLOCK], base_lo[VMI_ATEB_BLOCK], tau[VMI_ATEB_BLOCK];
 } vmi_ateb_block;
-
-/* Returns a if all bits of the mask are set, and b if none is set. */
-VM_INLINE vm_real vmi_select(vmi_bits mask, vm_real a, vm_real b)
-{
-    return vmi_from_bits((vmi_to_bits(a) & mask) | (vmi_to_bits(b) & ~mask));
-}
-
-/* Returns a mask with all bits set if x < 0, and with no bit set if x > 0. */
-VM_INLINE vmi_bits vmi_mask_of_sign(vm_real x) { return 0 - (vmi_to_bits(x) >> (8 * sizeof(vm_real) - 1)); }
 
 /* Fills the fields up to d_lo from the arguments, each with |s| < p->longest. */
 VM_INLINE void vmi_ateb_block_places(const ateb_plan *p, const vm_real *s, vmi_ateb_block *at)
@@ -236,19 +268,20 @@ VM_INLINE void vmi_ateb_block_products(const ateb_plan *p, vmi_ateb_block *at)
 /* Sets base to 2 q d and tau to X = (2 q d)^(alpha+1), for any other alpha below 1/VM_EPSILON (vmi_ateb_exponential) */
 VM_INLINE void vmi_ateb_block_exponentials(const ateb_plan *p, vmi_ateb_block *at)
 {
-    const vm_real least_ln = VM_C(-0.69) * VMI_BIAS, sqrt_half = VM_C(0.70710678118654752);
+    const vm_real sqrt_half = VM_C(0.70710678118654752);
     int i;
     for (i = 0; i < VMI_ATEB_BLOCK; i++) {
         const vm_real r = at->r[i], d = at->d[i], qz = p->twice_q.hi * ((2 * r - p->g) / 2), by_r = 1 - qz;
-        const vm_two by_d = vmi_two_product(p->twice_q.hi, d);
-        const vm_real by_d_lo = by_d.lo + (p->twice_q.lo * d + p->twice_q.hi * at->d_lo[i]);
+        const vm_two by_d = vmi_ateb_twice_q_times(p->twice_q, d, at->d_lo[i]);
         const vmi_bits is_near = vmi_mask_of_sign(r - d);
-        const vm_real y = vmi_select(is_near, by_r, by_d.hi), y_lo = vmi_select(is_near, (1 - by_r) - qz, by_d_lo);
+        const vm_real y = vmi_select(is_near, by_r, by_d.hi), y_lo = vmi_select(is_near, (1 - by_r) - qz, by_d.lo);
         const vm_real scale = VM_C(1.5) - VM_COPYSIGN(VM_C(0.5), y - sqrt_half);
-        vm_real k, ln_X;
+        vm_real k, whole, rest;
+        vmi_bits is_small;
         const vm_real mantissa = vmi_ateb_mantissa(y, &k);
-        ln_X = p->n * vmi_ateb_ln_of(k, ((mantissa - 1) + scale * y_lo) / (mantissa + 1));
-        at->tau[i] = vmi_ateb_exp(vmi_select(vmi_mask_of_sign(ln_X - least_ln), least_ln, ln_X));
+        vmi_ateb_log2_of_power(p->n, k, ((mantissa - 1) + scale * y_lo) / (mantissa + 1), &whole, &rest);
+        is_small = vmi_mask_of_sign(whole + rest - VMI_LEAST_LOG2);
+        at->tau[i] = vmi_ateb_exp2(vmi_select(is_small, VMI_LEAST_LOG2, whole), vmi_select(is_small, 0, rest));
         at->base[i] = y;
         at->base_lo[i] = y_lo;
     }
@@ -287,12 +320,14 @@ VM_INLINE void vmi_ateb_block_sums(const ateb_plan *p, int length, const vmi_ate
 }
 
 /* Computes sa and ca of a block of arguments, each with |s| < p->longest. The number of terms is a constant in each of
-   the calls, so that compilers can vectorise the loop over the arguments. The plan is copied: the compiler then knows
+   the calls, so that compilers can vectorise the loop over the arguments. Arguments next to a zero of sa or ca are
+   computed once more, one by one. The plan is copied: the compiler then knows
    that the results do not change it. */
 VM_API void vmi_ateb_block_saca(const ateb_plan *plan, const vm_real *s, vm_real *sa, vm_real *ca)
 {
     const ateb_plan p = *plan;
     vmi_ateb_block at;
+    int i, any_close = 0;
     vmi_ateb_block_places(&p, s, &at);
     if (p.twice_alpha >= 0) vmi_ateb_block_products(&p, &at);
     else vmi_ateb_block_exponentials(&p, &at);
@@ -304,6 +339,9 @@ VM_API void vmi_ateb_block_saca(const ateb_plan *plan, const vm_real *s, vm_real
         if (p.length > 4)
         vmi_ateb_block_sums(&p, 8, &at, s, sa, ca);
     else vmi_ateb_block_sums(&p, 4, &at, s, sa, ca);
+    for (i = 0; i < VMI_ATEB_BLOCK; i++) any_close |= vmi_ateb_plan_is_close(at.rest[i], s[i]);
+    for (i = 0; any_close && i < VMI_ATEB_BLOCK; i++)
+        if (vmi_ateb_plan_is_close(at.rest[i], s[i])) ateb_plan_saca(plan, s[i], sa + i, ca + i);
 }
 
 /* sa and ca of n arguments for the plan's alpha. The arrays s, sa and ca have n elements each. s may be the array sa or
@@ -431,7 +469,13 @@ VM_API int vmi_ateb_part_init(vmi_ateb_part *part, int beyond, const ateb_plan *
    the first two parts and a number of quarters are exact. */
 VM_API void vmi_ateb_plan_period(ateb_plan *p, const vmi_ateb *c)
 {
+#if VM_MANT_DIG > 24
+    const vmi_three quarter = vmi_ateb_quarter_in_words(c);
+    p->quarter = vmi_two(quarter.hi, quarter.mid);
+    p->quarter_low = quarter.lo;
+#else
     p->quarter = c->quarter;
+#endif
     p->quarter_parts[0] = vmi_head(p->quarter.hi);
     p->quarter_parts[1] = vmi_head(p->quarter.hi - p->quarter_parts[0]);
     p->quarter_parts[2] = ((p->quarter.hi - p->quarter_parts[0]) - p->quarter_parts[1]) + p->quarter.lo;

@@ -14,22 +14,38 @@
 
 #include "../base/bits.h"
 #include "../base/real.h"
+#include "../base/scalars.h"
 #include "../base/sums.h"
+#include "../base/words.h"
 
-/* Returns ln((1 + t)/(1 - t)) = 2 t + t^3 L(t^2) for |t| < 0.18, where L is a polynomial. */
-VM_API vm_real vmi_ateb_ln_ratio(vm_real t)
+/* Returns a if all bits of the mask are set, and b if none is set. */
+VM_INLINE vm_real vmi_select(vmi_bits mask, vm_real a, vm_real b)
 {
-    const vm_real x = t * t;
+    return vmi_from_bits((vmi_to_bits(a) & mask) | (vmi_to_bits(b) & ~mask));
+}
+
+/* Returns a mask with all bits set if x < 0, and with no bit set if x > 0. */
+VM_INLINE vmi_bits vmi_mask_of_sign(vm_real x) { return 0 - (vmi_to_bits(x) >> (8 * sizeof(vm_real) - 1)); }
+
+/* Returns L(x), where ln((1 + t)/(1 - t)) = 2 t + t^3 L(t^2), by a polynomial for |t| < 0.18. */
+VM_INLINE vm_real vmi_ateb_ln_series(vm_real x)
+{
 #if VM_MANT_DIG > 24
     const vm_real xx = x * x;
     const vm_real L01 = VM_C(0.66666666666666727634) + x * VM_C(0.39999999999816214631);
     const vm_real L23 = VM_C(0.28571428661769779675) + x * VM_C(0.2222220559437561072);
     const vm_real L45 = VM_C(0.18183272190739985335) + x * VM_C(0.15319628746766105066);
-    const vm_real L = (L01 + xx * L23) + (xx * xx) * (L45 + xx * VM_C(0.1475852205325647575));
+    return (L01 + xx * L23) + (xx * xx) * (L45 + xx * VM_C(0.1475852205325647575));
 #else
-    const vm_real L = VM_C(0.666666914868) + x * (VM_C(0.399862738125) + x * VM_C(0.296881029198));
+    return VM_C(0.666666914868) + x * (VM_C(0.399862738125) + x * VM_C(0.296881029198));
 #endif
-    return 2 * t + t * x * L;
+}
+
+/* Returns ln((1 + t)/(1 - t)) for |t| < 0.18. */
+VM_API vm_real vmi_ateb_ln_ratio(vm_real t)
+{
+    const vm_real x = t * t;
+    return 2 * t + t * x * vmi_ateb_ln_series(x);
 }
 
 /* Writes a normal number x > 0 as 2^k z with z between sqrt(1/2) and sqrt(2). Returns z, and k in *k. When the bits
@@ -100,6 +116,30 @@ VM_INLINE vm_real vmi_ateb_exp(vm_real x)
 #endif
     const vm_real shifted = vmi_rounded(x * one_over_ln2 + to_integer), k = vmi_rounded(shifted - to_integer);
     const vm_real z = (x - k * ln2_hi) - k * ln2_lo;
+    const vm_real scale = vmi_from_bits((vmi_to_bits(shifted) + VMI_BIAS) << VMI_STORED_DIG);
+    return scale + scale * (z + z * z * vmi_ateb_exp_series(z));
+}
+
+/* Computes the logarithm to the base 2 of (2^k (1 + t)/(1 - t))^n as a sum *whole + *rest, for |t| < 0.18. *whole is n k,
+   without the last digits of n, and has no rounding error. *rest has an error of at most 2 ulp. */
+VM_INLINE void vmi_ateb_log2_of_power(vm_real n, vm_real k, vm_real t, vm_real *whole, vm_real *rest)
+{
+    const vm_real one_over_ln2 = VM_C(1.442695040888963407360), n_head = vmi_head(n);
+    const vm_real slope = n * (t * one_over_ln2), x = t * t;
+    *whole = n_head * k;
+    *rest = (2 * slope + (n - n_head) * k) + (slope * x) * vmi_ateb_ln_series(x);
+}
+
+/* The least logarithm to the base 2 for which vmi_ateb_exp2 gives a normal number */
+#define VMI_LEAST_LOG2 ((vm_real)(3 - VMI_BIAS))
+
+/* Returns 2^(whole + rest) if the sum is at least VMI_LEAST_LOG2. Method: whole + rest = k + z/ln 2 with an integer k and
+   |z| < 0.36, so that the result is 2^k (1 + z + z^2 E(z)), where E is vmi_ateb_exp_series. */
+VM_INLINE vm_real vmi_ateb_exp2(vm_real whole, vm_real rest)
+{
+    const vm_real ln2 = VM_C(0.69314718055994530942), to_integer = VM_C(1.5) / VM_EPSILON;
+    const vm_real shifted = vmi_rounded(whole + rest + to_integer), k = vmi_rounded(shifted - to_integer);
+    const vm_real z = ((whole - k) + rest) * ln2;
     const vm_real scale = vmi_from_bits((vmi_to_bits(shifted) + VMI_BIAS) << VMI_STORED_DIG);
     return scale + scale * (z + z * z * vmi_ateb_exp_series(z));
 }

@@ -244,9 +244,9 @@ VM_INLINE vm_real vmi_period_constant(vmi_bits row, int column)
 
 /* The quarter period as the sum head + middle + low. head and middle are so short that their products with a whole
    number below 2^20 (float 2^13) are exact. rough is the sum in one word with a relative error below 2^-27 (float
-   2^-23). */
+   2^-23), and early, which takes less time, a sum with a relative error below 2^-13. */
 typedef struct VM_TAG(vmi_period) {
-    vm_real head, middle, low, rough;
+    vm_real head, middle, low, rough, early;
 } vmi_period;
 
 /* VMI_PERIOD_CUT is the number of last digits of k' that are cut off to make t short. Each of the other numbers rounds
@@ -310,6 +310,7 @@ VM_INLINE vmi_period vmi_period_by_table(vm_real m1, vm_real m1_lo, vm_real kp)
     K.middle = vmi_rounded(b + VMI_MIDDLE_GRID) - VMI_MIDDLE_GRID;
     K.low = (((((b1 - K.middle) + b2) + b3) + b4) + b5) + (((words + rest4) + t4 * t * p) + rest1);
     K.head = c0;
+    K.early = c0 + (b1 + b2);
     K.rough = c0 + (b + ((words + rest4) + (rest1 + t4 * (t * c5))));
 #else
     const vm_real p34 = vmi_period_constant(row, 6) + t * vmi_period_constant(row, 7);
@@ -322,6 +323,7 @@ VM_INLINE vmi_period vmi_period_by_table(vm_real m1, vm_real m1_lo, vm_real kp)
     K.middle = vmi_rounded(sum + VMI_MIDDLE_GRID) - VMI_MIDDLE_GRID;
     K.low = (((b1 - K.middle) + c0_mid) + b2) + ((rest + words) + (tail * slope + kp_lo * slope34));
     K.head = c0_head;
+    K.early = c0 + (b1 + b2);
     K.rough = c0_head + (sum + (words + tail * slope));
 #endif
     return K;

@@ -139,7 +139,8 @@ VM_INLINE void vmi_plan_point(const jacobi_plan *p, int form, vm_real u, vmi_thr
     vmi_thetas theta;
     if (form == VMI_NEAR_FORM) theta = vmi_plan_near(p, (rest.hi + rest.mid) + rest.lo);
     else {
-        vm_two v = vmi_two_terms(rest);
+        const vm_two sum = vmi_two_sum(rest.hi, rest.mid);
+        vm_two v = vmi_fast_two_sum(sum.hi, sum.lo + rest.lo);
         if (form == VMI_RECIPROCAL) {
             const vm_two product = vmi_two_product(v.hi, p->theta.kp);
             v = vmi_fast_two_sum(product.hi, product.lo + (v.hi * p->theta.kp_lo + v.lo * p->theta.kp));

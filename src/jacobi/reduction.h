@@ -138,8 +138,11 @@ VMI_APART vm_real vmi_reduce_by_table(vm_real u, vm_real m1, vm_real m1_lo, vm_r
 {
     const vm_real closest = VM_MANT_DIG > 24 ? VM_C(1048576.0) : VM_C(1024.0);
     const vmi_period K = vmi_period_by_table(m1, m1_lo, kp);
-    const vm_real shifted = vmi_rounded(u / K.rough + 1 / VM_EPSILON), j = shifted - 1 / VM_EPSILON;
-    const vm_real rest = ((u - j * K.head) - j * K.middle) - j * K.low; /* only the last product and difference round */
+    vm_real divisor = K.rough, shifted, j, rest;
+    if (u < VM_C(2.5) * K.early) divisor = K.early; /* it is known before K.rough */
+    shifted = vmi_rounded(u / divisor + 1 / VM_EPSILON);
+    j = shifted - 1 / VM_EPSILON;
+    rest = ((u - j * K.head) - j * K.middle) - j * K.low; /* only the last product and difference round */
     *quarters = vmi_to_bits(shifted); /* the last bits of `shifted` are those of j */
     if (j < 128 && VM_FABS(rest) * closest < u) return VM_NAN;
     return rest;

@@ -132,35 +132,76 @@ VM_API void vmi_far_prepare(vmi_theta_form *t, vm_real m1, vm_real m1_lo)
     if (m1 > 1) t->scale[0] = (t->scale[1] - t->scale[1] * kp.lo / kp.hi) / kp.hi;
 }
 
-/* For m = 1 a larger argument is replaced by this number, since tanh then rounds to 1 and 1/cosh to 0. */
-#define VMI_LONGEST (VM_MANT_DIG > 24 ? VM_C(1400.0) : VM_C(190.0))
+/* For m = 1 a larger argument is replaced by this number, since tanh then rounds to 1 and 1/cosh to 0. It is below
+   2 VMI_BIAS ln 2, as vmi_far_exponentials needs it. */
+#define VMI_LONGEST (VM_MANT_DIG > 24 ? VM_C(1400.0) : VM_C(170.0))
 
-/* The theta functions far from 0, for |argument| <= VMI_LONGEST. All four are multiplied by exp(-z), so that 2 sinh z
-   becomes 1 - exp(-2z) and 2 cosh z becomes 1 + exp(-2z). */
+/* What vmi_far_exponentials computes for a number z, where n is the whole number nearest to z/ln 2:
+   sine = 2^(1-n) sinh z, cosine = 2^(1-n) cosh z, power = 2^-n, and lift = 2^n. */
+typedef struct VM_TAG(vmi_exponentials) {
+    vm_real sine, cosine, power, lift;
+} vmi_exponentials;
+
+/* Returns the hyperbolic sine and cosine of z + z_lo, times a power of two, for 0 <= z <= VMI_LONGEST. |z_lo| is at most
+   an ulp of z. The relative errors are at most 1.3 ulp. The field lift is wrong for n > VMI_BIAS, where 2^n overflows.
+   Method: z = n ln 2 + r with |r| < 0.35. With S = sinh r and C = cosh r - 1, which polynomials in r^2 give,
+     sine = (1 - 4^-n) + (S (1 + 4^-n) + C (1 - 4^-n)),  cosine = (1 + 4^-n) + (C (1 + 4^-n) + S (1 - 4^-n)). */
+VM_INLINE vmi_exponentials vmi_far_exponentials(vm_real z, vm_real z_lo)
+{
+    const vm_real one_over_ln2 = VM_C(1.442695040888963407360), to_integer = VM_C(1.5) / VM_EPSILON;
+#if VM_MANT_DIG > 24
+    const vm_real ln2_hi = VM_C(0.69314718055989033019), ln2_lo = VM_C(5.4979230187083711552e-14);
+#else
+    const vm_real ln2_hi = VM_C(0.693145751953125), ln2_lo = VM_C(1.42860676533e-6);
+#endif
+    const vm_real shifted = vmi_rounded(z * one_over_ln2 + to_integer), n = vmi_rounded(shifted - to_integer);
+    const vmi_bits n_bits = vmi_to_bits(shifted) & 4095, half = n_bits >> 1; /* the last bits of `shifted` are n */
+    const vm_real z_rest = z - n * ln2_hi, subtract = n * ln2_lo - z_lo; /* z_rest has no rounding error */
+    const vm_real r = z_rest - subtract, r_lo = (z_rest - r) - subtract, y = r * r;
+#if VM_MANT_DIG > 24
+    const vm_real P01 = VM_C(0.16666666666666668517) + y * VM_C(0.0083333333333300511209);
+    const vm_real P23 = VM_C(1.9841269863105952189e-4) + y * VM_C(2.7557268378709607623e-6);
+    const vm_real C01 = VM_C(0.50000000000000011102) + y * VM_C(0.041666666666623990156);
+    const vm_real C23 = VM_C(0.0013888888917281772082) + y * VM_C(2.4801521190250773045e-5);
+    const vm_real yy = y * y, P = P01 + yy * (P23 + yy * VM_C(2.5100424144926962655e-8));
+    const vm_real C = y * (C01 + yy * (C23 + yy * VM_C(2.7620138704027969927e-7)));
+#else
+    const vm_real P = VM_C(0.166666671634) + y * (VM_C(0.00833331048489) + y * VM_C(1.9891030388e-4));
+    const vm_real C = y * (VM_C(0.5) + y * (VM_C(0.0416664630175) + y * VM_C(0.0013933685841)));
+#endif
+    const vm_real S = r + (r_lo + r * y * P);
+    vmi_exponentials e;
+    vm_real sum, difference; /* 1 + 4^-n and 1 - 4^-n */
+    e.power = vmi_from_bits((VMI_BIAS - half) << VMI_STORED_DIG) *
+              vmi_from_bits((VMI_BIAS - (n_bits - half)) << VMI_STORED_DIG); /* 2^-n may be subnormal */
+    e.lift = vmi_from_bits((VMI_BIAS + n_bits) << VMI_STORED_DIG);
+    sum = 1 + e.power * e.power;
+    difference = 1 - e.power * e.power;
+    e.sine = difference + (S * sum + C * difference);
+    e.cosine = sum + (C * sum + S * difference);
+    return e;
+}
+
+/* The theta functions far from 0, for |argument| <= VMI_LONGEST. All four are multiplied by 2^-n, so that they do not
+   overflow (see vmi_far_exponentials). */
 VM_INLINE vmi_thetas vmi_theta_far(const vmi_theta_form *t, int reciprocal, vm_two argument)
 {
     vmi_thetas theta;
     const vm_real tiny = VM_EPSILON * VM_EPSILON; /* a smaller nome changes no result: X <= sqrt(q)/2 < eps */
     const vm_real sign = VM_COPYSIGN((vm_real)1, argument.hi), v = sign * argument.hi, product = v * t->defect;
-    const vm_real z = v - product, z_lo = ((v - z) - product) + sign * argument.lo * (1 - t->defect);
-    vm_real p, p_lo, power, root, less, e, X, XX, P, Q, E, O, d, n;
-    int k;
-    p = vmi_exp_core(-z, -z_lo, &k, &p_lo);
-    power = vmi_ldexp(1, k);
-    root = power + power * p;       /* exp(-z) */
-    less = (1 - power) - power * p; /* 1 - exp(-z) */
-    e = root * root;
-    X = 0;
-    if (t->q > tiny) X = t->q * ((e + 1 / e) / 2);
+    const vm_real z = v - product, z_lo = ((v - z) - product) + sign * argument.lo;
+    const vmi_exponentials e = vmi_far_exponentials(z, z_lo);
+    vm_real X = 0, XX, P, Q, E, O, d, n;
+    if (t->q > tiny) X = (t->q / 2 * e.lift * e.lift) * (e.cosine * e.cosine) - t->q; /* cosh 2z is 2 cosh^2 z - 1 */
     XX = X * X;
     P = t->f[2] * XX; /* P without its term f[0] */
     Q = t->f[1] * X;
     E = t->g[1] * XX - t->g[0]; /* E without its term 1 */
     O = 2 * X;
-    d = root * (1 + (E + O));
-    n = (1 + e) * (t->f[0] + (P + Q));
-    theta.s = sign * (t->scale[0] * (less * (1 + root) * (t->f[0] + (P - Q))));
-    theta.c = t->scale[1] * (root * (1 + (E - O)));
+    d = e.power * (1 + (E + O));
+    n = e.cosine * (t->f[0] + (P + Q));
+    theta.s = (sign * t->scale[0]) * e.sine * (t->f[0] + (P - Q));
+    theta.c = (t->scale[1] * e.power) * (1 + (E - O));
     theta.d = d;
     theta.n = n;
     if (reciprocal) {

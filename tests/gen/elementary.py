@@ -5,11 +5,12 @@ Logarithm: x = 2^k z, z from 0.7083 to 1.4167 in 32 intervals of 1/44, one of th
 close to the reciprocal of its middle and short, and ln c in two words, the first a multiple of a power of two, so
 that k ln 2 + ln c is exact in the high words. Then ln(1 + r) = r - r^2/2 + r^3 L(r).
 Exponential: e^r = 1 + r + r^2/2 + r^3 E(r), |r| <= ln(2)/2. L and E by interpolation in the Chebyshev points.
+Hyperbolic functions, for src/jacobi/theta.h: sinh r = r + r y P(y) and cosh r = 1 + y C(y) with y = r^2, for the same r.
 """
 import random
 import struct
 import sys
-from mpmath import mp, mpf, cos, sin, pi, log, exp, factorial, floor, polyval, nstr
+from mpmath import mp, mpf, cos, sin, pi, log, exp, sqrt, sinh, cosh, factorial, floor, polyval, nstr
 
 mp.dps = 60
 N = 32
@@ -31,9 +32,10 @@ def rounded(x, bits):
     return y
 
 
-def powers(f, degree, bound):
-    """Coefficients of the polynomial that agrees with f in the Chebyshev points of [-bound, bound]."""
-    node = [bound * cos(pi * (2 * k + 1) / (2 * degree + 2)) for k in range(degree + 1)]
+def powers(f, degree, bound, least=None):
+    """Coefficients of the polynomial that agrees with f in the Chebyshev points of [least, bound], or [-bound, bound]."""
+    middle, half = (0, bound) if least is None else ((bound + least) / 2, (bound - least) / 2)
+    node = [middle + half * cos(pi * (2 * k + 1) / (2 * degree + 2)) for k in range(degree + 1)]
     difference = [f(x) for x in node]
     for order in range(1, degree + 1):
         for k in range(degree, order - 1, -1):
@@ -55,12 +57,20 @@ def E(r):
     return sum(r**n / factorial(n + 3) for n in range(50))
 
 
+def P(y):
+    return sum(y**n / factorial(2 * n + 3) for n in range(30))
+
+
+def C(y):
+    return sum(y**n / factorial(2 * n + 2) for n in range(30))
+
+
 def show(name, values, digits):
     text = [f"VM_C({nstr(v, digits, min_fixed=-4, max_fixed=3) if v else '0.0'})" for v in values]
     print(f"{name}: " + ", ".join(text))
 
 
-def tables(bits, short, grid, log_degree, exp_degree):
+def tables(bits, short, grid, log_degree, exp_degree, hyperbolic_degree):
     digits = 20 if bits == 53 else 12
     print(f"---- {bits} bits")
     widest = mpf(0)
@@ -80,6 +90,12 @@ def tables(bits, short, grid, log_degree, exp_degree):
         show(name, c, digits)
         print(f"   |r| <= {nstr(bound, 5)}, error of r^3 {name}: {nstr(error * bound**3, 3)}"
               f" = 2^{nstr(log(error * bound**3, 2), 4)}")
+    bound = log(2)**2 / 4 * mpf("1.001")
+    for name, f in (("P", P), ("C", C)):
+        c = [rounded(x, bits) for x in powers(f, hyperbolic_degree, bound, mpf(0))]
+        error = max(abs(polyval(c[::-1], x) - f(x)) for x in (bound * mpf(k) / 200 for k in range(201)))
+        show(name, c, digits)
+        print(f"   0 <= y <= {nstr(bound, 5)}, error of y {name}: {nstr(error * bound, 3)}")
 
 
 def words(x):
@@ -143,5 +159,5 @@ if len(sys.argv) > 1:  # any argument: the tables of the tests
     reference()
     points()
 else:
-    tables(53, 10, 42, 7, 9)
-    tables(24, 8, 16, 3, 5)
+    tables(53, 10, 42, 7, 9, 4)
+    tables(24, 8, 16, 3, 5, 2)
