@@ -3343,9 +3343,10 @@ typedef struct VM_TAG(vm_axle) {
     vm_vec3 axis; /* its direction, of any length > 0; angular velocities are positive about it */
 } vm_axle;
 
-/* Momentum, N s, and angular momentum about the point O of an axle, N m s, relative to the turning frame */
+/* Momentum, N s, and angular momentum about the point O of an axle, N m s, relative to the turning frame; and the arm,
+   m, which is the vector from O to the mass centre of the body after the jump */
 typedef struct VM_TAG(vmi_axle_sum) {
-    vm_vec3 linear, angular;
+    vm_vec3 linear, angular, arm;
 } vmi_axle_sum;
 
 /* The angular momentum of a body that turns with the angular velocity omega, about its own mass centre */
@@ -3364,6 +3365,19 @@ VM_API void vmi_axle_add(vmi_axle_sum *sum, vm_real sign, const vm_body *body, v
     sum->angular = vm_add(sum->angular, vm_scale(sign, vm_add(spin, vm_cross(d, momentum))));
 }
 
+/* The vector from O to the mass centre of a body after the jump, where its mass is `mass`. Only differences of places
+   are added: far from the origin the mass centre is rounded, so that its difference to O would lose digits. */
+VM_API vm_vec3 vmi_axle_arm(vm_vec3 O, const vm_body *body, int n, const vm_body *others, vm_real sign, vm_real mass)
+{
+    vm_vec3 shift = {0, 0, 0};
+    int i;
+    for (i = 0; i < n; i++) {
+        const vm_real share = sign * (others[i].mass / mass);
+        shift = vm_add(shift, vm_scale(share, vm_sub(others[i].r, body->r)));
+    }
+    return vm_add(vm_sub(body->r, O), shift);
+}
+
 /* Checks the axle, and writes its unit vector. */
 VM_API int vmi_axle_direction(const vm_axle *axle, vm_vec3 *e)
 {
@@ -3376,12 +3390,12 @@ VM_API int vmi_axle_direction(const vm_axle *axle, vm_vec3 *e)
 }
 
 /* Gives the body *b, whose mass, inertia and place are those after the jump, its motion about the axle, and computes
-   the impulse of the axle. *sum holds P and L of the text above; `before` is w e. Returns VM_NULL_AXIS if b has no
-   inertia about the axle, but would need angular momentum, else VM_OK. */
+   the impulse of the axle. *sum holds P and L of the text above, and the arm; `before` is w e. Returns VM_NULL_AXIS if
+   b has no inertia about the axle, but would need angular momentum, else VM_OK. */
 VM_API int vmi_axle_turn(vm_vec3 O, vm_vec3 e, vm_vec3 before, const vmi_axle_sum *sum, vm_body *b,
                          vm_impulse *reaction)
 {
-    const vm_vec3 d = vm_sub(b->r, O), speed = vm_cross(e, d); /* of the mass centre at 1 rad/s */
+    const vm_vec3 d = sum->arm, speed = vm_cross(e, d); /* of the mass centre at 1 rad/s */
     const vm_vec3 column = vm_add(vmi_axle_spin(b, e), vm_scale(b->mass, vm_cross(d, speed)));
     const vm_real inertia = vm_dot(e, column), momentum = vm_dot(e, sum->angular);
     vm_real change = 0;
@@ -3402,7 +3416,7 @@ VM_API int vmi_axle_turn(vm_vec3 O, vm_vec3 e, vm_vec3 before, const vmi_axle_su
 VM_API int vmi_axle_jump(const vm_axle *axle, const vm_body *body, int n, const vm_body *others, vm_real sign,
                          const vm_impulse *external_or_NULL, vm_body *result, vm_impulse *reaction_or_NULL)
 {
-    vmi_axle_sum sum = {{0, 0, 0}, {0, 0, 0}};
+    vmi_axle_sum sum = {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}};
     vm_impulse reaction;
     vm_vec3 e, turning;
     vm_body b;
@@ -3412,6 +3426,7 @@ VM_API int vmi_axle_jump(const vm_axle *axle, const vm_body *body, int n, const 
     status = vmi_jump(body, n, others, sign, external_or_NULL, &b);
     if (status < 0 || axle_status) return vmi_first_error(status < 0 ? status : VM_OK, axle_status);
     turning = vm_scale(vm_dot(e, body->omega), e);
+    sum.arm = vmi_axle_arm(axle->at, body, n, others, sign, b.mass);
     vmi_axle_add(&sum, 1, body, axle->at, turning);
     for (i = 0; i < n; i++) vmi_axle_add(&sum, sign, &others[i], axle->at, turning);
     if (external_or_NULL) {

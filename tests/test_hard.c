@@ -11,6 +11,7 @@
 #include "hard/resonance.c"
 #include "hard/jumps.c"
 #include "hard/slow_oscillators.c"
+#include "hard/attitudes.c"
 
 typedef struct hard_value {
     const char *kernel;
@@ -97,6 +98,7 @@ int main(void)
     GROUP("Resonance", resonance_cases);
     GROUP("Ill-posed jumps", jumps_cases);
     GROUP("Oscillators with slow mass", slow_oscillators_cases);
+    GROUP("Attitudes and axles", attitudes_cases);
     printf("\n");
     return check_finish("hard");
 }

@@ -922,6 +922,86 @@ def far_attach(x, y):
     return (1 + mpf(1) / 4 + mu * (y - x) * 2) / (1 + mpf(1) / 4 + mu * (y - x)**2)
 
 
+# -- attitudes --
+
+@lambda f: with_digits(120, f)
+def mrp_half_turn(x, y, z):
+    square = x * x + y * y + z * z
+    return (1 - square) / (1 + square)
+
+
+@lambda f: with_digits(500, f)
+def mrp_full_turn(x):
+    return 2 * x / (2 + x * x)
+
+
+@lambda f: with_digits(120, f)
+def mrp_shadow(w, x, z):
+    """The parameters of -q, where w < 0"""
+    return -x / (sqrt(w * w + x * x + z * z) - w)
+
+
+def turn(c, s):
+    """Half the angle of a rotation whose cosine and sine are c and s"""
+    return mp.atan2(s, c) / 2
+
+
+def turn_w(c, s):
+    return cos(turn(c, s))
+
+
+def turn_x(c, s):
+    return sin(turn(c, s))
+
+
+def tilt_313(w, x, y, z):
+    return 2 * mp.atan2(sqrt(x * x + y * y), sqrt(w * w + z * z))
+
+
+def whole_turns(angle):
+    """The angle from -pi to pi"""
+    return angle - 2 * pi * mp.nint(angle / (2 * pi))
+
+
+@lambda f: with_digits(120, f)
+def first_313(w, x, y, z):
+    """psi is the sum of the angles of w + i z and x + i y"""
+    if x == y == 0:
+        return whole_turns(2 * mp.atan2(z, w))
+    if w == z == 0:
+        return whole_turns(2 * mp.atan2(y, x))
+    return whole_turns(mp.atan2(z, w) + mp.atan2(y, x))
+
+
+@lambda f: with_digits(120, f)
+def yaw(w, x, y, z):
+    if w == y and x == -z:
+        return mp.atan2(2 * (w + y) * (z - x), (w + y)**2 - (z - x)**2)
+    return mp.atan2(2 * (x * y + w * z), w * w + x * x - y * y - z * z)
+
+
+@lambda f: with_digits(120, f)
+def pitch(w, x, y, z):
+    c = sqrt((w * w + x * x - y * y - z * z)**2 + 4 * (x * y + w * z)**2)
+    return mp.atan2(2 * (w * y - x * z), c)
+
+
+@lambda f: with_digits(120, f)
+def roll(w, x, y, z):
+    return mp.atan2(2 * (y * z + w * x), w * w - x * x - y * y + z * z)
+
+
+def axle_rest(m, inertia, faster=mpf(0)):
+    rate = spin_of("3.3")
+    spin = mpf(single(float(rate + faster))) if IN_FLOAT else mpf(float(rate + faster))
+    return rate - inertia * (spin - rate) / (4 - m - inertia)
+
+
+def far_axle(at, place, speed):
+    d = place - at
+    return -mpf(1.25) * d * speed / (8 - mpf(1.25) * d * d)
+
+
 #INSERT
 
 
