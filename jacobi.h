@@ -830,6 +830,15 @@ VM_API vm_two vmi_two_scaled(vm_two x, vm_real factor)
     return vmi_fast_two_sum(p.hi, p.lo + x.lo * factor);
 }
 
+/* The sum a b + c d of two products, within 2 eps of itself, however many digits cancel. No product may underflow. */
+VM_API vm_real vmi_sum_of_products(vm_real a, vm_real b, vm_real c, vm_real d)
+{
+    const vm_two ab = vmi_two_product(a, b), cd = vmi_two_product(c, d);
+    const vm_two high = vmi_two_sum(ab.hi, cd.hi), low = vmi_two_sum(ab.lo, cd.lo);
+    const vm_two sum = vmi_two_sum(high.hi, low.hi);
+    return sum.hi + (sum.lo + (high.lo + low.lo));
+}
+
 #endif
 /* base/elementary.h - logarithm, exponential, power, sine, cosine and arctangent, with the same bits on every machine
 

@@ -1477,15 +1477,6 @@ VM_API vm_real vmi_power_below(vm_real x)
     return vmi_from_bits(vmi_to_bits(x) & ~mantissa);
 }
 
-/* The sum a b + c d of two products, within 2 eps of itself, however many digits cancel. No product may underflow. */
-VM_API vm_real vmi_sum_of_products(vm_real a, vm_real b, vm_real c, vm_real d)
-{
-    const vm_two ab = vmi_two_product(a, b), cd = vmi_two_product(c, d);
-    const vm_two high = vmi_two_sum(ab.hi, cd.hi), low = vmi_two_sum(ab.lo, cd.lo);
-    const vm_two sum = vmi_two_sum(high.hi, low.hi);
-    return sum.hi + (sum.lo + (high.lo + low.lo));
-}
-
 /* The vector of length 1 in the direction of a, each component within 4 eps of itself. A vector of length 0 has no
    direction: the result is then NaN, as for infinite components. a may have any length that is a normal number. */
 VM_API vm_vec3 vm_unit(vm_vec3 a)
@@ -18776,7 +18767,7 @@ VM_API vm_real vmi_coupled_drift(vm_real t, vm_real x, vm_real v, void *ctx)
     (void)v;
     if (vmi_coupled_now(p, t, &now)) return VM_NAN;
     whole = now.m[0] + now.m[1];
-    return (now.rate[0] * now.m[1] - now.rate[1] * now.m[0]) / whole * (p->momentum / whole);
+    return vmi_sum_of_products(now.rate[0], now.m[1], -now.rate[1], now.m[0]) / whole * (p->momentum / whole);
 }
 
 /* The oscillator that the relative motion p = y - x of two bodies with one connection is, for the routes of routes.h.
@@ -19617,6 +19608,7 @@ VM_API int vm_periodic_from_averaged(const vm_periodic *p, vm_real t, const vm_r
 typedef struct VM_TAG(vmi_periodic_search) {
     const vm_periodic *p;
     vmi_resonance z; /* its field push is F/m, without G; its field nu is (P/Q) nu */
+    vm_real side;    /* 1: phases are counted from 0; -1: from pi, where S and C have the opposite sign */
 } vmi_periodic_search;
 
 VM_API vmi_periodic_search vmi_periodic_search_of(const vm_periodic *p, const vmi_forced_parameters *n)
@@ -19626,7 +19618,19 @@ VM_API vmi_periodic_search vmi_periodic_search_of(const vm_periodic *p, const vm
     search.z = vmi_resonance_of(&p->oscillator, n);
     search.z.push = n->force / n->mass;
     search.z.nu = vmi_periodic_frequency(p, n->nu);
+    search.side = 1;
     return search;
+}
+
+/* The sums at a phase that is counted from 0 or pi, as the field `side` says. Next to pi, S is nearly 0 and would lose
+   digits with the rounding of pi. All harmonics of the vibration are odd, so that half a turn changes the signs only. */
+VM_API vmi_periodic_sums vmi_periodic_sums_from(const vmi_periodic_search *s, vm_real phase)
+{
+    vmi_periodic_sums sums = vmi_periodic_sums_at(s->p, phase);
+    sums.S *= s->side;
+    sums.C *= s->side;
+    sums.slope *= s->side;
+    return sums;
 }
 
 /* The amplitude that A' = 0 asks for at the sum S, or 0 where no amplitude does: A w(A) = -S F/(m p), where p is
@@ -19638,14 +19642,14 @@ VM_API vm_real vmi_periodic_amplitude(const vmi_resonance *z, vm_real S)
     return vmi_pow_checked(product / z->w1, 1 / (1 + z->exponent));
 }
 
-/* The excess (delta' of the averaged equations) |S| at the phase delta, with the amplitude that A' = 0 asks for; its
+/* The excess (delta' of the averaged equations) |S| at a phase from 0 or pi, with the amplitude that A' = 0 asks for; its
    zeros with A > 0 are the steady vibrations. It is continuous: where no amplitude has A' = 0 it goes on as the limit for
    A -> 0. */
-VM_API vm_real vmi_periodic_excess(vm_real delta, void *search)
+VM_API vm_real vmi_periodic_excess(vm_real phase, void *search)
 {
     const vmi_periodic_search *s = (const vmi_periodic_search *)search;
     const vmi_resonance *z = &s->z;
-    const vmi_periodic_sums sums = vmi_periodic_sums_at(s->p, delta);
+    const vmi_periodic_sums sums = vmi_periodic_sums_from(s, phase);
     const vm_real A = vmi_periodic_amplitude(z, sums.S);
     const vm_real limit = -VM_COPYSIGN(z->p, z->push) * sums.C; /* p C sign(S), where sign(S) is -sign(push p) */
     vm_real w;
@@ -19654,12 +19658,12 @@ VM_API vm_real vmi_periodic_excess(vm_real delta, void *search)
     return (w - z->nu) * VM_FABS(sums.S) + limit;
 }
 
-/* The steady vibration of the phase delta, with trace and determinant of the linearized averaged equations; its
+/* The steady vibration of a phase from 0 or pi, with trace and determinant of the linearized averaged equations; its
    frequency nu is the one that the phase asks for. A is 0 where there is none. */
-VM_API vm_steady_state vmi_periodic_state(const vmi_periodic_search *search, vm_real delta)
+VM_API vm_steady_state vmi_periodic_state(const vmi_periodic_search *search, vm_real phase)
 {
     const vmi_resonance *z = &search->z;
-    const vmi_periodic_sums sums = vmi_periodic_sums_at(search->p, delta);
+    const vmi_periodic_sums sums = vmi_periodic_sums_from(search, phase);
     const vm_real gain = 1 + z->exponent, p = z->p;
     vm_steady_state s;
     vm_real w, off;
@@ -19667,7 +19671,8 @@ VM_API vm_steady_state vmi_periodic_state(const vmi_periodic_search *search, vm_
     w = z->w1 * vmi_pow_checked(s.A, z->exponent);
     off = -p * sums.C / sums.S; /* w - (P/Q) nu */
     s.nu = (w - off) * (vm_real)search->p->periods / (vm_real)search->p->vibrations;
-    s.delta = delta;
+    s.delta = phase;
+    if (search->side < 0) s.delta -= VM_COPYSIGN(VM_PI, phase); /* from -pi to pi */
     s.trace = -(1 + gain) * p;
     s.det = p * p * gain - p * sums.slope / sums.S * (z->exponent * w + gain * off);
     s.stable = s.det > 0 && s.trace < 0;
@@ -19718,22 +19723,27 @@ VM_API void vmi_periodic_insert(const vm_steady_state *state, int n, int room, v
 VM_API int vm_periodic_steady_states(const vm_periodic *p, vm_real t, int room, vm_steady_state *steady)
 {
     if (!p || !steady || room < 0) return VM_BAD_ARGUMENT;
-    const int phases = 360;
     vmi_forced_parameters n;
     vmi_periodic_search search;
-    vm_real before, after, left, right = -VM_PI;
-    int i, found = 0;
+    vm_real before, after;
+    int degree, found = 0;
     const int status = vmi_periodic_at(p, t, &n);
     if (status) return status;
     search = vmi_periodic_search_of(p, &n);
     if (search.z.p == 0) return VM_DOMAIN;
     if (search.z.push == 0) return 0;
-    after = vmi_periodic_excess(right, &search);
-    for (i = 1; i <= phases; i++) {
+    search.side = -1;
+    after = vmi_periodic_excess(0, &search);
+    for (degree = -180; degree < 180; degree++) { /* at the left end of the interval */
+        int origin = 0;
         vm_steady_state state;
-        left = right;
+        vm_real left, right;
+        if (degree < -90) origin = -180;
+        if (degree >= 90) origin = 180;
+        search.side = origin ? -1 : 1;
+        left = VM_PI * (vm_real)(degree - origin) / 180;
+        right = VM_PI * (vm_real)(degree + 1 - origin) / 180;
         before = after;
-        right = VM_PI * (vm_real)(2 * i - phases) / (vm_real)phases;
         after = vmi_periodic_excess(right, &search);
         if (!((before > 0) != (after > 0))) continue;
         state = vmi_periodic_state(&search, vmi_find_zero(vmi_periodic_excess, &search, left, right, before, after));

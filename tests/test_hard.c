@@ -12,6 +12,7 @@
 #include "hard/jumps.c"
 #include "hard/slow_oscillators.c"
 #include "hard/attitudes.c"
+#include "hard/weak_forces.c"
 
 typedef struct hard_value {
     const char *kernel;
@@ -99,6 +100,7 @@ int main(void)
     GROUP("Ill-posed jumps", jumps_cases);
     GROUP("Oscillators with slow mass", slow_oscillators_cases);
     GROUP("Attitudes and axles", attitudes_cases);
+    GROUP("Oscillators under weak forces", weak_forces_cases);
     printf("\n");
     return check_finish("hard");
 }

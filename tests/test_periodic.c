@@ -239,6 +239,16 @@ static void test_resonance_matters(void)
 
 /* ---- Steady vibrations ---- */
 
+/* The relative change of the amplitude along the resonance curve for a change of the phase by 1 rad. The rounding of the
+   phase next to pi changes the amplitude of the curve by this factor. */
+static double curve_slope(const vm_periodic *p, const vm_steady_state *s)
+{
+    const vm_real h = R(1e-4);
+    vm_steady_state after = *s;
+    if (vm_periodic_curve(p, 0, s->delta + h, &after)) vm_periodic_curve(p, 0, s->delta - h, &after);
+    return fabs((double)((after.A - s->A) / (h * s->A)));
+}
+
 /* Each steady vibration is one of the averaged equations and a point of the curve of its phase; its trace and its
    determinant are those of differences. */
 static void check_steady(vm_periodic *p, const vm_steady_state *s)
@@ -256,7 +266,8 @@ static void check_steady(vm_periodic *p, const vm_steady_state *s)
     check_error("steady", "A delta'", "", fabs((double)(d[1] * s->A)), by_precision(1e-13, 1e-4), (double)s->A,
                 (double)s->delta);
     CHECK(vm_periodic_curve(p, 0, s->delta, &point) == VM_OK);
-    near("curve", "A", (double)point.A, (double)s->A, 1e-14, 1e-5);
+    check_error("curve", "A", "of rounded phase", fabs((double)(point.A / s->A) - 1) / (1 + curve_slope(p, s)),
+                by_precision(1e-14, 1e-5), (double)point.A, (double)s->A);
     near("curve", "nu", (double)point.nu, (double)s->nu, 1e-11, 1e-3);
     if (is_float) return;
     for (i = 0; i < 2; i++) {

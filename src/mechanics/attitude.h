@@ -47,15 +47,6 @@ VM_API vm_real vmi_power_below(vm_real x)
     return vmi_from_bits(vmi_to_bits(x) & ~mantissa);
 }
 
-/* The sum a b + c d of two products, within 2 eps of itself, however many digits cancel. No product may underflow. */
-VM_API vm_real vmi_sum_of_products(vm_real a, vm_real b, vm_real c, vm_real d)
-{
-    const vm_two ab = vmi_two_product(a, b), cd = vmi_two_product(c, d);
-    const vm_two high = vmi_two_sum(ab.hi, cd.hi), low = vmi_two_sum(ab.lo, cd.lo);
-    const vm_two sum = vmi_two_sum(high.hi, low.hi);
-    return sum.hi + (sum.lo + (high.lo + low.lo));
-}
-
 /* The vector of length 1 in the direction of a, each component within 4 eps of itself. A vector of length 0 has no
    direction: the result is then NaN, as for infinite components. a may have any length that is a normal number. */
 VM_API vm_vec3 vm_unit(vm_vec3 a)

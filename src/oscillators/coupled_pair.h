@@ -26,6 +26,7 @@
 #include "../base/arrays.h"
 #include "../base/real.h"
 #include "../base/status.h"
+#include "../base/words.h"
 #include "constant_mass.h"
 #include "laws.h"
 #include "problem.h"
@@ -160,7 +161,7 @@ VM_API vm_real vmi_coupled_drift(vm_real t, vm_real x, vm_real v, void *ctx)
     (void)v;
     if (vmi_coupled_now(p, t, &now)) return VM_NAN;
     whole = now.m[0] + now.m[1];
-    return (now.rate[0] * now.m[1] - now.rate[1] * now.m[0]) / whole * (p->momentum / whole);
+    return vmi_sum_of_products(now.rate[0], now.m[1], -now.rate[1], now.m[0]) / whole * (p->momentum / whole);
 }
 
 /* The oscillator that the relative motion p = y - x of two bodies with one connection is, for the routes of routes.h.

@@ -1002,6 +1002,40 @@ def far_axle(at, place, speed):
     return -mpf(1.25) * d * speed / (8 - mpf(1.25) * d * d)
 
 
+# -- weak forces --
+
+def feeding(feed, x, v, t_end):
+    def coefficients(t, y, order):
+        x, v, square = [y[0]], [y[1]], []
+        for k in range(order):
+            square.append(product(x, x, k))
+            x.append(v[k] / (k + 1))
+            v.append((feed * (v[k] - product(square, v, k)) - x[k]) / (k + 1))
+        return x, v
+    end = taylor(coefficients, [x, v], t_end)
+    return end[0], sqrt(end[0]**2 + end[1]**2)
+
+
+def pair_drift(m1, rate1, m2, rate2):
+    return m1 * m2 / (m1 + m2) * (rate1 / m1 - rate2 / m2)
+
+
+def reduced_rate(m1, rate1, m2, rate2):
+    return (rate1 * m2**2 + rate2 * m1**2) / (m1 + m2)**2
+
+
+def pair_centre(m1, rate1, m2, rate2, x, y):
+    return (m1 * x + m2 * y) / (m1 + m2)
+
+
+def coupled_rate(A, other, spring):
+    return 1 + spring / 2 * (1 - other / A)
+
+
+def lightly_damped(b, force, nu):
+    return force / 2 / sqrt((1 - nu)**2 + b * b / 4)
+
+
 #INSERT
 
 
