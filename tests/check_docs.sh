@@ -25,7 +25,7 @@ trap 'rm -f "$tmp"' EXIT
 
 # Numbers, rows, commands, stamps and lengths of all documents in one pass. In a document of `make docs` a cell must not be
 # empty, but for a row's first, whose word stands in the row above then: a program writes "-" where there is nothing to say.
-awk -v list="$list" -v folder="$folder" -v tables='^(names|changes|cost|validation)$' '
+awk -v list="$list" -v folder="$folder" -v tables='^(names|changes|cost|validation|hard-cases)$' '
     function wrong(why) { print name ".md:" FNR ": " why ": " substr($0, 1, 120) }
     function is_rule(line) { return line ~ /^\|[-:| ]*-[-:| ]*$/ }
     function without_escaped(line) { gsub(/\\\|/, "x", line); return line }
