@@ -436,6 +436,39 @@ static void test_infinite_end(void)
     CHECK(m->solve(&s, -VM_INFINITY) == ODE_EVENT && fabs((double)s.t + 1) < 1e-5);
 }
 
+static int turning_state(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
+{
+    const vm_real rate = *(const vm_real *)ctx;
+    (void)t;
+    dydt[0] = rate * y[1];
+    dydt[1] = -rate * y[0];
+    return 0;
+}
+static vm_real time_left(vm_real t, const vm_real *y, void *ctx)
+{
+    (void)y;
+    return t - *(const vm_real *)ctx;
+}
+
+/* The continuous extension of a step may overflow between two finite states close to the largest number, because it
+   adds products with y'. The step is then made again, shorter: the run stops at the event, and its state is finite. */
+static void test_large_states(void)
+{
+    int i;
+    for (i = 0; i < 1024; i++) {
+        const double largest = 0.99 / 512 * (double)VM_MAX, angle = 0.4 * (i / 4 % 16);
+        vm_real y0[2], work[RK87_WORK(2)], rate = R(4 * (1 + i % 4)), at = R((1 + i / 64) / 16.);
+        ode_event e = event(time_left, &at, 0, ODE_STOP);
+        const rk45_options o = with_events(1e-4, &e, 1);
+        rk45 s;
+        y0[0] = R(largest * cos(angle));
+        y0[1] = R(largest * sin(angle));
+        CHECK(m->init(&s, turning_state, &rate, 2, 0, y0, &o, work) >= 0);
+        CHECK(m->solve(&s, 2) == ODE_EVENT && s.event == 0 && e.count == 1);
+        CHECK(VM_IS_FINITE(s.y[0]) && VM_IS_FINITE(s.y[1]));
+    }
+}
+
 /* What a run that goes on meets: a function that is no number where the run begins; an event that has been, from
    elsewhere; one exactly where the run ends, with room for states alone; two at one instant, of which one restarts
    without a change and the other stops; a function that is no number before another's */
@@ -686,6 +719,7 @@ int main(void)
         }
         test_stop_after_in_a_step();
         test_infinite_end();
+        test_large_states();
         test_corners();
         test_one_failure();
     }

@@ -36,11 +36,9 @@ static const scenario fault_oscillators[] = {
     LAW(call_duffing_within),
     LAW(call_duffing_integrated),
     RHS(call_odd_rhs, VM_DOMAIN),
-#ifndef VM_USE_FLOAT /* in float the panels of a user's law become so short that a plan takes 200000 calls of the law */
     LAW(call_vdp_law),
     LAW(call_vdp_rk87),
     LAW(call_vdp_within),
-#endif
     RHS(call_vdp_rhs, VM_DOMAIN),
     RHS(call_vdp_averaged_rhs, VM_DOMAIN),
     ROTOR(call_rotor_rhs),

@@ -175,14 +175,17 @@ static void check_scoop(void)
 }
 
 /* The pose at rest has the least potential energy of weights and springs, found by mpmath in the six coordinates that
-   the joints leave free. In float the stiff cylinders need too many steps. */
+   the joints leave free. Where the absolute tolerance is below the rounding errors of the accelerations, which the stiff
+   cylinders make large, the steps become short and many, and the run ends with a status. */
 static void check_excavator(void)
 {
     static stage s;
-    if (VM_MANT_DIG <= 24) {
-        check_skipped++;
-        return;
-    }
+    rk45_options o = stage_options();
+    excavator(&s);
+    o.max_steps = 2000;
+    o.atol = o.rtol / 100;
+    CHECK(stage_start(&s) == VM_OK);
+    CHECK(vm_scene_run(&s.scene, &s.t, 40, s.y, s.work, &o) == VM_MAX_STEPS && s.t < 40);
     excavator(&s);
     CHECK(stage_start(&s) == VM_OK && stage_run(&s, 40) == VM_OK);
     agrees("excavator", "soil", s.y[30], 1300, 1300, 1e-9);

@@ -338,6 +338,66 @@ static void test_kinds_of_law(void)
     }
 }
 
+/* Laws whose calls are counted: a constant one, one that grows, a slow wave, and a jump from 1 to 3 within 0.2 s, for
+   which the law of the motion does not hold */
+static long calls_of_law;
+static int counted(vm_real t, double f, double rate, vm_real *value, vm_real *value_rate)
+{
+    (void)t;
+    calls_of_law++;
+    *value = R(f);
+    *value_rate = R(rate);
+    return 0;
+}
+static int counted_constant(vm_real t, vm_real *f, vm_real *rate, void *ctx)
+{
+    (void)ctx;
+    return counted(t, 2, 0, f, rate);
+}
+static int counted_growth(vm_real t, vm_real *f, vm_real *rate, void *ctx)
+{
+    (void)ctx;
+    return counted(t, 2 + 0.01 * (double)(t * t), 0.02 * (double)t, f, rate);
+}
+static int counted_wave(vm_real t, vm_real *f, vm_real *rate, void *ctx)
+{
+    (void)ctx;
+    return counted(t, 2 + 0.3 * sin(0.5 * (double)t), 0.15 * cos(0.5 * (double)t), f, rate);
+}
+static int counted_jump(vm_real t, vm_real *f, vm_real *rate, void *ctx)
+{
+    const double e = 10 * ((double)t - 1);
+    (void)ctx;
+    return counted(t, 2 + tanh(e), 10 / (cosh(e) * cosh(e)), f, rate);
+}
+
+/* The law calls a user's functions a few thousand times at most, for any t: a panel of time needs 24 calls for each
+   law, and there are 32 panels where the laws change slowly. On short panels rounding errors hide the changes of a law,
+   so that panels that were halved until the changes are resolved would never be short enough. The bound has some reserve
+   over the largest number found, 3129 for the wave and |t| = 300 in double. */
+static void test_calls(void)
+{
+    static const vm_law_function functions[] = {counted_constant, counted_growth, counted_wave, counted_jump};
+    static const double times[] = {0.5, 3, -3, 30, 300, -300};
+    int i, k, both;
+    for (i = 0; i < COUNT(functions) * COUNT(times) * 2; i++) {
+        const double t = times[i / 2 % COUNT(times)];
+        vm_vdp v = oscillator(1, 0.1, 0.1, 1, vm_law_user(functions[i / 2 / COUNT(times)], NULL));
+        vm_osc_motion motion = {0, 0, 0, 0, 0, 0};
+        vm_vdp_plan p;
+        both = i % 2;
+        if (both) v.stiffness = v.mass;
+        calls_of_law = 0;
+        CHECK(vm_vdp_plan_init(&p, &v, 1, R(0.3)) == VM_OK);
+        check_error("calls", "plan", "calls", (double)calls_of_law / (1 + both), 300, t, i);
+        for (k = 2; k <= 3; k++) {
+            calls_of_law = 0;
+            CHECK(vm_vdp_plan_by_route(&p, route_of(k), R(t), 0, &motion) == VM_OK);
+            check_error("calls", "order", "calls", (double)calls_of_law / (1 + both), 3600, t, i);
+        }
+    }
+}
+
 /* Without feed, limit and change of mass the law is exact; without c it is that of the oscillator without feed. */
 static void test_removable(void)
 {
@@ -691,6 +751,7 @@ int main(void)
     test_within();
     test_times();
     test_kinds_of_law();
+    test_calls();
     test_removable();
     test_hard_points();
     test_infinite();

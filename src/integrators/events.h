@@ -356,11 +356,10 @@ VM_API int vmi_cut_step(rk45 *s, vm_real x)
     return s->event < 0 ? (int)ODE_OK : (int)ODE_EVENT;
 }
 
-/* Takes back the last step, inside which f is not finite, and makes the next step a quarter as long. Returns
-   ODE_NOT_FINITE if the next step would be shorter than the shortest step allowed, else ODE_OK. */
-VM_API int vmi_shorten_last_step(rk45 *s)
+/* Makes the next step a quarter as long as the last one, which was taken back because f or the state is not finite
+   inside it. Returns ODE_NOT_FINITE if the next step would be shorter than the shortest step allowed, else ODE_OK. */
+VM_API int vmi_shorten_step(rk45 *s)
 {
-    vmi_take_back_step(s);
     s->h = s->h_done / 4;
     s->rejected++;
     s->failure = VMI_NOT_FINITE;
@@ -439,18 +438,35 @@ VM_API int vmi_find_events(rk45 *s, vm_real *cut)
     return status;
 }
 
+/* Whether the state at the fraction x of the last step is finite. Between two finite states the continuous extension may
+   overflow, if they are close to the largest number of the type. Overwrites the part VMI_Z of work. */
+VM_API int vmi_is_finite_inside(const rk45 *s, vm_real x)
+{
+    vm_real *z = vmi_part(s, VMI_Z);
+    if (x == 1) return 1;
+    vmi_inside(s, x, z);
+    return vmi_all_finite(s->n, z);
+}
+
 /* Handles the events of the last step, up to the first instant at which an event ends the step. Returns a status. After
-   an error the step is taken back. */
+   an error the step is taken back. If the state at this instant is not finite, the step is made again, shorter. */
 VM_API int vmi_events(rk45 *s)
 {
     vm_real cut = VMI_NONE;
     int status = vmi_extend(s);
-    if (status == ODE_NOT_FINITE) return vmi_shorten_last_step(s);
+    if (status == ODE_NOT_FINITE) {
+        vmi_take_back_step(s);
+        return vmi_shorten_step(s);
+    }
     vmi_keep_events(s);
     if (status == ODE_OK) status = vmi_find_events(s, &cut);
     if (status) {
         vmi_take_back_events(s);
         return status;
+    }
+    if (cut != VMI_NONE && !vmi_is_finite_inside(s, cut)) {
+        vmi_take_back_events(s);
+        return vmi_shorten_step(s);
     }
     if (cut != VMI_NONE) return vmi_cut_step(s, cut);
     vmi_pass_on_sides(s);

@@ -96,6 +96,16 @@ VM_API int vmi_panel_is_resolved(const vm_real *series, vm_real limit)
     return vmi_legendre_tail(series) <= limit * series[0];
 }
 
+/* The size of terms of E_0 = G_0/W^2 that do not matter on a panel over which the phase advances by `phase`, of either
+   sign. E_0 disturbs the motion with the rate W of the phase (oscillators/expansion.h). The first part of the result
+   adds 16 eps to the phase. The second part is the size of rounding errors: E_0 contains p', which is found from
+   differences of p on the panel. */
+VM_API vm_real vmi_panel_E_noise(vm_real phase)
+{
+    const vm_real advance = VM_FABS(phase);
+    return 16 * VM_EPSILON * (1 + 1 / advance) / advance;
+}
+
 /* The largest relative difference that is allowed between a law and its series at the ends of a panel. It is larger
    than `limit`, because all terms that the series leaves out add up there. */
 VM_API vm_real vmi_panel_edge_limit(vm_real limit) { return 16 * limit; }

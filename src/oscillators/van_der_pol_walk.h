@@ -269,6 +269,8 @@ typedef struct VM_TAG(vmi_vdp_panel) {
     vm_real rate[VMI_GAUSS], first_rate[VMI_GAUSS]; /* series of the rate of the mean phase, by order three and one */
     vm_real ln_A, first_ln_A;             /* change of ln A over the panel, by order three and one */
     vm_real loss;                         /* factor by which an error of ln J changes over the panel */
+    vm_real rounding;                     /* size of the terms of E_0 that rounding errors of p cause, see
+                                             vmi_vdp_rounding */
     vm_real kept;                         /* integral of this factor over the phase, where the factor is taken from the
                                              start to each phase */
 } vmi_vdp_panel;
@@ -298,6 +300,14 @@ VM_API vm_real vmi_vdp_ln_k(vm_real k, vm_real k_start)
     return vmi_log(k / k_start).hi;
 }
 
+/* The size of the last terms of E_0's series that rounding errors cause, for the rates in *now, where the phase has the
+   rate W. E_0 contains p'/W^2, and p' is the derivative of a series of p on the panel. Rounding errors of p, at most a
+   few eps (|a| + |p|), grow by up to 250/length in its last terms; on short panels they hide the law itself. */
+VM_API vm_real vmi_vdp_rounding(const vmi_osc_rates *now, vm_real W, vm_real length)
+{
+    return 256 * VM_EPSILON / VM_FABS(length) / W * ((VM_FABS(now->p) + VM_FABS(now->a)) / W);
+}
+
 /* Computes the first order at the nodes, and from it the terms of second order. *mean is the mean motion at the start
    of the panel, where *start has mass and stiffness. */
 VM_API void vmi_vdp_first_order(const vm_vdp_plan *p, const vmi_vdp_mean *mean, vm_real length,
@@ -308,6 +318,7 @@ VM_API void vmi_vdp_first_order(const vm_vdp_plan *p, const vmi_vdp_mean *mean, 
     vm_real unused[VMI_GAUSS];
     int i;
     panel->laws.noise = 0;
+    panel->rounding = 0;
     for (i = 0; i < VMI_GAUSS; i++) {
         const vmi_osc_rates *now = &at->rates[i];
         const vm_real way = length / 2 * vmi_legendre_integral(panel->laws.inverse, vmi_gauss_node(i));
@@ -328,6 +339,7 @@ VM_API void vmi_vdp_first_order(const vm_vdp_plan *p, const vmi_vdp_mean *mean, 
         nodes->first_rate[i] = y > 0 ? W : VM_NAN;
         nodes->second[i] = nodes->r[i] * vmi_vdp_mean_second(&p->ripple, &d);
         nodes->E[i] = d.E0;
+        panel->rounding = vmi_larger(vmi_vdp_rounding(now, W, length), panel->rounding);
         panel->laws.noise = vmi_larger(p_noise / W * ((VM_FABS(now->p) + VM_FABS(now->a)) / W), panel->laws.noise);
     }
     panel->first_ln_A = 1 + gain * length * panel->r[0]; /* y at the end of the panel */
@@ -379,18 +391,27 @@ VM_API int vmi_vdp_panel_of(const vm_vdp_plan *p, const vmi_vdp_mean *mean, vm_r
     return VM_OK;
 }
 
+/* Whether the last terms of a series of the rate of the phase are at most `limit` times the rate. The rate may be
+   negative, where the law does not hold. */
+VM_API int vmi_vdp_rate_is_resolved(const vm_real *rate, vm_real limit)
+{
+    return vmi_legendre_tail(rate) <= limit * VM_FABS(rate[0]);
+}
+
 /* Whether the panel is short enough for its series. `whole` is the length of the walk, s. A panel also counts as short
-   enough if the terms of E_0 that its series leaves out do not matter. */
+   enough if the terms of E_0 that its series leaves out do not matter or are rounding errors, which halving only makes
+   larger. The rate of the phase contains E_0. */
 VM_API int vmi_vdp_panel_is_resolved(const vmi_vdp_panel *panel, vm_real length, vm_real whole)
 {
-    const vm_real E_enough = VM_MANT_DIG > 24 ? VM_C(1e-6) : VM_C(1e-3), phase_matters = 16 * VM_EPSILON;
-    const vm_real limit = vmi_panel_limit(length, whole), phase = panel->rate[0] * VM_FABS(length);
+    const vm_real E_enough = VM_MANT_DIG > 24 ? VM_C(1e-6) : VM_C(1e-3);
+    const vm_real limit = vmi_panel_limit(length, whole);
+    const vm_real noise = vmi_panel_E_noise(panel->rate[0] * length) + panel->rounding;
     if (!(panel->laws.edge <= vmi_panel_edge_limit(limit))) return 0;
     if (!vmi_panel_is_resolved(panel->laws.inverse, limit) || !vmi_panel_is_resolved(panel->r, limit)) return 0;
     if (!vmi_panel_is_resolved(panel->laws.ratio, limit)) return 0; /* the series of the stiffness */
-    if (!vmi_panel_is_resolved(panel->rate, limit) || !vmi_panel_is_resolved(panel->first_rate, limit)) return 0;
-    return vmi_legendre_tail(panel->laws.E) <= E_enough * VM_SQRT(vmi_legendre_square(panel->laws.E)) +
-                                                   phase_matters * (1 + 1 / phase) / phase;
+    if (!vmi_vdp_rate_is_resolved(panel->rate, limit + noise)) return 0;
+    if (!vmi_vdp_rate_is_resolved(panel->first_rate, limit)) return 0;
+    return vmi_legendre_tail(panel->laws.E) <= E_enough * VM_SQRT(vmi_legendre_square(panel->laws.E)) + noise;
 }
 
 /* Advances the mean motion over a panel. */

@@ -196,15 +196,15 @@ VM_API int vmi_osc_panel_of(const vm_osc_plan *p, const vmi_osc_mean *mean, vm_r
    s. */
 VM_API int vmi_osc_panel_is_resolved(const vm_osc_plan *p, const vmi_osc_panel *panel, vm_real length, vm_real whole)
 {
-    const vm_real E_enough = VM_MANT_DIG > 24 ? VM_C(1e-6) : VM_C(1e-3), phase_matters = 16 * VM_EPSILON;
+    const vm_real E_enough = VM_MANT_DIG > 24 ? VM_C(1e-6) : VM_C(1e-3);
     const vm_real limit = vmi_panel_limit(length, whole);
     vm_real phase;
     if (!(panel->edge <= vmi_panel_edge_limit(limit))) return 0;
     if (!vmi_panel_is_resolved(panel->inverse, limit)) return 0;
     if (!vmi_panel_is_resolved(panel->ratio, limit)) return 0;
-    phase = p->mean.W * panel->ratio[0] * VM_FABS(length);
+    phase = p->mean.W * panel->ratio[0] * length;
     return vmi_legendre_tail(panel->E) <=
-           E_enough * VM_SQRT(vmi_legendre_square(panel->E)) + phase_matters * (1 + 1 / phase) / phase;
+           E_enough * VM_SQRT(vmi_legendre_square(panel->E)) + vmi_panel_E_noise(phase);
 }
 
 /* Adds what the panel contributes to mean->change and to mean->third, the bound of what order five leaves out of psi.
