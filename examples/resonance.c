@@ -135,8 +135,8 @@ static void passage(double force, double t_end, FILE *csv)
 
 /* ---- A force with a second harmonic ---- */
 
-/* The cubic oscillator under 0.08 N (cos theta + cos(2 theta)/2), near the peak where it makes `vibrations` vibrations in
-   a period of the force */
+/* The cubic oscillator under 0.08 N (cos theta + cos(2 theta)/2), near the peak where it makes `vibrations` vibrations
+   in a period of the force */
 static vm_periodic two_harmonics(int vibrations, const drifts *d)
 {
     vm_periodic p;
@@ -166,9 +166,9 @@ static vm_steady_state write_peak(const vm_periodic *p, FILE *csv)
     return peak;
 }
 
-/* The amplitude in each period of the force while nu rises, by integration. It is computed from the harmonic of x that has
-   the frequency of the resonance: this harmonic divided by the same one of ca. So the other vibrations that the force
-   causes are left out. The sweep starts on the largest steady vibration. Returns the largest amplitude. */
+/* The amplitude in each period of the force while nu rises, by integration. It is computed from the harmonic of x that
+   has the frequency of the resonance: this harmonic divided by the same one of ca. So the other vibrations that the
+   force causes are left out. The sweep starts on the largest steady vibration. Returns the largest amplitude. */
 static vm_steady_state write_sweep(vm_periodic *p, const drifts *d, double nu_end, FILE *csv)
 {
     vm_real y[3] = {0, 0, 0}, work[RK45_WORK(3)];
