@@ -60,8 +60,9 @@
      the difference.
 
    EVENTS
-     An event happens when g(t, y) reaches zero or changes its sign. The run finds its time on the continuous extension,
-     and then records it, ends there, or restarts there (ODE_RECORD, ODE_STOP, ODE_RESTART). Every event happens once,
+     An event happens when g(t, y) reaches zero or changes its sign. The run finds the time of the event on the
+     continuous extension, a polynomial that gives the state anywhere inside a step. It then records the event
+     (ODE_RECORD), ends there (ODE_STOP), or restarts there (ODE_RESTART). Every event happens once,
      also if several lie in one step, at its end or at the same instant, and after rk45_restart.
      Events whose times rounding cannot tell apart happen together: all are counted, and their `change` functions are
      called in the order of the list, before the run stops or goes on. After a stop s.y is on the far side of the zero,

@@ -55,8 +55,9 @@
      from this mean in two or three words.
      Far from 0, for m near 1 or below -20, theta functions of an imaginary phase are used [1], with the nome of 1 - m
      or 1/(1 - m), which is then at most 0.003.
-     The incomplete integrals and the inverses use Carlson's duplications and a series of order 10, the incomplete
-     integrals after a multiple of pi is subtracted from the angle. A plan has polynomials in u^2 in place of the
+     The incomplete integrals and the inverses use Carlson's duplication, which brings the arguments of an integral
+     closer together, and then a series of order 10. For the incomplete integrals a multiple of pi is first subtracted
+     from the angle. A plan has polynomials in u^2 in place of the
      series. No digits cancel, not even for m = 1.
 
    MACROS, to be defined before the include

@@ -42,7 +42,8 @@ holds the chapter and everything it needs, and nothing else. Several chapters go
 
 "Lines" counts the lines of this header, comments included. "Flash" is the size in bytes of all public functions of the
 chapter with the code and the tables that they use, on a Cortex-M4F in float, by gcc -Os; who calls fewer functions
-needs less. "Needs" names the chapters that the chapter includes itself; those of base/ are left out.
+needs less. "Needs" names the chapters that this chapter includes directly, not those that come with them; chapters of
+base/ are left out.
 
 | chapter | what it is about | lines | flash | needs |
 |---|---|---|---|---|

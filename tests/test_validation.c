@@ -16,8 +16,9 @@ static void print_head(void)
          "numbers that others have published with ours. The difference is relative, |ours - published|/|published|. A number "
          "that has few digits, or that its own source computed roughly, has a larger tolerance; the reason is beside it.\n\n"
          "Findings: no published number contradicts the kit. Three sources are less exact than they look. The output that "
-         "CVODE's rocket prints is wrong from the fourth or fifth digit on, because its tolerance is loose. The simulators of the "
-         "tumbling brick differ from each other by up to 2e-4; the two finest agree with us to 4e-11 in all rates. In the file of the "
+         "CVODE's rocket prints is wrong from the fourth or fifth digit on, because its tolerance is loose. The "
+         "simulation programs of the tumbling brick differ from each other by up to 2e-4. The two most accurate of them "
+         "agree with our angular velocities to 4e-11. In the file of the "
          "two-stage rocket a pitch moment has no source that we could find.");
 }
 

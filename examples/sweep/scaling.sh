@@ -30,7 +30,7 @@ awk -v one="$one" -v threads="$threads" -v ranks="$ranks" -v samples="$samples" 
     print "Ranks wait for the slowest one, but all blocks cost the same to within a few per cent. So if only the gathering is"
     printf "counted, the efficiency is %.0f %%.\n\n", 100 * round / (round + 0.0015)
     printf "The first limit is the file of finished blocks, which grows by 15 MB a round, %.0f MB/s. A disk that writes 200 MB/s\n", 15.7 / round
-    printf "reduces the efficiency to %.0f %%. With BLOCK = 65536 the file is a sixteenth as long, and the efficiency is %.0f %%.\n", \
+    printf "reduces the efficiency to %.0f %%. If a block has 65536 break-ups instead of 4096 (the constant\nBLOCK in breakups.c), the file is a sixteenth as long, and the efficiency is %.0f %%.\n", \
         100 * round / (round + 15.7 / 200 + 0.0015), 100 * 16 * round / (16 * round + 15.7 / 200 + 0.0015)
     print "(With another BLOCK numbers are added in another order, and the last digits of the sums change.) Every rank needs"
     print "240 bytes of memory a block, which is 60 MB for 1e9 break-ups."

@@ -56,7 +56,8 @@ function kind_of(type) {
     return "UNKNOWN"
 }
 
-function add_fields(struct, line,    parts, n, i, type, name) {
+function add_fields(struct, line,    parts, n, i, type, name, double_only) {
+    double_only = sub(/@ */, "", line) # see struct_open
     if (line ~ /\(/) parts[n = 1] = line
     else n = split(line, parts, ",")
     type = trim(parts[1])
@@ -68,6 +69,7 @@ function add_fields(struct, line,    parts, n, i, type, name) {
         field_type[struct, i_field] = D_type
         field_kind[struct, i_field] = D_kind
         field_count[struct, i_field] = D_count
+        field_in_double[struct, i_field] = double_only
     }
 }
 
@@ -162,8 +164,12 @@ line ~ /^typedef [^({]*\(\*[a-z0-9_]+\)\(/ {
     struct_open = 1
     text = ""
 }
+struct_open && /^#/ { # a field that float does not have stands between #if VM_MANT_DIG > 24 and #endif
+    double_only = /^#if VM_MANT_DIG > 24/ ? "@" : ""
+    next
+}
 struct_open {
-    text = text " " line
+    text = text " " double_only line
     if (line ~ /^}/) {
         add_struct(text)
         struct_open = 0
@@ -251,10 +257,13 @@ function entry(struct, name, kind, type, count, output) {
 
 function write_struct(type,    i, n) {
     printf "static const field fields_%s[] = {\n", type
-    for (i = 1; i <= fields[type]; i++)
+    for (i = 1; i <= fields[type]; i++) {
+        if (field_in_double[type, i]) print "#if VM_MANT_DIG > 24"
         printf "%s", entry(type, field_name[type, i], field_kind[type, i], field_type[type, i], field_count[type, i], 0)
-    printf "};\nstatic const type type_%s = {\"%s\", sizeof(%s), fields_%s, %d};\n\n", type, type, type, type,
-        fields[type]
+        if (field_in_double[type, i]) print "#endif"
+    }
+    printf "};\nstatic const type type_%s = {\"%s\", sizeof(%s), fields_%s, (int)(sizeof fields_%s / sizeof(field))};\n\n", type,
+        type, type, type, type
     filling = ""
     if (looked_up(type " *") && found != "none") put("*p = " found ";")
     else {
