@@ -41,6 +41,7 @@ slow 30 2 1 1 -1.1 1.6 "x, y"
 slow 32 2 1 1 -1.5 5 "x, y"
 gnuplot -e "folder='$folder'" examples/resonance.gp || exit 1
 echo "  $folder/resonance.svg   resonance curve under harmonic force"
+echo "  $folder/two_harmonics.svg   resonance curve under a force with a second harmonic"
 echo "  $folder/passage.svg   passage through the resonance while the mass grows"
 for figure in break transient fig18; do
     gnuplot -e "prefix='$folder/rotor'; figure='$figure'" examples/rotor.gp 2>"$folder/gnuplot.log" ||

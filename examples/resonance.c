@@ -2,11 +2,15 @@
      m x'' + x^3 = -(r m' + b) x' + force cos(theta),  theta' = nu.
    First the amplitude-frequency curve with its unstable part, against sweeps of nu up and down by direct integration,
    which jump at its folds; then the passage through the resonance while the mass grows: a strong force captures the
-   vibration until it has to let go, a weak one lets it pass.
+   vibration until it has to let go, a weak one lets it pass. Last the curve of the force
+   0.08 (cos theta + cos(2 theta)/2): its second harmonic makes a second peak, where the oscillator vibrates twice in a
+   period of the force.
 
    usage: resonance [prefix]
    writes prefix_curve.csv, blocks of nu, A, stable (both branches), then of nu, |x| at turning points (up, down);
-   and prefix_passage.csv, for each force a block of t, averaged A, backbone, one of t, |x| at turning points. */
+   prefix_passage.csv, for each force a block of t, averaged A, backbone, one of t, |x| at turning points;
+   and prefix_periodic.csv, for each of both peaks a block of nu, A, stable, one of nu, A of the backbone, and one of
+   nu, A in a sweep of nu up. */
 #include <math.h>
 #include <stdio.h>
 #include "../varmass.h"
@@ -113,7 +117,7 @@ static void passage(double force, double t_end, FILE *csv)
     double t;
     vm_forced_passage(&f, 0, 0, &at);
     slow[0] = at.A;
-    slow[1] = at.drift_ratio <= 1 ? at.delta : 0;
+    if (at.drift_ratio <= 1) slow[1] = at.delta;
     if (vm_forced_from_averaged(&f, 0, slow, y)) return;
     rk45_init(&s, vm_forced_averaged_rhs, &f, 3, 0, slow, NULL, work);
     for (t = 0; t <= t_end; t += t_end / 2000) {
@@ -129,6 +133,92 @@ static void passage(double force, double t_end, FILE *csv)
            sqrt(1 + d.mass_rate * t_end));
 }
 
+/* ---- A force with a second harmonic ---- */
+
+/* The cubic oscillator under 0.08 N (cos theta + cos(2 theta)/2), near the peak where it makes `vibrations` vibrations
+   in a period of the force */
+static vm_periodic two_harmonics(int vibrations, const drifts *d)
+{
+    vm_periodic p;
+    memset(&p, 0, sizeof p);
+    p.oscillator = cubic(0.04, 0.08, d);
+    p.cosine[1] = 1;
+    p.cosine[2] = 0.5;
+    p.vibrations = vibrations;
+    p.periods = 1;
+    vm_periodic_init(&p);
+    return p;
+}
+
+/* The steady vibrations of all phases, and the backbone, on which the frequency of the free vibration is `vibrations`
+   times that of the force. Returns the steady vibration of the largest amplitude. */
+static vm_steady_state write_peak(const vm_periodic *p, FILE *csv)
+{
+    vm_steady_state peak, s;
+    int i;
+    memset(&peak, 0, sizeof peak);
+    for (i = -2000; i < 2000; i++) {
+        if (vm_periodic_curve(p, 0, VM_PI * i / 2000, &s)) continue;
+        if (s.A > peak.A) peak = s;
+        if (csv) fprintf(csv, "%.6g,%.6g,%d\n", s.nu, s.A, s.stable);
+    }
+    if (csv) fprintf(csv, "\n\n0,0\n%.6g,%.6g\n\n\n", 1.2 * peak.nu, 1.2 * peak.A);
+    return peak;
+}
+
+/* The amplitude in each period of the force while nu rises, by integration. It is computed from the harmonic of x that
+   has the frequency of the resonance: this harmonic divided by the same one of ca. So the other vibrations that the
+   force causes are left out. The sweep starts on the largest steady vibration. Returns the largest amplitude. */
+static vm_steady_state write_sweep(vm_periodic *p, const drifts *d, double nu_end, FILE *csv)
+{
+    vm_real y[3] = {0, 0, 0}, work[RK45_WORK(3)];
+    rk45_options options = rk45_defaults(NULL);
+    vm_steady_state steady[8], peak;
+    rk45 s;
+    double t = 0, nu = d->nu0;
+    const int n = vm_periodic_steady_states(p, 0, 8, steady);
+    memset(&peak, 0, sizeof peak);
+    if (n < 1 || n > 8) return peak;
+    y[0] = steady[n - 1].A;
+    y[1] = steady[n - 1].delta;
+    if (vm_periodic_from_averaged(p, 0, y, y)) return peak;
+    options.rtol = options.atol = 1e-8;
+    rk45_init(&s, vm_periodic_rhs, p, 3, 0, y, &options, work);
+    while (nu < nu_end) {
+        double along = 0, across = 0, A;
+        int i;
+        for (i = 0; i < 64; i++) {
+            t += 2 * VM_PI / 64 / nu;
+            if (rk45_solve(&s, t) < 0) return peak;
+            along += s.y[0] * cos(p->vibrations * s.y[2]) / 32;
+            across += s.y[0] * sin(p->vibrations * s.y[2]) / 32;
+        }
+        nu = d->nu0 + d->nu_rate * t;
+        A = hypot(along, across) / p->oscillator.c[0];
+        if (A > peak.A) {
+            peak.A = A;
+            peak.nu = nu;
+        }
+        if (csv) fprintf(csv, "%.6g,%.6g\n", nu, A);
+    }
+    if (csv) fputs("\n\n", csv);
+    return peak;
+}
+
+static void second_harmonic(FILE *csv)
+{
+    static const double range[2][2] = {{0.75, 1.6}, {0.33, 0.6}}; /* rad/s, of the sweep */
+    int i;
+    puts("Resonance curve of m x'' + x^3 = -0.04 x' + 0.08 (cos(nu t) + cos(2 nu t)/2)");
+    for (i = 0; i < 2; i++) {
+        const drifts up = {range[i][0], 1e-4, 0};
+        vm_periodic p = two_harmonics(i + 1, &up);
+        const vm_steady_state peak = write_peak(&p, csv), swept = write_sweep(&p, &up, range[i][1], csv);
+        printf("  nu times %d: A_peak = %.3f at nu = %.3f; a sweep up reaches %.3f at %.3f\n",
+               i + 1, peak.A, peak.nu, swept.A, swept.nu);
+    }
+}
+
 int main(int argc, char **argv)
 {
     const char *prefix = argc > 1 ? argv[1] : NULL;
@@ -139,6 +229,9 @@ int main(int argc, char **argv)
     puts("Passage through the resonance, m = 1 + 0.003 t");
     passage(0.01, 2000, csv);
     passage(0.002, 2000, csv);
+    csv_close(csv);
+    csv = csv_open(prefix, "periodic");
+    second_harmonic(csv);
     csv_close(csv);
     return 0;
 }

@@ -1,4 +1,4 @@
-# The two figures of examples/resonance.c.
+# The three figures of examples/resonance.c.
 # gnuplot -e "folder='build/figures'" examples/resonance.gp
 set terminal svg size 860,360 font "Helvetica,13" background "white"
 set datafile separator ","
@@ -37,3 +37,23 @@ do for [weak=0:1] {
          csv index 2*weak using 1:3 with lines ls 4 title "backbone w(A) = nu"
 }
 unset multiplot
+
+csv = folder."/resonance_periodic.csv"
+set output folder."/two_harmonics.svg"
+set terminal svg size 760,440 font "Helvetica,13" background "white"
+unset title
+set key at graph 0.03,0.97 top left reverse Left samplen 3
+set xlabel "frequency of the force nu (rad/s)"
+set ylabel "amplitude A (m)"
+set xrange [0.2:1.6]
+set yrange [0:2.4]
+set style line 5 lc rgb "#888888" pt 7 ps 0.5
+set style line 6 lc rgb "black" lw 2
+set style line 7 lc rgb "black" lw 2 dt 2
+set style line 8 lc rgb "black" lw 1 dt 3
+set label 1 "2 vibrations\nin a period" at 0.57,1.2 left
+set label 2 "1 vibration\nin a period" at 1.39,1.42 left
+plot for [peak=0:1] csv index 3*peak+2 using 1:2 every 6 with points ls 5 title (peak ? "" : "integration, nu rises"), \
+     for [peak=0:1] csv index 3*peak using 1:($3 == 1 ? $2 : NaN) with lines ls 6 title (peak ? "" : "averaged, stable"), \
+     for [peak=0:1] csv index 3*peak using 1:($3 == 0 ? $2 : NaN) with lines ls 7 title (peak ? "" : "averaged, unstable"), \
+     for [peak=0:1] csv index 3*peak+1 using 1:2 with lines ls 8 title (peak ? "" : "backbone w(A) = nu, w(A) = 2 nu")
