@@ -71,8 +71,8 @@
                           static const and (x); on AVR static const PROGMEM and pgm_read_float(&(x)), so that tables
                           take no RAM
      VM_ALLOW_FAST_MATH   compile under -ffast-math or a part of it, although none of the bounds below holds then
-     VM_MIXED_PRECISIONS  link with files in the other precision. Otherwise gcc and MSVC, and clang for Windows, refuse to
-                          link a program of which some files define VM_USE_FLOAT and others do not.
+     VM_MIXED_PRECISIONS  link with files in the other precision. Otherwise gcc and MSVC, and clang for Windows, refuse
+                          to link a program of which some files define VM_USE_FLOAT and others do not.
    Names that begin with vmi_ or VMI_ are internal.
 
    OPTIONS THAT CHANGE VALUES
@@ -201,9 +201,9 @@
 #define VM_INLINE VM_API /* the code is slower than with forced inlining, but the results are the same */
 #endif
 
-/* Between VMI_QUIET_BEGIN and VMI_QUIET_END the compiler does not warn of what is meant as it stands, such as casts that
-   C and C++ both accept and comparisons with exact numbers. A project that asks for such warnings gets those of its own
-   files only. */
+/* Between VMI_QUIET_BEGIN and VMI_QUIET_END the compiler does not warn of what is meant as it stands, such as casts
+   that C and C++ both accept and comparisons with exact numbers. A project that asks for such warnings gets those of
+   its own files only. */
 #if defined(__GNUC__) && !defined(__CUDACC__)
 #define VMI_IGNORE(warning) VMI_PRAGMA(GCC diagnostic ignored warning)
 #define VMI_PRAGMA(text) _Pragma(#text)
@@ -1792,8 +1792,8 @@ VM_INLINE vm_real vmi_ateb_exp(vm_real x)
     return scale + scale * (z + z * z * vmi_ateb_exp_series(z));
 }
 
-/* Computes the logarithm to the base 2 of (2^k (1 + t)/(1 - t))^n as a sum *whole + *rest, for |t| < 0.18. *whole is n k,
-   without the last digits of n, and has no rounding error. *rest has an error of at most 2 ulp. */
+/* Computes the logarithm to the base 2 of (2^k (1 + t)/(1 - t))^n as a sum *whole + *rest, for |t| < 0.18. *whole is
+   n k, without the last digits of n, and has no rounding error. *rest has an error of at most 2 ulp. */
 VM_INLINE void vmi_ateb_log2_of_power(vm_real n, vm_real k, vm_real t, vm_real *whole, vm_real *rest)
 {
     const vm_real one_over_ln2 = VM_C(1.442695040888963407360), n_head = vmi_head(n);
@@ -1805,8 +1805,8 @@ VM_INLINE void vmi_ateb_log2_of_power(vm_real n, vm_real k, vm_real t, vm_real *
 /* The least logarithm to the base 2 for which vmi_ateb_exp2 gives a normal number */
 #define VMI_LEAST_LOG2 ((vm_real)(3 - VMI_BIAS))
 
-/* Returns 2^(whole + rest) if the sum is at least VMI_LEAST_LOG2. Method: whole + rest = k + z/ln 2 with an integer k and
-   |z| < 0.36, so that the result is 2^k (1 + z + z^2 E(z)), where E is vmi_ateb_exp_series. */
+/* Returns 2^(whole + rest) if the sum is at least VMI_LEAST_LOG2. Method: whole + rest = k + z/ln 2 with an integer k
+   and |z| < 0.36, so that the result is 2^k (1 + z + z^2 E(z)), where E is vmi_ateb_exp_series. */
 VM_INLINE vm_real vmi_ateb_exp2(vm_real whole, vm_real rest)
 {
     const vm_real ln2 = VM_C(0.69314718055994530942), to_integer = VM_C(1.5) / VM_EPSILON;
@@ -1961,10 +1961,10 @@ VM_INLINE vm_two vmi_ateb_twice_q_times(vm_two twice_q, vm_real d, vm_real d_lo)
     return y;
 }
 
-/* Returns the base y from the distances r and d of s from the zeros of sa and ca. y = 2 q d is also 1 - q z, where
-   z = 2 r - (Pi_alpha - (alpha + 1)); this form is used for r < d and y > 0.71. The low word of y matters: for a large alpha, a
-   small change of y is a large change of X = y^(alpha+1). For y < 1/2, X is so small that y.lo need not be scaled by
-   2^-k. */
+/* Returns the base y from the distances r and d of s from the zeros of sa and ca. y = 2 q d is also 1 - q z, where z
+   = 2 r - (Pi_alpha - (alpha + 1)); this form is used for r < d and y > 0.71. The low word of y matters: for a large
+   alpha, a small change of y is a large change of X = y^(alpha+1). For y < 1/2, X is so small that y.lo need not be
+   scaled by 2^-k. */
 VM_INLINE vmi_ateb_base vmi_ateb_base_of(vm_two twice_q, vm_real r, vm_real z, vm_real d, vm_real d_lo)
 {
     const vm_real sqrt_half = VM_C(0.70710678118654752), qz = twice_q.hi * (z / 2);
@@ -2549,8 +2549,8 @@ VM_INLINE vm_real vmi_ateb_plan_reduce(const ateb_plan *p, vm_real s, vmi_bits *
     return ((x - count * p->quarter_parts[0]) - count * p->quarter_parts[1]) - count * p->quarter_parts[2];
 }
 
-/* Returns 1 if `rest`, which is s minus a multiple of Pi_alpha/2, is so small that two words of Pi_alpha/2 are not enough
-   to compute it, else 0. A float plan has no more words: then the result is 0. */
+/* Returns 1 if `rest`, which is s minus a multiple of Pi_alpha/2, is so small that two words of Pi_alpha/2 are not
+   enough to compute it, else 0. A float plan has no more words: then the result is 0. */
 VM_INLINE int vmi_ateb_plan_is_close(vm_real rest, vm_real s)
 {
     return VM_MANT_DIG > 24 && VM_FABS(rest) < VMI_ATEB_FINE_REACH * VM_FABS(s);
@@ -2571,11 +2571,10 @@ VM_API vm_real vmi_ateb_plan_reduce_finely(const ateb_plan *p, vm_real x, vm_rea
     return rest; /* where count eps >= 1, the digits of x do not give the phase */
 }
 
-/* sa and ca of the argument s for the plan's alpha.
-   s may be any number. For alpha up to 1e6 and |s| <= 100 Pi_alpha, the error of a plan of full accuracy is at most 2
-   ulp (in float, next to a zero of sa or ca, 2 ulp plus the change that a change of s by 1e-13 |s| makes); any other plan
-   has the accuracy that was given to ateb_plan_init_to. The results are NaN for infinite and NaN s.
-   docs/cost.md has the time. */
+/* sa and ca of the argument s for the plan's alpha. s may be any number. For alpha up to 1e6 and |s| <= 100 Pi_alpha,
+   the error of a plan of full accuracy is at most 2 ulp (in float, next to a zero of sa or ca, 2 ulp plus the change
+   that a change of s by 1e-13 |s| makes); any other plan has the accuracy that was given to ateb_plan_init_to. The
+   results are NaN for infinite and NaN s. docs/cost.md has the time. */
 VM_API void ateb_plan_saca(const ateb_plan *p, vm_real s, vm_real *sa, vm_real *ca)
 {
     vm_real rest, near_zero, far_zero, lost, v, u;

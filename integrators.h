@@ -109,8 +109,8 @@
      VM_TABLE, VM_READ    storage of the tables, and how an element of one is read; both or none. Default: static const
                           and (x); on AVR static const PROGMEM and pgm_read_float(&(x)), so that tables take no RAM
      VM_ALLOW_FAST_MATH   compile under -ffast-math or a part of it, although the checks for NaN do not work then
-     VM_MIXED_PRECISIONS  link with files in the other precision. Otherwise gcc and MSVC, and clang for Windows, refuse to
-                          link a program of which some files define VM_USE_FLOAT and others do not.
+     VM_MIXED_PRECISIONS  link with files in the other precision. Otherwise gcc and MSVC, and clang for Windows, refuse
+                          to link a program of which some files define VM_USE_FLOAT and others do not.
    Names that begin with vmi_ or VMI_ are internal.
 
    OPTIONS THAT CHANGE VALUES
@@ -214,9 +214,9 @@
 #define VM_INLINE VM_API /* the code is slower than with forced inlining, but the results are the same */
 #endif
 
-/* Between VMI_QUIET_BEGIN and VMI_QUIET_END the compiler does not warn of what is meant as it stands, such as casts that
-   C and C++ both accept and comparisons with exact numbers. A project that asks for such warnings gets those of its own
-   files only. */
+/* Between VMI_QUIET_BEGIN and VMI_QUIET_END the compiler does not warn of what is meant as it stands, such as casts
+   that C and C++ both accept and comparisons with exact numbers. A project that asks for such warnings gets those of
+   its own files only. */
 #if defined(__GNUC__) && !defined(__CUDACC__)
 #define VMI_IGNORE(warning) VMI_PRAGMA(GCC diagnostic ignored warning)
 #define VMI_PRAGMA(text) _Pragma(#text)
@@ -2112,8 +2112,8 @@ VM_API int vmi_find_events(rk45 *s, vm_real *cut)
     return status;
 }
 
-/* Whether the state at the fraction x of the last step is finite. Between two finite states the continuous extension may
-   overflow, if they are close to the largest number of the type. Overwrites the part VMI_Z of work. */
+/* Whether the state at the fraction x of the last step is finite. Between two finite states the continuous extension
+   may overflow, if they are close to the largest number of the type. Overwrites the part VMI_Z of work. */
 VM_API int vmi_is_finite_inside(const rk45 *s, vm_real x)
 {
     vm_real *z = vmi_part(s, VMI_Z);
@@ -2998,10 +2998,12 @@ VM_API int rk87_solve_at(rk87 *s, int n_times, const vm_real *times, vm_real *ro
 
 #endif
 /* integrators/saved.h - runs that are saved as bytes and resumed later
-   A saved run has all the numbers of an rk45, of its work and of its events, but no pointers. The program that resumes
-   it calls rk45_init with the f, n, options and events of the saved run, then rk45_resume. The resumed run has the same
-   bits as a run that was not interrupted. A plain copy of an rk45 would not do: y, work, options.events and
-   options.atol_each are pointers to arrays of the caller, and f, ctx and the fields of the pair point into the program.
+
+   A saved run has all the numbers of an rk45, of its work and of its events, but no pointers. The program that
+   resumes it calls rk45_init with the f, n, options and events of the saved run, then rk45_resume. The resumed run
+   has the same bits as a run that was not interrupted. A plain copy of an rk45 would not do: y, work, options.events
+   and options.atol_each are pointers to arrays of the caller, and f, ctx and the fields of the pair point into the
+   program.
 
        unsigned char bytes[RK45_SAVED(2, 0)]; // n = 2, no events
        double y0[2] = {1, 0}, work[RK45_WORK(2)], other_work[RK45_WORK(2)];
@@ -3012,9 +3014,9 @@ VM_API int rk87_solve_at(rk87 *s, int n_times, const vm_real *times, vm_real *ro
        rk45_init(&again, spring, NULL, 2, 0.0, y0, NULL, other_work);
        rk45_resume(&again, sizeof bytes, bytes); // goes on where s is
 
-   Bytes are for the same type vm_real and the same version of this header. They are the same on every machine, so that a
-   run that was saved on one machine can be resumed on another one, with the same bits.
-   Tests: tests/test_saved_runs.c. */
+   Bytes are for the same type vm_real and the same version of this header. They are the same on every machine, so
+   that a run that was saved on one machine can be resumed on another one, with the same bits. Tests:
+   tests/test_saved_runs.c. */
 #ifndef VARMASS_INTEGRATORS_SAVED_H
 #define VARMASS_INTEGRATORS_SAVED_H
 

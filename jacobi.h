@@ -40,12 +40,13 @@
                           argument
 
    ERRORS
-     m > 1 and m1 < 0 (except in jacobi_sncndn_any and in incomplete integrals), c < 0 (the argument of the solvers),
-     NaN and infinite arguments give NaN. The incomplete integrals, jacobi_D, jacobi_Pi, the inverses and Carlson's
-     integrals return the limit at an infinite argument, and NaN where there is no limit. m = 1 gives the limits: K is infinite, E is 1, sn is tanh u, cn and dn
-     are 1/cosh u, for u = +-infinity too. A quotient at a pole is infinite. For a bad m jacobi_plan_init returns -1 and
-     leaves the plan as it was. Nothing else can fail. The functions allocate no memory and keep no state; the value of
-     errno means nothing.
+     These arguments give NaN: m > 1, or m1 < 0 in functions that take m1 = 1 - m (jacobi_sncndn_any and the incomplete
+     integrals allow them); c < 0 in the functions jacobi_solve_...; NaN and infinite numbers. The incomplete
+     integrals, jacobi_D, jacobi_Pi, the inverses and Carlson's integrals return the limit at an infinite argument, and
+     NaN where there is no limit. m = 1 gives the limits: K is infinite, E is 1, sn is tanh u, cn and dn are 1/cosh u,
+     for u = +-infinity too. A quotient at a pole is infinite. For a bad m jacobi_plan_init returns -1 and leaves the
+     plan as it was. Nothing else can fail. The functions allocate no memory and keep no state; the value of errno
+     means nothing.
 
    METHOD
      Where u^2 max(1, 1 - m) is small, cs^2(u/4 | m) is computed by its Laurent series, and two duplications [1, 5] lead
@@ -73,8 +74,8 @@
                           static const and (x); on AVR static const PROGMEM and pgm_read_float(&(x)), so that tables
                           take no RAM
      VM_ALLOW_FAST_MATH   compile under -ffast-math or a part of it, although none of the bounds below holds then
-     VM_MIXED_PRECISIONS  link with files in the other precision. Otherwise gcc and MSVC, and clang for Windows, refuse to
-                          link a program of which some files define VM_USE_FLOAT and others do not.
+     VM_MIXED_PRECISIONS  link with files in the other precision. Otherwise gcc and MSVC, and clang for Windows, refuse
+                          to link a program of which some files define VM_USE_FLOAT and others do not.
    Names that begin with vmi_ or VMI_ are internal.
 
    OPTIONS THAT CHANGE VALUES
@@ -237,9 +238,9 @@
 #define VM_INLINE VM_API /* the code is slower than with forced inlining, but the results are the same */
 #endif
 
-/* Between VMI_QUIET_BEGIN and VMI_QUIET_END the compiler does not warn of what is meant as it stands, such as casts that
-   C and C++ both accept and comparisons with exact numbers. A project that asks for such warnings gets those of its own
-   files only. */
+/* Between VMI_QUIET_BEGIN and VMI_QUIET_END the compiler does not warn of what is meant as it stands, such as casts
+   that C and C++ both accept and comparisons with exact numbers. A project that asks for such warnings gets those of
+   its own files only. */
 #if defined(__GNUC__) && !defined(__CUDACC__)
 #define VMI_IGNORE(warning) VMI_PRAGMA(GCC diagnostic ignored warning)
 #define VMI_PRAGMA(text) _Pragma(#text)
@@ -1914,10 +1915,11 @@ typedef struct VM_TAG(vmi_exponentials) {
     vm_real sine, cosine, power, lift;
 } vmi_exponentials;
 
-/* Returns the hyperbolic sine and cosine of z + z_lo, times a power of two, for 0 <= z <= VMI_LONGEST. |z_lo| is at most
-   an ulp of z. The relative errors are at most 1.3 ulp. The field lift is wrong for n > VMI_BIAS, where 2^n overflows.
-   Method: z = n ln 2 + r with |r| < 0.35. With S = sinh r and C = cosh r - 1, which polynomials in r^2 give,
-     sine = (1 - 4^-n) + (S (1 + 4^-n) + C (1 - 4^-n)),  cosine = (1 + 4^-n) + (C (1 + 4^-n) + S (1 - 4^-n)). */
+/* Returns the hyperbolic sine and cosine of z + z_lo, times a power of two, for 0 <= z <= VMI_LONGEST. |z_lo| is at
+   most an ulp of z. The relative errors are at most 1.3 ulp. The field lift is wrong for n > VMI_BIAS, where 2^n
+   overflows. Method: z = n ln 2 + r with |r| < 0.35. With S = sinh r and C = cosh r - 1, which polynomials in r^2
+   give,
+     sine = (1 - 4^-n) + (S (1 + 4^-n) + C (1 - 4^-n)),  cosine = (1 + 4^-n) + (C (1 + 4^-n) + S (1 - 4^-n)).  */
 VM_INLINE vmi_exponentials vmi_far_exponentials(vm_real z, vm_real z_lo)
 {
     const vm_real one_over_ln2 = VM_C(1.442695040888963407360), to_integer = VM_C(1.5) / VM_EPSILON;

@@ -67,8 +67,8 @@
                           take no RAM
      VM_SQRT, VM_FABS ... the functions of the C library that are used (define all of them or none)
      VM_ALLOW_FAST_MATH   compile under -ffast-math or a part of it, although no result is promised to be right then
-     VM_MIXED_PRECISIONS  link with files in the other precision. Otherwise gcc and MSVC, and clang for Windows, refuse to
-                          link a program of which some files define VM_USE_FLOAT and others do not, since a struct
+     VM_MIXED_PRECISIONS  link with files in the other precision. Otherwise gcc and MSVC, and clang for Windows, refuse
+                          to link a program of which some files define VM_USE_FLOAT and others do not, since a struct
                           that one passes to the other would be misread. In C++ every compiler refuses such a call.
 
    OPTIONS THAT CHANGE VALUES
@@ -5384,9 +5384,9 @@ VM_API void vmi_torque_free_at(const vm_torque_free *motion, vm_two t, vm_vec3 *
 /* ---- setting up ---- */
 
 /* Returns the attitude q, or a unit quaternion for it if the length of q is within 64 eps of 1. Each call of
-   vm_torque_free_rotation changes the length by up to 0.4 eps. Where each call begins with the attitude of the last one,
-   the length would go on changing in the same direction. A length that differs from 1 by at most 4 eps stays, so that
-   the bits of q stay. */
+   vm_torque_free_rotation changes the length by up to 0.4 eps. Where each call begins with the attitude of the last
+   one, the length would go on changing in the same direction. A length that differs from 1 by at most 4 eps stays, so
+   that the bits of q stay. */
 VM_API vm_quat vmi_torque_free_attitude_at_start(vm_quat q)
 {
     const vm_real excess = VM_FABS(vmi_quat_square(q) - 1); /* twice the length's difference from 1 */
@@ -7052,27 +7052,27 @@ VM_API int vm_supply_at(const vm_supply *supply, vm_real mass, vm_supply_left *l
    The vector r from one body to the other obeys r'' = -mu r/|r|^3 with mu = G (M1 + M2), if mass that leaves or joins
    has the velocity of its body (reactive = 0). vm_orbit solves this equation for constant mu (Kepler's problem), for
    ellipses, parabolas, hyperbolas and straight lines alike. vm_orbit_meshchersky solves it for Meshchersky's law
-   mu/(1 + c t), one of Gylden's problems of variable mass that have a closed form. The scene with vm_effect_gravitation
-   takes any law of mass.
+   mu/(1 + c t), one of Gylden's problems of variable mass that have a closed form. The scene with
+   vm_effect_gravitation takes any law of mass.
 
        vm_vec3 r = {7e6, 0, 0}, v = {0, 7.6e3, 0}; // m, m/s
        vm_orbit(3600, 3.986004418e14, r, v, &r, &v); // an hour later; the results may be the inputs
 
-   The equations. Lengths are in units of |r0|, times in units of sqrt(|r0|^3/mu). With sigma = r0 v0 (the dot product)
-   and beta = 2 - v0^2, and the functions of Stumpff in the form
+   The equations. Lengths are in units of |r0|, times in units of sqrt(|r0|^3/mu). With sigma = r0 v0 (the dot
+   product) and beta = 2 - v0^2, and the functions of Stumpff in the form
      G1 = s - beta s^3/3! + ..., G2 = s^2/2! - beta s^4/4! + ..., G3 = s^3/3! - beta s^5/5! + ...
-   (sines and cosines of sqrt(beta) s for beta > 0, hyperbolic ones for beta < 0), the time is t = s + sigma G2 +
-   (1 - beta) G3, and its derivative dt/ds = 1 + sigma G1 + (1 - beta) G2 is the distance R. Then
+   (sines and cosines of sqrt(beta) s for beta > 0, hyperbolic ones for beta < 0), the time is t = s + sigma G2 + (1 -
+   beta) G3, and its derivative dt/ds = 1 + sigma G1 + (1 - beta) G2 is the distance R. Then
      r = (1 - G2) r0 + (t - G3) v0,  v = -G1/R r0 + (1 - G2/R) v0.
    Meshchersky's law: with f = 1 + c t, r = f xi and the time tau = t/f, xi obeys the equation for constant mu.
-   Meshchersky's second law, mu/sqrt(1 + c t), has no function here. With f = sqrt(1 + c t), r = f xi and tau =
-   ln(1 + c t)/c it becomes, with ' = d/dtau,
+   Meshchersky's second law, mu/sqrt(1 + c t), has no function here. With f = sqrt(1 + c t), r = f xi and tau = ln(1 +
+   c t)/c it becomes, with ' = d/dtau,
      xi'' = (c^2/4) xi - mu xi/|xi|^3.
    So |xi'|^2/2 - mu/|xi| - c^2 |xi|^2/8 and the angular momentum xi x xi' are constant, and with d tau = |xi| ds the
-   distance is an elliptic function of s. But tau and the angle are elliptic integrals of the third kind, whose parameters
-   are the roots of a quartic: complex for most orbits, and of three kinds. tau(s) must be inverted by iteration, and
-   digits cancel where two roots are close, that is, next to a circle and where mu or c is small. Integration by rk87 of
-   the equation in t or in tau has none of these cases (tests/test_orbit.c, test_second_law).
+   distance is an elliptic function of s. But tau and the angle are elliptic integrals of the third kind, whose
+   parameters are the roots of a quartic: complex for most orbits, and of three kinds. tau(s) must be inverted by
+   iteration, and digits cancel where two roots are close, that is, next to a circle and where mu or c is small.
+   Integration by rk87 of the equation in t or in tau has none of these cases (tests/test_orbit.c, test_second_law).
    Tests: tests/test_orbit.c. */
 #ifndef VARMASS_MECHANICS_ORBIT_H
 #define VARMASS_MECHANICS_ORBIT_H
@@ -8037,12 +8037,12 @@ VM_API int vmi_lagrange_is_valid(const vm_lagrange_system *system)
            (system->n_masses == 0 || system->masses);
 }
 
-/* Right-hand side of Lagrange's equations with variable mass (247).
-   An ode_rhs of 2 n states: n coordinates q, then n generalized momenta pi. `lagrange` points to a vm_lagrange_system.
-   Returns 0 or an error that ends the run. The errors are VM_BAD_ARGUMENT, VM_SINGULAR if the mass matrix is not
-   positive definite, VM_NOT_FINITE if t, y or an energy is not finite, or the number that system->forces returns. The
-   mass matrix is not positive definite if, for example, a mass has become negative; use an event to stop the run before that. The
-   number of calls of system->energy grows with n^2. */
+/* Right-hand side of Lagrange's equations with variable mass (247). An ode_rhs of 2 n states: n coordinates q, then n
+   generalized momenta pi. `lagrange` points to a vm_lagrange_system. Returns 0 or an error that ends the run. The
+   errors are VM_BAD_ARGUMENT, VM_SINGULAR if the mass matrix is not positive definite, VM_NOT_FINITE if t, y or an
+   energy is not finite, or the number that system->forces returns. The mass matrix is not positive definite if, for
+   example, a mass has become negative; use an event to stop the run before that. The number of calls of
+   system->energy grows with n^2. */
 VM_API int vm_lagrange_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *lagrange)
 {
     const vm_lagrange_system *system = (const vm_lagrange_system *)lagrange;
@@ -14356,8 +14356,8 @@ VM_API vm_real vmi_orbit_mean_action(const vmi_orbit_ripple *r, const vmi_orbit 
     return orbit->j + first + second;
 }
 
-/* The mean action minus the action for a weak linear spring of stiffness 1 that acts beside the force; x is the position
-   on the orbit */
+/* The mean action minus the action for a weak linear spring of stiffness 1 that acts beside the force; x is the
+   position on the orbit */
 VM_API vm_real vmi_orbit_spring_action(const vmi_orbit_ripple *r, const vmi_orbit *orbit, vm_real x)
 {
     return (x * x - r->X) / (2 * orbit->w);
@@ -14954,8 +14954,9 @@ typedef struct VM_TAG(vmi_odd_shape) {
     vm_real rate1[4], rate3[4];
 } vmi_odd_shape;
 
-/* Writes the ratio and the rates of one of both laws. first is its value at t = 0. The first `orders` terms of the rates
-   are written; length is that of vmi_law_derivatives. Returns VM_NO_LAW where the law is 0 but not all the time. */
+/* Writes the ratio and the rates of one of both laws. first is its value at t = 0. The first `orders` terms of the
+   rates are written; length is that of vmi_law_derivatives. Returns VM_NO_LAW where the law is 0 but not all the
+   time. */
 VM_API int vmi_odd_coefficient(const vm_law *law, vm_real first, vm_real t, int side, vm_real length, int orders,
                                vm_real *ratio, vm_real *rates)
 {
@@ -14976,8 +14977,8 @@ VM_API int vmi_odd_coefficient(const vm_law *law, vm_real first, vm_real t, int 
     return VM_OK;
 }
 
-/* Reads the shape of the force at t. With orders = 1 only the rates themselves are written, with orders = 4 their series.
-   Where one coefficient is 0 all the time, the other one counts for both, so that s is 1. */
+/* Reads the shape of the force at t. With orders = 1 only the rates themselves are written, with orders = 4 their
+   series. Where one coefficient is 0 all the time, the other one counts for both, so that s is 1. */
 VM_API int vmi_odd_shape_at(const vm_odd_problem *o, vm_real t, int side, vm_real length, int orders,
                             vmi_odd_shape *shape)
 {
@@ -15238,8 +15239,8 @@ typedef struct VM_TAG(vmi_odd_nodes) {
     vm_real ratio1[VMI_GAUSS], ratio3[VMI_GAUSS];     /* series of these fields of the rates */
 } vmi_odd_nodes;
 
-/* Reads the shape of the force: its series, how well they hold at the ends, and the weak spring at the nodes. The rates at
-   the nodes must be set. */
+/* Reads the shape of the force: its series, how well they hold at the ends, and the weak spring at the nodes. The
+   rates at the nodes must be set. */
 VM_API int vmi_odd_read_shape(const vm_odd_problem *o, const vmi_odd_panel *panel, vmi_odd_nodes *at)
 {
     const vm_odd_force *force = &o->force;
@@ -16267,13 +16268,13 @@ VM_API vm_real vmi_vdp_growth(const vm_vdp *v, vm_real mass_rate, vm_real A)
 /* Whether the closed forms below may be used: whether vm_vdp_init has prepared the oscillator */
 VM_API int vmi_vdp_has_closed_forms(const vm_vdp *v) { return v->a1 > 0; }
 
-/* Amplitude of a Van der Pol oscillator at time t, in closed form for a linear mass.
-   first_A is the amplitude, m, at t = 0, of either sign. One formula stands for (422), (424), (427), (429),
-   (431)-(435), (437), as corrected, and has no singularity where terms cancel. The error is that of averaging (see
-   `method`) and that of rounding, which tests bound by 12 eps. Returns NaN for a null pointer, an oscillator that is
-   not prepared, infinite arguments, a mass that is not positive at 0 or at t, a mass that is neither linear nor
-   constant, and a stiffness that follows a law (integrate vm_vdp_averaged_rhs instead). For c < 0 it also returns NaN from the time at which the amplitude
-   becomes infinite. Method: the solution of (416) is
+/* Amplitude of a Van der Pol oscillator at time t, in closed form for a linear mass. first_A is the amplitude, m, at
+   t = 0, of either sign. One formula stands for (422), (424), (427), (429), (431)-(435), (437), as corrected, and has
+   no singularity where terms cancel. The error is that of averaging (see `method`) and that of rounding, which tests
+   bound by 12 eps. Returns NaN for a null pointer, an oscillator that is not prepared, infinite arguments, a mass
+   that is not positive at 0 or at t, a mass that is neither linear nor constant, and a stiffness that follows a law
+   (integrate vm_vdp_averaged_rhs instead). For c < 0 it also returns NaN from the time at which the amplitude becomes
+   infinite. Method: the solution of (416) is
      1/A^2 = e^-F (1/first_A^2 + 2 c a3/a1 times the integral of e^F dt/m),  F = drive a2/a1 times the integral of dt/m,
    where drive = 2 feed - (2r - 1) m'. For a linear mass F is proportional to the integral of dt/m, hence the integral
    of e^F dt/m is (e^F - 1)/F times the integral of dt/m. The code uses e^-|F| and divides by the larger of the two
@@ -16310,10 +16311,10 @@ VM_API vm_real vm_vdp_amplitude(const vm_vdp *v, vm_real t, vm_real first_A)
     return scale * VM_SQRT(numerator / denominator);
 }
 
-/* Amplitude of the limit cycle, m, while the mass changes at mass_rate (kg/s): (425), (430), (438). The stiffness must be
-   constant. The amplitude is 0 where there is no limit cycle. *stable_or_NULL becomes 1 if amplitudes near the result tend to it, else 0. The relative
-   rounding error is at most 3e-15 (float 6e-6); the error of averaging comes on top. Returns NaN for a null pointer, an
-   oscillator that is not prepared, or an infinite mass_rate. */
+/* Amplitude of the limit cycle, m, while the mass changes at mass_rate (kg/s): (425), (430), (438). The stiffness
+   must be constant. The amplitude is 0 where there is no limit cycle. *stable_or_NULL becomes 1 if amplitudes near
+   the result tend to it, else 0. The relative rounding error is at most 3e-15 (float 6e-6); the error of averaging
+   comes on top. Returns NaN for a null pointer, an oscillator that is not prepared, or an infinite mass_rate. */
 VM_API vm_real vm_vdp_limit_cycle(const vm_vdp *v, vm_real mass_rate, int *stable_or_NULL)
 {
     if (!v) return VM_NAN;
@@ -16355,11 +16356,11 @@ VM_API int vm_vdp_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *vdp)
     return VM_OK;
 }
 
-/* Averaged equations (410) of a Van der Pol oscillator, for rk45 or rk87. Mass and stiffness may follow any slow law. y = (A,
-   psi) holds the mean amplitude A, in metres, and the Ateb phase psi: x = A ca(psi), and |x| = A at the turning points.
-   vdp points to a prepared vm_vdp with the fields feed and c. For the method VM_VDP_ATEB and a start from rest, let e
-   be the largest of feed, c A^2 and m', divided by m psi'. Then, up to the time m/feed, the relative error of A is of
-   the order of e^2, and the error of psi of the order of e. The statuses are those of vm_vdp_rhs. */
+/* Averaged equations (410) of a Van der Pol oscillator, for rk45 or rk87. Mass and stiffness may follow any slow law.
+   y = (A, psi) holds the mean amplitude A, in metres, and the Ateb phase psi: x = A ca(psi), and |x| = A at the
+   turning points. vdp points to a prepared vm_vdp with the fields feed and c. For the method VM_VDP_ATEB and a start
+   from rest, let e be the largest of feed, c A^2 and m', divided by m psi'. Then, up to the time m/feed, the relative
+   error of A is of the order of e^2, and the error of psi of the order of e. The statuses are those of vm_vdp_rhs. */
 VM_API int vm_vdp_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *vdp)
 {
     if (!y || !dydt || !vdp) return VM_BAD_ARGUMENT;
@@ -17373,11 +17374,11 @@ VM_API void vmi_vdp_stay(const vm_vdp_plan *p, vm_real t, vmi_vdp_mean *mean)
     mean->t = t;
 }
 
-/* Computes the mean motion at t: in closed form if there is one, or by a walk along the laws as far as it is needed. The
-   statuses are those of vmi_vdp_mean_at. */
+/* Computes the mean motion at t: in closed form if there is one, or by a walk along the laws as far as it is needed.
+   The statuses are those of vmi_vdp_mean_at. */
 VM_API int vmi_vdp_mean_motion(const vm_vdp_plan *p, vm_real t, vmi_vdp_mean *mean)
 {
-    const vm_real extreme = VM_C(1e6); /* for larger |z|, or smaller than its inverse, the closed form divides by about 0 */
+    const vm_real extreme = VM_C(1e6); /* for |z| > extreme or < 1/extreme the closed form divides by about 0 */
     const int side = vmi_time_side(t);
     vmi_vdp_growth_course g;
     vm_real settled;
@@ -17631,14 +17632,14 @@ VM_API void vmi_vdp_cycle_coefficients(const vmi_vdp_ripple *v, const vmi_ripple
     *kx = kA / 2 + 2 / (n + 2) * (late - d.e * f.P1 + vmi_vdp_J_back_second(v, r, &f, &d)) - late * late / n;
 }
 
-/* Limit cycle of a Van der Pol oscillator of constant mass, to second order in epsilon.
-   epsilon = feed/(m W), where W is the rate of the phase, 1/s, at the amplitude A of vm_vdp_limit_cycle. Then the
-   largest x is A (1 + kx epsilon^2) and the period is 2 Pi_alpha/(W (1 + kw epsilon^2)), with kx = 1/192 and kw = -1/16
-   for alpha = 1. Both are right to O(epsilon^4). Mass and stiffness are those at t = 0; the fields method,
-   reactive and a1 to a3 do not matter. Returns VM_BAD_ARGUMENT for null pointers, an unknown method, and a mass that no
-   constructor made, VM_NOT_FINITE for numbers that are infinite or NaN, VM_BAD_MASS for a mass that is not positive,
-   VM_BAD_STIFFNESS for such a stiffness, VM_DOMAIN for alpha < 0 or a law that fails, and VM_NO_LAW where there is no limit
-   cycle, that is unless feed and c have the same sign. An error leaves *cycle untouched. */
+/* Limit cycle of a Van der Pol oscillator of constant mass, to second order in epsilon. epsilon = feed/(m W), where W
+   is the rate of the phase, 1/s, at the amplitude A of vm_vdp_limit_cycle. Then the largest x is A (1 + kx epsilon^2)
+   and the period is 2 Pi_alpha/(W (1 + kw epsilon^2)), with kx = 1/192 and kw = -1/16 for alpha = 1. Both are right
+   to O(epsilon^4). Mass and stiffness are those at t = 0; the fields method, reactive and a1 to a3 do not matter.
+   Returns VM_BAD_ARGUMENT for null pointers, an unknown method, and a mass that no constructor made, VM_NOT_FINITE
+   for numbers that are infinite or NaN, VM_BAD_MASS for a mass that is not positive, VM_BAD_STIFFNESS for such a
+   stiffness, VM_DOMAIN for alpha < 0 or a law that fails, and VM_NO_LAW where there is no limit cycle, that is unless
+   feed and c have the same sign. An error leaves *cycle untouched. */
 VM_API int vm_vdp_cycle_of(const vm_vdp *v, vm_vdp_cycle *cycle)
 {
     vmi_ripple r;
@@ -18571,10 +18572,10 @@ VM_API int vm_pair_averaged_rhs(vm_real t, const vm_real *modes, vm_real *dmodes
     return VM_OK;
 }
 
-/* Computes the averaged motion at time t by closed formulas, which hold for a mass that is linear in time. y0 holds x,
-   y, x' and y' at t = 0. `modes` receives the results in the order VMI_PAIR_..., and *m the mass at t with its integrals.
-   The averaged equations contain powers of m/m0, where m0 is the mass at t = 0. For any exponent e the integral of
-   (m/m0)^e dt is m0 (exp(u) - 1)/u times the integral of dt/m, with u = (1 + e) ln(m/m0). */
+/* Computes the averaged motion at time t by closed formulas, which hold for a mass that is linear in time. y0 holds
+   x, y, x' and y' at t = 0. `modes` receives the results in the order VMI_PAIR_..., and *m the mass at t with its
+   integrals. The averaged equations contain powers of m/m0, where m0 is the mass at t = 0. For any exponent e the
+   integral of (m/m0)^e dt is m0 (exp(u) - 1)/u times the integral of dt/m, with u = (1 + e) ln(m/m0). */
 VM_API int vmi_pair_modes_at(const vm_pair *p, vm_real t, const vm_real *y0, vmi_linear_mass *m, vm_real *modes)
 {
     const vm_real fall = (2 * p->reactive - 1) / (p->alpha + 3); /* A is proportional to (m/m0)^-fall */
@@ -18615,11 +18616,11 @@ enum {
     VM_PAIR_JACOBI = 2 /* Jacobi's cn with the exact period and the exact velocity at p = 0 */
 };
 
-/* Motion of two bodies at time t by one of the three methods of (524), so that they can be compared.
-   p = A(t) ca, A(t) cos or A(t) cn, with the mean amplitude A of vm_pair_to_averaged, whose law is the same for all
-   three, and x, y by (528), (529). `method` is VM_PAIR_ATEB, VM_PAIR_TRIG or VM_PAIR_JACOBI. Unlike vm_pair_at this
-   leaves out the ripple of the amplitude within a period, as the text does. The other arguments are those of
-   vm_pair_at. The error is that of vm_osc_approximation_errors times A/2, and of the order of m'/(m Om). Returns the statuses of
+/* Motion of two bodies at time t by one of the three methods of (524), so that they can be compared. p = A(t) ca,
+   A(t) cos or A(t) cn, with the mean amplitude A of vm_pair_to_averaged, whose law is the same for all three, and x,
+   y by (528), (529). `method` is VM_PAIR_ATEB, VM_PAIR_TRIG or VM_PAIR_JACOBI. Unlike vm_pair_at this leaves out the
+   ripple of the amplitude within a period, as the text does. The other arguments are those of vm_pair_at. The error
+   is that of vm_osc_approximation_errors times A/2, and of the order of m'/(m Om). Returns the statuses of
    vm_pair_at, and VM_BAD_ARGUMENT for a method that does not exist. y and y0 may be the same array. */
 VM_API int vm_pair_by_method(const vm_pair *p, int method, vm_real t, const vm_real *y0, vm_real *y)
 {
@@ -19076,9 +19077,9 @@ VM_API vm_real vmi_forced_ripple(const void *forced, const vmi_forced_parameters
 typedef vm_real (*vmi_ripple_of_force)(const void *object, const vmi_forced_parameters *n, vm_real A, vm_real phi,
                                        vm_real theta);
 
-/* Writes the mean amplitude A and the phase phi, rad, of a motion (x, x', theta). Three iterations solve A + ripple(A) =
-   exact, where `exact` is the amplitude at this instant. Returns VM_DOMAIN where the motion is smaller than its
-   ripple. */
+/* Writes the mean amplitude A and the phase phi, rad, of a motion (x, x', theta). Three iterations solve A +
+   ripple(A) = exact, where `exact` is the amplitude at this instant. Returns VM_DOMAIN where the motion is smaller
+   than its ripple. */
 VM_API int vmi_forced_split(const vm_forced *f, const vmi_forced_parameters *n, vmi_ripple_of_force ripple,
                             const void *object, const vm_real *motion, vm_real *A, vm_real *phi)
 {
@@ -19369,7 +19370,8 @@ VM_API int vm_forced_passage(const vm_forced *f, vm_real t, vm_real amplitude, v
    The oscillator of forced.h under a force F g(theta) with theta' = nu, where the shape g has the period 2 pi:
        m x'' + k x|x|^(alpha-1) = -(r m' + b) x' + F g(theta),   g = sum over n of a_n cos(n theta) + b_n sin(n theta)
    for n = 0 to 9. Here are the equation of motion, the exact equations of amplitude and phase, the averaged equations
-   near a resonance, and the steady vibrations with their stability. The dissertation leaves this problem to the future.
+   near a resonance, and the steady vibrations with their stability. The dissertation leaves this problem to the
+   future.
 
        vm_periodic p;
        memset(&p, 0, sizeof p);
@@ -19379,18 +19381,19 @@ VM_API int vm_forced_passage(const vm_forced *f, vm_real t, vm_real amplitude, v
        p.vibrations = p.periods = 1;   // main resonance
        int status = vm_periodic_init(&p);
 
-   Resonances. In P = vibrations periods of the oscillator fit Q = periods of the force: near the resonance the frequency
-   w(A) of the free vibration is (P/Q) nu. P = Q = 1 is the main resonance. P = 3, Q = 1 is the resonance with the third
-   harmonic of the force. P = 1, Q = 3 is a subharmonic resonance with a third of the frequency of the force, which
-   exists where alpha is not 1. The vibration has odd harmonics only, so that for even Q (in lowest terms) the averaged
-   equations contain no force.
+   Resonances. In P = vibrations periods of the oscillator fit Q = periods of the force: near the resonance the
+   frequency w(A) of the free vibration is (P/Q) nu. P = Q = 1 is the main resonance. P = 3, Q = 1 is the resonance
+   with the third harmonic of the force. P = 1, Q = 3 is a subharmonic resonance with a third of the frequency of the
+   force, which exists where alpha is not 1. The vibration has odd harmonics only, so that for even Q (in lowest
+   terms) the averaged equations contain no force.
 
-   The averaged equations. With the phase phi of the vibration, delta = phi - (P/Q) theta, and the symbols of forced.h:
+   The averaged equations. With the phase phi of the vibration, delta = phi - (P/Q) theta, and the symbols of
+   forced.h:
        A' = -q A/(alpha+3) - F/(m w) S,   delta' = w(A) - (P/Q) nu - F/(m w A) C,
        S = sum of j G_j (a_n sin(j delta) + b_n cos(j delta)),   C = sum of G_j (a_n cos(j delta) - b_n sin(j delta)),
-   over the odd j for which n = j P/Q is a whole number. G_j = Om1^2 c_j/2, with the Fourier coefficient c_j of
-   cos(j phi) in ca. Terms with j > 9 are left out; for alpha = 3 they are below 1e-7 of the first.
-   Tests: tests/test_periodic.c. */
+   over the odd j for which n = j P/Q is a whole number. G_j = Om1^2 c_j/2, with the Fourier coefficient c_j of cos(j
+   phi) in ca. Terms with j > 9 are left out; for alpha = 3 they are below 1e-7 of the first. Tests:
+   tests/test_periodic.c. */
 #ifndef VARMASS_OSCILLATORS_PERIODIC_H
 #define VARMASS_OSCILLATORS_PERIODIC_H
 
@@ -19419,10 +19422,10 @@ VM_API int vmi_periodic_at(const vm_periodic *p, vm_real t, vmi_forced_parameter
     return status;
 }
 
-/* Prepare an oscillator under a periodic force: check it at t = 0, and prepare its field `oscillator`.
-   All other functions need this call. Returns the statuses of vm_forced_init, VM_BAD_ARGUMENT also where `vibrations` or
-   `periods` is not from 1 to 9, and VM_NOT_FINITE also for a coefficient that is infinite or NaN. An error leaves *p as
-   it was. */
+/* Prepare an oscillator under a periodic force: check it at t = 0, and prepare its field `oscillator`. All other
+   functions need this call. Returns the statuses of vm_forced_init, VM_BAD_ARGUMENT also where `vibrations` or
+   `periods` is not from 1 to 9, and VM_NOT_FINITE also for a coefficient that is infinite or NaN. An error leaves *p
+   as it was. */
 VM_API int vm_periodic_init(vm_periodic *p)
 {
     vmi_forced_parameters now;
@@ -19433,12 +19436,12 @@ VM_API int vm_periodic_init(vm_periodic *p)
     return vm_forced_init(&p->oscillator);
 }
 
-/* Set the shape of a periodic force from n samples g[i] = g(2 pi i/n) over one period.
-   Writes the fields cosine and sine of *p, and no other. Harmonics of an order below n/2, up to the ninth, are computed;
-   the others become 0. The result is exact but for rounding where g has no harmonics of an order >= n/2. The samples may
-   be those of ca, of Jacobi's cn or of a rectangle; higher harmonics than the ninth excite the vibration little. The cost
-   is that of 9 n sines. Returns VM_BAD_ARGUMENT for a null pointer or n < 1, VM_NOT_FINITE for a sample that is infinite
-   or NaN, and VM_OK otherwise. An error leaves *p as it was. */
+/* Set the shape of a periodic force from n samples g[i] = g(2 pi i/n) over one period. Writes the fields cosine and
+   sine of *p, and no other. Harmonics of an order below n/2, up to the ninth, are computed; the others become 0. The
+   result is exact but for rounding where g has no harmonics of an order >= n/2. The samples may be those of ca, of
+   Jacobi's cn or of a rectangle; higher harmonics than the ninth excite the vibration little. The cost is that of 9 n
+   sines. Returns VM_BAD_ARGUMENT for a null pointer or n < 1, VM_NOT_FINITE for a sample that is infinite or NaN, and
+   VM_OK otherwise. An error leaves *p as it was. */
 VM_API int vm_periodic_from_samples(vm_periodic *p, int n, const vm_real *g)
 {
     int k, i;
@@ -19474,9 +19477,9 @@ VM_API vm_real vm_periodic_shape(const vm_periodic *p, vm_real theta)
     return g;
 }
 
-/* Equation of motion of an oscillator under a periodic force, for rk45 or rk87. y = (x, x', theta) is in m, m/s and rad;
-   periodic points to a prepared vm_periodic. The statuses are those of vm_periodic_init at the time t, and VM_DOMAIN for
-   t outside a table; they stop the run. */
+/* Equation of motion of an oscillator under a periodic force, for rk45 or rk87. y = (x, x', theta) is in m, m/s and
+   rad; periodic points to a prepared vm_periodic. The statuses are those of vm_periodic_init at the time t, and
+   VM_DOMAIN for t outside a table; they stop the run. */
 VM_API int vm_periodic_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *periodic)
 {
     if (!y || !dydt || !periodic) return VM_BAD_ARGUMENT;
@@ -19543,12 +19546,12 @@ VM_API vm_real vmi_periodic_frequency(const vm_periodic *p, vm_real nu)
     return nu * (vm_real)p->vibrations / (vm_real)p->periods;
 }
 
-/* Averaged equations of an oscillator under a periodic force near a resonance, for rk45 or rk87. They are written in the
-   text above. The state is y = (A, delta, theta): A is the mean amplitude, theta the phase of the force, and delta =
-   phi - (P/Q) theta. Start with vm_periodic_to_averaged, and end with vm_periodic_from_averaged. Let e be the largest of
-   the damping b, the mass rate m' and the force F. Near the resonance the error of x up to times of the order of 1/e is of
-   the order of e for alpha = 1, and between e and sqrt(e) for others; it is larger for motions that pass a saddle. The
-   argument periodic and the statuses are those of vm_periodic_rhs. */
+/* Averaged equations of an oscillator under a periodic force near a resonance, for rk45 or rk87. They are written in
+   the text above. The state is y = (A, delta, theta): A is the mean amplitude, theta the phase of the force, and
+   delta = phi - (P/Q) theta. Start with vm_periodic_to_averaged, and end with vm_periodic_from_averaged. Let e be the
+   largest of the damping b, the mass rate m' and the force F. Near the resonance the error of x up to times of the
+   order of 1/e is of the order of e for alpha = 1, and between e and sqrt(e) for others; it is larger for motions
+   that pass a saddle. The argument periodic and the statuses are those of vm_periodic_rhs. */
 VM_API int vm_periodic_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *periodic)
 {
     if (!y || !dydt || !periodic) return VM_BAD_ARGUMENT;
@@ -19653,8 +19656,9 @@ VM_API vmi_periodic_search vmi_periodic_search_of(const vm_periodic *p, const vm
     return search;
 }
 
-/* The sums at a phase that is counted from 0 or pi, as the field `side` says. Next to pi, S is nearly 0 and would lose
-   digits with the rounding of pi. All harmonics of the vibration are odd, so that half a turn changes the signs only. */
+/* The sums at a phase that is counted from 0 or pi, as the field `side` says. Next to pi, S is nearly 0 and would
+   lose digits with the rounding of pi. All harmonics of the vibration are odd, so that half a turn changes the signs
+   only. */
 VM_API vmi_periodic_sums vmi_periodic_sums_from(const vmi_periodic_search *s, vm_real phase)
 {
     vmi_periodic_sums sums = vmi_periodic_sums_at(s->p, phase);
@@ -19673,9 +19677,9 @@ VM_API vm_real vmi_periodic_amplitude(const vmi_resonance *z, vm_real S)
     return vmi_pow_checked(product / z->w1, 1 / (1 + z->exponent));
 }
 
-/* The excess (delta' of the averaged equations) |S| at a phase from 0 or pi, with the amplitude that A' = 0 asks for; its
-   zeros with A > 0 are the steady vibrations. It is continuous: where no amplitude has A' = 0 it goes on as the limit for
-   A -> 0. */
+/* The excess (delta' of the averaged equations) |S| at a phase from 0 or pi, with the amplitude that A' = 0 asks for;
+   its zeros with A > 0 are the steady vibrations. It is continuous: where no amplitude has A' = 0 it goes on as the
+   limit for A -> 0. */
 VM_API vm_real vmi_periodic_excess(vm_real phase, void *search)
 {
     const vmi_periodic_search *s = (const vmi_periodic_search *)search;
@@ -19710,11 +19714,11 @@ VM_API vm_steady_state vmi_periodic_state(const vmi_periodic_search *search, vm_
     return s;
 }
 
-/* Steady vibration of the phase delta under a periodic force: a point of the resonance curve.
-   Each phase, rad, belongs to at most one amplitude and one frequency nu of the force, so that a run of delta from -pi to
-   pi gives the whole curve. The field nu of *steady is this frequency; that of the oscillator is not used. All other
-   parameters are those at time t. Returns the statuses of vm_periodic_rhs, VM_NOT_FINITE also where delta is not finite,
-   and VM_DOMAIN also where no steady vibration has this phase or where q = 0: without damping and slow changes the phase
+/* Steady vibration of the phase delta under a periodic force: a point of the resonance curve. Each phase, rad,
+   belongs to at most one amplitude and one frequency nu of the force, so that a run of delta from -pi to pi gives the
+   whole curve. The field nu of *steady is this frequency; that of the oscillator is not used. All other parameters
+   are those at time t. Returns the statuses of vm_periodic_rhs, VM_NOT_FINITE also where delta is not finite, and
+   VM_DOMAIN also where no steady vibration has this phase or where q = 0: without damping and slow changes the phase
    does not determine the amplitude. An error leaves *steady as it was. */
 VM_API int vm_periodic_curve(const vm_periodic *p, vm_real t, vm_real delta, vm_steady_state *steady)
 {
@@ -19745,12 +19749,12 @@ VM_API void vmi_periodic_insert(const vm_steady_state *state, int n, int room, v
     if (i < room) steady[i] = *state;
 }
 
-/* Steady vibrations under a periodic force: amplitudes, phases, stability, near the resonance. All parameters are those
-   at time t. Writes at most `room` vibrations to steady, the smallest amplitudes first, and returns how many there are
-   (it may be more than room), or a negative status. The function looks for changes of sign between 360 phases, so that
-   two vibrations whose phases differ by less than a degree, next to a fold of the resonance curve, may be missed
-   together. The cost is that of some 4000 sines. The negative statuses are those of vm_periodic_rhs; VM_BAD_ARGUMENT also
-   means room < 0, VM_DOMAIN also q = 0, where vm_periodic_curve explains why. */
+/* Steady vibrations under a periodic force: amplitudes, phases, stability, near the resonance. All parameters are
+   those at time t. Writes at most `room` vibrations to steady, the smallest amplitudes first, and returns how many
+   there are (it may be more than room), or a negative status. The function looks for changes of sign between 360
+   phases, so that two vibrations whose phases differ by less than a degree, next to a fold of the resonance curve,
+   may be missed together. The cost is that of some 4000 sines. The negative statuses are those of vm_periodic_rhs;
+   VM_BAD_ARGUMENT also means room < 0, VM_DOMAIN also q = 0, where vm_periodic_curve explains why. */
 VM_API int vm_periodic_steady_states(const vm_periodic *p, vm_real t, int room, vm_steady_state *steady)
 {
     if (!p || !steady || room < 0) return VM_BAD_ARGUMENT;
@@ -19793,9 +19797,9 @@ VM_API int vm_periodic_steady_states(const vm_periodic *p, vm_real t, int room, 
    between them: a system of two degrees of freedom for which averaged equations exist, because each body without the
    coupling vibrates as an oscillator of one degree. For i = 0 and 1, where o is the other body:
        m_i x_i'' + k_i x_i|x_i|^(alpha_i-1) = -(r_i m_i' + b_i) x_i' + kappa (x_o - x_i) + c (x_o' - x_i')
-   m_i and k_i may vary slowly. Here are the equations of motion, the averaged equations for amplitudes and phases, and
-   the maps to and from the motion. Bodies that have no springs to the ground, on which the coupling may be strong, are in
-   coupled_pair.h.
+   m_i and k_i may vary slowly. Here are the equations of motion, the averaged equations for amplitudes and phases,
+   and the maps to and from the motion. Bodies that have no springs to the ground, on which the coupling may be
+   strong, are in coupled_pair.h.
 
        vm_grounded_pair p;
        memset(&p, 0, sizeof p);
@@ -19806,16 +19810,17 @@ VM_API int vm_periodic_steady_states(const vm_periodic *p, vm_real t, int room, 
        p.vibrations[0] = p.vibrations[1] = 1; // equal frequencies
        int status = vm_grounded_pair_init(&p);
 
-   The state of the averaged equations is (A_0, phi_0, A_1, phi_1): the mean amplitudes and the phases in radians. With
-   the symbols of forced.h, the largest velocity V = 2 Om A/(alpha+1) of a vibration, and q_i with the damping b_i + c,
+   The state of the averaged equations is (A_0, phi_0, A_1, phi_1): the mean amplitudes and the phases in radians.
+   With the symbols of forced.h, the largest velocity V = 2 Om A/(alpha+1) of a vibration, and q_i with the damping
+   b_i + c,
        A_i' = -q_i A_i/(alpha_i+3) - S_i/(m_i Om_i),
        phi_i' = w_i(A_i) + h_i kappa <ca^2> - h_i C_i/A_i,   h_i = (alpha_i+1) pi/(2 Pi_i m_i Om_i),
        S_i = sum of s_j/2 (kappa A_o c_n sin u - c V_o s_n cos u),
        C_i = sum of c_j/2 (kappa A_o c_n cos u + c V_o s_n sin u),   u = j phi_i - n phi_o,
    over the odd j, n up to 9 whose u varies slowly: those with j P_i = n P_o, where the frequencies of the two bodies
-   are as P_0 to P_1. c_j and s_j are the Fourier coefficients of ca and sa of body i, c_n and s_n those of body o. Where
-   the frequencies are in no such ratio, the sums are empty: each body then vibrates on its own.
-   Tests: tests/test_grounded_pair.c. */
+   are as P_0 to P_1. c_j and s_j are the Fourier coefficients of ca and sa of body i, c_n and s_n those of body o.
+   Where the frequencies are in no such ratio, the sums are empty: each body then vibrates on its own. Tests:
+   tests/test_grounded_pair.c. */
 #ifndef VARMASS_OSCILLATORS_GROUNDED_PAIR_H
 #define VARMASS_OSCILLATORS_GROUNDED_PAIR_H
 
@@ -19953,13 +19958,14 @@ VM_API void vmi_grounded_sums(const vm_grounded_pair *p, const vmi_grounded_body
         }
 }
 
-/* Averaged equations of two weakly coupled oscillators, for rk45 or rk87. They are written in the text above. The state
-   is y = (A_0, phi_0, A_1, phi_1), mean amplitudes (m) and phases (rad). Start with vm_grounded_pair_to_averaged, and end
-   with vm_grounded_pair_from_averaged. Let e be the largest of the couplings, dampings and mass rates. Up to times of
-   the order of 1/e the error of the amplitudes is of the order of e, and that of the positions too for alpha = 1. For
-   other alpha the positions fall behind by the phases, which depend on the amplitudes: in the tests their error is at
-   most 0.04 of the amplitude for e = 0.005, and falls more slowly than e. The equations are singular where an amplitude is 0: there integrate
-   vm_grounded_pair_rhs. The argument pair and the statuses are those of vm_grounded_pair_rhs. */
+/* Averaged equations of two weakly coupled oscillators, for rk45 or rk87. They are written in the text above. The
+   state is y = (A_0, phi_0, A_1, phi_1), mean amplitudes (m) and phases (rad). Start with
+   vm_grounded_pair_to_averaged, and end with vm_grounded_pair_from_averaged. Let e be the largest of the couplings,
+   dampings and mass rates. Up to times of the order of 1/e the error of the amplitudes is of the order of e, and that
+   of the positions too for alpha = 1. For other alpha the positions fall behind by the phases, which depend on the
+   amplitudes: in the tests their error is at most 0.04 of the amplitude for e = 0.005, and falls more slowly than e.
+   The equations are singular where an amplitude is 0: there integrate vm_grounded_pair_rhs. The argument pair and the
+   statuses are those of vm_grounded_pair_rhs. */
 VM_API int vm_grounded_pair_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *pair)
 {
     if (!y || !dydt || !pair) return VM_BAD_ARGUMENT;
@@ -19987,7 +19993,8 @@ VM_API int vm_grounded_pair_averaged_rhs(vm_real t, const vm_real *y, vm_real *d
      -(alpha+1) kappa A/(4 m Om^2) (ca^2 - <ca^2>)          by this body's own motion in the coupling,
      1/(m Om) times the sum over j and n of s_j/2 [(kappa A_o c_n cos v - c V_o s_n sin v)/(j w_i + n w_o)
        + (kappa A_o c_n cos u + c V_o s_n sin u)/(j w_i - n w_o)]    by the other body,
-   where v = j phi_i + n phi_o and u = j phi_i - n phi_o. The last quotient is left out for the pairs j, n in resonance. */
+   where v = j phi_i + n phi_o and u = j phi_i - n phi_o. The last quotient is left out for the pairs j, n in
+   resonance. */
 VM_API vm_real vmi_grounded_ripple(const vm_grounded_pair *p, const vmi_grounded_now *now, const vmi_grounded_body *b,
                                    const vm_real *A, const vm_real *phi, int i)
 {
@@ -20012,11 +20019,11 @@ VM_API vm_real vmi_grounded_ripple(const vm_grounded_pair *p, const vmi_grounded
     return A[i] / Om * own + sum / (mass * Om);
 }
 
-/* Converts a motion (x_0, x_1, x_0', x_1') of two weakly coupled oscillators to its mean y = (A_0, phi_0, A_1, phi_1).
-   The amplitudes are those without their ripple within a period. The statuses are those of vm_grounded_pair_rhs;
-   VM_NOT_FINITE also means that the motion is infinite or NaN, and VM_DOMAIN that a body moves less than its ripple, for
-   instance is at rest, or that the frequencies are in a resonance which the field vibrations does not name. y and motion
-   may be the same array. */
+/* Converts a motion (x_0, x_1, x_0', x_1') of two weakly coupled oscillators to its mean y = (A_0, phi_0, A_1,
+   phi_1). The amplitudes are those without their ripple within a period. The statuses are those of
+   vm_grounded_pair_rhs; VM_NOT_FINITE also means that the motion is infinite or NaN, and VM_DOMAIN that a body moves
+   less than its ripple, for instance is at rest, or that the frequencies are in a resonance which the field
+   vibrations does not name. y and motion may be the same array. */
 VM_API int vm_grounded_pair_to_averaged(const vm_grounded_pair *p, vm_real t, const vm_real *motion, vm_real *y)
 {
     if (!p || !motion || !y) return VM_BAD_ARGUMENT;
@@ -20045,10 +20052,10 @@ VM_API int vm_grounded_pair_to_averaged(const vm_grounded_pair *p, vm_real t, co
     return VM_OK;
 }
 
-/* Converts the mean y = (A_0, phi_0, A_1, phi_1) of two weakly coupled oscillators to the motion
-   (x_0, x_1, x_0', x_1'). This is the inverse of vm_grounded_pair_to_averaged: it puts the ripples back. The statuses
-   are those of vm_grounded_pair_rhs; VM_NOT_FINITE also means that y is infinite or NaN, and VM_DOMAIN that an amplitude
-   is not positive or smaller than its ripple. motion and y may be the same array. */
+/* Converts the mean y = (A_0, phi_0, A_1, phi_1) of two weakly coupled oscillators to the motion (x_0, x_1, x_0',
+   x_1'). This is the inverse of vm_grounded_pair_to_averaged: it puts the ripples back. The statuses are those of
+   vm_grounded_pair_rhs; VM_NOT_FINITE also means that y is infinite or NaN, and VM_DOMAIN that an amplitude is not
+   positive or smaller than its ripple. motion and y may be the same array. */
 VM_API int vm_grounded_pair_from_averaged(const vm_grounded_pair *p, vm_real t, const vm_real *y, vm_real *motion)
 {
     if (!p || !y || !motion) return VM_BAD_ARGUMENT;
@@ -22849,10 +22856,10 @@ VM_API void vm_scene_point_at(const vm_scene *scene, int body, vm_vec3 at, const
 }
 
 /* Adds a force at a point of a body, in an effect of the caller's own. It adds force, in N and inertial axes, to the
-   load of the body, and its moment about the mass centre, so that drag, wind and thrusters are a few lines of a function
-   for vm_effect_custom. `at` and y are those of vm_scene_point_at. A force on VM_GROUND changes nothing. If no body has
-   this index, scene->status becomes VM_NO_SUCH_BODY, which ends the run; if y is NULL or the scene was not started, it
-   becomes VM_BAD_ARGUMENT. If scene is NULL, nothing is done. */
+   load of the body, and its moment about the mass centre, so that drag, wind and thrusters are a few lines of a
+   function for vm_effect_custom. `at` and y are those of vm_scene_point_at. A force on VM_GROUND changes nothing. If
+   no body has this index, scene->status becomes VM_NO_SUCH_BODY, which ends the run; if y is NULL or the scene was
+   not started, it becomes VM_BAD_ARGUMENT. If scene is NULL, nothing is done. */
 VM_API void vm_scene_push_at(vm_scene *scene, int body, vm_vec3 at, const vm_real *y, vm_vec3 force)
 {
     vmi_body_point p;

@@ -109,8 +109,8 @@
      VM_TABLE, VM_READ    storage of the tables, and how an element of one is read; both or none. Default: static const
                           and (x); on AVR static const PROGMEM and pgm_read_float(&(x)), so that tables take no RAM
      VM_ALLOW_FAST_MATH   compile under -ffast-math or a part of it, although the checks for NaN do not work then
-     VM_MIXED_PRECISIONS  link with files in the other precision. Otherwise gcc and MSVC, and clang for Windows, refuse to
-                          link a program of which some files define VM_USE_FLOAT and others do not.
+     VM_MIXED_PRECISIONS  link with files in the other precision. Otherwise gcc and MSVC, and clang for Windows, refuse
+                          to link a program of which some files define VM_USE_FLOAT and others do not.
    Names that begin with vmi_ or VMI_ are internal.
 
    OPTIONS THAT CHANGE VALUES

@@ -40,12 +40,13 @@
                           argument
 
    ERRORS
-     m > 1 and m1 < 0 (except in jacobi_sncndn_any and in incomplete integrals), c < 0 (the argument of the solvers),
-     NaN and infinite arguments give NaN. The incomplete integrals, jacobi_D, jacobi_Pi, the inverses and Carlson's
-     integrals return the limit at an infinite argument, and NaN where there is no limit. m = 1 gives the limits: K is infinite, E is 1, sn is tanh u, cn and dn
-     are 1/cosh u, for u = +-infinity too. A quotient at a pole is infinite. For a bad m jacobi_plan_init returns -1 and
-     leaves the plan as it was. Nothing else can fail. The functions allocate no memory and keep no state; the value of
-     errno means nothing.
+     These arguments give NaN: m > 1, or m1 < 0 in functions that take m1 = 1 - m (jacobi_sncndn_any and the incomplete
+     integrals allow them); c < 0 in the functions jacobi_solve_...; NaN and infinite numbers. The incomplete
+     integrals, jacobi_D, jacobi_Pi, the inverses and Carlson's integrals return the limit at an infinite argument, and
+     NaN where there is no limit. m = 1 gives the limits: K is infinite, E is 1, sn is tanh u, cn and dn are 1/cosh u,
+     for u = +-infinity too. A quotient at a pole is infinite. For a bad m jacobi_plan_init returns -1 and leaves the
+     plan as it was. Nothing else can fail. The functions allocate no memory and keep no state; the value of errno
+     means nothing.
 
    METHOD
      Where u^2 max(1, 1 - m) is small, cs^2(u/4 | m) is computed by its Laurent series, and two duplications [1, 5] lead
@@ -73,8 +74,8 @@
                           static const and (x); on AVR static const PROGMEM and pgm_read_float(&(x)), so that tables
                           take no RAM
      VM_ALLOW_FAST_MATH   compile under -ffast-math or a part of it, although none of the bounds below holds then
-     VM_MIXED_PRECISIONS  link with files in the other precision. Otherwise gcc and MSVC, and clang for Windows, refuse to
-                          link a program of which some files define VM_USE_FLOAT and others do not.
+     VM_MIXED_PRECISIONS  link with files in the other precision. Otherwise gcc and MSVC, and clang for Windows, refuse
+                          to link a program of which some files define VM_USE_FLOAT and others do not.
    Names that begin with vmi_ or VMI_ are internal.
 
    OPTIONS THAT CHANGE VALUES

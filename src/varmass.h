@@ -67,8 +67,8 @@
                           take no RAM
      VM_SQRT, VM_FABS ... the functions of the C library that are used (define all of them or none)
      VM_ALLOW_FAST_MATH   compile under -ffast-math or a part of it, although no result is promised to be right then
-     VM_MIXED_PRECISIONS  link with files in the other precision. Otherwise gcc and MSVC, and clang for Windows, refuse to
-                          link a program of which some files define VM_USE_FLOAT and others do not, since a struct
+     VM_MIXED_PRECISIONS  link with files in the other precision. Otherwise gcc and MSVC, and clang for Windows, refuse
+                          to link a program of which some files define VM_USE_FLOAT and others do not, since a struct
                           that one passes to the other would be misread. In C++ every compiler refuses such a call.
 
    OPTIONS THAT CHANGE VALUES

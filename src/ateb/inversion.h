@@ -149,10 +149,10 @@ VM_INLINE vm_two vmi_ateb_twice_q_times(vm_two twice_q, vm_real d, vm_real d_lo)
     return y;
 }
 
-/* Returns the base y from the distances r and d of s from the zeros of sa and ca. y = 2 q d is also 1 - q z, where
-   z = 2 r - (Pi_alpha - (alpha + 1)); this form is used for r < d and y > 0.71. The low word of y matters: for a large alpha, a
-   small change of y is a large change of X = y^(alpha+1). For y < 1/2, X is so small that y.lo need not be scaled by
-   2^-k. */
+/* Returns the base y from the distances r and d of s from the zeros of sa and ca. y = 2 q d is also 1 - q z, where z
+   = 2 r - (Pi_alpha - (alpha + 1)); this form is used for r < d and y > 0.71. The low word of y matters: for a large
+   alpha, a small change of y is a large change of X = y^(alpha+1). For y < 1/2, X is so small that y.lo need not be
+   scaled by 2^-k. */
 VM_INLINE vmi_ateb_base vmi_ateb_base_of(vm_two twice_q, vm_real r, vm_real z, vm_real d, vm_real d_lo)
 {
     const vm_real sqrt_half = VM_C(0.70710678118654752), qz = twice_q.hi * (z / 2);

@@ -136,8 +136,8 @@ VM_INLINE vm_real vmi_ateb_plan_reduce(const ateb_plan *p, vm_real s, vmi_bits *
     return ((x - count * p->quarter_parts[0]) - count * p->quarter_parts[1]) - count * p->quarter_parts[2];
 }
 
-/* Returns 1 if `rest`, which is s minus a multiple of Pi_alpha/2, is so small that two words of Pi_alpha/2 are not enough
-   to compute it, else 0. A float plan has no more words: then the result is 0. */
+/* Returns 1 if `rest`, which is s minus a multiple of Pi_alpha/2, is so small that two words of Pi_alpha/2 are not
+   enough to compute it, else 0. A float plan has no more words: then the result is 0. */
 VM_INLINE int vmi_ateb_plan_is_close(vm_real rest, vm_real s)
 {
     return VM_MANT_DIG > 24 && VM_FABS(rest) < VMI_ATEB_FINE_REACH * VM_FABS(s);
@@ -158,11 +158,10 @@ VM_API vm_real vmi_ateb_plan_reduce_finely(const ateb_plan *p, vm_real x, vm_rea
     return rest; /* where count eps >= 1, the digits of x do not give the phase */
 }
 
-/* sa and ca of the argument s for the plan's alpha.
-   s may be any number. For alpha up to 1e6 and |s| <= 100 Pi_alpha, the error of a plan of full accuracy is at most 2
-   ulp (in float, next to a zero of sa or ca, 2 ulp plus the change that a change of s by 1e-13 |s| makes); any other plan
-   has the accuracy that was given to ateb_plan_init_to. The results are NaN for infinite and NaN s.
-   docs/cost.md has the time. */
+/* sa and ca of the argument s for the plan's alpha. s may be any number. For alpha up to 1e6 and |s| <= 100 Pi_alpha,
+   the error of a plan of full accuracy is at most 2 ulp (in float, next to a zero of sa or ca, 2 ulp plus the change
+   that a change of s by 1e-13 |s| makes); any other plan has the accuracy that was given to ateb_plan_init_to. The
+   results are NaN for infinite and NaN s. docs/cost.md has the time. */
 VM_API void ateb_plan_saca(const ateb_plan *p, vm_real s, vm_real *sa, vm_real *ca)
 {
     vm_real rest, near_zero, far_zero, lost, v, u;

@@ -120,8 +120,8 @@ VM_INLINE vm_real vmi_ateb_exp(vm_real x)
     return scale + scale * (z + z * z * vmi_ateb_exp_series(z));
 }
 
-/* Computes the logarithm to the base 2 of (2^k (1 + t)/(1 - t))^n as a sum *whole + *rest, for |t| < 0.18. *whole is n k,
-   without the last digits of n, and has no rounding error. *rest has an error of at most 2 ulp. */
+/* Computes the logarithm to the base 2 of (2^k (1 + t)/(1 - t))^n as a sum *whole + *rest, for |t| < 0.18. *whole is
+   n k, without the last digits of n, and has no rounding error. *rest has an error of at most 2 ulp. */
 VM_INLINE void vmi_ateb_log2_of_power(vm_real n, vm_real k, vm_real t, vm_real *whole, vm_real *rest)
 {
     const vm_real one_over_ln2 = VM_C(1.442695040888963407360), n_head = vmi_head(n);
@@ -133,8 +133,8 @@ VM_INLINE void vmi_ateb_log2_of_power(vm_real n, vm_real k, vm_real t, vm_real *
 /* The least logarithm to the base 2 for which vmi_ateb_exp2 gives a normal number */
 #define VMI_LEAST_LOG2 ((vm_real)(3 - VMI_BIAS))
 
-/* Returns 2^(whole + rest) if the sum is at least VMI_LEAST_LOG2. Method: whole + rest = k + z/ln 2 with an integer k and
-   |z| < 0.36, so that the result is 2^k (1 + z + z^2 E(z)), where E is vmi_ateb_exp_series. */
+/* Returns 2^(whole + rest) if the sum is at least VMI_LEAST_LOG2. Method: whole + rest = k + z/ln 2 with an integer k
+   and |z| < 0.36, so that the result is 2^k (1 + z + z^2 E(z)), where E is vmi_ateb_exp_series. */
 VM_INLINE vm_real vmi_ateb_exp2(vm_real whole, vm_real rest)
 {
     const vm_real ln2 = VM_C(0.69314718055994530942), to_integer = VM_C(1.5) / VM_EPSILON;

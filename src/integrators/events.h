@@ -438,8 +438,8 @@ VM_API int vmi_find_events(rk45 *s, vm_real *cut)
     return status;
 }
 
-/* Whether the state at the fraction x of the last step is finite. Between two finite states the continuous extension may
-   overflow, if they are close to the largest number of the type. Overwrites the part VMI_Z of work. */
+/* Whether the state at the fraction x of the last step is finite. Between two finite states the continuous extension
+   may overflow, if they are close to the largest number of the type. Overwrites the part VMI_Z of work. */
 VM_API int vmi_is_finite_inside(const rk45 *s, vm_real x)
 {
     vm_real *z = vmi_part(s, VMI_Z);

@@ -1,8 +1,10 @@
 /* integrators/saved.h - runs that are saved as bytes and resumed later
-   A saved run has all the numbers of an rk45, of its work and of its events, but no pointers. The program that resumes
-   it calls rk45_init with the f, n, options and events of the saved run, then rk45_resume. The resumed run has the same
-   bits as a run that was not interrupted. A plain copy of an rk45 would not do: y, work, options.events and
-   options.atol_each are pointers to arrays of the caller, and f, ctx and the fields of the pair point into the program.
+
+   A saved run has all the numbers of an rk45, of its work and of its events, but no pointers. The program that
+   resumes it calls rk45_init with the f, n, options and events of the saved run, then rk45_resume. The resumed run
+   has the same bits as a run that was not interrupted. A plain copy of an rk45 would not do: y, work, options.events
+   and options.atol_each are pointers to arrays of the caller, and f, ctx and the fields of the pair point into the
+   program.
 
        unsigned char bytes[RK45_SAVED(2, 0)]; // n = 2, no events
        double y0[2] = {1, 0}, work[RK45_WORK(2)], other_work[RK45_WORK(2)];
@@ -13,9 +15,9 @@
        rk45_init(&again, spring, NULL, 2, 0.0, y0, NULL, other_work);
        rk45_resume(&again, sizeof bytes, bytes); // goes on where s is
 
-   Bytes are for the same type vm_real and the same version of this header. They are the same on every machine, so that a
-   run that was saved on one machine can be resumed on another one, with the same bits.
-   Tests: tests/test_saved_runs.c. */
+   Bytes are for the same type vm_real and the same version of this header. They are the same on every machine, so
+   that a run that was saved on one machine can be resumed on another one, with the same bits. Tests:
+   tests/test_saved_runs.c. */
 #ifndef VARMASS_INTEGRATORS_SAVED_H
 #define VARMASS_INTEGRATORS_SAVED_H
 

@@ -142,10 +142,11 @@ typedef struct VM_TAG(vmi_exponentials) {
     vm_real sine, cosine, power, lift;
 } vmi_exponentials;
 
-/* Returns the hyperbolic sine and cosine of z + z_lo, times a power of two, for 0 <= z <= VMI_LONGEST. |z_lo| is at most
-   an ulp of z. The relative errors are at most 1.3 ulp. The field lift is wrong for n > VMI_BIAS, where 2^n overflows.
-   Method: z = n ln 2 + r with |r| < 0.35. With S = sinh r and C = cosh r - 1, which polynomials in r^2 give,
-     sine = (1 - 4^-n) + (S (1 + 4^-n) + C (1 - 4^-n)),  cosine = (1 + 4^-n) + (C (1 + 4^-n) + S (1 - 4^-n)). */
+/* Returns the hyperbolic sine and cosine of z + z_lo, times a power of two, for 0 <= z <= VMI_LONGEST. |z_lo| is at
+   most an ulp of z. The relative errors are at most 1.3 ulp. The field lift is wrong for n > VMI_BIAS, where 2^n
+   overflows. Method: z = n ln 2 + r with |r| < 0.35. With S = sinh r and C = cosh r - 1, which polynomials in r^2
+   give,
+     sine = (1 - 4^-n) + (S (1 + 4^-n) + C (1 - 4^-n)),  cosine = (1 + 4^-n) + (C (1 + 4^-n) + S (1 - 4^-n)).  */
 VM_INLINE vmi_exponentials vmi_far_exponentials(vm_real z, vm_real z_lo)
 {
     const vm_real one_over_ln2 = VM_C(1.442695040888963407360), to_integer = VM_C(1.5) / VM_EPSILON;

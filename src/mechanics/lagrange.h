@@ -184,12 +184,12 @@ VM_API int vmi_lagrange_is_valid(const vm_lagrange_system *system)
            (system->n_masses == 0 || system->masses);
 }
 
-/* Right-hand side of Lagrange's equations with variable mass (247).
-   An ode_rhs of 2 n states: n coordinates q, then n generalized momenta pi. `lagrange` points to a vm_lagrange_system.
-   Returns 0 or an error that ends the run. The errors are VM_BAD_ARGUMENT, VM_SINGULAR if the mass matrix is not
-   positive definite, VM_NOT_FINITE if t, y or an energy is not finite, or the number that system->forces returns. The
-   mass matrix is not positive definite if, for example, a mass has become negative; use an event to stop the run before that. The
-   number of calls of system->energy grows with n^2. */
+/* Right-hand side of Lagrange's equations with variable mass (247). An ode_rhs of 2 n states: n coordinates q, then n
+   generalized momenta pi. `lagrange` points to a vm_lagrange_system. Returns 0 or an error that ends the run. The
+   errors are VM_BAD_ARGUMENT, VM_SINGULAR if the mass matrix is not positive definite, VM_NOT_FINITE if t, y or an
+   energy is not finite, or the number that system->forces returns. The mass matrix is not positive definite if, for
+   example, a mass has become negative; use an event to stop the run before that. The number of calls of
+   system->energy grows with n^2. */
 VM_API int vm_lagrange_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *lagrange)
 {
     const vm_lagrange_system *system = (const vm_lagrange_system *)lagrange;

@@ -3,27 +3,27 @@
    The vector r from one body to the other obeys r'' = -mu r/|r|^3 with mu = G (M1 + M2), if mass that leaves or joins
    has the velocity of its body (reactive = 0). vm_orbit solves this equation for constant mu (Kepler's problem), for
    ellipses, parabolas, hyperbolas and straight lines alike. vm_orbit_meshchersky solves it for Meshchersky's law
-   mu/(1 + c t), one of Gylden's problems of variable mass that have a closed form. The scene with vm_effect_gravitation
-   takes any law of mass.
+   mu/(1 + c t), one of Gylden's problems of variable mass that have a closed form. The scene with
+   vm_effect_gravitation takes any law of mass.
 
        vm_vec3 r = {7e6, 0, 0}, v = {0, 7.6e3, 0}; // m, m/s
        vm_orbit(3600, 3.986004418e14, r, v, &r, &v); // an hour later; the results may be the inputs
 
-   The equations. Lengths are in units of |r0|, times in units of sqrt(|r0|^3/mu). With sigma = r0 v0 (the dot product)
-   and beta = 2 - v0^2, and the functions of Stumpff in the form
+   The equations. Lengths are in units of |r0|, times in units of sqrt(|r0|^3/mu). With sigma = r0 v0 (the dot
+   product) and beta = 2 - v0^2, and the functions of Stumpff in the form
      G1 = s - beta s^3/3! + ..., G2 = s^2/2! - beta s^4/4! + ..., G3 = s^3/3! - beta s^5/5! + ...
-   (sines and cosines of sqrt(beta) s for beta > 0, hyperbolic ones for beta < 0), the time is t = s + sigma G2 +
-   (1 - beta) G3, and its derivative dt/ds = 1 + sigma G1 + (1 - beta) G2 is the distance R. Then
+   (sines and cosines of sqrt(beta) s for beta > 0, hyperbolic ones for beta < 0), the time is t = s + sigma G2 + (1 -
+   beta) G3, and its derivative dt/ds = 1 + sigma G1 + (1 - beta) G2 is the distance R. Then
      r = (1 - G2) r0 + (t - G3) v0,  v = -G1/R r0 + (1 - G2/R) v0.
    Meshchersky's law: with f = 1 + c t, r = f xi and the time tau = t/f, xi obeys the equation for constant mu.
-   Meshchersky's second law, mu/sqrt(1 + c t), has no function here. With f = sqrt(1 + c t), r = f xi and tau =
-   ln(1 + c t)/c it becomes, with ' = d/dtau,
+   Meshchersky's second law, mu/sqrt(1 + c t), has no function here. With f = sqrt(1 + c t), r = f xi and tau = ln(1 +
+   c t)/c it becomes, with ' = d/dtau,
      xi'' = (c^2/4) xi - mu xi/|xi|^3.
    So |xi'|^2/2 - mu/|xi| - c^2 |xi|^2/8 and the angular momentum xi x xi' are constant, and with d tau = |xi| ds the
-   distance is an elliptic function of s. But tau and the angle are elliptic integrals of the third kind, whose parameters
-   are the roots of a quartic: complex for most orbits, and of three kinds. tau(s) must be inverted by iteration, and
-   digits cancel where two roots are close, that is, next to a circle and where mu or c is small. Integration by rk87 of
-   the equation in t or in tau has none of these cases (tests/test_orbit.c, test_second_law).
+   distance is an elliptic function of s. But tau and the angle are elliptic integrals of the third kind, whose
+   parameters are the roots of a quartic: complex for most orbits, and of three kinds. tau(s) must be inverted by
+   iteration, and digits cancel where two roots are close, that is, next to a circle and where mu or c is small.
+   Integration by rk87 of the equation in t or in tau has none of these cases (tests/test_orbit.c, test_second_law).
    Tests: tests/test_orbit.c. */
 #ifndef VARMASS_MECHANICS_ORBIT_H
 #define VARMASS_MECHANICS_ORBIT_H

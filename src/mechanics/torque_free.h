@@ -362,9 +362,9 @@ VM_API void vmi_torque_free_at(const vm_torque_free *motion, vm_two t, vm_vec3 *
 /* ---- setting up ---- */
 
 /* Returns the attitude q, or a unit quaternion for it if the length of q is within 64 eps of 1. Each call of
-   vm_torque_free_rotation changes the length by up to 0.4 eps. Where each call begins with the attitude of the last one,
-   the length would go on changing in the same direction. A length that differs from 1 by at most 4 eps stays, so that
-   the bits of q stay. */
+   vm_torque_free_rotation changes the length by up to 0.4 eps. Where each call begins with the attitude of the last
+   one, the length would go on changing in the same direction. A length that differs from 1 by at most 4 eps stays, so
+   that the bits of q stay. */
 VM_API vm_quat vmi_torque_free_attitude_at_start(vm_quat q)
 {
     const vm_real excess = VM_FABS(vmi_quat_square(q) - 1); /* twice the length's difference from 1 */

@@ -252,9 +252,9 @@ VM_API vm_real vmi_forced_ripple(const void *forced, const vmi_forced_parameters
 typedef vm_real (*vmi_ripple_of_force)(const void *object, const vmi_forced_parameters *n, vm_real A, vm_real phi,
                                        vm_real theta);
 
-/* Writes the mean amplitude A and the phase phi, rad, of a motion (x, x', theta). Three iterations solve A + ripple(A) =
-   exact, where `exact` is the amplitude at this instant. Returns VM_DOMAIN where the motion is smaller than its
-   ripple. */
+/* Writes the mean amplitude A and the phase phi, rad, of a motion (x, x', theta). Three iterations solve A +
+   ripple(A) = exact, where `exact` is the amplitude at this instant. Returns VM_DOMAIN where the motion is smaller
+   than its ripple. */
 VM_API int vmi_forced_split(const vm_forced *f, const vmi_forced_parameters *n, vmi_ripple_of_force ripple,
                             const void *object, const vm_real *motion, vm_real *A, vm_real *phi)
 {

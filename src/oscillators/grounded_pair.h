@@ -4,9 +4,9 @@
    between them: a system of two degrees of freedom for which averaged equations exist, because each body without the
    coupling vibrates as an oscillator of one degree. For i = 0 and 1, where o is the other body:
        m_i x_i'' + k_i x_i|x_i|^(alpha_i-1) = -(r_i m_i' + b_i) x_i' + kappa (x_o - x_i) + c (x_o' - x_i')
-   m_i and k_i may vary slowly. Here are the equations of motion, the averaged equations for amplitudes and phases, and
-   the maps to and from the motion. Bodies that have no springs to the ground, on which the coupling may be strong, are in
-   coupled_pair.h.
+   m_i and k_i may vary slowly. Here are the equations of motion, the averaged equations for amplitudes and phases,
+   and the maps to and from the motion. Bodies that have no springs to the ground, on which the coupling may be
+   strong, are in coupled_pair.h.
 
        vm_grounded_pair p;
        memset(&p, 0, sizeof p);
@@ -17,16 +17,17 @@
        p.vibrations[0] = p.vibrations[1] = 1; // equal frequencies
        int status = vm_grounded_pair_init(&p);
 
-   The state of the averaged equations is (A_0, phi_0, A_1, phi_1): the mean amplitudes and the phases in radians. With
-   the symbols of forced.h, the largest velocity V = 2 Om A/(alpha+1) of a vibration, and q_i with the damping b_i + c,
+   The state of the averaged equations is (A_0, phi_0, A_1, phi_1): the mean amplitudes and the phases in radians.
+   With the symbols of forced.h, the largest velocity V = 2 Om A/(alpha+1) of a vibration, and q_i with the damping
+   b_i + c,
        A_i' = -q_i A_i/(alpha_i+3) - S_i/(m_i Om_i),
        phi_i' = w_i(A_i) + h_i kappa <ca^2> - h_i C_i/A_i,   h_i = (alpha_i+1) pi/(2 Pi_i m_i Om_i),
        S_i = sum of s_j/2 (kappa A_o c_n sin u - c V_o s_n cos u),
        C_i = sum of c_j/2 (kappa A_o c_n cos u + c V_o s_n sin u),   u = j phi_i - n phi_o,
    over the odd j, n up to 9 whose u varies slowly: those with j P_i = n P_o, where the frequencies of the two bodies
-   are as P_0 to P_1. c_j and s_j are the Fourier coefficients of ca and sa of body i, c_n and s_n those of body o. Where
-   the frequencies are in no such ratio, the sums are empty: each body then vibrates on its own.
-   Tests: tests/test_grounded_pair.c. */
+   are as P_0 to P_1. c_j and s_j are the Fourier coefficients of ca and sa of body i, c_n and s_n those of body o.
+   Where the frequencies are in no such ratio, the sums are empty: each body then vibrates on its own. Tests:
+   tests/test_grounded_pair.c. */
 #ifndef VARMASS_OSCILLATORS_GROUNDED_PAIR_H
 #define VARMASS_OSCILLATORS_GROUNDED_PAIR_H
 
@@ -174,13 +175,14 @@ VM_API void vmi_grounded_sums(const vm_grounded_pair *p, const vmi_grounded_body
         }
 }
 
-/* Averaged equations of two weakly coupled oscillators, for rk45 or rk87. They are written in the text above. The state
-   is y = (A_0, phi_0, A_1, phi_1), mean amplitudes (m) and phases (rad). Start with vm_grounded_pair_to_averaged, and end
-   with vm_grounded_pair_from_averaged. Let e be the largest of the couplings, dampings and mass rates. Up to times of
-   the order of 1/e the error of the amplitudes is of the order of e, and that of the positions too for alpha = 1. For
-   other alpha the positions fall behind by the phases, which depend on the amplitudes: in the tests their error is at
-   most 0.04 of the amplitude for e = 0.005, and falls more slowly than e. The equations are singular where an amplitude is 0: there integrate
-   vm_grounded_pair_rhs. The argument pair and the statuses are those of vm_grounded_pair_rhs. */
+/* Averaged equations of two weakly coupled oscillators, for rk45 or rk87. They are written in the text above. The
+   state is y = (A_0, phi_0, A_1, phi_1), mean amplitudes (m) and phases (rad). Start with
+   vm_grounded_pair_to_averaged, and end with vm_grounded_pair_from_averaged. Let e be the largest of the couplings,
+   dampings and mass rates. Up to times of the order of 1/e the error of the amplitudes is of the order of e, and that
+   of the positions too for alpha = 1. For other alpha the positions fall behind by the phases, which depend on the
+   amplitudes: in the tests their error is at most 0.04 of the amplitude for e = 0.005, and falls more slowly than e.
+   The equations are singular where an amplitude is 0: there integrate vm_grounded_pair_rhs. The argument pair and the
+   statuses are those of vm_grounded_pair_rhs. */
 VM_API int vm_grounded_pair_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *pair)
 {
     if (!y || !dydt || !pair) return VM_BAD_ARGUMENT;
@@ -208,7 +210,8 @@ VM_API int vm_grounded_pair_averaged_rhs(vm_real t, const vm_real *y, vm_real *d
      -(alpha+1) kappa A/(4 m Om^2) (ca^2 - <ca^2>)          by this body's own motion in the coupling,
      1/(m Om) times the sum over j and n of s_j/2 [(kappa A_o c_n cos v - c V_o s_n sin v)/(j w_i + n w_o)
        + (kappa A_o c_n cos u + c V_o s_n sin u)/(j w_i - n w_o)]    by the other body,
-   where v = j phi_i + n phi_o and u = j phi_i - n phi_o. The last quotient is left out for the pairs j, n in resonance. */
+   where v = j phi_i + n phi_o and u = j phi_i - n phi_o. The last quotient is left out for the pairs j, n in
+   resonance. */
 VM_API vm_real vmi_grounded_ripple(const vm_grounded_pair *p, const vmi_grounded_now *now, const vmi_grounded_body *b,
                                    const vm_real *A, const vm_real *phi, int i)
 {
@@ -233,11 +236,11 @@ VM_API vm_real vmi_grounded_ripple(const vm_grounded_pair *p, const vmi_grounded
     return A[i] / Om * own + sum / (mass * Om);
 }
 
-/* Converts a motion (x_0, x_1, x_0', x_1') of two weakly coupled oscillators to its mean y = (A_0, phi_0, A_1, phi_1).
-   The amplitudes are those without their ripple within a period. The statuses are those of vm_grounded_pair_rhs;
-   VM_NOT_FINITE also means that the motion is infinite or NaN, and VM_DOMAIN that a body moves less than its ripple, for
-   instance is at rest, or that the frequencies are in a resonance which the field vibrations does not name. y and motion
-   may be the same array. */
+/* Converts a motion (x_0, x_1, x_0', x_1') of two weakly coupled oscillators to its mean y = (A_0, phi_0, A_1,
+   phi_1). The amplitudes are those without their ripple within a period. The statuses are those of
+   vm_grounded_pair_rhs; VM_NOT_FINITE also means that the motion is infinite or NaN, and VM_DOMAIN that a body moves
+   less than its ripple, for instance is at rest, or that the frequencies are in a resonance which the field
+   vibrations does not name. y and motion may be the same array. */
 VM_API int vm_grounded_pair_to_averaged(const vm_grounded_pair *p, vm_real t, const vm_real *motion, vm_real *y)
 {
     if (!p || !motion || !y) return VM_BAD_ARGUMENT;
@@ -266,10 +269,10 @@ VM_API int vm_grounded_pair_to_averaged(const vm_grounded_pair *p, vm_real t, co
     return VM_OK;
 }
 
-/* Converts the mean y = (A_0, phi_0, A_1, phi_1) of two weakly coupled oscillators to the motion
-   (x_0, x_1, x_0', x_1'). This is the inverse of vm_grounded_pair_to_averaged: it puts the ripples back. The statuses
-   are those of vm_grounded_pair_rhs; VM_NOT_FINITE also means that y is infinite or NaN, and VM_DOMAIN that an amplitude
-   is not positive or smaller than its ripple. motion and y may be the same array. */
+/* Converts the mean y = (A_0, phi_0, A_1, phi_1) of two weakly coupled oscillators to the motion (x_0, x_1, x_0',
+   x_1'). This is the inverse of vm_grounded_pair_to_averaged: it puts the ripples back. The statuses are those of
+   vm_grounded_pair_rhs; VM_NOT_FINITE also means that y is infinite or NaN, and VM_DOMAIN that an amplitude is not
+   positive or smaller than its ripple. motion and y may be the same array. */
 VM_API int vm_grounded_pair_from_averaged(const vm_grounded_pair *p, vm_real t, const vm_real *y, vm_real *motion)
 {
     if (!p || !y || !motion) return VM_BAD_ARGUMENT;

@@ -131,8 +131,9 @@ typedef struct VM_TAG(vmi_odd_shape) {
     vm_real rate1[4], rate3[4];
 } vmi_odd_shape;
 
-/* Writes the ratio and the rates of one of both laws. first is its value at t = 0. The first `orders` terms of the rates
-   are written; length is that of vmi_law_derivatives. Returns VM_NO_LAW where the law is 0 but not all the time. */
+/* Writes the ratio and the rates of one of both laws. first is its value at t = 0. The first `orders` terms of the
+   rates are written; length is that of vmi_law_derivatives. Returns VM_NO_LAW where the law is 0 but not all the
+   time. */
 VM_API int vmi_odd_coefficient(const vm_law *law, vm_real first, vm_real t, int side, vm_real length, int orders,
                                vm_real *ratio, vm_real *rates)
 {
@@ -153,8 +154,8 @@ VM_API int vmi_odd_coefficient(const vm_law *law, vm_real first, vm_real t, int 
     return VM_OK;
 }
 
-/* Reads the shape of the force at t. With orders = 1 only the rates themselves are written, with orders = 4 their series.
-   Where one coefficient is 0 all the time, the other one counts for both, so that s is 1. */
+/* Reads the shape of the force at t. With orders = 1 only the rates themselves are written, with orders = 4 their
+   series. Where one coefficient is 0 all the time, the other one counts for both, so that s is 1. */
 VM_API int vmi_odd_shape_at(const vm_odd_problem *o, vm_real t, int side, vm_real length, int orders,
                             vmi_odd_shape *shape)
 {

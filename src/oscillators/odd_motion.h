@@ -157,8 +157,8 @@ typedef struct VM_TAG(vmi_odd_nodes) {
     vm_real ratio1[VMI_GAUSS], ratio3[VMI_GAUSS];     /* series of these fields of the rates */
 } vmi_odd_nodes;
 
-/* Reads the shape of the force: its series, how well they hold at the ends, and the weak spring at the nodes. The rates at
-   the nodes must be set. */
+/* Reads the shape of the force: its series, how well they hold at the ends, and the weak spring at the nodes. The
+   rates at the nodes must be set. */
 VM_API int vmi_odd_read_shape(const vm_odd_problem *o, const vmi_odd_panel *panel, vmi_odd_nodes *at)
 {
     const vm_odd_force *force = &o->force;

@@ -173,10 +173,10 @@ VM_API int vm_pair_averaged_rhs(vm_real t, const vm_real *modes, vm_real *dmodes
     return VM_OK;
 }
 
-/* Computes the averaged motion at time t by closed formulas, which hold for a mass that is linear in time. y0 holds x,
-   y, x' and y' at t = 0. `modes` receives the results in the order VMI_PAIR_..., and *m the mass at t with its integrals.
-   The averaged equations contain powers of m/m0, where m0 is the mass at t = 0. For any exponent e the integral of
-   (m/m0)^e dt is m0 (exp(u) - 1)/u times the integral of dt/m, with u = (1 + e) ln(m/m0). */
+/* Computes the averaged motion at time t by closed formulas, which hold for a mass that is linear in time. y0 holds
+   x, y, x' and y' at t = 0. `modes` receives the results in the order VMI_PAIR_..., and *m the mass at t with its
+   integrals. The averaged equations contain powers of m/m0, where m0 is the mass at t = 0. For any exponent e the
+   integral of (m/m0)^e dt is m0 (exp(u) - 1)/u times the integral of dt/m, with u = (1 + e) ln(m/m0). */
 VM_API int vmi_pair_modes_at(const vm_pair *p, vm_real t, const vm_real *y0, vmi_linear_mass *m, vm_real *modes)
 {
     const vm_real fall = (2 * p->reactive - 1) / (p->alpha + 3); /* A is proportional to (m/m0)^-fall */
@@ -217,11 +217,11 @@ enum {
     VM_PAIR_JACOBI = 2 /* Jacobi's cn with the exact period and the exact velocity at p = 0 */
 };
 
-/* Motion of two bodies at time t by one of the three methods of (524), so that they can be compared.
-   p = A(t) ca, A(t) cos or A(t) cn, with the mean amplitude A of vm_pair_to_averaged, whose law is the same for all
-   three, and x, y by (528), (529). `method` is VM_PAIR_ATEB, VM_PAIR_TRIG or VM_PAIR_JACOBI. Unlike vm_pair_at this
-   leaves out the ripple of the amplitude within a period, as the text does. The other arguments are those of
-   vm_pair_at. The error is that of vm_osc_approximation_errors times A/2, and of the order of m'/(m Om). Returns the statuses of
+/* Motion of two bodies at time t by one of the three methods of (524), so that they can be compared. p = A(t) ca,
+   A(t) cos or A(t) cn, with the mean amplitude A of vm_pair_to_averaged, whose law is the same for all three, and x,
+   y by (528), (529). `method` is VM_PAIR_ATEB, VM_PAIR_TRIG or VM_PAIR_JACOBI. Unlike vm_pair_at this leaves out the
+   ripple of the amplitude within a period, as the text does. The other arguments are those of vm_pair_at. The error
+   is that of vm_osc_approximation_errors times A/2, and of the order of m'/(m Om). Returns the statuses of
    vm_pair_at, and VM_BAD_ARGUMENT for a method that does not exist. y and y0 may be the same array. */
 VM_API int vm_pair_by_method(const vm_pair *p, int method, vm_real t, const vm_real *y0, vm_real *y)
 {

@@ -3,7 +3,8 @@
    The oscillator of forced.h under a force F g(theta) with theta' = nu, where the shape g has the period 2 pi:
        m x'' + k x|x|^(alpha-1) = -(r m' + b) x' + F g(theta),   g = sum over n of a_n cos(n theta) + b_n sin(n theta)
    for n = 0 to 9. Here are the equation of motion, the exact equations of amplitude and phase, the averaged equations
-   near a resonance, and the steady vibrations with their stability. The dissertation leaves this problem to the future.
+   near a resonance, and the steady vibrations with their stability. The dissertation leaves this problem to the
+   future.
 
        vm_periodic p;
        memset(&p, 0, sizeof p);
@@ -13,18 +14,19 @@
        p.vibrations = p.periods = 1;   // main resonance
        int status = vm_periodic_init(&p);
 
-   Resonances. In P = vibrations periods of the oscillator fit Q = periods of the force: near the resonance the frequency
-   w(A) of the free vibration is (P/Q) nu. P = Q = 1 is the main resonance. P = 3, Q = 1 is the resonance with the third
-   harmonic of the force. P = 1, Q = 3 is a subharmonic resonance with a third of the frequency of the force, which
-   exists where alpha is not 1. The vibration has odd harmonics only, so that for even Q (in lowest terms) the averaged
-   equations contain no force.
+   Resonances. In P = vibrations periods of the oscillator fit Q = periods of the force: near the resonance the
+   frequency w(A) of the free vibration is (P/Q) nu. P = Q = 1 is the main resonance. P = 3, Q = 1 is the resonance
+   with the third harmonic of the force. P = 1, Q = 3 is a subharmonic resonance with a third of the frequency of the
+   force, which exists where alpha is not 1. The vibration has odd harmonics only, so that for even Q (in lowest
+   terms) the averaged equations contain no force.
 
-   The averaged equations. With the phase phi of the vibration, delta = phi - (P/Q) theta, and the symbols of forced.h:
+   The averaged equations. With the phase phi of the vibration, delta = phi - (P/Q) theta, and the symbols of
+   forced.h:
        A' = -q A/(alpha+3) - F/(m w) S,   delta' = w(A) - (P/Q) nu - F/(m w A) C,
        S = sum of j G_j (a_n sin(j delta) + b_n cos(j delta)),   C = sum of G_j (a_n cos(j delta) - b_n sin(j delta)),
-   over the odd j for which n = j P/Q is a whole number. G_j = Om1^2 c_j/2, with the Fourier coefficient c_j of
-   cos(j phi) in ca. Terms with j > 9 are left out; for alpha = 3 they are below 1e-7 of the first.
-   Tests: tests/test_periodic.c. */
+   over the odd j for which n = j P/Q is a whole number. G_j = Om1^2 c_j/2, with the Fourier coefficient c_j of cos(j
+   phi) in ca. Terms with j > 9 are left out; for alpha = 3 they are below 1e-7 of the first. Tests:
+   tests/test_periodic.c. */
 #ifndef VARMASS_OSCILLATORS_PERIODIC_H
 #define VARMASS_OSCILLATORS_PERIODIC_H
 
@@ -63,10 +65,10 @@ VM_API int vmi_periodic_at(const vm_periodic *p, vm_real t, vmi_forced_parameter
     return status;
 }
 
-/* Prepare an oscillator under a periodic force: check it at t = 0, and prepare its field `oscillator`.
-   All other functions need this call. Returns the statuses of vm_forced_init, VM_BAD_ARGUMENT also where `vibrations` or
-   `periods` is not from 1 to 9, and VM_NOT_FINITE also for a coefficient that is infinite or NaN. An error leaves *p as
-   it was. */
+/* Prepare an oscillator under a periodic force: check it at t = 0, and prepare its field `oscillator`. All other
+   functions need this call. Returns the statuses of vm_forced_init, VM_BAD_ARGUMENT also where `vibrations` or
+   `periods` is not from 1 to 9, and VM_NOT_FINITE also for a coefficient that is infinite or NaN. An error leaves *p
+   as it was. */
 VM_API int vm_periodic_init(vm_periodic *p)
 {
     vmi_forced_parameters now;
@@ -77,12 +79,12 @@ VM_API int vm_periodic_init(vm_periodic *p)
     return vm_forced_init(&p->oscillator);
 }
 
-/* Set the shape of a periodic force from n samples g[i] = g(2 pi i/n) over one period.
-   Writes the fields cosine and sine of *p, and no other. Harmonics of an order below n/2, up to the ninth, are computed;
-   the others become 0. The result is exact but for rounding where g has no harmonics of an order >= n/2. The samples may
-   be those of ca, of Jacobi's cn or of a rectangle; higher harmonics than the ninth excite the vibration little. The cost
-   is that of 9 n sines. Returns VM_BAD_ARGUMENT for a null pointer or n < 1, VM_NOT_FINITE for a sample that is infinite
-   or NaN, and VM_OK otherwise. An error leaves *p as it was. */
+/* Set the shape of a periodic force from n samples g[i] = g(2 pi i/n) over one period. Writes the fields cosine and
+   sine of *p, and no other. Harmonics of an order below n/2, up to the ninth, are computed; the others become 0. The
+   result is exact but for rounding where g has no harmonics of an order >= n/2. The samples may be those of ca, of
+   Jacobi's cn or of a rectangle; higher harmonics than the ninth excite the vibration little. The cost is that of 9 n
+   sines. Returns VM_BAD_ARGUMENT for a null pointer or n < 1, VM_NOT_FINITE for a sample that is infinite or NaN, and
+   VM_OK otherwise. An error leaves *p as it was. */
 VM_API int vm_periodic_from_samples(vm_periodic *p, int n, const vm_real *g)
 {
     int k, i;
@@ -118,9 +120,9 @@ VM_API vm_real vm_periodic_shape(const vm_periodic *p, vm_real theta)
     return g;
 }
 
-/* Equation of motion of an oscillator under a periodic force, for rk45 or rk87. y = (x, x', theta) is in m, m/s and rad;
-   periodic points to a prepared vm_periodic. The statuses are those of vm_periodic_init at the time t, and VM_DOMAIN for
-   t outside a table; they stop the run. */
+/* Equation of motion of an oscillator under a periodic force, for rk45 or rk87. y = (x, x', theta) is in m, m/s and
+   rad; periodic points to a prepared vm_periodic. The statuses are those of vm_periodic_init at the time t, and
+   VM_DOMAIN for t outside a table; they stop the run. */
 VM_API int vm_periodic_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *periodic)
 {
     if (!y || !dydt || !periodic) return VM_BAD_ARGUMENT;
@@ -187,12 +189,12 @@ VM_API vm_real vmi_periodic_frequency(const vm_periodic *p, vm_real nu)
     return nu * (vm_real)p->vibrations / (vm_real)p->periods;
 }
 
-/* Averaged equations of an oscillator under a periodic force near a resonance, for rk45 or rk87. They are written in the
-   text above. The state is y = (A, delta, theta): A is the mean amplitude, theta the phase of the force, and delta =
-   phi - (P/Q) theta. Start with vm_periodic_to_averaged, and end with vm_periodic_from_averaged. Let e be the largest of
-   the damping b, the mass rate m' and the force F. Near the resonance the error of x up to times of the order of 1/e is of
-   the order of e for alpha = 1, and between e and sqrt(e) for others; it is larger for motions that pass a saddle. The
-   argument periodic and the statuses are those of vm_periodic_rhs. */
+/* Averaged equations of an oscillator under a periodic force near a resonance, for rk45 or rk87. They are written in
+   the text above. The state is y = (A, delta, theta): A is the mean amplitude, theta the phase of the force, and
+   delta = phi - (P/Q) theta. Start with vm_periodic_to_averaged, and end with vm_periodic_from_averaged. Let e be the
+   largest of the damping b, the mass rate m' and the force F. Near the resonance the error of x up to times of the
+   order of 1/e is of the order of e for alpha = 1, and between e and sqrt(e) for others; it is larger for motions
+   that pass a saddle. The argument periodic and the statuses are those of vm_periodic_rhs. */
 VM_API int vm_periodic_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *periodic)
 {
     if (!y || !dydt || !periodic) return VM_BAD_ARGUMENT;
@@ -297,8 +299,9 @@ VM_API vmi_periodic_search vmi_periodic_search_of(const vm_periodic *p, const vm
     return search;
 }
 
-/* The sums at a phase that is counted from 0 or pi, as the field `side` says. Next to pi, S is nearly 0 and would lose
-   digits with the rounding of pi. All harmonics of the vibration are odd, so that half a turn changes the signs only. */
+/* The sums at a phase that is counted from 0 or pi, as the field `side` says. Next to pi, S is nearly 0 and would
+   lose digits with the rounding of pi. All harmonics of the vibration are odd, so that half a turn changes the signs
+   only. */
 VM_API vmi_periodic_sums vmi_periodic_sums_from(const vmi_periodic_search *s, vm_real phase)
 {
     vmi_periodic_sums sums = vmi_periodic_sums_at(s->p, phase);
@@ -317,9 +320,9 @@ VM_API vm_real vmi_periodic_amplitude(const vmi_resonance *z, vm_real S)
     return vmi_pow_checked(product / z->w1, 1 / (1 + z->exponent));
 }
 
-/* The excess (delta' of the averaged equations) |S| at a phase from 0 or pi, with the amplitude that A' = 0 asks for; its
-   zeros with A > 0 are the steady vibrations. It is continuous: where no amplitude has A' = 0 it goes on as the limit for
-   A -> 0. */
+/* The excess (delta' of the averaged equations) |S| at a phase from 0 or pi, with the amplitude that A' = 0 asks for;
+   its zeros with A > 0 are the steady vibrations. It is continuous: where no amplitude has A' = 0 it goes on as the
+   limit for A -> 0. */
 VM_API vm_real vmi_periodic_excess(vm_real phase, void *search)
 {
     const vmi_periodic_search *s = (const vmi_periodic_search *)search;
@@ -354,11 +357,11 @@ VM_API vm_steady_state vmi_periodic_state(const vmi_periodic_search *search, vm_
     return s;
 }
 
-/* Steady vibration of the phase delta under a periodic force: a point of the resonance curve.
-   Each phase, rad, belongs to at most one amplitude and one frequency nu of the force, so that a run of delta from -pi to
-   pi gives the whole curve. The field nu of *steady is this frequency; that of the oscillator is not used. All other
-   parameters are those at time t. Returns the statuses of vm_periodic_rhs, VM_NOT_FINITE also where delta is not finite,
-   and VM_DOMAIN also where no steady vibration has this phase or where q = 0: without damping and slow changes the phase
+/* Steady vibration of the phase delta under a periodic force: a point of the resonance curve. Each phase, rad,
+   belongs to at most one amplitude and one frequency nu of the force, so that a run of delta from -pi to pi gives the
+   whole curve. The field nu of *steady is this frequency; that of the oscillator is not used. All other parameters
+   are those at time t. Returns the statuses of vm_periodic_rhs, VM_NOT_FINITE also where delta is not finite, and
+   VM_DOMAIN also where no steady vibration has this phase or where q = 0: without damping and slow changes the phase
    does not determine the amplitude. An error leaves *steady as it was. */
 VM_API int vm_periodic_curve(const vm_periodic *p, vm_real t, vm_real delta, vm_steady_state *steady)
 {
@@ -389,12 +392,12 @@ VM_API void vmi_periodic_insert(const vm_steady_state *state, int n, int room, v
     if (i < room) steady[i] = *state;
 }
 
-/* Steady vibrations under a periodic force: amplitudes, phases, stability, near the resonance. All parameters are those
-   at time t. Writes at most `room` vibrations to steady, the smallest amplitudes first, and returns how many there are
-   (it may be more than room), or a negative status. The function looks for changes of sign between 360 phases, so that
-   two vibrations whose phases differ by less than a degree, next to a fold of the resonance curve, may be missed
-   together. The cost is that of some 4000 sines. The negative statuses are those of vm_periodic_rhs; VM_BAD_ARGUMENT also
-   means room < 0, VM_DOMAIN also q = 0, where vm_periodic_curve explains why. */
+/* Steady vibrations under a periodic force: amplitudes, phases, stability, near the resonance. All parameters are
+   those at time t. Writes at most `room` vibrations to steady, the smallest amplitudes first, and returns how many
+   there are (it may be more than room), or a negative status. The function looks for changes of sign between 360
+   phases, so that two vibrations whose phases differ by less than a degree, next to a fold of the resonance curve,
+   may be missed together. The cost is that of some 4000 sines. The negative statuses are those of vm_periodic_rhs;
+   VM_BAD_ARGUMENT also means room < 0, VM_DOMAIN also q = 0, where vm_periodic_curve explains why. */
 VM_API int vm_periodic_steady_states(const vm_periodic *p, vm_real t, int room, vm_steady_state *steady)
 {
     if (!p || !steady || room < 0) return VM_BAD_ARGUMENT;

@@ -125,13 +125,13 @@ VM_API vm_real vmi_vdp_growth(const vm_vdp *v, vm_real mass_rate, vm_real A)
 /* Whether the closed forms below may be used: whether vm_vdp_init has prepared the oscillator */
 VM_API int vmi_vdp_has_closed_forms(const vm_vdp *v) { return v->a1 > 0; }
 
-/* Amplitude of a Van der Pol oscillator at time t, in closed form for a linear mass.
-   first_A is the amplitude, m, at t = 0, of either sign. One formula stands for (422), (424), (427), (429),
-   (431)-(435), (437), as corrected, and has no singularity where terms cancel. The error is that of averaging (see
-   `method`) and that of rounding, which tests bound by 12 eps. Returns NaN for a null pointer, an oscillator that is
-   not prepared, infinite arguments, a mass that is not positive at 0 or at t, a mass that is neither linear nor
-   constant, and a stiffness that follows a law (integrate vm_vdp_averaged_rhs instead). For c < 0 it also returns NaN from the time at which the amplitude
-   becomes infinite. Method: the solution of (416) is
+/* Amplitude of a Van der Pol oscillator at time t, in closed form for a linear mass. first_A is the amplitude, m, at
+   t = 0, of either sign. One formula stands for (422), (424), (427), (429), (431)-(435), (437), as corrected, and has
+   no singularity where terms cancel. The error is that of averaging (see `method`) and that of rounding, which tests
+   bound by 12 eps. Returns NaN for a null pointer, an oscillator that is not prepared, infinite arguments, a mass
+   that is not positive at 0 or at t, a mass that is neither linear nor constant, and a stiffness that follows a law
+   (integrate vm_vdp_averaged_rhs instead). For c < 0 it also returns NaN from the time at which the amplitude becomes
+   infinite. Method: the solution of (416) is
      1/A^2 = e^-F (1/first_A^2 + 2 c a3/a1 times the integral of e^F dt/m),  F = drive a2/a1 times the integral of dt/m,
    where drive = 2 feed - (2r - 1) m'. For a linear mass F is proportional to the integral of dt/m, hence the integral
    of e^F dt/m is (e^F - 1)/F times the integral of dt/m. The code uses e^-|F| and divides by the larger of the two
@@ -168,10 +168,10 @@ VM_API vm_real vm_vdp_amplitude(const vm_vdp *v, vm_real t, vm_real first_A)
     return scale * VM_SQRT(numerator / denominator);
 }
 
-/* Amplitude of the limit cycle, m, while the mass changes at mass_rate (kg/s): (425), (430), (438). The stiffness must be
-   constant. The amplitude is 0 where there is no limit cycle. *stable_or_NULL becomes 1 if amplitudes near the result tend to it, else 0. The relative
-   rounding error is at most 3e-15 (float 6e-6); the error of averaging comes on top. Returns NaN for a null pointer, an
-   oscillator that is not prepared, or an infinite mass_rate. */
+/* Amplitude of the limit cycle, m, while the mass changes at mass_rate (kg/s): (425), (430), (438). The stiffness
+   must be constant. The amplitude is 0 where there is no limit cycle. *stable_or_NULL becomes 1 if amplitudes near
+   the result tend to it, else 0. The relative rounding error is at most 3e-15 (float 6e-6); the error of averaging
+   comes on top. Returns NaN for a null pointer, an oscillator that is not prepared, or an infinite mass_rate. */
 VM_API vm_real vm_vdp_limit_cycle(const vm_vdp *v, vm_real mass_rate, int *stable_or_NULL)
 {
     if (!v) return VM_NAN;
@@ -213,11 +213,11 @@ VM_API int vm_vdp_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *vdp)
     return VM_OK;
 }
 
-/* Averaged equations (410) of a Van der Pol oscillator, for rk45 or rk87. Mass and stiffness may follow any slow law. y = (A,
-   psi) holds the mean amplitude A, in metres, and the Ateb phase psi: x = A ca(psi), and |x| = A at the turning points.
-   vdp points to a prepared vm_vdp with the fields feed and c. For the method VM_VDP_ATEB and a start from rest, let e
-   be the largest of feed, c A^2 and m', divided by m psi'. Then, up to the time m/feed, the relative error of A is of
-   the order of e^2, and the error of psi of the order of e. The statuses are those of vm_vdp_rhs. */
+/* Averaged equations (410) of a Van der Pol oscillator, for rk45 or rk87. Mass and stiffness may follow any slow law.
+   y = (A, psi) holds the mean amplitude A, in metres, and the Ateb phase psi: x = A ca(psi), and |x| = A at the
+   turning points. vdp points to a prepared vm_vdp with the fields feed and c. For the method VM_VDP_ATEB and a start
+   from rest, let e be the largest of feed, c A^2 and m', divided by m psi'. Then, up to the time m/feed, the relative
+   error of A is of the order of e^2, and the error of psi of the order of e. The statuses are those of vm_vdp_rhs. */
 VM_API int vm_vdp_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *vdp)
 {
     if (!y || !dydt || !vdp) return VM_BAD_ARGUMENT;

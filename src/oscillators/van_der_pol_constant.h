@@ -136,11 +136,11 @@ VM_API void vmi_vdp_stay(const vm_vdp_plan *p, vm_real t, vmi_vdp_mean *mean)
     mean->t = t;
 }
 
-/* Computes the mean motion at t: in closed form if there is one, or by a walk along the laws as far as it is needed. The
-   statuses are those of vmi_vdp_mean_at. */
+/* Computes the mean motion at t: in closed form if there is one, or by a walk along the laws as far as it is needed.
+   The statuses are those of vmi_vdp_mean_at. */
 VM_API int vmi_vdp_mean_motion(const vm_vdp_plan *p, vm_real t, vmi_vdp_mean *mean)
 {
-    const vm_real extreme = VM_C(1e6); /* for larger |z|, or smaller than its inverse, the closed form divides by about 0 */
+    const vm_real extreme = VM_C(1e6); /* for |z| > extreme or < 1/extreme the closed form divides by about 0 */
     const int side = vmi_time_side(t);
     vmi_vdp_growth_course g;
     vm_real settled;

@@ -245,14 +245,14 @@ VM_API void vmi_vdp_cycle_coefficients(const vmi_vdp_ripple *v, const vmi_ripple
     *kx = kA / 2 + 2 / (n + 2) * (late - d.e * f.P1 + vmi_vdp_J_back_second(v, r, &f, &d)) - late * late / n;
 }
 
-/* Limit cycle of a Van der Pol oscillator of constant mass, to second order in epsilon.
-   epsilon = feed/(m W), where W is the rate of the phase, 1/s, at the amplitude A of vm_vdp_limit_cycle. Then the
-   largest x is A (1 + kx epsilon^2) and the period is 2 Pi_alpha/(W (1 + kw epsilon^2)), with kx = 1/192 and kw = -1/16
-   for alpha = 1. Both are right to O(epsilon^4). Mass and stiffness are those at t = 0; the fields method,
-   reactive and a1 to a3 do not matter. Returns VM_BAD_ARGUMENT for null pointers, an unknown method, and a mass that no
-   constructor made, VM_NOT_FINITE for numbers that are infinite or NaN, VM_BAD_MASS for a mass that is not positive,
-   VM_BAD_STIFFNESS for such a stiffness, VM_DOMAIN for alpha < 0 or a law that fails, and VM_NO_LAW where there is no limit
-   cycle, that is unless feed and c have the same sign. An error leaves *cycle untouched. */
+/* Limit cycle of a Van der Pol oscillator of constant mass, to second order in epsilon. epsilon = feed/(m W), where W
+   is the rate of the phase, 1/s, at the amplitude A of vm_vdp_limit_cycle. Then the largest x is A (1 + kx epsilon^2)
+   and the period is 2 Pi_alpha/(W (1 + kw epsilon^2)), with kx = 1/192 and kw = -1/16 for alpha = 1. Both are right
+   to O(epsilon^4). Mass and stiffness are those at t = 0; the fields method, reactive and a1 to a3 do not matter.
+   Returns VM_BAD_ARGUMENT for null pointers, an unknown method, and a mass that no constructor made, VM_NOT_FINITE
+   for numbers that are infinite or NaN, VM_BAD_MASS for a mass that is not positive, VM_BAD_STIFFNESS for such a
+   stiffness, VM_DOMAIN for alpha < 0 or a law that fails, and VM_NO_LAW where there is no limit cycle, that is unless
+   feed and c have the same sign. An error leaves *cycle untouched. */
 VM_API int vm_vdp_cycle_of(const vm_vdp *v, vm_vdp_cycle *cycle)
 {
     vmi_ripple r;

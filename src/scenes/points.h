@@ -183,10 +183,10 @@ VM_API void vm_scene_point_at(const vm_scene *scene, int body, vm_vec3 at, const
 }
 
 /* Adds a force at a point of a body, in an effect of the caller's own. It adds force, in N and inertial axes, to the
-   load of the body, and its moment about the mass centre, so that drag, wind and thrusters are a few lines of a function
-   for vm_effect_custom. `at` and y are those of vm_scene_point_at. A force on VM_GROUND changes nothing. If no body has
-   this index, scene->status becomes VM_NO_SUCH_BODY, which ends the run; if y is NULL or the scene was not started, it
-   becomes VM_BAD_ARGUMENT. If scene is NULL, nothing is done. */
+   load of the body, and its moment about the mass centre, so that drag, wind and thrusters are a few lines of a
+   function for vm_effect_custom. `at` and y are those of vm_scene_point_at. A force on VM_GROUND changes nothing. If
+   no body has this index, scene->status becomes VM_NO_SUCH_BODY, which ends the run; if y is NULL or the scene was
+   not started, it becomes VM_BAD_ARGUMENT. If scene is NULL, nothing is done. */
 VM_API void vm_scene_push_at(vm_scene *scene, int body, vm_vec3 at, const vm_real *y, vm_vec3 force)
 {
     vmi_body_point p;
