@@ -115,10 +115,10 @@ one_and_two() { # one_and_two NAME COMPILER_AND_FLAGS : files of one precision l
     check "$1: float that calls double does not link" does_not_link "$2" -DVM_USE_FLOAT ""
 }
 c="-x c -std=c99" cpp="-x c++ -std=c++11"
+echo 'int main(void) { return 0; }' >"$build/linker.c"
 if has gcc; then
     one_and_two "gcc" "gcc $c"
     one_and_two "gcc -flto" "gcc -flto -O2 $c"
-    echo 'int main(void) { return 0; }' >"$build/linker.c"
     for linker in gold lld; do # where they are installed
         gcc -fuse-ld=$linker "$build/linker.c" -o "$build/linker" 2>/dev/null && one_and_two "gcc, $linker" "gcc -fuse-ld=$linker $c"
     done
@@ -129,7 +129,9 @@ for compiler in g++ clang++; do
 done
 has g++ && check "g++: a function is not taken for one in the other precision, not by VM_MIXED_PRECISIONS either" does_not_link \
     "g++ $cpp" "" "-DVM_USE_FLOAT -DVM_MIXED_PRECISIONS"
-has clang && check "clang -flto links what is in one precision" links "clang -flto -fuse-ld=lld -O2 $c" "" ""
+if clang -flto -fuse-ld=lld "$build/linker.c" -o "$build/linker" 2>/dev/null; then
+    check "clang -flto links what is in one precision" links "clang -flto -fuse-ld=lld -O2 $c" "" ""
+fi
 has arm-none-eabi-gcc && one_and_two "Cortex-M4F" "arm-none-eabi-gcc -mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16 --specs=nosys.specs $c"
 has avr-gcc && one_and_two "AVR" "avr-gcc -mmcu=atmega1284p -Os $c"
 has x86_64-w64-mingw32-gcc && one_and_two "mingw" "x86_64-w64-mingw32-gcc $c"
