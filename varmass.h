@@ -19551,7 +19551,7 @@ VM_API vm_real vmi_periodic_frequency(const vm_periodic *p, vm_real nu)
    delta = phi - (P/Q) theta. Start with vm_periodic_to_averaged, and end with vm_periodic_from_averaged. Let e be the
    largest of the damping b, the mass rate m' and the force F. Near the resonance the error of x up to times of the
    order of 1/e is of the order of e for alpha = 1, and between e and sqrt(e) for others; it is larger for motions
-   that pass a saddle. The argument periodic and the statuses are those of vm_periodic_rhs. */
+   that come close to an unstable vibration. The argument periodic and the statuses are those of vm_periodic_rhs. */
 VM_API int vm_periodic_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *periodic)
 {
     if (!y || !dydt || !periodic) return VM_BAD_ARGUMENT;

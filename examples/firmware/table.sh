@@ -137,8 +137,8 @@ cat <<'END'
 # Flash, stack and instructions of a call
 
 Written by `make firmware-table`, with gcc -Os. A cell has three numbers: flash, stack, instructions. Flash is the number of bytes by
-which a program grows, with all tables and functions that the call needs. Stack, in bytes, and instructions are the most of many
-calls on emulated boards.
+which a program grows, with all tables and functions that the call needs. Stack (in bytes) and instructions are the
+largest of many calls on emulated boards.
 
 | target | processor |
 |---|---|
