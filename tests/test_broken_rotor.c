@@ -699,6 +699,14 @@ static void test_bad_pieces(void)
     CHECK(vm_broken_rotor_break_off(&good_rotor, start, &good_piece, NULL) == VM_BAD_ARGUMENT);
     start[3] = VM_NAN;
     CHECK(vm_broken_rotor_break_off(&good_rotor, start, &good_piece, &b) == VM_NOT_FINITE);
+    bad[0] = good_piece;
+    bad[0].mass = R(0.1);
+    bad[0].alpha = 0;
+    bad[0].radius = 2;
+    bad[0].contact = 0;
+    set_state(start, 0, 0, 0, 0, 0, 0);
+    start[3] = start[4] = R(0.9) * VM_MAX; /* the motions are finite, the speed of the piece before the break is not */
+    CHECK(vm_broken_rotor_break_off(&good_rotor, start, &bad[0], &b) == VM_NOT_FINITE);
     CHECK(memcmp(&b, &kept, sizeof b) == 0);
 }
 

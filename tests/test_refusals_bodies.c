@@ -644,7 +644,7 @@ static int break_off(trial *a)
     take(a, &r, sizeof r);
     take(a, y, sizeof y);
     take(a, &piece, sizeof piece);
-    a->is_value = 1; /* energies may overflow where motions do not */
+    a->is_value = 1; /* stop_inertia may be infinite */
     return vm_broken_rotor_break_off(POINTER(0, &r), POINTER(1, y), POINTER(2, &piece), OUT(3, vm_broken_rotor_break, 0));
 }
 

@@ -134,6 +134,8 @@ static void check_break(void)
         return;
     }
     HOLDS(vmi_all_finite(6, result.state) && vmi_all_finite(6, result.piece));
+    HOLDS(is_finite(result.dragging) && is_finite(result.normal) && is_finite(result.tangential));
+    HOLDS(is_finite(result.spin_piece) && is_finite(result.spin_rest));
     HOLDS(result.rest.mass > 0 && result.rest.inertia > 0 && piece.mass > 0 && piece.mass < whole.mass);
     if (tame_rotor(&whole) && all_tame(6, before) && tame(piece.mass) && tame(piece.inertia) &&
         tame(piece.distance))
