@@ -1,6 +1,7 @@
 /* Instructions of a call: every function count_X below makes CALLS calls with the same arguments in every run, for
    callgrind to count (bench/count.sh). The loop itself is count_nothing. Arguments: u, s in (-3, 3), p in (0, 1),
    m = 1.9 p - 0.95, alpha in (0.5, 3.5), a and b in (0.5, 3.5). */
+#include <math.h>
 #include <stdio.h>
 #include "../varmass.h"
 
@@ -28,6 +29,9 @@ static volatile vm_real sink;
     }
 
 COUNT(nothing, (void)a)
+
+/* sin of the C library, the yardstick of docs/cost.md; sinf in float */
+COUNT(sin, a = sizeof a < sizeof(double) ? (vm_real)sinf((float)u[i]) : (vm_real)sin((double)u[i]))
 
 /* ---- jacobi.h ---- */
 

@@ -1,6 +1,6 @@
 #!/bin/sh
 # The goals of speed, each beside what the bench programs measured, and the reason where it is not reached: a table for
-# docs/cost.md. The instructions of a call come from docs/counts.md.
+# docs/cost.md. The limits are the time of a chain of calls, and the instructions of a call, which come from docs/counts.md.
 # usage: goals.sh FOLDER COUNTS, FOLDER with the CSV files of the programs
 folder=$1 counts=$2
 # what @ program @ job @ route @ at most so many sin (float: sinf) @ its line in docs/counts.md @ reason where it takes longer
@@ -21,14 +21,18 @@ sn, cn, dn in float @ jacobi_float @ sncndn; |u| < 2K; 0 < m < 0.5 @ jacobi_sncn
 sn, cn, dn prepared, in float @ jacobi_float @ sncndn; |u| < 2K; m = 0.5 @ jacobi_plan_sncndn @ 2 @ jacobi_plan_sncndn @ sinf computes in double, which this code must not need
 sa, ca in float @ ateb_float @ saca; |s| < 10; 0 < alpha < 5 @ ateb_saca @ 12 @ ateb_saca @ sinf computes in double, which this code must not need
 sa, ca prepared, in float @ ateb_float @ saca; |s| < 10; alpha = 3 @ ateb_plan_saca @ 2 @ ateb_plan_saca_3 @ sinf computes in double, which this code must not need'
-echo '| what | of which | goal | measured | reached | instructions, double; float | reason where not |'
-echo '|---|---|---|---|---|---|---|'
+echo '| what | of which | goal | measured | reached | in a chain | instructions, double; float | so many sin | reason where not |'
+echo '|---|---|---|---|---|---|---|---|---|'
 for program in jacobi ateb jacobi_wide ateb_wide jacobi_float ateb_float; do
     [ -f "$folder/$program.csv" ] && sed "s/^[^,]*/$program/" "$folder/$program.csv"
 done | awk -F, -v rows="$rows" -v counts="$counts" '
     BEGIN {
         while ((getline line <counts) > 0)
-            if (split(line, cell, / *[|] */) > 3) count[cell[2]] = cell[3] "; " cell[4]
+            if (split(line, cell, / *[|] */) > 3) {
+                count[cell[2]] = cell[3] "; " cell[4]
+                double_count[cell[2]] = cell[3]
+                float_count[cell[2]] = cell[4]
+            }
         n = split(rows, row, "\n")
     }
     $4 == "" { ratio[$1, $2, $3] = $7 }
@@ -37,12 +41,16 @@ done | awk -F, -v rows="$rows" -v counts="$counts" '
             split(row[i], field, / *@ */)
             measured = ratio[field[2], field[3], field[4]]
             reached = measured == "" ? "not measured" : measured + 0 <= field[5] + 0 ? "yes" : "no"
+            chain = ratio[field[2], field[3], field[4] " (chain)"]
+            name = "`" field[6] "`"
+            in_sin = ""
+            if (name in count) in_sin = field[2] ~ /float/ ? float_count[name] / float_count["`sin`"] : double_count[name] / double_count["`sin`"]
             of = field[3]
             gsub(/;/, ",", of)
             gsub(/[|]/, "\\\\|", of)
-            printf "| %s | %s | %s | %s | %s | %s | %s |\n", field[1], of, field[5],
-                measured == "" ? "" : sprintf("%.2f", measured), reached, count["`" field[6] "`"],
-                reached == "no" ? field[7] : ""
+            printf "| %s | %s | %s | %s | %s | %s | %s | %s | %s |\n", field[1], of, field[5],
+                measured == "" ? "" : sprintf("%.2f", measured), reached, chain == "" ? "" : sprintf("%.2f", chain),
+                count[name], in_sin == "" ? "" : sprintf("%.1f", in_sin), reached == "no" ? field[7] : ""
         }
     }'
 echo
