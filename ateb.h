@@ -1260,10 +1260,12 @@ VM_API vm_two vmi_ateb_fine_quarter(const vmi_ateb *c)
     return vmi_half(vmi_two_times(c->n, vmi_ateb_gamma_ratio(vmi_two_over(one, c->n))));
 }
 
-/* Returns Pi_alpha/2 in three words, with a relative error of 2^-122 (float 2^-52), from the fields n and q of *c. */
+/* Returns Pi_alpha/2 in three words, with a relative error of 2^-122 (float 2^-52), from the fields n and q of *c. It is
+   exact for alpha = 0, where n = 1 and Pi_alpha/2 = 1: there sa and ca have their zeros at the integers. */
 VM_API vmi_three vmi_ateb_quarter_in_words(const vmi_ateb *c)
 {
     vm_two g;
+    if (c->n.hi == 1 && c->n.lo == 0) return vmi_three_words(1, 0, 0);
     if (!vmi_ateb_is_large(c)) return vmi_ateb_finest_quarter(c->n);
     g = vmi_ateb_g_of_large(c->q.hi);
     return vmi_three_plus(vmi_three_words(c->n.hi / 2, c->n.lo / 2, 0), vmi_three_words(g.hi / 2, g.lo / 2, 0));

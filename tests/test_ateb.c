@@ -329,6 +329,28 @@ static void test_closed_forms(void)
     check_error("Pi", "", "ulp", ERROR_ULP(ateb_pi(3), 5.244115108584239620929679, 0), 1, 3, 0);
 }
 
+/* For alpha = 0 the zeros of sa are the even integers and those of ca the odd ones. Both functions are exact there, by a
+   plan and without one, for each integer that has all its digits. */
+static void test_zeros_of_triangles(void)
+{
+    const vm_real farthest = VM_C(0.25) / VM_EPSILON;
+    ateb_plan plan;
+    vm_real x = 1;
+    CHECK(ateb_plan_init(&plan, 0) == 0);
+    for (; x < farthest; x = 2 * x + 1) { /* ... 1111 in binary digits: an odd number */
+        const vm_real sign = fmod((double)x, 4) == 1 ? 1 : -1;
+        vm_real sa, ca;
+        ateb_saca(x, 0, &sa, &ca);
+        CHECK(sa == sign && ca == 0);
+        ateb_plan_saca(&plan, x, &sa, &ca);
+        CHECK(sa == sign && ca == 0);
+        ateb_saca(x + 1, 0, &sa, &ca);
+        CHECK(sa == 0 && fabs((double)ca) == 1);
+        ateb_plan_saca(&plan, x + 1, &sa, &ca);
+        CHECK(sa == 0 && fabs((double)ca) == 1);
+    }
+}
+
 /* The limits, which are approached as alpha or 1/alpha: parabolas, and tanh; and no alpha differs from its
    neighbours, be it one of closed forms or of plans without a power. An eps of alpha moves Pi by less than one. */
 static void test_limits(void)
@@ -811,6 +833,7 @@ int main(void)
     test_quarter_period();
     test_change_over();
     test_closed_forms();
+    test_zeros_of_triangles();
     test_limits();
     test_domain();
     test_plan();
