@@ -230,6 +230,7 @@ static void set_plans(void)
 int main(void)
 {
     static void (*const counts[])(void) = {count_nothing,
+                                           count_sin,
                                            count_jacobi_K,
                                            count_jacobi_E,
                                            count_jacobi_sncndn,
