@@ -2035,7 +2035,10 @@ VM_INLINE void vmi_theta_ratios(vmi_thetas theta, vm_real bound, vm_real *sn, vm
 /* The product of a piece of K (see vmi_pieces) and a whole number below this limit, 2^30 (float 2^13), is exact. */
 #define VMI_EXACT_QUARTERS (VM_MANT_DIG > 24 ? VM_C(1073741824.0) : VM_C(8192.0))
 
-/* Writes K to `piece` as a sum of three short numbers, the pieces, and a last word. The pieces are so short that their
+/* The number of parts of K that vmi_pieces writes */
+enum { VMI_PIECES = 5 };
+
+/* Writes K to `piece` as a sum of three short numbers, the pieces, and two words. The pieces are so short that their
    products with a whole number below VMI_EXACT_QUARTERS are exact: they are multiples of 2^(e-21), 2^(e-44) and
    2^(e-67), where 2^e <= K < 2^(e+1) (float 2^(e-9), 2^(e-20), 2^(e-31)). */
 VM_API void vmi_pieces(vmi_three K, vm_real *piece)
@@ -2050,18 +2053,16 @@ VM_API void vmi_pieces(vmi_three K, vm_real *piece)
         large *= VMI_EXACT_QUARTERS * VM_EPSILON / 2;
     }
     piece[3] = K.hi;
+    piece[4] = K.mid;
 }
 
-/* Returns the sum of the three terms of x in two words. */
-VM_INLINE vm_two vmi_two_terms(vmi_three x)
-{
-    const vm_two sum = vmi_two_sum(x.hi, x.mid);
-    return vmi_two_sum(sum.hi, sum.lo + x.lo);
-}
+/* The distance from a multiple of K, divided by u, below which vmi_reduce_pieces is not enough */
+#define VMI_PIECES_REACH (VM_MANT_DIG > 24 ? VM_C(5.4e-20) : VM_C(4.7e-10))
 
 /* Returns u minus the nearest multiple j K, as three terms, for 0 <= u < VMI_EXACT_QUARTERS K. The array K comes from
-   vmi_pieces, and per_K is 1/K. The last bits of *quarters become those of j. Loops over this function can be
-   vectorised. */
+   vmi_pieces, and per_K is 1/K. The last bits of *quarters become those of j. The last word of K is left out, and the
+   product of j and the word before it is rounded: the error is u eps^2/1000 or less. A result below VMI_PIECES_REACH
+   times u must therefore be computed by vmi_reduce_finely. Loops over this function can be vectorised. */
 VM_INLINE vmi_three vmi_reduce_pieces(vm_real u, const vm_real *K, vm_real per_K, vmi_bits *quarters)
 {
     const vm_real shifted = vmi_rounded(u * per_K + 1 / VM_EPSILON), j = shifted - 1 / VM_EPSILON;
@@ -2071,6 +2072,17 @@ VM_INLINE vmi_three vmi_reduce_pieces(vm_real u, const vm_real *K, vm_real per_K
     rest.lo = -j * K[3];
     *quarters = vmi_to_bits(shifted); /* the last bits of `shifted` are those of j */
     return rest;
+}
+
+/* Returns u minus the nearest multiple j K in two words, as vmi_reduce_pieces does, but from all words of K. The
+   relative error is below eps for any result but those below 2^-90 u (float 2^-44 u). The distance of u from j K must
+   be less than 1e-9 u (float 8e-6 u): then the products and differences with the three pieces are exact. */
+VM_API vm_two vmi_reduce_finely(vm_real u, const vm_real *K, vm_real per_K, vmi_bits *quarters)
+{
+    const vmi_three rest = vmi_reduce_pieces(u, K, per_K, quarters);
+    const vm_real j = VM_FLOOR(u * per_K + VM_C(0.5));
+    const vm_two product = vmi_two_product(j, K[3]), sum = vmi_two_sum(rest.hi + rest.mid, -product.hi);
+    return vmi_two_sum(sum.hi, sum.lo - (product.lo + j * K[4]));
 }
 
 /* Adding and subtracting this number rounds a number below 6 to a multiple of 2^-23 (float 2^-8). */
@@ -2130,9 +2142,9 @@ VMI_APART vm_two vmi_reduce_long(vm_real u, vm_real m1, vm_real m1_lo, vmi_bits 
         *quarters += (vmi_bits)(further + 4);
     }
     if (VM_FABS(rest.hi) < size * next && count < 128) {
-        vm_real K[4];
+        vm_real K[VMI_PIECES];
         vmi_pieces(vmi_K_three_words(m1, m1_lo), K);
-        return vmi_two_terms(vmi_reduce_pieces(u, K, rate.hi / half_pi.hi, quarters));
+        return vmi_reduce_finely(u, K, rate.hi / half_pi.hi, quarters);
     }
     v = rest.hi / rate.hi;
     if (VMI_MIDDLE(m1)) return vmi_two(v, 0); /* here |v| < 2, and 1.5 ulp of v are enough outside of the table */
@@ -2420,7 +2432,7 @@ VM_API void vmi_remove_highest(vm_real *c, int n, int lowest)
 typedef struct VM_TAG(jacobi_plan) {
     int form;            /* method: VMI_NEAR_FORM uses a and b; VMI_HYPERBOLIC and VMI_RECIPROCAL use theta */
     vm_real m1;          /* complementary parameter 1 - m */
-    vm_real K[4], per_K; /* K: quarter period as a sum, see vmi_pieces; per_K: 1/K, or 0 for m = 1 */
+    vm_real K[VMI_PIECES], per_K; /* K: quarter period as a sum, see vmi_pieces; per_K: 1/K, or 0 for m = 1 */
     vm_real a[VMI_TERMS], b[VMI_TERMS]; /* coefficients of two polynomials in v^2, for the reduced argument v */
     vmi_theta_form theta;               /* its field kp = k' is set for every method */
 } jacobi_plan;
@@ -2564,6 +2576,10 @@ VM_API vmi_three vmi_plan_reduce_long(const jacobi_plan *p, vm_real u, vmi_bits 
     return vmi_three_words(v.hi, v.lo, 0);
 }
 
+/* Returns 1 if `rest`, which is u minus a multiple of K by vmi_reduce_pieces, is so small that more digits of K are
+   needed, else 0. */
+VM_INLINE int vmi_plan_is_close(vm_real rest, vm_real u) { return VM_FABS(rest) < VMI_PIECES_REACH * u; }
+
 /* sn, cn and dn of the argument u for the plan's parameter.
    u may be any number; the accuracy is that of jacobi_sncndn. The results are NaN for infinite u, unless m = 1.
    docs/cost.md has the time. */
@@ -2572,8 +2588,13 @@ VM_API void jacobi_plan_sncndn(const jacobi_plan *p, vm_real u, vm_real *sn, vm_
     const vm_real x = VM_FABS(u);
     vmi_bits quarters;
     vmi_three v;
-    if (x * p->per_K < VMI_EXACT_QUARTERS) v = vmi_reduce_pieces(x, p->K, p->per_K, &quarters);
-    else v = vmi_plan_reduce_long(p, x, &quarters);
+    if (x * p->per_K < VMI_EXACT_QUARTERS) {
+        v = vmi_reduce_pieces(x, p->K, p->per_K, &quarters);
+        if (vmi_plan_is_close((v.hi + v.mid) + v.lo, x)) {
+            const vm_two finely = vmi_reduce_finely(x, p->K, p->per_K, &quarters);
+            v = vmi_three_words(finely.hi, finely.lo, 0);
+        }
+    } else v = vmi_plan_reduce_long(p, x, &quarters);
     if (p->form == VMI_NEAR_FORM) {
         vmi_plan_point(p, VMI_NEAR_FORM, u, v, quarters, sn, cn, dn);
         return;
@@ -2603,6 +2624,21 @@ VM_INLINE void vmi_plan_loop(const jacobi_plan *p, int form, int n, const vm_rea
         }
 }
 
+/* Computes once more, one by one, the results next to a zero of sn, where sn is about the distance u - jK from the zero,
+   and next to a zero of cn, where cn is about k' times the distance. */
+VM_API void vmi_plan_mend_close(const jacobi_plan *p, int n, const vm_real *u, vm_real *sn, vm_real *cn, vm_real *dn)
+{
+    const vm_real kp = p->theta.kp;
+    int i, any_close = 0;
+    for (i = 0; i < n; i++) {
+        const vm_real x = VM_FABS(u[i]);
+        any_close |= vmi_plan_is_close(sn[i], x) | vmi_plan_is_close(cn[i], kp * x);
+    }
+    for (i = 0; any_close && i < n; i++)
+        if (vmi_plan_is_close(sn[i], VM_FABS(u[i])) || vmi_plan_is_close(cn[i], kp * VM_FABS(u[i])))
+            jacobi_plan_sncndn(p, u[i], sn + i, cn + i, dn + i);
+}
+
 /* sn, cn and dn of the n arguments in the array u, for the plan's parameter. The arrays sn, cn, dn have n elements each
    and overlap neither each other nor u. The values are those of jacobi_plan_sncndn; where the compiler fuses
    multiplications and additions, the last bits may depend on the index in the array. docs/cost.md has the time. */
@@ -2612,11 +2648,14 @@ VM_API void jacobi_plan_sncndn_array(const jacobi_plan *p, int n, const vm_real 
     const jacobi_plan local = *p; /* the compiler can see that the arrays do not overlap this copy */
     int i, any_far = 0;
     for (i = 0; i < n; i++) any_far |= !(VM_FABS(u[i]) * local.per_K < VMI_EXACT_QUARTERS);
-    if (any_far)
+    if (any_far) {
         for (i = 0; i < n; i++) jacobi_plan_sncndn(p, u[i], sn + i, cn + i, dn + i);
-    else if (local.form == VMI_NEAR_FORM) vmi_plan_loop(&local, VMI_NEAR_FORM, n, u, sn, cn, dn);
+        return;
+    }
+    if (local.form == VMI_NEAR_FORM) vmi_plan_loop(&local, VMI_NEAR_FORM, n, u, sn, cn, dn);
     else if (local.form == VMI_HYPERBOLIC) vmi_plan_loop(&local, VMI_HYPERBOLIC, n, u, sn, cn, dn);
     else vmi_plan_loop(&local, VMI_RECIPROCAL, n, u, sn, cn, dn);
+    vmi_plan_mend_close(&local, n, u, sn, cn, dn);
 }
 
 #endif

@@ -78,7 +78,7 @@ static int print_jacobi(int argc, char **argv)
     print_head("jacobi_plan", argc > 2 ? argv[2] : "0.3", sizeof p, name(argc, argv, 3));
     printf("    %d,\n", p.form);
     print_numbers("    ", &p.m1, 1, ",\n");
-    print_numbers("    {", p.K, 4, "},\n");
+    print_numbers("    {", p.K, (int)(sizeof p.K / sizeof *p.K), "},\n");
     print_numbers("    ", &p.per_K, 1, ",\n");
     print_numbers("    {", p.a, VMI_TERMS, "},\n");
     print_numbers("    {", p.b, VMI_TERMS, "},\n");

@@ -341,6 +341,56 @@ static void test_identities(void)
 
 /* ---- Plans: arrays give the same bits; refusals leave the plan ---- */
 
+/* Arguments next to a multiple jK, closer than random points come: m is the parameter for which jK is nearest to u. For
+   even j the value is that of sn, for odd j that of cn, by mpmath with 60 digits. */
+static void test_closest_to_zeros(void)
+{
+    static const struct {
+        int j;
+        double u, m, value;
+    } rows[] = {
+#if VM_MANT_DIG > 24
+        {1, 0x1.921fbbdae4449p0, 0x1.0c6f7a0b1ecc3p-20, 2.7535370105253645617e-23},
+        {2, 0x1.921fbbdae4449p1, 0x1.0c6f7a0b1ecc3p-20, 5.5070767745898046503e-23},
+        {7, 0x1.5fdbc45f87bc0p3, 0x1.0c6f7a0b7bed0p-20, 4.456440926015000414e-23},
+        {50, 0x1.3a28cac302559p6, 0x1.0c6f7a0b04b8cp-20, 1.1861345614524867945e-21},
+        {99, 0x1.37048b4b4c8d1p7, 0x1.0c6f7a0ce5269p-20, -5.7137486951226621879e-22},
+        {1, 0x1.921fb73e40009p0, 0x1.421f5f3eb163fp-22, -5.9882870567208230243e-24},
+        {2, 0x1.921fb73e40009p1, 0x1.421f5f3eb163fp-22, -1.1976575909928166559e-23},
+        {7, 0x1.5fdbc05678008p3, 0x1.421f5f4025e76p-22, 1.7514321970627237302e-23},
+        {50, 0x1.3a28c728a2007p6, 0x1.421f5f3e49163p-22, -1.4032854688527731896e-22},
+        {99, 0x1.370487ba25807p7, 0x1.421f5f3f35165p-22, -4.6469742670587621127e-22}
+#else
+        {1, 0x1.92224800p0, 0x1.a356ce00p-14, -1.2779566742757503423e-12},
+        {2, 0x1.92224800p1, 0x1.a356ce00p-14, -2.5560411259763111489e-12},
+        {7, 0x1.5fde0000p3, 0x1.a4110c00p-14, -7.4363292964715241283e-12},
+        {50, 0x1.3a2ac800p6, 0x1.a322aa00p-14, 3.4901219445067395068e-11},
+        {99, 0x1.37068400p7, 0x1.a398a600p-14, 2.4755882830607643578e-11},
+        {1, 0x1.92207a00p0, 0x1.f4f80e00p-16, 5.64328967116041e-14},
+        {2, 0x1.92207a00p1, 0x1.f4f80e00p-16, 1.1286747855159476904e-13},
+        {7, 0x1.5fdc6c00p3, 0x1.f89b4e00p-16, 1.1305381574288474409e-12},
+        {50, 0x1.3a296000p6, 0x1.f735b400p-16, -1.1157140593073969352e-11},
+        {99, 0x1.37052000p7, 0x1.fa5ed200p-16, 2.1423921733887611355e-11},
+        {50, 0x1.5f2bcc00p6, 0x1.78ac8800p-2, 1.9469742526351744055e-10}
+#endif
+    };
+    static jacobi_plan plan;
+    int i;
+    for (i = 0; i < (int)(sizeof rows / sizeof *rows); i++) {
+        const vm_real u = (vm_real)rows[i].u, m = (vm_real)rows[i].m;
+        const double value = rows[i].value;
+        const int odd = rows[i].j % 2;
+        vm_real sn, cn, dn;
+        jacobi_sncndn(u, m, &sn, &cn, &dn);
+        check_error("next to jK", "sncndn", "ulp", ERROR_ULP(odd ? cn : sn, value, 0), 8, u, m);
+        CHECK(jacobi_plan_init(&plan, m) == 0);
+        jacobi_plan_sncndn(&plan, u, &sn, &cn, &dn);
+        check_error("next to jK", "plan", "ulp", ERROR_ULP(odd ? cn : sn, value, 0), 8, u, m);
+        jacobi_plan_sncndn_array(&plan, 1, &u, &sn, &cn, &dn);
+        check_error("next to jK", "array", "ulp", ERROR_ULP(odd ? cn : sn, value, 0), 8, u, m);
+    }
+}
+
 static void test_plans(void)
 {
     enum { N = 257 };
@@ -688,6 +738,7 @@ int main(void)
     test_derivatives();
     test_amplitude();
     test_quotients();
+    test_closest_to_zeros();
     test_plans();
     test_far();
     test_agm();

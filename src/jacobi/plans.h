@@ -27,7 +27,7 @@
 typedef struct VM_TAG(jacobi_plan) {
     int form;            /* method: VMI_NEAR_FORM uses a and b; VMI_HYPERBOLIC and VMI_RECIPROCAL use theta */
     vm_real m1;          /* complementary parameter 1 - m */
-    vm_real K[4], per_K; /* K: quarter period as a sum, see vmi_pieces; per_K: 1/K, or 0 for m = 1 */
+    vm_real K[VMI_PIECES], per_K; /* K: quarter period as a sum, see vmi_pieces; per_K: 1/K, or 0 for m = 1 */
     vm_real a[VMI_TERMS], b[VMI_TERMS]; /* coefficients of two polynomials in v^2, for the reduced argument v */
     vmi_theta_form theta;               /* its field kp = k' is set for every method */
 } jacobi_plan;
@@ -171,6 +171,10 @@ VM_API vmi_three vmi_plan_reduce_long(const jacobi_plan *p, vm_real u, vmi_bits 
     return vmi_three_words(v.hi, v.lo, 0);
 }
 
+/* Returns 1 if `rest`, which is u minus a multiple of K by vmi_reduce_pieces, is so small that more digits of K are
+   needed, else 0. */
+VM_INLINE int vmi_plan_is_close(vm_real rest, vm_real u) { return VM_FABS(rest) < VMI_PIECES_REACH * u; }
+
 /* sn, cn and dn of the argument u for the plan's parameter.
    u may be any number; the accuracy is that of jacobi_sncndn. The results are NaN for infinite u, unless m = 1.
    docs/cost.md has the time. */
@@ -179,8 +183,13 @@ VM_API void jacobi_plan_sncndn(const jacobi_plan *p, vm_real u, vm_real *sn, vm_
     const vm_real x = VM_FABS(u);
     vmi_bits quarters;
     vmi_three v;
-    if (x * p->per_K < VMI_EXACT_QUARTERS) v = vmi_reduce_pieces(x, p->K, p->per_K, &quarters);
-    else v = vmi_plan_reduce_long(p, x, &quarters);
+    if (x * p->per_K < VMI_EXACT_QUARTERS) {
+        v = vmi_reduce_pieces(x, p->K, p->per_K, &quarters);
+        if (vmi_plan_is_close((v.hi + v.mid) + v.lo, x)) {
+            const vm_two finely = vmi_reduce_finely(x, p->K, p->per_K, &quarters);
+            v = vmi_three_words(finely.hi, finely.lo, 0);
+        }
+    } else v = vmi_plan_reduce_long(p, x, &quarters);
     if (p->form == VMI_NEAR_FORM) {
         vmi_plan_point(p, VMI_NEAR_FORM, u, v, quarters, sn, cn, dn);
         return;
@@ -210,6 +219,21 @@ VM_INLINE void vmi_plan_loop(const jacobi_plan *p, int form, int n, const vm_rea
         }
 }
 
+/* Computes once more, one by one, the results next to a zero of sn, where sn is about the distance u - jK from the zero,
+   and next to a zero of cn, where cn is about k' times the distance. */
+VM_API void vmi_plan_mend_close(const jacobi_plan *p, int n, const vm_real *u, vm_real *sn, vm_real *cn, vm_real *dn)
+{
+    const vm_real kp = p->theta.kp;
+    int i, any_close = 0;
+    for (i = 0; i < n; i++) {
+        const vm_real x = VM_FABS(u[i]);
+        any_close |= vmi_plan_is_close(sn[i], x) | vmi_plan_is_close(cn[i], kp * x);
+    }
+    for (i = 0; any_close && i < n; i++)
+        if (vmi_plan_is_close(sn[i], VM_FABS(u[i])) || vmi_plan_is_close(cn[i], kp * VM_FABS(u[i])))
+            jacobi_plan_sncndn(p, u[i], sn + i, cn + i, dn + i);
+}
+
 /* sn, cn and dn of the n arguments in the array u, for the plan's parameter. The arrays sn, cn, dn have n elements each
    and overlap neither each other nor u. The values are those of jacobi_plan_sncndn; where the compiler fuses
    multiplications and additions, the last bits may depend on the index in the array. docs/cost.md has the time. */
@@ -219,11 +243,14 @@ VM_API void jacobi_plan_sncndn_array(const jacobi_plan *p, int n, const vm_real 
     const jacobi_plan local = *p; /* the compiler can see that the arrays do not overlap this copy */
     int i, any_far = 0;
     for (i = 0; i < n; i++) any_far |= !(VM_FABS(u[i]) * local.per_K < VMI_EXACT_QUARTERS);
-    if (any_far)
+    if (any_far) {
         for (i = 0; i < n; i++) jacobi_plan_sncndn(p, u[i], sn + i, cn + i, dn + i);
-    else if (local.form == VMI_NEAR_FORM) vmi_plan_loop(&local, VMI_NEAR_FORM, n, u, sn, cn, dn);
+        return;
+    }
+    if (local.form == VMI_NEAR_FORM) vmi_plan_loop(&local, VMI_NEAR_FORM, n, u, sn, cn, dn);
     else if (local.form == VMI_HYPERBOLIC) vmi_plan_loop(&local, VMI_HYPERBOLIC, n, u, sn, cn, dn);
     else vmi_plan_loop(&local, VMI_RECIPROCAL, n, u, sn, cn, dn);
+    vmi_plan_mend_close(&local, n, u, sn, cn, dn);
 }
 
 #endif

@@ -21,7 +21,10 @@
 /* The product of a piece of K (see vmi_pieces) and a whole number below this limit, 2^30 (float 2^13), is exact. */
 #define VMI_EXACT_QUARTERS (VM_MANT_DIG > 24 ? VM_C(1073741824.0) : VM_C(8192.0))
 
-/* Writes K to `piece` as a sum of three short numbers, the pieces, and a last word. The pieces are so short that their
+/* The number of parts of K that vmi_pieces writes */
+enum { VMI_PIECES = 5 };
+
+/* Writes K to `piece` as a sum of three short numbers, the pieces, and two words. The pieces are so short that their
    products with a whole number below VMI_EXACT_QUARTERS are exact: they are multiples of 2^(e-21), 2^(e-44) and
    2^(e-67), where 2^e <= K < 2^(e+1) (float 2^(e-9), 2^(e-20), 2^(e-31)). */
 VM_API void vmi_pieces(vmi_three K, vm_real *piece)
@@ -36,18 +39,16 @@ VM_API void vmi_pieces(vmi_three K, vm_real *piece)
         large *= VMI_EXACT_QUARTERS * VM_EPSILON / 2;
     }
     piece[3] = K.hi;
+    piece[4] = K.mid;
 }
 
-/* Returns the sum of the three terms of x in two words. */
-VM_INLINE vm_two vmi_two_terms(vmi_three x)
-{
-    const vm_two sum = vmi_two_sum(x.hi, x.mid);
-    return vmi_two_sum(sum.hi, sum.lo + x.lo);
-}
+/* The distance from a multiple of K, divided by u, below which vmi_reduce_pieces is not enough */
+#define VMI_PIECES_REACH (VM_MANT_DIG > 24 ? VM_C(5.4e-20) : VM_C(4.7e-10))
 
 /* Returns u minus the nearest multiple j K, as three terms, for 0 <= u < VMI_EXACT_QUARTERS K. The array K comes from
-   vmi_pieces, and per_K is 1/K. The last bits of *quarters become those of j. Loops over this function can be
-   vectorised. */
+   vmi_pieces, and per_K is 1/K. The last bits of *quarters become those of j. The last word of K is left out, and the
+   product of j and the word before it is rounded: the error is u eps^2/1000 or less. A result below VMI_PIECES_REACH
+   times u must therefore be computed by vmi_reduce_finely. Loops over this function can be vectorised. */
 VM_INLINE vmi_three vmi_reduce_pieces(vm_real u, const vm_real *K, vm_real per_K, vmi_bits *quarters)
 {
     const vm_real shifted = vmi_rounded(u * per_K + 1 / VM_EPSILON), j = shifted - 1 / VM_EPSILON;
@@ -57,6 +58,17 @@ VM_INLINE vmi_three vmi_reduce_pieces(vm_real u, const vm_real *K, vm_real per_K
     rest.lo = -j * K[3];
     *quarters = vmi_to_bits(shifted); /* the last bits of `shifted` are those of j */
     return rest;
+}
+
+/* Returns u minus the nearest multiple j K in two words, as vmi_reduce_pieces does, but from all words of K. The
+   relative error is below eps for any result but those below 2^-90 u (float 2^-44 u). The distance of u from j K must
+   be less than 1e-9 u (float 8e-6 u): then the products and differences with the three pieces are exact. */
+VM_API vm_two vmi_reduce_finely(vm_real u, const vm_real *K, vm_real per_K, vmi_bits *quarters)
+{
+    const vmi_three rest = vmi_reduce_pieces(u, K, per_K, quarters);
+    const vm_real j = VM_FLOOR(u * per_K + VM_C(0.5));
+    const vm_two product = vmi_two_product(j, K[3]), sum = vmi_two_sum(rest.hi + rest.mid, -product.hi);
+    return vmi_two_sum(sum.hi, sum.lo - (product.lo + j * K[4]));
 }
 
 /* Adding and subtracting this number rounds a number below 6 to a multiple of 2^-23 (float 2^-8). */
@@ -116,9 +128,9 @@ VMI_APART vm_two vmi_reduce_long(vm_real u, vm_real m1, vm_real m1_lo, vmi_bits 
         *quarters += (vmi_bits)(further + 4);
     }
     if (VM_FABS(rest.hi) < size * next && count < 128) {
-        vm_real K[4];
+        vm_real K[VMI_PIECES];
         vmi_pieces(vmi_K_three_words(m1, m1_lo), K);
-        return vmi_two_terms(vmi_reduce_pieces(u, K, rate.hi / half_pi.hi, quarters));
+        return vmi_reduce_finely(u, K, rate.hi / half_pi.hi, quarters);
     }
     v = rest.hi / rate.hi;
     if (VMI_MIDDLE(m1)) return vmi_two(v, 0); /* here |v| < 2, and 1.5 ulp of v are enough outside of the table */
