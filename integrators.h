@@ -567,7 +567,8 @@ VM_INLINE void vmi_copy(int n, const vm_real *from, vm_real *to)
 
 enum {
     ODE_OK = 0,          /* success */
-    ODE_RTOL_RAISED = 1, /* rk45_init has raised rtol to 16 eps, or rk87_init to 256 eps, which is the least */
+    ODE_RTOL_RAISED = 1, /* rk45_init has raised rtol to 16 eps, or rk87_init to 256 eps, the smallest rtol of the
+                            method */
     ODE_EVENT = 2,       /* an event has ended the run: s->t, s->y are its time and state, s->event is its index */
     ODE_STIFF = 3,       /* t_end was reached, but for a while stability, not the tolerance, limited the step size */
     /* An argument is wrong: n or steps is not positive, a pointer is NULL, a component has no tolerance, h_min is
@@ -777,7 +778,8 @@ enum {
     ODE_RESTART = 2 /* the run ends the step at the event, calls `change`, and begins a new step */
 };
 
-/* What a run keeps of an event at the beginning of a step: the fields of ode_event with these names */
+/* Those fields of an event that a run stores at the beginning of a step; they have the names of the fields of
+   ode_event */
 typedef struct VM_TAG(vmi_event_past) {
     long count;
     vm_real t, slack, quiet;
@@ -1824,7 +1826,7 @@ VM_API int vmi_locate(const rk45 *s, const ode_event *e, vm_real a, vm_real ga, 
 {
     const vm_real resolution = 2 * VM_EPSILON, look = b, g_look = gb;
     const int side = vmi_sign(ga);
-    int count, kept = 0; /* kept: 1 if the last x has become a, -1 if it has become b, 0 at first */
+    int count, kept = 0; /* kept is 1 if the last x has become a, -1 if it has become b, and 0 at first */
     for (count = 1; b - a > resolution; count++) {
         const int bisect = count % 3 == 0 || (gb == 0 && kept < 0);
         vm_real x = b - gb * ((b - a) / (gb - ga)), g;
@@ -2066,7 +2068,7 @@ VM_API void vmi_pass_on_sides(rk45 *s)
     }
 }
 
-/* Keeps what the events were before the last step, in their field `past` */
+/* Stores in the field `past` of each event the values that its fields have at the beginning of a step */
 VM_API void vmi_keep_events(rk45 *s)
 {
     int i;
@@ -2123,7 +2125,8 @@ VM_API int vmi_is_finite_inside(const rk45 *s, vm_real x)
 }
 
 /* Handles the events of the last step, up to the first instant at which an event ends the step. Returns a status. After
-   an error the step is taken back. If the state at this instant is not finite, the step is made again, shorter. */
+   an error the step is taken back. If the state at this instant is not finite, the step is made again with a shorter
+   length. */
 VM_API int vmi_events(rk45 *s)
 {
     vm_real cut = VMI_NONE;

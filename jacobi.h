@@ -653,9 +653,9 @@ VM_API vm_two vmi_reduce(vm_real x, vm_two q, int *quarter)
     if (j == 0) return vmi_two(x, 0);
     if (!(j < 1 / VM_EPSILON)) return vmi_two(0, 0);
     p = vmi_two_product(j, hi);
-    p = vmi_two_sum(x * scale - p.hi, -p.lo); /* x scale - p.hi is exact but for that x */
+    p = vmi_two_sum(x * scale - p.hi, -p.lo); /* x scale - p.hi is exact, except for the x named above */
     p = vmi_fast_two_sum(p.hi, p.lo - j * lo);
-    if (VM_FABS(p.hi) > VM_C(0.501) * hi) { /* for x > q/(1000 eps): the rounding of the quotient moves j */
+    if (VM_FABS(p.hi) > VM_C(0.501) * hi) { /* for x > q/(1000 eps), where the rounding of the quotient changes j */
         const vm_real further = VM_FLOOR(p.hi / hi + VM_C(0.5));
         p = vmi_two_sum(p.hi - further * hi, p.lo - further * lo);
         j += further;
@@ -2136,7 +2136,8 @@ VMI_APART vm_two vmi_reduce_long(vm_real u, vm_real m1, vm_real m1_lo, vmi_bits 
     phase = vmi_two_product(u, rate.hi);
     whole = vmi_two_product(j, half_pi.hi);
     rest = vmi_two_sum(phase.hi - whole.hi, (phase.lo - whole.lo) + (u * rate.lo - j * half_pi.mid));
-    if (VM_FABS(rest.hi) > VM_C(0.501) * half_pi.hi) { /* for u > K/(1000 eps): the rounding of count moves j */
+    if (VM_FABS(rest.hi) > VM_C(0.501) * half_pi.hi) { /* for u > K/(1000 eps), where the rounding of count changes
+                                                          j */
         const vm_real further = VM_FLOOR(rest.hi / half_pi.hi + VM_C(0.5));
         rest = vmi_two_sum(rest.hi - further * half_pi.hi, rest.lo - further * half_pi.mid);
         *quarters += (vmi_bits)(further + 4);
@@ -2165,7 +2166,7 @@ VMI_APART vm_real vmi_reduce_by_table(vm_real u, vm_real m1, vm_real m1_lo, vm_r
     const vm_real closest = VM_MANT_DIG > 24 ? VM_C(1048576.0) : VM_C(1024.0);
     const vmi_period K = vmi_period_by_table(m1, m1_lo, kp);
     vm_real divisor = K.rough, shifted, j, rest;
-    if (u < VM_C(2.5) * K.early) divisor = K.early; /* it is known before K.rough */
+    if (u < VM_C(2.5) * K.early) divisor = K.early; /* it is computed before K.rough is */
     shifted = vmi_rounded(u / divisor + 1 / VM_EPSILON);
     j = shifted - 1 / VM_EPSILON;
     rest = ((u - j * K.head) - j * K.middle) - j * K.low; /* only the last product and difference round */

@@ -326,8 +326,8 @@
      oscillators/closed: the law of order five as plain data, where all its integrals have closed forms
        vm_osc_closed_init             Prepares the motion of the problem by the law of an order, 2 to 5; a higher order is more accurate
        vm_osc_closed_at               Position x (m) and velocity v (m/s) at time t (s, either sign), from the law in *c, with its order
-       vm_osc_closed_at_order2        As vm_osc_closed_at, but by order 2 for any order of *c
-       vm_osc_closed_at_order3        As vm_osc_closed_at, but by order 3; *c must have order 3 or more, else VM_BAD_ARGUMENT
+       vm_osc_closed_at_order2        Position and velocity as by vm_osc_closed_at, but always by order 2, whatever order *c has
+       vm_osc_closed_at_order3        Position and velocity as by vm_osc_closed_at, but always by order 3; returns VM_BAD_ARGUMENT if *c has order 2
 
      oscillators/plan: the plan of an oscillator: what is computed once and then used at many times t
        vm_osc_plan_init               Plan for many values of one problem's motion
@@ -1741,7 +1741,7 @@ VM_API int vm_euler_313_angles(vm_quat q, vm_real angles[3])
 VM_API int vm_euler_321_angles(vm_quat q, vm_real angles[3])
 {
     vmi_euler_part p, r;
-    vm_real sine, cosine; /* of the pitch, times |q|^2 */
+    vm_real sine, cosine; /* sine and cosine of the pitch, times |q|^2 */
     if (!angles) return VM_BAD_ARGUMENT;
     if (!vmi_quat_is_finite(q)) return VM_NOT_FINITE;
     q = vmi_euler_normal_size(q);
@@ -3307,11 +3307,11 @@ VM_API vm_real vm_energy_loss(const vm_body *body, int n, const vm_body *added, 
 #endif
 /* mechanics/axle.h - jumps of a body that turns about a fixed axle
 
-   A body can only turn about a fixed axle. When a part separates from it, or another body is attached to it, the axle
-   gives an impulse, and only the angular momentum about the axle follows from the parts. This generalizes the pendulum
-   of (119)-(132) to a body and an axle of any shape, place and direction. The results are the motion of the body after
-   the jump and the impulse of the axle. With n = 0 parts, the functions say how a body moves on that an impulse hits,
-   or that is caught by an axle while it flies.
+   A body on a fixed axle can only turn about it. When a part separates from the body, or another body is attached to
+   it, the axle exerts an impulse on it. Therefore only the balance of the angular momentum about the axle determines
+   the motion. This generalizes the pendulum of (119)-(132) to a body and an axle of any shape, place and direction.
+   The results are the motion of the body after the jump and the impulse of the axle. With n = 0 parts, the functions
+   compute the motion of a body after an impulse has hit it, or after an axle has caught it in flight.
 
        vm_axle hinge = {{0, 0, 0}, {0, 0, 1}};                       // through the origin, along z
        vm_body door = {20, {2, 2, 2, 0, 0, 0}, {1, 0, 0, 0}, {0.5, 0, 0}, {0, 1, 0}, {0, 0, 2}};
@@ -3321,10 +3321,12 @@ VM_API vm_real vm_energy_loss(const vm_body *body, int n, const vm_body *added, 
 
    The equations. e is the unit vector along the axle, which passes through the point O. All motions are taken relative
    to the frame that turns about the axle as the body did before, with the rate w = e . omega. In this frame (42) holds,
-   and the body was at rest if the axle guided it before. Let P and L be the momentum of all bodies that join (+) or
-   leave (-), of the body before, and of the external impulse, L about O. Let I be the inertia of the body after the
-   jump about O. Then w grows by (e . L)/(e . I e), and the axle gives what is left: the impulse M1 v1 - P at O, with
-   the velocity v1 of the mass centre, and a couple, which is orthogonal to the axle. Tests: tests/test_axle.c. */
+   and the body was at rest if the axle guided it before. Let P be the sum of the momenta of the body before the jump,
+   of all bodies that join (+) or leave (-), and of the external impulse; let L be the sum of their angular momenta
+   about O. Let I be the inertia of the body after the jump about O. Then w grows by (e . L)/(e . I e), and the axle
+   exerts the impulse M1 v1 - P at O, with the velocity v1 of the mass centre, and a couple, which is orthogonal to
+   the axle.
+   Tests: tests/test_axle.c. */
 #ifndef VARMASS_MECHANICS_AXLE_H
 #define VARMASS_MECHANICS_AXLE_H
 
@@ -3386,7 +3388,7 @@ VM_API int vmi_axle_direction(const vm_axle *axle, vm_vec3 *e)
 VM_API int vmi_axle_turn(vm_vec3 O, vm_vec3 e, vm_vec3 before, const vmi_axle_sum *sum, vm_body *b,
                          vm_impulse *reaction)
 {
-    const vm_vec3 d = sum->arm, speed = vm_cross(e, d); /* of the mass centre at 1 rad/s */
+    const vm_vec3 d = sum->arm, speed = vm_cross(e, d); /* velocity of the mass centre at 1 rad/s */
     const vm_vec3 column = vm_add(vmi_axle_spin(b, e), vm_scale(b->mass, vm_cross(d, speed)));
     const vm_real inertia = vm_dot(e, column), momentum = vm_dot(e, sum->angular);
     vm_real change = 0;
@@ -3446,8 +3448,8 @@ VM_API int vm_separate_on_axle(const vm_axle *axle, const vm_body *whole, int n,
     return vmi_axle_jump(axle, whole, n, parts, VMI_SEPARATE, external_or_NULL, rest, reaction_or_NULL);
 }
 
-/* Attachment of n bodies to a body on a fixed axle (plastic impact): *whole is all together, guided by the axle.
-   The bodies must have their motions just before the impact. The other arguments and the statuses are those of
+/* Attachment of n bodies to a body on a fixed axle (plastic impact): *whole is all bodies together, guided by the
+   axle. The bodies must have their motions just before the impact. The other arguments and the statuses are those of
    vm_separate_on_axle. */
 VM_API int vm_attach_on_axle(const vm_axle *axle, const vm_body *body, int n, const vm_body *added,
                              const vm_impulse *external_or_NULL, vm_body *whole, vm_impulse *reaction_or_NULL)
@@ -3788,7 +3790,8 @@ VM_API int vm_broken_rotor_break_off(const vm_broken_rotor *whole, const vm_real
                            b.state);
     if (!vmi_all_finite(VM_BROKEN_ROTOR_STATES, b.state) || !vmi_all_finite(VM_BROKEN_ROTOR_STATES, b.piece))
         return VM_NOT_FINITE;
-    if (!VM_IS_FINITE(b.dragging) || !VM_IS_FINITE(b.normal)) return VM_NOT_FINITE; /* states may be finite even so */
+    if (!VM_IS_FINITE(b.dragging) || !VM_IS_FINITE(b.normal)) return VM_NOT_FINITE; /* these may be infinite although
+                                                                                       the states are finite */
     *result = b;
     return VM_OK;
 }
@@ -4524,7 +4527,8 @@ VM_API int vm_lagrange_impact(int n, const vm_real *matrix, const vm_real *qdot,
        vm_pendulum_cut cut;
        int status = vm_pendulum_separate(&rod, VM_C(0.25), 0, 0, 1, &cut); // 0.25 m leaves at 1 m/s along y
 
-   vm_compound_pendulum_separate is the same for a pendulum of any shape, and axle.h for any axle in space.
+   vm_compound_pendulum_separate does this for a pendulum of any shape, and the functions of axle.h for any axle in
+   space.
    Tests: tests/test_pendulum.c. */
 #ifndef VARMASS_MECHANICS_PENDULUM_H
 #define VARMASS_MECHANICS_PENDULUM_H
@@ -4712,10 +4716,10 @@ VM_API int vmi_compound_cut_finite(const vm_compound_cut *c)
 }
 
 /* Motion of a pendulum of any shape and of the part that is cut off from it, (119)-(132).
-   The pendulum need not be uniform. Position and inertia of the part are free. With the moment of inertia I1 of the
-   rest about O and the velocity u of the part at r2 relative to the pendulum, the angular velocity changes by
+   The pendulum need not be uniform, and the part may have any position and inertia. With the moment of inertia I1 of
+   the rest about O and the velocity u of the part at r2 relative to the pendulum, the angular velocity changes by
      phi1' - phi' = -(I2 Omega + m (r2 x u))/I1.
-   This form has no cancellation but that in I1, the difference of the moments of inertia about O. Returns
+   In this form digits cancel only in I1, the difference of the moments of inertia about O. Returns
    VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS if a mass, that of the rest included, is not positive,
    VM_BAD_INERTIA for an inertia that no body has, that of the rest included, and VM_OK otherwise. For axles in space
    see vm_separate_on_axle. */
@@ -6953,7 +6957,7 @@ typedef struct VM_TAG(vm_supply_left) {
     vm_inertia inertia;         /* inertia about this mass centre, kg m^2, body axes */
     vm_vec3 centre_by_mass;     /* rate of the mass centre, m/kg */
     vm_inertia inertia_by_mass; /* rate of the inertia, m^2 */
-    vm_store store;             /* where the next mass that leaves lies, for the field `from` of a vm_stream */
+    vm_store store;             /* the place of the next mass that leaves, for the field `from` of a vm_stream */
 } vm_supply_left;
 
 /* The tensor axial e e^T + transverse (E - e e^T) for a unit vector e and the unit matrix E. The diagonal entries are
@@ -7024,11 +7028,12 @@ VM_API int vmi_supply_left_is_finite(const vm_supply_left *left)
 }
 
 /* What is left of a tank or grain when its mass is `mass`: mass centre, inertia, their rates, and the next store.
-   mass is in kg and lies between 0 and supply.full. Beyond both ends the formulas go on as polynomials of the mass, so
-   that trial steps of an integrator see smooth functions, but what they then describe is no body. The errors are at
-   most 8 eps of |at| + length, of the largest entry of a tensor and of the rate, next to an empty or full supply too.
-   Returns VM_BAD_ARGUMENT for a null pointer or an unknown kind, VM_NOT_FINITE, VM_BAD_MASS if supply.full is not
-   positive, VM_DOMAIN for a length, radius, bore or axis outside its domain, and VM_OK otherwise. */
+   mass is in kg and lies between 0 and supply.full. For a mass below 0 or above supply.full the formulas are
+   continued as polynomials of the mass, so that trial steps of an integrator find smooth functions; the results then
+   describe no body. The errors are at most 8 eps of |at| + length, of the largest entry of a tensor, and of the rate.
+   This holds next to an empty or full supply, too. Returns VM_BAD_ARGUMENT for a null pointer or an unknown kind,
+   VM_NOT_FINITE, VM_BAD_MASS if supply.full is not positive, VM_DOMAIN for a length, radius, bore or axis outside its
+   domain, and VM_OK otherwise. */
 VM_API int vm_supply_at(const vm_supply *supply, vm_real mass, vm_supply_left *left)
 {
     vm_supply_left result;
@@ -7073,7 +7078,8 @@ VM_API int vm_supply_at(const vm_supply *supply, vm_real mass, vm_supply_left *l
    distance is an elliptic function of s. But tau and the angle are elliptic integrals of the third kind, whose
    parameters are the roots of a quartic: complex for most orbits, and of three kinds. tau(s) must be inverted by
    iteration, and digits cancel where two roots are close, that is, next to a circle and where mu or c is small.
-   Integration by rk87 of the equation in t or in tau has none of these cases (tests/test_orbit.c, test_second_law).
+   Integration by rk87 of the equation in t or in tau avoids all these difficulties (tests/test_orbit.c,
+   test_second_law).
    Tests: tests/test_orbit.c. */
 #ifndef VARMASS_MECHANICS_ORBIT_H
 #define VARMASS_MECHANICS_ORBIT_H
@@ -7130,7 +7136,7 @@ typedef struct VM_TAG(vmi_kepler) {
     vm_real beta;  /* 2 - v0^2; the energy is -beta/2 */
 } vmi_kepler;
 
-/* What belongs to a value of the variable s */
+/* The time and the distance for a value of the variable s */
 typedef struct VM_TAG(vmi_kepler_point) {
     vmi_stumpff g;
     vm_real time, distance;
@@ -7150,10 +7156,10 @@ VM_API vmi_kepler_point vmi_kepler_at(const vmi_kepler *o, vm_real s)
     return p;
 }
 
-/* Finds the variable s >= 0 at the time t >= 0 and returns what belongs to it. The time rises with s, so that Newton's
-   steps are kept between bounds of s that close in. A step that leaves them, or that is longer than half the step
-   before, is replaced by doubling or halving. On a fast hyperbola, where the time rises exponentially, Newton's steps
-   alone would be too many. */
+/* Finds the variable s >= 0 at the time t >= 0, and returns the distance and the functions G1, G2, G3 for this s. The
+   time rises with s. Therefore Newton's method is kept between a lower and an upper bound of s, which come closer in
+   each step. If a step leaves these bounds, or is longer than half the step before, s is doubled or the interval is
+   halved instead. On a fast hyperbola, where the time rises exponentially, Newton's steps alone would be too many. */
 VM_API vmi_kepler_point vmi_kepler_solve(const vmi_kepler *o, vm_real t)
 {
     const int most = 3 * VM_MANT_DIG; /* halving alone needs VM_MANT_DIG steps, Newton's steps are fewer */
@@ -7193,9 +7199,9 @@ VM_API vm_real vmi_kepler_reduce(vm_real beta, vm_real t)
    r0 (m) is the position relative to the centre and v0 (m/s) the velocity at t = 0; mu (m^3/s^2) is G times the mass in
    the centre, or G (M1 + M2) if r0 and v0 belong to two bodies, one relative to the other. t may be negative. The orbit
    may be an ellipse, a parabola, a hyperbola or a straight line; on a straight line the body turns back at the centre.
-   The error is that which an error of a few eps in t, r0, v0 and mu makes; it grows with the number of revolutions.
-   The cost is that of some 50 sines. Returns VM_BAD_ARGUMENT, VM_NOT_FINITE also where the results are not finite,
-   VM_DOMAIN for mu <= 0 or r0 = 0, and VM_OK otherwise. */
+   The error is as large as an error of a few eps in t, r0, v0 and mu would make it; it grows with the number of
+   revolutions. The cost is that of some 50 sines. Returns VM_BAD_ARGUMENT, VM_NOT_FINITE also where the results are
+   not finite, VM_DOMAIN for mu <= 0 or r0 = 0, and VM_OK otherwise. */
 VM_API int vm_orbit(vm_real t, vm_real mu, vm_vec3 r0, vm_vec3 v0, vm_vec3 *r, vm_vec3 *v)
 {
     vm_real distance0, speed, unit, time, sign = 1;
@@ -7715,7 +7721,7 @@ typedef struct VM_TAG(vmi_drum_wave) {
     vm_real square;       /* 1 - A phi */
     vm_real root;         /* the square root of 1 - A phi */
     vm_real envelope;     /* amplitude at this angle, m */
-    vm_real sine, cosine; /* of the phase at this angle */
+    vm_real sine, cosine; /* sine and cosine of the phase at this angle */
 } vmi_drum_wave;
 
 /* Sets *w for the angle phi, the amplitude a and the phase alpha at phi = 0. Returns 1, or 0 if 1 - A phi is not
@@ -7839,8 +7845,8 @@ VM_API int vm_drum_unbalance(const vm_drum *d, vm_real phi, vm_real deflection[2
 
 /* Angular velocity phi' on an elastic shaft, rad/s: (196) corrected by the deflection (224).
    `rise` is the deflection y(phi) - y(0) in the band's direction since the winding began, m, for example by
-   vm_drum_deflection and vm_drum_unbalance. A rim that rises with the band is driven less by it. To the first order in
-   rise the solution of (212) and (215) is
+   vm_drum_deflection and vm_drum_unbalance. If the rim of the drum rises with the band, the band drives the drum
+   less. To the first order in rise the solution of (212) and (215) is
      phi' = vm_drum_rate [1 - mu R rise/(J0 + j phi)].
    mu is the mass of the band per angle, R the radius, J0 the drum's inertia and j = mu R^2. For a drum on which
    mu R |rise|/J0, mu/M0, j/J0 and |e|/(J0 Omega_b) are at most eps, the error is of the order of eps^2 Omega_b: halving
@@ -8144,8 +8150,9 @@ VM_API vm_real vmi_lagrange_time_step(const vm_lagrange_system *system, vm_real 
     return h / fastest;
 }
 
-/* Adds the change of the momenta per second to p, while the coordinates and the time go on and the rates q' stay. It is
-   a central difference of order 6. Time stands still if time_scale is 0. */
+/* Adds to p the change of the momenta per second that the changes of the coordinates and of the time cause; the rates
+   q' stay constant. The change is a central difference of order 6. If time_scale is 0, the time stays constant,
+   too. */
 VM_API void vmi_lagrange_add_momentum_rates(const vm_lagrange_system *system, vm_real t, vm_real time_scale,
                                             const vm_real *q, const vm_real *rates, vm_real *p)
 {
@@ -8193,12 +8200,12 @@ VM_API int vmi_lagrange_inverse(const vm_lagrange_system *system, vm_real t, vm_
 /* Inverse dynamics: generalized forces Q that a given motion needs, the left side of (247).
    They are Q_i = d/dt dT/dq'_i - (dT/dq_i, masses frozen), the sum of all forces, those of the streams of mass
    included. q, rates and accelerations are the n coordinates q and their derivatives q' and q'' at time t; Q has n
-   numbers. time_scale (s) is the time after which T or the masses differ noticeably while q stays, as `scales` is for
-   the coordinates; it is 0 if T and the masses do not depend on time. Returns VM_BAD_ARGUMENT, VM_NOT_FINITE also if a
-   result is not finite, VM_DOMAIN for time_scale < 0, VM_SINGULAR if T does not grow with each of the rates, and VM_OK
-   otherwise. The error is below 2e-13 (float 1e-5) of the largest term: of A q'', of T divided by the scale of a
-   coordinate, and of dT/dq' divided by the time in which the system changes noticeably. T is evaluated
-   14 n^2 + 6 n + 7 times. */
+   numbers. time_scale (s) is the time after which T or the masses differ noticeably while q stays constant (the field
+   `scales` says the same of the coordinates); it is 0 if T and the masses do not depend on time. Returns
+   VM_BAD_ARGUMENT, VM_NOT_FINITE also if a result is not finite, VM_DOMAIN for time_scale < 0, VM_SINGULAR if T does
+   not grow with each of the rates, and VM_OK otherwise. The error is below 2e-13 (float 1e-5) of the largest term: of
+   A q'', of T divided by the scale of a coordinate, and of dT/dq' divided by the time in which the system changes
+   noticeably. T is evaluated 14 n^2 + 6 n + 7 times. */
 VM_API int vm_lagrange_needed_forces(vm_lagrange_system *system, vm_real t, vm_real time_scale, const vm_real *q,
                                      const vm_real *rates, const vm_real *accelerations, vm_real *Q)
 {
@@ -8232,7 +8239,7 @@ VM_API int vm_lagrange_drive_forces(vm_lagrange_system *system, vm_real t, vm_re
 #endif
 /* oscillators/force_terms.h - terms of forces that both oscillators and scenes use
 
-   Each formula is written here once, so that an oscillator and an effect of a scene mean the same by it:
+   Each formula is written only once, here, so that an oscillator and an effect of a scene compute the same force:
        vm_real feed = vmi_van_der_pol_feed(VM_C(0.1), VM_C(0.2), 2); // N s/m at x = 2 m: force over velocity
    Tests: tests/test_van_der_pol.c, tests/test_jeffcott.c, tests/test_forces.c. */
 #ifndef VARMASS_OSCILLATORS_FORCE_TERMS_H
@@ -8783,9 +8790,10 @@ struct VM_TAG(vm_law) {
     void *ctx;                /* the user's pointer, last argument of function */
     vm_real change_time;      /* for vm_law_user only: the shortest time scale, s, on which f changes noticeably; 0 if
                                  it is unknown */
-    /* Functions that depend on the kind of law; its constructor sets them. */
-    int (*derivatives)(const vm_law *law, vm_real t, int side, vm_real length, vm_real *f); /* null: no law was made */
-    int (*validate)(const vm_law *law, int if_not_positive, vm_real t);       /* null: f(0) and f(t) decide */
+    /* Functions that depend on the kind of law; its constructor sets them. `derivatives` is null where no constructor
+       made the law. If `validate` is null, only f(0) and f(t) are checked. */
+    int (*derivatives)(const vm_law *law, vm_real t, int side, vm_real length, vm_real *f);
+    int (*validate)(const vm_law *law, int if_not_positive, vm_real t);
     int (*exponential_form)(const vm_law *law, vm_real *base, vm_real *rate); /* null if the law has no such form */
     vm_real (*inverse_integral)(const vm_law *law, vm_real t);                /* null if there is no closed form */
 };
@@ -9393,9 +9401,10 @@ VM_API int vmi_osc_check_problem(const vm_osc_problem *o, vm_real t, vm_real *ma
        int status = vm_osc_load_init(&load, &problem, &u, &damping); // 0.3 m/s; 0.02 kg/s, growing
        if (!status) status = vm_osc_within(&problem, 10, VM_C(1e-6), &motion);
    To first order a thrust m' u leaves the averaged amplitude as it is, since its mean over a period is 0: it only moves
-   the middle of the vibration, for alpha = 1 by m' u/k. The averaged routes leave this out, and say so by their
-   `error`. damping(t) changes the amplitude by vm_osc_amplitude_law, with vm_law_ratio_integral(&damping, &mass, t,
-   &decay). Tests: tests/test_loads.c. */
+   the middle of the vibration, for alpha = 1 by m' u/k. The averaged routes leave this shift out; the field `error`
+   of their results includes it. damping(t) changes the amplitude by vm_osc_amplitude_law, with
+   vm_law_ratio_integral(&damping, &mass, t, &decay).
+   Tests: tests/test_loads.c. */
 #ifndef VARMASS_OSCILLATORS_LOADS_H
 #define VARMASS_OSCILLATORS_LOADS_H
 
@@ -9434,11 +9443,12 @@ VM_API vm_real vm_osc_load_force(vm_real t, vm_real x, vm_real v, void *load)
 /* Gives an oscillator a velocity u of the mass that joins or leaves, and a damping that depends on time.
    u_or_NULL is the law of this velocity, m/s, and damping_or_NULL the law of the damping, kg/s, which adds to the
    problem's constant damping; a null pointer means 0. *load is filled, and problem->force and problem->ctx are set to
-   it; a force that the problem had acts as before. Call it once for a problem, after its other fields are set. Routes
-   step over the points of a table in u and damping without stopping there, which costs steps, not accuracy. Returns
-   VM_BAD_ARGUMENT for other null pointers, for a law that no constructor made, and for a problem that has this load
-   already; VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS or VM_DOMAIN where a number of the problem or a law at t = 0 is
-   not finite, not positive or outside its domain. An error leaves *load and *problem untouched. */
+   it; a force that the problem had before still acts. Call it once for a problem, after its other fields are set.
+   Routes do not stop at the points of a table in u and damping; this makes them take more steps, but not less
+   accurate. Returns VM_BAD_ARGUMENT for other null pointers, for a law that no constructor made, and for a problem
+   that has this load already; VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS or VM_DOMAIN where a number of the problem
+   or a law at t = 0 is not finite, not positive or outside its domain. An error leaves *load and *problem
+   untouched. */
 VM_API int vm_osc_load_init(vm_osc_load *load, vm_osc_problem *problem, const vm_law *u_or_NULL,
                             const vm_law *damping_or_NULL)
 {
@@ -10480,7 +10490,7 @@ VM_API vm_real vmi_osc_closed_error(const vm_osc_closed *c, int order, const vm_
     return error < largest_known ? error : VM_INFINITY;
 }
 
-/* Finds the mean motion at t = 0 and the estimate of the error, when the rest of *c is ready. */
+/* Finds the mean motion at t = 0 and the estimate of the error, after all other fields of *c have been set. */
 VMI_APART void vmi_osc_closed_begin(vm_osc_closed *c, int order, const vmi_osc_closed_start *s, vm_real t_end)
 {
     vmi_osc_reduced mean = s->state;
@@ -10569,13 +10579,15 @@ VM_API int vm_osc_closed_at(const vm_osc_closed *c, vm_real t, vm_real *x, vm_re
     return vmi_osc_closed_motion(c, order, t, x, v);
 }
 
-/* As vm_osc_closed_at, but by order 2 for any order of *c. It links the shortest code, since it needs no ripple. */
+/* Position and velocity as by vm_osc_closed_at, but always by order 2, whatever order *c has. This function links the
+   least code, since it needs no ripple. */
 VM_API int vm_osc_closed_at_order2(const vm_osc_closed *c, vm_real t, vm_real *x, vm_real *v)
 {
     return vmi_osc_closed_motion(c, 2, t, x, v);
 }
 
-/* As vm_osc_closed_at, but by order 3; *c must have order 3 or more, else VM_BAD_ARGUMENT. It links less code. */
+/* Position and velocity as by vm_osc_closed_at, but always by order 3; returns VM_BAD_ARGUMENT if *c has order 2.
+   This function links less code than vm_osc_closed_at. */
 VM_API int vm_osc_closed_at_order3(const vm_osc_closed *c, vm_real t, vm_real *x, vm_real *v)
 {
     return vmi_osc_closed_motion(c, 3, t, x, v);
@@ -11844,8 +11856,8 @@ VM_API void vmi_osc_find_ripples(const vmi_osc_moment *at, const vm_real *rate_A
 VM_API int vmi_osc_averaging_at(const vm_osc_plan *p, const vmi_osc_wave *w, vm_real t, vm_real t_end, vm_real A,
                                 vm_real psi, vmi_osc_averaging *a)
 {
-    const vm_real second_order = VM_C(0.25); /* error of a mean rate over (rate times ripple); 0.156 for Duffing's
-                                                equation */
+    const vm_real second_order = VM_C(0.25); /* error of a mean rate divided by (rate times ripple); it is 0.156 for
+                                                Duffing's equation */
     vm_real rate_A[VMI_AVERAGING_POINTS], rate_psi[VMI_AVERAGING_POINTS], frozen_A, frozen_psi, rates, second;
     vmi_osc_moment at;
     int status = vmi_osc_rates_at(&p->problem, t, -vmi_time_side(t_end), &at.now);
@@ -12637,9 +12649,9 @@ typedef struct VM_TAG(vmi_osc_step) {
     vm_real sign;                /* factor of waves: -1 in every second half period, else 1 */
     const vmi_step_waves *waves; /* waves at the nodes, without the factor sign */
     vmi_step_rates rates;        /* rates at the nodes by the last round of the iteration */
-    vm_real swing_t[2];          /* the rate of t swings with (swing_t[0] + (x - 1/2) swing_t[1]) ca^2 */
-    vm_real swing_ln_A[2];       /* the rate of ln A swings with (swing_ln_A[0] + (x - 1/2) swing_ln_A[1]) sa ca, and
-                                    with -p times the swing of t */
+    vm_real swing_t[2];          /* the swing of the rate of t is (swing_t[0] + (x - 1/2) swing_t[1]) ca^2 */
+    vm_real swing_ln_A[2];       /* the swing of the rate of ln A is (swing_ln_A[0] + (x - 1/2) swing_ln_A[1]) sa ca,
+                                    minus p times the swing of t */
     vm_real p;                   /* p in the middle of the step, 1/s */
     vmi_osc_change whole;        /* the changes over the whole step */
 } vmi_osc_step;
@@ -14709,7 +14721,8 @@ VM_API int vmi_duffing_at_phase(const vmi_orbit *orbit, vm_real phi, vm_real *x,
     return VM_OK;
 }
 
-/* Duffing's force as the functions for constant mass need it: without its ripple, so that they do not link it */
+/* Duffing's force without the function of its ripple. The functions for constant mass do not need this function, and
+   so do not link it. */
 VM_API vm_odd_force vmi_duffing_elastic(vm_real k1, vm_real k3)
 {
     vm_odd_force force = vm_odd_force_user(NULL, NULL);
@@ -15513,7 +15526,7 @@ VM_API int vmi_odd_check(const vm_odd_problem *o, vm_real t)
 }
 
 /* Writes the velocity of the reduced motion at t = 0, divided by speed0. Where the shape of the force cannot be made
-   constant, it is that of the body. */
+   constant, it is the velocity of the body itself. */
 VM_API int vmi_odd_first_velocity(vm_odd_plan *p)
 {
     const vm_odd_problem *o = &p->problem;
@@ -16747,7 +16760,8 @@ typedef struct VM_TAG(vmi_vdp_mean) {
     vm_real J_third, psi_third;   /* what order three leaves out: only those terms that depend on feed and mass alone */
     vm_real ratio;                /* largest ratio at a start of the terms of one order to the terms of the order
                                      before */
-    vmi_osc_mean fast;            /* only change, dropped, shortest and error: what fast changes of the mass cause */
+    vmi_osc_mean fast;            /* used are only its fields change, dropped, shortest and error, for the effects of
+                                     fast changes of the mass */
 } vmi_vdp_mean;
 
 /* What is computed only once for a Van der Pol oscillator and its state at t = 0, by vm_vdp_plan_init. Read its fields,
@@ -17256,8 +17270,9 @@ VM_API int vmi_vdp_mean_at(const vm_vdp_plan *p, vm_real t, vmi_vdp_mean *mean)
    The terms of second order are such integrals, too (vmi_vdp_closed_loss). For other alpha the amplitude of first order
    has the same form with (4/(alpha+3)) kappa in place of kappa, but the phase needs the integral of R^((alpha-1)/4) dt,
    an incomplete beta function whose second parameter is 0. It is elementary only if (alpha-1)/4 is rational, and the
-   other orders need several of them (docs/van-der-pol.md). There the walk computes all integrals at once, and ends
-   where the limit cycle is reached: from there on the phase grows evenly. So the cost does not depend on t.
+   other orders need several of them (docs/van-der-pol.md). For such alpha the walk computes all integrals at once,
+   and ends where the limit cycle is reached: from there on the phase grows at a constant rate. So the cost does not
+   depend on t.
        vmi_vdp_mean mean;
        vm_vdp_plan plan;
        int status = vm_vdp_plan_init(&plan, &vdp, VM_C(0.3), 0); // vdp is a vm_vdp; from rest at x = 0.3 m
@@ -18219,11 +18234,12 @@ VM_API int vmi_jeffcott_change_rhs(vm_real s, const vm_real *y, vm_real *dyds, v
 }
 
 /* Radius of circular whirl, m, after the mass has changed slowly, for any share of the reactive force.
-   Where vm_jeffcott_amplitude has the radius, for g = 0 or r = 1, this is the result. Otherwise A^2 S grows with the
-   mass by (1 - r) (1 + g/S) per relative change of the mass, S = m W - g, and the function integrates this over the
-   mass by rk87; the relative error is at most 1e-13 (float 3e-6). The radius was first_A when the mass was mass0;
+   For g = 0 or r = 1 the result is that of vm_jeffcott_amplitude. For other rotors the relative growth of A^2 S,
+   where S = m W - g, is (1 - r) (1 + g/S) times the relative change of the mass. The function integrates this over
+   the mass by rk87; the relative error is at most 1e-13 (float 3e-6). The radius was first_A when the mass was mass0;
    `mass` is the mass after the change. sense >= 0 means forward, sense < 0 backward whirl. Returns NaN where
-   vm_jeffcott_amplitude does, but for g != 0 with r != 1, and where g^2 + m K_e(A) is not positive on the way. */
+   vm_jeffcott_amplitude does, except for the case g != 0 with r != 1. It also returns NaN where g^2 + m K_e(A) is not
+   positive on the way. */
 VM_API vm_real vm_jeffcott_whirl_amplitude(const vm_jeffcott *r, vm_real first_A, vm_real mass0, vm_real mass,
                                            int sense)
 {
@@ -18256,7 +18272,8 @@ typedef struct VM_TAG(vmi_jeffcott_phase) {
     int sense;
 } vmi_jeffcott_phase;
 
-/* Writes the radius and the frequency of the whirl for this mass. Returns VM_BAD_STIFFNESS where there is none. */
+/* Writes the radius and the frequency of the whirl for this mass. Returns VM_BAD_STIFFNESS where there is no such
+   whirl. */
 VM_API int vmi_jeffcott_whirl_of_mass(const vmi_jeffcott_phase *p, vm_real mass, vm_real *A, vm_real *W)
 {
     *A = vm_jeffcott_whirl_amplitude(p->r, p->first_A, p->mass0, mass, p->sense);
@@ -18306,8 +18323,8 @@ VM_API int vmi_jeffcott_phase_by_panels(vmi_jeffcott_phase *p, vm_real t, vm_rea
     return status;
 }
 
-/* Checks what the motions of this chapter ask for: a rotor without load, and finite positive masses from 0 to t. Writes
-   the masses at 0 and at t. */
+/* Checks what the motions of this chapter need: a rotor without load, and masses that are finite and positive from 0
+   to t. Writes the masses at 0 and at t. */
 VM_API int vmi_jeffcott_check_motion(const vm_jeffcott *r, vm_real t, vm_real *mass0, vm_real *mass)
 {
     vm_real rate;
@@ -18327,11 +18344,11 @@ VM_API int vmi_jeffcott_check_motion(const vm_jeffcott *r, vm_real t, vm_real *m
    first_A > 0 is the radius (m) and first_angle the angle (rad) at t = 0; sense >= 0 means forward, sense < 0 backward
    whirl. The radius is vm_jeffcott_whirl_amplitude. The angle has a closed form for a power law of the shaft
    (vm_jeffcott_power) with g = 0 and a mass that is constant, linear, exponential or a power; it is then within 8 eps
-   of the phase. Otherwise it is the integral of the frequency by Gauss' rule on panels of 20 points, each of which asks
-   for the radius; it is then within 1e-12 (float 1e-4) of the phase for a smooth stiffness. The velocity is i W z,
-   without the small radial velocity. Returns VM_BAD_ARGUMENT for null pointers and a rotor without mass or stiffness,
-   VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS where there is no such whirl, VM_DOMAIN for a radius that is not
-   positive or t outside a table, and VM_NO_LAW for a rotor with a force or a velocity u. */
+   of the phase. Otherwise it is the integral of the frequency by Gauss' rule on panels of 20 points, at each of which
+   the radius is computed; it is then within 1e-12 (float 1e-4) of the phase for a smooth stiffness. The velocity is i
+   W z, without the small radial velocity. Returns VM_BAD_ARGUMENT for null pointers and a rotor without mass or
+   stiffness, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS where there is no such whirl, VM_DOMAIN for a radius that
+   is not positive or t outside a table, and VM_NO_LAW for a rotor with a force or a velocity u. */
 VM_API int vm_jeffcott_whirl_at(const vm_jeffcott *r, vm_real first_A, vm_real first_angle, int sense, vm_real t,
                                 vm_jeffcott_whirl *whirl)
 {
@@ -18362,7 +18379,8 @@ VM_API int vm_jeffcott_whirl_at(const vm_jeffcott *r, vm_real first_A, vm_real f
 
 /* -- Any motion on a linear shaft -- */
 
-/* Adds the whirl of this sense that was at z = first at t = 0, if it is there, to the motion (x, y, x', y') at t. */
+/* Adds to the motion (x, y, x', y') at t the whirl of this sense that was at z = first at t = 0. Nothing is added if
+   first is 0. */
 VM_API int vmi_jeffcott_add_whirl(const vm_jeffcott *r, vm_complex first, int sense, vm_real t, vm_real *motion)
 {
     const vm_real A = vmi_c_modulus(first);
@@ -18620,8 +18638,8 @@ enum {
 /* Motion of two bodies at time t by one of the three methods of (524), so that they can be compared. p = A(t) ca,
    A(t) cos or A(t) cn, with the mean amplitude A of vm_pair_to_averaged, whose law is the same for all three, and x,
    y by (528), (529). `method` is VM_PAIR_ATEB, VM_PAIR_TRIG or VM_PAIR_JACOBI. Unlike vm_pair_at this leaves out the
-   ripple of the amplitude within a period, as the text does. The other arguments are those of vm_pair_at. The error
-   is that of vm_osc_approximation_errors times A/2, and of the order of m'/(m Om). Returns the statuses of
+   ripple of the amplitude within a period, as the dissertation does. The other arguments are those of vm_pair_at. The
+   error is that of vm_osc_approximation_errors times A/2, and of the order of m'/(m Om). Returns the statuses of
    vm_pair_at, and VM_BAD_ARGUMENT for a method that does not exist. y and y0 may be the same array. */
 VM_API int vm_pair_by_method(const vm_pair *p, int method, vm_real t, const vm_real *y0, vm_real *y)
 {
@@ -19571,9 +19589,9 @@ VM_API int vm_periodic_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, 
     return VM_OK;
 }
 
-/* The ripple of the amplitude: what the exact amplitude has more than the mean one, at the phases phi of the vibration
-   and theta of the force, a vmi_ripple_of_force. It is q A/((alpha+3) Om) sa ca for the slow changes, and for the force
-   F/(m Om) times the sum over j and n of
+/* The ripple of the amplitude, which is the exact amplitude minus the mean one, at the phases phi of the vibration
+   and theta of the force. A vmi_ripple_of_force. It is q A/((alpha+3) Om) sa ca for the slow changes, and for the
+   force F/(m Om) times the sum over j and n of
      s_j/2 [(a_n cos u + b_n sin u)/(j w + n nu) + (a_n cos v - b_n sin v)/(j w - n nu)],
    where u = j phi + n theta, v = j phi - n theta, w is the frequency of the free vibration, and s_j is the Fourier
    coefficient of sin(j phi) in sa. The second quotient is left out for the pairs j, n that are in resonance, since it
@@ -19678,9 +19696,9 @@ VM_API vm_real vmi_periodic_amplitude(const vmi_resonance *z, vm_real S)
     return vmi_pow_checked(product / z->w1, 1 / (1 + z->exponent));
 }
 
-/* The excess (delta' of the averaged equations) |S| at a phase from 0 or pi, with the amplitude that A' = 0 asks for;
-   its zeros with A > 0 are the steady vibrations. It is continuous: where no amplitude has A' = 0 it goes on as the
-   limit for A -> 0. */
+/* The excess, which is delta' of the averaged equations times |S|, at a phase that is counted from 0 or pi, with the
+   amplitude for which A' = 0. Its zeros with A > 0 are the steady vibrations. It is continuous: where no amplitude
+   has A' = 0, it is the limit for A -> 0. */
 VM_API vm_real vmi_periodic_excess(vm_real phase, void *search)
 {
     const vmi_periodic_search *s = (const vmi_periodic_search *)search;
@@ -19694,8 +19712,8 @@ VM_API vm_real vmi_periodic_excess(vm_real phase, void *search)
     return (w - z->nu) * VM_FABS(sums.S) + limit;
 }
 
-/* The steady vibration of a phase from 0 or pi, with trace and determinant of the linearized averaged equations; its
-   frequency nu is the one that the phase asks for. A is 0 where there is none. */
+/* The steady vibration of a phase that is counted from 0 or pi, with trace and determinant of the linearized averaged
+   equations. Its frequency nu follows from the phase. A is 0 where there is no such vibration. */
 VM_API vm_steady_state vmi_periodic_state(const vmi_periodic_search *search, vm_real phase)
 {
     const vmi_resonance *z = &search->z;
@@ -19840,7 +19858,7 @@ typedef struct VM_TAG(vm_grounded_pair) {
 /* The parameters of both oscillators at one time, and what follows from the amplitudes */
 typedef struct VM_TAG(vmi_grounded_now) {
     vmi_forced_parameters n[2];
-    vm_real q[2]; /* rates of the slow changes, 1/s, which the damper of the coupling is part of */
+    vm_real q[2]; /* rates of the slow changes, 1/s; they include the damper of the coupling */
 } vmi_grounded_now;
 
 /* Whether a resonance exists: both numbers 0, or both from 1 to 9 */
@@ -19918,11 +19936,11 @@ VM_API int vm_grounded_pair_rhs(vm_real t, const vm_real *y, vm_real *dydt, void
     return VM_OK;
 }
 
-/* What belongs to one body at one time. The index `other` is that of the other body. */
+/* What the averaged equations need of one body at one time. The index `other` is that of the other body. */
 typedef struct VM_TAG(vmi_grounded_body) {
     vm_real Om, w; /* rate of the Ateb phase, 1/s; frequency of the free vibration, rad/s */
     vm_real pull;  /* kappa A, N: amplitude of the force that this body's motion exerts by the spring */
-    vm_real drag;  /* c V, N: the same by the damper */
+    vm_real drag;  /* c V, N: amplitude of the force that it exerts by the damper */
     vm_complex turns[2 * VMI_FORCED_HARMONICS]; /* e^(i k phi) */
 } vmi_grounded_body;
 
@@ -19963,10 +19981,10 @@ VM_API void vmi_grounded_sums(const vm_grounded_pair *p, const vmi_grounded_body
    state is y = (A_0, phi_0, A_1, phi_1), mean amplitudes (m) and phases (rad). Start with
    vm_grounded_pair_to_averaged, and end with vm_grounded_pair_from_averaged. Let e be the largest of the couplings,
    dampings and mass rates. Up to times of the order of 1/e the error of the amplitudes is of the order of e, and that
-   of the positions too for alpha = 1. For other alpha the positions fall behind by the phases, which depend on the
-   amplitudes: in the tests their error is at most 0.04 of the amplitude for e = 0.005, and falls more slowly than e.
-   The equations are singular where an amplitude is 0: there integrate vm_grounded_pair_rhs. The argument pair and the
-   statuses are those of vm_grounded_pair_rhs. */
+   of the positions too for alpha = 1. For other alpha the rates of the phases depend on the amplitudes, so that
+   errors of the amplitudes make larger errors of the positions: in the tests these are at most 0.04 of the amplitude
+   for e = 0.005, and fall more slowly than e. The equations are singular where an amplitude is 0: there integrate
+   vm_grounded_pair_rhs. The argument pair and the statuses are those of vm_grounded_pair_rhs. */
 VM_API int vm_grounded_pair_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *pair)
 {
     if (!y || !dydt || !pair) return VM_BAD_ARGUMENT;
@@ -19989,7 +20007,7 @@ VM_API int vm_grounded_pair_averaged_rhs(vm_real t, const vm_real *y, vm_real *d
     return VM_OK;
 }
 
-/* The ripple of the amplitude of the body i: what the exact amplitude has more than the mean one. It has the parts
+/* The ripple of the amplitude of the body i, which is the exact amplitude minus the mean one. It has the parts
      q A/((alpha+3) Om) sa ca                               by the slow changes and the dampings,
      -(alpha+1) kappa A/(4 m Om^2) (ca^2 - <ca^2>)          by this body's own motion in the coupling,
      1/(m Om) times the sum over j and n of s_j/2 [(kappa A_o c_n cos v - c V_o s_n sin v)/(j w_i + n w_o)
@@ -20359,7 +20377,7 @@ struct VM_TAG(vm_scene_body) {
     vm_body start;                      /* motion at the start; line: mass, r.x, v.x; axle: mass (kg m^2), omega.z */
     vm_real angle;                      /* rad: the angle of an axle or of a body in the plane at the start */
     vm_vec3 centre;         /* m, body axes: how far jumps have moved the mass centre (points.h) */
-    vm_real law_offset;     /* kg: added to the mass law, which does not know of jumps and of being switched */
+    vm_real law_offset;     /* kg: added to the mass that the law gives, after jumps and after switching */
     vm_inertia inertia;     /* kg m^2, body axes: the present inertia */
     vm_inertia invertible;  /* kg m^2: the inertia with a dummy moment about each axis that has none */
     vmi_mat3 axes;          /* the present body axes of a growing body, in inertial axes */
@@ -20388,7 +20406,7 @@ enum {
     VMI_ORDER_MASS_LAW = 0, /* mass laws stand first, since all other effects may need the mass */
     VMI_ORDER_FORCE = 1,
     VMI_ORDER_LINK = 2, /* links stand last, since the force of a link depends on all other forces on its ends */
-    VMI_ORDER_JOINTS = 3 /* joints stand last, as links; their own check looks at all their bodies */
+    VMI_ORDER_JOINTS = 3 /* joints stand last, as links do; a check of their own examines all their bodies */
 };
 
 /* What an effect needs of the mass of its body */
@@ -21039,7 +21057,7 @@ VM_API void vmi_free_growing_begin(vm_scene_body *b, const vm_real *state)
 VM_API int vmi_free_growing_accelerate(const vm_scene_body *b, const vm_real *state, vm_real *rates)
 {
     const vm_load *load = &b->load;
-    vmi_inertia_ldl factors; /* needed for the test only; vmi_free_accelerate solves Euler's equations with pivoting */
+    vmi_inertia_ldl factors; /* serve the test only; vmi_free_accelerate solves Euler's equations by itself */
     if (!vmi_inertia_factor_if_possible(&b->inertia, &factors)) return VM_BAD_INERTIA;
     vmi_growth_put_centre(b, load->centre_rate, rates);
     vmi_set_inertia(rates + vmi_growth_inertia_at(b), &load->inertia_rate);
@@ -21631,8 +21649,8 @@ VM_API vm_effect vm_effect_central_gravity(int body, vm_vec3 centre, vm_real mu)
 
    A law stands before all other effects on its body, and a body has at most one law. Mass that a jump adds to the
    body is added to the mass of the law. If an event switches a law off, the mass remains constant; if it switches a
-   law on, the law continues from the present mass (of a law M0 + c t only c then has an effect). Therefore switching
-   never changes a mass suddenly.
+   law on, the law continues from the present mass (for a law M0 + c t this means that only c has an effect).
+   Therefore switching never changes a mass suddenly.
 
    Tests: tests/test_scene_mass.c. */
 #ifndef VARMASS_SCENES_MASS_H
@@ -23176,8 +23194,8 @@ VM_API void vmi_joints_matrix_row(const vm_joints *joints, const vm_joint *joint
     }
 }
 
-/* What the forces of an equation have to bring about: the acceleration that C lacks, so that
-   C'' + 2 rate C' + rate^2 C = 0, or for impulses the velocity that it lacks, so that C' = 0 */
+/* What the forces or impulses of an equation must add. Forces must add to C'' what is needed for C'' + 2 rate C' +
+   rate^2 C = 0, impulses must add to C' what is needed for C' = 0. */
 enum { VMI_JOINT_FORCES, VMI_JOINT_IMPULSES };
 
 VM_API vm_real vmi_joint_lacks(const vmi_joint_row *row, vm_real rate, int wanted)
@@ -23329,8 +23347,8 @@ VM_API int vmi_joint_check(vm_joint *joint, const vm_scene *s)
     return vmi_joint_fits(joint, s) ? VM_OK : VM_NOT_JOINED;
 }
 
-/* Enters in the lists of effects on the bodies of joints that a link stands there, with `enter` = 1; else returns
-   VM_TWO_LINKS if a link or another list of joints already stands there. */
+/* With `enter` = 1, marks in the lists of effects on the bodies of the joints that a link stands there. With `enter`
+   = 0, returns VM_TWO_LINKS if a link or another list of joints already stands there. */
 VM_API int vmi_joints_enter_links(const vm_joints *joints, const vm_scene *s, int enter)
 {
     const int link = 1 << VMI_ORDER_LINK;
@@ -23370,9 +23388,9 @@ VM_API int vmi_joints_check(const vm_scene *s, const vm_effect *e)
    is absent at the start, VM_SAME_BODY for a joint of a body with itself, VM_BAD_POINT for a point that the body
    cannot have (points.h), VM_NOT_JOINED if points do not fit at the start or move apart, VM_TWO_LINKS if a body has a
    link or joints of another list, too, and VM_LINK_NOT_LAST if another effect on one of the bodies follows. A run ends
-   with VM_SINGULAR if joints are redundant, contradict each other or hold what cannot move, if a mechanism reaches a
-   position in which it is locked, and with VM_NOT_FINITE if the points of a rod coincide. A joint does not act while
-   one of its bodies is not present. */
+   with VM_SINGULAR if joints are redundant, contradict each other or hold a point that cannot move, if a mechanism
+   reaches a position in which it is locked, and with VM_NOT_FINITE if the points of a rod coincide. A joint does not
+   act while one of its bodies is not present. */
 VM_API vm_effect vm_effect_joints(const vm_joints *joints)
 {
     const int is_list = joints && joints->joints && joints->n_joints > 0;
@@ -24076,7 +24094,8 @@ VM_API void vmi_scene_shift_centre(const vm_scene *s, int body, vm_vec3 r, vm_re
     vmi_growth_put_centre(b, vm_add(vmi_growth_centre(b, state), step), state);
 }
 
-/* Lets effects that hold bodies together act even if their first body is not present: they leave out such bodies */
+/* Lets effects that hold bodies together act even if their first body is not present, because they leave out absent
+   bodies themselves */
 VM_API void vmi_scene_wake(vm_scene *s)
 {
     int i;
@@ -24251,7 +24270,8 @@ VM_API vm_event vm_then_attach(vm_event event, int body, int added)
        vm_event events[] = {vm_then_land(vm_event_contact(0, &wheel))};     // and it does not bounce
 
    vm_event_contact happens when the body comes down to the ground. vm_then_land makes it a stop without a bounce: an
-   impulse takes away the velocity of the point along the normal. Afterwards the body rests on the stiffness.
+   impulse takes away the velocity of the point along the normal. Afterwards the stiffness of the contact carries the
+   body.
 
    Tests: tests/test_scene_joints.c. */
 #ifndef VARMASS_SCENES_CONTACT_H
@@ -24414,8 +24434,8 @@ typedef struct VM_TAG(vmi_scene_pace) {
 } vmi_scene_pace;
 
 enum {
-    VMI_SCENE_MOST_EVENTS = 10000, /* limit of events at one instant; more are taken for an endless chain */
-    VMI_SCENE_MOST_CROWDED = 3,    /* limit of successive instants whose gap the time cannot resolve */
+    VMI_SCENE_MOST_EVENTS = 10000, /* largest number of events at one instant; more count as an endless chain */
+    VMI_SCENE_MOST_CROWDED = 3,    /* largest number of successive instants whose gap the time cannot resolve */
     VMI_SCENE_STEPS_IN_GAP = 32    /* steps in a short gap between two events, so that no later event is missed */
 };
 

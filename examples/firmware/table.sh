@@ -136,9 +136,9 @@ echo "function,precision,target,flash,stack,instructions" >"$build/table.csv"
 cat <<'END'
 # Flash, stack and instructions of a call
 
-Written by `make firmware-table`, with gcc -Os. A cell has three numbers: flash, stack, instructions. Flash is the number of bytes by
-which a program grows, with all tables and functions that the call needs. Stack (in bytes) and instructions are the
-largest of many calls on emulated boards.
+Written by `make firmware-table`, with gcc -Os. A cell has three numbers: flash, stack and instructions. Flash is the number of
+bytes by which a program grows when it makes the call, with all tables and functions that the call needs. Stack (in bytes) and
+instructions are the largest numbers in many calls on emulated boards.
 
 | target | processor |
 |---|---|
@@ -148,17 +148,19 @@ largest of many calls on emulated boards.
 | RV32IMAC | RISC-V without floating-point unit |
 | RV32IMAFDC | RISC-V with float and double in hardware |
 
-There are 300 calls with random arguments (10 of `vm_osc_closed_init`), and some with hard ones: ends of the domain, u = 1e9 (float
-1e4), m next to 1; examples/firmware/table.sh lists them. Random are m from -10 to 1, u and s from -100 to 100, alpha from 0 to 10, and
-bodies with three different moments in any attitude and motion. The most of these calls is a measured number and no proof of a bound.
+Each function is called with 300 random arguments (`vm_osc_closed_init` with 10), and with some that are hard: ends of the domain, u
+= 1e9 (float 1e4), m next to 1; examples/firmware/table.sh lists them. The random arguments are m from -10 to 1, u and s from -100
+to 100, alpha from 0 to 10, and bodies with three different moments of inertia in any attitude and motion. The largest number of
+these calls is measured; it is not a proved bound.
 
 The rows of `jacobi_plan_sncndn` and `ateb_plan_saca` include the code that makes the plan; a `const` plan in flash does not need it.
-`vm_osc_closed_at` is the motion of a leaking oscillator by the law of order two, three and five, from such a constant plan. Its flash
-contains the plan. `vm_osc_closed_init` makes such a plan on the board, for a linear law of mass. `vm_osc_exact` is the motion with
-constant mass. `vm_torque_free_attitude` is the rotation of a free body at times from -1000 s to 1000 s. `vm_torque_free_init`
-prepares it; the flash of this preparation has a row of its own. The scene is a tray on a spring with any exponent and a damper; the
-tray loses its load. `vm_scene_rhs` evaluates it once, and a step of `rk4` four times; [scene-sizes.md](scene-sizes.md) has the flash of
-whole scenes. `rk4_step` and `rk45_step` are steps of a cubic oscillator; the step of `rk45` is the first one of a run.
+`vm_osc_closed_at` computes the motion of a leaking oscillator by the law of order two, three or five, from a constant plan. Its
+flash includes the plan. `vm_osc_closed_init` makes such a plan on the board, for a linear law of mass. `vm_osc_exact` computes the
+motion with constant mass. `vm_torque_free_attitude` computes the rotation of a free body at times from -1000 s to 1000 s.
+`vm_torque_free_init` prepares it; the flash of this preparation has a row of its own. The scene is a tray on a spring with any
+exponent and a damper; the tray loses its load. `vm_scene_rhs` evaluates it once, and a step of `rk4` four times;
+[scene-sizes.md](scene-sizes.md) has the flash of whole scenes. `rk4_step` and `rk45_step` are steps of a cubic oscillator; the step
+of `rk45` is the first one of a run.
 
 ![instructions of a call](figures/firmware.svg)
 END

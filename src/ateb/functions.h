@@ -47,7 +47,7 @@ VM_API vm_real vmi_ateb_reduce_finely(vm_real s, vmi_ateb *c, int *quarter)
         if (count * VM_EPSILON < 1) rest = (((s - high.hi) - high.lo) - mid.hi) - (mid.lo + count * Q.lo);
     }
     if (VM_FABS(rest) < c->quarter.hi) return rest;
-    return 0; /* s is above 2^52 quarters: its digits do not give the phase */
+    return 0; /* s is above 2^52 quarters, so that its digits do not determine the phase */
 }
 
 /* Returns a for the weight 1 and b for the weight 0. A condition would become a branch, which is mispredicted half

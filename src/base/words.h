@@ -56,9 +56,9 @@ VM_API vm_two vmi_reduce(vm_real x, vm_two q, int *quarter)
     if (j == 0) return vmi_two(x, 0);
     if (!(j < 1 / VM_EPSILON)) return vmi_two(0, 0);
     p = vmi_two_product(j, hi);
-    p = vmi_two_sum(x * scale - p.hi, -p.lo); /* x scale - p.hi is exact but for that x */
+    p = vmi_two_sum(x * scale - p.hi, -p.lo); /* x scale - p.hi is exact, except for the x named above */
     p = vmi_fast_two_sum(p.hi, p.lo - j * lo);
-    if (VM_FABS(p.hi) > VM_C(0.501) * hi) { /* for x > q/(1000 eps): the rounding of the quotient moves j */
+    if (VM_FABS(p.hi) > VM_C(0.501) * hi) { /* for x > q/(1000 eps), where the rounding of the quotient changes j */
         const vm_real further = VM_FLOOR(p.hi / hi + VM_C(0.5));
         p = vmi_two_sum(p.hi - further * hi, p.lo - further * lo);
         j += further;

@@ -150,7 +150,7 @@ VM_API int vmi_locate(const rk45 *s, const ode_event *e, vm_real a, vm_real ga, 
 {
     const vm_real resolution = 2 * VM_EPSILON, look = b, g_look = gb;
     const int side = vmi_sign(ga);
-    int count, kept = 0; /* kept: 1 if the last x has become a, -1 if it has become b, 0 at first */
+    int count, kept = 0; /* kept is 1 if the last x has become a, -1 if it has become b, and 0 at first */
     for (count = 1; b - a > resolution; count++) {
         const int bisect = count % 3 == 0 || (gb == 0 && kept < 0);
         vm_real x = b - gb * ((b - a) / (gb - ga)), g;
@@ -392,7 +392,7 @@ VM_API void vmi_pass_on_sides(rk45 *s)
     }
 }
 
-/* Keeps what the events were before the last step, in their field `past` */
+/* Stores in the field `past` of each event the values that its fields have at the beginning of a step */
 VM_API void vmi_keep_events(rk45 *s)
 {
     int i;
@@ -449,7 +449,8 @@ VM_API int vmi_is_finite_inside(const rk45 *s, vm_real x)
 }
 
 /* Handles the events of the last step, up to the first instant at which an event ends the step. Returns a status. After
-   an error the step is taken back. If the state at this instant is not finite, the step is made again, shorter. */
+   an error the step is taken back. If the state at this instant is not finite, the step is made again with a shorter
+   length. */
 VM_API int vmi_events(rk45 *s)
 {
     vm_real cut = VMI_NONE;

@@ -24,7 +24,8 @@
 
 enum {
     ODE_OK = 0,          /* success */
-    ODE_RTOL_RAISED = 1, /* rk45_init has raised rtol to 16 eps, or rk87_init to 256 eps, which is the least */
+    ODE_RTOL_RAISED = 1, /* rk45_init has raised rtol to 16 eps, or rk87_init to 256 eps, the smallest rtol of the
+                            method */
     ODE_EVENT = 2,       /* an event has ended the run: s->t, s->y are its time and state, s->event is its index */
     ODE_STIFF = 3,       /* t_end was reached, but for a while stability, not the tolerance, limited the step size */
     /* An argument is wrong: n or steps is not positive, a pointer is NULL, a component has no tolerance, h_min is

@@ -28,7 +28,8 @@ enum {
     ODE_RESTART = 2 /* the run ends the step at the event, calls `change`, and begins a new step */
 };
 
-/* What a run keeps of an event at the beginning of a step: the fields of ode_event with these names */
+/* Those fields of an event that a run stores at the beginning of a step; they have the names of the fields of
+   ode_event */
 typedef struct VM_TAG(vmi_event_past) {
     long count;
     vm_real t, slack, quiet;

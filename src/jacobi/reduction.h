@@ -122,7 +122,8 @@ VMI_APART vm_two vmi_reduce_long(vm_real u, vm_real m1, vm_real m1_lo, vmi_bits 
     phase = vmi_two_product(u, rate.hi);
     whole = vmi_two_product(j, half_pi.hi);
     rest = vmi_two_sum(phase.hi - whole.hi, (phase.lo - whole.lo) + (u * rate.lo - j * half_pi.mid));
-    if (VM_FABS(rest.hi) > VM_C(0.501) * half_pi.hi) { /* for u > K/(1000 eps): the rounding of count moves j */
+    if (VM_FABS(rest.hi) > VM_C(0.501) * half_pi.hi) { /* for u > K/(1000 eps), where the rounding of count changes
+                                                          j */
         const vm_real further = VM_FLOOR(rest.hi / half_pi.hi + VM_C(0.5));
         rest = vmi_two_sum(rest.hi - further * half_pi.hi, rest.lo - further * half_pi.mid);
         *quarters += (vmi_bits)(further + 4);
@@ -151,7 +152,7 @@ VMI_APART vm_real vmi_reduce_by_table(vm_real u, vm_real m1, vm_real m1_lo, vm_r
     const vm_real closest = VM_MANT_DIG > 24 ? VM_C(1048576.0) : VM_C(1024.0);
     const vmi_period K = vmi_period_by_table(m1, m1_lo, kp);
     vm_real divisor = K.rough, shifted, j, rest;
-    if (u < VM_C(2.5) * K.early) divisor = K.early; /* it is known before K.rough */
+    if (u < VM_C(2.5) * K.early) divisor = K.early; /* it is computed before K.rough is */
     shifted = vmi_rounded(u / divisor + 1 / VM_EPSILON);
     j = shifted - 1 / VM_EPSILON;
     rest = ((u - j * K.head) - j * K.middle) - j * K.low; /* only the last product and difference round */

@@ -1,10 +1,10 @@
 /* mechanics/axle.h - jumps of a body that turns about a fixed axle
 
-   A body can only turn about a fixed axle. When a part separates from it, or another body is attached to it, the axle
-   gives an impulse, and only the angular momentum about the axle follows from the parts. This generalizes the pendulum
-   of (119)-(132) to a body and an axle of any shape, place and direction. The results are the motion of the body after
-   the jump and the impulse of the axle. With n = 0 parts, the functions say how a body moves on that an impulse hits,
-   or that is caught by an axle while it flies.
+   A body on a fixed axle can only turn about it. When a part separates from the body, or another body is attached to
+   it, the axle exerts an impulse on it. Therefore only the balance of the angular momentum about the axle determines
+   the motion. This generalizes the pendulum of (119)-(132) to a body and an axle of any shape, place and direction.
+   The results are the motion of the body after the jump and the impulse of the axle. With n = 0 parts, the functions
+   compute the motion of a body after an impulse has hit it, or after an axle has caught it in flight.
 
        vm_axle hinge = {{0, 0, 0}, {0, 0, 1}};                       // through the origin, along z
        vm_body door = {20, {2, 2, 2, 0, 0, 0}, {1, 0, 0, 0}, {0.5, 0, 0}, {0, 1, 0}, {0, 0, 2}};
@@ -14,10 +14,12 @@
 
    The equations. e is the unit vector along the axle, which passes through the point O. All motions are taken relative
    to the frame that turns about the axle as the body did before, with the rate w = e . omega. In this frame (42) holds,
-   and the body was at rest if the axle guided it before. Let P and L be the momentum of all bodies that join (+) or
-   leave (-), of the body before, and of the external impulse, L about O. Let I be the inertia of the body after the
-   jump about O. Then w grows by (e . L)/(e . I e), and the axle gives what is left: the impulse M1 v1 - P at O, with
-   the velocity v1 of the mass centre, and a couple, which is orthogonal to the axle. Tests: tests/test_axle.c. */
+   and the body was at rest if the axle guided it before. Let P be the sum of the momenta of the body before the jump,
+   of all bodies that join (+) or leave (-), and of the external impulse; let L be the sum of their angular momenta
+   about O. Let I be the inertia of the body after the jump about O. Then w grows by (e . L)/(e . I e), and the axle
+   exerts the impulse M1 v1 - P at O, with the velocity v1 of the mass centre, and a couple, which is orthogonal to
+   the axle.
+   Tests: tests/test_axle.c. */
 #ifndef VARMASS_MECHANICS_AXLE_H
 #define VARMASS_MECHANICS_AXLE_H
 
@@ -86,7 +88,7 @@ VM_API int vmi_axle_direction(const vm_axle *axle, vm_vec3 *e)
 VM_API int vmi_axle_turn(vm_vec3 O, vm_vec3 e, vm_vec3 before, const vmi_axle_sum *sum, vm_body *b,
                          vm_impulse *reaction)
 {
-    const vm_vec3 d = sum->arm, speed = vm_cross(e, d); /* of the mass centre at 1 rad/s */
+    const vm_vec3 d = sum->arm, speed = vm_cross(e, d); /* velocity of the mass centre at 1 rad/s */
     const vm_vec3 column = vm_add(vmi_axle_spin(b, e), vm_scale(b->mass, vm_cross(d, speed)));
     const vm_real inertia = vm_dot(e, column), momentum = vm_dot(e, sum->angular);
     vm_real change = 0;
@@ -146,8 +148,8 @@ VM_API int vm_separate_on_axle(const vm_axle *axle, const vm_body *whole, int n,
     return vmi_axle_jump(axle, whole, n, parts, VMI_SEPARATE, external_or_NULL, rest, reaction_or_NULL);
 }
 
-/* Attachment of n bodies to a body on a fixed axle (plastic impact): *whole is all together, guided by the axle.
-   The bodies must have their motions just before the impact. The other arguments and the statuses are those of
+/* Attachment of n bodies to a body on a fixed axle (plastic impact): *whole is all bodies together, guided by the
+   axle. The bodies must have their motions just before the impact. The other arguments and the statuses are those of
    vm_separate_on_axle. */
 VM_API int vm_attach_on_axle(const vm_axle *axle, const vm_body *body, int n, const vm_body *added,
                              const vm_impulse *external_or_NULL, vm_body *whole, vm_impulse *reaction_or_NULL)

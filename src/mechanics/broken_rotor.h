@@ -336,7 +336,8 @@ VM_API int vm_broken_rotor_break_off(const vm_broken_rotor *whole, const vm_real
                            b.state);
     if (!vmi_all_finite(VM_BROKEN_ROTOR_STATES, b.state) || !vmi_all_finite(VM_BROKEN_ROTOR_STATES, b.piece))
         return VM_NOT_FINITE;
-    if (!VM_IS_FINITE(b.dragging) || !VM_IS_FINITE(b.normal)) return VM_NOT_FINITE; /* states may be finite even so */
+    if (!VM_IS_FINITE(b.dragging) || !VM_IS_FINITE(b.normal)) return VM_NOT_FINITE; /* these may be infinite although
+                                                                                       the states are finite */
     *result = b;
     return VM_OK;
 }

@@ -463,7 +463,7 @@ typedef struct VM_TAG(vmi_drum_wave) {
     vm_real square;       /* 1 - A phi */
     vm_real root;         /* the square root of 1 - A phi */
     vm_real envelope;     /* amplitude at this angle, m */
-    vm_real sine, cosine; /* of the phase at this angle */
+    vm_real sine, cosine; /* sine and cosine of the phase at this angle */
 } vmi_drum_wave;
 
 /* Sets *w for the angle phi, the amplitude a and the phase alpha at phi = 0. Returns 1, or 0 if 1 - A phi is not
@@ -587,8 +587,8 @@ VM_API int vm_drum_unbalance(const vm_drum *d, vm_real phi, vm_real deflection[2
 
 /* Angular velocity phi' on an elastic shaft, rad/s: (196) corrected by the deflection (224).
    `rise` is the deflection y(phi) - y(0) in the band's direction since the winding began, m, for example by
-   vm_drum_deflection and vm_drum_unbalance. A rim that rises with the band is driven less by it. To the first order in
-   rise the solution of (212) and (215) is
+   vm_drum_deflection and vm_drum_unbalance. If the rim of the drum rises with the band, the band drives the drum
+   less. To the first order in rise the solution of (212) and (215) is
      phi' = vm_drum_rate [1 - mu R rise/(J0 + j phi)].
    mu is the mass of the band per angle, R the radius, J0 the drum's inertia and j = mu R^2. For a drum on which
    mu R |rise|/J0, mu/M0, j/J0 and |e|/(J0 Omega_b) are at most eps, the error is of the order of eps^2 Omega_b: halving

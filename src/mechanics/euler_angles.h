@@ -138,7 +138,7 @@ VM_API int vm_euler_313_angles(vm_quat q, vm_real angles[3])
 VM_API int vm_euler_321_angles(vm_quat q, vm_real angles[3])
 {
     vmi_euler_part p, r;
-    vm_real sine, cosine; /* of the pitch, times |q|^2 */
+    vm_real sine, cosine; /* sine and cosine of the pitch, times |q|^2 */
     if (!angles) return VM_BAD_ARGUMENT;
     if (!vmi_quat_is_finite(q)) return VM_NOT_FINITE;
     q = vmi_euler_normal_size(q);

@@ -290,8 +290,9 @@ VM_API vm_real vmi_lagrange_time_step(const vm_lagrange_system *system, vm_real 
     return h / fastest;
 }
 
-/* Adds the change of the momenta per second to p, while the coordinates and the time go on and the rates q' stay. It is
-   a central difference of order 6. Time stands still if time_scale is 0. */
+/* Adds to p the change of the momenta per second that the changes of the coordinates and of the time cause; the rates
+   q' stay constant. The change is a central difference of order 6. If time_scale is 0, the time stays constant,
+   too. */
 VM_API void vmi_lagrange_add_momentum_rates(const vm_lagrange_system *system, vm_real t, vm_real time_scale,
                                             const vm_real *q, const vm_real *rates, vm_real *p)
 {
@@ -339,12 +340,12 @@ VM_API int vmi_lagrange_inverse(const vm_lagrange_system *system, vm_real t, vm_
 /* Inverse dynamics: generalized forces Q that a given motion needs, the left side of (247).
    They are Q_i = d/dt dT/dq'_i - (dT/dq_i, masses frozen), the sum of all forces, those of the streams of mass
    included. q, rates and accelerations are the n coordinates q and their derivatives q' and q'' at time t; Q has n
-   numbers. time_scale (s) is the time after which T or the masses differ noticeably while q stays, as `scales` is for
-   the coordinates; it is 0 if T and the masses do not depend on time. Returns VM_BAD_ARGUMENT, VM_NOT_FINITE also if a
-   result is not finite, VM_DOMAIN for time_scale < 0, VM_SINGULAR if T does not grow with each of the rates, and VM_OK
-   otherwise. The error is below 2e-13 (float 1e-5) of the largest term: of A q'', of T divided by the scale of a
-   coordinate, and of dT/dq' divided by the time in which the system changes noticeably. T is evaluated
-   14 n^2 + 6 n + 7 times. */
+   numbers. time_scale (s) is the time after which T or the masses differ noticeably while q stays constant (the field
+   `scales` says the same of the coordinates); it is 0 if T and the masses do not depend on time. Returns
+   VM_BAD_ARGUMENT, VM_NOT_FINITE also if a result is not finite, VM_DOMAIN for time_scale < 0, VM_SINGULAR if T does
+   not grow with each of the rates, and VM_OK otherwise. The error is below 2e-13 (float 1e-5) of the largest term: of
+   A q'', of T divided by the scale of a coordinate, and of dT/dq' divided by the time in which the system changes
+   noticeably. T is evaluated 14 n^2 + 6 n + 7 times. */
 VM_API int vm_lagrange_needed_forces(vm_lagrange_system *system, vm_real t, vm_real time_scale, const vm_real *q,
                                      const vm_real *rates, const vm_real *accelerations, vm_real *Q)
 {

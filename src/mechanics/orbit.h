@@ -23,7 +23,8 @@
    distance is an elliptic function of s. But tau and the angle are elliptic integrals of the third kind, whose
    parameters are the roots of a quartic: complex for most orbits, and of three kinds. tau(s) must be inverted by
    iteration, and digits cancel where two roots are close, that is, next to a circle and where mu or c is small.
-   Integration by rk87 of the equation in t or in tau has none of these cases (tests/test_orbit.c, test_second_law).
+   Integration by rk87 of the equation in t or in tau avoids all these difficulties (tests/test_orbit.c,
+   test_second_law).
    Tests: tests/test_orbit.c. */
 #ifndef VARMASS_MECHANICS_ORBIT_H
 #define VARMASS_MECHANICS_ORBIT_H
@@ -86,7 +87,7 @@ typedef struct VM_TAG(vmi_kepler) {
     vm_real beta;  /* 2 - v0^2; the energy is -beta/2 */
 } vmi_kepler;
 
-/* What belongs to a value of the variable s */
+/* The time and the distance for a value of the variable s */
 typedef struct VM_TAG(vmi_kepler_point) {
     vmi_stumpff g;
     vm_real time, distance;
@@ -106,10 +107,10 @@ VM_API vmi_kepler_point vmi_kepler_at(const vmi_kepler *o, vm_real s)
     return p;
 }
 
-/* Finds the variable s >= 0 at the time t >= 0 and returns what belongs to it. The time rises with s, so that Newton's
-   steps are kept between bounds of s that close in. A step that leaves them, or that is longer than half the step
-   before, is replaced by doubling or halving. On a fast hyperbola, where the time rises exponentially, Newton's steps
-   alone would be too many. */
+/* Finds the variable s >= 0 at the time t >= 0, and returns the distance and the functions G1, G2, G3 for this s. The
+   time rises with s. Therefore Newton's method is kept between a lower and an upper bound of s, which come closer in
+   each step. If a step leaves these bounds, or is longer than half the step before, s is doubled or the interval is
+   halved instead. On a fast hyperbola, where the time rises exponentially, Newton's steps alone would be too many. */
 VM_API vmi_kepler_point vmi_kepler_solve(const vmi_kepler *o, vm_real t)
 {
     const int most = 3 * VM_MANT_DIG; /* halving alone needs VM_MANT_DIG steps, Newton's steps are fewer */
@@ -149,9 +150,9 @@ VM_API vm_real vmi_kepler_reduce(vm_real beta, vm_real t)
    r0 (m) is the position relative to the centre and v0 (m/s) the velocity at t = 0; mu (m^3/s^2) is G times the mass in
    the centre, or G (M1 + M2) if r0 and v0 belong to two bodies, one relative to the other. t may be negative. The orbit
    may be an ellipse, a parabola, a hyperbola or a straight line; on a straight line the body turns back at the centre.
-   The error is that which an error of a few eps in t, r0, v0 and mu makes; it grows with the number of revolutions.
-   The cost is that of some 50 sines. Returns VM_BAD_ARGUMENT, VM_NOT_FINITE also where the results are not finite,
-   VM_DOMAIN for mu <= 0 or r0 = 0, and VM_OK otherwise. */
+   The error is as large as an error of a few eps in t, r0, v0 and mu would make it; it grows with the number of
+   revolutions. The cost is that of some 50 sines. Returns VM_BAD_ARGUMENT, VM_NOT_FINITE also where the results are
+   not finite, VM_DOMAIN for mu <= 0 or r0 = 0, and VM_OK otherwise. */
 VM_API int vm_orbit(vm_real t, vm_real mu, vm_vec3 r0, vm_vec3 v0, vm_vec3 *r, vm_vec3 *v)
 {
     vm_real distance0, speed, unit, time, sign = 1;

@@ -9,7 +9,8 @@
        vm_pendulum_cut cut;
        int status = vm_pendulum_separate(&rod, VM_C(0.25), 0, 0, 1, &cut); // 0.25 m leaves at 1 m/s along y
 
-   vm_compound_pendulum_separate is the same for a pendulum of any shape, and axle.h for any axle in space.
+   vm_compound_pendulum_separate does this for a pendulum of any shape, and the functions of axle.h for any axle in
+   space.
    Tests: tests/test_pendulum.c. */
 #ifndef VARMASS_MECHANICS_PENDULUM_H
 #define VARMASS_MECHANICS_PENDULUM_H
@@ -202,10 +203,10 @@ VM_API int vmi_compound_cut_finite(const vm_compound_cut *c)
 }
 
 /* Motion of a pendulum of any shape and of the part that is cut off from it, (119)-(132).
-   The pendulum need not be uniform. Position and inertia of the part are free. With the moment of inertia I1 of the
-   rest about O and the velocity u of the part at r2 relative to the pendulum, the angular velocity changes by
+   The pendulum need not be uniform, and the part may have any position and inertia. With the moment of inertia I1 of
+   the rest about O and the velocity u of the part at r2 relative to the pendulum, the angular velocity changes by
      phi1' - phi' = -(I2 Omega + m (r2 x u))/I1.
-   This form has no cancellation but that in I1, the difference of the moments of inertia about O. Returns
+   In this form digits cancel only in I1, the difference of the moments of inertia about O. Returns
    VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS if a mass, that of the rest included, is not positive,
    VM_BAD_INERTIA for an inertia that no body has, that of the rest included, and VM_OK otherwise. For axles in space
    see vm_separate_on_axle. */

@@ -57,7 +57,7 @@ typedef struct VM_TAG(vm_supply_left) {
     vm_inertia inertia;         /* inertia about this mass centre, kg m^2, body axes */
     vm_vec3 centre_by_mass;     /* rate of the mass centre, m/kg */
     vm_inertia inertia_by_mass; /* rate of the inertia, m^2 */
-    vm_store store;             /* where the next mass that leaves lies, for the field `from` of a vm_stream */
+    vm_store store;             /* the place of the next mass that leaves, for the field `from` of a vm_stream */
 } vm_supply_left;
 
 /* The tensor axial e e^T + transverse (E - e e^T) for a unit vector e and the unit matrix E. The diagonal entries are
@@ -128,11 +128,12 @@ VM_API int vmi_supply_left_is_finite(const vm_supply_left *left)
 }
 
 /* What is left of a tank or grain when its mass is `mass`: mass centre, inertia, their rates, and the next store.
-   mass is in kg and lies between 0 and supply.full. Beyond both ends the formulas go on as polynomials of the mass, so
-   that trial steps of an integrator see smooth functions, but what they then describe is no body. The errors are at
-   most 8 eps of |at| + length, of the largest entry of a tensor and of the rate, next to an empty or full supply too.
-   Returns VM_BAD_ARGUMENT for a null pointer or an unknown kind, VM_NOT_FINITE, VM_BAD_MASS if supply.full is not
-   positive, VM_DOMAIN for a length, radius, bore or axis outside its domain, and VM_OK otherwise. */
+   mass is in kg and lies between 0 and supply.full. For a mass below 0 or above supply.full the formulas are
+   continued as polynomials of the mass, so that trial steps of an integrator find smooth functions; the results then
+   describe no body. The errors are at most 8 eps of |at| + length, of the largest entry of a tensor, and of the rate.
+   This holds next to an empty or full supply, too. Returns VM_BAD_ARGUMENT for a null pointer or an unknown kind,
+   VM_NOT_FINITE, VM_BAD_MASS if supply.full is not positive, VM_DOMAIN for a length, radius, bore or axis outside its
+   domain, and VM_OK otherwise. */
 VM_API int vm_supply_at(const vm_supply *supply, vm_real mass, vm_supply_left *left)
 {
     vm_supply_left result;

@@ -248,7 +248,7 @@ VM_API vm_real vmi_osc_closed_error(const vm_osc_closed *c, int order, const vm_
     return error < largest_known ? error : VM_INFINITY;
 }
 
-/* Finds the mean motion at t = 0 and the estimate of the error, when the rest of *c is ready. */
+/* Finds the mean motion at t = 0 and the estimate of the error, after all other fields of *c have been set. */
 VMI_APART void vmi_osc_closed_begin(vm_osc_closed *c, int order, const vmi_osc_closed_start *s, vm_real t_end)
 {
     vmi_osc_reduced mean = s->state;
@@ -337,13 +337,15 @@ VM_API int vm_osc_closed_at(const vm_osc_closed *c, vm_real t, vm_real *x, vm_re
     return vmi_osc_closed_motion(c, order, t, x, v);
 }
 
-/* As vm_osc_closed_at, but by order 2 for any order of *c. It links the shortest code, since it needs no ripple. */
+/* Position and velocity as by vm_osc_closed_at, but always by order 2, whatever order *c has. This function links the
+   least code, since it needs no ripple. */
 VM_API int vm_osc_closed_at_order2(const vm_osc_closed *c, vm_real t, vm_real *x, vm_real *v)
 {
     return vmi_osc_closed_motion(c, 2, t, x, v);
 }
 
-/* As vm_osc_closed_at, but by order 3; *c must have order 3 or more, else VM_BAD_ARGUMENT. It links less code. */
+/* Position and velocity as by vm_osc_closed_at, but always by order 3; returns VM_BAD_ARGUMENT if *c has order 2.
+   This function links less code than vm_osc_closed_at. */
 VM_API int vm_osc_closed_at_order3(const vm_osc_closed *c, vm_real t, vm_real *x, vm_real *v)
 {
     return vmi_osc_closed_motion(c, 3, t, x, v);

@@ -177,9 +177,9 @@ typedef struct VM_TAG(vmi_osc_step) {
     vm_real sign;                /* factor of waves: -1 in every second half period, else 1 */
     const vmi_step_waves *waves; /* waves at the nodes, without the factor sign */
     vmi_step_rates rates;        /* rates at the nodes by the last round of the iteration */
-    vm_real swing_t[2];          /* the rate of t swings with (swing_t[0] + (x - 1/2) swing_t[1]) ca^2 */
-    vm_real swing_ln_A[2];       /* the rate of ln A swings with (swing_ln_A[0] + (x - 1/2) swing_ln_A[1]) sa ca, and
-                                    with -p times the swing of t */
+    vm_real swing_t[2];          /* the swing of the rate of t is (swing_t[0] + (x - 1/2) swing_t[1]) ca^2 */
+    vm_real swing_ln_A[2];       /* the swing of the rate of ln A is (swing_ln_A[0] + (x - 1/2) swing_ln_A[1]) sa ca,
+                                    minus p times the swing of t */
     vm_real p;                   /* p in the middle of the step, 1/s */
     vmi_osc_change whole;        /* the changes over the whole step */
 } vmi_osc_step;

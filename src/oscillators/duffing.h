@@ -216,7 +216,8 @@ VM_API int vmi_duffing_at_phase(const vmi_orbit *orbit, vm_real phi, vm_real *x,
     return VM_OK;
 }
 
-/* Duffing's force as the functions for constant mass need it: without its ripple, so that they do not link it */
+/* Duffing's force without the function of its ripple. The functions for constant mass do not need this function, and
+   so do not link it. */
 VM_API vm_odd_force vmi_duffing_elastic(vm_real k1, vm_real k3)
 {
     vm_odd_force force = vm_odd_force_user(NULL, NULL);

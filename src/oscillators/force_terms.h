@@ -1,6 +1,6 @@
 /* oscillators/force_terms.h - terms of forces that both oscillators and scenes use
 
-   Each formula is written here once, so that an oscillator and an effect of a scene mean the same by it:
+   Each formula is written only once, here, so that an oscillator and an effect of a scene compute the same force:
        vm_real feed = vmi_van_der_pol_feed(VM_C(0.1), VM_C(0.2), 2); // N s/m at x = 2 m: force over velocity
    Tests: tests/test_van_der_pol.c, tests/test_jeffcott.c, tests/test_forces.c. */
 #ifndef VARMASS_OSCILLATORS_FORCE_TERMS_H

@@ -56,7 +56,7 @@ typedef struct VM_TAG(vm_grounded_pair) {
 /* The parameters of both oscillators at one time, and what follows from the amplitudes */
 typedef struct VM_TAG(vmi_grounded_now) {
     vmi_forced_parameters n[2];
-    vm_real q[2]; /* rates of the slow changes, 1/s, which the damper of the coupling is part of */
+    vm_real q[2]; /* rates of the slow changes, 1/s; they include the damper of the coupling */
 } vmi_grounded_now;
 
 /* Whether a resonance exists: both numbers 0, or both from 1 to 9 */
@@ -134,11 +134,11 @@ VM_API int vm_grounded_pair_rhs(vm_real t, const vm_real *y, vm_real *dydt, void
     return VM_OK;
 }
 
-/* What belongs to one body at one time. The index `other` is that of the other body. */
+/* What the averaged equations need of one body at one time. The index `other` is that of the other body. */
 typedef struct VM_TAG(vmi_grounded_body) {
     vm_real Om, w; /* rate of the Ateb phase, 1/s; frequency of the free vibration, rad/s */
     vm_real pull;  /* kappa A, N: amplitude of the force that this body's motion exerts by the spring */
-    vm_real drag;  /* c V, N: the same by the damper */
+    vm_real drag;  /* c V, N: amplitude of the force that it exerts by the damper */
     vm_complex turns[2 * VMI_FORCED_HARMONICS]; /* e^(i k phi) */
 } vmi_grounded_body;
 
@@ -179,10 +179,10 @@ VM_API void vmi_grounded_sums(const vm_grounded_pair *p, const vmi_grounded_body
    state is y = (A_0, phi_0, A_1, phi_1), mean amplitudes (m) and phases (rad). Start with
    vm_grounded_pair_to_averaged, and end with vm_grounded_pair_from_averaged. Let e be the largest of the couplings,
    dampings and mass rates. Up to times of the order of 1/e the error of the amplitudes is of the order of e, and that
-   of the positions too for alpha = 1. For other alpha the positions fall behind by the phases, which depend on the
-   amplitudes: in the tests their error is at most 0.04 of the amplitude for e = 0.005, and falls more slowly than e.
-   The equations are singular where an amplitude is 0: there integrate vm_grounded_pair_rhs. The argument pair and the
-   statuses are those of vm_grounded_pair_rhs. */
+   of the positions too for alpha = 1. For other alpha the rates of the phases depend on the amplitudes, so that
+   errors of the amplitudes make larger errors of the positions: in the tests these are at most 0.04 of the amplitude
+   for e = 0.005, and fall more slowly than e. The equations are singular where an amplitude is 0: there integrate
+   vm_grounded_pair_rhs. The argument pair and the statuses are those of vm_grounded_pair_rhs. */
 VM_API int vm_grounded_pair_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *pair)
 {
     if (!y || !dydt || !pair) return VM_BAD_ARGUMENT;
@@ -205,7 +205,7 @@ VM_API int vm_grounded_pair_averaged_rhs(vm_real t, const vm_real *y, vm_real *d
     return VM_OK;
 }
 
-/* The ripple of the amplitude of the body i: what the exact amplitude has more than the mean one. It has the parts
+/* The ripple of the amplitude of the body i, which is the exact amplitude minus the mean one. It has the parts
      q A/((alpha+3) Om) sa ca                               by the slow changes and the dampings,
      -(alpha+1) kappa A/(4 m Om^2) (ca^2 - <ca^2>)          by this body's own motion in the coupling,
      1/(m Om) times the sum over j and n of s_j/2 [(kappa A_o c_n cos v - c V_o s_n sin v)/(j w_i + n w_o)

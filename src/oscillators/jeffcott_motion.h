@@ -72,11 +72,12 @@ VM_API int vmi_jeffcott_change_rhs(vm_real s, const vm_real *y, vm_real *dyds, v
 }
 
 /* Radius of circular whirl, m, after the mass has changed slowly, for any share of the reactive force.
-   Where vm_jeffcott_amplitude has the radius, for g = 0 or r = 1, this is the result. Otherwise A^2 S grows with the
-   mass by (1 - r) (1 + g/S) per relative change of the mass, S = m W - g, and the function integrates this over the
-   mass by rk87; the relative error is at most 1e-13 (float 3e-6). The radius was first_A when the mass was mass0;
+   For g = 0 or r = 1 the result is that of vm_jeffcott_amplitude. For other rotors the relative growth of A^2 S,
+   where S = m W - g, is (1 - r) (1 + g/S) times the relative change of the mass. The function integrates this over
+   the mass by rk87; the relative error is at most 1e-13 (float 3e-6). The radius was first_A when the mass was mass0;
    `mass` is the mass after the change. sense >= 0 means forward, sense < 0 backward whirl. Returns NaN where
-   vm_jeffcott_amplitude does, but for g != 0 with r != 1, and where g^2 + m K_e(A) is not positive on the way. */
+   vm_jeffcott_amplitude does, except for the case g != 0 with r != 1. It also returns NaN where g^2 + m K_e(A) is not
+   positive on the way. */
 VM_API vm_real vm_jeffcott_whirl_amplitude(const vm_jeffcott *r, vm_real first_A, vm_real mass0, vm_real mass,
                                            int sense)
 {
@@ -109,7 +110,8 @@ typedef struct VM_TAG(vmi_jeffcott_phase) {
     int sense;
 } vmi_jeffcott_phase;
 
-/* Writes the radius and the frequency of the whirl for this mass. Returns VM_BAD_STIFFNESS where there is none. */
+/* Writes the radius and the frequency of the whirl for this mass. Returns VM_BAD_STIFFNESS where there is no such
+   whirl. */
 VM_API int vmi_jeffcott_whirl_of_mass(const vmi_jeffcott_phase *p, vm_real mass, vm_real *A, vm_real *W)
 {
     *A = vm_jeffcott_whirl_amplitude(p->r, p->first_A, p->mass0, mass, p->sense);
@@ -159,8 +161,8 @@ VM_API int vmi_jeffcott_phase_by_panels(vmi_jeffcott_phase *p, vm_real t, vm_rea
     return status;
 }
 
-/* Checks what the motions of this chapter ask for: a rotor without load, and finite positive masses from 0 to t. Writes
-   the masses at 0 and at t. */
+/* Checks what the motions of this chapter need: a rotor without load, and masses that are finite and positive from 0
+   to t. Writes the masses at 0 and at t. */
 VM_API int vmi_jeffcott_check_motion(const vm_jeffcott *r, vm_real t, vm_real *mass0, vm_real *mass)
 {
     vm_real rate;
@@ -180,11 +182,11 @@ VM_API int vmi_jeffcott_check_motion(const vm_jeffcott *r, vm_real t, vm_real *m
    first_A > 0 is the radius (m) and first_angle the angle (rad) at t = 0; sense >= 0 means forward, sense < 0 backward
    whirl. The radius is vm_jeffcott_whirl_amplitude. The angle has a closed form for a power law of the shaft
    (vm_jeffcott_power) with g = 0 and a mass that is constant, linear, exponential or a power; it is then within 8 eps
-   of the phase. Otherwise it is the integral of the frequency by Gauss' rule on panels of 20 points, each of which asks
-   for the radius; it is then within 1e-12 (float 1e-4) of the phase for a smooth stiffness. The velocity is i W z,
-   without the small radial velocity. Returns VM_BAD_ARGUMENT for null pointers and a rotor without mass or stiffness,
-   VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS where there is no such whirl, VM_DOMAIN for a radius that is not
-   positive or t outside a table, and VM_NO_LAW for a rotor with a force or a velocity u. */
+   of the phase. Otherwise it is the integral of the frequency by Gauss' rule on panels of 20 points, at each of which
+   the radius is computed; it is then within 1e-12 (float 1e-4) of the phase for a smooth stiffness. The velocity is i
+   W z, without the small radial velocity. Returns VM_BAD_ARGUMENT for null pointers and a rotor without mass or
+   stiffness, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS where there is no such whirl, VM_DOMAIN for a radius that
+   is not positive or t outside a table, and VM_NO_LAW for a rotor with a force or a velocity u. */
 VM_API int vm_jeffcott_whirl_at(const vm_jeffcott *r, vm_real first_A, vm_real first_angle, int sense, vm_real t,
                                 vm_jeffcott_whirl *whirl)
 {
@@ -215,7 +217,8 @@ VM_API int vm_jeffcott_whirl_at(const vm_jeffcott *r, vm_real first_A, vm_real f
 
 /* -- Any motion on a linear shaft -- */
 
-/* Adds the whirl of this sense that was at z = first at t = 0, if it is there, to the motion (x, y, x', y') at t. */
+/* Adds to the motion (x, y, x', y') at t the whirl of this sense that was at z = first at t = 0. Nothing is added if
+   first is 0. */
 VM_API int vmi_jeffcott_add_whirl(const vm_jeffcott *r, vm_complex first, int sense, vm_real t, vm_real *motion)
 {
     const vm_real A = vmi_c_modulus(first);

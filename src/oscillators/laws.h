@@ -38,9 +38,10 @@ struct VM_TAG(vm_law) {
     void *ctx;                /* the user's pointer, last argument of function */
     vm_real change_time;      /* for vm_law_user only: the shortest time scale, s, on which f changes noticeably; 0 if
                                  it is unknown */
-    /* Functions that depend on the kind of law; its constructor sets them. */
-    int (*derivatives)(const vm_law *law, vm_real t, int side, vm_real length, vm_real *f); /* null: no law was made */
-    int (*validate)(const vm_law *law, int if_not_positive, vm_real t);       /* null: f(0) and f(t) decide */
+    /* Functions that depend on the kind of law; its constructor sets them. `derivatives` is null where no constructor
+       made the law. If `validate` is null, only f(0) and f(t) are checked. */
+    int (*derivatives)(const vm_law *law, vm_real t, int side, vm_real length, vm_real *f);
+    int (*validate)(const vm_law *law, int if_not_positive, vm_real t);
     int (*exponential_form)(const vm_law *law, vm_real *base, vm_real *rate); /* null if the law has no such form */
     vm_real (*inverse_integral)(const vm_law *law, vm_real t);                /* null if there is no closed form */
 };

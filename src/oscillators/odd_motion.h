@@ -430,7 +430,7 @@ VM_API int vmi_odd_check(const vm_odd_problem *o, vm_real t)
 }
 
 /* Writes the velocity of the reduced motion at t = 0, divided by speed0. Where the shape of the force cannot be made
-   constant, it is that of the body. */
+   constant, it is the velocity of the body itself. */
 VM_API int vmi_odd_first_velocity(vm_odd_plan *p)
 {
     const vm_odd_problem *o = &p->problem;

@@ -220,8 +220,8 @@ enum {
 /* Motion of two bodies at time t by one of the three methods of (524), so that they can be compared. p = A(t) ca,
    A(t) cos or A(t) cn, with the mean amplitude A of vm_pair_to_averaged, whose law is the same for all three, and x,
    y by (528), (529). `method` is VM_PAIR_ATEB, VM_PAIR_TRIG or VM_PAIR_JACOBI. Unlike vm_pair_at this leaves out the
-   ripple of the amplitude within a period, as the text does. The other arguments are those of vm_pair_at. The error
-   is that of vm_osc_approximation_errors times A/2, and of the order of m'/(m Om). Returns the statuses of
+   ripple of the amplitude within a period, as the dissertation does. The other arguments are those of vm_pair_at. The
+   error is that of vm_osc_approximation_errors times A/2, and of the order of m'/(m Om). Returns the statuses of
    vm_pair_at, and VM_BAD_ARGUMENT for a method that does not exist. y and y0 may be the same array. */
 VM_API int vm_pair_by_method(const vm_pair *p, int method, vm_real t, const vm_real *y0, vm_real *y)
 {

@@ -213,9 +213,9 @@ VM_API int vm_periodic_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, 
     return VM_OK;
 }
 
-/* The ripple of the amplitude: what the exact amplitude has more than the mean one, at the phases phi of the vibration
-   and theta of the force, a vmi_ripple_of_force. It is q A/((alpha+3) Om) sa ca for the slow changes, and for the force
-   F/(m Om) times the sum over j and n of
+/* The ripple of the amplitude, which is the exact amplitude minus the mean one, at the phases phi of the vibration
+   and theta of the force. A vmi_ripple_of_force. It is q A/((alpha+3) Om) sa ca for the slow changes, and for the
+   force F/(m Om) times the sum over j and n of
      s_j/2 [(a_n cos u + b_n sin u)/(j w + n nu) + (a_n cos v - b_n sin v)/(j w - n nu)],
    where u = j phi + n theta, v = j phi - n theta, w is the frequency of the free vibration, and s_j is the Fourier
    coefficient of sin(j phi) in sa. The second quotient is left out for the pairs j, n that are in resonance, since it
@@ -320,9 +320,9 @@ VM_API vm_real vmi_periodic_amplitude(const vmi_resonance *z, vm_real S)
     return vmi_pow_checked(product / z->w1, 1 / (1 + z->exponent));
 }
 
-/* The excess (delta' of the averaged equations) |S| at a phase from 0 or pi, with the amplitude that A' = 0 asks for;
-   its zeros with A > 0 are the steady vibrations. It is continuous: where no amplitude has A' = 0 it goes on as the
-   limit for A -> 0. */
+/* The excess, which is delta' of the averaged equations times |S|, at a phase that is counted from 0 or pi, with the
+   amplitude for which A' = 0. Its zeros with A > 0 are the steady vibrations. It is continuous: where no amplitude
+   has A' = 0, it is the limit for A -> 0. */
 VM_API vm_real vmi_periodic_excess(vm_real phase, void *search)
 {
     const vmi_periodic_search *s = (const vmi_periodic_search *)search;
@@ -336,8 +336,8 @@ VM_API vm_real vmi_periodic_excess(vm_real phase, void *search)
     return (w - z->nu) * VM_FABS(sums.S) + limit;
 }
 
-/* The steady vibration of a phase from 0 or pi, with trace and determinant of the linearized averaged equations; its
-   frequency nu is the one that the phase asks for. A is 0 where there is none. */
+/* The steady vibration of a phase that is counted from 0 or pi, with trace and determinant of the linearized averaged
+   equations. Its frequency nu follows from the phase. A is 0 where there is no such vibration. */
 VM_API vm_steady_state vmi_periodic_state(const vmi_periodic_search *search, vm_real phase)
 {
     const vmi_resonance *z = &search->z;

@@ -8,8 +8,9 @@
    The terms of second order are such integrals, too (vmi_vdp_closed_loss). For other alpha the amplitude of first order
    has the same form with (4/(alpha+3)) kappa in place of kappa, but the phase needs the integral of R^((alpha-1)/4) dt,
    an incomplete beta function whose second parameter is 0. It is elementary only if (alpha-1)/4 is rational, and the
-   other orders need several of them (docs/van-der-pol.md). There the walk computes all integrals at once, and ends
-   where the limit cycle is reached: from there on the phase grows evenly. So the cost does not depend on t.
+   other orders need several of them (docs/van-der-pol.md). For such alpha the walk computes all integrals at once,
+   and ends where the limit cycle is reached: from there on the phase grows at a constant rate. So the cost does not
+   depend on t.
        vmi_vdp_mean mean;
        vm_vdp_plan plan;
        int status = vm_vdp_plan_init(&plan, &vdp, VM_C(0.3), 0); // vdp is a vm_vdp; from rest at x = 0.3 m

@@ -53,7 +53,8 @@ typedef struct VM_TAG(vmi_vdp_mean) {
     vm_real J_third, psi_third;   /* what order three leaves out: only those terms that depend on feed and mass alone */
     vm_real ratio;                /* largest ratio at a start of the terms of one order to the terms of the order
                                      before */
-    vmi_osc_mean fast;            /* only change, dropped, shortest and error: what fast changes of the mass cause */
+    vmi_osc_mean fast;            /* used are only its fields change, dropped, shortest and error, for the effects of
+                                     fast changes of the mass */
 } vmi_vdp_mean;
 
 /* What is computed only once for a Van der Pol oscillator and its state at t = 0, by vm_vdp_plan_init. Read its fields,

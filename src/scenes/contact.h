@@ -9,7 +9,8 @@
        vm_event events[] = {vm_then_land(vm_event_contact(0, &wheel))};     // and it does not bounce
 
    vm_event_contact happens when the body comes down to the ground. vm_then_land makes it a stop without a bounce: an
-   impulse takes away the velocity of the point along the normal. Afterwards the body rests on the stiffness.
+   impulse takes away the velocity of the point along the normal. Afterwards the stiffness of the contact carries the
+   body.
 
    Tests: tests/test_scene_joints.c. */
 #ifndef VARMASS_SCENES_CONTACT_H

@@ -230,8 +230,8 @@ VM_API void vmi_joints_matrix_row(const vm_joints *joints, const vm_joint *joint
     }
 }
 
-/* What the forces of an equation have to bring about: the acceleration that C lacks, so that
-   C'' + 2 rate C' + rate^2 C = 0, or for impulses the velocity that it lacks, so that C' = 0 */
+/* What the forces or impulses of an equation must add. Forces must add to C'' what is needed for C'' + 2 rate C' +
+   rate^2 C = 0, impulses must add to C' what is needed for C' = 0. */
 enum { VMI_JOINT_FORCES, VMI_JOINT_IMPULSES };
 
 VM_API vm_real vmi_joint_lacks(const vmi_joint_row *row, vm_real rate, int wanted)
@@ -383,8 +383,8 @@ VM_API int vmi_joint_check(vm_joint *joint, const vm_scene *s)
     return vmi_joint_fits(joint, s) ? VM_OK : VM_NOT_JOINED;
 }
 
-/* Enters in the lists of effects on the bodies of joints that a link stands there, with `enter` = 1; else returns
-   VM_TWO_LINKS if a link or another list of joints already stands there. */
+/* With `enter` = 1, marks in the lists of effects on the bodies of the joints that a link stands there. With `enter`
+   = 0, returns VM_TWO_LINKS if a link or another list of joints already stands there. */
 VM_API int vmi_joints_enter_links(const vm_joints *joints, const vm_scene *s, int enter)
 {
     const int link = 1 << VMI_ORDER_LINK;
@@ -424,9 +424,9 @@ VM_API int vmi_joints_check(const vm_scene *s, const vm_effect *e)
    is absent at the start, VM_SAME_BODY for a joint of a body with itself, VM_BAD_POINT for a point that the body
    cannot have (points.h), VM_NOT_JOINED if points do not fit at the start or move apart, VM_TWO_LINKS if a body has a
    link or joints of another list, too, and VM_LINK_NOT_LAST if another effect on one of the bodies follows. A run ends
-   with VM_SINGULAR if joints are redundant, contradict each other or hold what cannot move, if a mechanism reaches a
-   position in which it is locked, and with VM_NOT_FINITE if the points of a rod coincide. A joint does not act while
-   one of its bodies is not present. */
+   with VM_SINGULAR if joints are redundant, contradict each other or hold a point that cannot move, if a mechanism
+   reaches a position in which it is locked, and with VM_NOT_FINITE if the points of a rod coincide. A joint does not
+   act while one of its bodies is not present. */
 VM_API vm_effect vm_effect_joints(const vm_joints *joints)
 {
     const int is_list = joints && joints->joints && joints->n_joints > 0;

@@ -145,7 +145,8 @@ VM_API void vmi_scene_shift_centre(const vm_scene *s, int body, vm_vec3 r, vm_re
     vmi_growth_put_centre(b, vm_add(vmi_growth_centre(b, state), step), state);
 }
 
-/* Lets effects that hold bodies together act even if their first body is not present: they leave out such bodies */
+/* Lets effects that hold bodies together act even if their first body is not present, because they leave out absent
+   bodies themselves */
 VM_API void vmi_scene_wake(vm_scene *s)
 {
     int i;

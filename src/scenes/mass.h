@@ -13,8 +13,8 @@
 
    A law stands before all other effects on its body, and a body has at most one law. Mass that a jump adds to the
    body is added to the mass of the law. If an event switches a law off, the mass remains constant; if it switches a
-   law on, the law continues from the present mass (of a law M0 + c t only c then has an effect). Therefore switching
-   never changes a mass suddenly.
+   law on, the law continues from the present mass (for a law M0 + c t this means that only c has an effect).
+   Therefore switching never changes a mass suddenly.
 
    Tests: tests/test_scene_mass.c. */
 #ifndef VARMASS_SCENES_MASS_H

@@ -30,8 +30,8 @@ typedef struct VM_TAG(vmi_scene_pace) {
 } vmi_scene_pace;
 
 enum {
-    VMI_SCENE_MOST_EVENTS = 10000, /* limit of events at one instant; more are taken for an endless chain */
-    VMI_SCENE_MOST_CROWDED = 3,    /* limit of successive instants whose gap the time cannot resolve */
+    VMI_SCENE_MOST_EVENTS = 10000, /* largest number of events at one instant; more count as an endless chain */
+    VMI_SCENE_MOST_CROWDED = 3,    /* largest number of successive instants whose gap the time cannot resolve */
     VMI_SCENE_STEPS_IN_GAP = 32    /* steps in a short gap between two events, so that no later event is missed */
 };
 

@@ -109,7 +109,7 @@ struct VM_TAG(vm_scene_body) {
     vm_body start;                      /* motion at the start; line: mass, r.x, v.x; axle: mass (kg m^2), omega.z */
     vm_real angle;                      /* rad: the angle of an axle or of a body in the plane at the start */
     vm_vec3 centre;         /* m, body axes: how far jumps have moved the mass centre (points.h) */
-    vm_real law_offset;     /* kg: added to the mass law, which does not know of jumps and of being switched */
+    vm_real law_offset;     /* kg: added to the mass that the law gives, after jumps and after switching */
     vm_inertia inertia;     /* kg m^2, body axes: the present inertia */
     vm_inertia invertible;  /* kg m^2: the inertia with a dummy moment about each axis that has none */
     vmi_mat3 axes;          /* the present body axes of a growing body, in inertial axes */
@@ -138,7 +138,7 @@ enum {
     VMI_ORDER_MASS_LAW = 0, /* mass laws stand first, since all other effects may need the mass */
     VMI_ORDER_FORCE = 1,
     VMI_ORDER_LINK = 2, /* links stand last, since the force of a link depends on all other forces on its ends */
-    VMI_ORDER_JOINTS = 3 /* joints stand last, as links; their own check looks at all their bodies */
+    VMI_ORDER_JOINTS = 3 /* joints stand last, as links do; a check of their own examines all their bodies */
 };
 
 /* What an effect needs of the mass of its body */
