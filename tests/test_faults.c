@@ -1,5 +1,6 @@
 /* Functions of a user that fail at each of their calls in turn, in every function of the library that takes one: the
    status is right, outputs are as promised, and a second call goes on. */
+#include "faults_flow.h"
 #include "faults_integrators.h"
 #include "faults_oscillators.h"
 #include "faults_scenes.h"
@@ -101,6 +102,7 @@ static void check_routes(void)
 int main(void)
 {
     CHECK_ALL(fault_integrators);
+    CHECK_ALL(fault_flows);
     CHECK_ALL(fault_oscillators);
     CHECK_ALL(fault_scenes);
     check_routes();
