@@ -3,6 +3,7 @@
 #include "faults_flow.h"
 #include "faults_integrators.h"
 #include "faults_oscillators.h"
+#include "faults_runs.h"
 #include "faults_scenes.h"
 
 /* A user's function of a law may be defined only close to t. A call that fails may therefore only make steps shorter:
@@ -102,6 +103,7 @@ static void check_routes(void)
 int main(void)
 {
     CHECK_ALL(fault_integrators);
+    CHECK_ALL(fault_runs);
     CHECK_ALL(fault_flows);
     CHECK_ALL(fault_oscillators);
     CHECK_ALL(fault_scenes);
