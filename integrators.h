@@ -2730,8 +2730,8 @@ VM_API vm_real vmi_rk87_extra_coefficient(int stage, int j)
     return VM_READ(a[stage][j]);
 }
 
-/* Evaluates the seven further stages that the continuous extension of order 8 needs, and where the derivative at the end
-   of the step was not finite, this derivative once more. Returns a status: ODE_NOT_FINITE if one of them leaves the
+/* Evaluates the seven further stages that the continuous extension of order 8 needs. If the derivative at the end of
+   the step is not finite, it is evaluated again first. Returns a status: ODE_NOT_FINITE if one of them leaves the
    domain of f, which may happen even if no stage of the step itself does. */
 VM_API int vmi_rk87_extend(rk45 *s)
 {

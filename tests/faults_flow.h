@@ -11,7 +11,7 @@ typedef struct fault_system {
     int n;
     void *ctx;
     vm_real y[VM_FLOW_BALANCED_STATES];
-    const int *status; /* NULL, or the field `status` of the object, which an evaluation without a fault sets to VM_OK */
+    const int *status; /* NULL, or the object's field `status`, which an evaluation without a fault sets to VM_OK */
 } fault_system;
 
 /* ---- Single evaluations ---- */
@@ -40,8 +40,8 @@ static inline void fault_evaluate(outcome *o, fault_system *s)
 
 /* ---- Runs ---- */
 
-/* A run to t = 1, and on to t = 2. After an error the state is that of an accepted step, the number that the function of
-   the user has returned is in rhs_status, and another call goes on. */
+/* A run to t = 1, and on to t = 2. After an error the state is that of an accepted step, the number that the user's
+   function has returned is in rhs_status, and another call goes on. */
 static inline void fault_integrate(outcome *o, fault_system *s, const fault_method *m)
 {
     vm_real work[RK87_WORK(VM_FLOW_BALANCED_STATES)], t_end = 1;

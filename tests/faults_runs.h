@@ -1,5 +1,5 @@
-/* faults_runs.h - what faults_integrators.h leaves out: states too long for registers, runs backward, steps with events,
-   rows of events, the continuous extension, restarts and saved runs, all with functions of a user that fail */
+/* faults_runs.h - what faults_integrators.h leaves out: states too long for registers, runs backward, steps and rows
+   with events, the continuous extension, restarts and saved runs, all with functions of a user that fail */
 #ifndef FAULTS_RUNS_H
 #define FAULTS_RUNS_H
 
@@ -184,7 +184,8 @@ static inline void fault_rk87_rows_both(outcome *o) { fault_event_rows(o, &fault
 /* ---- Restarts and saved runs ---- */
 
 /* After an error the run is restarted from its own time and state. */
-static inline void fault_restart(outcome *o, const fault_method *m, int (*restart)(rk45 *s, vm_real t, const vm_real *y))
+static inline void fault_restart(outcome *o, const fault_method *m,
+                                 int (*restart)(rk45 *s, vm_real t, const vm_real *y))
 {
     fault_ode r;
     int i;
