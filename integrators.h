@@ -1908,6 +1908,7 @@ VM_API int vmi_follow_event(const rk45 *s, ode_event *e, vm_real to, vm_real *at
         if (side != e->side && vmi_counts_from(e, e->side)) {
             const vm_real g_before = vmi_event_value(s, e, before);
             int status = ODE_OK;
+            if (g_before != g_before) return ODE_NOT_FINITE;
             *at = x;
             if (vmi_sign(g_before) == e->side) status = vmi_locate(s, e, before, g_before, x, g, at);
             e->from = *at;
@@ -2732,18 +2733,20 @@ VM_API vm_real vmi_rk87_extra_coefficient(int stage, int j)
     return VM_READ(a[stage][j]);
 }
 
-/* Evaluates the seven further stages that the continuous extension of order 8 needs. Returns a status: ODE_NOT_FINITE
-   if one of them leaves the domain of f, which may happen even if no stage of the step itself does. */
+/* Evaluates the seven further stages that the continuous extension of order 8 needs. If the derivative at the end of
+   the step is not finite, it is evaluated again first. Returns a status: ODE_NOT_FINITE if one of them leaves the
+   domain of f, which may happen even if no stage of the step itself does. */
 VM_API int vmi_rk87_extend(rk45 *s)
 {
     VM_TABLE vm_real c[7] = {
         VM_C(0.31101776349538638639), VM_C(0.1725), VM_C(0.7846), VM_C(0.37), VM_C(0.5), VM_C(0.7), VM_C(0.9)};
     const vm_real *k1 = vmi_part(s, VMI_K), *y_old = vmi_part(s, VMI_Y_OLD);
-    vm_real *z = vmi_part(s, VMI_Z);
-    int i, j, stage;
+    vm_real *z = vmi_part(s, VMI_Z), *last_k = vmi_part(s, vmi_last_k(&s->pair));
+    int i, j, stage, status = ODE_OK;
+    if (!vmi_all_finite(s->n, last_k)) status = vmi_eval(s, s->t, s->y, last_k);
+    if (status) return status;
     for (stage = 0; stage < VMI_RK87_EXTRA; stage++) {
         vm_real *k = vmi_part(s, VMI_K + VMI_RK87_OWN + stage);
-        int status;
         for (i = 0; i < s->n; i++) {
             vm_real sum = 0;
             for (j = 1; j < VMI_RK87_OWN + stage; j++)

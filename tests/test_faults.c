@@ -1,7 +1,10 @@
 /* Functions of a user that fail at each of their calls in turn, in every function of the library that takes one: the
    status is right, outputs are as promised, and a second call goes on. */
+#include "faults_flow.h"
 #include "faults_integrators.h"
+#include "faults_laws.h"
 #include "faults_oscillators.h"
+#include "faults_runs.h"
 #include "faults_scenes.h"
 
 /* A user's function of a law may be defined only close to t. A call that fails may therefore only make steps shorter:
@@ -16,6 +19,58 @@
 /* The stiffness and the force of a rotor have no status, so that both kinds of faults at once are those of a NaN. */
 #define ROTOR(call) ROW(call, FAULT_STATUS + FAULT_NAN, VM_DOMAIN, 0, 0, 1)
 #define WHIRL(call) ROW(call, FAULT_STATUS + FAULT_NAN, VM_DOMAIN, 0, VM_BAD_STIFFNESS, 0)
+
+/* A function that calls each law once: an error at any of them is its status. */
+#define ONCE(call) ROW(call, FAULT_ALL, VM_DOMAIN, 0, 0, 0)
+#define RIGHT(call) RHS(call, VM_DOMAIN)
+#define DRIVEN(call, stopped) ROW(call, FAULT_STATUS + FAULT_NAN, stopped, 0, 0, 1) /* an energy has no status */
+
+static const scenario fault_laws[] = {
+    ONCE(call_all_forced_init),
+    ONCE(call_all_forced_rhs),
+    ONCE(call_all_forced_exact_rhs),
+    ONCE(call_all_forced_averaged_rhs),
+    ONCE(call_all_forced_to_averaged),
+    ONCE(call_forced_from_averaged),
+    ONCE(call_all_forced_steady),
+    ONCE(call_forced_curve),
+    ONCE(call_all_forced_passage),
+    ONCE(call_periodic_init),
+    ONCE(call_periodic_rhs),
+    ONCE(call_periodic_exact_rhs),
+    ONCE(call_periodic_averaged_rhs),
+    ONCE(call_periodic_to_averaged),
+    ONCE(call_periodic_from_averaged),
+    ONCE(call_periodic_curve),
+    ONCE(call_periodic_steady),
+    ONCE(call_grounded_init),
+    ONCE(call_grounded_rhs),
+    ONCE(call_grounded_averaged_rhs),
+    ONCE(call_grounded_to_averaged),
+    ONCE(call_grounded_from_averaged),
+    ONCE(call_pair_from_averaged),
+    RIGHT(call_rotor_backward_whirl_rhs),
+    WHIRL(call_rotor_backward_whirl_at),
+    ONLY_NAN(call_rotor_backward_frequency),
+    LAW(call_averaged_laws),
+    LAW(call_plan_by_route),
+    LAW(call_stiffness_within),
+    LAW(call_load_damping),
+    LAW(call_odd_mean),
+    LAW(call_odd_order2),
+    LAW(call_odd_rk87),
+    ONCE(call_all_odd_rhs),
+    LAW(call_vdp_ateb),
+    LAW(call_vdp_order3),
+    LAW(call_vdp_stiffness),
+    ONCE(call_vdp_cycle),
+    ONCE(call_all_vdp_rhs),
+    ONCE(call_all_vdp_averaged_rhs),
+    ONLY_NAN(call_find_turning_points),
+    ONLY_NAN(call_envelope_of_crossings),
+    DRIVEN(call_all_lagrange_rhs, FAULT_NUMBER),
+    DRIVEN(call_all_lagrange_drive, FAULT_NUMBER),
+};
 
 static const scenario fault_oscillators[] = {
     LAW(call_law_at),
@@ -101,8 +156,14 @@ static void check_routes(void)
 int main(void)
 {
     CHECK_ALL(fault_integrators);
+    CHECK_ALL(fault_runs);
+    CHECK_ALL(fault_flows);
+    CHECK_ALL(fault_laws);
     CHECK_ALL(fault_oscillators);
     CHECK_ALL(fault_scenes);
     check_routes();
+    check_refused(call_pair_at);
+    check_refused(call_pair_by_method);
+    check_refused(call_closed_init);
     return check_finish("faults");
 }

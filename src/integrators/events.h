@@ -232,6 +232,7 @@ VM_API int vmi_follow_event(const rk45 *s, ode_event *e, vm_real to, vm_real *at
         if (side != e->side && vmi_counts_from(e, e->side)) {
             const vm_real g_before = vmi_event_value(s, e, before);
             int status = ODE_OK;
+            if (g_before != g_before) return ODE_NOT_FINITE;
             *at = x;
             if (vmi_sign(g_before) == e->side) status = vmi_locate(s, e, before, g_before, x, g, at);
             e->from = *at;
