@@ -217,6 +217,6 @@ static const hard_case nonsmooth_cases[] = {
     CASE(bounces, R(2e5, 2e4), "a ball that bounces without loss, by fixed steps: the delays add up", 17.5, 1),
     CASE(arcs, 16, "first Fourier coefficient of ca for alpha = 0 by 16 points: the higher ones fall slowly", 0),
     CASE(arcs, 16, "first and third Fourier coefficient of ca for alpha = 0 by 16 points", 1),
-    CASE(rough_spring, R(1e4, 300), "alpha = 1/4 with varying mass by rk4", 64, 0.03125, 0.25),
-    CASE(rough_spring, R(1e4, 100), "alpha = 30 with varying mass by rk4", 64, 0.03125, 30),
+    CASE(rough_spring, R(1e4, 300), "motion for alpha = 1/4 with varying mass, by rk4", 64, 0.03125, 0.25),
+    CASE(rough_spring, R(1e4, 100), "motion for alpha = 30 with varying mass, by rk4", 64, 0.03125, 30),
 };

@@ -304,6 +304,7 @@ static const hard_case removable_cases[] = {
     CASE(ratio_laws, 4, "integral of damping/mass where both grow at nearly the same rate", 0.3,
          R(0.3000000001, 0.30001), 3),
     CASE(quadratic_law, 16, "integral of 1/(quadratic law) next to a double root: arctangent and logarithm tend to 0/0",
+         
          2, R(1.00000001, 1.0001), 1),
     CASE(quadratic_law, 16, "integral of 1/(quadratic law) with a double root: the discriminant is 0", 2, 1, 3),
     CASE(quadratic_law, 16, "integral of 1/(quadratic law) that is nearly linear: one root goes to infinity", 0.3,

@@ -124,6 +124,7 @@ static const hard_case weak_forces_cases[] = {
     CASE(feeding, R(200, 100), "Van der Pol oscillator from x = 0 next to the limit cycle", R(1e-3, 1e-2), 0,
          R(2.0000001, 2.001), 30),
     CASE(feeding, R(200, 100), "Van der Pol oscillator from rest with the amplitude 2 of the limit cycle of first order",
+         
          R(1e-3, 1e-2), 2, 0, 30),
     CASE(pair_drift, 8, "force between two bodies whose masses grow at nearly the same relative rate", 0.3, 0.1, 0.6,
          R(0.2000000001, 0.20001)),
