@@ -270,7 +270,7 @@
        vm_orbit_meshchersky           Position and velocity after t seconds, while the attraction changes by Meshchersky's law mu/(1 + rate t)
 
      mechanics/drum: a band that winds up on a drum
-       vm_drum_band                   The band's mass per angle on a drum, mu = R h b rho (181), kg/rad
+       vm_drum_band                   The mass of the band per radian on a drum, mu = R h b rho (181), kg/rad
        vm_drum_at                     Mass, mass centre and inertia of the drum with its band at an angle, (182)-(188)
        vm_drum_rhs                    Right-hand side of the drum on an elastic shaft, exact
        vm_drum_rhs_reduced            Right-hand side of the drum on an elastic shaft for a light band, (192), (193)
@@ -1110,7 +1110,8 @@ VM_API vm_real vmi_lambert_far(vm_two l, vm_real w, int steps)
 }
 
 /* Returns W_0(x) for x from -1/4 to 55. g, a quotient of polynomials in r = sqrt(1 + e x), is W_0(x)/x with an error of
-   at most 1e-4. One step of vmi_lambert_correction then improves w = g x, held in two words; in it ln(x/w) = -ln g. */
+   at most 1e-4. One step of vmi_lambert_correction then improves w = g x, which has two words; for this w the
+   logarithm ln(x/w) is -ln g. */
 VM_API vm_real vmi_lambert_middle(vm_real x)
 {
     const vm_real r = VM_SQRT(1 + VM_C(2.718281828459045) * x);
@@ -1923,8 +1924,9 @@ VM_API int vm_inertia_is_possible(const vm_inertia *inertia)
 }
 
 /* Inertia about a point at d from the mass centre, along parallel axes, (40). It is own + mass P(d), where own (kg m^2)
-   is the inertia about the mass centre and P(d) = |d|^2 E - d d^T (d in m, unit matrix E). A call with -mass goes back
-   to the mass centre. Returns NaN for a null pointer. A NaN in an argument makes every entry that depends on it NaN. */
+   is the inertia about the mass centre and P(d) = |d|^2 E - d d^T (d in m, unit matrix E). A call with -mass converts
+   an inertia about such a point to that about the mass centre. Returns NaN for a null pointer. A NaN in an argument
+   makes every entry that depends on it NaN. */
 VM_API vm_inertia vm_parallel_axes(const vm_inertia *own, vm_real mass, vm_vec3 d)
 {
     const vm_inertia none = {VM_NAN, VM_NAN, VM_NAN, VM_NAN, VM_NAN, VM_NAN};
@@ -7344,7 +7346,7 @@ typedef struct VM_TAG(vm_drum_shaft) {
     vm_real shift; /* displacement mu v/(M0 Omega_b k^2), m. The deflection y oscillates about shift/(1 - A phi). */
 } vm_drum_shaft;
 
-/* The band's mass per angle on a drum, mu = R h b rho (181), kg/rad.
+/* The mass of the band per radian on a drum, mu = R h b rho (181), kg/rad.
    The radius R of the drum, the thickness h and the width b of the band are in m, and the density rho of the band is in
    kg/m^3. If an argument is NaN, the result is NaN. */
 VM_API vm_real vm_drum_band(vm_real radius, vm_real thickness, vm_real width, vm_real density)
@@ -11238,9 +11240,9 @@ VM_API int vmi_osc_panel_of(const vm_osc_plan *p, const vmi_osc_mean *mean, vm_r
     return VM_OK;
 }
 
-/* Whether the panel is short enough for its series. A panel on which a law has a kink never is; therefore a panel also
-   counts as short enough if the terms that its series leaves out do not matter. `whole` is the length of the walk,
-   s. */
+/* Whether the panel is short enough for its series. A panel on which a law has a kink never becomes short enough for
+   it; therefore a panel also counts as short enough if the terms that its series leaves out do not matter. `whole` is
+   the length of the walk, s. */
 VM_API int vmi_osc_panel_is_resolved(const vm_osc_plan *p, const vmi_osc_panel *panel, vm_real length, vm_real whole)
 {
     const vm_real E_enough = VM_MANT_DIG > 24 ? VM_C(1e-6) : VM_C(1e-3);
@@ -14198,7 +14200,7 @@ VM_API void vmi_orbit_ripple_nodes(const vmi_orbit *orbit, vmi_orbit_ripple *r, 
     const int parts = r->time.parts;
     int i;
     nodes->n = parts * VMI_GAUSS;
-    squares[0] = 0; /* There is at least one node, but compilers would warn of an array without values. */
+    squares[0] = 0; /* compilers would warn of an array without values, although there is at least one node */
     for (i = 0; i < nodes->n; i++) {
         vmi_orbit_point *p = nodes->point + i;
         orbit->force->point(orbit, vmi_orbit_node(parts, i), p);
@@ -24393,7 +24395,8 @@ VM_API int vmi_then_land(vm_event *e, vm_real t, vm_real *y)
     return VM_OK;
 }
 
-/* Checks a landing: reactions of links and joints would have to act in the same impulse */
+/* Checks a landing: the body must not have a link or a joint, because their reactions would have to act in the same
+   impulse */
 VM_API int vmi_land_check(const vm_scene *s, const vm_event *e)
 {
     if (s->bodies[e->body].listed_orders >> VMI_ORDER_LINK & 1) return VM_TWO_LINKS;

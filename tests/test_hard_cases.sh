@@ -34,7 +34,8 @@ or of the dissertation, goes wrong, and its first column says why. The true valu
 (tests/gen/hard_reference.py).
 
 - "kernel" names the function of tests/hard/ that computes the case, with the naive formula beside it. "at" has its arguments;
-  arguments that are left out at the end are zero. Numbers in the first column are those of the point in double.
+  arguments that are left out at the end are zero. Numbers in the first column are those of the point in double, and letters those
+  of the comment above the headers' function that is tested.
 - "error" is the error of the headers' function. "naive" is the error of the naive formula in the same precision; "no number"
   means that it gives infinity or NaN, or divides by zero. Both are in eps (2.2e-16, in float 1.2e-7) of the value, or of the
   scale of the problem, such as the largest value of an oscillation.

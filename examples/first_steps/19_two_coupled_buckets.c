@@ -2,8 +2,8 @@
    them. Both leak alike. They start in phase, the first with an amplitude of 1 m and the second with 0.5 m. On linear
    springs the buckets exchange their amplitudes, and get them back later. On springs with the force x^3 they do not:
    such a spring vibrates faster the wider it swings, so that the buckets are soon out of step. The averaged equations
-   compute the amplitudes and the phases; beside them the equation of motion is integrated. In place of equal
-   frequencies, the field vibrations may name another internal resonance, such as 1 and 3.
+   give the amplitudes and the phases; for comparison the equation of motion is integrated, too. The field
+   `vibrations` may name another internal resonance than that of equal frequencies, such as 1 and 3.
 
    cc -O2 19_two_coupled_buckets.c -lm && ./a.out [file.csv] */
 #include <stdio.h>

@@ -2,7 +2,7 @@
    x^3 holds the piston. The shape of the valve's force is given by 16 samples. If the piston vibrates once in a period
    of the valve, the first harmonic of the force drives it; if it vibrates three times, the third. The program prints
    the mean amplitude of the steady vibration, which needs no integration, and beside it the amplitude that an
-   integration has after 100 periods. The figure shows two more periods of the last one.
+   integration finds after 100 periods. The figure shows two more periods of the last vibration.
 
    cc -O2 20_valve.c -lm && ./a.out [file.csv] */
 #include <stdio.h>

@@ -41,7 +41,8 @@ VM_API vm_real vmi_lambert_far(vm_two l, vm_real w, int steps)
 }
 
 /* Returns W_0(x) for x from -1/4 to 55. g, a quotient of polynomials in r = sqrt(1 + e x), is W_0(x)/x with an error of
-   at most 1e-4. One step of vmi_lambert_correction then improves w = g x, held in two words; in it ln(x/w) = -ln g. */
+   at most 1e-4. One step of vmi_lambert_correction then improves w = g x, which has two words; for this w the
+   logarithm ln(x/w) is -ln g. */
 VM_API vm_real vmi_lambert_middle(vm_real x)
 {
     const vm_real r = VM_SQRT(1 + VM_C(2.718281828459045) * x);

@@ -86,7 +86,7 @@ typedef struct VM_TAG(vm_drum_shaft) {
     vm_real shift; /* displacement mu v/(M0 Omega_b k^2), m. The deflection y oscillates about shift/(1 - A phi). */
 } vm_drum_shaft;
 
-/* The band's mass per angle on a drum, mu = R h b rho (181), kg/rad.
+/* The mass of the band per radian on a drum, mu = R h b rho (181), kg/rad.
    The radius R of the drum, the thickness h and the width b of the band are in m, and the density rho of the band is in
    kg/m^3. If an argument is NaN, the result is NaN. */
 VM_API vm_real vm_drum_band(vm_real radius, vm_real thickness, vm_real width, vm_real density)

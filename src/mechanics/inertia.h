@@ -122,8 +122,9 @@ VM_API int vm_inertia_is_possible(const vm_inertia *inertia)
 }
 
 /* Inertia about a point at d from the mass centre, along parallel axes, (40). It is own + mass P(d), where own (kg m^2)
-   is the inertia about the mass centre and P(d) = |d|^2 E - d d^T (d in m, unit matrix E). A call with -mass goes back
-   to the mass centre. Returns NaN for a null pointer. A NaN in an argument makes every entry that depends on it NaN. */
+   is the inertia about the mass centre and P(d) = |d|^2 E - d d^T (d in m, unit matrix E). A call with -mass converts
+   an inertia about such a point to that about the mass centre. Returns NaN for a null pointer. A NaN in an argument
+   makes every entry that depends on it NaN. */
 VM_API vm_inertia vm_parallel_axes(const vm_inertia *own, vm_real mass, vm_vec3 d)
 {
     const vm_inertia none = {VM_NAN, VM_NAN, VM_NAN, VM_NAN, VM_NAN, VM_NAN};

@@ -70,7 +70,7 @@ VM_API void vmi_orbit_ripple_nodes(const vmi_orbit *orbit, vmi_orbit_ripple *r, 
     const int parts = r->time.parts;
     int i;
     nodes->n = parts * VMI_GAUSS;
-    squares[0] = 0; /* There is at least one node, but compilers would warn of an array without values. */
+    squares[0] = 0; /* compilers would warn of an array without values, although there is at least one node */
     for (i = 0; i < nodes->n; i++) {
         vmi_orbit_point *p = nodes->point + i;
         orbit->force->point(orbit, vmi_orbit_node(parts, i), p);

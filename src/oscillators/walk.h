@@ -191,9 +191,9 @@ VM_API int vmi_osc_panel_of(const vm_osc_plan *p, const vmi_osc_mean *mean, vm_r
     return VM_OK;
 }
 
-/* Whether the panel is short enough for its series. A panel on which a law has a kink never is; therefore a panel also
-   counts as short enough if the terms that its series leaves out do not matter. `whole` is the length of the walk,
-   s. */
+/* Whether the panel is short enough for its series. A panel on which a law has a kink never becomes short enough for
+   it; therefore a panel also counts as short enough if the terms that its series leaves out do not matter. `whole` is
+   the length of the walk, s. */
 VM_API int vmi_osc_panel_is_resolved(const vm_osc_plan *p, const vmi_osc_panel *panel, vm_real length, vm_real whole)
 {
     const vm_real E_enough = VM_MANT_DIG > 24 ? VM_C(1e-6) : VM_C(1e-3);

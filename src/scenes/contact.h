@@ -141,7 +141,8 @@ VM_API int vmi_then_land(vm_event *e, vm_real t, vm_real *y)
     return VM_OK;
 }
 
-/* Checks a landing: reactions of links and joints would have to act in the same impulse */
+/* Checks a landing: the body must not have a link or a joint, because their reactions would have to act in the same
+   impulse */
 VM_API int vmi_land_check(const vm_scene *s, const vm_event *e)
 {
     if (s->bodies[e->body].listed_orders >> VMI_ORDER_LINK & 1) return VM_TWO_LINKS;
