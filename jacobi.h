@@ -103,7 +103,7 @@
 
    COST
      docs/cost.md has the times, docs/counts.md the instructions of each function. A jacobi_plan has
-     304 [jacobi_plan_bytes] bytes, in float 112 [jacobi_plan_bytes_float]; the words in brackets name the rows of
+     312 [jacobi_plan_bytes] bytes, in float 116 [jacobi_plan_bytes_float]; the words in brackets name the rows of
      docs/numbers.md. The largest stack frame is about 1 kB.
 
    REFERENCES
@@ -2625,8 +2625,8 @@ VM_INLINE void vmi_plan_loop(const jacobi_plan *p, int form, int n, const vm_rea
         }
 }
 
-/* Computes once more, one by one, the results next to a zero of sn, where sn is about the distance u - jK from the zero,
-   and next to a zero of cn, where cn is about k' times the distance. */
+/* Computes once more, one by one, the results next to a zero of sn or cn. There sn is about the distance u - jK from
+   the zero, cn about k' times the distance. */
 VM_API void vmi_plan_mend_close(const jacobi_plan *p, int n, const vm_real *u, vm_real *sn, vm_real *cn, vm_real *dn)
 {
     const vm_real kp = p->theta.kp;

@@ -48,7 +48,8 @@
      Damping      damping > 0 takes energy out.
      Streams      reactive = 1: mass that joins or leaves has an absolute velocity of its own (0 means at rest), and
                   the full reactive force acts. reactive = 0: this mass has the body's velocity, and no reactive
-                  force acts.
+                  force acts. Where a function also takes a velocity u of the mass, reactive = 0 means that u is
+                  relative to the body, and the reactive force is the rate of the mass times u.
      Names        X_to_Y and X_from_Y convert. X_rhs is the right-hand side of the differential equations of X,
                   X_averaged_rhs that of the averaged equations. A suffix 2 means the plane, 1 means one dimension.
                   Names that begin with vmi_ or VMI_ are internal.
@@ -323,7 +324,7 @@
        vm_osc_load_force              Force of a vm_osc_load on an oscillator, N
        vm_osc_load_init               Gives an oscillator a velocity u of the mass that joins or leaves, and a damping that depends on time
 
-     oscillators/closed: the law of order five as plain data, where all its integrals have closed forms
+     oscillators/closed: the laws of orders two to five as plain data, where all integrals have closed forms
        vm_osc_closed_init             Prepares the motion of the problem by the law of an order, 2 to 5; a higher order is more accurate
        vm_osc_closed_at               Position x (m) and velocity v (m/s) at time t (s, either sign), from the law in *c, with its order
        vm_osc_closed_at_order2        Position and velocity as by vm_osc_closed_at, but always by order 2, whatever order *c has
@@ -3757,9 +3758,10 @@ VM_API vm_real vmi_broken_rotor_contact(const vm_broken_rotor *whole, const vm_b
 
 /* Remainder and piece of a rotor after the break, with their motions, (52)-(64) corrected.
    `before` is the state of the whole just before the break. Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE
-   if an argument or a field of *result other than stop_inertia is not finite, VM_BAD_MASS if the mass of the piece is not between 0 and that of the whole, VM_BAD_STIFFNESS for a negative
-   stiffness, VM_BAD_INERTIA if the inertia of the remainder is negative or not larger than rounding errors, VM_DOMAIN
-   if the whole has s != 0 or if the piece's mass centre is at the point of contact A, and VM_OK otherwise. */
+   if an argument or a field of *result other than stop_inertia is not finite, VM_BAD_MASS if the mass of the piece is
+   not between 0 and that of the whole, VM_BAD_STIFFNESS for a negative stiffness, VM_BAD_INERTIA if the inertia of the
+   remainder is negative or not larger than rounding errors, VM_DOMAIN if the whole has s != 0 or if the piece's mass
+   centre is at the point of contact A, and VM_OK otherwise. */
 VM_API int vm_broken_rotor_break_off(const vm_broken_rotor *whole, const vm_real *before,
                                      const vm_broken_rotor_piece *piece, vm_broken_rotor_break *result)
 {
@@ -8605,7 +8607,8 @@ VM_API void vm_osc_jacobi(vm_real t, vm_real x0, vm_real omega0, vm_real alpha, 
 typedef struct VM_TAG(vm_osc_errors) {
     vm_real trig_vmax;          /* largest velocity of the cosine (296) divided by the exact one (267) */
     vm_real jacobi_vmax;        /* largest velocity of cn divided by the exact one. At x = 0 cn has the velocity k'
-                                   Omega_1 (306), but for m > 1/2 a larger one, Omega_1/(2k), near x = 0 */
+                                   Omega_1 (306), but for m > 1/2 a larger one, Omega_1/(2k), where
+                                   cn^2 = 1 - 1/(2m) */
     vm_real trig_x, trig_v;     /* largest errors of the cosine, of x relative to x0 and of v relative to vmax */
     vm_real jacobi_x, jacobi_v; /* largest errors of cn, of x relative to x0 and of v relative to vmax */
 } vm_osc_errors;
@@ -10254,7 +10257,7 @@ VM_API vm_real vmi_expansion_error(const vmi_ripple *r, vmi_left_out now, vmi_le
 }
 
 #endif
-/* oscillators/closed.h - the law of order five as plain data, where all its integrals have closed forms
+/* oscillators/closed.h - the laws of orders two to five as plain data, where all integrals have closed forms
 
    A vm_osc_closed predicts the motion of m x'' + k x|x|^(alpha-1) + (reactive m' + b) x' = 0 at any time t. It needs no
    integrator, no table of a law and no pointer, so it may be a constant in the flash of a microcontroller
@@ -13108,6 +13111,7 @@ VM_API void vmi_osc_course_start(vmi_osc_course *c, const vm_osc_plan *plan, con
 
    Two runs from zero to zero of x (oscillators/course.h), with different numbers of points a step, go side by side.
    Their difference gives the error. If the error is larger than the tolerance, the next pair of runs has more points.
+   A pair is given up on the way as soon as its error is too large, so that a pair with few points may be tried first.
        vm_osc_motion motion;
        int status = vmi_osc_collocate(&plan, VM_ROUTE_COLLOCATION, 300, VM_C(1e-8), &motion); // plan is a vm_osc_plan
    Tests: tests/test_collocation.c, tests/test_routes.c. */
@@ -13123,15 +13127,16 @@ VM_API vm_real vmi_osc_next_knot(const vm_osc_problem *o, vm_real from, vm_real 
 }
 
 /* Advances both courses to t, a point of a table or the end. Raises *difference to the largest difference of ln A and
-   phase between the two courses on the way. */
-VM_API int vmi_osc_courses_to(vmi_osc_course *loose, vmi_osc_course *strict, vm_real t, vm_real *difference)
+   phase between the two courses on the way, and stops before t where it is larger than `most`. */
+VM_API int vmi_osc_courses_to(vmi_osc_course *loose, vmi_osc_course *strict, vm_real t, vm_real most,
+                              vm_real *difference)
 {
     const vm_real most_steps = VM_C(16777216.); /* 2^24: with more, float has no digits for the phase */
     vm_real steps = 0;
     int status = VM_OK;
     loose->stop = t;
     strict->stop = t;
-    while (!status && (loose->t != t || strict->t != t)) {
+    while (!status && !(*difference > most) && (loose->t != t || strict->t != t)) {
         vm_real apart;
         if (loose->t != t) status = vmi_osc_course_step(loose);
         if (!status && strict->t != t) status = vmi_osc_course_step(strict);
@@ -13171,16 +13176,13 @@ VM_API vmi_osc_points vmi_osc_pair(const vm_osc_problem *o, int i)
     return points;
 }
 
-/* The number of the pair that is tried first. It is about the cheapest that reaches the tolerance where mass and
-   stiffness change by 1 % while the phase grows by 1. Laws by functions of the user need more points, for the
-   derivative of p. */
+/* The number of the pair that is tried first: one that reaches the tolerance where mass and stiffness change by a
+   percent or less while the phase grows by 1. Laws by functions of the user need more points, for the derivative of
+   p. */
 VM_API int vmi_osc_first_pair(const vm_osc_problem *o, vm_real tolerance)
 {
     if (o->force) return tolerance >= VM_C(1e-6) ? 2 : 4;
-    if (vmi_osc_has_user_law(o)) {
-        if (tolerance >= VM_C(1e-6)) return 1;
-        return tolerance >= VM_C(1e-8) ? 2 : 3;
-    }
+    if (vmi_osc_has_user_law(o)) return tolerance >= VM_C(1e-8) ? 2 : 3;
     if (tolerance >= VM_C(1e-8)) return 0;
     if (tolerance >= VM_C(1e-9)) return 1;
     if (tolerance >= VM_C(1e-11)) return 2;
@@ -13202,51 +13204,91 @@ VM_API int vmi_osc_next_pair(const vm_osc_problem *o, int i, vm_real error, vm_r
     return next;
 }
 
-/* Returns the estimated error of the strict run divided by the difference of the two runs, which is nearly the error of
-   the loose run. Where alpha < 1, the rates have terms proportional to d^(alpha+2), where d is the distance from a zero
-   of x. For these terms the error of Gauss' rule of n points falls as n^-(2 alpha + 6). For larger alpha up to 10 it
-   falls as n^-8 at least. Few points, kinks from a force or from a law by a function, and the sharp turns of a large
-   alpha, make it fall more slowly. In a graded rule the points are densest where x' is near 0, so kinks there count
-   less. */
-VM_API vm_real vmi_osc_strict_share(const vm_osc_problem *o, vmi_osc_points points)
+/* Raises *change to the rate of ln m, ln k and damping at t, divided by that of the phase. */
+VM_API int vmi_osc_change_at(const vm_osc_plan *plan, vm_real t, int side, vm_real *change)
 {
-    const vm_real ratio = (vm_real)points.loose / (vm_real)points.strict, squared = ratio * ratio;
-    const vm_real fourth = squared * squared, sixth = fourth * squared;
-    const int graded = vmi_osc_needs_grading(o), kinks = (o->force && !graded) || vmi_osc_has_user_law(o);
-    int few = 4;
-    if (graded) few = 8;
-    if (kinks || o->alpha > 10 || points.strict <= few) return fourth;
-    if (o->alpha < 1) return sixth;
-    return sixth * squared;
+    vmi_osc_rates now;
+    vm_real rate;
+    const int status = vmi_osc_rates_at(&plan->problem, t, side, &now);
+    if (status) return status;
+    rate = plan->Om * VM_SQRT((now.k / plan->k0) / (now.m / plan->m0));
+    *change = vmi_larger((VM_FABS(now.p) + VM_FABS(now.a) + VM_FABS(now.k_rate)) / rate, *change);
+    return VM_OK;
 }
 
-/* Makes one pair of runs from 0 to t. *strict becomes the strict run at t, *error the estimate of its error. */
-VM_API int vmi_osc_collocate_pair(const vm_osc_plan *plan, vm_real t, vmi_osc_points points, vm_real longest,
-                                  vm_real sweep_limit, vmi_osc_course *strict, vm_real *error)
+/* Returns the estimated error of the strict run divided by the difference of the two runs, which is nearly the error of
+   the loose run. Let n be the number of points. Where no force acts, the error falls about as n^-8 for alpha from 1 to
+   5. For alpha < 1 it falls as n^-6, because the rates have terms proportional to d^(alpha+2), where d is the distance
+   from a zero of x, and for these Gauss' rule loses orders. With few points, a change of more than 1/32 a radian, the
+   sharp turns of a large alpha, kinks from a force, or a law by a function, it falls more slowly. In a graded rule the
+   points are densest where x is 0, so kinks at other places count less. docs/routes.md shows how good the estimate
+   is. */
+VM_API vm_real vmi_osc_strict_share(const vm_osc_problem *o, vmi_osc_points points, vm_real change)
+{
+    const vm_real ratio = (vm_real)points.loose / (vm_real)points.strict, squared = ratio * ratio;
+    const vm_real fourth = squared * squared;
+    const int graded = vmi_osc_needs_grading(o), kinks = o->force && !graded;
+    if (points.strict <= 4 || vmi_osc_has_user_law(o)) return squared;
+    if (kinks || o->alpha > 5 || (graded && points.strict <= 8)) return fourth;
+    if (o->alpha < 1 || (!o->force && change > VM_C(0.03125))) return fourth * squared;
+    return fourth * fourth;
+}
+
+/* A pair of runs */
+typedef struct VM_TAG(vmi_osc_pair_run) {
+    vm_real change;        /* the larger change of the laws per radian, at 0 and at t (vmi_osc_change_at) */
+    vm_real longest;       /* the longest step, s */
+    vm_real sweep_limit;   /* that of the strict run (see vmi_osc_course) */
+    vm_real most;          /* the pair is given up where its error is larger than this */
+    vmi_osc_course strict; /* the strict run; it ends before t if the pair was given up */
+    vmi_osc_rates now;     /* mass, stiffness and rates at t, if the pair was not given up, */
+    vmi_osc_reduced state; /* and amplitude and phase of the strict run there */
+    vm_real error;         /* estimated error at t; if the pair was given up, the one that was to be expected */
+} vmi_osc_pair_run;
+
+/* Sets amplitude and phase at t from the strict run. r->error is that of ln A and phase, and becomes that of x and v:
+   an error of x also enters v = -2/(alpha+1) W A sa - p x. */
+VM_API int vmi_osc_end_pair(const vm_osc_plan *plan, vm_real t, vmi_osc_pair_run *r)
+{
+    const vmi_osc_course *strict = &r->strict;
+    const int status = vmi_osc_rates_at(&plan->problem, t, -strict->side, &r->now);
+    if (status) return status;
+    r->state.psi = strict->psi;
+    r->state.A = plan->A * vmi_exp(strict->ln_A, 0);
+    r->state.W = plan->Om * vmi_osc_Om_ratio(plan, &r->now, strict->ln_A);
+    r->error *= 1 + (plan->problem.alpha + 1) / 2 * VM_FABS(r->now.p / r->state.W);
+    return VM_OK;
+}
+
+/* Makes one pair of runs from 0 to t. */
+VM_API int vmi_osc_collocate_pair(const vm_osc_plan *plan, vm_real t, vmi_osc_points points, vmi_osc_pair_run *r)
 {
     const int side = vmi_time_side(t);
-    const vm_real looser = 16;         /* ratio of the sweep_limits of both runs: errors of the iteration differ, too */
-    vmi_osc_rates now;
+    const vm_real looser = 16; /* ratio of the sweep_limits of both runs: errors of the iteration differ, too */
+    const vm_real share = vmi_osc_strict_share(&plan->problem, points, r->change), most = r->most / share;
+    vmi_osc_course loose, *strict = &r->strict;
     vmi_osc_slow start;
-    vmi_osc_reduced state;
-    vmi_osc_course loose;
     vm_real difference = 0;
-    int status = vmi_osc_rates_at(&plan->problem, 0, side, &now);
+    int status = vmi_osc_rates_at(&plan->problem, 0, side, &r->now);
     if (status) return status;
-    start.m = now.m;
-    start.k = now.k;
-    start.p = now.p;
-    state = vmi_osc_reduce(&start, plan->problem.alpha, plan->problem.x, plan->problem.v);
-    vmi_osc_course_start(&loose, plan, &state, side, points.loose, points.parts, looser * sweep_limit);
-    vmi_osc_course_start(strict, plan, &state, side, points.strict, points.parts, sweep_limit);
-    loose.longest = longest;
-    strict->longest = longest;
-    while (!status && strict->t != t)
-        status = vmi_osc_courses_to(&loose, strict, vmi_osc_next_knot(&plan->problem, strict->t, t), &difference);
+    start.m = r->now.m;
+    start.k = r->now.k;
+    start.p = r->now.p;
+    r->state = vmi_osc_reduce(&start, plan->problem.alpha, plan->problem.x, plan->problem.v);
+    vmi_osc_course_start(&loose, plan, &r->state, side, points.loose, points.parts, looser * r->sweep_limit);
+    vmi_osc_course_start(strict, plan, &r->state, side, points.strict, points.parts, r->sweep_limit);
+    loose.longest = r->longest;
+    strict->longest = r->longest;
+    while (!status && strict->t != t && !(difference > most)) {
+        const vm_real next = vmi_osc_next_knot(&plan->problem, strict->t, t);
+        status = vmi_osc_courses_to(&loose, strict, next, most, &difference);
+    }
+    if (status) return status;
     strict->evals += loose.evals;
-    *error = vmi_osc_strict_share(&plan->problem, points) * difference + strict->left +
-             4 * VM_EPSILON * (2 + VM_FABS(strict->psi - state.psi));
-    return status;
+    r->error = share * difference + strict->left + 4 * VM_EPSILON * (2 + VM_FABS(strict->psi - r->state.psi));
+    if (strict->t == t) return vmi_osc_end_pair(plan, t, r);
+    r->error *= t / strict->t; /* errors grow in proportion to time, or faster */
+    return VM_OK;
 }
 
 /* Computes the motion at t by collocation. Returns VM_TOLERANCE_MISSED where the motion is computed, but its estimated
@@ -13255,41 +13297,40 @@ VM_API int vmi_osc_collocate_pair(const vm_osc_plan *plan, vm_real t, vmi_osc_po
    laws. */
 VM_API int vmi_osc_collocate(const vm_osc_plan *plan, int route, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
-    const vm_real knots = (vm_real)(plan->problem.mass.n + plan->problem.stiffness.n);
+    const vm_osc_problem *o = &plan->problem;
+    const vm_real knots = (vm_real)(o->mass.n + o->stiffness.n);
     const vm_real steps = 2 + plan->Om * VM_FABS(t) / plan->ripple.pi + knots;
     const vm_real share = 4 * steps; /* the iterations of all steps may take a quarter of the tolerance */
     const vm_real most_half_periods = VM_C(1073741824.); /* 2^30 */
+    vmi_osc_pair_run r;
     vm_osc_motion result;
-    vmi_osc_course c;
-    vmi_osc_reduced state;
-    vmi_osc_rates now;
-    vm_real error = VM_INFINITY, sweep_limit = vmi_larger(tolerance / share, VM_EPSILON), sa, ca;
-    long evals = 0;
-    vm_real longest;
-    int i = vmi_osc_first_pair(&plan->problem, tolerance), status = vmi_osc_law_step(plan, t, &longest);
+    vm_real sa, ca;
+    int i = vmi_osc_first_pair(o, tolerance), status = vmi_osc_law_step(plan, t, &r.longest);
+    r.change = 0;
+    status = vmi_first_error(status, vmi_osc_change_at(plan, 0, vmi_time_side(t), &r.change));
+    status = vmi_first_error(status, vmi_osc_change_at(plan, t, -vmi_time_side(t), &r.change));
     if (status) return status;
     if (!(plan->Om * VM_FABS(t) <= most_half_periods * plan->ripple.pi)) return VM_NOT_INTEGRATED;
-    while (i < VMI_OSC_PAIRS && !(error <= tolerance)) {
-        status = vmi_osc_collocate_pair(plan, t, vmi_osc_pair(&plan->problem, i), 2 * longest, sweep_limit, &c, &error);
+    r.longest *= 2;
+    r.sweep_limit = vmi_larger(tolerance / share, VM_EPSILON);
+    r.error = VM_INFINITY;
+    result.evals = 0;
+    while (i < VMI_OSC_PAIRS && !(r.error <= tolerance)) {
+        r.most = i < VMI_OSC_PAIRS - 1 ? tolerance : VM_INFINITY;
+        status = vmi_osc_collocate_pair(plan, t, vmi_osc_pair(o, i), &r);
         if (status) return status;
-        evals += c.evals;
-        sweep_limit = vmi_larger(sweep_limit / 16, VM_EPSILON); /* the iterations may have caused most of the error */
-        i = vmi_osc_next_pair(&plan->problem, i, error, tolerance);
+        result.evals += r.strict.evals;
+        r.sweep_limit = vmi_larger(r.sweep_limit / 16, VM_EPSILON); /* the iterations may have caused the error */
+        i = vmi_osc_next_pair(o, i, r.error, tolerance);
     }
-    status = vmi_osc_rates_at(&plan->problem, t, -c.side, &now);
-    if (status) return status;
-    state.psi = c.psi;
-    state.A = plan->A * vmi_exp(c.ln_A, 0);
-    state.W = plan->Om * vmi_osc_Om_ratio(plan, &now, c.ln_A);
-    vmi_osc_wave_at(&c.wave, c.psi, &ca, &sa);
-    vmi_osc_unreduce(&state, now.p, plan->problem.alpha, sa, ca, &result.x, &result.v);
-    result.amplitude = state.A;
-    result.error = error;
+    vmi_osc_wave_at(&r.strict.wave, r.state.psi, &ca, &sa);
+    vmi_osc_unreduce(&r.state, r.now.p, o->alpha, sa, ca, &result.x, &result.v);
+    result.amplitude = r.state.A;
+    result.error = r.error;
     result.route = route;
-    result.evals = evals;
     if (!VM_IS_FINITE(result.x) || !VM_IS_FINITE(result.v)) return VM_NOT_FINITE;
     *motion = result;
-    return error <= tolerance ? VM_OK : VM_TOLERANCE_MISSED;
+    return result.error <= tolerance ? VM_OK : VM_TOLERANCE_MISSED;
 }
 
 #endif
@@ -13334,7 +13375,7 @@ VM_API int vmi_osc_collocate(const vm_osc_plan *plan, int route, vm_real t, vm_r
    1/8 to 8, a rate q of the laws from 2e-3 to 0.1, and t from 1/q to 3/q. In double the test demands as bounds, for
      the share of problems whose true error is above 3 times the estimate: 1 % by vm_osc_within, 4 % by rk87, else 2 %,
      the largest ratio of true error to estimate: 30 by rk87, 40 by rk45, else 10,
-     the median ratio of estimate to true error: 45 by collocation, 25 by rk87, 13 by rk45, 15 by orders 4 and 5 and for
+     the median ratio of estimate to true error: 55 by collocation, 25 by rk87, 13 by rk45, 15 by orders 4 and 5 and for
        averaged solutions with F, else 10.
    The estimate is worse for rk87, because its errors are not proportional to the tolerance if alpha is not an odd
    integer. */
@@ -14739,8 +14780,8 @@ VM_API vm_odd_force vmi_duffing_elastic(vm_real k1, vm_real k3)
     return force;
 }
 
-/* Duffing's force k1 x + k3 x^3. k1, N/m, and k3, N/m^3, may have either sign, but not both may be negative or 0: then
-   nothing vibrates, and all functions refuse the force with VM_NO_LAW. */
+/* Duffing's force k1 x + k3 x^3. k1, N/m, and k3, N/m^3, may have either sign, but at least one must be positive:
+   otherwise nothing vibrates, and all functions refuse the force with VM_NO_LAW. */
 VM_API vm_odd_force vm_duffing_force(vm_real k1, vm_real k3)
 {
     vm_odd_force force = vmi_duffing_elastic(k1, k3);
@@ -18182,8 +18223,8 @@ VM_API vm_real vm_jeffcott_amplitude(const vm_jeffcott *r, vm_real first_A, vm_r
    frequency W over time (499). Where neither an external force nor a velocity u of the mass acts, the radius A depends
    on the mass alone, so that W is a known function of time: psi is an integral, and has a closed form for a power law
    of the shaft without gyroscopic moments. On a linear shaft a forward and a backward whirl add up to any motion: this
-   is (481), (482), with any start, reactive force and gyroscopic moment. The letters and the vm_jeffcott are those of
-   oscillators/jeffcott.h; g is its gyro, r its reactive. Shortest useful call:
+   is (481), (482), with any start, reactive force and gyroscopic moment. oscillators/jeffcott.h explains the
+   letters and the struct vm_jeffcott; g and r are its fields gyro and reactive. Shortest useful call:
        vm_power_force shaft = {4, 1}; // F_e = 4 N/m rho
        vm_jeffcott_whirl whirl;
        vm_jeffcott rotor;
@@ -20892,7 +20933,8 @@ VM_API vm_scene_body vm_scene_body_with_mass_state(vm_scene_body body)
 }
 
 /* A body like `body` that is not present until an event brings it in. Effects on the body do not act before this
-   event. */
+   event. A part that separates has the mass that is given with the part; the mass of the body here must only be
+   positive. */
 VM_API vm_scene_body vm_scene_body_absent(vm_scene_body body)
 {
     body.absent = 1;
@@ -21850,10 +21892,11 @@ VM_API void vmi_apply_stream(const vm_effect *e, vm_real t, const vm_real *y, vm
 }
 
 /* A stream that enters or leaves at the mass centre, with its reactive force. rate in kg/s (on an axle kg m^2/s) is
-   negative for mass that leaves. If reactive is 1, u is the absolute velocity of the mass; if reactive is 0, u is
-   relative to the body. For any number reactive the velocity of the mass is u + (1 - reactive) v, where v is the
-   velocity of the body. The inertia of the body does not change. vm_scene_start returns VM_MASS_IS_NO_STATE if the mass
-   of the body is not a state. */
+   negative for mass that leaves. If reactive is 1, u is the absolute velocity of the mass; if reactive is 0, u is its
+   velocity relative to that of the body. For any number reactive the velocity of the mass is u + (1 - reactive) v,
+   where v is the velocity of the body. The components of u are along inertial axes: they do not turn with the body. For
+   a thrust that turns with it use vm_effect_stream_force or vm_effect_custom. The inertia of the body does not change.
+   vm_scene_start returns VM_MASS_IS_NO_STATE if the mass of the body is not a state. */
 VM_API vm_effect vm_effect_stream(int body, vm_real rate, vm_vec3 u, vm_real reactive)
 {
     vm_effect e = vmi_effect(body, 0, vmi_apply_stream);
@@ -23978,9 +24021,9 @@ VM_API vm_event vm_then_all(vm_event event, vm_event *actions, int n)
 
    The caller gives the motion of a part just after the jump. If relative is 0, it is given in inertial axes. If
    relative is 1, it is given in the axes of the body: r leads from the mass centre of the body to the part, and q, v
-   and omega are relative to the motion of the body at this point. In the plane and on an axle the new body has the
-   angle of the body from which it separates, plus the angle with which it was made. event.external is an impulse that
-   acts from outside during the jump.
+   and omega are relative to the motion of the body at this point, just before the jump. In the plane and on an axle
+   the new body has the angle of the body from which it separates, plus the angle with which it was made. event.external
+   is an impulse that acts from outside during the jump.
 
    Two bodies can jump together if they have the same motion. A body in the plane or a free body can also take up or
    give off a point. The functions whose names end in _on_line (line or axle) and _in_plane do the same as
@@ -24630,8 +24673,9 @@ VM_API int vmi_scene_check_run(const vm_scene *s, const vm_real *t, vm_real t_en
 
 /* Run of a scene from *t to t_end, with its events and its output. The integrator is rk45. The scene must have been
    started, and t_end must not be before *t. work has room for VM_SCENE_WORK(vm_scene_size(scene)) numbers. The
-   options are those of rk45, without events. *t and y become the time and the state at the end of the run. Returns
-   VM_OK at t_end, VM_STOPPED if an event or the output ended the run, or
+   options are those of rk45, without events; NULL stands for a relative error of 1e-6 a step (float 1e-4). *t and y
+   become the time and the state at the end of the run. Returns VM_OK at t_end, VM_STOPPED if an event or the output
+   ended the run, or
      VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_TIMES, VM_NOT_STARTED, VM_SHORT_ARRAY, VM_BAD_OPTIONS   if nothing was done;
      VM_BAD_MASS, VM_BAD_INERTIA, VM_NO_EFFECTIVE_MASS
                            if a mass or an inertia reached 0, even if the steps became too short just before that;

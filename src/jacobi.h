@@ -103,7 +103,7 @@
 
    COST
      docs/cost.md has the times, docs/counts.md the instructions of each function. A jacobi_plan has
-     304 [jacobi_plan_bytes] bytes, in float 112 [jacobi_plan_bytes_float]; the words in brackets name the rows of
+     312 [jacobi_plan_bytes] bytes, in float 116 [jacobi_plan_bytes_float]; the words in brackets name the rows of
      docs/numbers.md. The largest stack frame is about 1 kB.
 
    REFERENCES

@@ -37,8 +37,8 @@ cat <<END
 Written by \`make parts-table\`.
 
 Each chapter of src/ can be taken alone: \`make part PARTS="mechanics/jumps"\` writes one header, \`build/parts/jumps.h\`, that
-holds the chapter and everything it needs, and nothing else. Several chapters go into one header:
-\`make part PARTS="mechanics/jumps oscillators/routes"\`.
+holds the chapter and everything it needs, and nothing else. Several chapters go into one header,
+which has the name of the first: \`make part PARTS="mechanics/jumps oscillators/routes"\` writes \`build/parts/jumps.h\`.
 
 "Lines" counts the lines of this header, comments included. "Flash" is the size in bytes of all public functions of the
 chapter with the code and the tables that they use, on a Cortex-M4F in float, by gcc -Os; who calls fewer functions

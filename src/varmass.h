@@ -48,7 +48,8 @@
      Damping      damping > 0 takes energy out.
      Streams      reactive = 1: mass that joins or leaves has an absolute velocity of its own (0 means at rest), and
                   the full reactive force acts. reactive = 0: this mass has the body's velocity, and no reactive
-                  force acts.
+                  force acts. Where a function also takes a velocity u of the mass, reactive = 0 means that u is
+                  relative to the body, and the reactive force is the rate of the mass times u.
      Names        X_to_Y and X_from_Y convert. X_rhs is the right-hand side of the differential equations of X,
                   X_averaged_rhs that of the averaged equations. A suffix 2 means the plane, 1 means one dimension.
                   Names that begin with vmi_ or VMI_ are internal.

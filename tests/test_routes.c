@@ -243,8 +243,8 @@ static void test_estimates(void)
     for (route = 0; route <= VM_ROUTE_ORDER5; route++)
         judge(vm_osc_route_name(route), ratio[route], count[route], 2, 10, route < VM_ROUTE_ORDER4 ? 10 : 15);
     /* What the iterations of all steps leave is summed by its size, but cancels, and the error of the strict run often
-       falls faster than vmi_osc_strict_share says. */
-    judge(vm_osc_route_name(route), ratio[route], count[route], 2, 10, 45);
+       falls faster than vmi_osc_strict_share says: it has to be safe for all but few problems (docs/routes.md). */
+    judge(vm_osc_route_name(route), ratio[route], count[route], 2, 10, 55);
     /* Where f is not smooth two runs may agree by chance. */
     judge(vm_osc_route_name(VM_ROUTE_RK45), ratio[VM_ROUTE_RK45], count[VM_ROUTE_RK45], by_precision(2, 5), 40, 13);
     /* At x = 0, where f is not smooth, the errors of the pair of order 8 do not go as its tolerance. At loose

@@ -136,7 +136,7 @@ echo "function,precision,target,flash,stack,instructions" >"$build/table.csv"
 cat <<'END'
 # Flash, stack and instructions of a call
 
-Written by `make firmware-table`, with gcc -Os. A cell has three numbers: flash, stack and instructions. Flash is the number of
+Written by `make firmware-table`, with gcc -Os -fno-math-errno -ffp-contract=off. A cell has three numbers: flash, stack and instructions. Flash is the number of
 bytes by which a program grows when it makes the call, with all tables and functions that the call needs. Stack (in bytes) and
 instructions are the largest numbers in many calls on emulated boards.
 
@@ -154,8 +154,8 @@ to 100, alpha from 0 to 10, and bodies with three different moments of inertia i
 these calls is measured; it is not a proved bound.
 
 The rows of `jacobi_plan_sncndn` and `ateb_plan_saca` include the code that makes the plan; a `const` plan in flash does not need it.
-`vm_osc_closed_at` computes the motion of a leaking oscillator by the law of order two, three or five, from a constant plan. Its
-flash includes the plan. `vm_osc_closed_init` makes such a plan on the board, for a linear law of mass. `vm_osc_exact` computes the
+`vm_osc_closed_at` computes the motion of an oscillator whose mass grows (alpha = 1.7), by the law of order two, three or five, from
+a constant plan. Its flash includes the plan. `vm_osc_closed_init` makes such a plan on the board, for a linear law of mass. `vm_osc_exact` computes the
 motion with constant mass. `vm_torque_free_attitude` computes the rotation of a free body at times from -1000 s to 1000 s.
 `vm_torque_free_init` prepares it; the flash of this preparation has a row of its own. The scene is a tray on a spring with any
 exponent and a damper; the tray loses its load. `vm_scene_rhs` evaluates it once, and a step of `rk4` four times;

@@ -458,8 +458,8 @@ VM_API vm_two vmi_ateb_fine_quarter(const vmi_ateb *c)
     return vmi_half(vmi_two_times(c->n, vmi_ateb_gamma_ratio(vmi_two_over(one, c->n))));
 }
 
-/* Returns Pi_alpha/2 in three words, with a relative error of 2^-122 (float 2^-52), from the fields n and q of *c. It is
-   exact for alpha = 0, where n = 1 and Pi_alpha/2 = 1: there sa and ca have their zeros at the integers. */
+/* Returns Pi_alpha/2 in three words, with a relative error of 2^-122 (float 2^-52), from the fields n and q of *c. For
+   alpha = 0 it is exact: then n = 1, Pi_alpha/2 = 1, and the zeros of sa and ca are the integers. */
 VM_API vmi_three vmi_ateb_quarter_in_words(const vmi_ateb *c)
 {
     vm_two g;

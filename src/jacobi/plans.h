@@ -219,8 +219,8 @@ VM_INLINE void vmi_plan_loop(const jacobi_plan *p, int form, int n, const vm_rea
         }
 }
 
-/* Computes once more, one by one, the results next to a zero of sn, where sn is about the distance u - jK from the zero,
-   and next to a zero of cn, where cn is about k' times the distance. */
+/* Computes once more, one by one, the results next to a zero of sn or cn. There sn is about the distance u - jK from
+   the zero, cn about k' times the distance. */
 VM_API void vmi_plan_mend_close(const jacobi_plan *p, int n, const vm_real *u, vm_real *sn, vm_real *cn, vm_real *dn)
 {
     const vm_real kp = p->theta.kp;

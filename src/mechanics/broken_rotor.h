@@ -301,9 +301,10 @@ VM_API vm_real vmi_broken_rotor_contact(const vm_broken_rotor *whole, const vm_b
 
 /* Remainder and piece of a rotor after the break, with their motions, (52)-(64) corrected.
    `before` is the state of the whole just before the break. Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE
-   if an argument or a field of *result other than stop_inertia is not finite, VM_BAD_MASS if the mass of the piece is not between 0 and that of the whole, VM_BAD_STIFFNESS for a negative
-   stiffness, VM_BAD_INERTIA if the inertia of the remainder is negative or not larger than rounding errors, VM_DOMAIN
-   if the whole has s != 0 or if the piece's mass centre is at the point of contact A, and VM_OK otherwise. */
+   if an argument or a field of *result other than stop_inertia is not finite, VM_BAD_MASS if the mass of the piece is
+   not between 0 and that of the whole, VM_BAD_STIFFNESS for a negative stiffness, VM_BAD_INERTIA if the inertia of the
+   remainder is negative or not larger than rounding errors, VM_DOMAIN if the whole has s != 0 or if the piece's mass
+   centre is at the point of contact A, and VM_OK otherwise. */
 VM_API int vm_broken_rotor_break_off(const vm_broken_rotor *whole, const vm_real *before,
                                      const vm_broken_rotor_piece *piece, vm_broken_rotor_break *result)
 {

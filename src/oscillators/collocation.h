@@ -2,6 +2,7 @@
 
    Two runs from zero to zero of x (oscillators/course.h), with different numbers of points a step, go side by side.
    Their difference gives the error. If the error is larger than the tolerance, the next pair of runs has more points.
+   A pair is given up on the way as soon as its error is too large, so that a pair with few points may be tried first.
        vm_osc_motion motion;
        int status = vmi_osc_collocate(&plan, VM_ROUTE_COLLOCATION, 300, VM_C(1e-8), &motion); // plan is a vm_osc_plan
    Tests: tests/test_collocation.c, tests/test_routes.c. */
@@ -30,15 +31,16 @@ VM_API vm_real vmi_osc_next_knot(const vm_osc_problem *o, vm_real from, vm_real 
 }
 
 /* Advances both courses to t, a point of a table or the end. Raises *difference to the largest difference of ln A and
-   phase between the two courses on the way. */
-VM_API int vmi_osc_courses_to(vmi_osc_course *loose, vmi_osc_course *strict, vm_real t, vm_real *difference)
+   phase between the two courses on the way, and stops before t where it is larger than `most`. */
+VM_API int vmi_osc_courses_to(vmi_osc_course *loose, vmi_osc_course *strict, vm_real t, vm_real most,
+                              vm_real *difference)
 {
     const vm_real most_steps = VM_C(16777216.); /* 2^24: with more, float has no digits for the phase */
     vm_real steps = 0;
     int status = VM_OK;
     loose->stop = t;
     strict->stop = t;
-    while (!status && (loose->t != t || strict->t != t)) {
+    while (!status && !(*difference > most) && (loose->t != t || strict->t != t)) {
         vm_real apart;
         if (loose->t != t) status = vmi_osc_course_step(loose);
         if (!status && strict->t != t) status = vmi_osc_course_step(strict);
@@ -78,16 +80,13 @@ VM_API vmi_osc_points vmi_osc_pair(const vm_osc_problem *o, int i)
     return points;
 }
 
-/* The number of the pair that is tried first. It is about the cheapest that reaches the tolerance where mass and
-   stiffness change by 1 % while the phase grows by 1. Laws by functions of the user need more points, for the
-   derivative of p. */
+/* The number of the pair that is tried first: one that reaches the tolerance where mass and stiffness change by a
+   percent or less while the phase grows by 1. Laws by functions of the user need more points, for the derivative of
+   p. */
 VM_API int vmi_osc_first_pair(const vm_osc_problem *o, vm_real tolerance)
 {
     if (o->force) return tolerance >= VM_C(1e-6) ? 2 : 4;
-    if (vmi_osc_has_user_law(o)) {
-        if (tolerance >= VM_C(1e-6)) return 1;
-        return tolerance >= VM_C(1e-8) ? 2 : 3;
-    }
+    if (vmi_osc_has_user_law(o)) return tolerance >= VM_C(1e-8) ? 2 : 3;
     if (tolerance >= VM_C(1e-8)) return 0;
     if (tolerance >= VM_C(1e-9)) return 1;
     if (tolerance >= VM_C(1e-11)) return 2;
@@ -109,51 +108,91 @@ VM_API int vmi_osc_next_pair(const vm_osc_problem *o, int i, vm_real error, vm_r
     return next;
 }
 
-/* Returns the estimated error of the strict run divided by the difference of the two runs, which is nearly the error of
-   the loose run. Where alpha < 1, the rates have terms proportional to d^(alpha+2), where d is the distance from a zero
-   of x. For these terms the error of Gauss' rule of n points falls as n^-(2 alpha + 6). For larger alpha up to 10 it
-   falls as n^-8 at least. Few points, kinks from a force or from a law by a function, and the sharp turns of a large
-   alpha, make it fall more slowly. In a graded rule the points are densest where x' is near 0, so kinks there count
-   less. */
-VM_API vm_real vmi_osc_strict_share(const vm_osc_problem *o, vmi_osc_points points)
+/* Raises *change to the rate of ln m, ln k and damping at t, divided by that of the phase. */
+VM_API int vmi_osc_change_at(const vm_osc_plan *plan, vm_real t, int side, vm_real *change)
 {
-    const vm_real ratio = (vm_real)points.loose / (vm_real)points.strict, squared = ratio * ratio;
-    const vm_real fourth = squared * squared, sixth = fourth * squared;
-    const int graded = vmi_osc_needs_grading(o), kinks = (o->force && !graded) || vmi_osc_has_user_law(o);
-    int few = 4;
-    if (graded) few = 8;
-    if (kinks || o->alpha > 10 || points.strict <= few) return fourth;
-    if (o->alpha < 1) return sixth;
-    return sixth * squared;
+    vmi_osc_rates now;
+    vm_real rate;
+    const int status = vmi_osc_rates_at(&plan->problem, t, side, &now);
+    if (status) return status;
+    rate = plan->Om * VM_SQRT((now.k / plan->k0) / (now.m / plan->m0));
+    *change = vmi_larger((VM_FABS(now.p) + VM_FABS(now.a) + VM_FABS(now.k_rate)) / rate, *change);
+    return VM_OK;
 }
 
-/* Makes one pair of runs from 0 to t. *strict becomes the strict run at t, *error the estimate of its error. */
-VM_API int vmi_osc_collocate_pair(const vm_osc_plan *plan, vm_real t, vmi_osc_points points, vm_real longest,
-                                  vm_real sweep_limit, vmi_osc_course *strict, vm_real *error)
+/* Returns the estimated error of the strict run divided by the difference of the two runs, which is nearly the error of
+   the loose run. Let n be the number of points. Where no force acts, the error falls about as n^-8 for alpha from 1 to
+   5. For alpha < 1 it falls as n^-6, because the rates have terms proportional to d^(alpha+2), where d is the distance
+   from a zero of x, and for these Gauss' rule loses orders. With few points, a change of more than 1/32 a radian, the
+   sharp turns of a large alpha, kinks from a force, or a law by a function, it falls more slowly. In a graded rule the
+   points are densest where x is 0, so kinks at other places count less. docs/routes.md shows how good the estimate
+   is. */
+VM_API vm_real vmi_osc_strict_share(const vm_osc_problem *o, vmi_osc_points points, vm_real change)
+{
+    const vm_real ratio = (vm_real)points.loose / (vm_real)points.strict, squared = ratio * ratio;
+    const vm_real fourth = squared * squared;
+    const int graded = vmi_osc_needs_grading(o), kinks = o->force && !graded;
+    if (points.strict <= 4 || vmi_osc_has_user_law(o)) return squared;
+    if (kinks || o->alpha > 5 || (graded && points.strict <= 8)) return fourth;
+    if (o->alpha < 1 || (!o->force && change > VM_C(0.03125))) return fourth * squared;
+    return fourth * fourth;
+}
+
+/* A pair of runs */
+typedef struct VM_TAG(vmi_osc_pair_run) {
+    vm_real change;        /* the larger change of the laws per radian, at 0 and at t (vmi_osc_change_at) */
+    vm_real longest;       /* the longest step, s */
+    vm_real sweep_limit;   /* that of the strict run (see vmi_osc_course) */
+    vm_real most;          /* the pair is given up where its error is larger than this */
+    vmi_osc_course strict; /* the strict run; it ends before t if the pair was given up */
+    vmi_osc_rates now;     /* mass, stiffness and rates at t, if the pair was not given up, */
+    vmi_osc_reduced state; /* and amplitude and phase of the strict run there */
+    vm_real error;         /* estimated error at t; if the pair was given up, the one that was to be expected */
+} vmi_osc_pair_run;
+
+/* Sets amplitude and phase at t from the strict run. r->error is that of ln A and phase, and becomes that of x and v:
+   an error of x also enters v = -2/(alpha+1) W A sa - p x. */
+VM_API int vmi_osc_end_pair(const vm_osc_plan *plan, vm_real t, vmi_osc_pair_run *r)
+{
+    const vmi_osc_course *strict = &r->strict;
+    const int status = vmi_osc_rates_at(&plan->problem, t, -strict->side, &r->now);
+    if (status) return status;
+    r->state.psi = strict->psi;
+    r->state.A = plan->A * vmi_exp(strict->ln_A, 0);
+    r->state.W = plan->Om * vmi_osc_Om_ratio(plan, &r->now, strict->ln_A);
+    r->error *= 1 + (plan->problem.alpha + 1) / 2 * VM_FABS(r->now.p / r->state.W);
+    return VM_OK;
+}
+
+/* Makes one pair of runs from 0 to t. */
+VM_API int vmi_osc_collocate_pair(const vm_osc_plan *plan, vm_real t, vmi_osc_points points, vmi_osc_pair_run *r)
 {
     const int side = vmi_time_side(t);
-    const vm_real looser = 16;         /* ratio of the sweep_limits of both runs: errors of the iteration differ, too */
-    vmi_osc_rates now;
+    const vm_real looser = 16; /* ratio of the sweep_limits of both runs: errors of the iteration differ, too */
+    const vm_real share = vmi_osc_strict_share(&plan->problem, points, r->change), most = r->most / share;
+    vmi_osc_course loose, *strict = &r->strict;
     vmi_osc_slow start;
-    vmi_osc_reduced state;
-    vmi_osc_course loose;
     vm_real difference = 0;
-    int status = vmi_osc_rates_at(&plan->problem, 0, side, &now);
+    int status = vmi_osc_rates_at(&plan->problem, 0, side, &r->now);
     if (status) return status;
-    start.m = now.m;
-    start.k = now.k;
-    start.p = now.p;
-    state = vmi_osc_reduce(&start, plan->problem.alpha, plan->problem.x, plan->problem.v);
-    vmi_osc_course_start(&loose, plan, &state, side, points.loose, points.parts, looser * sweep_limit);
-    vmi_osc_course_start(strict, plan, &state, side, points.strict, points.parts, sweep_limit);
-    loose.longest = longest;
-    strict->longest = longest;
-    while (!status && strict->t != t)
-        status = vmi_osc_courses_to(&loose, strict, vmi_osc_next_knot(&plan->problem, strict->t, t), &difference);
+    start.m = r->now.m;
+    start.k = r->now.k;
+    start.p = r->now.p;
+    r->state = vmi_osc_reduce(&start, plan->problem.alpha, plan->problem.x, plan->problem.v);
+    vmi_osc_course_start(&loose, plan, &r->state, side, points.loose, points.parts, looser * r->sweep_limit);
+    vmi_osc_course_start(strict, plan, &r->state, side, points.strict, points.parts, r->sweep_limit);
+    loose.longest = r->longest;
+    strict->longest = r->longest;
+    while (!status && strict->t != t && !(difference > most)) {
+        const vm_real next = vmi_osc_next_knot(&plan->problem, strict->t, t);
+        status = vmi_osc_courses_to(&loose, strict, next, most, &difference);
+    }
+    if (status) return status;
     strict->evals += loose.evals;
-    *error = vmi_osc_strict_share(&plan->problem, points) * difference + strict->left +
-             4 * VM_EPSILON * (2 + VM_FABS(strict->psi - state.psi));
-    return status;
+    r->error = share * difference + strict->left + 4 * VM_EPSILON * (2 + VM_FABS(strict->psi - r->state.psi));
+    if (strict->t == t) return vmi_osc_end_pair(plan, t, r);
+    r->error *= t / strict->t; /* errors grow in proportion to time, or faster */
+    return VM_OK;
 }
 
 /* Computes the motion at t by collocation. Returns VM_TOLERANCE_MISSED where the motion is computed, but its estimated
@@ -162,41 +201,40 @@ VM_API int vmi_osc_collocate_pair(const vm_osc_plan *plan, vm_real t, vmi_osc_po
    laws. */
 VM_API int vmi_osc_collocate(const vm_osc_plan *plan, int route, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
-    const vm_real knots = (vm_real)(plan->problem.mass.n + plan->problem.stiffness.n);
+    const vm_osc_problem *o = &plan->problem;
+    const vm_real knots = (vm_real)(o->mass.n + o->stiffness.n);
     const vm_real steps = 2 + plan->Om * VM_FABS(t) / plan->ripple.pi + knots;
     const vm_real share = 4 * steps; /* the iterations of all steps may take a quarter of the tolerance */
     const vm_real most_half_periods = VM_C(1073741824.); /* 2^30 */
+    vmi_osc_pair_run r;
     vm_osc_motion result;
-    vmi_osc_course c;
-    vmi_osc_reduced state;
-    vmi_osc_rates now;
-    vm_real error = VM_INFINITY, sweep_limit = vmi_larger(tolerance / share, VM_EPSILON), sa, ca;
-    long evals = 0;
-    vm_real longest;
-    int i = vmi_osc_first_pair(&plan->problem, tolerance), status = vmi_osc_law_step(plan, t, &longest);
+    vm_real sa, ca;
+    int i = vmi_osc_first_pair(o, tolerance), status = vmi_osc_law_step(plan, t, &r.longest);
+    r.change = 0;
+    status = vmi_first_error(status, vmi_osc_change_at(plan, 0, vmi_time_side(t), &r.change));
+    status = vmi_first_error(status, vmi_osc_change_at(plan, t, -vmi_time_side(t), &r.change));
     if (status) return status;
     if (!(plan->Om * VM_FABS(t) <= most_half_periods * plan->ripple.pi)) return VM_NOT_INTEGRATED;
-    while (i < VMI_OSC_PAIRS && !(error <= tolerance)) {
-        status = vmi_osc_collocate_pair(plan, t, vmi_osc_pair(&plan->problem, i), 2 * longest, sweep_limit, &c, &error);
+    r.longest *= 2;
+    r.sweep_limit = vmi_larger(tolerance / share, VM_EPSILON);
+    r.error = VM_INFINITY;
+    result.evals = 0;
+    while (i < VMI_OSC_PAIRS && !(r.error <= tolerance)) {
+        r.most = i < VMI_OSC_PAIRS - 1 ? tolerance : VM_INFINITY;
+        status = vmi_osc_collocate_pair(plan, t, vmi_osc_pair(o, i), &r);
         if (status) return status;
-        evals += c.evals;
-        sweep_limit = vmi_larger(sweep_limit / 16, VM_EPSILON); /* the iterations may have caused most of the error */
-        i = vmi_osc_next_pair(&plan->problem, i, error, tolerance);
+        result.evals += r.strict.evals;
+        r.sweep_limit = vmi_larger(r.sweep_limit / 16, VM_EPSILON); /* the iterations may have caused the error */
+        i = vmi_osc_next_pair(o, i, r.error, tolerance);
     }
-    status = vmi_osc_rates_at(&plan->problem, t, -c.side, &now);
-    if (status) return status;
-    state.psi = c.psi;
-    state.A = plan->A * vmi_exp(c.ln_A, 0);
-    state.W = plan->Om * vmi_osc_Om_ratio(plan, &now, c.ln_A);
-    vmi_osc_wave_at(&c.wave, c.psi, &ca, &sa);
-    vmi_osc_unreduce(&state, now.p, plan->problem.alpha, sa, ca, &result.x, &result.v);
-    result.amplitude = state.A;
-    result.error = error;
+    vmi_osc_wave_at(&r.strict.wave, r.state.psi, &ca, &sa);
+    vmi_osc_unreduce(&r.state, r.now.p, o->alpha, sa, ca, &result.x, &result.v);
+    result.amplitude = r.state.A;
+    result.error = r.error;
     result.route = route;
-    result.evals = evals;
     if (!VM_IS_FINITE(result.x) || !VM_IS_FINITE(result.v)) return VM_NOT_FINITE;
     *motion = result;
-    return error <= tolerance ? VM_OK : VM_TOLERANCE_MISSED;
+    return result.error <= tolerance ? VM_OK : VM_TOLERANCE_MISSED;
 }
 
 #endif

@@ -188,7 +188,8 @@ VM_API void vm_osc_jacobi(vm_real t, vm_real x0, vm_real omega0, vm_real alpha, 
 typedef struct VM_TAG(vm_osc_errors) {
     vm_real trig_vmax;          /* largest velocity of the cosine (296) divided by the exact one (267) */
     vm_real jacobi_vmax;        /* largest velocity of cn divided by the exact one. At x = 0 cn has the velocity k'
-                                   Omega_1 (306), but for m > 1/2 a larger one, Omega_1/(2k), near x = 0 */
+                                   Omega_1 (306), but for m > 1/2 a larger one, Omega_1/(2k), where
+                                   cn^2 = 1 - 1/(2m) */
     vm_real trig_x, trig_v;     /* largest errors of the cosine, of x relative to x0 and of v relative to vmax */
     vm_real jacobi_x, jacobi_v; /* largest errors of cn, of x relative to x0 and of v relative to vmax */
 } vm_osc_errors;

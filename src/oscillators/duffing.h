@@ -232,8 +232,8 @@ VM_API vm_odd_force vmi_duffing_elastic(vm_real k1, vm_real k3)
     return force;
 }
 
-/* Duffing's force k1 x + k3 x^3. k1, N/m, and k3, N/m^3, may have either sign, but not both may be negative or 0: then
-   nothing vibrates, and all functions refuse the force with VM_NO_LAW. */
+/* Duffing's force k1 x + k3 x^3. k1, N/m, and k3, N/m^3, may have either sign, but at least one must be positive:
+   otherwise nothing vibrates, and all functions refuse the force with VM_NO_LAW. */
 VM_API vm_odd_force vm_duffing_force(vm_real k1, vm_real k3)
 {
     vm_odd_force force = vmi_duffing_elastic(k1, k3);

@@ -4,8 +4,8 @@
    frequency W over time (499). Where neither an external force nor a velocity u of the mass acts, the radius A depends
    on the mass alone, so that W is a known function of time: psi is an integral, and has a closed form for a power law
    of the shaft without gyroscopic moments. On a linear shaft a forward and a backward whirl add up to any motion: this
-   is (481), (482), with any start, reactive force and gyroscopic moment. The letters and the vm_jeffcott are those of
-   oscillators/jeffcott.h; g is its gyro, r its reactive. Shortest useful call:
+   is (481), (482), with any start, reactive force and gyroscopic moment. oscillators/jeffcott.h explains the
+   letters and the struct vm_jeffcott; g and r are its fields gyro and reactive. Shortest useful call:
        vm_power_force shaft = {4, 1}; // F_e = 4 N/m rho
        vm_jeffcott_whirl whirl;
        vm_jeffcott rotor;

@@ -50,7 +50,7 @@
    1/8 to 8, a rate q of the laws from 2e-3 to 0.1, and t from 1/q to 3/q. In double the test demands as bounds, for
      the share of problems whose true error is above 3 times the estimate: 1 % by vm_osc_within, 4 % by rk87, else 2 %,
      the largest ratio of true error to estimate: 30 by rk87, 40 by rk45, else 10,
-     the median ratio of estimate to true error: 45 by collocation, 25 by rk87, 13 by rk45, 15 by orders 4 and 5 and for
+     the median ratio of estimate to true error: 55 by collocation, 25 by rk87, 13 by rk45, 15 by orders 4 and 5 and for
        averaged solutions with F, else 10.
    The estimate is worse for rk87, because its errors are not proportional to the tolerance if alpha is not an odd
    integer. */

@@ -13,9 +13,9 @@
 
    The caller gives the motion of a part just after the jump. If relative is 0, it is given in inertial axes. If
    relative is 1, it is given in the axes of the body: r leads from the mass centre of the body to the part, and q, v
-   and omega are relative to the motion of the body at this point. In the plane and on an axle the new body has the
-   angle of the body from which it separates, plus the angle with which it was made. event.external is an impulse that
-   acts from outside during the jump.
+   and omega are relative to the motion of the body at this point, just before the jump. In the plane and on an axle
+   the new body has the angle of the body from which it separates, plus the angle with which it was made. event.external
+   is an impulse that acts from outside during the jump.
 
    Two bodies can jump together if they have the same motion. A body in the plane or a free body can also take up or
    give off a point. The functions whose names end in _on_line (line or axle) and _in_plane do the same as

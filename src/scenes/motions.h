@@ -309,7 +309,8 @@ VM_API vm_scene_body vm_scene_body_with_mass_state(vm_scene_body body)
 }
 
 /* A body like `body` that is not present until an event brings it in. Effects on the body do not act before this
-   event. */
+   event. A part that separates has the mass that is given with the part; the mass of the body here must only be
+   positive. */
 VM_API vm_scene_body vm_scene_body_absent(vm_scene_body body)
 {
     body.absent = 1;

@@ -223,8 +223,9 @@ VM_API int vmi_scene_check_run(const vm_scene *s, const vm_real *t, vm_real t_en
 
 /* Run of a scene from *t to t_end, with its events and its output. The integrator is rk45. The scene must have been
    started, and t_end must not be before *t. work has room for VM_SCENE_WORK(vm_scene_size(scene)) numbers. The
-   options are those of rk45, without events. *t and y become the time and the state at the end of the run. Returns
-   VM_OK at t_end, VM_STOPPED if an event or the output ended the run, or
+   options are those of rk45, without events; NULL stands for a relative error of 1e-6 a step (float 1e-4). *t and y
+   become the time and the state at the end of the run. Returns VM_OK at t_end, VM_STOPPED if an event or the output
+   ended the run, or
      VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_TIMES, VM_NOT_STARTED, VM_SHORT_ARRAY, VM_BAD_OPTIONS   if nothing was done;
      VM_BAD_MASS, VM_BAD_INERTIA, VM_NO_EFFECTIVE_MASS
                            if a mass or an inertia reached 0, even if the steps became too short just before that;

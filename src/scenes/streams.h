@@ -38,10 +38,11 @@ VM_API void vmi_apply_stream(const vm_effect *e, vm_real t, const vm_real *y, vm
 }
 
 /* A stream that enters or leaves at the mass centre, with its reactive force. rate in kg/s (on an axle kg m^2/s) is
-   negative for mass that leaves. If reactive is 1, u is the absolute velocity of the mass; if reactive is 0, u is
-   relative to the body. For any number reactive the velocity of the mass is u + (1 - reactive) v, where v is the
-   velocity of the body. The inertia of the body does not change. vm_scene_start returns VM_MASS_IS_NO_STATE if the mass
-   of the body is not a state. */
+   negative for mass that leaves. If reactive is 1, u is the absolute velocity of the mass; if reactive is 0, u is its
+   velocity relative to that of the body. For any number reactive the velocity of the mass is u + (1 - reactive) v,
+   where v is the velocity of the body. The components of u are along inertial axes: they do not turn with the body. For
+   a thrust that turns with it use vm_effect_stream_force or vm_effect_custom. The inertia of the body does not change.
+   vm_scene_start returns VM_MASS_IS_NO_STATE if the mass of the body is not a state. */
 VM_API vm_effect vm_effect_stream(int body, vm_real rate, vm_vec3 u, vm_real reactive)
 {
     vm_effect e = vmi_effect(body, 0, vmi_apply_stream);
