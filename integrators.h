@@ -2000,8 +2000,8 @@ VM_API int vmi_happens_at_cut(const rk45 *s, ode_event *e, vm_real x)
         vmi_quieten_event(s, e, x);
         return ODE_OK;
     }
-    /* g is followed up to x + VMI_QUIET, which may be after the end of the step (x = 1). The extension of y goes on
-       there, but g may be NaN; the event then does not happen. */
+    /* g is followed up to x + VMI_QUIET, which may be after the end of the step (x = 1). The continuous extension
+       gives a state there, too, but g may be NaN; the event then does not happen. */
     e->happens = vmi_follow_event(s, &look, x + VMI_QUIET, &at) == ODE_OK && at != VMI_NONE;
     return ODE_OK;
 }
@@ -3015,7 +3015,7 @@ VM_API int rk87_solve_at(rk87 *s, int n_times, const vm_real *times, vm_real *ro
        rk45_solve(&s, 10.0);
        rk45_save(&s, sizeof bytes, bytes); // the bytes may go to a file
        rk45_init(&again, spring, NULL, 2, 0.0, y0, NULL, other_work);
-       rk45_resume(&again, sizeof bytes, bytes); // goes on where s is
+       rk45_resume(&again, sizeof bytes, bytes); // continues from the time of s
 
    Bytes are for the same type vm_real and the same version of this header. They are the same on every machine, so
    that a run that was saved on one machine can be resumed on another one, with the same bits. Tests:

@@ -141,7 +141,7 @@
        vm_euler_313_rates             Rates psi', theta', phi' of Euler's angles from an angular velocity in inertial axes, rad/s
 
      mechanics/inertia: inertia tensors, parallel axes, principal axes
-       vm_inertia_is_possible         Test whether a body can have this inertia
+       vm_inertia_is_possible         Tests whether a body can have this inertia
        vm_parallel_axes               Inertia about a point at d from the mass centre, along parallel axes, (40)
 
      mechanics/bodies: bodies in space and in the plane, their momenta and energy, balances across an instant
@@ -161,7 +161,7 @@
        vm_separate_all                Separation of n parts from a body at once
        vm_attach_all                  Attachment of n bodies to a body at once
        vm_combine_inertia             Inertia of two bodies together, about their common mass centre
-       vm_split_inertia               Inertia of a body without a part, about the mass centre of what is left
+       vm_split_inertia               Inertia of a body without a part, about the mass centre of the rest
 
      mechanics/jumps2: parts separate from a body or are attached to it, in the plane
        vm_separate2                   Separation of a part from a body in the plane
@@ -195,8 +195,8 @@
      mechanics/broken_rotor: a rotor from which a piece breaks off: equations of motion and the break
        vm_broken_rotor_rhs            Right-hand side of the rotor's equations of motion, (65), (66), (68), (46)
        vm_broken_rotor_polar_rhs      Right-hand side of the rotor's equations of motion in polar form (75)
-       vm_broken_rotor_to_polar       Convert the state {x, y, psi, x', y', psi'} of a rotor to its polar state
-       vm_broken_rotor_from_polar     Convert the polar state {r, phi, psi, r', phi', psi'} of a rotor to {x, y, psi, x', y', psi'}
+       vm_broken_rotor_to_polar       Converts the state {x, y, psi, x', y', psi'} of a rotor to its polar state
+       vm_broken_rotor_from_polar     Converts the polar state {r, phi, psi, r', phi', psi'} of a rotor to {x, y, psi, x', y', psi'}
        vm_broken_rotor_break_off      Remainder and piece of a rotor after the break, with their motions, (52)-(64) corrected
 
      mechanics/broken_rotor_motion: motion of the broken rotor in closed form
@@ -214,12 +214,12 @@
        vm_broken_rotor_resonance_radius Radius of the orbit that grows at or above resonance, t seconds after a start from rest, m
 
      mechanics/generalized_force: generalized forces of forces and moments
-       vm_lagrange_add_force          Add the generalized forces of a force and a moment
+       vm_lagrange_add_force          Adds the generalized forces of a force and a moment
 
      mechanics/lagrange_jump: Lagrange's equations across a jump
-       vm_lagrange_mass               Add a body's share to the mass matrix of the kinetic energy T = qdot^T matrix qdot/2
-       vm_lagrange_momentum           Add to p the generalized momentum of a body
-       vm_lagrange_impulse            Add to p the generalized impulse (95) of an impulse on a body with the mass centre r
+       vm_lagrange_mass               Adds the share of a body to the mass matrix of the kinetic energy T = qdot^T matrix qdot/2
+       vm_lagrange_momentum           Adds to p the generalized momentum of a body
+       vm_lagrange_impulse            Adds to p the generalized impulse (95) of an impulse on a body with the mass centre r
        vm_lagrange_separate           Velocities after a part separates
        vm_lagrange_attach             Velocities after a part is attached
        vm_lagrange_impact             Velocities after an impact that changes no mass
@@ -374,7 +374,7 @@
        vm_osc_velocity_law            Ratio of the largest velocity to its first value, of an oscillator whose mass varies slowly
 
      oscillators/van_der_pol: the Van der Pol oscillator with variable mass
-       vm_vdp_init                    Prepare a Van der Pol oscillator
+       vm_vdp_init                    Prepares a Van der Pol oscillator
        vm_vdp_amplitude               Amplitude of a Van der Pol oscillator at time t, in closed form for a linear mass
        vm_vdp_limit_cycle             Amplitude of the limit cycle, m, while the mass changes at mass_rate (kg/s)
        vm_vdp_rhs                     Equation of motion (404) of a Van der Pol oscillator, for rk45 or rk87
@@ -423,7 +423,7 @@
        vm_coupled_pair_oscillator     The oscillator that the relative motion p = y - x of two bodies with one connection is, for the routes of routes.h
 
      oscillators/forced: harmonic excitation of a strongly nonlinear oscillator
-       vm_forced_init                 Prepare an excited oscillator
+       vm_forced_init                 Prepares an excited oscillator
        vm_forced_rhs                  Equation of motion of an excited oscillator, for rk45 or rk87
        vm_forced_exact_rhs            Exact equations of amplitude and phase of an excited oscillator, for rk45 or rk87
        vm_forced_averaged_rhs         Averaged equations of an excited oscillator near its main resonance, for rk45 or rk87
@@ -437,8 +437,8 @@
        vm_forced_passage              Passage through the resonance
 
      oscillators/periodic: periodic excitation that is not harmonic, of a strongly nonlinear oscillator
-       vm_periodic_init               Prepare an oscillator under a periodic force
-       vm_periodic_from_samples       Set the shape of a periodic force from n samples g[i] = g(2 pi i/n) over one period
+       vm_periodic_init               Prepares an oscillator under a periodic force
+       vm_periodic_from_samples       Sets the shape of a periodic force from n samples g[i] = g(2 pi i/n) over one period
        vm_periodic_shape              Shape of the force
        vm_periodic_rhs                Equation of motion of an oscillator under a periodic force, for rk45 or rk87
        vm_periodic_exact_rhs          Exact equations of amplitude and phase under a periodic force, for rk45 or rk87
@@ -449,7 +449,7 @@
        vm_periodic_steady_states      Steady vibrations under a periodic force
 
      oscillators/grounded_pair: two strongly nonlinear oscillators with slow masses and a weak coupling
-       vm_grounded_pair_init          Prepare a pair of coupled oscillators
+       vm_grounded_pair_init          Prepares a pair of coupled oscillators
        vm_grounded_pair_rhs           Equations of motion of two weakly coupled oscillators, for rk45 or rk87
        vm_grounded_pair_averaged_rhs  Averaged equations of two weakly coupled oscillators, for rk45 or rk87
        vm_grounded_pair_to_averaged   Converts a motion (x_0, x_1, x_0', x_1') of two weakly coupled oscillators to its mean y = (A_0, phi_0, A_1, phi_1)
@@ -1915,7 +1915,7 @@ VM_API int vmi_inertia_is_within(const vm_inertia *i, vm_real slack)
     return z - yz / y * yz > 0;
 }
 
-/* Test whether a body can have this inertia. Returns 1 if it can. Returns 0 if it cannot, and also for NaN and for a
+/* Tests whether a body can have this inertia. Returns 1 if it can. Returns 0 if it cannot, and also for NaN and for a
    null pointer. The principal moments of a body are not negative, and none is larger than the sum of the other two. A
    violation of these rules by up to 32 eps of the trace counts as a rounding error. Rods and points count as bodies. */
 VM_API int vm_inertia_is_possible(const vm_inertia *inertia)
@@ -2650,9 +2650,9 @@ VM_API int vm_attach(const vm_body *body, const vm_body *added, const vm_impulse
     return vmi_jump(body, 1, added, VMI_ATTACH, external_or_NULL, whole);
 }
 
-/* Separation of n parts from a body at once: *rest is what remains. Except for rounding errors, n calls of vm_separate
-   in turn give the same result. With n = 0 only the impulse acts on the body. The statuses are those of vm_separate,
-   and VM_BAD_ARGUMENT for n < 0. */
+/* Separation of n parts from a body at once: *rest is what remains. Except for rounding errors, n calls of
+   vm_separate, one after the other, give the same result. With n = 0 only the impulse acts on the body. The statuses
+   are those of vm_separate, and VM_BAD_ARGUMENT for n < 0. */
 VM_API int vm_separate_all(const vm_body *whole, int n, const vm_body *parts, const vm_impulse *external_or_NULL,
                            vm_body *rest)
 {
@@ -2660,8 +2660,8 @@ VM_API int vm_separate_all(const vm_body *whole, int n, const vm_body *parts, co
 }
 
 /* Attachment of n bodies to a body at once: *whole is all of them together. Except for rounding errors, n calls of
-   vm_attach in turn give the same result. With n = 0 only the impulse acts on the body. The statuses are those of
-   vm_attach, and VM_BAD_ARGUMENT for n < 0. */
+   vm_attach, one after the other, give the same result. With n = 0 only the impulse acts on the body. The statuses
+   are those of vm_attach, and VM_BAD_ARGUMENT for n < 0. */
 VM_API int vm_attach_all(const vm_body *body, int n, const vm_body *added, const vm_impulse *external_or_NULL,
                          vm_body *whole)
 {
@@ -2707,7 +2707,7 @@ VM_API int vm_combine_inertia(vm_real mass_a, const vm_inertia *a, vm_real mass_
     return vmi_joined_inertia(mass_a, a, VMI_ATTACH, mass_b, b, d, whole, centre);
 }
 
-/* Inertia of a body without a part, about the mass centre of what is left: (13)-(15), (40). It undoes
+/* Inertia of a body without a part, about the mass centre of the rest: (13)-(15), (40). It undoes
    vm_combine_inertia. d (m) leads from the mass centre of the whole to that of the part. The result *centre (m) leads
    from the mass centre of the whole to that of the rest. The statuses are those of vm_combine_inertia. */
 VM_API int vm_split_inertia(vm_real mass, const vm_inertia *whole, vm_real part_mass, const vm_inertia *part,
@@ -2843,17 +2843,17 @@ VM_API int vm_attach2(const vm_body2 *body, const vm_body2 *added, const vm_impu
 }
 
 /* Separation of n parts from a body at once, in the plane: *rest is what remains. Except for rounding errors, n calls
-   of vm_separate2 in turn give the same result. With n = 0 only the impulse acts on the body. The statuses are those of
-   vm_separate2, and VM_BAD_ARGUMENT for n < 0. */
+   of vm_separate2, one after the other, give the same result. With n = 0 only the impulse acts on the body. The
+   statuses are those of vm_separate2, and VM_BAD_ARGUMENT for n < 0. */
 VM_API int vm_separate_all2(const vm_body2 *whole, int n, const vm_body2 *parts,
                             const vm_impulse2 *external_or_NULL, vm_body2 *rest)
 {
     return vmi_jump2(whole, n, parts, VMI_SEPARATE, external_or_NULL, rest);
 }
 
-/* Attachment of n bodies to a body at once, in the plane: *whole is all of them together. Except for rounding errors, n
-   calls of vm_attach2 in turn give the same result. With n = 0 only the impulse acts on the body. The statuses are
-   those of vm_attach2, and VM_BAD_ARGUMENT for n < 0. */
+/* Attachment of n bodies to a body at once, in the plane: *whole is all of them together. Except for rounding errors,
+   n calls of vm_attach2, one after the other, give the same result. With n = 0 only the impulse acts on the body. The
+   statuses are those of vm_attach2, and VM_BAD_ARGUMENT for n < 0. */
 VM_API int vm_attach_all2(const vm_body2 *body, int n, const vm_body2 *added, const vm_impulse2 *external_or_NULL,
                           vm_body2 *whole)
 {
@@ -3619,7 +3619,7 @@ VM_API int vm_broken_rotor_polar_rhs(vm_real t, const vm_real *y, vm_real *dydt,
     return 0;
 }
 
-/* Convert the state {x, y, psi, x', y', psi'} of a rotor to its polar state.
+/* Converts the state {x, y, psi, x', y', psi'} of a rotor to its polar state.
    The polar state is {r, phi, psi, r', phi', psi'}. `y` and `polar` may be the same array. Returns VM_BAD_ARGUMENT for
    a null pointer, VM_NOT_FINITE, VM_DOMAIN if r is 0, and VM_OK otherwise. */
 VM_API int vm_broken_rotor_to_polar(const vm_real *y, vm_real *polar)
@@ -3644,7 +3644,7 @@ VM_API int vm_broken_rotor_to_polar(const vm_real *y, vm_real *polar)
     return vmi_copy_if_finite(VM_BROKEN_ROTOR_STATES, p, polar);
 }
 
-/* Convert the polar state {r, phi, psi, r', phi', psi'} of a rotor to {x, y, psi, x', y', psi'}.
+/* Converts the polar state {r, phi, psi, r', phi', psi'} of a rotor to {x, y, psi, x', y', psi'}.
    `y` and `polar` may be the same array. Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_DOMAIN if r is
    not positive, and VM_OK otherwise. */
 VM_API int vm_broken_rotor_from_polar(const vm_real *polar, vm_real *y)
@@ -4353,10 +4353,10 @@ VM_API vm_real vm_broken_rotor_resonance_radius(const vm_broken_rotor *rotor, vm
 #ifndef VARMASS_MECHANICS_GENERALIZED_FORCE_H
 #define VARMASS_MECHANICS_GENERALIZED_FORCE_H
 
-/* Add the generalized forces of a force and a moment: Q_i += force.dr/dq_i + moment.domega/dq'_i (235). dr_or_NULL[i]
-   is dr/dq_i, the derivative of the point r at which the force acts with respect to the coordinate q_i.
-   domega_or_NULL[i] is domega/dq'_i, the derivative of the body's angular velocity omega with respect to the rate q'_i.
-   These arrays and Q have n entries. A NULL array means that its term is 0. If Q is NULL, nothing is done.
+/* Adds the generalized forces of a force and a moment: Q_i += force.dr/dq_i + moment.domega/dq'_i (235).
+   dr_or_NULL[i] is dr/dq_i, the derivative of the point r at which the force acts with respect to the coordinate q_i.
+   domega_or_NULL[i] is domega/dq'_i, the derivative of the body's angular velocity omega with respect to the rate
+   q'_i. These arrays and Q have n entries. A NULL array means that its term is 0. If Q is NULL, nothing is done.
 
    External loads are given by their resultant force and their moment about r. A stream with the mass rate M' (kg/s),
    the velocity u and the angular velocity omega2 is given by the force M' u at the point where the mass enters or
@@ -4398,7 +4398,7 @@ VM_API void vm_lagrange_add_force(int n, vm_vec3 force, const vm_vec3 *dr_or_NUL
 /* Length of the array `work` for n generalized velocities */
 #define VM_LAGRANGE_WORK(n) ((n) * ((n) + 2))
 
-/* Add a body's share to the mass matrix of the kinetic energy T = qdot^T matrix qdot/2.
+/* Adds the share of a body to the mass matrix of the kinetic energy T = qdot^T matrix qdot/2.
    dr and turn have n vectors: dr[i] = dv/dqdot_i and turn[i] = domega/dqdot_i. v is the velocity of the body's mass
    centre, and omega the body's angular velocity. If dr or turn is NULL, its term is 0. If body or matrix is NULL,
    nothing is done. */
@@ -4423,7 +4423,7 @@ VM_API void vm_lagrange_mass(int n, const vm_body *body, const vm_vec3 *dr_or_NU
     }
 }
 
-/* Add to p the generalized momentum of a body.
+/* Adds to p the generalized momentum of a body.
    It is that of the velocity body->v and the angular velocity body->omega. p has n numbers. dr and turn are those of
    vm_lagrange_mass. If dr or turn is NULL, its term is 0. If body or p is NULL, nothing is done. */
 VM_API void vm_lagrange_momentum(int n, const vm_body *body, const vm_vec3 *dr_or_NULL, const vm_vec3 *turn_or_NULL,
@@ -4433,7 +4433,7 @@ VM_API void vm_lagrange_momentum(int n, const vm_body *body, const vm_vec3 *dr_o
     vm_lagrange_add_force(n, vm_momentum(body), dr_or_NULL, vmi_spin_momentum(body), turn_or_NULL, p);
 }
 
-/* Add to p the generalized impulse (95) of an impulse on a body with the mass centre r.
+/* Adds to p the generalized impulse (95) of an impulse on a body with the mass centre r.
    r is in m, in inertial axes. The moment of the impulse is taken about r; equation (23a) does not name the point. p
    has n numbers. dr and turn are those of vm_lagrange_mass. If dr or turn is NULL, its term is 0. If impulse or p is
    NULL, nothing is done. */
@@ -6935,7 +6935,7 @@ VM_API int vm_jet_damping(const vm_jet *jet, vm_real t, vm_vec3 omega0, vm_vec3 
 enum {
     VM_TANK_OF_LIQUID = 0, /* constant density; the tank empties from the lower end, and its surface stays normal to the
                               axis. The liquid turns with the tank */
-    VM_TANK_OF_GAS = 1,    /* constant volume; the density falls everywhere alike */
+    VM_TANK_OF_GAS = 1,    /* constant volume; the density is the same everywhere, and falls */
     VM_GRAIN = 2           /* constant density; a hollow cylinder that burns from its bore outwards, not at its ends */
 };
 
@@ -7004,7 +7004,7 @@ VM_API void vmi_supply_liquid(const vm_supply *s, vm_vec3 e, vm_supply_left *lef
 }
 
 /* Writes to *left what is left of a tank of gas or of a grain. The square of the bore is that of the text at the top;
-   it is 0 for gas, which leaves everywhere alike. */
+   it is 0 for gas, whose density is the same everywhere. */
 VM_API void vmi_supply_hollow(const vm_supply *s, vm_vec3 e, vm_supply_left *left)
 {
     const vm_real m = left->mass, square = s->radius * s->radius, rod = s->length * s->length / 12;
@@ -10508,8 +10508,8 @@ VMI_APART void vmi_osc_closed_begin(vm_osc_closed *c, int order, const vmi_osc_c
 }
 
 /* Prepares the motion of the problem by the law of an order, 2 to 5; a higher order is more accurate. c->error holds
-   for times between 0 and t_end, s, of either sign. The problem is not needed any more afterwards. An error leaves *c
-   untouched; it returns
+   for times between 0 and t_end, s, of either sign. Afterwards *c does not need the problem any more. After an error
+   *c is unchanged. The errors are
      VM_BAD_ARGUMENT for null pointers, another order, and a law that no constructor made,
      VM_NOT_FINITE for a number that is infinite or NaN,
      VM_BAD_MASS or VM_BAD_STIFFNESS for a law that is not positive at 0 or t_end,
@@ -13452,7 +13452,8 @@ VM_API int vmi_osc_at_rest(const vm_osc_plan *p, int route, vm_osc_motion *motio
    motion->error estimates the larger of |error of x|/A and |error of v|/vmax. Routes that integrate keep the part of
    this error that comes from the integration within the tolerance; a tolerance of 0 means 1e-6 (float 1e-3). A comment
    at the start of oscillators/routes.h says what a route costs. Returns VM_OK, or VM_TOLERANCE_MISSED where x and v are
-   computed but the error of integration is larger than the tolerance. An error leaves *motion untouched; it returns
+   computed but the error of integration is larger than the tolerance. After an error *motion is unchanged. The errors
+   are
      VM_BAD_ARGUMENT for null pointers or a route that does not exist,
      VM_NOT_FINITE for a number that is infinite or NaN,
      VM_BAD_MASS or VM_BAD_STIFFNESS for a law that is not positive between 0 and t,
@@ -13461,7 +13462,8 @@ VM_API int vmi_osc_at_rest(const vm_osc_plan *p, int route, vm_osc_motion *motio
      VM_NO_LAW for the laws of orders 2 to 5 with F, and for F on a body at rest at x = 0,
      VM_NOT_INTEGRATED where amplitude and phase do not describe the motion, for collocation only,
      VM_NOT_INTEGRATED where the integrator gives up, or would need too many steps: more than 2^13 a period plus four
-       times what its longest step asks for, or more than 2^23 of the present periods. Thus every call ends. */
+       times the number that its longest step makes necessary, or a time of more than 2^23 of the present periods.
+   Thus every call ends. */
 VM_API int vm_osc_plan_by_route(const vm_osc_plan *p, int route, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
     vmi_osc_route entry;
@@ -16009,8 +16011,8 @@ VM_API int vmi_odd_is_known(const vm_odd_plan *p, int route, vm_real t, vm_odd_m
 /* Motion under an odd elastic force at time t (s, within the plan's reach) by a given route VM_ODD_....
    motion->error estimates the larger of |error of x|/swing and |error of v|/vmax; it is infinite where the averaged
    solution is far off. The tolerance is for VM_ODD_RK87 only; 0 means 1e-6 (float 1e-3). Returns VM_OK, or
-   VM_TOLERANCE_MISSED where the integration is less accurate than asked for. An error leaves *motion untouched; it
-   returns
+   VM_TOLERANCE_MISSED where the integration is less accurate than asked for. After an error *motion is unchanged. The
+   errors are
      VM_BAD_ARGUMENT for null pointers or a route that does not exist,
      VM_NOT_FINITE for a number that is infinite or NaN,
      VM_BAD_MASS or VM_BAD_STIFFNESS for a law that is not positive between 0 and t,
@@ -16253,10 +16255,10 @@ VM_API int vmi_vdp_check(const vm_vdp *v)
     return VM_OK;
 }
 
-/* Prepare a Van der Pol oscillator: check alpha, k, feed, c, reactive and method, and write a1, a2, a3 (411)-(413).
-   The functions below need it; the mass may be set and changed later. The mean values are within 20 eps. Returns
-   VM_BAD_ARGUMENT for a null pointer or an unknown method, VM_NOT_FINITE for a number that is infinite or NaN,
-   VM_BAD_STIFFNESS for k <= 0, VM_DOMAIN for alpha < 0, and VM_OK otherwise. An error leaves v as it was. */
+/* Prepares a Van der Pol oscillator: checks alpha, k, feed, c, reactive and method, and writes a1, a2, a3
+   (411)-(413). The functions below need it; the mass may be set and changed later. The mean values are within 20 eps.
+   Returns VM_BAD_ARGUMENT for a null pointer or an unknown method, VM_NOT_FINITE for a number that is infinite or
+   NaN, VM_BAD_STIFFNESS for k <= 0, VM_DOMAIN for alpha < 0, and VM_OK otherwise. An error leaves v as it was. */
 VM_API int vm_vdp_init(vm_vdp *v)
 {
     int status;
@@ -16756,8 +16758,8 @@ typedef struct VM_TAG(vmi_vdp_mean) {
     vm_real segment;              /* time, s, of the last point of a table before t, or 0; the mass is smooth since
                                      then */
     vmi_osc_slow now;             /* mass, stiffness and rates at t; set at the end of a walk only */
-    vm_real J_error;              /* what order two leaves out of ln J at starts of the mean motion, as far as it has
-                                     not died out at t */
+    vm_real J_error;              /* error of ln J that order two makes at starts of the mean motion; only the part
+                                     that has not died out at t */
     vm_real psi_error;            /* what order two leaves out of psi */
     vm_real J_third, psi_third;   /* what order three leaves out: only those terms that depend on feed and mass alone */
     vm_real ratio;                /* largest ratio at a start of the terms of one order to the terms of the order
@@ -17548,8 +17550,8 @@ VM_API int vmi_vdp_check_call(const vm_vdp_plan *p, vm_real t, vm_real *toleranc
    VM_ROUTE_RK87. motion->error estimates the larger of |error of x|/A and |error of v|/vmax, where vmax is the largest
    velocity at the amplitude A; it is infinite where the law does not hold. The routes that integrate keep it within the
    tolerance, where 0 means 1e-6 (float 1e-3); the law does not use the tolerance. Returns VM_OK, or
-   VM_TOLERANCE_MISSED where x and v are computed but the error of integration is larger than the tolerance. An error
-   leaves *motion untouched; it returns
+   VM_TOLERANCE_MISSED where x and v are computed but the error of integration is larger than the tolerance. After an
+   error *motion is unchanged. The errors are
      VM_BAD_ARGUMENT for null pointers or a route that is not one of the five,
      VM_NOT_FINITE for a number that is infinite or NaN, and for the law where the amplitude becomes infinite before t,
      VM_BAD_MASS or VM_BAD_STIFFNESS for a law that is not positive between 0 and t,
@@ -18958,10 +18960,10 @@ VM_API void vmi_forced_fourier(vm_forced *f)
     }
 }
 
-/* Prepare an excited oscillator: check its fields at t = 0, and write pi, Om1, G, c and s. All other functions need
-   this call. Returns VM_BAD_ARGUMENT for a null pointer or a law that no constructor made, VM_NOT_FINITE for a number
-   that is infinite or NaN, VM_BAD_MASS or VM_BAD_STIFFNESS for a mass or a stiffness that is not positive, VM_DOMAIN
-   for alpha < 0 or a frequency that is not positive, and VM_OK otherwise. An error leaves f as it was. */
+/* Prepares an excited oscillator: checks its fields at t = 0, and writes pi, Om1, G, c and s. All other functions
+   need this call. Returns VM_BAD_ARGUMENT for a null pointer or a law that no constructor made, VM_NOT_FINITE for a
+   number that is infinite or NaN, VM_BAD_MASS or VM_BAD_STIFFNESS for a mass or a stiffness that is not positive,
+   VM_DOMAIN for alpha < 0 or a frequency that is not positive, and VM_OK otherwise. An error leaves f as it was. */
 VM_API int vm_forced_init(vm_forced *f)
 {
     vmi_forced_parameters now;
@@ -19443,7 +19445,7 @@ VM_API int vmi_periodic_at(const vm_periodic *p, vm_real t, vmi_forced_parameter
     return status;
 }
 
-/* Prepare an oscillator under a periodic force: check it at t = 0, and prepare its field `oscillator`. All other
+/* Prepares an oscillator under a periodic force: checks it at t = 0, and prepares its field `oscillator`. All other
    functions need this call. Returns the statuses of vm_forced_init, VM_BAD_ARGUMENT also where `vibrations` or
    `periods` is not from 1 to 9, and VM_NOT_FINITE also for a coefficient that is infinite or NaN. An error leaves *p
    as it was. */
@@ -19457,7 +19459,7 @@ VM_API int vm_periodic_init(vm_periodic *p)
     return vm_forced_init(&p->oscillator);
 }
 
-/* Set the shape of a periodic force from n samples g[i] = g(2 pi i/n) over one period. Writes the fields cosine and
+/* Sets the shape of a periodic force from n samples g[i] = g(2 pi i/n) over one period. Writes the fields cosine and
    sine of *p, and no other. Harmonics of an order below n/2, up to the ninth, are computed; the others become 0. The
    result is exact but for rounding where g has no harmonics of an order >= n/2. The samples may be those of ca, of
    Jacobi's cn or of a rectangle; higher harmonics than the ninth excite the vibration little. The cost is that of 9 n
@@ -19887,7 +19889,7 @@ VM_API int vmi_grounded_at(const vm_grounded_pair *p, vm_real t, vmi_grounded_no
     return VM_OK;
 }
 
-/* Prepare a pair of coupled oscillators: check it at t = 0 and write the constants of the averaged equations.
+/* Prepares a pair of coupled oscillators: checks it at t = 0 and writes the constants of the averaged equations.
    All other functions need this call. Returns VM_BAD_ARGUMENT for a null pointer, a law that no constructor made, or
    `vibrations` that are neither both 0 nor both from 1 to 9, VM_NOT_FINITE for a number that is infinite or NaN,
    VM_BAD_MASS or VM_BAD_STIFFNESS for a mass or a stiffness that is not positive, VM_DOMAIN for alpha < 0, and VM_OK
@@ -24403,10 +24405,11 @@ VM_API int vmi_land_check(const vm_scene *s, const vm_event *e)
     return VM_OK;
 }
 
-/* The event of vm_event_contact becomes a stop without a bounce: an impulse takes away the velocity of the point along
-   the normal, and the body keeps its other velocities as far as it is free. Afterwards vm_effect_contact carries the
-   body. vm_scene_start returns VM_BAD_ARGUMENT for an event that is not of vm_event_contact, and VM_TWO_LINKS for a
-   body with a link or a joint, whose impulses this event does not compute. */
+/* The event of vm_event_contact becomes a stop without a bounce: an impulse takes away the velocity of the point
+   along the normal. The other velocities of the body change only as this impulse changes them. Afterwards
+   vm_effect_contact carries the body. vm_scene_start returns VM_BAD_ARGUMENT for an event that is not of
+   vm_event_contact, and VM_TWO_LINKS for a body with a link or a joint, whose impulses this event does not
+   compute. */
 VM_API vm_event vm_then_land(vm_event event)
 {
     event.then = vmi_then_land;

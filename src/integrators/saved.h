@@ -13,7 +13,7 @@
        rk45_solve(&s, 10.0);
        rk45_save(&s, sizeof bytes, bytes); // the bytes may go to a file
        rk45_init(&again, spring, NULL, 2, 0.0, y0, NULL, other_work);
-       rk45_resume(&again, sizeof bytes, bytes); // goes on where s is
+       rk45_resume(&again, sizeof bytes, bytes); // continues from the time of s
 
    Bytes are for the same type vm_real and the same version of this header. They are the same on every machine, so
    that a run that was saved on one machine can be resumed on another one, with the same bits. Tests:
