@@ -369,7 +369,7 @@
        vm_odd_plan_within             Motion under an odd elastic force at time t (s, between 0 and the plan's t_end) within a tolerance
        vm_odd_within                  Motion under an odd elastic force at time t (s, either sign) within a tolerance, without a plan
 
-     oscillators/slow: laws that oscillators with slowly varying mass share
+     oscillators/slow: laws of amplitude that all oscillators with a slowly varying mass share
        vm_osc_amplitude_law           Ratio A/A0 of the amplitude to its first value, of an oscillator whose mass varies slowly
        vm_osc_velocity_law            Ratio of the largest velocity to its first value, of an oscillator whose mass varies slowly
 
@@ -8427,9 +8427,10 @@ VM_API void vmi_osc_wave_differences(const vmi_osc_wave *w, vm_real pi, vm_real 
 /* oscillators/constant_mass.h - the oscillator x'' + omega0^2 x|x|^(alpha-1) = 0 of constant mass
 
    A spring with the force -k x|x|^(alpha-1) holds a mass m, and omega0 = sqrt(k/m). alpha is any real number >= 0: 1 is
-   the linear spring, 3 the cubic one. Here are the period of the motion (262), its largest velocity (267) and its
-   energy (259); the exact motion by the Ateb functions (282), (283) from rest or from any state; and the approximations
-   by the cosine (291)-(296) and by Jacobi's cn (297)-(307) with their errors (268). The shortest useful calls:
+   the linear spring, 3 the cubic one. This file has the period of the motion (262), its largest velocity (267) and
+   its energy (259); the exact motion by the Ateb functions (282), (283) from rest or from any state; and the
+   approximations by the cosine (291)-(296) and by Jacobi's cn (297)-(307) with their errors (268). The shortest
+   useful calls:
        vm_real T = vm_osc_period(2, 1, VM_C(1.5)), x, v; // x'' = -x|x|^0.5 from x = 2 at rest
        vm_osc_exact(T / 8, 2, 1, VM_C(1.5), &x, &v);
    The functions return or write NaN for alpha < 0 and for infinite arguments, and functions with outputs write nothing
@@ -16066,9 +16067,9 @@ VM_API int vm_odd_within(const vm_odd_problem *problem, vm_real t, vm_real toler
 }
 
 #endif
-/* oscillators/slow.h - laws that oscillators with slowly varying mass share
+/* oscillators/slow.h - laws of amplitude that all oscillators with a slowly varying mass share
 
-   Here are, in closed form, the amplitude and the largest velocity of an oscillator
+   This file has, in closed form, the amplitude and the largest velocity of an oscillator
        m x'' + k x|x|^(alpha-1) = -(r m' + b) x'
    whose mass m(t) varies slowly, that is little within a period: (325), (326), (344), (364), (367), (389), (395).
    The chapters on Van der Pol's oscillator, on the rotor, on two bodies and on harmonic excitation build on this file.
@@ -17701,8 +17702,8 @@ VM_API int vm_vdp_cycle_of(const vm_vdp *v, vm_vdp_cycle *cycle)
    after (516). Mass joins or leaves with the velocity u; r is the fraction of its full reactive force m' (u - z')
    that acts on the disc. F_z is an external force. The equation of motion is
        m z'' + z K_e(|z|) - 2 i g z' = F_z + r m' (u - z')
-   Here are the equation of motion, averaged equations for a weak nonlinearity (460)-(473), averaged equations for
-   nearly circular motion with any nonlinearity (491)-(507), and the law of the radius (509).
+   This file has the equation of motion, averaged equations for a weak nonlinearity (460)-(473), averaged equations
+   for nearly circular motion with any nonlinearity (491)-(507), and the law of the radius (509).
 
        vm_power_force cubic = {1, 3}; // F_e = rho^3
        vm_jeffcott rotor;
@@ -18436,9 +18437,9 @@ VM_API int vm_jeffcott_linear_at(const vm_jeffcott *r, const vm_real *start, vm_
    Two bodies of equal mass m(t), with coordinates x and y on a line and a spring between them (517), (518):
        m x'' = -k (x - y)|x - y|^(alpha-1) - r m' x',   m y'' = k (x - y)|x - y|^(alpha-1) - r m' y'
    k is the stiffness of the spring, r the share of the reactive force (`reactive`). The sum q = x + y drifts, and the
-   difference p = y - x vibrates with the amplitude A and the Ateb phase psi, whose rate is Om, (520)-(522). Here are
-   the equations of motion, the averaged equations of both modes, and the motion in closed form for a linear mass (528),
-   (529).
+   difference p = y - x vibrates with the amplitude A and the Ateb phase psi, whose rate is Om, (520)-(522). This file
+   has the equations of motion, the averaged equations of both modes, and the motion in closed form for a linear mass
+   (528), (529).
 
        vm_real y[4] = {1, 3, 0, 0}; // x, y, x', y'
        vm_pair p;
@@ -18862,8 +18863,8 @@ VM_API int vm_coupled_pair_oscillator(vm_coupled_pair *pair, const vm_real *y0, 
    Chapter 8 of the dissertation leaves this problem to the future. Mass m, stiffness k, and the frequency nu and
    amplitude F of the force may vary slowly; b is the damping, r the share of the reactive force (`reactive`):
        m x'' + k x|x|^(alpha-1) = -(r m' + b) x' + F cos(theta),   theta' = nu
-   Here are the equation of motion, the exact equations of amplitude and phase, and the averaged ones near the main
-   resonance. Steady vibrations, resonance curves and the passage through the resonance are in resonance.h.
+   This file has the equation of motion, the exact equations of amplitude and phase, and the averaged ones near the
+   main resonance. Steady vibrations, resonance curves and the passage through the resonance are in resonance.h.
 
        vm_forced f;
        memset(&f, 0, sizeof f);
@@ -19392,9 +19393,9 @@ VM_API int vm_forced_passage(const vm_forced *f, vm_real t, vm_real amplitude, v
 
    The oscillator of forced.h under a force F g(theta) with theta' = nu, where the shape g has the period 2 pi:
        m x'' + k x|x|^(alpha-1) = -(r m' + b) x' + F g(theta),   g = sum over n of a_n cos(n theta) + b_n sin(n theta)
-   for n = 0 to 9. Here are the equation of motion, the exact equations of amplitude and phase, the averaged equations
-   near a resonance, and the steady vibrations with their stability. The dissertation leaves this problem to the
-   future.
+   for n = 0 to 9. This file has the equation of motion, the exact equations of amplitude and phase, the averaged
+   equations near a resonance, and the steady vibrations with their stability. The dissertation leaves this problem to
+   the future.
 
        vm_periodic p;
        memset(&p, 0, sizeof p);
@@ -19820,9 +19821,9 @@ VM_API int vm_periodic_steady_states(const vm_periodic *p, vm_real t, int room, 
    between them: a system of two degrees of freedom for which averaged equations exist, because each body without the
    coupling vibrates as an oscillator of one degree. For i = 0 and 1, where o is the other body:
        m_i x_i'' + k_i x_i|x_i|^(alpha_i-1) = -(r_i m_i' + b_i) x_i' + kappa (x_o - x_i) + c (x_o' - x_i')
-   m_i and k_i may vary slowly. Here are the equations of motion, the averaged equations for amplitudes and phases,
-   and the maps to and from the motion. Bodies that have no springs to the ground, on which the coupling may be
-   strong, are in coupled_pair.h.
+   m_i and k_i may vary slowly. This file has the equations of motion, the averaged equations for amplitudes and
+   phases, and the maps to and from the motion. Bodies that have no springs to the ground, on which the coupling may
+   be strong, are in coupled_pair.h.
 
        vm_grounded_pair p;
        memset(&p, 0, sizeof p);

@@ -3,8 +3,8 @@
    Chapter 8 of the dissertation leaves this problem to the future. Mass m, stiffness k, and the frequency nu and
    amplitude F of the force may vary slowly; b is the damping, r the share of the reactive force (`reactive`):
        m x'' + k x|x|^(alpha-1) = -(r m' + b) x' + F cos(theta),   theta' = nu
-   Here are the equation of motion, the exact equations of amplitude and phase, and the averaged ones near the main
-   resonance. Steady vibrations, resonance curves and the passage through the resonance are in resonance.h.
+   This file has the equation of motion, the exact equations of amplitude and phase, and the averaged ones near the
+   main resonance. Steady vibrations, resonance curves and the passage through the resonance are in resonance.h.
 
        vm_forced f;
        memset(&f, 0, sizeof f);

@@ -4,9 +4,9 @@
    between them: a system of two degrees of freedom for which averaged equations exist, because each body without the
    coupling vibrates as an oscillator of one degree. For i = 0 and 1, where o is the other body:
        m_i x_i'' + k_i x_i|x_i|^(alpha_i-1) = -(r_i m_i' + b_i) x_i' + kappa (x_o - x_i) + c (x_o' - x_i')
-   m_i and k_i may vary slowly. Here are the equations of motion, the averaged equations for amplitudes and phases,
-   and the maps to and from the motion. Bodies that have no springs to the ground, on which the coupling may be
-   strong, are in coupled_pair.h.
+   m_i and k_i may vary slowly. This file has the equations of motion, the averaged equations for amplitudes and
+   phases, and the maps to and from the motion. Bodies that have no springs to the ground, on which the coupling may
+   be strong, are in coupled_pair.h.
 
        vm_grounded_pair p;
        memset(&p, 0, sizeof p);

@@ -6,8 +6,8 @@
    after (516). Mass joins or leaves with the velocity u; r is the fraction of its full reactive force m' (u - z')
    that acts on the disc. F_z is an external force. The equation of motion is
        m z'' + z K_e(|z|) - 2 i g z' = F_z + r m' (u - z')
-   Here are the equation of motion, averaged equations for a weak nonlinearity (460)-(473), averaged equations for
-   nearly circular motion with any nonlinearity (491)-(507), and the law of the radius (509).
+   This file has the equation of motion, averaged equations for a weak nonlinearity (460)-(473), averaged equations
+   for nearly circular motion with any nonlinearity (491)-(507), and the law of the radius (509).
 
        vm_power_force cubic = {1, 3}; // F_e = rho^3
        vm_jeffcott rotor;

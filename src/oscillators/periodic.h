@@ -2,9 +2,9 @@
 
    The oscillator of forced.h under a force F g(theta) with theta' = nu, where the shape g has the period 2 pi:
        m x'' + k x|x|^(alpha-1) = -(r m' + b) x' + F g(theta),   g = sum over n of a_n cos(n theta) + b_n sin(n theta)
-   for n = 0 to 9. Here are the equation of motion, the exact equations of amplitude and phase, the averaged equations
-   near a resonance, and the steady vibrations with their stability. The dissertation leaves this problem to the
-   future.
+   for n = 0 to 9. This file has the equation of motion, the exact equations of amplitude and phase, the averaged
+   equations near a resonance, and the steady vibrations with their stability. The dissertation leaves this problem to
+   the future.
 
        vm_periodic p;
        memset(&p, 0, sizeof p);
