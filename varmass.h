@@ -7633,9 +7633,9 @@ VM_API vm_real vmi_drum_start(vm_real a, vm_real b)
 
 /* Angle of the drum on a rigid shaft after t >= 0 seconds, rad.
    This is the inverse of vm_drum_time, computed by Newton's method in two words. It needs no branch of Lambert's W.
-   For the accuracy, the results NaN and the letters J0, Omega_b, e, j see vm_drum_rate. The method uses x, y, a, b, f:
-   x = e phi/(J0 Omega_b), y = ln(1 + x), a = e t/J0, b = j Omega_b t/J0, f = phi/(Omega_b t). Its unknown is p = y/a,
-   for which the equation of vm_drum_time becomes
+   The comment of vm_drum_rate says how accurate the result is and when it is NaN, and explains the letters J0,
+   Omega_b, e, j. The method uses x, y, a, b, f: x = e phi/(J0 Omega_b), y = ln(1 + x), a = e t/J0, b = j Omega_b
+   t/J0, f = phi/(Omega_b t). Its unknown is p = y/a, for which the equation of vm_drum_time becomes
      p + b f^2 (x - y)/x^2 = 1,   where x = exp(y) - 1 and f = p x/y.
    The left side is a convex function of p with the positive slope 1 + b f. Therefore the method converges from any
    start value. */
@@ -8892,10 +8892,11 @@ VM_API int vmi_law_at(const vm_law *law, int if_not_positive, vm_real t, vm_real
 }
 
 /* Value f and rate df/dt of a law at time t (s), which may be negative. At the points of a table f is within 4 eps of
-   the value in the table, where eps is the machine epsilon. f may have any sign, since a law does not know whether it
-   is the law of a mass. Returns VM_BAD_ARGUMENT for null pointers and for a law that no constructor made, VM_NOT_FINITE
-   where t or a result is infinite or NaN, and VM_DOMAIN where the law has no value: for t outside a table, for a power
-   law where 1 + f1 t <= 0, and where the user's function fails. An error leaves *f and *rate untouched. */
+   the value in the table, where eps is the machine epsilon. f may have any sign, since the function does not know
+   whether the law is that of a mass. Returns VM_BAD_ARGUMENT for null pointers and for a law that no constructor
+   made, VM_NOT_FINITE where t or a result is infinite or NaN, and VM_DOMAIN where the law has no value: for t outside
+   a table, for a power law where 1 + f1 t <= 0, and where the user's function fails. An error leaves *f and *rate
+   untouched. */
 VM_API int vm_law_at(const vm_law *law, vm_real t, vm_real *f, vm_real *rate)
 {
     vm_real value, slope;
@@ -10371,7 +10372,7 @@ VM_API void vmi_osc_closed_mean_init(vmi_osc_closed_mean *c, const vmi_osc_reduc
    |p| < 0.42, e^x - 1 is 2^k p + (2^k - 1). */
 VM_API vm_real vmi_exp_and_ratio(vm_real x, vm_real *ratio)
 {
-    const vm_real largest = VM_MANT_DIG > 24 ? 1400 : 180; /* for |x| beyond it e^x is infinite or 0 */
+    const vm_real largest = VM_MANT_DIG > 24 ? 1400 : 180; /* for a larger |x|, e^x is infinite or 0 */
     const vm_real inside = vmi_smaller(vmi_larger(x, -largest), largest);
     vm_real p_lo, p, scale;
     int k;
@@ -16984,8 +16985,8 @@ typedef struct VM_TAG(vmi_vdp_panel) {
     vm_real loss;                         /* factor by which an error of ln J changes over the panel */
     vm_real rounding;                     /* size of the terms of E_0 that rounding errors of p cause, see
                                              vmi_vdp_rounding */
-    vm_real kept;                         /* integral of this factor over the phase, where the factor is taken from the
-                                             start to each phase */
+    vm_real kept;                         /* integral over the phase of the factor by which an error of ln J changes
+                                             from the panel's start to this phase */
 } vmi_vdp_panel;
 
 /* Mean values at the points of Gauss' rule of a panel */

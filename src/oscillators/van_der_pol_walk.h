@@ -272,8 +272,8 @@ typedef struct VM_TAG(vmi_vdp_panel) {
     vm_real loss;                         /* factor by which an error of ln J changes over the panel */
     vm_real rounding;                     /* size of the terms of E_0 that rounding errors of p cause, see
                                              vmi_vdp_rounding */
-    vm_real kept;                         /* integral of this factor over the phase, where the factor is taken from the
-                                             start to each phase */
+    vm_real kept;                         /* integral over the phase of the factor by which an error of ln J changes
+                                             from the panel's start to this phase */
 } vmi_vdp_panel;
 
 /* Mean values at the points of Gauss' rule of a panel */
