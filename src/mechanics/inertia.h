@@ -254,7 +254,8 @@ VM_API vm_vec3 vmi_spin_of(const vmi_principal *p, vm_vec3 h)
 
 /* Solves i omega = h for the angular velocity *omega, with the inertia i, its principal axes *p and the angular
    momentum h. About an axis with zero moment (of a rod or a point), *omega keeps the component of `before`, and no body
-   can have angular momentum. Returns 1 if the component of h along such an axis exceeds noise, else 0. */
+   can have angular momentum. Returns 1 if the component of h along such an axis exceeds the argument `noise`, else
+   0. */
 VM_API int vmi_solve_spin(const vm_inertia *i, const vmi_principal *p, vm_vec3 h, vm_real noise, vm_vec3 before,
                           vm_vec3 *omega)
 {

@@ -331,7 +331,7 @@ VM_API vm_real vmi_jeffcott_root(vm_real gyro, vm_real mass, vm_real stiffness, 
 }
 
 /* Frequency W of circular whirl of radius A, rad/s. By the corrected remark after (516), W solves m W^2 - 2 g W =
-   K_e(A). Forward whirl has W > 0; sense >= 0 asks for it. Backward whirl has W < 0; sense < 0 asks for it. A >= 0 is
+   K_e(A). Forward whirl, for sense >= 0, has W > 0. Backward whirl, for sense < 0, has W < 0. A >= 0 is
    in m, mass > 0 in kg. The relative error is at most 8 eps (eps is the machine epsilon), apart from the error of the
    stiffness. Returns NaN for null pointers, for a rotor without stiffness, and for arguments outside the domain. */
 VM_API vm_real vm_jeffcott_frequency(const vm_jeffcott *r, vm_real A, vm_real mass, int sense)
