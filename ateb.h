@@ -81,8 +81,9 @@
      the compiler's macros show such an option. clang's macros show only -ffast-math and -ffinite-math-only, and no
      macro shows "#pragma float_control", another rounding mode, or that the processor takes subnormal numbers for
      zero. vm_self_check() returns 0 in these cases, and 1 where all is well; a program may call it once when it starts.
-     On x87 units gcc in its gnu modes (gcc -m32, no -std=c99) keeps excess precision, with which neither the bounds
-     below nor symmetry to the last bit hold; -fexcess-precision=standard, or -msse2 -mfpmath=sse, restores them.
+     On x87 units gcc in its gnu modes (gcc -m32, no -std=c99) computes with excess precision. Then neither the bounds
+     below nor symmetry to the last bit hold. The options -fexcess-precision=standard, or -msse2 -mfpmath=sse, restore
+     them.
 
    ACCURACY, as bounds that the tests check, with inputs taken as exact; docs/measurements.md has the errors found.
      sa, ca                 absolute error <= 4 eps for |s| <= 1e9 (float 1e4), relative error <= 8 ulp for
@@ -2087,8 +2088,8 @@ VM_API vm_real vmi_choose(vm_real weight, vm_real a, vm_real b) { return weight 
 
 /* Returns the position of s >= 0 in the period, by the quickest of three ways.
      1. s <= (alpha + 1)/2 lies in the first quarter, and r = s is known before Pi_alpha is.
-     2. For s <= 128 (alpha + 1), c->quarter is accurate enough, unless s is close to a zero of sa or ca. Its products
-        high word is multiplied in two halves, whose products with the number of quarters are exact. This number comes
+     2. For s <= 128 (alpha + 1), c->quarter is accurate enough, unless s is close to a zero of sa or ca. Its high
+        word is multiplied in two halves, whose products with the number of quarters are exact. This number comes
         from the high word of c->quarter alone, so that the rest may be a little longer than half a quarter.
      3. Any other s is reduced by vmi_ateb_reduce_finely. */
 VM_INLINE vmi_ateb_place vmi_ateb_locate(vm_real s, vmi_ateb *c)

@@ -167,9 +167,9 @@
 
      integrators/saved: runs that are saved as bytes and resumed later
        rk45_save                      Saves a run of rk45 between two calls as bytes, of which there is room for size >= RK45_SAVED(n, number of events)
-       rk45_resume                    Takes the numbers of a saved run of rk45 into s, which rk45_init has made with the f, n, options and events of the saved run
+       rk45_resume                    Copies the numbers of a saved run of rk45 into s, which rk45_init has made with the f, n, options and events of the saved run
        rk87_save                      Saves a run of rk87 as bytes, of which there is room for size >= RK87_SAVED(n, number of events)
-       rk87_resume                    Takes the numbers of a saved run of rk87 into s, which rk87_init has made */
+       rk87_resume                    Copies the numbers of a saved run of rk87 into s, which rk87_init has made */
 #ifndef VARMASS_INTEGRATORS_H
 #define VARMASS_INTEGRATORS_H
 
@@ -2001,8 +2001,8 @@ VM_API int vmi_happens_at_cut(const rk45 *s, ode_event *e, vm_real x)
         vmi_quieten_event(s, e, x);
         return ODE_OK;
     }
-    /* g is followed up to x + VMI_QUIET, which may be after the end of the step (x = 1). The extension of y goes on
-       there, but g may be NaN; the event then does not happen. */
+    /* g is followed up to x + VMI_QUIET, which may be after the end of the step (x = 1). The continuous extension
+       gives a state there, too, but g may be NaN; the event then does not happen. */
     e->happens = vmi_follow_event(s, &look, x + VMI_QUIET, &at) == ODE_OK && at != VMI_NONE;
     return ODE_OK;
 }
@@ -3007,7 +3007,7 @@ VM_API int rk87_solve_at(rk87 *s, int n_times, const vm_real *times, vm_real *ro
 
    A saved run has all the numbers of an rk45, of its work and of its events, but no pointers. The program that
    resumes it calls rk45_init with the f, n, options and events of the saved run, then rk45_resume. The resumed run
-   has the same bits as a run that was not interrupted. A plain copy of an rk45 would not do: y, work, options.events
+   has the same bits as a run that was not interrupted. A plain copy of an rk45 is not enough: y, work, options.events
    and options.atol_each are pointers to arrays of the caller, and f, ctx and the fields of the pair point into the
    program.
 
@@ -3018,7 +3018,7 @@ VM_API int rk87_solve_at(rk87 *s, int n_times, const vm_real *times, vm_real *ro
        rk45_solve(&s, 10.0);
        rk45_save(&s, sizeof bytes, bytes); // the bytes may go to a file
        rk45_init(&again, spring, NULL, 2, 0.0, y0, NULL, other_work);
-       rk45_resume(&again, sizeof bytes, bytes); // goes on where s is
+       rk45_resume(&again, sizeof bytes, bytes); // continues from the time of s
 
    Bytes are for the same type vm_real and the same version of this header. They are the same on every machine, so
    that a run that was saved on one machine can be resumed on another one, with the same bits. Tests:
@@ -3249,7 +3249,7 @@ VM_API int vmi_resume(rk45 *s, int method, long size, const unsigned char *bytes
    is that of a copy. Returns ODE_OK, ODE_BAD_ARGUMENT for a null pointer or a run by rk87, or ODE_WORK_TOO_SMALL. */
 VM_API int rk45_save(const rk45 *s, long size, unsigned char *bytes) { return vmi_save(s, VMI_RK45, size, bytes); }
 
-/* Takes the numbers of a saved run of rk45 into s, which rk45_init has made with the f, n, options and events of the
+/* Copies the numbers of a saved run of rk45 into s, which rk45_init has made with the f, n, options and events of the
    saved run. The next step has the same bits as that of the saved run. Returns ODE_OK, ODE_WORK_TOO_SMALL if size is
    less than the bytes of such a run, or ODE_BAD_ARGUMENT for a null pointer, for bytes of a run with another method, n,
    number of events or type, and for damaged bytes; s is then unchanged. */
@@ -3259,7 +3259,7 @@ VM_API int rk45_resume(rk45 *s, long size, const unsigned char *bytes) { return 
    All else is as in rk45_save. */
 VM_API int rk87_save(const rk87 *s, long size, unsigned char *bytes) { return vmi_save(s, VMI_RK87, size, bytes); }
 
-/* Takes the numbers of a saved run of rk87 into s, which rk87_init has made. All else is as in rk45_resume. */
+/* Copies the numbers of a saved run of rk87 into s, which rk87_init has made. All else is as in rk45_resume. */
 VM_API int rk87_resume(rk87 *s, long size, const unsigned char *bytes) { return vmi_resume(s, VMI_RK87, size, bytes); }
 
 #endif

@@ -142,7 +142,7 @@
        vm_euler_313_rates             Rates psi', theta', phi' of Euler's angles from an angular velocity in inertial axes, rad/s
 
      mechanics/inertia: inertia tensors, parallel axes, principal axes
-       vm_inertia_is_possible         Test whether a body can have this inertia
+       vm_inertia_is_possible         Tests whether a body can have this inertia
        vm_parallel_axes               Inertia about a point at d from the mass centre, along parallel axes, (40)
 
      mechanics/bodies: bodies in space and in the plane, their momenta and energy, balances across an instant
@@ -162,7 +162,7 @@
        vm_separate_all                Separation of n parts from a body at once
        vm_attach_all                  Attachment of n bodies to a body at once
        vm_combine_inertia             Inertia of two bodies together, about their common mass centre
-       vm_split_inertia               Inertia of a body without a part, about the mass centre of what is left
+       vm_split_inertia               Inertia of a body without a part, about the mass centre of the rest
 
      mechanics/jumps2: parts separate from a body or are attached to it, in the plane
        vm_separate2                   Separation of a part from a body in the plane
@@ -196,8 +196,8 @@
      mechanics/broken_rotor: a rotor from which a piece breaks off: equations of motion and the break
        vm_broken_rotor_rhs            Right-hand side of the rotor's equations of motion, (65), (66), (68), (46)
        vm_broken_rotor_polar_rhs      Right-hand side of the rotor's equations of motion in polar form (75)
-       vm_broken_rotor_to_polar       Convert the state {x, y, psi, x', y', psi'} of a rotor to its polar state
-       vm_broken_rotor_from_polar     Convert the polar state {r, phi, psi, r', phi', psi'} of a rotor to {x, y, psi, x', y', psi'}
+       vm_broken_rotor_to_polar       Converts the state {x, y, psi, x', y', psi'} of a rotor to its polar state
+       vm_broken_rotor_from_polar     Converts the polar state {r, phi, psi, r', phi', psi'} of a rotor to {x, y, psi, x', y', psi'}
        vm_broken_rotor_break_off      Remainder and piece of a rotor after the break, with their motions, (52)-(64) corrected
 
      mechanics/broken_rotor_motion: motion of the broken rotor in closed form
@@ -215,12 +215,12 @@
        vm_broken_rotor_resonance_radius Radius of the orbit that grows at or above resonance, t seconds after a start from rest, m
 
      mechanics/generalized_force: generalized forces of forces and moments
-       vm_lagrange_add_force          Add the generalized forces of a force and a moment
+       vm_lagrange_add_force          Adds the generalized forces of a force and a moment
 
      mechanics/lagrange_jump: Lagrange's equations across a jump
-       vm_lagrange_mass               Add a body's share to the mass matrix of the kinetic energy T = qdot^T matrix qdot/2
-       vm_lagrange_momentum           Add to p the generalized momentum of a body
-       vm_lagrange_impulse            Add to p the generalized impulse (95) of an impulse on a body with the mass centre r
+       vm_lagrange_mass               Adds the share of a body to the mass matrix of the kinetic energy T = qdot^T matrix qdot/2
+       vm_lagrange_momentum           Adds to p the generalized momentum of a body
+       vm_lagrange_impulse            Adds to p the generalized impulse (95) of an impulse on a body with the mass centre r
        vm_lagrange_separate           Velocities after a part separates
        vm_lagrange_attach             Velocities after a part is attached
        vm_lagrange_impact             Velocities after an impact that changes no mass
@@ -370,12 +370,12 @@
        vm_odd_plan_within             Motion under an odd elastic force at time t (s, between 0 and the plan's t_end) within a tolerance
        vm_odd_within                  Motion under an odd elastic force at time t (s, either sign) within a tolerance, without a plan
 
-     oscillators/slow: laws that oscillators with slowly varying mass share
+     oscillators/slow: laws of amplitude that all oscillators with a slowly varying mass share
        vm_osc_amplitude_law           Ratio A/A0 of the amplitude to its first value, of an oscillator whose mass varies slowly
        vm_osc_velocity_law            Ratio of the largest velocity to its first value, of an oscillator whose mass varies slowly
 
      oscillators/van_der_pol: the Van der Pol oscillator with variable mass
-       vm_vdp_init                    Prepare a Van der Pol oscillator
+       vm_vdp_init                    Prepares a Van der Pol oscillator
        vm_vdp_amplitude               Amplitude of a Van der Pol oscillator at time t, in closed form for a linear mass
        vm_vdp_limit_cycle             Amplitude of the limit cycle, m, while the mass changes at mass_rate (kg/s)
        vm_vdp_rhs                     Equation of motion (404) of a Van der Pol oscillator, for rk45 or rk87
@@ -424,7 +424,7 @@
        vm_coupled_pair_oscillator     The oscillator that the relative motion p = y - x of two bodies with one connection is, for the routes of routes.h
 
      oscillators/forced: harmonic excitation of a strongly nonlinear oscillator
-       vm_forced_init                 Prepare an excited oscillator
+       vm_forced_init                 Prepares an excited oscillator
        vm_forced_rhs                  Equation of motion of an excited oscillator, for rk45 or rk87
        vm_forced_exact_rhs            Exact equations of amplitude and phase of an excited oscillator, for rk45 or rk87
        vm_forced_averaged_rhs         Averaged equations of an excited oscillator near its main resonance, for rk45 or rk87
@@ -438,8 +438,8 @@
        vm_forced_passage              Passage through the resonance
 
      oscillators/periodic: periodic excitation that is not harmonic, of a strongly nonlinear oscillator
-       vm_periodic_init               Prepare an oscillator under a periodic force
-       vm_periodic_from_samples       Set the shape of a periodic force from n samples g[i] = g(2 pi i/n) over one period
+       vm_periodic_init               Prepares an oscillator under a periodic force
+       vm_periodic_from_samples       Sets the shape of a periodic force from n samples g[i] = g(2 pi i/n) over one period
        vm_periodic_shape              Shape of the force
        vm_periodic_rhs                Equation of motion of an oscillator under a periodic force, for rk45 or rk87
        vm_periodic_exact_rhs          Exact equations of amplitude and phase under a periodic force, for rk45 or rk87
@@ -450,7 +450,7 @@
        vm_periodic_steady_states      Steady vibrations under a periodic force
 
      oscillators/grounded_pair: two strongly nonlinear oscillators with slow masses and a weak coupling
-       vm_grounded_pair_init          Prepare a pair of coupled oscillators
+       vm_grounded_pair_init          Prepares a pair of coupled oscillators
        vm_grounded_pair_rhs           Equations of motion of two weakly coupled oscillators, for rk45 or rk87
        vm_grounded_pair_averaged_rhs  Averaged equations of two weakly coupled oscillators, for rk45 or rk87
        vm_grounded_pair_to_averaged   Converts a motion (x_0, x_1, x_0', x_1') of two weakly coupled oscillators to its mean y = (A_0, phi_0, A_1, phi_1)
@@ -1916,7 +1916,7 @@ VM_API int vmi_inertia_is_within(const vm_inertia *i, vm_real slack)
     return z - yz / y * yz > 0;
 }
 
-/* Test whether a body can have this inertia. Returns 1 if it can. Returns 0 if it cannot, and also for NaN and for a
+/* Tests whether a body can have this inertia. Returns 1 if it can. Returns 0 if it cannot, and also for NaN and for a
    null pointer. The principal moments of a body are not negative, and none is larger than the sum of the other two. A
    violation of these rules by up to 32 eps of the trace counts as a rounding error. Rods and points count as bodies. */
 VM_API int vm_inertia_is_possible(const vm_inertia *inertia)
@@ -2057,7 +2057,8 @@ VM_API vm_vec3 vmi_spin_of(const vmi_principal *p, vm_vec3 h)
 
 /* Solves i omega = h for the angular velocity *omega, with the inertia i, its principal axes *p and the angular
    momentum h. About an axis with zero moment (of a rod or a point), *omega keeps the component of `before`, and no body
-   can have angular momentum. Returns 1 if the component of h along such an axis exceeds noise, else 0. */
+   can have angular momentum. Returns 1 if the component of h along such an axis exceeds the argument `noise`, else
+   0. */
 VM_API int vmi_solve_spin(const vm_inertia *i, const vmi_principal *p, vm_vec3 h, vm_real noise, vm_vec3 before,
                           vm_vec3 *omega)
 {
@@ -2651,9 +2652,9 @@ VM_API int vm_attach(const vm_body *body, const vm_body *added, const vm_impulse
     return vmi_jump(body, 1, added, VMI_ATTACH, external_or_NULL, whole);
 }
 
-/* Separation of n parts from a body at once: *rest is what remains. Except for rounding errors, n calls of vm_separate
-   in turn give the same result. With n = 0 only the impulse acts on the body. The statuses are those of vm_separate,
-   and VM_BAD_ARGUMENT for n < 0. */
+/* Separation of n parts from a body at once: *rest is what remains. Except for rounding errors, n calls of
+   vm_separate, one after the other, give the same result. With n = 0 only the impulse acts on the body. The statuses
+   are those of vm_separate, and VM_BAD_ARGUMENT for n < 0. */
 VM_API int vm_separate_all(const vm_body *whole, int n, const vm_body *parts, const vm_impulse *external_or_NULL,
                            vm_body *rest)
 {
@@ -2661,8 +2662,8 @@ VM_API int vm_separate_all(const vm_body *whole, int n, const vm_body *parts, co
 }
 
 /* Attachment of n bodies to a body at once: *whole is all of them together. Except for rounding errors, n calls of
-   vm_attach in turn give the same result. With n = 0 only the impulse acts on the body. The statuses are those of
-   vm_attach, and VM_BAD_ARGUMENT for n < 0. */
+   vm_attach, one after the other, give the same result. With n = 0 only the impulse acts on the body. The statuses
+   are those of vm_attach, and VM_BAD_ARGUMENT for n < 0. */
 VM_API int vm_attach_all(const vm_body *body, int n, const vm_body *added, const vm_impulse *external_or_NULL,
                          vm_body *whole)
 {
@@ -2708,7 +2709,7 @@ VM_API int vm_combine_inertia(vm_real mass_a, const vm_inertia *a, vm_real mass_
     return vmi_joined_inertia(mass_a, a, VMI_ATTACH, mass_b, b, d, whole, centre);
 }
 
-/* Inertia of a body without a part, about the mass centre of what is left: (13)-(15), (40). It undoes
+/* Inertia of a body without a part, about the mass centre of the rest: (13)-(15), (40). It undoes
    vm_combine_inertia. d (m) leads from the mass centre of the whole to that of the part. The result *centre (m) leads
    from the mass centre of the whole to that of the rest. The statuses are those of vm_combine_inertia. */
 VM_API int vm_split_inertia(vm_real mass, const vm_inertia *whole, vm_real part_mass, const vm_inertia *part,
@@ -2844,17 +2845,17 @@ VM_API int vm_attach2(const vm_body2 *body, const vm_body2 *added, const vm_impu
 }
 
 /* Separation of n parts from a body at once, in the plane: *rest is what remains. Except for rounding errors, n calls
-   of vm_separate2 in turn give the same result. With n = 0 only the impulse acts on the body. The statuses are those of
-   vm_separate2, and VM_BAD_ARGUMENT for n < 0. */
+   of vm_separate2, one after the other, give the same result. With n = 0 only the impulse acts on the body. The
+   statuses are those of vm_separate2, and VM_BAD_ARGUMENT for n < 0. */
 VM_API int vm_separate_all2(const vm_body2 *whole, int n, const vm_body2 *parts,
                             const vm_impulse2 *external_or_NULL, vm_body2 *rest)
 {
     return vmi_jump2(whole, n, parts, VMI_SEPARATE, external_or_NULL, rest);
 }
 
-/* Attachment of n bodies to a body at once, in the plane: *whole is all of them together. Except for rounding errors, n
-   calls of vm_attach2 in turn give the same result. With n = 0 only the impulse acts on the body. The statuses are
-   those of vm_attach2, and VM_BAD_ARGUMENT for n < 0. */
+/* Attachment of n bodies to a body at once, in the plane: *whole is all of them together. Except for rounding errors,
+   n calls of vm_attach2, one after the other, give the same result. With n = 0 only the impulse acts on the body. The
+   statuses are those of vm_attach2, and VM_BAD_ARGUMENT for n < 0. */
 VM_API int vm_attach_all2(const vm_body2 *body, int n, const vm_body2 *added, const vm_impulse2 *external_or_NULL,
                           vm_body2 *whole)
 {
@@ -3620,7 +3621,7 @@ VM_API int vm_broken_rotor_polar_rhs(vm_real t, const vm_real *y, vm_real *dydt,
     return 0;
 }
 
-/* Convert the state {x, y, psi, x', y', psi'} of a rotor to its polar state.
+/* Converts the state {x, y, psi, x', y', psi'} of a rotor to its polar state.
    The polar state is {r, phi, psi, r', phi', psi'}. `y` and `polar` may be the same array. Returns VM_BAD_ARGUMENT for
    a null pointer, VM_NOT_FINITE, VM_DOMAIN if r is 0, and VM_OK otherwise. */
 VM_API int vm_broken_rotor_to_polar(const vm_real *y, vm_real *polar)
@@ -3645,7 +3646,7 @@ VM_API int vm_broken_rotor_to_polar(const vm_real *y, vm_real *polar)
     return vmi_copy_if_finite(VM_BROKEN_ROTOR_STATES, p, polar);
 }
 
-/* Convert the polar state {r, phi, psi, r', phi', psi'} of a rotor to {x, y, psi, x', y', psi'}.
+/* Converts the polar state {r, phi, psi, r', phi', psi'} of a rotor to {x, y, psi, x', y', psi'}.
    `y` and `polar` may be the same array. Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_DOMAIN if r is
    not positive, and VM_OK otherwise. */
 VM_API int vm_broken_rotor_from_polar(const vm_real *polar, vm_real *y)
@@ -4355,10 +4356,10 @@ VM_API vm_real vm_broken_rotor_resonance_radius(const vm_broken_rotor *rotor, vm
 #ifndef VARMASS_MECHANICS_GENERALIZED_FORCE_H
 #define VARMASS_MECHANICS_GENERALIZED_FORCE_H
 
-/* Add the generalized forces of a force and a moment: Q_i += force.dr/dq_i + moment.domega/dq'_i (235). dr_or_NULL[i]
-   is dr/dq_i, the derivative of the point r at which the force acts with respect to the coordinate q_i.
-   domega_or_NULL[i] is domega/dq'_i, the derivative of the body's angular velocity omega with respect to the rate q'_i.
-   These arrays and Q have n entries. A NULL array means that its term is 0. If Q is NULL, nothing is done.
+/* Adds the generalized forces of a force and a moment: Q_i += force.dr/dq_i + moment.domega/dq'_i (235).
+   dr_or_NULL[i] is dr/dq_i, the derivative of the point r at which the force acts with respect to the coordinate q_i.
+   domega_or_NULL[i] is domega/dq'_i, the derivative of the body's angular velocity omega with respect to the rate
+   q'_i. These arrays and Q have n entries. A NULL array means that its term is 0. If Q is NULL, nothing is done.
 
    External loads are given by their resultant force and their moment about r. A stream with the mass rate M' (kg/s),
    the velocity u and the angular velocity omega2 is given by the force M' u at the point where the mass enters or
@@ -4400,7 +4401,7 @@ VM_API void vm_lagrange_add_force(int n, vm_vec3 force, const vm_vec3 *dr_or_NUL
 /* Length of the array `work` for n generalized velocities */
 #define VM_LAGRANGE_WORK(n) ((n) * ((n) + 2))
 
-/* Add a body's share to the mass matrix of the kinetic energy T = qdot^T matrix qdot/2.
+/* Adds the share of a body to the mass matrix of the kinetic energy T = qdot^T matrix qdot/2.
    dr and turn have n vectors: dr[i] = dv/dqdot_i and turn[i] = domega/dqdot_i. v is the velocity of the body's mass
    centre, and omega the body's angular velocity. If dr or turn is NULL, its term is 0. If body or matrix is NULL,
    nothing is done. */
@@ -4425,7 +4426,7 @@ VM_API void vm_lagrange_mass(int n, const vm_body *body, const vm_vec3 *dr_or_NU
     }
 }
 
-/* Add to p the generalized momentum of a body.
+/* Adds to p the generalized momentum of a body.
    It is that of the velocity body->v and the angular velocity body->omega. p has n numbers. dr and turn are those of
    vm_lagrange_mass. If dr or turn is NULL, its term is 0. If body or p is NULL, nothing is done. */
 VM_API void vm_lagrange_momentum(int n, const vm_body *body, const vm_vec3 *dr_or_NULL, const vm_vec3 *turn_or_NULL,
@@ -4435,7 +4436,7 @@ VM_API void vm_lagrange_momentum(int n, const vm_body *body, const vm_vec3 *dr_o
     vm_lagrange_add_force(n, vm_momentum(body), dr_or_NULL, vmi_spin_momentum(body), turn_or_NULL, p);
 }
 
-/* Add to p the generalized impulse (95) of an impulse on a body with the mass centre r.
+/* Adds to p the generalized impulse (95) of an impulse on a body with the mass centre r.
    r is in m, in inertial axes. The moment of the impulse is taken about r; equation (23a) does not name the point. p
    has n numbers. dr and turn are those of vm_lagrange_mass. If dr or turn is NULL, its term is 0. If impulse or p is
    NULL, nothing is done. */
@@ -6228,8 +6229,8 @@ VM_API int vm_flow_given_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *f
    and the kinetic energy that the streams have taken out of the body, minus those that the outer loads have put in.
    The sum of an integral and the corresponding quantity of the body stays constant. (There are two exceptions if a
    stream has a store: the body's angular momentum is then y[VM_Y_H] + r x p, and the energy does not balance.)
-   The rate T' of the kinetic energy is the limit of (113), (118), which hold for sudden changes, for a continuous
-   stream with M' > 0 or M' < 0. With the letters of the equations at the top of mechanics/flow.h:
+   (113) and (118) give the change of the kinetic energy T by a sudden change of mass. Their limit for a continuous
+   stream, with M' > 0 or M' < 0, is the rate T'. With the letters of the equations at the top of mechanics/flow.h:
      T' = F v + M_S omega + sum [M' u^2 + omega2 M' kappa omega2]/2 - sum [M' w^2 + omega_r M' kappa omega_r]/2,
      w = u - v - omega x d, omega_r = omega2 - omega.
    The first sum is the power that the streams bring. The second sum, with its minus sign, is the power of engines
@@ -6937,7 +6938,7 @@ VM_API int vm_jet_damping(const vm_jet *jet, vm_real t, vm_vec3 omega0, vm_vec3 
 enum {
     VM_TANK_OF_LIQUID = 0, /* constant density; the tank empties from the lower end, and its surface stays normal to the
                               axis. The liquid turns with the tank */
-    VM_TANK_OF_GAS = 1,    /* constant volume; the density falls everywhere alike */
+    VM_TANK_OF_GAS = 1,    /* constant volume; the density is the same everywhere, and falls */
     VM_GRAIN = 2           /* constant density; a hollow cylinder that burns from its bore outwards, not at its ends */
 };
 
@@ -7006,7 +7007,7 @@ VM_API void vmi_supply_liquid(const vm_supply *s, vm_vec3 e, vm_supply_left *lef
 }
 
 /* Writes to *left what is left of a tank of gas or of a grain. The square of the bore is that of the text at the top;
-   it is 0 for gas, which leaves everywhere alike. */
+   it is 0 for gas, whose density is the same everywhere. */
 VM_API void vmi_supply_hollow(const vm_supply *s, vm_vec3 e, vm_supply_left *left)
 {
     const vm_real m = left->mass, square = s->radius * s->radius, rod = s->length * s->length / 12;
@@ -7635,9 +7636,9 @@ VM_API vm_real vmi_drum_start(vm_real a, vm_real b)
 
 /* Angle of the drum on a rigid shaft after t >= 0 seconds, rad.
    This is the inverse of vm_drum_time, computed by Newton's method in two words. It needs no branch of Lambert's W.
-   For the accuracy, the results NaN and the letters J0, Omega_b, e, j see vm_drum_rate. The method uses x, y, a, b, f:
-   x = e phi/(J0 Omega_b), y = ln(1 + x), a = e t/J0, b = j Omega_b t/J0, f = phi/(Omega_b t). Its unknown is p = y/a,
-   for which the equation of vm_drum_time becomes
+   The comment of vm_drum_rate says how accurate the result is and when it is NaN, and explains the letters J0,
+   Omega_b, e, j. The method uses x, y, a, b, f: x = e phi/(J0 Omega_b), y = ln(1 + x), a = e t/J0, b = j Omega_b
+   t/J0, f = phi/(Omega_b t). Its unknown is p = y/a, for which the equation of vm_drum_time becomes
      p + b f^2 (x - y)/x^2 = 1,   where x = exp(y) - 1 and f = p x/y.
    The left side is a convex function of p with the positive slope 1 + b f. Therefore the method converges from any
    start value. */
@@ -8429,9 +8430,10 @@ VM_API void vmi_osc_wave_differences(const vmi_osc_wave *w, vm_real pi, vm_real 
 /* oscillators/constant_mass.h - the oscillator x'' + omega0^2 x|x|^(alpha-1) = 0 of constant mass
 
    A spring with the force -k x|x|^(alpha-1) holds a mass m, and omega0 = sqrt(k/m). alpha is any real number >= 0: 1 is
-   the linear spring, 3 the cubic one. Here are the period of the motion (262), its largest velocity (267) and its
-   energy (259); the exact motion by the Ateb functions (282), (283) from rest or from any state; and the approximations
-   by the cosine (291)-(296) and by Jacobi's cn (297)-(307) with their errors (268). The shortest useful calls:
+   the linear spring, 3 the cubic one. This file has the period of the motion (262), its largest velocity (267) and
+   its energy (259); the exact motion by the Ateb functions (282), (283) from rest or from any state; and the
+   approximations by the cosine (291)-(296) and by Jacobi's cn (297)-(307) with their errors (268). The shortest
+   useful calls:
        vm_real T = vm_osc_period(2, 1, VM_C(1.5)), x, v; // x'' = -x|x|^0.5 from x = 2 at rest
        vm_osc_exact(T / 8, 2, 1, VM_C(1.5), &x, &v);
    The functions return or write NaN for alpha < 0 and for infinite arguments, and functions with outputs write nothing
@@ -8894,10 +8896,11 @@ VM_API int vmi_law_at(const vm_law *law, int if_not_positive, vm_real t, vm_real
 }
 
 /* Value f and rate df/dt of a law at time t (s), which may be negative. At the points of a table f is within 4 eps of
-   the value in the table, where eps is the machine epsilon. f may have any sign, since a law does not know whether it
-   is the law of a mass. Returns VM_BAD_ARGUMENT for null pointers and for a law that no constructor made, VM_NOT_FINITE
-   where t or a result is infinite or NaN, and VM_DOMAIN where the law has no value: for t outside a table, for a power
-   law where 1 + f1 t <= 0, and where the user's function fails. An error leaves *f and *rate untouched. */
+   the value in the table, where eps is the machine epsilon. f may have any sign, since the function does not know
+   whether the law is that of a mass. Returns VM_BAD_ARGUMENT for null pointers and for a law that no constructor
+   made, VM_NOT_FINITE where t or a result is infinite or NaN, and VM_DOMAIN where the law has no value: for t outside
+   a table, for a power law where 1 + f1 t <= 0, and where the user's function fails. An error leaves *f and *rate
+   untouched. */
 VM_API int vm_law_at(const vm_law *law, vm_real t, vm_real *f, vm_real *rate)
 {
     vm_real value, slope;
@@ -10373,7 +10376,7 @@ VM_API void vmi_osc_closed_mean_init(vmi_osc_closed_mean *c, const vmi_osc_reduc
    |p| < 0.42, e^x - 1 is 2^k p + (2^k - 1). */
 VM_API vm_real vmi_exp_and_ratio(vm_real x, vm_real *ratio)
 {
-    const vm_real largest = VM_MANT_DIG > 24 ? 1400 : 180; /* for |x| beyond it e^x is infinite or 0 */
+    const vm_real largest = VM_MANT_DIG > 24 ? 1400 : 180; /* for a larger |x|, e^x is infinite or 0 */
     const vm_real inside = vmi_smaller(vmi_larger(x, -largest), largest);
     vm_real p_lo, p, scale;
     int k;
@@ -10511,8 +10514,8 @@ VMI_APART void vmi_osc_closed_begin(vm_osc_closed *c, int order, const vmi_osc_c
 }
 
 /* Prepares the motion of the problem by the law of an order, 2 to 5; a higher order is more accurate. c->error holds
-   for times between 0 and t_end, s, of either sign. The problem is not needed any more afterwards. An error leaves *c
-   untouched; it returns
+   for times between 0 and t_end, s, of either sign. Afterwards *c does not need the problem any more. After an error
+   *c is unchanged. The errors are
      VM_BAD_ARGUMENT for null pointers, another order, and a law that no constructor made,
      VM_NOT_FINITE for a number that is infinite or NaN,
      VM_BAD_MASS or VM_BAD_STIFFNESS for a law that is not positive at 0 or t_end,
@@ -13493,7 +13496,8 @@ VM_API int vmi_osc_at_rest(const vm_osc_plan *p, int route, vm_osc_motion *motio
    motion->error estimates the larger of |error of x|/A and |error of v|/vmax. Routes that integrate keep the part of
    this error that comes from the integration within the tolerance; a tolerance of 0 means 1e-6 (float 1e-3). A comment
    at the start of oscillators/routes.h says what a route costs. Returns VM_OK, or VM_TOLERANCE_MISSED where x and v are
-   computed but the error of integration is larger than the tolerance. An error leaves *motion untouched; it returns
+   computed but the error of integration is larger than the tolerance. After an error *motion is unchanged. The errors
+   are
      VM_BAD_ARGUMENT for null pointers or a route that does not exist,
      VM_NOT_FINITE for a number that is infinite or NaN,
      VM_BAD_MASS or VM_BAD_STIFFNESS for a law that is not positive between 0 and t,
@@ -13502,7 +13506,8 @@ VM_API int vmi_osc_at_rest(const vm_osc_plan *p, int route, vm_osc_motion *motio
      VM_NO_LAW for the laws of orders 2 to 5 with F, and for F on a body at rest at x = 0,
      VM_NOT_INTEGRATED where amplitude and phase do not describe the motion, for collocation only,
      VM_NOT_INTEGRATED where the integrator gives up, or would need too many steps: more than 2^13 a period plus four
-       times what its longest step asks for, or more than 2^23 of the present periods. Thus every call ends. */
+       times the number that its longest step makes necessary, or a time of more than 2^23 of the present periods.
+   Thus every call ends. */
 VM_API int vm_osc_plan_by_route(const vm_osc_plan *p, int route, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
     vmi_osc_route entry;
@@ -13686,8 +13691,9 @@ struct VM_TAG(vmi_orbit) {
     const vm_odd_force *force;
     vm_real size;              /* amplitude, m, if the orbit lies around 0; else half the difference of the largest and
                                   the smallest x^2, m^2 */
-    int place;                 /* around 0 or at one side of it, one of VMI_ORBIT_... */
-    vm_real span;              /* the phase between theta = 0 and theta = pi/2: pi/2 around 0, else pi */
+    int place;                 /* where the orbit lies: around 0, or at one side of it; one of VMI_ORBIT_... */
+    vm_real span;              /* by how much the phase grows between theta = 0 and theta = pi/2: pi/2 for an orbit
+                                  around 0, else pi */
     vm_real w, j;              /* rate of the phase, 1/s, and action */
     vm_real energy_slope;      /* derivative of the energy with respect to `size` */
     vm_real swing, vmax;       /* half the distance of the turning points, m, and largest velocity, m/s */
@@ -16050,8 +16056,8 @@ VM_API int vmi_odd_is_known(const vm_odd_plan *p, int route, vm_real t, vm_odd_m
 /* Motion under an odd elastic force at time t (s, within the plan's reach) by a given route VM_ODD_....
    motion->error estimates the larger of |error of x|/swing and |error of v|/vmax; it is infinite where the averaged
    solution is far off. The tolerance is for VM_ODD_RK87 only; 0 means 1e-6 (float 1e-3). Returns VM_OK, or
-   VM_TOLERANCE_MISSED where the integration is less accurate than asked for. An error leaves *motion untouched; it
-   returns
+   VM_TOLERANCE_MISSED where the integration is less accurate than asked for. After an error *motion is unchanged. The
+   errors are
      VM_BAD_ARGUMENT for null pointers or a route that does not exist,
      VM_NOT_FINITE for a number that is infinite or NaN,
      VM_BAD_MASS or VM_BAD_STIFFNESS for a law that is not positive between 0 and t,
@@ -16105,9 +16111,9 @@ VM_API int vm_odd_within(const vm_odd_problem *problem, vm_real t, vm_real toler
 }
 
 #endif
-/* oscillators/slow.h - laws that oscillators with slowly varying mass share
+/* oscillators/slow.h - laws of amplitude that all oscillators with a slowly varying mass share
 
-   Here are, in closed form, the amplitude and the largest velocity of an oscillator
+   This file has, in closed form, the amplitude and the largest velocity of an oscillator
        m x'' + k x|x|^(alpha-1) = -(r m' + b) x'
    whose mass m(t) varies slowly, that is little within a period: (325), (326), (344), (364), (367), (389), (395).
    The chapters on Van der Pol's oscillator, on the rotor, on two bodies and on harmonic excitation build on this file.
@@ -16294,10 +16300,10 @@ VM_API int vmi_vdp_check(const vm_vdp *v)
     return VM_OK;
 }
 
-/* Prepare a Van der Pol oscillator: check alpha, k, feed, c, reactive and method, and write a1, a2, a3 (411)-(413).
-   The functions below need it; the mass may be set and changed later. The mean values are within 20 eps. Returns
-   VM_BAD_ARGUMENT for a null pointer or an unknown method, VM_NOT_FINITE for a number that is infinite or NaN,
-   VM_BAD_STIFFNESS for k <= 0, VM_DOMAIN for alpha < 0, and VM_OK otherwise. An error leaves v as it was. */
+/* Prepares a Van der Pol oscillator: checks alpha, k, feed, c, reactive and method, and writes a1, a2, a3
+   (411)-(413). The functions below need it; the mass may be set and changed later. The mean values are within 20 eps.
+   Returns VM_BAD_ARGUMENT for a null pointer or an unknown method, VM_NOT_FINITE for a number that is infinite or
+   NaN, VM_BAD_STIFFNESS for k <= 0, VM_DOMAIN for alpha < 0, and VM_OK otherwise. An error leaves v as it was. */
 VM_API int vm_vdp_init(vm_vdp *v)
 {
     int status;
@@ -16797,8 +16803,8 @@ typedef struct VM_TAG(vmi_vdp_mean) {
     vm_real segment;              /* time, s, of the last point of a table before t, or 0; the mass is smooth since
                                      then */
     vmi_osc_slow now;             /* mass, stiffness and rates at t; set at the end of a walk only */
-    vm_real J_error;              /* what order two leaves out of ln J at starts of the mean motion, as far as it has
-                                     not died out at t */
+    vm_real J_error;              /* error of ln J that order two makes at starts of the mean motion; only the part
+                                     that has not died out at t */
     vm_real psi_error;            /* what order two leaves out of psi */
     vm_real J_third, psi_third;   /* what order three leaves out: only those terms that depend on feed and mass alone */
     vm_real ratio;                /* largest ratio at a start of the terms of one order to the terms of the order
@@ -17022,8 +17028,8 @@ typedef struct VM_TAG(vmi_vdp_panel) {
     vm_real loss;                         /* factor by which an error of ln J changes over the panel */
     vm_real rounding;                     /* size of the terms of E_0 that rounding errors of p cause, see
                                              vmi_vdp_rounding */
-    vm_real kept;                         /* integral of this factor over the phase, where the factor is taken from the
-                                             start to each phase */
+    vm_real kept;                         /* integral over the phase of the factor by which an error of ln J changes
+                                             from the panel's start to this phase */
 } vmi_vdp_panel;
 
 /* Mean values at the points of Gauss' rule of a panel */
@@ -17589,8 +17595,8 @@ VM_API int vmi_vdp_check_call(const vm_vdp_plan *p, vm_real t, vm_real *toleranc
    VM_ROUTE_RK87. motion->error estimates the larger of |error of x|/A and |error of v|/vmax, where vmax is the largest
    velocity at the amplitude A; it is infinite where the law does not hold. The routes that integrate keep it within the
    tolerance, where 0 means 1e-6 (float 1e-3); the law does not use the tolerance. Returns VM_OK, or
-   VM_TOLERANCE_MISSED where x and v are computed but the error of integration is larger than the tolerance. An error
-   leaves *motion untouched; it returns
+   VM_TOLERANCE_MISSED where x and v are computed but the error of integration is larger than the tolerance. After an
+   error *motion is unchanged. The errors are
      VM_BAD_ARGUMENT for null pointers or a route that is not one of the five,
      VM_NOT_FINITE for a number that is infinite or NaN, and for the law where the amplitude becomes infinite before t,
      VM_BAD_MASS or VM_BAD_STIFFNESS for a law that is not positive between 0 and t,
@@ -17740,8 +17746,8 @@ VM_API int vm_vdp_cycle_of(const vm_vdp *v, vm_vdp_cycle *cycle)
    after (516). Mass joins or leaves with the velocity u; r is the fraction of its full reactive force m' (u - z')
    that acts on the disc. F_z is an external force. The equation of motion is
        m z'' + z K_e(|z|) - 2 i g z' = F_z + r m' (u - z')
-   Here are the equation of motion, averaged equations for a weak nonlinearity (460)-(473), averaged equations for
-   nearly circular motion with any nonlinearity (491)-(507), and the law of the radius (509).
+   This file has the equation of motion, averaged equations for a weak nonlinearity (460)-(473), averaged equations
+   for nearly circular motion with any nonlinearity (491)-(507), and the law of the radius (509).
 
        vm_power_force cubic = {1, 3}; // F_e = rho^3
        vm_jeffcott rotor;
@@ -18053,7 +18059,7 @@ VM_API vm_real vmi_jeffcott_root(vm_real gyro, vm_real mass, vm_real stiffness, 
 }
 
 /* Frequency W of circular whirl of radius A, rad/s. By the corrected remark after (516), W solves m W^2 - 2 g W =
-   K_e(A). Forward whirl has W > 0; sense >= 0 asks for it. Backward whirl has W < 0; sense < 0 asks for it. A >= 0 is
+   K_e(A). Forward whirl, for sense >= 0, has W > 0. Backward whirl, for sense < 0, has W < 0. A >= 0 is
    in m, mass > 0 in kg. The relative error is at most 8 eps (eps is the machine epsilon), apart from the error of the
    stiffness. Returns NaN for null pointers, for a rotor without stiffness, and for arguments outside the domain. */
 VM_API vm_real vm_jeffcott_frequency(const vm_jeffcott *r, vm_real A, vm_real mass, int sense)
@@ -18475,9 +18481,9 @@ VM_API int vm_jeffcott_linear_at(const vm_jeffcott *r, const vm_real *start, vm_
    Two bodies of equal mass m(t), with coordinates x and y on a line and a spring between them (517), (518):
        m x'' = -k (x - y)|x - y|^(alpha-1) - r m' x',   m y'' = k (x - y)|x - y|^(alpha-1) - r m' y'
    k is the stiffness of the spring, r the share of the reactive force (`reactive`). The sum q = x + y drifts, and the
-   difference p = y - x vibrates with the amplitude A and the Ateb phase psi, whose rate is Om, (520)-(522). Here are
-   the equations of motion, the averaged equations of both modes, and the motion in closed form for a linear mass (528),
-   (529).
+   difference p = y - x vibrates with the amplitude A and the Ateb phase psi, whose rate is Om, (520)-(522). This file
+   has the equations of motion, the averaged equations of both modes, and the motion in closed form for a linear mass
+   (528), (529).
 
        vm_real y[4] = {1, 3, 0, 0}; // x, y, x', y'
        vm_pair p;
@@ -18901,8 +18907,8 @@ VM_API int vm_coupled_pair_oscillator(vm_coupled_pair *pair, const vm_real *y0, 
    Chapter 8 of the dissertation leaves this problem to the future. Mass m, stiffness k, and the frequency nu and
    amplitude F of the force may vary slowly; b is the damping, r the share of the reactive force (`reactive`):
        m x'' + k x|x|^(alpha-1) = -(r m' + b) x' + F cos(theta),   theta' = nu
-   Here are the equation of motion, the exact equations of amplitude and phase, and the averaged ones near the main
-   resonance. Steady vibrations, resonance curves and the passage through the resonance are in resonance.h.
+   This file has the equation of motion, the exact equations of amplitude and phase, and the averaged ones near the
+   main resonance. Steady vibrations, resonance curves and the passage through the resonance are in resonance.h.
 
        vm_forced f;
        memset(&f, 0, sizeof f);
@@ -18999,10 +19005,10 @@ VM_API void vmi_forced_fourier(vm_forced *f)
     }
 }
 
-/* Prepare an excited oscillator: check its fields at t = 0, and write pi, Om1, G, c and s. All other functions need
-   this call. Returns VM_BAD_ARGUMENT for a null pointer or a law that no constructor made, VM_NOT_FINITE for a number
-   that is infinite or NaN, VM_BAD_MASS or VM_BAD_STIFFNESS for a mass or a stiffness that is not positive, VM_DOMAIN
-   for alpha < 0 or a frequency that is not positive, and VM_OK otherwise. An error leaves f as it was. */
+/* Prepares an excited oscillator: checks its fields at t = 0, and writes pi, Om1, G, c and s. All other functions
+   need this call. Returns VM_BAD_ARGUMENT for a null pointer or a law that no constructor made, VM_NOT_FINITE for a
+   number that is infinite or NaN, VM_BAD_MASS or VM_BAD_STIFFNESS for a mass or a stiffness that is not positive,
+   VM_DOMAIN for alpha < 0 or a frequency that is not positive, and VM_OK otherwise. An error leaves f as it was. */
 VM_API int vm_forced_init(vm_forced *f)
 {
     vmi_forced_parameters now;
@@ -19431,9 +19437,9 @@ VM_API int vm_forced_passage(const vm_forced *f, vm_real t, vm_real amplitude, v
 
    The oscillator of forced.h under a force F g(theta) with theta' = nu, where the shape g has the period 2 pi:
        m x'' + k x|x|^(alpha-1) = -(r m' + b) x' + F g(theta),   g = sum over n of a_n cos(n theta) + b_n sin(n theta)
-   for n = 0 to 9. Here are the equation of motion, the exact equations of amplitude and phase, the averaged equations
-   near a resonance, and the steady vibrations with their stability. The dissertation leaves this problem to the
-   future.
+   for n = 0 to 9. This file has the equation of motion, the exact equations of amplitude and phase, the averaged
+   equations near a resonance, and the steady vibrations with their stability. The dissertation leaves this problem to
+   the future.
 
        vm_periodic p;
        memset(&p, 0, sizeof p);
@@ -19484,7 +19490,7 @@ VM_API int vmi_periodic_at(const vm_periodic *p, vm_real t, vmi_forced_parameter
     return status;
 }
 
-/* Prepare an oscillator under a periodic force: check it at t = 0, and prepare its field `oscillator`. All other
+/* Prepares an oscillator under a periodic force: checks it at t = 0, and prepares its field `oscillator`. All other
    functions need this call. Returns the statuses of vm_forced_init, VM_BAD_ARGUMENT also where `vibrations` or
    `periods` is not from 1 to 9, and VM_NOT_FINITE also for a coefficient that is infinite or NaN. An error leaves *p
    as it was. */
@@ -19498,7 +19504,7 @@ VM_API int vm_periodic_init(vm_periodic *p)
     return vm_forced_init(&p->oscillator);
 }
 
-/* Set the shape of a periodic force from n samples g[i] = g(2 pi i/n) over one period. Writes the fields cosine and
+/* Sets the shape of a periodic force from n samples g[i] = g(2 pi i/n) over one period. Writes the fields cosine and
    sine of *p, and no other. Harmonics of an order below n/2, up to the ninth, are computed; the others become 0. The
    result is exact but for rounding where g has no harmonics of an order >= n/2. The samples may be those of ca, of
    Jacobi's cn or of a rectangle; higher harmonics than the ninth excite the vibration little. The cost is that of 9 n
@@ -19859,9 +19865,9 @@ VM_API int vm_periodic_steady_states(const vm_periodic *p, vm_real t, int room, 
    between them: a system of two degrees of freedom for which averaged equations exist, because each body without the
    coupling vibrates as an oscillator of one degree. For i = 0 and 1, where o is the other body:
        m_i x_i'' + k_i x_i|x_i|^(alpha_i-1) = -(r_i m_i' + b_i) x_i' + kappa (x_o - x_i) + c (x_o' - x_i')
-   m_i and k_i may vary slowly. Here are the equations of motion, the averaged equations for amplitudes and phases,
-   and the maps to and from the motion. Bodies that have no springs to the ground, on which the coupling may be
-   strong, are in coupled_pair.h.
+   m_i and k_i may vary slowly. This file has the equations of motion, the averaged equations for amplitudes and
+   phases, and the maps to and from the motion. Bodies that have no springs to the ground, on which the coupling may
+   be strong, are in coupled_pair.h.
 
        vm_grounded_pair p;
        memset(&p, 0, sizeof p);
@@ -19928,7 +19934,7 @@ VM_API int vmi_grounded_at(const vm_grounded_pair *p, vm_real t, vmi_grounded_no
     return VM_OK;
 }
 
-/* Prepare a pair of coupled oscillators: check it at t = 0 and write the constants of the averaged equations.
+/* Prepares a pair of coupled oscillators: checks it at t = 0 and writes the constants of the averaged equations.
    All other functions need this call. Returns VM_BAD_ARGUMENT for a null pointer, a law that no constructor made, or
    `vibrations` that are neither both 0 nor both from 1 to 9, VM_NOT_FINITE for a number that is infinite or NaN,
    VM_BAD_MASS or VM_BAD_STIFFNESS for a mass or a stiffness that is not positive, VM_DOMAIN for alpha < 0, and VM_OK
@@ -22868,10 +22874,10 @@ VM_API vm_real vmi_point_mobility(const vm_scene_body *b, const vmi_body_point *
     return vm_dot(along, vmi_point_move(b, along)) + vm_dot(turn, vmi_point_spin(b, &p->axes, turn, zero));
 }
 
-/* Whether a body has inertia against every force at the point `at`. Forces turn a body about all axes normal to `at`.
-   If the body is a rod or a point, `hollow` is the inertia that vmi_invertible_inertia adds, which is the same dummy
-   moment about each of the k axes that have none. The sum of the squares of the parts of `at` normal to these axes is
-   k at^2 - at (hollow at)/dummy, and must be 0 but for rounding errors. */
+/* Whether the inertia of a body resists every force at the point `at`. Forces turn a body about all axes normal to
+   `at`. If the body is a rod or a point, `hollow` is the inertia that vmi_invertible_inertia adds, which is the same
+   dummy moment about each of the k axes that have none. The sum of the squares of the parts of `at` normal to these
+   axes is k at^2 - at (hollow at)/dummy, and must be 0 but for rounding errors. */
 VM_API int vmi_point_is_possible(const vm_scene_body *b, vm_vec3 at)
 {
     const vm_real noise = 64 * VM_EPSILON;
@@ -24446,10 +24452,11 @@ VM_API int vmi_land_check(const vm_scene *s, const vm_event *e)
     return VM_OK;
 }
 
-/* The event of vm_event_contact becomes a stop without a bounce: an impulse takes away the velocity of the point along
-   the normal, and the body keeps its other velocities as far as it is free. Afterwards vm_effect_contact carries the
-   body. vm_scene_start returns VM_BAD_ARGUMENT for an event that is not of vm_event_contact, and VM_TWO_LINKS for a
-   body with a link or a joint, whose impulses this event does not compute. */
+/* The event of vm_event_contact becomes a stop without a bounce: an impulse takes away the velocity of the point
+   along the normal. The other velocities of the body change only as this impulse changes them. Afterwards
+   vm_effect_contact carries the body. vm_scene_start returns VM_BAD_ARGUMENT for an event that is not of
+   vm_event_contact, and VM_TWO_LINKS for a body with a link or a joint, whose impulses this event does not
+   compute. */
 VM_API vm_event vm_then_land(vm_event event)
 {
     event.then = vmi_then_land;

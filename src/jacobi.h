@@ -84,8 +84,9 @@
      the compiler's macros show such an option. clang's macros show only -ffast-math and -ffinite-math-only, and no
      macro shows "#pragma float_control", another rounding mode, or that the processor takes subnormal numbers for
      zero. vm_self_check() returns 0 in these cases, and 1 where all is well; a program may call it once when it starts.
-     On x87 units gcc in its gnu modes (gcc -m32, no -std=c99) keeps excess precision, with which neither the bounds
-     below nor symmetry to the last bit hold; -fexcess-precision=standard, or -msse2 -mfpmath=sse, restores them.
+     On x87 units gcc in its gnu modes (gcc -m32, no -std=c99) computes with excess precision. Then neither the bounds
+     below nor symmetry to the last bit hold. The options -fexcess-precision=standard, or -msse2 -mfpmath=sse, restore
+     them.
 
    ACCURACY, as bounds that the tests check, with inputs taken as exact; docs/measurements.md has the errors found.
      sn, cn, dn   absolute error <= 4 eps max(1, k') for |u| <= 1e9 and |u| <= 2^40 K (float 1e4 and 2^17 K). Relative

@@ -32,7 +32,7 @@ envelopes() {
     ./build/examples/example1 "$build/example1" | awk '
         /^t <= 200/ {exit}
         / m\^/ {sub(/^ +/, ""); split($0, cell, /  +/); print cell[1] " | " $(NF - 3) " | " $NF}' |
-        sed 's/e-0/e-/g; s/^Ateb corrected/Ateb functions, corrected (printed alike)/; s/(400) as printed/, as printed (400)/
+        sed 's/e-0/e-/g; s/^Ateb corrected/Ateb functions, corrected/; s/(400) as printed/, as printed (400)/
             s/^Jacobi (401) as printed/Jacobi functions, as printed (401)/; s/^Jacobi, exact means of cn^2, cn^4/Jacobi functions, exact means/
             s/trigonometric ,/trigonometric,/' >"$build/envelopes"
     sed -n 's/^| \(.*functions.*\|trigonometric.*\) |$/\1/p' docs/guide-oscillators.md >"$build/envelopes_shown"

@@ -29,8 +29,8 @@ write() {
     cat <<'END'
 # Hard cases
 
-Written by `make hard-cases` from the output of tests/test_hard.c. Each case is a point at which a formula of the textbook,
-or of the dissertation, goes wrong, and its first column says why. The true value there is known from arbitrary precision
+Written by `make hard-cases` from the output of tests/test_hard.c. Each case is a point at which a formula of the textbook, or of
+the dissertation, goes wrong; the first column says why. The true value there is known from arbitrary precision
 (tests/gen/hard_reference.py).
 
 - "kernel" names the function of tests/hard/ that computes the case, with the naive formula beside it. "at" has its arguments;

@@ -56,8 +56,8 @@ VM_API vm_real vmi_choose(vm_real weight, vm_real a, vm_real b) { return weight 
 
 /* Returns the position of s >= 0 in the period, by the quickest of three ways.
      1. s <= (alpha + 1)/2 lies in the first quarter, and r = s is known before Pi_alpha is.
-     2. For s <= 128 (alpha + 1), c->quarter is accurate enough, unless s is close to a zero of sa or ca. Its products
-        high word is multiplied in two halves, whose products with the number of quarters are exact. This number comes
+     2. For s <= 128 (alpha + 1), c->quarter is accurate enough, unless s is close to a zero of sa or ca. Its high
+        word is multiplied in two halves, whose products with the number of quarters are exact. This number comes
         from the high word of c->quarter alone, so that the rest may be a little longer than half a quarter.
      3. Any other s is reduced by vmi_ateb_reduce_finely. */
 VM_INLINE vmi_ateb_place vmi_ateb_locate(vm_real s, vmi_ateb *c)

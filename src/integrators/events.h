@@ -325,8 +325,8 @@ VM_API int vmi_happens_at_cut(const rk45 *s, ode_event *e, vm_real x)
         vmi_quieten_event(s, e, x);
         return ODE_OK;
     }
-    /* g is followed up to x + VMI_QUIET, which may be after the end of the step (x = 1). The extension of y goes on
-       there, but g may be NaN; the event then does not happen. */
+    /* g is followed up to x + VMI_QUIET, which may be after the end of the step (x = 1). The continuous extension
+       gives a state there, too, but g may be NaN; the event then does not happen. */
     e->happens = vmi_follow_event(s, &look, x + VMI_QUIET, &at) == ODE_OK && at != VMI_NONE;
     return ODE_OK;
 }

@@ -2,7 +2,7 @@
 
    A saved run has all the numbers of an rk45, of its work and of its events, but no pointers. The program that
    resumes it calls rk45_init with the f, n, options and events of the saved run, then rk45_resume. The resumed run
-   has the same bits as a run that was not interrupted. A plain copy of an rk45 would not do: y, work, options.events
+   has the same bits as a run that was not interrupted. A plain copy of an rk45 is not enough: y, work, options.events
    and options.atol_each are pointers to arrays of the caller, and f, ctx and the fields of the pair point into the
    program.
 
@@ -13,7 +13,7 @@
        rk45_solve(&s, 10.0);
        rk45_save(&s, sizeof bytes, bytes); // the bytes may go to a file
        rk45_init(&again, spring, NULL, 2, 0.0, y0, NULL, other_work);
-       rk45_resume(&again, sizeof bytes, bytes); // goes on where s is
+       rk45_resume(&again, sizeof bytes, bytes); // continues from the time of s
 
    Bytes are for the same type vm_real and the same version of this header. They are the same on every machine, so
    that a run that was saved on one machine can be resumed on another one, with the same bits. Tests:
@@ -253,7 +253,7 @@ VM_API int vmi_resume(rk45 *s, int method, long size, const unsigned char *bytes
    is that of a copy. Returns ODE_OK, ODE_BAD_ARGUMENT for a null pointer or a run by rk87, or ODE_WORK_TOO_SMALL. */
 VM_API int rk45_save(const rk45 *s, long size, unsigned char *bytes) { return vmi_save(s, VMI_RK45, size, bytes); }
 
-/* Takes the numbers of a saved run of rk45 into s, which rk45_init has made with the f, n, options and events of the
+/* Copies the numbers of a saved run of rk45 into s, which rk45_init has made with the f, n, options and events of the
    saved run. The next step has the same bits as that of the saved run. Returns ODE_OK, ODE_WORK_TOO_SMALL if size is
    less than the bytes of such a run, or ODE_BAD_ARGUMENT for a null pointer, for bytes of a run with another method, n,
    number of events or type, and for damaged bytes; s is then unchanged. */
@@ -263,7 +263,7 @@ VM_API int rk45_resume(rk45 *s, long size, const unsigned char *bytes) { return 
    All else is as in rk45_save. */
 VM_API int rk87_save(const rk87 *s, long size, unsigned char *bytes) { return vmi_save(s, VMI_RK87, size, bytes); }
 
-/* Takes the numbers of a saved run of rk87 into s, which rk87_init has made. All else is as in rk45_resume. */
+/* Copies the numbers of a saved run of rk87 into s, which rk87_init has made. All else is as in rk45_resume. */
 VM_API int rk87_resume(rk87 *s, long size, const unsigned char *bytes) { return vmi_resume(s, VMI_RK87, size, bytes); }
 
 #endif

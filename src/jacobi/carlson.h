@@ -294,8 +294,8 @@ VM_API int vmi_two_zeros(vm_real x, vm_real y, vm_real z)
     return x + y == 0 || y + z == 0 || z + x == 0;
 }
 
-/* The limit of R_F, R_D or R_J. It is infinity if arguments are 0 so that the integral diverges (`zeros`), 0 if one
-   argument is infinite (`infinite`), and NaN if both is the case. */
+/* The limit of R_F, R_D or R_J. It is infinity if so many arguments are 0 that the integral diverges (`zeros`). It is
+   0 if an argument is infinite (`infinite`), and NaN if both are the case. */
 VM_API vm_real vmi_carlson_limit(int zeros, int infinite)
 {
     if (zeros && infinite) return VM_NAN;
@@ -313,8 +313,8 @@ VM_API vm_real vmi_rf_huge(vm_real x, vm_real y, vm_real z)
 }
 
 /* R_F(x, y, z), Carlson's integral of the first kind, for x, y, z >= 0. It is symmetric in all three. The error is at
-   most 8 ulp. R_F is infinite if two arguments are 0, 0 if one is infinite, and NaN if one is negative. K(m) is R_F(0,
-   1 - m, 1), and F(phi | m) is s R_F(1 - s^2, 1 - m s^2, 1) with s = sin phi. DLMF 19.16.1. */
+   most 8 ulp. R_F is infinite if two arguments are 0. It is 0 if an argument is infinite, and NaN if one is negative.
+   K(m) is R_F(0, 1 - m, 1), and F(phi | m) is s R_F(1 - s^2, 1 - m s^2, 1) with s = sin phi. DLMF 19.16.1. */
 VM_API vm_real jacobi_RF(vm_real x, vm_real y, vm_real z)
 {
     const vm_real largest = vmi_larger(vmi_larger(x, y), z);
@@ -329,8 +329,8 @@ VM_API vm_real jacobi_RF(vm_real x, vm_real y, vm_real z)
 }
 
 /* R_C(x, y) = R_F(x, y, y), Carlson's elementary integral, for x >= 0 and any y. It is an arctangent for x < y and a
-   logarithm for x > y. The error is at most 8 ulp. For y < 0 R_C is Cauchy's principal value. It is infinite for y = 0,
-   0 if an argument is infinite, and NaN if x is negative. DLMF 19.2.17. */
+   logarithm for x > y. The error is at most 8 ulp. For y < 0 R_C is Cauchy's principal value. It is infinite for y =
+   0. It is 0 if an argument is infinite, and NaN if x is negative. DLMF 19.2.17. */
 VM_API vm_real jacobi_RC(vm_real x, vm_real y)
 {
     const vm_real largest = vmi_larger(x, VM_FABS(y));
@@ -343,8 +343,8 @@ VM_API vm_real jacobi_RC(vm_real x, vm_real y)
 }
 
 /* R_D(x, y, z) = R_J(x, y, z, z), Carlson's integral of the second kind, for x, y, z >= 0. It is symmetric in x and
-   y. The error is at most 8 ulp. R_D is infinite if z = 0 or x = y = 0, 0 if an argument is infinite, and NaN if one is
-   negative or more than 1e307 times (float 1e37) another one that is not 0. DLMF 19.16.5. */
+   y. The error is at most 8 ulp. R_D is infinite if z = 0 or x = y = 0. It is 0 if an argument is infinite, and NaN
+   if one is negative or more than 1e307 times (float 1e37) another one that is not 0. DLMF 19.16.5. */
 VM_API vm_real jacobi_RD(vm_real x, vm_real y, vm_real z)
 {
     const vm_real largest = vmi_larger(vmi_larger(x, y), z);
@@ -373,8 +373,8 @@ VM_API vm_real vmi_rj_principal(vm_real x, vm_real y, vm_real z, vm_real p)
 /* R_J(x, y, z, p), Carlson's integral of the third kind, for x, y, z >= 0. It is symmetric in x, y, z. For p > 0 the
    error is at most 8 ulp where no argument is more than 1e16 times another one, and at most 16 ulp elsewhere. For p < 0
    R_J is Cauchy's principal value, which has zeros: its error is at most 16 eps of R_J(x, y, z, |p|). R_J is infinite
-   if p = 0 or two of x, y, z are 0, 0 if an argument is infinite, and NaN if x, y or z is negative or if one argument
-   is more than 1e307 times (float 1e37) another one that is not 0. DLMF 19.16.2. */
+   if p = 0 or if two of x, y, z are 0. It is 0 if an argument is infinite. It is NaN if x, y or z is negative, or if
+   one argument is more than 1e307 times (float 1e37) another one that is not 0. DLMF 19.16.2. */
 VM_API vm_real jacobi_RJ(vm_real x, vm_real y, vm_real z, vm_real p)
 {
     const vm_real top = vmi_larger(vmi_larger(x, y), z), largest = vmi_larger(top, VM_FABS(p));

@@ -163,7 +163,7 @@ VM_API int vm_broken_rotor_polar_rhs(vm_real t, const vm_real *y, vm_real *dydt,
     return 0;
 }
 
-/* Convert the state {x, y, psi, x', y', psi'} of a rotor to its polar state.
+/* Converts the state {x, y, psi, x', y', psi'} of a rotor to its polar state.
    The polar state is {r, phi, psi, r', phi', psi'}. `y` and `polar` may be the same array. Returns VM_BAD_ARGUMENT for
    a null pointer, VM_NOT_FINITE, VM_DOMAIN if r is 0, and VM_OK otherwise. */
 VM_API int vm_broken_rotor_to_polar(const vm_real *y, vm_real *polar)
@@ -188,7 +188,7 @@ VM_API int vm_broken_rotor_to_polar(const vm_real *y, vm_real *polar)
     return vmi_copy_if_finite(VM_BROKEN_ROTOR_STATES, p, polar);
 }
 
-/* Convert the polar state {r, phi, psi, r', phi', psi'} of a rotor to {x, y, psi, x', y', psi'}.
+/* Converts the polar state {r, phi, psi, r', phi', psi'} of a rotor to {x, y, psi, x', y', psi'}.
    `y` and `polar` may be the same array. Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_DOMAIN if r is
    not positive, and VM_OK otherwise. */
 VM_API int vm_broken_rotor_from_polar(const vm_real *polar, vm_real *y)

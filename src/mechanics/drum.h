@@ -373,9 +373,9 @@ VM_API vm_real vmi_drum_start(vm_real a, vm_real b)
 
 /* Angle of the drum on a rigid shaft after t >= 0 seconds, rad.
    This is the inverse of vm_drum_time, computed by Newton's method in two words. It needs no branch of Lambert's W.
-   For the accuracy, the results NaN and the letters J0, Omega_b, e, j see vm_drum_rate. The method uses x, y, a, b, f:
-   x = e phi/(J0 Omega_b), y = ln(1 + x), a = e t/J0, b = j Omega_b t/J0, f = phi/(Omega_b t). Its unknown is p = y/a,
-   for which the equation of vm_drum_time becomes
+   The comment of vm_drum_rate says how accurate the result is and when it is NaN, and explains the letters J0,
+   Omega_b, e, j. The method uses x, y, a, b, f: x = e phi/(J0 Omega_b), y = ln(1 + x), a = e t/J0, b = j Omega_b
+   t/J0, f = phi/(Omega_b t). Its unknown is p = y/a, for which the equation of vm_drum_time becomes
      p + b f^2 (x - y)/x^2 = 1,   where x = exp(y) - 1 and f = p x/y.
    The left side is a convex function of p with the positive slope 1 + b f. Therefore the method converges from any
    start value. */

@@ -260,8 +260,8 @@ VM_API int vm_flow_given_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *f
    and the kinetic energy that the streams have taken out of the body, minus those that the outer loads have put in.
    The sum of an integral and the corresponding quantity of the body stays constant. (There are two exceptions if a
    stream has a store: the body's angular momentum is then y[VM_Y_H] + r x p, and the energy does not balance.)
-   The rate T' of the kinetic energy is the limit of (113), (118), which hold for sudden changes, for a continuous
-   stream with M' > 0 or M' < 0. With the letters of the equations at the top of mechanics/flow.h:
+   (113) and (118) give the change of the kinetic energy T by a sudden change of mass. Their limit for a continuous
+   stream, with M' > 0 or M' < 0, is the rate T'. With the letters of the equations at the top of mechanics/flow.h:
      T' = F v + M_S omega + sum [M' u^2 + omega2 M' kappa omega2]/2 - sum [M' w^2 + omega_r M' kappa omega_r]/2,
      w = u - v - omega x d, omega_r = omega2 - omega.
    The first sum is the power that the streams bring. The second sum, with its minus sign, is the power of engines

@@ -15,10 +15,10 @@
 #include "../base/real.h"
 #include "vectors.h"
 
-/* Add the generalized forces of a force and a moment: Q_i += force.dr/dq_i + moment.domega/dq'_i (235). dr_or_NULL[i]
-   is dr/dq_i, the derivative of the point r at which the force acts with respect to the coordinate q_i.
-   domega_or_NULL[i] is domega/dq'_i, the derivative of the body's angular velocity omega with respect to the rate q'_i.
-   These arrays and Q have n entries. A NULL array means that its term is 0. If Q is NULL, nothing is done.
+/* Adds the generalized forces of a force and a moment: Q_i += force.dr/dq_i + moment.domega/dq'_i (235).
+   dr_or_NULL[i] is dr/dq_i, the derivative of the point r at which the force acts with respect to the coordinate q_i.
+   domega_or_NULL[i] is domega/dq'_i, the derivative of the body's angular velocity omega with respect to the rate
+   q'_i. These arrays and Q have n entries. A NULL array means that its term is 0. If Q is NULL, nothing is done.
 
    External loads are given by their resultant force and their moment about r. A stream with the mass rate M' (kg/s),
    the velocity u and the angular velocity omega2 is given by the force M' u at the point where the mass enters or

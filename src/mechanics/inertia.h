@@ -113,7 +113,7 @@ VM_API int vmi_inertia_is_within(const vm_inertia *i, vm_real slack)
     return z - yz / y * yz > 0;
 }
 
-/* Test whether a body can have this inertia. Returns 1 if it can. Returns 0 if it cannot, and also for NaN and for a
+/* Tests whether a body can have this inertia. Returns 1 if it can. Returns 0 if it cannot, and also for NaN and for a
    null pointer. The principal moments of a body are not negative, and none is larger than the sum of the other two. A
    violation of these rules by up to 32 eps of the trace counts as a rounding error. Rods and points count as bodies. */
 VM_API int vm_inertia_is_possible(const vm_inertia *inertia)
@@ -254,7 +254,8 @@ VM_API vm_vec3 vmi_spin_of(const vmi_principal *p, vm_vec3 h)
 
 /* Solves i omega = h for the angular velocity *omega, with the inertia i, its principal axes *p and the angular
    momentum h. About an axis with zero moment (of a rod or a point), *omega keeps the component of `before`, and no body
-   can have angular momentum. Returns 1 if the component of h along such an axis exceeds noise, else 0. */
+   can have angular momentum. Returns 1 if the component of h along such an axis exceeds the argument `noise`, else
+   0. */
 VM_API int vmi_solve_spin(const vm_inertia *i, const vmi_principal *p, vm_vec3 h, vm_real noise, vm_vec3 before,
                           vm_vec3 *omega)
 {

@@ -276,9 +276,9 @@ VM_API int vm_attach(const vm_body *body, const vm_body *added, const vm_impulse
     return vmi_jump(body, 1, added, VMI_ATTACH, external_or_NULL, whole);
 }
 
-/* Separation of n parts from a body at once: *rest is what remains. Except for rounding errors, n calls of vm_separate
-   in turn give the same result. With n = 0 only the impulse acts on the body. The statuses are those of vm_separate,
-   and VM_BAD_ARGUMENT for n < 0. */
+/* Separation of n parts from a body at once: *rest is what remains. Except for rounding errors, n calls of
+   vm_separate, one after the other, give the same result. With n = 0 only the impulse acts on the body. The statuses
+   are those of vm_separate, and VM_BAD_ARGUMENT for n < 0. */
 VM_API int vm_separate_all(const vm_body *whole, int n, const vm_body *parts, const vm_impulse *external_or_NULL,
                            vm_body *rest)
 {
@@ -286,8 +286,8 @@ VM_API int vm_separate_all(const vm_body *whole, int n, const vm_body *parts, co
 }
 
 /* Attachment of n bodies to a body at once: *whole is all of them together. Except for rounding errors, n calls of
-   vm_attach in turn give the same result. With n = 0 only the impulse acts on the body. The statuses are those of
-   vm_attach, and VM_BAD_ARGUMENT for n < 0. */
+   vm_attach, one after the other, give the same result. With n = 0 only the impulse acts on the body. The statuses
+   are those of vm_attach, and VM_BAD_ARGUMENT for n < 0. */
 VM_API int vm_attach_all(const vm_body *body, int n, const vm_body *added, const vm_impulse *external_or_NULL,
                          vm_body *whole)
 {
@@ -333,7 +333,7 @@ VM_API int vm_combine_inertia(vm_real mass_a, const vm_inertia *a, vm_real mass_
     return vmi_joined_inertia(mass_a, a, VMI_ATTACH, mass_b, b, d, whole, centre);
 }
 
-/* Inertia of a body without a part, about the mass centre of what is left: (13)-(15), (40). It undoes
+/* Inertia of a body without a part, about the mass centre of the rest: (13)-(15), (40). It undoes
    vm_combine_inertia. d (m) leads from the mass centre of the whole to that of the part. The result *centre (m) leads
    from the mass centre of the whole to that of the rest. The statuses are those of vm_combine_inertia. */
 VM_API int vm_split_inertia(vm_real mass, const vm_inertia *whole, vm_real part_mass, const vm_inertia *part,

@@ -130,17 +130,17 @@ VM_API int vm_attach2(const vm_body2 *body, const vm_body2 *added, const vm_impu
 }
 
 /* Separation of n parts from a body at once, in the plane: *rest is what remains. Except for rounding errors, n calls
-   of vm_separate2 in turn give the same result. With n = 0 only the impulse acts on the body. The statuses are those of
-   vm_separate2, and VM_BAD_ARGUMENT for n < 0. */
+   of vm_separate2, one after the other, give the same result. With n = 0 only the impulse acts on the body. The
+   statuses are those of vm_separate2, and VM_BAD_ARGUMENT for n < 0. */
 VM_API int vm_separate_all2(const vm_body2 *whole, int n, const vm_body2 *parts,
                             const vm_impulse2 *external_or_NULL, vm_body2 *rest)
 {
     return vmi_jump2(whole, n, parts, VMI_SEPARATE, external_or_NULL, rest);
 }
 
-/* Attachment of n bodies to a body at once, in the plane: *whole is all of them together. Except for rounding errors, n
-   calls of vm_attach2 in turn give the same result. With n = 0 only the impulse acts on the body. The statuses are
-   those of vm_attach2, and VM_BAD_ARGUMENT for n < 0. */
+/* Attachment of n bodies to a body at once, in the plane: *whole is all of them together. Except for rounding errors,
+   n calls of vm_attach2, one after the other, give the same result. With n = 0 only the impulse acts on the body. The
+   statuses are those of vm_attach2, and VM_BAD_ARGUMENT for n < 0. */
 VM_API int vm_attach_all2(const vm_body2 *body, int n, const vm_body2 *added, const vm_impulse2 *external_or_NULL,
                           vm_body2 *whole)
 {

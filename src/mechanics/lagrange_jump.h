@@ -29,7 +29,7 @@
 /* Length of the array `work` for n generalized velocities */
 #define VM_LAGRANGE_WORK(n) ((n) * ((n) + 2))
 
-/* Add a body's share to the mass matrix of the kinetic energy T = qdot^T matrix qdot/2.
+/* Adds the share of a body to the mass matrix of the kinetic energy T = qdot^T matrix qdot/2.
    dr and turn have n vectors: dr[i] = dv/dqdot_i and turn[i] = domega/dqdot_i. v is the velocity of the body's mass
    centre, and omega the body's angular velocity. If dr or turn is NULL, its term is 0. If body or matrix is NULL,
    nothing is done. */
@@ -54,7 +54,7 @@ VM_API void vm_lagrange_mass(int n, const vm_body *body, const vm_vec3 *dr_or_NU
     }
 }
 
-/* Add to p the generalized momentum of a body.
+/* Adds to p the generalized momentum of a body.
    It is that of the velocity body->v and the angular velocity body->omega. p has n numbers. dr and turn are those of
    vm_lagrange_mass. If dr or turn is NULL, its term is 0. If body or p is NULL, nothing is done. */
 VM_API void vm_lagrange_momentum(int n, const vm_body *body, const vm_vec3 *dr_or_NULL, const vm_vec3 *turn_or_NULL,
@@ -64,7 +64,7 @@ VM_API void vm_lagrange_momentum(int n, const vm_body *body, const vm_vec3 *dr_o
     vm_lagrange_add_force(n, vm_momentum(body), dr_or_NULL, vmi_spin_momentum(body), turn_or_NULL, p);
 }
 
-/* Add to p the generalized impulse (95) of an impulse on a body with the mass centre r.
+/* Adds to p the generalized impulse (95) of an impulse on a body with the mass centre r.
    r is in m, in inertial axes. The moment of the impulse is taken about r; equation (23a) does not name the point. p
    has n numbers. dr and turn are those of vm_lagrange_mass. If dr or turn is NULL, its term is 0. If impulse or p is
    NULL, nothing is done. */

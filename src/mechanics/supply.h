@@ -33,7 +33,7 @@
 enum {
     VM_TANK_OF_LIQUID = 0, /* constant density; the tank empties from the lower end, and its surface stays normal to the
                               axis. The liquid turns with the tank */
-    VM_TANK_OF_GAS = 1,    /* constant volume; the density falls everywhere alike */
+    VM_TANK_OF_GAS = 1,    /* constant volume; the density is the same everywhere, and falls */
     VM_GRAIN = 2           /* constant density; a hollow cylinder that burns from its bore outwards, not at its ends */
 };
 
@@ -102,7 +102,7 @@ VM_API void vmi_supply_liquid(const vm_supply *s, vm_vec3 e, vm_supply_left *lef
 }
 
 /* Writes to *left what is left of a tank of gas or of a grain. The square of the bore is that of the text at the top;
-   it is 0 for gas, which leaves everywhere alike. */
+   it is 0 for gas, whose density is the same everywhere. */
 VM_API void vmi_supply_hollow(const vm_supply *s, vm_vec3 e, vm_supply_left *left)
 {
     const vm_real m = left->mass, square = s->radius * s->radius, rod = s->length * s->length / 12;

@@ -126,7 +126,7 @@ VM_API void vmi_osc_closed_mean_init(vmi_osc_closed_mean *c, const vmi_osc_reduc
    |p| < 0.42, e^x - 1 is 2^k p + (2^k - 1). */
 VM_API vm_real vmi_exp_and_ratio(vm_real x, vm_real *ratio)
 {
-    const vm_real largest = VM_MANT_DIG > 24 ? 1400 : 180; /* for |x| beyond it e^x is infinite or 0 */
+    const vm_real largest = VM_MANT_DIG > 24 ? 1400 : 180; /* for a larger |x|, e^x is infinite or 0 */
     const vm_real inside = vmi_smaller(vmi_larger(x, -largest), largest);
     vm_real p_lo, p, scale;
     int k;
@@ -264,8 +264,8 @@ VMI_APART void vmi_osc_closed_begin(vm_osc_closed *c, int order, const vmi_osc_c
 }
 
 /* Prepares the motion of the problem by the law of an order, 2 to 5; a higher order is more accurate. c->error holds
-   for times between 0 and t_end, s, of either sign. The problem is not needed any more afterwards. An error leaves *c
-   untouched; it returns
+   for times between 0 and t_end, s, of either sign. Afterwards *c does not need the problem any more. After an error
+   *c is unchanged. The errors are
      VM_BAD_ARGUMENT for null pointers, another order, and a law that no constructor made,
      VM_NOT_FINITE for a number that is infinite or NaN,
      VM_BAD_MASS or VM_BAD_STIFFNESS for a law that is not positive at 0 or t_end,

@@ -3,8 +3,8 @@
    Chapter 8 of the dissertation leaves this problem to the future. Mass m, stiffness k, and the frequency nu and
    amplitude F of the force may vary slowly; b is the damping, r the share of the reactive force (`reactive`):
        m x'' + k x|x|^(alpha-1) = -(r m' + b) x' + F cos(theta),   theta' = nu
-   Here are the equation of motion, the exact equations of amplitude and phase, and the averaged ones near the main
-   resonance. Steady vibrations, resonance curves and the passage through the resonance are in resonance.h.
+   This file has the equation of motion, the exact equations of amplitude and phase, and the averaged ones near the
+   main resonance. Steady vibrations, resonance curves and the passage through the resonance are in resonance.h.
 
        vm_forced f;
        memset(&f, 0, sizeof f);
@@ -112,10 +112,10 @@ VM_API void vmi_forced_fourier(vm_forced *f)
     }
 }
 
-/* Prepare an excited oscillator: check its fields at t = 0, and write pi, Om1, G, c and s. All other functions need
-   this call. Returns VM_BAD_ARGUMENT for a null pointer or a law that no constructor made, VM_NOT_FINITE for a number
-   that is infinite or NaN, VM_BAD_MASS or VM_BAD_STIFFNESS for a mass or a stiffness that is not positive, VM_DOMAIN
-   for alpha < 0 or a frequency that is not positive, and VM_OK otherwise. An error leaves f as it was. */
+/* Prepares an excited oscillator: checks its fields at t = 0, and writes pi, Om1, G, c and s. All other functions
+   need this call. Returns VM_BAD_ARGUMENT for a null pointer or a law that no constructor made, VM_NOT_FINITE for a
+   number that is infinite or NaN, VM_BAD_MASS or VM_BAD_STIFFNESS for a mass or a stiffness that is not positive,
+   VM_DOMAIN for alpha < 0 or a frequency that is not positive, and VM_OK otherwise. An error leaves f as it was. */
 VM_API int vm_forced_init(vm_forced *f)
 {
     vmi_forced_parameters now;

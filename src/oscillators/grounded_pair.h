@@ -4,9 +4,9 @@
    between them: a system of two degrees of freedom for which averaged equations exist, because each body without the
    coupling vibrates as an oscillator of one degree. For i = 0 and 1, where o is the other body:
        m_i x_i'' + k_i x_i|x_i|^(alpha_i-1) = -(r_i m_i' + b_i) x_i' + kappa (x_o - x_i) + c (x_o' - x_i')
-   m_i and k_i may vary slowly. Here are the equations of motion, the averaged equations for amplitudes and phases,
-   and the maps to and from the motion. Bodies that have no springs to the ground, on which the coupling may be
-   strong, are in coupled_pair.h.
+   m_i and k_i may vary slowly. This file has the equations of motion, the averaged equations for amplitudes and
+   phases, and the maps to and from the motion. Bodies that have no springs to the ground, on which the coupling may
+   be strong, are in coupled_pair.h.
 
        vm_grounded_pair p;
        memset(&p, 0, sizeof p);
@@ -83,7 +83,7 @@ VM_API int vmi_grounded_at(const vm_grounded_pair *p, vm_real t, vmi_grounded_no
     return VM_OK;
 }
 
-/* Prepare a pair of coupled oscillators: check it at t = 0 and write the constants of the averaged equations.
+/* Prepares a pair of coupled oscillators: checks it at t = 0 and writes the constants of the averaged equations.
    All other functions need this call. Returns VM_BAD_ARGUMENT for a null pointer, a law that no constructor made, or
    `vibrations` that are neither both 0 nor both from 1 to 9, VM_NOT_FINITE for a number that is infinite or NaN,
    VM_BAD_MASS or VM_BAD_STIFFNESS for a mass or a stiffness that is not positive, VM_DOMAIN for alpha < 0, and VM_OK

@@ -6,8 +6,8 @@
    after (516). Mass joins or leaves with the velocity u; r is the fraction of its full reactive force m' (u - z')
    that acts on the disc. F_z is an external force. The equation of motion is
        m z'' + z K_e(|z|) - 2 i g z' = F_z + r m' (u - z')
-   Here are the equation of motion, averaged equations for a weak nonlinearity (460)-(473), averaged equations for
-   nearly circular motion with any nonlinearity (491)-(507), and the law of the radius (509).
+   This file has the equation of motion, averaged equations for a weak nonlinearity (460)-(473), averaged equations
+   for nearly circular motion with any nonlinearity (491)-(507), and the law of the radius (509).
 
        vm_power_force cubic = {1, 3}; // F_e = rho^3
        vm_jeffcott rotor;
@@ -331,7 +331,7 @@ VM_API vm_real vmi_jeffcott_root(vm_real gyro, vm_real mass, vm_real stiffness, 
 }
 
 /* Frequency W of circular whirl of radius A, rad/s. By the corrected remark after (516), W solves m W^2 - 2 g W =
-   K_e(A). Forward whirl has W > 0; sense >= 0 asks for it. Backward whirl has W < 0; sense < 0 asks for it. A >= 0 is
+   K_e(A). Forward whirl, for sense >= 0, has W > 0. Backward whirl, for sense < 0, has W < 0. A >= 0 is
    in m, mass > 0 in kg. The relative error is at most 8 eps (eps is the machine epsilon), apart from the error of the
    stiffness. Returns NaN for null pointers, for a rotor without stiffness, and for arguments outside the domain. */
 VM_API vm_real vm_jeffcott_frequency(const vm_jeffcott *r, vm_real A, vm_real mass, int sense)

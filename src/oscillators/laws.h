@@ -137,10 +137,11 @@ VM_API int vmi_law_at(const vm_law *law, int if_not_positive, vm_real t, vm_real
 }
 
 /* Value f and rate df/dt of a law at time t (s), which may be negative. At the points of a table f is within 4 eps of
-   the value in the table, where eps is the machine epsilon. f may have any sign, since a law does not know whether it
-   is the law of a mass. Returns VM_BAD_ARGUMENT for null pointers and for a law that no constructor made, VM_NOT_FINITE
-   where t or a result is infinite or NaN, and VM_DOMAIN where the law has no value: for t outside a table, for a power
-   law where 1 + f1 t <= 0, and where the user's function fails. An error leaves *f and *rate untouched. */
+   the value in the table, where eps is the machine epsilon. f may have any sign, since the function does not know
+   whether the law is that of a mass. Returns VM_BAD_ARGUMENT for null pointers and for a law that no constructor
+   made, VM_NOT_FINITE where t or a result is infinite or NaN, and VM_DOMAIN where the law has no value: for t outside
+   a table, for a power law where 1 + f1 t <= 0, and where the user's function fails. An error leaves *f and *rate
+   untouched. */
 VM_API int vm_law_at(const vm_law *law, vm_real t, vm_real *f, vm_real *rate)
 {
     vm_real value, slope;

@@ -65,8 +65,9 @@ struct VM_TAG(vmi_orbit) {
     const vm_odd_force *force;
     vm_real size;              /* amplitude, m, if the orbit lies around 0; else half the difference of the largest and
                                   the smallest x^2, m^2 */
-    int place;                 /* around 0 or at one side of it, one of VMI_ORBIT_... */
-    vm_real span;              /* the phase between theta = 0 and theta = pi/2: pi/2 around 0, else pi */
+    int place;                 /* where the orbit lies: around 0, or at one side of it; one of VMI_ORBIT_... */
+    vm_real span;              /* by how much the phase grows between theta = 0 and theta = pi/2: pi/2 for an orbit
+                                  around 0, else pi */
     vm_real w, j;              /* rate of the phase, 1/s, and action */
     vm_real energy_slope;      /* derivative of the energy with respect to `size` */
     vm_real swing, vmax;       /* half the distance of the turning points, m, and largest velocity, m/s */

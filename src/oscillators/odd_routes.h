@@ -293,8 +293,8 @@ VM_API int vmi_odd_is_known(const vm_odd_plan *p, int route, vm_real t, vm_odd_m
 /* Motion under an odd elastic force at time t (s, within the plan's reach) by a given route VM_ODD_....
    motion->error estimates the larger of |error of x|/swing and |error of v|/vmax; it is infinite where the averaged
    solution is far off. The tolerance is for VM_ODD_RK87 only; 0 means 1e-6 (float 1e-3). Returns VM_OK, or
-   VM_TOLERANCE_MISSED where the integration is less accurate than asked for. An error leaves *motion untouched; it
-   returns
+   VM_TOLERANCE_MISSED where the integration is less accurate than asked for. After an error *motion is unchanged. The
+   errors are
      VM_BAD_ARGUMENT for null pointers or a route that does not exist,
      VM_NOT_FINITE for a number that is infinite or NaN,
      VM_BAD_MASS or VM_BAD_STIFFNESS for a law that is not positive between 0 and t,

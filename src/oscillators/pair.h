@@ -3,9 +3,9 @@
    Two bodies of equal mass m(t), with coordinates x and y on a line and a spring between them (517), (518):
        m x'' = -k (x - y)|x - y|^(alpha-1) - r m' x',   m y'' = k (x - y)|x - y|^(alpha-1) - r m' y'
    k is the stiffness of the spring, r the share of the reactive force (`reactive`). The sum q = x + y drifts, and the
-   difference p = y - x vibrates with the amplitude A and the Ateb phase psi, whose rate is Om, (520)-(522). Here are
-   the equations of motion, the averaged equations of both modes, and the motion in closed form for a linear mass (528),
-   (529).
+   difference p = y - x vibrates with the amplitude A and the Ateb phase psi, whose rate is Om, (520)-(522). This file
+   has the equations of motion, the averaged equations of both modes, and the motion in closed form for a linear mass
+   (528), (529).
 
        vm_real y[4] = {1, 3, 0, 0}; // x, y, x', y'
        vm_pair p;

@@ -2,9 +2,9 @@
 
    The oscillator of forced.h under a force F g(theta) with theta' = nu, where the shape g has the period 2 pi:
        m x'' + k x|x|^(alpha-1) = -(r m' + b) x' + F g(theta),   g = sum over n of a_n cos(n theta) + b_n sin(n theta)
-   for n = 0 to 9. Here are the equation of motion, the exact equations of amplitude and phase, the averaged equations
-   near a resonance, and the steady vibrations with their stability. The dissertation leaves this problem to the
-   future.
+   for n = 0 to 9. This file has the equation of motion, the exact equations of amplitude and phase, the averaged
+   equations near a resonance, and the steady vibrations with their stability. The dissertation leaves this problem to
+   the future.
 
        vm_periodic p;
        memset(&p, 0, sizeof p);
@@ -65,7 +65,7 @@ VM_API int vmi_periodic_at(const vm_periodic *p, vm_real t, vmi_forced_parameter
     return status;
 }
 
-/* Prepare an oscillator under a periodic force: check it at t = 0, and prepare its field `oscillator`. All other
+/* Prepares an oscillator under a periodic force: checks it at t = 0, and prepares its field `oscillator`. All other
    functions need this call. Returns the statuses of vm_forced_init, VM_BAD_ARGUMENT also where `vibrations` or
    `periods` is not from 1 to 9, and VM_NOT_FINITE also for a coefficient that is infinite or NaN. An error leaves *p
    as it was. */
@@ -79,7 +79,7 @@ VM_API int vm_periodic_init(vm_periodic *p)
     return vm_forced_init(&p->oscillator);
 }
 
-/* Set the shape of a periodic force from n samples g[i] = g(2 pi i/n) over one period. Writes the fields cosine and
+/* Sets the shape of a periodic force from n samples g[i] = g(2 pi i/n) over one period. Writes the fields cosine and
    sine of *p, and no other. Harmonics of an order below n/2, up to the ninth, are computed; the others become 0. The
    result is exact but for rounding where g has no harmonics of an order >= n/2. The samples may be those of ca, of
    Jacobi's cn or of a rectangle; higher harmonics than the ninth excite the vibration little. The cost is that of 9 n

@@ -168,7 +168,8 @@ VM_API int vmi_osc_at_rest(const vm_osc_plan *p, int route, vm_osc_motion *motio
    motion->error estimates the larger of |error of x|/A and |error of v|/vmax. Routes that integrate keep the part of
    this error that comes from the integration within the tolerance; a tolerance of 0 means 1e-6 (float 1e-3). A comment
    at the start of oscillators/routes.h says what a route costs. Returns VM_OK, or VM_TOLERANCE_MISSED where x and v are
-   computed but the error of integration is larger than the tolerance. An error leaves *motion untouched; it returns
+   computed but the error of integration is larger than the tolerance. After an error *motion is unchanged. The errors
+   are
      VM_BAD_ARGUMENT for null pointers or a route that does not exist,
      VM_NOT_FINITE for a number that is infinite or NaN,
      VM_BAD_MASS or VM_BAD_STIFFNESS for a law that is not positive between 0 and t,
@@ -177,7 +178,8 @@ VM_API int vmi_osc_at_rest(const vm_osc_plan *p, int route, vm_osc_motion *motio
      VM_NO_LAW for the laws of orders 2 to 5 with F, and for F on a body at rest at x = 0,
      VM_NOT_INTEGRATED where amplitude and phase do not describe the motion, for collocation only,
      VM_NOT_INTEGRATED where the integrator gives up, or would need too many steps: more than 2^13 a period plus four
-       times what its longest step asks for, or more than 2^23 of the present periods. Thus every call ends. */
+       times the number that its longest step makes necessary, or a time of more than 2^23 of the present periods.
+   Thus every call ends. */
 VM_API int vm_osc_plan_by_route(const vm_osc_plan *p, int route, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
     vmi_osc_route entry;

@@ -1,6 +1,6 @@
-/* oscillators/slow.h - laws that oscillators with slowly varying mass share
+/* oscillators/slow.h - laws of amplitude that all oscillators with a slowly varying mass share
 
-   Here are, in closed form, the amplitude and the largest velocity of an oscillator
+   This file has, in closed form, the amplitude and the largest velocity of an oscillator
        m x'' + k x|x|^(alpha-1) = -(r m' + b) x'
    whose mass m(t) varies slowly, that is little within a period: (325), (326), (344), (364), (367), (389), (395).
    The chapters on Van der Pol's oscillator, on the rotor, on two bodies and on harmonic excitation build on this file.

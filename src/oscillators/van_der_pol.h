@@ -94,10 +94,10 @@ VM_API int vmi_vdp_check(const vm_vdp *v)
     return VM_OK;
 }
 
-/* Prepare a Van der Pol oscillator: check alpha, k, feed, c, reactive and method, and write a1, a2, a3 (411)-(413).
-   The functions below need it; the mass may be set and changed later. The mean values are within 20 eps. Returns
-   VM_BAD_ARGUMENT for a null pointer or an unknown method, VM_NOT_FINITE for a number that is infinite or NaN,
-   VM_BAD_STIFFNESS for k <= 0, VM_DOMAIN for alpha < 0, and VM_OK otherwise. An error leaves v as it was. */
+/* Prepares a Van der Pol oscillator: checks alpha, k, feed, c, reactive and method, and writes a1, a2, a3
+   (411)-(413). The functions below need it; the mass may be set and changed later. The mean values are within 20 eps.
+   Returns VM_BAD_ARGUMENT for a null pointer or an unknown method, VM_NOT_FINITE for a number that is infinite or
+   NaN, VM_BAD_STIFFNESS for k <= 0, VM_DOMAIN for alpha < 0, and VM_OK otherwise. An error leaves v as it was. */
 VM_API int vm_vdp_init(vm_vdp *v)
 {
     int status;

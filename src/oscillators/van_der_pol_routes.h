@@ -143,8 +143,8 @@ VM_API int vmi_vdp_check_call(const vm_vdp_plan *p, vm_real t, vm_real *toleranc
    VM_ROUTE_RK87. motion->error estimates the larger of |error of x|/A and |error of v|/vmax, where vmax is the largest
    velocity at the amplitude A; it is infinite where the law does not hold. The routes that integrate keep it within the
    tolerance, where 0 means 1e-6 (float 1e-3); the law does not use the tolerance. Returns VM_OK, or
-   VM_TOLERANCE_MISSED where x and v are computed but the error of integration is larger than the tolerance. An error
-   leaves *motion untouched; it returns
+   VM_TOLERANCE_MISSED where x and v are computed but the error of integration is larger than the tolerance. After an
+   error *motion is unchanged. The errors are
      VM_BAD_ARGUMENT for null pointers or a route that is not one of the five,
      VM_NOT_FINITE for a number that is infinite or NaN, and for the law where the amplitude becomes infinite before t,
      VM_BAD_MASS or VM_BAD_STIFFNESS for a law that is not positive between 0 and t,

@@ -47,8 +47,8 @@ typedef struct VM_TAG(vmi_vdp_mean) {
     vm_real segment;              /* time, s, of the last point of a table before t, or 0; the mass is smooth since
                                      then */
     vmi_osc_slow now;             /* mass, stiffness and rates at t; set at the end of a walk only */
-    vm_real J_error;              /* what order two leaves out of ln J at starts of the mean motion, as far as it has
-                                     not died out at t */
+    vm_real J_error;              /* error of ln J that order two makes at starts of the mean motion; only the part
+                                     that has not died out at t */
     vm_real psi_error;            /* what order two leaves out of psi */
     vm_real J_third, psi_third;   /* what order three leaves out: only those terms that depend on feed and mass alone */
     vm_real ratio;                /* largest ratio at a start of the terms of one order to the terms of the order
@@ -272,8 +272,8 @@ typedef struct VM_TAG(vmi_vdp_panel) {
     vm_real loss;                         /* factor by which an error of ln J changes over the panel */
     vm_real rounding;                     /* size of the terms of E_0 that rounding errors of p cause, see
                                              vmi_vdp_rounding */
-    vm_real kept;                         /* integral of this factor over the phase, where the factor is taken from the
-                                             start to each phase */
+    vm_real kept;                         /* integral over the phase of the factor by which an error of ln J changes
+                                             from the panel's start to this phase */
 } vmi_vdp_panel;
 
 /* Mean values at the points of Gauss' rule of a panel */

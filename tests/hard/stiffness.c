@@ -220,7 +220,7 @@ static const hard_case stiffness_cases[] = {
     CASE(vdp_end, 16, "amplitude of a Van der Pol oscillator with a large feed whose mass goes to 0", 4,
          R(0.9999999, 0.9999)),
     CASE(drum_end, 8, "time until a drum has nearly stopped, by fixed steps", 0.3, 0.7, 0.205, R(19.9999999, 19.999)),
-    CASE(drum_end, 8, "time until a drum is still closer to its stop, by fixed steps",
+    CASE(drum_end, 8, "time until a drum is even closer to its stop, by fixed steps",
          0.25, 0.5, 0.3125, R(7.9999999999, 7.99999)),
     CASE(light_mass, 8, "a mass of 1e-6 on a spring: 1000 steps of rk4 are 6 a period", 1000, 3),
     CASE(light_mass, 8, "a mass of 1e-10 on a spring: the steps of rk4 are longer than a period", 1e5, 3),
