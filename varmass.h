@@ -22454,8 +22454,8 @@ VM_INLINE void vmi_scene_evaluate(vm_scene *s, vm_real t, const vm_real *y)
     }
 }
 
-/* Computes the loads for a caller that needs the masses. Returns VM_OK, or where the mass of a body that is present is
-   not finite, the reason, which s->status keeps: the status of the effect that could not act, or VM_NOT_FINITE. */
+/* Computes the loads for a caller that needs the masses. Returns VM_OK, or where the mass of a present body is not
+   finite, the reason, which s->status keeps: the status of the effect that could not act, or VM_NOT_FINITE. */
 VM_API int vmi_scene_weigh(vm_scene *s, vm_real t, const vm_real *y)
 {
     const int before = s->status;
@@ -24710,8 +24710,8 @@ VM_API int vmi_scene_check_run(const vm_scene *s, const vm_real *t, vm_real t_en
                            if a jump is impossible;
      VM_STEP_TOO_SMALL, VM_MAX_STEPS   if the integrator failed; its own status is in scene.ode_status;
      any other negative number         that an event's function (vm_then_user) returned. This event counts as handled.
-   Another call goes on from *t, with the events of this instant that were not handled. An event whose action needs the
-   masses while a mass law fails is not handled, or half: the next call does what is left of its action. */
+   Another call goes on from *t, with the events of this instant that were not handled. An event whose action needs
+   the masses while a mass law fails is not handled, or half: the next call does what is left of its action. */
 VM_API int vm_scene_run(vm_scene *scene, vm_real *t, vm_real t_end, vm_real *y, vm_real *work,
                         const rk45_options *options_or_NULL)
 {

@@ -1,5 +1,5 @@
-/* faults_masses.h - scenes whose mass laws and forces fail at every call, also at those of events, jumps, budgets, and
-   the start; and functions of a user in further effects */
+/* faults_masses.h - scenes whose mass laws fail at every call, also at those of events, jumps, budgets and the start;
+   and functions of a user in further effects */
 #ifndef FAULTS_MASSES_H
 #define FAULTS_MASSES_H
 

@@ -48,8 +48,8 @@ VM_INLINE void vmi_scene_evaluate(vm_scene *s, vm_real t, const vm_real *y)
     }
 }
 
-/* Computes the loads for a caller that needs the masses. Returns VM_OK, or where the mass of a body that is present is
-   not finite, the reason, which s->status keeps: the status of the effect that could not act, or VM_NOT_FINITE. */
+/* Computes the loads for a caller that needs the masses. Returns VM_OK, or where the mass of a present body is not
+   finite, the reason, which s->status keeps: the status of the effect that could not act, or VM_NOT_FINITE. */
 VM_API int vmi_scene_weigh(vm_scene *s, vm_real t, const vm_real *y)
 {
     const int before = s->status;
