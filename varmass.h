@@ -20500,6 +20500,10 @@ struct VM_TAG(vm_effect) {
     const void *parts; /* what the caller keeps for the effect: a vm_point_spring, vm_contact or vm_joints */
 };
 
+/* What a failing mass law leaves of the action of an event: nothing, the whole action, or its last part, which adjusts
+   masses to a change that is made */
+enum { VMI_LEFT_NOTHING = 0, VMI_LEFT_ALL, VMI_LEFT_MASSES };
+
 /* What a jump event does */
 enum { VMI_JUMP_NONE = 0, VMI_JUMP_SEPARATES, VMI_JUMP_ATTACHES };
 
@@ -20546,6 +20550,11 @@ struct VM_TAG(vm_event) {
     const void *parts; /* what the caller keeps for the event: a vm_contact */
     vm_event *actions; /* NULL, or the array of n_actions events whose actions this event does (vm_then_all) */
     int n_actions;
+    /* fields for an action that a failing mass law has interrupted; the next run does the rest of it */
+    int left;        /* VMI_LEFT_...: how much of the action is left */
+    int next_action; /* index of the action of the list that is left */
+    int so_far;      /* status of the actions of the list before it */
+    vm_real energy;  /* J: kinetic energy of all bodies before a jump */
 };
 
 typedef struct VM_TAG(vm_budget) vm_budget;
@@ -21829,13 +21838,14 @@ VM_API vm_effect vm_effect_mass(int body, int kind, vm_real c, vm_real u, vm_rea
 #ifndef VARMASS_SCENES_MASS_OF_TIME_H
 #define VARMASS_SCENES_MASS_OF_TIME_H
 
-/* Gives the body the mass of its law. If the law fails at t, the scene receives the status of the law, and the
-   integrator refuses the step. */
+/* Gives the body the mass of its law. If the law fails at t, the mass is NaN, the scene receives the status of the law,
+   and the integrator refuses the step. */
 VM_API void vmi_apply_mass_of_time(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
     vm_mass_law_values now = {0, 0, 0, 0};
     const int status = vmi_law_at((const vm_law *)e->ctx, VM_BAD_MASS, t, &now.mass, &now.by_t);
     if (status) s->status = status;
+    if (status) e->load->mass = VM_NAN;
     else vmi_scene_apply_law(e, y, s, &now, e->p + VMI_MASS_U, e->p[VMI_MASS_REACTIVE]);
 }
 
@@ -22511,6 +22521,23 @@ VM_INLINE void vmi_scene_evaluate(vm_scene *s, vm_real t, const vm_real *y)
         const vm_effect *e = s->effects + i;
         if (!e->idle) e->apply(e, t, y, s);
     }
+}
+
+/* Computes the loads for a caller that needs the masses. Returns VM_OK, or where the mass of a present body is not
+   finite, the reason, which s->status keeps: the status of the effect that could not act, or VM_NOT_FINITE. */
+VM_API int vmi_scene_weigh(vm_scene *s, vm_real t, const vm_real *y)
+{
+    const int before = s->status;
+    int i;
+    s->status = VM_OK;
+    vmi_scene_evaluate(s, t, y);
+    for (i = 0; i < s->n_bodies; i++) {
+        if (s->bodies[i].away || VM_IS_FINITE(s->bodies[i].load.mass)) continue;
+        if (!s->status) s->status = VM_NOT_FINITE;
+        return s->status;
+    }
+    s->status = before;
+    return VM_OK;
 }
 
 /* The status that says which mass of the load is not positive or not finite, so that the body cannot be accelerated */
@@ -23542,11 +23569,15 @@ VM_API int vmi_scene_place_bodies(vm_scene *s, vm_real *y)
 
 VM_API void vmi_scene_reset_events(vm_scene *s, vm_real t)
 {
-    int i;
+    int i, k;
     for (i = 0; i < s->n_events; i++) {
         vm_event *e = s->events + i;
         e->scene = s;
         e->count = e->seen = 0;
+        e->left = VMI_LEFT_NOTHING;
+        e->next_action = 0;
+        e->so_far = VM_OK;
+        for (k = 0; e->actions && k < e->n_actions; k++) e->actions[k].left = VMI_LEFT_NOTHING;
         if (e->when) e->time = t;
         vmi_scene_locate(s, i);
     }
@@ -23555,7 +23586,8 @@ VM_API void vmi_scene_reset_events(vm_scene *s, vm_real t)
 /* Start of a scene at time t: checks it and fills its state y. y receives vm_scene_size(scene) numbers. Returns
    VM_OK, or a status of vm_scene_check, which writes to *fault_or_NULL where the fault is; VM_BAD_ARGUMENT if y is
    NULL; VM_NOT_FINITE if t is not finite; VM_SHORT_ARRAY if scene.y_size is set and too small. y is unchanged if the
-   start fails. After the start the arrays of the scene must stay where they are. */
+   start fails. If only a mass law fails at t, y is filled, but the scene is not started: the status is that of the law,
+   or VM_NOT_FINITE. After the start the arrays of the scene must stay where they are. */
 VM_API int vm_scene_start(vm_scene *scene, vm_real t, vm_real *y, vm_scene_fault *fault_or_NULL)
 {
     int i, end, status = vm_scene_check(scene, fault_or_NULL);
@@ -23568,8 +23600,12 @@ VM_API int vm_scene_start(vm_scene *scene, vm_real t, vm_real *y, vm_scene_fault
     for (i = 0; i < scene->n_effects; i++) vmi_scene_bind(scene, scene->effects + i);
     vmi_scene_reset_events(scene, t);
     vmi_scene_presence(scene);
-    vmi_scene_evaluate(scene, t, y);
     scene->status = VM_OK;
+    status = vmi_scene_weigh(scene, t, y);
+    if (status) {
+        scene->size = 0; /* not started */
+        return status;
+    }
     if (scene->budget) scene->budget->open(scene, y, y + end);
     return VM_OK;
 }
@@ -23715,18 +23751,21 @@ VM_API void vm_scene_keep_budget(vm_scene *scene, vm_budget *budget_or_NULL)
    since the start, and the defects. Defects come from rounding, from the errors of the integrator, and from
    constraints: a line, an axle and the plane hold a body by reactions, which the supply does not include. Returns
    VM_BAD_ARGUMENT if the scene keeps no budget, a pointer is NULL or a count is negative, VM_NOT_STARTED before a
-   start, VM_NOT_FINITE if the state is not finite, and else VM_OK. */
+   start, VM_NOT_FINITE if the state or the mass of a law is not finite, the status of a vm_law that fails, and else
+   VM_OK. */
 VM_API int vm_scene_budget_at(vm_scene *scene, vm_real t, const vm_real *y, vm_budget *budget)
 {
     const vm_budget *start = scene ? scene->budget : NULL;
     const vm_real *sums;
     vm_budget b;
+    int status;
     if (!start || !y || !budget || !vmi_scene_has_lists(scene) || scene->n_events < 0) return VM_BAD_ARGUMENT;
     if (!vmi_scene_is_started(scene)) return VM_NOT_STARTED;
     if (!vmi_all_finite(vm_scene_size(scene), y)) return VM_NOT_FINITE;
     b = *start;
     sums = y + vm_scene_size(scene) - VM_BUDGET_STATES;
-    vmi_scene_evaluate(scene, t, y);
+    status = vmi_scene_weigh(scene, t, y);
+    if (status) return status;
     vmi_scene_totals(scene, y, &b);
     b.impulse = vm_add(start->impulse, vmi_get3(sums + VMI_BUDGET_IMPULSE));
     b.angular_impulse = vm_add(start->angular_impulse, vmi_get3(sums + VMI_BUDGET_ANGULAR_IMPULSE));
@@ -23886,22 +23925,35 @@ VM_API vm_event vm_then_stop(vm_event event)
     return event;
 }
 
-/* Stores the masses of all bodies, which vmi_scene_hold_masses restores after a change */
+/* Stores the masses of all bodies, which vmi_event_hold_masses restores after a change */
 VM_API void vmi_scene_note_masses(vm_scene *s)
 {
     int i;
     for (i = 0; i < s->n_bodies; i++) s->bodies[i].noted_mass = s->bodies[i].load.mass;
 }
 
+/* Computes the loads before the action of an event changes anything. If a mass law fails, returns its status, and the
+   next run does the whole action. */
+VM_API int vmi_event_weigh(vm_event *e, vm_real t, const vm_real *y)
+{
+    const int status = vmi_scene_weigh(e->scene, t, y);
+    e->left = VMI_LEFT_NOTHING;
+    if (status) e->left = VMI_LEFT_ALL;
+    return status;
+}
+
 /* Gives all bodies the masses that vmi_scene_note_masses has stored. Otherwise a jump, or the switching of a mass
    law, would change a mass although no stream carries mass and momentum. The loads are evaluated twice: first to find
    by how much the masses of the laws differ from the stored ones, then again with the corrected masses. A body with a
    mass law uses the field `law_offset`, any other body the field `mass`. Both fields are corrected, because the
-   unused one has no effect. */
-VM_API void vmi_scene_hold_masses(vm_scene *s, vm_real t, const vm_real *y)
+   unused one has no effect. If a mass law fails, returns its status, and the next run calls this function again. */
+VM_API int vmi_event_hold_masses(vm_event *e, vm_real t, const vm_real *y)
 {
-    int i;
-    vmi_scene_evaluate(s, t, y);
+    vm_scene *s = e->scene;
+    int i, status;
+    e->left = VMI_LEFT_MASSES;
+    status = vmi_scene_weigh(s, t, y);
+    if (status) return status;
     for (i = 0; i < s->n_bodies; i++) {
         vm_scene_body *b = s->bodies + i;
         const vm_real lacking = b->noted_mass - b->load.mass;
@@ -23909,22 +23961,25 @@ VM_API void vmi_scene_hold_masses(vm_scene *s, vm_real t, const vm_real *y)
         b->mass += lacking;
         b->law_offset += lacking;
     }
-    vmi_scene_evaluate(s, t, y);
+    status = vmi_scene_weigh(s, t, y);
+    if (!status) e->left = VMI_LEFT_NOTHING;
+    return status;
 }
 
 VM_API int vmi_then_switch(vm_event *e, vm_real t, vm_real *y)
 {
     vm_scene *s = e->scene;
-    int i;
-    vmi_scene_evaluate(s, t, y);
+    int i, status;
+    if (e->left == VMI_LEFT_MASSES) return vmi_event_hold_masses(e, t, y);
+    status = vmi_event_weigh(e, t, y);
+    if (status) return status;
     vmi_scene_note_masses(s);
     for (i = 0; i < e->n_effects; i++) {
         vm_effect *effect = s->effects + e->effect + i;
         effect->idle &= VMI_IDLE_BODY_AWAY;
         if (e->off) effect->idle |= VMI_IDLE_SWITCHED_OFF;
     }
-    vmi_scene_hold_masses(s, t, y);
-    return VM_OK;
+    return vmi_event_hold_masses(e, t, y);
 }
 
 VM_API int vmi_event_check_switch(const vm_scene *s, const vm_event *e)
@@ -23971,15 +24026,24 @@ VM_API vm_event vm_then_user(vm_event event, int (*then)(vm_real t, vm_real *y, 
 
 /* Does the actions of the event in the order of their list. Returns the first status other than VM_OK, or VM_OK if
    there is none. An error (a negative status) ends the list, and is returned even if an earlier action has stopped the
-   run. */
+   run. If a mass law has interrupted an action, the next run goes on with the rest of it. */
 VM_API int vmi_then_all(vm_event *e, vm_real t, vm_real *y)
 {
-    int i, status = VM_OK;
-    for (i = 0; i < e->n_actions && status >= 0; i++) {
+    int i = e->next_action, status = e->so_far;
+    e->left = VMI_LEFT_NOTHING;
+    e->next_action = 0;
+    e->so_far = VM_OK;
+    for (; i < e->n_actions && status >= 0; i++) {
         vm_event *action = e->actions + i;
         int result = VM_OK;
         action->scene = e->scene;
         if (action->then) result = action->then(action, t, y);
+        if (action->left) {
+            e->left = VMI_LEFT_ALL;
+            e->next_action = i;
+            e->so_far = status;
+            return result;
+        }
         if (result < 0 || status == VM_OK) status = result;
     }
     return status;
@@ -24155,9 +24219,9 @@ VM_API void vmi_scene_wake(vm_scene *s)
 }
 
 /* Writes the bodies after a jump into the state: the body that lost or gained mass, and the part that separated, or
-   NULL if the body `other` was attached. Then adjusts the masses of bodies with a mass law, because the laws do not
+   NULL if the body `other` was attached. Stores the masses that all bodies must have then, because mass laws do not
    know of the jump. */
-VM_API void vmi_scene_put_jump(vm_event *e, vm_real t, vm_real *y, const vm_body *result, const vm_body *part_or_NULL)
+VM_API void vmi_scene_put_jump(vm_event *e, vm_real *y, const vm_body *result, const vm_body *part_or_NULL)
 {
     vm_scene *s = e->scene;
     vm_scene_body *body = s->bodies + e->jump_body, *other = s->bodies + e->other;
@@ -24175,7 +24239,6 @@ VM_API void vmi_scene_put_jump(vm_event *e, vm_real t, vm_real *y, const vm_body
     vmi_scene_put(s, e->jump_body, result, angle, y);
     vmi_scene_presence(s);
     vmi_scene_wake(s);
-    vmi_scene_hold_masses(s, t, y);
 }
 
 /* Lets effects that hold bodies together give their impulses after a jump. The loads have been evaluated. */
@@ -24189,32 +24252,47 @@ VM_API int vmi_scene_settle(vm_scene *s, vm_real *y)
     return status;
 }
 
-/* Writes the bodies after a jump into the state, and adds to the budget the energy that the jump adds and the impulse
-   from outside. Returns VM_OK, or the status of an effect that cannot hold the bodies together. */
-VM_API int vmi_scene_jump(vm_event *e, vm_real t, vm_real *y, const vm_body *result, const vm_body *part_or_NULL)
+/* Adjusts the masses after a jump has been written into the state, and adds to the budget the energy that the jump
+   adds and the impulse from outside. Returns VM_OK, the status of an effect that cannot hold the bodies together, or
+   that of a mass law that fails; the next run then calls this function again. */
+VM_API int vmi_scene_finish_jump(vm_event *e, vm_real t, vm_real *y)
 {
     vm_scene *s = e->scene;
     vm_budget *budget = s->budget;
-    vm_budget before, after;
-    int status;
-    if (budget) budget->totals(s, y, &before);
-    vmi_scene_put_jump(e, t, y, result, part_or_NULL);
+    vm_budget after;
+    int status = vmi_event_hold_masses(e, t, y);
+    if (status) return status;
     status = vmi_scene_settle(s, y);
     if (!budget) return status;
     budget->totals(s, y, &after);
-    budget->jump_energy += after.energy - before.energy;
+    budget->jump_energy += after.energy - e->energy;
     budget->impulse = vm_add(budget->impulse, e->external.linear);
     budget->angular_impulse = vm_add(budget->angular_impulse, vmi_impulse_moment(&e->external, vmi_vec3(0, 0, 0)));
     return status;
+}
+
+/* Writes the bodies after a jump into the state and finishes the jump */
+VM_API int vmi_scene_jump(vm_event *e, vm_real t, vm_real *y, const vm_body *result, const vm_body *part_or_NULL)
+{
+    vm_scene *s = e->scene;
+    vm_budget before;
+    if (s->budget) {
+        s->budget->totals(s, y, &before);
+        e->energy = before.energy;
+    }
+    vmi_scene_put_jump(e, y, result, part_or_NULL);
+    return vmi_scene_finish_jump(e, t, y);
 }
 
 VM_API int vmi_then_separate(vm_event *e, vm_real t, vm_real *y)
 {
     vm_body body, part = e->part, rest;
     int status;
+    if (e->left == VMI_LEFT_MASSES) return vmi_scene_finish_jump(e, t, y);
     if (e->scene->bodies[e->jump_body].away) return VM_IS_AWAY;
     if (!e->scene->bodies[e->other].away) return VM_IS_THERE;
-    vmi_scene_evaluate(e->scene, t, y);
+    status = vmi_event_weigh(e, t, y);
+    if (status) return status;
     vmi_scene_body_now(e->scene, e->jump_body, y, &body);
     status = e->jump(e, &body, &part, &rest);
     if (status < 0) return status;
@@ -24265,8 +24343,10 @@ VM_API int vmi_then_attach(vm_event *e, vm_real t, vm_real *y)
 {
     vm_body body, added, whole;
     int status;
+    if (e->left == VMI_LEFT_MASSES) return vmi_scene_finish_jump(e, t, y);
     if (e->scene->bodies[e->other].away || e->scene->bodies[e->jump_body].away) return VM_IS_AWAY;
-    vmi_scene_evaluate(e->scene, t, y);
+    status = vmi_event_weigh(e, t, y);
+    if (status) return status;
     vmi_scene_body_now(e->scene, e->jump_body, y, &body);
     vmi_scene_body_now(e->scene, e->other, y, &added);
     status = e->jump(e, &body, &added, &whole);
@@ -24427,7 +24507,8 @@ VM_API int vmi_then_land(vm_event *e, vm_real t, vm_real *y)
     vmi_body_point p;
     vm_vec3 normal, impulse;
     vm_real mobility, v;
-    vmi_scene_evaluate(s, t, y);
+    const int status = vmi_event_weigh(e, t, y);
+    if (status) return status;
     vmi_point_now(s, e->body, contact->at, y, &p);
     vmi_contact_height(contact, &p, &normal);
     v = vm_dot(p.v, normal);
@@ -24513,6 +24594,7 @@ VM_API int vmi_scene_fire_events(vm_scene *s, vm_real t, vm_real *y, vmi_scene_p
     int i, status = VM_OK;
     for (i = 0; i < s->n_events && status >= 0; i++) {
         vm_event *e = s->events + i;
+        const vm_real last_time = e->time;
         long times = 1;
         int result = VM_OK;
         if (!vmi_scene_event_is_due(s, i, t, &times) || (e->most && e->count >= e->most)) continue;
@@ -24526,6 +24608,11 @@ VM_API int vmi_scene_fire_events(vm_scene *s, vm_real t, vm_real *y, vmi_scene_p
         e->count++;
         pace->happened++;
         if (e->then) result = e->then(e, t, y);
+        if (e->left) { /* the next run does the rest */
+            e->count--;
+            e->time = last_time;
+            if (e->when) e->seen -= times;
+        }
         if (result < 0 || status == VM_OK) status = result;
     }
     return status;
@@ -24558,15 +24645,17 @@ VM_API int vmi_scene_run_events(vm_scene *s, rk45 *r, vm_real span, vmi_scene_pa
 }
 
 /* Calls the caller's function scene.output if it is due at the time t. *next is the index of the next time of output.
-   Returns VM_STOPPED if output ends the run, else VM_OK. */
+   Returns VM_STOPPED if output ends the run, the reason why a mass is not finite, else VM_OK. */
 VM_API int vmi_scene_output(vm_scene *s, vm_real t, const vm_real *y, int *next)
 {
+    int status;
     if (!s->output) return VM_OK;
     if (s->times) {
         if (*next >= s->n_times || t < s->times[*next]) return VM_OK;
         while (*next < s->n_times && s->times[*next] <= t) ++*next;
     }
-    vmi_scene_evaluate(s, t, y);
+    status = vmi_scene_weigh(s, t, y);
+    if (status) return status;
     if (s->output(t, y, s, s->output_ctx)) return VM_STOPPED;
     return VM_OK;
 }
@@ -24686,7 +24775,8 @@ VM_API int vmi_scene_check_run(const vm_scene *s, const vm_real *t, vm_real t_en
      VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_TIMES, VM_NOT_STARTED, VM_SHORT_ARRAY, VM_BAD_OPTIONS   if nothing was done;
      VM_BAD_MASS, VM_BAD_INERTIA, VM_NO_EFFECTIVE_MASS
                            if a mass or an inertia reached 0, even if the steps became too short just before that;
-     VM_NOT_FINITE         if an effect, a law or an event gave an infinite number or NaN;
+     VM_NOT_FINITE         if an effect, a law or an event gave an infinite number or NaN; the status of a vm_law
+                           that failed;
      VM_SINGULAR           if a link cannot act;
      VM_TOO_MANY_EVENTS    if events do not end: more than 10 000 happen at one instant, or four times in succession an
                            event follows the one before within 256 VM_EPSILON of the time;
@@ -24694,7 +24784,8 @@ VM_API int vmi_scene_check_run(const vm_scene *s, const vm_real *t, vm_real t_en
                            if a jump is impossible;
      VM_STEP_TOO_SMALL, VM_MAX_STEPS   if the integrator failed; its own status is in scene.ode_status;
      any other negative number         that an event's function (vm_then_user) returned. This event counts as handled.
-   Another call goes on from *t, with the events of this instant that were not handled. */
+   Another call goes on from *t, with the events of this instant that were not handled. An event whose action needs
+   the masses while a mass law fails is not handled, or half: the next call does what is left of its action. */
 VM_API int vm_scene_run(vm_scene *scene, vm_real *t, vm_real t_end, vm_real *y, vm_real *work,
                         const rk45_options *options_or_NULL)
 {
@@ -24719,7 +24810,7 @@ VM_API int vm_scene_run(vm_scene *scene, vm_real *t, vm_real t_end, vm_real *y, 
     }
     *t = r.t;
     vmi_copy(r.n, r.y, y);
-    vmi_scene_evaluate(scene, *t, y);
+    vmi_scene_weigh(scene, *t, y);
     return status;
 }
 

@@ -17,7 +17,8 @@ static inline int faulty_scaled_law(vm_real t, vm_real *f, vm_real *rate, void *
 }
 static inline vm_law a_faulty_law_of(vm_real *a) { return vm_law_user(faulty_scaled_law, a); }
 
-static vm_real fault_mass = 2, fault_stiffness = 3, fault_frequency = 2, fault_force = R(0.25), fault_damping = R(0.02);
+static vm_real fault_mass = 2, fault_stiffness = 3, fault_frequency = 2, fault_force = R(0.25);
+static vm_real fault_damping = R(0.02);
 
 /* Fills n outputs before a call that may fail. */
 static inline void fault_fill(int n, vm_real *y)
@@ -313,8 +314,8 @@ static inline int call_closed_init(vm_real *result)
     return status;
 }
 
-/* A function that refuses laws of a user. Its status is VM_NO_LAW, or where a law fails at any of its calls, the status
-   of that law; its outputs always stay as they were. */
+/* A function that refuses laws of a user. Its status is VM_NO_LAW, or where a law fails at any of its calls, the
+   status of that law; its outputs always stay as they were. */
 static inline void check_refused(int (*call)(vm_real *result))
 {
     int kind;

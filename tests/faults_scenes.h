@@ -33,7 +33,7 @@ static inline void fault_scene_clear(fault_scene *f)
     f->scene.n_effects = 2;
 }
 
-/* Runs to t = 3. After an error the run goes on with another call. */
+/* Starts the scene and runs it to t = 3. After an error another call goes on. */
 static inline void fault_scene_play(fault_scene *f, outcome *o)
 {
     const vm_real t_end = 3;
@@ -41,6 +41,7 @@ static inline void fault_scene_play(fault_scene *f, outcome *o)
     o->status = vm_scene_start(&f->scene, 0, f->y, NULL);
     n = vm_scene_size(&f->scene);
     if (o->status == VM_OK) o->status = vm_scene_run(&f->scene, &f->t, t_end, f->y, f->work, NULL);
+    else o->sound = vm_scene_start(&f->scene, 0, f->y, NULL) == VM_OK;
     o->again = o->status;
     for (i = 0; i < 4 && o->again != VM_OK; i++) {
         o->sound = o->sound && f->t >= 0 && f->t <= t_end && vmi_all_finite(n, f->y);

@@ -3,6 +3,7 @@
 #include "faults_flow.h"
 #include "faults_integrators.h"
 #include "faults_laws.h"
+#include "faults_masses.h"
 #include "faults_oscillators.h"
 #include "faults_runs.h"
 #include "faults_scenes.h"
@@ -161,6 +162,7 @@ int main(void)
     CHECK_ALL(fault_laws);
     CHECK_ALL(fault_oscillators);
     CHECK_ALL(fault_scenes);
+    CHECK_ALL(fault_mass_laws);
     check_routes();
     check_refused(call_pair_at);
     check_refused(call_pair_by_method);

@@ -150,18 +150,21 @@ VM_API void vm_scene_keep_budget(vm_scene *scene, vm_budget *budget_or_NULL)
    since the start, and the defects. Defects come from rounding, from the errors of the integrator, and from
    constraints: a line, an axle and the plane hold a body by reactions, which the supply does not include. Returns
    VM_BAD_ARGUMENT if the scene keeps no budget, a pointer is NULL or a count is negative, VM_NOT_STARTED before a
-   start, VM_NOT_FINITE if the state is not finite, and else VM_OK. */
+   start, VM_NOT_FINITE if the state or the mass of a law is not finite, the status of a vm_law that fails, and else
+   VM_OK. */
 VM_API int vm_scene_budget_at(vm_scene *scene, vm_real t, const vm_real *y, vm_budget *budget)
 {
     const vm_budget *start = scene ? scene->budget : NULL;
     const vm_real *sums;
     vm_budget b;
+    int status;
     if (!start || !y || !budget || !vmi_scene_has_lists(scene) || scene->n_events < 0) return VM_BAD_ARGUMENT;
     if (!vmi_scene_is_started(scene)) return VM_NOT_STARTED;
     if (!vmi_all_finite(vm_scene_size(scene), y)) return VM_NOT_FINITE;
     b = *start;
     sums = y + vm_scene_size(scene) - VM_BUDGET_STATES;
-    vmi_scene_evaluate(scene, t, y);
+    status = vmi_scene_weigh(scene, t, y);
+    if (status) return status;
     vmi_scene_totals(scene, y, &b);
     b.impulse = vm_add(start->impulse, vmi_get3(sums + VMI_BUDGET_IMPULSE));
     b.angular_impulse = vm_add(start->angular_impulse, vmi_get3(sums + VMI_BUDGET_ANGULAR_IMPULSE));

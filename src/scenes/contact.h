@@ -124,7 +124,8 @@ VM_API int vmi_then_land(vm_event *e, vm_real t, vm_real *y)
     vmi_body_point p;
     vm_vec3 normal, impulse;
     vm_real mobility, v;
-    vmi_scene_evaluate(s, t, y);
+    const int status = vmi_event_weigh(e, t, y);
+    if (status) return status;
     vmi_point_now(s, e->body, contact->at, y, &p);
     vmi_contact_height(contact, &p, &normal);
     v = vm_dot(p.v, normal);

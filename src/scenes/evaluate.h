@@ -48,6 +48,23 @@ VM_INLINE void vmi_scene_evaluate(vm_scene *s, vm_real t, const vm_real *y)
     }
 }
 
+/* Computes the loads for a caller that needs the masses. Returns VM_OK, or where the mass of a present body is not
+   finite, the reason, which s->status keeps: the status of the effect that could not act, or VM_NOT_FINITE. */
+VM_API int vmi_scene_weigh(vm_scene *s, vm_real t, const vm_real *y)
+{
+    const int before = s->status;
+    int i;
+    s->status = VM_OK;
+    vmi_scene_evaluate(s, t, y);
+    for (i = 0; i < s->n_bodies; i++) {
+        if (s->bodies[i].away || VM_IS_FINITE(s->bodies[i].load.mass)) continue;
+        if (!s->status) s->status = VM_NOT_FINITE;
+        return s->status;
+    }
+    s->status = before;
+    return VM_OK;
+}
+
 /* The status that says which mass of the load is not positive or not finite, so that the body cannot be accelerated */
 VMI_APART int vmi_scene_mass_status(const vm_load *load)
 {

@@ -146,22 +146,35 @@ VM_API vm_event vm_then_stop(vm_event event)
     return event;
 }
 
-/* Stores the masses of all bodies, which vmi_scene_hold_masses restores after a change */
+/* Stores the masses of all bodies, which vmi_event_hold_masses restores after a change */
 VM_API void vmi_scene_note_masses(vm_scene *s)
 {
     int i;
     for (i = 0; i < s->n_bodies; i++) s->bodies[i].noted_mass = s->bodies[i].load.mass;
 }
 
+/* Computes the loads before the action of an event changes anything. If a mass law fails, returns its status, and the
+   next run does the whole action. */
+VM_API int vmi_event_weigh(vm_event *e, vm_real t, const vm_real *y)
+{
+    const int status = vmi_scene_weigh(e->scene, t, y);
+    e->left = VMI_LEFT_NOTHING;
+    if (status) e->left = VMI_LEFT_ALL;
+    return status;
+}
+
 /* Gives all bodies the masses that vmi_scene_note_masses has stored. Otherwise a jump, or the switching of a mass
    law, would change a mass although no stream carries mass and momentum. The loads are evaluated twice: first to find
    by how much the masses of the laws differ from the stored ones, then again with the corrected masses. A body with a
    mass law uses the field `law_offset`, any other body the field `mass`. Both fields are corrected, because the
-   unused one has no effect. */
-VM_API void vmi_scene_hold_masses(vm_scene *s, vm_real t, const vm_real *y)
+   unused one has no effect. If a mass law fails, returns its status, and the next run calls this function again. */
+VM_API int vmi_event_hold_masses(vm_event *e, vm_real t, const vm_real *y)
 {
-    int i;
-    vmi_scene_evaluate(s, t, y);
+    vm_scene *s = e->scene;
+    int i, status;
+    e->left = VMI_LEFT_MASSES;
+    status = vmi_scene_weigh(s, t, y);
+    if (status) return status;
     for (i = 0; i < s->n_bodies; i++) {
         vm_scene_body *b = s->bodies + i;
         const vm_real lacking = b->noted_mass - b->load.mass;
@@ -169,22 +182,25 @@ VM_API void vmi_scene_hold_masses(vm_scene *s, vm_real t, const vm_real *y)
         b->mass += lacking;
         b->law_offset += lacking;
     }
-    vmi_scene_evaluate(s, t, y);
+    status = vmi_scene_weigh(s, t, y);
+    if (!status) e->left = VMI_LEFT_NOTHING;
+    return status;
 }
 
 VM_API int vmi_then_switch(vm_event *e, vm_real t, vm_real *y)
 {
     vm_scene *s = e->scene;
-    int i;
-    vmi_scene_evaluate(s, t, y);
+    int i, status;
+    if (e->left == VMI_LEFT_MASSES) return vmi_event_hold_masses(e, t, y);
+    status = vmi_event_weigh(e, t, y);
+    if (status) return status;
     vmi_scene_note_masses(s);
     for (i = 0; i < e->n_effects; i++) {
         vm_effect *effect = s->effects + e->effect + i;
         effect->idle &= VMI_IDLE_BODY_AWAY;
         if (e->off) effect->idle |= VMI_IDLE_SWITCHED_OFF;
     }
-    vmi_scene_hold_masses(s, t, y);
-    return VM_OK;
+    return vmi_event_hold_masses(e, t, y);
 }
 
 VM_API int vmi_event_check_switch(const vm_scene *s, const vm_event *e)
@@ -231,15 +247,24 @@ VM_API vm_event vm_then_user(vm_event event, int (*then)(vm_real t, vm_real *y, 
 
 /* Does the actions of the event in the order of their list. Returns the first status other than VM_OK, or VM_OK if
    there is none. An error (a negative status) ends the list, and is returned even if an earlier action has stopped the
-   run. */
+   run. If a mass law has interrupted an action, the next run goes on with the rest of it. */
 VM_API int vmi_then_all(vm_event *e, vm_real t, vm_real *y)
 {
-    int i, status = VM_OK;
-    for (i = 0; i < e->n_actions && status >= 0; i++) {
+    int i = e->next_action, status = e->so_far;
+    e->left = VMI_LEFT_NOTHING;
+    e->next_action = 0;
+    e->so_far = VM_OK;
+    for (; i < e->n_actions && status >= 0; i++) {
         vm_event *action = e->actions + i;
         int result = VM_OK;
         action->scene = e->scene;
         if (action->then) result = action->then(action, t, y);
+        if (action->left) {
+            e->left = VMI_LEFT_ALL;
+            e->next_action = i;
+            e->so_far = status;
+            return result;
+        }
         if (result < 0 || status == VM_OK) status = result;
     }
     return status;

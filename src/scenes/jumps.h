@@ -155,9 +155,9 @@ VM_API void vmi_scene_wake(vm_scene *s)
 }
 
 /* Writes the bodies after a jump into the state: the body that lost or gained mass, and the part that separated, or
-   NULL if the body `other` was attached. Then adjusts the masses of bodies with a mass law, because the laws do not
+   NULL if the body `other` was attached. Stores the masses that all bodies must have then, because mass laws do not
    know of the jump. */
-VM_API void vmi_scene_put_jump(vm_event *e, vm_real t, vm_real *y, const vm_body *result, const vm_body *part_or_NULL)
+VM_API void vmi_scene_put_jump(vm_event *e, vm_real *y, const vm_body *result, const vm_body *part_or_NULL)
 {
     vm_scene *s = e->scene;
     vm_scene_body *body = s->bodies + e->jump_body, *other = s->bodies + e->other;
@@ -175,7 +175,6 @@ VM_API void vmi_scene_put_jump(vm_event *e, vm_real t, vm_real *y, const vm_body
     vmi_scene_put(s, e->jump_body, result, angle, y);
     vmi_scene_presence(s);
     vmi_scene_wake(s);
-    vmi_scene_hold_masses(s, t, y);
 }
 
 /* Lets effects that hold bodies together give their impulses after a jump. The loads have been evaluated. */
@@ -189,32 +188,47 @@ VM_API int vmi_scene_settle(vm_scene *s, vm_real *y)
     return status;
 }
 
-/* Writes the bodies after a jump into the state, and adds to the budget the energy that the jump adds and the impulse
-   from outside. Returns VM_OK, or the status of an effect that cannot hold the bodies together. */
-VM_API int vmi_scene_jump(vm_event *e, vm_real t, vm_real *y, const vm_body *result, const vm_body *part_or_NULL)
+/* Adjusts the masses after a jump has been written into the state, and adds to the budget the energy that the jump
+   adds and the impulse from outside. Returns VM_OK, the status of an effect that cannot hold the bodies together, or
+   that of a mass law that fails; the next run then calls this function again. */
+VM_API int vmi_scene_finish_jump(vm_event *e, vm_real t, vm_real *y)
 {
     vm_scene *s = e->scene;
     vm_budget *budget = s->budget;
-    vm_budget before, after;
-    int status;
-    if (budget) budget->totals(s, y, &before);
-    vmi_scene_put_jump(e, t, y, result, part_or_NULL);
+    vm_budget after;
+    int status = vmi_event_hold_masses(e, t, y);
+    if (status) return status;
     status = vmi_scene_settle(s, y);
     if (!budget) return status;
     budget->totals(s, y, &after);
-    budget->jump_energy += after.energy - before.energy;
+    budget->jump_energy += after.energy - e->energy;
     budget->impulse = vm_add(budget->impulse, e->external.linear);
     budget->angular_impulse = vm_add(budget->angular_impulse, vmi_impulse_moment(&e->external, vmi_vec3(0, 0, 0)));
     return status;
+}
+
+/* Writes the bodies after a jump into the state and finishes the jump */
+VM_API int vmi_scene_jump(vm_event *e, vm_real t, vm_real *y, const vm_body *result, const vm_body *part_or_NULL)
+{
+    vm_scene *s = e->scene;
+    vm_budget before;
+    if (s->budget) {
+        s->budget->totals(s, y, &before);
+        e->energy = before.energy;
+    }
+    vmi_scene_put_jump(e, y, result, part_or_NULL);
+    return vmi_scene_finish_jump(e, t, y);
 }
 
 VM_API int vmi_then_separate(vm_event *e, vm_real t, vm_real *y)
 {
     vm_body body, part = e->part, rest;
     int status;
+    if (e->left == VMI_LEFT_MASSES) return vmi_scene_finish_jump(e, t, y);
     if (e->scene->bodies[e->jump_body].away) return VM_IS_AWAY;
     if (!e->scene->bodies[e->other].away) return VM_IS_THERE;
-    vmi_scene_evaluate(e->scene, t, y);
+    status = vmi_event_weigh(e, t, y);
+    if (status) return status;
     vmi_scene_body_now(e->scene, e->jump_body, y, &body);
     status = e->jump(e, &body, &part, &rest);
     if (status < 0) return status;
@@ -265,8 +279,10 @@ VM_API int vmi_then_attach(vm_event *e, vm_real t, vm_real *y)
 {
     vm_body body, added, whole;
     int status;
+    if (e->left == VMI_LEFT_MASSES) return vmi_scene_finish_jump(e, t, y);
     if (e->scene->bodies[e->other].away || e->scene->bodies[e->jump_body].away) return VM_IS_AWAY;
-    vmi_scene_evaluate(e->scene, t, y);
+    status = vmi_event_weigh(e, t, y);
+    if (status) return status;
     vmi_scene_body_now(e->scene, e->jump_body, y, &body);
     vmi_scene_body_now(e->scene, e->other, y, &added);
     status = e->jump(e, &body, &added, &whole);

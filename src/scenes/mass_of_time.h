@@ -20,13 +20,14 @@
 #include "mass.h"
 #include "scene.h"
 
-/* Gives the body the mass of its law. If the law fails at t, the scene receives the status of the law, and the
-   integrator refuses the step. */
+/* Gives the body the mass of its law. If the law fails at t, the mass is NaN, the scene receives the status of the law,
+   and the integrator refuses the step. */
 VM_API void vmi_apply_mass_of_time(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
     vm_mass_law_values now = {0, 0, 0, 0};
     const int status = vmi_law_at((const vm_law *)e->ctx, VM_BAD_MASS, t, &now.mass, &now.by_t);
     if (status) s->status = status;
+    if (status) e->load->mass = VM_NAN;
     else vmi_scene_apply_law(e, y, s, &now, e->p + VMI_MASS_U, e->p[VMI_MASS_REACTIVE]);
 }
 

@@ -56,6 +56,7 @@ VM_API int vmi_scene_fire_events(vm_scene *s, vm_real t, vm_real *y, vmi_scene_p
     int i, status = VM_OK;
     for (i = 0; i < s->n_events && status >= 0; i++) {
         vm_event *e = s->events + i;
+        const vm_real last_time = e->time;
         long times = 1;
         int result = VM_OK;
         if (!vmi_scene_event_is_due(s, i, t, &times) || (e->most && e->count >= e->most)) continue;
@@ -69,6 +70,11 @@ VM_API int vmi_scene_fire_events(vm_scene *s, vm_real t, vm_real *y, vmi_scene_p
         e->count++;
         pace->happened++;
         if (e->then) result = e->then(e, t, y);
+        if (e->left) { /* the next run does the rest */
+            e->count--;
+            e->time = last_time;
+            if (e->when) e->seen -= times;
+        }
         if (result < 0 || status == VM_OK) status = result;
     }
     return status;
@@ -101,15 +107,17 @@ VM_API int vmi_scene_run_events(vm_scene *s, rk45 *r, vm_real span, vmi_scene_pa
 }
 
 /* Calls the caller's function scene.output if it is due at the time t. *next is the index of the next time of output.
-   Returns VM_STOPPED if output ends the run, else VM_OK. */
+   Returns VM_STOPPED if output ends the run, the reason why a mass is not finite, else VM_OK. */
 VM_API int vmi_scene_output(vm_scene *s, vm_real t, const vm_real *y, int *next)
 {
+    int status;
     if (!s->output) return VM_OK;
     if (s->times) {
         if (*next >= s->n_times || t < s->times[*next]) return VM_OK;
         while (*next < s->n_times && s->times[*next] <= t) ++*next;
     }
-    vmi_scene_evaluate(s, t, y);
+    status = vmi_scene_weigh(s, t, y);
+    if (status) return status;
     if (s->output(t, y, s, s->output_ctx)) return VM_STOPPED;
     return VM_OK;
 }
@@ -229,7 +237,8 @@ VM_API int vmi_scene_check_run(const vm_scene *s, const vm_real *t, vm_real t_en
      VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_TIMES, VM_NOT_STARTED, VM_SHORT_ARRAY, VM_BAD_OPTIONS   if nothing was done;
      VM_BAD_MASS, VM_BAD_INERTIA, VM_NO_EFFECTIVE_MASS
                            if a mass or an inertia reached 0, even if the steps became too short just before that;
-     VM_NOT_FINITE         if an effect, a law or an event gave an infinite number or NaN;
+     VM_NOT_FINITE         if an effect, a law or an event gave an infinite number or NaN; the status of a vm_law
+                           that failed;
      VM_SINGULAR           if a link cannot act;
      VM_TOO_MANY_EVENTS    if events do not end: more than 10 000 happen at one instant, or four times in succession an
                            event follows the one before within 256 VM_EPSILON of the time;
@@ -237,7 +246,8 @@ VM_API int vmi_scene_check_run(const vm_scene *s, const vm_real *t, vm_real t_en
                            if a jump is impossible;
      VM_STEP_TOO_SMALL, VM_MAX_STEPS   if the integrator failed; its own status is in scene.ode_status;
      any other negative number         that an event's function (vm_then_user) returned. This event counts as handled.
-   Another call goes on from *t, with the events of this instant that were not handled. */
+   Another call goes on from *t, with the events of this instant that were not handled. An event whose action needs
+   the masses while a mass law fails is not handled, or half: the next call does what is left of its action. */
 VM_API int vm_scene_run(vm_scene *scene, vm_real *t, vm_real t_end, vm_real *y, vm_real *work,
                         const rk45_options *options_or_NULL)
 {
@@ -262,7 +272,7 @@ VM_API int vm_scene_run(vm_scene *scene, vm_real *t, vm_real t_end, vm_real *y, 
     }
     *t = r.t;
     vmi_copy(r.n, r.y, y);
-    vmi_scene_evaluate(scene, *t, y);
+    vmi_scene_weigh(scene, *t, y);
     return status;
 }
 

@@ -183,6 +183,10 @@ struct VM_TAG(vm_effect) {
     const void *parts; /* what the caller keeps for the effect: a vm_point_spring, vm_contact or vm_joints */
 };
 
+/* What a failing mass law leaves of the action of an event: nothing, the whole action, or its last part, which adjusts
+   masses to a change that is made */
+enum { VMI_LEFT_NOTHING = 0, VMI_LEFT_ALL, VMI_LEFT_MASSES };
+
 /* What a jump event does */
 enum { VMI_JUMP_NONE = 0, VMI_JUMP_SEPARATES, VMI_JUMP_ATTACHES };
 
@@ -229,6 +233,11 @@ struct VM_TAG(vm_event) {
     const void *parts; /* what the caller keeps for the event: a vm_contact */
     vm_event *actions; /* NULL, or the array of n_actions events whose actions this event does (vm_then_all) */
     int n_actions;
+    /* fields for an action that a failing mass law has interrupted; the next run does the rest of it */
+    int left;        /* VMI_LEFT_...: how much of the action is left */
+    int next_action; /* index of the action of the list that is left */
+    int so_far;      /* status of the actions of the list before it */
+    vm_real energy;  /* J: kinetic energy of all bodies before a jump */
 };
 
 typedef struct VM_TAG(vm_budget) vm_budget;

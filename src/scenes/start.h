@@ -93,11 +93,15 @@ VM_API int vmi_scene_place_bodies(vm_scene *s, vm_real *y)
 
 VM_API void vmi_scene_reset_events(vm_scene *s, vm_real t)
 {
-    int i;
+    int i, k;
     for (i = 0; i < s->n_events; i++) {
         vm_event *e = s->events + i;
         e->scene = s;
         e->count = e->seen = 0;
+        e->left = VMI_LEFT_NOTHING;
+        e->next_action = 0;
+        e->so_far = VM_OK;
+        for (k = 0; e->actions && k < e->n_actions; k++) e->actions[k].left = VMI_LEFT_NOTHING;
         if (e->when) e->time = t;
         vmi_scene_locate(s, i);
     }
@@ -106,7 +110,8 @@ VM_API void vmi_scene_reset_events(vm_scene *s, vm_real t)
 /* Start of a scene at time t: checks it and fills its state y. y receives vm_scene_size(scene) numbers. Returns
    VM_OK, or a status of vm_scene_check, which writes to *fault_or_NULL where the fault is; VM_BAD_ARGUMENT if y is
    NULL; VM_NOT_FINITE if t is not finite; VM_SHORT_ARRAY if scene.y_size is set and too small. y is unchanged if the
-   start fails. After the start the arrays of the scene must stay where they are. */
+   start fails. If only a mass law fails at t, y is filled, but the scene is not started: the status is that of the law,
+   or VM_NOT_FINITE. After the start the arrays of the scene must stay where they are. */
 VM_API int vm_scene_start(vm_scene *scene, vm_real t, vm_real *y, vm_scene_fault *fault_or_NULL)
 {
     int i, end, status = vm_scene_check(scene, fault_or_NULL);
@@ -119,8 +124,12 @@ VM_API int vm_scene_start(vm_scene *scene, vm_real t, vm_real *y, vm_scene_fault
     for (i = 0; i < scene->n_effects; i++) vmi_scene_bind(scene, scene->effects + i);
     vmi_scene_reset_events(scene, t);
     vmi_scene_presence(scene);
-    vmi_scene_evaluate(scene, t, y);
     scene->status = VM_OK;
+    status = vmi_scene_weigh(scene, t, y);
+    if (status) {
+        scene->size = 0; /* not started */
+        return status;
+    }
     if (scene->budget) scene->budget->open(scene, y, y + end);
     return VM_OK;
 }
