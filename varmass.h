@@ -3289,8 +3289,9 @@ VM_API vm_real vmi_impulse_work(const vm_body *body_or_NULL, const vm_impulse *e
 }
 
 /* Energy gained at a separation, J: the kinetic energy of n parts and rest minus that of the whole (113), (118). It is
-   computed as the kinetic energy of parts and rest relative to the whole, plus the work of the impulse on the whole.
-   The two are exactly equal, but the difference of energies loses digits at high speed. `whole` is the body before the
+   computed as the kinetic energy of parts and rest relative to the whole, plus the work of the external impulse
+   on the whole (0 without one). In exact arithmetic this is the same, but the difference of energies loses digits at
+   high speed. `whole` is the body before the
    separation; `parts` and `rest` are the bodies after it. Returns NaN for a null pointer or n < 0. */
 VM_API vm_real vm_energy_gain(const vm_body *whole, int n, const vm_body *parts, const vm_impulse *external_or_NULL,
                               const vm_body *rest)
@@ -12229,8 +12230,8 @@ VM_API vm_real vmi_osc_difference(const vm_osc_plan *p, vm_real t, const vm_osc_
     return largest;
 }
 
-/* Computes the longest step, s, that skips no change of a law by a user's function: a quarter of the shortest panel in
-   the walk along the laws. A jump of a law would make it 0; therefore it is at least |t|/8192, or the law's change_time
+/* Computes the longest step, s, with which an integrator misses no change of mass or stiffness that a user's function
+   gives: a quarter of the shortest panel of time that vmi_osc_walk_to needed for these laws. A jump of a law would make it 0; therefore it is at least |t|/8192, or the law's change_time
    if that is shorter. */
 VM_API int vmi_osc_law_step(const vm_osc_plan *p, vm_real t, vm_real *step)
 {

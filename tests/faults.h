@@ -124,7 +124,7 @@ static inline int fault_same(const scenario *s, const outcome *o, double result)
 static inline long fault_next(const scenario *s, long at, long calls)
 {
     if (s->run) return at + 1;
-    if (calls > 50000) return 2 * at + 1;
+    if (calls > 30000) return 2 * at + 1;
     return at < 40 ? at + 1 : at + 1 + at / 4;
 }
 

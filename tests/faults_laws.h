@@ -458,7 +458,6 @@ static inline int call_odd_by_route(int route, vm_real *result)
     return status;
 }
 static inline int call_odd_mean(vm_real *result) { return call_odd_by_route(VM_ODD_MEAN, result); }
-static inline int call_odd_order2(vm_real *result) { return call_odd_by_route(VM_ODD_ORDER2, result); }
 static inline int call_odd_rk87(vm_real *result) { return call_odd_by_route(VM_ODD_RK87, result); }
 
 static inline int call_all_odd_rhs(vm_real *result)

@@ -273,9 +273,10 @@ static inline void fault_single_force(outcome *o)
     fault_masses_play(&f, o);
 }
 
-/* A list of two actions of a user */
+/* A list of two actions of a user, and a third action of its own. Each error must be seen. */
 static inline void fault_user_list(outcome *o)
 {
+    const long at = fault.at;
     const vm_event any = vm_event_position(1, 0, R(2.25), 0);
     fault_masses f;
     fault_masses_clear(&f, 0);
@@ -287,6 +288,7 @@ static inline void fault_user_list(outcome *o)
     f.events[1] = vm_then_user(any, faulty_then, NULL);
     f.scene.n_events = 2;
     fault_masses_play(&f, o);
+    if (at >= 0 && o->status == 0) o->sound = 0;
 }
 
 /* A growing body in space with all effects of one stream that varies */

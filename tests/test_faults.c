@@ -58,7 +58,6 @@ static const scenario fault_laws[] = {
     LAW(call_stiffness_within),
     LAW(call_load_damping),
     LAW(call_odd_mean),
-    LAW(call_odd_order2),
     LAW(call_odd_rk87),
     ONCE(call_all_odd_rhs),
     LAW(call_vdp_ateb),

@@ -33,7 +33,8 @@ static void validate_gsl_integrals(void)
     static const validation_group group = {
         "GSL's elliptic integrals",
         "GNU Scientific Library 2.8, specfunc/test_sf.c, test_ellint",
-        "GSL's parameter is the modulus k, ours is m = k^2. Its characteristic has the opposite sign of ours. GSL itself "
+        "GSL's parameter is the modulus k, ours is m = k^2. The characteristic n of Pi has in GSL the opposite sign of ours. GSL "
+        "itself "
         "allows the single precision of 1e-6 in the row with k = 1 - 2^-30; it passes k, we pass 1 - k^2 exactly.",
         "The bound of the incomplete integrals is 8 ulp; the rounding of k^2 and of the angle adds up to 4 eps.",
         3e-15, 3e-6};

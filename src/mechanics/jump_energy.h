@@ -42,8 +42,9 @@ VM_API vm_real vmi_impulse_work(const vm_body *body_or_NULL, const vm_impulse *e
 }
 
 /* Energy gained at a separation, J: the kinetic energy of n parts and rest minus that of the whole (113), (118). It is
-   computed as the kinetic energy of parts and rest relative to the whole, plus the work of the impulse on the whole.
-   The two are exactly equal, but the difference of energies loses digits at high speed. `whole` is the body before the
+   computed as the kinetic energy of parts and rest relative to the whole, plus the work of the external impulse
+   on the whole (0 without one). In exact arithmetic this is the same, but the difference of energies loses digits at
+   high speed. `whole` is the body before the
    separation; `parts` and `rest` are the bodies after it. Returns NaN for a null pointer or n < 0. */
 VM_API vm_real vm_energy_gain(const vm_body *whole, int n, const vm_body *parts, const vm_impulse *external_or_NULL,
                               const vm_body *rest)
