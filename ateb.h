@@ -2501,7 +2501,8 @@ VM_INLINE vm_two vmi_ateb_twice_q_d(const ateb_plan *p, vm_real d, vm_real d_lo)
 }
 
 /* Returns X = (2 q d)^(alpha+1), where q = 1/(alpha+1). r and d + d_lo are the distances of s from the zeros of sa and
-   ca; 2 q d is computed from the shorter one (vmi_ateb_base_of). Writes 2 q d to *y. Where X would be subnormal, the result is about the least normal number instead. */
+   ca; 2 q d is computed from the shorter one (vmi_ateb_base_of) and is written to *y. Where X would be subnormal, the
+   result is about the least normal number instead. */
 VM_INLINE vm_real vmi_ateb_exponential(const ateb_plan *p, vm_real r, vm_real d, vm_real d_lo, vm_two *y)
 {
     const vmi_ateb_base base = vmi_ateb_base_of(p->twice_q, r, 2 * r - p->g, d, d_lo);

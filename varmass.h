@@ -12231,8 +12231,8 @@ VM_API vm_real vmi_osc_difference(const vm_osc_plan *p, vm_real t, const vm_osc_
 }
 
 /* Computes the longest step, s, with which an integrator misses no change of mass or stiffness that a user's function
-   gives: a quarter of the shortest panel of time that vmi_osc_walk_to needed for these laws. A jump of a law would make it 0; therefore it is at least |t|/8192, or the law's change_time
-   if that is shorter. */
+   gives: a quarter of the shortest panel of time that vmi_osc_walk_to needed for these laws. A jump of a law would make
+   it 0; therefore it is at least |t|/8192, or the law's change_time if that is shorter. */
 VM_API int vmi_osc_law_step(const vm_osc_plan *p, vm_real t, vm_real *step)
 {
     const vm_real panel_steps = 4, run_steps = 8192;
