@@ -382,12 +382,12 @@ static void test_closest_to_zeros(void)
         const int odd = rows[i].j % 2;
         vm_real sn, cn, dn;
         jacobi_sncndn(u, m, &sn, &cn, &dn);
-        check_error("next to jK", "sncndn", "ulp", ERROR_ULP(odd ? cn : sn, value, 0), 8, u, m);
+        check_error("next to jK", "sncndn", "ulp", ERROR_ULP(odd ? cn : sn, value, 0), 8, (double)u, (double)m);
         CHECK(jacobi_plan_init(&plan, m) == 0);
         jacobi_plan_sncndn(&plan, u, &sn, &cn, &dn);
-        check_error("next to jK", "plan", "ulp", ERROR_ULP(odd ? cn : sn, value, 0), 8, u, m);
+        check_error("next to jK", "plan", "ulp", ERROR_ULP(odd ? cn : sn, value, 0), 8, (double)u, (double)m);
         jacobi_plan_sncndn_array(&plan, 1, &u, &sn, &cn, &dn);
-        check_error("next to jK", "array", "ulp", ERROR_ULP(odd ? cn : sn, value, 0), 8, u, m);
+        check_error("next to jK", "array", "ulp", ERROR_ULP(odd ? cn : sn, value, 0), 8, (double)u, (double)m);
     }
 }
 
