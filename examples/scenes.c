@@ -1,7 +1,8 @@
 /* The machines of chapter 1 and the numerical examples of the dissertation as scenes: where each ends, beside a
    reference (36-digit integration or a closed form), and its curves.
 
-   usage: scenes [file.csv]      for each machine file_NAME.csv: t, then the state */
+   usage: scenes [file.csv]      for each machine file_NAME.csv: t, then the state, and file_NAME_events.csv: when
+                                 each event happened, and its number */
 #include "scenes/chains.h"
 #include "scenes/crane.h"
 #include "scenes/dosing.h"
@@ -20,9 +21,22 @@
 #include "scenes/weighing.h"
 #include <stdio.h>
 
-enum { POINTS = 400 };
+enum { POINTS = 800 };
 static const char *file_name;
 static int length; /* of it without ".csv" */
+static FILE *event_file;
+static long event_counts[STAGE_EVENTS]; /* how often each event had happened when the last row was written */
+
+/* Between two rows no event happens twice. */
+static void write_events(const vm_scene *scene)
+{
+    int i;
+    for (i = 0; i < scene->n_events; i++) {
+        if (event_file && scene->events[i].count > event_counts[i])
+            fprintf(event_file, "%.6g,%d\n", (double)scene->events[i].time, i);
+        event_counts[i] = scene->events[i].count;
+    }
+}
 
 static int write_row(vm_real t, const vm_real *y, vm_scene *scene, void *file)
 {
@@ -31,6 +45,7 @@ static int write_row(vm_real t, const vm_real *y, vm_scene *scene, void *file)
     fprintf((FILE *)file, "%.6g", (double)t);
     for (i = 0; i < n; i++) fprintf((FILE *)file, ",%.6g", (double)y[i]);
     fputc('\n', (FILE *)file);
+    write_events(scene);
     return 0;
 }
 
@@ -41,19 +56,27 @@ static void play(stage *s, const char *name, const char *what, int i, double wan
     char path[256];
     FILE *file = NULL;
     int k, status;
-    for (k = 0; k < POINTS; k++) times[k] = s->end * (vm_real)k / (POINTS - 1);
+    memset(event_counts, 0, sizeof event_counts);
+    for (k = 0; k < POINTS; k++) times[k] = (vm_real)wanted_t * (vm_real)k / (POINTS - 1);
     sprintf(path, "%.*s_%.30s.csv", length, file_name ? file_name : "", name);
     if (file_name && (file = fopen(path, "w")) != NULL) {
         s->scene.output = write_row;
         s->scene.output_ctx = file;
         s->scene.times = times;
-        s->scene.n_times = POINTS;
+        s->scene.n_times = POINTS - 1; /* the last row is where the run ends */
+        sprintf(path, "%.*s_%.30s_events.csv", length, file_name, name);
+        event_file = fopen(path, "w");
     }
     status = stage_start(s);
     if (!status) status = stage_run(s, (double)s->end);
     printf("  %-10s %-44s %9.6f s %13.9g   (%9.6f s %13.9g)%s\n", name, what, (double)s->t, (double)s->y[i],
            wanted_t, wanted, status < 0 ? vm_strerror(status) : "");
-    if (file) fclose(file);
+    if (file) {
+        write_row(s->t, s->y, &s->scene, file);
+        fclose(file);
+    }
+    if (event_file) fclose(event_file);
+    event_file = NULL;
 }
 
 int main(int argc, char **argv)

@@ -6,28 +6,30 @@ if ! sh tests/install.sh -w "which draws the figures" "command -v gnuplot" gnupl
     exit 0
 fi
 draw() { # draw NAME COLUMN TITLE LABEL
-    gnuplot -e "csv='$folder/scenes_$1.csv'; svg='$folder/scenes_$1.svg'; title=\"$3\"; label=\"$4\"; column=$2" \
+    happened=$(tr ',\n' '  ' <"$folder/scenes_$1_events.csv")
+    gnuplot -e "name='$1'; csv='$folder/scenes_$1.csv'; svg='$folder/scenes_$1.svg'; title=\"$3\"; label=\"$4\"" \
+        -e "column=$2; happened='$happened'" \
         examples/scenes.gp || exit 1
 }
-draw pouring 2 "Fig. 1: a hook tips a vessel" "angle, rad"
-draw vessel 3 "Figs 2, 3: a vessel tipped by a motor" "angular velocity, rad/s"
-draw turner 3 "Fig. 4: a wagon turner" "angular velocity, rad/s"
-draw tippler 3 "Fig. 5: a tippler with counterweights" "angular velocity, rad/s"
-draw wagon 3 "Fig. 6: a wagon fills, then empties" "velocity, m/s"
-draw mechanism 3 "Fig. 7: a wagon on a crank" "angular velocity, rad/s"
-draw mill 3 "Fig. 8: a rolling mill" "velocity, m/s"
-draw regulator 3 "Fig. 9: a mercury regulator" "angular velocity, rad/s"
-draw scoop 3 "Fig. 10: a scoop cuts, carries, drops" "angular velocity, rad/s"
-draw excavator 27 "Fig. 10: five bodies, the scoop is filled" "scoop, height in m"
-draw crane 4 "Fig. 11: a crane's load, picked up, leaking, dropped" "x, m"
-draw dosing 2 "Fig. 12: a belt dosing device" "angle of the lever, rad"
-draw weighing 2 "Fig. 13: automatic weighing" "angle of the bar, rad"
-draw heap 3 "Cayley's chain from a heap" "velocity, m/s"
-draw winding 3 "A chain winds on a drum" "angular velocity, rad/s"
-draw stator 4 "A broken rotor meets the stator" "angle psi, rad"
-draw reel 3 "A band winds up on a drum, layer by layer" "angular velocity, rad/s"
+draw pouring 2 "Fig. 1: a hook tips a vessel" "angle φ, rad"
+draw vessel 3 "Figs 2, 3: a vessel tipped by a motor" "angular velocity ω, rad/s"
+draw turner 3 "Fig. 4: a wagon turner" "angular velocity ω, rad/s"
+draw tippler 3 "Fig. 5: a tippler with counterweights" "angular velocity ω, rad/s"
+draw wagon 3 "Fig. 6: a wagon fills, then empties" "velocity v, m/s"
+draw mechanism 3 "Fig. 7: a wagon on a crank" "angular velocity ω, rad/s"
+draw mill 3 "Fig. 8: a rolling mill" "velocity v_1, m/s"
+draw regulator 3 "Fig. 9: a mercury regulator" "angular velocity ω, rad/s"
+draw scoop 3 "Fig. 10: a scoop cuts, carries, drops" "angular velocity ω, rad/s"
+draw excavator 27 "Fig. 10: five bodies, the scoop is filled" "height y of the scoop, m"
+draw crane 4 "Fig. 11: a crane's load, picked up, leaking, dropped" "x of the load, m"
+draw dosing 2 "Fig. 12: a belt dosing device" "angle θ of the lever, rad"
+draw weighing 2 "Fig. 13: automatic weighing" "angle θ of the bar, rad"
+draw heap 3 "Cayley's chain from a heap" "velocity v, m/s"
+draw winding 3 "A chain winds on a drum" "angular velocity ω, rad/s"
+draw stator 4 "A broken rotor meets the stator" "angle ψ, rad"
+draw reel 3 "A band winds up on a drum, layer by layer" "angular velocity ω, rad/s"
 draw rocket 4 "A rocket of two stages" "height, m"
-draw fig18 4 "Fig. 18: the rest of a broken rotor" "angle psi, rad"
+draw fig18 4 "Fig. 18: the rest of a broken rotor" "angle ψ, rad"
 draw fig30 2 "Fig. 30: Laval's rotor" "x, m"
 draw fig32 2 "Fig. 32: one of two bodies and a spring" "x, m"
 echo "  $folder/scenes_*.svg   the machines of chapter 1, Figs 1 to 13, and numerical examples"
