@@ -1,9 +1,10 @@
-/* A luffing crane of four rigid bodies in the plane (Fig. 11): the undercarriage on elastic ground, the house on it, the
-   jib on a hydraulic cylinder, and the hook block on a rope, which is a rod here. When the rope is first vertical, the
-   block picks up 1500 kg at rest, body 4, which then leak 40 kg/s. When it next is, 700 kg drop and the leak stops. */
+/* A luffing crane of four rigid bodies in the plane (Fig. 11): the undercarriage on elastic ground, the house on it,
+   the jib on a hydraulic cylinder, and the hook block on a rope, which is a rod here. When the rope is first
+   vertical, the block picks up body 4, 1500 kg at rest, which then leaks 40 kg/s. When the rope next is vertical,
+   700 kg drop and the leak stops. */
 #include "stage.h"
 
-static const double rods[][4] = {{1, 1.5, 1, 0.9}, {5.8, 3.5, 5, 7.5}}; /* m: ends of the house's strut and the rope */
+static const double rods[][4] = {{1, 1.5, 1, 0.9}, {5.8, 3.5, 5, 7.5}}; /* m: ends of strut and rope */
 
 static inline vm_real rope_swing(vm_real t, const vm_real *y, void *ctx) /* how far its lower end is to the right */
 {

@@ -1,6 +1,6 @@
-"""The luffing crane of examples/scenes/luffing_crane.h in six coordinates: x and y of the undercarriage, and the angles
-of undercarriage, jib, rope and block. Each point is a sum of vectors that turn with these angles. Lagrange's equations
-J^T m J q'' = J^T (F - m a0) are integrated by Gragg's method with extrapolation. Prints the numbers of
+"""The luffing crane of examples/scenes/luffing_crane.h in six coordinates: x and y of the undercarriage, and the
+angles of undercarriage, jib, rope and block. Each point is a sum of vectors that turn with these angles. Lagrange's
+equations J^T m J q'' = J^T (F - m a0) are integrated by Gragg's method with extrapolation. Prints the numbers of
 check_luffing_crane in tests/test_scenes.c.
 
 usage: python3 tests/gen/luffing_crane_reference.py; needs mpmath. Minutes."""
