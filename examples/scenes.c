@@ -7,6 +7,7 @@
 #include "scenes/crane.h"
 #include "scenes/dosing.h"
 #include "scenes/excavator.h"
+#include "scenes/luffing_crane.h"
 #include "scenes/mechanism.h"
 #include "scenes/mill.h"
 #include "scenes/oscillators.h"
@@ -112,6 +113,8 @@ int main(int argc, char **argv)
     play(&s, "excavator", "five bodies, the scoop is filled: height, m", 25, 40, 0.397576169435684206);
     crane(&s);
     play(&s, "crane", "picks up, leaks, drops: m", 0, 12, 0.000712652643793425313);
+    luffing_crane(&s);
+    play(&s, "luffing", "a crane of four bodies: height of its load, m", 19, 8, 2.64793748421987867);
     dosing(&s, 40);
     s.end = 5;
     play(&s, "dosing", "a belt feeds itself: rad", 0, 5, 0.000907954100047924994);

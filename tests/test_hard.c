@@ -13,6 +13,7 @@
 #include "hard/slow_oscillators.c"
 #include "hard/attitudes.c"
 #include "hard/weak_forces.c"
+#include "hard/joints.c"
 
 typedef struct hard_value {
     const char *kernel;
@@ -101,6 +102,7 @@ int main(void)
     GROUP("Oscillators with slow mass", slow_oscillators_cases);
     GROUP("Attitudes and axles", attitudes_cases);
     GROUP("Oscillators under weak forces", weak_forces_cases);
+    GROUP("Joints of scenes", joints_cases);
     printf("\n");
     return check_finish("hard");
 }

@@ -20,8 +20,7 @@ static inline void excavator(stage *s)
     int i, soil_comes;
     stage_clear(s, 40);
     for (i = 0; i < 5; i++) {
-        const double *b = bodies[i];
-        stage_body(s, vm_scene_body_plane(REAL(b[0]), REAL(b[1]), stage_vec(b[2], b[3], 0), 0, zero, 0));
+        stage_plane(s, bodies[i]);
         stage_effect(s, vm_effect_gravity(i, 1, REAL(-gravity)));
     }
     s->bodies[4] = vm_scene_body_with_mass_state(s->bodies[4]);

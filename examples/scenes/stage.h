@@ -105,6 +105,13 @@ static const double gravity = 9.81; /* m/s^2 */
 
 /* -- Mechanisms of bodies whose angles are 0 at the start -- */
 
+/* Adds a body in the plane at rest, with the mass b[0] and the moment of inertia b[1], at the point b[2], b[3] */
+static inline int stage_plane(stage *s, const double *b)
+{
+    const vm_vec3 r = stage_vec(b[2], b[3], 0), zero = stage_vec(0, 0, 0);
+    return stage_body(s, vm_scene_body_plane(REAL(b[0]), REAL(b[1]), r, 0, zero, 0));
+}
+
 /* A point of the ground or of a body, given by where it lies at the start, when all angles are 0 */
 static inline vm_vec3 stage_point(const stage *s, int body, double x, double y)
 {
@@ -125,6 +132,22 @@ static inline vm_point_spring stage_spring(const stage *s, int body, int other, 
 static inline vm_joint stage_pin(const stage *s, int body, int other, double x, double y)
 {
     return vm_joint_pin(body, stage_point(s, body, x, y), other, stage_point(s, other, x, y));
+}
+
+/* A rod between two points that are given as those of stage_spring */
+static inline vm_joint stage_rod(const stage *s, int body, int other, const double *e)
+{
+    const vm_real length = vm_norm(stage_vec(e[0] - e[2], e[1] - e[3], 0));
+    return vm_joint_rod(body, stage_point(s, body, e[0], e[1]), other, stage_point(s, other, e[2], e[3]), length);
+}
+
+/* The vector to the point e[0], e[1] of a body from the point e[2], e[3] of another, in the state y */
+static inline vm_vec3 stage_between(const stage *s, int body, int other, const double *e, const vm_real *y)
+{
+    vm_vec3 here, there, v;
+    vm_scene_point_at(&s->scene, body, stage_point(s, body, e[0], e[1]), y, &here, &v);
+    vm_scene_point_at(&s->scene, other, stage_point(s, other, e[2], e[3]), y, &there, &v);
+    return vm_sub(here, there);
 }
 
 #endif

@@ -1036,7 +1036,49 @@ def lightly_damped(b, force, nu):
     return force / 2 / sqrt((1 - nu)**2 + b * b / 4)
 
 
-#INSERT
+# -- joints of scenes --
+
+def rod_pull(mass, length, speed):
+    return mass * speed**2 / length
+
+
+def far_rod(pivot, place, speed):
+    return speed**2 / (place - pivot)
+
+
+def upper_rod(above, below):
+    return 10 * (above + below)
+
+
+def lower_rod(above, below):
+    return 10 * below
+
+
+def thin_bar(mass, length):
+    return 10 * mass / 4
+
+
+def dead_centre(angle, radius, length, speed, force):
+    s, c = sin(angle), cos(angle)
+    root = sqrt(length**2 - (radius * s)**2)
+    part = radius**2 * s * c / root
+    slope = -radius * s - part
+    bend = -radius * c - radius**2 * (c * c - s * s) / root - part**2 / root
+    return slope * (force - bend * speed**2) / (1 + slope**2)
+
+
+def rod_swing(t, start):
+    k = sin(start / 2)
+    z = k * ellipfun("cd", t, m=k * k)
+    return 2 * z * sqrt(1 - z * z), 1
+
+
+def rod_length(t, start):
+    return mpf(1)
+
+
+def spring_rod(t, start, stiffness):
+    return rod_swing(t, start)
 
 
 def split(text):
