@@ -120,11 +120,11 @@ static inline int fault_same(const scenario *s, const outcome *o, double result)
 
 /* The call that fails after the call `at` has failed: all calls of an integrator's or a scene's run; of functions whose
    calls last longer each of the first 40, and then fewer and fewer, so that the test lasts some seconds. Where there
-   are very many calls, `at` is doubled at once. */
+   are very many calls, they are the calls 0, 7, 63, 511 and so on. */
 static inline long fault_next(const scenario *s, long at, long calls)
 {
     if (s->run) return at + 1;
-    if (calls > 30000) return 2 * at + 1;
+    if (calls > 30000) return 8 * at + 7;
     return at < 40 ? at + 1 : at + 1 + at / 4;
 }
 
