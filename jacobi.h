@@ -90,8 +90,8 @@
 
    ACCURACY, as bounds that the tests check, with inputs taken as exact; docs/measurements.md has the errors found.
      sn, cn, dn   absolute error <= 4 eps max(1, k') for |u| <= 1e9 and |u| <= 2^40 K (float 1e4 and 2^17 K). Relative
-                  error <= 8 ulp for |u| <= 100 K, at the zeros and next to them too (in float, except where u is
-                  within 1/2000 ulp of a zero). A plan is as accurate. For |u| >= K/eps the digits of u say nothing
+                  error <= 9 ulp for |u| <= 100 K, at the zeros and next to them too (in float, except where u is
+                  within 1e-6 ulp of a zero). A plan is as accurate. For |u| >= K/eps the digits of u say nothing
                   about the phase: then sn = 0 and cn = dn = 1.
      K, E         <= 2 ulp
      k'K          <= 5 ulp
@@ -2246,7 +2246,7 @@ VM_API void vmi_sncndn(vm_real u, vm_real m1, vm_real m1_lo, vm_real *sn, vm_rea
 }
 
 /* sn, cn and dn of the argument u for the parameter m = k^2 <= 1. All are pure numbers. |sn| <= 1, |cn| <= 1, dn lies
-   between 1 and sqrt(1 - m). sn is odd in u, cn and dn are even, to the last bit. The error is at most 8 ulp for
+   between 1 and sqrt(1 - m). sn is odd in u, cn and dn are even, to the last bit. The error is at most 9 ulp for
    |u| <= 100 K, next to the zeros too, and at most 4 eps times the function's largest value for |u| <= 1e9 (float 1e4).
    The results are NaN for m > 1 and for infinite arguments. For m = 1 sn = tanh u and cn = dn = 1/cosh u, also for
    infinite u. docs/cost.md has the time. DLMF 22. */

@@ -107,7 +107,7 @@ table() {
     worst_of K_error scan scan ulp 2 K
     worst_of E_error scan scan ulp 2 E
     worst_of sncndn_eps scan scan eps 4 'sn|cn|dn'
-    worst_of sncndn_ulp scan scan ulp 8 'sn|cn|dn'
+    worst_of sncndn_ulp scan scan ulp 9 'sn|cn|dn'
     worst_of solve_kpK_error scan scan ulp 4 'solve_kpK(_m1)?'
     worst_of ateb_pi_error scan scan ulp 1 Pi
     worst_of saca_eps scan scan eps 4 'sa|ca'

@@ -43,9 +43,9 @@ static void scan_jacobi(const char *region, double m, double u)
     check_error("dn", region, "eps", (double)fabsq(dn - d) / eps / largest, 4, (double)ur, (double)mr);
     if (fabs((double)ur) > 100 * K) return;
     own = (is_float ? 3e-17 : 2e-32) * fabs((double)ur) * largest; /* of K in float's words, of the reference */
-    check_error("sn", region, "ulp", fmax(0, ulps(sn, s) - own / ULP((double)s)), 8, (double)ur, (double)mr);
-    check_error("cn", region, "ulp", fmax(0, ulps(cn, c) - own / ULP((double)c)), 8, (double)ur, (double)mr);
-    check_error("dn", region, "ulp", ulps(dn, d), 8, (double)ur, (double)mr);
+    check_error("sn", region, "ulp", fmax(0, ulps(sn, s) - own / ULP((double)s)), 9, (double)ur, (double)mr);
+    check_error("cn", region, "ulp", fmax(0, ulps(cn, c) - own / ULP((double)c)), 9, (double)ur, (double)mr);
+    check_error("dn", region, "ulp", ulps(dn, d), 9, (double)ur, (double)mr);
     if (by_plan) return;
     turns = rintq(ur / (2 * Kq));
     sign = fmodq(turns, 2) != 0 ? -1 : 1;

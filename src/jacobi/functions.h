@@ -49,7 +49,7 @@ VM_API void vmi_sncndn(vm_real u, vm_real m1, vm_real m1_lo, vm_real *sn, vm_rea
 }
 
 /* sn, cn and dn of the argument u for the parameter m = k^2 <= 1. All are pure numbers. |sn| <= 1, |cn| <= 1, dn lies
-   between 1 and sqrt(1 - m). sn is odd in u, cn and dn are even, to the last bit. The error is at most 8 ulp for
+   between 1 and sqrt(1 - m). sn is odd in u, cn and dn are even, to the last bit. The error is at most 9 ulp for
    |u| <= 100 K, next to the zeros too, and at most 4 eps times the function's largest value for |u| <= 1e9 (float 1e4).
    The results are NaN for m > 1 and for infinite arguments. For m = 1 sn = tanh u and cn = dn = 1/cosh u, also for
    infinite u. docs/cost.md has the time. DLMF 22. */
