@@ -91,8 +91,8 @@
    ACCURACY, as bounds that the tests check, with inputs taken as exact; docs/measurements.md has the errors found.
      sn, cn, dn   absolute error <= 4 eps max(1, k') for |u| <= 1e9 and |u| <= 2^40 K (float 1e4 and 2^17 K). Relative
                   error <= 9 ulp for |u| <= 100 K, at the zeros and next to them too (in float, except where u is
-                  within 1e-6 ulp of a zero). A plan is as accurate. For |u| >= K/eps the digits of u say nothing
-                  about the phase: then sn = 0 and cn = dn = 1.
+                  within a millionth of an ulp of a zero). A plan is as accurate. For |u| >= K/eps the digits of u
+                  say nothing about the phase: then sn = 0 and cn = dn = 1.
      K, E         <= 2 ulp
      k'K          <= 5 ulp
      means        <= 8 ulp
