@@ -23070,9 +23070,9 @@ VM_API vm_effect vm_effect_point_spring(int body, int other, const vm_point_spri
    with which points would move apart; they are in the budget. list[0].force is the reaction on body 0 at the last
    evaluation.
 
-   Accuracy: forces and accelerations are right to a few eps of the largest of them. They lose digits where joints nearly
-   contradict each other or masses differ much: two rods of 1 m that hold a point 1e-4 m beside their line have errors
-   of 3e-9; a body between the ground and one that is 1e8 times as heavy, of 4e-9.
+   Accuracy: forces and accelerations are right to a few eps of the largest of them. They lose digits where joints
+   nearly contradict each other or masses differ much: two rods of 1 m that hold a point 1e-4 m beside their line have
+   errors of 3e-9; a body between the ground and one that is 1e8 times as heavy, of 4e-9.
 
    Tests: tests/test_scene_joints.c. */
 #ifndef VARMASS_SCENES_JOINTS_H

@@ -437,16 +437,20 @@ VM_API vm_real ateb_pi(vm_real alpha)
    words, else 0. */
 VM_API int vmi_ateb_is_large(const vmi_ateb *c) { return 8 * c->q.hi < VM_SQRT(VM_EPSILON); }
 
-/* Returns g(q) = Pi_alpha - (alpha + 1) in two words for a large alpha: 2 ln 2 + q g'(0) + q^2 g''(0)/2 */
-VM_API vm_two vmi_ateb_g_of_large(vm_real q)
+/* Returns g(q) = Pi_alpha - (alpha + 1) in two words for a large alpha: 2 ln 2 + q g'(0) + q^2 g''(0)/2. The product
+   with g'(0) is in two words, too. In float its rounding error would be up to 5 ulp of ca next to a zero. */
+VM_API vm_two vmi_ateb_g_of_large(vm_two q)
 {
-    const vm_real two_ln2 = VM_C(1.386294361119890618835);
 #if VM_MANT_DIG > 24
-    const vm_real two_ln2_lo = VM_C(4.638093627692599231e-17);
+    const vm_two two_ln2 = {VM_C(1.386294361119890618835), VM_C(4.638093627692599231e-17)};
+    const vm_two slope = {VM_C(-0.6840280390118236297781), VM_C(4.2639853945799391236e-17)};
 #else
-    const vm_real two_ln2_lo = VM_C(-3.80930859992e-9);
+    const vm_two two_ln2 = {VM_C(1.386294361119890618835), VM_C(-3.80930859992e-9)};
+    const vm_two slope = {VM_C(-0.68402802944183349609), VM_C(-9.56999009104446e-9)};
 #endif
-    return vmi_two_sum(two_ln2, two_ln2_lo + q * (VM_C(-0.6840280390118235871) + q * VM_C(0.5677838543520556957)));
+    vm_two product = vmi_two_times(q, slope);
+    product.lo += q.hi * q.hi * VM_C(0.5677838543520556957);
+    return vmi_two_plus(two_ln2, product);
 }
 
 /* Returns Pi_alpha/2 with a relative error of 2^-102 (float 2^-43). Let n = alpha + 1 and q = 1/n. For a large alpha
@@ -454,7 +458,7 @@ VM_API vm_two vmi_ateb_g_of_large(vm_real q)
 VM_API vm_two vmi_ateb_fine_quarter(const vmi_ateb *c)
 {
     const vm_two one = {1, 0};
-    if (vmi_ateb_is_large(c)) return vmi_half(vmi_two_plus(c->n, vmi_ateb_g_of_large(c->q.hi)));
+    if (vmi_ateb_is_large(c)) return vmi_half(vmi_two_plus(c->n, vmi_ateb_g_of_large(c->q)));
     return vmi_half(vmi_two_times(c->n, vmi_ateb_gamma_ratio(vmi_two_over(one, c->n))));
 }
 
@@ -465,7 +469,7 @@ VM_API vmi_three vmi_ateb_quarter_in_words(const vmi_ateb *c)
     vm_two g;
     if (c->n.hi == 1 && c->n.lo == 0) return vmi_three_words(1, 0, 0);
     if (!vmi_ateb_is_large(c)) return vmi_ateb_finest_quarter(c->n);
-    g = vmi_ateb_g_of_large(c->q.hi);
+    g = vmi_ateb_g_of_large(c->q);
     return vmi_three_plus(vmi_three_words(c->n.hi / 2, c->n.lo / 2, 0), vmi_three_words(g.hi / 2, g.lo / 2, 0));
 }
 
@@ -479,7 +483,7 @@ VM_API void vmi_ateb_fine_constants(vmi_ateb *c, vm_real alpha)
     vmi_ateb_index_constants(c, alpha);
     c->quarter = vmi_ateb_fine_quarter(c);
     c->g = vmi_two_minus(vmi_two_scaled(c->quarter, 2), c->n);
-    if (vmi_ateb_is_large(c)) c->g = vmi_ateb_g_of_large(c->q.hi);
+    if (vmi_ateb_is_large(c)) c->g = vmi_ateb_g_of_large(c->q);
 }
 
 #endif
