@@ -38,9 +38,11 @@ static int row_of(int route)
     return route == VM_ROUTE_COLLOCATION ? WITHIN_COLLOCATION : WITHIN_LAW;
 }
 
+/* Tells on the standard error stream which problem missed its tolerance or its estimate. */
 static void print_problem(const routes_case *c, int number, double tolerance, const vm_osc_motion *m, double error)
 {
-    printf("problem %d: alpha %g, r %g, damping %g, mass %d (%g, %g, %g), stiffness %d (%g, %g, %g), x %g, v %g, t %g,\n"
+    fprintf(stderr,
+           "problem %d: alpha %g, r %g, damping %g, mass %d (%g, %g, %g), stiffness %d (%g, %g, %g), x %g, v %g, t %g,\n"
            "    tolerance %.1e, route %d, estimate %.1e, error %.1e\n",
            number, c->alpha, c->reactive, c->damping, c->mass.kind, c->mass.a, c->mass.b, c->mass.c, c->stiffness.kind,
            c->stiffness.a, c->stiffness.b, c->stiffness.c, c->x0, c->v0, c->T, tolerance, m->route, (double)m->error, error);
