@@ -13181,16 +13181,19 @@ VM_API vmi_osc_points vmi_osc_pair(const vm_osc_problem *o, int i)
 }
 
 /* The number of the pair that is tried first: one that reaches the tolerance where mass and stiffness change by a
-   percent or less while the phase grows by 1. Laws by functions of the user need more points, for the derivative of
-   p. */
-VM_API int vmi_osc_first_pair(const vm_osc_problem *o, vm_real tolerance)
+   percent or less while the phase grows by 1, or by about a tenth if `change`, this share, is above 1/16. Laws by
+   functions of the user need more points, for the derivative of p. */
+VM_API int vmi_osc_first_pair(const vm_osc_problem *o, vm_real tolerance, vm_real change)
 {
     if (o->force) return tolerance >= VM_C(1e-6) ? 2 : 4;
     if (vmi_osc_has_user_law(o)) return tolerance >= VM_C(1e-8) ? 2 : 3;
+    if (change > VM_C(0.0625)) {
+        if (tolerance >= VM_C(1e-7)) return tolerance >= VM_C(1e-6) ? 1 : 2;
+        return tolerance >= VM_C(1e-9) ? 3 : 4;
+    }
     if (tolerance >= VM_C(1e-8)) return 0;
     if (tolerance >= VM_C(1e-9)) return 1;
-    if (tolerance >= VM_C(1e-11)) return 2;
-    return 3;
+    return tolerance >= VM_C(1e-11) ? 2 : 3;
 }
 
 /* The number of the pair that is tried after pair i, whose estimated error is `error`, larger than the tolerance. A
@@ -13309,7 +13312,7 @@ VM_API int vmi_osc_collocate(const vm_osc_plan *plan, int route, vm_real t, vm_r
     vmi_osc_pair_run r;
     vm_osc_motion result;
     vm_real sa, ca;
-    int i = vmi_osc_first_pair(o, tolerance), status = vmi_osc_law_step(plan, t, &r.longest);
+    int i, status = vmi_osc_law_step(plan, t, &r.longest);
     r.change = 0;
     status = vmi_first_error(status, vmi_osc_change_at(plan, 0, vmi_time_side(t), &r.change));
     status = vmi_first_error(status, vmi_osc_change_at(plan, t, -vmi_time_side(t), &r.change));
@@ -13319,6 +13322,7 @@ VM_API int vmi_osc_collocate(const vm_osc_plan *plan, int route, vm_real t, vm_r
     r.sweep_limit = vmi_larger(tolerance / share, VM_EPSILON);
     r.error = VM_INFINITY;
     result.evals = 0;
+    i = vmi_osc_first_pair(o, tolerance, r.change);
     while (i < VMI_OSC_PAIRS && !(r.error <= tolerance)) {
         r.most = i < VMI_OSC_PAIRS - 1 ? tolerance : VM_INFINITY;
         status = vmi_osc_collocate_pair(plan, t, vmi_osc_pair(o, i), &r);

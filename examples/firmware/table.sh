@@ -125,6 +125,8 @@ avr_flash() { # avr_flash ORDER FLAG... : flash of a program that makes a plan o
         -o "$build/made.elf" -lm && avr-size "$build/made.elf" | awk 'NR == 2 {print $1 + $2}'
 }
 avr_table() {
+    sh tests/install.sh -w "for the flash of programs on an ATmega328P" "command -v avr-gcc" gcc-avr avr-libc binutils-avr ||
+        return 1
     printf '\n## ATmega328P\n\nBytes of flash of a whole program in float that makes the plan of a leaking oscillator on the board, evaluates\n'
     printf 'it at 16 times and prints the results (tests/cross/tables.c). The ATmega328P has 32768. A plan that is made on a\n'
     printf 'PC is a constant and needs none of the code that makes it.\n\n| order of the law | -Os | -Os -mcall-prologues -mrelax |\n|---|---|---|\n'
@@ -136,7 +138,8 @@ echo "function,precision,target,flash,stack,instructions" >"$build/table.csv"
 cat <<'END'
 # Flash, stack and instructions of a call
 
-Written by `make firmware-table`, with gcc -Os -fno-math-errno -ffp-contract=off. A cell has three numbers: flash, stack and instructions. Flash is the number of
+Written by `make firmware-table`, with gcc -Os -fno-math-errno -ffp-contract=off. A cell has three numbers: flash, stack and
+instructions. Flash is the number of
 bytes by which a program grows when it makes the call, with all tables and functions that the call needs. Stack (in bytes) and
 instructions are the largest numbers in many calls on emulated boards.
 
