@@ -44,7 +44,7 @@ done | awk -F, -v rows="$rows" -v counts="$counts" '
             chain = ratio[field[2], field[3], field[4] " (chain)"]
             name = "`" field[6] "`"
             in_sin = ""
-            if (name in count) in_sin = field[2] ~ /float/ ? float_count[name] / float_count["`sin`"] : double_count[name] / double_count["`sin`"]
+            if (field[6] != "" && name in count) in_sin = field[2] ~ /float/ ? float_count[name] / float_count["`sin`"] : double_count[name] / double_count["`sin`"]
             of = field[3]
             gsub(/;/, ",", of)
             gsub(/[|]/, "\\\\|", of)
