@@ -214,9 +214,10 @@ static void test_motions(void)
     }
     for (i = 0; i < COUNT(slow_wide); i += 4) judge_case(slow_wide + i, &free_motion);
     for (i = 0; i < COUNT(slow_tables); i += 2) judge_case(slow_tables + i, &tables);
-    /* Float takes few points a step, for which the estimate credits the strict run with little. */
+    /* Float takes few points a step, for which the estimate credits the strict run with little. In double the median of
+       the tables is 25 without and 26 with fused multiply-adds. */
     report(&free_motion, by_precision(25, 32), 1);
-    report(&tables, by_precision(25, 32), by_precision(1, 6));
+    report(&tables, by_precision(28, 32), by_precision(1, 6));
     report(&forced, by_precision(35, 25), by_precision(40, 5)); /* graded rules are better than their estimate says */
 }
 
