@@ -13228,8 +13228,8 @@ VM_API int vmi_osc_change_at(const vm_osc_plan *plan, vm_real t, int side, vm_re
    5. For alpha < 1 it falls as n^-6, because the rates have terms proportional to d^(alpha+2), where d is the distance
    from a zero of x, and for these Gauss' rule loses orders. With few points, a change of more than 1/32 a radian, the
    sharp turns of a large alpha, kinks from a force, or a law by a function, it falls more slowly. In a graded rule the
-   points are densest where x is 0, so kinks at other places count less. docs/routes.md shows how good the estimate
-   is. */
+   points are densest at both ends of a step, where x or x' is 0, so kinks there count less. docs/routes.md shows how
+   good the estimate is. */
 VM_API vm_real vmi_osc_strict_share(const vm_osc_problem *o, vmi_osc_points points, vm_real change)
 {
     const vm_real ratio = (vm_real)points.loose / (vm_real)points.strict, squared = ratio * ratio;

@@ -438,7 +438,7 @@ VM_API vm_real ateb_pi(vm_real alpha)
 VM_API int vmi_ateb_is_large(const vmi_ateb *c) { return 8 * c->q.hi < VM_SQRT(VM_EPSILON); }
 
 /* Returns g(q) = Pi_alpha - (alpha + 1) in two words for a large alpha: 2 ln 2 + q g'(0) + q^2 g''(0)/2. The product
-   with g'(0) is in two words, too. In float its rounding error would be up to 5 ulp of ca next to a zero. */
+   with g'(0) is in two words, too: in float one word is not enough next to a zero of ca. */
 VM_API vm_two vmi_ateb_g_of_large(vm_two q)
 {
 #if VM_MANT_DIG > 24

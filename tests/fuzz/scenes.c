@@ -410,7 +410,11 @@ static int check_start(drawn_scene *d)
     status = vm_scene_start(&d->scene, 0, d->y, &culprit);
     if (checked)
         HOLDS(status == checked && culprit.kind && culprit.index >= -1 && culprit.index < 16 && UNTOUCHED(d->y));
-    if (status < 0) return 0; /* a mass law fails at the start: then y is filled, as vm_scene_start says */
+    if (status < 0) { /* y may be filled where the check passed and a mass law fails, as vm_scene_start says */
+        HOLDS(checked || status == VM_NOT_FINITE || status == VM_BAD_MASS || status == VM_DOMAIN);
+        HOLDS(checked || d->scene.size == 0); /* not started */
+        return 0;
+    }
     HOLDS(size > 0 && size <= STATE && vmi_all_finite(size, d->y));
     HOLDS(vm_scene_rhs(0, d->y, d->dydt, &d->scene) == 0);
     /* x^alpha of what is extreme overflows */
