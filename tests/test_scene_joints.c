@@ -793,6 +793,74 @@ static void check_push_at(void)
     vm_scene_push_at(NULL, 0, origin, s.y, origin);
 }
 
+/* ---- Joints that nearly contradict each other ---- */
+
+/* Starts a scene of points that hang on two rods, and computes the pulls of the rods. */
+static void hang(stage *s, vm_joint *list)
+{
+    static vm_real dydt[STAGE_STATE];
+    const vm_joints joints = joints_of(list, 2, 1);
+    int i;
+    for (i = 0; i < s->scene.n_bodies; i++) stage_effect(s, vm_effect_gravity(i, 1, -10));
+    stage_effect(s, vm_effect_joints(&joints));
+    begin(s);
+    vm_scene_rhs(0, s->y, dydt, &s->scene);
+    CHECK(s->scene.status == VM_OK);
+}
+
+static void check_pull(const char *what, vm_real pull, double wanted, double bound, double x)
+{
+    check_error("pull of a rod", what, "eps", ERROR_EPS(pull, wanted, 0, wanted), bound, x, wanted);
+}
+
+/* Two rods of about 1 m hold a point of 1 kg `h` below the line between their upper ends. */
+static void check_flat_rods(const char *what, double h, double bound)
+{
+    const vm_vec3 ends[2] = {{1, 0, 0}, {-1, 0, 0}}, place = stage_vec(0, -h, 0);
+    vm_joint list[2];
+    stage s;
+    int i;
+    stage_clear(&s, 3);
+    stage_body(&s, vm_scene_body_point(1, place, origin));
+    for (i = 0; i < 2; i++)
+        list[i] = vm_joint_rod(0, origin, VM_GROUND, ends[i], vm_norm(vm_sub(place, ends[i])));
+    hang(&s, list);
+    for (i = 0; i < 2; i++) check_pull(what, list[i].force.y, 5, bound, h);
+}
+
+/* A rod holds a point of 1 kg, and a second rod a heavy one below it. */
+static void check_light_between(const char *what, double heavy, double bound)
+{
+    const vm_real mass = REAL(heavy);
+    vm_joint list[2];
+    stage s;
+    stage_clear(&s, 3);
+    stage_body(&s, vm_scene_body_point(1, stage_vec(0, -1, 0), origin));
+    stage_body(&s, vm_scene_body_point(mass, stage_vec(0, -2, 0), origin));
+    list[0] = vm_joint_rod(0, origin, VM_GROUND, origin, 1);
+    list[1] = vm_joint_rod(1, origin, 0, origin, 1);
+    hang(&s, list);
+    check_pull(what, list[0].force.y, 10 * ((double)mass + 1), bound, heavy);
+    check_pull(what, list[1].force.y, 10 * (double)mass, bound, heavy);
+}
+
+/* The matrix of the equations has lost all digits at h = sqrt(eps) and where the heavy body has a mass of 1/eps kg. The
+   pulls keep theirs, but for the last two decades. */
+static void check_nearly_dependent(void)
+{
+    const double eps = (double)VM_EPSILON;
+    double least;
+    int k;
+    for (least = 0.1; least > 32 * eps; least /= 100)
+        for (k = 0; k < 50; k++) {
+            const double square = least * (1 + k / 10.0);
+            const int is_close = square < 1e5 * eps;
+            check_flat_rods(is_close ? "in line" : "nearly in line", sqrt(square), is_close ? 1e5 : 4);
+            check_light_between(is_close ? "heaviest below" : "heavy below", 1 / square, is_close ? 1e5 : 4);
+        }
+    for (k = 0; k < 200 && !is_float; k++) check_flat_rods("1e-7 m beside", 1e-7 * (1 + k / 200.0), 2e5); /* 4e-11 */
+}
+
 int main(void)
 {
     check_push_at();
@@ -802,6 +870,7 @@ int main(void)
     check_refused_springs();
     check_coinciding_points();
     check_redundant();
+    check_nearly_dependent();
     check_refused_contact();
     check_point_at();
     check_leaking_bar_in_plane();

@@ -12,15 +12,22 @@
 #include "real.h"
 #include "status.h"
 
-/* Eliminates the unknown x[k] from the equations k + 1 to n - 1 of the system a x = b. */
-VM_API void vmi_eliminate(int n, int k, vm_real *a, vm_real *b)
+/* Eliminates the unknown x[k] from the left sides of the equations k + 1 to n - 1 of the system a x = b. Column k of a
+   keeps the numbers that vmi_eliminate_right needs. */
+VM_API void vmi_eliminate(int n, int k, vm_real *a)
 {
     int i, j;
     for (i = k + 1; i < n; i++) {
         const vm_real factor = a[i * n + k] / a[k * n + k];
         for (j = k + 1; j < n; j++) a[i * n + j] -= factor * a[k * n + j];
-        b[i] -= factor * b[k];
     }
+}
+
+/* Does the same with the right sides, after vmi_eliminate. */
+VM_API void vmi_eliminate_right(int n, int k, const vm_real *a, vm_real *b)
+{
+    int i;
+    for (i = k + 1; i < n; i++) b[i] -= a[i * n + k] / a[k * n + k] * b[k];
 }
 
 /* Solves a x = b for a triangular matrix a. Its entries below the diagonal are not read. x replaces b. */
@@ -52,35 +59,52 @@ VM_API int vmi_solve_linear(int n, vm_real *a, vm_real *b)
         x = b[k];
         b[k] = b[pivot];
         b[pivot] = x;
-        vmi_eliminate(n, k, a, b);
+        vmi_eliminate(n, k, a);
+        vmi_eliminate_right(n, k, a, b);
     }
     vmi_substitute_back(n, a, b);
     return VM_OK;
 }
 
-/* Solves a x = b for a mass matrix a, which is symmetric and positive definite. x replaces b, a is overwritten, and
-   `scale` is work space for n numbers. The function first scales rows and columns so that the diagonal is 1. The units
-   of the coordinates then do not matter, and the condition number is nearly the least that scaling can give (van der
-   Sluis 1969). Rows need not be exchanged. Returns VM_SINGULAR if an entry of the diagonal is not positive or a pivot
-   is not above 4 n eps, which happens for every matrix that is not positive definite, and VM_OK otherwise. */
-VM_API int vmi_solve_mass(int n, vm_real *a, vm_real *b, vm_real *scale)
+/* Decomposes a mass matrix a, which is symmetric and positive definite, for vmi_solve_decomposed. Both triangles of a
+   receive the decomposition, and `scale` receives n numbers. The function first scales rows and columns so that the
+   diagonal is 1. The units of the coordinates then do not matter, and the condition number is nearly the least that
+   scaling can give (van der Sluis 1969). Rows need not be exchanged. Returns VM_SINGULAR if an entry of the diagonal
+   is not positive or a pivot is not above 4 n eps, which happens for every matrix that is not positive definite, and
+   VM_OK otherwise. */
+VM_API int vmi_decompose_mass(int n, vm_real *a, vm_real *scale)
 {
-    int i, j;
+    int i, j, k;
     for (i = 0; i < n; i++) {
         if (!(a[i * n + i] > 0)) return VM_SINGULAR;
         scale[i] = VM_SQRT(a[i * n + i]);
     }
-    for (i = 0; i < n; i++) {
+    for (i = 0; i < n; i++)
         for (j = 0; j < n; j++) a[i * n + j] = a[i * n + j] / scale[i] / scale[j];
-        b[i] /= scale[i];
+    for (k = 0; k < n; k++) {
+        if (!(a[k * n + k] > (vm_real)(4 * n) * VM_EPSILON)) return VM_SINGULAR;
+        vmi_eliminate(n, k, a);
     }
-    for (i = 0; i < n; i++) {
-        if (!(a[i * n + i] > (vm_real)(4 * n) * VM_EPSILON)) return VM_SINGULAR;
-        vmi_eliminate(n, i, a, b);
-    }
+    return VM_OK;
+}
+
+/* Solves a x = b after vmi_decompose_mass. x replaces b. */
+VM_API void vmi_solve_decomposed(int n, const vm_real *a, const vm_real *scale, vm_real *b)
+{
+    int i, k;
+    for (i = 0; i < n; i++) b[i] /= scale[i];
+    for (k = 0; k < n; k++) vmi_eliminate_right(n, k, a, b);
     vmi_substitute_back(n, a, b);
     for (i = 0; i < n; i++) b[i] /= scale[i];
-    return VM_OK;
+}
+
+/* Solves a x = b for a mass matrix a. x replaces b, a is overwritten, and `scale` is work space for n numbers. Returns
+   a status of vmi_decompose_mass. */
+VM_API int vmi_solve_mass(int n, vm_real *a, vm_real *b, vm_real *scale)
+{
+    const int status = vmi_decompose_mass(n, a, scale);
+    if (!status) vmi_solve_decomposed(n, a, scale, b);
+    return status;
 }
 
 #endif

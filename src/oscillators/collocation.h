@@ -80,20 +80,26 @@ VM_API vmi_osc_points vmi_osc_pair(const vm_osc_problem *o, int i)
     return points;
 }
 
-/* The number of the pair that is tried first: one that reaches the tolerance where mass and stiffness change by a
-   percent or less while the phase grows by 1, or by about a tenth if `change`, this share, is above 1/16. Laws by
-   functions of the user need more points, for the derivative of p. */
+/* The number of the pair that is tried first. Each kind of problem has a row in at_least; the pair that is tried first
+   is the first one whose number in this row is not above the tolerance. A problem is quick if mass and stiffness change
+   by more than `change` = 1/16 of themselves while the phase grows by 1. The numbers were chosen with changes of up to
+   0.01 for the slow problems, and of about 0.1 for the quick ones. A law by a function of the user needs more points,
+   because of the derivative of p. */
 VM_API int vmi_osc_first_pair(const vm_osc_problem *o, vm_real tolerance, vm_real change)
 {
-    if (o->force) return tolerance >= VM_C(1e-6) ? 2 : 4;
-    if (vmi_osc_has_user_law(o)) return tolerance >= VM_C(1e-8) ? 2 : 3;
-    if (change > VM_C(0.0625)) {
-        if (tolerance >= VM_C(1e-7)) return tolerance >= VM_C(1e-6) ? 1 : 2;
-        return tolerance >= VM_C(1e-9) ? 3 : 4;
-    }
-    if (tolerance >= VM_C(1e-8)) return 0;
-    if (tolerance >= VM_C(1e-9)) return 1;
-    return tolerance >= VM_C(1e-11) ? 2 : 3;
+    enum { SLOW, QUICK, BY_FUNCTION, FORCED };
+    static const vm_real at_least[][VMI_OSC_PAIRS] = {
+        {VM_C(1e-8), VM_C(1e-9), VM_C(1e-11), 0},               /* slow */
+        {VM_INFINITY, VM_C(1e-6), VM_C(1e-7), VM_C(1e-9), 0},   /* quick */
+        {VM_INFINITY, VM_INFINITY, VM_C(1e-8), 0},              /* laws by functions */
+        {VM_INFINITY, VM_INFINITY, VM_C(1e-6), VM_INFINITY, 0}, /* forced */
+    };
+    int i = 0, kind = SLOW;
+    if (change > VM_C(0.0625)) kind = QUICK;
+    if (vmi_osc_has_user_law(o)) kind = BY_FUNCTION;
+    if (o->force) kind = FORCED;
+    while (tolerance < at_least[kind][i]) i++;
+    return i;
 }
 
 /* The number of the pair that is tried after pair i, whose estimated error is `error`, larger than the tolerance. A

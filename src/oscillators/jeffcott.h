@@ -370,10 +370,11 @@ VM_API int vmi_jeffcott_circular(vm_real t, const vm_real *y, vm_real *dydt, con
 {
     vm_real mass, rate, stiffness, slope, W, S, growth;
     vm_complex load;
-    int status = vmi_jeffcott_mass_at(r, t, &mass, &rate);
+    const int status = vmi_jeffcott_mass_at(r, t, &mass, &rate);
+    const int is_number = VM_IS_FINITE(r->gyro) && y[0] == y[0];
     if (r->nodes < 0) return VM_BAD_ARGUMENT;
-    if (!VM_IS_FINITE(r->gyro) || y[0] != y[0]) status = vmi_first_error(status, VM_NOT_FINITE);
-    if (status) return status;
+    if (status) return is_number ? status : vmi_first_error(status, VM_NOT_FINITE);
+    if (!is_number) return VM_NOT_FINITE;
     stiffness = vmi_jeffcott_stiffness(r, y[0], &slope);
     W = vmi_jeffcott_root(r->gyro, mass, stiffness, sense);
     S = mass * W - r->gyro;

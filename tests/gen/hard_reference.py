@@ -1054,6 +1054,10 @@ def lower_rod(above, below):
     return 10 * below
 
 
+def flat_rods(mass, height):
+    return 10 * mass * sqrt(1 + height**2) / (2 * height)
+
+
 def thin_bar(mass, length):
     return 10 * mass / 4
 

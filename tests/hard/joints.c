@@ -83,6 +83,26 @@ static vm_real upper_rod_naive(const vm_real *x)
 static vm_real lower_rod_ours(const vm_real *x) { return hanging(x, 1); }
 static vm_real lower_rod_naive(const vm_real *x) { return 10 * (x[0] + x[1]) - 10 * x[0]; }
 
+/* A point of x0 kg hangs in a plane between two rods, x1 below the line between their upper ends, which are 2 m apart:
+   pull of a rod. Naive: Cramer's rule */
+static vm_real flat_rods_ours(const vm_real *x)
+{
+    const vm_vec3 right = {1, 0, 0}, left = {-1, 0, 0}, place = {0, -x[1], 0};
+    joined j;
+    memset(&j, 0, sizeof j);
+    j.bodies[0] = vm_scene_body_point(x[0], place, joint_origin);
+    j.effects[0] = vm_effect_gravity(0, 1, -10);
+    j.list[0] = vm_joint_rod(0, joint_origin, VM_GROUND, right, vm_norm(vm_sub(place, right)));
+    j.list[1] = vm_joint_rod(0, joint_origin, VM_GROUND, left, vm_norm(vm_sub(place, left)));
+    return joined_now(&j, 1, 1, 2) == VM_OK ? vm_norm(j.list[0].force) : VM_NAN;
+}
+static vm_real flat_rods_naive(const vm_real *x)
+{
+    const vm_real square = 1 + x[1] * x[1], s = x[1] / SQRT(square), coupling = (x[1] * x[1] - 1) / square / x[0];
+    const vm_real a = 1 / x[0];
+    return 10 * s * (a - coupling) / (a * a - coupling * coupling);
+}
+
 /* A bar of x0 kg and the length x1 leaves a level position about a ball joint at its end: reaction of the joint. It
    has no moment of inertia about its own axis. Naive: inverts each moment */
 static vm_real thin_bar_ours(const vm_real *x)
@@ -207,6 +227,9 @@ static const hard_case joints_cases[] = {
     CASE(far_rod, 4, "ends of a rod whose squares overflow", R(1e200, 1e25), R(1.5e200, 1.5e25), R(1e100, 1e12)),
     CASE(upper_rod, 8, "two bodies of 1e-200 kg: the determinant overflows", R(2e-200, 2e-25), R(1e-200, 1e-25)),
     CASE(upper_rod, 8, "two bodies of 1e200 kg: the determinant underflows", R(2e200, 2e25), R(1e200, 1e25)),
+    CASE(upper_rod, 4, "a body of 1 kg between the ground and a heavy one", 1, R(1e9, 1e4)),
+    CASE(flat_rods, 4, "a point between two rods that are nearly in line", 2, R(1e-4, 1e-2)),
+    CASE(flat_rods, 4, "a point between two rods, closer to their line", 2, R(1e-5, 0.003)),
     CASE(lower_rod, 8, "pull on a light body below a heavy one, as a rest of the weight of both", R(1e12, 1e5), 0.01),
     CASE(lower_rod, 8, "pull on a body 1e30 times lighter than the one above", R(1e15, 1e12), R(1e-15, 1e-12)),
     CASE(thin_bar, 8, "a bar without inertia about its own axis, on a ball joint", 3, 0.75),
