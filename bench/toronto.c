@@ -185,8 +185,8 @@ static int print_markdown(const char *name)
     if (read_all(name, before) < DETEST_PROBLEMS * 2 * TOLERANCES) return fprintf(stderr, "%s is not complete\n", name);
     solve_all(now);
     puts("# The Toronto test set\n\n"
-         "Written by `make toronto` (bench/toronto.c). The set, called DETEST, has thirty differential equations, which\n"
-         "are solved from t = 0 to 20. It is by Hull, Enright, Fellen and Sedgwick (1972; class F by Enright\n"
+         "Written by `make toronto` (bench/toronto.c). The set, called DETEST, has thirty problems: differential\n"
+         "equations that are solved from t = 0 to 20. It is by Hull, Enright, Fellen and Sedgwick (1972; class F by Enright\n"
          "and Pryce, 1987). The problems are in tests/detest.h, and their solutions at t = 20 are known to 20\n"
          "digits (tests/gen/detest_reference.c). Class A has single equations, class B small systems, class C\n"
          "larger systems, class D Kepler's orbits and class E equations of second order. In class F the\n"
