@@ -186,7 +186,7 @@ routes: build/tests/random_routes
 # a campaign of minutes: the float functions at every float of a period
 EXHAUSTIVE = build/tests/exhaustive_jacobi build/tests/exhaustive_ateb
 exhaustive: $(EXHAUSTIVE)
-	{ printf '# Every float of a period\n\nWritten by `make exhaustive`.\n\n```\n'; ./build/tests/exhaustive_jacobi 1; \
+	{ cat bench/exhaustive.md; printf '\n```\n'; ./build/tests/exhaustive_jacobi 1; \
 	for alpha in 0 0.5 1.5 3 33.3; do ./build/tests/exhaustive_ateb $$alpha; done; printf '```\n'; } >docs/exhaustive.md
 	! grep -E 'FAILED|[1-9][0-9]* failed' docs/exhaustive.md
 	@grep 'passed,' docs/exhaustive.md; $(STAMP) exhaustive

@@ -12,21 +12,21 @@ failed=
 # A row a part: name; headers; command; the lines of its output that are the result (a regular expression); what it shows
 parts() {
     cat <<'END'
-scan; ateb jacobi; make scan; passed, ; errors at a million random arguments in each region against quadruple precision
-points; ateb jacobi; make points; passed, ; errors at 20 000 fresh points of each table against arbitrary precision
+scan; ateb jacobi; make scan; passed, ; errors at a million random arguments in each region, compared with quadruple precision
+points; ateb jacobi; make points; passed, ; errors at 20 000 new points of each table, compared with arbitrary precision
 routes; ateb jacobi integrators varmass; make routes; passed, ; errors and estimates of 2000 random oscillators by all routes
 exhaustive; ateb jacobi; make exhaustive; passed, ; errors at every float of a period
 evaluations; ateb jacobi varmass; make evaluations; ^all|violations; ranges, symmetries and identities at random arguments
 events; integrators; make test-events; passed, ; random runs whose events coincide, jump or vanish
-threads; ateb jacobi integrators varmass; make test-threads; passed|equal; the same bits from eight threads, under ThreadSanitizer
-coverage; ateb jacobi integrators varmass; make coverage; [.]h ; lines and outcomes of conditions that the tests execute
-mutation; ateb jacobi integrators varmass; make test-mutate; caught, ; wrong headers that the tests notice
-proof; ateb jacobi integrators; make proof; passed|kinds of alarms; abstract interpretation of all public functions
+threads; ateb jacobi integrators varmass; make test-threads; passed|equal; results with the same bits in eight threads, under ThreadSanitizer
+coverage; ateb jacobi integrators varmass; make coverage; [.]h ; how many lines and outcomes of conditions the tests execute
+mutation; ateb jacobi integrators varmass; make test-mutate; caught, ; how many deliberate errors in the headers the tests notice
+proof; ateb jacobi integrators; make proof; passed|kinds of alarms; run-time errors excluded for all arguments of jacobi.h, ateb.h and integrators.h, by abstract interpretation
 kernels; jacobi; make proof-kernels KERNELS=full; passed, ; error bounds of the elementary kernels proved by Gappa and Sollya
 sanitizers; ateb jacobi integrators varmass; make test-sanitize; passed, ; sanitizers, valgrind and static analysers
-fuzz; ateb jacobi integrators varmass; make test-fuzz; planted|passed, ; all functions fuzzed, and planted errors found
-cross; ateb jacobi integrators varmass; make test-cross; ^cross: ; the same bits and the tests on every target
-peers; ateb jacobi integrators varmass; make peers; ^No peer|^A peer; times and errors beside GSL, Boost and SUNDIALS
+fuzz; ateb jacobi integrators varmass; make test-fuzz; planted|passed, ; all functions called with generated inputs, and deliberate errors found
+cross; ateb jacobi integrators varmass; make test-cross; ^cross: ; results with the same bits, and passing tests, on every target
+peers; ateb jacobi integrators varmass; make peers; ^No peer|^A peer; times and errors, compared with those of GSL, Boost and SUNDIALS
 cost; ateb jacobi integrators varmass; make cost; ^wrote; times of all routes, on a machine that does nothing else
 END
 }
@@ -63,9 +63,11 @@ done 3<$folder/parts
     cat <<'END'
 # Campaigns
 
-Written by `make campaigns` (bench/campaigns.sh). The table has the checks that take too long for `make test-all`, what each
-printed at its end, and the headers that it ran on, as hashes (bench/stamp.sh). A row whose hashes are not those of today's headers is of an
-earlier state; [reliability.md](reliability.md) tells what the campaigns found. `make campaigns CAMPAIGNS="scan proof"` runs some.
+Written by `make campaigns` (bench/campaigns.sh). A campaign is a check that takes too long for `make test-all`. The table
+has the campaigns, what each of them printed at its end, and the headers with which it ran. Headers are identified by
+stamps, which are hashes of their code (bench/stamp.sh). If the stamps of a row are not those of today's headers, the
+campaign ran with earlier headers. [reliability.md](reliability.md) says what the campaigns found. `make campaigns` runs
+all of them; `make campaigns CAMPAIGNS="scan proof"` runs only those that it names.
 
 | campaign | command | what it shows | headers | result |
 |---|---|---|---|---|
@@ -77,7 +79,7 @@ END
                 '{printf "| %s | `%s` | %s | %s | %s |\n", $1, $3, $5, stamp, result == "" ? "passed" : result}'
         else
             grep -s "^| $name | " $document ||
-                echo "$line" | awk -F'; ' '{printf "| %s | `%s` | %s | not run since stamps are kept | - |\n", $1, $3, $5}'
+                echo "$line" | awk -F'; ' '{printf "| %s | `%s` | %s | not run since stamps are recorded | - |\n", $1, $3, $5}'
         fi
     done 3<$folder/parts
 } >$folder/document
@@ -88,7 +90,7 @@ while IFS= read -r line <&3; do
 done 3<$folder/parts
 {
     cat $folder/document
-    printf '\nMeasured on headers of an earlier state, but for the rows whose hashes are those of today.\n'
+    printf '\nMeasured on headers of an earlier state, except for the rows whose stamps are those of the present headers.\n'
 } >$folder/new && mv $folder/new $document
 [ -z "$current" ] || sh bench/stamp.sh write campaigns
 sh bench/stamp.sh refresh

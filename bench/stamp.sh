@@ -58,7 +58,7 @@ refresh() {
         [ -f "$root/docs/$document.md" ] || continue
         has=$(sed -n "s/^$begins\(.*\) (bench.*/\1/p; s/^$earlier: \(.*\) (bench.*/\1/p" "$root/docs/$document.md")
         today=$(of $(headers_of "$document"))
-        if [ -z "$has" ]; then end_with "$document" "$earlier; which state it was, was not recorded then."
+        if [ -z "$has" ]; then end_with "$document" "$earlier. It is not recorded which state it was."
         elif [ "$has" = "$today" ]; then end_with "$document" "$begins$has (bench/stamp.sh)."
         else end_with "$document" "$earlier: $has (bench/stamp.sh)."; fi
     done

@@ -73,8 +73,9 @@ growing="*b++ = vm_scene_body_growing_plane(vm_scene_body_plane(1, 1, zero, 0, z
 cat <<'END'
 # Flash of scenes
 
-Written by `make scene-sizes`. The table has the bytes of flash by which an image grows, in float with gcc -Os, with all tables and
-functions that are needed. M0 is a Cortex-M0, which emulates floating-point arithmetic (this code is counted too), and M4F a Cortex-M4F.
+Written by `make scene-sizes`. The tables show by how many bytes of flash a program grows when it contains
+a scene, with all tables and functions that the scene needs. All is computed in float and compiled by gcc -Os. M0 is a
+Cortex-M0, which emulates floating-point arithmetic (this code is counted, too), and M4F is a Cortex-M4F.
 
 | a scene with vm_scene_start and vm_scene_rhs | M0 | M4F |
 |---|---|---|
@@ -82,7 +83,7 @@ END
 row "a body on a line, nothing acts" "$line" "" "" "$evaluate"
 row "a linear spring" "$line" "$spring" "" "$evaluate"
 row "a linear spring and a damper" "$line" "$spring $damper" "" "$evaluate"
-row "the two and a stream, the mass a state" "$moving" "$spring $damper *e++ = vm_effect_stream(0, 1, zero, 1);" "" "$evaluate"
+row "a linear spring, a damper and a stream; the mass is a state" "$moving" "$spring $damper *e++ = vm_effect_stream(0, 1, zero, 1);" "" "$evaluate"
 row "a spring of any power" "$line" "*e++ = vm_effect_spring(0, 0, VM_GROUND, 0, 1, 3, 0);" "" "$evaluate"
 row "Van der Pol's damper" "$line" "*e++ = vm_effect_van_der_pol(0, 0, 1, 1);" "" "$evaluate"
 row "a drive" "$line" "*e++ = vm_effect_motor(0, 0, 1, 1);" "" "$evaluate"
@@ -92,21 +93,21 @@ row "an axle with a band in layers" "*b++ = vm_scene_body_axle(1, 0, 1);" "*e++ 
 row "a point, nothing acts" "*b++ = vm_scene_body_point(1, zero, zero);" "" "" "$evaluate"
 row "a pendulum: a point, gravity, a link" "*b++ = vm_scene_body_point(1, zero, zero); *b++ = vm_scene_body_line(1, 0, 0);" "*e++ = vm_effect_gravity(0, 1, -9.81f); *e++ = vm_effect_link(0, 1, NULL, NULL, 1, 0, 1);" "" "$evaluate"
 row "a body in the plane, nothing acts" "$plane" "" "" "$evaluate"
-row "a growing one with the mass and force of a stream" "$growing" "*e++ = vm_effect_stream_mass(0, &stream); *e++ = vm_effect_stream_force(0, &stream);" "" "$evaluate"
-row "a stream's moment and torque, too" "$growing" "*e++ = vm_effect_stream_mass(0, &stream); *e++ = vm_effect_stream_force(0, &stream); *e++ = vm_effect_stream_moment(0, &stream); *e++ = vm_effect_stream_torque(0, &stream);" "" "$evaluate"
+row "a growing body in the plane, with the mass and force of a stream" "$growing" "*e++ = vm_effect_stream_mass(0, &stream); *e++ = vm_effect_stream_force(0, &stream);" "" "$evaluate"
+row "the same with the stream's moment and torque, too" "$growing" "*e++ = vm_effect_stream_mass(0, &stream); *e++ = vm_effect_stream_force(0, &stream); *e++ = vm_effect_stream_moment(0, &stream); *e++ = vm_effect_stream_torque(0, &stream);" "" "$evaluate"
 row "a body free in space, nothing acts" "*b++ = vm_scene_body_free(&part);" "" "" "$evaluate"
 cat <<'END'
 
-| the line body with spring and damper | M0 | M4F |
+| a body on a line with spring and damper | M0 | M4F |
 |---|---|---|
 END
 row "run by vm_scene_run" "$line" "$spring $damper" "" "$simulate"
-row "and an event that stops it" "$line" "$spring $damper" "*v++ = vm_then_stop(vm_event_position(0, 0, 1, 1));" "$simulate"
-row "or one that switches the spring off" "$line" "$spring $damper" "*v++ = vm_then_switch(vm_event_position(0, 0, 1, 1), 0, 1);" "$simulate"
-row "or one that separates a part, on a line" "$line $drop" "$spring $damper" "*v++ = vm_then_separate_on_line(vm_event_at(1), 0, 1, &part, 1);" "$simulate"
-row "the same by what separates anything" "$line $drop" "$spring $damper" "*v++ = vm_then_separate(vm_event_at(1), 0, 1, &part, 1);" "$simulate"
-row "or one that attaches, on a line" "$line $line" "$spring $damper" "*v++ = vm_then_attach_on_line(vm_event_at(1), 0, 1);" "$simulate"
-row "run with a book, no event" "$line" "$spring $damper" "vm_scene_keep_budget(&scene, &book);" "$simulate vm_scene_budget_at(&scene, t, y, &book);"
+row "run with an event that stops it" "$line" "$spring $damper" "*v++ = vm_then_stop(vm_event_position(0, 0, 1, 1));" "$simulate"
+row "run with an event that switches the spring off" "$line" "$spring $damper" "*v++ = vm_then_switch(vm_event_position(0, 0, 1, 1), 0, 1);" "$simulate"
+row "run with an event that separates a part, by the function for a line" "$line $drop" "$spring $damper" "*v++ = vm_then_separate_on_line(vm_event_at(1), 0, 1, &part, 1);" "$simulate"
+row "the same by the function for all kinds of bodies" "$line $drop" "$spring $damper" "*v++ = vm_then_separate(vm_event_at(1), 0, 1, &part, 1);" "$simulate"
+row "run with an event that attaches a body, by the function for a line" "$line $line" "$spring $damper" "*v++ = vm_then_attach_on_line(vm_event_at(1), 0, 1);" "$simulate"
+row "run with a budget of momentum and energy, no event" "$line" "$spring $damper" "vm_scene_keep_budget(&scene, &book);" "$simulate vm_scene_budget_at(&scene, t, y, &book);"
 
 image M4F "$line" "$spring $damper" "" "$evaluate"
 # the map's sections .text.NAME that were kept have an address that is not 0
@@ -114,7 +115,7 @@ awk '/^ \.text\.vm/ {name = $1} name && /0x/ {for (i = 1; i <= NF; i++) if ($i ~
     "$build/scene.map" | sed 's/^\.text\.//; s/\..*//' | sort -u >"$build/linked"
 others=$(grep -E '^vmi_(apply|plane|point|free|axle|then|jump|when|growth|crossing|band|link)|^vmi_scene_(totals|rates|happen)' "$build/linked" |
     grep -vE '^vmi_apply_(linear_spring|damper)$')
-printf '\nA scene of a body on a line with a spring and a damper links these functions of the kit'
+printf '\nA scene of a body on a line with a spring and a damper contains these functions of the kit'
 [ -n "$others" ] && echo ", and should not have: $others" && exit 1
-printf ', and none of another effect, motion or event:\n\n'
+printf ', and no function of another effect, motion or event:\n\n'
 sed 's/^/- `/; s/$/`/' "$build/linked"

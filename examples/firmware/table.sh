@@ -127,9 +127,11 @@ avr_flash() { # avr_flash ORDER FLAG... : flash of a program that makes a plan o
 avr_table() {
     sh tests/install.sh -w "for the flash of programs on an ATmega328P" "command -v avr-gcc" gcc-avr avr-libc binutils-avr ||
         return 1
-    printf '\n## ATmega328P\n\nBytes of flash of a whole program in float that makes the plan of a leaking oscillator on the board, evaluates\n'
-    printf 'it at 16 times and prints the results (tests/cross/tables.c). The ATmega328P has 32768. A plan that is made on a\n'
-    printf 'PC is a constant and needs none of the code that makes it.\n\n| order of the law | -Os | -Os -mcall-prologues -mrelax |\n|---|---|---|\n'
+    printf '\n## ATmega328P\n\n'
+    printf 'The table has the bytes of flash of a whole program in float. The program makes the plan of a leaking oscillator on the\n'
+    printf 'board, evaluates it at 16 times and prints the results (tests/cross/tables.c). The ATmega328P has 32768 bytes of flash. If\n'
+    printf 'the plan is made on a PC, it is a constant, and the program needs none of the code that makes it.\n'
+    printf '\n| order of the law | -Os | -Os -mcall-prologues -mrelax |\n|---|---|---|\n'
     for order in 2 3 5; do
         printf '| %s | %s | %s |\n' $order "$(avr_flash $order)" "$(avr_flash $order -mcall-prologues -mrelax)"
     done
@@ -138,10 +140,9 @@ echo "function,precision,target,flash,stack,instructions" >"$build/table.csv"
 cat <<'END'
 # Flash, stack and instructions of a call
 
-Written by `make firmware-table`, with gcc -Os -fno-math-errno -ffp-contract=off. A cell has three numbers: flash, stack and
-instructions. Flash is the number of
-bytes by which a program grows when it makes the call, with all tables and functions that the call needs. Stack (in bytes) and
-instructions are the largest numbers in many calls on emulated boards.
+Written by `make firmware-table`, with gcc -Os -fno-math-errno -ffp-contract=off. Each cell has three numbers: flash, stack and
+instructions. Flash is the number of bytes by which a program grows when it makes the call, with all tables and functions that
+the call needs. Stack (in bytes) and instructions are the largest numbers of many calls on emulated boards.
 
 | target | processor |
 |---|---|
@@ -151,19 +152,24 @@ instructions are the largest numbers in many calls on emulated boards.
 | RV32IMAC | RISC-V without floating-point unit |
 | RV32IMAFDC | RISC-V with float and double in hardware |
 
-Each function is called with 300 random arguments (`vm_osc_closed_init` with 10), and with some that are hard: ends of the domain, u
-= 1e9 (float 1e4), m next to 1; examples/firmware/table.sh lists them. The random arguments are m from -10 to 1, u and s from -100
-to 100, alpha from 0 to 10, and bodies with three different moments of inertia in any attitude and motion. The largest number of
-these calls is measured; it is not a proved bound.
+Each function is called with 300 random arguments (`vm_osc_closed_init` with 10) and with some difficult ones: ends of the
+domain, u = 1e9 (float 1e4), m next to 1; examples/firmware/table.sh lists them. The random arguments are m from -10 to 1, u and
+s from -100 to 100, and alpha from 0 to 10. Random bodies have three different moments of inertia, and any attitude and motion.
+The tables have the largest number of these calls; it is not a proved bound.
 
-The rows of `jacobi_plan_sncndn` and `ateb_plan_saca` include the code that makes the plan; a `const` plan in flash does not need it.
-`vm_osc_closed_at` computes the motion of an oscillator whose mass grows (alpha = 1.7), by the law of order two, three or five, from
-a constant plan. Its flash includes the plan. `vm_osc_closed_init` makes such a plan on the board, for a linear law of mass. `vm_osc_exact` computes the
-motion with constant mass. `vm_torque_free_attitude` computes the rotation of a free body at times from -1000 s to 1000 s.
-`vm_torque_free_init` prepares it; the flash of this preparation has a row of its own. The scene is a tray on a spring with any
-exponent and a damper; the tray loses its load. `vm_scene_rhs` evaluates it once, and a step of `rk4` four times;
-[scene-sizes.md](scene-sizes.md) has the flash of whole scenes. `rk4_step` and `rk45_step` are steps of a cubic oscillator; the step
-of `rk45` is the first one of a run.
+The rows of `jacobi_plan_sncndn` and `ateb_plan_saca` include the code that makes the plan; a plan that is a constant in flash
+does not need this code. The other functions are
+
+- `vm_osc_closed_at`: the motion of an oscillator whose mass grows (alpha = 1.7), by the law of order two, three or five, from a
+  constant plan; its flash includes the plan;
+- `vm_osc_closed_init`: makes such a plan on the board, for a linear law of mass;
+- `vm_osc_exact`: the motion with constant mass;
+- `vm_torque_free_attitude`: the rotation of a free body at times from -1000 s to 1000 s; `vm_torque_free_init` prepares it, and
+  its flash has a row of its own;
+- `vm_scene_rhs` and `rk4_step of the scene`: the scene is a tray on a spring with any exponent and a damper; the tray loses its
+  load. `vm_scene_rhs` evaluates the scene once, and a step of `rk4` evaluates it four times. [scene-sizes.md](scene-sizes.md)
+  has the flash of whole scenes;
+- `rk4_step` and `rk45_step`: steps of a cubic oscillator; the step of `rk45` is the first step of a run.
 
 ![instructions of a call](figures/firmware.svg)
 END

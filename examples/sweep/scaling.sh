@@ -16,22 +16,22 @@ one=$(seconds 1 1) threads=$(seconds 2 1) ranks=$(seconds 1 2)
 cmp -s "$build/1.1" "$build/2.1" && cmp -s "$build/1.1" "$build/1.2" || { echo "the results differ" >&2; exit 1; }
 awk -v one="$one" -v threads="$threads" -v ranks="$ranks" -v samples="$samples" 'BEGIN {
     print "# How the sweep scales\n"
-    print "Written by `make scaling`. The program examples/sweep/breakups.c computes " samples " break-ups on two cores. A time is"
-    print "the least of three runs; the results have the same bits each time.\n"
+    print "Written by `make scaling`. The sweep is the program examples/sweep/breakups.c. It computes " samples " random break-ups of a"
+    print "body on two cores. Each time in the table is the least of three runs. The results have the same bits in all runs.\n"
     print "| | time, s | speed-up | efficiency |\n|---|---|---|---|"
     printf "| one thread | %s | 1 | |\n| two threads, one rank | %s | %.2f | %.0f %% |\n| two ranks, a thread each | %s | %.2f | %.0f %% |\n",
         one, threads, one / threads, 50 * one / threads, ranks, one / ranks, 50 * one / ranks
     sample = one / samples
     round = 64 * 4096 * sample
     print "\n## A thousand ranks, on paper\n"
-    printf "A rank is one process of MPI. A break-up takes %.2f us here, so that a round, which is 64 blocks of 4096 break-ups a\n", sample * 1e6
-    printf "rank, takes %.0f ms. After a round the first rank gathers 64 blocks of 240 bytes from each rank. From a thousand ranks\n", round * 1e3
-    print "these are 15 MB, which take 1.5 ms at 10 GB/s; a tree of ten messages of some microseconds each adds almost nothing."
-    print "Ranks wait for the slowest one, but all blocks cost the same to within a few per cent. So if only the gathering is"
-    printf "counted, the efficiency is %.0f %%.\n\n", 100 * round / (round + 0.0015)
-    printf "The first limit is the file of finished blocks, which grows by 15 MB a round, %.0f MB/s. A disk that writes 200 MB/s\n", 15.7 / round
-    printf "reduces the efficiency to %.0f %%. If a block has 65536 break-ups instead of 4096 (the constant\nBLOCK in breakups.c), the file is a sixteenth as long, and the efficiency is %.0f %%.\n", \
+    printf "A rank is one process of MPI. A break-up takes %.2f us here. In one round each rank computes 64 blocks of 4096 break-ups,\n", sample * 1e6
+    printf "which takes %.0f ms. After a round the first rank gathers the results, 64 blocks of 240 bytes from each rank. From a\n", round * 1e3
+    print "thousand ranks these are 15 MB, which take 1.5 ms at 10 GB/s. The messages reach the first rank in ten stages of some"
+    print "microseconds each, which adds almost nothing. All ranks wait for the slowest one, but the times of blocks differ only by a"
+    printf "few per cent. If only the time of the gathering is counted, the efficiency is %.0f %%.\n\n", 100 * round / (round + 0.0015)
+    printf "The first limit is the file of finished blocks. It grows by 15 MB a round, which is %.0f MB/s. A disk that writes 200 MB/s\n", 15.7 / round
+    printf "reduces the efficiency to %.0f %%. With blocks of 65536 break-ups instead of 4096 (the constant BLOCK\nin breakups.c), the file is a sixteenth as long, and the efficiency is %.0f %%.\n", \
         100 * round / (round + 15.7 / 200 + 0.0015), 100 * 16 * round / (16 * round + 15.7 / 200 + 0.0015)
-    print "(With another BLOCK numbers are added in another order, and the last digits of the sums change.) Every rank needs"
-    print "240 bytes of memory a block, which is 60 MB for 1e9 break-ups."
+    print "(Another BLOCK also changes the last digits of the sums, because the numbers are added in another order.) Every rank"
+    print "needs 240 bytes of memory for each block, which is 60 MB for 1e9 break-ups."
 }'
