@@ -159,9 +159,9 @@
        jacobi_plan_sncndn_array       sn, cn and dn of the n arguments in the array u, for the plan's parameter
 
      jacobi/modulus: the parameter m from the quarter period
-       jacobi_solve_kpK               The parameter m whose k' K(m) is c, for c >= 0
-       jacobi_solve_kpK_m1            The complementary parameter 1 - m of jacobi_solve_kpK, with all its digits
-       jacobi_solve_K_m1              The complementary parameter 1 - m of jacobi_solve_K, with all its digits
+       jacobi_solve_kpK               The parameter m for which k' K(m) = c, the solution of equation (307), for c >= 0
+       jacobi_solve_kpK_m1            Solves k' K(m) = c as jacobi_solve_kpK does, but returns 1 - m with all its digits
+       jacobi_solve_K_m1              Solves K(m) = c as jacobi_solve_K does, but returns 1 - m with all its digits
        jacobi_solve_K                 The parameter m whose quarter period K(m) is c, for c >= 0
 
      jacobi/means: mean values of cn^2, cn^4 and cn^6 over a period
@@ -1252,10 +1252,10 @@ VM_API vm_two vmi_agm_two_words(vm_real m1, vm_real m1_lo, vm_real u)
 /* jacobi/integrals.h - complete elliptic integrals K and E
 
    K(m) = integral from 0 to pi/2 of dx/sqrt(1 - m sin^2 x), E(m) = integral of sqrt(1 - m sin^2 x) dx
-   between the same limits. The parameter is m = k^2 <= 1, negative ones included. The forms with suffix _m1 take
-   m1 = 1 - m, which keeps its digits where m is close to 1. Between m = -33.5 and m = 0.971 K and E are computed by
-   series after one or two steps of the arithmetic-geometric mean, for other m by sums with the logarithm of
-   k' = sqrt(1 - m).
+   between the same limits. The parameter is m = k^2 <= 1, negative ones included. The forms with suffix _m1 take m1 = 1
+   - m; use them for m close to 1, where the difference 1 - m would lose digits. Between m = -33.5 and m = 0.971 K and E
+   are computed by series after one or two steps of the arithmetic-geometric mean, for other m by sums with the
+   logarithm of k' = sqrt(1 - m).
 
        vm_real K = jacobi_K(VM_C(0.5)); // 1.854...
 
@@ -1422,11 +1422,11 @@ VM_API vm_real vmi_E(vm_real m1, vm_real m1_lo)
 }
 
 /* K(m), the complete elliptic integral of the first kind, from m1 = 1 - m >= 0.
-   Domain and accuracy are those of jacobi_K; m1 keeps its digits where m is close to 1. */
+   Domain and accuracy are those of jacobi_K. Use it for m close to 1, where the difference 1 - m would lose digits. */
 VM_API vm_real jacobi_K_m1(vm_real m1) { return vmi_K(m1, 0); }
 
 /* E(m), the complete elliptic integral of the second kind, from m1 = 1 - m >= 0.
-   Domain and accuracy are those of jacobi_E; m1 keeps its digits where m is close to 1. */
+   Domain and accuracy are those of jacobi_E. Use it for m close to 1, where the difference 1 - m would lose digits. */
 VM_API vm_real jacobi_E_m1(vm_real m1) { return vmi_E(m1, 0); }
 
 /* K(m), the complete elliptic integral of the first kind, for m <= 1: a quarter of the period of sn. The error is at
@@ -1460,10 +1460,11 @@ VM_API vm_real jacobi_kpK(vm_real m)
 #endif
 /* jacobi/period_table.h - the quarter period K from a table of polynomials
 
-   K is needed with more digits than a vm_real has, to reduce a large argument. The arithmetic-geometric mean gives them
-   (jacobi/agm.h), but takes one square root after another. Here K comes from one of 25 polynomials in k' = sqrt(1 - m),
-   for k' from 0.171875 to 1.5. Each octave of k' has eight pieces, and each piece has its own polynomial
-   c_0 + c_1 t + c_2 t^2 + ..., where t is k' minus the middle of the piece. The table takes 3.8 kB (float 1 kB).
+   To reduce a large argument, K is needed with more digits than a vm_real has. The arithmetic-geometric mean gives
+   these digits (jacobi/agm.h), but it is slow, since it takes one square root after another. Here K comes from one of
+   25 polynomials in k' = sqrt(1 - m), for k' from 0.171875 to 1.5. Each octave of k' has eight pieces, and each piece
+   has its own polynomial c_0 + c_1 t + c_2 t^2 + ..., where t is k' minus the middle of the piece. The table takes 3.8
+   kB (float 1 kB).
 
        vmi_period K = vmi_period_by_table(VM_C(0.5), 0, VM_SQRT(VM_C(0.5))); // K(0.5) = K.head + K.middle + K.low
 
@@ -1723,9 +1724,9 @@ typedef struct VM_TAG(vmi_period) {
    below 2^-71 (float 2^-36).
    Method: t is the sum of head, which has at most 14 digits (float 10), and a tail. The products b1, b2, ... of the
    heads of c_1, c_2, ... and the powers of head are exact, and so are the sums in which K.middle is subtracted. All
-   other terms are so small that one word holds them. The variable t has one word and misses kp_lo, the low word of k'.
-   The tail contains kp_lo; in the terms with t^4 and t^5 (float t^3 and t^4) it counts by their derivatives with
-   respect to t. */
+   other terms are so small that one word holds them. The variable t has one word and does not contain kp_lo, the low
+   word of k'. The tail contains kp_lo. In the terms with t^4 and t^5 (float t^3 and t^4) the effect of kp_lo is added
+   as kp_lo times their derivatives with respect to t. */
 VM_INLINE vmi_period vmi_period_by_table(vm_real m1, vm_real m1_lo, vm_real kp)
 {
     const vmi_bits bits = vmi_to_bits(kp), half = (vmi_bits)1 << (VMI_STORED_DIG - 4);
@@ -1797,7 +1798,7 @@ VM_INLINE vmi_period vmi_period_by_table(vm_real m1, vm_real m1_lo, vm_real kp)
 #ifndef VARMASS_JACOBI_THETA_H
 #define VARMASS_JACOBI_THETA_H
 
-/* The numbers that the theta functions far from 0 need for one m. vmi_far_prepare computes them. */
+/* What the theta functions far from 0 need for a parameter m. vmi_far_prepare computes these numbers. */
 typedef struct VM_TAG(vmi_theta_form) {
     vm_real kp, kp_lo; /* k' = sqrt(1 - m) in two words */
     vm_real q;         /* the nome of 1 - m, or of 1/(1 - m) in the reciprocal form */
@@ -1812,8 +1813,8 @@ enum { VMI_NEAR_FORM, VMI_HYPERBOLIC, VMI_RECIPROCAL };
 /* The number of terms of a plan's polynomials */
 enum { VMI_TERMS = VM_MANT_DIG > 24 ? 10 : 5 };
 
-/* Neville's theta functions times a common factor. Each elliptic function is a quotient of two of them: sn = s/n and so
-   on. */
+/* Neville's theta functions times a common factor. Each elliptic function is a quotient of two of them, such as sn =
+   s/n. */
 typedef struct VM_TAG(vmi_thetas) {
     vm_real s, c, d, n;
 } vmi_thetas;
@@ -2064,7 +2065,8 @@ VM_API void vmi_pieces(vmi_three K, vm_real *piece)
     piece[4] = K.mid;
 }
 
-/* The distance from a multiple of K, divided by u, below which vmi_reduce_pieces is not enough */
+/* vmi_reduce_pieces is not accurate enough where the distance of u from a multiple of K is below this number times
+   u. */
 #define VMI_PIECES_REACH (VM_MANT_DIG > 24 ? VM_C(5.4e-20) : VM_C(4.7e-10))
 
 /* Returns u minus the nearest multiple j K, as three terms, for 0 <= u < VMI_EXACT_QUARTERS K. The array K comes from
@@ -2156,7 +2158,7 @@ VMI_APART vm_two vmi_reduce_long(vm_real u, vm_real m1, vm_real m1_lo, vmi_bits 
         return vmi_reduce_finely(u, K, rate.hi / half_pi.hi, quarters);
     }
     v = rest.hi / rate.hi;
-    if (VMI_MIDDLE(m1)) return vmi_two(v, 0); /* here |v| < 2, and 1.5 ulp of v are enough outside of the table */
+    if (VMI_MIDDLE(m1)) return vmi_two(v, 0); /* here |v| < 2, and an error of 1.5 ulp of v is small enough */
     error = vmi_two_product(v, rate.hi);
     return vmi_fast_two_sum(v, (((rest.hi - error.hi) - error.lo) + (rest.lo - v * rate.lo)) / rate.hi);
 }
@@ -2232,7 +2234,7 @@ VM_INLINE vmi_thetas vmi_thetas_of(vm_real u, vm_real m1, vm_real m1_lo, vm_real
     vm_real v, v_lo;
     vmi_bits quarters;
     vmi_thetas theta;
-    *bound = m1; /* for |u| <= K/2 dn lies between 1 and sqrt(k'), so also between 1 and m1 */
+    *bound = m1; /* for |u| <= K/2 dn lies between 1 and sqrt(k'), and therefore between 1 and m1 */
     if (m1 >= 0 && reach <= 1) return vmi_theta_near(u, m1);
     *bound = VM_SQRT(m1);
     v = vmi_reduced(VM_FABS(u), m1, m1_lo, *bound, reach, &v_lo, &quarters);
@@ -2264,7 +2266,8 @@ VM_API void jacobi_sncndn(vm_real u, vm_real m, vm_real *sn, vm_real *cn, vm_rea
 }
 
 /* sn, cn and dn for the complementary parameter m1 = 1 - m >= 0.
-   Domain and accuracy are those of jacobi_sncndn; m1 keeps its digits where m is close to 1. */
+   Domain and accuracy are those of jacobi_sncndn. Use it for m close to 1, where the difference 1 - m would lose
+   digits. */
 VM_API void jacobi_sncndn_m1(vm_real u, vm_real m1, vm_real *sn, vm_real *cn, vm_real *dn)
 {
     vmi_sncndn(u, m1 + 0, 0, sn, cn, dn); /* m1 + 0 turns -0 into 0 */
@@ -2423,9 +2426,10 @@ VM_API void vmi_remove_highest(vm_real *c, int n, int lowest)
 #endif
 /* jacobi/plans.h - sn, cn and dn for many arguments and one parameter
 
-   A plan holds what depends on m alone: the quarter period as a sum of short numbers, and polynomials that replace the
-   series of jacobi_sncndn. A call with a plan is faster, most of all for arrays, where the compiler vectorises the loop
-   (docs/cost.md has the times). A plan is plain data: it may be copied, and it may be a constant in flash.
+   A plan contains all numbers that depend only on m: the quarter period as a sum of short numbers, and polynomials that
+   replace the series of jacobi_sncndn. A call with a plan is faster, most of all for arrays, where the compiler
+   vectorises the loop (docs/cost.md has the times). A plan is plain data: it may be copied, and it may be a constant in
+   flash.
 
        jacobi_plan p;
        vm_real sn, cn, dn;
@@ -2437,7 +2441,8 @@ VM_API void vmi_remove_highest(vm_real *c, int n, int lowest)
 
 #include <string.h>
 
-/* One parameter m, prepared by jacobi_plan_init. `form` is the method for this m; fields that it does not use are 0. */
+/* One parameter m, prepared by jacobi_plan_init. `form` is the method for this m; fields that the method does not use
+   are 0. */
 typedef struct VM_TAG(jacobi_plan) {
     int form;            /* method: VMI_NEAR_FORM uses a and b; VMI_HYPERBOLIC and VMI_RECIPROCAL use theta */
     vm_real m1;          /* complementary parameter 1 - m */
@@ -2472,8 +2477,8 @@ VM_API void vmi_shorten(vm_real *c)
 }
 
 /* Computes p->a and p->b, the coefficients of two power series in v^2: p->a of w^2 cs^2(w) and p->b of -w^4
-   d(cs^2)/d(w^2), where cs = cn/sn and w = v/2, for arguments |v| <= longest. The constant coefficients are 1 and are
-   not stored. */
+   d(cs^2)/d(w^2), where cs = cn/sn and w = v/2, for |v| <= longest. Their constant coefficients are 1 and are not
+   stored. */
 VM_API void vmi_plan_prepare(jacobi_plan *p, vm_real longest)
 {
     const vm_real theta = longest * longest / 4;
@@ -2529,11 +2534,13 @@ VM_API int jacobi_plan_init(jacobi_plan *p, vm_real m)
 }
 
 /* Prepares a plan for the complementary parameter m1 = 1 - m >= 0.
-   Domain and result are those of jacobi_plan_init; m1 keeps its digits where m is close to 1. */
+   Domain and result are those of jacobi_plan_init. Use it for m close to 1, where the difference 1 - m would lose
+   digits. */
 VM_API int jacobi_plan_init_m1(jacobi_plan *p, vm_real m1) { return vmi_plan_init(p, m1 + 0, 0); } /* 0 for -0 */
 
-/* The theta functions near 0, from the plan's two polynomials at w = v/2 and one duplication, which leads from w to v
-   (compare vmi_theta_near). theta_s is v times the polynomial p->b, since d(sc^2)/dw = 2 sc nc dc. */
+/* The theta functions near 0. They are computed from the plan's two polynomials at w = v/2 and by one duplication,
+   which leads from w to v (compare vmi_theta_near). theta_s is v times the polynomial p->b, since d(sc^2)/dw = 2 sc nc
+   dc. */
 VM_INLINE vmi_thetas vmi_plan_near(const jacobi_plan *p, vm_real v)
 {
     vmi_thetas theta;
@@ -2677,7 +2684,7 @@ VM_API void jacobi_plan_sncndn_array(const jacobi_plan *p, int n, const vm_real 
        vm_real m = jacobi_solve_kpK(VM_C(1.2)); // sqrt(1 - m) K(m) = 1.2
 
    Method: for c between K(-1) and K(1/2) a fixed-point iteration finds the nome of m or of m/(m - 1); for other c
-   Newton's method finds the logarithm of another nome (see vmi_solution). Tests: tests/test_jacobi.c. */
+   Newton's method finds the logarithm of the nome of 1 - m or 1/(1 - m). Tests: tests/test_jacobi.c. */
 #ifndef VARMASS_JACOBI_MODULUS_H
 #define VARMASS_JACOBI_MODULUS_H
 
@@ -2810,8 +2817,9 @@ VM_API vm_real vmi_solution_m(const vmi_solution *s)
     return 1 - vmi_solution_m1(s);
 }
 
-/* The parameter m whose k' K(m) is c, for c >= 0: solves equation (307). m is negative for c > pi/2, and 1 for c = 0.
-   The error is at most 4 ulp plus the change of m that one ulp of c makes. Returns NaN for c < 0 and infinite c. */
+/* The parameter m for which k' K(m) = c, the solution of equation (307), for c >= 0. m is negative for c > pi/2, and 1
+   for c = 0. The error is at most 4 ulp plus the change of m that one ulp of c makes. Returns NaN for c < 0 and
+   infinite c. */
 VM_API vm_real jacobi_solve_kpK(vm_real c)
 {
     vmi_solution s;
@@ -2821,8 +2829,8 @@ VM_API vm_real jacobi_solve_kpK(vm_real c)
     return vmi_solution_m(&s);
 }
 
-/* The complementary parameter 1 - m of jacobi_solve_kpK, with all its digits. The error is at most 4 ulp plus the
-   change of 1 - m that one ulp of c makes. Returns NaN for c < 0 and infinite c. */
+/* Solves k' K(m) = c as jacobi_solve_kpK does, but returns 1 - m with all its digits. The error is at most 4 ulp plus
+   the change of 1 - m that one ulp of c makes. Returns NaN for c < 0 and infinite c. */
 VM_API vm_real jacobi_solve_kpK_m1(vm_real c)
 {
     vmi_solution s;
@@ -2832,8 +2840,8 @@ VM_API vm_real jacobi_solve_kpK_m1(vm_real c)
     return vmi_solution_m1(&s);
 }
 
-/* The complementary parameter 1 - m of jacobi_solve_K, with all its digits. Returns infinity for c = 0, and NaN for
-   c < 0 and infinite c. */
+/* Solves K(m) = c as jacobi_solve_K does, but returns 1 - m with all its digits. Returns infinity for c = 0, and NaN
+   for c < 0 and infinite c. */
 VM_API vm_real jacobi_solve_K_m1(vm_real c)
 {
     vmi_solution s;
@@ -3012,7 +3020,7 @@ VM_API vm_real jacobi_agm_K(vm_real m)
    The attitude of a body that rotates without torque needs, besides sn, cn and dn, the complete integral of the third
    kind Pi(-N | m) and theta functions of a complex argument. Both are computed here in two words, so that the
    attitude stays right after a million turns (mechanics/torque_free.h). All functions of this file are internal. p is
-   the number of digits of vm_real.
+   the number of binary digits of vm_real.
 
    Source: DLMF 19.8, 19.36, 20.7. Tests: tests/test_torque_free.c. */
 #ifndef VARMASS_JACOBI_THIRD_KIND_H
@@ -3205,7 +3213,8 @@ VM_API void vmi_doubled_at(const vmi_doubled_theta *d, vm_real x, vm_real *re, v
 #endif
 /* jacobi/carlson.h - Carlson's symmetric elliptic integrals R_F, R_C, R_D, R_J and R_G
 
-   Every elliptic integral is a sum of a few of these. In them no digits cancel, and no special cases are needed:
+   Every elliptic integral is a sum of a few of these. They are computed without loss of digits and without special
+   cases:
      R_F(x, y, z)    = 1/2 integral from 0 to infinity of dt/s(t),  s(t) = sqrt((t + x)(t + y)(t + z)),
      R_J(x, y, z, p) = 3/2 integral from 0 to infinity of dt/((t + p) s(t)),
    R_C(x, y) = R_F(x, y, y), R_D(x, y, z) = R_J(x, y, z, z), and R_G, which gives the surface of an ellipsoid.
@@ -3228,8 +3237,8 @@ typedef struct VM_TAG(vmi_carlson) {
     vm_real lambda;  /* a b + b c + c a in the last duplication */
 } vmi_carlson;
 
-/* The power series are used if each argument differs from the mean by at most this share of the mean. The first terms
-   that are left out, those of degree 11 (float 5) in the differences, are then below 1e-17 (float 4e-9). */
+/* The power series are used if each argument differs from the mean by at most this share of the mean. The largest terms
+   that are left out have the degree 11 (float 5) in these differences; they are below 1e-17 (float 4e-9). */
 #define VMI_CARLSON_CLOSE VM_C(0.0262)
 
 /* Returns the state before the first duplication of x, y, z. */
@@ -3406,8 +3415,9 @@ VM_API vm_real vmi_rc(vm_real x, vm_real y)
 }
 
 /* Returns R_F(x, y, z), and R_J(x, y, z, p) in *rj, for p > 0 and arguments x, y, z >= 0 of which at most one is 0. The
-   arguments should be about 1: d, which contains their power 3/2, must neither overflow nor underflow. Each duplication
-   adds 6/d R_C(1, 1 + e) to R_J (DLMF 19.26.21 and Carlson 1995), where d = (r + a)(r + b)(r + c) and r = sqrt(p).
+   arguments should be about 1, because their power 3/2 is contained in d, which must neither overflow nor underflow.
+   Each duplication adds 6/d R_C(1, 1 + e) to R_J (DLMF 19.26.21 and Carlson 1995), where d = (r + a)(r + b)(r + c) and
+   r = sqrt(p).
    1 + e is computed as 2 r (p + lambda)/d, so that nothing cancels. */
 VM_API vm_real vmi_rf_rj(vm_real x, vm_real y, vm_real z, vm_real p, vm_real *rj)
 {
@@ -3502,8 +3512,9 @@ VM_API vm_real vmi_carlson_limit(int zeros, int infinite)
     return 0;
 }
 
-/* R_F for a largest argument so great that sums would overflow. One duplication is made here, in quarters, which leaves
-   no argument small; then all are divided by 16. */
+/* R_F for a largest argument so great that sums would overflow. The function makes one duplication and divides the new
+   arguments by 16. Each term is divided before it is added, so that no sum overflows. After the duplication no argument
+   is small. */
 VM_API vm_real vmi_rf_huge(vm_real x, vm_real y, vm_real z)
 {
     const vm_real a = VM_SQRT(x) / 2, b = VM_SQRT(y) / 2, c = VM_SQRT(z) / 2;
@@ -3538,7 +3549,7 @@ VM_API vm_real jacobi_RC(vm_real x, vm_real y)
     if (y == 0 || !VM_IS_FINITE(largest)) return vmi_carlson_limit(y == 0, !VM_IS_FINITE(largest));
     by = vmi_carlson_scale_of(largest);
     if (!vmi_carlson_is_lost(by, VM_FABS(y))) return by.root * vmi_rc(by.factor * x, by.factor * y);
-    return jacobi_RF(x, VM_FABS(y), VM_FABS(y)); /* which does not depend on the sign of so little a number */
+    return jacobi_RF(x, VM_FABS(y), VM_FABS(y)); /* R_C does not depend on the sign of a y this small */
 }
 
 /* R_D(x, y, z) = R_J(x, y, z, z), Carlson's integral of the second kind, for x, y, z >= 0. It is symmetric in x and
@@ -3558,8 +3569,8 @@ VM_API vm_real jacobi_RD(vm_real x, vm_real y, vm_real z)
     return by.root * (by.root * (by.root * rd));
 }
 
-/* R_J for p < 0: its Cauchy principal value, from R_J at the positive p that is called `other` (DLMF 19.20.14), for
-   0 <= x, y <= z of which at most one is 0 */
+/* R_J for p < 0, its Cauchy principal value, for 0 <= x, y <= z of which at most one is 0. It is computed from R_J with
+   the positive number `other` in place of p (DLMF 19.20.14). */
 VM_API vm_real vmi_rj_principal(vm_real x, vm_real y, vm_real z, vm_real p)
 {
     const vm_real q = -p, other = (z * ((x + y) + q) - x * y) / (z + q), product = x * y + other * q;
@@ -3598,8 +3609,8 @@ VM_API vm_real jacobi_RJ(vm_real x, vm_real y, vm_real z, vm_real p)
 
 /* R_G(x, y, z), Carlson's symmetric integral of the second kind, for x, y, z >= 0. The error is at most 10 ulp. R_G is
    infinite if an argument is infinite, and NaN if one is negative. E(m) is 2 R_G(0, 1 - m, 1), and an ellipsoid with
-   the half axes a, b, c has the surface 4 pi R_G(a^2 b^2, b^2 c^2, c^2 a^2). DLMF 19.16.3. With the middle one of the
-   arguments as z all terms of DLMF 19.21.10 are positive. */
+   the half axes a, b, c has the surface 4 pi R_G(a^2 b^2, b^2 c^2, c^2 a^2). DLMF 19.16.3. The function uses DLMF
+   19.21.10, whose terms are all positive if z is the middle one of the arguments. */
 VM_API vm_real jacobi_RG(vm_real x, vm_real y, vm_real z)
 {
     const vm_real least = vmi_smaller(vmi_smaller(x, y), z), largest = vmi_larger(vmi_larger(x, y), z);
@@ -3620,18 +3631,18 @@ VM_API vm_real jacobi_RG(vm_real x, vm_real y, vm_real z)
 #endif
 /* jacobi/above_one.h - incomplete elliptic integrals for m > 1
 
-   For m > 1 the root sqrt(1 - m sin^2 x) is real only up to the angle arcsin(1/k), where k = sqrt(m). Up to there the
-   integrals F, E, D and Pi have ordinary values, also at the end, and beyond they are NaN. With them one counts the
-   time of a pendulum from its angle: if it swings to and fro up to the angle A, it takes F(a/2 | m)/(k w0) seconds from
-   its lowest point to the angle a, where k is 1/sin(A/2) and w0 the frequency of its small oscillations.
+   For m > 1 the root sqrt(1 - m sin^2 x) is real only up to the angle arcsin(1/k), where k = sqrt(m). Up to this angle,
+   and at it, the integrals F, E, D and Pi have ordinary values; beyond it they are NaN. They give the time in which a
+   pendulum reaches an angle. A pendulum that swings to and fro up to the angle A needs F(a/2 | m)/(k w0) seconds from
+   its lowest point to the angle a, where k is 1/sin(A/2) and w0 is the frequency of its small oscillations.
 
        vm_real u = jacobi_F(VM_C(0.4), VM_C(2.5)); // sn(u | 2.5) = sin 0.4
 
    Method: the reciprocal transformation leads to the parameter 1/m and the angle whose sine is k sin phi. In Carlson's
-   integrals it means that cos^2 phi and 1 - m sin^2 phi change places. The latter number falls to 0 at the end, where
-   an integral changes as its root. Therefore the sine and the cosine of phi are computed in two words. All functions
-   of this file are internal; jacobi/incomplete.h calls them. Source: DLMF 19.7.4, 19.25. Tests:
-   tests/test_elliptic_integrals.c. */
+   integrals it exchanges the arguments cos^2 phi and 1 - m sin^2 phi. The number 1 - m sin^2 phi falls to 0 at the
+   angle arcsin(1/k), and near this angle the integrals change as the square root of this number. Therefore it needs
+   many digits, and the sine and the cosine of phi are computed in two words. All functions of this file are internal;
+   jacobi/incomplete.h calls them. Source: DLMF 19.7.4, 19.25. Tests: tests/test_elliptic_integrals.c. */
 #ifndef VARMASS_JACOBI_ABOVE_ONE_H
 #define VARMASS_JACOBI_ABOVE_ONE_H
 
@@ -3652,7 +3663,8 @@ VM_API vm_two vmi_two_sine_series(vm_two t)
     return vmi_two_times(t, sum);
 }
 
-/* The sine and the cosine of z in two words for 0 <= z <= pi/4: those of z/8, and three doublings of the angle */
+/* The sine and the cosine of z in two words for 0 <= z <= pi/4. The angle z/8, whose sine is computed by a power
+   series, is doubled three times. */
 VM_API void vmi_two_sin_cos(vm_two z, vm_two *sine, vm_two *cosine)
 {
     const vm_two one = vmi_two(1, 0);
@@ -3676,14 +3688,15 @@ typedef struct VM_TAG(vmi_above) {
     vm_real d;     /* 1 - m sin^2 phi, which is cc - share; below 0 or NaN where the integrals have no real value */
 } vmi_above;
 
-/* Returns the root of |x| times sin phi in two words. The root keeps the product from overflow and underflow. */
+/* Returns sqrt(|x|) sin phi in two words. The root is taken first, so that the product neither overflows nor
+   underflows. */
 VM_API vm_two vmi_root_times_sine(vm_two x, const vmi_above *angle)
 {
     if (x.hi < 0) x = vmi_minus(x);
     return vmi_two_times(vmi_two_root(x), angle->s);
 }
 
-/* Returns c^2 - x^2 as a product, which has a small relative error. */
+/* Returns c^2 - x^2, computed as (c - x) (c + x), which has a small relative error. */
 VM_API vm_real vmi_difference_of_squares(vm_two c, vm_two x)
 {
     return vmi_two_times(vmi_two_minus(c, x), vmi_two_plus(c, x)).hi;
@@ -3706,7 +3719,7 @@ VM_API vmi_above vmi_above_of(vm_real phi, vm_two m1)
     angle.cc = angle.c.hi * angle.c.hi;
     angle.share = root.hi * root.hi;
     angle.d = vmi_difference_of_squares(angle.c, root);
-    if (!(z.hi >= 0) || !VM_IS_FINITE(m1.hi)) angle.d = VM_NAN; /* beyond pi/2 */
+    if (!(z.hi >= 0) || !VM_IS_FINITE(m1.hi)) angle.d = VM_NAN; /* |phi| is above pi/2 */
     return angle;
 }
 
@@ -3718,8 +3731,8 @@ VM_API vm_real vmi_F_above(vm_real phi, vm_two m1)
     return VM_COPYSIGN(angle.s.hi * vmi_rf(angle.cc, angle.d, 1), phi);
 }
 
-/* E(phi | m) for m > 1. With M = 1/m and the angle B whose sine is k s it is (E(B | M) - (1 - M) F(B | M)) k, a
-   difference whose digits would cancel. The formula here is a sum of positive terms (DLMF 19.25.10). */
+/* E(phi | m) for m > 1. With M = 1/m and the angle B whose sine is k s, it equals (E(B | M) - (1 - M) F(B | M)) k, but
+   this difference would lose digits. The formula here is a sum of positive terms (DLMF 19.25.10). */
 VM_API vm_real vmi_E_above(vm_real phi, vm_two m1)
 {
     const vmi_above angle = vmi_above_of(phi, m1);
@@ -3741,8 +3754,9 @@ VM_API vm_real vmi_D_above(vm_real phi, vm_two m1)
     return VM_COPYSIGN(s * (s * s * rd * VM_C(0.3333333333333333333)), phi);
 }
 
-/* Pi(n; phi | m) for m > 1 and n < 0. The characteristic N = (1 - n)/(m - n) of the parameter 1/m replaces n/m (DLMF
-   19.7.9), so that all terms are positive. q is 1 - N k^2 s^2. */
+/* Pi(n; phi | m) for m > 1 and n < 0. The reciprocal transformation leads to the parameter 1/m and the characteristic
+   n/m. The characteristic N = (1 - n)/(m - n) replaces n/m (DLMF 19.7.9), so that all terms are positive. q is 1 - N
+   k^2 s^2. */
 VM_API vm_real vmi_Pi_above_negative(const vmi_above *angle, vm_real n, vm_real m, vm_real m1)
 {
     const vm_real s = angle->s.hi, ratio = n / m, per = 1 / (1 - ratio);
@@ -3796,12 +3810,12 @@ VM_API vm_real vmi_Pi_above(vm_real phi, vm_real n, vm_real m, vm_two m1)
 
 /* An angle as the sum of a multiple of pi and a rest theta, |theta| <= pi/2 */
 typedef struct VM_TAG(vmi_angle) {
-    vm_real turns; /* phi = turns pi/2 + theta: an integral to phi contains turns complete ones */
+    vm_real turns; /* phi = turns pi/2 + theta: an integral to phi contains `turns` complete ones */
     vm_real s, c;  /* sin theta and cos theta, each with a small relative error */
 } vmi_angle;
 
-/* Reduces the finite angle phi. Where phi is so large that its digits say nothing about the rest, turns is 2 phi/pi
-   and theta is 0. */
+/* Reduces the finite angle phi. Where phi is so large that its digits do not determine theta, turns is 2 phi/pi and
+   theta is 0. */
 VM_INLINE vmi_angle vmi_angle_of(vm_real phi)
 {
     const vmi_three half_pi = vmi_half_pi();
@@ -3823,7 +3837,7 @@ VM_INLINE vmi_angle vmi_angle_of(vm_real phi)
     vmi_sin_cos(rest, &sine, &cosine);
     angle.s = sine;
     angle.c = cosine;
-    if (j < VM_C(0.25) / VM_EPSILON && j - 2 * VM_FLOOR(j / 2) > 0) { /* theta = rest +- pi/2, towards 0 */
+    if (j < VM_C(0.25) / VM_EPSILON && j - 2 * VM_FLOOR(j / 2) > 0) { /* theta = rest +- pi/2, nearer to 0 */
         const vm_real side = VM_COPYSIGN((vm_real)1, rest.hi);
         angle.turns = j + side;
         angle.s = -side * cosine;
@@ -3865,8 +3879,9 @@ VM_API vm_real vmi_F(vm_real phi, vm_real m1, vm_real m1_lo)
 
 /* F(phi | m), the incomplete elliptic integral of the first kind. It is the inverse of the amplitude. It is odd in phi,
    and for m <= 1 F(phi + pi) = F(phi) + 2K. The error is at most 8 ulp for |phi| <= 1e9 (float 1e4). Returns phi for
-   infinite phi, 0 for m = -infinity, and NaN where both are infinite. For m = 1 it is infinite beyond pi/2. For m > 1
-   it is NaN where m sin^2 phi > 1, beyond pi/2, and for infinite m. docs/cost.md has the time. DLMF 19.2.4, 19.25.5. */
+   infinite phi, 0 for m = -infinity, and NaN where both are infinite. For m = 1 F is infinite for |phi| > pi/2. For
+   m > 1 F is NaN where m sin^2 phi > 1, for |phi| > pi/2, and for infinite m. docs/cost.md has the time. DLMF 19.2.4,
+   19.25.5. */
 VM_API vm_real jacobi_F(vm_real phi, vm_real m)
 {
     const vm_two m1 = vmi_two_sum(1, -m);
@@ -3874,7 +3889,7 @@ VM_API vm_real jacobi_F(vm_real phi, vm_real m)
 }
 
 /* F(phi | m) from the complementary parameter m1 = 1 - m.
-   Domain and accuracy are those of jacobi_F; m1 keeps its digits where m is close to 1. */
+   Domain and accuracy are those of jacobi_F. Use it for m close to 1, where the difference 1 - m would lose digits. */
 VM_API vm_real jacobi_F_m1(vm_real phi, vm_real m1) { return vmi_F(phi, m1, 0); }
 
 /* E(theta | m) for |theta| <= pi/2 and m <= 1, from the sine and the cosine of theta. Both m and m1 = 1 - m are
@@ -3911,8 +3926,8 @@ VM_API vm_real vmi_E_incomplete(vm_real phi, vm_real m, vm_real m1, vm_real m1_l
 
 /* E(phi | m), the incomplete elliptic integral of the second kind. It is odd in phi, and for m <= 1 E(phi + pi) =
    E(phi) + 2E(m). The error is at most 8 ulp for |phi| <= 1e9 (float 1e4). Returns phi for infinite phi, and infinity
-   with the sign of phi for m = -infinity. For m > 1 it is NaN where m sin^2 phi > 1, beyond pi/2, and for infinite m.
-   docs/cost.md has the time. DLMF 19.2.5. */
+   with the sign of phi for m = -infinity. For m > 1 E is NaN where m sin^2 phi > 1, for |phi| > pi/2, and for infinite
+   m. docs/cost.md has the time. DLMF 19.2.5. */
 VM_API vm_real jacobi_E_incomplete(vm_real phi, vm_real m)
 {
     const vm_two m1 = vmi_two_sum(1, -m);
@@ -3920,13 +3935,15 @@ VM_API vm_real jacobi_E_incomplete(vm_real phi, vm_real m)
 }
 
 /* E(phi | m) from the complementary parameter m1 = 1 - m.
-   Domain and accuracy are those of jacobi_E_incomplete; m1 keeps its digits where m is close to 1. */
+   Domain and accuracy are those of jacobi_E_incomplete. Use it for m close to 1, where the difference 1 - m would lose
+   digits. */
 VM_API vm_real jacobi_E_incomplete_m1(vm_real phi, vm_real m1) { return vmi_E_incomplete(phi, 1 - m1, m1, 0); }
 
-/* Carlson's integrals of arguments so small that a product underflows, or so large that a sum overflows, lose digits.
-   Then all arguments are multiplied by the square of this factor, and the integral R_F, and R_D and R_J with a weight
-   that was multiplied likewise, by the factor. It is 1 for ordinary arguments, and above 1 only where m1 < 1. `least`
-   is about the smallest of the arguments. */
+/* Returns a factor that keeps Carlson's integrals from losing digits where a product of small arguments would underflow
+   or a sum of large ones would overflow. All arguments are multiplied by the square of the factor. The weight of R_D
+   and R_J is multiplied by this square, too. The integral is then multiplied by the factor, which gives its value for
+   the original arguments. The factor is 1 for ordinary arguments, and above 1 only where m1 < 1. `least` is about the
+   smallest of the arguments. */
 VM_INLINE vm_real vmi_lift_of(vm_real least, vm_real m1)
 {
     if (m1 < 1 && least < VM_MIN / VM_EPSILON) return vmi_ldexp(1, VM_MANT_DIG > 24 ? 300 : 40);
@@ -3968,7 +3985,7 @@ VM_API vm_real vmi_D(vm_real m1)
 VM_API vm_real jacobi_D(vm_real m) { return vmi_D(1 - m); }
 
 /* D(m) from the complementary parameter m1 = 1 - m >= 0.
-   Domain and accuracy are those of jacobi_D; m1 keeps its digits where m is close to 1. */
+   Domain and accuracy are those of jacobi_D. Use it for m close to 1, where the difference 1 - m would lose digits. */
 VM_API vm_real jacobi_D_m1(vm_real m1) { return vmi_D(m1); }
 
 /* D(phi | m) for 1 - m = m1 + m1_lo. For phi between pi/2 and pi the difference 2 D(m) - D(pi - phi | m) would triple
@@ -3996,8 +4013,9 @@ VM_API vm_real vmi_D_incomplete(vm_real phi, vm_real m1, vm_real m1_lo)
 /* D(phi | m) = (F(phi | m) - E(phi | m))/m, the incomplete integral of sin^2 x/sqrt(1 - m sin^2 x). No digits cancel,
    not even for m = 0. It is odd in phi, and for m <= 1 D(phi + pi) = D(phi) + 2D(m). The error is at most 8 ulp for
    |phi| <= 1e9 (float 1e4) and m >= -1e300 (float -1e30), unless phi^3 underflows. Returns phi for infinite phi, 0 for
-   m = -infinity, and NaN where both are infinite. For m = 1 it is infinite beyond pi/2. For m > 1 it is NaN where
-   m sin^2 phi > 1, beyond pi/2, and for infinite m. Its time is that of jacobi_E_incomplete. DLMF 19.2.6, 19.25.13. */
+   m = -infinity, and NaN where both are infinite. For m = 1 D is infinite for |phi| > pi/2. For m > 1 D is NaN where m
+   sin^2 phi > 1, for |phi| > pi/2, and for infinite m. A call takes as long as one of jacobi_E_incomplete. DLMF 19.2.6,
+   19.25.13. */
 VM_API vm_real jacobi_D_incomplete(vm_real phi, vm_real m)
 {
     const vm_two m1 = vmi_two_sum(1, -m);
@@ -4005,10 +4023,11 @@ VM_API vm_real jacobi_D_incomplete(vm_real phi, vm_real m)
 }
 
 /* D(phi | m) from the complementary parameter m1 = 1 - m.
-   Domain and accuracy are those of jacobi_D_incomplete; m1 keeps its digits where m is close to 1. */
+   Domain and accuracy are those of jacobi_D_incomplete. Use it for m close to 1, where the difference 1 - m would lose
+   digits. */
 VM_API vm_real jacobi_D_incomplete_m1(vm_real phi, vm_real m1) { return vmi_D_incomplete(phi, m1, 0); }
 
-/* 1 - m/n for n > 1 and m1 = 1 - m >= 0, computed in quarters so that no sum overflows */
+/* 1 - m/n for n > 1 and m1 = 1 - m >= 0. All terms are divided by 4 first, so that no sum overflows. */
 VM_INLINE vm_real vmi_share_below_pole(vm_real n, vm_real m1)
 {
     return ((n - 1) * VM_C(0.25) + m1 * VM_C(0.25)) / (n * VM_C(0.25));
@@ -4042,8 +4061,9 @@ VM_API vm_real vmi_Pi_part(vm_real s, vm_real c, vm_real n, vm_real m, vm_real m
     return s * (vmi_rc(cc * d, p * q) - third);
 }
 
-/* Pi(n | m) for n < 0 and m1 = 1 - m > 0. Where -n is so large that (1 - m)/(1 - n) may underflow even after the lift,
-   Pi is (pi/2)/sqrt(1 - n) + K/(1 - n): the next term, -E/(1 - n), is far below an ulp there. */
+/* Pi(n | m) for n < 0 and m1 = 1 - m > 0. Where -n is so large that (1 - m)/(1 - n) may underflow even after the
+   multiplication by lift^2, Pi is (pi/2)/sqrt(1 - n) + K/(1 - n). The next term, -E/(1 - n), is far below an ulp
+   there. */
 VM_API vm_real vmi_Pi_negative(vm_real n, vm_real m1)
 {
     const vm_real lift = vmi_lift_of(m1 / (1 - n), m1), more = lift * lift, share = more * m1 / (1 - n);
@@ -4077,19 +4097,19 @@ VM_API vm_real vmi_Pi(vm_real n, vm_real m, vm_real m1)
 }
 
 /* Pi(n | m), the complete elliptic integral of the third kind, for m <= 1. The characteristic n is any number. The
-   error is at most 8 ulp. For n > 1 Pi is Cauchy's principal value. Pi is infinite
-   for n = 1, and for m = 1 with the sign of 1 - n. It is 0 for infinite n, and for m = -infinity with n < 1. It is NaN
-   for m > 1. DLMF 19.2.8, 19.6.5. */
+   error is at most 8 ulp. For n > 1 Pi is Cauchy's principal value. Pi is infinite for n = 1. For m = 1 it is infinite,
+   too, with the sign of 1 - n. It is 0 for infinite n, and for m = -infinity with n < 1. It is NaN for m > 1. DLMF
+   19.2.8, 19.6.5. */
 VM_API vm_real jacobi_Pi(vm_real n, vm_real m) { return vmi_Pi(n, m, 1 - m); }
 
 /* Pi(n | m) from the complementary parameter m1 = 1 - m >= 0.
-   Domain and accuracy are those of jacobi_Pi; m1 keeps its digits where m is close to 1. */
+   Domain and accuracy are those of jacobi_Pi. Use it for m close to 1, where the difference 1 - m would lose digits. */
 VM_API vm_real jacobi_Pi_m1(vm_real n, vm_real m1) { return vmi_Pi(n, 1 - m1, m1); }
 
 /* Pi(n | m) - Pi(n; theta | m) for n < 1 and 0 <= theta <= pi/2, from s = sin theta and c = cos theta. Let psi be the
    angle for which tan theta tan psi = 1/k', and N = (m - n)/(1 - n). Then the result is the integral from 0 to psi of
-   (1 - m sin^2 x)/((1 - n)(1 - N sin^2 x)) dx/sqrt(1 - m sin^2 x). *exact becomes 1 if no digits cancel: for all
-   n <= 0, and for n > 0 if c^2 <= (1 - n) s^2; else the result is 0. */
+   (1 - m sin^2 x)/((1 - n)(1 - N sin^2 x)) dx/sqrt(1 - m sin^2 x). *exact becomes 1 if no digits are lost: for all
+   n <= 0, and for n > 0 if c^2 <= (1 - n) s^2. Otherwise *exact and the result are 0. */
 VM_API vm_real vmi_Pi_complement(vm_real s, vm_real c, vm_real n, vm_real m1, int *exact)
 {
     const vm_real cc = c * c, ss = s * s, d = cc + m1 * ss;
@@ -4133,7 +4153,7 @@ VM_API vm_real vmi_Pi_incomplete(vm_real phi, vm_real n, vm_real m, vm_real m1, 
    phi, and for m <= 1 Pi(phi + pi) = Pi(phi) + 2 Pi(n | m). The error is at most 8 ulp for n <= 1 and |phi| <= 1e9
    (float 1e4). For n > 1 Pi has poles where n sin^2 phi = 1. Beyond the first pole Pi is Cauchy's principal value. For
    n > 1 the error is at most 16 eps max(|F|, |Pi|), plus the effect of changing n by 4 ulp. The result is 0 for
-   infinite n and m <= 1, and for m = -infinity. For m > 1 it is NaN where m sin^2 phi > 1, beyond pi/2, and for
+   infinite n and m <= 1, and for m = -infinity. For m > 1 it is NaN where m sin^2 phi > 1, for |phi| > pi/2, and for
    infinite m or n. docs/cost.md has the time. DLMF 19.2.7. */
 VM_API vm_real jacobi_Pi_incomplete(vm_real phi, vm_real n, vm_real m)
 {
@@ -4142,7 +4162,8 @@ VM_API vm_real jacobi_Pi_incomplete(vm_real phi, vm_real n, vm_real m)
 }
 
 /* Pi(n; phi | m) from the complementary parameter m1 = 1 - m.
-   Domain and accuracy are those of jacobi_Pi_incomplete; m1 keeps its digits where m is close to 1. */
+   Domain and accuracy are those of jacobi_Pi_incomplete. Use it for m close to 1, where the difference 1 - m would lose
+   digits. */
 VM_API vm_real jacobi_Pi_incomplete_m1(vm_real phi, vm_real n, vm_real m1)
 {
     return vmi_Pi_incomplete(phi, n, 1 - m1, m1, 0);
@@ -4151,9 +4172,9 @@ VM_API vm_real jacobi_Pi_incomplete_m1(vm_real phi, vm_real n, vm_real m1)
 #endif
 /* jacobi/inverse.h - the inverses of sn, cn and dn
 
-   Each function returns a solution u of sn(u | m) = x, cn(u | m) = x or dn(u | m) = x: the one that is nearest to 0,
-   and for cn and dn, whose solutions are pairs u, -u, the positive one of these two. All other solutions follow from
-   the period 4 K and the symmetries. The inverse of the amplitude is F(phi | m), which jacobi_F computes.
+   Each function returns the solution u of sn(u | m) = x, cn(u | m) = x or dn(u | m) = x that is nearest to 0. The
+   solutions for cn and dn are pairs u, -u; for these the positive u is returned. All other solutions follow from the
+   period 4 K and the symmetries. The inverse of the amplitude is F(phi | m), which jacobi_F computes.
 
        vm_real u = jacobi_inverse_cn(VM_C(0.3), VM_C(0.5)); // cn(u | 0.5) = 0.3
 
@@ -4177,7 +4198,8 @@ VM_API vm_real vmi_inverse_sn(vm_real x, vm_real m1)
 VM_API vm_real jacobi_inverse_sn(vm_real x, vm_real m) { return vmi_inverse_sn(x, 1 - m); }
 
 /* The inverse of sn from the complementary parameter m1 = 1 - m >= 0.
-   Domain and accuracy are those of jacobi_inverse_sn; m1 keeps its digits where m is close to 1. */
+   Domain and accuracy are those of jacobi_inverse_sn. Use it for m close to 1, where the difference 1 - m would lose
+   digits. */
 VM_API vm_real jacobi_inverse_sn_m1(vm_real x, vm_real m1) { return vmi_inverse_sn(x, m1); }
 
 /* The inverse of cn for 1 - m = m1 + m1_lo. For x < 0 it is 2 K minus the inverse at |x|, which is at most K. */
@@ -4204,7 +4226,8 @@ VM_API vm_real jacobi_inverse_cn(vm_real x, vm_real m)
 }
 
 /* The inverse of cn from the complementary parameter m1 = 1 - m >= 0.
-   Domain and accuracy are those of jacobi_inverse_cn; m1 keeps its digits where m is close to 1. */
+   Domain and accuracy are those of jacobi_inverse_cn. Use it for m close to 1, where the difference 1 - m would lose
+   digits. */
 VM_API vm_real jacobi_inverse_cn_m1(vm_real x, vm_real m1) { return vmi_inverse_cn(x, m1, 0); }
 
 /* The inverse of dn for 1 - m = m1 + m1_lo. With s = sn u and c = cn u, m s^2 is 1 - x^2 and m c^2 is x^2 - m1.
@@ -4234,7 +4257,8 @@ VM_API vm_real jacobi_inverse_dn(vm_real x, vm_real m)
 }
 
 /* The inverse of dn from the complementary parameter m1 = 1 - m >= 0.
-   Domain and accuracy are those of jacobi_inverse_dn; m1 keeps its digits where m is close to 1. */
+   Domain and accuracy are those of jacobi_inverse_dn. Use it for m close to 1, where the difference 1 - m would lose
+   digits. */
 VM_API vm_real jacobi_inverse_dn_m1(vm_real x, vm_real m1)
 {
     if (!VM_IS_FINITE(m1)) return VM_NAN;

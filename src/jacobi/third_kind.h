@@ -3,7 +3,7 @@
    The attitude of a body that rotates without torque needs, besides sn, cn and dn, the complete integral of the third
    kind Pi(-N | m) and theta functions of a complex argument. Both are computed here in two words, so that the
    attitude stays right after a million turns (mechanics/torque_free.h). All functions of this file are internal. p is
-   the number of digits of vm_real.
+   the number of binary digits of vm_real.
 
    Source: DLMF 19.8, 19.36, 20.7. Tests: tests/test_torque_free.c. */
 #ifndef VARMASS_JACOBI_THIRD_KIND_H
