@@ -140,7 +140,7 @@
        ateb_ca                        ca(alpha, 1, s), the Ateb cosine, alone
 
      ateb/phase: the phase s that belongs to a pair of values sa and ca
-       ateb_phase                     The phase s that belongs to given values of sa and ca, with -Pi_alpha < s <= Pi_alpha
+       ateb_phase                     The phase s of given values of sa and ca, with -Pi_alpha < s <= Pi_alpha
 
      ateb/integrals: integrals of Ateb functions
        ateb_integral_sa2              The integral of sa(1, alpha, s)^2 from 0 to s
@@ -210,9 +210,9 @@
 #define VM_INLINE VM_API /* the code is slower than with forced inlining, but the results are the same */
 #endif
 
-/* Between VMI_QUIET_BEGIN and VMI_QUIET_END the compiler does not warn of what is meant as it stands, such as casts
-   that C and C++ both accept and comparisons with exact numbers. A project that asks for such warnings gets those of
-   its own files only. */
+/* Between VMI_QUIET_BEGIN and VMI_QUIET_END the compiler does not warn of code that is intended, such as casts that C
+   and C++ both accept and comparisons with exact numbers. A project that turns on such warnings gets only those of its
+   own files. */
 #if defined(__GNUC__) && !defined(__CUDACC__)
 #define VMI_IGNORE(warning) VMI_PRAGMA(GCC diagnostic ignored warning)
 #define VMI_PRAGMA(text) _Pragma(#text)
@@ -275,10 +275,11 @@ typedef double vm_real;
 #endif
 #endif
 
-/* A struct in float and the same struct in double have other sizes. In C the linker does not see where one file passes
-   such a struct to another. So each file marks its precision here, and files of both precisions do not link, unless all
-   of one precision define VM_MIXED_PRECISIONS. gcc marks by an absolute symbol, of which every file of a program must
-   have the same value; with clang this would refuse equal values too under -flto. */
+/* A struct in float and the same struct in double have different sizes. In C the linker does not see where one file
+   passes such a struct to another. So each file marks its precision here, and files of both precisions do not link,
+   unless all files of one precision define VM_MIXED_PRECISIONS. With gcc the mark is an absolute symbol, which must
+   have the same value in every file of a program. With clang there is no such mark, since under -flto it would refuse
+   equal values, too. */
 #if defined(VM_MIXED_PRECISIONS) || defined(__CUDACC__)
 #elif defined(_MSC_VER)
 #ifdef VM_USE_FLOAT
@@ -362,7 +363,8 @@ VMI_QUIET_BEGIN
 /* base/sums.h - sums without rounding error, numbers in two words
 
    A sum of two numbers of type vm_real is rounded. The functions here return the rounded sum (hi) and its rounding
-   error (lo), so that hi + lo is the exact sum. Such a pair, vm_two, holds a number with twice the digits.
+   error (lo), so that hi + lo is the exact sum. Such a pair, a vm_two, is a number in two words: it has twice the
+   digits of a vm_real.
 
        vm_two s = vmi_two_sum(1, VM_C(1e-20)); // s.hi = 1, s.lo = 1e-20
 
@@ -432,7 +434,8 @@ VM_API vm_two vmi_two(vm_real hi, vm_real lo)
 
 /* Returns 1 if sums are computed in the order in which they are written, as arithmetic in two words needs, and if a
    product is rounded when 0 is added to it. `one` must be 1, `eps` VM_EPSILON, and `split` VM_SPLIT, the factor that
-   splits a number into two halves. The caller reads them from volatile variables, so that the compiler cannot guess. */
+   splits a number into two halves. The caller reads them from volatile variables, so that the compiler cannot know
+   their values. */
 VM_API int vmi_keeps_order(vm_real one, vm_real eps, vm_real split)
 {
     const vm_real above = one + eps, third = one / 3;
@@ -643,21 +646,21 @@ VM_API vm_real vmi_head(vm_real x)
     return vmi_from_bits(vmi_to_bits(x) & ~(above - 1));
 }
 
-/* The product x y of numbers in two words; the relative error is below 2^-(2p - 4) */
+/* The product x y of numbers in two words. Its relative error is below 2^-(2p - 4). */
 VM_API vm_two vmi_two_times(vm_two x, vm_two y)
 {
     vm_two p = vmi_two_product(x.hi, y.hi);
     return vmi_two_sum(p.hi, p.lo + (x.hi * y.lo + x.lo * y.hi));
 }
 
-/* The sum x + y of numbers in two words; the error is below 2^-(2p - 4) of the larger term */
+/* The sum x + y of numbers in two words. Its error is below 2^-(2p - 4) times the larger term. */
 VM_API vm_two vmi_two_plus(vm_two x, vm_two y)
 {
     vm_two s = vmi_two_sum(x.hi, y.hi);
     return vmi_two_sum(s.hi, s.lo + (x.lo + y.lo));
 }
 
-/* The quotient x / y of numbers in two words; the relative error is below 2^-(2p - 4) */
+/* The quotient x / y of numbers in two words. Its relative error is below 2^-(2p - 4). */
 VM_API vm_two vmi_two_over(vm_two x, vm_two y)
 {
     vm_real z = vmi_rounded(x.hi / y.hi);
@@ -804,7 +807,8 @@ VM_API vm_two vmi_two_scaled(vm_two x, vm_real factor)
     return vmi_fast_two_sum(p.hi, p.lo + x.lo * factor);
 }
 
-/* The sum a b + c d of two products, within 2 eps of itself, however many digits cancel. No product may underflow. */
+/* The sum a b + c d of two products, with a relative error of at most 2 eps, even where the products nearly cancel each
+   other. No product may underflow. */
 VM_API vm_real vmi_sum_of_products(vm_real a, vm_real b, vm_real c, vm_real d)
 {
     const vm_two ab = vmi_two_product(a, b), cd = vmi_two_product(c, d);
@@ -822,9 +826,9 @@ VM_API vm_real vmi_sum_of_products(vm_real a, vm_real b, vm_real c, vm_real d)
 
        vm_real period = 2 * ateb_pi(3);
 
-   There are two methods. A table of polynomials gives Pi_alpha - (alpha + 1); it is quick, and accurate enough for most
-   arguments of sa and ca. For the other arguments one polynomial of degree 33 (float 17) is evaluated in two or three
-   words. In the comments of this file n = alpha + 1 and q = 1/n. The tables are computed by
+   There are two methods. A table of polynomials gives Pi_alpha - (alpha + 1). This method is quick, and it is accurate
+   enough for most arguments of sa and ca. For the other arguments one polynomial of degree 33 (float 17) is evaluated
+   in two or three words. In the comments of this file n = alpha + 1 and q = 1/n. The tables are computed by
    tests/gen/ateb_coefficients.py. Tests: tests/test_ateb.c. */
 #ifndef VARMASS_ATEB_PERIOD_H
 #define VARMASS_ATEB_PERIOD_H
@@ -886,8 +890,8 @@ VM_API vm_real vmi_ateb_coefficient(int which_word, int i)
 enum { VMI_ATEB_DEGREE = VM_MANT_DIG > 24 ? 33 : 17 };
 
 /* The polynomial of vmi_ateb_coefficient in two words. From index TWO_WORDS on the coefficients are so small that one
-   word is enough. Each coefficient exceeds the sum of the terms after it, so that Dekker's sum of two numbers is
-   enough for the high words. */
+   word is enough. Each coefficient exceeds the sum of the terms after it, so that the faster sum by Dekker
+   (vmi_fast_two_sum) is enough for the high words. */
 VM_API vm_two vmi_ateb_polynomial(vm_two t)
 {
     enum { TWO_WORDS = VM_MANT_DIG > 24 ? 17 : 8 };
@@ -1302,13 +1306,13 @@ VM_API void vmi_ateb_fine_constants(vmi_ateb *c, vm_real alpha)
 
    The C library's functions differ from machine to machine in the last bits. The functions of this file give the same
    bits everywhere: they use only basic operations, which every machine rounds in the same way. The logarithm and the
-   exponential are computed in two words, so that a power made from them has all its digits. They branch only where a
-   result is subnormal, so that a compiler can vectorise loops over them.
+   exponential are computed in two words (see base/sums.h), so that a power made from them has all its digits. They
+   branch only where a result is subnormal, so that a compiler can vectorise loops over them.
 
        vm_real y = vmi_exp(VM_C(1.5), 0); // e^1.5
 
-   The tables and polynomials are computed by tests/gen/elementary.py. The bounds of the errors are proved, as
-   docs/proof.md tells. Tests: tests/test_jacobi.c, tests/test_ateb.c. */
+   The tables and polynomials are computed by tests/gen/elementary.py. docs/proof.md proves the bounds of the errors.
+   Tests: tests/test_jacobi.c, tests/test_ateb.c. */
 #ifndef VARMASS_BASE_ELEMENTARY_H
 #define VARMASS_BASE_ELEMENTARY_H
 
@@ -1491,8 +1495,9 @@ VM_API vm_real vmi_exp(vm_real x, vm_real x_lo)
     return vmi_ldexp_two(y.hi, y.lo + p_lo, k);
 }
 
-/* Returns the power x^y for x > 0, within 0.9 ulp if x.lo is 0 or |ln x| > 2^14 eps. For an x closer to 1 the low word
-   of x is not used to its last digit, and the error grows like eps/|ln x|; it is 2.7 ulp at |ln x| = 130 eps. */
+/* Returns the power x^y for x > 0, within 0.9 ulp if x.lo is 0 or |ln x| > 2^14 eps. For an x closer to 1 the last
+   digits of the low word of x are not used. The error then grows in proportion to eps/|ln x|; it is 2.7 ulp at
+   |ln x| = 130 eps. */
 VM_API vm_real vmi_pow_two(vm_two x, vm_two y)
 {
     const vm_real t = x.lo / x.hi;
@@ -1624,7 +1629,7 @@ VM_API vm_real vmi_pow_checked(vm_real x, vm_real y)
 }
 
 /* Returns e^y - 1 in two words. The error is below 2^-(p+4) (1 + e^y), where p is the number of digits of vm_real;
-   for small y it is below 2^-p of the result. The result is infinity where it overflows. */
+   for small y it is below 2^-p of the result. Where e^y overflows, the result is infinity. */
 VM_API vm_two vmi_expm1(vm_two y)
 {
     const vm_real largest = VM_C(0.6931471805599453094) * (VMI_BIAS + 1);
@@ -1691,7 +1696,7 @@ VM_API vm_two vmi_log1p_rest(vm_two x, vm_two y)
 }
 
 #endif
-/* ateb/powers.h - a logarithm and an exponential that are quicker and have one word only
+/* ateb/powers.h - a logarithm and an exponential that are quick and return one word
 
    vmi_log and vmi_exp (base/elementary.h) return two words. The functions in this file return one word, with an error
    of one or two ulp. They are used where the error is later multiplied by less than about 1/2: in ateb/inversion.h and
@@ -1966,7 +1971,7 @@ typedef struct VM_TAG(vmi_ateb_base) {
     vm_real k, t;
 } vmi_ateb_base;
 
-/* Returns 2 q d in two words, for q and d in two words. The halves of the digits of q and d have exact products. */
+/* Returns 2 q d in two words, for q and d in two words. q and d are split into halves, whose products are exact. */
 VM_INLINE vm_two vmi_ateb_twice_q_times(vm_two twice_q, vm_real d, vm_real d_lo)
 {
     const vm_real q = twice_q.hi, q_head = vmi_head(q), d_head = vmi_head(d);
@@ -2011,8 +2016,8 @@ VM_INLINE vm_real vmi_ateb_guess_p(vm_real q, vm_real X4)
            (X4 + (X4 * X4) * (X4 * X4) * (q * k * (lack0 + X4 * lack1)));
 }
 
-/* sa and ca at the distances r >= VMI_ATEB_CHANGE_OVER from the zero of sa and d from the zero of ca. Given are
-   q = 1/(alpha + 1), y = 2 q d and X = y^(alpha+1). The unknown is p = (1 - sa)/2. From p follow
+/* sa and ca at the distances r >= VMI_ATEB_CHANGE_OVER from the zero of sa and d from the zero of ca. The numbers
+   q = 1/(alpha + 1), y = 2 q d and X = y^(alpha+1) are known. The unknown is p = (1 - sa)/2. From p follow
      v = sa = 1 - 2 p,   x = 1 - v^2 = 4 p (1 - p),   u = ca = x^q,   E = 2F1(1, 2q; 1 + q; p).
    They satisfy y = u E, so that p is the solution of ln X = ln x + (alpha + 1) ln E. The derivatives with respect to ln
    X are
@@ -2094,12 +2099,12 @@ VM_API vm_real vmi_ateb_reduce_finely(vm_real s, vmi_ateb *c, int *quarter)
     return 0; /* s is above 2^52 quarters, so that its digits do not determine the phase */
 }
 
-/* Returns a for the weight 1 and b for the weight 0. A condition would become a branch, which is mispredicted half
-   the time. */
+/* Returns a for the weight 1 and b for the weight 0. A condition would become a branch, and the processor would
+   mispredict it half the time. */
 VM_API vm_real vmi_choose(vm_real weight, vm_real a, vm_real b) { return weight * a + (1 - weight) * b; }
 
 /* Returns the position of s >= 0 in the period, by the quickest of three ways.
-     1. s <= (alpha + 1)/2 lies in the first quarter, and r = s is known before Pi_alpha is.
+     1. An s <= (alpha + 1)/2 lies in the first quarter. Then r = s, which is known without Pi_alpha.
      2. For s <= 128 (alpha + 1), c->quarter is accurate enough, unless s is close to a zero of sa or ca. Its high
         word is multiplied in two halves, whose products with the number of quarters are exact. This number comes
         from the high word of c->quarter alone, so that the rest may be a little longer than half a quarter.
@@ -2263,9 +2268,9 @@ VM_API vm_real vmi_ateb_phase_r(vm_two h, const vmi_ateb *c)
 /* Returns 1 if ateb_phase has a result for this alpha, else 0. */
 VM_API int vmi_ateb_has_phase(vm_real alpha) { return alpha >= 0 && alpha <= VM_C(1e30); }
 
-/* The phase s that belongs to given values of sa and ca, with -Pi_alpha < s <= Pi_alpha. alpha lies between 0 and 1e30.
-   The pair need not satisfy sa^2 + |ca|^(alpha+1) = 1: sa lambda^((alpha+1)/2) and ca lambda have the same phase for
-   every lambda > 0. Therefore the phase of the oscillator x'' = -omega^2 x|x|^(alpha-1) is found with sa = -x'
+/* The phase s of given values of sa and ca, with -Pi_alpha < s <= Pi_alpha. alpha lies between 0 and 1e30. The pair
+   need not satisfy sa^2 + |ca|^(alpha+1) = 1: sa lambda^((alpha+1)/2) and ca lambda have the same phase for every
+   lambda > 0. Therefore the phase of the oscillator x'' = -omega^2 x|x|^(alpha-1) is found with sa = -x'
    sqrt((alpha+1)/2)/omega and ca = x. Returns 0 for sa = 0 <= ca. If sa and ca come from ateb_saca(s, ...), s is
    returned with an error of at most 8 ulp plus the change of s that 6 ulp of sa and of ca make. Returns NaN for
    alpha < 0, alpha > 1e30, NaN and infinite arguments. */
@@ -2319,8 +2324,8 @@ VM_API vm_real vmi_ateb_from_ca_0(vm_real alpha, vm_real x, vm_real w)
     return n / 2 * x * sum;
 }
 
-/* The phase of ateb_phase by power series, for sa and ca with sa^2 + |ca|^(alpha+1) = 1 and a valid alpha. `quarter` is
-   the quarter period, Pi_alpha/2. */
+/* Returns the phase that ateb_phase returns, computed by power series, for sa and ca with sa^2 + |ca|^(alpha+1) = 1 and
+   a valid alpha. `quarter` is the quarter period, Pi_alpha/2. */
 VM_API vm_real vmi_ateb_phase_by_series(vm_two quarter, vm_real alpha, vm_real sa, vm_real ca)
 {
     const vm_real y = sa * sa, x = VM_FABS(ca);
@@ -2440,10 +2445,10 @@ VM_API void vmi_remove_highest(vm_real *c, int n, int lowest)
 #endif
 /* ateb/plans.h - sa and ca for many arguments and one alpha
 
-   A plan holds what depends on alpha alone: Pi_alpha/2 and polynomials for two parts of a quarter of the period. A
-   call with a plan is faster, most of all for arrays, where the compiler vectorises the loop (docs/cost.md has the
-   times). A plan of less accuracy is shorter and quicker. A plan is plain data: it may be copied, and it may be a
-   constant in flash.
+   A plan contains all numbers that depend only on alpha: Pi_alpha/2 and polynomials for two parts of a quarter of the
+   period. A call with a plan is faster, most of all for arrays, where the compiler vectorises the loop (docs/cost.md
+   has the times). A plan of less accuracy is shorter and quicker. A plan is plain data: it may be copied, and it may be
+   a constant in flash.
 
        ateb_plan p;
        vm_real sa, ca;
@@ -2468,9 +2473,9 @@ VM_API void vmi_remove_highest(vm_real *c, int n, int lowest)
 #define ATEB_PLAN_LENGTH 8
 #endif
 
-/* The polynomials of one part of a quarter: odd holds A, for the function that has its zero in this part; even holds C,
-   for the other function. The comment at the top defines A and C. The constant terms come first; coefficients that are
-   not used are 0. */
+/* The polynomials of one part of a quarter. `odd` contains A, for the function that has its zero in this part. `even`
+   contains C, for the other function. The comment at the top of this file defines A and C. The constant terms come
+   first; coefficients that are not used are 0. */
 typedef struct VM_TAG(vmi_ateb_part) {
     vm_real odd[ATEB_PLAN_LENGTH], even[ATEB_PLAN_LENGTH];
 } vmi_ateb_part;
@@ -2479,7 +2484,7 @@ typedef struct VM_TAG(vmi_ateb_part) {
 typedef struct VM_TAG(ateb_plan) {
     vm_two quarter;           /* Pi_alpha/2 */
 #if VM_MANT_DIG > 24
-    vm_real quarter_low; /* Pi_alpha/2 minus its two words in `quarter`; float plans are kept short */
+    vm_real quarter_low; /* Pi_alpha/2 minus its two words in `quarter`; not in float, where plans are short */
 #endif
     vm_real quarter_parts[3]; /* three numbers with the sum `quarter`; the first two have at most half of the digits */
     vm_real per_quarter;      /* 2/Pi_alpha */
@@ -2573,7 +2578,7 @@ VM_INLINE int vmi_ateb_plan_is_close(vm_real rest, vm_real s)
 }
 
 /* Returns x minus the nearest multiple of Pi_alpha/2, for an x > 0 that is close to a multiple (see
-   vmi_ateb_plan_is_close). `rest` is the same number by two words. */
+   vmi_ateb_plan_is_close). `rest` is the same difference, computed with two words of Pi_alpha/2. */
 VM_API vm_real vmi_ateb_plan_reduce_finely(const ateb_plan *p, vm_real x, vm_real rest)
 {
 #if VM_MANT_DIG > 24
@@ -2584,7 +2589,7 @@ VM_API vm_real vmi_ateb_plan_reduce_finely(const ateb_plan *p, vm_real x, vm_rea
     (void)p;
     (void)x;
 #endif
-    return rest; /* where count eps >= 1, the digits of x do not give the phase */
+    return rest; /* where count eps >= 1, the digits of x do not determine the phase */
 }
 
 /* sa and ca of the argument s for the plan's alpha. s may be any number. For alpha up to 1e6 and |s| <= 100 Pi_alpha,
@@ -2916,9 +2921,10 @@ VM_API void vmi_ateb_plan_period(ateb_plan *p, const vmi_ateb *c)
    -1 for alpha < 0 and if a number is NaN or infinite; then the plan stays as it was. */
 VM_API int ateb_plan_init_to(ateb_plan *p, vm_real alpha, vm_real accuracy)
 {
-    /* Beyond the change-over sa is computed from X = (2 q d)^(alpha+1), whose rounding errors enter with the factor
-       X/(2 sa). This factor is 0.33 for a change-over at r = 0.92; for one at r = 0.73 it would be 0.5, and the error
-       2.3 ulp. For a change-over beyond 0.92 the polynomials would have too few terms. */
+    /* For r beyond the change-over, sa is computed from X = (2 q d)^(alpha+1). The relative rounding error of X, times
+       X/(2 sa), is the error that it causes in sa. The factor X/(2 sa) is 0.33 for a change-over at r = 0.92; for one
+       at r = 0.73 it would be 0.5, and the error 2.3 ulp. For a change-over beyond 0.92 the polynomials would have too
+       few terms. */
     const vm_real share = VM_C(0.5), farthest = VM_MANT_DIG > 24 ? VM_C(0.92) : VM_C(0.95);
     vm_real tolerance = VM_EPSILON / 16, unit = 1;
     int length, length_beyond;
@@ -2956,7 +2962,7 @@ VM_API int ateb_plan_init(ateb_plan *p, vm_real alpha) { return ateb_plan_init_t
        vm_real p = ateb_beta_inc(VM_C(0.3), VM_C(0.5), 2); // I_0.3(0.5, 2)
 
    In this file p = I_x(a, b), q = 1 - p and y = 1 - x. The functions with the suffix _both also take and return y and
-   q, which keep their digits where x or p is close to 1.
+   q. Where x or p is close to 1, y and q have all their digits, while computed differences 1 - x and 1 - p would not.
 
    Method: the functions are computed from logarithms in two words. Let i be 0 for a >= 6 and 6 for a < 6, so that
    A = a + i is at least 6. In the same way j, which is 0 or 6, makes B = b + j, and k makes S = a + b + k at least 6.
@@ -2964,10 +2970,10 @@ VM_API int ateb_plan_init(ateb_plan *p, vm_real alpha) { return ateb_plan_init_t
      ln(x^a y^b/B(a, b)) = a ln x + b ln y + (a + k - j) ln S/A + (b + k - i) ln S/B
                            + (k - i - j + 1/2) ln(A B/S) + (i + j - k) - ln(2 pi)/2
                            + delta(S) - delta(A) - delta(B) + ln((a)_i (b)_j/(a+b)_k)
-   where delta is the remainder of Stirling's formula (vmi_beta_stirling) and (a)_i = a (a + 1) ... (a + i - 1). If this
-   sum is not large, no large terms cancel in it. The products (a)_i, (b)_j and (a+b)_k neither overflow nor underflow,
-   since they have at most 6 factors. vmi_beta_density computes x^a y^b/B(a, b) itself, in less time and with an error
-   of a few ulp.
+   where delta is the remainder of Stirling's formula (vmi_beta_stirling) and (a)_i = a (a + 1) ... (a + i - 1). Where
+   this sum is not large, no large terms cancel each other in it. The products (a)_i, (b)_j and (a+b)_k neither overflow
+   nor underflow, since they have at most 6 factors. vmi_beta_density computes x^a y^b/B(a, b) itself, in less time and
+   with an error of a few ulp.
 
    Source of the continued fraction (vmi_beta_fraction): Didonato and Morris, Algorithm 708, ACM TOMS 18 (1992). Tests:
    tests/test_ateb.c. */
@@ -3089,7 +3095,8 @@ typedef struct VM_TAG(vmi_beta_gamma) {
 } vmi_beta_gamma;
 
 /* Returns the numbers of vmi_beta_gamma for z. `rest` is the remainder of the division 1/Z; only its last product is
-   rounded. The function has no branch for z < 6, which would be mispredicted half the time. */
+   rounded. The function tests z < 6 without a branch, since the processor would mispredict this branch half the
+   time. */
 VM_INLINE vmi_beta_gamma vmi_beta_gamma_of(vm_two z)
 {
     const vm_real e6 = VM_C(403.42879349273512), t = z.hi, shifted = (vm_real)(t < 6);
@@ -3190,9 +3197,9 @@ VM_API vm_real vmi_beta_backward(const vmi_beta_levels *l, int count)
 #define VMI_BETA_FINE VM_EPSILON
 
 /* Returns 1/f_0 = I_x(a, b) B(a, b)/(x^a y^b) for x <= (a + 1)/(a + b + 2), with a relative error of about
-   `tolerance`. The convergents P/Q of the fraction are computed, two at a time, until two of them agree. Rounding
-   errors add up in P and Q; therefore a fraction of more than SAFE levels is evaluated once more, from its last
-   level. */
+   `tolerance`. The convergents P/Q of the fraction, which are its values after 1, 2, 3, ... levels, are computed two at
+   a time, until two of them agree. Rounding errors add up in P and Q; therefore a fraction of more than SAFE levels is
+   evaluated once more, from its last level. */
 VM_API vm_real vmi_beta_fraction(vm_real x, vm_real y, vm_real a, vm_real b, vm_real tolerance)
 {
     enum { MOST = 20000, SAFE = 20 }; /* MOST stops the loop for a NaN; some 250 levels are enough otherwise */
@@ -3337,14 +3344,14 @@ VM_API int vmi_beta_limit_side(vm_real a, vm_real b)
 }
 
 /* The regularised incomplete beta function p = I_x(a, b) and q = 1 - p. They are computed from the smaller of x and
-   y = 1 - x, so that this one should have all its digits. For a and b from 1e-3 to 1e4 the errors of p and q are at
-   most 30 ulp each. a and b may also lie between 1e-4 and 1e5, where the function is less accurate and slower. If a or
-   b is 0 or infinite, p is the limit: 1 for x > 0 if all of the distribution moves to x = 0, and 0 for x < 1 if it
-   moves to x = 1. The results are NaN for other a or b, if there is no limit, if x or y is negative, and if x + y is
-   not 1. docs/cost.md has the time. DLMF 8.17, equation (273). */
+   y = 1 - x: give this number with all its digits. For a and b from 1e-3 to 1e4 the errors of p and q are at most 30
+   ulp each. a and b may also lie between 1e-4 and 1e5, where the function is less accurate and slower. If a or b is 0
+   or infinite, p is the limit: 1 for x > 0 if all of the distribution moves to x = 0, and 0 for x < 1 if it moves to
+   x = 1. The results are NaN for other a or b, if there is no limit, if x or y is negative, and if x + y is not 1.
+   docs/cost.md has the time. DLMF 8.17, equation (273). */
 VM_API void ateb_beta_inc_both(vm_real x, vm_real y, vm_real a, vm_real b, vm_real *p, vm_real *q)
 {
-    const vm_real longest = VM_C(0.6); /* 1 minus a longer tail would lose digits; then logarithms are used */
+    const vm_real longest = VM_C(0.6); /* 1 minus a larger tail would lose digits; then logarithms are used */
     const vm_real least = VM_MIN / (VM_EPSILON * VM_EPSILON); /* products with smaller numbers may underflow */
     vm_two x2 = vmi_two(x, 0), y2 = vmi_two(y, 0);
     vm_real tail, density;
@@ -3471,9 +3478,9 @@ VM_API vm_real vmi_beta_step(vm_real rest, vm_real slope, vm_real bend)
 }
 
 /* Returns a value of t = ln(x/y) from which the solution of I_x(a, b) = p is sought, for p <= 1/2. It is the t where
-   the asymptote of ln I_x for t to -infinity equals ln p, which lies left of the solution. For a, b > 1 it is the
-   approximation by a normal distribution, where that is larger: Abramowitz and Stegun 26.5.22, with the quantile by
-   26.2.23. */
+   the asymptote of ln I_x for t to -infinity equals ln p, which lies left of the solution. For a, b > 1 the
+   approximation by a normal distribution is returned instead, if it is larger (Abramowitz and Stegun 26.5.22, with the
+   quantile by 26.2.23). */
 VM_API vm_real vmi_beta_start(vm_real ln_p, vm_real a, vm_real b, vm_real ln_B)
 {
     const vm_real ln_a = vmi_ateb_ln(a), asymptote = (ln_p + ln_a + ln_B) / a;
@@ -3491,10 +3498,10 @@ VM_API vm_real vmi_beta_start(vm_real ln_p, vm_real a, vm_real b, vm_real ln_B)
     return vmi_larger(asymptote, ln_a - vmi_ateb_ln(b) - 2 * w);
 }
 
-/* Returns the point where I_x(a, b) = p, from ln p, for p <= 1/2. ln I_x is a concave function of t = ln(x/y). From
-   vmi_beta_start on, steps of third order by vmi_beta_step follow, first with rough values of ln I_x; from the step on
-   that is short, with logarithms in two words. The error after a step is about its third power. The last step changes
-   x, y, ln x and ln y directly instead of t. */
+/* Returns the point where I_x(a, b) = p, from ln p, for p <= 1/2. ln I_x is a concave function of t = ln(x/y). The
+   method starts at vmi_beta_start and makes steps of third order by vmi_beta_step: the error after a step is about the
+   third power of the step. The first steps use rough values of ln I_x. After the first short step, logarithms in two
+   words are used. The last step changes x, y, ln x and ln y directly instead of t. */
 VM_API vmi_beta_point vmi_beta_invert(vm_two ln_p, vm_real a, vm_real b)
 {
     const vm_real enough = VM_MANT_DIG > 24 ? VM_C(2e-3) : VM_C(2e-2);    /* a shorter step ends the rough steps */
@@ -3540,9 +3547,9 @@ VM_API vmi_beta_point vmi_beta_invert_both(vm_real p, vm_real q, vm_real a, vm_r
 }
 
 /* The inverse of ateb_beta_inc_both: x with I_x(a, b) = p, and y = 1 - x and ln x. They are computed from the smaller
-   of p and q = 1 - p, so that this one should have all its digits. ln x is also right where x underflows. For a and b
-   from 1e-3 to 1e4 the errors of x, y and ln x are at most 16 ulp plus the changes that one ulp of the smaller of p and
-   q makes. a and b may also lie between 1e-4 and 1e5, where the function is less accurate and slower. If a or b is 0 or
+   of p and q = 1 - p: give this number with all its digits. ln x is also right where x underflows. For a and b from
+   1e-3 to 1e4 the errors of x, y and ln x are at most 16 ulp plus the changes that one ulp of the smaller of p and q
+   makes. a and b may also lie between 1e-4 and 1e5, where the function is less accurate and slower. If a or b is 0 or
    infinite, x is the limit: 0 for p < 1 if all of the distribution moves to x = 0, and 1 for p > 0 if it moves to
    x = 1. The results are NaN for other a or b, if there is no limit, if p or q is negative, and if p + q is not 1.
    docs/cost.md has the time. */
@@ -3585,9 +3592,9 @@ VM_API vm_real ateb_beta_inc_inv(vm_real p, vm_real a, vm_real b)
 enum { ATEB_SIGN_OF_SA = 1, ATEB_SIGN_OF_CA = 2 };
 
 /* The mean of |sa(n, m, s)|^p |ca(m, n, s)|^q over a period, with or without the signs of sa and ca.
-   The indices n and m of sa and ca lie between 0 and 1e30, the powers p and q are above -1 and at most 1e6. signs is 0,
-   ATEB_SIGN_OF_SA, ATEB_SIGN_OF_CA or their sum: a power with the sign of its base, such as sa^3, is odd, and the mean
-   is 0 then. So the mean of sa^2 ca^3 is ateb_mean_nm(n, m, 2, 3, ATEB_SIGN_OF_CA). The mean without signs is
+   The indices n and m of sa and ca lie between 0 and 1e30. The powers p and q are above -1 and at most 1e6. signs is 0,
+   ATEB_SIGN_OF_SA, ATEB_SIGN_OF_CA or their sum. A power with the sign of its base, such as sa^3, is odd, so that the
+   mean is 0. For example, the mean of sa^2 ca^3 is ateb_mean_nm(n, m, 2, 3, ATEB_SIGN_OF_CA). The mean without signs is
    B((p+1)/(n+1), (q+1)/(m+1))/B(1/(n+1), 1/(m+1)), with an error of at most 2 ulp. Returns NaN for other numbers.
    Equation (316). */
 VM_API vm_real ateb_mean_nm(vm_real n, vm_real m, vm_real p, vm_real q, int signs)
@@ -3609,7 +3616,7 @@ VM_API vm_real ateb_mean_nm(vm_real n, vm_real m, vm_real p, vm_real q, int sign
 
 /* The mean of |sa|^p |ca|^q over a period, for alpha >= 0 and p, q > -1. Averaged equations of oscillators need this
    mean. alpha may be up to 1e30, p and q up to 1e6; for larger numbers the result is NaN. The error is at most 2 ulp.
-   ateb_mean_nm has two indices and signs. Equation (316). */
+   ateb_mean_nm computes means for two indices and with signs. Equation (316). */
 VM_API vm_real ateb_mean(vm_real alpha, vm_real p, vm_real q) { return ateb_mean_nm(1, alpha, p, q, 0); }
 
 #endif
@@ -3650,8 +3657,9 @@ VM_API vm_two vmi_ateb_half_beta(vm_two a, vm_two b)
 }
 
 /* Returns Pi(n, m) = B(a, b) for a = 1/(n + 1) and b = 1/(m + 1), with a relative error of 2^-102 (float 2^-44); the
-   logarithms of ateb/beta.h would give 2^-64. Pi(n, m) is B_(1/2)(a, b) + B_(1/2)(b, a). vmi_ateb_half_beta returns
-   each of them times 2^(a+b); therefore the sum is divided by 2^(a+b) = e^y, which comes from its power series. */
+   logarithms of ateb/beta.h would give only 2^-64. Pi(n, m) is B_(1/2)(a, b) + B_(1/2)(b, a). vmi_ateb_half_beta
+   returns each of them times 2^(a+b); therefore the sum is divided by 2^(a+b) = e^y, which comes from its power
+   series. */
 VM_API vm_two vmi_ateb_pi_nm(vm_real n, vm_real m)
 {
     enum { TERMS = VM_MANT_DIG > 24 ? 32 : 18 };
@@ -3678,7 +3686,8 @@ VM_API vm_real ateb_pi_nm(vm_real n, vm_real m)
     return vmi_ateb_pi_nm(n, m).hi;
 }
 
-/* Returns x^a for the x with I_x(a, b) = p, where q = 1 - p. Logarithms are used, since x itself may underflow. */
+/* Returns x^a for the x with I_x(a, b) = p, where q = 1 - p. The function uses logarithms, since x itself may
+   underflow. */
 VM_API vm_real vmi_ateb_nm_first(vm_real p, vm_real q, vm_real a, vm_real b)
 {
     vm_two power;

@@ -246,9 +246,9 @@
 #define VM_INLINE VM_API /* the code is slower than with forced inlining, but the results are the same */
 #endif
 
-/* Between VMI_QUIET_BEGIN and VMI_QUIET_END the compiler does not warn of what is meant as it stands, such as casts
-   that C and C++ both accept and comparisons with exact numbers. A project that asks for such warnings gets those of
-   its own files only. */
+/* Between VMI_QUIET_BEGIN and VMI_QUIET_END the compiler does not warn of code that is intended, such as casts that C
+   and C++ both accept and comparisons with exact numbers. A project that turns on such warnings gets only those of its
+   own files. */
 #if defined(__GNUC__) && !defined(__CUDACC__)
 #define VMI_IGNORE(warning) VMI_PRAGMA(GCC diagnostic ignored warning)
 #define VMI_PRAGMA(text) _Pragma(#text)
@@ -311,10 +311,11 @@ typedef double vm_real;
 #endif
 #endif
 
-/* A struct in float and the same struct in double have other sizes. In C the linker does not see where one file passes
-   such a struct to another. So each file marks its precision here, and files of both precisions do not link, unless all
-   of one precision define VM_MIXED_PRECISIONS. gcc marks by an absolute symbol, of which every file of a program must
-   have the same value; with clang this would refuse equal values too under -flto. */
+/* A struct in float and the same struct in double have different sizes. In C the linker does not see where one file
+   passes such a struct to another. So each file marks its precision here, and files of both precisions do not link,
+   unless all files of one precision define VM_MIXED_PRECISIONS. With gcc the mark is an absolute symbol, which must
+   have the same value in every file of a program. With clang there is no such mark, since under -flto it would refuse
+   equal values, too. */
 #if defined(VM_MIXED_PRECISIONS) || defined(__CUDACC__)
 #elif defined(_MSC_VER)
 #ifdef VM_USE_FLOAT
@@ -398,7 +399,8 @@ VMI_QUIET_BEGIN
 /* base/sums.h - sums without rounding error, numbers in two words
 
    A sum of two numbers of type vm_real is rounded. The functions here return the rounded sum (hi) and its rounding
-   error (lo), so that hi + lo is the exact sum. Such a pair, vm_two, holds a number with twice the digits.
+   error (lo), so that hi + lo is the exact sum. Such a pair, a vm_two, is a number in two words: it has twice the
+   digits of a vm_real.
 
        vm_two s = vmi_two_sum(1, VM_C(1e-20)); // s.hi = 1, s.lo = 1e-20
 
@@ -468,7 +470,8 @@ VM_API vm_two vmi_two(vm_real hi, vm_real lo)
 
 /* Returns 1 if sums are computed in the order in which they are written, as arithmetic in two words needs, and if a
    product is rounded when 0 is added to it. `one` must be 1, `eps` VM_EPSILON, and `split` VM_SPLIT, the factor that
-   splits a number into two halves. The caller reads them from volatile variables, so that the compiler cannot guess. */
+   splits a number into two halves. The caller reads them from volatile variables, so that the compiler cannot know
+   their values. */
 VM_API int vmi_keeps_order(vm_real one, vm_real eps, vm_real split)
 {
     const vm_real above = one + eps, third = one / 3;
@@ -679,21 +682,21 @@ VM_API vm_real vmi_head(vm_real x)
     return vmi_from_bits(vmi_to_bits(x) & ~(above - 1));
 }
 
-/* The product x y of numbers in two words; the relative error is below 2^-(2p - 4) */
+/* The product x y of numbers in two words. Its relative error is below 2^-(2p - 4). */
 VM_API vm_two vmi_two_times(vm_two x, vm_two y)
 {
     vm_two p = vmi_two_product(x.hi, y.hi);
     return vmi_two_sum(p.hi, p.lo + (x.hi * y.lo + x.lo * y.hi));
 }
 
-/* The sum x + y of numbers in two words; the error is below 2^-(2p - 4) of the larger term */
+/* The sum x + y of numbers in two words. Its error is below 2^-(2p - 4) times the larger term. */
 VM_API vm_two vmi_two_plus(vm_two x, vm_two y)
 {
     vm_two s = vmi_two_sum(x.hi, y.hi);
     return vmi_two_sum(s.hi, s.lo + (x.lo + y.lo));
 }
 
-/* The quotient x / y of numbers in two words; the relative error is below 2^-(2p - 4) */
+/* The quotient x / y of numbers in two words. Its relative error is below 2^-(2p - 4). */
 VM_API vm_two vmi_two_over(vm_two x, vm_two y)
 {
     vm_real z = vmi_rounded(x.hi / y.hi);
@@ -840,7 +843,8 @@ VM_API vm_two vmi_two_scaled(vm_two x, vm_real factor)
     return vmi_fast_two_sum(p.hi, p.lo + x.lo * factor);
 }
 
-/* The sum a b + c d of two products, within 2 eps of itself, however many digits cancel. No product may underflow. */
+/* The sum a b + c d of two products, with a relative error of at most 2 eps, even where the products nearly cancel each
+   other. No product may underflow. */
 VM_API vm_real vmi_sum_of_products(vm_real a, vm_real b, vm_real c, vm_real d)
 {
     const vm_two ab = vmi_two_product(a, b), cd = vmi_two_product(c, d);
@@ -854,13 +858,13 @@ VM_API vm_real vmi_sum_of_products(vm_real a, vm_real b, vm_real c, vm_real d)
 
    The C library's functions differ from machine to machine in the last bits. The functions of this file give the same
    bits everywhere: they use only basic operations, which every machine rounds in the same way. The logarithm and the
-   exponential are computed in two words, so that a power made from them has all its digits. They branch only where a
-   result is subnormal, so that a compiler can vectorise loops over them.
+   exponential are computed in two words (see base/sums.h), so that a power made from them has all its digits. They
+   branch only where a result is subnormal, so that a compiler can vectorise loops over them.
 
        vm_real y = vmi_exp(VM_C(1.5), 0); // e^1.5
 
-   The tables and polynomials are computed by tests/gen/elementary.py. The bounds of the errors are proved, as
-   docs/proof.md tells. Tests: tests/test_jacobi.c, tests/test_ateb.c. */
+   The tables and polynomials are computed by tests/gen/elementary.py. docs/proof.md proves the bounds of the errors.
+   Tests: tests/test_jacobi.c, tests/test_ateb.c. */
 #ifndef VARMASS_BASE_ELEMENTARY_H
 #define VARMASS_BASE_ELEMENTARY_H
 
@@ -1043,8 +1047,9 @@ VM_API vm_real vmi_exp(vm_real x, vm_real x_lo)
     return vmi_ldexp_two(y.hi, y.lo + p_lo, k);
 }
 
-/* Returns the power x^y for x > 0, within 0.9 ulp if x.lo is 0 or |ln x| > 2^14 eps. For an x closer to 1 the low word
-   of x is not used to its last digit, and the error grows like eps/|ln x|; it is 2.7 ulp at |ln x| = 130 eps. */
+/* Returns the power x^y for x > 0, within 0.9 ulp if x.lo is 0 or |ln x| > 2^14 eps. For an x closer to 1 the last
+   digits of the low word of x are not used. The error then grows in proportion to eps/|ln x|; it is 2.7 ulp at
+   |ln x| = 130 eps. */
 VM_API vm_real vmi_pow_two(vm_two x, vm_two y)
 {
     const vm_real t = x.lo / x.hi;
@@ -1813,8 +1818,8 @@ enum { VMI_NEAR_FORM, VMI_HYPERBOLIC, VMI_RECIPROCAL };
 /* The number of terms of a plan's polynomials */
 enum { VMI_TERMS = VM_MANT_DIG > 24 ? 10 : 5 };
 
-/* Neville's theta functions times a common factor. Each elliptic function is a quotient of two of them, such as sn =
-   s/n. */
+/* Neville's theta functions times a common factor. Each elliptic function is a quotient of two of them, such as
+   sn = s/n. */
 typedef struct VM_TAG(vmi_thetas) {
     vm_real s, c, d, n;
 } vmi_thetas;

@@ -833,9 +833,9 @@ VM_API int vmi_solve_mass(int n, vm_real *a, vm_real *b, vm_real *scale)
 #define VARMASS_BASE_ZERO_H
 
 /* Returns a zero of f between a and b, as accurate as the type allows. fa = f(a) and fb = f(b) must differ in sign.
-   Method (Illinois): the next x is the zero of the secant through both ends of the interval. When one end has stayed
-   for two steps, the method halves the value of f that is stored for this end. Every fourth step bisects the interval
-   unless the last four steps have made it eight times shorter. */
+   Method (Illinois): the next x is the zero of the secant through both ends of the interval. When one end of the
+   interval has not moved for two steps, the method halves the value of f that is stored for this end. Every fourth step
+   bisects the interval unless the last four steps have made it eight times shorter. */
 VM_API vm_real vmi_find_zero(vm_real (*f)(vm_real x, void *ctx), void *ctx, vm_real a, vm_real b, vm_real fa,
                              vm_real fb)
 {
@@ -935,7 +935,8 @@ VM_API vm_complex vmi_c_turn(vm_real angle)
     return e;
 }
 
-/* Writes the complex numbers e^(i k angle) for k = 0 to n, for an angle in radians. The error is of k roundings. */
+/* Writes the complex numbers e^(i k angle) for k = 0 to n, for an angle in radians. The error of e^(i k angle)
+   is that of k roundings. */
 VM_API void vmi_c_turns(int n, vm_real angle, vm_complex *turns)
 {
     const vm_complex once = vmi_c_turn(angle);
@@ -976,7 +977,8 @@ VM_API vm_complex vmi_c_over(vm_complex a, vm_complex b)
 
 /* Returns the correction that must be subtracted from the approximate root number i. It is a step of Newton's method
    for the polynomial divided by all z - z_j, where z_j are the other approximate roots. This division keeps two
-   approximations from converging to one root. The correction is 0 if the polynomial is 0 within its rounding errors. */
+   approximations from converging to one root. The correction is 0 if the value of the polynomial is so small that
+   rounding errors alone may have caused it. */
 VM_API vm_complex vmi_poly_step(int n, const vm_real *c, const vm_real *re, const vm_real *im, int i)
 {
     const vm_complex z = vmi_complex(re[i], im[i]), one = vmi_complex(1, 0);
@@ -1004,7 +1006,8 @@ VM_API vm_complex vmi_poly_step(int n, const vm_real *c, const vm_real *re, cons
     return vmi_c_over(p, vmi_complex(slope.re - others.re, slope.im - others.im));
 }
 
-/* Returns 1 if the polynomial is 0 within its rounding errors at the real number x, else 0. */
+/* Returns 1 if the value of the polynomial at the real number x is 0 or so small that rounding errors alone may have
+   caused it, else 0. */
 VM_API int vmi_poly_root_is_real(int n, const vm_real *c, vm_real x)
 {
     vm_real p = c[0], size = VM_FABS(c[0]);
@@ -1086,9 +1089,9 @@ VM_API void vmi_poly_roots(int n, const vm_real *c, vm_real *re, vm_real *im)
 
        vm_real w = vm_lambert_w0(1); // 0.567..., the solution of w e^w = 1
 
-   Method: steps of fourth order by Fritsch, Shafer and Crowley (Comm. ACM 16, 1973), two of them from a start value
-   with an error of at most 2 %, or one from a start value with an error of at most 1e-4. The residual is computed in
-   two words, so that the error is little more than a rounding.
+   Method: a start value is improved by steps of fourth order by Fritsch, Shafer and Crowley (Comm. ACM 16, 1973). A
+   start value with an error of at most 2 % needs two steps, one with an error of at most 1e-4 needs one step. The
+   residual is computed in two words, so that the final error is little more than a rounding.
    Tests: tests/test_lambert.c. */
 #ifndef VARMASS_BASE_LAMBERT_H
 #define VARMASS_BASE_LAMBERT_H
@@ -1114,9 +1117,9 @@ VM_API vm_real vmi_lambert_far(vm_two l, vm_real w, int steps)
     return w;
 }
 
-/* Returns W_0(x) for x from -1/4 to 55. g, a quotient of polynomials in r = sqrt(1 + e x), is W_0(x)/x with an error of
-   at most 1e-4. One step of vmi_lambert_correction then improves w = g x, which has two words; for this w the
-   logarithm ln(x/w) is -ln g. */
+/* Returns W_0(x) for x from -1/4 to 55. The number g is W_0(x)/x with an error of at most 1e-4, computed as a quotient
+   of polynomials in r = sqrt(1 + e x). One step of vmi_lambert_correction then improves w = g x, which has two words;
+   for this w the logarithm ln(x/w) is -ln g. */
 VM_API vm_real vmi_lambert_middle(vm_real x)
 {
     const vm_real r = VM_SQRT(1 + VM_C(2.718281828459045) * x);
@@ -1152,9 +1155,10 @@ VM_API vm_real vmi_lambert_rational(vm_real l)
 }
 
 /* Returns Lambert's W of x < 0 from s = -1 - ln(-x). If `lower` is 1, this is W_-1; if it is 0, it is W_0, for x close
-   to -1/e. Method: W = -1 - v, where v solves v - ln(1 + v) = s, v > 0 for W_-1 and v < 0 for W_0. A value of s between
-   -eps/2 and 0 is caused by rounding and means x = -1/e. v starts from a formula by Barry, Culligan-Hensley and Barry
-   (ACM TOMS 21, 1995) for W_-1, and from a series in sqrt(2s) for W_0, which is good for s < 0.4. */
+   to -1/e. Method: W = -1 - v, where v solves v - ln(1 + v) = s; v is positive for W_-1 and negative for W_0. A value
+   of s between -eps/2 and 0 is caused by rounding and means x = -1/e. v starts from a formula by Barry,
+   Culligan-Hensley and Barry (ACM TOMS 21, 1995) for W_-1, and from a series in sqrt(2s) for W_0, which is good for
+   s < 0.4. */
 VM_API vm_real vmi_lambert_near(vm_two s, int lower)
 {
     const vm_real barry = VM_C(0.3361), root = VM_SQRT(2 * s.hi);

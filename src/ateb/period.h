@@ -6,9 +6,9 @@
 
        vm_real period = 2 * ateb_pi(3);
 
-   There are two methods. A table of polynomials gives Pi_alpha - (alpha + 1); it is quick, and accurate enough for most
-   arguments of sa and ca. For the other arguments one polynomial of degree 33 (float 17) is evaluated in two or three
-   words. In the comments of this file n = alpha + 1 and q = 1/n. The tables are computed by
+   There are two methods. A table of polynomials gives Pi_alpha - (alpha + 1). This method is quick, and it is accurate
+   enough for most arguments of sa and ca. For the other arguments one polynomial of degree 33 (float 17) is evaluated
+   in two or three words. In the comments of this file n = alpha + 1 and q = 1/n. The tables are computed by
    tests/gen/ateb_coefficients.py. Tests: tests/test_ateb.c. */
 #ifndef VARMASS_ATEB_PERIOD_H
 #define VARMASS_ATEB_PERIOD_H
@@ -75,8 +75,8 @@ VM_API vm_real vmi_ateb_coefficient(int which_word, int i)
 enum { VMI_ATEB_DEGREE = VM_MANT_DIG > 24 ? 33 : 17 };
 
 /* The polynomial of vmi_ateb_coefficient in two words. From index TWO_WORDS on the coefficients are so small that one
-   word is enough. Each coefficient exceeds the sum of the terms after it, so that Dekker's sum of two numbers is
-   enough for the high words. */
+   word is enough. Each coefficient exceeds the sum of the terms after it, so that the faster sum by Dekker
+   (vmi_fast_two_sum) is enough for the high words. */
 VM_API vm_two vmi_ateb_polynomial(vm_two t)
 {
     enum { TWO_WORDS = VM_MANT_DIG > 24 ? 17 : 8 };

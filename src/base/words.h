@@ -74,21 +74,21 @@ VM_API vm_real vmi_head(vm_real x)
     return vmi_from_bits(vmi_to_bits(x) & ~(above - 1));
 }
 
-/* The product x y of numbers in two words; the relative error is below 2^-(2p - 4) */
+/* The product x y of numbers in two words. Its relative error is below 2^-(2p - 4). */
 VM_API vm_two vmi_two_times(vm_two x, vm_two y)
 {
     vm_two p = vmi_two_product(x.hi, y.hi);
     return vmi_two_sum(p.hi, p.lo + (x.hi * y.lo + x.lo * y.hi));
 }
 
-/* The sum x + y of numbers in two words; the error is below 2^-(2p - 4) of the larger term */
+/* The sum x + y of numbers in two words. Its error is below 2^-(2p - 4) times the larger term. */
 VM_API vm_two vmi_two_plus(vm_two x, vm_two y)
 {
     vm_two s = vmi_two_sum(x.hi, y.hi);
     return vmi_two_sum(s.hi, s.lo + (x.lo + y.lo));
 }
 
-/* The quotient x / y of numbers in two words; the relative error is below 2^-(2p - 4) */
+/* The quotient x / y of numbers in two words. Its relative error is below 2^-(2p - 4). */
 VM_API vm_two vmi_two_over(vm_two x, vm_two y)
 {
     vm_real z = vmi_rounded(x.hi / y.hi);
@@ -235,7 +235,8 @@ VM_API vm_two vmi_two_scaled(vm_two x, vm_real factor)
     return vmi_fast_two_sum(p.hi, p.lo + x.lo * factor);
 }
 
-/* The sum a b + c d of two products, within 2 eps of itself, however many digits cancel. No product may underflow. */
+/* The sum a b + c d of two products, with a relative error of at most 2 eps, even where the products nearly cancel each
+   other. No product may underflow. */
 VM_API vm_real vmi_sum_of_products(vm_real a, vm_real b, vm_real c, vm_real d)
 {
     const vm_two ab = vmi_two_product(a, b), cd = vmi_two_product(c, d);

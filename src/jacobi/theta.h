@@ -31,8 +31,8 @@ enum { VMI_NEAR_FORM, VMI_HYPERBOLIC, VMI_RECIPROCAL };
 /* The number of terms of a plan's polynomials */
 enum { VMI_TERMS = VM_MANT_DIG > 24 ? 10 : 5 };
 
-/* Neville's theta functions times a common factor. Each elliptic function is a quotient of two of them, such as sn =
-   s/n. */
+/* Neville's theta functions times a common factor. Each elliptic function is a quotient of two of them, such as
+   sn = s/n. */
 typedef struct VM_TAG(vmi_thetas) {
     vm_real s, c, d, n;
 } vmi_thetas;
