@@ -21,15 +21,15 @@
 
    METHODS, and when to take which method
      rk4    the classical method of order 4 with fixed steps, for control loops, where every step must take the same
-            time. rk4_solve_compensated keeps the roundings of millions of steps from adding up.
+            time. In rk4_solve_compensated the rounding errors of millions of steps do not add up.
      rk45   Tsitouras' pair of orders 5 and 4 [1] chooses the size of its steps so that the error stays within a
             tolerance. A step takes six evaluations of f; the solution inside a step takes none. Begin with this method.
             It is also the best one in float, for an f that is not smooth, for loose tolerances, for many events and for
             output at many times.
-     rk87   Verner's pair of orders 8 and 7 [4]: 13 evaluations of f in a step, and seven more if the solution inside
-            the step is asked for. It is the fastest for a smooth f in double. Its rounding errors are larger than those
-            of rk45: rtol is at least 256 eps (eps is 2.2e-16, in float 1.2e-7), which is too coarse for most uses in
-            float.
+     rk87   Verner's pair of orders 8 and 7 [4]. A step takes 13 evaluations of f, and seven more if the caller asks for
+            the solution inside the step. It is the fastest for a smooth f in double. Its rounding errors are larger
+            than those of rk45: rtol is at least 256 eps (eps is 2.2e-16, in float 1.2e-7), which is too coarse for most
+            uses in float.
      None of these methods is meant for stiff equations, in which stability and not accuracy limits the step size; these
      need an implicit method. rk45 and rk87 report an equation that looks stiff (ODE_STIFF). docs/cost.md has the time
      that each method needs for a given error.
@@ -38,8 +38,8 @@
      The right-hand side f gets t, the n numbers y, room for the n derivatives, and the caller's pointer ctx. It returns
      0, or any other number to stop the run. t may run backward. All times and steps have the unit of t.
      The caller owns the memory: work has RK4_WORK(n), RK45_WORK(n) or RK87_WORK(n) numbers and must live as long as the
-     rk45 does. An rk45, its work and its events hold the whole state of a run. An rk87 is an rk45 that rk87_init made;
-     the functions of rk45 refuse it, and those of rk87 refuse an rk45 that rk45_init made.
+     rk45 does. An rk45, its work and its events contain the whole state of a run. An rk87 is an rk45 that rk87_init
+     made; the functions of rk45 refuse it, and those of rk87 refuse an rk45 that rk45_init made.
 
    STEP SIZE CONTROL
      A step gives two results, one by each order of the pair. Their difference is the estimate of the error; the run
@@ -96,8 +96,8 @@
      0 (ODE_OK) is success; positive numbers are information, negative ones errors; ode_strerror() gives the text. After
      an error s.t and s.y are those of the last accepted step, also if f itself stopped the run (the value that f
      returned is in s.rhs_status). Where f or the state is not finite, the run tries shorter and shorter steps until
-     they are too small. So it ends close to the last point at which f is finite. A call that refuses its arguments
-     changes nothing.
+     they are too small. So it ends close to the last point at which f is finite. A call with wrong arguments changes
+     nothing.
 
    SPEED
      The compiler inlines f and keeps the state in registers if f is static, n <= 8 is a constant, and one function
@@ -110,10 +110,11 @@
      VM_API               linkage of the functions, default static inline
      VM_INLINE            linkage of the functions that are fast only if they are inlined. If it is defined as VM_API,
                           the code is smaller and the results are the same.
-     VM_SQRT, VM_FABS     the functions of the C library that are used; define these two and VM_FLOOR and
-                          VM_COPYSIGN, or none of the four
-     VM_TABLE, VM_READ    storage of the tables, and how an element of one is read; both or none. Default: static const
-                          and (x); on AVR static const PROGMEM and pgm_read_float(&(x)), so that tables take no RAM
+     VM_SQRT, VM_FABS     the functions of the C library that are used; define either all of VM_SQRT, VM_FABS, VM_FLOOR
+                          and VM_COPYSIGN, or none of them
+     VM_TABLE, VM_READ    storage of the tables, and how an element of one is read; define both or none. Default: static
+                          const and (x); on AVR static const PROGMEM and pgm_read_float(&(x)), so that tables take no
+                          RAM
      VM_ALLOW_FAST_MATH   lets the headers compile under -ffast-math or a part of it, but the checks for NaN do not work
                           then
      VM_MIXED_PRECISIONS  allows a program in which some files define VM_USE_FLOAT and others do not. Without it gcc and
@@ -1150,7 +1151,7 @@ VMI_APART int vmi_init(rk45 *s, const vmi_rk_pair *pair, ode_rhs f, void *ctx, i
     s->h = o.h0;
     s->attempts = o.max_steps;
     vmi_copy(n, y0, s->y);
-    for (i = n; i < (VMI_K + pair->derivatives) * n; i++) work[i] = 0; /* so that all bytes of a saved run are defined */
+    for (i = n; i < (VMI_K + pair->derivatives) * n; i++) work[i] = 0; /* then all bytes of a saved run are defined */
     if (options_or_NULL && options_or_NULL->rtol > 0 && options_or_NULL->rtol < o.rtol) return ODE_RTOL_RAISED;
     return ODE_OK;
 }
@@ -1325,8 +1326,8 @@ typedef int32_t vmi_signed_bits;
 #include <string.h>
 
 /* x^p with an error of at most 1.6 % where |p| <= 0.2 and the result is from 0.1 to 10. x must be positive, and the
-   result must neither overflow nor underflow. The bits of x, taken as an integer, give a logarithm of x that is piecewise
-   linear; `middle` is half its largest error. The exponential function is computed as (1 + v + v^2/2)^16. */
+   result must neither overflow nor underflow. The bits of x, taken as an integer, give a logarithm of x that is
+   piecewise linear; `middle` is half its largest error. The exponential function is computed as (1 + v + v^2/2)^16. */
 VM_INLINE vm_real vmi_pow_rough(vm_real x, vm_real p)
 {
     const vm_real ln2 = VM_C(0.69314718055994531), middle = VM_C(0.043);

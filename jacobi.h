@@ -98,8 +98,8 @@
                   next to the true value. The bounds hold for the inputs as they are, without errors of their own.
      sn, cn, dn   absolute error <= 4 eps max(1, k') for |u| <= 1e9 and |u| <= 2^40 K (float 1e4 and 2^17 K). Relative
                   error <= 9 ulp for |u| <= 100 K, at the zeros and next to them too (in float, except where u is
-                  within a millionth of an ulp of a zero). A plan is as accurate. For |u| >= K/eps the digits of u
-                  say nothing about the phase: then sn = 0 and cn = dn = 1.
+                  within a millionth of an ulp of a zero). A plan is as accurate. For |u| >= K/eps the digits of u do
+                  not determine the phase: then sn = 0 and cn = dn = 1.
      K, E         <= 2 ulp
      k'K          <= 5 ulp
      means        <= 8 ulp
@@ -1172,7 +1172,7 @@ VM_API vm_real vmi_atan2(vm_real y, vm_real x)
 /* Returns 1 if m1 = 1 - m is negative, infinite or NaN, so that no elliptic function has this parameter, else 0. */
 VM_API int vmi_refused(vm_real m1) { return !(m1 >= 0) || !VM_IS_FINITE(m1); }
 
-/* The number of pairs a_n, b_n that a vmi_ladder can hold. The smallest m1 > 0, 5e-324, needs 13 of them. */
+/* The largest number of pairs a_n, b_n in a vmi_ladder. The smallest m1 > 0, 5e-324, needs 13 of them. */
 #define VMI_LADDER 16
 
 /* The numbers a_n and b_n of all steps of the arithmetic-geometric mean. sn, cn and dn are computed from them,
@@ -1477,7 +1477,7 @@ VM_API vm_real jacobi_kpK(vm_real m)
 #ifndef VARMASS_JACOBI_PERIOD_TABLE_H
 #define VARMASS_JACOBI_PERIOD_TABLE_H
 
-/* Is 1 if the table holds the quarter period for this k', else 0. */
+/* Is 1 if the table gives the quarter period for this k', else 0. */
 #define VMI_IN_PERIOD_TABLE(kp) ((kp) >= VM_C(0.171875) && (kp) < VM_C(1.5))
 
 /* The number of polynomials and the number of constants of each. Constants 0 and 1 are the two words of c_0, constants
@@ -1727,11 +1727,11 @@ typedef struct VM_TAG(vmi_period) {
 
 /* Returns K for 1 - m = m1 + m1_lo, where kp is k' in one word and VMI_IN_PERIOD_TABLE(kp) is 1. The relative error is
    below 2^-71 (float 2^-36).
-   Method: t is the sum of head, which has at most 14 digits (float 10), and a tail. The products b1, b2, ... of the
-   heads of c_1, c_2, ... and the powers of head are exact, and so are the sums in which K.middle is subtracted. All
-   other terms are so small that one word holds them. The variable t has one word and does not contain kp_lo, the low
-   word of k'. The tail contains kp_lo. In the terms with t^4 and t^5 (float t^3 and t^4) the effect of kp_lo is added
-   as kp_lo times their derivatives with respect to t. */
+   Method: t is the sum of head, which has at most 14 digits (float 10), and a tail. b1, b2, ... are the products of the
+   heads of c_1, c_2, ... and the powers of head; they are exact. The sums in which K.middle is subtracted are exact,
+   too. All other terms are so small that one word is enough for them. The variable t has one word and does not contain
+   kp_lo, the low word of k'. The tail contains kp_lo. In the terms with t^4 and t^5 (float t^3 and t^4) the effect of
+   kp_lo is added as kp_lo times their derivatives with respect to t. */
 VM_INLINE vmi_period vmi_period_by_table(vm_real m1, vm_real m1_lo, vm_real kp)
 {
     const vmi_bits bits = vmi_to_bits(kp), half = (vmi_bits)1 << (VMI_STORED_DIG - 4);
@@ -2645,8 +2645,8 @@ VM_INLINE void vmi_plan_loop(const jacobi_plan *p, int form, int n, const vm_rea
         }
 }
 
-/* Computes once more, one by one, the results next to a zero of sn or cn. There sn is about the distance u - jK from
-   the zero, cn about k' times the distance. */
+/* Computes the results next to a zero of sn or cn once more, one by one. There the size of sn is about the distance |u
+   - j K| from the zero, and that of cn about k' times this distance. */
 VM_API void vmi_plan_mend_close(const jacobi_plan *p, int n, const vm_real *u, vm_real *sn, vm_real *cn, vm_real *dn)
 {
     const vm_real kp = p->theta.kp;
@@ -3126,7 +3126,7 @@ VM_API void vmi_sincos_turns(vm_real x, vm_real *sine, vm_real *cosine)
 
 /* The complex number theta_4(z + i zy), up to a real factor. Its angle is the periodic part of the angle by which a
    torque-free body turns. z is pi u/(2K), and zy is pi y/(2K) with 0 <= y < K', where K' is K(1 - m). The nome is
-   Q = q^2 (doubled lattice), where q is the nome of m. There are two forms of the series.
+   Q = q^2, where q is the nome of m. There are two forms of the series.
    The direct form is used for K <= 2K', so that Q <= exp(-pi):
      1 + sum over n >= 1 of (-1)^n (C_n cos 2nz - i S_n sin 2nz),
      C_n, S_n = e^(-(pi n/K)(2nK' - y)) +- e^(-(pi n/K)(2nK' + y)), with + for C_n and - for S_n.
@@ -3806,9 +3806,9 @@ VM_API vm_real vmi_Pi_above(vm_real phi, vm_real n, vm_real m, vm_two m1)
 
        vm_real u = jacobi_F(VM_C(1.2), VM_C(0.5)); // am(u | 0.5) = 1.2
 
-   Method: a multiple of pi is subtracted from phi, so that the rest theta has |theta| <= pi/2; pi has three words here.
-   Each pi adds twice the complete integral. The integral from 0 to theta is a sum of Carlson's integrals whose terms
-   are all positive, so that no digits cancel. Source: DLMF 19.2, 19.7, 19.25. Tests:
+   Method: a multiple of pi is subtracted from phi, so that the rest theta has |theta| <= pi/2; pi is used in three
+   words. Each pi adds twice the complete integral. The integral from 0 to theta is a sum of Carlson's integrals whose
+   terms are all positive, so that no digits cancel. Source: DLMF 19.2, 19.7, 19.25. Tests:
    tests/test_elliptic_integrals.c. */
 #ifndef VARMASS_JACOBI_INCOMPLETE_H
 #define VARMASS_JACOBI_INCOMPLETE_H
@@ -4288,8 +4288,8 @@ VM_API vm_real jacobi_inverse_dn_m1(vm_real x, vm_real m1)
 /* sn, cn and dn of the argument u for any finite parameter m. For m <= 1 they are those of jacobi_sncndn. For m > 1
      sn(u | m) = sn(k u | 1/m)/k,  cn(u | m) = dn(k u | 1/m),  dn(u | m) = cn(k u | 1/m),  k = sqrt(m).
    The error is then at most 4 eps (4 eps/k for sn) for |k u| <= 1e9 (float 1e4), and at most 8 ulp for
-   |u| <= 100 K(1/m)/k. Returns NaN for infinite m. k u is computed in two words; the second word, h, is taken into
-   account by a Taylor series. */
+   |u| <= 100 K(1/m)/k. Returns NaN for infinite m. k u is computed in two words. A Taylor series adds the effect of the
+   second word, h. */
 VM_API void jacobi_sncndn_any(vm_real u, vm_real m, vm_real *sn, vm_real *cn, vm_real *dn)
 {
     vm_two k, phase, m1;

@@ -98,8 +98,8 @@
                   next to the true value. The bounds hold for the inputs as they are, without errors of their own.
      sn, cn, dn   absolute error <= 4 eps max(1, k') for |u| <= 1e9 and |u| <= 2^40 K (float 1e4 and 2^17 K). Relative
                   error <= 9 ulp for |u| <= 100 K, at the zeros and next to them too (in float, except where u is
-                  within a millionth of an ulp of a zero). A plan is as accurate. For |u| >= K/eps the digits of u
-                  say nothing about the phase: then sn = 0 and cn = dn = 1.
+                  within a millionth of an ulp of a zero). A plan is as accurate. For |u| >= K/eps the digits of u do
+                  not determine the phase: then sn = 0 and cn = dn = 1.
      K, E         <= 2 ulp
      k'K          <= 5 ulp
      means        <= 8 ulp

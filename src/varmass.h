@@ -84,14 +84,15 @@
    ACCURACY: bounds that the tests check (make test); docs/measurements.md has the measured errors
      eps, ulp     eps is 2.2e-16 (float 1.2e-7). An ulp is the distance between two neighbouring numbers of the type,
                   next to the true value.
-     Jumps        keep momentum to 3 eps of the sum of all M |v|, and angular momentum about any point to 6 eps of the
-                  sum of all tr(I) |omega| + M (|r| + |r - point|) |v|. A part that goes on moving with the
-                  body does not change omega.
+     Jumps        conserve momentum with an error of at most 3 eps times the sum of all M |v|. They conserve angular
+                  momentum about any point with an error of at most 6 eps times the sum of all tr(I) |omega| + M (|r| +
+                  |r - point|) |v|, where tr(I) is the sum of the diagonal of I. If a part goes on moving as it did on
+                  the body, omega of the rest does not change.
      Rotation     of a torque-free body: after 1e6 turns the attitude is right within 8 eps (rad) and omega within
                   5 eps, if the inputs are taken as exact.
      Streams      closed forms are right within a few eps. A body together with all mass that has left it keeps
                   momentum, angular momentum and energy to the integrator's tolerance.
-     Lambert's W  within 1 ulp; the drum on a rigid shaft within 4 ulp.
+     Lambert's W  has an error of at most 1 ulp, the drum on a rigid shaft one of at most 4 ulp.
      Oscillators  every route (method of solution) returns an estimate of its whole error in the field error, or
                   infinity where no estimate is possible.
 

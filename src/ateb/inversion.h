@@ -172,9 +172,9 @@ VM_INLINE vmi_ateb_base vmi_ateb_base_of(vm_two twice_q, vm_real r, vm_real z, v
     return base;
 }
 
-/* Returns p = (1 - sa)/2 within 1e-5, from X4 = X/4, where X = (2 q d)^(alpha+1). p/X4 is computed by its (1, 1) Pade
-   approximant and a correction, which contains X4^3 q (1 - q) and a polynomial fitted by
-   tests/gen/ateb_coefficients.py. */
+/* Returns p = (1 - sa)/2 within 1e-5, from X4 = X/4, where X = (2 q d)^(alpha+1). p/X4 is computed as a quotient of two
+   linear functions of X4 (a Pade approximant) and a correction. The correction contains X4^3 q (1 - q) and a polynomial
+   fitted by tests/gen/ateb_coefficients.py. */
 VM_INLINE vm_real vmi_ateb_guess_p(vm_real q, vm_real X4)
 {
     const vm_real k = 1 - q, m = (1 + q) * (2 + q);

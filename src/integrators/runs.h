@@ -104,7 +104,7 @@ VMI_APART int vmi_init(rk45 *s, const vmi_rk_pair *pair, ode_rhs f, void *ctx, i
     s->h = o.h0;
     s->attempts = o.max_steps;
     vmi_copy(n, y0, s->y);
-    for (i = n; i < (VMI_K + pair->derivatives) * n; i++) work[i] = 0; /* so that all bytes of a saved run are defined */
+    for (i = n; i < (VMI_K + pair->derivatives) * n; i++) work[i] = 0; /* then all bytes of a saved run are defined */
     if (options_or_NULL && options_or_NULL->rtol > 0 && options_or_NULL->rtol < o.rtol) return ODE_RTOL_RAISED;
     return ODE_OK;
 }

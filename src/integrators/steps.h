@@ -17,8 +17,8 @@
 #include "runs.h"
 
 /* x^p with an error of at most 1.6 % where |p| <= 0.2 and the result is from 0.1 to 10. x must be positive, and the
-   result must neither overflow nor underflow. The bits of x, taken as an integer, give a logarithm of x that is piecewise
-   linear; `middle` is half its largest error. The exponential function is computed as (1 + v + v^2/2)^16. */
+   result must neither overflow nor underflow. The bits of x, taken as an integer, give a logarithm of x that is
+   piecewise linear; `middle` is half its largest error. The exponential function is computed as (1 + v + v^2/2)^16. */
 VM_INLINE vm_real vmi_pow_rough(vm_real x, vm_real p)
 {
     const vm_real ln2 = VM_C(0.69314718055994531), middle = VM_C(0.043);

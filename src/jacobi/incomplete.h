@@ -10,9 +10,9 @@
 
        vm_real u = jacobi_F(VM_C(1.2), VM_C(0.5)); // am(u | 0.5) = 1.2
 
-   Method: a multiple of pi is subtracted from phi, so that the rest theta has |theta| <= pi/2; pi has three words here.
-   Each pi adds twice the complete integral. The integral from 0 to theta is a sum of Carlson's integrals whose terms
-   are all positive, so that no digits cancel. Source: DLMF 19.2, 19.7, 19.25. Tests:
+   Method: a multiple of pi is subtracted from phi, so that the rest theta has |theta| <= pi/2; pi is used in three
+   words. Each pi adds twice the complete integral. The integral from 0 to theta is a sum of Carlson's integrals whose
+   terms are all positive, so that no digits cancel. Source: DLMF 19.2, 19.7, 19.25. Tests:
    tests/test_elliptic_integrals.c. */
 #ifndef VARMASS_JACOBI_INCOMPLETE_H
 #define VARMASS_JACOBI_INCOMPLETE_H

@@ -223,8 +223,8 @@ VM_INLINE void vmi_plan_loop(const jacobi_plan *p, int form, int n, const vm_rea
         }
 }
 
-/* Computes once more, one by one, the results next to a zero of sn or cn. There sn is about the distance u - jK from
-   the zero, cn about k' times the distance. */
+/* Computes the results next to a zero of sn or cn once more, one by one. There the size of sn is about the distance |u
+   - j K| from the zero, and that of cn about k' times this distance. */
 VM_API void vmi_plan_mend_close(const jacobi_plan *p, int n, const vm_real *u, vm_real *sn, vm_real *cn, vm_real *dn)
 {
     const vm_real kp = p->theta.kp;

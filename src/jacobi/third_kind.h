@@ -110,7 +110,7 @@ VM_API void vmi_sincos_turns(vm_real x, vm_real *sine, vm_real *cosine)
 
 /* The complex number theta_4(z + i zy), up to a real factor. Its angle is the periodic part of the angle by which a
    torque-free body turns. z is pi u/(2K), and zy is pi y/(2K) with 0 <= y < K', where K' is K(1 - m). The nome is
-   Q = q^2 (doubled lattice), where q is the nome of m. There are two forms of the series.
+   Q = q^2, where q is the nome of m. There are two forms of the series.
    The direct form is used for K <= 2K', so that Q <= exp(-pi):
      1 + sum over n >= 1 of (-1)^n (C_n cos 2nz - i S_n sin 2nz),
      C_n, S_n = e^(-(pi n/K)(2nK' - y)) +- e^(-(pi n/K)(2nK' + y)), with + for C_n and - for S_n.
