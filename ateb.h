@@ -576,10 +576,10 @@ typedef int32_t vmi_signed_bits;
 #endif
 /* base/words.h - products, quotients and roots with two and three times the digits
 
-   Where digits cancel, one vm_real is not enough. A number in two words (vm_two, hi + lo) has twice the digits, and a
-   number in three words (vmi_three, hi + mid + lo) has three times the digits. p is the number of binary digits of a
-   vm_real, 53 or 24. Errors of products, quotients and roots are given relative to the result, errors of sums relative
-   to the larger term.
+   Where the difference of nearly equal numbers loses digits (they cancel), one vm_real is not enough. A number in two
+   words (vm_two, hi + lo) has twice the digits, and a number in three words (vmi_three, hi + mid + lo) has three times
+   the digits. p is the number of binary digits of a vm_real, 53 or 24. Errors of products, quotients and roots are
+   given relative to the result, errors of sums relative to the larger term.
 
        vm_two third = vmi_two_over(vmi_two(1, 0), vmi_two(3, 0)); // 1/3 with 2p digits
 
@@ -646,21 +646,21 @@ VM_API vm_real vmi_head(vm_real x)
     return vmi_from_bits(vmi_to_bits(x) & ~(above - 1));
 }
 
-/* The product x y of numbers in two words. Its relative error is below 2^-(2p - 4). */
+/* The product x y of numbers in two words; the relative error is below 2^-(2p - 4) */
 VM_API vm_two vmi_two_times(vm_two x, vm_two y)
 {
     vm_two p = vmi_two_product(x.hi, y.hi);
     return vmi_two_sum(p.hi, p.lo + (x.hi * y.lo + x.lo * y.hi));
 }
 
-/* The sum x + y of numbers in two words. Its error is below 2^-(2p - 4) times the larger term. */
+/* The sum x + y of numbers in two words; the error is below 2^-(2p - 4) of the larger term */
 VM_API vm_two vmi_two_plus(vm_two x, vm_two y)
 {
     vm_two s = vmi_two_sum(x.hi, y.hi);
     return vmi_two_sum(s.hi, s.lo + (x.lo + y.lo));
 }
 
-/* The quotient x / y of numbers in two words. Its relative error is below 2^-(2p - 4). */
+/* The quotient x / y of numbers in two words; the relative error is below 2^-(2p - 4) */
 VM_API vm_two vmi_two_over(vm_two x, vm_two y)
 {
     vm_real z = vmi_rounded(x.hi / y.hi);
@@ -835,8 +835,9 @@ VM_API vm_real vmi_sum_of_products(vm_real a, vm_real b, vm_real c, vm_real d)
 
 /* Returns coefficient i of a polynomial in t = 2q - 1, which approximates (1 + q)(2 + q)(3 + q) f(q), where
      f(q) = sqrt(pi) Gamma(1 + q)/Gamma(q + 1/2) = q Pi_alpha with q = 1/(alpha + 1), between 1 and 2 for 0 < q <= 1.
-   The polynomial interpolates in Chebyshev's points; each coefficient is about 1/18 of the one before it. A coefficient
-   has up to three words; which_word = 0 selects the largest. Words that are too small to change the result are 0. */
+   The polynomial interpolates in Chebyshev's points; each coefficient is about 1/18 of the previous coefficient. A
+   coefficient has up to three words; which_word = 0 selects the largest. Words that are too small to change the result
+   are 0. */
 VM_API vm_real vmi_ateb_coefficient(int which_word, int i)
 {
 #if VM_MANT_DIG > 24
@@ -1923,7 +1924,7 @@ VM_INLINE void vmi_ateb_p_fraction(vm_real q, vm_real p, vm_real *P, vm_real *Q)
     vmi_ateb_fraction(e_by_p, p, VMI_ATEB_P_LEVELS, 1 - p * (1 + p / 2) / 4, P, Q);
 }
 
-/* Returns (1 - a^q)/q for a = (1 + t)/(1 - t), where ln a is small. No digits cancel. */
+/* Returns (1 - a^q)/q for a = (1 + t)/(1 - t), where ln a is small. No digits are lost. */
 VM_API vm_real vmi_ateb_power_rest(vm_real t, vm_real q)
 {
     const vm_real l = vmi_ateb_ln_ratio(t), z = q * l;
@@ -2860,7 +2861,7 @@ VM_API int vmi_ateb_economise(vm_real *c, vm_real limit, vm_real unit, vm_real t
     const int highest = VMI_ATEB_TERMS - 2;
     vm_real power = 1, height = vmi_ldexp(1, 1 - 2 * highest);
     int i, k;
-    for (i = 0; i <= highest; i++) { /* now c holds limit times the series, in powers of x/limit */
+    for (i = 0; i <= highest; i++) { /* now c is limit times the series, in powers of x/limit */
         power *= limit;
         c[i] = c[i + 1] * power;
     }
@@ -3641,7 +3642,7 @@ VM_API int vmi_ateb_index_is_in_domain(vm_real n) { return n == 0 || (n >= VM_C(
 VM_API vm_two vmi_ateb_exponent(vm_real n) { return vmi_two_over(vmi_two(1, 0), vmi_two_sum(n, 1)); }
 
 /* Returns B_(1/2)(a, b) 2^(a+b) = 2F1(1, a+b; a+1; 1/2)/a for b <= 1 (DLMF 8.17.8). B_(1/2) is the incomplete beta
-   function at x = 1/2, and 2F1 is a power series. Each of its terms is at most half of the one before it, so that 2
+   function at x = 1/2, and 2F1 is a power series. Each of its terms is at most half of the previous term, so that 2
    VM_MANT_DIG terms are enough for two words. */
 VM_API vm_two vmi_ateb_half_beta(vm_two a, vm_two b)
 {

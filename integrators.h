@@ -1016,7 +1016,7 @@ typedef struct VM_TAG(vmi_rk_stepper) {
 #define VMI_LOOP VM_INLINE
 #endif
 
-/* The index of the part of work that holds f at the end of a step */
+/* The index of the part of work that contains f at the end of a step */
 VMI_FOLDED int vmi_last_k(const vmi_rk_pair *pair) { return VMI_K + pair->stages - pair->last_is_first; }
 
 /* The least rtol that a run by this pair accepts */
@@ -1052,8 +1052,8 @@ VM_INLINE void vmi_weigh(const rk45_options *o, int i, vm_real e, vm_real y, vm_
 
 #endif
 /* integrators/runs.h - what an adaptive run is: its state, its work and its beginning
-   An rk45 holds the state of a run by rk45 or by rk87. Its `work`, which the caller provides, holds the arrays of n
-   numbers. The functions that make and use an rk45 are in rk45.h and rk87.h.
+   An rk45 contains the state of a run by rk45 or by rk87. Its `work`, which the caller provides, contains the arrays of
+   n numbers. The functions that make and use an rk45 are in rk45.h and rk87.h.
 
    Tests: tests/test_adaptive.c. */
 #ifndef VARMASS_INTEGRATORS_RUNS_H
@@ -3108,7 +3108,8 @@ VM_API void vmi_saved_real(vmi_saved_place *p, vm_real *x)
     memcpy(x, &own, sizeof own);
 }
 
-/* Writes or reads a number of type long. If a machine's long cannot hold what it reads, it reads the nearest number. */
+/* Writes or reads a number of type long. If the number is outside the range of a machine's long, the nearest long is
+   read. */
 VM_API void vmi_saved_long(vmi_saved_place *p, long *x)
 {
     uint64_t bits = (uint64_t)(int64_t)*x;

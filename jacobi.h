@@ -612,10 +612,10 @@ typedef int32_t vmi_signed_bits;
 #endif
 /* base/words.h - products, quotients and roots with two and three times the digits
 
-   Where digits cancel, one vm_real is not enough. A number in two words (vm_two, hi + lo) has twice the digits, and a
-   number in three words (vmi_three, hi + mid + lo) has three times the digits. p is the number of binary digits of a
-   vm_real, 53 or 24. Errors of products, quotients and roots are given relative to the result, errors of sums relative
-   to the larger term.
+   Where the difference of nearly equal numbers loses digits (they cancel), one vm_real is not enough. A number in two
+   words (vm_two, hi + lo) has twice the digits, and a number in three words (vmi_three, hi + mid + lo) has three times
+   the digits. p is the number of binary digits of a vm_real, 53 or 24. Errors of products, quotients and roots are
+   given relative to the result, errors of sums relative to the larger term.
 
        vm_two third = vmi_two_over(vmi_two(1, 0), vmi_two(3, 0)); // 1/3 with 2p digits
 
@@ -682,21 +682,21 @@ VM_API vm_real vmi_head(vm_real x)
     return vmi_from_bits(vmi_to_bits(x) & ~(above - 1));
 }
 
-/* The product x y of numbers in two words. Its relative error is below 2^-(2p - 4). */
+/* The product x y of numbers in two words; the relative error is below 2^-(2p - 4) */
 VM_API vm_two vmi_two_times(vm_two x, vm_two y)
 {
     vm_two p = vmi_two_product(x.hi, y.hi);
     return vmi_two_sum(p.hi, p.lo + (x.hi * y.lo + x.lo * y.hi));
 }
 
-/* The sum x + y of numbers in two words. Its error is below 2^-(2p - 4) times the larger term. */
+/* The sum x + y of numbers in two words; the error is below 2^-(2p - 4) of the larger term */
 VM_API vm_two vmi_two_plus(vm_two x, vm_two y)
 {
     vm_two s = vmi_two_sum(x.hi, y.hi);
     return vmi_two_sum(s.hi, s.lo + (x.lo + y.lo));
 }
 
-/* The quotient x / y of numbers in two words. Its relative error is below 2^-(2p - 4). */
+/* The quotient x / y of numbers in two words; the relative error is below 2^-(2p - 4) */
 VM_API vm_two vmi_two_over(vm_two x, vm_two y)
 {
     vm_real z = vmi_rounded(x.hi / y.hi);
@@ -3138,7 +3138,7 @@ VM_API void vmi_sincos_turns(vm_real x, vm_real *sine, vm_real *cosine)
    in exp(+-pi |u|/(2K')) in the transformed form. */
 typedef struct VM_TAG(vmi_doubled_theta) {
     vm_real decay; /* in the transformed form exp(-pi |u|/(2K')) = exp(-decay |x|), where x = u/(4K); decay = 0 means
-                      that the fields hold the direct form, the Fourier series in cos 2nz and sin 2nz */
+                      that the fields are for the direct form, the Fourier series in cos 2nz and sin 2nz */
     vm_real shift; /* the angle of the factor e^(-i pi u y/(4KK')) is shift x turns, where x = u/(4K) */
     vm_real Q;     /* Qd = exp(-pi K/(2K')), the nome of the transformed form; 0 in the direct form */
     vm_real re[4], im[4]; /* coefficients of the two polynomials, for the real and the imaginary part */
@@ -3266,7 +3266,8 @@ VM_INLINE vm_real vmi_carlson_spread(const vmi_carlson *s)
     return vmi_larger(vmi_larger(VM_FABS(s->X), VM_FABS(s->Y)), VM_FABS(s->X + s->Y));
 }
 
-/* Makes one duplication (DLMF 19.26.18): x becomes (x + lambda)/4, and y and z change likewise. No digits cancel. */
+/* Makes one duplication (DLMF 19.26.18): x becomes (x + lambda)/4, and y and z change in the same way. No digits are
+   lost. */
 VM_INLINE void vmi_carlson_duplicate(vmi_carlson *s)
 {
     s->a = VM_SQRT(s->x);
@@ -3808,7 +3809,7 @@ VM_API vm_real vmi_Pi_above(vm_real phi, vm_real n, vm_real m, vm_two m1)
 
    Method: a multiple of pi is subtracted from phi, so that the rest theta has |theta| <= pi/2; pi is used in three
    words. Each pi adds twice the complete integral. The integral from 0 to theta is a sum of Carlson's integrals whose
-   terms are all positive, so that no digits cancel. Source: DLMF 19.2, 19.7, 19.25. Tests:
+   terms are all positive, so that no digits are lost. Source: DLMF 19.2, 19.7, 19.25. Tests:
    tests/test_elliptic_integrals.c. */
 #ifndef VARMASS_JACOBI_INCOMPLETE_H
 #define VARMASS_JACOBI_INCOMPLETE_H
@@ -4015,8 +4016,8 @@ VM_API vm_real vmi_D_incomplete(vm_real phi, vm_real m1, vm_real m1_lo)
     return VM_COPYSIGN(sum, phi);
 }
 
-/* D(phi | m) = (F(phi | m) - E(phi | m))/m, the incomplete integral of sin^2 x/sqrt(1 - m sin^2 x). No digits cancel,
-   not even for m = 0. It is odd in phi, and for m <= 1 D(phi + pi) = D(phi) + 2D(m). The error is at most 8 ulp for
+/* D(phi | m) = (F(phi | m) - E(phi | m))/m, the incomplete integral of sin^2 x/sqrt(1 - m sin^2 x). No digits are lost,
+   not even for m = 0. D is odd in phi, and for m <= 1 D(phi + pi) = D(phi) + 2D(m). The error is at most 8 ulp for
    |phi| <= 1e9 (float 1e4) and m >= -1e300 (float -1e30), unless phi^3 underflows. Returns phi for infinite phi, 0 for
    m = -infinity, and NaN where both are infinite. For m = 1 D is infinite for |phi| > pi/2. For m > 1 D is NaN where m
    sin^2 phi > 1, for |phi| > pi/2, and for infinite m. A call takes as long as one of jacobi_E_incomplete. DLMF 19.2.6,

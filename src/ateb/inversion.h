@@ -91,7 +91,7 @@ VM_INLINE void vmi_ateb_p_fraction(vm_real q, vm_real p, vm_real *P, vm_real *Q)
     vmi_ateb_fraction(e_by_p, p, VMI_ATEB_P_LEVELS, 1 - p * (1 + p / 2) / 4, P, Q);
 }
 
-/* Returns (1 - a^q)/q for a = (1 + t)/(1 - t), where ln a is small. No digits cancel. */
+/* Returns (1 - a^q)/q for a = (1 + t)/(1 - t), where ln a is small. No digits are lost. */
 VM_API vm_real vmi_ateb_power_rest(vm_real t, vm_real q)
 {
     const vm_real l = vmi_ateb_ln_ratio(t), z = q * l;

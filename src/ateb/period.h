@@ -20,8 +20,9 @@
 
 /* Returns coefficient i of a polynomial in t = 2q - 1, which approximates (1 + q)(2 + q)(3 + q) f(q), where
      f(q) = sqrt(pi) Gamma(1 + q)/Gamma(q + 1/2) = q Pi_alpha with q = 1/(alpha + 1), between 1 and 2 for 0 < q <= 1.
-   The polynomial interpolates in Chebyshev's points; each coefficient is about 1/18 of the one before it. A coefficient
-   has up to three words; which_word = 0 selects the largest. Words that are too small to change the result are 0. */
+   The polynomial interpolates in Chebyshev's points; each coefficient is about 1/18 of the previous coefficient. A
+   coefficient has up to three words; which_word = 0 selects the largest. Words that are too small to change the result
+   are 0. */
 VM_API vm_real vmi_ateb_coefficient(int which_word, int i)
 {
 #if VM_MANT_DIG > 24

@@ -427,7 +427,7 @@ VM_API int vmi_ateb_economise(vm_real *c, vm_real limit, vm_real unit, vm_real t
     const int highest = VMI_ATEB_TERMS - 2;
     vm_real power = 1, height = vmi_ldexp(1, 1 - 2 * highest);
     int i, k;
-    for (i = 0; i <= highest; i++) { /* now c holds limit times the series, in powers of x/limit */
+    for (i = 0; i <= highest; i++) { /* now c is limit times the series, in powers of x/limit */
         power *= limit;
         c[i] = c[i + 1] * power;
     }

@@ -27,7 +27,7 @@ VM_API int vmi_ateb_index_is_in_domain(vm_real n) { return n == 0 || (n >= VM_C(
 VM_API vm_two vmi_ateb_exponent(vm_real n) { return vmi_two_over(vmi_two(1, 0), vmi_two_sum(n, 1)); }
 
 /* Returns B_(1/2)(a, b) 2^(a+b) = 2F1(1, a+b; a+1; 1/2)/a for b <= 1 (DLMF 8.17.8). B_(1/2) is the incomplete beta
-   function at x = 1/2, and 2F1 is a power series. Each of its terms is at most half of the one before it, so that 2
+   function at x = 1/2, and 2F1 is a power series. Each of its terms is at most half of the previous term, so that 2
    VM_MANT_DIG terms are enough for two words. */
 VM_API vm_two vmi_ateb_half_beta(vm_two a, vm_two b)
 {

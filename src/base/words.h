@@ -1,9 +1,9 @@
 /* base/words.h - products, quotients and roots with two and three times the digits
 
-   Where digits cancel, one vm_real is not enough. A number in two words (vm_two, hi + lo) has twice the digits, and a
-   number in three words (vmi_three, hi + mid + lo) has three times the digits. p is the number of binary digits of a
-   vm_real, 53 or 24. Errors of products, quotients and roots are given relative to the result, errors of sums relative
-   to the larger term.
+   Where the difference of nearly equal numbers loses digits (they cancel), one vm_real is not enough. A number in two
+   words (vm_two, hi + lo) has twice the digits, and a number in three words (vmi_three, hi + mid + lo) has three times
+   the digits. p is the number of binary digits of a vm_real, 53 or 24. Errors of products, quotients and roots are
+   given relative to the result, errors of sums relative to the larger term.
 
        vm_two third = vmi_two_over(vmi_two(1, 0), vmi_two(3, 0)); // 1/3 with 2p digits
 
@@ -74,21 +74,21 @@ VM_API vm_real vmi_head(vm_real x)
     return vmi_from_bits(vmi_to_bits(x) & ~(above - 1));
 }
 
-/* The product x y of numbers in two words. Its relative error is below 2^-(2p - 4). */
+/* The product x y of numbers in two words; the relative error is below 2^-(2p - 4) */
 VM_API vm_two vmi_two_times(vm_two x, vm_two y)
 {
     vm_two p = vmi_two_product(x.hi, y.hi);
     return vmi_two_sum(p.hi, p.lo + (x.hi * y.lo + x.lo * y.hi));
 }
 
-/* The sum x + y of numbers in two words. Its error is below 2^-(2p - 4) times the larger term. */
+/* The sum x + y of numbers in two words; the error is below 2^-(2p - 4) of the larger term */
 VM_API vm_two vmi_two_plus(vm_two x, vm_two y)
 {
     vm_two s = vmi_two_sum(x.hi, y.hi);
     return vmi_two_sum(s.hi, s.lo + (x.lo + y.lo));
 }
 
-/* The quotient x / y of numbers in two words. Its relative error is below 2^-(2p - 4). */
+/* The quotient x / y of numbers in two words; the relative error is below 2^-(2p - 4) */
 VM_API vm_two vmi_two_over(vm_two x, vm_two y)
 {
     vm_real z = vmi_rounded(x.hi / y.hi);

@@ -88,7 +88,7 @@ typedef struct VM_TAG(vmi_rk_stepper) {
 #define VMI_LOOP VM_INLINE
 #endif
 
-/* The index of the part of work that holds f at the end of a step */
+/* The index of the part of work that contains f at the end of a step */
 VMI_FOLDED int vmi_last_k(const vmi_rk_pair *pair) { return VMI_K + pair->stages - pair->last_is_first; }
 
 /* The least rtol that a run by this pair accepts */

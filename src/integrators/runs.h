@@ -1,6 +1,6 @@
 /* integrators/runs.h - what an adaptive run is: its state, its work and its beginning
-   An rk45 holds the state of a run by rk45 or by rk87. Its `work`, which the caller provides, holds the arrays of n
-   numbers. The functions that make and use an rk45 are in rk45.h and rk87.h.
+   An rk45 contains the state of a run by rk45 or by rk87. Its `work`, which the caller provides, contains the arrays of
+   n numbers. The functions that make and use an rk45 are in rk45.h and rk87.h.
 
    Tests: tests/test_adaptive.c. */
 #ifndef VARMASS_INTEGRATORS_RUNS_H

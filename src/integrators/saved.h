@@ -94,7 +94,8 @@ VM_API void vmi_saved_real(vmi_saved_place *p, vm_real *x)
     memcpy(x, &own, sizeof own);
 }
 
-/* Writes or reads a number of type long. If a machine's long cannot hold what it reads, it reads the nearest number. */
+/* Writes or reads a number of type long. If the number is outside the range of a machine's long, the nearest long is
+   read. */
 VM_API void vmi_saved_long(vmi_saved_place *p, long *x)
 {
     uint64_t bits = (uint64_t)(int64_t)*x;

@@ -54,7 +54,8 @@ VM_INLINE vm_real vmi_carlson_spread(const vmi_carlson *s)
     return vmi_larger(vmi_larger(VM_FABS(s->X), VM_FABS(s->Y)), VM_FABS(s->X + s->Y));
 }
 
-/* Makes one duplication (DLMF 19.26.18): x becomes (x + lambda)/4, and y and z change likewise. No digits cancel. */
+/* Makes one duplication (DLMF 19.26.18): x becomes (x + lambda)/4, and y and z change in the same way. No digits are
+   lost. */
 VM_INLINE void vmi_carlson_duplicate(vmi_carlson *s)
 {
     s->a = VM_SQRT(s->x);

@@ -12,7 +12,7 @@
 
    Method: a multiple of pi is subtracted from phi, so that the rest theta has |theta| <= pi/2; pi is used in three
    words. Each pi adds twice the complete integral. The integral from 0 to theta is a sum of Carlson's integrals whose
-   terms are all positive, so that no digits cancel. Source: DLMF 19.2, 19.7, 19.25. Tests:
+   terms are all positive, so that no digits are lost. Source: DLMF 19.2, 19.7, 19.25. Tests:
    tests/test_elliptic_integrals.c. */
 #ifndef VARMASS_JACOBI_INCOMPLETE_H
 #define VARMASS_JACOBI_INCOMPLETE_H
@@ -227,8 +227,8 @@ VM_API vm_real vmi_D_incomplete(vm_real phi, vm_real m1, vm_real m1_lo)
     return VM_COPYSIGN(sum, phi);
 }
 
-/* D(phi | m) = (F(phi | m) - E(phi | m))/m, the incomplete integral of sin^2 x/sqrt(1 - m sin^2 x). No digits cancel,
-   not even for m = 0. It is odd in phi, and for m <= 1 D(phi + pi) = D(phi) + 2D(m). The error is at most 8 ulp for
+/* D(phi | m) = (F(phi | m) - E(phi | m))/m, the incomplete integral of sin^2 x/sqrt(1 - m sin^2 x). No digits are lost,
+   not even for m = 0. D is odd in phi, and for m <= 1 D(phi + pi) = D(phi) + 2D(m). The error is at most 8 ulp for
    |phi| <= 1e9 (float 1e4) and m >= -1e300 (float -1e30), unless phi^3 underflows. Returns phi for infinite phi, 0 for
    m = -infinity, and NaN where both are infinite. For m = 1 D is infinite for |phi| > pi/2. For m > 1 D is NaN where m
    sin^2 phi > 1, for |phi| > pi/2, and for infinite m. A call takes as long as one of jacobi_E_incomplete. DLMF 19.2.6,

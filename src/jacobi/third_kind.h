@@ -122,7 +122,7 @@ VM_API void vmi_sincos_turns(vm_real x, vm_real *sine, vm_real *cosine)
    in exp(+-pi |u|/(2K')) in the transformed form. */
 typedef struct VM_TAG(vmi_doubled_theta) {
     vm_real decay; /* in the transformed form exp(-pi |u|/(2K')) = exp(-decay |x|), where x = u/(4K); decay = 0 means
-                      that the fields hold the direct form, the Fourier series in cos 2nz and sin 2nz */
+                      that the fields are for the direct form, the Fourier series in cos 2nz and sin 2nz */
     vm_real shift; /* the angle of the factor e^(-i pi u y/(4KK')) is shift x turns, where x = u/(4K) */
     vm_real Q;     /* Qd = exp(-pi K/(2K')), the nome of the transformed form; 0 in the direct form */
     vm_real re[4], im[4]; /* coefficients of the two polynomials, for the real and the imaginary part */
