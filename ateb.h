@@ -14,9 +14,10 @@
 
    CONVENTIONS
      The variable comes first, then the parameter alpha, any real number >= 0; results come last. All arguments are
-     pure numbers. Names are those of the dissertation [1]: sa always means sa(1, alpha, s), and ca always means
-     ca(alpha, 1, s). Both have the period 2 Pi_alpha. An oscillator m x'' + k x|x|^(alpha-1) = 0 with amplitude A
-     moves by x = A ca and x' = -sqrt(2/(alpha+1)) omega A^((alpha+1)/2) sa, where omega = sqrt(k/m).
+     pure numbers. Names are those of the dissertation [1], and numbers like (275) are its equations: sa always means
+     sa(1, alpha, s), and ca always means ca(alpha, 1, s). Both have the period 2 Pi_alpha. An oscillator m x'' + k
+     x|x|^(alpha-1) = 0 with amplitude A moves by x = A ca and x' = -sqrt(2/(alpha+1)) omega A^((alpha+1)/2) sa, where
+     omega = sqrt(k/m).
 
    WHAT THE FUNCTIONS ARE
      v = sa and u = ca solve v' = u|u|^(alpha-1), u' = -2 v/(alpha+1) with v(0) = 0 and u(0) = 1 (275), where ' is the
@@ -26,7 +27,7 @@
      alpha = 1              sa = sin, ca = cos
      alpha = 3              sa = sqrt(2) sn dn and ca = cn of the argument s/sqrt(2) and the parameter 1/2
      alpha to infinity      sa tends to tanh s; as a function of s/Pi_alpha it tends to a square wave
-     In terms of the generalised sine, with p = (alpha+1)/alpha,
+     With the generalised sine sin_(p,q) of other authors, and p = (alpha+1)/alpha,
      sa = sin_(p,2)(s) and ca = sin_(2,alpha+1)((Pi_alpha - 2s)/(alpha+1)).
 
    WHAT TO CALL
@@ -37,7 +38,8 @@
                            plain data and may be a constant in flash; examples/print_plan prints one. On AVR copy it
                            from there to RAM, by memcpy_P, before it is used.
      ateb_phase            s from sa and ca, as atan2 computes an angle from its sine and cosine
-     ateb_mean             the mean of |sa|^p |ca|^q over a period (316); ateb_mean_nm has two indices and signs
+     ateb_mean             the mean of |sa|^p |ca|^q over a period (316); ateb_mean_nm: the same with two indices and
+                           signs
      ateb_integral_...     integrals from 0 to s
      ateb_saca_nm          sa(n, m, s) and ca(m, n, s) with any two indices
      ateb_beta...          beta function, incomplete beta function and its inverse
@@ -50,11 +52,12 @@
      Nothing else can fail. The functions allocate no memory and keep no state; the value of errno means nothing.
 
    METHOD
-     s is reduced to the first quarter of the period by means of Pi_alpha, which comes from a table of polynomials, or,
-     where s is large or close to a zero, from one polynomial in two or three words. In the first quarter the incomplete
-     beta function is inverted: an approximation of sa is taken as exact, the s that belongs to it is computed by a
-     continued fraction of 12 levels (float 6) and one power, and a Taylor series corrects sa and ca for the difference
-     from the given s.
+     First s is reduced to the first quarter of the period, which needs Pi_alpha. Pi_alpha comes from a table of
+     polynomials. Where s is large or close to a zero, Pi_alpha needs more digits: it comes from one polynomial in two
+     or three words (a word is one number of the type; a sum of three words has three times the digits). In the first
+     quarter the incomplete beta function is inverted. An approximation of sa is taken as exact, and the s that belongs
+     to it is computed by a continued fraction of 12 levels (float 6) and one power. A Taylor series then corrects sa
+     and ca for the difference from the given s.
      A plan has polynomials for two parts of a quarter: Taylor series that solve (275), shortened to the accuracy that
      is wanted.
 
@@ -70,43 +73,48 @@
      VM_TABLE, VM_READ    storage of the tables, and how an element of one is read; define both or none. Default:
                           static const and (x); on AVR static const PROGMEM and pgm_read_float(&(x)), so that tables
                           take no RAM
-     VM_ALLOW_FAST_MATH   compile under -ffast-math or a part of it, although none of the bounds below holds then
-     VM_MIXED_PRECISIONS  link with files in the other precision. Otherwise gcc and MSVC, and clang for Windows, refuse
-                          to link a program of which some files define VM_USE_FLOAT and others do not.
+     VM_ALLOW_FAST_MATH   lets the headers compile under -ffast-math or a part of it, but none of the bounds below holds
+                          then
+     VM_MIXED_PRECISIONS  allows a program in which some files define VM_USE_FLOAT and others do not. Without it gcc and
+                          MSVC, and clang for Windows, refuse to link such a program.
    Names that begin with vmi_ or VMI_ are internal.
 
    OPTIONS THAT CHANGE VALUES
      -ffast-math, its parts (-funsafe-math-optimizations, -fassociative-math, -freciprocal-math, -ffinite-math-only,
      -fno-signed-zeros), /fp:fast and -fsingle-precision-constant make results wrong. The headers do not compile where
-     the compiler's macros show such an option. clang's macros show only -ffast-math and -ffinite-math-only, and no
-     macro shows "#pragma float_control", another rounding mode, or that the processor takes subnormal numbers for
-     zero. vm_self_check() returns 0 in these cases, and 1 where all is well; a program may call it once when it starts.
-     On x87 units gcc in its gnu modes (gcc -m32, no -std=c99) computes with excess precision. Then neither the bounds
-     below nor symmetry to the last bit hold. The options -fexcess-precision=standard, or -msse2 -mfpmath=sse, restore
-     them.
+     the compiler's macros show such an option. But clang's macros show only -ffast-math and -ffinite-math-only, and no
+     macro shows "#pragma float_control", another rounding mode, or that the processor treats subnormal numbers, the
+     smallest of all, as zero. vm_self_check() returns 0 in these cases, and 1 where all is well; a program may call it
+     once when it starts. On x87 units gcc in its gnu modes (gcc -m32, no -std=c99) computes with excess precision. Then
+     the bounds below do not hold, and odd and even functions may lose their symmetry in the last bit. The options
+     -fexcess-precision=standard, or -msse2 -mfpmath=sse, prevent this.
 
-   ACCURACY, as bounds that the tests check, with inputs taken as exact; docs/measurements.md has the errors found.
+   ACCURACY: bounds of the error, which the tests check; docs/measurements.md has the errors found.
+     eps, ulp               eps is 2.2e-16 (float 1.2e-7). An ulp is the distance between two neighbouring numbers of
+                            the type, next to the true value. The bounds hold for the inputs as they are, without errors
+                            of their own.
      sa, ca                 absolute error <= 4 eps for |s| <= 1e9 (float 1e4), relative error <= 8 ulp for
-                            |s| <= 100 Pi_alpha, for alpha = 0 and alpha from 1e-300 to 1e30. sa and ca are monotone
-                            between their extremes apart from 2 ulp. sa^2 + |ca|^(alpha+1) is 1 to within
-                            1.5 eps (2 sa^2 + (alpha+1) |ca|^(alpha+1)).
-     the zeros              of sa and ca: relative error <= 2^-125 (float 2^-58); for alpha above 5e8 (float 2e4) and
-                            for plans, <= 2^-102 (float 2^-44). This error, times |s| and the slope, adds to the errors
-                            above. It matters only where s is within an ulp of a zero.
+                            |s| <= 100 Pi_alpha, for alpha = 0 and alpha from 1e-300 to 1e30. Between their extremes sa
+                            and ca only rise or only fall, apart from errors of 2 ulp. sa^2 + |ca|^(alpha+1) is 1 to
+                            within 1.5 eps (2 sa^2 + (alpha+1) |ca|^(alpha+1)).
+     the zeros              of sa and ca have a relative error <= 2^-125 (float 2^-58); for alpha above 5e8 (float 2e4)
+                            and for plans, it is <= 2^-102 (float 2^-44). This error, times |s| and the slope of sa or
+                            ca, adds to the errors above. It matters only where s is within an ulp of a zero.
      Pi_alpha               <= 1 ulp
      sa, ca by a plan       <= 2 ulp for |s| <= 100 Pi_alpha and alpha up to 1e6, or the absolute error that the plan
                             was made for
-     phase                  <= 8 ulp plus the change that 6 ulp of sa and of ca make, for the sa and ca of ateb_saca
+     phase                  <= 8 ulp plus the change of s that 6 ulp of sa and of ca make, where sa and ca come from
+                            ateb_saca
      beta, mean, Pi(n, m)   <= 1 ulp, 2 ulp and 1 ulp
      beta_inc               <= 30 ulp of p and of q
      beta_inc_inv           <= 16 ulp of x and of y plus the change that one ulp of the smaller of p and q makes
      sa(n, m), ca(m, n)     <= 8 ulp plus the change that an error of 2^-102 |s| (float 2^-44 |s|) in s makes
-     integrals              those of sa^2 and |ca|^(alpha+1) add up to s within 3 eps (1 + |s|)
+     integrals              the integrals of sa^2 and |ca|^(alpha+1) add up to s within 3 eps (1 + |s|)
 
    COST
      docs/cost.md has the times, docs/counts.md the instructions of each function. An ateb_plan has
-     560 [ateb_plan_bytes] bytes, in float 184 [ateb_plan_bytes_float]; the words in brackets name the rows of
-     docs/numbers.md. The largest stack frame is below 2 kB.
+     560 [ateb_plan_bytes] bytes, in float 184 [ateb_plan_bytes_float]; the name in brackets is the row of
+     docs/numbers.md from which the number is. The largest stack frame is below 2 kB.
 
    REFERENCES
      [1] L. Cveticanin, Dynamics of Mass Variable System, dissertation; numbers like (277) are its equations. Where [1]
@@ -132,7 +140,7 @@
        ateb_ca                        ca(alpha, 1, s), the Ateb cosine, alone
 
      ateb/phase: the phase s that belongs to a pair of values sa and ca
-       ateb_phase                     The phase s that belongs to given values of sa and ca, with -Pi_alpha < s <= Pi_alpha
+       ateb_phase                     The phase s of given values of sa and ca, with -Pi_alpha < s <= Pi_alpha
 
      ateb/integrals: integrals of Ateb functions
        ateb_integral_sa2              The integral of sa(1, alpha, s)^2 from 0 to s
@@ -202,9 +210,9 @@
 #define VM_INLINE VM_API /* the code is slower than with forced inlining, but the results are the same */
 #endif
 
-/* Between VMI_QUIET_BEGIN and VMI_QUIET_END the compiler does not warn of what is meant as it stands, such as casts
-   that C and C++ both accept and comparisons with exact numbers. A project that asks for such warnings gets those of
-   its own files only. */
+/* Between VMI_QUIET_BEGIN and VMI_QUIET_END the compiler does not warn of code that is intended, such as casts that C
+   and C++ both accept and comparisons with exact numbers. A project that turns on such warnings gets only those of its
+   own files. */
 #if defined(__GNUC__) && !defined(__CUDACC__)
 #define VMI_IGNORE(warning) VMI_PRAGMA(GCC diagnostic ignored warning)
 #define VMI_PRAGMA(text) _Pragma(#text)
@@ -267,10 +275,11 @@ typedef double vm_real;
 #endif
 #endif
 
-/* A struct in float and the same struct in double have other sizes. In C the linker does not see where one file passes
-   such a struct to another. So each file marks its precision here, and files of both precisions do not link, unless all
-   of one precision define VM_MIXED_PRECISIONS. gcc marks by an absolute symbol, of which every file of a program must
-   have the same value; with clang this would refuse equal values too under -flto. */
+/* A struct in float and the same struct in double have different sizes. In C the linker does not see where one file
+   passes such a struct to another. So each file marks its precision here, and files of both precisions do not link,
+   unless all files of one precision define VM_MIXED_PRECISIONS. With gcc the mark is an absolute symbol, which must
+   have the same value in every file of a program. With clang there is no such mark, since under -flto it would refuse
+   equal values, too. */
 #if defined(VM_MIXED_PRECISIONS) || defined(__CUDACC__)
 #elif defined(_MSC_VER)
 #ifdef VM_USE_FLOAT
@@ -354,7 +363,8 @@ VMI_QUIET_BEGIN
 /* base/sums.h - sums without rounding error, numbers in two words
 
    A sum of two numbers of type vm_real is rounded. The functions here return the rounded sum (hi) and its rounding
-   error (lo), so that hi + lo is the exact sum. Such a pair, vm_two, holds a number with twice the digits.
+   error (lo), so that hi + lo is the exact sum. Such a pair, a vm_two, is a number in two words: it has twice the
+   digits of a vm_real.
 
        vm_two s = vmi_two_sum(1, VM_C(1e-20)); // s.hi = 1, s.lo = 1e-20
 
@@ -424,7 +434,8 @@ VM_API vm_two vmi_two(vm_real hi, vm_real lo)
 
 /* Returns 1 if sums are computed in the order in which they are written, as arithmetic in two words needs, and if a
    product is rounded when 0 is added to it. `one` must be 1, `eps` VM_EPSILON, and `split` VM_SPLIT, the factor that
-   splits a number into two halves. The caller reads them from volatile variables, so that the compiler cannot guess. */
+   splits a number into two halves. The caller reads them from volatile variables, so that the compiler cannot know
+   their values. */
 VM_API int vmi_keeps_order(vm_real one, vm_real eps, vm_real split)
 {
     const vm_real above = one + eps, third = one / 3;
@@ -565,10 +576,10 @@ typedef int32_t vmi_signed_bits;
 #endif
 /* base/words.h - products, quotients and roots with two and three times the digits
 
-   Where digits cancel, one vm_real is not enough. A number in two words (vm_two, hi + lo) has twice the digits, and a
-   number in three words (vmi_three, hi + mid + lo) has three times the digits. p is the number of binary digits of a
-   vm_real, 53 or 24. Errors of products, quotients and roots are given relative to the result, errors of sums relative
-   to the larger term.
+   Where the difference of nearly equal numbers loses digits (they cancel), one vm_real is not enough. A number in two
+   words (vm_two, hi + lo) has twice the digits, and a number in three words (vmi_three, hi + mid + lo) has three times
+   the digits. p is the number of binary digits of a vm_real, 53 or 24. Errors of products, quotients and roots are
+   given relative to the result, errors of sums relative to the larger term.
 
        vm_two third = vmi_two_over(vmi_two(1, 0), vmi_two(3, 0)); // 1/3 with 2p digits
 
@@ -796,7 +807,8 @@ VM_API vm_two vmi_two_scaled(vm_two x, vm_real factor)
     return vmi_fast_two_sum(p.hi, p.lo + x.lo * factor);
 }
 
-/* The sum a b + c d of two products, within 2 eps of itself, however many digits cancel. No product may underflow. */
+/* The sum a b + c d of two products, with a relative error of at most 2 eps, even where the products nearly cancel each
+   other. No product may underflow. */
 VM_API vm_real vmi_sum_of_products(vm_real a, vm_real b, vm_real c, vm_real d)
 {
     const vm_two ab = vmi_two_product(a, b), cd = vmi_two_product(c, d);
@@ -814,17 +826,18 @@ VM_API vm_real vmi_sum_of_products(vm_real a, vm_real b, vm_real c, vm_real d)
 
        vm_real period = 2 * ateb_pi(3);
 
-   There are two methods. A table of polynomials gives Pi_alpha - (alpha + 1); it is quick, and accurate enough for most
-   arguments of sa and ca. For the other arguments one polynomial of degree 33 (float 17) is evaluated in two or three
-   words. In the comments of this file n = alpha + 1 and q = 1/n. The tables are computed by
+   There are two methods. A table of polynomials gives Pi_alpha - (alpha + 1). This method is quick, and it is accurate
+   enough for most arguments of sa and ca. For the other arguments one polynomial of degree 33 (float 17) is evaluated
+   in two or three words. In the comments of this file n = alpha + 1 and q = 1/n. The tables are computed by
    tests/gen/ateb_coefficients.py. Tests: tests/test_ateb.c. */
 #ifndef VARMASS_ATEB_PERIOD_H
 #define VARMASS_ATEB_PERIOD_H
 
 /* Returns coefficient i of a polynomial in t = 2q - 1, which approximates (1 + q)(2 + q)(3 + q) f(q), where
      f(q) = sqrt(pi) Gamma(1 + q)/Gamma(q + 1/2) = q Pi_alpha with q = 1/(alpha + 1), between 1 and 2 for 0 < q <= 1.
-   The polynomial interpolates in Chebyshev's points; each coefficient is about 1/18 of the one before it. A coefficient
-   has up to three words; which_word = 0 selects the largest. Words that are too small to change the result are 0. */
+   The polynomial interpolates in Chebyshev's points; each coefficient is about 1/18 of the previous coefficient. A
+   coefficient has up to three words; which_word = 0 selects the largest. Words that are too small to change the result
+   are 0. */
 VM_API vm_real vmi_ateb_coefficient(int which_word, int i)
 {
 #if VM_MANT_DIG > 24
@@ -878,8 +891,8 @@ VM_API vm_real vmi_ateb_coefficient(int which_word, int i)
 enum { VMI_ATEB_DEGREE = VM_MANT_DIG > 24 ? 33 : 17 };
 
 /* The polynomial of vmi_ateb_coefficient in two words. From index TWO_WORDS on the coefficients are so small that one
-   word is enough. Each coefficient exceeds the sum of the terms after it, so that Dekker's sum of two numbers is
-   enough for the high words. */
+   word is enough. Each coefficient exceeds the sum of the terms after it, so that the faster sum by Dekker
+   (vmi_fast_two_sum) is enough for the high words. */
 VM_API vm_two vmi_ateb_polynomial(vm_two t)
 {
     enum { TWO_WORDS = VM_MANT_DIG > 24 ? 17 : 8 };
@@ -1294,13 +1307,13 @@ VM_API void vmi_ateb_fine_constants(vmi_ateb *c, vm_real alpha)
 
    The C library's functions differ from machine to machine in the last bits. The functions of this file give the same
    bits everywhere: they use only basic operations, which every machine rounds in the same way. The logarithm and the
-   exponential are computed in two words, so that a power made from them has all its digits. They branch only where a
-   result is subnormal, so that a compiler can vectorise loops over them.
+   exponential are computed in two words (see base/sums.h), so that a power made from them has all its digits. They
+   branch only where a result is subnormal, so that a compiler can vectorise loops over them.
 
        vm_real y = vmi_exp(VM_C(1.5), 0); // e^1.5
 
-   The tables and polynomials are computed by tests/gen/elementary.py. The bounds of the errors are proved, as
-   docs/proof.md tells. Tests: tests/test_jacobi.c, tests/test_ateb.c. */
+   The tables and polynomials are computed by tests/gen/elementary.py. docs/proof.md proves the bounds of the errors.
+   Tests: tests/test_jacobi.c, tests/test_ateb.c. */
 #ifndef VARMASS_BASE_ELEMENTARY_H
 #define VARMASS_BASE_ELEMENTARY_H
 
@@ -1483,8 +1496,9 @@ VM_API vm_real vmi_exp(vm_real x, vm_real x_lo)
     return vmi_ldexp_two(y.hi, y.lo + p_lo, k);
 }
 
-/* Returns the power x^y for x > 0, within 0.9 ulp if x.lo is 0 or |ln x| > 2^14 eps. For an x closer to 1 the low word
-   of x is not used to its last digit, and the error grows like eps/|ln x|; it is 2.7 ulp at |ln x| = 130 eps. */
+/* Returns the power x^y for x > 0, within 0.9 ulp if x.lo is 0 or |ln x| > 2^14 eps. For an x closer to 1 the last
+   digits of the low word of x are not used. The error then grows in proportion to eps/|ln x|; it is 2.7 ulp at
+   |ln x| = 130 eps. */
 VM_API vm_real vmi_pow_two(vm_two x, vm_two y)
 {
     const vm_real t = x.lo / x.hi;
@@ -1616,7 +1630,7 @@ VM_API vm_real vmi_pow_checked(vm_real x, vm_real y)
 }
 
 /* Returns e^y - 1 in two words. The error is below 2^-(p+4) (1 + e^y), where p is the number of digits of vm_real;
-   for small y it is below 2^-p of the result. The result is infinity where it overflows. */
+   for small y it is below 2^-p of the result. Where e^y overflows, the result is infinity. */
 VM_API vm_two vmi_expm1(vm_two y)
 {
     const vm_real largest = VM_C(0.6931471805599453094) * (VMI_BIAS + 1);
@@ -1683,7 +1697,7 @@ VM_API vm_two vmi_log1p_rest(vm_two x, vm_two y)
 }
 
 #endif
-/* ateb/powers.h - a logarithm and an exponential that are quicker and have one word only
+/* ateb/powers.h - a logarithm and an exponential that are quick and return one word
 
    vmi_log and vmi_exp (base/elementary.h) return two words. The functions in this file return one word, with an error
    of one or two ulp. They are used where the error is later multiplied by less than about 1/2: in ateb/inversion.h and
@@ -1910,7 +1924,7 @@ VM_INLINE void vmi_ateb_p_fraction(vm_real q, vm_real p, vm_real *P, vm_real *Q)
     vmi_ateb_fraction(e_by_p, p, VMI_ATEB_P_LEVELS, 1 - p * (1 + p / 2) / 4, P, Q);
 }
 
-/* Returns (1 - a^q)/q for a = (1 + t)/(1 - t), where ln a is small. No digits cancel. */
+/* Returns (1 - a^q)/q for a = (1 + t)/(1 - t), where ln a is small. No digits are lost. */
 VM_API vm_real vmi_ateb_power_rest(vm_real t, vm_real q)
 {
     const vm_real l = vmi_ateb_ln_ratio(t), z = q * l;
@@ -1958,7 +1972,7 @@ typedef struct VM_TAG(vmi_ateb_base) {
     vm_real k, t;
 } vmi_ateb_base;
 
-/* Returns 2 q d in two words, for q and d in two words. The halves of the digits of q and d have exact products. */
+/* Returns 2 q d in two words, for q and d in two words. q and d are split into halves, whose products are exact. */
 VM_INLINE vm_two vmi_ateb_twice_q_times(vm_two twice_q, vm_real d, vm_real d_lo)
 {
     const vm_real q = twice_q.hi, q_head = vmi_head(q), d_head = vmi_head(d);
@@ -1991,9 +2005,9 @@ VM_INLINE vmi_ateb_base vmi_ateb_base_of(vm_two twice_q, vm_real r, vm_real z, v
     return base;
 }
 
-/* Returns p = (1 - sa)/2 within 1e-5, from X4 = X/4, where X = (2 q d)^(alpha+1). p/X4 is computed by its (1, 1) Pade
-   approximant and a correction, which contains X4^3 q (1 - q) and a polynomial fitted by
-   tests/gen/ateb_coefficients.py. */
+/* Returns p = (1 - sa)/2 within 1e-5, from X4 = X/4, where X = (2 q d)^(alpha+1). p/X4 is computed as a quotient of two
+   linear functions of X4 (a Pade approximant) and a correction. The correction contains X4^3 q (1 - q) and a polynomial
+   fitted by tests/gen/ateb_coefficients.py. */
 VM_INLINE vm_real vmi_ateb_guess_p(vm_real q, vm_real X4)
 {
     const vm_real k = 1 - q, m = (1 + q) * (2 + q);
@@ -2003,8 +2017,8 @@ VM_INLINE vm_real vmi_ateb_guess_p(vm_real q, vm_real X4)
            (X4 + (X4 * X4) * (X4 * X4) * (q * k * (lack0 + X4 * lack1)));
 }
 
-/* sa and ca at the distances r >= VMI_ATEB_CHANGE_OVER from the zero of sa and d from the zero of ca. Given are
-   q = 1/(alpha + 1), y = 2 q d and X = y^(alpha+1). The unknown is p = (1 - sa)/2. From p follow
+/* sa and ca at the distances r >= VMI_ATEB_CHANGE_OVER from the zero of sa and d from the zero of ca. The numbers
+   q = 1/(alpha + 1), y = 2 q d and X = y^(alpha+1) are known. The unknown is p = (1 - sa)/2. From p follow
      v = sa = 1 - 2 p,   x = 1 - v^2 = 4 p (1 - p),   u = ca = x^q,   E = 2F1(1, 2q; 1 + q; p).
    They satisfy y = u E, so that p is the solution of ln X = ln x + (alpha + 1) ln E. The derivatives with respect to ln
    X are
@@ -2086,12 +2100,12 @@ VM_API vm_real vmi_ateb_reduce_finely(vm_real s, vmi_ateb *c, int *quarter)
     return 0; /* s is above 2^52 quarters, so that its digits do not determine the phase */
 }
 
-/* Returns a for the weight 1 and b for the weight 0. A condition would become a branch, which is mispredicted half
-   the time. */
+/* Returns a for the weight 1 and b for the weight 0. A condition would become a branch, and the processor would
+   mispredict it half the time. */
 VM_API vm_real vmi_choose(vm_real weight, vm_real a, vm_real b) { return weight * a + (1 - weight) * b; }
 
 /* Returns the position of s >= 0 in the period, by the quickest of three ways.
-     1. s <= (alpha + 1)/2 lies in the first quarter, and r = s is known before Pi_alpha is.
+     1. An s <= (alpha + 1)/2 lies in the first quarter. Then r = s, which is known without Pi_alpha.
      2. For s <= 128 (alpha + 1), c->quarter is accurate enough, unless s is close to a zero of sa or ca. Its high
         word is multiplied in two halves, whose products with the number of quarters are exact. This number comes
         from the high word of c->quarter alone, so that the rest may be a little longer than half a quarter.
@@ -2255,9 +2269,9 @@ VM_API vm_real vmi_ateb_phase_r(vm_two h, const vmi_ateb *c)
 /* Returns 1 if ateb_phase has a result for this alpha, else 0. */
 VM_API int vmi_ateb_has_phase(vm_real alpha) { return alpha >= 0 && alpha <= VM_C(1e30); }
 
-/* The phase s that belongs to given values of sa and ca, with -Pi_alpha < s <= Pi_alpha. alpha lies between 0 and 1e30.
-   The pair need not satisfy sa^2 + |ca|^(alpha+1) = 1: sa lambda^((alpha+1)/2) and ca lambda have the same phase for
-   every lambda > 0. Therefore the phase of the oscillator x'' = -omega^2 x|x|^(alpha-1) is found with sa = -x'
+/* The phase s of given values of sa and ca, with -Pi_alpha < s <= Pi_alpha. alpha lies between 0 and 1e30. The pair
+   need not satisfy sa^2 + |ca|^(alpha+1) = 1: sa lambda^((alpha+1)/2) and ca lambda have the same phase for every
+   lambda > 0. Therefore the phase of the oscillator x'' = -omega^2 x|x|^(alpha-1) is found with sa = -x'
    sqrt((alpha+1)/2)/omega and ca = x. Returns 0 for sa = 0 <= ca. If sa and ca come from ateb_saca(s, ...), s is
    returned with an error of at most 8 ulp plus the change of s that 6 ulp of sa and of ca make. Returns NaN for
    alpha < 0, alpha > 1e30, NaN and infinite arguments. */
@@ -2311,8 +2325,8 @@ VM_API vm_real vmi_ateb_from_ca_0(vm_real alpha, vm_real x, vm_real w)
     return n / 2 * x * sum;
 }
 
-/* The phase of ateb_phase by power series, for sa and ca with sa^2 + |ca|^(alpha+1) = 1 and a valid alpha. `quarter` is
-   the quarter period, Pi_alpha/2. */
+/* Returns the phase that ateb_phase returns, computed by power series, for sa and ca with sa^2 + |ca|^(alpha+1) = 1 and
+   a valid alpha. `quarter` is the quarter period, Pi_alpha/2. */
 VM_API vm_real vmi_ateb_phase_by_series(vm_two quarter, vm_real alpha, vm_real sa, vm_real ca)
 {
     const vm_real y = sa * sa, x = VM_FABS(ca);
@@ -2432,10 +2446,10 @@ VM_API void vmi_remove_highest(vm_real *c, int n, int lowest)
 #endif
 /* ateb/plans.h - sa and ca for many arguments and one alpha
 
-   A plan holds what depends on alpha alone: Pi_alpha/2 and polynomials for two parts of a quarter of the period. A
-   call with a plan is faster, most of all for arrays, where the compiler vectorises the loop (docs/cost.md has the
-   times). A plan of less accuracy is shorter and quicker. A plan is plain data: it may be copied, and it may be a
-   constant in flash.
+   A plan contains all numbers that depend only on alpha: Pi_alpha/2 and polynomials for two parts of a quarter of the
+   period. A call with a plan is faster, most of all for arrays, where the compiler vectorises the loop (docs/cost.md
+   has the times). A plan of less accuracy is shorter and quicker. A plan is plain data: it may be copied, and it may be
+   a constant in flash.
 
        ateb_plan p;
        vm_real sa, ca;
@@ -2460,9 +2474,9 @@ VM_API void vmi_remove_highest(vm_real *c, int n, int lowest)
 #define ATEB_PLAN_LENGTH 8
 #endif
 
-/* The polynomials of one part of a quarter: odd holds A, for the function that has its zero in this part; even holds C,
-   for the other function. The comment at the top defines A and C. The constant terms come first; coefficients that are
-   not used are 0. */
+/* The polynomials of one part of a quarter. `odd` contains A, for the function that has its zero in this part. `even`
+   contains C, for the other function. The comment at the top of this file defines A and C. The constant terms come
+   first; coefficients that are not used are 0. */
 typedef struct VM_TAG(vmi_ateb_part) {
     vm_real odd[ATEB_PLAN_LENGTH], even[ATEB_PLAN_LENGTH];
 } vmi_ateb_part;
@@ -2471,7 +2485,7 @@ typedef struct VM_TAG(vmi_ateb_part) {
 typedef struct VM_TAG(ateb_plan) {
     vm_two quarter;           /* Pi_alpha/2 */
 #if VM_MANT_DIG > 24
-    vm_real quarter_low; /* Pi_alpha/2 minus its two words in `quarter`; float plans are kept short */
+    vm_real quarter_low; /* Pi_alpha/2 minus its two words in `quarter`; not in float, where plans are short */
 #endif
     vm_real quarter_parts[3]; /* three numbers with the sum `quarter`; the first two have at most half of the digits */
     vm_real per_quarter;      /* 2/Pi_alpha */
@@ -2565,7 +2579,7 @@ VM_INLINE int vmi_ateb_plan_is_close(vm_real rest, vm_real s)
 }
 
 /* Returns x minus the nearest multiple of Pi_alpha/2, for an x > 0 that is close to a multiple (see
-   vmi_ateb_plan_is_close). `rest` is the same number by two words. */
+   vmi_ateb_plan_is_close). `rest` is the same difference, computed with two words of Pi_alpha/2. */
 VM_API vm_real vmi_ateb_plan_reduce_finely(const ateb_plan *p, vm_real x, vm_real rest)
 {
 #if VM_MANT_DIG > 24
@@ -2576,7 +2590,7 @@ VM_API vm_real vmi_ateb_plan_reduce_finely(const ateb_plan *p, vm_real x, vm_rea
     (void)p;
     (void)x;
 #endif
-    return rest; /* where count eps >= 1, the digits of x do not give the phase */
+    return rest; /* where count eps >= 1, the digits of x do not determine the phase */
 }
 
 /* sa and ca of the argument s for the plan's alpha. s may be any number. For alpha up to 1e6 and |s| <= 100 Pi_alpha,
@@ -2847,7 +2861,7 @@ VM_API int vmi_ateb_economise(vm_real *c, vm_real limit, vm_real unit, vm_real t
     const int highest = VMI_ATEB_TERMS - 2;
     vm_real power = 1, height = vmi_ldexp(1, 1 - 2 * highest);
     int i, k;
-    for (i = 0; i <= highest; i++) { /* now c holds limit times the series, in powers of x/limit */
+    for (i = 0; i <= highest; i++) { /* now c is limit times the series, in powers of x/limit */
         power *= limit;
         c[i] = c[i + 1] * power;
     }
@@ -2908,9 +2922,10 @@ VM_API void vmi_ateb_plan_period(ateb_plan *p, const vmi_ateb *c)
    -1 for alpha < 0 and if a number is NaN or infinite; then the plan stays as it was. */
 VM_API int ateb_plan_init_to(ateb_plan *p, vm_real alpha, vm_real accuracy)
 {
-    /* Beyond the change-over sa is computed from X = (2 q d)^(alpha+1), whose rounding errors enter with the factor
-       X/(2 sa). This factor is 0.33 for a change-over at r = 0.92; for one at r = 0.73 it would be 0.5, and the error
-       2.3 ulp. For a change-over beyond 0.92 the polynomials would have too few terms. */
+    /* For r beyond the change-over, sa is computed from X = (2 q d)^(alpha+1). The relative rounding error of X, times
+       X/(2 sa), is the error that it causes in sa. The factor X/(2 sa) is 0.33 for a change-over at r = 0.92; for one
+       at r = 0.73 it would be 0.5, and the error 2.3 ulp. For a change-over beyond 0.92 the polynomials would have too
+       few terms. */
     const vm_real share = VM_C(0.5), farthest = VM_MANT_DIG > 24 ? VM_C(0.92) : VM_C(0.95);
     vm_real tolerance = VM_EPSILON / 16, unit = 1;
     int length, length_beyond;
@@ -2948,7 +2963,7 @@ VM_API int ateb_plan_init(ateb_plan *p, vm_real alpha) { return ateb_plan_init_t
        vm_real p = ateb_beta_inc(VM_C(0.3), VM_C(0.5), 2); // I_0.3(0.5, 2)
 
    In this file p = I_x(a, b), q = 1 - p and y = 1 - x. The functions with the suffix _both also take and return y and
-   q, which keep their digits where x or p is close to 1.
+   q. Where x or p is close to 1, y and q have all their digits, while computed differences 1 - x and 1 - p would not.
 
    Method: the functions are computed from logarithms in two words. Let i be 0 for a >= 6 and 6 for a < 6, so that
    A = a + i is at least 6. In the same way j, which is 0 or 6, makes B = b + j, and k makes S = a + b + k at least 6.
@@ -2956,10 +2971,10 @@ VM_API int ateb_plan_init(ateb_plan *p, vm_real alpha) { return ateb_plan_init_t
      ln(x^a y^b/B(a, b)) = a ln x + b ln y + (a + k - j) ln S/A + (b + k - i) ln S/B
                            + (k - i - j + 1/2) ln(A B/S) + (i + j - k) - ln(2 pi)/2
                            + delta(S) - delta(A) - delta(B) + ln((a)_i (b)_j/(a+b)_k)
-   where delta is the remainder of Stirling's formula (vmi_beta_stirling) and (a)_i = a (a + 1) ... (a + i - 1). If this
-   sum is not large, no large terms cancel in it. The products (a)_i, (b)_j and (a+b)_k neither overflow nor underflow,
-   since they have at most 6 factors. vmi_beta_density computes x^a y^b/B(a, b) itself, in less time and with an error
-   of a few ulp.
+   where delta is the remainder of Stirling's formula (vmi_beta_stirling) and (a)_i = a (a + 1) ... (a + i - 1). Where
+   this sum is not large, no large terms cancel each other in it. The products (a)_i, (b)_j and (a+b)_k neither overflow
+   nor underflow, since they have at most 6 factors. vmi_beta_density computes x^a y^b/B(a, b) itself, in less time and
+   with an error of a few ulp.
 
    Source of the continued fraction (vmi_beta_fraction): Didonato and Morris, Algorithm 708, ACM TOMS 18 (1992). Tests:
    tests/test_ateb.c. */
@@ -3081,7 +3096,8 @@ typedef struct VM_TAG(vmi_beta_gamma) {
 } vmi_beta_gamma;
 
 /* Returns the numbers of vmi_beta_gamma for z. `rest` is the remainder of the division 1/Z; only its last product is
-   rounded. The function has no branch for z < 6, which would be mispredicted half the time. */
+   rounded. The function tests z < 6 without a branch, since the processor would mispredict this branch half the
+   time. */
 VM_INLINE vmi_beta_gamma vmi_beta_gamma_of(vm_two z)
 {
     const vm_real e6 = VM_C(403.42879349273512), t = z.hi, shifted = (vm_real)(t < 6);
@@ -3182,9 +3198,9 @@ VM_API vm_real vmi_beta_backward(const vmi_beta_levels *l, int count)
 #define VMI_BETA_FINE VM_EPSILON
 
 /* Returns 1/f_0 = I_x(a, b) B(a, b)/(x^a y^b) for x <= (a + 1)/(a + b + 2), with a relative error of about
-   `tolerance`. The convergents P/Q of the fraction are computed, two at a time, until two of them agree. Rounding
-   errors add up in P and Q; therefore a fraction of more than SAFE levels is evaluated once more, from its last
-   level. */
+   `tolerance`. The convergents P/Q of the fraction, which are its values after 1, 2, 3, ... levels, are computed two at
+   a time, until two of them agree. Rounding errors add up in P and Q; therefore a fraction of more than SAFE levels is
+   evaluated once more, from its last level. */
 VM_API vm_real vmi_beta_fraction(vm_real x, vm_real y, vm_real a, vm_real b, vm_real tolerance)
 {
     enum { MOST = 20000, SAFE = 20 }; /* MOST stops the loop for a NaN; some 250 levels are enough otherwise */
@@ -3329,14 +3345,14 @@ VM_API int vmi_beta_limit_side(vm_real a, vm_real b)
 }
 
 /* The regularised incomplete beta function p = I_x(a, b) and q = 1 - p. They are computed from the smaller of x and
-   y = 1 - x, so that this one should have all its digits. For a and b from 1e-3 to 1e4 the errors of p and q are at
-   most 30 ulp each. a and b may also lie between 1e-4 and 1e5, where the function is less accurate and slower. If a or
-   b is 0 or infinite, p is the limit: 1 for x > 0 if all of the distribution moves to x = 0, and 0 for x < 1 if it
-   moves to x = 1. The results are NaN for other a or b, if there is no limit, if x or y is negative, and if x + y is
-   not 1. docs/cost.md has the time. DLMF 8.17, equation (273). */
+   y = 1 - x: give this number with all its digits. For a and b from 1e-3 to 1e4 the errors of p and q are at most 30
+   ulp each. a and b may also lie between 1e-4 and 1e5, where the function is less accurate and slower. If a or b is 0
+   or infinite, p is the limit: 1 for x > 0 if all of the distribution moves to x = 0, and 0 for x < 1 if it moves to
+   x = 1. The results are NaN for other a or b, if there is no limit, if x or y is negative, and if x + y is not 1.
+   docs/cost.md has the time. DLMF 8.17, equation (273). */
 VM_API void ateb_beta_inc_both(vm_real x, vm_real y, vm_real a, vm_real b, vm_real *p, vm_real *q)
 {
-    const vm_real longest = VM_C(0.6); /* 1 minus a longer tail would lose digits; then logarithms are used */
+    const vm_real longest = VM_C(0.6); /* 1 minus a larger tail would lose digits; then logarithms are used */
     const vm_real least = VM_MIN / (VM_EPSILON * VM_EPSILON); /* products with smaller numbers may underflow */
     vm_two x2 = vmi_two(x, 0), y2 = vmi_two(y, 0);
     vm_real tail, density;
@@ -3463,9 +3479,9 @@ VM_API vm_real vmi_beta_step(vm_real rest, vm_real slope, vm_real bend)
 }
 
 /* Returns a value of t = ln(x/y) from which the solution of I_x(a, b) = p is sought, for p <= 1/2. It is the t where
-   the asymptote of ln I_x for t to -infinity equals ln p, which lies left of the solution. For a, b > 1 it is the
-   approximation by a normal distribution, where that is larger: Abramowitz and Stegun 26.5.22, with the quantile by
-   26.2.23. */
+   the asymptote of ln I_x for t to -infinity equals ln p, which lies left of the solution. For a, b > 1 the
+   approximation by a normal distribution is returned instead, if it is larger (Abramowitz and Stegun 26.5.22, with the
+   quantile by 26.2.23). */
 VM_API vm_real vmi_beta_start(vm_real ln_p, vm_real a, vm_real b, vm_real ln_B)
 {
     const vm_real ln_a = vmi_ateb_ln(a), asymptote = (ln_p + ln_a + ln_B) / a;
@@ -3483,10 +3499,10 @@ VM_API vm_real vmi_beta_start(vm_real ln_p, vm_real a, vm_real b, vm_real ln_B)
     return vmi_larger(asymptote, ln_a - vmi_ateb_ln(b) - 2 * w);
 }
 
-/* Returns the point where I_x(a, b) = p, from ln p, for p <= 1/2. ln I_x is a concave function of t = ln(x/y). From
-   vmi_beta_start on, steps of third order by vmi_beta_step follow, first with rough values of ln I_x; from the step on
-   that is short, with logarithms in two words. The error after a step is about its third power. The last step changes
-   x, y, ln x and ln y directly instead of t. */
+/* Returns the point where I_x(a, b) = p, from ln p, for p <= 1/2. ln I_x is a concave function of t = ln(x/y). The
+   method starts at vmi_beta_start and makes steps of third order by vmi_beta_step: the error after a step is about the
+   third power of the step. The first steps use rough values of ln I_x. After the first short step, logarithms in two
+   words are used. The last step changes x, y, ln x and ln y directly instead of t. */
 VM_API vmi_beta_point vmi_beta_invert(vm_two ln_p, vm_real a, vm_real b)
 {
     const vm_real enough = VM_MANT_DIG > 24 ? VM_C(2e-3) : VM_C(2e-2);    /* a shorter step ends the rough steps */
@@ -3532,9 +3548,9 @@ VM_API vmi_beta_point vmi_beta_invert_both(vm_real p, vm_real q, vm_real a, vm_r
 }
 
 /* The inverse of ateb_beta_inc_both: x with I_x(a, b) = p, and y = 1 - x and ln x. They are computed from the smaller
-   of p and q = 1 - p, so that this one should have all its digits. ln x is also right where x underflows. For a and b
-   from 1e-3 to 1e4 the errors of x, y and ln x are at most 16 ulp plus the changes that one ulp of the smaller of p and
-   q makes. a and b may also lie between 1e-4 and 1e5, where the function is less accurate and slower. If a or b is 0 or
+   of p and q = 1 - p: give this number with all its digits. ln x is also right where x underflows. For a and b from
+   1e-3 to 1e4 the errors of x, y and ln x are at most 16 ulp plus the changes that one ulp of the smaller of p and q
+   makes. a and b may also lie between 1e-4 and 1e5, where the function is less accurate and slower. If a or b is 0 or
    infinite, x is the limit: 0 for p < 1 if all of the distribution moves to x = 0, and 1 for p > 0 if it moves to
    x = 1. The results are NaN for other a or b, if there is no limit, if p or q is negative, and if p + q is not 1.
    docs/cost.md has the time. */
@@ -3577,9 +3593,9 @@ VM_API vm_real ateb_beta_inc_inv(vm_real p, vm_real a, vm_real b)
 enum { ATEB_SIGN_OF_SA = 1, ATEB_SIGN_OF_CA = 2 };
 
 /* The mean of |sa(n, m, s)|^p |ca(m, n, s)|^q over a period, with or without the signs of sa and ca.
-   The indices n and m of sa and ca lie between 0 and 1e30, the powers p and q are above -1 and at most 1e6. signs is 0,
-   ATEB_SIGN_OF_SA, ATEB_SIGN_OF_CA or their sum: a power with the sign of its base, such as sa^3, is odd, and the mean
-   is 0 then. So the mean of sa^2 ca^3 is ateb_mean_nm(n, m, 2, 3, ATEB_SIGN_OF_CA). The mean without signs is
+   The indices n and m of sa and ca lie between 0 and 1e30. The powers p and q are above -1 and at most 1e6. signs is 0,
+   ATEB_SIGN_OF_SA, ATEB_SIGN_OF_CA or their sum. A power with the sign of its base, such as sa^3, is odd, so that the
+   mean is 0. For example, the mean of sa^2 ca^3 is ateb_mean_nm(n, m, 2, 3, ATEB_SIGN_OF_CA). The mean without signs is
    B((p+1)/(n+1), (q+1)/(m+1))/B(1/(n+1), 1/(m+1)), with an error of at most 2 ulp. Returns NaN for other numbers.
    Equation (316). */
 VM_API vm_real ateb_mean_nm(vm_real n, vm_real m, vm_real p, vm_real q, int signs)
@@ -3601,7 +3617,7 @@ VM_API vm_real ateb_mean_nm(vm_real n, vm_real m, vm_real p, vm_real q, int sign
 
 /* The mean of |sa|^p |ca|^q over a period, for alpha >= 0 and p, q > -1. Averaged equations of oscillators need this
    mean. alpha may be up to 1e30, p and q up to 1e6; for larger numbers the result is NaN. The error is at most 2 ulp.
-   ateb_mean_nm has two indices and signs. Equation (316). */
+   ateb_mean_nm computes means for two indices and with signs. Equation (316). */
 VM_API vm_real ateb_mean(vm_real alpha, vm_real p, vm_real q) { return ateb_mean_nm(1, alpha, p, q, 0); }
 
 #endif
@@ -3626,7 +3642,7 @@ VM_API int vmi_ateb_index_is_in_domain(vm_real n) { return n == 0 || (n >= VM_C(
 VM_API vm_two vmi_ateb_exponent(vm_real n) { return vmi_two_over(vmi_two(1, 0), vmi_two_sum(n, 1)); }
 
 /* Returns B_(1/2)(a, b) 2^(a+b) = 2F1(1, a+b; a+1; 1/2)/a for b <= 1 (DLMF 8.17.8). B_(1/2) is the incomplete beta
-   function at x = 1/2, and 2F1 is a power series. Each of its terms is at most half of the one before it, so that 2
+   function at x = 1/2, and 2F1 is a power series. Each of its terms is at most half of the previous term, so that 2
    VM_MANT_DIG terms are enough for two words. */
 VM_API vm_two vmi_ateb_half_beta(vm_two a, vm_two b)
 {
@@ -3642,8 +3658,9 @@ VM_API vm_two vmi_ateb_half_beta(vm_two a, vm_two b)
 }
 
 /* Returns Pi(n, m) = B(a, b) for a = 1/(n + 1) and b = 1/(m + 1), with a relative error of 2^-102 (float 2^-44); the
-   logarithms of ateb/beta.h would give 2^-64. Pi(n, m) is B_(1/2)(a, b) + B_(1/2)(b, a). vmi_ateb_half_beta returns
-   each of them times 2^(a+b); therefore the sum is divided by 2^(a+b) = e^y, which comes from its power series. */
+   logarithms of ateb/beta.h would give only 2^-64. Pi(n, m) is B_(1/2)(a, b) + B_(1/2)(b, a). vmi_ateb_half_beta
+   returns each of them times 2^(a+b); therefore the sum is divided by 2^(a+b) = e^y, which comes from its power
+   series. */
 VM_API vm_two vmi_ateb_pi_nm(vm_real n, vm_real m)
 {
     enum { TERMS = VM_MANT_DIG > 24 ? 32 : 18 };
@@ -3670,7 +3687,8 @@ VM_API vm_real ateb_pi_nm(vm_real n, vm_real m)
     return vmi_ateb_pi_nm(n, m).hi;
 }
 
-/* Returns x^a for the x with I_x(a, b) = p, where q = 1 - p. Logarithms are used, since x itself may underflow. */
+/* Returns x^a for the x with I_x(a, b) = p, where q = 1 - p. The function uses logarithms, since x itself may
+   underflow. */
 VM_API vm_real vmi_ateb_nm_first(vm_real p, vm_real q, vm_real a, vm_real b)
 {
     vm_two power;

@@ -21,77 +21,83 @@
 
    METHODS, and when to take which method
      rk4    the classical method of order 4 with fixed steps, for control loops, where every step must take the same
-            time. rk4_solve_compensated keeps the roundings of millions of steps from adding up.
-     rk45   Tsitouras' pair of orders 5 and 4 [1] chooses its steps to keep a tolerance: six evaluations of f in a step,
-            and none for the solution between steps. Begin with this method. It is also the best one in float,
-            for an f that is not smooth, for loose tolerances, for many events and for output at many times.
-     rk87   Verner's pair of orders 8 and 7 [4]: 13 evaluations of f in a step, and seven more if the solution inside
-            the step is asked for. It is the fastest for a smooth f in double. Its rounding errors are larger than those
-            of rk45: rtol is at least 256 eps, which is too coarse for most uses in float.
-     None of these methods is meant for stiff equations, which need an implicit method; rk45 and rk87 report an equation
-     that looks stiff (ODE_STIFF). docs/cost.md has the time that each method takes for an error.
+            time. In rk4_solve_compensated the rounding errors of millions of steps do not add up.
+     rk45   Tsitouras' pair of orders 5 and 4 [1] chooses the size of its steps so that the error stays within a
+            tolerance. A step takes six evaluations of f; the solution inside a step takes none. Begin with this method.
+            It is also the best one in float, for an f that is not smooth, for loose tolerances, for many events and for
+            output at many times.
+     rk87   Verner's pair of orders 8 and 7 [4]. A step takes 13 evaluations of f, and seven more if the caller asks for
+            the solution inside the step. It is the fastest for a smooth f in double. Its rounding errors are larger
+            than those of rk45: rtol is at least 256 eps (eps is 2.2e-16, in float 1.2e-7), which is too coarse for most
+            uses in float.
+     None of these methods is meant for stiff equations, in which stability and not accuracy limits the step size; these
+     need an implicit method. rk45 and rk87 report an equation that looks stiff (ODE_STIFF). docs/cost.md has the time
+     that each method needs for a given error.
 
    CONVENTIONS
      The right-hand side f gets t, the n numbers y, room for the n derivatives, and the caller's pointer ctx. It returns
      0, or any other number to stop the run. t may run backward. All times and steps have the unit of t.
      The caller owns the memory: work has RK4_WORK(n), RK45_WORK(n) or RK87_WORK(n) numbers and must live as long as the
-     rk45 does. An rk45, its work and its events hold the whole state of a run. An rk87 is an rk45 that rk87_init made;
-     the functions of rk45 refuse it, and those of rk87 refuse an rk45 that rk45_init made.
+     rk45 does. An rk45, its work and its events contain the whole state of a run. An rk87 is an rk45 that rk87_init
+     made; the functions of rk45 refuse it, and those of rk87 refuse an rk45 that rk45_init made.
 
    STEP SIZE CONTROL
      A step gives two results, one by each order of the pair. Their difference is the estimate of the error; the run
      goes on with the result of the higher order. A step is accepted when |error_i| <= atol + rtol max(|y_i|, |y_i after
-     the step|) for every component i. The size of the next step is chosen by PI control [2]. It stays the same after
-     an error of 0.25 to 0.75 of the tolerance (rk87: 0.1 to 0.75).
+     the step|) for every component i. The size of the next step is chosen by PI control [2], from the errors of the
+     last two steps. It stays the same after an error of 0.25 to 0.75 of the tolerance (rk87: 0.1 to 0.75).
      The tolerance is for each step; the error at the end of a run is larger, in proportion to the length of the run.
      A zero in rk45_options means the default, and a negative tolerance counts as 0. rk45_defaults() fills in the
      defaults.
      No step is shorter than h_min, or than 2 eps |t|, the resolution of t. If even a step of this smallest size
      misses the tolerance, the run assumes a jump of f: it accepts the step, counts it in s.missed, and goes on after
-     the jump. If another such step misses the tolerance before three steps have kept it, f is singular there, or too
-     stiff for the resolution of t, and the run ends with ODE_STEP_TOO_SMALL. If the two steps follow each other
-     directly, in one call of rk45_solve without events, both are dropped: s.t and s.y are then those before both steps.
+     the jump. If another such step misses the tolerance before three steps have kept it, the run ends with
+     ODE_STEP_TOO_SMALL: f is then singular there, or too stiff for the resolution of t. If the two steps follow each
+     other directly, in one call of rk45_solve without events, both are dropped: s.t and s.y are then those before both
+     steps.
 
    TIME
-     A step ends at a time that the type can hold, and its length is exactly the difference of its two times. So s.t
-     does not drift away from the motion, however far from 0 the run began and however many steps it takes. There are
-     two exceptions: a step so short that this rounding would change its length by more than 1/64, and a step that ends
-     at an event. Then y belongs to a time between two numbers of the type, s.t is the nearer of them, and the run keeps
-     the difference.
+     A step ends at a time that is a number of the type, and its length is exactly the difference of the times at its
+     two ends. So s.t does not drift away from the motion, however far from 0 the run began and however many steps it
+     takes. There are two exceptions: a step so short that rounding the time of its end would change its length by more
+     than 1/64, and a step that ends at an event. Then y belongs to a time between two numbers of the type, s.t is the
+     nearer of them, and the run stores the difference.
 
    EVENTS
      An event happens when g(t, y) reaches zero or changes its sign. The run finds the time of the event on the
      continuous extension, a polynomial that gives the state anywhere inside a step. It then records the event
-     (ODE_RECORD), ends there (ODE_STOP), or restarts there (ODE_RESTART). Every event happens once,
-     also if several lie in one step, at its end or at the same instant, and after rk45_restart.
-     Events whose times rounding cannot tell apart happen together: all are counted, and their `change` functions are
-     called in the order of the list, before the run stops or goes on. After a stop s.y is on the far side of the zero,
-     or on it. If g stays 0 for a while, the event happens when g reaches 0, not when it leaves 0. If g jumps, the event
-     happens at the jump. After an event the sign of g counts again as soon as rounding cannot have caused it, so that a
-     motion that is reversed on contact does not touch twice.
-     A run ends at each event of an ODE_STOP, or when an event has happened `stop_after` times. Its t_end may then be
-     infinite; h_max should bound the steps then, where the solution is so smooth that they would grow without end.
+     (ODE_RECORD), ends there (ODE_STOP), or restarts there (ODE_RESTART). Every event is found exactly once, even if
+     several events lie in one step, at its end or at the same instant, and after rk45_restart too.
+     Events whose times differ by no more than rounding errors happen together: all are counted, and their `change`
+     functions are called in the order of the list, before the run stops or goes on. After a stop, g(s.t, s.y) is 0 or
+     already has its new sign. If g stays 0 for a while, the event happens when g reaches 0, not when it leaves 0. If g
+     jumps, the event happens at the jump. After an event the sign of g is ignored as long as rounding errors alone
+     could cause it. So one contact of a body that bounces off the ground is one event.
+     A run ends at each event whose action is ODE_STOP, or when an event has happened `stop_after` times. The t_end of
+     such a run may be infinite. Set h_max in this case if the solution is so smooth that the steps would grow without
+     end.
      Two zeros, or any even number of them, between two evaluations of g are not found. A larger `checks` or a smaller
      h_max makes evaluations more frequent.
 
    OUTPUT AND SAVED RUNS
      rk45_solve_at and rk87_solve_at fill a table with the states at listed times, without shortening the steps.
-     rk45_save and rk87_save write a run to an array of bytes; rk45_resume and rk87_resume continue it with the same
-     bits.
+     rk45_save and rk87_save write a run to an array of bytes; rk45_resume and rk87_resume continue it. The results have
+     the same bits as those of a run without interruption.
 
    RIGHT-HAND SIDES THAT ARE NOT SMOOTH
      The step size control finds the places where f is not smooth and takes some short steps there. No error estimate is
      right in a step in which f jumps: the error at the end may be thousands of tolerances, so run again with a tighter
-     tolerance and compare. If f has smooth branches, such as those of a sign or of |x|, keep the branch in ctx and
-     change it at an ODE_RESTART event: the run then needs far fewer evaluations, and its error is small again. This
-     helps only if f does not choose its branch itself. docs/toronto.md has errors and evaluations on the Toronto test
-     set, whose class F has jumps.
+     tolerance and compare. If f consists of smooth branches, such as those of a sign or of |x|, store the present
+     branch in ctx and change it at an ODE_RESTART event: the run then needs far fewer evaluations, and its error is
+     small again. For this, f must take the branch from ctx and must not choose it itself. docs/toronto.md has errors
+     and evaluations on the Toronto test set, whose class F has jumps.
 
    STATUS
      0 (ODE_OK) is success; positive numbers are information, negative ones errors; ode_strerror() gives the text. After
      an error s.t and s.y are those of the last accepted step, also if f itself stopped the run (the value that f
-     returned is in s.rhs_status). Where f or the state is not finite, the step is shortened until it is too small, so
-     that a run ends next to the point where f ceases to exist. A call that refuses its arguments changes nothing.
+     returned is in s.rhs_status). Where f or the state is not finite, the run tries shorter and shorter steps until
+     they are too small. So it ends close to the last point at which f is finite. A call with wrong arguments changes
+     nothing.
 
    SPEED
      The compiler inlines f and keeps the state in registers if f is static, n <= 8 is a constant, and one function
@@ -104,21 +110,24 @@
      VM_API               linkage of the functions, default static inline
      VM_INLINE            linkage of the functions that are fast only if they are inlined. If it is defined as VM_API,
                           the code is smaller and the results are the same.
-     VM_SQRT, VM_FABS     the functions of the C library that are used; define these two and VM_FLOOR and
-                          VM_COPYSIGN, or none of the four
-     VM_TABLE, VM_READ    storage of the tables, and how an element of one is read; both or none. Default: static const
-                          and (x); on AVR static const PROGMEM and pgm_read_float(&(x)), so that tables take no RAM
-     VM_ALLOW_FAST_MATH   compile under -ffast-math or a part of it, although the checks for NaN do not work then
-     VM_MIXED_PRECISIONS  link with files in the other precision. Otherwise gcc and MSVC, and clang for Windows, refuse
-                          to link a program of which some files define VM_USE_FLOAT and others do not.
+     VM_SQRT, VM_FABS     the functions of the C library that are used; define either all of VM_SQRT, VM_FABS, VM_FLOOR
+                          and VM_COPYSIGN, or none of them
+     VM_TABLE, VM_READ    storage of the tables, and how an element of one is read; define both or none. Default: static
+                          const and (x); on AVR static const PROGMEM and pgm_read_float(&(x)), so that tables take no
+                          RAM
+     VM_ALLOW_FAST_MATH   lets the headers compile under -ffast-math or a part of it, but the checks for NaN do not work
+                          then
+     VM_MIXED_PRECISIONS  allows a program in which some files define VM_USE_FLOAT and others do not. Without it gcc and
+                          MSVC, and clang for Windows, refuse to link such a program.
    Names that begin with vmi_ or VMI_ are internal.
 
    OPTIONS THAT CHANGE VALUES
      -ffast-math, its parts (-funsafe-math-optimizations, -fassociative-math, -freciprocal-math, -ffinite-math-only,
      -fno-signed-zeros), /fp:fast and -fsingle-precision-constant make results wrong. The headers do not compile where
-     the compiler's macros show such an option. clang's macros show only -ffast-math and -ffinite-math-only, and no
-     macro shows "#pragma float_control", another rounding mode, or that the processor takes subnormal numbers for zero.
-     vm_self_check() returns 0 in these cases, and 1 where all is well; a program may call it once when it starts.
+     the compiler's macros show such an option. But clang's macros show only -ffast-math and -ffinite-math-only, and no
+     macro shows "#pragma float_control", another rounding mode, or that the processor treats subnormal numbers, the
+     smallest of all, as zero. vm_self_check() returns 0 in these cases, and 1 where all is well; a program may call it
+     once when it starts.
 
    REFERENCES
      [1] Ch. Tsitouras, Runge-Kutta pairs of order 5(4) satisfying only the first column simplifying assumption,
@@ -166,9 +175,9 @@
        rk87_solve_at                  Run of rk87 to the last of n_times times, with the state at each of them in a row of n numbers
 
      integrators/saved: runs that are saved as bytes and resumed later
-       rk45_save                      Saves a run of rk45 between two calls as bytes, of which there is room for size >= RK45_SAVED(n, number of events)
+       rk45_save                      Saves a run of rk45 between two calls as bytes
        rk45_resume                    Copies the numbers of a saved run of rk45 into s, which rk45_init has made with the f, n, options and events of the saved run
-       rk87_save                      Saves a run of rk87 as bytes, of which there is room for size >= RK87_SAVED(n, number of events)
+       rk87_save                      Saves a run of rk87 as bytes
        rk87_resume                    Copies the numbers of a saved run of rk87 into s, which rk87_init has made */
 #ifndef VARMASS_INTEGRATORS_H
 #define VARMASS_INTEGRATORS_H
@@ -214,9 +223,9 @@
 #define VM_INLINE VM_API /* the code is slower than with forced inlining, but the results are the same */
 #endif
 
-/* Between VMI_QUIET_BEGIN and VMI_QUIET_END the compiler does not warn of what is meant as it stands, such as casts
-   that C and C++ both accept and comparisons with exact numbers. A project that asks for such warnings gets those of
-   its own files only. */
+/* Between VMI_QUIET_BEGIN and VMI_QUIET_END the compiler does not warn of code that is intended, such as casts that C
+   and C++ both accept and comparisons with exact numbers. A project that turns on such warnings gets only those of its
+   own files. */
 #if defined(__GNUC__) && !defined(__CUDACC__)
 #define VMI_IGNORE(warning) VMI_PRAGMA(GCC diagnostic ignored warning)
 #define VMI_PRAGMA(text) _Pragma(#text)
@@ -279,10 +288,11 @@ typedef double vm_real;
 #endif
 #endif
 
-/* A struct in float and the same struct in double have other sizes. In C the linker does not see where one file passes
-   such a struct to another. So each file marks its precision here, and files of both precisions do not link, unless all
-   of one precision define VM_MIXED_PRECISIONS. gcc marks by an absolute symbol, of which every file of a program must
-   have the same value; with clang this would refuse equal values too under -flto. */
+/* A struct in float and the same struct in double have different sizes. In C the linker does not see where one file
+   passes such a struct to another. So each file marks its precision here, and files of both precisions do not link,
+   unless all files of one precision define VM_MIXED_PRECISIONS. With gcc the mark is an absolute symbol, which must
+   have the same value in every file of a program. With clang there is no such mark, since under -flto it would refuse
+   equal values, too. */
 #if defined(VM_MIXED_PRECISIONS) || defined(__CUDACC__)
 #elif defined(_MSC_VER)
 #ifdef VM_USE_FLOAT
@@ -366,7 +376,8 @@ VMI_QUIET_BEGIN
 /* base/sums.h - sums without rounding error, numbers in two words
 
    A sum of two numbers of type vm_real is rounded. The functions here return the rounded sum (hi) and its rounding
-   error (lo), so that hi + lo is the exact sum. Such a pair, vm_two, holds a number with twice the digits.
+   error (lo), so that hi + lo is the exact sum. Such a pair, a vm_two, is a number in two words: it has twice the
+   digits of a vm_real.
 
        vm_two s = vmi_two_sum(1, VM_C(1e-20)); // s.hi = 1, s.lo = 1e-20
 
@@ -436,7 +447,8 @@ VM_API vm_two vmi_two(vm_real hi, vm_real lo)
 
 /* Returns 1 if sums are computed in the order in which they are written, as arithmetic in two words needs, and if a
    product is rounded when 0 is added to it. `one` must be 1, `eps` VM_EPSILON, and `split` VM_SPLIT, the factor that
-   splits a number into two halves. The caller reads them from volatile variables, so that the compiler cannot guess. */
+   splits a number into two halves. The caller reads them from volatile variables, so that the compiler cannot know
+   their values. */
 VM_API int vmi_keeps_order(vm_real one, vm_real eps, vm_real split)
 {
     const vm_real above = one + eps, third = one / 3;
@@ -740,8 +752,8 @@ VM_INLINE int rk4_solve(ode_rhs f, void *ctx, int n, vm_real *t, vm_real t_end, 
 }
 
 /* Equal steps with compensated summation [3], so that roundings do not add up. The steps are those of rk4_solve, but
-   the state is y + y_low. y_low has n numbers, which the caller sets to zero before the first call. The summation is
-   worth its time when there are millions of steps. */
+   the state is y + y_low. y_low has n numbers, which the caller sets to zero before the first call. The summation takes
+   additional time, which is worth it when there are millions of steps. */
 VM_INLINE int rk4_solve_compensated(ode_rhs f, void *ctx, int n, vm_real *t, vm_real t_end, long steps, vm_real *y,
                                     vm_real *y_low, vm_real *work)
 {
@@ -792,7 +804,7 @@ typedef struct VM_TAG(vmi_event_past) {
 typedef struct VM_TAG(ode_event) {
     ode_event_function g; /* the function whose zeros are the event */
     void *ctx;            /* pointer that g and change receive */
-    int direction; /* changes of the sign of g that count in the run: > 0 from - to +, < 0 from + to -, 0 both */
+    int direction; /* > 0: an event is a change of the sign of g from - to +, < 0: from + to -, 0: both */
     int action;    /* ODE_RECORD, ODE_STOP or ODE_RESTART */
     int checks;    /* number of points inside each step at which g is evaluated, at most 9999; 0: 3 points; < 0: none */
     /* NULL, or the function that an event with ODE_RESTART calls. It may change y, and in ctx the data on which f
@@ -802,7 +814,8 @@ typedef struct VM_TAG(ode_event) {
     vm_real *times;  /* NULL, or an array that receives the times of the first `room` events */
     vm_real *states; /* NULL, or an array that receives the states of the first `room` events, n numbers each */
     /* 0, or a number k > 0: the run ends with ODE_EVENT when this event happens for the kth time, the 2kth time and so
-       on, whatever its action is. An event with ODE_STOP then stops at no other time. Each event ends a step. */
+       on, whatever its action is. For k > 0 an event with ODE_STOP stops the run at these times only. Each time that
+       such an event happens, it ends a step. */
     long stop_after;
     long count;      /* number of events so far */
     vm_real t;       /* time of the last event */
@@ -813,7 +826,7 @@ typedef struct VM_TAG(ode_event) {
     vm_real from;   /* g has been evaluated up to this fraction of the step */
     vm_real slack;  /* after the event, the sign of g is uncertain while |g| <= slack */
     vm_real quiet;  /* time after the event for which the sign of g may still be uncertain */
-    vmi_event_past past; /* the fields at the beginning of the step, for a step that is taken back */
+    vmi_event_past past; /* the fields at the beginning of the step, for a step that is undone */
 } ode_event;
 
 /* Options of a run. A zero in any field means its default; rk45_defaults shows all defaults. */
@@ -854,7 +867,7 @@ VM_API rk45_options vmi_defaults(vm_real least_rtol, const rk45_options *options
 /* The absolute tolerance of component i */
 VM_INLINE vm_real vmi_atol(const rk45_options *o, int i) { return o->atol_each ? o->atol_each[i] : o->atol; }
 
-/* Whether every component has a tolerance, and no tolerance is negative or NaN */
+/* Returns 1 if every component has a tolerance and no tolerance is negative or NaN, else 0. */
 VM_API int vmi_tolerances_are_valid(const rk45_options *o, int n)
 {
     int i;
@@ -865,7 +878,8 @@ VM_API int vmi_tolerances_are_valid(const rk45_options *o, int n)
     return 1;
 }
 
-/* Whether a run of n components can begin with these options, after vmi_defaults has replaced the zeros */
+/* Returns 1 if a run of n components can begin with these options, else 0. vmi_defaults must have replaced the
+   zeros. */
 VM_API int vmi_options_are_valid(const rk45_options *o, int n)
 {
     int i;
@@ -877,11 +891,11 @@ VM_API int vmi_options_are_valid(const rk45_options *o, int n)
     return 1;
 }
 
-/* Whether the event ends the step in which it happens */
+/* Returns 1 if the event ends the step in which it happens, else 0. */
 VM_INLINE int vmi_ends_step(const ode_event *e) { return e->action != ODE_RECORD || e->stop_after > 0; }
 
-/* Whether n >= 0 is a multiple of k > 0. The function subtracts k 2^j for falling j, so that a program for a processor
-   that cannot divide does not link a division only for this. */
+/* Returns 1 if n >= 0 is a multiple of k > 0, else 0. The function subtracts k 2^j for falling j, so that a program for
+   a processor that cannot divide does not link a division only for this. */
 VM_API int vmi_is_multiple(long n, long k)
 {
     long part = k;
@@ -893,14 +907,14 @@ VM_API int vmi_is_multiple(long n, long k)
     return n == 0 || n == k;
 }
 
-/* Whether the event, which has just been counted, ends the run */
+/* Returns 1 if the event, which has just been counted, ends the run, else 0. */
 VM_API int vmi_stops_now(const ode_event *e)
 {
     if (e->stop_after > 0) return vmi_is_multiple(e->count, e->stop_after);
     return e->action == ODE_STOP;
 }
 
-/* Whether any event can end the run */
+/* Returns 1 if any event can end the run, else 0. */
 VM_API int vmi_an_event_stops(const rk45_options *o)
 {
     int i;
@@ -917,15 +931,15 @@ VM_INLINE vm_real vmi_tolerance(const rk45_options *o, int i, vm_real y)
 }
 
 #endif
-/* integrators/pairs.h - what a Runge-Kutta pair is: a descriptor, and what the stages of all pairs share
+/* integrators/pairs.h - the descriptor of a Runge-Kutta pair, and code that the stages of all pairs use
    A pair of orders p and p - 1 makes a step of size h from y at t in stages, each of which evaluates f once:
 
        k_i = f(t + c_i h, y + h (a_i1 k_1 + a_i2 k_2 + ...)),    y_new = y + h (b_1 k_1 + b_2 k_2 + ...),
 
    where c_i, a_ij and b_i are the coefficients of the pair. Another sum of the k_i estimates the error. For each pair
    there is a file with its public functions, its coefficients and its descriptor: rk45.h, rk87.h. The descriptor, a
-   vmi_rk_pair, holds all that an adaptive run needs to know of the pair. To add a pair, write such a file and include
-   it in src/integrators.h.
+   vmi_rk_pair, contains all that an adaptive run needs to know of the pair. To add a pair, write such a file and
+   include it in src/integrators.h.
 
    Tests: tests/gen/order_conditions.py, every order condition; tests/test_adaptive.c, measured orders. */
 #ifndef VARMASS_INTEGRATORS_PAIRS_H
@@ -1002,16 +1016,16 @@ typedef struct VM_TAG(vmi_rk_stepper) {
 #define VMI_LOOP VM_INLINE
 #endif
 
-/* The index of the part of work that holds f at the end of a step */
+/* The index of the part of work that contains f at the end of a step */
 VMI_FOLDED int vmi_last_k(const vmi_rk_pair *pair) { return VMI_K + pair->stages - pair->last_is_first; }
 
 /* The least rtol that a run by this pair accepts */
 VMI_FOLDED vm_real vmi_least_rtol(const vmi_rk_pair *pair) { return (vm_real)pair->rounding * VM_EPSILON; }
 
 /* Macros for the stages of a pair. VMI_H is h times a coefficient. VMI_EVAL evaluates k = f(t, y) and counts it; if f
-   stops the run, it returns from the function that makes the stages. In every sum h is multiplied into the
-   coefficients, and the k that was evaluated last is the last term, so that only one multiplication and one addition
-   lie between one evaluation of f and the next. */
+   stops the run, it returns from the function that makes the stages. In every sum the coefficients are multiplied by h
+   first, and the k that was evaluated last is the last term. So only one multiplication and one addition come between
+   one evaluation of f and the next. */
 #define VMI_H(c) (h * VM_C(c))
 #define VMI_EVAL(t, y, k)                \
     do {                                 \
@@ -1038,8 +1052,8 @@ VM_INLINE void vmi_weigh(const rk45_options *o, int i, vm_real e, vm_real y, vm_
 
 #endif
 /* integrators/runs.h - what an adaptive run is: its state, its work and its beginning
-   An rk45 holds the state of a run by rk45 or by rk87. Its `work`, which the caller provides, holds the arrays of n
-   numbers. The functions that make and use an rk45 are in rk45.h and rk87.h.
+   An rk45 contains the state of a run by rk45 or by rk87. Its `work`, which the caller provides, contains the arrays of
+   n numbers. The functions that make and use an rk45 are in rk45.h and rk87.h.
 
    Tests: tests/test_adaptive.c. */
 #ifndef VARMASS_INTEGRATORS_RUNS_H
@@ -1049,7 +1063,7 @@ VM_INLINE void vmi_weigh(const rk45_options *o, int i, vm_real e, vm_real y, vm_
 typedef struct VM_TAG(rk45) {
     vm_real t;            /* current time */
     vm_real *y;           /* current state, n numbers (in work) */
-    vm_real t_old;        /* rk45_interpolate covers t_old to t, the last accepted step; t_old is t after an error */
+    vm_real t_old;        /* the last accepted step is from t_old to t (rk45_interpolate); t_old is t after an error */
     vm_real h;            /* size of the next step to be tried, with its sign; 0 before the first step */
     long steps;           /* number of accepted steps */
     long rejected;        /* number of rejected steps */
@@ -1137,7 +1151,7 @@ VMI_APART int vmi_init(rk45 *s, const vmi_rk_pair *pair, ode_rhs f, void *ctx, i
     s->h = o.h0;
     s->attempts = o.max_steps;
     vmi_copy(n, y0, s->y);
-    for (i = n; i < (VMI_K + pair->derivatives) * n; i++) work[i] = 0; /* so that a run that is saved is known bytes */
+    for (i = n; i < (VMI_K + pair->derivatives) * n; i++) work[i] = 0; /* then all bytes of a saved run are defined */
     if (options_or_NULL && options_or_NULL->rtol > 0 && options_or_NULL->rtol < o.rtol) return ODE_RTOL_RAISED;
     return ODE_OK;
 }
@@ -1173,7 +1187,7 @@ VM_API int vmi_eval(rk45 *s, vm_real t, const vm_real *y, vm_real *k)
 #ifndef VARMASS_INTEGRATORS_DENSE_H
 #define VARMASS_INTEGRATORS_DENSE_H
 
-/* Makes the continuous extension of the last step ready, if it is not ready yet. Returns a status. */
+/* Computes what the continuous extension of the last step needs, if this has not been done yet. Returns a status. */
 VM_API int vmi_extend(rk45 *s)
 {
     int status = ODE_OK;
@@ -1185,7 +1199,7 @@ VM_API int vmi_extend(rk45 *s)
 /* Computes the state y at the fraction x of the last step, 0 <= x <= 1. The continuous extension must be ready. */
 VM_API void vmi_inside(const rk45 *s, vm_real x, vm_real *y) { s->pair.inside(s, x, y); }
 
-/* Whether the time t is within the last step, its ends included */
+/* Returns 1 if the time t is within the last step or at one of its ends, else 0. */
 VM_API int vmi_is_in_last_step(const rk45 *s, vm_real t)
 {
     return (s->t_old <= t && t <= s->t) || (s->t <= t && t <= s->t_old);
@@ -1312,8 +1326,8 @@ typedef int32_t vmi_signed_bits;
 #include <string.h>
 
 /* x^p with an error of at most 1.6 % where |p| <= 0.2 and the result is from 0.1 to 10. x must be positive, and the
-   result must neither overflow nor underflow. The bits of x, taken as an integer, are a piecewise linear logarithm,
-   `middle` is half its largest error, and the exponential function is (1 + v + v^2/2)^16. */
+   result must neither overflow nor underflow. The bits of x, taken as an integer, give a logarithm of x that is
+   piecewise linear; `middle` is half its largest error. The exponential function is computed as (1 + v + v^2/2)^16. */
 VM_INLINE vm_real vmi_pow_rough(vm_real x, vm_real p)
 {
     const vm_real ln2 = VM_C(0.69314718055994531), middle = VM_C(0.043);
@@ -1388,7 +1402,7 @@ VM_INLINE vm_real vmi_direction(const rk45 *s, vm_real t_end) { return vmi_time_
 /* The factor by which the step size changes after an accepted step, by PI control (Hairer et al. [2, IV.2]). It is the
    smaller of 10 and
      0.9 error^(-4/(5 order)) error_before^(1/(5 order)),
-   where error is the error of this step divided by its tolerance, and error_before that of the step before. */
+   where error is the error of this step divided by its tolerance, and error_before is that of the previous step. */
 VM_INLINE vm_real vmi_factor(int order, vm_real error, vm_real inverse_error_before)
 {
     const vm_real square = error * error, power = VM_C(-0.2) / (vm_real)order;
@@ -1478,9 +1492,9 @@ typedef struct VM_TAG(vmi_trial) {
     int shortest;                /* 1 if no shorter step can be tried */
 } vmi_trial;
 
-/* The size of a step is changed by at most this fraction, 1/64, so that the step ends at a time that the type can hold.
-   A step for which the change would be larger is so short that it ends between two such times. Then t_low is not 0, so
-   that t + t_low remains the time of the state y. */
+/* The size of a step is changed by at most this fraction, 1/64, so that the step ends at a time that is a number of the
+   type. A step for which the change would be larger is so short that it ends between two such times. Then t_low is not
+   0, so that t + t_low remains the time of the state y. */
 #define VMI_LANDING VM_C(0.015625)
 #define VMI_NEARLY VM_C(0.999999) /* a step that covers this fraction of the time to t_end ends at t_end */
 
@@ -1516,7 +1530,7 @@ VMI_FOLDED int vmi_choose_step(const rk45_options *o, vm_real t_end, vmi_progres
    are three such steps, 1, 10 and 100 times as long as the smallest step; next to a singularity of f there are none. */
 enum { VMI_BETWEEN_MISSES = 3 };
 
-/* Takes back the last accepted step, which missed the tolerance */
+/* Undoes the last accepted step, which missed the tolerance */
 VMI_FOLDED void vmi_drop_missed_step(vmi_rk_system sys, vmi_progress *p)
 {
     vmi_copy(sys.n, sys.w + VMI_Y_OLD * sys.m, sys.w + VMI_Y * sys.m);
@@ -1532,7 +1546,7 @@ VMI_FOLDED void vmi_drop_missed_step(vmi_rk_system sys, vmi_progress *p)
 
 /* Rejects a step whose error is above the tolerance or NaN, and chooses the size of the next attempt. Returns ODE_OK if
    a shorter step can be tried. Otherwise returns the status with which the run ends. If the run ends and the last
-   accepted step missed the tolerance, that step is taken back. */
+   accepted step missed the tolerance, that step is undone. */
 VMI_FOLDED int vmi_reject(int order, const vmi_trial *trial, vm_real error, vmi_rk_system sys, vmi_progress *p)
 {
     const int not_a_number = error != error;
@@ -1593,7 +1607,7 @@ VMI_FOLDED int vmi_advance(rk45 *s, vmi_rk_stepper stepper, vmi_rk_system sys, v
     const vmi_rk_pair pair = stepper.pair;
     vm_real *y = sys.w + VMI_Y * sys.m, *z = sys.w + VMI_Z * sys.m, *last_k = sys.w + vmi_last_k(&pair) * sys.m;
     vmi_progress p = vmi_begin_progress(s, t_end);
-    long evals = 0; /* not a field of p, which must stay in registers: make_stages gets its address */
+    long evals = 0; /* make_stages gets its address; a field of p would then not stay in a register */
     int status;
     for (;;) {
         vmi_trial trial;
@@ -1667,8 +1681,8 @@ VMI_FOLDED int vmi_advance_small(rk45 *s, vmi_rk_stepper stepper, vmi_rk_system 
     return status;
 }
 
-/* Takes back the last accepted step, so that the next step is the same again. vmi_advance must have returned after this
-   step: its k_1 is then still in work. */
+/* Undoes the last accepted step, so that the next step is the same step again. vmi_advance must have returned after
+   this step: its k_1 is then still in work. */
 VM_API void vmi_take_back_step(rk45 *s)
 {
     vmi_copy(s->n, vmi_part(s, VMI_Y_OLD), s->y);
@@ -1687,9 +1701,9 @@ VM_API void vmi_take_back_step(rk45 *s)
 /* integrators/events.h - events: where a function g(t, y) of the solution changes its sign
    After each step, g is evaluated at a few points of the continuous extension. If its sign changes between two of these
    points, the time of the change is found as exactly as rounding allows. The first event that stops or restarts the run
-   ends the step at its time. Events whose times rounding cannot tell apart happen together. Users describe events in
-   the options of a run (options.h). The side of an event is the sign of its g, -1 or 1, or 0 while rounding leaves this
-   sign uncertain. The place x of an event in a step is a fraction of the step, from 0 to 1.
+   ends the step at its time. Events whose times differ by no more than rounding errors happen together. Users describe
+   events in the options of a run (options.h). The side of an event is the sign of its g, -1 or 1, or 0 while rounding
+   leaves this sign uncertain. The place x of an event in a step is a fraction of the step, from 0 to 1.
 
        double y0[2] = {20, 0}, work[RK45_WORK(2)]; // 20 m high, at rest
        rk45 s;
@@ -1715,7 +1729,7 @@ VM_API int vmi_sign(vm_real x) { return (x > 0) - (x < 0); }
 #define VMI_NONE VM_C(2.0)
 
 /* After an event, g is evaluated at short distances from it, so that an excursion of g, two changes of sign in a short
-   time, is seen. The first distance is the fraction VMI_FIRST_LOOK of the step; each next one is larger by the factor
+   time, is found. The first distance is the fraction VMI_FIRST_LOOK of the step; each next one is larger by the factor
    VMI_WIDER. For at most the fraction VMI_QUIET of the step the sign of g may count as uncertain (side 0). */
 #if VM_MANT_DIG > 24
 #define VMI_FIRST_LOOK VM_C(1.4901161193847656e-8) /* 2^-26 of a step, the square root of VM_EPSILON */
@@ -1766,13 +1780,14 @@ VM_API vm_real vmi_event_value(const rk45 *s, const ode_event *e, vm_real x)
     return e->g(vmi_time_inside(s, x), z, e->ctx);
 }
 
-/* The relative change of a state that rounding may have caused in the steps of a run so far. This bound serves only to
-   decide whether events coincide. */
+/* A bound of the relative change of a state that the rounding errors of all steps of a run so far may have caused. It
+   serves only to decide whether events happen at the same time. */
 #define VMI_EARLIER_ROUNDING (256 * VM_EPSILON)
 
 /* The value of g at the fraction x of the last step, in a state to which a rounding error is added on purpose. The
    error is the largest that this step, or if `earlier` is not 0 the whole run so far, may have made. `direction`, -1 or
-   1, is its sign. Its size differs between the components, so that their differences change too. */
+   1, is the sign of the error. The size of the error is different for each component, so that the differences of
+   components change, too. */
 VM_API vm_real vmi_event_value_moved(const rk45 *s, const ode_event *e, vm_real x, int earlier,
                                      int direction)
 {
@@ -1810,13 +1825,14 @@ VM_API int vmi_weigh_rounding(const rk45 *s, ode_event *e, vm_real x, int earlie
     return certain;
 }
 
-/* Whether the event may happen, by its field `direction`, when g changes from the sign `side` to another sign */
+/* Returns 1 if the field `direction` of the event lets it happen when g changes from the sign `side` to another sign,
+   else 0. */
 VM_API int vmi_counts_from(const ode_event *e, int side)
 {
     return side && (e->direction == 0 || (e->direction > 0) == (side < 0));
 }
 
-/* Sets *at to a fraction of the last step between a and b at which g leaves the sign that it has at a. ga and gb are
+/* Sets *at to a fraction of the last step between a and b at which g loses the sign that it has at a. ga and gb are
    the values of g at the fractions a and b. The interval is shrunk to the resolution of such fractions, and *at becomes
    its right end. The method is false position in the Illinois form, with bisection in every third step and while g
    stays 0 at the right end. If g is 0 at the initial b, and the time there equals the time at *at, then *at becomes the
@@ -2033,7 +2049,7 @@ VM_API int vmi_cut_step(rk45 *s, vm_real x)
     return s->event < 0 ? (int)ODE_OK : (int)ODE_EVENT;
 }
 
-/* Makes the next step a quarter as long as the last one, which was taken back because f or the state is not finite
+/* Makes the next step a quarter as long as the last one. The last step was undone, because f or the state is not finite
    inside it. Returns ODE_NOT_FINITE if the next step would be shorter than the shortest step allowed, else ODE_OK. */
 VM_API int vmi_shorten_step(rk45 *s)
 {
@@ -2083,8 +2099,8 @@ VM_API void vmi_keep_events(rk45 *s)
     }
 }
 
-/* Takes back the last step, with the events that were counted in it, because a function of the user failed while events
-   were sought. The next call then makes the same step again, and no event is lost. */
+/* Undoes the last step and the counts of its events, because a function of the user failed during the search for
+   events. The next call then makes the same step again, and no event is lost. */
 VM_API void vmi_take_back_events(rk45 *s)
 {
     int i;
@@ -2115,8 +2131,9 @@ VM_API int vmi_find_events(rk45 *s, vm_real *cut)
     return status;
 }
 
-/* Whether the state at the fraction x of the last step is finite. Between two finite states the continuous extension
-   may overflow, if they are close to the largest number of the type. Overwrites the part VMI_Z of work. */
+/* Returns 1 if the state at the fraction x of the last step is finite, else 0. Between two finite states the continuous
+   extension may overflow if these states are close to the largest number of the type. Overwrites the part VMI_Z of
+   work. */
 VM_API int vmi_is_finite_inside(const rk45 *s, vm_real x)
 {
     vm_real *z = vmi_part(s, VMI_Z);
@@ -2126,7 +2143,7 @@ VM_API int vmi_is_finite_inside(const rk45 *s, vm_real x)
 }
 
 /* Handles the events of the last step, up to the first instant at which an event ends the step. Returns a status. After
-   an error the step is taken back. If the state at this instant is not finite, the step is made again with a shorter
+   an error the step is undone. If the state at this instant is not finite, the step is made again with a shorter
    length. */
 VM_API int vmi_events(rk45 *s)
 {
@@ -2198,8 +2215,8 @@ VM_API int vmi_restart(rk45 *s, vm_real t, const vm_real *y)
     return ODE_OK;
 }
 
-/* Prepares a step: evaluates its first derivative k_1 = f(t, y) unless k_1 is known, and makes the step size s->h point
-   to t_end and be at least as long as the shortest step. Returns a status. */
+/* Prepares a step: evaluates its first derivative k_1 = f(t, y) unless k_1 is known. Gives the step size s->h the sign
+   of the direction to t_end, and makes it at least as long as the shortest step. Returns a status. */
 VMI_APART int vmi_prepare(rk45 *s, vm_real t_end)
 {
     const vm_real left = VM_FABS(vmi_time_left(s, t_end)), longest = VMI_SMALLER(left, s->options.h_max);
@@ -2263,7 +2280,7 @@ VMI_APART int vmi_after_step(rk45 *s)
     return vmi_events(s);
 }
 
-/* Whether the time s->t + s->t_low of the state is still before t_end, in the direction of the run */
+/* Returns 1 if the time s->t + s->t_low of the state is still before t_end in the direction of the run, else 0. */
 VM_INLINE int vmi_is_before(const rk45 *s, vm_real t_end) { return s->t != t_end || -s->t_low * s->h > 0; }
 
 /* Makes steps to t_end, or one accepted step if `single` is not 0. f and n are those of s. Returns a status. */
@@ -2312,7 +2329,7 @@ VM_INLINE int vmi_begin_solve(rk45 *s, int method, ode_rhs f, int n, vm_real t_e
     return ODE_OK;
 }
 
-/* The time to which the steps of a run to t_end go: the largest number of the type if t_end is infinite */
+/* The time at which the steps of a run to t_end end: t_end, or the largest number of the type if t_end is infinite */
 VM_INLINE vm_real vmi_last_time(vm_real t_end)
 {
     if (t_end > VM_MAX) return VM_MAX;
@@ -2695,7 +2712,7 @@ VM_API vm_real vmi_rk87_end_difference(int j)
     return VM_READ(weights[j]);
 }
 
-/* How many k_i a step itself computes, and how many the continuous extension adds */
+/* The number of k_i that a step itself computes, and the number that the continuous extension adds */
 #define VMI_RK87_OWN 14
 #define VMI_RK87_EXTRA 7
 
@@ -2734,8 +2751,8 @@ VM_API vm_real vmi_rk87_extra_coefficient(int stage, int j)
 }
 
 /* Evaluates the seven further stages that the continuous extension of order 8 needs. If the derivative at the end of
-   the step is not finite, it is evaluated again first. Returns a status: ODE_NOT_FINITE if one of them leaves the
-   domain of f, which may happen even if no stage of the step itself does. */
+   the step is not finite, it is evaluated again first. Returns a status. It is ODE_NOT_FINITE if one of these stages
+   lies outside the domain of f; this may happen even if no stage of the step itself does. */
 VM_API int vmi_rk87_extend(rk45 *s)
 {
     VM_TABLE vm_real c[7] = {
@@ -2929,14 +2946,15 @@ VM_API int rk87_interpolate(rk87 *s, vm_real t, vm_real *y)
 #ifndef VARMASS_INTEGRATORS_OUTPUT_H
 #define VARMASS_INTEGRATORS_OUTPUT_H
 
-/* Whether a run that is at the time t, and that goes forward (direction 1) or backward (-1), has reached `time` */
+/* Returns 1 if a run at the time t has reached `time`, else 0. The run goes forward (direction 1) or backward (-1). */
 VM_API int vmi_has_reached(vm_real t, vm_real time, int direction)
 {
     if (direction > 0) return t >= time;
     return t <= time;
 }
 
-/* Whether the times begin at t or later in the direction of the run, and none is before an earlier one */
+/* Returns 1 if the times begin at t or later in the direction of the run and follow each other in this direction, else
+   0. */
 VM_API int vmi_times_are_in_order(vm_real t, int n_times, const vm_real *times, int direction)
 {
     int i;
@@ -2984,11 +3002,11 @@ VM_API int vmi_solve_at(rk45 *s, int method, int (*run)(rk45 *s, ode_rhs f, int 
 }
 
 /* Run of rk45 to the last of n_times times, with the state at each of them in a row of n numbers.
-   The times rise from s->t on, or fall from it; equal ones are allowed. rows has n_times n numbers. *n_done_or_NULL
-   becomes the number of rows that are filled: all of them, unless an event or an error ends the run; another call with
-   the times that are left continues it. If an event changes the state at a listed time, the row has the new state. The
-   values are those of rk45_interpolate, and s->y at the last time. Returns a status, as rk45_solve does, and
-   ODE_BAD_ARGUMENT for times that are not finite or in another order. */
+   The times start at s->t or later and rise, or start at s->t or earlier and fall; equal times are allowed. rows has
+   n_times n numbers. *n_done_or_NULL becomes the number of rows that are filled. These are all rows, unless an event or
+   an error ends the run; another call with the remaining times continues the run. If an event changes the state at a
+   listed time, the row has the new state. The values are those of rk45_interpolate, and s->y at the last time. Returns
+   a status, as rk45_solve does, and ODE_BAD_ARGUMENT for times that are not finite or in another order. */
 VM_API int rk45_solve_at(rk45 *s, int n_times, const vm_real *times, vm_real *rows, int *n_done_or_NULL)
 {
     return vmi_solve_at(s, VMI_RK45, vmi_rk45_run, n_times, times, rows, n_done_or_NULL);
@@ -3008,8 +3026,8 @@ VM_API int rk87_solve_at(rk87 *s, int n_times, const vm_real *times, vm_real *ro
    A saved run has all the numbers of an rk45, of its work and of its events, but no pointers. The program that
    resumes it calls rk45_init with the f, n, options and events of the saved run, then rk45_resume. The resumed run
    has the same bits as a run that was not interrupted. A plain copy of an rk45 is not enough: y, work, options.events
-   and options.atol_each are pointers to arrays of the caller, and f, ctx and the fields of the pair point into the
-   program.
+   and options.atol_each are pointers to arrays of the caller, and f, ctx and the fields of the pair point to functions
+   and data of the program.
 
        unsigned char bytes[RK45_SAVED(2, 0)]; // n = 2, no events
        double y0[2] = {1, 0}, work[RK45_WORK(2)], other_work[RK45_WORK(2)];
@@ -3020,9 +3038,9 @@ VM_API int rk87_solve_at(rk87 *s, int n_times, const vm_real *times, vm_real *ro
        rk45_init(&again, spring, NULL, 2, 0.0, y0, NULL, other_work);
        rk45_resume(&again, sizeof bytes, bytes); // continues from the time of s
 
-   Bytes are for the same type vm_real and the same version of this header. They are the same on every machine, so
-   that a run that was saved on one machine can be resumed on another one, with the same bits. Tests:
-   tests/test_saved_runs.c. */
+   A saved run can be resumed only with the same type vm_real and the same version of this header. The bytes are the
+   same on every machine, so that a run that was saved on one machine can be resumed on another one, with the same bits.
+   Tests: tests/test_saved_runs.c. */
 #ifndef VARMASS_INTEGRATORS_SAVED_H
 #define VARMASS_INTEGRATORS_SAVED_H
 
@@ -3030,7 +3048,7 @@ VM_API int rk87_solve_at(rk87 *s, int n_times, const vm_real *times, vm_real *ro
 #include <stdint.h>
 #include <string.h>
 
-/* The numbers at the beginning of a saved run. They tell whether it fits the run that resumes it. */
+/* The numbers at the beginning of a saved run. The run that resumes it must have the same. */
 enum {
     VMI_SAVED_FORMAT,
     VMI_SAVED_REAL,
@@ -3038,7 +3056,7 @@ enum {
     VMI_SAVED_METHOD,
     VMI_SAVED_N,
     VMI_SAVED_EVENTS,
-    VMI_SAVED_HEAD /* how many numbers these are */
+    VMI_SAVED_HEAD /* the number of these numbers */
 };
 
 enum {
@@ -3090,7 +3108,8 @@ VM_API void vmi_saved_real(vmi_saved_place *p, vm_real *x)
     memcpy(x, &own, sizeof own);
 }
 
-/* Writes or reads a number of type long. If a machine's long cannot hold what it reads, it reads the nearest number. */
+/* Writes or reads a number of type long. If the number is outside the range of a machine's long, the nearest long is
+   read. */
 VM_API void vmi_saved_long(vmi_saved_place *p, long *x)
 {
     uint64_t bits = (uint64_t)(int64_t)*x;
@@ -3169,7 +3188,7 @@ VM_API void vmi_saved_head(const rk45 *s, int *head)
     head[VMI_SAVED_EVENTS] = s->options.n_events;
 }
 
-/* Writes or reads these numbers */
+/* Writes or reads the numbers at the beginning of a saved run */
 VM_API void vmi_saved_move_head(vmi_saved_place *p, int *head)
 {
     int i;
@@ -3184,7 +3203,7 @@ VM_API void vmi_saved_move_sum(vmi_saved_place *p, uint32_t *sum)
     *sum = (uint32_t)bits;
 }
 
-/* A checksum of bytes (FNV-1a), which a saved run ends with, so that damaged bytes are refused */
+/* Returns the checksum of bytes (FNV-1a). A saved run ends with its checksum, so that damaged bytes are refused. */
 VM_API uint32_t vmi_saved_checksum(const unsigned char *bytes, long count)
 {
     uint32_t sum = 2166136261u;
@@ -3244,9 +3263,10 @@ VM_API int vmi_resume(rk45 *s, int method, long size, const unsigned char *bytes
     return ODE_OK;
 }
 
-/* Saves a run of rk45 between two calls as bytes, of which there is room for size >= RK45_SAVED(n, number of events).
-   The arrays `times` and `states` of events, ctx and the options are not in the bytes: they are the caller's. The cost
-   is that of a copy. Returns ODE_OK, ODE_BAD_ARGUMENT for a null pointer or a run by rk87, or ODE_WORK_TOO_SMALL. */
+/* Saves a run of rk45 between two calls as bytes. There is room for `size` bytes, at least RK45_SAVED(n, number of
+   events). The arrays `times` and `states` of events, ctx and the options are not in the bytes: they are the caller's.
+   A call takes as long as a copy of the bytes. Returns ODE_OK, ODE_BAD_ARGUMENT for a null pointer or a run by rk87, or
+   ODE_WORK_TOO_SMALL. */
 VM_API int rk45_save(const rk45 *s, long size, unsigned char *bytes) { return vmi_save(s, VMI_RK45, size, bytes); }
 
 /* Copies the numbers of a saved run of rk45 into s, which rk45_init has made with the f, n, options and events of the
@@ -3255,8 +3275,8 @@ VM_API int rk45_save(const rk45 *s, long size, unsigned char *bytes) { return vm
    number of events or type, and for damaged bytes; s is then unchanged. */
 VM_API int rk45_resume(rk45 *s, long size, const unsigned char *bytes) { return vmi_resume(s, VMI_RK45, size, bytes); }
 
-/* Saves a run of rk87 as bytes, of which there is room for size >= RK87_SAVED(n, number of events).
-   All else is as in rk45_save. */
+/* Saves a run of rk87 as bytes. There is room for `size` bytes, at least RK87_SAVED(n, number of events). All else is
+   as in rk45_save. */
 VM_API int rk87_save(const rk87 *s, long size, unsigned char *bytes) { return vmi_save(s, VMI_RK87, size, bytes); }
 
 /* Copies the numbers of a saved run of rk87 into s, which rk87_init has made. All else is as in rk45_resume. */

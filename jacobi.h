@@ -16,8 +16,9 @@
      The variable comes first, then the parameter; results come last. The parameter is m = k^2, not the modulus k:
      jacobi_K(0.25) is K for k = 1/2. SciPy, Mathematica and GSL's elljac take m too; Boost, C++17 and GSL's Kcomp
      take k. Any m <= 1 is allowed, negative ones included. The complementary parameter is m1 = 1 - m, the
-     complementary modulus k' = sqrt(m1). The functions with the suffix _m1 take or return m1, which keeps its digits
-     where m is close to 1. sn and cn have the period 4 K(m), dn has 2 K(m). All arguments are pure numbers.
+     complementary modulus k' = sqrt(m1). The functions with the suffix _m1 take or return m1. Use them where m is close
+     to 1: m1 then has all its digits, while a computed difference 1 - m has only a few. sn and cn have the period 4
+     K(m), dn has 2 K(m). All arguments are pure numbers.
 
    WHAT TO CALL
      jacobi_sncndn        sn, cn and dn for one u and one m; the twelve quotients and the amplitude have functions of
@@ -36,8 +37,8 @@
                           used.
      jacobi_solve_kpK     m from the value of k'K(m); jacobi_solve_K returns m from the value of K(m)
      jacobi_cn_means      mean values of cn^2, cn^4 and cn^6 over a period
-     jacobi_agm_...       sn, cn, dn and K by the arithmetic-geometric mean; for sn, cn and dn its number of steps is an
-                          argument
+     jacobi_agm_...       sn, cn, dn and K by the arithmetic-geometric mean; for sn, cn and dn the number of its steps
+                          is an argument
 
    ERRORS
      These arguments give NaN: m > 1, or m1 < 0 in functions that take m1 = 1 - m (jacobi_sncndn_any and the incomplete
@@ -49,17 +50,20 @@
      means nothing.
 
    METHOD
-     Where u^2 max(1, 1 - m) is small, cs^2(u/4 | m) is computed by its Laurent series, and two duplications [1, 5] lead
-     to u. This needs one square root, but not K.
-     If |u| is above about K/2, a multiple of the quarter period K is first subtracted. The closer u is to a zero, the
-     more words of K are used. K comes from a table, from two steps of the arithmetic-geometric mean and a series, or
-     from this mean in two or three words.
-     Far from 0, for m near 1 or below -20, theta functions of an imaginary phase are used [1], with the nome of 1 - m
-     or 1/(1 - m), which is then at most 0.003.
+     Where u^2 max(1, 1 - m) is small, (cn/sn)^2 at u/4 is computed by its power series (a Laurent series, since it
+     begins with 1/u^2). Then two duplications, which double the argument, lead from u/4 to u [1, 5]. This needs one
+     square root, but not K.
+     If |u| is above about K/2, a multiple of the quarter period K is first subtracted. The closer u is to a zero of sn
+     or cn, the more digits of K are needed. K comes from a table, from two steps of the arithmetic-geometric mean and a
+     series, or from this mean in two or three words. A word is one number of the type; a sum of two or three words has
+     two or three times the digits.
+     Far from 0, for m near 1 or below -20, theta functions of an imaginary argument are used [1]. They are series in
+     powers of the nome of 1 - m or of 1/(1 - m), where the nome of m is exp(-pi K(1 - m)/K(m)). This nome is then at
+     most 0.003, so that few terms are enough.
      The incomplete integrals and the inverses use Carlson's duplication, which brings the arguments of an integral
      closer together, and then a series of order 10. For the incomplete integrals a multiple of pi is first subtracted
-     from the angle. A plan has polynomials in u^2 in place of the
-     series. No digits cancel, not even for m = 1.
+     from the angle. A plan has polynomials in u^2 in place of the Laurent series. No subtraction loses digits, not even
+     for m = 1.
 
    MACROS, to be defined before the include
      VM_USE_FLOAT         float instead of double; the tests run both
@@ -73,39 +77,42 @@
      VM_TABLE, VM_READ    storage of the tables, and how an element of one is read; define both or none. Default:
                           static const and (x); on AVR static const PROGMEM and pgm_read_float(&(x)), so that tables
                           take no RAM
-     VM_ALLOW_FAST_MATH   compile under -ffast-math or a part of it, although none of the bounds below holds then
-     VM_MIXED_PRECISIONS  link with files in the other precision. Otherwise gcc and MSVC, and clang for Windows, refuse
-                          to link a program of which some files define VM_USE_FLOAT and others do not.
+     VM_ALLOW_FAST_MATH   lets the headers compile under -ffast-math or a part of it, but none of the bounds below holds
+                          then
+     VM_MIXED_PRECISIONS  allows a program in which some files define VM_USE_FLOAT and others do not. Without it gcc and
+                          MSVC, and clang for Windows, refuse to link such a program.
    Names that begin with vmi_ or VMI_ are internal.
 
    OPTIONS THAT CHANGE VALUES
      -ffast-math, its parts (-funsafe-math-optimizations, -fassociative-math, -freciprocal-math, -ffinite-math-only,
      -fno-signed-zeros), /fp:fast and -fsingle-precision-constant make results wrong. The headers do not compile where
-     the compiler's macros show such an option. clang's macros show only -ffast-math and -ffinite-math-only, and no
-     macro shows "#pragma float_control", another rounding mode, or that the processor takes subnormal numbers for
-     zero. vm_self_check() returns 0 in these cases, and 1 where all is well; a program may call it once when it starts.
-     On x87 units gcc in its gnu modes (gcc -m32, no -std=c99) computes with excess precision. Then neither the bounds
-     below nor symmetry to the last bit hold. The options -fexcess-precision=standard, or -msse2 -mfpmath=sse, restore
-     them.
+     the compiler's macros show such an option. But clang's macros show only -ffast-math and -ffinite-math-only, and no
+     macro shows "#pragma float_control", another rounding mode, or that the processor treats subnormal numbers, the
+     smallest of all, as zero. vm_self_check() returns 0 in these cases, and 1 where all is well; a program may call it
+     once when it starts. On x87 units gcc in its gnu modes (gcc -m32, no -std=c99) computes with excess precision. Then
+     the bounds below do not hold, and odd and even functions may lose their symmetry in the last bit. The options
+     -fexcess-precision=standard, or -msse2 -mfpmath=sse, prevent this.
 
-   ACCURACY, as bounds that the tests check, with inputs taken as exact; docs/measurements.md has the errors found.
+   ACCURACY: bounds of the error, which the tests check; docs/measurements.md has the errors found.
+     eps, ulp     eps is 2.2e-16 (float 1.2e-7). An ulp is the distance between two neighbouring numbers of the type,
+                  next to the true value. The bounds hold for the inputs as they are, without errors of their own.
      sn, cn, dn   absolute error <= 4 eps max(1, k') for |u| <= 1e9 and |u| <= 2^40 K (float 1e4 and 2^17 K). Relative
                   error <= 9 ulp for |u| <= 100 K, at the zeros and next to them too (in float, except where u is
-                  within a millionth of an ulp of a zero). A plan is as accurate. For |u| >= K/eps the digits of u
-                  say nothing about the phase: then sn = 0 and cn = dn = 1.
+                  within a millionth of an ulp of a zero). A plan is as accurate. For |u| >= K/eps the digits of u do
+                  not determine the phase: then sn = 0 and cn = dn = 1.
      K, E         <= 2 ulp
      k'K          <= 5 ulp
      means        <= 8 ulp
-     quotients    <= 8 ulp, the amplitude too
-     F, E, D, Pi  <= 8 ulp for |phi| <= 1e9 (float 1e4) and n <= 1; for n > 1 as at jacobi_Pi_incomplete
-     inverses of sn, cn and dn, Carlson's integrals   <= 8 ulp, but R_G <= 10 ulp, and R_J as at jacobi_RJ
-     m > 1        as sn, cn, dn for m <= 1, with k u in place of u
-     solvers      m and m1: <= 4 ulp plus the change that one ulp of c makes
+     quotients    <= 8 ulp; the amplitude has the same bound
+     F, E, D, Pi  <= 8 ulp for |phi| <= 1e9 (float 1e4) and n <= 1; jacobi_Pi_incomplete has the bound for n > 1
+     inverses of sn, cn and dn, Carlson's integrals   <= 8 ulp; R_G <= 10 ulp; jacobi_RJ has the bound of R_J
+     m > 1        the bounds of sn, cn, dn hold with k u in place of u (see jacobi_sncndn_any)
+     solvers      <= 4 ulp of m and of m1, plus the change of m or m1 that one ulp of c makes
 
    COST
      docs/cost.md has the times, docs/counts.md the instructions of each function. A jacobi_plan has
-     312 [jacobi_plan_bytes] bytes, in float 116 [jacobi_plan_bytes_float]; the words in brackets name the rows of
-     docs/numbers.md. The largest stack frame is about 1 kB.
+     312 [jacobi_plan_bytes] bytes, in float 116 [jacobi_plan_bytes_float]; the name in brackets is the row of
+     docs/numbers.md from which the number is. The largest stack frame is about 1 kB.
 
    REFERENCES
      [1] DLMF, chapters 19, 20 and 22, dlmf.nist.gov: 19.8 (AGM), 20.2, 20.7, 22.2 (theta functions), 22.20.
@@ -152,9 +159,9 @@
        jacobi_plan_sncndn_array       sn, cn and dn of the n arguments in the array u, for the plan's parameter
 
      jacobi/modulus: the parameter m from the quarter period
-       jacobi_solve_kpK               The parameter m whose k' K(m) is c, for c >= 0
-       jacobi_solve_kpK_m1            The complementary parameter 1 - m of jacobi_solve_kpK, with all its digits
-       jacobi_solve_K_m1              The complementary parameter 1 - m of jacobi_solve_K, with all its digits
+       jacobi_solve_kpK               The parameter m for which k' K(m) = c, the solution of equation (307), for c >= 0
+       jacobi_solve_kpK_m1            Solves k' K(m) = c as jacobi_solve_kpK does, but returns 1 - m with all its digits
+       jacobi_solve_K_m1              Solves K(m) = c as jacobi_solve_K does, but returns 1 - m with all its digits
        jacobi_solve_K                 The parameter m whose quarter period K(m) is c, for c >= 0
 
      jacobi/means: mean values of cn^2, cn^4 and cn^6 over a period
@@ -239,9 +246,9 @@
 #define VM_INLINE VM_API /* the code is slower than with forced inlining, but the results are the same */
 #endif
 
-/* Between VMI_QUIET_BEGIN and VMI_QUIET_END the compiler does not warn of what is meant as it stands, such as casts
-   that C and C++ both accept and comparisons with exact numbers. A project that asks for such warnings gets those of
-   its own files only. */
+/* Between VMI_QUIET_BEGIN and VMI_QUIET_END the compiler does not warn of code that is intended, such as casts that C
+   and C++ both accept and comparisons with exact numbers. A project that turns on such warnings gets only those of its
+   own files. */
 #if defined(__GNUC__) && !defined(__CUDACC__)
 #define VMI_IGNORE(warning) VMI_PRAGMA(GCC diagnostic ignored warning)
 #define VMI_PRAGMA(text) _Pragma(#text)
@@ -304,10 +311,11 @@ typedef double vm_real;
 #endif
 #endif
 
-/* A struct in float and the same struct in double have other sizes. In C the linker does not see where one file passes
-   such a struct to another. So each file marks its precision here, and files of both precisions do not link, unless all
-   of one precision define VM_MIXED_PRECISIONS. gcc marks by an absolute symbol, of which every file of a program must
-   have the same value; with clang this would refuse equal values too under -flto. */
+/* A struct in float and the same struct in double have different sizes. In C the linker does not see where one file
+   passes such a struct to another. So each file marks its precision here, and files of both precisions do not link,
+   unless all files of one precision define VM_MIXED_PRECISIONS. With gcc the mark is an absolute symbol, which must
+   have the same value in every file of a program. With clang there is no such mark, since under -flto it would refuse
+   equal values, too. */
 #if defined(VM_MIXED_PRECISIONS) || defined(__CUDACC__)
 #elif defined(_MSC_VER)
 #ifdef VM_USE_FLOAT
@@ -391,7 +399,8 @@ VMI_QUIET_BEGIN
 /* base/sums.h - sums without rounding error, numbers in two words
 
    A sum of two numbers of type vm_real is rounded. The functions here return the rounded sum (hi) and its rounding
-   error (lo), so that hi + lo is the exact sum. Such a pair, vm_two, holds a number with twice the digits.
+   error (lo), so that hi + lo is the exact sum. Such a pair, a vm_two, is a number in two words: it has twice the
+   digits of a vm_real.
 
        vm_two s = vmi_two_sum(1, VM_C(1e-20)); // s.hi = 1, s.lo = 1e-20
 
@@ -461,7 +470,8 @@ VM_API vm_two vmi_two(vm_real hi, vm_real lo)
 
 /* Returns 1 if sums are computed in the order in which they are written, as arithmetic in two words needs, and if a
    product is rounded when 0 is added to it. `one` must be 1, `eps` VM_EPSILON, and `split` VM_SPLIT, the factor that
-   splits a number into two halves. The caller reads them from volatile variables, so that the compiler cannot guess. */
+   splits a number into two halves. The caller reads them from volatile variables, so that the compiler cannot know
+   their values. */
 VM_API int vmi_keeps_order(vm_real one, vm_real eps, vm_real split)
 {
     const vm_real above = one + eps, third = one / 3;
@@ -602,10 +612,10 @@ typedef int32_t vmi_signed_bits;
 #endif
 /* base/words.h - products, quotients and roots with two and three times the digits
 
-   Where digits cancel, one vm_real is not enough. A number in two words (vm_two, hi + lo) has twice the digits, and a
-   number in three words (vmi_three, hi + mid + lo) has three times the digits. p is the number of binary digits of a
-   vm_real, 53 or 24. Errors of products, quotients and roots are given relative to the result, errors of sums relative
-   to the larger term.
+   Where the difference of nearly equal numbers loses digits (they cancel), one vm_real is not enough. A number in two
+   words (vm_two, hi + lo) has twice the digits, and a number in three words (vmi_three, hi + mid + lo) has three times
+   the digits. p is the number of binary digits of a vm_real, 53 or 24. Errors of products, quotients and roots are
+   given relative to the result, errors of sums relative to the larger term.
 
        vm_two third = vmi_two_over(vmi_two(1, 0), vmi_two(3, 0)); // 1/3 with 2p digits
 
@@ -833,7 +843,8 @@ VM_API vm_two vmi_two_scaled(vm_two x, vm_real factor)
     return vmi_fast_two_sum(p.hi, p.lo + x.lo * factor);
 }
 
-/* The sum a b + c d of two products, within 2 eps of itself, however many digits cancel. No product may underflow. */
+/* The sum a b + c d of two products, with a relative error of at most 2 eps, even where the products nearly cancel each
+   other. No product may underflow. */
 VM_API vm_real vmi_sum_of_products(vm_real a, vm_real b, vm_real c, vm_real d)
 {
     const vm_two ab = vmi_two_product(a, b), cd = vmi_two_product(c, d);
@@ -847,13 +858,13 @@ VM_API vm_real vmi_sum_of_products(vm_real a, vm_real b, vm_real c, vm_real d)
 
    The C library's functions differ from machine to machine in the last bits. The functions of this file give the same
    bits everywhere: they use only basic operations, which every machine rounds in the same way. The logarithm and the
-   exponential are computed in two words, so that a power made from them has all its digits. They branch only where a
-   result is subnormal, so that a compiler can vectorise loops over them.
+   exponential are computed in two words (see base/sums.h), so that a power made from them has all its digits. They
+   branch only where a result is subnormal, so that a compiler can vectorise loops over them.
 
        vm_real y = vmi_exp(VM_C(1.5), 0); // e^1.5
 
-   The tables and polynomials are computed by tests/gen/elementary.py. The bounds of the errors are proved, as
-   docs/proof.md tells. Tests: tests/test_jacobi.c, tests/test_ateb.c. */
+   The tables and polynomials are computed by tests/gen/elementary.py. docs/proof.md proves the bounds of the errors.
+   Tests: tests/test_jacobi.c, tests/test_ateb.c. */
 #ifndef VARMASS_BASE_ELEMENTARY_H
 #define VARMASS_BASE_ELEMENTARY_H
 
@@ -1036,8 +1047,9 @@ VM_API vm_real vmi_exp(vm_real x, vm_real x_lo)
     return vmi_ldexp_two(y.hi, y.lo + p_lo, k);
 }
 
-/* Returns the power x^y for x > 0, within 0.9 ulp if x.lo is 0 or |ln x| > 2^14 eps. For an x closer to 1 the low word
-   of x is not used to its last digit, and the error grows like eps/|ln x|; it is 2.7 ulp at |ln x| = 130 eps. */
+/* Returns the power x^y for x > 0, within 0.9 ulp if x.lo is 0 or |ln x| > 2^14 eps. For an x closer to 1 the last
+   digits of the low word of x are not used. The error then grows in proportion to eps/|ln x|; it is 2.7 ulp at
+   |ln x| = 130 eps. */
 VM_API vm_real vmi_pow_two(vm_two x, vm_two y)
 {
     const vm_real t = x.lo / x.hi;
@@ -1160,7 +1172,7 @@ VM_API vm_real vmi_atan2(vm_real y, vm_real x)
 /* Returns 1 if m1 = 1 - m is negative, infinite or NaN, so that no elliptic function has this parameter, else 0. */
 VM_API int vmi_refused(vm_real m1) { return !(m1 >= 0) || !VM_IS_FINITE(m1); }
 
-/* The number of pairs a_n, b_n that a vmi_ladder can hold. The smallest m1 > 0, 5e-324, needs 13 of them. */
+/* The largest number of pairs a_n, b_n in a vmi_ladder. The smallest m1 > 0, 5e-324, needs 13 of them. */
 #define VMI_LADDER 16
 
 /* The numbers a_n and b_n of all steps of the arithmetic-geometric mean. sn, cn and dn are computed from them,
@@ -1245,10 +1257,10 @@ VM_API vm_two vmi_agm_two_words(vm_real m1, vm_real m1_lo, vm_real u)
 /* jacobi/integrals.h - complete elliptic integrals K and E
 
    K(m) = integral from 0 to pi/2 of dx/sqrt(1 - m sin^2 x), E(m) = integral of sqrt(1 - m sin^2 x) dx
-   between the same limits. The parameter is m = k^2 <= 1, negative ones included. The forms with suffix _m1 take
-   m1 = 1 - m, which keeps its digits where m is close to 1. Between m = -33.5 and m = 0.971 K and E are computed by
-   series after one or two steps of the arithmetic-geometric mean, for other m by sums with the logarithm of
-   k' = sqrt(1 - m).
+   between the same limits. The parameter is m = k^2 <= 1, negative ones included. The forms with suffix _m1 take m1 = 1
+   - m; use them for m close to 1, where the difference 1 - m would lose digits. Between m = -33.5 and m = 0.971 K and E
+   are computed by series after one or two steps of the arithmetic-geometric mean, for other m by sums with the
+   logarithm of k' = sqrt(1 - m).
 
        vm_real K = jacobi_K(VM_C(0.5)); // 1.854...
 
@@ -1415,11 +1427,11 @@ VM_API vm_real vmi_E(vm_real m1, vm_real m1_lo)
 }
 
 /* K(m), the complete elliptic integral of the first kind, from m1 = 1 - m >= 0.
-   Domain and accuracy are those of jacobi_K; m1 keeps its digits where m is close to 1. */
+   Domain and accuracy are those of jacobi_K. Use it for m close to 1, where the difference 1 - m would lose digits. */
 VM_API vm_real jacobi_K_m1(vm_real m1) { return vmi_K(m1, 0); }
 
 /* E(m), the complete elliptic integral of the second kind, from m1 = 1 - m >= 0.
-   Domain and accuracy are those of jacobi_E; m1 keeps its digits where m is close to 1. */
+   Domain and accuracy are those of jacobi_E. Use it for m close to 1, where the difference 1 - m would lose digits. */
 VM_API vm_real jacobi_E_m1(vm_real m1) { return vmi_E(m1, 0); }
 
 /* K(m), the complete elliptic integral of the first kind, for m <= 1: a quarter of the period of sn. The error is at
@@ -1453,10 +1465,11 @@ VM_API vm_real jacobi_kpK(vm_real m)
 #endif
 /* jacobi/period_table.h - the quarter period K from a table of polynomials
 
-   K is needed with more digits than a vm_real has, to reduce a large argument. The arithmetic-geometric mean gives them
-   (jacobi/agm.h), but takes one square root after another. Here K comes from one of 25 polynomials in k' = sqrt(1 - m),
-   for k' from 0.171875 to 1.5. Each octave of k' has eight pieces, and each piece has its own polynomial
-   c_0 + c_1 t + c_2 t^2 + ..., where t is k' minus the middle of the piece. The table takes 3.8 kB (float 1 kB).
+   To reduce a large argument, K is needed with more digits than a vm_real has. The arithmetic-geometric mean gives
+   these digits (jacobi/agm.h), but it is slow, since it takes one square root after another. Here K comes from one of
+   25 polynomials in k' = sqrt(1 - m), for k' from 0.171875 to 1.5. Each octave of k' has eight pieces, and each piece
+   has its own polynomial c_0 + c_1 t + c_2 t^2 + ..., where t is k' minus the middle of the piece. The table takes 3.8
+   kB (float 1 kB).
 
        vmi_period K = vmi_period_by_table(VM_C(0.5), 0, VM_SQRT(VM_C(0.5))); // K(0.5) = K.head + K.middle + K.low
 
@@ -1464,7 +1477,7 @@ VM_API vm_real jacobi_kpK(vm_real m)
 #ifndef VARMASS_JACOBI_PERIOD_TABLE_H
 #define VARMASS_JACOBI_PERIOD_TABLE_H
 
-/* Is 1 if the table holds the quarter period for this k', else 0. */
+/* Is 1 if the table gives the quarter period for this k', else 0. */
 #define VMI_IN_PERIOD_TABLE(kp) ((kp) >= VM_C(0.171875) && (kp) < VM_C(1.5))
 
 /* The number of polynomials and the number of constants of each. Constants 0 and 1 are the two words of c_0, constants
@@ -1714,11 +1727,11 @@ typedef struct VM_TAG(vmi_period) {
 
 /* Returns K for 1 - m = m1 + m1_lo, where kp is k' in one word and VMI_IN_PERIOD_TABLE(kp) is 1. The relative error is
    below 2^-71 (float 2^-36).
-   Method: t is the sum of head, which has at most 14 digits (float 10), and a tail. The products b1, b2, ... of the
-   heads of c_1, c_2, ... and the powers of head are exact, and so are the sums in which K.middle is subtracted. All
-   other terms are so small that one word holds them. The variable t has one word and misses kp_lo, the low word of k'.
-   The tail contains kp_lo; in the terms with t^4 and t^5 (float t^3 and t^4) it counts by their derivatives with
-   respect to t. */
+   Method: t is the sum of head, which has at most 14 digits (float 10), and a tail. b1, b2, ... are the products of the
+   heads of c_1, c_2, ... and the powers of head; they are exact. The sums in which K.middle is subtracted are exact,
+   too. All other terms are so small that one word is enough for them. The variable t has one word and does not contain
+   kp_lo, the low word of k'. The tail contains kp_lo. In the terms with t^4 and t^5 (float t^3 and t^4) the effect of
+   kp_lo is added as kp_lo times their derivatives with respect to t. */
 VM_INLINE vmi_period vmi_period_by_table(vm_real m1, vm_real m1_lo, vm_real kp)
 {
     const vmi_bits bits = vmi_to_bits(kp), half = (vmi_bits)1 << (VMI_STORED_DIG - 4);
@@ -1790,7 +1803,7 @@ VM_INLINE vmi_period vmi_period_by_table(vm_real m1, vm_real m1_lo, vm_real kp)
 #ifndef VARMASS_JACOBI_THETA_H
 #define VARMASS_JACOBI_THETA_H
 
-/* The numbers that the theta functions far from 0 need for one m. vmi_far_prepare computes them. */
+/* What the theta functions far from 0 need for a parameter m. vmi_far_prepare computes these numbers. */
 typedef struct VM_TAG(vmi_theta_form) {
     vm_real kp, kp_lo; /* k' = sqrt(1 - m) in two words */
     vm_real q;         /* the nome of 1 - m, or of 1/(1 - m) in the reciprocal form */
@@ -1805,8 +1818,8 @@ enum { VMI_NEAR_FORM, VMI_HYPERBOLIC, VMI_RECIPROCAL };
 /* The number of terms of a plan's polynomials */
 enum { VMI_TERMS = VM_MANT_DIG > 24 ? 10 : 5 };
 
-/* Neville's theta functions times a common factor. Each elliptic function is a quotient of two of them: sn = s/n and so
-   on. */
+/* Neville's theta functions times a common factor. Each elliptic function is a quotient of two of them, such as
+   sn = s/n. */
 typedef struct VM_TAG(vmi_thetas) {
     vm_real s, c, d, n;
 } vmi_thetas;
@@ -2057,7 +2070,8 @@ VM_API void vmi_pieces(vmi_three K, vm_real *piece)
     piece[4] = K.mid;
 }
 
-/* The distance from a multiple of K, divided by u, below which vmi_reduce_pieces is not enough */
+/* vmi_reduce_pieces is not accurate enough where the distance of u from a multiple of K is below this number times
+   u. */
 #define VMI_PIECES_REACH (VM_MANT_DIG > 24 ? VM_C(5.4e-20) : VM_C(4.7e-10))
 
 /* Returns u minus the nearest multiple j K, as three terms, for 0 <= u < VMI_EXACT_QUARTERS K. The array K comes from
@@ -2149,7 +2163,7 @@ VMI_APART vm_two vmi_reduce_long(vm_real u, vm_real m1, vm_real m1_lo, vmi_bits 
         return vmi_reduce_finely(u, K, rate.hi / half_pi.hi, quarters);
     }
     v = rest.hi / rate.hi;
-    if (VMI_MIDDLE(m1)) return vmi_two(v, 0); /* here |v| < 2, and 1.5 ulp of v are enough outside of the table */
+    if (VMI_MIDDLE(m1)) return vmi_two(v, 0); /* here |v| < 2, and an error of 1.5 ulp of v is small enough */
     error = vmi_two_product(v, rate.hi);
     return vmi_fast_two_sum(v, (((rest.hi - error.hi) - error.lo) + (rest.lo - v * rate.lo)) / rate.hi);
 }
@@ -2225,7 +2239,7 @@ VM_INLINE vmi_thetas vmi_thetas_of(vm_real u, vm_real m1, vm_real m1_lo, vm_real
     vm_real v, v_lo;
     vmi_bits quarters;
     vmi_thetas theta;
-    *bound = m1; /* for |u| <= K/2 dn lies between 1 and sqrt(k'), so also between 1 and m1 */
+    *bound = m1; /* for |u| <= K/2 dn lies between 1 and sqrt(k'), and therefore between 1 and m1 */
     if (m1 >= 0 && reach <= 1) return vmi_theta_near(u, m1);
     *bound = VM_SQRT(m1);
     v = vmi_reduced(VM_FABS(u), m1, m1_lo, *bound, reach, &v_lo, &quarters);
@@ -2257,7 +2271,8 @@ VM_API void jacobi_sncndn(vm_real u, vm_real m, vm_real *sn, vm_real *cn, vm_rea
 }
 
 /* sn, cn and dn for the complementary parameter m1 = 1 - m >= 0.
-   Domain and accuracy are those of jacobi_sncndn; m1 keeps its digits where m is close to 1. */
+   Domain and accuracy are those of jacobi_sncndn. Use it for m close to 1, where the difference 1 - m would lose
+   digits. */
 VM_API void jacobi_sncndn_m1(vm_real u, vm_real m1, vm_real *sn, vm_real *cn, vm_real *dn)
 {
     vmi_sncndn(u, m1 + 0, 0, sn, cn, dn); /* m1 + 0 turns -0 into 0 */
@@ -2416,9 +2431,10 @@ VM_API void vmi_remove_highest(vm_real *c, int n, int lowest)
 #endif
 /* jacobi/plans.h - sn, cn and dn for many arguments and one parameter
 
-   A plan holds what depends on m alone: the quarter period as a sum of short numbers, and polynomials that replace the
-   series of jacobi_sncndn. A call with a plan is faster, most of all for arrays, where the compiler vectorises the loop
-   (docs/cost.md has the times). A plan is plain data: it may be copied, and it may be a constant in flash.
+   A plan contains all numbers that depend only on m: the quarter period as a sum of short numbers, and polynomials that
+   replace the series of jacobi_sncndn. A call with a plan is faster, most of all for arrays, where the compiler
+   vectorises the loop (docs/cost.md has the times). A plan is plain data: it may be copied, and it may be a constant in
+   flash.
 
        jacobi_plan p;
        vm_real sn, cn, dn;
@@ -2430,7 +2446,8 @@ VM_API void vmi_remove_highest(vm_real *c, int n, int lowest)
 
 #include <string.h>
 
-/* One parameter m, prepared by jacobi_plan_init. `form` is the method for this m; fields that it does not use are 0. */
+/* One parameter m, prepared by jacobi_plan_init. `form` is the method for this m; fields that the method does not use
+   are 0. */
 typedef struct VM_TAG(jacobi_plan) {
     int form;            /* method: VMI_NEAR_FORM uses a and b; VMI_HYPERBOLIC and VMI_RECIPROCAL use theta */
     vm_real m1;          /* complementary parameter 1 - m */
@@ -2465,8 +2482,8 @@ VM_API void vmi_shorten(vm_real *c)
 }
 
 /* Computes p->a and p->b, the coefficients of two power series in v^2: p->a of w^2 cs^2(w) and p->b of -w^4
-   d(cs^2)/d(w^2), where cs = cn/sn and w = v/2, for arguments |v| <= longest. The constant coefficients are 1 and are
-   not stored. */
+   d(cs^2)/d(w^2), where cs = cn/sn and w = v/2, for |v| <= longest. Their constant coefficients are 1 and are not
+   stored. */
 VM_API void vmi_plan_prepare(jacobi_plan *p, vm_real longest)
 {
     const vm_real theta = longest * longest / 4;
@@ -2522,11 +2539,13 @@ VM_API int jacobi_plan_init(jacobi_plan *p, vm_real m)
 }
 
 /* Prepares a plan for the complementary parameter m1 = 1 - m >= 0.
-   Domain and result are those of jacobi_plan_init; m1 keeps its digits where m is close to 1. */
+   Domain and result are those of jacobi_plan_init. Use it for m close to 1, where the difference 1 - m would lose
+   digits. */
 VM_API int jacobi_plan_init_m1(jacobi_plan *p, vm_real m1) { return vmi_plan_init(p, m1 + 0, 0); } /* 0 for -0 */
 
-/* The theta functions near 0, from the plan's two polynomials at w = v/2 and one duplication, which leads from w to v
-   (compare vmi_theta_near). theta_s is v times the polynomial p->b, since d(sc^2)/dw = 2 sc nc dc. */
+/* The theta functions near 0. They are computed from the plan's two polynomials at w = v/2 and by one duplication,
+   which leads from w to v (compare vmi_theta_near). theta_s is v times the polynomial p->b, since d(sc^2)/dw = 2 sc nc
+   dc. */
 VM_INLINE vmi_thetas vmi_plan_near(const jacobi_plan *p, vm_real v)
 {
     vmi_thetas theta;
@@ -2626,8 +2645,8 @@ VM_INLINE void vmi_plan_loop(const jacobi_plan *p, int form, int n, const vm_rea
         }
 }
 
-/* Computes once more, one by one, the results next to a zero of sn or cn. There sn is about the distance u - jK from
-   the zero, cn about k' times the distance. */
+/* Computes the results next to a zero of sn or cn once more, one by one. There the size of sn is about the distance |u
+   - j K| from the zero, and that of cn about k' times this distance. */
 VM_API void vmi_plan_mend_close(const jacobi_plan *p, int n, const vm_real *u, vm_real *sn, vm_real *cn, vm_real *dn)
 {
     const vm_real kp = p->theta.kp;
@@ -2670,7 +2689,7 @@ VM_API void jacobi_plan_sncndn_array(const jacobi_plan *p, int n, const vm_real 
        vm_real m = jacobi_solve_kpK(VM_C(1.2)); // sqrt(1 - m) K(m) = 1.2
 
    Method: for c between K(-1) and K(1/2) a fixed-point iteration finds the nome of m or of m/(m - 1); for other c
-   Newton's method finds the logarithm of another nome (see vmi_solution). Tests: tests/test_jacobi.c. */
+   Newton's method finds the logarithm of the nome of 1 - m or 1/(1 - m). Tests: tests/test_jacobi.c. */
 #ifndef VARMASS_JACOBI_MODULUS_H
 #define VARMASS_JACOBI_MODULUS_H
 
@@ -2803,8 +2822,9 @@ VM_API vm_real vmi_solution_m(const vmi_solution *s)
     return 1 - vmi_solution_m1(s);
 }
 
-/* The parameter m whose k' K(m) is c, for c >= 0: solves equation (307). m is negative for c > pi/2, and 1 for c = 0.
-   The error is at most 4 ulp plus the change of m that one ulp of c makes. Returns NaN for c < 0 and infinite c. */
+/* The parameter m for which k' K(m) = c, the solution of equation (307), for c >= 0. m is negative for c > pi/2, and 1
+   for c = 0. The error is at most 4 ulp plus the change of m that one ulp of c makes. Returns NaN for c < 0 and
+   infinite c. */
 VM_API vm_real jacobi_solve_kpK(vm_real c)
 {
     vmi_solution s;
@@ -2814,8 +2834,8 @@ VM_API vm_real jacobi_solve_kpK(vm_real c)
     return vmi_solution_m(&s);
 }
 
-/* The complementary parameter 1 - m of jacobi_solve_kpK, with all its digits. The error is at most 4 ulp plus the
-   change of 1 - m that one ulp of c makes. Returns NaN for c < 0 and infinite c. */
+/* Solves k' K(m) = c as jacobi_solve_kpK does, but returns 1 - m with all its digits. The error is at most 4 ulp plus
+   the change of 1 - m that one ulp of c makes. Returns NaN for c < 0 and infinite c. */
 VM_API vm_real jacobi_solve_kpK_m1(vm_real c)
 {
     vmi_solution s;
@@ -2825,8 +2845,8 @@ VM_API vm_real jacobi_solve_kpK_m1(vm_real c)
     return vmi_solution_m1(&s);
 }
 
-/* The complementary parameter 1 - m of jacobi_solve_K, with all its digits. Returns infinity for c = 0, and NaN for
-   c < 0 and infinite c. */
+/* Solves K(m) = c as jacobi_solve_K does, but returns 1 - m with all its digits. Returns infinity for c = 0, and NaN
+   for c < 0 and infinite c. */
 VM_API vm_real jacobi_solve_K_m1(vm_real c)
 {
     vmi_solution s;
@@ -3005,7 +3025,7 @@ VM_API vm_real jacobi_agm_K(vm_real m)
    The attitude of a body that rotates without torque needs, besides sn, cn and dn, the complete integral of the third
    kind Pi(-N | m) and theta functions of a complex argument. Both are computed here in two words, so that the
    attitude stays right after a million turns (mechanics/torque_free.h). All functions of this file are internal. p is
-   the number of digits of vm_real.
+   the number of binary digits of vm_real.
 
    Source: DLMF 19.8, 19.36, 20.7. Tests: tests/test_torque_free.c. */
 #ifndef VARMASS_JACOBI_THIRD_KIND_H
@@ -3106,7 +3126,7 @@ VM_API void vmi_sincos_turns(vm_real x, vm_real *sine, vm_real *cosine)
 
 /* The complex number theta_4(z + i zy), up to a real factor. Its angle is the periodic part of the angle by which a
    torque-free body turns. z is pi u/(2K), and zy is pi y/(2K) with 0 <= y < K', where K' is K(1 - m). The nome is
-   Q = q^2 (doubled lattice), where q is the nome of m. There are two forms of the series.
+   Q = q^2, where q is the nome of m. There are two forms of the series.
    The direct form is used for K <= 2K', so that Q <= exp(-pi):
      1 + sum over n >= 1 of (-1)^n (C_n cos 2nz - i S_n sin 2nz),
      C_n, S_n = e^(-(pi n/K)(2nK' - y)) +- e^(-(pi n/K)(2nK' + y)), with + for C_n and - for S_n.
@@ -3118,7 +3138,7 @@ VM_API void vmi_sincos_turns(vm_real x, vm_real *sine, vm_real *cosine)
    in exp(+-pi |u|/(2K')) in the transformed form. */
 typedef struct VM_TAG(vmi_doubled_theta) {
     vm_real decay; /* in the transformed form exp(-pi |u|/(2K')) = exp(-decay |x|), where x = u/(4K); decay = 0 means
-                      that the fields hold the direct form, the Fourier series in cos 2nz and sin 2nz */
+                      that the fields are for the direct form, the Fourier series in cos 2nz and sin 2nz */
     vm_real shift; /* the angle of the factor e^(-i pi u y/(4KK')) is shift x turns, where x = u/(4K) */
     vm_real Q;     /* Qd = exp(-pi K/(2K')), the nome of the transformed form; 0 in the direct form */
     vm_real re[4], im[4]; /* coefficients of the two polynomials, for the real and the imaginary part */
@@ -3198,7 +3218,8 @@ VM_API void vmi_doubled_at(const vmi_doubled_theta *d, vm_real x, vm_real *re, v
 #endif
 /* jacobi/carlson.h - Carlson's symmetric elliptic integrals R_F, R_C, R_D, R_J and R_G
 
-   Every elliptic integral is a sum of a few of these. In them no digits cancel, and no special cases are needed:
+   Every elliptic integral is a sum of a few of these. They are computed without loss of digits and without special
+   cases:
      R_F(x, y, z)    = 1/2 integral from 0 to infinity of dt/s(t),  s(t) = sqrt((t + x)(t + y)(t + z)),
      R_J(x, y, z, p) = 3/2 integral from 0 to infinity of dt/((t + p) s(t)),
    R_C(x, y) = R_F(x, y, y), R_D(x, y, z) = R_J(x, y, z, z), and R_G, which gives the surface of an ellipsoid.
@@ -3221,8 +3242,8 @@ typedef struct VM_TAG(vmi_carlson) {
     vm_real lambda;  /* a b + b c + c a in the last duplication */
 } vmi_carlson;
 
-/* The power series are used if each argument differs from the mean by at most this share of the mean. The first terms
-   that are left out, those of degree 11 (float 5) in the differences, are then below 1e-17 (float 4e-9). */
+/* The power series are used if each argument differs from the mean by at most this share of the mean. The largest terms
+   that are left out have the degree 11 (float 5) in these differences; they are below 1e-17 (float 4e-9). */
 #define VMI_CARLSON_CLOSE VM_C(0.0262)
 
 /* Returns the state before the first duplication of x, y, z. */
@@ -3245,7 +3266,8 @@ VM_INLINE vm_real vmi_carlson_spread(const vmi_carlson *s)
     return vmi_larger(vmi_larger(VM_FABS(s->X), VM_FABS(s->Y)), VM_FABS(s->X + s->Y));
 }
 
-/* Makes one duplication (DLMF 19.26.18): x becomes (x + lambda)/4, and y and z change likewise. No digits cancel. */
+/* Makes one duplication (DLMF 19.26.18): x becomes (x + lambda)/4, and y and z change in the same way. No digits are
+   lost. */
 VM_INLINE void vmi_carlson_duplicate(vmi_carlson *s)
 {
     s->a = VM_SQRT(s->x);
@@ -3399,8 +3421,9 @@ VM_API vm_real vmi_rc(vm_real x, vm_real y)
 }
 
 /* Returns R_F(x, y, z), and R_J(x, y, z, p) in *rj, for p > 0 and arguments x, y, z >= 0 of which at most one is 0. The
-   arguments should be about 1: d, which contains their power 3/2, must neither overflow nor underflow. Each duplication
-   adds 6/d R_C(1, 1 + e) to R_J (DLMF 19.26.21 and Carlson 1995), where d = (r + a)(r + b)(r + c) and r = sqrt(p).
+   arguments should be about 1, because their power 3/2 is contained in d, which must neither overflow nor underflow.
+   Each duplication adds 6/d R_C(1, 1 + e) to R_J (DLMF 19.26.21 and Carlson 1995), where d = (r + a)(r + b)(r + c) and
+   r = sqrt(p).
    1 + e is computed as 2 r (p + lambda)/d, so that nothing cancels. */
 VM_API vm_real vmi_rf_rj(vm_real x, vm_real y, vm_real z, vm_real p, vm_real *rj)
 {
@@ -3495,8 +3518,9 @@ VM_API vm_real vmi_carlson_limit(int zeros, int infinite)
     return 0;
 }
 
-/* R_F for a largest argument so great that sums would overflow. One duplication is made here, in quarters, which leaves
-   no argument small; then all are divided by 16. */
+/* R_F for a largest argument so great that sums would overflow. The function makes one duplication and divides the new
+   arguments by 16. Each term is divided before it is added, so that no sum overflows. After the duplication no argument
+   is small. */
 VM_API vm_real vmi_rf_huge(vm_real x, vm_real y, vm_real z)
 {
     const vm_real a = VM_SQRT(x) / 2, b = VM_SQRT(y) / 2, c = VM_SQRT(z) / 2;
@@ -3531,7 +3555,7 @@ VM_API vm_real jacobi_RC(vm_real x, vm_real y)
     if (y == 0 || !VM_IS_FINITE(largest)) return vmi_carlson_limit(y == 0, !VM_IS_FINITE(largest));
     by = vmi_carlson_scale_of(largest);
     if (!vmi_carlson_is_lost(by, VM_FABS(y))) return by.root * vmi_rc(by.factor * x, by.factor * y);
-    return jacobi_RF(x, VM_FABS(y), VM_FABS(y)); /* which does not depend on the sign of so little a number */
+    return jacobi_RF(x, VM_FABS(y), VM_FABS(y)); /* R_C does not depend on the sign of a y this small */
 }
 
 /* R_D(x, y, z) = R_J(x, y, z, z), Carlson's integral of the second kind, for x, y, z >= 0. It is symmetric in x and
@@ -3551,8 +3575,8 @@ VM_API vm_real jacobi_RD(vm_real x, vm_real y, vm_real z)
     return by.root * (by.root * (by.root * rd));
 }
 
-/* R_J for p < 0: its Cauchy principal value, from R_J at the positive p that is called `other` (DLMF 19.20.14), for
-   0 <= x, y <= z of which at most one is 0 */
+/* R_J for p < 0, its Cauchy principal value, for 0 <= x, y <= z of which at most one is 0. It is computed from R_J with
+   the positive number `other` in place of p (DLMF 19.20.14). */
 VM_API vm_real vmi_rj_principal(vm_real x, vm_real y, vm_real z, vm_real p)
 {
     const vm_real q = -p, other = (z * ((x + y) + q) - x * y) / (z + q), product = x * y + other * q;
@@ -3591,8 +3615,8 @@ VM_API vm_real jacobi_RJ(vm_real x, vm_real y, vm_real z, vm_real p)
 
 /* R_G(x, y, z), Carlson's symmetric integral of the second kind, for x, y, z >= 0. The error is at most 10 ulp. R_G is
    infinite if an argument is infinite, and NaN if one is negative. E(m) is 2 R_G(0, 1 - m, 1), and an ellipsoid with
-   the half axes a, b, c has the surface 4 pi R_G(a^2 b^2, b^2 c^2, c^2 a^2). DLMF 19.16.3. With the middle one of the
-   arguments as z all terms of DLMF 19.21.10 are positive. */
+   the half axes a, b, c has the surface 4 pi R_G(a^2 b^2, b^2 c^2, c^2 a^2). DLMF 19.16.3. The function uses DLMF
+   19.21.10, whose terms are all positive if z is the middle one of the arguments. */
 VM_API vm_real jacobi_RG(vm_real x, vm_real y, vm_real z)
 {
     const vm_real least = vmi_smaller(vmi_smaller(x, y), z), largest = vmi_larger(vmi_larger(x, y), z);
@@ -3613,18 +3637,18 @@ VM_API vm_real jacobi_RG(vm_real x, vm_real y, vm_real z)
 #endif
 /* jacobi/above_one.h - incomplete elliptic integrals for m > 1
 
-   For m > 1 the root sqrt(1 - m sin^2 x) is real only up to the angle arcsin(1/k), where k = sqrt(m). Up to there the
-   integrals F, E, D and Pi have ordinary values, also at the end, and beyond they are NaN. With them one counts the
-   time of a pendulum from its angle: if it swings to and fro up to the angle A, it takes F(a/2 | m)/(k w0) seconds from
-   its lowest point to the angle a, where k is 1/sin(A/2) and w0 the frequency of its small oscillations.
+   For m > 1 the root sqrt(1 - m sin^2 x) is real only up to the angle arcsin(1/k), where k = sqrt(m). Up to this angle,
+   and at it, the integrals F, E, D and Pi have ordinary values; beyond it they are NaN. They give the time in which a
+   pendulum reaches an angle. A pendulum that swings to and fro up to the angle A needs F(a/2 | m)/(k w0) seconds from
+   its lowest point to the angle a, where k is 1/sin(A/2) and w0 is the frequency of its small oscillations.
 
        vm_real u = jacobi_F(VM_C(0.4), VM_C(2.5)); // sn(u | 2.5) = sin 0.4
 
    Method: the reciprocal transformation leads to the parameter 1/m and the angle whose sine is k sin phi. In Carlson's
-   integrals it means that cos^2 phi and 1 - m sin^2 phi change places. The latter number falls to 0 at the end, where
-   an integral changes as its root. Therefore the sine and the cosine of phi are computed in two words. All functions
-   of this file are internal; jacobi/incomplete.h calls them. Source: DLMF 19.7.4, 19.25. Tests:
-   tests/test_elliptic_integrals.c. */
+   integrals it exchanges the arguments cos^2 phi and 1 - m sin^2 phi. The number 1 - m sin^2 phi falls to 0 at the
+   angle arcsin(1/k), and near this angle the integrals change as the square root of this number. Therefore it needs
+   many digits, and the sine and the cosine of phi are computed in two words. All functions of this file are internal;
+   jacobi/incomplete.h calls them. Source: DLMF 19.7.4, 19.25. Tests: tests/test_elliptic_integrals.c. */
 #ifndef VARMASS_JACOBI_ABOVE_ONE_H
 #define VARMASS_JACOBI_ABOVE_ONE_H
 
@@ -3645,7 +3669,8 @@ VM_API vm_two vmi_two_sine_series(vm_two t)
     return vmi_two_times(t, sum);
 }
 
-/* The sine and the cosine of z in two words for 0 <= z <= pi/4: those of z/8, and three doublings of the angle */
+/* The sine and the cosine of z in two words for 0 <= z <= pi/4. The angle z/8, whose sine is computed by a power
+   series, is doubled three times. */
 VM_API void vmi_two_sin_cos(vm_two z, vm_two *sine, vm_two *cosine)
 {
     const vm_two one = vmi_two(1, 0);
@@ -3669,14 +3694,15 @@ typedef struct VM_TAG(vmi_above) {
     vm_real d;     /* 1 - m sin^2 phi, which is cc - share; below 0 or NaN where the integrals have no real value */
 } vmi_above;
 
-/* Returns the root of |x| times sin phi in two words. The root keeps the product from overflow and underflow. */
+/* Returns sqrt(|x|) sin phi in two words. The root is taken first, so that the product neither overflows nor
+   underflows. */
 VM_API vm_two vmi_root_times_sine(vm_two x, const vmi_above *angle)
 {
     if (x.hi < 0) x = vmi_minus(x);
     return vmi_two_times(vmi_two_root(x), angle->s);
 }
 
-/* Returns c^2 - x^2 as a product, which has a small relative error. */
+/* Returns c^2 - x^2, computed as (c - x) (c + x), which has a small relative error. */
 VM_API vm_real vmi_difference_of_squares(vm_two c, vm_two x)
 {
     return vmi_two_times(vmi_two_minus(c, x), vmi_two_plus(c, x)).hi;
@@ -3699,7 +3725,7 @@ VM_API vmi_above vmi_above_of(vm_real phi, vm_two m1)
     angle.cc = angle.c.hi * angle.c.hi;
     angle.share = root.hi * root.hi;
     angle.d = vmi_difference_of_squares(angle.c, root);
-    if (!(z.hi >= 0) || !VM_IS_FINITE(m1.hi)) angle.d = VM_NAN; /* beyond pi/2 */
+    if (!(z.hi >= 0) || !VM_IS_FINITE(m1.hi)) angle.d = VM_NAN; /* |phi| is above pi/2 */
     return angle;
 }
 
@@ -3711,8 +3737,8 @@ VM_API vm_real vmi_F_above(vm_real phi, vm_two m1)
     return VM_COPYSIGN(angle.s.hi * vmi_rf(angle.cc, angle.d, 1), phi);
 }
 
-/* E(phi | m) for m > 1. With M = 1/m and the angle B whose sine is k s it is (E(B | M) - (1 - M) F(B | M)) k, a
-   difference whose digits would cancel. The formula here is a sum of positive terms (DLMF 19.25.10). */
+/* E(phi | m) for m > 1. With M = 1/m and the angle B whose sine is k s, it equals (E(B | M) - (1 - M) F(B | M)) k, but
+   this difference would lose digits. The formula here is a sum of positive terms (DLMF 19.25.10). */
 VM_API vm_real vmi_E_above(vm_real phi, vm_two m1)
 {
     const vmi_above angle = vmi_above_of(phi, m1);
@@ -3734,8 +3760,9 @@ VM_API vm_real vmi_D_above(vm_real phi, vm_two m1)
     return VM_COPYSIGN(s * (s * s * rd * VM_C(0.3333333333333333333)), phi);
 }
 
-/* Pi(n; phi | m) for m > 1 and n < 0. The characteristic N = (1 - n)/(m - n) of the parameter 1/m replaces n/m (DLMF
-   19.7.9), so that all terms are positive. q is 1 - N k^2 s^2. */
+/* Pi(n; phi | m) for m > 1 and n < 0. The reciprocal transformation leads to the parameter 1/m and the characteristic
+   n/m. The characteristic N = (1 - n)/(m - n) replaces n/m (DLMF 19.7.9), so that all terms are positive. q is 1 - N
+   k^2 s^2. */
 VM_API vm_real vmi_Pi_above_negative(const vmi_above *angle, vm_real n, vm_real m, vm_real m1)
 {
     const vm_real s = angle->s.hi, ratio = n / m, per = 1 / (1 - ratio);
@@ -3780,21 +3807,21 @@ VM_API vm_real vmi_Pi_above(vm_real phi, vm_real n, vm_real m, vm_two m1)
 
        vm_real u = jacobi_F(VM_C(1.2), VM_C(0.5)); // am(u | 0.5) = 1.2
 
-   Method: a multiple of pi is subtracted from phi, so that the rest theta has |theta| <= pi/2; pi has three words here.
-   Each pi adds twice the complete integral. The integral from 0 to theta is a sum of Carlson's integrals whose terms
-   are all positive, so that no digits cancel. Source: DLMF 19.2, 19.7, 19.25. Tests:
+   Method: a multiple of pi is subtracted from phi, so that the rest theta has |theta| <= pi/2; pi is used in three
+   words. Each pi adds twice the complete integral. The integral from 0 to theta is a sum of Carlson's integrals whose
+   terms are all positive, so that no digits are lost. Source: DLMF 19.2, 19.7, 19.25. Tests:
    tests/test_elliptic_integrals.c. */
 #ifndef VARMASS_JACOBI_INCOMPLETE_H
 #define VARMASS_JACOBI_INCOMPLETE_H
 
 /* An angle as the sum of a multiple of pi and a rest theta, |theta| <= pi/2 */
 typedef struct VM_TAG(vmi_angle) {
-    vm_real turns; /* phi = turns pi/2 + theta: an integral to phi contains turns complete ones */
+    vm_real turns; /* phi = turns pi/2 + theta: an integral to phi contains `turns` complete ones */
     vm_real s, c;  /* sin theta and cos theta, each with a small relative error */
 } vmi_angle;
 
-/* Reduces the finite angle phi. Where phi is so large that its digits say nothing about the rest, turns is 2 phi/pi
-   and theta is 0. */
+/* Reduces the finite angle phi. Where phi is so large that its digits do not determine theta, turns is 2 phi/pi and
+   theta is 0. */
 VM_INLINE vmi_angle vmi_angle_of(vm_real phi)
 {
     const vmi_three half_pi = vmi_half_pi();
@@ -3816,7 +3843,7 @@ VM_INLINE vmi_angle vmi_angle_of(vm_real phi)
     vmi_sin_cos(rest, &sine, &cosine);
     angle.s = sine;
     angle.c = cosine;
-    if (j < VM_C(0.25) / VM_EPSILON && j - 2 * VM_FLOOR(j / 2) > 0) { /* theta = rest +- pi/2, towards 0 */
+    if (j < VM_C(0.25) / VM_EPSILON && j - 2 * VM_FLOOR(j / 2) > 0) { /* theta = rest +- pi/2, nearer to 0 */
         const vm_real side = VM_COPYSIGN((vm_real)1, rest.hi);
         angle.turns = j + side;
         angle.s = -side * cosine;
@@ -3858,8 +3885,9 @@ VM_API vm_real vmi_F(vm_real phi, vm_real m1, vm_real m1_lo)
 
 /* F(phi | m), the incomplete elliptic integral of the first kind. It is the inverse of the amplitude. It is odd in phi,
    and for m <= 1 F(phi + pi) = F(phi) + 2K. The error is at most 8 ulp for |phi| <= 1e9 (float 1e4). Returns phi for
-   infinite phi, 0 for m = -infinity, and NaN where both are infinite. For m = 1 it is infinite beyond pi/2. For m > 1
-   it is NaN where m sin^2 phi > 1, beyond pi/2, and for infinite m. docs/cost.md has the time. DLMF 19.2.4, 19.25.5. */
+   infinite phi, 0 for m = -infinity, and NaN where both are infinite. For m = 1 F is infinite for |phi| > pi/2. For
+   m > 1 F is NaN where m sin^2 phi > 1, for |phi| > pi/2, and for infinite m. docs/cost.md has the time. DLMF 19.2.4,
+   19.25.5. */
 VM_API vm_real jacobi_F(vm_real phi, vm_real m)
 {
     const vm_two m1 = vmi_two_sum(1, -m);
@@ -3867,7 +3895,7 @@ VM_API vm_real jacobi_F(vm_real phi, vm_real m)
 }
 
 /* F(phi | m) from the complementary parameter m1 = 1 - m.
-   Domain and accuracy are those of jacobi_F; m1 keeps its digits where m is close to 1. */
+   Domain and accuracy are those of jacobi_F. Use it for m close to 1, where the difference 1 - m would lose digits. */
 VM_API vm_real jacobi_F_m1(vm_real phi, vm_real m1) { return vmi_F(phi, m1, 0); }
 
 /* E(theta | m) for |theta| <= pi/2 and m <= 1, from the sine and the cosine of theta. Both m and m1 = 1 - m are
@@ -3904,8 +3932,8 @@ VM_API vm_real vmi_E_incomplete(vm_real phi, vm_real m, vm_real m1, vm_real m1_l
 
 /* E(phi | m), the incomplete elliptic integral of the second kind. It is odd in phi, and for m <= 1 E(phi + pi) =
    E(phi) + 2E(m). The error is at most 8 ulp for |phi| <= 1e9 (float 1e4). Returns phi for infinite phi, and infinity
-   with the sign of phi for m = -infinity. For m > 1 it is NaN where m sin^2 phi > 1, beyond pi/2, and for infinite m.
-   docs/cost.md has the time. DLMF 19.2.5. */
+   with the sign of phi for m = -infinity. For m > 1 E is NaN where m sin^2 phi > 1, for |phi| > pi/2, and for infinite
+   m. docs/cost.md has the time. DLMF 19.2.5. */
 VM_API vm_real jacobi_E_incomplete(vm_real phi, vm_real m)
 {
     const vm_two m1 = vmi_two_sum(1, -m);
@@ -3913,13 +3941,15 @@ VM_API vm_real jacobi_E_incomplete(vm_real phi, vm_real m)
 }
 
 /* E(phi | m) from the complementary parameter m1 = 1 - m.
-   Domain and accuracy are those of jacobi_E_incomplete; m1 keeps its digits where m is close to 1. */
+   Domain and accuracy are those of jacobi_E_incomplete. Use it for m close to 1, where the difference 1 - m would lose
+   digits. */
 VM_API vm_real jacobi_E_incomplete_m1(vm_real phi, vm_real m1) { return vmi_E_incomplete(phi, 1 - m1, m1, 0); }
 
-/* Carlson's integrals of arguments so small that a product underflows, or so large that a sum overflows, lose digits.
-   Then all arguments are multiplied by the square of this factor, and the integral R_F, and R_D and R_J with a weight
-   that was multiplied likewise, by the factor. It is 1 for ordinary arguments, and above 1 only where m1 < 1. `least`
-   is about the smallest of the arguments. */
+/* Returns a factor that keeps Carlson's integrals from losing digits where a product of small arguments would underflow
+   or a sum of large ones would overflow. All arguments are multiplied by the square of the factor. The weight of R_D
+   and R_J is multiplied by this square, too. The integral is then multiplied by the factor, which gives its value for
+   the original arguments. The factor is 1 for ordinary arguments, and above 1 only where m1 < 1. `least` is about the
+   smallest of the arguments. */
 VM_INLINE vm_real vmi_lift_of(vm_real least, vm_real m1)
 {
     if (m1 < 1 && least < VM_MIN / VM_EPSILON) return vmi_ldexp(1, VM_MANT_DIG > 24 ? 300 : 40);
@@ -3961,7 +3991,7 @@ VM_API vm_real vmi_D(vm_real m1)
 VM_API vm_real jacobi_D(vm_real m) { return vmi_D(1 - m); }
 
 /* D(m) from the complementary parameter m1 = 1 - m >= 0.
-   Domain and accuracy are those of jacobi_D; m1 keeps its digits where m is close to 1. */
+   Domain and accuracy are those of jacobi_D. Use it for m close to 1, where the difference 1 - m would lose digits. */
 VM_API vm_real jacobi_D_m1(vm_real m1) { return vmi_D(m1); }
 
 /* D(phi | m) for 1 - m = m1 + m1_lo. For phi between pi/2 and pi the difference 2 D(m) - D(pi - phi | m) would triple
@@ -3986,11 +4016,12 @@ VM_API vm_real vmi_D_incomplete(vm_real phi, vm_real m1, vm_real m1_lo)
     return VM_COPYSIGN(sum, phi);
 }
 
-/* D(phi | m) = (F(phi | m) - E(phi | m))/m, the incomplete integral of sin^2 x/sqrt(1 - m sin^2 x). No digits cancel,
-   not even for m = 0. It is odd in phi, and for m <= 1 D(phi + pi) = D(phi) + 2D(m). The error is at most 8 ulp for
+/* D(phi | m) = (F(phi | m) - E(phi | m))/m, the incomplete integral of sin^2 x/sqrt(1 - m sin^2 x). No digits are lost,
+   not even for m = 0. D is odd in phi, and for m <= 1 D(phi + pi) = D(phi) + 2D(m). The error is at most 8 ulp for
    |phi| <= 1e9 (float 1e4) and m >= -1e300 (float -1e30), unless phi^3 underflows. Returns phi for infinite phi, 0 for
-   m = -infinity, and NaN where both are infinite. For m = 1 it is infinite beyond pi/2. For m > 1 it is NaN where
-   m sin^2 phi > 1, beyond pi/2, and for infinite m. Its time is that of jacobi_E_incomplete. DLMF 19.2.6, 19.25.13. */
+   m = -infinity, and NaN where both are infinite. For m = 1 D is infinite for |phi| > pi/2. For m > 1 D is NaN where m
+   sin^2 phi > 1, for |phi| > pi/2, and for infinite m. A call takes as long as one of jacobi_E_incomplete. DLMF 19.2.6,
+   19.25.13. */
 VM_API vm_real jacobi_D_incomplete(vm_real phi, vm_real m)
 {
     const vm_two m1 = vmi_two_sum(1, -m);
@@ -3998,10 +4029,11 @@ VM_API vm_real jacobi_D_incomplete(vm_real phi, vm_real m)
 }
 
 /* D(phi | m) from the complementary parameter m1 = 1 - m.
-   Domain and accuracy are those of jacobi_D_incomplete; m1 keeps its digits where m is close to 1. */
+   Domain and accuracy are those of jacobi_D_incomplete. Use it for m close to 1, where the difference 1 - m would lose
+   digits. */
 VM_API vm_real jacobi_D_incomplete_m1(vm_real phi, vm_real m1) { return vmi_D_incomplete(phi, m1, 0); }
 
-/* 1 - m/n for n > 1 and m1 = 1 - m >= 0, computed in quarters so that no sum overflows */
+/* 1 - m/n for n > 1 and m1 = 1 - m >= 0. All terms are divided by 4 first, so that no sum overflows. */
 VM_INLINE vm_real vmi_share_below_pole(vm_real n, vm_real m1)
 {
     return ((n - 1) * VM_C(0.25) + m1 * VM_C(0.25)) / (n * VM_C(0.25));
@@ -4035,8 +4067,9 @@ VM_API vm_real vmi_Pi_part(vm_real s, vm_real c, vm_real n, vm_real m, vm_real m
     return s * (vmi_rc(cc * d, p * q) - third);
 }
 
-/* Pi(n | m) for n < 0 and m1 = 1 - m > 0. Where -n is so large that (1 - m)/(1 - n) may underflow even after the lift,
-   Pi is (pi/2)/sqrt(1 - n) + K/(1 - n): the next term, -E/(1 - n), is far below an ulp there. */
+/* Pi(n | m) for n < 0 and m1 = 1 - m > 0. Where -n is so large that (1 - m)/(1 - n) may underflow even after the
+   multiplication by lift^2, Pi is (pi/2)/sqrt(1 - n) + K/(1 - n). The next term, -E/(1 - n), is far below an ulp
+   there. */
 VM_API vm_real vmi_Pi_negative(vm_real n, vm_real m1)
 {
     const vm_real lift = vmi_lift_of(m1 / (1 - n), m1), more = lift * lift, share = more * m1 / (1 - n);
@@ -4070,19 +4103,19 @@ VM_API vm_real vmi_Pi(vm_real n, vm_real m, vm_real m1)
 }
 
 /* Pi(n | m), the complete elliptic integral of the third kind, for m <= 1. The characteristic n is any number. The
-   error is at most 8 ulp. For n > 1 Pi is Cauchy's principal value. Pi is infinite
-   for n = 1, and for m = 1 with the sign of 1 - n. It is 0 for infinite n, and for m = -infinity with n < 1. It is NaN
-   for m > 1. DLMF 19.2.8, 19.6.5. */
+   error is at most 8 ulp. For n > 1 Pi is Cauchy's principal value. Pi is infinite for n = 1. For m = 1 it is infinite,
+   too, with the sign of 1 - n. It is 0 for infinite n, and for m = -infinity with n < 1. It is NaN for m > 1. DLMF
+   19.2.8, 19.6.5. */
 VM_API vm_real jacobi_Pi(vm_real n, vm_real m) { return vmi_Pi(n, m, 1 - m); }
 
 /* Pi(n | m) from the complementary parameter m1 = 1 - m >= 0.
-   Domain and accuracy are those of jacobi_Pi; m1 keeps its digits where m is close to 1. */
+   Domain and accuracy are those of jacobi_Pi. Use it for m close to 1, where the difference 1 - m would lose digits. */
 VM_API vm_real jacobi_Pi_m1(vm_real n, vm_real m1) { return vmi_Pi(n, 1 - m1, m1); }
 
 /* Pi(n | m) - Pi(n; theta | m) for n < 1 and 0 <= theta <= pi/2, from s = sin theta and c = cos theta. Let psi be the
    angle for which tan theta tan psi = 1/k', and N = (m - n)/(1 - n). Then the result is the integral from 0 to psi of
-   (1 - m sin^2 x)/((1 - n)(1 - N sin^2 x)) dx/sqrt(1 - m sin^2 x). *exact becomes 1 if no digits cancel: for all
-   n <= 0, and for n > 0 if c^2 <= (1 - n) s^2; else the result is 0. */
+   (1 - m sin^2 x)/((1 - n)(1 - N sin^2 x)) dx/sqrt(1 - m sin^2 x). *exact becomes 1 if no digits are lost: for all
+   n <= 0, and for n > 0 if c^2 <= (1 - n) s^2. Otherwise *exact and the result are 0. */
 VM_API vm_real vmi_Pi_complement(vm_real s, vm_real c, vm_real n, vm_real m1, int *exact)
 {
     const vm_real cc = c * c, ss = s * s, d = cc + m1 * ss;
@@ -4126,7 +4159,7 @@ VM_API vm_real vmi_Pi_incomplete(vm_real phi, vm_real n, vm_real m, vm_real m1, 
    phi, and for m <= 1 Pi(phi + pi) = Pi(phi) + 2 Pi(n | m). The error is at most 8 ulp for n <= 1 and |phi| <= 1e9
    (float 1e4). For n > 1 Pi has poles where n sin^2 phi = 1. Beyond the first pole Pi is Cauchy's principal value. For
    n > 1 the error is at most 16 eps max(|F|, |Pi|), plus the effect of changing n by 4 ulp. The result is 0 for
-   infinite n and m <= 1, and for m = -infinity. For m > 1 it is NaN where m sin^2 phi > 1, beyond pi/2, and for
+   infinite n and m <= 1, and for m = -infinity. For m > 1 it is NaN where m sin^2 phi > 1, for |phi| > pi/2, and for
    infinite m or n. docs/cost.md has the time. DLMF 19.2.7. */
 VM_API vm_real jacobi_Pi_incomplete(vm_real phi, vm_real n, vm_real m)
 {
@@ -4135,7 +4168,8 @@ VM_API vm_real jacobi_Pi_incomplete(vm_real phi, vm_real n, vm_real m)
 }
 
 /* Pi(n; phi | m) from the complementary parameter m1 = 1 - m.
-   Domain and accuracy are those of jacobi_Pi_incomplete; m1 keeps its digits where m is close to 1. */
+   Domain and accuracy are those of jacobi_Pi_incomplete. Use it for m close to 1, where the difference 1 - m would lose
+   digits. */
 VM_API vm_real jacobi_Pi_incomplete_m1(vm_real phi, vm_real n, vm_real m1)
 {
     return vmi_Pi_incomplete(phi, n, 1 - m1, m1, 0);
@@ -4144,9 +4178,9 @@ VM_API vm_real jacobi_Pi_incomplete_m1(vm_real phi, vm_real n, vm_real m1)
 #endif
 /* jacobi/inverse.h - the inverses of sn, cn and dn
 
-   Each function returns a solution u of sn(u | m) = x, cn(u | m) = x or dn(u | m) = x: the one that is nearest to 0,
-   and for cn and dn, whose solutions are pairs u, -u, the positive one of these two. All other solutions follow from
-   the period 4 K and the symmetries. The inverse of the amplitude is F(phi | m), which jacobi_F computes.
+   Each function returns the solution u of sn(u | m) = x, cn(u | m) = x or dn(u | m) = x that is nearest to 0. The
+   solutions for cn and dn are pairs u, -u; for these the positive u is returned. All other solutions follow from the
+   period 4 K and the symmetries. The inverse of the amplitude is F(phi | m), which jacobi_F computes.
 
        vm_real u = jacobi_inverse_cn(VM_C(0.3), VM_C(0.5)); // cn(u | 0.5) = 0.3
 
@@ -4170,7 +4204,8 @@ VM_API vm_real vmi_inverse_sn(vm_real x, vm_real m1)
 VM_API vm_real jacobi_inverse_sn(vm_real x, vm_real m) { return vmi_inverse_sn(x, 1 - m); }
 
 /* The inverse of sn from the complementary parameter m1 = 1 - m >= 0.
-   Domain and accuracy are those of jacobi_inverse_sn; m1 keeps its digits where m is close to 1. */
+   Domain and accuracy are those of jacobi_inverse_sn. Use it for m close to 1, where the difference 1 - m would lose
+   digits. */
 VM_API vm_real jacobi_inverse_sn_m1(vm_real x, vm_real m1) { return vmi_inverse_sn(x, m1); }
 
 /* The inverse of cn for 1 - m = m1 + m1_lo. For x < 0 it is 2 K minus the inverse at |x|, which is at most K. */
@@ -4197,7 +4232,8 @@ VM_API vm_real jacobi_inverse_cn(vm_real x, vm_real m)
 }
 
 /* The inverse of cn from the complementary parameter m1 = 1 - m >= 0.
-   Domain and accuracy are those of jacobi_inverse_cn; m1 keeps its digits where m is close to 1. */
+   Domain and accuracy are those of jacobi_inverse_cn. Use it for m close to 1, where the difference 1 - m would lose
+   digits. */
 VM_API vm_real jacobi_inverse_cn_m1(vm_real x, vm_real m1) { return vmi_inverse_cn(x, m1, 0); }
 
 /* The inverse of dn for 1 - m = m1 + m1_lo. With s = sn u and c = cn u, m s^2 is 1 - x^2 and m c^2 is x^2 - m1.
@@ -4227,7 +4263,8 @@ VM_API vm_real jacobi_inverse_dn(vm_real x, vm_real m)
 }
 
 /* The inverse of dn from the complementary parameter m1 = 1 - m >= 0.
-   Domain and accuracy are those of jacobi_inverse_dn; m1 keeps its digits where m is close to 1. */
+   Domain and accuracy are those of jacobi_inverse_dn. Use it for m close to 1, where the difference 1 - m would lose
+   digits. */
 VM_API vm_real jacobi_inverse_dn_m1(vm_real x, vm_real m1)
 {
     if (!VM_IS_FINITE(m1)) return VM_NAN;
@@ -4252,8 +4289,8 @@ VM_API vm_real jacobi_inverse_dn_m1(vm_real x, vm_real m1)
 /* sn, cn and dn of the argument u for any finite parameter m. For m <= 1 they are those of jacobi_sncndn. For m > 1
      sn(u | m) = sn(k u | 1/m)/k,  cn(u | m) = dn(k u | 1/m),  dn(u | m) = cn(k u | 1/m),  k = sqrt(m).
    The error is then at most 4 eps (4 eps/k for sn) for |k u| <= 1e9 (float 1e4), and at most 8 ulp for
-   |u| <= 100 K(1/m)/k. Returns NaN for infinite m. k u is computed in two words; the second word, h, is taken into
-   account by a Taylor series. */
+   |u| <= 100 K(1/m)/k. Returns NaN for infinite m. k u is computed in two words. A Taylor series adds the effect of the
+   second word, h. */
 VM_API void jacobi_sncndn_any(vm_real u, vm_real m, vm_real *sn, vm_real *cn, vm_real *dn)
 {
     vm_two k, phase, m1;

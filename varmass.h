@@ -55,10 +55,10 @@
                   Names that begin with vmi_ or VMI_ are internal.
 
    ERRORS
-     Functions that can fail return a status: 0 (VM_OK), a positive number (done, with a remark) or a negative one
-     (the outputs are untouched). vm_strerror() explains a status. The same mistake has the same status in every
-     function; base/status lists all statuses. Functions that return a number return NaN outside their domain and for
-     infinite arguments. Outputs may be the inputs.
+     Functions that can fail return a status: 0 (VM_OK), a positive number (the work is done, but there is a remark) or
+     a negative one (an error; the outputs are unchanged). vm_strerror() explains a status. The same mistake has the
+     same status in every function; base/status lists all statuses. Functions that return a number return NaN outside
+     their domain and for infinite arguments. An output may be the same variable as an input.
 
    MACROS, to be defined before the include
      VM_USE_FLOAT         float instead of double (tests run both)
@@ -67,29 +67,34 @@
                           static const and (x); on AVR static const PROGMEM and pgm_read_float(&(x)), so that tables
                           take no RAM
      VM_SQRT, VM_FABS ... the functions of the C library that are used (define all of them or none)
-     VM_ALLOW_FAST_MATH   compile under -ffast-math or a part of it, although no result is promised to be right then
-     VM_MIXED_PRECISIONS  link with files in the other precision. Otherwise gcc and MSVC, and clang for Windows, refuse
-                          to link a program of which some files define VM_USE_FLOAT and others do not, since a struct
-                          that one passes to the other would be misread. In C++ every compiler refuses such a call.
+     VM_ALLOW_FAST_MATH   lets the headers compile under -ffast-math or a part of it, but no result is promised to be
+                          right then
+     VM_MIXED_PRECISIONS  allows a program in which some files define VM_USE_FLOAT and others do not. Without it gcc and
+                          MSVC, and clang for Windows, refuse to link such a program: a struct in float that is passed
+                          to a function in double would be misread. In C++ every compiler refuses such a call.
 
    OPTIONS THAT CHANGE VALUES
      -ffast-math, its parts (-funsafe-math-optimizations, -fassociative-math, -freciprocal-math, -ffinite-math-only,
      -fno-signed-zeros), /fp:fast and -fsingle-precision-constant make results wrong. The headers do not compile where
-     the compiler's macros show such an option. clang's macros show only -ffast-math and -ffinite-math-only, and no
-     macro shows "#pragma float_control", another rounding mode, or that the processor takes subnormal numbers for
-     zero. vm_self_check() returns 0 in these cases, and 1 where all is well; a program may call it once when it starts.
+     the compiler's macros show such an option. But clang's macros show only -ffast-math and -ffinite-math-only, and no
+     macro shows "#pragma float_control", another rounding mode, or that the processor treats subnormal numbers, the
+     smallest of all, as zero. vm_self_check() returns 0 in these cases, and 1 where all is well; a program may call it
+     once when it starts.
 
-   ACCURACY, as promised and tested (make test); docs/measurements.md has the measured errors
-     Jumps        keep momentum to 3 eps of the sum of all M |v|, and angular momentum about any point to 6 eps of the
-                  sum of all tr(I) |omega| + M (|r| + |r - point|) |v|. A part that goes on moving with the
-                  body does not change omega.
+   ACCURACY: bounds that the tests check (make test); docs/measurements.md has the measured errors
+     eps, ulp     eps is 2.2e-16 (float 1.2e-7). An ulp is the distance between two neighbouring numbers of the type,
+                  next to the true value.
+     Jumps        conserve momentum with an error of at most 3 eps times the sum of all M |v|. They conserve angular
+                  momentum about any point with an error of at most 6 eps times the sum of all tr(I) |omega| + M (|r| +
+                  |r - point|) |v|, where tr(I) is the sum of the diagonal of I. If a part goes on moving as it did on
+                  the body, omega of the rest does not change.
      Rotation     of a torque-free body: after 1e6 turns the attitude is right within 8 eps (rad) and omega within
                   5 eps, if the inputs are taken as exact.
-     Streams      closed forms are right within a few eps; a body and everything it has shed keep momentum, angular
-                  momentum and energy to the integrator's tolerance.
-     Lambert's W  within 1 ulp; the drum on a rigid shaft within 4 ulp.
-     Oscillators  every route returns an estimate of its whole error in the field error, or infinity where no
-                  estimate is possible.
+     Streams      closed forms are right within a few eps. A body together with all mass that has left it keeps
+                  momentum, angular momentum and energy to the integrator's tolerance.
+     Lambert's W  has an error of at most 1 ulp, the drum on a rigid shaft one of at most 4 ulp.
+     Oscillators  every route (method of solution) returns an estimate of its whole error in the field error, or
+                  infinity where no estimate is possible.
 
    COST
      docs/cost.md has the times of oscillators, free rotation, streams and scenes, docs/counts.md the instructions of a
@@ -853,9 +858,9 @@ VM_API int vmi_solve_mass(int n, vm_real *a, vm_real *b, vm_real *scale)
 #define VARMASS_BASE_ZERO_H
 
 /* Returns a zero of f between a and b, as accurate as the type allows. fa = f(a) and fb = f(b) must differ in sign.
-   Method (Illinois): the next x is the zero of the secant through both ends of the interval. When one end has stayed
-   for two steps, the method halves the value of f that is stored for this end. Every fourth step bisects the interval
-   unless the last four steps have made it eight times shorter. */
+   Method (Illinois): the next x is the zero of the secant through both ends of the interval. When one end of the
+   interval has not moved for two steps, the method halves the value of f that is stored for this end. Every fourth step
+   bisects the interval unless the last four steps have made it eight times shorter. */
 VM_API vm_real vmi_find_zero(vm_real (*f)(vm_real x, void *ctx), void *ctx, vm_real a, vm_real b, vm_real fa,
                              vm_real fb)
 {
@@ -955,7 +960,8 @@ VM_API vm_complex vmi_c_turn(vm_real angle)
     return e;
 }
 
-/* Writes the complex numbers e^(i k angle) for k = 0 to n, for an angle in radians. The error is of k roundings. */
+/* Writes the complex numbers e^(i k angle) for k = 0 to n, for an angle in radians. The error of e^(i k angle)
+   is that of k roundings. */
 VM_API void vmi_c_turns(int n, vm_real angle, vm_complex *turns)
 {
     const vm_complex once = vmi_c_turn(angle);
@@ -996,7 +1002,8 @@ VM_API vm_complex vmi_c_over(vm_complex a, vm_complex b)
 
 /* Returns the correction that must be subtracted from the approximate root number i. It is a step of Newton's method
    for the polynomial divided by all z - z_j, where z_j are the other approximate roots. This division keeps two
-   approximations from converging to one root. The correction is 0 if the polynomial is 0 within its rounding errors. */
+   approximations from converging to one root. The correction is 0 if the value of the polynomial is so small that
+   rounding errors alone may have caused it. */
 VM_API vm_complex vmi_poly_step(int n, const vm_real *c, const vm_real *re, const vm_real *im, int i)
 {
     const vm_complex z = vmi_complex(re[i], im[i]), one = vmi_complex(1, 0);
@@ -1024,7 +1031,8 @@ VM_API vm_complex vmi_poly_step(int n, const vm_real *c, const vm_real *re, cons
     return vmi_c_over(p, vmi_complex(slope.re - others.re, slope.im - others.im));
 }
 
-/* Returns 1 if the polynomial is 0 within its rounding errors at the real number x, else 0. */
+/* Returns 1 if the value of the polynomial at the real number x is 0 or so small that rounding errors alone may have
+   caused it, else 0. */
 VM_API int vmi_poly_root_is_real(int n, const vm_real *c, vm_real x)
 {
     vm_real p = c[0], size = VM_FABS(c[0]);
@@ -1106,9 +1114,9 @@ VM_API void vmi_poly_roots(int n, const vm_real *c, vm_real *re, vm_real *im)
 
        vm_real w = vm_lambert_w0(1); // 0.567..., the solution of w e^w = 1
 
-   Method: steps of fourth order by Fritsch, Shafer and Crowley (Comm. ACM 16, 1973), two of them from a start value
-   with an error of at most 2 %, or one from a start value with an error of at most 1e-4. The residual is computed in
-   two words, so that the error is little more than a rounding.
+   Method: a start value is improved by steps of fourth order by Fritsch, Shafer and Crowley (Comm. ACM 16, 1973). A
+   start value with an error of at most 2 % needs two steps, one with an error of at most 1e-4 needs one step. The
+   residual is computed in two words, so that the final error is little more than a rounding.
    Tests: tests/test_lambert.c. */
 #ifndef VARMASS_BASE_LAMBERT_H
 #define VARMASS_BASE_LAMBERT_H
@@ -1134,9 +1142,9 @@ VM_API vm_real vmi_lambert_far(vm_two l, vm_real w, int steps)
     return w;
 }
 
-/* Returns W_0(x) for x from -1/4 to 55. g, a quotient of polynomials in r = sqrt(1 + e x), is W_0(x)/x with an error of
-   at most 1e-4. One step of vmi_lambert_correction then improves w = g x, which has two words; for this w the
-   logarithm ln(x/w) is -ln g. */
+/* Returns W_0(x) for x from -1/4 to 55. The number g is W_0(x)/x with an error of at most 1e-4, computed as a quotient
+   of polynomials in r = sqrt(1 + e x). One step of vmi_lambert_correction then improves w = g x, which has two words;
+   for this w the logarithm ln(x/w) is -ln g. */
 VM_API vm_real vmi_lambert_middle(vm_real x)
 {
     const vm_real r = VM_SQRT(1 + VM_C(2.718281828459045) * x);
@@ -1172,9 +1180,10 @@ VM_API vm_real vmi_lambert_rational(vm_real l)
 }
 
 /* Returns Lambert's W of x < 0 from s = -1 - ln(-x). If `lower` is 1, this is W_-1; if it is 0, it is W_0, for x close
-   to -1/e. Method: W = -1 - v, where v solves v - ln(1 + v) = s, v > 0 for W_-1 and v < 0 for W_0. A value of s between
-   -eps/2 and 0 is caused by rounding and means x = -1/e. v starts from a formula by Barry, Culligan-Hensley and Barry
-   (ACM TOMS 21, 1995) for W_-1, and from a series in sqrt(2s) for W_0, which is good for s < 0.4. */
+   to -1/e. Method: W = -1 - v, where v solves v - ln(1 + v) = s; v is positive for W_-1 and negative for W_0. A value
+   of s between -eps/2 and 0 is caused by rounding and means x = -1/e. v starts from a formula by Barry,
+   Culligan-Hensley and Barry (ACM TOMS 21, 1995) for W_-1, and from a series in sqrt(2s) for W_0, which is good for
+   s < 0.4. */
 VM_API vm_real vmi_lambert_near(vm_two s, int lower)
 {
     const vm_real barry = VM_C(0.3361), root = VM_SQRT(2 * s.hi);

@@ -14,9 +14,10 @@
 
    CONVENTIONS
      The variable comes first, then the parameter alpha, any real number >= 0; results come last. All arguments are
-     pure numbers. Names are those of the dissertation [1]: sa always means sa(1, alpha, s), and ca always means
-     ca(alpha, 1, s). Both have the period 2 Pi_alpha. An oscillator m x'' + k x|x|^(alpha-1) = 0 with amplitude A
-     moves by x = A ca and x' = -sqrt(2/(alpha+1)) omega A^((alpha+1)/2) sa, where omega = sqrt(k/m).
+     pure numbers. Names are those of the dissertation [1], and numbers like (275) are its equations: sa always means
+     sa(1, alpha, s), and ca always means ca(alpha, 1, s). Both have the period 2 Pi_alpha. An oscillator m x'' + k
+     x|x|^(alpha-1) = 0 with amplitude A moves by x = A ca and x' = -sqrt(2/(alpha+1)) omega A^((alpha+1)/2) sa, where
+     omega = sqrt(k/m).
 
    WHAT THE FUNCTIONS ARE
      v = sa and u = ca solve v' = u|u|^(alpha-1), u' = -2 v/(alpha+1) with v(0) = 0 and u(0) = 1 (275), where ' is the
@@ -26,7 +27,7 @@
      alpha = 1              sa = sin, ca = cos
      alpha = 3              sa = sqrt(2) sn dn and ca = cn of the argument s/sqrt(2) and the parameter 1/2
      alpha to infinity      sa tends to tanh s; as a function of s/Pi_alpha it tends to a square wave
-     In terms of the generalised sine, with p = (alpha+1)/alpha,
+     With the generalised sine sin_(p,q) of other authors, and p = (alpha+1)/alpha,
      sa = sin_(p,2)(s) and ca = sin_(2,alpha+1)((Pi_alpha - 2s)/(alpha+1)).
 
    WHAT TO CALL
@@ -37,7 +38,8 @@
                            plain data and may be a constant in flash; examples/print_plan prints one. On AVR copy it
                            from there to RAM, by memcpy_P, before it is used.
      ateb_phase            s from sa and ca, as atan2 computes an angle from its sine and cosine
-     ateb_mean             the mean of |sa|^p |ca|^q over a period (316); ateb_mean_nm has two indices and signs
+     ateb_mean             the mean of |sa|^p |ca|^q over a period (316); ateb_mean_nm: the same with two indices and
+                           signs
      ateb_integral_...     integrals from 0 to s
      ateb_saca_nm          sa(n, m, s) and ca(m, n, s) with any two indices
      ateb_beta...          beta function, incomplete beta function and its inverse
@@ -50,11 +52,12 @@
      Nothing else can fail. The functions allocate no memory and keep no state; the value of errno means nothing.
 
    METHOD
-     s is reduced to the first quarter of the period by means of Pi_alpha, which comes from a table of polynomials, or,
-     where s is large or close to a zero, from one polynomial in two or three words. In the first quarter the incomplete
-     beta function is inverted: an approximation of sa is taken as exact, the s that belongs to it is computed by a
-     continued fraction of 12 levels (float 6) and one power, and a Taylor series corrects sa and ca for the difference
-     from the given s.
+     First s is reduced to the first quarter of the period, which needs Pi_alpha. Pi_alpha comes from a table of
+     polynomials. Where s is large or close to a zero, Pi_alpha needs more digits: it comes from one polynomial in two
+     or three words (a word is one number of the type; a sum of three words has three times the digits). In the first
+     quarter the incomplete beta function is inverted. An approximation of sa is taken as exact, and the s that belongs
+     to it is computed by a continued fraction of 12 levels (float 6) and one power. A Taylor series then corrects sa
+     and ca for the difference from the given s.
      A plan has polynomials for two parts of a quarter: Taylor series that solve (275), shortened to the accuracy that
      is wanted.
 
@@ -70,43 +73,48 @@
      VM_TABLE, VM_READ    storage of the tables, and how an element of one is read; define both or none. Default:
                           static const and (x); on AVR static const PROGMEM and pgm_read_float(&(x)), so that tables
                           take no RAM
-     VM_ALLOW_FAST_MATH   compile under -ffast-math or a part of it, although none of the bounds below holds then
-     VM_MIXED_PRECISIONS  link with files in the other precision. Otherwise gcc and MSVC, and clang for Windows, refuse
-                          to link a program of which some files define VM_USE_FLOAT and others do not.
+     VM_ALLOW_FAST_MATH   lets the headers compile under -ffast-math or a part of it, but none of the bounds below holds
+                          then
+     VM_MIXED_PRECISIONS  allows a program in which some files define VM_USE_FLOAT and others do not. Without it gcc and
+                          MSVC, and clang for Windows, refuse to link such a program.
    Names that begin with vmi_ or VMI_ are internal.
 
    OPTIONS THAT CHANGE VALUES
      -ffast-math, its parts (-funsafe-math-optimizations, -fassociative-math, -freciprocal-math, -ffinite-math-only,
      -fno-signed-zeros), /fp:fast and -fsingle-precision-constant make results wrong. The headers do not compile where
-     the compiler's macros show such an option. clang's macros show only -ffast-math and -ffinite-math-only, and no
-     macro shows "#pragma float_control", another rounding mode, or that the processor takes subnormal numbers for
-     zero. vm_self_check() returns 0 in these cases, and 1 where all is well; a program may call it once when it starts.
-     On x87 units gcc in its gnu modes (gcc -m32, no -std=c99) computes with excess precision. Then neither the bounds
-     below nor symmetry to the last bit hold. The options -fexcess-precision=standard, or -msse2 -mfpmath=sse, restore
-     them.
+     the compiler's macros show such an option. But clang's macros show only -ffast-math and -ffinite-math-only, and no
+     macro shows "#pragma float_control", another rounding mode, or that the processor treats subnormal numbers, the
+     smallest of all, as zero. vm_self_check() returns 0 in these cases, and 1 where all is well; a program may call it
+     once when it starts. On x87 units gcc in its gnu modes (gcc -m32, no -std=c99) computes with excess precision. Then
+     the bounds below do not hold, and odd and even functions may lose their symmetry in the last bit. The options
+     -fexcess-precision=standard, or -msse2 -mfpmath=sse, prevent this.
 
-   ACCURACY, as bounds that the tests check, with inputs taken as exact; docs/measurements.md has the errors found.
+   ACCURACY: bounds of the error, which the tests check; docs/measurements.md has the errors found.
+     eps, ulp               eps is 2.2e-16 (float 1.2e-7). An ulp is the distance between two neighbouring numbers of
+                            the type, next to the true value. The bounds hold for the inputs as they are, without errors
+                            of their own.
      sa, ca                 absolute error <= 4 eps for |s| <= 1e9 (float 1e4), relative error <= 8 ulp for
-                            |s| <= 100 Pi_alpha, for alpha = 0 and alpha from 1e-300 to 1e30. sa and ca are monotone
-                            between their extremes apart from 2 ulp. sa^2 + |ca|^(alpha+1) is 1 to within
-                            1.5 eps (2 sa^2 + (alpha+1) |ca|^(alpha+1)).
-     the zeros              of sa and ca: relative error <= 2^-125 (float 2^-58); for alpha above 5e8 (float 2e4) and
-                            for plans, <= 2^-102 (float 2^-44). This error, times |s| and the slope, adds to the errors
-                            above. It matters only where s is within an ulp of a zero.
+                            |s| <= 100 Pi_alpha, for alpha = 0 and alpha from 1e-300 to 1e30. Between their extremes sa
+                            and ca only rise or only fall, apart from errors of 2 ulp. sa^2 + |ca|^(alpha+1) is 1 to
+                            within 1.5 eps (2 sa^2 + (alpha+1) |ca|^(alpha+1)).
+     the zeros              of sa and ca have a relative error <= 2^-125 (float 2^-58); for alpha above 5e8 (float 2e4)
+                            and for plans, it is <= 2^-102 (float 2^-44). This error, times |s| and the slope of sa or
+                            ca, adds to the errors above. It matters only where s is within an ulp of a zero.
      Pi_alpha               <= 1 ulp
      sa, ca by a plan       <= 2 ulp for |s| <= 100 Pi_alpha and alpha up to 1e6, or the absolute error that the plan
                             was made for
-     phase                  <= 8 ulp plus the change that 6 ulp of sa and of ca make, for the sa and ca of ateb_saca
+     phase                  <= 8 ulp plus the change of s that 6 ulp of sa and of ca make, where sa and ca come from
+                            ateb_saca
      beta, mean, Pi(n, m)   <= 1 ulp, 2 ulp and 1 ulp
      beta_inc               <= 30 ulp of p and of q
      beta_inc_inv           <= 16 ulp of x and of y plus the change that one ulp of the smaller of p and q makes
      sa(n, m), ca(m, n)     <= 8 ulp plus the change that an error of 2^-102 |s| (float 2^-44 |s|) in s makes
-     integrals              those of sa^2 and |ca|^(alpha+1) add up to s within 3 eps (1 + |s|)
+     integrals              the integrals of sa^2 and |ca|^(alpha+1) add up to s within 3 eps (1 + |s|)
 
    COST
      docs/cost.md has the times, docs/counts.md the instructions of each function. An ateb_plan has
-     560 [ateb_plan_bytes] bytes, in float 184 [ateb_plan_bytes_float]; the words in brackets name the rows of
-     docs/numbers.md. The largest stack frame is below 2 kB.
+     560 [ateb_plan_bytes] bytes, in float 184 [ateb_plan_bytes_float]; the name in brackets is the row of
+     docs/numbers.md from which the number is. The largest stack frame is below 2 kB.
 
    REFERENCES
      [1] L. Cveticanin, Dynamics of Mass Variable System, dissertation; numbers like (277) are its equations. Where [1]

@@ -55,10 +55,10 @@
                   Names that begin with vmi_ or VMI_ are internal.
 
    ERRORS
-     Functions that can fail return a status: 0 (VM_OK), a positive number (done, with a remark) or a negative one
-     (the outputs are untouched). vm_strerror() explains a status. The same mistake has the same status in every
-     function; base/status lists all statuses. Functions that return a number return NaN outside their domain and for
-     infinite arguments. Outputs may be the inputs.
+     Functions that can fail return a status: 0 (VM_OK), a positive number (the work is done, but there is a remark) or
+     a negative one (an error; the outputs are unchanged). vm_strerror() explains a status. The same mistake has the
+     same status in every function; base/status lists all statuses. Functions that return a number return NaN outside
+     their domain and for infinite arguments. An output may be the same variable as an input.
 
    MACROS, to be defined before the include
      VM_USE_FLOAT         float instead of double (tests run both)
@@ -67,29 +67,34 @@
                           static const and (x); on AVR static const PROGMEM and pgm_read_float(&(x)), so that tables
                           take no RAM
      VM_SQRT, VM_FABS ... the functions of the C library that are used (define all of them or none)
-     VM_ALLOW_FAST_MATH   compile under -ffast-math or a part of it, although no result is promised to be right then
-     VM_MIXED_PRECISIONS  link with files in the other precision. Otherwise gcc and MSVC, and clang for Windows, refuse
-                          to link a program of which some files define VM_USE_FLOAT and others do not, since a struct
-                          that one passes to the other would be misread. In C++ every compiler refuses such a call.
+     VM_ALLOW_FAST_MATH   lets the headers compile under -ffast-math or a part of it, but no result is promised to be
+                          right then
+     VM_MIXED_PRECISIONS  allows a program in which some files define VM_USE_FLOAT and others do not. Without it gcc and
+                          MSVC, and clang for Windows, refuse to link such a program: a struct in float that is passed
+                          to a function in double would be misread. In C++ every compiler refuses such a call.
 
    OPTIONS THAT CHANGE VALUES
      -ffast-math, its parts (-funsafe-math-optimizations, -fassociative-math, -freciprocal-math, -ffinite-math-only,
      -fno-signed-zeros), /fp:fast and -fsingle-precision-constant make results wrong. The headers do not compile where
-     the compiler's macros show such an option. clang's macros show only -ffast-math and -ffinite-math-only, and no
-     macro shows "#pragma float_control", another rounding mode, or that the processor takes subnormal numbers for
-     zero. vm_self_check() returns 0 in these cases, and 1 where all is well; a program may call it once when it starts.
+     the compiler's macros show such an option. But clang's macros show only -ffast-math and -ffinite-math-only, and no
+     macro shows "#pragma float_control", another rounding mode, or that the processor treats subnormal numbers, the
+     smallest of all, as zero. vm_self_check() returns 0 in these cases, and 1 where all is well; a program may call it
+     once when it starts.
 
-   ACCURACY, as promised and tested (make test); docs/measurements.md has the measured errors
-     Jumps        keep momentum to 3 eps of the sum of all M |v|, and angular momentum about any point to 6 eps of the
-                  sum of all tr(I) |omega| + M (|r| + |r - point|) |v|. A part that goes on moving with the
-                  body does not change omega.
+   ACCURACY: bounds that the tests check (make test); docs/measurements.md has the measured errors
+     eps, ulp     eps is 2.2e-16 (float 1.2e-7). An ulp is the distance between two neighbouring numbers of the type,
+                  next to the true value.
+     Jumps        conserve momentum with an error of at most 3 eps times the sum of all M |v|. They conserve angular
+                  momentum about any point with an error of at most 6 eps times the sum of all tr(I) |omega| + M (|r| +
+                  |r - point|) |v|, where tr(I) is the sum of the diagonal of I. If a part goes on moving as it did on
+                  the body, omega of the rest does not change.
      Rotation     of a torque-free body: after 1e6 turns the attitude is right within 8 eps (rad) and omega within
                   5 eps, if the inputs are taken as exact.
-     Streams      closed forms are right within a few eps; a body and everything it has shed keep momentum, angular
-                  momentum and energy to the integrator's tolerance.
-     Lambert's W  within 1 ulp; the drum on a rigid shaft within 4 ulp.
-     Oscillators  every route returns an estimate of its whole error in the field error, or infinity where no
-                  estimate is possible.
+     Streams      closed forms are right within a few eps. A body together with all mass that has left it keeps
+                  momentum, angular momentum and energy to the integrator's tolerance.
+     Lambert's W  has an error of at most 1 ulp, the drum on a rigid shaft one of at most 4 ulp.
+     Oscillators  every route (method of solution) returns an estimate of its whole error in the field error, or
+                  infinity where no estimate is possible.
 
    COST
      docs/cost.md has the times of oscillators, free rotation, streams and scenes, docs/counts.md the instructions of a

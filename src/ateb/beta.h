@@ -6,7 +6,7 @@
        vm_real p = ateb_beta_inc(VM_C(0.3), VM_C(0.5), 2); // I_0.3(0.5, 2)
 
    In this file p = I_x(a, b), q = 1 - p and y = 1 - x. The functions with the suffix _both also take and return y and
-   q, which keep their digits where x or p is close to 1.
+   q. Where x or p is close to 1, y and q have all their digits, while computed differences 1 - x and 1 - p would not.
 
    Method: the functions are computed from logarithms in two words. Let i be 0 for a >= 6 and 6 for a < 6, so that
    A = a + i is at least 6. In the same way j, which is 0 or 6, makes B = b + j, and k makes S = a + b + k at least 6.
@@ -14,10 +14,10 @@
      ln(x^a y^b/B(a, b)) = a ln x + b ln y + (a + k - j) ln S/A + (b + k - i) ln S/B
                            + (k - i - j + 1/2) ln(A B/S) + (i + j - k) - ln(2 pi)/2
                            + delta(S) - delta(A) - delta(B) + ln((a)_i (b)_j/(a+b)_k)
-   where delta is the remainder of Stirling's formula (vmi_beta_stirling) and (a)_i = a (a + 1) ... (a + i - 1). If this
-   sum is not large, no large terms cancel in it. The products (a)_i, (b)_j and (a+b)_k neither overflow nor underflow,
-   since they have at most 6 factors. vmi_beta_density computes x^a y^b/B(a, b) itself, in less time and with an error
-   of a few ulp.
+   where delta is the remainder of Stirling's formula (vmi_beta_stirling) and (a)_i = a (a + 1) ... (a + i - 1). Where
+   this sum is not large, no large terms cancel each other in it. The products (a)_i, (b)_j and (a+b)_k neither overflow
+   nor underflow, since they have at most 6 factors. vmi_beta_density computes x^a y^b/B(a, b) itself, in less time and
+   with an error of a few ulp.
 
    Source of the continued fraction (vmi_beta_fraction): Didonato and Morris, Algorithm 708, ACM TOMS 18 (1992). Tests:
    tests/test_ateb.c. */
@@ -146,7 +146,8 @@ typedef struct VM_TAG(vmi_beta_gamma) {
 } vmi_beta_gamma;
 
 /* Returns the numbers of vmi_beta_gamma for z. `rest` is the remainder of the division 1/Z; only its last product is
-   rounded. The function has no branch for z < 6, which would be mispredicted half the time. */
+   rounded. The function tests z < 6 without a branch, since the processor would mispredict this branch half the
+   time. */
 VM_INLINE vmi_beta_gamma vmi_beta_gamma_of(vm_two z)
 {
     const vm_real e6 = VM_C(403.42879349273512), t = z.hi, shifted = (vm_real)(t < 6);
@@ -247,9 +248,9 @@ VM_API vm_real vmi_beta_backward(const vmi_beta_levels *l, int count)
 #define VMI_BETA_FINE VM_EPSILON
 
 /* Returns 1/f_0 = I_x(a, b) B(a, b)/(x^a y^b) for x <= (a + 1)/(a + b + 2), with a relative error of about
-   `tolerance`. The convergents P/Q of the fraction are computed, two at a time, until two of them agree. Rounding
-   errors add up in P and Q; therefore a fraction of more than SAFE levels is evaluated once more, from its last
-   level. */
+   `tolerance`. The convergents P/Q of the fraction, which are its values after 1, 2, 3, ... levels, are computed two at
+   a time, until two of them agree. Rounding errors add up in P and Q; therefore a fraction of more than SAFE levels is
+   evaluated once more, from its last level. */
 VM_API vm_real vmi_beta_fraction(vm_real x, vm_real y, vm_real a, vm_real b, vm_real tolerance)
 {
     enum { MOST = 20000, SAFE = 20 }; /* MOST stops the loop for a NaN; some 250 levels are enough otherwise */
@@ -394,14 +395,14 @@ VM_API int vmi_beta_limit_side(vm_real a, vm_real b)
 }
 
 /* The regularised incomplete beta function p = I_x(a, b) and q = 1 - p. They are computed from the smaller of x and
-   y = 1 - x, so that this one should have all its digits. For a and b from 1e-3 to 1e4 the errors of p and q are at
-   most 30 ulp each. a and b may also lie between 1e-4 and 1e5, where the function is less accurate and slower. If a or
-   b is 0 or infinite, p is the limit: 1 for x > 0 if all of the distribution moves to x = 0, and 0 for x < 1 if it
-   moves to x = 1. The results are NaN for other a or b, if there is no limit, if x or y is negative, and if x + y is
-   not 1. docs/cost.md has the time. DLMF 8.17, equation (273). */
+   y = 1 - x: give this number with all its digits. For a and b from 1e-3 to 1e4 the errors of p and q are at most 30
+   ulp each. a and b may also lie between 1e-4 and 1e5, where the function is less accurate and slower. If a or b is 0
+   or infinite, p is the limit: 1 for x > 0 if all of the distribution moves to x = 0, and 0 for x < 1 if it moves to
+   x = 1. The results are NaN for other a or b, if there is no limit, if x or y is negative, and if x + y is not 1.
+   docs/cost.md has the time. DLMF 8.17, equation (273). */
 VM_API void ateb_beta_inc_both(vm_real x, vm_real y, vm_real a, vm_real b, vm_real *p, vm_real *q)
 {
-    const vm_real longest = VM_C(0.6); /* 1 minus a longer tail would lose digits; then logarithms are used */
+    const vm_real longest = VM_C(0.6); /* 1 minus a larger tail would lose digits; then logarithms are used */
     const vm_real least = VM_MIN / (VM_EPSILON * VM_EPSILON); /* products with smaller numbers may underflow */
     vm_two x2 = vmi_two(x, 0), y2 = vmi_two(y, 0);
     vm_real tail, density;
@@ -528,9 +529,9 @@ VM_API vm_real vmi_beta_step(vm_real rest, vm_real slope, vm_real bend)
 }
 
 /* Returns a value of t = ln(x/y) from which the solution of I_x(a, b) = p is sought, for p <= 1/2. It is the t where
-   the asymptote of ln I_x for t to -infinity equals ln p, which lies left of the solution. For a, b > 1 it is the
-   approximation by a normal distribution, where that is larger: Abramowitz and Stegun 26.5.22, with the quantile by
-   26.2.23. */
+   the asymptote of ln I_x for t to -infinity equals ln p, which lies left of the solution. For a, b > 1 the
+   approximation by a normal distribution is returned instead, if it is larger (Abramowitz and Stegun 26.5.22, with the
+   quantile by 26.2.23). */
 VM_API vm_real vmi_beta_start(vm_real ln_p, vm_real a, vm_real b, vm_real ln_B)
 {
     const vm_real ln_a = vmi_ateb_ln(a), asymptote = (ln_p + ln_a + ln_B) / a;
@@ -548,10 +549,10 @@ VM_API vm_real vmi_beta_start(vm_real ln_p, vm_real a, vm_real b, vm_real ln_B)
     return vmi_larger(asymptote, ln_a - vmi_ateb_ln(b) - 2 * w);
 }
 
-/* Returns the point where I_x(a, b) = p, from ln p, for p <= 1/2. ln I_x is a concave function of t = ln(x/y). From
-   vmi_beta_start on, steps of third order by vmi_beta_step follow, first with rough values of ln I_x; from the step on
-   that is short, with logarithms in two words. The error after a step is about its third power. The last step changes
-   x, y, ln x and ln y directly instead of t. */
+/* Returns the point where I_x(a, b) = p, from ln p, for p <= 1/2. ln I_x is a concave function of t = ln(x/y). The
+   method starts at vmi_beta_start and makes steps of third order by vmi_beta_step: the error after a step is about the
+   third power of the step. The first steps use rough values of ln I_x. After the first short step, logarithms in two
+   words are used. The last step changes x, y, ln x and ln y directly instead of t. */
 VM_API vmi_beta_point vmi_beta_invert(vm_two ln_p, vm_real a, vm_real b)
 {
     const vm_real enough = VM_MANT_DIG > 24 ? VM_C(2e-3) : VM_C(2e-2);    /* a shorter step ends the rough steps */
@@ -597,9 +598,9 @@ VM_API vmi_beta_point vmi_beta_invert_both(vm_real p, vm_real q, vm_real a, vm_r
 }
 
 /* The inverse of ateb_beta_inc_both: x with I_x(a, b) = p, and y = 1 - x and ln x. They are computed from the smaller
-   of p and q = 1 - p, so that this one should have all its digits. ln x is also right where x underflows. For a and b
-   from 1e-3 to 1e4 the errors of x, y and ln x are at most 16 ulp plus the changes that one ulp of the smaller of p and
-   q makes. a and b may also lie between 1e-4 and 1e5, where the function is less accurate and slower. If a or b is 0 or
+   of p and q = 1 - p: give this number with all its digits. ln x is also right where x underflows. For a and b from
+   1e-3 to 1e4 the errors of x, y and ln x are at most 16 ulp plus the changes that one ulp of the smaller of p and q
+   makes. a and b may also lie between 1e-4 and 1e5, where the function is less accurate and slower. If a or b is 0 or
    infinite, x is the limit: 0 for p < 1 if all of the distribution moves to x = 0, and 1 for p > 0 if it moves to
    x = 1. The results are NaN for other a or b, if there is no limit, if p or q is negative, and if p + q is not 1.
    docs/cost.md has the time. */
@@ -642,9 +643,9 @@ VM_API vm_real ateb_beta_inc_inv(vm_real p, vm_real a, vm_real b)
 enum { ATEB_SIGN_OF_SA = 1, ATEB_SIGN_OF_CA = 2 };
 
 /* The mean of |sa(n, m, s)|^p |ca(m, n, s)|^q over a period, with or without the signs of sa and ca.
-   The indices n and m of sa and ca lie between 0 and 1e30, the powers p and q are above -1 and at most 1e6. signs is 0,
-   ATEB_SIGN_OF_SA, ATEB_SIGN_OF_CA or their sum: a power with the sign of its base, such as sa^3, is odd, and the mean
-   is 0 then. So the mean of sa^2 ca^3 is ateb_mean_nm(n, m, 2, 3, ATEB_SIGN_OF_CA). The mean without signs is
+   The indices n and m of sa and ca lie between 0 and 1e30. The powers p and q are above -1 and at most 1e6. signs is 0,
+   ATEB_SIGN_OF_SA, ATEB_SIGN_OF_CA or their sum. A power with the sign of its base, such as sa^3, is odd, so that the
+   mean is 0. For example, the mean of sa^2 ca^3 is ateb_mean_nm(n, m, 2, 3, ATEB_SIGN_OF_CA). The mean without signs is
    B((p+1)/(n+1), (q+1)/(m+1))/B(1/(n+1), 1/(m+1)), with an error of at most 2 ulp. Returns NaN for other numbers.
    Equation (316). */
 VM_API vm_real ateb_mean_nm(vm_real n, vm_real m, vm_real p, vm_real q, int signs)
@@ -666,7 +667,7 @@ VM_API vm_real ateb_mean_nm(vm_real n, vm_real m, vm_real p, vm_real q, int sign
 
 /* The mean of |sa|^p |ca|^q over a period, for alpha >= 0 and p, q > -1. Averaged equations of oscillators need this
    mean. alpha may be up to 1e30, p and q up to 1e6; for larger numbers the result is NaN. The error is at most 2 ulp.
-   ateb_mean_nm has two indices and signs. Equation (316). */
+   ateb_mean_nm computes means for two indices and with signs. Equation (316). */
 VM_API vm_real ateb_mean(vm_real alpha, vm_real p, vm_real q) { return ateb_mean_nm(1, alpha, p, q, 0); }
 
 #endif

@@ -50,12 +50,12 @@ VM_API vm_real vmi_ateb_reduce_finely(vm_real s, vmi_ateb *c, int *quarter)
     return 0; /* s is above 2^52 quarters, so that its digits do not determine the phase */
 }
 
-/* Returns a for the weight 1 and b for the weight 0. A condition would become a branch, which is mispredicted half
-   the time. */
+/* Returns a for the weight 1 and b for the weight 0. A condition would become a branch, and the processor would
+   mispredict it half the time. */
 VM_API vm_real vmi_choose(vm_real weight, vm_real a, vm_real b) { return weight * a + (1 - weight) * b; }
 
 /* Returns the position of s >= 0 in the period, by the quickest of three ways.
-     1. s <= (alpha + 1)/2 lies in the first quarter, and r = s is known before Pi_alpha is.
+     1. An s <= (alpha + 1)/2 lies in the first quarter. Then r = s, which is known without Pi_alpha.
      2. For s <= 128 (alpha + 1), c->quarter is accurate enough, unless s is close to a zero of sa or ca. Its high
         word is multiplied in two halves, whose products with the number of quarters are exact. This number comes
         from the high word of c->quarter alone, so that the rest may be a little longer than half a quarter.

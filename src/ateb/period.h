@@ -6,9 +6,9 @@
 
        vm_real period = 2 * ateb_pi(3);
 
-   There are two methods. A table of polynomials gives Pi_alpha - (alpha + 1); it is quick, and accurate enough for most
-   arguments of sa and ca. For the other arguments one polynomial of degree 33 (float 17) is evaluated in two or three
-   words. In the comments of this file n = alpha + 1 and q = 1/n. The tables are computed by
+   There are two methods. A table of polynomials gives Pi_alpha - (alpha + 1). This method is quick, and it is accurate
+   enough for most arguments of sa and ca. For the other arguments one polynomial of degree 33 (float 17) is evaluated
+   in two or three words. In the comments of this file n = alpha + 1 and q = 1/n. The tables are computed by
    tests/gen/ateb_coefficients.py. Tests: tests/test_ateb.c. */
 #ifndef VARMASS_ATEB_PERIOD_H
 #define VARMASS_ATEB_PERIOD_H
@@ -20,8 +20,9 @@
 
 /* Returns coefficient i of a polynomial in t = 2q - 1, which approximates (1 + q)(2 + q)(3 + q) f(q), where
      f(q) = sqrt(pi) Gamma(1 + q)/Gamma(q + 1/2) = q Pi_alpha with q = 1/(alpha + 1), between 1 and 2 for 0 < q <= 1.
-   The polynomial interpolates in Chebyshev's points; each coefficient is about 1/18 of the one before it. A coefficient
-   has up to three words; which_word = 0 selects the largest. Words that are too small to change the result are 0. */
+   The polynomial interpolates in Chebyshev's points; each coefficient is about 1/18 of the previous coefficient. A
+   coefficient has up to three words; which_word = 0 selects the largest. Words that are too small to change the result
+   are 0. */
 VM_API vm_real vmi_ateb_coefficient(int which_word, int i)
 {
 #if VM_MANT_DIG > 24
@@ -75,8 +76,8 @@ VM_API vm_real vmi_ateb_coefficient(int which_word, int i)
 enum { VMI_ATEB_DEGREE = VM_MANT_DIG > 24 ? 33 : 17 };
 
 /* The polynomial of vmi_ateb_coefficient in two words. From index TWO_WORDS on the coefficients are so small that one
-   word is enough. Each coefficient exceeds the sum of the terms after it, so that Dekker's sum of two numbers is
-   enough for the high words. */
+   word is enough. Each coefficient exceeds the sum of the terms after it, so that the faster sum by Dekker
+   (vmi_fast_two_sum) is enough for the high words. */
 VM_API vm_two vmi_ateb_polynomial(vm_two t)
 {
     enum { TWO_WORDS = VM_MANT_DIG > 24 ? 17 : 8 };

@@ -77,9 +77,9 @@ VM_API vm_real vmi_ateb_phase_r(vm_two h, const vmi_ateb *c)
 /* Returns 1 if ateb_phase has a result for this alpha, else 0. */
 VM_API int vmi_ateb_has_phase(vm_real alpha) { return alpha >= 0 && alpha <= VM_C(1e30); }
 
-/* The phase s that belongs to given values of sa and ca, with -Pi_alpha < s <= Pi_alpha. alpha lies between 0 and 1e30.
-   The pair need not satisfy sa^2 + |ca|^(alpha+1) = 1: sa lambda^((alpha+1)/2) and ca lambda have the same phase for
-   every lambda > 0. Therefore the phase of the oscillator x'' = -omega^2 x|x|^(alpha-1) is found with sa = -x'
+/* The phase s of given values of sa and ca, with -Pi_alpha < s <= Pi_alpha. alpha lies between 0 and 1e30. The pair
+   need not satisfy sa^2 + |ca|^(alpha+1) = 1: sa lambda^((alpha+1)/2) and ca lambda have the same phase for every
+   lambda > 0. Therefore the phase of the oscillator x'' = -omega^2 x|x|^(alpha-1) is found with sa = -x'
    sqrt((alpha+1)/2)/omega and ca = x. Returns 0 for sa = 0 <= ca. If sa and ca come from ateb_saca(s, ...), s is
    returned with an error of at most 8 ulp plus the change of s that 6 ulp of sa and of ca make. Returns NaN for
    alpha < 0, alpha > 1e30, NaN and infinite arguments. */
@@ -133,8 +133,8 @@ VM_API vm_real vmi_ateb_from_ca_0(vm_real alpha, vm_real x, vm_real w)
     return n / 2 * x * sum;
 }
 
-/* The phase of ateb_phase by power series, for sa and ca with sa^2 + |ca|^(alpha+1) = 1 and a valid alpha. `quarter` is
-   the quarter period, Pi_alpha/2. */
+/* Returns the phase that ateb_phase returns, computed by power series, for sa and ca with sa^2 + |ca|^(alpha+1) = 1 and
+   a valid alpha. `quarter` is the quarter period, Pi_alpha/2. */
 VM_API vm_real vmi_ateb_phase_by_series(vm_two quarter, vm_real alpha, vm_real sa, vm_real ca)
 {
     const vm_real y = sa * sa, x = VM_FABS(ca);

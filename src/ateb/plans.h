@@ -1,9 +1,9 @@
 /* ateb/plans.h - sa and ca for many arguments and one alpha
 
-   A plan holds what depends on alpha alone: Pi_alpha/2 and polynomials for two parts of a quarter of the period. A
-   call with a plan is faster, most of all for arrays, where the compiler vectorises the loop (docs/cost.md has the
-   times). A plan of less accuracy is shorter and quicker. A plan is plain data: it may be copied, and it may be a
-   constant in flash.
+   A plan contains all numbers that depend only on alpha: Pi_alpha/2 and polynomials for two parts of a quarter of the
+   period. A call with a plan is faster, most of all for arrays, where the compiler vectorises the loop (docs/cost.md
+   has the times). A plan of less accuracy is shorter and quicker. A plan is plain data: it may be copied, and it may be
+   a constant in flash.
 
        ateb_plan p;
        vm_real sa, ca;
@@ -40,9 +40,9 @@
 #define ATEB_PLAN_LENGTH 8
 #endif
 
-/* The polynomials of one part of a quarter: odd holds A, for the function that has its zero in this part; even holds C,
-   for the other function. The comment at the top defines A and C. The constant terms come first; coefficients that are
-   not used are 0. */
+/* The polynomials of one part of a quarter. `odd` contains A, for the function that has its zero in this part. `even`
+   contains C, for the other function. The comment at the top of this file defines A and C. The constant terms come
+   first; coefficients that are not used are 0. */
 typedef struct VM_TAG(vmi_ateb_part) {
     vm_real odd[ATEB_PLAN_LENGTH], even[ATEB_PLAN_LENGTH];
 } vmi_ateb_part;
@@ -51,7 +51,7 @@ typedef struct VM_TAG(vmi_ateb_part) {
 typedef struct VM_TAG(ateb_plan) {
     vm_two quarter;           /* Pi_alpha/2 */
 #if VM_MANT_DIG > 24
-    vm_real quarter_low; /* Pi_alpha/2 minus its two words in `quarter`; float plans are kept short */
+    vm_real quarter_low; /* Pi_alpha/2 minus its two words in `quarter`; not in float, where plans are short */
 #endif
     vm_real quarter_parts[3]; /* three numbers with the sum `quarter`; the first two have at most half of the digits */
     vm_real per_quarter;      /* 2/Pi_alpha */
@@ -145,7 +145,7 @@ VM_INLINE int vmi_ateb_plan_is_close(vm_real rest, vm_real s)
 }
 
 /* Returns x minus the nearest multiple of Pi_alpha/2, for an x > 0 that is close to a multiple (see
-   vmi_ateb_plan_is_close). `rest` is the same number by two words. */
+   vmi_ateb_plan_is_close). `rest` is the same difference, computed with two words of Pi_alpha/2. */
 VM_API vm_real vmi_ateb_plan_reduce_finely(const ateb_plan *p, vm_real x, vm_real rest)
 {
 #if VM_MANT_DIG > 24
@@ -156,7 +156,7 @@ VM_API vm_real vmi_ateb_plan_reduce_finely(const ateb_plan *p, vm_real x, vm_rea
     (void)p;
     (void)x;
 #endif
-    return rest; /* where count eps >= 1, the digits of x do not give the phase */
+    return rest; /* where count eps >= 1, the digits of x do not determine the phase */
 }
 
 /* sa and ca of the argument s for the plan's alpha. s may be any number. For alpha up to 1e6 and |s| <= 100 Pi_alpha,
@@ -427,7 +427,7 @@ VM_API int vmi_ateb_economise(vm_real *c, vm_real limit, vm_real unit, vm_real t
     const int highest = VMI_ATEB_TERMS - 2;
     vm_real power = 1, height = vmi_ldexp(1, 1 - 2 * highest);
     int i, k;
-    for (i = 0; i <= highest; i++) { /* now c holds limit times the series, in powers of x/limit */
+    for (i = 0; i <= highest; i++) { /* now c is limit times the series, in powers of x/limit */
         power *= limit;
         c[i] = c[i + 1] * power;
     }
@@ -488,9 +488,10 @@ VM_API void vmi_ateb_plan_period(ateb_plan *p, const vmi_ateb *c)
    -1 for alpha < 0 and if a number is NaN or infinite; then the plan stays as it was. */
 VM_API int ateb_plan_init_to(ateb_plan *p, vm_real alpha, vm_real accuracy)
 {
-    /* Beyond the change-over sa is computed from X = (2 q d)^(alpha+1), whose rounding errors enter with the factor
-       X/(2 sa). This factor is 0.33 for a change-over at r = 0.92; for one at r = 0.73 it would be 0.5, and the error
-       2.3 ulp. For a change-over beyond 0.92 the polynomials would have too few terms. */
+    /* For r beyond the change-over, sa is computed from X = (2 q d)^(alpha+1). The relative rounding error of X, times
+       X/(2 sa), is the error that it causes in sa. The factor X/(2 sa) is 0.33 for a change-over at r = 0.92; for one
+       at r = 0.73 it would be 0.5, and the error 2.3 ulp. For a change-over beyond 0.92 the polynomials would have too
+       few terms. */
     const vm_real share = VM_C(0.5), farthest = VM_MANT_DIG > 24 ? VM_C(0.92) : VM_C(0.95);
     vm_real tolerance = VM_EPSILON / 16, unit = 1;
     int length, length_beyond;

@@ -1,4 +1,4 @@
-/* ateb/powers.h - a logarithm and an exponential that are quicker and have one word only
+/* ateb/powers.h - a logarithm and an exponential that are quick and return one word
 
    vmi_log and vmi_exp (base/elementary.h) return two words. The functions in this file return one word, with an error
    of one or two ulp. They are used where the error is later multiplied by less than about 1/2: in ateb/inversion.h and

@@ -2,13 +2,13 @@
 
    The C library's functions differ from machine to machine in the last bits. The functions of this file give the same
    bits everywhere: they use only basic operations, which every machine rounds in the same way. The logarithm and the
-   exponential are computed in two words, so that a power made from them has all its digits. They branch only where a
-   result is subnormal, so that a compiler can vectorise loops over them.
+   exponential are computed in two words (see base/sums.h), so that a power made from them has all its digits. They
+   branch only where a result is subnormal, so that a compiler can vectorise loops over them.
 
        vm_real y = vmi_exp(VM_C(1.5), 0); // e^1.5
 
-   The tables and polynomials are computed by tests/gen/elementary.py. The bounds of the errors are proved, as
-   docs/proof.md tells. Tests: tests/test_jacobi.c, tests/test_ateb.c. */
+   The tables and polynomials are computed by tests/gen/elementary.py. docs/proof.md proves the bounds of the errors.
+   Tests: tests/test_jacobi.c, tests/test_ateb.c. */
 #ifndef VARMASS_BASE_ELEMENTARY_H
 #define VARMASS_BASE_ELEMENTARY_H
 
@@ -196,8 +196,9 @@ VM_API vm_real vmi_exp(vm_real x, vm_real x_lo)
     return vmi_ldexp_two(y.hi, y.lo + p_lo, k);
 }
 
-/* Returns the power x^y for x > 0, within 0.9 ulp if x.lo is 0 or |ln x| > 2^14 eps. For an x closer to 1 the low word
-   of x is not used to its last digit, and the error grows like eps/|ln x|; it is 2.7 ulp at |ln x| = 130 eps. */
+/* Returns the power x^y for x > 0, within 0.9 ulp if x.lo is 0 or |ln x| > 2^14 eps. For an x closer to 1 the last
+   digits of the low word of x are not used. The error then grows in proportion to eps/|ln x|; it is 2.7 ulp at
+   |ln x| = 130 eps. */
 VM_API vm_real vmi_pow_two(vm_two x, vm_two y)
 {
     const vm_real t = x.lo / x.hi;

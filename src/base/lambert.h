@@ -6,9 +6,9 @@
 
        vm_real w = vm_lambert_w0(1); // 0.567..., the solution of w e^w = 1
 
-   Method: steps of fourth order by Fritsch, Shafer and Crowley (Comm. ACM 16, 1973), two of them from a start value
-   with an error of at most 2 %, or one from a start value with an error of at most 1e-4. The residual is computed in
-   two words, so that the error is little more than a rounding.
+   Method: a start value is improved by steps of fourth order by Fritsch, Shafer and Crowley (Comm. ACM 16, 1973). A
+   start value with an error of at most 2 % needs two steps, one with an error of at most 1e-4 needs one step. The
+   residual is computed in two words, so that the final error is little more than a rounding.
    Tests: tests/test_lambert.c. */
 #ifndef VARMASS_BASE_LAMBERT_H
 #define VARMASS_BASE_LAMBERT_H
@@ -40,9 +40,9 @@ VM_API vm_real vmi_lambert_far(vm_two l, vm_real w, int steps)
     return w;
 }
 
-/* Returns W_0(x) for x from -1/4 to 55. g, a quotient of polynomials in r = sqrt(1 + e x), is W_0(x)/x with an error of
-   at most 1e-4. One step of vmi_lambert_correction then improves w = g x, which has two words; for this w the
-   logarithm ln(x/w) is -ln g. */
+/* Returns W_0(x) for x from -1/4 to 55. The number g is W_0(x)/x with an error of at most 1e-4, computed as a quotient
+   of polynomials in r = sqrt(1 + e x). One step of vmi_lambert_correction then improves w = g x, which has two words;
+   for this w the logarithm ln(x/w) is -ln g. */
 VM_API vm_real vmi_lambert_middle(vm_real x)
 {
     const vm_real r = VM_SQRT(1 + VM_C(2.718281828459045) * x);
@@ -78,9 +78,10 @@ VM_API vm_real vmi_lambert_rational(vm_real l)
 }
 
 /* Returns Lambert's W of x < 0 from s = -1 - ln(-x). If `lower` is 1, this is W_-1; if it is 0, it is W_0, for x close
-   to -1/e. Method: W = -1 - v, where v solves v - ln(1 + v) = s, v > 0 for W_-1 and v < 0 for W_0. A value of s between
-   -eps/2 and 0 is caused by rounding and means x = -1/e. v starts from a formula by Barry, Culligan-Hensley and Barry
-   (ACM TOMS 21, 1995) for W_-1, and from a series in sqrt(2s) for W_0, which is good for s < 0.4. */
+   to -1/e. Method: W = -1 - v, where v solves v - ln(1 + v) = s; v is positive for W_-1 and negative for W_0. A value
+   of s between -eps/2 and 0 is caused by rounding and means x = -1/e. v starts from a formula by Barry,
+   Culligan-Hensley and Barry (ACM TOMS 21, 1995) for W_-1, and from a series in sqrt(2s) for W_0, which is good for
+   s < 0.4. */
 VM_API vm_real vmi_lambert_near(vm_two s, int lower)
 {
     const vm_real barry = VM_C(0.3361), root = VM_SQRT(2 * s.hi);

@@ -17,7 +17,8 @@
 
 /* Returns the correction that must be subtracted from the approximate root number i. It is a step of Newton's method
    for the polynomial divided by all z - z_j, where z_j are the other approximate roots. This division keeps two
-   approximations from converging to one root. The correction is 0 if the polynomial is 0 within its rounding errors. */
+   approximations from converging to one root. The correction is 0 if the value of the polynomial is so small that
+   rounding errors alone may have caused it. */
 VM_API vm_complex vmi_poly_step(int n, const vm_real *c, const vm_real *re, const vm_real *im, int i)
 {
     const vm_complex z = vmi_complex(re[i], im[i]), one = vmi_complex(1, 0);
@@ -45,7 +46,8 @@ VM_API vm_complex vmi_poly_step(int n, const vm_real *c, const vm_real *re, cons
     return vmi_c_over(p, vmi_complex(slope.re - others.re, slope.im - others.im));
 }
 
-/* Returns 1 if the polynomial is 0 within its rounding errors at the real number x, else 0. */
+/* Returns 1 if the value of the polynomial at the real number x is 0 or so small that rounding errors alone may have
+   caused it, else 0. */
 VM_API int vmi_poly_root_is_real(int n, const vm_real *c, vm_real x)
 {
     vm_real p = c[0], size = VM_FABS(c[0]);

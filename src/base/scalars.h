@@ -30,7 +30,7 @@ VM_API vm_real vmi_pow_checked(vm_real x, vm_real y)
 }
 
 /* Returns e^y - 1 in two words. The error is below 2^-(p+4) (1 + e^y), where p is the number of digits of vm_real;
-   for small y it is below 2^-p of the result. The result is infinity where it overflows. */
+   for small y it is below 2^-p of the result. Where e^y overflows, the result is infinity. */
 VM_API vm_two vmi_expm1(vm_two y)
 {
     const vm_real largest = VM_C(0.6931471805599453094) * (VMI_BIAS + 1);

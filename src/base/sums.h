@@ -1,7 +1,8 @@
 /* base/sums.h - sums without rounding error, numbers in two words
 
    A sum of two numbers of type vm_real is rounded. The functions here return the rounded sum (hi) and its rounding
-   error (lo), so that hi + lo is the exact sum. Such a pair, vm_two, holds a number with twice the digits.
+   error (lo), so that hi + lo is the exact sum. Such a pair, a vm_two, is a number in two words: it has twice the
+   digits of a vm_real.
 
        vm_two s = vmi_two_sum(1, VM_C(1e-20)); // s.hi = 1, s.lo = 1e-20
 

@@ -11,7 +11,7 @@
 #include "ode.h"
 #include "runs.h"
 
-/* Makes the continuous extension of the last step ready, if it is not ready yet. Returns a status. */
+/* Computes what the continuous extension of the last step needs, if this has not been done yet. Returns a status. */
 VM_API int vmi_extend(rk45 *s)
 {
     int status = ODE_OK;
@@ -23,7 +23,7 @@ VM_API int vmi_extend(rk45 *s)
 /* Computes the state y at the fraction x of the last step, 0 <= x <= 1. The continuous extension must be ready. */
 VM_API void vmi_inside(const rk45 *s, vm_real x, vm_real *y) { s->pair.inside(s, x, y); }
 
-/* Whether the time t is within the last step, its ends included */
+/* Returns 1 if the time t is within the last step or at one of its ends, else 0. */
 VM_API int vmi_is_in_last_step(const rk45 *s, vm_real t)
 {
     return (s->t_old <= t && t <= s->t) || (s->t <= t && t <= s->t_old);

@@ -1,9 +1,9 @@
 /* integrators/events.h - events: where a function g(t, y) of the solution changes its sign
    After each step, g is evaluated at a few points of the continuous extension. If its sign changes between two of these
    points, the time of the change is found as exactly as rounding allows. The first event that stops or restarts the run
-   ends the step at its time. Events whose times rounding cannot tell apart happen together. Users describe events in
-   the options of a run (options.h). The side of an event is the sign of its g, -1 or 1, or 0 while rounding leaves this
-   sign uncertain. The place x of an event in a step is a fraction of the step, from 0 to 1.
+   ends the step at its time. Events whose times differ by no more than rounding errors happen together. Users describe
+   events in the options of a run (options.h). The side of an event is the sign of its g, -1 or 1, or 0 while rounding
+   leaves this sign uncertain. The place x of an event in a step is a fraction of the step, from 0 to 1.
 
        double y0[2] = {20, 0}, work[RK45_WORK(2)]; // 20 m high, at rest
        rk45 s;
@@ -39,7 +39,7 @@ VM_API int vmi_sign(vm_real x) { return (x > 0) - (x < 0); }
 #define VMI_NONE VM_C(2.0)
 
 /* After an event, g is evaluated at short distances from it, so that an excursion of g, two changes of sign in a short
-   time, is seen. The first distance is the fraction VMI_FIRST_LOOK of the step; each next one is larger by the factor
+   time, is found. The first distance is the fraction VMI_FIRST_LOOK of the step; each next one is larger by the factor
    VMI_WIDER. For at most the fraction VMI_QUIET of the step the sign of g may count as uncertain (side 0). */
 #if VM_MANT_DIG > 24
 #define VMI_FIRST_LOOK VM_C(1.4901161193847656e-8) /* 2^-26 of a step, the square root of VM_EPSILON */
@@ -90,13 +90,14 @@ VM_API vm_real vmi_event_value(const rk45 *s, const ode_event *e, vm_real x)
     return e->g(vmi_time_inside(s, x), z, e->ctx);
 }
 
-/* The relative change of a state that rounding may have caused in the steps of a run so far. This bound serves only to
-   decide whether events coincide. */
+/* A bound of the relative change of a state that the rounding errors of all steps of a run so far may have caused. It
+   serves only to decide whether events happen at the same time. */
 #define VMI_EARLIER_ROUNDING (256 * VM_EPSILON)
 
 /* The value of g at the fraction x of the last step, in a state to which a rounding error is added on purpose. The
    error is the largest that this step, or if `earlier` is not 0 the whole run so far, may have made. `direction`, -1 or
-   1, is its sign. Its size differs between the components, so that their differences change too. */
+   1, is the sign of the error. The size of the error is different for each component, so that the differences of
+   components change, too. */
 VM_API vm_real vmi_event_value_moved(const rk45 *s, const ode_event *e, vm_real x, int earlier,
                                      int direction)
 {
@@ -134,13 +135,14 @@ VM_API int vmi_weigh_rounding(const rk45 *s, ode_event *e, vm_real x, int earlie
     return certain;
 }
 
-/* Whether the event may happen, by its field `direction`, when g changes from the sign `side` to another sign */
+/* Returns 1 if the field `direction` of the event lets it happen when g changes from the sign `side` to another sign,
+   else 0. */
 VM_API int vmi_counts_from(const ode_event *e, int side)
 {
     return side && (e->direction == 0 || (e->direction > 0) == (side < 0));
 }
 
-/* Sets *at to a fraction of the last step between a and b at which g leaves the sign that it has at a. ga and gb are
+/* Sets *at to a fraction of the last step between a and b at which g loses the sign that it has at a. ga and gb are
    the values of g at the fractions a and b. The interval is shrunk to the resolution of such fractions, and *at becomes
    its right end. The method is false position in the Illinois form, with bisection in every third step and while g
    stays 0 at the right end. If g is 0 at the initial b, and the time there equals the time at *at, then *at becomes the
@@ -357,7 +359,7 @@ VM_API int vmi_cut_step(rk45 *s, vm_real x)
     return s->event < 0 ? (int)ODE_OK : (int)ODE_EVENT;
 }
 
-/* Makes the next step a quarter as long as the last one, which was taken back because f or the state is not finite
+/* Makes the next step a quarter as long as the last one. The last step was undone, because f or the state is not finite
    inside it. Returns ODE_NOT_FINITE if the next step would be shorter than the shortest step allowed, else ODE_OK. */
 VM_API int vmi_shorten_step(rk45 *s)
 {
@@ -407,8 +409,8 @@ VM_API void vmi_keep_events(rk45 *s)
     }
 }
 
-/* Takes back the last step, with the events that were counted in it, because a function of the user failed while events
-   were sought. The next call then makes the same step again, and no event is lost. */
+/* Undoes the last step and the counts of its events, because a function of the user failed during the search for
+   events. The next call then makes the same step again, and no event is lost. */
 VM_API void vmi_take_back_events(rk45 *s)
 {
     int i;
@@ -439,8 +441,9 @@ VM_API int vmi_find_events(rk45 *s, vm_real *cut)
     return status;
 }
 
-/* Whether the state at the fraction x of the last step is finite. Between two finite states the continuous extension
-   may overflow, if they are close to the largest number of the type. Overwrites the part VMI_Z of work. */
+/* Returns 1 if the state at the fraction x of the last step is finite, else 0. Between two finite states the continuous
+   extension may overflow if these states are close to the largest number of the type. Overwrites the part VMI_Z of
+   work. */
 VM_API int vmi_is_finite_inside(const rk45 *s, vm_real x)
 {
     vm_real *z = vmi_part(s, VMI_Z);
@@ -450,7 +453,7 @@ VM_API int vmi_is_finite_inside(const rk45 *s, vm_real x)
 }
 
 /* Handles the events of the last step, up to the first instant at which an event ends the step. Returns a status. After
-   an error the step is taken back. If the state at this instant is not finite, the step is made again with a shorter
+   an error the step is undone. If the state at this instant is not finite, the step is made again with a shorter
    length. */
 VM_API int vmi_events(rk45 *s)
 {

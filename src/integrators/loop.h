@@ -52,8 +52,8 @@ VM_API int vmi_restart(rk45 *s, vm_real t, const vm_real *y)
     return ODE_OK;
 }
 
-/* Prepares a step: evaluates its first derivative k_1 = f(t, y) unless k_1 is known, and makes the step size s->h point
-   to t_end and be at least as long as the shortest step. Returns a status. */
+/* Prepares a step: evaluates its first derivative k_1 = f(t, y) unless k_1 is known. Gives the step size s->h the sign
+   of the direction to t_end, and makes it at least as long as the shortest step. Returns a status. */
 VMI_APART int vmi_prepare(rk45 *s, vm_real t_end)
 {
     const vm_real left = VM_FABS(vmi_time_left(s, t_end)), longest = VMI_SMALLER(left, s->options.h_max);
@@ -117,7 +117,7 @@ VMI_APART int vmi_after_step(rk45 *s)
     return vmi_events(s);
 }
 
-/* Whether the time s->t + s->t_low of the state is still before t_end, in the direction of the run */
+/* Returns 1 if the time s->t + s->t_low of the state is still before t_end in the direction of the run, else 0. */
 VM_INLINE int vmi_is_before(const rk45 *s, vm_real t_end) { return s->t != t_end || -s->t_low * s->h > 0; }
 
 /* Makes steps to t_end, or one accepted step if `single` is not 0. f and n are those of s. Returns a status. */
@@ -166,7 +166,7 @@ VM_INLINE int vmi_begin_solve(rk45 *s, int method, ode_rhs f, int n, vm_real t_e
     return ODE_OK;
 }
 
-/* The time to which the steps of a run to t_end go: the largest number of the type if t_end is infinite */
+/* The time at which the steps of a run to t_end end: t_end, or the largest number of the type if t_end is infinite */
 VM_INLINE vm_real vmi_last_time(vm_real t_end)
 {
     if (t_end > VM_MAX) return VM_MAX;

@@ -42,7 +42,7 @@ typedef struct VM_TAG(vmi_event_past) {
 typedef struct VM_TAG(ode_event) {
     ode_event_function g; /* the function whose zeros are the event */
     void *ctx;            /* pointer that g and change receive */
-    int direction; /* changes of the sign of g that count in the run: > 0 from - to +, < 0 from + to -, 0 both */
+    int direction; /* > 0: an event is a change of the sign of g from - to +, < 0: from + to -, 0: both */
     int action;    /* ODE_RECORD, ODE_STOP or ODE_RESTART */
     int checks;    /* number of points inside each step at which g is evaluated, at most 9999; 0: 3 points; < 0: none */
     /* NULL, or the function that an event with ODE_RESTART calls. It may change y, and in ctx the data on which f
@@ -52,7 +52,8 @@ typedef struct VM_TAG(ode_event) {
     vm_real *times;  /* NULL, or an array that receives the times of the first `room` events */
     vm_real *states; /* NULL, or an array that receives the states of the first `room` events, n numbers each */
     /* 0, or a number k > 0: the run ends with ODE_EVENT when this event happens for the kth time, the 2kth time and so
-       on, whatever its action is. An event with ODE_STOP then stops at no other time. Each event ends a step. */
+       on, whatever its action is. For k > 0 an event with ODE_STOP stops the run at these times only. Each time that
+       such an event happens, it ends a step. */
     long stop_after;
     long count;      /* number of events so far */
     vm_real t;       /* time of the last event */
@@ -63,7 +64,7 @@ typedef struct VM_TAG(ode_event) {
     vm_real from;   /* g has been evaluated up to this fraction of the step */
     vm_real slack;  /* after the event, the sign of g is uncertain while |g| <= slack */
     vm_real quiet;  /* time after the event for which the sign of g may still be uncertain */
-    vmi_event_past past; /* the fields at the beginning of the step, for a step that is taken back */
+    vmi_event_past past; /* the fields at the beginning of the step, for a step that is undone */
 } ode_event;
 
 /* Options of a run. A zero in any field means its default; rk45_defaults shows all defaults. */
@@ -104,7 +105,7 @@ VM_API rk45_options vmi_defaults(vm_real least_rtol, const rk45_options *options
 /* The absolute tolerance of component i */
 VM_INLINE vm_real vmi_atol(const rk45_options *o, int i) { return o->atol_each ? o->atol_each[i] : o->atol; }
 
-/* Whether every component has a tolerance, and no tolerance is negative or NaN */
+/* Returns 1 if every component has a tolerance and no tolerance is negative or NaN, else 0. */
 VM_API int vmi_tolerances_are_valid(const rk45_options *o, int n)
 {
     int i;
@@ -115,7 +116,8 @@ VM_API int vmi_tolerances_are_valid(const rk45_options *o, int n)
     return 1;
 }
 
-/* Whether a run of n components can begin with these options, after vmi_defaults has replaced the zeros */
+/* Returns 1 if a run of n components can begin with these options, else 0. vmi_defaults must have replaced the
+   zeros. */
 VM_API int vmi_options_are_valid(const rk45_options *o, int n)
 {
     int i;
@@ -127,11 +129,11 @@ VM_API int vmi_options_are_valid(const rk45_options *o, int n)
     return 1;
 }
 
-/* Whether the event ends the step in which it happens */
+/* Returns 1 if the event ends the step in which it happens, else 0. */
 VM_INLINE int vmi_ends_step(const ode_event *e) { return e->action != ODE_RECORD || e->stop_after > 0; }
 
-/* Whether n >= 0 is a multiple of k > 0. The function subtracts k 2^j for falling j, so that a program for a processor
-   that cannot divide does not link a division only for this. */
+/* Returns 1 if n >= 0 is a multiple of k > 0, else 0. The function subtracts k 2^j for falling j, so that a program for
+   a processor that cannot divide does not link a division only for this. */
 VM_API int vmi_is_multiple(long n, long k)
 {
     long part = k;
@@ -143,14 +145,14 @@ VM_API int vmi_is_multiple(long n, long k)
     return n == 0 || n == k;
 }
 
-/* Whether the event, which has just been counted, ends the run */
+/* Returns 1 if the event, which has just been counted, ends the run, else 0. */
 VM_API int vmi_stops_now(const ode_event *e)
 {
     if (e->stop_after > 0) return vmi_is_multiple(e->count, e->stop_after);
     return e->action == ODE_STOP;
 }
 
-/* Whether any event can end the run */
+/* Returns 1 if any event can end the run, else 0. */
 VM_API int vmi_an_event_stops(const rk45_options *o)
 {
     int i;

@@ -21,14 +21,15 @@
 #include "runs.h"
 #include "steps.h"
 
-/* Whether a run that is at the time t, and that goes forward (direction 1) or backward (-1), has reached `time` */
+/* Returns 1 if a run at the time t has reached `time`, else 0. The run goes forward (direction 1) or backward (-1). */
 VM_API int vmi_has_reached(vm_real t, vm_real time, int direction)
 {
     if (direction > 0) return t >= time;
     return t <= time;
 }
 
-/* Whether the times begin at t or later in the direction of the run, and none is before an earlier one */
+/* Returns 1 if the times begin at t or later in the direction of the run and follow each other in this direction, else
+   0. */
 VM_API int vmi_times_are_in_order(vm_real t, int n_times, const vm_real *times, int direction)
 {
     int i;
@@ -76,11 +77,11 @@ VM_API int vmi_solve_at(rk45 *s, int method, int (*run)(rk45 *s, ode_rhs f, int 
 }
 
 /* Run of rk45 to the last of n_times times, with the state at each of them in a row of n numbers.
-   The times rise from s->t on, or fall from it; equal ones are allowed. rows has n_times n numbers. *n_done_or_NULL
-   becomes the number of rows that are filled: all of them, unless an event or an error ends the run; another call with
-   the times that are left continues it. If an event changes the state at a listed time, the row has the new state. The
-   values are those of rk45_interpolate, and s->y at the last time. Returns a status, as rk45_solve does, and
-   ODE_BAD_ARGUMENT for times that are not finite or in another order. */
+   The times start at s->t or later and rise, or start at s->t or earlier and fall; equal times are allowed. rows has
+   n_times n numbers. *n_done_or_NULL becomes the number of rows that are filled. These are all rows, unless an event or
+   an error ends the run; another call with the remaining times continues the run. If an event changes the state at a
+   listed time, the row has the new state. The values are those of rk45_interpolate, and s->y at the last time. Returns
+   a status, as rk45_solve does, and ODE_BAD_ARGUMENT for times that are not finite or in another order. */
 VM_API int rk45_solve_at(rk45 *s, int n_times, const vm_real *times, vm_real *rows, int *n_done_or_NULL)
 {
     return vmi_solve_at(s, VMI_RK45, vmi_rk45_run, n_times, times, rows, n_done_or_NULL);

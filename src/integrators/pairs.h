@@ -1,12 +1,12 @@
-/* integrators/pairs.h - what a Runge-Kutta pair is: a descriptor, and what the stages of all pairs share
+/* integrators/pairs.h - the descriptor of a Runge-Kutta pair, and code that the stages of all pairs use
    A pair of orders p and p - 1 makes a step of size h from y at t in stages, each of which evaluates f once:
 
        k_i = f(t + c_i h, y + h (a_i1 k_1 + a_i2 k_2 + ...)),    y_new = y + h (b_1 k_1 + b_2 k_2 + ...),
 
    where c_i, a_ij and b_i are the coefficients of the pair. Another sum of the k_i estimates the error. For each pair
    there is a file with its public functions, its coefficients and its descriptor: rk45.h, rk87.h. The descriptor, a
-   vmi_rk_pair, holds all that an adaptive run needs to know of the pair. To add a pair, write such a file and include
-   it in src/integrators.h.
+   vmi_rk_pair, contains all that an adaptive run needs to know of the pair. To add a pair, write such a file and
+   include it in src/integrators.h.
 
    Tests: tests/gen/order_conditions.py, every order condition; tests/test_adaptive.c, measured orders. */
 #ifndef VARMASS_INTEGRATORS_PAIRS_H
@@ -88,16 +88,16 @@ typedef struct VM_TAG(vmi_rk_stepper) {
 #define VMI_LOOP VM_INLINE
 #endif
 
-/* The index of the part of work that holds f at the end of a step */
+/* The index of the part of work that contains f at the end of a step */
 VMI_FOLDED int vmi_last_k(const vmi_rk_pair *pair) { return VMI_K + pair->stages - pair->last_is_first; }
 
 /* The least rtol that a run by this pair accepts */
 VMI_FOLDED vm_real vmi_least_rtol(const vmi_rk_pair *pair) { return (vm_real)pair->rounding * VM_EPSILON; }
 
 /* Macros for the stages of a pair. VMI_H is h times a coefficient. VMI_EVAL evaluates k = f(t, y) and counts it; if f
-   stops the run, it returns from the function that makes the stages. In every sum h is multiplied into the
-   coefficients, and the k that was evaluated last is the last term, so that only one multiplication and one addition
-   lie between one evaluation of f and the next. */
+   stops the run, it returns from the function that makes the stages. In every sum the coefficients are multiplied by h
+   first, and the k that was evaluated last is the last term. So only one multiplication and one addition come between
+   one evaluation of f and the next. */
 #define VMI_H(c) (h * VM_C(c))
 #define VMI_EVAL(t, y, k)                \
     do {                                 \

@@ -133,8 +133,8 @@ VM_INLINE int rk4_solve(ode_rhs f, void *ctx, int n, vm_real *t, vm_real t_end, 
 }
 
 /* Equal steps with compensated summation [3], so that roundings do not add up. The steps are those of rk4_solve, but
-   the state is y + y_low. y_low has n numbers, which the caller sets to zero before the first call. The summation is
-   worth its time when there are millions of steps. */
+   the state is y + y_low. y_low has n numbers, which the caller sets to zero before the first call. The summation takes
+   additional time, which is worth it when there are millions of steps. */
 VM_INLINE int rk4_solve_compensated(ode_rhs f, void *ctx, int n, vm_real *t, vm_real t_end, long steps, vm_real *y,
                                     vm_real *y_low, vm_real *work)
 {

@@ -184,7 +184,7 @@ VM_API vm_real vmi_rk87_end_difference(int j)
     return VM_READ(weights[j]);
 }
 
-/* How many k_i a step itself computes, and how many the continuous extension adds */
+/* The number of k_i that a step itself computes, and the number that the continuous extension adds */
 #define VMI_RK87_OWN 14
 #define VMI_RK87_EXTRA 7
 
@@ -223,8 +223,8 @@ VM_API vm_real vmi_rk87_extra_coefficient(int stage, int j)
 }
 
 /* Evaluates the seven further stages that the continuous extension of order 8 needs. If the derivative at the end of
-   the step is not finite, it is evaluated again first. Returns a status: ODE_NOT_FINITE if one of them leaves the
-   domain of f, which may happen even if no stage of the step itself does. */
+   the step is not finite, it is evaluated again first. Returns a status. It is ODE_NOT_FINITE if one of these stages
+   lies outside the domain of f; this may happen even if no stage of the step itself does. */
 VM_API int vmi_rk87_extend(rk45 *s)
 {
     VM_TABLE vm_real c[7] = {

@@ -1,6 +1,6 @@
 /* integrators/runs.h - what an adaptive run is: its state, its work and its beginning
-   An rk45 holds the state of a run by rk45 or by rk87. Its `work`, which the caller provides, holds the arrays of n
-   numbers. The functions that make and use an rk45 are in rk45.h and rk87.h.
+   An rk45 contains the state of a run by rk45 or by rk87. Its `work`, which the caller provides, contains the arrays of
+   n numbers. The functions that make and use an rk45 are in rk45.h and rk87.h.
 
    Tests: tests/test_adaptive.c. */
 #ifndef VARMASS_INTEGRATORS_RUNS_H
@@ -16,7 +16,7 @@
 typedef struct VM_TAG(rk45) {
     vm_real t;            /* current time */
     vm_real *y;           /* current state, n numbers (in work) */
-    vm_real t_old;        /* rk45_interpolate covers t_old to t, the last accepted step; t_old is t after an error */
+    vm_real t_old;        /* the last accepted step is from t_old to t (rk45_interpolate); t_old is t after an error */
     vm_real h;            /* size of the next step to be tried, with its sign; 0 before the first step */
     long steps;           /* number of accepted steps */
     long rejected;        /* number of rejected steps */
@@ -104,7 +104,7 @@ VMI_APART int vmi_init(rk45 *s, const vmi_rk_pair *pair, ode_rhs f, void *ctx, i
     s->h = o.h0;
     s->attempts = o.max_steps;
     vmi_copy(n, y0, s->y);
-    for (i = n; i < (VMI_K + pair->derivatives) * n; i++) work[i] = 0; /* so that a run that is saved is known bytes */
+    for (i = n; i < (VMI_K + pair->derivatives) * n; i++) work[i] = 0; /* then all bytes of a saved run are defined */
     if (options_or_NULL && options_or_NULL->rtol > 0 && options_or_NULL->rtol < o.rtol) return ODE_RTOL_RAISED;
     return ODE_OK;
 }

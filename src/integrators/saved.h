@@ -3,8 +3,8 @@
    A saved run has all the numbers of an rk45, of its work and of its events, but no pointers. The program that
    resumes it calls rk45_init with the f, n, options and events of the saved run, then rk45_resume. The resumed run
    has the same bits as a run that was not interrupted. A plain copy of an rk45 is not enough: y, work, options.events
-   and options.atol_each are pointers to arrays of the caller, and f, ctx and the fields of the pair point into the
-   program.
+   and options.atol_each are pointers to arrays of the caller, and f, ctx and the fields of the pair point to functions
+   and data of the program.
 
        unsigned char bytes[RK45_SAVED(2, 0)]; // n = 2, no events
        double y0[2] = {1, 0}, work[RK45_WORK(2)], other_work[RK45_WORK(2)];
@@ -15,9 +15,9 @@
        rk45_init(&again, spring, NULL, 2, 0.0, y0, NULL, other_work);
        rk45_resume(&again, sizeof bytes, bytes); // continues from the time of s
 
-   Bytes are for the same type vm_real and the same version of this header. They are the same on every machine, so
-   that a run that was saved on one machine can be resumed on another one, with the same bits. Tests:
-   tests/test_saved_runs.c. */
+   A saved run can be resumed only with the same type vm_real and the same version of this header. The bytes are the
+   same on every machine, so that a run that was saved on one machine can be resumed on another one, with the same bits.
+   Tests: tests/test_saved_runs.c. */
 #ifndef VARMASS_INTEGRATORS_SAVED_H
 #define VARMASS_INTEGRATORS_SAVED_H
 
@@ -34,7 +34,7 @@
 #include "rk87.h"
 #include "runs.h"
 
-/* The numbers at the beginning of a saved run. They tell whether it fits the run that resumes it. */
+/* The numbers at the beginning of a saved run. The run that resumes it must have the same. */
 enum {
     VMI_SAVED_FORMAT,
     VMI_SAVED_REAL,
@@ -42,7 +42,7 @@ enum {
     VMI_SAVED_METHOD,
     VMI_SAVED_N,
     VMI_SAVED_EVENTS,
-    VMI_SAVED_HEAD /* how many numbers these are */
+    VMI_SAVED_HEAD /* the number of these numbers */
 };
 
 enum {
@@ -94,7 +94,8 @@ VM_API void vmi_saved_real(vmi_saved_place *p, vm_real *x)
     memcpy(x, &own, sizeof own);
 }
 
-/* Writes or reads a number of type long. If a machine's long cannot hold what it reads, it reads the nearest number. */
+/* Writes or reads a number of type long. If the number is outside the range of a machine's long, the nearest long is
+   read. */
 VM_API void vmi_saved_long(vmi_saved_place *p, long *x)
 {
     uint64_t bits = (uint64_t)(int64_t)*x;
@@ -173,7 +174,7 @@ VM_API void vmi_saved_head(const rk45 *s, int *head)
     head[VMI_SAVED_EVENTS] = s->options.n_events;
 }
 
-/* Writes or reads these numbers */
+/* Writes or reads the numbers at the beginning of a saved run */
 VM_API void vmi_saved_move_head(vmi_saved_place *p, int *head)
 {
     int i;
@@ -188,7 +189,7 @@ VM_API void vmi_saved_move_sum(vmi_saved_place *p, uint32_t *sum)
     *sum = (uint32_t)bits;
 }
 
-/* A checksum of bytes (FNV-1a), which a saved run ends with, so that damaged bytes are refused */
+/* Returns the checksum of bytes (FNV-1a). A saved run ends with its checksum, so that damaged bytes are refused. */
 VM_API uint32_t vmi_saved_checksum(const unsigned char *bytes, long count)
 {
     uint32_t sum = 2166136261u;
@@ -248,9 +249,10 @@ VM_API int vmi_resume(rk45 *s, int method, long size, const unsigned char *bytes
     return ODE_OK;
 }
 
-/* Saves a run of rk45 between two calls as bytes, of which there is room for size >= RK45_SAVED(n, number of events).
-   The arrays `times` and `states` of events, ctx and the options are not in the bytes: they are the caller's. The cost
-   is that of a copy. Returns ODE_OK, ODE_BAD_ARGUMENT for a null pointer or a run by rk87, or ODE_WORK_TOO_SMALL. */
+/* Saves a run of rk45 between two calls as bytes. There is room for `size` bytes, at least RK45_SAVED(n, number of
+   events). The arrays `times` and `states` of events, ctx and the options are not in the bytes: they are the caller's.
+   A call takes as long as a copy of the bytes. Returns ODE_OK, ODE_BAD_ARGUMENT for a null pointer or a run by rk87, or
+   ODE_WORK_TOO_SMALL. */
 VM_API int rk45_save(const rk45 *s, long size, unsigned char *bytes) { return vmi_save(s, VMI_RK45, size, bytes); }
 
 /* Copies the numbers of a saved run of rk45 into s, which rk45_init has made with the f, n, options and events of the
@@ -259,8 +261,8 @@ VM_API int rk45_save(const rk45 *s, long size, unsigned char *bytes) { return vm
    number of events or type, and for damaged bytes; s is then unchanged. */
 VM_API int rk45_resume(rk45 *s, long size, const unsigned char *bytes) { return vmi_resume(s, VMI_RK45, size, bytes); }
 
-/* Saves a run of rk87 as bytes, of which there is room for size >= RK87_SAVED(n, number of events).
-   All else is as in rk45_save. */
+/* Saves a run of rk87 as bytes. There is room for `size` bytes, at least RK87_SAVED(n, number of events). All else is
+   as in rk45_save. */
 VM_API int rk87_save(const rk87 *s, long size, unsigned char *bytes) { return vmi_save(s, VMI_RK87, size, bytes); }
 
 /* Copies the numbers of a saved run of rk87 into s, which rk87_init has made. All else is as in rk45_resume. */

@@ -17,8 +17,8 @@
 #include "runs.h"
 
 /* x^p with an error of at most 1.6 % where |p| <= 0.2 and the result is from 0.1 to 10. x must be positive, and the
-   result must neither overflow nor underflow. The bits of x, taken as an integer, are a piecewise linear logarithm,
-   `middle` is half its largest error, and the exponential function is (1 + v + v^2/2)^16. */
+   result must neither overflow nor underflow. The bits of x, taken as an integer, give a logarithm of x that is
+   piecewise linear; `middle` is half its largest error. The exponential function is computed as (1 + v + v^2/2)^16. */
 VM_INLINE vm_real vmi_pow_rough(vm_real x, vm_real p)
 {
     const vm_real ln2 = VM_C(0.69314718055994531), middle = VM_C(0.043);
@@ -93,7 +93,7 @@ VM_INLINE vm_real vmi_direction(const rk45 *s, vm_real t_end) { return vmi_time_
 /* The factor by which the step size changes after an accepted step, by PI control (Hairer et al. [2, IV.2]). It is the
    smaller of 10 and
      0.9 error^(-4/(5 order)) error_before^(1/(5 order)),
-   where error is the error of this step divided by its tolerance, and error_before that of the step before. */
+   where error is the error of this step divided by its tolerance, and error_before is that of the previous step. */
 VM_INLINE vm_real vmi_factor(int order, vm_real error, vm_real inverse_error_before)
 {
     const vm_real square = error * error, power = VM_C(-0.2) / (vm_real)order;
@@ -183,9 +183,9 @@ typedef struct VM_TAG(vmi_trial) {
     int shortest;                /* 1 if no shorter step can be tried */
 } vmi_trial;
 
-/* The size of a step is changed by at most this fraction, 1/64, so that the step ends at a time that the type can hold.
-   A step for which the change would be larger is so short that it ends between two such times. Then t_low is not 0, so
-   that t + t_low remains the time of the state y. */
+/* The size of a step is changed by at most this fraction, 1/64, so that the step ends at a time that is a number of the
+   type. A step for which the change would be larger is so short that it ends between two such times. Then t_low is not
+   0, so that t + t_low remains the time of the state y. */
 #define VMI_LANDING VM_C(0.015625)
 #define VMI_NEARLY VM_C(0.999999) /* a step that covers this fraction of the time to t_end ends at t_end */
 
@@ -221,7 +221,7 @@ VMI_FOLDED int vmi_choose_step(const rk45_options *o, vm_real t_end, vmi_progres
    are three such steps, 1, 10 and 100 times as long as the smallest step; next to a singularity of f there are none. */
 enum { VMI_BETWEEN_MISSES = 3 };
 
-/* Takes back the last accepted step, which missed the tolerance */
+/* Undoes the last accepted step, which missed the tolerance */
 VMI_FOLDED void vmi_drop_missed_step(vmi_rk_system sys, vmi_progress *p)
 {
     vmi_copy(sys.n, sys.w + VMI_Y_OLD * sys.m, sys.w + VMI_Y * sys.m);
@@ -237,7 +237,7 @@ VMI_FOLDED void vmi_drop_missed_step(vmi_rk_system sys, vmi_progress *p)
 
 /* Rejects a step whose error is above the tolerance or NaN, and chooses the size of the next attempt. Returns ODE_OK if
    a shorter step can be tried. Otherwise returns the status with which the run ends. If the run ends and the last
-   accepted step missed the tolerance, that step is taken back. */
+   accepted step missed the tolerance, that step is undone. */
 VMI_FOLDED int vmi_reject(int order, const vmi_trial *trial, vm_real error, vmi_rk_system sys, vmi_progress *p)
 {
     const int not_a_number = error != error;
@@ -298,7 +298,7 @@ VMI_FOLDED int vmi_advance(rk45 *s, vmi_rk_stepper stepper, vmi_rk_system sys, v
     const vmi_rk_pair pair = stepper.pair;
     vm_real *y = sys.w + VMI_Y * sys.m, *z = sys.w + VMI_Z * sys.m, *last_k = sys.w + vmi_last_k(&pair) * sys.m;
     vmi_progress p = vmi_begin_progress(s, t_end);
-    long evals = 0; /* not a field of p, which must stay in registers: make_stages gets its address */
+    long evals = 0; /* make_stages gets its address; a field of p would then not stay in a register */
     int status;
     for (;;) {
         vmi_trial trial;
@@ -372,8 +372,8 @@ VMI_FOLDED int vmi_advance_small(rk45 *s, vmi_rk_stepper stepper, vmi_rk_system 
     return status;
 }
 
-/* Takes back the last accepted step, so that the next step is the same again. vmi_advance must have returned after this
-   step: its k_1 is then still in work. */
+/* Undoes the last accepted step, so that the next step is the same step again. vmi_advance must have returned after
+   this step: its k_1 is then still in work. */
 VM_API void vmi_take_back_step(rk45 *s)
 {
     vmi_copy(s->n, vmi_part(s, VMI_Y_OLD), s->y);

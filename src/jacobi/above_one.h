@@ -1,17 +1,17 @@
 /* jacobi/above_one.h - incomplete elliptic integrals for m > 1
 
-   For m > 1 the root sqrt(1 - m sin^2 x) is real only up to the angle arcsin(1/k), where k = sqrt(m). Up to there the
-   integrals F, E, D and Pi have ordinary values, also at the end, and beyond they are NaN. With them one counts the
-   time of a pendulum from its angle: if it swings to and fro up to the angle A, it takes F(a/2 | m)/(k w0) seconds from
-   its lowest point to the angle a, where k is 1/sin(A/2) and w0 the frequency of its small oscillations.
+   For m > 1 the root sqrt(1 - m sin^2 x) is real only up to the angle arcsin(1/k), where k = sqrt(m). Up to this angle,
+   and at it, the integrals F, E, D and Pi have ordinary values; beyond it they are NaN. They give the time in which a
+   pendulum reaches an angle. A pendulum that swings to and fro up to the angle A needs F(a/2 | m)/(k w0) seconds from
+   its lowest point to the angle a, where k is 1/sin(A/2) and w0 is the frequency of its small oscillations.
 
        vm_real u = jacobi_F(VM_C(0.4), VM_C(2.5)); // sn(u | 2.5) = sin 0.4
 
    Method: the reciprocal transformation leads to the parameter 1/m and the angle whose sine is k sin phi. In Carlson's
-   integrals it means that cos^2 phi and 1 - m sin^2 phi change places. The latter number falls to 0 at the end, where
-   an integral changes as its root. Therefore the sine and the cosine of phi are computed in two words. All functions
-   of this file are internal; jacobi/incomplete.h calls them. Source: DLMF 19.7.4, 19.25. Tests:
-   tests/test_elliptic_integrals.c. */
+   integrals it exchanges the arguments cos^2 phi and 1 - m sin^2 phi. The number 1 - m sin^2 phi falls to 0 at the
+   angle arcsin(1/k), and near this angle the integrals change as the square root of this number. Therefore it needs
+   many digits, and the sine and the cosine of phi are computed in two words. All functions of this file are internal;
+   jacobi/incomplete.h calls them. Source: DLMF 19.7.4, 19.25. Tests: tests/test_elliptic_integrals.c. */
 #ifndef VARMASS_JACOBI_ABOVE_ONE_H
 #define VARMASS_JACOBI_ABOVE_ONE_H
 
@@ -37,7 +37,8 @@ VM_API vm_two vmi_two_sine_series(vm_two t)
     return vmi_two_times(t, sum);
 }
 
-/* The sine and the cosine of z in two words for 0 <= z <= pi/4: those of z/8, and three doublings of the angle */
+/* The sine and the cosine of z in two words for 0 <= z <= pi/4. The angle z/8, whose sine is computed by a power
+   series, is doubled three times. */
 VM_API void vmi_two_sin_cos(vm_two z, vm_two *sine, vm_two *cosine)
 {
     const vm_two one = vmi_two(1, 0);
@@ -61,14 +62,15 @@ typedef struct VM_TAG(vmi_above) {
     vm_real d;     /* 1 - m sin^2 phi, which is cc - share; below 0 or NaN where the integrals have no real value */
 } vmi_above;
 
-/* Returns the root of |x| times sin phi in two words. The root keeps the product from overflow and underflow. */
+/* Returns sqrt(|x|) sin phi in two words. The root is taken first, so that the product neither overflows nor
+   underflows. */
 VM_API vm_two vmi_root_times_sine(vm_two x, const vmi_above *angle)
 {
     if (x.hi < 0) x = vmi_minus(x);
     return vmi_two_times(vmi_two_root(x), angle->s);
 }
 
-/* Returns c^2 - x^2 as a product, which has a small relative error. */
+/* Returns c^2 - x^2, computed as (c - x) (c + x), which has a small relative error. */
 VM_API vm_real vmi_difference_of_squares(vm_two c, vm_two x)
 {
     return vmi_two_times(vmi_two_minus(c, x), vmi_two_plus(c, x)).hi;
@@ -91,7 +93,7 @@ VM_API vmi_above vmi_above_of(vm_real phi, vm_two m1)
     angle.cc = angle.c.hi * angle.c.hi;
     angle.share = root.hi * root.hi;
     angle.d = vmi_difference_of_squares(angle.c, root);
-    if (!(z.hi >= 0) || !VM_IS_FINITE(m1.hi)) angle.d = VM_NAN; /* beyond pi/2 */
+    if (!(z.hi >= 0) || !VM_IS_FINITE(m1.hi)) angle.d = VM_NAN; /* |phi| is above pi/2 */
     return angle;
 }
 
@@ -103,8 +105,8 @@ VM_API vm_real vmi_F_above(vm_real phi, vm_two m1)
     return VM_COPYSIGN(angle.s.hi * vmi_rf(angle.cc, angle.d, 1), phi);
 }
 
-/* E(phi | m) for m > 1. With M = 1/m and the angle B whose sine is k s it is (E(B | M) - (1 - M) F(B | M)) k, a
-   difference whose digits would cancel. The formula here is a sum of positive terms (DLMF 19.25.10). */
+/* E(phi | m) for m > 1. With M = 1/m and the angle B whose sine is k s, it equals (E(B | M) - (1 - M) F(B | M)) k, but
+   this difference would lose digits. The formula here is a sum of positive terms (DLMF 19.25.10). */
 VM_API vm_real vmi_E_above(vm_real phi, vm_two m1)
 {
     const vmi_above angle = vmi_above_of(phi, m1);
@@ -126,8 +128,9 @@ VM_API vm_real vmi_D_above(vm_real phi, vm_two m1)
     return VM_COPYSIGN(s * (s * s * rd * VM_C(0.3333333333333333333)), phi);
 }
 
-/* Pi(n; phi | m) for m > 1 and n < 0. The characteristic N = (1 - n)/(m - n) of the parameter 1/m replaces n/m (DLMF
-   19.7.9), so that all terms are positive. q is 1 - N k^2 s^2. */
+/* Pi(n; phi | m) for m > 1 and n < 0. The reciprocal transformation leads to the parameter 1/m and the characteristic
+   n/m. The characteristic N = (1 - n)/(m - n) replaces n/m (DLMF 19.7.9), so that all terms are positive. q is 1 - N
+   k^2 s^2. */
 VM_API vm_real vmi_Pi_above_negative(const vmi_above *angle, vm_real n, vm_real m, vm_real m1)
 {
     const vm_real s = angle->s.hi, ratio = n / m, per = 1 / (1 - ratio);

@@ -19,7 +19,7 @@
 /* Returns 1 if m1 = 1 - m is negative, infinite or NaN, so that no elliptic function has this parameter, else 0. */
 VM_API int vmi_refused(vm_real m1) { return !(m1 >= 0) || !VM_IS_FINITE(m1); }
 
-/* The number of pairs a_n, b_n that a vmi_ladder can hold. The smallest m1 > 0, 5e-324, needs 13 of them. */
+/* The largest number of pairs a_n, b_n in a vmi_ladder. The smallest m1 > 0, 5e-324, needs 13 of them. */
 #define VMI_LADDER 16
 
 /* The numbers a_n and b_n of all steps of the arithmetic-geometric mean. sn, cn and dn are computed from them,

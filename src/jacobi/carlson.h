@@ -1,6 +1,7 @@
 /* jacobi/carlson.h - Carlson's symmetric elliptic integrals R_F, R_C, R_D, R_J and R_G
 
-   Every elliptic integral is a sum of a few of these. In them no digits cancel, and no special cases are needed:
+   Every elliptic integral is a sum of a few of these. They are computed without loss of digits and without special
+   cases:
      R_F(x, y, z)    = 1/2 integral from 0 to infinity of dt/s(t),  s(t) = sqrt((t + x)(t + y)(t + z)),
      R_J(x, y, z, p) = 3/2 integral from 0 to infinity of dt/((t + p) s(t)),
    R_C(x, y) = R_F(x, y, y), R_D(x, y, z) = R_J(x, y, z, z), and R_G, which gives the surface of an ellipsoid.
@@ -29,8 +30,8 @@ typedef struct VM_TAG(vmi_carlson) {
     vm_real lambda;  /* a b + b c + c a in the last duplication */
 } vmi_carlson;
 
-/* The power series are used if each argument differs from the mean by at most this share of the mean. The first terms
-   that are left out, those of degree 11 (float 5) in the differences, are then below 1e-17 (float 4e-9). */
+/* The power series are used if each argument differs from the mean by at most this share of the mean. The largest terms
+   that are left out have the degree 11 (float 5) in these differences; they are below 1e-17 (float 4e-9). */
 #define VMI_CARLSON_CLOSE VM_C(0.0262)
 
 /* Returns the state before the first duplication of x, y, z. */
@@ -53,7 +54,8 @@ VM_INLINE vm_real vmi_carlson_spread(const vmi_carlson *s)
     return vmi_larger(vmi_larger(VM_FABS(s->X), VM_FABS(s->Y)), VM_FABS(s->X + s->Y));
 }
 
-/* Makes one duplication (DLMF 19.26.18): x becomes (x + lambda)/4, and y and z change likewise. No digits cancel. */
+/* Makes one duplication (DLMF 19.26.18): x becomes (x + lambda)/4, and y and z change in the same way. No digits are
+   lost. */
 VM_INLINE void vmi_carlson_duplicate(vmi_carlson *s)
 {
     s->a = VM_SQRT(s->x);
@@ -207,8 +209,9 @@ VM_API vm_real vmi_rc(vm_real x, vm_real y)
 }
 
 /* Returns R_F(x, y, z), and R_J(x, y, z, p) in *rj, for p > 0 and arguments x, y, z >= 0 of which at most one is 0. The
-   arguments should be about 1: d, which contains their power 3/2, must neither overflow nor underflow. Each duplication
-   adds 6/d R_C(1, 1 + e) to R_J (DLMF 19.26.21 and Carlson 1995), where d = (r + a)(r + b)(r + c) and r = sqrt(p).
+   arguments should be about 1, because their power 3/2 is contained in d, which must neither overflow nor underflow.
+   Each duplication adds 6/d R_C(1, 1 + e) to R_J (DLMF 19.26.21 and Carlson 1995), where d = (r + a)(r + b)(r + c) and
+   r = sqrt(p).
    1 + e is computed as 2 r (p + lambda)/d, so that nothing cancels. */
 VM_API vm_real vmi_rf_rj(vm_real x, vm_real y, vm_real z, vm_real p, vm_real *rj)
 {
@@ -303,8 +306,9 @@ VM_API vm_real vmi_carlson_limit(int zeros, int infinite)
     return 0;
 }
 
-/* R_F for a largest argument so great that sums would overflow. One duplication is made here, in quarters, which leaves
-   no argument small; then all are divided by 16. */
+/* R_F for a largest argument so great that sums would overflow. The function makes one duplication and divides the new
+   arguments by 16. Each term is divided before it is added, so that no sum overflows. After the duplication no argument
+   is small. */
 VM_API vm_real vmi_rf_huge(vm_real x, vm_real y, vm_real z)
 {
     const vm_real a = VM_SQRT(x) / 2, b = VM_SQRT(y) / 2, c = VM_SQRT(z) / 2;
@@ -339,7 +343,7 @@ VM_API vm_real jacobi_RC(vm_real x, vm_real y)
     if (y == 0 || !VM_IS_FINITE(largest)) return vmi_carlson_limit(y == 0, !VM_IS_FINITE(largest));
     by = vmi_carlson_scale_of(largest);
     if (!vmi_carlson_is_lost(by, VM_FABS(y))) return by.root * vmi_rc(by.factor * x, by.factor * y);
-    return jacobi_RF(x, VM_FABS(y), VM_FABS(y)); /* which does not depend on the sign of so little a number */
+    return jacobi_RF(x, VM_FABS(y), VM_FABS(y)); /* R_C does not depend on the sign of a y this small */
 }
 
 /* R_D(x, y, z) = R_J(x, y, z, z), Carlson's integral of the second kind, for x, y, z >= 0. It is symmetric in x and
@@ -359,8 +363,8 @@ VM_API vm_real jacobi_RD(vm_real x, vm_real y, vm_real z)
     return by.root * (by.root * (by.root * rd));
 }
 
-/* R_J for p < 0: its Cauchy principal value, from R_J at the positive p that is called `other` (DLMF 19.20.14), for
-   0 <= x, y <= z of which at most one is 0 */
+/* R_J for p < 0, its Cauchy principal value, for 0 <= x, y <= z of which at most one is 0. It is computed from R_J with
+   the positive number `other` in place of p (DLMF 19.20.14). */
 VM_API vm_real vmi_rj_principal(vm_real x, vm_real y, vm_real z, vm_real p)
 {
     const vm_real q = -p, other = (z * ((x + y) + q) - x * y) / (z + q), product = x * y + other * q;
@@ -399,8 +403,8 @@ VM_API vm_real jacobi_RJ(vm_real x, vm_real y, vm_real z, vm_real p)
 
 /* R_G(x, y, z), Carlson's symmetric integral of the second kind, for x, y, z >= 0. The error is at most 10 ulp. R_G is
    infinite if an argument is infinite, and NaN if one is negative. E(m) is 2 R_G(0, 1 - m, 1), and an ellipsoid with
-   the half axes a, b, c has the surface 4 pi R_G(a^2 b^2, b^2 c^2, c^2 a^2). DLMF 19.16.3. With the middle one of the
-   arguments as z all terms of DLMF 19.21.10 are positive. */
+   the half axes a, b, c has the surface 4 pi R_G(a^2 b^2, b^2 c^2, c^2 a^2). DLMF 19.16.3. The function uses DLMF
+   19.21.10, whose terms are all positive if z is the middle one of the arguments. */
 VM_API vm_real jacobi_RG(vm_real x, vm_real y, vm_real z)
 {
     const vm_real least = vmi_smaller(vmi_smaller(x, y), z), largest = vmi_larger(vmi_larger(x, y), z);

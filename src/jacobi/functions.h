@@ -28,7 +28,7 @@ VM_INLINE vmi_thetas vmi_thetas_of(vm_real u, vm_real m1, vm_real m1_lo, vm_real
     vm_real v, v_lo;
     vmi_bits quarters;
     vmi_thetas theta;
-    *bound = m1; /* for |u| <= K/2 dn lies between 1 and sqrt(k'), so also between 1 and m1 */
+    *bound = m1; /* for |u| <= K/2 dn lies between 1 and sqrt(k'), and therefore between 1 and m1 */
     if (m1 >= 0 && reach <= 1) return vmi_theta_near(u, m1);
     *bound = VM_SQRT(m1);
     v = vmi_reduced(VM_FABS(u), m1, m1_lo, *bound, reach, &v_lo, &quarters);
@@ -60,7 +60,8 @@ VM_API void jacobi_sncndn(vm_real u, vm_real m, vm_real *sn, vm_real *cn, vm_rea
 }
 
 /* sn, cn and dn for the complementary parameter m1 = 1 - m >= 0.
-   Domain and accuracy are those of jacobi_sncndn; m1 keeps its digits where m is close to 1. */
+   Domain and accuracy are those of jacobi_sncndn. Use it for m close to 1, where the difference 1 - m would lose
+   digits. */
 VM_API void jacobi_sncndn_m1(vm_real u, vm_real m1, vm_real *sn, vm_real *cn, vm_real *dn)
 {
     vmi_sncndn(u, m1 + 0, 0, sn, cn, dn); /* m1 + 0 turns -0 into 0 */

@@ -10,9 +10,9 @@
 
        vm_real u = jacobi_F(VM_C(1.2), VM_C(0.5)); // am(u | 0.5) = 1.2
 
-   Method: a multiple of pi is subtracted from phi, so that the rest theta has |theta| <= pi/2; pi has three words here.
-   Each pi adds twice the complete integral. The integral from 0 to theta is a sum of Carlson's integrals whose terms
-   are all positive, so that no digits cancel. Source: DLMF 19.2, 19.7, 19.25. Tests:
+   Method: a multiple of pi is subtracted from phi, so that the rest theta has |theta| <= pi/2; pi is used in three
+   words. Each pi adds twice the complete integral. The integral from 0 to theta is a sum of Carlson's integrals whose
+   terms are all positive, so that no digits are lost. Source: DLMF 19.2, 19.7, 19.25. Tests:
    tests/test_elliptic_integrals.c. */
 #ifndef VARMASS_JACOBI_INCOMPLETE_H
 #define VARMASS_JACOBI_INCOMPLETE_H
@@ -27,12 +27,12 @@
 
 /* An angle as the sum of a multiple of pi and a rest theta, |theta| <= pi/2 */
 typedef struct VM_TAG(vmi_angle) {
-    vm_real turns; /* phi = turns pi/2 + theta: an integral to phi contains turns complete ones */
+    vm_real turns; /* phi = turns pi/2 + theta: an integral to phi contains `turns` complete ones */
     vm_real s, c;  /* sin theta and cos theta, each with a small relative error */
 } vmi_angle;
 
-/* Reduces the finite angle phi. Where phi is so large that its digits say nothing about the rest, turns is 2 phi/pi
-   and theta is 0. */
+/* Reduces the finite angle phi. Where phi is so large that its digits do not determine theta, turns is 2 phi/pi and
+   theta is 0. */
 VM_INLINE vmi_angle vmi_angle_of(vm_real phi)
 {
     const vmi_three half_pi = vmi_half_pi();
@@ -54,7 +54,7 @@ VM_INLINE vmi_angle vmi_angle_of(vm_real phi)
     vmi_sin_cos(rest, &sine, &cosine);
     angle.s = sine;
     angle.c = cosine;
-    if (j < VM_C(0.25) / VM_EPSILON && j - 2 * VM_FLOOR(j / 2) > 0) { /* theta = rest +- pi/2, towards 0 */
+    if (j < VM_C(0.25) / VM_EPSILON && j - 2 * VM_FLOOR(j / 2) > 0) { /* theta = rest +- pi/2, nearer to 0 */
         const vm_real side = VM_COPYSIGN((vm_real)1, rest.hi);
         angle.turns = j + side;
         angle.s = -side * cosine;
@@ -96,8 +96,9 @@ VM_API vm_real vmi_F(vm_real phi, vm_real m1, vm_real m1_lo)
 
 /* F(phi | m), the incomplete elliptic integral of the first kind. It is the inverse of the amplitude. It is odd in phi,
    and for m <= 1 F(phi + pi) = F(phi) + 2K. The error is at most 8 ulp for |phi| <= 1e9 (float 1e4). Returns phi for
-   infinite phi, 0 for m = -infinity, and NaN where both are infinite. For m = 1 it is infinite beyond pi/2. For m > 1
-   it is NaN where m sin^2 phi > 1, beyond pi/2, and for infinite m. docs/cost.md has the time. DLMF 19.2.4, 19.25.5. */
+   infinite phi, 0 for m = -infinity, and NaN where both are infinite. For m = 1 F is infinite for |phi| > pi/2. For
+   m > 1 F is NaN where m sin^2 phi > 1, for |phi| > pi/2, and for infinite m. docs/cost.md has the time. DLMF 19.2.4,
+   19.25.5. */
 VM_API vm_real jacobi_F(vm_real phi, vm_real m)
 {
     const vm_two m1 = vmi_two_sum(1, -m);
@@ -105,7 +106,7 @@ VM_API vm_real jacobi_F(vm_real phi, vm_real m)
 }
 
 /* F(phi | m) from the complementary parameter m1 = 1 - m.
-   Domain and accuracy are those of jacobi_F; m1 keeps its digits where m is close to 1. */
+   Domain and accuracy are those of jacobi_F. Use it for m close to 1, where the difference 1 - m would lose digits. */
 VM_API vm_real jacobi_F_m1(vm_real phi, vm_real m1) { return vmi_F(phi, m1, 0); }
 
 /* E(theta | m) for |theta| <= pi/2 and m <= 1, from the sine and the cosine of theta. Both m and m1 = 1 - m are
@@ -142,8 +143,8 @@ VM_API vm_real vmi_E_incomplete(vm_real phi, vm_real m, vm_real m1, vm_real m1_l
 
 /* E(phi | m), the incomplete elliptic integral of the second kind. It is odd in phi, and for m <= 1 E(phi + pi) =
    E(phi) + 2E(m). The error is at most 8 ulp for |phi| <= 1e9 (float 1e4). Returns phi for infinite phi, and infinity
-   with the sign of phi for m = -infinity. For m > 1 it is NaN where m sin^2 phi > 1, beyond pi/2, and for infinite m.
-   docs/cost.md has the time. DLMF 19.2.5. */
+   with the sign of phi for m = -infinity. For m > 1 E is NaN where m sin^2 phi > 1, for |phi| > pi/2, and for infinite
+   m. docs/cost.md has the time. DLMF 19.2.5. */
 VM_API vm_real jacobi_E_incomplete(vm_real phi, vm_real m)
 {
     const vm_two m1 = vmi_two_sum(1, -m);
@@ -151,13 +152,15 @@ VM_API vm_real jacobi_E_incomplete(vm_real phi, vm_real m)
 }
 
 /* E(phi | m) from the complementary parameter m1 = 1 - m.
-   Domain and accuracy are those of jacobi_E_incomplete; m1 keeps its digits where m is close to 1. */
+   Domain and accuracy are those of jacobi_E_incomplete. Use it for m close to 1, where the difference 1 - m would lose
+   digits. */
 VM_API vm_real jacobi_E_incomplete_m1(vm_real phi, vm_real m1) { return vmi_E_incomplete(phi, 1 - m1, m1, 0); }
 
-/* Carlson's integrals of arguments so small that a product underflows, or so large that a sum overflows, lose digits.
-   Then all arguments are multiplied by the square of this factor, and the integral R_F, and R_D and R_J with a weight
-   that was multiplied likewise, by the factor. It is 1 for ordinary arguments, and above 1 only where m1 < 1. `least`
-   is about the smallest of the arguments. */
+/* Returns a factor that keeps Carlson's integrals from losing digits where a product of small arguments would underflow
+   or a sum of large ones would overflow. All arguments are multiplied by the square of the factor. The weight of R_D
+   and R_J is multiplied by this square, too. The integral is then multiplied by the factor, which gives its value for
+   the original arguments. The factor is 1 for ordinary arguments, and above 1 only where m1 < 1. `least` is about the
+   smallest of the arguments. */
 VM_INLINE vm_real vmi_lift_of(vm_real least, vm_real m1)
 {
     if (m1 < 1 && least < VM_MIN / VM_EPSILON) return vmi_ldexp(1, VM_MANT_DIG > 24 ? 300 : 40);
@@ -199,7 +202,7 @@ VM_API vm_real vmi_D(vm_real m1)
 VM_API vm_real jacobi_D(vm_real m) { return vmi_D(1 - m); }
 
 /* D(m) from the complementary parameter m1 = 1 - m >= 0.
-   Domain and accuracy are those of jacobi_D; m1 keeps its digits where m is close to 1. */
+   Domain and accuracy are those of jacobi_D. Use it for m close to 1, where the difference 1 - m would lose digits. */
 VM_API vm_real jacobi_D_m1(vm_real m1) { return vmi_D(m1); }
 
 /* D(phi | m) for 1 - m = m1 + m1_lo. For phi between pi/2 and pi the difference 2 D(m) - D(pi - phi | m) would triple
@@ -224,11 +227,12 @@ VM_API vm_real vmi_D_incomplete(vm_real phi, vm_real m1, vm_real m1_lo)
     return VM_COPYSIGN(sum, phi);
 }
 
-/* D(phi | m) = (F(phi | m) - E(phi | m))/m, the incomplete integral of sin^2 x/sqrt(1 - m sin^2 x). No digits cancel,
-   not even for m = 0. It is odd in phi, and for m <= 1 D(phi + pi) = D(phi) + 2D(m). The error is at most 8 ulp for
+/* D(phi | m) = (F(phi | m) - E(phi | m))/m, the incomplete integral of sin^2 x/sqrt(1 - m sin^2 x). No digits are lost,
+   not even for m = 0. D is odd in phi, and for m <= 1 D(phi + pi) = D(phi) + 2D(m). The error is at most 8 ulp for
    |phi| <= 1e9 (float 1e4) and m >= -1e300 (float -1e30), unless phi^3 underflows. Returns phi for infinite phi, 0 for
-   m = -infinity, and NaN where both are infinite. For m = 1 it is infinite beyond pi/2. For m > 1 it is NaN where
-   m sin^2 phi > 1, beyond pi/2, and for infinite m. Its time is that of jacobi_E_incomplete. DLMF 19.2.6, 19.25.13. */
+   m = -infinity, and NaN where both are infinite. For m = 1 D is infinite for |phi| > pi/2. For m > 1 D is NaN where m
+   sin^2 phi > 1, for |phi| > pi/2, and for infinite m. A call takes as long as one of jacobi_E_incomplete. DLMF 19.2.6,
+   19.25.13. */
 VM_API vm_real jacobi_D_incomplete(vm_real phi, vm_real m)
 {
     const vm_two m1 = vmi_two_sum(1, -m);
@@ -236,10 +240,11 @@ VM_API vm_real jacobi_D_incomplete(vm_real phi, vm_real m)
 }
 
 /* D(phi | m) from the complementary parameter m1 = 1 - m.
-   Domain and accuracy are those of jacobi_D_incomplete; m1 keeps its digits where m is close to 1. */
+   Domain and accuracy are those of jacobi_D_incomplete. Use it for m close to 1, where the difference 1 - m would lose
+   digits. */
 VM_API vm_real jacobi_D_incomplete_m1(vm_real phi, vm_real m1) { return vmi_D_incomplete(phi, m1, 0); }
 
-/* 1 - m/n for n > 1 and m1 = 1 - m >= 0, computed in quarters so that no sum overflows */
+/* 1 - m/n for n > 1 and m1 = 1 - m >= 0. All terms are divided by 4 first, so that no sum overflows. */
 VM_INLINE vm_real vmi_share_below_pole(vm_real n, vm_real m1)
 {
     return ((n - 1) * VM_C(0.25) + m1 * VM_C(0.25)) / (n * VM_C(0.25));
@@ -273,8 +278,9 @@ VM_API vm_real vmi_Pi_part(vm_real s, vm_real c, vm_real n, vm_real m, vm_real m
     return s * (vmi_rc(cc * d, p * q) - third);
 }
 
-/* Pi(n | m) for n < 0 and m1 = 1 - m > 0. Where -n is so large that (1 - m)/(1 - n) may underflow even after the lift,
-   Pi is (pi/2)/sqrt(1 - n) + K/(1 - n): the next term, -E/(1 - n), is far below an ulp there. */
+/* Pi(n | m) for n < 0 and m1 = 1 - m > 0. Where -n is so large that (1 - m)/(1 - n) may underflow even after the
+   multiplication by lift^2, Pi is (pi/2)/sqrt(1 - n) + K/(1 - n). The next term, -E/(1 - n), is far below an ulp
+   there. */
 VM_API vm_real vmi_Pi_negative(vm_real n, vm_real m1)
 {
     const vm_real lift = vmi_lift_of(m1 / (1 - n), m1), more = lift * lift, share = more * m1 / (1 - n);
@@ -308,19 +314,19 @@ VM_API vm_real vmi_Pi(vm_real n, vm_real m, vm_real m1)
 }
 
 /* Pi(n | m), the complete elliptic integral of the third kind, for m <= 1. The characteristic n is any number. The
-   error is at most 8 ulp. For n > 1 Pi is Cauchy's principal value. Pi is infinite
-   for n = 1, and for m = 1 with the sign of 1 - n. It is 0 for infinite n, and for m = -infinity with n < 1. It is NaN
-   for m > 1. DLMF 19.2.8, 19.6.5. */
+   error is at most 8 ulp. For n > 1 Pi is Cauchy's principal value. Pi is infinite for n = 1. For m = 1 it is infinite,
+   too, with the sign of 1 - n. It is 0 for infinite n, and for m = -infinity with n < 1. It is NaN for m > 1. DLMF
+   19.2.8, 19.6.5. */
 VM_API vm_real jacobi_Pi(vm_real n, vm_real m) { return vmi_Pi(n, m, 1 - m); }
 
 /* Pi(n | m) from the complementary parameter m1 = 1 - m >= 0.
-   Domain and accuracy are those of jacobi_Pi; m1 keeps its digits where m is close to 1. */
+   Domain and accuracy are those of jacobi_Pi. Use it for m close to 1, where the difference 1 - m would lose digits. */
 VM_API vm_real jacobi_Pi_m1(vm_real n, vm_real m1) { return vmi_Pi(n, 1 - m1, m1); }
 
 /* Pi(n | m) - Pi(n; theta | m) for n < 1 and 0 <= theta <= pi/2, from s = sin theta and c = cos theta. Let psi be the
    angle for which tan theta tan psi = 1/k', and N = (m - n)/(1 - n). Then the result is the integral from 0 to psi of
-   (1 - m sin^2 x)/((1 - n)(1 - N sin^2 x)) dx/sqrt(1 - m sin^2 x). *exact becomes 1 if no digits cancel: for all
-   n <= 0, and for n > 0 if c^2 <= (1 - n) s^2; else the result is 0. */
+   (1 - m sin^2 x)/((1 - n)(1 - N sin^2 x)) dx/sqrt(1 - m sin^2 x). *exact becomes 1 if no digits are lost: for all
+   n <= 0, and for n > 0 if c^2 <= (1 - n) s^2. Otherwise *exact and the result are 0. */
 VM_API vm_real vmi_Pi_complement(vm_real s, vm_real c, vm_real n, vm_real m1, int *exact)
 {
     const vm_real cc = c * c, ss = s * s, d = cc + m1 * ss;
@@ -364,7 +370,7 @@ VM_API vm_real vmi_Pi_incomplete(vm_real phi, vm_real n, vm_real m, vm_real m1, 
    phi, and for m <= 1 Pi(phi + pi) = Pi(phi) + 2 Pi(n | m). The error is at most 8 ulp for n <= 1 and |phi| <= 1e9
    (float 1e4). For n > 1 Pi has poles where n sin^2 phi = 1. Beyond the first pole Pi is Cauchy's principal value. For
    n > 1 the error is at most 16 eps max(|F|, |Pi|), plus the effect of changing n by 4 ulp. The result is 0 for
-   infinite n and m <= 1, and for m = -infinity. For m > 1 it is NaN where m sin^2 phi > 1, beyond pi/2, and for
+   infinite n and m <= 1, and for m = -infinity. For m > 1 it is NaN where m sin^2 phi > 1, for |phi| > pi/2, and for
    infinite m or n. docs/cost.md has the time. DLMF 19.2.7. */
 VM_API vm_real jacobi_Pi_incomplete(vm_real phi, vm_real n, vm_real m)
 {
@@ -373,7 +379,8 @@ VM_API vm_real jacobi_Pi_incomplete(vm_real phi, vm_real n, vm_real m)
 }
 
 /* Pi(n; phi | m) from the complementary parameter m1 = 1 - m.
-   Domain and accuracy are those of jacobi_Pi_incomplete; m1 keeps its digits where m is close to 1. */
+   Domain and accuracy are those of jacobi_Pi_incomplete. Use it for m close to 1, where the difference 1 - m would lose
+   digits. */
 VM_API vm_real jacobi_Pi_incomplete_m1(vm_real phi, vm_real n, vm_real m1)
 {
     return vmi_Pi_incomplete(phi, n, 1 - m1, m1, 0);

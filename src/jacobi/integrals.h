@@ -1,10 +1,10 @@
 /* jacobi/integrals.h - complete elliptic integrals K and E
 
    K(m) = integral from 0 to pi/2 of dx/sqrt(1 - m sin^2 x), E(m) = integral of sqrt(1 - m sin^2 x) dx
-   between the same limits. The parameter is m = k^2 <= 1, negative ones included. The forms with suffix _m1 take
-   m1 = 1 - m, which keeps its digits where m is close to 1. Between m = -33.5 and m = 0.971 K and E are computed by
-   series after one or two steps of the arithmetic-geometric mean, for other m by sums with the logarithm of
-   k' = sqrt(1 - m).
+   between the same limits. The parameter is m = k^2 <= 1, negative ones included. The forms with suffix _m1 take m1 = 1
+   - m; use them for m close to 1, where the difference 1 - m would lose digits. Between m = -33.5 and m = 0.971 K and E
+   are computed by series after one or two steps of the arithmetic-geometric mean, for other m by sums with the
+   logarithm of k' = sqrt(1 - m).
 
        vm_real K = jacobi_K(VM_C(0.5)); // 1.854...
 
@@ -177,11 +177,11 @@ VM_API vm_real vmi_E(vm_real m1, vm_real m1_lo)
 }
 
 /* K(m), the complete elliptic integral of the first kind, from m1 = 1 - m >= 0.
-   Domain and accuracy are those of jacobi_K; m1 keeps its digits where m is close to 1. */
+   Domain and accuracy are those of jacobi_K. Use it for m close to 1, where the difference 1 - m would lose digits. */
 VM_API vm_real jacobi_K_m1(vm_real m1) { return vmi_K(m1, 0); }
 
 /* E(m), the complete elliptic integral of the second kind, from m1 = 1 - m >= 0.
-   Domain and accuracy are those of jacobi_E; m1 keeps its digits where m is close to 1. */
+   Domain and accuracy are those of jacobi_E. Use it for m close to 1, where the difference 1 - m would lose digits. */
 VM_API vm_real jacobi_E_m1(vm_real m1) { return vmi_E(m1, 0); }
 
 /* K(m), the complete elliptic integral of the first kind, for m <= 1: a quarter of the period of sn. The error is at

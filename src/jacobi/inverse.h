@@ -1,8 +1,8 @@
 /* jacobi/inverse.h - the inverses of sn, cn and dn
 
-   Each function returns a solution u of sn(u | m) = x, cn(u | m) = x or dn(u | m) = x: the one that is nearest to 0,
-   and for cn and dn, whose solutions are pairs u, -u, the positive one of these two. All other solutions follow from
-   the period 4 K and the symmetries. The inverse of the amplitude is F(phi | m), which jacobi_F computes.
+   Each function returns the solution u of sn(u | m) = x, cn(u | m) = x or dn(u | m) = x that is nearest to 0. The
+   solutions for cn and dn are pairs u, -u; for these the positive u is returned. All other solutions follow from the
+   period 4 K and the symmetries. The inverse of the amplitude is F(phi | m), which jacobi_F computes.
 
        vm_real u = jacobi_inverse_cn(VM_C(0.3), VM_C(0.5)); // cn(u | 0.5) = 0.3
 
@@ -32,7 +32,8 @@ VM_API vm_real vmi_inverse_sn(vm_real x, vm_real m1)
 VM_API vm_real jacobi_inverse_sn(vm_real x, vm_real m) { return vmi_inverse_sn(x, 1 - m); }
 
 /* The inverse of sn from the complementary parameter m1 = 1 - m >= 0.
-   Domain and accuracy are those of jacobi_inverse_sn; m1 keeps its digits where m is close to 1. */
+   Domain and accuracy are those of jacobi_inverse_sn. Use it for m close to 1, where the difference 1 - m would lose
+   digits. */
 VM_API vm_real jacobi_inverse_sn_m1(vm_real x, vm_real m1) { return vmi_inverse_sn(x, m1); }
 
 /* The inverse of cn for 1 - m = m1 + m1_lo. For x < 0 it is 2 K minus the inverse at |x|, which is at most K. */
@@ -59,7 +60,8 @@ VM_API vm_real jacobi_inverse_cn(vm_real x, vm_real m)
 }
 
 /* The inverse of cn from the complementary parameter m1 = 1 - m >= 0.
-   Domain and accuracy are those of jacobi_inverse_cn; m1 keeps its digits where m is close to 1. */
+   Domain and accuracy are those of jacobi_inverse_cn. Use it for m close to 1, where the difference 1 - m would lose
+   digits. */
 VM_API vm_real jacobi_inverse_cn_m1(vm_real x, vm_real m1) { return vmi_inverse_cn(x, m1, 0); }
 
 /* The inverse of dn for 1 - m = m1 + m1_lo. With s = sn u and c = cn u, m s^2 is 1 - x^2 and m c^2 is x^2 - m1.
@@ -89,7 +91,8 @@ VM_API vm_real jacobi_inverse_dn(vm_real x, vm_real m)
 }
 
 /* The inverse of dn from the complementary parameter m1 = 1 - m >= 0.
-   Domain and accuracy are those of jacobi_inverse_dn; m1 keeps its digits where m is close to 1. */
+   Domain and accuracy are those of jacobi_inverse_dn. Use it for m close to 1, where the difference 1 - m would lose
+   digits. */
 VM_API vm_real jacobi_inverse_dn_m1(vm_real x, vm_real m1)
 {
     if (!VM_IS_FINITE(m1)) return VM_NAN;

@@ -7,7 +7,7 @@
        vm_real m = jacobi_solve_kpK(VM_C(1.2)); // sqrt(1 - m) K(m) = 1.2
 
    Method: for c between K(-1) and K(1/2) a fixed-point iteration finds the nome of m or of m/(m - 1); for other c
-   Newton's method finds the logarithm of another nome (see vmi_solution). Tests: tests/test_jacobi.c. */
+   Newton's method finds the logarithm of the nome of 1 - m or 1/(1 - m). Tests: tests/test_jacobi.c. */
 #ifndef VARMASS_JACOBI_MODULUS_H
 #define VARMASS_JACOBI_MODULUS_H
 
@@ -145,8 +145,9 @@ VM_API vm_real vmi_solution_m(const vmi_solution *s)
     return 1 - vmi_solution_m1(s);
 }
 
-/* The parameter m whose k' K(m) is c, for c >= 0: solves equation (307). m is negative for c > pi/2, and 1 for c = 0.
-   The error is at most 4 ulp plus the change of m that one ulp of c makes. Returns NaN for c < 0 and infinite c. */
+/* The parameter m for which k' K(m) = c, the solution of equation (307), for c >= 0. m is negative for c > pi/2, and 1
+   for c = 0. The error is at most 4 ulp plus the change of m that one ulp of c makes. Returns NaN for c < 0 and
+   infinite c. */
 VM_API vm_real jacobi_solve_kpK(vm_real c)
 {
     vmi_solution s;
@@ -156,8 +157,8 @@ VM_API vm_real jacobi_solve_kpK(vm_real c)
     return vmi_solution_m(&s);
 }
 
-/* The complementary parameter 1 - m of jacobi_solve_kpK, with all its digits. The error is at most 4 ulp plus the
-   change of 1 - m that one ulp of c makes. Returns NaN for c < 0 and infinite c. */
+/* Solves k' K(m) = c as jacobi_solve_kpK does, but returns 1 - m with all its digits. The error is at most 4 ulp plus
+   the change of 1 - m that one ulp of c makes. Returns NaN for c < 0 and infinite c. */
 VM_API vm_real jacobi_solve_kpK_m1(vm_real c)
 {
     vmi_solution s;
@@ -167,8 +168,8 @@ VM_API vm_real jacobi_solve_kpK_m1(vm_real c)
     return vmi_solution_m1(&s);
 }
 
-/* The complementary parameter 1 - m of jacobi_solve_K, with all its digits. Returns infinity for c = 0, and NaN for
-   c < 0 and infinite c. */
+/* Solves K(m) = c as jacobi_solve_K does, but returns 1 - m with all its digits. Returns infinity for c = 0, and NaN
+   for c < 0 and infinite c. */
 VM_API vm_real jacobi_solve_K_m1(vm_real c)
 {
     vmi_solution s;

@@ -1,9 +1,10 @@
 /* jacobi/period_table.h - the quarter period K from a table of polynomials
 
-   K is needed with more digits than a vm_real has, to reduce a large argument. The arithmetic-geometric mean gives them
-   (jacobi/agm.h), but takes one square root after another. Here K comes from one of 25 polynomials in k' = sqrt(1 - m),
-   for k' from 0.171875 to 1.5. Each octave of k' has eight pieces, and each piece has its own polynomial
-   c_0 + c_1 t + c_2 t^2 + ..., where t is k' minus the middle of the piece. The table takes 3.8 kB (float 1 kB).
+   To reduce a large argument, K is needed with more digits than a vm_real has. The arithmetic-geometric mean gives
+   these digits (jacobi/agm.h), but it is slow, since it takes one square root after another. Here K comes from one of
+   25 polynomials in k' = sqrt(1 - m), for k' from 0.171875 to 1.5. Each octave of k' has eight pieces, and each piece
+   has its own polynomial c_0 + c_1 t + c_2 t^2 + ..., where t is k' minus the middle of the piece. The table takes 3.8
+   kB (float 1 kB).
 
        vmi_period K = vmi_period_by_table(VM_C(0.5), 0, VM_SQRT(VM_C(0.5))); // K(0.5) = K.head + K.middle + K.low
 
@@ -16,7 +17,7 @@
 #include "../base/sums.h"
 #include "../base/words.h"
 
-/* Is 1 if the table holds the quarter period for this k', else 0. */
+/* Is 1 if the table gives the quarter period for this k', else 0. */
 #define VMI_IN_PERIOD_TABLE(kp) ((kp) >= VM_C(0.171875) && (kp) < VM_C(1.5))
 
 /* The number of polynomials and the number of constants of each. Constants 0 and 1 are the two words of c_0, constants
@@ -266,11 +267,11 @@ typedef struct VM_TAG(vmi_period) {
 
 /* Returns K for 1 - m = m1 + m1_lo, where kp is k' in one word and VMI_IN_PERIOD_TABLE(kp) is 1. The relative error is
    below 2^-71 (float 2^-36).
-   Method: t is the sum of head, which has at most 14 digits (float 10), and a tail. The products b1, b2, ... of the
-   heads of c_1, c_2, ... and the powers of head are exact, and so are the sums in which K.middle is subtracted. All
-   other terms are so small that one word holds them. The variable t has one word and misses kp_lo, the low word of k'.
-   The tail contains kp_lo; in the terms with t^4 and t^5 (float t^3 and t^4) it counts by their derivatives with
-   respect to t. */
+   Method: t is the sum of head, which has at most 14 digits (float 10), and a tail. b1, b2, ... are the products of the
+   heads of c_1, c_2, ... and the powers of head; they are exact. The sums in which K.middle is subtracted are exact,
+   too. All other terms are so small that one word is enough for them. The variable t has one word and does not contain
+   kp_lo, the low word of k'. The tail contains kp_lo. In the terms with t^4 and t^5 (float t^3 and t^4) the effect of
+   kp_lo is added as kp_lo times their derivatives with respect to t. */
 VM_INLINE vmi_period vmi_period_by_table(vm_real m1, vm_real m1_lo, vm_real kp)
 {
     const vmi_bits bits = vmi_to_bits(kp), half = (vmi_bits)1 << (VMI_STORED_DIG - 4);

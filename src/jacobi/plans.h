@@ -1,8 +1,9 @@
 /* jacobi/plans.h - sn, cn and dn for many arguments and one parameter
 
-   A plan holds what depends on m alone: the quarter period as a sum of short numbers, and polynomials that replace the
-   series of jacobi_sncndn. A call with a plan is faster, most of all for arrays, where the compiler vectorises the loop
-   (docs/cost.md has the times). A plan is plain data: it may be copied, and it may be a constant in flash.
+   A plan contains all numbers that depend only on m: the quarter period as a sum of short numbers, and polynomials that
+   replace the series of jacobi_sncndn. A call with a plan is faster, most of all for arrays, where the compiler
+   vectorises the loop (docs/cost.md has the times). A plan is plain data: it may be copied, and it may be a constant in
+   flash.
 
        jacobi_plan p;
        vm_real sn, cn, dn;
@@ -23,7 +24,8 @@
 #include "reduction.h"
 #include "theta.h"
 
-/* One parameter m, prepared by jacobi_plan_init. `form` is the method for this m; fields that it does not use are 0. */
+/* One parameter m, prepared by jacobi_plan_init. `form` is the method for this m; fields that the method does not use
+   are 0. */
 typedef struct VM_TAG(jacobi_plan) {
     int form;            /* method: VMI_NEAR_FORM uses a and b; VMI_HYPERBOLIC and VMI_RECIPROCAL use theta */
     vm_real m1;          /* complementary parameter 1 - m */
@@ -58,8 +60,8 @@ VM_API void vmi_shorten(vm_real *c)
 }
 
 /* Computes p->a and p->b, the coefficients of two power series in v^2: p->a of w^2 cs^2(w) and p->b of -w^4
-   d(cs^2)/d(w^2), where cs = cn/sn and w = v/2, for arguments |v| <= longest. The constant coefficients are 1 and are
-   not stored. */
+   d(cs^2)/d(w^2), where cs = cn/sn and w = v/2, for |v| <= longest. Their constant coefficients are 1 and are not
+   stored. */
 VM_API void vmi_plan_prepare(jacobi_plan *p, vm_real longest)
 {
     const vm_real theta = longest * longest / 4;
@@ -115,11 +117,13 @@ VM_API int jacobi_plan_init(jacobi_plan *p, vm_real m)
 }
 
 /* Prepares a plan for the complementary parameter m1 = 1 - m >= 0.
-   Domain and result are those of jacobi_plan_init; m1 keeps its digits where m is close to 1. */
+   Domain and result are those of jacobi_plan_init. Use it for m close to 1, where the difference 1 - m would lose
+   digits. */
 VM_API int jacobi_plan_init_m1(jacobi_plan *p, vm_real m1) { return vmi_plan_init(p, m1 + 0, 0); } /* 0 for -0 */
 
-/* The theta functions near 0, from the plan's two polynomials at w = v/2 and one duplication, which leads from w to v
-   (compare vmi_theta_near). theta_s is v times the polynomial p->b, since d(sc^2)/dw = 2 sc nc dc. */
+/* The theta functions near 0. They are computed from the plan's two polynomials at w = v/2 and by one duplication,
+   which leads from w to v (compare vmi_theta_near). theta_s is v times the polynomial p->b, since d(sc^2)/dw = 2 sc nc
+   dc. */
 VM_INLINE vmi_thetas vmi_plan_near(const jacobi_plan *p, vm_real v)
 {
     vmi_thetas theta;
@@ -219,8 +223,8 @@ VM_INLINE void vmi_plan_loop(const jacobi_plan *p, int form, int n, const vm_rea
         }
 }
 
-/* Computes once more, one by one, the results next to a zero of sn or cn. There sn is about the distance u - jK from
-   the zero, cn about k' times the distance. */
+/* Computes the results next to a zero of sn or cn once more, one by one. There the size of sn is about the distance |u
+   - j K| from the zero, and that of cn about k' times this distance. */
 VM_API void vmi_plan_mend_close(const jacobi_plan *p, int n, const vm_real *u, vm_real *sn, vm_real *cn, vm_real *dn)
 {
     const vm_real kp = p->theta.kp;

@@ -42,7 +42,8 @@ VM_API void vmi_pieces(vmi_three K, vm_real *piece)
     piece[4] = K.mid;
 }
 
-/* The distance from a multiple of K, divided by u, below which vmi_reduce_pieces is not enough */
+/* vmi_reduce_pieces is not accurate enough where the distance of u from a multiple of K is below this number times
+   u. */
 #define VMI_PIECES_REACH (VM_MANT_DIG > 24 ? VM_C(5.4e-20) : VM_C(4.7e-10))
 
 /* Returns u minus the nearest multiple j K, as three terms, for 0 <= u < VMI_EXACT_QUARTERS K. The array K comes from
@@ -134,7 +135,7 @@ VMI_APART vm_two vmi_reduce_long(vm_real u, vm_real m1, vm_real m1_lo, vmi_bits 
         return vmi_reduce_finely(u, K, rate.hi / half_pi.hi, quarters);
     }
     v = rest.hi / rate.hi;
-    if (VMI_MIDDLE(m1)) return vmi_two(v, 0); /* here |v| < 2, and 1.5 ulp of v are enough outside of the table */
+    if (VMI_MIDDLE(m1)) return vmi_two(v, 0); /* here |v| < 2, and an error of 1.5 ulp of v is small enough */
     error = vmi_two_product(v, rate.hi);
     return vmi_fast_two_sum(v, (((rest.hi - error.hi) - error.lo) + (rest.lo - v * rate.lo)) / rate.hi);
 }

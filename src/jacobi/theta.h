@@ -16,7 +16,7 @@
 #include "../base/sums.h"
 #include "../base/words.h"
 
-/* The numbers that the theta functions far from 0 need for one m. vmi_far_prepare computes them. */
+/* What the theta functions far from 0 need for a parameter m. vmi_far_prepare computes these numbers. */
 typedef struct VM_TAG(vmi_theta_form) {
     vm_real kp, kp_lo; /* k' = sqrt(1 - m) in two words */
     vm_real q;         /* the nome of 1 - m, or of 1/(1 - m) in the reciprocal form */
@@ -31,8 +31,8 @@ enum { VMI_NEAR_FORM, VMI_HYPERBOLIC, VMI_RECIPROCAL };
 /* The number of terms of a plan's polynomials */
 enum { VMI_TERMS = VM_MANT_DIG > 24 ? 10 : 5 };
 
-/* Neville's theta functions times a common factor. Each elliptic function is a quotient of two of them: sn = s/n and so
-   on. */
+/* Neville's theta functions times a common factor. Each elliptic function is a quotient of two of them, such as
+   sn = s/n. */
 typedef struct VM_TAG(vmi_thetas) {
     vm_real s, c, d, n;
 } vmi_thetas;
