@@ -124,16 +124,16 @@
        vm_scale                       The multiple c a of a vector, for a number c
        vm_dot                         The dot product a.x b.x + a.y b.y + a.z b.z of two vectors
        vm_cross                       The cross product a x b of two vectors, by the right-hand rule
-       vm_norm                        The length of the vector a, within 4 eps of itself
+       vm_norm                        The length of the vector a, with a relative error within 4 eps
        vm_quat_times                  The product p q of two quaternions
        vm_unit_quat                   The quaternion of length 1 for the same rotation as q
 
      mechanics/attitude: attitudes: vectors in body axes and inertial axes, rotation matrices, Rodrigues parameters
-       vm_unit                        The vector of length 1 in the direction of a, each component within 4 eps of itself
+       vm_unit                        Returns the vector of length 1 in the direction of a
        vm_rotate                      The components along inertial axes of a vector whose components along body axes are a
        vm_rotate_back                 The components along body axes of a vector whose components along inertial axes are a
        vm_quat_to_matrix              The rotation matrix c of an attitude, row by row
-       vm_quat_from_matrix            Attitude of length 1, with w >= 0, from its rotation matrix c, which vm_quat_to_matrix describes
+       vm_quat_from_matrix            The quaternion q of length 1, with w >= 0, that has the rotation matrix c; vm_quat_to_matrix describes c
        vm_quat_to_mrp                 Modified Rodrigues parameters of an attitude
        vm_quat_from_mrp               Attitude of length 1 from modified Rodrigues parameters p of any length
 
@@ -265,7 +265,7 @@
      mechanics/rocket: closed forms: velocity by momentum, Tsiolkovsky's rocket, linear flow, jet damping
        vm_velocity_by_momentum        Velocity after a stream with the absolute velocity u changes the mass from m0 to m (151), (171)
        vm_tsiolkovsky                 Velocity of Tsiolkovsky's rocket after its mass changes from m0 to m
-       vm_linear_flow                 Position and velocity on a line after t seconds of a stream of constant rate
+       vm_linear_flow                 Position and velocity of a body on a line after t seconds, with a stream of constant rate
        vm_jet_damping                 Angular velocity of a spinning rocket whose jet damps it, after t seconds, rad/s, body axes
 
      mechanics/supply: tanks and grains: mass, mass centre and inertia follow from the mass that is left
@@ -278,7 +278,7 @@
      mechanics/drum: a band that winds up on a drum
        vm_drum_band                   The mass of the band per radian on a drum, mu = R h b rho (181), kg/rad
        vm_drum_at                     Mass, mass centre and inertia of the drum with its band at an angle, (182)-(188)
-       vm_drum_rhs                    Right-hand side of the drum on an elastic shaft, exact
+       vm_drum_rhs                    Exact right-hand side of the drum on an elastic shaft
        vm_drum_rhs_reduced            Right-hand side of the drum on an elastic shaft for a light band, (192), (193)
        vm_drum_rate                   Angular velocity phi' on a rigid shaft at the angle phi >= 0, rad/s
        vm_drum_rhs_angle              Right-hand side of the elastic shaft's vibration over the angle phi, (210), (211)
@@ -1297,16 +1297,16 @@ VM_API vm_real vm_lambert_wm1_neg_exp(vm_real l)
 #endif
 /* mechanics/vectors.h - vectors, quaternions and rotations in space
    The two types, vm_vec3 and vm_quat, are plain data. A quaternion describes the attitude of a body: it converts
-   components of vectors along body axes into components along inertial axes. Its length does not matter, and a
-   quaternion of four zeros stands for the identity.
+   components of vectors along body axes into components along inertial axes. Its length does not matter. A quaternion
+   of four zeros means that body axes and inertial axes coincide (the identity).
 
        vm_vec3 omega = {0, 0, 3};                 // x, y, z
        vm_quat quarter_turn = {0.7071068, 0, 0, 0.7071068}; // w, x, y, z: 90 degrees about z
 
    The functions vm_... are for users too: sum, difference, multiple, dot product, cross product and length of vectors,
-   product and normalisation of quaternions. The others are norms and rotation matrices. No function here checks its
-   arguments: infinite and NaN numbers go through the arithmetic. Tests: tests/test_attitude.c, tests/test_jumps.c,
-   tests/test_torque_free.c. */
+   product and normalisation of quaternions. The functions vmi_... are internal, for example norms and rotation
+   matrices. No function here checks its arguments: with infinite or NaN arguments the result is what the arithmetic
+   gives. Tests: tests/test_attitude.c, tests/test_jumps.c, tests/test_torque_free.c. */
 #ifndef VARMASS_MECHANICS_VECTORS_H
 #define VARMASS_MECHANICS_VECTORS_H
 
@@ -1360,7 +1360,8 @@ VM_API vm_vec3 vmi_abs(vm_vec3 a) { return vmi_vec3(VM_FABS(a.x), VM_FABS(a.y), 
 /* The sum |x| + |y| + |z| of the absolute values of a's components */
 VM_API vm_real vmi_norm1(vm_vec3 a) { return VM_FABS(a.x) + VM_FABS(a.y) + VM_FABS(a.z); }
 
-/* The length of the vector a, within 4 eps of itself. It does not overflow if only its square would overflow. */
+/* The length of the vector a, with a relative error within 4 eps. It does not overflow if only its square would
+   overflow. */
 VM_API vm_real vm_norm(vm_vec3 a) { return vmi_hypot(vmi_hypot(a.x, a.y), a.z); }
 
 /* The largest of |x|, |y| and |z|, where x, y, z are the components of a */
@@ -1400,14 +1401,15 @@ VM_API vm_vec3 vmi_quat_vector(vm_quat q) { return vmi_vec3(q.x, q.y, q.z); }
 
 VM_API int vmi_quat_is_finite(vm_quat q) { return VM_IS_FINITE(q.w) && vmi_vec3_is_finite(vmi_quat_vector(q)); }
 
-/* Returns 1 if all four numbers of q are 0. Such a quaternion stands for the identity. */
+/* Returns 1 if all four numbers of q are 0. Such a quaternion means the identity (no rotation). */
 VM_API int vmi_quat_is_none(vm_quat q) { return q.w == 0 && q.x == 0 && q.y == 0 && q.z == 0; }
 
 /* The square of the length of q */
 VM_API vm_real vmi_quat_square(vm_quat q) { return q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z; }
 
-/* The product p q of two quaternions: the rotation by q followed by the rotation by p. If q turns the axes of a part
-   into those of a body, and p those of the body into inertial ones, p q turns those of the part into inertial ones. */
+/* The product p q of two quaternions: the rotation by q followed by the rotation by p. If q is the attitude of a part
+   relative to a body, and p the attitude of the body, then p q is the attitude of the part: it converts vectors from
+   the axes of the part to inertial axes. */
 VM_API vm_quat vm_quat_times(vm_quat p, vm_quat q)
 {
     vm_quat r;
@@ -1474,8 +1476,8 @@ VM_API vmi_mat3 vmi_rotation(vm_quat q)
    The attitude of a body is a quaternion q = w + x i + y j + z k that turns body axes into inertial axes: a vector with
    the components a along the body's axes has the components q a q* along inertial axes. w is the cosine of half the
    angle of the rotation, (x, y, z) its axis times the sine of half the angle (Hamilton's quaternions, right-handed).
-   q and -q are the same attitude. The length of q does not matter; four zeros stand for the identity. This chapter
-   computes
+   q and -q are the same attitude. The length of q does not matter. If all four numbers of q are 0, body axes and
+   inertial axes coincide (the identity). This chapter computes
      - the components of a vector along inertial axes from those along body axes, and back,
      - the rotation matrix of q, which consists of the direction cosines of the axes, and q from this matrix,
      - the modified Rodrigues parameters of q, and q from them.
@@ -1486,7 +1488,7 @@ VM_API vmi_mat3 vmi_rotation(vm_quat q)
        vm_vec3 direction = vm_rotate(q, forward);   // (0, 1, 0), in inertial axes
        vm_vec3 back = vm_rotate_back(q, direction); // (1, 0, 0), in body axes
 
-   Source: M. D. Shuster, A survey of attitude representations, J. Astronautical Sciences 41 (1993); his q has the
+   Source: M. D. Shuster, A survey of attitude representations, J. Astronautical Sciences 41 (1993); there q is the
    opposite rotation, from inertial to body axes. Tests: tests/test_attitude.c, tests/test_flow.c. */
 #ifndef VARMASS_MECHANICS_ATTITUDE_H
 #define VARMASS_MECHANICS_ATTITUDE_H
@@ -1504,7 +1506,7 @@ VM_API void vmi_set3(vm_real *y, vm_vec3 a)
 /* Reads a quaternion from four numbers of a state array, in the order w, x, y, z */
 VM_API vm_quat vmi_get_quat(const vm_real *y) { return vmi_quat(y[0], vmi_get3(y + 1)); }
 
-/* Returns the largest power of two that is at most x, for a normal number x > 0. For a smaller x it is VM_MIN. */
+/* Returns the largest power of two that is at most x, or VM_MIN if x is smaller than VM_MIN. */
 VM_API vm_real vmi_power_below(vm_real x)
 {
     const vmi_bits mantissa = ((vmi_bits)1 << VMI_STORED_DIG) - 1;
@@ -1512,8 +1514,9 @@ VM_API vm_real vmi_power_below(vm_real x)
     return vmi_from_bits(vmi_to_bits(x) & ~mantissa);
 }
 
-/* The vector of length 1 in the direction of a, each component within 4 eps of itself. A vector of length 0 has no
-   direction: the result is then NaN, as for infinite components. a may have any length that is a normal number. */
+/* Returns the vector of length 1 in the direction of a. The relative error of each component is within 4 eps, if the
+   length of a is a normal number (at least VM_MIN). Returns NaN if a component is infinite or if the length of a is 0,
+   because a then has no direction. */
 VM_API vm_vec3 vm_unit(vm_vec3 a)
 {
     const vm_vec3 b = vmi_over(a, vmi_norm_max(a));
@@ -1522,8 +1525,8 @@ VM_API vm_vec3 vm_unit(vm_vec3 a)
 
 /* Writes the time derivatives of w, x, y, z of the quaternion q to rates. q is the attitude of a body with the angular
    velocity omega (rad/s, body axes): q' = q (0, omega)/2 + |omega| (1 - |q|^2) q/8. square is |q|^2. q should have
-   length 1, but errors of an integration change its length. The second term lets the length return to 1. It acts more
-   slowly than the body rotates, so that it does not make the equations of a slow rotation stiff. */
+   length 1, but errors of an integration change its length. The second term lets the length return to 1. This happens
+   more slowly than the body rotates, so that an integrator does not need shorter steps because of it. */
 VM_INLINE void vmi_attitude_rates(vm_quat q, vm_real square, vm_vec3 omega, vm_real *rates)
 {
     const vm_real back = VM_SQRT(vm_dot(omega, omega)) * (1 - square) / 8;
@@ -1552,9 +1555,10 @@ VM_API vm_vec3 vm_rotate_back(vm_quat q, vm_vec3 a)
     return vmi_times_transposed(&m, a);
 }
 
-/* The rotation matrix c of an attitude, row by row. c[3 i + j] is the direction cosine of inertial axis i and body axis
-   j: c times the body components of a vector are its inertial components. The error of an entry is within 6 eps. Some
-   books define the inverse matrix, from inertial to body axes, which is the transpose of c.
+/* The rotation matrix c of an attitude, row by row. c[3 i + j] is the cosine of the angle between inertial axis i and
+   body axis j. c times the components of a vector along body axes gives its components along inertial axes. The error
+   of an entry is within 6 eps. Some books define the inverse matrix, from inertial to body axes, which is the transpose
+   of c.
    Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE if q is not finite, and VM_OK otherwise. */
 VM_API int vm_quat_to_matrix(vm_quat q, vm_real c[9])
 {
@@ -1567,11 +1571,12 @@ VM_API int vm_quat_to_matrix(vm_quat q, vm_real c[9])
     return VM_OK;
 }
 
-/* How much the entries of a rotation matrix may be wrong: matrices that were printed with three digits are accepted. */
+/* The largest error with which a matrix is accepted as a rotation matrix. Matrices that were printed with three digits
+   are accepted. */
 #define VMI_MATRIX_TOLERANCE VM_C(0.0078125)
 
-/* Whether c is a rotation matrix, apart from small errors of its entries. Its columns x, y, z must have length 1, and
-   the cross product of x and y must be z. */
+/* Returns 1 if c is a rotation matrix, apart from small errors of its entries, and 0 otherwise. Its columns x, y, z
+   must have length 1, and the cross product of x and y must be z. */
 VM_API int vmi_is_rotation(const vm_real *c)
 {
     const vm_vec3 x = vmi_vec3(c[0], c[3], c[6]), y = vmi_vec3(c[1], c[4], c[7]), z = vmi_vec3(c[2], c[5], c[8]);
@@ -1580,11 +1585,12 @@ VM_API int vmi_is_rotation(const vm_real *c)
     return vmi_norm_max(lengths) <= VMI_MATRIX_TOLERANCE && vmi_norm_max(turned) <= VMI_MATRIX_TOLERANCE;
 }
 
-/* Attitude of length 1, with w >= 0, from its rotation matrix c, which vm_quat_to_matrix describes. The error is within
-   4 eps, and within 4 eps of the angle for small rotations. A c with rounding errors gives an attitude with errors of
-   their size. Method: of the four forms of the quaternion, the one whose divisor is the largest (Shepperd 1978).
-   Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_DOMAIN if c is no rotation matrix even to two digits,
-   a reflection for example, and VM_OK otherwise. */
+/* The quaternion q of length 1, with w >= 0, that has the rotation matrix c; vm_quat_to_matrix describes c. The error
+   is within 4 eps. For a rotation by a small angle it is within 4 eps times this angle. Rounding errors of c cause
+   errors of the same size in q. There are four formulas for q, each with a division; the function uses the one with the
+   largest divisor (Shepperd 1978).
+   Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_DOMAIN if c is not a rotation matrix even to two digits
+   (for example a reflection), and VM_OK otherwise. */
 VM_API int vm_quat_from_matrix(const vm_real c[9], vm_quat *q)
 {
     vm_real v[4], trace; /* v: a multiple of the quaternion w, x, y, z */
@@ -1613,11 +1619,12 @@ VM_API int vm_quat_from_matrix(const vm_real c[9], vm_quat *q)
     return VM_OK;
 }
 
-/* Modified Rodrigues parameters of an attitude. They are the axis of the rotation times the tangent of a quarter of its
-   angle, for that sign of q that makes w >= 0. The angle is then at most pi, and the length of the parameters p at most
-   1, apart from rounding. The other set of parameters of the same attitude (the shadow set) is -p/|p|^2. At an angle of
-   pi, where w = 0, both sets are equally long: the result is (x, y, z)/|q|. Each component is within 4 eps of itself.
-   Numbers that are not finite give NaN. */
+/* Modified Rodrigues parameters of an attitude. They are the unit vector along the axis of the rotation, times the
+   tangent of a quarter of the angle. q and -q are the same attitude; the function uses the one with w >= 0. The angle
+   is then at most pi, and the length of the parameters p is at most 1, apart from rounding. The other set of parameters
+   of the same attitude (the shadow set) is -p/|p|^2. At an angle of pi, where w = 0, both sets have the same length;
+   the result is then (x, y, z)/|q|. The relative error of each component is within 4 eps. Numbers that are not finite
+   give NaN. */
 VM_API vm_vec3 vm_quat_to_mrp(vm_quat q)
 {
     vm_real divisor;
@@ -1629,8 +1636,9 @@ VM_API vm_vec3 vm_quat_to_mrp(vm_quat q)
 }
 
 /* Attitude of length 1 from modified Rodrigues parameters p of any length. Its w is negative if |p| > 1, where the
-   angle of the rotation is above pi. Each component of the result is within 8 eps of itself: w too, next to an angle of
-   pi, because 1 - |p|^2 is computed with twice the digits. Parameters that are not finite give NaN. */
+   angle of the rotation is above pi. The relative error of each component of the result is within 8 eps. This holds for
+   w, too, if the angle is close to pi and w is small, because 1 - |p|^2 is computed with twice the digits. Parameters
+   that are not finite give NaN. */
 VM_API vm_quat vm_quat_from_mrp(vm_vec3 p)
 {
     vm_real scale = 1; /* a power of two that makes the components of a long p at most 2 */
@@ -1652,16 +1660,17 @@ VM_API vm_quat vm_quat_from_mrp(vm_vec3 p)
    by theta about its own x axis (the line of nodes), then by phi about its own z axis. The angles of the sequence
    3-2-1 are yaw, pitch and roll: the body turns by yaw about the z axis, then by pitch about its own y axis, then by
    roll about its own x axis. This chapter computes
-     - the quaternion of three angles, and the angles of a quaternion, in both sequences; and for 3-1-3
-     - the axes about which the angles turn the body, which Lagrange's equations need as domega/dq'_i,
-     - the time derivatives psi', theta', phi' of the angles from an angular velocity.
+     - for both sequences, the quaternion of three angles and the three angles of a quaternion,
+     - for 3-1-3, the axes about which the angles turn the body; Lagrange's equations need them as domega/dq'_i,
+     - for 3-1-3, the time derivatives psi', theta', phi' of the angles from an angular velocity.
 
        vm_quat q = vm_euler_321(VM_C(0.1), VM_C(0.2), VM_C(0.3)); // yaw, pitch, roll
        vm_real angles[3];
        int status = vm_euler_321_angles(q, angles); // 0.1, 0.2, 0.3
 
    Angles are in rad. Errors are within 8 eps for angles up to 1e9 (float 1e4). Beyond 2^(p-1) quarter turns, where p is
-   the number of binary digits of vm_real, a result has no meaning: adjacent numbers differ by 1 rad or more.
+   the number of binary digits of vm_real, a result has no meaning, because adjacent floating-point numbers differ by 1
+   rad or more.
    Tests: tests/test_attitude.c, tests/test_lagrange.c. */
 #ifndef VARMASS_MECHANICS_EULER_ANGLES_H
 #define VARMASS_MECHANICS_EULER_ANGLES_H
@@ -1688,9 +1697,9 @@ VM_API vm_quat vm_euler_321(vm_real yaw, vm_real pitch, vm_real roll)
     return vm_quat_times(vm_quat_times(about_z, about_y), about_x);
 }
 
-/* A number re + i im of the complex plane, both parts in two words. The quaternion of a sequence of three angles is
-   equivalent to two such numbers, p and r. The angle of p is half the sum of the first and the third angle, the angle
-   of r half their difference. The lengths of p and r depend on the middle angle alone. */
+/* A complex number re + i im. Each part is stored in two words, as the sum of two vm_reals. The quaternion of a
+   sequence of three angles is equivalent to two such numbers, p and r. The angle of p is half the sum of the first and
+   the third angle, the angle of r half their difference. The lengths of p and r depend on the middle angle alone. */
 typedef struct VM_TAG(vmi_euler_part) {
     vm_two re, im;
 } vmi_euler_part;
@@ -1714,9 +1723,10 @@ VM_API vm_real vmi_euler_real(const vmi_euler_part *p, const vmi_euler_part *r, 
     return vmi_two_minus(re, vmi_two_shifted(im, sign)).hi;
 }
 
-/* Writes the first angle and the third one, from -pi to pi: the angles of p r and of p times the conjugate of r, whose
-   imaginary parts are given, since they are accurate only if computed without p and r. If p or r is 0, which is gimbal
-   lock, only the sum or the difference of the two angles is determined: the third angle is then 0. */
+/* Writes the first and the third angle, both from -pi to pi. The first is the angle of the complex number p r, the
+   third that of p times the conjugate of r. `sum` and `difference` are the imaginary parts of these two numbers. The
+   caller computes them, because they would not be accurate if computed from p and r. If p or r is 0 (gimbal lock), only
+   the sum or the difference of the two angles is determined; the third angle is then 0. */
 VM_API void vmi_euler_first_and_third(vmi_euler_part p, vmi_euler_part r, vm_real sum, vm_real difference,
                                       vm_real *angles)
 {
@@ -1748,9 +1758,9 @@ VM_API vm_quat vmi_euler_normal_size(vm_quat q)
 }
 
 /* Euler's angles psi, theta, phi of the sequence 3-1-3 from an attitude q of any length.
-   psi and phi are between -pi and pi, theta between 0 and pi. If theta is exactly 0 or pi (gimbal lock: no line of
-   nodes is determined), phi is 0. The error of each angle is within 4 eps of itself, for q taken as exact, also next to
-   gimbal lock. The three angles together give the rotation of q to 8 eps.
+   psi and phi are between -pi and pi, theta between 0 and pi. If theta is exactly 0 or pi, the line of nodes is not
+   determined (gimbal lock), and phi is 0. If q is taken as exact, the relative error of each angle is within 4 eps,
+   close to gimbal lock, too. The rotation by the three angles differs from that of q by at most 8 eps.
    Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, and VM_OK otherwise. */
 VM_API int vm_euler_313_angles(vm_quat q, vm_real angles[3])
 {
@@ -1770,8 +1780,8 @@ VM_API int vm_euler_313_angles(vm_quat q, vm_real angles[3])
 
 /* Yaw, pitch and roll of the sequence 3-2-1 from an attitude q of any length, in this order.
    Yaw and roll are between -pi and pi, pitch between -pi/2 and pi/2. If pitch is exactly pi/2 or -pi/2 (gimbal lock),
-   roll is 0. The error of each angle is within 4 eps of itself, for q taken as exact, also next to gimbal lock. The
-   three angles together give the rotation of q to 8 eps.
+   roll is 0. If q is taken as exact, the relative error of each angle is within 4 eps, close to gimbal lock, too. The
+   rotation by the three angles differs from that of q by at most 8 eps.
    Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, and VM_OK otherwise. */
 VM_API int vm_euler_321_angles(vm_quat q, vm_real angles[3])
 {
@@ -1838,7 +1848,7 @@ VM_API int vm_euler_313_rates(vm_real psi, vm_real theta, vm_vec3 omega, vm_real
 
 #endif
 /* mechanics/inertia.h - inertia tensors, parallel axes, principal axes
-   A vm_inertia holds the entries of a body's tensor of inertia, about some point and along some axes. This chapter
+   A vm_inertia contains the entries of a body's tensor of inertia, about some point and along some axes. This chapter
    tests whether a body can have a given tensor, moves it to parallel axes (40), and finds principal moments and axes.
 
        vm_inertia disc = {1, 1, 2, 0, 0, 0}; // xx, yy, zz, xy, xz, yz, kg m^2
@@ -1929,7 +1939,7 @@ VM_INLINE vm_inertia vmi_inertia_sizes(const vm_inertia *i, const vmi_mat3 *m)
 VM_API vm_real vmi_inertia_trace(const vm_inertia *i) { return VM_FABS(i->xx) + VM_FABS(i->yy) + VM_FABS(i->zz); }
 
 /* The tolerance, in kg m^2, for the rounding errors of a tensor. Usually i is this tensor. If its entries were computed
-   as sums, i may instead have for each entry the sum of the terms' absolute values (vmi_inertia_sizes). */
+   as sums, i may instead contain, for each entry, the sum of the absolute values of its terms (vmi_inertia_sizes). */
 VM_API vm_real vmi_inertia_slack(const vm_inertia *i) { return 32 * VM_EPSILON * vmi_inertia_trace(i); }
 
 /* Returns 1 if a body can have the inertia i, within the tolerance slack (kg m^2). For a body, the matrix tr(i)/2 E - i
@@ -2047,11 +2057,12 @@ VM_API int vmi_moments_are_possible(const vmi_principal *p, vm_real slack)
     return a <= b + c + slack && b <= a + c + slack && c <= a + b + slack;
 }
 
-/* A sum that is below this share of the sum of its terms' absolute values counts as nothing but a rounding error. */
+/* A sum counts as a mere rounding error if it is below this number times the sum of the absolute values of its
+   terms. */
 #define VMI_LOST_SHARE (8 * VM_EPSILON)
 
 /* Returns 1 if `moment`, the moment of inertia about `axis`, is smaller than its rounding error, negative or NaN. The
-   entries of the tensor are sums. Those of *sizes are the sums of the absolute values of the same terms. */
+   entries of the tensor are sums of terms; the entries of *sizes are the sums of the absolute values of these terms. */
 VM_API int vmi_moment_is_lost(vm_real moment, vm_vec3 axis, const vm_inertia *sizes)
 {
     const vm_vec3 e = vmi_abs(axis);
@@ -2089,9 +2100,9 @@ VM_API vm_vec3 vmi_spin_of(const vmi_principal *p, vm_vec3 h)
 }
 
 /* Solves i omega = h for the angular velocity *omega, with the inertia i, its principal axes *p and the angular
-   momentum h. About an axis with zero moment (of a rod or a point), *omega keeps the component of `before`, and no body
-   can have angular momentum. Returns 1 if the component of h along such an axis exceeds the argument `noise`, else
-   0. */
+   momentum h. About an axis with zero moment of inertia (of a rod or a point) a body cannot have angular momentum;
+   *omega gets the component of `before` along this axis. Returns 1 if the component of h along such an axis exceeds the
+   argument `noise`, else 0. */
 VM_API int vmi_solve_spin(const vm_inertia *i, const vmi_principal *p, vm_vec3 h, vm_real noise, vm_vec3 before,
                           vm_vec3 *omega)
 {
@@ -2124,7 +2135,8 @@ VM_API int vmi_solve_spin(const vm_inertia *i, const vmi_principal *p, vm_vec3 h
 typedef struct VM_TAG(vm_body) {
     vm_real mass;       /* mass > 0, kg */
     vm_inertia inertia; /* inertia about the body's own mass centre, kg m^2, body axes; all zero for a point */
-    vm_quat q;          /* attitude: converts vectors from body to inertial axes; any length; all zero: identity */
+    vm_quat q;          /* attitude, a quaternion of any length that converts vectors from body axes to inertial
+                           axes; if all its numbers are 0, the two systems of axes coincide */
     vm_vec3 r;          /* position of the mass centre, m, inertial axes */
     vm_vec3 v;          /* velocity, which is momentum/mass, m/s, inertial axes */
     vm_vec3 omega;      /* angular velocity, rad/s, inertial axes */
@@ -2429,10 +2441,10 @@ VM_API vm_body vm_body_from_body2(const vm_body2 *body)
 #define VARMASS_MECHANICS_JUMPS_H
 
 /* How a jump is computed. A body has the mass M, velocity v, inertia I, angular velocity omega, and its mass centre S
-   at r. The other body has m, v2, I2, omega2, S2. It is attached to the first body (sign = 1) or separates from it
-   (sign = -1). After the jump the first body has the mass M1 = M + sign m, v1, I1, omega1, and S1 at r1. Each inertia
-   is about the body's own mass centre. The vector d leads from S to S2. x is the cross product, E the unit matrix, and
-   P(d) = |d|^2 E - d d^T. An impulse `linear` with the moment `moment` about S1 may act. Then
+   at r. For the other body these quantities are m, v2, I2, omega2, S2. It is attached to the first body (sign = 1) or
+   separates from it (sign = -1). After the jump the first body has the mass M1 = M + sign m, v1, I1, omega1, and S1 at
+   r1. Each inertia is about the body's own mass centre. The vector d leads from S to S2. x is the cross product, E the
+   unit matrix, and P(d) = |d|^2 E - d d^T. An impulse `linear` with the moment `moment` about S1 may act. Then
      r1 = r + sign m/M1 d (15),  v1 = (M v + sign m v2 + linear)/M1 (24),  I1 = I + sign (I2 + m M/M1 P(d)),
      I1 omega1 = I omega + sign (I2 omega2 + m M/M1 d x (v2 - v)) + moment (33), (34)
    A separation is therefore an attachment of negative mass and inertia.
@@ -2481,8 +2493,9 @@ VM_API vmi_lump vmi_lump_of(const vmi_frame *frame, const vm_body *body)
     return lump;
 }
 
-/* Returns P(d) = |d|^2 E - d d^T, with the unit matrix E, along the frame's axes. d is a difference of positions;
-   `reach` holds the sums of their absolute coordinates. The errors of P(d) are a few eps times *sizes. */
+/* Returns P(d) = |d|^2 E - d d^T, with the unit matrix E, along the frame's axes. d is the difference of two positions;
+   `reach` contains, for each coordinate, the sum of the absolute values that enter this difference. The errors of P(d)
+   are a few eps times *sizes. */
 VM_API vm_inertia vmi_moved_inertia(const vmi_frame *frame, vm_vec3 d, vm_vec3 reach, vm_inertia *sizes)
 {
     vmi_mat3 turn;
@@ -2500,8 +2513,9 @@ VM_API vm_inertia vmi_moved_inertia(const vmi_frame *frame, vm_vec3 d, vm_vec3 r
     return vmi_inertia_of_point(vmi_times_transposed(&frame->turn, d));
 }
 
-/* Returns how much a->noise grows when b joins or leaves a with the velocity `slip` relative to a: by b->noise and by
-   the absolute values of the terms of reduced d x slip. vmi_join computes d, `reduced` and `reach`. */
+/* Returns the growth of a->noise when b joins or leaves a. This is b->noise plus the absolute values of the terms of
+   reduced d x slip, where `slip` is the velocity of b relative to a. vmi_join computes d, `reduced`, `reach` and
+   `slip`. */
 VM_API vm_real vmi_join_noise(const vmi_frame *frame, const vmi_lump *a, vm_real sign, const vmi_lump *b,
                               vm_real reduced, vm_vec3 reach, vm_vec3 slip)
 {
@@ -2611,7 +2625,7 @@ VM_API int vmi_lump_clamp_moments(vmi_lump *lump, vmi_principal *p)
 }
 
 /* Sets *omega to the angular velocity, relative to the frame and along inertial axes, of a lump with principal axes p.
-   `before` is the same quantity before the jump. Returns 1 if the lump has angular momentum about an axis with zero
+   `before` is this angular velocity before the jump. Returns 1 if the lump has angular momentum about an axis with zero
    moment of inertia, which is impossible. Returns 0 otherwise. */
 VM_API int vmi_lump_spin(const vmi_frame *frame, const vmi_lump *lump, const vmi_principal *p, vm_vec3 before,
                          vm_vec3 *omega)
@@ -2654,32 +2668,33 @@ VM_API int vmi_jump(const vm_body *body, int n, const vm_body *others, vm_real s
     return status;
 }
 
-/* Separation of a part from a body: *rest is what remains of the whole. *part must have its motion after the
-   separation. The function computes mass, mass centre (15), inertia (40), velocity (24) and angular velocity (34) of
-   *rest, and copies the attitude of *whole. The impulse, if there is one, acts during the separation. The law is exact
-   in three dimensions: momentum and angular momentum of rest and part together are those of the whole plus the impulse.
-   The pointer rest may be equal to whole or to part.
+/* Separation of a part from a body: *rest is what remains of the whole. The caller sets v and omega of *part to the
+   motion after the separation. The function computes mass, mass centre (15), inertia (40), velocity (24) and angular
+   velocity (34) of *rest, and copies the attitude of *whole. The impulse, if there is one, acts during the separation.
+   The law is exact in three dimensions: momentum and angular momentum of rest and part together are those of the whole
+   plus the impulse. The pointer rest may be equal to whole or to part.
 
    If the separation does not change the part's motion, the rest keeps its motion, too, even if little inertia is left.
-   High speed or a position far from the origin costs no digits of omega, because only motions relative to the whole are
-   added. The error of the rest's inertia is at most 8 eps of the trace of the whole's inertia. If the bodies are at a
-   distance R from the origin, the rounding of positions by eps R adds to this error. A principal moment below this
-   error becomes 0.
+   At high speed or far from the origin omega loses no digits, because only motions relative to the whole are added. The
+   error of the rest's inertia is at most 8 eps of the trace of the whole's inertia. If the bodies are at a distance R
+   from the origin, the rounding of positions by eps R adds to this error. A principal moment below this error becomes
+   0.
 
-   Returns VM_OK, VM_NULL_AXIS or an error. VM_NULL_AXIS (> 0) means: *rest is set and is a rod or a point, but the
-   equations demand angular momentum about an axis without inertia, which *rest cannot have. *rest then turns about it
-   as the whole did. The errors are VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS if a mass, that of
-   the rest included, is not positive, and VM_BAD_INERTIA for an inertia that no body has. The rest has such an inertia
-   if the part cannot have been in the whole. */
+   Returns VM_OK, VM_NULL_AXIS or an error. VM_NULL_AXIS (> 0) means that *rest is set and is a rod or a point, which
+   has an axis without inertia, but that the equations demand angular momentum about this axis. *rest then turns about
+   this axis as the whole did. The errors are VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS if a mass,
+   that of the rest included, is not positive, and VM_BAD_INERTIA for an inertia that no body has. The rest has such an
+   inertia if the part cannot have been in the whole. */
 VM_API int vm_separate(const vm_body *whole, const vm_body *part, const vm_impulse *external_or_NULL, vm_body *rest)
 {
     return vmi_jump(whole, 1, part, VMI_SEPARATE, external_or_NULL, rest);
 }
 
-/* Attachment of one body to another (plastic impact): *whole is the two bodies together, (24), (33). `body` and `added`
-   have the motions just before the impact. The impulse, if there is one, acts during the impact. The whole has the
-   attitude of `body`. The statuses are those of vm_separate. VM_NULL_AXIS means that the whole is a rod or a point that
-   would need angular momentum about an axis without inertia. The spin about this axis remains that of `body`. */
+/* Attachment of one body to another (plastic impact): *whole is the body that the two form together, (24), (33). The
+   caller sets v and omega of *body and *added to the motions just before the impact. The impulse, if there is one, acts
+   during the impact. The whole has the attitude of `body`. The statuses are those of vm_separate. VM_NULL_AXIS means
+   that the whole is a rod or a point that would need angular momentum about an axis without inertia. The spin about
+   this axis remains that of `body`. */
 VM_API int vm_attach(const vm_body *body, const vm_body *added, const vm_impulse *external_or_NULL, vm_body *whole)
 {
     return vmi_jump(body, 1, added, VMI_ATTACH, external_or_NULL, whole);
@@ -2694,9 +2709,9 @@ VM_API int vm_separate_all(const vm_body *whole, int n, const vm_body *parts, co
     return vmi_jump(whole, n, parts, VMI_SEPARATE, external_or_NULL, rest);
 }
 
-/* Attachment of n bodies to a body at once: *whole is all of them together. Except for rounding errors, n calls of
-   vm_attach, one after the other, give the same result. With n = 0 only the impulse acts on the body. The statuses
-   are those of vm_attach, and VM_BAD_ARGUMENT for n < 0. */
+/* Attachment of n bodies to a body at once: *whole is the body that all of them form together. Except for rounding
+   errors, n calls of vm_attach, one after the other, give the same result. With n = 0 only the impulse acts on the
+   body. The statuses are those of vm_attach, and VM_BAD_ARGUMENT for n < 0. */
 VM_API int vm_attach_all(const vm_body *body, int n, const vm_body *added, const vm_impulse *external_or_NULL,
                          vm_body *whole)
 {
@@ -2753,8 +2768,9 @@ VM_API int vm_split_inertia(vm_real mass, const vm_inertia *whole, vm_real part_
 
 #endif
 /* mechanics/jumps2.h - parts separate from a body or are attached to it, in the plane
-   This is jumps.h for the plane, (35)-(39): a body of the plane has one moment of inertia and one angular velocity.
-   Functions of jumps.h join the masses. Only the last step, from angular momentum to angular velocity, differs.
+   This chapter computes the jumps of jumps.h for motion in the plane, (35)-(39). A body in the plane has one moment of
+   inertia and one angular velocity. Functions of jumps.h join the masses. Only the last step, from angular momentum to
+   angular velocity, differs.
 
        vm_body2 plate = {2, 0.1, 0, 0, 0, 3, 0, 8}, chip = {0.1, 0, 0.2, 0, 0, 5, 1, 8}, rest;
        int status = vm_separate2(&plate, &chip, NULL, &rest); // VM_OK: `rest` has the motion after the separation
@@ -2852,25 +2868,25 @@ VM_API int vmi_jump2(const vm_body2 *body, int n, const vm_body2 *others, vm_rea
     return status;
 }
 
-/* Separation of a part from a body in the plane: *rest is what remains of the whole, (35)-(39). *part must have the
-   motion of the part after the separation. The impulse, if there is one, acts during the separation. Momentum and
-   angular momentum of rest and part together are those of the whole plus the impulse. The pointer rest may be equal to
-   whole or to part. The accuracy is that of vm_separate.
+/* Separation of a part from a body in the plane: *rest is what remains of the whole, (35)-(39). The caller sets vx, vy
+   and omega of *part to the motion after the separation. The impulse, if there is one, acts during the separation.
+   Momentum and angular momentum of rest and part together are those of the whole plus the impulse. The pointer rest may
+   be equal to whole or to part. The accuracy is that of vm_separate.
 
-   Returns VM_OK, VM_NULL_AXIS or an error. VM_NULL_AXIS (> 0) means: *rest is set and is a point, but the equations
-   demand angular momentum about this point itself, which a point cannot have. rest->omega is then whole->omega. The
-   errors are VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS if a mass, that of the rest included, is
-   not positive, and VM_BAD_INERTIA if an inertia, that of the rest included, is negative. */
+   Returns VM_OK, VM_NULL_AXIS or an error. VM_NULL_AXIS (> 0) means that *rest is set and is a point, but that the
+   equations demand angular momentum of the point about itself, which is impossible. rest->omega is then whole->omega.
+   The errors are VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS if a mass, that of the rest included,
+   is not positive, and VM_BAD_INERTIA if an inertia, that of the rest included, is negative. */
 VM_API int vm_separate2(const vm_body2 *whole, const vm_body2 *part, const vm_impulse2 *external_or_NULL,
                         vm_body2 *rest)
 {
     return vmi_jump2(whole, 1, part, VMI_SEPARATE, external_or_NULL, rest);
 }
 
-/* Attachment of one body to another in the plane (plastic impact): *whole is the two bodies together. `body` and
-   `added` have the motions just before the impact. The impulse, if there is one, acts during the impact. The whole has
-   the angle of `body`. The statuses are those of vm_separate2. VM_NULL_AXIS means that the bodies are points at one
-   position, and that the impulse would turn them; omega remains that of `body`. */
+/* Attachment of one body to another in the plane (plastic impact): *whole is the body that the two form together. The
+   caller sets vx, vy and omega of *body and *added to the motions just before the impact. The impulse, if there is one,
+   acts during the impact. The whole has the angle of `body`. The statuses are those of vm_separate2. VM_NULL_AXIS means
+   that the bodies are points at one position, and that the impulse would turn them; omega remains that of `body`. */
 VM_API int vm_attach2(const vm_body2 *body, const vm_body2 *added, const vm_impulse2 *external_or_NULL,
                       vm_body2 *whole)
 {
@@ -2886,9 +2902,9 @@ VM_API int vm_separate_all2(const vm_body2 *whole, int n, const vm_body2 *parts,
     return vmi_jump2(whole, n, parts, VMI_SEPARATE, external_or_NULL, rest);
 }
 
-/* Attachment of n bodies to a body at once, in the plane: *whole is all of them together. Except for rounding errors,
-   n calls of vm_attach2, one after the other, give the same result. With n = 0 only the impulse acts on the body. The
-   statuses are those of vm_attach2, and VM_BAD_ARGUMENT for n < 0. */
+/* Attachment of n bodies to a body at once, in the plane: *whole is the body that all of them form together. Except for
+   rounding errors, n calls of vm_attach2, one after the other, give the same result. With n = 0 only the impulse acts
+   on the body. The statuses are those of vm_attach2, and VM_BAD_ARGUMENT for n < 0. */
 VM_API int vm_attach_all2(const vm_body2 *body, int n, const vm_body2 *added, const vm_impulse2 *external_or_NULL,
                           vm_body2 *whole)
 {
@@ -2897,9 +2913,9 @@ VM_API int vm_attach_all2(const vm_body2 *body, int n, const vm_body2 *added, co
 
 #endif
 /* mechanics/relative.h - motion relative to a moving body, and jumps given by relative motions
-   This chapter gives the motion of one body as seen from another body, in a frame that moves and turns with it (25),
-   (26), (41), and the equations of a jump between such relative motions, (28)-(31), (42)-(44). Use these equations if
-   you know only the velocity of a part relative to the whole.
+   This chapter computes the motion of one body relative to another body, in a frame that moves and turns with the other
+   body, (25), (26), (41). It also computes jumps from such relative motions, (28)-(31), (42)-(44). Use these functions
+   if you know only the velocity of a part relative to the whole.
 
        vm_body part = whole, rest; // whole is a vm_body
        part.mass = 1;
@@ -3001,8 +3017,8 @@ VM_API int vm_to_absolute2(const vm_body2 *to, const vm_body2 *relative, vm_body
 
 /* ---- jumps ---- */
 
-/* Computes a jump from and to motions relative to `body`. In its own frame `body` is at rest, and the equations of a
-   jump have the same form as in an inertial frame. */
+/* Computes a jump; the motions before and after it are given relative to `body`. In its own frame `body` is at rest,
+   and the equations of a jump have the same form as in an inertial frame. */
 VM_API int vmi_jump_relative(const vm_body *body, const vm_body *other, vm_real sign,
                              const vm_impulse *external_or_NULL, vm_body *result)
 {
@@ -3013,7 +3029,8 @@ VM_API int vmi_jump_relative(const vm_body *body, const vm_body *other, vm_real 
     return vmi_jump(&still, 1, other, sign, external_or_NULL, result);
 }
 
-/* Computes a jump in the plane from and to motions relative to `body`, which is at rest in its own frame */
+/* Computes a jump in the plane; the motions before and after it are given relative to `body`, which is at rest in its
+   own frame. */
 VM_API int vmi_jump_relative2(const vm_body2 *body, const vm_body2 *other, vm_real sign,
                               const vm_impulse2 *external_or_NULL, vm_body2 *result)
 {
@@ -3025,8 +3042,8 @@ VM_API int vmi_jump_relative2(const vm_body2 *body, const vm_body2 *other, vm_re
 }
 
 /* Separation, with motions given relative to the whole: (28)-(31), (42)-(44). v and omega of *part and of the result
-   *rest are relative to the whole, so that v and omega of *whole are not read. In all else, the statuses included, the
-   function is like vm_separate. */
+   *rest are relative to the whole, so that v and omega of *whole are not read. In every other respect, its statuses
+   included, the function works like vm_separate. */
 VM_API int vm_separate_relative(const vm_body *whole, const vm_body *part, const vm_impulse *external_or_NULL,
                                 vm_body *rest)
 {
@@ -3034,8 +3051,8 @@ VM_API int vm_separate_relative(const vm_body *whole, const vm_body *part, const
 }
 
 /* Attachment, with motions given relative to the first body: (28)-(31), (42)-(44). v and omega of *added and of the
-   result *whole are relative to `body`, so that v and omega of *body are not read. In all else, the statuses included,
-   the function is like vm_attach. */
+   result *whole are relative to `body`, so that v and omega of *body are not read. In every other respect, its statuses
+   included, the function works like vm_attach. */
 VM_API int vm_attach_relative(const vm_body *body, const vm_body *added, const vm_impulse *external_or_NULL,
                               vm_body *whole)
 {
@@ -3043,8 +3060,8 @@ VM_API int vm_attach_relative(const vm_body *body, const vm_body *added, const v
 }
 
 /* Separation in the plane, with motions given relative to the whole. vx, vy and omega of *part and of the result *rest
-   are relative to the whole, so that vx, vy and omega of *whole are not read. In all else, the statuses included, the
-   function is like vm_separate2. */
+   are relative to the whole, so that vx, vy and omega of *whole are not read. In every other respect, its statuses
+   included, the function works like vm_separate2. */
 VM_API int vm_separate_relative2(const vm_body2 *whole, const vm_body2 *part, const vm_impulse2 *external_or_NULL,
                                  vm_body2 *rest)
 {
@@ -3052,8 +3069,8 @@ VM_API int vm_separate_relative2(const vm_body2 *whole, const vm_body2 *part, co
 }
 
 /* Attachment in the plane, with motions given relative to the first body. vx, vy and omega of *added and of the result
-   *whole are relative to `body`, so that vx, vy and omega of *body are not read. In all else, the statuses included,
-   the function is like vm_attach2. */
+   *whole are relative to `body`, so that vx, vy and omega of *body are not read. In every other respect, its statuses
+   included, the function works like vm_attach2. */
 VM_API int vm_attach_relative2(const vm_body2 *body, const vm_body2 *added, const vm_impulse2 *external_or_NULL,
                                vm_body2 *whole)
 {
@@ -3284,8 +3301,9 @@ VM_API int vm_separation_for_spin2(const vm_body2 *whole, const vm_body2 *part, 
 
 #endif
 /* mechanics/jump_energy.h - the kinetic energy that a jump adds or takes
-   Kinetic energy is not conserved when bodies separate or join. Without an impulse, a separation adds, and an
-   attachment takes, the kinetic energy that the bodies have relative to the whole: (113), (118), Carnot's theorem.
+   Kinetic energy is not conserved when bodies separate or join. Without an impulse, a separation adds the kinetic
+   energy that the bodies have relative to the whole, and an attachment takes this energy away: (113), (118), Carnot's
+   theorem.
 
        vm_body rest; // whole and part are known vm_bodies
        vm_real gain = VM_NAN;
@@ -3322,10 +3340,10 @@ VM_API vm_real vmi_impulse_work(const vm_body *body_or_NULL, const vm_impulse *e
 }
 
 /* Energy gained at a separation, J: the kinetic energy of n parts and rest minus that of the whole (113), (118). It is
-   computed as the kinetic energy of parts and rest relative to the whole, plus the work of the external impulse
-   on the whole (0 without one). In exact arithmetic this is the same, but the difference of energies loses digits at
-   high speed. `whole` is the body before the
-   separation; `parts` and `rest` are the bodies after it. Returns NaN for a null pointer or n < 0. */
+   computed as the kinetic energy of parts and rest relative to the whole, plus the work of the external impulse on the
+   whole (0 without an impulse). In exact arithmetic both results are equal, but at high speed the difference of the
+   energies would lose digits. `whole` is the body before the separation; `parts` and `rest` are the bodies after it.
+   Returns NaN for a null pointer or n < 0. */
 VM_API vm_real vm_energy_gain(const vm_body *whole, int n, const vm_body *parts, const vm_impulse *external_or_NULL,
                               const vm_body *rest)
 {
@@ -3357,13 +3375,14 @@ VM_API vm_real vm_energy_loss(const vm_body *body, int n, const vm_body *added, 
        vm_impulse reaction;                                          // of the axle on the door
        int status = vm_separate_on_axle(&hinge, &door, 1, &part, NULL, &door, &reaction);
 
-   The equations. e is the unit vector along the axle, which passes through the point O. All motions are taken relative
-   to the frame that turns about the axle as the body did before, with the rate w = e . omega. In this frame (42) holds,
-   and the body was at rest if the axle guided it before. Let P be the sum of the momenta of the body before the jump,
-   of all bodies that join (+) or leave (-), and of the external impulse; let L be the sum of their angular momenta
-   about O. Let I be the inertia of the body after the jump about O. Then w grows by (e . L)/(e . I e), and the axle
-   exerts the impulse M1 v1 - P at O, with the velocity v1 of the mass centre, and a couple, which is orthogonal to
-   the axle.
+   The equations. e is the unit vector along the axle, which passes through the point O. All motions are measured in a
+   frame that turns about the axle at the rate w = e . omega, where omega is the angular velocity of the body before the
+   jump. The balances of momentum and angular momentum hold in this frame, too (42). If the body turned about the axle
+   before the jump, it was at rest in this frame. Let P be the sum of the momenta of the body before the jump, of all
+   bodies that join (+) or leave (-), and of the external impulse; let L be the sum of their angular momenta about O.
+   Let I be the inertia of the body after the jump about O. Then w grows by (e . L)/(e . I e). The axle exerts the
+   impulse M1 v1 - P at O, where M1 is the mass of the body after the jump and v1 the velocity of its mass centre in the
+   frame. The axle also exerts a couple, which is orthogonal to the axle.
    Tests: tests/test_axle.c. */
 #ifndef VARMASS_MECHANICS_AXLE_H
 #define VARMASS_MECHANICS_AXLE_H
@@ -3374,8 +3393,9 @@ typedef struct VM_TAG(vm_axle) {
     vm_vec3 axis; /* its direction, of any length > 0; angular velocities are positive about it */
 } vm_axle;
 
-/* Momentum, N s, and angular momentum about the point O of an axle, N m s, relative to the turning frame; and the arm,
-   m, which is the vector from O to the mass centre of the body after the jump */
+/* The sums P and L of the equations above, relative to the turning frame: `linear` is the momentum P (N s), and
+   `angular` is the angular momentum L about the point O of the axle (N m s). `arm` is the vector from O to the mass
+   centre of the body after the jump (m). */
 typedef struct VM_TAG(vmi_axle_sum) {
     vm_vec3 linear, angular, arm;
 } vmi_axle_sum;
@@ -3396,8 +3416,9 @@ VM_API void vmi_axle_add(vmi_axle_sum *sum, vm_real sign, const vm_body *body, v
     sum->angular = vm_add(sum->angular, vm_scale(sign, vm_add(spin, vm_cross(d, momentum))));
 }
 
-/* The vector from O to the mass centre of a body after the jump, where its mass is `mass`. Only differences of places
-   are added: far from the origin the mass centre is rounded, so that its difference to O would lose digits. */
+/* The vector from O to the mass centre of a body after the jump, where its mass is `mass`. The function adds only
+   differences of positions. Far from the origin the position of the new mass centre would be rounded, and its
+   difference from O would lose digits. */
 VM_API vm_vec3 vmi_axle_arm(vm_vec3 O, const vm_body *body, int n, const vm_body *others, vm_real sign, vm_real mass)
 {
     vm_vec3 shift = {0, 0, 0};
@@ -3420,9 +3441,9 @@ VM_API int vmi_axle_direction(const vm_axle *axle, vm_vec3 *e)
     return VM_OK;
 }
 
-/* Gives the body *b, whose mass, inertia and place are those after the jump, its motion about the axle, and computes
-   the impulse of the axle. *sum holds P and L of the text above, and the arm; `before` is w e. Returns VM_NULL_AXIS if
-   b has no inertia about the axle, but would need angular momentum, else VM_OK. */
+/* Sets the motion of the body *b about the axle, and computes the impulse of the axle. *b must already have the mass,
+   the inertia and the position after the jump. *sum contains P, L and the arm, and `before` is w e. Returns
+   VM_NULL_AXIS if b has no inertia about the axle, but would need angular momentum, else VM_OK. */
 VM_API int vmi_axle_turn(vm_vec3 O, vm_vec3 e, vm_vec3 before, const vmi_axle_sum *sum, vm_body *b,
                          vm_impulse *reaction)
 {
@@ -3443,7 +3464,7 @@ VM_API int vmi_axle_turn(vm_vec3 O, vm_vec3 e, vm_vec3 before, const vmi_axle_su
     return status;
 }
 
-/* The jump of both functions below: sign is VMI_SEPARATE or VMI_ATTACH. */
+/* Computes the jump for the two functions below; `sign` is VMI_SEPARATE or VMI_ATTACH. */
 VM_API int vmi_axle_jump(const vm_axle *axle, const vm_body *body, int n, const vm_body *others, vm_real sign,
                          const vm_impulse *external_or_NULL, vm_body *result, vm_impulse *reaction_or_NULL)
 {
@@ -3472,23 +3493,23 @@ VM_API int vmi_axle_jump(const vm_axle *axle, const vm_body *body, int n, const 
 }
 
 /* Separation of n parts from a body on a fixed axle: *rest is what remains, guided by the axle.
-   The parts must have their motions after the separation. The external impulse, if there is one, acts during the
-   separation. *reaction_or_NULL is the impulse of the axle on the body: `linear` acts at the point axle->at, and
-   `couple` is orthogonal to the axle. If the parts go on as the whole did, the motion of the rest does not change. With
-   n = 0 only the impulse acts. The whole need not have turned about the axle before; it is then caught by the axle. The
-   error of the angular velocity is a few eps of the sum of the terms of e . L divided by the inertia about the axle.
-   Returns VM_OK, the errors of vm_separate_all, VM_DOMAIN if axle->axis is 0, and VM_NULL_AXIS (> 0) if the rest has
-   no inertia about the axle, but would need angular momentum; it then turns as the whole did. `rest` may be equal to
-   `whole`. */
+   `parts` must contain the motions that the parts have after the separation. The external impulse, if there is one,
+   acts during the separation. *reaction_or_NULL is the impulse of the axle on the body: `linear` acts at the point
+   axle->at, and `couple` is orthogonal to the axle. If the parts keep the motion that they had in the whole, the motion
+   of the rest does not change. With n = 0 only the impulse acts. If the whole did not turn about the axle before, the
+   axle catches it at this instant. Let s be the sum of the absolute values of the terms of e . L. The error of the
+   angular velocity is a few eps times s divided by the inertia about the axle. Returns VM_OK, an error status of
+   vm_separate_all, VM_DOMAIN if axle->axis is 0, and VM_NULL_AXIS (> 0) if the rest has no inertia about the axle, but
+   would need angular momentum; it then turns as the whole did. `rest` may be equal to `whole`. */
 VM_API int vm_separate_on_axle(const vm_axle *axle, const vm_body *whole, int n, const vm_body *parts,
                                const vm_impulse *external_or_NULL, vm_body *rest, vm_impulse *reaction_or_NULL)
 {
     return vmi_axle_jump(axle, whole, n, parts, VMI_SEPARATE, external_or_NULL, rest, reaction_or_NULL);
 }
 
-/* Attachment of n bodies to a body on a fixed axle (plastic impact): *whole is all bodies together, guided by the
-   axle. The bodies must have their motions just before the impact. The other arguments and the statuses are those of
-   vm_separate_on_axle. */
+/* Attachment of n bodies to a body on a fixed axle (plastic impact): *whole is the body that all of them form together;
+   the axle guides it. `body` and `added` must contain the motions just before the impact. The other arguments and the
+   statuses are those of vm_separate_on_axle. */
 VM_API int vm_attach_on_axle(const vm_axle *axle, const vm_body *body, int n, const vm_body *added,
                              const vm_impulse *external_or_NULL, vm_body *whole, vm_impulse *reaction_or_NULL)
 {
@@ -3605,9 +3626,9 @@ VM_API int vmi_check_broken_rotor(const vm_broken_rotor *r)
 }
 
 /* Right-hand side of the rotor's equations of motion, (65), (66), (68), (46).
-   An ode_rhs of VM_BROKEN_ROTOR_STATES states; its ctx, here `rotor`, is a vm_broken_rotor. Returns 0; or
-   VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS for a negative stiffness, or
-   VM_BAD_INERTIA. */
+   It is an ode_rhs for integrators such as rk45, with VM_BROKEN_ROTOR_STATES states. `rotor` must point to a
+   vm_broken_rotor. Returns 0; or VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS for a
+   negative stiffness, or VM_BAD_INERTIA. */
 VM_API int vm_broken_rotor_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
@@ -3630,7 +3651,7 @@ VM_API int vm_broken_rotor_rhs(vm_real t, const vm_real *y, vm_real *dydt, void 
 }
 
 /* Right-hand side of the rotor's equations of motion in polar form (75).
-   An ode_rhs of VM_BROKEN_ROTOR_STATES states {r, phi, psi, r', phi', psi'}; its ctx, here `rotor`, is a
+   It is an ode_rhs with the VM_BROKEN_ROTOR_STATES states {r, phi, psi, r', phi', psi'}. `rotor` must point to a
    vm_broken_rotor. Returns a status of vm_broken_rotor_rhs; or VM_DOMAIN, which ends the run, if r is not positive. */
 VM_API int vm_broken_rotor_polar_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
@@ -3862,7 +3883,7 @@ typedef struct VM_TAG(vmi_broken_rotor_linear) {
     vm_real coupling;            /* s p^2 omega^2, the factor of y in the equation of psi; 0 to leave out this term */
 } vmi_broken_rotor_linear;
 
-/* Indices in the array z. It holds y, psi and their rates, the states that the linearised equations (69) couple. */
+/* Indices in the array z. z contains y, psi and their rates, because the linearised equations (69) couple them. */
 enum {
     VMI_BROKEN_ROTOR_Y = 0,
     VMI_BROKEN_ROTOR_PSI = 1,
@@ -3922,11 +3943,11 @@ VM_API void vmi_broken_rotor_series(const vmi_broken_rotor_linear *a, vm_real h,
     }
 }
 
-/* Replaces the matrix m, which belongs to some time, by the matrix for twice this time. m gives the change of states
-   within its time: row m[j] is the change of states that start from z[j] = 1 and all other z = 0, without torque. The
-   last row of m is the change that the torque causes if all states start from 0. With the unit matrix E, m + E turns
-   old states into new ones. Twice the time therefore has the matrix (m + E)^2 - E = 2 m + m m. The matrix m + E itself
-   is not stored, because digits of m would be lost in the sum. */
+/* Replaces the matrix m for some time by the matrix for twice this time. m describes the change of the states within
+   its time: row m[j] is the change of states that start from z[j] = 1 and all other z = 0, without torque. The last row
+   of m is the change that the torque causes if all states start from 0. Let E be the unit matrix. m + E converts the
+   states at the start into the states at the end of the time. The matrix for twice the time is therefore (m + E)^2 - E
+   = 2 m + m m. The matrix m + E itself is not stored, because digits of m would be lost in the sum. */
 VM_API void vmi_broken_rotor_double(vm_real m[VMI_BROKEN_ROTOR_COUPLED + 1][VMI_BROKEN_ROTOR_COUPLED])
 {
     vm_real old[VMI_BROKEN_ROTOR_COUPLED + 1][VMI_BROKEN_ROTOR_COUPLED];
@@ -4055,8 +4076,9 @@ VM_API int vmi_broken_rotor_check_motion(const vm_broken_rotor *rotor, vm_real t
     return vmi_check_broken_rotor(rotor);
 }
 
-/* Computes the results of these three functions. If coupled = 1, it solves the complete linearised equations (69). If
-   coupled = 0, it leaves out the term -s p^2 omega^2 y of the equation of psi. */
+/* Computes the results of vm_broken_rotor_linear, vm_broken_rotor_linear_uncoupled and vm_broken_rotor_free_motion. If
+   coupled = 1, it solves the complete linearised equations (69). If coupled = 0, it leaves out the term -s p^2 omega^2
+   y of the equation of psi. */
 VM_API int vmi_broken_rotor_linearised(const vm_broken_rotor *rotor, vm_real t, const vm_real *start, int coupled,
                                        vm_real *end)
 {
@@ -4087,18 +4109,18 @@ VM_API int vmi_broken_rotor_linearised(const vm_broken_rotor *rotor, vm_real t, 
 /* State of the remainder t seconds after start, by the complete linearised equations (69).
    The result describes the rotor for short times, while |psi| << 1, because solutions of (69) grow exponentially with
    t. t may have any sign. The arrays start and end have VM_BROKEN_ROTOR_STATES numbers, and end may be the same array
-   as start. The fields damping, stiffness and s may be 0. The error is at most twice the change of the result that
-   rounding all inputs, t included, would cause. Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE also if the
-   result overflows, VM_BAD_MASS, VM_BAD_STIFFNESS for a negative stiffness, VM_BAD_INERTIA, and VM_OK otherwise. */
+   as start. The fields damping, stiffness and s may be 0. Rounding all inputs, t included, would change the result; the
+   error is at most twice this change. Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE also if the result
+   overflows, VM_BAD_MASS, VM_BAD_STIFFNESS for a negative stiffness, VM_BAD_INERTIA, and VM_OK otherwise. */
 VM_API int vm_broken_rotor_linear(const vm_broken_rotor *rotor, vm_real t, const vm_real *start, vm_real *end)
 {
     return vmi_broken_rotor_linearised(rotor, t, start, 1, end);
 }
 
 /* State of the remainder t seconds after start by (70)-(72), which lack a term of (69).
-   The dissertation [1] leaves out the term -s p^2 omega^2 y, although it is as large as the other terms. This function
-   serves to compare [1] with vm_broken_rotor_linear. The error is at most the change of the result that rounding all
-   inputs would cause. Arguments and statuses are those of vm_broken_rotor_linear. */
+   The dissertation [1] leaves out the term -s p^2 omega^2 y, although it is as large as the other terms. Use this
+   function only to compare [1] with vm_broken_rotor_linear. Rounding all inputs would change the result; the error is
+   at most this change. Arguments and statuses are those of vm_broken_rotor_linear. */
 VM_API int vm_broken_rotor_linear_uncoupled(const vm_broken_rotor *rotor, vm_real t, const vm_real *start, vm_real *end)
 {
     return vmi_broken_rotor_linearised(rotor, t, start, 0, end);
@@ -4106,9 +4128,9 @@ VM_API int vm_broken_rotor_linear_uncoupled(const vm_broken_rotor *rotor, vm_rea
 
 /* State of the unbroken rotor t seconds after start, exact, (46)-(51).
    t may have any sign. The arrays start and end have VM_BROKEN_ROTOR_STATES numbers, and end may be the same array as
-   start. The fields damping and stiffness may be 0. The error is at most the change of the result that rounding all
-   inputs, t included, would cause. Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS,
-   VM_BAD_STIFFNESS for a negative stiffness, VM_BAD_INERTIA, VM_DOMAIN if s is not 0, and VM_OK otherwise. */
+   start. The fields damping and stiffness may be 0. Rounding all inputs, t included, would change the result; the error
+   is at most this change. Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS for
+   a negative stiffness, VM_BAD_INERTIA, VM_DOMAIN if s is not 0, and VM_OK otherwise. */
 VM_API int vm_broken_rotor_free_motion(const vm_broken_rotor *rotor, vm_real t, const vm_real *start, vm_real *end)
 {
     const int status = vmi_broken_rotor_check_motion(rotor, t, start, end);
@@ -4277,9 +4299,9 @@ VM_API int vm_broken_rotor_is_stable(const vm_broken_rotor *rotor, vm_real Omega
 
 /* Roots re + i im of the characteristic polynomial, 1/s.
    re and im are arrays of VM_BROKEN_ROTOR_ROOTS numbers. The roots are sorted by increasing |im|; of a conjugate pair,
-   the root with im > 0 is first. The error of each root is at most twice the change of this root that would result if
-   each coefficient changed by the fraction eps of itself. This holds for the smallest root, too, which near resonance
-   is many orders of magnitude smaller than the largest. The statuses are those of vm_broken_rotor_characteristic. */
+   the root with im > 0 is first. If each coefficient changed by the relative amount eps, each root would change; the
+   error of a root is at most twice this change. This holds for the smallest root, too. Near resonance it is smaller
+   than the largest root by many orders of magnitude. The statuses are those of vm_broken_rotor_characteristic. */
 VM_API int vm_broken_rotor_eigenvalues(const vm_broken_rotor *rotor, vm_real Omega, vm_real *re, vm_real *im)
 {
     vmi_broken_rotor_steady a;
@@ -4309,8 +4331,8 @@ VM_API int vm_broken_rotor_eigenvalues(const vm_broken_rotor *rotor, vm_real Ome
     return status;
 }
 
-/* Returns ln(1 + x) - x + x^2/2 = x^3/3 - x^4/4 + ... for x >= 0, the time, without unit, in which the orbit of
-   vm_broken_rotor_resonance_radius grows to the radius x, without unit. For x <= 1 the formula with the logarithm would
+/* Returns ln(1 + x) - x + x^2/2 = x^3/3 - x^4/4 + ... for x >= 0. This is the dimensionless time in which the orbit of
+   vm_broken_rotor_resonance_radius grows to the dimensionless radius x. For x <= 1 the formula with the logarithm would
    lose digits. The function then sums a series in w = x/(2 + x) <= 1/3 with positive terms only. The series is twice
    the sum of c_n w^n for n = 3, 4, 5, ..., where c_n is n - 2 for even n and n - 2 + 1/n for odd n. */
 VM_API vm_real vmi_broken_rotor_growth_time(vm_real x)
@@ -4379,7 +4401,7 @@ VM_API vm_real vm_broken_rotor_resonance_radius(const vm_broken_rotor *rotor, vm
 /* mechanics/generalized_force.h - generalized forces of forces and moments
 
    This chapter computes the generalized forces (235) of a force and a moment, for Lagrange's equations (lagrange.h).
-   With momenta and impulses in place of forces and moments it serves jumps, too (lagrange_jump.h).
+   For jumps the same function is called with momenta and impulses instead of forces and moments (lagrange_jump.h).
 
        vm_vec3 weight = {0, 0, VM_C(-9.8)}, no_moment = {0, 0, 0};
        vm_vec3 dr[1] = {{0, 0, 1}}; // dr/dq_0 of the point at which the weight acts
@@ -4395,9 +4417,9 @@ VM_API vm_real vm_broken_rotor_resonance_radius(const vm_broken_rotor *rotor, vm
    domega_or_NULL[i] is domega/dq'_i, the derivative of the body's angular velocity omega with respect to the rate
    q'_i. These arrays and Q have n entries. A NULL array means that its term is 0. If Q is NULL, nothing is done.
 
-   External loads are given by their resultant force and their moment about r. A stream with the mass rate M' (kg/s),
-   the velocity u and the angular velocity omega2 is given by the force M' u at the point where the mass enters or
-   leaves, and by the moment M' kappa omega2. kappa is the inertia of this mass per unit mass. */
+   For external loads, use their resultant force and their moment about r. For a stream with the mass rate M' (kg/s),
+   the velocity u and the angular velocity omega2, use the force M' u at the point where the mass enters or leaves, and
+   the moment M' kappa omega2. kappa is the inertia of this mass per unit mass. */
 VM_API void vm_lagrange_add_force(int n, vm_vec3 force, const vm_vec3 *dr_or_NULL, vm_vec3 moment,
                                   const vm_vec3 *domega_or_NULL, vm_real *Q)
 {
@@ -4461,8 +4483,8 @@ VM_API void vm_lagrange_mass(int n, const vm_body *body, const vm_vec3 *dr_or_NU
 }
 
 /* Adds to p the generalized momentum of a body.
-   It is that of the velocity body->v and the angular velocity body->omega. p has n numbers. dr and turn are those of
-   vm_lagrange_mass. If dr or turn is NULL, its term is 0. If body or p is NULL, nothing is done. */
+   It is computed from the velocity body->v and the angular velocity body->omega. p has n numbers. dr and turn are those
+   of vm_lagrange_mass. If dr or turn is NULL, its term is 0. If body or p is NULL, nothing is done. */
 VM_API void vm_lagrange_momentum(int n, const vm_body *body, const vm_vec3 *dr_or_NULL, const vm_vec3 *turn_or_NULL,
                                  vm_real *p)
 {
@@ -4728,8 +4750,8 @@ VM_API int vmi_check_compound(const vm_compound_pendulum *p, const vm_compound_p
     return VM_OK;
 }
 
-/* Computes mass, mass centre and inertia of what remains of a compound pendulum. Returns VM_BAD_INERTIA if no body has
-   this inertia about O, because the part cannot have been in the pendulum. */
+/* Computes mass, mass centre and inertia of what remains of a compound pendulum. Returns VM_BAD_INERTIA if no body can
+   have this inertia about O; the part then cannot have been in the pendulum. */
 VM_API int vmi_compound_rest(const vm_compound_pendulum *p, const vm_compound_part *part, vm_compound_pendulum *rest)
 {
     const vm_real share = part->mass / (p->mass - part->mass);
@@ -4755,8 +4777,10 @@ VM_API int vmi_compound_cut_finite(const vm_compound_cut *c)
 }
 
 /* Motion of a pendulum of any shape and of the part that is cut off from it, (119)-(132).
-   The pendulum need not be uniform, and the part may have any position and inertia. With the moment of inertia I1 of
-   the rest about O and the velocity u of the part at r2 relative to the pendulum, the angular velocity changes by
+   The pendulum need not be uniform, and the part may have any position and inertia. Let I1 be the moment of inertia of
+   the rest about O. Let m be the mass of the part, I2 its inertia about its mass centre S2, and r2 the vector from O to
+   S2. Relative to the pendulum the part has the velocity u and the angular velocity Omega. Then the angular velocity of
+   the pendulum changes by
      phi1' - phi' = -(I2 Omega + m (r2 x u))/I1.
    In this form digits cancel only in I1, the difference of the moments of inertia about O. Returns
    VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS if a mass, that of the rest included, is not positive,
@@ -4794,9 +4818,9 @@ VM_API int vm_compound_pendulum_separate(const vm_compound_pendulum *pendulum, c
 /* mechanics/torque_free_axes.h - principal axes of a rotating body in two words, in the order of torque_free.h
    This is the first step of the preparation in torque_free.h. It finds the principal moments of inertia
    J_a >= J_b >= J_c, the principal axes a, b, c and the components w_a, w_b, w_c of the angular velocity omega along
-   these axes. All these numbers have two words, because the rates that follow from them are multiplied by long times.
-   Then it numbers the axes 1, 2, 3. Axis 2 is b, the axis of the middle moment. Axis 3 is the axis around which the
-   vector omega moves in the body. It is a or c; this depends on the sign of
+   these axes. Each of these numbers is stored in two words, as the sum of two vm_reals, because the rates that follow
+   from them are multiplied by long times. Then this step numbers the axes 1, 2, 3. Axis 2 is b, the axis of the middle
+   moment. Axis 3 is the axis around which the vector omega moves in the body. It is a or c; this depends on the sign of
      2T J_b - L^2 = J_c (J_b - J_c) w_c^2 - J_a (J_a - J_b) w_a^2,
    where T is the kinetic energy and L the size of the angular momentum. If this number is positive or 0, axis 3 is c,
    the axis of the smallest moment; else axis 3 is a. If it is 0, the motion lies on the separatrix: omega tends to the
@@ -4856,7 +4880,7 @@ VM_API vmi_vec3_two vmi_vec3_two_cross(const vmi_vec3_two *a, const vmi_vec3_two
     return c;
 }
 
-/* Returns the vector that becomes a by the rotation q. It is a + 2 (v x (v x a) - w v x a)/|q|^2, where w is the real
+/* Returns the vector that the rotation q turns into a. It is a + 2 (v x (v x a) - w v x a)/|q|^2, where w is the real
    part and v the vector part of q. q may have any length except 0. */
 VM_API vmi_vec3_two vmi_vec3_two_turned_back(vm_quat q, const vmi_vec3_two *a)
 {
@@ -4994,7 +5018,8 @@ VM_API vmi_three vmi_torque_free_excess(vm_two J, vm_two d, vm_two w)
 }
 
 /* Returns J_c (J_b - J_c) w_c^2 - J_a (J_a - J_b) w_a^2 = 2T J_b - L^2. The sign of this number decides which axis is
-   axis 3. The axes a, b, c have the indices order[0], order[1], order[2], and their moments fall in this order. */
+   axis 3. The axes a, b, c have the indices order[0], order[1], order[2]; a has the largest moment and c the
+   smallest. */
 VM_API vmi_three vmi_torque_free_separation(const vm_two *J, const vm_two *w, const int *order)
 {
     const int a = order[0], b = order[1], c = order[2];
@@ -5002,8 +5027,8 @@ VM_API vmi_three vmi_torque_free_separation(const vm_two *J, const vm_two *w, co
     return vmi_three_plus(of_smallest, vmi_torque_free_excess(J[a], vmi_two_minus(J[b], J[a]), w[a]));
 }
 
-/* Sets order[] to the indices 0, 1, 2 of the axes, sorted by falling moments. Returns 1 if order[] is an even
-   permutation of 0, 1, 2, else 0. */
+/* Sets order[] to the indices 0, 1, 2 of the axes, sorted so that the largest moment comes first. Returns 1 if order[]
+   is an even permutation of 0, 1, 2, else 0. */
 VM_API int vmi_torque_free_sort(const vm_two *J, int *order)
 {
     int k, even = 1;
@@ -5087,26 +5112,29 @@ VM_API int vmi_torque_free_is_constant(const vmi_torque_free_axes *axes)
        vm_body later; // body is a vm_body
        if (vm_torque_free_init(&motion, &body, 0) == VM_OK) vm_torque_free_at(&motion, 1e6, &later); // after 1e6 s
 
-   The functions hold for all bodies: for triaxial, symmetric and spherical ones, and for rods and points, whose spin
-   about an axis without moment of inertia stays constant. They hold for all rotations, too: for a rotation about the
-   axis of the middle moment of inertia, and for rotations on the separatrix, which tend to a rotation about this axis.
-   The user need not choose a threshold between these cases.
+   The functions hold for all bodies: for bodies with three different principal moments of inertia, with two equal ones
+   and with three equal ones, and for rods and points. The spin of a rod or a point about an axis without moment of
+   inertia stays constant. The functions also hold for all rotations, for example a rotation about the axis of the
+   middle moment of inertia, and the rotations on the separatrix, which tend to a rotation about this axis. The user
+   need not choose a threshold between these cases.
    Tests: tests/test_torque_free.c. */
 #ifndef VARMASS_MECHANICS_TORQUE_FREE_H
 #define VARMASS_MECHANICS_TORQUE_FREE_H
 
 #include <string.h>
 
-/* A motion prepared by vm_torque_free_init. It is plain data and may be copied. Its fields should only be read.
-   Equations (A) and (B) stand in the next comment.
+/* A motion prepared by vm_torque_free_init. It is plain data and may be copied. Read its fields, but do not change
+   them.
+   The next comment has the equations (A) and (B).
 
    Accuracy, for inputs taken as exact and up to 1e6 turns: the error of the attitude is at most 12 eps (rad) and that
    of omega at most 8 eps |omega|. This holds also close to the separatrix (1 - m from 1e-2 to 1e-27, where m is the
    parameter of sn, cn, dn), for nearly equal moments, and with products of inertia. An error of eps in an input changes
    the attitude by eps times the angle through which the body has turned. Close to the separatrix it changes the
    attitude by more, because it shifts the time of every flip of the body. If a tensor has products of inertia, the
-   principal moments have only the digits of two words, which limits the accuracy after many turns close to the
-   separatrix. A component of omega below 2^-505 (float 2^-57) times the largest component is taken as 0. */
+   principal moments have only the digits of two words (sums of two vm_reals), which limits the accuracy after many
+   turns close to the separatrix. A component of omega below 2^-505 (float 2^-57) times the largest component is taken
+   as 0. */
 typedef struct VM_TAG(vm_torque_free) {
     vm_body body;                /* the body at the time t0 */
     vm_real t0;                  /* the time at which the body is as given, s */
@@ -5140,15 +5168,15 @@ typedef struct VM_TAG(vm_torque_free) {
    product of three quaternions:
      q(t) = start (cos h + s e3 sin h) M,  h = kappa t + sigma arg theta(u),                                    (B)
      M = (1 + |l3|, s l2, -s l1, 0)/sqrt(2 (1 + |l3|)).
-   M is the rotation through the smallest angle that takes l to s e3. kappa is a constant that follows from an elliptic
+   M is the rotation by the smallest angle that turns l into s e3. kappa is a constant that follows from an elliptic
    integral of the third kind. theta is a theta function of u + i y, where y follows from cd(y | 1 - m) = I3 a3/L. (B)
    was found by Jacobi; van Zon and Schofield, J. Comput. Phys. 225 (2007), give a theta series for 2h.
 
    The preparation computes in this order: the axes; the squares of the amplitudes a1, a2, a3, and m; kappa; the phase
-   and the rates; the theta function; and `start`, for which q(t0) is the given attitude. It computes in two words,
-   because the rates wp/(4K) and kappa are multiplied by long times. An evaluation at a given time uses two words only
-   for the products of rates and time. Moments and omega are divided by powers of two so that they are about 1, which
-   prevents overflow. */
+   and the rates; the theta function; and `start`, for which q(t0) is the given attitude. It computes in two words (sums
+   of two vm_reals), because the rates wp/(4K) and kappa are multiplied by long times. An evaluation at a given time
+   uses two words only for the products of rates and time. Moments and omega are divided by powers of two so that they
+   are about 1, which prevents overflow. */
 
 /* ---- amplitudes and parameter ---- */
 
@@ -5331,7 +5359,8 @@ VM_API void vmi_torque_free_theta(vm_torque_free *motion, const vmi_torque_free_
 
 /* ---- the motion as a whole ---- */
 
-/* Sets a motion with constant omega. Axis 3 is along omega, and sn stays 0. If omega is 0, nothing is set. */
+/* Sets the fields for a motion with constant omega. Axis 3 is along omega, and sn stays 0. If omega is 0, no field is
+   set. */
 VM_API void vmi_torque_free_constant(vm_torque_free *motion, const vmi_torque_free_body *b)
 {
     const vm_two size = vmi_two_root(vmi_vec3_two_dot(&b->omega, &b->omega));
@@ -5428,9 +5457,9 @@ VM_API void vmi_torque_free_at(const vm_torque_free *motion, vm_two t, vm_vec3 *
 /* ---- setting up ---- */
 
 /* Returns the attitude q, or a unit quaternion for it if the length of q is within 64 eps of 1. Each call of
-   vm_torque_free_rotation changes the length by up to 0.4 eps. Where each call begins with the attitude of the last
-   one, the length would go on changing in the same direction. A length that differs from 1 by at most 4 eps stays, so
-   that the bits of q stay. */
+   vm_torque_free_rotation changes the length by up to 0.4 eps. If each call starts from the result of the previous
+   call, these changes would add up in the same direction. If the length differs from 1 by at most 4 eps, q is returned
+   without any change. */
 VM_API vm_quat vmi_torque_free_attitude_at_start(vm_quat q)
 {
     const vm_real excess = VM_FABS(vmi_quat_square(q) - 1); /* twice the length's difference from 1 */
@@ -5579,9 +5608,10 @@ VM_API int vm_torque_free_rotation(const vm_body *body, vm_real t, vm_body *late
 
 #endif
 /* mechanics/inertia_factors.h - inertia tensors as factors, and in arrays of state
-   A body with streams needs the inverse of its inertia in every evaluation of its equations of motion. The factors
-   L D L^T of the tensor give the angular velocity for an angular momentum in a few products. In an array of state the
-   tensor is six numbers, which this chapter reads and writes. A tensor that no body can have has no factors.
+   A body with streams needs the inverse of its inertia in every evaluation of its equations of motion. With the factors
+   L D L^T of the tensor, a few multiplications give the angular velocity for an angular momentum. In an array of states
+   the tensor is stored as six numbers; this chapter has functions that read and write them.
+   vmi_inertia_factor_if_possible refuses a tensor that no body can have.
 
        vm_inertia disc = {1, 1, 2, 0, 0, 0};
        vmi_inertia_ldl f;
@@ -5652,7 +5682,7 @@ VM_INLINE vm_vec3 vmi_inertia_solve(const vmi_inertia_ldl *f, vm_vec3 h)
    The tolerance is sqrt(eps) times the trace, which is enough for about 1/sqrt(eps) steps. */
 VMI_APART int vmi_thin_inertia_is_possible(const vm_inertia *i)
 {
-    const vm_real slack = VM_MANT_DIG > 24 ? VM_C(1.5e-8) : VM_C(3.5e-4); /* as a share of the trace */
+    const vm_real slack = VM_MANT_DIG > 24 ? VM_C(1.5e-8) : VM_C(3.5e-4); /* the tolerance divided by the trace */
     return vmi_inertia_is_finite(i) && vmi_inertia_is_within(i, slack * (i->xx + i->yy + i->zz));
 }
 
@@ -5675,8 +5705,8 @@ VM_INLINE int vmi_inertia_factor_if_possible(const vm_inertia *i, vmi_inertia_ld
 #endif
 /* mechanics/streams.h - streams of mass: reactive force, moment and torque
 
-   A stream carries mass into a body, or out of it, at one point. The mass carries momentum and angular momentum. The
-   body therefore feels a reactive force (156), a reactive moment (158) and a reactive torque (157). This chapter
+   A stream brings mass into a body, or takes mass out of it, at one point. This mass has momentum and angular momentum.
+   Therefore a reactive force (156), a reactive moment (158) and a reactive torque (157) act on the body. This chapter
    computes these loads at an instant and the accelerations that follow from them, (159) and (160). To integrate a
    motion, use mechanics/flow.h (in space), flow2.h (in a plane) or flow1.h (on a line or an axle).
 
@@ -5749,10 +5779,10 @@ typedef struct VM_TAG(vm_reactive) {
 
 VM_INLINE int vmi_stream_motion_is_known(int motion) { return motion >= VM_RELATIVE && motion <= VM_AT_REST; }
 
-/* The velocity u of a stream's mass is the sum of two terms for every known `motion`. The first term is the velocity of
-   the body's point, or zero; the second term is the stream's field `velocity`, or zero. The spin of the mass is a sum
-   of two such terms, too. The first function below returns 1 if the first term is there, and the second function if
-   the second term is there. No other function decodes VM_RELATIVE ... VM_AT_REST. */
+/* For every value of the field `motion`, the velocity u of a stream's mass is the sum of two terms. The first term is
+   the velocity of the body's point, or zero; the second term is the stream's field `velocity`, or zero. The spin of the
+   mass is a sum of two such terms, too. The first function below returns 1 if the first term is there, and the second
+   function if the second term is there. No other function decodes VM_RELATIVE ... VM_AT_REST. */
 VM_INLINE int vmi_stream_moves_with_body(int motion) { return motion == VM_RELATIVE || motion == VM_CARRIED; }
 VM_INLINE int vmi_stream_velocity_is_given(int motion) { return motion == VM_RELATIVE || motion == VM_ABSOLUTE; }
 
@@ -5916,8 +5946,7 @@ VM_API int vmi_check_stream(const vm_stream *s)
     return vmi_first_error(status, vmi_check_gyration(&s->from->gyration));
 }
 
-/* Returns VM_OK if n streams are valid, else that one of their errors which comes first in the order of
-   vmi_first_error. */
+/* Returns VM_OK if all n streams are valid, else the error that vmi_first_error selects from their errors. */
 VM_API int vmi_check_streams(int n, const vm_stream *s)
 {
     int k, status = VM_OK;
@@ -5933,8 +5962,8 @@ VM_API int vmi_reactive_finite(const vm_reactive *r)
 }
 
 /* Reactive force, moment and torque of n streams on a moving body, (156)-(158). `centre` is the vector from the
-   body's reference point to its mass centre, in body axes (m). Each load is a sum over all streams; the formulas stand
-   at vm_reactive. Returns VM_BAD_ARGUMENT for a null pointer, n < 0 or an unknown `motion` of a stream, VM_NOT_FINITE,
+   body's reference point to its mass centre, in body axes (m). Each load is a sum over all streams; vm_reactive has the
+   formulas. Returns VM_BAD_ARGUMENT for a null pointer, n < 0 or an unknown `motion` of a stream, VM_NOT_FINITE,
    VM_BAD_MASS, VM_BAD_INERTIA, VM_STORED_STREAM if a stream has a store (integrate vm_flow_rhs instead), and VM_OK
    otherwise. */
 VM_API int vm_reactive_loads(const vm_body *body, vm_vec3 centre, int n, const vm_stream *streams,
@@ -6050,9 +6079,9 @@ VM_API int vm_accelerations(const vm_body *body, const vm_reactive *loads, vm_ve
    is the field of vm_stream; all three are in body axes. R is the rotation of q/|q| from body axes to inertial axes.
    The last term of q' is 0 for |q| = 1. It brings the length of q back to 1 and does not lower the order of an
    integrator. The dissertation [1] prints I' omega2 in (152) instead of M' kappa omega2.
-   If a stream has a store (vm_store) at the position s, let d_s = s - c. Three things then differ: d_s replaces d in c'
-   and in P(d); the gyration of the store replaces kappa in I'; and the mass that flows between the store and the
-   surface adds M' (s - at) to the body's momentum and M' d x d_s to its angular momentum.
+   If a stream has a store (vm_store) at the position s, let d_s = s - c. The equations then differ in three points. d_s
+   replaces d in c' and in P(d). The gyration of the store replaces kappa in I'. The mass that flows between the store
+   and the surface adds M' (s - at) to the body's momentum and M' d x d_s to its angular momentum.
    The reference point, from which `at`, s and c are measured, is fixed in the body; its position is r - R c. If
    flow.centre is 0 at the start, the reference point is the initial mass centre.
    Tests: tests/test_flow.c. */
@@ -6079,7 +6108,7 @@ enum {
    that stays zero has no effect. */
 typedef struct VM_TAG(vm_flow) {
     int n;              /* number of streams */
-    vm_stream *streams; /* n streams, kept by the caller */
+    vm_stream *streams; /* array of n streams, which the caller keeps */
     vm_vec3 force;      /* resultant of the outer forces, N, inertial axes */
     vm_vec3 moment;     /* moment of the outer forces about the mass centre, plus all torques, N m, inertial axes */
     /* NULL, or a function that is called before each evaluation of a right-hand side and sets what depends on time and
@@ -6237,9 +6266,10 @@ VM_INLINE int vmi_flow_rates(vm_flow *flow, int n, vm_real t, const vm_real *y, 
 }
 
 /* Right-hand side of a free body whose streams change its mass (151), (152).
-   An ode_rhs of VM_FLOW_STATES states; its ctx is a vm_flow. The equations are given at the top of mechanics/flow.h.
-   Returns 0; or VM_BAD_ARGUMENT for a null pointer, n < 0 or an unknown `motion` of a stream, VM_SHORT_ARRAY if y_size
-   is too small, or the number that flow.update returns, each of which ends the run. */
+   It is an ode_rhs for integrators such as rk45, with VM_FLOW_STATES states. `flow` must point to a vm_flow. The
+   equations are given at the top of mechanics/flow.h. Returns 0; or VM_BAD_ARGUMENT for a null pointer, n < 0 or an
+   unknown `motion` of a stream, VM_SHORT_ARRAY if y_size is too small, or the number that flow.update returns. A result
+   other than 0 ends the run. */
 VM_API int vm_flow_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow)
 {
     if (!y || !dydt || !flow) return VM_BAD_ARGUMENT;
@@ -6247,10 +6277,10 @@ VM_API int vm_flow_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow)
 }
 
 /* Right-hand side of a free body with given laws of mass, mass centre and inertia.
-   An ode_rhs of VM_FLOW_GIVEN_STATES states; its ctx is a vm_flow, whose `update` must set mass, centre and inertia for
-   the time t. The streams cause forces and moments as in vm_flow_rhs, but do not change the mass. Without streams the
-   equations are (170): the mass that joins or leaves is at rest and at the mass centre. The errors are those of
-   vm_flow_rhs. */
+   It is an ode_rhs with VM_FLOW_GIVEN_STATES states. `flow` must point to a vm_flow, whose function `update` must set
+   mass, centre and inertia for the time t. The streams cause forces and moments as in vm_flow_rhs, but do not change
+   the mass. Without streams the equations are (170): the mass that joins or leaves is at rest and at the mass centre.
+   The statuses are those of vm_flow_rhs. */
 VM_API int vm_flow_given_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow)
 {
     if (!y || !dydt || !flow) return VM_BAD_ARGUMENT;
@@ -6258,17 +6288,19 @@ VM_API int vm_flow_given_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *f
 }
 
 /* Right-hand side vm_flow_rhs with seven integrals that check the balances.
-   An ode_rhs of VM_FLOW_BALANCED_STATES states; its ctx is a vm_flow. The integrals are the states from y[VM_Y_BALANCE]
-   on and are zero at the start. They are the momentum (3 numbers), the angular momentum about the origin (3 numbers)
-   and the kinetic energy that the streams have taken out of the body, minus those that the outer loads have put in.
+   It is an ode_rhs with VM_FLOW_BALANCED_STATES states. `flow` must point to a vm_flow. The integrals are the states
+   from y[VM_Y_BALANCE] on and are zero at the start. They are the momentum (3 numbers), the angular momentum about the
+   origin (3 numbers) and the kinetic energy that the streams have taken out of the body, minus those that the outer
+   loads have put in.
    The sum of an integral and the corresponding quantity of the body stays constant. (There are two exceptions if a
-   stream has a store: the body's angular momentum is then y[VM_Y_H] + r x p, and the energy does not balance.)
+   stream has a store. The angular momentum in this sum is then y[VM_Y_H] + r x p, and the sum of the energies does not
+   stay constant.)
    (113) and (118) give the change of the kinetic energy T by a sudden change of mass. Their limit for a continuous
    stream, with M' > 0 or M' < 0, is the rate T'. With the letters of the equations at the top of mechanics/flow.h:
      T' = F v + M_S omega + sum [M' u^2 + omega2 M' kappa omega2]/2 - sum [M' w^2 + omega_r M' kappa omega_r]/2,
      w = u - v - omega x d, omega_r = omega2 - omega.
-   The first sum is the power that the streams bring. The second sum, with its minus sign, is the power of engines
-   (M' < 0), or minus the power that plastic impact takes (M' > 0). The errors are those of vm_flow_rhs. */
+   The first sum is the power that the streams bring. For M' < 0 the second term, with its minus sign, is the power of
+   engines. For M' > 0 it is negative: plastic impact takes this power. The statuses are those of vm_flow_rhs. */
 VM_API int vm_flow_balanced_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow)
 {
     if (!y || !dydt || !flow) return VM_BAD_ARGUMENT;
@@ -6276,12 +6308,12 @@ VM_API int vm_flow_balanced_rhs(vm_real t, const vm_real *y, vm_real *dydt, void
 }
 
 /* Right-hand side of a free body that loses or gains mass which moves with the body (166).
-   An ode_rhs of VM_FLOW_GIVEN_STATES states; its ctx is a vm_flow, whose `update` must set mass, inertia and drift for
-   the time t. The states are r, q, the velocity v (not the momentum) and omega in body axes (not the angular
-   momentum). Streams are not read. The equations are
+   It is an ode_rhs with VM_FLOW_GIVEN_STATES states. `ctx` must point to a vm_flow, whose function `update` must set
+   mass, inertia and drift for the time t. The states are r, q, the velocity v (not the momentum) and omega in body axes
+   (not the angular momentum). The function does not use the streams of the flow. The equations are
      v' = F/M + R (omega x c'), r' = v + R c', I omega' + omega x I omega = M_S.
-   The letters are explained at the top of mechanics/flow.h; here c' is flow.drift, and M_S is in body axes. The errors
-   are those of vm_flow_rhs. */
+   The letters are explained at the top of mechanics/flow.h; here c' is flow.drift, and M_S is in body axes. The
+   statuses are those of vm_flow_rhs. */
 VM_API int vm_flow_carried_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 {
     if (!y || !dydt || !ctx) return VM_BAD_ARGUMENT;
@@ -6332,10 +6364,11 @@ VM_API int vmi_flow_check_start(const vm_flow *flow, const vm_body *body)
 
 /* Initial state y of a body with streams. Writes the first VM_FLOW_STATES states, or as many as flow.y_size allows.
    Before the call flow.centre and flow.streams must have the mass centre and the streams at the start. The function
-   sets flow.mass and flow.inertia, too. For vm_flow_given_rhs y must have room for VM_FLOW_GIVEN_STATES numbers at
-   least, and flow.y_size must be set if it has room for fewer than VM_FLOW_STATES. vm_flow_carried_rhs has different
-   states, which the caller sets. Returns VM_BAD_ARGUMENT for a null pointer, n < 0 or an unknown `motion` of a stream,
-   VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_INERTIA also for a rod or a point, VM_SHORT_ARRAY, and VM_OK otherwise. */
+   sets flow.mass and flow.inertia, too. For vm_flow_given_rhs y must have room for at least VM_FLOW_GIVEN_STATES
+   numbers. If y has room for fewer than VM_FLOW_STATES numbers, set flow.y_size before the call. vm_flow_carried_rhs
+   has different states, which the caller sets. Returns VM_BAD_ARGUMENT for a null pointer, n < 0 or an unknown `motion`
+   of a stream, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_INERTIA also for a rod or a point, VM_SHORT_ARRAY, and VM_OK
+   otherwise. */
 VM_API int vm_flow_start(vm_flow *flow, const vm_body *body, vm_real *y)
 {
     vm_vec3 p, h;
@@ -6469,7 +6502,7 @@ typedef struct VM_TAG(vm_stream2) {
 /* The streams and loads of a body in the plane: the ctx of vm_flow2_rhs. Set the whole struct to zero first. */
 typedef struct VM_TAG(vm_flow2) {
     int n;               /* number of streams */
-    vm_stream2 *streams; /* n streams, kept by the caller */
+    vm_stream2 *streams; /* array of n streams, which the caller keeps */
     vm_real fx, fy;      /* resultant of the outer forces, N, inertial axes */
     vm_real moment;      /* moment of the outer forces about the mass centre, plus all torques, N m */
     /* NULL, or a function that is called before each evaluation and may set every field from t and y, as
@@ -6579,9 +6612,9 @@ VM_INLINE int vmi_flow2_check_state(const vm_real *y)
 }
 
 /* Right-hand side of a body in the plane with streams of mass, (151), (152).
-   An ode_rhs of VM_FLOW2_STATES states; its ctx is a vm_flow2. The equations are those at the top of mechanics/flow.h.
-   Returns 0; or VM_BAD_ARGUMENT for a null pointer, n < 0 or an unknown `motion` of a stream, or the number that
-   flow.update returns, each of which ends the run. */
+   It is an ode_rhs for integrators such as rk45, with VM_FLOW2_STATES states. `ctx` must point to a vm_flow2. The
+   equations are those at the top of mechanics/flow.h. Returns 0; or VM_BAD_ARGUMENT for a null pointer, n < 0 or an
+   unknown `motion` of a stream, or the number that flow.update returns. A result other than 0 ends the run. */
 VM_API int vm_flow2_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 {
     if (!y || !dydt || !ctx) return VM_BAD_ARGUMENT;
@@ -6678,7 +6711,7 @@ typedef struct VM_TAG(vm_stream1) {
 /* The streams and the load of a body on a line or an axle: the ctx of vm_flow1_rhs. Set the whole struct to 0 first. */
 typedef struct VM_TAG(vm_flow1) {
     int n;               /* number of streams */
-    vm_stream1 *streams; /* n streams, kept by the caller */
+    vm_stream1 *streams; /* array of n streams, which the caller keeps */
     vm_real force;       /* resultant of the outer forces, N (axle: their moment about the axle, N m) */
     /* NULL, or a function that is called before each evaluation and may set every field from t and y, as
        vm_flow.update does. It returns 0; another number ends the run. */
@@ -6731,12 +6764,13 @@ VMI_APART int vmi_translation_updated_rates(vm_real t, const vm_real *y, vm_real
 }
 
 /* Right-hand side of a body in translation with streams of mass: r' = p/M, p' = F + sum M' u (172).
-   An ode_rhs of VM_TRANSLATION_STATES states; its ctx, here `flow`, is a vm_flow, of which n, streams, force, update,
-   y_size and status are used. r is the position of the mass centre, p the momentum, M the mass and F the outer force.
-   The sum is over all streams; M' is the rate of a stream and u the velocity of its mass. The rate of M is the sum of
-   M'. Body axes are parallel to the inertial axes. The fields at, spin, gyration and from of the streams are not read.
-   Returns 0; or VM_BAD_ARGUMENT for a null pointer, n < 0 or an unknown `motion` of a stream,
-   VM_SHORT_ARRAY if y_size is too small, or the number that flow.update returns, each of which ends the run. */
+   It is an ode_rhs for integrators such as rk45, with VM_TRANSLATION_STATES states. `flow` must point to a vm_flow, of
+   which n, streams, force, update, y_size and status are used. r is the position of the mass centre, p the momentum, M
+   the mass and F the outer force. The sum is over all streams; M' is the rate of a stream and u the velocity of its
+   mass. The rate of M is the sum of M'. Body axes are parallel to the inertial axes. The fields at, spin, gyration and
+   from of the streams are not read. Returns 0; or VM_BAD_ARGUMENT for a null pointer, n < 0 or an unknown `motion` of a
+   stream, VM_SHORT_ARRAY if y_size is too small, or the number that flow.update returns. A result other than 0 ends the
+   run. */
 VM_API int vm_translation_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow)
 {
     if (!y || !dydt || !flow) return VM_BAD_ARGUMENT;
@@ -6776,11 +6810,11 @@ VMI_APART int vmi_flow1_updated_rates(vm_real t, const vm_real *y, vm_real *dydt
 }
 
 /* Right-hand side of a body on a line or an axle with streams of mass, (173a), (175), (176).
-   An ode_rhs of VM_FLOW1_STATES states; its ctx, here `flow1`, is a vm_flow1. The equations for the position x, the
+   It is an ode_rhs with VM_FLOW1_STATES states. `flow1` must point to a vm_flow1. The equations for the position x, the
    momentum p and the mass M are x' = p/M, p' = F + sum of M_i u_i, M' = sum of M_i. F is the outer force. Each sum is
    over all streams; M_i is the rate of stream number i, and u_i is the velocity of its mass. Returns 0; or
-   VM_BAD_ARGUMENT for a null pointer, n < 0 or an unknown `motion` of a stream, or the number that flow.update returns,
-   each of which ends the run. */
+   VM_BAD_ARGUMENT for a null pointer, n < 0 or an unknown `motion` of a stream, or the number that flow.update returns.
+   A result other than 0 ends the run. */
 VM_API int vm_flow1_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow1)
 {
     if (!y || !dydt || !flow1) return VM_BAD_ARGUMENT;
@@ -6810,9 +6844,12 @@ typedef struct VM_TAG(vm_jet) {
     vm_real rate;                /* mass per time, kg/s; < 0: mass leaves */
     vm_real axial;               /* inertia C0 of the body about the z axis at t = 0, kg m^2 */
     vm_real transverse;          /* inertia A0 of the body about a transverse axis at t = 0, kg m^2 */
-    vm_real gyration_axial;      /* inertia about z per unit of the flowing mass, in the body and in the nozzle, m^2 */
-    vm_real gyration_transverse; /* inertia about a transverse axis per unit of the flowing mass, in the body, m^2 */
-    vm_real gyration_out;        /* inertia per unit of the mass in the nozzle, about a transverse axis there, m^2 */
+    vm_real gyration_axial;      /* inertia about z of the mass that flows, per unit mass, m^2; the same in the body
+                                    and in the nozzle */
+    vm_real gyration_transverse; /* inertia about a transverse axis of the mass that flows, per unit mass, m^2, while
+                                    it is in the body */
+    vm_real gyration_out;        /* inertia about a transverse axis through the nozzle of the mass there, per unit
+                                    mass, m^2 */
     vm_real nozzle;              /* distance of the nozzle from the mass centre, m */
 } vm_jet;
 
@@ -6823,9 +6860,9 @@ VM_API int vmi_masses_are_good(vm_real m0, vm_real m)
 
 /* Velocity after a stream with the absolute velocity u changes the mass from m0 to m (151), (171).
    v0 (m/s) is the velocity at the mass m0 (kg), u is in m/s, and `impulse` (N s) is the integral of the outer forces
-   over the time of the change. The case u = 0 is that of Levi-Civita. With moments of inertia instead of masses the
-   function gives the angular velocity about a fixed axle. Returns NaN if a mass is not positive or if an argument is
-   infinite or NaN. */
+   over the time of the change. u = 0 is Levi-Civita's case, in which the mass that joins or leaves is at rest. With
+   moments of inertia instead of masses the function gives the angular velocity about a fixed axle. Returns NaN if a
+   mass is not positive or if an argument is infinite or NaN. */
 VM_API vm_real vm_velocity_by_momentum(vm_real v0, vm_real m0, vm_real m, vm_real u, vm_real impulse)
 {
     if (!vmi_masses_are_good(m0, m)) return VM_NAN;
@@ -6860,7 +6897,7 @@ VM_API void vmi_stream_log_means(vm_real x, vm_real *first, vm_real *second)
     else *first = l.hi / x;
 }
 
-/* Position and velocity on a line after t seconds of a stream of constant rate.
+/* Position and velocity of a body on a line after t seconds, with a stream of constant rate.
    The position x0 (m), the velocity v0 (m/s) and the mass m0 (kg) belong to t = 0. The outer force (N) and the rate and
    the velocity of the stream are constant. t may be negative. Let m = m0 + rate t be the mass at the time t,
    tau = rate t/m0, L = ln(1 + tau)/tau and B = (tau - ln(1 + tau))/tau^2. If the stream has the absolute velocity u:
@@ -6869,8 +6906,7 @@ VM_API void vmi_stream_log_means(vm_real x, vm_real *first, vm_real *second)
      v = v0 + (force + rate w) L t/m0,            x = x0 + v0 t + (force + rate w) (L - B) t^2/m0.
    If rate t >= 0, the errors of x and v are at most 8 eps times the sum of the absolute values of all terms. If the
    mass decreases, this bound grows with m0/m, because the rounding error of rate t is large relative to a small m.
-   Returns VM_BAD_ARGUMENT,
-   VM_NOT_FINITE, VM_BAD_MASS if m0 or m is not positive, and VM_OK otherwise. */
+   Returns VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_MASS if m0 or m is not positive, and VM_OK otherwise. */
 VM_API int vm_linear_flow(const vm_stream1 *stream, vm_real t, vm_real x0, vm_real v0, vm_real m0, vm_real force,
                           vm_real *x, vm_real *v)
 {
@@ -6886,7 +6922,7 @@ VM_API int vm_linear_flow(const vm_stream1 *stream, vm_real t, vm_real x0, vm_re
     if (vmi_stream_velocity_is_given(stream->motion)) given = stream->velocity;
     if (vmi_stream_moves_with_body(stream->motion)) {
         difference = first - second;
-        if (tau < VM_C(-0.5)) difference = ((1 + tau) * first - 1) / tau; /* first - second would cancel */
+        if (tau < VM_C(-0.5)) difference = ((1 + tau) * first - 1) / tau; /* first - second would lose digits */
         acceleration = (force + stream->rate * given) / m0;
         result[0] = x0 + t * (v0 + acceleration * t * difference);
         result[1] = v0 + acceleration * t * first;
@@ -6916,9 +6952,9 @@ VM_API int vmi_jet_finite(const vm_jet *jet)
    where omega_t0 is omega_t at t = 0. The part omega_z along z stays constant, and omega_t turns about z by the angle
    omega_z times the integral of (C/A - 1) over time. Let L and B be the functions of tau explained at vm_linear_flow,
    here with tau = rate gyration_transverse t/A0. Then ln(A/A0) is tau L, and the integral is
-   t (L C0/A0 - 1 + B rate t gyration_axial/A0). The error is at most 8 times the change of the result that an error of
-   eps in the inputs causes. Returns VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_INERTIA if A or C is not positive, and VM_OK
-   otherwise. */
+   t (L C0/A0 - 1 + B rate t gyration_axial/A0). An error of eps in the inputs changes the result; the error of the
+   function is at most 8 times this change. Returns VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_INERTIA if A or C is not
+   positive, and VM_OK otherwise. */
 VM_API int vm_jet_damping(const vm_jet *jet, vm_real t, vm_vec3 omega0, vm_vec3 *omega)
 {
     vm_real change, tau, first, second, exponent, share, angle, sine, cosine;
@@ -6948,7 +6984,7 @@ VM_API int vm_jet_damping(const vm_jet *jet, vm_real t, vm_vec3 omega0, vm_vec3 
    A supply is a round cylinder of stored mass inside a body: a tank of liquid, whose level falls; a tank of gas, whose
    density falls; or a hollow cylinder of solid propellant (a grain), which burns radially outwards. The mass that is
    left determines its mass centre, its inertia and their rates, and also the store (vm_store) from which a stream takes
-   the next mass. With this store the moments that streams exert, jet damping among them, are right.
+   the next mass. If a stream has this store, its moments are right, jet damping included.
 
        vm_supply tank = {VM_TANK_OF_LIQUID, {0, 0, -2}, {0, 0, 1}, 3, 0.5, 0, 800}; // 3 m long, radius 0.5 m, 800 kg
        vm_supply_left left;
@@ -6962,8 +6998,9 @@ VM_API int vm_jet_damping(const vm_jet *jet, vm_real t, vm_vec3 omega0, vm_vec3 
      gas     c = s = b + e L/2, k_a = q_a = R^2/2, k_t = q_t = R^2/4 + L^2/12
      grain   bore r, r^2 = (m r0^2 + (m1 - m) R^2)/m1 with the bore r0 of the full grain, c = s = b + e L/2,
              k_a = (R^2 + r^2)/2, k_t = (R^2 + r^2)/4 + L^2/12, q_a = r^2, q_t = r^2/2 + L^2/12
-   They follow from the volumes. Moments about a fixed point give the identities d(m c)/dm = s and dI/dm = Q + P(s - c),
-   where I is the inertia about c, Q the inertia of the next mass per unit mass, and P(d) = |d|^2 E - d d^T.
+   These formulas follow from the volumes. The first and second moments of the mass about a fixed point give the
+   identities d(m c)/dm = s and dI/dm = Q + P(s - c), where I is the inertia about c, Q the inertia of the next mass per
+   unit mass, and P(d) = |d|^2 E - d d^T.
    Tests: tests/test_supply.c. */
 #ifndef VARMASS_MECHANICS_SUPPLY_H
 #define VARMASS_MECHANICS_SUPPLY_H
@@ -7040,8 +7077,8 @@ VM_API void vmi_supply_liquid(const vm_supply *s, vm_vec3 e, vm_supply_left *lef
     left->store.gyration = vmi_inertia_of_revolution(e, 2 * disc, disc);
 }
 
-/* Writes to *left what is left of a tank of gas or of a grain. The square of the bore is that of the text at the top;
-   it is 0 for gas, whose density is the same everywhere. */
+/* Writes to *left what is left of a tank of gas or of a grain. The square of the bore is r^2 of the equations at the
+   top of mechanics/supply.h; it is 0 for gas, whose density is the same everywhere. */
 VM_API void vmi_supply_hollow(const vm_supply *s, vm_vec3 e, vm_supply_left *left)
 {
     const vm_real m = left->mass, square = s->radius * s->radius, rod = s->length * s->length / 12;
@@ -7067,12 +7104,12 @@ VM_API int vmi_supply_left_is_finite(const vm_supply_left *left)
 }
 
 /* What is left of a tank or grain when its mass is `mass`: mass centre, inertia, their rates, and the next store.
-   mass is in kg and lies between 0 and supply.full. For a mass below 0 or above supply.full the formulas are
-   continued as polynomials of the mass, so that trial steps of an integrator find smooth functions; the results then
-   describe no body. The errors are at most 8 eps of |at| + length, of the largest entry of a tensor, and of the rate.
-   This holds next to an empty or full supply, too. Returns VM_BAD_ARGUMENT for a null pointer or an unknown kind,
-   VM_NOT_FINITE, VM_BAD_MASS if supply.full is not positive, VM_DOMAIN for a length, radius, bore or axis outside its
-   domain, and VM_OK otherwise. */
+   mass is in kg and lies between 0 and supply.full. For a mass below 0 or above supply.full the function uses the same
+   polynomials of the mass. The results then describe no body, but they change smoothly, as the trial steps of an
+   integrator need it. The errors are at most 8 eps of a scale: |at| + length for a position, the largest entry for a
+   tensor, and the length of the vector for centre_by_mass. This holds for a nearly empty or nearly full supply, too.
+   Returns VM_BAD_ARGUMENT for a null pointer or an unknown kind, VM_NOT_FINITE, VM_BAD_MASS if supply.full is not
+   positive, VM_DOMAIN for a length, radius, bore or axis outside its domain, and VM_OK otherwise. */
 VM_API int vm_supply_at(const vm_supply *supply, vm_real mass, vm_supply_left *left)
 {
     vm_supply_left result;
@@ -7095,40 +7132,43 @@ VM_API int vm_supply_at(const vm_supply *supply, vm_real mass, vm_supply_left *l
 /* mechanics/orbit.h - two bodies that attract each other, with constant masses and with masses that change
 
    The vector r from one body to the other obeys r'' = -mu r/|r|^3 with mu = G (M1 + M2), if mass that leaves or joins
-   has the velocity of its body (reactive = 0). vm_orbit solves this equation for constant mu (Kepler's problem), for
-   ellipses, parabolas, hyperbolas and straight lines alike. vm_orbit_meshchersky solves it for Meshchersky's law
-   mu/(1 + c t), one of Gylden's problems of variable mass that have a closed form. The scene with
-   vm_effect_gravitation takes any law of mass.
+   has the velocity of its body (in a scene: reactive = 0). vm_orbit solves this equation for constant mu (Kepler's
+   problem), for ellipses, parabolas, hyperbolas and straight lines alike. vm_orbit_meshchersky solves it for
+   Meshchersky's law mu/(1 + c t), one of Gylden's problems of variable mass that have a closed form. A scene with
+   vm_effect_gravitation computes the motion for any law of mass.
 
        vm_vec3 r = {7e6, 0, 0}, v = {0, 7.6e3, 0}; // m, m/s
        vm_orbit(3600, 3.986004418e14, r, v, &r, &v); // an hour later; the results may be the inputs
 
-   The equations. Lengths are in units of |r0|, times in units of sqrt(|r0|^3/mu). With sigma = r0 v0 (the dot
-   product) and beta = 2 - v0^2, and the functions of Stumpff in the form
+   The equations. Lengths are in units of |r0|, times in units of sqrt(|r0|^3/mu). Let sigma = r0 v0 (the dot
+   product) and beta = 2 - v0^2. Stumpff's functions of a variable s are, in the form used here,
      G1 = s - beta s^3/3! + ..., G2 = s^2/2! - beta s^4/4! + ..., G3 = s^3/3! - beta s^5/5! + ...
-   (sines and cosines of sqrt(beta) s for beta > 0, hyperbolic ones for beta < 0), the time is t = s + sigma G2 + (1 -
-   beta) G3, and its derivative dt/ds = 1 + sigma G1 + (1 - beta) G2 is the distance R. Then
+   They consist of sines and cosines of sqrt(beta) s for beta > 0, and of hyperbolic functions for beta < 0. The time is
+   t = s + sigma G2 + (1 - beta) G3. Its derivative dt/ds = 1 + sigma G1 + (1 - beta) G2 is the distance R. Then
      r = (1 - G2) r0 + (t - G3) v0,  v = -G1/R r0 + (1 - G2/R) v0.
-   Meshchersky's law: with f = 1 + c t, r = f xi and the time tau = t/f, xi obeys the equation for constant mu.
-   Meshchersky's second law, mu/sqrt(1 + c t), has no function here. With f = sqrt(1 + c t), r = f xi and tau = ln(1 +
-   c t)/c it becomes, with ' = d/dtau,
+   For Meshchersky's law let f = 1 + c t, r = f xi and tau = t/f. Then xi, as a function of the time tau, obeys the
+   equation for constant mu.
+
+   This chapter has no function for Meshchersky's second law, mu/sqrt(1 + c t). With f = sqrt(1 + c t), r = f xi,
+   tau = ln(1 + c t)/c and ' = d/dtau its equation becomes
      xi'' = (c^2/4) xi - mu xi/|xi|^3.
-   So |xi'|^2/2 - mu/|xi| - c^2 |xi|^2/8 and the angular momentum xi x xi' are constant, and with d tau = |xi| ds the
-   distance is an elliptic function of s. But tau and the angle are elliptic integrals of the third kind, whose
-   parameters are the roots of a quartic: complex for most orbits, and of three kinds. tau(s) must be inverted by
-   iteration, and digits cancel where two roots are close, that is, next to a circle and where mu or c is small.
-   Integration by rk87 of the equation in t or in tau avoids all these difficulties (tests/test_orbit.c,
-   test_second_law).
+   Therefore |xi'|^2/2 - mu/|xi| - c^2 |xi|^2/8 and the angular momentum xi x xi' are constant. If s is defined by
+   d tau = |xi| ds, the distance |xi| is an elliptic function of s. But tau and the angle are elliptic integrals of the
+   third kind, whose parameters are the roots of a polynomial of degree 4. These parameters are complex for most orbits,
+   and there are three kinds of them. tau(s) must be inverted by iteration. Digits cancel where two roots are close:
+   next to a circle, and for small mu or c. Integration of the equation in t or in tau by rk87 avoids all these
+   difficulties (tests/test_orbit.c, test_second_law).
+
    Tests: tests/test_orbit.c. */
 #ifndef VARMASS_MECHANICS_ORBIT_H
 #define VARMASS_MECHANICS_ORBIT_H
 
-/* The functions G1, G2, G3 of the text above */
+/* The functions G1, G2, G3 of the equations at the top of mechanics/orbit.h */
 typedef struct VM_TAG(vmi_stumpff) {
     vm_real g1, g2, g3;
 } vmi_stumpff;
 
-/* The functions by their series, for |beta| s^2 <= 4, where the first omitted term is below 1e-18 of the sum */
+/* Computes G1, G2, G3 by their series, for |beta| s^2 <= 4. The first omitted term is then below 1e-18 of the sum. */
 VM_API vmi_stumpff vmi_stumpff_series(vm_real beta, vm_real s)
 {
     const vm_real x = beta * s * s;
@@ -7147,7 +7187,7 @@ VM_API vmi_stumpff vmi_stumpff_series(vm_real beta, vm_real s)
     return g;
 }
 
-/* The functions for any beta and s >= 0. Where e^(sqrt(-beta) s) overflows they are infinite. */
+/* Computes G1, G2, G3 for any beta and s >= 0. They are infinite where e^(sqrt(-beta) s) overflows. */
 VM_API vmi_stumpff vmi_stumpff_at(vm_real beta, vm_real s)
 {
     const vm_real root = VM_SQRT(VM_FABS(beta)), z = root * s;
@@ -7169,7 +7209,7 @@ VM_API vmi_stumpff vmi_stumpff_at(vm_real beta, vm_real s)
     return g;
 }
 
-/* Kepler's problem in the units of the text above */
+/* Kepler's problem in the units of the equations at the top of mechanics/orbit.h */
 typedef struct VM_TAG(vmi_kepler) {
     vm_real sigma; /* r0 v0 */
     vm_real beta;  /* 2 - v0^2; the energy is -beta/2 */
@@ -7196,9 +7236,10 @@ VM_API vmi_kepler_point vmi_kepler_at(const vmi_kepler *o, vm_real s)
 }
 
 /* Finds the variable s >= 0 at the time t >= 0, and returns the distance and the functions G1, G2, G3 for this s. The
-   time rises with s. Therefore Newton's method is kept between a lower and an upper bound of s, which come closer in
-   each step. If a step leaves these bounds, or is longer than half the step before, s is doubled or the interval is
-   halved instead. On a fast hyperbola, where the time rises exponentially, Newton's steps alone would be too many. */
+   time rises with s. Therefore the function keeps a lower and an upper bound of s, and brings them closer in each step
+   of Newton's method. If a step leaves these bounds, or is longer than half the previous step, s is doubled or the
+   interval is halved instead. On a fast hyperbola the time rises exponentially, and Newton's method alone would need
+   too many steps. */
 VM_API vmi_kepler_point vmi_kepler_solve(const vmi_kepler *o, vm_real t)
 {
     const int most = 3 * VM_MANT_DIG; /* halving alone needs VM_MANT_DIG steps, Newton's steps are fewer */
@@ -7238,9 +7279,9 @@ VM_API vm_real vmi_kepler_reduce(vm_real beta, vm_real t)
    r0 (m) is the position relative to the centre and v0 (m/s) the velocity at t = 0; mu (m^3/s^2) is G times the mass in
    the centre, or G (M1 + M2) if r0 and v0 belong to two bodies, one relative to the other. t may be negative. The orbit
    may be an ellipse, a parabola, a hyperbola or a straight line; on a straight line the body turns back at the centre.
-   The error is as large as an error of a few eps in t, r0, v0 and mu would make it; it grows with the number of
-   revolutions. The cost is that of some 50 sines. Returns VM_BAD_ARGUMENT, VM_NOT_FINITE also where the results are
-   not finite, VM_DOMAIN for mu <= 0 or r0 = 0, and VM_OK otherwise. */
+   Errors of a few eps in t, r0, v0 and mu would change the result; the error of the function is as large as this
+   change. It grows with the number of revolutions. A call takes about as long as 50 sines. Returns VM_BAD_ARGUMENT,
+   VM_NOT_FINITE also where the results are not finite, VM_DOMAIN for mu <= 0 or r0 = 0, and VM_OK otherwise. */
 VM_API int vm_orbit(vm_real t, vm_real mu, vm_vec3 r0, vm_vec3 v0, vm_vec3 *r, vm_vec3 *v)
 {
     vm_real distance0, speed, unit, time, sign = 1;
@@ -7281,7 +7322,7 @@ VM_API int vm_orbit(vm_real t, vm_real mu, vm_vec3 r0, vm_vec3 v0, vm_vec3 *r, v
    The two bodies lose mass (rate > 0, per second) or gain it (rate < 0) in the same proportion, and the mass that
    leaves or joins has the velocity of its body. The equation is that of Gylden and Meshchersky,
    r'' = -mu/(1 + rate t) r/|r|^3. The other arguments and the accuracy are those of vm_orbit. Returns VM_BAD_MASS if
-   1 + rate t is not positive, and the errors of vm_orbit. */
+   1 + rate t is not positive, or else a status of vm_orbit. */
 VM_API int vm_orbit_meshchersky(vm_real t, vm_real mu, vm_real rate, vm_vec3 r0, vm_vec3 v0, vm_vec3 *r, vm_vec3 *v)
 {
     vm_vec3 position, velocity;
@@ -7314,13 +7355,14 @@ VM_API int vm_orbit_meshchersky(vm_real t, vm_real mu, vm_real rate, vm_vec3 r0,
      - the vibrations of an elastic shaft (210)-(226), with the unbalance that [1] leaves out, and how they change the
        angular velocity.
 
-   The band moves at the velocity v along y and meets the drum at the point S + (R, 0), where S is the centre of the
-   shaft and R the radius of the drum. After the drum has turned by the angle phi, the band covers the arc from 0 to
+   The band moves at the velocity v along y and touches the drum first at the point S + (R, 0), where S is the centre of
+   the shaft and R the radius of the drum. After the drum has turned by the angle phi, the band covers the arc from 0 to
    phi. The mass centre of this arc lies in the direction phi/2 from S. R stays constant, because only the first layer
    of the band, 0 <= phi <= 2 pi, is considered.
 
-   The letters of the formulas are explained at the fields of vm_drum. Two more are j = mu R^2 (186), the inertia of the
-   band per angle, and e = mu v R - D. If e > 0, the band drives the drum. If e < 0, the drum comes to rest.
+   The letters of the formulas are explained at the fields of vm_drum. Two other letters are j = mu R^2 (186), the
+   inertia of the band per angle, and e = mu v R - D. If e > 0, the band drives the drum. If e < 0, the drum comes to
+   rest.
 
        vm_drum drum = {VM_C(0.2), 50, 1, VM_C(0.05), 10, VM_C(0.02), VM_C(1e5), 40}; // in the order of the fields
        vm_real angle = vm_drum_angle(&drum, 1); // rad, after 1 s on a rigid shaft
@@ -7447,9 +7489,10 @@ VM_API int vm_drum_at(const vm_drum *d, vm_real phi, vm_drum_geometry *g)
     return VM_OK;
 }
 
-/* Right-hand side of the drum on an elastic shaft, exact.
-   An ode_rhs of VM_DRUM_STATES states; its ctx, here `drum`, is a vm_drum. The equations replace (177) and (191), which
-   neglect that the mass centre moves inside the drum, and in which the torque of the shaft has the wrong sign. Let
+/* Exact right-hand side of the drum on an elastic shaft.
+   It is an ode_rhs for integrators such as rk45, with VM_DRUM_STATES states. `drum` must point to a vm_drum. The
+   equations replace (177) and (191). Those neglect that the mass centre moves inside the drum, and the torque of the
+   shaft has the wrong sign in them. Let
    rS = (xS, yS) be the deflection of the shaft, k the unit vector along z, and q = mu R (sin phi, 1 - cos phi). With
    the cross product x and ' = d/dt the equations are
      M rS'' + phi'' k x q - phi'^2 q = -c rS + mu phi' ((0, v) - rS' - phi' k x (R, 0))
@@ -7486,10 +7529,10 @@ VM_API int vm_drum_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *drum)
 }
 
 /* Right-hand side of the drum on an elastic shaft for a light band, (192), (193).
-   An ode_rhs of VM_DRUM_STATES states; its ctx, here `drum`, is a vm_drum. For a small mass mu of the band per angle
-   the equations of vm_drum_rhs are reduced to these simpler ones. Unlike (192) they contain the force
+   It is an ode_rhs with VM_DRUM_STATES states. `drum` must point to a vm_drum. If the mass mu of the band per angle is
+   small, the equations of vm_drum_rhs can be reduced to (192), (193). Unlike (192), this function contains the force
    mu R phi'^2 (sin phi, -cos phi) of the unbalance, because it is of the same order as the terms that (192) keeps. The
-   errors are those of vm_drum_rhs. */
+   statuses are those of vm_drum_rhs. */
 VM_API int vm_drum_rhs_reduced(vm_real t, const vm_real *y, vm_real *dydt, void *drum)
 {
     if (!y || !dydt || !drum) return VM_BAD_ARGUMENT;
@@ -7560,9 +7603,10 @@ VM_API vm_real vm_drum_rate(const vm_drum *d, vm_real phi)
 }
 
 /* Right-hand side of the elastic shaft's vibration over the angle phi, (210), (211).
-   An ode_rhs of VM_DRUM_ANGLE_STATES states; its ctx, here `drum`, is a vm_drum. The independent variable is the angle
-   phi instead of time. The drum has the angular velocity phi' that it would have on a rigid shaft (196). Returns VM_OK;
-   or VM_BAD_ARGUMENT for a null pointer, VM_DOMAIN if the drum does not reach phi, and the errors of vm_drum_rhs. */
+   It is an ode_rhs with VM_DRUM_ANGLE_STATES states. `drum` must point to a vm_drum. The independent variable is the
+   angle phi instead of time. The drum has the angular velocity phi' that it would have on a rigid shaft (196). Returns
+   VM_OK; or VM_BAD_ARGUMENT for a null pointer, VM_DOMAIN if the drum does not reach phi, or another status of
+   vm_drum_rhs. */
 VM_API int vm_drum_rhs_angle(vm_real phi, const vm_real *y, vm_real *dydt, void *drum)
 {
     if (!y || !dydt || !drum) return VM_BAD_ARGUMENT;
@@ -7587,16 +7631,16 @@ VM_API int vm_drum_rhs_angle(vm_real phi, const vm_real *y, vm_real *dydt, void 
 }
 
 /* Right-hand side of the drum on an elastic shaft over the angle phi, (210)-(212).
-   An ode_rhs of VM_DRUM_COUPLED_STATES states; its ctx, here `drum`, is a vm_drum. The independent variable is the
+   It is an ode_rhs with VM_DRUM_COUPLED_STATES states. `drum` must point to a vm_drum. The independent variable is the
    angle phi instead of time. Unlike vm_drum_rhs_angle, the function does not take the angular velocity u = dphi/dt from
    the rigid shaft, but integrates it together with the deflection x, y (m) and the time t (s). With ' = d/dphi the
    equations are
      M u (u x')' = -c x - mu u^2 x' + mu R u^2 sin phi
      M u (u y')' = -c y + mu u (v - u y') - mu R u^2 cos phi
      J_S u' = e - j u - mu R u y',   t' = 1/u
-   The letters are those of vm_drum_rhs; e = mu v R - D and j = mu R^2. The sine and the cosine are the unbalance, which
-   [1] leaves out. The motion is that of vm_drum_rhs_reduced. Returns VM_OK; or VM_BAD_ARGUMENT for a null pointer,
-   VM_DOMAIN if u is not positive, and the errors of vm_drum_rhs. */
+   The letters are those of vm_drum_rhs; e = mu v R - D and j = mu R^2. The terms with sin phi and cos phi come from the
+   unbalance, which [1] leaves out. vm_drum_rhs_reduced gives the same motion. Returns VM_OK; or VM_BAD_ARGUMENT for a
+   null pointer, VM_DOMAIN if u is not positive, or another status of vm_drum_rhs. */
 VM_API int vm_drum_rhs_coupled(vm_real phi, const vm_real *y, vm_real *dydt, void *drum)
 {
     if (!y || !dydt || !drum) return VM_BAD_ARGUMENT;
@@ -7779,11 +7823,12 @@ VM_API int vmi_drum_wave_at(const vm_drum_shaft *s, vm_real phi, vm_real a, vm_r
 /* Deflection x or y of the elastic shaft, m, at the angle phi, (224), (225) corrected.
    With the fields k, delta, A of *s the deflection is
      a (1 - A phi)^(-1/4) exp(-delta phi) cos(I + alpha) + particular/(1 - A phi),
-   where I is the integral of k sqrt(1 - A phi) from 0 to phi. `particular` must be 0 for x and s->shift for y. The
-   amplitude a (m) and the phase alpha (rad) follow from the start by vm_drum_deflection_start: at phi = 0 the
-   deflection is a cos alpha + particular. With m^2 = 1 - A phi the integral is I = 2k/(3A) (1 - m^3). It is computed as
-   (2k/3) phi (1 + m + m^2)/(1 + m), which holds for A = 0, too. [1] leaves out
-   the unbalance of the band; vm_drum_unbalance adds its part. Returns NaN for a null pointer and if 1 - A phi <= 0. */
+   where I is the integral of k sqrt(1 - A phi) from 0 to phi. `particular` must be 0 for x and s->shift for y.
+   vm_drum_deflection_start computes the amplitude a (m) and the phase alpha (rad) from the deflection and the slope at
+   phi = 0, where the deflection is a cos alpha + particular. With m^2 = 1 - A phi the integral is
+   I = 2k/(3A) (1 - m^3). It is computed as (2k/3) phi (1 + m + m^2)/(1 + m), which holds for A = 0, too. [1] leaves out
+   the unbalance of the band; vm_drum_unbalance computes its part of the deflection. Returns NaN for a null pointer and
+   if 1 - A phi <= 0. */
 VM_API vm_real vm_drum_deflection(const vm_drum_shaft *s, vm_real phi, vm_real a, vm_real alpha, vm_real particular)
 {
     vmi_drum_wave w;
@@ -7794,9 +7839,10 @@ VM_API vm_real vm_drum_deflection(const vm_drum_shaft *s, vm_real phi, vm_real a
 /* Derivative of vm_drum_deflection with respect to the angle phi, m/rad: (218), (220) corrected.
    The deflection is a product of an amplitude and a cosine, plus a particular solution. Its derivative is
      amplitude [(A/(4 m^2) - delta) cos(I + alpha) - k m sin(I + alpha)] + A particular/m^4,   m^2 = 1 - A phi,
-   with the letters of vm_drum_deflection. [1] drops the term with A/4 and prints another last term. Times the angular
-   velocity phi', the derivative is the velocity of the shaft's centre. The absolute error is a few roundings of
-   amplitude (k m + |delta|), besides what the rounding of the phase makes. Returns NaN where vm_drum_deflection does.
+   with the letters of vm_drum_deflection. The dissertation [1] leaves out the term with A/4, and its last term is
+   different. The derivative multiplied by the angular velocity phi' is the velocity of the shaft's centre. The absolute
+   error is a few rounding errors of the term amplitude (k m + |delta|), plus the effect of the rounding error of the
+   phase. Returns NaN where vm_drum_deflection does.
 */ VM_API vm_real vm_drum_deflection_slope(const vm_drum_shaft *s, vm_real phi, vm_real a, vm_real alpha,
                                         vm_real particular)
 {
@@ -7808,12 +7854,13 @@ VM_API vm_real vm_drum_deflection(const vm_drum_shaft *s, vm_real phi, vm_real a
 }
 
 /* Amplitude and phase (223) of the elastic shaft from deflection and slope at phi = 0.
-   deflection is x or y (m) and slope its derivative with respect to phi (m/rad) when the winding begins; a velocity in
-   m/s is divided by Omega_b. `particular` must be 0 for x and s->shift for y. *a receives the amplitude a >= 0 (m) and
-   *alpha the phase in [-pi, pi] (rad) for which vm_drum_deflection and vm_drum_deflection_slope begin so:
+   `deflection` is x or y (m) when the winding begins, and `slope` is its derivative with respect to phi (m/rad). If you
+   know a velocity in m/s, divide it by Omega_b to get the slope. `particular` must be 0 for x and s->shift for y. The
+   function sets *a to the amplitude a >= 0 (m) and *alpha to the phase in [-pi, pi] (rad). They follow from the
+   equations
      a cos alpha = deflection - particular,   a k sin alpha = (A/4 - delta) a cos alpha + A particular - slope.
-   Their errors are a few roundings of these four terms, divided by k where they have k. Returns VM_BAD_ARGUMENT for a
-   null pointer, VM_NOT_FINITE, VM_DOMAIN if s->k is not positive, and VM_OK otherwise. */
+   The errors are a few rounding errors of the terms on the right-hand sides, divided by k in the second equation.
+   Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_DOMAIN if s->k is not positive, and VM_OK otherwise. */
 VM_API int vm_drum_deflection_start(const vm_drum_shaft *s, vm_real deflection, vm_real slope, vm_real particular,
                                     vm_real *a, vm_real *alpha)
 {
@@ -7849,11 +7896,11 @@ VM_API void vmi_drum_sinc(vm_real x, vm_real *sinc, vm_real *cosine)
    vm_drum_deflection_slope. All four are 0 at phi = 0, so that vm_drum_deflection_start needs no change. With the ratio
    k of frequencies, a field of vm_drum_shaft, they are
      x = U (sin phi - sin(k phi)/k)/(k^2 - 1),   y = -U (cos phi - cos(k phi))/(k^2 - 1).
-   At the resonance k = 1 they are the limit, which grows with phi. phi >= 0 is in rad. For a drum on which mu/M0, j/J0,
-   |e|/(J0 Omega_b) and the deflections divided by R are at most eps, the error of the whole deflection is of the order
-   of eps^2. Errors by rounding are a few eps times U phi (1 + phi), and 1/k of that in x. Returns VM_BAD_ARGUMENT for a
-   null pointer, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS, VM_BAD_INERTIA, VM_DOMAIN if omega is not positive or phi
-   is negative, and VM_OK otherwise. */
+   At the resonance k = 1 the function computes the limits of these formulas, which grow with phi. phi >= 0 is in rad.
+   Let h be the largest of mu/M0, j/J0, |e|/(J0 Omega_b) and the deflections divided by R. The error of the whole
+   deflection is of the order of h^2. Rounding errors are a few eps times U phi (1 + phi), and in x a few eps times
+   U phi (1 + phi)/k. Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS,
+   VM_BAD_INERTIA, VM_DOMAIN if omega is not positive or phi is negative, and VM_OK otherwise. */
 VM_API int vm_drum_unbalance(const vm_drum *d, vm_real phi, vm_real deflection[2], vm_real slope[2])
 {
     vm_drum_shaft s;
@@ -7887,9 +7934,9 @@ VM_API int vm_drum_unbalance(const vm_drum *d, vm_real phi, vm_real deflection[2
    vm_drum_deflection and vm_drum_unbalance. If the rim of the drum rises with the band, the band drives the drum
    less. To the first order in rise the solution of (212) and (215) is
      phi' = vm_drum_rate [1 - mu R rise/(J0 + j phi)].
-   mu is the mass of the band per angle, R the radius, J0 the drum's inertia and j = mu R^2. For a drum on which
-   mu R |rise|/J0, mu/M0, j/J0 and |e|/(J0 Omega_b) are at most eps, the error is of the order of eps^2 Omega_b: halving
-   all four divides it by four. Returns NaN where vm_drum_rate does, and for a rise that is not finite. */
+   mu is the mass of the band per angle, R the radius, J0 the drum's inertia and j = mu R^2. Let h be the largest of the
+   four numbers mu R |rise|/J0, mu/M0, j/J0 and |e|/(J0 Omega_b). The error is of the order of h^2 Omega_b: if all four
+   are halved, the error is divided by four. Returns NaN where vm_drum_rate does, and for a rise that is not finite. */
 VM_API vm_real vm_drum_rate_elastic(const vm_drum *d, vm_real phi, vm_real rise)
 {
     const vm_real rate = vm_drum_rate(d, phi);
@@ -7942,11 +7989,12 @@ VM_API int vm_drum_shaft_valid(const vm_drum_shaft *s) { return s && s->A < 1 / 
    mass, so that its mass m decreases. If the leaking mass has the velocity of the bob and takes its momentum along,
    Q = -m g l sin q + m' l^2 q'. Without the last term the mass would leave at rest.
 
-   Inverse dynamics asks which forces a given motion needs: vm_lagrange_needed_forces and vm_lagrange_drive_forces.
+   Inverse dynamics computes the forces that a given motion needs, by vm_lagrange_needed_forces and
+   vm_lagrange_drive_forces.
 
    Accuracy: A and b are computed as differences of values of T, exactly except for rounding errors of T. dT/dq is a
-   central difference of order 6. Its error is below 2e-13 (float 1e-5) of the largest T, if a coordinate must change by
-   as much as the field `scales` says before T changes noticeably. Tests: tests/test_lagrange.c. */
+   central difference of order 6. The field `scales` must give, for each coordinate, the change after which T differs
+   noticeably. The error of dT/dq is then below 2e-13 (float 1e-5) of the largest T. Tests: tests/test_lagrange.c. */
 #ifndef VARMASS_MECHANICS_LAGRANGE_H
 #define VARMASS_MECHANICS_LAGRANGE_H
 
@@ -7973,7 +8021,7 @@ typedef struct VM_TAG(vm_lagrange_system) {
 typedef struct VM_TAG(vmi_lagrange_parts) {
     vm_real *A;      /* the mass matrix A in T = q'Aq'/2 + b q' + T0, n rows of n numbers */
     vm_real *b;      /* the vector b in T, the coefficients of the terms that are linear in the rates q', n numbers */
-    vm_real *rates;  /* the generalized momenta minus b, later the rates q', n numbers */
+    vm_real *rates;  /* at first the generalized momenta minus b, then the rates q', n numbers */
     vm_real *trial;  /* rates or coordinates at which T is evaluated, n numbers */
     vm_real *forces; /* generalized forces of inverse dynamics, n numbers */
     vm_real *masses; /* the masses, which stay constant while T is differentiated, n_masses numbers */
@@ -8036,7 +8084,7 @@ VM_API void vmi_lagrange_freeze(const vm_lagrange_system *system, vm_real t, con
     if (system->masses) system->masses(t, q, vmi_lagrange_work(system).masses, system->ctx);
 }
 
-/* Writes the rates q' = A^-1 (pi - b) to the work array. y holds the coordinates q and the momenta pi. Returns
+/* Writes the rates q' = A^-1 (pi - b) to the work array. y contains the coordinates q and the momenta pi. Returns
    VM_NOT_FINITE if A, t or y is not finite, VM_SINGULAR if A is not positive definite for another reason, and VM_OK
    otherwise. */
 VM_API int vmi_lagrange_solve_rates(const vm_lagrange_system *system, vm_real t, const vm_real *y)
@@ -8083,12 +8131,12 @@ VM_API int vmi_lagrange_is_valid(const vm_lagrange_system *system)
            (system->n_masses == 0 || system->masses);
 }
 
-/* Right-hand side of Lagrange's equations with variable mass (247). An ode_rhs of 2 n states: n coordinates q, then n
-   generalized momenta pi. `lagrange` points to a vm_lagrange_system. Returns 0 or an error that ends the run. The
-   errors are VM_BAD_ARGUMENT, VM_SINGULAR if the mass matrix is not positive definite, VM_NOT_FINITE if t, y or an
-   energy is not finite, or the number that system->forces returns. The mass matrix is not positive definite if, for
-   example, a mass has become negative; use an event to stop the run before that. The number of calls of
-   system->energy grows with n^2. */
+/* Right-hand side of Lagrange's equations with variable mass (247). It is an ode_rhs for integrators such as rk45, with
+   2 n states: n coordinates q, then n generalized momenta pi. `lagrange` must point to a vm_lagrange_system. Returns 0
+   or an error that ends the run. The errors are VM_BAD_ARGUMENT, VM_SINGULAR if the mass matrix is not positive
+   definite, VM_NOT_FINITE if t, y or an energy is not finite, or the number that system->forces returns. The mass
+   matrix is not positive definite if, for example, a mass has become negative; use an event to stop the run before
+   that. The number of calls of system->energy grows with n^2. */
 VM_API int vm_lagrange_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *lagrange)
 {
     const vm_lagrange_system *system = (const vm_lagrange_system *)lagrange;
@@ -8172,8 +8220,8 @@ VM_API void vmi_lagrange_add_momenta(const vm_lagrange_system *system, vm_real t
 }
 
 /* The step in time for the derivative of the momenta along the motion. During one step no coordinate changes by more
-   than h times its scale, and time by at most h time_scale, with the h of vmi_lagrange_derivative. The step is 0 if
-   nothing changes. */
+   than h times its scale, and the time changes by at most h time_scale. h is the number explained at
+   vmi_lagrange_derivative. The step is 0 if nothing changes. */
 VM_API vm_real vmi_lagrange_time_step(const vm_lagrange_system *system, vm_real time_scale, const vm_real *rates)
 {
     const vm_real h = VM_MANT_DIG > 24 ? VM_C(0.0078125) : VM_C(0.125);
@@ -8189,9 +8237,8 @@ VM_API vm_real vmi_lagrange_time_step(const vm_lagrange_system *system, vm_real 
     return h / fastest;
 }
 
-/* Adds to p the change of the momenta per second that the changes of the coordinates and of the time cause; the rates
-   q' stay constant. The change is a central difference of order 6. If time_scale is 0, the time stays constant,
-   too. */
+/* Adds to p the rates of the momenta that result if coordinates and time change while the rates q' stay constant. They
+   are computed as central differences of order 6. If time_scale is 0, the time stays constant, too. */
 VM_API void vmi_lagrange_add_momentum_rates(const vm_lagrange_system *system, vm_real t, vm_real time_scale,
                                             const vm_real *q, const vm_real *rates, vm_real *p)
 {
@@ -8212,7 +8259,7 @@ VM_API void vmi_lagrange_add_momentum_rates(const vm_lagrange_system *system, vm
     }
 }
 
-/* Checks the arguments of vm_lagrange_needed_forces, and writes what it computes to the work array. */
+/* Checks the arguments of vm_lagrange_needed_forces, and writes the needed forces to the work array. */
 VM_API int vmi_lagrange_inverse(const vm_lagrange_system *system, vm_real t, vm_real time_scale, const vm_real *q,
                                 const vm_real *rates, const vm_real *accelerations)
 {
@@ -8237,14 +8284,14 @@ VM_API int vmi_lagrange_inverse(const vm_lagrange_system *system, vm_real t, vm_
 }
 
 /* Inverse dynamics: generalized forces Q that a given motion needs, the left side of (247).
-   They are Q_i = d/dt dT/dq'_i - (dT/dq_i, masses frozen), the sum of all forces, those of the streams of mass
+   They are Q_i = d/dt dT/dq'_i - (dT/dq_i, masses frozen). Q is the sum of all forces, those of the streams of mass
    included. q, rates and accelerations are the n coordinates q and their derivatives q' and q'' at time t; Q has n
    numbers. time_scale (s) is the time after which T or the masses differ noticeably while q stays constant (the field
-   `scales` says the same of the coordinates); it is 0 if T and the masses do not depend on time. Returns
-   VM_BAD_ARGUMENT, VM_NOT_FINITE also if a result is not finite, VM_DOMAIN for time_scale < 0, VM_SINGULAR if T does
-   not grow with each of the rates, and VM_OK otherwise. The error is below 2e-13 (float 1e-5) of the largest term: of
-   A q'', of T divided by the scale of a coordinate, and of dT/dq' divided by the time in which the system changes
-   noticeably. T is evaluated 14 n^2 + 6 n + 7 times. */
+   `scales` gives the corresponding changes of the coordinates). Set it to 0 if T and the masses do not depend on time.
+   Returns VM_BAD_ARGUMENT, VM_NOT_FINITE also if a result is not finite, VM_DOMAIN for time_scale < 0, VM_SINGULAR if T
+   does not grow with each of the rates, and VM_OK otherwise. The error is below 2e-13 (float 1e-5) of the largest of
+   three terms: A q'', T divided by the scale of a coordinate, and dT/dq' divided by the time in which the system
+   changes noticeably. T is evaluated 14 n^2 + 6 n + 7 times. */
 VM_API int vm_lagrange_needed_forces(vm_lagrange_system *system, vm_real t, vm_real time_scale, const vm_real *q,
                                      const vm_real *rates, const vm_real *accelerations, vm_real *Q)
 {

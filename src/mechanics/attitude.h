@@ -2,8 +2,8 @@
    The attitude of a body is a quaternion q = w + x i + y j + z k that turns body axes into inertial axes: a vector with
    the components a along the body's axes has the components q a q* along inertial axes. w is the cosine of half the
    angle of the rotation, (x, y, z) its axis times the sine of half the angle (Hamilton's quaternions, right-handed).
-   q and -q are the same attitude. The length of q does not matter; four zeros stand for the identity. This chapter
-   computes
+   q and -q are the same attitude. The length of q does not matter. If all four numbers of q are 0, body axes and
+   inertial axes coincide (the identity). This chapter computes
      - the components of a vector along inertial axes from those along body axes, and back,
      - the rotation matrix of q, which consists of the direction cosines of the axes, and q from this matrix,
      - the modified Rodrigues parameters of q, and q from them.
@@ -14,7 +14,7 @@
        vm_vec3 direction = vm_rotate(q, forward);   // (0, 1, 0), in inertial axes
        vm_vec3 back = vm_rotate_back(q, direction); // (1, 0, 0), in body axes
 
-   Source: M. D. Shuster, A survey of attitude representations, J. Astronautical Sciences 41 (1993); his q has the
+   Source: M. D. Shuster, A survey of attitude representations, J. Astronautical Sciences 41 (1993); there q is the
    opposite rotation, from inertial to body axes. Tests: tests/test_attitude.c, tests/test_flow.c. */
 #ifndef VARMASS_MECHANICS_ATTITUDE_H
 #define VARMASS_MECHANICS_ATTITUDE_H
@@ -39,7 +39,7 @@ VM_API void vmi_set3(vm_real *y, vm_vec3 a)
 /* Reads a quaternion from four numbers of a state array, in the order w, x, y, z */
 VM_API vm_quat vmi_get_quat(const vm_real *y) { return vmi_quat(y[0], vmi_get3(y + 1)); }
 
-/* Returns the largest power of two that is at most x, for a normal number x > 0. For a smaller x it is VM_MIN. */
+/* Returns the largest power of two that is at most x, or VM_MIN if x is smaller than VM_MIN. */
 VM_API vm_real vmi_power_below(vm_real x)
 {
     const vmi_bits mantissa = ((vmi_bits)1 << VMI_STORED_DIG) - 1;
@@ -47,8 +47,9 @@ VM_API vm_real vmi_power_below(vm_real x)
     return vmi_from_bits(vmi_to_bits(x) & ~mantissa);
 }
 
-/* The vector of length 1 in the direction of a, each component within 4 eps of itself. A vector of length 0 has no
-   direction: the result is then NaN, as for infinite components. a may have any length that is a normal number. */
+/* Returns the vector of length 1 in the direction of a. The relative error of each component is within 4 eps, if the
+   length of a is a normal number (at least VM_MIN). Returns NaN if a component is infinite or if the length of a is 0,
+   because a then has no direction. */
 VM_API vm_vec3 vm_unit(vm_vec3 a)
 {
     const vm_vec3 b = vmi_over(a, vmi_norm_max(a));
@@ -57,8 +58,8 @@ VM_API vm_vec3 vm_unit(vm_vec3 a)
 
 /* Writes the time derivatives of w, x, y, z of the quaternion q to rates. q is the attitude of a body with the angular
    velocity omega (rad/s, body axes): q' = q (0, omega)/2 + |omega| (1 - |q|^2) q/8. square is |q|^2. q should have
-   length 1, but errors of an integration change its length. The second term lets the length return to 1. It acts more
-   slowly than the body rotates, so that it does not make the equations of a slow rotation stiff. */
+   length 1, but errors of an integration change its length. The second term lets the length return to 1. This happens
+   more slowly than the body rotates, so that an integrator does not need shorter steps because of it. */
 VM_INLINE void vmi_attitude_rates(vm_quat q, vm_real square, vm_vec3 omega, vm_real *rates)
 {
     const vm_real back = VM_SQRT(vm_dot(omega, omega)) * (1 - square) / 8;
@@ -87,9 +88,10 @@ VM_API vm_vec3 vm_rotate_back(vm_quat q, vm_vec3 a)
     return vmi_times_transposed(&m, a);
 }
 
-/* The rotation matrix c of an attitude, row by row. c[3 i + j] is the direction cosine of inertial axis i and body axis
-   j: c times the body components of a vector are its inertial components. The error of an entry is within 6 eps. Some
-   books define the inverse matrix, from inertial to body axes, which is the transpose of c.
+/* The rotation matrix c of an attitude, row by row. c[3 i + j] is the cosine of the angle between inertial axis i and
+   body axis j. c times the components of a vector along body axes gives its components along inertial axes. The error
+   of an entry is within 6 eps. Some books define the inverse matrix, from inertial to body axes, which is the transpose
+   of c.
    Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE if q is not finite, and VM_OK otherwise. */
 VM_API int vm_quat_to_matrix(vm_quat q, vm_real c[9])
 {
@@ -102,11 +104,12 @@ VM_API int vm_quat_to_matrix(vm_quat q, vm_real c[9])
     return VM_OK;
 }
 
-/* How much the entries of a rotation matrix may be wrong: matrices that were printed with three digits are accepted. */
+/* The largest error with which a matrix is accepted as a rotation matrix. Matrices that were printed with three digits
+   are accepted. */
 #define VMI_MATRIX_TOLERANCE VM_C(0.0078125)
 
-/* Whether c is a rotation matrix, apart from small errors of its entries. Its columns x, y, z must have length 1, and
-   the cross product of x and y must be z. */
+/* Returns 1 if c is a rotation matrix, apart from small errors of its entries, and 0 otherwise. Its columns x, y, z
+   must have length 1, and the cross product of x and y must be z. */
 VM_API int vmi_is_rotation(const vm_real *c)
 {
     const vm_vec3 x = vmi_vec3(c[0], c[3], c[6]), y = vmi_vec3(c[1], c[4], c[7]), z = vmi_vec3(c[2], c[5], c[8]);
@@ -115,11 +118,12 @@ VM_API int vmi_is_rotation(const vm_real *c)
     return vmi_norm_max(lengths) <= VMI_MATRIX_TOLERANCE && vmi_norm_max(turned) <= VMI_MATRIX_TOLERANCE;
 }
 
-/* Attitude of length 1, with w >= 0, from its rotation matrix c, which vm_quat_to_matrix describes. The error is within
-   4 eps, and within 4 eps of the angle for small rotations. A c with rounding errors gives an attitude with errors of
-   their size. Method: of the four forms of the quaternion, the one whose divisor is the largest (Shepperd 1978).
-   Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_DOMAIN if c is no rotation matrix even to two digits,
-   a reflection for example, and VM_OK otherwise. */
+/* The quaternion q of length 1, with w >= 0, that has the rotation matrix c; vm_quat_to_matrix describes c. The error
+   is within 4 eps. For a rotation by a small angle it is within 4 eps times this angle. Rounding errors of c cause
+   errors of the same size in q. There are four formulas for q, each with a division; the function uses the one with the
+   largest divisor (Shepperd 1978).
+   Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_DOMAIN if c is not a rotation matrix even to two digits
+   (for example a reflection), and VM_OK otherwise. */
 VM_API int vm_quat_from_matrix(const vm_real c[9], vm_quat *q)
 {
     vm_real v[4], trace; /* v: a multiple of the quaternion w, x, y, z */
@@ -148,11 +152,12 @@ VM_API int vm_quat_from_matrix(const vm_real c[9], vm_quat *q)
     return VM_OK;
 }
 
-/* Modified Rodrigues parameters of an attitude. They are the axis of the rotation times the tangent of a quarter of its
-   angle, for that sign of q that makes w >= 0. The angle is then at most pi, and the length of the parameters p at most
-   1, apart from rounding. The other set of parameters of the same attitude (the shadow set) is -p/|p|^2. At an angle of
-   pi, where w = 0, both sets are equally long: the result is (x, y, z)/|q|. Each component is within 4 eps of itself.
-   Numbers that are not finite give NaN. */
+/* Modified Rodrigues parameters of an attitude. They are the unit vector along the axis of the rotation, times the
+   tangent of a quarter of the angle. q and -q are the same attitude; the function uses the one with w >= 0. The angle
+   is then at most pi, and the length of the parameters p is at most 1, apart from rounding. The other set of parameters
+   of the same attitude (the shadow set) is -p/|p|^2. At an angle of pi, where w = 0, both sets have the same length;
+   the result is then (x, y, z)/|q|. The relative error of each component is within 4 eps. Numbers that are not finite
+   give NaN. */
 VM_API vm_vec3 vm_quat_to_mrp(vm_quat q)
 {
     vm_real divisor;
@@ -164,8 +169,9 @@ VM_API vm_vec3 vm_quat_to_mrp(vm_quat q)
 }
 
 /* Attitude of length 1 from modified Rodrigues parameters p of any length. Its w is negative if |p| > 1, where the
-   angle of the rotation is above pi. Each component of the result is within 8 eps of itself: w too, next to an angle of
-   pi, because 1 - |p|^2 is computed with twice the digits. Parameters that are not finite give NaN. */
+   angle of the rotation is above pi. The relative error of each component of the result is within 8 eps. This holds for
+   w, too, if the angle is close to pi and w is small, because 1 - |p|^2 is computed with twice the digits. Parameters
+   that are not finite give NaN. */
 VM_API vm_quat vm_quat_from_mrp(vm_vec3 p)
 {
     vm_real scale = 1; /* a power of two that makes the components of a long p at most 2 */

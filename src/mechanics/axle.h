@@ -12,13 +12,14 @@
        vm_impulse reaction;                                          // of the axle on the door
        int status = vm_separate_on_axle(&hinge, &door, 1, &part, NULL, &door, &reaction);
 
-   The equations. e is the unit vector along the axle, which passes through the point O. All motions are taken relative
-   to the frame that turns about the axle as the body did before, with the rate w = e . omega. In this frame (42) holds,
-   and the body was at rest if the axle guided it before. Let P be the sum of the momenta of the body before the jump,
-   of all bodies that join (+) or leave (-), and of the external impulse; let L be the sum of their angular momenta
-   about O. Let I be the inertia of the body after the jump about O. Then w grows by (e . L)/(e . I e), and the axle
-   exerts the impulse M1 v1 - P at O, with the velocity v1 of the mass centre, and a couple, which is orthogonal to
-   the axle.
+   The equations. e is the unit vector along the axle, which passes through the point O. All motions are measured in a
+   frame that turns about the axle at the rate w = e . omega, where omega is the angular velocity of the body before the
+   jump. The balances of momentum and angular momentum hold in this frame, too (42). If the body turned about the axle
+   before the jump, it was at rest in this frame. Let P be the sum of the momenta of the body before the jump, of all
+   bodies that join (+) or leave (-), and of the external impulse; let L be the sum of their angular momenta about O.
+   Let I be the inertia of the body after the jump about O. Then w grows by (e . L)/(e . I e). The axle exerts the
+   impulse M1 v1 - P at O, where M1 is the mass of the body after the jump and v1 the velocity of its mass centre in the
+   frame. The axle also exerts a couple, which is orthogonal to the axle.
    Tests: tests/test_axle.c. */
 #ifndef VARMASS_MECHANICS_AXLE_H
 #define VARMASS_MECHANICS_AXLE_H
@@ -36,8 +37,9 @@ typedef struct VM_TAG(vm_axle) {
     vm_vec3 axis; /* its direction, of any length > 0; angular velocities are positive about it */
 } vm_axle;
 
-/* Momentum, N s, and angular momentum about the point O of an axle, N m s, relative to the turning frame; and the arm,
-   m, which is the vector from O to the mass centre of the body after the jump */
+/* The sums P and L of the equations above, relative to the turning frame: `linear` is the momentum P (N s), and
+   `angular` is the angular momentum L about the point O of the axle (N m s). `arm` is the vector from O to the mass
+   centre of the body after the jump (m). */
 typedef struct VM_TAG(vmi_axle_sum) {
     vm_vec3 linear, angular, arm;
 } vmi_axle_sum;
@@ -58,8 +60,9 @@ VM_API void vmi_axle_add(vmi_axle_sum *sum, vm_real sign, const vm_body *body, v
     sum->angular = vm_add(sum->angular, vm_scale(sign, vm_add(spin, vm_cross(d, momentum))));
 }
 
-/* The vector from O to the mass centre of a body after the jump, where its mass is `mass`. Only differences of places
-   are added: far from the origin the mass centre is rounded, so that its difference to O would lose digits. */
+/* The vector from O to the mass centre of a body after the jump, where its mass is `mass`. The function adds only
+   differences of positions. Far from the origin the position of the new mass centre would be rounded, and its
+   difference from O would lose digits. */
 VM_API vm_vec3 vmi_axle_arm(vm_vec3 O, const vm_body *body, int n, const vm_body *others, vm_real sign, vm_real mass)
 {
     vm_vec3 shift = {0, 0, 0};
@@ -82,9 +85,9 @@ VM_API int vmi_axle_direction(const vm_axle *axle, vm_vec3 *e)
     return VM_OK;
 }
 
-/* Gives the body *b, whose mass, inertia and place are those after the jump, its motion about the axle, and computes
-   the impulse of the axle. *sum holds P and L of the text above, and the arm; `before` is w e. Returns VM_NULL_AXIS if
-   b has no inertia about the axle, but would need angular momentum, else VM_OK. */
+/* Sets the motion of the body *b about the axle, and computes the impulse of the axle. *b must already have the mass,
+   the inertia and the position after the jump. *sum contains P, L and the arm, and `before` is w e. Returns
+   VM_NULL_AXIS if b has no inertia about the axle, but would need angular momentum, else VM_OK. */
 VM_API int vmi_axle_turn(vm_vec3 O, vm_vec3 e, vm_vec3 before, const vmi_axle_sum *sum, vm_body *b,
                          vm_impulse *reaction)
 {
@@ -105,7 +108,7 @@ VM_API int vmi_axle_turn(vm_vec3 O, vm_vec3 e, vm_vec3 before, const vmi_axle_su
     return status;
 }
 
-/* The jump of both functions below: sign is VMI_SEPARATE or VMI_ATTACH. */
+/* Computes the jump for the two functions below; `sign` is VMI_SEPARATE or VMI_ATTACH. */
 VM_API int vmi_axle_jump(const vm_axle *axle, const vm_body *body, int n, const vm_body *others, vm_real sign,
                          const vm_impulse *external_or_NULL, vm_body *result, vm_impulse *reaction_or_NULL)
 {
@@ -134,23 +137,23 @@ VM_API int vmi_axle_jump(const vm_axle *axle, const vm_body *body, int n, const 
 }
 
 /* Separation of n parts from a body on a fixed axle: *rest is what remains, guided by the axle.
-   The parts must have their motions after the separation. The external impulse, if there is one, acts during the
-   separation. *reaction_or_NULL is the impulse of the axle on the body: `linear` acts at the point axle->at, and
-   `couple` is orthogonal to the axle. If the parts go on as the whole did, the motion of the rest does not change. With
-   n = 0 only the impulse acts. The whole need not have turned about the axle before; it is then caught by the axle. The
-   error of the angular velocity is a few eps of the sum of the terms of e . L divided by the inertia about the axle.
-   Returns VM_OK, the errors of vm_separate_all, VM_DOMAIN if axle->axis is 0, and VM_NULL_AXIS (> 0) if the rest has
-   no inertia about the axle, but would need angular momentum; it then turns as the whole did. `rest` may be equal to
-   `whole`. */
+   `parts` must contain the motions that the parts have after the separation. The external impulse, if there is one,
+   acts during the separation. *reaction_or_NULL is the impulse of the axle on the body: `linear` acts at the point
+   axle->at, and `couple` is orthogonal to the axle. If the parts keep the motion that they had in the whole, the motion
+   of the rest does not change. With n = 0 only the impulse acts. If the whole did not turn about the axle before, the
+   axle catches it at this instant. Let s be the sum of the absolute values of the terms of e . L. The error of the
+   angular velocity is a few eps times s divided by the inertia about the axle. Returns VM_OK, an error status of
+   vm_separate_all, VM_DOMAIN if axle->axis is 0, and VM_NULL_AXIS (> 0) if the rest has no inertia about the axle, but
+   would need angular momentum; it then turns as the whole did. `rest` may be equal to `whole`. */
 VM_API int vm_separate_on_axle(const vm_axle *axle, const vm_body *whole, int n, const vm_body *parts,
                                const vm_impulse *external_or_NULL, vm_body *rest, vm_impulse *reaction_or_NULL)
 {
     return vmi_axle_jump(axle, whole, n, parts, VMI_SEPARATE, external_or_NULL, rest, reaction_or_NULL);
 }
 
-/* Attachment of n bodies to a body on a fixed axle (plastic impact): *whole is all bodies together, guided by the
-   axle. The bodies must have their motions just before the impact. The other arguments and the statuses are those of
-   vm_separate_on_axle. */
+/* Attachment of n bodies to a body on a fixed axle (plastic impact): *whole is the body that all of them form together;
+   the axle guides it. `body` and `added` must contain the motions just before the impact. The other arguments and the
+   statuses are those of vm_separate_on_axle. */
 VM_API int vm_attach_on_axle(const vm_axle *axle, const vm_body *body, int n, const vm_body *added,
                              const vm_impulse *external_or_NULL, vm_body *whole, vm_impulse *reaction_or_NULL)
 {

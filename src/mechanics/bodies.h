@@ -19,7 +19,8 @@
 typedef struct VM_TAG(vm_body) {
     vm_real mass;       /* mass > 0, kg */
     vm_inertia inertia; /* inertia about the body's own mass centre, kg m^2, body axes; all zero for a point */
-    vm_quat q;          /* attitude: converts vectors from body to inertial axes; any length; all zero: identity */
+    vm_quat q;          /* attitude, a quaternion of any length that converts vectors from body axes to inertial
+                           axes; if all its numbers are 0, the two systems of axes coincide */
     vm_vec3 r;          /* position of the mass centre, m, inertial axes */
     vm_vec3 v;          /* velocity, which is momentum/mass, m/s, inertial axes */
     vm_vec3 omega;      /* angular velocity, rad/s, inertial axes */

@@ -31,7 +31,7 @@ typedef struct VM_TAG(vmi_broken_rotor_linear) {
     vm_real coupling;            /* s p^2 omega^2, the factor of y in the equation of psi; 0 to leave out this term */
 } vmi_broken_rotor_linear;
 
-/* Indices in the array z. It holds y, psi and their rates, the states that the linearised equations (69) couple. */
+/* Indices in the array z. z contains y, psi and their rates, because the linearised equations (69) couple them. */
 enum {
     VMI_BROKEN_ROTOR_Y = 0,
     VMI_BROKEN_ROTOR_PSI = 1,
@@ -91,11 +91,11 @@ VM_API void vmi_broken_rotor_series(const vmi_broken_rotor_linear *a, vm_real h,
     }
 }
 
-/* Replaces the matrix m, which belongs to some time, by the matrix for twice this time. m gives the change of states
-   within its time: row m[j] is the change of states that start from z[j] = 1 and all other z = 0, without torque. The
-   last row of m is the change that the torque causes if all states start from 0. With the unit matrix E, m + E turns
-   old states into new ones. Twice the time therefore has the matrix (m + E)^2 - E = 2 m + m m. The matrix m + E itself
-   is not stored, because digits of m would be lost in the sum. */
+/* Replaces the matrix m for some time by the matrix for twice this time. m describes the change of the states within
+   its time: row m[j] is the change of states that start from z[j] = 1 and all other z = 0, without torque. The last row
+   of m is the change that the torque causes if all states start from 0. Let E be the unit matrix. m + E converts the
+   states at the start into the states at the end of the time. The matrix for twice the time is therefore (m + E)^2 - E
+   = 2 m + m m. The matrix m + E itself is not stored, because digits of m would be lost in the sum. */
 VM_API void vmi_broken_rotor_double(vm_real m[VMI_BROKEN_ROTOR_COUPLED + 1][VMI_BROKEN_ROTOR_COUPLED])
 {
     vm_real old[VMI_BROKEN_ROTOR_COUPLED + 1][VMI_BROKEN_ROTOR_COUPLED];
@@ -224,8 +224,9 @@ VM_API int vmi_broken_rotor_check_motion(const vm_broken_rotor *rotor, vm_real t
     return vmi_check_broken_rotor(rotor);
 }
 
-/* Computes the results of these three functions. If coupled = 1, it solves the complete linearised equations (69). If
-   coupled = 0, it leaves out the term -s p^2 omega^2 y of the equation of psi. */
+/* Computes the results of vm_broken_rotor_linear, vm_broken_rotor_linear_uncoupled and vm_broken_rotor_free_motion. If
+   coupled = 1, it solves the complete linearised equations (69). If coupled = 0, it leaves out the term -s p^2 omega^2
+   y of the equation of psi. */
 VM_API int vmi_broken_rotor_linearised(const vm_broken_rotor *rotor, vm_real t, const vm_real *start, int coupled,
                                        vm_real *end)
 {
@@ -256,18 +257,18 @@ VM_API int vmi_broken_rotor_linearised(const vm_broken_rotor *rotor, vm_real t, 
 /* State of the remainder t seconds after start, by the complete linearised equations (69).
    The result describes the rotor for short times, while |psi| << 1, because solutions of (69) grow exponentially with
    t. t may have any sign. The arrays start and end have VM_BROKEN_ROTOR_STATES numbers, and end may be the same array
-   as start. The fields damping, stiffness and s may be 0. The error is at most twice the change of the result that
-   rounding all inputs, t included, would cause. Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE also if the
-   result overflows, VM_BAD_MASS, VM_BAD_STIFFNESS for a negative stiffness, VM_BAD_INERTIA, and VM_OK otherwise. */
+   as start. The fields damping, stiffness and s may be 0. Rounding all inputs, t included, would change the result; the
+   error is at most twice this change. Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE also if the result
+   overflows, VM_BAD_MASS, VM_BAD_STIFFNESS for a negative stiffness, VM_BAD_INERTIA, and VM_OK otherwise. */
 VM_API int vm_broken_rotor_linear(const vm_broken_rotor *rotor, vm_real t, const vm_real *start, vm_real *end)
 {
     return vmi_broken_rotor_linearised(rotor, t, start, 1, end);
 }
 
 /* State of the remainder t seconds after start by (70)-(72), which lack a term of (69).
-   The dissertation [1] leaves out the term -s p^2 omega^2 y, although it is as large as the other terms. This function
-   serves to compare [1] with vm_broken_rotor_linear. The error is at most the change of the result that rounding all
-   inputs would cause. Arguments and statuses are those of vm_broken_rotor_linear. */
+   The dissertation [1] leaves out the term -s p^2 omega^2 y, although it is as large as the other terms. Use this
+   function only to compare [1] with vm_broken_rotor_linear. Rounding all inputs would change the result; the error is
+   at most this change. Arguments and statuses are those of vm_broken_rotor_linear. */
 VM_API int vm_broken_rotor_linear_uncoupled(const vm_broken_rotor *rotor, vm_real t, const vm_real *start, vm_real *end)
 {
     return vmi_broken_rotor_linearised(rotor, t, start, 0, end);
@@ -275,9 +276,9 @@ VM_API int vm_broken_rotor_linear_uncoupled(const vm_broken_rotor *rotor, vm_rea
 
 /* State of the unbroken rotor t seconds after start, exact, (46)-(51).
    t may have any sign. The arrays start and end have VM_BROKEN_ROTOR_STATES numbers, and end may be the same array as
-   start. The fields damping and stiffness may be 0. The error is at most the change of the result that rounding all
-   inputs, t included, would cause. Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS,
-   VM_BAD_STIFFNESS for a negative stiffness, VM_BAD_INERTIA, VM_DOMAIN if s is not 0, and VM_OK otherwise. */
+   start. The fields damping and stiffness may be 0. Rounding all inputs, t included, would change the result; the error
+   is at most this change. Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS for
+   a negative stiffness, VM_BAD_INERTIA, VM_DOMAIN if s is not 0, and VM_OK otherwise. */
 VM_API int vm_broken_rotor_free_motion(const vm_broken_rotor *rotor, vm_real t, const vm_real *start, vm_real *end)
 {
     const int status = vmi_broken_rotor_check_motion(rotor, t, start, end);

@@ -138,9 +138,9 @@ VM_API int vm_broken_rotor_is_stable(const vm_broken_rotor *rotor, vm_real Omega
 
 /* Roots re + i im of the characteristic polynomial, 1/s.
    re and im are arrays of VM_BROKEN_ROTOR_ROOTS numbers. The roots are sorted by increasing |im|; of a conjugate pair,
-   the root with im > 0 is first. The error of each root is at most twice the change of this root that would result if
-   each coefficient changed by the fraction eps of itself. This holds for the smallest root, too, which near resonance
-   is many orders of magnitude smaller than the largest. The statuses are those of vm_broken_rotor_characteristic. */
+   the root with im > 0 is first. If each coefficient changed by the relative amount eps, each root would change; the
+   error of a root is at most twice this change. This holds for the smallest root, too. Near resonance it is smaller
+   than the largest root by many orders of magnitude. The statuses are those of vm_broken_rotor_characteristic. */
 VM_API int vm_broken_rotor_eigenvalues(const vm_broken_rotor *rotor, vm_real Omega, vm_real *re, vm_real *im)
 {
     vmi_broken_rotor_steady a;
@@ -170,8 +170,8 @@ VM_API int vm_broken_rotor_eigenvalues(const vm_broken_rotor *rotor, vm_real Ome
     return status;
 }
 
-/* Returns ln(1 + x) - x + x^2/2 = x^3/3 - x^4/4 + ... for x >= 0, the time, without unit, in which the orbit of
-   vm_broken_rotor_resonance_radius grows to the radius x, without unit. For x <= 1 the formula with the logarithm would
+/* Returns ln(1 + x) - x + x^2/2 = x^3/3 - x^4/4 + ... for x >= 0. This is the dimensionless time in which the orbit of
+   vm_broken_rotor_resonance_radius grows to the dimensionless radius x. For x <= 1 the formula with the logarithm would
    lose digits. The function then sums a series in w = x/(2 + x) <= 1/3 with positive terms only. The series is twice
    the sum of c_n w^n for n = 3, 4, 5, ..., where c_n is n - 2 for even n and n - 2 + 1/n for odd n. */
 VM_API vm_real vmi_broken_rotor_growth_time(vm_real x)

@@ -8,13 +8,14 @@
      - the vibrations of an elastic shaft (210)-(226), with the unbalance that [1] leaves out, and how they change the
        angular velocity.
 
-   The band moves at the velocity v along y and meets the drum at the point S + (R, 0), where S is the centre of the
-   shaft and R the radius of the drum. After the drum has turned by the angle phi, the band covers the arc from 0 to
+   The band moves at the velocity v along y and touches the drum first at the point S + (R, 0), where S is the centre of
+   the shaft and R the radius of the drum. After the drum has turned by the angle phi, the band covers the arc from 0 to
    phi. The mass centre of this arc lies in the direction phi/2 from S. R stays constant, because only the first layer
    of the band, 0 <= phi <= 2 pi, is considered.
 
-   The letters of the formulas are explained at the fields of vm_drum. Two more are j = mu R^2 (186), the inertia of the
-   band per angle, and e = mu v R - D. If e > 0, the band drives the drum. If e < 0, the drum comes to rest.
+   The letters of the formulas are explained at the fields of vm_drum. Two other letters are j = mu R^2 (186), the
+   inertia of the band per angle, and e = mu v R - D. If e > 0, the band drives the drum. If e < 0, the drum comes to
+   rest.
 
        vm_drum drum = {VM_C(0.2), 50, 1, VM_C(0.05), 10, VM_C(0.02), VM_C(1e5), 40}; // in the order of the fields
        vm_real angle = vm_drum_angle(&drum, 1); // rad, after 1 s on a rigid shaft
@@ -150,9 +151,10 @@ VM_API int vm_drum_at(const vm_drum *d, vm_real phi, vm_drum_geometry *g)
     return VM_OK;
 }
 
-/* Right-hand side of the drum on an elastic shaft, exact.
-   An ode_rhs of VM_DRUM_STATES states; its ctx, here `drum`, is a vm_drum. The equations replace (177) and (191), which
-   neglect that the mass centre moves inside the drum, and in which the torque of the shaft has the wrong sign. Let
+/* Exact right-hand side of the drum on an elastic shaft.
+   It is an ode_rhs for integrators such as rk45, with VM_DRUM_STATES states. `drum` must point to a vm_drum. The
+   equations replace (177) and (191). Those neglect that the mass centre moves inside the drum, and the torque of the
+   shaft has the wrong sign in them. Let
    rS = (xS, yS) be the deflection of the shaft, k the unit vector along z, and q = mu R (sin phi, 1 - cos phi). With
    the cross product x and ' = d/dt the equations are
      M rS'' + phi'' k x q - phi'^2 q = -c rS + mu phi' ((0, v) - rS' - phi' k x (R, 0))
@@ -189,10 +191,10 @@ VM_API int vm_drum_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *drum)
 }
 
 /* Right-hand side of the drum on an elastic shaft for a light band, (192), (193).
-   An ode_rhs of VM_DRUM_STATES states; its ctx, here `drum`, is a vm_drum. For a small mass mu of the band per angle
-   the equations of vm_drum_rhs are reduced to these simpler ones. Unlike (192) they contain the force
+   It is an ode_rhs with VM_DRUM_STATES states. `drum` must point to a vm_drum. If the mass mu of the band per angle is
+   small, the equations of vm_drum_rhs can be reduced to (192), (193). Unlike (192), this function contains the force
    mu R phi'^2 (sin phi, -cos phi) of the unbalance, because it is of the same order as the terms that (192) keeps. The
-   errors are those of vm_drum_rhs. */
+   statuses are those of vm_drum_rhs. */
 VM_API int vm_drum_rhs_reduced(vm_real t, const vm_real *y, vm_real *dydt, void *drum)
 {
     if (!y || !dydt || !drum) return VM_BAD_ARGUMENT;
@@ -263,9 +265,10 @@ VM_API vm_real vm_drum_rate(const vm_drum *d, vm_real phi)
 }
 
 /* Right-hand side of the elastic shaft's vibration over the angle phi, (210), (211).
-   An ode_rhs of VM_DRUM_ANGLE_STATES states; its ctx, here `drum`, is a vm_drum. The independent variable is the angle
-   phi instead of time. The drum has the angular velocity phi' that it would have on a rigid shaft (196). Returns VM_OK;
-   or VM_BAD_ARGUMENT for a null pointer, VM_DOMAIN if the drum does not reach phi, and the errors of vm_drum_rhs. */
+   It is an ode_rhs with VM_DRUM_ANGLE_STATES states. `drum` must point to a vm_drum. The independent variable is the
+   angle phi instead of time. The drum has the angular velocity phi' that it would have on a rigid shaft (196). Returns
+   VM_OK; or VM_BAD_ARGUMENT for a null pointer, VM_DOMAIN if the drum does not reach phi, or another status of
+   vm_drum_rhs. */
 VM_API int vm_drum_rhs_angle(vm_real phi, const vm_real *y, vm_real *dydt, void *drum)
 {
     if (!y || !dydt || !drum) return VM_BAD_ARGUMENT;
@@ -290,16 +293,16 @@ VM_API int vm_drum_rhs_angle(vm_real phi, const vm_real *y, vm_real *dydt, void 
 }
 
 /* Right-hand side of the drum on an elastic shaft over the angle phi, (210)-(212).
-   An ode_rhs of VM_DRUM_COUPLED_STATES states; its ctx, here `drum`, is a vm_drum. The independent variable is the
+   It is an ode_rhs with VM_DRUM_COUPLED_STATES states. `drum` must point to a vm_drum. The independent variable is the
    angle phi instead of time. Unlike vm_drum_rhs_angle, the function does not take the angular velocity u = dphi/dt from
    the rigid shaft, but integrates it together with the deflection x, y (m) and the time t (s). With ' = d/dphi the
    equations are
      M u (u x')' = -c x - mu u^2 x' + mu R u^2 sin phi
      M u (u y')' = -c y + mu u (v - u y') - mu R u^2 cos phi
      J_S u' = e - j u - mu R u y',   t' = 1/u
-   The letters are those of vm_drum_rhs; e = mu v R - D and j = mu R^2. The sine and the cosine are the unbalance, which
-   [1] leaves out. The motion is that of vm_drum_rhs_reduced. Returns VM_OK; or VM_BAD_ARGUMENT for a null pointer,
-   VM_DOMAIN if u is not positive, and the errors of vm_drum_rhs. */
+   The letters are those of vm_drum_rhs; e = mu v R - D and j = mu R^2. The terms with sin phi and cos phi come from the
+   unbalance, which [1] leaves out. vm_drum_rhs_reduced gives the same motion. Returns VM_OK; or VM_BAD_ARGUMENT for a
+   null pointer, VM_DOMAIN if u is not positive, or another status of vm_drum_rhs. */
 VM_API int vm_drum_rhs_coupled(vm_real phi, const vm_real *y, vm_real *dydt, void *drum)
 {
     if (!y || !dydt || !drum) return VM_BAD_ARGUMENT;
@@ -482,11 +485,12 @@ VM_API int vmi_drum_wave_at(const vm_drum_shaft *s, vm_real phi, vm_real a, vm_r
 /* Deflection x or y of the elastic shaft, m, at the angle phi, (224), (225) corrected.
    With the fields k, delta, A of *s the deflection is
      a (1 - A phi)^(-1/4) exp(-delta phi) cos(I + alpha) + particular/(1 - A phi),
-   where I is the integral of k sqrt(1 - A phi) from 0 to phi. `particular` must be 0 for x and s->shift for y. The
-   amplitude a (m) and the phase alpha (rad) follow from the start by vm_drum_deflection_start: at phi = 0 the
-   deflection is a cos alpha + particular. With m^2 = 1 - A phi the integral is I = 2k/(3A) (1 - m^3). It is computed as
-   (2k/3) phi (1 + m + m^2)/(1 + m), which holds for A = 0, too. [1] leaves out
-   the unbalance of the band; vm_drum_unbalance adds its part. Returns NaN for a null pointer and if 1 - A phi <= 0. */
+   where I is the integral of k sqrt(1 - A phi) from 0 to phi. `particular` must be 0 for x and s->shift for y.
+   vm_drum_deflection_start computes the amplitude a (m) and the phase alpha (rad) from the deflection and the slope at
+   phi = 0, where the deflection is a cos alpha + particular. With m^2 = 1 - A phi the integral is
+   I = 2k/(3A) (1 - m^3). It is computed as (2k/3) phi (1 + m + m^2)/(1 + m), which holds for A = 0, too. [1] leaves out
+   the unbalance of the band; vm_drum_unbalance computes its part of the deflection. Returns NaN for a null pointer and
+   if 1 - A phi <= 0. */
 VM_API vm_real vm_drum_deflection(const vm_drum_shaft *s, vm_real phi, vm_real a, vm_real alpha, vm_real particular)
 {
     vmi_drum_wave w;
@@ -497,9 +501,10 @@ VM_API vm_real vm_drum_deflection(const vm_drum_shaft *s, vm_real phi, vm_real a
 /* Derivative of vm_drum_deflection with respect to the angle phi, m/rad: (218), (220) corrected.
    The deflection is a product of an amplitude and a cosine, plus a particular solution. Its derivative is
      amplitude [(A/(4 m^2) - delta) cos(I + alpha) - k m sin(I + alpha)] + A particular/m^4,   m^2 = 1 - A phi,
-   with the letters of vm_drum_deflection. [1] drops the term with A/4 and prints another last term. Times the angular
-   velocity phi', the derivative is the velocity of the shaft's centre. The absolute error is a few roundings of
-   amplitude (k m + |delta|), besides what the rounding of the phase makes. Returns NaN where vm_drum_deflection does.
+   with the letters of vm_drum_deflection. The dissertation [1] leaves out the term with A/4, and its last term is
+   different. The derivative multiplied by the angular velocity phi' is the velocity of the shaft's centre. The absolute
+   error is a few rounding errors of the term amplitude (k m + |delta|), plus the effect of the rounding error of the
+   phase. Returns NaN where vm_drum_deflection does.
 */ VM_API vm_real vm_drum_deflection_slope(const vm_drum_shaft *s, vm_real phi, vm_real a, vm_real alpha,
                                         vm_real particular)
 {
@@ -511,12 +516,13 @@ VM_API vm_real vm_drum_deflection(const vm_drum_shaft *s, vm_real phi, vm_real a
 }
 
 /* Amplitude and phase (223) of the elastic shaft from deflection and slope at phi = 0.
-   deflection is x or y (m) and slope its derivative with respect to phi (m/rad) when the winding begins; a velocity in
-   m/s is divided by Omega_b. `particular` must be 0 for x and s->shift for y. *a receives the amplitude a >= 0 (m) and
-   *alpha the phase in [-pi, pi] (rad) for which vm_drum_deflection and vm_drum_deflection_slope begin so:
+   `deflection` is x or y (m) when the winding begins, and `slope` is its derivative with respect to phi (m/rad). If you
+   know a velocity in m/s, divide it by Omega_b to get the slope. `particular` must be 0 for x and s->shift for y. The
+   function sets *a to the amplitude a >= 0 (m) and *alpha to the phase in [-pi, pi] (rad). They follow from the
+   equations
      a cos alpha = deflection - particular,   a k sin alpha = (A/4 - delta) a cos alpha + A particular - slope.
-   Their errors are a few roundings of these four terms, divided by k where they have k. Returns VM_BAD_ARGUMENT for a
-   null pointer, VM_NOT_FINITE, VM_DOMAIN if s->k is not positive, and VM_OK otherwise. */
+   The errors are a few rounding errors of the terms on the right-hand sides, divided by k in the second equation.
+   Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_DOMAIN if s->k is not positive, and VM_OK otherwise. */
 VM_API int vm_drum_deflection_start(const vm_drum_shaft *s, vm_real deflection, vm_real slope, vm_real particular,
                                     vm_real *a, vm_real *alpha)
 {
@@ -552,11 +558,11 @@ VM_API void vmi_drum_sinc(vm_real x, vm_real *sinc, vm_real *cosine)
    vm_drum_deflection_slope. All four are 0 at phi = 0, so that vm_drum_deflection_start needs no change. With the ratio
    k of frequencies, a field of vm_drum_shaft, they are
      x = U (sin phi - sin(k phi)/k)/(k^2 - 1),   y = -U (cos phi - cos(k phi))/(k^2 - 1).
-   At the resonance k = 1 they are the limit, which grows with phi. phi >= 0 is in rad. For a drum on which mu/M0, j/J0,
-   |e|/(J0 Omega_b) and the deflections divided by R are at most eps, the error of the whole deflection is of the order
-   of eps^2. Errors by rounding are a few eps times U phi (1 + phi), and 1/k of that in x. Returns VM_BAD_ARGUMENT for a
-   null pointer, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS, VM_BAD_INERTIA, VM_DOMAIN if omega is not positive or phi
-   is negative, and VM_OK otherwise. */
+   At the resonance k = 1 the function computes the limits of these formulas, which grow with phi. phi >= 0 is in rad.
+   Let h be the largest of mu/M0, j/J0, |e|/(J0 Omega_b) and the deflections divided by R. The error of the whole
+   deflection is of the order of h^2. Rounding errors are a few eps times U phi (1 + phi), and in x a few eps times
+   U phi (1 + phi)/k. Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS,
+   VM_BAD_INERTIA, VM_DOMAIN if omega is not positive or phi is negative, and VM_OK otherwise. */
 VM_API int vm_drum_unbalance(const vm_drum *d, vm_real phi, vm_real deflection[2], vm_real slope[2])
 {
     vm_drum_shaft s;
@@ -590,9 +596,9 @@ VM_API int vm_drum_unbalance(const vm_drum *d, vm_real phi, vm_real deflection[2
    vm_drum_deflection and vm_drum_unbalance. If the rim of the drum rises with the band, the band drives the drum
    less. To the first order in rise the solution of (212) and (215) is
      phi' = vm_drum_rate [1 - mu R rise/(J0 + j phi)].
-   mu is the mass of the band per angle, R the radius, J0 the drum's inertia and j = mu R^2. For a drum on which
-   mu R |rise|/J0, mu/M0, j/J0 and |e|/(J0 Omega_b) are at most eps, the error is of the order of eps^2 Omega_b: halving
-   all four divides it by four. Returns NaN where vm_drum_rate does, and for a rise that is not finite. */
+   mu is the mass of the band per angle, R the radius, J0 the drum's inertia and j = mu R^2. Let h be the largest of the
+   four numbers mu R |rise|/J0, mu/M0, j/J0 and |e|/(J0 Omega_b). The error is of the order of h^2 Omega_b: if all four
+   are halved, the error is divided by four. Returns NaN where vm_drum_rate does, and for a rise that is not finite. */
 VM_API vm_real vm_drum_rate_elastic(const vm_drum *d, vm_real phi, vm_real rise)
 {
     const vm_real rate = vm_drum_rate(d, phi);

@@ -4,16 +4,17 @@
    by theta about its own x axis (the line of nodes), then by phi about its own z axis. The angles of the sequence
    3-2-1 are yaw, pitch and roll: the body turns by yaw about the z axis, then by pitch about its own y axis, then by
    roll about its own x axis. This chapter computes
-     - the quaternion of three angles, and the angles of a quaternion, in both sequences; and for 3-1-3
-     - the axes about which the angles turn the body, which Lagrange's equations need as domega/dq'_i,
-     - the time derivatives psi', theta', phi' of the angles from an angular velocity.
+     - for both sequences, the quaternion of three angles and the three angles of a quaternion,
+     - for 3-1-3, the axes about which the angles turn the body; Lagrange's equations need them as domega/dq'_i,
+     - for 3-1-3, the time derivatives psi', theta', phi' of the angles from an angular velocity.
 
        vm_quat q = vm_euler_321(VM_C(0.1), VM_C(0.2), VM_C(0.3)); // yaw, pitch, roll
        vm_real angles[3];
        int status = vm_euler_321_angles(q, angles); // 0.1, 0.2, 0.3
 
    Angles are in rad. Errors are within 8 eps for angles up to 1e9 (float 1e4). Beyond 2^(p-1) quarter turns, where p is
-   the number of binary digits of vm_real, a result has no meaning: adjacent numbers differ by 1 rad or more.
+   the number of binary digits of vm_real, a result has no meaning, because adjacent floating-point numbers differ by 1
+   rad or more.
    Tests: tests/test_attitude.c, tests/test_lagrange.c. */
 #ifndef VARMASS_MECHANICS_EULER_ANGLES_H
 #define VARMASS_MECHANICS_EULER_ANGLES_H
@@ -50,9 +51,9 @@ VM_API vm_quat vm_euler_321(vm_real yaw, vm_real pitch, vm_real roll)
     return vm_quat_times(vm_quat_times(about_z, about_y), about_x);
 }
 
-/* A number re + i im of the complex plane, both parts in two words. The quaternion of a sequence of three angles is
-   equivalent to two such numbers, p and r. The angle of p is half the sum of the first and the third angle, the angle
-   of r half their difference. The lengths of p and r depend on the middle angle alone. */
+/* A complex number re + i im. Each part is stored in two words, as the sum of two vm_reals. The quaternion of a
+   sequence of three angles is equivalent to two such numbers, p and r. The angle of p is half the sum of the first and
+   the third angle, the angle of r half their difference. The lengths of p and r depend on the middle angle alone. */
 typedef struct VM_TAG(vmi_euler_part) {
     vm_two re, im;
 } vmi_euler_part;
@@ -76,9 +77,10 @@ VM_API vm_real vmi_euler_real(const vmi_euler_part *p, const vmi_euler_part *r, 
     return vmi_two_minus(re, vmi_two_shifted(im, sign)).hi;
 }
 
-/* Writes the first angle and the third one, from -pi to pi: the angles of p r and of p times the conjugate of r, whose
-   imaginary parts are given, since they are accurate only if computed without p and r. If p or r is 0, which is gimbal
-   lock, only the sum or the difference of the two angles is determined: the third angle is then 0. */
+/* Writes the first and the third angle, both from -pi to pi. The first is the angle of the complex number p r, the
+   third that of p times the conjugate of r. `sum` and `difference` are the imaginary parts of these two numbers. The
+   caller computes them, because they would not be accurate if computed from p and r. If p or r is 0 (gimbal lock), only
+   the sum or the difference of the two angles is determined; the third angle is then 0. */
 VM_API void vmi_euler_first_and_third(vmi_euler_part p, vmi_euler_part r, vm_real sum, vm_real difference,
                                       vm_real *angles)
 {
@@ -110,9 +112,9 @@ VM_API vm_quat vmi_euler_normal_size(vm_quat q)
 }
 
 /* Euler's angles psi, theta, phi of the sequence 3-1-3 from an attitude q of any length.
-   psi and phi are between -pi and pi, theta between 0 and pi. If theta is exactly 0 or pi (gimbal lock: no line of
-   nodes is determined), phi is 0. The error of each angle is within 4 eps of itself, for q taken as exact, also next to
-   gimbal lock. The three angles together give the rotation of q to 8 eps.
+   psi and phi are between -pi and pi, theta between 0 and pi. If theta is exactly 0 or pi, the line of nodes is not
+   determined (gimbal lock), and phi is 0. If q is taken as exact, the relative error of each angle is within 4 eps,
+   close to gimbal lock, too. The rotation by the three angles differs from that of q by at most 8 eps.
    Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, and VM_OK otherwise. */
 VM_API int vm_euler_313_angles(vm_quat q, vm_real angles[3])
 {
@@ -132,8 +134,8 @@ VM_API int vm_euler_313_angles(vm_quat q, vm_real angles[3])
 
 /* Yaw, pitch and roll of the sequence 3-2-1 from an attitude q of any length, in this order.
    Yaw and roll are between -pi and pi, pitch between -pi/2 and pi/2. If pitch is exactly pi/2 or -pi/2 (gimbal lock),
-   roll is 0. The error of each angle is within 4 eps of itself, for q taken as exact, also next to gimbal lock. The
-   three angles together give the rotation of q to 8 eps.
+   roll is 0. If q is taken as exact, the relative error of each angle is within 4 eps, close to gimbal lock, too. The
+   rotation by the three angles differs from that of q by at most 8 eps.
    Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, and VM_OK otherwise. */
 VM_API int vm_euler_321_angles(vm_quat q, vm_real angles[3])
 {

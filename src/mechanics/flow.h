@@ -37,9 +37,9 @@
    is the field of vm_stream; all three are in body axes. R is the rotation of q/|q| from body axes to inertial axes.
    The last term of q' is 0 for |q| = 1. It brings the length of q back to 1 and does not lower the order of an
    integrator. The dissertation [1] prints I' omega2 in (152) instead of M' kappa omega2.
-   If a stream has a store (vm_store) at the position s, let d_s = s - c. Three things then differ: d_s replaces d in c'
-   and in P(d); the gyration of the store replaces kappa in I'; and the mass that flows between the store and the
-   surface adds M' (s - at) to the body's momentum and M' d x d_s to its angular momentum.
+   If a stream has a store (vm_store) at the position s, let d_s = s - c. The equations then differ in three points. d_s
+   replaces d in c' and in P(d). The gyration of the store replaces kappa in I'. The mass that flows between the store
+   and the surface adds M' (s - at) to the body's momentum and M' d x d_s to its angular momentum.
    The reference point, from which `at`, s and c are measured, is fixed in the body; its position is r - R c. If
    flow.centre is 0 at the start, the reference point is the initial mass centre.
    Tests: tests/test_flow.c. */
@@ -76,7 +76,7 @@ enum {
    that stays zero has no effect. */
 typedef struct VM_TAG(vm_flow) {
     int n;              /* number of streams */
-    vm_stream *streams; /* n streams, kept by the caller */
+    vm_stream *streams; /* array of n streams, which the caller keeps */
     vm_vec3 force;      /* resultant of the outer forces, N, inertial axes */
     vm_vec3 moment;     /* moment of the outer forces about the mass centre, plus all torques, N m, inertial axes */
     /* NULL, or a function that is called before each evaluation of a right-hand side and sets what depends on time and
@@ -234,9 +234,10 @@ VM_INLINE int vmi_flow_rates(vm_flow *flow, int n, vm_real t, const vm_real *y, 
 }
 
 /* Right-hand side of a free body whose streams change its mass (151), (152).
-   An ode_rhs of VM_FLOW_STATES states; its ctx is a vm_flow. The equations are given at the top of mechanics/flow.h.
-   Returns 0; or VM_BAD_ARGUMENT for a null pointer, n < 0 or an unknown `motion` of a stream, VM_SHORT_ARRAY if y_size
-   is too small, or the number that flow.update returns, each of which ends the run. */
+   It is an ode_rhs for integrators such as rk45, with VM_FLOW_STATES states. `flow` must point to a vm_flow. The
+   equations are given at the top of mechanics/flow.h. Returns 0; or VM_BAD_ARGUMENT for a null pointer, n < 0 or an
+   unknown `motion` of a stream, VM_SHORT_ARRAY if y_size is too small, or the number that flow.update returns. A result
+   other than 0 ends the run. */
 VM_API int vm_flow_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow)
 {
     if (!y || !dydt || !flow) return VM_BAD_ARGUMENT;
@@ -244,10 +245,10 @@ VM_API int vm_flow_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow)
 }
 
 /* Right-hand side of a free body with given laws of mass, mass centre and inertia.
-   An ode_rhs of VM_FLOW_GIVEN_STATES states; its ctx is a vm_flow, whose `update` must set mass, centre and inertia for
-   the time t. The streams cause forces and moments as in vm_flow_rhs, but do not change the mass. Without streams the
-   equations are (170): the mass that joins or leaves is at rest and at the mass centre. The errors are those of
-   vm_flow_rhs. */
+   It is an ode_rhs with VM_FLOW_GIVEN_STATES states. `flow` must point to a vm_flow, whose function `update` must set
+   mass, centre and inertia for the time t. The streams cause forces and moments as in vm_flow_rhs, but do not change
+   the mass. Without streams the equations are (170): the mass that joins or leaves is at rest and at the mass centre.
+   The statuses are those of vm_flow_rhs. */
 VM_API int vm_flow_given_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow)
 {
     if (!y || !dydt || !flow) return VM_BAD_ARGUMENT;
@@ -255,17 +256,19 @@ VM_API int vm_flow_given_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *f
 }
 
 /* Right-hand side vm_flow_rhs with seven integrals that check the balances.
-   An ode_rhs of VM_FLOW_BALANCED_STATES states; its ctx is a vm_flow. The integrals are the states from y[VM_Y_BALANCE]
-   on and are zero at the start. They are the momentum (3 numbers), the angular momentum about the origin (3 numbers)
-   and the kinetic energy that the streams have taken out of the body, minus those that the outer loads have put in.
+   It is an ode_rhs with VM_FLOW_BALANCED_STATES states. `flow` must point to a vm_flow. The integrals are the states
+   from y[VM_Y_BALANCE] on and are zero at the start. They are the momentum (3 numbers), the angular momentum about the
+   origin (3 numbers) and the kinetic energy that the streams have taken out of the body, minus those that the outer
+   loads have put in.
    The sum of an integral and the corresponding quantity of the body stays constant. (There are two exceptions if a
-   stream has a store: the body's angular momentum is then y[VM_Y_H] + r x p, and the energy does not balance.)
+   stream has a store. The angular momentum in this sum is then y[VM_Y_H] + r x p, and the sum of the energies does not
+   stay constant.)
    (113) and (118) give the change of the kinetic energy T by a sudden change of mass. Their limit for a continuous
    stream, with M' > 0 or M' < 0, is the rate T'. With the letters of the equations at the top of mechanics/flow.h:
      T' = F v + M_S omega + sum [M' u^2 + omega2 M' kappa omega2]/2 - sum [M' w^2 + omega_r M' kappa omega_r]/2,
      w = u - v - omega x d, omega_r = omega2 - omega.
-   The first sum is the power that the streams bring. The second sum, with its minus sign, is the power of engines
-   (M' < 0), or minus the power that plastic impact takes (M' > 0). The errors are those of vm_flow_rhs. */
+   The first sum is the power that the streams bring. For M' < 0 the second term, with its minus sign, is the power of
+   engines. For M' > 0 it is negative: plastic impact takes this power. The statuses are those of vm_flow_rhs. */
 VM_API int vm_flow_balanced_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow)
 {
     if (!y || !dydt || !flow) return VM_BAD_ARGUMENT;
@@ -273,12 +276,12 @@ VM_API int vm_flow_balanced_rhs(vm_real t, const vm_real *y, vm_real *dydt, void
 }
 
 /* Right-hand side of a free body that loses or gains mass which moves with the body (166).
-   An ode_rhs of VM_FLOW_GIVEN_STATES states; its ctx is a vm_flow, whose `update` must set mass, inertia and drift for
-   the time t. The states are r, q, the velocity v (not the momentum) and omega in body axes (not the angular
-   momentum). Streams are not read. The equations are
+   It is an ode_rhs with VM_FLOW_GIVEN_STATES states. `ctx` must point to a vm_flow, whose function `update` must set
+   mass, inertia and drift for the time t. The states are r, q, the velocity v (not the momentum) and omega in body axes
+   (not the angular momentum). The function does not use the streams of the flow. The equations are
      v' = F/M + R (omega x c'), r' = v + R c', I omega' + omega x I omega = M_S.
-   The letters are explained at the top of mechanics/flow.h; here c' is flow.drift, and M_S is in body axes. The errors
-   are those of vm_flow_rhs. */
+   The letters are explained at the top of mechanics/flow.h; here c' is flow.drift, and M_S is in body axes. The
+   statuses are those of vm_flow_rhs. */
 VM_API int vm_flow_carried_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 {
     if (!y || !dydt || !ctx) return VM_BAD_ARGUMENT;
@@ -329,10 +332,11 @@ VM_API int vmi_flow_check_start(const vm_flow *flow, const vm_body *body)
 
 /* Initial state y of a body with streams. Writes the first VM_FLOW_STATES states, or as many as flow.y_size allows.
    Before the call flow.centre and flow.streams must have the mass centre and the streams at the start. The function
-   sets flow.mass and flow.inertia, too. For vm_flow_given_rhs y must have room for VM_FLOW_GIVEN_STATES numbers at
-   least, and flow.y_size must be set if it has room for fewer than VM_FLOW_STATES. vm_flow_carried_rhs has different
-   states, which the caller sets. Returns VM_BAD_ARGUMENT for a null pointer, n < 0 or an unknown `motion` of a stream,
-   VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_INERTIA also for a rod or a point, VM_SHORT_ARRAY, and VM_OK otherwise. */
+   sets flow.mass and flow.inertia, too. For vm_flow_given_rhs y must have room for at least VM_FLOW_GIVEN_STATES
+   numbers. If y has room for fewer than VM_FLOW_STATES numbers, set flow.y_size before the call. vm_flow_carried_rhs
+   has different states, which the caller sets. Returns VM_BAD_ARGUMENT for a null pointer, n < 0 or an unknown `motion`
+   of a stream, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_INERTIA also for a rod or a point, VM_SHORT_ARRAY, and VM_OK
+   otherwise. */
 VM_API int vm_flow_start(vm_flow *flow, const vm_body *body, vm_real *y)
 {
     vm_vec3 p, h;

@@ -54,7 +54,7 @@ typedef struct VM_TAG(vm_stream1) {
 /* The streams and the load of a body on a line or an axle: the ctx of vm_flow1_rhs. Set the whole struct to 0 first. */
 typedef struct VM_TAG(vm_flow1) {
     int n;               /* number of streams */
-    vm_stream1 *streams; /* n streams, kept by the caller */
+    vm_stream1 *streams; /* array of n streams, which the caller keeps */
     vm_real force;       /* resultant of the outer forces, N (axle: their moment about the axle, N m) */
     /* NULL, or a function that is called before each evaluation and may set every field from t and y, as
        vm_flow.update does. It returns 0; another number ends the run. */
@@ -107,12 +107,13 @@ VMI_APART int vmi_translation_updated_rates(vm_real t, const vm_real *y, vm_real
 }
 
 /* Right-hand side of a body in translation with streams of mass: r' = p/M, p' = F + sum M' u (172).
-   An ode_rhs of VM_TRANSLATION_STATES states; its ctx, here `flow`, is a vm_flow, of which n, streams, force, update,
-   y_size and status are used. r is the position of the mass centre, p the momentum, M the mass and F the outer force.
-   The sum is over all streams; M' is the rate of a stream and u the velocity of its mass. The rate of M is the sum of
-   M'. Body axes are parallel to the inertial axes. The fields at, spin, gyration and from of the streams are not read.
-   Returns 0; or VM_BAD_ARGUMENT for a null pointer, n < 0 or an unknown `motion` of a stream,
-   VM_SHORT_ARRAY if y_size is too small, or the number that flow.update returns, each of which ends the run. */
+   It is an ode_rhs for integrators such as rk45, with VM_TRANSLATION_STATES states. `flow` must point to a vm_flow, of
+   which n, streams, force, update, y_size and status are used. r is the position of the mass centre, p the momentum, M
+   the mass and F the outer force. The sum is over all streams; M' is the rate of a stream and u the velocity of its
+   mass. The rate of M is the sum of M'. Body axes are parallel to the inertial axes. The fields at, spin, gyration and
+   from of the streams are not read. Returns 0; or VM_BAD_ARGUMENT for a null pointer, n < 0 or an unknown `motion` of a
+   stream, VM_SHORT_ARRAY if y_size is too small, or the number that flow.update returns. A result other than 0 ends the
+   run. */
 VM_API int vm_translation_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow)
 {
     if (!y || !dydt || !flow) return VM_BAD_ARGUMENT;
@@ -152,11 +153,11 @@ VMI_APART int vmi_flow1_updated_rates(vm_real t, const vm_real *y, vm_real *dydt
 }
 
 /* Right-hand side of a body on a line or an axle with streams of mass, (173a), (175), (176).
-   An ode_rhs of VM_FLOW1_STATES states; its ctx, here `flow1`, is a vm_flow1. The equations for the position x, the
+   It is an ode_rhs with VM_FLOW1_STATES states. `flow1` must point to a vm_flow1. The equations for the position x, the
    momentum p and the mass M are x' = p/M, p' = F + sum of M_i u_i, M' = sum of M_i. F is the outer force. Each sum is
    over all streams; M_i is the rate of stream number i, and u_i is the velocity of its mass. Returns 0; or
-   VM_BAD_ARGUMENT for a null pointer, n < 0 or an unknown `motion` of a stream, or the number that flow.update returns,
-   each of which ends the run. */
+   VM_BAD_ARGUMENT for a null pointer, n < 0 or an unknown `motion` of a stream, or the number that flow.update returns.
+   A result other than 0 ends the run. */
 VM_API int vm_flow1_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow1)
 {
     if (!y || !dydt || !flow1) return VM_BAD_ARGUMENT;

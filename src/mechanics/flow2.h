@@ -48,7 +48,7 @@ typedef struct VM_TAG(vm_stream2) {
 /* The streams and loads of a body in the plane: the ctx of vm_flow2_rhs. Set the whole struct to zero first. */
 typedef struct VM_TAG(vm_flow2) {
     int n;               /* number of streams */
-    vm_stream2 *streams; /* n streams, kept by the caller */
+    vm_stream2 *streams; /* array of n streams, which the caller keeps */
     vm_real fx, fy;      /* resultant of the outer forces, N, inertial axes */
     vm_real moment;      /* moment of the outer forces about the mass centre, plus all torques, N m */
     /* NULL, or a function that is called before each evaluation and may set every field from t and y, as
@@ -158,9 +158,9 @@ VM_INLINE int vmi_flow2_check_state(const vm_real *y)
 }
 
 /* Right-hand side of a body in the plane with streams of mass, (151), (152).
-   An ode_rhs of VM_FLOW2_STATES states; its ctx is a vm_flow2. The equations are those at the top of mechanics/flow.h.
-   Returns 0; or VM_BAD_ARGUMENT for a null pointer, n < 0 or an unknown `motion` of a stream, or the number that
-   flow.update returns, each of which ends the run. */
+   It is an ode_rhs for integrators such as rk45, with VM_FLOW2_STATES states. `ctx` must point to a vm_flow2. The
+   equations are those at the top of mechanics/flow.h. Returns 0; or VM_BAD_ARGUMENT for a null pointer, n < 0 or an
+   unknown `motion` of a stream, or the number that flow.update returns. A result other than 0 ends the run. */
 VM_API int vm_flow2_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 {
     if (!y || !dydt || !ctx) return VM_BAD_ARGUMENT;

@@ -1,7 +1,7 @@
 /* mechanics/generalized_force.h - generalized forces of forces and moments
 
    This chapter computes the generalized forces (235) of a force and a moment, for Lagrange's equations (lagrange.h).
-   With momenta and impulses in place of forces and moments it serves jumps, too (lagrange_jump.h).
+   For jumps the same function is called with momenta and impulses instead of forces and moments (lagrange_jump.h).
 
        vm_vec3 weight = {0, 0, VM_C(-9.8)}, no_moment = {0, 0, 0};
        vm_vec3 dr[1] = {{0, 0, 1}}; // dr/dq_0 of the point at which the weight acts
@@ -20,9 +20,9 @@
    domega_or_NULL[i] is domega/dq'_i, the derivative of the body's angular velocity omega with respect to the rate
    q'_i. These arrays and Q have n entries. A NULL array means that its term is 0. If Q is NULL, nothing is done.
 
-   External loads are given by their resultant force and their moment about r. A stream with the mass rate M' (kg/s),
-   the velocity u and the angular velocity omega2 is given by the force M' u at the point where the mass enters or
-   leaves, and by the moment M' kappa omega2. kappa is the inertia of this mass per unit mass. */
+   For external loads, use their resultant force and their moment about r. For a stream with the mass rate M' (kg/s),
+   the velocity u and the angular velocity omega2, use the force M' u at the point where the mass enters or leaves, and
+   the moment M' kappa omega2. kappa is the inertia of this mass per unit mass. */
 VM_API void vm_lagrange_add_force(int n, vm_vec3 force, const vm_vec3 *dr_or_NULL, vm_vec3 moment,
                                   const vm_vec3 *domega_or_NULL, vm_real *Q)
 {

@@ -1,5 +1,5 @@
 /* mechanics/inertia.h - inertia tensors, parallel axes, principal axes
-   A vm_inertia holds the entries of a body's tensor of inertia, about some point and along some axes. This chapter
+   A vm_inertia contains the entries of a body's tensor of inertia, about some point and along some axes. This chapter
    tests whether a body can have a given tensor, moves it to parallel axes (40), and finds principal moments and axes.
 
        vm_inertia disc = {1, 1, 2, 0, 0, 0}; // xx, yy, zz, xy, xz, yz, kg m^2
@@ -93,7 +93,7 @@ VM_INLINE vm_inertia vmi_inertia_sizes(const vm_inertia *i, const vmi_mat3 *m)
 VM_API vm_real vmi_inertia_trace(const vm_inertia *i) { return VM_FABS(i->xx) + VM_FABS(i->yy) + VM_FABS(i->zz); }
 
 /* The tolerance, in kg m^2, for the rounding errors of a tensor. Usually i is this tensor. If its entries were computed
-   as sums, i may instead have for each entry the sum of the terms' absolute values (vmi_inertia_sizes). */
+   as sums, i may instead contain, for each entry, the sum of the absolute values of its terms (vmi_inertia_sizes). */
 VM_API vm_real vmi_inertia_slack(const vm_inertia *i) { return 32 * VM_EPSILON * vmi_inertia_trace(i); }
 
 /* Returns 1 if a body can have the inertia i, within the tolerance slack (kg m^2). For a body, the matrix tr(i)/2 E - i
@@ -211,11 +211,12 @@ VM_API int vmi_moments_are_possible(const vmi_principal *p, vm_real slack)
     return a <= b + c + slack && b <= a + c + slack && c <= a + b + slack;
 }
 
-/* A sum that is below this share of the sum of its terms' absolute values counts as nothing but a rounding error. */
+/* A sum counts as a mere rounding error if it is below this number times the sum of the absolute values of its
+   terms. */
 #define VMI_LOST_SHARE (8 * VM_EPSILON)
 
 /* Returns 1 if `moment`, the moment of inertia about `axis`, is smaller than its rounding error, negative or NaN. The
-   entries of the tensor are sums. Those of *sizes are the sums of the absolute values of the same terms. */
+   entries of the tensor are sums of terms; the entries of *sizes are the sums of the absolute values of these terms. */
 VM_API int vmi_moment_is_lost(vm_real moment, vm_vec3 axis, const vm_inertia *sizes)
 {
     const vm_vec3 e = vmi_abs(axis);
@@ -253,9 +254,9 @@ VM_API vm_vec3 vmi_spin_of(const vmi_principal *p, vm_vec3 h)
 }
 
 /* Solves i omega = h for the angular velocity *omega, with the inertia i, its principal axes *p and the angular
-   momentum h. About an axis with zero moment (of a rod or a point), *omega keeps the component of `before`, and no body
-   can have angular momentum. Returns 1 if the component of h along such an axis exceeds the argument `noise`, else
-   0. */
+   momentum h. About an axis with zero moment of inertia (of a rod or a point) a body cannot have angular momentum;
+   *omega gets the component of `before` along this axis. Returns 1 if the component of h along such an axis exceeds the
+   argument `noise`, else 0. */
 VM_API int vmi_solve_spin(const vm_inertia *i, const vmi_principal *p, vm_vec3 h, vm_real noise, vm_vec3 before,
                           vm_vec3 *omega)
 {

@@ -1,7 +1,8 @@
 /* mechanics/inertia_factors.h - inertia tensors as factors, and in arrays of state
-   A body with streams needs the inverse of its inertia in every evaluation of its equations of motion. The factors
-   L D L^T of the tensor give the angular velocity for an angular momentum in a few products. In an array of state the
-   tensor is six numbers, which this chapter reads and writes. A tensor that no body can have has no factors.
+   A body with streams needs the inverse of its inertia in every evaluation of its equations of motion. With the factors
+   L D L^T of the tensor, a few multiplications give the angular velocity for an angular momentum. In an array of states
+   the tensor is stored as six numbers; this chapter has functions that read and write them.
+   vmi_inertia_factor_if_possible refuses a tensor that no body can have.
 
        vm_inertia disc = {1, 1, 2, 0, 0, 0};
        vmi_inertia_ldl f;
@@ -76,7 +77,7 @@ VM_INLINE vm_vec3 vmi_inertia_solve(const vmi_inertia_ldl *f, vm_vec3 h)
    The tolerance is sqrt(eps) times the trace, which is enough for about 1/sqrt(eps) steps. */
 VMI_APART int vmi_thin_inertia_is_possible(const vm_inertia *i)
 {
-    const vm_real slack = VM_MANT_DIG > 24 ? VM_C(1.5e-8) : VM_C(3.5e-4); /* as a share of the trace */
+    const vm_real slack = VM_MANT_DIG > 24 ? VM_C(1.5e-8) : VM_C(3.5e-4); /* the tolerance divided by the trace */
     return vmi_inertia_is_finite(i) && vmi_inertia_is_within(i, slack * (i->xx + i->yy + i->zz));
 }
 

@@ -1,6 +1,7 @@
 /* mechanics/jump_energy.h - the kinetic energy that a jump adds or takes
-   Kinetic energy is not conserved when bodies separate or join. Without an impulse, a separation adds, and an
-   attachment takes, the kinetic energy that the bodies have relative to the whole: (113), (118), Carnot's theorem.
+   Kinetic energy is not conserved when bodies separate or join. Without an impulse, a separation adds the kinetic
+   energy that the bodies have relative to the whole, and an attachment takes this energy away: (113), (118), Carnot's
+   theorem.
 
        vm_body rest; // whole and part are known vm_bodies
        vm_real gain = VM_NAN;
@@ -42,10 +43,10 @@ VM_API vm_real vmi_impulse_work(const vm_body *body_or_NULL, const vm_impulse *e
 }
 
 /* Energy gained at a separation, J: the kinetic energy of n parts and rest minus that of the whole (113), (118). It is
-   computed as the kinetic energy of parts and rest relative to the whole, plus the work of the external impulse
-   on the whole (0 without one). In exact arithmetic this is the same, but the difference of energies loses digits at
-   high speed. `whole` is the body before the
-   separation; `parts` and `rest` are the bodies after it. Returns NaN for a null pointer or n < 0. */
+   computed as the kinetic energy of parts and rest relative to the whole, plus the work of the external impulse on the
+   whole (0 without an impulse). In exact arithmetic both results are equal, but at high speed the difference of the
+   energies would lose digits. `whole` is the body before the separation; `parts` and `rest` are the bodies after it.
+   Returns NaN for a null pointer or n < 0. */
 VM_API vm_real vm_energy_gain(const vm_body *whole, int n, const vm_body *parts, const vm_impulse *external_or_NULL,
                               const vm_body *rest)
 {

@@ -20,10 +20,10 @@
 #include "vectors.h"
 
 /* How a jump is computed. A body has the mass M, velocity v, inertia I, angular velocity omega, and its mass centre S
-   at r. The other body has m, v2, I2, omega2, S2. It is attached to the first body (sign = 1) or separates from it
-   (sign = -1). After the jump the first body has the mass M1 = M + sign m, v1, I1, omega1, and S1 at r1. Each inertia
-   is about the body's own mass centre. The vector d leads from S to S2. x is the cross product, E the unit matrix, and
-   P(d) = |d|^2 E - d d^T. An impulse `linear` with the moment `moment` about S1 may act. Then
+   at r. For the other body these quantities are m, v2, I2, omega2, S2. It is attached to the first body (sign = 1) or
+   separates from it (sign = -1). After the jump the first body has the mass M1 = M + sign m, v1, I1, omega1, and S1 at
+   r1. Each inertia is about the body's own mass centre. The vector d leads from S to S2. x is the cross product, E the
+   unit matrix, and P(d) = |d|^2 E - d d^T. An impulse `linear` with the moment `moment` about S1 may act. Then
      r1 = r + sign m/M1 d (15),  v1 = (M v + sign m v2 + linear)/M1 (24),  I1 = I + sign (I2 + m M/M1 P(d)),
      I1 omega1 = I omega + sign (I2 omega2 + m M/M1 d x (v2 - v)) + moment (33), (34)
    A separation is therefore an attachment of negative mass and inertia.
@@ -72,8 +72,9 @@ VM_API vmi_lump vmi_lump_of(const vmi_frame *frame, const vm_body *body)
     return lump;
 }
 
-/* Returns P(d) = |d|^2 E - d d^T, with the unit matrix E, along the frame's axes. d is a difference of positions;
-   `reach` holds the sums of their absolute coordinates. The errors of P(d) are a few eps times *sizes. */
+/* Returns P(d) = |d|^2 E - d d^T, with the unit matrix E, along the frame's axes. d is the difference of two positions;
+   `reach` contains, for each coordinate, the sum of the absolute values that enter this difference. The errors of P(d)
+   are a few eps times *sizes. */
 VM_API vm_inertia vmi_moved_inertia(const vmi_frame *frame, vm_vec3 d, vm_vec3 reach, vm_inertia *sizes)
 {
     vmi_mat3 turn;
@@ -91,8 +92,9 @@ VM_API vm_inertia vmi_moved_inertia(const vmi_frame *frame, vm_vec3 d, vm_vec3 r
     return vmi_inertia_of_point(vmi_times_transposed(&frame->turn, d));
 }
 
-/* Returns how much a->noise grows when b joins or leaves a with the velocity `slip` relative to a: by b->noise and by
-   the absolute values of the terms of reduced d x slip. vmi_join computes d, `reduced` and `reach`. */
+/* Returns the growth of a->noise when b joins or leaves a. This is b->noise plus the absolute values of the terms of
+   reduced d x slip, where `slip` is the velocity of b relative to a. vmi_join computes d, `reduced`, `reach` and
+   `slip`. */
 VM_API vm_real vmi_join_noise(const vmi_frame *frame, const vmi_lump *a, vm_real sign, const vmi_lump *b,
                               vm_real reduced, vm_vec3 reach, vm_vec3 slip)
 {
@@ -202,7 +204,7 @@ VM_API int vmi_lump_clamp_moments(vmi_lump *lump, vmi_principal *p)
 }
 
 /* Sets *omega to the angular velocity, relative to the frame and along inertial axes, of a lump with principal axes p.
-   `before` is the same quantity before the jump. Returns 1 if the lump has angular momentum about an axis with zero
+   `before` is this angular velocity before the jump. Returns 1 if the lump has angular momentum about an axis with zero
    moment of inertia, which is impossible. Returns 0 otherwise. */
 VM_API int vmi_lump_spin(const vmi_frame *frame, const vmi_lump *lump, const vmi_principal *p, vm_vec3 before,
                          vm_vec3 *omega)
@@ -245,32 +247,33 @@ VM_API int vmi_jump(const vm_body *body, int n, const vm_body *others, vm_real s
     return status;
 }
 
-/* Separation of a part from a body: *rest is what remains of the whole. *part must have its motion after the
-   separation. The function computes mass, mass centre (15), inertia (40), velocity (24) and angular velocity (34) of
-   *rest, and copies the attitude of *whole. The impulse, if there is one, acts during the separation. The law is exact
-   in three dimensions: momentum and angular momentum of rest and part together are those of the whole plus the impulse.
-   The pointer rest may be equal to whole or to part.
+/* Separation of a part from a body: *rest is what remains of the whole. The caller sets v and omega of *part to the
+   motion after the separation. The function computes mass, mass centre (15), inertia (40), velocity (24) and angular
+   velocity (34) of *rest, and copies the attitude of *whole. The impulse, if there is one, acts during the separation.
+   The law is exact in three dimensions: momentum and angular momentum of rest and part together are those of the whole
+   plus the impulse. The pointer rest may be equal to whole or to part.
 
    If the separation does not change the part's motion, the rest keeps its motion, too, even if little inertia is left.
-   High speed or a position far from the origin costs no digits of omega, because only motions relative to the whole are
-   added. The error of the rest's inertia is at most 8 eps of the trace of the whole's inertia. If the bodies are at a
-   distance R from the origin, the rounding of positions by eps R adds to this error. A principal moment below this
-   error becomes 0.
+   At high speed or far from the origin omega loses no digits, because only motions relative to the whole are added. The
+   error of the rest's inertia is at most 8 eps of the trace of the whole's inertia. If the bodies are at a distance R
+   from the origin, the rounding of positions by eps R adds to this error. A principal moment below this error becomes
+   0.
 
-   Returns VM_OK, VM_NULL_AXIS or an error. VM_NULL_AXIS (> 0) means: *rest is set and is a rod or a point, but the
-   equations demand angular momentum about an axis without inertia, which *rest cannot have. *rest then turns about it
-   as the whole did. The errors are VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS if a mass, that of
-   the rest included, is not positive, and VM_BAD_INERTIA for an inertia that no body has. The rest has such an inertia
-   if the part cannot have been in the whole. */
+   Returns VM_OK, VM_NULL_AXIS or an error. VM_NULL_AXIS (> 0) means that *rest is set and is a rod or a point, which
+   has an axis without inertia, but that the equations demand angular momentum about this axis. *rest then turns about
+   this axis as the whole did. The errors are VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS if a mass,
+   that of the rest included, is not positive, and VM_BAD_INERTIA for an inertia that no body has. The rest has such an
+   inertia if the part cannot have been in the whole. */
 VM_API int vm_separate(const vm_body *whole, const vm_body *part, const vm_impulse *external_or_NULL, vm_body *rest)
 {
     return vmi_jump(whole, 1, part, VMI_SEPARATE, external_or_NULL, rest);
 }
 
-/* Attachment of one body to another (plastic impact): *whole is the two bodies together, (24), (33). `body` and `added`
-   have the motions just before the impact. The impulse, if there is one, acts during the impact. The whole has the
-   attitude of `body`. The statuses are those of vm_separate. VM_NULL_AXIS means that the whole is a rod or a point that
-   would need angular momentum about an axis without inertia. The spin about this axis remains that of `body`. */
+/* Attachment of one body to another (plastic impact): *whole is the body that the two form together, (24), (33). The
+   caller sets v and omega of *body and *added to the motions just before the impact. The impulse, if there is one, acts
+   during the impact. The whole has the attitude of `body`. The statuses are those of vm_separate. VM_NULL_AXIS means
+   that the whole is a rod or a point that would need angular momentum about an axis without inertia. The spin about
+   this axis remains that of `body`. */
 VM_API int vm_attach(const vm_body *body, const vm_body *added, const vm_impulse *external_or_NULL, vm_body *whole)
 {
     return vmi_jump(body, 1, added, VMI_ATTACH, external_or_NULL, whole);
@@ -285,9 +288,9 @@ VM_API int vm_separate_all(const vm_body *whole, int n, const vm_body *parts, co
     return vmi_jump(whole, n, parts, VMI_SEPARATE, external_or_NULL, rest);
 }
 
-/* Attachment of n bodies to a body at once: *whole is all of them together. Except for rounding errors, n calls of
-   vm_attach, one after the other, give the same result. With n = 0 only the impulse acts on the body. The statuses
-   are those of vm_attach, and VM_BAD_ARGUMENT for n < 0. */
+/* Attachment of n bodies to a body at once: *whole is the body that all of them form together. Except for rounding
+   errors, n calls of vm_attach, one after the other, give the same result. With n = 0 only the impulse acts on the
+   body. The statuses are those of vm_attach, and VM_BAD_ARGUMENT for n < 0. */
 VM_API int vm_attach_all(const vm_body *body, int n, const vm_body *added, const vm_impulse *external_or_NULL,
                          vm_body *whole)
 {

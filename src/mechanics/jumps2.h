@@ -1,6 +1,7 @@
 /* mechanics/jumps2.h - parts separate from a body or are attached to it, in the plane
-   This is jumps.h for the plane, (35)-(39): a body of the plane has one moment of inertia and one angular velocity.
-   Functions of jumps.h join the masses. Only the last step, from angular momentum to angular velocity, differs.
+   This chapter computes the jumps of jumps.h for motion in the plane, (35)-(39). A body in the plane has one moment of
+   inertia and one angular velocity. Functions of jumps.h join the masses. Only the last step, from angular momentum to
+   angular velocity, differs.
 
        vm_body2 plate = {2, 0.1, 0, 0, 0, 3, 0, 8}, chip = {0.1, 0, 0.2, 0, 0, 5, 1, 8}, rest;
        int status = vm_separate2(&plate, &chip, NULL, &rest); // VM_OK: `rest` has the motion after the separation
@@ -104,25 +105,25 @@ VM_API int vmi_jump2(const vm_body2 *body, int n, const vm_body2 *others, vm_rea
     return status;
 }
 
-/* Separation of a part from a body in the plane: *rest is what remains of the whole, (35)-(39). *part must have the
-   motion of the part after the separation. The impulse, if there is one, acts during the separation. Momentum and
-   angular momentum of rest and part together are those of the whole plus the impulse. The pointer rest may be equal to
-   whole or to part. The accuracy is that of vm_separate.
+/* Separation of a part from a body in the plane: *rest is what remains of the whole, (35)-(39). The caller sets vx, vy
+   and omega of *part to the motion after the separation. The impulse, if there is one, acts during the separation.
+   Momentum and angular momentum of rest and part together are those of the whole plus the impulse. The pointer rest may
+   be equal to whole or to part. The accuracy is that of vm_separate.
 
-   Returns VM_OK, VM_NULL_AXIS or an error. VM_NULL_AXIS (> 0) means: *rest is set and is a point, but the equations
-   demand angular momentum about this point itself, which a point cannot have. rest->omega is then whole->omega. The
-   errors are VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS if a mass, that of the rest included, is
-   not positive, and VM_BAD_INERTIA if an inertia, that of the rest included, is negative. */
+   Returns VM_OK, VM_NULL_AXIS or an error. VM_NULL_AXIS (> 0) means that *rest is set and is a point, but that the
+   equations demand angular momentum of the point about itself, which is impossible. rest->omega is then whole->omega.
+   The errors are VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS if a mass, that of the rest included,
+   is not positive, and VM_BAD_INERTIA if an inertia, that of the rest included, is negative. */
 VM_API int vm_separate2(const vm_body2 *whole, const vm_body2 *part, const vm_impulse2 *external_or_NULL,
                         vm_body2 *rest)
 {
     return vmi_jump2(whole, 1, part, VMI_SEPARATE, external_or_NULL, rest);
 }
 
-/* Attachment of one body to another in the plane (plastic impact): *whole is the two bodies together. `body` and
-   `added` have the motions just before the impact. The impulse, if there is one, acts during the impact. The whole has
-   the angle of `body`. The statuses are those of vm_separate2. VM_NULL_AXIS means that the bodies are points at one
-   position, and that the impulse would turn them; omega remains that of `body`. */
+/* Attachment of one body to another in the plane (plastic impact): *whole is the body that the two form together. The
+   caller sets vx, vy and omega of *body and *added to the motions just before the impact. The impulse, if there is one,
+   acts during the impact. The whole has the angle of `body`. The statuses are those of vm_separate2. VM_NULL_AXIS means
+   that the bodies are points at one position, and that the impulse would turn them; omega remains that of `body`. */
 VM_API int vm_attach2(const vm_body2 *body, const vm_body2 *added, const vm_impulse2 *external_or_NULL,
                       vm_body2 *whole)
 {
@@ -138,9 +139,9 @@ VM_API int vm_separate_all2(const vm_body2 *whole, int n, const vm_body2 *parts,
     return vmi_jump2(whole, n, parts, VMI_SEPARATE, external_or_NULL, rest);
 }
 
-/* Attachment of n bodies to a body at once, in the plane: *whole is all of them together. Except for rounding errors,
-   n calls of vm_attach2, one after the other, give the same result. With n = 0 only the impulse acts on the body. The
-   statuses are those of vm_attach2, and VM_BAD_ARGUMENT for n < 0. */
+/* Attachment of n bodies to a body at once, in the plane: *whole is the body that all of them form together. Except for
+   rounding errors, n calls of vm_attach2, one after the other, give the same result. With n = 0 only the impulse acts
+   on the body. The statuses are those of vm_attach2, and VM_BAD_ARGUMENT for n < 0. */
 VM_API int vm_attach_all2(const vm_body2 *body, int n, const vm_body2 *added, const vm_impulse2 *external_or_NULL,
                           vm_body2 *whole)
 {

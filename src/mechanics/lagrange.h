@@ -38,11 +38,12 @@
    mass, so that its mass m decreases. If the leaking mass has the velocity of the bob and takes its momentum along,
    Q = -m g l sin q + m' l^2 q'. Without the last term the mass would leave at rest.
 
-   Inverse dynamics asks which forces a given motion needs: vm_lagrange_needed_forces and vm_lagrange_drive_forces.
+   Inverse dynamics computes the forces that a given motion needs, by vm_lagrange_needed_forces and
+   vm_lagrange_drive_forces.
 
    Accuracy: A and b are computed as differences of values of T, exactly except for rounding errors of T. dT/dq is a
-   central difference of order 6. Its error is below 2e-13 (float 1e-5) of the largest T, if a coordinate must change by
-   as much as the field `scales` says before T changes noticeably. Tests: tests/test_lagrange.c. */
+   central difference of order 6. The field `scales` must give, for each coordinate, the change after which T differs
+   noticeably. The error of dT/dq is then below 2e-13 (float 1e-5) of the largest T. Tests: tests/test_lagrange.c. */
 #ifndef VARMASS_MECHANICS_LAGRANGE_H
 #define VARMASS_MECHANICS_LAGRANGE_H
 
@@ -74,7 +75,7 @@ typedef struct VM_TAG(vm_lagrange_system) {
 typedef struct VM_TAG(vmi_lagrange_parts) {
     vm_real *A;      /* the mass matrix A in T = q'Aq'/2 + b q' + T0, n rows of n numbers */
     vm_real *b;      /* the vector b in T, the coefficients of the terms that are linear in the rates q', n numbers */
-    vm_real *rates;  /* the generalized momenta minus b, later the rates q', n numbers */
+    vm_real *rates;  /* at first the generalized momenta minus b, then the rates q', n numbers */
     vm_real *trial;  /* rates or coordinates at which T is evaluated, n numbers */
     vm_real *forces; /* generalized forces of inverse dynamics, n numbers */
     vm_real *masses; /* the masses, which stay constant while T is differentiated, n_masses numbers */
@@ -137,7 +138,7 @@ VM_API void vmi_lagrange_freeze(const vm_lagrange_system *system, vm_real t, con
     if (system->masses) system->masses(t, q, vmi_lagrange_work(system).masses, system->ctx);
 }
 
-/* Writes the rates q' = A^-1 (pi - b) to the work array. y holds the coordinates q and the momenta pi. Returns
+/* Writes the rates q' = A^-1 (pi - b) to the work array. y contains the coordinates q and the momenta pi. Returns
    VM_NOT_FINITE if A, t or y is not finite, VM_SINGULAR if A is not positive definite for another reason, and VM_OK
    otherwise. */
 VM_API int vmi_lagrange_solve_rates(const vm_lagrange_system *system, vm_real t, const vm_real *y)
@@ -184,12 +185,12 @@ VM_API int vmi_lagrange_is_valid(const vm_lagrange_system *system)
            (system->n_masses == 0 || system->masses);
 }
 
-/* Right-hand side of Lagrange's equations with variable mass (247). An ode_rhs of 2 n states: n coordinates q, then n
-   generalized momenta pi. `lagrange` points to a vm_lagrange_system. Returns 0 or an error that ends the run. The
-   errors are VM_BAD_ARGUMENT, VM_SINGULAR if the mass matrix is not positive definite, VM_NOT_FINITE if t, y or an
-   energy is not finite, or the number that system->forces returns. The mass matrix is not positive definite if, for
-   example, a mass has become negative; use an event to stop the run before that. The number of calls of
-   system->energy grows with n^2. */
+/* Right-hand side of Lagrange's equations with variable mass (247). It is an ode_rhs for integrators such as rk45, with
+   2 n states: n coordinates q, then n generalized momenta pi. `lagrange` must point to a vm_lagrange_system. Returns 0
+   or an error that ends the run. The errors are VM_BAD_ARGUMENT, VM_SINGULAR if the mass matrix is not positive
+   definite, VM_NOT_FINITE if t, y or an energy is not finite, or the number that system->forces returns. The mass
+   matrix is not positive definite if, for example, a mass has become negative; use an event to stop the run before
+   that. The number of calls of system->energy grows with n^2. */
 VM_API int vm_lagrange_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *lagrange)
 {
     const vm_lagrange_system *system = (const vm_lagrange_system *)lagrange;
@@ -273,8 +274,8 @@ VM_API void vmi_lagrange_add_momenta(const vm_lagrange_system *system, vm_real t
 }
 
 /* The step in time for the derivative of the momenta along the motion. During one step no coordinate changes by more
-   than h times its scale, and time by at most h time_scale, with the h of vmi_lagrange_derivative. The step is 0 if
-   nothing changes. */
+   than h times its scale, and the time changes by at most h time_scale. h is the number explained at
+   vmi_lagrange_derivative. The step is 0 if nothing changes. */
 VM_API vm_real vmi_lagrange_time_step(const vm_lagrange_system *system, vm_real time_scale, const vm_real *rates)
 {
     const vm_real h = VM_MANT_DIG > 24 ? VM_C(0.0078125) : VM_C(0.125);
@@ -290,9 +291,8 @@ VM_API vm_real vmi_lagrange_time_step(const vm_lagrange_system *system, vm_real 
     return h / fastest;
 }
 
-/* Adds to p the change of the momenta per second that the changes of the coordinates and of the time cause; the rates
-   q' stay constant. The change is a central difference of order 6. If time_scale is 0, the time stays constant,
-   too. */
+/* Adds to p the rates of the momenta that result if coordinates and time change while the rates q' stay constant. They
+   are computed as central differences of order 6. If time_scale is 0, the time stays constant, too. */
 VM_API void vmi_lagrange_add_momentum_rates(const vm_lagrange_system *system, vm_real t, vm_real time_scale,
                                             const vm_real *q, const vm_real *rates, vm_real *p)
 {
@@ -313,7 +313,7 @@ VM_API void vmi_lagrange_add_momentum_rates(const vm_lagrange_system *system, vm
     }
 }
 
-/* Checks the arguments of vm_lagrange_needed_forces, and writes what it computes to the work array. */
+/* Checks the arguments of vm_lagrange_needed_forces, and writes the needed forces to the work array. */
 VM_API int vmi_lagrange_inverse(const vm_lagrange_system *system, vm_real t, vm_real time_scale, const vm_real *q,
                                 const vm_real *rates, const vm_real *accelerations)
 {
@@ -338,14 +338,14 @@ VM_API int vmi_lagrange_inverse(const vm_lagrange_system *system, vm_real t, vm_
 }
 
 /* Inverse dynamics: generalized forces Q that a given motion needs, the left side of (247).
-   They are Q_i = d/dt dT/dq'_i - (dT/dq_i, masses frozen), the sum of all forces, those of the streams of mass
+   They are Q_i = d/dt dT/dq'_i - (dT/dq_i, masses frozen). Q is the sum of all forces, those of the streams of mass
    included. q, rates and accelerations are the n coordinates q and their derivatives q' and q'' at time t; Q has n
    numbers. time_scale (s) is the time after which T or the masses differ noticeably while q stays constant (the field
-   `scales` says the same of the coordinates); it is 0 if T and the masses do not depend on time. Returns
-   VM_BAD_ARGUMENT, VM_NOT_FINITE also if a result is not finite, VM_DOMAIN for time_scale < 0, VM_SINGULAR if T does
-   not grow with each of the rates, and VM_OK otherwise. The error is below 2e-13 (float 1e-5) of the largest term: of
-   A q'', of T divided by the scale of a coordinate, and of dT/dq' divided by the time in which the system changes
-   noticeably. T is evaluated 14 n^2 + 6 n + 7 times. */
+   `scales` gives the corresponding changes of the coordinates). Set it to 0 if T and the masses do not depend on time.
+   Returns VM_BAD_ARGUMENT, VM_NOT_FINITE also if a result is not finite, VM_DOMAIN for time_scale < 0, VM_SINGULAR if T
+   does not grow with each of the rates, and VM_OK otherwise. The error is below 2e-13 (float 1e-5) of the largest of
+   three terms: A q'', T divided by the scale of a coordinate, and dT/dq' divided by the time in which the system
+   changes noticeably. T is evaluated 14 n^2 + 6 n + 7 times. */
 VM_API int vm_lagrange_needed_forces(vm_lagrange_system *system, vm_real t, vm_real time_scale, const vm_real *q,
                                      const vm_real *rates, const vm_real *accelerations, vm_real *Q)
 {

@@ -55,8 +55,8 @@ VM_API void vm_lagrange_mass(int n, const vm_body *body, const vm_vec3 *dr_or_NU
 }
 
 /* Adds to p the generalized momentum of a body.
-   It is that of the velocity body->v and the angular velocity body->omega. p has n numbers. dr and turn are those of
-   vm_lagrange_mass. If dr or turn is NULL, its term is 0. If body or p is NULL, nothing is done. */
+   It is computed from the velocity body->v and the angular velocity body->omega. p has n numbers. dr and turn are those
+   of vm_lagrange_mass. If dr or turn is NULL, its term is 0. If body or p is NULL, nothing is done. */
 VM_API void vm_lagrange_momentum(int n, const vm_body *body, const vm_vec3 *dr_or_NULL, const vm_vec3 *turn_or_NULL,
                                  vm_real *p)
 {

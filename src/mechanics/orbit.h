@@ -1,30 +1,33 @@
 /* mechanics/orbit.h - two bodies that attract each other, with constant masses and with masses that change
 
    The vector r from one body to the other obeys r'' = -mu r/|r|^3 with mu = G (M1 + M2), if mass that leaves or joins
-   has the velocity of its body (reactive = 0). vm_orbit solves this equation for constant mu (Kepler's problem), for
-   ellipses, parabolas, hyperbolas and straight lines alike. vm_orbit_meshchersky solves it for Meshchersky's law
-   mu/(1 + c t), one of Gylden's problems of variable mass that have a closed form. The scene with
-   vm_effect_gravitation takes any law of mass.
+   has the velocity of its body (in a scene: reactive = 0). vm_orbit solves this equation for constant mu (Kepler's
+   problem), for ellipses, parabolas, hyperbolas and straight lines alike. vm_orbit_meshchersky solves it for
+   Meshchersky's law mu/(1 + c t), one of Gylden's problems of variable mass that have a closed form. A scene with
+   vm_effect_gravitation computes the motion for any law of mass.
 
        vm_vec3 r = {7e6, 0, 0}, v = {0, 7.6e3, 0}; // m, m/s
        vm_orbit(3600, 3.986004418e14, r, v, &r, &v); // an hour later; the results may be the inputs
 
-   The equations. Lengths are in units of |r0|, times in units of sqrt(|r0|^3/mu). With sigma = r0 v0 (the dot
-   product) and beta = 2 - v0^2, and the functions of Stumpff in the form
+   The equations. Lengths are in units of |r0|, times in units of sqrt(|r0|^3/mu). Let sigma = r0 v0 (the dot
+   product) and beta = 2 - v0^2. Stumpff's functions of a variable s are, in the form used here,
      G1 = s - beta s^3/3! + ..., G2 = s^2/2! - beta s^4/4! + ..., G3 = s^3/3! - beta s^5/5! + ...
-   (sines and cosines of sqrt(beta) s for beta > 0, hyperbolic ones for beta < 0), the time is t = s + sigma G2 + (1 -
-   beta) G3, and its derivative dt/ds = 1 + sigma G1 + (1 - beta) G2 is the distance R. Then
+   They consist of sines and cosines of sqrt(beta) s for beta > 0, and of hyperbolic functions for beta < 0. The time is
+   t = s + sigma G2 + (1 - beta) G3. Its derivative dt/ds = 1 + sigma G1 + (1 - beta) G2 is the distance R. Then
      r = (1 - G2) r0 + (t - G3) v0,  v = -G1/R r0 + (1 - G2/R) v0.
-   Meshchersky's law: with f = 1 + c t, r = f xi and the time tau = t/f, xi obeys the equation for constant mu.
-   Meshchersky's second law, mu/sqrt(1 + c t), has no function here. With f = sqrt(1 + c t), r = f xi and tau = ln(1 +
-   c t)/c it becomes, with ' = d/dtau,
+   For Meshchersky's law let f = 1 + c t, r = f xi and tau = t/f. Then xi, as a function of the time tau, obeys the
+   equation for constant mu.
+
+   This chapter has no function for Meshchersky's second law, mu/sqrt(1 + c t). With f = sqrt(1 + c t), r = f xi,
+   tau = ln(1 + c t)/c and ' = d/dtau its equation becomes
      xi'' = (c^2/4) xi - mu xi/|xi|^3.
-   So |xi'|^2/2 - mu/|xi| - c^2 |xi|^2/8 and the angular momentum xi x xi' are constant, and with d tau = |xi| ds the
-   distance is an elliptic function of s. But tau and the angle are elliptic integrals of the third kind, whose
-   parameters are the roots of a quartic: complex for most orbits, and of three kinds. tau(s) must be inverted by
-   iteration, and digits cancel where two roots are close, that is, next to a circle and where mu or c is small.
-   Integration by rk87 of the equation in t or in tau avoids all these difficulties (tests/test_orbit.c,
-   test_second_law).
+   Therefore |xi'|^2/2 - mu/|xi| - c^2 |xi|^2/8 and the angular momentum xi x xi' are constant. If s is defined by
+   d tau = |xi| ds, the distance |xi| is an elliptic function of s. But tau and the angle are elliptic integrals of the
+   third kind, whose parameters are the roots of a polynomial of degree 4. These parameters are complex for most orbits,
+   and there are three kinds of them. tau(s) must be inverted by iteration. Digits cancel where two roots are close:
+   next to a circle, and for small mu or c. Integration of the equation in t or in tau by rk87 avoids all these
+   difficulties (tests/test_orbit.c, test_second_law).
+
    Tests: tests/test_orbit.c. */
 #ifndef VARMASS_MECHANICS_ORBIT_H
 #define VARMASS_MECHANICS_ORBIT_H
@@ -35,12 +38,12 @@
 #include "../base/status.h"
 #include "vectors.h"
 
-/* The functions G1, G2, G3 of the text above */
+/* The functions G1, G2, G3 of the equations at the top of mechanics/orbit.h */
 typedef struct VM_TAG(vmi_stumpff) {
     vm_real g1, g2, g3;
 } vmi_stumpff;
 
-/* The functions by their series, for |beta| s^2 <= 4, where the first omitted term is below 1e-18 of the sum */
+/* Computes G1, G2, G3 by their series, for |beta| s^2 <= 4. The first omitted term is then below 1e-18 of the sum. */
 VM_API vmi_stumpff vmi_stumpff_series(vm_real beta, vm_real s)
 {
     const vm_real x = beta * s * s;
@@ -59,7 +62,7 @@ VM_API vmi_stumpff vmi_stumpff_series(vm_real beta, vm_real s)
     return g;
 }
 
-/* The functions for any beta and s >= 0. Where e^(sqrt(-beta) s) overflows they are infinite. */
+/* Computes G1, G2, G3 for any beta and s >= 0. They are infinite where e^(sqrt(-beta) s) overflows. */
 VM_API vmi_stumpff vmi_stumpff_at(vm_real beta, vm_real s)
 {
     const vm_real root = VM_SQRT(VM_FABS(beta)), z = root * s;
@@ -81,7 +84,7 @@ VM_API vmi_stumpff vmi_stumpff_at(vm_real beta, vm_real s)
     return g;
 }
 
-/* Kepler's problem in the units of the text above */
+/* Kepler's problem in the units of the equations at the top of mechanics/orbit.h */
 typedef struct VM_TAG(vmi_kepler) {
     vm_real sigma; /* r0 v0 */
     vm_real beta;  /* 2 - v0^2; the energy is -beta/2 */
@@ -108,9 +111,10 @@ VM_API vmi_kepler_point vmi_kepler_at(const vmi_kepler *o, vm_real s)
 }
 
 /* Finds the variable s >= 0 at the time t >= 0, and returns the distance and the functions G1, G2, G3 for this s. The
-   time rises with s. Therefore Newton's method is kept between a lower and an upper bound of s, which come closer in
-   each step. If a step leaves these bounds, or is longer than half the step before, s is doubled or the interval is
-   halved instead. On a fast hyperbola, where the time rises exponentially, Newton's steps alone would be too many. */
+   time rises with s. Therefore the function keeps a lower and an upper bound of s, and brings them closer in each step
+   of Newton's method. If a step leaves these bounds, or is longer than half the previous step, s is doubled or the
+   interval is halved instead. On a fast hyperbola the time rises exponentially, and Newton's method alone would need
+   too many steps. */
 VM_API vmi_kepler_point vmi_kepler_solve(const vmi_kepler *o, vm_real t)
 {
     const int most = 3 * VM_MANT_DIG; /* halving alone needs VM_MANT_DIG steps, Newton's steps are fewer */
@@ -150,9 +154,9 @@ VM_API vm_real vmi_kepler_reduce(vm_real beta, vm_real t)
    r0 (m) is the position relative to the centre and v0 (m/s) the velocity at t = 0; mu (m^3/s^2) is G times the mass in
    the centre, or G (M1 + M2) if r0 and v0 belong to two bodies, one relative to the other. t may be negative. The orbit
    may be an ellipse, a parabola, a hyperbola or a straight line; on a straight line the body turns back at the centre.
-   The error is as large as an error of a few eps in t, r0, v0 and mu would make it; it grows with the number of
-   revolutions. The cost is that of some 50 sines. Returns VM_BAD_ARGUMENT, VM_NOT_FINITE also where the results are
-   not finite, VM_DOMAIN for mu <= 0 or r0 = 0, and VM_OK otherwise. */
+   Errors of a few eps in t, r0, v0 and mu would change the result; the error of the function is as large as this
+   change. It grows with the number of revolutions. A call takes about as long as 50 sines. Returns VM_BAD_ARGUMENT,
+   VM_NOT_FINITE also where the results are not finite, VM_DOMAIN for mu <= 0 or r0 = 0, and VM_OK otherwise. */
 VM_API int vm_orbit(vm_real t, vm_real mu, vm_vec3 r0, vm_vec3 v0, vm_vec3 *r, vm_vec3 *v)
 {
     vm_real distance0, speed, unit, time, sign = 1;
@@ -193,7 +197,7 @@ VM_API int vm_orbit(vm_real t, vm_real mu, vm_vec3 r0, vm_vec3 v0, vm_vec3 *r, v
    The two bodies lose mass (rate > 0, per second) or gain it (rate < 0) in the same proportion, and the mass that
    leaves or joins has the velocity of its body. The equation is that of Gylden and Meshchersky,
    r'' = -mu/(1 + rate t) r/|r|^3. The other arguments and the accuracy are those of vm_orbit. Returns VM_BAD_MASS if
-   1 + rate t is not positive, and the errors of vm_orbit. */
+   1 + rate t is not positive, or else a status of vm_orbit. */
 VM_API int vm_orbit_meshchersky(vm_real t, vm_real mu, vm_real rate, vm_vec3 r0, vm_vec3 v0, vm_vec3 *r, vm_vec3 *v)
 {
     vm_vec3 position, velocity;

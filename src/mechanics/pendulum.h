@@ -176,8 +176,8 @@ VM_API int vmi_check_compound(const vm_compound_pendulum *p, const vm_compound_p
     return VM_OK;
 }
 
-/* Computes mass, mass centre and inertia of what remains of a compound pendulum. Returns VM_BAD_INERTIA if no body has
-   this inertia about O, because the part cannot have been in the pendulum. */
+/* Computes mass, mass centre and inertia of what remains of a compound pendulum. Returns VM_BAD_INERTIA if no body can
+   have this inertia about O; the part then cannot have been in the pendulum. */
 VM_API int vmi_compound_rest(const vm_compound_pendulum *p, const vm_compound_part *part, vm_compound_pendulum *rest)
 {
     const vm_real share = part->mass / (p->mass - part->mass);
@@ -203,8 +203,10 @@ VM_API int vmi_compound_cut_finite(const vm_compound_cut *c)
 }
 
 /* Motion of a pendulum of any shape and of the part that is cut off from it, (119)-(132).
-   The pendulum need not be uniform, and the part may have any position and inertia. With the moment of inertia I1 of
-   the rest about O and the velocity u of the part at r2 relative to the pendulum, the angular velocity changes by
+   The pendulum need not be uniform, and the part may have any position and inertia. Let I1 be the moment of inertia of
+   the rest about O. Let m be the mass of the part, I2 its inertia about its mass centre S2, and r2 the vector from O to
+   S2. Relative to the pendulum the part has the velocity u and the angular velocity Omega. Then the angular velocity of
+   the pendulum changes by
      phi1' - phi' = -(I2 Omega + m (r2 x u))/I1.
    In this form digits cancel only in I1, the difference of the moments of inertia about O. Returns
    VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS if a mass, that of the rest included, is not positive,

@@ -29,9 +29,12 @@ typedef struct VM_TAG(vm_jet) {
     vm_real rate;                /* mass per time, kg/s; < 0: mass leaves */
     vm_real axial;               /* inertia C0 of the body about the z axis at t = 0, kg m^2 */
     vm_real transverse;          /* inertia A0 of the body about a transverse axis at t = 0, kg m^2 */
-    vm_real gyration_axial;      /* inertia about z per unit of the flowing mass, in the body and in the nozzle, m^2 */
-    vm_real gyration_transverse; /* inertia about a transverse axis per unit of the flowing mass, in the body, m^2 */
-    vm_real gyration_out;        /* inertia per unit of the mass in the nozzle, about a transverse axis there, m^2 */
+    vm_real gyration_axial;      /* inertia about z of the mass that flows, per unit mass, m^2; the same in the body
+                                    and in the nozzle */
+    vm_real gyration_transverse; /* inertia about a transverse axis of the mass that flows, per unit mass, m^2, while
+                                    it is in the body */
+    vm_real gyration_out;        /* inertia about a transverse axis through the nozzle of the mass there, per unit
+                                    mass, m^2 */
     vm_real nozzle;              /* distance of the nozzle from the mass centre, m */
 } vm_jet;
 
@@ -42,9 +45,9 @@ VM_API int vmi_masses_are_good(vm_real m0, vm_real m)
 
 /* Velocity after a stream with the absolute velocity u changes the mass from m0 to m (151), (171).
    v0 (m/s) is the velocity at the mass m0 (kg), u is in m/s, and `impulse` (N s) is the integral of the outer forces
-   over the time of the change. The case u = 0 is that of Levi-Civita. With moments of inertia instead of masses the
-   function gives the angular velocity about a fixed axle. Returns NaN if a mass is not positive or if an argument is
-   infinite or NaN. */
+   over the time of the change. u = 0 is Levi-Civita's case, in which the mass that joins or leaves is at rest. With
+   moments of inertia instead of masses the function gives the angular velocity about a fixed axle. Returns NaN if a
+   mass is not positive or if an argument is infinite or NaN. */
 VM_API vm_real vm_velocity_by_momentum(vm_real v0, vm_real m0, vm_real m, vm_real u, vm_real impulse)
 {
     if (!vmi_masses_are_good(m0, m)) return VM_NAN;
@@ -79,7 +82,7 @@ VM_API void vmi_stream_log_means(vm_real x, vm_real *first, vm_real *second)
     else *first = l.hi / x;
 }
 
-/* Position and velocity on a line after t seconds of a stream of constant rate.
+/* Position and velocity of a body on a line after t seconds, with a stream of constant rate.
    The position x0 (m), the velocity v0 (m/s) and the mass m0 (kg) belong to t = 0. The outer force (N) and the rate and
    the velocity of the stream are constant. t may be negative. Let m = m0 + rate t be the mass at the time t,
    tau = rate t/m0, L = ln(1 + tau)/tau and B = (tau - ln(1 + tau))/tau^2. If the stream has the absolute velocity u:
@@ -88,8 +91,7 @@ VM_API void vmi_stream_log_means(vm_real x, vm_real *first, vm_real *second)
      v = v0 + (force + rate w) L t/m0,            x = x0 + v0 t + (force + rate w) (L - B) t^2/m0.
    If rate t >= 0, the errors of x and v are at most 8 eps times the sum of the absolute values of all terms. If the
    mass decreases, this bound grows with m0/m, because the rounding error of rate t is large relative to a small m.
-   Returns VM_BAD_ARGUMENT,
-   VM_NOT_FINITE, VM_BAD_MASS if m0 or m is not positive, and VM_OK otherwise. */
+   Returns VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_MASS if m0 or m is not positive, and VM_OK otherwise. */
 VM_API int vm_linear_flow(const vm_stream1 *stream, vm_real t, vm_real x0, vm_real v0, vm_real m0, vm_real force,
                           vm_real *x, vm_real *v)
 {
@@ -105,7 +107,7 @@ VM_API int vm_linear_flow(const vm_stream1 *stream, vm_real t, vm_real x0, vm_re
     if (vmi_stream_velocity_is_given(stream->motion)) given = stream->velocity;
     if (vmi_stream_moves_with_body(stream->motion)) {
         difference = first - second;
-        if (tau < VM_C(-0.5)) difference = ((1 + tau) * first - 1) / tau; /* first - second would cancel */
+        if (tau < VM_C(-0.5)) difference = ((1 + tau) * first - 1) / tau; /* first - second would lose digits */
         acceleration = (force + stream->rate * given) / m0;
         result[0] = x0 + t * (v0 + acceleration * t * difference);
         result[1] = v0 + acceleration * t * first;
@@ -135,9 +137,9 @@ VM_API int vmi_jet_finite(const vm_jet *jet)
    where omega_t0 is omega_t at t = 0. The part omega_z along z stays constant, and omega_t turns about z by the angle
    omega_z times the integral of (C/A - 1) over time. Let L and B be the functions of tau explained at vm_linear_flow,
    here with tau = rate gyration_transverse t/A0. Then ln(A/A0) is tau L, and the integral is
-   t (L C0/A0 - 1 + B rate t gyration_axial/A0). The error is at most 8 times the change of the result that an error of
-   eps in the inputs causes. Returns VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_INERTIA if A or C is not positive, and VM_OK
-   otherwise. */
+   t (L C0/A0 - 1 + B rate t gyration_axial/A0). An error of eps in the inputs changes the result; the error of the
+   function is at most 8 times this change. Returns VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_INERTIA if A or C is not
+   positive, and VM_OK otherwise. */
 VM_API int vm_jet_damping(const vm_jet *jet, vm_real t, vm_vec3 omega0, vm_vec3 *omega)
 {
     vm_real change, tau, first, second, exponent, share, angle, sine, cosine;

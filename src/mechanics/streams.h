@@ -1,7 +1,7 @@
 /* mechanics/streams.h - streams of mass: reactive force, moment and torque
 
-   A stream carries mass into a body, or out of it, at one point. The mass carries momentum and angular momentum. The
-   body therefore feels a reactive force (156), a reactive moment (158) and a reactive torque (157). This chapter
+   A stream brings mass into a body, or takes mass out of it, at one point. This mass has momentum and angular momentum.
+   Therefore a reactive force (156), a reactive moment (158) and a reactive torque (157) act on the body. This chapter
    computes these loads at an instant and the accelerations that follow from them, (159) and (160). To integrate a
    motion, use mechanics/flow.h (in space), flow2.h (in a plane) or flow1.h (on a line or an axle).
 
@@ -81,10 +81,10 @@ typedef struct VM_TAG(vm_reactive) {
 
 VM_INLINE int vmi_stream_motion_is_known(int motion) { return motion >= VM_RELATIVE && motion <= VM_AT_REST; }
 
-/* The velocity u of a stream's mass is the sum of two terms for every known `motion`. The first term is the velocity of
-   the body's point, or zero; the second term is the stream's field `velocity`, or zero. The spin of the mass is a sum
-   of two such terms, too. The first function below returns 1 if the first term is there, and the second function if
-   the second term is there. No other function decodes VM_RELATIVE ... VM_AT_REST. */
+/* For every value of the field `motion`, the velocity u of a stream's mass is the sum of two terms. The first term is
+   the velocity of the body's point, or zero; the second term is the stream's field `velocity`, or zero. The spin of the
+   mass is a sum of two such terms, too. The first function below returns 1 if the first term is there, and the second
+   function if the second term is there. No other function decodes VM_RELATIVE ... VM_AT_REST. */
 VM_INLINE int vmi_stream_moves_with_body(int motion) { return motion == VM_RELATIVE || motion == VM_CARRIED; }
 VM_INLINE int vmi_stream_velocity_is_given(int motion) { return motion == VM_RELATIVE || motion == VM_ABSOLUTE; }
 
@@ -248,8 +248,7 @@ VM_API int vmi_check_stream(const vm_stream *s)
     return vmi_first_error(status, vmi_check_gyration(&s->from->gyration));
 }
 
-/* Returns VM_OK if n streams are valid, else that one of their errors which comes first in the order of
-   vmi_first_error. */
+/* Returns VM_OK if all n streams are valid, else the error that vmi_first_error selects from their errors. */
 VM_API int vmi_check_streams(int n, const vm_stream *s)
 {
     int k, status = VM_OK;
@@ -265,8 +264,8 @@ VM_API int vmi_reactive_finite(const vm_reactive *r)
 }
 
 /* Reactive force, moment and torque of n streams on a moving body, (156)-(158). `centre` is the vector from the
-   body's reference point to its mass centre, in body axes (m). Each load is a sum over all streams; the formulas stand
-   at vm_reactive. Returns VM_BAD_ARGUMENT for a null pointer, n < 0 or an unknown `motion` of a stream, VM_NOT_FINITE,
+   body's reference point to its mass centre, in body axes (m). Each load is a sum over all streams; vm_reactive has the
+   formulas. Returns VM_BAD_ARGUMENT for a null pointer, n < 0 or an unknown `motion` of a stream, VM_NOT_FINITE,
    VM_BAD_MASS, VM_BAD_INERTIA, VM_STORED_STREAM if a stream has a store (integrate vm_flow_rhs instead), and VM_OK
    otherwise. */
 VM_API int vm_reactive_loads(const vm_body *body, vm_vec3 centre, int n, const vm_stream *streams,

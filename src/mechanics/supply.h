@@ -3,7 +3,7 @@
    A supply is a round cylinder of stored mass inside a body: a tank of liquid, whose level falls; a tank of gas, whose
    density falls; or a hollow cylinder of solid propellant (a grain), which burns radially outwards. The mass that is
    left determines its mass centre, its inertia and their rates, and also the store (vm_store) from which a stream takes
-   the next mass. With this store the moments that streams exert, jet damping among them, are right.
+   the next mass. If a stream has this store, its moments are right, jet damping included.
 
        vm_supply tank = {VM_TANK_OF_LIQUID, {0, 0, -2}, {0, 0, 1}, 3, 0.5, 0, 800}; // 3 m long, radius 0.5 m, 800 kg
        vm_supply_left left;
@@ -17,8 +17,9 @@
      gas     c = s = b + e L/2, k_a = q_a = R^2/2, k_t = q_t = R^2/4 + L^2/12
      grain   bore r, r^2 = (m r0^2 + (m1 - m) R^2)/m1 with the bore r0 of the full grain, c = s = b + e L/2,
              k_a = (R^2 + r^2)/2, k_t = (R^2 + r^2)/4 + L^2/12, q_a = r^2, q_t = r^2/2 + L^2/12
-   They follow from the volumes. Moments about a fixed point give the identities d(m c)/dm = s and dI/dm = Q + P(s - c),
-   where I is the inertia about c, Q the inertia of the next mass per unit mass, and P(d) = |d|^2 E - d d^T.
+   These formulas follow from the volumes. The first and second moments of the mass about a fixed point give the
+   identities d(m c)/dm = s and dI/dm = Q + P(s - c), where I is the inertia about c, Q the inertia of the next mass per
+   unit mass, and P(d) = |d|^2 E - d d^T.
    Tests: tests/test_supply.c. */
 #ifndef VARMASS_MECHANICS_SUPPLY_H
 #define VARMASS_MECHANICS_SUPPLY_H
@@ -101,8 +102,8 @@ VM_API void vmi_supply_liquid(const vm_supply *s, vm_vec3 e, vm_supply_left *lef
     left->store.gyration = vmi_inertia_of_revolution(e, 2 * disc, disc);
 }
 
-/* Writes to *left what is left of a tank of gas or of a grain. The square of the bore is that of the text at the top;
-   it is 0 for gas, whose density is the same everywhere. */
+/* Writes to *left what is left of a tank of gas or of a grain. The square of the bore is r^2 of the equations at the
+   top of mechanics/supply.h; it is 0 for gas, whose density is the same everywhere. */
 VM_API void vmi_supply_hollow(const vm_supply *s, vm_vec3 e, vm_supply_left *left)
 {
     const vm_real m = left->mass, square = s->radius * s->radius, rod = s->length * s->length / 12;
@@ -128,12 +129,12 @@ VM_API int vmi_supply_left_is_finite(const vm_supply_left *left)
 }
 
 /* What is left of a tank or grain when its mass is `mass`: mass centre, inertia, their rates, and the next store.
-   mass is in kg and lies between 0 and supply.full. For a mass below 0 or above supply.full the formulas are
-   continued as polynomials of the mass, so that trial steps of an integrator find smooth functions; the results then
-   describe no body. The errors are at most 8 eps of |at| + length, of the largest entry of a tensor, and of the rate.
-   This holds next to an empty or full supply, too. Returns VM_BAD_ARGUMENT for a null pointer or an unknown kind,
-   VM_NOT_FINITE, VM_BAD_MASS if supply.full is not positive, VM_DOMAIN for a length, radius, bore or axis outside its
-   domain, and VM_OK otherwise. */
+   mass is in kg and lies between 0 and supply.full. For a mass below 0 or above supply.full the function uses the same
+   polynomials of the mass. The results then describe no body, but they change smoothly, as the trial steps of an
+   integrator need it. The errors are at most 8 eps of a scale: |at| + length for a position, the largest entry for a
+   tensor, and the length of the vector for centre_by_mass. This holds for a nearly empty or nearly full supply, too.
+   Returns VM_BAD_ARGUMENT for a null pointer or an unknown kind, VM_NOT_FINITE, VM_BAD_MASS if supply.full is not
+   positive, VM_DOMAIN for a length, radius, bore or axis outside its domain, and VM_OK otherwise. */
 VM_API int vm_supply_at(const vm_supply *supply, vm_real mass, vm_supply_left *left)
 {
     vm_supply_left result;

@@ -8,10 +8,11 @@
        vm_body later; // body is a vm_body
        if (vm_torque_free_init(&motion, &body, 0) == VM_OK) vm_torque_free_at(&motion, 1e6, &later); // after 1e6 s
 
-   The functions hold for all bodies: for triaxial, symmetric and spherical ones, and for rods and points, whose spin
-   about an axis without moment of inertia stays constant. They hold for all rotations, too: for a rotation about the
-   axis of the middle moment of inertia, and for rotations on the separatrix, which tend to a rotation about this axis.
-   The user need not choose a threshold between these cases.
+   The functions hold for all bodies: for bodies with three different principal moments of inertia, with two equal ones
+   and with three equal ones, and for rods and points. The spin of a rod or a point about an axis without moment of
+   inertia stays constant. The functions also hold for all rotations, for example a rotation about the axis of the
+   middle moment of inertia, and the rotations on the separatrix, which tend to a rotation about this axis. The user
+   need not choose a threshold between these cases.
    Tests: tests/test_torque_free.c. */
 #ifndef VARMASS_MECHANICS_TORQUE_FREE_H
 #define VARMASS_MECHANICS_TORQUE_FREE_H
@@ -31,16 +32,18 @@
 #include "torque_free_axes.h"
 #include "vectors.h"
 
-/* A motion prepared by vm_torque_free_init. It is plain data and may be copied. Its fields should only be read.
-   Equations (A) and (B) stand in the next comment.
+/* A motion prepared by vm_torque_free_init. It is plain data and may be copied. Read its fields, but do not change
+   them.
+   The next comment has the equations (A) and (B).
 
    Accuracy, for inputs taken as exact and up to 1e6 turns: the error of the attitude is at most 12 eps (rad) and that
    of omega at most 8 eps |omega|. This holds also close to the separatrix (1 - m from 1e-2 to 1e-27, where m is the
    parameter of sn, cn, dn), for nearly equal moments, and with products of inertia. An error of eps in an input changes
    the attitude by eps times the angle through which the body has turned. Close to the separatrix it changes the
    attitude by more, because it shifts the time of every flip of the body. If a tensor has products of inertia, the
-   principal moments have only the digits of two words, which limits the accuracy after many turns close to the
-   separatrix. A component of omega below 2^-505 (float 2^-57) times the largest component is taken as 0. */
+   principal moments have only the digits of two words (sums of two vm_reals), which limits the accuracy after many
+   turns close to the separatrix. A component of omega below 2^-505 (float 2^-57) times the largest component is taken
+   as 0. */
 typedef struct VM_TAG(vm_torque_free) {
     vm_body body;                /* the body at the time t0 */
     vm_real t0;                  /* the time at which the body is as given, s */
@@ -74,15 +77,15 @@ typedef struct VM_TAG(vm_torque_free) {
    product of three quaternions:
      q(t) = start (cos h + s e3 sin h) M,  h = kappa t + sigma arg theta(u),                                    (B)
      M = (1 + |l3|, s l2, -s l1, 0)/sqrt(2 (1 + |l3|)).
-   M is the rotation through the smallest angle that takes l to s e3. kappa is a constant that follows from an elliptic
+   M is the rotation by the smallest angle that turns l into s e3. kappa is a constant that follows from an elliptic
    integral of the third kind. theta is a theta function of u + i y, where y follows from cd(y | 1 - m) = I3 a3/L. (B)
    was found by Jacobi; van Zon and Schofield, J. Comput. Phys. 225 (2007), give a theta series for 2h.
 
    The preparation computes in this order: the axes; the squares of the amplitudes a1, a2, a3, and m; kappa; the phase
-   and the rates; the theta function; and `start`, for which q(t0) is the given attitude. It computes in two words,
-   because the rates wp/(4K) and kappa are multiplied by long times. An evaluation at a given time uses two words only
-   for the products of rates and time. Moments and omega are divided by powers of two so that they are about 1, which
-   prevents overflow. */
+   and the rates; the theta function; and `start`, for which q(t0) is the given attitude. It computes in two words (sums
+   of two vm_reals), because the rates wp/(4K) and kappa are multiplied by long times. An evaluation at a given time
+   uses two words only for the products of rates and time. Moments and omega are divided by powers of two so that they
+   are about 1, which prevents overflow. */
 
 /* ---- amplitudes and parameter ---- */
 
@@ -265,7 +268,8 @@ VM_API void vmi_torque_free_theta(vm_torque_free *motion, const vmi_torque_free_
 
 /* ---- the motion as a whole ---- */
 
-/* Sets a motion with constant omega. Axis 3 is along omega, and sn stays 0. If omega is 0, nothing is set. */
+/* Sets the fields for a motion with constant omega. Axis 3 is along omega, and sn stays 0. If omega is 0, no field is
+   set. */
 VM_API void vmi_torque_free_constant(vm_torque_free *motion, const vmi_torque_free_body *b)
 {
     const vm_two size = vmi_two_root(vmi_vec3_two_dot(&b->omega, &b->omega));
@@ -362,9 +366,9 @@ VM_API void vmi_torque_free_at(const vm_torque_free *motion, vm_two t, vm_vec3 *
 /* ---- setting up ---- */
 
 /* Returns the attitude q, or a unit quaternion for it if the length of q is within 64 eps of 1. Each call of
-   vm_torque_free_rotation changes the length by up to 0.4 eps. Where each call begins with the attitude of the last
-   one, the length would go on changing in the same direction. A length that differs from 1 by at most 4 eps stays, so
-   that the bits of q stay. */
+   vm_torque_free_rotation changes the length by up to 0.4 eps. If each call starts from the result of the previous
+   call, these changes would add up in the same direction. If the length differs from 1 by at most 4 eps, q is returned
+   without any change. */
 VM_API vm_quat vmi_torque_free_attitude_at_start(vm_quat q)
 {
     const vm_real excess = VM_FABS(vmi_quat_square(q) - 1); /* twice the length's difference from 1 */

@@ -1,9 +1,9 @@
 /* mechanics/torque_free_axes.h - principal axes of a rotating body in two words, in the order of torque_free.h
    This is the first step of the preparation in torque_free.h. It finds the principal moments of inertia
    J_a >= J_b >= J_c, the principal axes a, b, c and the components w_a, w_b, w_c of the angular velocity omega along
-   these axes. All these numbers have two words, because the rates that follow from them are multiplied by long times.
-   Then it numbers the axes 1, 2, 3. Axis 2 is b, the axis of the middle moment. Axis 3 is the axis around which the
-   vector omega moves in the body. It is a or c; this depends on the sign of
+   these axes. Each of these numbers is stored in two words, as the sum of two vm_reals, because the rates that follow
+   from them are multiplied by long times. Then this step numbers the axes 1, 2, 3. Axis 2 is b, the axis of the middle
+   moment. Axis 3 is the axis around which the vector omega moves in the body. It is a or c; this depends on the sign of
      2T J_b - L^2 = J_c (J_b - J_c) w_c^2 - J_a (J_a - J_b) w_a^2,
    where T is the kinetic energy and L the size of the angular momentum. If this number is positive or 0, axis 3 is c,
    the axis of the smallest moment; else axis 3 is a. If it is 0, the motion lies on the separatrix: omega tends to the
@@ -70,7 +70,7 @@ VM_API vmi_vec3_two vmi_vec3_two_cross(const vmi_vec3_two *a, const vmi_vec3_two
     return c;
 }
 
-/* Returns the vector that becomes a by the rotation q. It is a + 2 (v x (v x a) - w v x a)/|q|^2, where w is the real
+/* Returns the vector that the rotation q turns into a. It is a + 2 (v x (v x a) - w v x a)/|q|^2, where w is the real
    part and v the vector part of q. q may have any length except 0. */
 VM_API vmi_vec3_two vmi_vec3_two_turned_back(vm_quat q, const vmi_vec3_two *a)
 {
@@ -208,7 +208,8 @@ VM_API vmi_three vmi_torque_free_excess(vm_two J, vm_two d, vm_two w)
 }
 
 /* Returns J_c (J_b - J_c) w_c^2 - J_a (J_a - J_b) w_a^2 = 2T J_b - L^2. The sign of this number decides which axis is
-   axis 3. The axes a, b, c have the indices order[0], order[1], order[2], and their moments fall in this order. */
+   axis 3. The axes a, b, c have the indices order[0], order[1], order[2]; a has the largest moment and c the
+   smallest. */
 VM_API vmi_three vmi_torque_free_separation(const vm_two *J, const vm_two *w, const int *order)
 {
     const int a = order[0], b = order[1], c = order[2];
@@ -216,8 +217,8 @@ VM_API vmi_three vmi_torque_free_separation(const vm_two *J, const vm_two *w, co
     return vmi_three_plus(of_smallest, vmi_torque_free_excess(J[a], vmi_two_minus(J[b], J[a]), w[a]));
 }
 
-/* Sets order[] to the indices 0, 1, 2 of the axes, sorted by falling moments. Returns 1 if order[] is an even
-   permutation of 0, 1, 2, else 0. */
+/* Sets order[] to the indices 0, 1, 2 of the axes, sorted so that the largest moment comes first. Returns 1 if order[]
+   is an even permutation of 0, 1, 2, else 0. */
 VM_API int vmi_torque_free_sort(const vm_two *J, int *order)
 {
     int k, even = 1;

@@ -1,15 +1,15 @@
 /* mechanics/vectors.h - vectors, quaternions and rotations in space
    The two types, vm_vec3 and vm_quat, are plain data. A quaternion describes the attitude of a body: it converts
-   components of vectors along body axes into components along inertial axes. Its length does not matter, and a
-   quaternion of four zeros stands for the identity.
+   components of vectors along body axes into components along inertial axes. Its length does not matter. A quaternion
+   of four zeros means that body axes and inertial axes coincide (the identity).
 
        vm_vec3 omega = {0, 0, 3};                 // x, y, z
        vm_quat quarter_turn = {0.7071068, 0, 0, 0.7071068}; // w, x, y, z: 90 degrees about z
 
    The functions vm_... are for users too: sum, difference, multiple, dot product, cross product and length of vectors,
-   product and normalisation of quaternions. The others are norms and rotation matrices. No function here checks its
-   arguments: infinite and NaN numbers go through the arithmetic. Tests: tests/test_attitude.c, tests/test_jumps.c,
-   tests/test_torque_free.c. */
+   product and normalisation of quaternions. The functions vmi_... are internal, for example norms and rotation
+   matrices. No function here checks its arguments: with infinite or NaN arguments the result is what the arithmetic
+   gives. Tests: tests/test_attitude.c, tests/test_jumps.c, tests/test_torque_free.c. */
 #ifndef VARMASS_MECHANICS_VECTORS_H
 #define VARMASS_MECHANICS_VECTORS_H
 
@@ -66,7 +66,8 @@ VM_API vm_vec3 vmi_abs(vm_vec3 a) { return vmi_vec3(VM_FABS(a.x), VM_FABS(a.y), 
 /* The sum |x| + |y| + |z| of the absolute values of a's components */
 VM_API vm_real vmi_norm1(vm_vec3 a) { return VM_FABS(a.x) + VM_FABS(a.y) + VM_FABS(a.z); }
 
-/* The length of the vector a, within 4 eps of itself. It does not overflow if only its square would overflow. */
+/* The length of the vector a, with a relative error within 4 eps. It does not overflow if only its square would
+   overflow. */
 VM_API vm_real vm_norm(vm_vec3 a) { return vmi_hypot(vmi_hypot(a.x, a.y), a.z); }
 
 /* The largest of |x|, |y| and |z|, where x, y, z are the components of a */
@@ -106,14 +107,15 @@ VM_API vm_vec3 vmi_quat_vector(vm_quat q) { return vmi_vec3(q.x, q.y, q.z); }
 
 VM_API int vmi_quat_is_finite(vm_quat q) { return VM_IS_FINITE(q.w) && vmi_vec3_is_finite(vmi_quat_vector(q)); }
 
-/* Returns 1 if all four numbers of q are 0. Such a quaternion stands for the identity. */
+/* Returns 1 if all four numbers of q are 0. Such a quaternion means the identity (no rotation). */
 VM_API int vmi_quat_is_none(vm_quat q) { return q.w == 0 && q.x == 0 && q.y == 0 && q.z == 0; }
 
 /* The square of the length of q */
 VM_API vm_real vmi_quat_square(vm_quat q) { return q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z; }
 
-/* The product p q of two quaternions: the rotation by q followed by the rotation by p. If q turns the axes of a part
-   into those of a body, and p those of the body into inertial ones, p q turns those of the part into inertial ones. */
+/* The product p q of two quaternions: the rotation by q followed by the rotation by p. If q is the attitude of a part
+   relative to a body, and p the attitude of the body, then p q is the attitude of the part: it converts vectors from
+   the axes of the part to inertial axes. */
 VM_API vm_quat vm_quat_times(vm_quat p, vm_quat q)
 {
     vm_quat r;
