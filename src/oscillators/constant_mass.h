@@ -1,10 +1,10 @@
 /* oscillators/constant_mass.h - the oscillator x'' + omega0^2 x|x|^(alpha-1) = 0 of constant mass
 
-   A mass m is fixed to a spring with the force -k x|x|^(alpha-1), and omega0 = sqrt(k/m). alpha is any real number >=
-   0: 1 is the linear spring, 3 the cubic one. This file has the period of the motion (262), its largest velocity (267)
-   and its energy (259); the exact motion by the Ateb functions (282), (283) from rest or from any state; and the
-   approximations by the cosine (291)-(296) and by Jacobi's cn (297)-(307) with their errors (268). The shortest useful
-   calls:
+   A mass m is fixed to a spring with the force -k x|x|^(alpha-1), and omega0 = sqrt(k/m). alpha is any real
+   number >= 0: 1 is the linear spring, 3 the cubic one. This file has the period of the motion (262), its largest
+   velocity (267) and its energy (259); the exact motion by the Ateb functions (282), (283) from rest or from any state;
+   and the approximations by the cosine (291)-(296) and by Jacobi's cn (297)-(307) with their errors (268). The shortest
+   useful calls:
        vm_real T = vm_osc_period(2, 1, VM_C(1.5)), x, v; // x'' = -x|x|^0.5 from x = 2 at rest
        vm_osc_exact(T / 8, 2, 1, VM_C(1.5), &x, &v);
    The functions return or write NaN for alpha < 0 and for infinite arguments, and functions with outputs write nothing
