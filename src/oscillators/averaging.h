@@ -78,8 +78,8 @@ VM_API vm_real vmi_osc_Om_ratio(const vm_osc_plan *p, const vmi_osc_rates *now, 
 
 /* Averaged rates A', theta', psi' of amplitude and phase, with the problem's force. They are in m/s and 1/s, at the
    time t (s) and the amplitude A (m). psi is the angle of the route's wave, and theta the part of this angle that
-   changes slowly. For VM_ROUTE_ATEB psi is the Ateb phase; the equations are (314), (315) averaged, with the term of
-   omega', which is missing in (314), (315). For VM_ROUTE_TRIG psi is in radians; the equations are (337)-(339), with
+   changes slowly. For VM_ROUTE_ATEB psi is the Ateb phase; the equations are the averages of (314), (315) after the
+   missing term of omega' has been added. For VM_ROUTE_TRIG psi is in radians; the equations are (337)-(339), with
    alpha + 3 in place of 5 - alpha, and in (338), (339) with 4 in place of 2. For VM_ROUTE_JACOBI psi is the argument of
    cn; the equations are (380)-(382), with theta' in place of A' in the second equation of (382). Gauss' rule computes
    the means over each quarter of the period separately, so F may jump where x or x' is 0. For alpha up to 30, and F
@@ -256,8 +256,8 @@ VM_API int vmi_osc_averaging_at(const vm_osc_plan *p, const vmi_osc_wave *w, vm_
 
 /* -- The error between 0 and t -- */
 
-/* The interval from 0 to t has 11 equal parts. Errors are estimated at the ends of the last 8 of them, both here and
-   where oscillators/integration.h compares two integrations. */
+/* The interval from 0 to t is divided into 11 equal parts. Errors are estimated at the ends of the last 8 of them, both
+   here and where oscillators/integration.h compares two integrations. */
 enum { VMI_OSC_CHECKS = 8 };
 
 /* Time number i, 0 to VMI_OSC_CHECKS - 1, at which motions are compared on the way to t; the last one is t. */

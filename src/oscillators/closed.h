@@ -98,7 +98,7 @@ typedef struct VM_TAG(vmi_osc_closed_mean) {
 /* The mean motion at t; u, el and delta are explained at the top of this file. */
 typedef struct VM_TAG(vmi_osc_closed_now) {
     vmi_osc_reduced state; /* mean amplitude, m, mean phase, and its rate W without the terms of E_0, 1/s */
-    vm_real u, el;         /* u, s, and el, a pure number */
+    vm_real u, el;         /* u, s, and the pure number el */
     vm_real ln_A;          /* ln(A/A(0)) of the mean amplitude A */
     vm_real ratio;         /* W/W(0) */
     vm_real decay;         /* exp(-delta u) */
@@ -190,7 +190,7 @@ typedef struct VM_TAG(vm_osc_closed) {
                                  infinite where the error is unknown */
     vmi_osc_closed_mean mean; /* the mean motion */
     ateb_plan ateb;           /* Ateb functions for alpha */
-    vmi_ripple ripple;        /* functions of the ripple for alpha; order 2 leaves out its polynomials */
+    vmi_ripple ripple;        /* functions of the ripple for alpha; polynomials are not set for order 2 */
 } vm_osc_closed;
 
 /* -- Preparing it -- */

@@ -147,7 +147,7 @@ VM_API vm_real vmi_osc_strict_share(const vm_osc_problem *o, vmi_osc_points poin
 
 /* A pair of runs */
 typedef struct VM_TAG(vmi_osc_pair_run) {
-    vm_real change;        /* the larger change of the laws per radian, at 0 and at t (vmi_osc_change_at) */
+    vm_real change;        /* change of the laws per radian, at 0 or at t, whichever is larger (vmi_osc_change_at) */
     vm_real longest;       /* the longest step, s */
     vm_real sweep_limit;   /* sweep_limit of the strict run (see vmi_osc_course) */
     vm_real most;          /* the pair is given up where its error is larger than this */

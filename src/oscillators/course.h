@@ -115,7 +115,7 @@ VM_API void vmi_osc_wave_integrals(const vmi_ripple *r, const vmi_ripple_values 
 {
     const vm_real psi = x * length, from_middle = x - VM_C(0.5), quarter = (r->alpha + 1) / 4;
     const vm_real ca2 = r->mean2 * psi + (now->S - first->S), saca = quarter * (first->C - now->C);
-    /* the integrals of these two over psi */
+    /* the integrals over psi of the integrals of ca^2 and of sa ca */
     const vm_real ca2_twice = r->mean2 * psi * psi / 2 + (now->S2 - first->S2) - first->S * psi;
     const vm_real saca_twice = quarter * (first->ca * first->ca * psi - ca2);
     sum[VMI_MISSES_CA2] = ca2 / length;

@@ -264,7 +264,8 @@ VM_API vm_real vm_duffing_energy(vm_real x, vm_real v, vm_real c1, vm_real c3)
     return v * v / 2 + (x * x) * (c1 / 2 + c3 * (x * x) / 4);
 }
 
-/* Whether a state lies on the separatrix x = A/cosh, which goes out from x = 0 and comes back in infinite time */
+/* Whether a state lies on the separatrix, the motion x = A/cosh(lambda t). It goes from x = 0 to x = A and back to
+   x = 0 in infinite time. */
 VM_API int vmi_duffing_is_separatrix(const vmi_orbit *orbit)
 {
     const vm_real k1 = orbit->force->k1, k3 = orbit->force->k3;

@@ -1,10 +1,10 @@
 /* oscillators/duffing_ripple.h - how slow changes disturb Duffing's oscillator within a period, in closed form
 
-   oscillators/orbit_ripple.h defines a(phi), the function of the phase phi on an orbit from which all of the ripple
-   follows. For Duffing's force c1 x + c3 x^3 it is a Fourier series whose terms have a closed form, so that no
-   numerical integration is needed. Let zeta be 2 phi for an orbit around 0 and phi for an orbit in a well, Omega the
-   rate of zeta, and q the nome of the parameter m of Jacobi's functions, which is exp(-pi K(1-m)/K(m)) for 0 < m < 1.
-   Then
+   oscillators/orbit_ripple.h defines a(phi), a function of the phase phi on an orbit. The whole ripple, the small swing
+   of the motion about its mean within a period, follows from a(phi). For Duffing's force c1 x + c3 x^3 this function is
+   a Fourier series whose terms have a closed form, so that no numerical integration is needed. Let zeta be 2 phi for an
+   orbit around 0 and phi for an orbit in a well, and let Omega be the rate of zeta. Let q be the nome of the parameter
+   m of Jacobi's functions; for 0 < m < 1 it is exp(-pi K(1-m)/K(m)). Then
        a = sum over n >= 1 of a_n sin(n zeta),   a_n = -(2 Omega/(3 c3)) (2 c1 + n^2 Omega^2) q^n/(1 - q^(2n)).
    Method: v^2 is a polynomial in sn^2(u) with the argument u of Jacobi's functions. The integral of sn^4 follows from
    the derivative of sn cn dn, and the integral of sn^2 has Jacobi's zeta function Z(u) as its periodic part. sn cn dn

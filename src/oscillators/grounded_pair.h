@@ -19,8 +19,8 @@
        int status = vm_grounded_pair_init(&p);
 
    The state of the averaged equations is (A_0, phi_0, A_1, phi_1): the mean amplitudes and the phases in radians.
-   With the symbols of forced.h, the largest velocity V = 2 Om A/(alpha+1) of a vibration, and q_i with the damping
-   b_i + c,
+   The averaged equations have the symbols of forced.h. V = 2 Om A/(alpha+1) is the largest velocity of a vibration, and
+   q_i contains the damping b_i + c. The equations are
        A_i' = -q_i A_i/(alpha_i+3) - S_i/(m_i Om_i),
        phi_i' = w_i(A_i) + h_i kappa <ca^2> - h_i C_i/A_i,   h_i = (alpha_i+1) pi/(2 Pi_i m_i Om_i),
        S_i = sum of s_j/2 (kappa A_o c_n sin u - c V_o s_n cos u),
@@ -54,7 +54,7 @@ typedef struct VM_TAG(vm_grounded_pair) {
     vm_real mean[2];         /* means of ca^2; vm_grounded_pair_init writes this field */
 } vm_grounded_pair;
 
-/* The parameters of both oscillators at one time, and what follows from the amplitudes */
+/* The parameters of both oscillators at one time, and the rates q that follow from them */
 typedef struct VM_TAG(vmi_grounded_now) {
     vmi_forced_parameters n[2];
     vm_real q[2]; /* rates of the slow changes, 1/s; they include the damper of the coupling */
@@ -140,7 +140,7 @@ VM_API int vm_grounded_pair_rhs(vm_real t, const vm_real *y, vm_real *dydt, void
 typedef struct VM_TAG(vmi_grounded_body) {
     vm_real Om, w; /* rate of the Ateb phase, 1/s; frequency of the free vibration, rad/s */
     vm_real pull;  /* kappa A, N: amplitude of the force that this body's motion exerts by the spring */
-    vm_real drag;  /* c V, N: amplitude of the force that it exerts by the damper */
+    vm_real drag;  /* c V, N: amplitude of the force that this motion exerts by the damper */
     vm_complex turns[2 * VMI_FORCED_HARMONICS]; /* e^(i k phi) */
 } vmi_grounded_body;
 

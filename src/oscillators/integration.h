@@ -2,9 +2,9 @@
 
    The oscillator is described by either of two systems of two equations: the averaged equations of amplitude and phase,
    or the equation of motion. A vmi_osc_method is one of these systems with a Runge-Kutta pair (rk45 or rk87) and the
-   numbers that suit this pair; oscillators/routes.h has the methods that are used. vmi_osc_integrate runs a method
-   twice, the second time with a stricter tolerance, and estimates the error from the difference of the two runs. It
-   repeats both runs with stricter tolerances until the estimated error is within the tolerance of the motion.
+   numbers that are chosen for this pair; oscillators/routes.h has the methods that are used. vmi_osc_integrate runs a
+   method twice, the second time with a stricter tolerance, and estimates the error from the difference of the two runs.
+   It repeats both runs with stricter tolerances until the estimated error is within the tolerance of the motion.
        vmi_osc_method method = vmi_osc_method_rk87(vmi_osc_direct_rhs);
        vm_osc_motion motion;
        int status = vmi_osc_integrate(&plan, VM_ROUTE_RK87, &method, 10, VM_C(1e-9), &motion); // plan is a vm_osc_plan
@@ -193,7 +193,7 @@ VM_API vm_real vmi_osc_next_stop(const vmi_osc_run *c, vm_real t, vm_real period
 VM_API void vmi_osc_bound_steps(vmi_osc_run *c, vm_real stop, vm_real t, vm_real period)
 {
     const vm_real most_steps = 8192; /* per period; a part of the largest number of steps of a run */
-    const vm_real largest_long = VM_C(1e9), bounces_from = 10; /* from this Pi_alpha on it counts as large */
+    const vm_real largest_long = VM_C(1e9), bounces_from = 10; /* from here on Pi_alpha counts as large */
     const vm_real way = VM_FABS(stop - c->s.t), most = c->share * way + 64 * VM_EPSILON * VM_FABS(t);
     const vm_real law_step = c->law_step * c->longest / VMI_OSC_LONGEST;
     vm_real longest = period * c->longest, steps;

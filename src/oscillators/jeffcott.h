@@ -11,7 +11,7 @@
 
        vm_power_force cubic = {1, 3}; // F_e = rho^3
        vm_jeffcott rotor;
-       memset(&rotor, 0, sizeof rotor); // a zero field means that there is none
+       memset(&rotor, 0, sizeof rotor); // what is not set below is absent
        rotor.stiffness = vm_jeffcott_power;
        rotor.stiffness_ctx = &cubic;
        rotor.mass = vm_law_linear(1, VM_C(0.01)); // 1 kg, and 0.01 kg/s joins
@@ -469,8 +469,8 @@ VM_API int vmi_jeffcott_find_bracket(vmi_jeffcott_orbit *o, vmi_jeffcott_bracket
      A^4 (g^2 + m K_e(A)) for r = 1, which is the square of A^2 (m W - g);   A^4 K_e(A) m^(2r-1) for g = 0.
    For F_e = k rho^alpha and g = 0 the radius follows vm_osc_amplitude_law, with mass/mass0 and decay 0; its relative
    error is then at most 3e-15 (float 3e-6). Returns NaN for g != 0 with r != 1, for which vm_jeffcott_whirl_amplitude
-   finds the radius by integration; where no radius is found on the way from first_A; for null pointers, for a rotor without
-   stiffness, and for a radius or masses that are not positive and finite. */
+   finds the radius by integration; where no radius is found on the way from first_A; for null pointers, for a rotor
+   without stiffness, and for a radius or masses that are not positive and finite. */
 VM_API vm_real vm_jeffcott_amplitude(const vm_jeffcott *r, vm_real first_A, vm_real mass0, vm_real mass)
 {
     if (!r || !r->stiffness) return VM_NAN;

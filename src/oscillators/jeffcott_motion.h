@@ -183,14 +183,14 @@ VM_API int vmi_jeffcott_check_motion(const vm_jeffcott *r, vm_real t, vm_real *m
 
 /* Circular whirl of the rotor at time t, of either sign, from radius and angle at t = 0: (497)-(499).
    first_A > 0 is the radius (m) and first_angle the angle (rad) at t = 0; sense >= 0 means forward, sense < 0 backward
-   whirl. The radius is vm_jeffcott_whirl_amplitude. The angle has a closed form for a power law of the shaft
+   whirl. The radius is that of vm_jeffcott_whirl_amplitude. The angle has a closed form for a power law of the shaft
    (vm_jeffcott_power) with g = 0 and a mass that is constant, linear, exponential or a power; it is then within 8 eps
    of the phase. Otherwise the time is divided into parts, and Gauss' rule integrates the frequency over each part from
    20 points; the radius is computed at each point. For a smooth stiffness the angle is then within 1e-12 (float 1e-4)
    of the phase. The velocity is i W z, without the small radial velocity. Returns VM_BAD_ARGUMENT for null pointers and
-   a rotor without mass or stiffness, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS where there is no such whirl,
-   VM_DOMAIN for a radius that is not positive or t outside a table, and VM_NO_LAW for a rotor with a force or a
-   velocity u. */
+   a rotor without mass or stiffness, VM_NOT_FINITE for a number that is infinite or NaN, VM_BAD_MASS for a mass that is
+   not positive, VM_BAD_STIFFNESS where there is no circular whirl, VM_DOMAIN for a radius that is not positive or t
+   outside a table, and VM_NO_LAW for a rotor with a force or a velocity u. */
 VM_API int vm_jeffcott_whirl_at(const vm_jeffcott *r, vm_real first_A, vm_real first_angle, int sense, vm_real t,
                                 vm_jeffcott_whirl *whirl)
 {
@@ -221,8 +221,8 @@ VM_API int vm_jeffcott_whirl_at(const vm_jeffcott *r, vm_real first_A, vm_real f
 
 /* -- Any motion on a linear shaft -- */
 
-/* Adds to the motion (x, y, x', y') at t the whirl of this sense that was at z = first at t = 0. Nothing is added if
-   first is 0. */
+/* Adds the whirl of this sense to the motion (x, y, x', y') at t. At t = 0 this whirl was at z = first. Nothing is
+   added if first is 0. */
 VM_API int vmi_jeffcott_add_whirl(const vm_jeffcott *r, vm_complex first, int sense, vm_real t, vm_real *motion)
 {
     const vm_real A = vmi_c_modulus(first);

@@ -85,7 +85,7 @@ VM_API int vmi_law_derivatives(const vm_law *law, int if_not_positive, vm_real t
    the user. */
 VM_API int vmi_law_two_derivatives(const vm_law *law, int if_not_positive, vm_real t, int side, vm_real *f)
 {
-    const vm_real length = 1; /* 1 s: only a user's function needs a certain length */
+    const vm_real length = 1; /* 1 s; any positive length asks for f'' */
     f[2] = 0;
     return vmi_law_status(law->derivatives(law, t, side, length, f), if_not_positive, 3, f);
 }

@@ -60,13 +60,13 @@ VM_API vm_real vm_osc_load_force(vm_real t, vm_real x, vm_real v, void *load)
 
 /* Gives an oscillator a velocity u of the mass that joins or leaves, and a damping that depends on time.
    u_or_NULL is the law of this velocity, m/s, and damping_or_NULL the law of the damping, kg/s, which adds to the
-   problem's constant damping; a null pointer means 0. *load is filled, and problem->force and problem->ctx are set to
-   it; a force that the problem had before still acts. Call it once for a problem, after its other fields are set.
-   Routes do not stop at the points of a table in u or damping. For this reason they take more steps, but they are not
-   less accurate. Returns VM_BAD_ARGUMENT for other null pointers, for a law that no constructor made, and for a problem
-   that has this load already; VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS or VM_DOMAIN where a number of the problem
-   or a law at t = 0 is not finite, not positive or outside its domain. An error leaves *load and *problem
-   untouched. */
+   problem's constant damping; a null pointer means 0. The function fills *load, and sets problem->force and
+   problem->ctx so that the problem uses *load. A force that the problem had before still acts. Call it once for a
+   problem, after its other fields are set. Routes do not stop at the points of a table in u or damping. For this reason
+   they take more steps, but they are not less accurate. Returns VM_BAD_ARGUMENT for other null pointers, for a law that
+   no constructor made, and for a problem that has this load already; VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS or
+   VM_DOMAIN where a number of the problem or a law at t = 0 is not finite, not positive or outside its domain. An error
+   leaves *load and *problem untouched. */
 VM_API int vm_osc_load_init(vm_osc_load *load, vm_osc_problem *problem, const vm_law *u_or_NULL,
                             const vm_law *damping_or_NULL)
 {
