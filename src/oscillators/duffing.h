@@ -276,7 +276,7 @@ VM_API int vmi_duffing_is_separatrix(const vmi_orbit *orbit)
 
 /* Exact period, s, of Duffing's oscillator x'' + c1 x + c3 x^3 = 0 from rest at x0 (m, either sign).
    For a motion in one of two wells it is the time of one vibration in this well. The period is infinite on the
-   separatrix. The relative error is at most 8 eps if the terms of c1 + c3 x0^2 and of c1 + c3 x0^2/2 do not nearly
+   separatrix. The relative error is at most 8 eps where no terms of the sums c1 + c3 x0^2 and c1 + c3 x0^2/2
    cancel. Returns NaN where the motion runs away, at x0 = 0, and for infinite arguments. */
 VM_API vm_real vm_duffing_period(vm_real x0, vm_real c1, vm_real c3)
 {
@@ -314,8 +314,8 @@ VM_API void vmi_duffing_on_separatrix(vm_real t, vm_real x0, vm_real v0, vm_real
 
 /* Exact motion x(t), v(t) of Duffing's oscillator x'' + c1 x + c3 x^3 = 0 from x0 (m) and v0 (m/s).
    c1 = k1/m is in 1/s^2, c3 = k3/m in 1/(m s)^2; each may have either sign. The errors of x and v are at most 32 eps
-   of the amplitude and of the largest velocity, times 1 + t/period, if the terms of c1 + c3 A^2 and of c1 + c3 A^2/2 do
-   not nearly cancel, where A is the amplitude. Writes NaN where the motion runs away and for infinite arguments, and
+   of the amplitude and of the largest velocity, times 1 + t/period, where no terms of the sums c1 + c3 A^2 and c1 + c3
+   A^2/2 cancel. A is the amplitude. Writes NaN where the motion runs away and for infinite arguments, and
    nothing where an output is null. Equations: DLMF 22.19(ii). */
 VM_API void vm_duffing_exact_from(vm_real t, vm_real x0, vm_real v0, vm_real c1, vm_real c3, vm_real *x, vm_real *v)
 {
