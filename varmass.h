@@ -330,8 +330,8 @@
        vm_osc_load_init               Gives an oscillator a velocity u of the mass that joins or leaves, and a damping that depends on time
 
      oscillators/closed: the laws of orders two to five as plain data, where all integrals have closed forms
-       vm_osc_closed_init             Prepares the motion of the problem by the law of an order, 2 to 5; a higher order is more accurate
-       vm_osc_closed_at               Position x (m) and velocity v (m/s) at time t (s, either sign), from the law in *c, with its order
+       vm_osc_closed_init             Prepares the computation of the problem's motion by the law of the given order, 2 to 5; a higher order is more accurate
+       vm_osc_closed_at               Position x (m) and velocity v (m/s) at time t (s, either sign), by the law of the order c->order
        vm_osc_closed_at_order2        Position and velocity as by vm_osc_closed_at, but always by order 2, whatever order *c has
        vm_osc_closed_at_order3        Position and velocity as by vm_osc_closed_at, but always by order 3; returns VM_BAD_ARGUMENT if *c has order 2
 
@@ -426,7 +426,7 @@
        vm_coupled_pair_rhs            Equations of motion of two bodies with different masses and several connections, for rk45 or rk87
        vm_coupled_pair_to_modes       Converts a motion y = (x, y, x', y') of two bodies to the modes (p, p', X, V), m and m/s
        vm_coupled_pair_from_modes     Converts the modes (p, p', X, V) of two bodies to the motion y = (x, y, x', y')
-       vm_coupled_pair_oscillator     The oscillator that the relative motion p = y - x of two bodies with one connection is, for the routes of routes.h
+       vm_coupled_pair_oscillator     Writes the oscillator whose position is p = y - x, the relative coordinate of two bodies with one connection
 
      oscillators/forced: harmonic excitation of a strongly nonlinear oscillator
        vm_forced_init                 Prepares an excited oscillator
@@ -8331,8 +8331,8 @@ VM_API int vm_lagrange_drive_forces(vm_lagrange_system *system, vm_real t, vm_re
 #ifndef VARMASS_OSCILLATORS_FORCE_TERMS_H
 #define VARMASS_OSCILLATORS_FORCE_TERMS_H
 
-/* x|x|^(alpha-1), alpha >= 0, by the power function: the force of a spring divided by -k. Callers treat x = 0 and
-   exponents that need no power function themselves. */
+/* x|x|^(alpha-1), alpha >= 0, by the power function: the force of a spring divided by -k. The calling function treats
+   x = 0 and the exponents for which no power function is needed. */
 VM_INLINE vm_real vmi_elastic_power(vm_real x, vm_real alpha)
 {
     return VM_COPYSIGN(vmi_pow_checked(VM_FABS(x), alpha), x);
@@ -8510,16 +8510,16 @@ VM_API void vmi_osc_wave_differences(const vmi_osc_wave *w, vm_real pi, vm_real 
 #endif
 /* oscillators/constant_mass.h - the oscillator x'' + omega0^2 x|x|^(alpha-1) = 0 of constant mass
 
-   A spring with the force -k x|x|^(alpha-1) holds a mass m, and omega0 = sqrt(k/m). alpha is any real number >= 0: 1 is
-   the linear spring, 3 the cubic one. This file has the period of the motion (262), its largest velocity (267) and
-   its energy (259); the exact motion by the Ateb functions (282), (283) from rest or from any state; and the
-   approximations by the cosine (291)-(296) and by Jacobi's cn (297)-(307) with their errors (268). The shortest
+   A mass m is fixed to a spring with the force -k x|x|^(alpha-1), and omega0 = sqrt(k/m). alpha is any real
+   number >= 0: 1 is the linear spring, 3 the cubic one. This file has the period of the motion (262), its largest
+   velocity (267) and its energy (259); the exact motion by the Ateb functions (282), (283) from rest or from any state;
+   and the approximations by the cosine (291)-(296) and by Jacobi's cn (297)-(307) with their errors (268). The shortest
    useful calls:
        vm_real T = vm_osc_period(2, 1, VM_C(1.5)), x, v; // x'' = -x|x|^0.5 from x = 2 at rest
        vm_osc_exact(T / 8, 2, 1, VM_C(1.5), &x, &v);
    The functions return or write NaN for alpha < 0 and for infinite arguments, and functions with outputs write nothing
-   where an output is null. With x in metres the unit of omega0 is metre^((1-alpha)/2)/s. Symbols: A amplitude, psi Ateb
-   phase, Om the rate of psi.
+   where the pointer to an output is null. With x in metres the unit of omega0 is metre^((1-alpha)/2)/s. Symbols: A
+   amplitude, psi Ateb phase, Om the rate of psi.
    Tests: tests/test_constant_mass.c. */
 #ifndef VARMASS_OSCILLATORS_CONSTANT_MASS_H
 #define VARMASS_OSCILLATORS_CONSTANT_MASS_H
@@ -8628,8 +8628,8 @@ VM_API void vm_osc_exact_from(vm_real t, vm_real x0, vm_real v0, vm_real omega0,
 }
 
 /* The mean of |ca|^power over a period. It is B(q, 1/2)/Pi_alpha with q = (power+1)/(alpha+1) and Euler's beta function
-   B; the argument pi is Pi_alpha. For q <= 1, B(q, 1/2) is Pi of alpha = 1/q - 1; for larger q it follows by the
-   recurrence of B. `constants` is the function that computes Pi. */
+   B; the argument pi is Pi_alpha. For q <= 1, B(q, 1/2) is Pi_alpha of the exponent alpha = 1/q - 1; for larger q it
+   follows from the recurrence formula of B. `constants` is the function that computes Pi. */
 VM_API vm_real vmi_osc_mean_ca(vm_real power, vm_real alpha, vm_real pi, vmi_ateb_constants_of constants)
 {
     vm_real q = (power + 1) / (alpha + 1), factor = 1;
@@ -8696,8 +8696,8 @@ typedef struct VM_TAG(vm_osc_errors) {
     vm_real jacobi_x, jacobi_v; /* largest errors of cn, of x relative to x0 and of v relative to vmax */
 } vm_osc_errors;
 
-/* Errors of the approximations by cos and cn, as the fields of vm_osc_errors. They depend on alpha alone. Errors in a
-   period are compared at 257 points. */
+/* Errors of the approximations by cos and cn, as the fields of vm_osc_errors. They depend on alpha alone. The largest
+   errors in a period are found from 257 points of a quarter of the period. */
 VM_API vm_osc_errors vm_osc_approximation_errors(vm_real alpha)
 {
     const vm_real pi = ateb_pi(alpha);
@@ -8757,7 +8757,7 @@ VM_API vm_real vmi_legendre_next(int k, vm_real x, vm_real now, vm_real before)
 }
 
 /* Writes the coefficients a and b of the series of two functions, from their values at the points of Gauss' rule. It
-   takes two functions at once, since most of the time goes into the polynomials. */
+   treats two functions in one call, since most of the computing time is spent on the polynomials. */
 VM_API void vmi_legendre_fit(const vm_real *values_a, const vm_real *values_b, vm_real *a, vm_real *b)
 {
     int i, k;
@@ -8848,9 +8848,10 @@ VM_API vm_real vmi_legendre_tail(const vm_real *coefficient)
 #endif
 /* oscillators/laws.h - laws of time for mass, stiffness and other numbers
 
-   A vm_law is a number f(t): the mass of a body (kg), the stiffness of its spring (N/m^alpha), or the frequency (1/s)
-   and the size (N) of a force on it (oscillators/forced.h). A constructor makes it: linear f0 + f1 t (346), quadratic,
-   exponential, power, the points of a table, or a function of the user. The shortest useful call:
+   A vm_law describes a number f(t) that depends on time: the mass of a body (kg), the stiffness of its spring
+   (N/m^alpha), or the frequency (1/s) and the size (N) of a force on it (oscillators/forced.h). A constructor makes it:
+   linear f0 + f1 t (346), quadratic, exponential, power, the points of a table, or a function of the user. The shortest
+   useful call:
        vm_law mass = vm_law_linear(10, VM_C(-0.1)); // 10 kg, of which 0.1 kg leaks out per second
        vm_real m, rate;
        int status = vm_law_at(&mass, 20, &m, &rate); // 8 kg, -0.1 kg/s
@@ -8870,7 +8871,7 @@ typedef int (*vm_law_function)(vm_real t, vm_real *f, vm_real *rate, void *ctx);
    the GPU. */
 typedef struct VM_TAG(vm_law) vm_law;
 struct VM_TAG(vm_law) {
-    vm_real f0, f1, f2;       /* numbers given to the constructor, in its order; 0 for tables and functions */
+    vm_real f0, f1, f2;       /* arguments of the constructor, in their order; 0 for tables and functions */
     int n;                    /* number of points of a table; 0 for the other laws */
     const vm_real *time;      /* n times of a table, s, rising; else null */
     const vm_real *value;     /* n values of a table, in the unit of f; else null */
@@ -8920,11 +8921,11 @@ VM_API int vmi_law_derivatives(const vm_law *law, int if_not_positive, vm_real t
     return vmi_law_status(law->derivatives(law, t, side, length, f), if_not_positive, orders, f);
 }
 
-/* Does what vmi_law_derivatives does, but only f, f' and f'' are right and checked. The law must not be a function of
+/* Does what vmi_law_derivatives does, but only f, f' and f'' are valid and checked. The law must not be a function of
    the user. */
 VM_API int vmi_law_two_derivatives(const vm_law *law, int if_not_positive, vm_real t, int side, vm_real *f)
 {
-    const vm_real length = 1; /* 1 s: only a user's function needs a certain length */
+    const vm_real length = 1; /* 1 s; any positive length asks for f'' */
     f[2] = 0;
     return vmi_law_status(law->derivatives(law, t, side, length, f), if_not_positive, 3, f);
 }
@@ -9305,9 +9306,9 @@ VM_API int vmi_law_user_fit(const vm_law *law, vm_real t, vm_real length, vm_rea
 }
 
 /* Writes the Legendre series of the rate f' between t and t + *length. The length is halved until the last terms of the
-   series are rounding errors, which shows in that a further halving hardly makes them smaller. Terms as small as these
-   are set to 0. The length is also halved where the user's function fails, because the function may be defined only
-   close to t. */
+   series are only rounding errors. They are rounding errors when a further halving hardly makes them smaller. Terms as
+   small as these are set to 0. The length is also halved where the user's function fails, because the function may be
+   defined only close to t. */
 VM_API int vmi_law_user_series(const vm_law *law, vm_real t, vm_real *length, vm_real *series)
 {
     const int most_halvings = 24;
@@ -9352,7 +9353,7 @@ VM_API int vmi_law_user_derivatives(const vm_law *law, vm_real t, int side, vm_r
     return VM_OK;
 }
 
-/* Checks that change_time is finite and not negative, and 0 or at least |t|/2^20, so that every call ends. */
+/* Checks that change_time is 0, or finite and at least |t|/2^20, so that every call ends. */
 VM_API int vmi_law_user_validate(const vm_law *law, int if_not_positive, vm_real t)
 {
     const vm_real most_changes = VM_C(1048576.);
@@ -9364,11 +9365,12 @@ VM_API int vmi_law_user_validate(const vm_law *law, int if_not_positive, vm_real
 }
 
 /* Law by a user's function, which must be smooth. A null function makes no law: all functions refuse it with
-   VM_BAD_ARGUMENT. ctx is handed to the function. Integrals along the law divide the time from 0 to t into panels and
-   evaluate the function at 20 points of each. A panel is at most |t|/32 long, and is halved where the function changes
-   fast. So a bump exp(-(time/w)^2) is found if w > |t|/3000 (float |t|/2000). If the law changes in a shorter time, set
-   law.change_time to that time, s: then no panel and no step of an integrator is longer than change_time. A change_time
-   that is negative or less than |t|/2^20 is refused with VM_DOMAIN. */
+   VM_BAD_ARGUMENT. The function receives ctx as its last argument. To integrate the law, the time from 0 to t is
+   divided into parts, called panels, and the function is evaluated at 20 points of each panel. A panel is at most
+   |t|/32 long, and is halved where the function changes fast. So a bump exp(-(time/w)^2) is found if w > |t|/3000
+   (float |t|/2000). If the law changes in a shorter time, set law.change_time to that time, s: then no panel and no
+   step of an integrator is longer than change_time. A change_time that is negative or less than |t|/2^20 is refused
+   with VM_DOMAIN. */
 VM_API vm_law vm_law_user(vm_law_function function, void *ctx)
 {
     vm_law law = vmi_law_of(0, 0, 0);
@@ -9489,10 +9491,10 @@ VM_API int vmi_osc_check_problem(const vm_osc_problem *o, vm_real t, vm_real *ma
        vm_osc_motion motion;
        int status = vm_osc_load_init(&load, &problem, &u, &damping); // 0.3 m/s; 0.02 kg/s, growing
        if (!status) status = vm_osc_within(&problem, 10, VM_C(1e-6), &motion);
-   To first order a thrust m' u leaves the averaged amplitude as it is, since its mean over a period is 0: it only moves
-   the middle of the vibration, for alpha = 1 by m' u/k. The averaged routes leave this shift out; the field `error`
-   of their results includes it. damping(t) changes the amplitude by vm_osc_amplitude_law, with
-   vm_law_ratio_integral(&damping, &mass, t, &decay).
+   To first order a thrust m' u does not change the averaged amplitude, since its work over a period is 0. It only moves
+   the middle of the vibration, for alpha = 1 by m' u/k. The averaged routes leave this shift out; the field `error` of
+   their results includes it. With damping(t) the amplitude follows vm_osc_amplitude_law; the argument decay of this
+   function is computed by vm_law_ratio_integral(&damping, &mass, t, &decay).
    Tests: tests/test_loads.c. */
 #ifndef VARMASS_OSCILLATORS_LOADS_H
 #define VARMASS_OSCILLATORS_LOADS_H
@@ -9511,10 +9513,10 @@ typedef struct VM_TAG(vm_osc_load) {
 } vm_osc_load;
 
 /* Force of a vm_osc_load on an oscillator, N: reactive m' u(t) - damping(t) v + force(t, x, v).
-   A vm_osc_force; its ctx, here `load`, is a vm_osc_load, and vm_osc_load_init makes it the force of a problem. t is
-   the time (s), x the position (m) and v the velocity (m/s). The laws of mass, u and damping are evaluated once.
-   Returns NaN for a null pointer, for arguments that are infinite or NaN, and where a law has no value at t; the routes
-   then return VM_NOT_INTEGRATED or VM_NOT_FINITE. */
+   The function is a vm_osc_force, which vm_osc_load_init makes the force of a problem. Its last argument `load` points
+   to the vm_osc_load. t is the time (s), x the position (m) and v the velocity (m/s). The laws of mass, u and damping
+   are evaluated once. Returns NaN for a null pointer, for arguments that are infinite or NaN, and where a law has no
+   value at t; the routes then return VM_NOT_INTEGRATED or VM_NOT_FINITE. */
 VM_API vm_real vm_osc_load_force(vm_real t, vm_real x, vm_real v, void *load)
 {
     if (!load) return VM_NAN;
@@ -9531,13 +9533,13 @@ VM_API vm_real vm_osc_load_force(vm_real t, vm_real x, vm_real v, void *load)
 
 /* Gives an oscillator a velocity u of the mass that joins or leaves, and a damping that depends on time.
    u_or_NULL is the law of this velocity, m/s, and damping_or_NULL the law of the damping, kg/s, which adds to the
-   problem's constant damping; a null pointer means 0. *load is filled, and problem->force and problem->ctx are set to
-   it; a force that the problem had before still acts. Call it once for a problem, after its other fields are set.
-   Routes do not stop at the points of a table in u and damping; this makes them take more steps, but not less
-   accurate. Returns VM_BAD_ARGUMENT for other null pointers, for a law that no constructor made, and for a problem
-   that has this load already; VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS or VM_DOMAIN where a number of the problem
-   or a law at t = 0 is not finite, not positive or outside its domain. An error leaves *load and *problem
-   untouched. */
+   problem's constant damping; a null pointer means 0. The function fills *load, and sets problem->force and
+   problem->ctx so that the problem uses *load. A force that the problem had before still acts. Call it once for a
+   problem, after its other fields are set. Routes do not stop at the points of a table in u or damping. For this reason
+   they take more steps, but they are not less accurate. Returns VM_BAD_ARGUMENT for other null pointers, for a law that
+   no constructor made, and for a problem that has this load already; VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS or
+   VM_DOMAIN where a number of the problem or a law at t = 0 is not finite, not positive or outside its domain. An error
+   leaves *load and *problem untouched. */
 VM_API int vm_osc_load_init(vm_osc_load *load, vm_osc_problem *problem, const vm_law *u_or_NULL,
                             const vm_law *damping_or_NULL)
 {
@@ -10135,12 +10137,13 @@ VM_API void vmi_ripple_at(const vmi_ripple *r, int order, vm_real psi, vm_real s
    With slow mass and stiffness, amplitude A and phase psi of oscillators/reduction.h obey the exact equations
      A'/A = -p + (G_0/W) sa ca,   psi' = W + (alpha+1)/2 (G_0/W) ca^2,
    where W is the rate of the phase at the amplitude A. Only the number G_0/W^2 disturbs the slow motion A'/A = -p,
-   psi' = W. It is of second order in epsilon, the relative change of mass and stiffness within a radian.
+   psi' = W. It is of second order in epsilon, the relative change of mass and stiffness within a radian of the phase.
 
-   A canonical transformation leads from A and psi to mean values without ripple: a mean action, which is constant, and
-   a mean phase, whose rate varies slowly. The action is J = A^((alpha+3)/2) sqrt(mu kappa), with mu and kappa of
-   oscillators/reduction.h. The transformation is a series in powers of the numbers E_k, k = 0, 1 ..., which are of
-   order epsilon^(k+2):
+   A canonical transformation, which is a change of variables that keeps the form of Hamilton's equations, leads from A
+   and psi to mean values. They do not contain the ripple, the small swing within a period. They are a mean action,
+   which is constant, and a mean phase, whose rate varies slowly. The action is J = A^((alpha+3)/2) sqrt(mu kappa), with
+   mu and kappa of oscillators/reduction.h. The transformation is a series in powers of the numbers E_k, k = 0, 1 ...,
+   which are of order epsilon^(k+2):
      E_k = G_k/W^(k+2),   G_(k+1) = G_k' - (k+2) (2p - a) G_k.
    This file has the transformation in both directions, and the mean rate of the phase. If the series is cut off after
    the order N, it gives the motion with an error of O(epsilon^N) over times of 1/epsilon. The law is new; docs/law.md
@@ -10242,8 +10245,9 @@ VM_API vmi_osc_reduced vmi_expansion_shifted(const vmi_ripple *r, const vmi_osc_
     return other;
 }
 
-/* The mean motion that belongs to a reduced state, by the law of this order, 2 to 5. sa and ca are the Ateb functions
-   of the state's phase, and E holds the state's numbers E_k. Above order 2 the ripple must have its polynomials. */
+/* The mean motion that belongs to a reduced state (amplitude and phase of oscillators/reduction.h), by the law of this
+   order, 2 to 5. sa and ca are the Ateb functions of the state's phase, and E holds the state's numbers E_k. Above
+   order 2 the polynomials of the ripple must be set (vmi_ripple_complete). */
 VM_API vmi_osc_reduced vmi_expansion_to_mean(const vmi_ripple *r, int order, const vmi_osc_reduced *state, vm_real sa,
                                              vm_real ca, const vm_real *E)
 {
@@ -10290,9 +10294,9 @@ VM_API void vmi_expansion_find_sizes(const vmi_ripple *r, const vm_real *e, vmi_
     size->psi[5] += square * e[0] * e[1] * d * d;
 }
 
-/* An upper bound of the terms of weight 6, divided by W. These are the first that order five leaves out of the mean
-   rate of the phase. product is |E_0 E_2| and cube is |E_0|^3. If product and cube are instead the integrals of these
-   numbers over the phase, the result is a bound of the error of the phase. */
+/* An upper bound of the terms of weight 6, divided by W. These are the first terms that order five leaves out of the
+   mean rate of the phase. product is |E_0 E_2| and cube is |E_0|^3. If product and cube are instead the integrals of
+   these numbers over the phase, the result is a bound of the error of the phase. */
 VM_API vm_real vmi_expansion_third_rate(const vmi_ripple *r, vm_real product, vm_real cube)
 {
     const vm_real d = r->pi / (2 * VM_PI), L = r->scale, g = r->gamma;
@@ -10328,10 +10332,11 @@ VM_API vmi_left_out vmi_expansion_left_out_at_start(const vmi_ripple *r, int ord
     return start;
 }
 
-/* The estimate of the larger of |error of x|/A and |error of v|/vmax, from the terms that the law leaves out. `now` are
-   those at t, `start` those at the start and on the way, and `third` is the bound for the mean rate of the phase
-   (vmi_expansion_third_rate). turns is how far the phase advances from 0 to t; errors of ln J at the start grow with
-   it. The estimate includes a factor of 2, which fits the errors that tests/test_slow_motion.c finds. */
+/* The estimate of the larger of |error of x|/A and |error of v|/vmax, from the terms that the law leaves out. `now`
+   holds the sizes of these terms at t, `start` their sizes at the start and on the way, and `third` is the bound for
+   the mean rate of the phase (vmi_expansion_third_rate). `turns` is the angle by which the phase advances from 0 to t.
+   An error of ln J at the start causes an error of the phase that grows in proportion to `turns`. The estimate includes
+   a factor of 2, which fits the errors that tests/test_slow_motion.c finds. */
 VM_API vm_real vmi_expansion_error(const vmi_ripple *r, vmi_left_out now, vmi_left_out start, vm_real turns,
                                    vm_real third)
 {
@@ -10348,13 +10353,14 @@ VM_API vm_real vmi_expansion_error(const vmi_ripple *r, vmi_left_out now, vmi_le
    (examples/print_plan.c prints it). Mass and stiffness must be
      m = m0 exp(rate_m u),   k = k0 exp(rate_k u),   u = ln(1 + base t)/base, or u = t for base = 0,
    with a common base: they may be constant, linear, exponential or powers of the same 1 + base t. With damping the mass
-   must be constant or linear. The order, 2 to 5, is a choice: a lower order is less accurate (docs/law.md) and needs
-   less code. vm_osc_closed_at_order2 and vm_osc_closed_at_order3 leave out the code that only higher orders need.
+   must be constant or linear. The user chooses the order, from 2 to 5: a lower order is less accurate (docs/law.md),
+   but needs less code. vm_osc_closed_at_order2 and vm_osc_closed_at_order3 leave out the code that only higher orders
+   need.
        vm_osc_problem sieve = {3,            vm_law_linear(120, -20), vm_law_linear(VM_C(4e8), 0), 0, 0,
                                VM_C(0.005), 0,                       NULL,                        NULL};
        vm_osc_closed motion;
        vm_real x, v;
-       int status = vm_osc_closed_init(&motion, &sieve, 5, 3); // motion.error holds up to 3 s
+       int status = vm_osc_closed_init(&motion, &sieve, 5, 3); // motion.error is valid up to 3 s
        if (!status) status = vm_osc_closed_at(&motion, 1, &x, &v);
 
    Method: let p and a be the rates of oscillators/reduction.h at t = 0. Then
@@ -10372,9 +10378,9 @@ typedef struct VM_TAG(vmi_osc_rates_of_u) {
     vm_real base, rate_m, rate_k;
 } vmi_osc_rates_of_u;
 
-/* Finds the exponential form of both laws. Returns 0 if there is none in a common u, or if the integral of b/m is not
-   proportional to u. With damping it is proportional only for m = m0 (1 + base t), which includes a constant mass with
-   base = 0. */
+/* Finds the exponential form of both laws. Returns 0 if the two laws have no such form with the same u, or if the
+   integral of b/m is not proportional to u. With damping this integral is proportional to u only for m = m0 (1 + base
+   t), which includes a constant mass with base = 0. */
 VM_API int vmi_osc_find_closed_form(const vm_osc_problem *o, vmi_osc_rates_of_u *u)
 {
     vm_real base_m, base_k;
@@ -10417,7 +10423,7 @@ VM_API void vmi_osc_closed_disturbance(const vmi_osc_closed_rates *r, vm_real W,
 
 /* -- The mean motion -- */
 
-/* The mean motion at t = 0, and what is needed to follow it to any t */
+/* The mean motion at t = 0, and what is needed to compute it at any t */
 typedef struct VM_TAG(vmi_osc_closed_mean) {
     vmi_osc_reduced start;      /* mean amplitude, m, mean phase, and its rate W without the terms of E_0, 1/s */
     vm_real base;               /* base of the laws, 1/s; see the top of this file */
@@ -10428,7 +10434,7 @@ typedef struct VM_TAG(vmi_osc_closed_mean) {
 /* The mean motion at t; u, el and delta are explained at the top of this file. */
 typedef struct VM_TAG(vmi_osc_closed_now) {
     vmi_osc_reduced state; /* mean amplitude, m, mean phase, and its rate W without the terms of E_0, 1/s */
-    vm_real u, el;         /* u, s, and el, a pure number */
+    vm_real u, el;         /* u, s, and the pure number el */
     vm_real ln_A;          /* ln(A/A(0)) of the mean amplitude A */
     vm_real ratio;         /* W/W(0) */
     vm_real decay;         /* exp(-delta u) */
@@ -10468,7 +10474,7 @@ VM_API vm_real vmi_exp_and_ratio(vm_real x, vm_real *ratio)
     return scale + scale * p;
 }
 
-/* The mean motion at t, where 1 + base t must be positive. It uses that the integral of exp(-3 delta u) over u is the
+/* The mean motion at t, where 1 + base t must be positive. Method: the integral of exp(-3 delta u) over u is the
    integral of exp(-delta u) times (1 + decay + decay^2)/3, with decay = exp(-delta u). */
 VM_API void vmi_osc_closed_mean_at(const vmi_osc_closed_mean *c, vm_real t, vmi_osc_closed_now *now)
 {
@@ -10497,7 +10503,8 @@ VM_API void vmi_osc_closed_disturbance_at(const vmi_osc_closed_mean *c, const vm
     vmi_osc_closed_disturbance(&c->rates, c->start.W / now->decay, n, E);
 }
 
-/* A bound of what order five leaves out of the mean phase between 0 and the time of *now (vmi_expansion_third_rate) */
+/* An upper bound of the terms that order five leaves out of the mean phase, from 0 to the time of *now
+   (vmi_expansion_third_rate) */
 VM_API vm_real vmi_osc_closed_third(const vmi_osc_closed_mean *c, const vmi_osc_closed_now *now, const vmi_ripple *r)
 {
     const vm_real q = now->decay, sum = 1 + q * (1 + q * (1 + q * (1 + q))); /* the integral of q^5 is sum/5 times that
@@ -10519,7 +10526,7 @@ typedef struct VM_TAG(vm_osc_closed) {
                                  infinite where the error is unknown */
     vmi_osc_closed_mean mean; /* the mean motion */
     ateb_plan ateb;           /* Ateb functions for alpha */
-    vmi_ripple ripple;        /* functions of the ripple for alpha; order 2 leaves out its polynomials */
+    vmi_ripple ripple;        /* functions of the ripple for alpha; polynomials are not set for order 2 */
 } vm_osc_closed;
 
 /* -- Preparing it -- */
@@ -10594,15 +10601,15 @@ VMI_APART void vmi_osc_closed_begin(vm_osc_closed *c, int order, const vmi_osc_c
     if (mean.A != 0) c->error = vmi_osc_closed_error(c, order, s->E, t_end);
 }
 
-/* Prepares the motion of the problem by the law of an order, 2 to 5; a higher order is more accurate. c->error holds
-   for times between 0 and t_end, s, of either sign. Afterwards *c does not need the problem any more. After an error
-   *c is unchanged. The errors are
+/* Prepares the computation of the problem's motion by the law of the given order, 2 to 5; a higher order is more
+   accurate. c->error is valid for times between 0 and t_end, s, which may have either sign. Afterwards *c does not need
+   the problem any more. After an error *c is unchanged. The errors are
      VM_BAD_ARGUMENT for null pointers, another order, and a law that no constructor made,
      VM_NOT_FINITE for a number that is infinite or NaN,
      VM_BAD_MASS or VM_BAD_STIFFNESS for a law that is not positive at 0 or t_end,
      VM_DOMAIN for alpha < 0,
      VM_NO_LAW for laws without the closed form at the top of this file, for a force F, and where mass, stiffness or
-       damping changes the motion so fast that the law of order five does not hold; use vm_osc_plan_init then.
+       damping changes the motion so fast that the law of order five is not valid; use vm_osc_plan_init then.
    The call takes as long as some 100 calls of vm_osc_closed_at; with order 2 it takes less than half as long. */
 VM_API int vm_osc_closed_init(vm_osc_closed *c, const vm_osc_problem *problem, int order, vm_real t_end)
 {
@@ -10631,7 +10638,7 @@ VM_API int vmi_osc_closed_check_call(const vm_osc_closed *c, int order, vm_real 
     return VM_OK;
 }
 
-/* Writes the motion at t by the law of an order that is at most that of *c. */
+/* Writes the motion at t by the law of the given order, which must not be higher than the order of *c. */
 VM_API int vmi_osc_closed_motion(const vm_osc_closed *c, int order, vm_real t, vm_real *x, vm_real *v)
 {
     const vmi_osc_closed_mean *mean;
@@ -10656,11 +10663,10 @@ VM_API int vmi_osc_closed_motion(const vm_osc_closed *c, int order, vm_real t, v
     return VM_OK;
 }
 
-/* Position x (m) and velocity v (m/s) at time t (s, either sign), from the law in *c, with its order. c->error
-   estimates the error up to the time t_end that vm_osc_closed_init received. An error leaves *x and *v untouched:
-   VM_BAD_ARGUMENT for null pointers, VM_NOT_FINITE where t or a result is infinite or NaN, VM_BAD_MASS or
-   VM_BAD_STIFFNESS where a law is not positive at t. If *c has order 5, the results are bit for bit those of
-   vm_osc_plan_by_route. */
+/* Position x (m) and velocity v (m/s) at time t (s, either sign), by the law of the order c->order. c->error estimates
+   the error up to the time t_end that vm_osc_closed_init received. An error leaves *x and *v untouched: VM_BAD_ARGUMENT
+   for null pointers, VM_NOT_FINITE where t or a result is infinite or NaN, VM_BAD_MASS or VM_BAD_STIFFNESS where a law
+   is not positive at t. If *c has order 5, the results are bit for bit those of vm_osc_plan_by_route. */
 VM_API int vm_osc_closed_at(const vm_osc_closed *c, vm_real t, vm_real *x, vm_real *v)
 {
     int order = 0;
@@ -10668,15 +10674,15 @@ VM_API int vm_osc_closed_at(const vm_osc_closed *c, vm_real t, vm_real *x, vm_re
     return vmi_osc_closed_motion(c, order, t, x, v);
 }
 
-/* Position and velocity as by vm_osc_closed_at, but always by order 2, whatever order *c has. This function links the
-   least code, since it needs no ripple. */
+/* Position and velocity as by vm_osc_closed_at, but always by order 2, whatever order *c has. Of the three functions it
+   adds the least code to a program, since order 2 needs no ripple. */
 VM_API int vm_osc_closed_at_order2(const vm_osc_closed *c, vm_real t, vm_real *x, vm_real *v)
 {
     return vmi_osc_closed_motion(c, 2, t, x, v);
 }
 
 /* Position and velocity as by vm_osc_closed_at, but always by order 3; returns VM_BAD_ARGUMENT if *c has order 2.
-   This function links less code than vm_osc_closed_at. */
+   It adds less code to a program than vm_osc_closed_at. */
 VM_API int vm_osc_closed_at_order3(const vm_osc_closed *c, vm_real t, vm_real *x, vm_real *v)
 {
     return vmi_osc_closed_motion(c, 3, t, x, v);
@@ -11741,18 +11747,20 @@ VM_API int vmi_osc_order_n(const vm_osc_plan *p, int route, const vmi_osc_wave *
        vm_real A_rate, theta_rate, psi_rate;
        int status = vm_osc_plan_init(&plan, &problem); // problem is a vm_osc_problem; t = 10 s, A = 0.1 m
        if (!status) status = vm_osc_averaged(&plan, VM_ROUTE_ATEB, 10, VM_C(0.1), &A_rate, &theta_rate, &psi_rate);
-   vmi_osc_averaging_error estimates how far the solution of the averaged equations is from the motion.
-   Symbols: psi Ateb phase, Om its rate, theta the slow part of a wave's own angle (oscillators/waves.h).
+   vmi_osc_averaging_error estimates the error of the solution of the averaged equations.
+   Symbols: psi is the Ateb phase and Om its rate. The argument of ca, cos or cn is the angle of the wave; theta is the
+   part of this angle that changes slowly (oscillators/waves.h).
    Tests: tests/test_averaging.c, tests/test_ladder.c. */
 #ifndef VARMASS_OSCILLATORS_AVERAGING_H
 #define VARMASS_OSCILLATORS_AVERAGING_H
 
 /* -- Averaged equations with a force -- */
 
-/* Writes the means of F s and F c over a period, where F is the force on a motion x = A c, x' = -V s by the wave w.
-   Each quarter of the period is divided at psi = cut. From 0 to cut, Gauss' rule takes 20 points in psi; for large
-   alpha the velocity varies like tanh psi there. From cut to x = 0 the rule takes 20 points in the square root of the
-   distance between psi and its value at x = 0, because F may contain fractional powers of that distance. */
+/* Writes the means of F s and F c over a period. c and s are the values of the wave w, and F is the force during the
+   motion x = A c, x' = -V s. Each quarter of the period is divided at psi = cut. From 0 to cut, Gauss' rule takes 20
+   points in psi; for large alpha the velocity varies like tanh psi there. From cut to x = 0 it takes 20 points in
+   another variable: the square root of the distance between psi and its value at x = 0. The reason is that F may
+   contain fractional powers of that distance. */
 VM_API void vmi_osc_means(const vm_osc_plan *p, const vmi_osc_wave *w, vm_real t, vm_real A, vm_real V, vm_real *Fs,
                           vm_real *Fc)
 {
@@ -11778,8 +11786,8 @@ VM_API void vmi_osc_means(const vm_osc_plan *p, const vmi_osc_wave *w, vm_real t
     }
 }
 
-/* The averaged rates (ln A)' and theta' at the amplitude A, where Om is the rate of the Ateb phase. theta is the slow
-   part of the wave's own angle. */
+/* The averaged rates (ln A)' and theta' at the amplitude A, where Om is the rate of the Ateb phase. theta is the part
+   of the wave's angle that changes slowly. */
 VM_API void vmi_osc_averaged_rates(const vm_osc_plan *p, const vmi_osc_wave *w, const vmi_osc_rates *now, vm_real t,
                                    vm_real A, vm_real Om, vm_real *ln_A_rate, vm_real *theta_rate)
 {
@@ -11797,16 +11805,17 @@ VM_API vm_real vmi_osc_Om_ratio(const vm_osc_plan *p, const vmi_osc_rates *now, 
     return VM_SQRT((now->k / p->k0) / (now->m / p->m0)) * vmi_exp((p->problem.alpha - 1) / 2 * a, 0);
 }
 
-/* Averaged rates A', theta', psi' of amplitude and phase, with the problem's force. They are in m/s and 1/s, and belong
-   to the time t (s) and the amplitude A (m). psi is the angle of the route's wave, theta its slow part. For
-   VM_ROUTE_ATEB psi is the Ateb phase; the equations are (314), (315) averaged, with the term of omega' that they lack.
-   For VM_ROUTE_TRIG psi is in radians; the equations are (337)-(339) with alpha + 3 for 5 - alpha, and with 4 for the 2
-   of (338), (339). For VM_ROUTE_JACOBI psi is the argument of cn; the equations are (380)-(382) with theta' in the
-   second equation of (382). Gauss' rule takes the means on each quarter of the period, so F may jump where x or x' is
-   0. For alpha up to 30, and F linear or cubic in x and x' or dry friction, the relative error is at most 1e-10 (float
-   2e-6). Returns VM_BAD_ARGUMENT for a null pointer or another route, VM_NOT_FINITE for a number that is infinite or
-   NaN, VM_BAD_MASS or VM_BAD_STIFFNESS for a law that is not positive at t, and VM_DOMAIN for A <= 0, t outside a
-   table, or a user's function of a law that fails. An error leaves the results untouched. */
+/* Averaged rates A', theta', psi' of amplitude and phase, with the problem's force. They are in m/s and 1/s, at the
+   time t (s) and the amplitude A (m). psi is the angle of the route's wave, and theta the part of this angle that
+   changes slowly. For VM_ROUTE_ATEB psi is the Ateb phase; the equations are the averages of (314), (315) after the
+   missing term of omega' has been added. For VM_ROUTE_TRIG psi is in radians; the equations are (337)-(339), with
+   alpha + 3 in place of 5 - alpha, and in (338), (339) with 4 in place of 2. For VM_ROUTE_JACOBI psi is the argument of
+   cn; the equations are (380)-(382), with theta' in place of A' in the second equation of (382). Gauss' rule computes
+   the means over each quarter of the period separately, so F may jump where x or x' is 0. For alpha up to 30, and F
+   linear or cubic in x and x' or dry friction, the relative error is at most 1e-10 (float 2e-6). Returns
+   VM_BAD_ARGUMENT for a null pointer or another route, VM_NOT_FINITE for a number that is infinite or NaN, VM_BAD_MASS
+   or VM_BAD_STIFFNESS for a law that is not positive at t, and VM_DOMAIN for A <= 0, for t outside a table, or where
+   the user's function of a law fails. An error leaves the results untouched. */
 VM_API int vm_osc_averaged(const vm_osc_plan *p, int route, vm_real t, vm_real A, vm_real *A_rate,
                            vm_real *theta_rate, vm_real *psi_rate)
 {
@@ -11843,7 +11852,8 @@ typedef struct VM_TAG(vmi_osc_moment) {
     vm_real A, psi, Om; /* amplitude, m, Ateb phase, and rate of this phase, 1/s */
 } vmi_osc_moment;
 
-/* What averaging leaves out at one moment, as errors of ln A and of the Ateb phase psi */
+/* What averaging leaves out at one moment, as errors of ln A and of the Ateb phase psi. The ripple of a number is its
+   small swing about its mean value within a period. */
 typedef struct VM_TAG(vmi_osc_averaging) {
     vm_real Om;                 /* rate of the Ateb phase at this moment, 1/s */
     vm_real start_A, start_psi; /* sizes of the ripples of ln A and psi at the phase of this moment */
@@ -11853,8 +11863,8 @@ typedef struct VM_TAG(vmi_osc_averaging) {
 } vmi_osc_averaging;
 
 /* Writes the exact rates of ln A and psi at VMI_AVERAGING_POINTS phases of the period before t, or of the first period
-   if less than a period has passed. If `frozen` is 1, the force is taken at the time t for all phases, otherwise at the
-   time of each phase. */
+   if less than a period has passed. If `frozen` is 1, the force is computed at the time t for all phases, otherwise at
+   the time of each phase. */
 VM_API void vmi_osc_period_rates(const vmi_osc_moment *at, int frozen, vm_real *rate_A, vm_real *rate_psi)
 {
     const vm_osc_plan *p = at->plan;
@@ -11885,8 +11895,8 @@ VM_API vm_real vmi_osc_take_mean(vm_real *values)
     return mean;
 }
 
-/* Integrates values over a period, whose mean is 0, and subtracts the mean of the integral. `width` is the distance
-   between two values. */
+/* Integrates values over a period, and subtracts the mean of the integral. The mean of the values must be 0. `width` is
+   the distance between two values. */
 VM_API void vmi_osc_integrate_ripple(const vm_real *values, vm_real width, vm_real *ripple)
 {
     int i;
@@ -11905,8 +11915,8 @@ VM_API vm_real vmi_osc_largest(const vm_real *values)
     return largest;
 }
 
-/* Adds to the errors of the mean rates the difference between the rates by the wave w and those by ca. It also finds
-   the rate at which a small change of ln A grows. */
+/* Adds the difference between the mean rates with the wave w and those with ca, the exact wave, to the errors of the
+   mean rates. It also finds the rate at which a small change of ln A grows. */
 VM_API void vmi_osc_add_wave_rates(const vmi_osc_moment *at, const vmi_osc_wave *w, vmi_osc_averaging *a)
 {
     const vm_osc_plan *p = at->plan;
@@ -11922,8 +11932,8 @@ VM_API void vmi_osc_add_wave_rates(const vmi_osc_moment *at, const vmi_osc_wave 
     a->growth = (more_A - own_A) / change;
 }
 
-/* Integrates the rates of ln A and psi, from which their means are subtracted, over a period: the integrals are the
-   ripples of ln A and psi. The ripple of ln A changes Om, and so adds to the rate of psi. */
+/* Finds the ripples of ln A and psi. They are the integrals of the rates of ln A and psi over a period, after the means
+   of the rates have been subtracted. The ripple of ln A changes Om, and so adds to the rate of psi. */
 VM_API void vmi_osc_find_ripples(const vmi_osc_moment *at, const vm_real *rate_A, vm_real *rate_psi,
                                  vmi_osc_averaging *a)
 {
@@ -11975,8 +11985,8 @@ VM_API int vmi_osc_averaging_at(const vm_osc_plan *p, const vmi_osc_wave *w, vm_
 
 /* -- The error between 0 and t -- */
 
-/* The interval from 0 to t has 11 equal parts. Errors are estimated at the ends of the last 8 of them, both here and
-   where oscillators/integration.h compares two integrations. */
+/* The interval from 0 to t is divided into 11 equal parts. Errors are estimated at the ends of the last 8 of them, both
+   here and where oscillators/integration.h compares two integrations. */
 enum { VMI_OSC_CHECKS = 8 };
 
 /* Time number i, 0 to VMI_OSC_CHECKS - 1, at which motions are compared on the way to t; the last one is t. */
@@ -11987,10 +11997,10 @@ VM_API vm_real vmi_osc_check_time(vm_real t, int i)
 }
 
 /* Estimates the error at t of the averaged equations with a force, from the motions at the times of vmi_osc_check_time.
-   Errors arise from the ripple at the start, which the equations take for a part of the mean, and from errors of the
-   mean rates. These errors grow as small changes of the motion grow, and an error of the amplitude adds an error of the
-   phase. At the end the estimate adds the ripple at t, the error of a wave that is not ca, and the effect of fast
-   changes of mass and stiffness. */
+   Errors arise from the ripple at the start, which the equations treat as a part of the mean, and from errors of the
+   mean rates. These errors grow as fast as small changes of the motion grow, and an error of the amplitude causes an
+   error of the phase. At the end the estimate adds the ripple at t, the error of a wave that is not ca, and the effect
+   of fast changes of mass and stiffness. */
 VM_API int vmi_osc_averaging_error(const vm_osc_plan *p, const vmi_osc_wave *w, vm_real t,
                                    const vm_osc_motion *motion, vm_real *error)
 {
@@ -12024,11 +12034,11 @@ VM_API int vmi_osc_averaging_error(const vm_osc_plan *p, const vmi_osc_wave *w, 
 #endif
 /* oscillators/integration.h - integration of an oscillator to a tolerance, with an estimate of its error
 
-   Two systems of two equations describe the oscillator: the averaged equations of amplitude and phase, and the equation
-   of motion. A vmi_osc_method is one of these systems with a Runge-Kutta pair (rk45 or rk87) and the numbers that suit
-   this pair; oscillators/routes.h has the methods that are used. vmi_osc_integrate runs a method twice, the second time
-   with a stricter tolerance, and estimates the error from the difference of the two runs. It repeats both runs with
-   stricter tolerances until the estimated error is within the tolerance of the motion.
+   The oscillator is described by either of two systems of two equations: the averaged equations of amplitude and phase,
+   or the equation of motion. A vmi_osc_method is one of these systems with a Runge-Kutta pair (rk45 or rk87) and the
+   numbers that are chosen for this pair; oscillators/routes.h has the methods that are used. vmi_osc_integrate runs a
+   method twice, the second time with a stricter tolerance, and estimates the error from the difference of the two runs.
+   It repeats both runs with stricter tolerances until the estimated error is within the tolerance of the motion.
        vmi_osc_method method = vmi_osc_method_rk87(vmi_osc_direct_rhs);
        vm_osc_motion motion;
        int status = vmi_osc_integrate(&plan, VM_ROUTE_RK87, &method, 10, VM_C(1e-9), &motion); // plan is a vm_osc_plan
@@ -12043,7 +12053,7 @@ typedef struct VM_TAG(vmi_osc_tuning) {
     vm_real least;     /* least useful tolerance of a step, because of rounding errors within the step */
     vm_real ratio;     /* tolerance of the loose run divided by that of the strict run */
     vm_real factor;    /* estimated error of the strict run, divided by the difference of the two runs */
-    vm_real by_chance; /* the estimated error is at least this times the tolerance of the steps */
+    vm_real by_chance; /* the estimated error is at least this number times the tolerance of the steps */
 } vmi_osc_tuning;
 
 /* A method of integration: a system of equations, a Runge-Kutta pair, and numbers that suit the pair */
@@ -12059,9 +12069,9 @@ typedef struct VM_TAG(vmi_osc_method) {
 } vmi_osc_method;
 
 /* A method of integration with the Runge-Kutta pair rk45. The pair does not change the length of its steps while their
-   error stays within a factor of 3. `ratio` is larger than this factor, so that the two runs take different steps.
-   `factor` leaves room for errors that are not proportional to the tolerance. Errors are mostly far below the tolerance
-   of the steps, so two runs may agree well by chance; by_chance allows for this. */
+   error is between 1/4 and 3/4 of the tolerance, which is a factor of 3. `ratio` is larger than this factor, so that
+   the two runs take different steps. `factor` leaves room for errors that are not proportional to the tolerance. Errors
+   are mostly far below the tolerance of the steps, so two runs may agree well by chance; by_chance allows for this. */
 VM_API vmi_osc_method vmi_osc_method_rk45(ode_rhs rhs)
 {
     vmi_osc_method method;
@@ -12078,7 +12088,7 @@ VM_API vmi_osc_method vmi_osc_method_rk45(ode_rhs rhs)
 }
 
 /* A method of integration with the Runge-Kutta pair rk87, which does not change the length of its steps while their
-   error stays within a factor of 7.5 */
+   error is between 1/10 and 3/4 of the tolerance, which is a factor of 7.5 */
 VM_API vmi_osc_method vmi_osc_method_rk87(ode_rhs rhs)
 {
     vmi_osc_method method = vmi_osc_method_rk45(rhs);
@@ -12108,7 +12118,7 @@ typedef struct VM_TAG(vmi_osc_run) {
     int status;       /* status of a law of mass or stiffness that stopped the run, else VM_OK */
     vm_real longest;  /* longest step, in periods */
     vm_real share;    /* longest step, divided by the interval up to the next stop */
-    vm_real law_step; /* longest step, s, in the first loose run that skips no change of a user's law */
+    vm_real law_step; /* longest step, s, of the first loose run: so short that no change of a user's law is missed */
     long evals;       /* evaluations of right-hand sides by all runs so far */
     rk45 s;
     vm_real work[RK87_WORK(VMI_OSC_STATES)];
@@ -12168,8 +12178,9 @@ VM_API int vmi_osc_direct_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *
 
 /* -- One run -- */
 
-/* The period at the run's time, s: from the amplitude in y, or for the equation of motion from the adiabatic law
-   without damping. Returns NaN where a law of m or k fails. */
+/* The period at the present time of the run, s. For the averaged equations it follows from the amplitude in y, for the
+   equation of motion from the adiabatic law of the amplitude without damping. Returns NaN where a law of m or k
+   fails. */
 VM_API vm_real vmi_osc_period_now(const vmi_osc_run *c)
 {
     const vm_osc_plan *p = c->plan;
@@ -12181,7 +12192,7 @@ VM_API vm_real vmi_osc_period_now(const vmi_osc_run *c)
     return 2 * p->ripple.pi / (p->Om * vmi_exp(ln_Om, 0));
 }
 
-/* The time at which the run stops next on its way to t: the next point of a table, but at most 64 periods later */
+/* The time at which the run stops next on its way to t: the next point of a table, but at most 64 periods from now */
 VM_API vm_real vmi_osc_next_stop(const vmi_osc_run *c, vm_real t, vm_real period)
 {
     const vm_osc_problem *o = &c->plan->problem;
@@ -12194,12 +12205,12 @@ VM_API vm_real vmi_osc_next_stop(const vmi_osc_run *c, vm_real t, vm_real period
 
 /* Sets the longest step and the largest number of steps up to the next stop, on the way to t. No step is longer than a
    fixed part of the period. For a large Pi_alpha the velocity reverses within 10/Pi_alpha periods. Then no step is
-   longer than a fixed part of this short time, because the Runge-Kutta pair would not notice the error of a step across
-   it. */
+   longer than a fixed part of this short time, because the Runge-Kutta pair would not notice the error of a step that
+   contains the whole reversal. */
 VM_API void vmi_osc_bound_steps(vmi_osc_run *c, vm_real stop, vm_real t, vm_real period)
 {
-    const vm_real most_steps = 8192; /* steps per period, a bound that stops runs which would not end */
-    const vm_real largest_long = VM_C(1e9), bounces_from = 10; /* from this Pi_alpha on it counts as large */
+    const vm_real most_steps = 8192; /* per period; a part of the largest number of steps of a run */
+    const vm_real largest_long = VM_C(1e9), bounces_from = 10; /* from here on Pi_alpha counts as large */
     const vm_real way = VM_FABS(stop - c->s.t), most = c->share * way + 64 * VM_EPSILON * VM_FABS(t);
     const vm_real law_step = c->law_step * c->longest / VMI_OSC_LONGEST;
     vm_real longest = period * c->longest, steps;
@@ -12367,8 +12378,8 @@ VM_API vm_real vmi_osc_first_tolerance(vm_real tolerance)
     return vmi_smaller(tolerance / part, largest);
 }
 
-/* The tolerance of the steps in the next pair of runs, after an error that was too large. It is the last one times the
-   ratio of tolerance to error, divided by 4, but not less than 2e-5 of the last one. */
+/* The tolerance of the steps in the next pair of runs, after an error that was too large. It is step_tolerance, the
+   last such tolerance, times tolerance/error, divided by 4, but at least 2e-5 times step_tolerance. */
 VM_API vm_real vmi_osc_next_tolerance(vm_real step_tolerance, vm_real tolerance, vm_real error)
 {
     const vm_real ratio = tolerance / error, reserve = 4;
@@ -12377,8 +12388,9 @@ VM_API vm_real vmi_osc_next_tolerance(vm_real step_tolerance, vm_real tolerance,
 }
 
 /* Makes pairs of runs until the error is within the tolerance. strict[] receives the motions of the last strict run;
-   its last element holds the error. The loop ends early if stricter runs are not better. In that case rounding errors,
-   chance or the longest step dominate the error; therefore each pair that is not better halves the longest step. */
+   its last element holds the error. The longest step is halved after each pair that is not much better than the pair
+   before, because then the error may come from steps that are too long. It may also come from rounding errors or
+   chance; therefore the loop ends after three such pairs. */
 VM_API int vmi_osc_refine(vmi_osc_run *c, vm_real t, vm_real tolerance, vm_osc_motion *strict)
 {
     const int most_attempts = 6, most_stalled = 3;
@@ -12534,7 +12546,7 @@ VM_API void vmi_gauss_rule_init(vmi_gauss_rule *rule, int n)
         }
     }
     for (j = 0; j < n; j++) rule->integral[n][j] = rule->weight[j];
-    for (k = 0; k < n; k++) { /* x = 2 node - 1: integrals are 1/2 of those over x, derivatives double */
+    for (k = 0; k < n; k++) { /* x = 2 node - 1: integrals are 1/2 of those over x, derivatives twice */
         for (i = 0; i < n; i++) {
             const vm_real x = 2 * rule->node[i] - 1, next = vmi_legendre_next(k, x, now[i], before[i]);
             integrals[i] = k == 0 ? rule->node[i] : (next - before[i]) / (vm_real)(2 * (2 * k + 1));
@@ -12552,7 +12564,7 @@ VM_API void vmi_gauss_rule_init(vmi_gauss_rule *rule, int n)
     }
 }
 
-/* The point z = x^2 (3 - 2x) of a graded rule, where the rule before had x */
+/* The point z = x^2 (3 - 2x) of a graded rule, which replaces the point x of the rule */
 VM_API vm_real vmi_graded(vm_real x) { return x * x * (3 - 2 * x); }
 
 /* Changes the rule for functions of z on [0, 1] that have singularities at the ends, such as fractional powers. The
@@ -12579,16 +12591,19 @@ VM_API void vmi_gauss_rule_grade(vmi_gauss_rule *rule)
      (ln A)' = -p + W E sa ca - 2/(alpha+1) f sa,   psi' = W (1 + (alpha+1)/2 E ca^2) - f ca,
      with E = (p^2 - a p - p')/W^2,   f = F/(m V),   V = 2 A W/(alpha+1); p, a and W are explained there.
    They are solved with psi as the independent variable: each step integrates ln A and t from one zero of x to the next.
-   At x = 0 the force of the spring is not smooth for most alpha, but since steps end there, no order is lost.
+   For most alpha the force of the spring is not smooth at x = 0. But the steps end there, so this point never lies
+   inside a step, where it would do the most harm.
 
-   A step uses Gauss' collocation of n points, the nodes. Its equations are solved by iteration, which starts from
-   values that are extrapolated from the steps before.
+   A step uses Gauss' collocation: polynomials approximate the rates, and satisfy the equations exactly at n points of
+   the step, the nodes. These conditions are solved by iteration, which starts from values that are extrapolated from
+   the earlier steps.
 
-   Without a force the rates of ln A and t consist of slow functions and of a swing with ca^2 and sa ca that is
-   proportional to E. A polynomial of few nodes is good for the slow functions, but not for ca^2 and sa ca. Their
-   integrals have closed forms (oscillators/ripple.h). So each step adds to Gauss' rule what the rule misses in these
-   integrals, and 2 or 3 nodes a step become enough for errors of 1e-8. With a force such closed forms do not exist; for
-   alpha < 3 the nodes then lie closer at the ends of the steps (vmi_gauss_rule_grade).
+   Without a force the rates of ln A and t consist of slow functions and of a swing, a part that varies like ca^2 and sa
+   ca and is proportional to E. A polynomial through few nodes approximates the slow functions well, but not ca^2 and sa
+   ca. The integrals of ca^2 and sa ca have closed forms (oscillators/ripple.h). So each step adds what Gauss' rule
+   misses in these integrals to the result of the rule. Then 2 or 3 nodes per step are enough for errors of 1e-8. With a
+   force such closed forms do not exist; for alpha < 3 the nodes then lie closer together at the ends of the steps
+   (vmi_gauss_rule_grade).
        vmi_osc_course c;
        int status;
        vmi_osc_course_start(&c, &plan, &reduced, 1, 4, 1, VM_C(1e-12)); // the vm_osc_plan plan, reduced at t = 0
@@ -12619,8 +12634,8 @@ typedef struct VM_TAG(vmi_step_rates) {
     vm_real E[2]; /* E at the first and at the last node */
 } vmi_step_rates;
 
-/* A run from 0 to t. A half period, from one zero of ca to the next, is one part, or it is two parts that meet where
-   sa = 0. Each step covers one part, unless it starts or ends inside a part. */
+/* A run, that is one computation of the motion from 0 to t. A half period goes from one zero of ca to the next. It is
+   one part, or two parts that meet where sa = 0. Each step covers one part, unless it starts or ends inside a part. */
 typedef struct VM_TAG(vmi_osc_course) {
     const vm_osc_plan *plan;
     vmi_osc_wave wave;
@@ -12630,12 +12645,12 @@ typedef struct VM_TAG(vmi_osc_course) {
     vm_real stop;          /* time, s, at which a step must end: a point of a table or the end. Laws are not
                               evaluated beyond it */
     vm_real longest;       /* the longest step, s */
-    vm_real sweep_limit;   /* the iteration of a step ends when a round changes the phase by less than this */
+    vm_real sweep_limit;   /* the iteration of a step ends when the estimated error of the phase is at most this */
     vm_real psi, ln_A, t;  /* phase, ln(A/A0) with the amplitude A0 of the plan, time, s */
     vm_real A;             /* amplitude, m; only set for problems with a force */
-    vm_real Om;            /* rate of the phase, 1/s, that this amplitude has with the mass and stiffness at time 0 */
+    vm_real Om;            /* rate of the phase, 1/s, at this amplitude with the mass and stiffness at time 0 */
     vm_real t_low;         /* the exact time is t + t_low, s */
-    vm_real left;          /* sum over the steps of the change of phase that their iterations leave out */
+    vm_real left;          /* sum of the errors of the phase that the iterations of all steps leave */
     vm_real contraction;   /* factor by which a round of the iteration reduces its error */
     vm_real rate;          /* rate of the phase at the end of the last step, 1/s */
     vmi_step_waves waves[2];                 /* waves on each part of the half period from psi = -Pi/2 */
@@ -12656,7 +12671,7 @@ VM_API void vmi_osc_course_amplitude(vmi_osc_course *c, vm_real ln_A)
 
 /* -- What Gauss' rule misses -- */
 
-/* Writes the ripple at a phase, up to the integral S2. */
+/* Writes the functions C, S and S2 of oscillators/ripple.h at a phase. */
 VM_API void vmi_osc_course_ripple(const vmi_osc_course *c, vm_real psi, vmi_ripple_values *f)
 {
     vm_real sa, ca;
@@ -12664,15 +12679,16 @@ VM_API void vmi_osc_course_ripple(const vmi_osc_course *c, vm_real psi, vmi_ripp
     vmi_ripple_at(&c->plan->ripple, 4, psi, sa, ca, f);
 }
 
-/* Writes the integrals of the four functions over x from 0 to x, for a step of this length in phase. *first is the
-   ripple at the start of the step, *now that at x. The integral of ca^2 over psi is <ca^2> psi + S, and that of sa ca
-   is -(alpha+1)/4 ca^2. Integration by parts gives those with the factor x - 1/2. */
+/* Writes the integrals of the four functions from the start of the step, where x = 0, to the given x. `length` is the
+   length of the step in phase. *first holds the functions C, S and S2 at the start of the step, *now those at x. The
+   integral of ca^2 over psi is <ca^2> psi + S, and that of sa ca is -(alpha+1)/4 ca^2. Integration by parts gives the
+   integrals with the factor x - 1/2. */
 VM_API void vmi_osc_wave_integrals(const vmi_ripple *r, const vmi_ripple_values *first, const vmi_ripple_values *now,
                                    vm_real x, vm_real length, vm_real *sum)
 {
     const vm_real psi = x * length, from_middle = x - VM_C(0.5), quarter = (r->alpha + 1) / 4;
     const vm_real ca2 = r->mean2 * psi + (now->S - first->S), saca = quarter * (first->C - now->C);
-    /* the integrals of these two over psi */
+    /* the integrals over psi of the integrals of ca^2 and of sa ca */
     const vm_real ca2_twice = r->mean2 * psi * psi / 2 + (now->S2 - first->S2) - first->S * psi;
     const vm_real saca_twice = quarter * (first->ca * first->ca * psi - ca2);
     sum[VMI_MISSES_CA2] = ca2 / length;
@@ -12681,7 +12697,7 @@ VM_API void vmi_osc_wave_integrals(const vmi_ripple *r, const vmi_ripple_values 
     sum[VMI_MISSES_SACA_X] = (from_middle * saca - saca_twice / length) / length;
 }
 
-/* Subtracts from the integrals to row i what Gauss' rule gives for them. */
+/* Subtracts the results of Gauss' rule from the four integrals in row i of `misses`. */
 VM_API void vmi_osc_subtract_rule(const vmi_gauss_rule *rule, int i, vmi_step_waves *w)
 {
     vm_real *misses = w->misses[i];
@@ -12697,8 +12713,8 @@ VM_API void vmi_osc_subtract_rule(const vmi_gauss_rule *rule, int i, vmi_step_wa
     }
 }
 
-/* Writes the waves of a step that starts at the phase `from`. In a very short step the rule misses nothing but rounding
-   errors. */
+/* Writes sa, ca and `misses` for a step that starts at the phase `from`. In a very short step the rule misses nothing
+   but rounding errors, so `misses` is set to 0. */
 VM_API void vmi_osc_course_waves(const vmi_osc_course *c, vm_real from, vm_real length, vmi_step_waves *w)
 {
     const vm_real very_short = VM_SQRT(VM_SQRT(VM_EPSILON));
@@ -12720,9 +12736,9 @@ VM_API void vmi_osc_course_waves(const vmi_osc_course *c, vm_real from, vm_real 
         for (k = 0; k < VMI_MISSES; k++) w->misses[i][k] = 0;
 }
 
-/* Whether the rule must be graded. A force that depends on the velocity brings into the rates the power alpha + 1 of
-   the distance from a zero of x, which is no integer power for most alpha. From alpha = 3 on it is so high that it does
-   no harm. */
+/* Whether the nodes must lie closer together at the ends of a step (vmi_gauss_rule_grade). With a force that depends on
+   the velocity, the rates contain d^(alpha+1), where d is the distance from a zero of x. For most alpha this is no
+   integer power, so the rates are not smooth at d = 0. From alpha = 3 on the power is so high that it does no harm. */
 VM_API int vmi_osc_needs_grading(const vm_osc_problem *o) { return o->force && o->alpha < 3 && o->alpha != 1; }
 
 /* -- Rates and changes -- */
@@ -12753,7 +12769,8 @@ typedef struct VM_TAG(vmi_step_node) {
     vmi_osc_change moved;
 } vmi_step_node;
 
-/* Returns e^x for the small |x| of a change within a step, from its power series; otherwise by vmi_exp. */
+/* Returns e^x. Changes within a step are mostly small; for |x| <= 1/16 the function uses the power series of e^x,
+   otherwise vmi_exp. */
 VM_API vm_real vmi_osc_exp_of_change(vm_real x)
 {
     const vm_real most = VM_C(0.0625), xx = x * x;
@@ -12811,8 +12828,8 @@ VM_API vmi_osc_change vmi_osc_change_to(const vmi_osc_course *c, const vmi_osc_s
 
 /* Sets what follows from the rates of a step: the swing, and the changes over the whole step. To first order in E,
    dt/dpsi = (1 - (alpha+1)/2 E ca^2)/W and d ln A/dpsi = -p dt/dpsi + E sa ca. The integral of E sa ca is -(alpha+1)/4
-   E ca^2, by which ln A swings. W is proportional to A^((alpha-1)/2), so this adds (alpha-1)(alpha+1)/8 E ca^2/W to
-   dt/dpsi. */
+   E ca^2; this is the swing of ln A. W is proportional to A^((alpha-1)/2), so the swing of ln A adds
+   (alpha-1)(alpha+1)/8 E ca^2/W to dt/dpsi. */
 VM_API void vmi_osc_complete_step(const vmi_osc_course *c, vmi_osc_step *s)
 {
     const vm_real alpha = c->plan->problem.alpha, factor = (alpha + 1) * (alpha - 5) / 8;
@@ -12830,16 +12847,16 @@ VM_API void vmi_osc_complete_step(const vmi_osc_course *c, vmi_osc_step *s)
 
 /* -- The iteration of a step -- */
 
-/* Adds to the rates of a step the corrections `missing` that a round found, and estimates of the further corrections
-   that follow: `missing` shifts ln A and t at the nodes, and these shifts change the rates, mostly because W depends on
-   both. *now holds mass, stiffness and rates at about the middle of the step. */
+/* Adds the corrections `missing` that a round found to the rates of a step. It also adds estimates of further
+   corrections: `missing` shifts ln A and t at the nodes, and these shifts change the rates, mostly because W depends on
+   ln A and t. *now holds mass, stiffness and rates at about the middle of the step. */
 VM_API void vmi_osc_correct(const vmi_osc_course *c, const vmi_osc_rates *now, const vmi_step_rates *missing,
                             vmi_osc_step *s)
 {
     const vm_real alpha = c->plan->problem.alpha;
     /* derivatives of ln(dt/dpsi) with respect to t and to ln A */
     const vm_real by_t = -((alpha + 3) * now->p - 2 * now->a) / 2, by_ln_A = -(alpha - 1) / 2;
-    vm_real slope[VMI_NODES]; /* rate over psi of the change of ln(dt/dpsi) */
+    vm_real slope[VMI_NODES]; /* how fast the change of ln(dt/dpsi) grows along the step */
     int i, j;
     for (j = 0; j < c->rule.n; j++) slope[j] = s->length * (by_t * missing->t[j] + by_ln_A * missing->ln_A[j]);
     for (i = 0; i < c->rule.n; i++) {
@@ -12855,7 +12872,7 @@ VM_API void vmi_osc_correct(const vmi_osc_course *c, const vmi_osc_rates *now, c
    functions of the user, which have no second derivatives. */
 VM_API void vmi_osc_find_p_rates(const vmi_osc_course *c, const vmi_osc_step *s, vmi_step_node *at)
 {
-    const vm_real too_short = 256 * VM_EPSILON; /* a phase in which differences of p are rounding errors */
+    const vm_real too_short = 256 * VM_EPSILON; /* in so short a step, differences of p are rounding errors */
     int i, j;
     if (VM_FABS(s->length) < too_short) return;
     for (i = 0; i < c->rule.n; i++) {
@@ -12913,8 +12930,8 @@ VM_API int vmi_osc_sweep(vmi_osc_course *c, vmi_osc_step *s, vm_real *change)
     return VM_OK;
 }
 
-/* Makes rounds of the iteration, which starts from the rates in s->rates, until the phase is in error by less than the
-   limit of the course. The error after a round is estimated as the change of phase that the round made, times
+/* Makes rounds of the iteration until the estimated error of the phase is at most c->sweep_limit. The iteration starts
+   from the rates in s->rates. The error after a round is estimated as the change of phase that the round made, times
    `contraction`. */
 VM_API int vmi_osc_iterate(vmi_osc_course *c, vmi_osc_step *s)
 {
@@ -12985,7 +13002,7 @@ VM_API void vmi_osc_take(vmi_osc_course *c, const vmi_osc_step *s)
     c->rate = 1 / s->rates.t[c->rule.n - 1];
 }
 
-/* Replaces a value in *kept by *value, and *value by the difference of the two. */
+/* Writes *value minus *kept to *value, and the old *value to *kept. */
 VM_API void vmi_keep_and_subtract(vm_real *kept, vm_real *value)
 {
     const vm_real difference = *value - *kept;
@@ -12993,8 +13010,8 @@ VM_API void vmi_keep_and_subtract(vm_real *kept, vm_real *value)
     *value = difference;
 }
 
-/* Stores the rates of ln A and t over a whole step, by renewing their backward differences. vmi_osc_predict
-   extrapolates from them the rates of the next step over the same part (first or second) of a half period. */
+/* Updates the backward differences of the rates of ln A and t with the rates of a whole step. From these differences
+   vmi_osc_predict extrapolates the rates of the next step over the same part (first or second) of a half period. */
 VM_API void vmi_osc_remember(vmi_osc_course *c, int part, const vmi_step_rates *rates)
 {
     const int terms = c->known[part] < VMI_HISTORY ? c->known[part] + 1 : VMI_HISTORY;
@@ -13014,10 +13031,10 @@ VM_API void vmi_osc_remember(vmi_osc_course *c, int part, const vmi_step_rates *
     c->known[part] = terms;
 }
 
-/* -- Landing on a time -- */
+/* -- A step that ends at a given time -- */
 
-/* Returns the fraction of the step at which the time t is reached, by Newton's method on the Legendre series of
-   dt/dpsi, or in a graded rule of dt/dx (vmi_gauss_rule_grade). */
+/* Returns the fraction of the step at which the time t is reached. Newton's method finds it from the Legendre series of
+   dt/dpsi, or of dt/dx in a graded rule (vmi_gauss_rule_grade). */
 VM_API vm_real vmi_osc_find_part(const vmi_osc_course *c, const vmi_osc_step *s, vm_real t)
 {
     const int rounds = 8;
@@ -13043,9 +13060,9 @@ VM_API vm_real vmi_osc_find_part(const vmi_osc_course *c, const vmi_osc_step *s,
     return c->rule.graded ? vmi_graded(part) : part;
 }
 
-/* Makes a step that ends at c->stop, in place of the longer step `beyond`, which would go past this time. certain is 0
-   if `beyond` is only predicted. If `beyond` then turns out not to reach c->stop, the course stays where it is, since
-   no step may cross a zero of x. */
+/* Makes a step that ends at c->stop. It replaces the longer step `beyond`, which would go past this time. `certain` is
+   0 if the end of `beyond` is only a prediction. If in this case the step to c->stop is longer than `beyond`, the
+   course stays unchanged, since no step may cross a zero of x. */
 VM_API int vmi_osc_land(vmi_osc_course *c, const vmi_osc_step *beyond, int certain)
 {
     const int rounds = 6;
@@ -13193,9 +13210,10 @@ VM_API void vmi_osc_course_start(vmi_osc_course *c, const vm_osc_plan *plan, con
 #endif
 /* oscillators/collocation.h - the motion of an oscillator by collocation, to a tolerance
 
-   Two runs from zero to zero of x (oscillators/course.h), with different numbers of points a step, go side by side.
-   Their difference gives the error. If the error is larger than the tolerance, the next pair of runs has more points.
-   A pair is given up on the way as soon as its error is too large, so that a pair with few points may be tried first.
+   Two runs compute the same motion side by side, in steps from each zero of x to the next (oscillators/course.h). They
+   differ in the number of points per step. The difference of their results gives the error. If the error is larger than
+   the tolerance, the next pair of runs has more points. A pair of runs is given up as soon as its error is too large,
+   even before the end. So it costs little to try a pair with few points first.
        vm_osc_motion motion;
        int status = vmi_osc_collocate(&plan, VM_ROUTE_COLLOCATION, 300, VM_C(1e-8), &motion); // plan is a vm_osc_plan
    Tests: tests/test_collocation.c, tests/test_routes.c. */
@@ -13204,7 +13222,7 @@ VM_API void vmi_osc_course_start(vmi_osc_course *c, const vm_osc_plan *plan, con
 
 /* -- Two runs side by side -- */
 
-/* The next point of a table after `from` on the way to t, or t if there is none */
+/* The time of the next point of a table after `from` on the way to t, or t if there is no such point */
 VM_API vm_real vmi_osc_next_knot(const vm_osc_problem *o, vm_real from, vm_real t)
 {
     return vmi_law_next_knot(&o->stiffness, from, vmi_law_next_knot(&o->mass, from, t));
@@ -13215,7 +13233,7 @@ VM_API vm_real vmi_osc_next_knot(const vm_osc_problem *o, vm_real from, vm_real 
 VM_API int vmi_osc_courses_to(vmi_osc_course *loose, vmi_osc_course *strict, vm_real t, vm_real most,
                               vm_real *difference)
 {
-    const vm_real most_steps = VM_C(16777216.); /* 2^24: with more, float has no digits for the phase */
+    const vm_real most_steps = VM_C(16777216.); /* 2^24: after more steps a float has no digits for the phase */
     vm_real steps = 0;
     int status = VM_OK;
     loose->stop = t;
@@ -13282,8 +13300,9 @@ VM_API int vmi_osc_first_pair(const vm_osc_problem *o, vm_real tolerance, vm_rea
     return i;
 }
 
-/* The number of the pair that is tried after pair i, whose estimated error is `error`, larger than the tolerance. A
-   pair is skipped if its error would be too large even if errors fell as 1/(number of points)^10. */
+/* The number of the pair that is tried after pair i. `error` is the estimated error of pair i, which is larger than the
+   tolerance. A pair is skipped if its error would still be too large in a favourable case, where errors are
+   proportional to 1/(number of points)^10. */
 VM_API int vmi_osc_next_pair(const vm_osc_problem *o, int i, vm_real error, vm_real tolerance)
 {
     const vmi_osc_points last = vmi_osc_pair(o, i);
@@ -13297,7 +13316,8 @@ VM_API int vmi_osc_next_pair(const vm_osc_problem *o, int i, vm_real error, vm_r
     return next;
 }
 
-/* Raises *change to the rate of ln m, ln k and damping at t, divided by that of the phase. */
+/* Raises *change to the sum of the rates |p|, |a| and |k'/k| at t (oscillators/reduction.h), divided by the rate of the
+   phase, if this quotient is larger. */
 VM_API int vmi_osc_change_at(const vm_osc_plan *plan, vm_real t, int side, vm_real *change)
 {
     vmi_osc_rates now;
@@ -13312,10 +13332,11 @@ VM_API int vmi_osc_change_at(const vm_osc_plan *plan, vm_real t, int side, vm_re
 /* Returns the estimated error of the strict run divided by the difference of the two runs, which is nearly the error of
    the loose run. Let n be the number of points. Where no force acts, the error falls about as n^-8 for alpha from 1 to
    5. For alpha < 1 it falls as n^-6, because the rates have terms proportional to d^(alpha+2), where d is the distance
-   from a zero of x, and for these Gauss' rule loses orders. With few points, a change of more than 1/32 a radian, the
-   sharp turns of a large alpha, kinks from a force, or a law by a function, it falls more slowly. In a graded rule the
-   points are densest at both ends of a step, where x or x' is 0, so kinks there count less. docs/routes.md shows how
-   good the estimate is. */
+   from a zero of x, and Gauss' rule is less accurate for these terms. The error falls more slowly than n^-8 in the
+   following cases: few points, laws that change by more than 1/32 per radian, alpha > 5, where the velocity reverses
+   suddenly, a force with kinks, and laws by functions of the user. In a graded rule the points are densest at both ends
+   of a step, where x or x' is 0, so kinks at these places do less harm. docs/routes.md shows how good the estimate
+   is. */
 VM_API vm_real vmi_osc_strict_share(const vm_osc_problem *o, vmi_osc_points points, vm_real change)
 {
     const vm_real ratio = (vm_real)points.loose / (vm_real)points.strict, squared = ratio * ratio;
@@ -13329,18 +13350,18 @@ VM_API vm_real vmi_osc_strict_share(const vm_osc_problem *o, vmi_osc_points poin
 
 /* A pair of runs */
 typedef struct VM_TAG(vmi_osc_pair_run) {
-    vm_real change;        /* the larger change of the laws per radian, at 0 and at t (vmi_osc_change_at) */
+    vm_real change;        /* change of the laws per radian, at 0 or at t, whichever is larger (vmi_osc_change_at) */
     vm_real longest;       /* the longest step, s */
-    vm_real sweep_limit;   /* that of the strict run (see vmi_osc_course) */
+    vm_real sweep_limit;   /* sweep_limit of the strict run (see vmi_osc_course) */
     vm_real most;          /* the pair is given up where its error is larger than this */
     vmi_osc_course strict; /* the strict run; it ends before t if the pair was given up */
-    vmi_osc_rates now;     /* mass, stiffness and rates at t, if the pair was not given up, */
-    vmi_osc_reduced state; /* and amplitude and phase of the strict run there */
-    vm_real error;         /* estimated error at t; if the pair was given up, the one that was to be expected */
+    vmi_osc_rates now;     /* mass, stiffness and rates at t; only valid if the pair was not given up */
+    vmi_osc_reduced state; /* amplitude and phase of the strict run at t; only valid if the pair was not given up */
+    vm_real error;         /* estimated error at t; if the pair was given up, it is extrapolated to t */
 } vmi_osc_pair_run;
 
-/* Sets amplitude and phase at t from the strict run. r->error is that of ln A and phase, and becomes that of x and v:
-   an error of x also enters v = -2/(alpha+1) W A sa - p x. */
+/* Sets amplitude and phase at t from the strict run. r->error is the error of ln A and phase before the call, and the
+   error of x and v after it. The two differ because an error of x also enters v = -2/(alpha+1) W A sa - p x. */
 VM_API int vmi_osc_end_pair(const vm_osc_plan *plan, vm_real t, vmi_osc_pair_run *r)
 {
     const vmi_osc_course *strict = &r->strict;
@@ -13357,7 +13378,7 @@ VM_API int vmi_osc_end_pair(const vm_osc_plan *plan, vm_real t, vmi_osc_pair_run
 VM_API int vmi_osc_collocate_pair(const vm_osc_plan *plan, vm_real t, vmi_osc_points points, vmi_osc_pair_run *r)
 {
     const int side = vmi_time_side(t);
-    const vm_real looser = 16; /* ratio of the sweep_limits of both runs: errors of the iteration differ, too */
+    const vm_real looser = 16; /* ratio of the sweep_limits of both runs; the errors of their iterations differ, too */
     const vm_real share = vmi_osc_strict_share(&plan->problem, points, r->change), most = r->most / share;
     vmi_osc_course loose, *strict = &r->strict;
     vmi_osc_slow start;
@@ -14519,10 +14540,11 @@ VM_API vm_real vmi_orbit_spring_action(const vmi_orbit_ripple *r, const vmi_orbi
 #endif
 /* oscillators/duffing_ripple.h - how slow changes disturb Duffing's oscillator within a period, in closed form
 
-   oscillators/orbit_ripple.h defines a(phi), the function of the phase phi on an orbit from which all of the ripple
-   follows. For Duffing's force c1 x + c3 x^3 it is a Fourier series whose terms have a closed form, so that no
-   quadrature is needed. Let zeta be 2 phi for an orbit around 0 and phi for an orbit in a well, Omega the rate of
-   zeta, and q the nome of the parameter m of Jacobi's functions. Then
+   oscillators/orbit_ripple.h defines a(phi), a function of the phase phi on an orbit. The whole ripple, the small swing
+   of the motion about its mean within a period, follows from a(phi). For Duffing's force c1 x + c3 x^3 this function is
+   a Fourier series whose terms have a closed form, so that no numerical integration is needed. Let zeta be 2 phi for an
+   orbit around 0 and phi for an orbit in a well, and let Omega be the rate of zeta. Let q be the nome of the parameter
+   m of Jacobi's functions; for 0 < m < 1 it is exp(-pi K(1-m)/K(m)). Then
        a = sum over n >= 1 of a_n sin(n zeta),   a_n = -(2 Omega/(3 c3)) (2 c1 + n^2 Omega^2) q^n/(1 - q^(2n)).
    Method: v^2 is a polynomial in sn^2(u) with the argument u of Jacobi's functions. The integral of sn^4 follows from
    the derivative of sn cn dn, and the integral of sn^2 has Jacobi's zeta function Z(u) as its periodic part. sn cn dn
@@ -14534,8 +14556,9 @@ VM_API vm_real vmi_orbit_spring_action(const vmi_orbit_ripple *r, const vmi_orbi
 #define VARMASS_OSCILLATORS_DUFFING_RIPPLE_H
 
 /* Writes the nome q of the parameter m = 1 - m1, and q/m, which has a limit for m -> 0. K is K(m). Both have an error
-   of some 1e-13 (float: some rounding errors), which is enough for the ripple. Close to m = 0 the code uses a series
-   in e = (1 - k'^(1/2))/(2 (1 + k'^(1/2))) with k' = sqrt(m1). For m < 0 the nome of m is minus that of m/(m - 1). */
+   of some 1e-13 (float: some rounding errors), which is small enough for the ripple. Close to m = 0 the code uses a
+   series in e = (1 - k'^(1/2))/(2 (1 + k'^(1/2))) with k' = sqrt(m1). For m < 0 the nome of m is minus that of
+   m/(m - 1). */
 VM_API vm_real vmi_duffing_nome(vm_real m, vm_real m1, vm_real K, vm_real *by_m)
 {
     const vm_real series_holds = VM_C(0.1), kp = VM_SQRT(m1), root = VM_SQRT(kp);
@@ -14552,7 +14575,7 @@ VM_API vm_real vmi_duffing_nome(vm_real m, vm_real m1, vm_real K, vm_real *by_m)
 }
 
 /* The number 2 c1/Omega^2 + 1 for an orbit in a well. It is -24 (sum of d q^(2d)/(1 - q^(2d)) over odd d): for small
-   orbits c1 and Omega^2 nearly cancel, and the sum keeps the digits. */
+   orbits the two terms of the number nearly cancel, and this sum avoids the loss of digits. */
 VM_API vm_real vmi_duffing_well_term(vm_real q)
 {
     const vm_real q2 = q * q;
@@ -14565,14 +14588,15 @@ VM_API vm_real vmi_duffing_well_term(vm_real q)
     return -24 * sum;
 }
 
-/* What the terms of the series depend on. "By size" stands for the derivative with respect to orbit->size. */
+/* The numbers on which the terms of the series depend. "By size" stands for the derivative with respect to
+   orbit->size. */
 typedef struct VM_TAG(vmi_duffing_terms) {
     vm_real Omega, Omega_size; /* the rate of zeta, see the top of this file, and its derivative by size */
     vm_real q, q_by_k3;        /* the nome q, and q/c3 */
     vm_real ln_q_size;         /* derivative of ln |q| by size */
 } vmi_duffing_terms;
 
-/* Computes them for an orbit around 0, where m = c3 A^2/(2 lambda^2) with the amplitude A. */
+/* Computes these numbers for an orbit around 0, where m = c3 A^2/(2 lambda^2) with the amplitude A. */
 VM_API vmi_duffing_terms vmi_duffing_outer_terms(const vmi_orbit *orbit)
 {
     const vm_real k1 = orbit->force->k1, k3 = orbit->force->k3, A = orbit->size, m1 = orbit->m1;
@@ -14587,7 +14611,8 @@ VM_API vmi_duffing_terms vmi_duffing_outer_terms(const vmi_orbit *orbit)
     return r;
 }
 
-/* Computes them for an orbit in a well, where m = 2 s/(rest^2 + s), s is the orbit's size and rest^2 = -c1/c3. */
+/* Computes these numbers for an orbit in a well, where m = 2 s/(rest^2 + s), s is the orbit's size and
+   rest^2 = -c1/c3. */
 VM_API vmi_duffing_terms vmi_duffing_inner_terms(const vmi_orbit *orbit)
 {
     const vm_real k3 = orbit->force->k3, rest2 = -orbit->force->k1 / k3, size = orbit->size, m1 = orbit->m1;
@@ -14619,7 +14644,7 @@ VM_API void vmi_duffing_mean_square(const vmi_orbit *orbit, vm_real *X, vm_real 
     }
 }
 
-/* What the terms of the series depend on, for an orbit of either kind */
+/* The numbers on which the terms of the series depend, for an orbit around 0 or in a well */
 VM_API vmi_duffing_terms vmi_duffing_terms_of(const vmi_orbit *orbit)
 {
     if (orbit->place == VMI_ORBIT_AROUND_0) return vmi_duffing_outer_terms(orbit);
@@ -14627,7 +14652,7 @@ VM_API vmi_duffing_terms vmi_duffing_terms_of(const vmi_orbit *orbit)
 }
 
 /* Writes the ripple of a complete orbit of Duffing's force. The sum ends where the terms are too small to matter; 96
-   terms are enough up to a distance of a rounding error from a separatrix. */
+   terms are enough even for an orbit that is only a rounding error away from a separatrix. */
 VM_API void vmi_duffing_ripple(const vmi_orbit *orbit, vmi_orbit_ripple *r)
 {
     const vm_real enough = VM_MANT_DIG > 24 ? VM_C(1e-11) : VM_C(1e-6);
@@ -14661,21 +14686,22 @@ VM_API void vmi_duffing_ripple(const vmi_orbit *orbit, vmi_orbit_ripple *r)
    With constant mass the equation is x'' + c1 x + c3 x^3 = 0, where c1 = k1/m and c3 = k3/m. Its exact motion is
    written with Jacobi's functions, for each sign of the coefficients:
      c1 >= 0, c3 >= 0   hardening spring: every motion is a vibration around 0, x = A cn
-     c1 > 0, c3 < 0     softening spring: vibrations around 0 with A^2 < -c1/c3; larger motions run away
+     c1 > 0, c3 < 0     softening spring: vibrations around 0 with A^2 < -c1/c3; larger motions run away: |x| grows
+                        without limit
      c1 < 0, c3 > 0     two wells, at x^2 = -c1/c3: outer vibrations around both, x = A cn, and inner ones in one of
                         them, x = A dn; the separatrix x = A/cosh between them has an infinite period
        vm_real x, v;
        vm_real T = vm_duffing_period(2, 1, VM_C(0.5)); // x'' + x + x^3/2 = 0 from rest at x = 2 m
        vm_duffing_exact_from(T / 8, 2, 0, 1, VM_C(0.5), &x, &v);
-   For a slow mass, stiffness or damping give vm_duffing_force(k1, k3) to the functions of oscillators/odd_motion.h; for
-   k1 and k3 that follow laws of their own, vm_duffing_force_of_laws.
+   If mass, stiffness or damping varies slowly, pass vm_duffing_force(k1, k3) to the functions of
+   oscillators/odd_motion.h. If k1 and k3 follow two different laws of time, pass vm_duffing_force_of_laws.
    Guide: docs/duffing.md. Tests: tests/test_duffing.c. */
 #ifndef VARMASS_OSCILLATORS_DUFFING_H
 #define VARMASS_OSCILLATORS_DUFFING_H
 
 /* -- The orbit through a state -- */
 
-/* k1 x + k3 x^3 */
+/* Writes the force k1 x + k3 x^3 to *f. */
 VM_API int vmi_duffing_at(const vm_odd_force *force, vm_real x, vm_real *f)
 {
     *f = x * (force->k1 + force->k3 * (x * x));
@@ -14707,7 +14733,7 @@ VM_API int vmi_duffing_through(const vm_odd_force *force, vm_real x, vm_real v, 
         orbit->size = VM_SQRT(to_rest * to_rest + 2 * (v * v) / k3);
         if (x > 0) orbit->place = VMI_ORBIT_RIGHT;
         if (x < 0) orbit->place = VMI_ORBIT_LEFT;
-        if (x == 0) orbit->size = 0; /* rest between the wells */
+        if (x == 0) orbit->size = 0; /* at rest between the wells */
         return VM_OK;
     }
     orbit->size = 0;
@@ -14861,8 +14887,8 @@ VM_API int vmi_duffing_at_phase(const vmi_orbit *orbit, vm_real phi, vm_real *x,
     return VM_OK;
 }
 
-/* Duffing's force without the function of its ripple. The functions for constant mass do not need this function, and
-   so do not link it. */
+/* Duffing's force without the function that computes its ripple. The functions for constant mass do not need the
+   ripple, so a program that uses only them does not contain that function. */
 VM_API vm_odd_force vmi_duffing_elastic(vm_real k1, vm_real k3)
 {
     vm_odd_force force = vm_odd_force_user(NULL, NULL);
@@ -14908,7 +14934,8 @@ VM_API vm_real vm_duffing_energy(vm_real x, vm_real v, vm_real c1, vm_real c3)
     return v * v / 2 + (x * x) * (c1 / 2 + c3 * (x * x) / 4);
 }
 
-/* Whether a state lies on the separatrix x = A/cosh, which goes out from x = 0 and comes back in infinite time */
+/* Whether a state lies on the separatrix, the motion x = A/cosh(lambda t). It goes from x = 0 to x = A and back to
+   x = 0 in infinite time. */
 VM_API int vmi_duffing_is_separatrix(const vmi_orbit *orbit)
 {
     const vm_real k1 = orbit->force->k1, k3 = orbit->force->k3;
@@ -14918,9 +14945,9 @@ VM_API int vmi_duffing_is_separatrix(const vmi_orbit *orbit)
 }
 
 /* Exact period, s, of Duffing's oscillator x'' + c1 x + c3 x^3 = 0 from rest at x0 (m, either sign).
-   A motion in one of two wells is one vibration there. The period is infinite on the separatrix. The relative error is
-   at most 8 eps where no terms of c1 + c3 x0^2 and c1 + c3 x0^2/2 cancel. Returns NaN where the motion runs away, at
-   x0 = 0, and for infinite arguments. */
+   For a motion in one of two wells it is the time of one vibration in this well. The period is infinite on the
+   separatrix. The relative error is at most 8 eps where no terms of the sums c1 + c3 x0^2 and c1 + c3 x0^2/2
+   cancel. Returns NaN where the motion runs away, at x0 = 0, and for infinite arguments. */
 VM_API vm_real vm_duffing_period(vm_real x0, vm_real c1, vm_real c3)
 {
     const vm_odd_force force = vmi_duffing_elastic(c1, c3);
@@ -14933,8 +14960,8 @@ VM_API vm_real vm_duffing_period(vm_real x0, vm_real c1, vm_real c3)
 }
 
 /* Action, m^2/s, of Duffing's oscillator x'' + c1 x + c3 x^3 = 0 from rest at x0 (m, either sign).
-   It is the integral of v dx over a period, divided by 2 pi; a slow change keeps it constant. Domain and accuracy are
-   those of vm_duffing_period, but it is 0 for x0 = 0, and NaN on the separatrix. */
+   It is the integral of v dx over a period, divided by 2 pi. It stays constant while mass or stiffness changes slowly.
+   Domain and accuracy are those of vm_duffing_period, but it is 0 for x0 = 0, and NaN on the separatrix. */
 VM_API vm_real vm_duffing_action(vm_real x0, vm_real c1, vm_real c3)
 {
     const vm_odd_force force = vmi_duffing_elastic(c1, c3);
@@ -14957,9 +14984,9 @@ VM_API void vmi_duffing_on_separatrix(vm_real t, vm_real x0, vm_real v0, vm_real
 
 /* Exact motion x(t), v(t) of Duffing's oscillator x'' + c1 x + c3 x^3 = 0 from x0 (m) and v0 (m/s).
    c1 = k1/m is in 1/s^2, c3 = k3/m in 1/(m s)^2; each may have either sign. The errors of x and v are at most 32 eps
-   of the amplitude and of the largest velocity, times 1 + t/period, where no terms of c1 + c3 A^2 and c1 + c3 A^2/2
-   cancel at the amplitude A. Writes NaN where the motion runs away and for infinite arguments, and nothing where an
-   output is null. Equations: DLMF 22.19(ii). */
+   of the amplitude and of the largest velocity, times 1 + t/period, where no terms of the sums c1 + c3 A^2 and c1 + c3
+   A^2/2 cancel. A is the amplitude. Writes NaN where the motion runs away and for infinite arguments, and
+   nothing where an output is null. Equations: DLMF 22.19(ii). */
 VM_API void vm_duffing_exact_from(vm_real t, vm_real x0, vm_real v0, vm_real c1, vm_real c3, vm_real *x, vm_real *v)
 {
     if (!x || !v) return;
@@ -17842,7 +17869,7 @@ VM_API int vm_vdp_cycle_of(const vm_vdp *v, vm_vdp_cycle *cycle)
 
        vm_power_force cubic = {1, 3}; // F_e = rho^3
        vm_jeffcott rotor;
-       memset(&rotor, 0, sizeof rotor); // a zero field means that there is none
+       memset(&rotor, 0, sizeof rotor); // what is not set below is absent
        rotor.stiffness = vm_jeffcott_power;
        rotor.stiffness_ctx = &cubic;
        rotor.mass = vm_law_linear(1, VM_C(0.01)); // 1 kg, and 0.01 kg/s joins
@@ -17871,9 +17898,9 @@ typedef struct VM_TAG(vm_power_force) {
 typedef struct VM_TAG(vm_jeffcott) {
     vm_law mass;                     /* mass m of the disc, kg, > 0 */
     vm_jeffcott_stiffness stiffness; /* stiffness of the shaft */
-    void *stiffness_ctx;     /* the user's pointer, handed to stiffness */
+    void *stiffness_ctx;     /* the user's pointer, last argument of stiffness */
     vm_jeffcott_force force; /* external force F_z, or null; it must be small where equations are averaged */
-    void *force_ctx;         /* the user's pointer, handed to force */
+    void *force_ctx;         /* the user's pointer, last argument of force */
     vm_real gyro;            /* g, kg/s: the gyroscopic force is 2 g times the velocity, turned by +90 degrees */
     vm_real reactive;        /* r: 1 where mass joins or leaves with velocity u, 0 where it has the disc's velocity */
     vm_complex u;            /* absolute velocity of mass that joins or leaves, m/s */
@@ -18209,13 +18236,13 @@ VM_API int vmi_jeffcott_circular(vm_real t, const vm_real *y, vm_real *dydt, con
 /* Averaged equations (506), (507) of forward whirl, for rk45 or rk87. The nonlinearity may be strong. The motion is
    nearly circular: z = A e^(i psi), z' = i W z with the frequency W of vm_jeffcott_frequency. y = (A, psi) is in m and
    rad; rotor points to a vm_jeffcott. The error of A is of the order of the largest load (by the force F_z, the
-   velocity u or the mass rate m'), up to times of the order of its inverse. Where K_e is not constant, the phase
-   accumulates this error: up to these times tests bound the error of psi by 0.015 for loads that turn with z (their
-   angle to z is fixed), but for other loads it is of order 1. The equations do not hold for a linear F_e with loads
-   that do not turn with z, since these drive the motion off the circle. Returns VM_BAD_ARGUMENT for null pointers and
-   for a rotor without mass or stiffness, VM_NOT_FINITE for a number that is infinite or NaN, VM_BAD_MASS for a mass
-   that is not positive, and VM_BAD_STIFFNESS if g^2 + m K_e(A) is not positive. Each call evaluates the force at
-   `nodes` phases. */
+   velocity u or the mass rate m'), up to times of the order of its inverse. Where K_e is not constant, this error adds
+   up in the phase psi. For loads that turn with z, that is loads at a fixed angle to z, the error of psi is at most
+   0.015 in the tests, up to these times. For other loads it is of order 1. The equations are not valid for a linear F_e
+   with loads that do not turn with z, since with these loads the disc does not stay on a circle. Returns
+   VM_BAD_ARGUMENT for null pointers and for a rotor without mass or stiffness, VM_NOT_FINITE for a number that is
+   infinite or NaN, VM_BAD_MASS for a mass that is not positive, and VM_BAD_STIFFNESS if g^2 + m K_e(A) is not positive.
+   Each call evaluates the force at `nodes` phases. */
 VM_API int vm_jeffcott_forward_whirl_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
@@ -18289,8 +18316,8 @@ VM_API int vmi_jeffcott_find_bracket(vmi_jeffcott_orbit *o, vmi_jeffcott_bracket
      A^4 (g^2 + m K_e(A)) for r = 1, which is the square of A^2 (m W - g);   A^4 K_e(A) m^(2r-1) for g = 0.
    For F_e = k rho^alpha and g = 0 the radius follows vm_osc_amplitude_law, with mass/mass0 and decay 0; its relative
    error is then at most 3e-15 (float 3e-6). Returns NaN for g != 0 with r != 1, for which vm_jeffcott_whirl_amplitude
-   integrates; where no radius is found on the way from first_A; for null pointers, for a rotor without
-   stiffness, and for a radius or masses that are not positive and finite. */
+   finds the radius by integration; where no radius is found on the way from first_A; for null pointers, for a rotor
+   without stiffness, and for a radius or masses that are not positive and finite. */
 VM_API vm_real vm_jeffcott_amplitude(const vm_jeffcott *r, vm_real first_A, vm_real mass0, vm_real mass)
 {
     if (!r || !r->stiffness) return VM_NAN;
@@ -18317,12 +18344,13 @@ VM_API vm_real vm_jeffcott_amplitude(const vm_jeffcott *r, vm_real first_A, vm_r
 #endif
 /* oscillators/jeffcott_motion.h - the motion z(t) of the Jeffcott (Laval) rotor by its amplitude law and a phase
 
-   A whirl z = A e^(i psi) on a circle (497) with the velocity z' = i W z (498) has the phase psi, the integral of its
-   frequency W over time (499). Where neither an external force nor a velocity u of the mass acts, the radius A depends
-   on the mass alone, so that W is a known function of time: psi is an integral, and has a closed form for a power law
-   of the shaft without gyroscopic moments. On a linear shaft a forward and a backward whirl add up to any motion: this
-   is (481), (482), with any start, reactive force and gyroscopic moment. oscillators/jeffcott.h explains the
-   letters and the struct vm_jeffcott; g and r are its fields gyro and reactive. Shortest useful call:
+   In a circular whirl the centre of the disc moves on a circle: z = A e^(i psi) (497), with the velocity z' = i W z
+   (498). Its phase psi is the integral of its frequency W over time (499). Without an external force, and without a
+   velocity u of the mass that joins or leaves, the radius A depends on the mass alone. Then W is a known function of
+   time. The integral has a closed form if the shaft has a power law and there are no gyroscopic moments. On a linear
+   shaft every motion is the sum of a forward and a backward whirl. This generalizes (481), (482) to any start, reactive
+   force and gyroscopic moment. oscillators/jeffcott.h explains the letters and the struct vm_jeffcott; g and r are its
+   fields gyro and reactive. Shortest useful call:
        vm_power_force shaft = {4, 1}; // F_e = 4 N/m rho
        vm_jeffcott_whirl whirl;
        vm_jeffcott rotor;
@@ -18332,8 +18360,9 @@ VM_API vm_real vm_jeffcott_amplitude(const vm_jeffcott *r, vm_real first_A, vm_r
        rotor.stiffness_ctx = &shaft;
        rotor.mass = vm_law_linear(1, VM_C(0.01)); // 1 kg, and 0.01 kg/s joins
        status = vm_jeffcott_whirl_at(&rotor, 1, 0, 1, 20, &whirl); // forward, radius 1 m and angle 0 at t = 0
-   All of this is averaged: the error of A is of first order in the relative change of the mass within a radian of the
-   phase, and the error of psi too, up to times of the order of the inverse of this change.
+   All these motions are solutions of averaged equations. The error of A is of first order in the relative change of the
+   mass within a radian of the phase. The error of psi is of this order, too, up to times of the order of the inverse of
+   this change.
    Tests: tests/test_jeffcott_motion.c. */
 #ifndef VARMASS_OSCILLATORS_JEFFCOTT_MOTION_H
 #define VARMASS_OSCILLATORS_JEFFCOTT_MOTION_H
@@ -18358,8 +18387,8 @@ typedef struct VM_TAG(vmi_jeffcott_change) {
 
 /* The derivative of ln A with respect to s = ln(m/mass0), by (504) with m as the independent variable:
      (ln A)' (2 + m K_e' A/(2 S^2)) = (1 - r) (1 + g/S) - m K_e/(2 S^2),   S = m W - g,
-   where K_e' is the derivative of the stiffness K_e with respect to the radius. An ode_rhs of the single state ln(A/
-   first_A). */
+   where K_e' is the derivative of the stiffness K_e with respect to the radius. The function is an ode_rhs; its only
+   state is ln(A/first_A). */
 VM_API int vmi_jeffcott_change_rhs(vm_real s, const vm_real *y, vm_real *dyds, void *change)
 {
     const vmi_jeffcott_change *c = (const vmi_jeffcott_change *)change;
@@ -18433,9 +18462,10 @@ VM_API int vmi_jeffcott_frequency_at(vm_real t, int side, vm_real *W, void *phas
     return vmi_jeffcott_whirl_of_mass(p, m[0], &A, W);
 }
 
-/* Computes the phase in closed form, where the frequency was W at t = 0, and returns whether there is one: for F_e = k
-   rho^alpha and g = 0 the frequency is proportional to m^-q, with 2 q = 1 + (alpha - 1) (2 r - 1)/(alpha + 3), and the
-   law of the mass has an exponential form (oscillators/laws.h). (482) is this for alpha = 1, m = m0 (1 + c t)^2. */
+/* Computes the phase in closed form and returns 1, or returns 0 if there is no closed form. W is the frequency at
+   t = 0. A closed form exists for F_e = k rho^alpha with g = 0, if the law of the mass has an exponential form
+   (oscillators/laws.h). The frequency is then proportional to m^-q, with 2 q = 1 + (alpha - 1) (2 r - 1)/(alpha + 3).
+   (482) is the case alpha = 1, m = m0 (1 + c t)^2. */
 VM_API int vmi_jeffcott_phase_closed(const vm_jeffcott *r, vm_real W, vm_real t, vm_real *psi)
 {
     vm_real base, rate, q, u;
@@ -18448,7 +18478,7 @@ VM_API int vmi_jeffcott_phase_closed(const vm_jeffcott *r, vm_real W, vm_real t,
     return 1;
 }
 
-/* Computes the phase from 0 to t by quadrature along the law of the mass. */
+/* Computes the phase from 0 to t by numerical integration of the frequency. */
 VM_API int vmi_jeffcott_phase_by_panels(vmi_jeffcott_phase *p, vm_real t, vm_real *psi)
 {
     const vm_law *mass = &p->r->mass;
@@ -18464,8 +18494,8 @@ VM_API int vmi_jeffcott_phase_by_panels(vmi_jeffcott_phase *p, vm_real t, vm_rea
     return status;
 }
 
-/* Checks what the motions of this chapter need: a rotor without load, and masses that are finite and positive from 0
-   to t. Writes the masses at 0 and at t. */
+/* Checks what the motions of this file need: a rotor without load, and masses that are finite and positive from 0 to t.
+   Writes the masses at 0 and at t. */
 VM_API int vmi_jeffcott_check_motion(const vm_jeffcott *r, vm_real t, vm_real *mass0, vm_real *mass)
 {
     vm_real rate;
@@ -18483,13 +18513,14 @@ VM_API int vmi_jeffcott_check_motion(const vm_jeffcott *r, vm_real t, vm_real *m
 
 /* Circular whirl of the rotor at time t, of either sign, from radius and angle at t = 0: (497)-(499).
    first_A > 0 is the radius (m) and first_angle the angle (rad) at t = 0; sense >= 0 means forward, sense < 0 backward
-   whirl. The radius is vm_jeffcott_whirl_amplitude. The angle has a closed form for a power law of the shaft
+   whirl. The radius is that of vm_jeffcott_whirl_amplitude. The angle has a closed form for a power law of the shaft
    (vm_jeffcott_power) with g = 0 and a mass that is constant, linear, exponential or a power; it is then within 8 eps
-   of the phase. Otherwise it is the integral of the frequency by Gauss' rule on panels of 20 points, at each of which
-   the radius is computed; it is then within 1e-12 (float 1e-4) of the phase for a smooth stiffness. The velocity is i
-   W z, without the small radial velocity. Returns VM_BAD_ARGUMENT for null pointers and a rotor without mass or
-   stiffness, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS where there is no such whirl, VM_DOMAIN for a radius that
-   is not positive or t outside a table, and VM_NO_LAW for a rotor with a force or a velocity u. */
+   of the phase. Otherwise the time is divided into parts, and Gauss' rule integrates the frequency over each part from
+   20 points; the radius is computed at each point. For a smooth stiffness the angle is then within 1e-12 (float 1e-4)
+   of the phase. The velocity is i W z, without the small radial velocity. Returns VM_BAD_ARGUMENT for null pointers and
+   a rotor without mass or stiffness, VM_NOT_FINITE for a number that is infinite or NaN, VM_BAD_MASS for a mass that is
+   not positive, VM_BAD_STIFFNESS where there is no circular whirl, VM_DOMAIN for a radius that is not positive or t
+   outside a table, and VM_NO_LAW for a rotor with a force or a velocity u. */
 VM_API int vm_jeffcott_whirl_at(const vm_jeffcott *r, vm_real first_A, vm_real first_angle, int sense, vm_real t,
                                 vm_jeffcott_whirl *whirl)
 {
@@ -18520,8 +18551,8 @@ VM_API int vm_jeffcott_whirl_at(const vm_jeffcott *r, vm_real first_A, vm_real f
 
 /* -- Any motion on a linear shaft -- */
 
-/* Adds to the motion (x, y, x', y') at t the whirl of this sense that was at z = first at t = 0. Nothing is added if
-   first is 0. */
+/* Adds the whirl of this sense to the motion (x, y, x', y') at t. At t = 0 this whirl was at z = first. Nothing is
+   added if first is 0. */
 VM_API int vmi_jeffcott_add_whirl(const vm_jeffcott *r, vm_complex first, int sense, vm_real t, vm_real *motion)
 {
     const vm_real A = vmi_c_modulus(first);
@@ -18811,9 +18842,9 @@ VM_API int vm_pair_by_method(const vm_pair *p, int method, vm_real t, const vm_r
    all springs, the equations are
        m1 x'' =  S(p) + b p' - r m1' x' + f1,   m2 y'' = -S(p) - b p' - r m2' y' + f2
    b is the damping of the connection, r the share of the reactive force. In the relative coordinate p, with the reduced
-   mass mu = m1 m2/(m1 + m2) and the velocity V of the mass centre, they become
+   mass mu = m1 m2/(m1 + m2) and the velocity V of the mass centre, they become, exactly and for all laws,
        mu p'' + S(p) + (r mu' + b) p' = -r mu (m2'/m2 - m1'/m1) V + mu (f2/m2 - f1/m1)
-   exactly, for all laws. This is the equation of one oscillator, so that all routes of routes.h serve for it.
+   This is the equation of one oscillator, so that all routes of routes.h can compute its motion.
 
        vm_connection springs[2] = {{100, 1}, {2000, 3}}; // 100 N/m p + 2000 N/m^3 p^3
        vm_coupled_pair pair;
@@ -18949,7 +18980,8 @@ VM_API int vmi_coupled_reduced_mass(vm_real t, vm_real *f, vm_real *rate, void *
     return VM_OK;
 }
 
-/* The force -mu (m2'/m2 - m1'/m1) V of the text above, for r = 1, where the momentum stays; a vm_osc_force */
+/* The force -mu (m2'/m2 - m1'/m1) V of the text above, for r = 1, where the momentum stays constant. The function is a
+   vm_osc_force. */
 VM_API vm_real vmi_coupled_drift(vm_real t, vm_real x, vm_real v, void *ctx)
 {
     const vm_coupled_pair *p = (const vm_coupled_pair *)ctx;
@@ -18962,12 +18994,12 @@ VM_API vm_real vmi_coupled_drift(vm_real t, vm_real x, vm_real v, void *ctx)
     return vmi_sum_of_products(now.rate[0], now.m[1], -now.rate[1], now.m[0]) / whole * (p->momentum / whole);
 }
 
-/* The oscillator that the relative motion p = y - x of two bodies with one connection is, for the routes of routes.h.
-   y0 = (x, y, x', y') is the motion at t = 0; pair must outlive *problem. The equation is exact; where the mass centre
-   drifts and m1'/m1 differs from m2'/m2, it has the further small force of the text above. Returns the statuses of
-   vm_coupled_pair_rhs at t = 0, and VM_NO_LAW where there is not exactly one connection, where there are further
-   forces, or where the reactive force is a share other than 0 and 1, because then the drift of the mass centre depends
-   on the vibration. Integrate vm_coupled_pair_rhs then. */
+/* Writes the oscillator whose position is p = y - x, the relative coordinate of two bodies with one connection. The
+   routes of routes.h compute its motion. y0 = (x, y, x', y') is the motion at t = 0; pair must outlive *problem. The
+   equation is exact. Where the mass centre drifts and m1'/m1 differs from m2'/m2, the oscillator has the further small
+   force of the text above. Returns the statuses of vm_coupled_pair_rhs at t = 0, and VM_NO_LAW where there is not
+   exactly one connection, where there are further forces, or where the reactive force is a share other than 0 and 1,
+   because then the drift of the mass centre depends on the vibration. Integrate vm_coupled_pair_rhs then. */
 VM_API int vm_coupled_pair_oscillator(vm_coupled_pair *pair, const vm_real *y0, vm_osc_problem *problem)
 {
     if (!pair || !y0 || !problem) return VM_BAD_ARGUMENT;
@@ -19288,8 +19320,8 @@ VM_API int vm_forced_to_averaged(const vm_forced *f, vm_real t, const vm_real *m
 }
 
 /* Converts the mean y = (A, delta, theta) of an excited oscillator to the motion (x, x', theta). This is the inverse of
-   vm_forced_to_averaged: it puts the ripple back. The statuses are those of vm_forced_rhs; VM_DOMAIN also means that A
-   <= 0 or that A is smaller than its ripple. motion and y may be the same array. */
+   vm_forced_to_averaged: it adds the ripple to the mean amplitude. The statuses are those of vm_forced_rhs; VM_DOMAIN
+   also means that A <= 0 or that A is smaller than its ripple. motion and y may be the same array. */
 VM_API int vm_forced_from_averaged(const vm_forced *f, vm_real t, const vm_real *y, vm_real *motion)
 {
     if (!f || !y || !motion) return VM_BAD_ARGUMENT;
@@ -19953,13 +19985,14 @@ VM_API int vm_periodic_steady_states(const vm_periodic *p, vm_real t, int room, 
 #endif
 /* oscillators/grounded_pair.h - two strongly nonlinear oscillators with slow masses and a weak coupling
 
-   Two bodies, each on a spring of its own that is fixed to the ground, with a weak spring kappa and a weak damper c
-   between them: a system of two degrees of freedom for which averaged equations exist, because each body without the
-   coupling vibrates as an oscillator of one degree. For i = 0 and 1, where o is the other body:
+   Each of two bodies is on a spring of its own, which is fixed to the ground. A weak spring kappa and a weak damper c
+   join the bodies. Averaged equations exist for this system of two degrees of freedom, because without the coupling
+   each body vibrates as an oscillator of one degree of freedom. With i = 0 or 1 for a body, and o for the other one,
+   the equations of motion are
        m_i x_i'' + k_i x_i|x_i|^(alpha_i-1) = -(r_i m_i' + b_i) x_i' + kappa (x_o - x_i) + c (x_o' - x_i')
-   m_i and k_i may vary slowly. This file has the equations of motion, the averaged equations for amplitudes and
-   phases, and the maps to and from the motion. Bodies that have no springs to the ground, on which the coupling may
-   be strong, are in coupled_pair.h.
+   m_i and k_i may vary slowly. This file has the equations of motion, the averaged equations for amplitudes and phases,
+   and functions that convert the motion to amplitudes and phases and back. Bodies that have no springs to the ground,
+   on which the coupling may be strong, are in coupled_pair.h.
 
        vm_grounded_pair p;
        memset(&p, 0, sizeof p);
@@ -19971,16 +20004,16 @@ VM_API int vm_periodic_steady_states(const vm_periodic *p, vm_real t, int room, 
        int status = vm_grounded_pair_init(&p);
 
    The state of the averaged equations is (A_0, phi_0, A_1, phi_1): the mean amplitudes and the phases in radians.
-   With the symbols of forced.h, the largest velocity V = 2 Om A/(alpha+1) of a vibration, and q_i with the damping
-   b_i + c,
+   The averaged equations have the symbols of forced.h. V = 2 Om A/(alpha+1) is the largest velocity of a vibration, and
+   q_i contains the damping b_i + c. The equations are
        A_i' = -q_i A_i/(alpha_i+3) - S_i/(m_i Om_i),
        phi_i' = w_i(A_i) + h_i kappa <ca^2> - h_i C_i/A_i,   h_i = (alpha_i+1) pi/(2 Pi_i m_i Om_i),
        S_i = sum of s_j/2 (kappa A_o c_n sin u - c V_o s_n cos u),
-       C_i = sum of c_j/2 (kappa A_o c_n cos u + c V_o s_n sin u),   u = j phi_i - n phi_o,
-   over the odd j, n up to 9 whose u varies slowly: those with j P_i = n P_o, where the frequencies of the two bodies
-   are as P_0 to P_1. c_j and s_j are the Fourier coefficients of ca and sa of body i, c_n and s_n those of body o.
-   Where the frequencies are in no such ratio, the sums are empty: each body then vibrates on its own. Tests:
-   tests/test_grounded_pair.c. */
+       C_i = sum of c_j/2 (kappa A_o c_n cos u + c V_o s_n sin u),   u = j phi_i - n phi_o.
+   The sums are over those odd j and n up to 9 for which u varies slowly. These are the j and n with j P_i = n P_o,
+   where the frequencies of the two bodies are as P_0 to P_1. c_j and s_j are the Fourier coefficients of ca and sa of
+   body i, c_n and s_n those of body o. Where the frequencies are in no such ratio, the sums are empty: each body then
+   vibrates on its own. Tests: tests/test_grounded_pair.c. */
 #ifndef VARMASS_OSCILLATORS_GROUNDED_PAIR_H
 #define VARMASS_OSCILLATORS_GROUNDED_PAIR_H
 
@@ -19996,7 +20029,7 @@ typedef struct VM_TAG(vm_grounded_pair) {
     vm_real mean[2];         /* means of ca^2; vm_grounded_pair_init writes this field */
 } vm_grounded_pair;
 
-/* The parameters of both oscillators at one time, and what follows from the amplitudes */
+/* The parameters of both oscillators at one time, and the rates q that follow from them */
 typedef struct VM_TAG(vmi_grounded_now) {
     vmi_forced_parameters n[2];
     vm_real q[2]; /* rates of the slow changes, 1/s; they include the damper of the coupling */
@@ -20077,11 +20110,12 @@ VM_API int vm_grounded_pair_rhs(vm_real t, const vm_real *y, vm_real *dydt, void
     return VM_OK;
 }
 
-/* What the averaged equations need of one body at one time. The index `other` is that of the other body. */
+/* The numbers of one body at one time that the averaged equations contain. The index `other` is that of the other
+   body. */
 typedef struct VM_TAG(vmi_grounded_body) {
     vm_real Om, w; /* rate of the Ateb phase, 1/s; frequency of the free vibration, rad/s */
     vm_real pull;  /* kappa A, N: amplitude of the force that this body's motion exerts by the spring */
-    vm_real drag;  /* c V, N: amplitude of the force that it exerts by the damper */
+    vm_real drag;  /* c V, N: amplitude of the force that this motion exerts by the damper */
     vm_complex turns[2 * VMI_FORCED_HARMONICS]; /* e^(i k phi) */
 } vmi_grounded_body;
 
@@ -20121,11 +20155,12 @@ VM_API void vmi_grounded_sums(const vm_grounded_pair *p, const vmi_grounded_body
 /* Averaged equations of two weakly coupled oscillators, for rk45 or rk87. They are written in the text above. The
    state is y = (A_0, phi_0, A_1, phi_1), mean amplitudes (m) and phases (rad). Start with
    vm_grounded_pair_to_averaged, and end with vm_grounded_pair_from_averaged. Let e be the largest of the couplings,
-   dampings and mass rates. Up to times of the order of 1/e the error of the amplitudes is of the order of e, and that
-   of the positions too for alpha = 1. For other alpha the rates of the phases depend on the amplitudes, so that
-   errors of the amplitudes make larger errors of the positions: in the tests these are at most 0.04 of the amplitude
-   for e = 0.005, and fall more slowly than e. The equations are singular where an amplitude is 0: there integrate
-   vm_grounded_pair_rhs. The argument pair and the statuses are those of vm_grounded_pair_rhs. */
+   dampings and mass rates. Up to times of the order of 1/e the error of the amplitudes is of the order of e. For
+   alpha = 1 the error of the positions is of this order, too. For other alpha the rates of the phases depend on the
+   amplitudes, so that errors of the amplitudes cause larger errors of the positions. In the tests these are at most
+   0.04 of the amplitude for e = 0.005; with smaller e they fall, but more slowly than e. The equations are singular
+   where an amplitude is 0: there integrate vm_grounded_pair_rhs. The argument pair and the statuses are those of
+   vm_grounded_pair_rhs. */
 VM_API int vm_grounded_pair_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *pair)
 {
     if (!y || !dydt || !pair) return VM_BAD_ARGUMENT;
@@ -20181,9 +20216,9 @@ VM_API vm_real vmi_grounded_ripple(const vm_grounded_pair *p, const vmi_grounded
 
 /* Converts a motion (x_0, x_1, x_0', x_1') of two weakly coupled oscillators to its mean y = (A_0, phi_0, A_1,
    phi_1). The amplitudes are those without their ripple within a period. The statuses are those of
-   vm_grounded_pair_rhs; VM_NOT_FINITE also means that the motion is infinite or NaN, and VM_DOMAIN that a body moves
-   less than its ripple, for instance is at rest, or that the frequencies are in a resonance which the field
-   vibrations does not name. y and motion may be the same array. */
+   vm_grounded_pair_rhs; VM_NOT_FINITE also means that the motion is infinite or NaN. VM_DOMAIN also means that a body
+   is at rest or its motion is smaller than its ripple, or that the frequencies are in a resonance that the field
+   `vibrations` does not give. y and motion may be the same array. */
 VM_API int vm_grounded_pair_to_averaged(const vm_grounded_pair *p, vm_real t, const vm_real *motion, vm_real *y)
 {
     if (!p || !motion || !y) return VM_BAD_ARGUMENT;
@@ -20213,9 +20248,9 @@ VM_API int vm_grounded_pair_to_averaged(const vm_grounded_pair *p, vm_real t, co
 }
 
 /* Converts the mean y = (A_0, phi_0, A_1, phi_1) of two weakly coupled oscillators to the motion (x_0, x_1, x_0',
-   x_1'). This is the inverse of vm_grounded_pair_to_averaged: it puts the ripples back. The statuses are those of
-   vm_grounded_pair_rhs; VM_NOT_FINITE also means that y is infinite or NaN, and VM_DOMAIN that an amplitude is not
-   positive or smaller than its ripple. motion and y may be the same array. */
+   x_1'). This is the inverse of vm_grounded_pair_to_averaged: it adds the ripples to the mean amplitudes. The statuses
+   are those of vm_grounded_pair_rhs; VM_NOT_FINITE also means that y is infinite or NaN, and VM_DOMAIN that an
+   amplitude is not positive or smaller than its ripple. motion and y may be the same array. */
 VM_API int vm_grounded_pair_from_averaged(const vm_grounded_pair *p, vm_real t, const vm_real *y, vm_real *motion)
 {
     if (!p || !y || !motion) return VM_BAD_ARGUMENT;
@@ -20244,8 +20279,9 @@ VM_API int vm_grounded_pair_from_averaged(const vm_grounded_pair *p, vm_real t, 
 #endif
 /* oscillators/diagnostics.h - turning points and zero crossings of any trajectory, envelopes, adiabaticity
 
-   The trajectory may come from a route, a closed form or an integrator's dense output. Laws of the amplitude are
-   compared with it at its turning points; its zero crossings give the largest velocities and the periods.
+   The trajectory may come from a route, from a closed form or from an integrator's dense output, that is its solution
+   between the ends of a step. A law of the amplitude is compared with the trajectory at its turning points. The zero
+   crossings give the largest velocities and the periods.
 
        vm_sample turning[8]; // motion: a function of the user, see vm_motion_function
        long n = vm_find_samples(motion, NULL, VM_TURNING_POINTS, 0, 20, VM_C(0.1), 8, turning);
@@ -20297,7 +20333,7 @@ VM_API vm_real vmi_sample_function(vm_real t, void *search)
 /* Turning points or zero crossings of a trajectory in (t0, t1]. kind is VM_TURNING_POINTS or VM_ZERO_CROSSINGS. The
    trajectory is evaluated at equal intervals of at most |step|, and each change of sign is located within 4 eps of
    its time. step should be a small part of a period; it is negative where t1 < t0. The first `room` samples are
-   written to samples, in the order in which they are met. Returns how many samples there are, which may be more than
+   written to samples, in the order in which they are found. Returns how many samples there are, which may be more than
    room, or a negative status: VM_BAD_ARGUMENT for a null pointer, an unknown kind or a negative room, VM_NOT_FINITE for
    a step of 0, of the wrong sign or infinite, for more than 2e9 steps, or where the trajectory is not finite. Samples
    found before the error stay in samples. */

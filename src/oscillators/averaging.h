@@ -7,8 +7,9 @@
        vm_real A_rate, theta_rate, psi_rate;
        int status = vm_osc_plan_init(&plan, &problem); // problem is a vm_osc_problem; t = 10 s, A = 0.1 m
        if (!status) status = vm_osc_averaged(&plan, VM_ROUTE_ATEB, 10, VM_C(0.1), &A_rate, &theta_rate, &psi_rate);
-   vmi_osc_averaging_error estimates how far the solution of the averaged equations is from the motion.
-   Symbols: psi Ateb phase, Om its rate, theta the slow part of a wave's own angle (oscillators/waves.h).
+   vmi_osc_averaging_error estimates the error of the solution of the averaged equations.
+   Symbols: psi is the Ateb phase and Om its rate. The argument of ca, cos or cn is the angle of the wave; theta is the
+   part of this angle that changes slowly (oscillators/waves.h).
    Tests: tests/test_averaging.c, tests/test_ladder.c. */
 #ifndef VARMASS_OSCILLATORS_AVERAGING_H
 #define VARMASS_OSCILLATORS_AVERAGING_H
@@ -26,10 +27,11 @@
 
 /* -- Averaged equations with a force -- */
 
-/* Writes the means of F s and F c over a period, where F is the force on a motion x = A c, x' = -V s by the wave w.
-   Each quarter of the period is divided at psi = cut. From 0 to cut, Gauss' rule takes 20 points in psi; for large
-   alpha the velocity varies like tanh psi there. From cut to x = 0 the rule takes 20 points in the square root of the
-   distance between psi and its value at x = 0, because F may contain fractional powers of that distance. */
+/* Writes the means of F s and F c over a period. c and s are the values of the wave w, and F is the force during the
+   motion x = A c, x' = -V s. Each quarter of the period is divided at psi = cut. From 0 to cut, Gauss' rule takes 20
+   points in psi; for large alpha the velocity varies like tanh psi there. From cut to x = 0 it takes 20 points in
+   another variable: the square root of the distance between psi and its value at x = 0. The reason is that F may
+   contain fractional powers of that distance. */
 VM_API void vmi_osc_means(const vm_osc_plan *p, const vmi_osc_wave *w, vm_real t, vm_real A, vm_real V, vm_real *Fs,
                           vm_real *Fc)
 {
@@ -55,8 +57,8 @@ VM_API void vmi_osc_means(const vm_osc_plan *p, const vmi_osc_wave *w, vm_real t
     }
 }
 
-/* The averaged rates (ln A)' and theta' at the amplitude A, where Om is the rate of the Ateb phase. theta is the slow
-   part of the wave's own angle. */
+/* The averaged rates (ln A)' and theta' at the amplitude A, where Om is the rate of the Ateb phase. theta is the part
+   of the wave's angle that changes slowly. */
 VM_API void vmi_osc_averaged_rates(const vm_osc_plan *p, const vmi_osc_wave *w, const vmi_osc_rates *now, vm_real t,
                                    vm_real A, vm_real Om, vm_real *ln_A_rate, vm_real *theta_rate)
 {
@@ -74,16 +76,17 @@ VM_API vm_real vmi_osc_Om_ratio(const vm_osc_plan *p, const vmi_osc_rates *now, 
     return VM_SQRT((now->k / p->k0) / (now->m / p->m0)) * vmi_exp((p->problem.alpha - 1) / 2 * a, 0);
 }
 
-/* Averaged rates A', theta', psi' of amplitude and phase, with the problem's force. They are in m/s and 1/s, and belong
-   to the time t (s) and the amplitude A (m). psi is the angle of the route's wave, theta its slow part. For
-   VM_ROUTE_ATEB psi is the Ateb phase; the equations are (314), (315) averaged, with the term of omega' that they lack.
-   For VM_ROUTE_TRIG psi is in radians; the equations are (337)-(339) with alpha + 3 for 5 - alpha, and with 4 for the 2
-   of (338), (339). For VM_ROUTE_JACOBI psi is the argument of cn; the equations are (380)-(382) with theta' in the
-   second equation of (382). Gauss' rule takes the means on each quarter of the period, so F may jump where x or x' is
-   0. For alpha up to 30, and F linear or cubic in x and x' or dry friction, the relative error is at most 1e-10 (float
-   2e-6). Returns VM_BAD_ARGUMENT for a null pointer or another route, VM_NOT_FINITE for a number that is infinite or
-   NaN, VM_BAD_MASS or VM_BAD_STIFFNESS for a law that is not positive at t, and VM_DOMAIN for A <= 0, t outside a
-   table, or a user's function of a law that fails. An error leaves the results untouched. */
+/* Averaged rates A', theta', psi' of amplitude and phase, with the problem's force. They are in m/s and 1/s, at the
+   time t (s) and the amplitude A (m). psi is the angle of the route's wave, and theta the part of this angle that
+   changes slowly. For VM_ROUTE_ATEB psi is the Ateb phase; the equations are the averages of (314), (315) after the
+   missing term of omega' has been added. For VM_ROUTE_TRIG psi is in radians; the equations are (337)-(339), with
+   alpha + 3 in place of 5 - alpha, and in (338), (339) with 4 in place of 2. For VM_ROUTE_JACOBI psi is the argument of
+   cn; the equations are (380)-(382), with theta' in place of A' in the second equation of (382). Gauss' rule computes
+   the means over each quarter of the period separately, so F may jump where x or x' is 0. For alpha up to 30, and F
+   linear or cubic in x and x' or dry friction, the relative error is at most 1e-10 (float 2e-6). Returns
+   VM_BAD_ARGUMENT for a null pointer or another route, VM_NOT_FINITE for a number that is infinite or NaN, VM_BAD_MASS
+   or VM_BAD_STIFFNESS for a law that is not positive at t, and VM_DOMAIN for A <= 0, for t outside a table, or where
+   the user's function of a law fails. An error leaves the results untouched. */
 VM_API int vm_osc_averaged(const vm_osc_plan *p, int route, vm_real t, vm_real A, vm_real *A_rate,
                            vm_real *theta_rate, vm_real *psi_rate)
 {
@@ -120,7 +123,8 @@ typedef struct VM_TAG(vmi_osc_moment) {
     vm_real A, psi, Om; /* amplitude, m, Ateb phase, and rate of this phase, 1/s */
 } vmi_osc_moment;
 
-/* What averaging leaves out at one moment, as errors of ln A and of the Ateb phase psi */
+/* What averaging leaves out at one moment, as errors of ln A and of the Ateb phase psi. The ripple of a number is its
+   small swing about its mean value within a period. */
 typedef struct VM_TAG(vmi_osc_averaging) {
     vm_real Om;                 /* rate of the Ateb phase at this moment, 1/s */
     vm_real start_A, start_psi; /* sizes of the ripples of ln A and psi at the phase of this moment */
@@ -130,8 +134,8 @@ typedef struct VM_TAG(vmi_osc_averaging) {
 } vmi_osc_averaging;
 
 /* Writes the exact rates of ln A and psi at VMI_AVERAGING_POINTS phases of the period before t, or of the first period
-   if less than a period has passed. If `frozen` is 1, the force is taken at the time t for all phases, otherwise at the
-   time of each phase. */
+   if less than a period has passed. If `frozen` is 1, the force is computed at the time t for all phases, otherwise at
+   the time of each phase. */
 VM_API void vmi_osc_period_rates(const vmi_osc_moment *at, int frozen, vm_real *rate_A, vm_real *rate_psi)
 {
     const vm_osc_plan *p = at->plan;
@@ -162,8 +166,8 @@ VM_API vm_real vmi_osc_take_mean(vm_real *values)
     return mean;
 }
 
-/* Integrates values over a period, whose mean is 0, and subtracts the mean of the integral. `width` is the distance
-   between two values. */
+/* Integrates values over a period, and subtracts the mean of the integral. The mean of the values must be 0. `width` is
+   the distance between two values. */
 VM_API void vmi_osc_integrate_ripple(const vm_real *values, vm_real width, vm_real *ripple)
 {
     int i;
@@ -182,8 +186,8 @@ VM_API vm_real vmi_osc_largest(const vm_real *values)
     return largest;
 }
 
-/* Adds to the errors of the mean rates the difference between the rates by the wave w and those by ca. It also finds
-   the rate at which a small change of ln A grows. */
+/* Adds the difference between the mean rates with the wave w and those with ca, the exact wave, to the errors of the
+   mean rates. It also finds the rate at which a small change of ln A grows. */
 VM_API void vmi_osc_add_wave_rates(const vmi_osc_moment *at, const vmi_osc_wave *w, vmi_osc_averaging *a)
 {
     const vm_osc_plan *p = at->plan;
@@ -199,8 +203,8 @@ VM_API void vmi_osc_add_wave_rates(const vmi_osc_moment *at, const vmi_osc_wave 
     a->growth = (more_A - own_A) / change;
 }
 
-/* Integrates the rates of ln A and psi, from which their means are subtracted, over a period: the integrals are the
-   ripples of ln A and psi. The ripple of ln A changes Om, and so adds to the rate of psi. */
+/* Finds the ripples of ln A and psi. They are the integrals of the rates of ln A and psi over a period, after the means
+   of the rates have been subtracted. The ripple of ln A changes Om, and so adds to the rate of psi. */
 VM_API void vmi_osc_find_ripples(const vmi_osc_moment *at, const vm_real *rate_A, vm_real *rate_psi,
                                  vmi_osc_averaging *a)
 {
@@ -252,8 +256,8 @@ VM_API int vmi_osc_averaging_at(const vm_osc_plan *p, const vmi_osc_wave *w, vm_
 
 /* -- The error between 0 and t -- */
 
-/* The interval from 0 to t has 11 equal parts. Errors are estimated at the ends of the last 8 of them, both here and
-   where oscillators/integration.h compares two integrations. */
+/* The interval from 0 to t is divided into 11 equal parts. Errors are estimated at the ends of the last 8 of them, both
+   here and where oscillators/integration.h compares two integrations. */
 enum { VMI_OSC_CHECKS = 8 };
 
 /* Time number i, 0 to VMI_OSC_CHECKS - 1, at which motions are compared on the way to t; the last one is t. */
@@ -264,10 +268,10 @@ VM_API vm_real vmi_osc_check_time(vm_real t, int i)
 }
 
 /* Estimates the error at t of the averaged equations with a force, from the motions at the times of vmi_osc_check_time.
-   Errors arise from the ripple at the start, which the equations take for a part of the mean, and from errors of the
-   mean rates. These errors grow as small changes of the motion grow, and an error of the amplitude adds an error of the
-   phase. At the end the estimate adds the ripple at t, the error of a wave that is not ca, and the effect of fast
-   changes of mass and stiffness. */
+   Errors arise from the ripple at the start, which the equations treat as a part of the mean, and from errors of the
+   mean rates. These errors grow as fast as small changes of the motion grow, and an error of the amplitude causes an
+   error of the phase. At the end the estimate adds the ripple at t, the error of a wave that is not ca, and the effect
+   of fast changes of mass and stiffness. */
 VM_API int vmi_osc_averaging_error(const vm_osc_plan *p, const vmi_osc_wave *w, vm_real t,
                                    const vm_osc_motion *motion, vm_real *error)
 {

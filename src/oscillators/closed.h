@@ -5,13 +5,14 @@
    (examples/print_plan.c prints it). Mass and stiffness must be
      m = m0 exp(rate_m u),   k = k0 exp(rate_k u),   u = ln(1 + base t)/base, or u = t for base = 0,
    with a common base: they may be constant, linear, exponential or powers of the same 1 + base t. With damping the mass
-   must be constant or linear. The order, 2 to 5, is a choice: a lower order is less accurate (docs/law.md) and needs
-   less code. vm_osc_closed_at_order2 and vm_osc_closed_at_order3 leave out the code that only higher orders need.
+   must be constant or linear. The user chooses the order, from 2 to 5: a lower order is less accurate (docs/law.md),
+   but needs less code. vm_osc_closed_at_order2 and vm_osc_closed_at_order3 leave out the code that only higher orders
+   need.
        vm_osc_problem sieve = {3,            vm_law_linear(120, -20), vm_law_linear(VM_C(4e8), 0), 0, 0,
                                VM_C(0.005), 0,                       NULL,                        NULL};
        vm_osc_closed motion;
        vm_real x, v;
-       int status = vm_osc_closed_init(&motion, &sieve, 5, 3); // motion.error holds up to 3 s
+       int status = vm_osc_closed_init(&motion, &sieve, 5, 3); // motion.error is valid up to 3 s
        if (!status) status = vm_osc_closed_at(&motion, 1, &x, &v);
 
    Method: let p and a be the rates of oscillators/reduction.h at t = 0. Then
@@ -41,9 +42,9 @@ typedef struct VM_TAG(vmi_osc_rates_of_u) {
     vm_real base, rate_m, rate_k;
 } vmi_osc_rates_of_u;
 
-/* Finds the exponential form of both laws. Returns 0 if there is none in a common u, or if the integral of b/m is not
-   proportional to u. With damping it is proportional only for m = m0 (1 + base t), which includes a constant mass with
-   base = 0. */
+/* Finds the exponential form of both laws. Returns 0 if the two laws have no such form with the same u, or if the
+   integral of b/m is not proportional to u. With damping this integral is proportional to u only for m = m0 (1 + base
+   t), which includes a constant mass with base = 0. */
 VM_API int vmi_osc_find_closed_form(const vm_osc_problem *o, vmi_osc_rates_of_u *u)
 {
     vm_real base_m, base_k;
@@ -86,7 +87,7 @@ VM_API void vmi_osc_closed_disturbance(const vmi_osc_closed_rates *r, vm_real W,
 
 /* -- The mean motion -- */
 
-/* The mean motion at t = 0, and what is needed to follow it to any t */
+/* The mean motion at t = 0, and what is needed to compute it at any t */
 typedef struct VM_TAG(vmi_osc_closed_mean) {
     vmi_osc_reduced start;      /* mean amplitude, m, mean phase, and its rate W without the terms of E_0, 1/s */
     vm_real base;               /* base of the laws, 1/s; see the top of this file */
@@ -97,7 +98,7 @@ typedef struct VM_TAG(vmi_osc_closed_mean) {
 /* The mean motion at t; u, el and delta are explained at the top of this file. */
 typedef struct VM_TAG(vmi_osc_closed_now) {
     vmi_osc_reduced state; /* mean amplitude, m, mean phase, and its rate W without the terms of E_0, 1/s */
-    vm_real u, el;         /* u, s, and el, a pure number */
+    vm_real u, el;         /* u, s, and the pure number el */
     vm_real ln_A;          /* ln(A/A(0)) of the mean amplitude A */
     vm_real ratio;         /* W/W(0) */
     vm_real decay;         /* exp(-delta u) */
@@ -137,7 +138,7 @@ VM_API vm_real vmi_exp_and_ratio(vm_real x, vm_real *ratio)
     return scale + scale * p;
 }
 
-/* The mean motion at t, where 1 + base t must be positive. It uses that the integral of exp(-3 delta u) over u is the
+/* The mean motion at t, where 1 + base t must be positive. Method: the integral of exp(-3 delta u) over u is the
    integral of exp(-delta u) times (1 + decay + decay^2)/3, with decay = exp(-delta u). */
 VM_API void vmi_osc_closed_mean_at(const vmi_osc_closed_mean *c, vm_real t, vmi_osc_closed_now *now)
 {
@@ -166,7 +167,8 @@ VM_API void vmi_osc_closed_disturbance_at(const vmi_osc_closed_mean *c, const vm
     vmi_osc_closed_disturbance(&c->rates, c->start.W / now->decay, n, E);
 }
 
-/* A bound of what order five leaves out of the mean phase between 0 and the time of *now (vmi_expansion_third_rate) */
+/* An upper bound of the terms that order five leaves out of the mean phase, from 0 to the time of *now
+   (vmi_expansion_third_rate) */
 VM_API vm_real vmi_osc_closed_third(const vmi_osc_closed_mean *c, const vmi_osc_closed_now *now, const vmi_ripple *r)
 {
     const vm_real q = now->decay, sum = 1 + q * (1 + q * (1 + q * (1 + q))); /* the integral of q^5 is sum/5 times that
@@ -188,7 +190,7 @@ typedef struct VM_TAG(vm_osc_closed) {
                                  infinite where the error is unknown */
     vmi_osc_closed_mean mean; /* the mean motion */
     ateb_plan ateb;           /* Ateb functions for alpha */
-    vmi_ripple ripple;        /* functions of the ripple for alpha; order 2 leaves out its polynomials */
+    vmi_ripple ripple;        /* functions of the ripple for alpha; polynomials are not set for order 2 */
 } vm_osc_closed;
 
 /* -- Preparing it -- */
@@ -263,15 +265,15 @@ VMI_APART void vmi_osc_closed_begin(vm_osc_closed *c, int order, const vmi_osc_c
     if (mean.A != 0) c->error = vmi_osc_closed_error(c, order, s->E, t_end);
 }
 
-/* Prepares the motion of the problem by the law of an order, 2 to 5; a higher order is more accurate. c->error holds
-   for times between 0 and t_end, s, of either sign. Afterwards *c does not need the problem any more. After an error
-   *c is unchanged. The errors are
+/* Prepares the computation of the problem's motion by the law of the given order, 2 to 5; a higher order is more
+   accurate. c->error is valid for times between 0 and t_end, s, which may have either sign. Afterwards *c does not need
+   the problem any more. After an error *c is unchanged. The errors are
      VM_BAD_ARGUMENT for null pointers, another order, and a law that no constructor made,
      VM_NOT_FINITE for a number that is infinite or NaN,
      VM_BAD_MASS or VM_BAD_STIFFNESS for a law that is not positive at 0 or t_end,
      VM_DOMAIN for alpha < 0,
      VM_NO_LAW for laws without the closed form at the top of this file, for a force F, and where mass, stiffness or
-       damping changes the motion so fast that the law of order five does not hold; use vm_osc_plan_init then.
+       damping changes the motion so fast that the law of order five is not valid; use vm_osc_plan_init then.
    The call takes as long as some 100 calls of vm_osc_closed_at; with order 2 it takes less than half as long. */
 VM_API int vm_osc_closed_init(vm_osc_closed *c, const vm_osc_problem *problem, int order, vm_real t_end)
 {
@@ -300,7 +302,7 @@ VM_API int vmi_osc_closed_check_call(const vm_osc_closed *c, int order, vm_real 
     return VM_OK;
 }
 
-/* Writes the motion at t by the law of an order that is at most that of *c. */
+/* Writes the motion at t by the law of the given order, which must not be higher than the order of *c. */
 VM_API int vmi_osc_closed_motion(const vm_osc_closed *c, int order, vm_real t, vm_real *x, vm_real *v)
 {
     const vmi_osc_closed_mean *mean;
@@ -325,11 +327,10 @@ VM_API int vmi_osc_closed_motion(const vm_osc_closed *c, int order, vm_real t, v
     return VM_OK;
 }
 
-/* Position x (m) and velocity v (m/s) at time t (s, either sign), from the law in *c, with its order. c->error
-   estimates the error up to the time t_end that vm_osc_closed_init received. An error leaves *x and *v untouched:
-   VM_BAD_ARGUMENT for null pointers, VM_NOT_FINITE where t or a result is infinite or NaN, VM_BAD_MASS or
-   VM_BAD_STIFFNESS where a law is not positive at t. If *c has order 5, the results are bit for bit those of
-   vm_osc_plan_by_route. */
+/* Position x (m) and velocity v (m/s) at time t (s, either sign), by the law of the order c->order. c->error estimates
+   the error up to the time t_end that vm_osc_closed_init received. An error leaves *x and *v untouched: VM_BAD_ARGUMENT
+   for null pointers, VM_NOT_FINITE where t or a result is infinite or NaN, VM_BAD_MASS or VM_BAD_STIFFNESS where a law
+   is not positive at t. If *c has order 5, the results are bit for bit those of vm_osc_plan_by_route. */
 VM_API int vm_osc_closed_at(const vm_osc_closed *c, vm_real t, vm_real *x, vm_real *v)
 {
     int order = 0;
@@ -337,15 +338,15 @@ VM_API int vm_osc_closed_at(const vm_osc_closed *c, vm_real t, vm_real *x, vm_re
     return vmi_osc_closed_motion(c, order, t, x, v);
 }
 
-/* Position and velocity as by vm_osc_closed_at, but always by order 2, whatever order *c has. This function links the
-   least code, since it needs no ripple. */
+/* Position and velocity as by vm_osc_closed_at, but always by order 2, whatever order *c has. Of the three functions it
+   adds the least code to a program, since order 2 needs no ripple. */
 VM_API int vm_osc_closed_at_order2(const vm_osc_closed *c, vm_real t, vm_real *x, vm_real *v)
 {
     return vmi_osc_closed_motion(c, 2, t, x, v);
 }
 
 /* Position and velocity as by vm_osc_closed_at, but always by order 3; returns VM_BAD_ARGUMENT if *c has order 2.
-   This function links less code than vm_osc_closed_at. */
+   It adds less code to a program than vm_osc_closed_at. */
 VM_API int vm_osc_closed_at_order3(const vm_osc_closed *c, vm_real t, vm_real *x, vm_real *v)
 {
     return vmi_osc_closed_motion(c, 3, t, x, v);

@@ -1,8 +1,9 @@
 /* oscillators/collocation.h - the motion of an oscillator by collocation, to a tolerance
 
-   Two runs from zero to zero of x (oscillators/course.h), with different numbers of points a step, go side by side.
-   Their difference gives the error. If the error is larger than the tolerance, the next pair of runs has more points.
-   A pair is given up on the way as soon as its error is too large, so that a pair with few points may be tried first.
+   Two runs compute the same motion side by side, in steps from each zero of x to the next (oscillators/course.h). They
+   differ in the number of points per step. The difference of their results gives the error. If the error is larger than
+   the tolerance, the next pair of runs has more points. A pair of runs is given up as soon as its error is too large,
+   even before the end. So it costs little to try a pair with few points first.
        vm_osc_motion motion;
        int status = vmi_osc_collocate(&plan, VM_ROUTE_COLLOCATION, 300, VM_C(1e-8), &motion); // plan is a vm_osc_plan
    Tests: tests/test_collocation.c, tests/test_routes.c. */
@@ -24,7 +25,7 @@
 
 /* -- Two runs side by side -- */
 
-/* The next point of a table after `from` on the way to t, or t if there is none */
+/* The time of the next point of a table after `from` on the way to t, or t if there is no such point */
 VM_API vm_real vmi_osc_next_knot(const vm_osc_problem *o, vm_real from, vm_real t)
 {
     return vmi_law_next_knot(&o->stiffness, from, vmi_law_next_knot(&o->mass, from, t));
@@ -35,7 +36,7 @@ VM_API vm_real vmi_osc_next_knot(const vm_osc_problem *o, vm_real from, vm_real 
 VM_API int vmi_osc_courses_to(vmi_osc_course *loose, vmi_osc_course *strict, vm_real t, vm_real most,
                               vm_real *difference)
 {
-    const vm_real most_steps = VM_C(16777216.); /* 2^24: with more, float has no digits for the phase */
+    const vm_real most_steps = VM_C(16777216.); /* 2^24: after more steps a float has no digits for the phase */
     vm_real steps = 0;
     int status = VM_OK;
     loose->stop = t;
@@ -102,8 +103,9 @@ VM_API int vmi_osc_first_pair(const vm_osc_problem *o, vm_real tolerance, vm_rea
     return i;
 }
 
-/* The number of the pair that is tried after pair i, whose estimated error is `error`, larger than the tolerance. A
-   pair is skipped if its error would be too large even if errors fell as 1/(number of points)^10. */
+/* The number of the pair that is tried after pair i. `error` is the estimated error of pair i, which is larger than the
+   tolerance. A pair is skipped if its error would still be too large in a favourable case, where errors are
+   proportional to 1/(number of points)^10. */
 VM_API int vmi_osc_next_pair(const vm_osc_problem *o, int i, vm_real error, vm_real tolerance)
 {
     const vmi_osc_points last = vmi_osc_pair(o, i);
@@ -117,7 +119,8 @@ VM_API int vmi_osc_next_pair(const vm_osc_problem *o, int i, vm_real error, vm_r
     return next;
 }
 
-/* Raises *change to the rate of ln m, ln k and damping at t, divided by that of the phase. */
+/* Raises *change to the sum of the rates |p|, |a| and |k'/k| at t (oscillators/reduction.h), divided by the rate of the
+   phase, if this quotient is larger. */
 VM_API int vmi_osc_change_at(const vm_osc_plan *plan, vm_real t, int side, vm_real *change)
 {
     vmi_osc_rates now;
@@ -132,10 +135,11 @@ VM_API int vmi_osc_change_at(const vm_osc_plan *plan, vm_real t, int side, vm_re
 /* Returns the estimated error of the strict run divided by the difference of the two runs, which is nearly the error of
    the loose run. Let n be the number of points. Where no force acts, the error falls about as n^-8 for alpha from 1 to
    5. For alpha < 1 it falls as n^-6, because the rates have terms proportional to d^(alpha+2), where d is the distance
-   from a zero of x, and for these Gauss' rule loses orders. With few points, a change of more than 1/32 a radian, the
-   sharp turns of a large alpha, kinks from a force, or a law by a function, it falls more slowly. In a graded rule the
-   points are densest at both ends of a step, where x or x' is 0, so kinks there count less. docs/routes.md shows how
-   good the estimate is. */
+   from a zero of x, and Gauss' rule is less accurate for these terms. The error falls more slowly than n^-8 in the
+   following cases: few points, laws that change by more than 1/32 per radian, alpha > 5, where the velocity reverses
+   suddenly, a force with kinks, and laws by functions of the user. In a graded rule the points are densest at both ends
+   of a step, where x or x' is 0, so kinks at these places do less harm. docs/routes.md shows how good the estimate
+   is. */
 VM_API vm_real vmi_osc_strict_share(const vm_osc_problem *o, vmi_osc_points points, vm_real change)
 {
     const vm_real ratio = (vm_real)points.loose / (vm_real)points.strict, squared = ratio * ratio;
@@ -149,18 +153,18 @@ VM_API vm_real vmi_osc_strict_share(const vm_osc_problem *o, vmi_osc_points poin
 
 /* A pair of runs */
 typedef struct VM_TAG(vmi_osc_pair_run) {
-    vm_real change;        /* the larger change of the laws per radian, at 0 and at t (vmi_osc_change_at) */
+    vm_real change;        /* change of the laws per radian, at 0 or at t, whichever is larger (vmi_osc_change_at) */
     vm_real longest;       /* the longest step, s */
-    vm_real sweep_limit;   /* that of the strict run (see vmi_osc_course) */
+    vm_real sweep_limit;   /* sweep_limit of the strict run (see vmi_osc_course) */
     vm_real most;          /* the pair is given up where its error is larger than this */
     vmi_osc_course strict; /* the strict run; it ends before t if the pair was given up */
-    vmi_osc_rates now;     /* mass, stiffness and rates at t, if the pair was not given up, */
-    vmi_osc_reduced state; /* and amplitude and phase of the strict run there */
-    vm_real error;         /* estimated error at t; if the pair was given up, the one that was to be expected */
+    vmi_osc_rates now;     /* mass, stiffness and rates at t; only valid if the pair was not given up */
+    vmi_osc_reduced state; /* amplitude and phase of the strict run at t; only valid if the pair was not given up */
+    vm_real error;         /* estimated error at t; if the pair was given up, it is extrapolated to t */
 } vmi_osc_pair_run;
 
-/* Sets amplitude and phase at t from the strict run. r->error is that of ln A and phase, and becomes that of x and v:
-   an error of x also enters v = -2/(alpha+1) W A sa - p x. */
+/* Sets amplitude and phase at t from the strict run. r->error is the error of ln A and phase before the call, and the
+   error of x and v after it. The two differ because an error of x also enters v = -2/(alpha+1) W A sa - p x. */
 VM_API int vmi_osc_end_pair(const vm_osc_plan *plan, vm_real t, vmi_osc_pair_run *r)
 {
     const vmi_osc_course *strict = &r->strict;
@@ -177,7 +181,7 @@ VM_API int vmi_osc_end_pair(const vm_osc_plan *plan, vm_real t, vmi_osc_pair_run
 VM_API int vmi_osc_collocate_pair(const vm_osc_plan *plan, vm_real t, vmi_osc_points points, vmi_osc_pair_run *r)
 {
     const int side = vmi_time_side(t);
-    const vm_real looser = 16; /* ratio of the sweep_limits of both runs: errors of the iteration differ, too */
+    const vm_real looser = 16; /* ratio of the sweep_limits of both runs; the errors of their iterations differ, too */
     const vm_real share = vmi_osc_strict_share(&plan->problem, points, r->change), most = r->most / share;
     vmi_osc_course loose, *strict = &r->strict;
     vmi_osc_slow start;

@@ -1,15 +1,15 @@
 /* oscillators/constant_mass.h - the oscillator x'' + omega0^2 x|x|^(alpha-1) = 0 of constant mass
 
-   A spring with the force -k x|x|^(alpha-1) holds a mass m, and omega0 = sqrt(k/m). alpha is any real number >= 0: 1 is
-   the linear spring, 3 the cubic one. This file has the period of the motion (262), its largest velocity (267) and
-   its energy (259); the exact motion by the Ateb functions (282), (283) from rest or from any state; and the
-   approximations by the cosine (291)-(296) and by Jacobi's cn (297)-(307) with their errors (268). The shortest
+   A mass m is fixed to a spring with the force -k x|x|^(alpha-1), and omega0 = sqrt(k/m). alpha is any real
+   number >= 0: 1 is the linear spring, 3 the cubic one. This file has the period of the motion (262), its largest
+   velocity (267) and its energy (259); the exact motion by the Ateb functions (282), (283) from rest or from any state;
+   and the approximations by the cosine (291)-(296) and by Jacobi's cn (297)-(307) with their errors (268). The shortest
    useful calls:
        vm_real T = vm_osc_period(2, 1, VM_C(1.5)), x, v; // x'' = -x|x|^0.5 from x = 2 at rest
        vm_osc_exact(T / 8, 2, 1, VM_C(1.5), &x, &v);
    The functions return or write NaN for alpha < 0 and for infinite arguments, and functions with outputs write nothing
-   where an output is null. With x in metres the unit of omega0 is metre^((1-alpha)/2)/s. Symbols: A amplitude, psi Ateb
-   phase, Om the rate of psi.
+   where the pointer to an output is null. With x in metres the unit of omega0 is metre^((1-alpha)/2)/s. Symbols: A
+   amplitude, psi Ateb phase, Om the rate of psi.
    Tests: tests/test_constant_mass.c. */
 #ifndef VARMASS_OSCILLATORS_CONSTANT_MASS_H
 #define VARMASS_OSCILLATORS_CONSTANT_MASS_H
@@ -127,8 +127,8 @@ VM_API void vm_osc_exact_from(vm_real t, vm_real x0, vm_real v0, vm_real omega0,
 }
 
 /* The mean of |ca|^power over a period. It is B(q, 1/2)/Pi_alpha with q = (power+1)/(alpha+1) and Euler's beta function
-   B; the argument pi is Pi_alpha. For q <= 1, B(q, 1/2) is Pi of alpha = 1/q - 1; for larger q it follows by the
-   recurrence of B. `constants` is the function that computes Pi. */
+   B; the argument pi is Pi_alpha. For q <= 1, B(q, 1/2) is Pi_alpha of the exponent alpha = 1/q - 1; for larger q it
+   follows from the recurrence formula of B. `constants` is the function that computes Pi. */
 VM_API vm_real vmi_osc_mean_ca(vm_real power, vm_real alpha, vm_real pi, vmi_ateb_constants_of constants)
 {
     vm_real q = (power + 1) / (alpha + 1), factor = 1;
@@ -195,8 +195,8 @@ typedef struct VM_TAG(vm_osc_errors) {
     vm_real jacobi_x, jacobi_v; /* largest errors of cn, of x relative to x0 and of v relative to vmax */
 } vm_osc_errors;
 
-/* Errors of the approximations by cos and cn, as the fields of vm_osc_errors. They depend on alpha alone. Errors in a
-   period are compared at 257 points. */
+/* Errors of the approximations by cos and cn, as the fields of vm_osc_errors. They depend on alpha alone. The largest
+   errors in a period are found from 257 points of a quarter of the period. */
 VM_API vm_osc_errors vm_osc_approximation_errors(vm_real alpha)
 {
     const vm_real pi = ateb_pi(alpha);

@@ -5,9 +5,9 @@
    all springs, the equations are
        m1 x'' =  S(p) + b p' - r m1' x' + f1,   m2 y'' = -S(p) - b p' - r m2' y' + f2
    b is the damping of the connection, r the share of the reactive force. In the relative coordinate p, with the reduced
-   mass mu = m1 m2/(m1 + m2) and the velocity V of the mass centre, they become
+   mass mu = m1 m2/(m1 + m2) and the velocity V of the mass centre, they become, exactly and for all laws,
        mu p'' + S(p) + (r mu' + b) p' = -r mu (m2'/m2 - m1'/m1) V + mu (f2/m2 - f1/m1)
-   exactly, for all laws. This is the equation of one oscillator, so that all routes of routes.h serve for it.
+   This is the equation of one oscillator, so that all routes of routes.h can compute its motion.
 
        vm_connection springs[2] = {{100, 1}, {2000, 3}}; // 100 N/m p + 2000 N/m^3 p^3
        vm_coupled_pair pair;
@@ -151,7 +151,8 @@ VM_API int vmi_coupled_reduced_mass(vm_real t, vm_real *f, vm_real *rate, void *
     return VM_OK;
 }
 
-/* The force -mu (m2'/m2 - m1'/m1) V of the text above, for r = 1, where the momentum stays; a vm_osc_force */
+/* The force -mu (m2'/m2 - m1'/m1) V of the text above, for r = 1, where the momentum stays constant. The function is a
+   vm_osc_force. */
 VM_API vm_real vmi_coupled_drift(vm_real t, vm_real x, vm_real v, void *ctx)
 {
     const vm_coupled_pair *p = (const vm_coupled_pair *)ctx;
@@ -164,12 +165,12 @@ VM_API vm_real vmi_coupled_drift(vm_real t, vm_real x, vm_real v, void *ctx)
     return vmi_sum_of_products(now.rate[0], now.m[1], -now.rate[1], now.m[0]) / whole * (p->momentum / whole);
 }
 
-/* The oscillator that the relative motion p = y - x of two bodies with one connection is, for the routes of routes.h.
-   y0 = (x, y, x', y') is the motion at t = 0; pair must outlive *problem. The equation is exact; where the mass centre
-   drifts and m1'/m1 differs from m2'/m2, it has the further small force of the text above. Returns the statuses of
-   vm_coupled_pair_rhs at t = 0, and VM_NO_LAW where there is not exactly one connection, where there are further
-   forces, or where the reactive force is a share other than 0 and 1, because then the drift of the mass centre depends
-   on the vibration. Integrate vm_coupled_pair_rhs then. */
+/* Writes the oscillator whose position is p = y - x, the relative coordinate of two bodies with one connection. The
+   routes of routes.h compute its motion. y0 = (x, y, x', y') is the motion at t = 0; pair must outlive *problem. The
+   equation is exact. Where the mass centre drifts and m1'/m1 differs from m2'/m2, the oscillator has the further small
+   force of the text above. Returns the statuses of vm_coupled_pair_rhs at t = 0, and VM_NO_LAW where there is not
+   exactly one connection, where there are further forces, or where the reactive force is a share other than 0 and 1,
+   because then the drift of the mass centre depends on the vibration. Integrate vm_coupled_pair_rhs then. */
 VM_API int vm_coupled_pair_oscillator(vm_coupled_pair *pair, const vm_real *y0, vm_osc_problem *problem)
 {
     if (!pair || !y0 || !problem) return VM_BAD_ARGUMENT;

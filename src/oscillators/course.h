@@ -4,16 +4,19 @@
      (ln A)' = -p + W E sa ca - 2/(alpha+1) f sa,   psi' = W (1 + (alpha+1)/2 E ca^2) - f ca,
      with E = (p^2 - a p - p')/W^2,   f = F/(m V),   V = 2 A W/(alpha+1); p, a and W are explained there.
    They are solved with psi as the independent variable: each step integrates ln A and t from one zero of x to the next.
-   At x = 0 the force of the spring is not smooth for most alpha, but since steps end there, no order is lost.
+   For most alpha the force of the spring is not smooth at x = 0. But the steps end there, so this point never lies
+   inside a step, where it would do the most harm.
 
-   A step uses Gauss' collocation of n points, the nodes. Its equations are solved by iteration, which starts from
-   values that are extrapolated from the steps before.
+   A step uses Gauss' collocation: polynomials approximate the rates, and satisfy the equations exactly at n points of
+   the step, the nodes. These conditions are solved by iteration, which starts from values that are extrapolated from
+   the earlier steps.
 
-   Without a force the rates of ln A and t consist of slow functions and of a swing with ca^2 and sa ca that is
-   proportional to E. A polynomial of few nodes is good for the slow functions, but not for ca^2 and sa ca. Their
-   integrals have closed forms (oscillators/ripple.h). So each step adds to Gauss' rule what the rule misses in these
-   integrals, and 2 or 3 nodes a step become enough for errors of 1e-8. With a force such closed forms do not exist; for
-   alpha < 3 the nodes then lie closer at the ends of the steps (vmi_gauss_rule_grade).
+   Without a force the rates of ln A and t consist of slow functions and of a swing, a part that varies like ca^2 and sa
+   ca and is proportional to E. A polynomial through few nodes approximates the slow functions well, but not ca^2 and sa
+   ca. The integrals of ca^2 and sa ca have closed forms (oscillators/ripple.h). So each step adds what Gauss' rule
+   misses in these integrals to the result of the rule. Then 2 or 3 nodes per step are enough for errors of 1e-8. With a
+   force such closed forms do not exist; for alpha < 3 the nodes then lie closer together at the ends of the steps
+   (vmi_gauss_rule_grade).
        vmi_osc_course c;
        int status;
        vmi_osc_course_start(&c, &plan, &reduced, 1, 4, 1, VM_C(1e-12)); // the vm_osc_plan plan, reduced at t = 0
@@ -58,8 +61,8 @@ typedef struct VM_TAG(vmi_step_rates) {
     vm_real E[2]; /* E at the first and at the last node */
 } vmi_step_rates;
 
-/* A run from 0 to t. A half period, from one zero of ca to the next, is one part, or it is two parts that meet where
-   sa = 0. Each step covers one part, unless it starts or ends inside a part. */
+/* A run, that is one computation of the motion from 0 to t. A half period goes from one zero of ca to the next. It is
+   one part, or two parts that meet where sa = 0. Each step covers one part, unless it starts or ends inside a part. */
 typedef struct VM_TAG(vmi_osc_course) {
     const vm_osc_plan *plan;
     vmi_osc_wave wave;
@@ -69,12 +72,12 @@ typedef struct VM_TAG(vmi_osc_course) {
     vm_real stop;          /* time, s, at which a step must end: a point of a table or the end. Laws are not
                               evaluated beyond it */
     vm_real longest;       /* the longest step, s */
-    vm_real sweep_limit;   /* the iteration of a step ends when a round changes the phase by less than this */
+    vm_real sweep_limit;   /* the iteration of a step ends when the estimated error of the phase is at most this */
     vm_real psi, ln_A, t;  /* phase, ln(A/A0) with the amplitude A0 of the plan, time, s */
     vm_real A;             /* amplitude, m; only set for problems with a force */
-    vm_real Om;            /* rate of the phase, 1/s, that this amplitude has with the mass and stiffness at time 0 */
+    vm_real Om;            /* rate of the phase, 1/s, at this amplitude with the mass and stiffness at time 0 */
     vm_real t_low;         /* the exact time is t + t_low, s */
-    vm_real left;          /* sum over the steps of the change of phase that their iterations leave out */
+    vm_real left;          /* sum of the errors of the phase that the iterations of all steps leave */
     vm_real contraction;   /* factor by which a round of the iteration reduces its error */
     vm_real rate;          /* rate of the phase at the end of the last step, 1/s */
     vmi_step_waves waves[2];                 /* waves on each part of the half period from psi = -Pi/2 */
@@ -95,7 +98,7 @@ VM_API void vmi_osc_course_amplitude(vmi_osc_course *c, vm_real ln_A)
 
 /* -- What Gauss' rule misses -- */
 
-/* Writes the ripple at a phase, up to the integral S2. */
+/* Writes the functions C, S and S2 of oscillators/ripple.h at a phase. */
 VM_API void vmi_osc_course_ripple(const vmi_osc_course *c, vm_real psi, vmi_ripple_values *f)
 {
     vm_real sa, ca;
@@ -103,15 +106,16 @@ VM_API void vmi_osc_course_ripple(const vmi_osc_course *c, vm_real psi, vmi_ripp
     vmi_ripple_at(&c->plan->ripple, 4, psi, sa, ca, f);
 }
 
-/* Writes the integrals of the four functions over x from 0 to x, for a step of this length in phase. *first is the
-   ripple at the start of the step, *now that at x. The integral of ca^2 over psi is <ca^2> psi + S, and that of sa ca
-   is -(alpha+1)/4 ca^2. Integration by parts gives those with the factor x - 1/2. */
+/* Writes the integrals of the four functions from the start of the step, where x = 0, to the given x. `length` is the
+   length of the step in phase. *first holds the functions C, S and S2 at the start of the step, *now those at x. The
+   integral of ca^2 over psi is <ca^2> psi + S, and that of sa ca is -(alpha+1)/4 ca^2. Integration by parts gives the
+   integrals with the factor x - 1/2. */
 VM_API void vmi_osc_wave_integrals(const vmi_ripple *r, const vmi_ripple_values *first, const vmi_ripple_values *now,
                                    vm_real x, vm_real length, vm_real *sum)
 {
     const vm_real psi = x * length, from_middle = x - VM_C(0.5), quarter = (r->alpha + 1) / 4;
     const vm_real ca2 = r->mean2 * psi + (now->S - first->S), saca = quarter * (first->C - now->C);
-    /* the integrals of these two over psi */
+    /* the integrals over psi of the integrals of ca^2 and of sa ca */
     const vm_real ca2_twice = r->mean2 * psi * psi / 2 + (now->S2 - first->S2) - first->S * psi;
     const vm_real saca_twice = quarter * (first->ca * first->ca * psi - ca2);
     sum[VMI_MISSES_CA2] = ca2 / length;
@@ -120,7 +124,7 @@ VM_API void vmi_osc_wave_integrals(const vmi_ripple *r, const vmi_ripple_values 
     sum[VMI_MISSES_SACA_X] = (from_middle * saca - saca_twice / length) / length;
 }
 
-/* Subtracts from the integrals to row i what Gauss' rule gives for them. */
+/* Subtracts the results of Gauss' rule from the four integrals in row i of `misses`. */
 VM_API void vmi_osc_subtract_rule(const vmi_gauss_rule *rule, int i, vmi_step_waves *w)
 {
     vm_real *misses = w->misses[i];
@@ -136,8 +140,8 @@ VM_API void vmi_osc_subtract_rule(const vmi_gauss_rule *rule, int i, vmi_step_wa
     }
 }
 
-/* Writes the waves of a step that starts at the phase `from`. In a very short step the rule misses nothing but rounding
-   errors. */
+/* Writes sa, ca and `misses` for a step that starts at the phase `from`. In a very short step the rule misses nothing
+   but rounding errors, so `misses` is set to 0. */
 VM_API void vmi_osc_course_waves(const vmi_osc_course *c, vm_real from, vm_real length, vmi_step_waves *w)
 {
     const vm_real very_short = VM_SQRT(VM_SQRT(VM_EPSILON));
@@ -159,9 +163,9 @@ VM_API void vmi_osc_course_waves(const vmi_osc_course *c, vm_real from, vm_real 
         for (k = 0; k < VMI_MISSES; k++) w->misses[i][k] = 0;
 }
 
-/* Whether the rule must be graded. A force that depends on the velocity brings into the rates the power alpha + 1 of
-   the distance from a zero of x, which is no integer power for most alpha. From alpha = 3 on it is so high that it does
-   no harm. */
+/* Whether the nodes must lie closer together at the ends of a step (vmi_gauss_rule_grade). With a force that depends on
+   the velocity, the rates contain d^(alpha+1), where d is the distance from a zero of x. For most alpha this is no
+   integer power, so the rates are not smooth at d = 0. From alpha = 3 on the power is so high that it does no harm. */
 VM_API int vmi_osc_needs_grading(const vm_osc_problem *o) { return o->force && o->alpha < 3 && o->alpha != 1; }
 
 /* -- Rates and changes -- */
@@ -192,7 +196,8 @@ typedef struct VM_TAG(vmi_step_node) {
     vmi_osc_change moved;
 } vmi_step_node;
 
-/* Returns e^x for the small |x| of a change within a step, from its power series; otherwise by vmi_exp. */
+/* Returns e^x. Changes within a step are mostly small; for |x| <= 1/16 the function uses the power series of e^x,
+   otherwise vmi_exp. */
 VM_API vm_real vmi_osc_exp_of_change(vm_real x)
 {
     const vm_real most = VM_C(0.0625), xx = x * x;
@@ -250,8 +255,8 @@ VM_API vmi_osc_change vmi_osc_change_to(const vmi_osc_course *c, const vmi_osc_s
 
 /* Sets what follows from the rates of a step: the swing, and the changes over the whole step. To first order in E,
    dt/dpsi = (1 - (alpha+1)/2 E ca^2)/W and d ln A/dpsi = -p dt/dpsi + E sa ca. The integral of E sa ca is -(alpha+1)/4
-   E ca^2, by which ln A swings. W is proportional to A^((alpha-1)/2), so this adds (alpha-1)(alpha+1)/8 E ca^2/W to
-   dt/dpsi. */
+   E ca^2; this is the swing of ln A. W is proportional to A^((alpha-1)/2), so the swing of ln A adds
+   (alpha-1)(alpha+1)/8 E ca^2/W to dt/dpsi. */
 VM_API void vmi_osc_complete_step(const vmi_osc_course *c, vmi_osc_step *s)
 {
     const vm_real alpha = c->plan->problem.alpha, factor = (alpha + 1) * (alpha - 5) / 8;
@@ -269,16 +274,16 @@ VM_API void vmi_osc_complete_step(const vmi_osc_course *c, vmi_osc_step *s)
 
 /* -- The iteration of a step -- */
 
-/* Adds to the rates of a step the corrections `missing` that a round found, and estimates of the further corrections
-   that follow: `missing` shifts ln A and t at the nodes, and these shifts change the rates, mostly because W depends on
-   both. *now holds mass, stiffness and rates at about the middle of the step. */
+/* Adds the corrections `missing` that a round found to the rates of a step. It also adds estimates of further
+   corrections: `missing` shifts ln A and t at the nodes, and these shifts change the rates, mostly because W depends on
+   ln A and t. *now holds mass, stiffness and rates at about the middle of the step. */
 VM_API void vmi_osc_correct(const vmi_osc_course *c, const vmi_osc_rates *now, const vmi_step_rates *missing,
                             vmi_osc_step *s)
 {
     const vm_real alpha = c->plan->problem.alpha;
     /* derivatives of ln(dt/dpsi) with respect to t and to ln A */
     const vm_real by_t = -((alpha + 3) * now->p - 2 * now->a) / 2, by_ln_A = -(alpha - 1) / 2;
-    vm_real slope[VMI_NODES]; /* rate over psi of the change of ln(dt/dpsi) */
+    vm_real slope[VMI_NODES]; /* how fast the change of ln(dt/dpsi) grows along the step */
     int i, j;
     for (j = 0; j < c->rule.n; j++) slope[j] = s->length * (by_t * missing->t[j] + by_ln_A * missing->ln_A[j]);
     for (i = 0; i < c->rule.n; i++) {
@@ -294,7 +299,7 @@ VM_API void vmi_osc_correct(const vmi_osc_course *c, const vmi_osc_rates *now, c
    functions of the user, which have no second derivatives. */
 VM_API void vmi_osc_find_p_rates(const vmi_osc_course *c, const vmi_osc_step *s, vmi_step_node *at)
 {
-    const vm_real too_short = 256 * VM_EPSILON; /* a phase in which differences of p are rounding errors */
+    const vm_real too_short = 256 * VM_EPSILON; /* in so short a step, differences of p are rounding errors */
     int i, j;
     if (VM_FABS(s->length) < too_short) return;
     for (i = 0; i < c->rule.n; i++) {
@@ -352,8 +357,8 @@ VM_API int vmi_osc_sweep(vmi_osc_course *c, vmi_osc_step *s, vm_real *change)
     return VM_OK;
 }
 
-/* Makes rounds of the iteration, which starts from the rates in s->rates, until the phase is in error by less than the
-   limit of the course. The error after a round is estimated as the change of phase that the round made, times
+/* Makes rounds of the iteration until the estimated error of the phase is at most c->sweep_limit. The iteration starts
+   from the rates in s->rates. The error after a round is estimated as the change of phase that the round made, times
    `contraction`. */
 VM_API int vmi_osc_iterate(vmi_osc_course *c, vmi_osc_step *s)
 {
@@ -424,7 +429,7 @@ VM_API void vmi_osc_take(vmi_osc_course *c, const vmi_osc_step *s)
     c->rate = 1 / s->rates.t[c->rule.n - 1];
 }
 
-/* Replaces a value in *kept by *value, and *value by the difference of the two. */
+/* Writes *value minus *kept to *value, and the old *value to *kept. */
 VM_API void vmi_keep_and_subtract(vm_real *kept, vm_real *value)
 {
     const vm_real difference = *value - *kept;
@@ -432,8 +437,8 @@ VM_API void vmi_keep_and_subtract(vm_real *kept, vm_real *value)
     *value = difference;
 }
 
-/* Stores the rates of ln A and t over a whole step, by renewing their backward differences. vmi_osc_predict
-   extrapolates from them the rates of the next step over the same part (first or second) of a half period. */
+/* Updates the backward differences of the rates of ln A and t with the rates of a whole step. From these differences
+   vmi_osc_predict extrapolates the rates of the next step over the same part (first or second) of a half period. */
 VM_API void vmi_osc_remember(vmi_osc_course *c, int part, const vmi_step_rates *rates)
 {
     const int terms = c->known[part] < VMI_HISTORY ? c->known[part] + 1 : VMI_HISTORY;
@@ -453,10 +458,10 @@ VM_API void vmi_osc_remember(vmi_osc_course *c, int part, const vmi_step_rates *
     c->known[part] = terms;
 }
 
-/* -- Landing on a time -- */
+/* -- A step that ends at a given time -- */
 
-/* Returns the fraction of the step at which the time t is reached, by Newton's method on the Legendre series of
-   dt/dpsi, or in a graded rule of dt/dx (vmi_gauss_rule_grade). */
+/* Returns the fraction of the step at which the time t is reached. Newton's method finds it from the Legendre series of
+   dt/dpsi, or of dt/dx in a graded rule (vmi_gauss_rule_grade). */
 VM_API vm_real vmi_osc_find_part(const vmi_osc_course *c, const vmi_osc_step *s, vm_real t)
 {
     const int rounds = 8;
@@ -482,9 +487,9 @@ VM_API vm_real vmi_osc_find_part(const vmi_osc_course *c, const vmi_osc_step *s,
     return c->rule.graded ? vmi_graded(part) : part;
 }
 
-/* Makes a step that ends at c->stop, in place of the longer step `beyond`, which would go past this time. certain is 0
-   if `beyond` is only predicted. If `beyond` then turns out not to reach c->stop, the course stays where it is, since
-   no step may cross a zero of x. */
+/* Makes a step that ends at c->stop. It replaces the longer step `beyond`, which would go past this time. `certain` is
+   0 if the end of `beyond` is only a prediction. If in this case the step to c->stop is longer than `beyond`, the
+   course stays unchanged, since no step may cross a zero of x. */
 VM_API int vmi_osc_land(vmi_osc_course *c, const vmi_osc_step *beyond, int certain)
 {
     const int rounds = 6;

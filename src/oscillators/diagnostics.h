@@ -1,7 +1,8 @@
 /* oscillators/diagnostics.h - turning points and zero crossings of any trajectory, envelopes, adiabaticity
 
-   The trajectory may come from a route, a closed form or an integrator's dense output. Laws of the amplitude are
-   compared with it at its turning points; its zero crossings give the largest velocities and the periods.
+   The trajectory may come from a route, from a closed form or from an integrator's dense output, that is its solution
+   between the ends of a step. A law of the amplitude is compared with the trajectory at its turning points. The zero
+   crossings give the largest velocities and the periods.
 
        vm_sample turning[8]; // motion: a function of the user, see vm_motion_function
        long n = vm_find_samples(motion, NULL, VM_TURNING_POINTS, 0, 20, VM_C(0.1), 8, turning);
@@ -62,7 +63,7 @@ VM_API vm_real vmi_sample_function(vm_real t, void *search)
 /* Turning points or zero crossings of a trajectory in (t0, t1]. kind is VM_TURNING_POINTS or VM_ZERO_CROSSINGS. The
    trajectory is evaluated at equal intervals of at most |step|, and each change of sign is located within 4 eps of
    its time. step should be a small part of a period; it is negative where t1 < t0. The first `room` samples are
-   written to samples, in the order in which they are met. Returns how many samples there are, which may be more than
+   written to samples, in the order in which they are found. Returns how many samples there are, which may be more than
    room, or a negative status: VM_BAD_ARGUMENT for a null pointer, an unknown kind or a negative room, VM_NOT_FINITE for
    a step of 0, of the wrong sign or infinite, for more than 2e9 steps, or where the trajectory is not finite. Samples
    found before the error stay in samples. */

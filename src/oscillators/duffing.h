@@ -3,14 +3,15 @@
    With constant mass the equation is x'' + c1 x + c3 x^3 = 0, where c1 = k1/m and c3 = k3/m. Its exact motion is
    written with Jacobi's functions, for each sign of the coefficients:
      c1 >= 0, c3 >= 0   hardening spring: every motion is a vibration around 0, x = A cn
-     c1 > 0, c3 < 0     softening spring: vibrations around 0 with A^2 < -c1/c3; larger motions run away
+     c1 > 0, c3 < 0     softening spring: vibrations around 0 with A^2 < -c1/c3; larger motions run away: |x| grows
+                        without limit
      c1 < 0, c3 > 0     two wells, at x^2 = -c1/c3: outer vibrations around both, x = A cn, and inner ones in one of
                         them, x = A dn; the separatrix x = A/cosh between them has an infinite period
        vm_real x, v;
        vm_real T = vm_duffing_period(2, 1, VM_C(0.5)); // x'' + x + x^3/2 = 0 from rest at x = 2 m
        vm_duffing_exact_from(T / 8, 2, 0, 1, VM_C(0.5), &x, &v);
-   For a slow mass, stiffness or damping give vm_duffing_force(k1, k3) to the functions of oscillators/odd_motion.h; for
-   k1 and k3 that follow laws of their own, vm_duffing_force_of_laws.
+   If mass, stiffness or damping varies slowly, pass vm_duffing_force(k1, k3) to the functions of
+   oscillators/odd_motion.h. If k1 and k3 follow two different laws of time, pass vm_duffing_force_of_laws.
    Guide: docs/duffing.md. Tests: tests/test_duffing.c. */
 #ifndef VARMASS_OSCILLATORS_DUFFING_H
 #define VARMASS_OSCILLATORS_DUFFING_H
@@ -30,7 +31,7 @@
 
 /* -- The orbit through a state -- */
 
-/* k1 x + k3 x^3 */
+/* Writes the force k1 x + k3 x^3 to *f. */
 VM_API int vmi_duffing_at(const vm_odd_force *force, vm_real x, vm_real *f)
 {
     *f = x * (force->k1 + force->k3 * (x * x));
@@ -62,7 +63,7 @@ VM_API int vmi_duffing_through(const vm_odd_force *force, vm_real x, vm_real v, 
         orbit->size = VM_SQRT(to_rest * to_rest + 2 * (v * v) / k3);
         if (x > 0) orbit->place = VMI_ORBIT_RIGHT;
         if (x < 0) orbit->place = VMI_ORBIT_LEFT;
-        if (x == 0) orbit->size = 0; /* rest between the wells */
+        if (x == 0) orbit->size = 0; /* at rest between the wells */
         return VM_OK;
     }
     orbit->size = 0;
@@ -216,8 +217,8 @@ VM_API int vmi_duffing_at_phase(const vmi_orbit *orbit, vm_real phi, vm_real *x,
     return VM_OK;
 }
 
-/* Duffing's force without the function of its ripple. The functions for constant mass do not need this function, and
-   so do not link it. */
+/* Duffing's force without the function that computes its ripple. The functions for constant mass do not need the
+   ripple, so a program that uses only them does not contain that function. */
 VM_API vm_odd_force vmi_duffing_elastic(vm_real k1, vm_real k3)
 {
     vm_odd_force force = vm_odd_force_user(NULL, NULL);
@@ -263,7 +264,8 @@ VM_API vm_real vm_duffing_energy(vm_real x, vm_real v, vm_real c1, vm_real c3)
     return v * v / 2 + (x * x) * (c1 / 2 + c3 * (x * x) / 4);
 }
 
-/* Whether a state lies on the separatrix x = A/cosh, which goes out from x = 0 and comes back in infinite time */
+/* Whether a state lies on the separatrix, the motion x = A/cosh(lambda t). It goes from x = 0 to x = A and back to
+   x = 0 in infinite time. */
 VM_API int vmi_duffing_is_separatrix(const vmi_orbit *orbit)
 {
     const vm_real k1 = orbit->force->k1, k3 = orbit->force->k3;
@@ -273,9 +275,9 @@ VM_API int vmi_duffing_is_separatrix(const vmi_orbit *orbit)
 }
 
 /* Exact period, s, of Duffing's oscillator x'' + c1 x + c3 x^3 = 0 from rest at x0 (m, either sign).
-   A motion in one of two wells is one vibration there. The period is infinite on the separatrix. The relative error is
-   at most 8 eps where no terms of c1 + c3 x0^2 and c1 + c3 x0^2/2 cancel. Returns NaN where the motion runs away, at
-   x0 = 0, and for infinite arguments. */
+   For a motion in one of two wells it is the time of one vibration in this well. The period is infinite on the
+   separatrix. The relative error is at most 8 eps where no terms of the sums c1 + c3 x0^2 and c1 + c3 x0^2/2
+   cancel. Returns NaN where the motion runs away, at x0 = 0, and for infinite arguments. */
 VM_API vm_real vm_duffing_period(vm_real x0, vm_real c1, vm_real c3)
 {
     const vm_odd_force force = vmi_duffing_elastic(c1, c3);
@@ -288,8 +290,8 @@ VM_API vm_real vm_duffing_period(vm_real x0, vm_real c1, vm_real c3)
 }
 
 /* Action, m^2/s, of Duffing's oscillator x'' + c1 x + c3 x^3 = 0 from rest at x0 (m, either sign).
-   It is the integral of v dx over a period, divided by 2 pi; a slow change keeps it constant. Domain and accuracy are
-   those of vm_duffing_period, but it is 0 for x0 = 0, and NaN on the separatrix. */
+   It is the integral of v dx over a period, divided by 2 pi. It stays constant while mass or stiffness changes slowly.
+   Domain and accuracy are those of vm_duffing_period, but it is 0 for x0 = 0, and NaN on the separatrix. */
 VM_API vm_real vm_duffing_action(vm_real x0, vm_real c1, vm_real c3)
 {
     const vm_odd_force force = vmi_duffing_elastic(c1, c3);
@@ -312,9 +314,9 @@ VM_API void vmi_duffing_on_separatrix(vm_real t, vm_real x0, vm_real v0, vm_real
 
 /* Exact motion x(t), v(t) of Duffing's oscillator x'' + c1 x + c3 x^3 = 0 from x0 (m) and v0 (m/s).
    c1 = k1/m is in 1/s^2, c3 = k3/m in 1/(m s)^2; each may have either sign. The errors of x and v are at most 32 eps
-   of the amplitude and of the largest velocity, times 1 + t/period, where no terms of c1 + c3 A^2 and c1 + c3 A^2/2
-   cancel at the amplitude A. Writes NaN where the motion runs away and for infinite arguments, and nothing where an
-   output is null. Equations: DLMF 22.19(ii). */
+   of the amplitude and of the largest velocity, times 1 + t/period, where no terms of the sums c1 + c3 A^2 and c1 + c3
+   A^2/2 cancel. A is the amplitude. Writes NaN where the motion runs away and for infinite arguments, and
+   nothing where an output is null. Equations: DLMF 22.19(ii). */
 VM_API void vm_duffing_exact_from(vm_real t, vm_real x0, vm_real v0, vm_real c1, vm_real c3, vm_real *x, vm_real *v)
 {
     if (!x || !v) return;

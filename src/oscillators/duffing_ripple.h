@@ -1,9 +1,10 @@
 /* oscillators/duffing_ripple.h - how slow changes disturb Duffing's oscillator within a period, in closed form
 
-   oscillators/orbit_ripple.h defines a(phi), the function of the phase phi on an orbit from which all of the ripple
-   follows. For Duffing's force c1 x + c3 x^3 it is a Fourier series whose terms have a closed form, so that no
-   quadrature is needed. Let zeta be 2 phi for an orbit around 0 and phi for an orbit in a well, Omega the rate of
-   zeta, and q the nome of the parameter m of Jacobi's functions. Then
+   oscillators/orbit_ripple.h defines a(phi), a function of the phase phi on an orbit. The whole ripple, the small swing
+   of the motion about its mean within a period, follows from a(phi). For Duffing's force c1 x + c3 x^3 this function is
+   a Fourier series whose terms have a closed form, so that no numerical integration is needed. Let zeta be 2 phi for an
+   orbit around 0 and phi for an orbit in a well, and let Omega be the rate of zeta. Let q be the nome of the parameter
+   m of Jacobi's functions; for 0 < m < 1 it is exp(-pi K(1-m)/K(m)). Then
        a = sum over n >= 1 of a_n sin(n zeta),   a_n = -(2 Omega/(3 c3)) (2 c1 + n^2 Omega^2) q^n/(1 - q^(2n)).
    Method: v^2 is a polynomial in sn^2(u) with the argument u of Jacobi's functions. The integral of sn^4 follows from
    the derivative of sn cn dn, and the integral of sn^2 has Jacobi's zeta function Z(u) as its periodic part. sn cn dn
@@ -22,8 +23,9 @@
 #include "orbit_ripple.h"
 
 /* Writes the nome q of the parameter m = 1 - m1, and q/m, which has a limit for m -> 0. K is K(m). Both have an error
-   of some 1e-13 (float: some rounding errors), which is enough for the ripple. Close to m = 0 the code uses a series
-   in e = (1 - k'^(1/2))/(2 (1 + k'^(1/2))) with k' = sqrt(m1). For m < 0 the nome of m is minus that of m/(m - 1). */
+   of some 1e-13 (float: some rounding errors), which is small enough for the ripple. Close to m = 0 the code uses a
+   series in e = (1 - k'^(1/2))/(2 (1 + k'^(1/2))) with k' = sqrt(m1). For m < 0 the nome of m is minus that of
+   m/(m - 1). */
 VM_API vm_real vmi_duffing_nome(vm_real m, vm_real m1, vm_real K, vm_real *by_m)
 {
     const vm_real series_holds = VM_C(0.1), kp = VM_SQRT(m1), root = VM_SQRT(kp);
@@ -40,7 +42,7 @@ VM_API vm_real vmi_duffing_nome(vm_real m, vm_real m1, vm_real K, vm_real *by_m)
 }
 
 /* The number 2 c1/Omega^2 + 1 for an orbit in a well. It is -24 (sum of d q^(2d)/(1 - q^(2d)) over odd d): for small
-   orbits c1 and Omega^2 nearly cancel, and the sum keeps the digits. */
+   orbits the two terms of the number nearly cancel, and this sum avoids the loss of digits. */
 VM_API vm_real vmi_duffing_well_term(vm_real q)
 {
     const vm_real q2 = q * q;
@@ -53,14 +55,15 @@ VM_API vm_real vmi_duffing_well_term(vm_real q)
     return -24 * sum;
 }
 
-/* What the terms of the series depend on. "By size" stands for the derivative with respect to orbit->size. */
+/* The numbers on which the terms of the series depend. "By size" stands for the derivative with respect to
+   orbit->size. */
 typedef struct VM_TAG(vmi_duffing_terms) {
     vm_real Omega, Omega_size; /* the rate of zeta, see the top of this file, and its derivative by size */
     vm_real q, q_by_k3;        /* the nome q, and q/c3 */
     vm_real ln_q_size;         /* derivative of ln |q| by size */
 } vmi_duffing_terms;
 
-/* Computes them for an orbit around 0, where m = c3 A^2/(2 lambda^2) with the amplitude A. */
+/* Computes these numbers for an orbit around 0, where m = c3 A^2/(2 lambda^2) with the amplitude A. */
 VM_API vmi_duffing_terms vmi_duffing_outer_terms(const vmi_orbit *orbit)
 {
     const vm_real k1 = orbit->force->k1, k3 = orbit->force->k3, A = orbit->size, m1 = orbit->m1;
@@ -75,7 +78,8 @@ VM_API vmi_duffing_terms vmi_duffing_outer_terms(const vmi_orbit *orbit)
     return r;
 }
 
-/* Computes them for an orbit in a well, where m = 2 s/(rest^2 + s), s is the orbit's size and rest^2 = -c1/c3. */
+/* Computes these numbers for an orbit in a well, where m = 2 s/(rest^2 + s), s is the orbit's size and
+   rest^2 = -c1/c3. */
 VM_API vmi_duffing_terms vmi_duffing_inner_terms(const vmi_orbit *orbit)
 {
     const vm_real k3 = orbit->force->k3, rest2 = -orbit->force->k1 / k3, size = orbit->size, m1 = orbit->m1;
@@ -107,7 +111,7 @@ VM_API void vmi_duffing_mean_square(const vmi_orbit *orbit, vm_real *X, vm_real 
     }
 }
 
-/* What the terms of the series depend on, for an orbit of either kind */
+/* The numbers on which the terms of the series depend, for an orbit around 0 or in a well */
 VM_API vmi_duffing_terms vmi_duffing_terms_of(const vmi_orbit *orbit)
 {
     if (orbit->place == VMI_ORBIT_AROUND_0) return vmi_duffing_outer_terms(orbit);
@@ -115,7 +119,7 @@ VM_API vmi_duffing_terms vmi_duffing_terms_of(const vmi_orbit *orbit)
 }
 
 /* Writes the ripple of a complete orbit of Duffing's force. The sum ends where the terms are too small to matter; 96
-   terms are enough up to a distance of a rounding error from a separatrix. */
+   terms are enough even for an orbit that is only a rounding error away from a separatrix. */
 VM_API void vmi_duffing_ripple(const vmi_orbit *orbit, vmi_orbit_ripple *r)
 {
     const vm_real enough = VM_MANT_DIG > 24 ? VM_C(1e-11) : VM_C(1e-6);

@@ -3,12 +3,13 @@
    With slow mass and stiffness, amplitude A and phase psi of oscillators/reduction.h obey the exact equations
      A'/A = -p + (G_0/W) sa ca,   psi' = W + (alpha+1)/2 (G_0/W) ca^2,
    where W is the rate of the phase at the amplitude A. Only the number G_0/W^2 disturbs the slow motion A'/A = -p,
-   psi' = W. It is of second order in epsilon, the relative change of mass and stiffness within a radian.
+   psi' = W. It is of second order in epsilon, the relative change of mass and stiffness within a radian of the phase.
 
-   A canonical transformation leads from A and psi to mean values without ripple: a mean action, which is constant, and
-   a mean phase, whose rate varies slowly. The action is J = A^((alpha+3)/2) sqrt(mu kappa), with mu and kappa of
-   oscillators/reduction.h. The transformation is a series in powers of the numbers E_k, k = 0, 1 ..., which are of
-   order epsilon^(k+2):
+   A canonical transformation, which is a change of variables that keeps the form of Hamilton's equations, leads from A
+   and psi to mean values. They do not contain the ripple, the small swing within a period. They are a mean action,
+   which is constant, and a mean phase, whose rate varies slowly. The action is J = A^((alpha+3)/2) sqrt(mu kappa), with
+   mu and kappa of oscillators/reduction.h. The transformation is a series in powers of the numbers E_k, k = 0, 1 ...,
+   which are of order epsilon^(k+2):
      E_k = G_k/W^(k+2),   G_(k+1) = G_k' - (k+2) (2p - a) G_k.
    This file has the transformation in both directions, and the mean rate of the phase. If the series is cut off after
    the order N, it gives the motion with an error of O(epsilon^N) over times of 1/epsilon. The law is new; docs/law.md
@@ -116,8 +117,9 @@ VM_API vmi_osc_reduced vmi_expansion_shifted(const vmi_ripple *r, const vmi_osc_
     return other;
 }
 
-/* The mean motion that belongs to a reduced state, by the law of this order, 2 to 5. sa and ca are the Ateb functions
-   of the state's phase, and E holds the state's numbers E_k. Above order 2 the ripple must have its polynomials. */
+/* The mean motion that belongs to a reduced state (amplitude and phase of oscillators/reduction.h), by the law of this
+   order, 2 to 5. sa and ca are the Ateb functions of the state's phase, and E holds the state's numbers E_k. Above
+   order 2 the polynomials of the ripple must be set (vmi_ripple_complete). */
 VM_API vmi_osc_reduced vmi_expansion_to_mean(const vmi_ripple *r, int order, const vmi_osc_reduced *state, vm_real sa,
                                              vm_real ca, const vm_real *E)
 {
@@ -164,9 +166,9 @@ VM_API void vmi_expansion_find_sizes(const vmi_ripple *r, const vm_real *e, vmi_
     size->psi[5] += square * e[0] * e[1] * d * d;
 }
 
-/* An upper bound of the terms of weight 6, divided by W. These are the first that order five leaves out of the mean
-   rate of the phase. product is |E_0 E_2| and cube is |E_0|^3. If product and cube are instead the integrals of these
-   numbers over the phase, the result is a bound of the error of the phase. */
+/* An upper bound of the terms of weight 6, divided by W. These are the first terms that order five leaves out of the
+   mean rate of the phase. product is |E_0 E_2| and cube is |E_0|^3. If product and cube are instead the integrals of
+   these numbers over the phase, the result is a bound of the error of the phase. */
 VM_API vm_real vmi_expansion_third_rate(const vmi_ripple *r, vm_real product, vm_real cube)
 {
     const vm_real d = r->pi / (2 * VM_PI), L = r->scale, g = r->gamma;
@@ -202,10 +204,11 @@ VM_API vmi_left_out vmi_expansion_left_out_at_start(const vmi_ripple *r, int ord
     return start;
 }
 
-/* The estimate of the larger of |error of x|/A and |error of v|/vmax, from the terms that the law leaves out. `now` are
-   those at t, `start` those at the start and on the way, and `third` is the bound for the mean rate of the phase
-   (vmi_expansion_third_rate). turns is how far the phase advances from 0 to t; errors of ln J at the start grow with
-   it. The estimate includes a factor of 2, which fits the errors that tests/test_slow_motion.c finds. */
+/* The estimate of the larger of |error of x|/A and |error of v|/vmax, from the terms that the law leaves out. `now`
+   holds the sizes of these terms at t, `start` their sizes at the start and on the way, and `third` is the bound for
+   the mean rate of the phase (vmi_expansion_third_rate). `turns` is the angle by which the phase advances from 0 to t.
+   An error of ln J at the start causes an error of the phase that grows in proportion to `turns`. The estimate includes
+   a factor of 2, which fits the errors that tests/test_slow_motion.c finds. */
 VM_API vm_real vmi_expansion_error(const vmi_ripple *r, vmi_left_out now, vmi_left_out start, vm_real turns,
                                    vm_real third)
 {

@@ -9,8 +9,8 @@
 #include "../base/real.h"
 #include "../base/scalars.h"
 
-/* x|x|^(alpha-1), alpha >= 0, by the power function: the force of a spring divided by -k. Callers treat x = 0 and
-   exponents that need no power function themselves. */
+/* x|x|^(alpha-1), alpha >= 0, by the power function: the force of a spring divided by -k. The calling function treats
+   x = 0 and the exponents for which no power function is needed. */
 VM_INLINE vm_real vmi_elastic_power(vm_real x, vm_real alpha)
 {
     return VM_COPYSIGN(vmi_pow_checked(VM_FABS(x), alpha), x);

@@ -303,8 +303,8 @@ VM_API int vm_forced_to_averaged(const vm_forced *f, vm_real t, const vm_real *m
 }
 
 /* Converts the mean y = (A, delta, theta) of an excited oscillator to the motion (x, x', theta). This is the inverse of
-   vm_forced_to_averaged: it puts the ripple back. The statuses are those of vm_forced_rhs; VM_DOMAIN also means that A
-   <= 0 or that A is smaller than its ripple. motion and y may be the same array. */
+   vm_forced_to_averaged: it adds the ripple to the mean amplitude. The statuses are those of vm_forced_rhs; VM_DOMAIN
+   also means that A <= 0 or that A is smaller than its ripple. motion and y may be the same array. */
 VM_API int vm_forced_from_averaged(const vm_forced *f, vm_real t, const vm_real *y, vm_real *motion)
 {
     if (!f || !y || !motion) return VM_BAD_ARGUMENT;

@@ -97,7 +97,7 @@ VM_API void vmi_gauss_rule_init(vmi_gauss_rule *rule, int n)
         }
     }
     for (j = 0; j < n; j++) rule->integral[n][j] = rule->weight[j];
-    for (k = 0; k < n; k++) { /* x = 2 node - 1: integrals are 1/2 of those over x, derivatives double */
+    for (k = 0; k < n; k++) { /* x = 2 node - 1: integrals are 1/2 of those over x, derivatives twice */
         for (i = 0; i < n; i++) {
             const vm_real x = 2 * rule->node[i] - 1, next = vmi_legendre_next(k, x, now[i], before[i]);
             integrals[i] = k == 0 ? rule->node[i] : (next - before[i]) / (vm_real)(2 * (2 * k + 1));
@@ -115,7 +115,7 @@ VM_API void vmi_gauss_rule_init(vmi_gauss_rule *rule, int n)
     }
 }
 
-/* The point z = x^2 (3 - 2x) of a graded rule, where the rule before had x */
+/* The point z = x^2 (3 - 2x) of a graded rule, which replaces the point x of the rule */
 VM_API vm_real vmi_graded(vm_real x) { return x * x * (3 - 2 * x); }
 
 /* Changes the rule for functions of z on [0, 1] that have singularities at the ends, such as fractional powers. The

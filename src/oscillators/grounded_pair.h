@@ -1,12 +1,13 @@
 /* oscillators/grounded_pair.h - two strongly nonlinear oscillators with slow masses and a weak coupling
 
-   Two bodies, each on a spring of its own that is fixed to the ground, with a weak spring kappa and a weak damper c
-   between them: a system of two degrees of freedom for which averaged equations exist, because each body without the
-   coupling vibrates as an oscillator of one degree. For i = 0 and 1, where o is the other body:
+   Each of two bodies is on a spring of its own, which is fixed to the ground. A weak spring kappa and a weak damper c
+   join the bodies. Averaged equations exist for this system of two degrees of freedom, because without the coupling
+   each body vibrates as an oscillator of one degree of freedom. With i = 0 or 1 for a body, and o for the other one,
+   the equations of motion are
        m_i x_i'' + k_i x_i|x_i|^(alpha_i-1) = -(r_i m_i' + b_i) x_i' + kappa (x_o - x_i) + c (x_o' - x_i')
-   m_i and k_i may vary slowly. This file has the equations of motion, the averaged equations for amplitudes and
-   phases, and the maps to and from the motion. Bodies that have no springs to the ground, on which the coupling may
-   be strong, are in coupled_pair.h.
+   m_i and k_i may vary slowly. This file has the equations of motion, the averaged equations for amplitudes and phases,
+   and functions that convert the motion to amplitudes and phases and back. Bodies that have no springs to the ground,
+   on which the coupling may be strong, are in coupled_pair.h.
 
        vm_grounded_pair p;
        memset(&p, 0, sizeof p);
@@ -18,16 +19,16 @@
        int status = vm_grounded_pair_init(&p);
 
    The state of the averaged equations is (A_0, phi_0, A_1, phi_1): the mean amplitudes and the phases in radians.
-   With the symbols of forced.h, the largest velocity V = 2 Om A/(alpha+1) of a vibration, and q_i with the damping
-   b_i + c,
+   The averaged equations have the symbols of forced.h. V = 2 Om A/(alpha+1) is the largest velocity of a vibration, and
+   q_i contains the damping b_i + c. The equations are
        A_i' = -q_i A_i/(alpha_i+3) - S_i/(m_i Om_i),
        phi_i' = w_i(A_i) + h_i kappa <ca^2> - h_i C_i/A_i,   h_i = (alpha_i+1) pi/(2 Pi_i m_i Om_i),
        S_i = sum of s_j/2 (kappa A_o c_n sin u - c V_o s_n cos u),
-       C_i = sum of c_j/2 (kappa A_o c_n cos u + c V_o s_n sin u),   u = j phi_i - n phi_o,
-   over the odd j, n up to 9 whose u varies slowly: those with j P_i = n P_o, where the frequencies of the two bodies
-   are as P_0 to P_1. c_j and s_j are the Fourier coefficients of ca and sa of body i, c_n and s_n those of body o.
-   Where the frequencies are in no such ratio, the sums are empty: each body then vibrates on its own. Tests:
-   tests/test_grounded_pair.c. */
+       C_i = sum of c_j/2 (kappa A_o c_n cos u + c V_o s_n sin u),   u = j phi_i - n phi_o.
+   The sums are over those odd j and n up to 9 for which u varies slowly. These are the j and n with j P_i = n P_o,
+   where the frequencies of the two bodies are as P_0 to P_1. c_j and s_j are the Fourier coefficients of ca and sa of
+   body i, c_n and s_n those of body o. Where the frequencies are in no such ratio, the sums are empty: each body then
+   vibrates on its own. Tests: tests/test_grounded_pair.c. */
 #ifndef VARMASS_OSCILLATORS_GROUNDED_PAIR_H
 #define VARMASS_OSCILLATORS_GROUNDED_PAIR_H
 
@@ -53,7 +54,7 @@ typedef struct VM_TAG(vm_grounded_pair) {
     vm_real mean[2];         /* means of ca^2; vm_grounded_pair_init writes this field */
 } vm_grounded_pair;
 
-/* The parameters of both oscillators at one time, and what follows from the amplitudes */
+/* The parameters of both oscillators at one time, and the rates q that follow from them */
 typedef struct VM_TAG(vmi_grounded_now) {
     vmi_forced_parameters n[2];
     vm_real q[2]; /* rates of the slow changes, 1/s; they include the damper of the coupling */
@@ -134,11 +135,12 @@ VM_API int vm_grounded_pair_rhs(vm_real t, const vm_real *y, vm_real *dydt, void
     return VM_OK;
 }
 
-/* What the averaged equations need of one body at one time. The index `other` is that of the other body. */
+/* The numbers of one body at one time that the averaged equations contain. The index `other` is that of the other
+   body. */
 typedef struct VM_TAG(vmi_grounded_body) {
     vm_real Om, w; /* rate of the Ateb phase, 1/s; frequency of the free vibration, rad/s */
     vm_real pull;  /* kappa A, N: amplitude of the force that this body's motion exerts by the spring */
-    vm_real drag;  /* c V, N: amplitude of the force that it exerts by the damper */
+    vm_real drag;  /* c V, N: amplitude of the force that this motion exerts by the damper */
     vm_complex turns[2 * VMI_FORCED_HARMONICS]; /* e^(i k phi) */
 } vmi_grounded_body;
 
@@ -178,11 +180,12 @@ VM_API void vmi_grounded_sums(const vm_grounded_pair *p, const vmi_grounded_body
 /* Averaged equations of two weakly coupled oscillators, for rk45 or rk87. They are written in the text above. The
    state is y = (A_0, phi_0, A_1, phi_1), mean amplitudes (m) and phases (rad). Start with
    vm_grounded_pair_to_averaged, and end with vm_grounded_pair_from_averaged. Let e be the largest of the couplings,
-   dampings and mass rates. Up to times of the order of 1/e the error of the amplitudes is of the order of e, and that
-   of the positions too for alpha = 1. For other alpha the rates of the phases depend on the amplitudes, so that
-   errors of the amplitudes make larger errors of the positions: in the tests these are at most 0.04 of the amplitude
-   for e = 0.005, and fall more slowly than e. The equations are singular where an amplitude is 0: there integrate
-   vm_grounded_pair_rhs. The argument pair and the statuses are those of vm_grounded_pair_rhs. */
+   dampings and mass rates. Up to times of the order of 1/e the error of the amplitudes is of the order of e. For
+   alpha = 1 the error of the positions is of this order, too. For other alpha the rates of the phases depend on the
+   amplitudes, so that errors of the amplitudes cause larger errors of the positions. In the tests these are at most
+   0.04 of the amplitude for e = 0.005; with smaller e they fall, but more slowly than e. The equations are singular
+   where an amplitude is 0: there integrate vm_grounded_pair_rhs. The argument pair and the statuses are those of
+   vm_grounded_pair_rhs. */
 VM_API int vm_grounded_pair_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *pair)
 {
     if (!y || !dydt || !pair) return VM_BAD_ARGUMENT;
@@ -238,9 +241,9 @@ VM_API vm_real vmi_grounded_ripple(const vm_grounded_pair *p, const vmi_grounded
 
 /* Converts a motion (x_0, x_1, x_0', x_1') of two weakly coupled oscillators to its mean y = (A_0, phi_0, A_1,
    phi_1). The amplitudes are those without their ripple within a period. The statuses are those of
-   vm_grounded_pair_rhs; VM_NOT_FINITE also means that the motion is infinite or NaN, and VM_DOMAIN that a body moves
-   less than its ripple, for instance is at rest, or that the frequencies are in a resonance which the field
-   vibrations does not name. y and motion may be the same array. */
+   vm_grounded_pair_rhs; VM_NOT_FINITE also means that the motion is infinite or NaN. VM_DOMAIN also means that a body
+   is at rest or its motion is smaller than its ripple, or that the frequencies are in a resonance that the field
+   `vibrations` does not give. y and motion may be the same array. */
 VM_API int vm_grounded_pair_to_averaged(const vm_grounded_pair *p, vm_real t, const vm_real *motion, vm_real *y)
 {
     if (!p || !motion || !y) return VM_BAD_ARGUMENT;
@@ -270,9 +273,9 @@ VM_API int vm_grounded_pair_to_averaged(const vm_grounded_pair *p, vm_real t, co
 }
 
 /* Converts the mean y = (A_0, phi_0, A_1, phi_1) of two weakly coupled oscillators to the motion (x_0, x_1, x_0',
-   x_1'). This is the inverse of vm_grounded_pair_to_averaged: it puts the ripples back. The statuses are those of
-   vm_grounded_pair_rhs; VM_NOT_FINITE also means that y is infinite or NaN, and VM_DOMAIN that an amplitude is not
-   positive or smaller than its ripple. motion and y may be the same array. */
+   x_1'). This is the inverse of vm_grounded_pair_to_averaged: it adds the ripples to the mean amplitudes. The statuses
+   are those of vm_grounded_pair_rhs; VM_NOT_FINITE also means that y is infinite or NaN, and VM_DOMAIN that an
+   amplitude is not positive or smaller than its ripple. motion and y may be the same array. */
 VM_API int vm_grounded_pair_from_averaged(const vm_grounded_pair *p, vm_real t, const vm_real *y, vm_real *motion)
 {
     if (!p || !y || !motion) return VM_BAD_ARGUMENT;

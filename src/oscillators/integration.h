@@ -1,10 +1,10 @@
 /* oscillators/integration.h - integration of an oscillator to a tolerance, with an estimate of its error
 
-   Two systems of two equations describe the oscillator: the averaged equations of amplitude and phase, and the equation
-   of motion. A vmi_osc_method is one of these systems with a Runge-Kutta pair (rk45 or rk87) and the numbers that suit
-   this pair; oscillators/routes.h has the methods that are used. vmi_osc_integrate runs a method twice, the second time
-   with a stricter tolerance, and estimates the error from the difference of the two runs. It repeats both runs with
-   stricter tolerances until the estimated error is within the tolerance of the motion.
+   The oscillator is described by either of two systems of two equations: the averaged equations of amplitude and phase,
+   or the equation of motion. A vmi_osc_method is one of these systems with a Runge-Kutta pair (rk45 or rk87) and the
+   numbers that are chosen for this pair; oscillators/routes.h has the methods that are used. vmi_osc_integrate runs a
+   method twice, the second time with a stricter tolerance, and estimates the error from the difference of the two runs.
+   It repeats both runs with stricter tolerances until the estimated error is within the tolerance of the motion.
        vmi_osc_method method = vmi_osc_method_rk87(vmi_osc_direct_rhs);
        vm_osc_motion motion;
        int status = vmi_osc_integrate(&plan, VM_ROUTE_RK87, &method, 10, VM_C(1e-9), &motion); // plan is a vm_osc_plan
@@ -36,7 +36,7 @@ typedef struct VM_TAG(vmi_osc_tuning) {
     vm_real least;     /* least useful tolerance of a step, because of rounding errors within the step */
     vm_real ratio;     /* tolerance of the loose run divided by that of the strict run */
     vm_real factor;    /* estimated error of the strict run, divided by the difference of the two runs */
-    vm_real by_chance; /* the estimated error is at least this times the tolerance of the steps */
+    vm_real by_chance; /* the estimated error is at least this number times the tolerance of the steps */
 } vmi_osc_tuning;
 
 /* A method of integration: a system of equations, a Runge-Kutta pair, and numbers that suit the pair */
@@ -52,9 +52,9 @@ typedef struct VM_TAG(vmi_osc_method) {
 } vmi_osc_method;
 
 /* A method of integration with the Runge-Kutta pair rk45. The pair does not change the length of its steps while their
-   error stays within a factor of 3. `ratio` is larger than this factor, so that the two runs take different steps.
-   `factor` leaves room for errors that are not proportional to the tolerance. Errors are mostly far below the tolerance
-   of the steps, so two runs may agree well by chance; by_chance allows for this. */
+   error is between 1/4 and 3/4 of the tolerance, which is a factor of 3. `ratio` is larger than this factor, so that
+   the two runs take different steps. `factor` leaves room for errors that are not proportional to the tolerance. Errors
+   are mostly far below the tolerance of the steps, so two runs may agree well by chance; by_chance allows for this. */
 VM_API vmi_osc_method vmi_osc_method_rk45(ode_rhs rhs)
 {
     vmi_osc_method method;
@@ -71,7 +71,7 @@ VM_API vmi_osc_method vmi_osc_method_rk45(ode_rhs rhs)
 }
 
 /* A method of integration with the Runge-Kutta pair rk87, which does not change the length of its steps while their
-   error stays within a factor of 7.5 */
+   error is between 1/10 and 3/4 of the tolerance, which is a factor of 7.5 */
 VM_API vmi_osc_method vmi_osc_method_rk87(ode_rhs rhs)
 {
     vmi_osc_method method = vmi_osc_method_rk45(rhs);
@@ -101,7 +101,7 @@ typedef struct VM_TAG(vmi_osc_run) {
     int status;       /* status of a law of mass or stiffness that stopped the run, else VM_OK */
     vm_real longest;  /* longest step, in periods */
     vm_real share;    /* longest step, divided by the interval up to the next stop */
-    vm_real law_step; /* longest step, s, in the first loose run that skips no change of a user's law */
+    vm_real law_step; /* longest step, s, of the first loose run: so short that no change of a user's law is missed */
     long evals;       /* evaluations of right-hand sides by all runs so far */
     rk45 s;
     vm_real work[RK87_WORK(VMI_OSC_STATES)];
@@ -161,8 +161,9 @@ VM_API int vmi_osc_direct_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *
 
 /* -- One run -- */
 
-/* The period at the run's time, s: from the amplitude in y, or for the equation of motion from the adiabatic law
-   without damping. Returns NaN where a law of m or k fails. */
+/* The period at the present time of the run, s. For the averaged equations it follows from the amplitude in y, for the
+   equation of motion from the adiabatic law of the amplitude without damping. Returns NaN where a law of m or k
+   fails. */
 VM_API vm_real vmi_osc_period_now(const vmi_osc_run *c)
 {
     const vm_osc_plan *p = c->plan;
@@ -174,7 +175,7 @@ VM_API vm_real vmi_osc_period_now(const vmi_osc_run *c)
     return 2 * p->ripple.pi / (p->Om * vmi_exp(ln_Om, 0));
 }
 
-/* The time at which the run stops next on its way to t: the next point of a table, but at most 64 periods later */
+/* The time at which the run stops next on its way to t: the next point of a table, but at most 64 periods from now */
 VM_API vm_real vmi_osc_next_stop(const vmi_osc_run *c, vm_real t, vm_real period)
 {
     const vm_osc_problem *o = &c->plan->problem;
@@ -187,12 +188,12 @@ VM_API vm_real vmi_osc_next_stop(const vmi_osc_run *c, vm_real t, vm_real period
 
 /* Sets the longest step and the largest number of steps up to the next stop, on the way to t. No step is longer than a
    fixed part of the period. For a large Pi_alpha the velocity reverses within 10/Pi_alpha periods. Then no step is
-   longer than a fixed part of this short time, because the Runge-Kutta pair would not notice the error of a step across
-   it. */
+   longer than a fixed part of this short time, because the Runge-Kutta pair would not notice the error of a step that
+   contains the whole reversal. */
 VM_API void vmi_osc_bound_steps(vmi_osc_run *c, vm_real stop, vm_real t, vm_real period)
 {
-    const vm_real most_steps = 8192; /* steps per period, a bound that stops runs which would not end */
-    const vm_real largest_long = VM_C(1e9), bounces_from = 10; /* from this Pi_alpha on it counts as large */
+    const vm_real most_steps = 8192; /* per period; a part of the largest number of steps of a run */
+    const vm_real largest_long = VM_C(1e9), bounces_from = 10; /* from here on Pi_alpha counts as large */
     const vm_real way = VM_FABS(stop - c->s.t), most = c->share * way + 64 * VM_EPSILON * VM_FABS(t);
     const vm_real law_step = c->law_step * c->longest / VMI_OSC_LONGEST;
     vm_real longest = period * c->longest, steps;
@@ -360,8 +361,8 @@ VM_API vm_real vmi_osc_first_tolerance(vm_real tolerance)
     return vmi_smaller(tolerance / part, largest);
 }
 
-/* The tolerance of the steps in the next pair of runs, after an error that was too large. It is the last one times the
-   ratio of tolerance to error, divided by 4, but not less than 2e-5 of the last one. */
+/* The tolerance of the steps in the next pair of runs, after an error that was too large. It is step_tolerance, the
+   last such tolerance, times tolerance/error, divided by 4, but at least 2e-5 times step_tolerance. */
 VM_API vm_real vmi_osc_next_tolerance(vm_real step_tolerance, vm_real tolerance, vm_real error)
 {
     const vm_real ratio = tolerance / error, reserve = 4;
@@ -370,8 +371,9 @@ VM_API vm_real vmi_osc_next_tolerance(vm_real step_tolerance, vm_real tolerance,
 }
 
 /* Makes pairs of runs until the error is within the tolerance. strict[] receives the motions of the last strict run;
-   its last element holds the error. The loop ends early if stricter runs are not better. In that case rounding errors,
-   chance or the longest step dominate the error; therefore each pair that is not better halves the longest step. */
+   its last element holds the error. The longest step is halved after each pair that is not much better than the pair
+   before, because then the error may come from steps that are too long. It may also come from rounding errors or
+   chance; therefore the loop ends after three such pairs. */
 VM_API int vmi_osc_refine(vmi_osc_run *c, vm_real t, vm_real tolerance, vm_osc_motion *strict)
 {
     const int most_attempts = 6, most_stalled = 3;

@@ -11,7 +11,7 @@
 
        vm_power_force cubic = {1, 3}; // F_e = rho^3
        vm_jeffcott rotor;
-       memset(&rotor, 0, sizeof rotor); // a zero field means that there is none
+       memset(&rotor, 0, sizeof rotor); // what is not set below is absent
        rotor.stiffness = vm_jeffcott_power;
        rotor.stiffness_ctx = &cubic;
        rotor.mass = vm_law_linear(1, VM_C(0.01)); // 1 kg, and 0.01 kg/s joins
@@ -52,9 +52,9 @@ typedef struct VM_TAG(vm_power_force) {
 typedef struct VM_TAG(vm_jeffcott) {
     vm_law mass;                     /* mass m of the disc, kg, > 0 */
     vm_jeffcott_stiffness stiffness; /* stiffness of the shaft */
-    void *stiffness_ctx;     /* the user's pointer, handed to stiffness */
+    void *stiffness_ctx;     /* the user's pointer, last argument of stiffness */
     vm_jeffcott_force force; /* external force F_z, or null; it must be small where equations are averaged */
-    void *force_ctx;         /* the user's pointer, handed to force */
+    void *force_ctx;         /* the user's pointer, last argument of force */
     vm_real gyro;            /* g, kg/s: the gyroscopic force is 2 g times the velocity, turned by +90 degrees */
     vm_real reactive;        /* r: 1 where mass joins or leaves with velocity u, 0 where it has the disc's velocity */
     vm_complex u;            /* absolute velocity of mass that joins or leaves, m/s */
@@ -390,13 +390,13 @@ VM_API int vmi_jeffcott_circular(vm_real t, const vm_real *y, vm_real *dydt, con
 /* Averaged equations (506), (507) of forward whirl, for rk45 or rk87. The nonlinearity may be strong. The motion is
    nearly circular: z = A e^(i psi), z' = i W z with the frequency W of vm_jeffcott_frequency. y = (A, psi) is in m and
    rad; rotor points to a vm_jeffcott. The error of A is of the order of the largest load (by the force F_z, the
-   velocity u or the mass rate m'), up to times of the order of its inverse. Where K_e is not constant, the phase
-   accumulates this error: up to these times tests bound the error of psi by 0.015 for loads that turn with z (their
-   angle to z is fixed), but for other loads it is of order 1. The equations do not hold for a linear F_e with loads
-   that do not turn with z, since these drive the motion off the circle. Returns VM_BAD_ARGUMENT for null pointers and
-   for a rotor without mass or stiffness, VM_NOT_FINITE for a number that is infinite or NaN, VM_BAD_MASS for a mass
-   that is not positive, and VM_BAD_STIFFNESS if g^2 + m K_e(A) is not positive. Each call evaluates the force at
-   `nodes` phases. */
+   velocity u or the mass rate m'), up to times of the order of its inverse. Where K_e is not constant, this error adds
+   up in the phase psi. For loads that turn with z, that is loads at a fixed angle to z, the error of psi is at most
+   0.015 in the tests, up to these times. For other loads it is of order 1. The equations are not valid for a linear F_e
+   with loads that do not turn with z, since with these loads the disc does not stay on a circle. Returns
+   VM_BAD_ARGUMENT for null pointers and for a rotor without mass or stiffness, VM_NOT_FINITE for a number that is
+   infinite or NaN, VM_BAD_MASS for a mass that is not positive, and VM_BAD_STIFFNESS if g^2 + m K_e(A) is not positive.
+   Each call evaluates the force at `nodes` phases. */
 VM_API int vm_jeffcott_forward_whirl_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
@@ -470,8 +470,8 @@ VM_API int vmi_jeffcott_find_bracket(vmi_jeffcott_orbit *o, vmi_jeffcott_bracket
      A^4 (g^2 + m K_e(A)) for r = 1, which is the square of A^2 (m W - g);   A^4 K_e(A) m^(2r-1) for g = 0.
    For F_e = k rho^alpha and g = 0 the radius follows vm_osc_amplitude_law, with mass/mass0 and decay 0; its relative
    error is then at most 3e-15 (float 3e-6). Returns NaN for g != 0 with r != 1, for which vm_jeffcott_whirl_amplitude
-   integrates; where no radius is found on the way from first_A; for null pointers, for a rotor without
-   stiffness, and for a radius or masses that are not positive and finite. */
+   finds the radius by integration; where no radius is found on the way from first_A; for null pointers, for a rotor
+   without stiffness, and for a radius or masses that are not positive and finite. */
 VM_API vm_real vm_jeffcott_amplitude(const vm_jeffcott *r, vm_real first_A, vm_real mass0, vm_real mass)
 {
     if (!r || !r->stiffness) return VM_NAN;

@@ -1,11 +1,12 @@
 /* oscillators/jeffcott_motion.h - the motion z(t) of the Jeffcott (Laval) rotor by its amplitude law and a phase
 
-   A whirl z = A e^(i psi) on a circle (497) with the velocity z' = i W z (498) has the phase psi, the integral of its
-   frequency W over time (499). Where neither an external force nor a velocity u of the mass acts, the radius A depends
-   on the mass alone, so that W is a known function of time: psi is an integral, and has a closed form for a power law
-   of the shaft without gyroscopic moments. On a linear shaft a forward and a backward whirl add up to any motion: this
-   is (481), (482), with any start, reactive force and gyroscopic moment. oscillators/jeffcott.h explains the
-   letters and the struct vm_jeffcott; g and r are its fields gyro and reactive. Shortest useful call:
+   In a circular whirl the centre of the disc moves on a circle: z = A e^(i psi) (497), with the velocity z' = i W z
+   (498). Its phase psi is the integral of its frequency W over time (499). Without an external force, and without a
+   velocity u of the mass that joins or leaves, the radius A depends on the mass alone. Then W is a known function of
+   time. The integral has a closed form if the shaft has a power law and there are no gyroscopic moments. On a linear
+   shaft every motion is the sum of a forward and a backward whirl. This generalizes (481), (482) to any start, reactive
+   force and gyroscopic moment. oscillators/jeffcott.h explains the letters and the struct vm_jeffcott; g and r are its
+   fields gyro and reactive. Shortest useful call:
        vm_power_force shaft = {4, 1}; // F_e = 4 N/m rho
        vm_jeffcott_whirl whirl;
        vm_jeffcott rotor;
@@ -15,8 +16,9 @@
        rotor.stiffness_ctx = &shaft;
        rotor.mass = vm_law_linear(1, VM_C(0.01)); // 1 kg, and 0.01 kg/s joins
        status = vm_jeffcott_whirl_at(&rotor, 1, 0, 1, 20, &whirl); // forward, radius 1 m and angle 0 at t = 0
-   All of this is averaged: the error of A is of first order in the relative change of the mass within a radian of the
-   phase, and the error of psi too, up to times of the order of the inverse of this change.
+   All these motions are solutions of averaged equations. The error of A is of first order in the relative change of the
+   mass within a radian of the phase. The error of psi is of this order, too, up to times of the order of the inverse of
+   this change.
    Tests: tests/test_jeffcott_motion.c. */
 #ifndef VARMASS_OSCILLATORS_JEFFCOTT_MOTION_H
 #define VARMASS_OSCILLATORS_JEFFCOTT_MOTION_H
@@ -55,8 +57,8 @@ typedef struct VM_TAG(vmi_jeffcott_change) {
 
 /* The derivative of ln A with respect to s = ln(m/mass0), by (504) with m as the independent variable:
      (ln A)' (2 + m K_e' A/(2 S^2)) = (1 - r) (1 + g/S) - m K_e/(2 S^2),   S = m W - g,
-   where K_e' is the derivative of the stiffness K_e with respect to the radius. An ode_rhs of the single state ln(A/
-   first_A). */
+   where K_e' is the derivative of the stiffness K_e with respect to the radius. The function is an ode_rhs; its only
+   state is ln(A/first_A). */
 VM_API int vmi_jeffcott_change_rhs(vm_real s, const vm_real *y, vm_real *dyds, void *change)
 {
     const vmi_jeffcott_change *c = (const vmi_jeffcott_change *)change;
@@ -130,9 +132,10 @@ VM_API int vmi_jeffcott_frequency_at(vm_real t, int side, vm_real *W, void *phas
     return vmi_jeffcott_whirl_of_mass(p, m[0], &A, W);
 }
 
-/* Computes the phase in closed form, where the frequency was W at t = 0, and returns whether there is one: for F_e = k
-   rho^alpha and g = 0 the frequency is proportional to m^-q, with 2 q = 1 + (alpha - 1) (2 r - 1)/(alpha + 3), and the
-   law of the mass has an exponential form (oscillators/laws.h). (482) is this for alpha = 1, m = m0 (1 + c t)^2. */
+/* Computes the phase in closed form and returns 1, or returns 0 if there is no closed form. W is the frequency at
+   t = 0. A closed form exists for F_e = k rho^alpha with g = 0, if the law of the mass has an exponential form
+   (oscillators/laws.h). The frequency is then proportional to m^-q, with 2 q = 1 + (alpha - 1) (2 r - 1)/(alpha + 3).
+   (482) is the case alpha = 1, m = m0 (1 + c t)^2. */
 VM_API int vmi_jeffcott_phase_closed(const vm_jeffcott *r, vm_real W, vm_real t, vm_real *psi)
 {
     vm_real base, rate, q, u;
@@ -145,7 +148,7 @@ VM_API int vmi_jeffcott_phase_closed(const vm_jeffcott *r, vm_real W, vm_real t,
     return 1;
 }
 
-/* Computes the phase from 0 to t by quadrature along the law of the mass. */
+/* Computes the phase from 0 to t by numerical integration of the frequency. */
 VM_API int vmi_jeffcott_phase_by_panels(vmi_jeffcott_phase *p, vm_real t, vm_real *psi)
 {
     const vm_law *mass = &p->r->mass;
@@ -161,8 +164,8 @@ VM_API int vmi_jeffcott_phase_by_panels(vmi_jeffcott_phase *p, vm_real t, vm_rea
     return status;
 }
 
-/* Checks what the motions of this chapter need: a rotor without load, and masses that are finite and positive from 0
-   to t. Writes the masses at 0 and at t. */
+/* Checks what the motions of this file need: a rotor without load, and masses that are finite and positive from 0 to t.
+   Writes the masses at 0 and at t. */
 VM_API int vmi_jeffcott_check_motion(const vm_jeffcott *r, vm_real t, vm_real *mass0, vm_real *mass)
 {
     vm_real rate;
@@ -180,13 +183,14 @@ VM_API int vmi_jeffcott_check_motion(const vm_jeffcott *r, vm_real t, vm_real *m
 
 /* Circular whirl of the rotor at time t, of either sign, from radius and angle at t = 0: (497)-(499).
    first_A > 0 is the radius (m) and first_angle the angle (rad) at t = 0; sense >= 0 means forward, sense < 0 backward
-   whirl. The radius is vm_jeffcott_whirl_amplitude. The angle has a closed form for a power law of the shaft
+   whirl. The radius is that of vm_jeffcott_whirl_amplitude. The angle has a closed form for a power law of the shaft
    (vm_jeffcott_power) with g = 0 and a mass that is constant, linear, exponential or a power; it is then within 8 eps
-   of the phase. Otherwise it is the integral of the frequency by Gauss' rule on panels of 20 points, at each of which
-   the radius is computed; it is then within 1e-12 (float 1e-4) of the phase for a smooth stiffness. The velocity is i
-   W z, without the small radial velocity. Returns VM_BAD_ARGUMENT for null pointers and a rotor without mass or
-   stiffness, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS where there is no such whirl, VM_DOMAIN for a radius that
-   is not positive or t outside a table, and VM_NO_LAW for a rotor with a force or a velocity u. */
+   of the phase. Otherwise the time is divided into parts, and Gauss' rule integrates the frequency over each part from
+   20 points; the radius is computed at each point. For a smooth stiffness the angle is then within 1e-12 (float 1e-4)
+   of the phase. The velocity is i W z, without the small radial velocity. Returns VM_BAD_ARGUMENT for null pointers and
+   a rotor without mass or stiffness, VM_NOT_FINITE for a number that is infinite or NaN, VM_BAD_MASS for a mass that is
+   not positive, VM_BAD_STIFFNESS where there is no circular whirl, VM_DOMAIN for a radius that is not positive or t
+   outside a table, and VM_NO_LAW for a rotor with a force or a velocity u. */
 VM_API int vm_jeffcott_whirl_at(const vm_jeffcott *r, vm_real first_A, vm_real first_angle, int sense, vm_real t,
                                 vm_jeffcott_whirl *whirl)
 {
@@ -217,8 +221,8 @@ VM_API int vm_jeffcott_whirl_at(const vm_jeffcott *r, vm_real first_A, vm_real f
 
 /* -- Any motion on a linear shaft -- */
 
-/* Adds to the motion (x, y, x', y') at t the whirl of this sense that was at z = first at t = 0. Nothing is added if
-   first is 0. */
+/* Adds the whirl of this sense to the motion (x, y, x', y') at t. At t = 0 this whirl was at z = first. Nothing is
+   added if first is 0. */
 VM_API int vmi_jeffcott_add_whirl(const vm_jeffcott *r, vm_complex first, int sense, vm_real t, vm_real *motion)
 {
     const vm_real A = vmi_c_modulus(first);

@@ -1,8 +1,9 @@
 /* oscillators/laws.h - laws of time for mass, stiffness and other numbers
 
-   A vm_law is a number f(t): the mass of a body (kg), the stiffness of its spring (N/m^alpha), or the frequency (1/s)
-   and the size (N) of a force on it (oscillators/forced.h). A constructor makes it: linear f0 + f1 t (346), quadratic,
-   exponential, power, the points of a table, or a function of the user. The shortest useful call:
+   A vm_law describes a number f(t) that depends on time: the mass of a body (kg), the stiffness of its spring
+   (N/m^alpha), or the frequency (1/s) and the size (N) of a force on it (oscillators/forced.h). A constructor makes it:
+   linear f0 + f1 t (346), quadratic, exponential, power, the points of a table, or a function of the user. The shortest
+   useful call:
        vm_law mass = vm_law_linear(10, VM_C(-0.1)); // 10 kg, of which 0.1 kg leaks out per second
        vm_real m, rate;
        int status = vm_law_at(&mass, 20, &m, &rate); // 8 kg, -0.1 kg/s
@@ -30,7 +31,7 @@ typedef int (*vm_law_function)(vm_real t, vm_real *f, vm_real *rate, void *ctx);
    the GPU. */
 typedef struct VM_TAG(vm_law) vm_law;
 struct VM_TAG(vm_law) {
-    vm_real f0, f1, f2;       /* numbers given to the constructor, in its order; 0 for tables and functions */
+    vm_real f0, f1, f2;       /* arguments of the constructor, in their order; 0 for tables and functions */
     int n;                    /* number of points of a table; 0 for the other laws */
     const vm_real *time;      /* n times of a table, s, rising; else null */
     const vm_real *value;     /* n values of a table, in the unit of f; else null */
@@ -80,11 +81,11 @@ VM_API int vmi_law_derivatives(const vm_law *law, int if_not_positive, vm_real t
     return vmi_law_status(law->derivatives(law, t, side, length, f), if_not_positive, orders, f);
 }
 
-/* Does what vmi_law_derivatives does, but only f, f' and f'' are right and checked. The law must not be a function of
+/* Does what vmi_law_derivatives does, but only f, f' and f'' are valid and checked. The law must not be a function of
    the user. */
 VM_API int vmi_law_two_derivatives(const vm_law *law, int if_not_positive, vm_real t, int side, vm_real *f)
 {
-    const vm_real length = 1; /* 1 s: only a user's function needs a certain length */
+    const vm_real length = 1; /* 1 s; any positive length asks for f'' */
     f[2] = 0;
     return vmi_law_status(law->derivatives(law, t, side, length, f), if_not_positive, 3, f);
 }
@@ -465,9 +466,9 @@ VM_API int vmi_law_user_fit(const vm_law *law, vm_real t, vm_real length, vm_rea
 }
 
 /* Writes the Legendre series of the rate f' between t and t + *length. The length is halved until the last terms of the
-   series are rounding errors, which shows in that a further halving hardly makes them smaller. Terms as small as these
-   are set to 0. The length is also halved where the user's function fails, because the function may be defined only
-   close to t. */
+   series are only rounding errors. They are rounding errors when a further halving hardly makes them smaller. Terms as
+   small as these are set to 0. The length is also halved where the user's function fails, because the function may be
+   defined only close to t. */
 VM_API int vmi_law_user_series(const vm_law *law, vm_real t, vm_real *length, vm_real *series)
 {
     const int most_halvings = 24;
@@ -512,7 +513,7 @@ VM_API int vmi_law_user_derivatives(const vm_law *law, vm_real t, int side, vm_r
     return VM_OK;
 }
 
-/* Checks that change_time is finite and not negative, and 0 or at least |t|/2^20, so that every call ends. */
+/* Checks that change_time is 0, or finite and at least |t|/2^20, so that every call ends. */
 VM_API int vmi_law_user_validate(const vm_law *law, int if_not_positive, vm_real t)
 {
     const vm_real most_changes = VM_C(1048576.);
@@ -524,11 +525,12 @@ VM_API int vmi_law_user_validate(const vm_law *law, int if_not_positive, vm_real
 }
 
 /* Law by a user's function, which must be smooth. A null function makes no law: all functions refuse it with
-   VM_BAD_ARGUMENT. ctx is handed to the function. Integrals along the law divide the time from 0 to t into panels and
-   evaluate the function at 20 points of each. A panel is at most |t|/32 long, and is halved where the function changes
-   fast. So a bump exp(-(time/w)^2) is found if w > |t|/3000 (float |t|/2000). If the law changes in a shorter time, set
-   law.change_time to that time, s: then no panel and no step of an integrator is longer than change_time. A change_time
-   that is negative or less than |t|/2^20 is refused with VM_DOMAIN. */
+   VM_BAD_ARGUMENT. The function receives ctx as its last argument. To integrate the law, the time from 0 to t is
+   divided into parts, called panels, and the function is evaluated at 20 points of each panel. A panel is at most
+   |t|/32 long, and is halved where the function changes fast. So a bump exp(-(time/w)^2) is found if w > |t|/3000
+   (float |t|/2000). If the law changes in a shorter time, set law.change_time to that time, s: then no panel and no
+   step of an integrator is longer than change_time. A change_time that is negative or less than |t|/2^20 is refused
+   with VM_DOMAIN. */
 VM_API vm_law vm_law_user(vm_law_function function, void *ctx)
 {
     vm_law law = vmi_law_of(0, 0, 0);

@@ -42,7 +42,7 @@ VM_API vm_real vmi_legendre_next(int k, vm_real x, vm_real now, vm_real before)
 }
 
 /* Writes the coefficients a and b of the series of two functions, from their values at the points of Gauss' rule. It
-   takes two functions at once, since most of the time goes into the polynomials. */
+   treats two functions in one call, since most of the computing time is spent on the polynomials. */
 VM_API void vmi_legendre_fit(const vm_real *values_a, const vm_real *values_b, vm_real *a, vm_real *b)
 {
     int i, k;

@@ -13,10 +13,10 @@
        vm_osc_motion motion;
        int status = vm_osc_load_init(&load, &problem, &u, &damping); // 0.3 m/s; 0.02 kg/s, growing
        if (!status) status = vm_osc_within(&problem, 10, VM_C(1e-6), &motion);
-   To first order a thrust m' u leaves the averaged amplitude as it is, since its mean over a period is 0: it only moves
-   the middle of the vibration, for alpha = 1 by m' u/k. The averaged routes leave this shift out; the field `error`
-   of their results includes it. damping(t) changes the amplitude by vm_osc_amplitude_law, with
-   vm_law_ratio_integral(&damping, &mass, t, &decay).
+   To first order a thrust m' u does not change the averaged amplitude, since its work over a period is 0. It only moves
+   the middle of the vibration, for alpha = 1 by m' u/k. The averaged routes leave this shift out; the field `error` of
+   their results includes it. With damping(t) the amplitude follows vm_osc_amplitude_law; the argument decay of this
+   function is computed by vm_law_ratio_integral(&damping, &mass, t, &decay).
    Tests: tests/test_loads.c. */
 #ifndef VARMASS_OSCILLATORS_LOADS_H
 #define VARMASS_OSCILLATORS_LOADS_H
@@ -40,10 +40,10 @@ typedef struct VM_TAG(vm_osc_load) {
 } vm_osc_load;
 
 /* Force of a vm_osc_load on an oscillator, N: reactive m' u(t) - damping(t) v + force(t, x, v).
-   A vm_osc_force; its ctx, here `load`, is a vm_osc_load, and vm_osc_load_init makes it the force of a problem. t is
-   the time (s), x the position (m) and v the velocity (m/s). The laws of mass, u and damping are evaluated once.
-   Returns NaN for a null pointer, for arguments that are infinite or NaN, and where a law has no value at t; the routes
-   then return VM_NOT_INTEGRATED or VM_NOT_FINITE. */
+   The function is a vm_osc_force, which vm_osc_load_init makes the force of a problem. Its last argument `load` points
+   to the vm_osc_load. t is the time (s), x the position (m) and v the velocity (m/s). The laws of mass, u and damping
+   are evaluated once. Returns NaN for a null pointer, for arguments that are infinite or NaN, and where a law has no
+   value at t; the routes then return VM_NOT_INTEGRATED or VM_NOT_FINITE. */
 VM_API vm_real vm_osc_load_force(vm_real t, vm_real x, vm_real v, void *load)
 {
     if (!load) return VM_NAN;
@@ -60,13 +60,13 @@ VM_API vm_real vm_osc_load_force(vm_real t, vm_real x, vm_real v, void *load)
 
 /* Gives an oscillator a velocity u of the mass that joins or leaves, and a damping that depends on time.
    u_or_NULL is the law of this velocity, m/s, and damping_or_NULL the law of the damping, kg/s, which adds to the
-   problem's constant damping; a null pointer means 0. *load is filled, and problem->force and problem->ctx are set to
-   it; a force that the problem had before still acts. Call it once for a problem, after its other fields are set.
-   Routes do not stop at the points of a table in u and damping; this makes them take more steps, but not less
-   accurate. Returns VM_BAD_ARGUMENT for other null pointers, for a law that no constructor made, and for a problem
-   that has this load already; VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS or VM_DOMAIN where a number of the problem
-   or a law at t = 0 is not finite, not positive or outside its domain. An error leaves *load and *problem
-   untouched. */
+   problem's constant damping; a null pointer means 0. The function fills *load, and sets problem->force and
+   problem->ctx so that the problem uses *load. A force that the problem had before still acts. Call it once for a
+   problem, after its other fields are set. Routes do not stop at the points of a table in u or damping. For this reason
+   they take more steps, but they are not less accurate. Returns VM_BAD_ARGUMENT for other null pointers, for a law that
+   no constructor made, and for a problem that has this load already; VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS or
+   VM_DOMAIN where a number of the problem or a law at t = 0 is not finite, not positive or outside its domain. An error
+   leaves *load and *problem untouched. */
 VM_API int vm_osc_load_init(vm_osc_load *load, vm_osc_problem *problem, const vm_law *u_or_NULL,
                             const vm_law *damping_or_NULL)
 {
