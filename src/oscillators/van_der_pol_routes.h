@@ -2,7 +2,7 @@
 
    Five routes lead from x and x' at t = 0 to x and x' at any t: the law of oscillators/van_der_pol_expansion.h, cut off
    after order one, two or three, and two integrations. Their names are those of oscillators/problem.h:
-     VM_ROUTE_ATEB           order one, but with the start of order three; errors are O(epsilon)
+     VM_ROUTE_ATEB           order one, with a start of order three; errors are O(epsilon)
      VM_ROUTE_ORDER2         order two; errors are O(epsilon^2)
      VM_ROUTE_ORDER3         the whole law; errors are O(epsilon^3)
      VM_ROUTE_COLLOCATION    integration from each zero of x or x' to the next, to a tolerance
@@ -226,8 +226,8 @@ typedef struct VM_TAG(vm_vdp_cycle) {
 
 /* Writes two coefficients of epsilon^2, where epsilon = feed/(m W): *kx belongs to the power series of the largest x in
    epsilon, *kw to that of the rate of the phase. The disturbances follow from the constant amplitude of the cycle; the
-   code has them for epsilon = 1. The largest x is reached where x' = 0, that is V = p x. The phase there is `late`
-   times epsilon; the phase 0 has V = 0. */
+   code uses their values for epsilon = 1. The largest x is reached where x' = 0, that is where V = p x. The phase is
+   `late` times epsilon there, and it is 0 where V = 0. */
 VM_API void vmi_vdp_cycle_coefficients(const vmi_vdp_ripple *v, const vmi_ripple *r, vm_real *kx, vm_real *kw)
 {
     const vm_real n = r->alpha + 1, s = 4 / (r->alpha + 3);
@@ -250,9 +250,9 @@ VM_API void vmi_vdp_cycle_coefficients(const vmi_vdp_ripple *v, const vmi_ripple
    and the period is 2 Pi_alpha/(W (1 + kw epsilon^2)), with kx = 1/192 and kw = -1/16 for alpha = 1. Both are right
    to O(epsilon^4). Mass and stiffness are those at t = 0; the fields method, reactive and a1 to a3 do not matter.
    Returns VM_BAD_ARGUMENT for null pointers, an unknown method, and a mass that no constructor made, VM_NOT_FINITE
-   for numbers that are infinite or NaN, VM_BAD_MASS for a mass that is not positive, VM_BAD_STIFFNESS for such a
-   stiffness, VM_DOMAIN for alpha < 0 or a law that fails, and VM_NO_LAW where there is no limit cycle, that is unless
-   feed and c have the same sign. An error leaves *cycle untouched. */
+   for numbers that are infinite or NaN, VM_BAD_MASS for a mass that is not positive, VM_BAD_STIFFNESS for a stiffness
+   that is not positive, VM_DOMAIN for alpha < 0 or a law that fails, and VM_NO_LAW where there is no limit cycle: there
+   is one only if feed and c have the same sign. An error leaves *cycle untouched. */
 VM_API int vm_vdp_cycle_of(const vm_vdp *v, vm_vdp_cycle *cycle)
 {
     vmi_ripple r;

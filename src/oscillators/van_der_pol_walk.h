@@ -1,16 +1,16 @@
 /* oscillators/van_der_pol_walk.h - the mean motion of a Van der Pol oscillator along slow laws of mass and stiffness
 
-   The transformation of oscillators/van_der_pol_expansion.h is exact to its order where sa or ca is 0. The plan
-   therefore follows the exact equations from t = 0 to the next such phase (by collocation), and starts the mean motion
-   there. The mean amplitude and phase at any other time are integrals along the laws, so the cost does not
+   At phases where sa or ca is 0, the transformation of oscillators/van_der_pol_expansion.h has the full order three.
+   The plan therefore follows the exact equations from t = 0 to the next such phase (by collocation), and starts the
+   mean motion there. The mean amplitude and phase at any other time are integrals along the laws, so the cost does not
    depend on the number of vibrations. On a panel of time (oscillators/panels.h) that starts with the mean amplitude A_0
    and the mean phase psi_0, let B = c/m and r = exp(-2 integral of p dt from the start). Then the mean amplitude A and
    the mean phase psi are
      A^2 = A_0^2 r/y,  y = 1 + 4/(alpha+3) A_0^2 integral of B r (-F - second order terms) dt,
      psi = psi_0 + integral of W (1 + second order terms) dt,
    where the constant F and the terms of second order are those of oscillators/van_der_pol_expansion.h. At the points of
-   a table p' jumps, so that the mean motion jumps, too. There the exact equations take over, from the last phase before
-   the point at which sa or ca is 0 to the first such phase after it.
+   a table p' jumps, so that the mean motion jumps, too. Around such a point the motion is computed by the exact
+   equations: from the last phase with sa = 0 or ca = 0 before the point to the first such phase after it.
        vm_vdp_plan plan;
        vmi_vdp_mean mean;
        int status = vm_vdp_plan_init(&plan, &vdp, VM_C(0.3), 0); // vdp is a vm_vdp; from rest at x = 0.3 m
@@ -43,17 +43,18 @@
 typedef struct VM_TAG(vmi_vdp_mean) {
     vm_real t;                    /* the time, s */
     vm_real ln_A, psi;            /* ln of the mean amplitude in m, and mean phase */
-    vm_real first_ln_A, first_psi; /* the same two by the equations of first order */
+    vm_real first_ln_A, first_psi; /* ln_A and psi by the equations of first order */
     vm_real segment;              /* time, s, of the last point of a table before t, or 0; the mass is smooth since
                                      then */
     vmi_osc_slow now;             /* mass, stiffness and rates at t; set at the end of a walk only */
-    vm_real J_error;              /* error of ln J that order two makes at starts of the mean motion; only the part
-                                     that has not died out at t */
-    vm_real psi_error;            /* what order two leaves out of psi */
-    vm_real J_third, psi_third;   /* what order three leaves out: only those terms that depend on feed and mass alone */
-    vm_real ratio;                /* largest ratio at a start of the terms of one order to the terms of the order
-                                     before */
-    vmi_osc_mean fast;            /* used are only its fields change, dropped, shortest and error, for the effects of
+    vm_real J_error;              /* error of ln J that order two makes at starts of the mean motion; only the part that
+                                     is still left at t */
+    vm_real psi_error;            /* size of the terms of psi that order two leaves out */
+    vm_real J_third, psi_third;   /* size of terms that order three leaves out: only of those that depend on feed and
+                                     mass alone */
+    vm_real ratio;                /* largest ratio, at a start of the mean motion, of the terms of one order to those of
+                                     the next lower order */
+    vmi_osc_mean fast;            /* only its fields change, dropped, shortest and error are used, for the effects of
                                      fast changes of the mass */
 } vmi_vdp_mean;
 
@@ -231,8 +232,8 @@ VM_API int vmi_vdp_start(const vm_vdp_plan *p, int side, vmi_vdp_mean *mean)
    plan. The field method must be valid, but it has no effect, and a1 to a3 have none. The oscillator is copied; the
    tables and contexts of its mass must outlive the plan. Errors leave the plan untouched. Returns VM_BAD_ARGUMENT for
    null pointers, an unknown method, and a mass that no constructor made, VM_NOT_FINITE for numbers that are infinite or
-   NaN, VM_BAD_MASS for a mass that is not positive at t = 0 or in a table, VM_BAD_STIFFNESS for such a stiffness,
-   VM_DOMAIN for alpha < 0, a table out of order or without t = 0, or a user's function that fails. */
+   NaN, VM_BAD_MASS for a mass that is not positive at t = 0 or in a table, VM_BAD_STIFFNESS for a stiffness that is not
+   positive there, VM_DOMAIN for alpha < 0, a table out of order or without t = 0, or a user's function that fails. */
 VM_API int vm_vdp_plan_init(vm_vdp_plan *p, const vm_vdp *v, vm_real x, vm_real x_rate)
 {
     vm_vdp_plan plan;
@@ -265,7 +266,8 @@ VM_API int vm_vdp_plan_init(vm_vdp_plan *p, const vm_vdp *v, vm_real x, vm_real 
 
 /* Series and integrals of the mean motion on a panel of time */
 typedef struct VM_TAG(vmi_vdp_panel) {
-    vmi_osc_panel laws;                   /* the law of the mass; E and noise serve to find its fast changes */
+    vmi_osc_panel laws;                   /* the law of the mass; its fields E and noise are used to find fast changes
+                                             of it */
     vm_real r[VMI_GAUSS];                 /* series of r/m with r = exp(-2 integral of p dt) from the panel's start */
     vm_real rate[VMI_GAUSS], first_rate[VMI_GAUSS]; /* series of the rate of the mean phase, by order three and one */
     vm_real ln_A, first_ln_A;             /* change of ln A over the panel, by order three and one */
@@ -368,7 +370,7 @@ VM_API void vmi_vdp_second_order(const vm_vdp_plan *p, const vmi_vdp_mean *mean,
     panel->loss = 1 / (1 + gain * length * (p->ripple.F * panel->r[0] + second[0]));
 }
 
-/* Computes the panel from mean->t over `length`, which is negative backward. */
+/* Computes the panel from mean->t to mean->t + length; length is negative backward in time. */
 VM_API int vmi_vdp_panel_of(const vm_vdp_plan *p, const vmi_vdp_mean *mean, vm_real length, vmi_vdp_panel *panel)
 {
     const vm_osc_problem *o = &p->osc.problem;
@@ -399,9 +401,9 @@ VM_API int vmi_vdp_rate_is_resolved(const vm_real *rate, vm_real limit)
     return vmi_legendre_tail(rate) <= limit * VM_FABS(rate[0]);
 }
 
-/* Whether the panel is short enough for its series. `whole` is the length of the walk, s. A panel also counts as short
-   enough if the terms of E_0 that its series leaves out do not matter or are rounding errors, which halving only makes
-   larger. The rate of the phase contains E_0. */
+/* Whether the panel is short enough for its series. `whole` is the length of the walk, s. The series of E_0 may leave
+   out terms that do not matter, and terms that are rounding errors: halving the panel would make rounding errors
+   larger. The same is allowed for the rate of the phase, which contains E_0. */
 VM_API int vmi_vdp_panel_is_resolved(const vmi_vdp_panel *panel, vm_real length, vm_real whole)
 {
     const vm_real E_enough = VM_MANT_DIG > 24 ? VM_C(1e-6) : VM_C(1e-3);
@@ -429,7 +431,7 @@ VM_API void vmi_vdp_add_panel(const vm_vdp_plan *p, vmi_vdp_panel *panel, vm_rea
     mean->psi_third += g * mean->J_third * panel->kept + phase * second;
     mean->J_error *= panel->loss;
     mean->J_third *= panel->loss;
-    panel->laws.ratio[0] = panel->rate[0] / p->osc.mean.W; /* vmi_osc_add_changes asks for the rate in this form */
+    panel->laws.ratio[0] = panel->rate[0] / p->osc.mean.W; /* vmi_osc_add_changes needs the rate in this form */
     panel->laws.cube = 0;
     vmi_osc_add_changes(&p->osc, &panel->laws, length, &mean->fast);
 }
@@ -500,8 +502,8 @@ VM_API int vmi_vdp_mean_update(const vm_vdp_plan *p, int side, vmi_vdp_mean *mea
     return vmi_osc_slow_at(&p->osc.problem, mean->t, -side, vmi_smaller(sampling, way), unit, &mean->now);
 }
 
-/* Takes the mean motion past mean->t, the time of a table point. It goes back to the last phase before this time at
-   which sa or ca is 0, and from there by the exact equations to the first such phase after this time. */
+/* Continues the mean motion beyond mean->t, the time of a table point. It goes back to the last phase before this time
+   at which sa or ca is 0. From there it follows the exact equations to the first such phase after this time. */
 VM_API int vmi_vdp_walk_past_knot(const vm_vdp_plan *p, int side, vmi_vdp_mean *mean)
 {
     const vm_real quarter = p->osc.ripple.pi / 2, turns = (vm_real)side * mean->psi / quarter;
@@ -510,7 +512,7 @@ VM_API int vmi_vdp_walk_past_knot(const vm_vdp_plan *p, int side, vmi_vdp_mean *
     vmi_vdp_panel panel;
     vmi_osc_reduced state;
     int status = VM_OK;
-    /* The way back must not pass the table point before this one, or t = 0: the two would be too close together. */
+    /* If the way back passes the previous table point, or t = 0, the two points are too close together. */
     if ((vm_real)side * (knot + back - mean->segment) < 0) return VM_NOT_INTEGRATED;
     if (back != 0) {
         status = vmi_vdp_panel_of(p, mean, back, &panel);
@@ -525,9 +527,9 @@ VM_API int vmi_vdp_walk_past_knot(const vm_vdp_plan *p, int side, vmi_vdp_mean *
     return vmi_vdp_bridge(p, mean->t, side, &state, 1, mean);
 }
 
-/* Computes the mean motion at t by a walk along the law of the mass, from one point of a table to the next. Returns
-   VM_NOT_INTEGRATED where amplitude and phase do not describe the motion, or where points of a table are closer than
-   a quarter of a vibration, and VM_NOT_FINITE where the amplitude becomes infinite between 0 and t. */
+/* Computes the mean motion at t by integration along the law of the mass, from one point of a table to the next.
+   Returns VM_NOT_INTEGRATED where amplitude and phase do not describe the motion, or where points of a table are closer
+   than a quarter of a vibration, and VM_NOT_FINITE where the amplitude becomes infinite between 0 and t. */
 VM_API int vmi_vdp_mean_at(const vm_vdp_plan *p, vm_real t, vmi_vdp_mean *mean)
 {
     const vm_osc_problem *o = &p->osc.problem;

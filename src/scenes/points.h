@@ -36,7 +36,7 @@ typedef struct VM_TAG(vmi_body_point) {
     vmi_mat3 axes; /* the body axes in inertial axes */
 } vmi_body_point;
 
-/* The axes of a body in its state */
+/* The body axes of a body in the given state, in inertial axes */
 VM_API vmi_mat3 vmi_point_axes(const vm_scene_body *b, const vm_real *state)
 {
     vmi_mat3 axes;
