@@ -9876,8 +9876,8 @@ VM_API void vmi_chebyshev_to_powers(vm_real *c)
     }
 }
 
-/* Makes the eight polynomials, four in each set; those that no law up to `order` needs become 0. It adds up the power
-   series, with each power w^i or y^i replaced by its Chebyshev series. */
+/* Makes the eight polynomials, four in each set; those that the laws up to `order` do not need become 0. It adds up the
+   power series, with each power w^i or y^i replaced by its Chebyshev series. */
 VMI_APART void vmi_ripple_make_polynomials(vmi_ripple *r, int order)
 {
     vm_real w_power[VMI_RIPPLE_KEPT]; /* coefficients of the Chebyshev series of w^i */
@@ -9926,7 +9926,7 @@ typedef struct VM_TAG(vmi_ripple_integrals) {
 } vmi_ripple_integrals;
 
 /* A phase between a zero of ca or sa and the phase where sa^2 = 1/2, and the numbers that give the integrals from the
-   zero to this phase. At sa^2 = 1/2 both sets of polynomials meet */
+   zero to this phase. At sa^2 = 1/2 one set of polynomials replaces the other. */
 typedef struct VM_TAG(vmi_ripple_place) {
     const vm_real (*polynomial)[VMI_RIPPLE_TERMS]; /* near_ca_0 or near_sa_0 */
     vm_real z;        /* variable of the polynomials */
@@ -10651,7 +10651,7 @@ VM_API vm_real vmi_osc_sampling_time(const vm_osc_plan *p)
     return 16 / p->Om;
 }
 
-/* The mean motion that belongs to a reduced state, by the law of this order, 2 to 5. E holds the numbers E_k of the
+/* The mean motion that belongs to a reduced state, by the law of this order, 2 to 5. E contains the numbers E_k of the
    state. */
 VM_API vmi_osc_reduced vmi_osc_mean_of(const vm_osc_plan *p, int order, const vmi_osc_reduced *state, const vm_real *E)
 {
@@ -10718,10 +10718,11 @@ VM_API int vmi_osc_prepare(vm_osc_plan *p, const vm_osc_problem *problem, int fo
 }
 
 /* Plan for many values of one problem's motion. The functions vm_osc_plan_by_route, vm_osc_plan_within and
-   vm_osc_averaged use the plan. The problem is copied; its tables and contexts must outlive the plan. Errors leave the
-   plan untouched. Returns VM_BAD_ARGUMENT for null pointers and for a law that no constructor made, VM_NOT_FINITE for a
-   number that is infinite or NaN, VM_BAD_MASS and VM_BAD_STIFFNESS for a law that is not positive at t = 0 or in a
-   table, VM_DOMAIN for alpha < 0, a table out of order or without t = 0, or a user's function of a law that fails. */
+   vm_osc_averaged use the plan. The problem is copied; its tables and contexts must exist as long as the plan is used.
+   Errors leave the plan untouched. Returns VM_BAD_ARGUMENT for null pointers and for a law that no constructor made,
+   VM_NOT_FINITE for a number that is infinite or NaN, VM_BAD_MASS and VM_BAD_STIFFNESS for a law that is not positive
+   at t = 0 or in a table, VM_DOMAIN for alpha < 0, a table out of order or without t = 0, or a user's function of a law
+   that fails. */
 VM_API int vm_osc_plan_init(vm_osc_plan *p, const vm_osc_problem *problem)
 {
     vm_osc_plan plan;
@@ -14438,8 +14439,8 @@ VM_API vm_real vmi_orbit_mean_action(const vmi_orbit_ripple *r, const vmi_orbit 
     return orbit->j + first + second;
 }
 
-/* The mean action minus the action, as far as a weak linear spring of stiffness 1 causes this difference. The spring
-   acts in addition to the force; x is the position on the orbit */
+/* The difference (mean action) - (action), as far as a weak linear spring of stiffness 1 causes it. The spring acts in
+   addition to the force; x is the position on the orbit. */
 VM_API vm_real vmi_orbit_spring_action(const vmi_orbit_ripple *r, const vmi_orbit *orbit, vm_real x)
 {
     return (x * x - r->X) / (2 * orbit->w);
@@ -15040,7 +15041,7 @@ typedef struct VM_TAG(vmi_odd_shape) {
 
 /* Writes the ratio and the rates of k1 or k3. `law` is its law, and first its value at t = 0. The first `orders` terms
    of the rates are written. length has the meaning that it has for vmi_law_derivatives. Returns VM_NO_LAW where the law
-   is 0 but not all the time. */
+   is 0 at some times but not at all times. */
 VM_API int vmi_odd_coefficient(const vm_law *law, vm_real first, vm_real t, int side, vm_real length, int orders,
                                vm_real *ratio, vm_real *rates)
 {
@@ -15638,12 +15639,12 @@ VM_API int vmi_odd_fill(vm_odd_plan *p)
 }
 
 /* Plan for many values of one vibration under an odd elastic force, from t = 0 to t_end (s, any sign).
-   vm_odd_plan_within and vm_odd_plan_by_route use it. The problem is copied; its tables and contexts must outlive the
-   plan. Where the averaged motion ends before t_end, at a separatrix or because laws change too fast, the plan's field
-   reach says where; beyond it only VM_ODD_RK87 works. Errors leave the plan untouched. Returns VM_BAD_ARGUMENT for null
-   pointers and for a law or force that no constructor made, VM_NOT_FINITE for a number that is infinite or NaN,
-   VM_BAD_MASS or VM_BAD_STIFFNESS for a law that is not positive, VM_DOMAIN for a table out of order or one that does
-   not contain 0 and t_end, and where a user's function fails. */
+   vm_odd_plan_within and vm_odd_plan_by_route use it. The problem is copied; its tables and contexts must exist as long
+   as the plan is used. Where the averaged motion ends before t_end, at a separatrix or because laws change too fast,
+   the plan's field reach says where; beyond it only VM_ODD_RK87 works. Errors leave the plan untouched. Returns
+   VM_BAD_ARGUMENT for null pointers and for a law or force that no constructor made, VM_NOT_FINITE for a number that is
+   infinite or NaN, VM_BAD_MASS or VM_BAD_STIFFNESS for a law that is not positive, VM_DOMAIN for a table out of order
+   or one that does not contain 0 and t_end, and where a user's function fails. */
 VM_API int vm_odd_plan_init(vm_odd_plan *p, const vm_odd_problem *problem, vm_real t_end)
 {
     vm_odd_plan plan;
@@ -15939,7 +15940,7 @@ VM_API int vmi_odd_motion_now(const vmi_odd_run *c, vm_odd_motion *motion, vm_re
     int status = vmi_odd_read_laws(o, c->s.t, -c->side, &now);
     if (status) return status;
     speed = VM_SQRT(now.k / now.m);
-    if (o->force.laws) { /* the vibration with the coefficients of this time */
+    if (o->force.laws) { /* the orbit is that of the force at this time */
         force.k1 = now.k1;
         force.k3 = now.k3;
     }
@@ -16173,8 +16174,8 @@ VM_API vm_real vm_osc_amplitude_law(vm_real mass_ratio, vm_real decay, vm_real r
 }
 
 /* Ratio of the largest velocity to its first value, of an oscillator whose mass varies slowly. It follows from the
-   amplitude A by x'_max = sqrt(2 k A^(alpha+1)/((alpha+1) m)): (326), (364), (395) corrected. The arguments and the
-   results outside the domain are those of vm_osc_amplitude_law. */
+   amplitude A by x'_max = sqrt(2 k A^(alpha+1)/((alpha+1) m)): (326), (364), (395) corrected. The arguments and their
+   domain are those of vm_osc_amplitude_law. Outside the domain and for infinite arguments the result is NaN. */
 VM_API vm_real vm_osc_velocity_law(vm_real mass_ratio, vm_real decay, vm_real reactive, vm_real alpha)
 {
     const vm_real share = (alpha + 1) / (alpha + 3); /* (alpha+1)/2, the exponent of A in x'_max, times 2/(alpha+3) */
@@ -16280,8 +16281,8 @@ typedef struct VM_TAG(vm_vdp) {
     vm_real reactive;   /* r: 1 where mass that joins or leaves is at rest, 0 where it has the body's velocity */
     int method;         /* method of averaging, VM_VDP_... */
     vm_law mass;        /* slow mass m, kg, > 0; vm_vdp_init and vm_vdp_limit_cycle do not use it */
-    vm_law stiffness;   /* slow stiffness, N/m^alpha, > 0, in place of k; zeros, as memset leaves them, stand for the
-                           constant k. vm_vdp_init and vm_vdp_limit_cycle do not use it */
+    vm_law stiffness;   /* slow stiffness, N/m^alpha, > 0, in place of k; if all its fields are 0, as after memset, the
+                           stiffness is the constant k. vm_vdp_init and vm_vdp_limit_cycle do not use it */
     vm_real a1, a2, a3; /* mean values of (410), pure numbers; vm_vdp_init writes them */
 } vm_vdp;
 
@@ -16492,8 +16493,9 @@ VM_API int vm_vdp_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void 
 #ifndef VARMASS_OSCILLATORS_VAN_DER_POL_EXPANSION_H
 #define VARMASS_OSCILLATORS_VAN_DER_POL_EXPANSION_H
 
-/* The polynomials that this law needs beyond those of oscillators/ripple.h, for phases near a zero of sa. CA6 gives the
-   integral over the phase of ca^6. SQUARE gives the integral of S^2, where S is the integral of C = ca^2 - <ca^2>. */
+/* The polynomials that this law needs in addition to those of oscillators/ripple.h, for phases near a zero of sa. CA6
+   gives the integral over the phase of ca^6. SQUARE gives the integral of S^2, where S is the integral of C = ca^2 -
+   <ca^2>. */
 enum { VMI_VDP_CA6, VMI_VDP_SQUARE, VMI_VDP_TURN_FUNCTIONS };
 
 /* The polynomials for phases near a zero of ca. CA6 gives the integral of ca^6. The others give three parts of the
@@ -16712,7 +16714,7 @@ VM_API void vmi_vdp_values_at(const vmi_vdp_ripple *v, const vmi_ripple *r, vm_r
 /* -- From the motion to the mean motion -- */
 
 /* Returns ln(mean J/J) with all terms up to order epsilon^2, and at phases where sa or ca is 0 up to epsilon^3. *f
-   holds the functions at the phase, *now the disturbances at the amplitude. */
+   contains the functions at the phase, and *now the disturbances at the amplitude. */
 VM_API vm_real vmi_vdp_J(const vmi_vdp_ripple *v, const vmi_ripple *r, const vmi_vdp_values *f,
                          const vmi_vdp_disturbance *now)
 {
@@ -16727,7 +16729,7 @@ VM_API vm_real vmi_vdp_psi(const vmi_vdp_values *f, const vmi_vdp_disturbance *n
 
 /* -- From the mean motion to the motion -- */
 
-/* Returns the part of order epsilon^2 of ln(J/mean J). *f holds the functions at the mean phase. */
+/* Returns the part of order epsilon^2 of ln(J/mean J). *f contains the functions at the mean phase. */
 VM_API vm_real vmi_vdp_J_back_second(const vmi_vdp_ripple *v, const vmi_ripple *r, const vmi_vdp_values *f,
                                      const vmi_vdp_disturbance *now)
 {
@@ -16737,7 +16739,7 @@ VM_API vm_real vmi_vdp_J_back_second(const vmi_vdp_ripple *v, const vmi_ripple *
     return now->e * now->e * square + now->e1 * f->U1 + half / 2 * now->Q0 * f->C4 - half * now->E0 * f->f.C;
 }
 
-/* Returns the part of order epsilon^2 of the difference phase - mean phase. *f holds the functions at the mean phase
+/* Returns the part of order epsilon^2 of the difference phase - mean phase. *f contains the functions at the mean phase
    psi. */
 VM_API vm_real vmi_vdp_psi_back_second(const vmi_vdp_ripple *v, const vmi_ripple *r, vm_real psi,
                                        const vmi_vdp_values *f, const vmi_vdp_disturbance *now)
@@ -17013,10 +17015,11 @@ VM_API int vmi_vdp_start(const vm_vdp_plan *p, int side, vmi_vdp_mean *mean)
 /* Prepares a plan for many values of the motion of a Van der Pol oscillator.
    x is the position, m, x_rate the velocity, m/s, both at t = 0. vm_vdp_plan_by_route and vm_vdp_plan_within use the
    plan. The field method must be valid, but it has no effect, and a1 to a3 have none. The oscillator is copied; the
-   tables and contexts of its mass must outlive the plan. Errors leave the plan untouched. Returns VM_BAD_ARGUMENT for
-   null pointers, an unknown method, and a mass that no constructor made, VM_NOT_FINITE for numbers that are infinite or
-   NaN, VM_BAD_MASS for a mass that is not positive at t = 0 or in a table, VM_BAD_STIFFNESS for a stiffness that is not
-   positive there, VM_DOMAIN for alpha < 0, a table out of order or without t = 0, or a user's function that fails. */
+   tables and contexts of its mass must exist as long as the plan is used. Errors leave the plan untouched. Returns
+   VM_BAD_ARGUMENT for null pointers, an unknown method, and a mass that no constructor made, VM_NOT_FINITE for numbers
+   that are infinite or NaN, VM_BAD_MASS for a mass that is not positive at t = 0 or in a table, VM_BAD_STIFFNESS for a
+   stiffness that is not positive there, VM_DOMAIN for alpha < 0, a table out of order or without t = 0, or a user's
+   function that fails. */
 VM_API int vm_vdp_plan_init(vm_vdp_plan *p, const vm_vdp *v, vm_real x, vm_real x_rate)
 {
     vm_vdp_plan plan;
@@ -17086,9 +17089,10 @@ VM_API vm_real vmi_vdp_ln_k(vm_real k, vm_real k_start)
     return vmi_log(k / k_start).hi;
 }
 
-/* The size of the last terms of E_0's series that rounding errors cause, for the rates in *now, where the phase has the
-   rate W. E_0 contains p'/W^2, and p' is the derivative of a series of p on the panel. Rounding errors of p, at most a
-   few eps (|a| + |p|), grow by up to 250/length in its last terms; on short panels they hide the law itself. */
+/* The size of the rounding errors in the last terms of the series of E_0. *now has the rates of the laws, and W is the
+   rate of the phase. E_0 contains p'/W^2, and p' is the derivative of a series of p on the panel. Rounding errors of p,
+   at most a few eps (|a| + |p|), grow by up to 250/length in its last terms; on short panels they hide the law
+   itself. */
 VM_API vm_real vmi_vdp_rounding(const vmi_osc_rates *now, vm_real W, vm_real length)
 {
     return 256 * VM_EPSILON / VM_FABS(length) / W * ((VM_FABS(now->p) + VM_FABS(now->a)) / W);
@@ -17535,8 +17539,8 @@ VM_API int vmi_vdp_order_of(int route)
 
 /* Estimates the error of order three, and writes that of order two to *second. Each is the sum of the terms that the
    order leaves out: in the transformations at the start and at t, and in the mean motion, where errors of ln J at the
-   start grow with the phase. Fast changes of the mass and rounding errors are added. A factor of 2 is included, which
-   fits the errors that tests/test_van_der_pol_law.c finds. */
+   start grow with the phase. The effects of fast changes of the mass and of rounding errors are added. A factor of 2 is
+   included, which fits the errors that tests/test_van_der_pol_law.c finds. */
 VM_API vm_real vmi_vdp_error(const vm_vdp_plan *p, const vmi_vdp_mean *mean, vm_real *second)
 {
     const vmi_ripple *r = &p->osc.ripple;
@@ -17623,10 +17627,10 @@ VM_API int vmi_vdp_check_call(const vm_vdp_plan *p, vm_real t, vm_real *toleranc
 /* Motion x(t), x'(t) of a Van der Pol oscillator by a given route, from a plan.
    t is in seconds, of either sign. route is VM_ROUTE_ATEB, VM_ROUTE_ORDER2, VM_ROUTE_ORDER3, VM_ROUTE_COLLOCATION or
    VM_ROUTE_RK87. motion->error estimates the larger of |error of x|/A and |error of v|/vmax, where vmax is the largest
-   velocity at the amplitude A; it is infinite where the law does not hold. The routes that integrate keep it within the
-   tolerance, where 0 means 1e-6 (float 1e-3); the law does not use the tolerance. Returns VM_OK, or
-   VM_TOLERANCE_MISSED where x and v are computed but the error of integration is larger than the tolerance. After an
-   error *motion is unchanged. The errors are
+   velocity at the amplitude A; it is infinite where the law is not valid. The routes that integrate keep it within the
+   tolerance, where 0 means 1e-6 (float 1e-3); the law does not use the tolerance. Returns VM_OK, or VM_TOLERANCE_MISSED
+   where x and v are computed but the error of integration is larger than the tolerance. After an error *motion is
+   unchanged. The errors are
      VM_BAD_ARGUMENT for null pointers or a route that is not one of the five,
      VM_NOT_FINITE for a number that is infinite or NaN, and for the law where the amplitude becomes infinite before t,
      VM_BAD_MASS or VM_BAD_STIFFNESS for a law that is not positive between 0 and t,
@@ -18672,7 +18676,7 @@ VM_API int vm_pair_averaged_rhs(vm_real t, const vm_real *modes, vm_real *dmodes
     return VM_OK;
 }
 
-/* Computes the averaged motion at time t by closed formulas, which hold for a mass that is linear in time. y0 holds
+/* Computes the averaged motion at time t by closed formulas, which hold for a mass that is linear in time. y0 contains
    x, y, x' and y' at t = 0. `modes` receives the results in the order VMI_PAIR_..., and *m the mass at t with its
    integrals. The averaged equations contain powers of m/m0, where m0 is the mass at t = 0. For any exponent e the
    integral of (m/m0)^e dt is m0 (exp(u) - 1)/u times the integral of dt/m, with u = (1 + e) ln(m/m0). */
@@ -19342,7 +19346,7 @@ VM_API int vmi_resonance_turns(const vmi_resonance *z, vm_real alpha, vm_real x[
 }
 
 /* The steady amplitudes for alpha != 1. Writes at most three, in ascending order, and returns how many there are. The
-   excess is monotonic below, between and above its extrema, so each of these intervals of x = ln A holds at most one
+   excess is monotonic below, between and above its extrema, so each of these intervals of x = ln A contains at most one
    zero. */
 VM_API int vmi_resonance_roots(vmi_resonance *z, vm_real alpha, vm_real A[3])
 {
@@ -19564,7 +19568,7 @@ VM_API int vm_periodic_from_samples(vm_periodic *p, int n, const vm_real *g)
 }
 
 /* Shape of the force: g(theta), a pure number. Returns NaN for a null pointer and for a theta that is infinite or NaN.
-   The error is that of 9 roundings of the largest term. */
+   The error is about that of rounding the largest term 9 times. */
 VM_API vm_real vm_periodic_shape(const vm_periodic *p, vm_real theta)
 {
     vm_complex turns[VM_PERIODIC_HARMONICS + 1];
@@ -20522,7 +20526,7 @@ struct VM_TAG(vm_effect) {
     void *ctx;                             /* pointer that the caller's function receives */
     unsigned motions;                      /* bit (1 << motion) for each motion that `body` may have */
     unsigned other_motions;                /* bit (1 << motion) for each motion that `other` may have */
-    int needs;                             /* what the effect needs of the mass of its body: VMI_NEEDS_... */
+    int needs;                             /* what kind of mass the effect needs: VMI_NEEDS_... */
     int order;                             /* where it stands among the effects on its body: VMI_ORDER_... */
     int off;          /* 1: switched off when the scene starts; the caller may set it before the start */
     int not_on_angle; /* 1: the effect cannot act on the angle of a body in the plane */
@@ -22045,8 +22049,8 @@ VM_API void vmi_apply_stream_torque(const vm_effect *e, vm_real t, const vm_real
 }
 
 /* Checks a stream by vmi_check_stream. A store (stream->from) must lie on the line through the point of the stream and
-   the mass centre at the start, which is the origin of body axes: a scene neglects the angular momentum of the mass
-   that flows between the store and the point, which is 0 only on such a line. */
+   the mass centre at the start, which is the origin of body axes. The reason is that a scene neglects the angular
+   momentum of the mass that flows between the store and the point; this angular momentum is 0 only on such a line. */
 VM_API int vmi_crossing_check(const vm_effect *e)
 {
     const vm_stream *stream = e->stream;
@@ -22235,8 +22239,8 @@ VM_API vm_band vmi_band_of(const vm_effect *e)
     return b;
 }
 
-/* Gives the drum its moment of inertia J(phi), which takes the place of the mass on an axle, as a mass law does. u is
-   the speed of the band divided by the radius at which it comes, an angular velocity about the axle. */
+/* Sets the moment of inertia J(phi) of the drum, as a mass law sets a mass; on an axle the inertia takes the place of
+   the mass. u is the speed of the band divided by the radius at which it comes, an angular velocity about the axle. */
 VM_API void vmi_apply_band(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
     const vm_band band = vmi_band_of(e);
@@ -22382,8 +22386,8 @@ VM_API int vmi_link_check(const vm_effect *e)
     return VM_DOMAIN;
 }
 
-/* Checks the ends of a link. It holds mass centres, so that it cannot act on a growing body, whose mass centre moves in
-   the body. */
+/* Checks the ends of a link. A link acts at mass centres; therefore it cannot act on a growing body, whose mass centre
+   moves in the body. */
 VM_API int vmi_link_check_ends(const vm_scene *s, const vm_effect *e)
 {
     if (e->other == e->body) return VM_SAME_BODY;
@@ -22939,7 +22943,7 @@ VM_API vm_real vmi_point_mobility(const vm_scene_body *b, const vmi_body_point *
 /* Whether the inertia of a body resists every force at the point `at`. Forces turn a body about all axes normal to
    `at`. If the body is a rod or a point, `hollow` is the inertia that vmi_invertible_inertia adds, which is the same
    dummy moment about each of the k axes that have none. The sum of the squares of the parts of `at` normal to these
-   axes is k at^2 - at (hollow at)/dummy, and must be 0 but for rounding errors. */
+   axes is k at^2 - at (hollow at)/dummy, and must be 0 apart from rounding errors. */
 VM_API int vmi_point_is_possible(const vm_scene_body *b, vm_vec3 at)
 {
     const vm_real noise = 64 * VM_EPSILON;
@@ -23500,14 +23504,15 @@ VM_API int vmi_joints_check(const vm_scene *s, const vm_effect *e)
 /* The joints of a scene, solved together. *joints and its arrays are not copied and must stay where they are. The
    effect must stand after all other effects on the bodies of the joints. A pin has 2 equations in the plane and 3 in
    space, a rod has 1. To solve n equations, an evaluation makes about n^3/3 multiplications. A high rate makes the
-   equations stiff. vm_scene_start returns VM_BAD_ARGUMENT for null pointers and an empty list, VM_NOT_FINITE, VM_DOMAIN
-   if rate or the length of a rod is not positive, VM_SHORT_ARRAY, VM_NO_SUCH_BODY, VM_IS_AWAY if the body of the first
-   joint is absent at the start, VM_SAME_BODY for a joint of a body with itself, VM_BAD_POINT for a point that the body
-   cannot have (points.h), VM_NOT_JOINED if points do not fit at the start or move apart, VM_TWO_LINKS if a body has a
-   link or joints of another list, too, and VM_LINK_NOT_LAST if another effect on one of the bodies follows. A run ends
-   with VM_SINGULAR if joints are redundant or contradict each other, if they hold a point that cannot move, or if a
-   mechanism reaches a position in which it is locked. It ends with VM_NOT_FINITE if the points of a rod coincide. A
-   joint does not act while one of its bodies is not present. */
+   equations stiff. vm_scene_start returns VM_BAD_ARGUMENT for null pointers and an empty list, VM_NOT_FINITE if a
+   number is infinite or NaN, VM_DOMAIN if rate or the length of a rod is not positive, VM_SHORT_ARRAY if work is too
+   small, VM_NO_SUCH_BODY if a body does not exist, VM_IS_AWAY if the body of the first joint is absent at the start,
+   VM_SAME_BODY for a joint of a body with itself, VM_BAD_POINT for a point that the body cannot have (points.h),
+   VM_NOT_JOINED if points do not fit at the start or move apart, VM_TWO_LINKS if a body has a link or joints of another
+   list, too, and VM_LINK_NOT_LAST if another effect on one of the bodies follows. A run ends with VM_SINGULAR if joints
+   are redundant or contradict each other, if they hold a point that cannot move, or if a mechanism reaches a position
+   in which it is locked. It ends with VM_NOT_FINITE if the points of a rod coincide. A joint does not act while one of
+   its bodies is not present. */
 VM_API vm_effect vm_effect_joints(const vm_joints *joints)
 {
     const int is_list = joints && joints->joints && joints->n_joints > 0;
@@ -24236,8 +24241,9 @@ VM_API vm_real vmi_scene_angle(const vm_scene *s, int body, const vm_real *y)
     return b->motion == VM_PLANE ? y[b->at + VMI_PLANE_ANGLE] : y[b->at];
 }
 
-/* After a jump has moved the mass centre of a body to r, updates its position in body axes: that of a growing body,
-   which is in the state, and that of a body at whose points an effect acts */
+/* Updates the position of the mass centre in body axes, after a jump has moved the mass centre of a body to r. A
+   growing body has this position in the state; for a body at whose points effects act, the field `centre` says how far
+   jumps have moved the mass centre. */
 VM_API void vmi_scene_shift_centre(const vm_scene *s, int body, vm_vec3 r, vm_real *y)
 {
     vm_scene_body *b = s->bodies + body;
@@ -24249,8 +24255,8 @@ VM_API void vmi_scene_shift_centre(const vm_scene *s, int body, vm_vec3 r, vm_re
     vmi_growth_put_centre(b, vm_add(vmi_growth_centre(b, state), step), state);
 }
 
-/* Lets effects that hold bodies together act even if their first body is not present, because they leave out absent
-   bodies themselves */
+/* Lets each effect that holds bodies together act even if its first body is not present: such an effect leaves out
+   absent bodies by itself */
 VM_API void vmi_scene_wake(vm_scene *s)
 {
     int i;
@@ -24576,8 +24582,8 @@ VM_API int vmi_land_check(const vm_scene *s, const vm_event *e)
 
 /* The event of vm_event_contact becomes a stop without a bounce: an impulse takes away the velocity of the point
    along the normal. The other velocities of the body change only as this impulse changes them. Afterwards
-   vm_effect_contact supports the body. vm_scene_start returns VM_BAD_ARGUMENT for an event that is not of
-   vm_event_contact, and VM_TWO_LINKS for a body with a link or a joint, whose impulses this event does not compute. */
+   vm_effect_contact supports the body. vm_scene_start returns VM_BAD_ARGUMENT for an event that vm_event_contact has
+   not made, and VM_TWO_LINKS for a body with a link or a joint, whose impulses this event does not compute. */
 VM_API vm_event vm_then_land(vm_event event)
 {
     event.then = vmi_then_land;

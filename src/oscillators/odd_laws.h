@@ -134,7 +134,7 @@ typedef struct VM_TAG(vmi_odd_shape) {
 
 /* Writes the ratio and the rates of k1 or k3. `law` is its law, and first its value at t = 0. The first `orders` terms
    of the rates are written. length has the meaning that it has for vmi_law_derivatives. Returns VM_NO_LAW where the law
-   is 0 but not all the time. */
+   is 0 at some times but not at all times. */
 VM_API int vmi_odd_coefficient(const vm_law *law, vm_real first, vm_real t, int side, vm_real length, int orders,
                                vm_real *ratio, vm_real *rates)
 {

@@ -471,12 +471,12 @@ VM_API int vmi_odd_fill(vm_odd_plan *p)
 }
 
 /* Plan for many values of one vibration under an odd elastic force, from t = 0 to t_end (s, any sign).
-   vm_odd_plan_within and vm_odd_plan_by_route use it. The problem is copied; its tables and contexts must outlive the
-   plan. Where the averaged motion ends before t_end, at a separatrix or because laws change too fast, the plan's field
-   reach says where; beyond it only VM_ODD_RK87 works. Errors leave the plan untouched. Returns VM_BAD_ARGUMENT for null
-   pointers and for a law or force that no constructor made, VM_NOT_FINITE for a number that is infinite or NaN,
-   VM_BAD_MASS or VM_BAD_STIFFNESS for a law that is not positive, VM_DOMAIN for a table out of order or one that does
-   not contain 0 and t_end, and where a user's function fails. */
+   vm_odd_plan_within and vm_odd_plan_by_route use it. The problem is copied; its tables and contexts must exist as long
+   as the plan is used. Where the averaged motion ends before t_end, at a separatrix or because laws change too fast,
+   the plan's field reach says where; beyond it only VM_ODD_RK87 works. Errors leave the plan untouched. Returns
+   VM_BAD_ARGUMENT for null pointers and for a law or force that no constructor made, VM_NOT_FINITE for a number that is
+   infinite or NaN, VM_BAD_MASS or VM_BAD_STIFFNESS for a law that is not positive, VM_DOMAIN for a table out of order
+   or one that does not contain 0 and t_end, and where a user's function fails. */
 VM_API int vm_odd_plan_init(vm_odd_plan *p, const vm_odd_problem *problem, vm_real t_end)
 {
     vm_odd_plan plan;

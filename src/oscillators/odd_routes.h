@@ -152,7 +152,7 @@ VM_API int vmi_odd_motion_now(const vmi_odd_run *c, vm_odd_motion *motion, vm_re
     int status = vmi_odd_read_laws(o, c->s.t, -c->side, &now);
     if (status) return status;
     speed = VM_SQRT(now.k / now.m);
-    if (o->force.laws) { /* the vibration with the coefficients of this time */
+    if (o->force.laws) { /* the orbit is that of the force at this time */
         force.k1 = now.k1;
         force.k3 = now.k3;
     }

@@ -243,8 +243,8 @@ VM_API vm_real vmi_orbit_mean_action(const vmi_orbit_ripple *r, const vmi_orbit 
     return orbit->j + first + second;
 }
 
-/* The mean action minus the action, as far as a weak linear spring of stiffness 1 causes this difference. The spring
-   acts in addition to the force; x is the position on the orbit */
+/* The difference (mean action) - (action), as far as a weak linear spring of stiffness 1 causes it. The spring acts in
+   addition to the force; x is the position on the orbit. */
 VM_API vm_real vmi_orbit_spring_action(const vmi_orbit_ripple *r, const vmi_orbit *orbit, vm_real x)
 {
     return (x * x - r->X) / (2 * orbit->w);

@@ -175,7 +175,7 @@ VM_API int vm_pair_averaged_rhs(vm_real t, const vm_real *modes, vm_real *dmodes
     return VM_OK;
 }
 
-/* Computes the averaged motion at time t by closed formulas, which hold for a mass that is linear in time. y0 holds
+/* Computes the averaged motion at time t by closed formulas, which hold for a mass that is linear in time. y0 contains
    x, y, x' and y' at t = 0. `modes` receives the results in the order VMI_PAIR_..., and *m the mass at t with its
    integrals. The averaged equations contain powers of m/m0, where m0 is the mass at t = 0. For any exponent e the
    integral of (m/m0)^e dt is m0 (exp(u) - 1)/u times the integral of dt/m, with u = (1 + e) ln(m/m0). */

@@ -106,7 +106,7 @@ VM_API int vm_periodic_from_samples(vm_periodic *p, int n, const vm_real *g)
 }
 
 /* Shape of the force: g(theta), a pure number. Returns NaN for a null pointer and for a theta that is infinite or NaN.
-   The error is that of 9 roundings of the largest term. */
+   The error is about that of rounding the largest term 9 times. */
 VM_API vm_real vm_periodic_shape(const vm_periodic *p, vm_real theta)
 {
     vm_complex turns[VM_PERIODIC_HARMONICS + 1];

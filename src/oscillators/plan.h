@@ -57,7 +57,7 @@ VM_API vm_real vmi_osc_sampling_time(const vm_osc_plan *p)
     return 16 / p->Om;
 }
 
-/* The mean motion that belongs to a reduced state, by the law of this order, 2 to 5. E holds the numbers E_k of the
+/* The mean motion that belongs to a reduced state, by the law of this order, 2 to 5. E contains the numbers E_k of the
    state. */
 VM_API vmi_osc_reduced vmi_osc_mean_of(const vm_osc_plan *p, int order, const vmi_osc_reduced *state, const vm_real *E)
 {
@@ -124,10 +124,11 @@ VM_API int vmi_osc_prepare(vm_osc_plan *p, const vm_osc_problem *problem, int fo
 }
 
 /* Plan for many values of one problem's motion. The functions vm_osc_plan_by_route, vm_osc_plan_within and
-   vm_osc_averaged use the plan. The problem is copied; its tables and contexts must outlive the plan. Errors leave the
-   plan untouched. Returns VM_BAD_ARGUMENT for null pointers and for a law that no constructor made, VM_NOT_FINITE for a
-   number that is infinite or NaN, VM_BAD_MASS and VM_BAD_STIFFNESS for a law that is not positive at t = 0 or in a
-   table, VM_DOMAIN for alpha < 0, a table out of order or without t = 0, or a user's function of a law that fails. */
+   vm_osc_averaged use the plan. The problem is copied; its tables and contexts must exist as long as the plan is used.
+   Errors leave the plan untouched. Returns VM_BAD_ARGUMENT for null pointers and for a law that no constructor made,
+   VM_NOT_FINITE for a number that is infinite or NaN, VM_BAD_MASS and VM_BAD_STIFFNESS for a law that is not positive
+   at t = 0 or in a table, VM_DOMAIN for alpha < 0, a table out of order or without t = 0, or a user's function of a law
+   that fails. */
 VM_API int vm_osc_plan_init(vm_osc_plan *p, const vm_osc_problem *problem)
 {
     vm_osc_plan plan;

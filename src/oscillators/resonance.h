@@ -108,7 +108,7 @@ VM_API int vmi_resonance_turns(const vmi_resonance *z, vm_real alpha, vm_real x[
 }
 
 /* The steady amplitudes for alpha != 1. Writes at most three, in ascending order, and returns how many there are. The
-   excess is monotonic below, between and above its extrema, so each of these intervals of x = ln A holds at most one
+   excess is monotonic below, between and above its extrema, so each of these intervals of x = ln A contains at most one
    zero. */
 VM_API int vmi_resonance_roots(vmi_resonance *z, vm_real alpha, vm_real A[3])
 {

@@ -136,8 +136,8 @@ VM_API void vmi_chebyshev_to_powers(vm_real *c)
     }
 }
 
-/* Makes the eight polynomials, four in each set; those that no law up to `order` needs become 0. It adds up the power
-   series, with each power w^i or y^i replaced by its Chebyshev series. */
+/* Makes the eight polynomials, four in each set; those that the laws up to `order` do not need become 0. It adds up the
+   power series, with each power w^i or y^i replaced by its Chebyshev series. */
 VMI_APART void vmi_ripple_make_polynomials(vmi_ripple *r, int order)
 {
     vm_real w_power[VMI_RIPPLE_KEPT]; /* coefficients of the Chebyshev series of w^i */
@@ -186,7 +186,7 @@ typedef struct VM_TAG(vmi_ripple_integrals) {
 } vmi_ripple_integrals;
 
 /* A phase between a zero of ca or sa and the phase where sa^2 = 1/2, and the numbers that give the integrals from the
-   zero to this phase. At sa^2 = 1/2 both sets of polynomials meet */
+   zero to this phase. At sa^2 = 1/2 one set of polynomials replaces the other. */
 typedef struct VM_TAG(vmi_ripple_place) {
     const vm_real (*polynomial)[VMI_RIPPLE_TERMS]; /* near_ca_0 or near_sa_0 */
     vm_real z;        /* variable of the polynomials */

@@ -43,8 +43,8 @@ VM_API vm_real vm_osc_amplitude_law(vm_real mass_ratio, vm_real decay, vm_real r
 }
 
 /* Ratio of the largest velocity to its first value, of an oscillator whose mass varies slowly. It follows from the
-   amplitude A by x'_max = sqrt(2 k A^(alpha+1)/((alpha+1) m)): (326), (364), (395) corrected. The arguments and the
-   results outside the domain are those of vm_osc_amplitude_law. */
+   amplitude A by x'_max = sqrt(2 k A^(alpha+1)/((alpha+1) m)): (326), (364), (395) corrected. The arguments and their
+   domain are those of vm_osc_amplitude_law. Outside the domain and for infinite arguments the result is NaN. */
 VM_API vm_real vm_osc_velocity_law(vm_real mass_ratio, vm_real decay, vm_real reactive, vm_real alpha)
 {
     const vm_real share = (alpha + 1) / (alpha + 3); /* (alpha+1)/2, the exponent of A in x'_max, times 2/(alpha+3) */

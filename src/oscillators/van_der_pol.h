@@ -50,8 +50,8 @@ typedef struct VM_TAG(vm_vdp) {
     vm_real reactive;   /* r: 1 where mass that joins or leaves is at rest, 0 where it has the body's velocity */
     int method;         /* method of averaging, VM_VDP_... */
     vm_law mass;        /* slow mass m, kg, > 0; vm_vdp_init and vm_vdp_limit_cycle do not use it */
-    vm_law stiffness;   /* slow stiffness, N/m^alpha, > 0, in place of k; zeros, as memset leaves them, stand for the
-                           constant k. vm_vdp_init and vm_vdp_limit_cycle do not use it */
+    vm_law stiffness;   /* slow stiffness, N/m^alpha, > 0, in place of k; if all its fields are 0, as after memset, the
+                           stiffness is the constant k. vm_vdp_init and vm_vdp_limit_cycle do not use it */
     vm_real a1, a2, a3; /* mean values of (410), pure numbers; vm_vdp_init writes them */
 } vm_vdp;
 

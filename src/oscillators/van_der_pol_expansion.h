@@ -32,8 +32,9 @@
 #include "constant_mass.h"
 #include "ripple.h"
 
-/* The polynomials that this law needs beyond those of oscillators/ripple.h, for phases near a zero of sa. CA6 gives the
-   integral over the phase of ca^6. SQUARE gives the integral of S^2, where S is the integral of C = ca^2 - <ca^2>. */
+/* The polynomials that this law needs in addition to those of oscillators/ripple.h, for phases near a zero of sa. CA6
+   gives the integral over the phase of ca^6. SQUARE gives the integral of S^2, where S is the integral of C = ca^2 -
+   <ca^2>. */
 enum { VMI_VDP_CA6, VMI_VDP_SQUARE, VMI_VDP_TURN_FUNCTIONS };
 
 /* The polynomials for phases near a zero of ca. CA6 gives the integral of ca^6. The others give three parts of the
@@ -252,7 +253,7 @@ VM_API void vmi_vdp_values_at(const vmi_vdp_ripple *v, const vmi_ripple *r, vm_r
 /* -- From the motion to the mean motion -- */
 
 /* Returns ln(mean J/J) with all terms up to order epsilon^2, and at phases where sa or ca is 0 up to epsilon^3. *f
-   holds the functions at the phase, *now the disturbances at the amplitude. */
+   contains the functions at the phase, and *now the disturbances at the amplitude. */
 VM_API vm_real vmi_vdp_J(const vmi_vdp_ripple *v, const vmi_ripple *r, const vmi_vdp_values *f,
                          const vmi_vdp_disturbance *now)
 {
@@ -267,7 +268,7 @@ VM_API vm_real vmi_vdp_psi(const vmi_vdp_values *f, const vmi_vdp_disturbance *n
 
 /* -- From the mean motion to the motion -- */
 
-/* Returns the part of order epsilon^2 of ln(J/mean J). *f holds the functions at the mean phase. */
+/* Returns the part of order epsilon^2 of ln(J/mean J). *f contains the functions at the mean phase. */
 VM_API vm_real vmi_vdp_J_back_second(const vmi_vdp_ripple *v, const vmi_ripple *r, const vmi_vdp_values *f,
                                      const vmi_vdp_disturbance *now)
 {
@@ -277,7 +278,7 @@ VM_API vm_real vmi_vdp_J_back_second(const vmi_vdp_ripple *v, const vmi_ripple *
     return now->e * now->e * square + now->e1 * f->U1 + half / 2 * now->Q0 * f->C4 - half * now->E0 * f->f.C;
 }
 
-/* Returns the part of order epsilon^2 of the difference phase - mean phase. *f holds the functions at the mean phase
+/* Returns the part of order epsilon^2 of the difference phase - mean phase. *f contains the functions at the mean phase
    psi. */
 VM_API vm_real vmi_vdp_psi_back_second(const vmi_vdp_ripple *v, const vmi_ripple *r, vm_real psi,
                                        const vmi_vdp_values *f, const vmi_vdp_disturbance *now)

@@ -53,8 +53,8 @@ VM_API int vmi_vdp_order_of(int route)
 
 /* Estimates the error of order three, and writes that of order two to *second. Each is the sum of the terms that the
    order leaves out: in the transformations at the start and at t, and in the mean motion, where errors of ln J at the
-   start grow with the phase. Fast changes of the mass and rounding errors are added. A factor of 2 is included, which
-   fits the errors that tests/test_van_der_pol_law.c finds. */
+   start grow with the phase. The effects of fast changes of the mass and of rounding errors are added. A factor of 2 is
+   included, which fits the errors that tests/test_van_der_pol_law.c finds. */
 VM_API vm_real vmi_vdp_error(const vm_vdp_plan *p, const vmi_vdp_mean *mean, vm_real *second)
 {
     const vmi_ripple *r = &p->osc.ripple;
@@ -141,10 +141,10 @@ VM_API int vmi_vdp_check_call(const vm_vdp_plan *p, vm_real t, vm_real *toleranc
 /* Motion x(t), x'(t) of a Van der Pol oscillator by a given route, from a plan.
    t is in seconds, of either sign. route is VM_ROUTE_ATEB, VM_ROUTE_ORDER2, VM_ROUTE_ORDER3, VM_ROUTE_COLLOCATION or
    VM_ROUTE_RK87. motion->error estimates the larger of |error of x|/A and |error of v|/vmax, where vmax is the largest
-   velocity at the amplitude A; it is infinite where the law does not hold. The routes that integrate keep it within the
-   tolerance, where 0 means 1e-6 (float 1e-3); the law does not use the tolerance. Returns VM_OK, or
-   VM_TOLERANCE_MISSED where x and v are computed but the error of integration is larger than the tolerance. After an
-   error *motion is unchanged. The errors are
+   velocity at the amplitude A; it is infinite where the law is not valid. The routes that integrate keep it within the
+   tolerance, where 0 means 1e-6 (float 1e-3); the law does not use the tolerance. Returns VM_OK, or VM_TOLERANCE_MISSED
+   where x and v are computed but the error of integration is larger than the tolerance. After an error *motion is
+   unchanged. The errors are
      VM_BAD_ARGUMENT for null pointers or a route that is not one of the five,
      VM_NOT_FINITE for a number that is infinite or NaN, and for the law where the amplitude becomes infinite before t,
      VM_BAD_MASS or VM_BAD_STIFFNESS for a law that is not positive between 0 and t,

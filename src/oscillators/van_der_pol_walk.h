@@ -230,10 +230,11 @@ VM_API int vmi_vdp_start(const vm_vdp_plan *p, int side, vmi_vdp_mean *mean)
 /* Prepares a plan for many values of the motion of a Van der Pol oscillator.
    x is the position, m, x_rate the velocity, m/s, both at t = 0. vm_vdp_plan_by_route and vm_vdp_plan_within use the
    plan. The field method must be valid, but it has no effect, and a1 to a3 have none. The oscillator is copied; the
-   tables and contexts of its mass must outlive the plan. Errors leave the plan untouched. Returns VM_BAD_ARGUMENT for
-   null pointers, an unknown method, and a mass that no constructor made, VM_NOT_FINITE for numbers that are infinite or
-   NaN, VM_BAD_MASS for a mass that is not positive at t = 0 or in a table, VM_BAD_STIFFNESS for a stiffness that is not
-   positive there, VM_DOMAIN for alpha < 0, a table out of order or without t = 0, or a user's function that fails. */
+   tables and contexts of its mass must exist as long as the plan is used. Errors leave the plan untouched. Returns
+   VM_BAD_ARGUMENT for null pointers, an unknown method, and a mass that no constructor made, VM_NOT_FINITE for numbers
+   that are infinite or NaN, VM_BAD_MASS for a mass that is not positive at t = 0 or in a table, VM_BAD_STIFFNESS for a
+   stiffness that is not positive there, VM_DOMAIN for alpha < 0, a table out of order or without t = 0, or a user's
+   function that fails. */
 VM_API int vm_vdp_plan_init(vm_vdp_plan *p, const vm_vdp *v, vm_real x, vm_real x_rate)
 {
     vm_vdp_plan plan;
@@ -303,9 +304,10 @@ VM_API vm_real vmi_vdp_ln_k(vm_real k, vm_real k_start)
     return vmi_log(k / k_start).hi;
 }
 
-/* The size of the last terms of E_0's series that rounding errors cause, for the rates in *now, where the phase has the
-   rate W. E_0 contains p'/W^2, and p' is the derivative of a series of p on the panel. Rounding errors of p, at most a
-   few eps (|a| + |p|), grow by up to 250/length in its last terms; on short panels they hide the law itself. */
+/* The size of the rounding errors in the last terms of the series of E_0. *now has the rates of the laws, and W is the
+   rate of the phase. E_0 contains p'/W^2, and p' is the derivative of a series of p on the panel. Rounding errors of p,
+   at most a few eps (|a| + |p|), grow by up to 250/length in its last terms; on short panels they hide the law
+   itself. */
 VM_API vm_real vmi_vdp_rounding(const vmi_osc_rates *now, vm_real W, vm_real length)
 {
     return 256 * VM_EPSILON / VM_FABS(length) / W * ((VM_FABS(now->p) + VM_FABS(now->a)) / W);

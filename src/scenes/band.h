@@ -117,8 +117,8 @@ VM_API vm_band vmi_band_of(const vm_effect *e)
     return b;
 }
 
-/* Gives the drum its moment of inertia J(phi), which takes the place of the mass on an axle, as a mass law does. u is
-   the speed of the band divided by the radius at which it comes, an angular velocity about the axle. */
+/* Sets the moment of inertia J(phi) of the drum, as a mass law sets a mass; on an axle the inertia takes the place of
+   the mass. u is the speed of the band divided by the radius at which it comes, an angular velocity about the axle. */
 VM_API void vmi_apply_band(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
     const vm_band band = vmi_band_of(e);

@@ -153,8 +153,8 @@ VM_API int vmi_land_check(const vm_scene *s, const vm_event *e)
 
 /* The event of vm_event_contact becomes a stop without a bounce: an impulse takes away the velocity of the point
    along the normal. The other velocities of the body change only as this impulse changes them. Afterwards
-   vm_effect_contact supports the body. vm_scene_start returns VM_BAD_ARGUMENT for an event that is not of
-   vm_event_contact, and VM_TWO_LINKS for a body with a link or a joint, whose impulses this event does not compute. */
+   vm_effect_contact supports the body. vm_scene_start returns VM_BAD_ARGUMENT for an event that vm_event_contact has
+   not made, and VM_TWO_LINKS for a body with a link or a joint, whose impulses this event does not compute. */
 VM_API vm_event vm_then_land(vm_event event)
 {
     event.then = vmi_then_land;

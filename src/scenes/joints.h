@@ -423,14 +423,15 @@ VM_API int vmi_joints_check(const vm_scene *s, const vm_effect *e)
 /* The joints of a scene, solved together. *joints and its arrays are not copied and must stay where they are. The
    effect must stand after all other effects on the bodies of the joints. A pin has 2 equations in the plane and 3 in
    space, a rod has 1. To solve n equations, an evaluation makes about n^3/3 multiplications. A high rate makes the
-   equations stiff. vm_scene_start returns VM_BAD_ARGUMENT for null pointers and an empty list, VM_NOT_FINITE, VM_DOMAIN
-   if rate or the length of a rod is not positive, VM_SHORT_ARRAY, VM_NO_SUCH_BODY, VM_IS_AWAY if the body of the first
-   joint is absent at the start, VM_SAME_BODY for a joint of a body with itself, VM_BAD_POINT for a point that the body
-   cannot have (points.h), VM_NOT_JOINED if points do not fit at the start or move apart, VM_TWO_LINKS if a body has a
-   link or joints of another list, too, and VM_LINK_NOT_LAST if another effect on one of the bodies follows. A run ends
-   with VM_SINGULAR if joints are redundant or contradict each other, if they hold a point that cannot move, or if a
-   mechanism reaches a position in which it is locked. It ends with VM_NOT_FINITE if the points of a rod coincide. A
-   joint does not act while one of its bodies is not present. */
+   equations stiff. vm_scene_start returns VM_BAD_ARGUMENT for null pointers and an empty list, VM_NOT_FINITE if a
+   number is infinite or NaN, VM_DOMAIN if rate or the length of a rod is not positive, VM_SHORT_ARRAY if work is too
+   small, VM_NO_SUCH_BODY if a body does not exist, VM_IS_AWAY if the body of the first joint is absent at the start,
+   VM_SAME_BODY for a joint of a body with itself, VM_BAD_POINT for a point that the body cannot have (points.h),
+   VM_NOT_JOINED if points do not fit at the start or move apart, VM_TWO_LINKS if a body has a link or joints of another
+   list, too, and VM_LINK_NOT_LAST if another effect on one of the bodies follows. A run ends with VM_SINGULAR if joints
+   are redundant or contradict each other, if they hold a point that cannot move, or if a mechanism reaches a position
+   in which it is locked. It ends with VM_NOT_FINITE if the points of a rod coincide. A joint does not act while one of
+   its bodies is not present. */
 VM_API vm_effect vm_effect_joints(const vm_joints *joints)
 {
     const int is_list = joints && joints->joints && joints->n_joints > 0;

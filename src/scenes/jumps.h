@@ -132,8 +132,9 @@ VM_API vm_real vmi_scene_angle(const vm_scene *s, int body, const vm_real *y)
     return b->motion == VM_PLANE ? y[b->at + VMI_PLANE_ANGLE] : y[b->at];
 }
 
-/* After a jump has moved the mass centre of a body to r, updates its position in body axes: that of a growing body,
-   which is in the state, and that of a body at whose points an effect acts */
+/* Updates the position of the mass centre in body axes, after a jump has moved the mass centre of a body to r. A
+   growing body has this position in the state; for a body at whose points effects act, the field `centre` says how far
+   jumps have moved the mass centre. */
 VM_API void vmi_scene_shift_centre(const vm_scene *s, int body, vm_vec3 r, vm_real *y)
 {
     vm_scene_body *b = s->bodies + body;
@@ -145,8 +146,8 @@ VM_API void vmi_scene_shift_centre(const vm_scene *s, int body, vm_vec3 r, vm_re
     vmi_growth_put_centre(b, vm_add(vmi_growth_centre(b, state), step), state);
 }
 
-/* Lets effects that hold bodies together act even if their first body is not present, because they leave out absent
-   bodies themselves */
+/* Lets each effect that holds bodies together act even if its first body is not present: such an effect leaves out
+   absent bodies by itself */
 VM_API void vmi_scene_wake(vm_scene *s)
 {
     int i;

@@ -112,8 +112,8 @@ VM_API int vmi_link_check(const vm_effect *e)
     return VM_DOMAIN;
 }
 
-/* Checks the ends of a link. It holds mass centres, so that it cannot act on a growing body, whose mass centre moves in
-   the body. */
+/* Checks the ends of a link. A link acts at mass centres; therefore it cannot act on a growing body, whose mass centre
+   moves in the body. */
 VM_API int vmi_link_check_ends(const vm_scene *s, const vm_effect *e)
 {
     if (e->other == e->body) return VM_SAME_BODY;

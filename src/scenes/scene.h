@@ -172,7 +172,7 @@ struct VM_TAG(vm_effect) {
     void *ctx;                             /* pointer that the caller's function receives */
     unsigned motions;                      /* bit (1 << motion) for each motion that `body` may have */
     unsigned other_motions;                /* bit (1 << motion) for each motion that `other` may have */
-    int needs;                             /* what the effect needs of the mass of its body: VMI_NEEDS_... */
+    int needs;                             /* what kind of mass the effect needs: VMI_NEEDS_... */
     int order;                             /* where it stands among the effects on its body: VMI_ORDER_... */
     int off;          /* 1: switched off when the scene starts; the caller may set it before the start */
     int not_on_angle; /* 1: the effect cannot act on the angle of a body in the plane */
