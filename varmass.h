@@ -14251,7 +14251,7 @@ typedef struct VM_TAG(vmi_orbit_ripple_values) {
     vm_real B_j;  /* (B/w)_j */
 } vmi_orbit_ripple_values;
 
-/* Values at the nodes of theta, from which the sums are made */
+/* Values at the nodes of theta, from which series and integrals are computed */
 typedef struct VM_TAG(vmi_orbit_nodes) {
     int n;
     vmi_orbit_point point[VMI_ORBIT_NODES];
@@ -16877,8 +16877,8 @@ VM_API vm_real vmi_vdp_nu(const vm_vdp_plan *p, vm_real rate_a, vm_real rate_p, 
     return (p->vdp.alpha - 1) * rate_p - rate_a - k_rate;
 }
 
-/* The disturbances for a mass with the rates a and p and for nu, for G0 = p^2 - a p - p', and for the amplitude
-   exp(ln_A), whose phase has the rate W */
+/* Computes the disturbances from the mass, the rates a and p, nu, G0 = p^2 - a p - p', and the amplitude exp(ln_A). W
+   is the rate of the phase at this amplitude. */
 VM_API vmi_vdp_disturbance vmi_vdp_disturbance_of(const vm_vdp_plan *p, vm_real mass, vm_real nu, vm_real rate_p,
                                                   vm_real G0, vm_real ln_A, vm_real W)
 {
@@ -16947,8 +16947,8 @@ VM_API void vmi_vdp_start_at(const vm_vdp_plan *p, const vmi_osc_reduced *r, vmi
 
 /* Follows the exact equations from the state *r at the time t to the first phase at which sa or ca is 0, and starts the
    mean motion there. If `knots` is 1, the phase must lie beyond the next point of a table. side is 1 forward, -1
-   backward in time. VM_NOT_INTEGRATED means that amplitude and phase do not describe the motion, or that a table has
-   more points on the way. */
+   backward in time. VM_NOT_INTEGRATED means that amplitude and phase do not describe the motion, or that a further
+   table point lies on the way. */
 VM_API int vmi_vdp_bridge(const vm_vdp_plan *p, vm_real t, int side, const vmi_osc_reduced *r, int knots,
                           vmi_vdp_mean *mean)
 {
@@ -23078,9 +23078,10 @@ VM_API int vmi_point_spring_check(const vm_scene *s, const vm_effect *e)
 
 /* A spring and a damper between a point of a body and a point of the body `other`, or of the ground. *spring is not
    copied: if an event changes it, the run continues with the change. With the length l of the spring, the tension is
-   stiffness (l - rest) + damping l'. vm_scene_start returns VM_BAD_ARGUMENT if spring is NULL, VM_NOT_FINITE,
-   VM_DOMAIN if rest < 0, VM_SAME_BODY for a spring of a body with itself, and VM_BAD_POINT for a point that the body
-   cannot have (points.h). A run ends with VM_SINGULAR if the points coincide, unless rest is 0. */
+   stiffness (l - rest) + damping l'. vm_scene_start returns VM_BAD_ARGUMENT if spring is NULL, VM_NOT_FINITE if a
+   number is infinite or NaN, VM_DOMAIN if rest < 0, VM_SAME_BODY for a spring of a body with itself, and VM_BAD_POINT
+   for a point that the body cannot have (points.h). A run ends with VM_SINGULAR if the points coincide, unless rest is
+   0. */
 VM_API vm_effect vm_effect_point_spring(int body, int other, const vm_point_spring *spring)
 {
     vm_effect e = vmi_effect_between(body, 0, other, 0, spring ? vmi_apply_point_spring : NULL);
@@ -24506,8 +24507,8 @@ VM_API int vmi_contact_check(const vm_scene *s, const vm_effect *e)
 
 /* Contact of a body with the ground: one-sided stiffness and damping, which never pull. *contact is not copied: if an
    event changes it, the run continues with the change. vm_scene_start returns VM_BAD_ARGUMENT if contact is NULL,
-   VM_NOT_FINITE, VM_BAD_STIFFNESS for a negative stiffness, VM_DOMAIN if radius or damping is negative or the normal is
-   0, and VM_BAD_POINT for a point that the body cannot have (points.h). */
+   VM_NOT_FINITE if a number is infinite or NaN, VM_BAD_STIFFNESS for a negative stiffness, VM_DOMAIN if radius or
+   damping is negative or the normal is 0, and VM_BAD_POINT for a point that the body cannot have (points.h). */
 VM_API vm_effect vm_effect_contact(int body, const vm_contact *contact)
 {
     vm_effect e = vmi_effect(body, 0, contact ? vmi_apply_contact : NULL);

@@ -55,7 +55,7 @@ typedef struct VM_TAG(vmi_orbit_ripple_values) {
     vm_real B_j;  /* (B/w)_j */
 } vmi_orbit_ripple_values;
 
-/* Values at the nodes of theta, from which the sums are made */
+/* Values at the nodes of theta, from which series and integrals are computed */
 typedef struct VM_TAG(vmi_orbit_nodes) {
     int n;
     vmi_orbit_point point[VMI_ORBIT_NODES];

@@ -92,8 +92,8 @@ VM_API vm_real vmi_vdp_nu(const vm_vdp_plan *p, vm_real rate_a, vm_real rate_p, 
     return (p->vdp.alpha - 1) * rate_p - rate_a - k_rate;
 }
 
-/* The disturbances for a mass with the rates a and p and for nu, for G0 = p^2 - a p - p', and for the amplitude
-   exp(ln_A), whose phase has the rate W */
+/* Computes the disturbances from the mass, the rates a and p, nu, G0 = p^2 - a p - p', and the amplitude exp(ln_A). W
+   is the rate of the phase at this amplitude. */
 VM_API vmi_vdp_disturbance vmi_vdp_disturbance_of(const vm_vdp_plan *p, vm_real mass, vm_real nu, vm_real rate_p,
                                                   vm_real G0, vm_real ln_A, vm_real W)
 {
@@ -162,8 +162,8 @@ VM_API void vmi_vdp_start_at(const vm_vdp_plan *p, const vmi_osc_reduced *r, vmi
 
 /* Follows the exact equations from the state *r at the time t to the first phase at which sa or ca is 0, and starts the
    mean motion there. If `knots` is 1, the phase must lie beyond the next point of a table. side is 1 forward, -1
-   backward in time. VM_NOT_INTEGRATED means that amplitude and phase do not describe the motion, or that a table has
-   more points on the way. */
+   backward in time. VM_NOT_INTEGRATED means that amplitude and phase do not describe the motion, or that a further
+   table point lies on the way. */
 VM_API int vmi_vdp_bridge(const vm_vdp_plan *p, vm_real t, int side, const vmi_osc_reduced *r, int knots,
                           vmi_vdp_mean *mean)
 {

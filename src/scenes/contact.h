@@ -77,8 +77,8 @@ VM_API int vmi_contact_check(const vm_scene *s, const vm_effect *e)
 
 /* Contact of a body with the ground: one-sided stiffness and damping, which never pull. *contact is not copied: if an
    event changes it, the run continues with the change. vm_scene_start returns VM_BAD_ARGUMENT if contact is NULL,
-   VM_NOT_FINITE, VM_BAD_STIFFNESS for a negative stiffness, VM_DOMAIN if radius or damping is negative or the normal is
-   0, and VM_BAD_POINT for a point that the body cannot have (points.h). */
+   VM_NOT_FINITE if a number is infinite or NaN, VM_BAD_STIFFNESS for a negative stiffness, VM_DOMAIN if radius or
+   damping is negative or the normal is 0, and VM_BAD_POINT for a point that the body cannot have (points.h). */
 VM_API vm_effect vm_effect_contact(int body, const vm_contact *contact)
 {
     vm_effect e = vmi_effect(body, 0, contact ? vmi_apply_contact : NULL);
