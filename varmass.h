@@ -353,7 +353,7 @@
        vm_osc_within                  Computes x(t), x'(t) at time t (s, either sign) within a tolerance, by the cheapest route
 
      oscillators/odd_force: vibration under an odd elastic force of any form, with constant mass
-       vm_odd_force_user              Odd elastic force F(x) by a user's function
+       vm_odd_force_user              Odd elastic force F(x) that a user's function computes
        vm_odd_period                  Exact period, s, of x'' + F(x) = 0 from rest at x0 (m, either sign), for an odd F per unit mass
        vm_odd_action                  Action, m^2/s, of x'' + F(x) = 0 from rest at x0 (m, either sign), for an odd F per unit mass
        vm_odd_exact_from              Exact motion x(t), v(t) of x'' + F(x) = 0 from x0 (m) and v0 (m/s), for an odd F per unit mass
@@ -8478,8 +8478,8 @@ VM_API vmi_osc_wave vmi_osc_wave_cn(vm_real alpha, vm_real pi)
 
 /* -- How good a wave is -- */
 
-/* Estimates the error of x/A or of x'/vmax by this wave, whichever is larger, at most 1. mean_ca2 is the mean of
-   ca^2. */
+/* Estimates the larger one of the errors of x/A and of x'/vmax by this wave; the result is at most 1. mean_ca2 is the
+   mean of ca^2. */
 VM_API vm_real vmi_osc_wave_error(const vmi_osc_wave *w, vm_real mean_ca2)
 {
     const vm_real error = w->error ? w->error(w, mean_ca2) : 0;
@@ -9566,7 +9566,7 @@ VM_API int vm_osc_load_init(vm_osc_load *load, vm_osc_problem *problem, const vm
 }
 
 #endif
-/* oscillators/reduction.h - amplitude and phase of an oscillator that slow changes disturb in second order only
+/* oscillators/reduction.h - amplitude and phase of an oscillator, which slow changes disturb only in second order
 
    The oscillator m x'' + k x|x|^(alpha-1) + (reactive m' + b) x' = 0 can be written d(mu x')/dt + kappa x|x|^(alpha-1)
    = 0. The functions mu(t) and kappa(t) follow from mu'/mu = a with a = (reactive m' + b)/m, and from kappa/mu = k/m.
@@ -9627,8 +9627,9 @@ VM_API int vmi_osc_rates_at(const vm_osc_problem *o, vm_real t, int side, vmi_os
 /* Whether mass or stiffness is a function of the user, which gives no second derivative */
 VM_API int vmi_osc_has_user_law(const vm_osc_problem *o) { return o->mass.function || o->stiffness.function; }
 
-/* Returns whether a law is constant by its numbers, as most stiffnesses are, and then writes it and its first two
-   derivatives to f. Its value was checked at t = 0. This saves 3 to 4 % of the instructions of collocation. */
+/* Returns 1 if the numbers of a law show that it is constant, as most stiffnesses are, and writes its value and its
+   first two derivatives to f; else returns 0. The value was already checked at t = 0. This saves 3 to 4 % of the
+   instructions of collocation. */
 VM_API int vmi_law_is_constant(const vm_law *law, vm_real *f)
 {
     if (law->time || law->function || law->f1 != 0 || law->f2 != 0) return 0;
@@ -9727,8 +9728,8 @@ VM_API void vmi_osc_find_G(int n, vm_real *a, vm_real *p, vmi_osc_slow *now)
     }
 }
 
-/* Fills *now. The arrays m and k hold mass and stiffness and their derivatives up to the sixth, and are overwritten.
-   The field `unit` of vmi_osc_slow explains the argument unit, s. */
+/* Fills *now. The arrays m and k contain mass and stiffness with their derivatives up to the sixth. Both arrays are
+   overwritten. The field `unit` of vmi_osc_slow explains the argument unit, s. */
 VM_API void vmi_osc_slow_of(const vm_osc_problem *o, vm_real *m, vm_real *k, vm_real unit, vmi_osc_slow *now)
 {
     const int n = VMI_LAW_ORDERS - 1;
@@ -9754,8 +9755,8 @@ VM_API void vmi_osc_slow_of(const vm_osc_problem *o, vm_real *m, vm_real *k, vm_
 }
 
 /* Fills *now for the time t. Where derivatives of the laws jump at t, side = 1 asks for those after t, side = -1 for
-   those before t. length, s, is explained at vmi_law_derivatives, and unit, s, at the field of vmi_osc_slow. Returns
-   VM_BAD_MASS, VM_BAD_STIFFNESS, VM_DOMAIN or VM_NOT_FINITE where the laws do. */
+   those before t. vmi_law_derivatives explains length, s, and the field `unit` of vmi_osc_slow explains unit, s.
+   Returns VM_OK, or the status VM_BAD_MASS, VM_BAD_STIFFNESS, VM_DOMAIN or VM_NOT_FINITE of a law that fails. */
 VM_API int vmi_osc_slow_at(const vm_osc_problem *o, vm_real t, int side, vm_real length, vm_real unit,
                            vmi_osc_slow *now)
 {
@@ -9832,8 +9833,8 @@ VM_API void vmi_osc_disturbance(const vmi_osc_slow *now, vm_real W, vm_real *E)
    ripple is computed from five functions of the Ateb phase psi. The first is C = ca^2(psi) - <ca^2>, where < > is the
    mean over a period. The other four are integrals over psi, each with the mean 0 and the period Pi_alpha:
      S = integral of C,   S2 = integral of S,   S3 = integral of S2,   Q = integral of C^2 - <C^2>.
-   A vmi_ripple holds what is computed once for an alpha: polynomials that approximate these integrals, and constants of
-   the law of order five (oscillators/expansion.h). It is plain data and may lie in flash memory.
+   A vmi_ripple contains what is computed once for an alpha: polynomials that approximate these integrals, and constants
+   of the law of order five (oscillators/expansion.h). It is plain data and may lie in flash memory.
        vmi_ripple r;
        vmi_ripple_values f;
        vm_real sa, ca;
@@ -9905,7 +9906,7 @@ VM_API vm_real vmi_binomial_next(vm_real before, int i, vm_real exponent)
 /* Replaces the coefficients i - 1 of the power series by the coefficients i; for i = 0 all must be 0 before. Up to
    order 3 only the series for the integral of ca^2 are needed. Method: let I be this integral over the phase from a
    zero of ca or sa, D the integral of I, and E the integral of D. The differential equations D'' = ca^2 and E'' = I
-   give each coefficient of D and E from the one before. */
+   give each coefficient of D and E from the previous coefficient. */
 VM_API void vmi_ripple_next_terms(vmi_ripple_series *s, int order, int i, vm_real alpha)
 {
     const vm_real n = alpha + 1, nu = 2 * alpha / n, k = (vm_real)(2 * i);
@@ -9957,8 +9958,8 @@ VM_API void vmi_chebyshev_to_powers(vm_real *c)
     }
 }
 
-/* Makes the eight polynomials, four in each set; those that no law up to `order` needs become 0. It adds up the power
-   series, with each power w^i or y^i replaced by its Chebyshev series. */
+/* Makes the eight polynomials, four in each set; those that the laws up to `order` do not need become 0. It adds up the
+   power series, with each power w^i or y^i replaced by its Chebyshev series. */
 VMI_APART void vmi_ripple_make_polynomials(vmi_ripple *r, int order)
 {
     vm_real w_power[VMI_RIPPLE_KEPT]; /* coefficients of the Chebyshev series of w^i */
@@ -10006,8 +10007,8 @@ typedef struct VM_TAG(vmi_ripple_integrals) {
     vm_real ca2, ca4, first, second; /* integrals of ca^2 and ca^4; the integral of ca2, and the integral of this */
 } vmi_ripple_integrals;
 
-/* A phase between a zero of ca or sa and the phase where sa^2 = 1/2, at which both sets of polynomials meet; and the
-   numbers from which the integrals from the zero to this phase follow */
+/* A phase between a zero of ca or sa and the phase where sa^2 = 1/2, and the numbers that give the integrals from the
+   zero to this phase. At sa^2 = 1/2 one set of polynomials replaces the other. */
 typedef struct VM_TAG(vmi_ripple_place) {
     const vm_real (*polynomial)[VMI_RIPPLE_TERMS]; /* near_ca_0 or near_sa_0 */
     vm_real z;        /* variable of the polynomials */
@@ -10105,7 +10106,8 @@ VM_API void vmi_ripple_complete(vmi_ripple *r, int order)
 }
 
 /* Writes the functions of the ripple at the phase psi, where sa and ca are the Ateb functions of psi. order, 2 to 5, is
-   the order of the law that needs them; above 2 vmi_ripple_complete must have made the polynomials. */
+   the order of the law that needs them; for orders above 2, vmi_ripple_complete must have computed the polynomials
+   before. */
 VM_API void vmi_ripple_at(const vmi_ripple *r, int order, vm_real psi, vm_real sa, vm_real ca, vmi_ripple_values *f)
 {
     const vm_real m = r->mean2, y = sa * sa, from_sa_0 = psi - r->pi * VM_FLOOR(psi / r->pi + VM_C(0.5));
@@ -10691,7 +10693,7 @@ VM_API int vm_osc_closed_at_order3(const vm_osc_closed *c, vm_real t, vm_real *x
 #endif
 /* oscillators/plan.h - the plan of an oscillator: what is computed once and then used at many times t
 
-   A plan holds the amplitude and the phase at t = 0, the mean motion at t = 0 by the law of order five
+   A plan contains the amplitude and the phase at t = 0, the mean motion at t = 0 by the law of order five
    (oscillators/expansion.h), and the closed forms of the laws of mass and stiffness, if they have such forms:
        vm_osc_plan plan;
        int status = vm_osc_plan_init(&plan, &problem); // problem is a vm_osc_problem
@@ -10700,7 +10702,7 @@ VM_API int vm_osc_closed_at_order3(const vm_osc_closed *c, vm_real t, vm_real *x
 #define VARMASS_OSCILLATORS_PLAN_H
 
 /* What is computed only once for a problem, by vm_osc_plan_init. Read its fields, but do not change them. The plan
-   points to the tables, functions and contexts of the problem, so it is of no use to another program. */
+   points to the tables, functions and contexts of the problem; therefore another program cannot use it. */
 typedef struct VM_TAG(vm_osc_plan) {
     vm_osc_problem problem;  /* a copy of the problem */
     vm_real m0, k0;          /* mass, kg, and stiffness, N/m^alpha, at t = 0 */
@@ -10719,7 +10721,7 @@ typedef struct VM_TAG(vm_osc_plan) {
 } vm_osc_plan;
 
 /* The periodic function, cos, cn or ca, by which a route describes the oscillation. It points into the plan, which must
-   outlive it. */
+   exist as long as the wave is used. */
 VM_API vmi_osc_wave vmi_osc_wave_of(const vm_osc_plan *p, int route)
 {
     if (route == VM_ROUTE_TRIG) return vmi_osc_wave_cos(p->problem.alpha, p->ripple.pi);
@@ -10735,7 +10737,7 @@ VM_API vm_real vmi_osc_sampling_time(const vm_osc_plan *p)
     return 16 / p->Om;
 }
 
-/* The mean motion that belongs to a reduced state, by the law of this order, 2 to 5. E holds the numbers E_k of the
+/* The mean motion that belongs to a reduced state, by the law of this order, 2 to 5. E contains the numbers E_k of the
    state. */
 VM_API vmi_osc_reduced vmi_osc_mean_of(const vm_osc_plan *p, int order, const vmi_osc_reduced *state, const vm_real *E)
 {
@@ -10746,7 +10748,7 @@ VM_API vmi_osc_reduced vmi_osc_mean_of(const vm_osc_plan *p, int order, const vm
 }
 
 /* The function that computes the constants of the Ateb functions: an accurate one if for_many is 1, for objects that
-   serve many values, such as a vm_osc_closed; otherwise a fast one for a single value */
+   are used for many values, such as a vm_osc_closed; otherwise a fast one for a single value */
 VM_API vmi_ateb_constants_of vmi_osc_constants_of(int for_many)
 {
     if (for_many) return vmi_ateb_fine_constants;
@@ -10780,9 +10782,9 @@ VM_API int vmi_osc_start(vm_osc_plan *p)
     return VM_OK;
 }
 
-/* Fills the plan except for three parts: the mean motion, which vmi_osc_start adds; and the plan of the Ateb functions
-   and the polynomials of the ripple, which are worth their time only for many values. for_many is 1 if the caller adds
-   these two. */
+/* Fills the plan except for three parts. vmi_osc_start adds the first, the mean motion. The other two are the plan of
+   the Ateb functions and the polynomials of the ripple; computing them saves time only for many values. for_many is 1
+   if the caller adds these two. */
 VM_API int vmi_osc_prepare(vm_osc_plan *p, const vm_osc_problem *problem, int for_many)
 {
     const vm_osc_problem *o = &p->problem;
@@ -10802,10 +10804,11 @@ VM_API int vmi_osc_prepare(vm_osc_plan *p, const vm_osc_problem *problem, int fo
 }
 
 /* Plan for many values of one problem's motion. The functions vm_osc_plan_by_route, vm_osc_plan_within and
-   vm_osc_averaged use the plan. The problem is copied; its tables and contexts must outlive the plan. Errors leave the
-   plan untouched. Returns VM_BAD_ARGUMENT for null pointers and for a law that no constructor made, VM_NOT_FINITE for a
-   number that is infinite or NaN, VM_BAD_MASS and VM_BAD_STIFFNESS for a law that is not positive at t = 0 or in a
-   table, VM_DOMAIN for alpha < 0, a table out of order or without t = 0, or a user's function of a law that fails. */
+   vm_osc_averaged use the plan. The problem is copied; its tables and contexts must exist as long as the plan is used.
+   Errors leave the plan untouched. Returns VM_BAD_ARGUMENT for null pointers and for a law that no constructor made,
+   VM_NOT_FINITE for a number that is infinite or NaN, VM_BAD_MASS and VM_BAD_STIFFNESS for a law that is not positive
+   at t = 0 or in a table, VM_DOMAIN for alpha < 0, a table out of order or without t = 0, or a user's function of a law
+   that fails. */
 VM_API int vm_osc_plan_init(vm_osc_plan *p, const vm_osc_problem *problem)
 {
     vm_osc_plan plan;
@@ -10824,8 +10827,8 @@ VM_API int vm_osc_plan_init(vm_osc_plan *p, const vm_osc_problem *problem)
 /* oscillators/panels.h - panels of time in which a law is smooth, and the integrals of 1/f and f/g
 
    An integral along a law f(t) from 0 to t is a sum over intervals of time, called panels. Each panel is so short that
-   a series of 20 Legendre polynomials represents the law on it. A panel that is too long for its series is halved; each
-   next panel is tried with twice the length of the one before. Panels end at the points of a table.
+   a series of 20 Legendre polynomials represents the law on it. A panel that is too long for its series is halved. The
+   next panel is first tried with twice the length of this panel. Panels end at the points of a table.
        vm_law mass = vm_law_linear(10, VM_C(-0.1));
        vm_real integral;
        int status = vm_law_inverse_integral(&mass, 20, &integral); // 10 ln(10/8) s/kg
@@ -10867,8 +10870,8 @@ VM_API vmi_panels vmi_panels_from(vm_real start, vm_real end, vm_real longest, v
     return p;
 }
 
-/* Returns whether the end is not reached yet, and sets the length p->step of the panel that starts at p->t. If the time
-   left is hardly longer than a panel, all of it becomes one panel. */
+/* Returns 1 while the end is not reached, else 0, and sets the length p->step of the panel that starts at p->t. If the
+   time left is hardly longer than a panel, all of it becomes one panel. */
 VM_API int vmi_panels_next(vmi_panels *p)
 {
     if (p->t == p->end) return 0;
@@ -10915,9 +10918,9 @@ VM_API int vmi_panel_is_resolved(const vm_real *series, vm_real limit)
 }
 
 /* The size of terms of E_0 = G_0/W^2 that do not matter on a panel over which the phase advances by `phase`, of either
-   sign. E_0 disturbs the motion with the rate W of the phase (oscillators/expansion.h). The first part of the result
-   adds 16 eps to the phase. The second part is the size of rounding errors: E_0 contains p', which is found from
-   differences of p on the panel. */
+   sign. E_0 disturbs the motion with the rate W of the phase (oscillators/expansion.h). Terms as large as the first
+   part of the result change the phase by 16 eps. The second part is the size of rounding errors: E_0 contains p', which
+   is found from differences of p on the panel. */
 VM_API vm_real vmi_panel_E_noise(vm_real phase)
 {
     const vm_real advance = VM_FABS(phase);
@@ -11033,7 +11036,7 @@ VM_API int vm_law_inverse_integral(const vm_law *law, vm_real t, vm_real *integr
 /* -- The integral of any function of time -- */
 
 /* A function of time that is integrated: writes its value at t, and returns VM_OK or the status with which it fails.
-   Where the value jumps at t, side = 1 asks for the one after t, side = -1 for the one before t. */
+   Where the value jumps at t, side = 1 asks for the value after t, side = -1 for the value before t. */
 typedef int (*vmi_integrand)(vm_real t, int side, vm_real *value, void *ctx);
 
 /* Computes the series of a function on a panel. *size receives its largest absolute value at the points of Gauss' rule
@@ -11085,7 +11088,8 @@ typedef struct VM_TAG(vmi_law_ratio) {
     const vm_law *f, *g;
 } vmi_law_ratio;
 
-/* The value of f/g, where f may have any sign and g is positive. A vmi_integrand; ratio points to a vmi_law_ratio. */
+/* The value of f/g, where f may have any sign and g is positive. The function is a vmi_integrand; ratio points to a
+   vmi_law_ratio. */
 VM_API int vmi_law_ratio_at(vm_real t, int side, vm_real *value, void *ratio)
 {
     const vmi_law_ratio *r = (const vmi_law_ratio *)ratio;
@@ -11135,7 +11139,7 @@ VM_API int vmi_law_ratio_integral_closed(const vm_law *f, const vm_law *g, vm_re
 /* Integral of f(s)/g(s) ds from 0 to t, for t of either sign, f of any sign and g > 0.
    With the damping b(t) for f and the mass m(t) for g it is the `decay` of the amplitude laws (vm_osc_amplitude_law). A
    closed form is used where f is constant, or where f and g are powers of the same 1 + c t or both exponential. All
-   other laws use Gauss' rule on panels: the error is at most 1e-13 (float 1e-5) of the integral of |f/g|, if user's
+   other laws use Gauss' rule on panels: the error is at most 1e-13 (float 1e-5) of the integral of |f/g|, if users'
    functions change no faster than vm_law_user says. Returns VM_BAD_ARGUMENT for null pointers and for a law that no
    constructor made, VM_NOT_FINITE for numbers that are infinite or NaN, VM_BAD_MASS where g <= 0 between 0 and t, and
    VM_DOMAIN for t outside a table, for a table out of order, where a user's function fails, or where a change_time is
@@ -11158,9 +11162,9 @@ VM_API int vm_law_ratio_integral(const vm_law *f, const vm_law *g, vm_real t, vm
 
    The mean motion at t follows from integrals along the laws of mass and stiffness from 0 to t. vmi_osc_walk_to adds up
    these integrals over panels of time (oscillators/panels.h), from one point of a table to the next. At such a point
-   the second derivatives of the laws jump, so that the mean motion jumps, too. The walk also gathers what the estimates
-   of the error need: how large E_0 = G_0/W^2 and its derivatives are. E_0 measures how strongly the damping and the
-   changes of mass and stiffness disturb the motion (oscillators/expansion.h).
+   the second derivatives of the laws jump, so that the mean motion jumps, too. This integration, called the walk, also
+   measures how large E_0 = G_0/W^2 and its derivatives are; the estimates of the error need these numbers. E_0 measures
+   how strongly the damping and the changes of mass and stiffness disturb the motion (oscillators/expansion.h).
        vmi_osc_mean mean;
        int status = vmi_osc_walk_to(&plan, 10, &mean); // plan is a vm_osc_plan; mean.psi, mean.inverse_mass, ...
    Tests: tests/test_slow_motion.c, tests/test_averaging.c, tests/test_ladder.c. */
@@ -11184,8 +11188,8 @@ typedef struct VM_TAG(vmi_osc_mean) {
     vm_real ln_J;          /* ln of the mean action divided by its value at t = 0; it changes only at points of
                               tables */
     vm_real first;         /* the part of psi that is proportional to E_0 */
-    vm_real second, third; /* the part of psi that is proportional to E_0^2; a bound of what order five leaves out of
-                              psi */
+    vm_real second, third; /* the part of psi that is proportional to E_0^2; a bound of the terms of psi that order five
+                              leaves out */
     vm_real knots_J[4];    /* element i, for order i + 2: sum of squares of errors of ln J at points of tables */
     vm_real knots_psi[4];  /* element i, for order i + 2: sum of squares of errors of psi at points of tables */
     vm_real largest;       /* largest |E_0| between 0 and t; E_0 = G_0/W^2 measures how much the motion is disturbed */
@@ -11268,7 +11272,8 @@ typedef struct VM_TAG(vmi_osc_panel_laws) {
 } vmi_osc_panel_laws;
 
 /* Reads the laws at the points of Gauss' rule. Writes the series of 1/m to panel->inverse and that of k to
-   panel->ratio, and to panel->edge how far they are from the laws at the ends of the panel. */
+   panel->ratio, and to panel->edge the largest relative difference between these series and the laws at the ends of the
+   panel. */
 VM_API int vmi_osc_read_laws(const vm_osc_problem *o, int side, vm_real start, vm_real length, vmi_osc_panel_laws *at,
                              vmi_osc_panel *panel)
 {
@@ -11293,7 +11298,8 @@ VM_API int vmi_osc_read_laws(const vm_osc_problem *o, int side, vm_real start, v
 }
 
 /* The size of the errors of p' that rounding errors of the rates a and p cause on a panel of 1 s, divided by |a| + |p|.
-   In float the factor is 0: there such errors cannot be told from fast changes, and count as fast changes. */
+   In float the factor is 0: there such errors cannot be distinguished from fast changes, and they count as fast
+   changes. */
 VM_API vm_real vmi_osc_rate_noise(void) { return VM_MANT_DIG > 24 ? 2048 * VM_EPSILON : 0; }
 
 /* Computes the panel from start to start + length, where length < 0 goes backward. *mean is the mean motion at
@@ -11333,9 +11339,9 @@ VM_API int vmi_osc_panel_of(const vm_osc_plan *p, const vmi_osc_mean *mean, vm_r
     return VM_OK;
 }
 
-/* Whether the panel is short enough for its series. A panel on which a law has a kink never becomes short enough for
-   it; therefore a panel also counts as short enough if the terms that its series leaves out do not matter. `whole` is
-   the length of the walk, s. */
+/* Whether the panel is short enough for its series. If a law has a kink, the series never fits near the kink, however
+   short the panel is; therefore a panel also counts as short enough if the terms that its series leaves out do not
+   matter. `whole` is the length of the walk, s. */
 VM_API int vmi_osc_panel_is_resolved(const vm_osc_plan *p, const vmi_osc_panel *panel, vm_real length, vm_real whole)
 {
     const vm_real E_enough = VM_MANT_DIG > 24 ? VM_C(1e-6) : VM_C(1e-3);
@@ -11349,10 +11355,10 @@ VM_API int vmi_osc_panel_is_resolved(const vm_osc_plan *p, const vmi_osc_panel *
            E_enough * VM_SQRT(vmi_legendre_square(panel->E)) + vmi_panel_E_noise(phase);
 }
 
-/* Adds what the panel contributes to mean->change and to mean->third, the bound of what order five leaves out of psi.
-   For each integral of |d^i E_0/dpsi^i| in mean->change it takes the root mean square over the panel instead of the
-   absolute value. Before that, it sets coefficients of E_0 to 0 if they are as small as rounding errors, and adds their
-   integral to mean->dropped. The series of E_0 is overwritten. */
+/* Adds what the panel contributes to mean->change and to mean->third, the bound of the terms of psi that order five
+   leaves out. For each integral of |d^i E_0/dpsi^i| in mean->change it takes the root mean square over the panel
+   instead of the absolute value. Before that, it sets coefficients of E_0 to 0 if they are as small as rounding errors,
+   and adds their integral to mean->dropped. The series of E_0 is overwritten. */
 VM_API void vmi_osc_add_changes(const vm_osc_plan *p, vmi_osc_panel *panel, vm_real length, vmi_osc_mean *mean)
 {
     const vm_real noise = 1024 * VM_EPSILON, W = p->mean.W * panel->ratio[0], phase_length = W * VM_FABS(length);
@@ -11445,10 +11451,10 @@ VM_API void vmi_osc_add_knot_error(const vm_osc_plan *p, const vm_real *before, 
     }
 }
 
-/* Takes the mean motion past t, a point of a table. The derivatives of m' and k' jump there. The motion does not jump,
-   so the mean motion does. The motion at t follows from the mean motion before t, and the mean motion after t follows
-   from the motion. vmi_expansion_J_back would give the action at t with one order less; iteration with vmi_expansion_J
-   has the full order. */
+/* Continues the mean motion beyond the time t, a point of a table. The derivatives of m' and k' jump there. The motion
+   itself does not jump; therefore the mean motion jumps. The motion at t follows from the mean motion before t, and the
+   mean motion after t follows from the motion. The action at t is found by iteration with vmi_expansion_J, which has
+   the full order; vmi_expansion_J_back has one order less. */
 VM_API int vmi_osc_walk_past_knot(const vm_osc_plan *p, vm_real t, int side, vmi_osc_mean *mean)
 {
     const vmi_ripple *r = &p->ripple;
@@ -11501,7 +11507,8 @@ VM_API int vmi_osc_start_backward(const vm_osc_plan *p, vmi_osc_mean *mean)
     return VM_OK;
 }
 
-/* Computes the mean motion at t by a walk along both laws of the plan, from one point of a table to the next. */
+/* Computes the mean motion at t by integrals along the laws of mass and stiffness, from one point of a table to the
+   next. */
 VM_API int vmi_osc_walk_to(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean)
 {
     const vm_law *mass = &p->problem.mass, *stiffness = &p->problem.stiffness;
@@ -11527,11 +11534,12 @@ VM_API int vmi_osc_walk_to(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean)
 #endif
 /* oscillators/mean_motion.h - the motion by first-order averaging and by the law of order five, with error estimates
 
-   Without a force F the mean motion of an oscillator with slow mass and stiffness is known from integrals: the
+   If no force F acts and mass and stiffness change slowly, integrals give the mean motion of the oscillator: the
    amplitude follows the adiabatic law (325), (344), (367), (389), and the phase is the integral of its rate (310),
-   (329), (370). vmi_osc_first_order takes this mean motion for the motion, with the wave cos, cn or ca. vmi_osc_order_n
-   goes from the mean motion to the motion by the transformation of oscillators/expansion.h, cut off after order 2, 3, 4
-   or 5. Its error is of that order in the relative change of mass and stiffness within a radian.
+   (329), (370). vmi_osc_first_order uses this mean motion as the motion itself; its wave is cos, cn or ca.
+   vmi_osc_order_n computes the motion from the mean motion by the transformation of oscillators/expansion.h, which is
+   cut off after an order N from 2 to 5. Its error is of the order epsilon^N, where epsilon is the relative change of
+   mass and stiffness within a radian.
        vmi_osc_mean mean;
        vm_osc_motion motion;
        vmi_osc_wave w = vmi_osc_wave_of(&plan, VM_ROUTE_ORDER5);
@@ -11584,10 +11592,11 @@ VM_API int vmi_osc_mean_near_0(const vm_osc_plan *p, vm_real t, vmi_osc_mean *me
     return status;
 }
 
-/* Computes the mean motion at t, by closed forms if there are any, else by a walk along the laws. */
+/* Computes the mean motion at t, by closed forms if there are any, else by integration along the laws
+   (oscillators/walk.h). */
 VM_API int vmi_osc_mean_at(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean)
 {
-    const vm_real too_short = 256 * VM_EPSILON; /* a phase in which differences of the laws are rounding errors */
+    const vm_real too_short = 256 * VM_EPSILON; /* over a smaller phase the laws change only by rounding errors */
     int status = VM_OK;
     if (!p->closed && p->Om * VM_FABS(t) < too_short) status = vmi_osc_mean_near_0(p, t, mean);
     else if (p->closed) vmi_osc_mean_closed(p, t, mean);
@@ -11606,12 +11615,12 @@ VM_API vm_real vmi_osc_rounding(const vm_osc_plan *p, const vmi_osc_mean *mean)
     return 4 * VM_EPSILON * (2 + VM_FABS(p->Om * mean->phase)) + p->Om * mean->error;
 }
 
-/* A bound of the change of ln J, where J is the action, that fast changes of mass and stiffness cause. The exact change
-   of ln J is the integral over the phase of E_0 times a periodic function whose mean is 0. i integrations by parts turn
-   it into the integral of the ith derivative of E_0 times the ith integral of the periodic function, and into terms at
-   both ends, which the solutions already contain. Each i gives a bound, and the function returns the smallest. The
-   smallest belongs to a large i where the laws change slowly, and to i = 0 where they change within less than a
-   period. */
+/* A bound of the change of ln J that fast changes of mass and stiffness cause. J is the action. E_0 measures how
+   strongly these changes disturb the motion (oscillators/expansion.h). The exact change of ln J is the integral over
+   the phase of E_0 times a periodic function whose mean is 0. i integrations by parts turn it into the integral of the
+   ith derivative of E_0 times the ith integral of the periodic function, and into terms at both ends, which the
+   solutions already contain. Each i gives a bound, and the function returns the smallest. The smallest belongs to a
+   large i where the laws change slowly, and to i = 0 where they change within less than a period. */
 VM_API vm_real vmi_osc_fast(const vm_osc_plan *p, const vmi_osc_mean *mean)
 {
     const vmi_ripple *r = &p->ripple;
@@ -11636,11 +11645,11 @@ VM_API vm_real vmi_osc_way_error(const vm_osc_plan *p, const vmi_osc_mean *mean)
     return (1 + VM_FABS(p->ripple.gamma * p->Om * mean->phase)) * vmi_osc_fast(p, mean);
 }
 
-/* Estimates the error of vmi_osc_first_order, except for the error of its wave. The solution takes the amplitude and
-   the phase at the start for their mean values, and leaves out the ripple within a period and the part of the mean
-   phase that is proportional to E_0. An error of ln J makes an error of the phase that is larger by the factor gamma Om
-   t. The phase of x and x' is the phase of x and V = x' + p x plus (alpha+1)/2 p/Om ca^2; the mean of this difference
-   is the same at the start and at t. */
+/* Estimates the error of vmi_osc_first_order, except for the error of its wave. The solution uses the amplitude and the
+   phase at the start as if they were the mean values. It leaves out the ripple within a period, and the part of the
+   mean phase that is proportional to E_0 (oscillators/expansion.h). An error of ln J makes an error of the phase that
+   is larger by the factor gamma Om t. The phase that follows from x and x' is larger by (alpha+1)/2 p/Om ca^2 than the
+   phase that follows from x and V = x' + p x. The mean of this difference is the same at the start and at t. */
 VM_API vm_real vmi_osc_first_error(const vm_osc_plan *p, const vmi_osc_mean *mean)
 {
     const vmi_ripple *r = &p->ripple;
@@ -11656,8 +11665,8 @@ VM_API vm_real vmi_osc_first_error(const vm_osc_plan *p, const vmi_osc_mean *mea
 }
 
 /* Estimates the error of vmi_osc_order_n for the order 2, 3, 4 or 5. It adds up the sizes of the first terms that are
-   left out: by the transformation of this order at t; and by the mean motion, whose order is p->start_order, at the
-   start, at points of tables, and in the mean rate of the phase. */
+   left out. The transformation of this order leaves out terms at t. The mean motion, whose order is p->start_order,
+   leaves out terms at the start, at points of tables, and in the mean rate of the phase. */
 VM_API vm_real vmi_osc_order_error(const vm_osc_plan *p, int order, const vmi_osc_mean *mean)
 {
     const vmi_ripple *r = &p->ripple;
@@ -11681,9 +11690,9 @@ VM_API vm_real vmi_osc_order_error(const vm_osc_plan *p, int order, const vmi_os
 
 /* -- The solutions -- */
 
-/* Writes the motion of amplitude A, whose waves of position and velocity have the values c and s. Om is the rate of the
-   Ateb phase, so that the largest velocity is 2 A Om/(alpha+1); w is the wave. evals is set to 0. VM_NOT_FINITE leaves
-   *motion untouched. */
+/* Writes the motion with the amplitude A. c and s are the values of the waves of position and velocity. Om is the rate
+   of the Ateb phase, so that the largest velocity is 2 A Om/(alpha+1); w is the wave. evals is set to 0. VM_NOT_FINITE
+   leaves *motion untouched. */
 VM_API int vmi_osc_motion_of(const vmi_osc_wave *w, vm_real A, vm_real Om, vm_real c, vm_real s, vm_real error,
                              int route, vm_osc_motion *motion)
 {
@@ -11711,8 +11720,8 @@ VM_API int vmi_osc_first_order(const vm_osc_plan *p, int route, const vmi_osc_wa
     return vmi_osc_motion_of(w, A, Om, c, s, error, route, motion);
 }
 
-/* Computes the motion at t from the mean motion, by the law of order five, cut off after the order of the route. route
-   is one of VM_ROUTE_ORDER2 to VM_ROUTE_ORDER5, w its wave. */
+/* Computes the motion at t from the mean motion, by the terms of the law of order five up to the order of the route.
+   route is one of VM_ROUTE_ORDER2 to VM_ROUTE_ORDER5, w its wave. */
 VM_API int vmi_osc_order_n(const vm_osc_plan *p, int route, const vmi_osc_wave *w, const vmi_osc_mean *mean,
                            vm_osc_motion *motion)
 {
@@ -13466,9 +13475,9 @@ VM_API int vmi_osc_collocate(const vm_osc_plan *plan, int route, vm_real t, vm_r
 
    Cost. Without a force F the first seven routes are averaged solutions in closed form: they need one or two
    evaluations of sa and ca and the integrals of the laws of mass and stiffness, whatever t and the tolerance are. The
-   other routes integrate from 0 to t to the tolerance. Each of them runs twice, the second time more strictly, and the
-   difference of the two runs gives the error. With F the averaged equations of the first three routes are integrated,
-   too, and the laws of orders 2 to 5 do not exist. docs/cost.md has the times.
+   other routes integrate from 0 to t within the tolerance. Each of them runs twice, the second time more strictly, and
+   the difference of the two runs gives the error. With F the averaged equations of the first three routes are
+   integrated, too, and the laws of orders 2 to 5 do not exist. docs/cost.md has the times.
 
    Choice. vm_osc_within takes the first of these seven solutions whose estimated error is within the tolerance. If
    there is none, or a force F is given, it integrates numerically: by collocation if amplitude and phase describe the
@@ -13476,9 +13485,9 @@ VM_API int vmi_osc_collocate(const vm_osc_plan *plan, int route, vm_real t, vm_r
 
    What the estimate of an averaged solution covers:
      - the terms that the solution leaves out, the error of cos and cn in place of ca, and rounding errors of the phase;
-     - fast changes of mass and stiffness between 0 and t. The walk along the laws looks for them panel by panel (for
-       laws by functions see vm_law_user), and in tables from one point to the next. A change within a period makes the
-       estimate large, so that vm_osc_within integrates. For a law by a function its steps are then limited by the
+     - fast changes of mass and stiffness between 0 and t. The integration along the laws looks for them panel by panel
+       (for laws by functions see vm_law_user), and in tables from one point to the next. A change within a period makes
+       the estimate large, so that vm_osc_within integrates. For a law by a function its steps are then limited by the
        shortest panel, so that no step skips the change.
    What the estimate of averaged equations with F covers:
      - the error of their integration, and the error of cos and cn in place of ca;
@@ -13487,11 +13496,13 @@ VM_API int vmi_osc_collocate(const vm_osc_plan *plan, int route, vm_real t, vm_r
        and over periods at eight later times, so it misses a force that acts only for a short time between them.
 
    How good the estimate is. tests/test_routes.c compares it with the true error of random problems with alpha from
-   1/8 to 8, a rate q of the laws from 2e-3 to 0.1, and t from 1/q to 3/q. In double the test demands as bounds, for
-     the share of problems whose true error is above 3 times the estimate: 1 % by vm_osc_within, 4 % by rk87, else 2 %,
-     the largest ratio of true error to estimate: 30 by rk87, 40 by rk45, else 10,
-     the median ratio of estimate to true error: 55 by collocation, 25 by rk87, 13 by rk45, 15 by orders 4 and 5 and for
-       averaged solutions with F, else 10.
+   1/8 to 8, a rate q of the laws from 2e-3 to 0.1, and t from 1/q to 3/q. In double the test demands these
+   bounds:
+     - the true error is above 3 times the estimate in at most 1 % of the problems for vm_osc_within, 4 % for rk87, and
+       2 % for all other routes;
+     - the true error is at most 30 times the estimate for rk87, 40 times for rk45, and 10 times for all others;
+     - the median of estimate/(true error) is at most 55 for collocation, 25 for rk87, 13 for rk45, 15 for orders 4 and
+       5 and for averaged solutions with F, and 10 for all others.
    The estimate is worse for rk87, because its errors are not proportional to the tolerance if alpha is not an odd
    integer. */
 
@@ -13617,8 +13628,8 @@ VM_API int vmi_osc_at_rest(const vm_osc_plan *p, int route, vm_osc_motion *motio
        or a change_time that is negative or too short,
      VM_NO_LAW for the laws of orders 2 to 5 with F, and for F on a body at rest at x = 0,
      VM_NOT_INTEGRATED where amplitude and phase do not describe the motion, for collocation only,
-     VM_NOT_INTEGRATED where the integrator gives up, or would need too many steps: more than 2^13 a period plus four
-       times the number that its longest step makes necessary, or a time of more than 2^23 of the present periods.
+     VM_NOT_INTEGRATED where the integrator gives up, where |t| is more than 2^23 of the present periods, or where there
+       are too many steps: more than 2^13 a period plus four times the number that the longest step makes necessary.
    Thus every call ends. */
 VM_API int vm_osc_plan_by_route(const vm_osc_plan *p, int route, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
@@ -13643,7 +13654,7 @@ VM_API int vm_osc_plan_by_route(const vm_osc_plan *p, int route, vm_real t, vm_r
    tolerance. Returns VM_TOLERANCE_MISSED where there is none, and leaves *motion untouched. */
 VM_API int vmi_osc_averaged_within(const vm_osc_plan *p, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
-    const vm_real reserve = VM_C(1.5); /* in one case of 400 the error exceeds the estimate, up to 1.9 times */
+    const vm_real reserve = VM_C(1.5); /* in one case of 400 the error is larger than the estimate, up to 1.9 times */
     vmi_osc_mean mean;
     vmi_osc_wave w;
     vm_real first;
@@ -13694,9 +13705,8 @@ VM_API int vm_osc_plan_within(const vm_osc_plan *p, vm_real t, vm_real tolerance
 
 /* -- Without a plan -- */
 
-/* Makes the plan of a problem for one call, without the plan of the Ateb functions, which is worth its time only for
-   many calls. complete = 1 also makes the polynomials of the ripple, which orders 3 to 5 and collocation
-   need. */
+/* Makes the plan of a problem for one call, without the plan of the Ateb functions, which saves time only for many
+   calls. complete = 1 also makes the polynomials of the ripple, which orders 3 to 5 and collocation need. */
 VM_API int vmi_osc_once(const vm_osc_problem *problem, int complete, vm_osc_plan *plan)
 {
     int status;
@@ -13745,16 +13755,16 @@ VM_API int vm_osc_within(const vm_osc_problem *problem, vm_real t, vm_real toler
 #endif
 /* oscillators/odd_force.h - vibration under an odd elastic force of any form, with constant mass
 
-   The equation is x'' + F(x) = 0, where F is odd and force per unit mass: x + x^3, sin x, tanh x, or a function of
-   the user. A vm_odd_force holds F. Its constructors are vm_odd_force_user here and vm_duffing_force in
+   The equation is x'' + F(x) = 0. F is an odd function, the force per unit mass: x + x^3, sin x, tanh x, or a function
+   of the user. A vm_odd_force describes F. Its constructors are vm_odd_force_user here and vm_duffing_force in
    oscillators/duffing.h.
-   At an amplitude A one quadrature gives the period, the action and x(t):
+   At an amplitude A one numerical integral (a quadrature) gives the period, the action and x(t):
        vm_odd_force force = vm_odd_force_user(hard, NULL); // int hard(vm_real x, vm_real *f, void *ctx) writes *f
        vm_real T = vm_odd_period(&force, 2); // period of the motion from rest at x = 2 m
    Method: x = A cos(theta), v = -A sin(theta) sqrt(g), and so dt = dtheta/sqrt(g). Here g is the mean of F(x)/x over
    the variable x^2, from the present x^2 to A^2. g is smooth and positive, so that Gauss' rule converges fast. An orbit
    is the motion at one amplitude. Its phase is 2 pi t/period, and 0 where x is largest. Its action j is the integral of
-   v dx over a period, divided by 2 pi. Slow mass, stiffness and damping: oscillators/odd_motion.h.
+   v dx over a period, divided by 2 pi. For mass, stiffness and damping that change slowly see oscillators/odd_motion.h.
    Tests: tests/test_odd_force.c. */
 #ifndef VARMASS_OSCILLATORS_ODD_FORCE_H
 #define VARMASS_OSCILLATORS_ODD_FORCE_H
@@ -13769,8 +13779,9 @@ typedef struct VM_TAG(vmi_orbit) vmi_orbit;
 typedef struct VM_TAG(vmi_orbit_point) vmi_orbit_point;
 typedef struct VM_TAG(vmi_orbit_ripple) vmi_orbit_ripple; /* oscillators/orbit_ripple.h */
 
-/* An odd elastic force F(x). The constructors vm_odd_force_user and vm_duffing_force fill it. It points to functions
-   of this header and to the user's function and ctx, which must outlive it. */
+/* An odd elastic force F(x). The constructors vm_odd_force_user and vm_duffing_force fill it. It points to functions of
+   this header, to the user's function and to ctx. The function and what ctx points to must exist as long as the force
+   is used. */
 typedef struct VM_TAG(vm_odd_force) vm_odd_force;
 struct VM_TAG(vm_law); /* oscillators/laws.h */
 struct VM_TAG(vm_odd_force) {
@@ -13780,7 +13791,7 @@ struct VM_TAG(vm_odd_force) {
     void *ctx;                /* the user's pointer, last argument of function */
     /* Functions that depend on the kind of force; its constructor sets them. All but `point` return a status. */
     int (*at)(const vm_odd_force *force, vm_real x, vm_real *f); /* F(x) for any x; null if this is no force */
-    /* Writes the size and the place of the orbit through a state. */
+    /* Writes the size and the place of the orbit that contains a given state (x, v). */
     int (*orbit_through)(const vm_odd_force *force, vm_real x, vm_real v, vmi_orbit *orbit);
     /* Computes all other fields of an orbit from its size and place. */
     int (*complete)(vmi_orbit *orbit);
@@ -13795,7 +13806,7 @@ struct VM_TAG(vm_odd_force) {
 /* Where an orbit lies: around x = 0, or around another place of rest, to the right or to the left of x = 0 */
 enum { VMI_ORBIT_AROUND_0 = 0, VMI_ORBIT_RIGHT = 1, VMI_ORBIT_LEFT = -1 };
 
-/* The largest number of equal parts of 0 <= theta <= pi/2, and of equal pieces of 0 <= x <= A */
+/* The largest number of equal parts into which 0 <= theta <= pi/2 is divided, and also 0 <= x <= A */
 enum { VMI_ORBIT_PARTS = 8, VMI_ORBIT_NODES = VMI_ORBIT_PARTS * VMI_GAUSS };
 
 /* An orbit of x'' + F(x) = 0 */
@@ -13835,11 +13846,11 @@ VM_API vm_real vmi_orbit_amplitude(const vmi_orbit *orbit)
 
 /* -- Integrals over theta -- */
 
-/* A function of theta as Legendre series on `parts` equal parts of 0 ... pi/2, and its integral */
+/* A function of theta, as a Legendre series on each of `parts` equal parts of 0 ... pi/2, and its integral */
 typedef struct VM_TAG(vmi_orbit_sum) {
     int parts;
     vm_real series[VMI_ORBIT_PARTS][VMI_GAUSS];
-    vm_real start[VMI_ORBIT_PARTS + 1]; /* the integral from 0 to the start of each part; the last one is the whole */
+    vm_real start[VMI_ORBIT_PARTS + 1]; /* integral from 0 to the start of each part; the last: from 0 to pi/2 */
 } vmi_orbit_sum;
 
 /* The angle theta of node i, if there are `parts` equal parts with 20 nodes each */
@@ -13849,7 +13860,7 @@ VM_API vm_real vmi_orbit_node(int parts, int i)
     return VM_PI / 2 * (((vm_real)(i / VMI_GAUSS) + in_part) / (vm_real)parts);
 }
 
-/* Makes the sums of two functions from their values at the nodes. */
+/* Computes the series and the integrals of two functions from their values at the nodes. */
 VM_API void vmi_orbit_sums(int parts, const vm_real *values_a, const vm_real *values_b, vmi_orbit_sum *a,
                            vmi_orbit_sum *b)
 {
@@ -13869,7 +13880,8 @@ VM_API void vmi_orbit_sums(int parts, const vm_real *values_a, const vm_real *va
 /* The integral from 0 to pi/2 */
 VM_API vm_real vmi_orbit_whole(const vmi_orbit_sum *sum) { return sum->start[sum->parts]; }
 
-/* The part that holds theta, 0 <= theta <= pi/2. Writes the place of theta in it, from -1 to 1. */
+/* The number of the part that contains theta, 0 <= theta <= pi/2. *place becomes the place of theta in this part, from
+   -1 at its start to 1 at its end. */
 VM_API int vmi_orbit_part(const vmi_orbit_sum *sum, vm_real theta, vm_real *place)
 {
     const vm_real parts_before = theta / (VM_PI / 2) * (vm_real)sum->parts;
@@ -13909,8 +13921,9 @@ VM_API vm_real vmi_orbit_tail(const vmi_orbit_sum *sum)
     return largest / (vmi_orbit_whole(sum) / (VM_PI / 2));
 }
 
-/* The theta at which the integral of a positive function from 0 is `target`, between 0 and its whole integral.
-   Newton's method, with bisection where a step leaves the interval in which the solution lies. */
+/* The theta for which the integral of a positive function from 0 to theta is `target`. target lies between 0 and the
+   integral from 0 to pi/2. Newton's method finds theta; a step that leaves the interval with the solution is replaced
+   by bisection. */
 VM_API vm_real vmi_orbit_theta(const vmi_orbit_sum *sum, vm_real target)
 {
     const int most = 64;
@@ -13939,7 +13952,7 @@ typedef struct VM_TAG(vmi_orbit_folded) {
     vm_real side; /* -1 where x has the other sign than at phase 0; else 1 */
 } vmi_orbit_folded;
 
-/* Folds a phase of any size. */
+/* Brings a phase of any size to the part 0 ... span. */
 VM_API vmi_orbit_folded vmi_orbit_fold(const vmi_orbit *orbit, vm_real phi)
 {
     vmi_orbit_folded f;
@@ -13954,7 +13967,7 @@ VM_API vmi_orbit_folded vmi_orbit_fold(const vmi_orbit *orbit, vm_real phi)
 }
 
 /* Computes dt/dtheta at all nodes, and its derivative with respect to the orbit's size. Doubles the number of parts
-   until the series leave out no more than `enough`, as far as VMI_ORBIT_PARTS allows. */
+   until vmi_orbit_tail is at most `enough` or there are VMI_ORBIT_PARTS parts. */
 VM_API void vmi_orbit_times(const vmi_orbit *orbit, vm_real enough, vmi_orbit_sum *time, vmi_orbit_sum *time_size)
 {
     vm_real slowness[VMI_ORBIT_NODES], by_size[VMI_ORBIT_NODES];
@@ -14074,8 +14087,8 @@ VM_API int vmi_odd_user_fit(vmi_orbit *orbit, int pieces, vm_real *tail)
     return VM_OK;
 }
 
-/* Fits series of F between 0 and the orbit's amplitude, on as few pieces as are enough. Returns VM_NO_LAW if F is not
-   smooth enough for them. */
+/* Fits series of F between 0 and the orbit's amplitude, on 1, 2, 4 or 8 equal pieces: on the first number that is
+   enough. Returns VM_NO_LAW if F is not smooth enough for 8 pieces. */
 VM_API int vmi_odd_user_series(vmi_orbit *orbit)
 {
     const vm_real enough = 64 * VM_EPSILON, accepted = VM_MANT_DIG > 24 ? VM_C(1e-11) : VM_C(1e-5);
@@ -14116,11 +14129,11 @@ VM_API int vmi_odd_user_complete(vmi_orbit *orbit)
     return VM_IS_FINITE(orbit->w) && orbit->w > 0 && orbit->energy_slope > 0 ? VM_OK : VM_NO_LAW;
 }
 
-/* A state, for the search of its amplitude */
+/* A state whose amplitude is searched */
 typedef struct VM_TAG(vmi_odd_state) {
     const vm_odd_force *force;
     vm_real x, v; /* position >= 0 and velocity */
-    int status;   /* of the user's function */
+    int status;   /* status of the user's function */
 } vmi_odd_state;
 
 /* The potential energy at x + more, minus that at x, minus the kinetic energy of the state. It is 0 where x + more is
@@ -14206,10 +14219,11 @@ VM_API int vmi_odd_user_at_phase(const vmi_orbit *orbit, vm_real phi, vm_real *x
     return VM_OK;
 }
 
-/* Odd elastic force F(x) by a user's function. The function is called for x >= 0 only. ctx is handed to it. F must be
-   positive for 0 < x <= A, or at least do positive work between every x and the amplitude A. Between 0 and A it must be
-   so smooth that polynomials of degree 19 represent it on at most 8 equal pieces; otherwise all functions refuse it
-   with VM_NO_LAW. A null function makes no force: it is refused with VM_BAD_ARGUMENT. */
+/* Odd elastic force F(x) that a user's function computes. The function is called for x >= 0 only; its last argument is
+   ctx. F must be positive for 0 < x <= A, or at least do positive work between every x and the amplitude A. Between 0
+   and A it must be so smooth that polynomials of degree 19 represent it on at most 8 equal pieces; otherwise the
+   functions that return a status return VM_NO_LAW. A null function makes no force: these functions then return
+   VM_BAD_ARGUMENT. */
 VM_API vm_odd_force vm_odd_force_user(vm_odd_function function, void *ctx)
 {
     vm_odd_force force;
@@ -14231,7 +14245,7 @@ VM_API vm_odd_force vm_odd_force_user(vm_odd_function function, void *ctx)
 
 /* -- Motion with constant mass -- */
 
-/* Makes the complete orbit through a state. A state of rest has the size 0 and no other fields. */
+/* Makes the complete orbit through a state. For a state of rest the size is 0, and the other fields have no meaning. */
 VM_API int vmi_orbit_of_state(const vm_odd_force *force, vm_real x, vm_real v, vmi_orbit *orbit)
 {
     int status;
@@ -14254,7 +14268,7 @@ VM_API vm_real vm_odd_period(const vm_odd_force *force, vm_real x0)
 
 /* Action, m^2/s, of x'' + F(x) = 0 from rest at x0 (m, either sign), for an odd F per unit mass.
    It is the integral of v dx over a period, divided by 2 pi. A slow change of the force keeps it constant. Errors and
-   accuracy are those of vm_odd_period, but it is 0 for x0 = 0. */
+   accuracy are those of vm_odd_period, but for x0 = 0 the action is 0. */
 VM_API vm_real vm_odd_action(const vm_odd_force *force, vm_real x0)
 {
     vmi_orbit orbit;
@@ -14294,12 +14308,12 @@ VM_API int vm_odd_exact_from(const vm_odd_force *force, vm_real t, vm_real x0, v
 #endif
 /* oscillators/orbit_ripple.h - how a slow change disturbs the motion on an orbit within a period
 
-   In the time s with ds = sqrt(k/m) dt, slow mass, stiffness, damping b and reactive force (of the share r) all act as
-   one damping h:
+   If ds = sqrt(k/m) dt defines a new time s, then slow mass, stiffness, damping b and the reactive force (with the
+   share r) together act as one damping h:
        x'' + F(x) = -2 h x',   2 h = d ln(mu sqrt(k/m))/ds,   mu' = (r m' + b) mu/m
    so that J = j mu sqrt(k/m) stays constant on average, where j is the action of the orbit. J and the phase phi are
-   canonical. Their Hamiltonian is (H + 2 h a) mu sqrt(k/m), where H is the Hamiltonian of constant mass and a the
-   function
+   canonical variables. Their Hamiltonian is (H + 2 h a) mu sqrt(k/m), where H is the Hamiltonian of constant mass and a
+   the function
        a(phi) = (integral of v dx from phase 0) - j phi
    of period pi (2 pi in a well) and mean 0. Let B be the integral of a over the phase, with mean 0. To second order
    in h the mean action and the mean phase are
@@ -14328,7 +14342,7 @@ struct VM_TAG(vmi_orbit_ripple) {
     vm_real w_size, j_size; /* derivatives of w and j by size */
     vm_real largest_a;     /* largest |a|/j; for a Fourier series a bound of it */
     vm_real largest_B;     /* largest w |(B/w)_j|; for a Fourier series a bound of it */
-    int harmonics;         /* number of terms of the Fourier series; 0 where the fields below it are in use */
+    int harmonics;         /* number of terms of the Fourier series; 0 where the fields from `time` on are used */
     vm_real a[VMI_RIPPLE_HARMONICS + 1], a_size[VMI_RIPPLE_HARMONICS + 1]; /* factor of sin(n zeta) in a, and its
                                                                               derivative by size, n >= 1 */
     vm_real b[VMI_RIPPLE_HARMONICS + 1];                                   /* factor of cos(n zeta) in (B/w)_j */
@@ -14344,7 +14358,7 @@ typedef struct VM_TAG(vmi_orbit_ripple_values) {
     vm_real B_j;  /* (B/w)_j */
 } vmi_orbit_ripple_values;
 
-/* Values at the nodes of theta, from which the sums are made */
+/* Values at the nodes of theta, from which series and integrals are computed */
 typedef struct VM_TAG(vmi_orbit_nodes) {
     int n;
     vmi_orbit_point point[VMI_ORBIT_NODES];
@@ -14352,7 +14366,8 @@ typedef struct VM_TAG(vmi_orbit_nodes) {
     vm_real phase_rate[VMI_ORBIT_NODES];                 /* dphi/dtheta */
 } vmi_orbit_nodes;
 
-/* Computes a and its derivative by size at the nodes. At fixed phase the change of a is v times the change of x. */
+/* Computes a and its derivative by size at the nodes. At fixed phase the derivative of a is v times the derivative of
+   x. */
 VM_API void vmi_orbit_ripple_nodes(const vmi_orbit *orbit, vmi_orbit_ripple *r, vmi_orbit_nodes *nodes)
 {
     vm_real squares[VMI_ORBIT_NODES];
@@ -14426,7 +14441,8 @@ VM_API void vmi_orbit_ripple_means(const vmi_orbit *orbit, const vmi_orbit_nodes
     }
 }
 
-/* Completes the ripple whose Fourier coefficients a, a_size and their number, and w_size and j_size, are set. */
+/* Computes the other fields of a ripple by Fourier series. The fields harmonics, a, a_size, w_size and j_size must be
+   set. */
 VM_API void vmi_orbit_ripple_of_harmonics(const vmi_orbit *orbit, vmi_orbit_ripple *r)
 {
     const vm_real turn = VM_PI / orbit->span; /* zeta/phi */
@@ -14530,8 +14546,8 @@ VM_API vm_real vmi_orbit_mean_action(const vmi_orbit_ripple *r, const vmi_orbit 
     return orbit->j + first + second;
 }
 
-/* The mean action minus the action for a weak linear spring of stiffness 1 that acts beside the force; x is the
-   position on the orbit */
+/* The difference (mean action) - (action), as far as a weak linear spring of stiffness 1 causes it. The spring acts in
+   addition to the force; x is the position on the orbit. */
 VM_API vm_real vmi_orbit_spring_action(const vmi_orbit_ripple *r, const vmi_orbit *orbit, vm_real x)
 {
     return (x * x - r->X) / (2 * orbit->w);
@@ -15016,13 +15032,13 @@ VM_API void vm_duffing_exact_from(vm_real t, vm_real x0, vm_real v0, vm_real c1,
    and computes the numbers that the averaging needs from them.
 
    Where k1 and k3 of Duffing's force follow laws of their own (vm_duffing_force_of_laws), the shape of the force
-   changes with time. It is made constant by a length s(t) with s^2 = (k1/k3)/(its value at t = 0): y = x/s obeys,
-   without any approximation,
+   changes with time. A length s(t) makes the shape constant, where s^2 is k1/k3 divided by the value of k1/k3 at t = 0.
+   The coordinate y = x/s obeys, without any approximation,
        m y'' + K F(y) + (reactive m' + b + 2 m s'/s) y' + m G y = 0
    with F(y) = k1(0) y + k3(0) y^3, K(t) = k(t) k1(t)/k1(0) and G = s''/s + (s'/s) (reactive m' + b)/m. So the change of
    shape acts as more damping, and as a weak linear spring, whose stiffness is of second order in the rates of the
    laws. Where k1 or k3 is 0 all the time, s is 1. Where one of them is 0 at one time only, there is no such s; then the
-   equation of motion is integrated. Guide: docs/duffing.md. Tests: tests/test_duffing_laws.c. */
+   equation of motion is integrated numerically. Guide: docs/duffing.md. Tests: tests/test_duffing_laws.c. */
 #ifndef VARMASS_OSCILLATORS_ODD_LAWS_H
 #define VARMASS_OSCILLATORS_ODD_LAWS_H
 
@@ -15039,7 +15055,8 @@ typedef struct VM_TAG(vm_odd_problem) {
 
 /* -- All laws of a problem -- */
 
-/* Writes pointers to the laws of a problem, and the status for a law that is not positive; returns their number. */
+/* Writes pointers to the laws of a problem, and for each law the status if it is not positive (VM_OK if it may have any
+   sign). Returns the number of laws. */
 enum { VMI_ODD_LAWS = 5 };
 VM_API int vmi_odd_all_laws(const vm_odd_problem *o, const vm_law **laws, int *if_not_positive)
 {
@@ -15135,9 +15152,9 @@ typedef struct VM_TAG(vmi_odd_shape) {
     vm_real rate1[4], rate3[4];
 } vmi_odd_shape;
 
-/* Writes the ratio and the rates of one of both laws. first is its value at t = 0. The first `orders` terms of the
-   rates are written; length is that of vmi_law_derivatives. Returns VM_NO_LAW where the law is 0 but not all the
-   time. */
+/* Writes the ratio and the rates of k1 or k3. `law` is its law, and first its value at t = 0. The first `orders` terms
+   of the rates are written. length has the meaning that it has for vmi_law_derivatives. Returns VM_NO_LAW where the law
+   is 0 at some times but not at all times. */
 VM_API int vmi_odd_coefficient(const vm_law *law, vm_real first, vm_real t, int side, vm_real length, int orders,
                                vm_real *ratio, vm_real *rates)
 {
@@ -15159,7 +15176,7 @@ VM_API int vmi_odd_coefficient(const vm_law *law, vm_real first, vm_real t, int 
 }
 
 /* Reads the shape of the force at t. With orders = 1 only the rates themselves are written, with orders = 4 their
-   series. Where one coefficient is 0 all the time, the other one counts for both, so that s is 1. */
+   series. Where k1 or k3 is 0 all the time, it gets the ratio and the rates of the other one, so that s is 1. */
 VM_API int vmi_odd_shape_at(const vm_odd_problem *o, vm_real t, int side, vm_real length, int orders,
                             vmi_odd_shape *shape)
 {
@@ -15201,7 +15218,8 @@ typedef struct VM_TAG(vmi_odd_rates) {
     vm_real scale_rate;    /* s'/s, 1/s */
 } vmi_odd_rates;
 
-/* Computes them at t. side is that of vmi_odd_read_laws. Returns VM_NO_LAW where the shape cannot be made constant. */
+/* Computes these numbers at t. side has the meaning that it has for vmi_odd_read_laws. Returns VM_NO_LAW where the
+   shape of the force cannot be made constant. */
 VM_API int vmi_odd_rates_at(const vm_odd_problem *o, vm_real t, int side, vmi_odd_rates *r)
 {
     vm_real m[VMI_LAW_ORDERS], k[VMI_LAW_ORDERS], b[VMI_LAW_ORDERS];
@@ -15289,9 +15307,9 @@ VM_API int vmi_odd_slow_at(const vm_odd_problem *o, vm_real t, int side, vm_real
        problem.x = VM_C(0.2);
        problem.v = 0;
        if (vm_odd_within(&problem, 60, VM_C(1e-3), &motion) == VM_OK) printf("%g m\n", (double)motion.x);
-   Method: averaging of the action and the phase (oscillators/orbit_ripple.h), or integration by rk87 where the laws
-   are not slow or the motion crosses a separatrix. A plan holds the mean motion from 0 to a given time. Guide:
-   docs/duffing.md. Tests: tests/test_odd_force.c. */
+   Method: averaging of the action and the phase (oscillators/orbit_ripple.h), or integration by rk87 where the laws are
+   not slow or the motion crosses a separatrix, the border between two kinds of vibration. A plan contains the mean
+   motion from 0 to a given time. Guide: docs/duffing.md. Tests: tests/test_odd_force.c. */
 #ifndef VARMASS_OSCILLATORS_ODD_MOTION_H
 #define VARMASS_OSCILLATORS_ODD_MOTION_H
 
@@ -15331,9 +15349,10 @@ typedef struct VM_TAG(vmi_odd_panel) {
     vm_real size[VMI_GAUSS];    /* series of the size of the mean orbit (see vmi_orbit) */
     /* Element i is the integral of |d^i (h/w)/dphi^i| over the phase phi, from t = 0 to the end of the panel. */
     vm_real change[VMI_ODD_ORDERS];
-    vm_real knots;              /* what order two leaves out of ln J at points of tables, from 0 to the end */
-    vm_real largest_a, largest_B; /* largest values of these fields of the ripple on the panel */
-    vm_real gamma;              /* largest ratio on the panel of a relative change of w to the relative change of j */
+    vm_real knots;              /* terms of ln J that order two leaves out at points of tables, from t = 0 to the end of
+                                   the panel */
+    vm_real largest_a, largest_B; /* largest values on the panel of the ripple's fields of these names */
+    vm_real gamma;              /* largest ratio, on the panel, of the relative change of w to that of j */
 } vmi_odd_panel;
 
 /* The mean motion of a problem from t = 0 to a given time. Fill it by vm_odd_plan_init; read its fields, but do not
@@ -15356,8 +15375,8 @@ typedef struct VM_TAG(vm_odd_plan) {
     vmi_odd_panel panel[VMI_ODD_PANELS];
 } vm_odd_plan;
 
-/* Finds the orbit whose action j has this logarithm by Newton's method. The size that *orbit has is the first guess. A
-   step that leads out of the region of such orbits is halved. Returns VM_NO_LAW where there is no such orbit. */
+/* Finds the orbit whose action is exp(ln_j), by Newton's method. The size of *orbit is the first guess. A step to a
+   size at which there is no orbit is halved. Returns VM_NO_LAW where there is no orbit with this action. */
 VM_API int vmi_orbit_find(vmi_orbit *orbit, vm_real ln_j)
 {
     const vm_real enough = 4 * VM_EPSILON, longest = 2;
@@ -15381,8 +15400,8 @@ VM_API int vmi_orbit_find(vmi_orbit *orbit, vm_real ln_j)
     return VM_NO_LAW;
 }
 
-/* The change of ln j by the adiabatic law since t = 0. *now holds the laws at the end, and decay is the integral of
-   b/m. */
+/* The change of ln j by the adiabatic law since t = 0. *now has the values of the laws at the present time; decay is
+   the integral of b/m from 0 to this time. */
 VM_API vm_real vmi_odd_adiabatic(const vm_odd_plan *p, const vmi_odd_rates *now, vm_real decay)
 {
     const vm_real ln_m = vmi_log(now->m / p->m0).hi, ln_k = vmi_log(now->k / p->k0).hi;
@@ -15402,8 +15421,8 @@ VM_API vm_real vmi_odd_longest_panel(const vm_odd_problem *o, vm_real whole)
     return longest;
 }
 
-/* The time, s, in which the phase of the orbit grows by 16. Derivatives of users' laws are computed from rates between
-   the present time and this much later or earlier. */
+/* The time, s, in which the phase of the orbit grows by 16. Derivatives of users' laws are computed from rates at times
+   that differ from the present time by at most this time. */
 VM_API vm_real vmi_odd_sampling_time(vm_real w, vm_real speed) { return 16 / (w * speed); }
 
 /* -- A panel -- */
@@ -15420,8 +15439,8 @@ typedef struct VM_TAG(vmi_odd_nodes) {
     vm_real ratio1[VMI_GAUSS], ratio3[VMI_GAUSS];     /* series of these fields of the rates */
 } vmi_odd_nodes;
 
-/* Reads the shape of the force: its series, how well they hold at the ends, and the weak spring at the nodes. The
-   rates at the nodes must be set. */
+/* Reads the shape of the force: its series, the errors of these series at the ends of the panel, and the weak spring at
+   the nodes. The rates at the nodes must be set. */
 VM_API int vmi_odd_read_shape(const vm_odd_problem *o, const vmi_odd_panel *panel, vmi_odd_nodes *at)
 {
     const vm_odd_force *force = &o->force;
@@ -15480,8 +15499,9 @@ VM_API int vmi_odd_read(const vm_odd_problem *o, const vmi_odd_panel *panel, vmi
     return vmi_odd_read_shape(o, panel, at);
 }
 
-/* Adds to panel->change the integrals over this panel, from the series of h/w, with root mean squares in place of
-   absolute values. Coefficients that are as small as rounding errors are left out. The series is overwritten. */
+/* Adds to panel->change the integrals over this panel. They are computed from the series of h/w, with root mean squares
+   in place of absolute values. Coefficients that are as small as rounding errors are left out. The series is
+   overwritten. */
 VM_API void vmi_odd_add_changes(vmi_odd_panel *panel, vm_real *ratio)
 {
     const vm_real noise = (VM_MANT_DIG > 24 ? 4096 : 16) * VM_EPSILON;
@@ -15501,8 +15521,8 @@ VM_API void vmi_odd_add_changes(vmi_odd_panel *panel, vm_real *ratio)
 /* The number of the kth node in the order of time, 0 <= k < 20: 0, 2 ... 18, 19, 17 ... 1 */
 VM_API int vmi_odd_node_number(int k) { return k < VMI_GAUSS / 2 ? 2 * k : 2 * VMI_GAUSS - 1 - 2 * k; }
 
-/* Computes the series of a panel. The fields for its start and its length must be set. orbit is a guess of the mean
-   orbit at the start; it becomes the orbit at the last node. */
+/* Computes the series of a panel. The fields for its start and its length must be set. At the call *orbit is a guess of
+   the mean orbit at the start; afterwards it is the orbit at the last node. */
 VM_API int vmi_odd_panel_of(const vm_odd_plan *p, vmi_odd_panel *panel, vmi_orbit *orbit, vmi_odd_nodes *at)
 {
     vm_real rates[VMI_GAUSS], sizes[VMI_GAUSS], bends[VMI_GAUSS], ratios[VMI_GAUSS];
@@ -15541,9 +15561,9 @@ VM_API int vmi_odd_panel_of(const vm_odd_plan *p, vmi_odd_panel *panel, vmi_orbi
     return VM_OK;
 }
 
-/* Whether a panel is short enough for its series. Phase and size are evaluated inside the panel, where the terms that
-   their series leave out are not squared. varying is 1 where k1 and k3 follow laws of their own. whole is the length of
-   the walk, s. */
+/* Whether a panel is short enough for its series. Phase and size are also needed inside the panel. There their errors
+   are as large as the terms that their series leave out, while the error of an integral is about the square of such
+   terms. varying is 1 where k1 and k3 follow laws of their own. whole is the length of the walk, s. */
 VM_API int vmi_odd_panel_is_resolved(const vmi_odd_panel *panel, const vmi_odd_nodes *at, int varying, vm_real whole)
 {
     const vm_real limit = vmi_panel_limit(panel->length, whole), fine = VM_MANT_DIG > 24 ? VM_C(1e-12) : VM_C(1e-5);
@@ -15597,8 +15617,8 @@ VM_API int vmi_odd_walk_piece(vm_odd_plan *p, vm_real end, vm_real longest, vmi_
     return VM_OK;
 }
 
-/* The relative change of the action within a period that a weak linear spring of stiffness 1 causes. In a well it is
-   larger for a smaller orbit, because the spring moves the place of rest. */
+/* The relative change of the action within a period that a weak linear spring of stiffness 1 causes. On an orbit at one
+   side of x = 0 (in a well) it is larger for a smaller orbit, because the spring moves the place of rest. */
 VM_API vm_real vmi_odd_spring_ripple(const vmi_orbit *orbit)
 {
     vm_real squares = orbit->size; /* the largest change of x^2 */
@@ -15606,8 +15626,8 @@ VM_API vm_real vmi_odd_spring_ripple(const vmi_orbit *orbit)
     return squares / (2 * orbit->w * orbit->j);
 }
 
-/* Takes the mean motion past t, a point of a table: the derivative of h jumps there, but the motion does not, so that
-   the mean action jumps. */
+/* Continues the mean motion beyond the time t, a point of a table. The derivative of h jumps there, but the motion does
+   not jump. Therefore the mean action jumps. */
 VM_API int vmi_odd_walk_past_knot(const vm_odd_plan *p, vmi_orbit *orbit, vmi_odd_panel *next)
 {
     const int side = vmi_time_side(p->t_end);
@@ -15725,19 +15745,19 @@ VM_API int vmi_odd_fill(vm_odd_plan *p)
     if (status == VM_NO_LAW) return VM_OK;
     if (status || p->at_rest || orbit.size == 0) return status;
     p->start = orbit;
-    p->start.force = NULL; /* the force is p->problem.force, wherever the plan is copied to */
+    p->start.force = NULL; /* use p->problem.force: a pointer to it would be wrong in a copy of the plan */
     status = vmi_odd_start(p, &orbit);
     if (!status && p->t_end != 0) status = vmi_odd_walk(p, &orbit);
     return status == VM_NO_LAW ? VM_OK : status;
 }
 
 /* Plan for many values of one vibration under an odd elastic force, from t = 0 to t_end (s, any sign).
-   vm_odd_plan_within and vm_odd_plan_by_route use it. The problem is copied; its tables and contexts must outlive the
-   plan. Where the averaged motion ends before t_end, at a separatrix or because laws change too fast, the plan's field
-   reach says where; beyond it only VM_ODD_RK87 works. Errors leave the plan untouched. Returns VM_BAD_ARGUMENT for null
-   pointers and for a law or force that no constructor made, VM_NOT_FINITE for a number that is infinite or NaN,
-   VM_BAD_MASS or VM_BAD_STIFFNESS for a law that is not positive, VM_DOMAIN for a table out of order or one that does
-   not hold 0 and t_end, and where a user's function fails. */
+   vm_odd_plan_within and vm_odd_plan_by_route use it. The problem is copied; its tables and contexts must exist as long
+   as the plan is used. Where the averaged motion ends before t_end, at a separatrix or because laws change too fast,
+   the plan's field reach says where; beyond it only VM_ODD_RK87 works. Errors leave the plan untouched. Returns
+   VM_BAD_ARGUMENT for null pointers and for a law or force that no constructor made, VM_NOT_FINITE for a number that is
+   infinite or NaN, VM_BAD_MASS or VM_BAD_STIFFNESS for a law that is not positive, VM_DOMAIN for a table out of order
+   or one that does not contain 0 and t_end, and where a user's function fails. */
 VM_API int vm_odd_plan_init(vm_odd_plan *p, const vm_odd_problem *problem, vm_real t_end)
 {
     vm_odd_plan plan;
@@ -15822,7 +15842,7 @@ VM_API vm_real vmi_odd_fast(const vmi_odd_mean *mean, vm_real largest_a)
     return least;
 }
 
-/* The sizes of terms of second and of third order, for the damping and the spring in *slow and an orbit */
+/* The sizes of terms of second and of third order on an orbit, for the damping and the spring in *slow */
 VM_API void vmi_odd_sizes(const vmi_odd_slow *slow, const vmi_orbit *orbit, vm_real *second, vm_real *third)
 {
     const vm_real w = orbit->w, by_spring = vmi_odd_spring_ripple(orbit);
@@ -15842,7 +15862,7 @@ VM_API vm_real vmi_odd_steepness(const vmi_orbit *orbit)
 
 /* Estimates the error of an averaged solution at t. It adds up the sizes of the terms that are left out: in the
    transformation at the start and at t, and in the action at the start and at points of tables. An error of the action
-   changes the phase by gamma times the phase. The factors fit the errors of random problems in
+   changes the phase by gamma times the phase. The factors are chosen to fit the errors of random problems in
    tests/test_odd_force.c. */
 VM_API int vmi_odd_error(const vm_odd_plan *p, int route, vm_real t, const vmi_odd_mean *mean, vm_real *error)
 {
@@ -15894,10 +15914,10 @@ VM_API int vmi_odd_averaged(const vm_odd_plan *p, int route, vm_real t, vm_odd_m
    vm_odd_plan_by_route takes the route that its argument names. vm_odd_plan_within takes the cheapest route whose error
    is estimated to be within a tolerance, and vm_odd_within does so without a plan. The problem and the averaged
    solutions are those of oscillators/odd_motion.h, which also shows the shortest useful call. vm_odd_rhs is the
-   equation of motion. How good the estimates are: tests/test_odd_force.c compares them with the true errors of random
-   problems. The true error is below three estimates in 99 % of them, and never above ten. The integration of a force
-   with a kink, as x + x|x| has, needs very short steps: it may miss tolerances below 1e-6 and then returns
-   VM_TOLERANCE_MISSED. Tests: tests/test_odd_force.c. */
+   equation of motion. tests/test_odd_force.c compares the estimates with the true errors of random problems. The true
+   error is below three times the estimate in 99 % of the problems, and never above ten times the estimate. The
+   integration of a force with a kink, as x + x|x| has, needs very short steps: it may miss tolerances below 1e-6 and
+   then returns VM_TOLERANCE_MISSED. Tests: tests/test_odd_force.c. */
 #ifndef VARMASS_OSCILLATORS_ODD_ROUTES_H
 #define VARMASS_OSCILLATORS_ODD_ROUTES_H
 
@@ -16033,7 +16053,7 @@ VM_API int vmi_odd_motion_now(const vmi_odd_run *c, vm_odd_motion *motion, vm_re
     int status = vmi_odd_read_laws(o, c->s.t, -c->side, &now);
     if (status) return status;
     speed = VM_SQRT(now.k / now.m);
-    if (o->force.laws) { /* the vibration with the coefficients of this time */
+    if (o->force.laws) { /* the orbit is that of the force at this time */
         force.k1 = now.k1;
         force.k3 = now.k3;
     }
@@ -16053,7 +16073,7 @@ VM_API int vmi_odd_motion_now(const vmi_odd_run *c, vm_odd_motion *motion, vm_re
     return VM_OK;
 }
 
-/* Makes one run from 0 to t, with the motions at the times of vmi_osc_check_time, and their swings and largest
+/* Makes one run from 0 to t. Writes the motions at the times of vmi_osc_check_time, and their swings and largest
    velocities. */
 VM_API int vmi_odd_run_once(vmi_odd_run *c, vm_real t, vm_real tolerance, vm_odd_motion *motion, vm_real *swing,
                             vm_real *vmax)
@@ -16083,8 +16103,8 @@ VM_API int vmi_odd_run_once(vmi_odd_run *c, vm_real t, vm_real tolerance, vm_odd
     return VM_OK;
 }
 
-/* Makes a loose and a strict run. Writes the strict run's motion at t; its error is the largest difference of the two
-   runs. */
+/* Makes two runs, one with a loose and one with a strict tolerance. Writes the motion at t of the strict run; its error
+   is the largest difference of the two runs. */
 VM_API int vmi_odd_pair(vmi_odd_run *c, vm_real t, vm_real step_tolerance, vm_odd_motion *motion)
 {
     const vmi_osc_tuning tuning = vmi_osc_method_rk87(vmi_odd_run_rhs).tuning;
@@ -16108,8 +16128,8 @@ VM_API int vmi_odd_pair(vmi_odd_run *c, vm_real t, vm_real step_tolerance, vm_od
 }
 
 /* Computes the motion at t by rk87. It makes pairs of runs with stricter and stricter tolerances until the estimated
-   error is within `tolerance`. A pair that is not better than the best one halves the longest step; after three such
-   pairs the best one is the result. */
+   error is within `tolerance`. After a pair that is not better than the best pair so far, the longest step is halved.
+   After three such pairs the best pair is the result. */
 VM_API int vmi_odd_integrate(const vm_odd_plan *p, vm_real t, vm_real tolerance, vm_odd_motion *motion)
 {
     const int most_attempts = 8, most_stalled = 3;
@@ -16238,9 +16258,9 @@ VM_API int vm_odd_within(const vm_odd_problem *problem, vm_real t, vm_real toler
 
        vm_real A = 3 * vm_osc_amplitude_law(VM_C(0.5), 0, 1, 3); // cubic spring, half of the mass gone, A was 3
 
-   Symbols of these chapters: A amplitude, psi Ateb phase, Om = psi' its rate, m mass, k stiffness, b damping, r the
-   argument `reactive`, q the rate at which mass, damping and stiffness change the vibration (vmi_slow_q). Averaging
-   needs q much smaller than Om.
+   Symbols of these chapters: A is the amplitude, psi the Ateb phase, Om = psi' its rate, m the mass, k the stiffness, b
+   the damping, r the argument `reactive`, and q the rate at which mass, damping and stiffness change the vibration
+   (vmi_slow_q). Averaging needs q much smaller than Om.
    Tests: tests/test_averaging.c, tests/test_constant_mass.c. */
 #ifndef VARMASS_OSCILLATORS_SLOW_H
 #define VARMASS_OSCILLATORS_SLOW_H
@@ -16267,8 +16287,8 @@ VM_API vm_real vm_osc_amplitude_law(vm_real mass_ratio, vm_real decay, vm_real r
 }
 
 /* Ratio of the largest velocity to its first value, of an oscillator whose mass varies slowly. It follows from the
-   amplitude A by x'_max = sqrt(2 k A^(alpha+1)/((alpha+1) m)): (326), (364), (395) corrected. The arguments and the
-   results outside the domain are those of vm_osc_amplitude_law. */
+   amplitude A by x'_max = sqrt(2 k A^(alpha+1)/((alpha+1) m)): (326), (364), (395) corrected. The arguments and their
+   domain are those of vm_osc_amplitude_law. Outside the domain and for infinite arguments the result is NaN. */
 VM_API vm_real vm_osc_velocity_law(vm_real mass_ratio, vm_real decay, vm_real reactive, vm_real alpha)
 {
     const vm_real share = (alpha + 1) / (alpha + 3); /* (alpha+1)/2, the exponent of A in x'_max, times 2/(alpha+3) */
@@ -16280,7 +16300,7 @@ VM_API vm_real vm_osc_velocity_law(vm_real mass_ratio, vm_real decay, vm_real re
 typedef struct VM_TAG(vmi_linear_mass) {
     vm_real m0, m, rate; /* mass at 0 and mass at t, kg; rate of the mass, kg/s */
     vm_real ln_ratio;    /* ln(m/m0) */
-    vm_real integral;    /* integral of dt/m from 0 to t, s/kg; it has no singularity at rate = 0 */
+    vm_real integral;    /* integral of dt/m from 0 to t, s/kg; its formula is also valid at rate = 0 */
 } vmi_linear_mass;
 
 /* Writes the linear mass that a law describes between 0 and t, which closed forms need. Returns VM_NO_LAW where the law
@@ -16336,7 +16356,8 @@ VM_API void vmi_slow_phase(vm_real x, vm_real v, vm_real k, vm_real mass, vm_rea
 #endif
 /* oscillators/van_der_pol.h - the Van der Pol oscillator with variable mass
 
-   The equation is (404), with the mass m(t), a spring of any exponent alpha, and a stiffness k that may be slow, too:
+   The equation is (404), with the mass m(t), a spring of any exponent alpha, and a stiffness k that may vary slowly,
+   too:
        m x'' + k x|x|^(alpha-1) = (feed - c x^2) x' - r m' x'
    If feed > 0 feeds the vibration and c > 0 limits it, the vibration tends to a limit cycle. r (`reactive`) is 1 where
    mass that joins or leaves is at rest, 0 where it has the body's velocity. This file has the equation of motion, the
@@ -16355,7 +16376,7 @@ VM_API void vmi_slow_phase(vm_real x, vm_real v, vm_real k, vm_real mass, vm_rea
 #ifndef VARMASS_OSCILLATORS_VAN_DER_POL_H
 #define VARMASS_OSCILLATORS_VAN_DER_POL_H
 
-/* Methods of averaging. Each takes the means over one period of the motion x that is named beside it. */
+/* Methods of averaging. Each computes the means over one period of the motion x that stands beside its name. */
 enum {
     VM_VDP_ATEB = 0,         /* A ca(psi), the exact motion without damping: its means are exact to first order */
     VM_VDP_JACOBI = 1,       /* A cn with Jacobi's cn (411)-(413): the amplitude of the limit cycle is wrong by
@@ -16373,8 +16394,8 @@ typedef struct VM_TAG(vm_vdp) {
     vm_real reactive;   /* r: 1 where mass that joins or leaves is at rest, 0 where it has the body's velocity */
     int method;         /* method of averaging, VM_VDP_... */
     vm_law mass;        /* slow mass m, kg, > 0; vm_vdp_init and vm_vdp_limit_cycle do not use it */
-    vm_law stiffness;   /* slow stiffness, N/m^alpha, > 0, in place of k; zeros, as memset leaves them, stand for the
-                           constant k. vm_vdp_init and vm_vdp_limit_cycle do not use it */
+    vm_law stiffness;   /* slow stiffness, N/m^alpha, > 0, in place of k; if all its fields are 0, as after memset, the
+                           stiffness is the constant k. vm_vdp_init and vm_vdp_limit_cycle do not use it */
     vm_real a1, a2, a3; /* mean values of (410), pure numbers; vm_vdp_init writes them */
 } vm_vdp;
 
@@ -16408,7 +16429,8 @@ VM_API vm_law vmi_vdp_stiffness(const vm_vdp *v)
     return vm_law_linear(v->k, 0);
 }
 
-/* Checks that the numbers of a Van der Pol oscillator are in their domains. k counts only where it is the stiffness. */
+/* Checks that the numbers of a Van der Pol oscillator are in their domains. k is checked only where no law gives the
+   stiffness. */
 VM_API int vmi_vdp_check(const vm_vdp *v)
 {
     const vm_real numbers[5] = {v->alpha, v->k, v->feed, v->c, v->reactive};
@@ -16450,12 +16472,12 @@ VM_API vm_real vmi_vdp_growth(const vm_vdp *v, vm_real mass_rate, vm_real A)
 VM_API int vmi_vdp_has_closed_forms(const vm_vdp *v) { return v->a1 > 0; }
 
 /* Amplitude of a Van der Pol oscillator at time t, in closed form for a linear mass. first_A is the amplitude, m, at
-   t = 0, of either sign. One formula stands for (422), (424), (427), (429), (431)-(435), (437), as corrected, and has
-   no singularity where terms cancel. The error is that of averaging (see `method`) and that of rounding, which tests
-   bound by 12 eps. Returns NaN for a null pointer, an oscillator that is not prepared, infinite arguments, a mass
-   that is not positive at 0 or at t, a mass that is neither linear nor constant, and a stiffness that follows a law
-   (integrate vm_vdp_averaged_rhs instead). For c < 0 it also returns NaN from the time at which the amplitude becomes
-   infinite. Method: the solution of (416) is
+   t = 0, of either sign. One formula replaces (422), (424), (427), (429), (431)-(435), (437), as corrected, and has no
+   singularity where terms cancel. The error is that of averaging (see `method`) and that of rounding, which tests bound
+   by 12 eps. Returns NaN for a null pointer, an oscillator that is not prepared, infinite arguments, a mass that is not
+   positive at 0 or at t, a mass that is neither linear nor constant, and a stiffness that follows a law (integrate
+   vm_vdp_averaged_rhs instead). For c < 0 it also returns NaN from the time at which the amplitude becomes infinite.
+   Method: the solution of (416) is
      1/A^2 = e^-F (1/first_A^2 + 2 c a3/a1 times the integral of e^F dt/m),  F = drive a2/a1 times the integral of dt/m,
    where drive = 2 feed - (2r - 1) m'. For a linear mass F is proportional to the integral of dt/m, hence the integral
    of e^F dt/m is (e^F - 1)/F times the integral of dt/m. The code uses e^-|F| and divides by the larger of the two
@@ -16538,7 +16560,7 @@ VM_API int vm_vdp_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *vdp)
 }
 
 /* Averaged equations (410) of a Van der Pol oscillator, for rk45 or rk87. Mass and stiffness may follow any slow law.
-   y = (A, psi) holds the mean amplitude A, in metres, and the Ateb phase psi: x = A ca(psi), and |x| = A at the
+   y = (A, psi) contains the mean amplitude A, in metres, and the Ateb phase psi: x = A ca(psi), and |x| = A at the
    turning points. vdp points to a prepared vm_vdp with the fields feed and c. For the method VM_VDP_ATEB and a start
    from rest, let e be the largest of feed, c A^2 and m', divided by m psi'. Then, up to the time m/feed, the relative
    error of A is of the order of e^2, and the error of psi of the order of e. The statuses are those of vm_vdp_rhs. */
@@ -16558,22 +16580,23 @@ VM_API int vm_vdp_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void 
 #endif
 /* oscillators/van_der_pol_expansion.h - Van der Pol's oscillator: from the motion to its mean motion and back
 
-   The oscillator is that of oscillators/van_der_pol.h. In amplitude A and phase psi of oscillators/reduction.h, with
-   the feed as a negative damping, its exact equations are
+   The oscillator is that of oscillators/van_der_pol.h. The feed is treated as a negative damping. Then the amplitude A
+   and the phase psi of oscillators/reduction.h obey the exact equations
      (ln A)' = -p + W [-(2/n) e ca^2 sa^2 + E0 sa ca - Q0 ca^3 sa],
      psi'    =      W [1 - e ca^3 sa + (n/2) E0 ca^2 - (n/2) Q0 ca^4],
    with n = alpha + 1. W is the rate of the phase at the amplitude A for constant mass. Let epsilon be the relative
    change of the vibration within a radian. The disturbances are the numbers
      e = (c/m) A^2/W,  e1 = e nu/W,  Q0 = e p/W,  E0 = (p^2 - a p - p')/W^2,  nu = -m'/m - 4 p + a;
-   e is of the order epsilon; e1, Q0 and E0 are of the order epsilon^2. With feed and m' alone, only E0 is left.
+   e is of the order epsilon; e1, Q0 and E0 are of the order epsilon^2. For c = 0 only E0 is left.
 
    A transformation leads from A and psi to mean values, whose rates have no ripple within a period. Let J be
-   A^((alpha+3)/2) times a slow factor, so that a constant J means that only -p changes A. Then the mean values obey
+   A^((alpha+3)/2) times a factor that varies slowly. The factor is such that J is constant if A'/A = -p. Then the mean
+   values obey
      (ln J)' = W [F e + K_3 e^3 + K_1 e e1 + K_Q e Q0 + K_E e E0],
      psi'    = W [1 + K_2 e^2 - (n/2) <ca^4> Q0 + (n/2) <ca^2> E0],
    where < > is the mean over a period. F and the K are constants for each alpha. This file has these constants, and the
    transformation in both directions. The motion that follows has an error of O(epsilon^3) over times of 1/epsilon. The
-   law is new; docs/van-der-pol.md has what it was measured at.
+   law is new; docs/van-der-pol.md shows how large its errors are.
        vmi_ripple r;
        vmi_vdp_ripple v;
        vmi_ripple_init(&r, 1, vmi_ateb_constants);
@@ -16583,8 +16606,9 @@ VM_API int vm_vdp_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void 
 #ifndef VARMASS_OSCILLATORS_VAN_DER_POL_EXPANSION_H
 #define VARMASS_OSCILLATORS_VAN_DER_POL_EXPANSION_H
 
-/* The polynomials that this law needs beyond those of oscillators/ripple.h, for phases near a zero of sa. CA6 gives the
-   integral over the phase of ca^6. SQUARE gives the integral of S^2, where S is the integral of C = ca^2 - <ca^2>. */
+/* The polynomials that this law needs in addition to those of oscillators/ripple.h, for phases near a zero of sa. CA6
+   gives the integral over the phase of ca^6. SQUARE gives the integral of S^2, where S is the integral of C = ca^2 -
+   <ca^2>. */
 enum { VMI_VDP_CA6, VMI_VDP_SQUARE, VMI_VDP_TURN_FUNCTIONS };
 
 /* The polynomials for phases near a zero of ca. CA6 gives the integral of ca^6. The others give three parts of the
@@ -16784,7 +16808,7 @@ typedef struct VM_TAG(vmi_vdp_values) {
     vmi_ripple_values f;
     vm_real C4;         /* ca^4 - <ca^4> */
     vm_real U, U1, P1;  /* U and U1 multiply e and e1 in ln J; P1 multiplies e in the phase */
-    vm_real X;          /* a part of what multiplies e^2 in ln J */
+    vm_real X;          /* a part of the factor of e^2 in ln J */
 } vmi_vdp_values;
 
 /* Writes the functions of the transformation at the phase psi, where sa and ca are the Ateb functions of psi. */
@@ -16803,7 +16827,7 @@ VM_API void vmi_vdp_values_at(const vmi_vdp_ripple *v, const vmi_ripple *r, vm_r
 /* -- From the motion to the mean motion -- */
 
 /* Returns ln(mean J/J) with all terms up to order epsilon^2, and at phases where sa or ca is 0 up to epsilon^3. *f
-   holds the functions at the phase, *now the disturbances at the amplitude. */
+   contains the functions at the phase, and *now the disturbances at the amplitude. */
 VM_API vm_real vmi_vdp_J(const vmi_vdp_ripple *v, const vmi_ripple *r, const vmi_vdp_values *f,
                          const vmi_vdp_disturbance *now)
 {
@@ -16818,7 +16842,7 @@ VM_API vm_real vmi_vdp_psi(const vmi_vdp_values *f, const vmi_vdp_disturbance *n
 
 /* -- From the mean motion to the motion -- */
 
-/* Returns the part of order epsilon^2 of ln(J/mean J). *f holds the functions at the mean phase. */
+/* Returns the part of order epsilon^2 of ln(J/mean J). *f contains the functions at the mean phase. */
 VM_API vm_real vmi_vdp_J_back_second(const vmi_vdp_ripple *v, const vmi_ripple *r, const vmi_vdp_values *f,
                                      const vmi_vdp_disturbance *now)
 {
@@ -16828,7 +16852,7 @@ VM_API vm_real vmi_vdp_J_back_second(const vmi_vdp_ripple *v, const vmi_ripple *
     return now->e * now->e * square + now->e1 * f->U1 + half / 2 * now->Q0 * f->C4 - half * now->E0 * f->f.C;
 }
 
-/* Returns the part of order epsilon^2 of the difference phase - mean phase. *f holds the functions at the mean phase
+/* Returns the part of order epsilon^2 of the difference phase - mean phase. *f contains the functions at the mean phase
    psi. */
 VM_API vm_real vmi_vdp_psi_back_second(const vmi_vdp_ripple *v, const vmi_ripple *r, vm_real psi,
                                        const vmi_vdp_values *f, const vmi_vdp_disturbance *now)
@@ -16867,16 +16891,16 @@ VM_API vm_real vmi_vdp_mean_rate(const vmi_vdp_ripple *v, const vmi_ripple *r, c
 
 /* -- Sizes of the terms, for estimates of errors -- */
 
-/* Bounds of what order two leaves out at one time: of the phase and of ln J by the transformation back from the mean
-   motion, and of ln J by the transformation to the mean motion */
+/* Bounds of the terms that order two leaves out at one time: in the phase and in ln J by the transformation from the
+   mean motion to the motion, and in ln J by the transformation to the mean motion */
 typedef struct VM_TAG(vmi_vdp_sizes) {
-    vm_real psi, J; /* terms of order epsilon^2 of the transformation back */
+    vm_real psi, J; /* terms of order epsilon^2 in the transformation to the motion */
     vm_real start;  /* terms of order epsilon^3 of ln J in the transformation to the mean motion */
-    vm_real ratio;  /* about the ratio of the terms of one order to the terms of the order before */
+    vm_real ratio;  /* estimated ratio of the terms of one order to the terms of the next lower order */
 } vmi_vdp_sizes;
 
-/* The sizes where the disturbances are *now. rate is (|nu| + |p| + |a|)/W, see the top of this file. The factors are
-   fitted to the largest values of the functions for alpha from 0.2 to 12. */
+/* Computes these sizes for the disturbances *now. rate is (|nu| + |p| + |a|)/W, see the top of this file. The factors
+   are fitted to the largest values of the functions for alpha from 0.2 to 12. */
 VM_API vmi_vdp_sizes vmi_vdp_sizes_of(const vmi_ripple *r, const vmi_vdp_disturbance *now, vm_real rate)
 {
     const vm_real d = r->pi / (2 * VM_PI), d2 = d * d, d3 = d2 * d, d4 = d2 * d2;
@@ -16894,17 +16918,17 @@ VM_API vmi_vdp_sizes vmi_vdp_sizes_of(const vmi_ripple *r, const vmi_vdp_disturb
 #endif
 /* oscillators/van_der_pol_walk.h - the mean motion of a Van der Pol oscillator along slow laws of mass and stiffness
 
-   The transformation of oscillators/van_der_pol_expansion.h is exact to its order where sa or ca is 0. The plan
-   therefore follows the exact equations from t = 0 to the next such phase (by collocation), and starts the mean motion
-   there. The mean amplitude and phase at any other time are integrals along the laws, so the cost does not
+   At phases where sa or ca is 0, the transformation of oscillators/van_der_pol_expansion.h has the full order three.
+   The plan therefore follows the exact equations from t = 0 to the next such phase (by collocation), and starts the
+   mean motion there. The mean amplitude and phase at any other time are integrals along the laws, so the cost does not
    depend on the number of vibrations. On a panel of time (oscillators/panels.h) that starts with the mean amplitude A_0
    and the mean phase psi_0, let B = c/m and r = exp(-2 integral of p dt from the start). Then the mean amplitude A and
    the mean phase psi are
      A^2 = A_0^2 r/y,  y = 1 + 4/(alpha+3) A_0^2 integral of B r (-F - second order terms) dt,
      psi = psi_0 + integral of W (1 + second order terms) dt,
    where the constant F and the terms of second order are those of oscillators/van_der_pol_expansion.h. At the points of
-   a table p' jumps, so that the mean motion jumps, too. There the exact equations take over, from the last phase before
-   the point at which sa or ca is 0 to the first such phase after it.
+   a table p' jumps, so that the mean motion jumps, too. Around such a point the motion is computed by the exact
+   equations: from the last phase with sa = 0 or ca = 0 before the point to the first such phase after it.
        vm_vdp_plan plan;
        vmi_vdp_mean mean;
        int status = vm_vdp_plan_init(&plan, &vdp, VM_C(0.3), 0); // vdp is a vm_vdp; from rest at x = 0.3 m
@@ -16917,17 +16941,18 @@ VM_API vmi_vdp_sizes vmi_vdp_sizes_of(const vmi_ripple *r, const vmi_vdp_disturb
 typedef struct VM_TAG(vmi_vdp_mean) {
     vm_real t;                    /* the time, s */
     vm_real ln_A, psi;            /* ln of the mean amplitude in m, and mean phase */
-    vm_real first_ln_A, first_psi; /* the same two by the equations of first order */
+    vm_real first_ln_A, first_psi; /* ln_A and psi by the equations of first order */
     vm_real segment;              /* time, s, of the last point of a table before t, or 0; the mass is smooth since
                                      then */
     vmi_osc_slow now;             /* mass, stiffness and rates at t; set at the end of a walk only */
-    vm_real J_error;              /* error of ln J that order two makes at starts of the mean motion; only the part
-                                     that has not died out at t */
-    vm_real psi_error;            /* what order two leaves out of psi */
-    vm_real J_third, psi_third;   /* what order three leaves out: only those terms that depend on feed and mass alone */
-    vm_real ratio;                /* largest ratio at a start of the terms of one order to the terms of the order
-                                     before */
-    vmi_osc_mean fast;            /* used are only its fields change, dropped, shortest and error, for the effects of
+    vm_real J_error;              /* error of ln J that order two makes at starts of the mean motion; only the part that
+                                     is still left at t */
+    vm_real psi_error;            /* size of the terms of psi that order two leaves out */
+    vm_real J_third, psi_third;   /* size of terms that order three leaves out: only of those that depend on feed and
+                                     mass alone */
+    vm_real ratio;                /* largest ratio, at a start of the mean motion, of the terms of one order to those of
+                                     the next lower order */
+    vmi_osc_mean fast;            /* only its fields change, dropped, shortest and error are used, for the effects of
                                      fast changes of the mass */
 } vmi_vdp_mean;
 
@@ -16965,8 +16990,8 @@ VM_API vm_real vmi_vdp_nu(const vm_vdp_plan *p, vm_real rate_a, vm_real rate_p, 
     return (p->vdp.alpha - 1) * rate_p - rate_a - k_rate;
 }
 
-/* The disturbances for a mass with the rates a and p and for nu, for G0 = p^2 - a p - p', and for the amplitude
-   exp(ln_A), whose phase has the rate W */
+/* Computes the disturbances from the mass, the rates a and p, nu, G0 = p^2 - a p - p', and the amplitude exp(ln_A). W
+   is the rate of the phase at this amplitude. */
 VM_API vmi_vdp_disturbance vmi_vdp_disturbance_of(const vm_vdp_plan *p, vm_real mass, vm_real nu, vm_real rate_p,
                                                   vm_real G0, vm_real ln_A, vm_real W)
 {
@@ -17035,8 +17060,8 @@ VM_API void vmi_vdp_start_at(const vm_vdp_plan *p, const vmi_osc_reduced *r, vmi
 
 /* Follows the exact equations from the state *r at the time t to the first phase at which sa or ca is 0, and starts the
    mean motion there. If `knots` is 1, the phase must lie beyond the next point of a table. side is 1 forward, -1
-   backward in time. VM_NOT_INTEGRATED means that amplitude and phase do not describe the motion, or that a table has
-   more points on the way. */
+   backward in time. VM_NOT_INTEGRATED means that amplitude and phase do not describe the motion, or that a further
+   table point lies on the way. */
 VM_API int vmi_vdp_bridge(const vm_vdp_plan *p, vm_real t, int side, const vmi_osc_reduced *r, int knots,
                           vmi_vdp_mean *mean)
 {
@@ -17103,10 +17128,11 @@ VM_API int vmi_vdp_start(const vm_vdp_plan *p, int side, vmi_vdp_mean *mean)
 /* Prepares a plan for many values of the motion of a Van der Pol oscillator.
    x is the position, m, x_rate the velocity, m/s, both at t = 0. vm_vdp_plan_by_route and vm_vdp_plan_within use the
    plan. The field method must be valid, but it has no effect, and a1 to a3 have none. The oscillator is copied; the
-   tables and contexts of its mass must outlive the plan. Errors leave the plan untouched. Returns VM_BAD_ARGUMENT for
-   null pointers, an unknown method, and a mass that no constructor made, VM_NOT_FINITE for numbers that are infinite or
-   NaN, VM_BAD_MASS for a mass that is not positive at t = 0 or in a table, VM_BAD_STIFFNESS for such a stiffness,
-   VM_DOMAIN for alpha < 0, a table out of order or without t = 0, or a user's function that fails. */
+   tables and contexts of its mass must exist as long as the plan is used. Errors leave the plan untouched. Returns
+   VM_BAD_ARGUMENT for null pointers, an unknown method, and a mass that no constructor made, VM_NOT_FINITE for numbers
+   that are infinite or NaN, VM_BAD_MASS for a mass that is not positive at t = 0 or in a table, VM_BAD_STIFFNESS for a
+   stiffness that is not positive there, VM_DOMAIN for alpha < 0, a table out of order or without t = 0, or a user's
+   function that fails. */
 VM_API int vm_vdp_plan_init(vm_vdp_plan *p, const vm_vdp *v, vm_real x, vm_real x_rate)
 {
     vm_vdp_plan plan;
@@ -17139,7 +17165,8 @@ VM_API int vm_vdp_plan_init(vm_vdp_plan *p, const vm_vdp *v, vm_real x, vm_real 
 
 /* Series and integrals of the mean motion on a panel of time */
 typedef struct VM_TAG(vmi_vdp_panel) {
-    vmi_osc_panel laws;                   /* the law of the mass; E and noise serve to find its fast changes */
+    vmi_osc_panel laws;                   /* the law of the mass; its fields E and noise are used to find fast changes
+                                             of it */
     vm_real r[VMI_GAUSS];                 /* series of r/m with r = exp(-2 integral of p dt) from the panel's start */
     vm_real rate[VMI_GAUSS], first_rate[VMI_GAUSS]; /* series of the rate of the mean phase, by order three and one */
     vm_real ln_A, first_ln_A;             /* change of ln A over the panel, by order three and one */
@@ -17175,9 +17202,10 @@ VM_API vm_real vmi_vdp_ln_k(vm_real k, vm_real k_start)
     return vmi_log(k / k_start).hi;
 }
 
-/* The size of the last terms of E_0's series that rounding errors cause, for the rates in *now, where the phase has the
-   rate W. E_0 contains p'/W^2, and p' is the derivative of a series of p on the panel. Rounding errors of p, at most a
-   few eps (|a| + |p|), grow by up to 250/length in its last terms; on short panels they hide the law itself. */
+/* The size of the rounding errors in the last terms of the series of E_0. *now has the rates of the laws, and W is the
+   rate of the phase. E_0 contains p'/W^2, and p' is the derivative of a series of p on the panel. Rounding errors of p,
+   at most a few eps (|a| + |p|), grow by up to 250/length in its last terms; on short panels they hide the law
+   itself. */
 VM_API vm_real vmi_vdp_rounding(const vmi_osc_rates *now, vm_real W, vm_real length)
 {
     return 256 * VM_EPSILON / VM_FABS(length) / W * ((VM_FABS(now->p) + VM_FABS(now->a)) / W);
@@ -17242,7 +17270,7 @@ VM_API void vmi_vdp_second_order(const vm_vdp_plan *p, const vmi_vdp_mean *mean,
     panel->loss = 1 / (1 + gain * length * (p->ripple.F * panel->r[0] + second[0]));
 }
 
-/* Computes the panel from mean->t over `length`, which is negative backward. */
+/* Computes the panel from mean->t to mean->t + length; length is negative backward in time. */
 VM_API int vmi_vdp_panel_of(const vm_vdp_plan *p, const vmi_vdp_mean *mean, vm_real length, vmi_vdp_panel *panel)
 {
     const vm_osc_problem *o = &p->osc.problem;
@@ -17273,9 +17301,9 @@ VM_API int vmi_vdp_rate_is_resolved(const vm_real *rate, vm_real limit)
     return vmi_legendre_tail(rate) <= limit * VM_FABS(rate[0]);
 }
 
-/* Whether the panel is short enough for its series. `whole` is the length of the walk, s. A panel also counts as short
-   enough if the terms of E_0 that its series leaves out do not matter or are rounding errors, which halving only makes
-   larger. The rate of the phase contains E_0. */
+/* Whether the panel is short enough for its series. `whole` is the length of the walk, s. The series of E_0 may leave
+   out terms that do not matter, and terms that are rounding errors: halving the panel would make rounding errors
+   larger. The same is allowed for the rate of the phase, which contains E_0. */
 VM_API int vmi_vdp_panel_is_resolved(const vmi_vdp_panel *panel, vm_real length, vm_real whole)
 {
     const vm_real E_enough = VM_MANT_DIG > 24 ? VM_C(1e-6) : VM_C(1e-3);
@@ -17303,7 +17331,7 @@ VM_API void vmi_vdp_add_panel(const vm_vdp_plan *p, vmi_vdp_panel *panel, vm_rea
     mean->psi_third += g * mean->J_third * panel->kept + phase * second;
     mean->J_error *= panel->loss;
     mean->J_third *= panel->loss;
-    panel->laws.ratio[0] = panel->rate[0] / p->osc.mean.W; /* vmi_osc_add_changes asks for the rate in this form */
+    panel->laws.ratio[0] = panel->rate[0] / p->osc.mean.W; /* vmi_osc_add_changes needs the rate in this form */
     panel->laws.cube = 0;
     vmi_osc_add_changes(&p->osc, &panel->laws, length, &mean->fast);
 }
@@ -17374,8 +17402,8 @@ VM_API int vmi_vdp_mean_update(const vm_vdp_plan *p, int side, vmi_vdp_mean *mea
     return vmi_osc_slow_at(&p->osc.problem, mean->t, -side, vmi_smaller(sampling, way), unit, &mean->now);
 }
 
-/* Takes the mean motion past mean->t, the time of a table point. It goes back to the last phase before this time at
-   which sa or ca is 0, and from there by the exact equations to the first such phase after this time. */
+/* Continues the mean motion beyond mean->t, the time of a table point. It goes back to the last phase before this time
+   at which sa or ca is 0. From there it follows the exact equations to the first such phase after this time. */
 VM_API int vmi_vdp_walk_past_knot(const vm_vdp_plan *p, int side, vmi_vdp_mean *mean)
 {
     const vm_real quarter = p->osc.ripple.pi / 2, turns = (vm_real)side * mean->psi / quarter;
@@ -17384,7 +17412,7 @@ VM_API int vmi_vdp_walk_past_knot(const vm_vdp_plan *p, int side, vmi_vdp_mean *
     vmi_vdp_panel panel;
     vmi_osc_reduced state;
     int status = VM_OK;
-    /* The way back must not pass the table point before this one, or t = 0: the two would be too close together. */
+    /* If the way back passes the previous table point, or t = 0, the two points are too close together. */
     if ((vm_real)side * (knot + back - mean->segment) < 0) return VM_NOT_INTEGRATED;
     if (back != 0) {
         status = vmi_vdp_panel_of(p, mean, back, &panel);
@@ -17399,9 +17427,9 @@ VM_API int vmi_vdp_walk_past_knot(const vm_vdp_plan *p, int side, vmi_vdp_mean *
     return vmi_vdp_bridge(p, mean->t, side, &state, 1, mean);
 }
 
-/* Computes the mean motion at t by a walk along the law of the mass, from one point of a table to the next. Returns
-   VM_NOT_INTEGRATED where amplitude and phase do not describe the motion, or where points of a table are closer than
-   a quarter of a vibration, and VM_NOT_FINITE where the amplitude becomes infinite between 0 and t. */
+/* Computes the mean motion at t by integration along the law of the mass, from one point of a table to the next.
+   Returns VM_NOT_INTEGRATED where amplitude and phase do not describe the motion, or where points of a table are closer
+   than a quarter of a vibration, and VM_NOT_FINITE where the amplitude becomes infinite between 0 and t. */
 VM_API int vmi_vdp_mean_at(const vm_vdp_plan *p, vm_real t, vmi_vdp_mean *mean)
 {
     const vm_osc_problem *o = &p->osc.problem;
@@ -17429,17 +17457,17 @@ VM_API int vmi_vdp_mean_at(const vm_vdp_plan *p, vm_real t, vmi_vdp_mean *mean)
 #endif
 /* oscillators/van_der_pol_constant.h - the mean motion of a Van der Pol oscillator of constant mass and stiffness
 
-   The mean motion of oscillators/van_der_pol_walk.h is an integral along the laws. If mass and stiffness are constant,
-   no walk along them is needed. With alpha = 1, Van der Pol's own equation, the integrals have closed forms. Let
+   The mean motion of oscillators/van_der_pol_walk.h is an integral along the laws of mass and stiffness. If both are
+   constant and alpha = 1, as in Van der Pol's own equation, the integrals have closed forms. Let
    kappa = feed/m, beta = -F (c/m) A_0^2 with the constant F = -1/4, z = beta/kappa, and y = 1 + z (e^(kappa t) - 1). To
    first order the amplitude A is A_0 R^(1/2) with R = e^(kappa t)/y, and
        integral of R dt = ln(y)/beta,   integral of R^2 dt = (kappa ln(y)/beta - R + 1)/beta.
    The terms of second order are such integrals, too (vmi_vdp_closed_loss). For other alpha the amplitude of first order
    has the same form with (4/(alpha+3)) kappa in place of kappa, but the phase needs the integral of R^((alpha-1)/4) dt,
    an incomplete beta function whose second parameter is 0. It is elementary only if (alpha-1)/4 is rational, and the
-   other orders need several of them (docs/van-der-pol.md). For such alpha the walk computes all integrals at once,
-   and ends where the limit cycle is reached: from there on the phase grows at a constant rate. So the cost does not
-   depend on t.
+   other orders need several such functions (docs/van-der-pol.md). For these alpha the code of
+   oscillators/van_der_pol_walk.h computes all integrals at once, until the limit cycle is reached: from there on the
+   phase grows at a constant rate. So the cost does not depend on t.
        vmi_vdp_mean mean;
        vm_vdp_plan plan;
        int status = vm_vdp_plan_init(&plan, &vdp, VM_C(0.3), 0); // vdp is a vm_vdp; from rest at x = 0.3 m
@@ -17448,7 +17476,7 @@ VM_API int vmi_vdp_mean_at(const vm_vdp_plan *p, vm_real t, vmi_vdp_mean *mean)
 #ifndef VARMASS_OSCILLATORS_VAN_DER_POL_CONSTANT_H
 #define VARMASS_OSCILLATORS_VAN_DER_POL_CONSTANT_H
 
-/* Whether a law is constant, as far as its form tells */
+/* Whether the form of a law shows that it is constant */
 VM_API int vmi_vdp_is_constant(const vm_law *law)
 {
     vm_real base, rate;
@@ -17462,7 +17490,7 @@ typedef struct VM_TAG(vmi_vdp_growth_course) {
     vm_real ln_y, q;        /* ln(y), and q = 1/y */
 } vmi_vdp_growth_course;
 
-/* Computes kappa, beta and z for a start of the mean motion. s = 4/(alpha+3) is 1 for alpha = 1. */
+/* Computes kappa, beta and z for a mean motion that begins with *start. s = 4/(alpha+3) is 1 for alpha = 1. */
 VM_API vmi_vdp_growth_course vmi_vdp_course_from(const vm_vdp_plan *p, const vmi_vdp_mean *start)
 {
     vmi_vdp_growth_course g;
@@ -17509,7 +17537,7 @@ VM_API vm_real vmi_vdp_closed_loss(const vm_vdp_plan *p, const vmi_vdp_growth_co
                  v->KE * G0 / W / W * J0);
 }
 
-/* Computes the mean motion at t in closed form, for alpha = 1. *mean is its start. */
+/* Computes the mean motion at t in closed form, for alpha = 1. At the call *mean is the start of the mean motion. */
 VM_API int vmi_vdp_closed(const vm_vdp_plan *p, vmi_vdp_growth_course *g, vm_real t, vmi_vdp_mean *mean)
 {
     const vmi_ripple *r = &p->osc.ripple;
@@ -17535,8 +17563,9 @@ VM_API int vmi_vdp_closed(const vm_vdp_plan *p, vmi_vdp_growth_course *g, vm_rea
     return VM_OK;
 }
 
-/* The time, s, from the start of the mean motion, after which the limit cycle is reached to rounding errors in the
-   direction `side` of time; infinite if the motion does not tend to a limit cycle. */
+/* The time, s, after which the motion differs from the limit cycle by rounding errors only. It is counted from the
+   start of the mean motion in the direction `side` of time, and is infinite if the motion does not tend to a limit
+   cycle. */
 VM_API vm_real vmi_vdp_settling_time(const vm_vdp_plan *p, const vmi_vdp_growth_course *g, int side)
 {
     const vm_real digits = VM_MANT_DIG > 24 ? 45 : 24; /* exp(-45) is below the rounding error */
@@ -17557,8 +17586,8 @@ VM_API void vmi_vdp_stay(const vm_vdp_plan *p, vm_real t, vmi_vdp_mean *mean)
     mean->t = t;
 }
 
-/* Computes the mean motion at t: in closed form if there is one, or by a walk along the laws as far as it is needed.
-   The statuses are those of vmi_vdp_mean_at. */
+/* Computes the mean motion at t: in closed form if there is one, or by integration along the laws as far as that is
+   needed. The statuses are those of vmi_vdp_mean_at. */
 VM_API int vmi_vdp_mean_motion(const vm_vdp_plan *p, vm_real t, vmi_vdp_mean *mean)
 {
     const vm_real extreme = VM_C(1e6); /* for |z| > extreme or < 1/extreme the closed form divides by about 0 */
@@ -17589,7 +17618,7 @@ VM_API int vmi_vdp_mean_motion(const vm_vdp_plan *p, vm_real t, vmi_vdp_mean *me
 
    Five routes lead from x and x' at t = 0 to x and x' at any t: the law of oscillators/van_der_pol_expansion.h, cut off
    after order one, two or three, and two integrations. Their names are those of oscillators/problem.h:
-     VM_ROUTE_ATEB           order one, but with the start of order three; errors are O(epsilon)
+     VM_ROUTE_ATEB           order one, with a start of order three; errors are O(epsilon)
      VM_ROUTE_ORDER2         order two; errors are O(epsilon^2)
      VM_ROUTE_ORDER3         the whole law; errors are O(epsilon^3)
      VM_ROUTE_COLLOCATION    integration from each zero of x or x' to the next, to a tolerance
@@ -17623,8 +17652,8 @@ VM_API int vmi_vdp_order_of(int route)
 
 /* Estimates the error of order three, and writes that of order two to *second. Each is the sum of the terms that the
    order leaves out: in the transformations at the start and at t, and in the mean motion, where errors of ln J at the
-   start grow with the phase. Fast changes of the mass and rounding errors are added. A factor of 2 is included, which
-   fits the errors that tests/test_van_der_pol_law.c finds. */
+   start grow with the phase. The effects of fast changes of the mass and of rounding errors are added. A factor of 2 is
+   included, which fits the errors that tests/test_van_der_pol_law.c finds. */
 VM_API vm_real vmi_vdp_error(const vm_vdp_plan *p, const vmi_vdp_mean *mean, vm_real *second)
 {
     const vmi_ripple *r = &p->osc.ripple;
@@ -17711,10 +17740,10 @@ VM_API int vmi_vdp_check_call(const vm_vdp_plan *p, vm_real t, vm_real *toleranc
 /* Motion x(t), x'(t) of a Van der Pol oscillator by a given route, from a plan.
    t is in seconds, of either sign. route is VM_ROUTE_ATEB, VM_ROUTE_ORDER2, VM_ROUTE_ORDER3, VM_ROUTE_COLLOCATION or
    VM_ROUTE_RK87. motion->error estimates the larger of |error of x|/A and |error of v|/vmax, where vmax is the largest
-   velocity at the amplitude A; it is infinite where the law does not hold. The routes that integrate keep it within the
-   tolerance, where 0 means 1e-6 (float 1e-3); the law does not use the tolerance. Returns VM_OK, or
-   VM_TOLERANCE_MISSED where x and v are computed but the error of integration is larger than the tolerance. After an
-   error *motion is unchanged. The errors are
+   velocity at the amplitude A; it is infinite where the law is not valid. The routes that integrate keep it within the
+   tolerance, where 0 means 1e-6 (float 1e-3); the law does not use the tolerance. Returns VM_OK, or VM_TOLERANCE_MISSED
+   where x and v are computed but the error of integration is larger than the tolerance. After an error *motion is
+   unchanged. The errors are
      VM_BAD_ARGUMENT for null pointers or a route that is not one of the five,
      VM_NOT_FINITE for a number that is infinite or NaN, and for the law where the amplitude becomes infinite before t,
      VM_BAD_MASS or VM_BAD_STIFFNESS for a law that is not positive between 0 and t,
@@ -17796,8 +17825,8 @@ typedef struct VM_TAG(vm_vdp_cycle) {
 
 /* Writes two coefficients of epsilon^2, where epsilon = feed/(m W): *kx belongs to the power series of the largest x in
    epsilon, *kw to that of the rate of the phase. The disturbances follow from the constant amplitude of the cycle; the
-   code has them for epsilon = 1. The largest x is reached where x' = 0, that is V = p x. The phase there is `late`
-   times epsilon; the phase 0 has V = 0. */
+   code uses their values for epsilon = 1. The largest x is reached where x' = 0, that is where V = p x. The phase is
+   `late` times epsilon there, and it is 0 where V = 0. */
 VM_API void vmi_vdp_cycle_coefficients(const vmi_vdp_ripple *v, const vmi_ripple *r, vm_real *kx, vm_real *kw)
 {
     const vm_real n = r->alpha + 1, s = 4 / (r->alpha + 3);
@@ -17820,9 +17849,9 @@ VM_API void vmi_vdp_cycle_coefficients(const vmi_vdp_ripple *v, const vmi_ripple
    and the period is 2 Pi_alpha/(W (1 + kw epsilon^2)), with kx = 1/192 and kw = -1/16 for alpha = 1. Both are right
    to O(epsilon^4). Mass and stiffness are those at t = 0; the fields method, reactive and a1 to a3 do not matter.
    Returns VM_BAD_ARGUMENT for null pointers, an unknown method, and a mass that no constructor made, VM_NOT_FINITE
-   for numbers that are infinite or NaN, VM_BAD_MASS for a mass that is not positive, VM_BAD_STIFFNESS for such a
-   stiffness, VM_DOMAIN for alpha < 0 or a law that fails, and VM_NO_LAW where there is no limit cycle, that is unless
-   feed and c have the same sign. An error leaves *cycle untouched. */
+   for numbers that are infinite or NaN, VM_BAD_MASS for a mass that is not positive, VM_BAD_STIFFNESS for a stiffness
+   that is not positive, VM_DOMAIN for alpha < 0 or a law that fails, and VM_NO_LAW where there is no limit cycle: there
+   is one only if feed and c have the same sign. An error leaves *cycle untouched. */
 VM_API int vm_vdp_cycle_of(const vm_vdp *v, vm_vdp_cycle *cycle)
 {
     vmi_ripple r;
@@ -18601,7 +18630,8 @@ VM_API int vm_jeffcott_linear_at(const vm_jeffcott *r, const vm_real *start, vm_
 #endif
 /* oscillators/pair.h - two bodies with a nonlinear connection
 
-   Two bodies of equal mass m(t), with coordinates x and y on a line and a spring between them (517), (518):
+   Two bodies of equal mass m(t) move on a line, and a spring connects them. Their coordinates x and y obey (517),
+   (518):
        m x'' = -k (x - y)|x - y|^(alpha-1) - r m' x',   m y'' = k (x - y)|x - y|^(alpha-1) - r m' y'
    k is the stiffness of the spring, r the share of the reactive force (`reactive`). The sum q = x + y drifts, and the
    difference p = y - x vibrates with the amplitude A and the Ateb phase psi, whose rate is Om, (520)-(522). This file
@@ -18654,8 +18684,9 @@ VM_API int vmi_pair_now(const vm_pair *p, vm_real t, const vm_real *state_or_NUL
 
 /* Equations of motion (517), (518) of two bodies, for rk45 or rk87.
    y = (x, y, x', y') is in m and m/s; pair points to a vm_pair. Returns VM_BAD_ARGUMENT for null pointers or where no
-   constructor made the mass, VM_NOT_FINITE for a number that is infinite or NaN, VM_BAD_MASS or VM_BAD_STIFFNESS for
-   one that is not positive, and VM_DOMAIN for alpha < 0 or t outside a table. These statuses stop the run. */
+   constructor made the mass, VM_NOT_FINITE for a number that is infinite or NaN, VM_BAD_MASS or VM_BAD_STIFFNESS for a
+   mass or a stiffness that is not positive, and VM_DOMAIN for alpha < 0 or t outside a table. These statuses stop the
+   run. */
 VM_API int vm_pair_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *pair)
 {
     if (!y || !dydt || !pair) return VM_BAD_ARGUMENT;
@@ -18763,7 +18794,7 @@ VM_API int vm_pair_averaged_rhs(vm_real t, const vm_real *modes, vm_real *dmodes
     return VM_OK;
 }
 
-/* Computes the averaged motion at time t by closed formulas, which hold for a mass that is linear in time. y0 holds
+/* Computes the averaged motion at time t by closed formulas, which hold for a mass that is linear in time. y0 contains
    x, y, x' and y' at t = 0. `modes` receives the results in the order VMI_PAIR_..., and *m the mass at t with its
    integrals. The averaged equations contain powers of m/m0, where m0 is the mass at t = 0. For any exponent e the
    integral of (m/m0)^e dt is m0 (exp(u) - 1)/u times the integral of dt/m, with u = (1 + e) ln(m/m0). */
@@ -18807,12 +18838,13 @@ enum {
     VM_PAIR_JACOBI = 2 /* Jacobi's cn with the exact period and the exact velocity at p = 0 */
 };
 
-/* Motion of two bodies at time t by one of the three methods of (524), so that they can be compared. p = A(t) ca,
-   A(t) cos or A(t) cn, with the mean amplitude A of vm_pair_to_averaged, whose law is the same for all three, and x,
-   y by (528), (529). `method` is VM_PAIR_ATEB, VM_PAIR_TRIG or VM_PAIR_JACOBI. Unlike vm_pair_at this leaves out the
-   ripple of the amplitude within a period, as the dissertation does. The other arguments are those of vm_pair_at. The
-   error is that of vm_osc_approximation_errors times A/2, and of the order of m'/(m Om). Returns the statuses of
-   vm_pair_at, and VM_BAD_ARGUMENT for a method that does not exist. y and y0 may be the same array. */
+/* Motion of two bodies at time t by one of the three methods of (524), so that they can be compared. p is A(t) times
+   ca, cos or cn. A is the mean amplitude of vm_pair_to_averaged; its law is the same for all three methods. x and y
+   follow from p and q by (528), (529). `method` is VM_PAIR_ATEB, VM_PAIR_TRIG or VM_PAIR_JACOBI. Unlike vm_pair_at this
+   leaves out the ripple of the amplitude within a period, as the dissertation does. The other arguments are those of
+   vm_pair_at. The error has two parts: the error of vm_osc_approximation_errors times A/2, and a part of the order of
+   m'/(m Om). Returns the statuses of vm_pair_at, and VM_BAD_ARGUMENT for a method that does not exist. y and y0 may be
+   the same array. */
 VM_API int vm_pair_by_method(const vm_pair *p, int method, vm_real t, const vm_real *y0, vm_real *y)
 {
     if (!p || !y0 || !y || method < VM_PAIR_ATEB || method > VM_PAIR_JACOBI) return VM_BAD_ARGUMENT;
@@ -19433,7 +19465,7 @@ VM_API int vmi_resonance_turns(const vmi_resonance *z, vm_real alpha, vm_real x[
 }
 
 /* The steady amplitudes for alpha != 1. Writes at most three, in ascending order, and returns how many there are. The
-   excess is monotonic below, between and above its extrema, so each of these intervals of x = ln A holds at most one
+   excess is monotonic below, between and above its extrema, so each of these intervals of x = ln A contains at most one
    zero. */
 VM_API int vmi_resonance_roots(vmi_resonance *z, vm_real alpha, vm_real A[3])
 {
@@ -19458,8 +19490,8 @@ VM_API int vmi_resonance_roots(vmi_resonance *z, vm_real alpha, vm_real A[3])
    at most three vibrations to steady, the smallest amplitude first, and returns how many there are, 0 where the force
    is 0, or a negative status. In the tests the relative error of amplitudes, compared with solutions of the averaged
    equations, is at most 3e-14 (float 3e-5). To get the response at all frequencies, call the function for each nu.
-   Solutions far from w(A) = nu need not be near a motion, since the averaged equations hold near the resonance. The
-   negative statuses are those of vm_forced_rhs. */
+   The averaged equations are valid near the resonance only; far from w(A) = nu a solution may differ from every real
+   motion. The negative statuses are those of vm_forced_rhs. */
 VM_API int vm_forced_steady_states(const vm_forced *f, vm_real t, vm_steady_state steady[3])
 {
     if (!f || !steady) return VM_BAD_ARGUMENT;
@@ -19559,7 +19591,7 @@ VM_API int vm_forced_passage(const vm_forced *f, vm_real t, vm_real amplitude, v
 #endif
 /* oscillators/periodic.h - periodic excitation that is not harmonic, of a strongly nonlinear oscillator
 
-   The oscillator of forced.h under a force F g(theta) with theta' = nu, where the shape g has the period 2 pi:
+   The oscillator of forced.h vibrates under a force F g(theta), where theta' = nu and the shape g has the period 2 pi:
        m x'' + k x|x|^(alpha-1) = -(r m' + b) x' + F g(theta),   g = sum over n of a_n cos(n theta) + b_n sin(n theta)
    for n = 0 to 9. This file has the equation of motion, the exact equations of amplitude and phase, the averaged
    equations near a resonance, and the steady vibrations with their stability. The dissertation leaves this problem to
@@ -19573,18 +19605,17 @@ VM_API int vm_forced_passage(const vm_forced *f, vm_real t, vm_real amplitude, v
        p.vibrations = p.periods = 1;   // main resonance
        int status = vm_periodic_init(&p);
 
-   Resonances. In P = vibrations periods of the oscillator fit Q = periods of the force: near the resonance the
-   frequency w(A) of the free vibration is (P/Q) nu. P = Q = 1 is the main resonance. P = 3, Q = 1 is the resonance
-   with the third harmonic of the force. P = 1, Q = 3 is a subharmonic resonance with a third of the frequency of the
-   force, which exists where alpha is not 1. The vibration has odd harmonics only, so that for even Q (in lowest
-   terms) the averaged equations contain no force.
+   Resonances. At a resonance the oscillator makes P vibrations in Q periods of the force; the fields `vibrations` and
+   `periods` are P and Q. Near it the frequency w(A) of the free vibration is about (P/Q) nu. P = Q = 1 is the main
+   resonance. P = 3, Q = 1 is the resonance with the third harmonic of the force. P = 1, Q = 3 is a subharmonic
+   resonance with a third of the frequency of the force, which exists where alpha is not 1. The vibration has odd
+   harmonics only. Therefore the averaged equations contain no force if Q is even, with P/Q in lowest terms.
 
-   The averaged equations. With the phase phi of the vibration, delta = phi - (P/Q) theta, and the symbols of
-   forced.h:
+   The averaged equations use the phase phi of the vibration, delta = phi - (P/Q) theta, and the symbols of forced.h:
        A' = -q A/(alpha+3) - F/(m w) S,   delta' = w(A) - (P/Q) nu - F/(m w A) C,
        S = sum of j G_j (a_n sin(j delta) + b_n cos(j delta)),   C = sum of G_j (a_n cos(j delta) - b_n sin(j delta)),
    over the odd j for which n = j P/Q is a whole number. G_j = Om1^2 c_j/2, with the Fourier coefficient c_j of cos(j
-   phi) in ca. Terms with j > 9 are left out; for alpha = 3 they are below 1e-7 of the first. Tests:
+   phi) in ca. Terms with j > 9 are left out; for alpha = 3 they are below 1e-7 of the first term. Tests:
    tests/test_periodic.c. */
 #ifndef VARMASS_OSCILLATORS_PERIODIC_H
 #define VARMASS_OSCILLATORS_PERIODIC_H
@@ -19593,7 +19624,7 @@ VM_API int vm_forced_passage(const vm_forced *f, vm_real t, vm_real amplitude, v
 enum { VM_PERIODIC_HARMONICS = 9 };
 
 /* An oscillator under a periodic force. Set all fields, then call vm_periodic_init. The coefficients and the resonance
-   may change without a new call; a change of oscillator.alpha needs one. */
+   may change without a new call; after a change of oscillator.alpha call vm_periodic_init again. */
 typedef struct VM_TAG(vm_periodic) {
     vm_forced oscillator; /* the oscillator; its field `force` is the factor F of the shape g, N */
     vm_real cosine[VM_PERIODIC_HARMONICS + 1]; /* the coefficients a_n of cos(n theta) in g; a_0 is the mean of g */
@@ -19629,11 +19660,11 @@ VM_API int vm_periodic_init(vm_periodic *p)
 }
 
 /* Sets the shape of a periodic force from n samples g[i] = g(2 pi i/n) over one period. Writes the fields cosine and
-   sine of *p, and no other. Harmonics of an order below n/2, up to the ninth, are computed; the others become 0. The
-   result is exact but for rounding where g has no harmonics of an order >= n/2. The samples may be those of ca, of
-   Jacobi's cn or of a rectangle; higher harmonics than the ninth excite the vibration little. The cost is that of 9 n
-   sines. Returns VM_BAD_ARGUMENT for a null pointer or n < 1, VM_NOT_FINITE for a sample that is infinite or NaN, and
-   VM_OK otherwise. An error leaves *p as it was. */
+   sine of *p, and no other. Harmonics of an order below n/2, up to the ninth, are computed; the others become 0. Apart
+   from rounding the result is exact if g has no harmonics of an order >= n/2. The samples may be those of ca, of
+   Jacobi's cn or of a rectangle; harmonics above the ninth excite the vibration only little. The function takes about
+   as long as 9 n sines. Returns VM_BAD_ARGUMENT for a null pointer or n < 1, VM_NOT_FINITE for a sample that is
+   infinite or NaN, and VM_OK otherwise. An error leaves *p as it was. */
 VM_API int vm_periodic_from_samples(vm_periodic *p, int n, const vm_real *g)
 {
     int k, i;
@@ -19656,7 +19687,7 @@ VM_API int vm_periodic_from_samples(vm_periodic *p, int n, const vm_real *g)
 }
 
 /* Shape of the force: g(theta), a pure number. Returns NaN for a null pointer and for a theta that is infinite or NaN.
-   The error is that of 9 roundings of the largest term. */
+   The error is about that of rounding the largest term 9 times. */
 VM_API vm_real vm_periodic_shape(const vm_periodic *p, vm_real theta)
 {
     vm_complex turns[VM_PERIODIC_HARMONICS + 1];
@@ -19684,8 +19715,8 @@ VM_API int vm_periodic_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *per
 }
 
 /* Exact equations of amplitude and phase under a periodic force, for rk45 or rk87. The state is y = (A, psi, theta), as
-   for vm_forced_exact_rhs: they neglect nothing, but are singular at A = 0. The argument periodic and the statuses are
-   those of vm_periodic_rhs. */
+   for vm_forced_exact_rhs. The equations neglect nothing, but they are singular at A = 0. The argument periodic and the
+   statuses are those of vm_periodic_rhs. */
 VM_API int vm_periodic_exact_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *periodic)
 {
     if (!y || !dydt || !periodic) return VM_BAD_ARGUMENT;
@@ -19699,7 +19730,7 @@ VM_API int vm_periodic_exact_rhs(vm_real t, const vm_real *y, vm_real *dydt, voi
 
 /* The sums of the averaged equations at the phase delta */
 typedef struct VM_TAG(vmi_periodic_sums) {
-    vm_real S, C; /* the sums of the text above */
+    vm_real S, C; /* the sums S and C at the top of this file */
     vm_real slope; /* dS/ddelta; dC/ddelta is -S */
 } vmi_periodic_sums;
 
@@ -19738,11 +19769,11 @@ VM_API vm_real vmi_periodic_frequency(const vm_periodic *p, vm_real nu)
     return nu * (vm_real)p->vibrations / (vm_real)p->periods;
 }
 
-/* Averaged equations of an oscillator under a periodic force near a resonance, for rk45 or rk87. They are written in
-   the text above. The state is y = (A, delta, theta): A is the mean amplitude, theta the phase of the force, and
+/* Averaged equations of an oscillator under a periodic force near a resonance, for rk45 or rk87. The top of this file
+   shows them. The state is y = (A, delta, theta): A is the mean amplitude, theta the phase of the force, and
    delta = phi - (P/Q) theta. Start with vm_periodic_to_averaged, and end with vm_periodic_from_averaged. Let e be the
    largest of the damping b, the mass rate m' and the force F. Near the resonance the error of x up to times of the
-   order of 1/e is of the order of e for alpha = 1, and between e and sqrt(e) for others; it is larger for motions
+   order of 1/e is of the order of e for alpha = 1, and between e and sqrt(e) for other alpha; it is larger for motions
    that come close to an unstable vibration. The argument periodic and the statuses are those of vm_periodic_rhs. */
 VM_API int vm_periodic_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *periodic)
 {
@@ -19763,8 +19794,8 @@ VM_API int vm_periodic_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, 
 }
 
 /* The ripple of the amplitude, which is the exact amplitude minus the mean one, at the phases phi of the vibration
-   and theta of the force. A vmi_ripple_of_force. It is q A/((alpha+3) Om) sa ca for the slow changes, and for the
-   force F/(m Om) times the sum over j and n of
+   and theta of the force. The function has the type vmi_ripple_of_force. The slow changes give the ripple q
+   A/((alpha+3) Om) sa ca, and the force adds F/(m Om) times the sum over j and n of
      s_j/2 [(a_n cos u + b_n sin u)/(j w + n nu) + (a_n cos v - b_n sin v)/(j w - n nu)],
    where u = j phi + n theta, v = j phi - n theta, w is the frequency of the free vibration, and s_j is the Fourier
    coefficient of sin(j phi) in sa. The second quotient is left out for the pairs j, n that are in resonance, since it
@@ -19860,8 +19891,8 @@ VM_API vmi_periodic_sums vmi_periodic_sums_from(const vmi_periodic_search *s, vm
     return sums;
 }
 
-/* The amplitude that A' = 0 asks for at the sum S, or 0 where no amplitude does: A w(A) = -S F/(m p), where p is
-   q/(alpha+3) */
+/* The amplitude for which A' = 0 at the sum S. It follows from A w(A) = -S F/(m p), where p is q/(alpha+3). The result
+   is 0 where there is no such amplitude. */
 VM_API vm_real vmi_periodic_amplitude(const vmi_resonance *z, vm_real S)
 {
     const vm_real product = -z->push / z->p * S;
@@ -19945,8 +19976,9 @@ VM_API void vmi_periodic_insert(const vm_steady_state *state, int n, int room, v
    those at time t. Writes at most `room` vibrations to steady, the smallest amplitudes first, and returns how many
    there are (it may be more than room), or a negative status. The function looks for changes of sign between 360
    phases, so that two vibrations whose phases differ by less than a degree, next to a fold of the resonance curve,
-   may be missed together. The cost is that of some 4000 sines. The negative statuses are those of vm_periodic_rhs;
-   VM_BAD_ARGUMENT also means room < 0, VM_DOMAIN also q = 0, where vm_periodic_curve explains why. */
+   may be missed together. The function takes about as long as 4000 sines. The negative statuses are those of
+   vm_periodic_rhs; VM_BAD_ARGUMENT also means room < 0, VM_DOMAIN also means q = 0; the comment of vm_periodic_curve
+   explains why. */
 VM_API int vm_periodic_steady_states(const vm_periodic *p, vm_real t, int room, vm_steady_state *steady)
 {
     if (!p || !steady || room < 0) return VM_BAD_ARGUMENT;
@@ -20454,7 +20486,7 @@ VM_API vm_real vm_adiabaticity(const vm_osc_problem *o, vm_real t, vm_real A)
 
    A scene is a model that is put together from parts: bodies, the effects that act on them, and the events that change
    them. Its right-hand side evaluates the effects that are listed and nothing else. Each constructor refers only to the
-   functions that its body, effect or event needs, so that the executable holds no others. The caller provides all
+   functions that its body, effect or event needs, so that the program contains no others. The caller provides all
    arrays.
 
        vm_scene_body bodies[] = {vm_scene_body_line(2, 0.1, 0)};             // 2 kg, at x = 0.1 m, at rest
@@ -20479,8 +20511,8 @@ VM_API vm_real vm_adiabaticity(const vm_osc_problem *o, vm_real t, vm_real A)
    anew, with everything as the constructors have made it. A listed motor, for example, adds at most 35 machine
    instructions to an evaluation of the right-hand side.
 
-   The state y has these numbers for body i, from y[bodies[i].at] on, positions first. r is the position of the mass
-   centre, v its velocity, q the attitude and omega the angular velocity:
+   The numbers of body i in the state y begin at y[bodies[i].at], and the positions come first. r is the position of the
+   mass centre, v its velocity, q the attitude and omega the angular velocity:
      line   x, v                                 point  r (3), v (3)
      axle   angle, omega                         free   r (3), q (4), v (3), omega (3, in body axes)
      plane  x, y, angle, vx, vy, omega
@@ -20558,7 +20590,7 @@ struct VM_TAG(vm_scene_body) {
     vm_inertia inertia;     /* kg m^2, body axes: the present inertia */
     vm_inertia invertible;  /* kg m^2: the inertia with a dummy moment about each axis that has none */
     vmi_mat3 axes;          /* the present body axes of a growing body, in inertial axes */
-    int listed_orders;      /* bit (1 << order) for each effect on the body that vm_scene_check has met so far */
+    int listed_orders;      /* bit (1 << order) for each effect on the body that vm_scene_check has found so far */
     int status;             /* VM_OK, or the reason why the constructor could not make the body */
     vm_real noted_mass;     /* kg: the mass that the body must have after an event */
     void (*shift)(vm_scene_body *b, vm_vec3 step, const vm_real *state); /* NULL, or it adds to `centre` */
@@ -20586,7 +20618,7 @@ enum {
     VMI_ORDER_JOINTS = 3 /* joints stand last, as links do; a check of their own examines all their bodies */
 };
 
-/* What an effect needs of the mass of its body */
+/* What kind of mass an effect needs: any, one that is a state, or that of a growing body */
 enum { VMI_NEEDS_ANY_MASS = 0, VMI_NEEDS_MASS_STATE = 1, VMI_NEEDS_GROWING_BODY = 2 };
 
 /* Reasons why an effect does not act now, as bits of vm_effect.idle */
@@ -20617,7 +20649,7 @@ struct VM_TAG(vm_effect) {
     void *ctx;                             /* pointer that the caller's function receives */
     unsigned motions;                      /* bit (1 << motion) for each motion that `body` may have */
     unsigned other_motions;                /* bit (1 << motion) for each motion that `other` may have */
-    int needs;                             /* what the effect needs of the mass of its body: VMI_NEEDS_... */
+    int needs;                             /* what kind of mass the effect needs: VMI_NEEDS_... */
     int order;                             /* where it stands among the effects on its body: VMI_ORDER_... */
     int off;          /* 1: switched off when the scene starts; the caller may set it before the start */
     int not_on_angle; /* 1: the effect cannot act on the angle of a body in the plane */
@@ -20628,14 +20660,14 @@ struct VM_TAG(vm_effect) {
     const void *parts; /* what the caller keeps for the effect: a vm_point_spring, vm_contact or vm_joints */
 };
 
-/* What a failing mass law leaves of the action of an event: nothing, the whole action, or its last part, which adjusts
-   masses to a change that is made */
+/* Which part of the action of an event is left to do after a mass law has failed: nothing, the whole action, or its
+   last part, which adjusts the masses after a change */
 enum { VMI_LEFT_NOTHING = 0, VMI_LEFT_ALL, VMI_LEFT_MASSES };
 
 /* What a jump event does */
 enum { VMI_JUMP_NONE = 0, VMI_JUMP_SEPARATES, VMI_JUMP_ATTACHES };
 
-/* An event. A constructor such as vm_event_at says when it happens, and a function such as vm_then_stop what it
+/* An event. A constructor such as vm_event_at says when it happens, and a function such as vm_then_stop says what it
    does. */
 struct VM_TAG(vm_event) {
     vm_real (*when)(const vm_event *event, vm_real t, const vm_real *y); /* NULL, or a function that is 0 at an event */
@@ -20680,15 +20712,15 @@ struct VM_TAG(vm_event) {
     int n_actions;
     /* fields for an action that a failing mass law has interrupted; the next run does the rest of it */
     int left;        /* VMI_LEFT_...: how much of the action is left */
-    int next_action; /* index of the action of the list that is left */
-    int so_far;      /* status of the actions of the list before it */
+    int next_action; /* index, in the list of actions, of the action that is left */
+    int so_far;      /* status of the actions before that one in the list */
     vm_real energy;  /* J: kinetic energy of all bodies before a jump */
 };
 
 typedef struct VM_TAG(vm_budget) vm_budget;
 
 /* The budget of momentum, angular momentum and energy of a scene: the amounts of the bodies, the supply from outside,
-   and the difference. vm_scene_keep_budget asks for it, vm_scene_budget_at computes it. */
+   and the difference. vm_scene_keep_budget makes a scene keep it, and vm_scene_budget_at computes it. */
 struct VM_TAG(vm_budget) {
     vm_vec3 impulse;          /* N s: impulse of the effects and of the external impulses of jumps */
     vm_vec3 angular_impulse;  /* N m s: angular impulse about the origin of effects and of external impulses of jumps */
@@ -21244,7 +21276,7 @@ VM_API void vmi_free_growing_begin(vm_scene_body *b, const vm_real *state)
 VM_API int vmi_free_growing_accelerate(const vm_scene_body *b, const vm_real *state, vm_real *rates)
 {
     const vm_load *load = &b->load;
-    vmi_inertia_ldl factors; /* serve the test only; vmi_free_accelerate solves Euler's equations by itself */
+    vmi_inertia_ldl factors; /* only for this test; vmi_free_accelerate solves Euler's equations by itself */
     if (!vmi_inertia_factor_if_possible(&b->inertia, &factors)) return VM_BAD_INERTIA;
     vmi_growth_put_centre(b, load->centre_rate, rates);
     vmi_set_inertia(rates + vmi_growth_inertia_at(b), &load->inertia_rate);
@@ -21309,7 +21341,7 @@ VM_API vm_scene_body vm_scene_body_growing_free(vm_scene_body body)
 #define VARMASS_SCENES_FORCES_H
 
 /* The force of a spring, -k x |x|^(alpha-1) (248). The stiffness k in N/m^alpha may have either sign. The result is NaN
-   for alpha < 0. The exponents alpha = 1, 2 and 3 are computed without a power. */
+   for alpha < 0. For alpha = 1, 2 and 3 the power function is not called. */
 VM_INLINE vm_real vm_force_spring(vm_real x, vm_real k, vm_real alpha)
 {
     if (alpha == 1) return -k * x;
@@ -21394,9 +21426,9 @@ VM_INLINE void vm_force_gyroscopic(vm_real vx, vm_real vy, vm_real gyro, vm_real
 /* scenes/effects.h - springs, dampers, motors and other forces on a coordinate
 
    An effect exerts a force of forces.h on a coordinate of a body. x and v are the position and the velocity of this
-   coordinate. If an effect acts against another body, x and v are relative to a coordinate of that body, which takes
-   the reaction; against VM_GROUND they are relative to a point at rest. A mass law stands before all other effects on
-   its body, and a link stands after them.
+   coordinate. If an effect acts against another body, x and v are relative to a coordinate of that body, and the
+   opposite force acts on that coordinate; against VM_GROUND they are relative to a point at rest. In the list of
+   effects a mass law must stand before all other effects on its body, and a link after them.
 
        vm_effect effects[] = {vm_effect_gravity(0, 0, -9.81),                       // weight of body 0
                               vm_effect_linear_spring(0, 0, VM_GROUND, 0, 1000, 0), // 1000 N/m to the ground
@@ -21616,8 +21648,8 @@ VM_API void vmi_apply_force(const vm_effect *e, vm_real t, const vm_real *y, vm_
 }
 
 /* A force that the caller's function returns, between two coordinates. force(t, x, v, ctx) returns N (N m on an
-   angle). x and v are position and velocity of the coordinate, relative to other_coordinate of the body `other`,
-   which takes the reaction. vm_scene_start returns VM_BAD_ARGUMENT if force is NULL. */
+   angle). x and v are position and velocity of the coordinate, relative to other_coordinate of the body `other`, on
+   which the opposite force acts. vm_scene_start returns VM_BAD_ARGUMENT if force is NULL. */
 VM_API vm_effect vm_effect_force_between(int body, int coordinate, int other, int other_coordinate,
                                         vm_real (*force)(vm_real t, vm_real x, vm_real v, void *ctx), void *ctx)
 {
@@ -21645,9 +21677,10 @@ VM_API vm_effect vm_effect_force(int body, int coordinate,
      effect->load->mass                the present mass;
      effect->load->force               the sum of the forces of the effects that stand before it in the list;
      effect->p, effect->ctx            parameters, and a pointer of the caller.
-   Therefore a rigid obstacle that is listed last can take away the force that presses the body against it. other is
-   another body, or VM_GROUND. The effect acts only while both bodies are present; effect->other_load, effect->other_x
-   and effect->other_v belong to the body `other`. vm_scene_start returns VM_BAD_ARGUMENT if apply is NULL. */
+   Therefore an effect that is listed last can act as a rigid obstacle: it subtracts the force that presses the body
+   against the obstacle. other is another body, or VM_GROUND. The effect acts only while both bodies are present;
+   effect->other_load, effect->other_x and effect->other_v belong to the body `other`. vm_scene_start returns
+   VM_BAD_ARGUMENT if apply is NULL. */
 VM_API vm_effect vm_effect_custom(int body, int other,
                                     void (*apply)(const vm_effect *effect, vm_real t, const vm_real *y,
                                                   vm_scene *scene),
@@ -21669,8 +21702,9 @@ VM_API void vmi_apply_shaft(const vm_effect *e, vm_real t, const vm_real *y, vm_
     e->load->force[1] += fy;
 }
 
-/* An elastic shaft, the force -k r |r|^(alpha-1) on a body at r = (x, y). The stiffness k is in N/m^alpha; a start
-   returns VM_DOMAIN if alpha < 0. The effect acts on coordinates 0 and 1 of a body in the plane or of a point. */
+/* An elastic shaft, the force -k r |r|^(alpha-1) on a body at r = (x, y). The stiffness k is in N/m^alpha;
+   vm_scene_start returns VM_DOMAIN if alpha < 0. The effect acts on coordinates 0 and 1 of a body in the plane or of a
+   point. */
 VM_API vm_effect vm_effect_shaft(int body, vm_real k, vm_real alpha)
 {
     vm_effect e = vmi_effect(body, 0, vmi_apply_shaft);
@@ -21733,9 +21767,9 @@ VM_API vm_effect vm_effect_gyroscopic(int body, vm_real gyro)
 #endif
 /* scenes/gravitation.h - Newton's gravitation between bodies and towards a fixed centre
 
-   The attraction falls with the inverse square of the distance and acts at the mass centres. It takes the present
-   masses, whatever changes them. The bodies move in the plane or in space, or are points. For uniform gravity use
-   vm_effect_gravity.
+   The attraction falls with the inverse square of the distance and acts at the mass centres. It is computed from the
+   present masses, whatever changes them. The bodies move in the plane or in space, or are points. For uniform gravity
+   use vm_effect_gravity.
 
        vm_vec3 zero = {0, 0, 0};
        vm_effect effects[] = {vm_effect_gravitation(0, 1, 6.6743e-11),                // between the bodies 0 and 1
@@ -21748,7 +21782,7 @@ VM_API vm_effect vm_effect_gyroscopic(int body, vm_real gyro)
 enum { VMI_GRAVITATION_G = 0, VMI_CENTRAL_CENTRE = 0, VMI_CENTRAL_MU = 3 };
 
 /* The attraction a b/r^2 along d, the vector to the other mass, with r = |d|. The factors a and b are divided one by
-   one, because their product could overflow. If the force is not finite, since the masses are at the same place, the
+   one, because their product could overflow. If the force is not finite, because the masses are at the same place, the
    scene gets the status VM_NOT_FINITE, and the integrator refuses the step. */
 VM_INLINE vm_vec3 vmi_gravitation(vm_real a, vm_real b, vm_vec3 d, vm_scene *s)
 {
@@ -21826,7 +21860,7 @@ VM_API vm_effect vm_effect_central_gravity(int body, vm_vec3 centre, vm_real mu)
    A mass law M(t, x, v) gives the mass of a body at any time; the mass is then not a number of the state. The mass
    that joins or leaves has the velocity u + (1 - reactive) v, where v is the velocity of the body. Therefore the
    equation of motion under the force F is M v' = F + M' (u - reactive v). The mass that joins or leaves has, for
-     reactive = 1  the absolute velocity u: the reactive force is M' (u - v) (156), for u = 0 Levi-Civita's (167)-(169);
+     reactive = 1  the absolute velocity u: the reactive force is M' (u - v) (156), Levi-Civita's (167)-(169) if u = 0;
      reactive = 0  the velocity u relative to the body: the reactive force is M' u, which is 0 if u = 0 (166).
    Only on a line or an axle may a law depend on position x and velocity v; on an axle it gives the moment of inertia
    J from the angle or the angular velocity. u is in m/s. On a line and on an axle only u.x is used, on an axle in
@@ -21834,10 +21868,10 @@ VM_API vm_effect vm_effect_central_gravity(int body, vm_vec3 centre, vm_real mu)
 
        vm_effect leak = vm_effect_mass(0, VM_MASS_OF_T, -0.01, 0, 0); // body 0 loses 10 g/s, which keeps its velocity
 
-   A law stands before all other effects on its body, and a body has at most one law. Mass that a jump adds to the
-   body is added to the mass of the law. If an event switches a law off, the mass remains constant; if it switches a
-   law on, the law continues from the present mass (for a law M0 + c t this means that only c has an effect).
-   Therefore switching never changes a mass suddenly.
+   In the list of effects a law must stand before all other effects on its body, and a body has at most one law. Mass
+   that a jump adds to the body is added to the mass of the law. If an event switches a law off, the mass remains
+   constant; if it switches a law on, the law continues from the present mass (for a law M0 + c t this means that only c
+   has an effect). Therefore switching never changes a mass suddenly.
 
    Tests: tests/test_scene_mass.c. */
 #ifndef VARMASS_SCENES_MASS_H
@@ -22138,8 +22172,8 @@ VM_API void vmi_apply_stream_torque(const vm_effect *e, vm_real t, const vm_real
 }
 
 /* Checks a stream by vmi_check_stream. A store (stream->from) must lie on the line through the point of the stream and
-   the mass centre at the start, which is the origin of body axes: a scene neglects the angular momentum of the mass
-   that flows between the store and the point, which is 0 only on such a line. */
+   the mass centre at the start, which is the origin of body axes. The reason is that a scene neglects the angular
+   momentum of the mass that flows between the store and the point; this angular momentum is 0 only on such a line. */
 VM_API int vmi_crossing_check(const vm_effect *e)
 {
     const vm_stream *stream = e->stream;
@@ -22222,9 +22256,9 @@ VM_API vm_effect vm_effect_varying(vm_effect effect,
      R + h phi/(2 pi)   along a spiral, or
      R + h n            in layers, after n complete turns (by_layer),
    and the inertia grows by rho b h radius^3 per radian. R is the radius of the drum, h the thickness of the band, b its
-   width and rho its density. If the band lies in layers, its rate jumps at each complete turn, and with it the reactive
-   torque. vm_band_at computes the part that is wound up at any angle; vm_effect_band is the mass law of the drum in a
-   scene.
+   width and rho its density. If the band lies in layers, the mass of the band per radian jumps at each complete turn,
+   and the reactive torque jumps with it. vm_band_at computes the part that is wound up at any angle; vm_effect_band is
+   the mass law of the drum in a scene.
 
        vm_band band = {0.2, 0.01, 0.5, 800, 0, 0, 0}; // R, h, b, rho; the band moves with the drum; along a spiral
        vm_effect wind = vm_effect_band(0, &band);
@@ -22328,8 +22362,8 @@ VM_API vm_band vmi_band_of(const vm_effect *e)
     return b;
 }
 
-/* Gives the drum its moment of inertia J(phi), which takes the place of the mass on an axle, as a mass law does. u is
-   the speed of the band divided by the radius at which it comes, an angular velocity about the axle. */
+/* Sets the moment of inertia J(phi) of the drum, as a mass law sets a mass; on an axle the inertia takes the place of
+   the mass. u is the speed of the band divided by the radius at which it comes, an angular velocity about the axle. */
 VM_API void vmi_apply_band(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
     const vm_band band = vmi_band_of(e);
@@ -22373,7 +22407,7 @@ VM_API vm_effect vm_effect_band(int body, const vm_band *band)
 
    A link keeps the distance between two mass centres, or between a mass centre and a point with a given motion. A cord
    is a link that can pull but not push. The force of a link is the reaction to all other forces on its ends. Therefore
-   a link stands last among the effects on a body, and a body has at most one link.
+   a link must stand last in the list among the effects on a body, and a body has at most one link.
 
        vm_effect pendulum = vm_effect_link(0, VM_GROUND, pivot, NULL, 1, 0, 10); // 1 m long, hung up at pivot(t)
 
@@ -22475,8 +22509,8 @@ VM_API int vmi_link_check(const vm_effect *e)
     return VM_DOMAIN;
 }
 
-/* Checks the ends of a link. It holds mass centres, so that it cannot act on a growing body, whose mass centre moves in
-   the body. */
+/* Checks the ends of a link. A link acts at mass centres; therefore it cannot act on a growing body, whose mass centre
+   moves in the body. */
 VM_API int vmi_link_check_ends(const vm_scene *s, const vm_effect *e)
 {
     if (e->other == e->body) return VM_SAME_BODY;
@@ -22516,7 +22550,7 @@ VM_API vm_effect vm_effect_link(int body, int other, vm_moving_point point, void
 #endif
 /* scenes/state.h - the state of a scene: its size, and the bodies in it
 
-   The state y of a scene holds the state variables of the bodies, one body after the other. If the scene keeps a
+   The state y of a scene contains the state variables of the bodies, one body after the other. If the scene keeps a
    budget, its VM_BUDGET_STATES numbers follow. scene.h has a table of the numbers of each body.
 
        vm_body now;
@@ -22592,8 +22626,8 @@ VM_API void vmi_scene_put(vm_scene *s, int body, const vm_body *now, vm_real ang
     b->put(b, now, angle, y + b->at);
 }
 
-/* Updates the field `idle` of all effects. An effect is idle if its body, or the body that takes the reaction, is not
-   present, or if the effect is switched off. */
+/* Updates the field `idle` of all effects. An effect is idle if its body, or the body on which the opposite force acts,
+   is not present, or if the effect is switched off. */
 VM_API void vmi_scene_presence(vm_scene *s)
 {
     int i;
@@ -22608,8 +22642,8 @@ VM_API void vmi_scene_presence(vm_scene *s)
 #endif
 /* scenes/evaluate.h - the right-hand side of a scene
 
-   An evaluation clears the loads of all bodies, lets each effect add to them, and accelerates each body by its load.
-   vm_scene_rhs is an ode_rhs, so that any integrator can run a scene without events:
+   An evaluation sets the loads of all bodies to 0, lets each effect add to them, and computes the acceleration of each
+   body from its load. vm_scene_rhs is an ode_rhs, so that any integrator can run a scene without events:
 
        vm_real work[RK87_WORK(2)]; // 2 = vm_scene_size(&scene)
        rk87 run;
@@ -22651,8 +22685,8 @@ VM_INLINE void vmi_scene_evaluate(vm_scene *s, vm_real t, const vm_real *y)
     }
 }
 
-/* Computes the loads for a caller that needs the masses. Returns VM_OK, or where the mass of a present body is not
-   finite, the reason, which s->status keeps: the status of the effect that could not act, or VM_NOT_FINITE. */
+/* Computes the loads for a caller that needs the masses. Returns VM_OK, or an error if the mass of a present body is
+   not finite: the status of the effect that could not act, or VM_NOT_FINITE. s->status then has the same value. */
 VM_API int vmi_scene_weigh(vm_scene *s, vm_real t, const vm_real *y)
 {
     const int before = s->status;
@@ -22763,9 +22797,9 @@ VM_API int vmi_scene_check_coordinate(const vm_scene *s, int body, int coordinat
     return VM_OK;
 }
 
-/* Checks where an effect stands in the list, among the effects on a body: a mass law stands first and a link last, and
-   there is at most one of each. b->listed_orders has a bit for the order of each effect on the body that stands earlier
-   in the list. */
+/* Checks the place of an effect in the list, among the effects on a body: a mass law must be the first of them and a
+   link the last, and there is at most one of each. b->listed_orders has a bit for the order of each effect on the body
+   that stands earlier in the list. */
 VM_API int vmi_scene_check_order(vm_scene_body *b, int order)
 {
     const int law = 1 << VMI_ORDER_MASS_LAW, force = 1 << VMI_ORDER_FORCE, link = 1 << VMI_ORDER_LINK;
@@ -22934,7 +22968,7 @@ typedef struct VM_TAG(vmi_body_point) {
     vmi_mat3 axes; /* the body axes in inertial axes */
 } vmi_body_point;
 
-/* The axes of a body in its state */
+/* The body axes of a body in the given state, in inertial axes */
 VM_API vmi_mat3 vmi_point_axes(const vm_scene_body *b, const vm_real *state)
 {
     vmi_mat3 axes;
@@ -23032,7 +23066,7 @@ VM_API vm_real vmi_point_mobility(const vm_scene_body *b, const vmi_body_point *
 /* Whether the inertia of a body resists every force at the point `at`. Forces turn a body about all axes normal to
    `at`. If the body is a rod or a point, `hollow` is the inertia that vmi_invertible_inertia adds, which is the same
    dummy moment about each of the k axes that have none. The sum of the squares of the parts of `at` normal to these
-   axes is k at^2 - at (hollow at)/dummy, and must be 0 but for rounding errors. */
+   axes is k at^2 - at (hollow at)/dummy, and must be 0 apart from rounding errors. */
 VM_API int vmi_point_is_possible(const vm_scene_body *b, vm_vec3 at)
 {
     const vm_real noise = 64 * VM_EPSILON;
@@ -23167,9 +23201,10 @@ VM_API int vmi_point_spring_check(const vm_scene *s, const vm_effect *e)
 
 /* A spring and a damper between a point of a body and a point of the body `other`, or of the ground. *spring is not
    copied: if an event changes it, the run continues with the change. With the length l of the spring, the tension is
-   stiffness (l - rest) + damping l'. vm_scene_start returns VM_BAD_ARGUMENT if spring is NULL, VM_NOT_FINITE,
-   VM_DOMAIN if rest < 0, VM_SAME_BODY for a spring of a body with itself, and VM_BAD_POINT for a point that the body
-   cannot have (points.h). A run ends with VM_SINGULAR if the points coincide, unless rest is 0. */
+   stiffness (l - rest) + damping l'. vm_scene_start returns VM_BAD_ARGUMENT if spring is NULL, VM_NOT_FINITE if a
+   number is infinite or NaN, VM_DOMAIN if rest < 0, VM_SAME_BODY for a spring of a body with itself, and VM_BAD_POINT
+   for a point that the body cannot have (points.h). A run ends with VM_SINGULAR if the points coincide, unless rest is
+   0. */
 VM_API vm_effect vm_effect_point_spring(int body, int other, const vm_point_spring *spring)
 {
     vm_effect e = vmi_effect_between(body, 0, other, 0, spring ? vmi_apply_point_spring : NULL);
@@ -23182,9 +23217,9 @@ VM_API vm_effect vm_effect_point_spring(int body, int other, const vm_point_spri
 /* scenes/joints.h - pins and rods between points of bodies
 
    A pin holds a point of a body at a point of another body or of the ground: in the plane it is a hinge, in space a
-   ball joint. A rod holds the distance of two points. All joints of a scene stand in one list and are solved together,
-   by Lagrange's multipliers: chains, closed mechanisms and several joints on one body are possible. points.h explains
-   how a point is given.
+   ball joint. A rod holds the distance of two points. All joints of a scene are in one list and are solved together, by
+   Lagrange's multipliers: chains, closed mechanisms and several joints on one body are possible. points.h explains how
+   a point is given.
 
        vm_vec3 end = {-0.5, 0, 0}, pivot = {0, 0, 0};
        vm_joint list[] = {vm_joint_pin(0, end, VM_GROUND, pivot)};       // body 0 hangs at the pivot
@@ -23192,10 +23227,10 @@ VM_API vm_effect vm_effect_point_spring(int body, int other, const vm_point_spri
        vm_joints joints = {list, 1, 10, room, VM_LENGTH(room)};          // deviations decrease as exp(-10 t)
        vm_effect effects[] = {vm_effect_gravity(0, 1, -9.81), vm_effect_joints(&joints)}; // joints stand last
 
-   The points of a joint may be apart by the vector C. The joint exerts the force for which the accelerations obey C''
-   + 2 rate C' + rate^2 C = 0, as a link does. After a jump of a body, impulses of the joints take away the velocities
-   with which points would move apart; they are in the budget. list[0].force is the reaction on body 0 at the last
-   evaluation.
+   Let C be the deviation of a joint from its condition; for a pin it is the vector between the two points. The joint
+   exerts the force for which the accelerations obey C'' + 2 rate C' + rate^2 C = 0, as a link does. After a jump of a
+   body, impulses of the joints take away the velocities with which points would move apart; the budget includes these
+   impulses. list[0].force is the reaction on body 0 at the last evaluation.
 
    Accuracy: the errors of forces and accelerations are a few eps of the largest of them. This also holds for joints
    that nearly contradict each other, such as two rods almost in line, and for light bodies between heavy ones, since
@@ -23277,7 +23312,7 @@ VM_API void vmi_joint_end_now(const vm_scene *s, int body, vm_vec3 at, const vm_
     end->a = vm_add(end->a, vm_add(vm_cross(alpha, p->arm), vm_cross(p->omega, moving)));
 }
 
-/* Begins a further equation of a joint, with the response of both bodies to the force 1 along a unit vector */
+/* Begins a further equation of a joint: computes how both bodies respond to a force of 1 N along a unit vector */
 VM_API vmi_joint_row *vmi_joint_add_row(vm_joint *joint, const vm_scene *s, const vmi_joint_end *ends, vm_vec3 along)
 {
     const vm_vec3 zero = {0, 0, 0};
@@ -23415,7 +23450,7 @@ VM_API vm_real vmi_joint_lacks(const vmi_joint_row *row, vm_real rate, int wante
     return -(row->gap_acceleration + 2 * rate * row->gap_rate + rate * rate * row->gap);
 }
 
-/* Computes the accelerations that a body owes to the forces of all equations */
+/* Computes the accelerations of the mass centre and of the rotation which the forces of all equations give a body */
 VM_API void vmi_joints_accelerate(const vm_joints *joints, const vm_real *forces, int body, vm_vec3 *move,
                                   vm_vec3 *spin)
 {
@@ -23434,8 +23469,9 @@ VM_API void vmi_joints_accelerate(const vm_joints *joints, const vm_real *forces
     }
 }
 
-/* Writes what the forces still lack in each equation. The accelerations of the bodies are computed first: so the
-   differences of large forces do not lose digits, as they do in the matrix. */
+/* Writes the rest of each equation, that is what the forces do not yet add to C'' or C' (see vmi_joint_lacks). It is
+   computed from the accelerations of the bodies. Where large forces nearly cancel, these keep digits that the matrix
+   has lost. */
 VM_API void vmi_joints_rest(const vm_joints *joints, const vm_real *forces, int wanted, vm_real *rest)
 {
     int i, k, m;
@@ -23473,9 +23509,9 @@ VM_API int vmi_joints_refine(const vm_joints *joints, int n, int wanted)
     return change > VM_SQRT(VM_EPSILON) * largest;
 }
 
-/* Solves the n equations for the forces, or for the impulses. They replace the numbers of the work array from n^2 on.
-   The matrix J M^-1 J^T loses twice as many digits as the equations themselves; refinement gives them back (see
-   vmi_joints_rest). Returns VM_SINGULAR, VM_NOT_FINITE or VM_OK. */
+/* Solves the n equations for the forces, or for the impulses. The results replace the numbers of the work array from
+   n^2 on. The matrix loses twice as many digits as the equations themselves; refinement gives them back. Returns
+   VM_SINGULAR, VM_NOT_FINITE or VM_OK. */
 VM_API int vmi_joints_solve(const vm_joints *joints, int n, int wanted)
 {
     enum { MOST_REFINEMENTS = 4 };
@@ -23590,7 +23626,7 @@ VM_API void vmi_joint_end_at_start(const vm_scene *s, int body, vm_vec3 at, vmi_
     *speed += vmi_norm1(p->v) + vmi_norm1(p->omega) * vmi_norm1(p->arm);
 }
 
-/* Whether the bodies fit a joint at the start: the gap and its rate are 0 but for a small fraction of the lengths and
+/* Whether the bodies fit a joint at the start: the gap and its rate are at most a small fraction of the lengths and
    velocities of which they are composed */
 VM_API int vmi_joint_fits(vm_joint *joint, const vm_scene *s)
 {
@@ -23657,15 +23693,16 @@ VM_API int vmi_joints_check(const vm_scene *s, const vm_effect *e)
 }
 
 /* The joints of a scene, solved together. *joints and its arrays are not copied and must stay where they are. The
-   effect stands after all other effects on the bodies of the joints. With n equations (2 a pin in the plane, 3 in
-   space, 1 a rod) an evaluation takes about n^3/3 multiplications for the solution, and some 10 n^2 to refine it. A
-   high rate makes the equations stiff. vm_scene_start returns VM_BAD_ARGUMENT for null pointers and an empty list,
-   VM_NOT_FINITE, VM_DOMAIN if rate or the length of a rod is not positive, VM_SHORT_ARRAY, VM_NO_SUCH_BODY,
-   VM_IS_AWAY if the body of the first joint is absent at the start, VM_SAME_BODY for a joint of a body with itself,
-   VM_BAD_POINT for a point that the body cannot have (points.h), VM_NOT_JOINED if points do not fit at the start or
-   move apart, VM_TWO_LINKS if a body has a link or joints of another list, too, and VM_LINK_NOT_LAST if another
-   effect on one of the bodies follows. A run ends with VM_SINGULAR if joints are redundant, contradict each other or
-   hold a point that cannot move, if a mechanism reaches a position in which it is locked, and with VM_NOT_FINITE if
+   effect must stand after all other effects on the bodies of the joints. A pin has 2 equations in the plane and 3 in
+   space, a rod has 1. To solve n equations, an evaluation makes about n^3/3 multiplications, and some 10 n^2 to
+   refine the solution. A high rate makes the equations stiff. vm_scene_start returns VM_BAD_ARGUMENT for null
+   pointers and an empty list, VM_NOT_FINITE if a number is infinite or NaN, VM_DOMAIN if rate or the length of a rod
+   is not positive, VM_SHORT_ARRAY if work is too small, VM_NO_SUCH_BODY if a body does not exist, VM_IS_AWAY if the
+   body of the first joint is absent at the start, VM_SAME_BODY for a joint of a body with itself, VM_BAD_POINT for a
+   point that the body cannot have (points.h), VM_NOT_JOINED if points do not fit at the start or move apart,
+   VM_TWO_LINKS if a body has a link or joints of another list, too, and VM_LINK_NOT_LAST if another effect on one of
+   the bodies follows. A run ends with VM_SINGULAR if joints are redundant or contradict each other, if they hold a
+   point that cannot move, or if a mechanism reaches a position in which it is locked. It ends with VM_NOT_FINITE if
    the points of a rod coincide. A joint does not act while one of its bodies is not present. */
 VM_API vm_effect vm_effect_joints(const vm_joints *joints)
 {
@@ -23849,9 +23886,9 @@ VM_INLINE void vmi_add3(vm_vec3 a, vm_real *sum)
     sum[2] += a.z;
 }
 
-/* Adds what the load of a body brings per second to the rates of the budget's sums: force, moment and power of the
-   effects, and momentum, angular momentum and energy of the streams. Reactive forces are left out of the first three,
-   because the momentum of the streams accounts for them. */
+/* Adds the contribution of a body's load to the rates of the budget's sums: force, moment and power of the effects, and
+   the momentum, angular momentum and energy that streams bring per second. Reactive forces are left out of the first
+   three, because the momentum of the streams accounts for them. */
 VM_API void vmi_scene_enter_loads(const vm_scene_body *b, const vm_real *y, vm_real *rates)
 {
     const vm_load *load = &b->load;
@@ -23932,8 +23969,8 @@ VM_API void vmi_scene_open_budget(vm_scene *s, const vm_real *y, vm_real *sums)
 
 /* Makes a scene keep a budget of momentum, angular momentum and energy. If budget_or_NULL is NULL, the scene keeps
    none. Call this function before vm_scene_start. The state then has VM_BUDGET_STATES further numbers.
-   *budget_or_NULL must stay where it is; the scene stores in it its momentum and energy at the start. Between two
-   runs a scene may end its budget, but not begin one. */
+   *budget_or_NULL must stay at its place in memory; the scene stores in it its momentum and energy at the start.
+   Between two runs a scene may end its budget, but not begin one. */
 VM_API void vm_scene_keep_budget(vm_scene *scene, vm_budget *budget_or_NULL)
 {
     if (!scene) return;
@@ -23949,8 +23986,8 @@ VM_API void vm_scene_keep_budget(vm_scene *scene, vm_budget *budget_or_NULL)
    since the start, and the defects. Defects come from rounding, from the errors of the integrator, and from
    constraints: a line, an axle and the plane hold a body by reactions, which the supply does not include. Returns
    VM_BAD_ARGUMENT if the scene keeps no budget, a pointer is NULL or a count is negative, VM_NOT_STARTED before a
-   start, VM_NOT_FINITE if the state or the mass of a law is not finite, the status of a vm_law that fails, and else
-   VM_OK. */
+   start, VM_NOT_FINITE if the state or a mass that a law gives is not finite, the status of a vm_law that fails, and
+   else VM_OK. */
 VM_API int vm_scene_budget_at(vm_scene *scene, vm_real t, const vm_real *y, vm_budget *budget)
 {
     const vm_budget *start = scene ? scene->budget : NULL;
@@ -24001,8 +24038,9 @@ VM_API int vm_scene_budget_at(vm_scene *scene, vm_real t, const vm_real *y, vm_b
        scene.located = located;
        scene.n_events = 3;
 
-   The functions of this chapter do not fail. vm_scene_start refuses an event with a wrong number (VM_NOT_FINITE for an
-   infinite or NaN time or value, VM_NO_SUCH_BODY for a body that does not exist), and its fault names the event.
+   The functions vm_event_... and vm_then_... do not fail. Instead vm_scene_start refuses an event with a wrong number
+   (VM_NOT_FINITE for an infinite or NaN time or value, VM_NO_SUCH_BODY for a body that does not exist), and its fault
+   names the event.
 
    An event at a time happens once. A crossing of a value happens at most event.most times, or without limit if
    event.most is 0; direction > 0 counts rising values, direction < 0 falling values, and direction = 0 both. Only
@@ -24259,8 +24297,8 @@ VM_API int vmi_event_check_all(const vm_scene *s, const vm_event *e)
 }
 
 /* The event does a list of actions, one after the other, at the same instant. actions is an array of n events made by
-   vm_then_... functions; when each of them would happen does not matter, so that all can be made from the same
-   vm_event_... value. The array is not copied and must stay where it is. An action that stops the run lets the
+   vm_then_... functions; it does not matter when each of them would happen, so that all of them can be made from the
+   same vm_event_... value. The array is not copied and must stay where it is. An action that stops the run lets the
    following actions happen, too. vm_scene_start returns VM_BAD_ARGUMENT if actions is NULL, n is negative or an action
    is a list itself, and else the status of the first action that is wrong. */
 VM_API vm_event vm_then_all(vm_event event, vm_event *actions, int n)
@@ -24295,9 +24333,9 @@ VM_API vm_event vm_then_all(vm_event event, vm_event *actions, int n)
 
    Two bodies can jump together if they have the same motion. A body in the plane or a free body can also take up or
    give off a point. The functions whose names end in _on_line (line or axle) and _in_plane do the same as
-   vm_then_separate and vm_then_attach for these motions only, and link less code (docs/scene-sizes.md). If a point
-   takes up a body at another place, the angular momentum of both about their common mass centre is lost, since a point
-   does not rotate; angular_defect of the budget shows this loss.
+   vm_then_separate and vm_then_attach for these motions only, and make the program smaller (docs/scene-sizes.md). If a
+   point takes up a body at another place, the angular momentum of both about their common mass centre is lost, since a
+   point does not rotate; angular_defect of the budget shows this loss.
 
    A run ends with VM_IS_THERE if a part would become a body that is present already, with VM_IS_AWAY if a body that
    jumps is not present, and with the errors of vm_separate and vm_attach. vm_scene_start returns VM_BAD_MOTION for
@@ -24394,8 +24432,9 @@ VM_API vm_real vmi_scene_angle(const vm_scene *s, int body, const vm_real *y)
     return b->motion == VM_PLANE ? y[b->at + VMI_PLANE_ANGLE] : y[b->at];
 }
 
-/* After a jump has moved the mass centre of a body to r, updates its position in body axes: that of a growing body,
-   which is in the state, and that of a body at whose points an effect acts */
+/* Updates the position of the mass centre in body axes, after a jump has moved the mass centre of a body to r. A
+   growing body has this position in the state; for a body at whose points effects act, the field `centre` says how far
+   jumps have moved the mass centre. */
 VM_API void vmi_scene_shift_centre(const vm_scene *s, int body, vm_vec3 r, vm_real *y)
 {
     vm_scene_body *b = s->bodies + body;
@@ -24407,8 +24446,8 @@ VM_API void vmi_scene_shift_centre(const vm_scene *s, int body, vm_vec3 r, vm_re
     vmi_growth_put_centre(b, vm_add(vmi_growth_centre(b, state), step), state);
 }
 
-/* Lets effects that hold bodies together act even if their first body is not present, because they leave out absent
-   bodies themselves */
+/* Lets each effect that holds bodies together act even if its first body is not present: such an effect leaves out
+   absent bodies by itself */
 VM_API void vmi_scene_wake(vm_scene *s)
 {
     int i;
@@ -24417,8 +24456,8 @@ VM_API void vmi_scene_wake(vm_scene *s)
 }
 
 /* Writes the bodies after a jump into the state: the body that lost or gained mass, and the part that separated, or
-   NULL if the body `other` was attached. Stores the masses that all bodies must have then, because mass laws do not
-   know of the jump. */
+   NULL if the body `other` was attached. Stores the masses that all bodies must have then, because a mass law does not
+   include the mass that a jump adds or takes away. */
 VM_API void vmi_scene_put_jump(vm_event *e, vm_real *y, const vm_body *result, const vm_body *part_or_NULL)
 {
     vm_scene *s = e->scene;
@@ -24599,7 +24638,7 @@ VM_API vm_event vm_then_attach(vm_event event, int body, int added)
        vm_event events[] = {vm_then_land(vm_event_contact(0, &wheel))};     // and it does not bounce
 
    vm_event_contact happens when the body comes down to the ground. vm_then_land makes it a stop without a bounce: an
-   impulse takes away the velocity of the point along the normal. Afterwards the stiffness of the contact carries the
+   impulse takes away the velocity of the point along the normal. Afterwards the stiffness of the contact supports the
    body.
 
    Tests: tests/test_scene_joints.c. */
@@ -24658,8 +24697,8 @@ VM_API int vmi_contact_check(const vm_scene *s, const vm_effect *e)
 
 /* Contact of a body with the ground: one-sided stiffness and damping, which never pull. *contact is not copied: if an
    event changes it, the run continues with the change. vm_scene_start returns VM_BAD_ARGUMENT if contact is NULL,
-   VM_NOT_FINITE, VM_BAD_STIFFNESS for a negative stiffness, VM_DOMAIN if radius or damping is negative or the normal is
-   0, and VM_BAD_POINT for a point that the body cannot have (points.h). */
+   VM_NOT_FINITE if a number is infinite or NaN, VM_BAD_STIFFNESS for a negative stiffness, VM_DOMAIN if radius or
+   damping is negative or the normal is 0, and VM_BAD_POINT for a point that the body cannot have (points.h). */
 VM_API vm_effect vm_effect_contact(int body, const vm_contact *contact)
 {
     vm_effect e = vmi_effect(body, 0, contact ? vmi_apply_contact : NULL);
@@ -24683,8 +24722,9 @@ VM_API int vmi_contact_check_event(const vm_scene *s, const vm_event *e)
     return vmi_contact_check_parts(s, e->body, (const vm_contact *)e->parts);
 }
 
-/* An event when a body comes down to the ground. Only the fields at, radius, on and normal of *contact matter, which
-   is not copied. vm_scene_start returns VM_BAD_ARGUMENT if contact is NULL, and the errors of vm_effect_contact. */
+/* An event when a body comes down to the ground. Only the fields at, radius, on and normal of *contact are used.
+   *contact is not copied. vm_scene_start returns VM_BAD_ARGUMENT if contact is NULL, and the errors of
+   vm_effect_contact. */
 VM_API vm_event vm_event_contact(int body, const vm_contact *contact)
 {
     vm_event e = vmi_event(body, 0, 0, -1);
@@ -24695,8 +24735,8 @@ VM_API vm_event vm_event_contact(int body, const vm_contact *contact)
     return e;
 }
 
-/* Takes away the velocity of the point along the normal by an impulse, which enters the budget. The body gets the
-   velocities that the impulse 1 along the normal gives it, times a factor. */
+/* Takes away the velocity of the point along the normal by an impulse, which enters the budget. The velocities of the
+   body change as by an impulse of 1 N s along the normal, times a factor. */
 VM_API int vmi_then_land(vm_event *e, vm_real t, vm_real *y)
 {
     const vm_contact *contact = (const vm_contact *)e->parts;
@@ -24733,9 +24773,8 @@ VM_API int vmi_land_check(const vm_scene *s, const vm_event *e)
 
 /* The event of vm_event_contact becomes a stop without a bounce: an impulse takes away the velocity of the point
    along the normal. The other velocities of the body change only as this impulse changes them. Afterwards
-   vm_effect_contact carries the body. vm_scene_start returns VM_BAD_ARGUMENT for an event that is not of
-   vm_event_contact, and VM_TWO_LINKS for a body with a link or a joint, whose impulses this event does not
-   compute. */
+   vm_effect_contact supports the body. vm_scene_start returns VM_BAD_ARGUMENT for an event that vm_event_contact has
+   not made, and VM_TWO_LINKS for a body with a link or a joint, whose impulses this event does not compute. */
 VM_API vm_event vm_then_land(vm_event event)
 {
     event.then = vmi_then_land;
@@ -24762,12 +24801,12 @@ typedef struct VM_TAG(vmi_scene_pace) {
     long happened; /* number of events at this instant */
     vm_real gap;   /* s: of all crossings at this instant, the shortest time since the last crossing by the same event;
                       VM_MAX if none */
-    int crowded;   /* number of successive instants whose gap the time t cannot resolve with its digits */
+    int crowded;   /* number of successive instants whose gap is too short for the digits of the time t */
 } vmi_scene_pace;
 
 enum {
     VMI_SCENE_MOST_EVENTS = 10000, /* largest number of events at one instant; more count as an endless chain */
-    VMI_SCENE_MOST_CROWDED = 3,    /* largest number of successive instants whose gap the time cannot resolve */
+    VMI_SCENE_MOST_CROWDED = 3,    /* largest number of successive instants whose gap is too short for t's digits */
     VMI_SCENE_STEPS_IN_GAP = 32    /* steps in a short gap between two events, so that no later event is missed */
 };
 
@@ -24843,7 +24882,7 @@ VM_API int vmi_scene_run_events(vm_scene *s, rk45 *r, vm_real span, vmi_scene_pa
 }
 
 /* Calls the caller's function scene.output if it is due at the time t. *next is the index of the next time of output.
-   Returns VM_STOPPED if output ends the run, the reason why a mass is not finite, else VM_OK. */
+   Returns VM_STOPPED if output ends the run, an error if a mass is not finite, else VM_OK. */
 VM_API int vmi_scene_output(vm_scene *s, vm_real t, const vm_real *y, int *next)
 {
     int status;
@@ -24918,8 +24957,8 @@ VM_API int vmi_scene_step(vm_scene *s, rk45 *r, vm_real t_end, int next)
 }
 
 /* Keeps the crossings that the last run has found but not handled, because an earlier event of the same instant
-   returned an error: the next run handles them at its start. The integrator counts from 0 in each run, so that `seen`
-   becomes negative by their number. */
+   returned an error: the next run handles them at its start. The integrator counts from 0 in each run; therefore `seen`
+   becomes minus the number of these crossings. */
 VM_API void vmi_scene_keep_crossings(vm_scene *s)
 {
     int i;
@@ -24976,14 +25015,15 @@ VM_API int vmi_scene_check_run(const vm_scene *s, const vm_real *t, vm_real t_en
      VM_NOT_FINITE         if an effect, a law or an event gave an infinite number or NaN; the status of a vm_law
                            that failed;
      VM_SINGULAR           if a link cannot act;
-     VM_TOO_MANY_EVENTS    if events do not end: more than 10 000 happen at one instant, or four times in succession an
-                           event follows the one before within 256 VM_EPSILON of the time;
+     VM_TOO_MANY_EVENTS    if events do not end: more than 10 000 happen at one instant, or four times in succession a
+                           crossing follows the last one of the same event within 256 VM_EPSILON max(|*t|, |t_end|);
      VM_IS_THERE, VM_IS_AWAY and the errors of vm_separate and vm_attach
                            if a jump is impossible;
      VM_STEP_TOO_SMALL, VM_MAX_STEPS   if the integrator failed; its own status is in scene.ode_status;
      any other negative number         that an event's function (vm_then_user) returned. This event counts as handled.
-   Another call goes on from *t, with the events of this instant that were not handled. An event whose action needs
-   the masses while a mass law fails is not handled, or half: the next call does what is left of its action. */
+   Another call goes on from *t, with the events of this instant that were not handled. If a mass law fails while the
+   action of an event needs the masses, the action is not done or only partly done: the next call does the rest of
+   it. */
 VM_API int vm_scene_run(vm_scene *scene, vm_real *t, vm_real t_end, vm_real *y, vm_real *work,
                         const rk45_options *options_or_NULL)
 {

@@ -1,10 +1,11 @@
 /* oscillators/mean_motion.h - the motion by first-order averaging and by the law of order five, with error estimates
 
-   Without a force F the mean motion of an oscillator with slow mass and stiffness is known from integrals: the
+   If no force F acts and mass and stiffness change slowly, integrals give the mean motion of the oscillator: the
    amplitude follows the adiabatic law (325), (344), (367), (389), and the phase is the integral of its rate (310),
-   (329), (370). vmi_osc_first_order takes this mean motion for the motion, with the wave cos, cn or ca. vmi_osc_order_n
-   goes from the mean motion to the motion by the transformation of oscillators/expansion.h, cut off after order 2, 3, 4
-   or 5. Its error is of that order in the relative change of mass and stiffness within a radian.
+   (329), (370). vmi_osc_first_order uses this mean motion as the motion itself; its wave is cos, cn or ca.
+   vmi_osc_order_n computes the motion from the mean motion by the transformation of oscillators/expansion.h, which is
+   cut off after an order N from 2 to 5. Its error is of the order epsilon^N, where epsilon is the relative change of
+   mass and stiffness within a radian.
        vmi_osc_mean mean;
        vm_osc_motion motion;
        vmi_osc_wave w = vmi_osc_wave_of(&plan, VM_ROUTE_ORDER5);
@@ -70,10 +71,11 @@ VM_API int vmi_osc_mean_near_0(const vm_osc_plan *p, vm_real t, vmi_osc_mean *me
     return status;
 }
 
-/* Computes the mean motion at t, by closed forms if there are any, else by a walk along the laws. */
+/* Computes the mean motion at t, by closed forms if there are any, else by integration along the laws
+   (oscillators/walk.h). */
 VM_API int vmi_osc_mean_at(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean)
 {
-    const vm_real too_short = 256 * VM_EPSILON; /* a phase in which differences of the laws are rounding errors */
+    const vm_real too_short = 256 * VM_EPSILON; /* over a smaller phase the laws change only by rounding errors */
     int status = VM_OK;
     if (!p->closed && p->Om * VM_FABS(t) < too_short) status = vmi_osc_mean_near_0(p, t, mean);
     else if (p->closed) vmi_osc_mean_closed(p, t, mean);
@@ -92,12 +94,12 @@ VM_API vm_real vmi_osc_rounding(const vm_osc_plan *p, const vmi_osc_mean *mean)
     return 4 * VM_EPSILON * (2 + VM_FABS(p->Om * mean->phase)) + p->Om * mean->error;
 }
 
-/* A bound of the change of ln J, where J is the action, that fast changes of mass and stiffness cause. The exact change
-   of ln J is the integral over the phase of E_0 times a periodic function whose mean is 0. i integrations by parts turn
-   it into the integral of the ith derivative of E_0 times the ith integral of the periodic function, and into terms at
-   both ends, which the solutions already contain. Each i gives a bound, and the function returns the smallest. The
-   smallest belongs to a large i where the laws change slowly, and to i = 0 where they change within less than a
-   period. */
+/* A bound of the change of ln J that fast changes of mass and stiffness cause. J is the action. E_0 measures how
+   strongly these changes disturb the motion (oscillators/expansion.h). The exact change of ln J is the integral over
+   the phase of E_0 times a periodic function whose mean is 0. i integrations by parts turn it into the integral of the
+   ith derivative of E_0 times the ith integral of the periodic function, and into terms at both ends, which the
+   solutions already contain. Each i gives a bound, and the function returns the smallest. The smallest belongs to a
+   large i where the laws change slowly, and to i = 0 where they change within less than a period. */
 VM_API vm_real vmi_osc_fast(const vm_osc_plan *p, const vmi_osc_mean *mean)
 {
     const vmi_ripple *r = &p->ripple;
@@ -122,11 +124,11 @@ VM_API vm_real vmi_osc_way_error(const vm_osc_plan *p, const vmi_osc_mean *mean)
     return (1 + VM_FABS(p->ripple.gamma * p->Om * mean->phase)) * vmi_osc_fast(p, mean);
 }
 
-/* Estimates the error of vmi_osc_first_order, except for the error of its wave. The solution takes the amplitude and
-   the phase at the start for their mean values, and leaves out the ripple within a period and the part of the mean
-   phase that is proportional to E_0. An error of ln J makes an error of the phase that is larger by the factor gamma Om
-   t. The phase of x and x' is the phase of x and V = x' + p x plus (alpha+1)/2 p/Om ca^2; the mean of this difference
-   is the same at the start and at t. */
+/* Estimates the error of vmi_osc_first_order, except for the error of its wave. The solution uses the amplitude and the
+   phase at the start as if they were the mean values. It leaves out the ripple within a period, and the part of the
+   mean phase that is proportional to E_0 (oscillators/expansion.h). An error of ln J makes an error of the phase that
+   is larger by the factor gamma Om t. The phase that follows from x and x' is larger by (alpha+1)/2 p/Om ca^2 than the
+   phase that follows from x and V = x' + p x. The mean of this difference is the same at the start and at t. */
 VM_API vm_real vmi_osc_first_error(const vm_osc_plan *p, const vmi_osc_mean *mean)
 {
     const vmi_ripple *r = &p->ripple;
@@ -142,8 +144,8 @@ VM_API vm_real vmi_osc_first_error(const vm_osc_plan *p, const vmi_osc_mean *mea
 }
 
 /* Estimates the error of vmi_osc_order_n for the order 2, 3, 4 or 5. It adds up the sizes of the first terms that are
-   left out: by the transformation of this order at t; and by the mean motion, whose order is p->start_order, at the
-   start, at points of tables, and in the mean rate of the phase. */
+   left out. The transformation of this order leaves out terms at t. The mean motion, whose order is p->start_order,
+   leaves out terms at the start, at points of tables, and in the mean rate of the phase. */
 VM_API vm_real vmi_osc_order_error(const vm_osc_plan *p, int order, const vmi_osc_mean *mean)
 {
     const vmi_ripple *r = &p->ripple;
@@ -167,9 +169,9 @@ VM_API vm_real vmi_osc_order_error(const vm_osc_plan *p, int order, const vmi_os
 
 /* -- The solutions -- */
 
-/* Writes the motion of amplitude A, whose waves of position and velocity have the values c and s. Om is the rate of the
-   Ateb phase, so that the largest velocity is 2 A Om/(alpha+1); w is the wave. evals is set to 0. VM_NOT_FINITE leaves
-   *motion untouched. */
+/* Writes the motion with the amplitude A. c and s are the values of the waves of position and velocity. Om is the rate
+   of the Ateb phase, so that the largest velocity is 2 A Om/(alpha+1); w is the wave. evals is set to 0. VM_NOT_FINITE
+   leaves *motion untouched. */
 VM_API int vmi_osc_motion_of(const vmi_osc_wave *w, vm_real A, vm_real Om, vm_real c, vm_real s, vm_real error,
                              int route, vm_osc_motion *motion)
 {
@@ -197,8 +199,8 @@ VM_API int vmi_osc_first_order(const vm_osc_plan *p, int route, const vmi_osc_wa
     return vmi_osc_motion_of(w, A, Om, c, s, error, route, motion);
 }
 
-/* Computes the motion at t from the mean motion, by the law of order five, cut off after the order of the route. route
-   is one of VM_ROUTE_ORDER2 to VM_ROUTE_ORDER5, w its wave. */
+/* Computes the motion at t from the mean motion, by the terms of the law of order five up to the order of the route.
+   route is one of VM_ROUTE_ORDER2 to VM_ROUTE_ORDER5, w its wave. */
 VM_API int vmi_osc_order_n(const vm_osc_plan *p, int route, const vmi_osc_wave *w, const vmi_osc_mean *mean,
                            vm_osc_motion *motion)
 {

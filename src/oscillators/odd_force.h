@@ -1,15 +1,15 @@
 /* oscillators/odd_force.h - vibration under an odd elastic force of any form, with constant mass
 
-   The equation is x'' + F(x) = 0, where F is odd and force per unit mass: x + x^3, sin x, tanh x, or a function of
-   the user. A vm_odd_force holds F. Its constructors are vm_odd_force_user here and vm_duffing_force in
+   The equation is x'' + F(x) = 0. F is an odd function, the force per unit mass: x + x^3, sin x, tanh x, or a function
+   of the user. A vm_odd_force describes F. Its constructors are vm_odd_force_user here and vm_duffing_force in
    oscillators/duffing.h.
-   At an amplitude A one quadrature gives the period, the action and x(t):
+   At an amplitude A one numerical integral (a quadrature) gives the period, the action and x(t):
        vm_odd_force force = vm_odd_force_user(hard, NULL); // int hard(vm_real x, vm_real *f, void *ctx) writes *f
        vm_real T = vm_odd_period(&force, 2); // period of the motion from rest at x = 2 m
    Method: x = A cos(theta), v = -A sin(theta) sqrt(g), and so dt = dtheta/sqrt(g). Here g is the mean of F(x)/x over
    the variable x^2, from the present x^2 to A^2. g is smooth and positive, so that Gauss' rule converges fast. An orbit
    is the motion at one amplitude. Its phase is 2 pi t/period, and 0 where x is largest. Its action j is the integral of
-   v dx over a period, divided by 2 pi. Slow mass, stiffness and damping: oscillators/odd_motion.h.
+   v dx over a period, divided by 2 pi. For mass, stiffness and damping that change slowly see oscillators/odd_motion.h.
    Tests: tests/test_odd_force.c. */
 #ifndef VARMASS_OSCILLATORS_ODD_FORCE_H
 #define VARMASS_OSCILLATORS_ODD_FORCE_H
@@ -31,8 +31,9 @@ typedef struct VM_TAG(vmi_orbit) vmi_orbit;
 typedef struct VM_TAG(vmi_orbit_point) vmi_orbit_point;
 typedef struct VM_TAG(vmi_orbit_ripple) vmi_orbit_ripple; /* oscillators/orbit_ripple.h */
 
-/* An odd elastic force F(x). The constructors vm_odd_force_user and vm_duffing_force fill it. It points to functions
-   of this header and to the user's function and ctx, which must outlive it. */
+/* An odd elastic force F(x). The constructors vm_odd_force_user and vm_duffing_force fill it. It points to functions of
+   this header, to the user's function and to ctx. The function and what ctx points to must exist as long as the force
+   is used. */
 typedef struct VM_TAG(vm_odd_force) vm_odd_force;
 struct VM_TAG(vm_law); /* oscillators/laws.h */
 struct VM_TAG(vm_odd_force) {
@@ -42,7 +43,7 @@ struct VM_TAG(vm_odd_force) {
     void *ctx;                /* the user's pointer, last argument of function */
     /* Functions that depend on the kind of force; its constructor sets them. All but `point` return a status. */
     int (*at)(const vm_odd_force *force, vm_real x, vm_real *f); /* F(x) for any x; null if this is no force */
-    /* Writes the size and the place of the orbit through a state. */
+    /* Writes the size and the place of the orbit that contains a given state (x, v). */
     int (*orbit_through)(const vm_odd_force *force, vm_real x, vm_real v, vmi_orbit *orbit);
     /* Computes all other fields of an orbit from its size and place. */
     int (*complete)(vmi_orbit *orbit);
@@ -57,7 +58,7 @@ struct VM_TAG(vm_odd_force) {
 /* Where an orbit lies: around x = 0, or around another place of rest, to the right or to the left of x = 0 */
 enum { VMI_ORBIT_AROUND_0 = 0, VMI_ORBIT_RIGHT = 1, VMI_ORBIT_LEFT = -1 };
 
-/* The largest number of equal parts of 0 <= theta <= pi/2, and of equal pieces of 0 <= x <= A */
+/* The largest number of equal parts into which 0 <= theta <= pi/2 is divided, and also 0 <= x <= A */
 enum { VMI_ORBIT_PARTS = 8, VMI_ORBIT_NODES = VMI_ORBIT_PARTS * VMI_GAUSS };
 
 /* An orbit of x'' + F(x) = 0 */
@@ -97,11 +98,11 @@ VM_API vm_real vmi_orbit_amplitude(const vmi_orbit *orbit)
 
 /* -- Integrals over theta -- */
 
-/* A function of theta as Legendre series on `parts` equal parts of 0 ... pi/2, and its integral */
+/* A function of theta, as a Legendre series on each of `parts` equal parts of 0 ... pi/2, and its integral */
 typedef struct VM_TAG(vmi_orbit_sum) {
     int parts;
     vm_real series[VMI_ORBIT_PARTS][VMI_GAUSS];
-    vm_real start[VMI_ORBIT_PARTS + 1]; /* the integral from 0 to the start of each part; the last one is the whole */
+    vm_real start[VMI_ORBIT_PARTS + 1]; /* integral from 0 to the start of each part; the last: from 0 to pi/2 */
 } vmi_orbit_sum;
 
 /* The angle theta of node i, if there are `parts` equal parts with 20 nodes each */
@@ -111,7 +112,7 @@ VM_API vm_real vmi_orbit_node(int parts, int i)
     return VM_PI / 2 * (((vm_real)(i / VMI_GAUSS) + in_part) / (vm_real)parts);
 }
 
-/* Makes the sums of two functions from their values at the nodes. */
+/* Computes the series and the integrals of two functions from their values at the nodes. */
 VM_API void vmi_orbit_sums(int parts, const vm_real *values_a, const vm_real *values_b, vmi_orbit_sum *a,
                            vmi_orbit_sum *b)
 {
@@ -131,7 +132,8 @@ VM_API void vmi_orbit_sums(int parts, const vm_real *values_a, const vm_real *va
 /* The integral from 0 to pi/2 */
 VM_API vm_real vmi_orbit_whole(const vmi_orbit_sum *sum) { return sum->start[sum->parts]; }
 
-/* The part that holds theta, 0 <= theta <= pi/2. Writes the place of theta in it, from -1 to 1. */
+/* The number of the part that contains theta, 0 <= theta <= pi/2. *place becomes the place of theta in this part, from
+   -1 at its start to 1 at its end. */
 VM_API int vmi_orbit_part(const vmi_orbit_sum *sum, vm_real theta, vm_real *place)
 {
     const vm_real parts_before = theta / (VM_PI / 2) * (vm_real)sum->parts;
@@ -171,8 +173,9 @@ VM_API vm_real vmi_orbit_tail(const vmi_orbit_sum *sum)
     return largest / (vmi_orbit_whole(sum) / (VM_PI / 2));
 }
 
-/* The theta at which the integral of a positive function from 0 is `target`, between 0 and its whole integral.
-   Newton's method, with bisection where a step leaves the interval in which the solution lies. */
+/* The theta for which the integral of a positive function from 0 to theta is `target`. target lies between 0 and the
+   integral from 0 to pi/2. Newton's method finds theta; a step that leaves the interval with the solution is replaced
+   by bisection. */
 VM_API vm_real vmi_orbit_theta(const vmi_orbit_sum *sum, vm_real target)
 {
     const int most = 64;
@@ -201,7 +204,7 @@ typedef struct VM_TAG(vmi_orbit_folded) {
     vm_real side; /* -1 where x has the other sign than at phase 0; else 1 */
 } vmi_orbit_folded;
 
-/* Folds a phase of any size. */
+/* Brings a phase of any size to the part 0 ... span. */
 VM_API vmi_orbit_folded vmi_orbit_fold(const vmi_orbit *orbit, vm_real phi)
 {
     vmi_orbit_folded f;
@@ -216,7 +219,7 @@ VM_API vmi_orbit_folded vmi_orbit_fold(const vmi_orbit *orbit, vm_real phi)
 }
 
 /* Computes dt/dtheta at all nodes, and its derivative with respect to the orbit's size. Doubles the number of parts
-   until the series leave out no more than `enough`, as far as VMI_ORBIT_PARTS allows. */
+   until vmi_orbit_tail is at most `enough` or there are VMI_ORBIT_PARTS parts. */
 VM_API void vmi_orbit_times(const vmi_orbit *orbit, vm_real enough, vmi_orbit_sum *time, vmi_orbit_sum *time_size)
 {
     vm_real slowness[VMI_ORBIT_NODES], by_size[VMI_ORBIT_NODES];
@@ -336,8 +339,8 @@ VM_API int vmi_odd_user_fit(vmi_orbit *orbit, int pieces, vm_real *tail)
     return VM_OK;
 }
 
-/* Fits series of F between 0 and the orbit's amplitude, on as few pieces as are enough. Returns VM_NO_LAW if F is not
-   smooth enough for them. */
+/* Fits series of F between 0 and the orbit's amplitude, on 1, 2, 4 or 8 equal pieces: on the first number that is
+   enough. Returns VM_NO_LAW if F is not smooth enough for 8 pieces. */
 VM_API int vmi_odd_user_series(vmi_orbit *orbit)
 {
     const vm_real enough = 64 * VM_EPSILON, accepted = VM_MANT_DIG > 24 ? VM_C(1e-11) : VM_C(1e-5);
@@ -378,11 +381,11 @@ VM_API int vmi_odd_user_complete(vmi_orbit *orbit)
     return VM_IS_FINITE(orbit->w) && orbit->w > 0 && orbit->energy_slope > 0 ? VM_OK : VM_NO_LAW;
 }
 
-/* A state, for the search of its amplitude */
+/* A state whose amplitude is searched */
 typedef struct VM_TAG(vmi_odd_state) {
     const vm_odd_force *force;
     vm_real x, v; /* position >= 0 and velocity */
-    int status;   /* of the user's function */
+    int status;   /* status of the user's function */
 } vmi_odd_state;
 
 /* The potential energy at x + more, minus that at x, minus the kinetic energy of the state. It is 0 where x + more is
@@ -468,10 +471,11 @@ VM_API int vmi_odd_user_at_phase(const vmi_orbit *orbit, vm_real phi, vm_real *x
     return VM_OK;
 }
 
-/* Odd elastic force F(x) by a user's function. The function is called for x >= 0 only. ctx is handed to it. F must be
-   positive for 0 < x <= A, or at least do positive work between every x and the amplitude A. Between 0 and A it must be
-   so smooth that polynomials of degree 19 represent it on at most 8 equal pieces; otherwise all functions refuse it
-   with VM_NO_LAW. A null function makes no force: it is refused with VM_BAD_ARGUMENT. */
+/* Odd elastic force F(x) that a user's function computes. The function is called for x >= 0 only; its last argument is
+   ctx. F must be positive for 0 < x <= A, or at least do positive work between every x and the amplitude A. Between 0
+   and A it must be so smooth that polynomials of degree 19 represent it on at most 8 equal pieces; otherwise the
+   functions that return a status return VM_NO_LAW. A null function makes no force: these functions then return
+   VM_BAD_ARGUMENT. */
 VM_API vm_odd_force vm_odd_force_user(vm_odd_function function, void *ctx)
 {
     vm_odd_force force;
@@ -493,7 +497,7 @@ VM_API vm_odd_force vm_odd_force_user(vm_odd_function function, void *ctx)
 
 /* -- Motion with constant mass -- */
 
-/* Makes the complete orbit through a state. A state of rest has the size 0 and no other fields. */
+/* Makes the complete orbit through a state. For a state of rest the size is 0, and the other fields have no meaning. */
 VM_API int vmi_orbit_of_state(const vm_odd_force *force, vm_real x, vm_real v, vmi_orbit *orbit)
 {
     int status;
@@ -516,7 +520,7 @@ VM_API vm_real vm_odd_period(const vm_odd_force *force, vm_real x0)
 
 /* Action, m^2/s, of x'' + F(x) = 0 from rest at x0 (m, either sign), for an odd F per unit mass.
    It is the integral of v dx over a period, divided by 2 pi. A slow change of the force keeps it constant. Errors and
-   accuracy are those of vm_odd_period, but it is 0 for x0 = 0. */
+   accuracy are those of vm_odd_period, but for x0 = 0 the action is 0. */
 VM_API vm_real vm_odd_action(const vm_odd_force *force, vm_real x0)
 {
     vmi_orbit orbit;

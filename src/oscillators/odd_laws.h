@@ -4,13 +4,13 @@
    and computes the numbers that the averaging needs from them.
 
    Where k1 and k3 of Duffing's force follow laws of their own (vm_duffing_force_of_laws), the shape of the force
-   changes with time. It is made constant by a length s(t) with s^2 = (k1/k3)/(its value at t = 0): y = x/s obeys,
-   without any approximation,
+   changes with time. A length s(t) makes the shape constant, where s^2 is k1/k3 divided by the value of k1/k3 at t = 0.
+   The coordinate y = x/s obeys, without any approximation,
        m y'' + K F(y) + (reactive m' + b + 2 m s'/s) y' + m G y = 0
    with F(y) = k1(0) y + k3(0) y^3, K(t) = k(t) k1(t)/k1(0) and G = s''/s + (s'/s) (reactive m' + b)/m. So the change of
    shape acts as more damping, and as a weak linear spring, whose stiffness is of second order in the rates of the
    laws. Where k1 or k3 is 0 all the time, s is 1. Where one of them is 0 at one time only, there is no such s; then the
-   equation of motion is integrated. Guide: docs/duffing.md. Tests: tests/test_duffing_laws.c. */
+   equation of motion is integrated numerically. Guide: docs/duffing.md. Tests: tests/test_duffing_laws.c. */
 #ifndef VARMASS_OSCILLATORS_ODD_LAWS_H
 #define VARMASS_OSCILLATORS_ODD_LAWS_H
 
@@ -35,7 +35,8 @@ typedef struct VM_TAG(vm_odd_problem) {
 
 /* -- All laws of a problem -- */
 
-/* Writes pointers to the laws of a problem, and the status for a law that is not positive; returns their number. */
+/* Writes pointers to the laws of a problem, and for each law the status if it is not positive (VM_OK if it may have any
+   sign). Returns the number of laws. */
 enum { VMI_ODD_LAWS = 5 };
 VM_API int vmi_odd_all_laws(const vm_odd_problem *o, const vm_law **laws, int *if_not_positive)
 {
@@ -131,9 +132,9 @@ typedef struct VM_TAG(vmi_odd_shape) {
     vm_real rate1[4], rate3[4];
 } vmi_odd_shape;
 
-/* Writes the ratio and the rates of one of both laws. first is its value at t = 0. The first `orders` terms of the
-   rates are written; length is that of vmi_law_derivatives. Returns VM_NO_LAW where the law is 0 but not all the
-   time. */
+/* Writes the ratio and the rates of k1 or k3. `law` is its law, and first its value at t = 0. The first `orders` terms
+   of the rates are written. length has the meaning that it has for vmi_law_derivatives. Returns VM_NO_LAW where the law
+   is 0 at some times but not at all times. */
 VM_API int vmi_odd_coefficient(const vm_law *law, vm_real first, vm_real t, int side, vm_real length, int orders,
                                vm_real *ratio, vm_real *rates)
 {
@@ -155,7 +156,7 @@ VM_API int vmi_odd_coefficient(const vm_law *law, vm_real first, vm_real t, int 
 }
 
 /* Reads the shape of the force at t. With orders = 1 only the rates themselves are written, with orders = 4 their
-   series. Where one coefficient is 0 all the time, the other one counts for both, so that s is 1. */
+   series. Where k1 or k3 is 0 all the time, it gets the ratio and the rates of the other one, so that s is 1. */
 VM_API int vmi_odd_shape_at(const vm_odd_problem *o, vm_real t, int side, vm_real length, int orders,
                             vmi_odd_shape *shape)
 {
@@ -197,7 +198,8 @@ typedef struct VM_TAG(vmi_odd_rates) {
     vm_real scale_rate;    /* s'/s, 1/s */
 } vmi_odd_rates;
 
-/* Computes them at t. side is that of vmi_odd_read_laws. Returns VM_NO_LAW where the shape cannot be made constant. */
+/* Computes these numbers at t. side has the meaning that it has for vmi_odd_read_laws. Returns VM_NO_LAW where the
+   shape of the force cannot be made constant. */
 VM_API int vmi_odd_rates_at(const vm_odd_problem *o, vm_real t, int side, vmi_odd_rates *r)
 {
     vm_real m[VMI_LAW_ORDERS], k[VMI_LAW_ORDERS], b[VMI_LAW_ORDERS];

@@ -15,9 +15,9 @@
        problem.x = VM_C(0.2);
        problem.v = 0;
        if (vm_odd_within(&problem, 60, VM_C(1e-3), &motion) == VM_OK) printf("%g m\n", (double)motion.x);
-   Method: averaging of the action and the phase (oscillators/orbit_ripple.h), or integration by rk87 where the laws
-   are not slow or the motion crosses a separatrix. A plan holds the mean motion from 0 to a given time. Guide:
-   docs/duffing.md. Tests: tests/test_odd_force.c. */
+   Method: averaging of the action and the phase (oscillators/orbit_ripple.h), or integration by rk87 where the laws are
+   not slow or the motion crosses a separatrix, the border between two kinds of vibration. A plan contains the mean
+   motion from 0 to a given time. Guide: docs/duffing.md. Tests: tests/test_odd_force.c. */
 #ifndef VARMASS_OSCILLATORS_ODD_MOTION_H
 #define VARMASS_OSCILLATORS_ODD_MOTION_H
 
@@ -68,9 +68,10 @@ typedef struct VM_TAG(vmi_odd_panel) {
     vm_real size[VMI_GAUSS];    /* series of the size of the mean orbit (see vmi_orbit) */
     /* Element i is the integral of |d^i (h/w)/dphi^i| over the phase phi, from t = 0 to the end of the panel. */
     vm_real change[VMI_ODD_ORDERS];
-    vm_real knots;              /* what order two leaves out of ln J at points of tables, from 0 to the end */
-    vm_real largest_a, largest_B; /* largest values of these fields of the ripple on the panel */
-    vm_real gamma;              /* largest ratio on the panel of a relative change of w to the relative change of j */
+    vm_real knots;              /* terms of ln J that order two leaves out at points of tables, from t = 0 to the end of
+                                   the panel */
+    vm_real largest_a, largest_B; /* largest values on the panel of the ripple's fields of these names */
+    vm_real gamma;              /* largest ratio, on the panel, of the relative change of w to that of j */
 } vmi_odd_panel;
 
 /* The mean motion of a problem from t = 0 to a given time. Fill it by vm_odd_plan_init; read its fields, but do not
@@ -93,8 +94,8 @@ typedef struct VM_TAG(vm_odd_plan) {
     vmi_odd_panel panel[VMI_ODD_PANELS];
 } vm_odd_plan;
 
-/* Finds the orbit whose action j has this logarithm by Newton's method. The size that *orbit has is the first guess. A
-   step that leads out of the region of such orbits is halved. Returns VM_NO_LAW where there is no such orbit. */
+/* Finds the orbit whose action is exp(ln_j), by Newton's method. The size of *orbit is the first guess. A step to a
+   size at which there is no orbit is halved. Returns VM_NO_LAW where there is no orbit with this action. */
 VM_API int vmi_orbit_find(vmi_orbit *orbit, vm_real ln_j)
 {
     const vm_real enough = 4 * VM_EPSILON, longest = 2;
@@ -118,8 +119,8 @@ VM_API int vmi_orbit_find(vmi_orbit *orbit, vm_real ln_j)
     return VM_NO_LAW;
 }
 
-/* The change of ln j by the adiabatic law since t = 0. *now holds the laws at the end, and decay is the integral of
-   b/m. */
+/* The change of ln j by the adiabatic law since t = 0. *now has the values of the laws at the present time; decay is
+   the integral of b/m from 0 to this time. */
 VM_API vm_real vmi_odd_adiabatic(const vm_odd_plan *p, const vmi_odd_rates *now, vm_real decay)
 {
     const vm_real ln_m = vmi_log(now->m / p->m0).hi, ln_k = vmi_log(now->k / p->k0).hi;
@@ -139,8 +140,8 @@ VM_API vm_real vmi_odd_longest_panel(const vm_odd_problem *o, vm_real whole)
     return longest;
 }
 
-/* The time, s, in which the phase of the orbit grows by 16. Derivatives of users' laws are computed from rates between
-   the present time and this much later or earlier. */
+/* The time, s, in which the phase of the orbit grows by 16. Derivatives of users' laws are computed from rates at times
+   that differ from the present time by at most this time. */
 VM_API vm_real vmi_odd_sampling_time(vm_real w, vm_real speed) { return 16 / (w * speed); }
 
 /* -- A panel -- */
@@ -157,8 +158,8 @@ typedef struct VM_TAG(vmi_odd_nodes) {
     vm_real ratio1[VMI_GAUSS], ratio3[VMI_GAUSS];     /* series of these fields of the rates */
 } vmi_odd_nodes;
 
-/* Reads the shape of the force: its series, how well they hold at the ends, and the weak spring at the nodes. The
-   rates at the nodes must be set. */
+/* Reads the shape of the force: its series, the errors of these series at the ends of the panel, and the weak spring at
+   the nodes. The rates at the nodes must be set. */
 VM_API int vmi_odd_read_shape(const vm_odd_problem *o, const vmi_odd_panel *panel, vmi_odd_nodes *at)
 {
     const vm_odd_force *force = &o->force;
@@ -217,8 +218,9 @@ VM_API int vmi_odd_read(const vm_odd_problem *o, const vmi_odd_panel *panel, vmi
     return vmi_odd_read_shape(o, panel, at);
 }
 
-/* Adds to panel->change the integrals over this panel, from the series of h/w, with root mean squares in place of
-   absolute values. Coefficients that are as small as rounding errors are left out. The series is overwritten. */
+/* Adds to panel->change the integrals over this panel. They are computed from the series of h/w, with root mean squares
+   in place of absolute values. Coefficients that are as small as rounding errors are left out. The series is
+   overwritten. */
 VM_API void vmi_odd_add_changes(vmi_odd_panel *panel, vm_real *ratio)
 {
     const vm_real noise = (VM_MANT_DIG > 24 ? 4096 : 16) * VM_EPSILON;
@@ -238,8 +240,8 @@ VM_API void vmi_odd_add_changes(vmi_odd_panel *panel, vm_real *ratio)
 /* The number of the kth node in the order of time, 0 <= k < 20: 0, 2 ... 18, 19, 17 ... 1 */
 VM_API int vmi_odd_node_number(int k) { return k < VMI_GAUSS / 2 ? 2 * k : 2 * VMI_GAUSS - 1 - 2 * k; }
 
-/* Computes the series of a panel. The fields for its start and its length must be set. orbit is a guess of the mean
-   orbit at the start; it becomes the orbit at the last node. */
+/* Computes the series of a panel. The fields for its start and its length must be set. At the call *orbit is a guess of
+   the mean orbit at the start; afterwards it is the orbit at the last node. */
 VM_API int vmi_odd_panel_of(const vm_odd_plan *p, vmi_odd_panel *panel, vmi_orbit *orbit, vmi_odd_nodes *at)
 {
     vm_real rates[VMI_GAUSS], sizes[VMI_GAUSS], bends[VMI_GAUSS], ratios[VMI_GAUSS];
@@ -278,9 +280,9 @@ VM_API int vmi_odd_panel_of(const vm_odd_plan *p, vmi_odd_panel *panel, vmi_orbi
     return VM_OK;
 }
 
-/* Whether a panel is short enough for its series. Phase and size are evaluated inside the panel, where the terms that
-   their series leave out are not squared. varying is 1 where k1 and k3 follow laws of their own. whole is the length of
-   the walk, s. */
+/* Whether a panel is short enough for its series. Phase and size are also needed inside the panel. There their errors
+   are as large as the terms that their series leave out, while the error of an integral is about the square of such
+   terms. varying is 1 where k1 and k3 follow laws of their own. whole is the length of the walk, s. */
 VM_API int vmi_odd_panel_is_resolved(const vmi_odd_panel *panel, const vmi_odd_nodes *at, int varying, vm_real whole)
 {
     const vm_real limit = vmi_panel_limit(panel->length, whole), fine = VM_MANT_DIG > 24 ? VM_C(1e-12) : VM_C(1e-5);
@@ -334,8 +336,8 @@ VM_API int vmi_odd_walk_piece(vm_odd_plan *p, vm_real end, vm_real longest, vmi_
     return VM_OK;
 }
 
-/* The relative change of the action within a period that a weak linear spring of stiffness 1 causes. In a well it is
-   larger for a smaller orbit, because the spring moves the place of rest. */
+/* The relative change of the action within a period that a weak linear spring of stiffness 1 causes. On an orbit at one
+   side of x = 0 (in a well) it is larger for a smaller orbit, because the spring moves the place of rest. */
 VM_API vm_real vmi_odd_spring_ripple(const vmi_orbit *orbit)
 {
     vm_real squares = orbit->size; /* the largest change of x^2 */
@@ -343,8 +345,8 @@ VM_API vm_real vmi_odd_spring_ripple(const vmi_orbit *orbit)
     return squares / (2 * orbit->w * orbit->j);
 }
 
-/* Takes the mean motion past t, a point of a table: the derivative of h jumps there, but the motion does not, so that
-   the mean action jumps. */
+/* Continues the mean motion beyond the time t, a point of a table. The derivative of h jumps there, but the motion does
+   not jump. Therefore the mean action jumps. */
 VM_API int vmi_odd_walk_past_knot(const vm_odd_plan *p, vmi_orbit *orbit, vmi_odd_panel *next)
 {
     const int side = vmi_time_side(p->t_end);
@@ -462,19 +464,19 @@ VM_API int vmi_odd_fill(vm_odd_plan *p)
     if (status == VM_NO_LAW) return VM_OK;
     if (status || p->at_rest || orbit.size == 0) return status;
     p->start = orbit;
-    p->start.force = NULL; /* the force is p->problem.force, wherever the plan is copied to */
+    p->start.force = NULL; /* use p->problem.force: a pointer to it would be wrong in a copy of the plan */
     status = vmi_odd_start(p, &orbit);
     if (!status && p->t_end != 0) status = vmi_odd_walk(p, &orbit);
     return status == VM_NO_LAW ? VM_OK : status;
 }
 
 /* Plan for many values of one vibration under an odd elastic force, from t = 0 to t_end (s, any sign).
-   vm_odd_plan_within and vm_odd_plan_by_route use it. The problem is copied; its tables and contexts must outlive the
-   plan. Where the averaged motion ends before t_end, at a separatrix or because laws change too fast, the plan's field
-   reach says where; beyond it only VM_ODD_RK87 works. Errors leave the plan untouched. Returns VM_BAD_ARGUMENT for null
-   pointers and for a law or force that no constructor made, VM_NOT_FINITE for a number that is infinite or NaN,
-   VM_BAD_MASS or VM_BAD_STIFFNESS for a law that is not positive, VM_DOMAIN for a table out of order or one that does
-   not hold 0 and t_end, and where a user's function fails. */
+   vm_odd_plan_within and vm_odd_plan_by_route use it. The problem is copied; its tables and contexts must exist as long
+   as the plan is used. Where the averaged motion ends before t_end, at a separatrix or because laws change too fast,
+   the plan's field reach says where; beyond it only VM_ODD_RK87 works. Errors leave the plan untouched. Returns
+   VM_BAD_ARGUMENT for null pointers and for a law or force that no constructor made, VM_NOT_FINITE for a number that is
+   infinite or NaN, VM_BAD_MASS or VM_BAD_STIFFNESS for a law that is not positive, VM_DOMAIN for a table out of order
+   or one that does not contain 0 and t_end, and where a user's function fails. */
 VM_API int vm_odd_plan_init(vm_odd_plan *p, const vm_odd_problem *problem, vm_real t_end)
 {
     vm_odd_plan plan;
@@ -559,7 +561,7 @@ VM_API vm_real vmi_odd_fast(const vmi_odd_mean *mean, vm_real largest_a)
     return least;
 }
 
-/* The sizes of terms of second and of third order, for the damping and the spring in *slow and an orbit */
+/* The sizes of terms of second and of third order on an orbit, for the damping and the spring in *slow */
 VM_API void vmi_odd_sizes(const vmi_odd_slow *slow, const vmi_orbit *orbit, vm_real *second, vm_real *third)
 {
     const vm_real w = orbit->w, by_spring = vmi_odd_spring_ripple(orbit);
@@ -579,7 +581,7 @@ VM_API vm_real vmi_odd_steepness(const vmi_orbit *orbit)
 
 /* Estimates the error of an averaged solution at t. It adds up the sizes of the terms that are left out: in the
    transformation at the start and at t, and in the action at the start and at points of tables. An error of the action
-   changes the phase by gamma times the phase. The factors fit the errors of random problems in
+   changes the phase by gamma times the phase. The factors are chosen to fit the errors of random problems in
    tests/test_odd_force.c. */
 VM_API int vmi_odd_error(const vm_odd_plan *p, int route, vm_real t, const vmi_odd_mean *mean, vm_real *error)
 {

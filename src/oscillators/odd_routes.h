@@ -3,10 +3,10 @@
    vm_odd_plan_by_route takes the route that its argument names. vm_odd_plan_within takes the cheapest route whose error
    is estimated to be within a tolerance, and vm_odd_within does so without a plan. The problem and the averaged
    solutions are those of oscillators/odd_motion.h, which also shows the shortest useful call. vm_odd_rhs is the
-   equation of motion. How good the estimates are: tests/test_odd_force.c compares them with the true errors of random
-   problems. The true error is below three estimates in 99 % of them, and never above ten. The integration of a force
-   with a kink, as x + x|x| has, needs very short steps: it may miss tolerances below 1e-6 and then returns
-   VM_TOLERANCE_MISSED. Tests: tests/test_odd_force.c. */
+   equation of motion. tests/test_odd_force.c compares the estimates with the true errors of random problems. The true
+   error is below three times the estimate in 99 % of the problems, and never above ten times the estimate. The
+   integration of a force with a kink, as x + x|x| has, needs very short steps: it may miss tolerances below 1e-6 and
+   then returns VM_TOLERANCE_MISSED. Tests: tests/test_odd_force.c. */
 #ifndef VARMASS_OSCILLATORS_ODD_ROUTES_H
 #define VARMASS_OSCILLATORS_ODD_ROUTES_H
 
@@ -152,7 +152,7 @@ VM_API int vmi_odd_motion_now(const vmi_odd_run *c, vm_odd_motion *motion, vm_re
     int status = vmi_odd_read_laws(o, c->s.t, -c->side, &now);
     if (status) return status;
     speed = VM_SQRT(now.k / now.m);
-    if (o->force.laws) { /* the vibration with the coefficients of this time */
+    if (o->force.laws) { /* the orbit is that of the force at this time */
         force.k1 = now.k1;
         force.k3 = now.k3;
     }
@@ -172,7 +172,7 @@ VM_API int vmi_odd_motion_now(const vmi_odd_run *c, vm_odd_motion *motion, vm_re
     return VM_OK;
 }
 
-/* Makes one run from 0 to t, with the motions at the times of vmi_osc_check_time, and their swings and largest
+/* Makes one run from 0 to t. Writes the motions at the times of vmi_osc_check_time, and their swings and largest
    velocities. */
 VM_API int vmi_odd_run_once(vmi_odd_run *c, vm_real t, vm_real tolerance, vm_odd_motion *motion, vm_real *swing,
                             vm_real *vmax)
@@ -202,8 +202,8 @@ VM_API int vmi_odd_run_once(vmi_odd_run *c, vm_real t, vm_real tolerance, vm_odd
     return VM_OK;
 }
 
-/* Makes a loose and a strict run. Writes the strict run's motion at t; its error is the largest difference of the two
-   runs. */
+/* Makes two runs, one with a loose and one with a strict tolerance. Writes the motion at t of the strict run; its error
+   is the largest difference of the two runs. */
 VM_API int vmi_odd_pair(vmi_odd_run *c, vm_real t, vm_real step_tolerance, vm_odd_motion *motion)
 {
     const vmi_osc_tuning tuning = vmi_osc_method_rk87(vmi_odd_run_rhs).tuning;
@@ -227,8 +227,8 @@ VM_API int vmi_odd_pair(vmi_odd_run *c, vm_real t, vm_real step_tolerance, vm_od
 }
 
 /* Computes the motion at t by rk87. It makes pairs of runs with stricter and stricter tolerances until the estimated
-   error is within `tolerance`. A pair that is not better than the best one halves the longest step; after three such
-   pairs the best one is the result. */
+   error is within `tolerance`. After a pair that is not better than the best pair so far, the longest step is halved.
+   After three such pairs the best pair is the result. */
 VM_API int vmi_odd_integrate(const vm_odd_plan *p, vm_real t, vm_real tolerance, vm_odd_motion *motion)
 {
     const int most_attempts = 8, most_stalled = 3;

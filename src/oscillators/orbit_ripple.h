@@ -1,11 +1,11 @@
 /* oscillators/orbit_ripple.h - how a slow change disturbs the motion on an orbit within a period
 
-   In the time s with ds = sqrt(k/m) dt, slow mass, stiffness, damping b and reactive force (of the share r) all act as
-   one damping h:
+   If ds = sqrt(k/m) dt defines a new time s, then slow mass, stiffness, damping b and the reactive force (with the
+   share r) together act as one damping h:
        x'' + F(x) = -2 h x',   2 h = d ln(mu sqrt(k/m))/ds,   mu' = (r m' + b) mu/m
    so that J = j mu sqrt(k/m) stays constant on average, where j is the action of the orbit. J and the phase phi are
-   canonical. Their Hamiltonian is (H + 2 h a) mu sqrt(k/m), where H is the Hamiltonian of constant mass and a the
-   function
+   canonical variables. Their Hamiltonian is (H + 2 h a) mu sqrt(k/m), where H is the Hamiltonian of constant mass and a
+   the function
        a(phi) = (integral of v dx from phase 0) - j phi
    of period pi (2 pi in a well) and mean 0. Let B be the integral of a over the phase, with mean 0. To second order
    in h the mean action and the mean phase are
@@ -39,7 +39,7 @@ struct VM_TAG(vmi_orbit_ripple) {
     vm_real w_size, j_size; /* derivatives of w and j by size */
     vm_real largest_a;     /* largest |a|/j; for a Fourier series a bound of it */
     vm_real largest_B;     /* largest w |(B/w)_j|; for a Fourier series a bound of it */
-    int harmonics;         /* number of terms of the Fourier series; 0 where the fields below it are in use */
+    int harmonics;         /* number of terms of the Fourier series; 0 where the fields from `time` on are used */
     vm_real a[VMI_RIPPLE_HARMONICS + 1], a_size[VMI_RIPPLE_HARMONICS + 1]; /* factor of sin(n zeta) in a, and its
                                                                               derivative by size, n >= 1 */
     vm_real b[VMI_RIPPLE_HARMONICS + 1];                                   /* factor of cos(n zeta) in (B/w)_j */
@@ -55,7 +55,7 @@ typedef struct VM_TAG(vmi_orbit_ripple_values) {
     vm_real B_j;  /* (B/w)_j */
 } vmi_orbit_ripple_values;
 
-/* Values at the nodes of theta, from which the sums are made */
+/* Values at the nodes of theta, from which series and integrals are computed */
 typedef struct VM_TAG(vmi_orbit_nodes) {
     int n;
     vmi_orbit_point point[VMI_ORBIT_NODES];
@@ -63,7 +63,8 @@ typedef struct VM_TAG(vmi_orbit_nodes) {
     vm_real phase_rate[VMI_ORBIT_NODES];                 /* dphi/dtheta */
 } vmi_orbit_nodes;
 
-/* Computes a and its derivative by size at the nodes. At fixed phase the change of a is v times the change of x. */
+/* Computes a and its derivative by size at the nodes. At fixed phase the derivative of a is v times the derivative of
+   x. */
 VM_API void vmi_orbit_ripple_nodes(const vmi_orbit *orbit, vmi_orbit_ripple *r, vmi_orbit_nodes *nodes)
 {
     vm_real squares[VMI_ORBIT_NODES];
@@ -137,7 +138,8 @@ VM_API void vmi_orbit_ripple_means(const vmi_orbit *orbit, const vmi_orbit_nodes
     }
 }
 
-/* Completes the ripple whose Fourier coefficients a, a_size and their number, and w_size and j_size, are set. */
+/* Computes the other fields of a ripple by Fourier series. The fields harmonics, a, a_size, w_size and j_size must be
+   set. */
 VM_API void vmi_orbit_ripple_of_harmonics(const vmi_orbit *orbit, vmi_orbit_ripple *r)
 {
     const vm_real turn = VM_PI / orbit->span; /* zeta/phi */
@@ -241,8 +243,8 @@ VM_API vm_real vmi_orbit_mean_action(const vmi_orbit_ripple *r, const vmi_orbit 
     return orbit->j + first + second;
 }
 
-/* The mean action minus the action for a weak linear spring of stiffness 1 that acts beside the force; x is the
-   position on the orbit */
+/* The difference (mean action) - (action), as far as a weak linear spring of stiffness 1 causes it. The spring acts in
+   addition to the force; x is the position on the orbit. */
 VM_API vm_real vmi_orbit_spring_action(const vmi_orbit_ripple *r, const vmi_orbit *orbit, vm_real x)
 {
     return (x * x - r->X) / (2 * orbit->w);

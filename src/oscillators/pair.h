@@ -1,6 +1,7 @@
 /* oscillators/pair.h - two bodies with a nonlinear connection
 
-   Two bodies of equal mass m(t), with coordinates x and y on a line and a spring between them (517), (518):
+   Two bodies of equal mass m(t) move on a line, and a spring connects them. Their coordinates x and y obey (517),
+   (518):
        m x'' = -k (x - y)|x - y|^(alpha-1) - r m' x',   m y'' = k (x - y)|x - y|^(alpha-1) - r m' y'
    k is the stiffness of the spring, r the share of the reactive force (`reactive`). The sum q = x + y drifts, and the
    difference p = y - x vibrates with the amplitude A and the Ateb phase psi, whose rate is Om, (520)-(522). This file
@@ -64,8 +65,9 @@ VM_API int vmi_pair_now(const vm_pair *p, vm_real t, const vm_real *state_or_NUL
 
 /* Equations of motion (517), (518) of two bodies, for rk45 or rk87.
    y = (x, y, x', y') is in m and m/s; pair points to a vm_pair. Returns VM_BAD_ARGUMENT for null pointers or where no
-   constructor made the mass, VM_NOT_FINITE for a number that is infinite or NaN, VM_BAD_MASS or VM_BAD_STIFFNESS for
-   one that is not positive, and VM_DOMAIN for alpha < 0 or t outside a table. These statuses stop the run. */
+   constructor made the mass, VM_NOT_FINITE for a number that is infinite or NaN, VM_BAD_MASS or VM_BAD_STIFFNESS for a
+   mass or a stiffness that is not positive, and VM_DOMAIN for alpha < 0 or t outside a table. These statuses stop the
+   run. */
 VM_API int vm_pair_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *pair)
 {
     if (!y || !dydt || !pair) return VM_BAD_ARGUMENT;
@@ -173,7 +175,7 @@ VM_API int vm_pair_averaged_rhs(vm_real t, const vm_real *modes, vm_real *dmodes
     return VM_OK;
 }
 
-/* Computes the averaged motion at time t by closed formulas, which hold for a mass that is linear in time. y0 holds
+/* Computes the averaged motion at time t by closed formulas, which hold for a mass that is linear in time. y0 contains
    x, y, x' and y' at t = 0. `modes` receives the results in the order VMI_PAIR_..., and *m the mass at t with its
    integrals. The averaged equations contain powers of m/m0, where m0 is the mass at t = 0. For any exponent e the
    integral of (m/m0)^e dt is m0 (exp(u) - 1)/u times the integral of dt/m, with u = (1 + e) ln(m/m0). */
@@ -217,12 +219,13 @@ enum {
     VM_PAIR_JACOBI = 2 /* Jacobi's cn with the exact period and the exact velocity at p = 0 */
 };
 
-/* Motion of two bodies at time t by one of the three methods of (524), so that they can be compared. p = A(t) ca,
-   A(t) cos or A(t) cn, with the mean amplitude A of vm_pair_to_averaged, whose law is the same for all three, and x,
-   y by (528), (529). `method` is VM_PAIR_ATEB, VM_PAIR_TRIG or VM_PAIR_JACOBI. Unlike vm_pair_at this leaves out the
-   ripple of the amplitude within a period, as the dissertation does. The other arguments are those of vm_pair_at. The
-   error is that of vm_osc_approximation_errors times A/2, and of the order of m'/(m Om). Returns the statuses of
-   vm_pair_at, and VM_BAD_ARGUMENT for a method that does not exist. y and y0 may be the same array. */
+/* Motion of two bodies at time t by one of the three methods of (524), so that they can be compared. p is A(t) times
+   ca, cos or cn. A is the mean amplitude of vm_pair_to_averaged; its law is the same for all three methods. x and y
+   follow from p and q by (528), (529). `method` is VM_PAIR_ATEB, VM_PAIR_TRIG or VM_PAIR_JACOBI. Unlike vm_pair_at this
+   leaves out the ripple of the amplitude within a period, as the dissertation does. The other arguments are those of
+   vm_pair_at. The error has two parts: the error of vm_osc_approximation_errors times A/2, and a part of the order of
+   m'/(m Om). Returns the statuses of vm_pair_at, and VM_BAD_ARGUMENT for a method that does not exist. y and y0 may be
+   the same array. */
 VM_API int vm_pair_by_method(const vm_pair *p, int method, vm_real t, const vm_real *y0, vm_real *y)
 {
     if (!p || !y0 || !y || method < VM_PAIR_ATEB || method > VM_PAIR_JACOBI) return VM_BAD_ARGUMENT;

@@ -1,8 +1,8 @@
 /* oscillators/panels.h - panels of time in which a law is smooth, and the integrals of 1/f and f/g
 
    An integral along a law f(t) from 0 to t is a sum over intervals of time, called panels. Each panel is so short that
-   a series of 20 Legendre polynomials represents the law on it. A panel that is too long for its series is halved; each
-   next panel is tried with twice the length of the one before. Panels end at the points of a table.
+   a series of 20 Legendre polynomials represents the law on it. A panel that is too long for its series is halved. The
+   next panel is first tried with twice the length of this panel. Panels end at the points of a table.
        vm_law mass = vm_law_linear(10, VM_C(-0.1));
        vm_real integral;
        int status = vm_law_inverse_integral(&mass, 20, &integral); // 10 ln(10/8) s/kg
@@ -49,8 +49,8 @@ VM_API vmi_panels vmi_panels_from(vm_real start, vm_real end, vm_real longest, v
     return p;
 }
 
-/* Returns whether the end is not reached yet, and sets the length p->step of the panel that starts at p->t. If the time
-   left is hardly longer than a panel, all of it becomes one panel. */
+/* Returns 1 while the end is not reached, else 0, and sets the length p->step of the panel that starts at p->t. If the
+   time left is hardly longer than a panel, all of it becomes one panel. */
 VM_API int vmi_panels_next(vmi_panels *p)
 {
     if (p->t == p->end) return 0;
@@ -97,9 +97,9 @@ VM_API int vmi_panel_is_resolved(const vm_real *series, vm_real limit)
 }
 
 /* The size of terms of E_0 = G_0/W^2 that do not matter on a panel over which the phase advances by `phase`, of either
-   sign. E_0 disturbs the motion with the rate W of the phase (oscillators/expansion.h). The first part of the result
-   adds 16 eps to the phase. The second part is the size of rounding errors: E_0 contains p', which is found from
-   differences of p on the panel. */
+   sign. E_0 disturbs the motion with the rate W of the phase (oscillators/expansion.h). Terms as large as the first
+   part of the result change the phase by 16 eps. The second part is the size of rounding errors: E_0 contains p', which
+   is found from differences of p on the panel. */
 VM_API vm_real vmi_panel_E_noise(vm_real phase)
 {
     const vm_real advance = VM_FABS(phase);
@@ -215,7 +215,7 @@ VM_API int vm_law_inverse_integral(const vm_law *law, vm_real t, vm_real *integr
 /* -- The integral of any function of time -- */
 
 /* A function of time that is integrated: writes its value at t, and returns VM_OK or the status with which it fails.
-   Where the value jumps at t, side = 1 asks for the one after t, side = -1 for the one before t. */
+   Where the value jumps at t, side = 1 asks for the value after t, side = -1 for the value before t. */
 typedef int (*vmi_integrand)(vm_real t, int side, vm_real *value, void *ctx);
 
 /* Computes the series of a function on a panel. *size receives its largest absolute value at the points of Gauss' rule
@@ -267,7 +267,8 @@ typedef struct VM_TAG(vmi_law_ratio) {
     const vm_law *f, *g;
 } vmi_law_ratio;
 
-/* The value of f/g, where f may have any sign and g is positive. A vmi_integrand; ratio points to a vmi_law_ratio. */
+/* The value of f/g, where f may have any sign and g is positive. The function is a vmi_integrand; ratio points to a
+   vmi_law_ratio. */
 VM_API int vmi_law_ratio_at(vm_real t, int side, vm_real *value, void *ratio)
 {
     const vmi_law_ratio *r = (const vmi_law_ratio *)ratio;
@@ -317,7 +318,7 @@ VM_API int vmi_law_ratio_integral_closed(const vm_law *f, const vm_law *g, vm_re
 /* Integral of f(s)/g(s) ds from 0 to t, for t of either sign, f of any sign and g > 0.
    With the damping b(t) for f and the mass m(t) for g it is the `decay` of the amplitude laws (vm_osc_amplitude_law). A
    closed form is used where f is constant, or where f and g are powers of the same 1 + c t or both exponential. All
-   other laws use Gauss' rule on panels: the error is at most 1e-13 (float 1e-5) of the integral of |f/g|, if user's
+   other laws use Gauss' rule on panels: the error is at most 1e-13 (float 1e-5) of the integral of |f/g|, if users'
    functions change no faster than vm_law_user says. Returns VM_BAD_ARGUMENT for null pointers and for a law that no
    constructor made, VM_NOT_FINITE for numbers that are infinite or NaN, VM_BAD_MASS where g <= 0 between 0 and t, and
    VM_DOMAIN for t outside a table, for a table out of order, where a user's function fails, or where a change_time is

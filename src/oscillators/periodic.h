@@ -1,6 +1,6 @@
 /* oscillators/periodic.h - periodic excitation that is not harmonic, of a strongly nonlinear oscillator
 
-   The oscillator of forced.h under a force F g(theta) with theta' = nu, where the shape g has the period 2 pi:
+   The oscillator of forced.h vibrates under a force F g(theta), where theta' = nu and the shape g has the period 2 pi:
        m x'' + k x|x|^(alpha-1) = -(r m' + b) x' + F g(theta),   g = sum over n of a_n cos(n theta) + b_n sin(n theta)
    for n = 0 to 9. This file has the equation of motion, the exact equations of amplitude and phase, the averaged
    equations near a resonance, and the steady vibrations with their stability. The dissertation leaves this problem to
@@ -14,18 +14,17 @@
        p.vibrations = p.periods = 1;   // main resonance
        int status = vm_periodic_init(&p);
 
-   Resonances. In P = vibrations periods of the oscillator fit Q = periods of the force: near the resonance the
-   frequency w(A) of the free vibration is (P/Q) nu. P = Q = 1 is the main resonance. P = 3, Q = 1 is the resonance
-   with the third harmonic of the force. P = 1, Q = 3 is a subharmonic resonance with a third of the frequency of the
-   force, which exists where alpha is not 1. The vibration has odd harmonics only, so that for even Q (in lowest
-   terms) the averaged equations contain no force.
+   Resonances. At a resonance the oscillator makes P vibrations in Q periods of the force; the fields `vibrations` and
+   `periods` are P and Q. Near it the frequency w(A) of the free vibration is about (P/Q) nu. P = Q = 1 is the main
+   resonance. P = 3, Q = 1 is the resonance with the third harmonic of the force. P = 1, Q = 3 is a subharmonic
+   resonance with a third of the frequency of the force, which exists where alpha is not 1. The vibration has odd
+   harmonics only. Therefore the averaged equations contain no force if Q is even, with P/Q in lowest terms.
 
-   The averaged equations. With the phase phi of the vibration, delta = phi - (P/Q) theta, and the symbols of
-   forced.h:
+   The averaged equations use the phase phi of the vibration, delta = phi - (P/Q) theta, and the symbols of forced.h:
        A' = -q A/(alpha+3) - F/(m w) S,   delta' = w(A) - (P/Q) nu - F/(m w A) C,
        S = sum of j G_j (a_n sin(j delta) + b_n cos(j delta)),   C = sum of G_j (a_n cos(j delta) - b_n sin(j delta)),
    over the odd j for which n = j P/Q is a whole number. G_j = Om1^2 c_j/2, with the Fourier coefficient c_j of cos(j
-   phi) in ca. Terms with j > 9 are left out; for alpha = 3 they are below 1e-7 of the first. Tests:
+   phi) in ca. Terms with j > 9 are left out; for alpha = 3 they are below 1e-7 of the first term. Tests:
    tests/test_periodic.c. */
 #ifndef VARMASS_OSCILLATORS_PERIODIC_H
 #define VARMASS_OSCILLATORS_PERIODIC_H
@@ -44,7 +43,7 @@
 enum { VM_PERIODIC_HARMONICS = 9 };
 
 /* An oscillator under a periodic force. Set all fields, then call vm_periodic_init. The coefficients and the resonance
-   may change without a new call; a change of oscillator.alpha needs one. */
+   may change without a new call; after a change of oscillator.alpha call vm_periodic_init again. */
 typedef struct VM_TAG(vm_periodic) {
     vm_forced oscillator; /* the oscillator; its field `force` is the factor F of the shape g, N */
     vm_real cosine[VM_PERIODIC_HARMONICS + 1]; /* the coefficients a_n of cos(n theta) in g; a_0 is the mean of g */
@@ -80,11 +79,11 @@ VM_API int vm_periodic_init(vm_periodic *p)
 }
 
 /* Sets the shape of a periodic force from n samples g[i] = g(2 pi i/n) over one period. Writes the fields cosine and
-   sine of *p, and no other. Harmonics of an order below n/2, up to the ninth, are computed; the others become 0. The
-   result is exact but for rounding where g has no harmonics of an order >= n/2. The samples may be those of ca, of
-   Jacobi's cn or of a rectangle; higher harmonics than the ninth excite the vibration little. The cost is that of 9 n
-   sines. Returns VM_BAD_ARGUMENT for a null pointer or n < 1, VM_NOT_FINITE for a sample that is infinite or NaN, and
-   VM_OK otherwise. An error leaves *p as it was. */
+   sine of *p, and no other. Harmonics of an order below n/2, up to the ninth, are computed; the others become 0. Apart
+   from rounding the result is exact if g has no harmonics of an order >= n/2. The samples may be those of ca, of
+   Jacobi's cn or of a rectangle; harmonics above the ninth excite the vibration only little. The function takes about
+   as long as 9 n sines. Returns VM_BAD_ARGUMENT for a null pointer or n < 1, VM_NOT_FINITE for a sample that is
+   infinite or NaN, and VM_OK otherwise. An error leaves *p as it was. */
 VM_API int vm_periodic_from_samples(vm_periodic *p, int n, const vm_real *g)
 {
     int k, i;
@@ -107,7 +106,7 @@ VM_API int vm_periodic_from_samples(vm_periodic *p, int n, const vm_real *g)
 }
 
 /* Shape of the force: g(theta), a pure number. Returns NaN for a null pointer and for a theta that is infinite or NaN.
-   The error is that of 9 roundings of the largest term. */
+   The error is about that of rounding the largest term 9 times. */
 VM_API vm_real vm_periodic_shape(const vm_periodic *p, vm_real theta)
 {
     vm_complex turns[VM_PERIODIC_HARMONICS + 1];
@@ -135,8 +134,8 @@ VM_API int vm_periodic_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *per
 }
 
 /* Exact equations of amplitude and phase under a periodic force, for rk45 or rk87. The state is y = (A, psi, theta), as
-   for vm_forced_exact_rhs: they neglect nothing, but are singular at A = 0. The argument periodic and the statuses are
-   those of vm_periodic_rhs. */
+   for vm_forced_exact_rhs. The equations neglect nothing, but they are singular at A = 0. The argument periodic and the
+   statuses are those of vm_periodic_rhs. */
 VM_API int vm_periodic_exact_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *periodic)
 {
     if (!y || !dydt || !periodic) return VM_BAD_ARGUMENT;
@@ -150,7 +149,7 @@ VM_API int vm_periodic_exact_rhs(vm_real t, const vm_real *y, vm_real *dydt, voi
 
 /* The sums of the averaged equations at the phase delta */
 typedef struct VM_TAG(vmi_periodic_sums) {
-    vm_real S, C; /* the sums of the text above */
+    vm_real S, C; /* the sums S and C at the top of this file */
     vm_real slope; /* dS/ddelta; dC/ddelta is -S */
 } vmi_periodic_sums;
 
@@ -189,11 +188,11 @@ VM_API vm_real vmi_periodic_frequency(const vm_periodic *p, vm_real nu)
     return nu * (vm_real)p->vibrations / (vm_real)p->periods;
 }
 
-/* Averaged equations of an oscillator under a periodic force near a resonance, for rk45 or rk87. They are written in
-   the text above. The state is y = (A, delta, theta): A is the mean amplitude, theta the phase of the force, and
+/* Averaged equations of an oscillator under a periodic force near a resonance, for rk45 or rk87. The top of this file
+   shows them. The state is y = (A, delta, theta): A is the mean amplitude, theta the phase of the force, and
    delta = phi - (P/Q) theta. Start with vm_periodic_to_averaged, and end with vm_periodic_from_averaged. Let e be the
    largest of the damping b, the mass rate m' and the force F. Near the resonance the error of x up to times of the
-   order of 1/e is of the order of e for alpha = 1, and between e and sqrt(e) for others; it is larger for motions
+   order of 1/e is of the order of e for alpha = 1, and between e and sqrt(e) for other alpha; it is larger for motions
    that come close to an unstable vibration. The argument periodic and the statuses are those of vm_periodic_rhs. */
 VM_API int vm_periodic_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *periodic)
 {
@@ -214,8 +213,8 @@ VM_API int vm_periodic_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, 
 }
 
 /* The ripple of the amplitude, which is the exact amplitude minus the mean one, at the phases phi of the vibration
-   and theta of the force. A vmi_ripple_of_force. It is q A/((alpha+3) Om) sa ca for the slow changes, and for the
-   force F/(m Om) times the sum over j and n of
+   and theta of the force. The function has the type vmi_ripple_of_force. The slow changes give the ripple q
+   A/((alpha+3) Om) sa ca, and the force adds F/(m Om) times the sum over j and n of
      s_j/2 [(a_n cos u + b_n sin u)/(j w + n nu) + (a_n cos v - b_n sin v)/(j w - n nu)],
    where u = j phi + n theta, v = j phi - n theta, w is the frequency of the free vibration, and s_j is the Fourier
    coefficient of sin(j phi) in sa. The second quotient is left out for the pairs j, n that are in resonance, since it
@@ -311,8 +310,8 @@ VM_API vmi_periodic_sums vmi_periodic_sums_from(const vmi_periodic_search *s, vm
     return sums;
 }
 
-/* The amplitude that A' = 0 asks for at the sum S, or 0 where no amplitude does: A w(A) = -S F/(m p), where p is
-   q/(alpha+3) */
+/* The amplitude for which A' = 0 at the sum S. It follows from A w(A) = -S F/(m p), where p is q/(alpha+3). The result
+   is 0 where there is no such amplitude. */
 VM_API vm_real vmi_periodic_amplitude(const vmi_resonance *z, vm_real S)
 {
     const vm_real product = -z->push / z->p * S;
@@ -396,8 +395,9 @@ VM_API void vmi_periodic_insert(const vm_steady_state *state, int n, int room, v
    those at time t. Writes at most `room` vibrations to steady, the smallest amplitudes first, and returns how many
    there are (it may be more than room), or a negative status. The function looks for changes of sign between 360
    phases, so that two vibrations whose phases differ by less than a degree, next to a fold of the resonance curve,
-   may be missed together. The cost is that of some 4000 sines. The negative statuses are those of vm_periodic_rhs;
-   VM_BAD_ARGUMENT also means room < 0, VM_DOMAIN also q = 0, where vm_periodic_curve explains why. */
+   may be missed together. The function takes about as long as 4000 sines. The negative statuses are those of
+   vm_periodic_rhs; VM_BAD_ARGUMENT also means room < 0, VM_DOMAIN also means q = 0; the comment of vm_periodic_curve
+   explains why. */
 VM_API int vm_periodic_steady_states(const vm_periodic *p, vm_real t, int room, vm_steady_state *steady)
 {
     if (!p || !steady || room < 0) return VM_BAD_ARGUMENT;

@@ -1,6 +1,6 @@
 /* oscillators/plan.h - the plan of an oscillator: what is computed once and then used at many times t
 
-   A plan holds the amplitude and the phase at t = 0, the mean motion at t = 0 by the law of order five
+   A plan contains the amplitude and the phase at t = 0, the mean motion at t = 0 by the law of order five
    (oscillators/expansion.h), and the closed forms of the laws of mass and stiffness, if they have such forms:
        vm_osc_plan plan;
        int status = vm_osc_plan_init(&plan, &problem); // problem is a vm_osc_problem
@@ -22,7 +22,7 @@
 #include "waves.h"
 
 /* What is computed only once for a problem, by vm_osc_plan_init. Read its fields, but do not change them. The plan
-   points to the tables, functions and contexts of the problem, so it is of no use to another program. */
+   points to the tables, functions and contexts of the problem; therefore another program cannot use it. */
 typedef struct VM_TAG(vm_osc_plan) {
     vm_osc_problem problem;  /* a copy of the problem */
     vm_real m0, k0;          /* mass, kg, and stiffness, N/m^alpha, at t = 0 */
@@ -41,7 +41,7 @@ typedef struct VM_TAG(vm_osc_plan) {
 } vm_osc_plan;
 
 /* The periodic function, cos, cn or ca, by which a route describes the oscillation. It points into the plan, which must
-   outlive it. */
+   exist as long as the wave is used. */
 VM_API vmi_osc_wave vmi_osc_wave_of(const vm_osc_plan *p, int route)
 {
     if (route == VM_ROUTE_TRIG) return vmi_osc_wave_cos(p->problem.alpha, p->ripple.pi);
@@ -57,7 +57,7 @@ VM_API vm_real vmi_osc_sampling_time(const vm_osc_plan *p)
     return 16 / p->Om;
 }
 
-/* The mean motion that belongs to a reduced state, by the law of this order, 2 to 5. E holds the numbers E_k of the
+/* The mean motion that belongs to a reduced state, by the law of this order, 2 to 5. E contains the numbers E_k of the
    state. */
 VM_API vmi_osc_reduced vmi_osc_mean_of(const vm_osc_plan *p, int order, const vmi_osc_reduced *state, const vm_real *E)
 {
@@ -68,7 +68,7 @@ VM_API vmi_osc_reduced vmi_osc_mean_of(const vm_osc_plan *p, int order, const vm
 }
 
 /* The function that computes the constants of the Ateb functions: an accurate one if for_many is 1, for objects that
-   serve many values, such as a vm_osc_closed; otherwise a fast one for a single value */
+   are used for many values, such as a vm_osc_closed; otherwise a fast one for a single value */
 VM_API vmi_ateb_constants_of vmi_osc_constants_of(int for_many)
 {
     if (for_many) return vmi_ateb_fine_constants;
@@ -102,9 +102,9 @@ VM_API int vmi_osc_start(vm_osc_plan *p)
     return VM_OK;
 }
 
-/* Fills the plan except for three parts: the mean motion, which vmi_osc_start adds; and the plan of the Ateb functions
-   and the polynomials of the ripple, which are worth their time only for many values. for_many is 1 if the caller adds
-   these two. */
+/* Fills the plan except for three parts. vmi_osc_start adds the first, the mean motion. The other two are the plan of
+   the Ateb functions and the polynomials of the ripple; computing them saves time only for many values. for_many is 1
+   if the caller adds these two. */
 VM_API int vmi_osc_prepare(vm_osc_plan *p, const vm_osc_problem *problem, int for_many)
 {
     const vm_osc_problem *o = &p->problem;
@@ -124,10 +124,11 @@ VM_API int vmi_osc_prepare(vm_osc_plan *p, const vm_osc_problem *problem, int fo
 }
 
 /* Plan for many values of one problem's motion. The functions vm_osc_plan_by_route, vm_osc_plan_within and
-   vm_osc_averaged use the plan. The problem is copied; its tables and contexts must outlive the plan. Errors leave the
-   plan untouched. Returns VM_BAD_ARGUMENT for null pointers and for a law that no constructor made, VM_NOT_FINITE for a
-   number that is infinite or NaN, VM_BAD_MASS and VM_BAD_STIFFNESS for a law that is not positive at t = 0 or in a
-   table, VM_DOMAIN for alpha < 0, a table out of order or without t = 0, or a user's function of a law that fails. */
+   vm_osc_averaged use the plan. The problem is copied; its tables and contexts must exist as long as the plan is used.
+   Errors leave the plan untouched. Returns VM_BAD_ARGUMENT for null pointers and for a law that no constructor made,
+   VM_NOT_FINITE for a number that is infinite or NaN, VM_BAD_MASS and VM_BAD_STIFFNESS for a law that is not positive
+   at t = 0 or in a table, VM_DOMAIN for alpha < 0, a table out of order or without t = 0, or a user's function of a law
+   that fails. */
 VM_API int vm_osc_plan_init(vm_osc_plan *p, const vm_osc_problem *problem)
 {
     vm_osc_plan plan;

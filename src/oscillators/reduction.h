@@ -1,4 +1,4 @@
-/* oscillators/reduction.h - amplitude and phase of an oscillator that slow changes disturb in second order only
+/* oscillators/reduction.h - amplitude and phase of an oscillator, which slow changes disturb only in second order
 
    The oscillator m x'' + k x|x|^(alpha-1) + (reactive m' + b) x' = 0 can be written d(mu x')/dt + kappa x|x|^(alpha-1)
    = 0. The functions mu(t) and kappa(t) follow from mu'/mu = a with a = (reactive m' + b)/m, and from kappa/mu = k/m.
@@ -68,8 +68,9 @@ VM_API int vmi_osc_rates_at(const vm_osc_problem *o, vm_real t, int side, vmi_os
 /* Whether mass or stiffness is a function of the user, which gives no second derivative */
 VM_API int vmi_osc_has_user_law(const vm_osc_problem *o) { return o->mass.function || o->stiffness.function; }
 
-/* Returns whether a law is constant by its numbers, as most stiffnesses are, and then writes it and its first two
-   derivatives to f. Its value was checked at t = 0. This saves 3 to 4 % of the instructions of collocation. */
+/* Returns 1 if the numbers of a law show that it is constant, as most stiffnesses are, and writes its value and its
+   first two derivatives to f; else returns 0. The value was already checked at t = 0. This saves 3 to 4 % of the
+   instructions of collocation. */
 VM_API int vmi_law_is_constant(const vm_law *law, vm_real *f)
 {
     if (law->time || law->function || law->f1 != 0 || law->f2 != 0) return 0;
@@ -168,8 +169,8 @@ VM_API void vmi_osc_find_G(int n, vm_real *a, vm_real *p, vmi_osc_slow *now)
     }
 }
 
-/* Fills *now. The arrays m and k hold mass and stiffness and their derivatives up to the sixth, and are overwritten.
-   The field `unit` of vmi_osc_slow explains the argument unit, s. */
+/* Fills *now. The arrays m and k contain mass and stiffness with their derivatives up to the sixth. Both arrays are
+   overwritten. The field `unit` of vmi_osc_slow explains the argument unit, s. */
 VM_API void vmi_osc_slow_of(const vm_osc_problem *o, vm_real *m, vm_real *k, vm_real unit, vmi_osc_slow *now)
 {
     const int n = VMI_LAW_ORDERS - 1;
@@ -195,8 +196,8 @@ VM_API void vmi_osc_slow_of(const vm_osc_problem *o, vm_real *m, vm_real *k, vm_
 }
 
 /* Fills *now for the time t. Where derivatives of the laws jump at t, side = 1 asks for those after t, side = -1 for
-   those before t. length, s, is explained at vmi_law_derivatives, and unit, s, at the field of vmi_osc_slow. Returns
-   VM_BAD_MASS, VM_BAD_STIFFNESS, VM_DOMAIN or VM_NOT_FINITE where the laws do. */
+   those before t. vmi_law_derivatives explains length, s, and the field `unit` of vmi_osc_slow explains unit, s.
+   Returns VM_OK, or the status VM_BAD_MASS, VM_BAD_STIFFNESS, VM_DOMAIN or VM_NOT_FINITE of a law that fails. */
 VM_API int vmi_osc_slow_at(const vm_osc_problem *o, vm_real t, int side, vm_real length, vm_real unit,
                            vmi_osc_slow *now)
 {

@@ -108,7 +108,7 @@ VM_API int vmi_resonance_turns(const vmi_resonance *z, vm_real alpha, vm_real x[
 }
 
 /* The steady amplitudes for alpha != 1. Writes at most three, in ascending order, and returns how many there are. The
-   excess is monotonic below, between and above its extrema, so each of these intervals of x = ln A holds at most one
+   excess is monotonic below, between and above its extrema, so each of these intervals of x = ln A contains at most one
    zero. */
 VM_API int vmi_resonance_roots(vmi_resonance *z, vm_real alpha, vm_real A[3])
 {
@@ -133,8 +133,8 @@ VM_API int vmi_resonance_roots(vmi_resonance *z, vm_real alpha, vm_real A[3])
    at most three vibrations to steady, the smallest amplitude first, and returns how many there are, 0 where the force
    is 0, or a negative status. In the tests the relative error of amplitudes, compared with solutions of the averaged
    equations, is at most 3e-14 (float 3e-5). To get the response at all frequencies, call the function for each nu.
-   Solutions far from w(A) = nu need not be near a motion, since the averaged equations hold near the resonance. The
-   negative statuses are those of vm_forced_rhs. */
+   The averaged equations are valid near the resonance only; far from w(A) = nu a solution may differ from every real
+   motion. The negative statuses are those of vm_forced_rhs. */
 VM_API int vm_forced_steady_states(const vm_forced *f, vm_real t, vm_steady_state steady[3])
 {
     if (!f || !steady) return VM_BAD_ARGUMENT;

@@ -4,8 +4,8 @@
    ripple is computed from five functions of the Ateb phase psi. The first is C = ca^2(psi) - <ca^2>, where < > is the
    mean over a period. The other four are integrals over psi, each with the mean 0 and the period Pi_alpha:
      S = integral of C,   S2 = integral of S,   S3 = integral of S2,   Q = integral of C^2 - <C^2>.
-   A vmi_ripple holds what is computed once for an alpha: polynomials that approximate these integrals, and constants of
-   the law of order five (oscillators/expansion.h). It is plain data and may lie in flash memory.
+   A vmi_ripple contains what is computed once for an alpha: polynomials that approximate these integrals, and constants
+   of the law of order five (oscillators/expansion.h). It is plain data and may lie in flash memory.
        vmi_ripple r;
        vmi_ripple_values f;
        vm_real sa, ca;
@@ -84,7 +84,7 @@ VM_API vm_real vmi_binomial_next(vm_real before, int i, vm_real exponent)
 /* Replaces the coefficients i - 1 of the power series by the coefficients i; for i = 0 all must be 0 before. Up to
    order 3 only the series for the integral of ca^2 are needed. Method: let I be this integral over the phase from a
    zero of ca or sa, D the integral of I, and E the integral of D. The differential equations D'' = ca^2 and E'' = I
-   give each coefficient of D and E from the one before. */
+   give each coefficient of D and E from the previous coefficient. */
 VM_API void vmi_ripple_next_terms(vmi_ripple_series *s, int order, int i, vm_real alpha)
 {
     const vm_real n = alpha + 1, nu = 2 * alpha / n, k = (vm_real)(2 * i);
@@ -136,8 +136,8 @@ VM_API void vmi_chebyshev_to_powers(vm_real *c)
     }
 }
 
-/* Makes the eight polynomials, four in each set; those that no law up to `order` needs become 0. It adds up the power
-   series, with each power w^i or y^i replaced by its Chebyshev series. */
+/* Makes the eight polynomials, four in each set; those that the laws up to `order` do not need become 0. It adds up the
+   power series, with each power w^i or y^i replaced by its Chebyshev series. */
 VMI_APART void vmi_ripple_make_polynomials(vmi_ripple *r, int order)
 {
     vm_real w_power[VMI_RIPPLE_KEPT]; /* coefficients of the Chebyshev series of w^i */
@@ -185,8 +185,8 @@ typedef struct VM_TAG(vmi_ripple_integrals) {
     vm_real ca2, ca4, first, second; /* integrals of ca^2 and ca^4; the integral of ca2, and the integral of this */
 } vmi_ripple_integrals;
 
-/* A phase between a zero of ca or sa and the phase where sa^2 = 1/2, at which both sets of polynomials meet; and the
-   numbers from which the integrals from the zero to this phase follow */
+/* A phase between a zero of ca or sa and the phase where sa^2 = 1/2, and the numbers that give the integrals from the
+   zero to this phase. At sa^2 = 1/2 one set of polynomials replaces the other. */
 typedef struct VM_TAG(vmi_ripple_place) {
     const vm_real (*polynomial)[VMI_RIPPLE_TERMS]; /* near_ca_0 or near_sa_0 */
     vm_real z;        /* variable of the polynomials */
@@ -284,7 +284,8 @@ VM_API void vmi_ripple_complete(vmi_ripple *r, int order)
 }
 
 /* Writes the functions of the ripple at the phase psi, where sa and ca are the Ateb functions of psi. order, 2 to 5, is
-   the order of the law that needs them; above 2 vmi_ripple_complete must have made the polynomials. */
+   the order of the law that needs them; for orders above 2, vmi_ripple_complete must have computed the polynomials
+   before. */
 VM_API void vmi_ripple_at(const vmi_ripple *r, int order, vm_real psi, vm_real sa, vm_real ca, vmi_ripple_values *f)
 {
     const vm_real m = r->mean2, y = sa * sa, from_sa_0 = psi - r->pi * VM_FLOOR(psi / r->pi + VM_C(0.5));

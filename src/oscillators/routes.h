@@ -26,9 +26,9 @@
 
    Cost. Without a force F the first seven routes are averaged solutions in closed form: they need one or two
    evaluations of sa and ca and the integrals of the laws of mass and stiffness, whatever t and the tolerance are. The
-   other routes integrate from 0 to t to the tolerance. Each of them runs twice, the second time more strictly, and the
-   difference of the two runs gives the error. With F the averaged equations of the first three routes are integrated,
-   too, and the laws of orders 2 to 5 do not exist. docs/cost.md has the times.
+   other routes integrate from 0 to t within the tolerance. Each of them runs twice, the second time more strictly, and
+   the difference of the two runs gives the error. With F the averaged equations of the first three routes are
+   integrated, too, and the laws of orders 2 to 5 do not exist. docs/cost.md has the times.
 
    Choice. vm_osc_within takes the first of these seven solutions whose estimated error is within the tolerance. If
    there is none, or a force F is given, it integrates numerically: by collocation if amplitude and phase describe the
@@ -36,9 +36,9 @@
 
    What the estimate of an averaged solution covers:
      - the terms that the solution leaves out, the error of cos and cn in place of ca, and rounding errors of the phase;
-     - fast changes of mass and stiffness between 0 and t. The walk along the laws looks for them panel by panel (for
-       laws by functions see vm_law_user), and in tables from one point to the next. A change within a period makes the
-       estimate large, so that vm_osc_within integrates. For a law by a function its steps are then limited by the
+     - fast changes of mass and stiffness between 0 and t. The integration along the laws looks for them panel by panel
+       (for laws by functions see vm_law_user), and in tables from one point to the next. A change within a period makes
+       the estimate large, so that vm_osc_within integrates. For a law by a function its steps are then limited by the
        shortest panel, so that no step skips the change.
    What the estimate of averaged equations with F covers:
      - the error of their integration, and the error of cos and cn in place of ca;
@@ -47,11 +47,13 @@
        and over periods at eight later times, so it misses a force that acts only for a short time between them.
 
    How good the estimate is. tests/test_routes.c compares it with the true error of random problems with alpha from
-   1/8 to 8, a rate q of the laws from 2e-3 to 0.1, and t from 1/q to 3/q. In double the test demands as bounds, for
-     the share of problems whose true error is above 3 times the estimate: 1 % by vm_osc_within, 4 % by rk87, else 2 %,
-     the largest ratio of true error to estimate: 30 by rk87, 40 by rk45, else 10,
-     the median ratio of estimate to true error: 55 by collocation, 25 by rk87, 13 by rk45, 15 by orders 4 and 5 and for
-       averaged solutions with F, else 10.
+   1/8 to 8, a rate q of the laws from 2e-3 to 0.1, and t from 1/q to 3/q. In double the test demands these
+   bounds:
+     - the true error is above 3 times the estimate in at most 1 % of the problems for vm_osc_within, 4 % for rk87, and
+       2 % for all other routes;
+     - the true error is at most 30 times the estimate for rk87, 40 times for rk45, and 10 times for all others;
+     - the median of estimate/(true error) is at most 55 for collocation, 25 for rk87, 13 for rk45, 15 for orders 4 and
+       5 and for averaged solutions with F, and 10 for all others.
    The estimate is worse for rk87, because its errors are not proportional to the tolerance if alpha is not an odd
    integer. */
 
@@ -177,8 +179,8 @@ VM_API int vmi_osc_at_rest(const vm_osc_plan *p, int route, vm_osc_motion *motio
        or a change_time that is negative or too short,
      VM_NO_LAW for the laws of orders 2 to 5 with F, and for F on a body at rest at x = 0,
      VM_NOT_INTEGRATED where amplitude and phase do not describe the motion, for collocation only,
-     VM_NOT_INTEGRATED where the integrator gives up, or would need too many steps: more than 2^13 a period plus four
-       times the number that its longest step makes necessary, or a time of more than 2^23 of the present periods.
+     VM_NOT_INTEGRATED where the integrator gives up, where |t| is more than 2^23 of the present periods, or where there
+       are too many steps: more than 2^13 a period plus four times the number that the longest step makes necessary.
    Thus every call ends. */
 VM_API int vm_osc_plan_by_route(const vm_osc_plan *p, int route, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
@@ -203,7 +205,7 @@ VM_API int vm_osc_plan_by_route(const vm_osc_plan *p, int route, vm_real t, vm_r
    tolerance. Returns VM_TOLERANCE_MISSED where there is none, and leaves *motion untouched. */
 VM_API int vmi_osc_averaged_within(const vm_osc_plan *p, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
-    const vm_real reserve = VM_C(1.5); /* in one case of 400 the error exceeds the estimate, up to 1.9 times */
+    const vm_real reserve = VM_C(1.5); /* in one case of 400 the error is larger than the estimate, up to 1.9 times */
     vmi_osc_mean mean;
     vmi_osc_wave w;
     vm_real first;
@@ -254,9 +256,8 @@ VM_API int vm_osc_plan_within(const vm_osc_plan *p, vm_real t, vm_real tolerance
 
 /* -- Without a plan -- */
 
-/* Makes the plan of a problem for one call, without the plan of the Ateb functions, which is worth its time only for
-   many calls. complete = 1 also makes the polynomials of the ripple, which orders 3 to 5 and collocation
-   need. */
+/* Makes the plan of a problem for one call, without the plan of the Ateb functions, which saves time only for many
+   calls. complete = 1 also makes the polynomials of the ripple, which orders 3 to 5 and collocation need. */
 VM_API int vmi_osc_once(const vm_osc_problem *problem, int complete, vm_osc_plan *plan)
 {
     int status;

@@ -7,9 +7,9 @@
 
        vm_real A = 3 * vm_osc_amplitude_law(VM_C(0.5), 0, 1, 3); // cubic spring, half of the mass gone, A was 3
 
-   Symbols of these chapters: A amplitude, psi Ateb phase, Om = psi' its rate, m mass, k stiffness, b damping, r the
-   argument `reactive`, q the rate at which mass, damping and stiffness change the vibration (vmi_slow_q). Averaging
-   needs q much smaller than Om.
+   Symbols of these chapters: A is the amplitude, psi the Ateb phase, Om = psi' its rate, m the mass, k the stiffness, b
+   the damping, r the argument `reactive`, and q the rate at which mass, damping and stiffness change the vibration
+   (vmi_slow_q). Averaging needs q much smaller than Om.
    Tests: tests/test_averaging.c, tests/test_constant_mass.c. */
 #ifndef VARMASS_OSCILLATORS_SLOW_H
 #define VARMASS_OSCILLATORS_SLOW_H
@@ -43,8 +43,8 @@ VM_API vm_real vm_osc_amplitude_law(vm_real mass_ratio, vm_real decay, vm_real r
 }
 
 /* Ratio of the largest velocity to its first value, of an oscillator whose mass varies slowly. It follows from the
-   amplitude A by x'_max = sqrt(2 k A^(alpha+1)/((alpha+1) m)): (326), (364), (395) corrected. The arguments and the
-   results outside the domain are those of vm_osc_amplitude_law. */
+   amplitude A by x'_max = sqrt(2 k A^(alpha+1)/((alpha+1) m)): (326), (364), (395) corrected. The arguments and their
+   domain are those of vm_osc_amplitude_law. Outside the domain and for infinite arguments the result is NaN. */
 VM_API vm_real vm_osc_velocity_law(vm_real mass_ratio, vm_real decay, vm_real reactive, vm_real alpha)
 {
     const vm_real share = (alpha + 1) / (alpha + 3); /* (alpha+1)/2, the exponent of A in x'_max, times 2/(alpha+3) */
@@ -56,7 +56,7 @@ VM_API vm_real vm_osc_velocity_law(vm_real mass_ratio, vm_real decay, vm_real re
 typedef struct VM_TAG(vmi_linear_mass) {
     vm_real m0, m, rate; /* mass at 0 and mass at t, kg; rate of the mass, kg/s */
     vm_real ln_ratio;    /* ln(m/m0) */
-    vm_real integral;    /* integral of dt/m from 0 to t, s/kg; it has no singularity at rate = 0 */
+    vm_real integral;    /* integral of dt/m from 0 to t, s/kg; its formula is also valid at rate = 0 */
 } vmi_linear_mass;
 
 /* Writes the linear mass that a law describes between 0 and t, which closed forms need. Returns VM_NO_LAW where the law

@@ -1,6 +1,7 @@
 /* oscillators/van_der_pol.h - the Van der Pol oscillator with variable mass
 
-   The equation is (404), with the mass m(t), a spring of any exponent alpha, and a stiffness k that may be slow, too:
+   The equation is (404), with the mass m(t), a spring of any exponent alpha, and a stiffness k that may vary slowly,
+   too:
        m x'' + k x|x|^(alpha-1) = (feed - c x^2) x' - r m' x'
    If feed > 0 feeds the vibration and c > 0 limits it, the vibration tends to a limit cycle. r (`reactive`) is 1 where
    mass that joins or leaves is at rest, 0 where it has the body's velocity. This file has the equation of motion, the
@@ -31,7 +32,7 @@
 #include "laws.h"
 #include "slow.h"
 
-/* Methods of averaging. Each takes the means over one period of the motion x that is named beside it. */
+/* Methods of averaging. Each computes the means over one period of the motion x that stands beside its name. */
 enum {
     VM_VDP_ATEB = 0,         /* A ca(psi), the exact motion without damping: its means are exact to first order */
     VM_VDP_JACOBI = 1,       /* A cn with Jacobi's cn (411)-(413): the amplitude of the limit cycle is wrong by
@@ -49,8 +50,8 @@ typedef struct VM_TAG(vm_vdp) {
     vm_real reactive;   /* r: 1 where mass that joins or leaves is at rest, 0 where it has the body's velocity */
     int method;         /* method of averaging, VM_VDP_... */
     vm_law mass;        /* slow mass m, kg, > 0; vm_vdp_init and vm_vdp_limit_cycle do not use it */
-    vm_law stiffness;   /* slow stiffness, N/m^alpha, > 0, in place of k; zeros, as memset leaves them, stand for the
-                           constant k. vm_vdp_init and vm_vdp_limit_cycle do not use it */
+    vm_law stiffness;   /* slow stiffness, N/m^alpha, > 0, in place of k; if all its fields are 0, as after memset, the
+                           stiffness is the constant k. vm_vdp_init and vm_vdp_limit_cycle do not use it */
     vm_real a1, a2, a3; /* mean values of (410), pure numbers; vm_vdp_init writes them */
 } vm_vdp;
 
@@ -84,7 +85,8 @@ VM_API vm_law vmi_vdp_stiffness(const vm_vdp *v)
     return vm_law_linear(v->k, 0);
 }
 
-/* Checks that the numbers of a Van der Pol oscillator are in their domains. k counts only where it is the stiffness. */
+/* Checks that the numbers of a Van der Pol oscillator are in their domains. k is checked only where no law gives the
+   stiffness. */
 VM_API int vmi_vdp_check(const vm_vdp *v)
 {
     const vm_real numbers[5] = {v->alpha, v->k, v->feed, v->c, v->reactive};
@@ -126,12 +128,12 @@ VM_API vm_real vmi_vdp_growth(const vm_vdp *v, vm_real mass_rate, vm_real A)
 VM_API int vmi_vdp_has_closed_forms(const vm_vdp *v) { return v->a1 > 0; }
 
 /* Amplitude of a Van der Pol oscillator at time t, in closed form for a linear mass. first_A is the amplitude, m, at
-   t = 0, of either sign. One formula stands for (422), (424), (427), (429), (431)-(435), (437), as corrected, and has
-   no singularity where terms cancel. The error is that of averaging (see `method`) and that of rounding, which tests
-   bound by 12 eps. Returns NaN for a null pointer, an oscillator that is not prepared, infinite arguments, a mass
-   that is not positive at 0 or at t, a mass that is neither linear nor constant, and a stiffness that follows a law
-   (integrate vm_vdp_averaged_rhs instead). For c < 0 it also returns NaN from the time at which the amplitude becomes
-   infinite. Method: the solution of (416) is
+   t = 0, of either sign. One formula replaces (422), (424), (427), (429), (431)-(435), (437), as corrected, and has no
+   singularity where terms cancel. The error is that of averaging (see `method`) and that of rounding, which tests bound
+   by 12 eps. Returns NaN for a null pointer, an oscillator that is not prepared, infinite arguments, a mass that is not
+   positive at 0 or at t, a mass that is neither linear nor constant, and a stiffness that follows a law (integrate
+   vm_vdp_averaged_rhs instead). For c < 0 it also returns NaN from the time at which the amplitude becomes infinite.
+   Method: the solution of (416) is
      1/A^2 = e^-F (1/first_A^2 + 2 c a3/a1 times the integral of e^F dt/m),  F = drive a2/a1 times the integral of dt/m,
    where drive = 2 feed - (2r - 1) m'. For a linear mass F is proportional to the integral of dt/m, hence the integral
    of e^F dt/m is (e^F - 1)/F times the integral of dt/m. The code uses e^-|F| and divides by the larger of the two
@@ -214,7 +216,7 @@ VM_API int vm_vdp_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *vdp)
 }
 
 /* Averaged equations (410) of a Van der Pol oscillator, for rk45 or rk87. Mass and stiffness may follow any slow law.
-   y = (A, psi) holds the mean amplitude A, in metres, and the Ateb phase psi: x = A ca(psi), and |x| = A at the
+   y = (A, psi) contains the mean amplitude A, in metres, and the Ateb phase psi: x = A ca(psi), and |x| = A at the
    turning points. vdp points to a prepared vm_vdp with the fields feed and c. For the method VM_VDP_ATEB and a start
    from rest, let e be the largest of feed, c A^2 and m', divided by m psi'. Then, up to the time m/feed, the relative
    error of A is of the order of e^2, and the error of psi of the order of e. The statuses are those of vm_vdp_rhs. */

@@ -1,16 +1,16 @@
 /* oscillators/van_der_pol_constant.h - the mean motion of a Van der Pol oscillator of constant mass and stiffness
 
-   The mean motion of oscillators/van_der_pol_walk.h is an integral along the laws. If mass and stiffness are constant,
-   no walk along them is needed. With alpha = 1, Van der Pol's own equation, the integrals have closed forms. Let
+   The mean motion of oscillators/van_der_pol_walk.h is an integral along the laws of mass and stiffness. If both are
+   constant and alpha = 1, as in Van der Pol's own equation, the integrals have closed forms. Let
    kappa = feed/m, beta = -F (c/m) A_0^2 with the constant F = -1/4, z = beta/kappa, and y = 1 + z (e^(kappa t) - 1). To
    first order the amplitude A is A_0 R^(1/2) with R = e^(kappa t)/y, and
        integral of R dt = ln(y)/beta,   integral of R^2 dt = (kappa ln(y)/beta - R + 1)/beta.
    The terms of second order are such integrals, too (vmi_vdp_closed_loss). For other alpha the amplitude of first order
    has the same form with (4/(alpha+3)) kappa in place of kappa, but the phase needs the integral of R^((alpha-1)/4) dt,
    an incomplete beta function whose second parameter is 0. It is elementary only if (alpha-1)/4 is rational, and the
-   other orders need several of them (docs/van-der-pol.md). For such alpha the walk computes all integrals at once,
-   and ends where the limit cycle is reached: from there on the phase grows at a constant rate. So the cost does not
-   depend on t.
+   other orders need several such functions (docs/van-der-pol.md). For these alpha the code of
+   oscillators/van_der_pol_walk.h computes all integrals at once, until the limit cycle is reached: from there on the
+   phase grows at a constant rate. So the cost does not depend on t.
        vmi_vdp_mean mean;
        vm_vdp_plan plan;
        int status = vm_vdp_plan_init(&plan, &vdp, VM_C(0.3), 0); // vdp is a vm_vdp; from rest at x = 0.3 m
@@ -28,7 +28,7 @@
 #include "van_der_pol_expansion.h"
 #include "van_der_pol_walk.h"
 
-/* Whether a law is constant, as far as its form tells */
+/* Whether the form of a law shows that it is constant */
 VM_API int vmi_vdp_is_constant(const vm_law *law)
 {
     vm_real base, rate;
@@ -42,7 +42,7 @@ typedef struct VM_TAG(vmi_vdp_growth_course) {
     vm_real ln_y, q;        /* ln(y), and q = 1/y */
 } vmi_vdp_growth_course;
 
-/* Computes kappa, beta and z for a start of the mean motion. s = 4/(alpha+3) is 1 for alpha = 1. */
+/* Computes kappa, beta and z for a mean motion that begins with *start. s = 4/(alpha+3) is 1 for alpha = 1. */
 VM_API vmi_vdp_growth_course vmi_vdp_course_from(const vm_vdp_plan *p, const vmi_vdp_mean *start)
 {
     vmi_vdp_growth_course g;
@@ -89,7 +89,7 @@ VM_API vm_real vmi_vdp_closed_loss(const vm_vdp_plan *p, const vmi_vdp_growth_co
                  v->KE * G0 / W / W * J0);
 }
 
-/* Computes the mean motion at t in closed form, for alpha = 1. *mean is its start. */
+/* Computes the mean motion at t in closed form, for alpha = 1. At the call *mean is the start of the mean motion. */
 VM_API int vmi_vdp_closed(const vm_vdp_plan *p, vmi_vdp_growth_course *g, vm_real t, vmi_vdp_mean *mean)
 {
     const vmi_ripple *r = &p->osc.ripple;
@@ -115,8 +115,9 @@ VM_API int vmi_vdp_closed(const vm_vdp_plan *p, vmi_vdp_growth_course *g, vm_rea
     return VM_OK;
 }
 
-/* The time, s, from the start of the mean motion, after which the limit cycle is reached to rounding errors in the
-   direction `side` of time; infinite if the motion does not tend to a limit cycle. */
+/* The time, s, after which the motion differs from the limit cycle by rounding errors only. It is counted from the
+   start of the mean motion in the direction `side` of time, and is infinite if the motion does not tend to a limit
+   cycle. */
 VM_API vm_real vmi_vdp_settling_time(const vm_vdp_plan *p, const vmi_vdp_growth_course *g, int side)
 {
     const vm_real digits = VM_MANT_DIG > 24 ? 45 : 24; /* exp(-45) is below the rounding error */
@@ -137,8 +138,8 @@ VM_API void vmi_vdp_stay(const vm_vdp_plan *p, vm_real t, vmi_vdp_mean *mean)
     mean->t = t;
 }
 
-/* Computes the mean motion at t: in closed form if there is one, or by a walk along the laws as far as it is needed.
-   The statuses are those of vmi_vdp_mean_at. */
+/* Computes the mean motion at t: in closed form if there is one, or by integration along the laws as far as that is
+   needed. The statuses are those of vmi_vdp_mean_at. */
 VM_API int vmi_vdp_mean_motion(const vm_vdp_plan *p, vm_real t, vmi_vdp_mean *mean)
 {
     const vm_real extreme = VM_C(1e6); /* for |z| > extreme or < 1/extreme the closed form divides by about 0 */

@@ -1,21 +1,22 @@
 /* oscillators/van_der_pol_expansion.h - Van der Pol's oscillator: from the motion to its mean motion and back
 
-   The oscillator is that of oscillators/van_der_pol.h. In amplitude A and phase psi of oscillators/reduction.h, with
-   the feed as a negative damping, its exact equations are
+   The oscillator is that of oscillators/van_der_pol.h. The feed is treated as a negative damping. Then the amplitude A
+   and the phase psi of oscillators/reduction.h obey the exact equations
      (ln A)' = -p + W [-(2/n) e ca^2 sa^2 + E0 sa ca - Q0 ca^3 sa],
      psi'    =      W [1 - e ca^3 sa + (n/2) E0 ca^2 - (n/2) Q0 ca^4],
    with n = alpha + 1. W is the rate of the phase at the amplitude A for constant mass. Let epsilon be the relative
    change of the vibration within a radian. The disturbances are the numbers
      e = (c/m) A^2/W,  e1 = e nu/W,  Q0 = e p/W,  E0 = (p^2 - a p - p')/W^2,  nu = -m'/m - 4 p + a;
-   e is of the order epsilon; e1, Q0 and E0 are of the order epsilon^2. With feed and m' alone, only E0 is left.
+   e is of the order epsilon; e1, Q0 and E0 are of the order epsilon^2. For c = 0 only E0 is left.
 
    A transformation leads from A and psi to mean values, whose rates have no ripple within a period. Let J be
-   A^((alpha+3)/2) times a slow factor, so that a constant J means that only -p changes A. Then the mean values obey
+   A^((alpha+3)/2) times a factor that varies slowly. The factor is such that J is constant if A'/A = -p. Then the mean
+   values obey
      (ln J)' = W [F e + K_3 e^3 + K_1 e e1 + K_Q e Q0 + K_E e E0],
      psi'    = W [1 + K_2 e^2 - (n/2) <ca^4> Q0 + (n/2) <ca^2> E0],
    where < > is the mean over a period. F and the K are constants for each alpha. This file has these constants, and the
    transformation in both directions. The motion that follows has an error of O(epsilon^3) over times of 1/epsilon. The
-   law is new; docs/van-der-pol.md has what it was measured at.
+   law is new; docs/van-der-pol.md shows how large its errors are.
        vmi_ripple r;
        vmi_vdp_ripple v;
        vmi_ripple_init(&r, 1, vmi_ateb_constants);
@@ -31,8 +32,9 @@
 #include "constant_mass.h"
 #include "ripple.h"
 
-/* The polynomials that this law needs beyond those of oscillators/ripple.h, for phases near a zero of sa. CA6 gives the
-   integral over the phase of ca^6. SQUARE gives the integral of S^2, where S is the integral of C = ca^2 - <ca^2>. */
+/* The polynomials that this law needs in addition to those of oscillators/ripple.h, for phases near a zero of sa. CA6
+   gives the integral over the phase of ca^6. SQUARE gives the integral of S^2, where S is the integral of C = ca^2 -
+   <ca^2>. */
 enum { VMI_VDP_CA6, VMI_VDP_SQUARE, VMI_VDP_TURN_FUNCTIONS };
 
 /* The polynomials for phases near a zero of ca. CA6 gives the integral of ca^6. The others give three parts of the
@@ -232,7 +234,7 @@ typedef struct VM_TAG(vmi_vdp_values) {
     vmi_ripple_values f;
     vm_real C4;         /* ca^4 - <ca^4> */
     vm_real U, U1, P1;  /* U and U1 multiply e and e1 in ln J; P1 multiplies e in the phase */
-    vm_real X;          /* a part of what multiplies e^2 in ln J */
+    vm_real X;          /* a part of the factor of e^2 in ln J */
 } vmi_vdp_values;
 
 /* Writes the functions of the transformation at the phase psi, where sa and ca are the Ateb functions of psi. */
@@ -251,7 +253,7 @@ VM_API void vmi_vdp_values_at(const vmi_vdp_ripple *v, const vmi_ripple *r, vm_r
 /* -- From the motion to the mean motion -- */
 
 /* Returns ln(mean J/J) with all terms up to order epsilon^2, and at phases where sa or ca is 0 up to epsilon^3. *f
-   holds the functions at the phase, *now the disturbances at the amplitude. */
+   contains the functions at the phase, and *now the disturbances at the amplitude. */
 VM_API vm_real vmi_vdp_J(const vmi_vdp_ripple *v, const vmi_ripple *r, const vmi_vdp_values *f,
                          const vmi_vdp_disturbance *now)
 {
@@ -266,7 +268,7 @@ VM_API vm_real vmi_vdp_psi(const vmi_vdp_values *f, const vmi_vdp_disturbance *n
 
 /* -- From the mean motion to the motion -- */
 
-/* Returns the part of order epsilon^2 of ln(J/mean J). *f holds the functions at the mean phase. */
+/* Returns the part of order epsilon^2 of ln(J/mean J). *f contains the functions at the mean phase. */
 VM_API vm_real vmi_vdp_J_back_second(const vmi_vdp_ripple *v, const vmi_ripple *r, const vmi_vdp_values *f,
                                      const vmi_vdp_disturbance *now)
 {
@@ -276,7 +278,7 @@ VM_API vm_real vmi_vdp_J_back_second(const vmi_vdp_ripple *v, const vmi_ripple *
     return now->e * now->e * square + now->e1 * f->U1 + half / 2 * now->Q0 * f->C4 - half * now->E0 * f->f.C;
 }
 
-/* Returns the part of order epsilon^2 of the difference phase - mean phase. *f holds the functions at the mean phase
+/* Returns the part of order epsilon^2 of the difference phase - mean phase. *f contains the functions at the mean phase
    psi. */
 VM_API vm_real vmi_vdp_psi_back_second(const vmi_vdp_ripple *v, const vmi_ripple *r, vm_real psi,
                                        const vmi_vdp_values *f, const vmi_vdp_disturbance *now)
@@ -315,16 +317,16 @@ VM_API vm_real vmi_vdp_mean_rate(const vmi_vdp_ripple *v, const vmi_ripple *r, c
 
 /* -- Sizes of the terms, for estimates of errors -- */
 
-/* Bounds of what order two leaves out at one time: of the phase and of ln J by the transformation back from the mean
-   motion, and of ln J by the transformation to the mean motion */
+/* Bounds of the terms that order two leaves out at one time: in the phase and in ln J by the transformation from the
+   mean motion to the motion, and in ln J by the transformation to the mean motion */
 typedef struct VM_TAG(vmi_vdp_sizes) {
-    vm_real psi, J; /* terms of order epsilon^2 of the transformation back */
+    vm_real psi, J; /* terms of order epsilon^2 in the transformation to the motion */
     vm_real start;  /* terms of order epsilon^3 of ln J in the transformation to the mean motion */
-    vm_real ratio;  /* about the ratio of the terms of one order to the terms of the order before */
+    vm_real ratio;  /* estimated ratio of the terms of one order to the terms of the next lower order */
 } vmi_vdp_sizes;
 
-/* The sizes where the disturbances are *now. rate is (|nu| + |p| + |a|)/W, see the top of this file. The factors are
-   fitted to the largest values of the functions for alpha from 0.2 to 12. */
+/* Computes these sizes for the disturbances *now. rate is (|nu| + |p| + |a|)/W, see the top of this file. The factors
+   are fitted to the largest values of the functions for alpha from 0.2 to 12. */
 VM_API vmi_vdp_sizes vmi_vdp_sizes_of(const vmi_ripple *r, const vmi_vdp_disturbance *now, vm_real rate)
 {
     const vm_real d = r->pi / (2 * VM_PI), d2 = d * d, d3 = d2 * d, d4 = d2 * d2;

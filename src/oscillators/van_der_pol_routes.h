@@ -2,7 +2,7 @@
 
    Five routes lead from x and x' at t = 0 to x and x' at any t: the law of oscillators/van_der_pol_expansion.h, cut off
    after order one, two or three, and two integrations. Their names are those of oscillators/problem.h:
-     VM_ROUTE_ATEB           order one, but with the start of order three; errors are O(epsilon)
+     VM_ROUTE_ATEB           order one, with a start of order three; errors are O(epsilon)
      VM_ROUTE_ORDER2         order two; errors are O(epsilon^2)
      VM_ROUTE_ORDER3         the whole law; errors are O(epsilon^3)
      VM_ROUTE_COLLOCATION    integration from each zero of x or x' to the next, to a tolerance
@@ -53,8 +53,8 @@ VM_API int vmi_vdp_order_of(int route)
 
 /* Estimates the error of order three, and writes that of order two to *second. Each is the sum of the terms that the
    order leaves out: in the transformations at the start and at t, and in the mean motion, where errors of ln J at the
-   start grow with the phase. Fast changes of the mass and rounding errors are added. A factor of 2 is included, which
-   fits the errors that tests/test_van_der_pol_law.c finds. */
+   start grow with the phase. The effects of fast changes of the mass and of rounding errors are added. A factor of 2 is
+   included, which fits the errors that tests/test_van_der_pol_law.c finds. */
 VM_API vm_real vmi_vdp_error(const vm_vdp_plan *p, const vmi_vdp_mean *mean, vm_real *second)
 {
     const vmi_ripple *r = &p->osc.ripple;
@@ -141,10 +141,10 @@ VM_API int vmi_vdp_check_call(const vm_vdp_plan *p, vm_real t, vm_real *toleranc
 /* Motion x(t), x'(t) of a Van der Pol oscillator by a given route, from a plan.
    t is in seconds, of either sign. route is VM_ROUTE_ATEB, VM_ROUTE_ORDER2, VM_ROUTE_ORDER3, VM_ROUTE_COLLOCATION or
    VM_ROUTE_RK87. motion->error estimates the larger of |error of x|/A and |error of v|/vmax, where vmax is the largest
-   velocity at the amplitude A; it is infinite where the law does not hold. The routes that integrate keep it within the
-   tolerance, where 0 means 1e-6 (float 1e-3); the law does not use the tolerance. Returns VM_OK, or
-   VM_TOLERANCE_MISSED where x and v are computed but the error of integration is larger than the tolerance. After an
-   error *motion is unchanged. The errors are
+   velocity at the amplitude A; it is infinite where the law is not valid. The routes that integrate keep it within the
+   tolerance, where 0 means 1e-6 (float 1e-3); the law does not use the tolerance. Returns VM_OK, or VM_TOLERANCE_MISSED
+   where x and v are computed but the error of integration is larger than the tolerance. After an error *motion is
+   unchanged. The errors are
      VM_BAD_ARGUMENT for null pointers or a route that is not one of the five,
      VM_NOT_FINITE for a number that is infinite or NaN, and for the law where the amplitude becomes infinite before t,
      VM_BAD_MASS or VM_BAD_STIFFNESS for a law that is not positive between 0 and t,
@@ -226,8 +226,8 @@ typedef struct VM_TAG(vm_vdp_cycle) {
 
 /* Writes two coefficients of epsilon^2, where epsilon = feed/(m W): *kx belongs to the power series of the largest x in
    epsilon, *kw to that of the rate of the phase. The disturbances follow from the constant amplitude of the cycle; the
-   code has them for epsilon = 1. The largest x is reached where x' = 0, that is V = p x. The phase there is `late`
-   times epsilon; the phase 0 has V = 0. */
+   code uses their values for epsilon = 1. The largest x is reached where x' = 0, that is where V = p x. The phase is
+   `late` times epsilon there, and it is 0 where V = 0. */
 VM_API void vmi_vdp_cycle_coefficients(const vmi_vdp_ripple *v, const vmi_ripple *r, vm_real *kx, vm_real *kw)
 {
     const vm_real n = r->alpha + 1, s = 4 / (r->alpha + 3);
@@ -250,9 +250,9 @@ VM_API void vmi_vdp_cycle_coefficients(const vmi_vdp_ripple *v, const vmi_ripple
    and the period is 2 Pi_alpha/(W (1 + kw epsilon^2)), with kx = 1/192 and kw = -1/16 for alpha = 1. Both are right
    to O(epsilon^4). Mass and stiffness are those at t = 0; the fields method, reactive and a1 to a3 do not matter.
    Returns VM_BAD_ARGUMENT for null pointers, an unknown method, and a mass that no constructor made, VM_NOT_FINITE
-   for numbers that are infinite or NaN, VM_BAD_MASS for a mass that is not positive, VM_BAD_STIFFNESS for such a
-   stiffness, VM_DOMAIN for alpha < 0 or a law that fails, and VM_NO_LAW where there is no limit cycle, that is unless
-   feed and c have the same sign. An error leaves *cycle untouched. */
+   for numbers that are infinite or NaN, VM_BAD_MASS for a mass that is not positive, VM_BAD_STIFFNESS for a stiffness
+   that is not positive, VM_DOMAIN for alpha < 0 or a law that fails, and VM_NO_LAW where there is no limit cycle: there
+   is one only if feed and c have the same sign. An error leaves *cycle untouched. */
 VM_API int vm_vdp_cycle_of(const vm_vdp *v, vm_vdp_cycle *cycle)
 {
     vmi_ripple r;

@@ -1,16 +1,16 @@
 /* oscillators/van_der_pol_walk.h - the mean motion of a Van der Pol oscillator along slow laws of mass and stiffness
 
-   The transformation of oscillators/van_der_pol_expansion.h is exact to its order where sa or ca is 0. The plan
-   therefore follows the exact equations from t = 0 to the next such phase (by collocation), and starts the mean motion
-   there. The mean amplitude and phase at any other time are integrals along the laws, so the cost does not
+   At phases where sa or ca is 0, the transformation of oscillators/van_der_pol_expansion.h has the full order three.
+   The plan therefore follows the exact equations from t = 0 to the next such phase (by collocation), and starts the
+   mean motion there. The mean amplitude and phase at any other time are integrals along the laws, so the cost does not
    depend on the number of vibrations. On a panel of time (oscillators/panels.h) that starts with the mean amplitude A_0
    and the mean phase psi_0, let B = c/m and r = exp(-2 integral of p dt from the start). Then the mean amplitude A and
    the mean phase psi are
      A^2 = A_0^2 r/y,  y = 1 + 4/(alpha+3) A_0^2 integral of B r (-F - second order terms) dt,
      psi = psi_0 + integral of W (1 + second order terms) dt,
    where the constant F and the terms of second order are those of oscillators/van_der_pol_expansion.h. At the points of
-   a table p' jumps, so that the mean motion jumps, too. There the exact equations take over, from the last phase before
-   the point at which sa or ca is 0 to the first such phase after it.
+   a table p' jumps, so that the mean motion jumps, too. Around such a point the motion is computed by the exact
+   equations: from the last phase with sa = 0 or ca = 0 before the point to the first such phase after it.
        vm_vdp_plan plan;
        vmi_vdp_mean mean;
        int status = vm_vdp_plan_init(&plan, &vdp, VM_C(0.3), 0); // vdp is a vm_vdp; from rest at x = 0.3 m
@@ -43,17 +43,18 @@
 typedef struct VM_TAG(vmi_vdp_mean) {
     vm_real t;                    /* the time, s */
     vm_real ln_A, psi;            /* ln of the mean amplitude in m, and mean phase */
-    vm_real first_ln_A, first_psi; /* the same two by the equations of first order */
+    vm_real first_ln_A, first_psi; /* ln_A and psi by the equations of first order */
     vm_real segment;              /* time, s, of the last point of a table before t, or 0; the mass is smooth since
                                      then */
     vmi_osc_slow now;             /* mass, stiffness and rates at t; set at the end of a walk only */
-    vm_real J_error;              /* error of ln J that order two makes at starts of the mean motion; only the part
-                                     that has not died out at t */
-    vm_real psi_error;            /* what order two leaves out of psi */
-    vm_real J_third, psi_third;   /* what order three leaves out: only those terms that depend on feed and mass alone */
-    vm_real ratio;                /* largest ratio at a start of the terms of one order to the terms of the order
-                                     before */
-    vmi_osc_mean fast;            /* used are only its fields change, dropped, shortest and error, for the effects of
+    vm_real J_error;              /* error of ln J that order two makes at starts of the mean motion; only the part that
+                                     is still left at t */
+    vm_real psi_error;            /* size of the terms of psi that order two leaves out */
+    vm_real J_third, psi_third;   /* size of terms that order three leaves out: only of those that depend on feed and
+                                     mass alone */
+    vm_real ratio;                /* largest ratio, at a start of the mean motion, of the terms of one order to those of
+                                     the next lower order */
+    vmi_osc_mean fast;            /* only its fields change, dropped, shortest and error are used, for the effects of
                                      fast changes of the mass */
 } vmi_vdp_mean;
 
@@ -91,8 +92,8 @@ VM_API vm_real vmi_vdp_nu(const vm_vdp_plan *p, vm_real rate_a, vm_real rate_p, 
     return (p->vdp.alpha - 1) * rate_p - rate_a - k_rate;
 }
 
-/* The disturbances for a mass with the rates a and p and for nu, for G0 = p^2 - a p - p', and for the amplitude
-   exp(ln_A), whose phase has the rate W */
+/* Computes the disturbances from the mass, the rates a and p, nu, G0 = p^2 - a p - p', and the amplitude exp(ln_A). W
+   is the rate of the phase at this amplitude. */
 VM_API vmi_vdp_disturbance vmi_vdp_disturbance_of(const vm_vdp_plan *p, vm_real mass, vm_real nu, vm_real rate_p,
                                                   vm_real G0, vm_real ln_A, vm_real W)
 {
@@ -161,8 +162,8 @@ VM_API void vmi_vdp_start_at(const vm_vdp_plan *p, const vmi_osc_reduced *r, vmi
 
 /* Follows the exact equations from the state *r at the time t to the first phase at which sa or ca is 0, and starts the
    mean motion there. If `knots` is 1, the phase must lie beyond the next point of a table. side is 1 forward, -1
-   backward in time. VM_NOT_INTEGRATED means that amplitude and phase do not describe the motion, or that a table has
-   more points on the way. */
+   backward in time. VM_NOT_INTEGRATED means that amplitude and phase do not describe the motion, or that a further
+   table point lies on the way. */
 VM_API int vmi_vdp_bridge(const vm_vdp_plan *p, vm_real t, int side, const vmi_osc_reduced *r, int knots,
                           vmi_vdp_mean *mean)
 {
@@ -229,10 +230,11 @@ VM_API int vmi_vdp_start(const vm_vdp_plan *p, int side, vmi_vdp_mean *mean)
 /* Prepares a plan for many values of the motion of a Van der Pol oscillator.
    x is the position, m, x_rate the velocity, m/s, both at t = 0. vm_vdp_plan_by_route and vm_vdp_plan_within use the
    plan. The field method must be valid, but it has no effect, and a1 to a3 have none. The oscillator is copied; the
-   tables and contexts of its mass must outlive the plan. Errors leave the plan untouched. Returns VM_BAD_ARGUMENT for
-   null pointers, an unknown method, and a mass that no constructor made, VM_NOT_FINITE for numbers that are infinite or
-   NaN, VM_BAD_MASS for a mass that is not positive at t = 0 or in a table, VM_BAD_STIFFNESS for such a stiffness,
-   VM_DOMAIN for alpha < 0, a table out of order or without t = 0, or a user's function that fails. */
+   tables and contexts of its mass must exist as long as the plan is used. Errors leave the plan untouched. Returns
+   VM_BAD_ARGUMENT for null pointers, an unknown method, and a mass that no constructor made, VM_NOT_FINITE for numbers
+   that are infinite or NaN, VM_BAD_MASS for a mass that is not positive at t = 0 or in a table, VM_BAD_STIFFNESS for a
+   stiffness that is not positive there, VM_DOMAIN for alpha < 0, a table out of order or without t = 0, or a user's
+   function that fails. */
 VM_API int vm_vdp_plan_init(vm_vdp_plan *p, const vm_vdp *v, vm_real x, vm_real x_rate)
 {
     vm_vdp_plan plan;
@@ -265,7 +267,8 @@ VM_API int vm_vdp_plan_init(vm_vdp_plan *p, const vm_vdp *v, vm_real x, vm_real 
 
 /* Series and integrals of the mean motion on a panel of time */
 typedef struct VM_TAG(vmi_vdp_panel) {
-    vmi_osc_panel laws;                   /* the law of the mass; E and noise serve to find its fast changes */
+    vmi_osc_panel laws;                   /* the law of the mass; its fields E and noise are used to find fast changes
+                                             of it */
     vm_real r[VMI_GAUSS];                 /* series of r/m with r = exp(-2 integral of p dt) from the panel's start */
     vm_real rate[VMI_GAUSS], first_rate[VMI_GAUSS]; /* series of the rate of the mean phase, by order three and one */
     vm_real ln_A, first_ln_A;             /* change of ln A over the panel, by order three and one */
@@ -301,9 +304,10 @@ VM_API vm_real vmi_vdp_ln_k(vm_real k, vm_real k_start)
     return vmi_log(k / k_start).hi;
 }
 
-/* The size of the last terms of E_0's series that rounding errors cause, for the rates in *now, where the phase has the
-   rate W. E_0 contains p'/W^2, and p' is the derivative of a series of p on the panel. Rounding errors of p, at most a
-   few eps (|a| + |p|), grow by up to 250/length in its last terms; on short panels they hide the law itself. */
+/* The size of the rounding errors in the last terms of the series of E_0. *now has the rates of the laws, and W is the
+   rate of the phase. E_0 contains p'/W^2, and p' is the derivative of a series of p on the panel. Rounding errors of p,
+   at most a few eps (|a| + |p|), grow by up to 250/length in its last terms; on short panels they hide the law
+   itself. */
 VM_API vm_real vmi_vdp_rounding(const vmi_osc_rates *now, vm_real W, vm_real length)
 {
     return 256 * VM_EPSILON / VM_FABS(length) / W * ((VM_FABS(now->p) + VM_FABS(now->a)) / W);
@@ -368,7 +372,7 @@ VM_API void vmi_vdp_second_order(const vm_vdp_plan *p, const vmi_vdp_mean *mean,
     panel->loss = 1 / (1 + gain * length * (p->ripple.F * panel->r[0] + second[0]));
 }
 
-/* Computes the panel from mean->t over `length`, which is negative backward. */
+/* Computes the panel from mean->t to mean->t + length; length is negative backward in time. */
 VM_API int vmi_vdp_panel_of(const vm_vdp_plan *p, const vmi_vdp_mean *mean, vm_real length, vmi_vdp_panel *panel)
 {
     const vm_osc_problem *o = &p->osc.problem;
@@ -399,9 +403,9 @@ VM_API int vmi_vdp_rate_is_resolved(const vm_real *rate, vm_real limit)
     return vmi_legendre_tail(rate) <= limit * VM_FABS(rate[0]);
 }
 
-/* Whether the panel is short enough for its series. `whole` is the length of the walk, s. A panel also counts as short
-   enough if the terms of E_0 that its series leaves out do not matter or are rounding errors, which halving only makes
-   larger. The rate of the phase contains E_0. */
+/* Whether the panel is short enough for its series. `whole` is the length of the walk, s. The series of E_0 may leave
+   out terms that do not matter, and terms that are rounding errors: halving the panel would make rounding errors
+   larger. The same is allowed for the rate of the phase, which contains E_0. */
 VM_API int vmi_vdp_panel_is_resolved(const vmi_vdp_panel *panel, vm_real length, vm_real whole)
 {
     const vm_real E_enough = VM_MANT_DIG > 24 ? VM_C(1e-6) : VM_C(1e-3);
@@ -429,7 +433,7 @@ VM_API void vmi_vdp_add_panel(const vm_vdp_plan *p, vmi_vdp_panel *panel, vm_rea
     mean->psi_third += g * mean->J_third * panel->kept + phase * second;
     mean->J_error *= panel->loss;
     mean->J_third *= panel->loss;
-    panel->laws.ratio[0] = panel->rate[0] / p->osc.mean.W; /* vmi_osc_add_changes asks for the rate in this form */
+    panel->laws.ratio[0] = panel->rate[0] / p->osc.mean.W; /* vmi_osc_add_changes needs the rate in this form */
     panel->laws.cube = 0;
     vmi_osc_add_changes(&p->osc, &panel->laws, length, &mean->fast);
 }
@@ -500,8 +504,8 @@ VM_API int vmi_vdp_mean_update(const vm_vdp_plan *p, int side, vmi_vdp_mean *mea
     return vmi_osc_slow_at(&p->osc.problem, mean->t, -side, vmi_smaller(sampling, way), unit, &mean->now);
 }
 
-/* Takes the mean motion past mean->t, the time of a table point. It goes back to the last phase before this time at
-   which sa or ca is 0, and from there by the exact equations to the first such phase after this time. */
+/* Continues the mean motion beyond mean->t, the time of a table point. It goes back to the last phase before this time
+   at which sa or ca is 0. From there it follows the exact equations to the first such phase after this time. */
 VM_API int vmi_vdp_walk_past_knot(const vm_vdp_plan *p, int side, vmi_vdp_mean *mean)
 {
     const vm_real quarter = p->osc.ripple.pi / 2, turns = (vm_real)side * mean->psi / quarter;
@@ -510,7 +514,7 @@ VM_API int vmi_vdp_walk_past_knot(const vm_vdp_plan *p, int side, vmi_vdp_mean *
     vmi_vdp_panel panel;
     vmi_osc_reduced state;
     int status = VM_OK;
-    /* The way back must not pass the table point before this one, or t = 0: the two would be too close together. */
+    /* If the way back passes the previous table point, or t = 0, the two points are too close together. */
     if ((vm_real)side * (knot + back - mean->segment) < 0) return VM_NOT_INTEGRATED;
     if (back != 0) {
         status = vmi_vdp_panel_of(p, mean, back, &panel);
@@ -525,9 +529,9 @@ VM_API int vmi_vdp_walk_past_knot(const vm_vdp_plan *p, int side, vmi_vdp_mean *
     return vmi_vdp_bridge(p, mean->t, side, &state, 1, mean);
 }
 
-/* Computes the mean motion at t by a walk along the law of the mass, from one point of a table to the next. Returns
-   VM_NOT_INTEGRATED where amplitude and phase do not describe the motion, or where points of a table are closer than
-   a quarter of a vibration, and VM_NOT_FINITE where the amplitude becomes infinite between 0 and t. */
+/* Computes the mean motion at t by integration along the law of the mass, from one point of a table to the next.
+   Returns VM_NOT_INTEGRATED where amplitude and phase do not describe the motion, or where points of a table are closer
+   than a quarter of a vibration, and VM_NOT_FINITE where the amplitude becomes infinite between 0 and t. */
 VM_API int vmi_vdp_mean_at(const vm_vdp_plan *p, vm_real t, vmi_vdp_mean *mean)
 {
     const vm_osc_problem *o = &p->osc.problem;

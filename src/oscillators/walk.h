@@ -2,9 +2,9 @@
 
    The mean motion at t follows from integrals along the laws of mass and stiffness from 0 to t. vmi_osc_walk_to adds up
    these integrals over panels of time (oscillators/panels.h), from one point of a table to the next. At such a point
-   the second derivatives of the laws jump, so that the mean motion jumps, too. The walk also gathers what the estimates
-   of the error need: how large E_0 = G_0/W^2 and its derivatives are. E_0 measures how strongly the damping and the
-   changes of mass and stiffness disturb the motion (oscillators/expansion.h).
+   the second derivatives of the laws jump, so that the mean motion jumps, too. This integration, called the walk, also
+   measures how large E_0 = G_0/W^2 and its derivatives are; the estimates of the error need these numbers. E_0 measures
+   how strongly the damping and the changes of mass and stiffness disturb the motion (oscillators/expansion.h).
        vmi_osc_mean mean;
        int status = vmi_osc_walk_to(&plan, 10, &mean); // plan is a vm_osc_plan; mean.psi, mean.inverse_mass, ...
    Tests: tests/test_slow_motion.c, tests/test_averaging.c, tests/test_ladder.c. */
@@ -42,8 +42,8 @@ typedef struct VM_TAG(vmi_osc_mean) {
     vm_real ln_J;          /* ln of the mean action divided by its value at t = 0; it changes only at points of
                               tables */
     vm_real first;         /* the part of psi that is proportional to E_0 */
-    vm_real second, third; /* the part of psi that is proportional to E_0^2; a bound of what order five leaves out of
-                              psi */
+    vm_real second, third; /* the part of psi that is proportional to E_0^2; a bound of the terms of psi that order five
+                              leaves out */
     vm_real knots_J[4];    /* element i, for order i + 2: sum of squares of errors of ln J at points of tables */
     vm_real knots_psi[4];  /* element i, for order i + 2: sum of squares of errors of psi at points of tables */
     vm_real largest;       /* largest |E_0| between 0 and t; E_0 = G_0/W^2 measures how much the motion is disturbed */
@@ -126,7 +126,8 @@ typedef struct VM_TAG(vmi_osc_panel_laws) {
 } vmi_osc_panel_laws;
 
 /* Reads the laws at the points of Gauss' rule. Writes the series of 1/m to panel->inverse and that of k to
-   panel->ratio, and to panel->edge how far they are from the laws at the ends of the panel. */
+   panel->ratio, and to panel->edge the largest relative difference between these series and the laws at the ends of the
+   panel. */
 VM_API int vmi_osc_read_laws(const vm_osc_problem *o, int side, vm_real start, vm_real length, vmi_osc_panel_laws *at,
                              vmi_osc_panel *panel)
 {
@@ -151,7 +152,8 @@ VM_API int vmi_osc_read_laws(const vm_osc_problem *o, int side, vm_real start, v
 }
 
 /* The size of the errors of p' that rounding errors of the rates a and p cause on a panel of 1 s, divided by |a| + |p|.
-   In float the factor is 0: there such errors cannot be told from fast changes, and count as fast changes. */
+   In float the factor is 0: there such errors cannot be distinguished from fast changes, and they count as fast
+   changes. */
 VM_API vm_real vmi_osc_rate_noise(void) { return VM_MANT_DIG > 24 ? 2048 * VM_EPSILON : 0; }
 
 /* Computes the panel from start to start + length, where length < 0 goes backward. *mean is the mean motion at
@@ -191,9 +193,9 @@ VM_API int vmi_osc_panel_of(const vm_osc_plan *p, const vmi_osc_mean *mean, vm_r
     return VM_OK;
 }
 
-/* Whether the panel is short enough for its series. A panel on which a law has a kink never becomes short enough for
-   it; therefore a panel also counts as short enough if the terms that its series leaves out do not matter. `whole` is
-   the length of the walk, s. */
+/* Whether the panel is short enough for its series. If a law has a kink, the series never fits near the kink, however
+   short the panel is; therefore a panel also counts as short enough if the terms that its series leaves out do not
+   matter. `whole` is the length of the walk, s. */
 VM_API int vmi_osc_panel_is_resolved(const vm_osc_plan *p, const vmi_osc_panel *panel, vm_real length, vm_real whole)
 {
     const vm_real E_enough = VM_MANT_DIG > 24 ? VM_C(1e-6) : VM_C(1e-3);
@@ -207,10 +209,10 @@ VM_API int vmi_osc_panel_is_resolved(const vm_osc_plan *p, const vmi_osc_panel *
            E_enough * VM_SQRT(vmi_legendre_square(panel->E)) + vmi_panel_E_noise(phase);
 }
 
-/* Adds what the panel contributes to mean->change and to mean->third, the bound of what order five leaves out of psi.
-   For each integral of |d^i E_0/dpsi^i| in mean->change it takes the root mean square over the panel instead of the
-   absolute value. Before that, it sets coefficients of E_0 to 0 if they are as small as rounding errors, and adds their
-   integral to mean->dropped. The series of E_0 is overwritten. */
+/* Adds what the panel contributes to mean->change and to mean->third, the bound of the terms of psi that order five
+   leaves out. For each integral of |d^i E_0/dpsi^i| in mean->change it takes the root mean square over the panel
+   instead of the absolute value. Before that, it sets coefficients of E_0 to 0 if they are as small as rounding errors,
+   and adds their integral to mean->dropped. The series of E_0 is overwritten. */
 VM_API void vmi_osc_add_changes(const vm_osc_plan *p, vmi_osc_panel *panel, vm_real length, vmi_osc_mean *mean)
 {
     const vm_real noise = 1024 * VM_EPSILON, W = p->mean.W * panel->ratio[0], phase_length = W * VM_FABS(length);
@@ -303,10 +305,10 @@ VM_API void vmi_osc_add_knot_error(const vm_osc_plan *p, const vm_real *before, 
     }
 }
 
-/* Takes the mean motion past t, a point of a table. The derivatives of m' and k' jump there. The motion does not jump,
-   so the mean motion does. The motion at t follows from the mean motion before t, and the mean motion after t follows
-   from the motion. vmi_expansion_J_back would give the action at t with one order less; iteration with vmi_expansion_J
-   has the full order. */
+/* Continues the mean motion beyond the time t, a point of a table. The derivatives of m' and k' jump there. The motion
+   itself does not jump; therefore the mean motion jumps. The motion at t follows from the mean motion before t, and the
+   mean motion after t follows from the motion. The action at t is found by iteration with vmi_expansion_J, which has
+   the full order; vmi_expansion_J_back has one order less. */
 VM_API int vmi_osc_walk_past_knot(const vm_osc_plan *p, vm_real t, int side, vmi_osc_mean *mean)
 {
     const vmi_ripple *r = &p->ripple;
@@ -359,7 +361,8 @@ VM_API int vmi_osc_start_backward(const vm_osc_plan *p, vmi_osc_mean *mean)
     return VM_OK;
 }
 
-/* Computes the mean motion at t by a walk along both laws of the plan, from one point of a table to the next. */
+/* Computes the mean motion at t by integrals along the laws of mass and stiffness, from one point of a table to the
+   next. */
 VM_API int vmi_osc_walk_to(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean)
 {
     const vm_law *mass = &p->problem.mass, *stiffness = &p->problem.stiffness;

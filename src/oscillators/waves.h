@@ -138,8 +138,8 @@ VM_API vmi_osc_wave vmi_osc_wave_cn(vm_real alpha, vm_real pi)
 
 /* -- How good a wave is -- */
 
-/* Estimates the error of x/A or of x'/vmax by this wave, whichever is larger, at most 1. mean_ca2 is the mean of
-   ca^2. */
+/* Estimates the larger one of the errors of x/A and of x'/vmax by this wave; the result is at most 1. mean_ca2 is the
+   mean of ca^2. */
 VM_API vm_real vmi_osc_wave_error(const vmi_osc_wave *w, vm_real mean_ca2)
 {
     const vm_real error = w->error ? w->error(w, mean_ca2) : 0;

@@ -50,9 +50,9 @@ VM_INLINE void vmi_add3(vm_vec3 a, vm_real *sum)
     sum[2] += a.z;
 }
 
-/* Adds what the load of a body brings per second to the rates of the budget's sums: force, moment and power of the
-   effects, and momentum, angular momentum and energy of the streams. Reactive forces are left out of the first three,
-   because the momentum of the streams accounts for them. */
+/* Adds the contribution of a body's load to the rates of the budget's sums: force, moment and power of the effects, and
+   the momentum, angular momentum and energy that streams bring per second. Reactive forces are left out of the first
+   three, because the momentum of the streams accounts for them. */
 VM_API void vmi_scene_enter_loads(const vm_scene_body *b, const vm_real *y, vm_real *rates)
 {
     const vm_load *load = &b->load;
@@ -133,8 +133,8 @@ VM_API void vmi_scene_open_budget(vm_scene *s, const vm_real *y, vm_real *sums)
 
 /* Makes a scene keep a budget of momentum, angular momentum and energy. If budget_or_NULL is NULL, the scene keeps
    none. Call this function before vm_scene_start. The state then has VM_BUDGET_STATES further numbers.
-   *budget_or_NULL must stay where it is; the scene stores in it its momentum and energy at the start. Between two
-   runs a scene may end its budget, but not begin one. */
+   *budget_or_NULL must stay at its place in memory; the scene stores in it its momentum and energy at the start.
+   Between two runs a scene may end its budget, but not begin one. */
 VM_API void vm_scene_keep_budget(vm_scene *scene, vm_budget *budget_or_NULL)
 {
     if (!scene) return;
@@ -150,8 +150,8 @@ VM_API void vm_scene_keep_budget(vm_scene *scene, vm_budget *budget_or_NULL)
    since the start, and the defects. Defects come from rounding, from the errors of the integrator, and from
    constraints: a line, an axle and the plane hold a body by reactions, which the supply does not include. Returns
    VM_BAD_ARGUMENT if the scene keeps no budget, a pointer is NULL or a count is negative, VM_NOT_STARTED before a
-   start, VM_NOT_FINITE if the state or the mass of a law is not finite, the status of a vm_law that fails, and else
-   VM_OK. */
+   start, VM_NOT_FINITE if the state or a mass that a law gives is not finite, the status of a vm_law that fails, and
+   else VM_OK. */
 VM_API int vm_scene_budget_at(vm_scene *scene, vm_real t, const vm_real *y, vm_budget *budget)
 {
     const vm_budget *start = scene ? scene->budget : NULL;

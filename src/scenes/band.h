@@ -5,9 +5,9 @@
      R + h phi/(2 pi)   along a spiral, or
      R + h n            in layers, after n complete turns (by_layer),
    and the inertia grows by rho b h radius^3 per radian. R is the radius of the drum, h the thickness of the band, b its
-   width and rho its density. If the band lies in layers, its rate jumps at each complete turn, and with it the reactive
-   torque. vm_band_at computes the part that is wound up at any angle; vm_effect_band is the mass law of the drum in a
-   scene.
+   width and rho its density. If the band lies in layers, the mass of the band per radian jumps at each complete turn,
+   and the reactive torque jumps with it. vm_band_at computes the part that is wound up at any angle; vm_effect_band is
+   the mass law of the drum in a scene.
 
        vm_band band = {0.2, 0.01, 0.5, 800, 0, 0, 0}; // R, h, b, rho; the band moves with the drum; along a spiral
        vm_effect wind = vm_effect_band(0, &band);
@@ -117,8 +117,8 @@ VM_API vm_band vmi_band_of(const vm_effect *e)
     return b;
 }
 
-/* Gives the drum its moment of inertia J(phi), which takes the place of the mass on an axle, as a mass law does. u is
-   the speed of the band divided by the radius at which it comes, an angular velocity about the axle. */
+/* Sets the moment of inertia J(phi) of the drum, as a mass law sets a mass; on an axle the inertia takes the place of
+   the mass. u is the speed of the band divided by the radius at which it comes, an angular velocity about the axle. */
 VM_API void vmi_apply_band(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
     const vm_band band = vmi_band_of(e);

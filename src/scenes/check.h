@@ -44,9 +44,9 @@ VM_API int vmi_scene_check_coordinate(const vm_scene *s, int body, int coordinat
     return VM_OK;
 }
 
-/* Checks where an effect stands in the list, among the effects on a body: a mass law stands first and a link last, and
-   there is at most one of each. b->listed_orders has a bit for the order of each effect on the body that stands earlier
-   in the list. */
+/* Checks the place of an effect in the list, among the effects on a body: a mass law must be the first of them and a
+   link the last, and there is at most one of each. b->listed_orders has a bit for the order of each effect on the body
+   that stands earlier in the list. */
 VM_API int vmi_scene_check_order(vm_scene_body *b, int order)
 {
     const int law = 1 << VMI_ORDER_MASS_LAW, force = 1 << VMI_ORDER_FORCE, link = 1 << VMI_ORDER_LINK;

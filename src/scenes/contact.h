@@ -9,7 +9,7 @@
        vm_event events[] = {vm_then_land(vm_event_contact(0, &wheel))};     // and it does not bounce
 
    vm_event_contact happens when the body comes down to the ground. vm_then_land makes it a stop without a bounce: an
-   impulse takes away the velocity of the point along the normal. Afterwards the stiffness of the contact carries the
+   impulse takes away the velocity of the point along the normal. Afterwards the stiffness of the contact supports the
    body.
 
    Tests: tests/test_scene_joints.c. */
@@ -77,8 +77,8 @@ VM_API int vmi_contact_check(const vm_scene *s, const vm_effect *e)
 
 /* Contact of a body with the ground: one-sided stiffness and damping, which never pull. *contact is not copied: if an
    event changes it, the run continues with the change. vm_scene_start returns VM_BAD_ARGUMENT if contact is NULL,
-   VM_NOT_FINITE, VM_BAD_STIFFNESS for a negative stiffness, VM_DOMAIN if radius or damping is negative or the normal is
-   0, and VM_BAD_POINT for a point that the body cannot have (points.h). */
+   VM_NOT_FINITE if a number is infinite or NaN, VM_BAD_STIFFNESS for a negative stiffness, VM_DOMAIN if radius or
+   damping is negative or the normal is 0, and VM_BAD_POINT for a point that the body cannot have (points.h). */
 VM_API vm_effect vm_effect_contact(int body, const vm_contact *contact)
 {
     vm_effect e = vmi_effect(body, 0, contact ? vmi_apply_contact : NULL);
@@ -102,8 +102,9 @@ VM_API int vmi_contact_check_event(const vm_scene *s, const vm_event *e)
     return vmi_contact_check_parts(s, e->body, (const vm_contact *)e->parts);
 }
 
-/* An event when a body comes down to the ground. Only the fields at, radius, on and normal of *contact matter, which
-   is not copied. vm_scene_start returns VM_BAD_ARGUMENT if contact is NULL, and the errors of vm_effect_contact. */
+/* An event when a body comes down to the ground. Only the fields at, radius, on and normal of *contact are used.
+   *contact is not copied. vm_scene_start returns VM_BAD_ARGUMENT if contact is NULL, and the errors of
+   vm_effect_contact. */
 VM_API vm_event vm_event_contact(int body, const vm_contact *contact)
 {
     vm_event e = vmi_event(body, 0, 0, -1);
@@ -114,8 +115,8 @@ VM_API vm_event vm_event_contact(int body, const vm_contact *contact)
     return e;
 }
 
-/* Takes away the velocity of the point along the normal by an impulse, which enters the budget. The body gets the
-   velocities that the impulse 1 along the normal gives it, times a factor. */
+/* Takes away the velocity of the point along the normal by an impulse, which enters the budget. The velocities of the
+   body change as by an impulse of 1 N s along the normal, times a factor. */
 VM_API int vmi_then_land(vm_event *e, vm_real t, vm_real *y)
 {
     const vm_contact *contact = (const vm_contact *)e->parts;
@@ -152,9 +153,8 @@ VM_API int vmi_land_check(const vm_scene *s, const vm_event *e)
 
 /* The event of vm_event_contact becomes a stop without a bounce: an impulse takes away the velocity of the point
    along the normal. The other velocities of the body change only as this impulse changes them. Afterwards
-   vm_effect_contact carries the body. vm_scene_start returns VM_BAD_ARGUMENT for an event that is not of
-   vm_event_contact, and VM_TWO_LINKS for a body with a link or a joint, whose impulses this event does not
-   compute. */
+   vm_effect_contact supports the body. vm_scene_start returns VM_BAD_ARGUMENT for an event that vm_event_contact has
+   not made, and VM_TWO_LINKS for a body with a link or a joint, whose impulses this event does not compute. */
 VM_API vm_event vm_then_land(vm_event event)
 {
     event.then = vmi_then_land;

@@ -1,9 +1,9 @@
 /* scenes/effects.h - springs, dampers, motors and other forces on a coordinate
 
    An effect exerts a force of forces.h on a coordinate of a body. x and v are the position and the velocity of this
-   coordinate. If an effect acts against another body, x and v are relative to a coordinate of that body, which takes
-   the reaction; against VM_GROUND they are relative to a point at rest. A mass law stands before all other effects on
-   its body, and a link stands after them.
+   coordinate. If an effect acts against another body, x and v are relative to a coordinate of that body, and the
+   opposite force acts on that coordinate; against VM_GROUND they are relative to a point at rest. In the list of
+   effects a mass law must stand before all other effects on its body, and a link after them.
 
        vm_effect effects[] = {vm_effect_gravity(0, 0, -9.81),                       // weight of body 0
                               vm_effect_linear_spring(0, 0, VM_GROUND, 0, 1000, 0), // 1000 N/m to the ground
@@ -230,8 +230,8 @@ VM_API void vmi_apply_force(const vm_effect *e, vm_real t, const vm_real *y, vm_
 }
 
 /* A force that the caller's function returns, between two coordinates. force(t, x, v, ctx) returns N (N m on an
-   angle). x and v are position and velocity of the coordinate, relative to other_coordinate of the body `other`,
-   which takes the reaction. vm_scene_start returns VM_BAD_ARGUMENT if force is NULL. */
+   angle). x and v are position and velocity of the coordinate, relative to other_coordinate of the body `other`, on
+   which the opposite force acts. vm_scene_start returns VM_BAD_ARGUMENT if force is NULL. */
 VM_API vm_effect vm_effect_force_between(int body, int coordinate, int other, int other_coordinate,
                                         vm_real (*force)(vm_real t, vm_real x, vm_real v, void *ctx), void *ctx)
 {
@@ -259,9 +259,10 @@ VM_API vm_effect vm_effect_force(int body, int coordinate,
      effect->load->mass                the present mass;
      effect->load->force               the sum of the forces of the effects that stand before it in the list;
      effect->p, effect->ctx            parameters, and a pointer of the caller.
-   Therefore a rigid obstacle that is listed last can take away the force that presses the body against it. other is
-   another body, or VM_GROUND. The effect acts only while both bodies are present; effect->other_load, effect->other_x
-   and effect->other_v belong to the body `other`. vm_scene_start returns VM_BAD_ARGUMENT if apply is NULL. */
+   Therefore an effect that is listed last can act as a rigid obstacle: it subtracts the force that presses the body
+   against the obstacle. other is another body, or VM_GROUND. The effect acts only while both bodies are present;
+   effect->other_load, effect->other_x and effect->other_v belong to the body `other`. vm_scene_start returns
+   VM_BAD_ARGUMENT if apply is NULL. */
 VM_API vm_effect vm_effect_custom(int body, int other,
                                     void (*apply)(const vm_effect *effect, vm_real t, const vm_real *y,
                                                   vm_scene *scene),
@@ -283,8 +284,9 @@ VM_API void vmi_apply_shaft(const vm_effect *e, vm_real t, const vm_real *y, vm_
     e->load->force[1] += fy;
 }
 
-/* An elastic shaft, the force -k r |r|^(alpha-1) on a body at r = (x, y). The stiffness k is in N/m^alpha; a start
-   returns VM_DOMAIN if alpha < 0. The effect acts on coordinates 0 and 1 of a body in the plane or of a point. */
+/* An elastic shaft, the force -k r |r|^(alpha-1) on a body at r = (x, y). The stiffness k is in N/m^alpha;
+   vm_scene_start returns VM_DOMAIN if alpha < 0. The effect acts on coordinates 0 and 1 of a body in the plane or of a
+   point. */
 VM_API vm_effect vm_effect_shaft(int body, vm_real k, vm_real alpha)
 {
     vm_effect e = vmi_effect(body, 0, vmi_apply_shaft);

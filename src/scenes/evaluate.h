@@ -1,7 +1,7 @@
 /* scenes/evaluate.h - the right-hand side of a scene
 
-   An evaluation clears the loads of all bodies, lets each effect add to them, and accelerates each body by its load.
-   vm_scene_rhs is an ode_rhs, so that any integrator can run a scene without events:
+   An evaluation sets the loads of all bodies to 0, lets each effect add to them, and computes the acceleration of each
+   body from its load. vm_scene_rhs is an ode_rhs, so that any integrator can run a scene without events:
 
        vm_real work[RK87_WORK(2)]; // 2 = vm_scene_size(&scene)
        rk87 run;
@@ -48,8 +48,8 @@ VM_INLINE void vmi_scene_evaluate(vm_scene *s, vm_real t, const vm_real *y)
     }
 }
 
-/* Computes the loads for a caller that needs the masses. Returns VM_OK, or where the mass of a present body is not
-   finite, the reason, which s->status keeps: the status of the effect that could not act, or VM_NOT_FINITE. */
+/* Computes the loads for a caller that needs the masses. Returns VM_OK, or an error if the mass of a present body is
+   not finite: the status of the effect that could not act, or VM_NOT_FINITE. s->status then has the same value. */
 VM_API int vmi_scene_weigh(vm_scene *s, vm_real t, const vm_real *y)
 {
     const int before = s->status;

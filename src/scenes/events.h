@@ -18,8 +18,9 @@
        scene.located = located;
        scene.n_events = 3;
 
-   The functions of this chapter do not fail. vm_scene_start refuses an event with a wrong number (VM_NOT_FINITE for an
-   infinite or NaN time or value, VM_NO_SUCH_BODY for a body that does not exist), and its fault names the event.
+   The functions vm_event_... and vm_then_... do not fail. Instead vm_scene_start refuses an event with a wrong number
+   (VM_NOT_FINITE for an infinite or NaN time or value, VM_NO_SUCH_BODY for a body that does not exist), and its fault
+   names the event.
 
    An event at a time happens once. A crossing of a value happens at most event.most times, or without limit if
    event.most is 0; direction > 0 counts rising values, direction < 0 falling values, and direction = 0 both. Only
@@ -282,8 +283,8 @@ VM_API int vmi_event_check_all(const vm_scene *s, const vm_event *e)
 }
 
 /* The event does a list of actions, one after the other, at the same instant. actions is an array of n events made by
-   vm_then_... functions; when each of them would happen does not matter, so that all can be made from the same
-   vm_event_... value. The array is not copied and must stay where it is. An action that stops the run lets the
+   vm_then_... functions; it does not matter when each of them would happen, so that all of them can be made from the
+   same vm_event_... value. The array is not copied and must stay where it is. An action that stops the run lets the
    following actions happen, too. vm_scene_start returns VM_BAD_ARGUMENT if actions is NULL, n is negative or an action
    is a list itself, and else the status of the first action that is wrong. */
 VM_API vm_event vm_then_all(vm_event event, vm_event *actions, int n)

@@ -18,7 +18,7 @@
 #include "../oscillators/force_terms.h"
 
 /* The force of a spring, -k x |x|^(alpha-1) (248). The stiffness k in N/m^alpha may have either sign. The result is NaN
-   for alpha < 0. The exponents alpha = 1, 2 and 3 are computed without a power. */
+   for alpha < 0. For alpha = 1, 2 and 3 the power function is not called. */
 VM_INLINE vm_real vm_force_spring(vm_real x, vm_real k, vm_real alpha)
 {
     if (alpha == 1) return -k * x;

@@ -1,8 +1,8 @@
 /* scenes/gravitation.h - Newton's gravitation between bodies and towards a fixed centre
 
-   The attraction falls with the inverse square of the distance and acts at the mass centres. It takes the present
-   masses, whatever changes them. The bodies move in the plane or in space, or are points. For uniform gravity use
-   vm_effect_gravity.
+   The attraction falls with the inverse square of the distance and acts at the mass centres. It is computed from the
+   present masses, whatever changes them. The bodies move in the plane or in space, or are points. For uniform gravity
+   use vm_effect_gravity.
 
        vm_vec3 zero = {0, 0, 0};
        vm_effect effects[] = {vm_effect_gravitation(0, 1, 6.6743e-11),                // between the bodies 0 and 1
@@ -22,7 +22,7 @@
 enum { VMI_GRAVITATION_G = 0, VMI_CENTRAL_CENTRE = 0, VMI_CENTRAL_MU = 3 };
 
 /* The attraction a b/r^2 along d, the vector to the other mass, with r = |d|. The factors a and b are divided one by
-   one, because their product could overflow. If the force is not finite, since the masses are at the same place, the
+   one, because their product could overflow. If the force is not finite, because the masses are at the same place, the
    scene gets the status VM_NOT_FINITE, and the integrator refuses the step. */
 VM_INLINE vm_vec3 vmi_gravitation(vm_real a, vm_real b, vm_vec3 d, vm_scene *s)
 {

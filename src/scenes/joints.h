@@ -1,9 +1,9 @@
 /* scenes/joints.h - pins and rods between points of bodies
 
    A pin holds a point of a body at a point of another body or of the ground: in the plane it is a hinge, in space a
-   ball joint. A rod holds the distance of two points. All joints of a scene stand in one list and are solved together,
-   by Lagrange's multipliers: chains, closed mechanisms and several joints on one body are possible. points.h explains
-   how a point is given.
+   ball joint. A rod holds the distance of two points. All joints of a scene are in one list and are solved together, by
+   Lagrange's multipliers: chains, closed mechanisms and several joints on one body are possible. points.h explains how
+   a point is given.
 
        vm_vec3 end = {-0.5, 0, 0}, pivot = {0, 0, 0};
        vm_joint list[] = {vm_joint_pin(0, end, VM_GROUND, pivot)};       // body 0 hangs at the pivot
@@ -11,10 +11,10 @@
        vm_joints joints = {list, 1, 10, room, VM_LENGTH(room)};          // deviations decrease as exp(-10 t)
        vm_effect effects[] = {vm_effect_gravity(0, 1, -9.81), vm_effect_joints(&joints)}; // joints stand last
 
-   The points of a joint may be apart by the vector C. The joint exerts the force for which the accelerations obey C''
-   + 2 rate C' + rate^2 C = 0, as a link does. After a jump of a body, impulses of the joints take away the velocities
-   with which points would move apart; they are in the budget. list[0].force is the reaction on body 0 at the last
-   evaluation.
+   Let C be the deviation of a joint from its condition; for a pin it is the vector between the two points. The joint
+   exerts the force for which the accelerations obey C'' + 2 rate C' + rate^2 C = 0, as a link does. After a jump of a
+   body, impulses of the joints take away the velocities with which points would move apart; the budget includes these
+   impulses. list[0].force is the reaction on body 0 at the last evaluation.
 
    Accuracy: the errors of forces and accelerations are a few eps of the largest of them. This also holds for joints
    that nearly contradict each other, such as two rods almost in line, and for light bodies between heavy ones, since
@@ -108,7 +108,7 @@ VM_API void vmi_joint_end_now(const vm_scene *s, int body, vm_vec3 at, const vm_
     end->a = vm_add(end->a, vm_add(vm_cross(alpha, p->arm), vm_cross(p->omega, moving)));
 }
 
-/* Begins a further equation of a joint, with the response of both bodies to the force 1 along a unit vector */
+/* Begins a further equation of a joint: computes how both bodies respond to a force of 1 N along a unit vector */
 VM_API vmi_joint_row *vmi_joint_add_row(vm_joint *joint, const vm_scene *s, const vmi_joint_end *ends, vm_vec3 along)
 {
     const vm_vec3 zero = {0, 0, 0};
@@ -246,7 +246,7 @@ VM_API vm_real vmi_joint_lacks(const vmi_joint_row *row, vm_real rate, int wante
     return -(row->gap_acceleration + 2 * rate * row->gap_rate + rate * rate * row->gap);
 }
 
-/* Computes the accelerations that a body owes to the forces of all equations */
+/* Computes the accelerations of the mass centre and of the rotation which the forces of all equations give a body */
 VM_API void vmi_joints_accelerate(const vm_joints *joints, const vm_real *forces, int body, vm_vec3 *move,
                                   vm_vec3 *spin)
 {
@@ -265,8 +265,9 @@ VM_API void vmi_joints_accelerate(const vm_joints *joints, const vm_real *forces
     }
 }
 
-/* Writes what the forces still lack in each equation. The accelerations of the bodies are computed first: so the
-   differences of large forces do not lose digits, as they do in the matrix. */
+/* Writes the rest of each equation, that is what the forces do not yet add to C'' or C' (see vmi_joint_lacks). It is
+   computed from the accelerations of the bodies. Where large forces nearly cancel, these keep digits that the matrix
+   has lost. */
 VM_API void vmi_joints_rest(const vm_joints *joints, const vm_real *forces, int wanted, vm_real *rest)
 {
     int i, k, m;
@@ -304,9 +305,9 @@ VM_API int vmi_joints_refine(const vm_joints *joints, int n, int wanted)
     return change > VM_SQRT(VM_EPSILON) * largest;
 }
 
-/* Solves the n equations for the forces, or for the impulses. They replace the numbers of the work array from n^2 on.
-   The matrix J M^-1 J^T loses twice as many digits as the equations themselves; refinement gives them back (see
-   vmi_joints_rest). Returns VM_SINGULAR, VM_NOT_FINITE or VM_OK. */
+/* Solves the n equations for the forces, or for the impulses. The results replace the numbers of the work array from
+   n^2 on. The matrix loses twice as many digits as the equations themselves; refinement gives them back. Returns
+   VM_SINGULAR, VM_NOT_FINITE or VM_OK. */
 VM_API int vmi_joints_solve(const vm_joints *joints, int n, int wanted)
 {
     enum { MOST_REFINEMENTS = 4 };
@@ -421,7 +422,7 @@ VM_API void vmi_joint_end_at_start(const vm_scene *s, int body, vm_vec3 at, vmi_
     *speed += vmi_norm1(p->v) + vmi_norm1(p->omega) * vmi_norm1(p->arm);
 }
 
-/* Whether the bodies fit a joint at the start: the gap and its rate are 0 but for a small fraction of the lengths and
+/* Whether the bodies fit a joint at the start: the gap and its rate are at most a small fraction of the lengths and
    velocities of which they are composed */
 VM_API int vmi_joint_fits(vm_joint *joint, const vm_scene *s)
 {
@@ -488,15 +489,16 @@ VM_API int vmi_joints_check(const vm_scene *s, const vm_effect *e)
 }
 
 /* The joints of a scene, solved together. *joints and its arrays are not copied and must stay where they are. The
-   effect stands after all other effects on the bodies of the joints. With n equations (2 a pin in the plane, 3 in
-   space, 1 a rod) an evaluation takes about n^3/3 multiplications for the solution, and some 10 n^2 to refine it. A
-   high rate makes the equations stiff. vm_scene_start returns VM_BAD_ARGUMENT for null pointers and an empty list,
-   VM_NOT_FINITE, VM_DOMAIN if rate or the length of a rod is not positive, VM_SHORT_ARRAY, VM_NO_SUCH_BODY,
-   VM_IS_AWAY if the body of the first joint is absent at the start, VM_SAME_BODY for a joint of a body with itself,
-   VM_BAD_POINT for a point that the body cannot have (points.h), VM_NOT_JOINED if points do not fit at the start or
-   move apart, VM_TWO_LINKS if a body has a link or joints of another list, too, and VM_LINK_NOT_LAST if another
-   effect on one of the bodies follows. A run ends with VM_SINGULAR if joints are redundant, contradict each other or
-   hold a point that cannot move, if a mechanism reaches a position in which it is locked, and with VM_NOT_FINITE if
+   effect must stand after all other effects on the bodies of the joints. A pin has 2 equations in the plane and 3 in
+   space, a rod has 1. To solve n equations, an evaluation makes about n^3/3 multiplications, and some 10 n^2 to
+   refine the solution. A high rate makes the equations stiff. vm_scene_start returns VM_BAD_ARGUMENT for null
+   pointers and an empty list, VM_NOT_FINITE if a number is infinite or NaN, VM_DOMAIN if rate or the length of a rod
+   is not positive, VM_SHORT_ARRAY if work is too small, VM_NO_SUCH_BODY if a body does not exist, VM_IS_AWAY if the
+   body of the first joint is absent at the start, VM_SAME_BODY for a joint of a body with itself, VM_BAD_POINT for a
+   point that the body cannot have (points.h), VM_NOT_JOINED if points do not fit at the start or move apart,
+   VM_TWO_LINKS if a body has a link or joints of another list, too, and VM_LINK_NOT_LAST if another effect on one of
+   the bodies follows. A run ends with VM_SINGULAR if joints are redundant or contradict each other, if they hold a
+   point that cannot move, or if a mechanism reaches a position in which it is locked. It ends with VM_NOT_FINITE if
    the points of a rod coincide. A joint does not act while one of its bodies is not present. */
 VM_API vm_effect vm_effect_joints(const vm_joints *joints)
 {

@@ -19,9 +19,9 @@
 
    Two bodies can jump together if they have the same motion. A body in the plane or a free body can also take up or
    give off a point. The functions whose names end in _on_line (line or axle) and _in_plane do the same as
-   vm_then_separate and vm_then_attach for these motions only, and link less code (docs/scene-sizes.md). If a point
-   takes up a body at another place, the angular momentum of both about their common mass centre is lost, since a point
-   does not rotate; angular_defect of the budget shows this loss.
+   vm_then_separate and vm_then_attach for these motions only, and make the program smaller (docs/scene-sizes.md). If a
+   point takes up a body at another place, the angular momentum of both about their common mass centre is lost, since a
+   point does not rotate; angular_defect of the budget shows this loss.
 
    A run ends with VM_IS_THERE if a part would become a body that is present already, with VM_IS_AWAY if a body that
    jumps is not present, and with the errors of vm_separate and vm_attach. vm_scene_start returns VM_BAD_MOTION for
@@ -132,8 +132,9 @@ VM_API vm_real vmi_scene_angle(const vm_scene *s, int body, const vm_real *y)
     return b->motion == VM_PLANE ? y[b->at + VMI_PLANE_ANGLE] : y[b->at];
 }
 
-/* After a jump has moved the mass centre of a body to r, updates its position in body axes: that of a growing body,
-   which is in the state, and that of a body at whose points an effect acts */
+/* Updates the position of the mass centre in body axes, after a jump has moved the mass centre of a body to r. A
+   growing body has this position in the state; for a body at whose points effects act, the field `centre` says how far
+   jumps have moved the mass centre. */
 VM_API void vmi_scene_shift_centre(const vm_scene *s, int body, vm_vec3 r, vm_real *y)
 {
     vm_scene_body *b = s->bodies + body;
@@ -145,8 +146,8 @@ VM_API void vmi_scene_shift_centre(const vm_scene *s, int body, vm_vec3 r, vm_re
     vmi_growth_put_centre(b, vm_add(vmi_growth_centre(b, state), step), state);
 }
 
-/* Lets effects that hold bodies together act even if their first body is not present, because they leave out absent
-   bodies themselves */
+/* Lets each effect that holds bodies together act even if its first body is not present: such an effect leaves out
+   absent bodies by itself */
 VM_API void vmi_scene_wake(vm_scene *s)
 {
     int i;
@@ -155,8 +156,8 @@ VM_API void vmi_scene_wake(vm_scene *s)
 }
 
 /* Writes the bodies after a jump into the state: the body that lost or gained mass, and the part that separated, or
-   NULL if the body `other` was attached. Stores the masses that all bodies must have then, because mass laws do not
-   know of the jump. */
+   NULL if the body `other` was attached. Stores the masses that all bodies must have then, because a mass law does not
+   include the mass that a jump adds or takes away. */
 VM_API void vmi_scene_put_jump(vm_event *e, vm_real *y, const vm_body *result, const vm_body *part_or_NULL)
 {
     vm_scene *s = e->scene;

@@ -2,7 +2,7 @@
 
    A link keeps the distance between two mass centres, or between a mass centre and a point with a given motion. A cord
    is a link that can pull but not push. The force of a link is the reaction to all other forces on its ends. Therefore
-   a link stands last among the effects on a body, and a body has at most one link.
+   a link must stand last in the list among the effects on a body, and a body has at most one link.
 
        vm_effect pendulum = vm_effect_link(0, VM_GROUND, pivot, NULL, 1, 0, 10); // 1 m long, hung up at pivot(t)
 
@@ -112,8 +112,8 @@ VM_API int vmi_link_check(const vm_effect *e)
     return VM_DOMAIN;
 }
 
-/* Checks the ends of a link. It holds mass centres, so that it cannot act on a growing body, whose mass centre moves in
-   the body. */
+/* Checks the ends of a link. A link acts at mass centres; therefore it cannot act on a growing body, whose mass centre
+   moves in the body. */
 VM_API int vmi_link_check_ends(const vm_scene *s, const vm_effect *e)
 {
     if (e->other == e->body) return VM_SAME_BODY;

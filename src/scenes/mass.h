@@ -3,7 +3,7 @@
    A mass law M(t, x, v) gives the mass of a body at any time; the mass is then not a number of the state. The mass
    that joins or leaves has the velocity u + (1 - reactive) v, where v is the velocity of the body. Therefore the
    equation of motion under the force F is M v' = F + M' (u - reactive v). The mass that joins or leaves has, for
-     reactive = 1  the absolute velocity u: the reactive force is M' (u - v) (156), for u = 0 Levi-Civita's (167)-(169);
+     reactive = 1  the absolute velocity u: the reactive force is M' (u - v) (156), Levi-Civita's (167)-(169) if u = 0;
      reactive = 0  the velocity u relative to the body: the reactive force is M' u, which is 0 if u = 0 (166).
    Only on a line or an axle may a law depend on position x and velocity v; on an axle it gives the moment of inertia
    J from the angle or the angular velocity. u is in m/s. On a line and on an axle only u.x is used, on an axle in
@@ -11,10 +11,10 @@
 
        vm_effect leak = vm_effect_mass(0, VM_MASS_OF_T, -0.01, 0, 0); // body 0 loses 10 g/s, which keeps its velocity
 
-   A law stands before all other effects on its body, and a body has at most one law. Mass that a jump adds to the
-   body is added to the mass of the law. If an event switches a law off, the mass remains constant; if it switches a
-   law on, the law continues from the present mass (for a law M0 + c t this means that only c has an effect).
-   Therefore switching never changes a mass suddenly.
+   In the list of effects a law must stand before all other effects on its body, and a body has at most one law. Mass
+   that a jump adds to the body is added to the mass of the law. If an event switches a law off, the mass remains
+   constant; if it switches a law on, the law continues from the present mass (for a law M0 + c t this means that only c
+   has an effect). Therefore switching never changes a mass suddenly.
 
    Tests: tests/test_scene_mass.c. */
 #ifndef VARMASS_SCENES_MASS_H

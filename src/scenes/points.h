@@ -36,7 +36,7 @@ typedef struct VM_TAG(vmi_body_point) {
     vmi_mat3 axes; /* the body axes in inertial axes */
 } vmi_body_point;
 
-/* The axes of a body in its state */
+/* The body axes of a body in the given state, in inertial axes */
 VM_API vmi_mat3 vmi_point_axes(const vm_scene_body *b, const vm_real *state)
 {
     vmi_mat3 axes;
@@ -134,7 +134,7 @@ VM_API vm_real vmi_point_mobility(const vm_scene_body *b, const vmi_body_point *
 /* Whether the inertia of a body resists every force at the point `at`. Forces turn a body about all axes normal to
    `at`. If the body is a rod or a point, `hollow` is the inertia that vmi_invertible_inertia adds, which is the same
    dummy moment about each of the k axes that have none. The sum of the squares of the parts of `at` normal to these
-   axes is k at^2 - at (hollow at)/dummy, and must be 0 but for rounding errors. */
+   axes is k at^2 - at (hollow at)/dummy, and must be 0 apart from rounding errors. */
 VM_API int vmi_point_is_possible(const vm_scene_body *b, vm_vec3 at)
 {
     const vm_real noise = 64 * VM_EPSILON;

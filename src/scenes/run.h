@@ -26,12 +26,12 @@ typedef struct VM_TAG(vmi_scene_pace) {
     long happened; /* number of events at this instant */
     vm_real gap;   /* s: of all crossings at this instant, the shortest time since the last crossing by the same event;
                       VM_MAX if none */
-    int crowded;   /* number of successive instants whose gap the time t cannot resolve with its digits */
+    int crowded;   /* number of successive instants whose gap is too short for the digits of the time t */
 } vmi_scene_pace;
 
 enum {
     VMI_SCENE_MOST_EVENTS = 10000, /* largest number of events at one instant; more count as an endless chain */
-    VMI_SCENE_MOST_CROWDED = 3,    /* largest number of successive instants whose gap the time cannot resolve */
+    VMI_SCENE_MOST_CROWDED = 3,    /* largest number of successive instants whose gap is too short for t's digits */
     VMI_SCENE_STEPS_IN_GAP = 32    /* steps in a short gap between two events, so that no later event is missed */
 };
 
@@ -107,7 +107,7 @@ VM_API int vmi_scene_run_events(vm_scene *s, rk45 *r, vm_real span, vmi_scene_pa
 }
 
 /* Calls the caller's function scene.output if it is due at the time t. *next is the index of the next time of output.
-   Returns VM_STOPPED if output ends the run, the reason why a mass is not finite, else VM_OK. */
+   Returns VM_STOPPED if output ends the run, an error if a mass is not finite, else VM_OK. */
 VM_API int vmi_scene_output(vm_scene *s, vm_real t, const vm_real *y, int *next)
 {
     int status;
@@ -182,8 +182,8 @@ VM_API int vmi_scene_step(vm_scene *s, rk45 *r, vm_real t_end, int next)
 }
 
 /* Keeps the crossings that the last run has found but not handled, because an earlier event of the same instant
-   returned an error: the next run handles them at its start. The integrator counts from 0 in each run, so that `seen`
-   becomes negative by their number. */
+   returned an error: the next run handles them at its start. The integrator counts from 0 in each run; therefore `seen`
+   becomes minus the number of these crossings. */
 VM_API void vmi_scene_keep_crossings(vm_scene *s)
 {
     int i;
@@ -240,14 +240,15 @@ VM_API int vmi_scene_check_run(const vm_scene *s, const vm_real *t, vm_real t_en
      VM_NOT_FINITE         if an effect, a law or an event gave an infinite number or NaN; the status of a vm_law
                            that failed;
      VM_SINGULAR           if a link cannot act;
-     VM_TOO_MANY_EVENTS    if events do not end: more than 10 000 happen at one instant, or four times in succession an
-                           event follows the one before within 256 VM_EPSILON of the time;
+     VM_TOO_MANY_EVENTS    if events do not end: more than 10 000 happen at one instant, or four times in succession a
+                           crossing follows the last one of the same event within 256 VM_EPSILON max(|*t|, |t_end|);
      VM_IS_THERE, VM_IS_AWAY and the errors of vm_separate and vm_attach
                            if a jump is impossible;
      VM_STEP_TOO_SMALL, VM_MAX_STEPS   if the integrator failed; its own status is in scene.ode_status;
      any other negative number         that an event's function (vm_then_user) returned. This event counts as handled.
-   Another call goes on from *t, with the events of this instant that were not handled. An event whose action needs
-   the masses while a mass law fails is not handled, or half: the next call does what is left of its action. */
+   Another call goes on from *t, with the events of this instant that were not handled. If a mass law fails while the
+   action of an event needs the masses, the action is not done or only partly done: the next call does the rest of
+   it. */
 VM_API int vm_scene_run(vm_scene *scene, vm_real *t, vm_real t_end, vm_real *y, vm_real *work,
                         const rk45_options *options_or_NULL)
 {

@@ -2,7 +2,7 @@
 
    A scene is a model that is put together from parts: bodies, the effects that act on them, and the events that change
    them. Its right-hand side evaluates the effects that are listed and nothing else. Each constructor refers only to the
-   functions that its body, effect or event needs, so that the executable holds no others. The caller provides all
+   functions that its body, effect or event needs, so that the program contains no others. The caller provides all
    arrays.
 
        vm_scene_body bodies[] = {vm_scene_body_line(2, 0.1, 0)};             // 2 kg, at x = 0.1 m, at rest
@@ -27,8 +27,8 @@
    anew, with everything as the constructors have made it. A listed motor, for example, adds at most 35 machine
    instructions to an evaluation of the right-hand side.
 
-   The state y has these numbers for body i, from y[bodies[i].at] on, positions first. r is the position of the mass
-   centre, v its velocity, q the attitude and omega the angular velocity:
+   The numbers of body i in the state y begin at y[bodies[i].at], and the positions come first. r is the position of the
+   mass centre, v its velocity, q the attitude and omega the angular velocity:
      line   x, v                                 point  r (3), v (3)
      axle   angle, omega                         free   r (3), q (4), v (3), omega (3, in body axes)
      plane  x, y, angle, vx, vy, omega
@@ -113,7 +113,7 @@ struct VM_TAG(vm_scene_body) {
     vm_inertia inertia;     /* kg m^2, body axes: the present inertia */
     vm_inertia invertible;  /* kg m^2: the inertia with a dummy moment about each axis that has none */
     vmi_mat3 axes;          /* the present body axes of a growing body, in inertial axes */
-    int listed_orders;      /* bit (1 << order) for each effect on the body that vm_scene_check has met so far */
+    int listed_orders;      /* bit (1 << order) for each effect on the body that vm_scene_check has found so far */
     int status;             /* VM_OK, or the reason why the constructor could not make the body */
     vm_real noted_mass;     /* kg: the mass that the body must have after an event */
     void (*shift)(vm_scene_body *b, vm_vec3 step, const vm_real *state); /* NULL, or it adds to `centre` */
@@ -141,7 +141,7 @@ enum {
     VMI_ORDER_JOINTS = 3 /* joints stand last, as links do; a check of their own examines all their bodies */
 };
 
-/* What an effect needs of the mass of its body */
+/* What kind of mass an effect needs: any, one that is a state, or that of a growing body */
 enum { VMI_NEEDS_ANY_MASS = 0, VMI_NEEDS_MASS_STATE = 1, VMI_NEEDS_GROWING_BODY = 2 };
 
 /* Reasons why an effect does not act now, as bits of vm_effect.idle */
@@ -172,7 +172,7 @@ struct VM_TAG(vm_effect) {
     void *ctx;                             /* pointer that the caller's function receives */
     unsigned motions;                      /* bit (1 << motion) for each motion that `body` may have */
     unsigned other_motions;                /* bit (1 << motion) for each motion that `other` may have */
-    int needs;                             /* what the effect needs of the mass of its body: VMI_NEEDS_... */
+    int needs;                             /* what kind of mass the effect needs: VMI_NEEDS_... */
     int order;                             /* where it stands among the effects on its body: VMI_ORDER_... */
     int off;          /* 1: switched off when the scene starts; the caller may set it before the start */
     int not_on_angle; /* 1: the effect cannot act on the angle of a body in the plane */
@@ -183,14 +183,14 @@ struct VM_TAG(vm_effect) {
     const void *parts; /* what the caller keeps for the effect: a vm_point_spring, vm_contact or vm_joints */
 };
 
-/* What a failing mass law leaves of the action of an event: nothing, the whole action, or its last part, which adjusts
-   masses to a change that is made */
+/* Which part of the action of an event is left to do after a mass law has failed: nothing, the whole action, or its
+   last part, which adjusts the masses after a change */
 enum { VMI_LEFT_NOTHING = 0, VMI_LEFT_ALL, VMI_LEFT_MASSES };
 
 /* What a jump event does */
 enum { VMI_JUMP_NONE = 0, VMI_JUMP_SEPARATES, VMI_JUMP_ATTACHES };
 
-/* An event. A constructor such as vm_event_at says when it happens, and a function such as vm_then_stop what it
+/* An event. A constructor such as vm_event_at says when it happens, and a function such as vm_then_stop says what it
    does. */
 struct VM_TAG(vm_event) {
     vm_real (*when)(const vm_event *event, vm_real t, const vm_real *y); /* NULL, or a function that is 0 at an event */
@@ -235,15 +235,15 @@ struct VM_TAG(vm_event) {
     int n_actions;
     /* fields for an action that a failing mass law has interrupted; the next run does the rest of it */
     int left;        /* VMI_LEFT_...: how much of the action is left */
-    int next_action; /* index of the action of the list that is left */
-    int so_far;      /* status of the actions of the list before it */
+    int next_action; /* index, in the list of actions, of the action that is left */
+    int so_far;      /* status of the actions before that one in the list */
     vm_real energy;  /* J: kinetic energy of all bodies before a jump */
 };
 
 typedef struct VM_TAG(vm_budget) vm_budget;
 
 /* The budget of momentum, angular momentum and energy of a scene: the amounts of the bodies, the supply from outside,
-   and the difference. vm_scene_keep_budget asks for it, vm_scene_budget_at computes it. */
+   and the difference. vm_scene_keep_budget makes a scene keep it, and vm_scene_budget_at computes it. */
 struct VM_TAG(vm_budget) {
     vm_vec3 impulse;          /* N s: impulse of the effects and of the external impulses of jumps */
     vm_vec3 angular_impulse;  /* N m s: angular impulse about the origin of effects and of external impulses of jumps */

@@ -74,9 +74,10 @@ VM_API int vmi_point_spring_check(const vm_scene *s, const vm_effect *e)
 
 /* A spring and a damper between a point of a body and a point of the body `other`, or of the ground. *spring is not
    copied: if an event changes it, the run continues with the change. With the length l of the spring, the tension is
-   stiffness (l - rest) + damping l'. vm_scene_start returns VM_BAD_ARGUMENT if spring is NULL, VM_NOT_FINITE,
-   VM_DOMAIN if rest < 0, VM_SAME_BODY for a spring of a body with itself, and VM_BAD_POINT for a point that the body
-   cannot have (points.h). A run ends with VM_SINGULAR if the points coincide, unless rest is 0. */
+   stiffness (l - rest) + damping l'. vm_scene_start returns VM_BAD_ARGUMENT if spring is NULL, VM_NOT_FINITE if a
+   number is infinite or NaN, VM_DOMAIN if rest < 0, VM_SAME_BODY for a spring of a body with itself, and VM_BAD_POINT
+   for a point that the body cannot have (points.h). A run ends with VM_SINGULAR if the points coincide, unless rest is
+   0. */
 VM_API vm_effect vm_effect_point_spring(int body, int other, const vm_point_spring *spring)
 {
     vm_effect e = vmi_effect_between(body, 0, other, 0, spring ? vmi_apply_point_spring : NULL);

@@ -1,6 +1,6 @@
 /* scenes/state.h - the state of a scene: its size, and the bodies in it
 
-   The state y of a scene holds the state variables of the bodies, one body after the other. If the scene keeps a
+   The state y of a scene contains the state variables of the bodies, one body after the other. If the scene keeps a
    budget, its VM_BUDGET_STATES numbers follow. scene.h has a table of the numbers of each body.
 
        vm_body now;
@@ -83,8 +83,8 @@ VM_API void vmi_scene_put(vm_scene *s, int body, const vm_body *now, vm_real ang
     b->put(b, now, angle, y + b->at);
 }
 
-/* Updates the field `idle` of all effects. An effect is idle if its body, or the body that takes the reaction, is not
-   present, or if the effect is switched off. */
+/* Updates the field `idle` of all effects. An effect is idle if its body, or the body on which the opposite force acts,
+   is not present, or if the effect is switched off. */
 VM_API void vmi_scene_presence(vm_scene *s)
 {
     int i;

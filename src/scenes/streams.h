@@ -140,8 +140,8 @@ VM_API void vmi_apply_stream_torque(const vm_effect *e, vm_real t, const vm_real
 }
 
 /* Checks a stream by vmi_check_stream. A store (stream->from) must lie on the line through the point of the stream and
-   the mass centre at the start, which is the origin of body axes: a scene neglects the angular momentum of the mass
-   that flows between the store and the point, which is 0 only on such a line. */
+   the mass centre at the start, which is the origin of body axes. The reason is that a scene neglects the angular
+   momentum of the mass that flows between the store and the point; this angular momentum is 0 only on such a line. */
 VM_API int vmi_crossing_check(const vm_effect *e)
 {
     const vm_stream *stream = e->stream;
