@@ -139,7 +139,7 @@
        ateb_sa                        sa(1, alpha, s), the Ateb sine, alone
        ateb_ca                        ca(alpha, 1, s), the Ateb cosine, alone
 
-     ateb/phase: the phase s that belongs to a pair of values sa and ca
+     ateb/phase: the phase s for given values of sa and ca
        ateb_phase                     The phase s of given values of sa and ca, with -Pi_alpha < s <= Pi_alpha
 
      ateb/integrals: integrals of Ateb functions
@@ -1604,7 +1604,7 @@ VM_API vm_real vmi_atan2(vm_real y, vm_real x)
 }
 
 #endif
-/* base/scalars.h - functions that keep their digits where the plain formula loses them
+/* base/scalars.h - functions that are accurate where the usual formula loses digits
 
    The functions compute e^y - 1 and ln(1 + x) accurately for small arguments, quotients that become 0/0 at x = 0, and a
    power that has the values of the C library's pow at 0 and infinity.
@@ -1697,7 +1697,7 @@ VM_API vm_two vmi_log1p_rest(vm_two x, vm_two y)
 }
 
 #endif
-/* ateb/powers.h - a logarithm and an exponential that are quick and return one word
+/* ateb/powers.h - a logarithm and an exponential that are quicker but less accurate
 
    vmi_log and vmi_exp (base/elementary.h) return two words. The functions in this file return one word, with an error
    of one or two ulp. They are used where the error is later multiplied by less than about 1/2: in ateb/inversion.h and
@@ -2199,7 +2199,7 @@ VM_API vm_real ateb_ca(vm_real s, vm_real alpha)
 }
 
 #endif
-/* ateb/phase.h - the phase s that belongs to a pair of values sa and ca
+/* ateb/phase.h - the phase s for given values of sa and ca
 
    As atan2 computes an angle from its sine and cosine, ateb_phase computes the phase s from sa and ca, for example
    the phase of an oscillator from its position and velocity.

@@ -149,7 +149,7 @@
        jacobi_cn                      cn(u | m) alone
        jacobi_dn                      dn(u | m) alone
 
-     jacobi/amplitude: the amplitude am, the angle with the sine sn and the cosine cn
+     jacobi/amplitude: the amplitude am, which is the angle whose sine is sn and whose cosine is cn
        jacobi_am                      Jacobi's amplitude am(u | m) in radians
 
      jacobi/plans: sn, cn and dn for many arguments and one parameter
@@ -158,7 +158,7 @@
        jacobi_plan_sncndn             sn, cn and dn of the argument u for the plan's parameter
        jacobi_plan_sncndn_array       sn, cn and dn of the n arguments in the array u, for the plan's parameter
 
-     jacobi/modulus: the parameter m from the quarter period
+     jacobi/modulus: the parameter m for a given quarter period
        jacobi_solve_kpK               The parameter m for which k' K(m) = c, the solution of equation (307), for c >= 0
        jacobi_solve_kpK_m1            Solves k' K(m) = c as jacobi_solve_kpK does, but returns 1 - m with all its digits
        jacobi_solve_K_m1              Solves K(m) = c as jacobi_solve_K does, but returns 1 - m with all its digits
@@ -2369,7 +2369,7 @@ VM_API vm_real jacobi_dn(vm_real u, vm_real m)
 }
 
 #endif
-/* jacobi/amplitude.h - the amplitude am, the angle with the sine sn and the cosine cn
+/* jacobi/amplitude.h - the amplitude am, which is the angle whose sine is sn and whose cosine is cn
 
        vm_real angle = jacobi_am(VM_C(1.2), VM_C(0.3)); // sin(angle) = sn(1.2 | 0.3)
 
@@ -2680,7 +2680,7 @@ VM_API void jacobi_plan_sncndn_array(const jacobi_plan *p, int n, const vm_real 
 }
 
 #endif
-/* jacobi/modulus.h - the parameter m from the quarter period
+/* jacobi/modulus.h - the parameter m for a given quarter period
 
    The functions solve K(m) = c and k' K(m) = c for m. The second equation is (307), which gives the Jacobi function
    whose period is that of a strongly nonlinear oscillator. Each equation has one solution for every c > 0. The nome of

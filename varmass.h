@@ -150,7 +150,7 @@
        vm_inertia_is_possible         Tests whether a body can have this inertia
        vm_parallel_axes               Inertia about a point at d from the mass centre, along parallel axes, (40)
 
-     mechanics/bodies: bodies in space and in the plane, their momenta and energy, balances across an instant
+     mechanics/bodies: bodies in space and in the plane, their momenta and energy before and after a jump
        vm_momentum                    Momentum of a body, mass times velocity, (1)-(3), N s
        vm_angular_momentum            Angular momentum of a body about the point `about` (7)-(9), N m s
        vm_kinetic_energy              Kinetic energy of a body (93), (97), J
@@ -190,7 +190,7 @@
        vm_separation_for_rest2        How a part must leave in the plane, so that the rest moves as wanted
        vm_separation_for_spin2        Velocity that a part must have in the plane, so that the rest turns with rest_omega (rad/s)
 
-     mechanics/jump_energy: the kinetic energy that a jump adds or takes
+     mechanics/jump_energy: the kinetic energy that bodies gain or lose in a jump
        vm_energy_gain                 Energy gained at a separation, J
        vm_energy_loss                 Energy lost at an attachment, J
 
@@ -219,10 +219,10 @@
        vm_broken_rotor_eigenvalues    Roots re + i im of the characteristic polynomial, 1/s
        vm_broken_rotor_resonance_radius Radius of the orbit that grows at or above resonance, t seconds after a start from rest, m
 
-     mechanics/generalized_force: generalized forces of forces and moments
+     mechanics/generalized_force: generalized forces from forces and moments
        vm_lagrange_add_force          Adds the generalized forces of a force and a moment
 
-     mechanics/lagrange_jump: Lagrange's equations across a jump
+     mechanics/lagrange_jump: Lagrange's equations for a jump
        vm_lagrange_mass               Adds the share of a body to the mass matrix of the kinetic energy T = qdot^T matrix qdot/2
        vm_lagrange_momentum           Adds to p the generalized momentum of a body
        vm_lagrange_impulse            Adds to p the generalized impulse (95) of an impulse on a body with the mass centre r
@@ -268,7 +268,7 @@
        vm_linear_flow                 Position and velocity of a body on a line after t seconds, with a stream of constant rate
        vm_jet_damping                 Angular velocity of a spinning rocket whose jet damps it, after t seconds, rad/s, body axes
 
-     mechanics/supply: tanks and grains: mass, mass centre and inertia follow from the mass that is left
+     mechanics/supply: tanks and solid propellants: mass centre and inertia of the mass that is left
        vm_supply_at                   What is left of a tank or grain when its mass is `mass`
 
      mechanics/orbit: two bodies that attract each other, with constant masses and with masses that change
@@ -329,7 +329,7 @@
        vm_osc_load_force              Force of a vm_osc_load on an oscillator, N
        vm_osc_load_init               Gives an oscillator a velocity u of the mass that joins or leaves, and a damping that depends on time
 
-     oscillators/closed: the laws of orders two to five as plain data, where all integrals have closed forms
+     oscillators/closed: the laws of orders two to five as plain numbers, if all integrals have closed forms
        vm_osc_closed_init             Prepares the computation of the problem's motion by the law of the given order, 2 to 5; a higher order is more accurate
        vm_osc_closed_at               Position x (m) and velocity v (m/s) at time t (s, either sign), by the law of the order c->order
        vm_osc_closed_at_order2        Position and velocity as by vm_osc_closed_at, but always by order 2, whatever order *c has
@@ -338,11 +338,11 @@
      oscillators/plan: the plan of an oscillator: what is computed once and then used at many times t
        vm_osc_plan_init               Plan for many values of one problem's motion
 
-     oscillators/panels: panels of time in which a law is smooth, and the integrals of 1/f and f/g
+     oscillators/panels: intervals of time in which a law f(t) is smooth, and the integrals of 1/f and f/g
        vm_law_inverse_integral        Integral of ds/f(s) from 0 to t, s per unit of f, for t of either sign
        vm_law_ratio_integral          Integral of f(s)/g(s) ds from 0 to t, for t of either sign, f of any sign and g > 0
 
-     oscillators/averaging: averaged equations of an oscillator with a force, and what averaging leaves out
+     oscillators/averaging: averaged equations of an oscillator with a force, and the error of averaging
        vm_osc_averaged                Averaged rates A', theta', psi' of amplitude and phase, with the problem's force
 
      oscillators/routes: the motion x(t) of an oscillator at any time, by a given route or by the cheapest
@@ -375,7 +375,7 @@
        vm_odd_plan_within             Motion under an odd elastic force at time t (s, between 0 and the plan's t_end) within a tolerance
        vm_odd_within                  Motion under an odd elastic force at time t (s, either sign) within a tolerance, without a plan
 
-     oscillators/slow: laws of amplitude that all oscillators with a slowly varying mass share
+     oscillators/slow: laws of amplitude for all oscillators with a slowly varying mass
        vm_osc_amplitude_law           Ratio A/A0 of the amplitude to its first value, of an oscillator whose mass varies slowly
        vm_osc_velocity_law            Ratio of the largest velocity to its first value, of an oscillator whose mass varies slowly
 
@@ -386,7 +386,7 @@
        vm_vdp_rhs                     Equation of motion (404) of a Van der Pol oscillator, for rk45 or rk87
        vm_vdp_averaged_rhs            Averaged equations (410) of a Van der Pol oscillator, for rk45 or rk87
 
-     oscillators/van_der_pol_walk: the mean motion of a Van der Pol oscillator along slow laws of mass and stiffness
+     oscillators/van_der_pol_walk: the mean motion of a Van der Pol oscillator with slowly varying mass and stiffness
        vm_vdp_plan_init               Prepares a plan for many values of the motion of a Van der Pol oscillator
 
      oscillators/van_der_pol_routes: the motion x(t) of a Van der Pol oscillator, and its limit cycle to second order
@@ -409,7 +409,7 @@
        vm_jeffcott_backward_whirl_rhs Averaged equations (506), (507) of backward whirl, for rk45 or rk87
        vm_jeffcott_amplitude          Radius of circular whirl, m, after the mass has changed slowly
 
-     oscillators/jeffcott_motion: the motion z(t) of the Jeffcott (Laval) rotor by its amplitude law and a phase
+     oscillators/jeffcott_motion: the motion z(t) of the Jeffcott (Laval) rotor from its amplitude law and its phase
        vm_jeffcott_whirl_amplitude    Radius of circular whirl, m, after the mass has changed slowly, for any share of the reactive force
        vm_jeffcott_whirl_at           Circular whirl of the rotor at time t, of either sign, from radius and angle at t = 0
        vm_jeffcott_linear_at          Motion of a rotor on a linear shaft at time t, of either sign, from its motion at t = 0
@@ -461,7 +461,7 @@
        vm_grounded_pair_to_averaged   Converts a motion (x_0, x_1, x_0', x_1') of two weakly coupled oscillators to its mean y = (A_0, phi_0, A_1, phi_1)
        vm_grounded_pair_from_averaged Converts the mean y = (A_0, phi_0, A_1, phi_1) of two weakly coupled oscillators to the motion (x_0, x_1, x_0', x_1')
 
-     oscillators/diagnostics: turning points and zero crossings of any trajectory, envelopes, adiabaticity
+     oscillators/diagnostics: turning points and zeros of any motion, envelopes, how slow changes are
        vm_find_samples                Turning points or zero crossings of a trajectory in (t0, t1]
        vm_find_samples_of_step        Turning points or zero crossings in the last step of an rk45 or rk87
        vm_envelope_error              Largest relative error of an amplitude law, |law(t)/observed - 1|, over n samples
@@ -480,7 +480,7 @@
        vm_scene_body_growing_plane    A growing body in the plane
        vm_scene_body_growing_free     A growing body in space
 
-     scenes/forces: the forces of effects, as functions of numbers
+     scenes/forces: the forces of effects, as functions that can also be called without a scene
        vm_force_spring                The force of a spring, -k x |x|^(alpha-1) (248)
        vm_force_damper                The force of a linear damper, -damping v
        vm_force_van_der_pol           The force of Van der Pol's damper, (b - c x^2) v (404)
@@ -541,7 +541,7 @@
      scenes/evaluate: the right-hand side of a scene
        vm_scene_rhs                   The right-hand side of a scene, an ode_rhs
 
-     scenes/check: what can be wrong with a scene
+     scenes/check: checks that find what is wrong with a scene
        vm_scene_check                 The first thing that is wrong with a scene, or VM_OK
 
      scenes/points: points of the bodies of a scene
@@ -2119,7 +2119,7 @@ VM_API int vmi_solve_spin(const vm_inertia *i, const vmi_principal *p, vm_vec3 h
 }
 
 #endif
-/* mechanics/bodies.h - bodies in space and in the plane, their momenta and energy, balances across an instant
+/* mechanics/bodies.h - bodies in space and in the plane, their momenta and energy before and after a jump
    A vm_body is a body at an instant: mass, inertia, attitude, position and motion. A vm_body2 is a body that moves in
    the plane. This chapter computes momentum (1)-(3), angular momentum (7)-(9) and kinetic energy (93), (97), and
    compares them before and after an instant, (4)-(6), (10)-(12). The functions for the plane are in bodies2.h.
@@ -3300,7 +3300,7 @@ VM_API int vm_separation_for_spin2(const vm_body2 *whole, const vm_body2 *part, 
 }
 
 #endif
-/* mechanics/jump_energy.h - the kinetic energy that a jump adds or takes
+/* mechanics/jump_energy.h - the kinetic energy that bodies gain or lose in a jump
    Kinetic energy is not conserved when bodies separate or join. Without an impulse, a separation adds the kinetic
    energy that the bodies have relative to the whole, and an attachment takes this energy away: (113), (118), Carnot's
    theorem.
@@ -4398,7 +4398,7 @@ VM_API vm_real vm_broken_rotor_resonance_radius(const vm_broken_rotor *rotor, vm
 }
 
 #endif
-/* mechanics/generalized_force.h - generalized forces of forces and moments
+/* mechanics/generalized_force.h - generalized forces from forces and moments
 
    This chapter computes the generalized forces (235) of a force and a moment, for Lagrange's equations (lagrange.h).
    For jumps the same function is called with momenta and impulses instead of forces and moments (lagrange_jump.h).
@@ -4434,7 +4434,7 @@ VM_API void vm_lagrange_add_force(int n, vm_vec3 force, const vm_vec3 *dr_or_NUL
 }
 
 #endif
-/* mechanics/lagrange_jump.h - Lagrange's equations across a jump
+/* mechanics/lagrange_jump.h - Lagrange's equations for a jump
 
    This chapter computes generalized velocities qdot after a part separates from a system or is attached to it in an
    instant (96), and after an impact. A mass matrix is an array of n*n numbers, row after row. Velocities, momenta and
@@ -5607,7 +5607,7 @@ VM_API int vm_torque_free_rotation(const vm_body *body, vm_real t, vm_body *late
 }
 
 #endif
-/* mechanics/inertia_factors.h - inertia tensors as factors, and in arrays of state
+/* mechanics/inertia_factors.h - inertia tensors as products of factors, and stored in arrays of state
    A body with streams needs the inverse of its inertia in every evaluation of its equations of motion. With the factors
    L D L^T of the tensor, a few multiplications give the angular velocity for an angular momentum. In an array of states
    the tensor is stored as six numbers; this chapter has functions that read and write them.
@@ -6979,7 +6979,7 @@ VM_API int vm_jet_damping(const vm_jet *jet, vm_real t, vm_vec3 omega0, vm_vec3 
 }
 
 #endif
-/* mechanics/supply.h - tanks and grains: mass, mass centre and inertia follow from the mass that is left
+/* mechanics/supply.h - tanks and solid propellants: mass centre and inertia of the mass that is left
 
    A supply is a round cylinder of stored mass inside a body: a tank of liquid, whose level falls; a tank of gas, whose
    density falls; or a hollow cylinder of solid propellant (a grain), which burns radially outwards. The mass that is
@@ -10348,7 +10348,7 @@ VM_API vm_real vmi_expansion_error(const vmi_ripple *r, vmi_left_out now, vmi_le
 }
 
 #endif
-/* oscillators/closed.h - the laws of orders two to five as plain data, where all integrals have closed forms
+/* oscillators/closed.h - the laws of orders two to five as plain numbers, if all integrals have closed forms
 
    A vm_osc_closed predicts the motion of m x'' + k x|x|^(alpha-1) + (reactive m' + b) x' = 0 at any time t. It needs no
    integrator, no table of a law and no pointer, so it may be a constant in the flash of a microcontroller
@@ -10824,7 +10824,7 @@ VM_API int vm_osc_plan_init(vm_osc_plan *p, const vm_osc_problem *problem)
 }
 
 #endif
-/* oscillators/panels.h - panels of time in which a law is smooth, and the integrals of 1/f and f/g
+/* oscillators/panels.h - intervals of time in which a law f(t) is smooth, and the integrals of 1/f and f/g
 
    An integral along a law f(t) from 0 to t is a sum over intervals of time, called panels. Each panel is so short that
    a series of 20 Legendre polynomials represents the law on it. A panel that is too long for its series is halved. The
@@ -11158,7 +11158,7 @@ VM_API int vm_law_ratio_integral(const vm_law *f, const vm_law *g, vm_real t, vm
 }
 
 #endif
-/* oscillators/walk.h - the mean motion of an oscillator along laws that have no closed form
+/* oscillators/walk.h - the mean motion of an oscillator if the integrals have no closed form
 
    The mean motion at t follows from integrals along the laws of mass and stiffness from 0 to t. vmi_osc_walk_to adds up
    these integrals over panels of time (oscillators/panels.h), from one point of a table to the next. At such a point
@@ -11747,7 +11747,7 @@ VM_API int vmi_osc_order_n(const vm_osc_plan *p, int route, const vmi_osc_wave *
 }
 
 #endif
-/* oscillators/averaging.h - averaged equations of an oscillator with a force, and what averaging leaves out
+/* oscillators/averaging.h - averaged equations of an oscillator with a force, and the error of averaging
 
    With a force F(t, x, x') the amplitude A and the phase obey averaged equations, whose right-hand sides are means
    over a period. vm_osc_averaged computes these right-hand sides for each of the three waves of oscillators/waves.h:
@@ -16249,7 +16249,7 @@ VM_API int vm_odd_within(const vm_odd_problem *problem, vm_real t, vm_real toler
 }
 
 #endif
-/* oscillators/slow.h - laws of amplitude that all oscillators with a slowly varying mass share
+/* oscillators/slow.h - laws of amplitude for all oscillators with a slowly varying mass
 
    This file has, in closed form, the amplitude and the largest velocity of an oscillator
        m x'' + k x|x|^(alpha-1) = -(r m' + b) x'
@@ -16916,7 +16916,7 @@ VM_API vmi_vdp_sizes vmi_vdp_sizes_of(const vmi_ripple *r, const vmi_vdp_disturb
 }
 
 #endif
-/* oscillators/van_der_pol_walk.h - the mean motion of a Van der Pol oscillator along slow laws of mass and stiffness
+/* oscillators/van_der_pol_walk.h - the mean motion of a Van der Pol oscillator with slowly varying mass and stiffness
 
    At phases where sa or ca is 0, the transformation of oscillators/van_der_pol_expansion.h has the full order three.
    The plan therefore follows the exact equations from t = 0 to the next such phase (by collocation), and starts the
@@ -18371,7 +18371,7 @@ VM_API vm_real vm_jeffcott_amplitude(const vm_jeffcott *r, vm_real first_A, vm_r
 }
 
 #endif
-/* oscillators/jeffcott_motion.h - the motion z(t) of the Jeffcott (Laval) rotor by its amplitude law and a phase
+/* oscillators/jeffcott_motion.h - the motion z(t) of the Jeffcott (Laval) rotor from its amplitude law and its phase
 
    In a circular whirl the centre of the disc moves on a circle: z = A e^(i psi) (497), with the velocity z' = i W z
    (498). Its phase psi is the integral of its frequency W over time (499). Without an external force, and without a
@@ -20309,7 +20309,7 @@ VM_API int vm_grounded_pair_from_averaged(const vm_grounded_pair *p, vm_real t, 
 }
 
 #endif
-/* oscillators/diagnostics.h - turning points and zero crossings of any trajectory, envelopes, adiabaticity
+/* oscillators/diagnostics.h - turning points and zeros of any motion, envelopes, how slow changes are
 
    The trajectory may come from a route, from a closed form or from an integrator's dense output, that is its solution
    between the ends of a step. A law of the amplitude is compared with the trajectory at its turning points. The zero
@@ -21326,7 +21326,7 @@ VM_API vm_scene_body vm_scene_body_growing_free(vm_scene_body body)
 }
 
 #endif
-/* scenes/forces.h - the forces of effects, as functions of numbers
+/* scenes/forces.h - the forces of effects, as functions that can also be called without a scene
 
    The effects of a scene use these functions, and a right-hand side that is written by hand can call them as well. They
    return a force in N, or a torque in N m where the coordinate is an angle. x is the extension (m or rad) and v the
@@ -22757,7 +22757,7 @@ VM_API int vm_scene_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 }
 
 #endif
-/* scenes/check.h - what can be wrong with a scene
+/* scenes/check.h - checks that find what is wrong with a scene
 
    vm_scene_check examines bodies, effects and events once, before a run, and reports what is wrong and where.
    vm_scene_start calls vm_scene_check.

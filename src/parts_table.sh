@@ -36,14 +36,13 @@ cat <<END
 
 Written by \`make parts-table\`.
 
-Each chapter of src/ can be taken alone: \`make part PARTS="mechanics/jumps"\` writes one header, \`build/parts/jumps.h\`, that
-holds the chapter and everything it needs, and nothing else. Several chapters go into one header,
-which has the name of the first: \`make part PARTS="mechanics/jumps oscillators/routes"\` writes \`build/parts/jumps.h\`.
+Each chapter of src/ can be used alone: \`make part PARTS="mechanics/jumps"\` writes one header, \`build/parts/jumps.h\`, with
+the chapter and everything that it needs, and nothing else. If you name several chapters, they go into one header, which has
+the name of the first: \`make part PARTS="mechanics/jumps oscillators/routes"\` writes \`build/parts/jumps.h\`.
 
 "Lines" counts the lines of this header, comments included. "Flash" is the size in bytes of all public functions of the
-chapter with the code and the tables that they use, on a Cortex-M4F in float, by gcc -Os; who calls fewer functions
-needs less. "Needs" names the chapters that this chapter includes directly, not those that come with them; chapters of
-base/ are left out.
+chapter with the code and the tables that they use, on a Cortex-M4F in float, compiled by gcc -Os. A program that calls only
+some of the functions needs less. "Needs" lists the chapters that this chapter includes directly, without those of base/.
 
 | chapter | what it is about | lines | flash | needs |
 |---|---|---|---|---|

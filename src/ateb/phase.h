@@ -1,4 +1,4 @@
-/* ateb/phase.h - the phase s that belongs to a pair of values sa and ca
+/* ateb/phase.h - the phase s for given values of sa and ca
 
    As atan2 computes an angle from its sine and cosine, ateb_phase computes the phase s from sa and ca, for example
    the phase of an oscillator from its position and velocity.

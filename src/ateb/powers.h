@@ -1,4 +1,4 @@
-/* ateb/powers.h - a logarithm and an exponential that are quick and return one word
+/* ateb/powers.h - a logarithm and an exponential that are quicker but less accurate
 
    vmi_log and vmi_exp (base/elementary.h) return two words. The functions in this file return one word, with an error
    of one or two ulp. They are used where the error is later multiplied by less than about 1/2: in ateb/inversion.h and

@@ -1,4 +1,4 @@
-/* base/scalars.h - functions that keep their digits where the plain formula loses them
+/* base/scalars.h - functions that are accurate where the usual formula loses digits
 
    The functions compute e^y - 1 and ln(1 + x) accurately for small arguments, quotients that become 0/0 at x = 0, and a
    power that has the values of the C library's pow at 0 and infinity.

@@ -1,4 +1,4 @@
-/* jacobi/amplitude.h - the amplitude am, the angle with the sine sn and the cosine cn
+/* jacobi/amplitude.h - the amplitude am, which is the angle whose sine is sn and whose cosine is cn
 
        vm_real angle = jacobi_am(VM_C(1.2), VM_C(0.3)); // sin(angle) = sn(1.2 | 0.3)
 

@@ -1,4 +1,4 @@
-/* jacobi/modulus.h - the parameter m from the quarter period
+/* jacobi/modulus.h - the parameter m for a given quarter period
 
    The functions solve K(m) = c and k' K(m) = c for m. The second equation is (307), which gives the Jacobi function
    whose period is that of a strongly nonlinear oscillator. Each equation has one solution for every c > 0. The nome of

@@ -1,4 +1,4 @@
-/* mechanics/bodies.h - bodies in space and in the plane, their momenta and energy, balances across an instant
+/* mechanics/bodies.h - bodies in space and in the plane, their momenta and energy before and after a jump
    A vm_body is a body at an instant: mass, inertia, attitude, position and motion. A vm_body2 is a body that moves in
    the plane. This chapter computes momentum (1)-(3), angular momentum (7)-(9) and kinetic energy (93), (97), and
    compares them before and after an instant, (4)-(6), (10)-(12). The functions for the plane are in bodies2.h.

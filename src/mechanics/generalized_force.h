@@ -1,4 +1,4 @@
-/* mechanics/generalized_force.h - generalized forces of forces and moments
+/* mechanics/generalized_force.h - generalized forces from forces and moments
 
    This chapter computes the generalized forces (235) of a force and a moment, for Lagrange's equations (lagrange.h).
    For jumps the same function is called with momenta and impulses instead of forces and moments (lagrange_jump.h).

@@ -1,4 +1,4 @@
-/* mechanics/inertia_factors.h - inertia tensors as factors, and in arrays of state
+/* mechanics/inertia_factors.h - inertia tensors as products of factors, and stored in arrays of state
    A body with streams needs the inverse of its inertia in every evaluation of its equations of motion. With the factors
    L D L^T of the tensor, a few multiplications give the angular velocity for an angular momentum. In an array of states
    the tensor is stored as six numbers; this chapter has functions that read and write them.

@@ -1,4 +1,4 @@
-/* mechanics/jump_energy.h - the kinetic energy that a jump adds or takes
+/* mechanics/jump_energy.h - the kinetic energy that bodies gain or lose in a jump
    Kinetic energy is not conserved when bodies separate or join. Without an impulse, a separation adds the kinetic
    energy that the bodies have relative to the whole, and an attachment takes this energy away: (113), (118), Carnot's
    theorem.

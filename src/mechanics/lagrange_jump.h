@@ -1,4 +1,4 @@
-/* mechanics/lagrange_jump.h - Lagrange's equations across a jump
+/* mechanics/lagrange_jump.h - Lagrange's equations for a jump
 
    This chapter computes generalized velocities qdot after a part separates from a system or is attached to it in an
    instant (96), and after an impact. A mass matrix is an array of n*n numbers, row after row. Velocities, momenta and

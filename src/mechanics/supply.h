@@ -1,4 +1,4 @@
-/* mechanics/supply.h - tanks and grains: mass, mass centre and inertia follow from the mass that is left
+/* mechanics/supply.h - tanks and solid propellants: mass centre and inertia of the mass that is left
 
    A supply is a round cylinder of stored mass inside a body: a tank of liquid, whose level falls; a tank of gas, whose
    density falls; or a hollow cylinder of solid propellant (a grain), which burns radially outwards. The mass that is

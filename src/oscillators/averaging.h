@@ -1,4 +1,4 @@
-/* oscillators/averaging.h - averaged equations of an oscillator with a force, and what averaging leaves out
+/* oscillators/averaging.h - averaged equations of an oscillator with a force, and the error of averaging
 
    With a force F(t, x, x') the amplitude A and the phase obey averaged equations, whose right-hand sides are means
    over a period. vm_osc_averaged computes these right-hand sides for each of the three waves of oscillators/waves.h:

@@ -1,4 +1,4 @@
-/* oscillators/closed.h - the laws of orders two to five as plain data, where all integrals have closed forms
+/* oscillators/closed.h - the laws of orders two to five as plain numbers, if all integrals have closed forms
 
    A vm_osc_closed predicts the motion of m x'' + k x|x|^(alpha-1) + (reactive m' + b) x' = 0 at any time t. It needs no
    integrator, no table of a law and no pointer, so it may be a constant in the flash of a microcontroller

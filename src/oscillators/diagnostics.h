@@ -1,4 +1,4 @@
-/* oscillators/diagnostics.h - turning points and zero crossings of any trajectory, envelopes, adiabaticity
+/* oscillators/diagnostics.h - turning points and zeros of any motion, envelopes, how slow changes are
 
    The trajectory may come from a route, from a closed form or from an integrator's dense output, that is its solution
    between the ends of a step. A law of the amplitude is compared with the trajectory at its turning points. The zero

@@ -1,4 +1,4 @@
-/* oscillators/jeffcott_motion.h - the motion z(t) of the Jeffcott (Laval) rotor by its amplitude law and a phase
+/* oscillators/jeffcott_motion.h - the motion z(t) of the Jeffcott (Laval) rotor from its amplitude law and its phase
 
    In a circular whirl the centre of the disc moves on a circle: z = A e^(i psi) (497), with the velocity z' = i W z
    (498). Its phase psi is the integral of its frequency W over time (499). Without an external force, and without a

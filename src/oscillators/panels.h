@@ -1,4 +1,4 @@
-/* oscillators/panels.h - panels of time in which a law is smooth, and the integrals of 1/f and f/g
+/* oscillators/panels.h - intervals of time in which a law f(t) is smooth, and the integrals of 1/f and f/g
 
    An integral along a law f(t) from 0 to t is a sum over intervals of time, called panels. Each panel is so short that
    a series of 20 Legendre polynomials represents the law on it. A panel that is too long for its series is halved. The

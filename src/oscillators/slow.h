@@ -1,4 +1,4 @@
-/* oscillators/slow.h - laws of amplitude that all oscillators with a slowly varying mass share
+/* oscillators/slow.h - laws of amplitude for all oscillators with a slowly varying mass
 
    This file has, in closed form, the amplitude and the largest velocity of an oscillator
        m x'' + k x|x|^(alpha-1) = -(r m' + b) x'

@@ -1,4 +1,4 @@
-/* oscillators/van_der_pol_walk.h - the mean motion of a Van der Pol oscillator along slow laws of mass and stiffness
+/* oscillators/van_der_pol_walk.h - the mean motion of a Van der Pol oscillator with slowly varying mass and stiffness
 
    At phases where sa or ca is 0, the transformation of oscillators/van_der_pol_expansion.h has the full order three.
    The plan therefore follows the exact equations from t = 0 to the next such phase (by collocation), and starts the

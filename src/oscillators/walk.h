@@ -1,4 +1,4 @@
-/* oscillators/walk.h - the mean motion of an oscillator along laws that have no closed form
+/* oscillators/walk.h - the mean motion of an oscillator if the integrals have no closed form
 
    The mean motion at t follows from integrals along the laws of mass and stiffness from 0 to t. vmi_osc_walk_to adds up
    these integrals over panels of time (oscillators/panels.h), from one point of a table to the next. At such a point

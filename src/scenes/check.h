@@ -1,4 +1,4 @@
-/* scenes/check.h - what can be wrong with a scene
+/* scenes/check.h - checks that find what is wrong with a scene
 
    vm_scene_check examines bodies, effects and events once, before a run, and reports what is wrong and where.
    vm_scene_start calls vm_scene_check.

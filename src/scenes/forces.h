@@ -1,4 +1,4 @@
-/* scenes/forces.h - the forces of effects, as functions of numbers
+/* scenes/forces.h - the forces of effects, as functions that can also be called without a scene
 
    The effects of a scene use these functions, and a right-hand side that is written by hand can call them as well. They
    return a force in N, or a torque in N m where the coordinate is an angle. x is the extension (m or rad) and v the
