@@ -75,8 +75,8 @@ in_short() { # in_short NAME "JOB" "ROUTE" COLUMN
     number "$1" "docs/cost.md, in short: $2, \`$3\`" cell least cost "^[|] [^|]* [|] $2 [|] \`$3\`" $(($4 + 1))
 }
 ratios() { # ratios NAME PROBLEMS COLUMN ROUTE PEER : NAME_least and NAME_most
-    number "$1_least" "docs/cost.md, integrators: least of \`$4\` over \`$5\`" ratio least "$2" "$3" "$4" "$5"
-    number "$1_most" "docs/cost.md, integrators: most of \`$4\` over \`$5\`" ratio most "$2" "$3" "$4" "$5"
+    number "$1_least" "docs/cost.md, integrators: smallest ratio of the times, \`$4\` to \`$5\`" ratio least "$2" "$3" "$4" "$5"
+    number "$1_most" "docs/cost.md, integrators: largest ratio of the times, \`$4\` to \`$5\`" ratio most "$2" "$3" "$4" "$5"
 }
 # the law of an order at once and from a plan, in the table of oscillators of docs/cost.md: error, µs, ns
 law_numbers() { # law_numbers ORDER
@@ -100,9 +100,9 @@ size_of() { # size_of "FLAGS" HEADER TYPE : bytes of a type, by the compiler
 
 table() {
     hard='docs/hard-cases.md'
-    number hard_cases "$hard, rows" hard_cases all
-    number hard_cases_no_number "$hard, naive: no number" hard_cases none
-    number hard_cases_thousand "$hard, naive: a thousand times worse, or no number" hard_cases worse
+    number hard_cases "$hard, number of rows" hard_cases all
+    number hard_cases_no_number "$hard, rows in which the naive formula gives no number" hard_cases none
+    number hard_cases_thousand "$hard, rows in which the naive formula is a thousand times worse, or gives no number" hard_cases worse
 
     worst_of K_error scan scan ulp 2 K
     worst_of E_error scan scan ulp 2 E
@@ -159,17 +159,17 @@ table() {
 
     number effect_least "docs/cost.md, effects, linear spring" cell least cost '^[|] linear spring [|]' 3
     effects='linear spring|cubic spring|second damper|Van der Pol|gravity|drive|harmonic|own force|mass of time'
-    number effect_most "docs/cost.md, effects, most of those that call no power" cell most cost "^[|] ($effects) [|]" 3
+    number effect_most "docs/cost.md, effects, largest of those that call no power" cell most cost "^[|] ($effects) [|]" 3
     chain='^[|] 10* [|] [0-9.]+ [|]$'
     number chain_least "docs/cost.md, a chain of bodies, ns a body" cell least cost "$chain" 2
     number chain_most "docs/cost.md, a chain of bodies, ns a body" cell most cost "$chain" 2
-    number spring_flash "docs/scene-sizes.md, M4F, of a linear spring over nothing" spring_flash
+    number spring_flash "docs/scene-sizes.md, M4F, bytes that a linear spring adds" spring_flash
     closed='^[|] `vm_osc_closed_at [(]order 5[)]`'
     number closed_flash "docs/firmware.md, M4F, float" cell least firmware "$closed" 3 1
     number closed_stack "docs/firmware.md, M4F, float" cell least firmware "$closed" 3 2
     number closed_instructions "docs/firmware.md, M4F, float" cell least firmware "$closed" 3 3
-    number coverage_lines "docs/reliability.md, least of the headers, %" coverage 3
-    number coverage_outcomes "docs/reliability.md, least of the headers, %" coverage 5
+    number coverage_lines "docs/reliability.md, smallest value of the headers, %" coverage 3
+    number coverage_outcomes "docs/reliability.md, smallest value of the headers, %" coverage 5
     number jacobi_plan_bytes "sizeof" size_of "" jacobi.h jacobi_plan
     number jacobi_plan_bytes_float "sizeof" size_of -DVM_USE_FLOAT jacobi.h jacobi_plan
     number ateb_plan_bytes "sizeof" size_of "" ateb.h ateb_plan
@@ -248,8 +248,9 @@ mode=$1
 shift
 case $mode in
 table)
-    printf '# Measured numbers\n\nWritten by `make numbers` (bench/numbers.sh): the numbers that the README and the manuals show, each from one place.\n'
-    printf 'A mark with the name follows the number in the text. Times are multiples of the time of `sin` where no unit is given.\n\n'
+    printf '# Measured numbers\n\nWritten by `make numbers` (bench/numbers.sh). These are the numbers that the README and the manuals show. In the text a mark with the\n'
+    printf 'name follows the number. A time without a unit is a multiple of the time of `sin`. The column "from" says where a value comes from: the\n'
+    printf 'document, and the table or the rows in it.\n\n'
     printf '| name | value | from |\n|---|---|---|\n'
     table
     ;;
