@@ -188,7 +188,7 @@ static void print_table_head(const char *title, const char *text)
 {
     if (!prints) return;
     printf("\n## %s\n\n%s\n\n", title, text);
-    puts("| row | the text's part | its **v**_S2, Ω_2 | the text's rest | **v**_S1, Ω_1 as printed | true | "
+    puts("| row | part in the text | its **v**_S2, Ω_2 | rest in the text | **v**_S1, Ω_1 as printed | true | "
          "verdict | call |");
     puts("|---|---|---|---|---|---|---|---|");
 }
@@ -351,9 +351,8 @@ static void table1(void)
              (double)vm_angular_momentum(&rest, origin).z, (double)vm_angular_momentum(&part, origin).z);
     CHECK(vm_momentum(&whole).x == vm_momentum(&rest).x + vm_momentum(&part).x);
     if (prints)
-        puts("\n## Table 1: nomenclature\n\nFrom the second row on, the printed labels stand one row too high. "
-             "The values are those of the sample of Table 4, row 1, for the initial body, the final one and "
-             "the part.\n\n"
+        puts("\n## Table 1: nomenclature\n\nIn the dissertation the labels from the second row on stand one row too "
+             "high. The values are those of Table 4, row 1, in the order initial body, final body, part.\n\n"
              "| the printed label | entries in its row | their true label | here | values "
              "|\n|---|---|---|---|---|");
     name_row("Mass center", "-, 1, 2", "body (index)", "vm_body whole, rest, part", "");
@@ -383,17 +382,18 @@ static void print_head(void)
 {
     puts("# Tables 1 to 4 of the dissertation\n\n"
          "Written by `make tables` (tests/test_tables.c), which `make test` checks row by row. It has every row of "
-         "Tables 1 to 4 in L. Cveticanin, *Dynamics of Mass Variable System*, with numbers. Table 5 is printed by "
-         "build/examples/table5. What is "
-         "wrong in the text is in [errata.md](errata.md).\n\n"
+         "Tables 1 to 4 in L. Cveticanin, *Dynamics of Mass Variable System*, with numbers. The program "
+         "build/examples/table5 prints Table 5. [errata.md](errata.md) lists the errors of the dissertation.\n\n"
          "In the sample a part separates from a plate. The plate has M = 5 kg, I_S = 2 kg m² and its mass centre S at "
          "the origin. The part has m = 1 kg, I_S2 = 0.125 kg m² and **SS**_2 = (0.5, 0.25) m. So **SS**_1 = (-0.125, -0.0625) m and I_S1 = 1.484375 kg m². "
          "Lengths are in m, "
          "velocities in m/s, angular velocities in rad/s. **v**_r and Ω_r are the motion of the part relative "
-         "to the whole, "
-         "which `vm_separate_relative2` takes in place of **v**_S2 and Ω_2. Where a row asks which Ω_2 gives a "
-         "certain Ω_1, "
-         "`vm_separation_for_rest2` answers with the Ω_2 of the third column.");
+         "to the whole; `vm_separate_relative2` has them as arguments, in place of **v**_S2 and Ω_2. Some rows ask "
+         "which Ω_2 gives a certain Ω_1; there `vm_separation_for_rest2` computes the Ω_2 of the third column.\n\n"
+         "In Tables 2 to 4, \"part in the text\" is the motion of the part that the dissertation assumes, and "
+         "\"rest in the text\" is its formula for the motion of the rest. The column \"as printed\" has the values of "
+         "this formula, and the column \"true\" has the correct values. The verdict \"holds\" means that the formula is "
+         "right. \"(cut off)\" stands where the printed text is not complete.");
 }
 
 int main(int argc, char **argv)
