@@ -1,7 +1,7 @@
 /* A vibrating sieve that is being loaded. This is a scene: a list of bodies, of effects that act on them, and of
-   events that change it; nothing else is simulated. A sieve of 20 kg on a spring and a damper is shaken by a force of
-   60 N. From t = 4 s on, 2 kg of gravel a second fall into it without sideways velocity, (175), until 20 kg are in. On
-   the way the sieve passes its resonance.
+   events that change it; nothing else is simulated. A sieve of 20 kg on a spring and a damper is shaken by a force
+   of 60 N. From t = 4 s on, 2 kg of gravel a second fall into it without sideways velocity, (175), until 20 kg are
+   in. As its mass grows, the sieve passes its resonance.
 
    cc -O2 03_sieve.c -lm && ./a.out [file.csv] */
 #include <stdio.h>

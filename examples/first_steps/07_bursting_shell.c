@@ -1,6 +1,6 @@
-/* A spinning shell bursts into three. Two pieces are seen to fly off. The function vm_separate computes how the third
-   moves, (15), (24), (34), and vm_energy_gain how much energy the explosive charge gave, (113). The mass centre of
-   all three pieces goes on as if nothing had happened, until the first piece hits the ground.
+/* A spinning shell bursts into three. The motions of two pieces are known. The function vm_separate computes how the
+   third piece moves, (15), (24), (34), and vm_energy_gain computes how much energy the explosive charge gave, (113).
+   The mass centre of all three pieces goes on as if nothing had happened, until the first piece hits the ground.
 
    cc -O2 07_bursting_shell.c -lm && ./a.out [file.csv] */
 #include <stdio.h>

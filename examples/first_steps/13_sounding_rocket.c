@@ -1,5 +1,5 @@
-/* A sounding rocket in two stages. The rocket flies straight up with two motors, and opens a parachute at the top. The
-   program defines the parachute and the drag of the air, whose density falls by the factor e every 8 km, as effects.
+/* A sounding rocket in two stages. The rocket flies straight up with two motors, and opens a parachute at the top.
+   The program defines parachute and drag as effects of its own. The air's density falls by the factor e every 8 km.
 
    cc -O2 13_sounding_rocket.c -lm && ./a.out [file.csv] */
 #include <math.h>

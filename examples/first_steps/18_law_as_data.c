@@ -1,9 +1,10 @@
-/* A motion as plain data. A bucket of sand hangs on a cubic spring, m x'' + k x^3 = 0, and leaks; its x(t) has no
-   exact formula. A vm_osc_closed holds an approximate law of order 2, 3, 4 or 5 as plain numbers. The function
-   vm_osc_closed_init makes it once, on a PC or on board. Then vm_osc_closed_at gives x and v at any time, without
-   integration and in constant time. The field `error` estimates the error for all times up to the last argument of
-   vm_osc_closed_init. A controller may keep the law as a constant in flash, which examples/print_plan.c prints;
-   docs/firmware.md has flash, stack and instructions of each order.
+/* A motion as plain data. A bucket of sand rolls on a level floor, held by a cubic spring, and leaks. The equation
+   of motion m x'' + k x^3 = 0 has no exact solution x(t). A vm_osc_closed stores an approximate law of order 2, 3, 4
+   or 5 as plain numbers. The function vm_osc_closed_init computes these numbers once, on a PC or on a
+   microcontroller. Then vm_osc_closed_at gives x and v at any time, without integration, and takes the same time for
+   each call. The field `error` estimates the error for all times up to the last argument of vm_osc_closed_init. A
+   controller may have the law as a constant in flash, which examples/print_plan.c prints; docs/firmware.md has
+   flash, stack and instructions of each order.
 
    cc -O2 18_law_as_data.c -lm && ./a.out [file.csv] */
 #include <stdio.h>

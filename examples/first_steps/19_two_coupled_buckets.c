@@ -1,9 +1,10 @@
-/* Two coupled buckets. Two equal buckets of sand hang on springs of their own, and a weak spring of 0.01 N/m joins
-   them. Both leak alike. They start in phase, the first with an amplitude of 1 m and the second with 0.5 m. On linear
-   springs the buckets exchange their amplitudes, and get them back later. On springs with the force x^3 they do not:
-   such a spring vibrates faster the wider it swings, so that the buckets are soon out of step. The averaged equations
-   give the amplitudes and the phases; for comparison the equation of motion is integrated, too. The field
-   `vibrations` may name another internal resonance than that of equal frequencies, such as 1 and 3.
+/* Two coupled buckets. Two equal buckets of sand roll on a level floor. Each is held by a spring of its own, and a
+   weak spring of 0.01 N/m joins them. Both lose sand at the same rate. They start in phase, the first with an
+   amplitude of 1 m and the second with 0.5 m. With linear springs the buckets exchange their amplitudes, and
+   exchange them back later. With springs of the force x^3 they do not: the bucket that swings wider vibrates faster,
+   so that the buckets are soon out of step. The averaged equations give the amplitudes and the phases; for
+   comparison the equation of motion is integrated, too. With other values of the field `vibrations`, such as 1 and
+   3, the frequencies have another ratio (internal resonance).
 
    cc -O2 19_two_coupled_buckets.c -lm && ./a.out [file.csv] */
 #include <stdio.h>

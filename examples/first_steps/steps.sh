@@ -7,7 +7,7 @@ mkdir -p "$build" || exit 1
 {
     echo '# First steps'
     echo
-    echo "$(ls examples/first_steps/*.c | wc -l) programs of less than 60 lines each, from a spring with a leaking mass to a satellite whose tank is filled."
+    echo "These are $(ls examples/first_steps/*.c | wc -l) programs of less than 60 lines each, from a spring with a leaking mass to a satellite whose tank is filled."
     echo 'Written by `make first-steps`, which builds and runs the programs and draws their figures. Each program can'
     echo 'also be built by one line, which stands in its first comment.'
     echo 'Numbers in round brackets are equations of the dissertation.'
