@@ -3,8 +3,8 @@
    amplitude of 1 m and the second with 0.5 m. With linear springs the buckets exchange their amplitudes, and
    exchange them back later. With springs of the force x^3 they do not: the bucket that swings wider vibrates faster,
    so that the buckets are soon out of step. The averaged equations give the amplitudes and the phases; for
-   comparison the equation of motion is integrated, too. With other values of the field `vibrations`, such as 1 and
-   3, the frequencies have another ratio (internal resonance).
+   comparison the equation of motion is integrated, too. The field `vibrations` has the ratio of the frequencies,
+   here 1 to 1; it may also be another one, such as 1 to 3 (internal resonance).
 
    cc -O2 19_two_coupled_buckets.c -lm && ./a.out [file.csv] */
 #include <stdio.h>
