@@ -21,7 +21,7 @@ sn, cn, dn in float @ jacobi_float @ sncndn; |u| < 2K; 0 < m < 0.5 @ jacobi_sncn
 sn, cn, dn prepared, in float @ jacobi_float @ sncndn; |u| < 2K; m = 0.5 @ jacobi_plan_sncndn @ 2 @ jacobi_plan_sncndn @ sinf computes in double; the kit's float code must not need double
 sa, ca in float @ ateb_float @ saca; |s| < 10; 0 < alpha < 5 @ ateb_saca @ 12 @ ateb_saca @ sinf computes in double; the kit's float code must not need double
 sa, ca prepared, in float @ ateb_float @ saca; |s| < 10; alpha = 3 @ ateb_plan_saca @ 2 @ ateb_plan_saca_3 @ sinf computes in double; the kit's float code must not need double'
-echo '| what | of which | goal | measured | reached | in a chain | instructions, double; float | instructions by those of sin | reason, if not reached |'
+echo '| what | of which | goal | measured | reached | in a chain | instructions, double; float | instructions divided by those of sin | reason, if not reached |'
 echo '|---|---|---|---|---|---|---|---|---|'
 for program in jacobi ateb jacobi_wide ateb_wide jacobi_float ateb_float; do
     [ -f "$folder/$program.csv" ] && sed "s/^[^,]*/$program/" "$folder/$program.csv"
