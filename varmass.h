@@ -23516,7 +23516,7 @@ VM_API int vmi_joints_solve(const vm_joints *joints, int n, int wanted)
 {
     enum { MOST_REFINEMENTS = 4 };
     vm_real *a = joints->work, *forces = a + n * n, *scale = forces + n;
-    int i, k, round, status, at = 0;
+    int i, k, status, at = 0;
     for (i = 0; i < joints->n_joints; i++) {
         const vm_joint *joint = joints->joints + i;
         for (k = 0; k < joint->n_rows; k++) {
@@ -23528,7 +23528,7 @@ VM_API int vmi_joints_solve(const vm_joints *joints, int n, int wanted)
     status = vmi_decompose_mass(n, a, scale);
     if (status) return status;
     vmi_solve_decomposed(n, a, scale, forces);
-    for (round = 0; round < MOST_REFINEMENTS; round++)
+    for (i = 0; i < MOST_REFINEMENTS; i++)
         if (!vmi_joints_refine(joints, n, wanted)) break;
     return VM_OK;
 }

@@ -66,7 +66,7 @@ awk -F, '
     }' "$folder/scenes.csv" >"$tables/scenes"
 
 awk -F, '
-    BEGIN {print "| an effect beside a damper | adds, x sin | beyond its arithmetic |\n|---|---|---|"}
+    BEGIN {print "| an effect beside a damper | adds, x sin | adds without its arithmetic, x sin |\n|---|---|---|"}
     $3 == "adds to a scene" {all = $7}
     $3 == "adds beyond its arithmetic" {gsub(/;/, ",", $2); printf "| %s | %.2f | %.2f |\n", $2, all, $7}
     ' "$folder/scenes.csv" >"$tables/effects"

@@ -73,8 +73,9 @@ compiler=$($CC --version) || fail "the compiler $CC does not say its version"
     echo '# Instructions of a call'
     echo
     echo "Written by \`make bench-count\`: $(uname -m), $(echo "$compiler" | head -n 1), $FLAGS, counted by"
-    echo 'callgrind; the numbers are the same in every run. Each number is the mean over 200 calls, whose arguments are in bench/count.c. For'
-    echo "integrators a call is one step of x'' = -x^3."
+    echo 'callgrind. The numbers are the same in every run. Each number is the mean over 200 calls. Some names have an addition, such as _4_3'
+    echo 'for alpha = 4/3 or _to_1e_3 for a tolerance of 1e-3; bench/count.c has all calls and their arguments. For integrators, a call is one'
+    echo "step of x'' = -x^3."
     echo
     echo '| function | double | float |'
     echo '|---|---|---|'

@@ -10,16 +10,16 @@ sn, cn, dn @ jacobi @ sncndn; |u| < K/2; 0 < m < 0.5 @ jacobi_sncndn @ @ gsl_sf_
 sn, cn, dn @ jacobi @ sncndn; |u| < 2K; 0.5 < m < 1 @ jacobi_sncndn @ @ gsl_sf_elljac_e
 sn, cn, dn @ jacobi @ sncndn; |u| < 1e9; 0 < m < 0.5 @ jacobi_sncndn @ @ gsl_sf_elljac_e
 sn, cn, dn, m prepared @ jacobi @ sncndn; |u| < 2K; m = 0.5 @ jacobi_plan_sncndn @ @ gsl_sf_elljac_e
-the same in arrays, -O3 -march=native @ jacobi_wide @ sncndn; |u| < 2K; m = 0.5 @ jacobi_plan_sncndn_array @ @ gsl_sf_elljac_e
+sn, cn, dn, m prepared, arrays, -O3 -march=native @ jacobi_wide @ sncndn; |u| < 2K; m = 0.5 @ jacobi_plan_sncndn_array @ @ gsl_sf_elljac_e
 modulus solver @ jacobi @ m of k'"'"'K = c; 1.32 < c < 1.85 @ jacobi_solve_kpK @ @
 Pi_alpha @ ateb @ Pi; 0 < alpha < 5 @ ateb_pi @ @
 sa, ca, any alpha @ ateb @ saca; |s| < 10; alpha = 3 @ ateb_saca @ @ gsl_cdf_beta_Pinv
 sa, ca, alpha prepared @ ateb @ saca; |s| < 10; alpha = 3 @ ateb_plan_saca @ @ gsl_cdf_beta_Pinv
-the same to 1e-4 @ ateb @ saca; |s| < 10; alpha = 3 @ ateb_plan_saca @ 1e-4 @ gsl_cdf_beta_Pinv
-the same, full, -O3 -march=native, arrays @ ateb_wide @ saca; |s| < 10; alpha = 3 @ ateb_plan_saca_array @ @ gsl_cdf_beta_Pinv
+sa, ca, alpha prepared, to 1e-4 @ ateb @ saca; |s| < 10; alpha = 3 @ ateb_plan_saca @ 1e-4 @ gsl_cdf_beta_Pinv
+sa, ca, alpha prepared, arrays, -O3 -march=native @ ateb_wide @ saca; |s| < 10; alpha = 3 @ ateb_plan_saca_array @ @ gsl_cdf_beta_Pinv
 sa, ca, alpha prepared @ ateb @ saca; |s| < 10; alpha = 1.333 @ ateb_plan_saca @ @ gsl_cdf_beta_Pinv
 incomplete beta function @ ateb @ I_x; 0.5 < a; b < 5 @ ateb_beta_inc @ @ gsl_sf_beta_inc
-its inverse @ ateb @ x of I_x; 0.5 < a; b < 5 @ ateb_beta_inc_inv @ @ gsl_cdf_beta_Pinv
+inverse of this function @ ateb @ x of I_x; 0.5 < a; b < 5 @ ateb_beta_inc_inv @ @ gsl_cdf_beta_Pinv
 x'"''"' = -x^3 @ integrators @ cubic; 1000 steps @ rk4_solve @ @
 x'"''"' = -x^3 @ integrators @ cubic to 1e-6 @ rk45_solve @ * @ gsl_rkf45
 x'"''"' = -x^3 @ integrators @ cubic to 1e-10 @ rk87_solve @ * @ gsl_rk8pd
@@ -27,7 +27,7 @@ Arenstorf'"'"'s orbit @ integrators @ orbit to 1e-8 @ rk87_solve @ * @ gsl_rk8pd
 x(300), mass 1 + 0.01 t @ oscillator @ alpha=3 psi0=0.7 eps=0.01 @ vm_osc_within @ 1e-04 @
 attitude after 1e6 turns @ rotation @ triaxial 1e6 @ exact @ @
 a right-hand side with 3 effects @ scenes @ 3: and Van der Pol @ scene @ @
-the same by inline functions @ scenes @ 3: and Van der Pol @ inline functions @ @
+that right-hand side by inline functions @ scenes @ 3: and Van der Pol @ inline functions @ @
 a right-hand side, 1 stream @ streams @ space @ vm_flow_rhs @ 1 @'
 cat "$folder"/*.csv | awk -F, -v rows="$rows" -v style="$style" '
     function digits(x) {return x < 9.995 ? sprintf("%.2f", x) : x < 99.95 ? sprintf("%.1f", x) : sprintf("%.0f", x)}

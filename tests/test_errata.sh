@@ -47,20 +47,26 @@ write() {
     cat <<'END'
 # Errata
 
-What [1], L. Cveticanin, *Dynamics of Mass Variable System*, prints, and what is true. Written by `sh tests/test_errata.sh build
-write` from tests/data/errata.txt; the last column names the tests (tests/test_NAME.c) that show it in numbers, by
-ERRATUM("equation", ...): the printed form misses, the corrected one holds.
+This page lists what is wrong, misprinted or ambiguous in the dissertation [1], L. Cveticanin, *Dynamics of Mass Variable
+System*, and what is true. It is written by `sh tests/test_errata.sh build write` from tests/data/errata.txt.
 
-wrong: a formula or number that gives wrong results where it is used; misprint: a slip that goes no further; ambiguous: right
-in one reading. S: mass centre of the initial body, S1 of the final, S2 of the part; Om1, Or: angular velocities Omega_1,
-Omega_r; P(d) = |d|^2 E - d d^T; a or alpha: the exponent; J: the adiabatic invariant; ODE: direct integration.
+- Wrong is a formula or number that gives wrong results where it is used. A misprint is a slip that no later result contains.
+  Ambiguous is what is right in only one of several readings.
+- "How it was checked" has errors or values of the printed form, of the corrected form, and of an exact or integrated motion. ODE
+  means direct integration of the equation of motion. A residual is the difference of the two sides of a balance. The sample is
+  one set of numbers, which the test has.
+- The last column names the tests (tests/test_NAME.c) that show the item in numbers. They call ERRATUM("equation", ...), which
+  checks that the printed form is wrong and that the corrected form is right.
+- Symbols: S is the mass centre of the initial body, S1 that of the final body, S2 that of the part. O or Om is an angular
+  velocity Omega: O1 or Om1 is Omega_1, Or is Omega_r, Or1 is Omega_r1, Ob is Omega_b. w is omega. P(d) = |d|^2 E - d d^T with the
+  unit matrix E. a or alpha is the exponent of the elastic force. The [glossary](glossary.md) has the other symbols.
 
 END
     awk -F'\t' '$2 != "verified" {n[$2]++; if ($6 == "") none++} $2 == "verified" {v++} END {
         printf "Of %d items %d hold as printed; %d are wrong, %d misprints, ", NR, v, n["wrong"], n["misprint"]
         printf "%d ambiguous. %d misprints of words, which\n", n["ambiguous"], none
         print "have nothing to compute, have no test.\n"}' "$build/rows"
-    echo '| equation | what is printed | | what is true | how it was checked | tests |'
+    echo '| equation | what is printed | verdict | what is true | how it was checked | tests |'
     echo '|---|---|---|---|---|---|'
     awk -F'\t' '$2 != "verified" {
         for (i = 1; i <= 5; i++) gsub(/\|/, "\\|", $i)

@@ -30,17 +30,19 @@ write() {
 # Hard cases
 
 Written by `make hard-cases` from the output of tests/test_hard.c. Each case is a point at which a formula of the textbook, or of
-the dissertation, goes wrong; the first column says why. The true value there is known from arbitrary precision
-(tests/gen/hard_reference.py).
+the dissertation, goes wrong. The first column says what is computed and why the formula goes wrong. The true values come from
+arbitrary precision (tests/gen/hard_reference.py).
 
-- "kernel" names the function of tests/hard/ that computes the case, with the naive formula beside it. "at" has its arguments;
-  arguments that are left out at the end are zero. Numbers in the first column are those of the point in double, and letters those
-  of the comment above the headers' function that is tested.
+- "kernel" names the function of tests/hard/ that computes the case, with the naive formula (the formula that goes wrong) beside
+  it. "at" has its arguments; arguments that are left out at the end are zero. Numbers in the first column are those of the point
+  in double. Letters in it are explained in the comment above the headers' function that is tested.
 - "error" is the error of the headers' function. "naive" is the error of the naive formula in the same precision; "no number"
-  means that it gives infinity or NaN, or divides by zero. Both are in eps (2.2e-16, in float 1.2e-7) of the value, or of the
-  scale of the problem, such as the largest value of an oscillation.
-- "bound" is what the test allows. It fails where an error is above its bound, and also where the naive formula is less than four
-  bounds off: then the point is no hard case.
+  means that it gives infinity or NaN, or divides by zero. Both errors are in eps (2.2e-16, in float 1.2e-7) of the value, or of
+  the scale of the problem, such as the largest value of an oscillation.
+- "bound" is the largest error that the test allows. The test also fails where the error of the naive formula is less than four
+  times the bound: such a point is no hard case.
+- In a jump, a "part" leaves a body and the "rest" is what remains of it; "spin" is an angular velocity. "By rk4" means
+  integration with fixed steps of the classical Runge-Kutta method.
 END
     tables
 }

@@ -156,11 +156,12 @@ static void validate_brick(void)
     static const validation_group reference = {
         "NESC check case Atmos_02: a brick tumbles without drag",
         "NASA NESC atmospheric check cases, Atmos_02_sim_04.csv, in nasa/simupy-flight, commit 70754e6 (2024)",
-        "The rotation is `vm_torque_free_rotation`, in one step from the start; the fall under gravity with J2 is `rk87_solve`. "
-        "The atmosphere was left out: without drag it acts on nothing. Rates are along body axes, against inertial axes; Euler "
-        "angles against north, east and down.",
-        "The file prints 12 digits. Its yaw and that of sim_01 differ from each other by 3e-9 degrees at 30 s; ours lies "
-        "1.6e-9 degrees beside that of sim_01.",
+        "The rotation is computed by `vm_torque_free_rotation`, in one step from the start, and the fall under "
+        "gravity with the oblateness term J2 by `rk87_solve`. The atmosphere is left out, because without drag it has "
+        "no effect. Rates are components along body axes of the rotation relative to inertial axes. Euler angles are "
+        "relative to the directions north, east and down.",
+        "The file prints 12 digits. At 30 s its yaw differs from that of the simulator sim_01 by 3e-9 degrees; our "
+        "yaw differs from that of sim_01 by 1.6e-9 degrees.",
         3e-9, 0};
     char text[60];
     int i, j;
@@ -186,9 +187,9 @@ static void validate_other_bricks(void)
 {
     static const validation_group others = {
         "Atmos_02 by the other simulators, body rates at 30 s",
-        "the same collection, Atmos_02_sim_01.csv, 02, 05 and 06",
-        "The call is that of the last table. The simulators agree with each other to the digits that their own steps allow; sim_01 and sim_04 agree with "
-        "us to 10 digits.",
+        "the NESC check cases, Atmos_02_sim_01.csv, 02, 05 and 06",
+        "Our numbers come from the call of the last table. The simulators agree with each other as far as the lengths "
+        "of their steps allow; sim_01 and sim_04 agree with us to 10 digits.",
         "The largest difference between two of the simulators is 2e-4.",
         3e-4, 3e-4};
     static const char *const axis[3] = {"roll", "pitch", "yaw"};
@@ -209,15 +210,17 @@ static void validate_second_stage(void)
 {
     static const validation_group group = {
         "NESC check case Atmos_17: the second stage of a rocket burns",
-        "the same collection, Atmos_17_sim_06.csv, and twostage_prop.dml (revision A), twostage_inertia.dml",
-        "`rk87_solve` from the published state at 134.1 s over the burn of 80 t of propellant out of 99 t (5 MN, specific "
-        "impulse 390 s, g0 = 9.8066 m/s^2) to 200 s, under gravity with J2. The published pitch gives the direction of the "
-        "thrust. The first stage is left out, since its flight through the atmosphere needs tables of drag; the drag of the second "
-        "is below 0.01 N. The rotation is left out, too: the file has a pitch moment of 29 ft lbf at 200 s, at a dynamic "
-        "pressure of 4e-11 lbf/ft^2, which no aerodynamic coefficient makes, and we do not know where it comes from. The time of ignition is not in the "
-        "file; both velocities at 134.3 s give 134.1745 s, within 4e-6 s. The files of two more simulators were not at hand.",
-        "Our speed at 200 s is smaller by 1.6 ft/s. That is the engine's work of 1.8 ms before burnout; the simulator has steps "
-        "of 100 ms. The remaining rows follow from it.",
+        "the NESC check cases, Atmos_17_sim_06.csv, and twostage_prop.dml (revision A), twostage_inertia.dml",
+        "`rk87_solve` starts from the published state at 134.1 s and computes the flight to 200 s under gravity with "
+        "J2. In this time 80 t of the 99 t burn as propellant (thrust 5 MN, specific impulse 390 s, g0 = 9.8066 "
+        "m/s^2). The published pitch gives the direction of the thrust. The first stage is left out, since its flight "
+        "through the atmosphere needs tables of drag; the drag of the second stage is below 0.01 N. The rotation is "
+        "left out, too. For at 200 s the file has a pitch moment of 29 ft lbf, although the dynamic pressure is only "
+        "4e-11 lbf/ft^2. No aerodynamic coefficient can cause this moment, and we do not know its cause. The time of "
+        "ignition is not in the file. Each of the two velocities at 134.3 s gives 134.1745 s, within 4e-6 s. The "
+        "files of two more simulators were not available.",
+        "Our speed at 200 s is smaller by 1.6 ft/s. The engine produces this speed in the last 1.8 ms before burnout, "
+        "and the simulator has steps of 100 ms. The differences of the other rows follow from this one.",
         1e-4, 4e-4};
     const double ignition = 134.1745, mass_rate = -5e6 / (390 * 9.8066), burn = 80000 / -mass_rate;
     vm_real y[4] = {VM_C(21361276.292372078), VM_C(1007426.1413189974), VM_C(2099.812416485217),
@@ -309,10 +312,11 @@ static void validate_toutatis_periods(void)
         "The two periods of Toutatis",
         "Y. Zhao et al., MNRAS 450 (2015) 3620, 5.38 and 7.40 days, each within 0.03 days; R. S. Hudson and S. J. Ostro, Science "
         "270 (1995) 84, 5.41 and 7.35 days",
-        "`vm_torque_free_rotation` from the spin state of Takahashi, Busch and Scheeres, AJ 146 (2013) 95 (moments of inertia "
-        "3.0836, 3.235 and 1, rates 14.51, 33.529 and -98.709 degrees a day), over 10000 days. The torque of earth and sun is "
-        "left out.",
-        "The uncertainty that the authors give is 0.6 %; the older periods differ from the newer ones by as much.",
+        "Toutatis is an asteroid. We compute its rotation over 10000 days by `vm_torque_free_rotation`. The start is "
+        "the spin state of Takahashi, Busch and Scheeres, AJ 146 (2013) 95: relative moments of inertia 3.0836, 3.235 "
+        "and 1, rates 14.51, 33.529 and -98.709 degrees a day. The torques of earth and sun are left out.",
+        "The authors give an uncertainty of 0.6 %, and the older periods differ from the newer ones by the same "
+        "amount.",
         1e-2, 1e-2};
     double spin, precession;
     toutatis_periods(&spin, &precession);
@@ -340,11 +344,13 @@ static void validate_toutatis_rates(void)
 {
     static const validation_group group = {
         "Toutatis against the radar of December 1992",
-        "mockingbirdnest/Principia, commit 9ffb8b0c4 (2026), physics/euler_solver_test.cpp, Toutatis: by how much the speed of "
-        "rotation of its solver differs from the observed one, and the angle between the two angular velocities, in the body",
-        "`vm_torque_free_rotation` from the same spin state, at the times of the observations.",
-        "Principia prints the difference to 0.001 and the angle to 0.1 degrees; half a unit of the last place of the smallest, "
-        "0.5, is 10 % of it.",
+        "mockingbirdnest/Principia, commit 9ffb8b0c4 (2026), physics/euler_solver_test.cpp, Toutatis. It compares the "
+        "angular velocity that its solver computes with the observed one, in body axes: the relative difference of "
+        "the speeds, and the angle between the two vectors",
+        "We compute the angular velocity at the times of the observations by `vm_torque_free_rotation`, from the spin "
+        "state of the last table.",
+        "Principia prints the difference to 0.001 and the angle to 0.1 degrees. Half a unit of the last place, 0.05 "
+        "degrees, is 10 % of the smallest angle, 0.5 degrees.",
         0.1, 0.1};
     const double epoch = 9 + (17 + (49 + 47.0 / 60) / 60) / 24 - 30; /* in days of December; November has 30 */
     const vm_body start = toutatis_start();

@@ -33,10 +33,10 @@ static void validate_gsl_integrals(void)
     static const validation_group group = {
         "GSL's elliptic integrals",
         "GNU Scientific Library 2.8, specfunc/test_sf.c, test_ellint",
-        "GSL's parameter is the modulus k, ours is m = k^2. The characteristic n of Pi has in GSL the opposite sign of ours. GSL "
-        "itself "
-        "allows the single precision of 1e-6 in the row with k = 1 - 2^-30; it passes k, we pass 1 - k^2 exactly.",
-        "The bound of the incomplete integrals is 8 ulp; the rounding of k^2 and of the angle adds up to 4 eps.",
+        "GSL's parameter is the modulus k; ours is m = k^2. The characteristic n of Pi has the opposite sign in GSL. "
+        "In the row with k = 1 - 2^-30, GSL's own test allows an error of 1e-6 (single precision), because its "
+        "argument is k. Our argument is 1 - k^2, which is exact.",
+        "The incomplete integrals have a bound of 8 ulp, and the rounding of k^2 and of the angle adds at most 4 eps.",
         3e-15, 3e-6};
     validation_begin(&group);
     ROW("3.3566005233611923760", jacobi_K(0.99 * 0.99));
@@ -65,8 +65,8 @@ static void validate_gsl_functions(void)
     static const validation_group group = {
         "GSL's Jacobi functions and incomplete beta function",
         "GNU Scientific Library 2.8, specfunc/test_sf.c, test_jac, and specfunc/test_gamma.c",
-        "GSL's elljac has the parameter m as ours has. Its beta_inc(a, b, x) is ateb_beta_inc(x, a, b).",
-        "Our bound of the Jacobi functions is 9 ulp; the rounding of m = 0.3, 0.6 and 0.999999 adds to it.",
+        "GSL's elljac has the parameter m, as our functions have. Its beta_inc(a, b, x) is our ateb_beta_inc(x, a, b).",
+        "Our Jacobi functions have a bound of 9 ulp. The rounding of m = 0.3, 0.6 and 0.999999 adds to this.",
         3e-15, 6e-6};
     validation_begin(&group);
     ROW("0.4707504736556572833", jacobi_sn(0.5, 0.5));
@@ -90,8 +90,8 @@ static void validate_gsl_large_beta(void)
         "GSL's incomplete beta function of large parameters",
         "GNU Scientific Library 2.8, specfunc/test_gamma.c",
         "The notation is that of the last table. Numbers below 1e-37 are not compared in float.",
-        "The arguments 0.4 and 0.6 are rounded to double. The logarithm of the function has a slope of some thousand in x, and so the relative error "
-        "of rounding x grows as much.",
+        "The arguments x = 0.4 and 0.6 are rounded to double. The derivative of the function's logarithm with respect "
+        "to x is some thousand, and the rounding error of x is multiplied by it.",
         6e-13, 1e-6};
     validation_begin(&group);
     ROW("0.9999999999157549630", ateb_beta_inc(0.6, 500.0, 500.0));
@@ -112,9 +112,9 @@ static void validate_boost(void)
         "Boost.Math's test data",
         "boostorg/math, commit 99733ebbd (2026), test/test_jacobi.hpp, test_ellint_3.hpp, ellint_*_data.ipp, ellint_rg.ipp, "
         "ibeta_small_data.ipp",
-        "Boost's parameter is k, ours is m = k^2. The arguments are binary fractions, exact in float too. "
+        "Boost's parameter is k; ours is m = k^2. The arguments are binary fractions, which are exact also in float. "
         "any_sn is the first result of jacobi_sncndn_any, for k = 1.5.",
-        "8 ulp is our bound; the rounding of k^2 adds some eps near k = 1, where E and F depend on 1 - k^2.",
+        "Our bound is 8 ulp. The rounding of k^2 adds some eps near k = 1, where E and F depend on 1 - k^2.",
         4e-15, 4e-6};
     validation_begin(&group);
     ROW("0.246781405136141600483623741101255", jacobi_sn(0.25, 0.5 * 0.5));
@@ -154,7 +154,8 @@ static void validate_carlson(void)
         "Carlson's symmetric integrals",
         "B. C. Carlson, Numerical computation of real or complex elliptic integrals, Numerical Algorithms 10 (1995), "
         "section 3",
-        "The table has the integrals with real arguments; R_J with p < 0 is Cauchy's principal value.",
+        "The table has those integrals of the paper that have real arguments. For R_J with p < 0 it is Cauchy's "
+        "principal value.",
         "The paper prints 14 digits.",
         1e-13, 3e-6};
     validation_begin(&group);
@@ -181,13 +182,15 @@ static void validate_handbooks(void)
         "Abramowitz and Stegun, K(m)",
         "Handbook of Mathematical Functions (1964), table 17.1",
         "The table has the nine rows for m = 0.1 to 0.9.",
-        "The table has 15 decimals; half a unit is 5e-16, and the rounding of m adds as much.",
+        "The table has 15 decimals. Half a unit of the last decimal is 5e-16, and the rounding of m adds the same "
+        "amount.",
         2e-15, 1e-6};
     static const validation_group short_rows = {
         "Abramowitz and Stegun, E(m); the DLMF, sn, cn and dn",
-        "the same, table 17.1; NIST Digital Library of Mathematical Functions, 22.20(ii)",
-        "E(m) of the table; sn, cn and dn of the DLMF's worked example x = 0.8, k = 0.65.",
-        "The table has 9 decimals, the example 10; half a unit of 9 decimals is 5e-10.",
+        "Handbook of Mathematical Functions, table 17.1; NIST Digital Library of Mathematical Functions (DLMF), "
+        "22.20(ii)",
+        "E(m) is from the table; sn, cn and dn are from the DLMF's worked example with x = 0.8, k = 0.65.",
+        "The table has 9 decimals, and half a unit of the last one is 5e-10. The example has 10 decimals.",
         5e-10, 1e-6};
     validation_begin(&group);
     ROW("1.612441348720219", jacobi_K(0.1));

@@ -98,18 +98,17 @@ static void validate_cv_rocket(void)
     static const validation_group printed = {
         "CVODE's rocket, as printed",
         "LLNL/sundials 7.5.0, examples/cvode/serial/cvRocket_dns.out",
-        "`rk87_solve` with two events: the engine stops at the height 4000 ft (`ODE_RESTART`), and the velocity vanishes at "
-        "the apogee. The tolerance is 1e-13.",
-        "CVODE ran with a relative tolerance of 1e-5 and absolute ones of 0.01 ft and 0.1 ft/s in each step. Our number "
-        "is the "
-        "better one, as the next table shows.",
+        "We use `rk87_solve` with two events: at the height 4000 ft the engine stops (`ODE_RESTART`), and at the "
+        "apogee the velocity is 0. The tolerance is 1e-13.",
+        "CVODE ran with a relative tolerance of 1e-5 and absolute tolerances of 0.01 ft and 0.1 ft/s in each step. "
+        "Our numbers are more accurate, as the next table shows.",
         3e-4, 3e-4};
     static const validation_group exact = {
         "CVODE's rocket, exactly",
         "the closed form of the same problem, with an exponential integral, evaluated by mpmath to 40 digits",
-        "The run is that of the last table. CVODE's relative errors are 3e-5 in the time of the cutoff, 7e-5 in the time "
-        "of the apogee and 1.2e-4 in the height of the apogee.",
-        "The error is the tolerance of a step, added up over the steps.",
+        "Our run is that of the last table. Compared with this closed form, CVODE's relative errors are 3e-5 in the "
+        "time of the cutoff, 7e-5 in the time of the apogee and 1.2e-4 in the height of the apogee.",
+        "The tolerance of 1e-13 is that of one step, and the errors of all steps add up.",
         1e-12, 1e-5};
     const cv_rocket_flight flight = cv_rocket_fly();
     validation_begin(&printed);
@@ -155,10 +154,9 @@ static void validate_arenstorf(void)
     static const validation_group group = {
         "Arenstorf's orbit",
         "E. Hairer, S. P. Norsett, G. Wanner, Solving Ordinary Differential Equations I, 2nd edition, II.0, (0.1), (0.2)",
-        "`rk87_solve` with the tolerance 6e-14 and an event where y2 falls through 0 at the end of the period. The orbit "
-        "must "
-        "return to its start (0.994, 0).",
-        "The orbit is unstable: an error of the start grows 14 000 times in a period.",
+        "We use `rk87_solve` with the tolerance 6e-14. An event, where y2 falls through 0, marks the end of the "
+        "period. There the orbit must be back at its start (0.994, 0).",
+        "The orbit is unstable: an error at the start becomes 14 000 times as large in one period.",
         1e-9, 0};
     vm_real y[4] = {VM_C(0.994), 0, 0, VM_C(-2.00158510637908252240537862224)};
     ode_event back;
@@ -202,9 +200,10 @@ static void validate_pleiades(void)
         "The Pleiades, seven stars in a plane",
         "Test Set for IVP Solvers, release 2.4 (F. Mazzia, C. Magherini, Bari 2008), problem plei, reference solution at "
         "t = 3",
-        "`rk87_solve` with the tolerance 6e-14, 28 unknowns. The 14 coordinates; velocities were left out.",
-        "Stars 1 and 7 pass each other at a distance of 0.034, and an error of x1 at the start grows 31 times. The reference "
-        "has 16 digits.",
+        "We use `rk87_solve` with the tolerance 6e-14 for all 28 unknowns. The table has the 14 coordinates; the "
+        "velocities are left out.",
+        "Stars 1 and 7 pass each other at a distance of only 0.034, and an error of x1 at the start becomes 31 times "
+        "as large. The reference has 16 digits.",
         1e-10, 0};
     static const char *const published[14] = {
         "0.3706139143970502", "3.237284092057233",  "-3.222559032418324", "0.6597091455775310", "0.3425581707156584",
@@ -287,19 +286,19 @@ static void validate_orekit(void)
     static const validation_group group = {
         "Orekit's burn of constant thrust, the mass",
         "CS-SI/Orekit, commit 0104345c (2020), ConstantThrustManeuverTest.java, testRoughBehaviour",
-        "`rk87_solve` in three parts: a coast of 17134.08 s, the burn of 3653.99 s with 420 N and a specific impulse of "
-        "318 s, "
-        "and a coast to 3800 s after ignition. g0 = 9.80665 m/s^2.",
-        "Orekit prints 16 digits; its integrator and ours add up the mass in rounded steps.",
+        "We use `rk87_solve` in three parts: a flight without thrust for 17134.08 s, the burn of 3653.99 s with 420 N "
+        "and a specific impulse of 318 s, and again a flight without thrust, until 3800 s after ignition. g0 = "
+        "9.80665 m/s^2.",
+        "Orekit prints 16 digits. Its integrator and ours add up the mass step by step, with rounding errors.",
         1e-13, 3e-5};
     static const validation_group orbit = {
         "Orekit's burn of constant thrust, the orbit",
-        "the same test",
-        "The run is that of the last table. The orbit has a = 24396159 m, e = 0.72831215 and an inclination of 7 degrees "
-        "before the burn, which points to the right "
-        "ascension 351 and the declination -7.4978 degrees.",
-        "Orekit prints the inclination after the burn, 2.6872 degrees, to 1e-4 degrees, and the semi-major axis, 28970 "
-        "km, to 1 km. In both the last printed digit is about 4e-5 of the value.",
+        "the same commit and test of Orekit",
+        "Our run is that of the last table. Before the burn the orbit has the semi-major axis a = 24396159 m, the "
+        "eccentricity e = 0.72831215 and an inclination of 7 degrees. The thrust has the right ascension 351 degrees "
+        "and the declination -7.4978 degrees.",
+        "Orekit prints the inclination after the burn, 2.6872 degrees, to 1e-4 degrees, and the semi-major axis, "
+        "28970 km, to 1 km. In both cases a unit of the last digit is about 4e-5 of the value.",
         4e-5, 4e-5};
     const double degree = acos(-1) / 180, mu = 3.9860047e14;
     vm_real y[7];
@@ -322,10 +321,10 @@ static void validate_tsiolkovsky(void)
     static const validation_group group = {
         "Tsiolkovsky's rocket",
         "Wikipedia, Tsiolkovsky rocket equation, section Examples (read in 2026)",
-        "`vm_tsiolkovsky(0, 1, m, -4500)` with the mass m that is left, of a rocket to orbit in one stage, and of the "
-        "two stages of "
-        "another.",
-        "The masses have three decimals, 0.116 is known to 0.4 %, and the velocity to 0.4 % over ln(1/0.116) = 2.2.",
+        "We call `vm_tsiolkovsky(0, 1, m, -4500)`, where m is the fraction of the mass that is left. The first row is "
+        "a rocket that reaches an orbit with one stage; the other rows are the two stages of a second rocket.",
+        "The masses have three decimals. So 0.116 is known to 0.4 %, and the velocity to 0.4 % divided by ln(1/0.116) "
+        "= 2.2.",
         2e-3, 2e-3};
     validation_begin(&group);
     validation_row("velocity with 88.4 % of propellant, m/s", "9700", (double)vm_tsiolkovsky(0, 1, VM_C(0.116), -4500));

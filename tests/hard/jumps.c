@@ -162,10 +162,10 @@ static vm_real far_attach_naive(const vm_real *x)
 }
 
 static const hard_case jumps_cases[] = {
-    CASE(thin_rest, 2, "spin of a rest with the inertia 1e-3, if the part moves on as before", 2.0990003),
-    CASE(thin_rest, 2, "spin of a rest with the inertia 4e-9, if the part moves on as before",
+    CASE(thin_rest, 2, "spin of a rest with the inertia 1e-3, if the part does not change its motion", 2.0990003),
+    CASE(thin_rest, 2, "spin of a rest with the inertia 4e-9, if the part does not change its motion",
          R(2.0999999957, 2.09997)),
-    CASE(thin_rest, 2, "spin of a rest with the inertia 2e-13, if the part moves on as before",
+    CASE(thin_rest, 2, "spin of a rest with the inertia 2e-13, if the part does not change its motion",
          R(2.0999999999998, 2.099995)),
     CASE(tilted_rest, 8, "spin of a rest with the moment 1e-5 about a tilted axis, by Cramer's rule",
          R(0.99999, 0.9999)),
@@ -188,9 +188,9 @@ static const hard_case jumps_cases[] = {
          R(1000000000.1, 10000.1), R(1000000001.2, 10001.2)),
     CASE(fast_spin, 8, "spin of the rest at 1e12 m/s: it is lost in the moments of the momenta", R(1e12, 100000.1),
          R(1000000000001.1, 100001.2)),
-    CASE(wanted_spin, 4, "spin that a part with 1e-7 of inertia needs, so that the rest keeps its spin",
+    CASE(wanted_spin, 4, "spin that a part with 1e-7 of the inertia must have, so that the rest keeps its spin",
          R(1e-7, 1e-4)),
-    CASE(wanted_spin, 4, "spin that a part with 1e-14 of inertia needs, so that the rest keeps its spin",
+    CASE(wanted_spin, 4, "spin that a part with 1e-14 of the inertia must have, so that the rest keeps its spin",
          R(1e-14, 1e-6)),
     CASE(short_pendulum, 4, "a pendulum that is cut close to its pivot", R(0.999, 0.99), 0),
     CASE(short_pendulum, 4, "a pendulum of which 1e-6 of the length is left", R(0.999999, 0.999), 0),

@@ -179,7 +179,7 @@ static const hard_case slow_oscillators_cases[] = {
     CASE(slow_leak, 96, "base -> 0: the integral of 1/(1 + q t)^2 as a difference divided by q", 3, R(1e-13, 1e-6),
          40, 0.8125, -0.375),
     CASE(slow_leak, 96, "base -> 0, for a mass that falls", 1.5, R(-1e-10, -1e-6), 40, 0.8125, -0.375),
-    CASE(slow_leak, 96, "base = 0: the integral of 1/(1 + q t)^2 as 0/0", 3, 0, 40, 0.8125, -0.375),
+    CASE(slow_leak, 96, "base = 0: the integral of 1/(1 + q t)^2 has the form 0/0", 3, 0, 40, 0.8125, -0.375),
     CASE(turning_leak, 96, "sa -> 0 at the start: sqrt(1 - (x/A)^(alpha+1)) loses the digits of V", 3, 0.0078125, 120,
          0.8125, R(0.00634765725, 0.0062)),
     CASE(turning_leak, 96, "sa -> 0 at a start with x < 0, alpha = 1/2", 0.5, 0.0078125, 128, -0.8125,

@@ -189,8 +189,9 @@ static vm_real light_mass_naive(const vm_real *x)
 }
 
 static const hard_case stiffness_cases[] = {
-    CASE(burnt_mass, 4, "speed of a rocket of which 1e-6 is left, by fixed steps", 1e-6),
-    CASE(burnt_mass, 4, "speed of a rocket of which 1e-30 is left, by fixed steps: the last step overshoots", 1e-30),
+    CASE(burnt_mass, 4, "speed of a rocket when 1e-6 of its mass is left, by fixed steps", 1e-6),
+    CASE(burnt_mass, 4, "speed of a rocket when 1e-30 of its mass is left, by fixed steps: the last step goes too far",
+         1e-30),
     CASE(burnt_speed, 4, "speed of a rocket shortly before its mass is 0, by fixed steps", R(0.9999999999, 0.999999)),
     CASE(burnt_speed, 4, "speed of a rocket one eps before its mass is 0, by fixed steps",
          R(0.9999999999999998, 0.9999999)),
@@ -200,10 +201,11 @@ static const hard_case stiffness_cases[] = {
          R(0.9999999999999998, 0.9999999)),
     CASE(empty_wagon, 4, "speed of a wagon shortly before it is empty: it tends to infinity", R(0.99999999, 0.99999)),
     CASE(empty_wagon, 4, "speed of a wagon one eps before it is empty", R(0.9999999999999998, 0.9999999)),
-    CASE(last_mass, 2, "speed of a body of which 1e-6 is left with all the momentum", 1e-6),
-    CASE(last_mass, 2, "speed of a body of which 1e-30 is left with all the momentum", 1e-30),
-    CASE(jet_end, 16, "a spinning body whose transverse moment burns away", R(3.9999999, 3.9999), 0),
-    CASE(jet_end, 16, "a spinning body whose transverse moment burns away, with axial spin",
+    CASE(last_mass, 2, "speed of a body that has lost all but 1e-6 of its mass and none of its momentum", 1e-6),
+    CASE(last_mass, 2, "speed of a body that has lost all but 1e-30 of its mass and none of its momentum", 1e-30),
+    CASE(jet_end, 16, "a spinning body whose transverse moment of inertia goes to 0 as it burns", R(3.9999999, 3.9999),
+         0),
+    CASE(jet_end, 16, "a spinning body whose transverse moment of inertia goes to 0, with spin about its axis",
          R(3.9999999, 3.9999), 3),
     CASE(braked_shaft, 4, "a shaft with the damping 1e4/s: 1000 steps of rk4 are unstable", 1e4, 1),
     CASE(braked_shaft, 4, "a shaft with the damping 1e6/s: 1000 steps of rk4 are unstable", 1e6, 1),
