@@ -16,14 +16,6 @@ typedef struct fault_system {
 
 /* ---- Single evaluations ---- */
 
-static inline int fault_is_untouched(int n, const vm_real *y)
-{
-    int i;
-    for (i = 0; i < n; i++)
-        if (y[i] != FAULT_UNTOUCHED) return 0;
-    return 1;
-}
-
 /* An evaluation, and where it failed, a second one with the same object. An error leaves the derivatives; without one
    the fault shows as NaN in them. */
 static inline void fault_evaluate(outcome *o, fault_system *s)
@@ -238,10 +230,10 @@ static inline void fault_plane_45(outcome *o) { fault_small_run(o, fault_begin_p
 
 /* A right-hand side returns the number of the user's function. In a run it is rhs_status, and the run may step over a
    NaN, so that the results differ within the tolerance. */
-#define FAULT_EVALUATION(name, run) {name, run, FAULT_ALL, FAULT_NUMBER, VM_NOT_FINITE, 0, NULL, 0, 0}
+#define FAULT_EVALUATION(name, run) {name, run, {FAULT_ALL, FAULT_NUMBER, VM_NOT_FINITE, 0, 0, 0}, NULL, NULL}
 #define FAULT_RUN(name, run) \
-    {name, run, FAULT_STATUS + FAULT_BOTH, ODE_RHS_STOPPED, ODE_NOT_FINITE, 0, NULL, 0, 0}, \
-    {name, run, FAULT_NAN, ODE_RHS_STOPPED, ODE_NOT_FINITE, FAULT_STEPS, NULL, 0, 0}
+    {name, run, {FAULT_STATUS + FAULT_BOTH, ODE_RHS_STOPPED, ODE_NOT_FINITE, 0, 0, 0}, NULL, NULL}, \
+    {name, run, {FAULT_NAN, ODE_RHS_STOPPED, ODE_NOT_FINITE, FAULT_STEPS, 0, 0}, NULL, NULL}
 
 static const scenario fault_flows[] = {
     FAULT_EVALUATION("vm_flow_rhs", fault_flow),

@@ -222,37 +222,39 @@ static inline void fault_rk87_events(outcome *o) { fault_events(o, &fault_rk87, 
 static inline void fault_rk45_both(outcome *o) { fault_events(o, &fault_rk45, faulty_rhs); }
 static inline void fault_rk87_both(outcome *o) { fault_events(o, &fault_rk87, faulty_rhs); }
 
-enum { FAULT_ALL = FAULT_STATUS + FAULT_NAN + FAULT_BOTH };
-
 /* A step over a NaN is shorter than the step would have been without it, so that the results differ within the
    tolerance, here 1e-5. */
 #define FAULT_STEPS (3e-4 / (double)VM_EPSILON)
 
 static const scenario fault_integrators[] = {
-    {"rk4_step", fault_rk4_step, FAULT_ALL, ODE_RHS_STOPPED, ODE_NOT_FINITE, 0, NULL, 0, 0},
-    {"rk4_solve", fault_rk4_solve, FAULT_ALL, ODE_RHS_STOPPED, ODE_NOT_FINITE, 0, NULL, 0, 0},
-    {"rk4_solve_compensated", fault_rk4_solve_compensated, FAULT_ALL, ODE_RHS_STOPPED, ODE_NOT_FINITE, 0, NULL, 0, 0},
-    {"rk45_step", fault_rk45_step, FAULT_STATUS + FAULT_BOTH, ODE_RHS_STOPPED, ODE_NOT_FINITE, 0, NULL, 0, 0},
-    {"rk87_step", fault_rk87_step, FAULT_STATUS + FAULT_BOTH, ODE_RHS_STOPPED, ODE_NOT_FINITE, 0, NULL, 0, 0},
-    {"rk45_solve", fault_rk45_solve, FAULT_STATUS + FAULT_BOTH, ODE_RHS_STOPPED, ODE_NOT_FINITE, 0, NULL, 0, 0},
-    {"rk87_solve", fault_rk87_solve, FAULT_STATUS + FAULT_BOTH, ODE_RHS_STOPPED, ODE_NOT_FINITE, 0, NULL, 0, 0},
-    {"rk45_solve_with", fault_rk45_solve_with, FAULT_STATUS + FAULT_BOTH, ODE_RHS_STOPPED, ODE_NOT_FINITE,
-     0, NULL, 0, 0},
-    {"rk87_solve_with", fault_rk87_solve_with, FAULT_STATUS + FAULT_BOTH, ODE_RHS_STOPPED, ODE_NOT_FINITE,
-     0, NULL, 0, 0},
-    {"rk45_solve_at", fault_rk45_solve_at, FAULT_STATUS + FAULT_BOTH, ODE_RHS_STOPPED, ODE_NOT_FINITE, 0, NULL, 0, 0},
+    {"rk4_step", fault_rk4_step, {FAULT_ALL, ODE_RHS_STOPPED, ODE_NOT_FINITE, 0, 0, 0}, NULL, NULL},
+    {"rk4_solve", fault_rk4_solve, {FAULT_ALL, ODE_RHS_STOPPED, ODE_NOT_FINITE, 0, 0, 0}, NULL, NULL},
+    {"rk4_solve_compensated", fault_rk4_solve_compensated,
+     {FAULT_ALL, ODE_RHS_STOPPED, ODE_NOT_FINITE, 0, 0, 0}, NULL, NULL},
+    {"rk45_step", fault_rk45_step, {FAULT_STATUS + FAULT_BOTH, ODE_RHS_STOPPED, ODE_NOT_FINITE, 0, 0, 0}, NULL, NULL},
+    {"rk87_step", fault_rk87_step, {FAULT_STATUS + FAULT_BOTH, ODE_RHS_STOPPED, ODE_NOT_FINITE, 0, 0, 0}, NULL, NULL},
+    {"rk45_solve", fault_rk45_solve, {FAULT_STATUS + FAULT_BOTH, ODE_RHS_STOPPED, ODE_NOT_FINITE, 0, 0, 0}, NULL, NULL},
+    {"rk87_solve", fault_rk87_solve, {FAULT_STATUS + FAULT_BOTH, ODE_RHS_STOPPED, ODE_NOT_FINITE, 0, 0, 0}, NULL, NULL},
+    {"rk45_solve_with", fault_rk45_solve_with, {FAULT_STATUS + FAULT_BOTH, ODE_RHS_STOPPED, ODE_NOT_FINITE,
+     0, 0, 0}, NULL, NULL},
+    {"rk87_solve_with", fault_rk87_solve_with, {FAULT_STATUS + FAULT_BOTH, ODE_RHS_STOPPED, ODE_NOT_FINITE,
+     0, 0, 0}, NULL, NULL},
+    {"rk45_solve_at", fault_rk45_solve_at,
+     {FAULT_STATUS + FAULT_BOTH, ODE_RHS_STOPPED, ODE_NOT_FINITE, 0, 0, 0}, NULL, NULL},
     {"rk87_solve_at", fault_rk87_solve_at,
-     FAULT_STATUS + FAULT_BOTH, ODE_RHS_STOPPED, ODE_NOT_FINITE, FAULT_STEPS, NULL, 0, 0},
-    {"rk45_solve", fault_rk45_solve, FAULT_NAN, ODE_RHS_STOPPED, ODE_NOT_FINITE, FAULT_STEPS, NULL, 0, 0},
-    {"rk87_solve", fault_rk87_solve, FAULT_NAN, ODE_RHS_STOPPED, ODE_NOT_FINITE, FAULT_STEPS, NULL, 0, 0},
-    {"rk45_solve_at", fault_rk45_solve_at, FAULT_NAN, ODE_RHS_STOPPED, ODE_NOT_FINITE, FAULT_STEPS, NULL, 0, 0},
-    {"rk87_solve_at", fault_rk87_solve_at, FAULT_NAN, ODE_RHS_STOPPED, ODE_NOT_FINITE, FAULT_STEPS, NULL, 0, 0},
-    {"rk45_solve, event g", fault_rk45_events, FAULT_NAN, ODE_RHS_STOPPED, ODE_NOT_FINITE, FAULT_STEPS, NULL, 0, 0},
-    {"rk87_solve, event g", fault_rk87_events, FAULT_NAN, ODE_RHS_STOPPED, ODE_NOT_FINITE, FAULT_STEPS, NULL, 0, 0},
+     {FAULT_STATUS + FAULT_BOTH, ODE_RHS_STOPPED, ODE_NOT_FINITE, FAULT_STEPS, 0, 0}, NULL, NULL},
+    {"rk45_solve", fault_rk45_solve, {FAULT_NAN, ODE_RHS_STOPPED, ODE_NOT_FINITE, FAULT_STEPS, 0, 0}, NULL, NULL},
+    {"rk87_solve", fault_rk87_solve, {FAULT_NAN, ODE_RHS_STOPPED, ODE_NOT_FINITE, FAULT_STEPS, 0, 0}, NULL, NULL},
+    {"rk45_solve_at", fault_rk45_solve_at, {FAULT_NAN, ODE_RHS_STOPPED, ODE_NOT_FINITE, FAULT_STEPS, 0, 0}, NULL, NULL},
+    {"rk87_solve_at", fault_rk87_solve_at, {FAULT_NAN, ODE_RHS_STOPPED, ODE_NOT_FINITE, FAULT_STEPS, 0, 0}, NULL, NULL},
+    {"rk45_solve, event g", fault_rk45_events,
+     {FAULT_NAN, ODE_RHS_STOPPED, ODE_NOT_FINITE, FAULT_STEPS, 0, 0}, NULL, NULL},
+    {"rk87_solve, event g", fault_rk87_events,
+     {FAULT_NAN, ODE_RHS_STOPPED, ODE_NOT_FINITE, FAULT_STEPS, 0, 0}, NULL, NULL},
     {"rk45_solve, f and g", fault_rk45_both,
-     FAULT_STATUS + FAULT_NAN, ODE_RHS_STOPPED, ODE_NOT_FINITE, FAULT_STEPS, NULL, 0, 0},
+     {FAULT_STATUS + FAULT_NAN, ODE_RHS_STOPPED, ODE_NOT_FINITE, FAULT_STEPS, 0, 0}, NULL, NULL},
     {"rk87_solve, f and g", fault_rk87_both,
-     FAULT_STATUS + FAULT_NAN, ODE_RHS_STOPPED, ODE_NOT_FINITE, FAULT_STEPS, NULL, 0, 0},
+     {FAULT_STATUS + FAULT_NAN, ODE_RHS_STOPPED, ODE_NOT_FINITE, FAULT_STEPS, 0, 0}, NULL, NULL},
 };
 
 #endif

@@ -349,8 +349,8 @@ static inline void fault_cord(outcome *o)
 }
 
 /* Where a shorter step may step over a NaN, the results differ within the tolerance. */
-#define FAULT_NAN_ROW(name, run) {name, run, FAULT_NAN, 0, VM_NOT_FINITE, FAULT_SCENE, NULL, 0, 0}
-#define FAULT_LAW_ROW(name, run) {name, run, FAULT_ALL, VM_DOMAIN, VM_NOT_FINITE, FAULT_SCENE, NULL, 0, 0}
+#define FAULT_NAN_ROW(name, run) {name, run, {FAULT_NAN, 0, VM_NOT_FINITE, FAULT_SCENE, 0, 0}, NULL, NULL}
+#define FAULT_LAW_ROW(name, run) {name, run, {FAULT_ALL, VM_DOMAIN, VM_NOT_FINITE, FAULT_SCENE, 0, 0}, NULL, NULL}
 
 static const scenario fault_mass_laws[] = {
     FAULT_NAN_ROW("mass_law, vm_then_switch", fault_switched_law),
@@ -371,8 +371,8 @@ static const scenario fault_mass_laws[] = {
     FAULT_LAW_ROW("mass_of_time, budget_at", fault_budget_of_time),
     FAULT_NAN_ROW("mass_law, vm_scene_rhs", fault_scene_rhs_law),
     FAULT_LAW_ROW("mass_of_time, scene_rhs", fault_scene_rhs_of_time),
-    {"scene.output, each step", fault_each_output, FAULT_STATUS, VM_STOPPED, 0, FAULT_SCENE, NULL, 0, 0},
-    {"vm_then_all, users", fault_user_list, FAULT_STATUS, FAULT_NUMBER, 0, FAULT_SCENE, NULL, 0, 0},
+    {"scene.output, each step", fault_each_output, {FAULT_STATUS, VM_STOPPED, 0, FAULT_SCENE, 0, 0}, NULL, NULL},
+    {"vm_then_all, users", fault_user_list, {FAULT_STATUS, FAULT_NUMBER, 0, FAULT_SCENE, 0, 0}, NULL, NULL},
     FAULT_NAN_ROW("vm_effect_force", fault_single_force),
     FAULT_NAN_ROW("four varying effects", fault_growing),
     FAULT_NAN_ROW("force, vm_effect_joints", fault_pinned),

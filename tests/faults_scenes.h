@@ -256,16 +256,18 @@ static inline void fault_scene_output(outcome *o)
 #define FAULT_SCENE (1e-4 / (double)VM_EPSILON)
 #endif
 static const scenario fault_scenes[] = {
-    {"vm_effect_force_between", fault_scene_force, FAULT_NAN, 0, VM_NOT_FINITE, FAULT_SCENE, NULL, 0, 0},
-    {"vm_effect_custom", fault_scene_custom, FAULT_NAN, 0, VM_NOT_FINITE, FAULT_SCENE, NULL, 0, 0},
-    {"custom, scene.status", fault_scene_custom_status, FAULT_ALL, VM_SINGULAR, VM_NOT_FINITE, FAULT_SCENE, NULL, 0, 0},
-    {"vm_effect_mass_law", fault_scene_mass_law, FAULT_NAN, 0, VM_NOT_FINITE, FAULT_SCENE, NULL, 0, 0},
-    {"vm_effect_mass_of_time", fault_scene_mass_of_time, FAULT_ALL, VM_DOMAIN, VM_NOT_FINITE, FAULT_SCENE, NULL, 0, 0},
-    {"vm_effect_varying", fault_scene_varying, FAULT_NAN, 0, VM_NOT_FINITE, FAULT_SCENE, NULL, 0, 0},
-    {"vm_effect_link", fault_scene_link, FAULT_NAN, 0, VM_NOT_FINITE, FAULT_SCENE, NULL, 0, 0},
-    {"vm_event_user", fault_scene_when, FAULT_NAN, 0, VM_NOT_FINITE, FAULT_SCENE, NULL, 0, 0},
-    {"vm_then_user", fault_scene_then, FAULT_STATUS, FAULT_NUMBER, VM_NOT_FINITE, FAULT_SCENE, NULL, 0, 0},
-    {"scene.output", fault_scene_output, FAULT_STATUS, VM_STOPPED, VM_NOT_FINITE, FAULT_SCENE, NULL, 0, 0},
+    {"vm_effect_force_between", fault_scene_force, {FAULT_NAN, 0, VM_NOT_FINITE, FAULT_SCENE, 0, 0}, NULL, NULL},
+    {"vm_effect_custom", fault_scene_custom, {FAULT_NAN, 0, VM_NOT_FINITE, FAULT_SCENE, 0, 0}, NULL, NULL},
+    {"custom, scene.status", fault_scene_custom_status,
+     {FAULT_ALL, VM_SINGULAR, VM_NOT_FINITE, FAULT_SCENE, 0, 0}, NULL, NULL},
+    {"vm_effect_mass_law", fault_scene_mass_law, {FAULT_NAN, 0, VM_NOT_FINITE, FAULT_SCENE, 0, 0}, NULL, NULL},
+    {"vm_effect_mass_of_time", fault_scene_mass_of_time,
+     {FAULT_ALL, VM_DOMAIN, VM_NOT_FINITE, FAULT_SCENE, 0, 0}, NULL, NULL},
+    {"vm_effect_varying", fault_scene_varying, {FAULT_NAN, 0, VM_NOT_FINITE, FAULT_SCENE, 0, 0}, NULL, NULL},
+    {"vm_effect_link", fault_scene_link, {FAULT_NAN, 0, VM_NOT_FINITE, FAULT_SCENE, 0, 0}, NULL, NULL},
+    {"vm_event_user", fault_scene_when, {FAULT_NAN, 0, VM_NOT_FINITE, FAULT_SCENE, 0, 0}, NULL, NULL},
+    {"vm_then_user", fault_scene_then, {FAULT_STATUS, FAULT_NUMBER, VM_NOT_FINITE, FAULT_SCENE, 0, 0}, NULL, NULL},
+    {"scene.output", fault_scene_output, {FAULT_STATUS, VM_STOPPED, VM_NOT_FINITE, FAULT_SCENE, 0, 0}, NULL, NULL},
 };
 
 #endif
