@@ -255,19 +255,22 @@ static inline void fault_scene_output(outcome *o)
 #else
 #define FAULT_SCENE (1e-4 / (double)VM_EPSILON)
 #endif
+
+/* The run of a scene, with the kinds of faults that its functions have, and the status where one returns a number */
+#define FAULT_OF_SCENE(name, run, kinds, stopped) \
+    {name, run, {kinds, stopped, VM_NOT_FINITE, FAULT_SCENE, 0, 0}, NULL, NULL}
+
 static const scenario fault_scenes[] = {
-    {"vm_effect_force_between", fault_scene_force, {FAULT_NAN, 0, VM_NOT_FINITE, FAULT_SCENE, 0, 0}, NULL, NULL},
-    {"vm_effect_custom", fault_scene_custom, {FAULT_NAN, 0, VM_NOT_FINITE, FAULT_SCENE, 0, 0}, NULL, NULL},
-    {"custom, scene.status", fault_scene_custom_status,
-     {FAULT_ALL, VM_SINGULAR, VM_NOT_FINITE, FAULT_SCENE, 0, 0}, NULL, NULL},
-    {"vm_effect_mass_law", fault_scene_mass_law, {FAULT_NAN, 0, VM_NOT_FINITE, FAULT_SCENE, 0, 0}, NULL, NULL},
-    {"vm_effect_mass_of_time", fault_scene_mass_of_time,
-     {FAULT_ALL, VM_DOMAIN, VM_NOT_FINITE, FAULT_SCENE, 0, 0}, NULL, NULL},
-    {"vm_effect_varying", fault_scene_varying, {FAULT_NAN, 0, VM_NOT_FINITE, FAULT_SCENE, 0, 0}, NULL, NULL},
-    {"vm_effect_link", fault_scene_link, {FAULT_NAN, 0, VM_NOT_FINITE, FAULT_SCENE, 0, 0}, NULL, NULL},
-    {"vm_event_user", fault_scene_when, {FAULT_NAN, 0, VM_NOT_FINITE, FAULT_SCENE, 0, 0}, NULL, NULL},
-    {"vm_then_user", fault_scene_then, {FAULT_STATUS, FAULT_NUMBER, VM_NOT_FINITE, FAULT_SCENE, 0, 0}, NULL, NULL},
-    {"scene.output", fault_scene_output, {FAULT_STATUS, VM_STOPPED, VM_NOT_FINITE, FAULT_SCENE, 0, 0}, NULL, NULL},
+    FAULT_OF_SCENE("vm_effect_force_between", fault_scene_force, FAULT_NAN, 0),
+    FAULT_OF_SCENE("vm_effect_custom", fault_scene_custom, FAULT_NAN, 0),
+    FAULT_OF_SCENE("custom, scene.status", fault_scene_custom_status, FAULT_ALL, VM_SINGULAR),
+    FAULT_OF_SCENE("vm_effect_mass_law", fault_scene_mass_law, FAULT_NAN, 0),
+    FAULT_OF_SCENE("vm_effect_mass_of_time", fault_scene_mass_of_time, FAULT_ALL, VM_DOMAIN),
+    FAULT_OF_SCENE("vm_effect_varying", fault_scene_varying, FAULT_NAN, 0),
+    FAULT_OF_SCENE("vm_effect_link", fault_scene_link, FAULT_NAN, 0),
+    FAULT_OF_SCENE("vm_event_user", fault_scene_when, FAULT_NAN, 0),
+    FAULT_OF_SCENE("vm_then_user", fault_scene_then, FAULT_STATUS, FAULT_NUMBER),
+    FAULT_OF_SCENE("scene.output", fault_scene_output, FAULT_STATUS, VM_STOPPED),
 };
 
 #endif
