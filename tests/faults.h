@@ -65,11 +65,11 @@ typedef struct fault_promise {
 
 /* A scenario runs by itself, or by a row of a table that says on which functions and objects it works. */
 typedef struct scenario {
-    const char *name;           /* of the function that is tested */
-    void (*run)(outcome *o);    /* NULL if run_row is what there is to do */
+    const char *name;        /* of the function that is tested */
+    void (*run)(outcome *o); /* NULL if run_row is what there is to do */
     fault_promise promise;
     void (*run_row)(outcome *o, const void *row);
-    const void *row;            /* the second argument of run_row */
+    const void *row; /* the second argument of run_row */
 } scenario;
 
 /* What an output is before the call */
@@ -123,8 +123,8 @@ typedef union fault_object {
    returns its status. */
 typedef struct fault_row {
     const char *name;
-    void (*make)(fault_object *o); /* makes the object */
-    ode_rhs rhs;                   /* NULL where `call` is what there is to call */
+    void (*make)(fault_object *o); /* makes the object from one whose bytes are all 0 */
+    ode_rhs rhs; /* NULL where `call` is what there is to call */
     int (*call)(fault_object *o, vm_real *out);
     int n; /* number of outputs, at most FAULT_OUTPUTS */
     const fault_promise *promise;

@@ -105,31 +105,33 @@ typedef struct fault_flow_objects {
     fault_system system;
 } fault_flow_objects;
 
-/* A free body. Its four right-hand sides use the first numbers of one state. */
-static inline void begin_free_body(fault_flow_objects *b)
+/* A flow of one stream, which is not yet filled in. Its update fails. */
+static inline void begin_flow(fault_flow_objects *b)
 {
-    vm_body body = a_body(5);
-    body.inertia = fault_sizes;
-    b->stream.at = vmi_vec3(R(0.25), 0, -1);
-    b->stream.velocity = vmi_vec3(0, R(0.5), -8);
     b->flow.n = 1;
     b->flow.streams = &b->stream;
-    b->flow.y_size = VM_FLOW_BALANCED_STATES;
-    vm_flow_start(&b->flow, &body, b->system.y);
     b->flow.update = faulty_update;
     b->system.ctx = &b->flow;
     b->system.status = &b->flow.status;
 }
 
+/* A free body. Its four right-hand sides use the first numbers of one state. */
+static inline void begin_free_body(fault_flow_objects *b)
+{
+    vm_body body = a_body(5);
+    body.inertia = fault_sizes;
+    begin_flow(b);
+    b->stream.at = vmi_vec3(R(0.25), 0, -1);
+    b->stream.velocity = vmi_vec3(0, R(0.5), -8);
+    b->flow.y_size = VM_FLOW_BALANCED_STATES;
+    vm_flow_start(&b->flow, &body, b->system.y);
+}
+
 static inline void begin_translation(fault_flow_objects *b)
 {
     static const vm_real y[VM_TRANSLATION_STATES] = {1, 0, 2, R(0.5), 1, 0, 5};
+    begin_flow(b);
     b->stream.velocity = vmi_vec3(0, R(0.5), -8);
-    b->flow.n = 1;
-    b->flow.streams = &b->stream;
-    b->flow.update = faulty_update;
-    b->system.ctx = &b->flow;
-    b->system.status = &b->flow.status;
     memcpy(b->system.y, y, sizeof y);
 }
 

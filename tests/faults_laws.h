@@ -160,7 +160,7 @@ static inline void odd_problem_all(fault_object *o)
     o->odd.damping = a_faulty_law_of(&fault_damping);
 }
 
-/* The same for the averaged routes. In float their plans reach nowhere with laws of a user, so that only the force
+/* An oscillator for the averaged routes. In float their plans reach nowhere with laws of a user, so that only the force
    fails there. */
 static inline void odd_problem_averaged(fault_object *o)
 {
@@ -218,25 +218,6 @@ static inline int call_vdp_cycle(fault_object *o, vm_real *out)
     out[2] = cycle.epsilon;
     if (cycle.stable >= 0) out[3] = (vm_real)cycle.stable;
     return status;
-}
-
-/* ---- Diagnostics, with the samples that faults_oscillators.h leaves out ---- */
-
-static inline int call_find_turning_points(fault_object *o, vm_real *out)
-{
-    vm_sample samples[4];
-    const long found = vm_find_samples(faulty_motion, NULL, VM_TURNING_POINTS, 0, 10, R(0.7), 4, samples);
-    (void)o;
-    if (found < 0) return (int)found;
-    out[0] = samples[0].t + samples[1].x + samples[2].t;
-    return VM_OK;
-}
-
-static inline int call_envelope_of_crossings(fault_object *o, vm_real *out)
-{
-    const vm_sample samples[3] = {{0, 0, 1}, {3, 0, -1}, {6, 0, 1}};
-    (void)o;
-    return fault_number(vm_envelope_error(VM_ZERO_CROSSINGS, 3, samples, faulty_envelope, NULL), out);
 }
 
 /* ---- Lagrange's equations ---- */
@@ -307,8 +288,6 @@ static const fault_row fault_laws[] = {
     FAULT_CALL(call_vdp_cycle, 4, vdp_laws, error_of_law),
     FAULT_RHS(vm_vdp_rhs, 2, vdp_laws, error_of_law),
     FAULT_RHS(vm_vdp_averaged_rhs, 2, vdp_laws, error_of_law),
-    FAULT_CALL(call_find_turning_points, 1, motion_or_envelope, shorter_steps_over_nan),
-    FAULT_CALL(call_envelope_of_crossings, 1, motion_or_envelope, shorter_steps_over_nan),
     FAULT_CALL(call_lagrange_rhs, 4, energy_masses_and_forces, energy_error),
     FAULT_CALL(call_lagrange_drive_forces, 2, energy_masses_and_forces, energy_error),
 };

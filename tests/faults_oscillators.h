@@ -109,25 +109,25 @@ static inline int faulty_forces(vm_real t, const vm_real *q, const vm_real *rate
    the results then differ within the tolerances of the calls. */
 #define FAULT_TOLERANCE (5e-3 / (double)VM_EPSILON)
 
-/* A function that may call a law at many times: it returns the status of the law, or it steps over the fault, or does
-   not integrate. */
+/* A function that calls laws at many times. It returns the status of the law that fails, or VM_NOT_INTEGRATED, or steps
+   over the fault. */
 static const fault_promise shorter_steps = {
     FAULT_ALL, VM_DOMAIN, VM_NOT_FINITE, FAULT_TOLERANCE, VM_NOT_INTEGRATED, 0};
-/* The same for a call that takes a fifth of a second: one kind of fault, the error with a NaN */
+/* Such a function that takes a fifth of a second. Only one kind of fault is tried, the error with a NaN. */
 static const fault_promise shorter_steps_of_a_long_call = {
     FAULT_BOTH, VM_DOMAIN, VM_NOT_FINITE, FAULT_TOLERANCE, VM_NOT_INTEGRATED, 0};
-/* The same where the user's functions have no status */
+/* Such a function where the user's functions have no status, so that they can only return NaN */
 static const fault_promise shorter_steps_over_nan = {
     FAULT_NAN, 0, VM_NOT_FINITE, FAULT_TOLERANCE, VM_NOT_INTEGRATED, 0};
 
 /* A function that calls each law once, or a few times: an error at any of these calls is its status. */
 static const fault_promise error_of_law = {FAULT_ALL, VM_DOMAIN, VM_NOT_FINITE, 0, 0, 0};
-/* The same where the user's function is not a law, so that its own number is the status */
+/* A function that calls another function of a user, and returns the number that this one has returned */
 static const fault_promise error_of_user = {FAULT_ALL, FAULT_NUMBER, VM_NOT_FINITE, 0, 0, 0};
 /* A function of numbers, whose NaN stands for an error */
 static const fault_promise nan_for_error = {FAULT_ALL, VM_NOT_FINITE, VM_NOT_FINITE, 0, 0, 0};
 
-/* A right-hand side, which may also have NaN as its derivatives */
+/* A right-hand side, whose derivatives may be NaN where a law or another function of a user returns NaN */
 static const fault_promise rhs_error_of_law = {FAULT_ALL, VM_DOMAIN, VM_NOT_FINITE, 0, VM_DOMAIN, 1};
 static const fault_promise rhs_error_of_user = {FAULT_ALL, FAULT_NUMBER, VM_NOT_FINITE, 0, VM_DOMAIN, 1};
 static const fault_promise rhs_nan = {FAULT_NAN, 0, VM_NOT_FINITE, 0, 0, 1};
@@ -141,9 +141,9 @@ static const fault_promise energy_error = {FAULT_STATUS + FAULT_NAN, FAULT_NUMBE
 static const fault_promise shorter_steps_of_reduced_mass = {
     FAULT_ALL, VM_DOMAIN, VM_NOT_FINITE, FAULT_TOLERANCE, VM_DOMAIN, 0};
 
-/* The two kinds of rows: what is tried, the number of its outputs, the object whose functions fail, and what must hold
-   then. FAULT_RHS tries a right-hand side; FAULT_CALL tries a function call_... below, which calls the function of the
-   library with that name. */
+/* Rows of the tables: the function that is tried, the number of its outputs, the object, whose name says which of its
+   functions fail, and what must hold then. FAULT_RHS tries a right-hand side. FAULT_CALL tries one of the functions
+   call_... below, each of which calls a function of the library. */
 #define FAULT_RHS(rhs, outputs, object, promise) {#rhs ", " #object, object, rhs, NULL, outputs, &promise}
 #define FAULT_CALL(call, outputs, object, promise) {#call ", " #object, object, NULL, call, outputs, &promise}
 
@@ -388,7 +388,7 @@ static inline void rotor_mass_shaft_and_force(fault_object *o)
     o->rotor.nodes = 4;
 }
 
-/* The same without a force, which closed forms do not allow */
+/* A rotor without a force, which closed forms do not allow */
 static inline void rotor_mass_and_shaft(fault_object *o)
 {
     rotor_mass_shaft_and_force(o);
@@ -553,14 +553,23 @@ static inline int call_forced_steady_states(fault_object *o, vm_real *out)
 
 static inline void motion_or_envelope(fault_object *o) { (void)o; }
 
-static inline int call_find_samples(fault_object *o, vm_real *out)
+static inline int fault_find(int kind, vm_real *out)
 {
     vm_sample samples[4];
-    const long found = vm_find_samples(faulty_motion, NULL, VM_ZERO_CROSSINGS, 0, 10, R(0.7), 4, samples);
-    (void)o;
+    const long found = vm_find_samples(faulty_motion, NULL, kind, 0, 10, R(0.7), 4, samples);
     if (found < 0) return (int)found;
-    out[0] = samples[0].t + samples[1].v + samples[2].t;
+    out[0] = samples[0].t + samples[1].x + samples[1].v + samples[2].t;
     return VM_OK;
+}
+static inline int call_find_samples(fault_object *o, vm_real *out)
+{
+    (void)o;
+    return fault_find(VM_ZERO_CROSSINGS, out);
+}
+static inline int call_find_turning_points(fault_object *o, vm_real *out)
+{
+    (void)o;
+    return fault_find(VM_TURNING_POINTS, out);
 }
 
 static inline int call_envelope_error(fault_object *o, vm_real *out)
@@ -568,6 +577,12 @@ static inline int call_envelope_error(fault_object *o, vm_real *out)
     const vm_sample samples[3] = {{0, 1, 0}, {3, -1, 0}, {6, 1, 0}};
     (void)o;
     return fault_number(vm_envelope_error(VM_TURNING_POINTS, 3, samples, faulty_envelope, NULL), out);
+}
+static inline int call_envelope_of_crossings(fault_object *o, vm_real *out)
+{
+    const vm_sample samples[3] = {{0, 0, 1}, {3, 0, -1}, {6, 0, 1}};
+    (void)o;
+    return fault_number(vm_envelope_error(VM_ZERO_CROSSINGS, 3, samples, faulty_envelope, NULL), out);
 }
 
 /* ---- Lagrange's equations ---- */
@@ -669,7 +684,9 @@ static const fault_row fault_oscillators[] = {
     FAULT_CALL(call_forced_peak, 1, forced_mass_and_frequency, nan_for_error),
     FAULT_CALL(call_forced_passage, 1, forced_mass_and_frequency, shorter_steps),
     FAULT_CALL(call_find_samples, 1, motion_or_envelope, shorter_steps_over_nan),
+    FAULT_CALL(call_find_turning_points, 1, motion_or_envelope, shorter_steps_over_nan),
     FAULT_CALL(call_envelope_error, 1, motion_or_envelope, shorter_steps_over_nan),
+    FAULT_CALL(call_envelope_of_crossings, 1, motion_or_envelope, shorter_steps_over_nan),
     FAULT_CALL(call_lagrange_rhs, 4, energy_and_masses, rhs_nan),
     FAULT_CALL(call_lagrange_rhs, 4, generalized_forces, rhs_error_of_user),
     FAULT_CALL(call_lagrange_start, 4, energy_and_masses, shorter_steps_over_nan),

@@ -45,7 +45,8 @@ int main(void)
     check_calls(LENGTH(fault_laws), fault_laws);
     check_calls(LENGTH(fault_oscillators), fault_oscillators);
     check_all(LENGTH(fault_scenes), fault_scenes);
-    check_all(LENGTH(fault_mass_laws), fault_mass_laws);
+    for (i = 0; i < LENGTH(fault_mass_laws); i++) check_mass_law(fault_mass_laws + i);
+    check_all(LENGTH(fault_effects), fault_effects);
     check_routes();
     for (i = 0; i < LENGTH(fault_refusals); i++) check_refused(fault_refusals + i);
     return check_finish("faults");
