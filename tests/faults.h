@@ -17,7 +17,8 @@
 enum {
     FAULT_STATUS = 1, /* it returns a number other than 0 */
     FAULT_NAN = 2,    /* it returns or writes NaN */
-    FAULT_BOTH = 4    /* it does both */
+    FAULT_BOTH = 4,   /* it does both */
+    FAULT_ALL = FAULT_STATUS + FAULT_NAN + FAULT_BOTH
 };
 
 /* The number that a failing function returns */
@@ -52,31 +53,42 @@ typedef struct outcome {
     double result; /* the result at the end */
 } outcome;
 
+/* What must hold after a fault */
+typedef struct fault_promise {
+    int kinds;         /* sum of the kinds of faults that the user's functions can have */
+    int stopped;       /* status where the user's function returned a number other than 0 */
+    int not_a_number;  /* status where it returned NaN; 0 is possible too, since a run may step over it */
+    double difference; /* largest relative difference of the results in eps; 0: they have the same bits */
+    int other;         /* 0, or a further status that all kinds of faults may have */
+    int may_be_nan;    /* 1 for right-hand sides: with NaN in them an integrator tries a shorter step */
+} fault_promise;
+
+/* A scenario runs by itself, or by a row of a table that says on which functions and objects it works. */
 typedef struct scenario {
-    const char *name;               /* of the function that is tested */
-    void (*run)(outcome *o);        /* NULL if `call` is all there is to do */
-    int kinds;                      /* sum of the kinds of faults that the user's functions can have */
-    int stopped;                    /* status where the user's function returned a number other than 0 */
-    int not_a_number;               /* status where it returned NaN; 0 is possible too, since a run may step over it */
-    double difference;              /* largest relative difference of the results in eps; 0: they have the same bits */
-    int (*call)(vm_real *result);   /* a call that can be made again: writes its result and returns its status */
-    int other;                      /* 0, or a further status that all kinds of faults may have */
-    int may_be_nan;                 /* 1 for right-hand sides: with NaN in them an integrator tries a shorter step */
+    const char *name;        /* of the function that is tested */
+    void (*run)(outcome *o); /* NULL if run_row is what there is to do */
+    fault_promise promise;
+    void (*run_row)(outcome *o, const void *row);
+    const void *row; /* the second argument of run_row */
 } scenario;
 
-/* What a result is before the call. A call that fails leaves it, or writes NaN. */
+/* What an output is before the call */
 #define FAULT_UNTOUCHED R(-77.125)
 
-/* The scenario of a function that keeps nothing from call to call: it is called, and where it failed, called again. */
-static inline void fault_call_twice(const scenario *s, outcome *o)
+/* Fills n outputs before a call that may fail. */
+static inline void fault_fill(int n, vm_real *y)
 {
-    vm_real result = FAULT_UNTOUCHED;
-    o->status = o->again = s->call(&result);
-    if (o->status < 0) {
-        o->sound = result == FAULT_UNTOUCHED || result != result;
-        o->again = s->call(&result);
-    }
-    o->result = (double)result;
+    int i;
+    for (i = 0; i < n; i++) y[i] = FAULT_UNTOUCHED;
+}
+
+/* Whether none of n outputs has been written */
+static inline int fault_is_untouched(int n, const vm_real *y)
+{
+    int i;
+    for (i = 0; i < n; i++)
+        if (y[i] != FAULT_UNTOUCHED) return 0;
+    return 1;
 }
 
 /* A number that depends on each of n numbers */
@@ -88,6 +100,71 @@ static inline vm_real fault_sum(int n, const vm_real *y)
     return sum;
 }
 
+/* ---- Single calls ---- */
+
+/* An object of the library, of which some laws or other functions of a user fail */
+typedef union fault_object {
+    vm_law law;
+    vm_osc_problem problem;
+    vm_odd_force odd_force;
+    vm_odd_problem odd;
+    vm_vdp vdp;
+    vm_jeffcott rotor;
+    vm_pair pair;
+    vm_coupled_pair coupled;
+    vm_grounded_pair grounded;
+    vm_forced forced;
+    vm_periodic periodic;
+    vm_lagrange_system lagrange;
+} fault_object;
+
+/* A function that keeps nothing from call to call, and what it is called with. The function is a right-hand side, which
+   gets the object as its last argument, or else `call`, which calls it with the object, writes its outputs to out and
+   returns its status. */
+typedef struct fault_row {
+    const char *name;
+    void (*make)(fault_object *o); /* makes the object from one whose bytes are all 0 */
+    ode_rhs rhs; /* NULL where `call` is what there is to call */
+    int (*call)(fault_object *o, vm_real *out);
+    int n; /* number of outputs, at most FAULT_OUTPUTS */
+    const fault_promise *promise;
+} fault_row;
+
+enum { FAULT_OUTPUTS = 5 };
+
+/* The state, or other numbers, that functions are called with; they use as many of them as they need. */
+static const vm_real fault_state[5] = {1, R(0.5), R(0.25), R(0.75), R(0.125)};
+
+/* Makes the object, and calls the function. An error must leave all outputs and the object as they were. */
+static inline int fault_try(const fault_row *row, outcome *o)
+{
+    vm_real out[FAULT_OUTPUTS];
+    fault_object object, before;
+    int status;
+    memset(&object, 0, sizeof object);
+    row->make(&object);
+    memcpy(&before, &object, sizeof object);
+    fault_fill(row->n, out);
+    if (row->rhs) status = row->rhs(1, fault_state, out, &object);
+    else status = row->call(&object, out);
+    if (status < 0 && !fault_is_untouched(row->n, out)) o->sound = 0;
+    if (status < 0 && memcmp(&object, &before, sizeof object) != 0) o->sound = 0;
+    o->result = (double)fault_sum(row->n, out);
+    return status;
+}
+
+/* The run of such a row: the function is called, and where it failed, called again. */
+static inline void fault_call_twice(outcome *o, const void *row)
+{
+    o->status = o->again = fault_try((const fault_row *)row, o);
+    if (o->status < 0) o->again = fault_try((const fault_row *)row, o);
+}
+
+/* Whether the scenario is a single call, and not a run of many steps */
+static inline int fault_is_single(const scenario *s) { return s->run_row == fault_call_twice; }
+
+/* ---- The checks ---- */
+
 /* One run of the scenario with a fault at the call `at` */
 static inline outcome fault_run(const scenario *s, int kind, long at)
 {
@@ -96,26 +173,27 @@ static inline outcome fault_run(const scenario *s, int kind, long at)
     fault.at = at;
     fault.kind = kind;
     if (s->run) s->run(&o);
-    else fault_call_twice(s, &o);
+    else s->run_row(&o, s->row);
     return o;
 }
 
 /* Whether the status is one that this fault may have */
-static inline int fault_has_status(const scenario *s, int kind, int status)
+static inline int fault_has_status(const fault_promise *p, int kind, int status)
 {
-    if (status == 0) return kind == FAULT_NAN || s->difference > 0;
-    if (kind != FAULT_NAN && status == s->stopped) return 1;
-    if (kind != FAULT_STATUS && status == s->not_a_number) return 1;
-    return s->other && status == s->other;
+    if (status == 0) return kind == FAULT_NAN || p->difference > 0;
+    if (kind != FAULT_NAN && status == p->stopped) return 1;
+    if (kind != FAULT_STATUS && status == p->not_a_number) return 1;
+    return p->other && status == p->other;
 }
 
 /* Whether the result is that of the run without a fault. A function that keeps nothing from call to call must have the
-   same bits after an error; a run that has stepped over the fault, or goes on after it, may differ by s->difference. */
+   same bits after an error; a run that has stepped over the fault, or goes on after it, may differ as promised. */
 static inline int fault_same(const scenario *s, const outcome *o, double result)
 {
-    if (s->may_be_nan && o->status == 0 && o->result != o->result) return 1;
-    if (s->difference == 0 || (o->status < 0 && s->call)) return o->result == result;
-    return fabs(o->result - result) <= s->difference * (double)VM_EPSILON * fabs(result);
+    const double difference = s->promise.difference;
+    if (s->promise.may_be_nan && o->status == 0 && o->result != o->result) return 1;
+    if (difference == 0 || (o->status < 0 && fault_is_single(s))) return o->result == result;
+    return fabs(o->result - result) <= difference * (double)VM_EPSILON * fabs(result);
 }
 
 /* The call that fails after the call `at` has failed: all calls of an integrator's or a scene's run; of functions whose
@@ -123,7 +201,7 @@ static inline int fault_same(const scenario *s, const outcome *o, double result)
    are very many calls, they are the calls 0, 7, 63, 511 and so on. */
 static inline long fault_next(const scenario *s, long at, long calls)
 {
-    if (s->run) return at + 1;
+    if (!fault_is_single(s)) return at + 1;
     if (calls > 30000) return 8 * at + 7;
     return at < 40 ? at + 1 : at + 1 + at / 4;
 }
@@ -135,7 +213,8 @@ static inline void check_faults_of(const scenario *s, int kind, long calls, doub
     long at, errors = 0, bad = 0, tried = 0;
     for (at = 0; at < calls; at = fault_next(s, at, calls)) {
         const outcome o = fault_run(s, kind, at);
-        const int good = fault_has_status(s, kind, o.status) && o.sound && o.again >= 0 && fault_same(s, &o, result);
+        const int good = fault_has_status(&s->promise, kind, o.status) && o.sound && o.again >= 0 &&
+                         fault_same(s, &o, result);
         tried++;
         errors += o.status != 0;
         bad += !good;
@@ -143,7 +222,7 @@ static inline void check_faults_of(const scenario *s, int kind, long calls, doub
             printf("%s, %s at call %ld: status %d, sound %d, then %d, %.17g instead of %.17g\n", s->name, names[kind],
                    at, o.status, o.sound, o.again, o.result, result);
     }
-    printf("%-26s  %-6s  %5ld of %5ld calls, %5ld ended with an error, %ld wrong\n", s->name, names[kind], tried, calls,
+    printf("%-45s  %-6s  %5ld of %5ld calls, %5ld ended with an error, %ld wrong\n", s->name, names[kind], tried, calls,
            errors, bad);
     check_count(bad == 0 && (errors > 0 || kind == FAULT_NAN), __FILE__, __LINE__, s->name);
 }
@@ -156,10 +235,22 @@ static inline void check_faults(const scenario *s)
                 s->name);
     if (without.status < 0) printf("%s: status %d without a fault\n", s->name, without.status);
     for (kind = FAULT_STATUS; kind <= FAULT_BOTH; kind *= 2) {
-        if (!(s->kinds & kind)) continue;
+        if (!(s->promise.kinds & kind)) continue;
         fault_run(s, kind, -1);
         check_faults_of(s, kind, fault.calls, without.result);
     }
+}
+
+/* Checks a scenario that is made of a row of another table. */
+static inline void check_faults_of_row(const char *name, const fault_promise *promise,
+                                       void (*run_row)(outcome *o, const void *row), const void *row)
+{
+    scenario s = {NULL, NULL, {0, 0, 0, 0, 0, 0}, NULL, NULL};
+    s.name = name;
+    s.promise = *promise;
+    s.run_row = run_row;
+    s.row = row;
+    check_faults(&s);
 }
 
 #endif

@@ -227,11 +227,6 @@ static inline void fault_saved(outcome *o, const fault_method *m)
 static inline void fault_rk45_saved(outcome *o) { fault_saved(o, &fault_rk45); }
 static inline void fault_rk87_saved(outcome *o) { fault_saved(o, &fault_rk87); }
 
-/* Where an error may come from each of several functions, or a step may be shorter, the results differ within the
-   tolerance. */
-#define FAULT_OF_RUN(name, run, kinds, difference) \
-    {name, run, kinds, ODE_RHS_STOPPED, ODE_NOT_FINITE, difference, NULL, 0, 0}
-
 static const scenario fault_runs[] = {
     FAULT_OF_RUN("rk4_solve, 12 numbers", fault_rk4_long_solve, FAULT_ALL, 0),
     FAULT_OF_RUN("rk4_compensated, 12", fault_rk4_long_compensated, FAULT_ALL, 0),
