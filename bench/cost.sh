@@ -7,8 +7,8 @@ tables=$folder/tables
 mkdir -p "$tables"
 
 { echo '```'; cat "$folder/machine"; echo '```'; } >"$tables/machine"
-sh bench/summary.sh "$folder" markdown >"$tables/summary"
-sh bench/goals.sh "$folder" docs/counts.md >"$tables/goals"
+sh bench/summary.sh "$folder" markdown >"$tables/summary" || exit 1
+sh bench/goals.sh "$folder" docs/counts.md >"$tables/goals" || exit 1
 
 # routes PROGRAM JOB : error, ns and ratio of each route to a job, in double, float and with -O3 -march=native
 routes() {

@@ -17,10 +17,10 @@ sa, ca prepared, with a power @ ateb @ saca; |s| < 10; alpha = 1.333 @ ateb_plan
 sa, ca prepared, with a power @ ateb @ saca; |s| < 10; alpha = 1000 @ ateb_plan_saca @ 3 @  @ the power, which needs a logarithm and an exponential
 arrays, -O3 -march=native @ jacobi_wide @ sncndn; |u| < 2K; m = 0.5 @ jacobi_plan_sncndn_array @ 0.5 @ jacobi_plan_sncndn_array @ a vector holds few numbers, and each needs the reduction and a division
 arrays, -O3 -march=native @ ateb_wide @ saca; |s| < 10; alpha = 3 @ ateb_plan_saca_array @ 0.5 @  @ both ranges of s are computed for each s, since a vector cannot branch
-sn, cn, dn in float @ jacobi_float @ sncndn; |u| < 2K; 0 < m < 0.5 @ jacobi_sncndn @ 5 @ jacobi_sncndn @ sinf computes in double; the kit's float code must not need double
-sn, cn, dn prepared, in float @ jacobi_float @ sncndn; |u| < 2K; m = 0.5 @ jacobi_plan_sncndn @ 2 @ jacobi_plan_sncndn @ sinf computes in double; the kit's float code must not need double
-sa, ca in float @ ateb_float @ saca; |s| < 10; 0 < alpha < 5 @ ateb_saca @ 12 @ ateb_saca @ sinf computes in double; the kit's float code must not need double
-sa, ca prepared, in float @ ateb_float @ saca; |s| < 10; alpha = 3 @ ateb_plan_saca @ 2 @ ateb_plan_saca_3 @ sinf computes in double; the kit's float code must not need double'
+sn, cn, dn in float @ jacobi_float @ sncndn; |u| < 2K; 0 < m < 0.5 @ jacobi_sncndn @ 5 @ jacobi_sncndn @ sinf computes in double; the float code of the kit must not need double
+sn, cn, dn prepared, in float @ jacobi_float @ sncndn; |u| < 2K; m = 0.5 @ jacobi_plan_sncndn @ 2 @ jacobi_plan_sncndn @ sinf computes in double; the float code of the kit must not need double
+sa, ca in float @ ateb_float @ saca; |s| < 10; 0 < alpha < 5 @ ateb_saca @ 12 @ ateb_saca @ sinf computes in double; the float code of the kit must not need double
+sa, ca prepared, in float @ ateb_float @ saca; |s| < 10; alpha = 3 @ ateb_plan_saca @ 2 @ ateb_plan_saca_3 @ sinf computes in double; the float code of the kit must not need double'
 echo '| what | of which | goal | measured | reached | in a chain | instructions, double; float | instructions divided by those of sin | reason, if not reached |'
 echo '|---|---|---|---|---|---|---|---|---|'
 for program in jacobi ateb jacobi_wide ateb_wide jacobi_float ateb_float; do
