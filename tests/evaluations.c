@@ -86,10 +86,13 @@ static trial result(vm_real x, vm_real y, vm_real z, int good)
     return t;
 }
 
+/* The number to which an error of x is compared: subnormal numbers have the spacing of the smallest normal one. */
+static vm_real size_of(vm_real x) { return VM_FABS(x) > VM_MIN ? VM_FABS(x) : VM_MIN; }
+
 /* Are a and b the same, up to so many eps of the larger? */
 static int same_size(vm_real a, vm_real b, double epsilons)
 {
-    const vm_real size = VM_FABS(a) > VM_FABS(b) ? VM_FABS(a) : VM_FABS(b);
+    const vm_real size = size_of(VM_FABS(a) > VM_FABS(b) ? a : b);
     return VM_FABS(a - b) <= R(epsilons) * EPS * size;
 }
 
@@ -373,7 +376,7 @@ static trial try_beta_inverse(random_bits *g)
 {
     const vm_real a = of_size(g, -9, 13), b = of_size(g, -9, 13), p = uniform(g, 0, 1);
     const vm_real x = ateb_beta_inc_inv(p, a, b), next = p > 0 ? ateb_beta_inc_inv(next_up(p), a, b) : x;
-    return result(a, b, p, x >= 0 && x <= 1 && (p >= 1 || next >= x * (1 - 64 * EPS)));
+    return result(a, b, p, x >= 0 && x <= 1 && (p >= 1 || next >= x - 64 * EPS * size_of(x)));
 }
 
 static trial try_saca_nm(random_bits *g)
