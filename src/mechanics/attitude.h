@@ -1,7 +1,8 @@
 /* mechanics/attitude.h - attitudes: vectors in body axes and inertial axes, rotation matrices, Rodrigues parameters
    The attitude of a body is a quaternion q = w + x i + y j + z k that turns body axes into inertial axes: a vector with
    the components a along the body's axes has the components q a q* along inertial axes. w is the cosine of half the
-   angle of the rotation, (x, y, z) its axis times the sine of half the angle (Hamilton's quaternions, right-handed).
+   angle of the rotation, and (x, y, z) is the unit vector along the axis of the rotation, times the sine of half the
+   angle (Hamilton's quaternions, right-handed).
    q and -q are the same attitude. The length of q does not matter. If all four numbers of q are 0, body axes and
    inertial axes coincide (the identity). This chapter computes
      - the components of a vector along inertial axes from those along body axes, and back,
@@ -56,10 +57,11 @@ VM_API vm_vec3 vm_unit(vm_vec3 a)
     return vmi_over(b, VM_SQRT(vm_dot(b, b)));
 }
 
-/* Writes the time derivatives of w, x, y, z of the quaternion q to rates. q is the attitude of a body with the angular
-   velocity omega (rad/s, body axes): q' = q (0, omega)/2 + |omega| (1 - |q|^2) q/8. square is |q|^2. q should have
-   length 1, but errors of an integration change its length. The second term lets the length return to 1. This happens
-   more slowly than the body rotates, so that an integrator does not need shorter steps because of it. */
+/* Writes the time derivatives of w, x, y, z of the quaternion q to the array `rates`. q is the attitude of a body with
+   the angular velocity omega (rad/s, body axes). The formula is q' = q (0, omega)/2 + |omega| (1 - |q|^2) q/8, where
+   (0, omega) is a quaternion whose w is 0. The argument `square` must be |q|^2. q should have length 1, but errors of
+   an integration change its length. The second term of q' brings the length back to 1. This correction is slower than
+   the rotation of the body, so that an integrator needs no shorter steps because of it. */
 VM_INLINE void vmi_attitude_rates(vm_quat q, vm_real square, vm_vec3 omega, vm_real *rates)
 {
     const vm_real back = VM_SQRT(vm_dot(omega, omega)) * (1 - square) / 8;
@@ -71,7 +73,7 @@ VM_INLINE void vmi_attitude_rates(vm_quat q, vm_real square, vm_vec3 omega, vm_r
 }
 
 /* The components along inertial axes of a vector whose components along body axes are a. The error is within 6 eps |a|.
-   Numbers that are not finite give NaN. */
+   If a number of q or a is infinite or NaN, the result is NaN. */
 VM_API vm_vec3 vm_rotate(vm_quat q, vm_vec3 a)
 {
     const vmi_mat3 m = vmi_rotation(q);
@@ -80,7 +82,7 @@ VM_API vm_vec3 vm_rotate(vm_quat q, vm_vec3 a)
 }
 
 /* The components along body axes of a vector whose components along inertial axes are a. The error is within 6 eps |a|.
-   Numbers that are not finite give NaN. */
+   If a number of q or a is infinite or NaN, the result is NaN. */
 VM_API vm_vec3 vm_rotate_back(vm_quat q, vm_vec3 a)
 {
     const vmi_mat3 m = vmi_rotation(q);
@@ -88,11 +90,12 @@ VM_API vm_vec3 vm_rotate_back(vm_quat q, vm_vec3 a)
     return vmi_times_transposed(&m, a);
 }
 
-/* The rotation matrix c of an attitude, row by row. c[3 i + j] is the cosine of the angle between inertial axis i and
-   body axis j. c times the components of a vector along body axes gives its components along inertial axes. The error
-   of an entry is within 6 eps. Some books define the inverse matrix, from inertial to body axes, which is the transpose
-   of c.
-   Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE if q is not finite, and VM_OK otherwise. */
+/* Writes the rotation matrix c of the attitude q, row by row. c[3 i + j] is the cosine of the angle between inertial
+   axis i and body axis j. c times the components of a vector along body axes gives its components along inertial axes.
+   The error of an entry is within 6 eps. Some books define the inverse matrix, from inertial to body axes, which is the
+   transpose of c.
+   Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE if a number of q is infinite or NaN, and VM_OK
+   otherwise. */
 VM_API int vm_quat_to_matrix(vm_quat q, vm_real c[9])
 {
     const vmi_mat3 m = vmi_rotation(q);
@@ -104,12 +107,12 @@ VM_API int vm_quat_to_matrix(vm_quat q, vm_real c[9])
     return VM_OK;
 }
 
-/* The largest error with which a matrix is accepted as a rotation matrix. Matrices that were printed with three digits
-   are accepted. */
+/* vmi_is_rotation accepts a matrix as a rotation matrix if the errors that it finds in the matrix are at most this
+   number. A rotation matrix whose entries are rounded to three digits is accepted. */
 #define VMI_MATRIX_TOLERANCE VM_C(0.0078125)
 
-/* Returns 1 if c is a rotation matrix, apart from small errors of its entries, and 0 otherwise. Its columns x, y, z
-   must have length 1, and the cross product of x and y must be z. */
+/* Returns 1 if c is a rotation matrix, apart from small errors of its entries, and 0 otherwise. The columns x, y, z of
+   a rotation matrix have length 1, and the cross product of x and y is z. */
 VM_API int vmi_is_rotation(const vm_real *c)
 {
     const vm_vec3 x = vmi_vec3(c[0], c[3], c[6]), y = vmi_vec3(c[1], c[4], c[7]), z = vmi_vec3(c[2], c[5], c[8]);
@@ -122,8 +125,8 @@ VM_API int vmi_is_rotation(const vm_real *c)
    is within 4 eps. For a rotation by a small angle it is within 4 eps times this angle. Rounding errors of c cause
    errors of the same size in q. There are four formulas for q, each with a division; the function uses the one with the
    largest divisor (Shepperd 1978).
-   Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_DOMAIN if c is not a rotation matrix even to two digits
-   (for example a reflection), and VM_OK otherwise. */
+   Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE if an entry of c is infinite or NaN, VM_DOMAIN if c is not
+   a rotation matrix even to two digits (for example a reflection), and VM_OK otherwise. */
 VM_API int vm_quat_from_matrix(const vm_real c[9], vm_quat *q)
 {
     vm_real v[4], trace; /* v: a multiple of the quaternion w, x, y, z */
@@ -156,8 +159,8 @@ VM_API int vm_quat_from_matrix(const vm_real c[9], vm_quat *q)
    tangent of a quarter of the angle. q and -q are the same attitude; the function uses the one with w >= 0. The angle
    is then at most pi, and the length of the parameters p is at most 1, apart from rounding. The other set of parameters
    of the same attitude (the shadow set) is -p/|p|^2. At an angle of pi, where w = 0, both sets have the same length;
-   the result is then (x, y, z)/|q|. The relative error of each component is within 4 eps. Numbers that are not finite
-   give NaN. */
+   the result is then (x, y, z)/|q|. The relative error of each component is within 4 eps. If a number of q is infinite
+   or NaN, the result is NaN. */
 VM_API vm_vec3 vm_quat_to_mrp(vm_quat q)
 {
     vm_real divisor;
@@ -168,10 +171,10 @@ VM_API vm_vec3 vm_quat_to_mrp(vm_quat q)
     return vmi_over(vmi_quat_vector(q), divisor);
 }
 
-/* Attitude of length 1 from modified Rodrigues parameters p of any length. Its w is negative if |p| > 1, where the
-   angle of the rotation is above pi. The relative error of each component of the result is within 8 eps. This holds for
-   w, too, if the angle is close to pi and w is small, because 1 - |p|^2 is computed with twice the digits. Parameters
-   that are not finite give NaN. */
+/* The attitude, a quaternion of length 1, that belongs to the modified Rodrigues parameters p of any length. The number
+   w of the result is negative if |p| > 1, where the angle of the rotation is above pi. The relative error of each
+   component of the result is within 8 eps. This holds for w, too, if the angle is close to pi and w is small, because 1
+   - |p|^2 is computed with twice the digits. If a parameter is infinite or NaN, the result is NaN. */
 VM_API vm_quat vm_quat_from_mrp(vm_vec3 p)
 {
     vm_real scale = 1; /* a power of two that makes the components of a long p at most 2 */

@@ -17,9 +17,10 @@
    jump. The balances of momentum and angular momentum hold in this frame, too (42). If the body turned about the axle
    before the jump, it was at rest in this frame. Let P be the sum of the momenta of the body before the jump, of all
    bodies that join (+) or leave (-), and of the external impulse; let L be the sum of their angular momenta about O.
-   Let I be the inertia of the body after the jump about O. Then w grows by (e . L)/(e . I e). The axle exerts the
-   impulse M1 v1 - P at O, where M1 is the mass of the body after the jump and v1 the velocity of its mass centre in the
-   frame. The axle also exerts a couple, which is orthogonal to the axle.
+   Let I be the inertia of the body after the jump about O. Then the jump increases the angular velocity w of the body
+   about the axle by (e . L)/(e . I e). The axle exerts the impulse M1 v1 - P at O, where M1 is the mass of the body
+   after the jump and v1 the velocity of its mass centre in the frame. The axle also exerts a couple, which is
+   orthogonal to the axle.
    Tests: tests/test_axle.c. */
 #ifndef VARMASS_MECHANICS_AXLE_H
 #define VARMASS_MECHANICS_AXLE_H
@@ -51,7 +52,8 @@ VM_API vm_vec3 vmi_axle_spin(const vm_body *body, vm_vec3 omega)
     return vmi_times(&turn, vmi_inertia_times(&body->inertia, vmi_times_transposed(&turn, omega)));
 }
 
-/* Adds `sign` times the momenta of a body to *sum, relative to the frame that turns about the point O with omega. */
+/* Adds `sign` times the momentum and the angular momentum of a body to *sum. Both are relative to the frame that turns
+   about the point O with the angular velocity omega. */
 VM_API void vmi_axle_add(vmi_axle_sum *sum, vm_real sign, const vm_body *body, vm_vec3 O, vm_vec3 omega)
 {
     const vm_vec3 d = vm_sub(body->r, O), slip = vm_sub(body->v, vm_cross(omega, d));
@@ -60,9 +62,9 @@ VM_API void vmi_axle_add(vmi_axle_sum *sum, vm_real sign, const vm_body *body, v
     sum->angular = vm_add(sum->angular, vm_scale(sign, vm_add(spin, vm_cross(d, momentum))));
 }
 
-/* The vector from O to the mass centre of a body after the jump, where its mass is `mass`. The function adds only
-   differences of positions. Far from the origin the position of the new mass centre would be rounded, and its
-   difference from O would lose digits. */
+/* The vector from the point O to the mass centre of a body after the jump. `mass` is the mass of the body after the
+   jump. The function adds only differences of positions. Far from the origin the position of the new mass centre would
+   be rounded, and its difference from O would lose digits. */
 VM_API vm_vec3 vmi_axle_arm(vm_vec3 O, const vm_body *body, int n, const vm_body *others, vm_real sign, vm_real mass)
 {
     vm_vec3 shift = {0, 0, 0};
@@ -74,7 +76,8 @@ VM_API vm_vec3 vmi_axle_arm(vm_vec3 O, const vm_body *body, int n, const vm_body
     return vm_add(vm_sub(body->r, O), shift);
 }
 
-/* Checks the axle, and writes its unit vector. */
+/* Sets *e to the unit vector along the axle. Returns VM_NOT_FINITE if a number of the axle is infinite or NaN;
+   VM_DOMAIN if axle->axis is 0; else VM_OK. */
 VM_API int vmi_axle_direction(const vm_axle *axle, vm_vec3 *e)
 {
     vm_real length;
@@ -86,8 +89,9 @@ VM_API int vmi_axle_direction(const vm_axle *axle, vm_vec3 *e)
 }
 
 /* Sets the motion of the body *b about the axle, and computes the impulse of the axle. *b must already have the mass,
-   the inertia and the position after the jump. *sum contains P, L and the arm, and `before` is w e. Returns
-   VM_NULL_AXIS if b has no inertia about the axle, but would need angular momentum, else VM_OK. */
+   the inertia and the position after the jump. *sum contains the sums P and L and the vector `arm`. `before` is the
+   angular velocity of the body about the axle before the jump. Returns VM_NULL_AXIS if *b has no inertia about the
+   axle, but would need angular momentum about it, else VM_OK. */
 VM_API int vmi_axle_turn(vm_vec3 O, vm_vec3 e, vm_vec3 before, const vmi_axle_sum *sum, vm_body *b,
                          vm_impulse *reaction)
 {
@@ -108,7 +112,7 @@ VM_API int vmi_axle_turn(vm_vec3 O, vm_vec3 e, vm_vec3 before, const vmi_axle_su
     return status;
 }
 
-/* Computes the jump for the two functions below; `sign` is VMI_SEPARATE or VMI_ATTACH. */
+/* Computes the jump for vm_separate_on_axle and vm_attach_on_axle; `sign` is VMI_SEPARATE or VMI_ATTACH. */
 VM_API int vmi_axle_jump(const vm_axle *axle, const vm_body *body, int n, const vm_body *others, vm_real sign,
                          const vm_impulse *external_or_NULL, vm_body *result, vm_impulse *reaction_or_NULL)
 {
@@ -136,15 +140,16 @@ VM_API int vmi_axle_jump(const vm_axle *axle, const vm_body *body, int n, const 
     return status;
 }
 
-/* Separation of n parts from a body on a fixed axle: *rest is what remains, guided by the axle.
+/* Separation of n parts from a body on a fixed axle: *rest is the body that remains on the axle.
    `parts` must contain the motions that the parts have after the separation. The external impulse, if there is one,
    acts during the separation. *reaction_or_NULL is the impulse of the axle on the body: `linear` acts at the point
    axle->at, and `couple` is orthogonal to the axle. If the parts keep the motion that they had in the whole, the motion
-   of the rest does not change. With n = 0 only the impulse acts. If the whole did not turn about the axle before, the
-   axle catches it at this instant. Let s be the sum of the absolute values of the terms of e . L. The error of the
-   angular velocity is a few eps times s divided by the inertia about the axle. Returns VM_OK, an error status of
-   vm_separate_all, VM_DOMAIN if axle->axis is 0, and VM_NULL_AXIS (> 0) if the rest has no inertia about the axle, but
-   would need angular momentum; it then turns as the whole did. `rest` may be equal to `whole`. */
+   of the rest does not change. With n = 0 only the impulse acts. If the whole did not turn about the axle before the
+   separation, the axle catches it at this instant. The error of the angular velocity is a few eps times s divided by
+   the inertia about the axle. Here s is the sum of the absolute values of the terms of e . L; e and L are explained at
+   the top of mechanics/axle.h. Returns VM_OK, an error status of vm_separate_all, VM_DOMAIN if axle->axis is 0, and
+   VM_NULL_AXIS (> 0) if the rest has no inertia about the axle, but would need angular momentum about it. The rest then
+   turns as the whole did. The pointer `rest` may be equal to `whole`. */
 VM_API int vm_separate_on_axle(const vm_axle *axle, const vm_body *whole, int n, const vm_body *parts,
                                const vm_impulse *external_or_NULL, vm_body *rest, vm_impulse *reaction_or_NULL)
 {

@@ -1,7 +1,7 @@
 /* mechanics/bodies.h - bodies in space and in the plane, their momenta and energy before and after a jump
    A vm_body is a body at an instant: mass, inertia, attitude, position and motion. A vm_body2 is a body that moves in
    the plane. This chapter computes momentum (1)-(3), angular momentum (7)-(9) and kinetic energy (93), (97), and
-   compares them before and after an instant, (4)-(6), (10)-(12). The functions for the plane are in bodies2.h.
+   compares their values before and after an instant, (4)-(6), (10)-(12). The functions for the plane are in bodies2.h.
 
        vm_body wheel = {5, {2, 2, 1, 0, 0, 0}, {1, 0, 0, 0}, {0, 0, 0}, {10, 0, 0}, {0, 0, 3}};
        vm_vec3 origin = {0, 0, 0}, L = vm_angular_momentum(&wheel, origin); // L.z = 3 N m s
@@ -58,8 +58,9 @@ typedef struct VM_TAG(vm_balance) {
     vm_vec3 angular_momentum;       /* change of angular momentum about a point, N m s: (12), (17), (22) */
     vm_real momentum_scale;         /* the sum of mass times speed over all bodies, plus the size of the impulse, N s */
     /* The rounding error of angular_momentum is a few eps times this scale, N m s. The scale is the sum over all bodies
-       of tr(I) |omega| + (|r| + |r - about|) M |v| plus a term for the impulse; I is the inertia, tr the trace and M
-       the mass. The term |r| M |v| is there because the position r has the rounding error eps |r|. */
+       of tr(I) |omega| + (|r| + |r - about|) M |v|, plus a term for the impulse. A body has the inertia I (trace
+       tr(I)), the mass M, the position r, the velocity v and the angular velocity omega; `about` is the point of the
+       moments. The term |r| M |v| is there because r has the rounding error eps |r|. */
     vm_real angular_momentum_scale;
     vm_real energy;                 /* kinetic energy after minus before, J: (94) - (93) */
 } vm_balance;
@@ -73,8 +74,8 @@ VM_API vm_vec3 vmi_spin_momentum(const vm_body *body)
     return vmi_times(&m, vmi_inertia_times(&body->inertia, vmi_times_transposed(&m, body->omega)));
 }
 
-/* Momentum of a body, mass times velocity, (1)-(3), N s. The body is not checked: NaN in the body gives NaN, and so
-   does a null pointer. */
+/* Momentum of a body, mass times velocity, (1)-(3), N s. The body is not checked. The result is NaN for a null pointer,
+   and if a field that the function uses is NaN. */
 VM_API vm_vec3 vm_momentum(const vm_body *body)
 {
     if (!body) return vmi_vec3(VM_NAN, VM_NAN, VM_NAN);
@@ -82,8 +83,8 @@ VM_API vm_vec3 vm_momentum(const vm_body *body)
 }
 
 /* Angular momentum of a body about the point `about` (7)-(9), N m s. It is I omega + (r - about) x M v in inertial
-   axes, with the inertia I, the mass M and the cross product x. The body is not checked: NaN in the body gives NaN, and
-   so does a null pointer. */
+   axes, with the inertia I, the mass M and the cross product x. The body is not checked. The result is NaN for a null
+   pointer, and if a field that the function uses is NaN. */
 VM_API vm_vec3 vm_angular_momentum(const vm_body *body, vm_vec3 about)
 {
     if (!body) return vmi_vec3(VM_NAN, VM_NAN, VM_NAN);
@@ -91,7 +92,7 @@ VM_API vm_vec3 vm_angular_momentum(const vm_body *body, vm_vec3 about)
 }
 
 /* Kinetic energy of a body (93), (97), J. It is (M v.v + omega.(I omega))/2, with the mass M and the inertia I. The
-   body is not checked: NaN in the body gives NaN, and so does a null pointer. */
+   body is not checked. The result is NaN for a null pointer, and if a field that the function uses is NaN. */
 VM_API vm_real vm_kinetic_energy(const vm_body *body)
 {
     if (!body) return VM_NAN;
@@ -100,8 +101,8 @@ VM_API vm_real vm_kinetic_energy(const vm_body *body)
 
 /* ---- conversion of bodies between the plane and space ---- */
 
-/* Converts a body of the plane to a body of space, with inertial axes as its body axes. Only the entry zz of its
-   inertia is set, because motion in the plane needs no other entry. */
+/* Converts a body that moves in the plane to a body in space, with inertial axes as its body axes. Only the entry zz of
+   its inertia is set, because motion in the plane needs no other entry. */
 VM_API vm_body vmi_body_to_space(const vm_body2 *body)
 {
     vm_body b = {0, {0, 0, 0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}};
@@ -113,7 +114,8 @@ VM_API vm_body vmi_body_to_space(const vm_body2 *body)
     return b;
 }
 
-/* Converts a body of space to a body of the plane with the given angle. Motion out of the plane is left out. */
+/* Converts a body in space to a body that moves in the plane, with the attitude `angle`. The motion perpendicular to
+   the plane is ignored. */
 VM_API vm_body2 vmi_body_to_plane(const vm_body *b, vm_real angle)
 {
     vm_body2 flat;
@@ -148,7 +150,8 @@ VM_API int vmi_impulse_is_finite(const vm_impulse *j)
     return vmi_vec3_is_finite(j->linear) && vmi_vec3_is_finite(j->couple) && vmi_vec3_is_finite(j->at);
 }
 
-/* Checks a body of space. Returns VM_OK, VM_NOT_FINITE, VM_BAD_MASS or VM_BAD_INERTIA. */
+/* Checks a body in space. Returns VM_NOT_FINITE if a field is infinite or NaN; VM_BAD_MASS if the mass is not positive;
+   VM_BAD_INERTIA if no body can have the inertia; else VM_OK. */
 VM_API int vmi_check_body(const vm_body *b)
 {
     if (!vmi_body_is_finite(b)) return VM_NOT_FINITE;
@@ -156,7 +159,8 @@ VM_API int vmi_check_body(const vm_body *b)
     return vm_inertia_is_possible(&b->inertia) ? VM_OK : VM_BAD_INERTIA;
 }
 
-/* Checks a body of the plane. Returns VM_OK, VM_NOT_FINITE, VM_BAD_MASS or VM_BAD_INERTIA. */
+/* Checks a body that moves in the plane. Returns VM_NOT_FINITE if a field is infinite or NaN; VM_BAD_MASS if the mass
+   is not positive; VM_BAD_INERTIA if the inertia is negative; else VM_OK. */
 VM_API int vmi_check_body2(const vm_body2 *b)
 {
     if (!vmi_body2_is_finite(b)) return VM_NOT_FINITE;
@@ -164,7 +168,7 @@ VM_API int vmi_check_body2(const vm_body2 *b)
     return b->inertia >= 0 ? VM_OK : VM_BAD_INERTIA;
 }
 
-/* An array of n bodies, either of space or of the plane. One of the two pointers is NULL. */
+/* An array of n bodies, which are either all in space or all in the plane. The other of the two pointers is NULL. */
 typedef struct VM_TAG(vmi_bodies) {
     int n;
     const vm_body *in_space;
@@ -189,15 +193,16 @@ VM_API vmi_bodies vmi_bodies_in_plane(int n, const vm_body2 *bodies)
     return list;
 }
 
-/* Body i of the list, as a body of space */
+/* Body number i of the list, as a body in space */
 VM_API vm_body vmi_list_body(const vmi_bodies *list, int i)
 {
     if (list->in_plane) return vmi_body_to_space(list->in_plane + i);
     return list->in_space[i];
 }
 
-/* Returns VM_OK if all bodies are valid, else the error of a body; of several errors, vmi_first_error selects one.
-   Returns VM_BAD_ARGUMENT for n < 0, and if n > 0 while both pointers are NULL. */
+/* Returns VM_OK if all bodies of the list are valid, else the error of a body. If several bodies have errors,
+   vmi_first_error selects one. Returns VM_BAD_ARGUMENT if the number n of bodies is negative, and if n > 0 while both
+   pointers of the list are NULL. */
 VM_API int vmi_check_bodies(const vmi_bodies *list)
 {
     int i, status = VM_OK;
@@ -217,7 +222,8 @@ VM_API vm_vec3 vmi_impulse_moment(const vm_impulse *j, vm_vec3 about)
     return vm_add(j->couple, vm_cross(vm_sub(j->at, about), j->linear));
 }
 
-/* Adds a body to a balance (sign 1) or subtracts it (sign -1). Adds the sizes of its momenta to the two scales. */
+/* Adds the momentum, angular momentum and energy of a body to a balance (sign 1), or subtracts them (sign -1). Adds the
+   sizes of momentum and angular momentum to the fields momentum_scale and angular_momentum_scale. */
 VM_API void vmi_balance_add(vm_balance *sum, vm_real sign, const vm_body *body, vm_vec3 about)
 {
     const vm_vec3 momentum = vm_momentum(body);
@@ -230,7 +236,8 @@ VM_API void vmi_balance_add(vm_balance *sum, vm_real sign, const vm_body *body, 
     sum->energy += sign * vm_kinetic_energy(body);
 }
 
-/* Subtracts an impulse and its moment from a balance. Their absolute values are added to the two scales. */
+/* Subtracts an impulse and its moment from a balance. Adds their absolute values to the fields momentum_scale and
+   angular_momentum_scale. */
 VM_API void vmi_balance_take_impulse(vm_balance *sum, const vm_impulse *j, vm_vec3 about)
 {
     sum->momentum = vm_sub(sum->momentum, j->linear);
@@ -247,10 +254,11 @@ VM_API int vmi_balance_is_finite(const vm_balance *b)
 }
 
 /* Balance of momentum, angular momentum and energy across an instant. *balance gets the sums over the n_after bodies
-   minus those over the n_before bodies, minus the impulse, (4)-(6), (10)-(12). If no momentum is lost, the changes of
-   momentum and of angular momentum about any point are zero except for a few eps times their scales. Either number of
-   bodies may be 0. The bodies are not checked. Returns VM_BAD_ARGUMENT for a null pointer or a negative number of
-   bodies, VM_NOT_FINITE if a sum is not finite, and VM_OK otherwise. */
+   after the instant, minus the sums over the n_before bodies before it, minus the impulse, (4)-(6), (10)-(12). If no
+   momentum is lost, the changes of momentum and of angular momentum about any point are zero except for rounding
+   errors, which are a few eps times momentum_scale and angular_momentum_scale. Either number of bodies may be 0. The
+   bodies are not checked. Returns VM_BAD_ARGUMENT for a null pointer or a negative number of bodies, VM_NOT_FINITE if a
+   sum is not finite, and VM_OK otherwise. */
 VM_API int vm_balance_between(int n_before, const vm_body *before, int n_after, const vm_body *after,
                               const vm_impulse *external_or_NULL, vm_vec3 about, vm_balance *balance)
 {

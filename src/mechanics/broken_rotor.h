@@ -26,7 +26,7 @@
 #include "../base/status.h"
 
 /* The rotor. The formulas use these abbreviations (67) of its fields: omega^2 = stiffness/mass, p^2 = mass/inertia,
-   k* = damping/inertia, M* = torque/inertia. A dash means the derivative with respect to time: psi' = dpsi/dt. */
+   k* = damping/inertia, M* = torque/inertia. A prime ' means the derivative with respect to time: psi' = dpsi/dt. */
 typedef struct VM_TAG(vm_broken_rotor) {
     vm_real mass;      /* mass M > 0, kg */
     vm_real inertia;   /* inertia I > 0 about the rotor's own mass centre, kg m^2 */
@@ -100,7 +100,8 @@ typedef struct VM_TAG(vm_broken_rotor_break) {
                                               alpha = 0 the value is I_S (R - SS2)/R [after (64), corrected]. */
 } vm_broken_rotor_break;
 
-/* Returns VM_OK if all fields are finite and have the signs given in vm_broken_rotor, else the error. */
+/* Returns VM_OK if all fields of the rotor are finite and have the signs that vm_broken_rotor demands, else the
+   error. */
 VM_API int vmi_check_broken_rotor(const vm_broken_rotor *r)
 {
     if (!VM_IS_FINITE(r->mass) || !VM_IS_FINITE(r->inertia) || !VM_IS_FINITE(r->stiffness) ||
@@ -113,9 +114,10 @@ VM_API int vmi_check_broken_rotor(const vm_broken_rotor *r)
 }
 
 /* Right-hand side of the rotor's equations of motion, (65), (66), (68), (46).
-   It is an ode_rhs for integrators such as rk45, with VM_BROKEN_ROTOR_STATES states. `rotor` must point to a
-   vm_broken_rotor. Returns 0; or VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS for a
-   negative stiffness, or VM_BAD_INERTIA. */
+   Its type is ode_rhs, so that integrators such as rk45 can call it. The state y has VM_BROKEN_ROTOR_STATES numbers.
+   `rotor` must point to a vm_broken_rotor. Returns VM_BAD_ARGUMENT for a null pointer; VM_NOT_FINITE if a field of the
+   rotor is infinite or NaN; VM_BAD_MASS or VM_BAD_INERTIA if the mass or the inertia of the rotor is not positive;
+   VM_BAD_STIFFNESS if the stiffness is negative; else 0. */
 VM_API int vm_broken_rotor_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
@@ -138,8 +140,9 @@ VM_API int vm_broken_rotor_rhs(vm_real t, const vm_real *y, vm_real *dydt, void 
 }
 
 /* Right-hand side of the rotor's equations of motion in polar form (75).
-   It is an ode_rhs with the VM_BROKEN_ROTOR_STATES states {r, phi, psi, r', phi', psi'}. `rotor` must point to a
-   vm_broken_rotor. Returns a status of vm_broken_rotor_rhs; or VM_DOMAIN, which ends the run, if r is not positive. */
+   Its type is ode_rhs. The state y has the VM_BROKEN_ROTOR_STATES numbers {r, phi, psi, r', phi', psi'}. `rotor` must
+   point to a vm_broken_rotor. Returns VM_DOMAIN, which ends the run, if r is not positive; else a status of
+   vm_broken_rotor_rhs. */
 VM_API int vm_broken_rotor_polar_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
@@ -165,7 +168,8 @@ VM_API int vm_broken_rotor_polar_rhs(vm_real t, const vm_real *y, vm_real *dydt,
 
 /* Converts the state {x, y, psi, x', y', psi'} of a rotor to its polar state.
    The polar state is {r, phi, psi, r', phi', psi'}. `y` and `polar` may be the same array. Returns VM_BAD_ARGUMENT for
-   a null pointer, VM_NOT_FINITE, VM_DOMAIN if r is 0, and VM_OK otherwise. */
+   a null pointer; VM_NOT_FINITE if a number of y or of the result is infinite or NaN; VM_DOMAIN if r is 0; VM_OK
+   otherwise. */
 VM_API int vm_broken_rotor_to_polar(const vm_real *y, vm_real *polar)
 {
     vm_real p[VM_BROKEN_ROTOR_STATES], x0, y0, vx, vy, radius, c, s;
@@ -189,8 +193,8 @@ VM_API int vm_broken_rotor_to_polar(const vm_real *y, vm_real *polar)
 }
 
 /* Converts the polar state {r, phi, psi, r', phi', psi'} of a rotor to {x, y, psi, x', y', psi'}.
-   `y` and `polar` may be the same array. Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_DOMAIN if r is
-   not positive, and VM_OK otherwise. */
+   `y` and `polar` may be the same array. Returns VM_BAD_ARGUMENT for a null pointer; VM_NOT_FINITE if a number of
+   `polar` or of the result is infinite or NaN; VM_DOMAIN if r is not positive; VM_OK otherwise. */
 VM_API int vm_broken_rotor_from_polar(const vm_real *polar, vm_real *y)
 {
     vm_real z[VM_BROKEN_ROTOR_STATES], radius, along, across, c, s; /* along, across: the velocities r' and r phi' */
@@ -216,7 +220,7 @@ VM_API int vmi_broken_rotor_piece_finite(const vm_broken_rotor_piece *p)
            VM_IS_FINITE(p->alpha) && VM_IS_FINITE(p->radius) && VM_IS_FINITE(p->contact);
 }
 
-/* Checks the arguments of vm_broken_rotor_break_off and returns their status. */
+/* Returns VM_OK if the arguments of vm_broken_rotor_break_off are valid, else the error. */
 VM_API int vmi_broken_rotor_check_break(const vm_broken_rotor *whole, const vm_real *before,
                                         const vm_broken_rotor_piece *p)
 {
@@ -234,7 +238,7 @@ typedef struct VM_TAG(vmi_broken_rotor_vector) {
     vm_real x, y;
 } vmi_broken_rotor_vector;
 
-/* The vector a turned by the angle whose sine and cosine are given */
+/* The vector a, turned by the angle whose sine and cosine are the first two arguments */
 VM_API vmi_broken_rotor_vector vmi_broken_rotor_turned(vm_real sine, vm_real cosine, vmi_broken_rotor_vector a)
 {
     vmi_broken_rotor_vector b;
@@ -300,11 +304,15 @@ VM_API vm_real vmi_broken_rotor_contact(const vm_broken_rotor *whole, const vm_b
 }
 
 /* Remainder and piece of a rotor after the break, with their motions, (52)-(64) corrected.
-   `before` is the state of the whole just before the break. Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE
-   if an argument or a field of *result other than stop_inertia is not finite, VM_BAD_MASS if the mass of the piece is
-   not between 0 and that of the whole, VM_BAD_STIFFNESS for a negative stiffness, VM_BAD_INERTIA if the inertia of the
-   remainder is negative or not larger than rounding errors, VM_DOMAIN if the whole has s != 0 or if the piece's mass
-   centre is at the point of contact A, and VM_OK otherwise. */
+   `before` is the state of the whole just before the break. Returns
+   - VM_BAD_ARGUMENT for a null pointer;
+   - VM_NOT_FINITE if an argument, or a field of *result other than stop_inertia, is infinite or NaN;
+   - VM_BAD_MASS if the mass of the piece is not between 0 and the mass of the whole;
+   - VM_BAD_STIFFNESS if the stiffness is negative;
+   - VM_BAD_INERTIA if the inertia of the whole is not positive, if that of the piece is negative, or if that of the
+     remainder is negative or not larger than rounding errors;
+   - VM_DOMAIN if the whole has s != 0, or if the piece's mass centre is at the point of contact A;
+   - VM_OK otherwise. */
 VM_API int vm_broken_rotor_break_off(const vm_broken_rotor *whole, const vm_real *before,
                                      const vm_broken_rotor_piece *piece, vm_broken_rotor_break *result)
 {

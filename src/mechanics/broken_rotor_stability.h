@@ -3,10 +3,12 @@
    After the break the remainder can turn steadily at the angular velocity psi' = Omega, with its mass centre on a
    circle (76), (77). This chapter computes
      - the radius of this circle,
-     - the characteristic polynomial (81) of small deviations from the steady motion, its roots, Routh's first column,
+     - the characteristic polynomial (81) of small deviations from the steady motion, its roots, and the first column of
+     Routh's scheme,
      - the stability (82): the steady motion is stable only below resonance, where |Omega| < omega,
      - the radius of the orbit of a rotor that starts from rest at or above resonance; this orbit grows.
-   The formulas write omega^2 = stiffness/mass, p^2 = mass/inertia, k* = damping/inertia; s is the field s of the rotor.
+   In the formulas, omega^2 = stiffness/mass, p^2 = mass/inertia, k* = damping/inertia, and s is the field s of the
+   rotor. At resonance |Omega| = omega.
 
        vm_broken_rotor rest = {2, 1, 20, 1, 3, VM_C(0.1)};       // 0.1 m from the shaft to the mass centre
        vm_real radius = vm_broken_rotor_steady_radius(&rest, 2); // m, at 2 rad/s
@@ -53,13 +55,15 @@ VM_API vm_real vm_broken_rotor_steady_radius(const vm_broken_rotor *rotor, vm_re
     return -rotor->s * (share / (1 - share));
 }
 
-/* The quantities w2 = omega^2, O2 = Omega^2, k = k*, D and G in the polynomial of vm_broken_rotor_characteristic */
+/* The quantities in the polynomial of vm_broken_rotor_characteristic, where D and G are explained: w2 = omega^2, O2 =
+   Omega^2, k = k*, D and G */
 typedef struct VM_TAG(vmi_broken_rotor_steady) {
     vm_real w2, O2, k, D, G;
 } vmi_broken_rotor_steady;
 
-/* Sets *a for the steady motion at psi' = Omega. Returns VM_BAD_ARGUMENT, VM_NOT_FINITE, a status of
-   vmi_check_broken_rotor, VM_DOMAIN at resonance, or VM_OK. */
+/* Sets the fields of *a for the steady motion at the angular velocity psi' = Omega. Returns VM_BAD_ARGUMENT for a null
+   pointer; VM_NOT_FINITE if Omega is infinite or NaN; an error of vmi_check_broken_rotor if the rotor is invalid;
+   VM_DOMAIN at resonance; VM_OK otherwise. */
 VM_API int vmi_broken_rotor_about_steady(const vm_broken_rotor *r, vm_real Omega, vmi_broken_rotor_steady *a)
 {
     int status;
@@ -87,8 +91,9 @@ enum { VM_BROKEN_ROTOR_ROOTS = 5 /* degree of the characteristic polynomial */ }
      l^5 + k* l^4 + (2 (w^2 + O^2) + G) l^3 + 2 k* (w^2 + O^2) l^2 + (D^2 + G (w^2 + 3 O^2)) l + k* D^2,
    with w = omega, O = Omega, D = w^2 - O^2, G = s^2 p^2 w^4/D. The left side of (81) should be l times this polynomial,
    but its last term is printed without the factor l^2. (81) has the additional root l = 0 because the phase of the
-   steady motion is arbitrary. Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS
-   for a negative stiffness, VM_BAD_INERTIA, VM_DOMAIN at resonance, and VM_OK otherwise. */
+   steady motion is arbitrary. Returns VM_BAD_ARGUMENT for a null pointer; VM_NOT_FINITE if an argument or the result is
+   infinite or NaN; VM_BAD_MASS or VM_BAD_INERTIA if the mass or the inertia of the rotor is not positive;
+   VM_BAD_STIFFNESS if the stiffness is negative; VM_DOMAIN at resonance, where O^2 = w^2; VM_OK otherwise. */
 VM_API int vm_broken_rotor_characteristic(const vm_broken_rotor *rotor, vm_real Omega, vm_real *c)
 {
     vmi_broken_rotor_steady a;
@@ -108,7 +113,7 @@ VM_API int vm_broken_rotor_characteristic(const vm_broken_rotor *rotor, vm_real 
 
 /* First column of Routh's scheme of the characteristic polynomial: 1, k*, G, k* D, 4 G Omega^2, k* D^2. The function
    writes these VM_BROKEN_ROTOR_ROOTS + 1 numbers to the array `column`. The steady motion is asymptotically stable if
-   all of them are positive. The letters k*, G, D and the statuses are those of vm_broken_rotor_characteristic. */
+   all of them are positive. vm_broken_rotor_characteristic explains the letters k*, G, D and has the same statuses. */
 VM_API int vm_broken_rotor_routh(const vm_broken_rotor *rotor, vm_real Omega, vm_real *column)
 {
     vmi_broken_rotor_steady a;
@@ -126,7 +131,7 @@ VM_API int vm_broken_rotor_routh(const vm_broken_rotor *rotor, vm_real Omega, vm
     return vmi_copy_if_finite(VM_BROKEN_ROTOR_ROOTS + 1, p, column);
 }
 
-/* Whether the steady motion at psi' = Omega is asymptotically stable (82).
+/* Tests whether the steady motion at psi' = Omega is asymptotically stable (82).
    Returns 1 if Omega^2 < omega^2, damping > 0, s != 0 and Omega != 0, which together are the condition for stability.
    Returns 0 otherwise, and also for a null pointer and an invalid rotor. (If damping, s or Omega is 0, some motions
    neither grow nor decay.) */
@@ -137,10 +142,11 @@ VM_API int vm_broken_rotor_is_stable(const vm_broken_rotor *rotor, vm_real Omega
 }
 
 /* Roots re + i im of the characteristic polynomial, 1/s.
-   re and im are arrays of VM_BROKEN_ROTOR_ROOTS numbers. The roots are sorted by increasing |im|; of a conjugate pair,
-   the root with im > 0 is first. If each coefficient changed by the relative amount eps, each root would change; the
-   error of a root is at most twice this change. This holds for the smallest root, too. Near resonance it is smaller
-   than the largest root by many orders of magnitude. The statuses are those of vm_broken_rotor_characteristic. */
+   re and im are arrays of VM_BROKEN_ROTOR_ROOTS numbers. The roots are sorted by increasing |im|. In a pair of
+   conjugate roots, the root with im > 0 comes first. If each coefficient changed by the relative amount eps, each root
+   would change; the error of a root is at most twice this change. This holds for the smallest root, too, which near
+   resonance is smaller than the largest root by many orders of magnitude. The statuses are those of
+   vm_broken_rotor_characteristic. */
 VM_API int vm_broken_rotor_eigenvalues(const vm_broken_rotor *rotor, vm_real Omega, vm_real *re, vm_real *im)
 {
     vmi_broken_rotor_steady a;

@@ -45,7 +45,7 @@ typedef struct VM_TAG(vm_drum) {
     vm_real omega;     /* initial angular velocity Omega_b > 0, at phi = 0, rad/s */
 } vm_drum;
 
-/* Geometry of the drum and of the band wound on it, when the drum has turned by the angle phi */
+/* Geometry of the drum and of the band that is wound on it, after the drum has turned by the angle phi */
 typedef struct VM_TAG(vm_drum_geometry) {
     vm_real mass;         /* mass M of drum and band (182), kg */
     vm_real arc_centre;   /* distance of the band's mass centre from the shaft's centre S (184), m */
@@ -104,7 +104,9 @@ typedef struct VM_TAG(vmi_drum_mass) {
 } vmi_drum_mass;
 
 /* Sets *m for the angle phi of the drum. The argument s is sin(phi/2), or 0 to neglect the distance from the axle to
-   the mass centre. Returns VM_OK, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS or VM_BAD_INERTIA. */
+   the mass centre. Returns VM_NOT_FINITE if M or J is infinite or NaN; VM_BAD_MASS if M or the mass of the empty drum
+   is not positive; VM_BAD_STIFFNESS if the stiffness is negative; VM_BAD_INERTIA if J - steiner is not positive; else
+   VM_OK. */
 VM_API int vmi_drum_mass_at(const vm_drum *d, vm_real phi, vm_real s, vmi_drum_mass *m)
 {
     const vm_real q = 2 * d->band * d->radius * s;
@@ -126,8 +128,10 @@ VM_API int vmi_drum_finite(const vm_drum *d)
 }
 
 /* Mass, mass centre and inertia of the drum with its band at an angle, (182)-(188).
-   The angle phi >= 0 is in rad. Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS,
-   VM_BAD_STIFFNESS for a negative stiffness, VM_BAD_INERTIA, VM_DOMAIN for phi < 0, and VM_OK otherwise. */
+   The angle phi >= 0 is in rad. Returns VM_BAD_ARGUMENT for a null pointer; VM_NOT_FINITE if an argument or the result
+   is infinite or NaN; VM_BAD_MASS if the field `mass` is not positive or `band` is negative; VM_BAD_STIFFNESS if the
+   stiffness is negative; VM_BAD_INERTIA if the field `inertia` or the inertia J_S1 (188) is not positive; VM_DOMAIN if
+   phi < 0; VM_OK otherwise. */
 VM_API int vm_drum_at(const vm_drum *d, vm_real phi, vm_drum_geometry *g)
 {
     vm_real s, c;
@@ -152,16 +156,16 @@ VM_API int vm_drum_at(const vm_drum *d, vm_real phi, vm_drum_geometry *g)
 }
 
 /* Exact right-hand side of the drum on an elastic shaft.
-   It is an ode_rhs for integrators such as rk45, with VM_DRUM_STATES states. `drum` must point to a vm_drum. The
-   equations replace (177) and (191). Those neglect that the mass centre moves inside the drum, and the torque of the
-   shaft has the wrong sign in them. Let
+   Its type is ode_rhs, so that integrators such as rk45 can call it. The state y has VM_DRUM_STATES numbers. `drum`
+   must point to a vm_drum. The equations replace (177) and (191), which neglect that the mass centre moves inside the
+   drum, and in which the torque of the shaft has the wrong sign. Let
    rS = (xS, yS) be the deflection of the shaft, k the unit vector along z, and q = mu R (sin phi, 1 - cos phi). With
-   the cross product x and ' = d/dt the equations are
+   the cross product x and a prime ' for d/dt, the equations are
      M rS'' + phi'' k x q - phi'^2 q = -c rS + mu phi' ((0, v) - rS' - phi' k x (R, 0))
      J_S phi'' + q x rS'' = -D phi' + mu phi' R (v - yS' - R phi')
-   M is the mass of drum and band, J_S their inertia about the axle; vm_drum explains c, D, mu, v, R. Returns VM_OK; or
-   VM_BAD_ARGUMENT for a null pointer, VM_BAD_STIFFNESS for a negative stiffness, and VM_NOT_FINITE, VM_BAD_MASS or
-   VM_BAD_INERTIA if mass or inertia is impossible at this angle. Each of these errors ends the run. */
+   M is the mass of drum and band, J_S their inertia about the axle; vm_drum explains c, D, mu, v, R. Returns VM_OK or
+   an error, which ends the run: VM_BAD_ARGUMENT for a null pointer; VM_BAD_STIFFNESS if the stiffness is negative;
+   VM_NOT_FINITE, VM_BAD_MASS or VM_BAD_INERTIA if the mass or the inertia at the angle phi is impossible. */
 VM_API int vm_drum_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *drum)
 {
     if (!y || !dydt || !drum) return VM_BAD_ARGUMENT;
@@ -191,10 +195,10 @@ VM_API int vm_drum_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *drum)
 }
 
 /* Right-hand side of the drum on an elastic shaft for a light band, (192), (193).
-   It is an ode_rhs with VM_DRUM_STATES states. `drum` must point to a vm_drum. If the mass mu of the band per angle is
-   small, the equations of vm_drum_rhs can be reduced to (192), (193). Unlike (192), this function contains the force
-   mu R phi'^2 (sin phi, -cos phi) of the unbalance, because it is of the same order as the terms that (192) keeps. The
-   statuses are those of vm_drum_rhs. */
+   Its type is ode_rhs. The state y has VM_DRUM_STATES numbers. `drum` must point to a vm_drum. If the mass mu of the
+   band per angle is small, the equations of vm_drum_rhs can be reduced to (192), (193). Unlike (192), this function
+   contains the force mu R phi'^2 (sin phi, -cos phi) of the unbalance, because it is of the same order as the terms
+   that (192) keeps. The statuses are those of vm_drum_rhs. */
 VM_API int vm_drum_rhs_reduced(vm_real t, const vm_real *y, vm_real *dydt, void *drum)
 {
     if (!y || !dydt || !drum) return VM_BAD_ARGUMENT;
@@ -217,8 +221,8 @@ VM_API int vm_drum_rhs_reduced(vm_real t, const vm_real *y, vm_real *dydt, void 
     return VM_OK;
 }
 
-/* Returns 1 if the drum can turn on a rigid shaft: the fields that it needs are finite and have the signs given in
-   vm_drum. Returns 0 otherwise. */
+/* Returns 1 if the drum can turn on a rigid shaft: the fields that this motion needs are finite and have the signs that
+   vm_drum demands. Returns 0 otherwise. */
 VM_API int vmi_drum_turns(const vm_drum *d)
 {
     return d && d->inertia > 0 && d->band >= 0 && d->omega > 0 && VM_IS_FINITE(d->inertia) &&
@@ -232,8 +236,8 @@ VM_API vm_two vmi_drum_j(const vm_drum *d)
     return vmi_two_times(vmi_two_product(d->band, d->radius), vmi_two(d->radius, 0));
 }
 
-/* The drive e = mu v R - D in two words. It is computed in three words, so that all digits are right even if mu v R and
-   D nearly cancel. */
+/* The drive e = mu v R - D in two words, that is, as the sum of two vm_reals. It is computed as the sum of three
+   vm_reals, so that all digits are right even if mu v R and D nearly cancel. */
 VM_API vm_two vmi_drum_e(const vm_drum *d)
 {
     const vm_two band = vmi_two_product(d->band, d->radius);
@@ -242,7 +246,7 @@ VM_API vm_two vmi_drum_e(const vm_drum *d)
     return vmi_two(e.hi, e.mid);
 }
 
-/* The quotient a b/c in two words */
+/* The quotient a b/c in two words, that is, as the sum of two vm_reals */
 VM_API vm_two vmi_drum_share(vm_two a, vm_real b, vm_two c)
 {
     return vmi_two_over(vmi_two_times(a, vmi_two(b, 0)), c);
@@ -252,8 +256,8 @@ VM_API vm_two vmi_drum_share(vm_two a, vm_real b, vm_two c)
    J0 is the drum's inertia, Omega_b its initial angular velocity, e = mu v R - D and j = mu R^2 as at the top of
    mechanics/drum.h. The results of vm_drum_rate, vm_drum_time and vm_drum_angle have errors of at most 3 ulp if the
    drum's fields are taken as exact and products of the fields do not overflow or underflow. This holds for e = 0 and
-   e = j Omega_b, too, and for angles up to the stop. Returns NaN beyond the stop (vm_drum_stop), for phi < 0, for a
-   null pointer, and if inertia or omega is not positive or band is negative. */
+   e = j Omega_b, too, and for all angles up to the stop, at which the drum comes to rest (vm_drum_stop). Returns NaN
+   beyond the stop, for phi < 0, for a null pointer, and if inertia or omega is not positive or band is negative. */
 VM_API vm_real vm_drum_rate(const vm_drum *d, vm_real phi)
 {
     vm_two up, down;
@@ -264,11 +268,11 @@ VM_API vm_real vm_drum_rate(const vm_drum *d, vm_real phi)
     return vmi_two_over(up, down).hi;
 }
 
-/* Right-hand side of the elastic shaft's vibration over the angle phi, (210), (211).
-   It is an ode_rhs with VM_DRUM_ANGLE_STATES states. `drum` must point to a vm_drum. The independent variable is the
-   angle phi instead of time. The drum has the angular velocity phi' that it would have on a rigid shaft (196). Returns
-   VM_OK; or VM_BAD_ARGUMENT for a null pointer, VM_DOMAIN if the drum does not reach phi, or another status of
-   vm_drum_rhs. */
+/* Right-hand side of the elastic shaft's vibration as a function of the angle phi, (210), (211).
+   Its type is ode_rhs. The state y has VM_DRUM_ANGLE_STATES numbers. `drum` must point to a vm_drum. The independent
+   variable is the angle phi instead of time. The drum has the angular velocity phi' that it would have on a rigid shaft
+   (196). Returns VM_BAD_ARGUMENT for a null pointer; VM_DOMAIN if the drum comes to rest before it reaches phi; else a
+   status of vm_drum_rhs. */
 VM_API int vm_drum_rhs_angle(vm_real phi, const vm_real *y, vm_real *dydt, void *drum)
 {
     if (!y || !dydt || !drum) return VM_BAD_ARGUMENT;
@@ -292,17 +296,17 @@ VM_API int vm_drum_rhs_angle(vm_real phi, const vm_real *y, vm_real *dydt, void 
     return VM_OK;
 }
 
-/* Right-hand side of the drum on an elastic shaft over the angle phi, (210)-(212).
-   It is an ode_rhs with VM_DRUM_COUPLED_STATES states. `drum` must point to a vm_drum. The independent variable is the
-   angle phi instead of time. Unlike vm_drum_rhs_angle, the function does not take the angular velocity u = dphi/dt from
-   the rigid shaft, but integrates it together with the deflection x, y (m) and the time t (s). With ' = d/dphi the
-   equations are
+/* Right-hand side of the drum on an elastic shaft as a function of the angle phi, (210)-(212).
+   Its type is ode_rhs. The state y has VM_DRUM_COUPLED_STATES numbers. `drum` must point to a vm_drum. The independent
+   variable is the angle phi instead of time. Unlike vm_drum_rhs_angle, the function does not take the angular velocity
+   u = dphi/dt from the rigid shaft, but integrates it together with the deflection x, y (m) and the time t (s). A prime
+   ' means d/dphi. The equations are
      M u (u x')' = -c x - mu u^2 x' + mu R u^2 sin phi
      M u (u y')' = -c y + mu u (v - u y') - mu R u^2 cos phi
      J_S u' = e - j u - mu R u y',   t' = 1/u
    The letters are those of vm_drum_rhs; e = mu v R - D and j = mu R^2. The terms with sin phi and cos phi come from the
-   unbalance, which [1] leaves out. vm_drum_rhs_reduced gives the same motion. Returns VM_OK; or VM_BAD_ARGUMENT for a
-   null pointer, VM_DOMAIN if u is not positive, or another status of vm_drum_rhs. */
+   unbalance, which [1] leaves out. vm_drum_rhs_reduced gives the same motion. Returns VM_BAD_ARGUMENT for a null
+   pointer; VM_DOMAIN if u is not positive; else a status of vm_drum_rhs. */
 VM_API int vm_drum_rhs_coupled(vm_real phi, const vm_real *y, vm_real *dydt, void *drum)
 {
     if (!y || !dydt || !drum) return VM_BAD_ARGUMENT;
@@ -344,8 +348,8 @@ VM_API vm_real vm_drum_stop(const vm_drum *d)
 /* Time at which the drum on a rigid shaft reaches the angle phi >= 0, s (197).
    With x = e phi/(J0 Omega_b) and the letters explained at vm_drum_rate the time is
      t = phi/Omega_b [ln(1 + x)/x + (j phi/J0) (x - ln(1 + x))/x^2]
-   for positive and negative e. The accuracy is that of vm_drum_rate. Returns infinity at the stop, and NaN where
-   vm_drum_rate gives NaN. */
+   for positive and negative e. The accuracy is that of vm_drum_rate. Returns infinity at the angle at which the drum
+   comes to rest (vm_drum_stop), and NaN where vm_drum_rate gives NaN. */
 VM_API vm_real vm_drum_time(const vm_drum *d, vm_real phi)
 {
     vm_two x, y, s, sum, part = vmi_two(1, 0); /* y = ln(1 + x), s = j phi/J0, part = y/x */
@@ -375,7 +379,8 @@ VM_API vm_real vmi_drum_start(vm_real a, vm_real b)
 }
 
 /* Angle of the drum on a rigid shaft after t >= 0 seconds, rad.
-   This is the inverse of vm_drum_time, computed by Newton's method in two words. It needs no branch of Lambert's W.
+   This is the inverse of vm_drum_time, computed by Newton's method in two words. Unlike vm_drum_angle_lambert, the
+   function need not choose a branch of Lambert's W.
    The comment of vm_drum_rate says how accurate the result is and when it is NaN, and explains the letters J0,
    Omega_b, e, j. The method uses x, y, a, b, f: x = e phi/(J0 Omega_b), y = ln(1 + x), a = e t/J0, b = j Omega_b
    t/J0, f = phi/(Omega_b t). Its unknown is p = y/a, for which the equation of vm_drum_time becomes
@@ -435,8 +440,9 @@ VM_API vm_real vm_drum_angle_lambert(const vm_drum *d, vm_real t)
 }
 
 /* Coefficients of the elastic shaft in the first approximation, (213), (214).
-   Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS, VM_BAD_INERTIA, VM_DOMAIN
-   if omega is not positive, and VM_OK otherwise. */
+   Returns VM_BAD_ARGUMENT for a null pointer; VM_NOT_FINITE if a field of *d or *s is infinite or NaN; VM_BAD_MASS if
+   d->mass is not positive or d->band is negative; VM_BAD_STIFFNESS if d->stiffness is not positive; VM_BAD_INERTIA if
+   d->inertia is not positive; VM_DOMAIN if d->omega is not positive; VM_OK otherwise. */
 VM_API int vm_drum_shaft_init(vm_drum_shaft *s, const vm_drum *d)
 {
     vm_drum_shaft r;
@@ -504,8 +510,8 @@ VM_API vm_real vm_drum_deflection(const vm_drum_shaft *s, vm_real phi, vm_real a
    with the letters of vm_drum_deflection. The dissertation [1] leaves out the term with A/4, and its last term is
    different. The derivative multiplied by the angular velocity phi' is the velocity of the shaft's centre. The absolute
    error is a few rounding errors of the term amplitude (k m + |delta|), plus the effect of the rounding error of the
-   phase. Returns NaN where vm_drum_deflection does.
-*/ VM_API vm_real vm_drum_deflection_slope(const vm_drum_shaft *s, vm_real phi, vm_real a, vm_real alpha,
+   phase. Returns NaN where vm_drum_deflection does. */
+VM_API vm_real vm_drum_deflection_slope(const vm_drum_shaft *s, vm_real phi, vm_real a, vm_real alpha,
                                         vm_real particular)
 {
     vmi_drum_wave w;
@@ -522,7 +528,8 @@ VM_API vm_real vm_drum_deflection(const vm_drum_shaft *s, vm_real phi, vm_real a
    equations
      a cos alpha = deflection - particular,   a k sin alpha = (A/4 - delta) a cos alpha + A particular - slope.
    The errors are a few rounding errors of the terms on the right-hand sides, divided by k in the second equation.
-   Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_DOMAIN if s->k is not positive, and VM_OK otherwise. */
+   Returns VM_BAD_ARGUMENT for a null pointer; VM_NOT_FINITE if an argument or the result is infinite or NaN; VM_DOMAIN
+   if s->k is not positive; VM_OK otherwise. */
 VM_API int vm_drum_deflection_start(const vm_drum_shaft *s, vm_real deflection, vm_real slope, vm_real particular,
                                     vm_real *a, vm_real *alpha)
 {
@@ -542,7 +549,7 @@ VM_API int vm_drum_deflection_start(const vm_drum_shaft *s, vm_real deflection, 
     return VM_OK;
 }
 
-/* sin(x)/x, which is 1 at x = 0, and the cosine of x */
+/* Sets *sinc to sin(x)/x, which is 1 at x = 0, and *cosine to the cosine of x. */
 VM_API void vmi_drum_sinc(vm_real x, vm_real *sinc, vm_real *cosine)
 {
     vm_real sine;
@@ -553,16 +560,16 @@ VM_API void vmi_drum_sinc(vm_real x, vm_real *sinc, vm_real *cosine)
 
 /* Deflection of the elastic shaft by the unbalance of the band, which (224), (225) leave out.
    The band's mass centre is off the shaft, so that (213), (214) need the terms U sin phi and -U cos phi, U = mu R/M0,
-   on their right sides. They are of the same order as mu v/(M0 Omega_b), which [1] keeps. Add deflection[0] (x) and
-   deflection[1] (y), m, to the two results of vm_drum_deflection, and slope[0], slope[1] (m/rad) to those of
-   vm_drum_deflection_slope. All four are 0 at phi = 0, so that vm_drum_deflection_start needs no change. With the ratio
-   k of frequencies, a field of vm_drum_shaft, they are
+   on their right sides. These terms are of the same order as the term mu v/(M0 Omega_b), which [1] keeps. Add
+   deflection[0] (x) and deflection[1] (y), m, to the two results of vm_drum_deflection, and slope[0], slope[1] (m/rad)
+   to those of vm_drum_deflection_slope. All four numbers are 0 at phi = 0, so that vm_drum_deflection_start needs no
+   change. With k, the field of vm_drum_shaft, the deflections are
      x = U (sin phi - sin(k phi)/k)/(k^2 - 1),   y = -U (cos phi - cos(k phi))/(k^2 - 1).
    At the resonance k = 1 the function computes the limits of these formulas, which grow with phi. phi >= 0 is in rad.
    Let h be the largest of mu/M0, j/J0, |e|/(J0 Omega_b) and the deflections divided by R. The error of the whole
    deflection is of the order of h^2. Rounding errors are a few eps times U phi (1 + phi), and in x a few eps times
-   U phi (1 + phi)/k. Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS,
-   VM_BAD_INERTIA, VM_DOMAIN if omega is not positive or phi is negative, and VM_OK otherwise. */
+   U phi (1 + phi)/k. Returns VM_BAD_ARGUMENT for a null pointer; VM_NOT_FINITE if an argument or the result is infinite
+   or NaN; VM_DOMAIN if phi is negative; else a status of vm_drum_shaft_init. */
 VM_API int vm_drum_unbalance(const vm_drum *d, vm_real phi, vm_real deflection[2], vm_real slope[2])
 {
     vm_drum_shaft s;
@@ -598,7 +605,8 @@ VM_API int vm_drum_unbalance(const vm_drum *d, vm_real phi, vm_real deflection[2
      phi' = vm_drum_rate [1 - mu R rise/(J0 + j phi)].
    mu is the mass of the band per angle, R the radius, J0 the drum's inertia and j = mu R^2. Let h be the largest of the
    four numbers mu R |rise|/J0, mu/M0, j/J0 and |e|/(J0 Omega_b). The error is of the order of h^2 Omega_b: if all four
-   are halved, the error is divided by four. Returns NaN where vm_drum_rate does, and for a rise that is not finite. */
+   numbers are halved, the error is divided by four. Returns NaN where vm_drum_rate does, and for a rise that is not
+   finite. */
 VM_API vm_real vm_drum_rate_elastic(const vm_drum *d, vm_real phi, vm_real rise)
 {
     const vm_real rate = vm_drum_rate(d, phi);
@@ -606,7 +614,7 @@ VM_API vm_real vm_drum_rate_elastic(const vm_drum *d, vm_real phi, vm_real rise)
     return rate * (1 - d->band * d->radius * rise / (d->inertia + d->band * d->radius * d->radius * phi));
 }
 
-/* Whether the shaft's frequency, k sqrt(1 - A phi), stays real for the whole first layer (226).
+/* Tests whether the shaft's frequency k sqrt(1 - A phi) stays real while the whole first layer is wound up (226).
    Returns 1 if A < 1/(2 pi). Returns 0 otherwise, and for a null pointer. */
 VM_API int vm_drum_shaft_valid(const vm_drum_shaft *s) { return s && s->A < 1 / (2 * VM_PI); }
 

@@ -29,8 +29,9 @@
 #include "attitude.h"
 #include "vectors.h"
 
-/* Attitude from Euler's angles: a quaternion of length 1. It converts vectors from body axes to inertial axes. Infinite
-   angles give NaN. */
+/* Computes the attitude of a body from Euler's angles psi, theta, phi (sequence 3-1-3). The result is a quaternion of
+   length 1, which converts vectors from body axes to inertial axes. If an angle is infinite or NaN, the result is
+   NaN. */
 VM_API vm_quat vm_euler_313(vm_real psi, vm_real theta, vm_real phi)
 {
     vm_quat turn = {1, 0, 0, 0}, tilt = {1, 0, 0, 0}, spin = {1, 0, 0, 0};
@@ -40,8 +41,9 @@ VM_API vm_quat vm_euler_313(vm_real psi, vm_real theta, vm_real phi)
     return vm_quat_times(vm_quat_times(turn, tilt), spin);
 }
 
-/* Quaternion of length 1 that turns body axes into inertial ones, from yaw, pitch and roll (sequence 3-2-1).
-   Infinite angles give NaN. */
+/* Computes the attitude of a body from yaw, pitch and roll (sequence 3-2-1).
+   The result is a quaternion of length 1, which converts vectors from body axes to inertial axes. If an angle is
+   infinite or NaN, the result is NaN. */
 VM_API vm_quat vm_euler_321(vm_real yaw, vm_real pitch, vm_real roll)
 {
     vm_quat about_z = {1, 0, 0, 0}, about_y = {1, 0, 0, 0}, about_x = {1, 0, 0, 0};
@@ -52,16 +54,17 @@ VM_API vm_quat vm_euler_321(vm_real yaw, vm_real pitch, vm_real roll)
 }
 
 /* A complex number re + i im. Each part is stored in two words, as the sum of two vm_reals. The quaternion of a
-   sequence of three angles is equivalent to two such numbers, p and r. The angle of p is half the sum of the first and
-   the third angle, the angle of r half their difference. The lengths of p and r depend on the middle angle alone. */
+   sequence of three angles is equivalent to two such numbers, p and r. A complex number has a length and an angle. The
+   angle of p is half the sum of the first and the third angle, and the angle of r is half their difference. The lengths
+   of p and r depend on the middle angle alone. */
 typedef struct VM_TAG(vmi_euler_part) {
     vm_two re, im;
 } vmi_euler_part;
 
 VM_API int vmi_euler_is_none(const vmi_euler_part *p) { return p->re.hi == 0 && p->im.hi == 0; }
 
-/* Multiplies p by a power of two that makes its larger part about 1, so that no product underflows. Returns the
-   power. */
+/* Multiplies the complex number p by a power of two that makes the larger of |re| and |im| about 1, so that no product
+   underflows. Returns the power. */
 VM_API vm_real vmi_euler_scale(vmi_euler_part *p)
 {
     const vm_real largest = vmi_larger(VM_FABS(p->re.hi), VM_FABS(p->im.hi)), power = 1 / vmi_power_below(largest);
@@ -77,10 +80,10 @@ VM_API vm_real vmi_euler_real(const vmi_euler_part *p, const vmi_euler_part *r, 
     return vmi_two_minus(re, vmi_two_shifted(im, sign)).hi;
 }
 
-/* Writes the first and the third angle, both from -pi to pi. The first is the angle of the complex number p r, the
-   third that of p times the conjugate of r. `sum` and `difference` are the imaginary parts of these two numbers. The
-   caller computes them, because they would not be accurate if computed from p and r. If p or r is 0 (gimbal lock), only
-   the sum or the difference of the two angles is determined; the third angle is then 0. */
+/* Writes the first and the third angle, both from -pi to pi. The first angle is that of the complex number p r, and the
+   third angle is that of p times the conjugate of r. `sum` and `difference` are the imaginary parts of these two
+   numbers. The caller computes them, because they would not be accurate if they were computed from p and r. If p or r
+   is 0 (gimbal lock), only the sum or the difference of the two angles is determined; the third angle is then 0. */
 VM_API void vmi_euler_first_and_third(vmi_euler_part p, vmi_euler_part r, vm_real sum, vm_real difference,
                                       vm_real *angles)
 {
@@ -101,8 +104,8 @@ VM_API void vmi_euler_first_and_third(vmi_euler_part p, vmi_euler_part r, vm_rea
     angles[2] = vmi_atan2(difference + 0, vmi_euler_real(&p, &r, -1));
 }
 
-/* Multiplies q by a power of two, without rounding, so that its largest component is about 1. Four zeros become the
-   identity. */
+/* Multiplies q by a power of two, without rounding, so that its largest component is about 1. If q consists of four
+   zeros, the result is the identity (1, 0, 0, 0). */
 VM_API vm_quat vmi_euler_normal_size(vm_quat q)
 {
     const vm_real most = vmi_larger(VM_FABS(q.w), vmi_norm_max(vmi_quat_vector(q)));
@@ -114,8 +117,9 @@ VM_API vm_quat vmi_euler_normal_size(vm_quat q)
 /* Euler's angles psi, theta, phi of the sequence 3-1-3 from an attitude q of any length.
    psi and phi are between -pi and pi, theta between 0 and pi. If theta is exactly 0 or pi, the line of nodes is not
    determined (gimbal lock), and phi is 0. If q is taken as exact, the relative error of each angle is within 4 eps,
-   close to gimbal lock, too. The rotation by the three angles differs from that of q by at most 8 eps.
-   Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, and VM_OK otherwise. */
+   close to gimbal lock, too. The rotation by the three angles differs from the rotation by q by at most 8 eps.
+   Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE if a number of q is infinite or NaN, and VM_OK
+   otherwise. */
 VM_API int vm_euler_313_angles(vm_quat q, vm_real angles[3])
 {
     vmi_euler_part p, r;
@@ -135,8 +139,9 @@ VM_API int vm_euler_313_angles(vm_quat q, vm_real angles[3])
 /* Yaw, pitch and roll of the sequence 3-2-1 from an attitude q of any length, in this order.
    Yaw and roll are between -pi and pi, pitch between -pi/2 and pi/2. If pitch is exactly pi/2 or -pi/2 (gimbal lock),
    roll is 0. If q is taken as exact, the relative error of each angle is within 4 eps, close to gimbal lock, too. The
-   rotation by the three angles differs from that of q by at most 8 eps.
-   Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, and VM_OK otherwise. */
+   rotation by the three angles differs from the rotation by q by at most 8 eps.
+   Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE if a number of q is infinite or NaN, and VM_OK
+   otherwise. */
 VM_API int vm_euler_321_angles(vm_quat q, vm_real angles[3])
 {
     vmi_euler_part p, r;
@@ -183,9 +188,10 @@ VM_API void vm_euler_313_body_axes(vm_real theta, vm_real phi, vm_vec3 axis[3])
     axis[2] = vmi_vec3(0, 0, 1);
 }
 
-/* Rates psi', theta', phi' of Euler's angles from an angular velocity in inertial axes, rad/s. Returns VM_OK,
-   VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, or VM_SINGULAR if sin(theta) is 0: psi and phi then turn the body
-   about the same axis, so that their rates are not unique. */
+/* Rates psi', theta', phi' of Euler's angles from an angular velocity in inertial axes, rad/s. Returns VM_BAD_ARGUMENT
+   for a null pointer; VM_NOT_FINITE if an argument or a rate is infinite or NaN; VM_SINGULAR if sin(theta) is 0; VM_OK
+   otherwise. For sin(theta) = 0 the angles psi and phi turn the body about the same axis, so that their rates are not
+   unique. */
 VM_API int vm_euler_313_rates(vm_real psi, vm_real theta, vm_vec3 omega, vm_real rates[3])
 {
     vm_real s, c, sine, cosine, result[3]; /* s, c: sine and cosine of psi; sine, cosine: those of theta */

@@ -1,11 +1,11 @@
 /* mechanics/flow.h - a free body in space with streams of mass
 
-   These right-hand sides for the integrators rk45 and rk87 describe a rigid body whose mass, mass centre and inertia
-   change while it moves. In vm_flow_rhs streams cause the change (151), (152). In vm_flow_given_rhs mass, mass centre
-   and inertia are given functions of time (170). In vm_flow_carried_rhs they are given, too, and the mass that is lost
-   or gained moves with the body (166). In the first two functions momentum and angular momentum are states, from which
-   velocity and angular velocity follow. Therefore a momentum that is conserved stays exactly constant, and the rate of
-   a stream may jump.
+   This chapter has right-hand sides of equations of motion, for the integrators rk45 and rk87. The body is rigid, and
+   its mass, mass centre and inertia change while it moves. In vm_flow_rhs streams cause these changes (151), (152). In
+   vm_flow_given_rhs mass, mass centre and inertia are given functions of time (170). In vm_flow_carried_rhs they are
+   given functions of time, too, and the mass that is lost or gained moves with the body (166). In vm_flow_rhs and
+   vm_flow_given_rhs momentum and angular momentum are states (numbers to integrate), from which velocity and angular
+   velocity follow. Therefore a momentum that is conserved stays exactly constant, and the rate of a stream may jump.
 
        vm_flow flow;
        ode_event empty;
@@ -38,8 +38,9 @@
    The last term of q' is 0 for |q| = 1. It brings the length of q back to 1 and does not lower the order of an
    integrator. The dissertation [1] prints I' omega2 in (152) instead of M' kappa omega2.
    If a stream has a store (vm_store) at the position s, let d_s = s - c. The equations then differ in three points. d_s
-   replaces d in c' and in P(d). The gyration of the store replaces kappa in I'. The mass that flows between the store
-   and the surface adds M' (s - at) to the body's momentum and M' d x d_s to its angular momentum.
+   replaces d in c' and in P(d). The store's gyration (its inertia per unit mass) replaces kappa in I'. The mass that
+   flows between the store and the surface adds M' (s - at) to the body's momentum and M' d x d_s to its angular
+   momentum.
    The reference point, from which `at`, s and c are measured, is fixed in the body; its position is r - R c. If
    flow.centre is 0 at the start, the reference point is the initial mass centre.
    Tests: tests/test_flow.c. */
@@ -72,19 +73,20 @@ enum {
     VM_FLOW_BALANCED_STATES = 30 /* states of vm_flow_balanced_rhs: those of vm_flow_rhs and the 7 integrals */
 };
 
-/* The streams and loads of a body: the ctx of the right-hand sides below. Set the whole struct to zero first; a field
-   that stays zero has no effect. */
+/* The streams and loads of a body. The right-hand sides below get a pointer to this struct as their last argument. Set
+   the whole struct to zero first; a field that stays zero has no effect. */
 typedef struct VM_TAG(vm_flow) {
     int n;              /* number of streams */
     vm_stream *streams; /* array of n streams, which the caller keeps */
     vm_vec3 force;      /* resultant of the outer forces, N, inertial axes */
     vm_vec3 moment;     /* moment of the outer forces about the mass centre, plus all torques, N m, inertial axes */
     /* NULL, or a function that is called before each evaluation of a right-hand side and sets what depends on time and
-       state. It may set every field of the flow and of its streams: for example a weight (flow->force = y[VM_Y_MASS]
-       g), a rate that a valve changes, or the mass M(t), mass centre c(t) and inertia I(t) for vm_flow_given_rhs and
-       vm_flow_carried_rhs. The function returns 0 to go on. If it returns another number, the run ends with the
-       integrator's status ODE_RHS_STOPPED. The values that it sets must be smooth functions of t and y. To switch
-       something at an instant, use an event with the action ODE_RESTART and set the event's function `change`. */
+       state. It may set every field of the flow and of its streams: for example the weight (flow->force = mass times g,
+       with the mass y[VM_Y_MASS]), the rate of a stream that a valve changes, or the mass M(t), mass centre c(t) and
+       inertia I(t) for vm_flow_given_rhs and vm_flow_carried_rhs. The function returns 0 to go on. If it returns
+       another number, the run ends with the integrator's status ODE_RHS_STOPPED. The values that it sets must be smooth
+       functions of t and y. To switch something at an instant, use an event with the action ODE_RESTART and set the
+       event's function `change`. */
     int (*update)(vm_real t, const vm_real *y, struct VM_TAG(vm_flow) * flow);
     void *ctx;             /* pointer for the caller's `update`; not used by the functions below */
     vm_real mass;          /* mass for vm_flow_given_rhs and vm_flow_carried_rhs, kg */
@@ -105,7 +107,8 @@ typedef struct VM_TAG(vm_flow) {
     int y_size;
 } vm_flow;
 
-/* Returns 1 if n is 0, or if n is positive and there is an array of streams. */
+/* Returns 1 if the number n of streams is 0, or if n is positive and there is an array of streams. Returns 0
+   otherwise. */
 VM_INLINE int vmi_flow_has_streams(int n, const void *streams) { return n == 0 || (n > 0 && streams); }
 
 /* Sets n derivatives to NaN, which makes the integrator shorten its step. Returns 0, so that the run goes on. */
@@ -161,8 +164,9 @@ VM_INLINE int vmi_flow_check_mass(vm_real mass)
 }
 
 /* Computes from the state y the rotation *turn from body axes to inertial axes, and in *seen the velocity, the angular
-   velocity and the other quantities that the sums over the streams need. Returns VM_OK, VM_NOT_FINITE, VM_BAD_MASS or
-   VM_BAD_INERTIA. */
+   velocity and the other quantities that the sums over the streams need. Returns VM_NOT_FINITE if the mass is infinite
+   or NaN; VM_BAD_MASS if it is not positive; VM_BAD_INERTIA if no body can have the inertia, or if it is singular; else
+   VM_OK. */
 VM_INLINE int vmi_flow_motion(const vm_flow *flow, const vm_real *y, const vmi_flow_mass *b, vmi_mat3 *turn,
                               vmi_stream_seen *seen)
 {
@@ -234,10 +238,10 @@ VM_INLINE int vmi_flow_rates(vm_flow *flow, int n, vm_real t, const vm_real *y, 
 }
 
 /* Right-hand side of a free body whose streams change its mass (151), (152).
-   It is an ode_rhs for integrators such as rk45, with VM_FLOW_STATES states. `flow` must point to a vm_flow. The
-   equations are given at the top of mechanics/flow.h. Returns 0; or VM_BAD_ARGUMENT for a null pointer, n < 0 or an
-   unknown `motion` of a stream, VM_SHORT_ARRAY if y_size is too small, or the number that flow.update returns. A result
-   other than 0 ends the run. */
+   Its type is ode_rhs, so that integrators such as rk45 can call it. The state y has VM_FLOW_STATES numbers. `flow`
+   must point to a vm_flow. The equations are given at the top of mechanics/flow.h. Returns 0 or another number, which
+   ends the run: VM_BAD_ARGUMENT for a null pointer, for n < 0 and for an unknown `motion` of a stream; VM_SHORT_ARRAY
+   if y_size is too small; or the number that flow.update returns. */
 VM_API int vm_flow_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow)
 {
     if (!y || !dydt || !flow) return VM_BAD_ARGUMENT;
@@ -245,10 +249,10 @@ VM_API int vm_flow_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow)
 }
 
 /* Right-hand side of a free body with given laws of mass, mass centre and inertia.
-   It is an ode_rhs with VM_FLOW_GIVEN_STATES states. `flow` must point to a vm_flow, whose function `update` must set
-   mass, centre and inertia for the time t. The streams cause forces and moments as in vm_flow_rhs, but do not change
-   the mass. Without streams the equations are (170): the mass that joins or leaves is at rest and at the mass centre.
-   The statuses are those of vm_flow_rhs. */
+   Its type is ode_rhs. The state y has VM_FLOW_GIVEN_STATES numbers. `flow` must point to a vm_flow, whose function
+   `update` must set mass, centre and inertia for the time t. The streams cause forces and moments as in vm_flow_rhs,
+   but do not change the mass. Without streams the equations are (170): the mass that joins or leaves is at rest and at
+   the mass centre. The statuses are those of vm_flow_rhs. */
 VM_API int vm_flow_given_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow)
 {
     if (!y || !dydt || !flow) return VM_BAD_ARGUMENT;
@@ -256,10 +260,10 @@ VM_API int vm_flow_given_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *f
 }
 
 /* Right-hand side vm_flow_rhs with seven integrals that check the balances.
-   It is an ode_rhs with VM_FLOW_BALANCED_STATES states. `flow` must point to a vm_flow. The integrals are the states
-   from y[VM_Y_BALANCE] on and are zero at the start. They are the momentum (3 numbers), the angular momentum about the
-   origin (3 numbers) and the kinetic energy that the streams have taken out of the body, minus those that the outer
-   loads have put in.
+   Its type is ode_rhs. The state y has VM_FLOW_BALANCED_STATES numbers. `flow` must point to a vm_flow. The integrals
+   are the numbers from y[VM_Y_BALANCE] on and are zero at the start. They are the momentum (3 numbers), the angular
+   momentum about the origin (3 numbers) and the kinetic energy that the streams have taken out of the body, minus the
+   momentum, angular momentum and energy that the outer loads have put into it.
    The sum of an integral and the corresponding quantity of the body stays constant. (There are two exceptions if a
    stream has a store. The angular momentum in this sum is then y[VM_Y_H] + r x p, and the sum of the energies does not
    stay constant.)
@@ -268,7 +272,7 @@ VM_API int vm_flow_given_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *f
      T' = F v + M_S omega + sum [M' u^2 + omega2 M' kappa omega2]/2 - sum [M' w^2 + omega_r M' kappa omega_r]/2,
      w = u - v - omega x d, omega_r = omega2 - omega.
    The first sum is the power that the streams bring. For M' < 0 the second term, with its minus sign, is the power of
-   engines. For M' > 0 it is negative: plastic impact takes this power. The statuses are those of vm_flow_rhs. */
+   engines. For M' > 0 it is negative: this power is lost by plastic impact. The statuses are those of vm_flow_rhs. */
 VM_API int vm_flow_balanced_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow)
 {
     if (!y || !dydt || !flow) return VM_BAD_ARGUMENT;
@@ -276,9 +280,9 @@ VM_API int vm_flow_balanced_rhs(vm_real t, const vm_real *y, vm_real *dydt, void
 }
 
 /* Right-hand side of a free body that loses or gains mass which moves with the body (166).
-   It is an ode_rhs with VM_FLOW_GIVEN_STATES states. `ctx` must point to a vm_flow, whose function `update` must set
-   mass, inertia and drift for the time t. The states are r, q, the velocity v (not the momentum) and omega in body axes
-   (not the angular momentum). The function does not use the streams of the flow. The equations are
+   Its type is ode_rhs. The state y has VM_FLOW_GIVEN_STATES numbers. `ctx` must point to a vm_flow, whose function
+   `update` must set mass, inertia and drift for the time t. The states are r, q, the velocity v (not the momentum) and
+   omega in body axes (not the angular momentum). The function does not use the streams of the flow. The equations are
      v' = F/M + R (omega x c'), r' = v + R c', I omega' + omega x I omega = M_S.
    The letters are explained at the top of mechanics/flow.h; here c' is flow.drift, and M_S is in body axes. The
    statuses are those of vm_flow_rhs. */
@@ -318,7 +322,8 @@ VM_API int vmi_flow_size_at_start(const vm_flow *flow)
     return VM_FLOW_STATES;
 }
 
-/* Checks the arguments of vm_flow_start. The inertia must be possible and not singular. */
+/* Returns VM_OK if the arguments of vm_flow_start are valid, else the error. The inertia must be one that a body can
+   have, and not singular. */
 VM_API int vmi_flow_check_start(const vm_flow *flow, const vm_body *body)
 {
     vmi_inertia_ldl factors;
@@ -334,9 +339,13 @@ VM_API int vmi_flow_check_start(const vm_flow *flow, const vm_body *body)
    Before the call flow.centre and flow.streams must have the mass centre and the streams at the start. The function
    sets flow.mass and flow.inertia, too. For vm_flow_given_rhs y must have room for at least VM_FLOW_GIVEN_STATES
    numbers. If y has room for fewer than VM_FLOW_STATES numbers, set flow.y_size before the call. vm_flow_carried_rhs
-   has different states, which the caller sets. Returns VM_BAD_ARGUMENT for a null pointer, n < 0 or an unknown `motion`
-   of a stream, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_INERTIA also for a rod or a point, VM_SHORT_ARRAY, and VM_OK
-   otherwise. */
+   has different states, which the caller sets. Returns
+   - VM_BAD_ARGUMENT for a null pointer, for n < 0 and for an unknown `motion` of a stream;
+   - VM_NOT_FINITE if an argument or a number of the state is infinite or NaN;
+   - VM_BAD_MASS if the mass is not positive;
+   - VM_BAD_INERTIA if no body can have the inertia, for a rod or a point, and if a moment of a gyration is negative;
+   - VM_SHORT_ARRAY if flow.y_size is below VM_FLOW_GIVEN_STATES but not 0;
+   - VM_OK otherwise. */
 VM_API int vm_flow_start(vm_flow *flow, const vm_body *body, vm_real *y)
 {
     vm_vec3 p, h;
@@ -370,10 +379,15 @@ VM_API int vm_flow_start(vm_flow *flow, const vm_body *body, vm_real *y)
     return VM_OK;
 }
 
-/* The body that n states y describe, with a quaternion of length 1. If n < VM_FLOW_STATES, mass, mass centre and
-   inertia are the fields of *flow; otherwise they are states in y. y must not be a state of vm_flow_carried_rhs, which
-   has different states. Returns VM_BAD_ARGUMENT for a null pointer and n < VM_FLOW_GIVEN_STATES, VM_SHORT_ARRAY,
-   VM_BAD_MASS, VM_BAD_INERTIA, VM_NOT_FINITE, and VM_OK otherwise. */
+/* Sets *body to the body that the n numbers of the state y describe. Its quaternion gets the length 1. If n <
+   VM_FLOW_STATES, mass, mass centre and inertia are taken from the fields of *flow; otherwise they are in y. y must not
+   be a state of vm_flow_carried_rhs, which has different states. Returns
+   - VM_BAD_ARGUMENT for a null pointer, and if n < VM_FLOW_GIVEN_STATES or the number of streams is negative;
+   - VM_SHORT_ARRAY if flow.y_size is below n but not 0;
+   - VM_NOT_FINITE if a number of y or of the result is infinite or NaN;
+   - VM_BAD_MASS if the mass is not positive;
+   - VM_BAD_INERTIA if no body can have the inertia, and also for a rod or a point;
+   - VM_OK otherwise. */
 VM_API int vm_flow_body(const vm_flow *flow, int n, const vm_real *y, vm_body *body)
 {
     vm_body b;

@@ -1,8 +1,9 @@
 /* mechanics/flow1.h - translation, and bodies on a line or an axle, with streams of mass
 
-   These right-hand sides describe motions with streams of mass that need fewer states than a free body in space:
-   translation in space (172), straight motion (175), (176), and rotation about a fixed axle (173a). The equation of
-   rotation is the equation of straight motion with the moment of inertia instead of the mass.
+   This chapter has the right-hand sides of equations of motion with streams of mass that need fewer states (numbers to
+   integrate) than a free body in space: translation in space (172), straight motion (175), (176), and rotation about a
+   fixed axle (173a). The equation of rotation is the equation of straight motion with the moment of inertia instead of
+   the mass.
 
        vm_stream1 jet = {-1, -2000, VM_RELATIVE}; // 1 kg/s leaves at 2000 m/s backwards
        vm_flow1 flow;
@@ -51,20 +52,21 @@ typedef struct VM_TAG(vm_stream1) {
     int motion;       /* how the velocity is given: VM_RELATIVE, VM_ABSOLUTE, VM_CARRIED, VM_AT_REST */
 } vm_stream1;
 
-/* The streams and the load of a body on a line or an axle: the ctx of vm_flow1_rhs. Set the whole struct to 0 first. */
+/* The streams and the load of a body on a line or an axle. vm_flow1_rhs gets a pointer to this struct as its last
+   argument. Set the whole struct to 0 first. */
 typedef struct VM_TAG(vm_flow1) {
     int n;               /* number of streams */
     vm_stream1 *streams; /* array of n streams, which the caller keeps */
     vm_real force;       /* resultant of the outer forces, N (axle: their moment about the axle, N m) */
     /* NULL, or a function that is called before each evaluation and may set every field from t and y, as
-       vm_flow.update does. It returns 0; another number ends the run. */
+       vm_flow.update does. It returns 0 to go on; any other number ends the run. */
     int (*update)(vm_real t, const vm_real *y, struct VM_TAG(vm_flow1) * flow);
     void *ctx;  /* pointer for the caller's `update`; not used by the functions below */
     int status; /* VM_OK, or the reason why the last evaluations gave NaN or ended the run: see vm_flow.status */
 } vm_flow1;
 
-/* Returns the velocity u of a stream's mass. v is the velocity of the body, and `given` is the field `velocity` of the
-   stream. All three vectors have the same axes. */
+/* Returns the velocity u of a stream's mass. `motion` and `given` are the fields `motion` and `velocity` of the stream,
+   and v is the velocity of the body. The vectors u, v and `given` have the same axes. */
 VM_INLINE vm_vec3 vmi_translation_velocity(int motion, vm_vec3 v, vm_vec3 given)
 {
     vm_vec3 u = vmi_vec3(0, 0, 0);
@@ -73,7 +75,8 @@ VM_INLINE vm_vec3 vmi_translation_velocity(int motion, vm_vec3 v, vm_vec3 given)
     return u;
 }
 
-/* Evaluates the right-hand side of vm_translation_rhs. The caller has called flow->update before, if it is not NULL. */
+/* Evaluates the right-hand side of vm_translation_rhs. The caller must have called flow->update before, if this pointer
+   is not NULL. */
 VM_INLINE int vmi_translation_rates(vm_flow *flow, const vm_real *y, vm_real *dydt)
 {
     const vm_real mass = y[VM_TRANSLATION_MASS];
@@ -97,8 +100,9 @@ VM_INLINE int vmi_translation_rates(vm_flow *flow, const vm_real *y, vm_real *dy
     return 0;
 }
 
-/* Calls flow->update, then evaluates the right-hand side. This function is not inlined. Otherwise a flow without
-   `update` would lose time, because the processor's registers would be saved for the call of `update`. */
+/* Calls flow->update, then evaluates the right-hand side of vm_translation_rhs. This function is not inlined. If it
+   were inlined, a flow without `update` would lose time, because the processor's registers would be saved for the call
+   of `update`. */
 VMI_APART int vmi_translation_updated_rates(vm_real t, const vm_real *y, vm_real *dydt, vm_flow *flow)
 {
     const int status = flow->update(t, y, flow);
@@ -107,13 +111,13 @@ VMI_APART int vmi_translation_updated_rates(vm_real t, const vm_real *y, vm_real
 }
 
 /* Right-hand side of a body in translation with streams of mass: r' = p/M, p' = F + sum M' u (172).
-   It is an ode_rhs for integrators such as rk45, with VM_TRANSLATION_STATES states. `flow` must point to a vm_flow, of
-   which n, streams, force, update, y_size and status are used. r is the position of the mass centre, p the momentum, M
-   the mass and F the outer force. The sum is over all streams; M' is the rate of a stream and u the velocity of its
-   mass. The rate of M is the sum of M'. Body axes are parallel to the inertial axes. The fields at, spin, gyration and
-   from of the streams are not read. Returns 0; or VM_BAD_ARGUMENT for a null pointer, n < 0 or an unknown `motion` of a
-   stream, VM_SHORT_ARRAY if y_size is too small, or the number that flow.update returns. A result other than 0 ends the
-   run. */
+   Its type is ode_rhs, so that integrators such as rk45 can call it. The state y has VM_TRANSLATION_STATES numbers.
+   `flow` must point to a vm_flow, of which n, streams, force, update, y_size and status are used. r is the position of
+   the mass centre, p the momentum, M the mass and F the outer force. The sum is over all streams; M' is the rate of a
+   stream and u the velocity of its mass. The body's mass M grows at the sum of all M'. The body axes must be parallel
+   to the inertial axes. The fields at, spin, gyration and from of the streams are not read. Returns 0 or another
+   number, which ends the run: VM_BAD_ARGUMENT for a null pointer, for n < 0 and for an unknown `motion` of a stream;
+   VM_SHORT_ARRAY if y_size is too small; or the number that flow.update returns. */
 VM_API int vm_translation_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow)
 {
     if (!y || !dydt || !flow) return VM_BAD_ARGUMENT;
@@ -122,7 +126,8 @@ VM_API int vm_translation_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *
     return vmi_translation_rates(f, y, dydt);
 }
 
-/* Evaluates the right-hand side of vm_flow1_rhs. The caller has called flow->update before, if it is not NULL. */
+/* Evaluates the right-hand side of vm_flow1_rhs. The caller must have called flow->update before, if this pointer is
+   not NULL. */
 VM_INLINE int vmi_flow1_rates(vm_flow1 *flow, const vm_real *y, vm_real *dydt)
 {
     const vm_real v = y[VM_FLOW1_P] / y[VM_FLOW1_MASS];
@@ -143,8 +148,8 @@ VM_INLINE int vmi_flow1_rates(vm_flow1 *flow, const vm_real *y, vm_real *dydt)
     return 0;
 }
 
-/* Calls flow->update, then evaluates the right-hand side. The comment on vmi_translation_updated_rates says why this
-   function is not inlined. */
+/* Calls flow->update, then evaluates the right-hand side of vm_flow1_rhs. The comment of vmi_translation_updated_rates
+   says why this function is not inlined. */
 VMI_APART int vmi_flow1_updated_rates(vm_real t, const vm_real *y, vm_real *dydt, vm_flow1 *flow)
 {
     const int status = flow->update(t, y, flow);
@@ -153,11 +158,11 @@ VMI_APART int vmi_flow1_updated_rates(vm_real t, const vm_real *y, vm_real *dydt
 }
 
 /* Right-hand side of a body on a line or an axle with streams of mass, (173a), (175), (176).
-   It is an ode_rhs with VM_FLOW1_STATES states. `flow1` must point to a vm_flow1. The equations for the position x, the
-   momentum p and the mass M are x' = p/M, p' = F + sum of M_i u_i, M' = sum of M_i. F is the outer force. Each sum is
-   over all streams; M_i is the rate of stream number i, and u_i is the velocity of its mass. Returns 0; or
-   VM_BAD_ARGUMENT for a null pointer, n < 0 or an unknown `motion` of a stream, or the number that flow.update returns.
-   A result other than 0 ends the run. */
+   Its type is ode_rhs. The state y has VM_FLOW1_STATES numbers. `flow1` must point to a vm_flow1. The equations for the
+   position x, the momentum p and the mass M are x' = p/M, p' = F + sum of M_i u_i, M' = sum of M_i. F is the outer
+   force. Each sum is over all streams; M_i is the rate of stream number i, and u_i is the velocity of its mass. Returns
+   0 or another number, which ends the run: VM_BAD_ARGUMENT for a null pointer, for n < 0 and for an unknown `motion` of
+   a stream; or the number that flow.update returns. */
 VM_API int vm_flow1_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow1)
 {
     if (!y || !dydt || !flow1) return VM_BAD_ARGUMENT;

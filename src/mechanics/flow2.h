@@ -1,7 +1,7 @@
 /* mechanics/flow2.h - a body in a plane with streams of mass
 
-   This chapter has the right-hand side of mechanics/flow.h for motion in a plane, with 10 states instead of 23. The
-   equations are those of motion in space, except that streams in the plane have no stores.
+   This chapter has the right-hand side of mechanics/flow.h for motion in a plane. Its state has 10 numbers instead of
+   23. The equations are those of motion in space, except that streams in the plane have no stores.
 
        vm_stream2 jet = {-1, VM_RELATIVE, -0.5, 0, -2000, 0, 0, 0}; // 1 kg/s, 0.5 m behind, 2000 m/s backwards
        vm_flow2 flow;
@@ -45,24 +45,25 @@ typedef struct VM_TAG(vm_stream2) {
     vm_real gyration; /* inertia per unit mass of the mass that enters or leaves, about its own mass centre, m^2 */
 } vm_stream2;
 
-/* The streams and loads of a body in the plane: the ctx of vm_flow2_rhs. Set the whole struct to zero first. */
+/* The streams and loads of a body in the plane. vm_flow2_rhs gets a pointer to this struct as its last argument. Set
+   the whole struct to zero first. */
 typedef struct VM_TAG(vm_flow2) {
     int n;               /* number of streams */
     vm_stream2 *streams; /* array of n streams, which the caller keeps */
     vm_real fx, fy;      /* resultant of the outer forces, N, inertial axes */
     vm_real moment;      /* moment of the outer forces about the mass centre, plus all torques, N m */
     /* NULL, or a function that is called before each evaluation and may set every field from t and y, as
-       vm_flow.update does. It returns 0; another number ends the run. */
+       vm_flow.update does. It returns 0 to go on; any other number ends the run. */
     int (*update)(vm_real t, const vm_real *y, struct VM_TAG(vm_flow2) * flow);
     void *ctx;  /* pointer for the caller's `update`; not used by the functions below */
     int status; /* VM_OK, or the reason why the last evaluations gave NaN or ended the run: see vm_flow.status */
 } vm_flow2;
 
 /* Computes sine and cosine of x, with errors below 0.6 eps, in fewer operations than vmi_sincos. For |x| up to 2^20
-   quarter turns (float 2^10) it subtracts j pi/2 from x, where j is the integer nearest to x/(pi/2). pi/2 is replaced
-   by the sum of two numbers: `first` has 33 (float 14) bits, so that j times `first` is exact. The sum of `first` and
-   `second` differs from pi/2 by 2^-87 (float 2^-38). The product of j and `second` has a rounding error of at most
-   2^-67 (float 2^-28). For larger |x| the function calls vmi_sincos. */
+   quarter turns (float 2^10) it subtracts j pi/2 from x, where j is the integer nearest to x/(pi/2). The function
+   replaces pi/2 by the sum of two numbers: `first` has 33 (float 14) bits, so that j times `first` is exact. The sum of
+   `first` and `second` differs from pi/2 by 2^-87 (float 2^-38). The product of j and `second` has a rounding error of
+   at most 2^-67 (float 2^-28). For larger |x| the function calls vmi_sincos. */
 VM_INLINE void vmi_sincos_of_angle(vm_real x, vm_real *sine, vm_real *cosine)
 {
 #if VM_MANT_DIG > 24
@@ -110,7 +111,8 @@ typedef struct VM_TAG(vmi_stream_sum2) {
     vm_real inertia; /* rate of the body's inertia: sum of M' (kappa + d^2) over all streams */
 } vmi_stream_sum2;
 
-/* Adds the terms of a stream to the sums. Its `motion` must be known. */
+/* Adds the terms of the stream *s to the sums *sum. The field `motion` of the stream must have one of the known
+   values. */
 VM_INLINE void vmi_stream_add2(const vm_stream2 *s, const vmi_stream_seen2 *b, vmi_stream_sum2 *sum)
 {
     const int given = vmi_stream_velocity_is_given(s->motion);
@@ -158,9 +160,10 @@ VM_INLINE int vmi_flow2_check_state(const vm_real *y)
 }
 
 /* Right-hand side of a body in the plane with streams of mass, (151), (152).
-   It is an ode_rhs for integrators such as rk45, with VM_FLOW2_STATES states. `ctx` must point to a vm_flow2. The
-   equations are those at the top of mechanics/flow.h. Returns 0; or VM_BAD_ARGUMENT for a null pointer, n < 0 or an
-   unknown `motion` of a stream, or the number that flow.update returns. A result other than 0 ends the run. */
+   Its type is ode_rhs, so that integrators such as rk45 can call it. The state y has VM_FLOW2_STATES numbers. `ctx`
+   must point to a vm_flow2. The equations are those at the top of mechanics/flow.h. Returns 0 or another number, which
+   ends the run: VM_BAD_ARGUMENT for a null pointer, for n < 0 and for an unknown `motion` of a stream; or the number
+   that flow.update returns. */
 VM_API int vm_flow2_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 {
     if (!y || !dydt || !ctx) return VM_BAD_ARGUMENT;

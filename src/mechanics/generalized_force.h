@@ -16,9 +16,10 @@
 #include "vectors.h"
 
 /* Adds the generalized forces of a force and a moment: Q_i += force.dr/dq_i + moment.domega/dq'_i (235).
-   dr_or_NULL[i] is dr/dq_i, the derivative of the point r at which the force acts with respect to the coordinate q_i.
-   domega_or_NULL[i] is domega/dq'_i, the derivative of the body's angular velocity omega with respect to the rate
-   q'_i. These arrays and Q have n entries. A NULL array means that its term is 0. If Q is NULL, nothing is done.
+   dr_or_NULL[i] is dr/dq_i, the derivative, with respect to the coordinate q_i, of the position r of the point at which
+   the force acts. domega_or_NULL[i] is domega/dq'_i, the derivative of the body's angular velocity omega with respect
+   to the rate q'_i. These arrays and Q have n entries. If dr_or_NULL or domega_or_NULL is NULL, its term is 0. If Q is
+   NULL, the function does nothing.
 
    For external loads, use their resultant force and their moment about r. For a stream with the mass rate M' (kg/s),
    the velocity u and the angular velocity omega2, use the force M' u at the point where the mass enters or leaves, and

@@ -1,8 +1,8 @@
-/* mechanics/inertia_factors.h - inertia tensors as products of factors, and stored in arrays of state
-   A body with streams needs the inverse of its inertia in every evaluation of its equations of motion. With the factors
-   L D L^T of the tensor, a few multiplications give the angular velocity for an angular momentum. In an array of states
-   the tensor is stored as six numbers; this chapter has functions that read and write them.
-   vmi_inertia_factor_if_possible refuses a tensor that no body can have.
+/* mechanics/inertia_factors.h - inertia tensors as products of factors, and stored in state arrays
+   A body with streams needs the inverse of its inertia in every evaluation of its equations of motion. If the tensor is
+   written as a product L D L^T (vmi_inertia_ldl explains L and D), a few multiplications give the angular velocity that
+   belongs to an angular momentum. In a state array the tensor is stored as six numbers; this chapter has functions that
+   read and write them. vmi_inertia_factor_if_possible returns 0 for a tensor that no body can have.
 
        vm_inertia disc = {1, 1, 2, 0, 0, 0};
        vmi_inertia_ldl f;
@@ -39,13 +39,15 @@ VM_API void vmi_set_inertia(vm_real *y, const vm_inertia *i)
     y[5] = i->yz;
 }
 
-/* The factors of an inertia tensor L D L^T. L is a lower triangular matrix with ones on the diagonal; xy, xz, yz are
-   its other entries. D is a diagonal matrix; x, y, z are the diagonal entries of its inverse. */
+/* The factors L and D of an inertia tensor that is written as the product L D L^T. L is a lower triangular matrix with
+   ones on the diagonal; xy, xz, yz are its other entries. D is a diagonal matrix; x, y, z are the diagonal entries of
+   its inverse. */
 typedef struct VM_TAG(vmi_inertia_ldl) {
     vm_real xy, xz, yz, x, y, z;
 } vmi_inertia_ldl;
 
-/* Computes the factors f of the tensor i. Returns 0 if an entry of D is <= 0 or only a rounding error, else 1. */
+/* Writes the inertia tensor *i as the product L D L^T, and stores L and the inverse of D in *f (vmi_inertia_ldl).
+   Returns 0 if a diagonal entry of D is not positive or only a rounding error, else 1. */
 VM_INLINE int vmi_inertia_factor(const vm_inertia *i, vmi_inertia_ldl *f)
 {
     vm_real y, z, t;
@@ -61,7 +63,8 @@ VM_INLINE int vmi_inertia_factor(const vm_inertia *i, vmi_inertia_ldl *f)
     return i->xx > 0 && y > VMI_LOST_SHARE * i->yy && z > VMI_LOST_SHARE * i->zz;
 }
 
-/* The angular velocity w for the angular momentum h: the solution of i w = h for the tensor i with the factors f */
+/* The angular velocity w for the angular momentum h: the solution of the equation i w = h for the inertia tensor i. *f
+   is the result of vmi_inertia_factor for i. */
 VM_INLINE vm_vec3 vmi_inertia_solve(const vmi_inertia_ldl *f, vm_vec3 h)
 {
     vm_vec3 w;
@@ -74,7 +77,7 @@ VM_INLINE vm_vec3 vmi_inertia_solve(const vmi_inertia_ldl *f, vm_vec3 h)
 
 /* Returns 1 if a body, perhaps a thin one, can have the inertia i within a tolerance. One moment of a flat body equals
    the sum of the other two, but the rounding errors of all steps of an integration add up and disturb this equality.
-   The tolerance is sqrt(eps) times the trace, which is enough for about 1/sqrt(eps) steps. */
+   The tolerance is sqrt(eps) times the trace of i, which is enough for about 1/sqrt(eps) steps. */
 VMI_APART int vmi_thin_inertia_is_possible(const vm_inertia *i)
 {
     const vm_real slack = VM_MANT_DIG > 24 ? VM_C(1.5e-8) : VM_C(3.5e-4); /* the tolerance divided by the trace */
@@ -83,7 +86,7 @@ VMI_APART int vmi_thin_inertia_is_possible(const vm_inertia *i)
 
 /* Returns 1 if a body can have the inertia i, which must have positive principal moments. Every step of an integration
    calls this test, so a cheap condition comes first: tr(i)/2 E - i (trace tr, unit matrix E) is positive definite if
-   each of its diagonal entries exceeds |xy| + |xz| + |yz|. Most bodies fulfil this. */
+   each diagonal entry of this matrix exceeds |xy| + |xz| + |yz|. For most bodies this is so. */
 VM_INLINE int vmi_running_inertia_is_possible(const vm_inertia *i)
 {
     const vm_real half = (i->xx + i->yy + i->zz) / 2;
@@ -91,7 +94,8 @@ VM_INLINE int vmi_running_inertia_is_possible(const vm_inertia *i)
     return (least > i->xx && least > i->yy && least > i->zz) || vmi_thin_inertia_is_possible(i);
 }
 
-/* Computes the factors of i as vmi_inertia_factor does, but also returns 0 if no body can have the inertia i */
+/* Computes the factors *f of the inertia *i as vmi_inertia_factor does. Also returns 0 if no body can have the inertia
+   *i. */
 VM_INLINE int vmi_inertia_factor_if_possible(const vm_inertia *i, vmi_inertia_ldl *f)
 {
     return vmi_inertia_factor(i, f) && vmi_running_inertia_is_possible(i);

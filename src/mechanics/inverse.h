@@ -30,18 +30,19 @@ VM_API vm_vec3 vmi_part_velocity(const vm_body *whole, const vm_body *part, cons
     return vm_add(whole->v, vmi_over(momentum, part->mass));
 }
 
-/* The angular momentum that the part must have, relative to the turning whole, so that the rest turns with rest_omega.
-   It is h - I1 (rest_omega - Omega). Omega is the angular velocity of the whole, and I1 the inertia of the rest. h is
-   the field of *rest: the angular momentum that the rest would have relative to the whole if the part left with the
-   angular velocity Omega. */
+/* The angular momentum that the part must have, relative to the turning whole, so that the rest turns with the angular
+   velocity rest_omega. It is h - I1 (rest_omega - Omega). Omega is the angular velocity of the whole, and I1 the
+   inertia of the rest. h is the field h of *rest, that is, the angular momentum that the rest would have relative to
+   the whole if the part left with the angular velocity Omega. */
 VM_API vm_vec3 vmi_part_spin_momentum(const vmi_frame *frame, const vmi_lump *rest, vm_vec3 rest_omega)
 {
     const vm_vec3 turning = vmi_times_transposed(&frame->turn, vm_sub(rest_omega, frame->omega));
     return vm_sub(rest->h, vmi_times(&frame->turn, vmi_inertia_times(&rest->inertia, turning)));
 }
 
-/* Sets *rest to what would remain if the part left with its own velocity but with the angular velocity of the whole.
-   The caller must have checked the bodies, except for the velocity of the part. Returns an error or VM_OK. */
+/* Sets *rest to what would remain if the part left with its own velocity but with the angular velocity of the whole,
+   and *frame to the frame of the jump. The caller must have checked the bodies, except for the velocity of the part.
+   Returns VM_OK or an error of vm_separate. */
 VM_API int vmi_unturned_rest(const vm_body *whole, const vm_body *part, const vm_impulse *external_or_NULL,
                              vmi_frame *frame, vmi_lump *rest)
 {
@@ -56,8 +57,9 @@ VM_API int vmi_unturned_rest(const vm_body *whole, const vm_body *part, const vm
     return status ? status : vmi_lump_clamp_moments(rest, &p);
 }
 
-/* Sets part->omega to the angular velocity that makes the rest turn with rest_omega. Returns VM_NULL_AXIS if the part
-   would need angular momentum about an axis with zero moment of inertia, VM_OK, or an error. */
+/* Sets part->omega to the angular velocity that makes the rest turn with the angular velocity rest_omega. Returns
+   VM_NULL_AXIS if the part would need angular momentum about an axis with zero moment of inertia; an error if the
+   part's inertia is impossible; VM_OK otherwise. */
 VM_API int vmi_turn_part(const vmi_frame *frame, const vmi_lump *rest, vm_vec3 rest_omega, vm_body *part)
 {
     vmi_frame own = *frame; /* the frame of the jump, with the axes of the part */
@@ -78,12 +80,13 @@ VM_API int vmi_turn_part(const vmi_frame *frame, const vmi_lump *rest, vm_vec3 r
 }
 
 /* How a part must leave, so that the rest moves as wanted: the inverse of vm_separate. *moving becomes a copy of *part
-   with another motion. The velocity of *moving makes the rest move at *rest_v_or_NULL (m/s), and its angular velocity
-   makes the rest turn with *rest_omega_or_NULL (rad/s). If one of these two pointers is NULL, *moving keeps the
-   velocity, or the angular velocity, of *part.
-     - If *rest_omega_or_NULL is 0, the rest does not turn (Table 2, cases 5 and 7; Table 4, case 2).
+   with another motion. The velocity of *moving makes the rest move at the velocity *rest_v_or_NULL (m/s), and its
+   angular velocity makes the rest turn with *rest_omega_or_NULL (rad/s). If one of these two pointers is NULL, *moving
+   keeps the velocity, or the angular velocity, of *part.
+     - If *rest_omega_or_NULL is 0, the rest does not turn (Table 2 of [1], cases 5 and 7; Table 4, case 2).
      - If *rest_v_or_NULL is 0, too, the rest is at rest (Table 3, cases 6 and 8).
-     - If both have the values of the whole, the rest moves on as the whole did (Table 3, case 7).
+     - If both are equal to the velocity and the angular velocity of the whole, the rest moves on as the whole did
+     (Table 3, case 7).
 
    Returns VM_NULL_AXIS (> 0) if the part would need angular momentum about an axis with zero moment of inertia. *moving
    then brings the rest as close to the wanted motion as possible. The other statuses are those of vm_separate. */
@@ -113,7 +116,8 @@ VM_API int vm_separation_for_rest(const vm_body *whole, const vm_body *part, con
 
 /* ---- the plane ---- */
 
-/* Sets vx and vy of *part to the velocity that the part must have so that the rest moves at rest_v, in the plane */
+/* Sets vx and vy of *part to the velocity that the part must have so that the rest moves at the velocity rest_v
+   (components x, y), in the plane */
 VM_API void vmi_push_part2(const vm_body2 *whole, const vm_impulse2 *external_or_NULL, const vm_real *rest_v,
                            vm_body2 *part)
 {
@@ -142,8 +146,8 @@ VM_API int vmi_unturned_rest2(const vm_body2 *whole, const vm_body2 *part, const
     return vmi_jump_total2(whole, &list, VMI_SEPARATE, external_or_NULL, frame, rest);
 }
 
-/* Sets part->omega, in the plane, to the angular velocity that makes the rest turn with rest_omega. Returns
-   VM_NULL_AXIS if the part is a point but would need angular momentum about itself, else VM_OK. */
+/* Sets part->omega, in the plane, to the angular velocity that makes the rest turn with the angular velocity
+   rest_omega. Returns VM_NULL_AXIS if the part is a point but would need angular momentum about itself, else VM_OK. */
 VM_API int vmi_turn_part2(const vm_body2 *whole, const vmi_frame *frame, const vmi_lump *rest, vm_real rest_omega,
                           vm_body2 *part)
 {
@@ -192,8 +196,8 @@ VM_API int vm_separation_for_rest2(const vm_body2 *whole, const vm_body2 *part, 
    of *part with the new velocity; the velocity in *part is not read. The part keeps its angular velocity. Let S and S2
    be the mass centres of whole and part, and v_r the velocity of *moving relative to the turning whole. Only the
    component of v_r across the line SS2 turns the rest, so the function makes v_r orthogonal to SS2. This is case 7 of
-   Table 3. Returns VM_SINGULAR if S and S2 are one point, so that no velocity turns the rest. The other statuses are
-   those of vm_separate2. */
+   Table 3 in the dissertation. Returns VM_SINGULAR if S and S2 are one point, because then no velocity turns the rest.
+   The other statuses are those of vm_separate2. */
 VM_API int vm_separation_for_spin2(const vm_body2 *whole, const vm_body2 *part, const vm_impulse2 *external_or_NULL,
                                    vm_real rest_omega, vm_body2 *moving)
 {

@@ -32,8 +32,8 @@ VM_API vm_real vmi_relative_energy(const vm_body *whole, int n, const vm_body *b
     return sum + vm_kinetic_energy(&b);
 }
 
-/* Work of an impulse on a body, J: v.linear + omega.moment. v and omega are the velocity and angular velocity of the
-   body; the moment of the impulse is taken about its mass centre. Returns 0 for a null pointer. */
+/* Work of an impulse on a body, J. It is v.linear + omega.moment. v and omega are the velocity and angular velocity of
+   the body; the moment of the impulse is taken about its mass centre. Returns 0 for a null pointer. */
 VM_API vm_real vmi_impulse_work(const vm_body *body_or_NULL, const vm_impulse *external_or_NULL)
 {
     const vm_body *b = body_or_NULL;
@@ -42,11 +42,11 @@ VM_API vm_real vmi_impulse_work(const vm_body *body_or_NULL, const vm_impulse *e
     return vm_dot(b->v, j->linear) + vm_dot(b->omega, vmi_impulse_moment(j, b->r));
 }
 
-/* Energy gained at a separation, J: the kinetic energy of n parts and rest minus that of the whole (113), (118). It is
-   computed as the kinetic energy of parts and rest relative to the whole, plus the work of the external impulse on the
-   whole (0 without an impulse). In exact arithmetic both results are equal, but at high speed the difference of the
-   energies would lose digits. `whole` is the body before the separation; `parts` and `rest` are the bodies after it.
-   Returns NaN for a null pointer or n < 0. */
+/* Energy gained at a separation, J: the kinetic energy of the n parts and of the rest, minus that of the whole (113),
+   (118). It is computed as the kinetic energy of parts and rest relative to the whole, plus the work of the external
+   impulse on the whole (0 without an impulse). Without rounding errors this sum equals the difference of the energies.
+   But at high speed the difference would lose digits. `whole` is the body before the separation; `parts` and `rest` are
+   the bodies after it. Returns NaN for a null pointer or n < 0. */
 VM_API vm_real vm_energy_gain(const vm_body *whole, int n, const vm_body *parts, const vm_impulse *external_or_NULL,
                               const vm_body *rest)
 {

@@ -26,7 +26,7 @@
    unit matrix, and P(d) = |d|^2 E - d d^T. An impulse `linear` with the moment `moment` about S1 may act. Then
      r1 = r + sign m/M1 d (15),  v1 = (M v + sign m v2 + linear)/M1 (24),  I1 = I + sign (I2 + m M/M1 P(d)),
      I1 omega1 = I omega + sign (I2 omega2 + m M/M1 d x (v2 - v)) + moment (33), (34)
-   A separation is therefore an attachment of negative mass and inertia.
+   A separation is therefore computed as an attachment of negative mass and inertia.
 
    These equations also hold in a frame that moves, and turns with any angular velocity Omega, if all omegas and v2 - v
    are taken relative to the frame (42). The code uses a frame in which terms that cancel are small, so that few digits
@@ -35,7 +35,7 @@ enum { VMI_SEPARATE = -1, VMI_ATTACH = 1 }; /* the values of all parameters name
 
 /* The frame of a jump */
 typedef struct VM_TAG(vmi_frame) {
-    vm_quat q;           /* attitude of the body that the jump changes; inertias are added in this body's axes */
+    vm_quat q;           /* attitude of the body that the jump changes; inertias are added along this body's axes */
     vmi_mat3 turn;       /* the rotation matrix of q */
     vm_vec3 r, v, omega; /* position, velocity and angular velocity of the frame */
 } vmi_frame;
@@ -92,9 +92,9 @@ VM_API vm_inertia vmi_moved_inertia(const vmi_frame *frame, vm_vec3 d, vm_vec3 r
     return vmi_inertia_of_point(vmi_times_transposed(&frame->turn, d));
 }
 
-/* Returns the growth of a->noise when b joins or leaves a. This is b->noise plus the absolute values of the terms of
-   reduced d x slip, where `slip` is the velocity of b relative to a. vmi_join computes d, `reduced`, `reach` and
-   `slip`. */
+/* Returns how much a->noise grows when the lump b joins or leaves the lump a (the field `noise` measures rounding
+   errors). The result is b->noise plus the absolute values of the terms of the product reduced (d x slip), where `slip`
+   is the velocity of b relative to a. vmi_join computes d, `reduced`, `reach` and `slip`. */
 VM_API vm_real vmi_join_noise(const vmi_frame *frame, const vmi_lump *a, vm_real sign, const vmi_lump *b,
                               vm_real reduced, vm_vec3 reach, vm_vec3 slip)
 {
@@ -105,11 +105,13 @@ VM_API vm_real vmi_join_noise(const vmi_frame *frame, const vmi_lump *a, vm_real
            moved * vmi_norm1(reach) * (distance * vmi_norm1(frame->omega) + vmi_norm1(slip));
 }
 
-/* Attaches b to a (sign 1) or separates b from a (sign -1). Returns VM_BAD_MASS if no mass is left, else VM_OK. */
+/* Attaches the lump b to the lump a (sign 1), or separates b from a (sign -1). Returns VM_BAD_MASS if no mass is left,
+   else VM_OK. */
 VM_API int vmi_join(const vmi_frame *frame, vmi_lump *a, vm_real sign, const vmi_lump *b)
 {
     const vm_real mass = a->mass + sign * b->mass;
-    const vm_real share = sign * (b->mass / mass), reduced = a->mass * share; /* b's share of mass; reduced mass */
+    const vm_real share = sign * (b->mass / mass), reduced = a->mass * share; /* b's share of the total mass; the
+                                                                                 reduced mass of a and b */
     const vm_vec3 d = vm_sub(b->r, a->r), v = vm_sub(b->v, a->v);
     const vm_vec3 slip = vm_sub(v, vm_cross(frame->omega, d)); /* velocity of b relative to a in the turning frame */
     const vm_vec3 origin = vmi_abs(frame->r);
@@ -140,8 +142,8 @@ VM_API void vmi_apply_impulse(const vmi_frame *frame, vmi_lump *a, const vm_impu
     a->noise += vmi_norm1(external->couple) + (vmi_norm1(at) + vmi_norm1(frame->r)) * vmi_norm1(j);
 }
 
-/* The frame of a jump. It moves with the heaviest of all bodies. At a separation, or if only an impulse acts, it turns
-   with the first body. At an attachment it does not turn. */
+/* The frame of a jump. The frame moves with the heaviest of all bodies. At a separation, or if only an impulse acts,
+   the frame turns with `body`. At an attachment it does not turn. */
 VM_API vmi_frame vmi_frame_of(const vm_body *body, const vmi_bodies *others, vm_real sign)
 {
     vm_real mass = body->mass;
@@ -193,7 +195,8 @@ VM_API int vmi_jump_total(const vmi_frame *frame, const vm_body *body, vm_real s
 }
 
 /* Finds the principal axes of a lump, and corrects rounding errors that make its moments of inertia impossible. Returns
-   VM_OK, VM_NOT_FINITE, or VM_BAD_INERTIA if a moment clearly exceeds the sum of the other two. */
+   VM_NOT_FINITE if the inertia is infinite or NaN; VM_BAD_INERTIA if a moment clearly exceeds the sum of the other two;
+   else VM_OK. */
 VM_API int vmi_lump_clamp_moments(vmi_lump *lump, vmi_principal *p)
 {
     if (!vmi_inertia_is_finite(&lump->inertia)) return VM_NOT_FINITE;
@@ -203,9 +206,9 @@ VM_API int vmi_lump_clamp_moments(vmi_lump *lump, vmi_principal *p)
     return VM_OK;
 }
 
-/* Sets *omega to the angular velocity, relative to the frame and along inertial axes, of a lump with principal axes p.
-   `before` is this angular velocity before the jump. Returns 1 if the lump has angular momentum about an axis with zero
-   moment of inertia, which is impossible. Returns 0 otherwise. */
+/* Sets *omega to the angular velocity, relative to the frame and along inertial axes, of the lump whose principal axes
+   are *p. `before` is the angular velocity of the body relative to the frame before the jump. Returns 1 if the lump has
+   angular momentum about an axis with zero moment of inertia, which is impossible. Returns 0 otherwise. */
 VM_API int vmi_lump_spin(const vmi_frame *frame, const vmi_lump *lump, const vmi_principal *p, vm_vec3 before,
                          vm_vec3 *omega)
 {
@@ -217,8 +220,8 @@ VM_API int vmi_lump_spin(const vmi_frame *frame, const vmi_lump *lump, const vmi
     return left;
 }
 
-/* Sets *result to a body after n others are attached to it (sign = 1) or separate from it (sign = -1), while an impulse
-   acts. The statuses are those of vm_separate. */
+/* Sets *result to the body `body` after n others are attached to it (sign = 1) or separate from it (sign = -1), while
+   an impulse acts. The statuses are those of vm_separate. */
 VM_API int vmi_jump(const vm_body *body, int n, const vm_body *others, vm_real sign,
                     const vm_impulse *external_or_NULL, vm_body *result)
 {
@@ -254,16 +257,16 @@ VM_API int vmi_jump(const vm_body *body, int n, const vm_body *others, vm_real s
    plus the impulse. The pointer rest may be equal to whole or to part.
 
    If the separation does not change the part's motion, the rest keeps its motion, too, even if little inertia is left.
-   At high speed or far from the origin omega loses no digits, because only motions relative to the whole are added. The
-   error of the rest's inertia is at most 8 eps of the trace of the whole's inertia. If the bodies are at a distance R
-   from the origin, the rounding of positions by eps R adds to this error. A principal moment below this error becomes
-   0.
+   At high speed or far from the origin the rest's omega loses no digits, because only motions relative to the whole are
+   added. The error of the rest's inertia is at most 8 eps of the trace of the whole's inertia. If the bodies are at a
+   distance R from the origin, the rounding of positions by eps R adds to this error. A principal moment of the rest
+   that is below this error becomes 0.
 
    Returns VM_OK, VM_NULL_AXIS or an error. VM_NULL_AXIS (> 0) means that *rest is set and is a rod or a point, which
    has an axis without inertia, but that the equations demand angular momentum about this axis. *rest then turns about
-   this axis as the whole did. The errors are VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS if a mass,
-   that of the rest included, is not positive, and VM_BAD_INERTIA for an inertia that no body has. The rest has such an
-   inertia if the part cannot have been in the whole. */
+   this axis as the whole did. The errors are VM_BAD_ARGUMENT for a null pointer; VM_NOT_FINITE if an argument or the
+   result is infinite or NaN; VM_BAD_MASS if a mass, that of the rest included, is not positive; and VM_BAD_INERTIA for
+   an inertia that no body can have. The rest has such an inertia if the part cannot have been in the whole. */
 VM_API int vm_separate(const vm_body *whole, const vm_body *part, const vm_impulse *external_or_NULL, vm_body *rest)
 {
     return vmi_jump(whole, 1, part, VMI_SEPARATE, external_or_NULL, rest);
@@ -281,7 +284,7 @@ VM_API int vm_attach(const vm_body *body, const vm_body *added, const vm_impulse
 
 /* Separation of n parts from a body at once: *rest is what remains. Except for rounding errors, n calls of
    vm_separate, one after the other, give the same result. With n = 0 only the impulse acts on the body. The statuses
-   are those of vm_separate, and VM_BAD_ARGUMENT for n < 0. */
+   are those of vm_separate. For n < 0 the status is VM_BAD_ARGUMENT. */
 VM_API int vm_separate_all(const vm_body *whole, int n, const vm_body *parts, const vm_impulse *external_or_NULL,
                            vm_body *rest)
 {
@@ -290,7 +293,7 @@ VM_API int vm_separate_all(const vm_body *whole, int n, const vm_body *parts, co
 
 /* Attachment of n bodies to a body at once: *whole is the body that all of them form together. Except for rounding
    errors, n calls of vm_attach, one after the other, give the same result. With n = 0 only the impulse acts on the
-   body. The statuses are those of vm_attach, and VM_BAD_ARGUMENT for n < 0. */
+   body. The statuses are those of vm_attach. For n < 0 the status is VM_BAD_ARGUMENT. */
 VM_API int vm_attach_all(const vm_body *body, int n, const vm_body *added, const vm_impulse *external_or_NULL,
                          vm_body *whole)
 {
@@ -299,7 +302,7 @@ VM_API int vm_attach_all(const vm_body *body, int n, const vm_body *added, const
 
 /* ---- the inertia of a whole and of its parts ---- */
 
-/* A body at rest whose axes are the inertial axes */
+/* A body at rest, with the mass centre r, whose body axes are parallel to the inertial axes */
 VM_API vm_body vmi_body_at_rest(vm_real mass, const vm_inertia *inertia, vm_vec3 r)
 {
     vm_body b = {0, {0, 0, 0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}};
@@ -309,7 +312,9 @@ VM_API vm_body vmi_body_at_rest(vm_real mass, const vm_inertia *inertia, vm_vec3
     return b;
 }
 
-/* Body b at d joins body a at 0 or leaves it. Sets *joined to the resulting inertia and *centre to the mass centre. */
+/* Sets *joined to the inertia, and *centre to the mass centre, of a body after another body has joined it (sign = 1) or
+   left it (sign = -1). The mass centre of the first body is at the origin, that of the other body at d. The first body
+   has the mass mass_a and the inertia *a, the other body mass_b and *b. */
 VM_API int vmi_joined_inertia(vm_real mass_a, const vm_inertia *a, vm_real sign, vm_real mass_b,
                               const vm_inertia *b, vm_vec3 d, vm_inertia *joined, vm_vec3 *centre)
 {
@@ -328,17 +333,18 @@ VM_API int vmi_joined_inertia(vm_real mass_a, const vm_inertia *a, vm_real sign,
 
 /* Inertia of two bodies together, about their common mass centre: (13)-(15), (40). All inertias (kg m^2) are along one
    set of axes, and each is about its body's own mass centre. d (m) leads from the mass centre of a to that of b. The
-   result *centre (m) leads from the mass centre of a to the common one. Returns VM_BAD_ARGUMENT for a null pointer,
-   VM_NOT_FINITE, VM_BAD_MASS or VM_BAD_INERTIA as vm_attach does, and VM_OK otherwise. */
+   result *centre (m) leads from the mass centre of a to the common mass centre. Returns VM_BAD_ARGUMENT for a null
+   pointer; VM_NOT_FINITE, VM_BAD_MASS or VM_BAD_INERTIA under the conditions of vm_attach; VM_OK otherwise. */
 VM_API int vm_combine_inertia(vm_real mass_a, const vm_inertia *a, vm_real mass_b, const vm_inertia *b, vm_vec3 d,
                               vm_inertia *whole, vm_vec3 *centre)
 {
     return vmi_joined_inertia(mass_a, a, VMI_ATTACH, mass_b, b, d, whole, centre);
 }
 
-/* Inertia of a body without a part, about the mass centre of the rest: (13)-(15), (40). It undoes
-   vm_combine_inertia. d (m) leads from the mass centre of the whole to that of the part. The result *centre (m) leads
-   from the mass centre of the whole to that of the rest. The statuses are those of vm_combine_inertia. */
+/* Inertia of what remains of a body without a part, about the mass centre of the rest: (13)-(15), (40). This function
+   is the inverse of vm_combine_inertia. d (m) leads from the mass centre of the whole to that of the part. The result
+   *centre (m) leads from the mass centre of the whole to that of the rest. The statuses are those of
+   vm_combine_inertia. */
 VM_API int vm_split_inertia(vm_real mass, const vm_inertia *whole, vm_real part_mass, const vm_inertia *part,
                             vm_vec3 d, vm_inertia *rest, vm_vec3 *centre)
 {

@@ -1,7 +1,7 @@
 /* mechanics/jumps2.h - parts separate from a body or are attached to it, in the plane
    This chapter computes the jumps of jumps.h for motion in the plane, (35)-(39). A body in the plane has one moment of
-   inertia and one angular velocity. Functions of jumps.h join the masses. Only the last step, from angular momentum to
-   angular velocity, differs.
+   inertia and one angular velocity. The functions here use those of jumps.h to join the masses. Only the last step,
+   from angular momentum to angular velocity, is different in the plane.
 
        vm_body2 plate = {2, 0.1, 0, 0, 0, 3, 0, 8}, chip = {0.1, 0, 0.2, 0, 0, 5, 1, 8}, rest;
        int status = vm_separate2(&plate, &chip, NULL, &rest); // VM_OK: `rest` has the motion after the separation
@@ -26,8 +26,9 @@ VM_API vm_impulse vmi_impulse_to_space(const vm_impulse2 *j)
     return lifted;
 }
 
-/* Sets the moment of inertia of a lump of the plane to 0 if it is smaller than its rounding errors. Returns
-   VM_NOT_FINITE if the moment is not finite, VM_BAD_INERTIA if it is clearly negative, and VM_OK otherwise. */
+/* A lump is the mass, motion and inertia of a body, or of several bodies joined (vmi_lump). Sets the moment of inertia
+   of a lump in the plane to 0 if this moment is smaller than its rounding errors. Returns VM_NOT_FINITE if the moment
+   is not finite, VM_BAD_INERTIA if it is clearly negative, and VM_OK otherwise. */
 VM_API int vmi_lump_clamp_moments2(vmi_lump *lump)
 {
     if (!VM_IS_FINITE(lump->inertia.zz)) return VM_NOT_FINITE;
@@ -36,9 +37,9 @@ VM_API int vmi_lump_clamp_moments2(vmi_lump *lump)
     return VM_OK;
 }
 
-/* Sets *omega to the angular velocity of a lump relative to the frame of the jump, (44). For a lump without inertia,
-   *omega becomes `before`, which is this angular velocity before the jump. Returns 1 if a lump without inertia has
-   angular momentum, which is impossible, else 0. */
+/* Sets *omega to the angular velocity of *lump (a body, or several bodies joined) relative to the frame of the jump,
+   (44). For a lump without inertia, *omega becomes `before`, the angular velocity of the body relative to this frame
+   before the jump. Returns 1 if a lump without inertia has angular momentum, which is impossible, else 0. */
 VM_API int vmi_lump_spin2(const vmi_lump *lump, vm_real before, vm_real *omega)
 {
     if (lump->inertia.zz > 0) {
@@ -49,7 +50,8 @@ VM_API int vmi_lump_spin2(const vmi_lump *lump, vm_real before, vm_real *omega)
     return VM_FABS(lump->h.z) > 2 * VM_EPSILON * (lump->noise + VM_FABS(lump->h.z));
 }
 
-/* Returns VM_OK if the bodies of a jump in the plane are valid and the impulse is finite, else an error. */
+/* Returns VM_OK if the bodies of a jump in the plane are valid and the impulse is finite, else the error that
+   vmi_first_error selects. */
 VM_API int vmi_check_jump2(const vm_body2 *body, const vmi_bodies *others, const vm_impulse2 *external_or_NULL)
 {
     const int status = vmi_first_error(vmi_check_body2(body), vmi_check_bodies(others));
@@ -60,7 +62,8 @@ VM_API int vmi_check_jump2(const vm_body2 *body, const vmi_bodies *others, const
 }
 
 /* Sets *total to `body` as it is after a jump in the plane and the impulse, and *frame to the frame of the jump.
-   Returns VM_BAD_MASS if no mass is left, VM_NOT_FINITE or VM_BAD_INERTIA for an impossible inertia, else VM_OK. */
+   Returns VM_BAD_MASS if no mass is left; VM_NOT_FINITE if the inertia is infinite or NaN; VM_BAD_INERTIA if it is
+   negative; else VM_OK. */
 VM_API int vmi_jump_total2(const vm_body2 *body, const vmi_bodies *others, vm_real sign,
                            const vm_impulse2 *external_or_NULL, vmi_frame *frame, vmi_lump *total)
 {
@@ -77,8 +80,8 @@ VM_API int vmi_jump_total2(const vm_body2 *body, const vmi_bodies *others, vm_re
     return status ? status : vmi_lump_clamp_moments2(total);
 }
 
-/* Sets *result to a body of the plane after n others are attached to it (sign = 1) or separate from it (sign = -1),
-   while an impulse acts. The statuses are those of vm_separate2. */
+/* Sets *result to the body `body` in the plane after n others are attached to it (sign = 1) or separate from it
+   (sign = -1), while an impulse acts. The statuses are those of vm_separate2. */
 VM_API int vmi_jump2(const vm_body2 *body, int n, const vm_body2 *others, vm_real sign,
                      const vm_impulse2 *external_or_NULL, vm_body2 *result)
 {
@@ -112,8 +115,9 @@ VM_API int vmi_jump2(const vm_body2 *body, int n, const vm_body2 *others, vm_rea
 
    Returns VM_OK, VM_NULL_AXIS or an error. VM_NULL_AXIS (> 0) means that *rest is set and is a point, but that the
    equations demand angular momentum of the point about itself, which is impossible. rest->omega is then whole->omega.
-   The errors are VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS if a mass, that of the rest included,
-   is not positive, and VM_BAD_INERTIA if an inertia, that of the rest included, is negative. */
+   The errors are VM_BAD_ARGUMENT for a null pointer; VM_NOT_FINITE if an argument or the result is infinite or NaN;
+   VM_BAD_MASS if a mass, that of the rest included, is not positive; and VM_BAD_INERTIA if an inertia, that of the rest
+   included, is negative. */
 VM_API int vm_separate2(const vm_body2 *whole, const vm_body2 *part, const vm_impulse2 *external_or_NULL,
                         vm_body2 *rest)
 {
@@ -123,7 +127,8 @@ VM_API int vm_separate2(const vm_body2 *whole, const vm_body2 *part, const vm_im
 /* Attachment of one body to another in the plane (plastic impact): *whole is the body that the two form together. The
    caller sets vx, vy and omega of *body and *added to the motions just before the impact. The impulse, if there is one,
    acts during the impact. The whole has the angle of `body`. The statuses are those of vm_separate2. VM_NULL_AXIS means
-   that the bodies are points at one position, and that the impulse would turn them; omega remains that of `body`. */
+   that the bodies are points at one position, and that the impulse would turn them; the omega of the whole is then that
+   of `body`. */
 VM_API int vm_attach2(const vm_body2 *body, const vm_body2 *added, const vm_impulse2 *external_or_NULL,
                       vm_body2 *whole)
 {
@@ -132,7 +137,7 @@ VM_API int vm_attach2(const vm_body2 *body, const vm_body2 *added, const vm_impu
 
 /* Separation of n parts from a body at once, in the plane: *rest is what remains. Except for rounding errors, n calls
    of vm_separate2, one after the other, give the same result. With n = 0 only the impulse acts on the body. The
-   statuses are those of vm_separate2, and VM_BAD_ARGUMENT for n < 0. */
+   statuses are those of vm_separate2. For n < 0 the status is VM_BAD_ARGUMENT. */
 VM_API int vm_separate_all2(const vm_body2 *whole, int n, const vm_body2 *parts,
                             const vm_impulse2 *external_or_NULL, vm_body2 *rest)
 {
@@ -141,7 +146,7 @@ VM_API int vm_separate_all2(const vm_body2 *whole, int n, const vm_body2 *parts,
 
 /* Attachment of n bodies to a body at once, in the plane: *whole is the body that all of them form together. Except for
    rounding errors, n calls of vm_attach2, one after the other, give the same result. With n = 0 only the impulse acts
-   on the body. The statuses are those of vm_attach2, and VM_BAD_ARGUMENT for n < 0. */
+   on the body. The statuses are those of vm_attach2. For n < 0 the status is VM_BAD_ARGUMENT. */
 VM_API int vm_attach_all2(const vm_body2 *body, int n, const vm_body2 *added, const vm_impulse2 *external_or_NULL,
                           vm_body2 *whole)
 {

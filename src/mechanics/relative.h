@@ -1,4 +1,4 @@
-/* mechanics/relative.h - motion relative to a moving body, and jumps given by relative motions
+/* mechanics/relative.h - motion relative to a moving body, and jumps computed from relative motions
    This chapter computes the motion of one body relative to another body, in a frame that moves and turns with the other
    body, (25), (26), (41). It also computes jumps from such relative motions, (28)-(31), (42)-(44). Use these functions
    if you know only the velocity of a part relative to the whole.
@@ -21,7 +21,8 @@
 #include "jumps2.h"
 #include "vectors.h"
 
-/* Velocity of the frame that moves and turns with a body, at the point r. It is called dragging velocity in (25). */
+/* Velocity, at the point r, of the frame that moves and turns with a body. The dissertation calls it dragging velocity
+   (25). */
 VM_API vm_vec3 vmi_velocity_at(const vm_body *body, vm_vec3 r)
 {
     return vm_add(body->v, vm_cross(body->omega, vm_sub(r, body->r)));
@@ -35,7 +36,7 @@ VM_API vm_body vmi_relative_motion(const vm_body *to, vm_body b)
     return b;
 }
 
-/* The absolute motion of b, if the motion of b is given relative to the body `to`. Nothing is checked. */
+/* The absolute motion of b. The argument b has the motion relative to the body `to`. Nothing is checked. */
 VM_API vm_body vmi_absolute_motion(const vm_body *to, vm_body b)
 {
     b.v = vm_add(vmi_velocity_at(to, b.r), b.v);
@@ -62,12 +63,13 @@ VM_API int vmi_put_body2(const vm_body *b, vm_real angle, vm_body2 *result)
 }
 
 /* Motion of a body relative to the frame that moves and turns with the body `to`. The body has the position r, velocity
-   v and angular velocity omega; for `to` these are r_S, v_S and Omega. The function replaces v and omega by
+   v and angular velocity omega; the body `to` has the position r_S, velocity v_S and angular velocity Omega. The
+   function replaces v and omega by
      v_r = v - v_S - Omega x (r - r_S) (25), (26), (98), (101),  Omega_r = omega - Omega (41), (99), (102),
    and copies all other fields. The vectors remain along the inertial axes, and r remains the position from the inertial
-   origin. The pointer relative may be equal to absolute. Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE if a
-   number of *absolute, the motion of `to` or the result is not finite, and VM_OK otherwise. Masses and inertias need
-   only be finite. */
+   origin. The pointer relative may be equal to absolute. Returns VM_BAD_ARGUMENT for a null pointer; VM_NOT_FINITE if a
+   number of *absolute, of the motion of `to` or of the result is infinite or NaN; VM_OK otherwise. The masses and
+   inertias are not checked in any other way. */
 VM_API int vm_to_relative(const vm_body *to, const vm_body *absolute, vm_body *relative)
 {
     vm_body b;
@@ -110,8 +112,8 @@ VM_API int vm_to_absolute2(const vm_body2 *to, const vm_body2 *relative, vm_body
 
 /* ---- jumps ---- */
 
-/* Computes a jump; the motions before and after it are given relative to `body`. In its own frame `body` is at rest,
-   and the equations of a jump have the same form as in an inertial frame. */
+/* Computes a jump; the motions before and after it are relative to `body`. In its own frame `body` is at rest, and the
+   equations of a jump have the same form as in an inertial frame. */
 VM_API int vmi_jump_relative(const vm_body *body, const vm_body *other, vm_real sign,
                              const vm_impulse *external_or_NULL, vm_body *result)
 {

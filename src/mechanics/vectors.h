@@ -6,10 +6,10 @@
        vm_vec3 omega = {0, 0, 3};                 // x, y, z
        vm_quat quarter_turn = {0.7071068, 0, 0, 0.7071068}; // w, x, y, z: 90 degrees about z
 
-   The functions vm_... are for users too: sum, difference, multiple, dot product, cross product and length of vectors,
-   product and normalisation of quaternions. The functions vmi_... are internal, for example norms and rotation
-   matrices. No function here checks its arguments: with infinite or NaN arguments the result is what the arithmetic
-   gives. Tests: tests/test_attitude.c, tests/test_jumps.c, tests/test_torque_free.c. */
+   Users may call the functions whose names begin with vm_: sum, difference, multiple, dot product, cross product and
+   length of vectors, product and normalisation of quaternions. Functions whose names begin with vmi_ are internal, for
+   example norms and rotation matrices. No function here checks its arguments: with infinite or NaN arguments the result
+   is what the arithmetic gives. Tests: tests/test_attitude.c, tests/test_jumps.c, tests/test_torque_free.c. */
 #ifndef VARMASS_MECHANICS_VECTORS_H
 #define VARMASS_MECHANICS_VECTORS_H
 
@@ -21,7 +21,8 @@ typedef struct VM_TAG(vm_vec3) {
     vm_real x, y, z;
 } vm_vec3;
 
-/* An attitude: w + x i + y j + z k converts vectors from body axes to inertial axes. Its length does not matter. */
+/* An attitude, that is, how a body is turned. The quaternion w + x i + y j + z k converts vectors from body axes to
+   inertial axes. Its length does not matter. */
 typedef struct VM_TAG(vm_quat) {
     vm_real w, x, y, z;
 } vm_quat;
@@ -66,8 +67,8 @@ VM_API vm_vec3 vmi_abs(vm_vec3 a) { return vmi_vec3(VM_FABS(a.x), VM_FABS(a.y), 
 /* The sum |x| + |y| + |z| of the absolute values of a's components */
 VM_API vm_real vmi_norm1(vm_vec3 a) { return VM_FABS(a.x) + VM_FABS(a.y) + VM_FABS(a.z); }
 
-/* The length of the vector a, with a relative error within 4 eps. It does not overflow if only its square would
-   overflow. */
+/* The length of the vector a, with a relative error within 4 eps. The computation does not overflow if only the square
+   of the length would overflow. */
 VM_API vm_real vm_norm(vm_vec3 a) { return vmi_hypot(vmi_hypot(a.x, a.y), a.z); }
 
 /* The largest of |x|, |y| and |z|, where x, y, z are the components of a */
@@ -107,7 +108,7 @@ VM_API vm_vec3 vmi_quat_vector(vm_quat q) { return vmi_vec3(q.x, q.y, q.z); }
 
 VM_API int vmi_quat_is_finite(vm_quat q) { return VM_IS_FINITE(q.w) && vmi_vec3_is_finite(vmi_quat_vector(q)); }
 
-/* Returns 1 if all four numbers of q are 0. Such a quaternion means the identity (no rotation). */
+/* Returns 1 if all four numbers of q are 0, else 0. Such a quaternion means the identity (no rotation). */
 VM_API int vmi_quat_is_none(vm_quat q) { return q.w == 0 && q.x == 0 && q.y == 0 && q.z == 0; }
 
 /* The square of the length of q */
@@ -136,7 +137,7 @@ VM_API vm_quat vmi_quat_over(vm_quat q, vm_real c)
 }
 
 /* Divides q by the absolute value of its largest component, so that the square of its length neither overflows nor
-   underflows. Four zeros become the identity. */
+   underflows. If q consists of four zeros, the result is the identity (1, 0, 0, 0). */
 VM_API vm_quat vmi_quat_scaled(vm_quat q)
 {
     vm_real largest = VM_FABS(q.w);
@@ -150,14 +151,16 @@ VM_API vm_quat vmi_quat_scaled(vm_quat q)
     return vmi_quat_over(q, largest);
 }
 
-/* The quaternion of length 1 for the same rotation as q. Four zeros give the identity. */
+/* The quaternion of length 1 for the same rotation as q. If q consists of four zeros, the result is the identity (1, 0,
+   0, 0). */
 VM_API vm_quat vm_unit_quat(vm_quat q)
 {
     q = vmi_quat_scaled(q);
     return vmi_quat_over(q, VM_SQRT(vmi_quat_square(q)));
 }
 
-/* The rotation matrix of q. `square`, the square of q's length, must be neither 0 nor subnormal, infinite or NaN. */
+/* The rotation matrix of q. `square`, the square of q's length, must be finite and at least VM_MIN, the smallest normal
+   number. */
 VM_INLINE vmi_mat3 vmi_rotation_of_square(vm_quat q, vm_real square)
 {
     const vm_real s = 2 / square, x = s * q.x, y = s * q.y, z = s * q.z;
@@ -170,7 +173,8 @@ VM_INLINE vmi_mat3 vmi_rotation_of_square(vm_quat q, vm_real square)
     return m;
 }
 
-/* The rotation matrix of q, of any length. It is exactly the identity for (w, 0, 0, 0) and for four zeros. */
+/* The rotation matrix of a quaternion q of any length. The matrix is exactly the identity matrix for q = (w, 0, 0, 0)
+   and for four zeros. */
 VM_API vmi_mat3 vmi_rotation(vm_quat q)
 {
     q = vmi_quat_scaled(q);
