@@ -1,13 +1,14 @@
 /* mechanics/lagrange.h - Lagrange's equations with variable mass
 
    This chapter has the right-hand side for any system of n generalized coordinates whose kinetic energy T you can write
-   down. The masses may depend on time and position (247). You give T, the masses and the generalized forces Q. The
-   chapter computes the mass matrix A, the vector b and the derivatives from T. The states are the coordinates q and the
-   momenta pi = dT/dq', so that you need not give time derivatives of momenta or masses:
+   down. The masses may depend on time and position (247). You write functions for T, the masses and the generalized
+   forces Q. The functions of this chapter compute the mass matrix A, the vector b and the derivatives of T from values
+   of T. The states are the coordinates q and the momenta pi = dT/dq', so that you need no time derivatives of momenta
+   or masses:
      pi' = (dT/dq, masses frozen) + Q,   A q' = pi - b,   T = q'Aq'/2 + b q' + T0,  T0 = T(q' = 0).
 
-   This is (247) corrected. T must use the velocities of material points. A mass centre also shifts because mass leaves;
-   this motion must not be counted in T. With streams of mass, Lagrange's equations are
+   These equations are (247), corrected. T must use the velocities of material points. A mass centre also moves inside
+   its body because mass leaves; this motion must not be counted in T. With streams of mass, Lagrange's equations are
      d/dt dT/dq'_i - (dT/dq_i, masses frozen) = Q_i + sum over streams [M' u dr2/dq_i + M' kappa omega2 domega/dq'_i].
    A stream has the mass rate M' and the velocity u at the point r2. Its mass has the angular velocity omega2 and, per
    unit mass, the inertia kappa. omega is the angular velocity of the body. "Masses frozen" means that the masses are
@@ -38,12 +39,13 @@
    mass, so that its mass m decreases. If the leaking mass has the velocity of the bob and takes its momentum along,
    Q = -m g l sin q + m' l^2 q'. Without the last term the mass would leave at rest.
 
-   Inverse dynamics computes the forces that a given motion needs, by vm_lagrange_needed_forces and
-   vm_lagrange_drive_forces.
+   vm_lagrange_needed_forces and vm_lagrange_drive_forces compute the forces that a given motion needs (inverse
+   dynamics).
 
-   Accuracy: A and b are computed as differences of values of T, exactly except for rounding errors of T. dT/dq is a
-   central difference of order 6. The field `scales` must give, for each coordinate, the change after which T differs
-   noticeably. The error of dT/dq is then below 2e-13 (float 1e-5) of the largest T. Tests: tests/test_lagrange.c. */
+   Accuracy: A and b are computed as differences of values of T; their only errors are the rounding errors of T. dT/dq
+   is a central difference of order 6. The field `scales` must contain, for each coordinate, the change of the
+   coordinate that changes T noticeably. The error of dT/dq is then below 2e-13 (float 1e-5) of the largest T. Tests:
+   tests/test_lagrange.c. */
 #ifndef VARMASS_MECHANICS_LAGRANGE_H
 #define VARMASS_MECHANICS_LAGRANGE_H
 
@@ -52,7 +54,7 @@
 #include "../base/real.h"
 #include "../base/status.h"
 
-/* A mechanical system: the argument ctx of vm_lagrange_rhs */
+/* A mechanical system. vm_lagrange_rhs gets a pointer to this struct as its last argument. */
 typedef struct VM_TAG(vm_lagrange_system) {
     int n;        /* number of coordinates, > 0 */
     int n_masses; /* number of masses, inertias and other quantities that are held constant in dT/dq, >= 0 */
@@ -64,18 +66,18 @@ typedef struct VM_TAG(vm_lagrange_system) {
        to go on; any other number ends the run. */
     int (*forces)(vm_real t, const vm_real *q, const vm_real *rates, const vm_real *masses, vm_real *Q, void *ctx);
     void *ctx;             /* the argument ctx of the three functions above */
-    const vm_real *scales; /* for each coordinate, the change after which T differs noticeably; NULL: 1 for all */
+    const vm_real *scales; /* for each coordinate, the change of it that changes T noticeably; NULL means 1 for all */
     vm_real *work;         /* array of VM_LAGRANGE_RHS_WORK(n, n_masses) numbers, provided by the caller */
 } vm_lagrange_system;
 
-/* Length of vm_lagrange_system.work */
+/* Length of the array `work` of a vm_lagrange_system */
 #define VM_LAGRANGE_RHS_WORK(n, n_masses) ((n) * (n) + 4 * (n) + (n_masses))
 
 /* The arrays into which the array `work` of a system is divided */
 typedef struct VM_TAG(vmi_lagrange_parts) {
     vm_real *A;      /* the mass matrix A in T = q'Aq'/2 + b q' + T0, n rows of n numbers */
     vm_real *b;      /* the vector b in T, the coefficients of the terms that are linear in the rates q', n numbers */
-    vm_real *rates;  /* at first the generalized momenta minus b, then the rates q', n numbers */
+    vm_real *rates;  /* at first pi - b (pi: the generalized momenta), then the rates q', n numbers */
     vm_real *trial;  /* rates or coordinates at which T is evaluated, n numbers */
     vm_real *forces; /* generalized forces of inverse dynamics, n numbers */
     vm_real *masses; /* the masses, which stay constant while T is differentiated, n_masses numbers */
@@ -94,7 +96,8 @@ VM_API vmi_lagrange_parts vmi_lagrange_work(const vm_lagrange_system *system)
 }
 
 /* The kinetic energy T at time t, coordinates q and the rates x e_i + z e_j. e_i and e_j are the unit vectors of the
-   coordinates i and j. If i or j is -1, its term is left out. The masses are those in the work array. */
+   coordinates i and j. If i is -1, the term with e_i is 0; if j is -1, the term with e_j is 0. The masses are those in
+   the work array. */
 VM_API vm_real vmi_lagrange_energy(const vm_lagrange_system *system, vm_real t, const vm_real *q, int i, vm_real x,
                                    int j, vm_real z)
 {
@@ -107,8 +110,8 @@ VM_API vm_real vmi_lagrange_energy(const vm_lagrange_system *system, vm_real t, 
 }
 
 /* Computes the mass matrix A and the vector b from values of T. For the entry A_ij off the diagonal, T is evaluated at
-   the rates +-1/sqrt(A_ii) of coordinate i and +-1/sqrt(A_jj) of coordinate j. Both coordinates then have equal
-   energies. Otherwise a coordinate with a large energy would hide the digits of the other one. */
+   the rates +-1/sqrt(A_ii) of coordinate i and +-1/sqrt(A_jj) of coordinate j. The kinetic energies of the two rates
+   are then equal. If they were very different, the digits of the smaller one would be lost in the sum. */
 VM_API void vmi_lagrange_quadratic(const vm_lagrange_system *system, vm_real t, const vm_real *q)
 {
     const vmi_lagrange_parts w = vmi_lagrange_work(system);
@@ -132,7 +135,8 @@ VM_API void vmi_lagrange_quadratic(const vm_lagrange_system *system, vm_real t, 
         }
 }
 
-/* Writes the masses at (t, q) into the work array. They stay constant there while T is differentiated. */
+/* Writes the masses at time t and coordinates q into the work array. They stay constant there while T is
+   differentiated. */
 VM_API void vmi_lagrange_freeze(const vm_lagrange_system *system, vm_real t, const vm_real *q)
 {
     if (system->masses) system->masses(t, q, vmi_lagrange_work(system).masses, system->ctx);
@@ -157,7 +161,8 @@ VM_API int vmi_lagrange_solve_rates(const vm_lagrange_system *system, vm_real t,
 /* The derivative dT/dq_i of the kinetic energy T, with the masses that are stored in the work array. It is a central
    difference of order 6 from T at q_i plus and minus 1, 2 and 3 steps. A step h is 2^-7 (double precision, eps = 2^-52)
    or 2^-3 (single precision, eps = 2^-23) times the scale of q_i. If q_i is measured in units of its scale, the error
-   is h^6/140 times the seventh derivative of T, plus a rounding error of T eps/h. Both are small for these h. */
+   is h^6/140 times the seventh derivative of T, plus a rounding error of T eps/h. Both errors are small for these
+   values of h. */
 VM_API vm_real vmi_lagrange_derivative(const vm_lagrange_system *system, vm_real t, const vm_real *q,
                                        const vm_real *rates, int i)
 {
@@ -185,12 +190,13 @@ VM_API int vmi_lagrange_is_valid(const vm_lagrange_system *system)
            (system->n_masses == 0 || system->masses);
 }
 
-/* Right-hand side of Lagrange's equations with variable mass (247). It is an ode_rhs for integrators such as rk45, with
-   2 n states: n coordinates q, then n generalized momenta pi. `lagrange` must point to a vm_lagrange_system. Returns 0
-   or an error that ends the run. The errors are VM_BAD_ARGUMENT, VM_SINGULAR if the mass matrix is not positive
-   definite, VM_NOT_FINITE if t, y or an energy is not finite, or the number that system->forces returns. The mass
-   matrix is not positive definite if, for example, a mass has become negative; use an event to stop the run before
-   that. The number of calls of system->energy grows with n^2. */
+/* Right-hand side of Lagrange's equations with variable mass (247). Its type is ode_rhs, so that integrators such as
+   rk45 can call it. The state y has 2 n numbers: n coordinates q, then n generalized momenta pi. `lagrange` must point
+   to a vm_lagrange_system. Returns 0 or an error that ends the run. The errors are VM_BAD_ARGUMENT for a null pointer
+   or an invalid system; VM_SINGULAR if the mass matrix is not positive definite; VM_NOT_FINITE if t, y or an energy is
+   infinite or NaN; or the number that system->forces returns. The mass matrix is not positive definite if, for example,
+   a mass has become negative; use an event to stop the run before that. The number of calls of system->energy grows
+   with n^2. */
 VM_API int vm_lagrange_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *lagrange)
 {
     const vm_lagrange_system *system = (const vm_lagrange_system *)lagrange;
@@ -211,8 +217,8 @@ VM_API int vm_lagrange_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *lag
 }
 
 /* Initial state y of a system at time t, from its n coordinates q and n rates q'.
-   y is an array of 2 n numbers: the n coordinates q followed by the n generalized momenta pi. Returns VM_BAD_ARGUMENT,
-   VM_NOT_FINITE, or VM_OK. */
+   y is an array of 2 n numbers: the n coordinates q followed by the n generalized momenta pi. Returns VM_BAD_ARGUMENT
+   for a null pointer or an invalid system; VM_NOT_FINITE if a number of q or pi is infinite or NaN; VM_OK otherwise. */
 VM_API int vm_lagrange_start(vm_lagrange_system *system, vm_real t, const vm_real *q, const vm_real *rates, vm_real *y)
 {
     vmi_lagrange_parts w;
@@ -234,7 +240,8 @@ VM_API int vm_lagrange_start(vm_lagrange_system *system, vm_real t, const vm_rea
 
 /* Rates q' of a system at time t, from its state y.
    y has 2 n numbers: the n coordinates q followed by the n generalized momenta pi. rates has n numbers. Returns
-   VM_BAD_ARGUMENT, VM_SINGULAR, VM_NOT_FINITE, or VM_OK. */
+   VM_BAD_ARGUMENT for a null pointer or an invalid system; VM_SINGULAR if the mass matrix is not positive definite;
+   VM_NOT_FINITE if t, y, an energy or a rate is infinite or NaN; VM_OK otherwise. */
 VM_API int vm_lagrange_rates(vm_lagrange_system *system, vm_real t, const vm_real *y, vm_real *rates)
 {
     int status;
@@ -244,9 +251,9 @@ VM_API int vm_lagrange_rates(vm_lagrange_system *system, vm_real t, const vm_rea
     return vmi_copy_if_finite(system->n, vmi_lagrange_work(system).rates, rates);
 }
 
-/* Derivative dT/dq_i of the kinetic energy with frozen masses, J per unit of q_i.
-   The masses are those at (t, q). q and rates have n numbers. Returns NaN for i outside 0 ... n - 1 and for a null
-   pointer. */
+/* Derivative dT/dq_i of the kinetic energy T, while the masses are held constant, J per unit of q_i.
+   The masses are those at time t and coordinates q. q and rates have n numbers. Returns NaN for i outside 0 ... n - 1
+   and for a null pointer. */
 VM_API vm_real vm_lagrange_partial_q(vm_lagrange_system *system, vm_real t, const vm_real *q, const vm_real *rates,
                                      int i)
 {
@@ -257,7 +264,7 @@ VM_API vm_real vm_lagrange_partial_q(vm_lagrange_system *system, vm_real t, cons
 
 /* ---- Inverse dynamics ---- */
 
-/* Adds `weight` times the generalized momenta dT/dq' = A q' + b at time t and coordinates q to p, n numbers. */
+/* Adds `weight` times the generalized momenta dT/dq' = A q' + b, at time t and coordinates q, to the n numbers of p. */
 VM_API void vmi_lagrange_add_momenta(const vm_lagrange_system *system, vm_real t, const vm_real *q,
                                      const vm_real *rates, vm_real weight, vm_real *p)
 {
@@ -273,8 +280,8 @@ VM_API void vmi_lagrange_add_momenta(const vm_lagrange_system *system, vm_real t
     }
 }
 
-/* The step in time for the derivative of the momenta along the motion. During one step no coordinate changes by more
-   than h times its scale, and the time changes by at most h time_scale. h is the number explained at
+/* Returns the step in time for the numerical derivative of the momenta along the motion. During one step no coordinate
+   changes by more than h times its scale, and the time changes by at most h time_scale. h is the number explained at
    vmi_lagrange_derivative. The step is 0 if nothing changes. */
 VM_API vm_real vmi_lagrange_time_step(const vm_lagrange_system *system, vm_real time_scale, const vm_real *rates)
 {
@@ -291,8 +298,8 @@ VM_API vm_real vmi_lagrange_time_step(const vm_lagrange_system *system, vm_real 
     return h / fastest;
 }
 
-/* Adds to p the rates of the momenta that result if coordinates and time change while the rates q' stay constant. They
-   are computed as central differences of order 6. If time_scale is 0, the time stays constant, too. */
+/* Adds to p the time derivatives that the momenta have if coordinates and time change while the rates q' stay constant.
+   The derivatives are computed as central differences of order 6. If time_scale is 0, the time stays constant, too. */
 VM_API void vmi_lagrange_add_momentum_rates(const vm_lagrange_system *system, vm_real t, vm_real time_scale,
                                             const vm_real *q, const vm_real *rates, vm_real *p)
 {
@@ -313,7 +320,8 @@ VM_API void vmi_lagrange_add_momentum_rates(const vm_lagrange_system *system, vm
     }
 }
 
-/* Checks the arguments of vm_lagrange_needed_forces, and writes the needed forces to the work array. */
+/* Checks the arguments of vm_lagrange_needed_forces, and writes the forces that it computes to the work array. Returns
+   its status. */
 VM_API int vmi_lagrange_inverse(const vm_lagrange_system *system, vm_real t, vm_real time_scale, const vm_real *q,
                                 const vm_real *rates, const vm_real *accelerations)
 {
@@ -338,14 +346,15 @@ VM_API int vmi_lagrange_inverse(const vm_lagrange_system *system, vm_real t, vm_
 }
 
 /* Inverse dynamics: generalized forces Q that a given motion needs, the left side of (247).
-   They are Q_i = d/dt dT/dq'_i - (dT/dq_i, masses frozen). Q is the sum of all forces, those of the streams of mass
-   included. q, rates and accelerations are the n coordinates q and their derivatives q' and q'' at time t; Q has n
-   numbers. time_scale (s) is the time after which T or the masses differ noticeably while q stays constant (the field
-   `scales` gives the corresponding changes of the coordinates). Set it to 0 if T and the masses do not depend on time.
-   Returns VM_BAD_ARGUMENT, VM_NOT_FINITE also if a result is not finite, VM_DOMAIN for time_scale < 0, VM_SINGULAR if T
-   does not grow with each of the rates, and VM_OK otherwise. The error is below 2e-13 (float 1e-5) of the largest of
-   three terms: A q'', T divided by the scale of a coordinate, and dT/dq' divided by the time in which the system
-   changes noticeably. T is evaluated 14 n^2 + 6 n + 7 times. */
+   The forces are Q_i = d/dt dT/dq'_i - (dT/dq_i, masses held constant). Q is the sum of all generalized forces, those
+   of the streams of mass included. q, rates and accelerations are the n coordinates q and their derivatives q' and q''
+   at time t; Q has n numbers. time_scale (s) is the time in which T or the masses change noticeably while q stays
+   constant (the field `scales` contains the corresponding changes of the coordinates). Set it to 0 if T and the masses
+   do not depend on time. Returns VM_BAD_ARGUMENT for a null pointer or an invalid system; VM_NOT_FINITE if an argument
+   or the result is infinite or NaN; VM_DOMAIN for time_scale < 0; VM_SINGULAR if T does not grow with each of the
+   rates; VM_OK otherwise. The error is below 2e-13 (float 1e-5) of the largest of three terms: the mass matrix A times
+   q'', T divided by the scale of a coordinate, and dT/dq' divided by the time in which the system changes noticeably. T
+   is evaluated 14 n^2 + 6 n + 7 times. */
 VM_API int vm_lagrange_needed_forces(vm_lagrange_system *system, vm_real t, vm_real time_scale, const vm_real *q,
                                      const vm_real *rates, const vm_real *accelerations, vm_real *Q)
 {
@@ -357,9 +366,9 @@ VM_API int vm_lagrange_needed_forces(vm_lagrange_system *system, vm_real t, vm_r
 }
 
 /* Inverse dynamics: generalized forces that drives must add to system->forces for a given motion.
-   They are those of vm_lagrange_needed_forces minus those that the function `forces` of the system gives. Arguments,
-   accuracy and statuses are those of vm_lagrange_needed_forces, and the number that system->forces returns if it is
-   not 0. */
+   These forces are the results of vm_lagrange_needed_forces minus the forces that the function `forces` of the system
+   computes. The arguments, the accuracy and the statuses are those of vm_lagrange_needed_forces. If system->forces
+   returns a number other than 0, this number is the status. */
 VM_API int vm_lagrange_drive_forces(vm_lagrange_system *system, vm_real t, vm_real time_scale, const vm_real *q,
                                     const vm_real *rates, const vm_real *accelerations, vm_real *Q)
 {

@@ -1,19 +1,21 @@
 /* mechanics/orbit.h - two bodies that attract each other, with constant masses and with masses that change
 
    The vector r from one body to the other obeys r'' = -mu r/|r|^3 with mu = G (M1 + M2), if mass that leaves or joins
-   has the velocity of its body (in a scene: reactive = 0). vm_orbit solves this equation for constant mu (Kepler's
-   problem), for ellipses, parabolas, hyperbolas and straight lines alike. vm_orbit_meshchersky solves it for
-   Meshchersky's law mu/(1 + c t), one of Gylden's problems of variable mass that have a closed form. A scene with
+   has the velocity of its body (in a scene: the field `reactive` is 0). vm_orbit solves this equation for constant mu
+   (Kepler's problem). It works for ellipses, parabolas, hyperbolas and straight lines. vm_orbit_meshchersky solves it
+   for Meshchersky's law mu/(1 + c t), one of Gylden's problems of variable mass that have a closed form. A scene with
    vm_effect_gravitation computes the motion for any law of mass.
 
        vm_vec3 r = {7e6, 0, 0}, v = {0, 7.6e3, 0}; // m, m/s
        vm_orbit(3600, 3.986004418e14, r, v, &r, &v); // an hour later; the results may be the inputs
 
-   The equations. Lengths are in units of |r0|, times in units of sqrt(|r0|^3/mu). Let sigma = r0 v0 (the dot
+   The equations. Lengths are in units of |r0|, times in units of sqrt(|r0|^3/mu), where r0 and v0 are the vector r and
+   the velocity v at t = 0. Let sigma = r0 v0 (the dot
    product) and beta = 2 - v0^2. Stumpff's functions of a variable s are, in the form used here,
      G1 = s - beta s^3/3! + ..., G2 = s^2/2! - beta s^4/4! + ..., G3 = s^3/3! - beta s^5/5! + ...
-   They consist of sines and cosines of sqrt(beta) s for beta > 0, and of hyperbolic functions for beta < 0. The time is
-   t = s + sigma G2 + (1 - beta) G3. Its derivative dt/ds = 1 + sigma G1 + (1 - beta) G2 is the distance R. Then
+   The functions G1, G2, G3 consist of sines and cosines of sqrt(beta) s for beta > 0, and of hyperbolic functions for
+   beta < 0. The time is t = s + sigma G2 + (1 - beta) G3. Its derivative dt/ds = 1 + sigma G1 + (1 - beta) G2 is the
+   distance R. Then
      r = (1 - G2) r0 + (t - G3) v0,  v = -G1/R r0 + (1 - G2/R) v0.
    For Meshchersky's law let f = 1 + c t, r = f xi and tau = t/f. Then xi, as a function of the time tau, obeys the
    equation for constant mu.
@@ -21,12 +23,13 @@
    This chapter has no function for Meshchersky's second law, mu/sqrt(1 + c t). With f = sqrt(1 + c t), r = f xi,
    tau = ln(1 + c t)/c and ' = d/dtau its equation becomes
      xi'' = (c^2/4) xi - mu xi/|xi|^3.
-   Therefore |xi'|^2/2 - mu/|xi| - c^2 |xi|^2/8 and the angular momentum xi x xi' are constant. If s is defined by
+   Therefore |xi'|^2/2 - mu/|xi| - c^2 |xi|^2/8 and the cross product xi x xi' (the angular momentum) are constant. If s
+   is defined by
    d tau = |xi| ds, the distance |xi| is an elliptic function of s. But tau and the angle are elliptic integrals of the
    third kind, whose parameters are the roots of a polynomial of degree 4. These parameters are complex for most orbits,
-   and there are three kinds of them. tau(s) must be inverted by iteration. Digits cancel where two roots are close:
-   next to a circle, and for small mu or c. Integration of the equation in t or in tau by rk87 avoids all these
-   difficulties (tests/test_orbit.c, test_second_law).
+   and there are three kinds of them. The function tau(s) must be inverted by iteration. Digits cancel where two roots
+   are close: next to a circle, and for small mu or c. Integration of the equation in t or in tau by rk87 avoids all
+   these difficulties (tests/test_orbit.c, test_second_law).
 
    Tests: tests/test_orbit.c. */
 #ifndef VARMASS_MECHANICS_ORBIT_H
@@ -43,7 +46,8 @@ typedef struct VM_TAG(vmi_stumpff) {
     vm_real g1, g2, g3;
 } vmi_stumpff;
 
-/* Computes G1, G2, G3 by their series, for |beta| s^2 <= 4. The first omitted term is then below 1e-18 of the sum. */
+/* Computes G1, G2, G3 by their series, for |beta| s^2 <= 4. The first omitted term of each series is then below 1e-18
+   of its sum. */
 VM_API vmi_stumpff vmi_stumpff_series(vm_real beta, vm_real s)
 {
     const vm_real x = beta * s * s;
@@ -62,7 +66,7 @@ VM_API vmi_stumpff vmi_stumpff_series(vm_real beta, vm_real s)
     return g;
 }
 
-/* Computes G1, G2, G3 for any beta and s >= 0. They are infinite where e^(sqrt(-beta) s) overflows. */
+/* Computes G1, G2, G3 for any beta and s >= 0. The results are infinite where e^(sqrt(-beta) s) overflows. */
 VM_API vmi_stumpff vmi_stumpff_at(vm_real beta, vm_real s)
 {
     const vm_real root = VM_SQRT(VM_FABS(beta)), z = root * s;
@@ -86,11 +90,12 @@ VM_API vmi_stumpff vmi_stumpff_at(vm_real beta, vm_real s)
 
 /* Kepler's problem in the units of the equations at the top of mechanics/orbit.h */
 typedef struct VM_TAG(vmi_kepler) {
-    vm_real sigma; /* r0 v0 */
-    vm_real beta;  /* 2 - v0^2; the energy is -beta/2 */
+    vm_real sigma; /* the dot product r0 v0 */
+    vm_real beta;  /* 2 - v0^2; the energy per unit mass is -beta/2 */
 } vmi_kepler;
 
-/* The time and the distance for a value of the variable s */
+/* The time and the distance that belong to a value of the variable s of the equations at the top of
+   mechanics/orbit.h */
 typedef struct VM_TAG(vmi_kepler_point) {
     vmi_stumpff g;
     vm_real time, distance;
@@ -111,10 +116,10 @@ VM_API vmi_kepler_point vmi_kepler_at(const vmi_kepler *o, vm_real s)
 }
 
 /* Finds the variable s >= 0 at the time t >= 0, and returns the distance and the functions G1, G2, G3 for this s. The
-   time rises with s. Therefore the function keeps a lower and an upper bound of s, and brings them closer in each step
-   of Newton's method. If a step leaves these bounds, or is longer than half the previous step, s is doubled or the
-   interval is halved instead. On a fast hyperbola the time rises exponentially, and Newton's method alone would need
-   too many steps. */
+   time is a rising function of s. Therefore the function keeps a lower and an upper bound of s, and brings them closer
+   in each step of Newton's method. If a step leaves these bounds, or is longer than half the previous step, s is
+   doubled or the interval is halved instead. On a fast hyperbola the time rises exponentially, and Newton's method
+   alone would need too many steps. */
 VM_API vmi_kepler_point vmi_kepler_solve(const vmi_kepler *o, vm_real t)
 {
     const int most = 3 * VM_MANT_DIG; /* halving alone needs VM_MANT_DIG steps, Newton's steps are fewer */
@@ -140,7 +145,8 @@ VM_API vmi_kepler_point vmi_kepler_solve(const vmi_kepler *o, vm_real t)
     return p;
 }
 
-/* Reduces the time t on an ellipse (beta > 0) by whole periods, to at most half a period on either side of 0 */
+/* Returns the time t minus a whole number of periods if the orbit is an ellipse (beta > 0), else t. The result for an
+   ellipse is at most half a period before or after 0. */
 VM_API vm_real vmi_kepler_reduce(vm_real beta, vm_real t)
 {
     vm_real period;
@@ -155,8 +161,9 @@ VM_API vm_real vmi_kepler_reduce(vm_real beta, vm_real t)
    the centre, or G (M1 + M2) if r0 and v0 belong to two bodies, one relative to the other. t may be negative. The orbit
    may be an ellipse, a parabola, a hyperbola or a straight line; on a straight line the body turns back at the centre.
    Errors of a few eps in t, r0, v0 and mu would change the result; the error of the function is as large as this
-   change. It grows with the number of revolutions. A call takes about as long as 50 sines. Returns VM_BAD_ARGUMENT,
-   VM_NOT_FINITE also where the results are not finite, VM_DOMAIN for mu <= 0 or r0 = 0, and VM_OK otherwise. */
+   change. This error grows with the number of revolutions. A call takes about as long as 50 sines. Returns
+   VM_BAD_ARGUMENT for a null pointer; VM_NOT_FINITE if an argument or the result is infinite or NaN; VM_DOMAIN for mu
+   <= 0 or r0 = 0; VM_OK otherwise. */
 VM_API int vm_orbit(vm_real t, vm_real mu, vm_vec3 r0, vm_vec3 v0, vm_vec3 *r, vm_vec3 *v)
 {
     vm_real distance0, speed, unit, time, sign = 1;
@@ -197,7 +204,7 @@ VM_API int vm_orbit(vm_real t, vm_real mu, vm_vec3 r0, vm_vec3 v0, vm_vec3 *r, v
    The two bodies lose mass (rate > 0, per second) or gain it (rate < 0) in the same proportion, and the mass that
    leaves or joins has the velocity of its body. The equation is that of Gylden and Meshchersky,
    r'' = -mu/(1 + rate t) r/|r|^3. The other arguments and the accuracy are those of vm_orbit. Returns VM_BAD_MASS if
-   1 + rate t is not positive, or else a status of vm_orbit. */
+   1 + rate t is not positive, else a status of vm_orbit. */
 VM_API int vm_orbit_meshchersky(vm_real t, vm_real mu, vm_real rate, vm_vec3 r0, vm_vec3 v0, vm_vec3 *r, vm_vec3 *v)
 {
     vm_vec3 position, velocity;

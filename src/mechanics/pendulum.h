@@ -9,8 +9,8 @@
        vm_pendulum_cut cut;
        int status = vm_pendulum_separate(&rod, VM_C(0.25), 0, 0, 1, &cut); // 0.25 m leaves at 1 m/s along y
 
-   vm_compound_pendulum_separate does this for a pendulum of any shape, and the functions of axle.h for any axle in
-   space.
+   vm_compound_pendulum_separate computes these results for a pendulum of any shape. The functions of axle.h compute
+   them for a body on any axle in space.
    Tests: tests/test_pendulum.c. */
 #ifndef VARMASS_MECHANICS_PENDULUM_H
 #define VARMASS_MECHANICS_PENDULUM_H
@@ -86,16 +86,16 @@ VM_API int vmi_pendulum_cut_finite(const vm_pendulum_cut *c)
            VM_IS_FINITE(c->pivot_x) && VM_IS_FINITE(c->pivot_y);
 }
 
-/* Motion of a pendulum and of the part that is cut off from it, (119)-(132).
+/* Motion of a pendulum, and of the part that is cut off from it, after the cut, (119)-(132).
    `part` is the length l of the part (m), 0 < l < L. Omega (rad/s) is the angular velocity of the part relative to the
    rod, positive in the direction in which the pendulum's angle phi grows. (ux, uy) (m/s) is the velocity of the part's
    mass centre S2 relative to the rod, along the axes x and y. Let rho = L - l/2 be the distance from O to S2. Let
    `across` be the component of (ux, uy) that is orthogonal to the rod, positive in the direction in which phi grows.
    The angular velocities phi' of the rod before the cut and phi1' of the remaining rod after the cut obey
      phi1' = phi' - l/(L - l)^3 (l^2 Omega/4 + 3 rho across).
-   This is (125), (132), corrected, and simplified so that no digits cancel. Returns VM_BAD_ARGUMENT for a null pointer
-   and for axes that do not exist, VM_NOT_FINITE, VM_BAD_MASS, VM_DOMAIN if l is not between 0 and L, and VM_OK
-   otherwise. */
+   This formula is (125), (132), corrected, and simplified so that no digits cancel. Returns VM_BAD_ARGUMENT for a null
+   pointer and for an unknown value of the field `axes`; VM_NOT_FINITE if an argument or the result is infinite or NaN;
+   VM_BAD_MASS if the mass is not positive; VM_DOMAIN if l is not between 0 and L; VM_OK otherwise. */
 VM_API int vm_pendulum_separate(const vm_pendulum *pendulum, vm_real part, vm_real Omega, vm_real ux, vm_real uy,
                                 vm_pendulum_cut *cut)
 {
@@ -156,15 +156,20 @@ typedef struct VM_TAG(vm_compound_part) {
 
 /* The compound pendulum and the part after the cut */
 typedef struct VM_TAG(vm_compound_cut) {
-    vm_compound_pendulum rest; /* what remains; rest.rate is phi1', rest.inertia is about O */
+    vm_compound_pendulum rest; /* what remains; rest.rate is its angular velocity after the cut, rest.inertia is about
+                                  O */
     vm_real vx, vy;            /* velocity of the part's mass centre, m/s */
     vm_real rate;              /* angular velocity of the part, rad/s */
-    vm_real T1, T_S1, T_S2;    /* kinetic energy of the whole before, of the rest and of the part after the cut, J */
+    vm_real T1, T_S1, T_S2;    /* T1: kinetic energy of the whole before the cut; T_S1, T_S2: of the rest and the part
+                                  after it, J */
     vm_real L1, L2;            /* angular momentum of the rest and of the part about O after the cut, kg m^2/s */
     vm_real pivot_x, pivot_y;  /* impulse of the pivot on the rest during the cut, N s */
 } vm_compound_cut;
 
-/* Checks numbers, masses and inertias of a compound pendulum and its part. */
+/* Checks the fields of a compound pendulum and of its part. Returns VM_NOT_FINITE if a field is infinite or NaN;
+   VM_BAD_MASS if a mass, that of the rest included, is not positive; VM_BAD_INERTIA if the inertia of the part is
+   negative, or if that of the pendulum is smaller than its mass times the square of the distance from O to its mass
+   centre; else VM_OK. */
 VM_API int vmi_check_compound(const vm_compound_pendulum *p, const vm_compound_part *part)
 {
     const vm_real numbers[12] = {p->mass,       p->inertia,    p->x,     p->y,     p->rate, part->mass,
@@ -176,8 +181,9 @@ VM_API int vmi_check_compound(const vm_compound_pendulum *p, const vm_compound_p
     return VM_OK;
 }
 
-/* Computes mass, mass centre and inertia of what remains of a compound pendulum. Returns VM_BAD_INERTIA if no body can
-   have this inertia about O; the part then cannot have been in the pendulum. */
+/* Computes mass, mass centre and inertia of what remains of a compound pendulum. Returns VM_NOT_FINITE if a result is
+   infinite or NaN; VM_BAD_INERTIA if no body can have the resulting inertia about O, because the part cannot have been
+   in the pendulum; else VM_OK. */
 VM_API int vmi_compound_rest(const vm_compound_pendulum *p, const vm_compound_part *part, vm_compound_pendulum *rest)
 {
     const vm_real share = part->mass / (p->mass - part->mass);
@@ -202,16 +208,16 @@ VM_API int vmi_compound_cut_finite(const vm_compound_cut *c)
     return vmi_all_finite(11, numbers);
 }
 
-/* Motion of a pendulum of any shape and of the part that is cut off from it, (119)-(132).
+/* Motion of a pendulum of any shape, and of the part that is cut off from it, after the cut, (119)-(132).
    The pendulum need not be uniform, and the part may have any position and inertia. Let I1 be the moment of inertia of
    the rest about O. Let m be the mass of the part, I2 its inertia about its mass centre S2, and r2 the vector from O to
    S2. Relative to the pendulum the part has the velocity u and the angular velocity Omega. Then the angular velocity of
    the pendulum changes by
      phi1' - phi' = -(I2 Omega + m (r2 x u))/I1.
-   In this form digits cancel only in I1, the difference of the moments of inertia about O. Returns
-   VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS if a mass, that of the rest included, is not positive,
-   VM_BAD_INERTIA for an inertia that no body has, that of the rest included, and VM_OK otherwise. For axles in space
-   see vm_separate_on_axle. */
+   In this form digits cancel only in I1, the difference of the moments of inertia of the whole pendulum and of the part
+   about O. For axles in space see vm_separate_on_axle. Returns VM_BAD_ARGUMENT for a null pointer; VM_NOT_FINITE if an
+   argument or the result is infinite or NaN; VM_BAD_MASS if a mass, that of the rest included, is not positive;
+   VM_BAD_INERTIA if an inertia, that of the rest included, is one that no body can have; VM_OK otherwise. */
 VM_API int vm_compound_pendulum_separate(const vm_compound_pendulum *pendulum, const vm_compound_part *part,
                                          vm_compound_cut *cut)
 {

@@ -2,7 +2,7 @@
 
    These are motions with streams of mass that need no integrator: the velocity of a body as a function of its mass,
    (151), (171), (175), (176); the motion along a line while the mass changes at a constant rate; and the angular
-   velocity of a spinning rocket that its jet damps. The formulas stay accurate as the rate of mass tends to zero.
+   velocity of a spinning rocket that its jet damps. The formulas stay accurate as the rate of the mass tends to zero.
 
        vm_real v = vm_tsiolkovsky(0, 100, 40, -2500); // m/s: from 100 kg to 40 kg, jet at 2500 m/s backwards
 
@@ -29,12 +29,12 @@ typedef struct VM_TAG(vm_jet) {
     vm_real rate;                /* mass per time, kg/s; < 0: mass leaves */
     vm_real axial;               /* inertia C0 of the body about the z axis at t = 0, kg m^2 */
     vm_real transverse;          /* inertia A0 of the body about a transverse axis at t = 0, kg m^2 */
-    vm_real gyration_axial;      /* inertia about z of the mass that flows, per unit mass, m^2; the same in the body
-                                    and in the nozzle */
-    vm_real gyration_transverse; /* inertia about a transverse axis of the mass that flows, per unit mass, m^2, while
-                                    it is in the body */
-    vm_real gyration_out;        /* inertia about a transverse axis through the nozzle of the mass there, per unit
-                                    mass, m^2 */
+    vm_real gyration_axial;      /* inertia about z of the mass that flows, per unit mass, m^2; it has one value in the
+                                    body and in the nozzle */
+    vm_real gyration_transverse; /* inertia about a transverse axis of the mass that flows, per unit mass, while it is
+                                    in the body, m^2 */
+    vm_real gyration_out;        /* inertia of the mass in the nozzle about a transverse axis through the nozzle, per
+                                    unit mass, m^2 */
     vm_real nozzle;              /* distance of the nozzle from the mass centre, m */
 } vm_jet;
 
@@ -43,7 +43,7 @@ VM_API int vmi_masses_are_good(vm_real m0, vm_real m)
     return m0 > 0 && m > 0 && VM_IS_FINITE(m0) && VM_IS_FINITE(m);
 }
 
-/* Velocity after a stream with the absolute velocity u changes the mass from m0 to m (151), (171).
+/* Velocity of a body after a stream with the absolute velocity u has changed its mass from m0 to m (151), (171).
    v0 (m/s) is the velocity at the mass m0 (kg), u is in m/s, and `impulse` (N s) is the integral of the outer forces
    over the time of the change. u = 0 is Levi-Civita's case, in which the mass that joins or leaves is at rest. With
    moments of inertia instead of masses the function gives the angular velocity about a fixed axle. Returns NaN if a
@@ -71,9 +71,9 @@ VM_API vm_real vm_tsiolkovsky(vm_real v0, vm_real m0, vm_real m, vm_real w)
 }
 
 /* Sets *first = ln(1 + x)/x and *second = (x - ln(1 + x))/x^2 for -1 < x < 1e299 (float 1e34), and both to NaN for
-   other x. They are means over the time of a flow at constant rate. Let s grow from 0 at the start of this time to 1 at
-   its end, and let m = 1 + x s be the mass divided by its initial value. Then *first is the mean of 1/m over s, and
-   *second is the mean of s/m over s. */
+   other x. The two results are means over the time of a flow at constant rate. Let s grow from 0 at the start of this
+   time to 1 at its end, and let m = 1 + x s be the mass divided by its initial value. Then *first is the mean of 1/m
+   over s, and *second is the mean of s/m over s. */
 VM_API void vmi_stream_log_means(vm_real x, vm_real *first, vm_real *second)
 {
     const vm_two whole = vmi_two(x, 0), l = vmi_log1p(whole);
@@ -90,8 +90,9 @@ VM_API void vmi_stream_log_means(vm_real x, vm_real *first, vm_real *second)
    If the stream has the velocity w relative to the body:
      v = v0 + (force + rate w) L t/m0,            x = x0 + v0 t + (force + rate w) (L - B) t^2/m0.
    If rate t >= 0, the errors of x and v are at most 8 eps times the sum of the absolute values of all terms. If the
-   mass decreases, this bound grows with m0/m, because the rounding error of rate t is large relative to a small m.
-   Returns VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_MASS if m0 or m is not positive, and VM_OK otherwise. */
+   mass decreases, this bound grows with m0/m, because the rounding error of the product rate t is large compared with a
+   small m. Returns VM_BAD_ARGUMENT for a null pointer and for an unknown `motion` of the stream; VM_NOT_FINITE if an
+   argument or the result is infinite or NaN; VM_BAD_MASS if m0 or m is not positive; VM_OK otherwise. */
 VM_API int vm_linear_flow(const vm_stream1 *stream, vm_real t, vm_real x0, vm_real v0, vm_real m0, vm_real force,
                           vm_real *x, vm_real *v)
 {
@@ -137,9 +138,9 @@ VM_API int vmi_jet_finite(const vm_jet *jet)
    where omega_t0 is omega_t at t = 0. The part omega_z along z stays constant, and omega_t turns about z by the angle
    omega_z times the integral of (C/A - 1) over time. Let L and B be the functions of tau explained at vm_linear_flow,
    here with tau = rate gyration_transverse t/A0. Then ln(A/A0) is tau L, and the integral is
-   t (L C0/A0 - 1 + B rate t gyration_axial/A0). An error of eps in the inputs changes the result; the error of the
-   function is at most 8 times this change. Returns VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_INERTIA if A or C is not
-   positive, and VM_OK otherwise. */
+   t (L C0/A0 - 1 + B rate t gyration_axial/A0). A relative error of eps in the inputs changes the result; the error of
+   the function is at most 8 times this change. Returns VM_BAD_ARGUMENT for a null pointer; VM_NOT_FINITE if an argument
+   or the result is infinite or NaN; VM_BAD_INERTIA if A0, C0, A or C is not positive; VM_OK otherwise. */
 VM_API int vm_jet_damping(const vm_jet *jet, vm_real t, vm_vec3 omega0, vm_vec3 *omega)
 {
     vm_real change, tau, first, second, exponent, share, angle, sine, cosine;

@@ -1,9 +1,10 @@
 /* mechanics/streams.h - streams of mass: reactive force, moment and torque
 
    A stream brings mass into a body, or takes mass out of it, at one point. This mass has momentum and angular momentum.
-   Therefore a reactive force (156), a reactive moment (158) and a reactive torque (157) act on the body. This chapter
-   computes these loads at an instant and the accelerations that follow from them, (159) and (160). To integrate a
-   motion, use mechanics/flow.h (in space), flow2.h (in a plane) or flow1.h (on a line or an axle).
+   Therefore a reactive force (156), a reactive moment (158) and a reactive torque (157) act on the body; they are
+   called reactive loads here. This chapter computes the reactive loads at an instant and the accelerations that follow
+   from them, (159) and (160). To integrate a motion, use mechanics/flow.h (in space), flow2.h (in a plane) or flow1.h
+   (on a line or an axle).
 
        vm_vec3 centre = {0, 0, 0}; // the mass centre is the reference point
        vm_stream nozzle;
@@ -24,14 +25,15 @@
 #include "inertia_factors.h"
 #include "vectors.h"
 
-/* How the velocity and the spin of a stream's mass are given. "The point" is the point of the body's surface at which
-   the mass enters or leaves. */
+/* How the fields velocity and spin of a stream describe the motion of its mass. Spin means angular velocity. "The
+   point" is the point of the body's surface at which the mass enters or leaves. */
 enum {
     VM_RELATIVE = 0, /* velocity relative to the point, spin relative to the body, both in body axes */
     VM_ABSOLUTE = 1, /* absolute velocity and spin, in inertial axes */
     VM_CARRIED = 2,  /* the mass has the velocity of the point and the spin of the body; the fields velocity and spin of
                         the stream are not read. There is no torque, but a force M' omega x d, which (166) neglects. M'
-                        is the rate of the stream, omega the body's spin, d the vector from mass centre to point. */
+                        is the rate of the stream, omega the body's spin, and d the vector from the mass centre to the
+                        point. */
     VM_AT_REST = 3   /* the mass is at rest (167)-(169); the fields velocity and spin of the stream are not read */
 };
 
@@ -53,15 +55,15 @@ typedef struct VM_TAG(vm_stream) {
     vm_inertia gyration;  /* inertia per unit mass of the mass that enters or leaves, about its own mass centre, m^2,
                              body axes */
     const vm_store *from; /* the store that the mass comes from or goes to, or NULL for none. Between the store and the
-                             point `at` the mass flows in a straight line; the momentum of this flow is a part of the
-                             body's momentum. */
+                             point `at` the mass flows in a straight line; the momentum of the mass on this way is a
+                             part of the body's momentum. */
 } vm_stream;
 
-/* The reactive loads at an instant, in inertial axes except inertia_rate. The body has the mass M, the inertia I, the
-   velocity v and the angular velocity omega. For each stream M' is the rate, u the velocity of its mass, omega2 the
-   angular velocity of its mass and kappa its gyration. The vector d leads from the body's mass centre to the point at
-   which the mass enters or leaves, and P(d) = |d|^2 E - d d^T with the unit matrix E is the inertia per unit mass of a
-   point mass at d. Each sum is over all streams:
+/* The reactive loads at an instant. All vectors are in inertial axes; only inertia_rate is in body axes. The body has
+   the mass M, the inertia I, the velocity v and the angular velocity omega. For each stream M' is the rate, u the
+   velocity of its mass, omega2 the angular velocity of its mass and kappa its gyration. The vector d leads from the
+   body's mass centre to the point at which the mass enters or leaves, and P(d) = |d|^2 E - d d^T with the unit matrix E
+   is the inertia per unit mass of a point mass at d. Each sum is over all streams:
      force   sum M' (u - v)                             (156)
      moment  sum d x M' (u - v)                         (158)
      torque  (sum M' kappa omega2) - I' omega           (157) corrected: [1] prints I' (omega2 - omega), which is right
@@ -83,13 +85,14 @@ VM_INLINE int vmi_stream_motion_is_known(int motion) { return motion >= VM_RELAT
 
 /* For every value of the field `motion`, the velocity u of a stream's mass is the sum of two terms. The first term is
    the velocity of the body's point, or zero; the second term is the stream's field `velocity`, or zero. The spin of the
-   mass is a sum of two such terms, too. The first function below returns 1 if the first term is there, and the second
-   function if the second term is there. No other function decodes VM_RELATIVE ... VM_AT_REST. */
+   mass is a sum of two such terms, too. vmi_stream_moves_with_body returns 1 if the first term is the velocity of the
+   point, and vmi_stream_velocity_is_given returns 1 if the second term is the field `velocity`. No other function
+   depends on the four values VM_RELATIVE ... VM_AT_REST. */
 VM_INLINE int vmi_stream_moves_with_body(int motion) { return motion == VM_RELATIVE || motion == VM_CARRIED; }
 VM_INLINE int vmi_stream_velocity_is_given(int motion) { return motion == VM_RELATIVE || motion == VM_ABSOLUTE; }
 
-/* Returns the velocity u of a stream's mass along a line. `own` is the velocity of the body, and `given` the field
-   `velocity` of the stream. */
+/* Returns the velocity u of the mass of a stream, for a body that moves along a line. `own` is the velocity of the
+   body. The arguments `motion` and `given` are the fields `motion` and `velocity` of the stream. */
 VM_INLINE vm_real vmi_stream_velocity1(int motion, vm_real own, vm_real given)
 {
     vm_real u = 0;
@@ -98,7 +101,8 @@ VM_INLINE vm_real vmi_stream_velocity1(int motion, vm_real own, vm_real given)
     return u;
 }
 
-/* Returns the product M' kappa of a stream's rate M' and the gyration kappa (inertia per unit mass) of its mass. */
+/* Returns the product M' kappa of the rate M' of a stream and the gyration kappa of its mass. Gyration means inertia
+   per unit mass. */
 VM_INLINE vm_inertia vmi_stream_own(vm_real rate, const vm_inertia *gyration)
 {
     vm_inertia i;
@@ -112,8 +116,9 @@ VM_INLINE vm_inertia vmi_stream_own(vm_real rate, const vm_inertia *gyration)
 }
 
 /* Sets *p to the momentum, and *h to the angular momentum about the mass centre, of the mass that flows between the
-   stores and the surface. `centre` is the mass centre. If a stream of rate M' flows in a straight line between its
-   store at the position a and the surface at the position b, the flowing mass has the momentum M' (a - b) at any
+   stores of the streams and the surface of the body. `centre` is the position of the mass centre, from the body's
+   reference point. If a stream of rate M' flows in a straight line between its store at the position a and the surface
+   at the position b, the flowing mass has the momentum M' (a - b) at any
    speed. */
 VM_INLINE void vmi_stream_on_the_way(int n, const vm_stream *s, vm_vec3 centre, vm_vec3 *p, vm_vec3 *h)
 {
@@ -133,7 +138,7 @@ typedef struct VM_TAG(vmi_stream_seen) {
     vm_vec3 slip;         /* velocity of the body's material at the mass centre minus v, body axes */
     vm_vec3 omega;        /* angular velocity, body axes */
     vm_vec3 centre;       /* vector from the reference point to the mass centre, body axes */
-    int energy;           /* 1 if the sums `brought` and `lost` of vmi_stream_sum are wanted */
+    int energy;           /* 1 if the sums `brought` and `lost` of vmi_stream_sum must be computed */
 } vmi_stream_seen;
 
 /* The sums over the streams of a moving body, in body axes except `absolute`. The letters M', u, v, d, kappa, omega2
@@ -145,12 +150,14 @@ typedef struct VM_TAG(vmi_stream_sum) {
     vm_vec3 pushed;     /* force of the streams whose velocity is relative to the body: sum of M' (u - v) */
     vm_vec3 absolute;   /* sum of M' u of the streams whose velocity u is absolute, inertial axes */
     vm_vec3 moment;     /* moment of all streams about the mass centre: sum of d x M' (u - v) */
-    vm_vec3 own;        /* sum of M' kappa omega2: angular momentum that the spins of the masses bring per second */
+    vm_vec3 own;        /* sum of M' kappa omega2: angular momentum per second that the streams bring by their spin */
     vm_vec3 crossing;   /* sum of M' d, where d leads from the mass centre to the point of the surface */
     vm_vec3 stored;     /* sum of M' d_s, where d_s leads from the mass centre to the store; d_s = d without a store */
     vm_inertia inertia; /* I', the rate of the body's inertia */
-    vm_real brought;    /* sum of M' u^2 + omega2 M' kappa omega2: twice the kinetic energy brought per second */
-    vm_real lost;       /* the same sum with velocity and spin relative to the body: twice the power lost by mixing */
+    vm_real brought;    /* sum of M' u^2 + omega2 M' kappa omega2: twice the kinetic energy that the streams bring per
+                           second */
+    vm_real lost;       /* the sum `brought`, but with velocity and spin relative to the body: twice the power lost by
+                           mixing */
 } vmi_stream_sum;
 
 /* Adds one stream, whose `motion` is known, to sum->carried, sum->pushed and sum->absolute. Sets *push = M' (u - v),
@@ -180,8 +187,8 @@ VM_INLINE void vmi_stream_motion(const vm_stream *s, const vmi_stream_seen *b, v
     }
 }
 
-/* Adds the terms of one stream to sum->brought and sum->lost. `own` is its product M' kappa. `push` and `spin` are
-   results of vmi_stream_motion, and `carried` is an argument of that function. */
+/* Adds the terms of one stream to sum->brought and sum->lost. `own` is the product M' kappa of the stream's rate and
+   gyration. `push` and `spin` are results of vmi_stream_motion, and `carried` is an argument of that function. */
 VM_INLINE void vmi_stream_energy(const vm_stream *s, const vmi_stream_seen *b, const vm_inertia *own, vm_vec3 push,
                                  vm_vec3 spin, vm_vec3 carried, vmi_stream_sum *sum)
 {
@@ -194,7 +201,7 @@ VM_INLINE void vmi_stream_energy(const vm_stream *s, const vmi_stream_seen *b, c
     sum->lost += s->rate * vm_dot(w, w) + vm_dot(relative, vmi_inertia_times(own, relative));
 }
 
-/* Computes the sums over n streams. Returns 0 if the `motion` of a stream is unknown, else 1. */
+/* Computes the sums *sum over n streams of a moving body. Returns 0 if the `motion` of a stream is unknown, else 1. */
 VM_INLINE int vmi_stream_sums(int n, const vm_stream *s, const vmi_stream_seen *b, vmi_stream_sum *sum)
 {
     const vmi_stream_sum none = {0,         0,         {0, 0, 0},          {0, 0, 0}, {0, 0, 0}, {0, 0, 0},
@@ -224,9 +231,10 @@ VM_INLINE int vmi_stream_sums(int n, const vm_stream *s, const vmi_stream_seen *
     return 1;
 }
 
-/* Returns VM_OK if the gyration is finite and has no negative moment, else the error. A gyration need not satisfy the
-   triangle inequality zz <= xx + yy; only the inertia of the body must. Therefore zz may be the only entry of a
-   gyration that is not 0, which is enough for motion in a plane. */
+/* Gyration means the inertia per unit mass of the mass in a stream or a store. Returns VM_NOT_FINITE if an entry of the
+   gyration is infinite or NaN; VM_BAD_INERTIA if one of its moments xx, yy, zz is negative; else VM_OK. A gyration need
+   not satisfy the triangle inequality zz <= xx + yy; only the inertia of the body must satisfy it. Therefore zz may be
+   the only entry of a gyration that is not 0, which is enough for motion in a plane. */
 VM_API int vmi_check_gyration(const vm_inertia *i)
 {
     if (!vmi_inertia_is_finite(i)) return VM_NOT_FINITE;
@@ -234,7 +242,9 @@ VM_API int vmi_check_gyration(const vm_inertia *i)
     return VM_OK;
 }
 
-/* Returns VM_OK if `motion` is known, all numbers are finite and the gyrations are possible, else the first error. */
+/* Checks a stream. Returns VM_BAD_ARGUMENT if its field `motion` has none of the four values VM_RELATIVE ...
+   VM_AT_REST; VM_NOT_FINITE if a number is infinite or NaN; VM_BAD_INERTIA if a moment xx, yy or zz of the gyration
+   (the inertia per unit mass) of the stream or of its store is negative; else VM_OK. */
 VM_API int vmi_check_stream(const vm_stream *s)
 {
     int status;
@@ -264,10 +274,14 @@ VM_API int vmi_reactive_finite(const vm_reactive *r)
 }
 
 /* Reactive force, moment and torque of n streams on a moving body, (156)-(158). `centre` is the vector from the
-   body's reference point to its mass centre, in body axes (m). Each load is a sum over all streams; vm_reactive has the
-   formulas. Returns VM_BAD_ARGUMENT for a null pointer, n < 0 or an unknown `motion` of a stream, VM_NOT_FINITE,
-   VM_BAD_MASS, VM_BAD_INERTIA, VM_STORED_STREAM if a stream has a store (integrate vm_flow_rhs instead), and VM_OK
-   otherwise. */
+   body's reference point to its mass centre, in body axes (m). Each load is a sum over all streams; the comment of
+   vm_reactive has the formulas. Returns
+   - VM_BAD_ARGUMENT for a null pointer, for n < 0 and for an unknown `motion` of a stream;
+   - VM_NOT_FINITE if an argument or the result is infinite or NaN;
+   - VM_BAD_MASS if the body's mass is not positive;
+   - VM_BAD_INERTIA if no body can have the inertia of the body, or if a moment of a gyration is negative;
+   - VM_STORED_STREAM if a stream has a store (integrate vm_flow_rhs instead);
+   - VM_OK otherwise. */
 VM_API int vm_reactive_loads(const vm_body *body, vm_vec3 centre, int n, const vm_stream *streams,
                              vm_reactive *result)
 {
@@ -302,8 +316,8 @@ VM_API int vm_reactive_loads(const vm_body *body, vm_vec3 centre, int n, const v
     return VM_OK;
 }
 
-/* Returns the angular acceleration I^-1 (moment - omega x I omega) by Euler's equations, for the inertia I = *i. All
-   vectors are in body axes. */
+/* Returns the angular acceleration I^-1 (moment - omega x I omega) by Euler's equations, for the inertia I = *i and its
+   factors *factors (vmi_inertia_factor). All vectors are in body axes. */
 VM_INLINE vm_vec3 vmi_stream_euler(const vm_inertia *i, const vmi_inertia_ldl *factors, vm_vec3 omega,
                                    vm_vec3 moment)
 {
@@ -313,8 +327,9 @@ VM_INLINE vm_vec3 vmi_stream_euler(const vm_inertia *i, const vmi_inertia_ldl *f
 /* Accelerations v' (159) and omega' (160) of a body under reactive and outer loads.
    All vectors are in inertial axes. `force` is the resultant of the outer forces (N), `moment` their moment about the
    mass centre (N m). *acceleration is v', the rate of momentum/mass (m/s^2), and *angular_acceleration is omega'
-   (rad/s^2). Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_INERTIA also for the
-   singular inertia of a rod or a point, and VM_OK otherwise. */
+   (rad/s^2). Returns VM_BAD_ARGUMENT for a null pointer; VM_NOT_FINITE if an argument or the result is infinite or NaN;
+   VM_BAD_MASS if the body's mass is not positive; VM_BAD_INERTIA if no body can have the inertia, and also for the
+   singular inertia of a rod or a point; VM_OK otherwise. */
 VM_API int vm_accelerations(const vm_body *body, const vm_reactive *loads, vm_vec3 force, vm_vec3 moment,
                             vm_vec3 *acceleration, vm_vec3 *angular_acceleration)
 {

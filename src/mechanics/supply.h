@@ -3,7 +3,8 @@
    A supply is a round cylinder of stored mass inside a body: a tank of liquid, whose level falls; a tank of gas, whose
    density falls; or a hollow cylinder of solid propellant (a grain), which burns radially outwards. The mass that is
    left determines its mass centre, its inertia and their rates, and also the store (vm_store) from which a stream takes
-   the next mass. If a stream has this store, its moments are right, jet damping included.
+   the next mass. If a stream has this store, the moments that it causes are right. They include the jet damping, the
+   moment by which a jet slows the rotation of a body.
 
        vm_supply tank = {VM_TANK_OF_LIQUID, {0, 0, -2}, {0, 0, 1}, 3, 0.5, 0, 800}; // 3 m long, radius 0.5 m, 800 kg
        vm_supply_left left;
@@ -11,8 +12,8 @@
 
    The equations. Let m be the mass that is left, m1 that of the full supply, L the length, R the radius, e the unit
    vector along the axis from the lower end to the upper one, E the unit matrix, and b the lower end of the axis. The
-   inertia about the mass centre c is m [k_a e e^T + k_t (E - e e^T)]. The next mass lies at the point s, and its
-   inertia per unit mass is q_a e e^T + q_t (E - e e^T).
+   inertia about the mass centre c is m [k_a e e^T + k_t (E - e e^T)]. The mass that leaves next lies at the point s,
+   and its inertia per unit mass is q_a e e^T + q_t (E - e e^T).
      liquid  level h = L m/m1, c = b + e h/2, k_a = R^2/2, k_t = R^2/4 + h^2/12; s = b + e h, q_a = R^2/2, q_t = R^2/4
      gas     c = s = b + e L/2, k_a = q_a = R^2/2, k_t = q_t = R^2/4 + L^2/12
      grain   bore r, r^2 = (m r0^2 + (m1 - m) R^2)/m1 with the bore r0 of the full grain, c = s = b + e L/2,
@@ -43,21 +44,22 @@ typedef struct VM_TAG(vm_supply) {
     int kind;       /* VM_TANK_OF_LIQUID, VM_TANK_OF_GAS or VM_GRAIN */
     vm_vec3 at;     /* centre of the lower end, from the body's reference point, m, body axes */
     vm_vec3 axis;   /* direction from the lower end to the upper end, of any length but 0, body axes */
-    vm_real length; /* distance of the ends, m; that of a tank of liquid when it is full */
+    vm_real length; /* distance between the ends, m; of a tank of liquid: the level when it is full */
     vm_real radius; /* outer radius, m */
     vm_real bore;   /* inner radius of the full grain, m, 0 <= bore < radius; not used by the tanks */
     vm_real full;   /* mass of the full supply, kg */
 } vm_supply;
 
-/* What is left of a supply. The rates are derivatives with respect to the mass that is left; multiply them by its rate
-   in kg/s (< 0 while the supply empties) to get rates in time. */
+/* What is left of a supply. The fields centre_by_mass and inertia_by_mass are derivatives with respect to the mass that
+   is left. Multiply them by the rate of this mass in kg/s (< 0 while the supply empties) to get derivatives with
+   respect to time. */
 typedef struct VM_TAG(vm_supply_left) {
     vm_real mass;               /* mass that is left, kg */
     vm_real size;               /* level of the liquid, length of the gas, or bore of the grain, m */
     vm_vec3 centre;             /* mass centre, from the body's reference point, m, body axes */
     vm_inertia inertia;         /* inertia about this mass centre, kg m^2, body axes */
-    vm_vec3 centre_by_mass;     /* rate of the mass centre, m/kg */
-    vm_inertia inertia_by_mass; /* rate of the inertia, m^2 */
+    vm_vec3 centre_by_mass;     /* derivative of `centre` with respect to the mass, m/kg */
+    vm_inertia inertia_by_mass; /* derivative of `inertia` with respect to the mass, m^2 */
     vm_store store;             /* the place of the next mass that leaves, for the field `from` of a vm_stream */
 } vm_supply_left;
 
@@ -88,7 +90,7 @@ VM_API int vmi_supply_check(const vm_supply *s, vm_real mass)
     return VM_OK;
 }
 
-/* Writes to *left what is left of a tank of liquid; e is the unit vector along the axis */
+/* Writes to *left what is left of a tank of liquid. left->mass must be set; e is the unit vector along the axis. */
 VM_API void vmi_supply_liquid(const vm_supply *s, vm_vec3 e, vm_supply_left *left)
 {
     const vm_real m = left->mass, level = s->length * (m / s->full), disc = s->radius * s->radius / 4;
@@ -102,8 +104,9 @@ VM_API void vmi_supply_liquid(const vm_supply *s, vm_vec3 e, vm_supply_left *lef
     left->store.gyration = vmi_inertia_of_revolution(e, 2 * disc, disc);
 }
 
-/* Writes to *left what is left of a tank of gas or of a grain. The square of the bore is r^2 of the equations at the
-   top of mechanics/supply.h; it is 0 for gas, whose density is the same everywhere. */
+/* Writes to *left what is left of a tank of gas or of a grain. left->mass must be set; e is the unit vector along the
+   axis. The square of the bore is r^2 of the equations at the top of mechanics/supply.h; it is 0 for gas, whose density
+   is the same everywhere. */
 VM_API void vmi_supply_hollow(const vm_supply *s, vm_vec3 e, vm_supply_left *left)
 {
     const vm_real m = left->mass, square = s->radius * s->radius, rod = s->length * s->length / 12;
@@ -128,13 +131,15 @@ VM_API int vmi_supply_left_is_finite(const vm_supply_left *left)
            vmi_vec3_is_finite(left->store.at) && vmi_inertia_is_finite(&left->store.gyration);
 }
 
-/* What is left of a tank or grain when its mass is `mass`: mass centre, inertia, their rates, and the next store.
+/* What is left of a tank or grain when its mass is `mass`: mass centre, inertia, their derivatives, and the store of
+   the mass that leaves next.
    mass is in kg and lies between 0 and supply.full. For a mass below 0 or above supply.full the function uses the same
-   polynomials of the mass. The results then describe no body, but they change smoothly, as the trial steps of an
+   formulas. The results then describe no body, but they change smoothly with the mass, as the trial steps of an
    integrator need it. The errors are at most 8 eps of a scale: |at| + length for a position, the largest entry for a
    tensor, and the length of the vector for centre_by_mass. This holds for a nearly empty or nearly full supply, too.
-   Returns VM_BAD_ARGUMENT for a null pointer or an unknown kind, VM_NOT_FINITE, VM_BAD_MASS if supply.full is not
-   positive, VM_DOMAIN for a length, radius, bore or axis outside its domain, and VM_OK otherwise. */
+   Returns VM_BAD_ARGUMENT for a null pointer or an unknown kind; VM_NOT_FINITE if an argument or the result is infinite
+   or NaN; VM_BAD_MASS if supply.full is not positive; VM_DOMAIN if the length or the radius is not positive, if the
+   axis is 0, or if the bore of a grain is not between 0 and the radius; VM_OK otherwise. */
 VM_API int vm_supply_at(const vm_supply *supply, vm_real mass, vm_supply_left *left)
 {
     vm_supply_left result;

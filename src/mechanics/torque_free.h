@@ -1,5 +1,5 @@
 /* mechanics/torque_free.h - exact rotation of a body on which no torque acts
-   The rotation of a free body, for example after a part has separated from it, has a closed form (Jacobi 1850): the
+   The rotation of a free body, for example after a part has separated from it, has a closed form (Jacobi 1850). The
    angular velocity omega follows from the elliptic functions sn, cn, dn of the time, and the attitude follows from one
    theta function and a rotation at a constant rate. Nothing is integrated. Therefore an evaluation costs the same at
    any time, and its errors do not accumulate over time. The mass centre moves on a straight line.
@@ -8,11 +8,11 @@
        vm_body later; // body is a vm_body
        if (vm_torque_free_init(&motion, &body, 0) == VM_OK) vm_torque_free_at(&motion, 1e6, &later); // after 1e6 s
 
-   The functions hold for all bodies: for bodies with three different principal moments of inertia, with two equal ones
+   The functions work for all bodies: for bodies with three different principal moments of inertia, with two equal ones
    and with three equal ones, and for rods and points. The spin of a rod or a point about an axis without moment of
-   inertia stays constant. The functions also hold for all rotations, for example a rotation about the axis of the
-   middle moment of inertia, and the rotations on the separatrix, which tend to a rotation about this axis. The user
-   need not choose a threshold between these cases.
+   inertia stays constant. The functions also work for all rotations. Examples are a rotation about the axis of the
+   middle moment of inertia, and the rotations on the separatrix. The separatrix is the set of all rotations that tend
+   to a rotation about this axis as time grows. The user need not tell the functions which of these cases a motion is.
    Tests: tests/test_torque_free.c. */
 #ifndef VARMASS_MECHANICS_TORQUE_FREE_H
 #define VARMASS_MECHANICS_TORQUE_FREE_H
@@ -40,13 +40,14 @@
    of omega at most 8 eps |omega|. This holds also close to the separatrix (1 - m from 1e-2 to 1e-27, where m is the
    parameter of sn, cn, dn), for nearly equal moments, and with products of inertia. An error of eps in an input changes
    the attitude by eps times the angle through which the body has turned. Close to the separatrix it changes the
-   attitude by more, because it shifts the time of every flip of the body. If a tensor has products of inertia, the
-   principal moments have only the digits of two words (sums of two vm_reals), which limits the accuracy after many
-   turns close to the separatrix. A component of omega below 2^-505 (float 2^-57) times the largest component is taken
-   as 0. */
+   attitude by more, because it shifts the time of every flip of the body. (Close to the separatrix a body turns nearly
+   uniformly about the axis of the middle moment for a long time and then flips over.) If a tensor has products of
+   inertia, the principal moments have only the digits of two words (sums of two vm_reals), which limits the accuracy
+   after many turns close to the separatrix. A component of omega below 2^-505 (float 2^-57) times the largest component
+   is taken as 0. */
 typedef struct VM_TAG(vm_torque_free) {
     vm_body body;                /* the body at the time t0 */
-    vm_real t0;                  /* the time at which the body is as given, s */
+    vm_real t0;                  /* the time at which the body has the state `body`, s */
     vmi_mat3 axes;               /* columns: the principal axes 1, 2, 3, right-handed, in body axes */
     vm_quat start;               /* rotation to inertial axes from axes whose axis 3 is along the angular momentum, or
                                     opposite to it if the component w3 of omega along axis 3 is negative */
@@ -82,10 +83,10 @@ typedef struct VM_TAG(vm_torque_free) {
    was found by Jacobi; van Zon and Schofield, J. Comput. Phys. 225 (2007), give a theta series for 2h.
 
    The preparation computes in this order: the axes; the squares of the amplitudes a1, a2, a3, and m; kappa; the phase
-   and the rates; the theta function; and `start`, for which q(t0) is the given attitude. It computes in two words (sums
-   of two vm_reals), because the rates wp/(4K) and kappa are multiplied by long times. An evaluation at a given time
-   uses two words only for the products of rates and time. Moments and omega are divided by powers of two so that they
-   are about 1, which prevents overflow. */
+   and the rates; the theta function; and `start`, for which q(t0) is the given attitude. The preparation computes in
+   two words (sums of two vm_reals), because the rates wp/(4K) and kappa are multiplied by long times. An evaluation at
+   a given time uses two words only for the products of rates and time. Moments and omega are divided by powers of two
+   so that they are about 1, which prevents overflow. */
 
 /* ---- amplitudes and parameter ---- */
 
@@ -120,15 +121,15 @@ VM_API vmi_torque_free_squares vmi_torque_free_amplitudes(const vmi_torque_free_
     return square;
 }
 
-/* Stores m1 = 1 - m in the motion, where m is the parameter of sn, cn, dn, and prepares these functions for m */
+/* Stores m1 = 1 - m in *motion and prepares the functions sn, cn, dn for their parameter m */
 VM_API void vmi_torque_free_parameter(vm_torque_free *motion, vm_two m1)
 {
     motion->m1 = m1.hi;
     vmi_far_prepare(&motion->far_form, m1.hi, m1.lo);
 }
 
-/* Sets the fields axes, spin (the amplitudes of omega) and lean (those of the quaternion M in equation (B) above).
-   `sign` is a result of vmi_torque_free_phase: the sign of w1 on the separatrix, and 1 elsewhere. */
+/* Sets the fields `axes`, `spin` (the amplitudes of omega) and `lean` (the amplitudes of the quaternion M in equation
+   (B) above). `sign` is a result of vmi_torque_free_phase: the sign of w1 on the separatrix, and 1 elsewhere. */
 VM_API void vmi_torque_free_sizes(vm_torque_free *motion, const vmi_torque_free_axes *axes,
                                   const vmi_torque_free_squares *square, vm_real sign)
 {
@@ -144,7 +145,7 @@ VM_API void vmi_torque_free_sizes(vm_torque_free *motion, const vmi_torque_free_
 
 /* ---- rates and phase ---- */
 
-/* Returns 2 pi in two words. */
+/* Returns 2 pi in two words, that is, as the sum of two vm_reals. */
 VM_API vm_two vmi_torque_free_two_pi(void)
 {
     const vmi_three half_pi = vmi_half_pi();
@@ -213,8 +214,8 @@ VM_API vm_two vmi_torque_free_phase(const vmi_torque_free_axes *axes, const vmi_
     return vmi_two_shifted(F, forward * *sign);
 }
 
-/* Sets the fields K, phase, phase_rate and turn_rate. The two rates are those of the scaled omega, which is divided by
-   a power of two. Returns the sign of w1 on the separatrix, and 1 elsewhere. */
+/* Sets the fields K, phase, phase_rate and turn_rate. The two rates belong to the scaled omega, that is, to omega
+   divided by a power of two. Returns the sign of w1 on the separatrix, and 1 elsewhere. */
 VM_API vm_real vmi_torque_free_rates(vm_torque_free *motion, const vmi_torque_free_axes *axes,
                                      const vmi_torque_free_squares *square)
 {
@@ -268,8 +269,8 @@ VM_API void vmi_torque_free_theta(vm_torque_free *motion, const vmi_torque_free_
 
 /* ---- the motion as a whole ---- */
 
-/* Sets the fields for a motion with constant omega. Axis 3 is along omega, and sn stays 0. If omega is 0, no field is
-   set. */
+/* Sets the fields of *motion for a rotation with constant omega. Axis 3 is along omega, and the elliptic function sn
+   stays 0. If omega is 0, no field is set. */
 VM_API void vmi_torque_free_constant(vm_torque_free *motion, const vmi_torque_free_body *b)
 {
     const vm_two size = vmi_two_root(vmi_vec3_two_dot(&b->omega, &b->omega));
@@ -283,8 +284,8 @@ VM_API void vmi_torque_free_constant(vm_torque_free *motion, const vmi_torque_fr
     motion->turn_rate = vmi_two_over(vmi_two_shifted(size, VM_C(0.5)), vmi_torque_free_two_pi());
 }
 
-/* Sets all fields except body, t0 and `start`. spin and the rates are those of the scaled omega, which is divided by a
-   power of two. */
+/* Sets all fields except body, t0 and `start`. The fields spin, phase_rate and turn_rate belong to the scaled omega,
+   that is, to omega divided by a power of two. */
 VM_API void vmi_torque_free_prepare(vm_torque_free *motion, const vmi_torque_free_body *b)
 {
     const vm_real least_nutation = vmi_fourth_power(VM_EPSILON); /* square of the angle eps^2, a negligible nutation */
@@ -306,8 +307,8 @@ VM_API void vmi_torque_free_prepare(vm_torque_free *motion, const vmi_torque_fre
 
 /* ---- at a time ---- */
 
-/* Returns the product rate t, in turns, minus a whole number of turns. The result lies between -1 and 1. Beyond
-   2^(2p - 4) turns it has no meaning; p is the number of binary digits of the type vm_real. */
+/* Returns the product rate t, in turns, minus a whole number of turns. The result lies between -1 and 1. Beyond 2^(2p -
+   4) turns the result has no meaning; p is the number of binary digits of the type vm_real. */
 VM_API vm_two vmi_torque_free_fraction(vm_two rate, vm_two t)
 {
     const vm_two p = vmi_two_product(rate.hi, t.hi);
@@ -316,8 +317,8 @@ VM_API vm_two vmi_torque_free_fraction(vm_two rate, vm_two t)
     return vmi_two_sum(p.hi - VM_FLOOR(p.hi + VM_C(0.5)), low);
 }
 
-/* Computes sn, cn, dn at the time t after t0. Let u be their argument. Returns u/(4K) minus the nearest multiple of
-   1/2; on the separatrix it returns u. */
+/* Computes the elliptic functions sn, cn, dn at the time t after t0. Let u be their argument. Returns u/(4K) minus the
+   nearest multiple of 1/2; on the separatrix it returns u. */
 VM_API vm_real vmi_torque_free_functions(const vm_torque_free *motion, vm_two t, vm_real *sn, vm_real *cn,
                                          vm_real *dn)
 {
@@ -377,8 +378,8 @@ VM_API vm_quat vmi_torque_free_attitude_at_start(vm_quat q)
     return q;
 }
 
-/* Prepares all fields that vm_torque_free_at needs. *b must have the moments, the axes, and omega divided by `power`,
-   which is a power of two. */
+/* Sets all fields that vm_torque_free_at needs. *b must contain the principal moments, the principal axes, and omega
+   divided by `power`, which is a power of two. */
 VM_API void vmi_torque_free_solve(vm_torque_free *motion, const vmi_torque_free_body *b, vm_real power)
 {
     const vm_quat q = vmi_torque_free_attitude_at_start(motion->body.q);
@@ -397,8 +398,8 @@ VM_API void vmi_torque_free_solve(vm_torque_free *motion, const vmi_torque_free_
     motion->turn_rate = vmi_two_shifted(motion->turn_rate, power);
 }
 
-/* Returns x, a component of the scaled omega. If |x| is below 2^-505 (float 2^-57), the square of x would underflow,
-   and the function returns 0 instead. */
+/* Returns x, a component of the scaled omega (omega divided by a power of two). If |x| is below 2^-505 (float 2^-57),
+   the square of x would underflow, and the function returns 0 instead. */
 VM_API vm_two vmi_torque_free_squarable(vm_two x)
 {
     return VM_FABS(x.hi) < 64 * VM_SQRT(VM_MIN) ? vmi_two(0, 0) : x;
@@ -429,18 +430,19 @@ VM_API int vmi_torque_free_start(vm_torque_free *motion, const vm_body *body, in
     return VM_OK;
 }
 
-/* Preparation of the exact torque-free motion of a body. *body is the body at the time t0 (s). vm_torque_free_at then
-   gives the body at any time. The accuracy is described at vm_torque_free. Returns VM_OK, or VM_BAD_ARGUMENT for a
-   null pointer, VM_NOT_FINITE, VM_BAD_MASS or VM_BAD_INERTIA. After an error *motion is unchanged. */
+/* Prepares the exact torque-free motion of a body. *body is the body at the time t0 (s). vm_torque_free_at then gives
+   the body at any time. The accuracy is described at vm_torque_free. Returns VM_BAD_ARGUMENT for a null pointer;
+   VM_NOT_FINITE if t0 or a number of *body is infinite or NaN; VM_BAD_MASS if the mass is not positive; VM_BAD_INERTIA
+   if no body can have the inertia; VM_OK otherwise. After an error *motion is unchanged. */
 VM_API int vm_torque_free_init(vm_torque_free *motion, const vm_body *body, vm_real t0)
 {
     if (!motion || !body) return VM_BAD_ARGUMENT;
     return vmi_torque_free_start(motion, body, 0, t0);
 }
 
-/* Preparation of the exact torque-free motion from principal moments (kg m^2). The body axes are the principal axes.
-   The components of omega (rad/s) are along the body axes, not along the inertial axes. q is the attitude at t0 (s).
-   The body has the mass 1 kg, and its mass centre rests at the origin. The statuses are those of
+/* Prepares the exact torque-free motion of a body with the principal moments `moments` (kg m^2). The body axes are the
+   principal axes. The components of omega (rad/s) are along the body axes, not along the inertial axes. q is the
+   attitude at t0 (s). The body has the mass 1 kg, and its mass centre rests at the origin. The statuses are those of
    vm_torque_free_init. */
 VM_API int vm_torque_free_init_principal(vm_torque_free *motion, vm_vec3 moments, vm_quat q, vm_vec3 omega,
                                          vm_real t0)
@@ -459,7 +461,7 @@ VM_API int vm_torque_free_init_principal(vm_torque_free *motion, vm_vec3 moments
 
 /* Attitude and angular velocity of a torque-free body at the time t (s). t may be later or earlier than t0. *omega has
    the components along the body axes, rad/s. *q is continuous in t and keeps the length that the quaternion had at t0.
-   The length becomes 1 if the quaternion was all zero or its length was within 64 eps of 1. Returns
+   If the quaternion at t0 was all zero, or if its length was within 64 eps of 1, the length of *q is 1. Returns
    VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE if t or the result is not finite or if t or the number of turns
    is above 1e290 (float 1e30), and VM_OK otherwise. After an error *q and *omega are unchanged. Beyond 1/eps^2 turns
    the result is finite and has the right angular momentum, but its phase has no meaning. */
@@ -482,10 +484,10 @@ VM_API int vm_torque_free_attitude(const vm_torque_free *motion, vm_real t, vm_q
     return VM_OK;
 }
 
-/* A torque-free body at the time t (s). t may be later or earlier than t0. Attitude and omega are those of
-   vm_torque_free_attitude, but here omega has its components along the inertial axes. The mass centre has moved on a
-   straight line at constant velocity. The statuses are those of vm_torque_free_attitude; after an error *body is
-   unchanged. */
+/* Sets *body to a torque-free body at the time t (s). t may be later or earlier than t0. The attitude and omega are
+   those of vm_torque_free_attitude, but here omega has its components along the inertial axes. The mass centre has
+   moved on a straight line at constant velocity. The statuses are those of vm_torque_free_attitude; after an error
+   *body is unchanged. */
 VM_API int vm_torque_free_at(const vm_torque_free *motion, vm_real t, vm_body *body)
 {
     vm_body b;
@@ -503,8 +505,8 @@ VM_API int vm_torque_free_at(const vm_torque_free *motion, vm_real t, vm_body *b
     return VM_OK;
 }
 
-/* A torque-free body a time t (s) later, in one call. The function calls vm_torque_free_init, then vm_torque_free_at,
-   and has their statuses. The pointers `later` and `body` may be equal. */
+/* Sets *later to the torque-free body *body after the time t (s). The function calls vm_torque_free_init, then
+   vm_torque_free_at, and returns their statuses. The pointers `later` and `body` may be equal. */
 VM_API int vm_torque_free_rotation(const vm_body *body, vm_real t, vm_body *later)
 {
     vm_torque_free motion;

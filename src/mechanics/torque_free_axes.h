@@ -1,13 +1,14 @@
 /* mechanics/torque_free_axes.h - principal axes of a rotating body in two words, in the order of torque_free.h
-   This is the first step of the preparation in torque_free.h. It finds the principal moments of inertia
+   This chapter is the first step of the preparation in torque_free.h. It finds the principal moments of inertia
    J_a >= J_b >= J_c, the principal axes a, b, c and the components w_a, w_b, w_c of the angular velocity omega along
    these axes. Each of these numbers is stored in two words, as the sum of two vm_reals, because the rates that follow
-   from them are multiplied by long times. Then this step numbers the axes 1, 2, 3. Axis 2 is b, the axis of the middle
-   moment. Axis 3 is the axis around which the vector omega moves in the body. It is a or c; this depends on the sign of
+   from them are multiplied by long times. Then this chapter numbers the axes 1, 2, 3. Axis 2 is b, the axis of the
+   middle moment. Axis 3 is the axis around which the vector omega moves in the body. Axis 3 is a or c, depending on the
+   sign of
      2T J_b - L^2 = J_c (J_b - J_c) w_c^2 - J_a (J_a - J_b) w_a^2,
    where T is the kinetic energy and L the size of the angular momentum. If this number is positive or 0, axis 3 is c,
-   the axis of the smallest moment; else axis 3 is a. If it is 0, the motion lies on the separatrix: omega tends to the
-   direction of axis 2. All functions of this chapter are internal:
+   the axis of the smallest moment; else axis 3 is a. If the number is 0, omega tends to the direction of axis 2 as time
+   grows; the set of these motions is called the separatrix. All functions of this chapter are internal:
 
        vmi_torque_free_body b; // whole is a vm_body
        vmi_torque_free_axes axes;
@@ -29,7 +30,7 @@
 
 /* ---- vectors in two words ---- */
 
-/* A vector whose three components have two words each */
+/* A vector whose three components are in two words each, that is, are sums of two vm_reals */
 typedef struct VM_TAG(vmi_vec3_two) {
     vm_two x[3];
 } vmi_vec3_two;
@@ -161,7 +162,7 @@ VM_API void vmi_torque_free_principal(const vm_inertia *i, vmi_torque_free_body 
 }
 
 /* Sets a principal moment to 0 if it is not larger than the rounding errors of the tensor *i. The body is then a rod or
-   a point, and the other two moments are set to one value. */
+   a point. The function therefore makes the other two moments equal. */
 VM_API void vmi_torque_free_clamp_moments(const vm_inertia *i, vmi_torque_free_body *b)
 {
     const vmi_mat3 same = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
@@ -179,14 +180,15 @@ VM_API void vmi_torque_free_clamp_moments(const vm_inertia *i, vmi_torque_free_b
 /* ---- the order of the axes ---- */
 
 /* Returns 1 if two moments differ by no more than the errors of their computation in two words, else 0. Moments of a
-   tensor without products of inertia have no such errors: they are exactly equal, or they differ by more. */
+   tensor without products of inertia have no such errors: they are exactly equal, or they differ by more than such
+   errors. */
 VM_API int vmi_torque_free_are_equal(vm_two a, vm_two b)
 {
     const vm_real few = 64 * VM_EPSILON * VM_EPSILON;
     return VM_FABS(vmi_two_minus(a, b).hi) <= few * (a.hi + b.hi);
 }
 
-/* A body in its axes 1, 2, 3, which are right-handed */
+/* The moments of inertia and omega of a body in its axes 1, 2, 3, which are right-handed */
 typedef struct VM_TAG(vmi_torque_free_axes) {
     vm_two I1, I2, I3;    /* the principal moments */
     vm_two d12, d23, d13; /* the differences |I1 - I2|, |I2 - I3|, |I1 - I3| of the moments */
@@ -243,7 +245,8 @@ VM_API int vmi_torque_free_is_about_smallest(const vm_two *J, const int *order, 
     return separation.hi >= 0;
 }
 
-/* Returns the body's quantities in its axes 1, 2, 3. Axis 3 is reversed if the axes would otherwise be left-handed. */
+/* Returns the moments of inertia and omega of a body in its axes 1, 2, 3. Axis 3 is reversed if the axes would
+   otherwise be left-handed. */
 VM_API vmi_torque_free_axes vmi_torque_free_order(const vmi_torque_free_body *b)
 {
     const vm_two *J = b->moment, *w = b->omega.x;
