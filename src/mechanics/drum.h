@@ -158,9 +158,9 @@ VM_API int vm_drum_at(const vm_drum *d, vm_real phi, vm_drum_geometry *g)
 /* Exact right-hand side of the drum on an elastic shaft.
    Its type is ode_rhs, so that integrators such as rk45 can call it. The state y has VM_DRUM_STATES numbers. `drum`
    must point to a vm_drum. The equations replace (177) and (191), which neglect that the mass centre moves inside the
-   drum, and in which the torque of the shaft has the wrong sign. Let
-   rS = (xS, yS) be the deflection of the shaft, k the unit vector along z, and q = mu R (sin phi, 1 - cos phi). With
-   the cross product x and a prime ' for d/dt, the equations are
+   drum, and in which the torque of the shaft has the wrong sign. Let rS = (xS, yS) be the deflection of the shaft, k
+   the unit vector along z, and q = mu R (sin phi, 1 - cos phi). With the cross product x and a prime ' for d/dt, the
+   equations are
      M rS'' + phi'' k x q - phi'^2 q = -c rS + mu phi' ((0, v) - rS' - phi' k x (R, 0))
      J_S phi'' + q x rS'' = -D phi' + mu phi' R (v - yS' - R phi')
    M is the mass of drum and band, J_S their inertia about the axle; vm_drum explains c, D, mu, v, R. Returns VM_OK or

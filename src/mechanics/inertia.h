@@ -209,7 +209,7 @@ VM_API vm_inertia vmi_inertia_from(const vmi_principal *p)
 }
 
 /* Returns 1 if a body can have the principal moments *p: none is larger than the sum of the other two plus slack (kg
-   m^2). Returns 0 otherwise. It follows that no moment is below -slack. */
+   m^2). It follows that none is below -slack. Returns 0 otherwise. */
 VM_API int vmi_moments_are_possible(const vmi_principal *p, vm_real slack)
 {
     const vm_real a = p->moment[0], b = p->moment[1], c = p->moment[2];

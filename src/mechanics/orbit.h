@@ -10,12 +10,12 @@
        vm_orbit(3600, 3.986004418e14, r, v, &r, &v); // an hour later; the results may be the inputs
 
    The equations. Lengths are in units of |r0|, times in units of sqrt(|r0|^3/mu), where r0 and v0 are the vector r and
-   the velocity v at t = 0. Let sigma = r0 v0 (the dot
-   product) and beta = 2 - v0^2. Stumpff's functions of a variable s are, in the form used here,
+   the velocity v at t = 0. Let sigma = r0 v0 (the dot product) and beta = 2 - v0^2. Stumpff's functions of a variable s
+   are, in the form used here,
      G1 = s - beta s^3/3! + ..., G2 = s^2/2! - beta s^4/4! + ..., G3 = s^3/3! - beta s^5/5! + ...
    The functions G1, G2, G3 consist of sines and cosines of sqrt(beta) s for beta > 0, and of hyperbolic functions for
    beta < 0. The time is t = s + sigma G2 + (1 - beta) G3. Its derivative dt/ds = 1 + sigma G1 + (1 - beta) G2 is the
-   distance R. Then
+   distance R = |r|. Then
      r = (1 - G2) r0 + (t - G3) v0,  v = -G1/R r0 + (1 - G2/R) v0.
    For Meshchersky's law let f = 1 + c t, r = f xi and tau = t/f. Then xi, as a function of the time tau, obeys the
    equation for constant mu.
@@ -24,12 +24,11 @@
    tau = ln(1 + c t)/c and ' = d/dtau its equation becomes
      xi'' = (c^2/4) xi - mu xi/|xi|^3.
    Therefore |xi'|^2/2 - mu/|xi| - c^2 |xi|^2/8 and the cross product xi x xi' (the angular momentum) are constant. If s
-   is defined by
-   d tau = |xi| ds, the distance |xi| is an elliptic function of s. But tau and the angle are elliptic integrals of the
-   third kind, whose parameters are the roots of a polynomial of degree 4. These parameters are complex for most orbits,
-   and there are three kinds of them. The function tau(s) must be inverted by iteration. Digits cancel where two roots
-   are close: next to a circle, and for small mu or c. Integration of the equation in t or in tau by rk87 avoids all
-   these difficulties (tests/test_orbit.c, test_second_law).
+   is defined by d tau = |xi| ds, the distance |xi| is an elliptic function of s. But tau and the angle are elliptic
+   integrals of the third kind, whose parameters are the roots of a polynomial of degree 4. These parameters are complex
+   for most orbits, and there are three kinds of parameters. The function tau(s) must be inverted by iteration. Digits
+   cancel where two roots are close: next to a circle, and for small mu or c. Integration of the equation in t or in tau
+   by rk87 avoids all these difficulties (tests/test_orbit.c, test_second_law).
 
    Tests: tests/test_orbit.c. */
 #ifndef VARMASS_MECHANICS_ORBIT_H

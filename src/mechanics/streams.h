@@ -118,8 +118,7 @@ VM_INLINE vm_inertia vmi_stream_own(vm_real rate, const vm_inertia *gyration)
 /* Sets *p to the momentum, and *h to the angular momentum about the mass centre, of the mass that flows between the
    stores of the streams and the surface of the body. `centre` is the position of the mass centre, from the body's
    reference point. If a stream of rate M' flows in a straight line between its store at the position a and the surface
-   at the position b, the flowing mass has the momentum M' (a - b) at any
-   speed. */
+   at the position b, the flowing mass has the momentum M' (a - b) at any speed. */
 VM_INLINE void vmi_stream_on_the_way(int n, const vm_stream *s, vm_vec3 centre, vm_vec3 *p, vm_vec3 *h)
 {
     int k;

@@ -307,8 +307,8 @@ VM_API void vmi_torque_free_prepare(vm_torque_free *motion, const vmi_torque_fre
 
 /* ---- at a time ---- */
 
-/* Returns the product rate t, in turns, minus a whole number of turns. The result lies between -1 and 1. Beyond 2^(2p -
-   4) turns the result has no meaning; p is the number of binary digits of the type vm_real. */
+/* Returns the product rate t, in turns, minus a whole number of turns. The result lies between -1 and 1. The result has
+   no meaning beyond 2^(2p - 4) turns, where p is the number of binary digits of the type vm_real. */
 VM_API vm_two vmi_torque_free_fraction(vm_two rate, vm_two t)
 {
     const vm_two p = vmi_two_product(rate.hi, t.hi);
@@ -484,7 +484,7 @@ VM_API int vm_torque_free_attitude(const vm_torque_free *motion, vm_real t, vm_q
     return VM_OK;
 }
 
-/* Sets *body to a torque-free body at the time t (s). t may be later or earlier than t0. The attitude and omega are
+/* Sets *body to the body of *motion at the time t (s). t may be later or earlier than t0. The attitude and omega are
    those of vm_torque_free_attitude, but here omega has its components along the inertial axes. The mass centre has
    moved on a straight line at constant velocity. The statuses are those of vm_torque_free_attitude; after an error
    *body is unchanged. */

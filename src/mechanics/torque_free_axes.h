@@ -1,10 +1,10 @@
 /* mechanics/torque_free_axes.h - principal axes of a rotating body in two words, in the order of torque_free.h
-   This chapter is the first step of the preparation in torque_free.h. It finds the principal moments of inertia
-   J_a >= J_b >= J_c, the principal axes a, b, c and the components w_a, w_b, w_c of the angular velocity omega along
-   these axes. Each of these numbers is stored in two words, as the sum of two vm_reals, because the rates that follow
-   from them are multiplied by long times. Then this chapter numbers the axes 1, 2, 3. Axis 2 is b, the axis of the
-   middle moment. Axis 3 is the axis around which the vector omega moves in the body. Axis 3 is a or c, depending on the
-   sign of
+   This chapter is the first step of the preparation in torque_free.h. It finds the principal moments of inertia J_a >=
+   J_b >= J_c, the principal axes a, b, c and the components w_a, w_b, w_c of the angular velocity omega along these
+   axes. Each of these numbers is stored in two words, as the sum of two vm_reals, because the rates that follow from
+   them are multiplied by long times. Then this chapter numbers the axes 1, 2, 3. Axis 2 is b, the axis of the middle
+   moment. Axis 3 is the axis around which the vector omega moves in the body. Axis 3 is a or c, depending on the sign
+   of
      2T J_b - L^2 = J_c (J_b - J_c) w_c^2 - J_a (J_a - J_b) w_a^2,
    where T is the kinetic energy and L the size of the angular momentum. If this number is positive or 0, axis 3 is c,
    the axis of the smallest moment; else axis 3 is a. If the number is 0, omega tends to the direction of axis 2 as time
