@@ -67,10 +67,10 @@ typedef struct VM_TAG(vm_broken_rotor_piece) {
 } vm_broken_rotor_piece;
 
 /* The result of the break, (52)-(64) as corrected in docs/errata.md. S, S2 and A are the points of
-   vm_broken_rotor_piece, and S1 is the mass centre of the remainder. M, I_S, m, I_S2 are mass and inertia of the whole
-   and of the piece; I_S1 is the inertia of the remainder. The dissertation [1] assumes in (57) that the point A of the
-   piece keeps its velocity, and that the component of S2's velocity perpendicular to S2A becomes zero. Everything else
-   follows from the conservation of momentum and angular momentum. */
+   vm_broken_rotor_piece, and S1 is the mass centre of the remainder. M and I_S are the mass and the inertia of the
+   whole, m and I_S2 those of the piece, and I_S1 is the inertia of the remainder. The dissertation [1] assumes in (57)
+   that the point A of the piece keeps its velocity, and that the component of S2's velocity perpendicular to S2A
+   becomes zero. Everything else follows from the conservation of momentum and angular momentum. */
 typedef struct VM_TAG(vm_broken_rotor_break) {
     vm_broken_rotor rest; /* the remainder, with its own mass, inertia and s = m SS2/(M - m); its stiffness, damping
                              and torque are those of the whole */

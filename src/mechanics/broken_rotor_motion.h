@@ -164,8 +164,8 @@ VM_API vm_real vmi_broken_rotor_less_sine(vm_real w, vm_real sine)
     return w * sum;
 }
 
-/* Functions of the time t that describe a free oscillation with the angular frequency w. If w is 0, the fields have
-   their limits as w tends to 0. */
+/* Functions of the time t that describe a free oscillation with the angular frequency w. If w is 0, the fields are the
+   limits of these functions as w tends to 0. */
 typedef struct VM_TAG(vmi_broken_rotor_swing) {
     vm_real c;    /* cos(w t) */
     vm_real c1;   /* 1 - cos(w t) */
@@ -256,7 +256,7 @@ VM_API int vmi_broken_rotor_linearised(const vm_broken_rotor *rotor, vm_real t, 
     return vmi_copy_if_finite(VM_BROKEN_ROTOR_STATES, y, end);
 }
 
-/* State of the remainder t seconds after start, by the complete linearised equations (69).
+/* State of the remainder t seconds after the state `start`, by the complete linearised equations (69).
    The result describes the rotor for short times, while |psi| << 1, because solutions of (69) grow exponentially with
    t. t may have any sign. The arrays start and end have VM_BROKEN_ROTOR_STATES numbers, and end may be the same array
    as start. The fields damping, stiffness and s may be 0. If all inputs, t included, were rounded, the result would
@@ -268,7 +268,7 @@ VM_API int vm_broken_rotor_linear(const vm_broken_rotor *rotor, vm_real t, const
     return vmi_broken_rotor_linearised(rotor, t, start, 1, end);
 }
 
-/* State of the remainder t seconds after start by (70)-(72), which lack one term of (69).
+/* State of the remainder t seconds after the state `start`, by the solution (70)-(72), which lacks one term of (69).
    The dissertation [1] leaves out the term -s p^2 omega^2 y, although it is as large as the other terms. Use this
    function only to compare [1] with vm_broken_rotor_linear. If all inputs were rounded, the result would change; the
    error of the function is at most this change. The arguments and the statuses are those of vm_broken_rotor_linear. */
@@ -277,7 +277,7 @@ VM_API int vm_broken_rotor_linear_uncoupled(const vm_broken_rotor *rotor, vm_rea
     return vmi_broken_rotor_linearised(rotor, t, start, 0, end);
 }
 
-/* State of the unbroken rotor t seconds after start, exact, (46)-(51).
+/* State of the unbroken rotor t seconds after the state `start`, by the exact solution (46)-(51).
    t may have any sign. The arrays start and end have VM_BROKEN_ROTOR_STATES numbers, and end may be the same array as
    start. The fields damping and stiffness may be 0. If all inputs, t included, were rounded, the result would change;
    the error of the function is at most this change. Returns VM_BAD_ARGUMENT for a null pointer; VM_NOT_FINITE if an

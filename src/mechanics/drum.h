@@ -155,7 +155,7 @@ VM_API int vm_drum_at(const vm_drum *d, vm_real phi, vm_drum_geometry *g)
     return VM_OK;
 }
 
-/* Exact right-hand side of the drum on an elastic shaft.
+/* Right-hand side of the exact equations of motion of the drum on an elastic shaft.
    Its type is ode_rhs, so that integrators such as rk45 can call it. The state y has VM_DRUM_STATES numbers. `drum`
    must point to a vm_drum. The equations replace (177) and (191), which neglect that the mass centre moves inside the
    drum, and in which the torque of the shaft has the wrong sign. Let rS = (xS, yS) be the deflection of the shaft, k
@@ -194,7 +194,7 @@ VM_API int vm_drum_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *drum)
     return VM_OK;
 }
 
-/* Right-hand side of the drum on an elastic shaft for a light band, (192), (193).
+/* Right-hand side of the equations of motion of the drum on an elastic shaft, for a light band, (192), (193).
    Its type is ode_rhs. The state y has VM_DRUM_STATES numbers. `drum` must point to a vm_drum. If the mass mu of the
    band per angle is small, the equations of vm_drum_rhs can be reduced to (192), (193). Unlike (192), this function
    contains the force mu R phi'^2 (sin phi, -cos phi) of the unbalance, because it is of the same order as the terms
@@ -268,7 +268,7 @@ VM_API vm_real vm_drum_rate(const vm_drum *d, vm_real phi)
     return vmi_two_over(up, down).hi;
 }
 
-/* Right-hand side of the elastic shaft's vibration as a function of the angle phi, (210), (211).
+/* Right-hand side of the equations of the shaft's vibration as a function of the angle phi, (210), (211).
    Its type is ode_rhs. The state y has VM_DRUM_ANGLE_STATES numbers. `drum` must point to a vm_drum. The independent
    variable is the angle phi instead of time. The drum has the angular velocity phi' that it would have on a rigid shaft
    (196). Returns VM_BAD_ARGUMENT for a null pointer; VM_DOMAIN if the drum comes to rest before it reaches phi; else a
@@ -296,7 +296,7 @@ VM_API int vm_drum_rhs_angle(vm_real phi, const vm_real *y, vm_real *dydt, void 
     return VM_OK;
 }
 
-/* Right-hand side of the drum on an elastic shaft as a function of the angle phi, (210)-(212).
+/* Right-hand side of the equations of the drum on an elastic shaft as a function of the angle phi, (210)-(212).
    Its type is ode_rhs. The state y has VM_DRUM_COUPLED_STATES numbers. `drum` must point to a vm_drum. The independent
    variable is the angle phi instead of time. Unlike vm_drum_rhs_angle, the function does not take the angular velocity
    u = dphi/dt from the rigid shaft, but integrates it together with the deflection x, y (m) and the time t (s). A prime
@@ -567,7 +567,8 @@ VM_API void vmi_drum_sinc(vm_real x, vm_real *sinc, vm_real *cosine)
      x = U (sin phi - sin(k phi)/k)/(k^2 - 1),   y = -U (cos phi - cos(k phi))/(k^2 - 1).
    At the resonance k = 1 the function computes the limits of these formulas, which grow with phi. phi >= 0 is in rad.
    Let h be the largest of mu/M0, j/J0, |e|/(J0 Omega_b) and the deflections divided by R. The error of the whole
-   deflection is of the order of h^2. Rounding errors are a few eps times U phi (1 + phi), and in x a few eps times
+   deflection is of the order of h^2. The rounding errors are a few eps times U phi (1 + phi), and those of x a few eps
+   times
    U phi (1 + phi)/k. Returns VM_BAD_ARGUMENT for a null pointer; VM_NOT_FINITE if an argument or the result is infinite
    or NaN; VM_DOMAIN if phi is negative; else a status of vm_drum_shaft_init. */
 VM_API int vm_drum_unbalance(const vm_drum *d, vm_real phi, vm_real deflection[2], vm_real slope[2])

@@ -68,9 +68,10 @@ enum {
     VM_Y_CENTRE = 14,  /* vector from the reference point to the mass centre, 3 numbers, body axes, m */
     VM_Y_INERTIA = 17, /* inertia xx, yy, zz, xy, xz, yz about the mass centre, body axes, kg m^2 */
     VM_Y_BALANCE = 23, /* integrals of vm_flow_balanced_rhs: 3 of momentum, 3 of angular momentum, 1 of energy */
-    VM_FLOW_GIVEN_STATES = 13,   /* states if flow.update gives the mass data: vm_flow_given_rhs, vm_flow_carried_rhs */
-    VM_FLOW_STATES = 23,         /* states of vm_flow_rhs; mass, mass centre and inertia are among them */
-    VM_FLOW_BALANCED_STATES = 30 /* states of vm_flow_balanced_rhs: those of vm_flow_rhs and the 7 integrals */
+    VM_FLOW_GIVEN_STATES = 13,   /* number of states of vm_flow_given_rhs and vm_flow_carried_rhs */
+    VM_FLOW_STATES = 23,         /* number of states of vm_flow_rhs; mass, mass centre and inertia are among them */
+    VM_FLOW_BALANCED_STATES = 30 /* number of states of vm_flow_balanced_rhs: those of vm_flow_rhs and the 7
+                                    integrals */
 };
 
 /* The streams and loads of a body. The right-hand sides below get a pointer to this struct as their last argument. Set
@@ -237,7 +238,7 @@ VM_INLINE int vmi_flow_rates(vm_flow *flow, int n, vm_real t, const vm_real *y, 
     return 0;
 }
 
-/* Right-hand side of a free body whose streams change its mass (151), (152).
+/* Right-hand side of the equations of motion of a free body whose streams change its mass (151), (152).
    Its type is ode_rhs, so that integrators such as rk45 can call it. The state y has VM_FLOW_STATES numbers. `flow`
    must point to a vm_flow. The equations are given at the top of mechanics/flow.h. Returns 0 or another number, which
    ends the run: VM_BAD_ARGUMENT for a null pointer, for n < 0 and for an unknown `motion` of a stream; VM_SHORT_ARRAY
@@ -248,7 +249,7 @@ VM_API int vm_flow_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow)
     return vmi_flow_rates((vm_flow *)flow, VM_FLOW_STATES, t, y, dydt);
 }
 
-/* Right-hand side of a free body with given laws of mass, mass centre and inertia.
+/* Right-hand side of the equations of motion of a free body with given laws of mass, mass centre and inertia.
    Its type is ode_rhs. The state y has VM_FLOW_GIVEN_STATES numbers. `flow` must point to a vm_flow, whose function
    `update` must set mass, centre and inertia for the time t. The streams cause forces and moments as in vm_flow_rhs,
    but do not change the mass. Without streams the equations are (170): the mass that joins or leaves is at rest and at
@@ -267,8 +268,8 @@ VM_API int vm_flow_given_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *f
    The sum of an integral and the corresponding quantity of the body stays constant. (There are two exceptions if a
    stream has a store. The angular momentum in this sum is then y[VM_Y_H] + r x p, and the sum of the energies does not
    stay constant.)
-   (113) and (118) give the change of the kinetic energy T by a sudden change of mass. Their limit for a continuous
-   stream, with M' > 0 or M' < 0, is the rate T'. With the letters of the equations at the top of mechanics/flow.h:
+   (113) and (118) give the change of the kinetic energy T by a sudden change of mass. For a continuous stream, with M'
+   > 0 or M' < 0, they give in the limit the rate T'. With the letters of the equations at the top of mechanics/flow.h:
      T' = F v + M_S omega + sum [M' u^2 + omega2 M' kappa omega2]/2 - sum [M' w^2 + omega_r M' kappa omega_r]/2,
      w = u - v - omega x d, omega_r = omega2 - omega.
    The first sum is the power that the streams bring. For M' < 0 the second term, with its minus sign, is the power of
@@ -279,7 +280,7 @@ VM_API int vm_flow_balanced_rhs(vm_real t, const vm_real *y, vm_real *dydt, void
     return vmi_flow_rates((vm_flow *)flow, VM_FLOW_BALANCED_STATES, t, y, dydt);
 }
 
-/* Right-hand side of a free body that loses or gains mass which moves with the body (166).
+/* Right-hand side of the equations of motion of a free body whose lost or gained mass moves with the body (166).
    Its type is ode_rhs. The state y has VM_FLOW_GIVEN_STATES numbers. `ctx` must point to a vm_flow, whose function
    `update` must set mass, inertia and drift for the time t. The states are r, q, the velocity v (not the momentum) and
    omega in body axes (not the angular momentum). The function does not use the streams of the flow. The equations are

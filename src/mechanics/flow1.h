@@ -49,7 +49,7 @@ enum {
 typedef struct VM_TAG(vm_stream1) {
     vm_real rate;     /* mass per time, kg/s (axle: kg m^2/s); > 0: mass joins, < 0: mass leaves */
     vm_real velocity; /* velocity of the stream's mass, m/s (axle: rad/s) */
-    int motion;       /* how the velocity is given: VM_RELATIVE, VM_ABSOLUTE, VM_CARRIED, VM_AT_REST */
+    int motion;       /* what `velocity` means: VM_RELATIVE, VM_ABSOLUTE, VM_CARRIED or VM_AT_REST */
 } vm_stream1;
 
 /* The streams and the load of a body on a line or an axle. vm_flow1_rhs gets a pointer to this struct as its last
@@ -110,7 +110,7 @@ VMI_APART int vmi_translation_updated_rates(vm_real t, const vm_real *y, vm_real
     return vmi_translation_rates(flow, y, dydt);
 }
 
-/* Right-hand side of a body in translation with streams of mass: r' = p/M, p' = F + sum M' u (172).
+/* Right-hand side of the equations of translation with streams of mass: r' = p/M, p' = F + sum M' u (172).
    Its type is ode_rhs, so that integrators such as rk45 can call it. The state y has VM_TRANSLATION_STATES numbers.
    `flow` must point to a vm_flow, of which n, streams, force, update, y_size and status are used. r is the position of
    the mass centre, p the momentum, M the mass and F the outer force. The sum is over all streams; M' is the rate of a
@@ -157,7 +157,7 @@ VMI_APART int vmi_flow1_updated_rates(vm_real t, const vm_real *y, vm_real *dydt
     return vmi_flow1_rates(flow, y, dydt);
 }
 
-/* Right-hand side of a body on a line or an axle with streams of mass, (173a), (175), (176).
+/* Right-hand side of the equations of motion of a body on a line or an axle with streams, (173a), (175), (176).
    Its type is ode_rhs. The state y has VM_FLOW1_STATES numbers. `flow1` must point to a vm_flow1. The equations for the
    position x, the momentum p and the mass M are x' = p/M, p' = F + sum of M_i u_i, M' = sum of M_i. F is the outer
    force. Each sum is over all streams; M_i is the rate of stream number i, and u_i is the velocity of its mass. Returns

@@ -38,7 +38,7 @@ enum {
 /* A stream of mass in the plane */
 typedef struct VM_TAG(vm_stream2) {
     vm_real rate;     /* mass per time, kg/s; > 0: mass joins the body, < 0: mass leaves it */
-    int motion;       /* how velocity and spin are given: VM_RELATIVE, VM_ABSOLUTE, VM_CARRIED, VM_AT_REST */
+    int motion;       /* what velocity and spin mean: VM_RELATIVE, VM_ABSOLUTE, VM_CARRIED or VM_AT_REST */
     vm_real x, y;     /* point at which the mass enters or leaves, from the body's reference point, m, body axes */
     vm_real vx, vy;   /* velocity of the mass as it enters or leaves the body, m/s */
     vm_real spin;     /* angular velocity of the mass as it enters or leaves the body, rad/s */
@@ -159,7 +159,7 @@ VM_INLINE int vmi_flow2_check_state(const vm_real *y)
     return VM_OK;
 }
 
-/* Right-hand side of a body in the plane with streams of mass, (151), (152).
+/* Right-hand side of the equations of motion of a body in the plane with streams of mass, (151), (152).
    Its type is ode_rhs, so that integrators such as rk45 can call it. The state y has VM_FLOW2_STATES numbers. `ctx`
    must point to a vm_flow2. The equations are those at the top of mechanics/flow.h. Returns 0 or another number, which
    ends the run: VM_BAD_ARGUMENT for a null pointer, for n < 0 and for an unknown `motion` of a stream; or the number

@@ -46,7 +46,7 @@ typedef struct VM_TAG(vmi_lump) {
     vm_vec3 r, v;       /* position and velocity of the mass centre, minus r and v of the frame */
     vm_vec3 h;          /* angular momentum about the mass centre, relative to the frame; inertial axes */
     vm_inertia inertia; /* inertia about the lump's mass centre, along the axes given by the frame's q */
-    vm_inertia sizes;   /* for each entry of inertia, the sum of the absolute values of its terms */
+    vm_inertia sizes;   /* for each entry of `inertia`, the sum of the absolute values of the entry's terms */
     vm_real noise;      /* the sum of the absolute values of the terms of h; the error of h is a few eps times noise */
 } vmi_lump;
 
@@ -341,9 +341,9 @@ VM_API int vm_combine_inertia(vm_real mass_a, const vm_inertia *a, vm_real mass_
     return vmi_joined_inertia(mass_a, a, VMI_ATTACH, mass_b, b, d, whole, centre);
 }
 
-/* Inertia of what remains of a body without a part, about the mass centre of the rest: (13)-(15), (40). This function
-   is the inverse of vm_combine_inertia. d (m) leads from the mass centre of the whole to that of the part. The result
-   *centre (m) leads from the mass centre of the whole to that of the rest. The statuses are those of
+/* Inertia of the rest of a body after a part has left it, about the mass centre of the rest: (13)-(15), (40). This
+   function is the inverse of vm_combine_inertia. d (m) leads from the mass centre of the whole to that of the part. The
+   result *centre (m) leads from the mass centre of the whole to that of the rest. The statuses are those of
    vm_combine_inertia. */
 VM_API int vm_split_inertia(vm_real mass, const vm_inertia *whole, vm_real part_mass, const vm_inertia *part,
                             vm_vec3 d, vm_inertia *rest, vm_vec3 *centre)

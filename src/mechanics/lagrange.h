@@ -66,7 +66,8 @@ typedef struct VM_TAG(vm_lagrange_system) {
        to go on; any other number ends the run. */
     int (*forces)(vm_real t, const vm_real *q, const vm_real *rates, const vm_real *masses, vm_real *Q, void *ctx);
     void *ctx;             /* the argument ctx of the three functions above */
-    const vm_real *scales; /* for each coordinate, the change of it that changes T noticeably; NULL means 1 for all */
+    const vm_real *scales; /* for each coordinate, the change of it that changes T noticeably; NULL means that each of
+                              these changes is 1 */
     vm_real *work;         /* array of VM_LAGRANGE_RHS_WORK(n, n_masses) numbers, provided by the caller */
 } vm_lagrange_system;
 

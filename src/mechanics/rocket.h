@@ -1,8 +1,9 @@
 /* mechanics/rocket.h - closed forms: velocity by momentum, Tsiolkovsky's rocket, linear flow, jet damping
 
-   These are motions with streams of mass that need no integrator: the velocity of a body as a function of its mass,
-   (151), (171), (175), (176); the motion along a line while the mass changes at a constant rate; and the angular
-   velocity of a spinning rocket that its jet damps. The formulas stay accurate as the rate of the mass tends to zero.
+   This chapter has closed formulas for motions with streams of mass, so that no integrator is needed. They give the
+   velocity of a body as a function of its mass, (151), (171), (175), (176); the motion along a line while the mass
+   changes at a constant rate; and the angular velocity of a spinning rocket whose rotation the jet damps. The formulas
+   stay accurate as the rate of the mass tends to zero.
 
        vm_real v = vm_tsiolkovsky(0, 100, 40, -2500); // m/s: from 100 kg to 40 kg, jet at 2500 m/s backwards
 

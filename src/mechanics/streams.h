@@ -48,7 +48,7 @@ typedef struct VM_TAG(vm_store) {
 /* A stream of mass in space. Every field may be zero. */
 typedef struct VM_TAG(vm_stream) {
     vm_real rate;         /* mass per time, kg/s; > 0: mass joins the body, < 0: mass leaves it */
-    int motion;           /* how velocity and spin are given: VM_RELATIVE, VM_ABSOLUTE, VM_CARRIED, VM_AT_REST */
+    int motion;           /* what velocity and spin mean: VM_RELATIVE, VM_ABSOLUTE, VM_CARRIED or VM_AT_REST */
     vm_vec3 at;           /* point at which the mass enters or leaves, from the body's reference point, m, body axes */
     vm_vec3 velocity;     /* velocity of the mass as it enters or leaves the body, m/s */
     vm_vec3 spin;         /* angular velocity of the mass as it enters or leaves the body, rad/s */
@@ -159,10 +159,10 @@ typedef struct VM_TAG(vmi_stream_sum) {
                            mixing */
 } vmi_stream_sum;
 
-/* Adds one stream, whose `motion` is known, to sum->carried, sum->pushed and sum->absolute. Sets *push = M' (u - v),
-   where M' is the rate, u the velocity of the mass and v that of the body, and *spin to the angular velocity of the
-   mass. The argument `carried` is the velocity of the body's point at which the mass enters or leaves, minus v. All
-   vectors are in body axes. */
+/* Adds the terms of one stream to sum->carried, sum->pushed and sum->absolute. The field `motion` of the stream must
+   have one of the known values. Sets *push = M' (u - v), where M' is the rate, u the velocity of the mass and v that of
+   the body, and *spin to the angular velocity of the mass. The argument `carried` is the velocity of the body's point
+   at which the mass enters or leaves, minus v. All vectors are in body axes. */
 VM_INLINE void vmi_stream_motion(const vm_stream *s, const vmi_stream_seen *b, vm_vec3 carried, vmi_stream_sum *sum,
                                  vm_vec3 *push, vm_vec3 *spin)
 {
@@ -200,7 +200,8 @@ VM_INLINE void vmi_stream_energy(const vm_stream *s, const vmi_stream_seen *b, c
     sum->lost += s->rate * vm_dot(w, w) + vm_dot(relative, vmi_inertia_times(own, relative));
 }
 
-/* Computes the sums *sum over n streams of a moving body. Returns 0 if the `motion` of a stream is unknown, else 1. */
+/* Computes the sums of vmi_stream_sum over the n streams of a moving body. Returns 0 if the `motion` of a stream is
+   unknown, else 1. */
 VM_INLINE int vmi_stream_sums(int n, const vm_stream *s, const vmi_stream_seen *b, vmi_stream_sum *sum)
 {
     const vmi_stream_sum none = {0,         0,         {0, 0, 0},          {0, 0, 0}, {0, 0, 0}, {0, 0, 0},

@@ -35,7 +35,7 @@
 enum {
     VM_TANK_OF_LIQUID = 0, /* constant density; the tank empties from the lower end, and its surface stays normal to the
                               axis. The liquid turns with the tank */
-    VM_TANK_OF_GAS = 1,    /* constant volume; the density is the same everywhere, and falls */
+    VM_TANK_OF_GAS = 1,    /* constant volume; the density is the same everywhere, and falls as gas leaves */
     VM_GRAIN = 2           /* constant density; a hollow cylinder that burns from its bore outwards, not at its ends */
 };
 

@@ -1,4 +1,4 @@
-/* mechanics/torque_free_axes.h - principal axes of a rotating body in two words, in the order of torque_free.h
+/* mechanics/torque_free_axes.h - principal axes of a rotating body in two words, numbered as in torque_free.h
    This chapter is the first step of the preparation in torque_free.h. It finds the principal moments of inertia J_a >=
    J_b >= J_c, the principal axes a, b, c and the components w_a, w_b, w_c of the angular velocity omega along these
    axes. Each of these numbers is stored in two words, as the sum of two vm_reals, because the rates that follow from
