@@ -89,8 +89,8 @@ VM_API int vmi_axle_direction(const vm_axle *axle, vm_vec3 *e)
 }
 
 /* Sets the motion of the body *b about the axle, and computes the impulse of the axle. *b must already have the mass,
-   the inertia and the position after the jump. *sum contains the sums P and L and the vector `arm`. `before` is the
-   angular velocity of the body about the axle before the jump. Returns VM_NULL_AXIS if *b has no inertia about the
+   the inertia and the position after the jump. *sum contains the quantities that vmi_axle_sum describes. `before` is
+   the angular velocity of the body about the axle before the jump. Returns VM_NULL_AXIS if *b has no inertia about the
    axle, but would need angular momentum about it, else VM_OK. */
 VM_API int vmi_axle_turn(vm_vec3 O, vm_vec3 e, vm_vec3 before, const vmi_axle_sum *sum, vm_body *b,
                          vm_impulse *reaction)

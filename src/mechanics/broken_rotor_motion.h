@@ -192,12 +192,12 @@ VM_API vmi_broken_rotor_swing vmi_broken_rotor_swing_at(vm_real t, vm_real w)
 }
 
 /* Advances the states z by the time t with the solution (71), (72), which lacks the coupling term s p^2 omega^2 y.
-   Where the dissertation [1] has k* Omega, this function has M*. It is used if |t| times vmi_broken_rotor_rate exceeds
-   1. Let w = omega and k = k*. The initial angle is psi0, and its initial rate is rate0. Then the angle is psi = psi0 +
-   rate0 E1 + M* E2, where E1 = (1 - e^(-kt))/k and E2 = (t - E1)/k. E0 = e^(-kt) is the derivative of E1. The angle
-   influences y by the equation y'' + w^2 y = -w^2 s psi. The functions g0, g1, g2 give the response of y: each solves
-   g'' + w^2 g = F with g = g' = 0 at the start, where F is w^2 E0 for g0, w^2 E1 for g1 and w^2 E2 for g2. Therefore
-   g2' = g1 and g1' = g0. */
+   Where the dissertation [1] has k* Omega, this function has M*. This function is used if |t| times
+   vmi_broken_rotor_rate exceeds 1. Let w = omega and k = k*. The initial angle is psi0, and its initial rate is rate0.
+   Then the angle is psi = psi0 + rate0 E1 + M* E2, where E1 = (1 - e^(-kt))/k and E2 = (t - E1)/k. E0 = e^(-kt) is the
+   derivative of E1. The angle influences y by the equation y'' + w^2 y = -w^2 s psi. The functions g0, g1, g2 give the
+   response of y: each solves g'' + w^2 g = F with g = g' = 0 at the start, where F is w^2 E0 for g0, w^2 E1 for g1 and
+   w^2 E2 for g2. Therefore g2' = g1 and g1' = g0. */
 VM_API void vmi_broken_rotor_follow(vm_real t, const vmi_broken_rotor_linear *a, const vmi_broken_rotor_swing *g,
                                     vm_real *z)
 {

@@ -42,10 +42,9 @@ VM_API vm_real vmi_broken_rotor_detuning(const vm_broken_rotor *r, vm_real Omega
 /* Radius of the mass centre's circle in steady motion at psi' = Omega, m: s omega^2/(omega^2 - Omega^2), (76), (77).
    Omega is in rad/s. The motion is steady only if torque = damping Omega (47). For Omega^2 < omega^2 the radius is
    positive and the direction of the mass centre is phi = psi + pi, as in (77). For Omega^2 > omega^2 the radius is
-   negative and
-   phi = psi, as in (76). The relative error is within 3 eps, even very close to resonance. Returns infinity at
-   resonance (NaN for s = 0), and NaN for a null pointer or for a rotor with a value that vm_broken_rotor does not
-   allow. */
+   negative and phi = psi, as in (76). The relative error is within 3 eps, even very close to resonance. Returns
+   infinity at resonance (NaN for s = 0), and NaN for a null pointer or for a rotor with a value that vm_broken_rotor
+   does not allow. */
 VM_API vm_real vm_broken_rotor_steady_radius(const vm_broken_rotor *rotor, vm_real Omega)
 {
     vm_real detuning, share;

@@ -127,7 +127,7 @@ VM_API int vmi_drum_finite(const vm_drum *d)
            VM_IS_FINITE(d->omega);
 }
 
-/* Mass, mass centre and inertia of the drum with its band at an angle, (182)-(188).
+/* Mass, mass centre and inertia of the drum with its band at the angle phi, (182)-(188).
    The angle phi >= 0 is in rad. Returns VM_BAD_ARGUMENT for a null pointer; VM_NOT_FINITE if an argument or the result
    is infinite or NaN; VM_BAD_MASS if the field `mass` is not positive or `band` is negative; VM_BAD_STIFFNESS if the
    stiffness is negative; VM_BAD_INERTIA if the field `inertia` or the inertia J_S1 (188) is not positive; VM_DOMAIN if
@@ -568,9 +568,8 @@ VM_API void vmi_drum_sinc(vm_real x, vm_real *sinc, vm_real *cosine)
    At the resonance k = 1 the function computes the limits of these formulas, which grow with phi. phi >= 0 is in rad.
    Let h be the largest of mu/M0, j/J0, |e|/(J0 Omega_b) and the deflections divided by R. The error of the whole
    deflection is of the order of h^2. The rounding errors are a few eps times U phi (1 + phi), and those of x a few eps
-   times
-   U phi (1 + phi)/k. Returns VM_BAD_ARGUMENT for a null pointer; VM_NOT_FINITE if an argument or the result is infinite
-   or NaN; VM_DOMAIN if phi is negative; else a status of vm_drum_shaft_init. */
+   times U phi (1 + phi)/k. Returns VM_BAD_ARGUMENT for a null pointer; VM_NOT_FINITE if an argument or the result is
+   infinite or NaN; VM_DOMAIN if phi is negative; else a status of vm_drum_shaft_init. */
 VM_API int vm_drum_unbalance(const vm_drum *d, vm_real phi, vm_real deflection[2], vm_real slope[2])
 {
     vm_drum_shaft s;

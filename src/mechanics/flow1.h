@@ -114,10 +114,10 @@ VMI_APART int vmi_translation_updated_rates(vm_real t, const vm_real *y, vm_real
    Its type is ode_rhs, so that integrators such as rk45 can call it. The state y has VM_TRANSLATION_STATES numbers.
    `flow` must point to a vm_flow, of which n, streams, force, update, y_size and status are used. r is the position of
    the mass centre, p the momentum, M the mass and F the outer force. The sum is over all streams; M' is the rate of a
-   stream and u the velocity of its mass. The body's mass M grows at the sum of all M'. The body axes must be parallel
-   to the inertial axes. The fields at, spin, gyration and from of the streams are not read. Returns 0 or another
-   number, which ends the run: VM_BAD_ARGUMENT for a null pointer, for n < 0 and for an unknown `motion` of a stream;
-   VM_SHORT_ARRAY if y_size is too small; or the number that flow.update returns. */
+   stream and u the velocity of its mass. The rate of the body's mass M is the sum of all M'. The body axes must be
+   parallel to the inertial axes. The fields at, spin, gyration and from of the streams are not read. Returns 0 or
+   another number, which ends the run: VM_BAD_ARGUMENT for a null pointer, for n < 0 and for an unknown `motion` of a
+   stream; VM_SHORT_ARRAY if y_size is too small; or the number that flow.update returns. */
 VM_API int vm_translation_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow)
 {
     if (!y || !dydt || !flow) return VM_BAD_ARGUMENT;

@@ -60,10 +60,10 @@ typedef struct VM_TAG(vm_flow2) {
 } vm_flow2;
 
 /* Computes sine and cosine of x, with errors below 0.6 eps, in fewer operations than vmi_sincos. For |x| up to 2^20
-   quarter turns (float 2^10) it subtracts j pi/2 from x, where j is the integer nearest to x/(pi/2). The function
-   replaces pi/2 by the sum of two numbers: `first` has 33 (float 14) bits, so that j times `first` is exact. The sum of
-   `first` and `second` differs from pi/2 by 2^-87 (float 2^-38). The product of j and `second` has a rounding error of
-   at most 2^-67 (float 2^-28). For larger |x| the function calls vmi_sincos. */
+   quarter turns (float 2^10) the function subtracts j pi/2 from x, where j is the integer nearest to x/(pi/2). The
+   function replaces pi/2 by the sum of two numbers: `first` has 33 (float 14) bits, so that j times `first` is exact.
+   The sum of `first` and `second` differs from pi/2 by 2^-87 (float 2^-38). The product of j and `second` has a
+   rounding error of at most 2^-67 (float 2^-28). For larger |x| the function calls vmi_sincos. */
 VM_INLINE void vmi_sincos_of_angle(vm_real x, vm_real *sine, vm_real *cosine)
 {
 #if VM_MANT_DIG > 24

@@ -73,7 +73,7 @@ VM_INLINE vm_inertia vmi_inertia_along(const vm_inertia *i, const vmi_mat3 *m)
 }
 
 /* Returns, for each entry of the tensor m^T i m, the sum of the absolute values of the entry's terms. The rounding
-   error of an entry is a few eps times its sum. */
+   error of an entry is a few eps times the sum for this entry. */
 VM_INLINE vm_inertia vmi_inertia_sizes(const vm_inertia *i, const vmi_mat3 *m)
 {
     vm_inertia a;

@@ -81,8 +81,8 @@ VM_API int vmi_turn_part(const vmi_frame *frame, const vmi_lump *rest, vm_vec3 r
 
 /* How a part must leave, so that the rest moves as wanted: the inverse of vm_separate. *moving becomes a copy of *part
    with another motion. The velocity of *moving makes the rest move at the velocity *rest_v_or_NULL (m/s), and its
-   angular velocity makes the rest turn with *rest_omega_or_NULL (rad/s). If one of these two pointers is NULL, *moving
-   keeps the velocity, or the angular velocity, of *part.
+   angular velocity makes the rest turn with the angular velocity *rest_omega_or_NULL (rad/s). If one of these two
+   pointers is NULL, *moving keeps the velocity, or the angular velocity, of *part.
      - If *rest_omega_or_NULL is 0, the rest does not turn (Table 2 of [1], cases 5 and 7; Table 4, case 2).
      - If *rest_v_or_NULL is 0, too, the rest is at rest (Table 3, cases 6 and 8).
      - If both are equal to the velocity and the angular velocity of the whole, the rest moves on as the whole did
@@ -164,9 +164,9 @@ VM_API int vmi_turn_part2(const vm_body2 *whole, const vmi_frame *frame, const v
 
 /* How a part must leave in the plane, so that the rest moves as wanted: the inverse of vm_separate2. *moving becomes a
    copy of *part with another motion. The velocity of *moving makes the rest move at (rest_v_or_NULL[0],
-   rest_v_or_NULL[1]), in m/s along x and y. Its angular velocity makes the rest turn with *rest_omega_or_NULL, in
-   rad/s. If one of these two pointers is NULL, *moving keeps the velocity, or the angular velocity, of *part. The
-   statuses are those of vm_separation_for_rest. */
+   rest_v_or_NULL[1]), in m/s along x and y. Its angular velocity makes the rest turn with the angular velocity
+   *rest_omega_or_NULL, in rad/s. If one of these two pointers is NULL, *moving keeps the velocity, or the angular
+   velocity, of *part. The statuses are those of vm_separation_for_rest. */
 VM_API int vm_separation_for_rest2(const vm_body2 *whole, const vm_body2 *part, const vm_impulse2 *external_or_NULL,
                                    const vm_real *rest_v_or_NULL, const vm_real *rest_omega_or_NULL,
                                    vm_body2 *moving)

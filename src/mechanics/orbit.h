@@ -21,7 +21,7 @@
    equation for constant mu.
 
    This chapter has no function for Meshchersky's second law, mu/sqrt(1 + c t). With f = sqrt(1 + c t), r = f xi,
-   tau = ln(1 + c t)/c and ' = d/dtau its equation becomes
+   tau = ln(1 + c t)/c and a prime ' for d/dtau, the equation of motion becomes
      xi'' = (c^2/4) xi - mu xi/|xi|^3.
    Therefore |xi'|^2/2 - mu/|xi| - c^2 |xi|^2/8 and the cross product xi x xi' (the angular momentum) are constant. If s
    is defined by d tau = |xi| ds, the distance |xi| is an elliptic function of s. But tau and the angle are elliptic
@@ -160,7 +160,7 @@ VM_API vm_real vmi_kepler_reduce(vm_real beta, vm_real t)
    the centre, or G (M1 + M2) if r0 and v0 belong to two bodies, one relative to the other. t may be negative. The orbit
    may be an ellipse, a parabola, a hyperbola or a straight line; on a straight line the body turns back at the centre.
    Errors of a few eps in t, r0, v0 and mu would change the result; the error of the function is as large as this
-   change. This error grows with the number of revolutions. A call takes about as long as 50 sines. Returns
+   change. This error grows with the number of revolutions. A call takes about as long as 50 calls of sin. Returns
    VM_BAD_ARGUMENT for a null pointer; VM_NOT_FINITE if an argument or the result is infinite or NaN; VM_DOMAIN for mu
    <= 0 or r0 = 0; VM_OK otherwise. */
 VM_API int vm_orbit(vm_real t, vm_real mu, vm_vec3 r0, vm_vec3 v0, vm_vec3 *r, vm_vec3 *v)

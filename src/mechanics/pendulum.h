@@ -160,8 +160,8 @@ typedef struct VM_TAG(vm_compound_cut) {
                                   O */
     vm_real vx, vy;            /* velocity of the part's mass centre, m/s */
     vm_real rate;              /* angular velocity of the part, rad/s */
-    vm_real T1, T_S1, T_S2;    /* T1: kinetic energy of the whole before the cut; T_S1, T_S2: of the rest and the part
-                                  after it, J */
+    vm_real T1, T_S1, T_S2;    /* T1: kinetic energy of the whole before the cut; T_S1, T_S2: those of the rest and of
+                                  the part after the cut, J */
     vm_real L1, L2;            /* angular momentum of the rest and of the part about O after the cut, kg m^2/s */
     vm_real pivot_x, pivot_y;  /* impulse of the pivot on the rest during the cut, N s */
 } vm_compound_cut;

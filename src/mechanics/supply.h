@@ -55,7 +55,7 @@ typedef struct VM_TAG(vm_supply) {
    respect to time. */
 typedef struct VM_TAG(vm_supply_left) {
     vm_real mass;               /* mass that is left, kg */
-    vm_real size;               /* level of the liquid, length of the gas, or bore of the grain, m */
+    vm_real size;               /* level of the liquid, length of the tank of gas, or bore of the grain, m */
     vm_vec3 centre;             /* mass centre, from the body's reference point, m, body axes */
     vm_inertia inertia;         /* inertia about this mass centre, kg m^2, body axes */
     vm_vec3 centre_by_mass;     /* derivative of `centre` with respect to the mass, m/kg */

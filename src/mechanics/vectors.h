@@ -6,10 +6,11 @@
        vm_vec3 omega = {0, 0, 3};                 // x, y, z
        vm_quat quarter_turn = {0.7071068, 0, 0, 0.7071068}; // w, x, y, z: 90 degrees about z
 
-   Users may call the functions whose names begin with vm_: sum, difference, multiple, dot product, cross product and
-   length of vectors, product and normalisation of quaternions. Functions whose names begin with vmi_ are internal, for
-   example norms and rotation matrices. No function here checks its arguments: with infinite or NaN arguments the result
-   is what the arithmetic gives. Tests: tests/test_attitude.c, tests/test_jumps.c, tests/test_torque_free.c. */
+   Users may call the functions whose names begin with vm_. They compute the sum, difference, multiple, dot product,
+   cross product and length of vectors, and the product and normalisation of quaternions. Functions whose names begin
+   with vmi_ are internal, for example norms and rotation matrices. No function here checks its arguments: with infinite
+   or NaN arguments the result is what the arithmetic gives. Tests: tests/test_attitude.c, tests/test_jumps.c,
+   tests/test_torque_free.c. */
 #ifndef VARMASS_MECHANICS_VECTORS_H
 #define VARMASS_MECHANICS_VECTORS_H
 
