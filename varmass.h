@@ -132,14 +132,14 @@
        vm_unit                        Returns the vector of length 1 in the direction of a
        vm_rotate                      The components along inertial axes of a vector whose components along body axes are a
        vm_rotate_back                 The components along body axes of a vector whose components along inertial axes are a
-       vm_quat_to_matrix              The rotation matrix c of an attitude, row by row
+       vm_quat_to_matrix              Writes the rotation matrix c of the attitude q, row by row
        vm_quat_from_matrix            The quaternion q of length 1, with w >= 0, that has the rotation matrix c; vm_quat_to_matrix describes c
        vm_quat_to_mrp                 Modified Rodrigues parameters of an attitude
-       vm_quat_from_mrp               Attitude of length 1 from modified Rodrigues parameters p of any length
+       vm_quat_from_mrp               The attitude, a quaternion of length 1, that belongs to the modified Rodrigues parameters p of any length
 
      mechanics/euler_angles: Euler's angles
-       vm_euler_313                   Attitude from Euler's angles
-       vm_euler_321                   Quaternion of length 1 that turns body axes into inertial ones, from yaw, pitch and roll (sequence 3-2-1)
+       vm_euler_313                   Computes the attitude of a body from Euler's angles psi, theta, phi (sequence 3-1-3)
+       vm_euler_321                   Computes the attitude of a body from yaw, pitch and roll (sequence 3-2-1)
        vm_euler_313_angles            Euler's angles psi, theta, phi of the sequence 3-1-3 from an attitude q of any length
        vm_euler_321_angles            Yaw, pitch and roll of the sequence 3-2-1 from an attitude q of any length, in this order
        vm_euler_313_axes              Unit vectors of the axes about which Euler's angles turn the body, along inertial axes
@@ -157,9 +157,9 @@
        vm_balance_between             Balance of momentum, angular momentum and energy across an instant
 
      mechanics/bodies2: momentum and energy of bodies in the plane, and their conversion to bodies in space
-       vm_angular_momentum2           Angular momentum of a body of the plane about the point (x, y), N m s
-       vm_kinetic_energy2             Kinetic energy of a body of the plane, J
-       vm_body_from_body2             Converts a body of the plane to a body of space
+       vm_angular_momentum2           Angular momentum of a body that moves in the plane about the point (x, y), N m s
+       vm_kinetic_energy2             Kinetic energy of a body that moves in the plane, J
+       vm_body_from_body2             Converts a body that moves in the plane to a body in space
 
      mechanics/jumps: parts separate from a body or are attached to it, in space
        vm_separate                    Separation of a part from a body
@@ -167,7 +167,7 @@
        vm_separate_all                Separation of n parts from a body at once
        vm_attach_all                  Attachment of n bodies to a body at once
        vm_combine_inertia             Inertia of two bodies together, about their common mass centre
-       vm_split_inertia               Inertia of a body without a part, about the mass centre of the rest
+       vm_split_inertia               Inertia of the rest of a body after a part has left it, about the mass centre of the rest
 
      mechanics/jumps2: parts separate from a body or are attached to it, in the plane
        vm_separate2                   Separation of a part from a body in the plane
@@ -175,7 +175,7 @@
        vm_separate_all2               Separation of n parts from a body at once, in the plane
        vm_attach_all2                 Attachment of n bodies to a body at once, in the plane
 
-     mechanics/relative: motion relative to a moving body, and jumps given by relative motions
+     mechanics/relative: motion relative to a moving body, and jumps computed from relative motions
        vm_to_relative                 Motion of a body relative to the frame that moves and turns with the body `to`
        vm_to_absolute                 Computes the absolute motion of a body from its motion relative to the body `to`
        vm_to_relative2                Motion of a body in the plane, relative to the frame that moves and turns with the body `to`
@@ -206,16 +206,16 @@
        vm_broken_rotor_break_off      Remainder and piece of a rotor after the break, with their motions, (52)-(64) corrected
 
      mechanics/broken_rotor_motion: motion of the broken rotor in closed form
-       vm_broken_rotor_linear         State of the remainder t seconds after start, by the complete linearised equations (69)
-       vm_broken_rotor_linear_uncoupled State of the remainder t seconds after start by (70)-(72), which lack a term of (69)
-       vm_broken_rotor_free_motion    State of the unbroken rotor t seconds after start, exact, (46)-(51)
+       vm_broken_rotor_linear         State of the remainder t seconds after the state `start`, by the complete linearised equations (69)
+       vm_broken_rotor_linear_uncoupled State of the remainder t seconds after the state `start`, by the solution (70)-(72), which lacks one term of (69)
+       vm_broken_rotor_free_motion    State of the unbroken rotor t seconds after the state `start`, by the exact solution (46)-(51)
        vm_broken_rotor_orbit          Constants A0, B0, C0, D0 (51) of the unbroken rotor's elliptic orbit, m
 
      mechanics/broken_rotor_stability: steady motion of the broken rotor, its stability, growth at resonance
        vm_broken_rotor_steady_radius  Radius of the mass centre's circle in steady motion at psi' = Omega, m
        vm_broken_rotor_characteristic Characteristic polynomial of small motions about the steady motion, (81) corrected
        vm_broken_rotor_routh          First column of Routh's scheme of the characteristic polynomial
-       vm_broken_rotor_is_stable      Whether the steady motion at psi' = Omega is asymptotically stable (82)
+       vm_broken_rotor_is_stable      Tests whether the steady motion at psi' = Omega is asymptotically stable (82)
        vm_broken_rotor_eigenvalues    Roots re + i im of the characteristic polynomial, 1/s
        vm_broken_rotor_resonance_radius Radius of the orbit that grows at or above resonance, t seconds after a start from rest, m
 
@@ -231,39 +231,39 @@
        vm_lagrange_impact             Velocities after an impact that changes no mass
 
      mechanics/pendulum: a pendulum from which a part is cut
-       vm_pendulum_separate           Motion of a pendulum and of the part that is cut off from it, (119)-(132)
-       vm_compound_pendulum_separate  Motion of a pendulum of any shape and of the part that is cut off from it, (119)-(132)
+       vm_pendulum_separate           Motion of a pendulum, and of the part that is cut off from it, after the cut, (119)-(132)
+       vm_compound_pendulum_separate  Motion of a pendulum of any shape, and of the part that is cut off from it, after the cut, (119)-(132)
 
      mechanics/torque_free: exact rotation of a body on which no torque acts
-       vm_torque_free_init            Preparation of the exact torque-free motion of a body
-       vm_torque_free_init_principal  Preparation of the exact torque-free motion from principal moments (kg m^2)
+       vm_torque_free_init            Prepares the exact torque-free motion of a body
+       vm_torque_free_init_principal  Prepares the exact torque-free motion of a body with the principal moments `moments` (kg m^2)
        vm_torque_free_attitude        Attitude and angular velocity of a torque-free body at the time t (s)
-       vm_torque_free_at              A torque-free body at the time t (s)
-       vm_torque_free_rotation        A torque-free body a time t (s) later, in one call
+       vm_torque_free_at              Sets *body to the body of *motion at the time t (s)
+       vm_torque_free_rotation        Sets *later to the torque-free body *body after the time t (s)
 
      mechanics/streams: streams of mass: reactive force, moment and torque
        vm_reactive_loads              Reactive force, moment and torque of n streams on a moving body, (156)-(158)
        vm_accelerations               Accelerations v' (159) and omega' (160) of a body under reactive and outer loads
 
      mechanics/flow: a free body in space with streams of mass
-       vm_flow_rhs                    Right-hand side of a free body whose streams change its mass (151), (152)
-       vm_flow_given_rhs              Right-hand side of a free body with given laws of mass, mass centre and inertia
+       vm_flow_rhs                    Right-hand side of the equations of motion of a free body whose streams change its mass (151), (152)
+       vm_flow_given_rhs              Right-hand side of the equations of motion of a free body with given laws of mass, mass centre and inertia
        vm_flow_balanced_rhs           Right-hand side vm_flow_rhs with seven integrals that check the balances
-       vm_flow_carried_rhs            Right-hand side of a free body that loses or gains mass which moves with the body (166)
+       vm_flow_carried_rhs            Right-hand side of the equations of motion of a free body whose lost or gained mass moves with the body (166)
        vm_flow_start                  Initial state y of a body with streams
-       vm_flow_body                   The body that n states y describe, with a quaternion of length 1
+       vm_flow_body                   Sets *body to the body that the n numbers of the state y describe
        vm_flow_mass_left              Mass minus flow.least_mass, kg
        vm_flow_inertia_left           Smallest pivot of the inertia minus flow.least_inertia, kg m^2
 
      mechanics/flow2: a body in a plane with streams of mass
-       vm_flow2_rhs                   Right-hand side of a body in the plane with streams of mass, (151), (152)
+       vm_flow2_rhs                   Right-hand side of the equations of motion of a body in the plane with streams of mass, (151), (152)
 
      mechanics/flow1: translation, and bodies on a line or an axle, with streams of mass
-       vm_translation_rhs             Right-hand side of a body in translation with streams of mass
-       vm_flow1_rhs                   Right-hand side of a body on a line or an axle with streams of mass, (173a), (175), (176)
+       vm_translation_rhs             Right-hand side of the equations of translation with streams of mass
+       vm_flow1_rhs                   Right-hand side of the equations of motion of a body on a line or an axle with streams, (173a), (175), (176)
 
      mechanics/rocket: closed forms: velocity by momentum, Tsiolkovsky's rocket, linear flow, jet damping
-       vm_velocity_by_momentum        Velocity after a stream with the absolute velocity u changes the mass from m0 to m (151), (171)
+       vm_velocity_by_momentum        Velocity of a body after a stream with the absolute velocity u has changed its mass from m0 to m (151), (171)
        vm_tsiolkovsky                 Velocity of Tsiolkovsky's rocket after its mass changes from m0 to m
        vm_linear_flow                 Position and velocity of a body on a line after t seconds, with a stream of constant rate
        vm_jet_damping                 Angular velocity of a spinning rocket whose jet damps it, after t seconds, rad/s, body axes
@@ -277,28 +277,29 @@
 
      mechanics/drum: a band that winds up on a drum
        vm_drum_band                   The mass of the band per radian on a drum, mu = R h b rho (181), kg/rad
-       vm_drum_at                     Mass, mass centre and inertia of the drum with its band at an angle, (182)-(188)
-       vm_drum_rhs                    Exact right-hand side of the drum on an elastic shaft
-       vm_drum_rhs_reduced            Right-hand side of the drum on an elastic shaft for a light band, (192), (193)
+       vm_drum_at                     Mass, mass centre and inertia of the drum with its band at the angle phi, (182)-(188)
+       vm_drum_rhs                    Right-hand side of the exact equations of motion of the drum on an elastic shaft
+       vm_drum_rhs_reduced            Right-hand side of the equations of motion of the drum on an elastic shaft, for a light band, (192), (193)
        vm_drum_rate                   Angular velocity phi' on a rigid shaft at the angle phi >= 0, rad/s
-       vm_drum_rhs_angle              Right-hand side of the elastic shaft's vibration over the angle phi, (210), (211)
-       vm_drum_rhs_coupled            Right-hand side of the drum on an elastic shaft over the angle phi, (210)-(212)
+       vm_drum_rhs_angle              Right-hand side of the equations of the shaft's vibration as a function of the angle phi, (210), (211)
+       vm_drum_rhs_coupled            Right-hand side of the equations of the drum on an elastic shaft as a function of the angle phi, (210)-(212)
        vm_drum_stop                   Angle at which the drum on a rigid shaft comes to rest, rad
        vm_drum_time                   Time at which the drum on a rigid shaft reaches the angle phi >= 0, s (197)
        vm_drum_angle                  Angle of the drum on a rigid shaft after t >= 0 seconds, rad
        vm_drum_angle_lambert          Angle of the drum, rad, on a rigid shaft by Lambert's W, (198)-(206) corrected
        vm_drum_shaft_init             Coefficients of the elastic shaft in the first approximation, (213), (214)
        vm_drum_deflection             Deflection x or y of the elastic shaft, m, at the angle phi, (224), (225) corrected
+       vm_drum_deflection_slope       Derivative of vm_drum_deflection with respect to the angle phi, m/rad
        vm_drum_deflection_start       Amplitude and phase (223) of the elastic shaft from deflection and slope at phi = 0
        vm_drum_unbalance              Deflection of the elastic shaft by the unbalance of the band, which (224), (225) leave out
        vm_drum_rate_elastic           Angular velocity phi' on an elastic shaft, rad/s
-       vm_drum_shaft_valid            Whether the shaft's frequency, k sqrt(1 - A phi), stays real for the whole first layer (226)
+       vm_drum_shaft_valid            Tests whether the shaft's frequency k sqrt(1 - A phi) stays real while the whole first layer is wound up (226)
 
      mechanics/lagrange: Lagrange's equations with variable mass
        vm_lagrange_rhs                Right-hand side of Lagrange's equations with variable mass (247)
        vm_lagrange_start              Initial state y of a system at time t, from its n coordinates q and n rates q'
        vm_lagrange_rates              Rates q' of a system at time t, from its state y
-       vm_lagrange_partial_q          Derivative dT/dq_i of the kinetic energy with frozen masses, J per unit of q_i
+       vm_lagrange_partial_q          Derivative dT/dq_i of the kinetic energy T, while the masses are held constant, J per unit of q_i
        vm_lagrange_needed_forces      Inverse dynamics
        vm_lagrange_drive_forces       Inverse dynamics
 
@@ -1303,10 +1304,11 @@ VM_API vm_real vm_lambert_wm1_neg_exp(vm_real l)
        vm_vec3 omega = {0, 0, 3};                 // x, y, z
        vm_quat quarter_turn = {0.7071068, 0, 0, 0.7071068}; // w, x, y, z: 90 degrees about z
 
-   The functions vm_... are for users too: sum, difference, multiple, dot product, cross product and length of vectors,
-   product and normalisation of quaternions. The functions vmi_... are internal, for example norms and rotation
-   matrices. No function here checks its arguments: with infinite or NaN arguments the result is what the arithmetic
-   gives. Tests: tests/test_attitude.c, tests/test_jumps.c, tests/test_torque_free.c. */
+   Users may call the functions whose names begin with vm_. They compute the sum, difference, multiple, dot product,
+   cross product and length of vectors, and the product and normalisation of quaternions. Functions whose names begin
+   with vmi_ are internal, for example norms and rotation matrices. No function here checks its arguments: with infinite
+   or NaN arguments the result is what the arithmetic gives. Tests: tests/test_attitude.c, tests/test_jumps.c,
+   tests/test_torque_free.c. */
 #ifndef VARMASS_MECHANICS_VECTORS_H
 #define VARMASS_MECHANICS_VECTORS_H
 
@@ -1315,7 +1317,8 @@ typedef struct VM_TAG(vm_vec3) {
     vm_real x, y, z;
 } vm_vec3;
 
-/* An attitude: w + x i + y j + z k converts vectors from body axes to inertial axes. Its length does not matter. */
+/* An attitude, that is, how a body is turned. The quaternion w + x i + y j + z k converts vectors from body axes to
+   inertial axes. Its length does not matter. */
 typedef struct VM_TAG(vm_quat) {
     vm_real w, x, y, z;
 } vm_quat;
@@ -1360,8 +1363,8 @@ VM_API vm_vec3 vmi_abs(vm_vec3 a) { return vmi_vec3(VM_FABS(a.x), VM_FABS(a.y), 
 /* The sum |x| + |y| + |z| of the absolute values of a's components */
 VM_API vm_real vmi_norm1(vm_vec3 a) { return VM_FABS(a.x) + VM_FABS(a.y) + VM_FABS(a.z); }
 
-/* The length of the vector a, with a relative error within 4 eps. It does not overflow if only its square would
-   overflow. */
+/* The length of the vector a, with a relative error within 4 eps. The computation does not overflow if only the square
+   of the length would overflow. */
 VM_API vm_real vm_norm(vm_vec3 a) { return vmi_hypot(vmi_hypot(a.x, a.y), a.z); }
 
 /* The largest of |x|, |y| and |z|, where x, y, z are the components of a */
@@ -1380,7 +1383,8 @@ VM_API vm_vec3 vmi_times(const vmi_mat3 *m, vm_vec3 a)
     return vm_add(vm_scale(a.x, m->x), vm_add(vm_scale(a.y, m->y), vm_scale(a.z, m->z)));
 }
 
-/* The product of the transposed matrix m^T and the vector a. If m is a rotation matrix, it undoes the rotation. */
+/* The product of the transposed matrix m^T and the vector a. If m is a rotation matrix, multiplication by m^T undoes
+   the rotation. */
 VM_API vm_vec3 vmi_times_transposed(const vmi_mat3 *m, vm_vec3 a)
 {
     return vmi_vec3(vm_dot(m->x, a), vm_dot(m->y, a), vm_dot(m->z, a));
@@ -1401,7 +1405,7 @@ VM_API vm_vec3 vmi_quat_vector(vm_quat q) { return vmi_vec3(q.x, q.y, q.z); }
 
 VM_API int vmi_quat_is_finite(vm_quat q) { return VM_IS_FINITE(q.w) && vmi_vec3_is_finite(vmi_quat_vector(q)); }
 
-/* Returns 1 if all four numbers of q are 0. Such a quaternion means the identity (no rotation). */
+/* Returns 1 if all four numbers of q are 0, else 0. Such a quaternion means the identity (no rotation). */
 VM_API int vmi_quat_is_none(vm_quat q) { return q.w == 0 && q.x == 0 && q.y == 0 && q.z == 0; }
 
 /* The square of the length of q */
@@ -1430,7 +1434,7 @@ VM_API vm_quat vmi_quat_over(vm_quat q, vm_real c)
 }
 
 /* Divides q by the absolute value of its largest component, so that the square of its length neither overflows nor
-   underflows. Four zeros become the identity. */
+   underflows. If q consists of four zeros, the result is the identity (1, 0, 0, 0). */
 VM_API vm_quat vmi_quat_scaled(vm_quat q)
 {
     vm_real largest = VM_FABS(q.w);
@@ -1444,14 +1448,16 @@ VM_API vm_quat vmi_quat_scaled(vm_quat q)
     return vmi_quat_over(q, largest);
 }
 
-/* The quaternion of length 1 for the same rotation as q. Four zeros give the identity. */
+/* The quaternion of length 1 for the same rotation as q. If q consists of four zeros, the result is the identity (1, 0,
+   0, 0). */
 VM_API vm_quat vm_unit_quat(vm_quat q)
 {
     q = vmi_quat_scaled(q);
     return vmi_quat_over(q, VM_SQRT(vmi_quat_square(q)));
 }
 
-/* The rotation matrix of q. `square`, the square of q's length, must be neither 0 nor subnormal, infinite or NaN. */
+/* The rotation matrix of q. `square`, the square of q's length, must be finite and at least VM_MIN, the smallest normal
+   number. */
 VM_INLINE vmi_mat3 vmi_rotation_of_square(vm_quat q, vm_real square)
 {
     const vm_real s = 2 / square, x = s * q.x, y = s * q.y, z = s * q.z;
@@ -1464,7 +1470,8 @@ VM_INLINE vmi_mat3 vmi_rotation_of_square(vm_quat q, vm_real square)
     return m;
 }
 
-/* The rotation matrix of q, of any length. It is exactly the identity for (w, 0, 0, 0) and for four zeros. */
+/* The rotation matrix of a quaternion q of any length. The matrix is exactly the identity matrix for q = (w, 0, 0, 0)
+   and for four zeros. */
 VM_API vmi_mat3 vmi_rotation(vm_quat q)
 {
     q = vmi_quat_scaled(q);
@@ -1475,7 +1482,8 @@ VM_API vmi_mat3 vmi_rotation(vm_quat q)
 /* mechanics/attitude.h - attitudes: vectors in body axes and inertial axes, rotation matrices, Rodrigues parameters
    The attitude of a body is a quaternion q = w + x i + y j + z k that turns body axes into inertial axes: a vector with
    the components a along the body's axes has the components q a q* along inertial axes. w is the cosine of half the
-   angle of the rotation, (x, y, z) its axis times the sine of half the angle (Hamilton's quaternions, right-handed).
+   angle of the rotation, and (x, y, z) is the unit vector along the axis of the rotation, times the sine of half the
+   angle (Hamilton's quaternions, right-handed).
    q and -q are the same attitude. The length of q does not matter. If all four numbers of q are 0, body axes and
    inertial axes coincide (the identity). This chapter computes
      - the components of a vector along inertial axes from those along body axes, and back,
@@ -1523,10 +1531,11 @@ VM_API vm_vec3 vm_unit(vm_vec3 a)
     return vmi_over(b, VM_SQRT(vm_dot(b, b)));
 }
 
-/* Writes the time derivatives of w, x, y, z of the quaternion q to rates. q is the attitude of a body with the angular
-   velocity omega (rad/s, body axes): q' = q (0, omega)/2 + |omega| (1 - |q|^2) q/8. square is |q|^2. q should have
-   length 1, but errors of an integration change its length. The second term lets the length return to 1. This happens
-   more slowly than the body rotates, so that an integrator does not need shorter steps because of it. */
+/* Writes the time derivatives of w, x, y, z of the quaternion q to the array `rates`. q is the attitude of a body with
+   the angular velocity omega (rad/s, body axes). The formula is q' = q (0, omega)/2 + |omega| (1 - |q|^2) q/8, where
+   (0, omega) is a quaternion whose w is 0. The argument `square` must be |q|^2. q should have length 1, but errors of
+   an integration change its length. The second term of q' brings the length back to 1. This correction is slower than
+   the rotation of the body, so that an integrator needs no shorter steps because of it. */
 VM_INLINE void vmi_attitude_rates(vm_quat q, vm_real square, vm_vec3 omega, vm_real *rates)
 {
     const vm_real back = VM_SQRT(vm_dot(omega, omega)) * (1 - square) / 8;
@@ -1538,7 +1547,7 @@ VM_INLINE void vmi_attitude_rates(vm_quat q, vm_real square, vm_vec3 omega, vm_r
 }
 
 /* The components along inertial axes of a vector whose components along body axes are a. The error is within 6 eps |a|.
-   Numbers that are not finite give NaN. */
+   If a number of q or a is infinite or NaN, the result is NaN. */
 VM_API vm_vec3 vm_rotate(vm_quat q, vm_vec3 a)
 {
     const vmi_mat3 m = vmi_rotation(q);
@@ -1547,7 +1556,7 @@ VM_API vm_vec3 vm_rotate(vm_quat q, vm_vec3 a)
 }
 
 /* The components along body axes of a vector whose components along inertial axes are a. The error is within 6 eps |a|.
-   Numbers that are not finite give NaN. */
+   If a number of q or a is infinite or NaN, the result is NaN. */
 VM_API vm_vec3 vm_rotate_back(vm_quat q, vm_vec3 a)
 {
     const vmi_mat3 m = vmi_rotation(q);
@@ -1555,11 +1564,12 @@ VM_API vm_vec3 vm_rotate_back(vm_quat q, vm_vec3 a)
     return vmi_times_transposed(&m, a);
 }
 
-/* The rotation matrix c of an attitude, row by row. c[3 i + j] is the cosine of the angle between inertial axis i and
-   body axis j. c times the components of a vector along body axes gives its components along inertial axes. The error
-   of an entry is within 6 eps. Some books define the inverse matrix, from inertial to body axes, which is the transpose
-   of c.
-   Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE if q is not finite, and VM_OK otherwise. */
+/* Writes the rotation matrix c of the attitude q, row by row. c[3 i + j] is the cosine of the angle between inertial
+   axis i and body axis j. c times the components of a vector along body axes gives its components along inertial axes.
+   The error of an entry is within 6 eps. Some books define the inverse matrix, from inertial to body axes, which is the
+   transpose of c.
+   Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE if a number of q is infinite or NaN, and VM_OK
+   otherwise. */
 VM_API int vm_quat_to_matrix(vm_quat q, vm_real c[9])
 {
     const vmi_mat3 m = vmi_rotation(q);
@@ -1571,12 +1581,12 @@ VM_API int vm_quat_to_matrix(vm_quat q, vm_real c[9])
     return VM_OK;
 }
 
-/* The largest error with which a matrix is accepted as a rotation matrix. Matrices that were printed with three digits
-   are accepted. */
+/* vmi_is_rotation accepts a matrix as a rotation matrix if the errors that it finds in the matrix are at most this
+   number. A rotation matrix whose entries are rounded to three digits is accepted. */
 #define VMI_MATRIX_TOLERANCE VM_C(0.0078125)
 
-/* Returns 1 if c is a rotation matrix, apart from small errors of its entries, and 0 otherwise. Its columns x, y, z
-   must have length 1, and the cross product of x and y must be z. */
+/* Returns 1 if c is a rotation matrix, apart from small errors of its entries, and 0 otherwise. The columns x, y, z of
+   a rotation matrix have length 1, and the cross product of x and y is z. */
 VM_API int vmi_is_rotation(const vm_real *c)
 {
     const vm_vec3 x = vmi_vec3(c[0], c[3], c[6]), y = vmi_vec3(c[1], c[4], c[7]), z = vmi_vec3(c[2], c[5], c[8]);
@@ -1589,8 +1599,8 @@ VM_API int vmi_is_rotation(const vm_real *c)
    is within 4 eps. For a rotation by a small angle it is within 4 eps times this angle. Rounding errors of c cause
    errors of the same size in q. There are four formulas for q, each with a division; the function uses the one with the
    largest divisor (Shepperd 1978).
-   Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_DOMAIN if c is not a rotation matrix even to two digits
-   (for example a reflection), and VM_OK otherwise. */
+   Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE if an entry of c is infinite or NaN, VM_DOMAIN if c is not
+   a rotation matrix even to two digits (for example a reflection), and VM_OK otherwise. */
 VM_API int vm_quat_from_matrix(const vm_real c[9], vm_quat *q)
 {
     vm_real v[4], trace; /* v: a multiple of the quaternion w, x, y, z */
@@ -1623,8 +1633,8 @@ VM_API int vm_quat_from_matrix(const vm_real c[9], vm_quat *q)
    tangent of a quarter of the angle. q and -q are the same attitude; the function uses the one with w >= 0. The angle
    is then at most pi, and the length of the parameters p is at most 1, apart from rounding. The other set of parameters
    of the same attitude (the shadow set) is -p/|p|^2. At an angle of pi, where w = 0, both sets have the same length;
-   the result is then (x, y, z)/|q|. The relative error of each component is within 4 eps. Numbers that are not finite
-   give NaN. */
+   the result is then (x, y, z)/|q|. The relative error of each component is within 4 eps. If a number of q is infinite
+   or NaN, the result is NaN. */
 VM_API vm_vec3 vm_quat_to_mrp(vm_quat q)
 {
     vm_real divisor;
@@ -1635,10 +1645,10 @@ VM_API vm_vec3 vm_quat_to_mrp(vm_quat q)
     return vmi_over(vmi_quat_vector(q), divisor);
 }
 
-/* Attitude of length 1 from modified Rodrigues parameters p of any length. Its w is negative if |p| > 1, where the
-   angle of the rotation is above pi. The relative error of each component of the result is within 8 eps. This holds for
-   w, too, if the angle is close to pi and w is small, because 1 - |p|^2 is computed with twice the digits. Parameters
-   that are not finite give NaN. */
+/* The attitude, a quaternion of length 1, that belongs to the modified Rodrigues parameters p of any length. The number
+   w of the result is negative if |p| > 1, where the angle of the rotation is above pi. The relative error of each
+   component of the result is within 8 eps. This holds for w, too, if the angle is close to pi and w is small, because 1
+   - |p|^2 is computed with twice the digits. If a parameter is infinite or NaN, the result is NaN. */
 VM_API vm_quat vm_quat_from_mrp(vm_vec3 p)
 {
     vm_real scale = 1; /* a power of two that makes the components of a long p at most 2 */
@@ -1675,8 +1685,9 @@ VM_API vm_quat vm_quat_from_mrp(vm_vec3 p)
 #ifndef VARMASS_MECHANICS_EULER_ANGLES_H
 #define VARMASS_MECHANICS_EULER_ANGLES_H
 
-/* Attitude from Euler's angles: a quaternion of length 1. It converts vectors from body axes to inertial axes. Infinite
-   angles give NaN. */
+/* Computes the attitude of a body from Euler's angles psi, theta, phi (sequence 3-1-3). The result is a quaternion of
+   length 1, which converts vectors from body axes to inertial axes. If an angle is infinite or NaN, the result is
+   NaN. */
 VM_API vm_quat vm_euler_313(vm_real psi, vm_real theta, vm_real phi)
 {
     vm_quat turn = {1, 0, 0, 0}, tilt = {1, 0, 0, 0}, spin = {1, 0, 0, 0};
@@ -1686,8 +1697,9 @@ VM_API vm_quat vm_euler_313(vm_real psi, vm_real theta, vm_real phi)
     return vm_quat_times(vm_quat_times(turn, tilt), spin);
 }
 
-/* Quaternion of length 1 that turns body axes into inertial ones, from yaw, pitch and roll (sequence 3-2-1).
-   Infinite angles give NaN. */
+/* Computes the attitude of a body from yaw, pitch and roll (sequence 3-2-1).
+   The result is a quaternion of length 1, which converts vectors from body axes to inertial axes. If an angle is
+   infinite or NaN, the result is NaN. */
 VM_API vm_quat vm_euler_321(vm_real yaw, vm_real pitch, vm_real roll)
 {
     vm_quat about_z = {1, 0, 0, 0}, about_y = {1, 0, 0, 0}, about_x = {1, 0, 0, 0};
@@ -1698,16 +1710,17 @@ VM_API vm_quat vm_euler_321(vm_real yaw, vm_real pitch, vm_real roll)
 }
 
 /* A complex number re + i im. Each part is stored in two words, as the sum of two vm_reals. The quaternion of a
-   sequence of three angles is equivalent to two such numbers, p and r. The angle of p is half the sum of the first and
-   the third angle, the angle of r half their difference. The lengths of p and r depend on the middle angle alone. */
+   sequence of three angles is equivalent to two such numbers, p and r. A complex number has a length and an angle. The
+   angle of p is half the sum of the first and the third angle, and the angle of r is half their difference. The lengths
+   of p and r depend on the middle angle alone. */
 typedef struct VM_TAG(vmi_euler_part) {
     vm_two re, im;
 } vmi_euler_part;
 
 VM_API int vmi_euler_is_none(const vmi_euler_part *p) { return p->re.hi == 0 && p->im.hi == 0; }
 
-/* Multiplies p by a power of two that makes its larger part about 1, so that no product underflows. Returns the
-   power. */
+/* Multiplies the complex number p by a power of two that makes the larger of |re| and |im| about 1, so that no product
+   underflows. Returns the power. */
 VM_API vm_real vmi_euler_scale(vmi_euler_part *p)
 {
     const vm_real largest = vmi_larger(VM_FABS(p->re.hi), VM_FABS(p->im.hi)), power = 1 / vmi_power_below(largest);
@@ -1723,10 +1736,10 @@ VM_API vm_real vmi_euler_real(const vmi_euler_part *p, const vmi_euler_part *r, 
     return vmi_two_minus(re, vmi_two_shifted(im, sign)).hi;
 }
 
-/* Writes the first and the third angle, both from -pi to pi. The first is the angle of the complex number p r, the
-   third that of p times the conjugate of r. `sum` and `difference` are the imaginary parts of these two numbers. The
-   caller computes them, because they would not be accurate if computed from p and r. If p or r is 0 (gimbal lock), only
-   the sum or the difference of the two angles is determined; the third angle is then 0. */
+/* Writes the first and the third angle, both from -pi to pi. The first angle is that of the complex number p r, and the
+   third angle is that of p times the conjugate of r. `sum` and `difference` are the imaginary parts of these two
+   numbers. The caller computes them, because they would not be accurate if they were computed from p and r. If p or r
+   is 0 (gimbal lock), only the sum or the difference of the two angles is determined; the third angle is then 0. */
 VM_API void vmi_euler_first_and_third(vmi_euler_part p, vmi_euler_part r, vm_real sum, vm_real difference,
                                       vm_real *angles)
 {
@@ -1747,8 +1760,8 @@ VM_API void vmi_euler_first_and_third(vmi_euler_part p, vmi_euler_part r, vm_rea
     angles[2] = vmi_atan2(difference + 0, vmi_euler_real(&p, &r, -1));
 }
 
-/* Multiplies q by a power of two, without rounding, so that its largest component is about 1. Four zeros become the
-   identity. */
+/* Multiplies q by a power of two, without rounding, so that its largest component is about 1. If q consists of four
+   zeros, the result is the identity (1, 0, 0, 0). */
 VM_API vm_quat vmi_euler_normal_size(vm_quat q)
 {
     const vm_real most = vmi_larger(VM_FABS(q.w), vmi_norm_max(vmi_quat_vector(q)));
@@ -1760,8 +1773,9 @@ VM_API vm_quat vmi_euler_normal_size(vm_quat q)
 /* Euler's angles psi, theta, phi of the sequence 3-1-3 from an attitude q of any length.
    psi and phi are between -pi and pi, theta between 0 and pi. If theta is exactly 0 or pi, the line of nodes is not
    determined (gimbal lock), and phi is 0. If q is taken as exact, the relative error of each angle is within 4 eps,
-   close to gimbal lock, too. The rotation by the three angles differs from that of q by at most 8 eps.
-   Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, and VM_OK otherwise. */
+   close to gimbal lock, too. The rotation by the three angles differs from the rotation by q by at most 8 eps.
+   Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE if a number of q is infinite or NaN, and VM_OK
+   otherwise. */
 VM_API int vm_euler_313_angles(vm_quat q, vm_real angles[3])
 {
     vmi_euler_part p, r;
@@ -1781,8 +1795,9 @@ VM_API int vm_euler_313_angles(vm_quat q, vm_real angles[3])
 /* Yaw, pitch and roll of the sequence 3-2-1 from an attitude q of any length, in this order.
    Yaw and roll are between -pi and pi, pitch between -pi/2 and pi/2. If pitch is exactly pi/2 or -pi/2 (gimbal lock),
    roll is 0. If q is taken as exact, the relative error of each angle is within 4 eps, close to gimbal lock, too. The
-   rotation by the three angles differs from that of q by at most 8 eps.
-   Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, and VM_OK otherwise. */
+   rotation by the three angles differs from the rotation by q by at most 8 eps.
+   Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE if a number of q is infinite or NaN, and VM_OK
+   otherwise. */
 VM_API int vm_euler_321_angles(vm_quat q, vm_real angles[3])
 {
     vmi_euler_part p, r;
@@ -1829,9 +1844,10 @@ VM_API void vm_euler_313_body_axes(vm_real theta, vm_real phi, vm_vec3 axis[3])
     axis[2] = vmi_vec3(0, 0, 1);
 }
 
-/* Rates psi', theta', phi' of Euler's angles from an angular velocity in inertial axes, rad/s. Returns VM_OK,
-   VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, or VM_SINGULAR if sin(theta) is 0: psi and phi then turn the body
-   about the same axis, so that their rates are not unique. */
+/* Rates psi', theta', phi' of Euler's angles from an angular velocity in inertial axes, rad/s. Returns VM_BAD_ARGUMENT
+   for a null pointer; VM_NOT_FINITE if an argument or a rate is infinite or NaN; VM_SINGULAR if sin(theta) is 0; VM_OK
+   otherwise. For sin(theta) = 0 the angles psi and phi turn the body about the same axis, so that their rates are not
+   unique. */
 VM_API int vm_euler_313_rates(vm_real psi, vm_real theta, vm_vec3 omega, vm_real rates[3])
 {
     vm_real s, c, sine, cosine, result[3]; /* s, c: sine and cosine of psi; sine, cosine: those of theta */
@@ -1849,7 +1865,8 @@ VM_API int vm_euler_313_rates(vm_real psi, vm_real theta, vm_vec3 omega, vm_real
 #endif
 /* mechanics/inertia.h - inertia tensors, parallel axes, principal axes
    A vm_inertia contains the entries of a body's tensor of inertia, about some point and along some axes. This chapter
-   tests whether a body can have a given tensor, moves it to parallel axes (40), and finds principal moments and axes.
+   tests whether a body can have a given tensor, converts a tensor to parallel axes through another point (40), and
+   finds principal moments and axes.
 
        vm_inertia disc = {1, 1, 2, 0, 0, 0}; // xx, yy, zz, xy, xz, yz, kg m^2
        vm_vec3 d = {0.5, 0, 0};              // m
@@ -1903,7 +1920,7 @@ VM_API vm_inertia vmi_inertia_of_point(vm_vec3 d)
     return p;
 }
 
-/* The tensor m^T i m. It has the entries of the tensor i along new axes, which are the columns of the matrix m. */
+/* The tensor m^T i m. Its entries are those of the tensor i along new axes, which are the columns of the matrix m. */
 VM_INLINE vm_inertia vmi_inertia_along(const vm_inertia *i, const vmi_mat3 *m)
 {
     const vm_vec3 x = vmi_inertia_times(i, m->x), y = vmi_inertia_times(i, m->y), z = vmi_inertia_times(i, m->z);
@@ -1918,7 +1935,7 @@ VM_INLINE vm_inertia vmi_inertia_along(const vm_inertia *i, const vmi_mat3 *m)
 }
 
 /* Returns, for each entry of the tensor m^T i m, the sum of the absolute values of the entry's terms. The rounding
-   error of an entry is a few eps times its sum. */
+   error of an entry is a few eps times the sum for this entry. */
 VM_INLINE vm_inertia vmi_inertia_sizes(const vm_inertia *i, const vmi_mat3 *m)
 {
     vm_inertia a;
@@ -1938,8 +1955,9 @@ VM_INLINE vm_inertia vmi_inertia_sizes(const vm_inertia *i, const vmi_mat3 *m)
 /* The sum |xx| + |yy| + |zz|. It equals the trace if i is the inertia of a body. */
 VM_API vm_real vmi_inertia_trace(const vm_inertia *i) { return VM_FABS(i->xx) + VM_FABS(i->yy) + VM_FABS(i->zz); }
 
-/* The tolerance, in kg m^2, for the rounding errors of a tensor. Usually i is this tensor. If its entries were computed
-   as sums, i may instead contain, for each entry, the sum of the absolute values of its terms (vmi_inertia_sizes). */
+/* The tolerance, in kg m^2, for the rounding errors of a tensor. Usually i is this tensor. If the entries of this
+   tensor were computed as sums, i may instead contain, for each entry, the sum of the absolute values of the entry's
+   terms (vmi_inertia_sizes). */
 VM_API vm_real vmi_inertia_slack(const vm_inertia *i) { return 32 * VM_EPSILON * vmi_inertia_trace(i); }
 
 /* Returns 1 if a body can have the inertia i, within the tolerance slack (kg m^2). For a body, the matrix tr(i)/2 E - i
@@ -1959,18 +1977,19 @@ VM_API int vmi_inertia_is_within(const vm_inertia *i, vm_real slack)
     return z - yz / y * yz > 0;
 }
 
-/* Tests whether a body can have this inertia. Returns 1 if it can. Returns 0 if it cannot, and also for NaN and for a
-   null pointer. The principal moments of a body are not negative, and none is larger than the sum of the other two. A
-   violation of these rules by up to 32 eps of the trace counts as a rounding error. Rods and points count as bodies. */
+/* Tests whether a body can have this inertia. Returns 1 if a body can have it. Returns 0 otherwise, and also for NaN
+   and for a null pointer. The principal moments of a body are not negative, and none is larger than the sum of the
+   other two. A violation of these rules by up to 32 eps of the trace counts as a rounding error. Rods and points count
+   as bodies. */
 VM_API int vm_inertia_is_possible(const vm_inertia *inertia)
 {
     return inertia && vmi_inertia_is_finite(inertia) && vmi_inertia_is_within(inertia, vmi_inertia_slack(inertia));
 }
 
-/* Inertia about a point at d from the mass centre, along parallel axes, (40). It is own + mass P(d), where own (kg m^2)
-   is the inertia about the mass centre and P(d) = |d|^2 E - d d^T (d in m, unit matrix E). A call with -mass converts
-   an inertia about such a point to that about the mass centre. Returns NaN for a null pointer. A NaN in an argument
-   makes every entry that depends on it NaN. */
+/* Inertia about a point at d from the mass centre, along parallel axes, (40). The result is own + mass P(d), where own
+   (kg m^2) is the inertia about the mass centre and P(d) = |d|^2 E - d d^T (d in m, unit matrix E). A call with -mass
+   converts an inertia about such a point to the inertia about the mass centre. Returns NaN for a null pointer. A NaN in
+   an argument makes every entry that depends on it NaN. */
 VM_API vm_inertia vm_parallel_axes(const vm_inertia *own, vm_real mass, vm_vec3 d)
 {
     const vm_inertia none = {VM_NAN, VM_NAN, VM_NAN, VM_NAN, VM_NAN, VM_NAN};
@@ -1985,9 +2004,10 @@ typedef struct VM_TAG(vmi_principal) {
     vm_vec3 axis[3];
 } vmi_principal;
 
-/* Applies one Jacobi rotation, in the plane of the axes p and q, to the symmetric matrix a, so that a[p][q] becomes 0.
-   The columns of v are the axes; they are turned by the same angle. t, c and s are the tangent, cosine and sine of this
-   angle. Of the two angles that are possible, the function uses the smaller one. */
+/* Makes one step of Jacobi's eigenvalue method (a Jacobi rotation): turns the symmetric matrix a in the plane of the
+   axes number p and q, so that a[p][q] becomes 0. The columns of v are the axes; they are turned by the same angle. t,
+   c and s are the tangent, cosine and sine of this angle. Of the two angles that are possible, the function uses the
+   smaller one. */
 VM_API void vmi_jacobi_rotation(vm_real a[3][3], vm_real v[3][3], int p, int q)
 {
     const vm_real theta = (a[q][q] - a[p][p]) / (2 * a[p][q]), root = VM_SQRT(theta * theta + 1);
@@ -2008,7 +2028,8 @@ VM_API void vmi_jacobi_rotation(vm_real a[3][3], vm_real v[3][3], int p, int q)
     }
 }
 
-/* Principal moments and axes of the tensor i. They are found by Jacobi rotations, which converge quadratically. */
+/* Principal moments and axes of the tensor *i. The function finds them by Jacobi rotations (vmi_jacobi_rotation), which
+   converge quadratically. */
 VM_API vmi_principal vmi_principal_axes(const vm_inertia *i)
 {
     const int most_sweeps = 12; /* more than enough, because convergence is quadratic */
@@ -2032,7 +2053,7 @@ VM_API vmi_principal vmi_principal_axes(const vm_inertia *i)
     return result;
 }
 
-/* The tensor that has the principal moments and axes *p */
+/* The inertia tensor whose principal moments and axes are *p */
 VM_API vm_inertia vmi_inertia_from(const vmi_principal *p)
 {
     vm_inertia i = {0, 0, 0, 0, 0, 0};
@@ -2049,8 +2070,8 @@ VM_API vm_inertia vmi_inertia_from(const vmi_principal *p)
     return i;
 }
 
-/* Returns 1 if a body can have the principal moments *p: none is larger than the sum of the other two plus slack, in kg
-   m^2. It follows that no moment is below -slack. */
+/* Returns 1 if a body can have the principal moments *p: none is larger than the sum of the other two plus slack (kg
+   m^2). It follows that none is below -slack. Returns 0 otherwise. */
 VM_API int vmi_moments_are_possible(const vmi_principal *p, vm_real slack)
 {
     const vm_real a = p->moment[0], b = p->moment[1], c = p->moment[2];
@@ -2061,17 +2082,18 @@ VM_API int vmi_moments_are_possible(const vmi_principal *p, vm_real slack)
    terms. */
 #define VMI_LOST_SHARE (8 * VM_EPSILON)
 
-/* Returns 1 if `moment`, the moment of inertia about `axis`, is smaller than its rounding error, negative or NaN. The
-   entries of the tensor are sums of terms; the entries of *sizes are the sums of the absolute values of these terms. */
+/* Returns 1 if `moment`, the moment of inertia about `axis`, is smaller than its rounding error, negative or NaN.
+   Returns 0 otherwise. The entries of the tensor are sums of terms; the entries of *sizes are the sums of the absolute
+   values of these terms. */
 VM_API int vmi_moment_is_lost(vm_real moment, vm_vec3 axis, const vm_inertia *sizes)
 {
     const vm_vec3 e = vmi_abs(axis);
     return !(moment > VMI_LOST_SHARE * vm_dot(e, vmi_inertia_times(sizes, e)));
 }
 
-/* Changes moments that are possible within rounding errors into moments that a body can have exactly. A moment that is
-   smaller than its rounding error becomes 0. A moment larger than the sum of the other two becomes that sum. Returns 1
-   if a moment changed. */
+/* Changes principal moments that a body can have within rounding errors into moments that a body can have exactly. A
+   moment that is smaller than its rounding error becomes 0. A moment larger than the sum of the other two becomes that
+   sum. Returns 1 if a moment changed, else 0. */
 VM_API int vmi_clamp_moments(vmi_principal *p, const vm_inertia *sizes)
 {
     int k, changed = 0;
@@ -2089,7 +2111,8 @@ VM_API int vmi_clamp_moments(vmi_principal *p, const vm_inertia *sizes)
     return changed;
 }
 
-/* The angular velocity of a body with the angular momentum h. Axes with a zero moment of inertia are left out. */
+/* The angular velocity of a body with the angular momentum h and the principal axes *p. Along an axis with zero moment
+   of inertia the result has no component. */
 VM_API vm_vec3 vmi_spin_of(const vmi_principal *p, vm_vec3 h)
 {
     vm_vec3 omega = vmi_vec3(0, 0, 0);
@@ -2101,8 +2124,8 @@ VM_API vm_vec3 vmi_spin_of(const vmi_principal *p, vm_vec3 h)
 
 /* Solves i omega = h for the angular velocity *omega, with the inertia i, its principal axes *p and the angular
    momentum h. About an axis with zero moment of inertia (of a rod or a point) a body cannot have angular momentum;
-   *omega gets the component of `before` along this axis. Returns 1 if the component of h along such an axis exceeds the
-   argument `noise`, else 0. */
+   along this axis *omega gets the component of the argument `before`, another angular velocity. Returns 1 if the
+   component of h along such an axis exceeds the argument `noise`, else 0. */
 VM_API int vmi_solve_spin(const vm_inertia *i, const vmi_principal *p, vm_vec3 h, vm_real noise, vm_vec3 before,
                           vm_vec3 *omega)
 {
@@ -2122,7 +2145,7 @@ VM_API int vmi_solve_spin(const vm_inertia *i, const vmi_principal *p, vm_vec3 h
 /* mechanics/bodies.h - bodies in space and in the plane, their momenta and energy before and after a jump
    A vm_body is a body at an instant: mass, inertia, attitude, position and motion. A vm_body2 is a body that moves in
    the plane. This chapter computes momentum (1)-(3), angular momentum (7)-(9) and kinetic energy (93), (97), and
-   compares them before and after an instant, (4)-(6), (10)-(12). The functions for the plane are in bodies2.h.
+   compares their values before and after an instant, (4)-(6), (10)-(12). The functions for the plane are in bodies2.h.
 
        vm_body wheel = {5, {2, 2, 1, 0, 0, 0}, {1, 0, 0, 0}, {0, 0, 0}, {10, 0, 0}, {0, 0, 3}};
        vm_vec3 origin = {0, 0, 0}, L = vm_angular_momentum(&wheel, origin); // L.z = 3 N m s
@@ -2174,8 +2197,9 @@ typedef struct VM_TAG(vm_balance) {
     vm_vec3 angular_momentum;       /* change of angular momentum about a point, N m s: (12), (17), (22) */
     vm_real momentum_scale;         /* the sum of mass times speed over all bodies, plus the size of the impulse, N s */
     /* The rounding error of angular_momentum is a few eps times this scale, N m s. The scale is the sum over all bodies
-       of tr(I) |omega| + (|r| + |r - about|) M |v| plus a term for the impulse; I is the inertia, tr the trace and M
-       the mass. The term |r| M |v| is there because the position r has the rounding error eps |r|. */
+       of tr(I) |omega| + (|r| + |r - about|) M |v|, plus a term for the impulse. A body has the inertia I (trace
+       tr(I)), the mass M, the position r, the velocity v and the angular velocity omega; `about` is the point of the
+       moments. The term |r| M |v| is there because r has the rounding error eps |r|. */
     vm_real angular_momentum_scale;
     vm_real energy;                 /* kinetic energy after minus before, J: (94) - (93) */
 } vm_balance;
@@ -2189,8 +2213,8 @@ VM_API vm_vec3 vmi_spin_momentum(const vm_body *body)
     return vmi_times(&m, vmi_inertia_times(&body->inertia, vmi_times_transposed(&m, body->omega)));
 }
 
-/* Momentum of a body, mass times velocity, (1)-(3), N s. The body is not checked: NaN in the body gives NaN, and so
-   does a null pointer. */
+/* Momentum of a body, mass times velocity, (1)-(3), N s. The body is not checked. The result is NaN for a null pointer,
+   and if a field that the function uses is NaN. */
 VM_API vm_vec3 vm_momentum(const vm_body *body)
 {
     if (!body) return vmi_vec3(VM_NAN, VM_NAN, VM_NAN);
@@ -2198,8 +2222,8 @@ VM_API vm_vec3 vm_momentum(const vm_body *body)
 }
 
 /* Angular momentum of a body about the point `about` (7)-(9), N m s. It is I omega + (r - about) x M v in inertial
-   axes, with the inertia I, the mass M and the cross product x. The body is not checked: NaN in the body gives NaN, and
-   so does a null pointer. */
+   axes, with the inertia I, the mass M and the cross product x. The body is not checked. The result is NaN for a null
+   pointer, and if a field that the function uses is NaN. */
 VM_API vm_vec3 vm_angular_momentum(const vm_body *body, vm_vec3 about)
 {
     if (!body) return vmi_vec3(VM_NAN, VM_NAN, VM_NAN);
@@ -2207,7 +2231,7 @@ VM_API vm_vec3 vm_angular_momentum(const vm_body *body, vm_vec3 about)
 }
 
 /* Kinetic energy of a body (93), (97), J. It is (M v.v + omega.(I omega))/2, with the mass M and the inertia I. The
-   body is not checked: NaN in the body gives NaN, and so does a null pointer. */
+   body is not checked. The result is NaN for a null pointer, and if a field that the function uses is NaN. */
 VM_API vm_real vm_kinetic_energy(const vm_body *body)
 {
     if (!body) return VM_NAN;
@@ -2216,8 +2240,8 @@ VM_API vm_real vm_kinetic_energy(const vm_body *body)
 
 /* ---- conversion of bodies between the plane and space ---- */
 
-/* Converts a body of the plane to a body of space, with inertial axes as its body axes. Only the entry zz of its
-   inertia is set, because motion in the plane needs no other entry. */
+/* Converts a body that moves in the plane to a body in space, with inertial axes as its body axes. Only the entry zz of
+   its inertia is set, because motion in the plane needs no other entry. */
 VM_API vm_body vmi_body_to_space(const vm_body2 *body)
 {
     vm_body b = {0, {0, 0, 0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}};
@@ -2229,7 +2253,8 @@ VM_API vm_body vmi_body_to_space(const vm_body2 *body)
     return b;
 }
 
-/* Converts a body of space to a body of the plane with the given angle. Motion out of the plane is left out. */
+/* Converts a body in space to a body that moves in the plane, with the attitude `angle`. The motion perpendicular to
+   the plane is ignored. */
 VM_API vm_body2 vmi_body_to_plane(const vm_body *b, vm_real angle)
 {
     vm_body2 flat;
@@ -2264,7 +2289,8 @@ VM_API int vmi_impulse_is_finite(const vm_impulse *j)
     return vmi_vec3_is_finite(j->linear) && vmi_vec3_is_finite(j->couple) && vmi_vec3_is_finite(j->at);
 }
 
-/* Checks a body of space. Returns VM_OK, VM_NOT_FINITE, VM_BAD_MASS or VM_BAD_INERTIA. */
+/* Checks a body in space. Returns VM_NOT_FINITE if a field is infinite or NaN; VM_BAD_MASS if the mass is not positive;
+   VM_BAD_INERTIA if no body can have the inertia; else VM_OK. */
 VM_API int vmi_check_body(const vm_body *b)
 {
     if (!vmi_body_is_finite(b)) return VM_NOT_FINITE;
@@ -2272,7 +2298,8 @@ VM_API int vmi_check_body(const vm_body *b)
     return vm_inertia_is_possible(&b->inertia) ? VM_OK : VM_BAD_INERTIA;
 }
 
-/* Checks a body of the plane. Returns VM_OK, VM_NOT_FINITE, VM_BAD_MASS or VM_BAD_INERTIA. */
+/* Checks a body that moves in the plane. Returns VM_NOT_FINITE if a field is infinite or NaN; VM_BAD_MASS if the mass
+   is not positive; VM_BAD_INERTIA if the inertia is negative; else VM_OK. */
 VM_API int vmi_check_body2(const vm_body2 *b)
 {
     if (!vmi_body2_is_finite(b)) return VM_NOT_FINITE;
@@ -2280,7 +2307,7 @@ VM_API int vmi_check_body2(const vm_body2 *b)
     return b->inertia >= 0 ? VM_OK : VM_BAD_INERTIA;
 }
 
-/* An array of n bodies, either of space or of the plane. One of the two pointers is NULL. */
+/* An array of n bodies, which are either all in space or all in the plane. The other of the two pointers is NULL. */
 typedef struct VM_TAG(vmi_bodies) {
     int n;
     const vm_body *in_space;
@@ -2305,15 +2332,16 @@ VM_API vmi_bodies vmi_bodies_in_plane(int n, const vm_body2 *bodies)
     return list;
 }
 
-/* Body i of the list, as a body of space */
+/* Body number i of the list, as a body in space */
 VM_API vm_body vmi_list_body(const vmi_bodies *list, int i)
 {
     if (list->in_plane) return vmi_body_to_space(list->in_plane + i);
     return list->in_space[i];
 }
 
-/* Returns VM_OK if all bodies are valid, else the error of a body; of several errors, vmi_first_error selects one.
-   Returns VM_BAD_ARGUMENT for n < 0, and if n > 0 while both pointers are NULL. */
+/* Returns VM_OK if all bodies of the list are valid, else the error of a body. If several bodies have errors,
+   vmi_first_error selects one. Returns VM_BAD_ARGUMENT if the number n of bodies is negative, and if n > 0 while both
+   pointers of the list are NULL. */
 VM_API int vmi_check_bodies(const vmi_bodies *list)
 {
     int i, status = VM_OK;
@@ -2333,7 +2361,8 @@ VM_API vm_vec3 vmi_impulse_moment(const vm_impulse *j, vm_vec3 about)
     return vm_add(j->couple, vm_cross(vm_sub(j->at, about), j->linear));
 }
 
-/* Adds a body to a balance (sign 1) or subtracts it (sign -1). Adds the sizes of its momenta to the two scales. */
+/* Adds the momentum, angular momentum and energy of a body to a balance (sign 1), or subtracts them (sign -1). Adds the
+   sizes of momentum and angular momentum to the fields momentum_scale and angular_momentum_scale. */
 VM_API void vmi_balance_add(vm_balance *sum, vm_real sign, const vm_body *body, vm_vec3 about)
 {
     const vm_vec3 momentum = vm_momentum(body);
@@ -2346,7 +2375,8 @@ VM_API void vmi_balance_add(vm_balance *sum, vm_real sign, const vm_body *body, 
     sum->energy += sign * vm_kinetic_energy(body);
 }
 
-/* Subtracts an impulse and its moment from a balance. Their absolute values are added to the two scales. */
+/* Subtracts an impulse and its moment from a balance. Adds their absolute values to the fields momentum_scale and
+   angular_momentum_scale. */
 VM_API void vmi_balance_take_impulse(vm_balance *sum, const vm_impulse *j, vm_vec3 about)
 {
     sum->momentum = vm_sub(sum->momentum, j->linear);
@@ -2363,10 +2393,11 @@ VM_API int vmi_balance_is_finite(const vm_balance *b)
 }
 
 /* Balance of momentum, angular momentum and energy across an instant. *balance gets the sums over the n_after bodies
-   minus those over the n_before bodies, minus the impulse, (4)-(6), (10)-(12). If no momentum is lost, the changes of
-   momentum and of angular momentum about any point are zero except for a few eps times their scales. Either number of
-   bodies may be 0. The bodies are not checked. Returns VM_BAD_ARGUMENT for a null pointer or a negative number of
-   bodies, VM_NOT_FINITE if a sum is not finite, and VM_OK otherwise. */
+   after the instant, minus the sums over the n_before bodies before it, minus the impulse, (4)-(6), (10)-(12). If no
+   momentum is lost, the changes of momentum and of angular momentum about any point are zero except for rounding
+   errors, which are a few eps times momentum_scale and angular_momentum_scale. Either number of bodies may be 0. The
+   bodies are not checked. Returns VM_BAD_ARGUMENT for a null pointer or a negative number of bodies, VM_NOT_FINITE if a
+   sum is not finite, and VM_OK otherwise. */
 VM_API int vm_balance_between(int n_before, const vm_body *before, int n_after, const vm_body *after,
                               const vm_impulse *external_or_NULL, vm_vec3 about, vm_balance *balance)
 {
@@ -2384,7 +2415,8 @@ VM_API int vm_balance_between(int n_before, const vm_body *before, int n_after, 
 
 #endif
 /* mechanics/bodies2.h - momentum and energy of bodies in the plane, and their conversion to bodies in space
-   In the plane, (35)-(39), a body has one moment of inertia and one angular velocity. Its type vm_body2 is in bodies.h.
+   In the plane, (35)-(39), a body has one moment of inertia and one angular velocity. The type of such a body,
+   vm_body2, is in bodies.h.
 
        vm_body2 plate = {2, 0.1, 0, 0, 0, 3, 0, 8}; // mass, inertia, x, y, angle, vx, vy, omega
        vm_real T = vm_kinetic_energy2(&plate);      // (2 3^2 + 0.1 8^2)/2 = 12.2 J
@@ -2393,16 +2425,16 @@ VM_API int vm_balance_between(int n_before, const vm_body *before, int n_after, 
 #ifndef VARMASS_MECHANICS_BODIES2_H
 #define VARMASS_MECHANICS_BODIES2_H
 
-/* Angular momentum of a body of the plane about the point (x, y), N m s. It is positive anticlockwise. The body is
-   not checked: NaN in the body gives NaN, and so does a null pointer. */
+/* Angular momentum of a body that moves in the plane about the point (x, y), N m s. It is positive anticlockwise. The
+   body is not checked. The result is NaN for a null pointer, and if a field that the function uses is NaN. */
 VM_API vm_real vm_angular_momentum2(const vm_body2 *body, vm_real x, vm_real y)
 {
     if (!body) return VM_NAN;
     return body->inertia * body->omega + body->mass * ((body->x - x) * body->vy - (body->y - y) * body->vx);
 }
 
-/* Kinetic energy of a body of the plane, J. It is (M v^2 + I omega^2)/2, with mass M, speed v and inertia I. The
-   body is not checked: NaN in the body gives NaN, and so does a null pointer. */
+/* Kinetic energy of a body that moves in the plane, J. It is (M v^2 + I omega^2)/2, with mass M, speed v and inertia I.
+   The body is not checked. The result is NaN for a null pointer, and if a field that the function uses is NaN. */
 VM_API vm_real vm_kinetic_energy2(const vm_body2 *body)
 {
     if (!body) return VM_NAN;
@@ -2410,9 +2442,9 @@ VM_API vm_real vm_kinetic_energy2(const vm_body2 *body)
            2;
 }
 
-/* Converts a body of the plane to a body of space: a thin plate in the plane z = 0. Its inertia has the
-   entries xx = yy = zz/2, its quaternion q has length 1, and it moves as *body does. *body is not checked. A null
-   pointer gives NaN. */
+/* Converts a body that moves in the plane to a body in space: a thin plate in the plane z = 0. Its inertia has the
+   entries xx = yy = zz/2, its quaternion q has length 1, and its motion is that of *body. *body is not checked. For a
+   null pointer all numbers of the result are NaN. */
 VM_API vm_body vm_body_from_body2(const vm_body2 *body)
 {
     const vm_body2 none = {VM_NAN, VM_NAN, VM_NAN, VM_NAN, VM_NAN, VM_NAN, VM_NAN, VM_NAN};
@@ -2447,7 +2479,7 @@ VM_API vm_body vm_body_from_body2(const vm_body2 *body)
    unit matrix, and P(d) = |d|^2 E - d d^T. An impulse `linear` with the moment `moment` about S1 may act. Then
      r1 = r + sign m/M1 d (15),  v1 = (M v + sign m v2 + linear)/M1 (24),  I1 = I + sign (I2 + m M/M1 P(d)),
      I1 omega1 = I omega + sign (I2 omega2 + m M/M1 d x (v2 - v)) + moment (33), (34)
-   A separation is therefore an attachment of negative mass and inertia.
+   A separation is therefore computed as an attachment of negative mass and inertia.
 
    These equations also hold in a frame that moves, and turns with any angular velocity Omega, if all omegas and v2 - v
    are taken relative to the frame (42). The code uses a frame in which terms that cancel are small, so that few digits
@@ -2456,7 +2488,7 @@ enum { VMI_SEPARATE = -1, VMI_ATTACH = 1 }; /* the values of all parameters name
 
 /* The frame of a jump */
 typedef struct VM_TAG(vmi_frame) {
-    vm_quat q;           /* attitude of the body that the jump changes; inertias are added in this body's axes */
+    vm_quat q;           /* attitude of the body that the jump changes; inertias are added along this body's axes */
     vmi_mat3 turn;       /* the rotation matrix of q */
     vm_vec3 r, v, omega; /* position, velocity and angular velocity of the frame */
 } vmi_frame;
@@ -2467,7 +2499,7 @@ typedef struct VM_TAG(vmi_lump) {
     vm_vec3 r, v;       /* position and velocity of the mass centre, minus r and v of the frame */
     vm_vec3 h;          /* angular momentum about the mass centre, relative to the frame; inertial axes */
     vm_inertia inertia; /* inertia about the lump's mass centre, along the axes given by the frame's q */
-    vm_inertia sizes;   /* for each entry of inertia, the sum of the absolute values of its terms */
+    vm_inertia sizes;   /* for each entry of `inertia`, the sum of the absolute values of the entry's terms */
     vm_real noise;      /* the sum of the absolute values of the terms of h; the error of h is a few eps times noise */
 } vmi_lump;
 
@@ -2513,9 +2545,9 @@ VM_API vm_inertia vmi_moved_inertia(const vmi_frame *frame, vm_vec3 d, vm_vec3 r
     return vmi_inertia_of_point(vmi_times_transposed(&frame->turn, d));
 }
 
-/* Returns the growth of a->noise when b joins or leaves a. This is b->noise plus the absolute values of the terms of
-   reduced d x slip, where `slip` is the velocity of b relative to a. vmi_join computes d, `reduced`, `reach` and
-   `slip`. */
+/* Returns how much a->noise grows when the lump b joins or leaves the lump a (the field `noise` measures rounding
+   errors). The result is b->noise plus the absolute values of the terms of the product reduced (d x slip), where `slip`
+   is the velocity of b relative to a. vmi_join computes d, `reduced`, `reach` and `slip`. */
 VM_API vm_real vmi_join_noise(const vmi_frame *frame, const vmi_lump *a, vm_real sign, const vmi_lump *b,
                               vm_real reduced, vm_vec3 reach, vm_vec3 slip)
 {
@@ -2526,11 +2558,13 @@ VM_API vm_real vmi_join_noise(const vmi_frame *frame, const vmi_lump *a, vm_real
            moved * vmi_norm1(reach) * (distance * vmi_norm1(frame->omega) + vmi_norm1(slip));
 }
 
-/* Attaches b to a (sign 1) or separates b from a (sign -1). Returns VM_BAD_MASS if no mass is left, else VM_OK. */
+/* Attaches the lump b to the lump a (sign 1), or separates b from a (sign -1). Returns VM_BAD_MASS if no mass is left,
+   else VM_OK. */
 VM_API int vmi_join(const vmi_frame *frame, vmi_lump *a, vm_real sign, const vmi_lump *b)
 {
     const vm_real mass = a->mass + sign * b->mass;
-    const vm_real share = sign * (b->mass / mass), reduced = a->mass * share; /* b's share of mass; reduced mass */
+    const vm_real share = sign * (b->mass / mass), reduced = a->mass * share; /* b's share of the total mass; the
+                                                                                 reduced mass of a and b */
     const vm_vec3 d = vm_sub(b->r, a->r), v = vm_sub(b->v, a->v);
     const vm_vec3 slip = vm_sub(v, vm_cross(frame->omega, d)); /* velocity of b relative to a in the turning frame */
     const vm_vec3 origin = vmi_abs(frame->r);
@@ -2561,8 +2595,8 @@ VM_API void vmi_apply_impulse(const vmi_frame *frame, vmi_lump *a, const vm_impu
     a->noise += vmi_norm1(external->couple) + (vmi_norm1(at) + vmi_norm1(frame->r)) * vmi_norm1(j);
 }
 
-/* The frame of a jump. It moves with the heaviest of all bodies. At a separation, or if only an impulse acts, it turns
-   with the first body. At an attachment it does not turn. */
+/* The frame of a jump. The frame moves with the heaviest of all bodies. At a separation, or if only an impulse acts,
+   the frame turns with `body`. At an attachment it does not turn. */
 VM_API vmi_frame vmi_frame_of(const vm_body *body, const vmi_bodies *others, vm_real sign)
 {
     vm_real mass = body->mass;
@@ -2614,7 +2648,8 @@ VM_API int vmi_jump_total(const vmi_frame *frame, const vm_body *body, vm_real s
 }
 
 /* Finds the principal axes of a lump, and corrects rounding errors that make its moments of inertia impossible. Returns
-   VM_OK, VM_NOT_FINITE, or VM_BAD_INERTIA if a moment clearly exceeds the sum of the other two. */
+   VM_NOT_FINITE if the inertia is infinite or NaN; VM_BAD_INERTIA if a moment clearly exceeds the sum of the other two;
+   else VM_OK. */
 VM_API int vmi_lump_clamp_moments(vmi_lump *lump, vmi_principal *p)
 {
     if (!vmi_inertia_is_finite(&lump->inertia)) return VM_NOT_FINITE;
@@ -2624,9 +2659,9 @@ VM_API int vmi_lump_clamp_moments(vmi_lump *lump, vmi_principal *p)
     return VM_OK;
 }
 
-/* Sets *omega to the angular velocity, relative to the frame and along inertial axes, of a lump with principal axes p.
-   `before` is this angular velocity before the jump. Returns 1 if the lump has angular momentum about an axis with zero
-   moment of inertia, which is impossible. Returns 0 otherwise. */
+/* Sets *omega to the angular velocity, relative to the frame and along inertial axes, of the lump whose principal axes
+   are *p. `before` is the angular velocity of the body relative to the frame before the jump. Returns 1 if the lump has
+   angular momentum about an axis with zero moment of inertia, which is impossible. Returns 0 otherwise. */
 VM_API int vmi_lump_spin(const vmi_frame *frame, const vmi_lump *lump, const vmi_principal *p, vm_vec3 before,
                          vm_vec3 *omega)
 {
@@ -2638,8 +2673,8 @@ VM_API int vmi_lump_spin(const vmi_frame *frame, const vmi_lump *lump, const vmi
     return left;
 }
 
-/* Sets *result to a body after n others are attached to it (sign = 1) or separate from it (sign = -1), while an impulse
-   acts. The statuses are those of vm_separate. */
+/* Sets *result to the body `body` after n others are attached to it (sign = 1) or separate from it (sign = -1), while
+   an impulse acts. The statuses are those of vm_separate. */
 VM_API int vmi_jump(const vm_body *body, int n, const vm_body *others, vm_real sign,
                     const vm_impulse *external_or_NULL, vm_body *result)
 {
@@ -2675,16 +2710,16 @@ VM_API int vmi_jump(const vm_body *body, int n, const vm_body *others, vm_real s
    plus the impulse. The pointer rest may be equal to whole or to part.
 
    If the separation does not change the part's motion, the rest keeps its motion, too, even if little inertia is left.
-   At high speed or far from the origin omega loses no digits, because only motions relative to the whole are added. The
-   error of the rest's inertia is at most 8 eps of the trace of the whole's inertia. If the bodies are at a distance R
-   from the origin, the rounding of positions by eps R adds to this error. A principal moment below this error becomes
-   0.
+   At high speed or far from the origin the rest's omega loses no digits, because only motions relative to the whole are
+   added. The error of the rest's inertia is at most 8 eps of the trace of the whole's inertia. If the bodies are at a
+   distance R from the origin, the rounding of positions by eps R adds to this error. A principal moment of the rest
+   that is below this error becomes 0.
 
    Returns VM_OK, VM_NULL_AXIS or an error. VM_NULL_AXIS (> 0) means that *rest is set and is a rod or a point, which
    has an axis without inertia, but that the equations demand angular momentum about this axis. *rest then turns about
-   this axis as the whole did. The errors are VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS if a mass,
-   that of the rest included, is not positive, and VM_BAD_INERTIA for an inertia that no body has. The rest has such an
-   inertia if the part cannot have been in the whole. */
+   this axis as the whole did. The errors are VM_BAD_ARGUMENT for a null pointer; VM_NOT_FINITE if an argument or the
+   result is infinite or NaN; VM_BAD_MASS if a mass, that of the rest included, is not positive; and VM_BAD_INERTIA for
+   an inertia that no body can have. The rest has such an inertia if the part cannot have been in the whole. */
 VM_API int vm_separate(const vm_body *whole, const vm_body *part, const vm_impulse *external_or_NULL, vm_body *rest)
 {
     return vmi_jump(whole, 1, part, VMI_SEPARATE, external_or_NULL, rest);
@@ -2702,7 +2737,7 @@ VM_API int vm_attach(const vm_body *body, const vm_body *added, const vm_impulse
 
 /* Separation of n parts from a body at once: *rest is what remains. Except for rounding errors, n calls of
    vm_separate, one after the other, give the same result. With n = 0 only the impulse acts on the body. The statuses
-   are those of vm_separate, and VM_BAD_ARGUMENT for n < 0. */
+   are those of vm_separate. For n < 0 the status is VM_BAD_ARGUMENT. */
 VM_API int vm_separate_all(const vm_body *whole, int n, const vm_body *parts, const vm_impulse *external_or_NULL,
                            vm_body *rest)
 {
@@ -2711,7 +2746,7 @@ VM_API int vm_separate_all(const vm_body *whole, int n, const vm_body *parts, co
 
 /* Attachment of n bodies to a body at once: *whole is the body that all of them form together. Except for rounding
    errors, n calls of vm_attach, one after the other, give the same result. With n = 0 only the impulse acts on the
-   body. The statuses are those of vm_attach, and VM_BAD_ARGUMENT for n < 0. */
+   body. The statuses are those of vm_attach. For n < 0 the status is VM_BAD_ARGUMENT. */
 VM_API int vm_attach_all(const vm_body *body, int n, const vm_body *added, const vm_impulse *external_or_NULL,
                          vm_body *whole)
 {
@@ -2720,7 +2755,7 @@ VM_API int vm_attach_all(const vm_body *body, int n, const vm_body *added, const
 
 /* ---- the inertia of a whole and of its parts ---- */
 
-/* A body at rest whose axes are the inertial axes */
+/* A body at rest, with the mass centre r, whose body axes are parallel to the inertial axes */
 VM_API vm_body vmi_body_at_rest(vm_real mass, const vm_inertia *inertia, vm_vec3 r)
 {
     vm_body b = {0, {0, 0, 0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}};
@@ -2730,7 +2765,9 @@ VM_API vm_body vmi_body_at_rest(vm_real mass, const vm_inertia *inertia, vm_vec3
     return b;
 }
 
-/* Body b at d joins body a at 0 or leaves it. Sets *joined to the resulting inertia and *centre to the mass centre. */
+/* Sets *joined to the inertia, and *centre to the mass centre, of a body after another body has joined it (sign = 1) or
+   left it (sign = -1). The mass centre of the first body is at the origin, that of the other body at d. The first body
+   has the mass mass_a and the inertia *a, the other body mass_b and *b. */
 VM_API int vmi_joined_inertia(vm_real mass_a, const vm_inertia *a, vm_real sign, vm_real mass_b,
                               const vm_inertia *b, vm_vec3 d, vm_inertia *joined, vm_vec3 *centre)
 {
@@ -2749,17 +2786,18 @@ VM_API int vmi_joined_inertia(vm_real mass_a, const vm_inertia *a, vm_real sign,
 
 /* Inertia of two bodies together, about their common mass centre: (13)-(15), (40). All inertias (kg m^2) are along one
    set of axes, and each is about its body's own mass centre. d (m) leads from the mass centre of a to that of b. The
-   result *centre (m) leads from the mass centre of a to the common one. Returns VM_BAD_ARGUMENT for a null pointer,
-   VM_NOT_FINITE, VM_BAD_MASS or VM_BAD_INERTIA as vm_attach does, and VM_OK otherwise. */
+   result *centre (m) leads from the mass centre of a to the common mass centre. Returns VM_BAD_ARGUMENT for a null
+   pointer; VM_NOT_FINITE, VM_BAD_MASS or VM_BAD_INERTIA under the conditions of vm_attach; VM_OK otherwise. */
 VM_API int vm_combine_inertia(vm_real mass_a, const vm_inertia *a, vm_real mass_b, const vm_inertia *b, vm_vec3 d,
                               vm_inertia *whole, vm_vec3 *centre)
 {
     return vmi_joined_inertia(mass_a, a, VMI_ATTACH, mass_b, b, d, whole, centre);
 }
 
-/* Inertia of a body without a part, about the mass centre of the rest: (13)-(15), (40). It undoes
-   vm_combine_inertia. d (m) leads from the mass centre of the whole to that of the part. The result *centre (m) leads
-   from the mass centre of the whole to that of the rest. The statuses are those of vm_combine_inertia. */
+/* Inertia of the rest of a body after a part has left it, about the mass centre of the rest: (13)-(15), (40). This
+   function is the inverse of vm_combine_inertia. d (m) leads from the mass centre of the whole to that of the part. The
+   result *centre (m) leads from the mass centre of the whole to that of the rest. The statuses are those of
+   vm_combine_inertia. */
 VM_API int vm_split_inertia(vm_real mass, const vm_inertia *whole, vm_real part_mass, const vm_inertia *part,
                             vm_vec3 d, vm_inertia *rest, vm_vec3 *centre)
 {
@@ -2769,8 +2807,8 @@ VM_API int vm_split_inertia(vm_real mass, const vm_inertia *whole, vm_real part_
 #endif
 /* mechanics/jumps2.h - parts separate from a body or are attached to it, in the plane
    This chapter computes the jumps of jumps.h for motion in the plane, (35)-(39). A body in the plane has one moment of
-   inertia and one angular velocity. Functions of jumps.h join the masses. Only the last step, from angular momentum to
-   angular velocity, differs.
+   inertia and one angular velocity. The functions here use those of jumps.h to join the masses. Only the last step,
+   from angular momentum to angular velocity, is different in the plane.
 
        vm_body2 plate = {2, 0.1, 0, 0, 0, 3, 0, 8}, chip = {0.1, 0, 0.2, 0, 0, 5, 1, 8}, rest;
        int status = vm_separate2(&plate, &chip, NULL, &rest); // VM_OK: `rest` has the motion after the separation
@@ -2789,8 +2827,9 @@ VM_API vm_impulse vmi_impulse_to_space(const vm_impulse2 *j)
     return lifted;
 }
 
-/* Sets the moment of inertia of a lump of the plane to 0 if it is smaller than its rounding errors. Returns
-   VM_NOT_FINITE if the moment is not finite, VM_BAD_INERTIA if it is clearly negative, and VM_OK otherwise. */
+/* A lump is the mass, motion and inertia of a body, or of several bodies joined (vmi_lump). Sets the moment of inertia
+   of a lump in the plane to 0 if this moment is smaller than its rounding errors. Returns VM_NOT_FINITE if the moment
+   is not finite, VM_BAD_INERTIA if it is clearly negative, and VM_OK otherwise. */
 VM_API int vmi_lump_clamp_moments2(vmi_lump *lump)
 {
     if (!VM_IS_FINITE(lump->inertia.zz)) return VM_NOT_FINITE;
@@ -2799,9 +2838,9 @@ VM_API int vmi_lump_clamp_moments2(vmi_lump *lump)
     return VM_OK;
 }
 
-/* Sets *omega to the angular velocity of a lump relative to the frame of the jump, (44). For a lump without inertia,
-   *omega becomes `before`, which is this angular velocity before the jump. Returns 1 if a lump without inertia has
-   angular momentum, which is impossible, else 0. */
+/* Sets *omega to the angular velocity of *lump (a body, or several bodies joined) relative to the frame of the jump,
+   (44). For a lump without inertia, *omega becomes `before`, the angular velocity of the body relative to this frame
+   before the jump. Returns 1 if a lump without inertia has angular momentum, which is impossible, else 0. */
 VM_API int vmi_lump_spin2(const vmi_lump *lump, vm_real before, vm_real *omega)
 {
     if (lump->inertia.zz > 0) {
@@ -2812,7 +2851,8 @@ VM_API int vmi_lump_spin2(const vmi_lump *lump, vm_real before, vm_real *omega)
     return VM_FABS(lump->h.z) > 2 * VM_EPSILON * (lump->noise + VM_FABS(lump->h.z));
 }
 
-/* Returns VM_OK if the bodies of a jump in the plane are valid and the impulse is finite, else an error. */
+/* Returns VM_OK if the bodies of a jump in the plane are valid and the impulse is finite, else the error that
+   vmi_first_error selects. */
 VM_API int vmi_check_jump2(const vm_body2 *body, const vmi_bodies *others, const vm_impulse2 *external_or_NULL)
 {
     const int status = vmi_first_error(vmi_check_body2(body), vmi_check_bodies(others));
@@ -2823,7 +2863,8 @@ VM_API int vmi_check_jump2(const vm_body2 *body, const vmi_bodies *others, const
 }
 
 /* Sets *total to `body` as it is after a jump in the plane and the impulse, and *frame to the frame of the jump.
-   Returns VM_BAD_MASS if no mass is left, VM_NOT_FINITE or VM_BAD_INERTIA for an impossible inertia, else VM_OK. */
+   Returns VM_BAD_MASS if no mass is left; VM_NOT_FINITE if the inertia is infinite or NaN; VM_BAD_INERTIA if it is
+   negative; else VM_OK. */
 VM_API int vmi_jump_total2(const vm_body2 *body, const vmi_bodies *others, vm_real sign,
                            const vm_impulse2 *external_or_NULL, vmi_frame *frame, vmi_lump *total)
 {
@@ -2840,8 +2881,8 @@ VM_API int vmi_jump_total2(const vm_body2 *body, const vmi_bodies *others, vm_re
     return status ? status : vmi_lump_clamp_moments2(total);
 }
 
-/* Sets *result to a body of the plane after n others are attached to it (sign = 1) or separate from it (sign = -1),
-   while an impulse acts. The statuses are those of vm_separate2. */
+/* Sets *result to the body `body` in the plane after n others are attached to it (sign = 1) or separate from it
+   (sign = -1), while an impulse acts. The statuses are those of vm_separate2. */
 VM_API int vmi_jump2(const vm_body2 *body, int n, const vm_body2 *others, vm_real sign,
                      const vm_impulse2 *external_or_NULL, vm_body2 *result)
 {
@@ -2875,8 +2916,9 @@ VM_API int vmi_jump2(const vm_body2 *body, int n, const vm_body2 *others, vm_rea
 
    Returns VM_OK, VM_NULL_AXIS or an error. VM_NULL_AXIS (> 0) means that *rest is set and is a point, but that the
    equations demand angular momentum of the point about itself, which is impossible. rest->omega is then whole->omega.
-   The errors are VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS if a mass, that of the rest included,
-   is not positive, and VM_BAD_INERTIA if an inertia, that of the rest included, is negative. */
+   The errors are VM_BAD_ARGUMENT for a null pointer; VM_NOT_FINITE if an argument or the result is infinite or NaN;
+   VM_BAD_MASS if a mass, that of the rest included, is not positive; and VM_BAD_INERTIA if an inertia, that of the rest
+   included, is negative. */
 VM_API int vm_separate2(const vm_body2 *whole, const vm_body2 *part, const vm_impulse2 *external_or_NULL,
                         vm_body2 *rest)
 {
@@ -2886,7 +2928,8 @@ VM_API int vm_separate2(const vm_body2 *whole, const vm_body2 *part, const vm_im
 /* Attachment of one body to another in the plane (plastic impact): *whole is the body that the two form together. The
    caller sets vx, vy and omega of *body and *added to the motions just before the impact. The impulse, if there is one,
    acts during the impact. The whole has the angle of `body`. The statuses are those of vm_separate2. VM_NULL_AXIS means
-   that the bodies are points at one position, and that the impulse would turn them; omega remains that of `body`. */
+   that the bodies are points at one position, and that the impulse would turn them; the omega of the whole is then that
+   of `body`. */
 VM_API int vm_attach2(const vm_body2 *body, const vm_body2 *added, const vm_impulse2 *external_or_NULL,
                       vm_body2 *whole)
 {
@@ -2895,7 +2938,7 @@ VM_API int vm_attach2(const vm_body2 *body, const vm_body2 *added, const vm_impu
 
 /* Separation of n parts from a body at once, in the plane: *rest is what remains. Except for rounding errors, n calls
    of vm_separate2, one after the other, give the same result. With n = 0 only the impulse acts on the body. The
-   statuses are those of vm_separate2, and VM_BAD_ARGUMENT for n < 0. */
+   statuses are those of vm_separate2. For n < 0 the status is VM_BAD_ARGUMENT. */
 VM_API int vm_separate_all2(const vm_body2 *whole, int n, const vm_body2 *parts,
                             const vm_impulse2 *external_or_NULL, vm_body2 *rest)
 {
@@ -2904,7 +2947,7 @@ VM_API int vm_separate_all2(const vm_body2 *whole, int n, const vm_body2 *parts,
 
 /* Attachment of n bodies to a body at once, in the plane: *whole is the body that all of them form together. Except for
    rounding errors, n calls of vm_attach2, one after the other, give the same result. With n = 0 only the impulse acts
-   on the body. The statuses are those of vm_attach2, and VM_BAD_ARGUMENT for n < 0. */
+   on the body. The statuses are those of vm_attach2. For n < 0 the status is VM_BAD_ARGUMENT. */
 VM_API int vm_attach_all2(const vm_body2 *body, int n, const vm_body2 *added, const vm_impulse2 *external_or_NULL,
                           vm_body2 *whole)
 {
@@ -2912,7 +2955,7 @@ VM_API int vm_attach_all2(const vm_body2 *body, int n, const vm_body2 *added, co
 }
 
 #endif
-/* mechanics/relative.h - motion relative to a moving body, and jumps given by relative motions
+/* mechanics/relative.h - motion relative to a moving body, and jumps computed from relative motions
    This chapter computes the motion of one body relative to another body, in a frame that moves and turns with the other
    body, (25), (26), (41). It also computes jumps from such relative motions, (28)-(31), (42)-(44). Use these functions
    if you know only the velocity of a part relative to the whole.
@@ -2928,7 +2971,8 @@ VM_API int vm_attach_all2(const vm_body2 *body, int n, const vm_body2 *added, co
 #ifndef VARMASS_MECHANICS_RELATIVE_H
 #define VARMASS_MECHANICS_RELATIVE_H
 
-/* Velocity of the frame that moves and turns with a body, at the point r. It is called dragging velocity in (25). */
+/* Velocity, at the point r, of the frame that moves and turns with a body. The dissertation calls it dragging velocity
+   (25). */
 VM_API vm_vec3 vmi_velocity_at(const vm_body *body, vm_vec3 r)
 {
     return vm_add(body->v, vm_cross(body->omega, vm_sub(r, body->r)));
@@ -2942,7 +2986,7 @@ VM_API vm_body vmi_relative_motion(const vm_body *to, vm_body b)
     return b;
 }
 
-/* The absolute motion of b, if the motion of b is given relative to the body `to`. Nothing is checked. */
+/* The absolute motion of b. The argument b has the motion relative to the body `to`. Nothing is checked. */
 VM_API vm_body vmi_absolute_motion(const vm_body *to, vm_body b)
 {
     b.v = vm_add(vmi_velocity_at(to, b.r), b.v);
@@ -2969,12 +3013,13 @@ VM_API int vmi_put_body2(const vm_body *b, vm_real angle, vm_body2 *result)
 }
 
 /* Motion of a body relative to the frame that moves and turns with the body `to`. The body has the position r, velocity
-   v and angular velocity omega; for `to` these are r_S, v_S and Omega. The function replaces v and omega by
+   v and angular velocity omega; the body `to` has the position r_S, velocity v_S and angular velocity Omega. The
+   function replaces v and omega by
      v_r = v - v_S - Omega x (r - r_S) (25), (26), (98), (101),  Omega_r = omega - Omega (41), (99), (102),
    and copies all other fields. The vectors remain along the inertial axes, and r remains the position from the inertial
-   origin. The pointer relative may be equal to absolute. Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE if a
-   number of *absolute, the motion of `to` or the result is not finite, and VM_OK otherwise. Masses and inertias need
-   only be finite. */
+   origin. The pointer relative may be equal to absolute. Returns VM_BAD_ARGUMENT for a null pointer; VM_NOT_FINITE if a
+   number of *absolute, of the motion of `to` or of the result is infinite or NaN; VM_OK otherwise. The masses and
+   inertias are not checked in any other way. */
 VM_API int vm_to_relative(const vm_body *to, const vm_body *absolute, vm_body *relative)
 {
     vm_body b;
@@ -3017,8 +3062,8 @@ VM_API int vm_to_absolute2(const vm_body2 *to, const vm_body2 *relative, vm_body
 
 /* ---- jumps ---- */
 
-/* Computes a jump; the motions before and after it are given relative to `body`. In its own frame `body` is at rest,
-   and the equations of a jump have the same form as in an inertial frame. */
+/* Computes a jump; the motions before and after it are relative to `body`. In its own frame `body` is at rest, and the
+   equations of a jump have the same form as in an inertial frame. */
 VM_API int vmi_jump_relative(const vm_body *body, const vm_body *other, vm_real sign,
                              const vm_impulse *external_or_NULL, vm_body *result)
 {
@@ -3102,18 +3147,19 @@ VM_API vm_vec3 vmi_part_velocity(const vm_body *whole, const vm_body *part, cons
     return vm_add(whole->v, vmi_over(momentum, part->mass));
 }
 
-/* The angular momentum that the part must have, relative to the turning whole, so that the rest turns with rest_omega.
-   It is h - I1 (rest_omega - Omega). Omega is the angular velocity of the whole, and I1 the inertia of the rest. h is
-   the field of *rest: the angular momentum that the rest would have relative to the whole if the part left with the
-   angular velocity Omega. */
+/* The angular momentum that the part must have, relative to the turning whole, so that the rest turns with the angular
+   velocity rest_omega. It is h - I1 (rest_omega - Omega). Omega is the angular velocity of the whole, and I1 the
+   inertia of the rest. h is the field h of *rest, that is, the angular momentum that the rest would have relative to
+   the whole if the part left with the angular velocity Omega. */
 VM_API vm_vec3 vmi_part_spin_momentum(const vmi_frame *frame, const vmi_lump *rest, vm_vec3 rest_omega)
 {
     const vm_vec3 turning = vmi_times_transposed(&frame->turn, vm_sub(rest_omega, frame->omega));
     return vm_sub(rest->h, vmi_times(&frame->turn, vmi_inertia_times(&rest->inertia, turning)));
 }
 
-/* Sets *rest to what would remain if the part left with its own velocity but with the angular velocity of the whole.
-   The caller must have checked the bodies, except for the velocity of the part. Returns an error or VM_OK. */
+/* Sets *rest to what would remain if the part left with its own velocity but with the angular velocity of the whole,
+   and *frame to the frame of the jump. The caller must have checked the bodies, except for the velocity of the part.
+   Returns VM_OK or an error of vm_separate. */
 VM_API int vmi_unturned_rest(const vm_body *whole, const vm_body *part, const vm_impulse *external_or_NULL,
                              vmi_frame *frame, vmi_lump *rest)
 {
@@ -3128,8 +3174,9 @@ VM_API int vmi_unturned_rest(const vm_body *whole, const vm_body *part, const vm
     return status ? status : vmi_lump_clamp_moments(rest, &p);
 }
 
-/* Sets part->omega to the angular velocity that makes the rest turn with rest_omega. Returns VM_NULL_AXIS if the part
-   would need angular momentum about an axis with zero moment of inertia, VM_OK, or an error. */
+/* Sets part->omega to the angular velocity that makes the rest turn with the angular velocity rest_omega. Returns
+   VM_NULL_AXIS if the part would need angular momentum about an axis with zero moment of inertia; an error if the
+   part's inertia is impossible; VM_OK otherwise. */
 VM_API int vmi_turn_part(const vmi_frame *frame, const vmi_lump *rest, vm_vec3 rest_omega, vm_body *part)
 {
     vmi_frame own = *frame; /* the frame of the jump, with the axes of the part */
@@ -3150,12 +3197,13 @@ VM_API int vmi_turn_part(const vmi_frame *frame, const vmi_lump *rest, vm_vec3 r
 }
 
 /* How a part must leave, so that the rest moves as wanted: the inverse of vm_separate. *moving becomes a copy of *part
-   with another motion. The velocity of *moving makes the rest move at *rest_v_or_NULL (m/s), and its angular velocity
-   makes the rest turn with *rest_omega_or_NULL (rad/s). If one of these two pointers is NULL, *moving keeps the
-   velocity, or the angular velocity, of *part.
-     - If *rest_omega_or_NULL is 0, the rest does not turn (Table 2, cases 5 and 7; Table 4, case 2).
+   with another motion. The velocity of *moving makes the rest move at the velocity *rest_v_or_NULL (m/s), and its
+   angular velocity makes the rest turn with the angular velocity *rest_omega_or_NULL (rad/s). If one of these two
+   pointers is NULL, *moving keeps the velocity, or the angular velocity, of *part.
+     - If *rest_omega_or_NULL is 0, the rest does not turn (Table 2 of [1], cases 5 and 7; Table 4, case 2).
      - If *rest_v_or_NULL is 0, too, the rest is at rest (Table 3, cases 6 and 8).
-     - If both have the values of the whole, the rest moves on as the whole did (Table 3, case 7).
+     - If both are equal to the velocity and the angular velocity of the whole, the rest moves on as the whole did
+     (Table 3, case 7).
 
    Returns VM_NULL_AXIS (> 0) if the part would need angular momentum about an axis with zero moment of inertia. *moving
    then brings the rest as close to the wanted motion as possible. The other statuses are those of vm_separate. */
@@ -3185,7 +3233,8 @@ VM_API int vm_separation_for_rest(const vm_body *whole, const vm_body *part, con
 
 /* ---- the plane ---- */
 
-/* Sets vx and vy of *part to the velocity that the part must have so that the rest moves at rest_v, in the plane */
+/* Sets vx and vy of *part to the velocity that the part must have so that the rest moves at the velocity rest_v
+   (components x, y), in the plane */
 VM_API void vmi_push_part2(const vm_body2 *whole, const vm_impulse2 *external_or_NULL, const vm_real *rest_v,
                            vm_body2 *part)
 {
@@ -3214,8 +3263,8 @@ VM_API int vmi_unturned_rest2(const vm_body2 *whole, const vm_body2 *part, const
     return vmi_jump_total2(whole, &list, VMI_SEPARATE, external_or_NULL, frame, rest);
 }
 
-/* Sets part->omega, in the plane, to the angular velocity that makes the rest turn with rest_omega. Returns
-   VM_NULL_AXIS if the part is a point but would need angular momentum about itself, else VM_OK. */
+/* Sets part->omega, in the plane, to the angular velocity that makes the rest turn with the angular velocity
+   rest_omega. Returns VM_NULL_AXIS if the part is a point but would need angular momentum about itself, else VM_OK. */
 VM_API int vmi_turn_part2(const vm_body2 *whole, const vmi_frame *frame, const vmi_lump *rest, vm_real rest_omega,
                           vm_body2 *part)
 {
@@ -3232,9 +3281,9 @@ VM_API int vmi_turn_part2(const vm_body2 *whole, const vmi_frame *frame, const v
 
 /* How a part must leave in the plane, so that the rest moves as wanted: the inverse of vm_separate2. *moving becomes a
    copy of *part with another motion. The velocity of *moving makes the rest move at (rest_v_or_NULL[0],
-   rest_v_or_NULL[1]), in m/s along x and y. Its angular velocity makes the rest turn with *rest_omega_or_NULL, in
-   rad/s. If one of these two pointers is NULL, *moving keeps the velocity, or the angular velocity, of *part. The
-   statuses are those of vm_separation_for_rest. */
+   rest_v_or_NULL[1]), in m/s along x and y. Its angular velocity makes the rest turn with the angular velocity
+   *rest_omega_or_NULL, in rad/s. If one of these two pointers is NULL, *moving keeps the velocity, or the angular
+   velocity, of *part. The statuses are those of vm_separation_for_rest. */
 VM_API int vm_separation_for_rest2(const vm_body2 *whole, const vm_body2 *part, const vm_impulse2 *external_or_NULL,
                                    const vm_real *rest_v_or_NULL, const vm_real *rest_omega_or_NULL,
                                    vm_body2 *moving)
@@ -3264,8 +3313,8 @@ VM_API int vm_separation_for_rest2(const vm_body2 *whole, const vm_body2 *part, 
    of *part with the new velocity; the velocity in *part is not read. The part keeps its angular velocity. Let S and S2
    be the mass centres of whole and part, and v_r the velocity of *moving relative to the turning whole. Only the
    component of v_r across the line SS2 turns the rest, so the function makes v_r orthogonal to SS2. This is case 7 of
-   Table 3. Returns VM_SINGULAR if S and S2 are one point, so that no velocity turns the rest. The other statuses are
-   those of vm_separate2. */
+   Table 3 in the dissertation. Returns VM_SINGULAR if S and S2 are one point, because then no velocity turns the rest.
+   The other statuses are those of vm_separate2. */
 VM_API int vm_separation_for_spin2(const vm_body2 *whole, const vm_body2 *part, const vm_impulse2 *external_or_NULL,
                                    vm_real rest_omega, vm_body2 *moving)
 {
@@ -3329,8 +3378,8 @@ VM_API vm_real vmi_relative_energy(const vm_body *whole, int n, const vm_body *b
     return sum + vm_kinetic_energy(&b);
 }
 
-/* Work of an impulse on a body, J: v.linear + omega.moment. v and omega are the velocity and angular velocity of the
-   body; the moment of the impulse is taken about its mass centre. Returns 0 for a null pointer. */
+/* Work of an impulse on a body, J. It is v.linear + omega.moment. v and omega are the velocity and angular velocity of
+   the body; the moment of the impulse is taken about its mass centre. Returns 0 for a null pointer. */
 VM_API vm_real vmi_impulse_work(const vm_body *body_or_NULL, const vm_impulse *external_or_NULL)
 {
     const vm_body *b = body_or_NULL;
@@ -3339,11 +3388,11 @@ VM_API vm_real vmi_impulse_work(const vm_body *body_or_NULL, const vm_impulse *e
     return vm_dot(b->v, j->linear) + vm_dot(b->omega, vmi_impulse_moment(j, b->r));
 }
 
-/* Energy gained at a separation, J: the kinetic energy of n parts and rest minus that of the whole (113), (118). It is
-   computed as the kinetic energy of parts and rest relative to the whole, plus the work of the external impulse on the
-   whole (0 without an impulse). In exact arithmetic both results are equal, but at high speed the difference of the
-   energies would lose digits. `whole` is the body before the separation; `parts` and `rest` are the bodies after it.
-   Returns NaN for a null pointer or n < 0. */
+/* Energy gained at a separation, J: the kinetic energy of the n parts and of the rest, minus that of the whole (113),
+   (118). It is computed as the kinetic energy of parts and rest relative to the whole, plus the work of the external
+   impulse on the whole (0 without an impulse). Without rounding errors this sum equals the difference of the energies.
+   But at high speed the difference would lose digits. `whole` is the body before the separation; `parts` and `rest` are
+   the bodies after it. Returns NaN for a null pointer or n < 0. */
 VM_API vm_real vm_energy_gain(const vm_body *whole, int n, const vm_body *parts, const vm_impulse *external_or_NULL,
                               const vm_body *rest)
 {
@@ -3380,9 +3429,10 @@ VM_API vm_real vm_energy_loss(const vm_body *body, int n, const vm_body *added, 
    jump. The balances of momentum and angular momentum hold in this frame, too (42). If the body turned about the axle
    before the jump, it was at rest in this frame. Let P be the sum of the momenta of the body before the jump, of all
    bodies that join (+) or leave (-), and of the external impulse; let L be the sum of their angular momenta about O.
-   Let I be the inertia of the body after the jump about O. Then w grows by (e . L)/(e . I e). The axle exerts the
-   impulse M1 v1 - P at O, where M1 is the mass of the body after the jump and v1 the velocity of its mass centre in the
-   frame. The axle also exerts a couple, which is orthogonal to the axle.
+   Let I be the inertia of the body after the jump about O. Then the jump increases the angular velocity w of the body
+   about the axle by (e . L)/(e . I e). The axle exerts the impulse M1 v1 - P at O, where M1 is the mass of the body
+   after the jump and v1 the velocity of its mass centre in the frame. The axle also exerts a couple, which is
+   orthogonal to the axle.
    Tests: tests/test_axle.c. */
 #ifndef VARMASS_MECHANICS_AXLE_H
 #define VARMASS_MECHANICS_AXLE_H
@@ -3407,7 +3457,8 @@ VM_API vm_vec3 vmi_axle_spin(const vm_body *body, vm_vec3 omega)
     return vmi_times(&turn, vmi_inertia_times(&body->inertia, vmi_times_transposed(&turn, omega)));
 }
 
-/* Adds `sign` times the momenta of a body to *sum, relative to the frame that turns about the point O with omega. */
+/* Adds `sign` times the momentum and the angular momentum of a body to *sum. Both are relative to the frame that turns
+   about the point O with the angular velocity omega. */
 VM_API void vmi_axle_add(vmi_axle_sum *sum, vm_real sign, const vm_body *body, vm_vec3 O, vm_vec3 omega)
 {
     const vm_vec3 d = vm_sub(body->r, O), slip = vm_sub(body->v, vm_cross(omega, d));
@@ -3416,9 +3467,9 @@ VM_API void vmi_axle_add(vmi_axle_sum *sum, vm_real sign, const vm_body *body, v
     sum->angular = vm_add(sum->angular, vm_scale(sign, vm_add(spin, vm_cross(d, momentum))));
 }
 
-/* The vector from O to the mass centre of a body after the jump, where its mass is `mass`. The function adds only
-   differences of positions. Far from the origin the position of the new mass centre would be rounded, and its
-   difference from O would lose digits. */
+/* The vector from the point O to the mass centre of a body after the jump. `mass` is the mass of the body after the
+   jump. The function adds only differences of positions. Far from the origin the position of the new mass centre would
+   be rounded, and its difference from O would lose digits. */
 VM_API vm_vec3 vmi_axle_arm(vm_vec3 O, const vm_body *body, int n, const vm_body *others, vm_real sign, vm_real mass)
 {
     vm_vec3 shift = {0, 0, 0};
@@ -3430,7 +3481,8 @@ VM_API vm_vec3 vmi_axle_arm(vm_vec3 O, const vm_body *body, int n, const vm_body
     return vm_add(vm_sub(body->r, O), shift);
 }
 
-/* Checks the axle, and writes its unit vector. */
+/* Sets *e to the unit vector along the axle. Returns VM_NOT_FINITE if a number of the axle is infinite or NaN;
+   VM_DOMAIN if axle->axis is 0; else VM_OK. */
 VM_API int vmi_axle_direction(const vm_axle *axle, vm_vec3 *e)
 {
     vm_real length;
@@ -3442,8 +3494,9 @@ VM_API int vmi_axle_direction(const vm_axle *axle, vm_vec3 *e)
 }
 
 /* Sets the motion of the body *b about the axle, and computes the impulse of the axle. *b must already have the mass,
-   the inertia and the position after the jump. *sum contains P, L and the arm, and `before` is w e. Returns
-   VM_NULL_AXIS if b has no inertia about the axle, but would need angular momentum, else VM_OK. */
+   the inertia and the position after the jump. *sum contains the quantities that vmi_axle_sum describes. `before` is
+   the angular velocity of the body about the axle before the jump. Returns VM_NULL_AXIS if *b has no inertia about the
+   axle, but would need angular momentum about it, else VM_OK. */
 VM_API int vmi_axle_turn(vm_vec3 O, vm_vec3 e, vm_vec3 before, const vmi_axle_sum *sum, vm_body *b,
                          vm_impulse *reaction)
 {
@@ -3464,7 +3517,7 @@ VM_API int vmi_axle_turn(vm_vec3 O, vm_vec3 e, vm_vec3 before, const vmi_axle_su
     return status;
 }
 
-/* Computes the jump for the two functions below; `sign` is VMI_SEPARATE or VMI_ATTACH. */
+/* Computes the jump for vm_separate_on_axle and vm_attach_on_axle; `sign` is VMI_SEPARATE or VMI_ATTACH. */
 VM_API int vmi_axle_jump(const vm_axle *axle, const vm_body *body, int n, const vm_body *others, vm_real sign,
                          const vm_impulse *external_or_NULL, vm_body *result, vm_impulse *reaction_or_NULL)
 {
@@ -3492,15 +3545,16 @@ VM_API int vmi_axle_jump(const vm_axle *axle, const vm_body *body, int n, const 
     return status;
 }
 
-/* Separation of n parts from a body on a fixed axle: *rest is what remains, guided by the axle.
+/* Separation of n parts from a body on a fixed axle: *rest is the body that remains on the axle.
    `parts` must contain the motions that the parts have after the separation. The external impulse, if there is one,
    acts during the separation. *reaction_or_NULL is the impulse of the axle on the body: `linear` acts at the point
    axle->at, and `couple` is orthogonal to the axle. If the parts keep the motion that they had in the whole, the motion
-   of the rest does not change. With n = 0 only the impulse acts. If the whole did not turn about the axle before, the
-   axle catches it at this instant. Let s be the sum of the absolute values of the terms of e . L. The error of the
-   angular velocity is a few eps times s divided by the inertia about the axle. Returns VM_OK, an error status of
-   vm_separate_all, VM_DOMAIN if axle->axis is 0, and VM_NULL_AXIS (> 0) if the rest has no inertia about the axle, but
-   would need angular momentum; it then turns as the whole did. `rest` may be equal to `whole`. */
+   of the rest does not change. With n = 0 only the impulse acts. If the whole did not turn about the axle before the
+   separation, the axle catches it at this instant. The error of the angular velocity is a few eps times s divided by
+   the inertia about the axle. Here s is the sum of the absolute values of the terms of e . L; e and L are explained at
+   the top of mechanics/axle.h. Returns VM_OK, an error status of vm_separate_all, VM_DOMAIN if axle->axis is 0, and
+   VM_NULL_AXIS (> 0) if the rest has no inertia about the axle, but would need angular momentum about it. The rest then
+   turns as the whole did. The pointer `rest` may be equal to `whole`. */
 VM_API int vm_separate_on_axle(const vm_axle *axle, const vm_body *whole, int n, const vm_body *parts,
                                const vm_impulse *external_or_NULL, vm_body *rest, vm_impulse *reaction_or_NULL)
 {
@@ -3539,7 +3593,7 @@ VM_API int vm_attach_on_axle(const vm_axle *axle, const vm_body *body, int n, co
 #include <string.h>
 
 /* The rotor. The formulas use these abbreviations (67) of its fields: omega^2 = stiffness/mass, p^2 = mass/inertia,
-   k* = damping/inertia, M* = torque/inertia. A dash means the derivative with respect to time: psi' = dpsi/dt. */
+   k* = damping/inertia, M* = torque/inertia. A prime ' means the derivative with respect to time: psi' = dpsi/dt. */
 typedef struct VM_TAG(vm_broken_rotor) {
     vm_real mass;      /* mass M > 0, kg */
     vm_real inertia;   /* inertia I > 0 about the rotor's own mass centre, kg m^2 */
@@ -3580,10 +3634,10 @@ typedef struct VM_TAG(vm_broken_rotor_piece) {
 } vm_broken_rotor_piece;
 
 /* The result of the break, (52)-(64) as corrected in docs/errata.md. S, S2 and A are the points of
-   vm_broken_rotor_piece, and S1 is the mass centre of the remainder. M, I_S, m, I_S2 are mass and inertia of the whole
-   and of the piece; I_S1 is the inertia of the remainder. The dissertation [1] assumes in (57) that the point A of the
-   piece keeps its velocity, and that the component of S2's velocity perpendicular to S2A becomes zero. Everything else
-   follows from the conservation of momentum and angular momentum. */
+   vm_broken_rotor_piece, and S1 is the mass centre of the remainder. M and I_S are the mass and the inertia of the
+   whole, m and I_S2 those of the piece, and I_S1 is the inertia of the remainder. The dissertation [1] assumes in (57)
+   that the point A of the piece keeps its velocity, and that the component of S2's velocity perpendicular to S2A
+   becomes zero. Everything else follows from the conservation of momentum and angular momentum. */
 typedef struct VM_TAG(vm_broken_rotor_break) {
     vm_broken_rotor rest; /* the remainder, with its own mass, inertia and s = m SS2/(M - m); its stiffness, damping
                              and torque are those of the whole */
@@ -3613,7 +3667,8 @@ typedef struct VM_TAG(vm_broken_rotor_break) {
                                               alpha = 0 the value is I_S (R - SS2)/R [after (64), corrected]. */
 } vm_broken_rotor_break;
 
-/* Returns VM_OK if all fields are finite and have the signs given in vm_broken_rotor, else the error. */
+/* Returns VM_OK if all fields of the rotor are finite and have the signs that vm_broken_rotor demands, else the
+   error. */
 VM_API int vmi_check_broken_rotor(const vm_broken_rotor *r)
 {
     if (!VM_IS_FINITE(r->mass) || !VM_IS_FINITE(r->inertia) || !VM_IS_FINITE(r->stiffness) ||
@@ -3626,9 +3681,10 @@ VM_API int vmi_check_broken_rotor(const vm_broken_rotor *r)
 }
 
 /* Right-hand side of the rotor's equations of motion, (65), (66), (68), (46).
-   It is an ode_rhs for integrators such as rk45, with VM_BROKEN_ROTOR_STATES states. `rotor` must point to a
-   vm_broken_rotor. Returns 0; or VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS for a
-   negative stiffness, or VM_BAD_INERTIA. */
+   Its type is ode_rhs, so that integrators such as rk45 can call it. The state y has VM_BROKEN_ROTOR_STATES numbers.
+   `rotor` must point to a vm_broken_rotor. Returns VM_BAD_ARGUMENT for a null pointer; VM_NOT_FINITE if a field of the
+   rotor is infinite or NaN; VM_BAD_MASS or VM_BAD_INERTIA if the mass or the inertia of the rotor is not positive;
+   VM_BAD_STIFFNESS if the stiffness is negative; else 0. */
 VM_API int vm_broken_rotor_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
@@ -3651,8 +3707,9 @@ VM_API int vm_broken_rotor_rhs(vm_real t, const vm_real *y, vm_real *dydt, void 
 }
 
 /* Right-hand side of the rotor's equations of motion in polar form (75).
-   It is an ode_rhs with the VM_BROKEN_ROTOR_STATES states {r, phi, psi, r', phi', psi'}. `rotor` must point to a
-   vm_broken_rotor. Returns a status of vm_broken_rotor_rhs; or VM_DOMAIN, which ends the run, if r is not positive. */
+   Its type is ode_rhs. The state y has the VM_BROKEN_ROTOR_STATES numbers {r, phi, psi, r', phi', psi'}. `rotor` must
+   point to a vm_broken_rotor. Returns VM_DOMAIN, which ends the run, if r is not positive; else a status of
+   vm_broken_rotor_rhs. */
 VM_API int vm_broken_rotor_polar_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
@@ -3678,7 +3735,8 @@ VM_API int vm_broken_rotor_polar_rhs(vm_real t, const vm_real *y, vm_real *dydt,
 
 /* Converts the state {x, y, psi, x', y', psi'} of a rotor to its polar state.
    The polar state is {r, phi, psi, r', phi', psi'}. `y` and `polar` may be the same array. Returns VM_BAD_ARGUMENT for
-   a null pointer, VM_NOT_FINITE, VM_DOMAIN if r is 0, and VM_OK otherwise. */
+   a null pointer; VM_NOT_FINITE if a number of y or of the result is infinite or NaN; VM_DOMAIN if r is 0; VM_OK
+   otherwise. */
 VM_API int vm_broken_rotor_to_polar(const vm_real *y, vm_real *polar)
 {
     vm_real p[VM_BROKEN_ROTOR_STATES], x0, y0, vx, vy, radius, c, s;
@@ -3702,8 +3760,8 @@ VM_API int vm_broken_rotor_to_polar(const vm_real *y, vm_real *polar)
 }
 
 /* Converts the polar state {r, phi, psi, r', phi', psi'} of a rotor to {x, y, psi, x', y', psi'}.
-   `y` and `polar` may be the same array. Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_DOMAIN if r is
-   not positive, and VM_OK otherwise. */
+   `y` and `polar` may be the same array. Returns VM_BAD_ARGUMENT for a null pointer; VM_NOT_FINITE if a number of
+   `polar` or of the result is infinite or NaN; VM_DOMAIN if r is not positive; VM_OK otherwise. */
 VM_API int vm_broken_rotor_from_polar(const vm_real *polar, vm_real *y)
 {
     vm_real z[VM_BROKEN_ROTOR_STATES], radius, along, across, c, s; /* along, across: the velocities r' and r phi' */
@@ -3729,7 +3787,7 @@ VM_API int vmi_broken_rotor_piece_finite(const vm_broken_rotor_piece *p)
            VM_IS_FINITE(p->alpha) && VM_IS_FINITE(p->radius) && VM_IS_FINITE(p->contact);
 }
 
-/* Checks the arguments of vm_broken_rotor_break_off and returns their status. */
+/* Returns VM_OK if the arguments of vm_broken_rotor_break_off are valid, else the error. */
 VM_API int vmi_broken_rotor_check_break(const vm_broken_rotor *whole, const vm_real *before,
                                         const vm_broken_rotor_piece *p)
 {
@@ -3747,7 +3805,7 @@ typedef struct VM_TAG(vmi_broken_rotor_vector) {
     vm_real x, y;
 } vmi_broken_rotor_vector;
 
-/* The vector a turned by the angle whose sine and cosine are given */
+/* The vector a, turned by the angle whose sine and cosine are the first two arguments */
 VM_API vmi_broken_rotor_vector vmi_broken_rotor_turned(vm_real sine, vm_real cosine, vmi_broken_rotor_vector a)
 {
     vmi_broken_rotor_vector b;
@@ -3813,11 +3871,15 @@ VM_API vm_real vmi_broken_rotor_contact(const vm_broken_rotor *whole, const vm_b
 }
 
 /* Remainder and piece of a rotor after the break, with their motions, (52)-(64) corrected.
-   `before` is the state of the whole just before the break. Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE
-   if an argument or a field of *result other than stop_inertia is not finite, VM_BAD_MASS if the mass of the piece is
-   not between 0 and that of the whole, VM_BAD_STIFFNESS for a negative stiffness, VM_BAD_INERTIA if the inertia of the
-   remainder is negative or not larger than rounding errors, VM_DOMAIN if the whole has s != 0 or if the piece's mass
-   centre is at the point of contact A, and VM_OK otherwise. */
+   `before` is the state of the whole just before the break. Returns
+   - VM_BAD_ARGUMENT for a null pointer;
+   - VM_NOT_FINITE if an argument, or a field of *result other than stop_inertia, is infinite or NaN;
+   - VM_BAD_MASS if the mass of the piece is not between 0 and the mass of the whole;
+   - VM_BAD_STIFFNESS if the stiffness is negative;
+   - VM_BAD_INERTIA if the inertia of the whole is not positive, if that of the piece is negative, or if that of the
+     remainder is negative or not larger than rounding errors;
+   - VM_DOMAIN if the whole has s != 0, or if the piece's mass centre is at the point of contact A;
+   - VM_OK otherwise. */
 VM_API int vm_broken_rotor_break_off(const vm_broken_rotor *whole, const vm_real *before,
                                      const vm_broken_rotor_piece *piece, vm_broken_rotor_break *result)
 {
@@ -3861,9 +3923,10 @@ VM_API int vm_broken_rotor_break_off(const vm_broken_rotor *whole, const vm_real
 
    This chapter computes the state of the rotor after a given time without an integrator. Before the break the shaft
    passes through the mass centre, and the solution (46)-(51) is exact (vm_broken_rotor_free_motion). After the break
-   the linearised equations (69) hold for short times, while the angle psi of the remainder is small.
-   vm_broken_rotor_linear solves these equations completely. vm_broken_rotor_linear_uncoupled has the solution (70)-(72)
-   of the dissertation [1], which leaves out the term s p^2 omega^2 y. For long times integrate vm_broken_rotor_rhs.
+   the linearised equations (69) are a good approximation for short times, while the angle psi of the remainder is
+   small. vm_broken_rotor_linear solves these equations completely. vm_broken_rotor_linear_uncoupled has the solution
+   (70)-(72) of the dissertation [1], which leaves out the term s p^2 omega^2 y. For long times integrate
+   vm_broken_rotor_rhs.
 
        vm_broken_rotor whole = {2, 1, 20, 1, 3, 0};
        vm_real y[VM_BROKEN_ROTOR_STATES] = {VM_C(0.01), 0, 0, 0, 0, 3};
@@ -3877,7 +3940,7 @@ VM_API int vm_broken_rotor_break_off(const vm_broken_rotor *whole, const vm_real
 
 #include <string.h>
 
-/* The coefficients (67) of the linearised equations */
+/* The coefficients (67) of the linearised equations (69), which are at the top of mechanics/broken_rotor_motion.h */
 typedef struct VM_TAG(vmi_broken_rotor_linear) {
     vm_real omega, k, torque, s; /* omega, k*, M* and s, as explained at vm_broken_rotor */
     vm_real coupling;            /* s p^2 omega^2, the factor of y in the equation of psi; 0 to leave out this term */
@@ -3892,7 +3955,8 @@ enum {
     VMI_BROKEN_ROTOR_COUPLED = 4 /* the number of coupled states */
 };
 
-/* Returns the coefficients for the rotor *r, with the coupling term if coupled = 1 and without it if coupled = 0. */
+/* Returns the coefficients of the linearised equations for the rotor *r, with the coupling term if coupled = 1 and
+   without it if coupled = 0. */
 VM_API vmi_broken_rotor_linear vmi_broken_rotor_reduced(const vm_broken_rotor *r, int coupled)
 {
     vmi_broken_rotor_linear a;
@@ -3906,7 +3970,7 @@ VM_API vmi_broken_rotor_linear vmi_broken_rotor_reduced(const vm_broken_rotor *r
 }
 
 /* Returns an upper bound, in 1/s, of the rates at which solutions of the linearised equations grow, decay or oscillate.
-   The Taylor series below converges fast for times up to 1/(this bound). */
+   The Taylor series of vmi_broken_rotor_series converges fast for times up to 1/(this bound). */
 VM_API vm_real vmi_broken_rotor_rate(const vmi_broken_rotor_linear *a)
 {
     return VM_FABS(a->k) + VM_C(1.5) * a->omega + VM_SQRT(VM_FABS(a->s * a->coupling));
@@ -3943,9 +4007,9 @@ VM_API void vmi_broken_rotor_series(const vmi_broken_rotor_linear *a, vm_real h,
     }
 }
 
-/* Replaces the matrix m for some time by the matrix for twice this time. m describes the change of the states within
-   its time: row m[j] is the change of states that start from z[j] = 1 and all other z = 0, without torque. The last row
-   of m is the change that the torque causes if all states start from 0. Let E be the unit matrix. m + E converts the
+/* Replaces the matrix m for some time by the matrix for twice this time. m describes how the states z change within its
+   time: row m[j] is the change of states that start from z[j] = 1 and all other z = 0, without torque. The last row of
+   m is the change that the torque causes if all states start from 0. Let E be the unit matrix. m + E converts the
    states at the start into the states at the end of the time. The matrix for twice the time is therefore (m + E)^2 - E
    = 2 m + m m. The matrix m + E itself is not stored, because digits of m would be lost in the sum. */
 VM_API void vmi_broken_rotor_double(vm_real m[VMI_BROKEN_ROTOR_COUPLED + 1][VMI_BROKEN_ROTOR_COUPLED])
@@ -4014,8 +4078,8 @@ VM_API vm_real vmi_broken_rotor_less_sine(vm_real w, vm_real sine)
     return w * sum;
 }
 
-/* Functions of the time t that describe a free oscillation with the angular frequency w. If w is 0, the fields have
-   their limits as w tends to 0. */
+/* Functions of the time t that describe a free oscillation with the angular frequency w. If w is 0, the fields are the
+   limits of these functions as w tends to 0. */
 typedef struct VM_TAG(vmi_broken_rotor_swing) {
     vm_real c;    /* cos(w t) */
     vm_real c1;   /* 1 - cos(w t) */
@@ -4042,12 +4106,12 @@ VM_API vmi_broken_rotor_swing vmi_broken_rotor_swing_at(vm_real t, vm_real w)
 }
 
 /* Advances the states z by the time t with the solution (71), (72), which lacks the coupling term s p^2 omega^2 y.
-   Where the dissertation [1] has k* Omega, this function has M*. It is used if |t| times vmi_broken_rotor_rate exceeds
-   1. With w = omega, k = k*, the initial angle psi0 and its initial rate rate0, the angle is
-   psi = psi0 + rate0 E1 + M* E2, where E1 = (1 - e^(-kt))/k and E2 = (t - E1)/k. E0 = e^(-kt) is the derivative of E1.
-   The angle drives y by the equation y'' + w^2 y = -w^2 s psi. The functions g0, g1, g2 give the response of y: each
-   solves g'' + w^2 g = F with g = g' = 0 at the start, where F is w^2 E0 for g0, w^2 E1 for g1 and w^2 E2 for g2.
-   Therefore g2' = g1 and g1' = g0. */
+   Where the dissertation [1] has k* Omega, this function has M*. This function is used if |t| times
+   vmi_broken_rotor_rate exceeds 1. Let w = omega and k = k*. The initial angle is psi0, and its initial rate is rate0.
+   Then the angle is psi = psi0 + rate0 E1 + M* E2, where E1 = (1 - e^(-kt))/k and E2 = (t - E1)/k. E0 = e^(-kt) is the
+   derivative of E1. The angle influences y by the equation y'' + w^2 y = -w^2 s psi. The functions g0, g1, g2 give the
+   response of y: each solves g'' + w^2 g = F with g = g' = 0 at the start, where F is w^2 E0 for g0, w^2 E1 for g1 and
+   w^2 E2 for g2. Therefore g2' = g1 and g1' = g0. */
 VM_API void vmi_broken_rotor_follow(vm_real t, const vmi_broken_rotor_linear *a, const vmi_broken_rotor_swing *g,
                                     vm_real *z)
 {
@@ -4067,7 +4131,7 @@ VM_API void vmi_broken_rotor_follow(vm_real t, const vmi_broken_rotor_linear *a,
 }
 
 /* Checks the arguments of vm_broken_rotor_linear, vm_broken_rotor_linear_uncoupled and vm_broken_rotor_free_motion.
-   Returns their status. */
+   Returns VM_OK or the error. */
 VM_API int vmi_broken_rotor_check_motion(const vm_broken_rotor *rotor, vm_real t, const vm_real *start,
                                          const vm_real *end)
 {
@@ -4106,31 +4170,33 @@ VM_API int vmi_broken_rotor_linearised(const vm_broken_rotor *rotor, vm_real t, 
     return vmi_copy_if_finite(VM_BROKEN_ROTOR_STATES, y, end);
 }
 
-/* State of the remainder t seconds after start, by the complete linearised equations (69).
+/* State of the remainder t seconds after the state `start`, by the complete linearised equations (69).
    The result describes the rotor for short times, while |psi| << 1, because solutions of (69) grow exponentially with
    t. t may have any sign. The arrays start and end have VM_BROKEN_ROTOR_STATES numbers, and end may be the same array
-   as start. The fields damping, stiffness and s may be 0. Rounding all inputs, t included, would change the result; the
-   error is at most twice this change. Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE also if the result
-   overflows, VM_BAD_MASS, VM_BAD_STIFFNESS for a negative stiffness, VM_BAD_INERTIA, and VM_OK otherwise. */
+   as start. The fields damping, stiffness and s may be 0. If all inputs, t included, were rounded, the result would
+   change; the error of the function is at most twice this change. Returns VM_BAD_ARGUMENT for a null pointer;
+   VM_NOT_FINITE if an argument or the result is infinite or NaN; VM_BAD_MASS or VM_BAD_INERTIA if the mass or the
+   inertia of the rotor is not positive; VM_BAD_STIFFNESS if the stiffness is negative; VM_OK otherwise. */
 VM_API int vm_broken_rotor_linear(const vm_broken_rotor *rotor, vm_real t, const vm_real *start, vm_real *end)
 {
     return vmi_broken_rotor_linearised(rotor, t, start, 1, end);
 }
 
-/* State of the remainder t seconds after start by (70)-(72), which lack a term of (69).
+/* State of the remainder t seconds after the state `start`, by the solution (70)-(72), which lacks one term of (69).
    The dissertation [1] leaves out the term -s p^2 omega^2 y, although it is as large as the other terms. Use this
-   function only to compare [1] with vm_broken_rotor_linear. Rounding all inputs would change the result; the error is
-   at most this change. Arguments and statuses are those of vm_broken_rotor_linear. */
+   function only to compare [1] with vm_broken_rotor_linear. If all inputs were rounded, the result would change; the
+   error of the function is at most this change. The arguments and the statuses are those of vm_broken_rotor_linear. */
 VM_API int vm_broken_rotor_linear_uncoupled(const vm_broken_rotor *rotor, vm_real t, const vm_real *start, vm_real *end)
 {
     return vmi_broken_rotor_linearised(rotor, t, start, 0, end);
 }
 
-/* State of the unbroken rotor t seconds after start, exact, (46)-(51).
+/* State of the unbroken rotor t seconds after the state `start`, by the exact solution (46)-(51).
    t may have any sign. The arrays start and end have VM_BROKEN_ROTOR_STATES numbers, and end may be the same array as
-   start. The fields damping and stiffness may be 0. Rounding all inputs, t included, would change the result; the error
-   is at most this change. Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS for
-   a negative stiffness, VM_BAD_INERTIA, VM_DOMAIN if s is not 0, and VM_OK otherwise. */
+   start. The fields damping and stiffness may be 0. If all inputs, t included, were rounded, the result would change;
+   the error of the function is at most this change. Returns VM_BAD_ARGUMENT for a null pointer; VM_NOT_FINITE if an
+   argument or the result is infinite or NaN; VM_BAD_MASS or VM_BAD_INERTIA if the mass or the inertia of the rotor is
+   not positive; VM_BAD_STIFFNESS if the stiffness is negative; VM_DOMAIN if s is not 0; VM_OK otherwise. */
 VM_API int vm_broken_rotor_free_motion(const vm_broken_rotor *rotor, vm_real t, const vm_real *start, vm_real *end)
 {
     const int status = vmi_broken_rotor_check_motion(rotor, t, start, end);
@@ -4145,8 +4211,9 @@ VM_API int vm_broken_rotor_free_motion(const vm_broken_rotor *rotor, vm_real t, 
    Its semi-axes are the sum and the absolute difference of |A0 + i B0| and |C0 + i D0|. The speed of the mass centre at
    the time t, which the dissertation [1] prints wrongly after (52), is
      w sqrt(A0^2 + B0^2 + C0^2 + D0^2 - 2 (A0 C0 + B0 D0) cos(2 w t) + 2 (B0 C0 - A0 D0) sin(2 w t)).
-   Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS if the stiffness is not
-   positive, VM_BAD_INERTIA, and VM_OK otherwise. */
+   Returns VM_BAD_ARGUMENT for a null pointer; VM_NOT_FINITE if an argument or the result is infinite or NaN;
+   VM_BAD_MASS or VM_BAD_INERTIA if the mass or the inertia of the rotor is not positive; VM_BAD_STIFFNESS if the
+   stiffness is not positive; VM_OK otherwise. */
 VM_API int vm_broken_rotor_orbit(const vm_broken_rotor *rotor, const vm_real *start, vm_real *abcd)
 {
     vm_real w, x, y, vx, vy, c[4];
@@ -4174,10 +4241,12 @@ VM_API int vm_broken_rotor_orbit(const vm_broken_rotor *rotor, const vm_real *st
    After the break the remainder can turn steadily at the angular velocity psi' = Omega, with its mass centre on a
    circle (76), (77). This chapter computes
      - the radius of this circle,
-     - the characteristic polynomial (81) of small deviations from the steady motion, its roots, Routh's first column,
+     - the characteristic polynomial (81) of small deviations from the steady motion, its roots, and the first column of
+     Routh's scheme,
      - the stability (82): the steady motion is stable only below resonance, where |Omega| < omega,
      - the radius of the orbit of a rotor that starts from rest at or above resonance; this orbit grows.
-   The formulas write omega^2 = stiffness/mass, p^2 = mass/inertia, k* = damping/inertia; s is the field s of the rotor.
+   In the formulas, omega^2 = stiffness/mass, p^2 = mass/inertia, k* = damping/inertia, and s is the field s of the
+   rotor. At resonance |Omega| = omega.
 
        vm_broken_rotor rest = {2, 1, 20, 1, 3, VM_C(0.1)};       // 0.1 m from the shaft to the mass centre
        vm_real radius = vm_broken_rotor_steady_radius(&rest, 2); // m, at 2 rad/s
@@ -4199,11 +4268,11 @@ VM_API vm_real vmi_broken_rotor_detuning(const vm_broken_rotor *r, vm_real Omega
 }
 
 /* Radius of the mass centre's circle in steady motion at psi' = Omega, m: s omega^2/(omega^2 - Omega^2), (76), (77).
-   Omega is in rad/s, and the motion needs torque = damping Omega (47). For Omega^2 < omega^2 the radius is positive and
-   the direction of the mass centre is phi = psi + pi, as in (77). For Omega^2 > omega^2 the radius is negative and
-   phi = psi, as in (76). The relative error is within 3 eps, even very close to resonance. Returns infinity at
-   resonance (NaN for s = 0), and NaN for a null pointer or for a rotor with a value that vm_broken_rotor does not
-   allow. */
+   Omega is in rad/s. The motion is steady only if torque = damping Omega (47). For Omega^2 < omega^2 the radius is
+   positive and the direction of the mass centre is phi = psi + pi, as in (77). For Omega^2 > omega^2 the radius is
+   negative and phi = psi, as in (76). The relative error is within 3 eps, even very close to resonance. Returns
+   infinity at resonance (NaN for s = 0), and NaN for a null pointer or for a rotor with a value that vm_broken_rotor
+   does not allow. */
 VM_API vm_real vm_broken_rotor_steady_radius(const vm_broken_rotor *rotor, vm_real Omega)
 {
     vm_real detuning, share;
@@ -4214,13 +4283,15 @@ VM_API vm_real vm_broken_rotor_steady_radius(const vm_broken_rotor *rotor, vm_re
     return -rotor->s * (share / (1 - share));
 }
 
-/* The quantities w2 = omega^2, O2 = Omega^2, k = k*, D and G in the polynomial of vm_broken_rotor_characteristic */
+/* The quantities in the polynomial of vm_broken_rotor_characteristic, where D and G are explained: w2 = omega^2, O2 =
+   Omega^2, k = k*, D and G */
 typedef struct VM_TAG(vmi_broken_rotor_steady) {
     vm_real w2, O2, k, D, G;
 } vmi_broken_rotor_steady;
 
-/* Sets *a for the steady motion at psi' = Omega. Returns VM_BAD_ARGUMENT, VM_NOT_FINITE, a status of
-   vmi_check_broken_rotor, VM_DOMAIN at resonance, or VM_OK. */
+/* Sets the fields of *a for the steady motion at the angular velocity psi' = Omega. Returns VM_BAD_ARGUMENT for a null
+   pointer; VM_NOT_FINITE if Omega is infinite or NaN; an error of vmi_check_broken_rotor if the rotor is invalid;
+   VM_DOMAIN at resonance; VM_OK otherwise. */
 VM_API int vmi_broken_rotor_about_steady(const vm_broken_rotor *r, vm_real Omega, vmi_broken_rotor_steady *a)
 {
     int status;
@@ -4248,8 +4319,9 @@ enum { VM_BROKEN_ROTOR_ROOTS = 5 /* degree of the characteristic polynomial */ }
      l^5 + k* l^4 + (2 (w^2 + O^2) + G) l^3 + 2 k* (w^2 + O^2) l^2 + (D^2 + G (w^2 + 3 O^2)) l + k* D^2,
    with w = omega, O = Omega, D = w^2 - O^2, G = s^2 p^2 w^4/D. The left side of (81) should be l times this polynomial,
    but its last term is printed without the factor l^2. (81) has the additional root l = 0 because the phase of the
-   steady motion is arbitrary. Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS
-   for a negative stiffness, VM_BAD_INERTIA, VM_DOMAIN at resonance, and VM_OK otherwise. */
+   steady motion is arbitrary. Returns VM_BAD_ARGUMENT for a null pointer; VM_NOT_FINITE if an argument or the result is
+   infinite or NaN; VM_BAD_MASS or VM_BAD_INERTIA if the mass or the inertia of the rotor is not positive;
+   VM_BAD_STIFFNESS if the stiffness is negative; VM_DOMAIN at resonance, where O^2 = w^2; VM_OK otherwise. */
 VM_API int vm_broken_rotor_characteristic(const vm_broken_rotor *rotor, vm_real Omega, vm_real *c)
 {
     vmi_broken_rotor_steady a;
@@ -4269,7 +4341,7 @@ VM_API int vm_broken_rotor_characteristic(const vm_broken_rotor *rotor, vm_real 
 
 /* First column of Routh's scheme of the characteristic polynomial: 1, k*, G, k* D, 4 G Omega^2, k* D^2. The function
    writes these VM_BROKEN_ROTOR_ROOTS + 1 numbers to the array `column`. The steady motion is asymptotically stable if
-   all of them are positive. The letters k*, G, D and the statuses are those of vm_broken_rotor_characteristic. */
+   all of them are positive. vm_broken_rotor_characteristic explains the letters k*, G, D and has the same statuses. */
 VM_API int vm_broken_rotor_routh(const vm_broken_rotor *rotor, vm_real Omega, vm_real *column)
 {
     vmi_broken_rotor_steady a;
@@ -4287,7 +4359,7 @@ VM_API int vm_broken_rotor_routh(const vm_broken_rotor *rotor, vm_real Omega, vm
     return vmi_copy_if_finite(VM_BROKEN_ROTOR_ROOTS + 1, p, column);
 }
 
-/* Whether the steady motion at psi' = Omega is asymptotically stable (82).
+/* Tests whether the steady motion at psi' = Omega is asymptotically stable (82).
    Returns 1 if Omega^2 < omega^2, damping > 0, s != 0 and Omega != 0, which together are the condition for stability.
    Returns 0 otherwise, and also for a null pointer and an invalid rotor. (If damping, s or Omega is 0, some motions
    neither grow nor decay.) */
@@ -4298,10 +4370,11 @@ VM_API int vm_broken_rotor_is_stable(const vm_broken_rotor *rotor, vm_real Omega
 }
 
 /* Roots re + i im of the characteristic polynomial, 1/s.
-   re and im are arrays of VM_BROKEN_ROTOR_ROOTS numbers. The roots are sorted by increasing |im|; of a conjugate pair,
-   the root with im > 0 is first. If each coefficient changed by the relative amount eps, each root would change; the
-   error of a root is at most twice this change. This holds for the smallest root, too. Near resonance it is smaller
-   than the largest root by many orders of magnitude. The statuses are those of vm_broken_rotor_characteristic. */
+   re and im are arrays of VM_BROKEN_ROTOR_ROOTS numbers. The roots are sorted by increasing |im|. In a pair of
+   conjugate roots, the root with im > 0 comes first. If each coefficient changed by the relative amount eps, each root
+   would change; the error of a root is at most twice this change. This holds for the smallest root, too, which near
+   resonance is smaller than the largest root by many orders of magnitude. The statuses are those of
+   vm_broken_rotor_characteristic. */
 VM_API int vm_broken_rotor_eigenvalues(const vm_broken_rotor *rotor, vm_real Omega, vm_real *re, vm_real *im)
 {
     vmi_broken_rotor_steady a;
@@ -4413,9 +4486,10 @@ VM_API vm_real vm_broken_rotor_resonance_radius(const vm_broken_rotor *rotor, vm
 #define VARMASS_MECHANICS_GENERALIZED_FORCE_H
 
 /* Adds the generalized forces of a force and a moment: Q_i += force.dr/dq_i + moment.domega/dq'_i (235).
-   dr_or_NULL[i] is dr/dq_i, the derivative of the point r at which the force acts with respect to the coordinate q_i.
-   domega_or_NULL[i] is domega/dq'_i, the derivative of the body's angular velocity omega with respect to the rate
-   q'_i. These arrays and Q have n entries. A NULL array means that its term is 0. If Q is NULL, nothing is done.
+   dr_or_NULL[i] is dr/dq_i, the derivative, with respect to the coordinate q_i, of the position r of the point at which
+   the force acts. domega_or_NULL[i] is domega/dq'_i, the derivative of the body's angular velocity omega with respect
+   to the rate q'_i. These arrays and Q have n entries. If dr_or_NULL or domega_or_NULL is NULL, its term is 0. If Q is
+   NULL, the function does nothing.
 
    For external loads, use their resultant force and their moment about r. For a stream with the mass rate M' (kg/s),
    the velocity u and the angular velocity omega2, use the force M' u at the point where the mass enters or leaves, and
@@ -4439,16 +4513,16 @@ VM_API void vm_lagrange_add_force(int n, vm_vec3 force, const vm_vec3 *dr_or_NUL
    This chapter computes generalized velocities qdot after a part separates from a system or is attached to it in an
    instant (96), and after an impact. A mass matrix is an array of n*n numbers, row after row. Velocities, momenta and
    impulses are arrays of n numbers. For rigid bodies, vm_lagrange_mass and vm_lagrange_momentum compute matrices and
-   momenta from dr[i] = dv/dqdot_i and turn[i] = domega/dqdot_i, (87)-(90). v is the velocity of the mass centre and
-   omega the angular velocity, both along inertial axes.
+   momenta from dr[i] = dv/dqdot_i and turn[i] = domega/dqdot_i, (87)-(90). Here v is the velocity of a body's mass
+   centre and omega the body's angular velocity, both along inertial axes.
 
        vm_real before[4] = {3, 0, 0, 5}, after[4] = {2, 0, 0, 5}; // mass matrices, as vm_lagrange_mass makes them
        vm_real part[2] = {4, 0}, qdot[2] = {1, 1};                // momenta of the part, velocities of the system
        vm_real work[VM_LAGRANGE_WORK(2)];
        int status = vm_lagrange_separate(2, before, after, qdot, part, NULL, qdot, work); // no impulse
 
-   The velocities qdot_i need not be derivatives of coordinates. They may be spins about body axes (quasi-coordinates).
-   Tests: tests/test_lagrange_jump.c. */
+   The velocities qdot_i need not be derivatives of coordinates. They may be angular velocities about body axes
+   (derivatives of quasi-coordinates). Tests: tests/test_lagrange_jump.c. */
 #ifndef VARMASS_MECHANICS_LAGRANGE_JUMP_H
 #define VARMASS_MECHANICS_LAGRANGE_JUMP_H
 
@@ -4459,8 +4533,8 @@ VM_API void vm_lagrange_add_force(int n, vm_vec3 force, const vm_vec3 *dr_or_NUL
 
 /* Adds the share of a body to the mass matrix of the kinetic energy T = qdot^T matrix qdot/2.
    dr and turn have n vectors: dr[i] = dv/dqdot_i and turn[i] = domega/dqdot_i. v is the velocity of the body's mass
-   centre, and omega the body's angular velocity. If dr or turn is NULL, its term is 0. If body or matrix is NULL,
-   nothing is done. */
+   centre, and omega the body's angular velocity. If dr or turn is NULL, its term is 0. If body or matrix is NULL, the
+   function does nothing. */
 VM_API void vm_lagrange_mass(int n, const vm_body *body, const vm_vec3 *dr_or_NULL, const vm_vec3 *turn_or_NULL,
                              vm_real *matrix)
 {
@@ -4483,8 +4557,8 @@ VM_API void vm_lagrange_mass(int n, const vm_body *body, const vm_vec3 *dr_or_NU
 }
 
 /* Adds to p the generalized momentum of a body.
-   It is computed from the velocity body->v and the angular velocity body->omega. p has n numbers. dr and turn are those
-   of vm_lagrange_mass. If dr or turn is NULL, its term is 0. If body or p is NULL, nothing is done. */
+   It is computed from the velocity body->v and the angular velocity body->omega. p has n numbers. vm_lagrange_mass
+   explains dr and turn. If dr or turn is NULL, its term is 0. If body or p is NULL, the function does nothing. */
 VM_API void vm_lagrange_momentum(int n, const vm_body *body, const vm_vec3 *dr_or_NULL, const vm_vec3 *turn_or_NULL,
                                  vm_real *p)
 {
@@ -4494,8 +4568,8 @@ VM_API void vm_lagrange_momentum(int n, const vm_body *body, const vm_vec3 *dr_o
 
 /* Adds to p the generalized impulse (95) of an impulse on a body with the mass centre r.
    r is in m, in inertial axes. The moment of the impulse is taken about r; equation (23a) does not name the point. p
-   has n numbers. dr and turn are those of vm_lagrange_mass. If dr or turn is NULL, its term is 0. If impulse or p is
-   NULL, nothing is done. */
+   has n numbers. vm_lagrange_mass explains dr and turn. If dr or turn is NULL, its term is 0. If impulse or p is NULL,
+   the function does nothing. */
 VM_API void vm_lagrange_impulse(int n, const vm_impulse *impulse, vm_vec3 r, const vm_vec3 *dr_or_NULL,
                                 const vm_vec3 *turn_or_NULL, vm_real *p)
 {
@@ -4505,7 +4579,8 @@ VM_API void vm_lagrange_impulse(int n, const vm_impulse *impulse, vm_vec3 r, con
 }
 
 /* Solves matrix*(qdot_after - qdot) = b. `work` has three parts: n*n numbers of space for a copy of the matrix, the n
-   numbers of b, which the caller has set, and n numbers of space. Returns VM_OK, VM_NOT_FINITE or VM_SINGULAR. */
+   numbers of b, which the caller has set, and n numbers of space. Returns VM_NOT_FINITE if an input or the result is
+   infinite or NaN; VM_SINGULAR if the matrix is singular (see vm_lagrange_separate); else VM_OK. */
 VM_API int vmi_lagrange_jump_solve(int n, const vm_real *matrix, const vm_real *qdot, vm_real *qdot_after,
                                    vm_real *work)
 {
@@ -4520,7 +4595,8 @@ VM_API int vmi_lagrange_jump_solve(int n, const vm_real *matrix, const vm_real *
 
 /* Solves after*(qdot_after - qdot) = (before - after)*qdot + sign*part + impulse, where `before` and `after` are mass
    matrices, and `part` is the vector of generalized momenta of the part that joins or separates. The unknown is the
-   change qdot_after - qdot. A part of little mass causes a small change; the error is small even compared with it. */
+   change qdot_after - qdot. If the part has little mass, this change is small, but the error is small even compared
+   with the change. */
 VM_API int vmi_lagrange_jump(int n, const vm_real *before, const vm_real *after, const vm_real *qdot,
                              const vm_real *part_or_NULL, vm_real sign, const vm_real *impulse_or_NULL,
                              vm_real *qdot_after, vm_real *work)
@@ -4542,11 +4618,12 @@ VM_API int vmi_lagrange_jump(int n, const vm_real *before, const vm_real *after,
    after the separation. (96) is d(T2 - T1)/dqdot = impulse, where T1 and T2 are the kinetic energies of rest and part
    together before and after the separation. The velocity of the part relative to the body is held constant in this
    derivative, so that the part adds the array `part` to dT2/dqdot. If part or impulse is NULL, its term is 0.
-   qdot_after may be qdot. work has VM_LAGRANGE_WORK(n) numbers. A part of little mass changes qdot little, and this
-   change keeps its relative accuracy. Returns VM_BAD_ARGUMENT for a null pointer and n <= 0, VM_NOT_FINITE, VM_SINGULAR
-   if some change of the coordinates moves no mass or a negative mass, and VM_OK otherwise. The matrix counts as
-   singular if an entry on the diagonal of `after` is not positive, or if a pivot is below 4 n eps after the diagonal
-   has been scaled to 1. */
+   The array qdot_after may be the array qdot. work has VM_LAGRANGE_WORK(n) numbers. A part of little mass changes qdot
+   little, and this small change is accurate relative to its own size. Returns VM_BAD_ARGUMENT for a null pointer and n
+   <= 0; VM_NOT_FINITE if an argument or the result is infinite or NaN; VM_SINGULAR if `after` is singular, that is, if
+   some change of the coordinates moves no mass or a negative mass; VM_OK otherwise. The matrix counts as singular if an
+   entry on the diagonal of `after` is not positive, or if a pivot is below 4 n eps after the diagonal has been scaled
+   to 1. */
 VM_API int vm_lagrange_separate(int n, const vm_real *before, const vm_real *after, const vm_real *qdot,
                                 const vm_real *part_or_NULL, const vm_real *impulse_or_NULL, vm_real *qdot_after,
                                 vm_real *work)
@@ -4567,8 +4644,8 @@ VM_API int vm_lagrange_attach(int n, const vm_real *before, const vm_real *after
 /* Velocities after an impact that changes no mass: matrix*(qdot_after - qdot) = impulse.
    If a part separates that is nearly the whole body, this function is more accurate than vm_lagrange_separate. Then
    `matrix` is the mass matrix of the rest, and `impulse` is minus the generalized momentum of the part's motion
-   relative to the body. The array sizes, the statuses and `work` are those of vm_lagrange_separate, but impulse must
-   not be NULL. */
+   relative to the body. The array sizes, the statuses and `work` are those of vm_lagrange_separate, but here `impulse`
+   must not be NULL. */
 VM_API int vm_lagrange_impact(int n, const vm_real *matrix, const vm_real *qdot, const vm_real *impulse,
                               vm_real *qdot_after, vm_real *work)
 {
@@ -4588,8 +4665,8 @@ VM_API int vm_lagrange_impact(int n, const vm_real *matrix, const vm_real *qdot,
        vm_pendulum_cut cut;
        int status = vm_pendulum_separate(&rod, VM_C(0.25), 0, 0, 1, &cut); // 0.25 m leaves at 1 m/s along y
 
-   vm_compound_pendulum_separate does this for a pendulum of any shape, and the functions of axle.h for any axle in
-   space.
+   vm_compound_pendulum_separate computes these results for a pendulum of any shape. The functions of axle.h compute
+   them for a body on any axle in space.
    Tests: tests/test_pendulum.c. */
 #ifndef VARMASS_MECHANICS_PENDULUM_H
 #define VARMASS_MECHANICS_PENDULUM_H
@@ -4660,16 +4737,16 @@ VM_API int vmi_pendulum_cut_finite(const vm_pendulum_cut *c)
            VM_IS_FINITE(c->pivot_x) && VM_IS_FINITE(c->pivot_y);
 }
 
-/* Motion of a pendulum and of the part that is cut off from it, (119)-(132).
+/* Motion of a pendulum, and of the part that is cut off from it, after the cut, (119)-(132).
    `part` is the length l of the part (m), 0 < l < L. Omega (rad/s) is the angular velocity of the part relative to the
    rod, positive in the direction in which the pendulum's angle phi grows. (ux, uy) (m/s) is the velocity of the part's
    mass centre S2 relative to the rod, along the axes x and y. Let rho = L - l/2 be the distance from O to S2. Let
    `across` be the component of (ux, uy) that is orthogonal to the rod, positive in the direction in which phi grows.
    The angular velocities phi' of the rod before the cut and phi1' of the remaining rod after the cut obey
      phi1' = phi' - l/(L - l)^3 (l^2 Omega/4 + 3 rho across).
-   This is (125), (132), corrected, and simplified so that no digits cancel. Returns VM_BAD_ARGUMENT for a null pointer
-   and for axes that do not exist, VM_NOT_FINITE, VM_BAD_MASS, VM_DOMAIN if l is not between 0 and L, and VM_OK
-   otherwise. */
+   This formula is (125), (132), corrected, and simplified so that no digits cancel. Returns VM_BAD_ARGUMENT for a null
+   pointer and for an unknown value of the field `axes`; VM_NOT_FINITE if an argument or the result is infinite or NaN;
+   VM_BAD_MASS if the mass is not positive; VM_DOMAIN if l is not between 0 and L; VM_OK otherwise. */
 VM_API int vm_pendulum_separate(const vm_pendulum *pendulum, vm_real part, vm_real Omega, vm_real ux, vm_real uy,
                                 vm_pendulum_cut *cut)
 {
@@ -4730,15 +4807,20 @@ typedef struct VM_TAG(vm_compound_part) {
 
 /* The compound pendulum and the part after the cut */
 typedef struct VM_TAG(vm_compound_cut) {
-    vm_compound_pendulum rest; /* what remains; rest.rate is phi1', rest.inertia is about O */
+    vm_compound_pendulum rest; /* what remains; rest.rate is its angular velocity after the cut, rest.inertia is about
+                                  O */
     vm_real vx, vy;            /* velocity of the part's mass centre, m/s */
     vm_real rate;              /* angular velocity of the part, rad/s */
-    vm_real T1, T_S1, T_S2;    /* kinetic energy of the whole before, of the rest and of the part after the cut, J */
+    vm_real T1, T_S1, T_S2;    /* T1: kinetic energy of the whole before the cut; T_S1, T_S2: those of the rest and of
+                                  the part after the cut, J */
     vm_real L1, L2;            /* angular momentum of the rest and of the part about O after the cut, kg m^2/s */
     vm_real pivot_x, pivot_y;  /* impulse of the pivot on the rest during the cut, N s */
 } vm_compound_cut;
 
-/* Checks numbers, masses and inertias of a compound pendulum and its part. */
+/* Checks the fields of a compound pendulum and of its part. Returns VM_NOT_FINITE if a field is infinite or NaN;
+   VM_BAD_MASS if a mass, that of the rest included, is not positive; VM_BAD_INERTIA if the inertia of the part is
+   negative, or if that of the pendulum is smaller than its mass times the square of the distance from O to its mass
+   centre; else VM_OK. */
 VM_API int vmi_check_compound(const vm_compound_pendulum *p, const vm_compound_part *part)
 {
     const vm_real numbers[12] = {p->mass,       p->inertia,    p->x,     p->y,     p->rate, part->mass,
@@ -4750,8 +4832,9 @@ VM_API int vmi_check_compound(const vm_compound_pendulum *p, const vm_compound_p
     return VM_OK;
 }
 
-/* Computes mass, mass centre and inertia of what remains of a compound pendulum. Returns VM_BAD_INERTIA if no body can
-   have this inertia about O; the part then cannot have been in the pendulum. */
+/* Computes mass, mass centre and inertia of what remains of a compound pendulum. Returns VM_NOT_FINITE if a result is
+   infinite or NaN; VM_BAD_INERTIA if no body can have the resulting inertia about O, because the part cannot have been
+   in the pendulum; else VM_OK. */
 VM_API int vmi_compound_rest(const vm_compound_pendulum *p, const vm_compound_part *part, vm_compound_pendulum *rest)
 {
     const vm_real share = part->mass / (p->mass - part->mass);
@@ -4776,16 +4859,16 @@ VM_API int vmi_compound_cut_finite(const vm_compound_cut *c)
     return vmi_all_finite(11, numbers);
 }
 
-/* Motion of a pendulum of any shape and of the part that is cut off from it, (119)-(132).
+/* Motion of a pendulum of any shape, and of the part that is cut off from it, after the cut, (119)-(132).
    The pendulum need not be uniform, and the part may have any position and inertia. Let I1 be the moment of inertia of
    the rest about O. Let m be the mass of the part, I2 its inertia about its mass centre S2, and r2 the vector from O to
    S2. Relative to the pendulum the part has the velocity u and the angular velocity Omega. Then the angular velocity of
    the pendulum changes by
      phi1' - phi' = -(I2 Omega + m (r2 x u))/I1.
-   In this form digits cancel only in I1, the difference of the moments of inertia about O. Returns
-   VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS if a mass, that of the rest included, is not positive,
-   VM_BAD_INERTIA for an inertia that no body has, that of the rest included, and VM_OK otherwise. For axles in space
-   see vm_separate_on_axle. */
+   In this form digits cancel only in I1, the difference of the moments of inertia of the whole pendulum and of the part
+   about O. For axles in space see vm_separate_on_axle. Returns VM_BAD_ARGUMENT for a null pointer; VM_NOT_FINITE if an
+   argument or the result is infinite or NaN; VM_BAD_MASS if a mass, that of the rest included, is not positive;
+   VM_BAD_INERTIA if an inertia, that of the rest included, is one that no body can have; VM_OK otherwise. */
 VM_API int vm_compound_pendulum_separate(const vm_compound_pendulum *pendulum, const vm_compound_part *part,
                                          vm_compound_cut *cut)
 {
@@ -4815,16 +4898,17 @@ VM_API int vm_compound_pendulum_separate(const vm_compound_pendulum *pendulum, c
 }
 
 #endif
-/* mechanics/torque_free_axes.h - principal axes of a rotating body in two words, in the order of torque_free.h
-   This is the first step of the preparation in torque_free.h. It finds the principal moments of inertia
-   J_a >= J_b >= J_c, the principal axes a, b, c and the components w_a, w_b, w_c of the angular velocity omega along
-   these axes. Each of these numbers is stored in two words, as the sum of two vm_reals, because the rates that follow
-   from them are multiplied by long times. Then this step numbers the axes 1, 2, 3. Axis 2 is b, the axis of the middle
-   moment. Axis 3 is the axis around which the vector omega moves in the body. It is a or c; this depends on the sign of
+/* mechanics/torque_free_axes.h - principal axes of a rotating body in two words, numbered as in torque_free.h
+   This chapter is the first step of the preparation in torque_free.h. It finds the principal moments of inertia J_a >=
+   J_b >= J_c, the principal axes a, b, c and the components w_a, w_b, w_c of the angular velocity omega along these
+   axes. Each of these numbers is stored in two words, as the sum of two vm_reals, because the rates that follow from
+   them are multiplied by long times. Then this chapter numbers the axes 1, 2, 3. Axis 2 is b, the axis of the middle
+   moment. Axis 3 is the axis around which the vector omega moves in the body. Axis 3 is a or c, depending on the sign
+   of
      2T J_b - L^2 = J_c (J_b - J_c) w_c^2 - J_a (J_a - J_b) w_a^2,
    where T is the kinetic energy and L the size of the angular momentum. If this number is positive or 0, axis 3 is c,
-   the axis of the smallest moment; else axis 3 is a. If it is 0, the motion lies on the separatrix: omega tends to the
-   direction of axis 2. All functions of this chapter are internal:
+   the axis of the smallest moment; else axis 3 is a. If the number is 0, omega tends to the direction of axis 2 as time
+   grows; the set of these motions is called the separatrix. All functions of this chapter are internal:
 
        vmi_torque_free_body b; // whole is a vm_body
        vmi_torque_free_axes axes;
@@ -4839,7 +4923,7 @@ VM_API int vm_compound_pendulum_separate(const vm_compound_pendulum *pendulum, c
 
 /* ---- vectors in two words ---- */
 
-/* A vector whose three components have two words each */
+/* A vector whose three components are in two words each, that is, are sums of two vm_reals */
 typedef struct VM_TAG(vmi_vec3_two) {
     vm_two x[3];
 } vmi_vec3_two;
@@ -4971,7 +5055,7 @@ VM_API void vmi_torque_free_principal(const vm_inertia *i, vmi_torque_free_body 
 }
 
 /* Sets a principal moment to 0 if it is not larger than the rounding errors of the tensor *i. The body is then a rod or
-   a point, and the other two moments are set to one value. */
+   a point. The function therefore makes the other two moments equal. */
 VM_API void vmi_torque_free_clamp_moments(const vm_inertia *i, vmi_torque_free_body *b)
 {
     const vmi_mat3 same = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
@@ -4989,14 +5073,15 @@ VM_API void vmi_torque_free_clamp_moments(const vm_inertia *i, vmi_torque_free_b
 /* ---- the order of the axes ---- */
 
 /* Returns 1 if two moments differ by no more than the errors of their computation in two words, else 0. Moments of a
-   tensor without products of inertia have no such errors: they are exactly equal, or they differ by more. */
+   tensor without products of inertia have no such errors: they are exactly equal, or they differ by more than such
+   errors. */
 VM_API int vmi_torque_free_are_equal(vm_two a, vm_two b)
 {
     const vm_real few = 64 * VM_EPSILON * VM_EPSILON;
     return VM_FABS(vmi_two_minus(a, b).hi) <= few * (a.hi + b.hi);
 }
 
-/* A body in its axes 1, 2, 3, which are right-handed */
+/* The moments of inertia and omega of a body in its axes 1, 2, 3, which are right-handed */
 typedef struct VM_TAG(vmi_torque_free_axes) {
     vm_two I1, I2, I3;    /* the principal moments */
     vm_two d12, d23, d13; /* the differences |I1 - I2|, |I2 - I3|, |I1 - I3| of the moments */
@@ -5053,7 +5138,8 @@ VM_API int vmi_torque_free_is_about_smallest(const vm_two *J, const int *order, 
     return separation.hi >= 0;
 }
 
-/* Returns the body's quantities in its axes 1, 2, 3. Axis 3 is reversed if the axes would otherwise be left-handed. */
+/* Returns the moments of inertia and omega of a body in its axes 1, 2, 3. Axis 3 is reversed if the axes would
+   otherwise be left-handed. */
 VM_API vmi_torque_free_axes vmi_torque_free_order(const vmi_torque_free_body *b)
 {
     const vm_two *J = b->moment, *w = b->omega.x;
@@ -5103,7 +5189,7 @@ VM_API int vmi_torque_free_is_constant(const vmi_torque_free_axes *axes)
 
 #endif
 /* mechanics/torque_free.h - exact rotation of a body on which no torque acts
-   The rotation of a free body, for example after a part has separated from it, has a closed form (Jacobi 1850): the
+   The rotation of a free body, for example after a part has separated from it, has a closed form (Jacobi 1850). The
    angular velocity omega follows from the elliptic functions sn, cn, dn of the time, and the attitude follows from one
    theta function and a rotation at a constant rate. Nothing is integrated. Therefore an evaluation costs the same at
    any time, and its errors do not accumulate over time. The mass centre moves on a straight line.
@@ -5112,11 +5198,11 @@ VM_API int vmi_torque_free_is_constant(const vmi_torque_free_axes *axes)
        vm_body later; // body is a vm_body
        if (vm_torque_free_init(&motion, &body, 0) == VM_OK) vm_torque_free_at(&motion, 1e6, &later); // after 1e6 s
 
-   The functions hold for all bodies: for bodies with three different principal moments of inertia, with two equal ones
+   The functions work for all bodies: for bodies with three different principal moments of inertia, with two equal ones
    and with three equal ones, and for rods and points. The spin of a rod or a point about an axis without moment of
-   inertia stays constant. The functions also hold for all rotations, for example a rotation about the axis of the
-   middle moment of inertia, and the rotations on the separatrix, which tend to a rotation about this axis. The user
-   need not choose a threshold between these cases.
+   inertia stays constant. The functions also work for all rotations. Examples are a rotation about the axis of the
+   middle moment of inertia, and the rotations on the separatrix. The separatrix is the set of all rotations that tend
+   to a rotation about this axis as time grows. The user need not tell the functions which of these cases a motion is.
    Tests: tests/test_torque_free.c. */
 #ifndef VARMASS_MECHANICS_TORQUE_FREE_H
 #define VARMASS_MECHANICS_TORQUE_FREE_H
@@ -5131,13 +5217,14 @@ VM_API int vmi_torque_free_is_constant(const vmi_torque_free_axes *axes)
    of omega at most 8 eps |omega|. This holds also close to the separatrix (1 - m from 1e-2 to 1e-27, where m is the
    parameter of sn, cn, dn), for nearly equal moments, and with products of inertia. An error of eps in an input changes
    the attitude by eps times the angle through which the body has turned. Close to the separatrix it changes the
-   attitude by more, because it shifts the time of every flip of the body. If a tensor has products of inertia, the
-   principal moments have only the digits of two words (sums of two vm_reals), which limits the accuracy after many
-   turns close to the separatrix. A component of omega below 2^-505 (float 2^-57) times the largest component is taken
-   as 0. */
+   attitude by more, because it shifts the time of every flip of the body. (Close to the separatrix a body turns nearly
+   uniformly about the axis of the middle moment for a long time and then flips over.) If a tensor has products of
+   inertia, the principal moments have only the digits of two words (sums of two vm_reals), which limits the accuracy
+   after many turns close to the separatrix. A component of omega below 2^-505 (float 2^-57) times the largest component
+   is taken as 0. */
 typedef struct VM_TAG(vm_torque_free) {
     vm_body body;                /* the body at the time t0 */
-    vm_real t0;                  /* the time at which the body is as given, s */
+    vm_real t0;                  /* the time at which the body has the state `body`, s */
     vmi_mat3 axes;               /* columns: the principal axes 1, 2, 3, right-handed, in body axes */
     vm_quat start;               /* rotation to inertial axes from axes whose axis 3 is along the angular momentum, or
                                     opposite to it if the component w3 of omega along axis 3 is negative */
@@ -5173,10 +5260,10 @@ typedef struct VM_TAG(vm_torque_free) {
    was found by Jacobi; van Zon and Schofield, J. Comput. Phys. 225 (2007), give a theta series for 2h.
 
    The preparation computes in this order: the axes; the squares of the amplitudes a1, a2, a3, and m; kappa; the phase
-   and the rates; the theta function; and `start`, for which q(t0) is the given attitude. It computes in two words (sums
-   of two vm_reals), because the rates wp/(4K) and kappa are multiplied by long times. An evaluation at a given time
-   uses two words only for the products of rates and time. Moments and omega are divided by powers of two so that they
-   are about 1, which prevents overflow. */
+   and the rates; the theta function; and `start`, for which q(t0) is the given attitude. The preparation computes in
+   two words (sums of two vm_reals), because the rates wp/(4K) and kappa are multiplied by long times. An evaluation at
+   a given time uses two words only for the products of rates and time. Moments and omega are divided by powers of two
+   so that they are about 1, which prevents overflow. */
 
 /* ---- amplitudes and parameter ---- */
 
@@ -5211,15 +5298,15 @@ VM_API vmi_torque_free_squares vmi_torque_free_amplitudes(const vmi_torque_free_
     return square;
 }
 
-/* Stores m1 = 1 - m in the motion, where m is the parameter of sn, cn, dn, and prepares these functions for m */
+/* Stores m1 = 1 - m in *motion and prepares the functions sn, cn, dn for their parameter m */
 VM_API void vmi_torque_free_parameter(vm_torque_free *motion, vm_two m1)
 {
     motion->m1 = m1.hi;
     vmi_far_prepare(&motion->far_form, m1.hi, m1.lo);
 }
 
-/* Sets the fields axes, spin (the amplitudes of omega) and lean (those of the quaternion M in equation (B) above).
-   `sign` is a result of vmi_torque_free_phase: the sign of w1 on the separatrix, and 1 elsewhere. */
+/* Sets the fields `axes`, `spin` (the amplitudes of omega) and `lean` (the amplitudes of the quaternion M in equation
+   (B) above). `sign` is a result of vmi_torque_free_phase: the sign of w1 on the separatrix, and 1 elsewhere. */
 VM_API void vmi_torque_free_sizes(vm_torque_free *motion, const vmi_torque_free_axes *axes,
                                   const vmi_torque_free_squares *square, vm_real sign)
 {
@@ -5235,7 +5322,7 @@ VM_API void vmi_torque_free_sizes(vm_torque_free *motion, const vmi_torque_free_
 
 /* ---- rates and phase ---- */
 
-/* Returns 2 pi in two words. */
+/* Returns 2 pi in two words, that is, as the sum of two vm_reals. */
 VM_API vm_two vmi_torque_free_two_pi(void)
 {
     const vmi_three half_pi = vmi_half_pi();
@@ -5304,8 +5391,8 @@ VM_API vm_two vmi_torque_free_phase(const vmi_torque_free_axes *axes, const vmi_
     return vmi_two_shifted(F, forward * *sign);
 }
 
-/* Sets the fields K, phase, phase_rate and turn_rate. The two rates are those of the scaled omega, which is divided by
-   a power of two. Returns the sign of w1 on the separatrix, and 1 elsewhere. */
+/* Sets the fields K, phase, phase_rate and turn_rate. The two rates belong to the scaled omega, that is, to omega
+   divided by a power of two. Returns the sign of w1 on the separatrix, and 1 elsewhere. */
 VM_API vm_real vmi_torque_free_rates(vm_torque_free *motion, const vmi_torque_free_axes *axes,
                                      const vmi_torque_free_squares *square)
 {
@@ -5359,8 +5446,8 @@ VM_API void vmi_torque_free_theta(vm_torque_free *motion, const vmi_torque_free_
 
 /* ---- the motion as a whole ---- */
 
-/* Sets the fields for a motion with constant omega. Axis 3 is along omega, and sn stays 0. If omega is 0, no field is
-   set. */
+/* Sets the fields of *motion for a rotation with constant omega. Axis 3 is along omega, and the elliptic function sn
+   stays 0. If omega is 0, no field is set. */
 VM_API void vmi_torque_free_constant(vm_torque_free *motion, const vmi_torque_free_body *b)
 {
     const vm_two size = vmi_two_root(vmi_vec3_two_dot(&b->omega, &b->omega));
@@ -5374,8 +5461,8 @@ VM_API void vmi_torque_free_constant(vm_torque_free *motion, const vmi_torque_fr
     motion->turn_rate = vmi_two_over(vmi_two_shifted(size, VM_C(0.5)), vmi_torque_free_two_pi());
 }
 
-/* Sets all fields except body, t0 and `start`. spin and the rates are those of the scaled omega, which is divided by a
-   power of two. */
+/* Sets all fields except body, t0 and `start`. The fields spin, phase_rate and turn_rate belong to the scaled omega,
+   that is, to omega divided by a power of two. */
 VM_API void vmi_torque_free_prepare(vm_torque_free *motion, const vmi_torque_free_body *b)
 {
     const vm_real least_nutation = vmi_fourth_power(VM_EPSILON); /* square of the angle eps^2, a negligible nutation */
@@ -5397,8 +5484,8 @@ VM_API void vmi_torque_free_prepare(vm_torque_free *motion, const vmi_torque_fre
 
 /* ---- at a time ---- */
 
-/* Returns the product rate t, in turns, minus a whole number of turns. The result lies between -1 and 1. Beyond
-   2^(2p - 4) turns it has no meaning; p is the number of binary digits of the type vm_real. */
+/* Returns the product rate t, in turns, minus a whole number of turns. The result lies between -1 and 1. The result has
+   no meaning beyond 2^(2p - 4) turns, where p is the number of binary digits of the type vm_real. */
 VM_API vm_two vmi_torque_free_fraction(vm_two rate, vm_two t)
 {
     const vm_two p = vmi_two_product(rate.hi, t.hi);
@@ -5407,8 +5494,8 @@ VM_API vm_two vmi_torque_free_fraction(vm_two rate, vm_two t)
     return vmi_two_sum(p.hi - VM_FLOOR(p.hi + VM_C(0.5)), low);
 }
 
-/* Computes sn, cn, dn at the time t after t0. Let u be their argument. Returns u/(4K) minus the nearest multiple of
-   1/2; on the separatrix it returns u. */
+/* Computes the elliptic functions sn, cn, dn at the time t after t0. Let u be their argument. Returns u/(4K) minus the
+   nearest multiple of 1/2; on the separatrix it returns u. */
 VM_API vm_real vmi_torque_free_functions(const vm_torque_free *motion, vm_two t, vm_real *sn, vm_real *cn,
                                          vm_real *dn)
 {
@@ -5468,8 +5555,8 @@ VM_API vm_quat vmi_torque_free_attitude_at_start(vm_quat q)
     return q;
 }
 
-/* Prepares all fields that vm_torque_free_at needs. *b must have the moments, the axes, and omega divided by `power`,
-   which is a power of two. */
+/* Sets all fields that vm_torque_free_at needs. *b must contain the principal moments, the principal axes, and omega
+   divided by `power`, which is a power of two. */
 VM_API void vmi_torque_free_solve(vm_torque_free *motion, const vmi_torque_free_body *b, vm_real power)
 {
     const vm_quat q = vmi_torque_free_attitude_at_start(motion->body.q);
@@ -5488,8 +5575,8 @@ VM_API void vmi_torque_free_solve(vm_torque_free *motion, const vmi_torque_free_
     motion->turn_rate = vmi_two_shifted(motion->turn_rate, power);
 }
 
-/* Returns x, a component of the scaled omega. If |x| is below 2^-505 (float 2^-57), the square of x would underflow,
-   and the function returns 0 instead. */
+/* Returns x, a component of the scaled omega (omega divided by a power of two). If |x| is below 2^-505 (float 2^-57),
+   the square of x would underflow, and the function returns 0 instead. */
 VM_API vm_two vmi_torque_free_squarable(vm_two x)
 {
     return VM_FABS(x.hi) < 64 * VM_SQRT(VM_MIN) ? vmi_two(0, 0) : x;
@@ -5520,18 +5607,19 @@ VM_API int vmi_torque_free_start(vm_torque_free *motion, const vm_body *body, in
     return VM_OK;
 }
 
-/* Preparation of the exact torque-free motion of a body. *body is the body at the time t0 (s). vm_torque_free_at then
-   gives the body at any time. The accuracy is described at vm_torque_free. Returns VM_OK, or VM_BAD_ARGUMENT for a
-   null pointer, VM_NOT_FINITE, VM_BAD_MASS or VM_BAD_INERTIA. After an error *motion is unchanged. */
+/* Prepares the exact torque-free motion of a body. *body is the body at the time t0 (s). vm_torque_free_at then gives
+   the body at any time. The accuracy is described at vm_torque_free. Returns VM_BAD_ARGUMENT for a null pointer;
+   VM_NOT_FINITE if t0 or a number of *body is infinite or NaN; VM_BAD_MASS if the mass is not positive; VM_BAD_INERTIA
+   if no body can have the inertia; VM_OK otherwise. After an error *motion is unchanged. */
 VM_API int vm_torque_free_init(vm_torque_free *motion, const vm_body *body, vm_real t0)
 {
     if (!motion || !body) return VM_BAD_ARGUMENT;
     return vmi_torque_free_start(motion, body, 0, t0);
 }
 
-/* Preparation of the exact torque-free motion from principal moments (kg m^2). The body axes are the principal axes.
-   The components of omega (rad/s) are along the body axes, not along the inertial axes. q is the attitude at t0 (s).
-   The body has the mass 1 kg, and its mass centre rests at the origin. The statuses are those of
+/* Prepares the exact torque-free motion of a body with the principal moments `moments` (kg m^2). The body axes are the
+   principal axes. The components of omega (rad/s) are along the body axes, not along the inertial axes. q is the
+   attitude at t0 (s). The body has the mass 1 kg, and its mass centre rests at the origin. The statuses are those of
    vm_torque_free_init. */
 VM_API int vm_torque_free_init_principal(vm_torque_free *motion, vm_vec3 moments, vm_quat q, vm_vec3 omega,
                                          vm_real t0)
@@ -5550,7 +5638,7 @@ VM_API int vm_torque_free_init_principal(vm_torque_free *motion, vm_vec3 moments
 
 /* Attitude and angular velocity of a torque-free body at the time t (s). t may be later or earlier than t0. *omega has
    the components along the body axes, rad/s. *q is continuous in t and keeps the length that the quaternion had at t0.
-   The length becomes 1 if the quaternion was all zero or its length was within 64 eps of 1. Returns
+   If the quaternion at t0 was all zero, or if its length was within 64 eps of 1, the length of *q is 1. Returns
    VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE if t or the result is not finite or if t or the number of turns
    is above 1e290 (float 1e30), and VM_OK otherwise. After an error *q and *omega are unchanged. Beyond 1/eps^2 turns
    the result is finite and has the right angular momentum, but its phase has no meaning. */
@@ -5573,10 +5661,10 @@ VM_API int vm_torque_free_attitude(const vm_torque_free *motion, vm_real t, vm_q
     return VM_OK;
 }
 
-/* A torque-free body at the time t (s). t may be later or earlier than t0. Attitude and omega are those of
-   vm_torque_free_attitude, but here omega has its components along the inertial axes. The mass centre has moved on a
-   straight line at constant velocity. The statuses are those of vm_torque_free_attitude; after an error *body is
-   unchanged. */
+/* Sets *body to the body of *motion at the time t (s). t may be later or earlier than t0. The attitude and omega are
+   those of vm_torque_free_attitude, but here omega has its components along the inertial axes. The mass centre has
+   moved on a straight line at constant velocity. The statuses are those of vm_torque_free_attitude; after an error
+   *body is unchanged. */
 VM_API int vm_torque_free_at(const vm_torque_free *motion, vm_real t, vm_body *body)
 {
     vm_body b;
@@ -5594,8 +5682,8 @@ VM_API int vm_torque_free_at(const vm_torque_free *motion, vm_real t, vm_body *b
     return VM_OK;
 }
 
-/* A torque-free body a time t (s) later, in one call. The function calls vm_torque_free_init, then vm_torque_free_at,
-   and has their statuses. The pointers `later` and `body` may be equal. */
+/* Sets *later to the torque-free body *body after the time t (s). The function calls vm_torque_free_init, then
+   vm_torque_free_at, and returns their statuses. The pointers `later` and `body` may be equal. */
 VM_API int vm_torque_free_rotation(const vm_body *body, vm_real t, vm_body *later)
 {
     vm_torque_free motion;
@@ -5607,11 +5695,11 @@ VM_API int vm_torque_free_rotation(const vm_body *body, vm_real t, vm_body *late
 }
 
 #endif
-/* mechanics/inertia_factors.h - inertia tensors as products of factors, and stored in arrays of state
-   A body with streams needs the inverse of its inertia in every evaluation of its equations of motion. With the factors
-   L D L^T of the tensor, a few multiplications give the angular velocity for an angular momentum. In an array of states
-   the tensor is stored as six numbers; this chapter has functions that read and write them.
-   vmi_inertia_factor_if_possible refuses a tensor that no body can have.
+/* mechanics/inertia_factors.h - inertia tensors as products of factors, and stored in state arrays
+   A body with streams needs the inverse of its inertia in every evaluation of its equations of motion. If the tensor is
+   written as a product L D L^T (vmi_inertia_ldl explains L and D), a few multiplications give the angular velocity that
+   belongs to an angular momentum. In a state array the tensor is stored as six numbers; this chapter has functions that
+   read and write them. vmi_inertia_factor_if_possible returns 0 for a tensor that no body can have.
 
        vm_inertia disc = {1, 1, 2, 0, 0, 0};
        vmi_inertia_ldl f;
@@ -5644,13 +5732,15 @@ VM_API void vmi_set_inertia(vm_real *y, const vm_inertia *i)
     y[5] = i->yz;
 }
 
-/* The factors of an inertia tensor L D L^T. L is a lower triangular matrix with ones on the diagonal; xy, xz, yz are
-   its other entries. D is a diagonal matrix; x, y, z are the diagonal entries of its inverse. */
+/* The factors L and D of an inertia tensor that is written as the product L D L^T. L is a lower triangular matrix with
+   ones on the diagonal; xy, xz, yz are its other entries. D is a diagonal matrix; x, y, z are the diagonal entries of
+   its inverse. */
 typedef struct VM_TAG(vmi_inertia_ldl) {
     vm_real xy, xz, yz, x, y, z;
 } vmi_inertia_ldl;
 
-/* Computes the factors f of the tensor i. Returns 0 if an entry of D is <= 0 or only a rounding error, else 1. */
+/* Writes the inertia tensor *i as the product L D L^T, and stores L and the inverse of D in *f (vmi_inertia_ldl).
+   Returns 0 if a diagonal entry of D is not positive or only a rounding error, else 1. */
 VM_INLINE int vmi_inertia_factor(const vm_inertia *i, vmi_inertia_ldl *f)
 {
     vm_real y, z, t;
@@ -5666,7 +5756,8 @@ VM_INLINE int vmi_inertia_factor(const vm_inertia *i, vmi_inertia_ldl *f)
     return i->xx > 0 && y > VMI_LOST_SHARE * i->yy && z > VMI_LOST_SHARE * i->zz;
 }
 
-/* The angular velocity w for the angular momentum h: the solution of i w = h for the tensor i with the factors f */
+/* The angular velocity w for the angular momentum h: the solution of the equation i w = h for the inertia tensor i. *f
+   is the result of vmi_inertia_factor for i. */
 VM_INLINE vm_vec3 vmi_inertia_solve(const vmi_inertia_ldl *f, vm_vec3 h)
 {
     vm_vec3 w;
@@ -5679,7 +5770,7 @@ VM_INLINE vm_vec3 vmi_inertia_solve(const vmi_inertia_ldl *f, vm_vec3 h)
 
 /* Returns 1 if a body, perhaps a thin one, can have the inertia i within a tolerance. One moment of a flat body equals
    the sum of the other two, but the rounding errors of all steps of an integration add up and disturb this equality.
-   The tolerance is sqrt(eps) times the trace, which is enough for about 1/sqrt(eps) steps. */
+   The tolerance is sqrt(eps) times the trace of i, which is enough for about 1/sqrt(eps) steps. */
 VMI_APART int vmi_thin_inertia_is_possible(const vm_inertia *i)
 {
     const vm_real slack = VM_MANT_DIG > 24 ? VM_C(1.5e-8) : VM_C(3.5e-4); /* the tolerance divided by the trace */
@@ -5688,7 +5779,7 @@ VMI_APART int vmi_thin_inertia_is_possible(const vm_inertia *i)
 
 /* Returns 1 if a body can have the inertia i, which must have positive principal moments. Every step of an integration
    calls this test, so a cheap condition comes first: tr(i)/2 E - i (trace tr, unit matrix E) is positive definite if
-   each of its diagonal entries exceeds |xy| + |xz| + |yz|. Most bodies fulfil this. */
+   each diagonal entry of this matrix exceeds |xy| + |xz| + |yz|. For most bodies this is so. */
 VM_INLINE int vmi_running_inertia_is_possible(const vm_inertia *i)
 {
     const vm_real half = (i->xx + i->yy + i->zz) / 2;
@@ -5696,7 +5787,8 @@ VM_INLINE int vmi_running_inertia_is_possible(const vm_inertia *i)
     return (least > i->xx && least > i->yy && least > i->zz) || vmi_thin_inertia_is_possible(i);
 }
 
-/* Computes the factors of i as vmi_inertia_factor does, but also returns 0 if no body can have the inertia i */
+/* Computes the factors *f of the inertia *i as vmi_inertia_factor does. Also returns 0 if no body can have the inertia
+   *i. */
 VM_INLINE int vmi_inertia_factor_if_possible(const vm_inertia *i, vmi_inertia_ldl *f)
 {
     return vmi_inertia_factor(i, f) && vmi_running_inertia_is_possible(i);
@@ -5706,9 +5798,10 @@ VM_INLINE int vmi_inertia_factor_if_possible(const vm_inertia *i, vmi_inertia_ld
 /* mechanics/streams.h - streams of mass: reactive force, moment and torque
 
    A stream brings mass into a body, or takes mass out of it, at one point. This mass has momentum and angular momentum.
-   Therefore a reactive force (156), a reactive moment (158) and a reactive torque (157) act on the body. This chapter
-   computes these loads at an instant and the accelerations that follow from them, (159) and (160). To integrate a
-   motion, use mechanics/flow.h (in space), flow2.h (in a plane) or flow1.h (on a line or an axle).
+   Therefore a reactive force (156), a reactive moment (158) and a reactive torque (157) act on the body; they are
+   called reactive loads here. This chapter computes the reactive loads at an instant and the accelerations that follow
+   from them, (159) and (160). To integrate a motion, use mechanics/flow.h (in space), flow2.h (in a plane) or flow1.h
+   (on a line or an axle).
 
        vm_vec3 centre = {0, 0, 0}; // the mass centre is the reference point
        vm_stream nozzle;
@@ -5722,14 +5815,15 @@ VM_INLINE int vmi_inertia_factor_if_possible(const vm_inertia *i, vmi_inertia_ld
 #ifndef VARMASS_MECHANICS_STREAMS_H
 #define VARMASS_MECHANICS_STREAMS_H
 
-/* How the velocity and the spin of a stream's mass are given. "The point" is the point of the body's surface at which
-   the mass enters or leaves. */
+/* How the fields velocity and spin of a stream describe the motion of its mass. Spin means angular velocity. "The
+   point" is the point of the body's surface at which the mass enters or leaves. */
 enum {
     VM_RELATIVE = 0, /* velocity relative to the point, spin relative to the body, both in body axes */
     VM_ABSOLUTE = 1, /* absolute velocity and spin, in inertial axes */
     VM_CARRIED = 2,  /* the mass has the velocity of the point and the spin of the body; the fields velocity and spin of
                         the stream are not read. There is no torque, but a force M' omega x d, which (166) neglects. M'
-                        is the rate of the stream, omega the body's spin, d the vector from mass centre to point. */
+                        is the rate of the stream, omega the body's spin, and d the vector from the mass centre to the
+                        point. */
     VM_AT_REST = 3   /* the mass is at rest (167)-(169); the fields velocity and spin of the stream are not read */
 };
 
@@ -5744,22 +5838,22 @@ typedef struct VM_TAG(vm_store) {
 /* A stream of mass in space. Every field may be zero. */
 typedef struct VM_TAG(vm_stream) {
     vm_real rate;         /* mass per time, kg/s; > 0: mass joins the body, < 0: mass leaves it */
-    int motion;           /* how velocity and spin are given: VM_RELATIVE, VM_ABSOLUTE, VM_CARRIED, VM_AT_REST */
+    int motion;           /* what velocity and spin mean: VM_RELATIVE, VM_ABSOLUTE, VM_CARRIED or VM_AT_REST */
     vm_vec3 at;           /* point at which the mass enters or leaves, from the body's reference point, m, body axes */
     vm_vec3 velocity;     /* velocity of the mass as it enters or leaves the body, m/s */
     vm_vec3 spin;         /* angular velocity of the mass as it enters or leaves the body, rad/s */
     vm_inertia gyration;  /* inertia per unit mass of the mass that enters or leaves, about its own mass centre, m^2,
                              body axes */
     const vm_store *from; /* the store that the mass comes from or goes to, or NULL for none. Between the store and the
-                             point `at` the mass flows in a straight line; the momentum of this flow is a part of the
-                             body's momentum. */
+                             point `at` the mass flows in a straight line; the momentum of the mass on this way is a
+                             part of the body's momentum. */
 } vm_stream;
 
-/* The reactive loads at an instant, in inertial axes except inertia_rate. The body has the mass M, the inertia I, the
-   velocity v and the angular velocity omega. For each stream M' is the rate, u the velocity of its mass, omega2 the
-   angular velocity of its mass and kappa its gyration. The vector d leads from the body's mass centre to the point at
-   which the mass enters or leaves, and P(d) = |d|^2 E - d d^T with the unit matrix E is the inertia per unit mass of a
-   point mass at d. Each sum is over all streams:
+/* The reactive loads at an instant. All vectors are in inertial axes; only inertia_rate is in body axes. The body has
+   the mass M, the inertia I, the velocity v and the angular velocity omega. For each stream M' is the rate, u the
+   velocity of its mass, omega2 the angular velocity of its mass and kappa its gyration. The vector d leads from the
+   body's mass centre to the point at which the mass enters or leaves, and P(d) = |d|^2 E - d d^T with the unit matrix E
+   is the inertia per unit mass of a point mass at d. Each sum is over all streams:
      force   sum M' (u - v)                             (156)
      moment  sum d x M' (u - v)                         (158)
      torque  (sum M' kappa omega2) - I' omega           (157) corrected: [1] prints I' (omega2 - omega), which is right
@@ -5781,13 +5875,14 @@ VM_INLINE int vmi_stream_motion_is_known(int motion) { return motion >= VM_RELAT
 
 /* For every value of the field `motion`, the velocity u of a stream's mass is the sum of two terms. The first term is
    the velocity of the body's point, or zero; the second term is the stream's field `velocity`, or zero. The spin of the
-   mass is a sum of two such terms, too. The first function below returns 1 if the first term is there, and the second
-   function if the second term is there. No other function decodes VM_RELATIVE ... VM_AT_REST. */
+   mass is a sum of two such terms, too. vmi_stream_moves_with_body returns 1 if the first term is the velocity of the
+   point, and vmi_stream_velocity_is_given returns 1 if the second term is the field `velocity`. No other function
+   depends on the four values VM_RELATIVE ... VM_AT_REST. */
 VM_INLINE int vmi_stream_moves_with_body(int motion) { return motion == VM_RELATIVE || motion == VM_CARRIED; }
 VM_INLINE int vmi_stream_velocity_is_given(int motion) { return motion == VM_RELATIVE || motion == VM_ABSOLUTE; }
 
-/* Returns the velocity u of a stream's mass along a line. `own` is the velocity of the body, and `given` the field
-   `velocity` of the stream. */
+/* Returns the velocity u of the mass of a stream, for a body that moves along a line. `own` is the velocity of the
+   body. The arguments `motion` and `given` are the fields `motion` and `velocity` of the stream. */
 VM_INLINE vm_real vmi_stream_velocity1(int motion, vm_real own, vm_real given)
 {
     vm_real u = 0;
@@ -5796,7 +5891,8 @@ VM_INLINE vm_real vmi_stream_velocity1(int motion, vm_real own, vm_real given)
     return u;
 }
 
-/* Returns the product M' kappa of a stream's rate M' and the gyration kappa (inertia per unit mass) of its mass. */
+/* Returns the product M' kappa of the rate M' of a stream and the gyration kappa of its mass. Gyration means inertia
+   per unit mass. */
 VM_INLINE vm_inertia vmi_stream_own(vm_real rate, const vm_inertia *gyration)
 {
     vm_inertia i;
@@ -5810,9 +5906,9 @@ VM_INLINE vm_inertia vmi_stream_own(vm_real rate, const vm_inertia *gyration)
 }
 
 /* Sets *p to the momentum, and *h to the angular momentum about the mass centre, of the mass that flows between the
-   stores and the surface. `centre` is the mass centre. If a stream of rate M' flows in a straight line between its
-   store at the position a and the surface at the position b, the flowing mass has the momentum M' (a - b) at any
-   speed. */
+   stores of the streams and the surface of the body. `centre` is the position of the mass centre, from the body's
+   reference point. If a stream of rate M' flows in a straight line between its store at the position a and the surface
+   at the position b, the flowing mass has the momentum M' (a - b) at any speed. */
 VM_INLINE void vmi_stream_on_the_way(int n, const vm_stream *s, vm_vec3 centre, vm_vec3 *p, vm_vec3 *h)
 {
     int k;
@@ -5831,7 +5927,7 @@ typedef struct VM_TAG(vmi_stream_seen) {
     vm_vec3 slip;         /* velocity of the body's material at the mass centre minus v, body axes */
     vm_vec3 omega;        /* angular velocity, body axes */
     vm_vec3 centre;       /* vector from the reference point to the mass centre, body axes */
-    int energy;           /* 1 if the sums `brought` and `lost` of vmi_stream_sum are wanted */
+    int energy;           /* 1 if the sums `brought` and `lost` of vmi_stream_sum must be computed */
 } vmi_stream_seen;
 
 /* The sums over the streams of a moving body, in body axes except `absolute`. The letters M', u, v, d, kappa, omega2
@@ -5843,18 +5939,20 @@ typedef struct VM_TAG(vmi_stream_sum) {
     vm_vec3 pushed;     /* force of the streams whose velocity is relative to the body: sum of M' (u - v) */
     vm_vec3 absolute;   /* sum of M' u of the streams whose velocity u is absolute, inertial axes */
     vm_vec3 moment;     /* moment of all streams about the mass centre: sum of d x M' (u - v) */
-    vm_vec3 own;        /* sum of M' kappa omega2: angular momentum that the spins of the masses bring per second */
+    vm_vec3 own;        /* sum of M' kappa omega2: angular momentum per second that the streams bring by their spin */
     vm_vec3 crossing;   /* sum of M' d, where d leads from the mass centre to the point of the surface */
     vm_vec3 stored;     /* sum of M' d_s, where d_s leads from the mass centre to the store; d_s = d without a store */
     vm_inertia inertia; /* I', the rate of the body's inertia */
-    vm_real brought;    /* sum of M' u^2 + omega2 M' kappa omega2: twice the kinetic energy brought per second */
-    vm_real lost;       /* the same sum with velocity and spin relative to the body: twice the power lost by mixing */
+    vm_real brought;    /* sum of M' u^2 + omega2 M' kappa omega2: twice the kinetic energy that the streams bring per
+                           second */
+    vm_real lost;       /* the sum `brought`, but with velocity and spin relative to the body: twice the power lost by
+                           mixing */
 } vmi_stream_sum;
 
-/* Adds one stream, whose `motion` is known, to sum->carried, sum->pushed and sum->absolute. Sets *push = M' (u - v),
-   where M' is the rate, u the velocity of the mass and v that of the body, and *spin to the angular velocity of the
-   mass. The argument `carried` is the velocity of the body's point at which the mass enters or leaves, minus v. All
-   vectors are in body axes. */
+/* Adds the terms of one stream to sum->carried, sum->pushed and sum->absolute. The field `motion` of the stream must
+   have one of the known values. Sets *push = M' (u - v), where M' is the rate, u the velocity of the mass and v that of
+   the body, and *spin to the angular velocity of the mass. The argument `carried` is the velocity of the body's point
+   at which the mass enters or leaves, minus v. All vectors are in body axes. */
 VM_INLINE void vmi_stream_motion(const vm_stream *s, const vmi_stream_seen *b, vm_vec3 carried, vmi_stream_sum *sum,
                                  vm_vec3 *push, vm_vec3 *spin)
 {
@@ -5878,8 +5976,8 @@ VM_INLINE void vmi_stream_motion(const vm_stream *s, const vmi_stream_seen *b, v
     }
 }
 
-/* Adds the terms of one stream to sum->brought and sum->lost. `own` is its product M' kappa. `push` and `spin` are
-   results of vmi_stream_motion, and `carried` is an argument of that function. */
+/* Adds the terms of one stream to sum->brought and sum->lost. `own` is the product M' kappa of the stream's rate and
+   gyration. `push` and `spin` are results of vmi_stream_motion, and `carried` is an argument of that function. */
 VM_INLINE void vmi_stream_energy(const vm_stream *s, const vmi_stream_seen *b, const vm_inertia *own, vm_vec3 push,
                                  vm_vec3 spin, vm_vec3 carried, vmi_stream_sum *sum)
 {
@@ -5892,7 +5990,8 @@ VM_INLINE void vmi_stream_energy(const vm_stream *s, const vmi_stream_seen *b, c
     sum->lost += s->rate * vm_dot(w, w) + vm_dot(relative, vmi_inertia_times(own, relative));
 }
 
-/* Computes the sums over n streams. Returns 0 if the `motion` of a stream is unknown, else 1. */
+/* Computes the sums of vmi_stream_sum over the n streams of a moving body. Returns 0 if the `motion` of a stream is
+   unknown, else 1. */
 VM_INLINE int vmi_stream_sums(int n, const vm_stream *s, const vmi_stream_seen *b, vmi_stream_sum *sum)
 {
     const vmi_stream_sum none = {0,         0,         {0, 0, 0},          {0, 0, 0}, {0, 0, 0}, {0, 0, 0},
@@ -5922,9 +6021,10 @@ VM_INLINE int vmi_stream_sums(int n, const vm_stream *s, const vmi_stream_seen *
     return 1;
 }
 
-/* Returns VM_OK if the gyration is finite and has no negative moment, else the error. A gyration need not satisfy the
-   triangle inequality zz <= xx + yy; only the inertia of the body must. Therefore zz may be the only entry of a
-   gyration that is not 0, which is enough for motion in a plane. */
+/* Gyration means the inertia per unit mass of the mass in a stream or a store. Returns VM_NOT_FINITE if an entry of the
+   gyration is infinite or NaN; VM_BAD_INERTIA if one of its moments xx, yy, zz is negative; else VM_OK. A gyration need
+   not satisfy the triangle inequality zz <= xx + yy; only the inertia of the body must satisfy it. Therefore zz may be
+   the only entry of a gyration that is not 0, which is enough for motion in a plane. */
 VM_API int vmi_check_gyration(const vm_inertia *i)
 {
     if (!vmi_inertia_is_finite(i)) return VM_NOT_FINITE;
@@ -5932,7 +6032,9 @@ VM_API int vmi_check_gyration(const vm_inertia *i)
     return VM_OK;
 }
 
-/* Returns VM_OK if `motion` is known, all numbers are finite and the gyrations are possible, else the first error. */
+/* Checks a stream. Returns VM_BAD_ARGUMENT if its field `motion` has none of the four values VM_RELATIVE ...
+   VM_AT_REST; VM_NOT_FINITE if a number is infinite or NaN; VM_BAD_INERTIA if a moment xx, yy or zz of the gyration
+   (the inertia per unit mass) of the stream or of its store is negative; else VM_OK. */
 VM_API int vmi_check_stream(const vm_stream *s)
 {
     int status;
@@ -5962,10 +6064,14 @@ VM_API int vmi_reactive_finite(const vm_reactive *r)
 }
 
 /* Reactive force, moment and torque of n streams on a moving body, (156)-(158). `centre` is the vector from the
-   body's reference point to its mass centre, in body axes (m). Each load is a sum over all streams; vm_reactive has the
-   formulas. Returns VM_BAD_ARGUMENT for a null pointer, n < 0 or an unknown `motion` of a stream, VM_NOT_FINITE,
-   VM_BAD_MASS, VM_BAD_INERTIA, VM_STORED_STREAM if a stream has a store (integrate vm_flow_rhs instead), and VM_OK
-   otherwise. */
+   body's reference point to its mass centre, in body axes (m). Each load is a sum over all streams; the comment of
+   vm_reactive has the formulas. Returns
+   - VM_BAD_ARGUMENT for a null pointer, for n < 0 and for an unknown `motion` of a stream;
+   - VM_NOT_FINITE if an argument or the result is infinite or NaN;
+   - VM_BAD_MASS if the body's mass is not positive;
+   - VM_BAD_INERTIA if no body can have the inertia of the body, or if a moment of a gyration is negative;
+   - VM_STORED_STREAM if a stream has a store (integrate vm_flow_rhs instead);
+   - VM_OK otherwise. */
 VM_API int vm_reactive_loads(const vm_body *body, vm_vec3 centre, int n, const vm_stream *streams,
                              vm_reactive *result)
 {
@@ -6000,8 +6106,8 @@ VM_API int vm_reactive_loads(const vm_body *body, vm_vec3 centre, int n, const v
     return VM_OK;
 }
 
-/* Returns the angular acceleration I^-1 (moment - omega x I omega) by Euler's equations, for the inertia I = *i. All
-   vectors are in body axes. */
+/* Returns the angular acceleration I^-1 (moment - omega x I omega) by Euler's equations, for the inertia I = *i and its
+   factors *factors (vmi_inertia_factor). All vectors are in body axes. */
 VM_INLINE vm_vec3 vmi_stream_euler(const vm_inertia *i, const vmi_inertia_ldl *factors, vm_vec3 omega,
                                    vm_vec3 moment)
 {
@@ -6011,8 +6117,9 @@ VM_INLINE vm_vec3 vmi_stream_euler(const vm_inertia *i, const vmi_inertia_ldl *f
 /* Accelerations v' (159) and omega' (160) of a body under reactive and outer loads.
    All vectors are in inertial axes. `force` is the resultant of the outer forces (N), `moment` their moment about the
    mass centre (N m). *acceleration is v', the rate of momentum/mass (m/s^2), and *angular_acceleration is omega'
-   (rad/s^2). Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_INERTIA also for the
-   singular inertia of a rod or a point, and VM_OK otherwise. */
+   (rad/s^2). Returns VM_BAD_ARGUMENT for a null pointer; VM_NOT_FINITE if an argument or the result is infinite or NaN;
+   VM_BAD_MASS if the body's mass is not positive; VM_BAD_INERTIA if no body can have the inertia, and also for the
+   singular inertia of a rod or a point; VM_OK otherwise. */
 VM_API int vm_accelerations(const vm_body *body, const vm_reactive *loads, vm_vec3 force, vm_vec3 moment,
                             vm_vec3 *acceleration, vm_vec3 *angular_acceleration)
 {
@@ -6042,12 +6149,12 @@ VM_API int vm_accelerations(const vm_body *body, const vm_reactive *loads, vm_ve
 #endif
 /* mechanics/flow.h - a free body in space with streams of mass
 
-   These right-hand sides for the integrators rk45 and rk87 describe a rigid body whose mass, mass centre and inertia
-   change while it moves. In vm_flow_rhs streams cause the change (151), (152). In vm_flow_given_rhs mass, mass centre
-   and inertia are given functions of time (170). In vm_flow_carried_rhs they are given, too, and the mass that is lost
-   or gained moves with the body (166). In the first two functions momentum and angular momentum are states, from which
-   velocity and angular velocity follow. Therefore a momentum that is conserved stays exactly constant, and the rate of
-   a stream may jump.
+   This chapter has right-hand sides of equations of motion, for the integrators rk45 and rk87. The body is rigid, and
+   its mass, mass centre and inertia change while it moves. In vm_flow_rhs streams cause these changes (151), (152). In
+   vm_flow_given_rhs mass, mass centre and inertia are given functions of time (170). In vm_flow_carried_rhs they are
+   given functions of time, too, and the mass that is lost or gained moves with the body (166). In vm_flow_rhs and
+   vm_flow_given_rhs momentum and angular momentum are states (numbers to integrate), from which velocity and angular
+   velocity follow. Therefore a momentum that is conserved stays exactly constant, and the rate of a stream may jump.
 
        vm_flow flow;
        ode_event empty;
@@ -6080,8 +6187,9 @@ VM_API int vm_accelerations(const vm_body *body, const vm_reactive *loads, vm_ve
    The last term of q' is 0 for |q| = 1. It brings the length of q back to 1 and does not lower the order of an
    integrator. The dissertation [1] prints I' omega2 in (152) instead of M' kappa omega2.
    If a stream has a store (vm_store) at the position s, let d_s = s - c. The equations then differ in three points. d_s
-   replaces d in c' and in P(d). The gyration of the store replaces kappa in I'. The mass that flows between the store
-   and the surface adds M' (s - at) to the body's momentum and M' d x d_s to its angular momentum.
+   replaces d in c' and in P(d). The store's gyration (its inertia per unit mass) replaces kappa in I'. The mass that
+   flows between the store and the surface adds M' (s - at) to the body's momentum and M' d x d_s to its angular
+   momentum.
    The reference point, from which `at`, s and c are measured, is fixed in the body; its position is r - R c. If
    flow.centre is 0 at the start, the reference point is the initial mass centre.
    Tests: tests/test_flow.c. */
@@ -6099,24 +6207,26 @@ enum {
     VM_Y_CENTRE = 14,  /* vector from the reference point to the mass centre, 3 numbers, body axes, m */
     VM_Y_INERTIA = 17, /* inertia xx, yy, zz, xy, xz, yz about the mass centre, body axes, kg m^2 */
     VM_Y_BALANCE = 23, /* integrals of vm_flow_balanced_rhs: 3 of momentum, 3 of angular momentum, 1 of energy */
-    VM_FLOW_GIVEN_STATES = 13,   /* states if flow.update gives the mass data: vm_flow_given_rhs, vm_flow_carried_rhs */
-    VM_FLOW_STATES = 23,         /* states of vm_flow_rhs; mass, mass centre and inertia are among them */
-    VM_FLOW_BALANCED_STATES = 30 /* states of vm_flow_balanced_rhs: those of vm_flow_rhs and the 7 integrals */
+    VM_FLOW_GIVEN_STATES = 13,   /* number of states of vm_flow_given_rhs and vm_flow_carried_rhs */
+    VM_FLOW_STATES = 23,         /* number of states of vm_flow_rhs; mass, mass centre and inertia are among them */
+    VM_FLOW_BALANCED_STATES = 30 /* number of states of vm_flow_balanced_rhs: those of vm_flow_rhs and the 7
+                                    integrals */
 };
 
-/* The streams and loads of a body: the ctx of the right-hand sides below. Set the whole struct to zero first; a field
-   that stays zero has no effect. */
+/* The streams and loads of a body. The right-hand sides below get a pointer to this struct as their last argument. Set
+   the whole struct to zero first; a field that stays zero has no effect. */
 typedef struct VM_TAG(vm_flow) {
     int n;              /* number of streams */
     vm_stream *streams; /* array of n streams, which the caller keeps */
     vm_vec3 force;      /* resultant of the outer forces, N, inertial axes */
     vm_vec3 moment;     /* moment of the outer forces about the mass centre, plus all torques, N m, inertial axes */
     /* NULL, or a function that is called before each evaluation of a right-hand side and sets what depends on time and
-       state. It may set every field of the flow and of its streams: for example a weight (flow->force = y[VM_Y_MASS]
-       g), a rate that a valve changes, or the mass M(t), mass centre c(t) and inertia I(t) for vm_flow_given_rhs and
-       vm_flow_carried_rhs. The function returns 0 to go on. If it returns another number, the run ends with the
-       integrator's status ODE_RHS_STOPPED. The values that it sets must be smooth functions of t and y. To switch
-       something at an instant, use an event with the action ODE_RESTART and set the event's function `change`. */
+       state. It may set every field of the flow and of its streams: for example the weight (flow->force = mass times g,
+       with the mass y[VM_Y_MASS]), the rate of a stream that a valve changes, or the mass M(t), mass centre c(t) and
+       inertia I(t) for vm_flow_given_rhs and vm_flow_carried_rhs. The function returns 0 to go on. If it returns
+       another number, the run ends with the integrator's status ODE_RHS_STOPPED. The values that it sets must be smooth
+       functions of t and y. To switch something at an instant, use an event with the action ODE_RESTART and set the
+       event's function `change`. */
     int (*update)(vm_real t, const vm_real *y, struct VM_TAG(vm_flow) * flow);
     void *ctx;             /* pointer for the caller's `update`; not used by the functions below */
     vm_real mass;          /* mass for vm_flow_given_rhs and vm_flow_carried_rhs, kg */
@@ -6137,7 +6247,8 @@ typedef struct VM_TAG(vm_flow) {
     int y_size;
 } vm_flow;
 
-/* Returns 1 if n is 0, or if n is positive and there is an array of streams. */
+/* Returns 1 if the number n of streams is 0, or if n is positive and there is an array of streams. Returns 0
+   otherwise. */
 VM_INLINE int vmi_flow_has_streams(int n, const void *streams) { return n == 0 || (n > 0 && streams); }
 
 /* Sets n derivatives to NaN, which makes the integrator shorten its step. Returns 0, so that the run goes on. */
@@ -6193,8 +6304,9 @@ VM_INLINE int vmi_flow_check_mass(vm_real mass)
 }
 
 /* Computes from the state y the rotation *turn from body axes to inertial axes, and in *seen the velocity, the angular
-   velocity and the other quantities that the sums over the streams need. Returns VM_OK, VM_NOT_FINITE, VM_BAD_MASS or
-   VM_BAD_INERTIA. */
+   velocity and the other quantities that the sums over the streams need. Returns VM_NOT_FINITE if the mass is infinite
+   or NaN; VM_BAD_MASS if it is not positive; VM_BAD_INERTIA if no body can have the inertia, or if it is singular; else
+   VM_OK. */
 VM_INLINE int vmi_flow_motion(const vm_flow *flow, const vm_real *y, const vmi_flow_mass *b, vmi_mat3 *turn,
                               vmi_stream_seen *seen)
 {
@@ -6265,22 +6377,22 @@ VM_INLINE int vmi_flow_rates(vm_flow *flow, int n, vm_real t, const vm_real *y, 
     return 0;
 }
 
-/* Right-hand side of a free body whose streams change its mass (151), (152).
-   It is an ode_rhs for integrators such as rk45, with VM_FLOW_STATES states. `flow` must point to a vm_flow. The
-   equations are given at the top of mechanics/flow.h. Returns 0; or VM_BAD_ARGUMENT for a null pointer, n < 0 or an
-   unknown `motion` of a stream, VM_SHORT_ARRAY if y_size is too small, or the number that flow.update returns. A result
-   other than 0 ends the run. */
+/* Right-hand side of the equations of motion of a free body whose streams change its mass (151), (152).
+   Its type is ode_rhs, so that integrators such as rk45 can call it. The state y has VM_FLOW_STATES numbers. `flow`
+   must point to a vm_flow. The equations are given at the top of mechanics/flow.h. Returns 0 or another number, which
+   ends the run: VM_BAD_ARGUMENT for a null pointer, for n < 0 and for an unknown `motion` of a stream; VM_SHORT_ARRAY
+   if y_size is too small; or the number that flow.update returns. */
 VM_API int vm_flow_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow)
 {
     if (!y || !dydt || !flow) return VM_BAD_ARGUMENT;
     return vmi_flow_rates((vm_flow *)flow, VM_FLOW_STATES, t, y, dydt);
 }
 
-/* Right-hand side of a free body with given laws of mass, mass centre and inertia.
-   It is an ode_rhs with VM_FLOW_GIVEN_STATES states. `flow` must point to a vm_flow, whose function `update` must set
-   mass, centre and inertia for the time t. The streams cause forces and moments as in vm_flow_rhs, but do not change
-   the mass. Without streams the equations are (170): the mass that joins or leaves is at rest and at the mass centre.
-   The statuses are those of vm_flow_rhs. */
+/* Right-hand side of the equations of motion of a free body with given laws of mass, mass centre and inertia.
+   Its type is ode_rhs. The state y has VM_FLOW_GIVEN_STATES numbers. `flow` must point to a vm_flow, whose function
+   `update` must set mass, centre and inertia for the time t. The streams cause forces and moments as in vm_flow_rhs,
+   but do not change the mass. Without streams the equations are (170): the mass that joins or leaves is at rest and at
+   the mass centre. The statuses are those of vm_flow_rhs. */
 VM_API int vm_flow_given_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow)
 {
     if (!y || !dydt || !flow) return VM_BAD_ARGUMENT;
@@ -6288,29 +6400,29 @@ VM_API int vm_flow_given_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *f
 }
 
 /* Right-hand side vm_flow_rhs with seven integrals that check the balances.
-   It is an ode_rhs with VM_FLOW_BALANCED_STATES states. `flow` must point to a vm_flow. The integrals are the states
-   from y[VM_Y_BALANCE] on and are zero at the start. They are the momentum (3 numbers), the angular momentum about the
-   origin (3 numbers) and the kinetic energy that the streams have taken out of the body, minus those that the outer
-   loads have put in.
+   Its type is ode_rhs. The state y has VM_FLOW_BALANCED_STATES numbers. `flow` must point to a vm_flow. The integrals
+   are the numbers from y[VM_Y_BALANCE] on and are zero at the start. They are the momentum (3 numbers), the angular
+   momentum about the origin (3 numbers) and the kinetic energy that the streams have taken out of the body, minus the
+   momentum, angular momentum and energy that the outer loads have put into it.
    The sum of an integral and the corresponding quantity of the body stays constant. (There are two exceptions if a
    stream has a store. The angular momentum in this sum is then y[VM_Y_H] + r x p, and the sum of the energies does not
    stay constant.)
-   (113) and (118) give the change of the kinetic energy T by a sudden change of mass. Their limit for a continuous
-   stream, with M' > 0 or M' < 0, is the rate T'. With the letters of the equations at the top of mechanics/flow.h:
+   (113) and (118) give the change of the kinetic energy T by a sudden change of mass. For a continuous stream, with M'
+   > 0 or M' < 0, they give in the limit the rate T'. With the letters of the equations at the top of mechanics/flow.h:
      T' = F v + M_S omega + sum [M' u^2 + omega2 M' kappa omega2]/2 - sum [M' w^2 + omega_r M' kappa omega_r]/2,
      w = u - v - omega x d, omega_r = omega2 - omega.
    The first sum is the power that the streams bring. For M' < 0 the second term, with its minus sign, is the power of
-   engines. For M' > 0 it is negative: plastic impact takes this power. The statuses are those of vm_flow_rhs. */
+   engines. For M' > 0 it is negative: this power is lost by plastic impact. The statuses are those of vm_flow_rhs. */
 VM_API int vm_flow_balanced_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow)
 {
     if (!y || !dydt || !flow) return VM_BAD_ARGUMENT;
     return vmi_flow_rates((vm_flow *)flow, VM_FLOW_BALANCED_STATES, t, y, dydt);
 }
 
-/* Right-hand side of a free body that loses or gains mass which moves with the body (166).
-   It is an ode_rhs with VM_FLOW_GIVEN_STATES states. `ctx` must point to a vm_flow, whose function `update` must set
-   mass, inertia and drift for the time t. The states are r, q, the velocity v (not the momentum) and omega in body axes
-   (not the angular momentum). The function does not use the streams of the flow. The equations are
+/* Right-hand side of the equations of motion of a free body whose lost or gained mass moves with the body (166).
+   Its type is ode_rhs. The state y has VM_FLOW_GIVEN_STATES numbers. `ctx` must point to a vm_flow, whose function
+   `update` must set mass, inertia and drift for the time t. The states are r, q, the velocity v (not the momentum) and
+   omega in body axes (not the angular momentum). The function does not use the streams of the flow. The equations are
      v' = F/M + R (omega x c'), r' = v + R c', I omega' + omega x I omega = M_S.
    The letters are explained at the top of mechanics/flow.h; here c' is flow.drift, and M_S is in body axes. The
    statuses are those of vm_flow_rhs. */
@@ -6350,7 +6462,8 @@ VM_API int vmi_flow_size_at_start(const vm_flow *flow)
     return VM_FLOW_STATES;
 }
 
-/* Checks the arguments of vm_flow_start. The inertia must be possible and not singular. */
+/* Returns VM_OK if the arguments of vm_flow_start are valid, else the error. The inertia must be one that a body can
+   have, and not singular. */
 VM_API int vmi_flow_check_start(const vm_flow *flow, const vm_body *body)
 {
     vmi_inertia_ldl factors;
@@ -6366,9 +6479,13 @@ VM_API int vmi_flow_check_start(const vm_flow *flow, const vm_body *body)
    Before the call flow.centre and flow.streams must have the mass centre and the streams at the start. The function
    sets flow.mass and flow.inertia, too. For vm_flow_given_rhs y must have room for at least VM_FLOW_GIVEN_STATES
    numbers. If y has room for fewer than VM_FLOW_STATES numbers, set flow.y_size before the call. vm_flow_carried_rhs
-   has different states, which the caller sets. Returns VM_BAD_ARGUMENT for a null pointer, n < 0 or an unknown `motion`
-   of a stream, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_INERTIA also for a rod or a point, VM_SHORT_ARRAY, and VM_OK
-   otherwise. */
+   has different states, which the caller sets. Returns
+   - VM_BAD_ARGUMENT for a null pointer, for n < 0 and for an unknown `motion` of a stream;
+   - VM_NOT_FINITE if an argument or a number of the state is infinite or NaN;
+   - VM_BAD_MASS if the mass is not positive;
+   - VM_BAD_INERTIA if no body can have the inertia, for a rod or a point, and if a moment of a gyration is negative;
+   - VM_SHORT_ARRAY if flow.y_size is below VM_FLOW_GIVEN_STATES but not 0;
+   - VM_OK otherwise. */
 VM_API int vm_flow_start(vm_flow *flow, const vm_body *body, vm_real *y)
 {
     vm_vec3 p, h;
@@ -6402,10 +6519,15 @@ VM_API int vm_flow_start(vm_flow *flow, const vm_body *body, vm_real *y)
     return VM_OK;
 }
 
-/* The body that n states y describe, with a quaternion of length 1. If n < VM_FLOW_STATES, mass, mass centre and
-   inertia are the fields of *flow; otherwise they are states in y. y must not be a state of vm_flow_carried_rhs, which
-   has different states. Returns VM_BAD_ARGUMENT for a null pointer and n < VM_FLOW_GIVEN_STATES, VM_SHORT_ARRAY,
-   VM_BAD_MASS, VM_BAD_INERTIA, VM_NOT_FINITE, and VM_OK otherwise. */
+/* Sets *body to the body that the n numbers of the state y describe. Its quaternion gets the length 1. If n <
+   VM_FLOW_STATES, mass, mass centre and inertia are taken from the fields of *flow; otherwise they are in y. y must not
+   be a state of vm_flow_carried_rhs, which has different states. Returns
+   - VM_BAD_ARGUMENT for a null pointer, and if n < VM_FLOW_GIVEN_STATES or the number of streams is negative;
+   - VM_SHORT_ARRAY if flow.y_size is below n but not 0;
+   - VM_NOT_FINITE if a number of y or of the result is infinite or NaN;
+   - VM_BAD_MASS if the mass is not positive;
+   - VM_BAD_INERTIA if no body can have the inertia, and also for a rod or a point;
+   - VM_OK otherwise. */
 VM_API int vm_flow_body(const vm_flow *flow, int n, const vm_real *y, vm_body *body)
 {
     vm_body b;
@@ -6461,8 +6583,8 @@ VM_API vm_real vm_flow_inertia_left(vm_real t, const vm_real *y, void *flow)
 #endif
 /* mechanics/flow2.h - a body in a plane with streams of mass
 
-   This chapter has the right-hand side of mechanics/flow.h for motion in a plane, with 10 states instead of 23. The
-   equations are those of motion in space, except that streams in the plane have no stores.
+   This chapter has the right-hand side of mechanics/flow.h for motion in a plane. Its state has 10 numbers instead of
+   23. The equations are those of motion in space, except that streams in the plane have no stores.
 
        vm_stream2 jet = {-1, VM_RELATIVE, -0.5, 0, -2000, 0, 0, 0}; // 1 kg/s, 0.5 m behind, 2000 m/s backwards
        vm_flow2 flow;
@@ -6492,31 +6614,32 @@ enum {
 /* A stream of mass in the plane */
 typedef struct VM_TAG(vm_stream2) {
     vm_real rate;     /* mass per time, kg/s; > 0: mass joins the body, < 0: mass leaves it */
-    int motion;       /* how velocity and spin are given: VM_RELATIVE, VM_ABSOLUTE, VM_CARRIED, VM_AT_REST */
+    int motion;       /* what velocity and spin mean: VM_RELATIVE, VM_ABSOLUTE, VM_CARRIED or VM_AT_REST */
     vm_real x, y;     /* point at which the mass enters or leaves, from the body's reference point, m, body axes */
     vm_real vx, vy;   /* velocity of the mass as it enters or leaves the body, m/s */
     vm_real spin;     /* angular velocity of the mass as it enters or leaves the body, rad/s */
     vm_real gyration; /* inertia per unit mass of the mass that enters or leaves, about its own mass centre, m^2 */
 } vm_stream2;
 
-/* The streams and loads of a body in the plane: the ctx of vm_flow2_rhs. Set the whole struct to zero first. */
+/* The streams and loads of a body in the plane. vm_flow2_rhs gets a pointer to this struct as its last argument. Set
+   the whole struct to zero first. */
 typedef struct VM_TAG(vm_flow2) {
     int n;               /* number of streams */
     vm_stream2 *streams; /* array of n streams, which the caller keeps */
     vm_real fx, fy;      /* resultant of the outer forces, N, inertial axes */
     vm_real moment;      /* moment of the outer forces about the mass centre, plus all torques, N m */
     /* NULL, or a function that is called before each evaluation and may set every field from t and y, as
-       vm_flow.update does. It returns 0; another number ends the run. */
+       vm_flow.update does. It returns 0 to go on; any other number ends the run. */
     int (*update)(vm_real t, const vm_real *y, struct VM_TAG(vm_flow2) * flow);
     void *ctx;  /* pointer for the caller's `update`; not used by the functions below */
     int status; /* VM_OK, or the reason why the last evaluations gave NaN or ended the run: see vm_flow.status */
 } vm_flow2;
 
 /* Computes sine and cosine of x, with errors below 0.6 eps, in fewer operations than vmi_sincos. For |x| up to 2^20
-   quarter turns (float 2^10) it subtracts j pi/2 from x, where j is the integer nearest to x/(pi/2). pi/2 is replaced
-   by the sum of two numbers: `first` has 33 (float 14) bits, so that j times `first` is exact. The sum of `first` and
-   `second` differs from pi/2 by 2^-87 (float 2^-38). The product of j and `second` has a rounding error of at most
-   2^-67 (float 2^-28). For larger |x| the function calls vmi_sincos. */
+   quarter turns (float 2^10) the function subtracts j pi/2 from x, where j is the integer nearest to x/(pi/2). The
+   function replaces pi/2 by the sum of two numbers: `first` has 33 (float 14) bits, so that j times `first` is exact.
+   The sum of `first` and `second` differs from pi/2 by 2^-87 (float 2^-38). The product of j and `second` has a
+   rounding error of at most 2^-67 (float 2^-28). For larger |x| the function calls vmi_sincos. */
 VM_INLINE void vmi_sincos_of_angle(vm_real x, vm_real *sine, vm_real *cosine)
 {
 #if VM_MANT_DIG > 24
@@ -6564,7 +6687,8 @@ typedef struct VM_TAG(vmi_stream_sum2) {
     vm_real inertia; /* rate of the body's inertia: sum of M' (kappa + d^2) over all streams */
 } vmi_stream_sum2;
 
-/* Adds the terms of a stream to the sums. Its `motion` must be known. */
+/* Adds the terms of the stream *s to the sums *sum. The field `motion` of the stream must have one of the known
+   values. */
 VM_INLINE void vmi_stream_add2(const vm_stream2 *s, const vmi_stream_seen2 *b, vmi_stream_sum2 *sum)
 {
     const int given = vmi_stream_velocity_is_given(s->motion);
@@ -6611,10 +6735,11 @@ VM_INLINE int vmi_flow2_check_state(const vm_real *y)
     return VM_OK;
 }
 
-/* Right-hand side of a body in the plane with streams of mass, (151), (152).
-   It is an ode_rhs for integrators such as rk45, with VM_FLOW2_STATES states. `ctx` must point to a vm_flow2. The
-   equations are those at the top of mechanics/flow.h. Returns 0; or VM_BAD_ARGUMENT for a null pointer, n < 0 or an
-   unknown `motion` of a stream, or the number that flow.update returns. A result other than 0 ends the run. */
+/* Right-hand side of the equations of motion of a body in the plane with streams of mass, (151), (152).
+   Its type is ode_rhs, so that integrators such as rk45 can call it. The state y has VM_FLOW2_STATES numbers. `ctx`
+   must point to a vm_flow2. The equations are those at the top of mechanics/flow.h. Returns 0 or another number, which
+   ends the run: VM_BAD_ARGUMENT for a null pointer, for n < 0 and for an unknown `motion` of a stream; or the number
+   that flow.update returns. */
 VM_API int vm_flow2_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 {
     if (!y || !dydt || !ctx) return VM_BAD_ARGUMENT;
@@ -6664,9 +6789,10 @@ VM_API int vm_flow2_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 #endif
 /* mechanics/flow1.h - translation, and bodies on a line or an axle, with streams of mass
 
-   These right-hand sides describe motions with streams of mass that need fewer states than a free body in space:
-   translation in space (172), straight motion (175), (176), and rotation about a fixed axle (173a). The equation of
-   rotation is the equation of straight motion with the moment of inertia instead of the mass.
+   This chapter has the right-hand sides of equations of motion with streams of mass that need fewer states (numbers to
+   integrate) than a free body in space: translation in space (172), straight motion (175), (176), and rotation about a
+   fixed axle (173a). The equation of rotation is the equation of straight motion with the moment of inertia instead of
+   the mass.
 
        vm_stream1 jet = {-1, -2000, VM_RELATIVE}; // 1 kg/s leaves at 2000 m/s backwards
        vm_flow1 flow;
@@ -6705,23 +6831,24 @@ enum {
 typedef struct VM_TAG(vm_stream1) {
     vm_real rate;     /* mass per time, kg/s (axle: kg m^2/s); > 0: mass joins, < 0: mass leaves */
     vm_real velocity; /* velocity of the stream's mass, m/s (axle: rad/s) */
-    int motion;       /* how the velocity is given: VM_RELATIVE, VM_ABSOLUTE, VM_CARRIED, VM_AT_REST */
+    int motion;       /* what `velocity` means: VM_RELATIVE, VM_ABSOLUTE, VM_CARRIED or VM_AT_REST */
 } vm_stream1;
 
-/* The streams and the load of a body on a line or an axle: the ctx of vm_flow1_rhs. Set the whole struct to 0 first. */
+/* The streams and the load of a body on a line or an axle. vm_flow1_rhs gets a pointer to this struct as its last
+   argument. Set the whole struct to 0 first. */
 typedef struct VM_TAG(vm_flow1) {
     int n;               /* number of streams */
     vm_stream1 *streams; /* array of n streams, which the caller keeps */
     vm_real force;       /* resultant of the outer forces, N (axle: their moment about the axle, N m) */
     /* NULL, or a function that is called before each evaluation and may set every field from t and y, as
-       vm_flow.update does. It returns 0; another number ends the run. */
+       vm_flow.update does. It returns 0 to go on; any other number ends the run. */
     int (*update)(vm_real t, const vm_real *y, struct VM_TAG(vm_flow1) * flow);
     void *ctx;  /* pointer for the caller's `update`; not used by the functions below */
     int status; /* VM_OK, or the reason why the last evaluations gave NaN or ended the run: see vm_flow.status */
 } vm_flow1;
 
-/* Returns the velocity u of a stream's mass. v is the velocity of the body, and `given` is the field `velocity` of the
-   stream. All three vectors have the same axes. */
+/* Returns the velocity u of a stream's mass. `motion` and `given` are the fields `motion` and `velocity` of the stream,
+   and v is the velocity of the body. The vectors u, v and `given` have the same axes. */
 VM_INLINE vm_vec3 vmi_translation_velocity(int motion, vm_vec3 v, vm_vec3 given)
 {
     vm_vec3 u = vmi_vec3(0, 0, 0);
@@ -6730,7 +6857,8 @@ VM_INLINE vm_vec3 vmi_translation_velocity(int motion, vm_vec3 v, vm_vec3 given)
     return u;
 }
 
-/* Evaluates the right-hand side of vm_translation_rhs. The caller has called flow->update before, if it is not NULL. */
+/* Evaluates the right-hand side of vm_translation_rhs. The caller must have called flow->update before, if this pointer
+   is not NULL. */
 VM_INLINE int vmi_translation_rates(vm_flow *flow, const vm_real *y, vm_real *dydt)
 {
     const vm_real mass = y[VM_TRANSLATION_MASS];
@@ -6754,8 +6882,9 @@ VM_INLINE int vmi_translation_rates(vm_flow *flow, const vm_real *y, vm_real *dy
     return 0;
 }
 
-/* Calls flow->update, then evaluates the right-hand side. This function is not inlined. Otherwise a flow without
-   `update` would lose time, because the processor's registers would be saved for the call of `update`. */
+/* Calls flow->update, then evaluates the right-hand side of vm_translation_rhs. This function is not inlined. If it
+   were inlined, a flow without `update` would lose time, because the processor's registers would be saved for the call
+   of `update`. */
 VMI_APART int vmi_translation_updated_rates(vm_real t, const vm_real *y, vm_real *dydt, vm_flow *flow)
 {
     const int status = flow->update(t, y, flow);
@@ -6763,14 +6892,14 @@ VMI_APART int vmi_translation_updated_rates(vm_real t, const vm_real *y, vm_real
     return vmi_translation_rates(flow, y, dydt);
 }
 
-/* Right-hand side of a body in translation with streams of mass: r' = p/M, p' = F + sum M' u (172).
-   It is an ode_rhs for integrators such as rk45, with VM_TRANSLATION_STATES states. `flow` must point to a vm_flow, of
-   which n, streams, force, update, y_size and status are used. r is the position of the mass centre, p the momentum, M
-   the mass and F the outer force. The sum is over all streams; M' is the rate of a stream and u the velocity of its
-   mass. The rate of M is the sum of M'. Body axes are parallel to the inertial axes. The fields at, spin, gyration and
-   from of the streams are not read. Returns 0; or VM_BAD_ARGUMENT for a null pointer, n < 0 or an unknown `motion` of a
-   stream, VM_SHORT_ARRAY if y_size is too small, or the number that flow.update returns. A result other than 0 ends the
-   run. */
+/* Right-hand side of the equations of translation with streams of mass: r' = p/M, p' = F + sum M' u (172).
+   Its type is ode_rhs, so that integrators such as rk45 can call it. The state y has VM_TRANSLATION_STATES numbers.
+   `flow` must point to a vm_flow, of which n, streams, force, update, y_size and status are used. r is the position of
+   the mass centre, p the momentum, M the mass and F the outer force. The sum is over all streams; M' is the rate of a
+   stream and u the velocity of its mass. The rate of the body's mass M is the sum of all M'. The body axes must be
+   parallel to the inertial axes. The fields at, spin, gyration and from of the streams are not read. Returns 0 or
+   another number, which ends the run: VM_BAD_ARGUMENT for a null pointer, for n < 0 and for an unknown `motion` of a
+   stream; VM_SHORT_ARRAY if y_size is too small; or the number that flow.update returns. */
 VM_API int vm_translation_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow)
 {
     if (!y || !dydt || !flow) return VM_BAD_ARGUMENT;
@@ -6779,7 +6908,8 @@ VM_API int vm_translation_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *
     return vmi_translation_rates(f, y, dydt);
 }
 
-/* Evaluates the right-hand side of vm_flow1_rhs. The caller has called flow->update before, if it is not NULL. */
+/* Evaluates the right-hand side of vm_flow1_rhs. The caller must have called flow->update before, if this pointer is
+   not NULL. */
 VM_INLINE int vmi_flow1_rates(vm_flow1 *flow, const vm_real *y, vm_real *dydt)
 {
     const vm_real v = y[VM_FLOW1_P] / y[VM_FLOW1_MASS];
@@ -6800,8 +6930,8 @@ VM_INLINE int vmi_flow1_rates(vm_flow1 *flow, const vm_real *y, vm_real *dydt)
     return 0;
 }
 
-/* Calls flow->update, then evaluates the right-hand side. The comment on vmi_translation_updated_rates says why this
-   function is not inlined. */
+/* Calls flow->update, then evaluates the right-hand side of vm_flow1_rhs. The comment of vmi_translation_updated_rates
+   says why this function is not inlined. */
 VMI_APART int vmi_flow1_updated_rates(vm_real t, const vm_real *y, vm_real *dydt, vm_flow1 *flow)
 {
     const int status = flow->update(t, y, flow);
@@ -6809,12 +6939,12 @@ VMI_APART int vmi_flow1_updated_rates(vm_real t, const vm_real *y, vm_real *dydt
     return vmi_flow1_rates(flow, y, dydt);
 }
 
-/* Right-hand side of a body on a line or an axle with streams of mass, (173a), (175), (176).
-   It is an ode_rhs with VM_FLOW1_STATES states. `flow1` must point to a vm_flow1. The equations for the position x, the
-   momentum p and the mass M are x' = p/M, p' = F + sum of M_i u_i, M' = sum of M_i. F is the outer force. Each sum is
-   over all streams; M_i is the rate of stream number i, and u_i is the velocity of its mass. Returns 0; or
-   VM_BAD_ARGUMENT for a null pointer, n < 0 or an unknown `motion` of a stream, or the number that flow.update returns.
-   A result other than 0 ends the run. */
+/* Right-hand side of the equations of motion of a body on a line or an axle with streams, (173a), (175), (176).
+   Its type is ode_rhs. The state y has VM_FLOW1_STATES numbers. `flow1` must point to a vm_flow1. The equations for the
+   position x, the momentum p and the mass M are x' = p/M, p' = F + sum of M_i u_i, M' = sum of M_i. F is the outer
+   force. Each sum is over all streams; M_i is the rate of stream number i, and u_i is the velocity of its mass. Returns
+   0 or another number, which ends the run: VM_BAD_ARGUMENT for a null pointer, for n < 0 and for an unknown `motion` of
+   a stream; or the number that flow.update returns. */
 VM_API int vm_flow1_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow1)
 {
     if (!y || !dydt || !flow1) return VM_BAD_ARGUMENT;
@@ -6826,9 +6956,10 @@ VM_API int vm_flow1_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow1)
 #endif
 /* mechanics/rocket.h - closed forms: velocity by momentum, Tsiolkovsky's rocket, linear flow, jet damping
 
-   These are motions with streams of mass that need no integrator: the velocity of a body as a function of its mass,
-   (151), (171), (175), (176); the motion along a line while the mass changes at a constant rate; and the angular
-   velocity of a spinning rocket that its jet damps. The formulas stay accurate as the rate of mass tends to zero.
+   This chapter has closed formulas for motions with streams of mass, so that no integrator is needed. They give the
+   velocity of a body as a function of its mass, (151), (171), (175), (176); the motion along a line while the mass
+   changes at a constant rate; and the angular velocity of a spinning rocket whose rotation the jet damps. The formulas
+   stay accurate as the rate of the mass tends to zero.
 
        vm_real v = vm_tsiolkovsky(0, 100, 40, -2500); // m/s: from 100 kg to 40 kg, jet at 2500 m/s backwards
 
@@ -6844,12 +6975,12 @@ typedef struct VM_TAG(vm_jet) {
     vm_real rate;                /* mass per time, kg/s; < 0: mass leaves */
     vm_real axial;               /* inertia C0 of the body about the z axis at t = 0, kg m^2 */
     vm_real transverse;          /* inertia A0 of the body about a transverse axis at t = 0, kg m^2 */
-    vm_real gyration_axial;      /* inertia about z of the mass that flows, per unit mass, m^2; the same in the body
-                                    and in the nozzle */
-    vm_real gyration_transverse; /* inertia about a transverse axis of the mass that flows, per unit mass, m^2, while
-                                    it is in the body */
-    vm_real gyration_out;        /* inertia about a transverse axis through the nozzle of the mass there, per unit
-                                    mass, m^2 */
+    vm_real gyration_axial;      /* inertia about z of the mass that flows, per unit mass, m^2; it has one value in the
+                                    body and in the nozzle */
+    vm_real gyration_transverse; /* inertia about a transverse axis of the mass that flows, per unit mass, while it is
+                                    in the body, m^2 */
+    vm_real gyration_out;        /* inertia of the mass in the nozzle about a transverse axis through the nozzle, per
+                                    unit mass, m^2 */
     vm_real nozzle;              /* distance of the nozzle from the mass centre, m */
 } vm_jet;
 
@@ -6858,7 +6989,7 @@ VM_API int vmi_masses_are_good(vm_real m0, vm_real m)
     return m0 > 0 && m > 0 && VM_IS_FINITE(m0) && VM_IS_FINITE(m);
 }
 
-/* Velocity after a stream with the absolute velocity u changes the mass from m0 to m (151), (171).
+/* Velocity of a body after a stream with the absolute velocity u has changed its mass from m0 to m (151), (171).
    v0 (m/s) is the velocity at the mass m0 (kg), u is in m/s, and `impulse` (N s) is the integral of the outer forces
    over the time of the change. u = 0 is Levi-Civita's case, in which the mass that joins or leaves is at rest. With
    moments of inertia instead of masses the function gives the angular velocity about a fixed axle. Returns NaN if a
@@ -6886,9 +7017,9 @@ VM_API vm_real vm_tsiolkovsky(vm_real v0, vm_real m0, vm_real m, vm_real w)
 }
 
 /* Sets *first = ln(1 + x)/x and *second = (x - ln(1 + x))/x^2 for -1 < x < 1e299 (float 1e34), and both to NaN for
-   other x. They are means over the time of a flow at constant rate. Let s grow from 0 at the start of this time to 1 at
-   its end, and let m = 1 + x s be the mass divided by its initial value. Then *first is the mean of 1/m over s, and
-   *second is the mean of s/m over s. */
+   other x. The two results are means over the time of a flow at constant rate. Let s grow from 0 at the start of this
+   time to 1 at its end, and let m = 1 + x s be the mass divided by its initial value. Then *first is the mean of 1/m
+   over s, and *second is the mean of s/m over s. */
 VM_API void vmi_stream_log_means(vm_real x, vm_real *first, vm_real *second)
 {
     const vm_two whole = vmi_two(x, 0), l = vmi_log1p(whole);
@@ -6905,8 +7036,9 @@ VM_API void vmi_stream_log_means(vm_real x, vm_real *first, vm_real *second)
    If the stream has the velocity w relative to the body:
      v = v0 + (force + rate w) L t/m0,            x = x0 + v0 t + (force + rate w) (L - B) t^2/m0.
    If rate t >= 0, the errors of x and v are at most 8 eps times the sum of the absolute values of all terms. If the
-   mass decreases, this bound grows with m0/m, because the rounding error of rate t is large relative to a small m.
-   Returns VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_MASS if m0 or m is not positive, and VM_OK otherwise. */
+   mass decreases, this bound grows with m0/m, because the rounding error of the product rate t is large compared with a
+   small m. Returns VM_BAD_ARGUMENT for a null pointer and for an unknown `motion` of the stream; VM_NOT_FINITE if an
+   argument or the result is infinite or NaN; VM_BAD_MASS if m0 or m is not positive; VM_OK otherwise. */
 VM_API int vm_linear_flow(const vm_stream1 *stream, vm_real t, vm_real x0, vm_real v0, vm_real m0, vm_real force,
                           vm_real *x, vm_real *v)
 {
@@ -6952,9 +7084,9 @@ VM_API int vmi_jet_finite(const vm_jet *jet)
    where omega_t0 is omega_t at t = 0. The part omega_z along z stays constant, and omega_t turns about z by the angle
    omega_z times the integral of (C/A - 1) over time. Let L and B be the functions of tau explained at vm_linear_flow,
    here with tau = rate gyration_transverse t/A0. Then ln(A/A0) is tau L, and the integral is
-   t (L C0/A0 - 1 + B rate t gyration_axial/A0). An error of eps in the inputs changes the result; the error of the
-   function is at most 8 times this change. Returns VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_INERTIA if A or C is not
-   positive, and VM_OK otherwise. */
+   t (L C0/A0 - 1 + B rate t gyration_axial/A0). A relative error of eps in the inputs changes the result; the error of
+   the function is at most 8 times this change. Returns VM_BAD_ARGUMENT for a null pointer; VM_NOT_FINITE if an argument
+   or the result is infinite or NaN; VM_BAD_INERTIA if A0, C0, A or C is not positive; VM_OK otherwise. */
 VM_API int vm_jet_damping(const vm_jet *jet, vm_real t, vm_vec3 omega0, vm_vec3 *omega)
 {
     vm_real change, tau, first, second, exponent, share, angle, sine, cosine;
@@ -6984,7 +7116,8 @@ VM_API int vm_jet_damping(const vm_jet *jet, vm_real t, vm_vec3 omega0, vm_vec3 
    A supply is a round cylinder of stored mass inside a body: a tank of liquid, whose level falls; a tank of gas, whose
    density falls; or a hollow cylinder of solid propellant (a grain), which burns radially outwards. The mass that is
    left determines its mass centre, its inertia and their rates, and also the store (vm_store) from which a stream takes
-   the next mass. If a stream has this store, its moments are right, jet damping included.
+   the next mass. If a stream has this store, the moments that it causes are right. They include the jet damping, the
+   moment by which a jet slows the rotation of a body.
 
        vm_supply tank = {VM_TANK_OF_LIQUID, {0, 0, -2}, {0, 0, 1}, 3, 0.5, 0, 800}; // 3 m long, radius 0.5 m, 800 kg
        vm_supply_left left;
@@ -6992,8 +7125,8 @@ VM_API int vm_jet_damping(const vm_jet *jet, vm_real t, vm_vec3 omega0, vm_vec3 
 
    The equations. Let m be the mass that is left, m1 that of the full supply, L the length, R the radius, e the unit
    vector along the axis from the lower end to the upper one, E the unit matrix, and b the lower end of the axis. The
-   inertia about the mass centre c is m [k_a e e^T + k_t (E - e e^T)]. The next mass lies at the point s, and its
-   inertia per unit mass is q_a e e^T + q_t (E - e e^T).
+   inertia about the mass centre c is m [k_a e e^T + k_t (E - e e^T)]. The mass that leaves next lies at the point s,
+   and its inertia per unit mass is q_a e e^T + q_t (E - e e^T).
      liquid  level h = L m/m1, c = b + e h/2, k_a = R^2/2, k_t = R^2/4 + h^2/12; s = b + e h, q_a = R^2/2, q_t = R^2/4
      gas     c = s = b + e L/2, k_a = q_a = R^2/2, k_t = q_t = R^2/4 + L^2/12
      grain   bore r, r^2 = (m r0^2 + (m1 - m) R^2)/m1 with the bore r0 of the full grain, c = s = b + e L/2,
@@ -7009,7 +7142,7 @@ VM_API int vm_jet_damping(const vm_jet *jet, vm_real t, vm_vec3 omega0, vm_vec3 
 enum {
     VM_TANK_OF_LIQUID = 0, /* constant density; the tank empties from the lower end, and its surface stays normal to the
                               axis. The liquid turns with the tank */
-    VM_TANK_OF_GAS = 1,    /* constant volume; the density is the same everywhere, and falls */
+    VM_TANK_OF_GAS = 1,    /* constant volume; the density is the same everywhere, and falls as gas leaves */
     VM_GRAIN = 2           /* constant density; a hollow cylinder that burns from its bore outwards, not at its ends */
 };
 
@@ -7018,21 +7151,22 @@ typedef struct VM_TAG(vm_supply) {
     int kind;       /* VM_TANK_OF_LIQUID, VM_TANK_OF_GAS or VM_GRAIN */
     vm_vec3 at;     /* centre of the lower end, from the body's reference point, m, body axes */
     vm_vec3 axis;   /* direction from the lower end to the upper end, of any length but 0, body axes */
-    vm_real length; /* distance of the ends, m; that of a tank of liquid when it is full */
+    vm_real length; /* distance between the ends, m; of a tank of liquid: the level when it is full */
     vm_real radius; /* outer radius, m */
     vm_real bore;   /* inner radius of the full grain, m, 0 <= bore < radius; not used by the tanks */
     vm_real full;   /* mass of the full supply, kg */
 } vm_supply;
 
-/* What is left of a supply. The rates are derivatives with respect to the mass that is left; multiply them by its rate
-   in kg/s (< 0 while the supply empties) to get rates in time. */
+/* What is left of a supply. The fields centre_by_mass and inertia_by_mass are derivatives with respect to the mass that
+   is left. Multiply them by the rate of this mass in kg/s (< 0 while the supply empties) to get derivatives with
+   respect to time. */
 typedef struct VM_TAG(vm_supply_left) {
     vm_real mass;               /* mass that is left, kg */
-    vm_real size;               /* level of the liquid, length of the gas, or bore of the grain, m */
+    vm_real size;               /* level of the liquid, length of the tank of gas, or bore of the grain, m */
     vm_vec3 centre;             /* mass centre, from the body's reference point, m, body axes */
     vm_inertia inertia;         /* inertia about this mass centre, kg m^2, body axes */
-    vm_vec3 centre_by_mass;     /* rate of the mass centre, m/kg */
-    vm_inertia inertia_by_mass; /* rate of the inertia, m^2 */
+    vm_vec3 centre_by_mass;     /* derivative of `centre` with respect to the mass, m/kg */
+    vm_inertia inertia_by_mass; /* derivative of `inertia` with respect to the mass, m^2 */
     vm_store store;             /* the place of the next mass that leaves, for the field `from` of a vm_stream */
 } vm_supply_left;
 
@@ -7063,7 +7197,7 @@ VM_API int vmi_supply_check(const vm_supply *s, vm_real mass)
     return VM_OK;
 }
 
-/* Writes to *left what is left of a tank of liquid; e is the unit vector along the axis */
+/* Writes to *left what is left of a tank of liquid. left->mass must be set; e is the unit vector along the axis. */
 VM_API void vmi_supply_liquid(const vm_supply *s, vm_vec3 e, vm_supply_left *left)
 {
     const vm_real m = left->mass, level = s->length * (m / s->full), disc = s->radius * s->radius / 4;
@@ -7077,8 +7211,9 @@ VM_API void vmi_supply_liquid(const vm_supply *s, vm_vec3 e, vm_supply_left *lef
     left->store.gyration = vmi_inertia_of_revolution(e, 2 * disc, disc);
 }
 
-/* Writes to *left what is left of a tank of gas or of a grain. The square of the bore is r^2 of the equations at the
-   top of mechanics/supply.h; it is 0 for gas, whose density is the same everywhere. */
+/* Writes to *left what is left of a tank of gas or of a grain. left->mass must be set; e is the unit vector along the
+   axis. The square of the bore is r^2 of the equations at the top of mechanics/supply.h; it is 0 for gas, whose density
+   is the same everywhere. */
 VM_API void vmi_supply_hollow(const vm_supply *s, vm_vec3 e, vm_supply_left *left)
 {
     const vm_real m = left->mass, square = s->radius * s->radius, rod = s->length * s->length / 12;
@@ -7103,13 +7238,15 @@ VM_API int vmi_supply_left_is_finite(const vm_supply_left *left)
            vmi_vec3_is_finite(left->store.at) && vmi_inertia_is_finite(&left->store.gyration);
 }
 
-/* What is left of a tank or grain when its mass is `mass`: mass centre, inertia, their rates, and the next store.
+/* What is left of a tank or grain when its mass is `mass`: mass centre, inertia, their derivatives, and the store of
+   the mass that leaves next.
    mass is in kg and lies between 0 and supply.full. For a mass below 0 or above supply.full the function uses the same
-   polynomials of the mass. The results then describe no body, but they change smoothly, as the trial steps of an
+   formulas. The results then describe no body, but they change smoothly with the mass, as the trial steps of an
    integrator need it. The errors are at most 8 eps of a scale: |at| + length for a position, the largest entry for a
    tensor, and the length of the vector for centre_by_mass. This holds for a nearly empty or nearly full supply, too.
-   Returns VM_BAD_ARGUMENT for a null pointer or an unknown kind, VM_NOT_FINITE, VM_BAD_MASS if supply.full is not
-   positive, VM_DOMAIN for a length, radius, bore or axis outside its domain, and VM_OK otherwise. */
+   Returns VM_BAD_ARGUMENT for a null pointer or an unknown kind; VM_NOT_FINITE if an argument or the result is infinite
+   or NaN; VM_BAD_MASS if supply.full is not positive; VM_DOMAIN if the length or the radius is not positive, if the
+   axis is 0, or if the bore of a grain is not between 0 and the radius; VM_OK otherwise. */
 VM_API int vm_supply_at(const vm_supply *supply, vm_real mass, vm_supply_left *left)
 {
     vm_supply_left result;
@@ -7132,32 +7269,34 @@ VM_API int vm_supply_at(const vm_supply *supply, vm_real mass, vm_supply_left *l
 /* mechanics/orbit.h - two bodies that attract each other, with constant masses and with masses that change
 
    The vector r from one body to the other obeys r'' = -mu r/|r|^3 with mu = G (M1 + M2), if mass that leaves or joins
-   has the velocity of its body (in a scene: reactive = 0). vm_orbit solves this equation for constant mu (Kepler's
-   problem), for ellipses, parabolas, hyperbolas and straight lines alike. vm_orbit_meshchersky solves it for
-   Meshchersky's law mu/(1 + c t), one of Gylden's problems of variable mass that have a closed form. A scene with
+   has the velocity of its body (in a scene: the field `reactive` is 0). vm_orbit solves this equation for constant mu
+   (Kepler's problem). It works for ellipses, parabolas, hyperbolas and straight lines. vm_orbit_meshchersky solves it
+   for Meshchersky's law mu/(1 + c t), one of Gylden's problems of variable mass that have a closed form. A scene with
    vm_effect_gravitation computes the motion for any law of mass.
 
        vm_vec3 r = {7e6, 0, 0}, v = {0, 7.6e3, 0}; // m, m/s
        vm_orbit(3600, 3.986004418e14, r, v, &r, &v); // an hour later; the results may be the inputs
 
-   The equations. Lengths are in units of |r0|, times in units of sqrt(|r0|^3/mu). Let sigma = r0 v0 (the dot
-   product) and beta = 2 - v0^2. Stumpff's functions of a variable s are, in the form used here,
+   The equations. Lengths are in units of |r0|, times in units of sqrt(|r0|^3/mu), where r0 and v0 are the vector r and
+   the velocity v at t = 0. Let sigma = r0 v0 (the dot product) and beta = 2 - v0^2. Stumpff's functions of a variable s
+   are, in the form used here,
      G1 = s - beta s^3/3! + ..., G2 = s^2/2! - beta s^4/4! + ..., G3 = s^3/3! - beta s^5/5! + ...
-   They consist of sines and cosines of sqrt(beta) s for beta > 0, and of hyperbolic functions for beta < 0. The time is
-   t = s + sigma G2 + (1 - beta) G3. Its derivative dt/ds = 1 + sigma G1 + (1 - beta) G2 is the distance R. Then
+   The functions G1, G2, G3 consist of sines and cosines of sqrt(beta) s for beta > 0, and of hyperbolic functions for
+   beta < 0. The time is t = s + sigma G2 + (1 - beta) G3. Its derivative dt/ds = 1 + sigma G1 + (1 - beta) G2 is the
+   distance R = |r|. Then
      r = (1 - G2) r0 + (t - G3) v0,  v = -G1/R r0 + (1 - G2/R) v0.
    For Meshchersky's law let f = 1 + c t, r = f xi and tau = t/f. Then xi, as a function of the time tau, obeys the
    equation for constant mu.
 
    This chapter has no function for Meshchersky's second law, mu/sqrt(1 + c t). With f = sqrt(1 + c t), r = f xi,
-   tau = ln(1 + c t)/c and ' = d/dtau its equation becomes
+   tau = ln(1 + c t)/c and a prime ' for d/dtau, the equation of motion becomes
      xi'' = (c^2/4) xi - mu xi/|xi|^3.
-   Therefore |xi'|^2/2 - mu/|xi| - c^2 |xi|^2/8 and the angular momentum xi x xi' are constant. If s is defined by
-   d tau = |xi| ds, the distance |xi| is an elliptic function of s. But tau and the angle are elliptic integrals of the
-   third kind, whose parameters are the roots of a polynomial of degree 4. These parameters are complex for most orbits,
-   and there are three kinds of them. tau(s) must be inverted by iteration. Digits cancel where two roots are close:
-   next to a circle, and for small mu or c. Integration of the equation in t or in tau by rk87 avoids all these
-   difficulties (tests/test_orbit.c, test_second_law).
+   Therefore |xi'|^2/2 - mu/|xi| - c^2 |xi|^2/8 and the cross product xi x xi' (the angular momentum) are constant. If s
+   is defined by d tau = |xi| ds, the distance |xi| is an elliptic function of s. But tau and the angle are elliptic
+   integrals of the third kind, whose parameters are the roots of a polynomial of degree 4. These parameters are complex
+   for most orbits, and there are three kinds of parameters. The function tau(s) must be inverted by iteration. Digits
+   cancel where two roots are close: next to a circle, and for small mu or c. Integration of the equation in t or in tau
+   by rk87 avoids all these difficulties (tests/test_orbit.c, test_second_law).
 
    Tests: tests/test_orbit.c. */
 #ifndef VARMASS_MECHANICS_ORBIT_H
@@ -7168,7 +7307,8 @@ typedef struct VM_TAG(vmi_stumpff) {
     vm_real g1, g2, g3;
 } vmi_stumpff;
 
-/* Computes G1, G2, G3 by their series, for |beta| s^2 <= 4. The first omitted term is then below 1e-18 of the sum. */
+/* Computes G1, G2, G3 by their series, for |beta| s^2 <= 4. The first omitted term of each series is then below 1e-18
+   of its sum. */
 VM_API vmi_stumpff vmi_stumpff_series(vm_real beta, vm_real s)
 {
     const vm_real x = beta * s * s;
@@ -7187,7 +7327,7 @@ VM_API vmi_stumpff vmi_stumpff_series(vm_real beta, vm_real s)
     return g;
 }
 
-/* Computes G1, G2, G3 for any beta and s >= 0. They are infinite where e^(sqrt(-beta) s) overflows. */
+/* Computes G1, G2, G3 for any beta and s >= 0. The results are infinite where e^(sqrt(-beta) s) overflows. */
 VM_API vmi_stumpff vmi_stumpff_at(vm_real beta, vm_real s)
 {
     const vm_real root = VM_SQRT(VM_FABS(beta)), z = root * s;
@@ -7211,11 +7351,12 @@ VM_API vmi_stumpff vmi_stumpff_at(vm_real beta, vm_real s)
 
 /* Kepler's problem in the units of the equations at the top of mechanics/orbit.h */
 typedef struct VM_TAG(vmi_kepler) {
-    vm_real sigma; /* r0 v0 */
-    vm_real beta;  /* 2 - v0^2; the energy is -beta/2 */
+    vm_real sigma; /* the dot product r0 v0 */
+    vm_real beta;  /* 2 - v0^2; the energy per unit mass is -beta/2 */
 } vmi_kepler;
 
-/* The time and the distance for a value of the variable s */
+/* The time and the distance that belong to a value of the variable s of the equations at the top of
+   mechanics/orbit.h */
 typedef struct VM_TAG(vmi_kepler_point) {
     vmi_stumpff g;
     vm_real time, distance;
@@ -7236,13 +7377,13 @@ VM_API vmi_kepler_point vmi_kepler_at(const vmi_kepler *o, vm_real s)
 }
 
 /* Finds the variable s >= 0 at the time t >= 0, and returns the distance and the functions G1, G2, G3 for this s. The
-   time rises with s. Therefore the function keeps a lower and an upper bound of s, and brings them closer in each step
-   of Newton's method. If a step leaves these bounds, or is longer than half the previous step, s is doubled or the
-   interval is halved instead. On a fast hyperbola the time rises exponentially, and Newton's method alone would need
-   too many steps. */
+   time is a rising function of s. Therefore the function keeps a lower and an upper bound of s, and brings them closer
+   in each step of Newton's method. If a step leaves these bounds, or is longer than half the previous step, s is
+   doubled or the interval is halved instead. On a fast hyperbola the time rises exponentially, and Newton's method
+   alone would need too many steps. */
 VM_API vmi_kepler_point vmi_kepler_solve(const vmi_kepler *o, vm_real t)
 {
-    const int most = 3 * VM_MANT_DIG; /* halving alone needs VM_MANT_DIG steps, Newton's steps are fewer */
+    const int most = 3 * VM_MANT_DIG; /* halving alone needs VM_MANT_DIG steps; Newton's method needs fewer */
     vm_real low = 0, high = VM_INFINITY, s = vmi_smaller(t, 1), before = VM_INFINITY;
     vmi_kepler_point p = vmi_kepler_at(o, s);
     int i;
@@ -7265,7 +7406,8 @@ VM_API vmi_kepler_point vmi_kepler_solve(const vmi_kepler *o, vm_real t)
     return p;
 }
 
-/* Reduces the time t on an ellipse (beta > 0) by whole periods, to at most half a period on either side of 0 */
+/* Returns the time t minus a whole number of periods if the orbit is an ellipse (beta > 0), else t. The result for an
+   ellipse is at most half a period before or after 0. */
 VM_API vm_real vmi_kepler_reduce(vm_real beta, vm_real t)
 {
     vm_real period;
@@ -7280,8 +7422,9 @@ VM_API vm_real vmi_kepler_reduce(vm_real beta, vm_real t)
    the centre, or G (M1 + M2) if r0 and v0 belong to two bodies, one relative to the other. t may be negative. The orbit
    may be an ellipse, a parabola, a hyperbola or a straight line; on a straight line the body turns back at the centre.
    Errors of a few eps in t, r0, v0 and mu would change the result; the error of the function is as large as this
-   change. It grows with the number of revolutions. A call takes about as long as 50 sines. Returns VM_BAD_ARGUMENT,
-   VM_NOT_FINITE also where the results are not finite, VM_DOMAIN for mu <= 0 or r0 = 0, and VM_OK otherwise. */
+   change. This error grows with the number of revolutions. A call takes about as long as 50 calls of sin. Returns
+   VM_BAD_ARGUMENT for a null pointer; VM_NOT_FINITE if an argument or the result is infinite or NaN; VM_DOMAIN for mu
+   <= 0 or r0 = 0; VM_OK otherwise. */
 VM_API int vm_orbit(vm_real t, vm_real mu, vm_vec3 r0, vm_vec3 v0, vm_vec3 *r, vm_vec3 *v)
 {
     vm_real distance0, speed, unit, time, sign = 1;
@@ -7322,7 +7465,7 @@ VM_API int vm_orbit(vm_real t, vm_real mu, vm_vec3 r0, vm_vec3 v0, vm_vec3 *r, v
    The two bodies lose mass (rate > 0, per second) or gain it (rate < 0) in the same proportion, and the mass that
    leaves or joins has the velocity of its body. The equation is that of Gylden and Meshchersky,
    r'' = -mu/(1 + rate t) r/|r|^3. The other arguments and the accuracy are those of vm_orbit. Returns VM_BAD_MASS if
-   1 + rate t is not positive, or else a status of vm_orbit. */
+   1 + rate t is not positive, else a status of vm_orbit. */
 VM_API int vm_orbit_meshchersky(vm_real t, vm_real mu, vm_real rate, vm_vec3 r0, vm_vec3 v0, vm_vec3 *r, vm_vec3 *v)
 {
     vm_vec3 position, velocity;
@@ -7383,7 +7526,7 @@ typedef struct VM_TAG(vm_drum) {
     vm_real omega;     /* initial angular velocity Omega_b > 0, at phi = 0, rad/s */
 } vm_drum;
 
-/* Geometry of the drum and of the band wound on it, when the drum has turned by the angle phi */
+/* Geometry of the drum and of the band that is wound on it, after the drum has turned by the angle phi */
 typedef struct VM_TAG(vm_drum_geometry) {
     vm_real mass;         /* mass M of drum and band (182), kg */
     vm_real arc_centre;   /* distance of the band's mass centre from the shaft's centre S (184), m */
@@ -7442,7 +7585,9 @@ typedef struct VM_TAG(vmi_drum_mass) {
 } vmi_drum_mass;
 
 /* Sets *m for the angle phi of the drum. The argument s is sin(phi/2), or 0 to neglect the distance from the axle to
-   the mass centre. Returns VM_OK, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS or VM_BAD_INERTIA. */
+   the mass centre. Returns VM_NOT_FINITE if M or J is infinite or NaN; VM_BAD_MASS if M or the mass of the empty drum
+   is not positive; VM_BAD_STIFFNESS if the stiffness is negative; VM_BAD_INERTIA if J - steiner is not positive; else
+   VM_OK. */
 VM_API int vmi_drum_mass_at(const vm_drum *d, vm_real phi, vm_real s, vmi_drum_mass *m)
 {
     const vm_real q = 2 * d->band * d->radius * s;
@@ -7463,9 +7608,11 @@ VM_API int vmi_drum_finite(const vm_drum *d)
            VM_IS_FINITE(d->omega);
 }
 
-/* Mass, mass centre and inertia of the drum with its band at an angle, (182)-(188).
-   The angle phi >= 0 is in rad. Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS,
-   VM_BAD_STIFFNESS for a negative stiffness, VM_BAD_INERTIA, VM_DOMAIN for phi < 0, and VM_OK otherwise. */
+/* Mass, mass centre and inertia of the drum with its band at the angle phi, (182)-(188).
+   The angle phi >= 0 is in rad. Returns VM_BAD_ARGUMENT for a null pointer; VM_NOT_FINITE if an argument or the result
+   is infinite or NaN; VM_BAD_MASS if the field `mass` is not positive or `band` is negative; VM_BAD_STIFFNESS if the
+   stiffness is negative; VM_BAD_INERTIA if the field `inertia` or the inertia J_S1 (188) is not positive; VM_DOMAIN if
+   phi < 0; VM_OK otherwise. */
 VM_API int vm_drum_at(const vm_drum *d, vm_real phi, vm_drum_geometry *g)
 {
     vm_real s, c;
@@ -7489,17 +7636,17 @@ VM_API int vm_drum_at(const vm_drum *d, vm_real phi, vm_drum_geometry *g)
     return VM_OK;
 }
 
-/* Exact right-hand side of the drum on an elastic shaft.
-   It is an ode_rhs for integrators such as rk45, with VM_DRUM_STATES states. `drum` must point to a vm_drum. The
-   equations replace (177) and (191). Those neglect that the mass centre moves inside the drum, and the torque of the
-   shaft has the wrong sign in them. Let
-   rS = (xS, yS) be the deflection of the shaft, k the unit vector along z, and q = mu R (sin phi, 1 - cos phi). With
-   the cross product x and ' = d/dt the equations are
+/* Right-hand side of the exact equations of motion of the drum on an elastic shaft.
+   Its type is ode_rhs, so that integrators such as rk45 can call it. The state y has VM_DRUM_STATES numbers. `drum`
+   must point to a vm_drum. The equations replace (177) and (191), which neglect that the mass centre moves inside the
+   drum, and in which the torque of the shaft has the wrong sign. Let rS = (xS, yS) be the deflection of the shaft, k
+   the unit vector along z, and q = mu R (sin phi, 1 - cos phi). With the cross product x and a prime ' for d/dt, the
+   equations are
      M rS'' + phi'' k x q - phi'^2 q = -c rS + mu phi' ((0, v) - rS' - phi' k x (R, 0))
      J_S phi'' + q x rS'' = -D phi' + mu phi' R (v - yS' - R phi')
-   M is the mass of drum and band, J_S their inertia about the axle; vm_drum explains c, D, mu, v, R. Returns VM_OK; or
-   VM_BAD_ARGUMENT for a null pointer, VM_BAD_STIFFNESS for a negative stiffness, and VM_NOT_FINITE, VM_BAD_MASS or
-   VM_BAD_INERTIA if mass or inertia is impossible at this angle. Each of these errors ends the run. */
+   M is the mass of drum and band, J_S their inertia about the axle; vm_drum explains c, D, mu, v, R. Returns VM_OK or
+   an error, which ends the run: VM_BAD_ARGUMENT for a null pointer; VM_BAD_STIFFNESS if the stiffness is negative;
+   VM_NOT_FINITE, VM_BAD_MASS or VM_BAD_INERTIA if the mass or the inertia at the angle phi is impossible. */
 VM_API int vm_drum_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *drum)
 {
     if (!y || !dydt || !drum) return VM_BAD_ARGUMENT;
@@ -7528,11 +7675,11 @@ VM_API int vm_drum_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *drum)
     return VM_OK;
 }
 
-/* Right-hand side of the drum on an elastic shaft for a light band, (192), (193).
-   It is an ode_rhs with VM_DRUM_STATES states. `drum` must point to a vm_drum. If the mass mu of the band per angle is
-   small, the equations of vm_drum_rhs can be reduced to (192), (193). Unlike (192), this function contains the force
-   mu R phi'^2 (sin phi, -cos phi) of the unbalance, because it is of the same order as the terms that (192) keeps. The
-   statuses are those of vm_drum_rhs. */
+/* Right-hand side of the equations of motion of the drum on an elastic shaft, for a light band, (192), (193).
+   Its type is ode_rhs. The state y has VM_DRUM_STATES numbers. `drum` must point to a vm_drum. If the mass mu of the
+   band per angle is small, the equations of vm_drum_rhs can be reduced to (192), (193). Unlike (192), this function
+   contains the force mu R phi'^2 (sin phi, -cos phi) of the unbalance, because it is of the same order as the terms
+   that (192) keeps. The statuses are those of vm_drum_rhs. */
 VM_API int vm_drum_rhs_reduced(vm_real t, const vm_real *y, vm_real *dydt, void *drum)
 {
     if (!y || !dydt || !drum) return VM_BAD_ARGUMENT;
@@ -7555,8 +7702,8 @@ VM_API int vm_drum_rhs_reduced(vm_real t, const vm_real *y, vm_real *dydt, void 
     return VM_OK;
 }
 
-/* Returns 1 if the drum can turn on a rigid shaft: the fields that it needs are finite and have the signs given in
-   vm_drum. Returns 0 otherwise. */
+/* Returns 1 if the drum can turn on a rigid shaft: the fields that this motion needs are finite and have the signs that
+   vm_drum demands. Returns 0 otherwise. */
 VM_API int vmi_drum_turns(const vm_drum *d)
 {
     return d && d->inertia > 0 && d->band >= 0 && d->omega > 0 && VM_IS_FINITE(d->inertia) &&
@@ -7570,8 +7717,8 @@ VM_API vm_two vmi_drum_j(const vm_drum *d)
     return vmi_two_times(vmi_two_product(d->band, d->radius), vmi_two(d->radius, 0));
 }
 
-/* The drive e = mu v R - D in two words. It is computed in three words, so that all digits are right even if mu v R and
-   D nearly cancel. */
+/* The drive e = mu v R - D in two words, that is, as the sum of two vm_reals. It is computed as the sum of three
+   vm_reals, so that all digits are right even if mu v R and D nearly cancel. */
 VM_API vm_two vmi_drum_e(const vm_drum *d)
 {
     const vm_two band = vmi_two_product(d->band, d->radius);
@@ -7580,7 +7727,7 @@ VM_API vm_two vmi_drum_e(const vm_drum *d)
     return vmi_two(e.hi, e.mid);
 }
 
-/* The quotient a b/c in two words */
+/* The quotient a b/c in two words, that is, as the sum of two vm_reals */
 VM_API vm_two vmi_drum_share(vm_two a, vm_real b, vm_two c)
 {
     return vmi_two_over(vmi_two_times(a, vmi_two(b, 0)), c);
@@ -7590,8 +7737,8 @@ VM_API vm_two vmi_drum_share(vm_two a, vm_real b, vm_two c)
    J0 is the drum's inertia, Omega_b its initial angular velocity, e = mu v R - D and j = mu R^2 as at the top of
    mechanics/drum.h. The results of vm_drum_rate, vm_drum_time and vm_drum_angle have errors of at most 3 ulp if the
    drum's fields are taken as exact and products of the fields do not overflow or underflow. This holds for e = 0 and
-   e = j Omega_b, too, and for angles up to the stop. Returns NaN beyond the stop (vm_drum_stop), for phi < 0, for a
-   null pointer, and if inertia or omega is not positive or band is negative. */
+   e = j Omega_b, too, and for all angles up to the stop, at which the drum comes to rest (vm_drum_stop). Returns NaN
+   beyond the stop, for phi < 0, for a null pointer, and if inertia or omega is not positive or band is negative. */
 VM_API vm_real vm_drum_rate(const vm_drum *d, vm_real phi)
 {
     vm_two up, down;
@@ -7602,11 +7749,11 @@ VM_API vm_real vm_drum_rate(const vm_drum *d, vm_real phi)
     return vmi_two_over(up, down).hi;
 }
 
-/* Right-hand side of the elastic shaft's vibration over the angle phi, (210), (211).
-   It is an ode_rhs with VM_DRUM_ANGLE_STATES states. `drum` must point to a vm_drum. The independent variable is the
-   angle phi instead of time. The drum has the angular velocity phi' that it would have on a rigid shaft (196). Returns
-   VM_OK; or VM_BAD_ARGUMENT for a null pointer, VM_DOMAIN if the drum does not reach phi, or another status of
-   vm_drum_rhs. */
+/* Right-hand side of the equations of the shaft's vibration as a function of the angle phi, (210), (211).
+   Its type is ode_rhs. The state y has VM_DRUM_ANGLE_STATES numbers. `drum` must point to a vm_drum. The independent
+   variable is the angle phi instead of time. The drum has the angular velocity phi' that it would have on a rigid shaft
+   (196). Returns VM_BAD_ARGUMENT for a null pointer; VM_DOMAIN if the drum comes to rest before it reaches phi; else a
+   status of vm_drum_rhs. */
 VM_API int vm_drum_rhs_angle(vm_real phi, const vm_real *y, vm_real *dydt, void *drum)
 {
     if (!y || !dydt || !drum) return VM_BAD_ARGUMENT;
@@ -7630,17 +7777,17 @@ VM_API int vm_drum_rhs_angle(vm_real phi, const vm_real *y, vm_real *dydt, void 
     return VM_OK;
 }
 
-/* Right-hand side of the drum on an elastic shaft over the angle phi, (210)-(212).
-   It is an ode_rhs with VM_DRUM_COUPLED_STATES states. `drum` must point to a vm_drum. The independent variable is the
-   angle phi instead of time. Unlike vm_drum_rhs_angle, the function does not take the angular velocity u = dphi/dt from
-   the rigid shaft, but integrates it together with the deflection x, y (m) and the time t (s). With ' = d/dphi the
-   equations are
+/* Right-hand side of the equations of the drum on an elastic shaft as a function of the angle phi, (210)-(212).
+   Its type is ode_rhs. The state y has VM_DRUM_COUPLED_STATES numbers. `drum` must point to a vm_drum. The independent
+   variable is the angle phi instead of time. Unlike vm_drum_rhs_angle, the function does not take the angular velocity
+   u = dphi/dt from the rigid shaft, but integrates it together with the deflection x, y (m) and the time t (s). A prime
+   ' means d/dphi. The equations are
      M u (u x')' = -c x - mu u^2 x' + mu R u^2 sin phi
      M u (u y')' = -c y + mu u (v - u y') - mu R u^2 cos phi
      J_S u' = e - j u - mu R u y',   t' = 1/u
    The letters are those of vm_drum_rhs; e = mu v R - D and j = mu R^2. The terms with sin phi and cos phi come from the
-   unbalance, which [1] leaves out. vm_drum_rhs_reduced gives the same motion. Returns VM_OK; or VM_BAD_ARGUMENT for a
-   null pointer, VM_DOMAIN if u is not positive, or another status of vm_drum_rhs. */
+   unbalance, which [1] leaves out. vm_drum_rhs_reduced gives the same motion. Returns VM_BAD_ARGUMENT for a null
+   pointer; VM_DOMAIN if u is not positive; else a status of vm_drum_rhs. */
 VM_API int vm_drum_rhs_coupled(vm_real phi, const vm_real *y, vm_real *dydt, void *drum)
 {
     if (!y || !dydt || !drum) return VM_BAD_ARGUMENT;
@@ -7682,8 +7829,8 @@ VM_API vm_real vm_drum_stop(const vm_drum *d)
 /* Time at which the drum on a rigid shaft reaches the angle phi >= 0, s (197).
    With x = e phi/(J0 Omega_b) and the letters explained at vm_drum_rate the time is
      t = phi/Omega_b [ln(1 + x)/x + (j phi/J0) (x - ln(1 + x))/x^2]
-   for positive and negative e. The accuracy is that of vm_drum_rate. Returns infinity at the stop, and NaN where
-   vm_drum_rate gives NaN. */
+   for positive and negative e. The accuracy is that of vm_drum_rate. Returns infinity at the angle at which the drum
+   comes to rest (vm_drum_stop), and NaN where vm_drum_rate gives NaN. */
 VM_API vm_real vm_drum_time(const vm_drum *d, vm_real phi)
 {
     vm_two x, y, s, sum, part = vmi_two(1, 0); /* y = ln(1 + x), s = j phi/J0, part = y/x */
@@ -7713,7 +7860,8 @@ VM_API vm_real vmi_drum_start(vm_real a, vm_real b)
 }
 
 /* Angle of the drum on a rigid shaft after t >= 0 seconds, rad.
-   This is the inverse of vm_drum_time, computed by Newton's method in two words. It needs no branch of Lambert's W.
+   This is the inverse of vm_drum_time, computed by Newton's method in two words. Unlike vm_drum_angle_lambert, the
+   function need not choose a branch of Lambert's W.
    The comment of vm_drum_rate says how accurate the result is and when it is NaN, and explains the letters J0,
    Omega_b, e, j. The method uses x, y, a, b, f: x = e phi/(J0 Omega_b), y = ln(1 + x), a = e t/J0, b = j Omega_b
    t/J0, f = phi/(Omega_b t). Its unknown is p = y/a, for which the equation of vm_drum_time becomes
@@ -7773,8 +7921,9 @@ VM_API vm_real vm_drum_angle_lambert(const vm_drum *d, vm_real t)
 }
 
 /* Coefficients of the elastic shaft in the first approximation, (213), (214).
-   Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS, VM_BAD_INERTIA, VM_DOMAIN
-   if omega is not positive, and VM_OK otherwise. */
+   Returns VM_BAD_ARGUMENT for a null pointer; VM_NOT_FINITE if a field of *d or *s is infinite or NaN; VM_BAD_MASS if
+   d->mass is not positive or d->band is negative; VM_BAD_STIFFNESS if d->stiffness is not positive; VM_BAD_INERTIA if
+   d->inertia is not positive; VM_DOMAIN if d->omega is not positive; VM_OK otherwise. */
 VM_API int vm_drum_shaft_init(vm_drum_shaft *s, const vm_drum *d)
 {
     vm_drum_shaft r;
@@ -7842,8 +7991,8 @@ VM_API vm_real vm_drum_deflection(const vm_drum_shaft *s, vm_real phi, vm_real a
    with the letters of vm_drum_deflection. The dissertation [1] leaves out the term with A/4, and its last term is
    different. The derivative multiplied by the angular velocity phi' is the velocity of the shaft's centre. The absolute
    error is a few rounding errors of the term amplitude (k m + |delta|), plus the effect of the rounding error of the
-   phase. Returns NaN where vm_drum_deflection does.
-*/ VM_API vm_real vm_drum_deflection_slope(const vm_drum_shaft *s, vm_real phi, vm_real a, vm_real alpha,
+   phase. Returns NaN where vm_drum_deflection does. */
+VM_API vm_real vm_drum_deflection_slope(const vm_drum_shaft *s, vm_real phi, vm_real a, vm_real alpha,
                                         vm_real particular)
 {
     vmi_drum_wave w;
@@ -7860,7 +8009,8 @@ VM_API vm_real vm_drum_deflection(const vm_drum_shaft *s, vm_real phi, vm_real a
    equations
      a cos alpha = deflection - particular,   a k sin alpha = (A/4 - delta) a cos alpha + A particular - slope.
    The errors are a few rounding errors of the terms on the right-hand sides, divided by k in the second equation.
-   Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_DOMAIN if s->k is not positive, and VM_OK otherwise. */
+   Returns VM_BAD_ARGUMENT for a null pointer; VM_NOT_FINITE if an argument or the result is infinite or NaN; VM_DOMAIN
+   if s->k is not positive; VM_OK otherwise. */
 VM_API int vm_drum_deflection_start(const vm_drum_shaft *s, vm_real deflection, vm_real slope, vm_real particular,
                                     vm_real *a, vm_real *alpha)
 {
@@ -7880,7 +8030,7 @@ VM_API int vm_drum_deflection_start(const vm_drum_shaft *s, vm_real deflection, 
     return VM_OK;
 }
 
-/* sin(x)/x, which is 1 at x = 0, and the cosine of x */
+/* Sets *sinc to sin(x)/x, which is 1 at x = 0, and *cosine to the cosine of x. */
 VM_API void vmi_drum_sinc(vm_real x, vm_real *sinc, vm_real *cosine)
 {
     vm_real sine;
@@ -7891,16 +8041,16 @@ VM_API void vmi_drum_sinc(vm_real x, vm_real *sinc, vm_real *cosine)
 
 /* Deflection of the elastic shaft by the unbalance of the band, which (224), (225) leave out.
    The band's mass centre is off the shaft, so that (213), (214) need the terms U sin phi and -U cos phi, U = mu R/M0,
-   on their right sides. They are of the same order as mu v/(M0 Omega_b), which [1] keeps. Add deflection[0] (x) and
-   deflection[1] (y), m, to the two results of vm_drum_deflection, and slope[0], slope[1] (m/rad) to those of
-   vm_drum_deflection_slope. All four are 0 at phi = 0, so that vm_drum_deflection_start needs no change. With the ratio
-   k of frequencies, a field of vm_drum_shaft, they are
+   on their right sides. These terms are of the same order as the term mu v/(M0 Omega_b), which [1] keeps. Add
+   deflection[0] (x) and deflection[1] (y), m, to the two results of vm_drum_deflection, and slope[0], slope[1] (m/rad)
+   to those of vm_drum_deflection_slope. All four numbers are 0 at phi = 0, so that vm_drum_deflection_start needs no
+   change. With k, the field of vm_drum_shaft, the deflections are
      x = U (sin phi - sin(k phi)/k)/(k^2 - 1),   y = -U (cos phi - cos(k phi))/(k^2 - 1).
    At the resonance k = 1 the function computes the limits of these formulas, which grow with phi. phi >= 0 is in rad.
    Let h be the largest of mu/M0, j/J0, |e|/(J0 Omega_b) and the deflections divided by R. The error of the whole
-   deflection is of the order of h^2. Rounding errors are a few eps times U phi (1 + phi), and in x a few eps times
-   U phi (1 + phi)/k. Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS,
-   VM_BAD_INERTIA, VM_DOMAIN if omega is not positive or phi is negative, and VM_OK otherwise. */
+   deflection is of the order of h^2. The rounding errors are a few eps times U phi (1 + phi), and those of x a few eps
+   times U phi (1 + phi)/k. Returns VM_BAD_ARGUMENT for a null pointer; VM_NOT_FINITE if an argument or the result is
+   infinite or NaN; VM_DOMAIN if phi is negative; else a status of vm_drum_shaft_init. */
 VM_API int vm_drum_unbalance(const vm_drum *d, vm_real phi, vm_real deflection[2], vm_real slope[2])
 {
     vm_drum_shaft s;
@@ -7936,7 +8086,8 @@ VM_API int vm_drum_unbalance(const vm_drum *d, vm_real phi, vm_real deflection[2
      phi' = vm_drum_rate [1 - mu R rise/(J0 + j phi)].
    mu is the mass of the band per angle, R the radius, J0 the drum's inertia and j = mu R^2. Let h be the largest of the
    four numbers mu R |rise|/J0, mu/M0, j/J0 and |e|/(J0 Omega_b). The error is of the order of h^2 Omega_b: if all four
-   are halved, the error is divided by four. Returns NaN where vm_drum_rate does, and for a rise that is not finite. */
+   numbers are halved, the error is divided by four. Returns NaN where vm_drum_rate does, and for a rise that is not
+   finite. */
 VM_API vm_real vm_drum_rate_elastic(const vm_drum *d, vm_real phi, vm_real rise)
 {
     const vm_real rate = vm_drum_rate(d, phi);
@@ -7944,7 +8095,7 @@ VM_API vm_real vm_drum_rate_elastic(const vm_drum *d, vm_real phi, vm_real rise)
     return rate * (1 - d->band * d->radius * rise / (d->inertia + d->band * d->radius * d->radius * phi));
 }
 
-/* Whether the shaft's frequency, k sqrt(1 - A phi), stays real for the whole first layer (226).
+/* Tests whether the shaft's frequency k sqrt(1 - A phi) stays real while the whole first layer is wound up (226).
    Returns 1 if A < 1/(2 pi). Returns 0 otherwise, and for a null pointer. */
 VM_API int vm_drum_shaft_valid(const vm_drum_shaft *s) { return s && s->A < 1 / (2 * VM_PI); }
 
@@ -7952,13 +8103,14 @@ VM_API int vm_drum_shaft_valid(const vm_drum_shaft *s) { return s && s->A < 1 / 
 /* mechanics/lagrange.h - Lagrange's equations with variable mass
 
    This chapter has the right-hand side for any system of n generalized coordinates whose kinetic energy T you can write
-   down. The masses may depend on time and position (247). You give T, the masses and the generalized forces Q. The
-   chapter computes the mass matrix A, the vector b and the derivatives from T. The states are the coordinates q and the
-   momenta pi = dT/dq', so that you need not give time derivatives of momenta or masses:
+   down. The masses may depend on time and position (247). You write functions for T, the masses and the generalized
+   forces Q. The functions of this chapter compute the mass matrix A, the vector b and the derivatives of T from values
+   of T. The states are the coordinates q and the momenta pi = dT/dq', so that you need no time derivatives of momenta
+   or masses:
      pi' = (dT/dq, masses frozen) + Q,   A q' = pi - b,   T = q'Aq'/2 + b q' + T0,  T0 = T(q' = 0).
 
-   This is (247) corrected. T must use the velocities of material points. A mass centre also shifts because mass leaves;
-   this motion must not be counted in T. With streams of mass, Lagrange's equations are
+   These equations are (247), corrected. T must use the velocities of material points. A mass centre also moves inside
+   its body because mass leaves; this motion must not be counted in T. With streams of mass, Lagrange's equations are
      d/dt dT/dq'_i - (dT/dq_i, masses frozen) = Q_i + sum over streams [M' u dr2/dq_i + M' kappa omega2 domega/dq'_i].
    A stream has the mass rate M' and the velocity u at the point r2. Its mass has the angular velocity omega2 and, per
    unit mass, the inertia kappa. omega is the angular velocity of the body. "Masses frozen" means that the masses are
@@ -7989,16 +8141,17 @@ VM_API int vm_drum_shaft_valid(const vm_drum_shaft *s) { return s && s->A < 1 / 
    mass, so that its mass m decreases. If the leaking mass has the velocity of the bob and takes its momentum along,
    Q = -m g l sin q + m' l^2 q'. Without the last term the mass would leave at rest.
 
-   Inverse dynamics computes the forces that a given motion needs, by vm_lagrange_needed_forces and
-   vm_lagrange_drive_forces.
+   vm_lagrange_needed_forces and vm_lagrange_drive_forces compute the forces that a given motion needs (inverse
+   dynamics).
 
-   Accuracy: A and b are computed as differences of values of T, exactly except for rounding errors of T. dT/dq is a
-   central difference of order 6. The field `scales` must give, for each coordinate, the change after which T differs
-   noticeably. The error of dT/dq is then below 2e-13 (float 1e-5) of the largest T. Tests: tests/test_lagrange.c. */
+   Accuracy: A and b are computed as differences of values of T; their only errors are the rounding errors of T. dT/dq
+   is a central difference of order 6. The field `scales` must contain, for each coordinate, the change of the
+   coordinate that changes T noticeably. The error of dT/dq is then below 2e-13 (float 1e-5) of the largest T. Tests:
+   tests/test_lagrange.c. */
 #ifndef VARMASS_MECHANICS_LAGRANGE_H
 #define VARMASS_MECHANICS_LAGRANGE_H
 
-/* A mechanical system: the argument ctx of vm_lagrange_rhs */
+/* A mechanical system. vm_lagrange_rhs gets a pointer to this struct as its last argument. */
 typedef struct VM_TAG(vm_lagrange_system) {
     int n;        /* number of coordinates, > 0 */
     int n_masses; /* number of masses, inertias and other quantities that are held constant in dT/dq, >= 0 */
@@ -8010,18 +8163,19 @@ typedef struct VM_TAG(vm_lagrange_system) {
        to go on; any other number ends the run. */
     int (*forces)(vm_real t, const vm_real *q, const vm_real *rates, const vm_real *masses, vm_real *Q, void *ctx);
     void *ctx;             /* the argument ctx of the three functions above */
-    const vm_real *scales; /* for each coordinate, the change after which T differs noticeably; NULL: 1 for all */
+    const vm_real *scales; /* for each coordinate, the change of it that changes T noticeably; NULL means that each of
+                              these changes is 1 */
     vm_real *work;         /* array of VM_LAGRANGE_RHS_WORK(n, n_masses) numbers, provided by the caller */
 } vm_lagrange_system;
 
-/* Length of vm_lagrange_system.work */
+/* Length of the array `work` of a vm_lagrange_system */
 #define VM_LAGRANGE_RHS_WORK(n, n_masses) ((n) * (n) + 4 * (n) + (n_masses))
 
 /* The arrays into which the array `work` of a system is divided */
 typedef struct VM_TAG(vmi_lagrange_parts) {
     vm_real *A;      /* the mass matrix A in T = q'Aq'/2 + b q' + T0, n rows of n numbers */
     vm_real *b;      /* the vector b in T, the coefficients of the terms that are linear in the rates q', n numbers */
-    vm_real *rates;  /* at first the generalized momenta minus b, then the rates q', n numbers */
+    vm_real *rates;  /* at first pi - b (pi: the generalized momenta), then the rates q', n numbers */
     vm_real *trial;  /* rates or coordinates at which T is evaluated, n numbers */
     vm_real *forces; /* generalized forces of inverse dynamics, n numbers */
     vm_real *masses; /* the masses, which stay constant while T is differentiated, n_masses numbers */
@@ -8040,7 +8194,8 @@ VM_API vmi_lagrange_parts vmi_lagrange_work(const vm_lagrange_system *system)
 }
 
 /* The kinetic energy T at time t, coordinates q and the rates x e_i + z e_j. e_i and e_j are the unit vectors of the
-   coordinates i and j. If i or j is -1, its term is left out. The masses are those in the work array. */
+   coordinates i and j. If i is -1, the term with e_i is 0; if j is -1, the term with e_j is 0. The masses are those in
+   the work array. */
 VM_API vm_real vmi_lagrange_energy(const vm_lagrange_system *system, vm_real t, const vm_real *q, int i, vm_real x,
                                    int j, vm_real z)
 {
@@ -8053,8 +8208,8 @@ VM_API vm_real vmi_lagrange_energy(const vm_lagrange_system *system, vm_real t, 
 }
 
 /* Computes the mass matrix A and the vector b from values of T. For the entry A_ij off the diagonal, T is evaluated at
-   the rates +-1/sqrt(A_ii) of coordinate i and +-1/sqrt(A_jj) of coordinate j. Both coordinates then have equal
-   energies. Otherwise a coordinate with a large energy would hide the digits of the other one. */
+   the rates +-1/sqrt(A_ii) of coordinate i and +-1/sqrt(A_jj) of coordinate j. The kinetic energies of the two rates
+   are then equal. If they were very different, the digits of the smaller one would be lost in the sum. */
 VM_API void vmi_lagrange_quadratic(const vm_lagrange_system *system, vm_real t, const vm_real *q)
 {
     const vmi_lagrange_parts w = vmi_lagrange_work(system);
@@ -8078,7 +8233,8 @@ VM_API void vmi_lagrange_quadratic(const vm_lagrange_system *system, vm_real t, 
         }
 }
 
-/* Writes the masses at (t, q) into the work array. They stay constant there while T is differentiated. */
+/* Writes the masses at time t and coordinates q into the work array. They stay constant there while T is
+   differentiated. */
 VM_API void vmi_lagrange_freeze(const vm_lagrange_system *system, vm_real t, const vm_real *q)
 {
     if (system->masses) system->masses(t, q, vmi_lagrange_work(system).masses, system->ctx);
@@ -8103,7 +8259,8 @@ VM_API int vmi_lagrange_solve_rates(const vm_lagrange_system *system, vm_real t,
 /* The derivative dT/dq_i of the kinetic energy T, with the masses that are stored in the work array. It is a central
    difference of order 6 from T at q_i plus and minus 1, 2 and 3 steps. A step h is 2^-7 (double precision, eps = 2^-52)
    or 2^-3 (single precision, eps = 2^-23) times the scale of q_i. If q_i is measured in units of its scale, the error
-   is h^6/140 times the seventh derivative of T, plus a rounding error of T eps/h. Both are small for these h. */
+   is h^6/140 times the seventh derivative of T, plus a rounding error of T eps/h. Both errors are small for these
+   values of h. */
 VM_API vm_real vmi_lagrange_derivative(const vm_lagrange_system *system, vm_real t, const vm_real *q,
                                        const vm_real *rates, int i)
 {
@@ -8131,12 +8288,13 @@ VM_API int vmi_lagrange_is_valid(const vm_lagrange_system *system)
            (system->n_masses == 0 || system->masses);
 }
 
-/* Right-hand side of Lagrange's equations with variable mass (247). It is an ode_rhs for integrators such as rk45, with
-   2 n states: n coordinates q, then n generalized momenta pi. `lagrange` must point to a vm_lagrange_system. Returns 0
-   or an error that ends the run. The errors are VM_BAD_ARGUMENT, VM_SINGULAR if the mass matrix is not positive
-   definite, VM_NOT_FINITE if t, y or an energy is not finite, or the number that system->forces returns. The mass
-   matrix is not positive definite if, for example, a mass has become negative; use an event to stop the run before
-   that. The number of calls of system->energy grows with n^2. */
+/* Right-hand side of Lagrange's equations with variable mass (247). Its type is ode_rhs, so that integrators such as
+   rk45 can call it. The state y has 2 n numbers: n coordinates q, then n generalized momenta pi. `lagrange` must point
+   to a vm_lagrange_system. Returns 0 or an error that ends the run. The errors are VM_BAD_ARGUMENT for a null pointer
+   or an invalid system; VM_SINGULAR if the mass matrix is not positive definite; VM_NOT_FINITE if t, y or an energy is
+   infinite or NaN; or the number that system->forces returns. The mass matrix is not positive definite if, for example,
+   a mass has become negative; use an event to stop the run before that. The number of calls of system->energy grows
+   with n^2. */
 VM_API int vm_lagrange_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *lagrange)
 {
     const vm_lagrange_system *system = (const vm_lagrange_system *)lagrange;
@@ -8157,8 +8315,8 @@ VM_API int vm_lagrange_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *lag
 }
 
 /* Initial state y of a system at time t, from its n coordinates q and n rates q'.
-   y is an array of 2 n numbers: the n coordinates q followed by the n generalized momenta pi. Returns VM_BAD_ARGUMENT,
-   VM_NOT_FINITE, or VM_OK. */
+   y is an array of 2 n numbers: the n coordinates q followed by the n generalized momenta pi. Returns VM_BAD_ARGUMENT
+   for a null pointer or an invalid system; VM_NOT_FINITE if a number of q or pi is infinite or NaN; VM_OK otherwise. */
 VM_API int vm_lagrange_start(vm_lagrange_system *system, vm_real t, const vm_real *q, const vm_real *rates, vm_real *y)
 {
     vmi_lagrange_parts w;
@@ -8180,7 +8338,8 @@ VM_API int vm_lagrange_start(vm_lagrange_system *system, vm_real t, const vm_rea
 
 /* Rates q' of a system at time t, from its state y.
    y has 2 n numbers: the n coordinates q followed by the n generalized momenta pi. rates has n numbers. Returns
-   VM_BAD_ARGUMENT, VM_SINGULAR, VM_NOT_FINITE, or VM_OK. */
+   VM_BAD_ARGUMENT for a null pointer or an invalid system; VM_SINGULAR if the mass matrix is not positive definite;
+   VM_NOT_FINITE if t, y, an energy or a rate is infinite or NaN; VM_OK otherwise. */
 VM_API int vm_lagrange_rates(vm_lagrange_system *system, vm_real t, const vm_real *y, vm_real *rates)
 {
     int status;
@@ -8190,9 +8349,9 @@ VM_API int vm_lagrange_rates(vm_lagrange_system *system, vm_real t, const vm_rea
     return vmi_copy_if_finite(system->n, vmi_lagrange_work(system).rates, rates);
 }
 
-/* Derivative dT/dq_i of the kinetic energy with frozen masses, J per unit of q_i.
-   The masses are those at (t, q). q and rates have n numbers. Returns NaN for i outside 0 ... n - 1 and for a null
-   pointer. */
+/* Derivative dT/dq_i of the kinetic energy T, while the masses are held constant, J per unit of q_i.
+   The masses are those at time t and coordinates q. q and rates have n numbers. Returns NaN for i outside 0 ... n - 1
+   and for a null pointer. */
 VM_API vm_real vm_lagrange_partial_q(vm_lagrange_system *system, vm_real t, const vm_real *q, const vm_real *rates,
                                      int i)
 {
@@ -8203,7 +8362,7 @@ VM_API vm_real vm_lagrange_partial_q(vm_lagrange_system *system, vm_real t, cons
 
 /* ---- Inverse dynamics ---- */
 
-/* Adds `weight` times the generalized momenta dT/dq' = A q' + b at time t and coordinates q to p, n numbers. */
+/* Adds `weight` times the generalized momenta dT/dq' = A q' + b, at time t and coordinates q, to the n numbers of p. */
 VM_API void vmi_lagrange_add_momenta(const vm_lagrange_system *system, vm_real t, const vm_real *q,
                                      const vm_real *rates, vm_real weight, vm_real *p)
 {
@@ -8219,8 +8378,8 @@ VM_API void vmi_lagrange_add_momenta(const vm_lagrange_system *system, vm_real t
     }
 }
 
-/* The step in time for the derivative of the momenta along the motion. During one step no coordinate changes by more
-   than h times its scale, and the time changes by at most h time_scale. h is the number explained at
+/* Returns the step in time for the numerical derivative of the momenta along the motion. During one step no coordinate
+   changes by more than h times its scale, and the time changes by at most h time_scale. h is the number explained at
    vmi_lagrange_derivative. The step is 0 if nothing changes. */
 VM_API vm_real vmi_lagrange_time_step(const vm_lagrange_system *system, vm_real time_scale, const vm_real *rates)
 {
@@ -8237,8 +8396,8 @@ VM_API vm_real vmi_lagrange_time_step(const vm_lagrange_system *system, vm_real 
     return h / fastest;
 }
 
-/* Adds to p the rates of the momenta that result if coordinates and time change while the rates q' stay constant. They
-   are computed as central differences of order 6. If time_scale is 0, the time stays constant, too. */
+/* Adds to p the time derivatives that the momenta have if coordinates and time change while the rates q' stay constant.
+   The derivatives are computed as central differences of order 6. If time_scale is 0, the time stays constant, too. */
 VM_API void vmi_lagrange_add_momentum_rates(const vm_lagrange_system *system, vm_real t, vm_real time_scale,
                                             const vm_real *q, const vm_real *rates, vm_real *p)
 {
@@ -8259,7 +8418,8 @@ VM_API void vmi_lagrange_add_momentum_rates(const vm_lagrange_system *system, vm
     }
 }
 
-/* Checks the arguments of vm_lagrange_needed_forces, and writes the needed forces to the work array. */
+/* Checks the arguments of vm_lagrange_needed_forces, and writes the forces that it computes to the work array. Returns
+   its status. */
 VM_API int vmi_lagrange_inverse(const vm_lagrange_system *system, vm_real t, vm_real time_scale, const vm_real *q,
                                 const vm_real *rates, const vm_real *accelerations)
 {
@@ -8284,14 +8444,15 @@ VM_API int vmi_lagrange_inverse(const vm_lagrange_system *system, vm_real t, vm_
 }
 
 /* Inverse dynamics: generalized forces Q that a given motion needs, the left side of (247).
-   They are Q_i = d/dt dT/dq'_i - (dT/dq_i, masses frozen). Q is the sum of all forces, those of the streams of mass
-   included. q, rates and accelerations are the n coordinates q and their derivatives q' and q'' at time t; Q has n
-   numbers. time_scale (s) is the time after which T or the masses differ noticeably while q stays constant (the field
-   `scales` gives the corresponding changes of the coordinates). Set it to 0 if T and the masses do not depend on time.
-   Returns VM_BAD_ARGUMENT, VM_NOT_FINITE also if a result is not finite, VM_DOMAIN for time_scale < 0, VM_SINGULAR if T
-   does not grow with each of the rates, and VM_OK otherwise. The error is below 2e-13 (float 1e-5) of the largest of
-   three terms: A q'', T divided by the scale of a coordinate, and dT/dq' divided by the time in which the system
-   changes noticeably. T is evaluated 14 n^2 + 6 n + 7 times. */
+   The forces are Q_i = d/dt dT/dq'_i - (dT/dq_i, masses held constant). Q is the sum of all generalized forces, those
+   of the streams of mass included. q, rates and accelerations are the n coordinates q and their derivatives q' and q''
+   at time t; Q has n numbers. time_scale (s) is the time in which T or the masses change noticeably while q stays
+   constant (the field `scales` contains the corresponding changes of the coordinates). Set it to 0 if T and the masses
+   do not depend on time. Returns VM_BAD_ARGUMENT for a null pointer or an invalid system; VM_NOT_FINITE if an argument
+   or the result is infinite or NaN; VM_DOMAIN for time_scale < 0; VM_SINGULAR if T does not grow with each of the
+   rates; VM_OK otherwise. The error is below 2e-13 (float 1e-5) of the largest of three terms: the mass matrix A times
+   q'', T divided by the scale of a coordinate, and dT/dq' divided by the time in which the system changes noticeably. T
+   is evaluated 14 n^2 + 6 n + 7 times. */
 VM_API int vm_lagrange_needed_forces(vm_lagrange_system *system, vm_real t, vm_real time_scale, const vm_real *q,
                                      const vm_real *rates, const vm_real *accelerations, vm_real *Q)
 {
@@ -8303,9 +8464,9 @@ VM_API int vm_lagrange_needed_forces(vm_lagrange_system *system, vm_real t, vm_r
 }
 
 /* Inverse dynamics: generalized forces that drives must add to system->forces for a given motion.
-   They are those of vm_lagrange_needed_forces minus those that the function `forces` of the system gives. Arguments,
-   accuracy and statuses are those of vm_lagrange_needed_forces, and the number that system->forces returns if it is
-   not 0. */
+   These forces are the results of vm_lagrange_needed_forces minus the forces that the function `forces` of the system
+   computes. The arguments, the accuracy and the statuses are those of vm_lagrange_needed_forces. If system->forces
+   returns a number other than 0, this number is the status. */
 VM_API int vm_lagrange_drive_forces(vm_lagrange_system *system, vm_real t, vm_real time_scale, const vm_real *q,
                                     const vm_real *rates, const vm_real *accelerations, vm_real *Q)
 {
