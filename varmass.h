@@ -6330,7 +6330,8 @@ VM_INLINE int vmi_flow_motion(const vm_flow *flow, const vm_real *y, const vmi_f
 }
 
 /* Sets dydt[0] ... dydt[6] to the rates of the seven integrals of vm_flow_balanced_rhs: the momentum, angular momentum
-   and energy that the streams take out of the body per second, minus those that outer loads put into it per second */
+   and energy that the streams take out of the body per second, minus the momentum, angular momentum and energy that the
+   outer loads put into it per second */
 VM_INLINE void vmi_flow_balance(const vm_flow *flow, const vm_real *y, const vmi_stream_seen *seen,
                                 const vmi_stream_sum *sum, vm_vec3 force, vm_vec3 moment, vm_real *dydt)
 {
@@ -7132,8 +7133,8 @@ VM_API int vm_jet_damping(const vm_jet *jet, vm_real t, vm_vec3 omega0, vm_vec3 
      grain   bore r, r^2 = (m r0^2 + (m1 - m) R^2)/m1 with the bore r0 of the full grain, c = s = b + e L/2,
              k_a = (R^2 + r^2)/2, k_t = (R^2 + r^2)/4 + L^2/12, q_a = r^2, q_t = r^2/2 + L^2/12
    These formulas follow from the volumes. The first and second moments of the mass about a fixed point give the
-   identities d(m c)/dm = s and dI/dm = Q + P(s - c), where I is the inertia about c, Q the inertia of the next mass per
-   unit mass, and P(d) = |d|^2 E - d d^T.
+   identities d(m c)/dm = s and dI/dm = Q + P(s - c), where I is the inertia about c, Q the inertia per unit mass of the
+   mass that leaves next, and P(d) = |d|^2 E - d d^T.
    Tests: tests/test_supply.c. */
 #ifndef VARMASS_MECHANICS_SUPPLY_H
 #define VARMASS_MECHANICS_SUPPLY_H
@@ -8145,9 +8146,9 @@ VM_API int vm_drum_shaft_valid(const vm_drum_shaft *s) { return s && s->A < 1 / 
    dynamics).
 
    Accuracy: A and b are computed as differences of values of T; their only errors are the rounding errors of T. dT/dq
-   is a central difference of order 6. The field `scales` must contain, for each coordinate, the change of the
-   coordinate that changes T noticeably. The error of dT/dq is then below 2e-13 (float 1e-5) of the largest T. Tests:
-   tests/test_lagrange.c. */
+   is a central difference of order 6 (its error is proportional to the sixth power of the step). The field `scales`
+   must contain, for each coordinate, the change of the coordinate that changes T noticeably. The error of dT/dq is then
+   below 2e-13 (float 1e-5) of the largest T. Tests: tests/test_lagrange.c. */
 #ifndef VARMASS_MECHANICS_LAGRANGE_H
 #define VARMASS_MECHANICS_LAGRANGE_H
 

@@ -191,7 +191,8 @@ VM_INLINE int vmi_flow_motion(const vm_flow *flow, const vm_real *y, const vmi_f
 }
 
 /* Sets dydt[0] ... dydt[6] to the rates of the seven integrals of vm_flow_balanced_rhs: the momentum, angular momentum
-   and energy that the streams take out of the body per second, minus those that outer loads put into it per second */
+   and energy that the streams take out of the body per second, minus the momentum, angular momentum and energy that the
+   outer loads put into it per second */
 VM_INLINE void vmi_flow_balance(const vm_flow *flow, const vm_real *y, const vmi_stream_seen *seen,
                                 const vmi_stream_sum *sum, vm_vec3 force, vm_vec3 moment, vm_real *dydt)
 {

@@ -43,9 +43,9 @@
    dynamics).
 
    Accuracy: A and b are computed as differences of values of T; their only errors are the rounding errors of T. dT/dq
-   is a central difference of order 6. The field `scales` must contain, for each coordinate, the change of the
-   coordinate that changes T noticeably. The error of dT/dq is then below 2e-13 (float 1e-5) of the largest T. Tests:
-   tests/test_lagrange.c. */
+   is a central difference of order 6 (its error is proportional to the sixth power of the step). The field `scales`
+   must contain, for each coordinate, the change of the coordinate that changes T noticeably. The error of dT/dq is then
+   below 2e-13 (float 1e-5) of the largest T. Tests: tests/test_lagrange.c. */
 #ifndef VARMASS_MECHANICS_LAGRANGE_H
 #define VARMASS_MECHANICS_LAGRANGE_H
 

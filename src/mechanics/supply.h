@@ -19,8 +19,8 @@
      grain   bore r, r^2 = (m r0^2 + (m1 - m) R^2)/m1 with the bore r0 of the full grain, c = s = b + e L/2,
              k_a = (R^2 + r^2)/2, k_t = (R^2 + r^2)/4 + L^2/12, q_a = r^2, q_t = r^2/2 + L^2/12
    These formulas follow from the volumes. The first and second moments of the mass about a fixed point give the
-   identities d(m c)/dm = s and dI/dm = Q + P(s - c), where I is the inertia about c, Q the inertia of the next mass per
-   unit mass, and P(d) = |d|^2 E - d d^T.
+   identities d(m c)/dm = s and dI/dm = Q + P(s - c), where I is the inertia about c, Q the inertia per unit mass of the
+   mass that leaves next, and P(d) = |d|^2 E - d d^T.
    Tests: tests/test_supply.c. */
 #ifndef VARMASS_MECHANICS_SUPPLY_H
 #define VARMASS_MECHANICS_SUPPLY_H
