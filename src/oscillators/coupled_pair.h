@@ -4,10 +4,10 @@
    and a damper between the bodies, and further forces f1, f2. With p = y - x and S(p), the sum of k p|p|^(alpha-1) over
    all springs, the equations are
        m1 x'' =  S(p) + b p' - r m1' x' + f1,   m2 y'' = -S(p) - b p' - r m2' y' + f2
-   b is the damping of the connection, r the share of the reactive force. In the relative coordinate p, with the reduced
-   mass mu = m1 m2/(m1 + m2) and the velocity V of the mass centre, they become, exactly and for all laws,
+   b is the damping of the connection, r the share of the reactive force that acts. In the relative coordinate p, with
+   the reduced mass mu = m1 m2/(m1 + m2) and the velocity V of the mass centre, they become, exactly and for all laws,
        mu p'' + S(p) + (r mu' + b) p' = -r mu (m2'/m2 - m1'/m1) V + mu (f2/m2 - f1/m1)
-   This is the equation of one oscillator, so that all routes of routes.h can compute its motion.
+   This is the equation of one oscillator, so that the methods of oscillators/routes.h can compute its motion.
 
        vm_connection springs[2] = {{100, 1}, {2000, 3}}; // 100 N/m p + 2000 N/m^3 p^3
        vm_coupled_pair pair;
@@ -31,7 +31,8 @@
 #include "laws.h"
 #include "problem.h"
 
-/* A spring between two bodies: it pulls with k p|p|^(alpha-1), N, where p is their distance minus its length at rest */
+/* A spring between two bodies: it pulls with the force k p|p|^(alpha-1), N. p is the distance of the bodies minus the
+   length of the spring at rest. */
 typedef struct VM_TAG(vm_connection) {
     vm_real k;     /* stiffness, N/m^alpha, > 0 */
     vm_real alpha; /* exponent, >= 0 */
@@ -51,7 +52,8 @@ typedef struct VM_TAG(vm_coupled_pair) {
     const vm_connection *connections; /* n connections; may be null if n is 0 */
     vm_pair_force force;              /* further forces, or NULL */
     void *ctx;                        /* the user's pointer, last argument of force */
-    vm_real momentum;                 /* set by vm_coupled_pair_oscillator: m1 x' + m2 y' at t = 0, kg m/s */
+    vm_real momentum;                 /* momentum m1 x' + m2 y' at t = 0, kg m/s; vm_coupled_pair_oscillator writes
+                                         it */
 } vm_coupled_pair;
 
 /* Both masses and their rates at one time */
@@ -59,7 +61,7 @@ typedef struct VM_TAG(vmi_pair_masses) {
     vm_real m[2], rate[2];
 } vmi_pair_masses;
 
-/* Writes the masses and their rates at time t, and checks them and the pair. */
+/* Writes the masses and their rates at time t to *now, and checks them and the fields of the pair. */
 VM_API int vmi_coupled_now(const vm_coupled_pair *p, vm_real t, vmi_pair_masses *now)
 {
     int i, status;
@@ -77,10 +79,11 @@ VM_API int vmi_coupled_now(const vm_coupled_pair *p, vm_real t, vmi_pair_masses 
 }
 
 /* Equations of motion of two bodies with different masses and several connections, for rk45 or rk87.
-   y = (x, y, x', y') is in m and m/s; pair points to a vm_coupled_pair. Returns VM_BAD_ARGUMENT for null pointers, a
-   negative number of connections, or where no constructor made a mass, VM_NOT_FINITE for a number that is infinite or
-   NaN, VM_BAD_MASS or VM_BAD_STIFFNESS for one that is not positive, VM_DOMAIN for an exponent < 0 or t outside a
-   table, and the number that the function `force` returns if it is not 0. These statuses stop the run. */
+   y = (x, y, x', y') is in m and m/s; pair points to a vm_coupled_pair. Returns VM_BAD_ARGUMENT for null pointers, for
+   a negative number of connections, and for a mass law that no constructor made; VM_NOT_FINITE for a number that is
+   infinite or NaN; VM_BAD_MASS for a mass that is not positive; VM_BAD_STIFFNESS for a stiffness that is not positive;
+   VM_DOMAIN for an exponent < 0 and for t outside a table. If the function `force` returns a number other than 0,
+   returns this number. These statuses stop the run. */
 VM_API int vm_coupled_pair_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *pair)
 {
     if (!y || !dydt || !pair) return VM_BAD_ARGUMENT;
@@ -151,7 +154,8 @@ VM_API int vmi_coupled_reduced_mass(vm_real t, vm_real *f, vm_real *rate, void *
     return VM_OK;
 }
 
-/* The force -mu (m2'/m2 - m1'/m1) V of the text above, for r = 1, where the momentum stays constant. The function is a
+/* The force -mu (m2'/m2 - m1'/m1) V on the relative coordinate p for r = 1 (see the top of this file). For r = 1 the
+   momentum stays constant, so that the velocity V of the mass centre follows from the masses. The function is a
    vm_osc_force. */
 VM_API vm_real vmi_coupled_drift(vm_real t, vm_real x, vm_real v, void *ctx)
 {
@@ -167,10 +171,11 @@ VM_API vm_real vmi_coupled_drift(vm_real t, vm_real x, vm_real v, void *ctx)
 
 /* Writes the oscillator whose position is p = y - x, the relative coordinate of two bodies with one connection. The
    routes of routes.h compute its motion. y0 = (x, y, x', y') is the motion at t = 0; pair must outlive *problem. The
-   equation is exact. Where the mass centre drifts and m1'/m1 differs from m2'/m2, the oscillator has the further small
-   force of the text above. Returns the statuses of vm_coupled_pair_rhs at t = 0, and VM_NO_LAW where there is not
-   exactly one connection, where there are further forces, or where the reactive force is a share other than 0 and 1,
-   because then the drift of the mass centre depends on the vibration. Integrate vm_coupled_pair_rhs then. */
+   equation is exact. For r = 1, if the mass centre moves and m1'/m1 differs from m2'/m2, the small force -mu (m2'/m2 -
+   m1'/m1) V of the top of this file also acts on the oscillator. Returns the statuses of vm_coupled_pair_rhs at t = 0.
+   Returns VM_NO_LAW where there is not exactly one connection, where there are further forces, and where `reactive` is
+   neither 0 nor 1, because then the motion of the mass centre depends on the vibration. In these three cases integrate
+   vm_coupled_pair_rhs. */
 VM_API int vm_coupled_pair_oscillator(vm_coupled_pair *pair, const vm_real *y0, vm_osc_problem *problem)
 {
     if (!pair || !y0 || !problem) return VM_BAD_ARGUMENT;
