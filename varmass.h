@@ -9547,7 +9547,7 @@ VM_API vm_real vm_osc_load_force(vm_real t, vm_real x, vm_real v, void *load)
    problem, after its other fields are set. If u or damping is a table, the integrations make no stop at its points. For
    this reason they need more steps, but they are not less accurate. Returns VM_BAD_ARGUMENT if load or problem is null,
    for a law that no constructor made, and for a problem that has this load already; VM_NOT_FINITE where a number of the
-   problem or a law at t = 0 is infinite or NaN; VM_BAD_MASS for a mass, VM_BAD_STIFFNESS for a stiffness that is not
+   problem or a law at t = 0 is infinite or NaN; VM_BAD_MASS or VM_BAD_STIFFNESS for a mass or a stiffness that is not
    positive at t = 0 or in its table; VM_DOMAIN for alpha < 0, for a law that has no value at t = 0, and for a table or
    a change_time that is not valid; VM_OK otherwise. An error leaves *load and *problem untouched. */
 VM_API int vm_osc_load_init(vm_osc_load *load, vm_osc_problem *problem, const vm_law *u_or_NULL,
@@ -10633,8 +10633,8 @@ VMI_APART void vmi_osc_closed_begin(vm_osc_closed *c, int order, const vmi_osc_c
    the problem any more. After an error *c is unchanged. The errors are
      VM_BAD_ARGUMENT for null pointers, an order outside 2 to 5, and a law that no constructor made,
      VM_NOT_FINITE for a number that is infinite or NaN,
-     VM_BAD_MASS for a mass, VM_BAD_STIFFNESS for a stiffness that is not positive at 0 or t_end,
-     VM_DOMAIN for alpha < 0,
+     VM_BAD_MASS or VM_BAD_STIFFNESS for a mass or a stiffness that is not positive at 0 or t_end, VM_DOMAIN for alpha <
+     0,
      VM_NO_LAW for a mass or stiffness without the closed form at the top of this file, for a problem with a force, and
        where mass, stiffness or damping changes the motion so fast that the law of order five is not valid; in these
        cases use vm_osc_plan_init.
@@ -18076,9 +18076,9 @@ VM_API vm_complex vmi_jeffcott_loads(const vm_jeffcott *r, vm_real t, vm_real ra
 }
 
 /* Equation of motion (449), (450) of a rotor, for rk45 or rk87.
-   y = (x, y, x', y') is in m and m/s; rotor points to a vm_jeffcott. Returns VM_BAD_ARGUMENT for null pointers and
-   for a rotor without mass or stiffness, VM_NOT_FINITE for a number that is infinite or NaN, VM_BAD_MASS for a mass
-   that is not positive, and VM_DOMAIN for t outside a table of the mass. These statuses stop the run. */
+   y = (x, y, x', y') is in m and m/s; rotor points to a vm_jeffcott. Returns VM_BAD_ARGUMENT for null pointers and for
+   a rotor without mass or stiffness; VM_NOT_FINITE for a number that is infinite or NaN; VM_BAD_MASS for a mass that is
+   not positive; VM_DOMAIN for t outside a table of the mass. These statuses stop the run. */
 VM_API int vm_jeffcott_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
@@ -18128,10 +18128,10 @@ VM_API int vmi_jeffcott_now(const vm_jeffcott *r, vm_real t, vmi_jeffcott_state 
      z = P e^(i phi) + N e^(-i phi),  z' = i omega (P e^(i phi) - N e^(-i phi)),
      P = A1 e^(i theta1),  N = A2 e^(-i theta2) in the symbols of [1].
    phi is the fast phase at the start, for example 0. y receives (Re P, Im P, Re N, Im N, phi), the state of
-   vm_jeffcott_exact_rhs and vm_jeffcott_averaged_rhs. Unlike theta1 and theta2, P and N have no singularity where A1
-   or A2 is 0. Returns VM_BAD_ARGUMENT for null pointers and for a rotor without mass or stiffness, VM_NOT_FINITE for
-   a number that is infinite or NaN, VM_BAD_MASS for a mass that is not positive, VM_BAD_STIFFNESS where K_e(0) is not
-   positive, and VM_DOMAIN for t outside a table of the mass. y and motion may be the same array. */
+   vm_jeffcott_exact_rhs and vm_jeffcott_averaged_rhs. Unlike theta1 and theta2, P and N have no singularity where A1 or
+   A2 is 0. Returns VM_BAD_ARGUMENT for null pointers and for a rotor without mass or stiffness; VM_NOT_FINITE for a
+   number that is infinite or NaN; VM_BAD_MASS for a mass that is not positive; VM_BAD_STIFFNESS where K_e(0) is not
+   positive; VM_DOMAIN for t outside a table of the mass. y and motion may be the same array. */
 VM_API int vm_jeffcott_to_averaged(const vm_jeffcott *r, vm_real t, const vm_real *motion, vm_real phi, vm_real *y)
 {
     if (!r || !motion || !y) return VM_BAD_ARGUMENT;
@@ -18234,9 +18234,9 @@ VM_API int vmi_jeffcott_mean(vm_real t, const vm_real *y, vm_real *dydt, const v
 /* Exact equations (470)-(473) of forward and backward whirl, for rk45 or rk87. y = (Re P, Im P, Re N, Im N, phi), see
    vm_jeffcott_to_averaged; rotor points to a vm_jeffcott. The equations hold for any force, but are of use only where
    the external force F_z, the velocity u of joining mass, the gyroscopic constant g and the change K_e(rho) - K_e(0) of
-   the stiffness are small. Returns VM_BAD_ARGUMENT for null pointers and for a rotor without mass or stiffness,
-   VM_NOT_FINITE for a number that is infinite or NaN, VM_BAD_MASS for a mass that is not positive, VM_BAD_STIFFNESS
-   where K_e(0) is not positive, and VM_DOMAIN for t outside a table of the mass. */
+   the stiffness are small. Returns VM_BAD_ARGUMENT for null pointers and for a rotor without mass or stiffness;
+   VM_NOT_FINITE for a number that is infinite or NaN; VM_BAD_MASS for a mass that is not positive; VM_BAD_STIFFNESS
+   where K_e(0) is not positive; VM_DOMAIN for t outside a table of the mass. */
 VM_API int vm_jeffcott_exact_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
@@ -18336,8 +18336,8 @@ VM_API int vmi_jeffcott_circular(vm_real t, const vm_real *y, vm_real *dydt, con
    up in the phase psi. For loads that turn with z, that is loads at a fixed angle to z, the error of psi is at most
    0.015 in the tests, up to these times. For other loads it is of order 1. The equations are not valid for a linear F_e
    with loads that do not turn with z, since with these loads the disc does not stay on a circle. Returns
-   VM_BAD_ARGUMENT for null pointers and for a rotor without mass or stiffness, VM_NOT_FINITE for a number that is
-   infinite or NaN, VM_BAD_MASS for a mass that is not positive, VM_BAD_STIFFNESS if g^2 + m K_e(A) is not positive, and
+   VM_BAD_ARGUMENT for null pointers and for a rotor without mass or stiffness; VM_NOT_FINITE for a number that is
+   infinite or NaN; VM_BAD_MASS for a mass that is not positive; VM_BAD_STIFFNESS if g^2 + m K_e(A) is not positive;
    VM_DOMAIN for t outside a table of the mass. Each call evaluates the force at `nodes` phases. */
 VM_API int vm_jeffcott_forward_whirl_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
@@ -18615,9 +18615,9 @@ VM_API int vmi_jeffcott_check_motion(const vm_jeffcott *r, vm_real t, vm_real *m
    of the phase. Otherwise the time is divided into parts, and Gauss' rule integrates the frequency over each part from
    20 points; the radius is computed at each point. For a smooth stiffness the angle is then within 1e-12 (float 1e-4)
    of the phase. The velocity is i W z, without the small radial velocity. Returns VM_BAD_ARGUMENT for null pointers and
-   a rotor without mass or stiffness, VM_NOT_FINITE for a number that is infinite or NaN, VM_BAD_MASS for a mass that is
-   not positive, VM_BAD_STIFFNESS where there is no circular whirl, VM_DOMAIN for a radius that is not positive or t
-   outside a table, and VM_NO_LAW for a rotor with a force or a velocity u. */
+   a rotor without mass or stiffness; VM_NOT_FINITE for a number that is infinite or NaN; VM_BAD_MASS for a mass that is
+   not positive; VM_BAD_STIFFNESS where there is no circular whirl; VM_DOMAIN for a radius that is not positive or t
+   outside a table; VM_NO_LAW for a rotor with a force or a velocity u. */
 VM_API int vm_jeffcott_whirl_at(const vm_jeffcott *r, vm_real first_A, vm_real first_angle, int sense, vm_real t,
                                 vm_jeffcott_whirl *whirl)
 {
@@ -19236,9 +19236,9 @@ VM_API void vmi_forced_fourier(vm_forced *f)
 }
 
 /* Prepares an excited oscillator: checks its fields at t = 0, and writes pi, Om1, G, c and s. All other functions
-   need this call. Returns VM_BAD_ARGUMENT for a null pointer or a law that no constructor made, VM_NOT_FINITE for a
-   number that is infinite or NaN, VM_BAD_MASS or VM_BAD_STIFFNESS for a mass or a stiffness that is not positive,
-   VM_DOMAIN for alpha < 0 or a frequency that is not positive, and VM_OK otherwise. An error leaves f as it was. */
+   need this call. Returns VM_BAD_ARGUMENT for a null pointer or a law that no constructor made; VM_NOT_FINITE for a
+   number that is infinite or NaN; VM_BAD_MASS or VM_BAD_STIFFNESS for a mass or a stiffness that is not positive;
+   VM_DOMAIN for alpha < 0 or a frequency that is not positive; VM_OK otherwise. An error leaves f as it was. */
 VM_API int vm_forced_init(vm_forced *f)
 {
     vmi_forced_parameters now;
@@ -19278,9 +19278,9 @@ VM_API void vmi_forced_motion(const vm_forced *f, const vmi_forced_parameters *n
 }
 
 /* Equation of motion of an excited oscillator, for rk45 or rk87. y = (x, x', theta) is in m, m/s and rad; forced points
-   to a prepared vm_forced. Returns VM_BAD_ARGUMENT for a null pointer or a law that no constructor made, VM_NOT_FINITE
-   for a number that is infinite or NaN, VM_BAD_MASS or VM_BAD_STIFFNESS for a mass or a stiffness that is not positive,
-   and VM_DOMAIN for alpha < 0, a frequency that is not positive or t outside a table. These statuses stop the run. */
+   to a prepared vm_forced. Returns VM_BAD_ARGUMENT for a null pointer or a law that no constructor made; VM_NOT_FINITE
+   for a number that is infinite or NaN; VM_BAD_MASS or VM_BAD_STIFFNESS for a mass or a stiffness that is not positive;
+   VM_DOMAIN for alpha < 0, a frequency that is not positive or t outside a table. These statuses stop the run. */
 VM_API int vm_forced_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *forced)
 {
     if (!y || !dydt || !forced) return VM_BAD_ARGUMENT;
@@ -20171,8 +20171,8 @@ VM_API int vmi_grounded_at(const vm_grounded_pair *p, vm_real t, vmi_grounded_no
 
 /* Prepares a pair of coupled oscillators: checks it at t = 0 and writes the constants of the averaged equations.
    All other functions need this call. Returns VM_BAD_ARGUMENT for a null pointer, a law that no constructor made, or
-   `vibrations` that are neither both 0 nor both from 1 to 9, VM_NOT_FINITE for a number that is infinite or NaN,
-   VM_BAD_MASS or VM_BAD_STIFFNESS for a mass or a stiffness that is not positive, VM_DOMAIN for alpha < 0, and VM_OK
+   `vibrations` that are neither both 0 nor both from 1 to 9; VM_NOT_FINITE for a number that is infinite or NaN;
+   VM_BAD_MASS or VM_BAD_STIFFNESS for a mass or a stiffness that is not positive; VM_DOMAIN for alpha < 0; VM_OK
    otherwise. An error leaves *p as it was. */
 VM_API int vm_grounded_pair_init(vm_grounded_pair *p)
 {

@@ -136,9 +136,9 @@ VM_API vm_complex vmi_jeffcott_loads(const vm_jeffcott *r, vm_real t, vm_real ra
 }
 
 /* Equation of motion (449), (450) of a rotor, for rk45 or rk87.
-   y = (x, y, x', y') is in m and m/s; rotor points to a vm_jeffcott. Returns VM_BAD_ARGUMENT for null pointers and
-   for a rotor without mass or stiffness, VM_NOT_FINITE for a number that is infinite or NaN, VM_BAD_MASS for a mass
-   that is not positive, and VM_DOMAIN for t outside a table of the mass. These statuses stop the run. */
+   y = (x, y, x', y') is in m and m/s; rotor points to a vm_jeffcott. Returns VM_BAD_ARGUMENT for null pointers and for
+   a rotor without mass or stiffness; VM_NOT_FINITE for a number that is infinite or NaN; VM_BAD_MASS for a mass that is
+   not positive; VM_DOMAIN for t outside a table of the mass. These statuses stop the run. */
 VM_API int vm_jeffcott_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
@@ -188,10 +188,10 @@ VM_API int vmi_jeffcott_now(const vm_jeffcott *r, vm_real t, vmi_jeffcott_state 
      z = P e^(i phi) + N e^(-i phi),  z' = i omega (P e^(i phi) - N e^(-i phi)),
      P = A1 e^(i theta1),  N = A2 e^(-i theta2) in the symbols of [1].
    phi is the fast phase at the start, for example 0. y receives (Re P, Im P, Re N, Im N, phi), the state of
-   vm_jeffcott_exact_rhs and vm_jeffcott_averaged_rhs. Unlike theta1 and theta2, P and N have no singularity where A1
-   or A2 is 0. Returns VM_BAD_ARGUMENT for null pointers and for a rotor without mass or stiffness, VM_NOT_FINITE for
-   a number that is infinite or NaN, VM_BAD_MASS for a mass that is not positive, VM_BAD_STIFFNESS where K_e(0) is not
-   positive, and VM_DOMAIN for t outside a table of the mass. y and motion may be the same array. */
+   vm_jeffcott_exact_rhs and vm_jeffcott_averaged_rhs. Unlike theta1 and theta2, P and N have no singularity where A1 or
+   A2 is 0. Returns VM_BAD_ARGUMENT for null pointers and for a rotor without mass or stiffness; VM_NOT_FINITE for a
+   number that is infinite or NaN; VM_BAD_MASS for a mass that is not positive; VM_BAD_STIFFNESS where K_e(0) is not
+   positive; VM_DOMAIN for t outside a table of the mass. y and motion may be the same array. */
 VM_API int vm_jeffcott_to_averaged(const vm_jeffcott *r, vm_real t, const vm_real *motion, vm_real phi, vm_real *y)
 {
     if (!r || !motion || !y) return VM_BAD_ARGUMENT;
@@ -294,9 +294,9 @@ VM_API int vmi_jeffcott_mean(vm_real t, const vm_real *y, vm_real *dydt, const v
 /* Exact equations (470)-(473) of forward and backward whirl, for rk45 or rk87. y = (Re P, Im P, Re N, Im N, phi), see
    vm_jeffcott_to_averaged; rotor points to a vm_jeffcott. The equations hold for any force, but are of use only where
    the external force F_z, the velocity u of joining mass, the gyroscopic constant g and the change K_e(rho) - K_e(0) of
-   the stiffness are small. Returns VM_BAD_ARGUMENT for null pointers and for a rotor without mass or stiffness,
-   VM_NOT_FINITE for a number that is infinite or NaN, VM_BAD_MASS for a mass that is not positive, VM_BAD_STIFFNESS
-   where K_e(0) is not positive, and VM_DOMAIN for t outside a table of the mass. */
+   the stiffness are small. Returns VM_BAD_ARGUMENT for null pointers and for a rotor without mass or stiffness;
+   VM_NOT_FINITE for a number that is infinite or NaN; VM_BAD_MASS for a mass that is not positive; VM_BAD_STIFFNESS
+   where K_e(0) is not positive; VM_DOMAIN for t outside a table of the mass. */
 VM_API int vm_jeffcott_exact_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
@@ -396,8 +396,8 @@ VM_API int vmi_jeffcott_circular(vm_real t, const vm_real *y, vm_real *dydt, con
    up in the phase psi. For loads that turn with z, that is loads at a fixed angle to z, the error of psi is at most
    0.015 in the tests, up to these times. For other loads it is of order 1. The equations are not valid for a linear F_e
    with loads that do not turn with z, since with these loads the disc does not stay on a circle. Returns
-   VM_BAD_ARGUMENT for null pointers and for a rotor without mass or stiffness, VM_NOT_FINITE for a number that is
-   infinite or NaN, VM_BAD_MASS for a mass that is not positive, VM_BAD_STIFFNESS if g^2 + m K_e(A) is not positive, and
+   VM_BAD_ARGUMENT for null pointers and for a rotor without mass or stiffness; VM_NOT_FINITE for a number that is
+   infinite or NaN; VM_BAD_MASS for a mass that is not positive; VM_BAD_STIFFNESS if g^2 + m K_e(A) is not positive;
    VM_DOMAIN for t outside a table of the mass. Each call evaluates the force at `nodes` phases. */
 VM_API int vm_jeffcott_forward_whirl_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {

@@ -189,9 +189,9 @@ VM_API int vmi_jeffcott_check_motion(const vm_jeffcott *r, vm_real t, vm_real *m
    of the phase. Otherwise the time is divided into parts, and Gauss' rule integrates the frequency over each part from
    20 points; the radius is computed at each point. For a smooth stiffness the angle is then within 1e-12 (float 1e-4)
    of the phase. The velocity is i W z, without the small radial velocity. Returns VM_BAD_ARGUMENT for null pointers and
-   a rotor without mass or stiffness, VM_NOT_FINITE for a number that is infinite or NaN, VM_BAD_MASS for a mass that is
-   not positive, VM_BAD_STIFFNESS where there is no circular whirl, VM_DOMAIN for a radius that is not positive or t
-   outside a table, and VM_NO_LAW for a rotor with a force or a velocity u. */
+   a rotor without mass or stiffness; VM_NOT_FINITE for a number that is infinite or NaN; VM_BAD_MASS for a mass that is
+   not positive; VM_BAD_STIFFNESS where there is no circular whirl; VM_DOMAIN for a radius that is not positive or t
+   outside a table; VM_NO_LAW for a rotor with a force or a velocity u. */
 VM_API int vm_jeffcott_whirl_at(const vm_jeffcott *r, vm_real first_A, vm_real first_angle, int sense, vm_real t,
                                 vm_jeffcott_whirl *whirl)
 {

@@ -65,7 +65,7 @@ VM_API vm_real vm_osc_load_force(vm_real t, vm_real x, vm_real v, void *load)
    problem, after its other fields are set. If u or damping is a table, the integrations make no stop at its points. For
    this reason they need more steps, but they are not less accurate. Returns VM_BAD_ARGUMENT if load or problem is null,
    for a law that no constructor made, and for a problem that has this load already; VM_NOT_FINITE where a number of the
-   problem or a law at t = 0 is infinite or NaN; VM_BAD_MASS for a mass, VM_BAD_STIFFNESS for a stiffness that is not
+   problem or a law at t = 0 is infinite or NaN; VM_BAD_MASS or VM_BAD_STIFFNESS for a mass or a stiffness that is not
    positive at t = 0 or in its table; VM_DOMAIN for alpha < 0, for a law that has no value at t = 0, and for a table or
    a change_time that is not valid; VM_OK otherwise. An error leaves *load and *problem untouched. */
 VM_API int vm_osc_load_init(vm_osc_load *load, vm_osc_problem *problem, const vm_law *u_or_NULL,
