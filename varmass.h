@@ -8881,7 +8881,7 @@ struct VM_TAG(vm_law) {
     vm_real change_time;      /* for vm_law_user only: the shortest time scale, s, on which f changes noticeably; 0 if
                                  it is unknown */
     /* Functions that depend on the kind of law; its constructor sets them. `derivatives` is null where no constructor
-       made the law. If `validate` is null, only f(0) and f(t) are checked. */
+       made the law. `validate` checks the law between 0 and t; if it is null, only f(0) and f(t) are checked. */
     int (*derivatives)(const vm_law *law, vm_real t, int side, vm_real length, vm_real *f);
     int (*validate)(const vm_law *law, int if_not_positive, vm_real t);
     int (*exponential_form)(const vm_law *law, vm_real *base, vm_real *rate); /* null if there is no exponential form */
@@ -8924,8 +8924,8 @@ VM_API int vmi_law_derivatives(const vm_law *law, int if_not_positive, vm_real t
     return vmi_law_status(law->derivatives(law, t, side, length, f), if_not_positive, orders, f);
 }
 
-/* Does what vmi_law_derivatives does, but only f, f' and f'' are valid and checked. The law must not be a function of
-   the user. */
+/* Does what vmi_law_derivatives does, but only f, f' and f'' are valid and checked. The law must not be one by a user's
+   function. */
 VM_API int vmi_law_two_derivatives(const vm_law *law, int if_not_positive, vm_real t, int side, vm_real *f)
 {
     const vm_real length = 1; /* 1 s; with any positive length f'' is written */
@@ -9263,11 +9263,10 @@ VM_API int vmi_law_table_validate(const vm_law *law, int if_not_positive, vm_rea
     return VM_OK;
 }
 
-/* Table of n >= 2 points (time[i], value[i]), joined by monotone cubics. A table of fewer points, or with a null
-   pointer, is no law: all functions refuse it with VM_BAD_ARGUMENT. Times (s) must rise, and every t of a call
-   must lie between the first and the last. Between two points the law is a cubic with the slopes of Fritsch and
-   Butland, which neither overshoots nor oscillates. The second derivative of the law jumps at the points of the
-   table. */
+/* Table of n >= 2 points (time[i], value[i]), joined by monotone cubics. For fewer points, or with a null pointer, the
+   result is no law, and all functions refuse it with VM_BAD_ARGUMENT. Times (s) must rise, and every t of a call must
+   lie between the first and the last. Between two points the law is a cubic with the slopes of Fritsch and Butland,
+   which neither overshoots nor oscillates. The second derivative of the law jumps at the points of the table. */
 VM_API vm_law vm_law_table(int n, const vm_real *time, const vm_real *value)
 {
     vm_law law = vmi_law_of(0, 0, 0);
@@ -9372,10 +9371,10 @@ VM_API int vmi_law_user_validate(const vm_law *law, int if_not_positive, vm_real
     return VM_OK;
 }
 
-/* Law by a user's function, which must be smooth. A null function makes no law: all functions refuse it with
-   VM_BAD_ARGUMENT. The function receives ctx as its last argument. To integrate the law, the time from 0 to t is
-   divided into parts, called panels, and the function is evaluated at 20 points of each panel. A panel is at most
-   |t|/32 long, and is halved where the function changes fast. So a bump exp(-(time/w)^2) is found if w > |t|/3000
+/* Law by a user's function, which must be smooth. If `function` is null, the result is no law, and all functions refuse
+   it with VM_BAD_ARGUMENT. The user's function receives ctx as its last argument. To integrate the law, the time from 0
+   to t is divided into parts, called panels, and the function is evaluated at 20 points of each panel. A panel is at
+   most |t|/32 long, and is halved where the function changes fast. So a bump exp(-(time/w)^2) is found if w > |t|/3000
    (float |t|/2000). If the law changes in a shorter time, set law.change_time to that time, s: then no panel, and no
    step of an integrator, is longer than change_time. A change_time that is negative or less than |t|/2^20 is refused
    with VM_DOMAIN. */
@@ -9489,7 +9488,7 @@ VM_API int vmi_osc_check_problem(const vm_osc_problem *o, vm_real t, vm_real *ma
 
    In the equation of motion of a vm_osc_problem (oscillators/problem.h) mass joins or leaves at rest, u = 0, and the
    damping is constant. The dissertation's equation (248) has the reactive force m' (u - x') with any velocity u along
-   x. A vm_osc_load adds this force, and a damping that depends on time, on the right side:
+   x. A vm_osc_load adds the missing part m' u of this force, and a damping that depends on time, on the right side:
      m x'' + k x|x|^(alpha-1) + (reactive m' + b) x' = reactive m' u(t) - damping(t) x' + force(t, x, x')
    m' is the rate of the mass, u(t) the absolute velocity of the mass that joins or leaves, damping(t) a law that adds
    to the constant b of the problem, and force the problem's own further force, if there was one. Of the routes in
@@ -10633,8 +10632,8 @@ VMI_APART void vmi_osc_closed_begin(vm_osc_closed *c, int order, const vmi_osc_c
    the problem any more. After an error *c is unchanged. The errors are
      VM_BAD_ARGUMENT for null pointers, an order outside 2 to 5, and a law that no constructor made,
      VM_NOT_FINITE for a number that is infinite or NaN,
-     VM_BAD_MASS or VM_BAD_STIFFNESS for a mass or a stiffness that is not positive at 0 or t_end, VM_DOMAIN for alpha <
-     0,
+     VM_BAD_MASS or VM_BAD_STIFFNESS for a mass or a stiffness that is not positive at 0 or t_end,
+     VM_DOMAIN for alpha < 0,
      VM_NO_LAW for a mass or stiffness without the closed form at the top of this file, for a problem with a force, and
        where mass, stiffness or damping changes the motion so fast that the law of order five is not valid; in these
        cases use vm_osc_plan_init.
@@ -11846,14 +11845,14 @@ VM_API vm_real vmi_osc_Om_ratio(const vm_osc_plan *p, const vmi_osc_rates *now, 
    time t (s) and the amplitude A (m). psi is the angle of the route's wave, and theta the part of this angle that
    changes slowly. For VM_ROUTE_ATEB psi is the Ateb phase; the equations are the averages of (314), (315), to which the
    function adds a term with omega' that the dissertation leaves out. For VM_ROUTE_TRIG psi is in radians; the equations
-   are (337)-(339), with alpha + 3 in place of 5 - alpha, and in (338), (339) with 4 in place of 2. For VM_ROUTE_JACOBI
-   psi is the argument of cn; the equations are (380)-(382), with theta' in place of A' in the second equation of (382).
-   Gauss' rule computes the means over each quarter of the period separately, so F may jump where x or x' is 0. For
-   alpha up to 30, and F linear or cubic in x and x' or dry friction, the relative error of the rates is at most 1e-10
-   (float 2e-6). Returns VM_BAD_ARGUMENT for a null pointer or a route other than these three; VM_NOT_FINITE for a
-   number that is infinite or NaN; VM_BAD_MASS for a mass at t that is not positive; VM_BAD_STIFFNESS for a stiffness at
-   t that is not positive; VM_DOMAIN for A <= 0, for t outside a table, or where a user's function of mass or stiffness
-   fails. An error leaves the results untouched. */
+   are (337)-(339), where alpha + 3 replaces 5 - alpha and, in (338) and (339), 4 replaces 2. For VM_ROUTE_JACOBI psi is
+   the argument of cn; the equations are (380)-(382), where theta' replaces A' in the second equation of (382). Gauss'
+   rule computes the means over each quarter of the period separately, so F may jump where x or x' is 0. For alpha up to
+   30, and F linear or cubic in x and x' or dry friction, the relative error of the rates is at most 1e-10 (float 2e-6).
+   Returns VM_BAD_ARGUMENT for a null pointer or a route other than these three; VM_NOT_FINITE for a number that is
+   infinite or NaN; VM_BAD_MASS for a mass at t that is not positive; VM_BAD_STIFFNESS for a stiffness at t that is not
+   positive; VM_DOMAIN for A <= 0, for t outside a table, or where a user's function of mass or stiffness fails. An
+   error leaves the results untouched. */
 VM_API int vm_osc_averaged(const vm_osc_plan *p, int route, vm_real t, vm_real A, vm_real *A_rate,
                            vm_real *theta_rate, vm_real *psi_rate)
 {
@@ -12024,9 +12023,8 @@ VM_API int vmi_osc_averaging_at(const vm_osc_plan *p, const vmi_osc_wave *w, vm_
 
 /* -- The error between 0 and t -- */
 
-/* The number of times between 0 and t at which errors are estimated. The interval from 0 to t is divided into 11 equal
-   parts; the times are the ends of the last 8 parts. oscillators/integration.h compares two integrations at the same
-   times. */
+/* The number of times at which errors are estimated. The interval from 0 to t is divided into 11 equal parts; these
+   times are the ends of the last 8 parts. oscillators/integration.h compares two integrations at the same times. */
 enum { VMI_OSC_CHECKS = 8 };
 
 /* Time number i, 0 to VMI_OSC_CHECKS - 1, at which motions are compared on the way to t; the last one is t. */
@@ -13321,7 +13319,7 @@ typedef struct VM_TAG(vmi_osc_points) {
 /* The number of pairs of runs that can be tried one after the other */
 enum { VMI_OSC_PAIRS = 6 };
 
-/* Pair number i, 0 to VMI_OSC_PAIRS - 1. Each pair is more accurate than pair i - 1. With a force the rates of ln A and
+/* Pair number i, 0 to VMI_OSC_PAIRS - 1. Pair i is more accurate than pair i - 1. With a force the rates of ln A and
    phase may have kinks in the middle of a half period, where x' = 0, and the errors of Gauss' rule have no closed form.
    So a half period then has two parts and more points. For alpha > 3 the rates change quickly in the middle of a half
    period; two parts that meet there give smaller errors than one. */
@@ -13349,7 +13347,7 @@ VM_API int vmi_osc_first_pair(const vm_osc_problem *o, vm_real tolerance, vm_rea
     static const vm_real at_least[][VMI_OSC_PAIRS] = {
         {VM_C(1e-8), VM_C(1e-9), VM_C(1e-11), 0},               /* slow */
         {VM_INFINITY, VM_C(1e-6), VM_C(1e-7), VM_C(1e-9), 0},   /* quick */
-        {VM_INFINITY, VM_INFINITY, VM_C(1e-8), 0},              /* laws by functions */
+        {VM_INFINITY, VM_INFINITY, VM_C(1e-8), 0},              /* mass or stiffness by a user's function */
         {VM_INFINITY, VM_INFINITY, VM_C(1e-6), VM_INFINITY, 0}, /* forced */
     };
     int i = 0, kind = SLOW;
@@ -13469,7 +13467,7 @@ VM_API int vmi_osc_collocate_pair(const vm_osc_plan *plan, vm_real t, vmi_osc_po
 }
 
 /* Computes the motion at t by collocation. Returns VM_TOLERANCE_MISSED where the motion is computed, but its estimated
-   error is larger than the tolerance. Returns VM_NOT_INTEGRATED if the time needs more than 2^24 steps, and where
+   error is larger than the tolerance. Returns VM_NOT_INTEGRATED if more than 2^24 steps would be needed, and where
    amplitude and phase do not describe the motion, because mass, stiffness or force change as fast as the phase. Where
    the law of the mass or of the stiffness fails, returns the status of this law. */
 VM_API int vmi_osc_collocate(const vm_osc_plan *plan, int route, vm_real t, vm_real tolerance, vm_osc_motion *motion)
@@ -14701,8 +14699,8 @@ VM_API vmi_duffing_terms vmi_duffing_inner_terms(const vmi_orbit *orbit)
 }
 
 /* Writes the mean of x^2 over a period to *X, and its derivative with respect to the orbit's size to *X_size. Both are
-   computed from C2 and C4, the means of cn^2 and cn^4. The derivative of C2 with respect to m is 1/2 - 2 C2 + 3 C4/2 -
-   C2^2/(2 m1). */
+   computed from C2 and C4, the means of cn^2 and cn^4. The derivative of C2 with respect to the parameter m of cn is
+   1/2 - 2 C2 + 3 C4/2 - C2^2/(2 m1). */
 VM_API void vmi_duffing_mean_square(const vmi_orbit *orbit, vm_real *X, vm_real *X_size)
 {
     const vm_real k1 = orbit->force->k1, k3 = orbit->force->k3, size = orbit->size, m1 = orbit->m1, C2 = orbit->C2;
@@ -18275,7 +18273,8 @@ VM_API vm_real vmi_jeffcott_root(vm_real gyro, vm_real mass, vm_real stiffness, 
 /* Frequency W of circular whirl of radius A, rad/s. By the corrected remark after (516), W solves m W^2 - 2 g W =
    K_e(A). Forward whirl, for sense >= 0, has W > 0. Backward whirl, for sense < 0, has W < 0. A >= 0 is
    in m, mass > 0 in kg. The relative error is at most 8 eps (eps is the machine epsilon), apart from the error of the
-   stiffness. Returns NaN for null pointers, for a rotor without stiffness, and for arguments outside the domain. */
+   stiffness. Returns NaN for null pointers, for a rotor without stiffness, for A < 0, for mass <= 0, and for numbers
+   that are infinite or NaN. */
 VM_API vm_real vm_jeffcott_frequency(const vm_jeffcott *r, vm_real A, vm_real mass, int sense)
 {
     if (!r || !r->stiffness) return VM_NAN;
@@ -18410,10 +18409,10 @@ VM_API int vmi_jeffcott_find_bracket(vmi_jeffcott_orbit *o, vmi_jeffcott_bracket
    The radius was first_A when the mass was mass0; `mass` is the mass after the change. F_z and u must be 0. These
    products stay constant (509):
      A^4 (g^2 + m K_e(A)) for r = 1, which is the square of A^2 (m W - g);   A^4 K_e(A) m^(2r-1) for g = 0.
-   For F_e = k rho^alpha and g = 0 the radius follows vm_osc_amplitude_law, with mass/mass0 and decay 0; its relative
-   error is then at most 3e-15 (float 3e-6). Returns NaN for g != 0 with r != 1 (then vm_jeffcott_whirl_amplitude finds
-   the radius by integration); where no radius is found on the way from first_A; for null pointers; for a rotor without
-   stiffness; and for a radius or masses that are not positive and finite. */
+   For F_e = k rho^alpha and g = 0 the radius follows vm_osc_amplitude_law with the arguments mass/mass0 and decay = 0;
+   its relative error is then at most 3e-15 (float 3e-6). Returns NaN for g != 0 with r != 1 (then
+   vm_jeffcott_whirl_amplitude finds the radius by integration); where no radius is found on the way from first_A; for
+   null pointers; for a rotor without stiffness; and for a radius or masses that are not positive and finite. */
 VM_API vm_real vm_jeffcott_amplitude(const vm_jeffcott *r, vm_real first_A, vm_real mass0, vm_real mass)
 {
     if (!r || !r->stiffness) return VM_NAN;
@@ -18610,14 +18609,15 @@ VM_API int vmi_jeffcott_check_motion(const vm_jeffcott *r, vm_real t, vm_real *m
 
 /* Circular whirl of the rotor at time t, of either sign, from radius and angle at t = 0: (497)-(499).
    first_A > 0 is the radius (m) and first_angle the angle (rad) at t = 0; sense >= 0 means forward, sense < 0 backward
-   whirl. The radius is that of vm_jeffcott_whirl_amplitude. The angle has a closed form for a power law of the shaft
-   (vm_jeffcott_power) with g = 0 and a mass that is constant, linear, exponential or a power; it is then within 8 eps
-   of the phase. Otherwise the time is divided into parts, and Gauss' rule integrates the frequency over each part from
-   20 points; the radius is computed at each point. For a smooth stiffness the angle is then within 1e-12 (float 1e-4)
-   of the phase. The velocity is i W z, without the small radial velocity. Returns VM_BAD_ARGUMENT for null pointers and
-   a rotor without mass or stiffness; VM_NOT_FINITE for a number that is infinite or NaN; VM_BAD_MASS for a mass that is
-   not positive; VM_BAD_STIFFNESS where there is no circular whirl; VM_DOMAIN for a radius that is not positive or t
-   outside a table; VM_NO_LAW for a rotor with a force or a velocity u. */
+   whirl. The radius is that of vm_jeffcott_whirl_amplitude. The phase, which is the angle of the whirl from 0 to t, has
+   a closed form for a power law of the shaft (vm_jeffcott_power) with g = 0 and a mass that is constant, linear,
+   exponential or a power; its relative error is then at most 8 eps. Otherwise the time is divided into parts, and
+   Gauss' rule integrates the frequency over each part from 20 points; the radius is computed at each point. For a
+   smooth stiffness the relative error of the phase is then at most 1e-12 (float 1e-4). The velocity is i W z, without
+   the small radial velocity. Returns VM_BAD_ARGUMENT for null pointers and a rotor without mass or stiffness;
+   VM_NOT_FINITE for a number that is infinite or NaN; VM_BAD_MASS for a mass that is not positive; VM_BAD_STIFFNESS
+   where there is no circular whirl; VM_DOMAIN for a radius that is not positive or t outside a table; VM_NO_LAW for a
+   rotor with a force or a velocity u. */
 VM_API int vm_jeffcott_whirl_at(const vm_jeffcott *r, vm_real first_A, vm_real first_angle, int sense, vm_real t,
                                 vm_jeffcott_whirl *whirl)
 {
@@ -19084,9 +19084,9 @@ VM_API int vmi_coupled_reduced_mass(vm_real t, vm_real *f, vm_real *rate, void *
     return VM_OK;
 }
 
-/* The force -mu (m2'/m2 - m1'/m1) V on the relative coordinate p for r = 1 (see the top of this file). For r = 1 the
-   momentum stays constant, so that the velocity V of the mass centre follows from the masses. The function is a
-   vm_osc_force. */
+/* The force -mu (m2'/m2 - m1'/m1) V on the relative coordinate p if `reactive` is 1; mu is the reduced mass. In this
+   case the momentum stays constant, so that the velocity V of the mass centre follows from the masses. The function is
+   a vm_osc_force. */
 VM_API vm_real vmi_coupled_drift(vm_real t, vm_real x, vm_real v, void *ctx)
 {
     const vm_coupled_pair *p = (const vm_coupled_pair *)ctx;
@@ -19100,12 +19100,12 @@ VM_API vm_real vmi_coupled_drift(vm_real t, vm_real x, vm_real v, void *ctx)
 }
 
 /* Writes the oscillator whose position is p = y - x, the relative coordinate of two bodies with one connection. The
-   routes of routes.h compute its motion. y0 = (x, y, x', y') is the motion at t = 0; pair must outlive *problem. The
-   equation is exact. For r = 1, if the mass centre moves and m1'/m1 differs from m2'/m2, the small force -mu (m2'/m2 -
-   m1'/m1) V of the top of this file also acts on the oscillator. Returns the statuses of vm_coupled_pair_rhs at t = 0.
-   Returns VM_NO_LAW where there is not exactly one connection, where there are further forces, and where `reactive` is
-   neither 0 nor 1, because then the motion of the mass centre depends on the vibration. In these three cases integrate
-   vm_coupled_pair_rhs. */
+   functions of oscillators/routes.h compute its motion. y0 = (x, y, x', y') is the motion at t = 0; pair must outlive
+   *problem. The equation of the oscillator is exact. If `reactive` is 1, if the mass centre moves, and if m1'/m1
+   differs from m2'/m2, the small force -mu (m2'/m2 - m1'/m1) V also acts on the oscillator; mu is the reduced mass, V
+   the velocity of the mass centre. Returns the statuses of vm_coupled_pair_rhs at t = 0. Returns VM_NO_LAW where there
+   is not exactly one connection, where there are further forces, and where `reactive` is neither 0 nor 1, because then
+   the motion of the mass centre depends on the vibration. In these three cases integrate vm_coupled_pair_rhs. */
 VM_API int vm_coupled_pair_oscillator(vm_coupled_pair *pair, const vm_real *y0, vm_osc_problem *problem)
 {
     if (!pair || !y0 || !problem) return VM_BAD_ARGUMENT;
@@ -19235,10 +19235,11 @@ VM_API void vmi_forced_fourier(vm_forced *f)
     }
 }
 
-/* Prepares an excited oscillator: checks its fields at t = 0, and writes pi, Om1, G, c and s. All other functions
-   need this call. Returns VM_BAD_ARGUMENT for a null pointer or a law that no constructor made; VM_NOT_FINITE for a
-   number that is infinite or NaN; VM_BAD_MASS or VM_BAD_STIFFNESS for a mass or a stiffness that is not positive;
-   VM_DOMAIN for alpha < 0 or a frequency that is not positive; VM_OK otherwise. An error leaves f as it was. */
+/* Prepares an excited oscillator: checks its fields at t = 0, and writes pi, Om1, G, c and s. Call it before all other
+   functions for this oscillator. Returns VM_BAD_ARGUMENT for a null pointer or a law that no constructor made;
+   VM_NOT_FINITE for a number that is infinite or NaN; VM_BAD_MASS or VM_BAD_STIFFNESS for a mass or a stiffness that is
+   not positive; VM_DOMAIN for alpha < 0 or a frequency that is not positive; VM_OK otherwise. An error leaves f as it
+   was. */
 VM_API int vm_forced_init(vm_forced *f)
 {
     vmi_forced_parameters now;
@@ -20170,10 +20171,10 @@ VM_API int vmi_grounded_at(const vm_grounded_pair *p, vm_real t, vmi_grounded_no
 }
 
 /* Prepares a pair of coupled oscillators: checks it at t = 0 and writes the constants of the averaged equations.
-   All other functions need this call. Returns VM_BAD_ARGUMENT for a null pointer, a law that no constructor made, or
-   `vibrations` that are neither both 0 nor both from 1 to 9; VM_NOT_FINITE for a number that is infinite or NaN;
-   VM_BAD_MASS or VM_BAD_STIFFNESS for a mass or a stiffness that is not positive; VM_DOMAIN for alpha < 0; VM_OK
-   otherwise. An error leaves *p as it was. */
+   Call it before all other functions for this pair. Returns VM_BAD_ARGUMENT for a null pointer, a law that no
+   constructor made, or `vibrations` that are neither both 0 nor both from 1 to 9; VM_NOT_FINITE for a number that is
+   infinite or NaN; VM_BAD_MASS or VM_BAD_STIFFNESS for a mass or a stiffness that is not positive; VM_DOMAIN for alpha
+   < 0; VM_OK otherwise. An error leaves *p as it was. */
 VM_API int vm_grounded_pair_init(vm_grounded_pair *p)
 {
     vmi_grounded_now now;

@@ -81,14 +81,14 @@ VM_API vm_real vmi_osc_Om_ratio(const vm_osc_plan *p, const vmi_osc_rates *now, 
    time t (s) and the amplitude A (m). psi is the angle of the route's wave, and theta the part of this angle that
    changes slowly. For VM_ROUTE_ATEB psi is the Ateb phase; the equations are the averages of (314), (315), to which the
    function adds a term with omega' that the dissertation leaves out. For VM_ROUTE_TRIG psi is in radians; the equations
-   are (337)-(339), with alpha + 3 in place of 5 - alpha, and in (338), (339) with 4 in place of 2. For VM_ROUTE_JACOBI
-   psi is the argument of cn; the equations are (380)-(382), with theta' in place of A' in the second equation of (382).
-   Gauss' rule computes the means over each quarter of the period separately, so F may jump where x or x' is 0. For
-   alpha up to 30, and F linear or cubic in x and x' or dry friction, the relative error of the rates is at most 1e-10
-   (float 2e-6). Returns VM_BAD_ARGUMENT for a null pointer or a route other than these three; VM_NOT_FINITE for a
-   number that is infinite or NaN; VM_BAD_MASS for a mass at t that is not positive; VM_BAD_STIFFNESS for a stiffness at
-   t that is not positive; VM_DOMAIN for A <= 0, for t outside a table, or where a user's function of mass or stiffness
-   fails. An error leaves the results untouched. */
+   are (337)-(339), where alpha + 3 replaces 5 - alpha and, in (338) and (339), 4 replaces 2. For VM_ROUTE_JACOBI psi is
+   the argument of cn; the equations are (380)-(382), where theta' replaces A' in the second equation of (382). Gauss'
+   rule computes the means over each quarter of the period separately, so F may jump where x or x' is 0. For alpha up to
+   30, and F linear or cubic in x and x' or dry friction, the relative error of the rates is at most 1e-10 (float 2e-6).
+   Returns VM_BAD_ARGUMENT for a null pointer or a route other than these three; VM_NOT_FINITE for a number that is
+   infinite or NaN; VM_BAD_MASS for a mass at t that is not positive; VM_BAD_STIFFNESS for a stiffness at t that is not
+   positive; VM_DOMAIN for A <= 0, for t outside a table, or where a user's function of mass or stiffness fails. An
+   error leaves the results untouched. */
 VM_API int vm_osc_averaged(const vm_osc_plan *p, int route, vm_real t, vm_real A, vm_real *A_rate,
                            vm_real *theta_rate, vm_real *psi_rate)
 {
@@ -259,9 +259,8 @@ VM_API int vmi_osc_averaging_at(const vm_osc_plan *p, const vmi_osc_wave *w, vm_
 
 /* -- The error between 0 and t -- */
 
-/* The number of times between 0 and t at which errors are estimated. The interval from 0 to t is divided into 11 equal
-   parts; the times are the ends of the last 8 parts. oscillators/integration.h compares two integrations at the same
-   times. */
+/* The number of times at which errors are estimated. The interval from 0 to t is divided into 11 equal parts; these
+   times are the ends of the last 8 parts. oscillators/integration.h compares two integrations at the same times. */
 enum { VMI_OSC_CHECKS = 8 };
 
 /* Time number i, 0 to VMI_OSC_CHECKS - 1, at which motions are compared on the way to t; the last one is t. */

@@ -275,8 +275,8 @@ VMI_APART void vmi_osc_closed_begin(vm_osc_closed *c, int order, const vmi_osc_c
    the problem any more. After an error *c is unchanged. The errors are
      VM_BAD_ARGUMENT for null pointers, an order outside 2 to 5, and a law that no constructor made,
      VM_NOT_FINITE for a number that is infinite or NaN,
-     VM_BAD_MASS or VM_BAD_STIFFNESS for a mass or a stiffness that is not positive at 0 or t_end, VM_DOMAIN for alpha <
-     0,
+     VM_BAD_MASS or VM_BAD_STIFFNESS for a mass or a stiffness that is not positive at 0 or t_end,
+     VM_DOMAIN for alpha < 0,
      VM_NO_LAW for a mass or stiffness without the closed form at the top of this file, for a problem with a force, and
        where mass, stiffness or damping changes the motion so fast that the law of order five is not valid; in these
        cases use vm_osc_plan_init.

@@ -68,7 +68,7 @@ typedef struct VM_TAG(vmi_osc_points) {
 /* The number of pairs of runs that can be tried one after the other */
 enum { VMI_OSC_PAIRS = 6 };
 
-/* Pair number i, 0 to VMI_OSC_PAIRS - 1. Each pair is more accurate than pair i - 1. With a force the rates of ln A and
+/* Pair number i, 0 to VMI_OSC_PAIRS - 1. Pair i is more accurate than pair i - 1. With a force the rates of ln A and
    phase may have kinks in the middle of a half period, where x' = 0, and the errors of Gauss' rule have no closed form.
    So a half period then has two parts and more points. For alpha > 3 the rates change quickly in the middle of a half
    period; two parts that meet there give smaller errors than one. */
@@ -96,7 +96,7 @@ VM_API int vmi_osc_first_pair(const vm_osc_problem *o, vm_real tolerance, vm_rea
     static const vm_real at_least[][VMI_OSC_PAIRS] = {
         {VM_C(1e-8), VM_C(1e-9), VM_C(1e-11), 0},               /* slow */
         {VM_INFINITY, VM_C(1e-6), VM_C(1e-7), VM_C(1e-9), 0},   /* quick */
-        {VM_INFINITY, VM_INFINITY, VM_C(1e-8), 0},              /* laws by functions */
+        {VM_INFINITY, VM_INFINITY, VM_C(1e-8), 0},              /* mass or stiffness by a user's function */
         {VM_INFINITY, VM_INFINITY, VM_C(1e-6), VM_INFINITY, 0}, /* forced */
     };
     int i = 0, kind = SLOW;
@@ -216,7 +216,7 @@ VM_API int vmi_osc_collocate_pair(const vm_osc_plan *plan, vm_real t, vmi_osc_po
 }
 
 /* Computes the motion at t by collocation. Returns VM_TOLERANCE_MISSED where the motion is computed, but its estimated
-   error is larger than the tolerance. Returns VM_NOT_INTEGRATED if the time needs more than 2^24 steps, and where
+   error is larger than the tolerance. Returns VM_NOT_INTEGRATED if more than 2^24 steps would be needed, and where
    amplitude and phase do not describe the motion, because mass, stiffness or force change as fast as the phase. Where
    the law of the mass or of the stiffness fails, returns the status of this law. */
 VM_API int vmi_osc_collocate(const vm_osc_plan *plan, int route, vm_real t, vm_real tolerance, vm_osc_motion *motion)

@@ -154,9 +154,9 @@ VM_API int vmi_coupled_reduced_mass(vm_real t, vm_real *f, vm_real *rate, void *
     return VM_OK;
 }
 
-/* The force -mu (m2'/m2 - m1'/m1) V on the relative coordinate p for r = 1 (see the top of this file). For r = 1 the
-   momentum stays constant, so that the velocity V of the mass centre follows from the masses. The function is a
-   vm_osc_force. */
+/* The force -mu (m2'/m2 - m1'/m1) V on the relative coordinate p if `reactive` is 1; mu is the reduced mass. In this
+   case the momentum stays constant, so that the velocity V of the mass centre follows from the masses. The function is
+   a vm_osc_force. */
 VM_API vm_real vmi_coupled_drift(vm_real t, vm_real x, vm_real v, void *ctx)
 {
     const vm_coupled_pair *p = (const vm_coupled_pair *)ctx;
@@ -170,12 +170,12 @@ VM_API vm_real vmi_coupled_drift(vm_real t, vm_real x, vm_real v, void *ctx)
 }
 
 /* Writes the oscillator whose position is p = y - x, the relative coordinate of two bodies with one connection. The
-   routes of routes.h compute its motion. y0 = (x, y, x', y') is the motion at t = 0; pair must outlive *problem. The
-   equation is exact. For r = 1, if the mass centre moves and m1'/m1 differs from m2'/m2, the small force -mu (m2'/m2 -
-   m1'/m1) V of the top of this file also acts on the oscillator. Returns the statuses of vm_coupled_pair_rhs at t = 0.
-   Returns VM_NO_LAW where there is not exactly one connection, where there are further forces, and where `reactive` is
-   neither 0 nor 1, because then the motion of the mass centre depends on the vibration. In these three cases integrate
-   vm_coupled_pair_rhs. */
+   functions of oscillators/routes.h compute its motion. y0 = (x, y, x', y') is the motion at t = 0; pair must outlive
+   *problem. The equation of the oscillator is exact. If `reactive` is 1, if the mass centre moves, and if m1'/m1
+   differs from m2'/m2, the small force -mu (m2'/m2 - m1'/m1) V also acts on the oscillator; mu is the reduced mass, V
+   the velocity of the mass centre. Returns the statuses of vm_coupled_pair_rhs at t = 0. Returns VM_NO_LAW where there
+   is not exactly one connection, where there are further forces, and where `reactive` is neither 0 nor 1, because then
+   the motion of the mass centre depends on the vibration. In these three cases integrate vm_coupled_pair_rhs. */
 VM_API int vm_coupled_pair_oscillator(vm_coupled_pair *pair, const vm_real *y0, vm_osc_problem *problem)
 {
     if (!pair || !y0 || !problem) return VM_BAD_ARGUMENT;

@@ -96,8 +96,8 @@ VM_API vmi_duffing_terms vmi_duffing_inner_terms(const vmi_orbit *orbit)
 }
 
 /* Writes the mean of x^2 over a period to *X, and its derivative with respect to the orbit's size to *X_size. Both are
-   computed from C2 and C4, the means of cn^2 and cn^4. The derivative of C2 with respect to m is 1/2 - 2 C2 + 3 C4/2 -
-   C2^2/(2 m1). */
+   computed from C2 and C4, the means of cn^2 and cn^4. The derivative of C2 with respect to the parameter m of cn is
+   1/2 - 2 C2 + 3 C4/2 - C2^2/(2 m1). */
 VM_API void vmi_duffing_mean_square(const vmi_orbit *orbit, vm_real *X, vm_real *X_size)
 {
     const vm_real k1 = orbit->force->k1, k3 = orbit->force->k3, size = orbit->size, m1 = orbit->m1, C2 = orbit->C2;

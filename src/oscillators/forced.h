@@ -112,10 +112,11 @@ VM_API void vmi_forced_fourier(vm_forced *f)
     }
 }
 
-/* Prepares an excited oscillator: checks its fields at t = 0, and writes pi, Om1, G, c and s. All other functions
-   need this call. Returns VM_BAD_ARGUMENT for a null pointer or a law that no constructor made; VM_NOT_FINITE for a
-   number that is infinite or NaN; VM_BAD_MASS or VM_BAD_STIFFNESS for a mass or a stiffness that is not positive;
-   VM_DOMAIN for alpha < 0 or a frequency that is not positive; VM_OK otherwise. An error leaves f as it was. */
+/* Prepares an excited oscillator: checks its fields at t = 0, and writes pi, Om1, G, c and s. Call it before all other
+   functions for this oscillator. Returns VM_BAD_ARGUMENT for a null pointer or a law that no constructor made;
+   VM_NOT_FINITE for a number that is infinite or NaN; VM_BAD_MASS or VM_BAD_STIFFNESS for a mass or a stiffness that is
+   not positive; VM_DOMAIN for alpha < 0 or a frequency that is not positive; VM_OK otherwise. An error leaves f as it
+   was. */
 VM_API int vm_forced_init(vm_forced *f)
 {
     vmi_forced_parameters now;

@@ -87,10 +87,10 @@ VM_API int vmi_grounded_at(const vm_grounded_pair *p, vm_real t, vmi_grounded_no
 }
 
 /* Prepares a pair of coupled oscillators: checks it at t = 0 and writes the constants of the averaged equations.
-   All other functions need this call. Returns VM_BAD_ARGUMENT for a null pointer, a law that no constructor made, or
-   `vibrations` that are neither both 0 nor both from 1 to 9; VM_NOT_FINITE for a number that is infinite or NaN;
-   VM_BAD_MASS or VM_BAD_STIFFNESS for a mass or a stiffness that is not positive; VM_DOMAIN for alpha < 0; VM_OK
-   otherwise. An error leaves *p as it was. */
+   Call it before all other functions for this pair. Returns VM_BAD_ARGUMENT for a null pointer, a law that no
+   constructor made, or `vibrations` that are neither both 0 nor both from 1 to 9; VM_NOT_FINITE for a number that is
+   infinite or NaN; VM_BAD_MASS or VM_BAD_STIFFNESS for a mass or a stiffness that is not positive; VM_DOMAIN for alpha
+   < 0; VM_OK otherwise. An error leaves *p as it was. */
 VM_API int vm_grounded_pair_init(vm_grounded_pair *p)
 {
     vmi_grounded_now now;

@@ -335,7 +335,8 @@ VM_API vm_real vmi_jeffcott_root(vm_real gyro, vm_real mass, vm_real stiffness, 
 /* Frequency W of circular whirl of radius A, rad/s. By the corrected remark after (516), W solves m W^2 - 2 g W =
    K_e(A). Forward whirl, for sense >= 0, has W > 0. Backward whirl, for sense < 0, has W < 0. A >= 0 is
    in m, mass > 0 in kg. The relative error is at most 8 eps (eps is the machine epsilon), apart from the error of the
-   stiffness. Returns NaN for null pointers, for a rotor without stiffness, and for arguments outside the domain. */
+   stiffness. Returns NaN for null pointers, for a rotor without stiffness, for A < 0, for mass <= 0, and for numbers
+   that are infinite or NaN. */
 VM_API vm_real vm_jeffcott_frequency(const vm_jeffcott *r, vm_real A, vm_real mass, int sense)
 {
     if (!r || !r->stiffness) return VM_NAN;
@@ -470,10 +471,10 @@ VM_API int vmi_jeffcott_find_bracket(vmi_jeffcott_orbit *o, vmi_jeffcott_bracket
    The radius was first_A when the mass was mass0; `mass` is the mass after the change. F_z and u must be 0. These
    products stay constant (509):
      A^4 (g^2 + m K_e(A)) for r = 1, which is the square of A^2 (m W - g);   A^4 K_e(A) m^(2r-1) for g = 0.
-   For F_e = k rho^alpha and g = 0 the radius follows vm_osc_amplitude_law, with mass/mass0 and decay 0; its relative
-   error is then at most 3e-15 (float 3e-6). Returns NaN for g != 0 with r != 1 (then vm_jeffcott_whirl_amplitude finds
-   the radius by integration); where no radius is found on the way from first_A; for null pointers; for a rotor without
-   stiffness; and for a radius or masses that are not positive and finite. */
+   For F_e = k rho^alpha and g = 0 the radius follows vm_osc_amplitude_law with the arguments mass/mass0 and decay = 0;
+   its relative error is then at most 3e-15 (float 3e-6). Returns NaN for g != 0 with r != 1 (then
+   vm_jeffcott_whirl_amplitude finds the radius by integration); where no radius is found on the way from first_A; for
+   null pointers; for a rotor without stiffness; and for a radius or masses that are not positive and finite. */
 VM_API vm_real vm_jeffcott_amplitude(const vm_jeffcott *r, vm_real first_A, vm_real mass0, vm_real mass)
 {
     if (!r || !r->stiffness) return VM_NAN;

@@ -41,7 +41,7 @@ struct VM_TAG(vm_law) {
     vm_real change_time;      /* for vm_law_user only: the shortest time scale, s, on which f changes noticeably; 0 if
                                  it is unknown */
     /* Functions that depend on the kind of law; its constructor sets them. `derivatives` is null where no constructor
-       made the law. If `validate` is null, only f(0) and f(t) are checked. */
+       made the law. `validate` checks the law between 0 and t; if it is null, only f(0) and f(t) are checked. */
     int (*derivatives)(const vm_law *law, vm_real t, int side, vm_real length, vm_real *f);
     int (*validate)(const vm_law *law, int if_not_positive, vm_real t);
     int (*exponential_form)(const vm_law *law, vm_real *base, vm_real *rate); /* null if there is no exponential form */
@@ -84,8 +84,8 @@ VM_API int vmi_law_derivatives(const vm_law *law, int if_not_positive, vm_real t
     return vmi_law_status(law->derivatives(law, t, side, length, f), if_not_positive, orders, f);
 }
 
-/* Does what vmi_law_derivatives does, but only f, f' and f'' are valid and checked. The law must not be a function of
-   the user. */
+/* Does what vmi_law_derivatives does, but only f, f' and f'' are valid and checked. The law must not be one by a user's
+   function. */
 VM_API int vmi_law_two_derivatives(const vm_law *law, int if_not_positive, vm_real t, int side, vm_real *f)
 {
     const vm_real length = 1; /* 1 s; with any positive length f'' is written */
@@ -423,11 +423,10 @@ VM_API int vmi_law_table_validate(const vm_law *law, int if_not_positive, vm_rea
     return VM_OK;
 }
 
-/* Table of n >= 2 points (time[i], value[i]), joined by monotone cubics. A table of fewer points, or with a null
-   pointer, is no law: all functions refuse it with VM_BAD_ARGUMENT. Times (s) must rise, and every t of a call
-   must lie between the first and the last. Between two points the law is a cubic with the slopes of Fritsch and
-   Butland, which neither overshoots nor oscillates. The second derivative of the law jumps at the points of the
-   table. */
+/* Table of n >= 2 points (time[i], value[i]), joined by monotone cubics. For fewer points, or with a null pointer, the
+   result is no law, and all functions refuse it with VM_BAD_ARGUMENT. Times (s) must rise, and every t of a call must
+   lie between the first and the last. Between two points the law is a cubic with the slopes of Fritsch and Butland,
+   which neither overshoots nor oscillates. The second derivative of the law jumps at the points of the table. */
 VM_API vm_law vm_law_table(int n, const vm_real *time, const vm_real *value)
 {
     vm_law law = vmi_law_of(0, 0, 0);
@@ -532,10 +531,10 @@ VM_API int vmi_law_user_validate(const vm_law *law, int if_not_positive, vm_real
     return VM_OK;
 }
 
-/* Law by a user's function, which must be smooth. A null function makes no law: all functions refuse it with
-   VM_BAD_ARGUMENT. The function receives ctx as its last argument. To integrate the law, the time from 0 to t is
-   divided into parts, called panels, and the function is evaluated at 20 points of each panel. A panel is at most
-   |t|/32 long, and is halved where the function changes fast. So a bump exp(-(time/w)^2) is found if w > |t|/3000
+/* Law by a user's function, which must be smooth. If `function` is null, the result is no law, and all functions refuse
+   it with VM_BAD_ARGUMENT. The user's function receives ctx as its last argument. To integrate the law, the time from 0
+   to t is divided into parts, called panels, and the function is evaluated at 20 points of each panel. A panel is at
+   most |t|/32 long, and is halved where the function changes fast. So a bump exp(-(time/w)^2) is found if w > |t|/3000
    (float |t|/2000). If the law changes in a shorter time, set law.change_time to that time, s: then no panel, and no
    step of an integrator, is longer than change_time. A change_time that is negative or less than |t|/2^20 is refused
    with VM_DOMAIN. */

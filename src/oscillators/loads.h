@@ -2,7 +2,7 @@
 
    In the equation of motion of a vm_osc_problem (oscillators/problem.h) mass joins or leaves at rest, u = 0, and the
    damping is constant. The dissertation's equation (248) has the reactive force m' (u - x') with any velocity u along
-   x. A vm_osc_load adds this force, and a damping that depends on time, on the right side:
+   x. A vm_osc_load adds the missing part m' u of this force, and a damping that depends on time, on the right side:
      m x'' + k x|x|^(alpha-1) + (reactive m' + b) x' = reactive m' u(t) - damping(t) x' + force(t, x, x')
    m' is the rate of the mass, u(t) the absolute velocity of the mass that joins or leaves, damping(t) a law that adds
    to the constant b of the problem, and force the problem's own further force, if there was one. Of the routes in
