@@ -112,7 +112,7 @@ VM_API int vm_osc_averaged(const vm_osc_plan *p, int route, vm_real t, vm_real A
     return VM_OK;
 }
 
-/* -- What averaging leaves out -- */
+/* -- The errors of averaging at one moment -- */
 
 /* Number of phases in a period at which the exact rates of ln A and psi are compared with their means */
 enum { VMI_AVERAGING_POINTS = 64 };
@@ -125,8 +125,8 @@ typedef struct VM_TAG(vmi_osc_moment) {
     vm_real A, psi, Om; /* amplitude, m, Ateb phase, and rate of this phase, 1/s */
 } vmi_osc_moment;
 
-/* What averaging leaves out at one moment, as errors of ln A and of the Ateb phase psi. The ripple of a number is its
-   small swing about its mean value within a period. */
+/* The errors of ln A and of the Ateb phase psi that averaging causes at one moment. The ripple of a number is its small
+   swing about its mean value within a period. */
 typedef struct VM_TAG(vmi_osc_averaging) {
     vm_real Om;                 /* rate of the Ateb phase at this moment, 1/s */
     vm_real start_A, start_psi; /* sizes of the ripples of ln A and psi at the phase of this moment */
@@ -224,8 +224,8 @@ VM_API void vmi_osc_find_ripples(const vmi_osc_moment *at, const vm_real *rate_A
     a->ripple = vmi_osc_largest(ripple_A) + vmi_osc_largest(ripple_psi);
 }
 
-/* Finds what averaging leaves out at the time t between 0 and t_end, where the motion has the amplitude A and the
-   Ateb phase psi */
+/* Finds the errors that averaging causes at the time t between 0 and t_end, where the motion has the amplitude A and
+   the Ateb phase psi. */
 VM_API int vmi_osc_averaging_at(const vm_osc_plan *p, const vmi_osc_wave *w, vm_real t, vm_real t_end, vm_real A,
                                 vm_real psi, vmi_osc_averaging *a)
 {

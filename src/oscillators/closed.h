@@ -79,7 +79,8 @@ VM_API vmi_osc_closed_rates vmi_osc_closed_rates_of(const vm_osc_problem *o, con
     return r;
 }
 
-/* Writes E_0 ... E_(n-1), n <= VMI_OSC_G, for the rate W of the phase. */
+/* Writes the numbers E_0 ... E_(n-1) of oscillators/expansion.h, n <= VMI_OSC_G. For t = 0 the argument W is the rate
+   of the mean phase; for another t it is this rate at t = 0 times exp(delta u). */
 VM_API void vmi_osc_closed_disturbance(const vmi_osc_closed_rates *r, vm_real W, int n, vm_real *E)
 {
     const vm_real step = r->delta / W;
@@ -232,7 +233,7 @@ VMI_APART int vmi_osc_closed_check(const vm_osc_problem *o, vm_real t_end, vmi_o
 
 /* An estimate of the error of the motion that is valid at all times from 0 to t_end. E contains the numbers E_k of the
    state at t = 0. Each term of the estimate only rises or only falls with t. Therefore the larger of its values at 0
-   and at t_end is never exceeded between them. */
+   and at t_end is a bound of this term. */
 VM_API vm_real vmi_osc_closed_error(const vm_osc_closed *c, int order, const vm_real *E, vm_real t_end)
 {
     const vmi_ripple *r = &c->ripple;

@@ -149,8 +149,8 @@ VM_API void vmi_osc_by_wave(const vmi_osc_wave *w, vm_real t, vm_real x0, vm_rea
     *v = -VM_COPYSIGN(w->speed * vm_osc_vmax(x0, omega0, w->alpha), x0) * s;
 }
 
-/* Frequency Omega_alpha (293) of the cosine with the exact period of the oscillator, a pure number. It is valid for
-   x0 = omega0 = 1; in general the frequency is Omega_alpha omega0 |x0|^((alpha-1)/2), rad/s. */
+/* Frequency Omega_alpha (293) of the cosine with the exact period of the oscillator, a pure number. It is the frequency
+   for x0 = omega0 = 1; in general the frequency is Omega_alpha omega0 |x0|^((alpha-1)/2), rad/s. */
 VM_API vm_real vm_osc_omega_trig(vm_real alpha) { return VM_PI * vmi_osc_rate(1, 1, alpha) / ateb_pi(alpha); }
 
 /* Approximation x0 cos(Omega t) (291) and its velocity (295), from rest at x0. Amplitude and period are exact. The
@@ -166,9 +166,9 @@ VM_API void vm_osc_trig(vm_real t, vm_real x0, vm_real omega0, vm_real alpha, vm
    -1.8079 < m < 0.8062. */
 VM_API vm_real vm_osc_jacobi_parameter(vm_real alpha) { return jacobi_solve_kpK(ateb_pi(alpha) / (alpha + 1)); }
 
-/* Frequency Omega_1* (300) of the cn with the exact period of the oscillator, a pure number. It is valid for
-   x0 = omega0 = 1; in general the frequency is Omega_1* omega0 |x0|^((alpha-1)/2), 1/s. It is computed by (300), where
-   the quarter period of cn is K = Pi_alpha/((alpha+1) k') by (307). */
+/* Frequency Omega_1* (300) of the cn with the exact period of the oscillator, a pure number. It is the frequency for x0
+   = omega0 = 1; in general the frequency is Omega_1* omega0 |x0|^((alpha-1)/2), 1/s. Omega_1* is computed by (300),
+   where the quarter period of cn is K = Pi_alpha/((alpha+1) k') by (307). */
 VM_API vm_real vm_osc_omega_jacobi(vm_real alpha)
 {
     return VM_SQRT(2 / ((alpha + 1) * jacobi_solve_kpK_m1(ateb_pi(alpha) / (alpha + 1))));

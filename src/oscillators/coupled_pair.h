@@ -51,7 +51,7 @@ typedef struct VM_TAG(vm_coupled_pair) {
     int n;                            /* number of connections, >= 0 */
     const vm_connection *connections; /* n connections; may be null if n is 0 */
     vm_pair_force force;              /* further forces, or NULL */
-    void *ctx;                        /* the user's pointer, last argument of force */
+    void *ctx;                        /* the user's pointer, last argument of the function `force` */
     vm_real momentum;                 /* momentum m1 x' + m2 y' at t = 0, kg m/s; vm_coupled_pair_oscillator writes
                                          it */
 } vm_coupled_pair;
@@ -103,8 +103,8 @@ VM_API int vm_coupled_pair_rhs(vm_real t, const vm_real *y, vm_real *dydt, void 
 
 /* Converts a motion y = (x, y, x', y') of two bodies to the modes (p, p', X, V), m and m/s.
    p = y - x is the relative coordinate and X = (m1 x + m2 y)/(m1 + m2) the mass centre. V = (m1 x' + m2 y')/(m1 + m2)
-   is the velocity of the mass centre of the two bodies as they are at time t. Returns VM_BAD_ARGUMENT for null pointers
-   and the statuses of vm_coupled_pair_rhs. modes and y may be the same array. */
+   is the velocity of the mass centre, for the masses at time t. Returns VM_BAD_ARGUMENT for null pointers, otherwise
+   the statuses of vm_coupled_pair_rhs. modes and y may be the same array. */
 VM_API int vm_coupled_pair_to_modes(const vm_coupled_pair *p, vm_real t, const vm_real *y, vm_real *modes)
 {
     if (!p || !y || !modes) return VM_BAD_ARGUMENT;
@@ -140,7 +140,8 @@ VM_API int vm_coupled_pair_from_modes(const vm_coupled_pair *p, vm_real t, const
     return vmi_copy_if_finite(4, found, y);
 }
 
-/* The reduced mass mu = m1 m2/(m1 + m2) and its rate, a vm_law_function; ctx points to a vm_coupled_pair */
+/* Writes the reduced mass mu = m1 m2/(m1 + m2) and its rate. The function is a vm_law_function; ctx points to a
+   vm_coupled_pair. */
 VM_API int vmi_coupled_reduced_mass(vm_real t, vm_real *f, vm_real *rate, void *ctx)
 {
     vmi_pair_masses now;

@@ -82,7 +82,7 @@ typedef struct VM_TAG(vmi_osc_course) {
     vm_real left;          /* sum of the errors of the phase that the iterations of all steps leave */
     vm_real contraction;   /* factor by which a round of the iteration reduces its error */
     vm_real rate;          /* rate of the phase at the end of the last step, 1/s */
-    vmi_step_waves waves[2];                 /* waves on each part of the half period from psi = -Pi/2 */
+    vmi_step_waves waves[2];                 /* sa, ca and `misses` for each part of a half period */
     vmi_step_rates difference[2][VMI_HISTORY]; /* for each part: rates of the last step that
                                                 covered all of it, and backward differences
                                                 of these rates over such steps */
@@ -367,8 +367,8 @@ VM_API int vmi_osc_sweep(vmi_osc_course *c, vmi_osc_step *s, vm_real *change)
 }
 
 /* Makes rounds of the iteration until the estimated error of the phase is at most c->sweep_limit. The iteration starts
-   from the rates in s->rates. The error after a round is estimated as the change of phase that the round made, times
-   `contraction`. */
+   from the rates in s->rates. The error of the phase after a round is estimated as the change of the phase in this
+   round, times c->contraction. */
 VM_API int vmi_osc_iterate(vmi_osc_course *c, vmi_osc_step *s)
 {
     const vm_real least_contraction = VM_C(0.005); /* least value of c->contraction, since the next steps may converge

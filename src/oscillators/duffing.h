@@ -6,7 +6,8 @@
      c1 > 0, c3 < 0     softening spring: vibrations around 0 with A^2 < -c1/c3; larger motions run away: |x| grows
                         without limit
      c1 < 0, c3 > 0     two wells, at x^2 = -c1/c3: outer vibrations around both, x = A cn, and inner ones in one of
-                        them, x = A dn; the separatrix x = A/cosh between them has an infinite period
+                        them, x = A dn; between these two kinds of motion is the separatrix x = A/cosh with an infinite
+                        period
        vm_real x, v;
        vm_real T = vm_duffing_period(2, 1, VM_C(0.5)); // x'' + x + x^3/2 = 0 from rest at x = 2 m
        vm_duffing_exact_from(T / 8, 2, 0, 1, VM_C(0.5), &x, &v);
@@ -98,7 +99,7 @@ VM_API int vmi_duffing_complete_outer(vmi_orbit *orbit)
     orbit->energy_slope = orbit->size * lambda2;
     orbit->swing = orbit->size;
     orbit->vmax = orbit->size * VM_SQRT(k1 + k3 * square / 2);
-    if (k1 < 0) orbit->vmax = lambda2 / VM_SQRT(2 * k3); /* at x^2 = -k1/k3, where the force is 0 */
+    if (k1 < 0) orbit->vmax = lambda2 / VM_SQRT(2 * k3); /* the velocity at x^2 = -k1/k3, where the force is 0 */
     return VM_OK;
 }
 

@@ -1,7 +1,7 @@
 /* oscillators/forced.h - harmonic excitation of a strongly nonlinear oscillator
 
-   Chapter 8 of the dissertation leaves this problem to the future. Mass m, stiffness k, and the frequency nu and
-   amplitude F of the force may vary slowly; b is the damping, r the share of the reactive force (`reactive`):
+   Chapter 8 of the dissertation leaves harmonic excitation to future work. Mass m, stiffness k, and the frequency nu
+   and amplitude F of the force may vary slowly; b is the damping, r the share of the reactive force (`reactive`):
        m x'' + k x|x|^(alpha-1) = -(r m' + b) x' + F cos(theta),   theta' = nu
    This file has the equation of motion, the exact equations of amplitude and phase, and the averaged ones near the
    main resonance. Steady vibrations, resonance curves and the passage through the resonance are in resonance.h.

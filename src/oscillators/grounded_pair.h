@@ -49,8 +49,8 @@
 typedef struct VM_TAG(vm_grounded_pair) {
     vm_forced oscillator[2]; /* the oscillators: set their fields alpha, damping, reactive, mass and stiffness;
                                 vm_grounded_pair_init writes the other fields */
-    vm_real spring;          /* stiffness kappa of the coupling, N/m, of either sign; it must be weak */
-    vm_real damper;          /* damping c of the coupling, kg/s; it must be weak */
+    vm_real spring;          /* stiffness kappa of the coupling, N/m, of either sign; it must be small */
+    vm_real damper;          /* damping c of the coupling, kg/s; it must be small */
     int vibrations[2];       /* P_0 and P_1, from 1 to 9: at the resonance the bodies make P_0 and P_1 vibrations in the
                                 same time. Set both to 0 where the frequencies are in no resonance */
     vm_real mean[2];         /* means of ca^2 over a period; vm_grounded_pair_init writes this field */
@@ -276,8 +276,8 @@ VM_API int vm_grounded_pair_to_averaged(const vm_grounded_pair *p, vm_real t, co
 
 /* Converts the mean y = (A_0, phi_0, A_1, phi_1) of two weakly coupled oscillators to the motion (x_0, x_1, x_0',
    x_1'). This is the inverse of vm_grounded_pair_to_averaged: it adds the ripples to the mean amplitudes. The statuses
-   are those of vm_grounded_pair_rhs; VM_NOT_FINITE also means that y is infinite or NaN, and VM_DOMAIN that an
-   amplitude is not positive or smaller than its ripple. motion and y may be the same array. */
+   are those of vm_grounded_pair_rhs; VM_NOT_FINITE also means that y is infinite or NaN, and VM_DOMAIN also means that
+   an amplitude is not positive or is smaller than its ripple. motion and y may be the same array. */
 VM_API int vm_grounded_pair_from_averaged(const vm_grounded_pair *p, vm_real t, const vm_real *y, vm_real *motion)
 {
     if (!p || !y || !motion) return VM_BAD_ARGUMENT;

@@ -33,7 +33,7 @@
 
 /* Numbers that suit a Runge-Kutta pair */
 typedef struct VM_TAG(vmi_osc_tuning) {
-    vm_real least;     /* least useful tolerance of a step, because of rounding errors within the step */
+    vm_real least;     /* smallest useful tolerance of a step; rounding errors within a step may be as large */
     vm_real ratio;     /* tolerance of the loose run divided by that of the strict run */
     vm_real factor;    /* estimated error of the strict run, divided by the difference of the two runs */
     vm_real by_chance; /* the estimated error is at least this number times the tolerance of the steps */
@@ -270,7 +270,7 @@ VM_API int vmi_osc_run_once(vmi_osc_run *c, vm_real t, vm_real tolerance, vm_osc
         y[VMI_OSC_X] = ca;
         y[VMI_OSC_V] = -sa;
     } else {
-        options.rtol = -1; /* errors of ln A and psi are absolute */
+        options.rtol = -1; /* no relative tolerance: atol limits the absolute errors of ln A and psi */
         y[VMI_OSC_LN_A] = 0;
         y[VMI_OSC_PSI] = p->psi;
     }

@@ -53,9 +53,9 @@ typedef struct VM_TAG(vm_power_force) {
 typedef struct VM_TAG(vm_jeffcott) {
     vm_law mass;                     /* mass m of the disc, kg, > 0 */
     vm_jeffcott_stiffness stiffness; /* stiffness of the shaft */
-    void *stiffness_ctx;     /* the user's pointer, last argument of stiffness */
+    void *stiffness_ctx;     /* the user's pointer, last argument of the function `stiffness` */
     vm_jeffcott_force force; /* external force F_z, or null; for the averaged equations it must be small */
-    void *force_ctx;         /* the user's pointer, last argument of force */
+    void *force_ctx;         /* the user's pointer, last argument of the function `force` */
     vm_real gyro;            /* g, kg/s: the gyroscopic force is 2 g times the velocity, turned by +90 degrees */
     vm_real reactive;        /* r: 1 where mass joins or leaves with velocity u, 0 where it has the disc's velocity */
     vm_complex u;            /* absolute velocity of mass that joins or leaves, m/s */
@@ -94,9 +94,9 @@ VM_API void vm_jeffcott_polar(vm_complex z, vm_real *rho, vm_real *phi)
     *phi = ateb_phase(z.im, z.re, 1);
 }
 
-/* Angular momentum of a rotor about its axis, with the gyroscopic share, kg m^2/s. It is m Im(conj(z) z') - g |z|^2,
-   where conj(z) = x - i y. It stays constant where r = 1, u = 0 and F_z = 0. The argument v is z'. Returns NaN for a
-   null pointer. */
+/* Angular momentum of a rotor about its axis, with the part of the gyroscopic force, kg m^2/s. It is m Im(conj(z) z') -
+   g |z|^2, where conj(z) = x - i y and -g |z|^2 is the part of the gyroscopic force. It stays constant where r = 1, u =
+   0 and F_z = 0. The argument v is z'. Returns NaN for a null pointer. */
 VM_API vm_real vm_jeffcott_momentum(const vm_jeffcott *r, vm_real mass, vm_complex z, vm_complex v)
 {
     if (!r) return VM_NAN;
@@ -305,10 +305,10 @@ VM_API int vm_jeffcott_exact_rhs(vm_real t, const vm_real *y, vm_real *dydt, voi
 
 /* Averaged equations of forward and backward whirl, for rk45 or rk87. They are the equations of vm_jeffcott_exact_rhs,
    averaged over the fast phase phi while P and N stay constant. The dissertation [1] averages over the angles psi1 and
-   psi2 of the two whirls separately, (474)-(477). That is wrong unless the force turns with z, since both whirls have
-   the same frequency. The error is of the order of the largest perturbation (F_z, u, g, K_e(rho) - K_e(0) or m'), up to
-   times of the order of its inverse. State and statuses are those of vm_jeffcott_exact_rhs. Each call evaluates the
-   forces at `nodes` phases. */
+   psi2 of the two whirls separately, (474)-(477). Such separate averages are wrong unless the force turns with z, since
+   both whirls have the same frequency. The error is of the order of the largest perturbation (F_z, u, g, K_e(rho) -
+   K_e(0) or m'), up to times of the order of the inverse of this perturbation. State and statuses are those of
+   vm_jeffcott_exact_rhs. Each call evaluates the forces at `nodes` phases. */
 VM_API int vm_jeffcott_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
@@ -393,13 +393,14 @@ VM_API int vmi_jeffcott_circular(vm_real t, const vm_real *y, vm_real *dydt, con
 /* Averaged equations (506), (507) of forward whirl, for rk45 or rk87. The nonlinearity may be strong. The motion is
    nearly circular: z = A e^(i psi), z' = i W z with the frequency W of vm_jeffcott_frequency. y = (A, psi) is in m and
    rad; rotor points to a vm_jeffcott. The error of A is of the order of the largest load (by the force F_z, the
-   velocity u or the mass rate m'), up to times of the order of its inverse. Where K_e is not constant, this error adds
-   up in the phase psi. For loads that turn with z, that is loads at a fixed angle to z, the error of psi is at most
-   0.015 in the tests, up to these times. For other loads it is of order 1. The equations are not valid for a linear F_e
-   with loads that do not turn with z, since with these loads the disc does not stay on a circle. Returns
-   VM_BAD_ARGUMENT for null pointers and for a rotor without mass or stiffness; VM_NOT_FINITE for a number that is
-   infinite or NaN; VM_BAD_MASS for a mass that is not positive; VM_BAD_STIFFNESS if g^2 + m K_e(A) is not positive;
-   VM_DOMAIN for t outside a table of the mass. Each call evaluates the force at `nodes` phases. */
+   velocity u or the mass rate m'), up to times of the order of the inverse of this load. Where K_e is not constant, the
+   error of A causes an error of the phase psi that grows with time. For loads that turn with z, that is loads at a
+   fixed angle to z, the error of psi is at most 0.015 in the tests, up to these times. For other loads it is of order
+   1. The equations are not valid for a linear F_e with loads that do not turn with z, since with these loads the disc
+   does not stay on a circle. Returns VM_BAD_ARGUMENT for null pointers and for a rotor without mass or stiffness;
+   VM_NOT_FINITE for a number that is infinite or NaN; VM_BAD_MASS for a mass that is not positive; VM_BAD_STIFFNESS if
+   g^2 + m K_e(A) is not positive; VM_DOMAIN for t outside a table of the mass. Each call evaluates the force at `nodes`
+   phases. */
 VM_API int vm_jeffcott_forward_whirl_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;

@@ -97,7 +97,7 @@ VM_API vm_real vm_jeffcott_whirl_amplitude(const vm_jeffcott *r, vm_real first_A
     change.mass0 = mass0;
     change.sense = sense;
     options.atol = tolerance;
-    options.rtol = -1; /* errors of ln A are absolute */
+    options.rtol = -1; /* no relative tolerance: atol limits the absolute error of ln A */
     if (rk87_init(&run, vmi_jeffcott_change_rhs, &change, 1, 0, &y, &options, work) < 0) return VM_NAN;
     if (rk87_solve(&run, vmi_log(mass / mass0).hi) < 0) return VM_NAN;
     return first_A * vmi_exp(run.y[0], 0);

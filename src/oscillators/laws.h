@@ -37,7 +37,7 @@ struct VM_TAG(vm_law) {
     const vm_real *time;      /* n times of a table, s, rising; else null */
     const vm_real *value;     /* n values of a table, in the unit of f; else null */
     vm_law_function function; /* the user's function for vm_law_user; else null */
-    void *ctx;                /* the user's pointer, last argument of function */
+    void *ctx;                /* the user's pointer, last argument of the function `function` */
     vm_real change_time;      /* for vm_law_user only: the shortest time scale, s, on which f changes noticeably; 0 if
                                  it is unknown */
     /* Functions that depend on the kind of law; its constructor sets them. `derivatives` is null where no constructor
@@ -57,8 +57,8 @@ VM_API int vmi_time_side(vm_real length) { return length < 0 ? -1 : 1; }
    f[6] */
 enum { VMI_LAW_ORDERS = 7 };
 
-/* Returns the status of a law whose function `derivatives` wrote numbers to f and returned `status`, after a check of
-   the first n of these numbers. The argument if_not_positive is explained at vmi_law_derivatives. */
+/* Returns the final status of a law: its function `derivatives` returned `status` and wrote numbers to f, of which the
+   first n are checked here. The argument if_not_positive is explained at vmi_law_derivatives. */
 VM_API int vmi_law_status(int status, int if_not_positive, int n, const vm_real *f)
 {
     vm_real sum = 0; /* sum of f[i] - f[i], which is 0, or NaN if a number is infinite or NaN */

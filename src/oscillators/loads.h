@@ -32,18 +32,18 @@ typedef struct VM_TAG(vm_osc_load) {
     vm_law mass;        /* mass m(t) of the oscillator, kg, whose rate m' the thrust needs */
     vm_law u;           /* velocity of the mass that joins or leaves, m/s */
     vm_law damping;     /* damping, kg/s, in addition to the damping of the problem; positive takes energy out */
-    vm_real reactive;   /* share of the thrust m' u that acts; the init function copies it from the problem. If u is the
-                           velocity relative to the oscillator, let the problem's `reactive` be 0, and set this field to
-                           1 after the init function. */
+    vm_real reactive;   /* share of the thrust m' u that acts; vm_osc_load_init copies it from the problem. If u is the
+                           velocity relative to the oscillator, set the field `reactive` of the problem to 0, call
+                           vm_osc_load_init, and then set this field to 1. */
     vm_osc_force force; /* the further force that the problem had before, or NULL */
-    void *ctx;          /* the user's pointer, last argument of force */
+    void *ctx;          /* the user's pointer, last argument of the function `force` */
 } vm_osc_load;
 
 /* Force of a vm_osc_load on an oscillator, N: reactive m' u(t) - damping(t) v + force(t, x, v).
    The function is a vm_osc_force, which vm_osc_load_init makes the force of a problem. Its last argument `load` points
-   to the vm_osc_load. t is the time (s), x the position (m) and v the velocity (m/s). The laws of mass, u and damping
-   are evaluated once. Returns NaN for a null pointer, for arguments that are infinite or NaN, and where a law has no
-   value at t; the routes then return VM_NOT_INTEGRATED or VM_NOT_FINITE. */
+   to the vm_osc_load. t is the time (s), x the position (m) and v the velocity (m/s). Each call evaluates the laws of
+   mass, u and damping once. Returns NaN for a null pointer, for arguments that are infinite or NaN, and where a law has
+   no value at t; the functions of oscillators/routes.h then return VM_NOT_INTEGRATED or VM_NOT_FINITE. */
 VM_API vm_real vm_osc_load_force(vm_real t, vm_real x, vm_real v, void *load)
 {
     if (!load) return VM_NAN;
