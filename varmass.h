@@ -8877,7 +8877,7 @@ struct VM_TAG(vm_law) {
     const vm_real *time;      /* n times of a table, s, rising; else null */
     const vm_real *value;     /* n values of a table, in the unit of f; else null */
     vm_law_function function; /* the user's function for vm_law_user; else null */
-    void *ctx;                /* the user's pointer, last argument of the function `function` */
+    void *ctx;                /* the user's pointer, last argument of this function */
     vm_real change_time;      /* for vm_law_user only: the shortest time scale, s, on which f changes noticeably; 0 if
                                  it is unknown */
     /* Functions that depend on the kind of law; its constructor sets them. `derivatives` is null where no constructor
