@@ -8856,8 +8856,8 @@ VM_API vm_real vmi_legendre_tail(const vm_real *coefficient)
        vm_real m, rate;
        int status = vm_law_at(&mass, 20, &m, &rate); // 8 kg, -0.1 kg/s
    Each kind of law has a section below, with its own functions and the constructor that makes a vm_law point to them.
-   No code outside the section depends on the kind. vm_law_inverse_integral (oscillators/panels.h) integrates 1/f from
-   0 to t.
+   No code outside this section depends on the kind of the law. vm_law_inverse_integral (oscillators/panels.h)
+   integrates 1/f from 0 to t.
    Tests: tests/test_laws.c. */
 #ifndef VARMASS_OSCILLATORS_LAWS_H
 #define VARMASS_OSCILLATORS_LAWS_H
@@ -8924,8 +8924,8 @@ VM_API int vmi_law_derivatives(const vm_law *law, int if_not_positive, vm_real t
     return vmi_law_status(law->derivatives(law, t, side, length, f), if_not_positive, orders, f);
 }
 
-/* Does what vmi_law_derivatives does, but only f, f' and f'' are valid and checked. The law must not be one by a user's
-   function. */
+/* Does what vmi_law_derivatives does, but only f, f' and f'' are valid and checked. The law must not be made by
+   vm_law_user. */
 VM_API int vmi_law_two_derivatives(const vm_law *law, int if_not_positive, vm_real t, int side, vm_real *f)
 {
     const vm_real length = 1; /* 1 s; with any positive length f'' is written */
@@ -9512,7 +9512,7 @@ VM_API int vmi_osc_check_problem(const vm_osc_problem *o, vm_real t, vm_real *ma
 typedef struct VM_TAG(vm_osc_load) {
     vm_law mass;        /* mass m(t) of the oscillator, kg, whose rate m' the thrust needs */
     vm_law u;           /* velocity of the mass that joins or leaves, m/s */
-    vm_law damping;     /* damping, kg/s, in addition to the damping of the problem; positive takes energy out */
+    vm_law damping;     /* damping, kg/s, in addition to the damping of the problem; a positive one takes energy out */
     vm_real reactive;   /* share of the thrust m' u that acts; vm_osc_load_init copies it from the problem. If u is the
                            velocity relative to the oscillator, set the field `reactive` of the problem to 0, call
                            vm_osc_load_init, and then set this field to 1. */
@@ -12841,7 +12841,7 @@ VM_API int vmi_osc_course_rates(const vmi_osc_course *c, const vmi_osc_step *s, 
 {
     const vm_osc_plan *plan = c->plan;
     const vm_osc_problem *o = &plan->problem;
-    const vm_real least_rate = VM_C(0.03); /* below this quotient psi'/W the motion is no vibration */
+    const vm_real least_rate = VM_C(0.03); /* if psi'/W is below this number, the motion is no vibration */
     const vm_real n = o->alpha + 1, sa = s->sign * s->waves->sa[i], ca = s->sign * s->waves->ca[i];
     const vmi_osc_rates *now = &at->now;
     const vm_real omega_ratio = VM_SQRT((now->k / plan->k0) / (now->m / plan->m0));
@@ -13115,8 +13115,8 @@ VM_API vm_real vmi_osc_find_part(const vmi_osc_course *c, const vmi_osc_step *s,
     return c->rule.graded ? vmi_graded(part) : part;
 }
 
-/* Makes a step that ends at c->stop. It replaces the longer step `beyond`, which would go past this time. `certain` is
-   0 if the end of `beyond` is only a prediction. If in this case the step to c->stop is longer than `beyond`, the run
+/* Makes a step that ends at c->stop. It replaces the longer step `beyond`, which would go past c->stop. `certain` is 0
+   if the end of `beyond` is only a prediction. If in this case the step to c->stop is longer than `beyond`, the run
    stays unchanged, since no step may cross a zero of x. */
 VM_API int vmi_osc_land(vmi_osc_course *c, const vmi_osc_step *beyond, int certain)
 {
@@ -15004,7 +15004,7 @@ VM_API vm_odd_force vm_duffing_force_of_laws(const struct VM_TAG(vm_law) *laws)
     return force;
 }
 
-/* -- Constant mass: functions of numbers -- */
+/* -- Constant mass: energy, period, action and exact motion -- */
 
 /* Energy per unit mass of Duffing's oscillator, v^2/2 + c1 x^2/2 + c3 x^4/4, m^2/s^2.
    It is conserved. Returns NaN for infinite arguments. */
@@ -15066,8 +15066,8 @@ VM_API void vmi_duffing_on_separatrix(vm_real t, vm_real x0, vm_real v0, vm_real
 /* Exact motion x(t), v(t) of Duffing's oscillator x'' + c1 x + c3 x^3 = 0 from x0 (m) and v0 (m/s).
    c1 = k1/m is in 1/s^2, c3 = k3/m in 1/(m s)^2; each may have either sign. The errors of x and v are at most 32 eps
    of the amplitude and of the largest velocity, times 1 + t/period, where no terms of the sums c1 + c3 A^2 and c1 + c3
-   A^2/2 cancel. A is the amplitude. Writes NaN where the motion runs away and for infinite arguments, and
-   nothing where an output is null. Equations: DLMF 22.19(ii). */
+   A^2/2 cancel. A is the amplitude. Writes NaN where the motion runs away and for infinite arguments, and nothing where
+   the pointer to an output is null. Equations: DLMF 22.19(ii). */
 VM_API void vm_duffing_exact_from(vm_real t, vm_real x0, vm_real v0, vm_real c1, vm_real c3, vm_real *x, vm_real *v)
 {
     if (!x || !v) return;
@@ -18980,7 +18980,7 @@ typedef struct VM_TAG(vm_coupled_pair) {
     vm_law mass[2];                   /* masses m1 and m2 of the bodies at x and y, kg, > 0 */
     vm_real reactive;                 /* r: 1 where mass that joins or leaves is at rest, 0 where it has the velocity of
                                          its body; numbers between are allowed */
-    vm_real damping;                  /* damping b of the connection, kg/s; positive takes energy out */
+    vm_real damping;                  /* damping b of the connection, kg/s; a positive b takes energy out */
     int n;                            /* number of connections, >= 0 */
     const vm_connection *connections; /* n connections; may be null if n is 0 */
     vm_pair_force force;              /* further forces, or NULL */

@@ -47,7 +47,7 @@ typedef struct VM_TAG(vm_coupled_pair) {
     vm_law mass[2];                   /* masses m1 and m2 of the bodies at x and y, kg, > 0 */
     vm_real reactive;                 /* r: 1 where mass that joins or leaves is at rest, 0 where it has the velocity of
                                          its body; numbers between are allowed */
-    vm_real damping;                  /* damping b of the connection, kg/s; positive takes energy out */
+    vm_real damping;                  /* damping b of the connection, kg/s; a positive b takes energy out */
     int n;                            /* number of connections, >= 0 */
     const vm_connection *connections; /* n connections; may be null if n is 0 */
     vm_pair_force force;              /* further forces, or NULL */

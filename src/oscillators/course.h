@@ -223,7 +223,7 @@ VM_API int vmi_osc_course_rates(const vmi_osc_course *c, const vmi_osc_step *s, 
 {
     const vm_osc_plan *plan = c->plan;
     const vm_osc_problem *o = &plan->problem;
-    const vm_real least_rate = VM_C(0.03); /* below this quotient psi'/W the motion is no vibration */
+    const vm_real least_rate = VM_C(0.03); /* if psi'/W is below this number, the motion is no vibration */
     const vm_real n = o->alpha + 1, sa = s->sign * s->waves->sa[i], ca = s->sign * s->waves->ca[i];
     const vmi_osc_rates *now = &at->now;
     const vm_real omega_ratio = VM_SQRT((now->k / plan->k0) / (now->m / plan->m0));
@@ -497,8 +497,8 @@ VM_API vm_real vmi_osc_find_part(const vmi_osc_course *c, const vmi_osc_step *s,
     return c->rule.graded ? vmi_graded(part) : part;
 }
 
-/* Makes a step that ends at c->stop. It replaces the longer step `beyond`, which would go past this time. `certain` is
-   0 if the end of `beyond` is only a prediction. If in this case the step to c->stop is longer than `beyond`, the run
+/* Makes a step that ends at c->stop. It replaces the longer step `beyond`, which would go past c->stop. `certain` is 0
+   if the end of `beyond` is only a prediction. If in this case the step to c->stop is longer than `beyond`, the run
    stays unchanged, since no step may cross a zero of x. */
 VM_API int vmi_osc_land(vmi_osc_course *c, const vmi_osc_step *beyond, int certain)
 {

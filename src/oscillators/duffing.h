@@ -260,7 +260,7 @@ VM_API vm_odd_force vm_duffing_force_of_laws(const struct VM_TAG(vm_law) *laws)
     return force;
 }
 
-/* -- Constant mass: functions of numbers -- */
+/* -- Constant mass: energy, period, action and exact motion -- */
 
 /* Energy per unit mass of Duffing's oscillator, v^2/2 + c1 x^2/2 + c3 x^4/4, m^2/s^2.
    It is conserved. Returns NaN for infinite arguments. */
@@ -322,8 +322,8 @@ VM_API void vmi_duffing_on_separatrix(vm_real t, vm_real x0, vm_real v0, vm_real
 /* Exact motion x(t), v(t) of Duffing's oscillator x'' + c1 x + c3 x^3 = 0 from x0 (m) and v0 (m/s).
    c1 = k1/m is in 1/s^2, c3 = k3/m in 1/(m s)^2; each may have either sign. The errors of x and v are at most 32 eps
    of the amplitude and of the largest velocity, times 1 + t/period, where no terms of the sums c1 + c3 A^2 and c1 + c3
-   A^2/2 cancel. A is the amplitude. Writes NaN where the motion runs away and for infinite arguments, and
-   nothing where an output is null. Equations: DLMF 22.19(ii). */
+   A^2/2 cancel. A is the amplitude. Writes NaN where the motion runs away and for infinite arguments, and nothing where
+   the pointer to an output is null. Equations: DLMF 22.19(ii). */
 VM_API void vm_duffing_exact_from(vm_real t, vm_real x0, vm_real v0, vm_real c1, vm_real c3, vm_real *x, vm_real *v)
 {
     if (!x || !v) return;

@@ -8,8 +8,8 @@
        vm_real m, rate;
        int status = vm_law_at(&mass, 20, &m, &rate); // 8 kg, -0.1 kg/s
    Each kind of law has a section below, with its own functions and the constructor that makes a vm_law point to them.
-   No code outside the section depends on the kind. vm_law_inverse_integral (oscillators/panels.h) integrates 1/f from
-   0 to t.
+   No code outside this section depends on the kind of the law. vm_law_inverse_integral (oscillators/panels.h)
+   integrates 1/f from 0 to t.
    Tests: tests/test_laws.c. */
 #ifndef VARMASS_OSCILLATORS_LAWS_H
 #define VARMASS_OSCILLATORS_LAWS_H
@@ -84,8 +84,8 @@ VM_API int vmi_law_derivatives(const vm_law *law, int if_not_positive, vm_real t
     return vmi_law_status(law->derivatives(law, t, side, length, f), if_not_positive, orders, f);
 }
 
-/* Does what vmi_law_derivatives does, but only f, f' and f'' are valid and checked. The law must not be one by a user's
-   function. */
+/* Does what vmi_law_derivatives does, but only f, f' and f'' are valid and checked. The law must not be made by
+   vm_law_user. */
 VM_API int vmi_law_two_derivatives(const vm_law *law, int if_not_positive, vm_real t, int side, vm_real *f)
 {
     const vm_real length = 1; /* 1 s; with any positive length f'' is written */

@@ -31,7 +31,7 @@
 typedef struct VM_TAG(vm_osc_load) {
     vm_law mass;        /* mass m(t) of the oscillator, kg, whose rate m' the thrust needs */
     vm_law u;           /* velocity of the mass that joins or leaves, m/s */
-    vm_law damping;     /* damping, kg/s, in addition to the damping of the problem; positive takes energy out */
+    vm_law damping;     /* damping, kg/s, in addition to the damping of the problem; a positive one takes energy out */
     vm_real reactive;   /* share of the thrust m' u that acts; vm_osc_load_init copies it from the problem. If u is the
                            velocity relative to the oscillator, set the field `reactive` of the problem to 0, call
                            vm_osc_load_init, and then set this field to 1. */
