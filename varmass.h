@@ -399,7 +399,7 @@
      oscillators/jeffcott: the Jeffcott (Laval) rotor with variable mass
        vm_jeffcott_power              Stiffness K_e(rho) = F_e(rho)/rho = k rho^(alpha-1) of a power law, as a vm_jeffcott_stiffness
        vm_jeffcott_polar              Polar coordinates (448) of the disc's centre
-       vm_jeffcott_momentum           Angular momentum of a rotor about its axis, with the gyroscopic share, kg m^2/s
+       vm_jeffcott_momentum           Angular momentum of a rotor about its axis, with the part of the gyroscopic force, kg m^2/s
        vm_jeffcott_rhs                Equation of motion (449), (450) of a rotor, for rk45 or rk87
        vm_jeffcott_to_averaged        Converts the motion (x, y, x', y') of a rotor to forward and backward whirl, (456)-(461)
        vm_jeffcott_from_averaged      Converts forward and backward whirl of a rotor to the motion (x, y, x', y')
@@ -8680,8 +8680,8 @@ VM_API void vmi_osc_wave_differences(const vmi_osc_wave *w, vm_real pi, vm_real 
        vm_real T = vm_osc_period(2, 1, VM_C(1.5)), x, v; // x'' = -x|x|^0.5 from x = 2 at rest
        vm_osc_exact(T / 8, 2, 1, VM_C(1.5), &x, &v);
    The functions return or write NaN for alpha < 0 and for infinite arguments, and functions with outputs write nothing
-   where the pointer to an output is null. With x in metres the unit of omega0 is metre^((1-alpha)/2)/s. Symbols: A
-   amplitude, psi Ateb phase, Om the rate of psi.
+   where the pointer to an output is null. With x in metres the unit of omega0 is metre^((1-alpha)/2)/s. Symbols: A is
+   the amplitude, psi the Ateb phase, Om the rate of psi.
    Tests: tests/test_constant_mass.c. */
 #ifndef VARMASS_OSCILLATORS_CONSTANT_MASS_H
 #define VARMASS_OSCILLATORS_CONSTANT_MASS_H
@@ -8690,11 +8690,11 @@ VM_API void vmi_osc_wave_differences(const vmi_osc_wave *w, vm_real pi, vm_real 
 VM_API int vmi_osc_alpha_is_valid(vm_real alpha) { return alpha >= 0 && VM_IS_FINITE(alpha); }
 
 /* Om, the rate of the Ateb phase psi at the amplitude |x0|: sqrt((alpha+1)/2) omega0 |x0|^((alpha-1)/2), 1/s. Returns
-   NaN outside the domain. */
+   NaN for alpha < 0 and for arguments that are infinite or NaN. */
 VM_API vm_real vmi_osc_rate(vm_real x0, vm_real omega0, vm_real alpha)
 {
     if (!vmi_osc_alpha_is_valid(alpha) || !VM_IS_FINITE(x0) || !VM_IS_FINITE(omega0)) return VM_NAN;
-    if (omega0 == 0) return 0; /* the power may be infinite */
+    if (omega0 == 0) return 0; /* the power of |x0| may be infinite */
     return VM_SQRT((alpha + 1) / 2) * VM_FABS(omega0) * vmi_pow_checked(VM_FABS(x0), (alpha - 1) / 2);
 }
 
@@ -8790,8 +8790,8 @@ VM_API void vm_osc_exact_from(vm_real t, vm_real x0, vm_real v0, vm_real omega0,
 }
 
 /* The mean of |ca|^power over a period. It is B(q, 1/2)/Pi_alpha with q = (power+1)/(alpha+1) and Euler's beta function
-   B; the argument pi is Pi_alpha. For q <= 1, B(q, 1/2) is Pi_alpha of the exponent alpha = 1/q - 1; for larger q it
-   follows from the recurrence formula of B. `constants` is the function that computes Pi. */
+   B; the argument pi is Pi_alpha. For q <= 1, B(q, 1/2) is Pi_alpha of another exponent, 1/q - 1; for larger q it
+   follows from the recurrence formula of B. `constants` is the function that computes Pi_alpha of a given exponent. */
 VM_API vm_real vmi_osc_mean_ca(vm_real power, vm_real alpha, vm_real pi, vmi_ateb_constants_of constants)
 {
     vm_real q = (power + 1) / (alpha + 1), factor = 1;
@@ -8812,8 +8812,8 @@ VM_API void vmi_osc_by_wave(const vmi_osc_wave *w, vm_real t, vm_real x0, vm_rea
     *v = -VM_COPYSIGN(w->speed * vm_osc_vmax(x0, omega0, w->alpha), x0) * s;
 }
 
-/* Frequency Omega_alpha (293) of the cosine with the exact period of the oscillator, a pure number. It is valid for
-   x0 = omega0 = 1; in general the frequency is Omega_alpha omega0 |x0|^((alpha-1)/2), rad/s. */
+/* Frequency Omega_alpha (293) of the cosine with the exact period of the oscillator, a pure number. It is the frequency
+   for x0 = omega0 = 1; in general the frequency is Omega_alpha omega0 |x0|^((alpha-1)/2), rad/s. */
 VM_API vm_real vm_osc_omega_trig(vm_real alpha) { return VM_PI * vmi_osc_rate(1, 1, alpha) / ateb_pi(alpha); }
 
 /* Approximation x0 cos(Omega t) (291) and its velocity (295), from rest at x0. Amplitude and period are exact. The
@@ -8829,9 +8829,9 @@ VM_API void vm_osc_trig(vm_real t, vm_real x0, vm_real omega0, vm_real alpha, vm
    -1.8079 < m < 0.8062. */
 VM_API vm_real vm_osc_jacobi_parameter(vm_real alpha) { return jacobi_solve_kpK(ateb_pi(alpha) / (alpha + 1)); }
 
-/* Frequency Omega_1* (300) of the cn with the exact period of the oscillator, a pure number. It is valid for
-   x0 = omega0 = 1; in general the frequency is Omega_1* omega0 |x0|^((alpha-1)/2), 1/s. It is computed by (300), where
-   the quarter period of cn is K = Pi_alpha/((alpha+1) k') by (307). */
+/* Frequency Omega_1* (300) of the cn with the exact period of the oscillator, a pure number. It is the frequency for x0
+   = omega0 = 1; in general the frequency is Omega_1* omega0 |x0|^((alpha-1)/2), 1/s. Omega_1* is computed by (300),
+   where the quarter period of cn is K = Pi_alpha/((alpha+1) k') by (307). */
 VM_API vm_real vm_osc_omega_jacobi(vm_real alpha)
 {
     return VM_SQRT(2 / ((alpha + 1) * jacobi_solve_kpK_m1(ateb_pi(alpha) / (alpha + 1))));
@@ -8848,18 +8848,18 @@ VM_API void vm_osc_jacobi(vm_real t, vm_real x0, vm_real omega0, vm_real alpha, 
 }
 
 /* The result of vm_osc_approximation_errors: ratios of largest velocities (268), and largest errors in a period. All
-   are pure numbers. */
+   these fields are pure numbers. */
 typedef struct VM_TAG(vm_osc_errors) {
     vm_real trig_vmax;          /* largest velocity of the cosine (296) divided by the exact one (267) */
-    vm_real jacobi_vmax;        /* largest velocity of cn divided by the exact one. At x = 0 cn has the velocity k'
-                                   Omega_1 (306), but for m > 1/2 a larger one, Omega_1/(2k), where
-                                   cn^2 = 1 - 1/(2m) */
+    vm_real jacobi_vmax;        /* largest velocity of cn divided by the exact one (267). For m <= 1/2 the velocity of
+                                   cn is largest at x = 0, where it is k' Omega_1 (306); for m > 1/2 it is largest where
+                                   cn^2 = 1 - 1/(2m), namely Omega_1/(2k) */
     vm_real trig_x, trig_v;     /* largest errors of the cosine, of x relative to x0 and of v relative to vmax */
     vm_real jacobi_x, jacobi_v; /* largest errors of cn, of x relative to x0 and of v relative to vmax */
 } vm_osc_errors;
 
-/* Errors of the approximations by cos and cn, as the fields of vm_osc_errors. They depend on alpha alone. The largest
-   errors in a period are found from 257 points of a quarter of the period. */
+/* Errors of the approximations by cos and cn, as the fields of vm_osc_errors. The errors depend on alpha alone. The
+   largest errors in a period are found from 257 points of a quarter of the period. */
 VM_API vm_osc_errors vm_osc_approximation_errors(vm_real alpha)
 {
     const vm_real pi = ateb_pi(alpha);
@@ -8882,8 +8882,8 @@ VM_API vm_osc_errors vm_osc_approximation_errors(vm_real alpha)
    A smooth function on [-1, 1] is represented by the series sum coefficient[k] P_k(x), k = 0 ... 19, with Legendre's
    polynomials P_k. Its integral over [-1, 1] is 2 coefficient[0]. vmi_legendre_fit finds the coefficients from the
    values at the points of Gauss' rule. The other functions evaluate, integrate and differentiate the series, and
-   measure its size. The files laws.h, averaging.h, panels.h, walk.h and collocation.h use this one.
-   Tests: tests/test_laws.c, tests/test_routes.c. */
+   measure its size. The files laws.h, averaging.h, panels.h, walk.h and collocation.h use these functions. Tests:
+   tests/test_laws.c, tests/test_routes.c. */
 #ifndef VARMASS_OSCILLATORS_LEGENDRE_H
 #define VARMASS_OSCILLATORS_LEGENDRE_H
 
@@ -9018,19 +9018,20 @@ VM_API vm_real vmi_legendre_tail(const vm_real *coefficient)
        vm_real m, rate;
        int status = vm_law_at(&mass, 20, &m, &rate); // 8 kg, -0.1 kg/s
    Each kind of law has a section below, with its own functions and the constructor that makes a vm_law point to them.
-   No code outside the section depends on the kind. vm_law_inverse_integral (oscillators/panels.h) integrates 1/f from
-   0 to t.
+   No code outside this section depends on the kind of the law. vm_law_inverse_integral (oscillators/panels.h)
+   integrates 1/f from 0 to t.
    Tests: tests/test_laws.c. */
 #ifndef VARMASS_OSCILLATORS_LAWS_H
 #define VARMASS_OSCILLATORS_LAWS_H
 
-/* A user's law: writes f(t) and its rate df/dt, and returns 0, or another number where it fails. f must be smooth. */
+/* A user's function for a law: writes f(t) and its rate df/dt, and returns 0, or another number where it fails. f must
+   be smooth. */
 typedef int (*vm_law_function)(vm_real t, vm_real *f, vm_real *rate, void *ctx);
 
 /* The law of a mass, a stiffness or another number f(t). The constructors vm_law_linear, vm_law_table ... fill it;
-   only change_time may be set by hand. The law points to the arrays of its table and to the user's function and ctx,
-   which must outlive it. It also points to functions of this header, so on a GPU the constructor must be called on
-   the GPU. */
+   only change_time may be set by hand. The law points to the arrays of its table, to the user's function and to ctx;
+   they must exist as long as the law is used. The law also points to functions of this header, so on a GPU the
+   constructor must be called on the GPU. */
 typedef struct VM_TAG(vm_law) vm_law;
 struct VM_TAG(vm_law) {
     vm_real f0, f1, f2;       /* arguments of the constructor, in their order; 0 for tables and functions */
@@ -9038,26 +9039,28 @@ struct VM_TAG(vm_law) {
     const vm_real *time;      /* n times of a table, s, rising; else null */
     const vm_real *value;     /* n values of a table, in the unit of f; else null */
     vm_law_function function; /* the user's function for vm_law_user; else null */
-    void *ctx;                /* the user's pointer, last argument of function */
+    void *ctx;                /* the user's pointer, last argument of this function */
     vm_real change_time;      /* for vm_law_user only: the shortest time scale, s, on which f changes noticeably; 0 if
                                  it is unknown */
     /* Functions that depend on the kind of law; its constructor sets them. `derivatives` is null where no constructor
-       made the law. If `validate` is null, only f(0) and f(t) are checked. */
+       made the law. `validate` checks the law between 0 and t; if it is null, only f(0) and f(t) are checked. */
     int (*derivatives)(const vm_law *law, vm_real t, int side, vm_real length, vm_real *f);
     int (*validate)(const vm_law *law, int if_not_positive, vm_real t);
-    int (*exponential_form)(const vm_law *law, vm_real *base, vm_real *rate); /* null if the law has no such form */
+    int (*exponential_form)(const vm_law *law, vm_real *base, vm_real *rate); /* null if there is no exponential form */
     vm_real (*inverse_integral)(const vm_law *law, vm_real t);                /* null if there is no closed form */
 };
 
 /* -- What every kind of law shares -- */
 
-/* The direction of an interval of time whose length has a sign: 1 forward, -1 backward */
+/* The direction of an interval of time: 1 forward if its length is positive or 0, -1 backward if it is negative */
 VM_API int vmi_time_side(vm_real length) { return length < 0 ? -1 : 1; }
 
-/* How many numbers the function `derivatives` of a law writes: f and its first six derivatives in f[0] ... f[6] */
+/* The number of values that the function `derivatives` of a law writes: f and its first six derivatives, to f[0] ...
+   f[6] */
 enum { VMI_LAW_ORDERS = 7 };
 
-/* Checks the first n numbers that a law's function `derivatives` wrote to f when it returned `status`. */
+/* Returns the final status of a law: its function `derivatives` returned `status` and wrote numbers to f, of which the
+   first n are checked here. The argument if_not_positive is explained at vmi_law_derivatives. */
 VM_API int vmi_law_status(int status, int if_not_positive, int n, const vm_real *f)
 {
     vm_real sum = 0; /* sum of f[i] - f[i], which is 0, or NaN if a number is infinite or NaN */
@@ -9071,10 +9074,10 @@ VM_API int vmi_law_status(int status, int if_not_positive, int n, const vm_real 
 }
 
 /* Writes the value of a law and its derivatives at t to f[0], f[1] ... A constructor must have made the law. Where a
-   derivative jumps at t, side = 1 asks for its value after t, side = -1 for its value before t. With length = 0 only f
-   and f' are written. A positive length, s, asks for all six derivatives. For a user's function they are found from the
-   rates that the function returns between t and t + side length. if_not_positive is the status for f <= 0, for example
-   VM_BAD_MASS for a mass; it is VM_OK where f may have any sign. */
+   derivative jumps at t, its value after t is written for side = 1, its value before t for side = -1. With length = 0
+   only f and f' are written; with a positive length, s, all six derivatives. For a user's function the higher
+   derivatives are found from the rates that the function returns between t and t + side length. if_not_positive is the
+   status that is returned for f <= 0, for example VM_BAD_MASS for a mass; it is VM_OK where f may have any sign. */
 VM_API int vmi_law_derivatives(const vm_law *law, int if_not_positive, vm_real t, int side, vm_real length, vm_real *f)
 {
     const int orders = length > 0 ? VMI_LAW_ORDERS : 2;
@@ -9083,11 +9086,11 @@ VM_API int vmi_law_derivatives(const vm_law *law, int if_not_positive, vm_real t
     return vmi_law_status(law->derivatives(law, t, side, length, f), if_not_positive, orders, f);
 }
 
-/* Does what vmi_law_derivatives does, but only f, f' and f'' are valid and checked. The law must not be a function of
-   the user. */
+/* Does what vmi_law_derivatives does, but only f, f' and f'' are valid and checked. The law must not be made by
+   vm_law_user. */
 VM_API int vmi_law_two_derivatives(const vm_law *law, int if_not_positive, vm_real t, int side, vm_real *f)
 {
-    const vm_real length = 1; /* 1 s; any positive length asks for f'' */
+    const vm_real length = 1; /* 1 s; with any positive length f'' is written */
     f[2] = 0;
     return vmi_law_status(law->derivatives(law, t, side, length, f), if_not_positive, 3, f);
 }
@@ -9107,8 +9110,8 @@ VM_API int vmi_law_check(const vm_law *law, int if_not_positive, vm_real t)
 }
 
 /* Returns 1 and writes base and rate if the law is f0 exp(rate u) with u = ln(1 + base t)/base (u = t for base = 0);
-   returns 0 otherwise. The reason for this form: integrals over t of products of such laws have closed forms if the
-   laws share their base. A constant has rate 0. */
+   returns 0 otherwise. This form is useful because integrals over t of products of such laws have closed forms if all
+   these laws have the same base. A constant has rate 0. */
 VM_API int vmi_law_exponential_form(const vm_law *law, vm_real *base, vm_real *rate)
 {
     *base = *rate = 0;
@@ -9140,11 +9143,10 @@ VM_API int vmi_law_at(const vm_law *law, int if_not_positive, vm_real t, vm_real
 }
 
 /* Value f and rate df/dt of a law at time t (s), which may be negative. At the points of a table f is within 4 eps of
-   the value in the table, where eps is the machine epsilon. f may have any sign, since the function does not know
-   whether the law is that of a mass. Returns VM_BAD_ARGUMENT for null pointers and for a law that no constructor
-   made, VM_NOT_FINITE where t or a result is infinite or NaN, and VM_DOMAIN where the law has no value: for t outside
-   a table, for a power law where 1 + f1 t <= 0, and where the user's function fails. An error leaves *f and *rate
-   untouched. */
+   the value in the table, where eps is the machine epsilon. f may have any sign, since the law need not be that of a
+   mass. Returns VM_BAD_ARGUMENT for null pointers and for a law that no constructor made; VM_NOT_FINITE where t or a
+   result is infinite or NaN; VM_DOMAIN for t outside a table, for a power law where 1 + f1 t <= 0, and where the user's
+   function fails; VM_OK otherwise. An error leaves *f and *rate untouched. */
 VM_API int vm_law_at(const vm_law *law, vm_real t, vm_real *f, vm_real *rate)
 {
     vm_real value, slope;
@@ -9237,7 +9239,7 @@ VM_API int vmi_law_quadratic_validate(const vm_law *law, int if_not_positive, vm
 }
 
 /* The exponential form of a quadratic law. It exists only if the law is a square within rounding errors: f0 (1 + base
-   t)^2 = f0 exp(2 base u) with u = ln(1 + base t)/base. */
+   t)^2 = f0 exp(2 base u) with u = ln(1 + base t)/base. Returns 1 if it exists, else 0. */
 VM_API int vmi_law_quadratic_form(const vm_law *law, vm_real *base, vm_real *rate)
 {
     const vm_real square = law->f1 * law->f1, rest = square - 4 * law->f0 * law->f2;
@@ -9246,8 +9248,8 @@ VM_API int vmi_law_quadratic_form(const vm_law *law, vm_real *base, vm_real *rat
     return VM_FABS(rest) <= 4 * VM_EPSILON * square;
 }
 
-/* The integral of dt/(f0 + f1 t + f2 t^2) from 0 to t. With x = 2 f0 + f1 t, D = f1^2 - 4 f0 f2 and d = sqrt|D| it is
-   (2/d) atan(d t/x) for D < 0, and (2/d) atanh(d t/x) otherwise. */
+/* The integral of dt/(f0 + f1 t + f2 t^2) from 0 to t. With x = 2 f0 + f1 t, D = f1^2 - 4 f0 f2 and d = sqrt|D| the
+   integral is (2/d) atan(d t/x) for D < 0, and (2/d) atanh(d t/x) otherwise. */
 VM_API vm_real vmi_law_quadratic_inverse_integral(const vm_law *law, vm_real t)
 {
     const vm_real D = law->f1 * law->f1 - 4 * law->f0 * law->f2, x = 2 * law->f0 + law->f1 * t;
@@ -9270,7 +9272,7 @@ VM_API vm_law vm_law_quadratic(vm_real f0, vm_real f1, vm_real f2)
 
 /* -- Exponential laws -- */
 
-/* Writes f and the derivatives of an exponential law. Each derivative is f1 times the one before it. */
+/* Writes f and the derivatives of an exponential law. Each derivative is f1 times the derivative of one order lower. */
 VM_API int vmi_law_exponential_derivatives(const vm_law *law, vm_real t, int side, vm_real length, vm_real *f)
 {
     const int orders = length > 0 ? VMI_LAW_ORDERS : 2;
@@ -9301,8 +9303,9 @@ VM_API vm_law vm_law_exponential(vm_real f0, vm_real f1)
 
 /* -- Power laws -- */
 
-/* Writes f and the derivatives of a power law. Returns VM_BAD_MASS where 1 + f1 t is not positive, whatever number the
-   law describes; vmi_law_derivatives replaces this status by the right one. */
+/* Writes f and the derivatives of a power law. Returns VM_BAD_MASS where 1 + f1 t is not positive, even if the law is
+   not that of a mass. vmi_law_derivatives then replaces this status, for example by VM_BAD_STIFFNESS for a
+   stiffness. */
 VM_API int vmi_law_power_derivatives(const vm_law *law, vm_real t, int side, vm_real length, vm_real *f)
 {
     const vm_real base = 1 + law->f1 * t, relative_rate = law->f1 / base;
@@ -9336,9 +9339,10 @@ VM_API vm_law vm_law_power(vm_real f0, vm_real f1, vm_real f2)
 
 /* -- Tables -- */
 
-/* Slope at an end of a table: the slope of the parabola through the last three points, limited so that the cubic
-   stays monotone. h_end and d_end are the length and the slope of the chord at the end, h_next and d_next those of
-   the chord next to it. */
+/* Slope of the law at the first or last point of a table. It is the slope of the parabola through the three points at
+   this end, limited so that the cubic stays monotone. A chord joins two neighbouring points of the table. h_end and
+   d_end are the length in time and the slope of the chord at the end, h_next and d_next those of the chord next to
+   it. */
 VM_API vm_real vmi_law_end_slope(vm_real h_end, vm_real h_next, vm_real d_end, vm_real d_next)
 {
     const vm_real slope = ((2 * h_end + h_next) * d_end - h_end * d_next) / (h_end + h_next);
@@ -9347,8 +9351,9 @@ VM_API vm_real vmi_law_end_slope(vm_real h_end, vm_real h_next, vm_real d_end, v
     return slope;
 }
 
-/* Slope at point i of a table. At inner points it is the weighted harmonic mean of the slopes of the chords on both
-   sides, and 0 at an extremum (Fritsch and Butland). */
+/* Slope of the law at point i of a table. At an inner point it is the weighted harmonic mean of the slopes of the two
+   chords that meet there, and 0 at an extremum (Fritsch and Butland). A chord joins two neighbouring points of the
+   table. */
 VM_API vm_real vmi_law_slope(const vm_law *law, int i)
 {
     const vm_real *t = law->time, *f = law->value;
@@ -9368,8 +9373,8 @@ VM_API vm_real vmi_law_slope(const vm_law *law, int i)
     return 3 * (h0 + h1) / ((2 * h1 + h0) / d0 + (h1 + 2 * h0) / d1);
 }
 
-/* The index i with time[i] <= t <= time[i+1]. If t is a point of the table, side tells on which side of t the
-   interval lies. */
+/* The index i with time[i] <= t <= time[i+1]. If t is a point of the table, the interval lies after t for side = 1 and
+   before t for side = -1. */
 VM_API int vmi_law_interval(const vm_law *law, vm_real t, int side)
 {
     int low = 0, high = law->n - 1;
@@ -9406,7 +9411,8 @@ VM_API int vmi_law_table_derivatives(const vm_law *law, vm_real t, int side, vm_
     return VM_OK;
 }
 
-/* Checks the whole table, whatever t is: its values must be finite and positive, its times must rise. */
+/* Checks the whole table, whatever t is: its values must be finite, and positive unless if_not_positive is VM_OK; its
+   times must be finite and must rise. */
 VM_API int vmi_law_table_validate(const vm_law *law, int if_not_positive, vm_real t)
 {
     int i;
@@ -9419,10 +9425,10 @@ VM_API int vmi_law_table_validate(const vm_law *law, int if_not_positive, vm_rea
     return VM_OK;
 }
 
-/* Table of n >= 2 points (time[i], value[i]), joined by monotone cubics. A table of fewer points, or with a null
-   pointer, is no law: all functions refuse it with VM_BAD_ARGUMENT. Times (s) must rise, and every t of a call
-   must lie between the first and the last. Between two points the law is a cubic with the slopes of Fritsch and
-   Butland, which neither overshoots nor oscillates; its second derivative jumps at the points. */
+/* Table of n >= 2 points (time[i], value[i]), joined by monotone cubics. For fewer points, or with a null pointer, the
+   result is no law, and all functions refuse it with VM_BAD_ARGUMENT. Times (s) must rise, and every t of a call must
+   lie between the first and the last. Between two points the law is a cubic with the slopes of Fritsch and Butland,
+   which neither overshoots nor oscillates. The second derivative of the law jumps at the points of the table. */
 VM_API vm_law vm_law_table(int n, const vm_real *time, const vm_real *value)
 {
     vm_law law = vmi_law_of(0, 0, 0);
@@ -9434,7 +9440,7 @@ VM_API vm_law vm_law_table(int n, const vm_real *time, const vm_real *value)
     return law;
 }
 
-/* The next point of the law's table after t on the way to t_end, or t_end if there is none or the law is no table */
+/* The next point of the law's table after t on the way to t_end, or t_end if there is no such point */
 VM_API vm_real vmi_law_next_knot(const vm_law *law, vm_real t, vm_real t_end)
 {
     const int side = t_end > t ? 1 : -1;
@@ -9446,7 +9452,8 @@ VM_API vm_real vmi_law_next_knot(const vm_law *law, vm_real t, vm_real t_end)
     return (t_end - knot) * (vm_real)side > 0 ? knot : t_end;
 }
 
-/* Whether t is a point of the law's table, but not its first or last, so that the second derivative may jump there */
+/* Returns 1 if t is a point of the law's table, but not its first or last one, so that the second derivative may jump
+   at t; else returns 0. */
 VM_API int vmi_law_has_knot(const vm_law *law, vm_real t)
 {
     return law->time && vmi_law_interval(law, t, 1) != vmi_law_interval(law, t, -1);
@@ -9468,9 +9475,9 @@ VM_API int vmi_law_user_fit(const vm_law *law, vm_real t, vm_real length, vm_rea
 }
 
 /* Writes the Legendre series of the rate f' between t and t + *length. The length is halved until the last terms of the
-   series are only rounding errors. They are rounding errors when a further halving hardly makes them smaller. Terms as
-   small as these are set to 0. The length is also halved where the user's function fails, because the function may be
-   defined only close to t. */
+   series are only rounding errors. They count as rounding errors when a further halving hardly makes them smaller. All
+   terms that are not larger than these rounding errors are set to 0. The length is also halved where the user's
+   function fails, because the function may be defined only close to t. */
 VM_API int vmi_law_user_series(const vm_law *law, vm_real t, vm_real *length, vm_real *series)
 {
     const int most_halvings = 24;
@@ -9526,12 +9533,12 @@ VM_API int vmi_law_user_validate(const vm_law *law, int if_not_positive, vm_real
     return VM_OK;
 }
 
-/* Law by a user's function, which must be smooth. A null function makes no law: all functions refuse it with
-   VM_BAD_ARGUMENT. The function receives ctx as its last argument. To integrate the law, the time from 0 to t is
-   divided into parts, called panels, and the function is evaluated at 20 points of each panel. A panel is at most
-   |t|/32 long, and is halved where the function changes fast. So a bump exp(-(time/w)^2) is found if w > |t|/3000
-   (float |t|/2000). If the law changes in a shorter time, set law.change_time to that time, s: then no panel and no
-   step of an integrator is longer than change_time. A change_time that is negative or less than |t|/2^20 is refused
+/* Law by a user's function, which must be smooth. If `function` is null, the result is no law, and all functions refuse
+   it with VM_BAD_ARGUMENT. The user's function receives ctx as its last argument. To integrate the law, the time from 0
+   to t is divided into parts, called panels, and the function is evaluated at 20 points of each panel. A panel is at
+   most |t|/32 long, and is halved where the function changes fast. So a bump exp(-(time/w)^2) is found if w > |t|/3000
+   (float |t|/2000). If the law changes in a shorter time, set law.change_time to that time, s: then no panel, and no
+   step of an integrator, is longer than change_time. A change_time that is negative or less than |t|/2^20 is refused
    with VM_DOMAIN. */
 VM_API vm_law vm_law_user(vm_law_function function, void *ctx)
 {
@@ -9544,7 +9551,8 @@ VM_API vm_law vm_law_user(vm_law_function function, void *ctx)
 }
 
 /* The longest panel of time, s, for integrals along the law from 0 to t: short enough to notice the changes that
-   vm_law_user promises to find, but not 0, which subnormal numbers would give. `whole` is |t|. */
+   vm_law_user promises to find. `whole` is |t|. The result is not 0, even if `whole` is so small that whole/32
+   underflows. */
 VM_API vm_real vmi_law_longest_panel(const vm_law *law, vm_real whole)
 {
     const vm_real longest = vmi_larger(whole / 32, VM_MIN);
@@ -9642,43 +9650,43 @@ VM_API int vmi_osc_check_problem(const vm_osc_problem *o, vm_real t, vm_real *ma
 
    In the equation of motion of a vm_osc_problem (oscillators/problem.h) mass joins or leaves at rest, u = 0, and the
    damping is constant. The dissertation's equation (248) has the reactive force m' (u - x') with any velocity u along
-   x. A vm_osc_load adds what is missing on the right side:
+   x. A vm_osc_load adds the missing part m' u of this force, and a damping that depends on time, on the right side:
      m x'' + k x|x|^(alpha-1) + (reactive m' + b) x' = reactive m' u(t) - damping(t) x' + force(t, x, x')
    m' is the rate of the mass, u(t) the absolute velocity of the mass that joins or leaves, damping(t) a law that adds
-   to the constant b of the problem, and force the problem's own further force, if there was one. Every route that
-   allows a force computes the motion: the first-order averaged equations and the integrations of oscillators/routes.h.
-   Shortest useful call, for a problem with the fields of oscillators/problem.h:
+   to the constant b of the problem, and force the problem's own further force, if there was one. Of the routes in
+   oscillators/routes.h, those that allow a force compute the motion: the first-order averaged equations and the
+   integrations. The shortest useful call, for a problem with the fields of oscillators/problem.h:
        const vm_law u = vm_law_linear(VM_C(0.3), 0), damping = vm_law_linear(VM_C(0.02), VM_C(0.001));
        vm_osc_load load;
        vm_osc_motion motion;
        int status = vm_osc_load_init(&load, &problem, &u, &damping); // 0.3 m/s; 0.02 kg/s, growing
        if (!status) status = vm_osc_within(&problem, 10, VM_C(1e-6), &motion);
    To first order a thrust m' u does not change the averaged amplitude, since its work over a period is 0. It only moves
-   the middle of the vibration, for alpha = 1 by m' u/k. The averaged routes leave this shift out; the field `error` of
-   their results includes it. With damping(t) the amplitude follows vm_osc_amplitude_law; the argument decay of this
-   function is computed by vm_law_ratio_integral(&damping, &mass, t, &decay).
+   the middle of the vibration, for alpha = 1 by m' u/k. The results of the averaged equations do not contain this
+   shift; their field `error`, an estimate, includes it. With damping(t) the amplitude follows vm_osc_amplitude_law; the
+   argument decay of this function is computed by vm_law_ratio_integral(&damping, &mass, t, &decay).
    Tests: tests/test_loads.c. */
 #ifndef VARMASS_OSCILLATORS_LOADS_H
 #define VARMASS_OSCILLATORS_LOADS_H
 
-/* What vm_osc_load_force adds to an oscillator. vm_osc_load_init fills it. The problem points to it, so that it must
-   outlive the problem and must not move. */
+/* What vm_osc_load_force adds to an oscillator. vm_osc_load_init fills the load. The problem then points to it, so the
+   load must exist at the same address as long as the problem is used. */
 typedef struct VM_TAG(vm_osc_load) {
     vm_law mass;        /* mass m(t) of the oscillator, kg, whose rate m' the thrust needs */
     vm_law u;           /* velocity of the mass that joins or leaves, m/s */
-    vm_law damping;     /* damping, kg/s, that adds to the problem's; positive takes energy out */
-    vm_real reactive;   /* share of the thrust m' u that acts; the init function copies it from the problem. If u is the
-                           velocity relative to the oscillator, let the problem's `reactive` be 0, and set this field to
-                           1 after the init function. */
+    vm_law damping;     /* damping, kg/s, in addition to the damping of the problem; a positive one takes energy out */
+    vm_real reactive;   /* share of the thrust m' u that acts; vm_osc_load_init copies it from the problem. If u is the
+                           velocity relative to the oscillator, set the field `reactive` of the problem to 0, call
+                           vm_osc_load_init, and then set this field to 1. */
     vm_osc_force force; /* the further force that the problem had before, or NULL */
-    void *ctx;          /* the user's pointer, last argument of force */
+    void *ctx;          /* the user's pointer, last argument of the function `force` */
 } vm_osc_load;
 
 /* Force of a vm_osc_load on an oscillator, N: reactive m' u(t) - damping(t) v + force(t, x, v).
    The function is a vm_osc_force, which vm_osc_load_init makes the force of a problem. Its last argument `load` points
-   to the vm_osc_load. t is the time (s), x the position (m) and v the velocity (m/s). The laws of mass, u and damping
-   are evaluated once. Returns NaN for a null pointer, for arguments that are infinite or NaN, and where a law has no
-   value at t; the routes then return VM_NOT_INTEGRATED or VM_NOT_FINITE. */
+   to the vm_osc_load. t is the time (s), x the position (m) and v the velocity (m/s). Each call evaluates the laws of
+   mass, u and damping once. Returns NaN for a null pointer, for arguments that are infinite or NaN, and where a law has
+   no value at t; the functions of oscillators/routes.h then return VM_NOT_INTEGRATED or VM_NOT_FINITE. */
 VM_API vm_real vm_osc_load_force(vm_real t, vm_real x, vm_real v, void *load)
 {
     if (!load) return VM_NAN;
@@ -9697,11 +9705,12 @@ VM_API vm_real vm_osc_load_force(vm_real t, vm_real x, vm_real v, void *load)
    u_or_NULL is the law of this velocity, m/s, and damping_or_NULL the law of the damping, kg/s, which adds to the
    problem's constant damping; a null pointer means 0. The function fills *load, and sets problem->force and
    problem->ctx so that the problem uses *load. A force that the problem had before still acts. Call it once for a
-   problem, after its other fields are set. Routes do not stop at the points of a table in u or damping. For this reason
-   they take more steps, but they are not less accurate. Returns VM_BAD_ARGUMENT for other null pointers, for a law that
-   no constructor made, and for a problem that has this load already; VM_NOT_FINITE, VM_BAD_MASS, VM_BAD_STIFFNESS or
-   VM_DOMAIN where a number of the problem or a law at t = 0 is not finite, not positive or outside its domain. An error
-   leaves *load and *problem untouched. */
+   problem, after its other fields are set. If u or damping is a table, the integrations make no stop at its points. For
+   this reason they need more steps, but they are not less accurate. Returns VM_BAD_ARGUMENT if load or problem is null,
+   for a law that no constructor made, and for a problem that has this load already; VM_NOT_FINITE where a number of the
+   problem or a law at t = 0 is infinite or NaN; VM_BAD_MASS or VM_BAD_STIFFNESS for a mass or a stiffness that is not
+   positive at t = 0 or in its table; VM_DOMAIN for alpha < 0, for a law that has no value at t = 0, and for a table or
+   a change_time that is not valid; VM_OK otherwise. An error leaves *load and *problem untouched. */
 VM_API int vm_osc_load_init(vm_osc_load *load, vm_osc_problem *problem, const vm_law *u_or_NULL,
                             const vm_law *damping_or_NULL)
 {
@@ -10298,20 +10307,21 @@ VM_API void vmi_ripple_at(const vmi_ripple *r, int order, vm_real psi, vm_real s
 #endif
 /* oscillators/expansion.h - the law of order five: from the motion of an oscillator to its mean motion and back
 
-   With slow mass and stiffness, amplitude A and phase psi of oscillators/reduction.h obey the exact equations
+   If mass and stiffness vary slowly, amplitude A and phase psi of oscillators/reduction.h obey the exact equations
      A'/A = -p + (G_0/W) sa ca,   psi' = W + (alpha+1)/2 (G_0/W) ca^2,
-   where W is the rate of the phase at the amplitude A. Only the number G_0/W^2 disturbs the slow motion A'/A = -p,
-   psi' = W. It is of second order in epsilon, the relative change of mass and stiffness within a radian of the phase.
+   where W is the rate of the phase at the amplitude A for constant mass and stiffness; p and G_0 are defined in
+   oscillators/reduction.h. Only the number G_0/W^2 disturbs the slow motion A'/A = -p, psi' = W. G_0/W^2 is of second
+   order in epsilon, the relative change of mass and stiffness within a radian of the phase.
 
    A canonical transformation, which is a change of variables that keeps the form of Hamilton's equations, leads from A
-   and psi to mean values. They do not contain the ripple, the small swing within a period. They are a mean action,
-   which is constant, and a mean phase, whose rate varies slowly. The action is J = A^((alpha+3)/2) sqrt(mu kappa), with
-   mu and kappa of oscillators/reduction.h. The transformation is a series in powers of the numbers E_k, k = 0, 1 ...,
-   which are of order epsilon^(k+2):
+   and psi to two mean values: a mean action, which is constant, and a mean phase, whose rate varies slowly. The mean
+   values do not contain the ripple, the small swing within a period. The action is J = A^((alpha+3)/2) sqrt(mu kappa),
+   with mu and kappa of oscillators/reduction.h. The transformation is a series in powers of the numbers E_k, k = 0, 1
+   ..., which are of order epsilon^(k+2):
      E_k = G_k/W^(k+2),   G_(k+1) = G_k' - (k+2) (2p - a) G_k.
-   This file has the transformation in both directions, and the mean rate of the phase. If the series is cut off after
-   the order N, it gives the motion with an error of O(epsilon^N) over times of 1/epsilon. The law is new; docs/law.md
-   derives it.
+   Here a is the rate of oscillators/reduction.h. This file has the transformation in both directions, and the mean rate
+   of the phase. If the series is cut off after the order N, it gives the motion with an error of O(epsilon^N) up to
+   times of the order of 1/epsilon. The law is new; docs/law.md derives it.
 
    C, S, S2, S3 and Q are the functions of the phase in oscillators/ripple.h. The weight of a term is the power of
    epsilon in it: E_k has weight k + 2.
@@ -10325,12 +10335,13 @@ VM_API void vmi_ripple_at(const vmi_ripple *r, int order, vm_real psi, vm_real s
 #ifndef VARMASS_OSCILLATORS_EXPANSION_H
 #define VARMASS_OSCILLATORS_EXPANSION_H
 
-/* How many E_k order five needs at the start of a motion: E_0 ... E_3 */
+/* The number of E_k that the law of order five needs at the start of a motion: E_0 ... E_3 */
 enum { VMI_EXPANSION_E = 4 };
 
 /* -- From the motion to the mean motion -- */
 
-/* Returns ln(mean action/action) with all terms up to weight `order`. f holds C, S ... at the phase psi. */
+/* Returns ln(mean action/action) at the phase psi, as the sum of all terms whose weight, the power of epsilon in a
+   term, is at most `order`. f contains the functions C, S ... of oscillators/ripple.h at psi, and E the numbers E_k. */
 VM_API vm_real vmi_expansion_J(const vmi_ripple *r, int order, const vmi_ripple_values *f, const vm_real *E)
 {
     const vm_real g = r->gamma, m = r->mean2, half = r->scale / 2, square = r->scale * r->scale / 8;
@@ -10347,7 +10358,8 @@ VM_API vm_real vmi_expansion_J(const vmi_ripple *r, int order, const vmi_ripple_
     return sum;
 }
 
-/* Returns the mean phase minus the phase psi, with all terms up to weight order - 1. f holds C, S ... at psi. */
+/* Returns the mean phase minus the phase psi, as the sum of all terms whose weight, the power of epsilon in a term, is
+   at most order - 1. f contains the functions C, S ... of oscillators/ripple.h at psi, and E the numbers E_k. */
 VM_API vm_real vmi_expansion_psi(const vmi_ripple *r, int order, const vmi_ripple_values *f, const vm_real *E)
 {
     const vm_real g = r->gamma, m = r->mean2, half = r->scale / 2, square = r->scale * r->scale / 8;
@@ -10364,8 +10376,9 @@ VM_API vm_real vmi_expansion_psi(const vmi_ripple *r, int order, const vmi_rippl
 
 /* -- From the mean motion to the motion -- */
 
-/* Returns the phase psi minus the mean phase, with all terms up to weight order - 1. f holds C, S ... at the mean
-   phase. The result is -vmi_expansion_psi, evaluated at the mean phase, plus a product of first-order terms. */
+/* Returns the phase psi minus the mean phase, as the sum of all terms whose weight, the power of epsilon in a term, is
+   at most order - 1. f contains the functions C, S ... of oscillators/ripple.h at the mean phase, and E the numbers
+   E_k. The result is -vmi_expansion_psi, evaluated at the mean phase, plus a product of two terms with E_0. */
 VM_API vm_real vmi_expansion_psi_back(const vmi_ripple *r, int order, const vmi_ripple_values *f, const vm_real *E)
 {
     const vm_real product = r->scale * r->scale / 4 * (1 - 2 * r->gamma) * E[0] * E[0] * f->C * f->S;
@@ -10373,8 +10386,10 @@ VM_API vm_real vmi_expansion_psi_back(const vmi_ripple *r, int order, const vmi_
     return order >= 5 ? sum + product : sum;
 }
 
-/* Returns ln(action/mean action) with all terms up to weight order - 1, for an order from 3 to 5. f holds C, S ... at
-   the mean phase. The result is -vmi_expansion_J, evaluated at the mean phase, plus a product of first-order terms. */
+/* Returns ln(action/mean action), as the sum of all terms whose weight, the power of epsilon in a term, is at most
+   order - 1; `order` is from 3 to 5. f contains the functions C, S ... of oscillators/ripple.h at the mean phase, and E
+   the numbers E_k. The result is -vmi_expansion_J, evaluated at the mean phase, plus a product of two terms with
+   E_0. */
 VM_API vm_real vmi_expansion_J_back(const vmi_ripple *r, int order, const vmi_ripple_values *f, const vm_real *E)
 {
     const vm_real g = r->gamma, square = r->scale * r->scale / 2 * E[0] * E[0];
@@ -10385,11 +10400,12 @@ VM_API vm_real vmi_expansion_J_back(const vmi_ripple *r, int order, const vmi_ri
 
 /* -- The mean rate of the phase -- */
 
-/* The factor `first` of the mean rate of the phase, W (1 + first E_0 + second E_0^2), where W belongs to the mean
-   action. Laws of all orders from 2 on need it. */
+/* The factor `first` of the mean rate of the phase, W (1 + first E_0 + second E_0^2), where W is the rate of the phase
+   for the mean action without E_0. The laws of all orders from 2 to 5 need this factor. */
 VM_API vm_real vmi_expansion_first(const vmi_ripple *r) { return (r->alpha + 1) / 2 * r->mean2; }
 
-/* The factor `second` of the mean rate of the phase, W (1 + first E_0 + second E_0^2), which orders 4 and 5 need */
+/* The factor `second` of the mean rate of the phase, W (1 + first E_0 + second E_0^2), which the laws of orders 4 and 5
+   need. W is the rate of the phase for the mean action without E_0. */
 VM_API vm_real vmi_expansion_second(const vmi_ripple *r)
 {
     return -r->scale * r->scale / 8 * r->variance * (2 - 3 * r->gamma) * (1 - 3 * r->gamma);
@@ -10397,8 +10413,8 @@ VM_API vm_real vmi_expansion_second(const vmi_ripple *r)
 
 /* -- From state to mean state and back -- */
 
-/* A copy of the state in which ln J, where J is the action, is larger by ln_J and the phase is larger by shift. Mass
-   and stiffness are those of *state. */
+/* Returns the state whose action is e^ln_J times the action of *state, and whose phase is larger by shift, at the same
+   mass and stiffness. */
 VM_API vmi_osc_reduced vmi_expansion_shifted(const vmi_ripple *r, const vmi_osc_reduced *state, vm_real ln_J,
                                              vm_real shift)
 {
@@ -10410,8 +10426,8 @@ VM_API vmi_osc_reduced vmi_expansion_shifted(const vmi_ripple *r, const vmi_osc_
 }
 
 /* The mean motion that belongs to a reduced state (amplitude and phase of oscillators/reduction.h), by the law of this
-   order, 2 to 5. sa and ca are the Ateb functions of the state's phase, and E holds the state's numbers E_k. Above
-   order 2 the polynomials of the ripple must be set (vmi_ripple_complete). */
+   order, 2 to 5. sa and ca are the Ateb functions of the state's phase, and E contains the state's numbers E_k. For
+   orders above 2 the polynomials of *r must be set (vmi_ripple_complete). */
 VM_API vmi_osc_reduced vmi_expansion_to_mean(const vmi_ripple *r, int order, const vmi_osc_reduced *state, vm_real sa,
                                              vm_real ca, const vm_real *E)
 {
@@ -10420,8 +10436,9 @@ VM_API vmi_osc_reduced vmi_expansion_to_mean(const vmi_ripple *r, int order, con
     return vmi_expansion_shifted(r, state, vmi_expansion_J(r, order, &f, E), vmi_expansion_psi(r, order, &f, E));
 }
 
-/* The reduced state that belongs to a mean motion, by the law of this order, 3 to 5; for order 2 both are the same. sa
-   and ca are the Ateb functions of the mean phase, and E holds the numbers E_k of the mean motion. */
+/* The reduced state that belongs to a mean motion, by the law of this order, 3 to 5. (For order 2 the reduced state and
+   the mean motion are equal.) sa and ca are the Ateb functions of the mean phase, and E contains the numbers E_k of the
+   mean motion. */
 VM_API vmi_osc_reduced vmi_expansion_from_mean(const vmi_ripple *r, int order, const vmi_osc_reduced *mean, vm_real sa,
                                                vm_real ca, const vm_real *E)
 {
@@ -10433,14 +10450,14 @@ VM_API vmi_osc_reduced vmi_expansion_from_mean(const vmi_ripple *r, int order, c
 
 /* -- What the law of order five leaves out -- */
 
-/* The sizes of the terms of weight w, for w = 2 to 6: J[w] in vmi_expansion_J, psi[w] in vmi_expansion_psi. psi[6]
-   holds only the term with E_4. All are of order epsilon^w, where epsilon is the relative change of mass and stiffness
-   within a radian. */
+/* The sizes of the terms of weight w, for w = 2 to 6. J[w] is the size of the terms in vmi_expansion_J, psi[w] of those
+   in vmi_expansion_psi; psi[6] contains only the term with E_4. The terms of weight w are of order epsilon^w, where
+   epsilon is the relative change of mass and stiffness within a radian of the phase. */
 typedef struct VM_TAG(vmi_expansion_sizes) {
     vm_real J[7], psi[7];
 } vmi_expansion_sizes;
 
-/* Fills the sizes of all terms, where e[k] is the absolute value of E_k = G_k/W^(k+2). */
+/* Writes the sizes of all terms to *size, where e[k] is the absolute value of E_k = G_k/W^(k+2). */
 VM_API void vmi_expansion_find_sizes(const vmi_ripple *r, const vm_real *e, vmi_expansion_sizes *size)
 {
     const vm_real d = r->pi / (2 * VM_PI), L = r->scale, square = L * L / 8;
@@ -10458,22 +10475,23 @@ VM_API void vmi_expansion_find_sizes(const vmi_ripple *r, const vm_real *e, vmi_
     size->psi[5] += square * e[0] * e[1] * d * d;
 }
 
-/* An upper bound of the terms of weight 6, divided by W. These are the first terms that order five leaves out of the
-   mean rate of the phase. product is |E_0 E_2| and cube is |E_0|^3. If product and cube are instead the integrals of
-   these numbers over the phase, the result is a bound of the error of the phase. */
+/* An upper bound of the terms of order epsilon^6 in the mean rate of the phase, divided by W. They are the largest
+   terms of this rate that the law of order five leaves out. product is |E_0 E_2| and cube is |E_0|^3. If product and
+   cube are instead the integrals of these numbers over the phase, the result is a bound of the error of the phase. */
 VM_API vm_real vmi_expansion_third_rate(const vmi_ripple *r, vm_real product, vm_real cube)
 {
     const vm_real d = r->pi / (2 * VM_PI), L = r->scale, g = r->gamma;
     return L * L / 64 * VM_FABS((1 - 5 * g) * (2 - 5 * g)) * d * d * product + VM_C(0.01) * L * L * L * cube;
 }
 
-/* Sizes of the terms that the law of some order leaves out: relative to J, and in the phase psi */
+/* Sizes of the terms that the law of some order leaves out: in ln J, where J is the action, and in the phase psi */
 typedef struct VM_TAG(vmi_left_out) {
     vm_real J, psi;
 } vmi_left_out;
 
-/* The sizes of the first terms that the transformation of this order leaves out at t, where e[k] = |E_k|. The
-   largest of these terms may vanish at t; therefore the terms that are one weight higher count, too. */
+/* The sizes of the terms that the law of this order leaves out when it computes the motion at t from the mean motion,
+   where e[k] = |E_k|. The largest of these terms may be 0 at t; therefore the terms that are smaller by a factor
+   epsilon are added. */
 VM_API vmi_left_out vmi_expansion_left_out_at(const vmi_ripple *r, int order, const vm_real *e)
 {
     vmi_expansion_sizes size;
@@ -10485,7 +10503,8 @@ VM_API vmi_left_out vmi_expansion_left_out_at(const vmi_ripple *r, int order, co
     return now;
 }
 
-/* The sizes of the first terms that the mean motion of this order leaves out at the start, where e[k] = |E_k| */
+/* The sizes of the largest terms that the law of this order leaves out when it computes the mean motion from the state
+   at the start, where e[k] = |E_k| */
 VM_API vmi_left_out vmi_expansion_left_out_at_start(const vmi_ripple *r, int order, const vm_real *e)
 {
     vmi_expansion_sizes size;
@@ -10497,10 +10516,10 @@ VM_API vmi_left_out vmi_expansion_left_out_at_start(const vmi_ripple *r, int ord
 }
 
 /* The estimate of the larger of |error of x|/A and |error of v|/vmax, from the terms that the law leaves out. `now`
-   holds the sizes of these terms at t, `start` their sizes at the start and on the way, and `third` is the bound for
-   the mean rate of the phase (vmi_expansion_third_rate). `turns` is the angle by which the phase advances from 0 to t.
-   An error of ln J at the start causes an error of the phase that grows in proportion to `turns`. The estimate includes
-   a factor of 2, which fits the errors that tests/test_slow_motion.c finds. */
+   contains the sizes of these terms at t, `start` their sizes at the start and on the way. `third` is a bound of the
+   error of the phase, the integral of vmi_expansion_third_rate. `turns` is the angle by which the phase advances from 0
+   to t. An error of ln J at the start causes an error of the phase that grows in proportion to `turns`. The estimate
+   includes a factor of 2, which was chosen to fit the errors that tests/test_slow_motion.c finds. */
 VM_API vm_real vmi_expansion_error(const vmi_ripple *r, vmi_left_out now, vmi_left_out start, vm_real turns,
                                    vm_real third)
 {
@@ -10518,8 +10537,8 @@ VM_API vm_real vmi_expansion_error(const vmi_ripple *r, vmi_left_out now, vmi_le
      m = m0 exp(rate_m u),   k = k0 exp(rate_k u),   u = ln(1 + base t)/base, or u = t for base = 0,
    with a common base: they may be constant, linear, exponential or powers of the same 1 + base t. With damping the mass
    must be constant or linear. The user chooses the order, from 2 to 5: a lower order is less accurate (docs/law.md),
-   but needs less code. vm_osc_closed_at_order2 and vm_osc_closed_at_order3 leave out the code that only higher orders
-   need.
+   but needs less code. A program that calls vm_osc_closed_at_order2 or vm_osc_closed_at_order3 does not contain the
+   code that only higher orders need.
        vm_osc_problem sieve = {3,            vm_law_linear(120, -20), vm_law_linear(VM_C(4e8), 0), 0, 0,
                                VM_C(0.005), 0,                       NULL,                        NULL};
        vm_osc_closed motion;
@@ -10530,8 +10549,9 @@ VM_API vm_real vmi_expansion_error(const vmi_ripple *r, vmi_left_out now, vmi_le
    Method: let p and a be the rates of oscillators/reduction.h at t = 0. Then
      G_0 = p (p - a + base),   delta = p + (p - a + base),   el = 1 + base t,   p(t) = p/el,   A = A(0) exp(-p u),
      W = W(0) exp(delta u)/el,   E_k = (k+1)! E_0(0) (-delta/W(0))^k exp(-(k+2) delta u),
-   where A is the mean amplitude and W the rate of the mean phase without the terms of E_0. Integrals of W, W E_0 and W
-   E_0^2 over t are differences of exponentials. Sources: docs/law.md. Tests: tests/test_closed_law.c. */
+   where A is the mean amplitude and W the rate of the mean phase without the terms of E_0. The numbers G_0 and E_k are
+   those of oscillators/expansion.h. Integrals of W, W E_0 and W E_0^2 over t are differences of exponentials. Sources:
+   docs/law.md. Tests: tests/test_closed_law.c. */
 #ifndef VARMASS_OSCILLATORS_CLOSED_H
 #define VARMASS_OSCILLATORS_CLOSED_H
 
@@ -10542,9 +10562,10 @@ typedef struct VM_TAG(vmi_osc_rates_of_u) {
     vm_real base, rate_m, rate_k;
 } vmi_osc_rates_of_u;
 
-/* Finds the exponential form of both laws. Returns 0 if the two laws have no such form with the same u, or if the
-   integral of b/m is not proportional to u. With damping this integral is proportional to u only for m = m0 (1 + base
-   t), which includes a constant mass with base = 0. */
+/* Writes the rates of the closed forms of mass and stiffness to *u and returns 1. Returns 0 if mass and stiffness have
+   no closed forms with the same u, if a force acts, or if the integral of b/m over time, with the damping b, is not
+   proportional to u. For b not 0 this integral is proportional to u only if m = m0 (1 + base t), which includes a
+   constant mass with base = 0. */
 VM_API int vmi_osc_find_closed_form(const vm_osc_problem *o, vmi_osc_rates_of_u *u)
 {
     vm_real base_m, base_k;
@@ -10558,14 +10579,15 @@ VM_API int vmi_osc_find_closed_form(const vm_osc_problem *o, vmi_osc_rates_of_u 
     return o->damping == 0 || u->rate_m == u->base;
 }
 
-/* The rates on which the disturbances E_k at t = 0 depend, in 1/s: p; rest = p - a + base, so that G_0 = p rest; and
-   delta = p + rest */
+/* The rates on which the disturbances E_k at t = 0 depend, in 1/s: p and delta of the top of this file, and rest = p -
+   a + base, so that G_0 = p rest and delta = p + rest */
 typedef struct VM_TAG(vmi_osc_closed_rates) {
     vm_real p, rest, delta;
 } vmi_osc_closed_rates;
 
-/* The rates at t = 0, where m0 is the mass, kg. Differences that vanish in exact arithmetic vanish here, too. An
-   example is base - a for a linear mass with the full reactive force. */
+/* Returns the rates p, rest and delta at t = 0, where m0 is the mass, kg. A difference of rates that is 0 in exact
+   arithmetic is computed without rounding errors, as exactly 0. An example is base - a for a linear mass with the full
+   reactive force. */
 VM_API vmi_osc_closed_rates vmi_osc_closed_rates_of(const vm_osc_problem *o, const vmi_osc_rates_of_u *u, vm_real m0)
 {
     const vm_real decay = o->damping / m0;
@@ -10576,7 +10598,8 @@ VM_API vmi_osc_closed_rates vmi_osc_closed_rates_of(const vm_osc_problem *o, con
     return r;
 }
 
-/* Writes E_0 ... E_(n-1), n <= VMI_OSC_G, for the rate W of the phase. */
+/* Writes the numbers E_0 ... E_(n-1) of oscillators/expansion.h, n <= VMI_OSC_G. For t = 0 the argument W is the rate
+   of the mean phase; for another t it is this rate at t = 0 times exp(delta u). */
 VM_API void vmi_osc_closed_disturbance(const vmi_osc_closed_rates *r, vm_real W, int n, vm_real *E)
 {
     const vm_real step = r->delta / W;
@@ -10591,7 +10614,7 @@ VM_API void vmi_osc_closed_disturbance(const vmi_osc_closed_rates *r, vm_real W,
 typedef struct VM_TAG(vmi_osc_closed_mean) {
     vmi_osc_reduced start;      /* mean amplitude, m, mean phase, and its rate W without the terms of E_0, 1/s */
     vm_real base;               /* base of the laws, 1/s; see the top of this file */
-    vmi_osc_closed_rates rates; /* rates at t = 0 */
+    vmi_osc_closed_rates rates; /* the rates p, rest and delta at t = 0 */
     vm_real first, second;      /* what E_0 and E_0^2 add to the rate of the mean phase at t = 0, 1/s */
 } vmi_osc_closed_mean;
 
@@ -10667,7 +10690,7 @@ VM_API void vmi_osc_closed_disturbance_at(const vmi_osc_closed_mean *c, const vm
     vmi_osc_closed_disturbance(&c->rates, c->start.W / now->decay, n, E);
 }
 
-/* An upper bound of the terms that order five leaves out of the mean phase, from 0 to the time of *now
+/* An upper bound of the terms of the mean phase that the law of order five leaves out, from 0 to the time of *now
    (vmi_expansion_third_rate) */
 VM_API vm_real vmi_osc_closed_third(const vmi_osc_closed_mean *c, const vmi_osc_closed_now *now, const vmi_ripple *r)
 {
@@ -10690,7 +10713,7 @@ typedef struct VM_TAG(vm_osc_closed) {
                                  infinite where the error is unknown */
     vmi_osc_closed_mean mean; /* the mean motion */
     ateb_plan ateb;           /* Ateb functions for alpha */
-    vmi_ripple ripple;        /* functions of the ripple for alpha; polynomials are not set for order 2 */
+    vmi_ripple ripple;        /* functions of the ripple for alpha; their polynomials are not set for order 2 */
 } vm_osc_closed;
 
 /* -- Preparing it -- */
@@ -10699,19 +10722,20 @@ typedef struct VM_TAG(vm_osc_closed) {
 typedef struct VM_TAG(vmi_osc_closed_start) {
     vmi_osc_rates_of_u laws;
     vmi_osc_closed_rates rates;
-    vmi_osc_reduced state; /* the reduced state at t = 0 */
+    vmi_osc_reduced state; /* amplitude, phase and its rate at t = 0 */
     vm_real E[VMI_OSC_G];  /* the numbers E_k of this state */
 } vmi_osc_closed_start;
 
-/* Checks that the terms of the law of order five are small at the start: (alpha+1)(alpha+3)/4 (|E_0| + d^3 |E_3|) < 1/2
-   with d = (alpha + 1 + pi)/(2 pi), which is more than Pi_alpha/(2 pi). Then no number overflows. */
+/* Returns 1 if the terms of the law of order five are small at the start, else 0. They count as small if
+   (alpha+1)(alpha+3)/4 (|E_0| + d^3 |E_3|) < 1/2 with d = (alpha + 1 + pi)/(2 pi), which is more than Pi_alpha/(2 pi).
+   Then no number overflows. */
 VM_API int vmi_osc_closed_is_slow(const vm_real *E, vm_real alpha)
 {
     const vm_real d = (alpha + 1 + VM_PI) / (2 * VM_PI), L = (alpha + 1) * (alpha + 3) / 4;
     return L * (VM_FABS(E[0]) + d * d * d * VM_FABS(E[3])) < VM_C(0.5);
 }
 
-/* Checks the problem from t = 0 to t_end, and computes *s. */
+/* Checks the problem from t = 0 to t_end, and computes the fields of *s. */
 VMI_APART int vmi_osc_closed_check(const vm_osc_problem *o, vm_real t_end, vmi_osc_closed_start *s)
 {
     vm_real m0 = 0, k0 = 0;
@@ -10726,12 +10750,13 @@ VMI_APART int vmi_osc_closed_check(const vm_osc_problem *o, vm_real t_end, vmi_o
     return vmi_osc_closed_is_slow(s->E, o->alpha) ? VM_OK : VM_NO_LAW;
 }
 
-/* The estimate of the error at all times from 0 to t_end, where E holds the numbers E_k of the state at t = 0. Each
-   term of the estimate rises or falls steadily with t. Therefore the larger of its values at both ends is a bound. */
+/* An estimate of the error of the motion that is valid at all times from 0 to t_end. E contains the numbers E_k of the
+   state at t = 0. Each term of the estimate only rises or only falls with t. Therefore the larger of its values at 0
+   and at t_end is a bound of this term. */
 VM_API vm_real vmi_osc_closed_error(const vm_osc_closed *c, int order, const vm_real *E, vm_real t_end)
 {
     const vmi_ripple *r = &c->ripple;
-    const vm_real largest_known = VM_C(0.25); /* where the estimate is larger the error is unknown */
+    const vm_real largest_known = VM_C(0.25); /* where the estimate is larger, the error is unknown */
     vm_real e0[VMI_OSC_G], e[VMI_OSC_G], turns, error;
     vmi_osc_closed_now end;
     int k;
@@ -10768,12 +10793,13 @@ VMI_APART void vmi_osc_closed_begin(vm_osc_closed *c, int order, const vmi_osc_c
 /* Prepares the computation of the problem's motion by the law of the given order, 2 to 5; a higher order is more
    accurate. c->error is valid for times between 0 and t_end, s, which may have either sign. Afterwards *c does not need
    the problem any more. After an error *c is unchanged. The errors are
-     VM_BAD_ARGUMENT for null pointers, another order, and a law that no constructor made,
+     VM_BAD_ARGUMENT for null pointers, an order outside 2 to 5, and a law that no constructor made,
      VM_NOT_FINITE for a number that is infinite or NaN,
-     VM_BAD_MASS or VM_BAD_STIFFNESS for a law that is not positive at 0 or t_end,
+     VM_BAD_MASS or VM_BAD_STIFFNESS for a mass or a stiffness that is not positive at 0 or t_end,
      VM_DOMAIN for alpha < 0,
-     VM_NO_LAW for laws without the closed form at the top of this file, for a force F, and where mass, stiffness or
-       damping changes the motion so fast that the law of order five is not valid; use vm_osc_plan_init then.
+     VM_NO_LAW for a mass or stiffness without the closed form at the top of this file, for a problem with a force, and
+       where mass, stiffness or damping changes the motion so fast that the law of order five is not valid; in these
+       cases use vm_osc_plan_init.
    The call takes as long as some 100 calls of vm_osc_closed_at; with order 2 it takes less than half as long. */
 VM_API int vm_osc_closed_init(vm_osc_closed *c, const vm_osc_problem *problem, int order, vm_real t_end)
 {
@@ -10828,9 +10854,10 @@ VM_API int vmi_osc_closed_motion(const vm_osc_closed *c, int order, vm_real t, v
 }
 
 /* Position x (m) and velocity v (m/s) at time t (s, either sign), by the law of the order c->order. c->error estimates
-   the error up to the time t_end that vm_osc_closed_init received. An error leaves *x and *v untouched: VM_BAD_ARGUMENT
-   for null pointers, VM_NOT_FINITE where t or a result is infinite or NaN, VM_BAD_MASS or VM_BAD_STIFFNESS where a law
-   is not positive at t. If *c has order 5, the results are bit for bit those of vm_osc_plan_by_route. */
+   the error up to the time t_end that vm_osc_closed_init received. Returns VM_BAD_ARGUMENT for null pointers;
+   VM_NOT_FINITE where t or a result is infinite or NaN; VM_BAD_MASS or VM_BAD_STIFFNESS where mass or stiffness is not
+   positive at t; VM_OK otherwise. An error leaves *x and *v untouched. If *c has order 5, x and v are bit for bit those
+   of vm_osc_plan_by_route with VM_ROUTE_ORDER5. */
 VM_API int vm_osc_closed_at(const vm_osc_closed *c, vm_real t, vm_real *x, vm_real *v)
 {
     int order = 0;
@@ -10838,8 +10865,8 @@ VM_API int vm_osc_closed_at(const vm_osc_closed *c, vm_real t, vm_real *x, vm_re
     return vmi_osc_closed_motion(c, order, t, x, v);
 }
 
-/* Position and velocity as by vm_osc_closed_at, but always by order 2, whatever order *c has. Of the three functions it
-   adds the least code to a program, since order 2 needs no ripple. */
+/* Position and velocity as by vm_osc_closed_at, but always by order 2, whatever order *c has. This function adds less
+   code to a program than vm_osc_closed_at and vm_osc_closed_at_order3, since order 2 needs no ripple. */
 VM_API int vm_osc_closed_at_order2(const vm_osc_closed *c, vm_real t, vm_real *x, vm_real *v)
 {
     return vmi_osc_closed_motion(c, 2, t, x, v);
@@ -11927,11 +11954,12 @@ VM_API int vmi_osc_order_n(const vm_osc_plan *p, int route, const vmi_osc_wave *
 
 /* -- Averaged equations with a force -- */
 
-/* Writes the means of F s and F c over a period. c and s are the values of the wave w, and F is the force during the
-   motion x = A c, x' = -V s. Each quarter of the period is divided at psi = cut. From 0 to cut, Gauss' rule takes 20
-   points in psi; for large alpha the velocity varies like tanh psi there. From cut to x = 0 it takes 20 points in
-   another variable: the square root of the distance between psi and its value at x = 0. The reason is that F may
-   contain fractional powers of that distance. */
+/* Writes the means of F s and F c over a period to *Fs and *Fc. c and s are the wave w for the position and for the
+   velocity, and F is the force during the motion x = A c, x' = -V s, with the amplitude A and the largest velocity V.
+   Gauss' rule integrates over each quarter of the period in two parts, with 20 points in each. The first part is from
+   psi = 0 to psi = cut; for large alpha the velocity varies like tanh psi there. The second part is from cut to the
+   zero of x. There the rule uses the square root of the distance of psi from this zero as its variable, since F may
+   contain fractional powers of this distance. */
 VM_API void vmi_osc_means(const vm_osc_plan *p, const vmi_osc_wave *w, vm_real t, vm_real A, vm_real V, vm_real *Fs,
                           vm_real *Fc)
 {
@@ -11969,8 +11997,8 @@ VM_API void vmi_osc_averaged_rates(const vm_osc_plan *p, const vmi_osc_wave *w, 
     *theta_rate = -w->gain_theta * Fc / (now->m * V);
 }
 
-/* The rate of the Ateb phase divided by its value at t = 0, where A/A0 = exp(a) and `now` holds the mass and stiffness.
-   A0 is the amplitude at t = 0. */
+/* The rate of the Ateb phase divided by its value at t = 0. The argument a is ln(A/A0), with the present amplitude A
+   and the amplitude A0 at t = 0; `now` contains the present mass and stiffness. */
 VM_API vm_real vmi_osc_Om_ratio(const vm_osc_plan *p, const vmi_osc_rates *now, vm_real a)
 {
     return VM_SQRT((now->k / p->k0) / (now->m / p->m0)) * vmi_exp((p->problem.alpha - 1) / 2 * a, 0);
@@ -11978,15 +12006,16 @@ VM_API vm_real vmi_osc_Om_ratio(const vm_osc_plan *p, const vmi_osc_rates *now, 
 
 /* Averaged rates A', theta', psi' of amplitude and phase, with the problem's force. They are in m/s and 1/s, at the
    time t (s) and the amplitude A (m). psi is the angle of the route's wave, and theta the part of this angle that
-   changes slowly. For VM_ROUTE_ATEB psi is the Ateb phase; the equations are the averages of (314), (315) after the
-   missing term of omega' has been added. For VM_ROUTE_TRIG psi is in radians; the equations are (337)-(339), with
-   alpha + 3 in place of 5 - alpha, and in (338), (339) with 4 in place of 2. For VM_ROUTE_JACOBI psi is the argument of
-   cn; the equations are (380)-(382), with theta' in place of A' in the second equation of (382). Gauss' rule computes
-   the means over each quarter of the period separately, so F may jump where x or x' is 0. For alpha up to 30, and F
-   linear or cubic in x and x' or dry friction, the relative error is at most 1e-10 (float 2e-6). Returns
-   VM_BAD_ARGUMENT for a null pointer or another route, VM_NOT_FINITE for a number that is infinite or NaN, VM_BAD_MASS
-   or VM_BAD_STIFFNESS for a law that is not positive at t, and VM_DOMAIN for A <= 0, for t outside a table, or where
-   the user's function of a law fails. An error leaves the results untouched. */
+   changes slowly. For VM_ROUTE_ATEB psi is the Ateb phase; the equations are the averages of (314), (315), to which the
+   function adds a term with omega' that the dissertation leaves out. For VM_ROUTE_TRIG psi is in radians; the equations
+   are (337)-(339), where alpha + 3 replaces 5 - alpha and, in (338) and (339), 4 replaces 2. For VM_ROUTE_JACOBI psi is
+   the argument of cn; the equations are (380)-(382), where theta' replaces A' in the second equation of (382). Gauss'
+   rule computes the means over each quarter of the period separately, so F may jump where x or x' is 0. For alpha up to
+   30, and F linear or cubic in x and x' or dry friction, the relative error of the rates is at most 1e-10 (float 2e-6).
+   Returns VM_BAD_ARGUMENT for a null pointer or a route other than these three; VM_NOT_FINITE for a number that is
+   infinite or NaN; VM_BAD_MASS for a mass at t that is not positive; VM_BAD_STIFFNESS for a stiffness at t that is not
+   positive; VM_DOMAIN for A <= 0, for t outside a table, or where a user's function of mass or stiffness fails. An
+   error leaves the results untouched. */
 VM_API int vm_osc_averaged(const vm_osc_plan *p, int route, vm_real t, vm_real A, vm_real *A_rate,
                            vm_real *theta_rate, vm_real *psi_rate)
 {
@@ -12010,7 +12039,7 @@ VM_API int vm_osc_averaged(const vm_osc_plan *p, int route, vm_real t, vm_real A
     return VM_OK;
 }
 
-/* -- What averaging leaves out -- */
+/* -- The errors of averaging at one moment -- */
 
 /* Number of phases in a period at which the exact rates of ln A and psi are compared with their means */
 enum { VMI_AVERAGING_POINTS = 64 };
@@ -12023,8 +12052,8 @@ typedef struct VM_TAG(vmi_osc_moment) {
     vm_real A, psi, Om; /* amplitude, m, Ateb phase, and rate of this phase, 1/s */
 } vmi_osc_moment;
 
-/* What averaging leaves out at one moment, as errors of ln A and of the Ateb phase psi. The ripple of a number is its
-   small swing about its mean value within a period. */
+/* The errors of ln A and of the Ateb phase psi that averaging causes at one moment. The ripple of a number is its small
+   swing about its mean value within a period. */
 typedef struct VM_TAG(vmi_osc_averaging) {
     vm_real Om;                 /* rate of the Ateb phase at this moment, 1/s */
     vm_real start_A, start_psi; /* sizes of the ripples of ln A and psi at the phase of this moment */
@@ -12033,9 +12062,9 @@ typedef struct VM_TAG(vmi_osc_averaging) {
     vm_real growth;             /* rate, 1/s, at which a small change of ln A grows */
 } vmi_osc_averaging;
 
-/* Writes the exact rates of ln A and psi at VMI_AVERAGING_POINTS phases of the period before t, or of the first period
-   if less than a period has passed. If `frozen` is 1, the force is computed at the time t for all phases, otherwise at
-   the time of each phase. */
+/* Writes the exact rates of ln A and psi at VMI_AVERAGING_POINTS phases of a period. It is the period before t, or the
+   first period if less than a period has passed since time 0. If `frozen` is 1, the force is computed at the time t for
+   all phases, otherwise at the time of each phase. */
 VM_API void vmi_osc_period_rates(const vmi_osc_moment *at, int frozen, vm_real *rate_A, vm_real *rate_psi)
 {
     const vm_osc_plan *p = at->plan;
@@ -12056,7 +12085,7 @@ VM_API void vmi_osc_period_rates(const vmi_osc_moment *at, int frozen, vm_real *
     }
 }
 
-/* Subtracts the mean from values over a period, and returns the mean */
+/* Subtracts the mean of VMI_AVERAGING_POINTS values over a period from each of them, and returns the mean. */
 VM_API vm_real vmi_osc_take_mean(vm_real *values)
 {
     vm_real mean = 0;
@@ -12066,8 +12095,8 @@ VM_API vm_real vmi_osc_take_mean(vm_real *values)
     return mean;
 }
 
-/* Integrates values over a period, and subtracts the mean of the integral. The mean of the values must be 0. `width` is
-   the distance between two values. */
+/* Integrates VMI_AVERAGING_POINTS values over a period, and subtracts the mean of the integral from the integral. The
+   mean of the values must be 0. `width` is the time between two values, s. */
 VM_API void vmi_osc_integrate_ripple(const vm_real *values, vm_real width, vm_real *ripple)
 {
     int i;
@@ -12077,7 +12106,7 @@ VM_API void vmi_osc_integrate_ripple(const vm_real *values, vm_real width, vm_re
     vmi_osc_take_mean(ripple);
 }
 
-/* The largest absolute value over a period */
+/* The largest absolute value of VMI_AVERAGING_POINTS values over a period */
 VM_API vm_real vmi_osc_largest(const vm_real *values)
 {
     vm_real largest = 0;
@@ -12086,12 +12115,12 @@ VM_API vm_real vmi_osc_largest(const vm_real *values)
     return largest;
 }
 
-/* Adds the difference between the mean rates with the wave w and those with ca, the exact wave, to the errors of the
-   mean rates. It also finds the rate at which a small change of ln A grows. */
+/* Adds to the errors a->rate_A and a->rate_psi the difference between two mean rates: that with the wave w, and that
+   with the exact wave ca. Also finds the rate at which a small change of ln A grows. */
 VM_API void vmi_osc_add_wave_rates(const vmi_osc_moment *at, const vmi_osc_wave *w, vmi_osc_averaging *a)
 {
     const vm_osc_plan *p = at->plan;
-    const vm_real change = VM_C(0.02); /* the change of ln A that is tried */
+    const vm_real change = VM_C(0.02); /* a change of ln A, to see by how much the mean rate changes */
     const vm_real A = at->A * (1 + change), Om = at->Om * (1 + (w->alpha - 1) / 2 * change);
     const vmi_osc_wave exact = vmi_osc_wave_of(p, VM_ROUTE_ATEB);
     vm_real own_A, own_psi, exact_A, exact_psi, more_A, more_psi;
@@ -12103,8 +12132,9 @@ VM_API void vmi_osc_add_wave_rates(const vmi_osc_moment *at, const vmi_osc_wave 
     a->growth = (more_A - own_A) / change;
 }
 
-/* Finds the ripples of ln A and psi. They are the integrals of the rates of ln A and psi over a period, after the means
-   of the rates have been subtracted. The ripple of ln A changes Om, and so adds to the rate of psi. */
+/* Finds the ripples of ln A and psi: the integrals over time of the rates rate_A and rate_psi of ln A and psi within a
+   period, after the mean of each rate has been subtracted. The ripple of ln A changes Om, and so adds to the rate of
+   psi. */
 VM_API void vmi_osc_find_ripples(const vmi_osc_moment *at, const vm_real *rate_A, vm_real *rate_psi,
                                  vmi_osc_averaging *a)
 {
@@ -12121,13 +12151,13 @@ VM_API void vmi_osc_find_ripples(const vmi_osc_moment *at, const vm_real *rate_A
     a->ripple = vmi_osc_largest(ripple_A) + vmi_osc_largest(ripple_psi);
 }
 
-/* Finds what averaging leaves out at the time t between 0 and t_end, where the motion has the amplitude A and the
-   Ateb phase psi */
+/* Finds the errors that averaging causes at the time t between 0 and t_end, where the motion has the amplitude A and
+   the Ateb phase psi. */
 VM_API int vmi_osc_averaging_at(const vm_osc_plan *p, const vmi_osc_wave *w, vm_real t, vm_real t_end, vm_real A,
                                 vm_real psi, vmi_osc_averaging *a)
 {
-    const vm_real second_order = VM_C(0.25); /* error of a mean rate divided by (rate times ripple); it is 0.156 for
-                                                Duffing's equation */
+    const vm_real second_order = VM_C(0.25); /* error of a mean rate divided by (rate times ripple). The quotient is
+                                                0.156 for Duffing's equation */
     vm_real rate_A[VMI_AVERAGING_POINTS], rate_psi[VMI_AVERAGING_POINTS], frozen_A, frozen_psi, rates, second;
     vmi_osc_moment at;
     int status = vmi_osc_rates_at(&p->problem, t, -vmi_time_side(t_end), &at.now);
@@ -12156,8 +12186,8 @@ VM_API int vmi_osc_averaging_at(const vm_osc_plan *p, const vmi_osc_wave *w, vm_
 
 /* -- The error between 0 and t -- */
 
-/* The interval from 0 to t is divided into 11 equal parts. Errors are estimated at the ends of the last 8 of them, both
-   here and where oscillators/integration.h compares two integrations. */
+/* The number of times at which errors are estimated. The interval from 0 to t is divided into 11 equal parts; these
+   times are the ends of the last 8 parts. oscillators/integration.h compares two integrations at the same times. */
 enum { VMI_OSC_CHECKS = 8 };
 
 /* Time number i, 0 to VMI_OSC_CHECKS - 1, at which motions are compared on the way to t; the last one is t. */
@@ -12168,10 +12198,10 @@ VM_API vm_real vmi_osc_check_time(vm_real t, int i)
 }
 
 /* Estimates the error at t of the averaged equations with a force, from the motions at the times of vmi_osc_check_time.
-   Errors arise from the ripple at the start, which the equations treat as a part of the mean, and from errors of the
-   mean rates. These errors grow as fast as small changes of the motion grow, and an error of the amplitude causes an
-   error of the phase. At the end the estimate adds the ripple at t, the error of a wave that is not ca, and the effect
-   of fast changes of mass and stiffness. */
+   Errors arise from the ripple at the start, which the averaged equations treat as a part of the mean motion, and from
+   errors of the mean rates. These errors grow as fast as small changes of the motion grow, and an error of the
+   amplitude causes an error of the phase. At the end the function adds the ripple at t, the error of the wave if it is
+   not ca, and the effect of fast changes of mass and stiffness. */
 VM_API int vmi_osc_averaging_error(const vm_osc_plan *p, const vmi_osc_wave *w, vm_real t,
                                    const vm_osc_motion *motion, vm_real *error)
 {
@@ -12221,7 +12251,7 @@ VM_API int vmi_osc_averaging_error(const vm_osc_plan *p, const vmi_osc_wave *w, 
 
 /* Numbers that suit a Runge-Kutta pair */
 typedef struct VM_TAG(vmi_osc_tuning) {
-    vm_real least;     /* least useful tolerance of a step, because of rounding errors within the step */
+    vm_real least;     /* smallest useful tolerance of a step; rounding errors within a step may be as large */
     vm_real ratio;     /* tolerance of the loose run divided by that of the strict run */
     vm_real factor;    /* estimated error of the strict run, divided by the difference of the two runs */
     vm_real by_chance; /* the estimated error is at least this number times the tolerance of the steps */
@@ -12236,13 +12266,14 @@ typedef struct VM_TAG(vmi_osc_method) {
     int (*init)(rk45 *s, ode_rhs f, void *ctx, int n, vm_real t0, const vm_real *y0,
                 const rk45_options *options_or_NULL, vm_real *work); /* rk45_init or rk87_init */
     int (*solve)(rk45 *s, vm_real t_end);                            /* rk45_solve or rk87_solve */
-    vmi_osc_tuning tuning;                                           /* numbers for this pair */
+    vmi_osc_tuning tuning;                                           /* numbers that suit this Runge-Kutta pair */
 } vmi_osc_method;
 
-/* A method of integration with the Runge-Kutta pair rk45. The pair does not change the length of its steps while their
-   error is between 1/4 and 3/4 of the tolerance, which is a factor of 3. `ratio` is larger than this factor, so that
-   the two runs take different steps. `factor` leaves room for errors that are not proportional to the tolerance. Errors
-   are mostly far below the tolerance of the steps, so two runs may agree well by chance; by_chance allows for this. */
+/* A method of integration with the Runge-Kutta pair rk45. rk45 does not change the length of its steps while their
+   error is between 1/4 and 3/4 of the tolerance; these limits differ by a factor of 3. The field `ratio` is larger than
+   this factor, so that the steps of the two runs have different lengths. The field `factor` allows for errors that are
+   not proportional to the tolerance. Errors are mostly far below the tolerance of the steps, so two runs may agree well
+   by chance; the field by_chance allows for this. */
 VM_API vmi_osc_method vmi_osc_method_rk45(ode_rhs rhs)
 {
     vmi_osc_method method;
@@ -12259,7 +12290,7 @@ VM_API vmi_osc_method vmi_osc_method_rk45(ode_rhs rhs)
 }
 
 /* A method of integration with the Runge-Kutta pair rk87, which does not change the length of its steps while their
-   error is between 1/10 and 3/4 of the tolerance, which is a factor of 7.5 */
+   error is between 1/10 and 3/4 of the tolerance. These limits differ by a factor of 7.5. */
 VM_API vmi_osc_method vmi_osc_method_rk87(ode_rhs rhs)
 {
     vmi_osc_method method = vmi_osc_method_rk45(rhs);
@@ -12283,14 +12314,15 @@ enum { VMI_OSC_X = 0, VMI_OSC_V = 1, VMI_OSC_LN_A = 0, VMI_OSC_PSI = 1, VMI_OSC_
 typedef struct VM_TAG(vmi_osc_run) {
     const vm_osc_plan *plan;
     const vmi_osc_method *method;
-    int route;        /* the method's route, VM_ROUTE_... */
+    int route;        /* the route that uses this method, VM_ROUTE_... */
     vmi_osc_wave wave;
     int side;         /* 1 forward, -1 backward in time */
     int status;       /* status of a law of mass or stiffness that stopped the run, else VM_OK */
     vm_real longest;  /* longest step, in periods */
     vm_real share;    /* longest step, divided by the interval up to the next stop */
-    vm_real law_step; /* longest step, s, of the first loose run: so short that no change of a user's law is missed */
-    long evals;       /* evaluations of right-hand sides by all runs so far */
+    vm_real law_step; /* longest step, s, of the first loose run: so short that no change of a mass or stiffness that a
+                         user's function gives is missed */
+    long evals;       /* number of evaluations of right-hand sides by all runs so far */
     rk45 s;
     vm_real work[RK87_WORK(VMI_OSC_STATES)];
 } vmi_osc_run;
@@ -12349,9 +12381,9 @@ VM_API int vmi_osc_direct_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *
 
 /* -- One run -- */
 
-/* The period at the present time of the run, s. For the averaged equations it follows from the amplitude in y, for the
-   equation of motion from the adiabatic law of the amplitude without damping. Returns NaN where a law of m or k
-   fails. */
+/* The period at the present time of the run, s. For the averaged equations the period follows from the amplitude in y,
+   for the equation of motion from the adiabatic law of the amplitude without damping (vmi_osc_adiabatic). Returns NaN
+   where the law of the mass or of the stiffness fails. */
 VM_API vm_real vmi_osc_period_now(const vmi_osc_run *c)
 {
     const vm_osc_plan *p = c->plan;
@@ -12380,7 +12412,7 @@ VM_API vm_real vmi_osc_next_stop(const vmi_osc_run *c, vm_real t, vm_real period
    contains the whole reversal. */
 VM_API void vmi_osc_bound_steps(vmi_osc_run *c, vm_real stop, vm_real t, vm_real period)
 {
-    const vm_real most_steps = 8192; /* per period; a part of the largest number of steps of a run */
+    const vm_real most_steps = 8192; /* per period; with it the largest number of steps of a run is computed */
     const vm_real largest_long = VM_C(1e9), bounces_from = 10; /* from here on Pi_alpha counts as large */
     const vm_real way = VM_FABS(stop - c->s.t), most = c->share * way + 64 * VM_EPSILON * VM_FABS(t);
     const vm_real law_step = c->law_step * c->longest / VMI_OSC_LONGEST;
@@ -12392,11 +12424,11 @@ VM_API void vmi_osc_bound_steps(vmi_osc_run *c, vm_real stop, vm_real t, vm_real
     c->s.options.max_steps = steps < largest_long ? (long)steps : 1000000000L;
 }
 
-/* Integrates to the time t. At every stop, subtracts whole turns from the phase and sets the bounds of the steps
-   anew. */
+/* Integrates to the time t. At every stop (vmi_osc_next_stop) the function subtracts whole turns from the phase, and
+   sets new bounds of the steps. */
 VM_API int vmi_osc_solve(vmi_osc_run *c, vm_real t)
 {
-    const vm_real most_periods = VM_C(8388608.); /* 2^23: after more periods a float has no digits for the phase */
+    const vm_real most_periods = VM_C(8388608.); /* 2^23: after more periods a phase in float has no correct digits */
     const vm_real turn = 2 * c->plan->ripple.pi;
     int status = VM_OK;
     while (status >= 0 && c->s.t != t) {
@@ -12417,7 +12449,7 @@ VM_API int vmi_osc_solve(vmi_osc_run *c, vm_real t)
     return VM_OK;
 }
 
-/* Writes the motion at the run's time, but not its error and evals. */
+/* Writes the motion at the run's present time, but not the fields error and evals. */
 VM_API int vmi_osc_motion_now(const vmi_osc_run *c, vm_osc_motion *motion)
 {
     const vm_osc_plan *p = c->plan;
@@ -12456,7 +12488,7 @@ VM_API int vmi_osc_run_once(vmi_osc_run *c, vm_real t, vm_real tolerance, vm_osc
         y[VMI_OSC_X] = ca;
         y[VMI_OSC_V] = -sa;
     } else {
-        options.rtol = -1; /* errors of ln A and psi are absolute */
+        options.rtol = -1; /* no relative tolerance: atol limits the absolute errors of ln A and psi */
         y[VMI_OSC_LN_A] = 0;
         y[VMI_OSC_PSI] = p->psi;
     }
@@ -12473,9 +12505,9 @@ VM_API int vmi_osc_run_once(vmi_osc_run *c, vm_real t, vm_real tolerance, vm_osc
 
 /* -- Two runs -- */
 
-/* The largest difference of two runs: of x relative to the amplitude, and of v relative to vmax. It is taken over all
-   times of vmi_osc_check_time, since at a single time two runs may agree by chance. Returns infinity where the
-   difference is unknown. */
+/* The largest difference of two runs: of x relative to the amplitude, and of v relative to the largest velocity. It is
+   the largest at all times of vmi_osc_check_time, since at a single time two runs may agree by chance. Returns infinity
+   where the difference is unknown. */
 VM_API vm_real vmi_osc_difference(const vm_osc_plan *p, vm_real t, const vm_osc_motion *a, const vm_osc_motion *b)
 {
     vm_real largest = 0;
@@ -12493,8 +12525,9 @@ VM_API vm_real vmi_osc_difference(const vm_osc_plan *p, vm_real t, const vm_osc_
 }
 
 /* Computes the longest step, s, with which an integrator misses no change of mass or stiffness that a user's function
-   gives: a quarter of the shortest panel of time that vmi_osc_walk_to needed for these laws. A jump of a law would make
-   it 0; therefore it is at least |t|/8192, or the law's change_time if that is shorter. */
+   gives: a quarter of the shortest panel, that is interval of time, that vmi_osc_walk_to needed for this mass and
+   stiffness. If the mass or the stiffness jumped, this step would be 0; therefore it is at least |t|/8192, or the field
+   change_time of the law if that is shorter. */
 VM_API int vmi_osc_law_step(const vm_osc_plan *p, vm_real t, vm_real *step)
 {
     const vm_real panel_steps = 4, run_steps = 8192;
@@ -12516,8 +12549,8 @@ VM_API int vmi_osc_law_step(const vm_osc_plan *p, vm_real t, vm_real *step)
     return VM_OK;
 }
 
-/* Makes a loose run, and a strict run with half the longest step. If a law of mass or stiffness stopped one of the
-   runs, c->status is the law's status. */
+/* Makes a loose run, and then a strict run with a smaller tolerance and half the longest step. If the law of the mass
+   or of the stiffness stopped one of the runs, c->status is the status of this law. */
 VM_API int vmi_osc_try_pair(vmi_osc_run *c, vm_real t, vm_real step_tolerance, vm_real longest, vm_osc_motion *loose,
                             vm_osc_motion *strict)
 {
@@ -12531,7 +12564,7 @@ VM_API int vmi_osc_try_pair(vmi_osc_run *c, vm_real t, vm_real step_tolerance, v
     return vmi_osc_run_once(c, t, step_tolerance, strict);
 }
 
-/* Estimate of the strict run's error, including the rounding errors of the phase */
+/* Estimate of the error of the strict run, including the rounding errors of the phase */
 VM_API vm_real vmi_osc_pair_error(const vmi_osc_run *c, vm_real t, vm_real step_tolerance, const vm_osc_motion *loose,
                                   const vm_osc_motion *strict)
 {
@@ -12549,8 +12582,9 @@ VM_API vm_real vmi_osc_first_tolerance(vm_real tolerance)
     return vmi_smaller(tolerance / part, largest);
 }
 
-/* The tolerance of the steps in the next pair of runs, after an error that was too large. It is step_tolerance, the
-   last such tolerance, times tolerance/error, divided by 4, but at least 2e-5 times step_tolerance. */
+/* The tolerance of the steps in the next pair of runs, where the error of the last pair was too large. step_tolerance
+   is the tolerance of the steps in the last pair. The result is step_tolerance times tolerance/error, divided by 4;
+   where tolerance/error is not above 1e-4, it is 2e-5 times step_tolerance. */
 VM_API vm_real vmi_osc_next_tolerance(vm_real step_tolerance, vm_real tolerance, vm_real error)
 {
     const vm_real ratio = tolerance / error, reserve = 4;
@@ -12558,10 +12592,10 @@ VM_API vm_real vmi_osc_next_tolerance(vm_real step_tolerance, vm_real tolerance,
     return step_tolerance * VM_C(2e-5);
 }
 
-/* Makes pairs of runs until the error is within the tolerance. strict[] receives the motions of the last strict run;
-   its last element holds the error. The longest step is halved after each pair that is not much better than the pair
-   before, because then the error may come from steps that are too long. It may also come from rounding errors or
-   chance; therefore the loop ends after three such pairs. */
+/* Makes pairs of runs until the error is within the tolerance. The motions of the last strict run are written to
+   strict[]; the last of them contains the error. The longest step is halved after each pair whose error is more than
+   half of the error of the pair before it, because then the error may come from steps that are too long. It may also
+   come from rounding errors or chance; therefore the function ends after three such pairs. */
 VM_API int vmi_osc_refine(vmi_osc_run *c, vm_real t, vm_real tolerance, vm_osc_motion *strict)
 {
     const int most_attempts = 6, most_stalled = 3;
@@ -12591,8 +12625,9 @@ VM_API int vmi_osc_refine(vmi_osc_run *c, vm_real t, vm_real tolerance, vm_osc_m
     return status;
 }
 
-/* The motion at t by a method of integration. Returns VM_TOLERANCE_MISSED where the error of integration is larger
-   than the tolerance. An error of averaging is added to motion->error, but does not change the status. */
+/* Computes the motion at t by a method of integration. Returns VM_TOLERANCE_MISSED where the error of the integration
+   is larger than the tolerance. For averaged equations the error of averaging is added to motion->error, but it does
+   not change the status. */
 VM_API int vmi_osc_integrate(const vm_osc_plan *plan, int route, const vmi_osc_method *method, vm_real t,
                              vm_real tolerance, vm_osc_motion *motion)
 {
@@ -12624,21 +12659,21 @@ VM_API int vmi_osc_integrate(const vm_osc_plan *plan, int route, const vmi_osc_m
 #endif
 /* oscillators/gauss_rule.h - Gauss' rule of n points on [0, 1], and polynomials through values at these points
 
-   The points are called nodes. The rule integrates polynomials of degree 2n - 1 exactly. Two matrices belong to it.
-   They turn the values of a polynomial of degree n - 1 at the nodes into its integrals from 0 to each node, and into
-   its derivatives at the nodes. The method of collocation (oscillators/collocation.h) solves differential equations
-   with them.
+   The points are called nodes. The rule integrates polynomials of degree 2n - 1 exactly. Two matrices belong to the
+   rule. One turns the values of a polynomial of degree n - 1 at the nodes into its integrals from 0 to each node, the
+   other turns them into its derivatives at the nodes. The method of collocation (oscillators/collocation.h) solves
+   differential equations with these matrices.
        vmi_gauss_rule rule;
        vmi_gauss_rule_init(&rule, 8);
    Tests: tests/test_collocation.c. */
 #ifndef VARMASS_OSCILLATORS_GAUSS_RULE_H
 #define VARMASS_OSCILLATORS_GAUSS_RULE_H
 
-/* The largest n */
+/* The largest number n of nodes */
 enum { VMI_NODES = VMI_GAUSS };
 
-/* Gauss' rule, and two matrices. Polynomial j in their comments has degree n - 1; it is 1 at node j and 0 at all other
-   nodes. */
+/* Gauss' rule, and the two matrices `integral` and `derivative`. Polynomial j in the comments of these two fields has
+   degree n - 1; it is 1 at node j and 0 at all other nodes. */
 typedef struct VM_TAG(vmi_gauss_rule) {
     int n;      /* number of nodes */
     int graded; /* 1 after vmi_gauss_rule_grade, else 0 */
@@ -12681,8 +12716,9 @@ VM_API void vmi_gauss_rule_nodes(vmi_gauss_rule *rule)
     }
 }
 
-/* Adds the part of Legendre's polynomial P_k to both matrices. The arrays hold P_k at the nodes, its integrals from 0
-   to the nodes, and its derivatives there, with respect to the variable that goes from 0 to 1. */
+/* Adds the part of Legendre's polynomial P_k to both matrices of the rule. `values` is P_k at the nodes, `integrals`
+   are its integrals from 0 to the nodes, and `derivatives` its derivatives at the nodes, all with respect to the
+   variable that goes from 0 to 1. */
 VM_API void vmi_gauss_rule_add(vmi_gauss_rule *rule, int k, const vm_real *values, const vm_real *integrals,
                                const vm_real *derivatives)
 {
@@ -12717,7 +12753,7 @@ VM_API void vmi_gauss_rule_init(vmi_gauss_rule *rule, int n)
         }
     }
     for (j = 0; j < n; j++) rule->integral[n][j] = rule->weight[j];
-    for (k = 0; k < n; k++) { /* x = 2 node - 1: integrals are 1/2 of those over x, derivatives twice */
+    for (k = 0; k < n; k++) { /* with x = 2 node - 1, integrals are 1/2 of those over x, derivatives twice those by x */
         for (i = 0; i < n; i++) {
             const vm_real x = 2 * rule->node[i] - 1, next = vmi_legendre_next(k, x, now[i], before[i]);
             integrals[i] = k == 0 ? rule->node[i] : (next - before[i]) / (vm_real)(2 * (2 * k + 1));
@@ -12760,19 +12796,21 @@ VM_API void vmi_gauss_rule_grade(vmi_gauss_rule *rule)
 
    The exact equations of oscillators/reduction.h for the amplitude A and the phase psi, with a further force F, are
      (ln A)' = -p + W E sa ca - 2/(alpha+1) f sa,   psi' = W (1 + (alpha+1)/2 E ca^2) - f ca,
-     with E = (p^2 - a p - p')/W^2,   f = F/(m V),   V = 2 A W/(alpha+1); p, a and W are explained there.
-   They are solved with psi as the independent variable: each step integrates ln A and t from one zero of x to the next.
-   For most alpha the force of the spring is not smooth at x = 0. But the steps end there, so this point never lies
-   inside a step, where it would do the most harm.
+   with
+     E = (p^2 - a p - p')/W^2,   f = F/(m V),   V = 2 A W/(alpha+1).
+   The rates p, a and W are explained in oscillators/reduction.h. The equations are solved with psi as the independent
+   variable: each step integrates ln A and t from one zero of x to the next. For most alpha the force of the spring is
+   not smooth at x = 0. But the steps end at x = 0, so this point never lies inside a step, where it would cause the
+   largest errors.
 
    A step uses Gauss' collocation: polynomials approximate the rates, and satisfy the equations exactly at n points of
-   the step, the nodes. These conditions are solved by iteration, which starts from values that are extrapolated from
-   the earlier steps.
+   the step, the nodes. These conditions are solved by iteration in several rounds. The first round starts from values
+   that are extrapolated from the earlier steps.
 
    Without a force the rates of ln A and t consist of slow functions and of a swing, a part that varies like ca^2 and sa
    ca and is proportional to E. A polynomial through few nodes approximates the slow functions well, but not ca^2 and sa
-   ca. The integrals of ca^2 and sa ca have closed forms (oscillators/ripple.h). So each step adds what Gauss' rule
-   misses in these integrals to the result of the rule. Then 2 or 3 nodes per step are enough for errors of 1e-8. With a
+   ca. The integrals of ca^2 and sa ca have closed forms (oscillators/ripple.h). So the errors of Gauss' rule in these
+   integrals are known, and each step corrects them. Then 2 or 3 nodes per step are enough for errors of 1e-8. With a
    force such closed forms do not exist; for alpha < 3 the nodes then lie closer together at the ends of the steps
    (vmi_gauss_rule_grade).
        vmi_osc_course c;
@@ -12790,19 +12828,19 @@ enum { VMI_HISTORY = 7 };
 
 /* -- A run -- */
 
-/* sa and ca at the nodes of a step, and what Gauss' rule misses in the integrals of four functions: ca^2, (x - 1/2)
-   ca^2, sa ca and (x - 1/2) sa ca, where x goes from 0 at the start of the step to 1 at its end. Row i < n of `misses`
-   is for the integrals over x from 0 to node i, row n for those from 0 to 1. */
+/* sa and ca at the nodes of a step, and the errors `misses` of Gauss' rule: the exact integral minus the result of the
+   rule, for the four functions ca^2, (x - 1/2) ca^2, sa ca and (x - 1/2) sa ca. x goes from 0 at the start of the step
+   to 1 at its end. Row i < n of `misses` is for the integrals over x from 0 to node i, row n for those from 0 to 1. */
 enum { VMI_MISSES_CA2, VMI_MISSES_CA2_X, VMI_MISSES_SACA, VMI_MISSES_SACA_X, VMI_MISSES };
 typedef struct VM_TAG(vmi_step_waves) {
     vm_real sa[VMI_NODES], ca[VMI_NODES];
     vm_real misses[VMI_NODES + 1][VMI_MISSES];
 } vmi_step_waves;
 
-/* Rates: derivatives of ln A and t with respect to the phase psi, at the nodes of a step */
+/* The rates of a step: derivatives of ln A and t with respect to the phase psi, at the nodes of the step */
 typedef struct VM_TAG(vmi_step_rates) {
     vm_real ln_A[VMI_NODES], t[VMI_NODES];
-    vm_real E[2]; /* E at the first and at the last node */
+    vm_real E[2]; /* E = (p^2 - a p - p')/W^2 at the first and at the last node */
 } vmi_step_rates;
 
 /* A run, that is one computation of the motion from 0 to t. A half period goes from one zero of ca to the next. It is
@@ -12813,8 +12851,8 @@ typedef struct VM_TAG(vmi_osc_course) {
     vmi_gauss_rule rule;
     int side;              /* 1 forward, -1 backward in time */
     int parts;             /* number of parts of a half period, 1 or 2 */
-    vm_real stop;          /* time, s, at which a step must end: a point of a table or the end. Laws are not
-                              evaluated beyond it */
+    vm_real stop;          /* time, s, at which a step must end: a point of a table or the end of the run. Mass and
+                              stiffness are not evaluated beyond it */
     vm_real longest;       /* the longest step, s */
     vm_real sweep_limit;   /* the iteration of a step ends when the estimated error of the phase is at most this */
     vm_real psi, ln_A, t;  /* phase, ln(A/A0) with the amplitude A0 of the plan, time, s */
@@ -12824,14 +12862,15 @@ typedef struct VM_TAG(vmi_osc_course) {
     vm_real left;          /* sum of the errors of the phase that the iterations of all steps leave */
     vm_real contraction;   /* factor by which a round of the iteration reduces its error */
     vm_real rate;          /* rate of the phase at the end of the last step, 1/s */
-    vmi_step_waves waves[2];                 /* waves on each part of the half period from psi = -Pi/2 */
-    vmi_step_rates difference[2][VMI_HISTORY]; /* rates of the last step that covered all of a part, and their
-                                                backward differences over such steps */
-    int known[2];          /* number of earlier steps over each part that `difference` represents */
-    long evals;            /* evaluations of the rates */
+    vmi_step_waves waves[2];                 /* sa, ca and `misses` for each part of a half period */
+    vmi_step_rates difference[2][VMI_HISTORY]; /* for each part: rates of the last step that
+                                                covered all of it, and backward differences
+                                                of these rates over such steps */
+    int known[2];          /* number of earlier steps over each part from which `difference` was computed */
+    long evals;            /* number of evaluations of the rates */
 } vmi_osc_course;
 
-/* Sets the amplitude of the course from ln(A/A0). */
+/* Sets the amplitude of the run, and the rate Om of the phase, from ln(A/A0). */
 VM_API void vmi_osc_course_amplitude(vmi_osc_course *c, vm_real ln_A)
 {
     const vm_osc_plan *plan = c->plan;
@@ -12842,7 +12881,7 @@ VM_API void vmi_osc_course_amplitude(vmi_osc_course *c, vm_real ln_A)
 
 /* -- What Gauss' rule misses -- */
 
-/* Writes the functions C, S and S2 of oscillators/ripple.h at a phase. */
+/* Writes the functions C, S and S2 of oscillators/ripple.h at the phase psi to *f. */
 VM_API void vmi_osc_course_ripple(const vmi_osc_course *c, vm_real psi, vmi_ripple_values *f)
 {
     vm_real sa, ca;
@@ -12850,9 +12889,10 @@ VM_API void vmi_osc_course_ripple(const vmi_osc_course *c, vm_real psi, vmi_ripp
     vmi_ripple_at(&c->plan->ripple, 4, psi, sa, ca, f);
 }
 
-/* Writes the integrals of the four functions from the start of the step, where x = 0, to the given x. `length` is the
-   length of the step in phase. *first holds the functions C, S and S2 at the start of the step, *now those at x. The
-   integral of ca^2 over psi is <ca^2> psi + S, and that of sa ca is -(alpha+1)/4 ca^2. Integration by parts gives the
+/* Writes the integrals over x of the four functions of vmi_step_waves, from the start of the step, where x = 0, to the
+   given x. `length` is the length of the step in phase. *first contains the functions C, S and S2 of
+   oscillators/ripple.h at the start of the step, *now these functions at x. The integral of ca^2 over psi is <ca^2> psi
+   + S, where <> is the mean over a period; the integral of sa ca is -(alpha+1)/4 ca^2. Integration by parts gives the
    integrals with the factor x - 1/2. */
 VM_API void vmi_osc_wave_integrals(const vmi_ripple *r, const vmi_ripple_values *first, const vmi_ripple_values *now,
                                    vm_real x, vm_real length, vm_real *sum)
@@ -12868,7 +12908,8 @@ VM_API void vmi_osc_wave_integrals(const vmi_ripple *r, const vmi_ripple_values 
     sum[VMI_MISSES_SACA_X] = (from_middle * saca - saca_twice / length) / length;
 }
 
-/* Subtracts the results of Gauss' rule from the four integrals in row i of `misses`. */
+/* Subtracts the results of Gauss' rule from the four integrals in row i of w->misses, so that the errors of the rule
+   are left. */
 VM_API void vmi_osc_subtract_rule(const vmi_gauss_rule *rule, int i, vmi_step_waves *w)
 {
     vm_real *misses = w->misses[i];
@@ -12884,8 +12925,9 @@ VM_API void vmi_osc_subtract_rule(const vmi_gauss_rule *rule, int i, vmi_step_wa
     }
 }
 
-/* Writes sa, ca and `misses` for a step that starts at the phase `from`. In a very short step the rule misses nothing
-   but rounding errors, so `misses` is set to 0. */
+/* Writes sa and ca at the nodes of a step that starts at the phase `from`, and the errors w->misses of Gauss' rule in
+   the integrals of ca^2 and sa ca over this step. In a very short step these errors would only be rounding errors, so
+   they are set to 0. */
 VM_API void vmi_osc_course_waves(const vmi_osc_course *c, vm_real from, vm_real length, vmi_step_waves *w)
 {
     const vm_real very_short = VM_SQRT(VM_SQRT(VM_EPSILON));
@@ -12907,9 +12949,10 @@ VM_API void vmi_osc_course_waves(const vmi_osc_course *c, vm_real from, vm_real 
         for (k = 0; k < VMI_MISSES; k++) w->misses[i][k] = 0;
 }
 
-/* Whether the nodes must lie closer together at the ends of a step (vmi_gauss_rule_grade). With a force that depends on
-   the velocity, the rates contain d^(alpha+1), where d is the distance from a zero of x. For most alpha this is no
-   integer power, so the rates are not smooth at d = 0. From alpha = 3 on the power is so high that it does no harm. */
+/* Returns 1 if the nodes must lie closer together at the ends of a step (vmi_gauss_rule_grade), else 0. With a force
+   that depends on the velocity, the rates contain d^(alpha+1), where d is the distance from a zero of x. For most alpha
+   this is no integer power, so the rates are not smooth at d = 0. From alpha = 3 on the power is so high that the
+   errors of the rule are small enough. */
 VM_API int vmi_osc_needs_grading(const vm_osc_problem *o) { return o->force && o->alpha < 3 && o->alpha != 1; }
 
 /* -- Rates and changes -- */
@@ -12919,16 +12962,16 @@ typedef struct VM_TAG(vmi_osc_change) {
     vm_real ln_A, t;
 } vmi_osc_change;
 
-/* A step that is being computed; it starts at the present state of the course */
+/* A step that is being computed; it starts at the present state of the run */
 typedef struct VM_TAG(vmi_osc_step) {
     vm_real length;              /* length in phase */
-    vm_real sign;                /* factor of waves: -1 in every second half period, else 1 */
-    const vmi_step_waves *waves; /* waves at the nodes, without the factor sign */
+    vm_real sign;                /* factor of sa and ca: -1 in every second half period, else 1 */
+    const vmi_step_waves *waves; /* sa and ca at the nodes, without the factor `sign` */
     vmi_step_rates rates;        /* rates at the nodes by the last round of the iteration */
     vm_real swing_t[2];          /* the swing of the rate of t is (swing_t[0] + (x - 1/2) swing_t[1]) ca^2 */
     vm_real swing_ln_A[2];       /* the swing of the rate of ln A is (swing_ln_A[0] + (x - 1/2) swing_ln_A[1]) sa ca,
                                     minus p times the swing of t */
-    vm_real p;                   /* p in the middle of the step, 1/s */
+    vm_real p;                   /* the rate p in the middle of the step, 1/s */
     vmi_osc_change whole;        /* the changes over the whole step */
 } vmi_osc_step;
 
@@ -12953,13 +12996,14 @@ VM_API vm_real vmi_osc_exp_of_change(vm_real x)
     return low + xx * xx * (middle + xx * xx * high);
 }
 
-/* Writes the derivatives of ln A and t with respect to the phase at node i, and E there. */
+/* Writes the derivatives of ln A and t with respect to the phase at node i, and E = (p^2 - a p - p')/W^2 at this
+   node. */
 VM_API int vmi_osc_course_rates(const vmi_osc_course *c, const vmi_osc_step *s, int i, const vmi_step_node *at,
                                 vm_real *ln_A_by_psi, vm_real *t_by_psi, vm_real *E)
 {
     const vm_osc_plan *plan = c->plan;
     const vm_osc_problem *o = &plan->problem;
-    const vm_real least_rate = VM_C(0.03); /* below this ratio of the phase's rate to W there is no vibration */
+    const vm_real least_rate = VM_C(0.03); /* if psi'/W is below this number, the motion is no vibration */
     const vm_real n = o->alpha + 1, sa = s->sign * s->waves->sa[i], ca = s->sign * s->waves->ca[i];
     const vmi_osc_rates *now = &at->now;
     const vm_real omega_ratio = VM_SQRT((now->k / plan->k0) / (now->m / plan->m0));
@@ -13018,9 +13062,9 @@ VM_API void vmi_osc_complete_step(const vmi_osc_course *c, vmi_osc_step *s)
 
 /* -- The iteration of a step -- */
 
-/* Adds the corrections `missing` that a round found to the rates of a step. It also adds estimates of further
-   corrections: `missing` shifts ln A and t at the nodes, and these shifts change the rates, mostly because W depends on
-   ln A and t. *now holds mass, stiffness and rates at about the middle of the step. */
+/* Adds the corrections `missing` that a round of the iteration found to the rates of a step. Also adds estimates of
+   further corrections: `missing` shifts ln A and t at the nodes, and these shifts change the rates, mostly because W
+   depends on ln A and t. *now contains mass, stiffness and their rates at about the middle of the step. */
 VM_API void vmi_osc_correct(const vmi_osc_course *c, const vmi_osc_rates *now, const vmi_step_rates *missing,
                             vmi_osc_step *s)
 {
@@ -13039,8 +13083,8 @@ VM_API void vmi_osc_correct(const vmi_osc_course *c, const vmi_osc_rates *now, c
     }
 }
 
-/* Finds the time derivatives of p at the nodes from the polynomial through the values of p. This is for laws by
-   functions of the user, which have no second derivatives. */
+/* Finds the time derivatives of p at the nodes from the polynomial through the values of p. It is called where a user's
+   function gives mass or stiffness, since such a function gives no second derivatives. */
 VM_API void vmi_osc_find_p_rates(const vmi_osc_course *c, const vmi_osc_step *s, vmi_step_node *at)
 {
     const vm_real too_short = 256 * VM_EPSILON; /* in so short a step, differences of p are rounding errors */
@@ -13073,7 +13117,8 @@ VM_API int vmi_osc_find_nodes(const vmi_osc_course *c, const vmi_osc_step *s, vm
     return VM_OK;
 }
 
-/* Makes one round of the iteration. *change becomes the largest change of the rates, times the length of the step. */
+/* Makes one round of the iteration. *change becomes the largest change of the rates at a node in this round, times the
+   length of the step. */
 VM_API int vmi_osc_sweep(vmi_osc_course *c, vmi_osc_step *s, vm_real *change)
 {
     const int n = c->rule.n;
@@ -13102,13 +13147,14 @@ VM_API int vmi_osc_sweep(vmi_osc_course *c, vmi_osc_step *s, vm_real *change)
 }
 
 /* Makes rounds of the iteration until the estimated error of the phase is at most c->sweep_limit. The iteration starts
-   from the rates in s->rates. The error after a round is estimated as the change of phase that the round made, times
-   `contraction`. */
+   from the rates in s->rates. The error of the phase after a round is estimated as the change of the phase in this
+   round, times c->contraction. */
 VM_API int vmi_osc_iterate(vmi_osc_course *c, vmi_osc_step *s)
 {
-    const vm_real least_contraction = VM_C(0.005); /* a lower bound, since the next steps may converge more slowly */
-    const vm_real rounding = VM_SQRT(VM_EPSILON) / 16; /* in short steps p' has errors of this size, which no round
-                                                          removes */
+    const vm_real least_contraction = VM_C(0.005); /* least value of c->contraction, since the next steps may converge
+                                                      more slowly */
+    const vm_real rounding = VM_SQRT(VM_EPSILON) / 16; /* in short steps the derivative p' has rounding errors of this
+                                                          size, which further rounds do not reduce */
     const int most_rounds = 40;
     vm_real change, before = 0;
     int sweeps, status;
@@ -13126,8 +13172,8 @@ VM_API int vmi_osc_iterate(vmi_osc_course *c, vmi_osc_step *s)
 }
 
 /* Sets the rates from which the iteration of a step starts. They are extrapolated from earlier whole steps over the
-   same part of a half period. If there are none, the rates at all nodes are those at the start of the step, without the
-   disturbance E = (p^2 - a p - p')/W^2 and the further force F. */
+   same part of a half period. If there are no such steps, the rates at all nodes are those at the start of the step,
+   without the disturbance E = (p^2 - a p - p')/W^2 and without the force F. */
 VM_API int vmi_osc_predict(const vmi_osc_course *c, int part, vmi_osc_step *s)
 {
     const vmi_step_rates *difference = c->difference[part];
@@ -13162,7 +13208,7 @@ VM_API int vmi_osc_predict(const vmi_osc_course *c, int part, vmi_osc_step *s)
     return VM_OK;
 }
 
-/* Advances the state of the course by the step. */
+/* Advances the state of the run by the step *s. */
 VM_API void vmi_osc_take(vmi_osc_course *c, const vmi_osc_step *s)
 {
     const vm_real change = c->t_low + s->whole.t, t = c->t + change;
@@ -13231,9 +13277,9 @@ VM_API vm_real vmi_osc_find_part(const vmi_osc_course *c, const vmi_osc_step *s,
     return c->rule.graded ? vmi_graded(part) : part;
 }
 
-/* Makes a step that ends at c->stop. It replaces the longer step `beyond`, which would go past this time. `certain` is
-   0 if the end of `beyond` is only a prediction. If in this case the step to c->stop is longer than `beyond`, the
-   course stays unchanged, since no step may cross a zero of x. */
+/* Makes a step that ends at c->stop. It replaces the longer step `beyond`, which would go past c->stop. `certain` is 0
+   if the end of `beyond` is only a prediction. If in this case the step to c->stop is longer than `beyond`, the run
+   stays unchanged, since no step may cross a zero of x. */
 VM_API int vmi_osc_land(vmi_osc_course *c, const vmi_osc_step *beyond, int certain)
 {
     const int rounds = 6;
@@ -13275,8 +13321,8 @@ VM_API int vmi_osc_land(vmi_osc_course *c, const vmi_osc_step *beyond, int certa
 /* -- Steps -- */
 
 /* Returns the phase at which the next step ends: a zero of ca, or with two parts a zero of ca or sa. *part becomes the
-   number of the part that the step covers, or -1 where the step starts inside a part; *sign becomes the factor of its
-   waves. */
+   index, 0 or 1, of the part of the half period that the step covers, or -1 where the step starts inside a part. *sign
+   becomes the factor of sa and ca in this step. */
 VM_API vm_real vmi_osc_next_phase(const vmi_osc_course *c, int *part, vm_real *sign)
 {
     const vm_real half = c->plan->ripple.pi, close = 64 * VM_EPSILON * (1 + VM_FABS(c->psi) / half);
@@ -13290,14 +13336,14 @@ VM_API vm_real vmi_osc_next_phase(const vmi_osc_course *c, int *part, vm_real *s
     return side * next / per_step - half / 2;
 }
 
-/* Whether the step, by its present rates, ends at or beyond c->stop */
+/* Returns 1 if the step, by its present rates, ends at or beyond c->stop, else 0. */
 VM_API int vmi_osc_is_beyond(const vmi_osc_course *c, const vmi_osc_step *s)
 {
     return (vm_real)c->side * ((c->t - c->stop) + (c->t_low + s->whole.t)) >= 0;
 }
 
-/* Makes a step whose length is `most`, between 0 and 1, times the usual length. If it would go beyond c->stop, it is
-   shortened to end there. */
+/* Makes a step whose length is at most `most`, between 0 and 1, times the length up to the end of the present part of
+   the half period. If the step would go beyond c->stop, it is shortened to end at c->stop. */
 VM_API int vmi_osc_course_step_of(vmi_osc_course *c, vm_real most)
 {
     vmi_step_waves inside;
@@ -13333,7 +13379,7 @@ VM_API int vmi_osc_course_step_of(vmi_osc_course *c, vm_real most)
 /* Makes one step. Where its iteration does not converge, it tries shorter and shorter steps. */
 VM_API int vmi_osc_course_step(vmi_osc_course *c)
 {
-    const vm_real shortest = VM_C(0.01); /* the shortest step, as a part of the usual length */
+    const vm_real shortest = VM_C(0.01); /* steps below this fraction of their full length are not halved */
     vm_real most = 1;
     int status = vmi_osc_course_step_of(c, most);
     while (status == VM_NOT_INTEGRATED && most > shortest) {
@@ -13344,8 +13390,8 @@ VM_API int vmi_osc_course_step(vmi_osc_course *c)
     return status;
 }
 
-/* Starts a course at t = 0 from the amplitude and phase in *start, with n points per step and `parts` parts per half
-   period. */
+/* Starts a run at t = 0 from the amplitude and phase in *start, with n points per step and `parts` parts per half
+   period. `side` is 1 for a run forward in time, -1 for a run backward. */
 VM_API void vmi_osc_course_start(vmi_osc_course *c, const vm_osc_plan *plan, const vmi_osc_reduced *start, int side,
                                  int n, int parts, vm_real sweep_limit)
 {
@@ -13381,10 +13427,11 @@ VM_API void vmi_osc_course_start(vmi_osc_course *c, const vm_osc_plan *plan, con
 #endif
 /* oscillators/collocation.h - the motion of an oscillator by collocation, to a tolerance
 
-   Two runs compute the same motion side by side, in steps from each zero of x to the next (oscillators/course.h). They
-   differ in the number of points per step. The difference of their results gives the error. If the error is larger than
-   the tolerance, the next pair of runs has more points. A pair of runs is given up as soon as its error is too large,
-   even before the end. So it costs little to try a pair with few points first.
+   Two runs compute the same motion side by side, in steps from each zero of x to the next (oscillators/course.h). One
+   of them, the strict run, has more points per step than the other one, the loose run. The difference of their results
+   gives an estimate of the error. If the error is larger than the tolerance, another pair of runs with more points
+   follows. A pair of runs is stopped as soon as its error is too large, even before the end. So it costs little
+   computing time to try a pair with few points first.
        vm_osc_motion motion;
        int status = vmi_osc_collocate(&plan, VM_ROUTE_COLLOCATION, 300, VM_C(1e-8), &motion); // plan is a vm_osc_plan
    Tests: tests/test_collocation.c, tests/test_routes.c. */
@@ -13399,12 +13446,13 @@ VM_API vm_real vmi_osc_next_knot(const vm_osc_problem *o, vm_real from, vm_real 
     return vmi_law_next_knot(&o->stiffness, from, vmi_law_next_knot(&o->mass, from, t));
 }
 
-/* Advances both courses to t, a point of a table or the end. Raises *difference to the largest difference of ln A and
-   phase between the two courses on the way, and stops before t where it is larger than `most`. */
+/* Advances both runs to the time t, which is a point of a law's table or the end. On the way it adds the difference of
+   the phase between the two runs and their difference of ln A, and raises *difference to the largest of these sums. The
+   runs stop before t where *difference is larger than `most`. */
 VM_API int vmi_osc_courses_to(vmi_osc_course *loose, vmi_osc_course *strict, vm_real t, vm_real most,
                               vm_real *difference)
 {
-    const vm_real most_steps = VM_C(16777216.); /* 2^24: after more steps a float has no digits for the phase */
+    const vm_real most_steps = VM_C(16777216.); /* 2^24: after more steps a phase in float has no correct digits */
     vm_real steps = 0;
     int status = VM_OK;
     loose->stop = t;
@@ -13425,7 +13473,8 @@ VM_API int vmi_osc_courses_to(vmi_osc_course *loose, vmi_osc_course *strict, vm_
     return status;
 }
 
-/* Numbers of points per step in the loose and in the strict run, and of parts per half period in both runs */
+/* Numbers of points per step in the loose run and in the strict run, and number of parts into which both runs divide
+   each half period */
 typedef struct VM_TAG(vmi_osc_points) {
     signed char loose, strict, parts;
 } vmi_osc_points;
@@ -13433,10 +13482,10 @@ typedef struct VM_TAG(vmi_osc_points) {
 /* The number of pairs of runs that can be tried one after the other */
 enum { VMI_OSC_PAIRS = 6 };
 
-/* Pair number i, 0 to VMI_OSC_PAIRS - 1. Each pair is more accurate than the one before. With a force the rates may
-   have kinks in the middle of a half period, where x' = 0, and what the rule misses has no closed form; so there are
-   two parts and more points. For alpha > 3 the rates change quickly in the middle; two parts that meet there are
-   better. */
+/* Pair number i, 0 to VMI_OSC_PAIRS - 1. Pair i is more accurate than pair i - 1. With a force the rates of ln A and
+   phase may have kinks in the middle of a half period, where x' = 0, and the errors of Gauss' rule have no closed form.
+   So a half period then has two parts and more points. For alpha > 3 the rates change quickly in the middle of a half
+   period; two parts that meet there give smaller errors than one. */
 VM_API vmi_osc_points vmi_osc_pair(const vm_osc_problem *o, int i)
 {
     static const vmi_osc_points alone[VMI_OSC_PAIRS] = {{2, 3, 1}, {3, 4, 1},  {4, 6, 1},
@@ -13449,18 +13498,19 @@ VM_API vmi_osc_points vmi_osc_pair(const vm_osc_problem *o, int i)
     return points;
 }
 
-/* The number of the pair that is tried first. Each kind of problem has a row in at_least; the pair that is tried first
-   is the first one whose number in this row is not above the tolerance. A problem is quick if mass and stiffness change
-   by more than `change` = 1/16 of themselves while the phase grows by 1. The numbers were chosen with changes of up to
-   0.01 for the slow problems, and of about 0.1 for the quick ones. A law by a function of the user needs more points,
-   because of the derivative of p. */
+/* The index of the pair of runs that is tried first. Each kind of problem has a row in the table at_least, with a least
+   tolerance for each pair of runs. The pair that is tried first is the first one in this row whose least tolerance is
+   not above the given tolerance. `change` is the relative change of mass and stiffness while the phase grows by 1
+   (vmi_osc_change_at). A problem is quick if it is more than 1/16, else slow. The rows were found with changes of up to
+   0.01 for the slow problems, and of about 0.1 for the quick ones. If a user's function gives mass or stiffness, more
+   points are needed, because the derivative of the rate p is then found numerically. */
 VM_API int vmi_osc_first_pair(const vm_osc_problem *o, vm_real tolerance, vm_real change)
 {
     enum { SLOW, QUICK, BY_FUNCTION, FORCED };
     static const vm_real at_least[][VMI_OSC_PAIRS] = {
         {VM_C(1e-8), VM_C(1e-9), VM_C(1e-11), 0},               /* slow */
         {VM_INFINITY, VM_C(1e-6), VM_C(1e-7), VM_C(1e-9), 0},   /* quick */
-        {VM_INFINITY, VM_INFINITY, VM_C(1e-8), 0},              /* laws by functions */
+        {VM_INFINITY, VM_INFINITY, VM_C(1e-8), 0},              /* mass or stiffness by a user's function */
         {VM_INFINITY, VM_INFINITY, VM_C(1e-6), VM_INFINITY, 0}, /* forced */
     };
     int i = 0, kind = SLOW;
@@ -13471,9 +13521,9 @@ VM_API int vmi_osc_first_pair(const vm_osc_problem *o, vm_real tolerance, vm_rea
     return i;
 }
 
-/* The number of the pair that is tried after pair i. `error` is the estimated error of pair i, which is larger than the
-   tolerance. A pair is skipped if its error would still be too large in a favourable case, where errors are
-   proportional to 1/(number of points)^10. */
+/* The index of the pair of runs that is tried after pair i. `error` is the estimated error of pair i, which is larger
+   than the tolerance. A pair is skipped if its error would be larger than the tolerance even where errors fall as fast
+   as 1/(number of points)^10. */
 VM_API int vmi_osc_next_pair(const vm_osc_problem *o, int i, vm_real error, vm_real tolerance)
 {
     const vmi_osc_points last = vmi_osc_pair(o, i);
@@ -13487,8 +13537,8 @@ VM_API int vmi_osc_next_pair(const vm_osc_problem *o, int i, vm_real error, vm_r
     return next;
 }
 
-/* Raises *change to the sum of the rates |p|, |a| and |k'/k| at t (oscillators/reduction.h), divided by the rate of the
-   phase, if this quotient is larger. */
+/* Computes the sum of the rates |p|, |a| and |k'/k| of mass, damping and stiffness at t (oscillators/reduction.h),
+   divided by the rate of the phase. Writes this quotient to *change if it is larger than *change. */
 VM_API int vmi_osc_change_at(const vm_osc_plan *plan, vm_real t, int side, vm_real *change)
 {
     vmi_osc_rates now;
@@ -13500,14 +13550,15 @@ VM_API int vmi_osc_change_at(const vm_osc_plan *plan, vm_real t, int side, vm_re
     return VM_OK;
 }
 
-/* Returns the estimated error of the strict run divided by the difference of the two runs, which is nearly the error of
-   the loose run. Let n be the number of points. Where no force acts, the error falls about as n^-8 for alpha from 1 to
-   5. For alpha < 1 it falls as n^-6, because the rates have terms proportional to d^(alpha+2), where d is the distance
-   from a zero of x, and Gauss' rule is less accurate for these terms. The error falls more slowly than n^-8 in the
-   following cases: few points, laws that change by more than 1/32 per radian, alpha > 5, where the velocity reverses
-   suddenly, a force with kinks, and laws by functions of the user. In a graded rule the points are densest at both ends
-   of a step, where x or x' is 0, so kinks at these places do less harm. docs/routes.md shows how good the estimate
-   is. */
+/* Returns the estimated error of the strict run divided by the difference of the two runs. This difference is nearly
+   the error of the loose run. Let n be the number of points per step. Where no force acts, the error falls about as
+   n^-8 for alpha from 1 to 5. For alpha < 1 it falls as n^-6, because the rates have terms proportional to d^(alpha+2),
+   where d is the distance from a zero of x, and Gauss' rule is less accurate for these terms. The error falls more
+   slowly than n^-8 also in each of these cases: a step has few points; mass or stiffness changes by more than 1/32 of
+   itself per radian; alpha > 5, where the velocity reverses suddenly; the force has kinks; a user's function gives mass
+   or stiffness. In a graded rule (vmi_gauss_rule_grade) the points are densest at both ends of a step, where x or x' is
+   0, so kinks of the force at these places cause smaller errors. docs/routes.md compares the estimated errors with the
+   true ones. */
 VM_API vm_real vmi_osc_strict_share(const vm_osc_problem *o, vmi_osc_points points, vm_real change)
 {
     const vm_real ratio = (vm_real)points.loose / (vm_real)points.strict, squared = ratio * ratio;
@@ -13521,18 +13572,20 @@ VM_API vm_real vmi_osc_strict_share(const vm_osc_problem *o, vmi_osc_points poin
 
 /* A pair of runs */
 typedef struct VM_TAG(vmi_osc_pair_run) {
-    vm_real change;        /* change of the laws per radian, at 0 or at t, whichever is larger (vmi_osc_change_at) */
+    vm_real change;        /* relative change of mass and stiffness per radian (vmi_osc_change_at), the larger of its
+                              values at 0 and at t */
     vm_real longest;       /* the longest step, s */
     vm_real sweep_limit;   /* sweep_limit of the strict run (see vmi_osc_course) */
-    vm_real most;          /* the pair is given up where its error is larger than this */
-    vmi_osc_course strict; /* the strict run; it ends before t if the pair was given up */
-    vmi_osc_rates now;     /* mass, stiffness and rates at t; only valid if the pair was not given up */
-    vmi_osc_reduced state; /* amplitude and phase of the strict run at t; only valid if the pair was not given up */
-    vm_real error;         /* estimated error at t; if the pair was given up, it is extrapolated to t */
+    vm_real most;          /* the pair is stopped where its error is larger than this */
+    vmi_osc_course strict; /* the strict run; it ends before t if the pair was stopped */
+    vmi_osc_rates now;     /* mass, stiffness and rates at t; only valid if the pair was not stopped */
+    vmi_osc_reduced state; /* amplitude and phase of the strict run at t; only valid if the pair was not stopped */
+    vm_real error;         /* estimated error at t; if the pair was stopped, it is extrapolated to t */
 } vmi_osc_pair_run;
 
-/* Sets amplitude and phase at t from the strict run. r->error is the error of ln A and phase before the call, and the
-   error of x and v after it. The two differ because an error of x also enters v = -2/(alpha+1) W A sa - p x. */
+/* Sets amplitude and phase at t from the strict run. Before the call r->error is the error of ln A and phase, after it
+   the error of x and v. It is larger after the call, because an error of x also enters v = -2/(alpha+1) W A sa - p
+   x. */
 VM_API int vmi_osc_end_pair(const vm_osc_plan *plan, vm_real t, vmi_osc_pair_run *r)
 {
     const vmi_osc_course *strict = &r->strict;
@@ -13545,11 +13598,11 @@ VM_API int vmi_osc_end_pair(const vm_osc_plan *plan, vm_real t, vmi_osc_pair_run
     return VM_OK;
 }
 
-/* Makes one pair of runs from 0 to t. */
+/* Makes one pair of runs from 0 to t, with the numbers of points and parts in `points`. */
 VM_API int vmi_osc_collocate_pair(const vm_osc_plan *plan, vm_real t, vmi_osc_points points, vmi_osc_pair_run *r)
 {
     const int side = vmi_time_side(t);
-    const vm_real looser = 16; /* ratio of the sweep_limits of both runs; the errors of their iterations differ, too */
+    const vm_real looser = 16; /* sweep_limit of the loose run divided by that of the strict run */
     const vm_real share = vmi_osc_strict_share(&plan->problem, points, r->change), most = r->most / share;
     vmi_osc_course loose, *strict = &r->strict;
     vmi_osc_slow start;
@@ -13577,15 +13630,16 @@ VM_API int vmi_osc_collocate_pair(const vm_osc_plan *plan, vm_real t, vmi_osc_po
 }
 
 /* Computes the motion at t by collocation. Returns VM_TOLERANCE_MISSED where the motion is computed, but its estimated
-   error is larger than the tolerance. Returns VM_NOT_INTEGRATED after 2^24 steps, and where amplitude and phase do not
-   describe the motion, because mass, stiffness or force change as fast as the phase. Also returns the statuses of the
-   laws. */
+   error is larger than the tolerance. Returns VM_NOT_INTEGRATED if more than 2^24 steps would be needed, and where
+   amplitude and phase do not describe the motion, because mass, stiffness or force change as fast as the phase. Where
+   the law of the mass or of the stiffness fails, returns the status of this law. */
 VM_API int vmi_osc_collocate(const vm_osc_plan *plan, int route, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
     const vm_osc_problem *o = &plan->problem;
     const vm_real knots = (vm_real)(o->mass.n + o->stiffness.n);
     const vm_real steps = 2 + plan->Om * VM_FABS(t) / plan->ripple.pi + knots;
-    const vm_real share = 4 * steps; /* the iterations of all steps may take a quarter of the tolerance */
+    const vm_real share = 4 * steps; /* the iterations of all steps may together cause an error of a quarter of the
+                                        tolerance */
     const vm_real most_half_periods = VM_C(1073741824.); /* 2^30 */
     vmi_osc_pair_run r;
     vm_osc_motion result;
@@ -13606,7 +13660,8 @@ VM_API int vmi_osc_collocate(const vm_osc_plan *plan, int route, vm_real t, vm_r
         status = vmi_osc_collocate_pair(plan, t, vmi_osc_pair(o, i), &r);
         if (status) return status;
         result.evals += r.strict.evals;
-        r.sweep_limit = vmi_larger(r.sweep_limit / 16, VM_EPSILON); /* the iterations may have caused the error */
+        r.sweep_limit = vmi_larger(r.sweep_limit / 16, VM_EPSILON); /* the iterations of the steps may have caused the
+                                                                       error */
         i = vmi_osc_next_pair(o, i, r.error, tolerance);
     }
     vmi_osc_wave_at(&r.strict.wave, r.state.psi, &ca, &sa);
@@ -14733,10 +14788,10 @@ VM_API vm_real vmi_orbit_spring_action(const vmi_orbit_ripple *r, const vmi_orbi
 #ifndef VARMASS_OSCILLATORS_DUFFING_RIPPLE_H
 #define VARMASS_OSCILLATORS_DUFFING_RIPPLE_H
 
-/* Writes the nome q of the parameter m = 1 - m1, and q/m, which has a limit for m -> 0. K is K(m). Both have an error
-   of some 1e-13 (float: some rounding errors), which is small enough for the ripple. Close to m = 0 the code uses a
-   series in e = (1 - k'^(1/2))/(2 (1 + k'^(1/2))) with k' = sqrt(m1). For m < 0 the nome of m is minus that of
-   m/(m - 1). */
+/* Returns the nome q of the parameter m = 1 - m1 (see the top of this file), and writes q/m to *by_m. For m -> 0 the
+   quotient q/m has a limit. K is the complete elliptic integral K(m). q and q/m have an error of some 1e-13 (float:
+   some rounding errors), which is small enough for the ripple. Close to m = 0 the code uses a series in e = (1 -
+   k'^(1/2))/(2 (1 + k'^(1/2))) with k' = sqrt(m1). For m < 0 the nome of m is minus the nome of m/(m - 1). */
 VM_API vm_real vmi_duffing_nome(vm_real m, vm_real m1, vm_real K, vm_real *by_m)
 {
     const vm_real series_holds = VM_C(0.1), kp = VM_SQRT(m1), root = VM_SQRT(kp);
@@ -14752,8 +14807,8 @@ VM_API vm_real vmi_duffing_nome(vm_real m, vm_real m1, vm_real K, vm_real *by_m)
     return q;
 }
 
-/* The number 2 c1/Omega^2 + 1 for an orbit in a well. It is -24 (sum of d q^(2d)/(1 - q^(2d)) over odd d): for small
-   orbits the two terms of the number nearly cancel, and this sum avoids the loss of digits. */
+/* The number 2 c1/Omega^2 + 1 for an orbit in a well with the nome q. It is computed as -24 (sum of d q^(2d)/(1 -
+   q^(2d)) over odd d). For small orbits 2 c1/Omega^2 and 1 nearly cancel, and the sum avoids this loss of digits. */
 VM_API vm_real vmi_duffing_well_term(vm_real q)
 {
     const vm_real q2 = q * q;
@@ -14766,15 +14821,16 @@ VM_API vm_real vmi_duffing_well_term(vm_real q)
     return -24 * sum;
 }
 
-/* The numbers on which the terms of the series depend. "By size" stands for the derivative with respect to
-   orbit->size. */
+/* The numbers from which the terms a_n of the Fourier series at the top of this file are computed. A derivative "by
+   size" is the derivative with respect to the field `size` of the orbit. */
 typedef struct VM_TAG(vmi_duffing_terms) {
-    vm_real Omega, Omega_size; /* the rate of zeta, see the top of this file, and its derivative by size */
+    vm_real Omega, Omega_size; /* the rate Omega of the angle zeta, and its derivative by size */
     vm_real q, q_by_k3;        /* the nome q, and q/c3 */
     vm_real ln_q_size;         /* derivative of ln |q| by size */
 } vmi_duffing_terms;
 
-/* Computes these numbers for an orbit around 0, where m = c3 A^2/(2 lambda^2) with the amplitude A. */
+/* Computes the numbers of vmi_duffing_terms for an orbit around 0, where m = c3 A^2/(2 lambda^2) with the amplitude
+   A. */
 VM_API vmi_duffing_terms vmi_duffing_outer_terms(const vmi_orbit *orbit)
 {
     const vm_real k1 = orbit->force->k1, k3 = orbit->force->k3, A = orbit->size, m1 = orbit->m1;
@@ -14789,8 +14845,8 @@ VM_API vmi_duffing_terms vmi_duffing_outer_terms(const vmi_orbit *orbit)
     return r;
 }
 
-/* Computes these numbers for an orbit in a well, where m = 2 s/(rest^2 + s), s is the orbit's size and
-   rest^2 = -c1/c3. */
+/* Computes the numbers of vmi_duffing_terms for an orbit in a well, where m = 2 s/(rest^2 + s), s is the orbit's size
+   and rest^2 = -c1/c3. */
 VM_API vmi_duffing_terms vmi_duffing_inner_terms(const vmi_orbit *orbit)
 {
     const vm_real k3 = orbit->force->k3, rest2 = -orbit->force->k1 / k3, size = orbit->size, m1 = orbit->m1;
@@ -14805,8 +14861,9 @@ VM_API vmi_duffing_terms vmi_duffing_inner_terms(const vmi_orbit *orbit)
     return r;
 }
 
-/* Writes the mean of x^2 over a period and its derivative by size, from C2 and C4, the means of cn^2 and cn^4. The
-   derivative of C2 with respect to m is 1/2 - 2 C2 + 3 C4/2 - C2^2/(2 m1). */
+/* Writes the mean of x^2 over a period to *X, and its derivative with respect to the orbit's size to *X_size. Both are
+   computed from C2 and C4, the means of cn^2 and cn^4. The derivative of C2 with respect to the parameter m of cn is
+   1/2 - 2 C2 + 3 C4/2 - C2^2/(2 m1). */
 VM_API void vmi_duffing_mean_square(const vmi_orbit *orbit, vm_real *X, vm_real *X_size)
 {
     const vm_real k1 = orbit->force->k1, k3 = orbit->force->k3, size = orbit->size, m1 = orbit->m1, C2 = orbit->C2;
@@ -14822,15 +14879,16 @@ VM_API void vmi_duffing_mean_square(const vmi_orbit *orbit, vm_real *X, vm_real 
     }
 }
 
-/* The numbers on which the terms of the series depend, for an orbit around 0 or in a well */
+/* Computes the numbers of vmi_duffing_terms for any orbit of Duffing's force. */
 VM_API vmi_duffing_terms vmi_duffing_terms_of(const vmi_orbit *orbit)
 {
     if (orbit->place == VMI_ORBIT_AROUND_0) return vmi_duffing_outer_terms(orbit);
     return vmi_duffing_inner_terms(orbit);
 }
 
-/* Writes the ripple of a complete orbit of Duffing's force. The sum ends where the terms are too small to matter; 96
-   terms are enough even for an orbit that is only a rounding error away from a separatrix. */
+/* Writes the ripple of an orbit of Duffing's force whose fields are all set. The Fourier series ends where its terms
+   are too small to matter; 96 terms are enough even for an orbit that is only a rounding error away from a
+   separatrix. */
 VM_API void vmi_duffing_ripple(const vmi_orbit *orbit, vmi_orbit_ripple *r)
 {
     const vm_real enough = VM_MANT_DIG > 24 ? VM_C(1e-11) : VM_C(1e-6);
@@ -14867,7 +14925,8 @@ VM_API void vmi_duffing_ripple(const vmi_orbit *orbit, vmi_orbit_ripple *r)
      c1 > 0, c3 < 0     softening spring: vibrations around 0 with A^2 < -c1/c3; larger motions run away: |x| grows
                         without limit
      c1 < 0, c3 > 0     two wells, at x^2 = -c1/c3: outer vibrations around both, x = A cn, and inner ones in one of
-                        them, x = A dn; the separatrix x = A/cosh between them has an infinite period
+                        them, x = A dn; between these two kinds of motion is the separatrix x = A/cosh with an infinite
+                        period
        vm_real x, v;
        vm_real T = vm_duffing_period(2, 1, VM_C(0.5)); // x'' + x + x^3/2 = 0 from rest at x = 2 m
        vm_duffing_exact_from(T / 8, 2, 0, 1, VM_C(0.5), &x, &v);
@@ -14897,8 +14956,9 @@ VM_API vm_real vmi_duffing_above(vm_real c3, vm_real slope, vm_real v)
     return VM_NAN;
 }
 
-/* Writes the size and place of the orbit through (x, v). With two wells the orbit is an inner one if its energy is
-   below the energy of rest at x = 0. Returns VM_NO_LAW for a motion that runs away. */
+/* Writes the size and place of the orbit (oscillators/odd_force.h) that contains the state (x, v). With two wells the
+   orbit lies in one well if its energy is not above the energy of a body at rest at x = 0. Returns VM_NO_LAW for a
+   motion that runs away. */
 VM_API int vmi_duffing_through(const vm_odd_force *force, vm_real x, vm_real v, vmi_orbit *orbit)
 {
     const vm_real k1 = force->k1, k3 = force->k3, slope = k1 + k3 * (x * x);
@@ -14907,11 +14967,11 @@ VM_API int vmi_duffing_through(const vm_odd_force *force, vm_real x, vm_real v, 
     orbit->force = force;
     orbit->place = VMI_ORBIT_AROUND_0;
     if (k1 < 0 && k3 > 0 && twice_energy <= 0) {
-        const vm_real to_rest = slope / k3; /* x^2 minus its value at rest in the well */
+        const vm_real to_rest = slope / k3; /* x^2 minus its value -k1/k3 at the place of rest in the well */
         orbit->size = VM_SQRT(to_rest * to_rest + 2 * (v * v) / k3);
         if (x > 0) orbit->place = VMI_ORBIT_RIGHT;
         if (x < 0) orbit->place = VMI_ORBIT_LEFT;
-        if (x == 0) orbit->size = 0; /* at rest between the wells */
+        if (x == 0) orbit->size = 0; /* the body is at rest between the wells */
         return VM_OK;
     }
     orbit->size = 0;
@@ -14925,8 +14985,8 @@ VM_API int vmi_duffing_through(const vm_odd_force *force, vm_real x, vm_real v, 
 
 /* -- The shape of an orbit -- */
 
-/* Completes an orbit around 0: x = A cn(lambda t | m) with lambda^2 = c1 + c3 A^2 and 1 - m = (c1 + c3
-   A^2/2)/lambda^2. For c3 < 0 the parameter m is negative. */
+/* Computes all other fields of an orbit around 0 from its size, the amplitude A. The motion is x = A cn(lambda t | m)
+   with lambda^2 = c1 + c3 A^2 and 1 - m = (c1 + c3 A^2/2)/lambda^2. For c3 < 0 the parameter m is negative. */
 VM_API int vmi_duffing_complete_outer(vmi_orbit *orbit)
 {
     const vm_real k1 = orbit->force->k1, k3 = orbit->force->k3, square = orbit->size * orbit->size;
@@ -14945,12 +15005,13 @@ VM_API int vmi_duffing_complete_outer(vmi_orbit *orbit)
     orbit->energy_slope = orbit->size * lambda2;
     orbit->swing = orbit->size;
     orbit->vmax = orbit->size * VM_SQRT(k1 + k3 * square / 2);
-    if (k1 < 0) orbit->vmax = lambda2 / VM_SQRT(2 * k3); /* at x^2 = -k1/k3, where the force is 0 */
+    if (k1 < 0) orbit->vmax = lambda2 / VM_SQRT(2 * k3); /* the velocity at x^2 = -k1/k3, where the force is 0 */
     return VM_OK;
 }
 
-/* Completes an orbit in a well, at rest^2 = -c1/c3: x = A dn(lambda t | m) with A^2 = rest^2 + size, lambda^2 = c3
-   A^2/2 and 1 - m = (rest^2 - size)/A^2. */
+/* Computes all other fields of an orbit in a well from its size. The place of rest in the well is x = rest, with rest^2
+   = -c1/c3. The motion is x = A dn(lambda t | m) with A^2 = rest^2 + size, lambda^2 = c3 A^2/2 and 1 - m = (rest^2 -
+   size)/A^2. */
 VM_API int vmi_duffing_complete_inner(vmi_orbit *orbit)
 {
     const vm_real k3 = orbit->force->k3, rest = -orbit->force->k1 / k3, size = orbit->size;
@@ -14967,12 +15028,13 @@ VM_API int vmi_duffing_complete_inner(vmi_orbit *orbit)
     orbit->w = VM_PI * orbit->lambda / jacobi_K_m1(m1);
     orbit->j = 2 * size * size * k3 * (C2 - C4) / orbit->w; /* the mean of v^2 = 2 k3 size^2 sn^2 cn^2, divided by w */
     orbit->energy_slope = k3 * size / 2;
-    orbit->swing = size / (A + B); /* (A - B)/2 with the largest |x| A and the smallest |x| B */
+    orbit->swing = size / (A + B); /* (A - B)/2, where A is the largest |x| and B the smallest |x| */
     orbit->vmax = size * VM_SQRT(k3 / 2);
     return VM_OK;
 }
 
-/* Completes an orbit of size > 0. Returns VM_NO_LAW on a separatrix and where the motion runs away. */
+/* Computes all other fields of an orbit from its place and its size > 0. Returns VM_NO_LAW on a separatrix and where
+   the motion runs away. */
 VM_API int vmi_duffing_complete(vmi_orbit *orbit)
 {
     int status;
@@ -14982,7 +15044,8 @@ VM_API int vmi_duffing_complete(vmi_orbit *orbit)
     return status;
 }
 
-/* The point at theta: around 0, x = A cos(theta); in a well, x^2 = rest^2 + size cos(2 theta) */
+/* Writes the point of an orbit at the angle theta. Around 0 it has x = A cos(theta), where A is the amplitude; in a
+   well it has x^2 = rest^2 + size cos(2 theta), where rest^2 = -c1/c3. */
 VM_API void vmi_duffing_point(const vmi_orbit *orbit, vm_real theta, vmi_orbit_point *point)
 {
     const vm_real k1 = orbit->force->k1, k3 = orbit->force->k3, size = orbit->size;
@@ -15012,7 +15075,7 @@ VM_API vm_real vmi_duffing_argument(vm_real s2, vm_real c2, vm_real d2)
     return VM_SQRT(s2) * vmi_carlson_rf(vmi_two(c2, 0), vmi_two(d2, 0), vmi_two(1, 0)).hi;
 }
 
-/* The argument u of Jacobi's functions at a state of a complete orbit */
+/* The argument u of Jacobi's functions at the state (x, v) of an orbit whose fields are all set */
 VM_API vm_real vmi_duffing_argument_of(const vmi_orbit *orbit, vm_real x, vm_real v)
 {
     const vm_real k1 = orbit->force->k1, k3 = orbit->force->k3, size = orbit->size, m1 = orbit->m1;
@@ -15022,7 +15085,7 @@ VM_API vm_real vmi_duffing_argument_of(const vmi_orbit *orbit, vm_real x, vm_rea
         c2 = vmi_smaller(x * x / (size * size), 1);
         s2 = vmi_smaller(v * v / (g * (size * size)), 1);
     } else {
-        const vm_real cosine = vmi_clamp((x * x + k1 / k3) / size, -1, 1); /* of the angle 2 theta */
+        const vm_real cosine = vmi_clamp((x * x + k1 / k3) / size, -1, 1); /* cosine of the angle 2 theta */
         const vm_real sine = v / (size * VM_SQRT(k3 / 2)), angle = vmi_atan2(VM_FABS(sine), cosine) / 2;
         vm_real s, c;
         vmi_sincos(angle, &s, &c);
@@ -15035,7 +15098,7 @@ VM_API vm_real vmi_duffing_argument_of(const vmi_orbit *orbit, vm_real x, vm_rea
     return u;
 }
 
-/* The state at the argument u of Jacobi's functions */
+/* Writes the state (x, v) of an orbit at the argument u of Jacobi's functions. */
 VM_API void vmi_duffing_at_argument(const vmi_orbit *orbit, vm_real u, vm_real *x, vm_real *v)
 {
     vm_real sn, cn, dn;
@@ -15051,22 +15114,23 @@ VM_API void vmi_duffing_at_argument(const vmi_orbit *orbit, vm_real u, vm_real *
     }
 }
 
-/* The phase of a state on a complete orbit */
+/* Writes the phase of the state (x, v) on an orbit whose fields are all set. */
 VM_API int vmi_duffing_phase(const vmi_orbit *orbit, vm_real x, vm_real v, vm_real *phi)
 {
     *phi = vmi_duffing_argument_of(orbit, x, v) * (orbit->w / orbit->lambda);
     return VM_OK;
 }
 
-/* The state at a phase */
+/* Writes the state (x, v) of an orbit at the phase phi. */
 VM_API int vmi_duffing_at_phase(const vmi_orbit *orbit, vm_real phi, vm_real *x, vm_real *v)
 {
     vmi_duffing_at_argument(orbit, phi * (orbit->lambda / orbit->w), x, v);
     return VM_OK;
 }
 
-/* Duffing's force without the function that computes its ripple. The functions for constant mass do not need the
-   ripple, so a program that uses only them does not contain that function. */
+/* Duffing's force without the function that computes its ripple (oscillators/orbit_ripple.h). The functions for
+   constant mass do not need the ripple; so a program that uses only these functions does not contain the code for the
+   ripple. */
 VM_API vm_odd_force vmi_duffing_elastic(vm_real k1, vm_real k3)
 {
     vm_odd_force force = vm_odd_force_user(NULL, NULL);
@@ -15091,18 +15155,18 @@ VM_API vm_odd_force vm_duffing_force(vm_real k1, vm_real k3)
 }
 
 /* Duffing's force k1(t) x + k3(t) x^3 whose coefficients follow laws of their own: laws[0] is k1, N/m, and laws[1] is
-   k3, N/m^3. Both may have either sign; the two laws must outlive the force. It is for a vm_odd_problem
-   (oscillators/odd_motion.h), whose factor `stiffness` multiplies both. The functions for constant mass refuse it with
-   VM_NO_LAW. A null pointer makes no force: it is refused with VM_BAD_ARGUMENT. */
+   k3, N/m^3. k1 and k3 may have either sign; the two laws must outlive the force. The force is for a vm_odd_problem
+   (oscillators/odd_motion.h), whose field `stiffness`, a factor, multiplies k1 and k3. The functions for constant mass
+   refuse this force with VM_NO_LAW. If `laws` is null, all functions refuse the force with VM_BAD_ARGUMENT. */
 VM_API vm_odd_force vm_duffing_force_of_laws(const struct VM_TAG(vm_law) *laws)
 {
-    vm_odd_force force = vm_duffing_force(0, 0); /* vm_odd_plan_init writes the coefficients at t = 0 */
+    vm_odd_force force = vm_duffing_force(0, 0); /* vm_odd_plan_init replaces the zeros by k1 and k3 at t = 0 */
     force.laws = laws;
     if (!laws) force.at = NULL;
     return force;
 }
 
-/* -- Constant mass: functions of numbers -- */
+/* -- Constant mass: energy, period, action and exact motion -- */
 
 /* Energy per unit mass of Duffing's oscillator, v^2/2 + c1 x^2/2 + c3 x^4/4, m^2/s^2.
    It is conserved. Returns NaN for infinite arguments. */
@@ -15112,8 +15176,8 @@ VM_API vm_real vm_duffing_energy(vm_real x, vm_real v, vm_real c1, vm_real c3)
     return v * v / 2 + (x * x) * (c1 / 2 + c3 * (x * x) / 4);
 }
 
-/* Whether a state lies on the separatrix, the motion x = A/cosh(lambda t). It goes from x = 0 to x = A and back to
-   x = 0 in infinite time. */
+/* Returns 1 if an orbit is the separatrix, else 0. The separatrix is the motion x = A/cosh(lambda t), which goes from x
+   = 0 to x = A and back to x = 0 in infinite time. */
 VM_API int vmi_duffing_is_separatrix(const vmi_orbit *orbit)
 {
     const vm_real k1 = orbit->force->k1, k3 = orbit->force->k3;
@@ -15139,7 +15203,7 @@ VM_API vm_real vm_duffing_period(vm_real x0, vm_real c1, vm_real c3)
 
 /* Action, m^2/s, of Duffing's oscillator x'' + c1 x + c3 x^3 = 0 from rest at x0 (m, either sign).
    It is the integral of v dx over a period, divided by 2 pi. It stays constant while mass or stiffness changes slowly.
-   Domain and accuracy are those of vm_duffing_period, but it is 0 for x0 = 0, and NaN on the separatrix. */
+   Domain and accuracy are those of vm_duffing_period, but the action is 0 for x0 = 0, and NaN on the separatrix. */
 VM_API vm_real vm_duffing_action(vm_real x0, vm_real c1, vm_real c3)
 {
     const vm_odd_force force = vmi_duffing_elastic(c1, c3);
@@ -15147,7 +15211,8 @@ VM_API vm_real vm_duffing_action(vm_real x0, vm_real c1, vm_real c3)
     return vm_odd_action(&force, x0);
 }
 
-/* The motion x = A/cosh(lambda t) on the separatrix, with A^2 = -2 c1/c3 and lambda^2 = -c1 */
+/* Writes position and velocity at time t of the motion x = A/cosh(lambda t) on the separatrix, with A^2 = -2 c1/c3 and
+   lambda^2 = -c1. */
 VM_API void vmi_duffing_on_separatrix(vm_real t, vm_real x0, vm_real v0, vm_real c1, vm_real c3, vm_real *x,
                                       vm_real *v)
 {
@@ -15163,8 +15228,8 @@ VM_API void vmi_duffing_on_separatrix(vm_real t, vm_real x0, vm_real v0, vm_real
 /* Exact motion x(t), v(t) of Duffing's oscillator x'' + c1 x + c3 x^3 = 0 from x0 (m) and v0 (m/s).
    c1 = k1/m is in 1/s^2, c3 = k3/m in 1/(m s)^2; each may have either sign. The errors of x and v are at most 32 eps
    of the amplitude and of the largest velocity, times 1 + t/period, where no terms of the sums c1 + c3 A^2 and c1 + c3
-   A^2/2 cancel. A is the amplitude. Writes NaN where the motion runs away and for infinite arguments, and
-   nothing where an output is null. Equations: DLMF 22.19(ii). */
+   A^2/2 cancel. A is the amplitude. Writes NaN where the motion runs away and for infinite arguments, and nothing where
+   the pointer to an output is null. Equations: DLMF 22.19(ii). */
 VM_API void vm_duffing_exact_from(vm_real t, vm_real x0, vm_real v0, vm_real c1, vm_real c3, vm_real *x, vm_real *v)
 {
     if (!x || !v) return;
@@ -18050,10 +18115,11 @@ VM_API int vm_vdp_cycle_of(const vm_vdp *v, vm_vdp_cycle *cycle)
 /* oscillators/jeffcott.h - the Jeffcott (Laval) rotor with variable mass
 
    A disc of mass m(t) turns in the middle of a shaft without mass. z = x + i y is the disc's centre (451), and F_e(rho)
-   the shaft's elastic force at the deflection rho = |z|. The stiffness K_e(rho) is the quotient F_e(rho)/rho; the
-   dissertation [1] writes F_e'(rho) for it, although it is no derivative. g is the gyroscopic constant of the remark
-   after (516). Mass joins or leaves with the velocity u; r is the fraction of its full reactive force m' (u - z')
-   that acts on the disc. F_z is an external force. The equation of motion is
+   the shaft's elastic force at the deflection rho = |z|. A circular motion of the centre is called a whirl; forward
+   whirl has a positive angular velocity, backward whirl a negative one. The stiffness K_e(rho) is the quotient
+   F_e(rho)/rho; the dissertation [1] writes F_e'(rho) for it, although it is no derivative. g is the gyroscopic
+   constant of the remark after (516). Mass joins or leaves with the velocity u; r is the fraction of its full reactive
+   force m' (u - z') that acts on the disc. F_z is an external force. The equation of motion is
        m z'' + z K_e(|z|) - 2 i g z' = F_z + r m' (u - z')
    This file has the equation of motion, averaged equations for a weak nonlinearity (460)-(473), averaged equations
    for nearly circular motion with any nonlinearity (491)-(507), and the law of the radius (509).
@@ -18089,27 +18155,27 @@ typedef struct VM_TAG(vm_power_force) {
 typedef struct VM_TAG(vm_jeffcott) {
     vm_law mass;                     /* mass m of the disc, kg, > 0 */
     vm_jeffcott_stiffness stiffness; /* stiffness of the shaft */
-    void *stiffness_ctx;     /* the user's pointer, last argument of stiffness */
-    vm_jeffcott_force force; /* external force F_z, or null; it must be small where equations are averaged */
-    void *force_ctx;         /* the user's pointer, last argument of force */
+    void *stiffness_ctx;     /* the user's pointer, last argument of the function `stiffness` */
+    vm_jeffcott_force force; /* external force F_z, or null; for the averaged equations it must be small */
+    void *force_ctx;         /* the user's pointer, last argument of the function `force` */
     vm_real gyro;            /* g, kg/s: the gyroscopic force is 2 g times the velocity, turned by +90 degrees */
     vm_real reactive;        /* r: 1 where mass joins or leaves with velocity u, 0 where it has the disc's velocity */
     vm_complex u;            /* absolute velocity of mass that joins or leaves, m/s */
     int nodes;               /* number of phases at which forces are computed for a mean over a period; 0 means 32 */
 } vm_jeffcott;
 
-/* Indices of the state of vm_jeffcott_exact_rhs and vm_jeffcott_averaged_rhs */
+/* Indices of the state y of vm_jeffcott_exact_rhs and vm_jeffcott_averaged_rhs */
 enum {
-    VMI_JEFFCOTT_P = 0,   /* numbers 0 and 1: forward whirl P, a complex number */
-    VMI_JEFFCOTT_N = 2,   /* numbers 2 and 3: backward whirl N, a complex number */
-    VMI_JEFFCOTT_PHI = 4, /* number 4: fast phase phi */
+    VMI_JEFFCOTT_P = 0,   /* y[0] and y[1]: forward whirl P, a complex number */
+    VMI_JEFFCOTT_N = 2,   /* y[2] and y[3]: backward whirl N, a complex number */
+    VMI_JEFFCOTT_PHI = 4, /* y[4]: fast phase phi */
     VMI_JEFFCOTT_SIZE = 5
 };
 
 /* Stiffness K_e(rho) = F_e(rho)/rho = k rho^(alpha-1) of a power law, as a vm_jeffcott_stiffness. power_force points to
-   a vm_power_force. Returns the stiffness, N/m, and writes its derivative, N/m^2, to *slope. Returns NaN for null
-   pointers, for rho < 0, and for an alpha that is negative or infinite. k may have any sign; the functions of the rotor
-   check the stiffness. */
+   a vm_power_force. Returns the stiffness, N/m, and writes its derivative with respect to rho, N/m^2, to *slope.
+   Returns NaN for null pointers, for rho < 0, and for an alpha that is negative, infinite or NaN. k may have any sign
+   here, because the functions of the rotor check the stiffness. */
 VM_API vm_real vm_jeffcott_power(vm_real rho, vm_real *slope, void *power_force)
 {
     if (!slope || !power_force) return VM_NAN;
@@ -18130,9 +18196,9 @@ VM_API void vm_jeffcott_polar(vm_complex z, vm_real *rho, vm_real *phi)
     *phi = ateb_phase(z.im, z.re, 1);
 }
 
-/* Angular momentum of a rotor about its axis, with the gyroscopic share, kg m^2/s. It is m Im(conj(z) z') - g |z|^2,
-   where conj(z) = x - i y. It stays constant where r = 1, u = 0 and F_z = 0. The argument v is z'. Returns NaN for a
-   null pointer. */
+/* Angular momentum of a rotor about its axis, with the part of the gyroscopic force, kg m^2/s. It is m Im(conj(z) z') -
+   g |z|^2, where conj(z) = x - i y and -g |z|^2 is the part of the gyroscopic force. It stays constant where r = 1, u =
+   0 and F_z = 0. The argument v is z'. Returns NaN for a null pointer. */
 VM_API vm_real vm_jeffcott_momentum(const vm_jeffcott *r, vm_real mass, vm_complex z, vm_complex v)
 {
     if (!r) return VM_NAN;
@@ -18147,8 +18213,8 @@ VM_API vm_real vmi_jeffcott_stiffness(const vm_jeffcott *r, vm_real rho, vm_real
     return r->stiffness(rho, slope, r->stiffness_ctx);
 }
 
-/* The mass and its rate at time t. Returns VM_BAD_ARGUMENT where the rotor has no stiffness, else the status of the
-   law. */
+/* Writes the mass and its rate at time t. Returns VM_BAD_ARGUMENT where the rotor has no stiffness function, else the
+   status of the law of the mass. */
 VM_API int vmi_jeffcott_mass_at(const vm_jeffcott *r, vm_real t, vm_real *mass, vm_real *rate)
 {
     if (!r->stiffness) return VM_BAD_ARGUMENT;
@@ -18172,9 +18238,9 @@ VM_API vm_complex vmi_jeffcott_loads(const vm_jeffcott *r, vm_real t, vm_real ra
 }
 
 /* Equation of motion (449), (450) of a rotor, for rk45 or rk87.
-   y = (x, y, x', y') is in m and m/s; rotor points to a vm_jeffcott. Returns VM_BAD_ARGUMENT for null pointers and
-   for a rotor without mass or stiffness, VM_NOT_FINITE for a number that is infinite or NaN, VM_BAD_MASS for a mass
-   that is not positive, and VM_DOMAIN for t outside a table of the mass. These statuses stop the run. */
+   y = (x, y, x', y') is in m and m/s; rotor points to a vm_jeffcott. Returns VM_BAD_ARGUMENT for null pointers and for
+   a rotor without mass or stiffness; VM_NOT_FINITE for a number that is infinite or NaN; VM_BAD_MASS for a mass that is
+   not positive; VM_DOMAIN for t outside a table of the mass. These statuses stop the run. */
 VM_API int vm_jeffcott_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
@@ -18201,9 +18267,10 @@ typedef struct VM_TAG(vmi_jeffcott_state) {
     vm_real mass, rate, omega;
 } vmi_jeffcott_state;
 
-/* Finds the rotor's mass and frequency at time t. Returns VM_BAD_STIFFNESS where small vibrations have no frequency,
-   as for F_e = rho^3, VM_BAD_ARGUMENT for a rotor without mass or stiffness, VM_BAD_MASS for a mass that is not
-   positive, and VM_NOT_FINITE for a number that is infinite or NaN. */
+/* Finds the rotor's mass and frequency at time t. Returns VM_BAD_STIFFNESS where small vibrations have no frequency, as
+   for F_e = rho^3; VM_BAD_ARGUMENT for a rotor without mass or stiffness; VM_BAD_MASS for a mass that is not positive;
+   VM_NOT_FINITE for a number that is infinite or NaN; VM_DOMAIN for t outside a table of the mass, and where the
+   frequency underflows. */
 VM_API int vmi_jeffcott_now(const vm_jeffcott *r, vm_real t, vmi_jeffcott_state *now)
 {
     vm_real stiffness, slope;
@@ -18223,10 +18290,10 @@ VM_API int vmi_jeffcott_now(const vm_jeffcott *r, vm_real t, vmi_jeffcott_state 
      z = P e^(i phi) + N e^(-i phi),  z' = i omega (P e^(i phi) - N e^(-i phi)),
      P = A1 e^(i theta1),  N = A2 e^(-i theta2) in the symbols of [1].
    phi is the fast phase at the start, for example 0. y receives (Re P, Im P, Re N, Im N, phi), the state of
-   vm_jeffcott_exact_rhs and vm_jeffcott_averaged_rhs. Unlike theta1 and theta2, P and N have no singularity where A1
-   or A2 is 0. Returns VM_BAD_ARGUMENT for null pointers and for a rotor without mass or stiffness, VM_NOT_FINITE for
-   a number that is infinite or NaN, VM_BAD_MASS for a mass that is not positive, and VM_BAD_STIFFNESS where K_e(0)
-   is not positive. y and motion may be the same array. */
+   vm_jeffcott_exact_rhs and vm_jeffcott_averaged_rhs. Unlike theta1 and theta2, P and N have no singularity where A1 or
+   A2 is 0. Returns VM_BAD_ARGUMENT for null pointers and for a rotor without mass or stiffness; VM_NOT_FINITE for a
+   number that is infinite or NaN; VM_BAD_MASS for a mass that is not positive; VM_BAD_STIFFNESS where K_e(0) is not
+   positive; VM_DOMAIN for t outside a table of the mass. y and motion may be the same array. */
 VM_API int vm_jeffcott_to_averaged(const vm_jeffcott *r, vm_real t, const vm_real *motion, vm_real phi, vm_real *y)
 {
     if (!r || !motion || !y) return VM_BAD_ARGUMENT;
@@ -18299,7 +18366,7 @@ VM_API void vmi_jeffcott_rates(const vm_jeffcott *r, vm_real t, const vmi_jeffco
 /* The number of phases, evenly spaced in a period, at which the loads are computed for a mean over the period */
 VM_API int vmi_jeffcott_nodes(const vm_jeffcott *r)
 {
-    const int usual = 32; /* gives exact means of forces that are polynomials of degree <= 15 in z and z' */
+    const int usual = 32; /* 32 phases give exact means of forces that are polynomials of degree <= 15 in z and z' */
     if (r->nodes > 0) return r->nodes;
     return usual;
 }
@@ -18329,9 +18396,9 @@ VM_API int vmi_jeffcott_mean(vm_real t, const vm_real *y, vm_real *dydt, const v
 /* Exact equations (470)-(473) of forward and backward whirl, for rk45 or rk87. y = (Re P, Im P, Re N, Im N, phi), see
    vm_jeffcott_to_averaged; rotor points to a vm_jeffcott. The equations hold for any force, but are of use only where
    the external force F_z, the velocity u of joining mass, the gyroscopic constant g and the change K_e(rho) - K_e(0) of
-   the stiffness are small. Returns VM_BAD_ARGUMENT for null pointers and for a rotor without mass or stiffness,
-   VM_NOT_FINITE for a number that is infinite or NaN, VM_BAD_MASS for a mass that is not positive, and VM_BAD_STIFFNESS
-   where K_e(0) is not positive. */
+   the stiffness are small. Returns VM_BAD_ARGUMENT for null pointers and for a rotor without mass or stiffness;
+   VM_NOT_FINITE for a number that is infinite or NaN; VM_BAD_MASS for a mass that is not positive; VM_BAD_STIFFNESS
+   where K_e(0) is not positive; VM_DOMAIN for t outside a table of the mass. */
 VM_API int vm_jeffcott_exact_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
@@ -18340,10 +18407,10 @@ VM_API int vm_jeffcott_exact_rhs(vm_real t, const vm_real *y, vm_real *dydt, voi
 
 /* Averaged equations of forward and backward whirl, for rk45 or rk87. They are the equations of vm_jeffcott_exact_rhs,
    averaged over the fast phase phi while P and N stay constant. The dissertation [1] averages over the angles psi1 and
-   psi2 of the two whirls separately, (474)-(477). That is wrong unless the force turns with z, since both whirls have
-   the same frequency. The error is of the order of the largest perturbation (F_z, u, g, K_e(rho) - K_e(0) or m'), up to
-   times of the order of its inverse. State and statuses are those of vm_jeffcott_exact_rhs. Each call evaluates the
-   forces at `nodes` phases. */
+   psi2 of the two whirls separately, (474)-(477). Such separate averages are wrong unless the force turns with z, since
+   both whirls have the same frequency. The error is of the order of the largest perturbation (F_z, u, g, K_e(rho) -
+   K_e(0) or m'), up to times of the order of the inverse of this perturbation. State and statuses are those of
+   vm_jeffcott_exact_rhs. Each call evaluates the forces at `nodes` phases. */
 VM_API int vm_jeffcott_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
@@ -18370,7 +18437,8 @@ VM_API vm_real vmi_jeffcott_root(vm_real gyro, vm_real mass, vm_real stiffness, 
 /* Frequency W of circular whirl of radius A, rad/s. By the corrected remark after (516), W solves m W^2 - 2 g W =
    K_e(A). Forward whirl, for sense >= 0, has W > 0. Backward whirl, for sense < 0, has W < 0. A >= 0 is
    in m, mass > 0 in kg. The relative error is at most 8 eps (eps is the machine epsilon), apart from the error of the
-   stiffness. Returns NaN for null pointers, for a rotor without stiffness, and for arguments outside the domain. */
+   stiffness. Returns NaN for null pointers, for a rotor without stiffness, for A < 0, for mass <= 0, and for numbers
+   that are infinite or NaN. */
 VM_API vm_real vm_jeffcott_frequency(const vm_jeffcott *r, vm_real A, vm_real mass, int sense)
 {
     if (!r || !r->stiffness) return VM_NAN;
@@ -18427,13 +18495,14 @@ VM_API int vmi_jeffcott_circular(vm_real t, const vm_real *y, vm_real *dydt, con
 /* Averaged equations (506), (507) of forward whirl, for rk45 or rk87. The nonlinearity may be strong. The motion is
    nearly circular: z = A e^(i psi), z' = i W z with the frequency W of vm_jeffcott_frequency. y = (A, psi) is in m and
    rad; rotor points to a vm_jeffcott. The error of A is of the order of the largest load (by the force F_z, the
-   velocity u or the mass rate m'), up to times of the order of its inverse. Where K_e is not constant, this error adds
-   up in the phase psi. For loads that turn with z, that is loads at a fixed angle to z, the error of psi is at most
-   0.015 in the tests, up to these times. For other loads it is of order 1. The equations are not valid for a linear F_e
-   with loads that do not turn with z, since with these loads the disc does not stay on a circle. Returns
-   VM_BAD_ARGUMENT for null pointers and for a rotor without mass or stiffness, VM_NOT_FINITE for a number that is
-   infinite or NaN, VM_BAD_MASS for a mass that is not positive, and VM_BAD_STIFFNESS if g^2 + m K_e(A) is not positive.
-   Each call evaluates the force at `nodes` phases. */
+   velocity u or the mass rate m'), up to times of the order of the inverse of this load. Where K_e is not constant, the
+   error of A causes an error of the phase psi that grows with time. For loads that turn with z, that is loads at a
+   fixed angle to z, the error of psi is at most 0.015 in the tests, up to these times. For other loads it is of order
+   1. The equations are not valid for a linear F_e with loads that do not turn with z, since with these loads the disc
+   does not stay on a circle. Returns VM_BAD_ARGUMENT for null pointers and for a rotor without mass or stiffness;
+   VM_NOT_FINITE for a number that is infinite or NaN; VM_BAD_MASS for a mass that is not positive; VM_BAD_STIFFNESS if
+   g^2 + m K_e(A) is not positive; VM_DOMAIN for t outside a table of the mass. Each call evaluates the force at `nodes`
+   phases. */
 VM_API int vm_jeffcott_forward_whirl_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
@@ -18448,8 +18517,8 @@ VM_API int vm_jeffcott_backward_whirl_rhs(vm_real t, const vm_real *y, vm_real *
     return vmi_jeffcott_circular(t, y, dydt, (const vm_jeffcott *)rotor, -1);
 }
 
-/* The search for the radius A of circular whirl after a change of the mass. A^4 (g^2 + m K_e(A)) is an invariant: it
-   keeps its value during the change. */
+/* The search for the radius A of circular whirl after a change of the mass. The product A^4 (g^2 + m K_e(A)), called
+   the invariant, keeps its value during the change. */
 typedef struct VM_TAG(vmi_jeffcott_orbit) {
     const vm_jeffcott *r;
     vm_real first_A; /* radius A before the change, m */
@@ -18457,8 +18526,8 @@ typedef struct VM_TAG(vmi_jeffcott_orbit) {
     vm_real first;   /* the factor g^2 + m K_e(A) of the invariant before the change */
 } vmi_jeffcott_orbit;
 
-/* ln of the quotient of the invariant at the radius first_A e^x and its value before the change. Returns NaN where K_e
-   is not a number or so negative that the invariant is not positive. */
+/* Returns ln(Q/Q0), where Q is the invariant A^4 (g^2 + m K_e(A)) at the radius first_A e^x, and Q0 its value before
+   the change of the mass. Returns NaN where K_e is NaN, and where K_e is so negative that Q is not positive. */
 VM_API vm_real vmi_jeffcott_invariant(vm_real x, void *orbit)
 {
     const vmi_jeffcott_orbit *o = (const vmi_jeffcott_orbit *)orbit;
@@ -18505,10 +18574,10 @@ VM_API int vmi_jeffcott_find_bracket(vmi_jeffcott_orbit *o, vmi_jeffcott_bracket
    The radius was first_A when the mass was mass0; `mass` is the mass after the change. F_z and u must be 0. These
    products stay constant (509):
      A^4 (g^2 + m K_e(A)) for r = 1, which is the square of A^2 (m W - g);   A^4 K_e(A) m^(2r-1) for g = 0.
-   For F_e = k rho^alpha and g = 0 the radius follows vm_osc_amplitude_law, with mass/mass0 and decay 0; its relative
-   error is then at most 3e-15 (float 3e-6). Returns NaN for g != 0 with r != 1, for which vm_jeffcott_whirl_amplitude
-   finds the radius by integration; where no radius is found on the way from first_A; for null pointers, for a rotor
-   without stiffness, and for a radius or masses that are not positive and finite. */
+   For F_e = k rho^alpha and g = 0 the radius follows vm_osc_amplitude_law with the arguments mass/mass0 and decay = 0;
+   its relative error is then at most 3e-15 (float 3e-6). Returns NaN for g != 0 with r != 1 (then
+   vm_jeffcott_whirl_amplitude finds the radius by integration); where no radius is found on the way from first_A; for
+   null pointers; for a rotor without stiffness; and for a radius or masses that are not positive and finite. */
 VM_API vm_real vm_jeffcott_amplitude(const vm_jeffcott *r, vm_real first_A, vm_real mass0, vm_real mass)
 {
     if (!r || !r->stiffness) return VM_NAN;
@@ -18539,9 +18608,9 @@ VM_API vm_real vm_jeffcott_amplitude(const vm_jeffcott *r, vm_real first_A, vm_r
    (498). Its phase psi is the integral of its frequency W over time (499). Without an external force, and without a
    velocity u of the mass that joins or leaves, the radius A depends on the mass alone. Then W is a known function of
    time. The integral has a closed form if the shaft has a power law and there are no gyroscopic moments. On a linear
-   shaft every motion is the sum of a forward and a backward whirl. This generalizes (481), (482) to any start, reactive
-   force and gyroscopic moment. oscillators/jeffcott.h explains the letters and the struct vm_jeffcott; g and r are its
-   fields gyro and reactive. Shortest useful call:
+   shaft every motion is the sum of a forward and a backward whirl. The functions of this file generalize (481), (482)
+   to any start, reactive force and gyroscopic moment. oscillators/jeffcott.h explains the letters and the struct
+   vm_jeffcott; g and r are its fields gyro and reactive. The shortest useful call:
        vm_power_force shaft = {4, 1}; // F_e = 4 N/m rho
        vm_jeffcott_whirl whirl;
        vm_jeffcott rotor;
@@ -18596,11 +18665,11 @@ VM_API int vmi_jeffcott_change_rhs(vm_real s, const vm_real *y, vm_real *dyds, v
 
 /* Radius of circular whirl, m, after the mass has changed slowly, for any share of the reactive force.
    For g = 0 or r = 1 the result is that of vm_jeffcott_amplitude. For other rotors the relative growth of A^2 S,
-   where S = m W - g, is (1 - r) (1 + g/S) times the relative change of the mass. The function integrates this over
-   the mass by rk87; the relative error is at most 1e-13 (float 3e-6). The radius was first_A when the mass was mass0;
-   `mass` is the mass after the change. sense >= 0 means forward, sense < 0 backward whirl. Returns NaN where
-   vm_jeffcott_amplitude does, except for the case g != 0 with r != 1. It also returns NaN where g^2 + m K_e(A) is not
-   positive on the way. */
+   where S = m W - g, is (1 - r) (1 + g/S) times the relative change of the mass. The function integrates this relation
+   over the mass by rk87; the relative error is at most 1e-13 (float 3e-6). The radius was first_A when the mass was
+   mass0; `mass` is the mass after the change. sense >= 0 means forward, sense < 0 backward whirl. Returns NaN where
+   vm_jeffcott_amplitude returns NaN, but not because of g != 0 with r != 1. Also returns NaN where g^2 + m K_e(A) is
+   not positive for a mass between mass0 and `mass`. */
 VM_API vm_real vm_jeffcott_whirl_amplitude(const vm_jeffcott *r, vm_real first_A, vm_real mass0, vm_real mass,
                                            int sense)
 {
@@ -18618,7 +18687,7 @@ VM_API vm_real vm_jeffcott_whirl_amplitude(const vm_jeffcott *r, vm_real first_A
     change.mass0 = mass0;
     change.sense = sense;
     options.atol = tolerance;
-    options.rtol = -1; /* errors of ln A are absolute */
+    options.rtol = -1; /* no relative tolerance: atol limits the absolute error of ln A */
     if (rk87_init(&run, vmi_jeffcott_change_rhs, &change, 1, 0, &y, &options, work) < 0) return VM_NAN;
     if (rk87_solve(&run, vmi_log(mass / mass0).hi) < 0) return VM_NAN;
     return first_A * vmi_exp(run.y[0], 0);
@@ -18633,8 +18702,8 @@ typedef struct VM_TAG(vmi_jeffcott_phase) {
     int sense;
 } vmi_jeffcott_phase;
 
-/* Writes the radius and the frequency of the whirl for this mass. Returns VM_BAD_STIFFNESS where there is no such
-   whirl. */
+/* Writes the radius and the frequency of the whirl when the disc has the given mass. Returns VM_BAD_STIFFNESS where no
+   circular whirl exists for this mass. */
 VM_API int vmi_jeffcott_whirl_of_mass(const vmi_jeffcott_phase *p, vm_real mass, vm_real *A, vm_real *W)
 {
     *A = vm_jeffcott_whirl_amplitude(p->r, p->first_A, p->mass0, mass, p->sense);
@@ -18643,7 +18712,8 @@ VM_API int vmi_jeffcott_whirl_of_mass(const vmi_jeffcott_phase *p, vm_real mass,
     return VM_OK;
 }
 
-/* The frequency W at time t. A vmi_integrand; phase points to a vmi_jeffcott_phase. */
+/* Writes the frequency W of the whirl at time t. The function is a vmi_integrand (oscillators/panels.h); phase points
+   to a vmi_jeffcott_phase. */
 VM_API int vmi_jeffcott_frequency_at(vm_real t, int side, vm_real *W, void *phase)
 {
     const vmi_jeffcott_phase *p = (const vmi_jeffcott_phase *)phase;
@@ -18653,10 +18723,10 @@ VM_API int vmi_jeffcott_frequency_at(vm_real t, int side, vm_real *W, void *phas
     return vmi_jeffcott_whirl_of_mass(p, m[0], &A, W);
 }
 
-/* Computes the phase in closed form and returns 1, or returns 0 if there is no closed form. W is the frequency at
-   t = 0. A closed form exists for F_e = k rho^alpha with g = 0, if the law of the mass has an exponential form
-   (oscillators/laws.h). The frequency is then proportional to m^-q, with 2 q = 1 + (alpha - 1) (2 r - 1)/(alpha + 3).
-   (482) is the case alpha = 1, m = m0 (1 + c t)^2. */
+/* Computes the phase psi of the whirl at t in closed form and returns 1, or returns 0 if there is no closed form. W is
+   the frequency of the whirl at t = 0. A closed form exists for F_e = k rho^alpha with g = 0, if the law of the mass
+   has an exponential form (oscillators/laws.h). The frequency is then proportional to m^-q, with 2 q = 1 + (alpha - 1)
+   (2 r - 1)/(alpha + 3). Equation (482) is the case alpha = 1, m = m0 (1 + c t)^2. */
 VM_API int vmi_jeffcott_phase_closed(const vm_jeffcott *r, vm_real W, vm_real t, vm_real *psi)
 {
     vm_real base, rate, q, u;
@@ -18685,8 +18755,8 @@ VM_API int vmi_jeffcott_phase_by_panels(vmi_jeffcott_phase *p, vm_real t, vm_rea
     return status;
 }
 
-/* Checks what the motions of this file need: a rotor without load, and masses that are finite and positive from 0 to t.
-   Writes the masses at 0 and at t. */
+/* Checks what the motions of this file need: a rotor without an external force and without a velocity u, and masses
+   that are finite and positive from 0 to t. Writes the masses at 0 and at t. */
 VM_API int vmi_jeffcott_check_motion(const vm_jeffcott *r, vm_real t, vm_real *mass0, vm_real *mass)
 {
     vm_real rate;
@@ -18704,14 +18774,15 @@ VM_API int vmi_jeffcott_check_motion(const vm_jeffcott *r, vm_real t, vm_real *m
 
 /* Circular whirl of the rotor at time t, of either sign, from radius and angle at t = 0: (497)-(499).
    first_A > 0 is the radius (m) and first_angle the angle (rad) at t = 0; sense >= 0 means forward, sense < 0 backward
-   whirl. The radius is that of vm_jeffcott_whirl_amplitude. The angle has a closed form for a power law of the shaft
-   (vm_jeffcott_power) with g = 0 and a mass that is constant, linear, exponential or a power; it is then within 8 eps
-   of the phase. Otherwise the time is divided into parts, and Gauss' rule integrates the frequency over each part from
-   20 points; the radius is computed at each point. For a smooth stiffness the angle is then within 1e-12 (float 1e-4)
-   of the phase. The velocity is i W z, without the small radial velocity. Returns VM_BAD_ARGUMENT for null pointers and
-   a rotor without mass or stiffness, VM_NOT_FINITE for a number that is infinite or NaN, VM_BAD_MASS for a mass that is
-   not positive, VM_BAD_STIFFNESS where there is no circular whirl, VM_DOMAIN for a radius that is not positive or t
-   outside a table, and VM_NO_LAW for a rotor with a force or a velocity u. */
+   whirl. The radius is that of vm_jeffcott_whirl_amplitude. The phase, which is the angle of the whirl from 0 to t, has
+   a closed form for a power law of the shaft (vm_jeffcott_power) with g = 0 and a mass that is constant, linear,
+   exponential or a power; its relative error is then at most 8 eps. Otherwise the time is divided into parts, and
+   Gauss' rule integrates the frequency over each part from 20 points; the radius is computed at each point. For a
+   smooth stiffness the relative error of the phase is then at most 1e-12 (float 1e-4). The velocity is i W z, without
+   the small radial velocity. Returns VM_BAD_ARGUMENT for null pointers and a rotor without mass or stiffness;
+   VM_NOT_FINITE for a number that is infinite or NaN; VM_BAD_MASS for a mass that is not positive; VM_BAD_STIFFNESS
+   where there is no circular whirl; VM_DOMAIN for a radius that is not positive or t outside a table; VM_NO_LAW for a
+   rotor with a force or a velocity u. */
 VM_API int vm_jeffcott_whirl_at(const vm_jeffcott *r, vm_real first_A, vm_real first_angle, int sense, vm_real t,
                                 vm_jeffcott_whirl *whirl)
 {
@@ -18742,8 +18813,8 @@ VM_API int vm_jeffcott_whirl_at(const vm_jeffcott *r, vm_real first_A, vm_real f
 
 /* -- Any motion on a linear shaft -- */
 
-/* Adds the whirl of this sense to the motion (x, y, x', y') at t. At t = 0 this whirl was at z = first. Nothing is
-   added if first is 0. */
+/* Adds the position and velocity of a whirl at time t to the motion (x, y, x', y'). sense >= 0 means forward, sense < 0
+   backward whirl. At t = 0 the whirl was at z = first; if first is 0, nothing is added. */
 VM_API int vmi_jeffcott_add_whirl(const vm_jeffcott *r, vm_complex first, int sense, vm_real t, vm_real *motion)
 {
     const vm_real A = vmi_c_modulus(first);
@@ -18762,9 +18833,10 @@ VM_API int vmi_jeffcott_add_whirl(const vm_jeffcott *r, vm_complex first, int se
 /* Motion of a rotor on a linear shaft at time t, of either sign, from its motion at t = 0: (480)-(482).
    start and motion are (x, y, x', y') in m and m/s; they may be the same array. The motion is the sum of a forward
    whirl P and a backward whirl N, which do not disturb each other: z = P + N, z' = i (W1 P + W2 N) with the frequencies
-   W1 > 0 and W2 < 0 of vm_jeffcott_frequency. Each follows vm_jeffcott_whirl_at, with the gyroscopic moment g and any
-   share r of the reactive force. Where P and conj(N) are equal, the rotor oscillates along a line (481). The statuses
-   are those of vm_jeffcott_whirl_at, and VM_NO_LAW for a shaft that is not linear. */
+   W1 > 0 and W2 < 0 of vm_jeffcott_frequency. Each of the two whirls is computed by vm_jeffcott_whirl_at, with the
+   gyroscopic constant g and any share r of the reactive force. Where P and conj(N) are equal, the rotor oscillates
+   along a line (481). The statuses are those of vm_jeffcott_whirl_at; VM_NO_LAW also means that the shaft is not
+   linear. */
 VM_API int vm_jeffcott_linear_at(const vm_jeffcott *r, const vm_real *start, vm_real t, vm_real *motion)
 {
     vm_real mass0 = 0, mass = 0, slope, stiffness, W1, W2, found[4] = {0, 0, 0, 0};
@@ -19035,10 +19107,10 @@ VM_API int vm_pair_by_method(const vm_pair *p, int method, vm_real t, const vm_r
    and a damper between the bodies, and further forces f1, f2. With p = y - x and S(p), the sum of k p|p|^(alpha-1) over
    all springs, the equations are
        m1 x'' =  S(p) + b p' - r m1' x' + f1,   m2 y'' = -S(p) - b p' - r m2' y' + f2
-   b is the damping of the connection, r the share of the reactive force. In the relative coordinate p, with the reduced
-   mass mu = m1 m2/(m1 + m2) and the velocity V of the mass centre, they become, exactly and for all laws,
+   b is the damping of the connection, r the share of the reactive force that acts. In the relative coordinate p, with
+   the reduced mass mu = m1 m2/(m1 + m2) and the velocity V of the mass centre, they become, exactly and for all laws,
        mu p'' + S(p) + (r mu' + b) p' = -r mu (m2'/m2 - m1'/m1) V + mu (f2/m2 - f1/m1)
-   This is the equation of one oscillator, so that all routes of routes.h can compute its motion.
+   This is the equation of one oscillator, so that the methods of oscillators/routes.h can compute its motion.
 
        vm_connection springs[2] = {{100, 1}, {2000, 3}}; // 100 N/m p + 2000 N/m^3 p^3
        vm_coupled_pair pair;
@@ -19054,7 +19126,8 @@ VM_API int vm_pair_by_method(const vm_pair *p, int method, vm_real t, const vm_r
 #ifndef VARMASS_OSCILLATORS_COUPLED_PAIR_H
 #define VARMASS_OSCILLATORS_COUPLED_PAIR_H
 
-/* A spring between two bodies: it pulls with k p|p|^(alpha-1), N, where p is their distance minus its length at rest */
+/* A spring between two bodies: it pulls with the force k p|p|^(alpha-1), N. p is the distance of the bodies minus the
+   length of the spring at rest. */
 typedef struct VM_TAG(vm_connection) {
     vm_real k;     /* stiffness, N/m^alpha, > 0 */
     vm_real alpha; /* exponent, >= 0 */
@@ -19069,12 +19142,13 @@ typedef struct VM_TAG(vm_coupled_pair) {
     vm_law mass[2];                   /* masses m1 and m2 of the bodies at x and y, kg, > 0 */
     vm_real reactive;                 /* r: 1 where mass that joins or leaves is at rest, 0 where it has the velocity of
                                          its body; numbers between are allowed */
-    vm_real damping;                  /* damping b of the connection, kg/s; positive takes energy out */
+    vm_real damping;                  /* damping b of the connection, kg/s; a positive b takes energy out */
     int n;                            /* number of connections, >= 0 */
     const vm_connection *connections; /* n connections; may be null if n is 0 */
     vm_pair_force force;              /* further forces, or NULL */
-    void *ctx;                        /* the user's pointer, last argument of force */
-    vm_real momentum;                 /* set by vm_coupled_pair_oscillator: m1 x' + m2 y' at t = 0, kg m/s */
+    void *ctx;                        /* the user's pointer, last argument of the function `force` */
+    vm_real momentum;                 /* momentum m1 x' + m2 y' at t = 0, kg m/s; vm_coupled_pair_oscillator writes
+                                         it */
 } vm_coupled_pair;
 
 /* Both masses and their rates at one time */
@@ -19082,7 +19156,7 @@ typedef struct VM_TAG(vmi_pair_masses) {
     vm_real m[2], rate[2];
 } vmi_pair_masses;
 
-/* Writes the masses and their rates at time t, and checks them and the pair. */
+/* Writes the masses and their rates at time t to *now, and checks them and the fields of the pair. */
 VM_API int vmi_coupled_now(const vm_coupled_pair *p, vm_real t, vmi_pair_masses *now)
 {
     int i, status;
@@ -19100,10 +19174,11 @@ VM_API int vmi_coupled_now(const vm_coupled_pair *p, vm_real t, vmi_pair_masses 
 }
 
 /* Equations of motion of two bodies with different masses and several connections, for rk45 or rk87.
-   y = (x, y, x', y') is in m and m/s; pair points to a vm_coupled_pair. Returns VM_BAD_ARGUMENT for null pointers, a
-   negative number of connections, or where no constructor made a mass, VM_NOT_FINITE for a number that is infinite or
-   NaN, VM_BAD_MASS or VM_BAD_STIFFNESS for one that is not positive, VM_DOMAIN for an exponent < 0 or t outside a
-   table, and the number that the function `force` returns if it is not 0. These statuses stop the run. */
+   y = (x, y, x', y') is in m and m/s; pair points to a vm_coupled_pair. Returns VM_BAD_ARGUMENT for null pointers, for
+   a negative number of connections, and for a mass law that no constructor made; VM_NOT_FINITE for a number that is
+   infinite or NaN; VM_BAD_MASS for a mass that is not positive; VM_BAD_STIFFNESS for a stiffness that is not positive;
+   VM_DOMAIN for an exponent < 0 and for t outside a table. If the function `force` returns a number other than 0,
+   returns this number. These statuses stop the run. */
 VM_API int vm_coupled_pair_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *pair)
 {
     if (!y || !dydt || !pair) return VM_BAD_ARGUMENT;
@@ -19123,8 +19198,8 @@ VM_API int vm_coupled_pair_rhs(vm_real t, const vm_real *y, vm_real *dydt, void 
 
 /* Converts a motion y = (x, y, x', y') of two bodies to the modes (p, p', X, V), m and m/s.
    p = y - x is the relative coordinate and X = (m1 x + m2 y)/(m1 + m2) the mass centre. V = (m1 x' + m2 y')/(m1 + m2)
-   is the velocity of the mass centre of the two bodies as they are at time t. Returns VM_BAD_ARGUMENT for null pointers
-   and the statuses of vm_coupled_pair_rhs. modes and y may be the same array. */
+   is the velocity of the mass centre, for the masses at time t. Returns VM_BAD_ARGUMENT for null pointers, otherwise
+   the statuses of vm_coupled_pair_rhs. modes and y may be the same array. */
 VM_API int vm_coupled_pair_to_modes(const vm_coupled_pair *p, vm_real t, const vm_real *y, vm_real *modes)
 {
     if (!p || !y || !modes) return VM_BAD_ARGUMENT;
@@ -19160,7 +19235,8 @@ VM_API int vm_coupled_pair_from_modes(const vm_coupled_pair *p, vm_real t, const
     return vmi_copy_if_finite(4, found, y);
 }
 
-/* The reduced mass mu = m1 m2/(m1 + m2) and its rate, a vm_law_function; ctx points to a vm_coupled_pair */
+/* Writes the reduced mass mu = m1 m2/(m1 + m2) and its rate. The function is a vm_law_function; ctx points to a
+   vm_coupled_pair. */
 VM_API int vmi_coupled_reduced_mass(vm_real t, vm_real *f, vm_real *rate, void *ctx)
 {
     vmi_pair_masses now;
@@ -19174,8 +19250,9 @@ VM_API int vmi_coupled_reduced_mass(vm_real t, vm_real *f, vm_real *rate, void *
     return VM_OK;
 }
 
-/* The force -mu (m2'/m2 - m1'/m1) V of the text above, for r = 1, where the momentum stays constant. The function is a
-   vm_osc_force. */
+/* The force -mu (m2'/m2 - m1'/m1) V on the relative coordinate p if `reactive` is 1; mu is the reduced mass. In this
+   case the momentum stays constant, so that the velocity V of the mass centre follows from the masses. The function is
+   a vm_osc_force. */
 VM_API vm_real vmi_coupled_drift(vm_real t, vm_real x, vm_real v, void *ctx)
 {
     const vm_coupled_pair *p = (const vm_coupled_pair *)ctx;
@@ -19189,11 +19266,12 @@ VM_API vm_real vmi_coupled_drift(vm_real t, vm_real x, vm_real v, void *ctx)
 }
 
 /* Writes the oscillator whose position is p = y - x, the relative coordinate of two bodies with one connection. The
-   routes of routes.h compute its motion. y0 = (x, y, x', y') is the motion at t = 0; pair must outlive *problem. The
-   equation is exact. Where the mass centre drifts and m1'/m1 differs from m2'/m2, the oscillator has the further small
-   force of the text above. Returns the statuses of vm_coupled_pair_rhs at t = 0, and VM_NO_LAW where there is not
-   exactly one connection, where there are further forces, or where the reactive force is a share other than 0 and 1,
-   because then the drift of the mass centre depends on the vibration. Integrate vm_coupled_pair_rhs then. */
+   functions of oscillators/routes.h compute its motion. y0 = (x, y, x', y') is the motion at t = 0; pair must outlive
+   *problem. The equation of the oscillator is exact. If `reactive` is 1, if the mass centre moves, and if m1'/m1
+   differs from m2'/m2, the small force -mu (m2'/m2 - m1'/m1) V also acts on the oscillator; mu is the reduced mass, V
+   the velocity of the mass centre. Returns the statuses of vm_coupled_pair_rhs at t = 0. Returns VM_NO_LAW where there
+   is not exactly one connection, where there are further forces, and where `reactive` is neither 0 nor 1, because then
+   the motion of the mass centre depends on the vibration. In these three cases integrate vm_coupled_pair_rhs. */
 VM_API int vm_coupled_pair_oscillator(vm_coupled_pair *pair, const vm_real *y0, vm_osc_problem *problem)
 {
     if (!pair || !y0 || !problem) return VM_BAD_ARGUMENT;
@@ -19222,8 +19300,8 @@ VM_API int vm_coupled_pair_oscillator(vm_coupled_pair *pair, const vm_real *y0, 
 #endif
 /* oscillators/forced.h - harmonic excitation of a strongly nonlinear oscillator
 
-   Chapter 8 of the dissertation leaves this problem to the future. Mass m, stiffness k, and the frequency nu and
-   amplitude F of the force may vary slowly; b is the damping, r the share of the reactive force (`reactive`):
+   Chapter 8 of the dissertation leaves harmonic excitation to future work. Mass m, stiffness k, and the frequency nu
+   and amplitude F of the force may vary slowly; b is the damping, r the share of the reactive force (`reactive`):
        m x'' + k x|x|^(alpha-1) = -(r m' + b) x' + F cos(theta),   theta' = nu
    This file has the equation of motion, the exact equations of amplitude and phase, and the averaged ones near the
    main resonance. Steady vibrations, resonance curves and the passage through the resonance are in resonance.h.
@@ -19238,9 +19316,9 @@ VM_API int vm_coupled_pair_oscillator(vm_coupled_pair *pair, const vm_real *y0, 
 
    Forces that are periodic, but not harmonic, are in periodic.h.
 
-   Symbols: A amplitude, psi Ateb phase, Om the rate of psi, 2 Pi the period of ca (Pi = Pi_alpha); w(A) frequency of
-   the free vibration of amplitude A, phi = pi psi/Pi phase of the vibration in radians, theta phase of the force, delta
-   = phi - theta.
+   Symbols: A is the amplitude, psi the Ateb phase, Om the rate of psi, and 2 Pi the period of ca (Pi = Pi_alpha). w(A)
+   is the frequency of the free vibration of amplitude A, phi = pi psi/Pi the phase of the vibration in radians, theta
+   the phase of the force, and delta = phi - theta.
    Tests: tests/test_forced.c. */
 #ifndef VARMASS_OSCILLATORS_FORCED_H
 #define VARMASS_OSCILLATORS_FORCED_H
@@ -19249,8 +19327,8 @@ VM_API int vm_coupled_pair_oscillator(vm_coupled_pair *pair, const vm_real *y0, 
 enum { VMI_FORCED_HARMONICS = 5 };
 
 /* An oscillator under harmonic excitation. Fill the fields above pi, then call vm_forced_init; call it again after a
-   change of alpha. The other fields may change without a new call. Constructors make the laws; vm_law_linear(value,
-   0) is a constant. */
+   change of alpha. The other fields may change without a new call. The constructors of oscillators/laws.h make the
+   laws; vm_law_linear(value, 0) is a constant. */
 typedef struct VM_TAG(vm_forced) {
     vm_real alpha;     /* exponent of the spring, >= 0 */
     vm_real damping;   /* damping b, kg/s; a positive b takes energy out */
@@ -19266,7 +19344,7 @@ typedef struct VM_TAG(vm_forced) {
     vm_real c[VMI_FORCED_HARMONICS], s[VMI_FORCED_HARMONICS];
 } vm_forced;
 
-/* The parameters that may vary, at one time; rates are per second */
+/* The parameters of an excited oscillator that may vary with time, at one time; rates are per second */
 typedef struct VM_TAG(vmi_forced_parameters) {
     vm_real mass, mass_rate; /* mass, kg, and its rate */
     vm_real k, k_rate;       /* stiffness, N/m^alpha, and its rate */
@@ -19323,10 +19401,11 @@ VM_API void vmi_forced_fourier(vm_forced *f)
     }
 }
 
-/* Prepares an excited oscillator: checks its fields at t = 0, and writes pi, Om1, G, c and s. All other functions
-   need this call. Returns VM_BAD_ARGUMENT for a null pointer or a law that no constructor made, VM_NOT_FINITE for a
-   number that is infinite or NaN, VM_BAD_MASS or VM_BAD_STIFFNESS for a mass or a stiffness that is not positive,
-   VM_DOMAIN for alpha < 0 or a frequency that is not positive, and VM_OK otherwise. An error leaves f as it was. */
+/* Prepares an excited oscillator: checks its fields at t = 0, and writes pi, Om1, G, c and s. Call it before all other
+   functions for this oscillator. Returns VM_BAD_ARGUMENT for a null pointer or a law that no constructor made;
+   VM_NOT_FINITE for a number that is infinite or NaN; VM_BAD_MASS or VM_BAD_STIFFNESS for a mass or a stiffness that is
+   not positive; VM_DOMAIN for alpha < 0 or a frequency that is not positive; VM_OK otherwise. An error leaves f as it
+   was. */
 VM_API int vm_forced_init(vm_forced *f)
 {
     vmi_forced_parameters now;
@@ -19366,9 +19445,9 @@ VM_API void vmi_forced_motion(const vm_forced *f, const vmi_forced_parameters *n
 }
 
 /* Equation of motion of an excited oscillator, for rk45 or rk87. y = (x, x', theta) is in m, m/s and rad; forced points
-   to a prepared vm_forced. Returns VM_BAD_ARGUMENT for a null pointer or a law that no constructor made, VM_NOT_FINITE
-   for a number that is infinite or NaN, VM_BAD_MASS or VM_BAD_STIFFNESS for a mass or a stiffness that is not positive,
-   and VM_DOMAIN for alpha < 0, a frequency that is not positive or t outside a table. These statuses stop the run. */
+   to a prepared vm_forced. Returns VM_BAD_ARGUMENT for a null pointer or a law that no constructor made; VM_NOT_FINITE
+   for a number that is infinite or NaN; VM_BAD_MASS or VM_BAD_STIFFNESS for a mass or a stiffness that is not positive;
+   VM_DOMAIN for alpha < 0, a frequency that is not positive or t outside a table. These statuses stop the run. */
 VM_API int vm_forced_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *forced)
 {
     if (!y || !dydt || !forced) return VM_BAD_ARGUMENT;
@@ -19417,8 +19496,8 @@ VM_API int vm_forced_exact_rhs(vm_real t, const vm_real *y, vm_real *dydt, void 
    frequency nu of the force is the natural frequency w(A). The state is y = (A, delta, theta): A is the mean amplitude,
    theta the phase of the force, and delta the phase by which the vibration leads the force. Start with
    vm_forced_to_averaged, and end with vm_forced_from_averaged. Let e be the largest of the damping b, the mass rate m'
-   and the force F. The error is of the order of e up to times of the order of 1/e, and larger away from the resonance.
-   The argument forced and the statuses are those of vm_forced_rhs. */
+   and the force F. Near the resonance the error of the averaged motion is of the order of e up to times of the order of
+   1/e; away from the resonance it is larger. The argument forced and the statuses are those of vm_forced_rhs. */
 VM_API int vm_forced_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *forced)
 {
     if (!y || !dydt || !forced) return VM_BAD_ARGUMENT;
@@ -19436,10 +19515,11 @@ VM_API int vm_forced_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, vo
     return VM_OK;
 }
 
-/* The ripple of the exact amplitude about its mean A, m, to first order: exact amplitude = A + ripple. It is
+/* The ripple of the exact amplitude about its mean A, m, to first order in the force and in the slow changes: exact
+   amplitude = A + ripple. The ripple is
      q A sa ca/((alpha+3) Om) + F/(m Om nu) sum of s[j]/2 (cos(n phi + theta)/(n + 1) + cos(n phi - theta)/(n - 1))
-   with the order n = 2j + 1 and q of vmi_forced_q. For n = 1 the last term is left out, since it does not vary at the
-   resonance. */
+   with n = 2j + 1, with q of vmi_forced_q, and with F as the amplitude of the force. For n = 1 the function leaves out
+   cos(n phi - theta)/(n - 1), since phi - theta does not vary within a period at the resonance. */
 VM_API vm_real vmi_forced_ripple(const void *forced, const vmi_forced_parameters *n, vm_real A, vm_real phi,
                                  vm_real theta)
 {
@@ -19459,13 +19539,14 @@ VM_API vm_real vmi_forced_ripple(const void *forced, const vmi_forced_parameters
     return vmi_forced_q(f, n) * A / ((f->alpha + 3) * Om) * sa * ca + n->force / (n->mass * Om * n->nu) * sum;
 }
 
-/* A function that returns the ripple of the amplitude for a kind of force; object is the oscillator with its force. */
+/* A function that returns the ripple of the amplitude for one kind of force; `object` points to the oscillator with its
+   force. */
 typedef vm_real (*vmi_ripple_of_force)(const void *object, const vmi_forced_parameters *n, vm_real A, vm_real phi,
                                        vm_real theta);
 
 /* Writes the mean amplitude A and the phase phi, rad, of a motion (x, x', theta). Three iterations solve A +
-   ripple(A) = exact, where `exact` is the amplitude at this instant. Returns VM_DOMAIN where the motion is smaller
-   than its ripple. */
+   ripple(A) = exact, where `exact` is the amplitude at this instant. Returns VM_DOMAIN where the amplitude of the
+   motion is smaller than its ripple. */
 VM_API int vmi_forced_split(const vm_forced *f, const vmi_forced_parameters *n, vmi_ripple_of_force ripple,
                             const void *object, const vm_real *motion, vm_real *A, vm_real *phi)
 {
@@ -20184,9 +20265,10 @@ VM_API int vm_periodic_steady_states(const vm_periodic *p, vm_real t, int room, 
    each body vibrates as an oscillator of one degree of freedom. With i = 0 or 1 for a body, and o for the other one,
    the equations of motion are
        m_i x_i'' + k_i x_i|x_i|^(alpha_i-1) = -(r_i m_i' + b_i) x_i' + kappa (x_o - x_i) + c (x_o' - x_i')
+   m_i is the mass of body i, k_i the stiffness of its spring, b_i its damping, and r_i the share of the reactive force.
    m_i and k_i may vary slowly. This file has the equations of motion, the averaged equations for amplitudes and phases,
-   and functions that convert the motion to amplitudes and phases and back. Bodies that have no springs to the ground,
-   on which the coupling may be strong, are in coupled_pair.h.
+   and functions that convert the motion to amplitudes and phases and back. For two bodies without springs to the
+   ground, whose coupling may be strong, see oscillators/coupled_pair.h.
 
        vm_grounded_pair p;
        memset(&p, 0, sizeof p);
@@ -20198,8 +20280,9 @@ VM_API int vm_periodic_steady_states(const vm_periodic *p, vm_real t, int room, 
        int status = vm_grounded_pair_init(&p);
 
    The state of the averaged equations is (A_0, phi_0, A_1, phi_1): the mean amplitudes and the phases in radians.
-   The averaged equations have the symbols of forced.h. V = 2 Om A/(alpha+1) is the largest velocity of a vibration, and
-   q_i contains the damping b_i + c. The equations are
+   The averaged equations have the symbols of oscillators/forced.h. V = 2 Om A/(alpha+1) is the largest velocity of a
+   vibration, <ca^2> the mean of ca^2 over a period, and q_i the rate q of vmi_forced_q with the damping b_i + c. The
+   equations are
        A_i' = -q_i A_i/(alpha_i+3) - S_i/(m_i Om_i),
        phi_i' = w_i(A_i) + h_i kappa <ca^2> - h_i C_i/A_i,   h_i = (alpha_i+1) pi/(2 Pi_i m_i Om_i),
        S_i = sum of s_j/2 (kappa A_o c_n sin u - c V_o s_n cos u),
@@ -20214,13 +20297,13 @@ VM_API int vm_periodic_steady_states(const vm_periodic *p, vm_real t, int room, 
 /* Two oscillators and the coupling between them. Set the fields above mean, then call vm_grounded_pair_init; call it
    again after a change of alpha. */
 typedef struct VM_TAG(vm_grounded_pair) {
-    vm_forced oscillator[2]; /* the oscillators: their fields alpha, damping, reactive, mass and stiffness;
+    vm_forced oscillator[2]; /* the oscillators: set their fields alpha, damping, reactive, mass and stiffness;
                                 vm_grounded_pair_init writes the other fields */
-    vm_real spring;          /* stiffness kappa of the coupling, N/m, of either sign; it must be weak */
-    vm_real damper;          /* damping c of the coupling, kg/s; it must be weak */
+    vm_real spring;          /* stiffness kappa of the coupling, N/m, of either sign; it must be small */
+    vm_real damper;          /* damping c of the coupling, kg/s; it must be small */
     int vibrations[2];       /* P_0 and P_1, from 1 to 9: at the resonance the bodies make P_0 and P_1 vibrations in the
-                                same time. Both 0 where the frequencies are in no resonance */
-    vm_real mean[2];         /* means of ca^2; vm_grounded_pair_init writes this field */
+                                same time. Set both to 0 where the frequencies are in no resonance */
+    vm_real mean[2];         /* means of ca^2 over a period; vm_grounded_pair_init writes this field */
 } vm_grounded_pair;
 
 /* The parameters of both oscillators at one time, and the rates q that follow from them */
@@ -20229,7 +20312,7 @@ typedef struct VM_TAG(vmi_grounded_now) {
     vm_real q[2]; /* rates of the slow changes, 1/s; they include the damper of the coupling */
 } vmi_grounded_now;
 
-/* Whether a resonance exists: both numbers 0, or both from 1 to 9 */
+/* Returns 1 if both numbers of `vibrations` are 0, or if both are from 1 to 9, else 0. */
 VM_API int vmi_grounded_ratio_is_valid(const int *vibrations)
 {
     if (vibrations[0] == 0 && vibrations[1] == 0) return 1;
@@ -20237,7 +20320,7 @@ VM_API int vmi_grounded_ratio_is_valid(const int *vibrations)
            vibrations[1] < 2 * VMI_FORCED_HARMONICS;
 }
 
-/* Writes the parameters at time t and checks them and the pair. */
+/* Writes the parameters at time t to *now, and checks them and the fields of the pair. */
 VM_API int vmi_grounded_at(const vm_grounded_pair *p, vm_real t, vmi_grounded_now *now)
 {
     int i, status = VM_OK;
@@ -20254,10 +20337,10 @@ VM_API int vmi_grounded_at(const vm_grounded_pair *p, vm_real t, vmi_grounded_no
 }
 
 /* Prepares a pair of coupled oscillators: checks it at t = 0 and writes the constants of the averaged equations.
-   All other functions need this call. Returns VM_BAD_ARGUMENT for a null pointer, a law that no constructor made, or
-   `vibrations` that are neither both 0 nor both from 1 to 9, VM_NOT_FINITE for a number that is infinite or NaN,
-   VM_BAD_MASS or VM_BAD_STIFFNESS for a mass or a stiffness that is not positive, VM_DOMAIN for alpha < 0, and VM_OK
-   otherwise. An error leaves *p as it was. */
+   Call it before all other functions for this pair. Returns VM_BAD_ARGUMENT for a null pointer, a law that no
+   constructor made, or `vibrations` that are neither both 0 nor both from 1 to 9; VM_NOT_FINITE for a number that is
+   infinite or NaN; VM_BAD_MASS or VM_BAD_STIFFNESS for a mass or a stiffness that is not positive; VM_DOMAIN for alpha
+   < 0; VM_OK otherwise. An error leaves *p as it was. */
 VM_API int vm_grounded_pair_init(vm_grounded_pair *p)
 {
     vmi_grounded_now now;
@@ -20304,13 +20387,12 @@ VM_API int vm_grounded_pair_rhs(vm_real t, const vm_real *y, vm_real *dydt, void
     return VM_OK;
 }
 
-/* The numbers of one body at one time that the averaged equations contain. The index `other` is that of the other
-   body. */
+/* The numbers of one body at one time that the averaged equations contain */
 typedef struct VM_TAG(vmi_grounded_body) {
     vm_real Om, w; /* rate of the Ateb phase, 1/s; frequency of the free vibration, rad/s */
     vm_real pull;  /* kappa A, N: amplitude of the force that this body's motion exerts by the spring */
     vm_real drag;  /* c V, N: amplitude of the force that this motion exerts by the damper */
-    vm_complex turns[2 * VMI_FORCED_HARMONICS]; /* e^(i k phi) */
+    vm_complex turns[2 * VMI_FORCED_HARMONICS]; /* turns[k] is e^(i k phi) with the imaginary unit i */
 } vmi_grounded_body;
 
 VM_API void vmi_grounded_bodies(const vm_grounded_pair *p, const vmi_grounded_now *now, const vm_real *A,
@@ -20327,7 +20409,7 @@ VM_API void vmi_grounded_bodies(const vm_grounded_pair *p, const vmi_grounded_no
     }
 }
 
-/* Writes the sums S_i and C_i of the text above for the body i. */
+/* Writes the sums S_i and C_i of the averaged equations at the top of this file for the body i. */
 VM_API void vmi_grounded_sums(const vm_grounded_pair *p, const vmi_grounded_body *b, int i, vm_real *S, vm_real *C)
 {
     const vm_forced *f = &p->oscillator[i], *other = &p->oscillator[1 - i];
@@ -20346,14 +20428,14 @@ VM_API void vmi_grounded_sums(const vm_grounded_pair *p, const vmi_grounded_body
         }
 }
 
-/* Averaged equations of two weakly coupled oscillators, for rk45 or rk87. They are written in the text above. The
-   state is y = (A_0, phi_0, A_1, phi_1), mean amplitudes (m) and phases (rad). Start with
-   vm_grounded_pair_to_averaged, and end with vm_grounded_pair_from_averaged. Let e be the largest of the couplings,
-   dampings and mass rates. Up to times of the order of 1/e the error of the amplitudes is of the order of e. For
-   alpha = 1 the error of the positions is of this order, too. For other alpha the rates of the phases depend on the
-   amplitudes, so that errors of the amplitudes cause larger errors of the positions. In the tests these are at most
-   0.04 of the amplitude for e = 0.005; with smaller e they fall, but more slowly than e. The equations are singular
-   where an amplitude is 0: there integrate vm_grounded_pair_rhs. The argument pair and the statuses are those of
+/* Averaged equations of two weakly coupled oscillators, for rk45 or rk87. They are written at the top of this file. The
+   state is y = (A_0, phi_0, A_1, phi_1), mean amplitudes (m) and phases (rad). Start with vm_grounded_pair_to_averaged,
+   and end with vm_grounded_pair_from_averaged. Let e be the largest of the couplings, dampings and mass rates. Up to
+   times of the order of 1/e the error of the amplitudes is of the order of e. For alpha = 1 the error of the positions
+   is of this order, too. For other alpha the rates of the phases depend on the amplitudes, so that errors of the
+   amplitudes cause larger errors of the positions. In the tests the errors of the positions are at most 0.04 of the
+   amplitude for e = 0.005; with smaller e they are smaller, but not in proportion to e. The equations are singular
+   where an amplitude is 0: in this case integrate vm_grounded_pair_rhs. The argument pair and the statuses are those of
    vm_grounded_pair_rhs. */
 VM_API int vm_grounded_pair_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *pair)
 {
@@ -20368,7 +20450,8 @@ VM_API int vm_grounded_pair_averaged_rhs(vm_real t, const vm_real *y, vm_real *d
     vmi_grounded_bodies(p, &now, A, phi, b);
     for (i = 0; i < 2; i++) {
         const vm_forced *f = &p->oscillator[i];
-        const vm_real turn = (f->alpha + 1) * VM_PI / (2 * f->pi * now.n[i].mass * b[i].Om); /* h of the text above */
+        const vm_real turn = (f->alpha + 1) * VM_PI / (2 * f->pi * now.n[i].mass * b[i].Om); /* h_i of the top of this
+                                                                                                file */
         vm_real S, C;
         vmi_grounded_sums(p, b, i, &S, &C);
         dydt[2 * i] = -now.q[i] * A[i] / (f->alpha + 3) - S / (now.n[i].mass * b[i].Om);
@@ -20382,8 +20465,8 @@ VM_API int vm_grounded_pair_averaged_rhs(vm_real t, const vm_real *y, vm_real *d
      -(alpha+1) kappa A/(4 m Om^2) (ca^2 - <ca^2>)          by this body's own motion in the coupling,
      1/(m Om) times the sum over j and n of s_j/2 [(kappa A_o c_n cos v - c V_o s_n sin v)/(j w_i + n w_o)
        + (kappa A_o c_n cos u + c V_o s_n sin u)/(j w_i - n w_o)]    by the other body,
-   where v = j phi_i + n phi_o and u = j phi_i - n phi_o. The last quotient is left out for the pairs j, n in
-   resonance. */
+   where v = j phi_i + n phi_o and u = j phi_i - n phi_o. The quotient with j w_i - n w_o is left out for those j and n
+   for which j P_i = n P_o, since u then varies slowly. */
 VM_API vm_real vmi_grounded_ripple(const vm_grounded_pair *p, const vmi_grounded_now *now, const vmi_grounded_body *b,
                                    const vm_real *A, const vm_real *phi, int i)
 {
@@ -20443,8 +20526,8 @@ VM_API int vm_grounded_pair_to_averaged(const vm_grounded_pair *p, vm_real t, co
 
 /* Converts the mean y = (A_0, phi_0, A_1, phi_1) of two weakly coupled oscillators to the motion (x_0, x_1, x_0',
    x_1'). This is the inverse of vm_grounded_pair_to_averaged: it adds the ripples to the mean amplitudes. The statuses
-   are those of vm_grounded_pair_rhs; VM_NOT_FINITE also means that y is infinite or NaN, and VM_DOMAIN that an
-   amplitude is not positive or smaller than its ripple. motion and y may be the same array. */
+   are those of vm_grounded_pair_rhs; VM_NOT_FINITE also means that y is infinite or NaN, and VM_DOMAIN also means that
+   an amplitude is not positive or is smaller than its ripple. motion and y may be the same array. */
 VM_API int vm_grounded_pair_from_averaged(const vm_grounded_pair *p, vm_real t, const vm_real *y, vm_real *motion)
 {
     if (!p || !y || !motion) return VM_BAD_ARGUMENT;
@@ -20473,9 +20556,10 @@ VM_API int vm_grounded_pair_from_averaged(const vm_grounded_pair *p, vm_real t, 
 #endif
 /* oscillators/diagnostics.h - turning points and zeros of any motion, envelopes, how slow changes are
 
-   The trajectory may come from a route, from a closed form or from an integrator's dense output, that is its solution
-   between the ends of a step. A law of the amplitude is compared with the trajectory at its turning points. The zero
-   crossings give the largest velocities and the periods.
+   The motion is given as a trajectory x(t), v(t). It may come from a method of oscillators/routes.h, from a closed form
+   or from an integrator's dense output, that is its solution between the ends of a step. At the turning points of the
+   trajectory its amplitude is compared with an amplitude law. The zero crossings give the largest velocities and the
+   periods.
 
        vm_sample turning[8]; // motion: a function of the user, see vm_motion_function
        long n = vm_find_samples(motion, NULL, VM_TURNING_POINTS, 0, 20, VM_C(0.1), 8, turning);
@@ -20487,19 +20571,19 @@ VM_API int vm_grounded_pair_from_averaged(const vm_grounded_pair *p, vm_real t, 
 /* A user's trajectory: writes position x and velocity v at time t. ctx is the user's pointer. */
 typedef void (*vm_motion_function)(vm_real t, vm_real *x, vm_real *v, void *ctx);
 
-/* A trajectory at one time: time, position and velocity, in the units of the trajectory */
+/* A point of a trajectory: time, position and velocity, in the units of the trajectory */
 typedef struct VM_TAG(vm_sample) {
     vm_real t, x, v;
 } vm_sample;
 
-/* The kinds of points at which samples are taken */
+/* The kinds of points of a trajectory that can be searched for */
 enum {
     VM_TURNING_POINTS = 0, /* where the velocity x' is 0 */
     VM_ZERO_CROSSINGS = 1  /* where the position x is 0 */
 };
 
-/* Whether a search is possible: the kind of sample must exist, `room` must not be negative, and for room > 0 samples
-   must not be null. */
+/* Returns 1 if a search is possible, else 0. It is possible if the kind of point exists, if `room` is not negative, and
+   if for room > 0 samples is not null. */
 VM_API int vmi_samples_are_possible(int kind, long room, const vm_sample *samples)
 {
     return (kind == VM_TURNING_POINTS || kind == VM_ZERO_CROSSINGS) && (room == 0 || (room > 0 && samples));
@@ -20525,12 +20609,12 @@ VM_API vm_real vmi_sample_function(vm_real t, void *search)
 }
 
 /* Turning points or zero crossings of a trajectory in (t0, t1]. kind is VM_TURNING_POINTS or VM_ZERO_CROSSINGS. The
-   trajectory is evaluated at equal intervals of at most |step|, and each change of sign is located within 4 eps of
-   its time. step should be a small part of a period; it is negative where t1 < t0. The first `room` samples are
-   written to samples, in the order in which they are found. Returns how many samples there are, which may be more than
-   room, or a negative status: VM_BAD_ARGUMENT for a null pointer, an unknown kind or a negative room, VM_NOT_FINITE for
-   a step of 0, of the wrong sign or infinite, for more than 2e9 steps, or where the trajectory is not finite. Samples
-   found before the error stay in samples. */
+   trajectory is evaluated at equal intervals of at most |step|; where v (for turning points) or x (for zero crossings)
+   changes its sign, the point is located within 4 eps of its time. step should be a small part of a period; it is
+   negative where t1 < t0. The first `room` points are written to samples, in the order in which they are found. Returns
+   the number of points, which may be more than room, or a negative status: VM_BAD_ARGUMENT for a null pointer, an
+   unknown kind or a negative room; VM_NOT_FINITE for a step that is 0, infinite or of the wrong sign, for more than 2e9
+   steps, and where the trajectory is not finite. Points that were found before the error stay in samples. */
 VM_API long vm_find_samples(vm_motion_function motion, void *ctx, int kind, vm_real t0, vm_real t1, vm_real step,
                             long room, vm_sample *samples)
 {
@@ -20588,10 +20672,11 @@ VM_API void vmi_motion_of_step(vm_real t, vm_real *x, vm_real *v, void *step)
 
 /* Turning points or zero crossings in the last step of an rk45 or rk87. Call it after every step. x and v are the
    indices of position and velocity in the state; buffer has room for a state. kind, room, samples and the result are
-   those of vm_find_samples. Returns VM_BAD_ARGUMENT also for indices outside the state, and 0 before the first step. */
+   those of vm_find_samples. Returns VM_BAD_ARGUMENT also for an index outside the state, and 0 if the integrator has
+   not made a step yet. */
 VM_API long vm_find_samples_of_step(rk45 *s, int x, int v, int kind, vm_real *buffer, long room, vm_sample *samples)
 {
-    const vm_real parts = 4; /* a change of sign is looked for in each of 4 equal parts of the step */
+    const vm_real parts = 4; /* each of 4 equal parts of the step is searched for a change of sign */
     vmi_step_motion m;
     vm_real length;
     if (!s || !buffer || x < 0 || v < 0 || x >= s->n || v >= s->n) return VM_BAD_ARGUMENT;
@@ -20605,10 +20690,10 @@ VM_API long vm_find_samples_of_step(rk45 *s, int x, int v, int kind, vm_real *bu
     return vm_find_samples(vmi_motion_of_step, &m, kind, s->t_old, s->t, length / parts, room, samples);
 }
 
-/* Largest relative error of an amplitude law, |law(t)/observed - 1|, over n samples.
-   The observed value is |x| for VM_TURNING_POINTS and |v| for VM_ZERO_CROSSINGS. law returns the amplitude or the
-   largest velocity at time t, and gets ctx. Returns 0 for n = 0, and NaN for null pointers, for an unknown kind, for
-   n < 0, or where law is NaN or a sample is infinite or NaN. */
+/* Largest relative error of an amplitude law, |law(t)/observed - 1|, over n samples. The observed value is |x| for
+   VM_TURNING_POINTS and |v| for VM_ZERO_CROSSINGS. The user's function law returns the amplitude or the largest
+   velocity at time t; ctx is its last argument. Returns 0 for n = 0. Returns NaN for null pointers, for an unknown
+   kind, for n < 0, and where the function law returns NaN or a sample is infinite or NaN. */
 VM_API vm_real vm_envelope_error(int kind, long n, const vm_sample *samples, vm_real (*law)(vm_real t, void *ctx),
                                  void *ctx)
 {
@@ -20626,11 +20711,12 @@ VM_API vm_real vm_envelope_error(int kind, long n, const vm_sample *samples, vm_
 }
 
 /* Adiabaticity q/Om of an oscillator at time t and amplitude A, the small parameter of averaging.
-   q = ((2r-1) m' + 2 b)/m + k'/k is the rate of the slow change, with r = reactive, b = damping, mass m and stiffness
-   k. Om is the rate of the Ateb phase at the amplitude A, in m. The function uses only alpha, mass, stiffness,
-   reactive and damping of the problem. For a motion that starts at rest, errors of amplitude laws are of order
-   (q/Om)^2, and errors of waveforms of order q/Om up to t = 1/q. The result is within 4 eps. Returns NaN for a null
-   pointer, where A, mass or stiffness is not positive, where alpha is negative, and for infinite numbers. */
+   q = ((2r-1) m' + 2 b)/m + k'/k is the rate at which mass, damping and stiffness change the motion, with r = reactive,
+   b = damping, mass m and stiffness k. Om is the rate of the Ateb phase at the amplitude A, in m. The function uses
+   only alpha, mass, stiffness, reactive and damping of the problem. For a motion that starts at rest, errors of
+   amplitude laws are of order (q/Om)^2; errors of x(t) and v(t) are of order q/Om up to t = 1/q. The result is within 4
+   eps. Returns NaN for a null pointer; where A, mass or stiffness is not positive; where alpha is negative; and for
+   numbers that are infinite or NaN. */
 VM_API vm_real vm_adiabaticity(const vm_osc_problem *o, vm_real t, vm_real A)
 {
     if (!o) return VM_NAN;

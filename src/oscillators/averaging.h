@@ -27,11 +27,12 @@
 
 /* -- Averaged equations with a force -- */
 
-/* Writes the means of F s and F c over a period. c and s are the values of the wave w, and F is the force during the
-   motion x = A c, x' = -V s. Each quarter of the period is divided at psi = cut. From 0 to cut, Gauss' rule takes 20
-   points in psi; for large alpha the velocity varies like tanh psi there. From cut to x = 0 it takes 20 points in
-   another variable: the square root of the distance between psi and its value at x = 0. The reason is that F may
-   contain fractional powers of that distance. */
+/* Writes the means of F s and F c over a period to *Fs and *Fc. c and s are the wave w for the position and for the
+   velocity, and F is the force during the motion x = A c, x' = -V s, with the amplitude A and the largest velocity V.
+   Gauss' rule integrates over each quarter of the period in two parts, with 20 points in each. The first part is from
+   psi = 0 to psi = cut; for large alpha the velocity varies like tanh psi there. The second part is from cut to the
+   zero of x. There the rule uses the square root of the distance of psi from this zero as its variable, since F may
+   contain fractional powers of this distance. */
 VM_API void vmi_osc_means(const vm_osc_plan *p, const vmi_osc_wave *w, vm_real t, vm_real A, vm_real V, vm_real *Fs,
                           vm_real *Fc)
 {
@@ -69,8 +70,8 @@ VM_API void vmi_osc_averaged_rates(const vm_osc_plan *p, const vmi_osc_wave *w, 
     *theta_rate = -w->gain_theta * Fc / (now->m * V);
 }
 
-/* The rate of the Ateb phase divided by its value at t = 0, where A/A0 = exp(a) and `now` holds the mass and stiffness.
-   A0 is the amplitude at t = 0. */
+/* The rate of the Ateb phase divided by its value at t = 0. The argument a is ln(A/A0), with the present amplitude A
+   and the amplitude A0 at t = 0; `now` contains the present mass and stiffness. */
 VM_API vm_real vmi_osc_Om_ratio(const vm_osc_plan *p, const vmi_osc_rates *now, vm_real a)
 {
     return VM_SQRT((now->k / p->k0) / (now->m / p->m0)) * vmi_exp((p->problem.alpha - 1) / 2 * a, 0);
@@ -78,15 +79,16 @@ VM_API vm_real vmi_osc_Om_ratio(const vm_osc_plan *p, const vmi_osc_rates *now, 
 
 /* Averaged rates A', theta', psi' of amplitude and phase, with the problem's force. They are in m/s and 1/s, at the
    time t (s) and the amplitude A (m). psi is the angle of the route's wave, and theta the part of this angle that
-   changes slowly. For VM_ROUTE_ATEB psi is the Ateb phase; the equations are the averages of (314), (315) after the
-   missing term of omega' has been added. For VM_ROUTE_TRIG psi is in radians; the equations are (337)-(339), with
-   alpha + 3 in place of 5 - alpha, and in (338), (339) with 4 in place of 2. For VM_ROUTE_JACOBI psi is the argument of
-   cn; the equations are (380)-(382), with theta' in place of A' in the second equation of (382). Gauss' rule computes
-   the means over each quarter of the period separately, so F may jump where x or x' is 0. For alpha up to 30, and F
-   linear or cubic in x and x' or dry friction, the relative error is at most 1e-10 (float 2e-6). Returns
-   VM_BAD_ARGUMENT for a null pointer or another route, VM_NOT_FINITE for a number that is infinite or NaN, VM_BAD_MASS
-   or VM_BAD_STIFFNESS for a law that is not positive at t, and VM_DOMAIN for A <= 0, for t outside a table, or where
-   the user's function of a law fails. An error leaves the results untouched. */
+   changes slowly. For VM_ROUTE_ATEB psi is the Ateb phase; the equations are the averages of (314), (315), to which the
+   function adds a term with omega' that the dissertation leaves out. For VM_ROUTE_TRIG psi is in radians; the equations
+   are (337)-(339), where alpha + 3 replaces 5 - alpha and, in (338) and (339), 4 replaces 2. For VM_ROUTE_JACOBI psi is
+   the argument of cn; the equations are (380)-(382), where theta' replaces A' in the second equation of (382). Gauss'
+   rule computes the means over each quarter of the period separately, so F may jump where x or x' is 0. For alpha up to
+   30, and F linear or cubic in x and x' or dry friction, the relative error of the rates is at most 1e-10 (float 2e-6).
+   Returns VM_BAD_ARGUMENT for a null pointer or a route other than these three; VM_NOT_FINITE for a number that is
+   infinite or NaN; VM_BAD_MASS for a mass at t that is not positive; VM_BAD_STIFFNESS for a stiffness at t that is not
+   positive; VM_DOMAIN for A <= 0, for t outside a table, or where a user's function of mass or stiffness fails. An
+   error leaves the results untouched. */
 VM_API int vm_osc_averaged(const vm_osc_plan *p, int route, vm_real t, vm_real A, vm_real *A_rate,
                            vm_real *theta_rate, vm_real *psi_rate)
 {
@@ -110,7 +112,7 @@ VM_API int vm_osc_averaged(const vm_osc_plan *p, int route, vm_real t, vm_real A
     return VM_OK;
 }
 
-/* -- What averaging leaves out -- */
+/* -- The errors of averaging at one moment -- */
 
 /* Number of phases in a period at which the exact rates of ln A and psi are compared with their means */
 enum { VMI_AVERAGING_POINTS = 64 };
@@ -123,8 +125,8 @@ typedef struct VM_TAG(vmi_osc_moment) {
     vm_real A, psi, Om; /* amplitude, m, Ateb phase, and rate of this phase, 1/s */
 } vmi_osc_moment;
 
-/* What averaging leaves out at one moment, as errors of ln A and of the Ateb phase psi. The ripple of a number is its
-   small swing about its mean value within a period. */
+/* The errors of ln A and of the Ateb phase psi that averaging causes at one moment. The ripple of a number is its small
+   swing about its mean value within a period. */
 typedef struct VM_TAG(vmi_osc_averaging) {
     vm_real Om;                 /* rate of the Ateb phase at this moment, 1/s */
     vm_real start_A, start_psi; /* sizes of the ripples of ln A and psi at the phase of this moment */
@@ -133,9 +135,9 @@ typedef struct VM_TAG(vmi_osc_averaging) {
     vm_real growth;             /* rate, 1/s, at which a small change of ln A grows */
 } vmi_osc_averaging;
 
-/* Writes the exact rates of ln A and psi at VMI_AVERAGING_POINTS phases of the period before t, or of the first period
-   if less than a period has passed. If `frozen` is 1, the force is computed at the time t for all phases, otherwise at
-   the time of each phase. */
+/* Writes the exact rates of ln A and psi at VMI_AVERAGING_POINTS phases of a period. It is the period before t, or the
+   first period if less than a period has passed since time 0. If `frozen` is 1, the force is computed at the time t for
+   all phases, otherwise at the time of each phase. */
 VM_API void vmi_osc_period_rates(const vmi_osc_moment *at, int frozen, vm_real *rate_A, vm_real *rate_psi)
 {
     const vm_osc_plan *p = at->plan;
@@ -156,7 +158,7 @@ VM_API void vmi_osc_period_rates(const vmi_osc_moment *at, int frozen, vm_real *
     }
 }
 
-/* Subtracts the mean from values over a period, and returns the mean */
+/* Subtracts the mean of VMI_AVERAGING_POINTS values over a period from each of them, and returns the mean. */
 VM_API vm_real vmi_osc_take_mean(vm_real *values)
 {
     vm_real mean = 0;
@@ -166,8 +168,8 @@ VM_API vm_real vmi_osc_take_mean(vm_real *values)
     return mean;
 }
 
-/* Integrates values over a period, and subtracts the mean of the integral. The mean of the values must be 0. `width` is
-   the distance between two values. */
+/* Integrates VMI_AVERAGING_POINTS values over a period, and subtracts the mean of the integral from the integral. The
+   mean of the values must be 0. `width` is the time between two values, s. */
 VM_API void vmi_osc_integrate_ripple(const vm_real *values, vm_real width, vm_real *ripple)
 {
     int i;
@@ -177,7 +179,7 @@ VM_API void vmi_osc_integrate_ripple(const vm_real *values, vm_real width, vm_re
     vmi_osc_take_mean(ripple);
 }
 
-/* The largest absolute value over a period */
+/* The largest absolute value of VMI_AVERAGING_POINTS values over a period */
 VM_API vm_real vmi_osc_largest(const vm_real *values)
 {
     vm_real largest = 0;
@@ -186,12 +188,12 @@ VM_API vm_real vmi_osc_largest(const vm_real *values)
     return largest;
 }
 
-/* Adds the difference between the mean rates with the wave w and those with ca, the exact wave, to the errors of the
-   mean rates. It also finds the rate at which a small change of ln A grows. */
+/* Adds to the errors a->rate_A and a->rate_psi the difference between two mean rates: that with the wave w, and that
+   with the exact wave ca. Also finds the rate at which a small change of ln A grows. */
 VM_API void vmi_osc_add_wave_rates(const vmi_osc_moment *at, const vmi_osc_wave *w, vmi_osc_averaging *a)
 {
     const vm_osc_plan *p = at->plan;
-    const vm_real change = VM_C(0.02); /* the change of ln A that is tried */
+    const vm_real change = VM_C(0.02); /* a change of ln A, to see by how much the mean rate changes */
     const vm_real A = at->A * (1 + change), Om = at->Om * (1 + (w->alpha - 1) / 2 * change);
     const vmi_osc_wave exact = vmi_osc_wave_of(p, VM_ROUTE_ATEB);
     vm_real own_A, own_psi, exact_A, exact_psi, more_A, more_psi;
@@ -203,8 +205,9 @@ VM_API void vmi_osc_add_wave_rates(const vmi_osc_moment *at, const vmi_osc_wave 
     a->growth = (more_A - own_A) / change;
 }
 
-/* Finds the ripples of ln A and psi. They are the integrals of the rates of ln A and psi over a period, after the means
-   of the rates have been subtracted. The ripple of ln A changes Om, and so adds to the rate of psi. */
+/* Finds the ripples of ln A and psi: the integrals over time of the rates rate_A and rate_psi of ln A and psi within a
+   period, after the mean of each rate has been subtracted. The ripple of ln A changes Om, and so adds to the rate of
+   psi. */
 VM_API void vmi_osc_find_ripples(const vmi_osc_moment *at, const vm_real *rate_A, vm_real *rate_psi,
                                  vmi_osc_averaging *a)
 {
@@ -221,13 +224,13 @@ VM_API void vmi_osc_find_ripples(const vmi_osc_moment *at, const vm_real *rate_A
     a->ripple = vmi_osc_largest(ripple_A) + vmi_osc_largest(ripple_psi);
 }
 
-/* Finds what averaging leaves out at the time t between 0 and t_end, where the motion has the amplitude A and the
-   Ateb phase psi */
+/* Finds the errors that averaging causes at the time t between 0 and t_end, where the motion has the amplitude A and
+   the Ateb phase psi. */
 VM_API int vmi_osc_averaging_at(const vm_osc_plan *p, const vmi_osc_wave *w, vm_real t, vm_real t_end, vm_real A,
                                 vm_real psi, vmi_osc_averaging *a)
 {
-    const vm_real second_order = VM_C(0.25); /* error of a mean rate divided by (rate times ripple); it is 0.156 for
-                                                Duffing's equation */
+    const vm_real second_order = VM_C(0.25); /* error of a mean rate divided by (rate times ripple). The quotient is
+                                                0.156 for Duffing's equation */
     vm_real rate_A[VMI_AVERAGING_POINTS], rate_psi[VMI_AVERAGING_POINTS], frozen_A, frozen_psi, rates, second;
     vmi_osc_moment at;
     int status = vmi_osc_rates_at(&p->problem, t, -vmi_time_side(t_end), &at.now);
@@ -256,8 +259,8 @@ VM_API int vmi_osc_averaging_at(const vm_osc_plan *p, const vmi_osc_wave *w, vm_
 
 /* -- The error between 0 and t -- */
 
-/* The interval from 0 to t is divided into 11 equal parts. Errors are estimated at the ends of the last 8 of them, both
-   here and where oscillators/integration.h compares two integrations. */
+/* The number of times at which errors are estimated. The interval from 0 to t is divided into 11 equal parts; these
+   times are the ends of the last 8 parts. oscillators/integration.h compares two integrations at the same times. */
 enum { VMI_OSC_CHECKS = 8 };
 
 /* Time number i, 0 to VMI_OSC_CHECKS - 1, at which motions are compared on the way to t; the last one is t. */
@@ -268,10 +271,10 @@ VM_API vm_real vmi_osc_check_time(vm_real t, int i)
 }
 
 /* Estimates the error at t of the averaged equations with a force, from the motions at the times of vmi_osc_check_time.
-   Errors arise from the ripple at the start, which the equations treat as a part of the mean, and from errors of the
-   mean rates. These errors grow as fast as small changes of the motion grow, and an error of the amplitude causes an
-   error of the phase. At the end the estimate adds the ripple at t, the error of a wave that is not ca, and the effect
-   of fast changes of mass and stiffness. */
+   Errors arise from the ripple at the start, which the averaged equations treat as a part of the mean motion, and from
+   errors of the mean rates. These errors grow as fast as small changes of the motion grow, and an error of the
+   amplitude causes an error of the phase. At the end the function adds the ripple at t, the error of the wave if it is
+   not ca, and the effect of fast changes of mass and stiffness. */
 VM_API int vmi_osc_averaging_error(const vm_osc_plan *p, const vmi_osc_wave *w, vm_real t,
                                    const vm_osc_motion *motion, vm_real *error)
 {

@@ -6,8 +6,8 @@
      m = m0 exp(rate_m u),   k = k0 exp(rate_k u),   u = ln(1 + base t)/base, or u = t for base = 0,
    with a common base: they may be constant, linear, exponential or powers of the same 1 + base t. With damping the mass
    must be constant or linear. The user chooses the order, from 2 to 5: a lower order is less accurate (docs/law.md),
-   but needs less code. vm_osc_closed_at_order2 and vm_osc_closed_at_order3 leave out the code that only higher orders
-   need.
+   but needs less code. A program that calls vm_osc_closed_at_order2 or vm_osc_closed_at_order3 does not contain the
+   code that only higher orders need.
        vm_osc_problem sieve = {3,            vm_law_linear(120, -20), vm_law_linear(VM_C(4e8), 0), 0, 0,
                                VM_C(0.005), 0,                       NULL,                        NULL};
        vm_osc_closed motion;
@@ -18,8 +18,9 @@
    Method: let p and a be the rates of oscillators/reduction.h at t = 0. Then
      G_0 = p (p - a + base),   delta = p + (p - a + base),   el = 1 + base t,   p(t) = p/el,   A = A(0) exp(-p u),
      W = W(0) exp(delta u)/el,   E_k = (k+1)! E_0(0) (-delta/W(0))^k exp(-(k+2) delta u),
-   where A is the mean amplitude and W the rate of the mean phase without the terms of E_0. Integrals of W, W E_0 and W
-   E_0^2 over t are differences of exponentials. Sources: docs/law.md. Tests: tests/test_closed_law.c. */
+   where A is the mean amplitude and W the rate of the mean phase without the terms of E_0. The numbers G_0 and E_k are
+   those of oscillators/expansion.h. Integrals of W, W E_0 and W E_0^2 over t are differences of exponentials. Sources:
+   docs/law.md. Tests: tests/test_closed_law.c. */
 #ifndef VARMASS_OSCILLATORS_CLOSED_H
 #define VARMASS_OSCILLATORS_CLOSED_H
 
@@ -42,9 +43,10 @@ typedef struct VM_TAG(vmi_osc_rates_of_u) {
     vm_real base, rate_m, rate_k;
 } vmi_osc_rates_of_u;
 
-/* Finds the exponential form of both laws. Returns 0 if the two laws have no such form with the same u, or if the
-   integral of b/m is not proportional to u. With damping this integral is proportional to u only for m = m0 (1 + base
-   t), which includes a constant mass with base = 0. */
+/* Writes the rates of the closed forms of mass and stiffness to *u and returns 1. Returns 0 if mass and stiffness have
+   no closed forms with the same u, if a force acts, or if the integral of b/m over time, with the damping b, is not
+   proportional to u. For b not 0 this integral is proportional to u only if m = m0 (1 + base t), which includes a
+   constant mass with base = 0. */
 VM_API int vmi_osc_find_closed_form(const vm_osc_problem *o, vmi_osc_rates_of_u *u)
 {
     vm_real base_m, base_k;
@@ -58,14 +60,15 @@ VM_API int vmi_osc_find_closed_form(const vm_osc_problem *o, vmi_osc_rates_of_u 
     return o->damping == 0 || u->rate_m == u->base;
 }
 
-/* The rates on which the disturbances E_k at t = 0 depend, in 1/s: p; rest = p - a + base, so that G_0 = p rest; and
-   delta = p + rest */
+/* The rates on which the disturbances E_k at t = 0 depend, in 1/s: p and delta of the top of this file, and rest = p -
+   a + base, so that G_0 = p rest and delta = p + rest */
 typedef struct VM_TAG(vmi_osc_closed_rates) {
     vm_real p, rest, delta;
 } vmi_osc_closed_rates;
 
-/* The rates at t = 0, where m0 is the mass, kg. Differences that vanish in exact arithmetic vanish here, too. An
-   example is base - a for a linear mass with the full reactive force. */
+/* Returns the rates p, rest and delta at t = 0, where m0 is the mass, kg. A difference of rates that is 0 in exact
+   arithmetic is computed without rounding errors, as exactly 0. An example is base - a for a linear mass with the full
+   reactive force. */
 VM_API vmi_osc_closed_rates vmi_osc_closed_rates_of(const vm_osc_problem *o, const vmi_osc_rates_of_u *u, vm_real m0)
 {
     const vm_real decay = o->damping / m0;
@@ -76,7 +79,8 @@ VM_API vmi_osc_closed_rates vmi_osc_closed_rates_of(const vm_osc_problem *o, con
     return r;
 }
 
-/* Writes E_0 ... E_(n-1), n <= VMI_OSC_G, for the rate W of the phase. */
+/* Writes the numbers E_0 ... E_(n-1) of oscillators/expansion.h, n <= VMI_OSC_G. For t = 0 the argument W is the rate
+   of the mean phase; for another t it is this rate at t = 0 times exp(delta u). */
 VM_API void vmi_osc_closed_disturbance(const vmi_osc_closed_rates *r, vm_real W, int n, vm_real *E)
 {
     const vm_real step = r->delta / W;
@@ -91,7 +95,7 @@ VM_API void vmi_osc_closed_disturbance(const vmi_osc_closed_rates *r, vm_real W,
 typedef struct VM_TAG(vmi_osc_closed_mean) {
     vmi_osc_reduced start;      /* mean amplitude, m, mean phase, and its rate W without the terms of E_0, 1/s */
     vm_real base;               /* base of the laws, 1/s; see the top of this file */
-    vmi_osc_closed_rates rates; /* rates at t = 0 */
+    vmi_osc_closed_rates rates; /* the rates p, rest and delta at t = 0 */
     vm_real first, second;      /* what E_0 and E_0^2 add to the rate of the mean phase at t = 0, 1/s */
 } vmi_osc_closed_mean;
 
@@ -167,7 +171,7 @@ VM_API void vmi_osc_closed_disturbance_at(const vmi_osc_closed_mean *c, const vm
     vmi_osc_closed_disturbance(&c->rates, c->start.W / now->decay, n, E);
 }
 
-/* An upper bound of the terms that order five leaves out of the mean phase, from 0 to the time of *now
+/* An upper bound of the terms of the mean phase that the law of order five leaves out, from 0 to the time of *now
    (vmi_expansion_third_rate) */
 VM_API vm_real vmi_osc_closed_third(const vmi_osc_closed_mean *c, const vmi_osc_closed_now *now, const vmi_ripple *r)
 {
@@ -190,7 +194,7 @@ typedef struct VM_TAG(vm_osc_closed) {
                                  infinite where the error is unknown */
     vmi_osc_closed_mean mean; /* the mean motion */
     ateb_plan ateb;           /* Ateb functions for alpha */
-    vmi_ripple ripple;        /* functions of the ripple for alpha; polynomials are not set for order 2 */
+    vmi_ripple ripple;        /* functions of the ripple for alpha; their polynomials are not set for order 2 */
 } vm_osc_closed;
 
 /* -- Preparing it -- */
@@ -199,19 +203,20 @@ typedef struct VM_TAG(vm_osc_closed) {
 typedef struct VM_TAG(vmi_osc_closed_start) {
     vmi_osc_rates_of_u laws;
     vmi_osc_closed_rates rates;
-    vmi_osc_reduced state; /* the reduced state at t = 0 */
+    vmi_osc_reduced state; /* amplitude, phase and its rate at t = 0 */
     vm_real E[VMI_OSC_G];  /* the numbers E_k of this state */
 } vmi_osc_closed_start;
 
-/* Checks that the terms of the law of order five are small at the start: (alpha+1)(alpha+3)/4 (|E_0| + d^3 |E_3|) < 1/2
-   with d = (alpha + 1 + pi)/(2 pi), which is more than Pi_alpha/(2 pi). Then no number overflows. */
+/* Returns 1 if the terms of the law of order five are small at the start, else 0. They count as small if
+   (alpha+1)(alpha+3)/4 (|E_0| + d^3 |E_3|) < 1/2 with d = (alpha + 1 + pi)/(2 pi), which is more than Pi_alpha/(2 pi).
+   Then no number overflows. */
 VM_API int vmi_osc_closed_is_slow(const vm_real *E, vm_real alpha)
 {
     const vm_real d = (alpha + 1 + VM_PI) / (2 * VM_PI), L = (alpha + 1) * (alpha + 3) / 4;
     return L * (VM_FABS(E[0]) + d * d * d * VM_FABS(E[3])) < VM_C(0.5);
 }
 
-/* Checks the problem from t = 0 to t_end, and computes *s. */
+/* Checks the problem from t = 0 to t_end, and computes the fields of *s. */
 VMI_APART int vmi_osc_closed_check(const vm_osc_problem *o, vm_real t_end, vmi_osc_closed_start *s)
 {
     vm_real m0 = 0, k0 = 0;
@@ -226,12 +231,13 @@ VMI_APART int vmi_osc_closed_check(const vm_osc_problem *o, vm_real t_end, vmi_o
     return vmi_osc_closed_is_slow(s->E, o->alpha) ? VM_OK : VM_NO_LAW;
 }
 
-/* The estimate of the error at all times from 0 to t_end, where E holds the numbers E_k of the state at t = 0. Each
-   term of the estimate rises or falls steadily with t. Therefore the larger of its values at both ends is a bound. */
+/* An estimate of the error of the motion that is valid at all times from 0 to t_end. E contains the numbers E_k of the
+   state at t = 0. Each term of the estimate only rises or only falls with t. Therefore the larger of its values at 0
+   and at t_end is a bound of this term. */
 VM_API vm_real vmi_osc_closed_error(const vm_osc_closed *c, int order, const vm_real *E, vm_real t_end)
 {
     const vmi_ripple *r = &c->ripple;
-    const vm_real largest_known = VM_C(0.25); /* where the estimate is larger the error is unknown */
+    const vm_real largest_known = VM_C(0.25); /* where the estimate is larger, the error is unknown */
     vm_real e0[VMI_OSC_G], e[VMI_OSC_G], turns, error;
     vmi_osc_closed_now end;
     int k;
@@ -268,12 +274,13 @@ VMI_APART void vmi_osc_closed_begin(vm_osc_closed *c, int order, const vmi_osc_c
 /* Prepares the computation of the problem's motion by the law of the given order, 2 to 5; a higher order is more
    accurate. c->error is valid for times between 0 and t_end, s, which may have either sign. Afterwards *c does not need
    the problem any more. After an error *c is unchanged. The errors are
-     VM_BAD_ARGUMENT for null pointers, another order, and a law that no constructor made,
+     VM_BAD_ARGUMENT for null pointers, an order outside 2 to 5, and a law that no constructor made,
      VM_NOT_FINITE for a number that is infinite or NaN,
-     VM_BAD_MASS or VM_BAD_STIFFNESS for a law that is not positive at 0 or t_end,
+     VM_BAD_MASS or VM_BAD_STIFFNESS for a mass or a stiffness that is not positive at 0 or t_end,
      VM_DOMAIN for alpha < 0,
-     VM_NO_LAW for laws without the closed form at the top of this file, for a force F, and where mass, stiffness or
-       damping changes the motion so fast that the law of order five is not valid; use vm_osc_plan_init then.
+     VM_NO_LAW for a mass or stiffness without the closed form at the top of this file, for a problem with a force, and
+       where mass, stiffness or damping changes the motion so fast that the law of order five is not valid; in these
+       cases use vm_osc_plan_init.
    The call takes as long as some 100 calls of vm_osc_closed_at; with order 2 it takes less than half as long. */
 VM_API int vm_osc_closed_init(vm_osc_closed *c, const vm_osc_problem *problem, int order, vm_real t_end)
 {
@@ -328,9 +335,10 @@ VM_API int vmi_osc_closed_motion(const vm_osc_closed *c, int order, vm_real t, v
 }
 
 /* Position x (m) and velocity v (m/s) at time t (s, either sign), by the law of the order c->order. c->error estimates
-   the error up to the time t_end that vm_osc_closed_init received. An error leaves *x and *v untouched: VM_BAD_ARGUMENT
-   for null pointers, VM_NOT_FINITE where t or a result is infinite or NaN, VM_BAD_MASS or VM_BAD_STIFFNESS where a law
-   is not positive at t. If *c has order 5, the results are bit for bit those of vm_osc_plan_by_route. */
+   the error up to the time t_end that vm_osc_closed_init received. Returns VM_BAD_ARGUMENT for null pointers;
+   VM_NOT_FINITE where t or a result is infinite or NaN; VM_BAD_MASS or VM_BAD_STIFFNESS where mass or stiffness is not
+   positive at t; VM_OK otherwise. An error leaves *x and *v untouched. If *c has order 5, x and v are bit for bit those
+   of vm_osc_plan_by_route with VM_ROUTE_ORDER5. */
 VM_API int vm_osc_closed_at(const vm_osc_closed *c, vm_real t, vm_real *x, vm_real *v)
 {
     int order = 0;
@@ -338,8 +346,8 @@ VM_API int vm_osc_closed_at(const vm_osc_closed *c, vm_real t, vm_real *x, vm_re
     return vmi_osc_closed_motion(c, order, t, x, v);
 }
 
-/* Position and velocity as by vm_osc_closed_at, but always by order 2, whatever order *c has. Of the three functions it
-   adds the least code to a program, since order 2 needs no ripple. */
+/* Position and velocity as by vm_osc_closed_at, but always by order 2, whatever order *c has. This function adds less
+   code to a program than vm_osc_closed_at and vm_osc_closed_at_order3, since order 2 needs no ripple. */
 VM_API int vm_osc_closed_at_order2(const vm_osc_closed *c, vm_real t, vm_real *x, vm_real *v)
 {
     return vmi_osc_closed_motion(c, 2, t, x, v);

@@ -1,9 +1,10 @@
 /* oscillators/collocation.h - the motion of an oscillator by collocation, to a tolerance
 
-   Two runs compute the same motion side by side, in steps from each zero of x to the next (oscillators/course.h). They
-   differ in the number of points per step. The difference of their results gives the error. If the error is larger than
-   the tolerance, the next pair of runs has more points. A pair of runs is given up as soon as its error is too large,
-   even before the end. So it costs little to try a pair with few points first.
+   Two runs compute the same motion side by side, in steps from each zero of x to the next (oscillators/course.h). One
+   of them, the strict run, has more points per step than the other one, the loose run. The difference of their results
+   gives an estimate of the error. If the error is larger than the tolerance, another pair of runs with more points
+   follows. A pair of runs is stopped as soon as its error is too large, even before the end. So it costs little
+   computing time to try a pair with few points first.
        vm_osc_motion motion;
        int status = vmi_osc_collocate(&plan, VM_ROUTE_COLLOCATION, 300, VM_C(1e-8), &motion); // plan is a vm_osc_plan
    Tests: tests/test_collocation.c, tests/test_routes.c. */
@@ -31,12 +32,13 @@ VM_API vm_real vmi_osc_next_knot(const vm_osc_problem *o, vm_real from, vm_real 
     return vmi_law_next_knot(&o->stiffness, from, vmi_law_next_knot(&o->mass, from, t));
 }
 
-/* Advances both courses to t, a point of a table or the end. Raises *difference to the largest difference of ln A and
-   phase between the two courses on the way, and stops before t where it is larger than `most`. */
+/* Advances both runs to the time t, which is a point of a law's table or the end. On the way it adds the difference of
+   the phase between the two runs and their difference of ln A, and raises *difference to the largest of these sums. The
+   runs stop before t where *difference is larger than `most`. */
 VM_API int vmi_osc_courses_to(vmi_osc_course *loose, vmi_osc_course *strict, vm_real t, vm_real most,
                               vm_real *difference)
 {
-    const vm_real most_steps = VM_C(16777216.); /* 2^24: after more steps a float has no digits for the phase */
+    const vm_real most_steps = VM_C(16777216.); /* 2^24: after more steps a phase in float has no correct digits */
     vm_real steps = 0;
     int status = VM_OK;
     loose->stop = t;
@@ -57,7 +59,8 @@ VM_API int vmi_osc_courses_to(vmi_osc_course *loose, vmi_osc_course *strict, vm_
     return status;
 }
 
-/* Numbers of points per step in the loose and in the strict run, and of parts per half period in both runs */
+/* Numbers of points per step in the loose run and in the strict run, and number of parts into which both runs divide
+   each half period */
 typedef struct VM_TAG(vmi_osc_points) {
     signed char loose, strict, parts;
 } vmi_osc_points;
@@ -65,10 +68,10 @@ typedef struct VM_TAG(vmi_osc_points) {
 /* The number of pairs of runs that can be tried one after the other */
 enum { VMI_OSC_PAIRS = 6 };
 
-/* Pair number i, 0 to VMI_OSC_PAIRS - 1. Each pair is more accurate than the one before. With a force the rates may
-   have kinks in the middle of a half period, where x' = 0, and what the rule misses has no closed form; so there are
-   two parts and more points. For alpha > 3 the rates change quickly in the middle; two parts that meet there are
-   better. */
+/* Pair number i, 0 to VMI_OSC_PAIRS - 1. Pair i is more accurate than pair i - 1. With a force the rates of ln A and
+   phase may have kinks in the middle of a half period, where x' = 0, and the errors of Gauss' rule have no closed form.
+   So a half period then has two parts and more points. For alpha > 3 the rates change quickly in the middle of a half
+   period; two parts that meet there give smaller errors than one. */
 VM_API vmi_osc_points vmi_osc_pair(const vm_osc_problem *o, int i)
 {
     static const vmi_osc_points alone[VMI_OSC_PAIRS] = {{2, 3, 1}, {3, 4, 1},  {4, 6, 1},
@@ -81,18 +84,19 @@ VM_API vmi_osc_points vmi_osc_pair(const vm_osc_problem *o, int i)
     return points;
 }
 
-/* The number of the pair that is tried first. Each kind of problem has a row in at_least; the pair that is tried first
-   is the first one whose number in this row is not above the tolerance. A problem is quick if mass and stiffness change
-   by more than `change` = 1/16 of themselves while the phase grows by 1. The numbers were chosen with changes of up to
-   0.01 for the slow problems, and of about 0.1 for the quick ones. A law by a function of the user needs more points,
-   because of the derivative of p. */
+/* The index of the pair of runs that is tried first. Each kind of problem has a row in the table at_least, with a least
+   tolerance for each pair of runs. The pair that is tried first is the first one in this row whose least tolerance is
+   not above the given tolerance. `change` is the relative change of mass and stiffness while the phase grows by 1
+   (vmi_osc_change_at). A problem is quick if it is more than 1/16, else slow. The rows were found with changes of up to
+   0.01 for the slow problems, and of about 0.1 for the quick ones. If a user's function gives mass or stiffness, more
+   points are needed, because the derivative of the rate p is then found numerically. */
 VM_API int vmi_osc_first_pair(const vm_osc_problem *o, vm_real tolerance, vm_real change)
 {
     enum { SLOW, QUICK, BY_FUNCTION, FORCED };
     static const vm_real at_least[][VMI_OSC_PAIRS] = {
         {VM_C(1e-8), VM_C(1e-9), VM_C(1e-11), 0},               /* slow */
         {VM_INFINITY, VM_C(1e-6), VM_C(1e-7), VM_C(1e-9), 0},   /* quick */
-        {VM_INFINITY, VM_INFINITY, VM_C(1e-8), 0},              /* laws by functions */
+        {VM_INFINITY, VM_INFINITY, VM_C(1e-8), 0},              /* mass or stiffness by a user's function */
         {VM_INFINITY, VM_INFINITY, VM_C(1e-6), VM_INFINITY, 0}, /* forced */
     };
     int i = 0, kind = SLOW;
@@ -103,9 +107,9 @@ VM_API int vmi_osc_first_pair(const vm_osc_problem *o, vm_real tolerance, vm_rea
     return i;
 }
 
-/* The number of the pair that is tried after pair i. `error` is the estimated error of pair i, which is larger than the
-   tolerance. A pair is skipped if its error would still be too large in a favourable case, where errors are
-   proportional to 1/(number of points)^10. */
+/* The index of the pair of runs that is tried after pair i. `error` is the estimated error of pair i, which is larger
+   than the tolerance. A pair is skipped if its error would be larger than the tolerance even where errors fall as fast
+   as 1/(number of points)^10. */
 VM_API int vmi_osc_next_pair(const vm_osc_problem *o, int i, vm_real error, vm_real tolerance)
 {
     const vmi_osc_points last = vmi_osc_pair(o, i);
@@ -119,8 +123,8 @@ VM_API int vmi_osc_next_pair(const vm_osc_problem *o, int i, vm_real error, vm_r
     return next;
 }
 
-/* Raises *change to the sum of the rates |p|, |a| and |k'/k| at t (oscillators/reduction.h), divided by the rate of the
-   phase, if this quotient is larger. */
+/* Computes the sum of the rates |p|, |a| and |k'/k| of mass, damping and stiffness at t (oscillators/reduction.h),
+   divided by the rate of the phase. Writes this quotient to *change if it is larger than *change. */
 VM_API int vmi_osc_change_at(const vm_osc_plan *plan, vm_real t, int side, vm_real *change)
 {
     vmi_osc_rates now;
@@ -132,14 +136,15 @@ VM_API int vmi_osc_change_at(const vm_osc_plan *plan, vm_real t, int side, vm_re
     return VM_OK;
 }
 
-/* Returns the estimated error of the strict run divided by the difference of the two runs, which is nearly the error of
-   the loose run. Let n be the number of points. Where no force acts, the error falls about as n^-8 for alpha from 1 to
-   5. For alpha < 1 it falls as n^-6, because the rates have terms proportional to d^(alpha+2), where d is the distance
-   from a zero of x, and Gauss' rule is less accurate for these terms. The error falls more slowly than n^-8 in the
-   following cases: few points, laws that change by more than 1/32 per radian, alpha > 5, where the velocity reverses
-   suddenly, a force with kinks, and laws by functions of the user. In a graded rule the points are densest at both ends
-   of a step, where x or x' is 0, so kinks at these places do less harm. docs/routes.md shows how good the estimate
-   is. */
+/* Returns the estimated error of the strict run divided by the difference of the two runs. This difference is nearly
+   the error of the loose run. Let n be the number of points per step. Where no force acts, the error falls about as
+   n^-8 for alpha from 1 to 5. For alpha < 1 it falls as n^-6, because the rates have terms proportional to d^(alpha+2),
+   where d is the distance from a zero of x, and Gauss' rule is less accurate for these terms. The error falls more
+   slowly than n^-8 also in each of these cases: a step has few points; mass or stiffness changes by more than 1/32 of
+   itself per radian; alpha > 5, where the velocity reverses suddenly; the force has kinks; a user's function gives mass
+   or stiffness. In a graded rule (vmi_gauss_rule_grade) the points are densest at both ends of a step, where x or x' is
+   0, so kinks of the force at these places cause smaller errors. docs/routes.md compares the estimated errors with the
+   true ones. */
 VM_API vm_real vmi_osc_strict_share(const vm_osc_problem *o, vmi_osc_points points, vm_real change)
 {
     const vm_real ratio = (vm_real)points.loose / (vm_real)points.strict, squared = ratio * ratio;
@@ -153,18 +158,20 @@ VM_API vm_real vmi_osc_strict_share(const vm_osc_problem *o, vmi_osc_points poin
 
 /* A pair of runs */
 typedef struct VM_TAG(vmi_osc_pair_run) {
-    vm_real change;        /* change of the laws per radian, at 0 or at t, whichever is larger (vmi_osc_change_at) */
+    vm_real change;        /* relative change of mass and stiffness per radian (vmi_osc_change_at), the larger of its
+                              values at 0 and at t */
     vm_real longest;       /* the longest step, s */
     vm_real sweep_limit;   /* sweep_limit of the strict run (see vmi_osc_course) */
-    vm_real most;          /* the pair is given up where its error is larger than this */
-    vmi_osc_course strict; /* the strict run; it ends before t if the pair was given up */
-    vmi_osc_rates now;     /* mass, stiffness and rates at t; only valid if the pair was not given up */
-    vmi_osc_reduced state; /* amplitude and phase of the strict run at t; only valid if the pair was not given up */
-    vm_real error;         /* estimated error at t; if the pair was given up, it is extrapolated to t */
+    vm_real most;          /* the pair is stopped where its error is larger than this */
+    vmi_osc_course strict; /* the strict run; it ends before t if the pair was stopped */
+    vmi_osc_rates now;     /* mass, stiffness and rates at t; only valid if the pair was not stopped */
+    vmi_osc_reduced state; /* amplitude and phase of the strict run at t; only valid if the pair was not stopped */
+    vm_real error;         /* estimated error at t; if the pair was stopped, it is extrapolated to t */
 } vmi_osc_pair_run;
 
-/* Sets amplitude and phase at t from the strict run. r->error is the error of ln A and phase before the call, and the
-   error of x and v after it. The two differ because an error of x also enters v = -2/(alpha+1) W A sa - p x. */
+/* Sets amplitude and phase at t from the strict run. Before the call r->error is the error of ln A and phase, after it
+   the error of x and v. It is larger after the call, because an error of x also enters v = -2/(alpha+1) W A sa - p
+   x. */
 VM_API int vmi_osc_end_pair(const vm_osc_plan *plan, vm_real t, vmi_osc_pair_run *r)
 {
     const vmi_osc_course *strict = &r->strict;
@@ -177,11 +184,11 @@ VM_API int vmi_osc_end_pair(const vm_osc_plan *plan, vm_real t, vmi_osc_pair_run
     return VM_OK;
 }
 
-/* Makes one pair of runs from 0 to t. */
+/* Makes one pair of runs from 0 to t, with the numbers of points and parts in `points`. */
 VM_API int vmi_osc_collocate_pair(const vm_osc_plan *plan, vm_real t, vmi_osc_points points, vmi_osc_pair_run *r)
 {
     const int side = vmi_time_side(t);
-    const vm_real looser = 16; /* ratio of the sweep_limits of both runs; the errors of their iterations differ, too */
+    const vm_real looser = 16; /* sweep_limit of the loose run divided by that of the strict run */
     const vm_real share = vmi_osc_strict_share(&plan->problem, points, r->change), most = r->most / share;
     vmi_osc_course loose, *strict = &r->strict;
     vmi_osc_slow start;
@@ -209,15 +216,16 @@ VM_API int vmi_osc_collocate_pair(const vm_osc_plan *plan, vm_real t, vmi_osc_po
 }
 
 /* Computes the motion at t by collocation. Returns VM_TOLERANCE_MISSED where the motion is computed, but its estimated
-   error is larger than the tolerance. Returns VM_NOT_INTEGRATED after 2^24 steps, and where amplitude and phase do not
-   describe the motion, because mass, stiffness or force change as fast as the phase. Also returns the statuses of the
-   laws. */
+   error is larger than the tolerance. Returns VM_NOT_INTEGRATED if more than 2^24 steps would be needed, and where
+   amplitude and phase do not describe the motion, because mass, stiffness or force change as fast as the phase. Where
+   the law of the mass or of the stiffness fails, returns the status of this law. */
 VM_API int vmi_osc_collocate(const vm_osc_plan *plan, int route, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
     const vm_osc_problem *o = &plan->problem;
     const vm_real knots = (vm_real)(o->mass.n + o->stiffness.n);
     const vm_real steps = 2 + plan->Om * VM_FABS(t) / plan->ripple.pi + knots;
-    const vm_real share = 4 * steps; /* the iterations of all steps may take a quarter of the tolerance */
+    const vm_real share = 4 * steps; /* the iterations of all steps may together cause an error of a quarter of the
+                                        tolerance */
     const vm_real most_half_periods = VM_C(1073741824.); /* 2^30 */
     vmi_osc_pair_run r;
     vm_osc_motion result;
@@ -238,7 +246,8 @@ VM_API int vmi_osc_collocate(const vm_osc_plan *plan, int route, vm_real t, vm_r
         status = vmi_osc_collocate_pair(plan, t, vmi_osc_pair(o, i), &r);
         if (status) return status;
         result.evals += r.strict.evals;
-        r.sweep_limit = vmi_larger(r.sweep_limit / 16, VM_EPSILON); /* the iterations may have caused the error */
+        r.sweep_limit = vmi_larger(r.sweep_limit / 16, VM_EPSILON); /* the iterations of the steps may have caused the
+                                                                       error */
         i = vmi_osc_next_pair(o, i, r.error, tolerance);
     }
     vmi_osc_wave_at(&r.strict.wave, r.state.psi, &ca, &sa);

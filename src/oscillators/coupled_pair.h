@@ -4,10 +4,10 @@
    and a damper between the bodies, and further forces f1, f2. With p = y - x and S(p), the sum of k p|p|^(alpha-1) over
    all springs, the equations are
        m1 x'' =  S(p) + b p' - r m1' x' + f1,   m2 y'' = -S(p) - b p' - r m2' y' + f2
-   b is the damping of the connection, r the share of the reactive force. In the relative coordinate p, with the reduced
-   mass mu = m1 m2/(m1 + m2) and the velocity V of the mass centre, they become, exactly and for all laws,
+   b is the damping of the connection, r the share of the reactive force that acts. In the relative coordinate p, with
+   the reduced mass mu = m1 m2/(m1 + m2) and the velocity V of the mass centre, they become, exactly and for all laws,
        mu p'' + S(p) + (r mu' + b) p' = -r mu (m2'/m2 - m1'/m1) V + mu (f2/m2 - f1/m1)
-   This is the equation of one oscillator, so that all routes of routes.h can compute its motion.
+   This is the equation of one oscillator, so that the methods of oscillators/routes.h can compute its motion.
 
        vm_connection springs[2] = {{100, 1}, {2000, 3}}; // 100 N/m p + 2000 N/m^3 p^3
        vm_coupled_pair pair;
@@ -31,7 +31,8 @@
 #include "laws.h"
 #include "problem.h"
 
-/* A spring between two bodies: it pulls with k p|p|^(alpha-1), N, where p is their distance minus its length at rest */
+/* A spring between two bodies: it pulls with the force k p|p|^(alpha-1), N. p is the distance of the bodies minus the
+   length of the spring at rest. */
 typedef struct VM_TAG(vm_connection) {
     vm_real k;     /* stiffness, N/m^alpha, > 0 */
     vm_real alpha; /* exponent, >= 0 */
@@ -46,12 +47,13 @@ typedef struct VM_TAG(vm_coupled_pair) {
     vm_law mass[2];                   /* masses m1 and m2 of the bodies at x and y, kg, > 0 */
     vm_real reactive;                 /* r: 1 where mass that joins or leaves is at rest, 0 where it has the velocity of
                                          its body; numbers between are allowed */
-    vm_real damping;                  /* damping b of the connection, kg/s; positive takes energy out */
+    vm_real damping;                  /* damping b of the connection, kg/s; a positive b takes energy out */
     int n;                            /* number of connections, >= 0 */
     const vm_connection *connections; /* n connections; may be null if n is 0 */
     vm_pair_force force;              /* further forces, or NULL */
-    void *ctx;                        /* the user's pointer, last argument of force */
-    vm_real momentum;                 /* set by vm_coupled_pair_oscillator: m1 x' + m2 y' at t = 0, kg m/s */
+    void *ctx;                        /* the user's pointer, last argument of the function `force` */
+    vm_real momentum;                 /* momentum m1 x' + m2 y' at t = 0, kg m/s; vm_coupled_pair_oscillator writes
+                                         it */
 } vm_coupled_pair;
 
 /* Both masses and their rates at one time */
@@ -59,7 +61,7 @@ typedef struct VM_TAG(vmi_pair_masses) {
     vm_real m[2], rate[2];
 } vmi_pair_masses;
 
-/* Writes the masses and their rates at time t, and checks them and the pair. */
+/* Writes the masses and their rates at time t to *now, and checks them and the fields of the pair. */
 VM_API int vmi_coupled_now(const vm_coupled_pair *p, vm_real t, vmi_pair_masses *now)
 {
     int i, status;
@@ -77,10 +79,11 @@ VM_API int vmi_coupled_now(const vm_coupled_pair *p, vm_real t, vmi_pair_masses 
 }
 
 /* Equations of motion of two bodies with different masses and several connections, for rk45 or rk87.
-   y = (x, y, x', y') is in m and m/s; pair points to a vm_coupled_pair. Returns VM_BAD_ARGUMENT for null pointers, a
-   negative number of connections, or where no constructor made a mass, VM_NOT_FINITE for a number that is infinite or
-   NaN, VM_BAD_MASS or VM_BAD_STIFFNESS for one that is not positive, VM_DOMAIN for an exponent < 0 or t outside a
-   table, and the number that the function `force` returns if it is not 0. These statuses stop the run. */
+   y = (x, y, x', y') is in m and m/s; pair points to a vm_coupled_pair. Returns VM_BAD_ARGUMENT for null pointers, for
+   a negative number of connections, and for a mass law that no constructor made; VM_NOT_FINITE for a number that is
+   infinite or NaN; VM_BAD_MASS for a mass that is not positive; VM_BAD_STIFFNESS for a stiffness that is not positive;
+   VM_DOMAIN for an exponent < 0 and for t outside a table. If the function `force` returns a number other than 0,
+   returns this number. These statuses stop the run. */
 VM_API int vm_coupled_pair_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *pair)
 {
     if (!y || !dydt || !pair) return VM_BAD_ARGUMENT;
@@ -100,8 +103,8 @@ VM_API int vm_coupled_pair_rhs(vm_real t, const vm_real *y, vm_real *dydt, void 
 
 /* Converts a motion y = (x, y, x', y') of two bodies to the modes (p, p', X, V), m and m/s.
    p = y - x is the relative coordinate and X = (m1 x + m2 y)/(m1 + m2) the mass centre. V = (m1 x' + m2 y')/(m1 + m2)
-   is the velocity of the mass centre of the two bodies as they are at time t. Returns VM_BAD_ARGUMENT for null pointers
-   and the statuses of vm_coupled_pair_rhs. modes and y may be the same array. */
+   is the velocity of the mass centre, for the masses at time t. Returns VM_BAD_ARGUMENT for null pointers, otherwise
+   the statuses of vm_coupled_pair_rhs. modes and y may be the same array. */
 VM_API int vm_coupled_pair_to_modes(const vm_coupled_pair *p, vm_real t, const vm_real *y, vm_real *modes)
 {
     if (!p || !y || !modes) return VM_BAD_ARGUMENT;
@@ -137,7 +140,8 @@ VM_API int vm_coupled_pair_from_modes(const vm_coupled_pair *p, vm_real t, const
     return vmi_copy_if_finite(4, found, y);
 }
 
-/* The reduced mass mu = m1 m2/(m1 + m2) and its rate, a vm_law_function; ctx points to a vm_coupled_pair */
+/* Writes the reduced mass mu = m1 m2/(m1 + m2) and its rate. The function is a vm_law_function; ctx points to a
+   vm_coupled_pair. */
 VM_API int vmi_coupled_reduced_mass(vm_real t, vm_real *f, vm_real *rate, void *ctx)
 {
     vmi_pair_masses now;
@@ -151,8 +155,9 @@ VM_API int vmi_coupled_reduced_mass(vm_real t, vm_real *f, vm_real *rate, void *
     return VM_OK;
 }
 
-/* The force -mu (m2'/m2 - m1'/m1) V of the text above, for r = 1, where the momentum stays constant. The function is a
-   vm_osc_force. */
+/* The force -mu (m2'/m2 - m1'/m1) V on the relative coordinate p if `reactive` is 1; mu is the reduced mass. In this
+   case the momentum stays constant, so that the velocity V of the mass centre follows from the masses. The function is
+   a vm_osc_force. */
 VM_API vm_real vmi_coupled_drift(vm_real t, vm_real x, vm_real v, void *ctx)
 {
     const vm_coupled_pair *p = (const vm_coupled_pair *)ctx;
@@ -166,11 +171,12 @@ VM_API vm_real vmi_coupled_drift(vm_real t, vm_real x, vm_real v, void *ctx)
 }
 
 /* Writes the oscillator whose position is p = y - x, the relative coordinate of two bodies with one connection. The
-   routes of routes.h compute its motion. y0 = (x, y, x', y') is the motion at t = 0; pair must outlive *problem. The
-   equation is exact. Where the mass centre drifts and m1'/m1 differs from m2'/m2, the oscillator has the further small
-   force of the text above. Returns the statuses of vm_coupled_pair_rhs at t = 0, and VM_NO_LAW where there is not
-   exactly one connection, where there are further forces, or where the reactive force is a share other than 0 and 1,
-   because then the drift of the mass centre depends on the vibration. Integrate vm_coupled_pair_rhs then. */
+   functions of oscillators/routes.h compute its motion. y0 = (x, y, x', y') is the motion at t = 0; pair must outlive
+   *problem. The equation of the oscillator is exact. If `reactive` is 1, if the mass centre moves, and if m1'/m1
+   differs from m2'/m2, the small force -mu (m2'/m2 - m1'/m1) V also acts on the oscillator; mu is the reduced mass, V
+   the velocity of the mass centre. Returns the statuses of vm_coupled_pair_rhs at t = 0. Returns VM_NO_LAW where there
+   is not exactly one connection, where there are further forces, and where `reactive` is neither 0 nor 1, because then
+   the motion of the mass centre depends on the vibration. In these three cases integrate vm_coupled_pair_rhs. */
 VM_API int vm_coupled_pair_oscillator(vm_coupled_pair *pair, const vm_real *y0, vm_osc_problem *problem)
 {
     if (!pair || !y0 || !problem) return VM_BAD_ARGUMENT;

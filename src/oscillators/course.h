@@ -2,19 +2,21 @@
 
    The exact equations of oscillators/reduction.h for the amplitude A and the phase psi, with a further force F, are
      (ln A)' = -p + W E sa ca - 2/(alpha+1) f sa,   psi' = W (1 + (alpha+1)/2 E ca^2) - f ca,
-     with E = (p^2 - a p - p')/W^2,   f = F/(m V),   V = 2 A W/(alpha+1); p, a and W are explained there.
-   They are solved with psi as the independent variable: each step integrates ln A and t from one zero of x to the next.
-   For most alpha the force of the spring is not smooth at x = 0. But the steps end there, so this point never lies
-   inside a step, where it would do the most harm.
+   with
+     E = (p^2 - a p - p')/W^2,   f = F/(m V),   V = 2 A W/(alpha+1).
+   The rates p, a and W are explained in oscillators/reduction.h. The equations are solved with psi as the independent
+   variable: each step integrates ln A and t from one zero of x to the next. For most alpha the force of the spring is
+   not smooth at x = 0. But the steps end at x = 0, so this point never lies inside a step, where it would cause the
+   largest errors.
 
    A step uses Gauss' collocation: polynomials approximate the rates, and satisfy the equations exactly at n points of
-   the step, the nodes. These conditions are solved by iteration, which starts from values that are extrapolated from
-   the earlier steps.
+   the step, the nodes. These conditions are solved by iteration in several rounds. The first round starts from values
+   that are extrapolated from the earlier steps.
 
    Without a force the rates of ln A and t consist of slow functions and of a swing, a part that varies like ca^2 and sa
    ca and is proportional to E. A polynomial through few nodes approximates the slow functions well, but not ca^2 and sa
-   ca. The integrals of ca^2 and sa ca have closed forms (oscillators/ripple.h). So each step adds what Gauss' rule
-   misses in these integrals to the result of the rule. Then 2 or 3 nodes per step are enough for errors of 1e-8. With a
+   ca. The integrals of ca^2 and sa ca have closed forms (oscillators/ripple.h). So the errors of Gauss' rule in these
+   integrals are known, and each step corrects them. Then 2 or 3 nodes per step are enough for errors of 1e-8. With a
    force such closed forms do not exist; for alpha < 3 the nodes then lie closer together at the ends of the steps
    (vmi_gauss_rule_grade).
        vmi_osc_course c;
@@ -46,19 +48,19 @@ enum { VMI_HISTORY = 7 };
 
 /* -- A run -- */
 
-/* sa and ca at the nodes of a step, and what Gauss' rule misses in the integrals of four functions: ca^2, (x - 1/2)
-   ca^2, sa ca and (x - 1/2) sa ca, where x goes from 0 at the start of the step to 1 at its end. Row i < n of `misses`
-   is for the integrals over x from 0 to node i, row n for those from 0 to 1. */
+/* sa and ca at the nodes of a step, and the errors `misses` of Gauss' rule: the exact integral minus the result of the
+   rule, for the four functions ca^2, (x - 1/2) ca^2, sa ca and (x - 1/2) sa ca. x goes from 0 at the start of the step
+   to 1 at its end. Row i < n of `misses` is for the integrals over x from 0 to node i, row n for those from 0 to 1. */
 enum { VMI_MISSES_CA2, VMI_MISSES_CA2_X, VMI_MISSES_SACA, VMI_MISSES_SACA_X, VMI_MISSES };
 typedef struct VM_TAG(vmi_step_waves) {
     vm_real sa[VMI_NODES], ca[VMI_NODES];
     vm_real misses[VMI_NODES + 1][VMI_MISSES];
 } vmi_step_waves;
 
-/* Rates: derivatives of ln A and t with respect to the phase psi, at the nodes of a step */
+/* The rates of a step: derivatives of ln A and t with respect to the phase psi, at the nodes of the step */
 typedef struct VM_TAG(vmi_step_rates) {
     vm_real ln_A[VMI_NODES], t[VMI_NODES];
-    vm_real E[2]; /* E at the first and at the last node */
+    vm_real E[2]; /* E = (p^2 - a p - p')/W^2 at the first and at the last node */
 } vmi_step_rates;
 
 /* A run, that is one computation of the motion from 0 to t. A half period goes from one zero of ca to the next. It is
@@ -69,8 +71,8 @@ typedef struct VM_TAG(vmi_osc_course) {
     vmi_gauss_rule rule;
     int side;              /* 1 forward, -1 backward in time */
     int parts;             /* number of parts of a half period, 1 or 2 */
-    vm_real stop;          /* time, s, at which a step must end: a point of a table or the end. Laws are not
-                              evaluated beyond it */
+    vm_real stop;          /* time, s, at which a step must end: a point of a table or the end of the run. Mass and
+                              stiffness are not evaluated beyond it */
     vm_real longest;       /* the longest step, s */
     vm_real sweep_limit;   /* the iteration of a step ends when the estimated error of the phase is at most this */
     vm_real psi, ln_A, t;  /* phase, ln(A/A0) with the amplitude A0 of the plan, time, s */
@@ -80,14 +82,15 @@ typedef struct VM_TAG(vmi_osc_course) {
     vm_real left;          /* sum of the errors of the phase that the iterations of all steps leave */
     vm_real contraction;   /* factor by which a round of the iteration reduces its error */
     vm_real rate;          /* rate of the phase at the end of the last step, 1/s */
-    vmi_step_waves waves[2];                 /* waves on each part of the half period from psi = -Pi/2 */
-    vmi_step_rates difference[2][VMI_HISTORY]; /* rates of the last step that covered all of a part, and their
-                                                backward differences over such steps */
-    int known[2];          /* number of earlier steps over each part that `difference` represents */
-    long evals;            /* evaluations of the rates */
+    vmi_step_waves waves[2];                 /* sa, ca and `misses` for each part of a half period */
+    vmi_step_rates difference[2][VMI_HISTORY]; /* for each part: rates of the last step that
+                                                covered all of it, and backward differences
+                                                of these rates over such steps */
+    int known[2];          /* number of earlier steps over each part from which `difference` was computed */
+    long evals;            /* number of evaluations of the rates */
 } vmi_osc_course;
 
-/* Sets the amplitude of the course from ln(A/A0). */
+/* Sets the amplitude of the run, and the rate Om of the phase, from ln(A/A0). */
 VM_API void vmi_osc_course_amplitude(vmi_osc_course *c, vm_real ln_A)
 {
     const vm_osc_plan *plan = c->plan;
@@ -98,7 +101,7 @@ VM_API void vmi_osc_course_amplitude(vmi_osc_course *c, vm_real ln_A)
 
 /* -- What Gauss' rule misses -- */
 
-/* Writes the functions C, S and S2 of oscillators/ripple.h at a phase. */
+/* Writes the functions C, S and S2 of oscillators/ripple.h at the phase psi to *f. */
 VM_API void vmi_osc_course_ripple(const vmi_osc_course *c, vm_real psi, vmi_ripple_values *f)
 {
     vm_real sa, ca;
@@ -106,9 +109,10 @@ VM_API void vmi_osc_course_ripple(const vmi_osc_course *c, vm_real psi, vmi_ripp
     vmi_ripple_at(&c->plan->ripple, 4, psi, sa, ca, f);
 }
 
-/* Writes the integrals of the four functions from the start of the step, where x = 0, to the given x. `length` is the
-   length of the step in phase. *first holds the functions C, S and S2 at the start of the step, *now those at x. The
-   integral of ca^2 over psi is <ca^2> psi + S, and that of sa ca is -(alpha+1)/4 ca^2. Integration by parts gives the
+/* Writes the integrals over x of the four functions of vmi_step_waves, from the start of the step, where x = 0, to the
+   given x. `length` is the length of the step in phase. *first contains the functions C, S and S2 of
+   oscillators/ripple.h at the start of the step, *now these functions at x. The integral of ca^2 over psi is <ca^2> psi
+   + S, where <> is the mean over a period; the integral of sa ca is -(alpha+1)/4 ca^2. Integration by parts gives the
    integrals with the factor x - 1/2. */
 VM_API void vmi_osc_wave_integrals(const vmi_ripple *r, const vmi_ripple_values *first, const vmi_ripple_values *now,
                                    vm_real x, vm_real length, vm_real *sum)
@@ -124,7 +128,8 @@ VM_API void vmi_osc_wave_integrals(const vmi_ripple *r, const vmi_ripple_values 
     sum[VMI_MISSES_SACA_X] = (from_middle * saca - saca_twice / length) / length;
 }
 
-/* Subtracts the results of Gauss' rule from the four integrals in row i of `misses`. */
+/* Subtracts the results of Gauss' rule from the four integrals in row i of w->misses, so that the errors of the rule
+   are left. */
 VM_API void vmi_osc_subtract_rule(const vmi_gauss_rule *rule, int i, vmi_step_waves *w)
 {
     vm_real *misses = w->misses[i];
@@ -140,8 +145,9 @@ VM_API void vmi_osc_subtract_rule(const vmi_gauss_rule *rule, int i, vmi_step_wa
     }
 }
 
-/* Writes sa, ca and `misses` for a step that starts at the phase `from`. In a very short step the rule misses nothing
-   but rounding errors, so `misses` is set to 0. */
+/* Writes sa and ca at the nodes of a step that starts at the phase `from`, and the errors w->misses of Gauss' rule in
+   the integrals of ca^2 and sa ca over this step. In a very short step these errors would only be rounding errors, so
+   they are set to 0. */
 VM_API void vmi_osc_course_waves(const vmi_osc_course *c, vm_real from, vm_real length, vmi_step_waves *w)
 {
     const vm_real very_short = VM_SQRT(VM_SQRT(VM_EPSILON));
@@ -163,9 +169,10 @@ VM_API void vmi_osc_course_waves(const vmi_osc_course *c, vm_real from, vm_real 
         for (k = 0; k < VMI_MISSES; k++) w->misses[i][k] = 0;
 }
 
-/* Whether the nodes must lie closer together at the ends of a step (vmi_gauss_rule_grade). With a force that depends on
-   the velocity, the rates contain d^(alpha+1), where d is the distance from a zero of x. For most alpha this is no
-   integer power, so the rates are not smooth at d = 0. From alpha = 3 on the power is so high that it does no harm. */
+/* Returns 1 if the nodes must lie closer together at the ends of a step (vmi_gauss_rule_grade), else 0. With a force
+   that depends on the velocity, the rates contain d^(alpha+1), where d is the distance from a zero of x. For most alpha
+   this is no integer power, so the rates are not smooth at d = 0. From alpha = 3 on the power is so high that the
+   errors of the rule are small enough. */
 VM_API int vmi_osc_needs_grading(const vm_osc_problem *o) { return o->force && o->alpha < 3 && o->alpha != 1; }
 
 /* -- Rates and changes -- */
@@ -175,16 +182,16 @@ typedef struct VM_TAG(vmi_osc_change) {
     vm_real ln_A, t;
 } vmi_osc_change;
 
-/* A step that is being computed; it starts at the present state of the course */
+/* A step that is being computed; it starts at the present state of the run */
 typedef struct VM_TAG(vmi_osc_step) {
     vm_real length;              /* length in phase */
-    vm_real sign;                /* factor of waves: -1 in every second half period, else 1 */
-    const vmi_step_waves *waves; /* waves at the nodes, without the factor sign */
+    vm_real sign;                /* factor of sa and ca: -1 in every second half period, else 1 */
+    const vmi_step_waves *waves; /* sa and ca at the nodes, without the factor `sign` */
     vmi_step_rates rates;        /* rates at the nodes by the last round of the iteration */
     vm_real swing_t[2];          /* the swing of the rate of t is (swing_t[0] + (x - 1/2) swing_t[1]) ca^2 */
     vm_real swing_ln_A[2];       /* the swing of the rate of ln A is (swing_ln_A[0] + (x - 1/2) swing_ln_A[1]) sa ca,
                                     minus p times the swing of t */
-    vm_real p;                   /* p in the middle of the step, 1/s */
+    vm_real p;                   /* the rate p in the middle of the step, 1/s */
     vmi_osc_change whole;        /* the changes over the whole step */
 } vmi_osc_step;
 
@@ -209,13 +216,14 @@ VM_API vm_real vmi_osc_exp_of_change(vm_real x)
     return low + xx * xx * (middle + xx * xx * high);
 }
 
-/* Writes the derivatives of ln A and t with respect to the phase at node i, and E there. */
+/* Writes the derivatives of ln A and t with respect to the phase at node i, and E = (p^2 - a p - p')/W^2 at this
+   node. */
 VM_API int vmi_osc_course_rates(const vmi_osc_course *c, const vmi_osc_step *s, int i, const vmi_step_node *at,
                                 vm_real *ln_A_by_psi, vm_real *t_by_psi, vm_real *E)
 {
     const vm_osc_plan *plan = c->plan;
     const vm_osc_problem *o = &plan->problem;
-    const vm_real least_rate = VM_C(0.03); /* below this ratio of the phase's rate to W there is no vibration */
+    const vm_real least_rate = VM_C(0.03); /* if psi'/W is below this number, the motion is no vibration */
     const vm_real n = o->alpha + 1, sa = s->sign * s->waves->sa[i], ca = s->sign * s->waves->ca[i];
     const vmi_osc_rates *now = &at->now;
     const vm_real omega_ratio = VM_SQRT((now->k / plan->k0) / (now->m / plan->m0));
@@ -274,9 +282,9 @@ VM_API void vmi_osc_complete_step(const vmi_osc_course *c, vmi_osc_step *s)
 
 /* -- The iteration of a step -- */
 
-/* Adds the corrections `missing` that a round found to the rates of a step. It also adds estimates of further
-   corrections: `missing` shifts ln A and t at the nodes, and these shifts change the rates, mostly because W depends on
-   ln A and t. *now holds mass, stiffness and rates at about the middle of the step. */
+/* Adds the corrections `missing` that a round of the iteration found to the rates of a step. Also adds estimates of
+   further corrections: `missing` shifts ln A and t at the nodes, and these shifts change the rates, mostly because W
+   depends on ln A and t. *now contains mass, stiffness and their rates at about the middle of the step. */
 VM_API void vmi_osc_correct(const vmi_osc_course *c, const vmi_osc_rates *now, const vmi_step_rates *missing,
                             vmi_osc_step *s)
 {
@@ -295,8 +303,8 @@ VM_API void vmi_osc_correct(const vmi_osc_course *c, const vmi_osc_rates *now, c
     }
 }
 
-/* Finds the time derivatives of p at the nodes from the polynomial through the values of p. This is for laws by
-   functions of the user, which have no second derivatives. */
+/* Finds the time derivatives of p at the nodes from the polynomial through the values of p. It is called where a user's
+   function gives mass or stiffness, since such a function gives no second derivatives. */
 VM_API void vmi_osc_find_p_rates(const vmi_osc_course *c, const vmi_osc_step *s, vmi_step_node *at)
 {
     const vm_real too_short = 256 * VM_EPSILON; /* in so short a step, differences of p are rounding errors */
@@ -329,7 +337,8 @@ VM_API int vmi_osc_find_nodes(const vmi_osc_course *c, const vmi_osc_step *s, vm
     return VM_OK;
 }
 
-/* Makes one round of the iteration. *change becomes the largest change of the rates, times the length of the step. */
+/* Makes one round of the iteration. *change becomes the largest change of the rates at a node in this round, times the
+   length of the step. */
 VM_API int vmi_osc_sweep(vmi_osc_course *c, vmi_osc_step *s, vm_real *change)
 {
     const int n = c->rule.n;
@@ -358,13 +367,14 @@ VM_API int vmi_osc_sweep(vmi_osc_course *c, vmi_osc_step *s, vm_real *change)
 }
 
 /* Makes rounds of the iteration until the estimated error of the phase is at most c->sweep_limit. The iteration starts
-   from the rates in s->rates. The error after a round is estimated as the change of phase that the round made, times
-   `contraction`. */
+   from the rates in s->rates. The error of the phase after a round is estimated as the change of the phase in this
+   round, times c->contraction. */
 VM_API int vmi_osc_iterate(vmi_osc_course *c, vmi_osc_step *s)
 {
-    const vm_real least_contraction = VM_C(0.005); /* a lower bound, since the next steps may converge more slowly */
-    const vm_real rounding = VM_SQRT(VM_EPSILON) / 16; /* in short steps p' has errors of this size, which no round
-                                                          removes */
+    const vm_real least_contraction = VM_C(0.005); /* least value of c->contraction, since the next steps may converge
+                                                      more slowly */
+    const vm_real rounding = VM_SQRT(VM_EPSILON) / 16; /* in short steps the derivative p' has rounding errors of this
+                                                          size, which further rounds do not reduce */
     const int most_rounds = 40;
     vm_real change, before = 0;
     int sweeps, status;
@@ -382,8 +392,8 @@ VM_API int vmi_osc_iterate(vmi_osc_course *c, vmi_osc_step *s)
 }
 
 /* Sets the rates from which the iteration of a step starts. They are extrapolated from earlier whole steps over the
-   same part of a half period. If there are none, the rates at all nodes are those at the start of the step, without the
-   disturbance E = (p^2 - a p - p')/W^2 and the further force F. */
+   same part of a half period. If there are no such steps, the rates at all nodes are those at the start of the step,
+   without the disturbance E = (p^2 - a p - p')/W^2 and without the force F. */
 VM_API int vmi_osc_predict(const vmi_osc_course *c, int part, vmi_osc_step *s)
 {
     const vmi_step_rates *difference = c->difference[part];
@@ -418,7 +428,7 @@ VM_API int vmi_osc_predict(const vmi_osc_course *c, int part, vmi_osc_step *s)
     return VM_OK;
 }
 
-/* Advances the state of the course by the step. */
+/* Advances the state of the run by the step *s. */
 VM_API void vmi_osc_take(vmi_osc_course *c, const vmi_osc_step *s)
 {
     const vm_real change = c->t_low + s->whole.t, t = c->t + change;
@@ -487,9 +497,9 @@ VM_API vm_real vmi_osc_find_part(const vmi_osc_course *c, const vmi_osc_step *s,
     return c->rule.graded ? vmi_graded(part) : part;
 }
 
-/* Makes a step that ends at c->stop. It replaces the longer step `beyond`, which would go past this time. `certain` is
-   0 if the end of `beyond` is only a prediction. If in this case the step to c->stop is longer than `beyond`, the
-   course stays unchanged, since no step may cross a zero of x. */
+/* Makes a step that ends at c->stop. It replaces the longer step `beyond`, which would go past c->stop. `certain` is 0
+   if the end of `beyond` is only a prediction. If in this case the step to c->stop is longer than `beyond`, the run
+   stays unchanged, since no step may cross a zero of x. */
 VM_API int vmi_osc_land(vmi_osc_course *c, const vmi_osc_step *beyond, int certain)
 {
     const int rounds = 6;
@@ -531,8 +541,8 @@ VM_API int vmi_osc_land(vmi_osc_course *c, const vmi_osc_step *beyond, int certa
 /* -- Steps -- */
 
 /* Returns the phase at which the next step ends: a zero of ca, or with two parts a zero of ca or sa. *part becomes the
-   number of the part that the step covers, or -1 where the step starts inside a part; *sign becomes the factor of its
-   waves. */
+   index, 0 or 1, of the part of the half period that the step covers, or -1 where the step starts inside a part. *sign
+   becomes the factor of sa and ca in this step. */
 VM_API vm_real vmi_osc_next_phase(const vmi_osc_course *c, int *part, vm_real *sign)
 {
     const vm_real half = c->plan->ripple.pi, close = 64 * VM_EPSILON * (1 + VM_FABS(c->psi) / half);
@@ -546,14 +556,14 @@ VM_API vm_real vmi_osc_next_phase(const vmi_osc_course *c, int *part, vm_real *s
     return side * next / per_step - half / 2;
 }
 
-/* Whether the step, by its present rates, ends at or beyond c->stop */
+/* Returns 1 if the step, by its present rates, ends at or beyond c->stop, else 0. */
 VM_API int vmi_osc_is_beyond(const vmi_osc_course *c, const vmi_osc_step *s)
 {
     return (vm_real)c->side * ((c->t - c->stop) + (c->t_low + s->whole.t)) >= 0;
 }
 
-/* Makes a step whose length is `most`, between 0 and 1, times the usual length. If it would go beyond c->stop, it is
-   shortened to end there. */
+/* Makes a step whose length is at most `most`, between 0 and 1, times the length up to the end of the present part of
+   the half period. If the step would go beyond c->stop, it is shortened to end at c->stop. */
 VM_API int vmi_osc_course_step_of(vmi_osc_course *c, vm_real most)
 {
     vmi_step_waves inside;
@@ -589,7 +599,7 @@ VM_API int vmi_osc_course_step_of(vmi_osc_course *c, vm_real most)
 /* Makes one step. Where its iteration does not converge, it tries shorter and shorter steps. */
 VM_API int vmi_osc_course_step(vmi_osc_course *c)
 {
-    const vm_real shortest = VM_C(0.01); /* the shortest step, as a part of the usual length */
+    const vm_real shortest = VM_C(0.01); /* steps below this fraction of their full length are not halved */
     vm_real most = 1;
     int status = vmi_osc_course_step_of(c, most);
     while (status == VM_NOT_INTEGRATED && most > shortest) {
@@ -600,8 +610,8 @@ VM_API int vmi_osc_course_step(vmi_osc_course *c)
     return status;
 }
 
-/* Starts a course at t = 0 from the amplitude and phase in *start, with n points per step and `parts` parts per half
-   period. */
+/* Starts a run at t = 0 from the amplitude and phase in *start, with n points per step and `parts` parts per half
+   period. `side` is 1 for a run forward in time, -1 for a run backward. */
 VM_API void vmi_osc_course_start(vmi_osc_course *c, const vm_osc_plan *plan, const vmi_osc_reduced *start, int side,
                                  int n, int parts, vm_real sweep_limit)
 {

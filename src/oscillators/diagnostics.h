@@ -1,8 +1,9 @@
 /* oscillators/diagnostics.h - turning points and zeros of any motion, envelopes, how slow changes are
 
-   The trajectory may come from a route, from a closed form or from an integrator's dense output, that is its solution
-   between the ends of a step. A law of the amplitude is compared with the trajectory at its turning points. The zero
-   crossings give the largest velocities and the periods.
+   The motion is given as a trajectory x(t), v(t). It may come from a method of oscillators/routes.h, from a closed form
+   or from an integrator's dense output, that is its solution between the ends of a step. At the turning points of the
+   trajectory its amplitude is compared with an amplitude law. The zero crossings give the largest velocities and the
+   periods.
 
        vm_sample turning[8]; // motion: a function of the user, see vm_motion_function
        long n = vm_find_samples(motion, NULL, VM_TURNING_POINTS, 0, 20, VM_C(0.1), 8, turning);
@@ -23,19 +24,19 @@
 /* A user's trajectory: writes position x and velocity v at time t. ctx is the user's pointer. */
 typedef void (*vm_motion_function)(vm_real t, vm_real *x, vm_real *v, void *ctx);
 
-/* A trajectory at one time: time, position and velocity, in the units of the trajectory */
+/* A point of a trajectory: time, position and velocity, in the units of the trajectory */
 typedef struct VM_TAG(vm_sample) {
     vm_real t, x, v;
 } vm_sample;
 
-/* The kinds of points at which samples are taken */
+/* The kinds of points of a trajectory that can be searched for */
 enum {
     VM_TURNING_POINTS = 0, /* where the velocity x' is 0 */
     VM_ZERO_CROSSINGS = 1  /* where the position x is 0 */
 };
 
-/* Whether a search is possible: the kind of sample must exist, `room` must not be negative, and for room > 0 samples
-   must not be null. */
+/* Returns 1 if a search is possible, else 0. It is possible if the kind of point exists, if `room` is not negative, and
+   if for room > 0 samples is not null. */
 VM_API int vmi_samples_are_possible(int kind, long room, const vm_sample *samples)
 {
     return (kind == VM_TURNING_POINTS || kind == VM_ZERO_CROSSINGS) && (room == 0 || (room > 0 && samples));
@@ -61,12 +62,12 @@ VM_API vm_real vmi_sample_function(vm_real t, void *search)
 }
 
 /* Turning points or zero crossings of a trajectory in (t0, t1]. kind is VM_TURNING_POINTS or VM_ZERO_CROSSINGS. The
-   trajectory is evaluated at equal intervals of at most |step|, and each change of sign is located within 4 eps of
-   its time. step should be a small part of a period; it is negative where t1 < t0. The first `room` samples are
-   written to samples, in the order in which they are found. Returns how many samples there are, which may be more than
-   room, or a negative status: VM_BAD_ARGUMENT for a null pointer, an unknown kind or a negative room, VM_NOT_FINITE for
-   a step of 0, of the wrong sign or infinite, for more than 2e9 steps, or where the trajectory is not finite. Samples
-   found before the error stay in samples. */
+   trajectory is evaluated at equal intervals of at most |step|; where v (for turning points) or x (for zero crossings)
+   changes its sign, the point is located within 4 eps of its time. step should be a small part of a period; it is
+   negative where t1 < t0. The first `room` points are written to samples, in the order in which they are found. Returns
+   the number of points, which may be more than room, or a negative status: VM_BAD_ARGUMENT for a null pointer, an
+   unknown kind or a negative room; VM_NOT_FINITE for a step that is 0, infinite or of the wrong sign, for more than 2e9
+   steps, and where the trajectory is not finite. Points that were found before the error stay in samples. */
 VM_API long vm_find_samples(vm_motion_function motion, void *ctx, int kind, vm_real t0, vm_real t1, vm_real step,
                             long room, vm_sample *samples)
 {
@@ -124,10 +125,11 @@ VM_API void vmi_motion_of_step(vm_real t, vm_real *x, vm_real *v, void *step)
 
 /* Turning points or zero crossings in the last step of an rk45 or rk87. Call it after every step. x and v are the
    indices of position and velocity in the state; buffer has room for a state. kind, room, samples and the result are
-   those of vm_find_samples. Returns VM_BAD_ARGUMENT also for indices outside the state, and 0 before the first step. */
+   those of vm_find_samples. Returns VM_BAD_ARGUMENT also for an index outside the state, and 0 if the integrator has
+   not made a step yet. */
 VM_API long vm_find_samples_of_step(rk45 *s, int x, int v, int kind, vm_real *buffer, long room, vm_sample *samples)
 {
-    const vm_real parts = 4; /* a change of sign is looked for in each of 4 equal parts of the step */
+    const vm_real parts = 4; /* each of 4 equal parts of the step is searched for a change of sign */
     vmi_step_motion m;
     vm_real length;
     if (!s || !buffer || x < 0 || v < 0 || x >= s->n || v >= s->n) return VM_BAD_ARGUMENT;
@@ -141,10 +143,10 @@ VM_API long vm_find_samples_of_step(rk45 *s, int x, int v, int kind, vm_real *bu
     return vm_find_samples(vmi_motion_of_step, &m, kind, s->t_old, s->t, length / parts, room, samples);
 }
 
-/* Largest relative error of an amplitude law, |law(t)/observed - 1|, over n samples.
-   The observed value is |x| for VM_TURNING_POINTS and |v| for VM_ZERO_CROSSINGS. law returns the amplitude or the
-   largest velocity at time t, and gets ctx. Returns 0 for n = 0, and NaN for null pointers, for an unknown kind, for
-   n < 0, or where law is NaN or a sample is infinite or NaN. */
+/* Largest relative error of an amplitude law, |law(t)/observed - 1|, over n samples. The observed value is |x| for
+   VM_TURNING_POINTS and |v| for VM_ZERO_CROSSINGS. The user's function law returns the amplitude or the largest
+   velocity at time t; ctx is its last argument. Returns 0 for n = 0. Returns NaN for null pointers, for an unknown
+   kind, for n < 0, and where the function law returns NaN or a sample is infinite or NaN. */
 VM_API vm_real vm_envelope_error(int kind, long n, const vm_sample *samples, vm_real (*law)(vm_real t, void *ctx),
                                  void *ctx)
 {
@@ -162,11 +164,12 @@ VM_API vm_real vm_envelope_error(int kind, long n, const vm_sample *samples, vm_
 }
 
 /* Adiabaticity q/Om of an oscillator at time t and amplitude A, the small parameter of averaging.
-   q = ((2r-1) m' + 2 b)/m + k'/k is the rate of the slow change, with r = reactive, b = damping, mass m and stiffness
-   k. Om is the rate of the Ateb phase at the amplitude A, in m. The function uses only alpha, mass, stiffness,
-   reactive and damping of the problem. For a motion that starts at rest, errors of amplitude laws are of order
-   (q/Om)^2, and errors of waveforms of order q/Om up to t = 1/q. The result is within 4 eps. Returns NaN for a null
-   pointer, where A, mass or stiffness is not positive, where alpha is negative, and for infinite numbers. */
+   q = ((2r-1) m' + 2 b)/m + k'/k is the rate at which mass, damping and stiffness change the motion, with r = reactive,
+   b = damping, mass m and stiffness k. Om is the rate of the Ateb phase at the amplitude A, in m. The function uses
+   only alpha, mass, stiffness, reactive and damping of the problem. For a motion that starts at rest, errors of
+   amplitude laws are of order (q/Om)^2; errors of x(t) and v(t) are of order q/Om up to t = 1/q. The result is within 4
+   eps. Returns NaN for a null pointer; where A, mass or stiffness is not positive; where alpha is negative; and for
+   numbers that are infinite or NaN. */
 VM_API vm_real vm_adiabaticity(const vm_osc_problem *o, vm_real t, vm_real A)
 {
     if (!o) return VM_NAN;

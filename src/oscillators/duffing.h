@@ -6,7 +6,8 @@
      c1 > 0, c3 < 0     softening spring: vibrations around 0 with A^2 < -c1/c3; larger motions run away: |x| grows
                         without limit
      c1 < 0, c3 > 0     two wells, at x^2 = -c1/c3: outer vibrations around both, x = A cn, and inner ones in one of
-                        them, x = A dn; the separatrix x = A/cosh between them has an infinite period
+                        them, x = A dn; between these two kinds of motion is the separatrix x = A/cosh with an infinite
+                        period
        vm_real x, v;
        vm_real T = vm_duffing_period(2, 1, VM_C(0.5)); // x'' + x + x^3/2 = 0 from rest at x = 2 m
        vm_duffing_exact_from(T / 8, 2, 0, 1, VM_C(0.5), &x, &v);
@@ -49,8 +50,9 @@ VM_API vm_real vmi_duffing_above(vm_real c3, vm_real slope, vm_real v)
     return VM_NAN;
 }
 
-/* Writes the size and place of the orbit through (x, v). With two wells the orbit is an inner one if its energy is
-   below the energy of rest at x = 0. Returns VM_NO_LAW for a motion that runs away. */
+/* Writes the size and place of the orbit (oscillators/odd_force.h) that contains the state (x, v). With two wells the
+   orbit lies in one well if its energy is not above the energy of a body at rest at x = 0. Returns VM_NO_LAW for a
+   motion that runs away. */
 VM_API int vmi_duffing_through(const vm_odd_force *force, vm_real x, vm_real v, vmi_orbit *orbit)
 {
     const vm_real k1 = force->k1, k3 = force->k3, slope = k1 + k3 * (x * x);
@@ -59,11 +61,11 @@ VM_API int vmi_duffing_through(const vm_odd_force *force, vm_real x, vm_real v, 
     orbit->force = force;
     orbit->place = VMI_ORBIT_AROUND_0;
     if (k1 < 0 && k3 > 0 && twice_energy <= 0) {
-        const vm_real to_rest = slope / k3; /* x^2 minus its value at rest in the well */
+        const vm_real to_rest = slope / k3; /* x^2 minus its value -k1/k3 at the place of rest in the well */
         orbit->size = VM_SQRT(to_rest * to_rest + 2 * (v * v) / k3);
         if (x > 0) orbit->place = VMI_ORBIT_RIGHT;
         if (x < 0) orbit->place = VMI_ORBIT_LEFT;
-        if (x == 0) orbit->size = 0; /* at rest between the wells */
+        if (x == 0) orbit->size = 0; /* the body is at rest between the wells */
         return VM_OK;
     }
     orbit->size = 0;
@@ -77,8 +79,8 @@ VM_API int vmi_duffing_through(const vm_odd_force *force, vm_real x, vm_real v, 
 
 /* -- The shape of an orbit -- */
 
-/* Completes an orbit around 0: x = A cn(lambda t | m) with lambda^2 = c1 + c3 A^2 and 1 - m = (c1 + c3
-   A^2/2)/lambda^2. For c3 < 0 the parameter m is negative. */
+/* Computes all other fields of an orbit around 0 from its size, the amplitude A. The motion is x = A cn(lambda t | m)
+   with lambda^2 = c1 + c3 A^2 and 1 - m = (c1 + c3 A^2/2)/lambda^2. For c3 < 0 the parameter m is negative. */
 VM_API int vmi_duffing_complete_outer(vmi_orbit *orbit)
 {
     const vm_real k1 = orbit->force->k1, k3 = orbit->force->k3, square = orbit->size * orbit->size;
@@ -97,12 +99,13 @@ VM_API int vmi_duffing_complete_outer(vmi_orbit *orbit)
     orbit->energy_slope = orbit->size * lambda2;
     orbit->swing = orbit->size;
     orbit->vmax = orbit->size * VM_SQRT(k1 + k3 * square / 2);
-    if (k1 < 0) orbit->vmax = lambda2 / VM_SQRT(2 * k3); /* at x^2 = -k1/k3, where the force is 0 */
+    if (k1 < 0) orbit->vmax = lambda2 / VM_SQRT(2 * k3); /* the velocity at x^2 = -k1/k3, where the force is 0 */
     return VM_OK;
 }
 
-/* Completes an orbit in a well, at rest^2 = -c1/c3: x = A dn(lambda t | m) with A^2 = rest^2 + size, lambda^2 = c3
-   A^2/2 and 1 - m = (rest^2 - size)/A^2. */
+/* Computes all other fields of an orbit in a well from its size. The place of rest in the well is x = rest, with rest^2
+   = -c1/c3. The motion is x = A dn(lambda t | m) with A^2 = rest^2 + size, lambda^2 = c3 A^2/2 and 1 - m = (rest^2 -
+   size)/A^2. */
 VM_API int vmi_duffing_complete_inner(vmi_orbit *orbit)
 {
     const vm_real k3 = orbit->force->k3, rest = -orbit->force->k1 / k3, size = orbit->size;
@@ -119,12 +122,13 @@ VM_API int vmi_duffing_complete_inner(vmi_orbit *orbit)
     orbit->w = VM_PI * orbit->lambda / jacobi_K_m1(m1);
     orbit->j = 2 * size * size * k3 * (C2 - C4) / orbit->w; /* the mean of v^2 = 2 k3 size^2 sn^2 cn^2, divided by w */
     orbit->energy_slope = k3 * size / 2;
-    orbit->swing = size / (A + B); /* (A - B)/2 with the largest |x| A and the smallest |x| B */
+    orbit->swing = size / (A + B); /* (A - B)/2, where A is the largest |x| and B the smallest |x| */
     orbit->vmax = size * VM_SQRT(k3 / 2);
     return VM_OK;
 }
 
-/* Completes an orbit of size > 0. Returns VM_NO_LAW on a separatrix and where the motion runs away. */
+/* Computes all other fields of an orbit from its place and its size > 0. Returns VM_NO_LAW on a separatrix and where
+   the motion runs away. */
 VM_API int vmi_duffing_complete(vmi_orbit *orbit)
 {
     int status;
@@ -134,7 +138,8 @@ VM_API int vmi_duffing_complete(vmi_orbit *orbit)
     return status;
 }
 
-/* The point at theta: around 0, x = A cos(theta); in a well, x^2 = rest^2 + size cos(2 theta) */
+/* Writes the point of an orbit at the angle theta. Around 0 it has x = A cos(theta), where A is the amplitude; in a
+   well it has x^2 = rest^2 + size cos(2 theta), where rest^2 = -c1/c3. */
 VM_API void vmi_duffing_point(const vmi_orbit *orbit, vm_real theta, vmi_orbit_point *point)
 {
     const vm_real k1 = orbit->force->k1, k3 = orbit->force->k3, size = orbit->size;
@@ -164,7 +169,7 @@ VM_API vm_real vmi_duffing_argument(vm_real s2, vm_real c2, vm_real d2)
     return VM_SQRT(s2) * vmi_carlson_rf(vmi_two(c2, 0), vmi_two(d2, 0), vmi_two(1, 0)).hi;
 }
 
-/* The argument u of Jacobi's functions at a state of a complete orbit */
+/* The argument u of Jacobi's functions at the state (x, v) of an orbit whose fields are all set */
 VM_API vm_real vmi_duffing_argument_of(const vmi_orbit *orbit, vm_real x, vm_real v)
 {
     const vm_real k1 = orbit->force->k1, k3 = orbit->force->k3, size = orbit->size, m1 = orbit->m1;
@@ -174,7 +179,7 @@ VM_API vm_real vmi_duffing_argument_of(const vmi_orbit *orbit, vm_real x, vm_rea
         c2 = vmi_smaller(x * x / (size * size), 1);
         s2 = vmi_smaller(v * v / (g * (size * size)), 1);
     } else {
-        const vm_real cosine = vmi_clamp((x * x + k1 / k3) / size, -1, 1); /* of the angle 2 theta */
+        const vm_real cosine = vmi_clamp((x * x + k1 / k3) / size, -1, 1); /* cosine of the angle 2 theta */
         const vm_real sine = v / (size * VM_SQRT(k3 / 2)), angle = vmi_atan2(VM_FABS(sine), cosine) / 2;
         vm_real s, c;
         vmi_sincos(angle, &s, &c);
@@ -187,7 +192,7 @@ VM_API vm_real vmi_duffing_argument_of(const vmi_orbit *orbit, vm_real x, vm_rea
     return u;
 }
 
-/* The state at the argument u of Jacobi's functions */
+/* Writes the state (x, v) of an orbit at the argument u of Jacobi's functions. */
 VM_API void vmi_duffing_at_argument(const vmi_orbit *orbit, vm_real u, vm_real *x, vm_real *v)
 {
     vm_real sn, cn, dn;
@@ -203,22 +208,23 @@ VM_API void vmi_duffing_at_argument(const vmi_orbit *orbit, vm_real u, vm_real *
     }
 }
 
-/* The phase of a state on a complete orbit */
+/* Writes the phase of the state (x, v) on an orbit whose fields are all set. */
 VM_API int vmi_duffing_phase(const vmi_orbit *orbit, vm_real x, vm_real v, vm_real *phi)
 {
     *phi = vmi_duffing_argument_of(orbit, x, v) * (orbit->w / orbit->lambda);
     return VM_OK;
 }
 
-/* The state at a phase */
+/* Writes the state (x, v) of an orbit at the phase phi. */
 VM_API int vmi_duffing_at_phase(const vmi_orbit *orbit, vm_real phi, vm_real *x, vm_real *v)
 {
     vmi_duffing_at_argument(orbit, phi * (orbit->lambda / orbit->w), x, v);
     return VM_OK;
 }
 
-/* Duffing's force without the function that computes its ripple. The functions for constant mass do not need the
-   ripple, so a program that uses only them does not contain that function. */
+/* Duffing's force without the function that computes its ripple (oscillators/orbit_ripple.h). The functions for
+   constant mass do not need the ripple; so a program that uses only these functions does not contain the code for the
+   ripple. */
 VM_API vm_odd_force vmi_duffing_elastic(vm_real k1, vm_real k3)
 {
     vm_odd_force force = vm_odd_force_user(NULL, NULL);
@@ -243,18 +249,18 @@ VM_API vm_odd_force vm_duffing_force(vm_real k1, vm_real k3)
 }
 
 /* Duffing's force k1(t) x + k3(t) x^3 whose coefficients follow laws of their own: laws[0] is k1, N/m, and laws[1] is
-   k3, N/m^3. Both may have either sign; the two laws must outlive the force. It is for a vm_odd_problem
-   (oscillators/odd_motion.h), whose factor `stiffness` multiplies both. The functions for constant mass refuse it with
-   VM_NO_LAW. A null pointer makes no force: it is refused with VM_BAD_ARGUMENT. */
+   k3, N/m^3. k1 and k3 may have either sign; the two laws must outlive the force. The force is for a vm_odd_problem
+   (oscillators/odd_motion.h), whose field `stiffness`, a factor, multiplies k1 and k3. The functions for constant mass
+   refuse this force with VM_NO_LAW. If `laws` is null, all functions refuse the force with VM_BAD_ARGUMENT. */
 VM_API vm_odd_force vm_duffing_force_of_laws(const struct VM_TAG(vm_law) *laws)
 {
-    vm_odd_force force = vm_duffing_force(0, 0); /* vm_odd_plan_init writes the coefficients at t = 0 */
+    vm_odd_force force = vm_duffing_force(0, 0); /* vm_odd_plan_init replaces the zeros by k1 and k3 at t = 0 */
     force.laws = laws;
     if (!laws) force.at = NULL;
     return force;
 }
 
-/* -- Constant mass: functions of numbers -- */
+/* -- Constant mass: energy, period, action and exact motion -- */
 
 /* Energy per unit mass of Duffing's oscillator, v^2/2 + c1 x^2/2 + c3 x^4/4, m^2/s^2.
    It is conserved. Returns NaN for infinite arguments. */
@@ -264,8 +270,8 @@ VM_API vm_real vm_duffing_energy(vm_real x, vm_real v, vm_real c1, vm_real c3)
     return v * v / 2 + (x * x) * (c1 / 2 + c3 * (x * x) / 4);
 }
 
-/* Whether a state lies on the separatrix, the motion x = A/cosh(lambda t). It goes from x = 0 to x = A and back to
-   x = 0 in infinite time. */
+/* Returns 1 if an orbit is the separatrix, else 0. The separatrix is the motion x = A/cosh(lambda t), which goes from x
+   = 0 to x = A and back to x = 0 in infinite time. */
 VM_API int vmi_duffing_is_separatrix(const vmi_orbit *orbit)
 {
     const vm_real k1 = orbit->force->k1, k3 = orbit->force->k3;
@@ -291,7 +297,7 @@ VM_API vm_real vm_duffing_period(vm_real x0, vm_real c1, vm_real c3)
 
 /* Action, m^2/s, of Duffing's oscillator x'' + c1 x + c3 x^3 = 0 from rest at x0 (m, either sign).
    It is the integral of v dx over a period, divided by 2 pi. It stays constant while mass or stiffness changes slowly.
-   Domain and accuracy are those of vm_duffing_period, but it is 0 for x0 = 0, and NaN on the separatrix. */
+   Domain and accuracy are those of vm_duffing_period, but the action is 0 for x0 = 0, and NaN on the separatrix. */
 VM_API vm_real vm_duffing_action(vm_real x0, vm_real c1, vm_real c3)
 {
     const vm_odd_force force = vmi_duffing_elastic(c1, c3);
@@ -299,7 +305,8 @@ VM_API vm_real vm_duffing_action(vm_real x0, vm_real c1, vm_real c3)
     return vm_odd_action(&force, x0);
 }
 
-/* The motion x = A/cosh(lambda t) on the separatrix, with A^2 = -2 c1/c3 and lambda^2 = -c1 */
+/* Writes position and velocity at time t of the motion x = A/cosh(lambda t) on the separatrix, with A^2 = -2 c1/c3 and
+   lambda^2 = -c1. */
 VM_API void vmi_duffing_on_separatrix(vm_real t, vm_real x0, vm_real v0, vm_real c1, vm_real c3, vm_real *x,
                                       vm_real *v)
 {
@@ -315,8 +322,8 @@ VM_API void vmi_duffing_on_separatrix(vm_real t, vm_real x0, vm_real v0, vm_real
 /* Exact motion x(t), v(t) of Duffing's oscillator x'' + c1 x + c3 x^3 = 0 from x0 (m) and v0 (m/s).
    c1 = k1/m is in 1/s^2, c3 = k3/m in 1/(m s)^2; each may have either sign. The errors of x and v are at most 32 eps
    of the amplitude and of the largest velocity, times 1 + t/period, where no terms of the sums c1 + c3 A^2 and c1 + c3
-   A^2/2 cancel. A is the amplitude. Writes NaN where the motion runs away and for infinite arguments, and
-   nothing where an output is null. Equations: DLMF 22.19(ii). */
+   A^2/2 cancel. A is the amplitude. Writes NaN where the motion runs away and for infinite arguments, and nothing where
+   the pointer to an output is null. Equations: DLMF 22.19(ii). */
 VM_API void vm_duffing_exact_from(vm_real t, vm_real x0, vm_real v0, vm_real c1, vm_real c3, vm_real *x, vm_real *v)
 {
     if (!x || !v) return;

@@ -22,10 +22,10 @@
 #include "odd_force.h"
 #include "orbit_ripple.h"
 
-/* Writes the nome q of the parameter m = 1 - m1, and q/m, which has a limit for m -> 0. K is K(m). Both have an error
-   of some 1e-13 (float: some rounding errors), which is small enough for the ripple. Close to m = 0 the code uses a
-   series in e = (1 - k'^(1/2))/(2 (1 + k'^(1/2))) with k' = sqrt(m1). For m < 0 the nome of m is minus that of
-   m/(m - 1). */
+/* Returns the nome q of the parameter m = 1 - m1 (see the top of this file), and writes q/m to *by_m. For m -> 0 the
+   quotient q/m has a limit. K is the complete elliptic integral K(m). q and q/m have an error of some 1e-13 (float:
+   some rounding errors), which is small enough for the ripple. Close to m = 0 the code uses a series in e = (1 -
+   k'^(1/2))/(2 (1 + k'^(1/2))) with k' = sqrt(m1). For m < 0 the nome of m is minus the nome of m/(m - 1). */
 VM_API vm_real vmi_duffing_nome(vm_real m, vm_real m1, vm_real K, vm_real *by_m)
 {
     const vm_real series_holds = VM_C(0.1), kp = VM_SQRT(m1), root = VM_SQRT(kp);
@@ -41,8 +41,8 @@ VM_API vm_real vmi_duffing_nome(vm_real m, vm_real m1, vm_real K, vm_real *by_m)
     return q;
 }
 
-/* The number 2 c1/Omega^2 + 1 for an orbit in a well. It is -24 (sum of d q^(2d)/(1 - q^(2d)) over odd d): for small
-   orbits the two terms of the number nearly cancel, and this sum avoids the loss of digits. */
+/* The number 2 c1/Omega^2 + 1 for an orbit in a well with the nome q. It is computed as -24 (sum of d q^(2d)/(1 -
+   q^(2d)) over odd d). For small orbits 2 c1/Omega^2 and 1 nearly cancel, and the sum avoids this loss of digits. */
 VM_API vm_real vmi_duffing_well_term(vm_real q)
 {
     const vm_real q2 = q * q;
@@ -55,15 +55,16 @@ VM_API vm_real vmi_duffing_well_term(vm_real q)
     return -24 * sum;
 }
 
-/* The numbers on which the terms of the series depend. "By size" stands for the derivative with respect to
-   orbit->size. */
+/* The numbers from which the terms a_n of the Fourier series at the top of this file are computed. A derivative "by
+   size" is the derivative with respect to the field `size` of the orbit. */
 typedef struct VM_TAG(vmi_duffing_terms) {
-    vm_real Omega, Omega_size; /* the rate of zeta, see the top of this file, and its derivative by size */
+    vm_real Omega, Omega_size; /* the rate Omega of the angle zeta, and its derivative by size */
     vm_real q, q_by_k3;        /* the nome q, and q/c3 */
     vm_real ln_q_size;         /* derivative of ln |q| by size */
 } vmi_duffing_terms;
 
-/* Computes these numbers for an orbit around 0, where m = c3 A^2/(2 lambda^2) with the amplitude A. */
+/* Computes the numbers of vmi_duffing_terms for an orbit around 0, where m = c3 A^2/(2 lambda^2) with the amplitude
+   A. */
 VM_API vmi_duffing_terms vmi_duffing_outer_terms(const vmi_orbit *orbit)
 {
     const vm_real k1 = orbit->force->k1, k3 = orbit->force->k3, A = orbit->size, m1 = orbit->m1;
@@ -78,8 +79,8 @@ VM_API vmi_duffing_terms vmi_duffing_outer_terms(const vmi_orbit *orbit)
     return r;
 }
 
-/* Computes these numbers for an orbit in a well, where m = 2 s/(rest^2 + s), s is the orbit's size and
-   rest^2 = -c1/c3. */
+/* Computes the numbers of vmi_duffing_terms for an orbit in a well, where m = 2 s/(rest^2 + s), s is the orbit's size
+   and rest^2 = -c1/c3. */
 VM_API vmi_duffing_terms vmi_duffing_inner_terms(const vmi_orbit *orbit)
 {
     const vm_real k3 = orbit->force->k3, rest2 = -orbit->force->k1 / k3, size = orbit->size, m1 = orbit->m1;
@@ -94,8 +95,9 @@ VM_API vmi_duffing_terms vmi_duffing_inner_terms(const vmi_orbit *orbit)
     return r;
 }
 
-/* Writes the mean of x^2 over a period and its derivative by size, from C2 and C4, the means of cn^2 and cn^4. The
-   derivative of C2 with respect to m is 1/2 - 2 C2 + 3 C4/2 - C2^2/(2 m1). */
+/* Writes the mean of x^2 over a period to *X, and its derivative with respect to the orbit's size to *X_size. Both are
+   computed from C2 and C4, the means of cn^2 and cn^4. The derivative of C2 with respect to the parameter m of cn is
+   1/2 - 2 C2 + 3 C4/2 - C2^2/(2 m1). */
 VM_API void vmi_duffing_mean_square(const vmi_orbit *orbit, vm_real *X, vm_real *X_size)
 {
     const vm_real k1 = orbit->force->k1, k3 = orbit->force->k3, size = orbit->size, m1 = orbit->m1, C2 = orbit->C2;
@@ -111,15 +113,16 @@ VM_API void vmi_duffing_mean_square(const vmi_orbit *orbit, vm_real *X, vm_real 
     }
 }
 
-/* The numbers on which the terms of the series depend, for an orbit around 0 or in a well */
+/* Computes the numbers of vmi_duffing_terms for any orbit of Duffing's force. */
 VM_API vmi_duffing_terms vmi_duffing_terms_of(const vmi_orbit *orbit)
 {
     if (orbit->place == VMI_ORBIT_AROUND_0) return vmi_duffing_outer_terms(orbit);
     return vmi_duffing_inner_terms(orbit);
 }
 
-/* Writes the ripple of a complete orbit of Duffing's force. The sum ends where the terms are too small to matter; 96
-   terms are enough even for an orbit that is only a rounding error away from a separatrix. */
+/* Writes the ripple of an orbit of Duffing's force whose fields are all set. The Fourier series ends where its terms
+   are too small to matter; 96 terms are enough even for an orbit that is only a rounding error away from a
+   separatrix. */
 VM_API void vmi_duffing_ripple(const vmi_orbit *orbit, vmi_orbit_ripple *r)
 {
     const vm_real enough = VM_MANT_DIG > 24 ? VM_C(1e-11) : VM_C(1e-6);

@@ -1,19 +1,20 @@
 /* oscillators/expansion.h - the law of order five: from the motion of an oscillator to its mean motion and back
 
-   With slow mass and stiffness, amplitude A and phase psi of oscillators/reduction.h obey the exact equations
+   If mass and stiffness vary slowly, amplitude A and phase psi of oscillators/reduction.h obey the exact equations
      A'/A = -p + (G_0/W) sa ca,   psi' = W + (alpha+1)/2 (G_0/W) ca^2,
-   where W is the rate of the phase at the amplitude A. Only the number G_0/W^2 disturbs the slow motion A'/A = -p,
-   psi' = W. It is of second order in epsilon, the relative change of mass and stiffness within a radian of the phase.
+   where W is the rate of the phase at the amplitude A for constant mass and stiffness; p and G_0 are defined in
+   oscillators/reduction.h. Only the number G_0/W^2 disturbs the slow motion A'/A = -p, psi' = W. G_0/W^2 is of second
+   order in epsilon, the relative change of mass and stiffness within a radian of the phase.
 
    A canonical transformation, which is a change of variables that keeps the form of Hamilton's equations, leads from A
-   and psi to mean values. They do not contain the ripple, the small swing within a period. They are a mean action,
-   which is constant, and a mean phase, whose rate varies slowly. The action is J = A^((alpha+3)/2) sqrt(mu kappa), with
-   mu and kappa of oscillators/reduction.h. The transformation is a series in powers of the numbers E_k, k = 0, 1 ...,
-   which are of order epsilon^(k+2):
+   and psi to two mean values: a mean action, which is constant, and a mean phase, whose rate varies slowly. The mean
+   values do not contain the ripple, the small swing within a period. The action is J = A^((alpha+3)/2) sqrt(mu kappa),
+   with mu and kappa of oscillators/reduction.h. The transformation is a series in powers of the numbers E_k, k = 0, 1
+   ..., which are of order epsilon^(k+2):
      E_k = G_k/W^(k+2),   G_(k+1) = G_k' - (k+2) (2p - a) G_k.
-   This file has the transformation in both directions, and the mean rate of the phase. If the series is cut off after
-   the order N, it gives the motion with an error of O(epsilon^N) over times of 1/epsilon. The law is new; docs/law.md
-   derives it.
+   Here a is the rate of oscillators/reduction.h. This file has the transformation in both directions, and the mean rate
+   of the phase. If the series is cut off after the order N, it gives the motion with an error of O(epsilon^N) up to
+   times of the order of 1/epsilon. The law is new; docs/law.md derives it.
 
    C, S, S2, S3 and Q are the functions of the phase in oscillators/ripple.h. The weight of a term is the power of
    epsilon in it: E_k has weight k + 2.
@@ -33,12 +34,13 @@
 #include "reduction.h"
 #include "ripple.h"
 
-/* How many E_k order five needs at the start of a motion: E_0 ... E_3 */
+/* The number of E_k that the law of order five needs at the start of a motion: E_0 ... E_3 */
 enum { VMI_EXPANSION_E = 4 };
 
 /* -- From the motion to the mean motion -- */
 
-/* Returns ln(mean action/action) with all terms up to weight `order`. f holds C, S ... at the phase psi. */
+/* Returns ln(mean action/action) at the phase psi, as the sum of all terms whose weight, the power of epsilon in a
+   term, is at most `order`. f contains the functions C, S ... of oscillators/ripple.h at psi, and E the numbers E_k. */
 VM_API vm_real vmi_expansion_J(const vmi_ripple *r, int order, const vmi_ripple_values *f, const vm_real *E)
 {
     const vm_real g = r->gamma, m = r->mean2, half = r->scale / 2, square = r->scale * r->scale / 8;
@@ -55,7 +57,8 @@ VM_API vm_real vmi_expansion_J(const vmi_ripple *r, int order, const vmi_ripple_
     return sum;
 }
 
-/* Returns the mean phase minus the phase psi, with all terms up to weight order - 1. f holds C, S ... at psi. */
+/* Returns the mean phase minus the phase psi, as the sum of all terms whose weight, the power of epsilon in a term, is
+   at most order - 1. f contains the functions C, S ... of oscillators/ripple.h at psi, and E the numbers E_k. */
 VM_API vm_real vmi_expansion_psi(const vmi_ripple *r, int order, const vmi_ripple_values *f, const vm_real *E)
 {
     const vm_real g = r->gamma, m = r->mean2, half = r->scale / 2, square = r->scale * r->scale / 8;
@@ -72,8 +75,9 @@ VM_API vm_real vmi_expansion_psi(const vmi_ripple *r, int order, const vmi_rippl
 
 /* -- From the mean motion to the motion -- */
 
-/* Returns the phase psi minus the mean phase, with all terms up to weight order - 1. f holds C, S ... at the mean
-   phase. The result is -vmi_expansion_psi, evaluated at the mean phase, plus a product of first-order terms. */
+/* Returns the phase psi minus the mean phase, as the sum of all terms whose weight, the power of epsilon in a term, is
+   at most order - 1. f contains the functions C, S ... of oscillators/ripple.h at the mean phase, and E the numbers
+   E_k. The result is -vmi_expansion_psi, evaluated at the mean phase, plus a product of two terms with E_0. */
 VM_API vm_real vmi_expansion_psi_back(const vmi_ripple *r, int order, const vmi_ripple_values *f, const vm_real *E)
 {
     const vm_real product = r->scale * r->scale / 4 * (1 - 2 * r->gamma) * E[0] * E[0] * f->C * f->S;
@@ -81,8 +85,10 @@ VM_API vm_real vmi_expansion_psi_back(const vmi_ripple *r, int order, const vmi_
     return order >= 5 ? sum + product : sum;
 }
 
-/* Returns ln(action/mean action) with all terms up to weight order - 1, for an order from 3 to 5. f holds C, S ... at
-   the mean phase. The result is -vmi_expansion_J, evaluated at the mean phase, plus a product of first-order terms. */
+/* Returns ln(action/mean action), as the sum of all terms whose weight, the power of epsilon in a term, is at most
+   order - 1; `order` is from 3 to 5. f contains the functions C, S ... of oscillators/ripple.h at the mean phase, and E
+   the numbers E_k. The result is -vmi_expansion_J, evaluated at the mean phase, plus a product of two terms with
+   E_0. */
 VM_API vm_real vmi_expansion_J_back(const vmi_ripple *r, int order, const vmi_ripple_values *f, const vm_real *E)
 {
     const vm_real g = r->gamma, square = r->scale * r->scale / 2 * E[0] * E[0];
@@ -93,11 +99,12 @@ VM_API vm_real vmi_expansion_J_back(const vmi_ripple *r, int order, const vmi_ri
 
 /* -- The mean rate of the phase -- */
 
-/* The factor `first` of the mean rate of the phase, W (1 + first E_0 + second E_0^2), where W belongs to the mean
-   action. Laws of all orders from 2 on need it. */
+/* The factor `first` of the mean rate of the phase, W (1 + first E_0 + second E_0^2), where W is the rate of the phase
+   for the mean action without E_0. The laws of all orders from 2 to 5 need this factor. */
 VM_API vm_real vmi_expansion_first(const vmi_ripple *r) { return (r->alpha + 1) / 2 * r->mean2; }
 
-/* The factor `second` of the mean rate of the phase, W (1 + first E_0 + second E_0^2), which orders 4 and 5 need */
+/* The factor `second` of the mean rate of the phase, W (1 + first E_0 + second E_0^2), which the laws of orders 4 and 5
+   need. W is the rate of the phase for the mean action without E_0. */
 VM_API vm_real vmi_expansion_second(const vmi_ripple *r)
 {
     return -r->scale * r->scale / 8 * r->variance * (2 - 3 * r->gamma) * (1 - 3 * r->gamma);
@@ -105,8 +112,8 @@ VM_API vm_real vmi_expansion_second(const vmi_ripple *r)
 
 /* -- From state to mean state and back -- */
 
-/* A copy of the state in which ln J, where J is the action, is larger by ln_J and the phase is larger by shift. Mass
-   and stiffness are those of *state. */
+/* Returns the state whose action is e^ln_J times the action of *state, and whose phase is larger by shift, at the same
+   mass and stiffness. */
 VM_API vmi_osc_reduced vmi_expansion_shifted(const vmi_ripple *r, const vmi_osc_reduced *state, vm_real ln_J,
                                              vm_real shift)
 {
@@ -118,8 +125,8 @@ VM_API vmi_osc_reduced vmi_expansion_shifted(const vmi_ripple *r, const vmi_osc_
 }
 
 /* The mean motion that belongs to a reduced state (amplitude and phase of oscillators/reduction.h), by the law of this
-   order, 2 to 5. sa and ca are the Ateb functions of the state's phase, and E holds the state's numbers E_k. Above
-   order 2 the polynomials of the ripple must be set (vmi_ripple_complete). */
+   order, 2 to 5. sa and ca are the Ateb functions of the state's phase, and E contains the state's numbers E_k. For
+   orders above 2 the polynomials of *r must be set (vmi_ripple_complete). */
 VM_API vmi_osc_reduced vmi_expansion_to_mean(const vmi_ripple *r, int order, const vmi_osc_reduced *state, vm_real sa,
                                              vm_real ca, const vm_real *E)
 {
@@ -128,8 +135,9 @@ VM_API vmi_osc_reduced vmi_expansion_to_mean(const vmi_ripple *r, int order, con
     return vmi_expansion_shifted(r, state, vmi_expansion_J(r, order, &f, E), vmi_expansion_psi(r, order, &f, E));
 }
 
-/* The reduced state that belongs to a mean motion, by the law of this order, 3 to 5; for order 2 both are the same. sa
-   and ca are the Ateb functions of the mean phase, and E holds the numbers E_k of the mean motion. */
+/* The reduced state that belongs to a mean motion, by the law of this order, 3 to 5. (For order 2 the reduced state and
+   the mean motion are equal.) sa and ca are the Ateb functions of the mean phase, and E contains the numbers E_k of the
+   mean motion. */
 VM_API vmi_osc_reduced vmi_expansion_from_mean(const vmi_ripple *r, int order, const vmi_osc_reduced *mean, vm_real sa,
                                                vm_real ca, const vm_real *E)
 {
@@ -141,14 +149,14 @@ VM_API vmi_osc_reduced vmi_expansion_from_mean(const vmi_ripple *r, int order, c
 
 /* -- What the law of order five leaves out -- */
 
-/* The sizes of the terms of weight w, for w = 2 to 6: J[w] in vmi_expansion_J, psi[w] in vmi_expansion_psi. psi[6]
-   holds only the term with E_4. All are of order epsilon^w, where epsilon is the relative change of mass and stiffness
-   within a radian. */
+/* The sizes of the terms of weight w, for w = 2 to 6. J[w] is the size of the terms in vmi_expansion_J, psi[w] of those
+   in vmi_expansion_psi; psi[6] contains only the term with E_4. The terms of weight w are of order epsilon^w, where
+   epsilon is the relative change of mass and stiffness within a radian of the phase. */
 typedef struct VM_TAG(vmi_expansion_sizes) {
     vm_real J[7], psi[7];
 } vmi_expansion_sizes;
 
-/* Fills the sizes of all terms, where e[k] is the absolute value of E_k = G_k/W^(k+2). */
+/* Writes the sizes of all terms to *size, where e[k] is the absolute value of E_k = G_k/W^(k+2). */
 VM_API void vmi_expansion_find_sizes(const vmi_ripple *r, const vm_real *e, vmi_expansion_sizes *size)
 {
     const vm_real d = r->pi / (2 * VM_PI), L = r->scale, square = L * L / 8;
@@ -166,22 +174,23 @@ VM_API void vmi_expansion_find_sizes(const vmi_ripple *r, const vm_real *e, vmi_
     size->psi[5] += square * e[0] * e[1] * d * d;
 }
 
-/* An upper bound of the terms of weight 6, divided by W. These are the first terms that order five leaves out of the
-   mean rate of the phase. product is |E_0 E_2| and cube is |E_0|^3. If product and cube are instead the integrals of
-   these numbers over the phase, the result is a bound of the error of the phase. */
+/* An upper bound of the terms of order epsilon^6 in the mean rate of the phase, divided by W. They are the largest
+   terms of this rate that the law of order five leaves out. product is |E_0 E_2| and cube is |E_0|^3. If product and
+   cube are instead the integrals of these numbers over the phase, the result is a bound of the error of the phase. */
 VM_API vm_real vmi_expansion_third_rate(const vmi_ripple *r, vm_real product, vm_real cube)
 {
     const vm_real d = r->pi / (2 * VM_PI), L = r->scale, g = r->gamma;
     return L * L / 64 * VM_FABS((1 - 5 * g) * (2 - 5 * g)) * d * d * product + VM_C(0.01) * L * L * L * cube;
 }
 
-/* Sizes of the terms that the law of some order leaves out: relative to J, and in the phase psi */
+/* Sizes of the terms that the law of some order leaves out: in ln J, where J is the action, and in the phase psi */
 typedef struct VM_TAG(vmi_left_out) {
     vm_real J, psi;
 } vmi_left_out;
 
-/* The sizes of the first terms that the transformation of this order leaves out at t, where e[k] = |E_k|. The
-   largest of these terms may vanish at t; therefore the terms that are one weight higher count, too. */
+/* The sizes of the terms that the law of this order leaves out when it computes the motion at t from the mean motion,
+   where e[k] = |E_k|. The largest of these terms may be 0 at t; therefore the terms that are smaller by a factor
+   epsilon are added. */
 VM_API vmi_left_out vmi_expansion_left_out_at(const vmi_ripple *r, int order, const vm_real *e)
 {
     vmi_expansion_sizes size;
@@ -193,7 +202,8 @@ VM_API vmi_left_out vmi_expansion_left_out_at(const vmi_ripple *r, int order, co
     return now;
 }
 
-/* The sizes of the first terms that the mean motion of this order leaves out at the start, where e[k] = |E_k| */
+/* The sizes of the largest terms that the law of this order leaves out when it computes the mean motion from the state
+   at the start, where e[k] = |E_k| */
 VM_API vmi_left_out vmi_expansion_left_out_at_start(const vmi_ripple *r, int order, const vm_real *e)
 {
     vmi_expansion_sizes size;
@@ -205,10 +215,10 @@ VM_API vmi_left_out vmi_expansion_left_out_at_start(const vmi_ripple *r, int ord
 }
 
 /* The estimate of the larger of |error of x|/A and |error of v|/vmax, from the terms that the law leaves out. `now`
-   holds the sizes of these terms at t, `start` their sizes at the start and on the way, and `third` is the bound for
-   the mean rate of the phase (vmi_expansion_third_rate). `turns` is the angle by which the phase advances from 0 to t.
-   An error of ln J at the start causes an error of the phase that grows in proportion to `turns`. The estimate includes
-   a factor of 2, which fits the errors that tests/test_slow_motion.c finds. */
+   contains the sizes of these terms at t, `start` their sizes at the start and on the way. `third` is a bound of the
+   error of the phase, the integral of vmi_expansion_third_rate. `turns` is the angle by which the phase advances from 0
+   to t. An error of ln J at the start causes an error of the phase that grows in proportion to `turns`. The estimate
+   includes a factor of 2, which was chosen to fit the errors that tests/test_slow_motion.c finds. */
 VM_API vm_real vmi_expansion_error(const vmi_ripple *r, vmi_left_out now, vmi_left_out start, vm_real turns,
                                    vm_real third)
 {

@@ -1,7 +1,7 @@
 /* oscillators/forced.h - harmonic excitation of a strongly nonlinear oscillator
 
-   Chapter 8 of the dissertation leaves this problem to the future. Mass m, stiffness k, and the frequency nu and
-   amplitude F of the force may vary slowly; b is the damping, r the share of the reactive force (`reactive`):
+   Chapter 8 of the dissertation leaves harmonic excitation to future work. Mass m, stiffness k, and the frequency nu
+   and amplitude F of the force may vary slowly; b is the damping, r the share of the reactive force (`reactive`):
        m x'' + k x|x|^(alpha-1) = -(r m' + b) x' + F cos(theta),   theta' = nu
    This file has the equation of motion, the exact equations of amplitude and phase, and the averaged ones near the
    main resonance. Steady vibrations, resonance curves and the passage through the resonance are in resonance.h.
@@ -16,9 +16,9 @@
 
    Forces that are periodic, but not harmonic, are in periodic.h.
 
-   Symbols: A amplitude, psi Ateb phase, Om the rate of psi, 2 Pi the period of ca (Pi = Pi_alpha); w(A) frequency of
-   the free vibration of amplitude A, phi = pi psi/Pi phase of the vibration in radians, theta phase of the force, delta
-   = phi - theta.
+   Symbols: A is the amplitude, psi the Ateb phase, Om the rate of psi, and 2 Pi the period of ca (Pi = Pi_alpha). w(A)
+   is the frequency of the free vibration of amplitude A, phi = pi psi/Pi the phase of the vibration in radians, theta
+   the phase of the force, and delta = phi - theta.
    Tests: tests/test_forced.c. */
 #ifndef VARMASS_OSCILLATORS_FORCED_H
 #define VARMASS_OSCILLATORS_FORCED_H
@@ -38,8 +38,8 @@
 enum { VMI_FORCED_HARMONICS = 5 };
 
 /* An oscillator under harmonic excitation. Fill the fields above pi, then call vm_forced_init; call it again after a
-   change of alpha. The other fields may change without a new call. Constructors make the laws; vm_law_linear(value,
-   0) is a constant. */
+   change of alpha. The other fields may change without a new call. The constructors of oscillators/laws.h make the
+   laws; vm_law_linear(value, 0) is a constant. */
 typedef struct VM_TAG(vm_forced) {
     vm_real alpha;     /* exponent of the spring, >= 0 */
     vm_real damping;   /* damping b, kg/s; a positive b takes energy out */
@@ -55,7 +55,7 @@ typedef struct VM_TAG(vm_forced) {
     vm_real c[VMI_FORCED_HARMONICS], s[VMI_FORCED_HARMONICS];
 } vm_forced;
 
-/* The parameters that may vary, at one time; rates are per second */
+/* The parameters of an excited oscillator that may vary with time, at one time; rates are per second */
 typedef struct VM_TAG(vmi_forced_parameters) {
     vm_real mass, mass_rate; /* mass, kg, and its rate */
     vm_real k, k_rate;       /* stiffness, N/m^alpha, and its rate */
@@ -112,10 +112,11 @@ VM_API void vmi_forced_fourier(vm_forced *f)
     }
 }
 
-/* Prepares an excited oscillator: checks its fields at t = 0, and writes pi, Om1, G, c and s. All other functions
-   need this call. Returns VM_BAD_ARGUMENT for a null pointer or a law that no constructor made, VM_NOT_FINITE for a
-   number that is infinite or NaN, VM_BAD_MASS or VM_BAD_STIFFNESS for a mass or a stiffness that is not positive,
-   VM_DOMAIN for alpha < 0 or a frequency that is not positive, and VM_OK otherwise. An error leaves f as it was. */
+/* Prepares an excited oscillator: checks its fields at t = 0, and writes pi, Om1, G, c and s. Call it before all other
+   functions for this oscillator. Returns VM_BAD_ARGUMENT for a null pointer or a law that no constructor made;
+   VM_NOT_FINITE for a number that is infinite or NaN; VM_BAD_MASS or VM_BAD_STIFFNESS for a mass or a stiffness that is
+   not positive; VM_DOMAIN for alpha < 0 or a frequency that is not positive; VM_OK otherwise. An error leaves f as it
+   was. */
 VM_API int vm_forced_init(vm_forced *f)
 {
     vmi_forced_parameters now;
@@ -155,9 +156,9 @@ VM_API void vmi_forced_motion(const vm_forced *f, const vmi_forced_parameters *n
 }
 
 /* Equation of motion of an excited oscillator, for rk45 or rk87. y = (x, x', theta) is in m, m/s and rad; forced points
-   to a prepared vm_forced. Returns VM_BAD_ARGUMENT for a null pointer or a law that no constructor made, VM_NOT_FINITE
-   for a number that is infinite or NaN, VM_BAD_MASS or VM_BAD_STIFFNESS for a mass or a stiffness that is not positive,
-   and VM_DOMAIN for alpha < 0, a frequency that is not positive or t outside a table. These statuses stop the run. */
+   to a prepared vm_forced. Returns VM_BAD_ARGUMENT for a null pointer or a law that no constructor made; VM_NOT_FINITE
+   for a number that is infinite or NaN; VM_BAD_MASS or VM_BAD_STIFFNESS for a mass or a stiffness that is not positive;
+   VM_DOMAIN for alpha < 0, a frequency that is not positive or t outside a table. These statuses stop the run. */
 VM_API int vm_forced_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *forced)
 {
     if (!y || !dydt || !forced) return VM_BAD_ARGUMENT;
@@ -206,8 +207,8 @@ VM_API int vm_forced_exact_rhs(vm_real t, const vm_real *y, vm_real *dydt, void 
    frequency nu of the force is the natural frequency w(A). The state is y = (A, delta, theta): A is the mean amplitude,
    theta the phase of the force, and delta the phase by which the vibration leads the force. Start with
    vm_forced_to_averaged, and end with vm_forced_from_averaged. Let e be the largest of the damping b, the mass rate m'
-   and the force F. The error is of the order of e up to times of the order of 1/e, and larger away from the resonance.
-   The argument forced and the statuses are those of vm_forced_rhs. */
+   and the force F. Near the resonance the error of the averaged motion is of the order of e up to times of the order of
+   1/e; away from the resonance it is larger. The argument forced and the statuses are those of vm_forced_rhs. */
 VM_API int vm_forced_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *forced)
 {
     if (!y || !dydt || !forced) return VM_BAD_ARGUMENT;
@@ -225,10 +226,11 @@ VM_API int vm_forced_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, vo
     return VM_OK;
 }
 
-/* The ripple of the exact amplitude about its mean A, m, to first order: exact amplitude = A + ripple. It is
+/* The ripple of the exact amplitude about its mean A, m, to first order in the force and in the slow changes: exact
+   amplitude = A + ripple. The ripple is
      q A sa ca/((alpha+3) Om) + F/(m Om nu) sum of s[j]/2 (cos(n phi + theta)/(n + 1) + cos(n phi - theta)/(n - 1))
-   with the order n = 2j + 1 and q of vmi_forced_q. For n = 1 the last term is left out, since it does not vary at the
-   resonance. */
+   with n = 2j + 1, with q of vmi_forced_q, and with F as the amplitude of the force. For n = 1 the function leaves out
+   cos(n phi - theta)/(n - 1), since phi - theta does not vary within a period at the resonance. */
 VM_API vm_real vmi_forced_ripple(const void *forced, const vmi_forced_parameters *n, vm_real A, vm_real phi,
                                  vm_real theta)
 {
@@ -248,13 +250,14 @@ VM_API vm_real vmi_forced_ripple(const void *forced, const vmi_forced_parameters
     return vmi_forced_q(f, n) * A / ((f->alpha + 3) * Om) * sa * ca + n->force / (n->mass * Om * n->nu) * sum;
 }
 
-/* A function that returns the ripple of the amplitude for a kind of force; object is the oscillator with its force. */
+/* A function that returns the ripple of the amplitude for one kind of force; `object` points to the oscillator with its
+   force. */
 typedef vm_real (*vmi_ripple_of_force)(const void *object, const vmi_forced_parameters *n, vm_real A, vm_real phi,
                                        vm_real theta);
 
 /* Writes the mean amplitude A and the phase phi, rad, of a motion (x, x', theta). Three iterations solve A +
-   ripple(A) = exact, where `exact` is the amplitude at this instant. Returns VM_DOMAIN where the motion is smaller
-   than its ripple. */
+   ripple(A) = exact, where `exact` is the amplitude at this instant. Returns VM_DOMAIN where the amplitude of the
+   motion is smaller than its ripple. */
 VM_API int vmi_forced_split(const vm_forced *f, const vmi_forced_parameters *n, vmi_ripple_of_force ripple,
                             const void *object, const vm_real *motion, vm_real *A, vm_real *phi)
 {

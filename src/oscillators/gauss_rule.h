@@ -1,9 +1,9 @@
 /* oscillators/gauss_rule.h - Gauss' rule of n points on [0, 1], and polynomials through values at these points
 
-   The points are called nodes. The rule integrates polynomials of degree 2n - 1 exactly. Two matrices belong to it.
-   They turn the values of a polynomial of degree n - 1 at the nodes into its integrals from 0 to each node, and into
-   its derivatives at the nodes. The method of collocation (oscillators/collocation.h) solves differential equations
-   with them.
+   The points are called nodes. The rule integrates polynomials of degree 2n - 1 exactly. Two matrices belong to the
+   rule. One turns the values of a polynomial of degree n - 1 at the nodes into its integrals from 0 to each node, the
+   other turns them into its derivatives at the nodes. The method of collocation (oscillators/collocation.h) solves
+   differential equations with these matrices.
        vmi_gauss_rule rule;
        vmi_gauss_rule_init(&rule, 8);
    Tests: tests/test_collocation.c. */
@@ -14,11 +14,11 @@
 #include "../base/real.h"
 #include "legendre.h"
 
-/* The largest n */
+/* The largest number n of nodes */
 enum { VMI_NODES = VMI_GAUSS };
 
-/* Gauss' rule, and two matrices. Polynomial j in their comments has degree n - 1; it is 1 at node j and 0 at all other
-   nodes. */
+/* Gauss' rule, and the two matrices `integral` and `derivative`. Polynomial j in the comments of these two fields has
+   degree n - 1; it is 1 at node j and 0 at all other nodes. */
 typedef struct VM_TAG(vmi_gauss_rule) {
     int n;      /* number of nodes */
     int graded; /* 1 after vmi_gauss_rule_grade, else 0 */
@@ -61,8 +61,9 @@ VM_API void vmi_gauss_rule_nodes(vmi_gauss_rule *rule)
     }
 }
 
-/* Adds the part of Legendre's polynomial P_k to both matrices. The arrays hold P_k at the nodes, its integrals from 0
-   to the nodes, and its derivatives there, with respect to the variable that goes from 0 to 1. */
+/* Adds the part of Legendre's polynomial P_k to both matrices of the rule. `values` is P_k at the nodes, `integrals`
+   are its integrals from 0 to the nodes, and `derivatives` its derivatives at the nodes, all with respect to the
+   variable that goes from 0 to 1. */
 VM_API void vmi_gauss_rule_add(vmi_gauss_rule *rule, int k, const vm_real *values, const vm_real *integrals,
                                const vm_real *derivatives)
 {
@@ -97,7 +98,7 @@ VM_API void vmi_gauss_rule_init(vmi_gauss_rule *rule, int n)
         }
     }
     for (j = 0; j < n; j++) rule->integral[n][j] = rule->weight[j];
-    for (k = 0; k < n; k++) { /* x = 2 node - 1: integrals are 1/2 of those over x, derivatives twice */
+    for (k = 0; k < n; k++) { /* with x = 2 node - 1, integrals are 1/2 of those over x, derivatives twice those by x */
         for (i = 0; i < n; i++) {
             const vm_real x = 2 * rule->node[i] - 1, next = vmi_legendre_next(k, x, now[i], before[i]);
             integrals[i] = k == 0 ? rule->node[i] : (next - before[i]) / (vm_real)(2 * (2 * k + 1));

@@ -5,9 +5,10 @@
    each body vibrates as an oscillator of one degree of freedom. With i = 0 or 1 for a body, and o for the other one,
    the equations of motion are
        m_i x_i'' + k_i x_i|x_i|^(alpha_i-1) = -(r_i m_i' + b_i) x_i' + kappa (x_o - x_i) + c (x_o' - x_i')
+   m_i is the mass of body i, k_i the stiffness of its spring, b_i its damping, and r_i the share of the reactive force.
    m_i and k_i may vary slowly. This file has the equations of motion, the averaged equations for amplitudes and phases,
-   and functions that convert the motion to amplitudes and phases and back. Bodies that have no springs to the ground,
-   on which the coupling may be strong, are in coupled_pair.h.
+   and functions that convert the motion to amplitudes and phases and back. For two bodies without springs to the
+   ground, whose coupling may be strong, see oscillators/coupled_pair.h.
 
        vm_grounded_pair p;
        memset(&p, 0, sizeof p);
@@ -19,8 +20,9 @@
        int status = vm_grounded_pair_init(&p);
 
    The state of the averaged equations is (A_0, phi_0, A_1, phi_1): the mean amplitudes and the phases in radians.
-   The averaged equations have the symbols of forced.h. V = 2 Om A/(alpha+1) is the largest velocity of a vibration, and
-   q_i contains the damping b_i + c. The equations are
+   The averaged equations have the symbols of oscillators/forced.h. V = 2 Om A/(alpha+1) is the largest velocity of a
+   vibration, <ca^2> the mean of ca^2 over a period, and q_i the rate q of vmi_forced_q with the damping b_i + c. The
+   equations are
        A_i' = -q_i A_i/(alpha_i+3) - S_i/(m_i Om_i),
        phi_i' = w_i(A_i) + h_i kappa <ca^2> - h_i C_i/A_i,   h_i = (alpha_i+1) pi/(2 Pi_i m_i Om_i),
        S_i = sum of s_j/2 (kappa A_o c_n sin u - c V_o s_n cos u),
@@ -45,13 +47,13 @@
 /* Two oscillators and the coupling between them. Set the fields above mean, then call vm_grounded_pair_init; call it
    again after a change of alpha. */
 typedef struct VM_TAG(vm_grounded_pair) {
-    vm_forced oscillator[2]; /* the oscillators: their fields alpha, damping, reactive, mass and stiffness;
+    vm_forced oscillator[2]; /* the oscillators: set their fields alpha, damping, reactive, mass and stiffness;
                                 vm_grounded_pair_init writes the other fields */
-    vm_real spring;          /* stiffness kappa of the coupling, N/m, of either sign; it must be weak */
-    vm_real damper;          /* damping c of the coupling, kg/s; it must be weak */
+    vm_real spring;          /* stiffness kappa of the coupling, N/m, of either sign; it must be small */
+    vm_real damper;          /* damping c of the coupling, kg/s; it must be small */
     int vibrations[2];       /* P_0 and P_1, from 1 to 9: at the resonance the bodies make P_0 and P_1 vibrations in the
-                                same time. Both 0 where the frequencies are in no resonance */
-    vm_real mean[2];         /* means of ca^2; vm_grounded_pair_init writes this field */
+                                same time. Set both to 0 where the frequencies are in no resonance */
+    vm_real mean[2];         /* means of ca^2 over a period; vm_grounded_pair_init writes this field */
 } vm_grounded_pair;
 
 /* The parameters of both oscillators at one time, and the rates q that follow from them */
@@ -60,7 +62,7 @@ typedef struct VM_TAG(vmi_grounded_now) {
     vm_real q[2]; /* rates of the slow changes, 1/s; they include the damper of the coupling */
 } vmi_grounded_now;
 
-/* Whether a resonance exists: both numbers 0, or both from 1 to 9 */
+/* Returns 1 if both numbers of `vibrations` are 0, or if both are from 1 to 9, else 0. */
 VM_API int vmi_grounded_ratio_is_valid(const int *vibrations)
 {
     if (vibrations[0] == 0 && vibrations[1] == 0) return 1;
@@ -68,7 +70,7 @@ VM_API int vmi_grounded_ratio_is_valid(const int *vibrations)
            vibrations[1] < 2 * VMI_FORCED_HARMONICS;
 }
 
-/* Writes the parameters at time t and checks them and the pair. */
+/* Writes the parameters at time t to *now, and checks them and the fields of the pair. */
 VM_API int vmi_grounded_at(const vm_grounded_pair *p, vm_real t, vmi_grounded_now *now)
 {
     int i, status = VM_OK;
@@ -85,10 +87,10 @@ VM_API int vmi_grounded_at(const vm_grounded_pair *p, vm_real t, vmi_grounded_no
 }
 
 /* Prepares a pair of coupled oscillators: checks it at t = 0 and writes the constants of the averaged equations.
-   All other functions need this call. Returns VM_BAD_ARGUMENT for a null pointer, a law that no constructor made, or
-   `vibrations` that are neither both 0 nor both from 1 to 9, VM_NOT_FINITE for a number that is infinite or NaN,
-   VM_BAD_MASS or VM_BAD_STIFFNESS for a mass or a stiffness that is not positive, VM_DOMAIN for alpha < 0, and VM_OK
-   otherwise. An error leaves *p as it was. */
+   Call it before all other functions for this pair. Returns VM_BAD_ARGUMENT for a null pointer, a law that no
+   constructor made, or `vibrations` that are neither both 0 nor both from 1 to 9; VM_NOT_FINITE for a number that is
+   infinite or NaN; VM_BAD_MASS or VM_BAD_STIFFNESS for a mass or a stiffness that is not positive; VM_DOMAIN for alpha
+   < 0; VM_OK otherwise. An error leaves *p as it was. */
 VM_API int vm_grounded_pair_init(vm_grounded_pair *p)
 {
     vmi_grounded_now now;
@@ -135,13 +137,12 @@ VM_API int vm_grounded_pair_rhs(vm_real t, const vm_real *y, vm_real *dydt, void
     return VM_OK;
 }
 
-/* The numbers of one body at one time that the averaged equations contain. The index `other` is that of the other
-   body. */
+/* The numbers of one body at one time that the averaged equations contain */
 typedef struct VM_TAG(vmi_grounded_body) {
     vm_real Om, w; /* rate of the Ateb phase, 1/s; frequency of the free vibration, rad/s */
     vm_real pull;  /* kappa A, N: amplitude of the force that this body's motion exerts by the spring */
     vm_real drag;  /* c V, N: amplitude of the force that this motion exerts by the damper */
-    vm_complex turns[2 * VMI_FORCED_HARMONICS]; /* e^(i k phi) */
+    vm_complex turns[2 * VMI_FORCED_HARMONICS]; /* turns[k] is e^(i k phi) with the imaginary unit i */
 } vmi_grounded_body;
 
 VM_API void vmi_grounded_bodies(const vm_grounded_pair *p, const vmi_grounded_now *now, const vm_real *A,
@@ -158,7 +159,7 @@ VM_API void vmi_grounded_bodies(const vm_grounded_pair *p, const vmi_grounded_no
     }
 }
 
-/* Writes the sums S_i and C_i of the text above for the body i. */
+/* Writes the sums S_i and C_i of the averaged equations at the top of this file for the body i. */
 VM_API void vmi_grounded_sums(const vm_grounded_pair *p, const vmi_grounded_body *b, int i, vm_real *S, vm_real *C)
 {
     const vm_forced *f = &p->oscillator[i], *other = &p->oscillator[1 - i];
@@ -177,14 +178,14 @@ VM_API void vmi_grounded_sums(const vm_grounded_pair *p, const vmi_grounded_body
         }
 }
 
-/* Averaged equations of two weakly coupled oscillators, for rk45 or rk87. They are written in the text above. The
-   state is y = (A_0, phi_0, A_1, phi_1), mean amplitudes (m) and phases (rad). Start with
-   vm_grounded_pair_to_averaged, and end with vm_grounded_pair_from_averaged. Let e be the largest of the couplings,
-   dampings and mass rates. Up to times of the order of 1/e the error of the amplitudes is of the order of e. For
-   alpha = 1 the error of the positions is of this order, too. For other alpha the rates of the phases depend on the
-   amplitudes, so that errors of the amplitudes cause larger errors of the positions. In the tests these are at most
-   0.04 of the amplitude for e = 0.005; with smaller e they fall, but more slowly than e. The equations are singular
-   where an amplitude is 0: there integrate vm_grounded_pair_rhs. The argument pair and the statuses are those of
+/* Averaged equations of two weakly coupled oscillators, for rk45 or rk87. They are written at the top of this file. The
+   state is y = (A_0, phi_0, A_1, phi_1), mean amplitudes (m) and phases (rad). Start with vm_grounded_pair_to_averaged,
+   and end with vm_grounded_pair_from_averaged. Let e be the largest of the couplings, dampings and mass rates. Up to
+   times of the order of 1/e the error of the amplitudes is of the order of e. For alpha = 1 the error of the positions
+   is of this order, too. For other alpha the rates of the phases depend on the amplitudes, so that errors of the
+   amplitudes cause larger errors of the positions. In the tests the errors of the positions are at most 0.04 of the
+   amplitude for e = 0.005; with smaller e they are smaller, but not in proportion to e. The equations are singular
+   where an amplitude is 0: in this case integrate vm_grounded_pair_rhs. The argument pair and the statuses are those of
    vm_grounded_pair_rhs. */
 VM_API int vm_grounded_pair_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *pair)
 {
@@ -199,7 +200,8 @@ VM_API int vm_grounded_pair_averaged_rhs(vm_real t, const vm_real *y, vm_real *d
     vmi_grounded_bodies(p, &now, A, phi, b);
     for (i = 0; i < 2; i++) {
         const vm_forced *f = &p->oscillator[i];
-        const vm_real turn = (f->alpha + 1) * VM_PI / (2 * f->pi * now.n[i].mass * b[i].Om); /* h of the text above */
+        const vm_real turn = (f->alpha + 1) * VM_PI / (2 * f->pi * now.n[i].mass * b[i].Om); /* h_i of the top of this
+                                                                                                file */
         vm_real S, C;
         vmi_grounded_sums(p, b, i, &S, &C);
         dydt[2 * i] = -now.q[i] * A[i] / (f->alpha + 3) - S / (now.n[i].mass * b[i].Om);
@@ -213,8 +215,8 @@ VM_API int vm_grounded_pair_averaged_rhs(vm_real t, const vm_real *y, vm_real *d
      -(alpha+1) kappa A/(4 m Om^2) (ca^2 - <ca^2>)          by this body's own motion in the coupling,
      1/(m Om) times the sum over j and n of s_j/2 [(kappa A_o c_n cos v - c V_o s_n sin v)/(j w_i + n w_o)
        + (kappa A_o c_n cos u + c V_o s_n sin u)/(j w_i - n w_o)]    by the other body,
-   where v = j phi_i + n phi_o and u = j phi_i - n phi_o. The last quotient is left out for the pairs j, n in
-   resonance. */
+   where v = j phi_i + n phi_o and u = j phi_i - n phi_o. The quotient with j w_i - n w_o is left out for those j and n
+   for which j P_i = n P_o, since u then varies slowly. */
 VM_API vm_real vmi_grounded_ripple(const vm_grounded_pair *p, const vmi_grounded_now *now, const vmi_grounded_body *b,
                                    const vm_real *A, const vm_real *phi, int i)
 {
@@ -274,8 +276,8 @@ VM_API int vm_grounded_pair_to_averaged(const vm_grounded_pair *p, vm_real t, co
 
 /* Converts the mean y = (A_0, phi_0, A_1, phi_1) of two weakly coupled oscillators to the motion (x_0, x_1, x_0',
    x_1'). This is the inverse of vm_grounded_pair_to_averaged: it adds the ripples to the mean amplitudes. The statuses
-   are those of vm_grounded_pair_rhs; VM_NOT_FINITE also means that y is infinite or NaN, and VM_DOMAIN that an
-   amplitude is not positive or smaller than its ripple. motion and y may be the same array. */
+   are those of vm_grounded_pair_rhs; VM_NOT_FINITE also means that y is infinite or NaN, and VM_DOMAIN also means that
+   an amplitude is not positive or is smaller than its ripple. motion and y may be the same array. */
 VM_API int vm_grounded_pair_from_averaged(const vm_grounded_pair *p, vm_real t, const vm_real *y, vm_real *motion)
 {
     if (!p || !y || !motion) return VM_BAD_ARGUMENT;

@@ -33,7 +33,7 @@
 
 /* Numbers that suit a Runge-Kutta pair */
 typedef struct VM_TAG(vmi_osc_tuning) {
-    vm_real least;     /* least useful tolerance of a step, because of rounding errors within the step */
+    vm_real least;     /* smallest useful tolerance of a step; rounding errors within a step may be as large */
     vm_real ratio;     /* tolerance of the loose run divided by that of the strict run */
     vm_real factor;    /* estimated error of the strict run, divided by the difference of the two runs */
     vm_real by_chance; /* the estimated error is at least this number times the tolerance of the steps */
@@ -48,13 +48,14 @@ typedef struct VM_TAG(vmi_osc_method) {
     int (*init)(rk45 *s, ode_rhs f, void *ctx, int n, vm_real t0, const vm_real *y0,
                 const rk45_options *options_or_NULL, vm_real *work); /* rk45_init or rk87_init */
     int (*solve)(rk45 *s, vm_real t_end);                            /* rk45_solve or rk87_solve */
-    vmi_osc_tuning tuning;                                           /* numbers for this pair */
+    vmi_osc_tuning tuning;                                           /* numbers that suit this Runge-Kutta pair */
 } vmi_osc_method;
 
-/* A method of integration with the Runge-Kutta pair rk45. The pair does not change the length of its steps while their
-   error is between 1/4 and 3/4 of the tolerance, which is a factor of 3. `ratio` is larger than this factor, so that
-   the two runs take different steps. `factor` leaves room for errors that are not proportional to the tolerance. Errors
-   are mostly far below the tolerance of the steps, so two runs may agree well by chance; by_chance allows for this. */
+/* A method of integration with the Runge-Kutta pair rk45. rk45 does not change the length of its steps while their
+   error is between 1/4 and 3/4 of the tolerance; these limits differ by a factor of 3. The field `ratio` is larger than
+   this factor, so that the steps of the two runs have different lengths. The field `factor` allows for errors that are
+   not proportional to the tolerance. Errors are mostly far below the tolerance of the steps, so two runs may agree well
+   by chance; the field by_chance allows for this. */
 VM_API vmi_osc_method vmi_osc_method_rk45(ode_rhs rhs)
 {
     vmi_osc_method method;
@@ -71,7 +72,7 @@ VM_API vmi_osc_method vmi_osc_method_rk45(ode_rhs rhs)
 }
 
 /* A method of integration with the Runge-Kutta pair rk87, which does not change the length of its steps while their
-   error is between 1/10 and 3/4 of the tolerance, which is a factor of 7.5 */
+   error is between 1/10 and 3/4 of the tolerance. These limits differ by a factor of 7.5. */
 VM_API vmi_osc_method vmi_osc_method_rk87(ode_rhs rhs)
 {
     vmi_osc_method method = vmi_osc_method_rk45(rhs);
@@ -95,14 +96,15 @@ enum { VMI_OSC_X = 0, VMI_OSC_V = 1, VMI_OSC_LN_A = 0, VMI_OSC_PSI = 1, VMI_OSC_
 typedef struct VM_TAG(vmi_osc_run) {
     const vm_osc_plan *plan;
     const vmi_osc_method *method;
-    int route;        /* the method's route, VM_ROUTE_... */
+    int route;        /* the route that uses this method, VM_ROUTE_... */
     vmi_osc_wave wave;
     int side;         /* 1 forward, -1 backward in time */
     int status;       /* status of a law of mass or stiffness that stopped the run, else VM_OK */
     vm_real longest;  /* longest step, in periods */
     vm_real share;    /* longest step, divided by the interval up to the next stop */
-    vm_real law_step; /* longest step, s, of the first loose run: so short that no change of a user's law is missed */
-    long evals;       /* evaluations of right-hand sides by all runs so far */
+    vm_real law_step; /* longest step, s, of the first loose run: so short that no change of a mass or stiffness that a
+                         user's function gives is missed */
+    long evals;       /* number of evaluations of right-hand sides by all runs so far */
     rk45 s;
     vm_real work[RK87_WORK(VMI_OSC_STATES)];
 } vmi_osc_run;
@@ -161,9 +163,9 @@ VM_API int vmi_osc_direct_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *
 
 /* -- One run -- */
 
-/* The period at the present time of the run, s. For the averaged equations it follows from the amplitude in y, for the
-   equation of motion from the adiabatic law of the amplitude without damping. Returns NaN where a law of m or k
-   fails. */
+/* The period at the present time of the run, s. For the averaged equations the period follows from the amplitude in y,
+   for the equation of motion from the adiabatic law of the amplitude without damping (vmi_osc_adiabatic). Returns NaN
+   where the law of the mass or of the stiffness fails. */
 VM_API vm_real vmi_osc_period_now(const vmi_osc_run *c)
 {
     const vm_osc_plan *p = c->plan;
@@ -192,7 +194,7 @@ VM_API vm_real vmi_osc_next_stop(const vmi_osc_run *c, vm_real t, vm_real period
    contains the whole reversal. */
 VM_API void vmi_osc_bound_steps(vmi_osc_run *c, vm_real stop, vm_real t, vm_real period)
 {
-    const vm_real most_steps = 8192; /* per period; a part of the largest number of steps of a run */
+    const vm_real most_steps = 8192; /* per period; with it the largest number of steps of a run is computed */
     const vm_real largest_long = VM_C(1e9), bounces_from = 10; /* from here on Pi_alpha counts as large */
     const vm_real way = VM_FABS(stop - c->s.t), most = c->share * way + 64 * VM_EPSILON * VM_FABS(t);
     const vm_real law_step = c->law_step * c->longest / VMI_OSC_LONGEST;
@@ -204,11 +206,11 @@ VM_API void vmi_osc_bound_steps(vmi_osc_run *c, vm_real stop, vm_real t, vm_real
     c->s.options.max_steps = steps < largest_long ? (long)steps : 1000000000L;
 }
 
-/* Integrates to the time t. At every stop, subtracts whole turns from the phase and sets the bounds of the steps
-   anew. */
+/* Integrates to the time t. At every stop (vmi_osc_next_stop) the function subtracts whole turns from the phase, and
+   sets new bounds of the steps. */
 VM_API int vmi_osc_solve(vmi_osc_run *c, vm_real t)
 {
-    const vm_real most_periods = VM_C(8388608.); /* 2^23: after more periods a float has no digits for the phase */
+    const vm_real most_periods = VM_C(8388608.); /* 2^23: after more periods a phase in float has no correct digits */
     const vm_real turn = 2 * c->plan->ripple.pi;
     int status = VM_OK;
     while (status >= 0 && c->s.t != t) {
@@ -229,7 +231,7 @@ VM_API int vmi_osc_solve(vmi_osc_run *c, vm_real t)
     return VM_OK;
 }
 
-/* Writes the motion at the run's time, but not its error and evals. */
+/* Writes the motion at the run's present time, but not the fields error and evals. */
 VM_API int vmi_osc_motion_now(const vmi_osc_run *c, vm_osc_motion *motion)
 {
     const vm_osc_plan *p = c->plan;
@@ -268,7 +270,7 @@ VM_API int vmi_osc_run_once(vmi_osc_run *c, vm_real t, vm_real tolerance, vm_osc
         y[VMI_OSC_X] = ca;
         y[VMI_OSC_V] = -sa;
     } else {
-        options.rtol = -1; /* errors of ln A and psi are absolute */
+        options.rtol = -1; /* no relative tolerance: atol limits the absolute errors of ln A and psi */
         y[VMI_OSC_LN_A] = 0;
         y[VMI_OSC_PSI] = p->psi;
     }
@@ -285,9 +287,9 @@ VM_API int vmi_osc_run_once(vmi_osc_run *c, vm_real t, vm_real tolerance, vm_osc
 
 /* -- Two runs -- */
 
-/* The largest difference of two runs: of x relative to the amplitude, and of v relative to vmax. It is taken over all
-   times of vmi_osc_check_time, since at a single time two runs may agree by chance. Returns infinity where the
-   difference is unknown. */
+/* The largest difference of two runs: of x relative to the amplitude, and of v relative to the largest velocity. It is
+   the largest at all times of vmi_osc_check_time, since at a single time two runs may agree by chance. Returns infinity
+   where the difference is unknown. */
 VM_API vm_real vmi_osc_difference(const vm_osc_plan *p, vm_real t, const vm_osc_motion *a, const vm_osc_motion *b)
 {
     vm_real largest = 0;
@@ -305,8 +307,9 @@ VM_API vm_real vmi_osc_difference(const vm_osc_plan *p, vm_real t, const vm_osc_
 }
 
 /* Computes the longest step, s, with which an integrator misses no change of mass or stiffness that a user's function
-   gives: a quarter of the shortest panel of time that vmi_osc_walk_to needed for these laws. A jump of a law would make
-   it 0; therefore it is at least |t|/8192, or the law's change_time if that is shorter. */
+   gives: a quarter of the shortest panel, that is interval of time, that vmi_osc_walk_to needed for this mass and
+   stiffness. If the mass or the stiffness jumped, this step would be 0; therefore it is at least |t|/8192, or the field
+   change_time of the law if that is shorter. */
 VM_API int vmi_osc_law_step(const vm_osc_plan *p, vm_real t, vm_real *step)
 {
     const vm_real panel_steps = 4, run_steps = 8192;
@@ -328,8 +331,8 @@ VM_API int vmi_osc_law_step(const vm_osc_plan *p, vm_real t, vm_real *step)
     return VM_OK;
 }
 
-/* Makes a loose run, and a strict run with half the longest step. If a law of mass or stiffness stopped one of the
-   runs, c->status is the law's status. */
+/* Makes a loose run, and then a strict run with a smaller tolerance and half the longest step. If the law of the mass
+   or of the stiffness stopped one of the runs, c->status is the status of this law. */
 VM_API int vmi_osc_try_pair(vmi_osc_run *c, vm_real t, vm_real step_tolerance, vm_real longest, vm_osc_motion *loose,
                             vm_osc_motion *strict)
 {
@@ -343,7 +346,7 @@ VM_API int vmi_osc_try_pair(vmi_osc_run *c, vm_real t, vm_real step_tolerance, v
     return vmi_osc_run_once(c, t, step_tolerance, strict);
 }
 
-/* Estimate of the strict run's error, including the rounding errors of the phase */
+/* Estimate of the error of the strict run, including the rounding errors of the phase */
 VM_API vm_real vmi_osc_pair_error(const vmi_osc_run *c, vm_real t, vm_real step_tolerance, const vm_osc_motion *loose,
                                   const vm_osc_motion *strict)
 {
@@ -361,8 +364,9 @@ VM_API vm_real vmi_osc_first_tolerance(vm_real tolerance)
     return vmi_smaller(tolerance / part, largest);
 }
 
-/* The tolerance of the steps in the next pair of runs, after an error that was too large. It is step_tolerance, the
-   last such tolerance, times tolerance/error, divided by 4, but at least 2e-5 times step_tolerance. */
+/* The tolerance of the steps in the next pair of runs, where the error of the last pair was too large. step_tolerance
+   is the tolerance of the steps in the last pair. The result is step_tolerance times tolerance/error, divided by 4;
+   where tolerance/error is not above 1e-4, it is 2e-5 times step_tolerance. */
 VM_API vm_real vmi_osc_next_tolerance(vm_real step_tolerance, vm_real tolerance, vm_real error)
 {
     const vm_real ratio = tolerance / error, reserve = 4;
@@ -370,10 +374,10 @@ VM_API vm_real vmi_osc_next_tolerance(vm_real step_tolerance, vm_real tolerance,
     return step_tolerance * VM_C(2e-5);
 }
 
-/* Makes pairs of runs until the error is within the tolerance. strict[] receives the motions of the last strict run;
-   its last element holds the error. The longest step is halved after each pair that is not much better than the pair
-   before, because then the error may come from steps that are too long. It may also come from rounding errors or
-   chance; therefore the loop ends after three such pairs. */
+/* Makes pairs of runs until the error is within the tolerance. The motions of the last strict run are written to
+   strict[]; the last of them contains the error. The longest step is halved after each pair whose error is more than
+   half of the error of the pair before it, because then the error may come from steps that are too long. It may also
+   come from rounding errors or chance; therefore the function ends after three such pairs. */
 VM_API int vmi_osc_refine(vmi_osc_run *c, vm_real t, vm_real tolerance, vm_osc_motion *strict)
 {
     const int most_attempts = 6, most_stalled = 3;
@@ -403,8 +407,9 @@ VM_API int vmi_osc_refine(vmi_osc_run *c, vm_real t, vm_real tolerance, vm_osc_m
     return status;
 }
 
-/* The motion at t by a method of integration. Returns VM_TOLERANCE_MISSED where the error of integration is larger
-   than the tolerance. An error of averaging is added to motion->error, but does not change the status. */
+/* Computes the motion at t by a method of integration. Returns VM_TOLERANCE_MISSED where the error of the integration
+   is larger than the tolerance. For averaged equations the error of averaging is added to motion->error, but it does
+   not change the status. */
 VM_API int vmi_osc_integrate(const vm_osc_plan *plan, int route, const vmi_osc_method *method, vm_real t,
                              vm_real tolerance, vm_osc_motion *motion)
 {

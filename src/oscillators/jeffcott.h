@@ -1,10 +1,11 @@
 /* oscillators/jeffcott.h - the Jeffcott (Laval) rotor with variable mass
 
    A disc of mass m(t) turns in the middle of a shaft without mass. z = x + i y is the disc's centre (451), and F_e(rho)
-   the shaft's elastic force at the deflection rho = |z|. The stiffness K_e(rho) is the quotient F_e(rho)/rho; the
-   dissertation [1] writes F_e'(rho) for it, although it is no derivative. g is the gyroscopic constant of the remark
-   after (516). Mass joins or leaves with the velocity u; r is the fraction of its full reactive force m' (u - z')
-   that acts on the disc. F_z is an external force. The equation of motion is
+   the shaft's elastic force at the deflection rho = |z|. A circular motion of the centre is called a whirl; forward
+   whirl has a positive angular velocity, backward whirl a negative one. The stiffness K_e(rho) is the quotient
+   F_e(rho)/rho; the dissertation [1] writes F_e'(rho) for it, although it is no derivative. g is the gyroscopic
+   constant of the remark after (516). Mass joins or leaves with the velocity u; r is the fraction of its full reactive
+   force m' (u - z') that acts on the disc. F_z is an external force. The equation of motion is
        m z'' + z K_e(|z|) - 2 i g z' = F_z + r m' (u - z')
    This file has the equation of motion, averaged equations for a weak nonlinearity (460)-(473), averaged equations
    for nearly circular motion with any nonlinearity (491)-(507), and the law of the radius (509).
@@ -52,27 +53,27 @@ typedef struct VM_TAG(vm_power_force) {
 typedef struct VM_TAG(vm_jeffcott) {
     vm_law mass;                     /* mass m of the disc, kg, > 0 */
     vm_jeffcott_stiffness stiffness; /* stiffness of the shaft */
-    void *stiffness_ctx;     /* the user's pointer, last argument of stiffness */
-    vm_jeffcott_force force; /* external force F_z, or null; it must be small where equations are averaged */
-    void *force_ctx;         /* the user's pointer, last argument of force */
+    void *stiffness_ctx;     /* the user's pointer, last argument of the function `stiffness` */
+    vm_jeffcott_force force; /* external force F_z, or null; for the averaged equations it must be small */
+    void *force_ctx;         /* the user's pointer, last argument of the function `force` */
     vm_real gyro;            /* g, kg/s: the gyroscopic force is 2 g times the velocity, turned by +90 degrees */
     vm_real reactive;        /* r: 1 where mass joins or leaves with velocity u, 0 where it has the disc's velocity */
     vm_complex u;            /* absolute velocity of mass that joins or leaves, m/s */
     int nodes;               /* number of phases at which forces are computed for a mean over a period; 0 means 32 */
 } vm_jeffcott;
 
-/* Indices of the state of vm_jeffcott_exact_rhs and vm_jeffcott_averaged_rhs */
+/* Indices of the state y of vm_jeffcott_exact_rhs and vm_jeffcott_averaged_rhs */
 enum {
-    VMI_JEFFCOTT_P = 0,   /* numbers 0 and 1: forward whirl P, a complex number */
-    VMI_JEFFCOTT_N = 2,   /* numbers 2 and 3: backward whirl N, a complex number */
-    VMI_JEFFCOTT_PHI = 4, /* number 4: fast phase phi */
+    VMI_JEFFCOTT_P = 0,   /* y[0] and y[1]: forward whirl P, a complex number */
+    VMI_JEFFCOTT_N = 2,   /* y[2] and y[3]: backward whirl N, a complex number */
+    VMI_JEFFCOTT_PHI = 4, /* y[4]: fast phase phi */
     VMI_JEFFCOTT_SIZE = 5
 };
 
 /* Stiffness K_e(rho) = F_e(rho)/rho = k rho^(alpha-1) of a power law, as a vm_jeffcott_stiffness. power_force points to
-   a vm_power_force. Returns the stiffness, N/m, and writes its derivative, N/m^2, to *slope. Returns NaN for null
-   pointers, for rho < 0, and for an alpha that is negative or infinite. k may have any sign; the functions of the rotor
-   check the stiffness. */
+   a vm_power_force. Returns the stiffness, N/m, and writes its derivative with respect to rho, N/m^2, to *slope.
+   Returns NaN for null pointers, for rho < 0, and for an alpha that is negative, infinite or NaN. k may have any sign
+   here, because the functions of the rotor check the stiffness. */
 VM_API vm_real vm_jeffcott_power(vm_real rho, vm_real *slope, void *power_force)
 {
     if (!slope || !power_force) return VM_NAN;
@@ -93,9 +94,9 @@ VM_API void vm_jeffcott_polar(vm_complex z, vm_real *rho, vm_real *phi)
     *phi = ateb_phase(z.im, z.re, 1);
 }
 
-/* Angular momentum of a rotor about its axis, with the gyroscopic share, kg m^2/s. It is m Im(conj(z) z') - g |z|^2,
-   where conj(z) = x - i y. It stays constant where r = 1, u = 0 and F_z = 0. The argument v is z'. Returns NaN for a
-   null pointer. */
+/* Angular momentum of a rotor about its axis, with the part of the gyroscopic force, kg m^2/s. It is m Im(conj(z) z') -
+   g |z|^2, where conj(z) = x - i y and -g |z|^2 is the part of the gyroscopic force. It stays constant where r = 1, u =
+   0 and F_z = 0. The argument v is z'. Returns NaN for a null pointer. */
 VM_API vm_real vm_jeffcott_momentum(const vm_jeffcott *r, vm_real mass, vm_complex z, vm_complex v)
 {
     if (!r) return VM_NAN;
@@ -110,8 +111,8 @@ VM_API vm_real vmi_jeffcott_stiffness(const vm_jeffcott *r, vm_real rho, vm_real
     return r->stiffness(rho, slope, r->stiffness_ctx);
 }
 
-/* The mass and its rate at time t. Returns VM_BAD_ARGUMENT where the rotor has no stiffness, else the status of the
-   law. */
+/* Writes the mass and its rate at time t. Returns VM_BAD_ARGUMENT where the rotor has no stiffness function, else the
+   status of the law of the mass. */
 VM_API int vmi_jeffcott_mass_at(const vm_jeffcott *r, vm_real t, vm_real *mass, vm_real *rate)
 {
     if (!r->stiffness) return VM_BAD_ARGUMENT;
@@ -135,9 +136,9 @@ VM_API vm_complex vmi_jeffcott_loads(const vm_jeffcott *r, vm_real t, vm_real ra
 }
 
 /* Equation of motion (449), (450) of a rotor, for rk45 or rk87.
-   y = (x, y, x', y') is in m and m/s; rotor points to a vm_jeffcott. Returns VM_BAD_ARGUMENT for null pointers and
-   for a rotor without mass or stiffness, VM_NOT_FINITE for a number that is infinite or NaN, VM_BAD_MASS for a mass
-   that is not positive, and VM_DOMAIN for t outside a table of the mass. These statuses stop the run. */
+   y = (x, y, x', y') is in m and m/s; rotor points to a vm_jeffcott. Returns VM_BAD_ARGUMENT for null pointers and for
+   a rotor without mass or stiffness; VM_NOT_FINITE for a number that is infinite or NaN; VM_BAD_MASS for a mass that is
+   not positive; VM_DOMAIN for t outside a table of the mass. These statuses stop the run. */
 VM_API int vm_jeffcott_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
@@ -164,9 +165,10 @@ typedef struct VM_TAG(vmi_jeffcott_state) {
     vm_real mass, rate, omega;
 } vmi_jeffcott_state;
 
-/* Finds the rotor's mass and frequency at time t. Returns VM_BAD_STIFFNESS where small vibrations have no frequency,
-   as for F_e = rho^3, VM_BAD_ARGUMENT for a rotor without mass or stiffness, VM_BAD_MASS for a mass that is not
-   positive, and VM_NOT_FINITE for a number that is infinite or NaN. */
+/* Finds the rotor's mass and frequency at time t. Returns VM_BAD_STIFFNESS where small vibrations have no frequency, as
+   for F_e = rho^3; VM_BAD_ARGUMENT for a rotor without mass or stiffness; VM_BAD_MASS for a mass that is not positive;
+   VM_NOT_FINITE for a number that is infinite or NaN; VM_DOMAIN for t outside a table of the mass, and where the
+   frequency underflows. */
 VM_API int vmi_jeffcott_now(const vm_jeffcott *r, vm_real t, vmi_jeffcott_state *now)
 {
     vm_real stiffness, slope;
@@ -186,10 +188,10 @@ VM_API int vmi_jeffcott_now(const vm_jeffcott *r, vm_real t, vmi_jeffcott_state 
      z = P e^(i phi) + N e^(-i phi),  z' = i omega (P e^(i phi) - N e^(-i phi)),
      P = A1 e^(i theta1),  N = A2 e^(-i theta2) in the symbols of [1].
    phi is the fast phase at the start, for example 0. y receives (Re P, Im P, Re N, Im N, phi), the state of
-   vm_jeffcott_exact_rhs and vm_jeffcott_averaged_rhs. Unlike theta1 and theta2, P and N have no singularity where A1
-   or A2 is 0. Returns VM_BAD_ARGUMENT for null pointers and for a rotor without mass or stiffness, VM_NOT_FINITE for
-   a number that is infinite or NaN, VM_BAD_MASS for a mass that is not positive, and VM_BAD_STIFFNESS where K_e(0)
-   is not positive. y and motion may be the same array. */
+   vm_jeffcott_exact_rhs and vm_jeffcott_averaged_rhs. Unlike theta1 and theta2, P and N have no singularity where A1 or
+   A2 is 0. Returns VM_BAD_ARGUMENT for null pointers and for a rotor without mass or stiffness; VM_NOT_FINITE for a
+   number that is infinite or NaN; VM_BAD_MASS for a mass that is not positive; VM_BAD_STIFFNESS where K_e(0) is not
+   positive; VM_DOMAIN for t outside a table of the mass. y and motion may be the same array. */
 VM_API int vm_jeffcott_to_averaged(const vm_jeffcott *r, vm_real t, const vm_real *motion, vm_real phi, vm_real *y)
 {
     if (!r || !motion || !y) return VM_BAD_ARGUMENT;
@@ -262,7 +264,7 @@ VM_API void vmi_jeffcott_rates(const vm_jeffcott *r, vm_real t, const vmi_jeffco
 /* The number of phases, evenly spaced in a period, at which the loads are computed for a mean over the period */
 VM_API int vmi_jeffcott_nodes(const vm_jeffcott *r)
 {
-    const int usual = 32; /* gives exact means of forces that are polynomials of degree <= 15 in z and z' */
+    const int usual = 32; /* 32 phases give exact means of forces that are polynomials of degree <= 15 in z and z' */
     if (r->nodes > 0) return r->nodes;
     return usual;
 }
@@ -292,9 +294,9 @@ VM_API int vmi_jeffcott_mean(vm_real t, const vm_real *y, vm_real *dydt, const v
 /* Exact equations (470)-(473) of forward and backward whirl, for rk45 or rk87. y = (Re P, Im P, Re N, Im N, phi), see
    vm_jeffcott_to_averaged; rotor points to a vm_jeffcott. The equations hold for any force, but are of use only where
    the external force F_z, the velocity u of joining mass, the gyroscopic constant g and the change K_e(rho) - K_e(0) of
-   the stiffness are small. Returns VM_BAD_ARGUMENT for null pointers and for a rotor without mass or stiffness,
-   VM_NOT_FINITE for a number that is infinite or NaN, VM_BAD_MASS for a mass that is not positive, and VM_BAD_STIFFNESS
-   where K_e(0) is not positive. */
+   the stiffness are small. Returns VM_BAD_ARGUMENT for null pointers and for a rotor without mass or stiffness;
+   VM_NOT_FINITE for a number that is infinite or NaN; VM_BAD_MASS for a mass that is not positive; VM_BAD_STIFFNESS
+   where K_e(0) is not positive; VM_DOMAIN for t outside a table of the mass. */
 VM_API int vm_jeffcott_exact_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
@@ -303,10 +305,10 @@ VM_API int vm_jeffcott_exact_rhs(vm_real t, const vm_real *y, vm_real *dydt, voi
 
 /* Averaged equations of forward and backward whirl, for rk45 or rk87. They are the equations of vm_jeffcott_exact_rhs,
    averaged over the fast phase phi while P and N stay constant. The dissertation [1] averages over the angles psi1 and
-   psi2 of the two whirls separately, (474)-(477). That is wrong unless the force turns with z, since both whirls have
-   the same frequency. The error is of the order of the largest perturbation (F_z, u, g, K_e(rho) - K_e(0) or m'), up to
-   times of the order of its inverse. State and statuses are those of vm_jeffcott_exact_rhs. Each call evaluates the
-   forces at `nodes` phases. */
+   psi2 of the two whirls separately, (474)-(477). Such separate averages are wrong unless the force turns with z, since
+   both whirls have the same frequency. The error is of the order of the largest perturbation (F_z, u, g, K_e(rho) -
+   K_e(0) or m'), up to times of the order of the inverse of this perturbation. State and statuses are those of
+   vm_jeffcott_exact_rhs. Each call evaluates the forces at `nodes` phases. */
 VM_API int vm_jeffcott_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
@@ -333,7 +335,8 @@ VM_API vm_real vmi_jeffcott_root(vm_real gyro, vm_real mass, vm_real stiffness, 
 /* Frequency W of circular whirl of radius A, rad/s. By the corrected remark after (516), W solves m W^2 - 2 g W =
    K_e(A). Forward whirl, for sense >= 0, has W > 0. Backward whirl, for sense < 0, has W < 0. A >= 0 is
    in m, mass > 0 in kg. The relative error is at most 8 eps (eps is the machine epsilon), apart from the error of the
-   stiffness. Returns NaN for null pointers, for a rotor without stiffness, and for arguments outside the domain. */
+   stiffness. Returns NaN for null pointers, for a rotor without stiffness, for A < 0, for mass <= 0, and for numbers
+   that are infinite or NaN. */
 VM_API vm_real vm_jeffcott_frequency(const vm_jeffcott *r, vm_real A, vm_real mass, int sense)
 {
     if (!r || !r->stiffness) return VM_NAN;
@@ -390,13 +393,14 @@ VM_API int vmi_jeffcott_circular(vm_real t, const vm_real *y, vm_real *dydt, con
 /* Averaged equations (506), (507) of forward whirl, for rk45 or rk87. The nonlinearity may be strong. The motion is
    nearly circular: z = A e^(i psi), z' = i W z with the frequency W of vm_jeffcott_frequency. y = (A, psi) is in m and
    rad; rotor points to a vm_jeffcott. The error of A is of the order of the largest load (by the force F_z, the
-   velocity u or the mass rate m'), up to times of the order of its inverse. Where K_e is not constant, this error adds
-   up in the phase psi. For loads that turn with z, that is loads at a fixed angle to z, the error of psi is at most
-   0.015 in the tests, up to these times. For other loads it is of order 1. The equations are not valid for a linear F_e
-   with loads that do not turn with z, since with these loads the disc does not stay on a circle. Returns
-   VM_BAD_ARGUMENT for null pointers and for a rotor without mass or stiffness, VM_NOT_FINITE for a number that is
-   infinite or NaN, VM_BAD_MASS for a mass that is not positive, and VM_BAD_STIFFNESS if g^2 + m K_e(A) is not positive.
-   Each call evaluates the force at `nodes` phases. */
+   velocity u or the mass rate m'), up to times of the order of the inverse of this load. Where K_e is not constant, the
+   error of A causes an error of the phase psi that grows with time. For loads that turn with z, that is loads at a
+   fixed angle to z, the error of psi is at most 0.015 in the tests, up to these times. For other loads it is of order
+   1. The equations are not valid for a linear F_e with loads that do not turn with z, since with these loads the disc
+   does not stay on a circle. Returns VM_BAD_ARGUMENT for null pointers and for a rotor without mass or stiffness;
+   VM_NOT_FINITE for a number that is infinite or NaN; VM_BAD_MASS for a mass that is not positive; VM_BAD_STIFFNESS if
+   g^2 + m K_e(A) is not positive; VM_DOMAIN for t outside a table of the mass. Each call evaluates the force at `nodes`
+   phases. */
 VM_API int vm_jeffcott_forward_whirl_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
@@ -411,8 +415,8 @@ VM_API int vm_jeffcott_backward_whirl_rhs(vm_real t, const vm_real *y, vm_real *
     return vmi_jeffcott_circular(t, y, dydt, (const vm_jeffcott *)rotor, -1);
 }
 
-/* The search for the radius A of circular whirl after a change of the mass. A^4 (g^2 + m K_e(A)) is an invariant: it
-   keeps its value during the change. */
+/* The search for the radius A of circular whirl after a change of the mass. The product A^4 (g^2 + m K_e(A)), called
+   the invariant, keeps its value during the change. */
 typedef struct VM_TAG(vmi_jeffcott_orbit) {
     const vm_jeffcott *r;
     vm_real first_A; /* radius A before the change, m */
@@ -420,8 +424,8 @@ typedef struct VM_TAG(vmi_jeffcott_orbit) {
     vm_real first;   /* the factor g^2 + m K_e(A) of the invariant before the change */
 } vmi_jeffcott_orbit;
 
-/* ln of the quotient of the invariant at the radius first_A e^x and its value before the change. Returns NaN where K_e
-   is not a number or so negative that the invariant is not positive. */
+/* Returns ln(Q/Q0), where Q is the invariant A^4 (g^2 + m K_e(A)) at the radius first_A e^x, and Q0 its value before
+   the change of the mass. Returns NaN where K_e is NaN, and where K_e is so negative that Q is not positive. */
 VM_API vm_real vmi_jeffcott_invariant(vm_real x, void *orbit)
 {
     const vmi_jeffcott_orbit *o = (const vmi_jeffcott_orbit *)orbit;
@@ -468,10 +472,10 @@ VM_API int vmi_jeffcott_find_bracket(vmi_jeffcott_orbit *o, vmi_jeffcott_bracket
    The radius was first_A when the mass was mass0; `mass` is the mass after the change. F_z and u must be 0. These
    products stay constant (509):
      A^4 (g^2 + m K_e(A)) for r = 1, which is the square of A^2 (m W - g);   A^4 K_e(A) m^(2r-1) for g = 0.
-   For F_e = k rho^alpha and g = 0 the radius follows vm_osc_amplitude_law, with mass/mass0 and decay 0; its relative
-   error is then at most 3e-15 (float 3e-6). Returns NaN for g != 0 with r != 1, for which vm_jeffcott_whirl_amplitude
-   finds the radius by integration; where no radius is found on the way from first_A; for null pointers, for a rotor
-   without stiffness, and for a radius or masses that are not positive and finite. */
+   For F_e = k rho^alpha and g = 0 the radius follows vm_osc_amplitude_law with the arguments mass/mass0 and decay = 0;
+   its relative error is then at most 3e-15 (float 3e-6). Returns NaN for g != 0 with r != 1 (then
+   vm_jeffcott_whirl_amplitude finds the radius by integration); where no radius is found on the way from first_A; for
+   null pointers; for a rotor without stiffness; and for a radius or masses that are not positive and finite. */
 VM_API vm_real vm_jeffcott_amplitude(const vm_jeffcott *r, vm_real first_A, vm_real mass0, vm_real mass)
 {
     if (!r || !r->stiffness) return VM_NAN;

@@ -4,9 +4,9 @@
    (498). Its phase psi is the integral of its frequency W over time (499). Without an external force, and without a
    velocity u of the mass that joins or leaves, the radius A depends on the mass alone. Then W is a known function of
    time. The integral has a closed form if the shaft has a power law and there are no gyroscopic moments. On a linear
-   shaft every motion is the sum of a forward and a backward whirl. This generalizes (481), (482) to any start, reactive
-   force and gyroscopic moment. oscillators/jeffcott.h explains the letters and the struct vm_jeffcott; g and r are its
-   fields gyro and reactive. Shortest useful call:
+   shaft every motion is the sum of a forward and a backward whirl. The functions of this file generalize (481), (482)
+   to any start, reactive force and gyroscopic moment. oscillators/jeffcott.h explains the letters and the struct
+   vm_jeffcott; g and r are its fields gyro and reactive. The shortest useful call:
        vm_power_force shaft = {4, 1}; // F_e = 4 N/m rho
        vm_jeffcott_whirl whirl;
        vm_jeffcott rotor;
@@ -75,11 +75,11 @@ VM_API int vmi_jeffcott_change_rhs(vm_real s, const vm_real *y, vm_real *dyds, v
 
 /* Radius of circular whirl, m, after the mass has changed slowly, for any share of the reactive force.
    For g = 0 or r = 1 the result is that of vm_jeffcott_amplitude. For other rotors the relative growth of A^2 S,
-   where S = m W - g, is (1 - r) (1 + g/S) times the relative change of the mass. The function integrates this over
-   the mass by rk87; the relative error is at most 1e-13 (float 3e-6). The radius was first_A when the mass was mass0;
-   `mass` is the mass after the change. sense >= 0 means forward, sense < 0 backward whirl. Returns NaN where
-   vm_jeffcott_amplitude does, except for the case g != 0 with r != 1. It also returns NaN where g^2 + m K_e(A) is not
-   positive on the way. */
+   where S = m W - g, is (1 - r) (1 + g/S) times the relative change of the mass. The function integrates this relation
+   over the mass by rk87; the relative error is at most 1e-13 (float 3e-6). The radius was first_A when the mass was
+   mass0; `mass` is the mass after the change. sense >= 0 means forward, sense < 0 backward whirl. Returns NaN where
+   vm_jeffcott_amplitude returns NaN, but not because of g != 0 with r != 1. Also returns NaN where g^2 + m K_e(A) is
+   not positive for a mass between mass0 and `mass`. */
 VM_API vm_real vm_jeffcott_whirl_amplitude(const vm_jeffcott *r, vm_real first_A, vm_real mass0, vm_real mass,
                                            int sense)
 {
@@ -97,7 +97,7 @@ VM_API vm_real vm_jeffcott_whirl_amplitude(const vm_jeffcott *r, vm_real first_A
     change.mass0 = mass0;
     change.sense = sense;
     options.atol = tolerance;
-    options.rtol = -1; /* errors of ln A are absolute */
+    options.rtol = -1; /* no relative tolerance: atol limits the absolute error of ln A */
     if (rk87_init(&run, vmi_jeffcott_change_rhs, &change, 1, 0, &y, &options, work) < 0) return VM_NAN;
     if (rk87_solve(&run, vmi_log(mass / mass0).hi) < 0) return VM_NAN;
     return first_A * vmi_exp(run.y[0], 0);
@@ -112,8 +112,8 @@ typedef struct VM_TAG(vmi_jeffcott_phase) {
     int sense;
 } vmi_jeffcott_phase;
 
-/* Writes the radius and the frequency of the whirl for this mass. Returns VM_BAD_STIFFNESS where there is no such
-   whirl. */
+/* Writes the radius and the frequency of the whirl when the disc has the given mass. Returns VM_BAD_STIFFNESS where no
+   circular whirl exists for this mass. */
 VM_API int vmi_jeffcott_whirl_of_mass(const vmi_jeffcott_phase *p, vm_real mass, vm_real *A, vm_real *W)
 {
     *A = vm_jeffcott_whirl_amplitude(p->r, p->first_A, p->mass0, mass, p->sense);
@@ -122,7 +122,8 @@ VM_API int vmi_jeffcott_whirl_of_mass(const vmi_jeffcott_phase *p, vm_real mass,
     return VM_OK;
 }
 
-/* The frequency W at time t. A vmi_integrand; phase points to a vmi_jeffcott_phase. */
+/* Writes the frequency W of the whirl at time t. The function is a vmi_integrand (oscillators/panels.h); phase points
+   to a vmi_jeffcott_phase. */
 VM_API int vmi_jeffcott_frequency_at(vm_real t, int side, vm_real *W, void *phase)
 {
     const vmi_jeffcott_phase *p = (const vmi_jeffcott_phase *)phase;
@@ -132,10 +133,10 @@ VM_API int vmi_jeffcott_frequency_at(vm_real t, int side, vm_real *W, void *phas
     return vmi_jeffcott_whirl_of_mass(p, m[0], &A, W);
 }
 
-/* Computes the phase in closed form and returns 1, or returns 0 if there is no closed form. W is the frequency at
-   t = 0. A closed form exists for F_e = k rho^alpha with g = 0, if the law of the mass has an exponential form
-   (oscillators/laws.h). The frequency is then proportional to m^-q, with 2 q = 1 + (alpha - 1) (2 r - 1)/(alpha + 3).
-   (482) is the case alpha = 1, m = m0 (1 + c t)^2. */
+/* Computes the phase psi of the whirl at t in closed form and returns 1, or returns 0 if there is no closed form. W is
+   the frequency of the whirl at t = 0. A closed form exists for F_e = k rho^alpha with g = 0, if the law of the mass
+   has an exponential form (oscillators/laws.h). The frequency is then proportional to m^-q, with 2 q = 1 + (alpha - 1)
+   (2 r - 1)/(alpha + 3). Equation (482) is the case alpha = 1, m = m0 (1 + c t)^2. */
 VM_API int vmi_jeffcott_phase_closed(const vm_jeffcott *r, vm_real W, vm_real t, vm_real *psi)
 {
     vm_real base, rate, q, u;
@@ -164,8 +165,8 @@ VM_API int vmi_jeffcott_phase_by_panels(vmi_jeffcott_phase *p, vm_real t, vm_rea
     return status;
 }
 
-/* Checks what the motions of this file need: a rotor without load, and masses that are finite and positive from 0 to t.
-   Writes the masses at 0 and at t. */
+/* Checks what the motions of this file need: a rotor without an external force and without a velocity u, and masses
+   that are finite and positive from 0 to t. Writes the masses at 0 and at t. */
 VM_API int vmi_jeffcott_check_motion(const vm_jeffcott *r, vm_real t, vm_real *mass0, vm_real *mass)
 {
     vm_real rate;
@@ -183,14 +184,15 @@ VM_API int vmi_jeffcott_check_motion(const vm_jeffcott *r, vm_real t, vm_real *m
 
 /* Circular whirl of the rotor at time t, of either sign, from radius and angle at t = 0: (497)-(499).
    first_A > 0 is the radius (m) and first_angle the angle (rad) at t = 0; sense >= 0 means forward, sense < 0 backward
-   whirl. The radius is that of vm_jeffcott_whirl_amplitude. The angle has a closed form for a power law of the shaft
-   (vm_jeffcott_power) with g = 0 and a mass that is constant, linear, exponential or a power; it is then within 8 eps
-   of the phase. Otherwise the time is divided into parts, and Gauss' rule integrates the frequency over each part from
-   20 points; the radius is computed at each point. For a smooth stiffness the angle is then within 1e-12 (float 1e-4)
-   of the phase. The velocity is i W z, without the small radial velocity. Returns VM_BAD_ARGUMENT for null pointers and
-   a rotor without mass or stiffness, VM_NOT_FINITE for a number that is infinite or NaN, VM_BAD_MASS for a mass that is
-   not positive, VM_BAD_STIFFNESS where there is no circular whirl, VM_DOMAIN for a radius that is not positive or t
-   outside a table, and VM_NO_LAW for a rotor with a force or a velocity u. */
+   whirl. The radius is that of vm_jeffcott_whirl_amplitude. The phase, which is the angle of the whirl from 0 to t, has
+   a closed form for a power law of the shaft (vm_jeffcott_power) with g = 0 and a mass that is constant, linear,
+   exponential or a power; its relative error is then at most 8 eps. Otherwise the time is divided into parts, and
+   Gauss' rule integrates the frequency over each part from 20 points; the radius is computed at each point. For a
+   smooth stiffness the relative error of the phase is then at most 1e-12 (float 1e-4). The velocity is i W z, without
+   the small radial velocity. Returns VM_BAD_ARGUMENT for null pointers and a rotor without mass or stiffness;
+   VM_NOT_FINITE for a number that is infinite or NaN; VM_BAD_MASS for a mass that is not positive; VM_BAD_STIFFNESS
+   where there is no circular whirl; VM_DOMAIN for a radius that is not positive or t outside a table; VM_NO_LAW for a
+   rotor with a force or a velocity u. */
 VM_API int vm_jeffcott_whirl_at(const vm_jeffcott *r, vm_real first_A, vm_real first_angle, int sense, vm_real t,
                                 vm_jeffcott_whirl *whirl)
 {
@@ -221,8 +223,8 @@ VM_API int vm_jeffcott_whirl_at(const vm_jeffcott *r, vm_real first_A, vm_real f
 
 /* -- Any motion on a linear shaft -- */
 
-/* Adds the whirl of this sense to the motion (x, y, x', y') at t. At t = 0 this whirl was at z = first. Nothing is
-   added if first is 0. */
+/* Adds the position and velocity of a whirl at time t to the motion (x, y, x', y'). sense >= 0 means forward, sense < 0
+   backward whirl. At t = 0 the whirl was at z = first; if first is 0, nothing is added. */
 VM_API int vmi_jeffcott_add_whirl(const vm_jeffcott *r, vm_complex first, int sense, vm_real t, vm_real *motion)
 {
     const vm_real A = vmi_c_modulus(first);
@@ -241,9 +243,10 @@ VM_API int vmi_jeffcott_add_whirl(const vm_jeffcott *r, vm_complex first, int se
 /* Motion of a rotor on a linear shaft at time t, of either sign, from its motion at t = 0: (480)-(482).
    start and motion are (x, y, x', y') in m and m/s; they may be the same array. The motion is the sum of a forward
    whirl P and a backward whirl N, which do not disturb each other: z = P + N, z' = i (W1 P + W2 N) with the frequencies
-   W1 > 0 and W2 < 0 of vm_jeffcott_frequency. Each follows vm_jeffcott_whirl_at, with the gyroscopic moment g and any
-   share r of the reactive force. Where P and conj(N) are equal, the rotor oscillates along a line (481). The statuses
-   are those of vm_jeffcott_whirl_at, and VM_NO_LAW for a shaft that is not linear. */
+   W1 > 0 and W2 < 0 of vm_jeffcott_frequency. Each of the two whirls is computed by vm_jeffcott_whirl_at, with the
+   gyroscopic constant g and any share r of the reactive force. Where P and conj(N) are equal, the rotor oscillates
+   along a line (481). The statuses are those of vm_jeffcott_whirl_at; VM_NO_LAW also means that the shaft is not
+   linear. */
 VM_API int vm_jeffcott_linear_at(const vm_jeffcott *r, const vm_real *start, vm_real t, vm_real *motion)
 {
     vm_real mass0 = 0, mass = 0, slope, stiffness, W1, W2, found[4] = {0, 0, 0, 0};

@@ -8,8 +8,8 @@
        vm_real m, rate;
        int status = vm_law_at(&mass, 20, &m, &rate); // 8 kg, -0.1 kg/s
    Each kind of law has a section below, with its own functions and the constructor that makes a vm_law point to them.
-   No code outside the section depends on the kind. vm_law_inverse_integral (oscillators/panels.h) integrates 1/f from
-   0 to t.
+   No code outside this section depends on the kind of the law. vm_law_inverse_integral (oscillators/panels.h)
+   integrates 1/f from 0 to t.
    Tests: tests/test_laws.c. */
 #ifndef VARMASS_OSCILLATORS_LAWS_H
 #define VARMASS_OSCILLATORS_LAWS_H
@@ -22,13 +22,14 @@
 #include "../base/status.h"
 #include "legendre.h"
 
-/* A user's law: writes f(t) and its rate df/dt, and returns 0, or another number where it fails. f must be smooth. */
+/* A user's function for a law: writes f(t) and its rate df/dt, and returns 0, or another number where it fails. f must
+   be smooth. */
 typedef int (*vm_law_function)(vm_real t, vm_real *f, vm_real *rate, void *ctx);
 
 /* The law of a mass, a stiffness or another number f(t). The constructors vm_law_linear, vm_law_table ... fill it;
-   only change_time may be set by hand. The law points to the arrays of its table and to the user's function and ctx,
-   which must outlive it. It also points to functions of this header, so on a GPU the constructor must be called on
-   the GPU. */
+   only change_time may be set by hand. The law points to the arrays of its table, to the user's function and to ctx;
+   they must exist as long as the law is used. The law also points to functions of this header, so on a GPU the
+   constructor must be called on the GPU. */
 typedef struct VM_TAG(vm_law) vm_law;
 struct VM_TAG(vm_law) {
     vm_real f0, f1, f2;       /* arguments of the constructor, in their order; 0 for tables and functions */
@@ -36,26 +37,28 @@ struct VM_TAG(vm_law) {
     const vm_real *time;      /* n times of a table, s, rising; else null */
     const vm_real *value;     /* n values of a table, in the unit of f; else null */
     vm_law_function function; /* the user's function for vm_law_user; else null */
-    void *ctx;                /* the user's pointer, last argument of function */
+    void *ctx;                /* the user's pointer, last argument of this function */
     vm_real change_time;      /* for vm_law_user only: the shortest time scale, s, on which f changes noticeably; 0 if
                                  it is unknown */
     /* Functions that depend on the kind of law; its constructor sets them. `derivatives` is null where no constructor
-       made the law. If `validate` is null, only f(0) and f(t) are checked. */
+       made the law. `validate` checks the law between 0 and t; if it is null, only f(0) and f(t) are checked. */
     int (*derivatives)(const vm_law *law, vm_real t, int side, vm_real length, vm_real *f);
     int (*validate)(const vm_law *law, int if_not_positive, vm_real t);
-    int (*exponential_form)(const vm_law *law, vm_real *base, vm_real *rate); /* null if the law has no such form */
+    int (*exponential_form)(const vm_law *law, vm_real *base, vm_real *rate); /* null if there is no exponential form */
     vm_real (*inverse_integral)(const vm_law *law, vm_real t);                /* null if there is no closed form */
 };
 
 /* -- What every kind of law shares -- */
 
-/* The direction of an interval of time whose length has a sign: 1 forward, -1 backward */
+/* The direction of an interval of time: 1 forward if its length is positive or 0, -1 backward if it is negative */
 VM_API int vmi_time_side(vm_real length) { return length < 0 ? -1 : 1; }
 
-/* How many numbers the function `derivatives` of a law writes: f and its first six derivatives in f[0] ... f[6] */
+/* The number of values that the function `derivatives` of a law writes: f and its first six derivatives, to f[0] ...
+   f[6] */
 enum { VMI_LAW_ORDERS = 7 };
 
-/* Checks the first n numbers that a law's function `derivatives` wrote to f when it returned `status`. */
+/* Returns the final status of a law: its function `derivatives` returned `status` and wrote numbers to f, of which the
+   first n are checked here. The argument if_not_positive is explained at vmi_law_derivatives. */
 VM_API int vmi_law_status(int status, int if_not_positive, int n, const vm_real *f)
 {
     vm_real sum = 0; /* sum of f[i] - f[i], which is 0, or NaN if a number is infinite or NaN */
@@ -69,10 +72,10 @@ VM_API int vmi_law_status(int status, int if_not_positive, int n, const vm_real 
 }
 
 /* Writes the value of a law and its derivatives at t to f[0], f[1] ... A constructor must have made the law. Where a
-   derivative jumps at t, side = 1 asks for its value after t, side = -1 for its value before t. With length = 0 only f
-   and f' are written. A positive length, s, asks for all six derivatives. For a user's function they are found from the
-   rates that the function returns between t and t + side length. if_not_positive is the status for f <= 0, for example
-   VM_BAD_MASS for a mass; it is VM_OK where f may have any sign. */
+   derivative jumps at t, its value after t is written for side = 1, its value before t for side = -1. With length = 0
+   only f and f' are written; with a positive length, s, all six derivatives. For a user's function the higher
+   derivatives are found from the rates that the function returns between t and t + side length. if_not_positive is the
+   status that is returned for f <= 0, for example VM_BAD_MASS for a mass; it is VM_OK where f may have any sign. */
 VM_API int vmi_law_derivatives(const vm_law *law, int if_not_positive, vm_real t, int side, vm_real length, vm_real *f)
 {
     const int orders = length > 0 ? VMI_LAW_ORDERS : 2;
@@ -81,11 +84,11 @@ VM_API int vmi_law_derivatives(const vm_law *law, int if_not_positive, vm_real t
     return vmi_law_status(law->derivatives(law, t, side, length, f), if_not_positive, orders, f);
 }
 
-/* Does what vmi_law_derivatives does, but only f, f' and f'' are valid and checked. The law must not be a function of
-   the user. */
+/* Does what vmi_law_derivatives does, but only f, f' and f'' are valid and checked. The law must not be made by
+   vm_law_user. */
 VM_API int vmi_law_two_derivatives(const vm_law *law, int if_not_positive, vm_real t, int side, vm_real *f)
 {
-    const vm_real length = 1; /* 1 s; any positive length asks for f'' */
+    const vm_real length = 1; /* 1 s; with any positive length f'' is written */
     f[2] = 0;
     return vmi_law_status(law->derivatives(law, t, side, length, f), if_not_positive, 3, f);
 }
@@ -105,8 +108,8 @@ VM_API int vmi_law_check(const vm_law *law, int if_not_positive, vm_real t)
 }
 
 /* Returns 1 and writes base and rate if the law is f0 exp(rate u) with u = ln(1 + base t)/base (u = t for base = 0);
-   returns 0 otherwise. The reason for this form: integrals over t of products of such laws have closed forms if the
-   laws share their base. A constant has rate 0. */
+   returns 0 otherwise. This form is useful because integrals over t of products of such laws have closed forms if all
+   these laws have the same base. A constant has rate 0. */
 VM_API int vmi_law_exponential_form(const vm_law *law, vm_real *base, vm_real *rate)
 {
     *base = *rate = 0;
@@ -138,11 +141,10 @@ VM_API int vmi_law_at(const vm_law *law, int if_not_positive, vm_real t, vm_real
 }
 
 /* Value f and rate df/dt of a law at time t (s), which may be negative. At the points of a table f is within 4 eps of
-   the value in the table, where eps is the machine epsilon. f may have any sign, since the function does not know
-   whether the law is that of a mass. Returns VM_BAD_ARGUMENT for null pointers and for a law that no constructor
-   made, VM_NOT_FINITE where t or a result is infinite or NaN, and VM_DOMAIN where the law has no value: for t outside
-   a table, for a power law where 1 + f1 t <= 0, and where the user's function fails. An error leaves *f and *rate
-   untouched. */
+   the value in the table, where eps is the machine epsilon. f may have any sign, since the law need not be that of a
+   mass. Returns VM_BAD_ARGUMENT for null pointers and for a law that no constructor made; VM_NOT_FINITE where t or a
+   result is infinite or NaN; VM_DOMAIN for t outside a table, for a power law where 1 + f1 t <= 0, and where the user's
+   function fails; VM_OK otherwise. An error leaves *f and *rate untouched. */
 VM_API int vm_law_at(const vm_law *law, vm_real t, vm_real *f, vm_real *rate)
 {
     vm_real value, slope;
@@ -235,7 +237,7 @@ VM_API int vmi_law_quadratic_validate(const vm_law *law, int if_not_positive, vm
 }
 
 /* The exponential form of a quadratic law. It exists only if the law is a square within rounding errors: f0 (1 + base
-   t)^2 = f0 exp(2 base u) with u = ln(1 + base t)/base. */
+   t)^2 = f0 exp(2 base u) with u = ln(1 + base t)/base. Returns 1 if it exists, else 0. */
 VM_API int vmi_law_quadratic_form(const vm_law *law, vm_real *base, vm_real *rate)
 {
     const vm_real square = law->f1 * law->f1, rest = square - 4 * law->f0 * law->f2;
@@ -244,8 +246,8 @@ VM_API int vmi_law_quadratic_form(const vm_law *law, vm_real *base, vm_real *rat
     return VM_FABS(rest) <= 4 * VM_EPSILON * square;
 }
 
-/* The integral of dt/(f0 + f1 t + f2 t^2) from 0 to t. With x = 2 f0 + f1 t, D = f1^2 - 4 f0 f2 and d = sqrt|D| it is
-   (2/d) atan(d t/x) for D < 0, and (2/d) atanh(d t/x) otherwise. */
+/* The integral of dt/(f0 + f1 t + f2 t^2) from 0 to t. With x = 2 f0 + f1 t, D = f1^2 - 4 f0 f2 and d = sqrt|D| the
+   integral is (2/d) atan(d t/x) for D < 0, and (2/d) atanh(d t/x) otherwise. */
 VM_API vm_real vmi_law_quadratic_inverse_integral(const vm_law *law, vm_real t)
 {
     const vm_real D = law->f1 * law->f1 - 4 * law->f0 * law->f2, x = 2 * law->f0 + law->f1 * t;
@@ -268,7 +270,7 @@ VM_API vm_law vm_law_quadratic(vm_real f0, vm_real f1, vm_real f2)
 
 /* -- Exponential laws -- */
 
-/* Writes f and the derivatives of an exponential law. Each derivative is f1 times the one before it. */
+/* Writes f and the derivatives of an exponential law. Each derivative is f1 times the derivative of one order lower. */
 VM_API int vmi_law_exponential_derivatives(const vm_law *law, vm_real t, int side, vm_real length, vm_real *f)
 {
     const int orders = length > 0 ? VMI_LAW_ORDERS : 2;
@@ -299,8 +301,9 @@ VM_API vm_law vm_law_exponential(vm_real f0, vm_real f1)
 
 /* -- Power laws -- */
 
-/* Writes f and the derivatives of a power law. Returns VM_BAD_MASS where 1 + f1 t is not positive, whatever number the
-   law describes; vmi_law_derivatives replaces this status by the right one. */
+/* Writes f and the derivatives of a power law. Returns VM_BAD_MASS where 1 + f1 t is not positive, even if the law is
+   not that of a mass. vmi_law_derivatives then replaces this status, for example by VM_BAD_STIFFNESS for a
+   stiffness. */
 VM_API int vmi_law_power_derivatives(const vm_law *law, vm_real t, int side, vm_real length, vm_real *f)
 {
     const vm_real base = 1 + law->f1 * t, relative_rate = law->f1 / base;
@@ -334,9 +337,10 @@ VM_API vm_law vm_law_power(vm_real f0, vm_real f1, vm_real f2)
 
 /* -- Tables -- */
 
-/* Slope at an end of a table: the slope of the parabola through the last three points, limited so that the cubic
-   stays monotone. h_end and d_end are the length and the slope of the chord at the end, h_next and d_next those of
-   the chord next to it. */
+/* Slope of the law at the first or last point of a table. It is the slope of the parabola through the three points at
+   this end, limited so that the cubic stays monotone. A chord joins two neighbouring points of the table. h_end and
+   d_end are the length in time and the slope of the chord at the end, h_next and d_next those of the chord next to
+   it. */
 VM_API vm_real vmi_law_end_slope(vm_real h_end, vm_real h_next, vm_real d_end, vm_real d_next)
 {
     const vm_real slope = ((2 * h_end + h_next) * d_end - h_end * d_next) / (h_end + h_next);
@@ -345,8 +349,9 @@ VM_API vm_real vmi_law_end_slope(vm_real h_end, vm_real h_next, vm_real d_end, v
     return slope;
 }
 
-/* Slope at point i of a table. At inner points it is the weighted harmonic mean of the slopes of the chords on both
-   sides, and 0 at an extremum (Fritsch and Butland). */
+/* Slope of the law at point i of a table. At an inner point it is the weighted harmonic mean of the slopes of the two
+   chords that meet there, and 0 at an extremum (Fritsch and Butland). A chord joins two neighbouring points of the
+   table. */
 VM_API vm_real vmi_law_slope(const vm_law *law, int i)
 {
     const vm_real *t = law->time, *f = law->value;
@@ -366,8 +371,8 @@ VM_API vm_real vmi_law_slope(const vm_law *law, int i)
     return 3 * (h0 + h1) / ((2 * h1 + h0) / d0 + (h1 + 2 * h0) / d1);
 }
 
-/* The index i with time[i] <= t <= time[i+1]. If t is a point of the table, side tells on which side of t the
-   interval lies. */
+/* The index i with time[i] <= t <= time[i+1]. If t is a point of the table, the interval lies after t for side = 1 and
+   before t for side = -1. */
 VM_API int vmi_law_interval(const vm_law *law, vm_real t, int side)
 {
     int low = 0, high = law->n - 1;
@@ -404,7 +409,8 @@ VM_API int vmi_law_table_derivatives(const vm_law *law, vm_real t, int side, vm_
     return VM_OK;
 }
 
-/* Checks the whole table, whatever t is: its values must be finite and positive, its times must rise. */
+/* Checks the whole table, whatever t is: its values must be finite, and positive unless if_not_positive is VM_OK; its
+   times must be finite and must rise. */
 VM_API int vmi_law_table_validate(const vm_law *law, int if_not_positive, vm_real t)
 {
     int i;
@@ -417,10 +423,10 @@ VM_API int vmi_law_table_validate(const vm_law *law, int if_not_positive, vm_rea
     return VM_OK;
 }
 
-/* Table of n >= 2 points (time[i], value[i]), joined by monotone cubics. A table of fewer points, or with a null
-   pointer, is no law: all functions refuse it with VM_BAD_ARGUMENT. Times (s) must rise, and every t of a call
-   must lie between the first and the last. Between two points the law is a cubic with the slopes of Fritsch and
-   Butland, which neither overshoots nor oscillates; its second derivative jumps at the points. */
+/* Table of n >= 2 points (time[i], value[i]), joined by monotone cubics. For fewer points, or with a null pointer, the
+   result is no law, and all functions refuse it with VM_BAD_ARGUMENT. Times (s) must rise, and every t of a call must
+   lie between the first and the last. Between two points the law is a cubic with the slopes of Fritsch and Butland,
+   which neither overshoots nor oscillates. The second derivative of the law jumps at the points of the table. */
 VM_API vm_law vm_law_table(int n, const vm_real *time, const vm_real *value)
 {
     vm_law law = vmi_law_of(0, 0, 0);
@@ -432,7 +438,7 @@ VM_API vm_law vm_law_table(int n, const vm_real *time, const vm_real *value)
     return law;
 }
 
-/* The next point of the law's table after t on the way to t_end, or t_end if there is none or the law is no table */
+/* The next point of the law's table after t on the way to t_end, or t_end if there is no such point */
 VM_API vm_real vmi_law_next_knot(const vm_law *law, vm_real t, vm_real t_end)
 {
     const int side = t_end > t ? 1 : -1;
@@ -444,7 +450,8 @@ VM_API vm_real vmi_law_next_knot(const vm_law *law, vm_real t, vm_real t_end)
     return (t_end - knot) * (vm_real)side > 0 ? knot : t_end;
 }
 
-/* Whether t is a point of the law's table, but not its first or last, so that the second derivative may jump there */
+/* Returns 1 if t is a point of the law's table, but not its first or last one, so that the second derivative may jump
+   at t; else returns 0. */
 VM_API int vmi_law_has_knot(const vm_law *law, vm_real t)
 {
     return law->time && vmi_law_interval(law, t, 1) != vmi_law_interval(law, t, -1);
@@ -466,9 +473,9 @@ VM_API int vmi_law_user_fit(const vm_law *law, vm_real t, vm_real length, vm_rea
 }
 
 /* Writes the Legendre series of the rate f' between t and t + *length. The length is halved until the last terms of the
-   series are only rounding errors. They are rounding errors when a further halving hardly makes them smaller. Terms as
-   small as these are set to 0. The length is also halved where the user's function fails, because the function may be
-   defined only close to t. */
+   series are only rounding errors. They count as rounding errors when a further halving hardly makes them smaller. All
+   terms that are not larger than these rounding errors are set to 0. The length is also halved where the user's
+   function fails, because the function may be defined only close to t. */
 VM_API int vmi_law_user_series(const vm_law *law, vm_real t, vm_real *length, vm_real *series)
 {
     const int most_halvings = 24;
@@ -524,12 +531,12 @@ VM_API int vmi_law_user_validate(const vm_law *law, int if_not_positive, vm_real
     return VM_OK;
 }
 
-/* Law by a user's function, which must be smooth. A null function makes no law: all functions refuse it with
-   VM_BAD_ARGUMENT. The function receives ctx as its last argument. To integrate the law, the time from 0 to t is
-   divided into parts, called panels, and the function is evaluated at 20 points of each panel. A panel is at most
-   |t|/32 long, and is halved where the function changes fast. So a bump exp(-(time/w)^2) is found if w > |t|/3000
-   (float |t|/2000). If the law changes in a shorter time, set law.change_time to that time, s: then no panel and no
-   step of an integrator is longer than change_time. A change_time that is negative or less than |t|/2^20 is refused
+/* Law by a user's function, which must be smooth. If `function` is null, the result is no law, and all functions refuse
+   it with VM_BAD_ARGUMENT. The user's function receives ctx as its last argument. To integrate the law, the time from 0
+   to t is divided into parts, called panels, and the function is evaluated at 20 points of each panel. A panel is at
+   most |t|/32 long, and is halved where the function changes fast. So a bump exp(-(time/w)^2) is found if w > |t|/3000
+   (float |t|/2000). If the law changes in a shorter time, set law.change_time to that time, s: then no panel, and no
+   step of an integrator, is longer than change_time. A change_time that is negative or less than |t|/2^20 is refused
    with VM_DOMAIN. */
 VM_API vm_law vm_law_user(vm_law_function function, void *ctx)
 {
@@ -542,7 +549,8 @@ VM_API vm_law vm_law_user(vm_law_function function, void *ctx)
 }
 
 /* The longest panel of time, s, for integrals along the law from 0 to t: short enough to notice the changes that
-   vm_law_user promises to find, but not 0, which subnormal numbers would give. `whole` is |t|. */
+   vm_law_user promises to find. `whole` is |t|. The result is not 0, even if `whole` is so small that whole/32
+   underflows. */
 VM_API vm_real vmi_law_longest_panel(const vm_law *law, vm_real whole)
 {
     const vm_real longest = vmi_larger(whole / 32, VM_MIN);

@@ -3,8 +3,8 @@
    A smooth function on [-1, 1] is represented by the series sum coefficient[k] P_k(x), k = 0 ... 19, with Legendre's
    polynomials P_k. Its integral over [-1, 1] is 2 coefficient[0]. vmi_legendre_fit finds the coefficients from the
    values at the points of Gauss' rule. The other functions evaluate, integrate and differentiate the series, and
-   measure its size. The files laws.h, averaging.h, panels.h, walk.h and collocation.h use this one.
-   Tests: tests/test_laws.c, tests/test_routes.c. */
+   measure its size. The files laws.h, averaging.h, panels.h, walk.h and collocation.h use these functions. Tests:
+   tests/test_laws.c, tests/test_routes.c. */
 #ifndef VARMASS_OSCILLATORS_LEGENDRE_H
 #define VARMASS_OSCILLATORS_LEGENDRE_H
 
