@@ -20537,21 +20537,21 @@ enum {
     VM_FREE      /* translation and rotation in space */
 }; /* the motions of a body */
 
-enum { VM_GROUND = -1 }; /* stands for the ground where an index of a body is expected */
+enum { VM_GROUND = -1 }; /* number that stands for the ground in place of the index of a body */
 
 /* Sums of the loads on a body at one evaluation of the right-hand side. Every evaluation sets the sums to 0, and then
    each effect adds its loads. */
 typedef struct VM_TAG(vm_load) {
     vm_real mass;       /* kg (on an axle kg m^2): the present mass */
-    vm_real extra_mass; /* kg: dM/dv (reactive v - u) of a mass law M(v) (mass.h); it acts like an additional mass */
-    vm_real mass_rate;  /* kg/s: rate of the mass, if the mass is a state */
-    vm_real force[6];   /* N (on an angle N m): on each coordinate; [3] to [5]: torque on a free body, inertial axes */
+    vm_real extra_mass; /* kg: dM/dv (reactive v - u) by a mass law M(v), which acts like an additional mass (mass.h) */
+    vm_real mass_rate;  /* kg/s: rate of the mass, if the mass is a number of the state */
+    vm_real force[6];   /* N (N m on an angle): force on each coordinate; free body: [3] to [5] torque, inertial axes */
     vm_real mass_by_v;  /* kg s/m: the derivative dM/dv of a mass law M(v) */
     vm_real joining_v;  /* m/s: velocity of the mass that joins or leaves by a mass law */
     /* fields for growing bodies only */
-    vm_vec3 drift;           /* m/s, inertial axes: rate of the position of the mass centre less the velocity v */
-    vm_vec3 centre_rate;     /* m/s, body axes: rate at which the mass centre is displaced in the body */
-    vm_inertia inertia_rate; /* kg m^2/s, body axes: rate of the inertia */
+    vm_vec3 drift;           /* m/s, inertial axes: rate r' of the mass centre's position less the state's v */
+    vm_vec3 centre_rate;     /* m/s, body axes: velocity at which the mass centre moves in the body */
+    vm_inertia inertia_rate; /* kg m^2/s, body axes: rate of the inertia of the body */
     /* fields used only if the scene keeps a budget */
     vm_real reactive[6];    /* N, N m: the reactive part of `force` */
     vm_real brought[6];     /* N, N m: momentum and angular momentum that streams bring per second */
@@ -20566,13 +20566,13 @@ struct VM_TAG(vm_scene_body) {
     /* fields set by the constructor */
     int motion;        /* VM_LINE, VM_AXLE, VM_PLANE, VM_POINT or VM_FREE */
     int mass_is_state; /* 1: the mass is a number of the state, so that streams can change it */
-    int grows;         /* 1: mass centre and inertia are numbers of the state too */
+    int grows;         /* 1: the mass centre and the inertia are numbers of the state, too */
     int absent;        /* 1: the body is not present until an event brings it in */
     int positions;     /* number of positions in the state of the body */
     int coordinates;   /* number of velocities in the state of the body */
     /* fields set by vm_scene_start and kept up to date by a run */
     int at;      /* index in y of the first number of the body */
-    int mass_at; /* index in y of the mass, if the mass is a state */
+    int mass_at; /* index in y of the mass, if the mass is a number of the state */
     int away;    /* 1 while the body is not present */
     /* Functions for the kind of motion of the body. They are pointers, so that a program links only the functions for
        the kinds of motion that its bodies have. `accelerate` computes the derivatives of the state from the load and
@@ -20580,19 +20580,19 @@ struct VM_TAG(vm_scene_body) {
        effects act. */
     int (*accelerate)(const vm_scene_body *b, const vm_real *state, vm_real *rates);
     void (*begin)(vm_scene_body *b, const vm_real *state);
-    vm_real mass; /* kg: the mass, if it is neither a state nor given by a law */
+    vm_real mass; /* kg: the mass, if it is neither a number of the state nor given by a law */
     vm_load load; /* the loads on the body at the last evaluation */
     void (*put)(vm_scene_body *b, const vm_body *now, vm_real angle, vm_real *state);  /* writes *now to the state */
     void (*get)(const vm_scene_body *b, const vm_real *state, vm_body *now);           /* reads *now from the state */
-    int (*check)(const vm_body *start); /* NULL, or a check of the inertia, which returns a status */
-    vm_body start;                      /* motion at the start; line: mass, r.x, v.x; axle: mass (kg m^2), omega.z */
+    int (*check)(const vm_body *start); /* NULL, or a function that checks the inertia and returns a status */
+    vm_body start;                      /* motion at the start; a line uses mass, r.x, v.x; an axle mass, omega.z */
     vm_real angle;                      /* rad: the angle of an axle or of a body in the plane at the start */
-    vm_vec3 centre;         /* m, body axes: how far jumps have moved the mass centre (points.h) */
+    vm_vec3 centre;         /* m, body axes: the vector by which jumps have moved the mass centre */
     vm_real law_offset;     /* kg: added to the mass that a law gives; jumps and switching of the law change it */
     vm_inertia inertia;     /* kg m^2, body axes: the present inertia */
     vm_inertia invertible;  /* kg m^2: the inertia, with a dummy moment about each axis without moment of inertia */
     vmi_mat3 axes;          /* the present body axes of a growing body, in inertial axes */
-    int listed_orders;      /* bit (1 << order) for each effect on the body that vm_scene_check has found so far */
+    int listed_orders;      /* bit (1 << order) for each `order` of the effects on the body that are checked so far */
     int status;             /* VM_OK, or the reason why the constructor could not make the body */
     vm_real noted_mass;     /* kg: the mass that the body must have after an event */
     void (*shift)(vm_scene_body *b, vm_vec3 step, const vm_real *state); /* NULL, or adds to `centre` */
@@ -20634,35 +20634,35 @@ enum { VMI_IDLE_SWITCHED_OFF = 1, VMI_IDLE_BODY_AWAY = 2 };
 struct VM_TAG(vm_effect) {
     /* fields set by the constructor */
     void (*apply)(const vm_effect *effect, vm_real t, const vm_real *y, vm_scene *scene); /* adds to the loads */
-    int variant; /* which variant of the effect: for example which mass law, or whether a band lies in layers */
-    /* fields set once by vm_scene_start, so that evaluations are fast */
-    int idle;             /* bits VMI_IDLE_... that say why the effect does not act; 0 while it acts */
+    int variant; /* number of the effect's variant: for example which mass law, or whether a band lies in layers */
+    /* fields that vm_scene_start sets once, so that evaluations need not compute them */
+    int idle;             /* bits VMI_IDLE_... that say why the effect does not act; 0 while the effect acts */
     int x, v;             /* indices in y: position and velocity of the coordinate on which the effect acts */
     int other_x, other_v; /* indices in y: position and velocity of the coordinate on which the opposite force acts */
     vm_load *load;        /* load of the body on which the effect acts */
-    vm_load *other_load;  /* load of the body on which the opposite force acts; NULL for the ground */
+    vm_load *other_load;  /* load of the body on which the opposite force acts; NULL if that is the ground */
     /* further fields set by the constructor */
     int body, coordinate;        /* index of the body and its coordinate on which the effect acts */
     int other, other_coordinate; /* body and coordinate on which the opposite force acts, or VM_GROUND */
-    vm_real p[6];                /* parameters; the enum VMI_<EFFECT>_... of each effect names their indices */
+    vm_real p[6];                /* parameters; each kind of effect has an enum that names the indices */
     vm_real (*force)(vm_real t, vm_real x, vm_real v, void *ctx);   /* function given to vm_effect_force */
     vm_mass_law_values (*law)(vm_real t, vm_real x, vm_real v, void *ctx); /* function given to vm_effect_mass_law */
     vm_moving_point point;                                          /* NULL, or the function for vm_effect_link */
     const vm_stream *stream;                                        /* stream of vm_effect_stream_mass, _force, ... */
     void (*vary)(vm_real t, const vm_real *y, vm_stream *stream, void *ctx); /* function given to vm_effect_varying */
-    int (*check)(const vm_effect *effect); /* NULL, or a check of the parameters, which returns a status */
+    int (*check)(const vm_effect *effect); /* NULL, or a function that checks the parameters and returns a status */
     void *ctx;                             /* pointer that the caller's function receives */
-    unsigned motions;                      /* bit (1 << motion) for each motion that `body` may have */
-    unsigned other_motions;                /* bit (1 << motion) for each motion that `other` may have */
+    unsigned motions;                      /* bit (1 << motion) for each kind of motion that `body` may have */
+    unsigned other_motions;                /* bit (1 << motion) for each kind of motion that `other` may have */
     int needs;                             /* what kind of mass the effect needs: VMI_NEEDS_... */
-    int order;                             /* where it stands among the effects on its body: VMI_ORDER_... */
+    int order;                             /* VMI_ORDER_...: its place among the effects on its body */
     int off;          /* 1: the effect is switched off at the start; the caller may set this field before the start */
     int not_on_angle; /* 1: the effect cannot act on the angle of a body in the plane */
-    /* NULL, or a check that needs the scene. It is called after the bodies of the effect have been checked, and before
-       the parameters p are checked. It returns a status. */
+    /* NULL, or a function that checks the effect and needs the scene for this. It is called after the bodies of the
+       effect have been checked, and before the parameters p are checked. It returns a status. */
     int (*check_in_scene)(const vm_scene *scene, const vm_effect *effect);
     int (*settle)(const vm_effect *effect, vm_real *y, vm_scene *scene); /* NULL, or gives impulses after a jump */
-    const void *parts; /* the caller's vm_point_spring, vm_contact or vm_joints, which the effect uses */
+    const void *parts; /* the vm_point_spring, vm_contact or vm_joints with which the caller made the effect */
 };
 
 /* Which part of the action of an event is left to do after a mass law has failed: nothing, the whole action, or only
@@ -20675,12 +20675,12 @@ enum { VMI_JUMP_NONE = 0, VMI_JUMP_SEPARATES, VMI_JUMP_ATTACHES };
 /* An event. A constructor such as vm_event_at says when it happens, and a function such as vm_then_stop says what it
    does. */
 struct VM_TAG(vm_event) {
-    vm_real (*when)(const vm_event *event, vm_real t, const vm_real *y); /* NULL, or it is 0 at the event */
+    vm_real (*when)(const vm_event *event, vm_real t, const vm_real *y); /* NULL, or is 0 at the event */
     /* NULL if the event is only counted, or the function that the event calls. It returns a status; VM_STOPPED ends the
        run. */
     int (*then)(vm_event *event, vm_real t, vm_real *y);
-    vm_real time;  /* s: the set time if `when` is NULL; else the time of the last event, at first that of the start */
-    int direction; /* > 0: only zeros at which `when` rises count; < 0: only those at which it falls; 0: all zeros */
+    vm_real time;  /* s: the set time of the event; if `when` is not NULL, when the event last happened or the start */
+    int direction; /* > 0: the event happens if `when` rises through 0; < 0: if it falls through 0; 0: in both cases */
     /* Each is NULL, or a function that returns a status. check_when checks the condition for the event, `check` checks
        its action. */
     int (*check_when)(const vm_scene *scene, const vm_event *event);
@@ -20690,28 +20690,28 @@ struct VM_TAG(vm_event) {
     vm_real value;
     /* fields for an event that switches effects */
     int effect;    /* index of the first effect */
-    int n_effects; /* number of effects, which follow each other in the list; the first one counts, too */
+    int n_effects; /* number of effects that are switched; they follow each other in the list */
     int off;       /* 1: the effects are switched off; 0: on */
-    /* fields for a jump; the function `jump` computes the motion after it, for a line or axle, for the plane, or for
-       any kind of motion */
+    /* fields for a jump; the function `jump` computes the motion after the jump, for a line or axle, for the plane, or
+       for any kind of motion */
     int (*jump)(const vm_event *event, const vm_body *body, vm_body *other, vm_body *result);
     unsigned motions;    /* bit (1 << motion) for each kind of motion that a body may have for this jump */
     int jump_kind;       /* VMI_JUMP_NONE, VMI_JUMP_SEPARATES or VMI_JUMP_ATTACHES */
     int jump_body;       /* index of the body that loses or gains mass */
     int other;           /* index of the body that separates from jump_body, or is attached to it */
     vm_body part;        /* the part that separates */
-    int relative;        /* 1: the motion of `part` is relative to the body, in body axes */
-    vm_impulse external; /* impulse from outside during the jump; the caller may set it */
+    int relative;        /* 1: the motion of `part` is given relative to the body, in body axes */
+    vm_impulse external; /* impulse from outside during the jump; the caller may set this field */
     /* fields for vm_event_user and vm_then_user */
     vm_real (*user_when)(vm_real t, const vm_real *y, void *ctx);
     int (*user_then)(vm_real t, vm_real *y, void *ctx);
     void *ctx;      /* pointer that user_when receives */
     void *then_ctx; /* pointer that user_then receives */
     /* fields for the caller */
-    long most;  /* how often the event happens at most; 0 means no limit. The caller may set it */
+    long most;  /* largest number of times that the event happens; 0: no limit. The caller may set this field */
     long count; /* how often the event has happened */
     /* fields set by vm_scene_start and kept up to date by a run */
-    long seen;       /* how many of the crossings that the integrator has found are already handled */
+    long seen;       /* number of crossings that the integrator has found and the run has already handled */
     vm_scene *scene; /* the scene to which the event belongs */
     int status;      /* VM_OK, or the reason why a constructor could not make the event */
     const void *parts; /* the caller's vm_contact, which the event uses */
@@ -20720,7 +20720,7 @@ struct VM_TAG(vm_event) {
     /* fields for an action that a failing mass law has interrupted; the next run does the rest of the action */
     int left;        /* VMI_LEFT_...: how much of the action is left */
     int next_action; /* index of the interrupted action in the list of actions */
-    int so_far;      /* status that the actions before the interrupted one gave */
+    int so_far;      /* status of the actions before the interrupted action */
     vm_real energy;  /* J: kinetic energy of all bodies before a jump */
 };
 
@@ -20741,10 +20741,16 @@ struct VM_TAG(vm_budget) {
     vm_vec3 angular_momentum; /* N m s, about the origin: angular momentum of all bodies that are present */
     vm_real energy;           /* J: kinetic energy of all bodies that are present */
     vm_real jump_energy;      /* J: kinetic energy that jumps have added */
-    vm_vec3 momentum_defect;  /* N s: momentum - momentum at the start - impulse - brought */
-    vm_vec3 angular_defect;   /* N m s: angular_momentum - its value at the start - angular_impulse - brought_angular */
-    vm_real energy_defect;    /* J: energy - energy at the start - work - brought_energy + mixing - jump_energy */
-    /* internal functions; they are pointers, so that a program without a budget does not link them */
+    /* Defects: the part of the change since the start that the supply does not explain. The index 0 marks values at the
+       start.
+         momentum_defect  momentum - momentum_0 - impulse - brought, in N s
+         angular_defect   angular_momentum - angular_momentum_0 - angular_impulse - brought_angular, in N m s
+         energy_defect    energy - energy_0 - work - brought_energy + mixing - jump_energy, in J */
+    vm_vec3 momentum_defect;
+    vm_vec3 angular_defect;
+    vm_real energy_defect;
+    /* functions for internal use; they are pointers, so that a program without a budget does not link these
+       functions */
     void (*open)(vm_scene *scene, const vm_real *y, vm_real *sums);
     void (*rates)(vm_scene *scene, const vm_real *y, vm_real *rates);
     void (*totals)(const vm_scene *scene, const vm_real *y, vm_budget *budget);
@@ -20771,7 +20777,7 @@ struct VM_TAG(vm_scene) {
     int y_size;       /* number of elements of y, which vm_scene_start and vm_scene_run check; 0 means no check */
     int work_size;    /* number of elements of work, which vm_scene_run checks; 0 means no check */
     /* fields set by vm_scene_start and by a run, for the caller to read */
-    int status;     /* VM_OK, or why the right-hand side cannot accelerate a body or apply an effect */
+    int status;     /* VM_OK, or the reason why a body cannot be accelerated or an effect cannot act */
     int ode_status; /* status of the integrator: ODE_OK or another status of ode.h */
     int size;       /* number of elements of the state; 0 before the start */
 };
@@ -20783,7 +20789,7 @@ enum {
     VMI_ALL_MOTIONS = VMI_SINGLE | VMI_FLAT | 1 << VM_FREE
 };
 
-/* The index of the mass among the numbers of a body, if the mass is a state */
+/* The index of the mass among the numbers of a body, if the mass is a number of the state */
 VM_INLINE int vmi_scene_mass_at(const vm_scene_body *b) { return b->positions + b->coordinates; }
 
 /* The number of elements of the state that belong to the body */
@@ -21127,7 +21133,8 @@ VM_API vm_scene_body vm_scene_body_absent(vm_scene_body body)
     return body;
 }
 
-/* The number of coordinates on which the mass, or on an axle the moment of inertia, resists acceleration */
+/* The number of coordinates of the mass centre: along these the mass resists acceleration. For an axle it is 1: the
+   moment of inertia resists the acceleration of the angle. */
 VM_INLINE int vmi_scene_directions(int motion)
 {
     if (motion <= VM_AXLE) return 1;
@@ -21198,7 +21205,7 @@ VM_API void vmi_scene_add(const vm_scene_body *b, vm_real *a, vm_vec3 moving, vm
 #ifndef VARMASS_SCENES_GROWING_H
 #define VARMASS_SCENES_GROWING_H
 
-/* The index of the coordinates of the mass centre in the state of a growing body; they follow the mass */
+/* The index of the coordinates of the mass centre in the state of a growing body; these coordinates follow the mass */
 VM_INLINE int vmi_growth_centre_at(const vm_scene_body *b) { return vmi_scene_mass_at(b) + 1; }
 
 /* The index of the inertia in the state of a growing body; the inertia follows the 2 or 3 coordinates of the mass
@@ -21288,7 +21295,8 @@ VM_API void vmi_free_growing_begin(vm_scene_body *b, const vm_real *state)
 VM_API int vmi_free_growing_accelerate(const vm_scene_body *b, const vm_real *state, vm_real *rates)
 {
     const vm_load *load = &b->load;
-    vmi_inertia_ldl factors; /* only for this test; vmi_free_accelerate solves Euler's equations by itself */
+    /* the factors are used only for this check: vmi_free_accelerate solves Euler's equations without them */
+    vmi_inertia_ldl factors;
     if (!vmi_inertia_factor_if_possible(&b->inertia, &factors)) return VM_BAD_INERTIA;
     vmi_growth_put_centre(b, load->centre_rate, rates);
     vmi_set_inertia(rates + vmi_growth_inertia_at(b), &load->inertia_rate);
@@ -21965,9 +21973,9 @@ VM_API vm_effect vm_effect_mass_law(int body, vm_mass_law_values (*law)(vm_real 
 /* The argument `kind` of vm_effect_mass says on what the mass depends. M0 is the mass with which the body was made, c
    a constant. */
 enum {
-    VM_MASS_OF_T, /* M0 + c t at the time t, c in kg/s */
-    VM_MASS_OF_X, /* M0 + c x at the position x, c in kg/m */
-    VM_MASS_OF_V2 /* M0 + c v^2 at the velocity v, c in kg s^2/m^2 */
+    VM_MASS_OF_T, /* the mass is M0 + c t at the time t, with c in kg/s */
+    VM_MASS_OF_X, /* the mass is M0 + c x at the position x, with c in kg/m */
+    VM_MASS_OF_V2 /* the mass is M0 + c v^2 at the velocity v, with c in kg s^2/m^2 */
 };
 
 VM_API void vmi_apply_mass(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
@@ -22301,8 +22309,8 @@ typedef struct VM_TAG(vm_band) {
     vm_real thickness; /* m: thickness h, >= 0 */
     vm_real width;     /* m: width b, >= 0 */
     vm_real density;   /* kg/m^3: density rho, >= 0 */
-    vm_real speed;     /* m/s: velocity of the band, absolute or relative to the drum */
-    vm_real reactive;     /* 1: speed is absolute; 0: speed is relative to the drum */
+    vm_real speed;     /* m/s: velocity of the band; the field `reactive` says whether it is absolute */
+    vm_real reactive;     /* 1: the field `speed` is absolute; 0: it is relative to the drum */
     int by_layer;      /* 1: the band lies in layers; 0: it lies along a spiral */
 } vm_band;
 
@@ -22310,8 +22318,8 @@ typedef struct VM_TAG(vm_band) {
 typedef struct VM_TAG(vm_band_now) {
     vm_real radius;  /* m: radius at which the band comes onto the drum or leaves it */
     vm_real rate;    /* kg/rad: mass mu of the band per radian at this radius (181) */
-    vm_real mass;    /* kg: mass of the part that is wound up */
-    vm_real inertia; /* kg m^2: moment of inertia of the part that is wound up */
+    vm_real mass;    /* kg: mass of the part of the band that is on the drum */
+    vm_real inertia; /* kg m^2: moment of inertia of the part of the band that is on the drum */
 } vm_band_now;
 
 /* The part of a band in layers that is on the drum at the angle phi. The argument `line` is density times width times
@@ -22367,7 +22375,8 @@ VM_API vm_band_now vm_band_at(vm_real phi, const vm_band *band)
     return now;
 }
 
-/* Indices of the parameters p of vm_effect_band; the field `variant` of the effect is by_layer */
+/* Indices of the parameters p of vm_effect_band; the field `variant` of the effect is the field by_layer of the
+   band */
 enum {
     VMI_BAND_RADIUS,
     VMI_BAND_THICKNESS,
@@ -22451,10 +22460,11 @@ VM_API vm_effect vm_effect_band(int body, const vm_band *band)
 typedef struct VM_TAG(vmi_link_end) {
     vm_real r[3], v[3];
     vm_real a[3];        /* acceleration without the link, m/s^2 */
-    vm_real mobility[3]; /* acceleration per force along each coordinate: 1/mass, or 0 where the end cannot move */
+    vm_real mobility[3]; /* acceleration by a force of 1 N along each coordinate: 1/mass, or 0 if the end cannot move */
 } vmi_link_end;
 
-/* Writes an end that is a body. The numbers of *end for further directions stay 0. */
+/* Writes to *end an end of a link that is a body. Numbers of *end for directions in which the body cannot move stay
+   0. */
 VM_API void vmi_link_to_body(const vm_scene *s, int body, const vm_real *y, vmi_link_end *end)
 {
     const vm_scene_body *b = s->bodies + body;
@@ -22470,7 +22480,8 @@ VM_API void vmi_link_to_body(const vm_scene *s, int body, const vm_real *y, vmi_
     }
 }
 
-/* Writes an end that is a point with a given motion, which no force accelerates: its mobility stays 0 */
+/* Writes to *end an end of a link that is a point with a given motion. No force accelerates this point: its mobility
+   stays 0. */
 VM_API void vmi_link_to_point(const vm_effect *e, vm_real t, vmi_link_end *end)
 {
     vm_vec3 r = {0, 0, 0}, v = {0, 0, 0}, a = {0, 0, 0};
@@ -22480,7 +22491,8 @@ VM_API void vmi_link_to_point(const vm_effect *e, vm_real t, vmi_link_end *end)
     vmi_set3(end->a, a);
 }
 
-enum { VMI_LINK_LENGTH, VMI_LINK_RATE }; /* indices of the parameters in p; the variant is 1 for a cord */
+/* indices of the parameters of a link in p; the field `variant` of a link is 1 for a cord */
+enum { VMI_LINK_LENGTH, VMI_LINK_RATE };
 
 /* Computes the factor lambda of the force lambda d that the link exerts on its end `here`; the vector d leads from the
    end `there` to the end `here`. lambda follows from the condition that the deviation C = (d^2 - l^2)/2, where l is
@@ -22496,7 +22508,7 @@ VM_API int vmi_link_lambda(const vm_effect *e, const vmi_link_end *here, const v
        slack. */
     const vm_real loose = VM_C(1e-6) + 512 * VM_EPSILON;
     const vm_real length = e->p[VMI_LINK_LENGTH], rate = e->p[VMI_LINK_RATE];
-    vm_real dd = 0, dv = 0, vv = 0, da = 0, mobility = 0, C; /* scalar products of d, v, a; sum of mobility d^2 */
+    vm_real dd = 0, dv = 0, vv = 0, da = 0, mobility = 0, C; /* scalar products; sum of mobility d^2 */
     int i;
     for (i = 0; i < 3; i++) {
         const vm_real v = here->v[i] - there->v[i], d = here->r[i] - there->r[i];
@@ -22761,7 +22773,7 @@ VM_INLINE int vmi_scene_accelerate(const vm_scene_body *b, const vm_real *y, vm_
     return b->accelerate(b, y + b->at, dydt + b->at);
 }
 
-/* Sets n derivatives to one value. The derivatives of a body that is not present are 0. */
+/* Sets n derivatives to the same value: to 0 for a body that is not present, to NaN after an error */
 VMI_APART void vmi_scene_fill(int n, vm_real value, vm_real *dydt)
 {
     int k;
@@ -22807,10 +22819,11 @@ VM_API int vm_scene_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 #ifndef VARMASS_SCENES_CHECK_H
 #define VARMASS_SCENES_CHECK_H
 
-/* The part of a scene in which a fault is */
+/* Says which part of a scene is wrong */
 typedef struct VM_TAG(vm_scene_fault) {
-    const char *kind; /* "body", "effect" or "event"; "scene" if an array of the scene or nothing at all is wrong */
-    int index;        /* index of the body, effect or event; -1 for the scene itself */
+    /* what is wrong: "body", "effect" or "event"; "scene" if an array of the scene is wrong or if nothing is wrong */
+    const char *kind;
+    int index;        /* index of the wrong body, effect or event; -1 for the scene itself */
 } vm_scene_fault;
 
 VM_API int vmi_scene_check_body(const vm_scene_body *b)
@@ -23003,9 +23016,9 @@ VM_API int vm_scene_check(const vm_scene *scene, vm_scene_fault *fault_or_NULL)
 #ifndef VARMASS_SCENES_POINTS_H
 #define VARMASS_SCENES_POINTS_H
 
-/* A point of a body or of the ground, and how the body moves */
+/* Position and velocity of a point of a body or of the ground, and the rotation of the body */
 typedef struct VM_TAG(vmi_body_point) {
-    vm_vec3 arm;   /* m, inertial axes: from the mass centre (on an axle from the axle) to the point */
+    vm_vec3 arm;   /* m, inertial axes: vector from the mass centre (on an axle from the axle) to the point */
     vm_vec3 r;     /* m: position of the point */
     vm_vec3 v;     /* m/s: velocity of the point */
     vm_vec3 omega; /* rad/s, inertial axes: angular velocity of the body */
@@ -23199,10 +23212,10 @@ VM_API void vm_scene_push_at(vm_scene *scene, int body, vm_vec3 at, const vm_rea
 /* A spring and a damper between two points */
 typedef struct VM_TAG(vm_point_spring) {
     vm_vec3 at;        /* m, body axes: the point of the body */
-    vm_vec3 other_at;  /* m: the point of the other body, in its axes, or of the ground */
+    vm_vec3 other_at;  /* m: the point of the other body, in the axes of this body, or the point of the ground */
     vm_real stiffness; /* N/m: stiffness k, of either sign */
-    vm_real damping;   /* N s/m: damping; > 0 takes energy out */
-    vm_real rest;      /* m: length of the spring without force, >= 0 */
+    vm_real damping;   /* N s/m: damping; a damping > 0 takes energy out */
+    vm_real rest;      /* m: length of the spring if no force acts on it, >= 0 */
 } vm_point_spring;
 
 /* Computes the force on the first point; d and v are its position and velocity relative to the second point. If the
@@ -23308,7 +23321,7 @@ typedef struct VM_TAG(vmi_joint_row) {
     vm_vec3 turn[2];          /* m: torque per N */
     vm_vec3 move[2];          /* 1/kg */
     vm_vec3 spin[2];          /* 1/(kg m) */
-    vm_real gap;              /* m: C, the deviation from the condition of the joint */
+    vm_real gap;              /* m: the deviation C from the condition of the joint */
     vm_real gap_rate;         /* m/s: C' */
     vm_real gap_acceleration; /* m/s^2: C'' without the joints */
 } vmi_joint_row;
@@ -23326,20 +23339,20 @@ struct VM_TAG(vm_joint) {
     /* fields set by the constructor */
     void (*equations)(vm_joint *joint, const vm_scene *scene, const vmi_joint_end *ends); /* writes the equations */
     int body, other;      /* indices of the bodies; `other` may be VM_GROUND */
-    vm_vec3 at, other_at; /* m: the points of the bodies, in their axes */
+    vm_vec3 at, other_at; /* m: the points of `body` and `other`, in the axes of these bodies */
     vm_real length;       /* m: length of a rod */
-    /* fields for the caller to read, set by each evaluation; all 0 while a body is not present */
+    /* fields that the caller may read; each evaluation sets them, to 0 while a body of the joint is not present */
     vm_vec3 force; /* N, inertial axes: reaction on `body`; the reaction on `other` is opposite */
     /* fields of the last evaluation */
     int n_rows; /* number of equations */
     vmi_joint_row row[VMI_JOINT_ROWS];
 };
 
-/* The joints of a scene, all in one list */
+/* The list of all joints of a scene */
 typedef struct VM_TAG(vm_joints) {
     vm_joint *joints; /* array of n_joints joints */
     int n_joints;
-    vm_real rate;  /* 1/s: deviations decrease as exp(-rate t); > 0 */
+    vm_real rate;  /* 1/s: deviations of the joints from their conditions decrease as exp(-rate t); > 0 */
     vm_real *work; /* array of VM_JOINTS_WORK(n_joints) numbers */
     int work_size; /* number of elements of work, which vm_scene_start checks; 0 means no check */
 } vm_joints;
@@ -23451,8 +23464,8 @@ VM_API vm_joint vm_joint_rod(int body, vm_vec3 at, int other, vm_vec3 other_at, 
 
 /* -- The solution -- */
 
-/* The acceleration C'' in the equation `row` of the joint i that a force of 1 N of the equation `by` of the joint j
-   causes */
+/* Returns the acceleration C'' in the equation `row` of the joint i that is caused by a force of 1 N of the equation
+   `by` of the joint j */
 VM_API vm_real vmi_joint_coupling(const vm_joint *i, const vmi_joint_row *row, const vm_joint *j,
                                   const vmi_joint_row *by)
 {
@@ -23673,7 +23686,8 @@ VM_API int vmi_joints_settle(const vm_effect *e, vm_real *y, vm_scene *s)
 VM_API void vmi_joint_end_at_start(const vm_scene *s, int body, vm_vec3 at, vmi_joint_end *end, vm_real *size,
                                    vm_real *speed)
 {
-    enum { MOST = 13 + 1 + 3 + 6 }; /* the numbers of a free body, its mass, its mass centre and its inertia */
+    /* number of state variables of a free growing body: its motion, mass, mass centre and inertia */
+    enum { MOST = 13 + 1 + 3 + 6 };
     vm_real state[MOST] = {0};
     vmi_body_point *p = &end->point;
     end->a = vmi_vec3(0, 0, 0);
@@ -24173,7 +24187,7 @@ VM_API vm_real vmi_when_velocity(const vm_event *e, vm_real t, const vm_real *y)
     return y[b->at + b->positions + e->coordinate] - e->value;
 }
 
-/* An event when a velocity crosses a value. The velocity is that of a coordinate of a body, and value is in m/s or
+/* An event when a velocity crosses a value. The velocity is the rate of a coordinate of a body, and value is in m/s or
    rad/s. */
 VM_API vm_event vm_event_velocity(int body, int coordinate, vm_real value, int direction)
 {
@@ -24724,7 +24738,7 @@ typedef struct VM_TAG(vm_contact) {
     vm_vec3 at;        /* m, body axes: the point of the body */
     vm_real radius;    /* m: radius of a ball about the point, >= 0 */
     vm_vec3 on;        /* m: a point of the ground */
-    vm_vec3 normal;    /* direction out of the ground, of any length > 0 */
+    vm_vec3 normal;    /* vector that points out of the ground; its length may be any number > 0 */
     vm_real stiffness; /* N/m, >= 0 */
     vm_real damping;   /* N s/m, >= 0 */
 } vm_contact;
@@ -24877,13 +24891,13 @@ typedef struct VM_TAG(vmi_scene_pace) {
     long happened; /* number of events at this instant */
     vm_real gap;   /* s: shortest time between a crossing at this instant and the crossing before it of the same event;
                       VM_MAX if no event has crossed before */
-    int crowded;   /* number of successive instants whose gap the digits of the time t can no longer resolve */
+    int crowded;   /* number of successive instants at which `gap` was too short for the digits of the time t */
 } vmi_scene_pace;
 
 enum {
-    VMI_SCENE_MOST_EVENTS = 10000, /* largest number of events at one instant; more are taken for an endless chain */
-    VMI_SCENE_MOST_CROWDED = 3,    /* largest number of successive instants with a gap that t's digits cannot resolve */
-    VMI_SCENE_STEPS_IN_GAP = 32    /* number of steps in a short gap between events, so that none is missed */
+    VMI_SCENE_MOST_EVENTS = 10000, /* largest number of events at one instant; more events are an endless chain */
+    VMI_SCENE_MOST_CROWDED = 3,    /* largest value of `crowded` with which a run continues */
+    VMI_SCENE_STEPS_IN_GAP = 32    /* number of steps in a short time between events, so that no event is missed */
 };
 
 VM_API vm_real vmi_scene_larger(vm_real a, vm_real b) { return a > b ? a : b; }
@@ -24938,7 +24952,7 @@ VM_API int vmi_scene_fire_events(vm_scene *s, vm_real t, vm_real *y, vmi_scene_p
    made so short that the next event is found. */
 VM_API int vmi_scene_run_events(vm_scene *s, rk45 *r, vm_real span, vmi_scene_pace *pace)
 {
-    const vm_real resolved = 256 * VM_EPSILON * span; /* a shorter gap between events has fewer than two digits */
+    const vm_real resolved = 256 * VM_EPSILON * span; /* s: a shorter gap has fewer than two right digits */
     const vm_real steps = (vm_real)VMI_SCENE_STEPS_IN_GAP;
     int status = VM_OK;
     pace->happened = 0;

@@ -30,8 +30,8 @@ typedef struct VM_TAG(vm_band) {
     vm_real thickness; /* m: thickness h, >= 0 */
     vm_real width;     /* m: width b, >= 0 */
     vm_real density;   /* kg/m^3: density rho, >= 0 */
-    vm_real speed;     /* m/s: velocity of the band, absolute or relative to the drum */
-    vm_real reactive;     /* 1: speed is absolute; 0: speed is relative to the drum */
+    vm_real speed;     /* m/s: velocity of the band; the field `reactive` says whether it is absolute */
+    vm_real reactive;     /* 1: the field `speed` is absolute; 0: it is relative to the drum */
     int by_layer;      /* 1: the band lies in layers; 0: it lies along a spiral */
 } vm_band;
 
@@ -39,8 +39,8 @@ typedef struct VM_TAG(vm_band) {
 typedef struct VM_TAG(vm_band_now) {
     vm_real radius;  /* m: radius at which the band comes onto the drum or leaves it */
     vm_real rate;    /* kg/rad: mass mu of the band per radian at this radius (181) */
-    vm_real mass;    /* kg: mass of the part that is wound up */
-    vm_real inertia; /* kg m^2: moment of inertia of the part that is wound up */
+    vm_real mass;    /* kg: mass of the part of the band that is on the drum */
+    vm_real inertia; /* kg m^2: moment of inertia of the part of the band that is on the drum */
 } vm_band_now;
 
 /* The part of a band in layers that is on the drum at the angle phi. The argument `line` is density times width times
@@ -96,7 +96,8 @@ VM_API vm_band_now vm_band_at(vm_real phi, const vm_band *band)
     return now;
 }
 
-/* Indices of the parameters p of vm_effect_band; the field `variant` of the effect is by_layer */
+/* Indices of the parameters p of vm_effect_band; the field `variant` of the effect is the field by_layer of the
+   band */
 enum {
     VMI_BAND_RADIUS,
     VMI_BAND_THICKNESS,

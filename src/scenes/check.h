@@ -17,10 +17,11 @@
 #include "../mechanics/vectors.h"
 #include "scene.h"
 
-/* The part of a scene in which a fault is */
+/* Says which part of a scene is wrong */
 typedef struct VM_TAG(vm_scene_fault) {
-    const char *kind; /* "body", "effect" or "event"; "scene" if an array of the scene or nothing at all is wrong */
-    int index;        /* index of the body, effect or event; -1 for the scene itself */
+    /* what is wrong: "body", "effect" or "event"; "scene" if an array of the scene is wrong or if nothing is wrong */
+    const char *kind;
+    int index;        /* index of the wrong body, effect or event; -1 for the scene itself */
 } vm_scene_fault;
 
 VM_API int vmi_scene_check_body(const vm_scene_body *b)

@@ -31,7 +31,7 @@ typedef struct VM_TAG(vm_contact) {
     vm_vec3 at;        /* m, body axes: the point of the body */
     vm_real radius;    /* m: radius of a ball about the point, >= 0 */
     vm_vec3 on;        /* m: a point of the ground */
-    vm_vec3 normal;    /* direction out of the ground, of any length > 0 */
+    vm_vec3 normal;    /* vector that points out of the ground; its length may be any number > 0 */
     vm_real stiffness; /* N/m, >= 0 */
     vm_real damping;   /* N s/m, >= 0 */
 } vm_contact;

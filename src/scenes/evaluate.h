@@ -90,7 +90,7 @@ VM_INLINE int vmi_scene_accelerate(const vm_scene_body *b, const vm_real *y, vm_
     return b->accelerate(b, y + b->at, dydt + b->at);
 }
 
-/* Sets n derivatives to one value. The derivatives of a body that is not present are 0. */
+/* Sets n derivatives to the same value: to 0 for a body that is not present, to NaN after an error */
 VMI_APART void vmi_scene_fill(int n, vm_real value, vm_real *dydt)
 {
     int k;

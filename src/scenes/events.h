@@ -93,7 +93,7 @@ VM_API vm_real vmi_when_velocity(const vm_event *e, vm_real t, const vm_real *y)
     return y[b->at + b->positions + e->coordinate] - e->value;
 }
 
-/* An event when a velocity crosses a value. The velocity is that of a coordinate of a body, and value is in m/s or
+/* An event when a velocity crosses a value. The velocity is the rate of a coordinate of a body, and value is in m/s or
    rad/s. */
 VM_API vm_event vm_event_velocity(int body, int coordinate, vm_real value, int direction)
 {

@@ -23,7 +23,7 @@
 #include "motions.h"
 #include "scene.h"
 
-/* The index of the coordinates of the mass centre in the state of a growing body; they follow the mass */
+/* The index of the coordinates of the mass centre in the state of a growing body; these coordinates follow the mass */
 VM_INLINE int vmi_growth_centre_at(const vm_scene_body *b) { return vmi_scene_mass_at(b) + 1; }
 
 /* The index of the inertia in the state of a growing body; the inertia follows the 2 or 3 coordinates of the mass
@@ -113,7 +113,8 @@ VM_API void vmi_free_growing_begin(vm_scene_body *b, const vm_real *state)
 VM_API int vmi_free_growing_accelerate(const vm_scene_body *b, const vm_real *state, vm_real *rates)
 {
     const vm_load *load = &b->load;
-    vmi_inertia_ldl factors; /* only for this test; vmi_free_accelerate solves Euler's equations by itself */
+    /* the factors are used only for this check: vmi_free_accelerate solves Euler's equations without them */
+    vmi_inertia_ldl factors;
     if (!vmi_inertia_factor_if_possible(&b->inertia, &factors)) return VM_BAD_INERTIA;
     vmi_growth_put_centre(b, load->centre_rate, rates);
     vmi_set_inertia(rates + vmi_growth_inertia_at(b), &load->inertia_rate);

@@ -55,7 +55,7 @@ typedef struct VM_TAG(vmi_joint_row) {
     vm_vec3 turn[2];          /* m: torque per N */
     vm_vec3 move[2];          /* 1/kg */
     vm_vec3 spin[2];          /* 1/(kg m) */
-    vm_real gap;              /* m: C, the deviation from the condition of the joint */
+    vm_real gap;              /* m: the deviation C from the condition of the joint */
     vm_real gap_rate;         /* m/s: C' */
     vm_real gap_acceleration; /* m/s^2: C'' without the joints */
 } vmi_joint_row;
@@ -73,20 +73,20 @@ struct VM_TAG(vm_joint) {
     /* fields set by the constructor */
     void (*equations)(vm_joint *joint, const vm_scene *scene, const vmi_joint_end *ends); /* writes the equations */
     int body, other;      /* indices of the bodies; `other` may be VM_GROUND */
-    vm_vec3 at, other_at; /* m: the points of the bodies, in their axes */
+    vm_vec3 at, other_at; /* m: the points of `body` and `other`, in the axes of these bodies */
     vm_real length;       /* m: length of a rod */
-    /* fields for the caller to read, set by each evaluation; all 0 while a body is not present */
+    /* fields that the caller may read; each evaluation sets them, to 0 while a body of the joint is not present */
     vm_vec3 force; /* N, inertial axes: reaction on `body`; the reaction on `other` is opposite */
     /* fields of the last evaluation */
     int n_rows; /* number of equations */
     vmi_joint_row row[VMI_JOINT_ROWS];
 };
 
-/* The joints of a scene, all in one list */
+/* The list of all joints of a scene */
 typedef struct VM_TAG(vm_joints) {
     vm_joint *joints; /* array of n_joints joints */
     int n_joints;
-    vm_real rate;  /* 1/s: deviations decrease as exp(-rate t); > 0 */
+    vm_real rate;  /* 1/s: deviations of the joints from their conditions decrease as exp(-rate t); > 0 */
     vm_real *work; /* array of VM_JOINTS_WORK(n_joints) numbers */
     int work_size; /* number of elements of work, which vm_scene_start checks; 0 means no check */
 } vm_joints;
@@ -198,8 +198,8 @@ VM_API vm_joint vm_joint_rod(int body, vm_vec3 at, int other, vm_vec3 other_at, 
 
 /* -- The solution -- */
 
-/* The acceleration C'' in the equation `row` of the joint i that a force of 1 N of the equation `by` of the joint j
-   causes */
+/* Returns the acceleration C'' in the equation `row` of the joint i that is caused by a force of 1 N of the equation
+   `by` of the joint j */
 VM_API vm_real vmi_joint_coupling(const vm_joint *i, const vmi_joint_row *row, const vm_joint *j,
                                   const vmi_joint_row *by)
 {
@@ -420,7 +420,8 @@ VM_API int vmi_joints_settle(const vm_effect *e, vm_real *y, vm_scene *s)
 VM_API void vmi_joint_end_at_start(const vm_scene *s, int body, vm_vec3 at, vmi_joint_end *end, vm_real *size,
                                    vm_real *speed)
 {
-    enum { MOST = 13 + 1 + 3 + 6 }; /* the numbers of a free body, its mass, its mass centre and its inertia */
+    /* number of state variables of a free growing body: its motion, mass, mass centre and inertia */
+    enum { MOST = 13 + 1 + 3 + 6 };
     vm_real state[MOST] = {0};
     vmi_body_point *p = &end->point;
     end->a = vmi_vec3(0, 0, 0);

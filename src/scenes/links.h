@@ -25,10 +25,11 @@
 typedef struct VM_TAG(vmi_link_end) {
     vm_real r[3], v[3];
     vm_real a[3];        /* acceleration without the link, m/s^2 */
-    vm_real mobility[3]; /* acceleration per force along each coordinate: 1/mass, or 0 where the end cannot move */
+    vm_real mobility[3]; /* acceleration by a force of 1 N along each coordinate: 1/mass, or 0 if the end cannot move */
 } vmi_link_end;
 
-/* Writes an end that is a body. The numbers of *end for further directions stay 0. */
+/* Writes to *end an end of a link that is a body. Numbers of *end for directions in which the body cannot move stay
+   0. */
 VM_API void vmi_link_to_body(const vm_scene *s, int body, const vm_real *y, vmi_link_end *end)
 {
     const vm_scene_body *b = s->bodies + body;
@@ -44,7 +45,8 @@ VM_API void vmi_link_to_body(const vm_scene *s, int body, const vm_real *y, vmi_
     }
 }
 
-/* Writes an end that is a point with a given motion, which no force accelerates: its mobility stays 0 */
+/* Writes to *end an end of a link that is a point with a given motion. No force accelerates this point: its mobility
+   stays 0. */
 VM_API void vmi_link_to_point(const vm_effect *e, vm_real t, vmi_link_end *end)
 {
     vm_vec3 r = {0, 0, 0}, v = {0, 0, 0}, a = {0, 0, 0};
@@ -54,7 +56,8 @@ VM_API void vmi_link_to_point(const vm_effect *e, vm_real t, vmi_link_end *end)
     vmi_set3(end->a, a);
 }
 
-enum { VMI_LINK_LENGTH, VMI_LINK_RATE }; /* indices of the parameters in p; the variant is 1 for a cord */
+/* indices of the parameters of a link in p; the field `variant` of a link is 1 for a cord */
+enum { VMI_LINK_LENGTH, VMI_LINK_RATE };
 
 /* Computes the factor lambda of the force lambda d that the link exerts on its end `here`; the vector d leads from the
    end `there` to the end `here`. lambda follows from the condition that the deviation C = (d^2 - l^2)/2, where l is
@@ -70,7 +73,7 @@ VM_API int vmi_link_lambda(const vm_effect *e, const vmi_link_end *here, const v
        slack. */
     const vm_real loose = VM_C(1e-6) + 512 * VM_EPSILON;
     const vm_real length = e->p[VMI_LINK_LENGTH], rate = e->p[VMI_LINK_RATE];
-    vm_real dd = 0, dv = 0, vv = 0, da = 0, mobility = 0, C; /* scalar products of d, v, a; sum of mobility d^2 */
+    vm_real dd = 0, dv = 0, vv = 0, da = 0, mobility = 0, C; /* scalar products; sum of mobility d^2 */
     int i;
     for (i = 0; i < 3; i++) {
         const vm_real v = here->v[i] - there->v[i], d = here->r[i] - there->r[i];

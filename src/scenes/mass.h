@@ -95,9 +95,9 @@ VM_API vm_effect vm_effect_mass_law(int body, vm_mass_law_values (*law)(vm_real 
 /* The argument `kind` of vm_effect_mass says on what the mass depends. M0 is the mass with which the body was made, c
    a constant. */
 enum {
-    VM_MASS_OF_T, /* M0 + c t at the time t, c in kg/s */
-    VM_MASS_OF_X, /* M0 + c x at the position x, c in kg/m */
-    VM_MASS_OF_V2 /* M0 + c v^2 at the velocity v, c in kg s^2/m^2 */
+    VM_MASS_OF_T, /* the mass is M0 + c t at the time t, with c in kg/s */
+    VM_MASS_OF_X, /* the mass is M0 + c x at the position x, with c in kg/m */
+    VM_MASS_OF_V2 /* the mass is M0 + c v^2 at the velocity v, with c in kg s^2/m^2 */
 };
 
 VM_API void vmi_apply_mass(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)

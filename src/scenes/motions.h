@@ -318,7 +318,8 @@ VM_API vm_scene_body vm_scene_body_absent(vm_scene_body body)
     return body;
 }
 
-/* The number of coordinates on which the mass, or on an axle the moment of inertia, resists acceleration */
+/* The number of coordinates of the mass centre: along these the mass resists acceleration. For an axle it is 1: the
+   moment of inertia resists the acceleration of the angle. */
 VM_INLINE int vmi_scene_directions(int motion)
 {
     if (motion <= VM_AXLE) return 1;

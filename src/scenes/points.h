@@ -28,9 +28,9 @@
 #include "motions.h"
 #include "scene.h"
 
-/* A point of a body or of the ground, and how the body moves */
+/* Position and velocity of a point of a body or of the ground, and the rotation of the body */
 typedef struct VM_TAG(vmi_body_point) {
-    vm_vec3 arm;   /* m, inertial axes: from the mass centre (on an axle from the axle) to the point */
+    vm_vec3 arm;   /* m, inertial axes: vector from the mass centre (on an axle from the axle) to the point */
     vm_vec3 r;     /* m: position of the point */
     vm_vec3 v;     /* m/s: velocity of the point */
     vm_vec3 omega; /* rad/s, inertial axes: angular velocity of the body */

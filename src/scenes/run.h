@@ -27,13 +27,13 @@ typedef struct VM_TAG(vmi_scene_pace) {
     long happened; /* number of events at this instant */
     vm_real gap;   /* s: shortest time between a crossing at this instant and the crossing before it of the same event;
                       VM_MAX if no event has crossed before */
-    int crowded;   /* number of successive instants whose gap the digits of the time t can no longer resolve */
+    int crowded;   /* number of successive instants at which `gap` was too short for the digits of the time t */
 } vmi_scene_pace;
 
 enum {
-    VMI_SCENE_MOST_EVENTS = 10000, /* largest number of events at one instant; more are taken for an endless chain */
-    VMI_SCENE_MOST_CROWDED = 3,    /* largest number of successive instants with a gap that t's digits cannot resolve */
-    VMI_SCENE_STEPS_IN_GAP = 32    /* number of steps in a short gap between events, so that none is missed */
+    VMI_SCENE_MOST_EVENTS = 10000, /* largest number of events at one instant; more events are an endless chain */
+    VMI_SCENE_MOST_CROWDED = 3,    /* largest value of `crowded` with which a run continues */
+    VMI_SCENE_STEPS_IN_GAP = 32    /* number of steps in a short time between events, so that no event is missed */
 };
 
 VM_API vm_real vmi_scene_larger(vm_real a, vm_real b) { return a > b ? a : b; }
@@ -88,7 +88,7 @@ VM_API int vmi_scene_fire_events(vm_scene *s, vm_real t, vm_real *y, vmi_scene_p
    made so short that the next event is found. */
 VM_API int vmi_scene_run_events(vm_scene *s, rk45 *r, vm_real span, vmi_scene_pace *pace)
 {
-    const vm_real resolved = 256 * VM_EPSILON * span; /* a shorter gap between events has fewer than two digits */
+    const vm_real resolved = 256 * VM_EPSILON * span; /* s: a shorter gap has fewer than two right digits */
     const vm_real steps = (vm_real)VMI_SCENE_STEPS_IN_GAP;
     int status = VM_OK;
     pace->happened = 0;

@@ -60,21 +60,21 @@ enum {
     VM_FREE      /* translation and rotation in space */
 }; /* the motions of a body */
 
-enum { VM_GROUND = -1 }; /* stands for the ground where an index of a body is expected */
+enum { VM_GROUND = -1 }; /* number that stands for the ground in place of the index of a body */
 
 /* Sums of the loads on a body at one evaluation of the right-hand side. Every evaluation sets the sums to 0, and then
    each effect adds its loads. */
 typedef struct VM_TAG(vm_load) {
     vm_real mass;       /* kg (on an axle kg m^2): the present mass */
-    vm_real extra_mass; /* kg: dM/dv (reactive v - u) of a mass law M(v) (mass.h); it acts like an additional mass */
-    vm_real mass_rate;  /* kg/s: rate of the mass, if the mass is a state */
-    vm_real force[6];   /* N (on an angle N m): on each coordinate; [3] to [5]: torque on a free body, inertial axes */
+    vm_real extra_mass; /* kg: dM/dv (reactive v - u) by a mass law M(v), which acts like an additional mass (mass.h) */
+    vm_real mass_rate;  /* kg/s: rate of the mass, if the mass is a number of the state */
+    vm_real force[6];   /* N (N m on an angle): force on each coordinate; free body: [3] to [5] torque, inertial axes */
     vm_real mass_by_v;  /* kg s/m: the derivative dM/dv of a mass law M(v) */
     vm_real joining_v;  /* m/s: velocity of the mass that joins or leaves by a mass law */
     /* fields for growing bodies only */
-    vm_vec3 drift;           /* m/s, inertial axes: rate of the position of the mass centre less the velocity v */
-    vm_vec3 centre_rate;     /* m/s, body axes: rate at which the mass centre is displaced in the body */
-    vm_inertia inertia_rate; /* kg m^2/s, body axes: rate of the inertia */
+    vm_vec3 drift;           /* m/s, inertial axes: rate r' of the mass centre's position less the state's v */
+    vm_vec3 centre_rate;     /* m/s, body axes: velocity at which the mass centre moves in the body */
+    vm_inertia inertia_rate; /* kg m^2/s, body axes: rate of the inertia of the body */
     /* fields used only if the scene keeps a budget */
     vm_real reactive[6];    /* N, N m: the reactive part of `force` */
     vm_real brought[6];     /* N, N m: momentum and angular momentum that streams bring per second */
@@ -89,13 +89,13 @@ struct VM_TAG(vm_scene_body) {
     /* fields set by the constructor */
     int motion;        /* VM_LINE, VM_AXLE, VM_PLANE, VM_POINT or VM_FREE */
     int mass_is_state; /* 1: the mass is a number of the state, so that streams can change it */
-    int grows;         /* 1: mass centre and inertia are numbers of the state too */
+    int grows;         /* 1: the mass centre and the inertia are numbers of the state, too */
     int absent;        /* 1: the body is not present until an event brings it in */
     int positions;     /* number of positions in the state of the body */
     int coordinates;   /* number of velocities in the state of the body */
     /* fields set by vm_scene_start and kept up to date by a run */
     int at;      /* index in y of the first number of the body */
-    int mass_at; /* index in y of the mass, if the mass is a state */
+    int mass_at; /* index in y of the mass, if the mass is a number of the state */
     int away;    /* 1 while the body is not present */
     /* Functions for the kind of motion of the body. They are pointers, so that a program links only the functions for
        the kinds of motion that its bodies have. `accelerate` computes the derivatives of the state from the load and
@@ -103,19 +103,19 @@ struct VM_TAG(vm_scene_body) {
        effects act. */
     int (*accelerate)(const vm_scene_body *b, const vm_real *state, vm_real *rates);
     void (*begin)(vm_scene_body *b, const vm_real *state);
-    vm_real mass; /* kg: the mass, if it is neither a state nor given by a law */
+    vm_real mass; /* kg: the mass, if it is neither a number of the state nor given by a law */
     vm_load load; /* the loads on the body at the last evaluation */
     void (*put)(vm_scene_body *b, const vm_body *now, vm_real angle, vm_real *state);  /* writes *now to the state */
     void (*get)(const vm_scene_body *b, const vm_real *state, vm_body *now);           /* reads *now from the state */
-    int (*check)(const vm_body *start); /* NULL, or a check of the inertia, which returns a status */
-    vm_body start;                      /* motion at the start; line: mass, r.x, v.x; axle: mass (kg m^2), omega.z */
+    int (*check)(const vm_body *start); /* NULL, or a function that checks the inertia and returns a status */
+    vm_body start;                      /* motion at the start; a line uses mass, r.x, v.x; an axle mass, omega.z */
     vm_real angle;                      /* rad: the angle of an axle or of a body in the plane at the start */
-    vm_vec3 centre;         /* m, body axes: how far jumps have moved the mass centre (points.h) */
+    vm_vec3 centre;         /* m, body axes: the vector by which jumps have moved the mass centre */
     vm_real law_offset;     /* kg: added to the mass that a law gives; jumps and switching of the law change it */
     vm_inertia inertia;     /* kg m^2, body axes: the present inertia */
     vm_inertia invertible;  /* kg m^2: the inertia, with a dummy moment about each axis without moment of inertia */
     vmi_mat3 axes;          /* the present body axes of a growing body, in inertial axes */
-    int listed_orders;      /* bit (1 << order) for each effect on the body that vm_scene_check has found so far */
+    int listed_orders;      /* bit (1 << order) for each `order` of the effects on the body that are checked so far */
     int status;             /* VM_OK, or the reason why the constructor could not make the body */
     vm_real noted_mass;     /* kg: the mass that the body must have after an event */
     void (*shift)(vm_scene_body *b, vm_vec3 step, const vm_real *state); /* NULL, or adds to `centre` */
@@ -157,35 +157,35 @@ enum { VMI_IDLE_SWITCHED_OFF = 1, VMI_IDLE_BODY_AWAY = 2 };
 struct VM_TAG(vm_effect) {
     /* fields set by the constructor */
     void (*apply)(const vm_effect *effect, vm_real t, const vm_real *y, vm_scene *scene); /* adds to the loads */
-    int variant; /* which variant of the effect: for example which mass law, or whether a band lies in layers */
-    /* fields set once by vm_scene_start, so that evaluations are fast */
-    int idle;             /* bits VMI_IDLE_... that say why the effect does not act; 0 while it acts */
+    int variant; /* number of the effect's variant: for example which mass law, or whether a band lies in layers */
+    /* fields that vm_scene_start sets once, so that evaluations need not compute them */
+    int idle;             /* bits VMI_IDLE_... that say why the effect does not act; 0 while the effect acts */
     int x, v;             /* indices in y: position and velocity of the coordinate on which the effect acts */
     int other_x, other_v; /* indices in y: position and velocity of the coordinate on which the opposite force acts */
     vm_load *load;        /* load of the body on which the effect acts */
-    vm_load *other_load;  /* load of the body on which the opposite force acts; NULL for the ground */
+    vm_load *other_load;  /* load of the body on which the opposite force acts; NULL if that is the ground */
     /* further fields set by the constructor */
     int body, coordinate;        /* index of the body and its coordinate on which the effect acts */
     int other, other_coordinate; /* body and coordinate on which the opposite force acts, or VM_GROUND */
-    vm_real p[6];                /* parameters; the enum VMI_<EFFECT>_... of each effect names their indices */
+    vm_real p[6];                /* parameters; each kind of effect has an enum that names the indices */
     vm_real (*force)(vm_real t, vm_real x, vm_real v, void *ctx);   /* function given to vm_effect_force */
     vm_mass_law_values (*law)(vm_real t, vm_real x, vm_real v, void *ctx); /* function given to vm_effect_mass_law */
     vm_moving_point point;                                          /* NULL, or the function for vm_effect_link */
     const vm_stream *stream;                                        /* stream of vm_effect_stream_mass, _force, ... */
     void (*vary)(vm_real t, const vm_real *y, vm_stream *stream, void *ctx); /* function given to vm_effect_varying */
-    int (*check)(const vm_effect *effect); /* NULL, or a check of the parameters, which returns a status */
+    int (*check)(const vm_effect *effect); /* NULL, or a function that checks the parameters and returns a status */
     void *ctx;                             /* pointer that the caller's function receives */
-    unsigned motions;                      /* bit (1 << motion) for each motion that `body` may have */
-    unsigned other_motions;                /* bit (1 << motion) for each motion that `other` may have */
+    unsigned motions;                      /* bit (1 << motion) for each kind of motion that `body` may have */
+    unsigned other_motions;                /* bit (1 << motion) for each kind of motion that `other` may have */
     int needs;                             /* what kind of mass the effect needs: VMI_NEEDS_... */
-    int order;                             /* where it stands among the effects on its body: VMI_ORDER_... */
+    int order;                             /* VMI_ORDER_...: its place among the effects on its body */
     int off;          /* 1: the effect is switched off at the start; the caller may set this field before the start */
     int not_on_angle; /* 1: the effect cannot act on the angle of a body in the plane */
-    /* NULL, or a check that needs the scene. It is called after the bodies of the effect have been checked, and before
-       the parameters p are checked. It returns a status. */
+    /* NULL, or a function that checks the effect and needs the scene for this. It is called after the bodies of the
+       effect have been checked, and before the parameters p are checked. It returns a status. */
     int (*check_in_scene)(const vm_scene *scene, const vm_effect *effect);
     int (*settle)(const vm_effect *effect, vm_real *y, vm_scene *scene); /* NULL, or gives impulses after a jump */
-    const void *parts; /* the caller's vm_point_spring, vm_contact or vm_joints, which the effect uses */
+    const void *parts; /* the vm_point_spring, vm_contact or vm_joints with which the caller made the effect */
 };
 
 /* Which part of the action of an event is left to do after a mass law has failed: nothing, the whole action, or only
@@ -198,12 +198,12 @@ enum { VMI_JUMP_NONE = 0, VMI_JUMP_SEPARATES, VMI_JUMP_ATTACHES };
 /* An event. A constructor such as vm_event_at says when it happens, and a function such as vm_then_stop says what it
    does. */
 struct VM_TAG(vm_event) {
-    vm_real (*when)(const vm_event *event, vm_real t, const vm_real *y); /* NULL, or it is 0 at the event */
+    vm_real (*when)(const vm_event *event, vm_real t, const vm_real *y); /* NULL, or is 0 at the event */
     /* NULL if the event is only counted, or the function that the event calls. It returns a status; VM_STOPPED ends the
        run. */
     int (*then)(vm_event *event, vm_real t, vm_real *y);
-    vm_real time;  /* s: the set time if `when` is NULL; else the time of the last event, at first that of the start */
-    int direction; /* > 0: only zeros at which `when` rises count; < 0: only those at which it falls; 0: all zeros */
+    vm_real time;  /* s: the set time of the event; if `when` is not NULL, when the event last happened or the start */
+    int direction; /* > 0: the event happens if `when` rises through 0; < 0: if it falls through 0; 0: in both cases */
     /* Each is NULL, or a function that returns a status. check_when checks the condition for the event, `check` checks
        its action. */
     int (*check_when)(const vm_scene *scene, const vm_event *event);
@@ -213,28 +213,28 @@ struct VM_TAG(vm_event) {
     vm_real value;
     /* fields for an event that switches effects */
     int effect;    /* index of the first effect */
-    int n_effects; /* number of effects, which follow each other in the list; the first one counts, too */
+    int n_effects; /* number of effects that are switched; they follow each other in the list */
     int off;       /* 1: the effects are switched off; 0: on */
-    /* fields for a jump; the function `jump` computes the motion after it, for a line or axle, for the plane, or for
-       any kind of motion */
+    /* fields for a jump; the function `jump` computes the motion after the jump, for a line or axle, for the plane, or
+       for any kind of motion */
     int (*jump)(const vm_event *event, const vm_body *body, vm_body *other, vm_body *result);
     unsigned motions;    /* bit (1 << motion) for each kind of motion that a body may have for this jump */
     int jump_kind;       /* VMI_JUMP_NONE, VMI_JUMP_SEPARATES or VMI_JUMP_ATTACHES */
     int jump_body;       /* index of the body that loses or gains mass */
     int other;           /* index of the body that separates from jump_body, or is attached to it */
     vm_body part;        /* the part that separates */
-    int relative;        /* 1: the motion of `part` is relative to the body, in body axes */
-    vm_impulse external; /* impulse from outside during the jump; the caller may set it */
+    int relative;        /* 1: the motion of `part` is given relative to the body, in body axes */
+    vm_impulse external; /* impulse from outside during the jump; the caller may set this field */
     /* fields for vm_event_user and vm_then_user */
     vm_real (*user_when)(vm_real t, const vm_real *y, void *ctx);
     int (*user_then)(vm_real t, vm_real *y, void *ctx);
     void *ctx;      /* pointer that user_when receives */
     void *then_ctx; /* pointer that user_then receives */
     /* fields for the caller */
-    long most;  /* how often the event happens at most; 0 means no limit. The caller may set it */
+    long most;  /* largest number of times that the event happens; 0: no limit. The caller may set this field */
     long count; /* how often the event has happened */
     /* fields set by vm_scene_start and kept up to date by a run */
-    long seen;       /* how many of the crossings that the integrator has found are already handled */
+    long seen;       /* number of crossings that the integrator has found and the run has already handled */
     vm_scene *scene; /* the scene to which the event belongs */
     int status;      /* VM_OK, or the reason why a constructor could not make the event */
     const void *parts; /* the caller's vm_contact, which the event uses */
@@ -243,7 +243,7 @@ struct VM_TAG(vm_event) {
     /* fields for an action that a failing mass law has interrupted; the next run does the rest of the action */
     int left;        /* VMI_LEFT_...: how much of the action is left */
     int next_action; /* index of the interrupted action in the list of actions */
-    int so_far;      /* status that the actions before the interrupted one gave */
+    int so_far;      /* status of the actions before the interrupted action */
     vm_real energy;  /* J: kinetic energy of all bodies before a jump */
 };
 
@@ -264,10 +264,16 @@ struct VM_TAG(vm_budget) {
     vm_vec3 angular_momentum; /* N m s, about the origin: angular momentum of all bodies that are present */
     vm_real energy;           /* J: kinetic energy of all bodies that are present */
     vm_real jump_energy;      /* J: kinetic energy that jumps have added */
-    vm_vec3 momentum_defect;  /* N s: momentum - momentum at the start - impulse - brought */
-    vm_vec3 angular_defect;   /* N m s: angular_momentum - its value at the start - angular_impulse - brought_angular */
-    vm_real energy_defect;    /* J: energy - energy at the start - work - brought_energy + mixing - jump_energy */
-    /* internal functions; they are pointers, so that a program without a budget does not link them */
+    /* Defects: the part of the change since the start that the supply does not explain. The index 0 marks values at the
+       start.
+         momentum_defect  momentum - momentum_0 - impulse - brought, in N s
+         angular_defect   angular_momentum - angular_momentum_0 - angular_impulse - brought_angular, in N m s
+         energy_defect    energy - energy_0 - work - brought_energy + mixing - jump_energy, in J */
+    vm_vec3 momentum_defect;
+    vm_vec3 angular_defect;
+    vm_real energy_defect;
+    /* functions for internal use; they are pointers, so that a program without a budget does not link these
+       functions */
     void (*open)(vm_scene *scene, const vm_real *y, vm_real *sums);
     void (*rates)(vm_scene *scene, const vm_real *y, vm_real *rates);
     void (*totals)(const vm_scene *scene, const vm_real *y, vm_budget *budget);
@@ -294,7 +300,7 @@ struct VM_TAG(vm_scene) {
     int y_size;       /* number of elements of y, which vm_scene_start and vm_scene_run check; 0 means no check */
     int work_size;    /* number of elements of work, which vm_scene_run checks; 0 means no check */
     /* fields set by vm_scene_start and by a run, for the caller to read */
-    int status;     /* VM_OK, or why the right-hand side cannot accelerate a body or apply an effect */
+    int status;     /* VM_OK, or the reason why a body cannot be accelerated or an effect cannot act */
     int ode_status; /* status of the integrator: ODE_OK or another status of ode.h */
     int size;       /* number of elements of the state; 0 before the start */
 };
@@ -306,7 +312,7 @@ enum {
     VMI_ALL_MOTIONS = VMI_SINGLE | VMI_FLAT | 1 << VM_FREE
 };
 
-/* The index of the mass among the numbers of a body, if the mass is a state */
+/* The index of the mass among the numbers of a body, if the mass is a number of the state */
 VM_INLINE int vmi_scene_mass_at(const vm_scene_body *b) { return b->positions + b->coordinates; }
 
 /* The number of elements of the state that belong to the body */

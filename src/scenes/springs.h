@@ -25,10 +25,10 @@
 /* A spring and a damper between two points */
 typedef struct VM_TAG(vm_point_spring) {
     vm_vec3 at;        /* m, body axes: the point of the body */
-    vm_vec3 other_at;  /* m: the point of the other body, in its axes, or of the ground */
+    vm_vec3 other_at;  /* m: the point of the other body, in the axes of this body, or the point of the ground */
     vm_real stiffness; /* N/m: stiffness k, of either sign */
-    vm_real damping;   /* N s/m: damping; > 0 takes energy out */
-    vm_real rest;      /* m: length of the spring without force, >= 0 */
+    vm_real damping;   /* N s/m: damping; a damping > 0 takes energy out */
+    vm_real rest;      /* m: length of the spring if no force acts on it, >= 0 */
 } vm_point_spring;
 
 /* Computes the force on the first point; d and v are its position and velocity relative to the second point. If the
