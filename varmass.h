@@ -20826,9 +20826,10 @@ VM_INLINE void vmi_effect_act(const vm_effect *e, vm_real f)
 /* scenes/motions.h - the bodies of a scene, and how each of them moves
 
    A body moves along a line, about an axle, in the plane, as a point in space, or free in space, with rotation. The
-   arguments of its constructor are its motion at the start, in SI units. Each kind of motion has four functions: `put`
-   writes the motion of a body into the state, `get` reads it from the state, `accelerate` computes the derivatives of
-   the state from the load, and `check` refuses an inertia that the body cannot have.
+   arguments of its constructor are its motion at the start, in SI units. Each kind of motion has three or four
+   functions: `put` writes the motion of a body into the state, `get` reads it from the state, `accelerate` computes
+   the derivatives of the state from the load, and `check`, which a line and an axle do not have, refuses an inertia
+   that the body cannot have.
 
        vm_vec3 zero = {0, 0, 0};
        vm_scene_body bodies[] = {vm_scene_body_line(2, 0.1, 0),                              // 2 kg at x = 0.1 m
@@ -22565,10 +22566,10 @@ VM_API int vmi_link_check_ends(const vm_scene *s, const vm_effect *e)
 /* A rigid link of a given length, or a cord, which can only pull. The link keeps the mass centre of `body`, which is a
    point or a body in the plane, at the distance `length` (m) from another mass centre or from a moving point. The
    other mass centre is that of the body `other`, which must not be on an axle; the argument `point` is then NULL. If
-   other is VM_GROUND, the function `point` gives the motion of the moving point, which may lie above the plane. cord =
-   1 makes the link a cord. Deviations from the length decrease as exp(-rate t), with rate > 0 in 1/s. A cord that
-   becomes taut at the speed v is stretched by about v/(e rate), where e = 2.718. A high rate makes the equations of
-   motion stiff, so that the steps become short: in float a rate of 100/s is tested for a cord of 1 m at 6 m/s.
+   other is VM_GROUND, the function `point` gives the motion of the moving point, which may lie above the plane. If
+   `cord` is 1, the link is a cord. Deviations from the length decrease as exp(-rate t), with rate > 0 in 1/s. A cord
+   that becomes taut at the speed v is stretched by about v/(e rate), where e = 2.718. A high rate makes the equations
+   of motion stiff, so that the steps become short: in float a rate of 100/s is tested for a cord of 1 m at 6 m/s.
    vm_scene_start returns VM_DOMAIN if length or rate is not positive; VM_BAD_MOTION if a body has a kind of motion
    that is not allowed here or is a growing body, whose mass centre moves in the body; VM_TWO_LINKS if a body has a
    second link; VM_LINK_NOT_LAST if another effect on the body follows the link; and VM_SAME_BODY if the link connects
@@ -23360,9 +23361,9 @@ typedef struct VM_TAG(vm_joints) {
 /* Computes an end of a joint, and the acceleration that its point would have without the joints:
      a + alpha x arm + omega x (omega x arm - drift).
    Here a is the acceleration of the mass centre, alpha and omega are angular acceleration and angular velocity of the
-   body, and `arm` leads from the mass centre to the point. drift is 0 except for a growing body: it is the velocity of
-   the mass centre relative to the material of the body. It is subtracted because a is then the rate of the velocity of
-   the material at the mass centre, and this material changes. */
+   body, and `arm` leads from the mass centre to the point. drift is 0 except for a growing body: it is the velocity
+   with which the mass centre moves through the material of the body. drift is subtracted because a is the rate of the
+   velocity at the mass centre, where the material changes. */
 VM_API void vmi_joint_end_now(const vm_scene *s, int body, vm_vec3 at, const vm_real *y, vmi_joint_end *end)
 {
     const vmi_body_point *p = &end->point;

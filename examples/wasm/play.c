@@ -2,8 +2,8 @@
    slowly, by any route and tolerance, and a tumbling body that throws off a part. The page reads the results at the
    address numbers().
 
-   make wasm writes build/wasm/play.html, which contains this program and needs no server. cc -O2 play.c -lm && ./a.out
-   prints the same numbers as node play.mjs play.wasm, bit for bit. */
+   make wasm writes build/wasm/play.html, which contains this program and needs no server.
+   cc -O2 play.c -lm && ./a.out prints the same numbers as node play.mjs play.wasm, bit for bit. */
 #include <stdio.h>
 #include "../../varmass.h"
 

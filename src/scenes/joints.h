@@ -94,9 +94,9 @@ typedef struct VM_TAG(vm_joints) {
 /* Computes an end of a joint, and the acceleration that its point would have without the joints:
      a + alpha x arm + omega x (omega x arm - drift).
    Here a is the acceleration of the mass centre, alpha and omega are angular acceleration and angular velocity of the
-   body, and `arm` leads from the mass centre to the point. drift is 0 except for a growing body: it is the velocity of
-   the mass centre relative to the material of the body. It is subtracted because a is then the rate of the velocity of
-   the material at the mass centre, and this material changes. */
+   body, and `arm` leads from the mass centre to the point. drift is 0 except for a growing body: it is the velocity
+   with which the mass centre moves through the material of the body. drift is subtracted because a is the rate of the
+   velocity at the mass centre, where the material changes. */
 VM_API void vmi_joint_end_now(const vm_scene *s, int body, vm_vec3 at, const vm_real *y, vmi_joint_end *end)
 {
     const vmi_body_point *p = &end->point;

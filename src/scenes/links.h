@@ -130,10 +130,10 @@ VM_API int vmi_link_check_ends(const vm_scene *s, const vm_effect *e)
 /* A rigid link of a given length, or a cord, which can only pull. The link keeps the mass centre of `body`, which is a
    point or a body in the plane, at the distance `length` (m) from another mass centre or from a moving point. The
    other mass centre is that of the body `other`, which must not be on an axle; the argument `point` is then NULL. If
-   other is VM_GROUND, the function `point` gives the motion of the moving point, which may lie above the plane. cord =
-   1 makes the link a cord. Deviations from the length decrease as exp(-rate t), with rate > 0 in 1/s. A cord that
-   becomes taut at the speed v is stretched by about v/(e rate), where e = 2.718. A high rate makes the equations of
-   motion stiff, so that the steps become short: in float a rate of 100/s is tested for a cord of 1 m at 6 m/s.
+   other is VM_GROUND, the function `point` gives the motion of the moving point, which may lie above the plane. If
+   `cord` is 1, the link is a cord. Deviations from the length decrease as exp(-rate t), with rate > 0 in 1/s. A cord
+   that becomes taut at the speed v is stretched by about v/(e rate), where e = 2.718. A high rate makes the equations
+   of motion stiff, so that the steps become short: in float a rate of 100/s is tested for a cord of 1 m at 6 m/s.
    vm_scene_start returns VM_DOMAIN if length or rate is not positive; VM_BAD_MOTION if a body has a kind of motion
    that is not allowed here or is a growing body, whose mass centre moves in the body; VM_TWO_LINKS if a body has a
    second link; VM_LINK_NOT_LAST if another effect on the body follows the link; and VM_SAME_BODY if the link connects

@@ -1,9 +1,10 @@
 /* scenes/motions.h - the bodies of a scene, and how each of them moves
 
    A body moves along a line, about an axle, in the plane, as a point in space, or free in space, with rotation. The
-   arguments of its constructor are its motion at the start, in SI units. Each kind of motion has four functions: `put`
-   writes the motion of a body into the state, `get` reads it from the state, `accelerate` computes the derivatives of
-   the state from the load, and `check` refuses an inertia that the body cannot have.
+   arguments of its constructor are its motion at the start, in SI units. Each kind of motion has three or four
+   functions: `put` writes the motion of a body into the state, `get` reads it from the state, `accelerate` computes
+   the derivatives of the state from the load, and `check`, which a line and an axle do not have, refuses an inertia
+   that the body cannot have.
 
        vm_vec3 zero = {0, 0, 0};
        vm_scene_body bodies[] = {vm_scene_body_line(2, 0.1, 0),                              // 2 kg at x = 0.1 m
