@@ -20590,7 +20590,7 @@ struct VM_TAG(vm_scene_body) {
     vm_vec3 centre;         /* m, body axes: the vector by which jumps have moved the mass centre */
     vm_real law_offset;     /* kg: added to the mass that a law gives; jumps and switching of the law change it */
     vm_inertia inertia;     /* kg m^2, body axes: the present inertia */
-    vm_inertia invertible;  /* kg m^2: the inertia, with a dummy moment about each axis without moment of inertia */
+    vm_inertia invertible;  /* kg m^2: `inertia` with an arbitrary moment > 0 about axes without moment of inertia */
     vmi_mat3 axes;          /* the present body axes of a growing body, in inertial axes */
     int listed_orders;      /* bit (1 << order) for each `order` of the effects on the body that are checked so far */
     int status;             /* VM_OK, or the reason why the constructor could not make the body */
@@ -20732,17 +20732,17 @@ typedef struct VM_TAG(vm_budget) vm_budget;
 struct VM_TAG(vm_budget) {
     vm_vec3 impulse;          /* N s: sum of the impulses of effects and of the external impulses of jumps */
     vm_vec3 angular_impulse;  /* N m s, about the origin: angular impulse of effects and external impulses of jumps */
-    vm_vec3 brought;          /* N s: momentum that streams and mass laws brought */
-    vm_vec3 brought_angular;  /* N m s, about the origin: angular momentum that streams and mass laws brought */
+    vm_vec3 brought;          /* N s: momentum that streams and mass laws brought to the bodies */
+    vm_vec3 brought_angular;  /* N m s, about the origin: angular momentum that streams and mass laws have brought */
     vm_real work;             /* J: work of the effects, without reactive forces */
-    vm_real brought_energy;   /* J: kinetic energy that streams and mass laws brought */
+    vm_real brought_energy;   /* J: kinetic energy that streams and mass laws brought to the bodies */
     vm_real mixing;           /* J: kinetic energy lost as the mass of streams took on the velocity of the body */
     vm_vec3 momentum;         /* N s: momentum of all bodies that are present */
     vm_vec3 angular_momentum; /* N m s, about the origin: angular momentum of all bodies that are present */
     vm_real energy;           /* J: kinetic energy of all bodies that are present */
     vm_real jump_energy;      /* J: kinetic energy that jumps have added */
-    /* Defects: the part of the change since the start that the supply does not explain. The index 0 marks values at the
-       start.
+    /* Defects: the part of the change since the start that was not supplied from outside. The index 0 marks values at
+       the start.
          momentum_defect  momentum - momentum_0 - impulse - brought, in N s
          angular_defect   angular_momentum - angular_momentum_0 - angular_impulse - brought_angular, in N m s
          energy_defect    energy - energy_0 - work - brought_energy + mixing - jump_energy, in J */
@@ -21036,8 +21036,8 @@ enum { VMI_FREE_R = 0, VMI_FREE_Q = 3, VMI_FREE_V = 7, VMI_FREE_OMEGA = 10 }; /*
 
 /* Solves Euler's equations I omega' = torque - omega x I omega for omega', where I is the inertia of the body. omega
    and omega' (`rates`) are in body axes, torque in inertial axes. The matrix of these linear equations is
-   b->invertible, which includes dummy moments; therefore the equations can be solved for a rod, too. The spin of a rod
-   about its own axis stays constant, since no load turns the rod about this axis. */
+   b->invertible, which includes dummy moments (vmi_invertible_inertia); therefore the equations can be solved for a
+   rod, too. The spin of a rod about its own axis stays constant, since no load turns the rod about this axis. */
 VM_API int vmi_free_euler(const vm_scene_body *b, const vmi_mat3 *axes, vm_vec3 torque, vm_vec3 omega, vm_real *rates)
 {
     const vm_inertia *i = &b->invertible;
@@ -21064,8 +21064,9 @@ VM_API int vmi_free_accelerate(const vm_scene_body *b, const vm_real *state, vm_
     return vmi_free_euler(b, &axes, vmi_get3(b->load.force + 3), omega, rates + VMI_FREE_OMEGA);
 }
 
-/* Returns the inertia with a dummy moment about each principal axis without moment of inertia, so that the matrix can
-   be inverted. No torque acts about such an axis, so that the dummy moment has no effect on the motion. */
+/* Returns the inertia with a dummy moment (an arbitrary number > 0) about each principal axis without moment of
+   inertia, so that the matrix can be inverted. No torque acts about such an axis, so that the dummy moment has no
+   effect on the motion. */
 VM_API vm_inertia vmi_invertible_inertia(const vm_inertia *i)
 {
     const vm_real trace = i->xx + i->yy + i->zz, dummy = trace > 0 ? trace : 1;
@@ -24421,7 +24422,8 @@ VM_API vm_event vm_then_all(vm_event event, vm_event *actions, int n)
    can also take up or give off a point. The functions whose names end in _on_line (for a line or an axle) and
    _in_plane do the same as vm_then_separate and vm_then_attach, but only for these kinds of motion, and make the
    program smaller (docs/scene-sizes.md). If a point takes up a body at another place, the angular momentum of both
-   about their common mass centre is lost, since a point does not rotate; angular_defect of the budget shows this loss.
+   bodies about their common mass centre is lost, since a point does not rotate; angular_defect of the budget shows
+   this loss.
 
    A run ends with VM_IS_THERE if a part would become a body that is present already, with VM_IS_AWAY if a body that
    jumps is not present, and with the errors of vm_separate and vm_attach. vm_scene_start returns VM_BAD_MOTION if the
@@ -24705,7 +24707,8 @@ VM_API vm_event vm_then_attach_in_plane(vm_event event, int body, int added)
 }
 
 /* The event attaches a body to another body; both may have any kind of motion. The body `added` becomes a part of
-   `body` and is no longer present. vm_scene_start returns VM_BAD_MOTION for kinds that cannot jump together. */
+   `body` and is no longer present. vm_scene_start returns VM_BAD_MOTION if bodies of their kinds of motion cannot take
+   part in the same jump. */
 VM_API vm_event vm_then_attach(vm_event event, int body, int added)
 {
     event = vm_then_attach_on_line(event, body, added);

@@ -21,7 +21,8 @@
    can also take up or give off a point. The functions whose names end in _on_line (for a line or an axle) and
    _in_plane do the same as vm_then_separate and vm_then_attach, but only for these kinds of motion, and make the
    program smaller (docs/scene-sizes.md). If a point takes up a body at another place, the angular momentum of both
-   about their common mass centre is lost, since a point does not rotate; angular_defect of the budget shows this loss.
+   bodies about their common mass centre is lost, since a point does not rotate; angular_defect of the budget shows
+   this loss.
 
    A run ends with VM_IS_THERE if a part would become a body that is present already, with VM_IS_AWAY if a body that
    jumps is not present, and with the errors of vm_separate and vm_attach. vm_scene_start returns VM_BAD_MOTION if the
@@ -319,7 +320,8 @@ VM_API vm_event vm_then_attach_in_plane(vm_event event, int body, int added)
 }
 
 /* The event attaches a body to another body; both may have any kind of motion. The body `added` becomes a part of
-   `body` and is no longer present. vm_scene_start returns VM_BAD_MOTION for kinds that cannot jump together. */
+   `body` and is no longer present. vm_scene_start returns VM_BAD_MOTION if bodies of their kinds of motion cannot take
+   part in the same jump. */
 VM_API vm_event vm_then_attach(vm_event event, int body, int added)
 {
     event = vm_then_attach_on_line(event, body, added);

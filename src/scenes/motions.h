@@ -221,8 +221,8 @@ enum { VMI_FREE_R = 0, VMI_FREE_Q = 3, VMI_FREE_V = 7, VMI_FREE_OMEGA = 10 }; /*
 
 /* Solves Euler's equations I omega' = torque - omega x I omega for omega', where I is the inertia of the body. omega
    and omega' (`rates`) are in body axes, torque in inertial axes. The matrix of these linear equations is
-   b->invertible, which includes dummy moments; therefore the equations can be solved for a rod, too. The spin of a rod
-   about its own axis stays constant, since no load turns the rod about this axis. */
+   b->invertible, which includes dummy moments (vmi_invertible_inertia); therefore the equations can be solved for a
+   rod, too. The spin of a rod about its own axis stays constant, since no load turns the rod about this axis. */
 VM_API int vmi_free_euler(const vm_scene_body *b, const vmi_mat3 *axes, vm_vec3 torque, vm_vec3 omega, vm_real *rates)
 {
     const vm_inertia *i = &b->invertible;
@@ -249,8 +249,9 @@ VM_API int vmi_free_accelerate(const vm_scene_body *b, const vm_real *state, vm_
     return vmi_free_euler(b, &axes, vmi_get3(b->load.force + 3), omega, rates + VMI_FREE_OMEGA);
 }
 
-/* Returns the inertia with a dummy moment about each principal axis without moment of inertia, so that the matrix can
-   be inverted. No torque acts about such an axis, so that the dummy moment has no effect on the motion. */
+/* Returns the inertia with a dummy moment (an arbitrary number > 0) about each principal axis without moment of
+   inertia, so that the matrix can be inverted. No torque acts about such an axis, so that the dummy moment has no
+   effect on the motion. */
 VM_API vm_inertia vmi_invertible_inertia(const vm_inertia *i)
 {
     const vm_real trace = i->xx + i->yy + i->zz, dummy = trace > 0 ? trace : 1;

@@ -113,7 +113,7 @@ struct VM_TAG(vm_scene_body) {
     vm_vec3 centre;         /* m, body axes: the vector by which jumps have moved the mass centre */
     vm_real law_offset;     /* kg: added to the mass that a law gives; jumps and switching of the law change it */
     vm_inertia inertia;     /* kg m^2, body axes: the present inertia */
-    vm_inertia invertible;  /* kg m^2: the inertia, with a dummy moment about each axis without moment of inertia */
+    vm_inertia invertible;  /* kg m^2: `inertia` with an arbitrary moment > 0 about axes without moment of inertia */
     vmi_mat3 axes;          /* the present body axes of a growing body, in inertial axes */
     int listed_orders;      /* bit (1 << order) for each `order` of the effects on the body that are checked so far */
     int status;             /* VM_OK, or the reason why the constructor could not make the body */
@@ -255,17 +255,17 @@ typedef struct VM_TAG(vm_budget) vm_budget;
 struct VM_TAG(vm_budget) {
     vm_vec3 impulse;          /* N s: sum of the impulses of effects and of the external impulses of jumps */
     vm_vec3 angular_impulse;  /* N m s, about the origin: angular impulse of effects and external impulses of jumps */
-    vm_vec3 brought;          /* N s: momentum that streams and mass laws brought */
-    vm_vec3 brought_angular;  /* N m s, about the origin: angular momentum that streams and mass laws brought */
+    vm_vec3 brought;          /* N s: momentum that streams and mass laws brought to the bodies */
+    vm_vec3 brought_angular;  /* N m s, about the origin: angular momentum that streams and mass laws have brought */
     vm_real work;             /* J: work of the effects, without reactive forces */
-    vm_real brought_energy;   /* J: kinetic energy that streams and mass laws brought */
+    vm_real brought_energy;   /* J: kinetic energy that streams and mass laws brought to the bodies */
     vm_real mixing;           /* J: kinetic energy lost as the mass of streams took on the velocity of the body */
     vm_vec3 momentum;         /* N s: momentum of all bodies that are present */
     vm_vec3 angular_momentum; /* N m s, about the origin: angular momentum of all bodies that are present */
     vm_real energy;           /* J: kinetic energy of all bodies that are present */
     vm_real jump_energy;      /* J: kinetic energy that jumps have added */
-    /* Defects: the part of the change since the start that the supply does not explain. The index 0 marks values at the
-       start.
+    /* Defects: the part of the change since the start that was not supplied from outside. The index 0 marks values at
+       the start.
          momentum_defect  momentum - momentum_0 - impulse - brought, in N s
          angular_defect   angular_momentum - angular_momentum_0 - angular_impulse - brought_angular, in N m s
          energy_defect    energy - energy_0 - work - brought_energy + mixing - jump_energy, in J */
