@@ -474,8 +474,8 @@
        vm_scene_body_plane            A body in the plane
        vm_scene_body_point            A point in space
        vm_scene_body_free             A body that moves and turns freely in space
-       vm_scene_body_with_mass_state  A body like `body` whose mass is a state, so that streams can change the mass
-       vm_scene_body_absent           A body like `body` that is not present until an event brings it in
+       vm_scene_body_with_mass_state  A body like `body`, but its mass is a number of the state, so that streams can change it
+       vm_scene_body_absent           A body like `body`, but it is not present until an event brings it into the scene
 
      scenes/growing: bodies whose mass centre and inertia change
        vm_scene_body_growing_plane    A growing body in the plane
@@ -522,14 +522,14 @@
 
      scenes/streams: streams of mass into and out of the bodies of a scene
        vm_effect_stream               A stream that enters or leaves at the mass centre, with its reactive force
-       vm_effect_stream_mass          Changes of mass, mass centre and inertia of a growing body by a stream
+       vm_effect_stream_mass          Changes mass, mass centre and inertia of a growing body by a stream
        vm_effect_stream_force         Reactive force M' (u - v) of a stream at a point of a growing body (156)
        vm_effect_stream_moment        Moment d x M' (u - v) of a stream on a growing body (158)
        vm_effect_stream_torque        Torque M' kappa omega2 - I' omega of a stream on a growing body (157)
        vm_effect_varying              An effect of a stream that varies in time
 
      scenes/band: a band that winds up on a drum or off it
-       vm_band_at                     Radius, mass and inertia of the band that is wound up at the angle phi
+       vm_band_at                     Radius, mass and moment of inertia of the part of a band that is on the drum at the angle phi
        vm_effect_band                 A band that winds up on a drum or off it, with its reactive torque
 
      scenes/links: rigid links and cords between bodies
@@ -540,14 +540,14 @@
        vm_scene_body_at               The motion of a body in the state y
 
      scenes/evaluate: the right-hand side of a scene
-       vm_scene_rhs                   The right-hand side of a scene, an ode_rhs
+       vm_scene_rhs                   The right-hand side of a scene as an ode_rhs
 
      scenes/check: checks that find what is wrong with a scene
-       vm_scene_check                 The first thing that is wrong with a scene, or VM_OK
+       vm_scene_check                 Finds the first thing that is wrong with a scene
 
      scenes/points: points of the bodies of a scene
        vm_scene_point_at              The position and velocity of a point of a body in the state y, in inertial axes
-       vm_scene_push_at               Adds a force at a point of a body, in an effect of the caller's own
+       vm_scene_push_at               Adds a force at a point of a body
 
      scenes/springs: springs and dampers between points of bodies
        vm_effect_point_spring         A spring and a damper between a point of a body and a point of the body `other`, or of the ground
@@ -558,20 +558,20 @@
        vm_effect_joints               The joints of a scene, solved together
 
      scenes/start: the start of a scene
-       vm_scene_start                 Start of a scene at time t
+       vm_scene_start                 Starts a scene at time t
 
      scenes/balance: the budget of momentum, angular momentum and energy of a scene
        vm_scene_keep_budget           Makes a scene keep a budget of momentum, angular momentum and energy
-       vm_scene_budget_at             The budget of a scene in the state y at time t
+       vm_scene_budget_at             Computes the budget of a scene in the state y at time t
 
      scenes/events: when an event happens, and what it does
-       vm_event_at                    An event at a time in s, which happens once
+       vm_event_at                    An event at a set time, which is in s
        vm_event_position              An event when a position crosses a value
        vm_event_velocity              An event when a velocity crosses a value
        vm_event_mass                  An event when a mass crosses a value
        vm_event_user                  An event when a function of the caller crosses zero
        vm_then_stop                   The event ends the run
-       vm_then_switch_range           The event switches n effects that follow each other in the list, off (off = 1) or on (off = 0)
+       vm_then_switch_range           The event switches n effects that follow each other in the list off (off = 1) or on (off = 0)
        vm_then_switch                 The event switches an effect off (off = 1) or on (off = 0)
        vm_then_user                   The event calls a function of the caller
        vm_then_all                    The event does a list of actions, one after the other, at the same instant
@@ -585,12 +585,12 @@
        vm_then_attach                 The event attaches a body to another body; both may have any kind of motion
 
      scenes/contact: contact of bodies with the ground
-       vm_effect_contact              Contact of a body with the ground
+       vm_effect_contact              Contact of a body with the ground, by a stiffness and a damping that push but never pull
        vm_event_contact               An event when a body comes down to the ground
-       vm_then_land                   The event of vm_event_contact becomes a stop without a bounce
+       vm_then_land                   Makes an event of vm_event_contact a stop without a bounce
 
      scenes/run: runs of a scene with its events and its output
-       vm_scene_run                   Run of a scene from *t to t_end, with its events and its output */
+       vm_scene_run                   Runs a scene from *t to t_end, with its events and its output, by the integrator rk45 */
 #ifndef VARMASS_H
 #define VARMASS_H
 
@@ -20733,9 +20733,9 @@ VM_API vm_real vm_adiabaticity(const vm_osc_problem *o, vm_real t, vm_real A)
 /* scenes/scene.h - what a scene is made of: bodies, effects, events
 
    A scene is a model that is put together from parts: bodies, the effects that act on them, and the events that change
-   them. Its right-hand side evaluates the effects that are listed and nothing else. Each constructor refers only to the
-   functions that its body, effect or event needs, so that the program contains no others. The caller provides all
-   arrays.
+   them. The right-hand side of its equations of motion evaluates only the effects that are listed. A constructor is a
+   function that makes a body, an effect or an event. It refers only to the functions that this part needs, so that the
+   program contains no other functions. The caller provides all arrays.
 
        vm_scene_body bodies[] = {vm_scene_body_line(2, 0.1, 0)};             // 2 kg, at x = 0.1 m, at rest
        vm_effect effects[] = {vm_effect_mass(0, VM_MASS_OF_T, -0.01, 0, 0),  // loses 10 g/s without a reactive force
@@ -20754,25 +20754,26 @@ VM_API vm_real vm_adiabaticity(const vm_osc_problem *o, vm_real t, vm_real A)
        else status = vm_scene_run(&scene, &t, 10, y, work, NULL);            // y[0] = x(10), y[1] = v(10)
 
    Functions refer to a body, an effect or an event by its index in its array. A scene with events also needs
-   scene.events, scene.n_events and scene.located, an array of n_events elements, before the start. After the start
-   all arrays must stay where they are. A second vm_scene_run continues where the first ended; vm_scene_start begins
-   anew, with everything as the constructors have made it. A listed motor, for example, adds at most 35 machine
-   instructions to an evaluation of the right-hand side.
+   scene.events, scene.n_events and scene.located, an array of n_events elements, before the start. After the start all
+   arrays must stay at their places in memory. A second vm_scene_run continues where the first ended; vm_scene_start
+   begins anew, with all bodies, effects and events as the constructors made them. A listed motor, for example, adds at
+   most 35 machine instructions to an evaluation of the right-hand side.
 
    The numbers of body i in the state y begin at y[bodies[i].at], and the positions come first. r is the position of the
    mass centre, v its velocity, q the attitude and omega the angular velocity:
      line   x, v                                 point  r (3), v (3)
      axle   angle, omega                         free   r (3), q (4), v (3), omega (3, in body axes)
      plane  x, y, angle, vx, vy, omega
-   If the mass is a state (vm_scene_body_with_mass_state), it follows as one more number. A growing body has two
-   further groups of numbers: the displacement of the mass centre in the body since the start, in body axes (2 numbers
-   in the plane, else 3), and the inertia about the mass centre (1 number in the plane, else xx, yy, zz, xy, xz, yz).
+   If the mass is a number of the state (vm_scene_body_with_mass_state), it follows the velocities. A growing body
+   (growing.h) has two further groups of numbers: the displacement of the mass centre in the body since the start, in
+   body axes (2 numbers in the plane, else 3), and the inertia about the mass centre (1 number in the plane, else xx,
+   yy, zz, xy, xz, yz).
 
    An effect acts on a coordinate: 0 for a line or an axle; 0, 1, 2 for x, y, angle in the plane; 0, 1, 2 for x, y, z
    of a point or a free body. On an axle, a moment of inertia replaces the mass, and a torque replaces the force.
 
-   Tests: tests/test_scenes.c and tests/test_scene_*.c. docs/scene-sizes.md lists the flash memory that each part
-   takes. */
+   Tests: tests/test_scenes.c and tests/test_scene_*.c. docs/scene-sizes.md lists the flash memory that each part of a
+   scene needs. */
 #ifndef VARMASS_SCENES_SCENE_H
 #define VARMASS_SCENES_SCENE_H
 
@@ -20784,21 +20785,21 @@ enum {
     VM_FREE      /* translation and rotation in space */
 }; /* the motions of a body */
 
-enum { VM_GROUND = -1 }; /* stands for the ground where an index of a body is expected */
+enum { VM_GROUND = -1 }; /* number that stands for the ground in place of the index of a body */
 
-/* Sums of the loads on a body at one evaluation. Every evaluation sets them to 0, and then each effect adds its
-   part. */
+/* Sums of the loads on a body at one evaluation of the right-hand side. Every evaluation sets the sums to 0, and then
+   each effect adds its loads. */
 typedef struct VM_TAG(vm_load) {
     vm_real mass;       /* kg (on an axle kg m^2): the present mass */
-    vm_real extra_mass; /* kg: dM/dv (reactive v - u) of a mass law M(v), which acts like further mass */
-    vm_real mass_rate;  /* kg/s: rate of the mass, if the mass is a state */
-    vm_real force[6];   /* N (N m on an angle) on each coordinate; [3] to [5]: torque on a free body, inertial axes */
+    vm_real extra_mass; /* kg: dM/dv (reactive v - u) by a mass law M(v), which acts like an additional mass (mass.h) */
+    vm_real mass_rate;  /* kg/s: rate of the mass, if the mass is a number of the state */
+    vm_real force[6];   /* N (N m on an angle): force on each coordinate; free body: [3] to [5] torque, inertial axes */
     vm_real mass_by_v;  /* kg s/m: the derivative dM/dv of a mass law M(v) */
     vm_real joining_v;  /* m/s: velocity of the mass that joins or leaves by a mass law */
     /* fields for growing bodies only */
-    vm_vec3 drift;           /* m/s, inertial axes: velocity of the mass centre relative to the body */
-    vm_vec3 centre_rate;     /* m/s, body axes: velocity of the mass centre relative to the body */
-    vm_inertia inertia_rate; /* kg m^2/s, body axes: rate of the inertia */
+    vm_vec3 drift;           /* m/s, inertial axes: rate r' of the mass centre's position less the state's v */
+    vm_vec3 centre_rate;     /* m/s, body axes: velocity at which the mass centre moves in the body */
+    vm_inertia inertia_rate; /* kg m^2/s, body axes: rate of the inertia of the body */
     /* fields used only if the scene keeps a budget */
     vm_real reactive[6];    /* N, N m: the reactive part of `force` */
     vm_real brought[6];     /* N, N m: momentum and angular momentum that streams bring per second */
@@ -20813,35 +20814,36 @@ struct VM_TAG(vm_scene_body) {
     /* fields set by the constructor */
     int motion;        /* VM_LINE, VM_AXLE, VM_PLANE, VM_POINT or VM_FREE */
     int mass_is_state; /* 1: the mass is a number of the state, so that streams can change it */
-    int grows;         /* 1: mass centre and inertia are numbers of the state too */
+    int grows;         /* 1: the mass centre and the inertia are numbers of the state, too */
     int absent;        /* 1: the body is not present until an event brings it in */
     int positions;     /* number of positions in the state of the body */
     int coordinates;   /* number of velocities in the state of the body */
     /* fields set by vm_scene_start and kept up to date by a run */
     int at;      /* index in y of the first number of the body */
-    int mass_at; /* index in y of the mass, if the mass is a state */
+    int mass_at; /* index in y of the mass, if the mass is a number of the state */
     int away;    /* 1 while the body is not present */
-    /* The functions of the motion. They are pointers, so that a program links only those for the motions of its bodies.
-       accelerate computes the derivatives of the state from the load and returns a status. begin is NULL, or prepares a
-       growing body in each evaluation, before the effects act. */
+    /* Functions for the kind of motion of the body. They are pointers, so that a program links only the functions for
+       the kinds of motion that its bodies have. `accelerate` computes the derivatives of the state from the load and
+       returns a status. `begin` is NULL, or a function that prepares a growing body in each evaluation, before the
+       effects act. */
     int (*accelerate)(const vm_scene_body *b, const vm_real *state, vm_real *rates);
     void (*begin)(vm_scene_body *b, const vm_real *state);
-    vm_real mass; /* kg: the mass, if it is neither a state nor given by a law */
+    vm_real mass; /* kg: the mass, if it is neither a number of the state nor given by a law */
     vm_load load; /* the loads on the body at the last evaluation */
     void (*put)(vm_scene_body *b, const vm_body *now, vm_real angle, vm_real *state);  /* writes *now to the state */
     void (*get)(const vm_scene_body *b, const vm_real *state, vm_body *now);           /* reads *now from the state */
-    int (*check)(const vm_body *start); /* NULL, or a check of the inertia, which returns a status */
-    vm_body start;                      /* motion at the start; line: mass, r.x, v.x; axle: mass (kg m^2), omega.z */
+    int (*check)(const vm_body *start); /* NULL, or a function that checks the inertia and returns a status */
+    vm_body start;                      /* motion at the start; a line uses mass, r.x, v.x; an axle mass, omega.z */
     vm_real angle;                      /* rad: the angle of an axle or of a body in the plane at the start */
-    vm_vec3 centre;         /* m, body axes: how far jumps have moved the mass centre (points.h) */
-    vm_real law_offset;     /* kg: added to the mass that the law gives, after jumps and after switching */
+    vm_vec3 centre;         /* m, body axes: the vector by which jumps have moved the mass centre */
+    vm_real law_offset;     /* kg: added to the mass that a law gives; jumps and switching of the law change it */
     vm_inertia inertia;     /* kg m^2, body axes: the present inertia */
-    vm_inertia invertible;  /* kg m^2: the inertia with a dummy moment about each axis that has none */
+    vm_inertia invertible;  /* kg m^2: `inertia` with an arbitrary moment > 0 about axes without moment of inertia */
     vmi_mat3 axes;          /* the present body axes of a growing body, in inertial axes */
-    int listed_orders;      /* bit (1 << order) for each effect on the body that vm_scene_check has found so far */
+    int listed_orders;      /* bit (1 << order) for each `order` of the effects on the body that are checked so far */
     int status;             /* VM_OK, or the reason why the constructor could not make the body */
     vm_real noted_mass;     /* kg: the mass that the body must have after an event */
-    void (*shift)(vm_scene_body *b, vm_vec3 step, const vm_real *state); /* NULL, or it adds to `centre` */
+    void (*shift)(vm_scene_body *b, vm_vec3 step, const vm_real *state); /* NULL, or adds to `centre` */
 };
 
 /* Function of the caller that writes position (m), velocity (m/s) and acceleration (m/s^2) of a point at time t */
@@ -20850,7 +20852,8 @@ typedef struct VM_TAG(vm_scene) vm_scene;
 typedef struct VM_TAG(vm_effect) vm_effect;
 typedef struct VM_TAG(vm_event) vm_event;
 
-/* What a mass law M(t, x, v) returns: the mass and its partial derivatives by time t, position x and velocity v */
+/* What a mass law M(t, x, v) returns: the mass, and its partial derivatives with respect to time t, position x and
+   velocity v */
 typedef struct VM_TAG(vm_mass_law_values) {
     vm_real mass; /* kg (on an axle kg m^2): the mass M */
     vm_real by_t; /* kg/s (on an axle kg m^2/s): dM/dt */
@@ -20858,58 +20861,60 @@ typedef struct VM_TAG(vm_mass_law_values) {
     vm_real by_v; /* kg s/m (on an axle kg m^2 s/rad): dM/dv */
 } vm_mass_law_values;
 
-/* Where an effect has to stand in the list of effects, among the effects on its body */
+/* The place that an effect must have in the list of effects, among the effects on its body */
 enum {
-    VMI_ORDER_MASS_LAW = 0, /* mass laws stand first, since all other effects may need the mass */
+    VMI_ORDER_MASS_LAW = 0, /* a mass law stands before all other effects on its body, since they may need the mass */
     VMI_ORDER_FORCE = 1,
-    VMI_ORDER_LINK = 2, /* links stand last, since the force of a link depends on all other forces on its ends */
-    VMI_ORDER_JOINTS = 3 /* joints stand last, as links do; a check of their own examines all their bodies */
+    /* a link stands after all other effects on its bodies, since its force depends on all other forces on them */
+    VMI_ORDER_LINK = 2,
+    VMI_ORDER_JOINTS = 3 /* joints stand after all other effects on their bodies; see vmi_joints_check */
 };
 
-/* What kind of mass an effect needs: any, one that is a state, or that of a growing body */
+/* The kind of mass that an effect needs: any mass, a mass that is a number of the state, or the mass of a growing
+   body */
 enum { VMI_NEEDS_ANY_MASS = 0, VMI_NEEDS_MASS_STATE = 1, VMI_NEEDS_GROWING_BODY = 2 };
 
 /* Reasons why an effect does not act now, as bits of vm_effect.idle */
 enum { VMI_IDLE_SWITCHED_OFF = 1, VMI_IDLE_BODY_AWAY = 2 };
 
-/* An effect. A constructor such as vm_effect_spring makes it. The comment above vmi_effect in effects.h explains how to
-   write a new one. */
+/* An effect. A constructor such as vm_effect_spring makes it. A comment in effects.h, above vmi_effect_between,
+   explains how to write the constructor of a new kind of effect. */
 struct VM_TAG(vm_effect) {
     /* fields set by the constructor */
     void (*apply)(const vm_effect *effect, vm_real t, const vm_real *y, vm_scene *scene); /* adds to the loads */
-    int variant; /* which variant of the effect: for example which mass law, or whether a band lies in layers */
-    /* fields set once by vm_scene_start, so that evaluations are fast */
-    int idle;             /* bits VMI_IDLE_... that say why the effect does not act; 0 while it acts */
+    int variant; /* number of the effect's variant: for example which mass law, or whether a band lies in layers */
+    /* fields that vm_scene_start sets once, so that evaluations need not compute them */
+    int idle;             /* bits VMI_IDLE_... that say why the effect does not act; 0 while the effect acts */
     int x, v;             /* indices in y: position and velocity of the coordinate on which the effect acts */
     int other_x, other_v; /* indices in y: position and velocity of the coordinate on which the opposite force acts */
     vm_load *load;        /* load of the body on which the effect acts */
-    vm_load *other_load;  /* load of the body on which the opposite force acts; NULL for the ground */
+    vm_load *other_load;  /* load of the body on which the opposite force acts; NULL if that is the ground */
     /* further fields set by the constructor */
     int body, coordinate;        /* index of the body and its coordinate on which the effect acts */
     int other, other_coordinate; /* body and coordinate on which the opposite force acts, or VM_GROUND */
-    vm_real p[6];                /* parameters; the enum VMI_<EFFECT>_... of each effect names their indices */
+    vm_real p[6];                /* parameters; each kind of effect has an enum that names the indices */
     vm_real (*force)(vm_real t, vm_real x, vm_real v, void *ctx);   /* function given to vm_effect_force */
     vm_mass_law_values (*law)(vm_real t, vm_real x, vm_real v, void *ctx); /* function given to vm_effect_mass_law */
     vm_moving_point point;                                          /* NULL, or the function for vm_effect_link */
     const vm_stream *stream;                                        /* stream of vm_effect_stream_mass, _force, ... */
     void (*vary)(vm_real t, const vm_real *y, vm_stream *stream, void *ctx); /* function given to vm_effect_varying */
-    int (*check)(const vm_effect *effect); /* NULL, or a check of the parameters, which returns a status */
+    int (*check)(const vm_effect *effect); /* NULL, or a function that checks the parameters and returns a status */
     void *ctx;                             /* pointer that the caller's function receives */
-    unsigned motions;                      /* bit (1 << motion) for each motion that `body` may have */
-    unsigned other_motions;                /* bit (1 << motion) for each motion that `other` may have */
+    unsigned motions;                      /* bit (1 << motion) for each kind of motion that `body` may have */
+    unsigned other_motions;                /* bit (1 << motion) for each kind of motion that `other` may have */
     int needs;                             /* what kind of mass the effect needs: VMI_NEEDS_... */
-    int order;                             /* where it stands among the effects on its body: VMI_ORDER_... */
-    int off;          /* 1: switched off when the scene starts; the caller may set it before the start */
+    int order;                             /* VMI_ORDER_...: its place among the effects on its body */
+    int off;          /* 1: the effect is switched off at the start; the caller may set this field before the start */
     int not_on_angle; /* 1: the effect cannot act on the angle of a body in the plane */
-    /* NULL, or a check that needs the scene. It is called after the bodies of the effect have been checked, and before
-       the parameters p are checked. It returns a status. */
+    /* NULL, or a function that checks the effect and needs the scene for this. It is called after the bodies of the
+       effect have been checked, and before the parameters p are checked. It returns a status. */
     int (*check_in_scene)(const vm_scene *scene, const vm_effect *effect);
     int (*settle)(const vm_effect *effect, vm_real *y, vm_scene *scene); /* NULL, or gives impulses after a jump */
-    const void *parts; /* what the caller keeps for the effect: a vm_point_spring, vm_contact or vm_joints */
+    const void *parts; /* the vm_point_spring, vm_contact or vm_joints with which the caller made the effect */
 };
 
-/* Which part of the action of an event is left to do after a mass law has failed: nothing, the whole action, or its
-   last part, which adjusts the masses after a change */
+/* Which part of the action of an event is left to do after a mass law has failed: nothing, the whole action, or only
+   its last part, which adjusts the masses after a jump or a switching */
 enum { VMI_LEFT_NOTHING = 0, VMI_LEFT_ALL, VMI_LEFT_MASSES };
 
 /* What a jump event does */
@@ -20918,13 +20923,14 @@ enum { VMI_JUMP_NONE = 0, VMI_JUMP_SEPARATES, VMI_JUMP_ATTACHES };
 /* An event. A constructor such as vm_event_at says when it happens, and a function such as vm_then_stop says what it
    does. */
 struct VM_TAG(vm_event) {
-    vm_real (*when)(const vm_event *event, vm_real t, const vm_real *y); /* NULL, or a function that is 0 at an event */
+    vm_real (*when)(const vm_event *event, vm_real t, const vm_real *y); /* NULL, or is 0 at the event */
     /* NULL if the event is only counted, or the function that the event calls. It returns a status; VM_STOPPED ends the
        run. */
     int (*then)(vm_event *event, vm_real t, vm_real *y);
-    vm_real time;  /* s: time of the event if `when` is NULL; else when it last happened, or the start of the scene */
-    int direction; /* > 0: `when` rises through zero; < 0: `when` falls; 0: both count */
-    /* NULL, or functions that return a status: check_when checks when the event happens, check what it does */
+    vm_real time;  /* s: the set time of the event; if `when` is not NULL, when the event last happened or the start */
+    int direction; /* > 0: the event happens if `when` rises through 0; < 0: if it falls through 0; 0: in both cases */
+    /* Each is NULL, or a function that returns a status. check_when checks the condition for the event, `check` checks
+       its action. */
     int (*check_when)(const vm_scene *scene, const vm_event *event);
     int (*check)(const vm_scene *scene, const vm_event *event);
     /* fields for an event that happens when a coordinate, a velocity or the mass of a body crosses `value` */
@@ -20932,65 +20938,73 @@ struct VM_TAG(vm_event) {
     vm_real value;
     /* fields for an event that switches effects */
     int effect;    /* index of the first effect */
-    int n_effects; /* number of effects that follow each other in the list, the first one included */
+    int n_effects; /* number of effects that are switched; they follow each other in the list */
     int off;       /* 1: the effects are switched off; 0: on */
-    /* fields for a jump: jump computes the motion after the jump on a line, in the plane, or for any motion */
+    /* fields for a jump; the function `jump` computes the motion after the jump, for a line or axle, for the plane, or
+       for any kind of motion */
     int (*jump)(const vm_event *event, const vm_body *body, vm_body *other, vm_body *result);
-    unsigned motions;    /* bit (1 << motion) for each motion of a body that can jump in this way */
+    unsigned motions;    /* bit (1 << motion) for each kind of motion that a body may have for this jump */
     int jump_kind;       /* VMI_JUMP_NONE, VMI_JUMP_SEPARATES or VMI_JUMP_ATTACHES */
     int jump_body;       /* index of the body that loses or gains mass */
     int other;           /* index of the body that separates from jump_body, or is attached to it */
     vm_body part;        /* the part that separates */
-    int relative;        /* 1: the motion of `part` is relative to the body, in body axes */
-    vm_impulse external; /* impulse from outside during the jump; the caller may set it */
+    int relative;        /* 1: the motion of `part` is given relative to the body, in body axes */
+    vm_impulse external; /* impulse from outside during the jump; the caller may set this field */
     /* fields for vm_event_user and vm_then_user */
     vm_real (*user_when)(vm_real t, const vm_real *y, void *ctx);
     int (*user_then)(vm_real t, vm_real *y, void *ctx);
     void *ctx;      /* pointer that user_when receives */
     void *then_ctx; /* pointer that user_then receives */
     /* fields for the caller */
-    long most;  /* how often the event happens at most; 0 means no limit. The caller may set it */
+    long most;  /* largest number of times that the event happens; 0: no limit. The caller may set this field */
     long count; /* how often the event has happened */
     /* fields set by vm_scene_start and kept up to date by a run */
-    long seen;       /* number of crossings found by the integrator that the run has already handled */
+    long seen;       /* number of crossings that the integrator has found and the run has already handled */
     vm_scene *scene; /* the scene to which the event belongs */
     int status;      /* VM_OK, or the reason why a constructor could not make the event */
-    const void *parts; /* what the caller keeps for the event: a vm_contact */
+    const void *parts; /* the caller's vm_contact, which the event uses */
     vm_event *actions; /* NULL, or the array of n_actions events whose actions this event does (vm_then_all) */
     int n_actions;
-    /* fields for an action that a failing mass law has interrupted; the next run does the rest of it */
+    /* fields for an action that a failing mass law has interrupted; the next run does the rest of the action */
     int left;        /* VMI_LEFT_...: how much of the action is left */
-    int next_action; /* index, in the list of actions, of the action that is left */
-    int so_far;      /* status of the actions before that one in the list */
+    int next_action; /* index of the interrupted action in the list of actions */
+    int so_far;      /* status of the actions before the interrupted action */
     vm_real energy;  /* J: kinetic energy of all bodies before a jump */
 };
 
 typedef struct VM_TAG(vm_budget) vm_budget;
 
-/* The budget of momentum, angular momentum and energy of a scene: the amounts of the bodies, the supply from outside,
-   and the difference. vm_scene_keep_budget makes a scene keep it, and vm_scene_budget_at computes it. */
+/* The budget of momentum, angular momentum and energy of a scene: what the bodies have, what was supplied from outside
+   since the start, and the defects, which are the differences. vm_scene_keep_budget makes a scene keep a budget, and
+   vm_scene_budget_at computes it. */
 struct VM_TAG(vm_budget) {
-    vm_vec3 impulse;          /* N s: impulse of the effects and of the external impulses of jumps */
-    vm_vec3 angular_impulse;  /* N m s: angular impulse about the origin of effects and of external impulses of jumps */
-    vm_vec3 brought;          /* N s: momentum that streams and mass laws brought */
-    vm_vec3 brought_angular;  /* N m s: angular momentum about the origin that streams and mass laws brought */
+    vm_vec3 impulse;          /* N s: sum of the impulses of effects and of the external impulses of jumps */
+    vm_vec3 angular_impulse;  /* N m s, about the origin: angular impulse of effects and external impulses of jumps */
+    vm_vec3 brought;          /* N s: momentum that streams and mass laws brought to the bodies */
+    vm_vec3 brought_angular;  /* N m s, about the origin: angular momentum that streams and mass laws have brought */
     vm_real work;             /* J: work of the effects, without reactive forces */
-    vm_real brought_energy;   /* J: kinetic energy that streams and mass laws brought */
+    vm_real brought_energy;   /* J: kinetic energy that streams and mass laws brought to the bodies */
     vm_real mixing;           /* J: kinetic energy lost as the mass of streams took on the velocity of the body */
     vm_vec3 momentum;         /* N s: momentum of all bodies that are present */
-    vm_vec3 angular_momentum; /* N m s: angular momentum of all bodies that are present, about the origin */
+    vm_vec3 angular_momentum; /* N m s, about the origin: angular momentum of all bodies that are present */
     vm_real energy;           /* J: kinetic energy of all bodies that are present */
     vm_real jump_energy;      /* J: kinetic energy that jumps have added */
-    vm_vec3 momentum_defect;  /* N s: momentum - momentum at the start - impulse - brought */
-    vm_vec3 angular_defect;   /* N m s: angular_momentum - its value at the start - angular_impulse - brought_angular */
-    vm_real energy_defect;    /* J: energy - energy at the start - work - brought_energy + mixing - jump_energy */
-    /* internal functions; they are pointers, so that a program without a budget does not link them */
+    /* Defects: the part of the change since the start that was not supplied from outside. The index 0 marks values at
+       the start.
+         momentum_defect  momentum - momentum_0 - impulse - brought, in N s
+         angular_defect   angular_momentum - angular_momentum_0 - angular_impulse - brought_angular, in N m s
+         energy_defect    energy - energy_0 - work - brought_energy + mixing - jump_energy, in J */
+    vm_vec3 momentum_defect;
+    vm_vec3 angular_defect;
+    vm_real energy_defect;
+    /* functions for internal use; they are pointers, so that a program without a budget does not link these
+       functions */
     void (*open)(vm_scene *scene, const vm_real *y, vm_real *sums);
     void (*rates)(vm_scene *scene, const vm_real *y, vm_real *rates);
     void (*totals)(const vm_scene *scene, const vm_real *y, vm_budget *budget);
 };
 
-/* A scene. Every field that is 0 or NULL means that the scene has no such part. */
+/* A scene. If a field for a part is 0 or NULL, the scene does not have this part. */
 struct VM_TAG(vm_scene) {
     /* fields set by the caller before vm_scene_start */
     vm_scene_body *bodies; /* array of n_bodies bodies */
@@ -21002,7 +21016,8 @@ struct VM_TAG(vm_scene) {
     int n_events;
     vm_budget *budget; /* NULL, or the budget of vm_scene_keep_budget; y then has VM_BUDGET_STATES more numbers */
     /* NULL, or a function of the caller that writes or keeps results. If `times` is NULL, a run calls it at its start
-       and after each step; else only at these times. If it returns a number other than 0, the run stops. */
+       and after each step; else only at the times of this array. If it returns a number other than 0, the run
+       stops. */
     int (*output)(vm_real t, const vm_real *y, vm_scene *scene, void *ctx);
     const vm_real *times; /* s: NULL, or an array of n_times increasing times at which output is called */
     int n_times;
@@ -21010,19 +21025,19 @@ struct VM_TAG(vm_scene) {
     int y_size;       /* number of elements of y, which vm_scene_start and vm_scene_run check; 0 means no check */
     int work_size;    /* number of elements of work, which vm_scene_run checks; 0 means no check */
     /* fields set by vm_scene_start and by a run, for the caller to read */
-    int status;     /* VM_OK, or why the right-hand side cannot accelerate a body or apply an effect */
+    int status;     /* VM_OK, or the reason why a body cannot be accelerated or an effect cannot act */
     int ode_status; /* status of the integrator: ODE_OK or another status of ode.h */
     int size;       /* number of elements of the state; 0 before the start */
 };
 
-/* Sets of motions, with the bit (1 << motion) for each motion */
+/* Sets of kinds of motion, with the bit (1 << motion) for each kind */
 enum {
     VMI_SINGLE = 1 << VM_LINE | 1 << VM_AXLE, /* motions with one coordinate */
     VMI_FLAT = 1 << VM_PLANE | 1 << VM_POINT, /* a body in the plane, and a point in space */
     VMI_ALL_MOTIONS = VMI_SINGLE | VMI_FLAT | 1 << VM_FREE
 };
 
-/* The index of the mass among the numbers of a body, if the mass is a state */
+/* The index of the mass among the numbers of a body, if the mass is a number of the state */
 VM_INLINE int vmi_scene_mass_at(const vm_scene_body *b) { return b->positions + b->coordinates; }
 
 /* The number of elements of the state that belong to the body */
@@ -21047,7 +21062,8 @@ VM_INLINE vm_real vmi_effect_v(const vm_effect *e, const vm_real *y)
     return e->other_load ? y[e->v] - y[e->other_v] : y[e->v];
 }
 
-/* Adds the force f to the coordinate on which the effect acts, and the opposite force -f to the other coordinate */
+/* Adds the force f to the coordinate on which the effect acts. If it acts against another body, adds the opposite
+   force -f to the coordinate of that body. */
 VM_INLINE void vmi_effect_act(const vm_effect *e, vm_real f)
 {
     e->load->force[e->coordinate] += f;
@@ -21058,17 +21074,19 @@ VM_INLINE void vmi_effect_act(const vm_effect *e, vm_real f)
 /* scenes/motions.h - the bodies of a scene, and how each of them moves
 
    A body moves along a line, about an axle, in the plane, as a point in space, or free in space, with rotation. The
-   arguments of its constructor are its motion at the start, in SI units. Each kind of body has four functions: put
-   writes its motion into the state, get reads its motion from the state, accelerate computes the derivatives of the
-   state from the load, and check refuses an inertia that the body cannot have.
+   arguments of its constructor are its motion at the start, in SI units. Each kind of motion has three or four
+   functions: `put` writes the motion of a body into the state, `get` reads it from the state, `accelerate` computes
+   the derivatives of the state from the load, and `check`, which a line and an axle do not have, refuses an inertia
+   that the body cannot have.
 
        vm_vec3 zero = {0, 0, 0};
        vm_scene_body bodies[] = {vm_scene_body_line(2, 0.1, 0),                              // 2 kg at x = 0.1 m
                                  vm_scene_body_axle(0.5, 0, 30),                             // 0.5 kg m^2 at 30 rad/s
                                  vm_scene_body_absent(vm_scene_body_point(1, zero, zero))};  // an event brings it in
 
-   The constructors check only for NULL pointers; vm_scene_check and vm_scene_start refuse a mass that is not positive
-   (VM_BAD_MASS), an inertia that the body cannot have (VM_BAD_INERTIA) and numbers that are not finite (VM_NOT_FINITE).
+   The constructors only check whether a pointer is NULL. Other errors are found by vm_scene_check and vm_scene_start:
+   they return VM_BAD_MASS if a mass is not positive, VM_BAD_INERTIA if the body cannot have its inertia, and
+   VM_NOT_FINITE if a number is not finite.
 
    Tests: tests/test_scene_bodies.c. */
 #ifndef VARMASS_SCENES_MOTIONS_H
@@ -21088,7 +21106,7 @@ VM_API vm_scene_body vmi_scene_body(int motion, int positions, int coordinates)
 
 /* -- One coordinate: a line and an axle -- */
 
-/* Computes the acceleration x'' = force/(mass + extra_mass) along the only coordinate */
+/* Computes the acceleration x'' = force/(mass + extra_mass) along the only coordinate of the body */
 VM_API int vmi_single_accelerate(const vm_scene_body *b, const vm_real *state, vm_real *rates)
 {
     rates[0] = state[1];
@@ -21179,8 +21197,8 @@ VM_API void vmi_plane_put(vm_scene_body *b, const vm_body *now, vm_real angle, v
     state[VMI_PLANE_OMEGA] = now->omega.z;
 }
 
-/* Reads a body in the plane. Motion in the plane does not depend on the moments of inertia about x and y. Both are
-   set to zz/2, as for a thin plate, so that a body with this inertia is possible. */
+/* Reads the motion of a body in the plane. This motion does not depend on the moments of inertia about x and y. Both
+   are set to zz/2, as for a thin plate, so that a body with this inertia can exist. */
 VM_API void vmi_plane_get(const vm_scene_body *b, const vm_real *state, vm_body *now)
 {
     (void)b;
@@ -21223,8 +21241,8 @@ VM_API int vmi_point_body_check(const vm_body *start)
     return VM_BAD_INERTIA;
 }
 
-/* Computes r' and v' of a point or of a free body. The state of a point is {r, v}. The state of a free body is
-   {r, q, v, ...} with the quaternion q; vmi_free_accelerate computes q'. */
+/* Computes the rates of position r and velocity v of a point or of a free body. The state of a point is {r, v}. The
+   state of a free body is {r, q, v, ...} with the quaternion q, whose rate vmi_free_accelerate computes. */
 VM_API int vmi_point_body_accelerate(const vm_scene_body *b, const vm_real *state, vm_real *rates)
 {
     int i;
@@ -21264,10 +21282,10 @@ VM_API vm_scene_body vm_scene_body_point(vm_real mass, vm_vec3 r, vm_vec3 v)
 
 enum { VMI_FREE_R = 0, VMI_FREE_Q = 3, VMI_FREE_V = 7, VMI_FREE_OMEGA = 10 }; /* indices in state; omega: body axes */
 
-/* Solves Euler's equations I omega' = torque - omega x I omega. omega and the rates are in body axes, torque in
-   inertial axes. The matrix of the linear equations includes the dummy moments of b->invertible; therefore the
-   equations can be solved for a rod, too. The spin of a rod about its own axis stays constant, since no load turns the
-   rod about this axis. */
+/* Solves Euler's equations I omega' = torque - omega x I omega for omega', where I is the inertia of the body. omega
+   and omega' (`rates`) are in body axes, torque in inertial axes. The matrix of these linear equations is
+   b->invertible, which includes dummy moments (vmi_invertible_inertia); therefore the equations can be solved for a
+   rod, too. The spin of a rod about its own axis stays constant, since no load turns the rod about this axis. */
 VM_API int vmi_free_euler(const vm_scene_body *b, const vmi_mat3 *axes, vm_vec3 torque, vm_vec3 omega, vm_real *rates)
 {
     const vm_inertia *i = &b->invertible;
@@ -21294,8 +21312,9 @@ VM_API int vmi_free_accelerate(const vm_scene_body *b, const vm_real *state, vm_
     return vmi_free_euler(b, &axes, vmi_get3(b->load.force + 3), omega, rates + VMI_FREE_OMEGA);
 }
 
-/* The inertia with a dummy moment about each axis that has none, so that it can be inverted. No torque acts about such
-   an axis, so that the dummy moment has no effect on the motion. */
+/* Returns the inertia with a dummy moment (an arbitrary number > 0) about each principal axis without moment of
+   inertia, so that the matrix can be inverted. No torque acts about such an axis, so that the dummy moment has no
+   effect on the motion. */
 VM_API vm_inertia vmi_invertible_inertia(const vm_inertia *i)
 {
     const vm_real trace = i->xx + i->yy + i->zz, dummy = trace > 0 ? trace : 1;
@@ -21331,7 +21350,7 @@ VM_API void vmi_free_get(const vm_scene_body *b, const vm_real *state, vm_body *
     now->omega = vmi_times(&axes, vmi_get3(state + VMI_FREE_OMEGA));
 }
 
-/* A body that moves and turns freely in space. *start is its motion at the start. The body may be a rod, whose spin
+/* A body that moves and turns freely in space. *start is its motion at the start. The body may be a rod; its spin
    about its own axis then stays constant. vm_scene_start returns VM_BAD_ARGUMENT if start is NULL. */
 VM_API vm_scene_body vm_scene_body_free(const vm_body *start)
 {
@@ -21348,31 +21367,32 @@ VM_API vm_scene_body vm_scene_body_free(const vm_body *start)
 
 /* -- Any body -- */
 
-/* A body like `body` whose mass is a state, so that streams can change the mass. */
+/* A body like `body`, but its mass is a number of the state, so that streams can change it. */
 VM_API vm_scene_body vm_scene_body_with_mass_state(vm_scene_body body)
 {
     body.mass_is_state = 1;
     return body;
 }
 
-/* A body like `body` that is not present until an event brings it in. Effects on the body do not act before this
-   event. A part that separates has the mass that is given with the part; the mass of the body here must only be
-   positive. */
+/* A body like `body`, but it is not present until an event brings it into the scene. Effects on the body do not act
+   before this event. When a part separates and becomes this body, the body has the mass of the part; the mass of the
+   argument `body` is then not used, but must be positive. */
 VM_API vm_scene_body vm_scene_body_absent(vm_scene_body body)
 {
     body.absent = 1;
     return body;
 }
 
-/* The number of coordinates on which the mass, or on an axle the moment of inertia, resists acceleration */
+/* The number of coordinates of the mass centre: along these the mass resists acceleration. For an axle it is 1: the
+   moment of inertia resists the acceleration of the angle. */
 VM_INLINE int vmi_scene_directions(int motion)
 {
     if (motion <= VM_AXLE) return 1;
     return motion == VM_PLANE ? 2 : 3;
 }
 
-/* The array a has a number for each coordinate, for example its velocity or the force on it. Returns the numbers for
-   the motion of the mass centre as a vector in inertial axes. */
+/* The array a has a number for each coordinate, for example its velocity or the force on it. Returns the numbers that
+   belong to the mass centre, as a vector in inertial axes. */
 VM_API vm_vec3 vmi_scene_moving(const vm_scene_body *b, const vm_real *a)
 {
     if (b->motion == VM_AXLE) return vmi_vec3(0, 0, 0);
@@ -21381,8 +21401,8 @@ VM_API vm_vec3 vmi_scene_moving(const vm_scene_body *b, const vm_real *a)
     return vmi_get3(a);
 }
 
-/* The array a has a number for each coordinate, for example its velocity or the torque on it. Returns the numbers for
-   the rotation of the body as a vector, in the axes in which the array has them. */
+/* The array a has a number for each coordinate, for example its velocity or the torque on it. Returns the numbers that
+   belong to the rotation of the body, as a vector in the same axes as in the array. */
 VM_API vm_vec3 vmi_scene_turning(const vm_scene_body *b, const vm_real *a)
 {
     if (b->motion == VM_AXLE) return vmi_vec3(0, 0, a[0]);
@@ -21401,8 +21421,9 @@ VM_API vm_vec3 vmi_scene_spin(const vm_scene_body *b, const vm_real *y)
     return vmi_times(&axes, omega);
 }
 
-/* The array a has a number for each coordinate. Adds the vector `moving` to the numbers for the motion of the mass
-   centre and the vector `turning` to the numbers for the rotation. vmi_scene_moving and vmi_scene_turning read them. */
+/* The array a has a number for each coordinate. Adds the vector `moving` to the numbers that belong to the mass
+   centre, and the vector `turning` to the numbers that belong to the rotation. vmi_scene_moving and vmi_scene_turning
+   read these numbers. */
 VM_API void vmi_scene_add(const vm_scene_body *b, vm_real *a, vm_vec3 moving, vm_vec3 turning)
 {
     if (b->motion == VM_AXLE) {
@@ -21423,8 +21444,8 @@ VM_API void vmi_scene_add(const vm_scene_body *b, vm_real *a, vm_vec3 moving, vm
 /* scenes/growing.h - bodies whose mass centre and inertia change
 
    The mass, the mass centre in the body, and the inertia of a growing body are numbers of the state, so that streams
-   can enter or leave at its points (streams.h). A growing body moves in the plane or in space. A body without extension
-   (a rod, a point) cannot grow.
+   can enter or leave at points of the body (streams.h). A growing body moves in the plane or in space. A point cannot
+   grow, and neither can a rod, which has no moment of inertia about its axis.
 
        vm_vec3 zero = {0, 0, 0};
        vm_scene_body bodies[] = {vm_scene_body_growing_plane(vm_scene_body_plane(2, 1, zero, 0, zero, 0))};
@@ -21434,11 +21455,11 @@ VM_API void vmi_scene_add(const vm_scene_body *b, vm_real *a, vm_vec3 moving, vm
 #ifndef VARMASS_SCENES_GROWING_H
 #define VARMASS_SCENES_GROWING_H
 
-/* The index of the mass centre in the state of a growing body; the mass centre follows the mass */
+/* The index of the coordinates of the mass centre in the state of a growing body; these coordinates follow the mass */
 VM_INLINE int vmi_growth_centre_at(const vm_scene_body *b) { return vmi_scene_mass_at(b) + 1; }
 
-/* The index of the inertia in the state of a growing body; the inertia follows the mass centre, which has 2 or 3
-   numbers */
+/* The index of the inertia in the state of a growing body; the inertia follows the 2 or 3 coordinates of the mass
+   centre */
 VM_INLINE int vmi_growth_inertia_at(const vm_scene_body *b)
 {
     const int directions = b->motion == VM_PLANE ? 2 : 3;
@@ -21501,8 +21522,8 @@ VM_API void vmi_plane_growing_get(const vm_scene_body *b, const vm_real *state, 
     vmi_plane_get(b, state, now);
 }
 
-/* A growing body in the plane. The argument is a body made by vm_scene_body_plane. A run ends with VM_BAD_INERTIA when
-   the inertia is no longer positive. vm_scene_start returns VM_BAD_MOTION for any other body. */
+/* A growing body in the plane. The argument is a body made by vm_scene_body_plane; for any other body vm_scene_start
+   returns VM_BAD_MOTION. A run ends with VM_BAD_INERTIA when the moment of inertia is no longer positive. */
 VM_API vm_scene_body vm_scene_body_growing_plane(vm_scene_body body)
 {
     body.mass_is_state = body.grows = 1;
@@ -21524,7 +21545,8 @@ VM_API void vmi_free_growing_begin(vm_scene_body *b, const vm_real *state)
 VM_API int vmi_free_growing_accelerate(const vm_scene_body *b, const vm_real *state, vm_real *rates)
 {
     const vm_load *load = &b->load;
-    vmi_inertia_ldl factors; /* only for this test; vmi_free_accelerate solves Euler's equations by itself */
+    /* the factors are used only for this check: vmi_free_accelerate solves Euler's equations without them */
+    vmi_inertia_ldl factors;
     if (!vmi_inertia_factor_if_possible(&b->inertia, &factors)) return VM_BAD_INERTIA;
     vmi_growth_put_centre(b, load->centre_rate, rates);
     vmi_set_inertia(rates + vmi_growth_inertia_at(b), &load->inertia_rate);
@@ -21547,8 +21569,8 @@ VM_API void vmi_free_growing_get(const vm_scene_body *b, const vm_real *state, v
     vmi_free_get(b, state, now);
 }
 
-/* Checks the inertia of a growing body. A rod or a point is refused, since no stream could turn it about one of its
-   axes. */
+/* Checks the inertia of a growing body in space. A rod or a point is refused, since no stream could turn it about an
+   axis about which it has no moment of inertia. */
 VM_API int vmi_free_growing_check(const vm_body *start)
 {
     vmi_inertia_ldl factors;
@@ -21558,9 +21580,9 @@ VM_API int vmi_free_growing_check(const vm_body *start)
     return VM_OK;
 }
 
-/* A growing body in space. The argument is a body made by vm_scene_body_free. A run ends with VM_BAD_INERTIA when the
-   inertia becomes one that no body can have. vm_scene_start returns VM_BAD_MOTION for any other body, and
-   VM_BAD_INERTIA for a rod or a point. */
+/* A growing body in space. The argument is a body made by vm_scene_body_free; for any other body vm_scene_start
+   returns VM_BAD_MOTION, and for a rod or a point VM_BAD_INERTIA. A run ends with VM_BAD_INERTIA when the inertia
+   becomes one that no body can have. */
 VM_API vm_scene_body vm_scene_body_growing_free(vm_scene_body body)
 {
     body.mass_is_state = body.grows = 1;
@@ -21609,7 +21631,7 @@ VM_INLINE vm_real vm_force_van_der_pol(vm_real x, vm_real v, vm_real b, vm_real 
 }
 
 /* The torque of a motor, stall_torque - kappa omega. omega is the angular velocity in rad/s, stall_torque the torque at
-   rest in N m, and kappa the slope of the straight characteristic in N m s. */
+   rest in N m, and kappa in N m s the decrease of the torque per rad/s. */
 VM_INLINE vm_real vm_force_motor(vm_real omega, vm_real stall_torque, vm_real kappa)
 {
     return stall_torque - kappa * omega;
@@ -21626,7 +21648,7 @@ VM_INLINE vm_real vm_force_harmonic(vm_real t, vm_real amplitude, vm_real freque
 
 /* The reactive force of a stream, rate (u - reactive v). The stream brings `rate` kg of mass per second; a negative
    rate takes mass away. The mass has the velocity u + (1 - reactive) v, where v is the velocity of the body: u is
-   absolute if reactive is 1, and relative to the body if it is 0. */
+   absolute if reactive is 1, and relative to the body if reactive is 0. */
 VM_INLINE vm_real vm_force_stream(vm_real v, vm_real rate, vm_real u, vm_real reactive)
 {
     return rate * (u - reactive * v);
@@ -21661,8 +21683,9 @@ VM_INLINE void vm_force_unbalance(vm_real t, vm_real unbalance, vm_real frequenc
 }
 
 /* The gyroscopic force normal to the velocity (vx, vy) in the plane, 2 gyro (-vy, vx). gyro in kg/s is the coefficient
-   in the term 2 i gyro z' of the equation of Laval's rotor, where z is its complex deflection. The force does no work.
-   The components are written to *fx and *fy; if one of these pointers is NULL, nothing is written. */
+   in the term 2 i gyro z' of the equation of Laval's rotor, where i is the imaginary unit and z = x + i y the
+   deflection. The force does no work. The components are written to *fx and *fy; if one of these pointers is NULL,
+   nothing is written. */
 VM_INLINE void vm_force_gyroscopic(vm_real vx, vm_real vy, vm_real gyro, vm_real *fx, vm_real *fy)
 {
     if (!fx || !fy) return;
@@ -21673,10 +21696,11 @@ VM_INLINE void vm_force_gyroscopic(vm_real vx, vm_real vy, vm_real gyro, vm_real
 #endif
 /* scenes/effects.h - springs, dampers, motors and other forces on a coordinate
 
-   An effect exerts a force of forces.h on a coordinate of a body. x and v are the position and the velocity of this
-   coordinate. If an effect acts against another body, x and v are relative to a coordinate of that body, and the
-   opposite force acts on that coordinate; against VM_GROUND they are relative to a point at rest. In the list of
-   effects a mass law must stand before all other effects on its body, and a link after them.
+   An effect of this file exerts a force on a coordinate of a body; forces.h has the formulas of most of these forces.
+   x and v are the position and the velocity of this coordinate. If an effect acts against another body, x and v are
+   relative to a coordinate of that body, and the opposite force acts on that coordinate. If it acts against VM_GROUND,
+   x and v are relative to a point at rest. In the list of effects a mass law must stand before all other effects on
+   its body, and a link must stand after them.
 
        vm_effect effects[] = {vm_effect_gravity(0, 0, -9.81),                       // weight of body 0
                               vm_effect_linear_spring(0, 0, VM_GROUND, 0, 1000, 0), // 1000 N/m to the ground
@@ -21684,8 +21708,8 @@ VM_INLINE void vm_force_gyroscopic(vm_real vx, vm_real vy, vm_real gyro, vm_real
 
    In all constructors of this file `body` and `other` are indices of bodies, `coordinate` and `other_coordinate` are
    their coordinates (scene.h has a list). A constructor checks only whether a function of the caller is NULL;
-   vm_scene_check and vm_scene_start refuse an effect that its body cannot have, and parameters that are infinite, NaN
-   or outside their domain.
+   vm_scene_check and vm_scene_start refuse an effect that cannot act on its body, and parameters that are infinite,
+   NaN or outside their domain.
 
    Tests: tests/test_scene_effects.c. */
 #ifndef VARMASS_SCENES_EFFECTS_H
@@ -21693,16 +21717,18 @@ VM_INLINE void vm_force_gyroscopic(vm_real vx, vm_real vy, vm_real gyro, vm_real
 
 #include <string.h>
 
-/* To add an effect, write one block like that of the spring (vm_effect_spring), and nothing else in the headers:
+/* To add a new kind of effect, write one block of code like that of the spring (vm_effect_spring). The other code of
+   the headers does not change. The block has these parts:
      an enum          names the indices of the parameters in p[6];
      vmi_apply_NAME   adds the force to the loads, at each evaluation;
-     vmi_NAME_check   returns a status, if not all finite parameters are allowed;
+     vmi_NAME_check   checks the parameters and returns a status; it is needed only if some finite values are
+                      not allowed;
      vm_effect_NAME   is the constructor: it calls vmi_effect and sets the parameters and all that differs from the
                       defaults (the motions on which the effect can act, the check).
    The force itself may be a function of forces.h. */
 
-/* An effect on a coordinate of a body against a coordinate of another body. It can act on all motions, is neither a
-   mass law nor a link, and its parameters are 0. */
+/* An effect on a coordinate of a body against a coordinate of another body. It can act on all kinds of motion, is
+   neither a mass law nor a link, and its parameters are 0. */
 VM_API vm_effect vmi_effect_between(int body, int coordinate, int other, int other_coordinate,
                                     void (*apply)(const vm_effect *effect, vm_real t, const vm_real *y,
                                                   vm_scene *scene))
@@ -21761,7 +21787,7 @@ VM_API void vmi_apply_spring(const vm_effect *e, vm_real t, const vm_real *y, vm
 VM_API int vmi_spring_check(const vm_effect *e) { return e->p[VMI_SPRING_EXPONENT] >= 0 ? VM_OK : VM_DOMAIN; }
 
 /* A nonlinear spring, the force -k z |z|^(alpha-1) with z = x - rest (248). The stiffness k in N/m^alpha may have
-   either sign; rest is in m or rad. vm_scene_start returns VM_DOMAIN if alpha < 0. */
+   either sign; rest, the position without force, is in m or rad. vm_scene_start returns VM_DOMAIN if alpha < 0. */
 VM_API vm_effect vm_effect_spring(int body, int coordinate, int other, int other_coordinate, vm_real k,
                                   vm_real alpha, vm_real rest)
 {
@@ -21781,8 +21807,9 @@ VM_API void vmi_apply_linear_spring(const vm_effect *e, vm_real t, const vm_real
     vmi_effect_act(e, -e->p[VMI_SPRING_STIFFNESS] * extension);
 }
 
-/* A linear spring, the force -k (x - rest). The stiffness k in N/m may have either sign; rest is in m or rad. Unlike
-   vm_effect_spring, this effect does not make a program link the power function. */
+/* A linear spring, the force -k (x - rest). The stiffness k in N/m may have either sign; rest, the position without
+   force, is in m or rad. Unlike vm_effect_spring, this effect does not need the power function, so that a program with
+   it is smaller. */
 VM_API vm_effect vm_effect_linear_spring(int body, int coordinate, int other, int other_coordinate, vm_real k,
                                          vm_real rest)
 {
@@ -21858,8 +21885,8 @@ VM_API void vmi_apply_motor(const vm_effect *e, vm_real t, const vm_real *y, vm_
 }
 
 /* A motor, the torque stall_torque - kappa v. v is the angular velocity in rad/s, stall_torque the torque at rest in
-   N m, and kappa the slope of the straight characteristic in N m s. On a coordinate that is a length the units are N
-   and N s/m. */
+   N m, and kappa in N m s the decrease of the torque per rad/s. On a coordinate that is a length the units are N and
+   N s/m. */
 VM_API vm_effect vm_effect_motor(int body, int coordinate, vm_real stall_torque, vm_real kappa)
 {
     vm_effect e = vmi_effect(body, coordinate, vmi_apply_motor);
@@ -21895,9 +21922,9 @@ VM_API void vmi_apply_force(const vm_effect *e, vm_real t, const vm_real *y, vm_
     vmi_effect_act(e, e->force(t, vmi_effect_x(e, y), vmi_effect_v(e, y), e->ctx));
 }
 
-/* A force that the caller's function returns, between two coordinates. force(t, x, v, ctx) returns N (N m on an
-   angle). x and v are position and velocity of the coordinate, relative to other_coordinate of the body `other`, on
-   which the opposite force acts. vm_scene_start returns VM_BAD_ARGUMENT if force is NULL. */
+/* A force that the caller's function returns, between two coordinates. force(t, x, v, ctx) returns the force in N (on
+   an angle the torque in N m). x and v are position and velocity of the coordinate, relative to other_coordinate of
+   the body `other`, on which the opposite force acts. vm_scene_start returns VM_BAD_ARGUMENT if force is NULL. */
 VM_API vm_effect vm_effect_force_between(int body, int coordinate, int other, int other_coordinate,
                                         vm_real (*force)(vm_real t, vm_real x, vm_real v, void *ctx), void *ctx)
 {
@@ -21907,8 +21934,9 @@ VM_API vm_effect vm_effect_force_between(int body, int coordinate, int other, in
     return e;
 }
 
-/* A force that the caller's function returns. force(t, x, v, ctx) returns N (N m on an angle) for the time t and the
-   position x and velocity v of the coordinate. vm_scene_start returns VM_BAD_ARGUMENT if force is NULL. */
+/* A force that the caller's function returns. force(t, x, v, ctx) returns the force in N (on an angle the torque in
+   N m) for the time t and the position x and velocity v of the coordinate. vm_scene_start returns VM_BAD_ARGUMENT if
+   force is NULL. */
 VM_API vm_effect vm_effect_force(int body, int coordinate,
                                 vm_real (*force)(vm_real t, vm_real x, vm_real v, void *ctx), void *ctx)
 {
@@ -22001,9 +22029,9 @@ VM_API void vmi_apply_gyroscopic(const vm_effect *e, vm_real t, const vm_real *y
     e->load->force[1] += fy;
 }
 
-/* A gyroscopic force normal to the velocity (vx, vy), 2 gyro (-vy, vx). gyro in kg/s is the coefficient in the term 2 i
-   gyro z' of the equation of Laval's rotor, where z is its complex deflection. The effect acts on coordinates 0 and 1
-   of a body in the plane or of a point. It does no work. */
+/* A gyroscopic force normal to the velocity (vx, vy), 2 gyro (-vy, vx). gyro in kg/s is the coefficient in the term
+   2 i gyro z' of the equation of Laval's rotor, where i is the imaginary unit and z = x + i y the deflection. The
+   effect acts on coordinates 0 and 1 of a body in the plane or of a point. It does no work. */
 VM_API vm_effect vm_effect_gyroscopic(int body, vm_real gyro)
 {
     vm_effect e = vmi_effect(body, 0, vmi_apply_gyroscopic);
@@ -22016,8 +22044,8 @@ VM_API vm_effect vm_effect_gyroscopic(int body, vm_real gyro)
 /* scenes/gravitation.h - Newton's gravitation between bodies and towards a fixed centre
 
    The attraction falls with the inverse square of the distance and acts at the mass centres. It is computed from the
-   present masses, whatever changes them. The bodies move in the plane or in space, or are points. For uniform gravity
-   use vm_effect_gravity.
+   present masses, also if streams, laws or events change them. The bodies move in the plane or in space, or are
+   points. For uniform gravity use vm_effect_gravity.
 
        vm_vec3 zero = {0, 0, 0};
        vm_effect effects[] = {vm_effect_gravitation(0, 1, 6.6743e-11),                // between the bodies 0 and 1
@@ -22029,9 +22057,10 @@ VM_API vm_effect vm_effect_gyroscopic(int body, vm_real gyro)
 
 enum { VMI_GRAVITATION_G = 0, VMI_CENTRAL_CENTRE = 0, VMI_CENTRAL_MU = 3 };
 
-/* The attraction a b/r^2 along d, the vector to the other mass, with r = |d|. The factors a and b are divided one by
-   one, because their product could overflow. If the force is not finite, because the masses are at the same place, the
-   scene gets the status VM_NOT_FINITE, and the integrator refuses the step. */
+/* The attraction a b/r^2 along d, the vector to the other mass. r is the length of d, and a b is G times the product
+   of the two masses. Each of the factors a and b is divided by r, because the product a b could overflow. If the force
+   is not finite, because the masses are at the same place, the scene gets the status VM_NOT_FINITE, and the integrator
+   refuses the step. */
 VM_INLINE vm_vec3 vmi_gravitation(vm_real a, vm_real b, vm_vec3 d, vm_scene *s)
 {
     const vm_real r = VM_SQRT(vm_dot(d, d));
@@ -22040,7 +22069,7 @@ VM_INLINE vm_vec3 vmi_gravitation(vm_real a, vm_real b, vm_vec3 d, vm_scene *s)
     return force;
 }
 
-/* An effect of gravitation: it acts on bodies in the plane, points and free bodies */
+/* An effect of gravitation, which can act on bodies in the plane, points and free bodies */
 VM_API vm_effect vmi_effect_gravitation(int body, int other,
                                         void (*apply)(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s))
 {
@@ -22069,8 +22098,8 @@ VM_API int vmi_gravitation_check(const vm_effect *e)
 
 /* Gravitation between two bodies, the force G M1 M2/r^2. G is in m^3/(kg s^2), 6.6743e-11 in nature; M1 and M2 are the
    present masses and r is the distance of the mass centres. The force on a body in the plane stays in the plane.
-   vm_scene_start returns VM_NO_SUCH_BODY if `other` is VM_GROUND, VM_SAME_BODY if it is `body`, and VM_BAD_MOTION for a
-   body on a line or an axle. A run ends with VM_NOT_FINITE if the bodies meet. */
+   vm_scene_start returns VM_NO_SUCH_BODY if `other` is VM_GROUND, VM_SAME_BODY if `other` is equal to `body`, and
+   VM_BAD_MOTION if one of the bodies is on a line or an axle. A run ends with VM_NOT_FINITE if the bodies meet. */
 VM_API vm_effect vm_effect_gravitation(int body, int other, vm_real G)
 {
     vm_effect e = vmi_effect_gravitation(body, other, vmi_apply_gravitation);
@@ -22089,9 +22118,9 @@ VM_API void vmi_apply_central_gravity(const vm_effect *e, vm_real t, const vm_re
 }
 
 /* Gravitation towards a centre at rest, the force mu M/r^2. mu is G times the mass in the centre, in m^3/s^2
-   (3.986004418e14 for the Earth); M is the present mass of the body and r its distance from the centre (m, inertial
-   axes). For a body in the plane centre.z is not used. vm_scene_start returns VM_BAD_MOTION for a body on a line or an
-   axle. */
+   (3.986004418e14 for the Earth); M is the present mass of the body and r its distance from the centre. The argument
+   centre is in m and inertial axes; for a body in the plane centre.z is not used. vm_scene_start returns VM_BAD_MOTION
+   if the body is on a line or an axle. */
 VM_API vm_effect vm_effect_central_gravity(int body, vm_vec3 centre, vm_real mu)
 {
     vm_effect e = vmi_effect_gravitation(body, VM_GROUND, vmi_apply_central_gravity);
@@ -22110,27 +22139,28 @@ VM_API vm_effect vm_effect_central_gravity(int body, vm_vec3 centre, vm_real mu)
    equation of motion under the force F is M v' = F + M' (u - reactive v). The mass that joins or leaves has, for
      reactive = 1  the absolute velocity u: the reactive force is M' (u - v) (156), Levi-Civita's (167)-(169) if u = 0;
      reactive = 0  the velocity u relative to the body: the reactive force is M' u, which is 0 if u = 0 (166).
-   Only on a line or an axle may a law depend on position x and velocity v; on an axle it gives the moment of inertia
-   J from the angle or the angular velocity. u is in m/s. On a line and on an axle only u.x is used, on an axle in
-   rad/s.
+   Only on a line or an axle may a law depend on the position x and the velocity v. On an axle x is the angle, v the
+   angular velocity, and the law gives the moment of inertia. u is a vector in m/s; on a line and on an axle only u.x
+   is used, which is in rad/s on an axle.
 
        vm_effect leak = vm_effect_mass(0, VM_MASS_OF_T, -0.01, 0, 0); // body 0 loses 10 g/s, which keeps its velocity
 
-   In the list of effects a law must stand before all other effects on its body, and a body has at most one law. Mass
-   that a jump adds to the body is added to the mass of the law. If an event switches a law off, the mass remains
-   constant; if it switches a law on, the law continues from the present mass (for a law M0 + c t this means that only c
-   has an effect). Therefore switching never changes a mass suddenly.
+   In the list of effects a mass law must stand before all other effects on its body, and a body has at most one mass
+   law. If a jump adds mass to the body, this mass is added to the mass that the law gives. If an event switches a law
+   off, the mass remains constant. If an event switches a law on, the law continues from the present mass: of the law
+   M0 + c t only c then has an effect. Therefore switching never changes a mass suddenly.
 
    Tests: tests/test_scene_mass.c. */
 #ifndef VARMASS_SCENES_MASS_H
 #define VARMASS_SCENES_MASS_H
 
-/* Indices of the parameters of mass laws and of streams: the velocity u (three numbers), `reactive`, and the
-   coefficient of a law or the rate of a stream */
+/* Indices of the parameters p of mass laws and of streams: the velocity u (three numbers), `reactive`, and the
+   coefficient c of a law or the rate of a stream */
 enum { VMI_MASS_U = 0, VMI_MASS_REACTIVE = 3, VMI_MASS_COEFFICIENT = 4, VMI_MASS_RATE = 4 };
 
-/* Adds the reactive force rate (u - reactive v) on each coordinate along which the mass moves, and adds to the budget
-   the momentum and the energy that the mass brings */
+/* Adds the reactive force rate (u - reactive v) to each coordinate of the mass centre (on an axle to the angle), and
+   adds to the budget the momentum and the energy that the mass brings. u and v are the components along this
+   coordinate. */
 VM_INLINE void vmi_scene_reactive(const vm_effect *e, const vm_real *y, vm_scene *s, vm_real rate, const vm_real *u,
                                   vm_real reactive)
 {
@@ -22149,9 +22179,10 @@ VM_INLINE void vmi_scene_reactive(const vm_effect *e, const vm_real *y, vm_scene
     }
 }
 
-/* Gives the body the mass of a law. The rate is M' = by_t + by_x v + by_v v'. The acceleration v' is not known yet;
-   therefore the reactive force of the last term, by_v v' (u - reactive v), is moved to the left side of the equation
-   of motion, where it acts as the mass extra_mass = by_v (reactive v - u). */
+/* Gives a body the mass that a law gives, and adds the reactive force. The rate of the mass is M' = by_t + by_x v +
+   by_v v'. The acceleration v' is not known yet; therefore the reactive force of the last term, by_v v' (u - reactive
+   v), is moved to the left side of the equation of motion, where it acts as the mass extra_mass = by_v (reactive v -
+   u). */
 VM_INLINE void vmi_scene_apply_law(const vm_effect *e, const vm_real *y, vm_scene *s, const vm_mass_law_values *now,
                                 const vm_real *u, vm_real reactive)
 {
@@ -22172,9 +22203,9 @@ VM_API void vmi_apply_mass_law(const vm_effect *e, vm_real t, const vm_real *y, 
 
 /* A mass law M(t, x, v) that the caller's function returns. The effect includes the reactive force. The velocity of
    the mass that joins or leaves is u + (1 - reactive) v, where v is the velocity of the body: u is absolute if
-   reactive is 1, and relative to the body if it is 0. vm_scene_start returns VM_BAD_ARGUMENT if law is NULL. A run
-   ends with VM_BAD_MASS if the mass is not positive, and with VM_NO_EFFECTIVE_MASS if M + dM/dv (reactive v - u) is
-   not positive. */
+   reactive is 1, and relative to the body if reactive is 0. vm_scene_start returns VM_BAD_ARGUMENT if law is NULL. A
+   run ends with VM_BAD_MASS if the mass is not positive, and with VM_NO_EFFECTIVE_MASS if M + dM/dv (reactive v - u)
+   is not positive. */
 VM_API vm_effect vm_effect_mass_law(int body, vm_mass_law_values (*law)(vm_real t, vm_real x, vm_real v, void *ctx),
                                     void *ctx, vm_vec3 u, vm_real reactive)
 {
@@ -22189,11 +22220,12 @@ VM_API vm_effect vm_effect_mass_law(int body, vm_mass_law_values (*law)(vm_real 
     return e;
 }
 
-/* The kinds of vm_effect_mass. M0 is the mass with which the body was made. */
+/* The argument `kind` of vm_effect_mass says on what the mass depends. M0 is the mass with which the body was made, c
+   a constant. */
 enum {
-    VM_MASS_OF_T, /* M0 + c t at the time t, c in kg/s */
-    VM_MASS_OF_X, /* M0 + c x at the position x, c in kg/m */
-    VM_MASS_OF_V2 /* M0 + c v^2 at the velocity v, c in kg s^2/m^2 */
+    VM_MASS_OF_T, /* the mass is M0 + c t at the time t, with c in kg/s */
+    VM_MASS_OF_X, /* the mass is M0 + c x at the position x, with c in kg/m */
+    VM_MASS_OF_V2 /* the mass is M0 + c v^2 at the velocity v, with c in kg s^2/m^2 */
 };
 
 VM_API void vmi_apply_mass(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
@@ -22217,8 +22249,8 @@ VM_API void vmi_apply_mass(const vm_effect *e, vm_real t, const vm_real *y, vm_s
 /* A mass that is M0 + c t, M0 + c x or M0 + c v^2, with its reactive force. M0 is the mass with which the body was
    made. kind is VM_MASS_OF_T, VM_MASS_OF_X or VM_MASS_OF_V2; the last two are for a line or an axle. The velocity of
    the mass that joins or leaves is u + (1 - reactive) v along coordinate 0, where v is the velocity of the body: u is
-   absolute if reactive is 1, and relative to the body if it is 0. vm_scene_start returns VM_BAD_ARGUMENT for an
-   unknown kind; a run ends with the errors of vm_effect_mass_law. */
+   absolute if reactive is 1, and relative to the body if reactive is 0. vm_scene_start returns VM_BAD_ARGUMENT if kind
+   is unknown. A run can end with the same errors as a run with vm_effect_mass_law. */
 VM_API vm_effect vm_effect_mass(int body, int kind, vm_real c, vm_real u, vm_real reactive)
 {
     vm_effect e = vmi_effect(body, 0, vmi_apply_mass);
@@ -22236,9 +22268,9 @@ VM_API vm_effect vm_effect_mass(int body, int kind, vm_real c, vm_real u, vm_rea
 /* scenes/mass_of_time.h - mass that follows a vm_law, and its reactive force
 
    A vm_law (oscillators/laws.h) is a number that depends on time: linear, quadratic, exponential, a power, a table,
-   or a function. vm_effect_mass_of_time makes this number the mass of a body, which may have any motion. mass.h
-   explains u, reactive and the switching of a law. For a law that depends on position or velocity use
-   vm_effect_mass_law.
+   or a function. vm_effect_mass_of_time makes this number the mass of a body, which may have any kind of motion.
+   mass.h explains the arguments u and reactive, and the switching of a law. For a law that depends on position or
+   velocity use vm_effect_mass_law.
 
        vm_vec3 zero = {0, 0, 0};
        vm_law mass = vm_law_exponential(2, -0.01);                     // 2 kg at t = 0, 1 % less in each second
@@ -22248,7 +22280,7 @@ VM_API vm_effect vm_effect_mass(int body, int kind, vm_real c, vm_real u, vm_rea
 #ifndef VARMASS_SCENES_MASS_OF_TIME_H
 #define VARMASS_SCENES_MASS_OF_TIME_H
 
-/* Gives the body the mass of its law. If the law fails at t, the mass is NaN, the scene receives the status of the law,
+/* Gives a body the mass of its law. If the law fails at t, the mass is NaN, the scene receives the status of the law,
    and the integrator refuses the step. */
 VM_API void vmi_apply_mass_of_time(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
@@ -22259,8 +22291,8 @@ VM_API void vmi_apply_mass_of_time(const vm_effect *e, vm_real t, const vm_real 
     else vmi_scene_apply_law(e, y, s, &now, e->p + VMI_MASS_U, e->p[VMI_MASS_REACTIVE]);
 }
 
-/* Returns VM_OK if a constructor made the law, else VM_BAD_ARGUMENT. The scene calls this check before it looks at the
-   parameters, because VM_BAD_ARGUMENT comes before VM_NOT_FINITE. */
+/* Returns VM_OK if a constructor made the law, else VM_BAD_ARGUMENT. vm_scene_check calls this function before it
+   checks the parameters, because of two errors VM_BAD_ARGUMENT is returned rather than VM_NOT_FINITE. */
 VM_API int vmi_check_mass_of_time(const vm_scene *s, const vm_effect *e)
 {
     (void)s;
@@ -22268,12 +22300,12 @@ VM_API int vmi_check_mass_of_time(const vm_scene *s, const vm_effect *e)
     return VM_OK;
 }
 
-/* A mass that follows a vm_law, with its reactive force. The mass is *law at the time t of the scene; the mass that
-   was given to the constructor of the body has no effect. The velocity of the mass that joins or leaves is
-   u + (1 - reactive) v, where v is the velocity of the body: u is absolute if reactive is 1, and relative to the body
-   if it is 0. *law is not copied and must stay where it is. vm_scene_start returns VM_BAD_ARGUMENT if law is NULL or
-   no constructor made it. A run ends with VM_BAD_MASS if the mass is not positive, and with the status of vm_law_at
-   if this function fails. */
+/* A mass that follows a vm_law, with its reactive force. The mass is the value of *law at the time t of the scene; the
+   mass that the constructor of the body received has no effect. The velocity of the mass that joins or leaves is u +
+   (1 - reactive) v, where v is the velocity of the body: u is absolute if reactive is 1, and relative to the body if
+   reactive is 0. *law is not copied and must stay at its place in memory. vm_scene_start returns VM_BAD_ARGUMENT if
+   law is NULL or no constructor made *law. A run ends with VM_BAD_MASS if the mass is not positive, and with the
+   status of vm_law_at if this function fails. */
 VM_API vm_effect vm_effect_mass_of_time(int body, const vm_law *law, vm_vec3 u, vm_real reactive)
 {
     vm_effect e = vmi_effect(body, 0, vmi_apply_mass_of_time);
@@ -22291,15 +22323,17 @@ VM_API vm_effect vm_effect_mass_of_time(int body, const vm_law *law, vm_vec3 u, 
 #endif
 /* scenes/streams.h - streams of mass into and out of the bodies of a scene
 
-   A stream carries mass into a body or out of it. It changes a mass that is a state (vm_scene_body_with_mass_state).
-   vm_effect_stream is a stream that enters or leaves at the mass centre: it changes the mass and has a reactive force.
-   Four further effects are for a vm_stream of mechanics/streams.h that enters or leaves at a point of a growing body.
-   Each of them is one action of the stream, and each may be left out:
-     vm_effect_stream_mass    mass, mass centre and inertia; the mass centre then moves with r' = v + (M'/M) d
-     vm_effect_stream_force   reactive force M' (u - v) (156)
-     vm_effect_stream_moment  moment d x M' (u - v) about the mass centre (158)
-     vm_effect_stream_torque  torque M' kappa omega2 - I' omega (157)
-   mechanics/streams.h explains the symbols.
+   A stream brings mass into a body or takes mass out of it. The mass of the body must be a number of the state
+   (vm_scene_body_with_mass_state). vm_effect_stream is a stream that enters or leaves at the mass centre: it changes
+   the mass and exerts a reactive force. Four further effects are for a vm_stream of mechanics/streams.h that enters or
+   leaves at a point of a growing body. Each of these four effects is one action of the stream, and a scene need not
+   have all of them:
+     vm_effect_stream_mass    changes mass, mass centre and inertia; the mass centre then moves with r' = v + (M'/M) d
+     vm_effect_stream_force   exerts the reactive force M' (u - v) (156)
+     vm_effect_stream_moment  exerts the moment d x M' (u - v) about the mass centre (158)
+     vm_effect_stream_torque  exerts the torque M' kappa omega2 - I' omega (157)
+   Here M is the mass of the body, M' its rate by the stream, u the velocity of the stream's mass, v that of the body,
+   and d leads from the mass centre to the point of the stream; mechanics/streams.h explains all symbols.
 
        vm_scene_body bodies[] = {vm_scene_body_with_mass_state(vm_scene_body_line(20, 0, 3))}; // a wagon in the rain
        vm_vec3 falls = {0, -8, 0};                               // 8 m/s downwards, no velocity along the line
@@ -22318,11 +22352,11 @@ VM_API void vmi_apply_stream(const vm_effect *e, vm_real t, const vm_real *y, vm
 }
 
 /* A stream that enters or leaves at the mass centre, with its reactive force. rate in kg/s (on an axle kg m^2/s) is
-   negative for mass that leaves. If reactive is 1, u is the absolute velocity of the mass; if reactive is 0, u is its
-   velocity relative to that of the body. For any number reactive the velocity of the mass is u + (1 - reactive) v,
-   where v is the velocity of the body. The components of u are along inertial axes: they do not turn with the body. For
-   a thrust that turns with it use vm_effect_stream_force or vm_effect_custom. The inertia of the body does not change.
-   vm_scene_start returns VM_MASS_IS_NO_STATE if the mass of the body is not a state. */
+   negative for mass that leaves. The velocity of this mass is u + (1 - reactive) v, where v is the velocity of the
+   body: u is absolute if reactive is 1, and relative to the body if reactive is 0; reactive may be any number. The
+   components of u are along inertial axes: they do not turn with the body. For a thrust that turns with the body use
+   vm_effect_stream_force or vm_effect_custom. The moments of inertia of the body do not change, except on an axle.
+   vm_scene_start returns VM_MASS_IS_NO_STATE if the mass of the body is not a number of the state. */
 VM_API vm_effect vm_effect_stream(int body, vm_real rate, vm_vec3 u, vm_real reactive)
 {
     vm_effect e = vmi_effect(body, 0, vmi_apply_stream);
@@ -22335,15 +22369,15 @@ VM_API vm_effect vm_effect_stream(int body, vm_real rate, vm_vec3 u, vm_real rea
     return e;
 }
 
-/* A stream at a point of a growing body: the motion of the body, as vmi_stream_sums needs it, and the sums that this
-   function computes */
+/* A stream at a point of a growing body: `seen` is the motion of the body in the form that vmi_stream_sums needs, and
+   `sum` has the sums that vmi_stream_sums computes */
 typedef struct VM_TAG(vmi_crossing) {
     vmi_stream_seen seen;
     vmi_stream_sum sum;
 } vmi_crossing;
 
-/* Fills *c with the sums of the stream of an effect. If vary has written an unknown motion to the stream, the scene
-   gets the status VM_BAD_ARGUMENT, which ends the run. */
+/* Fills *c with the sums of the stream of an effect. If the caller's function `vary` has written an unknown `motion`
+   to the stream, the scene gets the status VM_BAD_ARGUMENT, which ends the run. */
 VM_API void vmi_crossing_now(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s, vmi_crossing *c)
 {
     const vm_scene_body *b = s->bodies + e->body;
@@ -22360,9 +22394,9 @@ VM_API void vmi_crossing_now(const vm_effect *e, vm_real t, const vm_real *y, vm
 }
 
 /* Adds a reactive force and a moment or torque, in inertial axes, to the load and to the budget.
-   vmi_apply_stream_mass enters in the budget the energy of the mass of the stream, and the momentum that this mass
-   would have at the velocity of the body. This function adds force and torque to the momentum that the stream brings,
-   and subtracts their power from `mixing`. */
+   vmi_apply_stream_mass adds to the budget the energy of the stream's mass, and the momentum that this mass would have
+   at the velocity of the body. This function adds the force and the torque to the momentum and the angular momentum
+   that the stream brings per second, and subtracts their power from the field `mixing` of the load. */
 VM_API void vmi_crossing_push(const vm_effect *e, vm_scene *s, const vmi_crossing *c, vm_vec3 force, vm_vec3 torque)
 {
     const vm_scene_body *b = s->bodies + e->body;
@@ -22419,9 +22453,10 @@ VM_API void vmi_apply_stream_torque(const vm_effect *e, vm_real t, const vm_real
     vmi_crossing_push(e, s, &c, vmi_vec3(0, 0, 0), vmi_times(c.seen.turn, torque));
 }
 
-/* Checks a stream by vmi_check_stream. A store (stream->from) must lie on the line through the point of the stream and
-   the mass centre at the start, which is the origin of body axes. The reason is that a scene neglects the angular
-   momentum of the mass that flows between the store and the point; this angular momentum is 0 only on such a line. */
+/* Checks a stream by vmi_check_stream. If the stream has a store in the body (stream->from), the store must also lie
+   on the line through the point of the stream and the mass centre at the start, which is the origin of body axes. The
+   reason is that a scene neglects the angular momentum of the mass that flows from the store to the point; only on
+   such a line is this angular momentum 0. */
 VM_API int vmi_crossing_check(const vm_effect *e)
 {
     const vm_stream *stream = e->stream;
@@ -22446,21 +22481,21 @@ VM_API vm_effect vmi_effect_crossing(int body, const vm_stream *stream,
     return e;
 }
 
-/* Changes of mass, mass centre and inertia of a growing body by a stream. *stream is not copied: if an event changes
-   it, the run continues with the change. stream->at is in body axes, from the position of the mass centre at the
+/* Changes mass, mass centre and inertia of a growing body by a stream. *stream is not copied: if an event changes it,
+   the run continues with the change. stream->at is in body axes and leads from the place of the mass centre at the
    start. The field `mixing` of the budget is right only if the effects for mass, force, moment and torque of the
    stream are all listed, and if the stream has no store. A stream may have a store on the line through its point and
-   the mass centre; for example, the tank and the nozzle of a rocket lie on its axis. The motion is then that of
-   vm_flow_rhs if no other stream of the body has a store. vm_scene_start returns VM_BAD_ARGUMENT if stream is NULL or
-   its motion is unknown, VM_STORED_STREAM if its store does not lie on this line, and VM_DOES_NOT_GROW if the body is
-   not a growing body. */
+   the mass centre; for example, the tank and the nozzle of a rocket lie on the rocket's axis. If no other stream of
+   the body has a store, the motion then is the same as by vm_flow_rhs. vm_scene_start returns VM_BAD_ARGUMENT if
+   stream is NULL or stream->motion is unknown, VM_STORED_STREAM if the store does not lie on this line, and
+   VM_DOES_NOT_GROW if the body is not a growing body. */
 VM_API vm_effect vm_effect_stream_mass(int body, const vm_stream *stream)
 {
     return vmi_effect_crossing(body, stream, vmi_apply_stream_mass);
 }
 
-/* Reactive force M' (u - v) of a stream at a point of a growing body (156). M' is the rate of the mass, u its velocity
-   and v that of the body. Conditions and errors are those of vm_effect_stream_mass. */
+/* Reactive force M' (u - v) of a stream at a point of a growing body (156). M' is the rate of the mass, u the velocity
+   of the stream's mass and v that of the body. Conditions and errors are those of vm_effect_stream_mass. */
 VM_API vm_effect vm_effect_stream_force(int body, const vm_stream *stream)
 {
     return vmi_effect_crossing(body, stream, vmi_apply_stream_force);
@@ -22475,17 +22510,18 @@ VM_API vm_effect vm_effect_stream_moment(int body, const vm_stream *stream)
 }
 
 /* Torque M' kappa omega2 - I' omega of a stream on a growing body (157). M' is the rate of the mass, kappa the inertia
-   of this mass per kg, omega2 its angular velocity; I' is the rate of the inertia of the body, omega its angular
-   velocity. Conditions and errors are those of vm_effect_stream_mass. */
+   of the stream's mass per kg, and omega2 the angular velocity of this mass. I' is the rate of the inertia of the
+   body, and omega the angular velocity of the body. Conditions and errors are those of vm_effect_stream_mass. */
 VM_API vm_effect vm_effect_stream_torque(int body, const vm_stream *stream)
 {
     return vmi_effect_crossing(body, stream, vmi_apply_stream_torque);
 }
 
-/* An effect of a stream that varies in time. effect comes from vm_effect_stream_mass, _force, _moment or _torque. At
-   each evaluation vary receives a copy of the stream and writes the values of its fields for the time t and the state
-   y: the point, which may move in the body, the rate, the velocity or the store (vm_supply_at gives that of a tank).
-   vm_scene_start returns VM_BAD_ARGUMENT if vary is NULL or the effect has no stream. */
+/* An effect of a stream that varies in time. The argument `effect` comes from vm_effect_stream_mass, _force, _moment
+   or _torque. At each evaluation the function `vary` receives a copy of the stream and writes the fields that vary,
+   for the time t and the state y: the point, which may move in the body, the rate, the velocity or the store
+   (vm_supply_at computes the store of a tank). vm_scene_start returns VM_BAD_ARGUMENT if vary is NULL or the effect
+   has no stream. */
 VM_API vm_effect vm_effect_varying(vm_effect effect,
                                    void (*vary)(vm_real t, const vm_real *y, vm_stream *stream, void *ctx),
                                    void *ctx)
@@ -22499,14 +22535,15 @@ VM_API vm_effect vm_effect_varying(vm_effect effect,
 #endif
 /* scenes/band.h - a band that winds up on a drum or off it
 
-   The drum is a body on an axle (chapter 5.2 of the dissertation). It is bare at the angle phi = 0, and the body is
-   made with the inertia of the bare drum. The band comes or goes at the radius
+   The drum is a body on an axle (chapter 5.2 of the dissertation). At the angle phi = 0 no band is on the drum, and
+   the body is made with the moment of inertia of the bare drum. The band comes onto the drum or leaves it at the
+   radius
      R + h phi/(2 pi)   along a spiral, or
-     R + h n            in layers, after n complete turns (by_layer),
-   and the inertia grows by rho b h radius^3 per radian. R is the radius of the drum, h the thickness of the band, b its
-   width and rho its density. If the band lies in layers, the mass of the band per radian jumps at each complete turn,
-   and the reactive torque jumps with it. vm_band_at computes the part that is wound up at any angle; vm_effect_band is
-   the mass law of the drum in a scene.
+     R + h n            in layers, after n complete turns (the field by_layer is 1),
+   and the moment of inertia grows by rho b h radius^3 per radian. R is the radius of the drum, h the thickness of the
+   band, b its width and rho its density. If the band lies in layers, the mass of the band per radian jumps at each
+   complete turn, and the reactive torque jumps with it. vm_band_at computes the part that is wound up at any angle;
+   vm_effect_band is the mass law of the drum in a scene.
 
        vm_band band = {0.2, 0.01, 0.5, 800, 0, 0, 0}; // R, h, b, rho; the band moves with the drum; along a spiral
        vm_effect wind = vm_effect_band(0, &band);
@@ -22522,23 +22559,24 @@ typedef struct VM_TAG(vm_band) {
     vm_real thickness; /* m: thickness h, >= 0 */
     vm_real width;     /* m: width b, >= 0 */
     vm_real density;   /* kg/m^3: density rho, >= 0 */
-    vm_real speed;     /* m/s: velocity of the band, absolute or relative to the drum */
-    vm_real reactive;     /* 1: speed is absolute; 0: speed is relative to the drum */
-    int by_layer;      /* 1: the band lies in layers; 0: along a spiral */
+    vm_real speed;     /* m/s: velocity of the band; the field `reactive` says whether it is absolute */
+    vm_real reactive;     /* 1: the field `speed` is absolute; 0: it is relative to the drum */
+    int by_layer;      /* 1: the band lies in layers; 0: it lies along a spiral */
 } vm_band;
 
-/* The part of a band that is wound up at an angle */
+/* The part of a band that is on the drum at an angle phi of the drum */
 typedef struct VM_TAG(vm_band_now) {
-    vm_real radius;  /* m: radius at which the band comes or goes */
-    vm_real rate;    /* kg/rad: mass mu per radian that is wound up at this radius (181) */
-    vm_real mass;    /* kg: mass of the part that is wound up */
-    vm_real inertia; /* kg m^2: moment of inertia of the part that is wound up */
+    vm_real radius;  /* m: radius at which the band comes onto the drum or leaves it */
+    vm_real rate;    /* kg/rad: mass mu of the band per radian at this radius (181) */
+    vm_real mass;    /* kg: mass of the part of the band that is on the drum */
+    vm_real inertia; /* kg m^2: moment of inertia of the part of the band that is on the drum */
 } vm_band_now;
 
-/* The part of a band in layers that is wound up at the angle phi. `line` is density times width times thickness. Mass
-   and inertia are line times the integrals of the radius and of its cube over phi. n is the number of complete layers;
-   over them these integrals are 2 pi times the sums of R + i h and of (R + i h)^3 for i = 0 ... n - 1. The sums of i,
-   i^2 and i^3 are sum1, sum2 and sum1^2. */
+/* The part of a band in layers that is on the drum at the angle phi. The argument `line` is density times width times
+   thickness. The mass is `line` times the integral of the radius over phi, and the moment of inertia is `line` times
+   the integral of the cube of the radius over phi. With R and h the radius of the drum and the thickness, and n the
+   number of complete layers, the integrals over these layers are 2 pi times the sums of R + i h and of (R + i h)^3 for
+   i = 0 ... n - 1. The sums of i, i^2 and i^3 are sum1, sum2 and sum1^2. */
 VM_API vm_band_now vmi_band_by_layer(vm_real phi, const vm_band *b, vm_real line)
 {
     const vm_real n = VM_FLOOR(phi / (2 * VM_PI)), rest = phi - n * (2 * VM_PI), R = b->radius, h = b->thickness;
@@ -22557,8 +22595,8 @@ VM_API int vmi_band_is_valid(const vm_band *b)
     return b->radius > 0 && b->thickness >= 0 && b->width >= 0 && b->density >= 0;
 }
 
-/* A vm_band_now whose radius is `radius` and whose other numbers are all `others`. For a bare drum `others` is 0; for a
-   band or an angle that is not valid both arguments are NaN. */
+/* Returns a vm_band_now with this radius, whose rate, mass and inertia are all equal to `others`. For a bare drum
+   `others` is 0. If the band or the angle is not valid, the caller passes NaN for both arguments. */
 VM_API vm_band_now vmi_band_none(vm_real radius, vm_real others)
 {
     vm_band_now none;
@@ -22569,9 +22607,9 @@ VM_API vm_band_now vmi_band_none(vm_real radius, vm_real others)
     return none;
 }
 
-/* Radius, mass and inertia of the band that is wound up at the angle phi. If phi < 0, the drum is bare. All numbers are
-   NaN if phi is not finite, the radius is not positive, another size is negative, or band is NULL. In double the
-   relative errors are at most 1e-13, tested up to 30 turns. */
+/* Radius, mass and moment of inertia of the part of a band that is on the drum at the angle phi. If phi < 0, the drum
+   is bare. All results are NaN if phi is not finite, if the radius of the drum is not positive, if thickness, width or
+   density is negative, or if band is NULL. In double the relative errors are at most 1e-13, tested up to 30 turns. */
 VM_API vm_band_now vm_band_at(vm_real phi, const vm_band *band)
 {
     if (!band || !VM_IS_FINITE(phi) || !vmi_band_is_valid(band)) return vmi_band_none(VM_NAN, VM_NAN);
@@ -22587,7 +22625,8 @@ VM_API vm_band_now vm_band_at(vm_real phi, const vm_band *band)
     return now;
 }
 
-/* Indices of the parameters of the effect; its variant is by_layer */
+/* Indices of the parameters p of vm_effect_band; the field `variant` of the effect is the field by_layer of the
+   band */
 enum {
     VMI_BAND_RADIUS,
     VMI_BAND_THICKNESS,
@@ -22610,8 +22649,9 @@ VM_API vm_band vmi_band_of(const vm_effect *e)
     return b;
 }
 
-/* Sets the moment of inertia J(phi) of the drum, as a mass law sets a mass; on an axle the inertia takes the place of
-   the mass. u is the speed of the band divided by the radius at which it comes, an angular velocity about the axle. */
+/* Sets the moment of inertia J(phi) of the drum, as a mass law sets a mass; on an axle the moment of inertia takes the
+   place of the mass. u is the speed of the band divided by the radius at which it comes, and thus an angular velocity
+   about the axle. */
 VM_API void vmi_apply_band(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
     const vm_band band = vmi_band_of(e);
@@ -22631,8 +22671,8 @@ VM_API int vmi_band_check(const vm_effect *e)
 }
 
 /* A band that winds up on a drum or off it, with its reactive torque. The drum is a body on an axle, and the band is
-   its mass law. vm_scene_start returns VM_BAD_ARGUMENT if band is NULL, and VM_DOMAIN if its radius is not positive or
-   a size is negative. */
+   its mass law. vm_scene_start returns VM_BAD_ARGUMENT if band is NULL, and VM_DOMAIN if the radius of the drum is not
+   positive or if thickness, width or density is negative. */
 VM_API vm_effect vm_effect_band(int body, const vm_band *band)
 {
     vm_effect e = vmi_effect(body, 0, band ? vmi_apply_band : NULL);
@@ -22653,9 +22693,10 @@ VM_API vm_effect vm_effect_band(int body, const vm_band *band)
 #endif
 /* scenes/links.h - rigid links and cords between bodies
 
-   A link keeps the distance between two mass centres, or between a mass centre and a point with a given motion. A cord
-   is a link that can pull but not push. The force of a link is the reaction to all other forces on its ends. Therefore
-   a link must stand last in the list among the effects on a body, and a body has at most one link.
+   A link keeps the distance between two mass centres constant, or the distance between a mass centre and a point whose
+   motion is given. A cord is a link that can pull but not push. The force of a link is the reaction to all other
+   forces on its ends. Therefore a link must stand last in the list among the effects on a body, and a body has at most
+   one link.
 
        vm_effect pendulum = vm_effect_link(0, VM_GROUND, pivot, NULL, 1, 0, 10); // 1 m long, hung up at pivot(t)
 
@@ -22669,10 +22710,11 @@ VM_API vm_effect vm_effect_band(int body, const vm_band *band)
 typedef struct VM_TAG(vmi_link_end) {
     vm_real r[3], v[3];
     vm_real a[3];        /* acceleration without the link, m/s^2 */
-    vm_real mobility[3]; /* acceleration per force along each coordinate: 1/mass, or 0 where the end cannot move */
+    vm_real mobility[3]; /* acceleration by a force of 1 N along each coordinate: 1/mass, or 0 if the end cannot move */
 } vmi_link_end;
 
-/* Writes an end that is a body. The numbers of *end for further directions stay 0. */
+/* Writes to *end an end of a link that is a body. Numbers of *end for directions in which the body cannot move stay
+   0. */
 VM_API void vmi_link_to_body(const vm_scene *s, int body, const vm_real *y, vmi_link_end *end)
 {
     const vm_scene_body *b = s->bodies + body;
@@ -22688,7 +22730,8 @@ VM_API void vmi_link_to_body(const vm_scene *s, int body, const vm_real *y, vmi_
     }
 }
 
-/* Writes an end that is a point with a given motion, which no force accelerates: its mobility stays 0 */
+/* Writes to *end an end of a link that is a point with a given motion. No force accelerates this point: its mobility
+   stays 0. */
 VM_API void vmi_link_to_point(const vm_effect *e, vm_real t, vmi_link_end *end)
 {
     vm_vec3 r = {0, 0, 0}, v = {0, 0, 0}, a = {0, 0, 0};
@@ -22698,22 +22741,24 @@ VM_API void vmi_link_to_point(const vm_effect *e, vm_real t, vmi_link_end *end)
     vmi_set3(end->a, a);
 }
 
-enum { VMI_LINK_LENGTH, VMI_LINK_RATE }; /* indices of the parameters in p; the variant is 1 for a cord */
+/* indices of the parameters of a link in p; the field `variant` of a link is 1 for a cord */
+enum { VMI_LINK_LENGTH, VMI_LINK_RATE };
 
-/* Computes the factor lambda of the force lambda d on the end `here`, where d leads from `there` to `here`. With the
-   length l of the link, the deviation C = (d^2 - l^2)/2 obeys C'' + 2 rate C' + rate^2 C = 0. In this equation
-   C' = d v and C'' = d a + v^2, where v and a are the velocity and acceleration of `here` relative to `there`. The
-   link adds lambda times the sum of mobility d^2, over both ends and all coordinates, to d a. lambda is 0 for a slack
-   cord. Returns VM_SINGULAR if the ends are in one place or cannot move along the link, and VM_NOT_FINITE if a number
-   is not finite. */
+/* Computes the factor lambda of the force lambda d that the link exerts on its end `here`; the vector d leads from the
+   end `there` to the end `here`. lambda follows from the condition that the deviation C = (d^2 - l^2)/2, where l is
+   the length of the link, obeys C'' + 2 rate C' + rate^2 C = 0. In this equation C' = d v and C'' = d a + v^2, where v
+   and a are the velocity and acceleration of `here` relative to `there`. The force of the link changes d a by lambda
+   times a sum: over both ends and all coordinates, the mobility of the end times the square of the coordinate of d.
+   lambda is 0 for a slack cord. Returns VM_SINGULAR if the ends are at one place or cannot move along the link,
+   VM_NOT_FINITE if a number is not finite, and else VM_OK. */
 VM_API int vmi_link_lambda(const vm_effect *e, const vmi_link_end *here, const vmi_link_end *there, vm_real *lambda)
 {
     /* A cord does not pull while the distance of its ends is shorter than its length by more than this fraction. The
-       fraction is larger than the uncertainty of the length, so that the cord does not alternate between taut and
+       fraction is larger than the error of the computed distance, so that the cord does not alternate between taut and
        slack. */
     const vm_real loose = VM_C(1e-6) + 512 * VM_EPSILON;
     const vm_real length = e->p[VMI_LINK_LENGTH], rate = e->p[VMI_LINK_RATE];
-    vm_real dd = 0, dv = 0, vv = 0, da = 0, mobility = 0, C; /* scalar products of d, v, a; sum of mobility d^2 */
+    vm_real dd = 0, dv = 0, vv = 0, da = 0, mobility = 0, C; /* scalar products; sum of mobility d^2 */
     int i;
     for (i = 0; i < 3; i++) {
         const vm_real v = here->v[i] - there->v[i], d = here->r[i] - there->r[i];
@@ -22767,17 +22812,18 @@ VM_API int vmi_link_check_ends(const vm_scene *s, const vm_effect *e)
     return VM_OK;
 }
 
-/* A rigid link of a given length, or a cord, which can only pull. The link holds the mass centre of `body`, a point
-   or a body in the plane, at the distance `length` (m) from another mass centre or from a moving point. The other
-   mass centre is that of the body `other`, which is not on an axle; point is then NULL. With other = VM_GROUND the
-   function `point` gives the motion of the point, which may lie above the plane. cord = 1 makes the link a cord.
-   Deviations from the length decrease as exp(-rate t), with rate > 0 in 1/s. A cord that becomes taut at the speed v
-   is stretched by about v/(e rate), where e = 2.718. A high rate makes the equations stiff: in float 100/s is tested
-   for a cord of 1 m at 6 m/s.
-   vm_scene_start returns VM_DOMAIN if length or rate is not positive, VM_BAD_MOTION for a growing body, whose mass
-   centre moves in the body, VM_TWO_LINKS for a second link on a body, VM_LINK_NOT_LAST if another effect on the body
-   follows the link, and VM_SAME_BODY for a link of a body with itself. A run ends with VM_SINGULAR if the ends are in
-   one place or cannot move along the link. */
+/* A rigid link of a given length, or a cord, which can only pull. The link keeps the mass centre of `body`, which is a
+   point or a body in the plane, at the distance `length` (m) from another mass centre or from a moving point. The
+   other mass centre is that of the body `other`, which must not be on an axle; the argument `point` is then NULL. If
+   other is VM_GROUND, the function `point` gives the motion of the moving point, which may lie above the plane. If
+   `cord` is 1, the link is a cord. Deviations from the length decrease as exp(-rate t), with rate > 0 in 1/s. A cord
+   that becomes taut at the speed v is stretched by about v/(e rate), where e = 2.718. A high rate makes the equations
+   of motion stiff, so that the steps become short: in float a rate of 100/s is tested for a cord of 1 m at 6 m/s.
+   vm_scene_start returns VM_DOMAIN if length or rate is not positive; VM_BAD_MOTION if a body has a kind of motion
+   that is not allowed here or is a growing body, whose mass centre moves in the body; VM_TWO_LINKS if a body has a
+   second link; VM_LINK_NOT_LAST if another effect on the body follows the link; and VM_SAME_BODY if the link connects
+   a body with itself. A run ends with VM_SINGULAR if the ends of the link are at one place or cannot move along the
+   link. */
 VM_API vm_effect vm_effect_link(int body, int other, vm_moving_point point, void *ctx, vm_real length, int cord,
                                 vm_real rate)
 {
@@ -22799,7 +22845,7 @@ VM_API vm_effect vm_effect_link(int body, int other, vm_moving_point point, void
 /* scenes/state.h - the state of a scene: its size, and the bodies in it
 
    The state y of a scene contains the state variables of the bodies, one body after the other. If the scene keeps a
-   budget, its VM_BUDGET_STATES numbers follow. scene.h has a table of the numbers of each body.
+   budget, the VM_BUDGET_STATES numbers of the budget follow. scene.h has a table of the numbers of each body.
 
        vm_body now;
        vm_scene_body_at(&scene, 0, y, &now); // now.r.x, now.v.x, now.mass: body 0 in the state y
@@ -22810,24 +22856,26 @@ VM_API vm_effect vm_effect_link(int body, int other, vm_moving_point point, void
 
 enum { VM_BUDGET_STATES = 15 }; /* number of elements that a budget adds to the state */
 
-/* The number of elements of work that vm_scene_run needs for a state of `size` numbers */
+/* The number of elements of the array `work` that vm_scene_run needs for a state of `size` numbers */
 #define VM_SCENE_WORK(size) (RK45_WORK(size) + (size))
 
-/* Whether a list can have n elements: n is not negative, and list is not NULL unless n is 0 */
+/* Returns 1 if a list can have n elements, else 0: n must not be negative, and `list` must not be NULL unless n is
+   0 */
 VM_INLINE int vmi_scene_is_list(int n, const void *list)
 {
     if (n > 0) return list != NULL;
     return n == 0;
 }
 
-/* Whether the lists of bodies and effects, which an evaluation reads, have possible lengths and are not NULL */
+/* Returns 1 if the lists of bodies and effects of a scene are possible lists (vmi_scene_is_list), else 0 */
 VM_INLINE int vmi_scene_has_lists(const vm_scene *s)
 {
     return vmi_scene_is_list(s->n_bodies, s->bodies) && vmi_scene_is_list(s->n_effects, s->effects);
 }
 
-/* Number of elements of the state of a scene. It depends on the bodies and on whether the scene keeps a budget. Returns
-   VM_BAD_ARGUMENT if scene is NULL, its bodies are missing or their number is negative. */
+/* Number of elements of the state of a scene. This number depends on the bodies, and is larger if the scene keeps a
+   budget. Returns VM_BAD_ARGUMENT if scene is NULL, or if the list of its bodies is missing or has a negative
+   length. */
 VM_API int vm_scene_size(const vm_scene *scene)
 {
     int i, size = 0;
@@ -22847,8 +22895,8 @@ VM_API void vmi_scene_body_now(const vm_scene *s, int body, const vm_real *y, vm
 }
 
 /* The motion of a body in the state y. The scene must have been started, and 0 <= body < n_bodies. If a law gives the
-   mass, its value is that of the last evaluation of the right-hand side. All numbers of *now are NaN if no body has
-   this index, if a pointer is NULL, and before a start. */
+   mass, now->mass is the mass at the last evaluation of the right-hand side. All numbers of *now are NaN if no body
+   has this index, if scene or y is NULL, or if the scene was not started. */
 VM_API void vm_scene_body_at(const vm_scene *scene, int body, const vm_real *y, vm_body *now)
 {
     const vm_vec3 none = {VM_NAN, VM_NAN, VM_NAN};
@@ -22863,8 +22911,8 @@ VM_API void vm_scene_body_at(const vm_scene *scene, int body, const vm_real *y, 
     now->r = now->v = now->omega = none;
 }
 
-/* Writes the motion `now` of a body into the state. The angle is a separate argument, since `now` does not include
-   complete turns. */
+/* Writes the motion `now` of a body into the state. The angle is a separate argument, since the attitude in *now does
+   not include complete turns. */
 VM_API void vmi_scene_put(vm_scene *s, int body, const vm_body *now, vm_real angle, vm_real *y)
 {
     vm_scene_body *b = s->bodies + body;
@@ -22874,8 +22922,8 @@ VM_API void vmi_scene_put(vm_scene *s, int body, const vm_body *now, vm_real ang
     b->put(b, now, angle, y + b->at);
 }
 
-/* Updates the field `idle` of all effects. An effect is idle if its body, or the body on which the opposite force acts,
-   is not present, or if the effect is switched off. */
+/* Updates the field `idle` of all effects, which is not 0 if an effect does not act: because its body, or the body on
+   which the opposite force acts, is not present, or because the effect is switched off. */
 VM_API void vmi_scene_presence(vm_scene *s)
 {
     int i;
@@ -22890,8 +22938,9 @@ VM_API void vmi_scene_presence(vm_scene *s)
 #endif
 /* scenes/evaluate.h - the right-hand side of a scene
 
-   An evaluation sets the loads of all bodies to 0, lets each effect add to them, and computes the acceleration of each
-   body from its load. vm_scene_rhs is an ode_rhs, so that any integrator can run a scene without events:
+   The right-hand side gives the derivatives of the state. An evaluation of it sets the loads on all bodies to 0, lets
+   each effect add to the loads, and computes the acceleration of each body from its load. The function vm_scene_rhs
+   has the type ode_rhs, so that any integrator of the kit can integrate a scene without events:
 
        vm_real work[RK87_WORK(2)]; // 2 = vm_scene_size(&scene)
        rk87 run;
@@ -22903,8 +22952,8 @@ VM_API void vmi_scene_presence(vm_scene *s)
 
 #include <string.h>
 
-/* Prepares the load of a body before the effects add to it: the mass becomes the present mass, and all sums become 0.
-   Only forces on coordinates that the body has are set. */
+/* Prepares the load of a body before the effects add to the load: the mass becomes the present mass, and all sums
+   become 0. Of the forces only those on coordinates that the body has are set. */
 VM_INLINE void vmi_scene_clear(vm_scene_body *b, const vm_real *y, int with_budget)
 {
     vm_load *load = &b->load;
@@ -22933,8 +22982,9 @@ VM_INLINE void vmi_scene_evaluate(vm_scene *s, vm_real t, const vm_real *y)
     }
 }
 
-/* Computes the loads for a caller that needs the masses. Returns VM_OK, or an error if the mass of a present body is
-   not finite: the status of the effect that could not act, or VM_NOT_FINITE. s->status then has the same value. */
+/* Computes the loads for a function that needs the masses. Returns VM_OK, or an error if the mass of a body that is
+   present is not finite. The error is the status of the effect that could not act, or VM_NOT_FINITE; s->status then
+   has the same value. */
 VM_API int vmi_scene_weigh(vm_scene *s, vm_real t, const vm_real *y)
 {
     const int before = s->status;
@@ -22950,7 +23000,8 @@ VM_API int vmi_scene_weigh(vm_scene *s, vm_real t, const vm_real *y)
     return VM_OK;
 }
 
-/* The status that says which mass of the load is not positive or not finite, so that the body cannot be accelerated */
+/* The status of a load with which the body cannot be accelerated: it says whether a mass is not finite, the mass is
+   not positive, or the mass plus extra_mass is not positive */
 VMI_APART int vmi_scene_mass_status(const vm_load *load)
 {
     if (!VM_IS_FINITE(load->mass + load->extra_mass)) return VM_NOT_FINITE;
@@ -22958,8 +23009,8 @@ VMI_APART int vmi_scene_mass_status(const vm_load *load)
     return VM_BAD_MASS;
 }
 
-/* Writes the derivatives of the state of a body and returns a status. If the mass is a state, it must be positive in
-   y as well, because an effect may have added to load->mass. */
+/* Writes the derivatives of the state of a body and returns a status. Not only load->mass, but also a mass that is a
+   number of the state y must be positive, because an effect may have added to load->mass. */
 VM_INLINE int vmi_scene_accelerate(const vm_scene_body *b, const vm_real *y, vm_real *dydt)
 {
     const vm_load *load = &b->load;
@@ -22972,17 +23023,17 @@ VM_INLINE int vmi_scene_accelerate(const vm_scene_body *b, const vm_real *y, vm_
     return b->accelerate(b, y + b->at, dydt + b->at);
 }
 
-/* Sets n derivatives to one value. The derivatives of a body that is not present are 0. */
+/* Sets n derivatives to the same value: to 0 for a body that is not present, to NaN after an error */
 VMI_APART void vmi_scene_fill(int n, vm_real value, vm_real *dydt)
 {
     int k;
     for (k = 0; k < n; k++) dydt[k] = value;
 }
 
-/* The right-hand side of a scene, an ode_rhs. ctx is the scene, which must have been started. Returns 0, or
-   VM_BAD_ARGUMENT if a pointer is NULL or the number of bodies or effects is negative. If a body cannot be accelerated,
-   for example because its mass is not positive, or if an effect cannot act, scene.status is the reason and all
-   derivatives are NaN, so that an integrator tries a shorter step. */
+/* The right-hand side of a scene as an ode_rhs: writes the derivatives of the state y at time t to dydt. ctx is the
+   scene, which must have been started. Returns 0, or VM_BAD_ARGUMENT if a pointer is NULL or the number of bodies or
+   effects is negative. If a body cannot be accelerated, for example because its mass is not positive, or if an effect
+   cannot act, scene.status is the reason and all derivatives are NaN, so that an integrator tries a shorter step. */
 VM_API int vm_scene_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 {
     vm_scene *s = (vm_scene *)ctx;
@@ -23018,10 +23069,11 @@ VM_API int vm_scene_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 #ifndef VARMASS_SCENES_CHECK_H
 #define VARMASS_SCENES_CHECK_H
 
-/* The part of a scene in which a fault is */
+/* Says which part of a scene is wrong */
 typedef struct VM_TAG(vm_scene_fault) {
-    const char *kind; /* "body", "effect" or "event"; "scene" for an array of the scene, and if nothing is wrong */
-    int index;        /* index of the body, effect or event; -1 for the scene itself */
+    /* what is wrong: "body", "effect" or "event"; "scene" if an array of the scene is wrong or if nothing is wrong */
+    const char *kind;
+    int index;        /* index of the wrong body, effect or event; -1 for the scene itself */
 } vm_scene_fault;
 
 VM_API int vmi_scene_check_body(const vm_scene_body *b)
@@ -23035,8 +23087,8 @@ VM_API int vmi_scene_check_body(const vm_scene_body *b)
     return VM_OK;
 }
 
-/* Checks that a body and its coordinate exist. A free body has six velocities, but only three coordinates, since its
-   rotation has none. */
+/* Checks that a body and its coordinate exist. A free body has six velocities, but an effect can only act on the three
+   coordinates of its mass centre. */
 VM_API int vmi_scene_check_coordinate(const vm_scene *s, int body, int coordinate)
 {
     if (body < 0 || body >= s->n_bodies) return VM_NO_SUCH_BODY;
@@ -23046,8 +23098,8 @@ VM_API int vmi_scene_check_coordinate(const vm_scene *s, int body, int coordinat
 }
 
 /* Checks the place of an effect in the list, among the effects on a body: a mass law must be the first of them and a
-   link the last, and there is at most one of each. b->listed_orders has a bit for the order of each effect on the body
-   that stands earlier in the list. */
+   link the last, and a body has at most one mass law and one link. `order` is one of VMI_ORDER_..., and
+   b->listed_orders has the bit (1 << order) for each effect on the body that stands earlier in the list. */
 VM_API int vmi_scene_check_order(vm_scene_body *b, int order)
 {
     const int law = 1 << VMI_ORDER_MASS_LAW, force = 1 << VMI_ORDER_FORCE, link = 1 << VMI_ORDER_LINK;
@@ -23060,7 +23112,7 @@ VM_API int vmi_scene_check_order(vm_scene_body *b, int order)
     return VM_OK;
 }
 
-/* Checks that the bodies of an effect have motions on which it can act */
+/* Checks that the bodies of an effect have kinds of motion on which the effect can act */
 VM_API int vmi_scene_check_motions(const vm_scene *s, const vm_effect *e)
 {
     const vm_scene_body *b = s->bodies + e->body, *other = e->other == VM_GROUND ? NULL : s->bodies + e->other;
@@ -23094,15 +23146,16 @@ VM_API int vmi_scene_check_effect(const vm_scene *s, const vm_effect *e)
     return status;
 }
 
-/* Whether a body of one motion can take up or give off a body of another motion. Both must have the same motion,
-   except that a body in the plane or in space can also take up or give off a point, which has no rotation. */
+/* Returns 1 if a body of the kind `motion` (VM_LINE, VM_AXLE, ...) can take up or give off a body of the kind `other`,
+   else 0. Both kinds must be the same, except that a body in the plane or in space can also take up or give off a
+   point, which has no rotation. */
 VM_API int vmi_scene_can_jump(int motion, int other)
 {
     return motion == other || (other == VM_POINT && motion > VM_AXLE);
 }
 
-/* Checks a jump. A part that separates becomes a body of the scene that was absent. The function also checks that this
-   body can have the mass, inertia and motion of the part. */
+/* Checks a jump. A part that separates becomes a body of the scene that was absent. This function also checks that
+   this body can have the mass, inertia and motion of the part. */
 VM_API int vmi_scene_check_jump(const vm_scene *s, const vm_event *e)
 {
     int status = vmi_scene_check_coordinate(s, e->jump_body, 0);
@@ -23152,15 +23205,20 @@ VM_API void vmi_scene_set_fault(vm_scene_fault *fault_or_NULL, const char *kind,
     fault_or_NULL->index = index;
 }
 
-/* The first thing that is wrong with a scene, or VM_OK. Returns the status of this fault, and writes to
-   *fault_or_NULL in which body, effect or event it is. The time of this check is proportional to the number of
-   bodies, effects and events. The statuses are those in the comments of the constructors, and
+/* Finds the first thing that is wrong with a scene. Returns its status, or VM_OK if nothing is wrong, and writes to
+   *fault_or_NULL in which body, effect or event it is. The time of this check is proportional to the number of bodies,
+   effects and events. The function returns the statuses that the comments of the constructors name, and
      VM_BAD_ARGUMENT        if a pointer is NULL, a count is negative, or a body or a function is missing;
      VM_NOT_FINITE          if a parameter, a time or a number of a body is infinite or NaN;
-     VM_BAD_MASS, VM_BAD_INERTIA, VM_BAD_MOTION       for a body, or for the part that separates;
-     VM_NO_SUCH_BODY, VM_NO_SUCH_COORDINATE, VM_NO_SUCH_EFFECT      for an index that does not exist;
-     VM_TWO_MASS_LAWS, VM_BAD_ORDER, VM_TWO_LINKS, VM_LINK_NOT_LAST   for the list of effects;
-     VM_BAD_POINT, VM_NOT_JOINED      for points at which springs, joints and contacts act;
+     VM_BAD_MASS, VM_BAD_INERTIA   if a body, or a part that separates, cannot have its mass or its inertia;
+     VM_BAD_MOTION          if a body has a kind of motion that its effect, its jump or its constructor does not allow;
+     VM_NO_SUCH_BODY, VM_NO_SUCH_COORDINATE, VM_NO_SUCH_EFFECT   if no body, coordinate or effect has the given index;
+     VM_TWO_MASS_LAWS       if a body has two mass laws, or a mass law although its mass is a number of the state;
+     VM_BAD_ORDER           if a mass law does not stand before the other effects on its body;
+     VM_TWO_LINKS           if a body has two links, or a link and joints;
+     VM_LINK_NOT_LAST       if another effect on a body follows its link or its joints;
+     VM_BAD_POINT           if a spring, joint or contact acts at a point that the body cannot have (points.h);
+     VM_NOT_JOINED          if the points of a joint do not fit at the start or move apart (joints.h);
      VM_BAD_TIMES           if the times of output do not increase. */
 VM_API int vm_scene_check(const vm_scene *scene, vm_scene_fault *fault_or_NULL)
 {
@@ -23192,31 +23250,32 @@ VM_API int vm_scene_check(const vm_scene *scene, vm_scene_fault *fault_or_NULL)
 #endif
 /* scenes/points.h - points of the bodies of a scene
 
-   Springs, joints and contacts act at points of bodies. A point is given by the vector from the mass centre of the body
-   at the start, in body axes, so that it moves and turns with the body. On an axle the vector leads from the axle,
-   which stands in the origin. In the plane the third number is a height above the plane. Points of the ground are given
-   by their position. A point body has only one point, the zero vector, and a rod only those on its own axis
-   (VM_BAD_POINT).
+   Springs, joints and contacts act at points of bodies. A point is given by the vector that leads to it from the place
+   of the mass centre in the body at the start, in body axes. The point moves and turns with the body. On an axle the
+   vector leads from the axle, which goes through the origin. In the plane the third component of the vector is a
+   height above the plane. A point of the ground is given by its position. A body that is itself a point has only one
+   point, which is given by the zero vector. A rod has only the points on its own axis. For other points of such bodies
+   the status is VM_BAD_POINT.
 
        vm_vec3 tip = {0.5, 0, 0}, r, v;
        vm_scene_point_at(&scene, 0, tip, y, &r, &v); // position and velocity of a point of body 0 in the state y
 
-   An effect of the caller's own (vm_effect_custom) adds a force at a point by vm_scene_push_at.
+   If you write an effect of your own (vm_effect_custom), add a force at a point by vm_scene_push_at.
 
    Tests: tests/test_scene_joints.c. */
 #ifndef VARMASS_SCENES_POINTS_H
 #define VARMASS_SCENES_POINTS_H
 
-/* A point of a body or of the ground, and how the body moves */
+/* Position and velocity of a point of a body or of the ground, and the rotation of the body */
 typedef struct VM_TAG(vmi_body_point) {
-    vm_vec3 arm;   /* m, inertial axes: from the mass centre (on an axle from the axle) to the point */
+    vm_vec3 arm;   /* m, inertial axes: vector from the mass centre (on an axle from the axle) to the point */
     vm_vec3 r;     /* m: position of the point */
     vm_vec3 v;     /* m/s: velocity of the point */
     vm_vec3 omega; /* rad/s, inertial axes: angular velocity of the body */
     vmi_mat3 axes; /* the body axes in inertial axes */
 } vmi_body_point;
 
-/* The body axes of a body in the given state, in inertial axes */
+/* The body axes of a body in the given state, as unit vectors in inertial axes */
 VM_API vmi_mat3 vmi_point_axes(const vm_scene_body *b, const vm_real *state)
 {
     vmi_mat3 axes;
@@ -23230,8 +23289,8 @@ VM_API vmi_mat3 vmi_point_axes(const vm_scene_body *b, const vm_real *state)
     return axes;
 }
 
-/* Computes the position and the velocity of the point `at` of a body. The velocity is that of the material: a growing
-   body moves with the velocity v of its state at its present mass centre. */
+/* Computes the position and the velocity of the point `at` of a body. The velocity is that of the material at the
+   point. For a growing body, the velocity v in the state is that of the material at the present mass centre. */
 VM_API void vmi_point_of_body(const vm_scene_body *b, vm_vec3 at, const vm_real *state, vmi_body_point *p)
 {
     const vm_real *rates = state + b->positions;
@@ -23243,7 +23302,7 @@ VM_API void vmi_point_of_body(const vm_scene_body *b, vm_vec3 at, const vm_real 
     p->v = vm_add(vmi_scene_moving(b, rates), vm_cross(p->omega, p->arm));
 }
 
-/* Computes a point of a body of the scene in the state y, or of the ground, which rests */
+/* Computes a point of a body in the state y of the scene, or a point of the ground, which is at rest */
 VM_API void vmi_point_now(const vm_scene *s, int body, vm_vec3 at, const vm_real *y, vmi_body_point *p)
 {
     const vm_vec3 zero = {0, 0, 0};
@@ -23265,14 +23324,14 @@ VM_API void vmi_point_push(vm_scene_body *b, const vmi_body_point *p, vm_vec3 f)
     else vmi_scene_add(b, b->load.force, f, vm_cross(p->arm, f));
 }
 
-/* The mass, or on an axle the inertia, that resists acceleration */
+/* The mass (on an axle the moment of inertia) that resists acceleration, with the extra_mass of a mass law M(v) */
 VM_INLINE vm_real vmi_point_mass(const vm_scene_body *b)
 {
     if (b->motion > VM_AXLE) return b->load.mass;
     return b->load.mass + b->load.extra_mass;
 }
 
-/* The acceleration of the mass centre by a force */
+/* The acceleration of the mass centre that a force causes */
 VM_API vm_vec3 vmi_point_move(const vm_scene_body *b, vm_vec3 force)
 {
     if (b->motion == VM_AXLE) return vmi_vec3(0, 0, 0);
@@ -23281,8 +23340,8 @@ VM_API vm_vec3 vmi_point_move(const vm_scene_body *b, vm_vec3 force)
     return vmi_over(force, vmi_point_mass(b));
 }
 
-/* The angular acceleration I^-1 (torque - omega x I omega) of a body in inertial axes. The inertia of a free body is
-   that of its last evaluation. */
+/* The angular acceleration I^-1 (torque - omega x I omega) of a body, in inertial axes. I is the inertia of the body;
+   for a free body it is that of the last evaluation of the loads. */
 VM_API vm_vec3 vmi_point_spin(const vm_scene_body *b, const vmi_mat3 *axes, vm_vec3 torque, vm_vec3 omega)
 {
     vm_real rates[3];
@@ -23293,7 +23352,7 @@ VM_API vm_vec3 vmi_point_spin(const vm_scene_body *b, const vmi_mat3 *axes, vm_v
     return vmi_times(axes, vmi_get3(rates));
 }
 
-/* Gives an impulse at a point of a body, which changes its velocities in the state y of the scene */
+/* Gives a body an impulse at a point: changes the velocities of the body in the state y of the scene */
 VM_API void vmi_point_kick(const vm_scene_body *b, const vmi_body_point *p, vm_vec3 impulse, vm_real *y)
 {
     const vm_vec3 zero = {0, 0, 0}, move = vmi_point_move(b, impulse);
@@ -23304,17 +23363,18 @@ VM_API void vmi_point_kick(const vm_scene_body *b, const vmi_body_point *p, vm_v
     else vmi_scene_add(b, velocities, move, spin);
 }
 
-/* The acceleration of a point along a unit vector by a force of 1 N along this vector */
+/* The acceleration of a point along a unit vector that a force of 1 N on the point along this vector causes */
 VM_API vm_real vmi_point_mobility(const vm_scene_body *b, const vmi_body_point *p, vm_vec3 along)
 {
     const vm_vec3 zero = {0, 0, 0}, turn = vm_cross(p->arm, along);
     return vm_dot(along, vmi_point_move(b, along)) + vm_dot(turn, vmi_point_spin(b, &p->axes, turn, zero));
 }
 
-/* Whether the inertia of a body resists every force at the point `at`. Forces turn a body about all axes normal to
-   `at`. If the body is a rod or a point, `hollow` is the inertia that vmi_invertible_inertia adds, which is the same
-   dummy moment about each of the k axes that have none. The sum of the squares of the parts of `at` normal to these
-   axes is k at^2 - at (hollow at)/dummy, and must be 0 apart from rounding errors. */
+/* Returns 1 if the inertia of a body resists every force at the point `at`, else 0. A force at this point can turn the
+   body about any axis normal to `at`. If the body is a rod or a point, it has no moment of inertia about k of its
+   principal axes. `hollow` is the inertia that vmi_invertible_inertia adds: the same moment `dummy` about each of
+   these k axes. The components of `at` normal to these axes must be 0. The sum of their squares is k at^2 - at (hollow
+   at)/dummy, and must be 0 apart from rounding errors. */
 VM_API int vmi_point_is_possible(const vm_scene_body *b, vm_vec3 at)
 {
     const vm_real noise = 64 * VM_EPSILON;
@@ -23329,15 +23389,16 @@ VM_API int vmi_point_is_possible(const vm_scene_body *b, vm_vec3 at)
     return trace * square - vm_dot(at, vmi_inertia_times(&hollow, at)) <= noise * (trace * square);
 }
 
-/* Notes that a jump has moved the mass centre of a body by `step`, in inertial axes: its points stay where they are */
+/* Adds to b->centre the vector `step` (in inertial axes) by which a jump has moved the mass centre of a body, so that
+   the points of the body stay where they are */
 VM_API void vmi_point_shift(vm_scene_body *b, vm_vec3 step, const vm_real *state)
 {
     const vmi_mat3 axes = vmi_point_axes(b, state);
     b->centre = vm_add(b->centre, vmi_times_transposed(&axes, step));
 }
 
-/* Checks a point of a body of the scene, or of the ground, and lets jumps of the body call vmi_point_shift. The scene
-   has checked its bodies before. */
+/* Checks a point of a body or of the ground, and makes jumps of the body call vmi_point_shift. The bodies must have
+   been checked before. */
 VM_API int vmi_point_check(const vm_scene *s, int body, vm_vec3 at)
 {
     if (!vmi_vec3_is_finite(at)) return VM_NOT_FINITE;
@@ -23347,10 +23408,10 @@ VM_API int vmi_point_check(const vm_scene *s, int body, vm_vec3 at)
     return vmi_point_is_possible(s->bodies + body, at) ? VM_OK : VM_BAD_POINT;
 }
 
-/* The position and velocity of a point of a body in the state y, in inertial axes. `at` is the vector from the mass
-   centre at the start to the point, in body axes; on an axle it leads from the axle. The scene must have been started.
-   *r in m and *v in m/s are NaN if no body has this index, if scene or y is NULL, and before a start. If r or v is
-   NULL, nothing is written. */
+/* The position and velocity of a point of a body in the state y, in inertial axes. `at` is the vector from the place
+   of the mass centre at the start to the point, in body axes; on an axle it leads from the axle. The scene must have
+   been started. *r in m and *v in m/s are NaN if no body has this index, if scene or y is NULL, or if the scene was
+   not started. If r or v is NULL, nothing is written. */
 VM_API void vm_scene_point_at(const vm_scene *scene, int body, vm_vec3 at, const vm_real *y, vm_vec3 *r, vm_vec3 *v)
 {
     vmi_body_point p;
@@ -23362,11 +23423,12 @@ VM_API void vm_scene_point_at(const vm_scene *scene, int body, vm_vec3 at, const
     *v = p.v;
 }
 
-/* Adds a force at a point of a body, in an effect of the caller's own. It adds force, in N and inertial axes, to the
-   load of the body, and its moment about the mass centre, so that drag, wind and thrusters are a few lines of a
-   function for vm_effect_custom. `at` and y are those of vm_scene_point_at. A force on VM_GROUND changes nothing. If
-   no body has this index, scene->status becomes VM_NO_SUCH_BODY, which ends the run; if y is NULL or the scene was
-   not started, it becomes VM_BAD_ARGUMENT. If scene is NULL, nothing is done. */
+/* Adds a force at a point of a body. Call this function from the function that you give to vm_effect_custom; drag,
+   wind and thrusters then need only a few lines of code. vm_scene_push_at adds the force, in N and inertial axes, and
+   its moment about the mass centre to the load of the body. The arguments `at` and y are those of vm_scene_point_at. A
+   force on VM_GROUND changes nothing. If no body has this index, scene->status becomes VM_NO_SUCH_BODY, which ends the
+   run; if y is NULL or the scene was not started, scene->status becomes VM_BAD_ARGUMENT. If scene is NULL, nothing is
+   done. */
 VM_API void vm_scene_push_at(vm_scene *scene, int body, vm_vec3 at, const vm_real *y, vm_vec3 force)
 {
     vmi_body_point p;
@@ -23383,14 +23445,15 @@ VM_API void vm_scene_push_at(vm_scene *scene, int body, vm_vec3 at, const vm_rea
 /* scenes/springs.h - springs and dampers between points of bodies
 
    A spring and a damper, side by side, act along the straight line between a point of a body and a point of another
-   body or of the ground, in the plane and in space. They push or pull with the same force at both points, and turn the
-   bodies about their mass centres. points.h explains how a point is given.
+   body or of the ground, in the plane and in space. They push or pull with the same force at both points, so that the
+   bodies also turn about their mass centres. points.h explains how a point is given.
 
        vm_point_spring strut = {{0.5, 0, 0}, {2, 1, 0}, 1000, 5, 0.3};          // 1000 N/m, 5 N s/m, 0.3 m long
        vm_effect effects[] = {vm_effect_point_spring(0, VM_GROUND, &strut)};    // from a point of body 0 to (2, 1, 0)
 
-   The budget of the scene has the work of the force, which is the energy that the spring gives back less the energy
-   that the damper takes out. A spring of the present length l stores k (l - rest)^2/2.
+   The field `work` of the scene's budget includes the work of the force, which is the energy that the spring gives
+   back less the energy that the damper takes out. A spring of the stiffness k, the present length l and the length
+   `rest` without force stores the energy k (l - rest)^2/2.
 
    Tests: tests/test_scene_joints.c. */
 #ifndef VARMASS_SCENES_SPRINGS_H
@@ -23399,15 +23462,16 @@ VM_API void vm_scene_push_at(vm_scene *scene, int body, vm_vec3 at, const vm_rea
 /* A spring and a damper between two points */
 typedef struct VM_TAG(vm_point_spring) {
     vm_vec3 at;        /* m, body axes: the point of the body */
-    vm_vec3 other_at;  /* m: the point of the other body, in its axes, or of the ground */
+    vm_vec3 other_at;  /* m: the point of the other body, in the axes of this body, or the point of the ground */
     vm_real stiffness; /* N/m: stiffness k, of either sign */
-    vm_real damping;   /* N s/m: damping; > 0 takes energy out */
-    vm_real rest;      /* m: length of the spring without force, >= 0 */
+    vm_real damping;   /* N s/m: damping; a damping > 0 takes energy out */
+    vm_real rest;      /* m: length of the spring if no force acts on it, >= 0 */
 } vm_point_spring;
 
 /* Computes the force on the first point; d and v are its position and velocity relative to the second point. If the
-   points coincide, a spring whose rest is 0 has no force, and the damper acts against the velocity; any other spring
-   has no direction (VM_SINGULAR). */
+   points coincide, a spring whose length `rest` is 0 or whose stiffness is 0 exerts no force, and the damper acts
+   against the velocity v. For any other spring the force then has no direction, and the function returns VM_SINGULAR;
+   otherwise it returns VM_OK. */
 VM_API int vmi_point_spring_force(const vm_point_spring *spring, vm_vec3 d, vm_vec3 v, vm_vec3 *f)
 {
     const vm_real length = vm_norm(d);
@@ -23448,11 +23512,11 @@ VM_API int vmi_point_spring_check(const vm_scene *s, const vm_effect *e)
 }
 
 /* A spring and a damper between a point of a body and a point of the body `other`, or of the ground. *spring is not
-   copied: if an event changes it, the run continues with the change. With the length l of the spring, the tension is
-   stiffness (l - rest) + damping l'. vm_scene_start returns VM_BAD_ARGUMENT if spring is NULL, VM_NOT_FINITE if a
-   number is infinite or NaN, VM_DOMAIN if rest < 0, VM_SAME_BODY for a spring of a body with itself, and VM_BAD_POINT
-   for a point that the body cannot have (points.h). A run ends with VM_SINGULAR if the points coincide, unless rest is
-   0. */
+   copied: if an event changes it, the run continues with the change. With the length l of the spring, the force that
+   pulls the points together is stiffness (l - rest) + damping l'. vm_scene_start returns VM_BAD_ARGUMENT if spring is
+   NULL, VM_NOT_FINITE if a number is infinite or NaN, VM_DOMAIN if rest < 0, VM_SAME_BODY if the spring connects a
+   body with itself, and VM_BAD_POINT if a body cannot have its point of the spring (points.h). A run ends with
+   VM_SINGULAR if the points coincide, unless rest or stiffness is 0. */
 VM_API vm_effect vm_effect_point_spring(int body, int other, const vm_point_spring *spring)
 {
     vm_effect e = vmi_effect_between(body, 0, other, 0, spring ? vmi_apply_point_spring : NULL);
@@ -23465,9 +23529,9 @@ VM_API vm_effect vm_effect_point_spring(int body, int other, const vm_point_spri
 /* scenes/joints.h - pins and rods between points of bodies
 
    A pin holds a point of a body at a point of another body or of the ground: in the plane it is a hinge, in space a
-   ball joint. A rod holds the distance of two points. All joints of a scene are in one list and are solved together, by
-   Lagrange's multipliers: chains, closed mechanisms and several joints on one body are possible. points.h explains how
-   a point is given.
+   ball joint. A rod keeps the distance of two points constant. Pins and rods are called joints. All joints of a scene
+   are in one list, and the forces of all joints are computed together, by Lagrange's multipliers: chains, closed
+   mechanisms and several joints on one body are possible. points.h explains how a point is given.
 
        vm_vec3 end = {-0.5, 0, 0}, pivot = {0, 0, 0};
        vm_joint list[] = {vm_joint_pin(0, end, VM_GROUND, pivot)};       // body 0 hangs at the pivot
@@ -23475,15 +23539,17 @@ VM_API vm_effect vm_effect_point_spring(int body, int other, const vm_point_spri
        vm_joints joints = {list, 1, 10, room, VM_LENGTH(room)};          // deviations decrease as exp(-10 t)
        vm_effect effects[] = {vm_effect_gravity(0, 1, -9.81), vm_effect_joints(&joints)}; // joints stand last
 
-   Let C be the deviation of a joint from its condition; for a pin it is the vector between the two points. The joint
-   exerts the force for which the accelerations obey C'' + 2 rate C' + rate^2 C = 0, as a link does. After a jump of a
-   body, impulses of the joints take away the velocities with which points would move apart; the budget includes these
-   impulses. list[0].force is the reaction on body 0 at the last evaluation.
+   Let C be the deviation of a joint from its condition; for a pin C is the vector between the two points. The joint
+   exerts the force for which the accelerations obey C'' + 2 rate C' + rate^2 C = 0, where `rate` is a field of
+   vm_joints. After a jump of a body, impulses of the joints take away the velocities with which the points of a joint
+   would move apart; the budget includes these impulses. list[0].force is the reaction of the first joint on its body
+   at the last evaluation.
 
    Accuracy: the errors of forces and accelerations are a few eps of the largest of them. This also holds for joints
    that nearly contradict each other, such as two rods almost in line, and for light bodies between heavy ones, since
-   the forces are refined until they fit the equations. Two rods of 1 m that hold a point 1e-5 m beside their line have
-   errors of 4e-16, and at 1e-7 m the error is 4e-11. Closer to such a position the run ends with VM_SINGULAR.
+   the forces are refined until they fit the equations. If two rods of 1 m hold a point 1e-5 m beside the line through
+   their other ends, the errors are 4e-16; if they hold it 1e-7 m beside this line, 4e-11. Still closer to the line the
+   run ends with VM_SINGULAR.
 
    Tests: tests/test_scene_joints.c. */
 #ifndef VARMASS_SCENES_JOINTS_H
@@ -23491,20 +23557,21 @@ VM_API vm_effect vm_effect_point_spring(int body, int other, const vm_point_spri
 
 #include <string.h>
 
-enum { VMI_JOINT_ROWS = 3 }; /* most equations that a joint has */
+enum { VMI_JOINT_ROWS = 3 }; /* the largest number of equations that a joint has */
 
-/* The number of elements of the work array of n joints */
+/* The number of elements that the array `work` of n joints must have */
 #define VM_JOINTS_WORK(n) (3 * (n) * (3 * (n) + 3))
 
-/* One equation of a joint: along * C'' is given. Index 0 belongs to the body, index 1 to the other one. For a force of
-   1 N along `along` on the body, and the opposite force on the other one, `turn` is the torque, `move` the acceleration
-   of the mass centre, and `spin` the angular acceleration. */
+/* One equation of a joint. It prescribes the component of C'' along the unit vector `along`, where C is the deviation
+   of the joint. Index 0 of an array belongs to the field `body` of the joint, index 1 to its field `other`. A force of
+   1 N along `along` acts on `body`, and the opposite force on `other`; `turn` is then the torque on a body, `move` the
+   acceleration of its mass centre, and `spin` its angular acceleration. */
 typedef struct VM_TAG(vmi_joint_row) {
     vm_vec3 along;            /* unit vector, inertial axes */
     vm_vec3 turn[2];          /* m: torque per N */
     vm_vec3 move[2];          /* 1/kg */
     vm_vec3 spin[2];          /* 1/(kg m) */
-    vm_real gap;              /* m: C, the deviation from the condition of the joint */
+    vm_real gap;              /* m: the deviation C from the condition of the joint */
     vm_real gap_rate;         /* m/s: C' */
     vm_real gap_acceleration; /* m/s^2: C'' without the joints */
 } vmi_joint_row;
@@ -23522,28 +23589,30 @@ struct VM_TAG(vm_joint) {
     /* fields set by the constructor */
     void (*equations)(vm_joint *joint, const vm_scene *scene, const vmi_joint_end *ends); /* writes the equations */
     int body, other;      /* indices of the bodies; `other` may be VM_GROUND */
-    vm_vec3 at, other_at; /* m: the points of the bodies, in their axes */
+    vm_vec3 at, other_at; /* m: the points of `body` and `other`, in the axes of these bodies */
     vm_real length;       /* m: length of a rod */
-    /* fields for the caller to read, set by each evaluation; all 0 while a body is not present */
-    vm_vec3 force; /* N, inertial axes: reaction on the body; the other one has the opposite reaction */
+    /* fields that the caller may read; each evaluation sets them, to 0 while a body of the joint is not present */
+    vm_vec3 force; /* N, inertial axes: reaction on `body`; the reaction on `other` is opposite */
     /* fields of the last evaluation */
     int n_rows; /* number of equations */
     vmi_joint_row row[VMI_JOINT_ROWS];
 };
 
-/* The joints of a scene, all in one list */
+/* The list of all joints of a scene */
 typedef struct VM_TAG(vm_joints) {
     vm_joint *joints; /* array of n_joints joints */
     int n_joints;
-    vm_real rate;  /* 1/s: deviations decrease as exp(-rate t); > 0 */
+    vm_real rate;  /* 1/s: deviations of the joints from their conditions decrease as exp(-rate t); > 0 */
     vm_real *work; /* array of VM_JOINTS_WORK(n_joints) numbers */
     int work_size; /* number of elements of work, which vm_scene_start checks; 0 means no check */
 } vm_joints;
 
-/* Computes an end of a joint with the acceleration of its point without the joints,
+/* Computes an end of a joint, and the acceleration that its point would have without the joints:
      a + alpha x arm + omega x (omega x arm - drift).
-   drift is the velocity of the mass centre of a growing body relative to the body: a is the rate of the velocity of
-   the material at the mass centre, and this material changes. */
+   Here a is the acceleration of the mass centre, alpha and omega are angular acceleration and angular velocity of the
+   body, and `arm` leads from the mass centre to the point. drift is 0 except for a growing body: it is the velocity
+   with which the mass centre moves through the material of the body. drift is subtracted because a is the rate of the
+   velocity at the mass centre, where the material changes. */
 VM_API void vmi_joint_end_now(const vm_scene *s, int body, vm_vec3 at, const vm_real *y, vmi_joint_end *end)
 {
     const vmi_body_point *p = &end->point;
@@ -23581,13 +23650,14 @@ VM_API vmi_joint_row *vmi_joint_add_row(vm_joint *joint, const vm_scene *s, cons
 
 /* -- The kinds of joints -- */
 
-/* Whether a body can move across the plane of x and y */
+/* Returns 1 if a body can move out of the plane of x and y, else 0 */
 VM_API int vmi_joint_is_in_space(const vm_scene *s, int body)
 {
     return body >= 0 && (s->bodies[body].motion == VM_POINT || s->bodies[body].motion == VM_FREE);
 }
 
-/* A pin has an equation for each direction in which one of its points can move: C is the vector between the points */
+/* Writes the equations of a pin, one for each direction in which one of its points can move. The deviation C is the
+   vector between the points. */
 VM_API void vmi_pin_equations(vm_joint *joint, const vm_scene *s, const vmi_joint_end *ends)
 {
     const int in_space = vmi_joint_is_in_space(s, joint->body) || vmi_joint_is_in_space(s, joint->other);
@@ -23604,8 +23674,9 @@ VM_API void vmi_pin_equations(vm_joint *joint, const vm_scene *s, const vmi_join
     }
 }
 
-/* A rod has one equation, C = (d^2 - length^2)/(2 |d|) with the vector d between its points. While it acts, |d| is
-   nearly constant; C' = d v/|d| and C'' = (d a + v^2)/|d|, as for a link. */
+/* Writes the equation of a rod. Its deviation is C = (d^2 - length^2)/(2 |d|), where d is the vector between its
+   points. Since the rod keeps |d| nearly constant, C' = d v/|d| and C'' = (d a + v^2)/|d|, as for a link; v and a are
+   the rates d' and d''. */
 VM_API void vmi_rod_equations(vm_joint *joint, const vm_scene *s, const vmi_joint_end *ends)
 {
     const vm_vec3 d = vm_sub(ends[0].point.r, ends[1].point.r), v = vm_sub(ends[0].point.v, ends[1].point.v);
@@ -23632,7 +23703,7 @@ VM_API vm_joint vm_joint_pin(int body, vm_vec3 at, int other, vm_vec3 other_at)
 }
 
 /* A rigid rod without mass between the point `at` of a body and the point other_at of the body `other`, or of the
-   ground. It holds the distance of the points at `length` (m), by a force along the line between them. */
+   ground. The rod keeps the distance of the points equal to `length` (m), by a force along the line between them. */
 VM_API vm_joint vm_joint_rod(int body, vm_vec3 at, int other, vm_vec3 other_at, vm_real length)
 {
     vm_joint joint = vm_joint_pin(body, at, other, other_at);
@@ -23643,7 +23714,8 @@ VM_API vm_joint vm_joint_rod(int body, vm_vec3 at, int other, vm_vec3 other_at, 
 
 /* -- The solution -- */
 
-/* The acceleration that the force of the equation `by`, of the joint j, adds to the equation `row` of the joint i */
+/* Returns the acceleration C'' in the equation `row` of the joint i that is caused by a force of 1 N of the equation
+   `by` of the joint j */
 VM_API vm_real vmi_joint_coupling(const vm_joint *i, const vmi_joint_row *row, const vm_joint *j,
                                   const vmi_joint_row *by)
 {
@@ -23678,7 +23750,8 @@ VM_API int vmi_joints_equations(const vm_joints *joints, const vm_scene *s, cons
     return n;
 }
 
-/* Writes to row k of the n x n matrix how the forces of all equations accelerate the equation `row` of a joint */
+/* Writes one row of the matrix of all equations to a: for each equation, the acceleration C'' that a force of 1 N of
+   this equation causes in the equation `row` of `joint` */
 VM_API void vmi_joints_matrix_row(const vm_joints *joints, const vm_joint *joint, const vmi_joint_row *row, vm_real *a)
 {
     int j, m, at = 0;
@@ -23688,8 +23761,8 @@ VM_API void vmi_joints_matrix_row(const vm_joints *joints, const vm_joint *joint
     }
 }
 
-/* What the forces or impulses of an equation must add. Forces must add to C'' what is needed for C'' + 2 rate C' +
-   rate^2 C = 0, impulses must add to C' what is needed for C' = 0. */
+/* What is computed from the equations: forces or impulses. Forces must change C'' so that C'' + 2 rate C' + rate^2 C =
+   0, and impulses must change C' so that C' = 0. */
 enum { VMI_JOINT_FORCES, VMI_JOINT_IMPULSES };
 
 VM_API vm_real vmi_joint_lacks(const vmi_joint_row *row, vm_real rate, int wanted)
@@ -23698,7 +23771,8 @@ VM_API vm_real vmi_joint_lacks(const vmi_joint_row *row, vm_real rate, int wante
     return -(row->gap_acceleration + 2 * rate * row->gap_rate + rate * rate * row->gap);
 }
 
-/* Computes the accelerations of the mass centre and of the rotation which the forces of all equations give a body */
+/* Computes the acceleration *move of the mass centre and the angular acceleration *spin that the forces of all
+   equations give a body */
 VM_API void vmi_joints_accelerate(const vm_joints *joints, const vm_real *forces, int body, vm_vec3 *move,
                                   vm_vec3 *spin)
 {
@@ -23717,9 +23791,9 @@ VM_API void vmi_joints_accelerate(const vm_joints *joints, const vm_real *forces
     }
 }
 
-/* Writes the rest of each equation, that is what the forces do not yet add to C'' or C' (see vmi_joint_lacks). It is
-   computed from the accelerations of the bodies. Where large forces nearly cancel, these keep digits that the matrix
-   has lost. */
+/* Writes the remainder of each equation: the part of the needed change of C'' or C' (see vmi_joint_lacks) that the
+   forces do not yet cause. The remainder is computed from the accelerations of the bodies. If large forces nearly
+   cancel, these accelerations have digits that the matrix has lost. */
 VM_API void vmi_joints_rest(const vm_joints *joints, const vm_real *forces, int wanted, vm_real *rest)
 {
     int i, k, m;
@@ -23740,8 +23814,8 @@ VM_API void vmi_joints_rest(const vm_joints *joints, const vm_real *forces, int 
     }
 }
 
-/* Refines the forces once, by the decomposed matrix of the work array. Returns 1 if this changed them so much that a
-   further refinement is worth its time, else 0. */
+/* Refines the forces once, with the decomposed matrix that joints->work contains. Returns 1 if this changed the forces
+   by more than sqrt(VM_EPSILON) times the largest of them, so that a further refinement is worth its time, else 0. */
 VM_API int vmi_joints_refine(const vm_joints *joints, int n, int wanted)
 {
     const vm_real *a = joints->work;
@@ -23757,9 +23831,10 @@ VM_API int vmi_joints_refine(const vm_joints *joints, int n, int wanted)
     return change > VM_SQRT(VM_EPSILON) * largest;
 }
 
-/* Solves the n equations for the forces, or for the impulses. The results replace the numbers of the work array from
-   n^2 on. The matrix loses twice as many digits as the equations themselves; refinement gives them back. Returns
-   VM_SINGULAR, VM_NOT_FINITE or VM_OK. */
+/* Solves the n equations for the forces, or for the impulses, and writes the results to joints->work from index n^2
+   on. A solution by the matrix loses twice as many digits as the equations themselves do; the refinement restores
+   these digits. Returns VM_SINGULAR if the equations have no unique solution, VM_NOT_FINITE if a number is not finite,
+   and else VM_OK. */
 VM_API int vmi_joints_solve(const vm_joints *joints, int n, int wanted)
 {
     enum { MOST_REFINEMENTS = 4 };
@@ -23781,7 +23856,7 @@ VM_API int vmi_joints_solve(const vm_joints *joints, int n, int wanted)
     return VM_OK;
 }
 
-/* The force of a joint on its body, from the forces of its equations */
+/* The force of a joint on its field `body`: the vector sum of the forces of its equations */
 VM_API vm_vec3 vmi_joint_force(const vm_joint *joint, const vm_real *forces)
 {
     vm_vec3 sum = {0, 0, 0};
@@ -23819,7 +23894,7 @@ VM_API void vmi_apply_joints(const vm_effect *e, vm_real t, const vm_real *y, vm
     }
 }
 
-/* Gives an impulse at a point of a body or of the ground */
+/* Gives a body an impulse at its point `at`; an impulse on the ground changes nothing */
 VM_API void vmi_joint_kick(const vm_scene *s, int body, vm_vec3 at, vm_vec3 impulse, vm_real *y)
 {
     vmi_body_point p;
@@ -23828,8 +23903,8 @@ VM_API void vmi_joint_kick(const vm_scene *s, int body, vm_vec3 at, vm_vec3 impu
     vmi_point_kick(s->bodies + body, &p, impulse, y);
 }
 
-/* After a jump, gives the impulses of the joints that stop the points of each joint from moving apart, and adds those
-   from the ground to the budget. The equations are those of the last evaluation. */
+/* After a jump, gives the bodies the impulses with which the points of each joint do not move apart, and adds the
+   impulses from the ground to the budget. The equations are those of the last evaluation of the loads. */
 VM_API int vmi_joints_settle(const vm_effect *e, vm_real *y, vm_scene *s)
 {
     const vm_joints *joints = (const vm_joints *)e->parts;
@@ -23855,12 +23930,14 @@ VM_API int vmi_joints_settle(const vm_effect *e, vm_real *y, vm_scene *s)
 
 /* -- Checks -- */
 
-/* Computes an end of a joint at the start of the scene, when the accelerations are not yet known. `size` and `speed`
-   are sums of the lengths and velocities of which the position and velocity of the point are composed. */
+/* Computes an end of a joint at the start of the scene, when the accelerations are not yet known. Adds to *size the
+   lengths of which the position of the point is composed, and to *speed the velocities of which its velocity is
+   composed. */
 VM_API void vmi_joint_end_at_start(const vm_scene *s, int body, vm_vec3 at, vmi_joint_end *end, vm_real *size,
                                    vm_real *speed)
 {
-    enum { MOST = 13 + 1 + 3 + 6 }; /* the numbers of a free body, its mass, its mass centre and its inertia */
+    /* number of state variables of a free growing body: its motion, mass, mass centre and inertia */
+    enum { MOST = 13 + 1 + 3 + 6 };
     vm_real state[MOST] = {0};
     vmi_body_point *p = &end->point;
     end->a = vmi_vec3(0, 0, 0);
@@ -23874,8 +23951,8 @@ VM_API void vmi_joint_end_at_start(const vm_scene *s, int body, vm_vec3 at, vmi_
     *speed += vmi_norm1(p->v) + vmi_norm1(p->omega) * vmi_norm1(p->arm);
 }
 
-/* Whether the bodies fit a joint at the start: the gap and its rate are at most a small fraction of the lengths and
-   velocities of which they are composed */
+/* Returns 1 if the bodies fit a joint at the start, else 0. They fit if the deviation and its rate are at most a small
+   fraction of the lengths and velocities of which they are composed. */
 VM_API int vmi_joint_fits(vm_joint *joint, const vm_scene *s)
 {
     const vm_real loose = VM_C(1e-6) + 512 * VM_EPSILON;
@@ -23907,8 +23984,8 @@ VM_API int vmi_joint_check(vm_joint *joint, const vm_scene *s)
     return vmi_joint_fits(joint, s) ? VM_OK : VM_NOT_JOINED;
 }
 
-/* With `enter` = 1, marks in the lists of effects on the bodies of the joints that a link stands there. With `enter`
-   = 0, returns VM_TWO_LINKS if a link or another list of joints already stands there. */
+/* With `enter` = 1, marks each body of the joints as a body with a link, so that no other effect on it may follow.
+   With `enter` = 0, returns VM_TWO_LINKS if a body already has a link or joints of another list, else VM_OK. */
 VM_API int vmi_joints_enter_links(const vm_joints *joints, const vm_scene *s, int enter)
 {
     const int link = 1 << VMI_ORDER_LINK;
@@ -23940,18 +24017,19 @@ VM_API int vmi_joints_check(const vm_scene *s, const vm_effect *e)
     return status;
 }
 
-/* The joints of a scene, solved together. *joints and its arrays are not copied and must stay where they are. The
-   effect must stand after all other effects on the bodies of the joints. A pin has 2 equations in the plane and 3 in
-   space, a rod has 1. To solve n equations, an evaluation makes about n^3/3 multiplications, and some 10 n^2 to
-   refine the solution. A high rate makes the equations stiff. vm_scene_start returns VM_BAD_ARGUMENT for null
-   pointers and an empty list, VM_NOT_FINITE if a number is infinite or NaN, VM_DOMAIN if rate or the length of a rod
-   is not positive, VM_SHORT_ARRAY if work is too small, VM_NO_SUCH_BODY if a body does not exist, VM_IS_AWAY if the
-   body of the first joint is absent at the start, VM_SAME_BODY for a joint of a body with itself, VM_BAD_POINT for a
-   point that the body cannot have (points.h), VM_NOT_JOINED if points do not fit at the start or move apart,
-   VM_TWO_LINKS if a body has a link or joints of another list, too, and VM_LINK_NOT_LAST if another effect on one of
-   the bodies follows. A run ends with VM_SINGULAR if joints are redundant or contradict each other, if they hold a
-   point that cannot move, or if a mechanism reaches a position in which it is locked. It ends with VM_NOT_FINITE if
-   the points of a rod coincide. A joint does not act while one of its bodies is not present. */
+/* The joints of a scene, solved together. *joints and its arrays are not copied and must stay at their places in
+   memory. The effect must stand after all other effects on the bodies of the joints. A pin has 2 equations in the
+   plane and 3 in space, a rod has 1. To solve n equations, an evaluation makes about n^3/3 multiplications, and some
+   10 n^2 more to refine the solution. A high rate makes the equations of motion stiff, so that the steps become short.
+   vm_scene_start returns VM_BAD_ARGUMENT if a pointer is NULL or the list is empty; VM_NOT_FINITE if a number is
+   infinite or NaN; VM_DOMAIN if rate or the length of a rod is not positive; VM_SHORT_ARRAY if work is too small;
+   VM_NO_SUCH_BODY if a body does not exist; VM_IS_AWAY if the body of the first joint is absent at the start;
+   VM_SAME_BODY if a joint connects a body with itself; VM_BAD_POINT if a body cannot have the point of its joint
+   (points.h); VM_NOT_JOINED if the points of a joint do not fit at the start or move apart; VM_TWO_LINKS if a body
+   also has a link or joints of another list; and VM_LINK_NOT_LAST if another effect on one of the bodies follows the
+   joints. A run ends with VM_SINGULAR if joints are redundant or contradict each other, if they hold a point that
+   cannot move, or if a mechanism reaches a position in which it is locked. It ends with VM_NOT_FINITE if the points of
+   a rod coincide. A joint does not act while one of its bodies is not present. */
 VM_API vm_effect vm_effect_joints(const vm_joints *joints)
 {
     const int is_list = joints && joints->joints && joints->n_joints > 0;
@@ -23979,8 +24057,8 @@ VM_API vm_effect vm_effect_joints(const vm_joints *joints)
 
 #include <string.h>
 
-/* Returns 1 if vm_scene_start has started the scene and its lists have not visibly changed since then, else 0. The
-   state may be shorter than at the start, since a scene may end its budget. */
+/* Returns 1 if vm_scene_start has started the scene, and if no change of its lists since then can be seen; else 0. The
+   state may be shorter than at the start, since the budget of a scene may be ended. */
 VM_API int vmi_scene_is_started(const vm_scene *s)
 {
     int i;
@@ -23992,8 +24070,8 @@ VM_API int vmi_scene_is_started(const vm_scene *s)
     return 1;
 }
 
-/* The function whose zeros the integrator locates to find an event. ctx points to a vm_event of the scene. For an event
-   at a set time the function is 1, so that it has no zeros. */
+/* The function whose zeros the integrator locates to find the time of an event. ctx points to a vm_event of the scene.
+   For an event at a set time the function returns 1, so that it has no zeros. */
 VM_API vm_real vmi_scene_when(vm_real t, const vm_real *y, void *ctx)
 {
     const vm_event *e = (const vm_event *)ctx;
@@ -24002,7 +24080,7 @@ VM_API vm_real vmi_scene_when(vm_real t, const vm_real *y, void *ctx)
 }
 
 /* Prepares s->located[i], the integrator's event for the event s->events[i] of the scene. If s->events[i] is only
-   counted and may happen without limit, the action is ODE_RECORD, which does not end a step; else it is ODE_STOP. */
+   counted, without a limit, located->action is ODE_RECORD, which does not end a step; else it is ODE_STOP. */
 VM_API void vmi_scene_locate(vm_scene *s, int i)
 {
     ode_event *located = s->located + i;
@@ -24015,7 +24093,7 @@ VM_API void vmi_scene_locate(vm_scene *s, int i)
 }
 
 /* Stores in an effect the indices of its coordinates in the state and the pointers to the loads of its bodies. If the
-   effect acts against the ground, other_coordinate is not used. */
+   effect acts against the ground, its field other_coordinate is not used. */
 VM_API void vmi_scene_bind(vm_scene *s, vm_effect *e)
 {
     vm_scene_body *b = s->bodies + e->body, *other = e->other >= 0 ? s->bodies + e->other : NULL;
@@ -24066,11 +24144,12 @@ VM_API void vmi_scene_reset_events(vm_scene *s, vm_real t)
     }
 }
 
-/* Start of a scene at time t: checks it and fills its state y. y receives vm_scene_size(scene) numbers. Returns
-   VM_OK, or a status of vm_scene_check, which writes to *fault_or_NULL where the fault is; VM_BAD_ARGUMENT if y is
-   NULL; VM_NOT_FINITE if t is not finite; VM_SHORT_ARRAY if scene.y_size is set and too small. y is unchanged if the
-   start fails. If only a mass law fails at t, y is filled, but the scene is not started: the status is that of the law,
-   or VM_NOT_FINITE. After the start the arrays of the scene must stay where they are. */
+/* Starts a scene at time t: checks the scene and fills its state y, an array of vm_scene_size(scene) numbers. Returns
+   VM_OK, or an error: the status of vm_scene_check, which writes to *fault_or_NULL which part of the scene is wrong;
+   VM_BAD_ARGUMENT if y is NULL; VM_NOT_FINITE if t is not finite; VM_SHORT_ARRAY if scene.y_size is set and too small.
+   After these errors y is unchanged. If only a mass law fails at t, y is filled, but the scene is not started: the
+   function returns the status of the law, or VM_NOT_FINITE. After the start the arrays of the scene must stay at their
+   places in memory. */
 VM_API int vm_scene_start(vm_scene *scene, vm_real t, vm_real *y, vm_scene_fault *fault_or_NULL)
 {
     int i, end, status = vm_scene_check(scene, fault_or_NULL);
@@ -24096,10 +24175,11 @@ VM_API int vm_scene_start(vm_scene *scene, vm_real t, vm_real *y, vm_scene_fault
 #endif
 /* scenes/balance.h - the budget of momentum, angular momentum and energy of a scene
 
-   A scene that keeps a budget integrates its supply from outside together with the motion of its bodies: the impulse
-   and the work of the effects, and the momentum and energy of streams. At any time the momentum and energy of the
-   bodies must equal those at the start plus this supply. The difference is called the defect. It shows the error of a
-   run and the reactions of constraints.
+   A scene that keeps a budget integrates, together with the motion of its bodies, what is supplied to them from
+   outside: the impulse and the work of the effects, and the momentum and energy that streams bring. At any time the
+   momentum and energy of the bodies must equal their values at the start plus this supply. The difference is called
+   the defect. It shows the error of a run, and the reactions of constraints, which hold a body on its line, on its
+   axle or in the plane.
 
        vm_real t = 0, y[2 + VM_BUDGET_STATES], work[VM_SCENE_WORK(2 + VM_BUDGET_STATES)];
        vm_budget budget, now;
@@ -24115,8 +24195,9 @@ VM_API int vm_scene_start(vm_scene *scene, vm_real t, vm_real *y, vm_scene_fault
 
 #include <string.h>
 
-/* The budget adds VM_BUDGET_STATES numbers to the end of the state: sums over the time of the run. These are their
-   indices among the numbers of the budget; a vector takes three numbers. vm_budget in scene.h explains each sum. */
+/* The budget adds VM_BUDGET_STATES numbers to the end of the state: sums over the time of the run. This list gives the
+   index of each sum among the numbers of the budget; a vector has three numbers. vm_budget in scene.h explains each
+   sum. */
 enum {
     VMI_BUDGET_IMPULSE = 0,
     VMI_BUDGET_ANGULAR_IMPULSE = 3,
@@ -24134,9 +24215,9 @@ VM_INLINE void vmi_add3(vm_vec3 a, vm_real *sum)
     sum[2] += a.z;
 }
 
-/* Adds the contribution of a body's load to the rates of the budget's sums: force, moment and power of the effects, and
-   the momentum, angular momentum and energy that streams bring per second. Reactive forces are left out of the first
-   three, because the momentum of the streams accounts for them. */
+/* Adds the contribution of a body's load to the rates of the budget's sums: force, moment and power of the effects,
+   and the momentum, angular momentum and energy that streams bring per second. The force, moment and power of the
+   effects do not include reactive forces, because the momentum of the streams accounts for these forces. */
 VM_API void vmi_scene_enter_loads(const vm_scene_body *b, const vm_real *y, vm_real *rates)
 {
     const vm_load *load = &b->load;
@@ -24154,9 +24235,10 @@ VM_API void vmi_scene_enter_loads(const vm_scene_body *b, const vm_real *y, vm_r
     rates[VMI_BUDGET_MIXING] += load->mixing;
 }
 
-/* Adds to the rates of the budget's sums what acts on a body and what streams bring to it. With a mass law M(v), where
-   v is the velocity, the mass also changes by dM/dv v' per second. The momentum and energy of this mass are added here
-   and not by the effect, because the acceleration v' is known only after all effects have added their forces. */
+/* Adds to the rates of the budget's sums the loads on a body and what streams bring to it. If the body has a mass law
+   M(v), where v is the velocity, its mass also changes by dM/dv v' per second. The momentum and energy of this mass
+   are added here and not by the effect, because the acceleration v' is known only after all effects have added their
+   forces. */
 VM_API void vmi_scene_enter(vm_scene_body *b, const vm_real *y, vm_real *rates)
 {
     vm_load *load = &b->load;
@@ -24170,7 +24252,7 @@ VM_API void vmi_scene_enter(vm_scene_body *b, const vm_real *y, vm_real *rates)
     vmi_scene_enter_loads(b, y, rates);
 }
 
-/* Computes the rates of the budget's sums. The loads in the state y must have been evaluated before. */
+/* Computes the rates of the budget's sums. The loads on the bodies in the state y must have been computed before. */
 VM_API void vmi_scene_rates(vm_scene *s, const vm_real *y, vm_real *rates)
 {
     int i;
@@ -24180,7 +24262,7 @@ VM_API void vmi_scene_rates(vm_scene *s, const vm_real *y, vm_real *rates)
 }
 
 /* Momentum, angular momentum about the origin and kinetic energy of all bodies that are present. A body on an axle has
-   its inertia in place of the mass, and no momentum. */
+   a moment of inertia in place of the mass, and no momentum. */
 VM_API void vmi_scene_totals(const vm_scene *s, const vm_real *y, vm_budget *budget)
 {
     const vm_vec3 zero = {0, 0, 0};
@@ -24215,10 +24297,10 @@ VM_API void vmi_scene_open_budget(vm_scene *s, const vm_real *y, vm_real *sums)
     for (i = 0; i < VM_BUDGET_STATES; i++) sums[i] = 0;
 }
 
-/* Makes a scene keep a budget of momentum, angular momentum and energy. If budget_or_NULL is NULL, the scene keeps
-   none. Call this function before vm_scene_start. The state then has VM_BUDGET_STATES further numbers.
-   *budget_or_NULL must stay at its place in memory; the scene stores in it its momentum and energy at the start.
-   Between two runs a scene may end its budget, but not begin one. */
+/* Makes a scene keep a budget of momentum, angular momentum and energy. If budget_or_NULL is NULL, the scene keeps no
+   budget. Call this function before vm_scene_start. The state then has VM_BUDGET_STATES further numbers.
+   *budget_or_NULL must stay at its place in memory; the scene stores its momentum and energy at the start there.
+   Between two runs you may end a budget (with NULL), but not begin one. */
 VM_API void vm_scene_keep_budget(vm_scene *scene, vm_budget *budget_or_NULL)
 {
     if (!scene) return;
@@ -24230,12 +24312,12 @@ VM_API void vm_scene_keep_budget(vm_scene *scene, vm_budget *budget_or_NULL)
     budget_or_NULL->totals = vmi_scene_totals;
 }
 
-/* The budget of a scene in the state y at time t. It has the momentum and energy of the bodies, the supply from outside
-   since the start, and the defects. Defects come from rounding, from the errors of the integrator, and from
+/* Computes the budget of a scene in the state y at time t: the momentum and energy of the bodies, the supply from
+   outside since the start, and the defects. Defects come from rounding, from the errors of the integrator, and from
    constraints: a line, an axle and the plane hold a body by reactions, which the supply does not include. Returns
-   VM_BAD_ARGUMENT if the scene keeps no budget, a pointer is NULL or a count is negative, VM_NOT_STARTED before a
-   start, VM_NOT_FINITE if the state or a mass that a law gives is not finite, the status of a vm_law that fails, and
-   else VM_OK. */
+   VM_BAD_ARGUMENT if the scene keeps no budget, a pointer is NULL or a count is negative; VM_NOT_STARTED if the scene
+   was not started; VM_NOT_FINITE if the state or a mass that a law gives is not finite; the status of a vm_law that
+   fails; and else VM_OK. */
 VM_API int vm_scene_budget_at(vm_scene *scene, vm_real t, const vm_real *y, vm_budget *budget)
 {
     const vm_budget *start = scene ? scene->budget : NULL;
@@ -24268,10 +24350,10 @@ VM_API int vm_scene_budget_at(vm_scene *scene, vm_real t, const vm_real *y, vm_b
 #endif
 /* scenes/events.h - when an event happens, and what it does
 
-   An event is made in two steps: vm_event_... says when it happens, and vm_then_... says what it does. An event without
-   a vm_then_... function only observes: event.count says how often it has happened and event.time when it last
-   happened, and the motion is the same as without the event. An event takes one vm_then_... function; vm_then_all
-   makes it do a list of actions.
+   An event is made in two steps: vm_event_... says when it happens, and vm_then_... says what it does. An event
+   without a vm_then_... function only observes the motion and does not change it: event.count says how often the event
+   has happened, and event.time when it last happened. An event can have one vm_then_... function; with vm_then_all it
+   does a list of actions.
 
        vm_event empty = vm_event_mass(0, 70, -1);                             // the mass of body 0 falls to 70 kg
        vm_event staging[] = {vm_then_switch_range(empty, 0, 4, 1),            // effects 0 to 3 are switched off
@@ -24286,16 +24368,17 @@ VM_API int vm_scene_budget_at(vm_scene *scene, vm_real t, const vm_real *y, vm_b
        scene.located = located;
        scene.n_events = 3;
 
-   The functions vm_event_... and vm_then_... do not fail. Instead vm_scene_start refuses an event with a wrong number
-   (VM_NOT_FINITE for an infinite or NaN time or value, VM_NO_SUCH_BODY for a body that does not exist), and its fault
-   names the event.
+   The functions vm_event_... and vm_then_... do not fail. Instead vm_scene_start refuses an event with a wrong
+   argument: it returns VM_NOT_FINITE if a time or value is infinite or NaN, VM_NO_SUCH_BODY if a body does not exist,
+   and so on. The vm_scene_fault of vm_scene_start says which event is wrong.
 
-   An event at a time happens once. A crossing of a value happens at most event.most times, or without limit if
-   event.most is 0; direction > 0 counts rising values, direction < 0 falling values, and direction = 0 both. Only
-   motion causes a crossing: there is none if an event moves a coordinate beyond the value, or while the body is not
-   present. Events at one instant happen in the order of the list; if the times of a jump and of a crossing differ
-   only by rounding errors, either of the two may happen first. To get the times (or states) of all events of one run,
-   set scene.located[i].times (or .states) and .room after the start.
+   An event at a set time happens once. An event at which a quantity crosses a value happens at most event.most times,
+   or without limit if event.most is 0. If direction > 0, it happens where the quantity rises through the value; if
+   direction < 0, where it falls; if direction = 0, in both cases. Only motion causes a crossing: there is no crossing
+   if another event moves a coordinate beyond the value, or while the body is not present. Events at the same instant
+   happen in the order of the list. If the times of a jump and of a crossing differ only by rounding errors, either of
+   the two may happen first. To get the times (or states) of all crossings of one run, set scene.located[i].times (or
+   .states) and .room after the start.
 
    Tests: tests/test_scene_events.c. */
 #ifndef VARMASS_SCENES_EVENTS_H
@@ -24308,7 +24391,8 @@ VM_API int vmi_event_check_coordinate(const vm_scene *s, const vm_event *e)
     return vmi_scene_check_coordinate(s, e->body, e->coordinate);
 }
 
-/* An event that watches a coordinate of a body */
+/* An event for a coordinate of a body and a value that a quantity of this coordinate crosses; the caller sets
+   e.when */
 VM_API vm_event vmi_event(int body, int coordinate, vm_real value, int direction)
 {
     vm_event e;
@@ -24321,8 +24405,8 @@ VM_API vm_event vmi_event(int body, int coordinate, vm_real value, int direction
     return e;
 }
 
-/* An event at a time in s, which happens once. If the time is before the start of the run, the event happens as the run
-   begins. */
+/* An event at a set time, which is in s. It happens once. If the time is before the start of the run, the event
+   happens when the run begins. */
 VM_API vm_event vm_event_at(vm_real time)
 {
     vm_event e = vmi_event(0, 0, 0, 0);
@@ -24353,7 +24437,7 @@ VM_API vm_real vmi_when_velocity(const vm_event *e, vm_real t, const vm_real *y)
     return y[b->at + b->positions + e->coordinate] - e->value;
 }
 
-/* An event when a velocity crosses a value. The velocity is that of a coordinate of a body, and value is in m/s or
+/* An event when a velocity crosses a value. The velocity is the rate of a coordinate of a body, and value is in m/s or
    rad/s. */
 VM_API vm_event vm_event_velocity(int body, int coordinate, vm_real value, int direction)
 {
@@ -24409,15 +24493,15 @@ VM_API vm_event vm_then_stop(vm_event event)
     return event;
 }
 
-/* Stores the masses of all bodies, which vmi_event_hold_masses restores after a change */
+/* Stores the present masses of all bodies. vmi_event_hold_masses restores them after a jump or a switching. */
 VM_API void vmi_scene_note_masses(vm_scene *s)
 {
     int i;
     for (i = 0; i < s->n_bodies; i++) s->bodies[i].noted_mass = s->bodies[i].load.mass;
 }
 
-/* Computes the loads before the action of an event changes anything. If a mass law fails, returns its status, and the
-   next run does the whole action. */
+/* Computes the loads, and with them the masses, before the action of an event changes anything. If a mass law fails,
+   returns the status of the law, and the next run does the whole action. */
 VM_API int vmi_event_weigh(vm_event *e, vm_real t, const vm_real *y)
 {
     const int status = vmi_scene_weigh(e->scene, t, y);
@@ -24426,11 +24510,12 @@ VM_API int vmi_event_weigh(vm_event *e, vm_real t, const vm_real *y)
     return status;
 }
 
-/* Gives all bodies the masses that vmi_scene_note_masses has stored. Otherwise a jump, or the switching of a mass
-   law, would change a mass although no stream carries mass and momentum. The loads are evaluated twice: first to find
-   by how much the masses of the laws differ from the stored ones, then again with the corrected masses. A body with a
-   mass law uses the field `law_offset`, any other body the field `mass`. Both fields are corrected, because the
-   unused one has no effect. If a mass law fails, returns its status, and the next run calls this function again. */
+/* Gives all bodies the masses that vmi_scene_note_masses has stored. Without this function a jump, or the switching of
+   a mass law, would change a mass although no stream brings or removes mass and momentum. The loads are evaluated
+   twice: first to find by how much the masses of the laws differ from the stored ones, then again with the corrected
+   masses. A body with a mass law uses the field `law_offset`, any other body the field `mass`. Both fields of a body
+   are corrected, because the field that it does not use has no effect. If a mass law fails, returns the status of the
+   law, and the next run calls this function again. */
 VM_API int vmi_event_hold_masses(vm_event *e, vm_real t, const vm_real *y)
 {
     vm_scene *s = e->scene;
@@ -24472,10 +24557,10 @@ VM_API int vmi_event_check_switch(const vm_scene *s, const vm_event *e)
     return VM_OK;
 }
 
-/* The event switches n effects that follow each other in the list, off (off = 1) or on (off = 0). first is the index
-   of the first of them. Switching a mass law does not change the mass at this instant: the law continues from the
-   present mass. vm_scene_start returns VM_NO_SUCH_EFFECT if one of the effects does not exist, and VM_BAD_ARGUMENT if n
-   is negative. */
+/* The event switches n effects that follow each other in the list off (off = 1) or on (off = 0). first is the index of
+   the first of these effects. Switching a mass law does not change the mass at this instant: the law continues from
+   the present mass. vm_scene_start returns VM_NO_SUCH_EFFECT if one of the effects does not exist, and VM_BAD_ARGUMENT
+   if n is negative. */
 VM_API vm_event vm_then_switch_range(vm_event event, int first, int n, int off)
 {
     event.then = vmi_then_switch;
@@ -24497,8 +24582,9 @@ VM_API vm_event vm_then_switch(vm_event event, int effect, int off)
 
 VM_API int vmi_then_user(vm_event *e, vm_real t, vm_real *y) { return e->user_then(t, y, e->then_ctx); }
 
-/* The event calls a function of the caller. then(t, y, ctx) may change y and returns a status: VM_OK to continue, or
-   VM_STOPPED or a negative number, with which the run ends. vm_scene_start returns VM_BAD_ARGUMENT if then is NULL. */
+/* The event calls a function of the caller. then(t, y, ctx) may change y and returns a status. After VM_OK the run
+   continues; after VM_STOPPED or a negative number it ends with this status. vm_scene_start returns VM_BAD_ARGUMENT if
+   then is NULL. */
 VM_API vm_event vm_then_user(vm_event event, int (*then)(vm_real t, vm_real *y, void *ctx), void *ctx)
 {
     event.then = vmi_then_user;
@@ -24508,9 +24594,10 @@ VM_API vm_event vm_then_user(vm_event event, int (*then)(vm_real t, vm_real *y, 
     return event;
 }
 
-/* Does the actions of the event in the order of their list. Returns the first status other than VM_OK, or VM_OK if
-   there is none. An error (a negative status) ends the list, and is returned even if an earlier action has stopped the
-   run. If a mass law has interrupted an action, the next run goes on with the rest of it. */
+/* Does the actions of an event in the order of their list. Returns the first status other than VM_OK that an action
+   gives, or VM_OK if all give VM_OK. After an error (a negative status) no further action is done; the error is
+   returned even if an earlier action has stopped the run. If a mass law has interrupted an action, the next run does
+   the rest of this action and the actions after it. */
 VM_API int vmi_then_all(vm_event *e, vm_real t, vm_real *y)
 {
     int i = e->next_action, status = e->so_far;
@@ -24545,10 +24632,10 @@ VM_API int vmi_event_check_all(const vm_scene *s, const vm_event *e)
 }
 
 /* The event does a list of actions, one after the other, at the same instant. actions is an array of n events made by
-   vm_then_... functions; it does not matter when each of them would happen, so that all of them can be made from the
-   same vm_event_... value. The array is not copied and must stay where it is. An action that stops the run lets the
-   following actions happen, too. vm_scene_start returns VM_BAD_ARGUMENT if actions is NULL, n is negative or an action
-   is a list itself, and else the status of the first action that is wrong. */
+   vm_then_... functions. The times or conditions of these events are not used, so that all of them can be made from
+   the same vm_event_... value. The array is not copied and must stay at its place in memory. If an action stops the
+   run, the actions after it still happen. vm_scene_start returns VM_BAD_ARGUMENT if actions is NULL, n is negative or
+   an action is a list itself, and else the status of the first action that is wrong. */
 VM_API vm_event vm_then_all(vm_event event, vm_event *actions, int n)
 {
     event.then = vmi_then_all;
@@ -24563,8 +24650,8 @@ VM_API vm_event vm_then_all(vm_event event, vm_event *actions, int n)
 /* scenes/jumps.h - separation and attachment as events of a scene
 
    An event can separate a part from a body, or attach one body to another, by the laws of mechanics/jumps.h. A part
-   that separates becomes another body of the scene, which must be absent before; an attached body is absent
-   afterwards.
+   that separates becomes another body of the scene, which must be absent before the event. A body that is attached is
+   absent after the event.
 
        vm_scene_body bodies[] = {vm_scene_body_line(5, 0, 10), vm_scene_body_absent(vm_scene_body_line(1, 0, 0))};
        vm_body part;
@@ -24573,32 +24660,33 @@ VM_API vm_event vm_then_all(vm_event event, vm_event *actions, int n)
        part.v.x = 2;    // m/s faster than the body
        vm_event drop = vm_then_separate_on_line(vm_event_at(3), 0, 1, &part, 1);
 
-   The caller gives the motion of a part just after the jump. If relative is 0, it is given in inertial axes. If
-   relative is 1, it is given in the axes of the body: r leads from the mass centre of the body to the part, and q, v
-   and omega are relative to the motion of the body at this point, just before the jump. In the plane and on an axle
-   the new body has the angle of the body from which it separates, plus the angle with which it was made. event.external
-   is an impulse that acts from outside during the jump.
+   The caller gives the motion that a part has just after the jump. If the argument `relative` is 0, this motion is
+   given in inertial axes. If `relative` is 1, it is given in the axes of the body: r leads from the mass centre of the
+   body to the part, and q, v and omega are relative to the motion of the body at this point, just before the jump. In
+   the plane and on an axle the new body has the angle of the body from which it separates, plus the angle that its
+   constructor received. The field `external` of the event is an impulse that acts from outside during the jump.
 
-   Two bodies can jump together if they have the same motion. A body in the plane or a free body can also take up or
-   give off a point. The functions whose names end in _on_line (line or axle) and _in_plane do the same as
-   vm_then_separate and vm_then_attach for these motions only, and make the program smaller (docs/scene-sizes.md). If a
-   point takes up a body at another place, the angular momentum of both about their common mass centre is lost, since a
-   point does not rotate; angular_defect of the budget shows this loss.
+   Two bodies can take part in the same jump if they have the same kind of motion. A body in the plane or a free body
+   can also take up or give off a point. The functions whose names end in _on_line (for a line or an axle) and
+   _in_plane do the same as vm_then_separate and vm_then_attach, but only for these kinds of motion, and make the
+   program smaller (docs/scene-sizes.md). If a point takes up a body at another place, the angular momentum of both
+   bodies about their common mass centre is lost, since a point does not rotate; angular_defect of the budget shows
+   this loss.
 
    A run ends with VM_IS_THERE if a part would become a body that is present already, with VM_IS_AWAY if a body that
-   jumps is not present, and with the errors of vm_separate and vm_attach. vm_scene_start returns VM_BAD_MOTION for
-   bodies that cannot jump together, VM_SAME_BODY for a body with itself, and the status of vm_scene_check for a part
-   that cannot be a body.
+   jumps is not present, and with the errors of vm_separate and vm_attach. vm_scene_start returns VM_BAD_MOTION if the
+   two bodies cannot take part in the same jump, VM_SAME_BODY if both are the same body, and the status of
+   vm_scene_check if a part cannot be a body.
 
    Tests: tests/test_scene_events.c. */
 #ifndef VARMASS_SCENES_JUMPS_H
 #define VARMASS_SCENES_JUMPS_H
 
-/* Computes the jump on a line and on an axle. With sign = -1 for a part that separates and 1 for a body that is
-   attached, the velocity becomes v1 = (M v + sign m v2 + impulse)/(M + sign m) (24), and the mass centre moves by the
-   fraction sign m/(M + sign m) of the way to the mass centre of the part (15). M and v belong to the body, m and v2
-   to the part; on an axle M and m are moments of inertia. Line and axle use the same formulas: the numbers that a
-   motion does not need are 0. */
+/* Computes the jump on a line and on an axle. Let `sign` be -1 for a part that separates and 1 for a body that is
+   attached. The velocity of the body becomes v1 = (M v + sign m v2 + impulse)/(M + sign m) (24), and its mass centre
+   moves by the fraction sign m/(M + sign m) of the way to the mass centre of the part (15). M and v are mass and
+   velocity of the body, m and v2 those of the part or of the attached body; on an axle M and m are moments of inertia.
+   Line and axle use the same formulas, because the numbers that a line or an axle does not need are 0. */
 VM_API int vmi_event_jump_on_line(const vm_event *e, const vm_body *body, vm_body *other, vm_body *b)
 {
     const vm_real m = e->jump_kind == VMI_JUMP_SEPARATES ? -other->mass : other->mass, mass = body->mass + m;
@@ -24616,7 +24704,8 @@ VM_API int vmi_event_jump_on_line(const vm_event *e, const vm_body *body, vm_bod
     return VM_OK;
 }
 
-/* Converts *part from motion relative to *body, in the axes of *body, to motion in inertial axes */
+/* Converts the motion of *part: before, it is relative to *body and in the axes of *body; afterwards it is absolute
+   and in inertial axes */
 VM_API void vmi_event_jump_place(const vm_body *body, vm_body *part)
 {
     const vmi_mat3 turn = vmi_rotation(body->q);
@@ -24672,8 +24761,8 @@ VM_API int vmi_event_jump_any(const vm_event *e, const vm_body *body, vm_body *o
     return vm_attach(body, other, &e->external, b);
 }
 
-/* The angle of a body in the plane or on an axle, complete turns included. For all other bodies the result is a
-   number that the function `put` of the body ignores. */
+/* The angle of a body in the plane or on an axle, complete turns included. For a body with another kind of motion the
+   result has no meaning, and the function `put` of the body does not use it. */
 VM_API vm_real vmi_scene_angle(const vm_scene *s, int body, const vm_real *y)
 {
     const vm_scene_body *b = s->bodies + body;
@@ -24694,8 +24783,8 @@ VM_API void vmi_scene_shift_centre(const vm_scene *s, int body, vm_vec3 r, vm_re
     vmi_growth_put_centre(b, vm_add(vmi_growth_centre(b, state), step), state);
 }
 
-/* Lets each effect that holds bodies together act even if its first body is not present: such an effect leaves out
-   absent bodies by itself */
+/* Lets each effect that holds bodies together (that is, joints) act even if its first body is not present: such an
+   effect itself leaves out the joints of absent bodies */
 VM_API void vmi_scene_wake(vm_scene *s)
 {
     int i;
@@ -24704,8 +24793,8 @@ VM_API void vmi_scene_wake(vm_scene *s)
 }
 
 /* Writes the bodies after a jump into the state: the body that lost or gained mass, and the part that separated, or
-   NULL if the body `other` was attached. Stores the masses that all bodies must have then, because a mass law does not
-   include the mass that a jump adds or takes away. */
+   NULL if the body `other` was attached. Stores the masses that all bodies must have after the jump, because a mass
+   law does not include the mass that a jump adds or takes away. */
 VM_API void vmi_scene_put_jump(vm_event *e, vm_real *y, const vm_body *result, const vm_body *part_or_NULL)
 {
     vm_scene *s = e->scene;
@@ -24726,7 +24815,8 @@ VM_API void vmi_scene_put_jump(vm_event *e, vm_real *y, const vm_body *result, c
     vmi_scene_wake(s);
 }
 
-/* Lets effects that hold bodies together give their impulses after a jump. The loads have been evaluated. */
+/* Lets effects that hold bodies together (that is, joints) give their impulses after a jump. The loads must have been
+   computed before. Returns VM_OK, or the first error of these effects. */
 VM_API int vmi_scene_settle(vm_scene *s, vm_real *y)
 {
     int i, status = VM_OK;
@@ -24739,7 +24829,7 @@ VM_API int vmi_scene_settle(vm_scene *s, vm_real *y)
 
 /* Adjusts the masses after a jump has been written into the state, and adds to the budget the energy that the jump
    adds and the impulse from outside. Returns VM_OK, the status of an effect that cannot hold the bodies together, or
-   that of a mass law that fails; the next run then calls this function again. */
+   the status of a mass law that fails. If a mass law fails, the next run calls this function again. */
 VM_API int vmi_scene_finish_jump(vm_event *e, vm_real t, vm_real *y)
 {
     vm_scene *s = e->scene;
@@ -24865,7 +24955,8 @@ VM_API vm_event vm_then_attach_in_plane(vm_event event, int body, int added)
 }
 
 /* The event attaches a body to another body; both may have any kind of motion. The body `added` becomes a part of
-   `body` and is no longer present. vm_scene_start returns VM_BAD_MOTION for kinds that cannot jump together. */
+   `body` and is no longer present. vm_scene_start returns VM_BAD_MOTION if bodies of their kinds of motion cannot take
+   part in the same jump. */
 VM_API vm_event vm_then_attach(vm_event event, int body, int added)
 {
     event = vm_then_attach_on_line(event, body, added);
@@ -24877,34 +24968,35 @@ VM_API vm_event vm_then_attach(vm_event event, int body, int added)
 #endif
 /* scenes/contact.h - contact of bodies with the ground
 
-   The ground is a plane through the point `on`, and `normal` points out of it. A point of a body, or a ball of a radius
-   about this point, touches the ground where its height is negative. The ground then pushes along the normal with the
-   force stiffness * depth - damping * (velocity along the normal). It never pulls and has no friction.
+   The ground is a plane through the point `on`, and `normal` points out of it. A point of a body, or a ball about this
+   point, touches the ground while its height over the ground is negative; the height of a ball is that of its lowest
+   point. `depth` is minus this height. The ground then pushes along the normal with the force stiffness * depth -
+   damping * (velocity along the normal). The ground never pulls and has no friction.
 
        vm_contact wheel = {{0, 0, 0}, 0.3, {0, 0, 0}, {0, 1, 0}, 1e5, 300}; // 0.3 m radius; y points up
        vm_effect effects[] = {vm_effect_gravity(0, 1, -9.81), vm_effect_contact(0, &wheel)};
        vm_event events[] = {vm_then_land(vm_event_contact(0, &wheel))};     // and it does not bounce
 
-   vm_event_contact happens when the body comes down to the ground. vm_then_land makes it a stop without a bounce: an
-   impulse takes away the velocity of the point along the normal. Afterwards the stiffness of the contact supports the
-   body.
+   vm_event_contact is an event that happens when the body comes down to the ground. vm_then_land makes this event a
+   stop without a bounce: an impulse takes away the velocity of the point along the normal. Afterwards the stiffness of
+   the contact supports the body.
 
    Tests: tests/test_scene_joints.c. */
 #ifndef VARMASS_SCENES_CONTACT_H
 #define VARMASS_SCENES_CONTACT_H
 
-/* A point of a body, or a ball about it, and the ground on which it comes down */
+/* A point of a body, or a ball about this point, and the ground on which the point or ball comes down */
 typedef struct VM_TAG(vm_contact) {
     vm_vec3 at;        /* m, body axes: the point of the body */
     vm_real radius;    /* m: radius of a ball about the point, >= 0 */
     vm_vec3 on;        /* m: a point of the ground */
-    vm_vec3 normal;    /* direction out of the ground, of any length > 0 */
+    vm_vec3 normal;    /* vector that points out of the ground; its length may be any number > 0 */
     vm_real stiffness; /* N/m, >= 0 */
     vm_real damping;   /* N s/m, >= 0 */
 } vm_contact;
 
-/* Height of the ball over the ground; it is negative where the ball touches the ground. *p is the point of the body,
-   and *normal becomes the unit vector out of the ground. */
+/* Height of the ball of a contact over the ground; it is negative while the ball touches the ground. *p is the point
+   of the body, and *normal becomes the unit vector out of the ground. */
 VM_API vm_real vmi_contact_height(const vm_contact *contact, const vmi_body_point *p, vm_vec3 *normal)
 {
     *normal = vmi_over(contact->normal, vm_norm(contact->normal));
@@ -24943,10 +25035,10 @@ VM_API int vmi_contact_check(const vm_scene *s, const vm_effect *e)
     return vmi_contact_check_parts(s, e->body, (const vm_contact *)e->parts);
 }
 
-/* Contact of a body with the ground: one-sided stiffness and damping, which never pull. *contact is not copied: if an
-   event changes it, the run continues with the change. vm_scene_start returns VM_BAD_ARGUMENT if contact is NULL,
-   VM_NOT_FINITE if a number is infinite or NaN, VM_BAD_STIFFNESS for a negative stiffness, VM_DOMAIN if radius or
-   damping is negative or the normal is 0, and VM_BAD_POINT for a point that the body cannot have (points.h). */
+/* Contact of a body with the ground, by a stiffness and a damping that push but never pull. *contact is not copied: if
+   an event changes it, the run continues with the change. vm_scene_start returns VM_BAD_ARGUMENT if contact is NULL,
+   VM_NOT_FINITE if a number is infinite or NaN, VM_BAD_STIFFNESS if the stiffness is negative, VM_DOMAIN if radius or
+   damping is negative or the normal is 0, and VM_BAD_POINT if the body cannot have the point (points.h). */
 VM_API vm_effect vm_effect_contact(int body, const vm_contact *contact)
 {
     vm_effect e = vmi_effect(body, 0, contact ? vmi_apply_contact : NULL);
@@ -24971,8 +25063,8 @@ VM_API int vmi_contact_check_event(const vm_scene *s, const vm_event *e)
 }
 
 /* An event when a body comes down to the ground. Only the fields at, radius, on and normal of *contact are used.
-   *contact is not copied. vm_scene_start returns VM_BAD_ARGUMENT if contact is NULL, and the errors of
-   vm_effect_contact. */
+   *contact is not copied and must stay at its place in memory. vm_scene_start returns VM_BAD_ARGUMENT if contact is
+   NULL, and otherwise the same errors as for vm_effect_contact. */
 VM_API vm_event vm_event_contact(int body, const vm_contact *contact)
 {
     vm_event e = vmi_event(body, 0, 0, -1);
@@ -24983,8 +25075,9 @@ VM_API vm_event vm_event_contact(int body, const vm_contact *contact)
     return e;
 }
 
-/* Takes away the velocity of the point along the normal by an impulse, which enters the budget. The velocities of the
-   body change as by an impulse of 1 N s along the normal, times a factor. */
+/* Takes away the velocity of the contact's point along the normal by an impulse, and adds this impulse to the budget.
+   The impulse is -v/mobility, where v is this velocity and mobility its change by an impulse of 1 N s along the
+   normal. */
 VM_API int vmi_then_land(vm_event *e, vm_real t, vm_real *y)
 {
     const vm_contact *contact = (const vm_contact *)e->parts;
@@ -25011,18 +25104,18 @@ VM_API int vmi_then_land(vm_event *e, vm_real t, vm_real *y)
     return VM_OK;
 }
 
-/* Checks a landing: the body must not have a link or a joint, because their reactions would have to act in the same
-   impulse */
+/* Checks a landing: the body must not have a link or a joint, because link and joint would also give the body an
+   impulse, which vmi_then_land does not compute */
 VM_API int vmi_land_check(const vm_scene *s, const vm_event *e)
 {
     if (s->bodies[e->body].listed_orders >> VMI_ORDER_LINK & 1) return VM_TWO_LINKS;
     return VM_OK;
 }
 
-/* The event of vm_event_contact becomes a stop without a bounce: an impulse takes away the velocity of the point
-   along the normal. The other velocities of the body change only as this impulse changes them. Afterwards
-   vm_effect_contact supports the body. vm_scene_start returns VM_BAD_ARGUMENT for an event that vm_event_contact has
-   not made, and VM_TWO_LINKS for a body with a link or a joint, whose impulses this event does not compute. */
+/* Makes an event of vm_event_contact a stop without a bounce: an impulse takes away the velocity of the contact's
+   point along the normal. The other velocities of the body change only by this impulse. Afterwards vm_effect_contact
+   supports the body. vm_scene_start returns VM_BAD_ARGUMENT if vm_event_contact has not made the event, and
+   VM_TWO_LINKS if the body has a link or a joint, whose impulses the event does not compute. */
 VM_API vm_event vm_then_land(vm_event event)
 {
     event.then = vmi_then_land;
@@ -25034,7 +25127,8 @@ VM_API vm_event vm_then_land(vm_event event)
 #endif
 /* scenes/run.h - runs of a scene with its events and its output
 
-   vm_scene_run integrates a scene by rk45 from one event to the next, and applies the events.
+   vm_scene_run integrates a scene from one event to the next by the integrator rk45, and lets the events act on the
+   scene.
 
        vm_real t = 0, y[2], work[VM_SCENE_WORK(2)];                               // 2 = vm_scene_size(&scene)
        int status = vm_scene_start(&scene, t, y, NULL);                           // scene is a vm_scene
@@ -25047,21 +25141,22 @@ VM_API vm_event vm_then_land(vm_event event)
 /* How quickly events follow each other in a run */
 typedef struct VM_TAG(vmi_scene_pace) {
     long happened; /* number of events at this instant */
-    vm_real gap;   /* s: of all crossings at this instant, the shortest time since the last crossing by the same event;
-                      VM_MAX if none */
-    int crowded;   /* number of successive instants whose gap is too short for the digits of the time t */
+    vm_real gap;   /* s: shortest time between a crossing at this instant and the crossing before it of the same event;
+                      VM_MAX if no event has crossed before */
+    int crowded;   /* number of successive instants at which `gap` was too short for the digits of the time t */
 } vmi_scene_pace;
 
 enum {
-    VMI_SCENE_MOST_EVENTS = 10000, /* largest number of events at one instant; more count as an endless chain */
-    VMI_SCENE_MOST_CROWDED = 3,    /* largest number of successive instants whose gap is too short for t's digits */
-    VMI_SCENE_STEPS_IN_GAP = 32    /* steps in a short gap between two events, so that no later event is missed */
+    VMI_SCENE_MOST_EVENTS = 10000, /* largest number of events at one instant; more events are an endless chain */
+    VMI_SCENE_MOST_CROWDED = 3,    /* largest value of `crowded` with which a run continues */
+    VMI_SCENE_STEPS_IN_GAP = 32    /* number of steps in a short time between events, so that no event is missed */
 };
 
 VM_API vm_real vmi_scene_larger(vm_real a, vm_real b) { return a > b ? a : b; }
 
-/* Whether event i is due at the time t: its time has come, or the integrator has counted *times new crossings. At the
-   beginning of a run these are the crossings that vmi_scene_keep_crossings has kept. */
+/* Returns 1 if event i is due at the time t, else 0. An event at a set time is due if this time has come. Any other
+   event is due if the integrator has counted new crossings; their number is written to *times. At the beginning of a
+   run, new crossings are those that vmi_scene_keep_crossings has kept. */
 VM_API int vmi_scene_event_is_due(vm_scene *s, int i, vm_real t, long *times)
 {
     vm_event *e = s->events + i;
@@ -25072,8 +25167,8 @@ VM_API int vmi_scene_event_is_due(vm_scene *s, int i, vm_real t, long *times)
 }
 
 /* Applies to y, in the order of the list, each event that is due at the time t. Returns the first status other than
-   VM_OK, or VM_OK if there is none. An error (a negative status) of an event ends the loop, and is returned even if
-   an earlier event has stopped the run. */
+   VM_OK that an event gives, or VM_OK if all give VM_OK. After an error (a negative status) no further event is
+   applied; the error is returned even if an earlier event has stopped the run. */
 VM_API int vmi_scene_fire_events(vm_scene *s, vm_real t, vm_real *y, vmi_scene_pace *pace)
 {
     int i, status = VM_OK;
@@ -25103,13 +25198,13 @@ VM_API int vmi_scene_fire_events(vm_scene *s, vm_real t, vm_real *y, vmi_scene_p
     return status;
 }
 
-/* Applies all events of an instant, including those that an event causes at the same instant. Events may follow each
-   other faster and faster, like the contacts of a ball that comes to rest. The run ends when the time has too few
-   digits to tell these events apart. Until then the step after such an event is made so short that the next event is
-   not missed. */
+/* Applies all events of an instant, including events that other events cause at the same instant. Events may follow
+   each other faster and faster, like the contacts of a ball that bounces and comes to rest. The run ends when the
+   number t has too few digits to distinguish the times of these events. Until then the step after such an event is
+   made so short that the next event is found. */
 VM_API int vmi_scene_run_events(vm_scene *s, rk45 *r, vm_real span, vmi_scene_pace *pace)
 {
-    const vm_real resolved = 256 * VM_EPSILON * span; /* a shorter gap between events has fewer than two digits */
+    const vm_real resolved = 256 * VM_EPSILON * span; /* s: a shorter gap has fewer than two right digits */
     const vm_real steps = (vm_real)VMI_SCENE_STEPS_IN_GAP;
     int status = VM_OK;
     pace->happened = 0;
@@ -25129,8 +25224,8 @@ VM_API int vmi_scene_run_events(vm_scene *s, rk45 *r, vm_real span, vmi_scene_pa
     return status;
 }
 
-/* Calls the caller's function scene.output if it is due at the time t. *next is the index of the next time of output.
-   Returns VM_STOPPED if output ends the run, an error if a mass is not finite, else VM_OK. */
+/* Calls the caller's function scene.output if an output is due at the time t. *next is the index of the next time in
+   scene.times. Returns VM_STOPPED if the function ends the run, an error if a mass is not finite, else VM_OK. */
 VM_API int vmi_scene_output(vm_scene *s, vm_real t, const vm_real *y, int *next)
 {
     int status;
@@ -25145,7 +25240,7 @@ VM_API int vmi_scene_output(vm_scene *s, vm_real t, const vm_real *y, int *next)
     return VM_OK;
 }
 
-/* The next time for which an event or an output is set, or t_end if that is earlier */
+/* The next set time of an event or of an output, or t_end if t_end is earlier */
 VM_API vm_real vmi_scene_due(const vm_scene *s, vm_real t_end, int next)
 {
     vm_real due = t_end;
@@ -25158,11 +25253,12 @@ VM_API vm_real vmi_scene_due(const vm_scene *s, vm_real t_end, int next)
     return due;
 }
 
-/* Finds the reason why a run ends: whether a mass or an inertia would soon reach 0 if the state continued at its
-   present rates. It tries longer and longer steps, up to 1e-6 of the time t or t_end (float: 1e-3). The first failure
-   becomes s->status. This search is needed because a mass or an inertia close to 0 makes the equations so stiff that
-   the steps end before 0 is reached, and because shorter steps after a refused step may have set s->status to VM_OK
-   again. The run is over, so that parts of the integrator's work space are free for a state and its rates. */
+/* Looks for the reason why a run ends. The function tests whether a mass or an inertia would soon reach 0 if the state
+   continued to change at its present rates. It tries longer and longer steps, up to 1e-6 of the larger of |t| and
+   |t_end| (in float 1e-3). The first failure of the right-hand side becomes s->status. There are two reasons for this
+   search. A mass or an inertia close to 0 makes the equations so stiff that the steps become too short before 0 is
+   reached. And shorter steps after a refused step may have set s->status to VM_OK again. Since the run is over, parts
+   of the integrator's work space are free for a state and its rates. */
 VM_API void vmi_scene_foresee(vm_scene *s, rk45 *r, vm_real t_end)
 {
     const vm_real farthest = VM_MANT_DIG > 24 ? VM_C(1e-6) : VM_C(1e-3);
@@ -25178,7 +25274,7 @@ VM_API void vmi_scene_foresee(vm_scene *s, rk45 *r, vm_real t_end)
     }
 }
 
-/* The status VM_... of a scene for the status ODE_... of its integrator, which has reported an error */
+/* Converts an error of the integrator, a status ODE_..., to the status VM_... of the scene */
 VM_API int vmi_scene_status_of_ode(int ode_status)
 {
     switch (ode_status) {
@@ -25191,8 +25287,8 @@ VM_API int vmi_scene_status_of_ode(int ode_status)
     }
 }
 
-/* Makes one step, at most to the next time for which an event or an output is set. If the integrator fails, returns
-   the reason why a body cannot be accelerated rather than the status of the integrator. */
+/* Makes one step, which ends at the latest at the next set time of an event or of an output. If the integrator fails
+   because a body cannot be accelerated, returns the reason for this and not the status of the integrator. */
 VM_API int vmi_scene_step(vm_scene *s, rk45 *r, vm_real t_end, int next)
 {
     const int ode_status = vmi_rk45_run(r, vm_scene_rhs, r->n, vmi_scene_due(s, t_end, next), 1);
@@ -25204,9 +25300,9 @@ VM_API int vmi_scene_step(vm_scene *s, rk45 *r, vm_real t_end, int next)
     return vmi_scene_status_of_ode(ode_status);
 }
 
-/* Keeps the crossings that the last run has found but not handled, because an earlier event of the same instant
-   returned an error: the next run handles them at its start. The integrator counts from 0 in each run; therefore `seen`
-   becomes minus the number of these crossings. */
+/* Keeps the crossings that the last run has found but not handled, because another event of the same instant returned
+   an error before: the new run handles them at its start. The integrator counts crossings from 0 in each run;
+   therefore the field `seen` of an event becomes minus the number of its kept crossings. */
 VM_API void vmi_scene_keep_crossings(vm_scene *s)
 {
     int i;
@@ -25216,9 +25312,9 @@ VM_API void vmi_scene_keep_crossings(vm_scene *s)
     }
 }
 
-/* Prepares rk45 for the scene. Each number of a body has its tolerance. The numbers of the budget have none (VM_MAX),
-   so that the bodies alone determine the steps. The tolerances are stored in work after the numbers of the
-   integrator. */
+/* Prepares the integrator rk45 for the scene. Each number of a body has its absolute tolerance. The numbers of the
+   budget have the tolerance VM_MAX, so that only the bodies determine the steps. The tolerances are stored in work,
+   after the numbers of the integrator. */
 VM_API int vmi_scene_integrator(vm_scene *s, rk45 *r, vm_real t, const vm_real *y, vm_real *work,
                                 const rk45_options *options_or_NULL)
 {
@@ -25252,26 +25348,33 @@ VM_API int vmi_scene_check_run(const vm_scene *s, const vm_real *t, vm_real t_en
     return VM_OK;
 }
 
-/* Run of a scene from *t to t_end, with its events and its output. The integrator is rk45. The scene must have been
-   started, and t_end must not be before *t. work has room for VM_SCENE_WORK(vm_scene_size(scene)) numbers. The
-   options are those of rk45, without events; NULL stands for a relative error of 1e-6 a step (float 1e-4). *t and y
-   become the time and the state at the end of the run. Returns VM_OK at t_end, VM_STOPPED if an event or the output
-   ended the run, or
-     VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_TIMES, VM_NOT_STARTED, VM_SHORT_ARRAY, VM_BAD_OPTIONS   if nothing was done;
+/* Runs a scene from *t to t_end, with its events and its output, by the integrator rk45. The scene must have been
+   started, and t_end must not be before *t. work has room for VM_SCENE_WORK(vm_scene_size(scene)) numbers.
+   *options_or_NULL are options of rk45, in which events are not used; NULL stands for a relative error of 1e-6 per
+   step (in float 1e-4). *t and y become the time and the state at the end of the run. Returns VM_OK if the run reached
+   t_end; VM_STOPPED if an event or the output ended the run; an error in the arguments, with which nothing is done:
+     VM_BAD_ARGUMENT       if a pointer is NULL or a count is negative;
+     VM_NOT_FINITE         if *t, t_end or a number of y is not finite;
+     VM_BAD_TIMES          if t_end < *t;
+     VM_NOT_STARTED        if the scene was not started;
+     VM_SHORT_ARRAY        if scene.y_size or scene.work_size is set and too small;
+     VM_BAD_OPTIONS        if rk45 does not accept the options;
+   or an error that ends the run:
      VM_BAD_MASS, VM_BAD_INERTIA, VM_NO_EFFECTIVE_MASS
-                           if a mass or an inertia reached 0, even if the steps became too short just before that;
-     VM_NOT_FINITE         if an effect, a law or an event gave an infinite number or NaN; the status of a vm_law
-                           that failed;
-     VM_SINGULAR           if a link cannot act;
-     VM_TOO_MANY_EVENTS    if events do not end: more than 10 000 happen at one instant, or four times in succession a
-                           crossing follows the last one of the same event within 256 VM_EPSILON max(|*t|, |t_end|);
+                           if a mass or an inertia reached 0, even if the steps became too short just before;
+     VM_NOT_FINITE         if an effect, a law or an event gave an infinite number or NaN;
+     the status of a vm_law                   if this law failed;
+     VM_SINGULAR           if a link, a joint or a spring between points cannot act;
+     VM_TOO_MANY_EVENTS    if events do not end: more than 10 000 events happen at one instant, or four times in
+                           succession the time between two crossings of the same event is less than
+                           256 VM_EPSILON max(|*t|, |t_end|);
      VM_IS_THERE, VM_IS_AWAY and the errors of vm_separate and vm_attach
                            if a jump is impossible;
-     VM_STEP_TOO_SMALL, VM_MAX_STEPS   if the integrator failed; its own status is in scene.ode_status;
+     VM_STEP_TOO_SMALL, VM_MAX_STEPS   if the integrator failed; scene.ode_status is the status of the integrator;
      any other negative number         that an event's function (vm_then_user) returned. This event counts as handled.
-   Another call goes on from *t, with the events of this instant that were not handled. If a mass law fails while the
-   action of an event needs the masses, the action is not done or only partly done: the next call does the rest of
-   it. */
+   Another call continues from *t, beginning with the events of this instant that were not handled. If a mass law fails
+   while the action of an event needs the masses, the action is not done or only partly done: the next call does the
+   rest of the action. */
 VM_API int vm_scene_run(vm_scene *scene, vm_real *t, vm_real t_end, vm_real *y, vm_real *work,
                         const rk45_options *options_or_NULL)
 {

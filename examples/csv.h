@@ -1,4 +1,4 @@
-/* csv.h - the CSV files of an example: prefix_name.csv; null, and nothing is written, without a prefix */
+/* csv.h - opens and closes the CSV files prefix_name.csv of an example. If prefix is NULL, no file is written. */
 #ifndef CSV_H
 #define CSV_H
 

@@ -1,12 +1,15 @@
-/* A band winds up on a drum (Fig. 20): what the dissertation prints in chapter 5.2, and what is true.
+/* A band winds up on a drum (Fig. 20): the equations that the dissertation prints in chapter 5.2, compared with the
+   right ones.
 
-   The rigid shaft: phi(t) by (197)-(206), beside the integrated (194), for a drum that is driven (e > 0), coasts (e =
-   0) or comes to rest (e < 0). The elastic shaft: the mass centre by the exact equations and by (191) as printed, and
-   the deflection over the angle by (224) as printed and corrected, beside the integrated (211).
+   For a rigid shaft the program computes phi(t) by (197)-(206) and by integration of (194), for a drum that is driven
+   (e > 0), coasts (e = 0) or comes to rest (e < 0). For an elastic shaft it computes the motion of the mass centre by
+   the exact equations and by (191) as printed. It also computes the deflection as a function of the angle by (224), as
+   printed and corrected, and by integration of (211).
 
    usage: drum [file.csv]
-   The file has three tables: phi, then phi'(phi), t(phi) and t(phi) of (199) as printed for each e; t, x_S1, y_S1
-   exact and as printed; phi, y integrated, (224) corrected, (224) printed. */
+   The file has three tables. Columns of the first: phi, then for each e phi'(phi), t(phi), and t(phi) by (199) as
+   printed; of the second: t, then x_S1, y_S1 exact and as printed; of the third: phi, then y by integration, by (224)
+   corrected, and by (224) as printed. */
 #include <stdio.h>
 #include <string.h>
 #include "../varmass.h"
@@ -14,7 +17,8 @@
 static const double drives[] = {-0.4, 0, 0.3, 0.6, 0.9};
 enum { DRIVES = sizeof drives / sizeof *drives };
 
-/* J0 = 1, j = 0.2, Omega_b = 3, the band at the speed of the rim: e = mu v R - D */
+/* A drum with J0 = 1, j = 0.2, Omega_b = 3, whose band moves at the speed of the rim. The damping D follows from e =
+   mu v R - D. */
 static vm_drum rigid(double e)
 {
     vm_drum d = {1, 1, 1, 0.2, 3, 0, 1, 3};
@@ -33,7 +37,7 @@ static int rigid_rhs(double t, const double *y, double *dydt, void *ctx) /* (194
     return 0;
 }
 
-/* The equations (191) as printed, of {x_S1, y_S1, phi, and rates} */
+/* The equations (191) as printed; y = {x_S1, y_S1, phi, and the rates of these three} */
 static int printed_rhs(double t, const double *y, double *dydt, void *ctx)
 {
     const vm_drum *d = (const vm_drum *)ctx;
@@ -57,7 +61,7 @@ static int printed_rhs(double t, const double *y, double *dydt, void *ctx)
     return 0;
 }
 
-/* t at which (199) as printed, r + D/(j Omega_b) ln r = f1, has phi */
+/* The time t at which the angle is phi by (199) as printed, r + D/(j Omega_b) ln r = f1 */
 static double printed_time(const vm_drum *d, double phi)
 {
     const double j = d->band * d->radius * d->radius, e = d->band * d->speed * d->radius - d->damping;
@@ -80,7 +84,7 @@ static int advance(ode_rhs f, void *ctx, int n, double from, double to, double *
     return status;
 }
 
-/* A number, or what is none */
+/* Prints a number, or the word "none" if x is infinite or NaN */
 static void column(double x)
 {
     if (x - x == 0) printf("%-18.15g ", x);
@@ -123,7 +127,7 @@ static void elastic_shaft(FILE *file)
     vm_drum d = {0.3, 2, 0.08, 0.45, 0.9, 0.03, 200, 3};
     double y[6] = {0.02, -0.015, 0, 0.1, 0.05, 3}, z[6], worst = 0, t;
     memcpy(z, y, sizeof z);
-    z[3] += 3 * 0.45 * 0.3 / 2; /* S1 is S at first, but moves against it by phi' mu R/M0 */
+    z[3] += 3 * 0.45 * 0.3 / 2; /* at first S1 is at the place of S, but its velocity relative to S is phi' mu R/M0 */
     for (t = 0; t < 2.5; t += 0.01) {
         const double M = d.mass + d.band * y[2], q = d.band * d.radius;
         const double x1 = y[0] + q * sin(y[2]) / M, y1 = y[1] + q * (1 - cos(y[2])) / M;

@@ -1,13 +1,13 @@
-/* A spinning body gathers dust, the opposite of jet damping: what is at rest before it lands takes no angular
-   momentum along, but inertia is gained.
-   Alone in a cloud that settles on both its ends: the spin falls as C0/C, the wobble as A0/A, the angle between
-   axis and angular momentum stays; by streams, and by the closed form.
-   Flying through the cloud sideways, with one end that catches: the dust turns it by -SS2 x v M', which (168),
-   (169) print with the other sign.
+/* A spinning body gathers dust, which is the opposite of jet damping: dust that is at rest before it lands brings no
+   angular momentum, but the inertia of the body grows. In the first part dust settles on both ends of the body. The
+   spin falls as C0/C and the wobble as A0/A, where C and A are the axial and the transverse moment of inertia, and the
+   angle between the axis and the angular momentum stays constant; the program computes both by streams and by the
+   closed form. In the second part the body flies sideways through the dust, and only one end catches it: the dust
+   turns the body by the moment -SS2 x v M', which (168) and (169) have with the other sign.
 
    usage: dust [file.csv]
-   The file's columns: t (min), spin and wobble by streams, by the closed form, kinetic energy/first; then of the
-   second body, its angular velocity corrected, as printed */
+   The columns of the file are t (min), spin and wobble by streams, spin and wobble by the closed form, the kinetic
+   energy divided by its first value; then for the second body its angular velocity, corrected and as printed */
 #include <stdio.h>
 #include <string.h>
 #include "../varmass.h"
@@ -44,7 +44,8 @@ static vm_body start(void)
     return b;
 }
 
-/* Dust on both ends: A' = m' (r^2/4 + l^2), C' = m' r^2/2, while I omega is constant */
+/* Dust settles on both ends: A' = m' (r^2/4 + l^2) and C' = m' r^2/2, while the angular momentum I omega is
+   constant */
 static int spin_down(sample *samples)
 {
     vm_stream ends[2];
@@ -92,8 +93,8 @@ static int spin_down(sample *samples)
     return 0;
 }
 
-/* (168) as printed, of a body whose angular velocity is about x: I omega' = +SS2 x v M' - I' omega. Beside vm_flow_rhs,
-   whose mass, inertia, centre and attitude it takes. */
+/* Computes (168) as printed for a body that turns about x, I omega' = +SS2 x v M' - I' omega, in addition to
+   vm_flow_rhs, whose mass, inertia, mass centre and attitude are used. */
 static int with_printed(double t, const double *y, double *dydt, void *ctx)
 {
     const vm_flow *flow = (const vm_flow *)ctx;

@@ -1,10 +1,10 @@
-/* A wing nut set spinning about its middle axis turns over, and over again (Dzhanibekov, 1985): the closed form
-   beside rk45 at two tolerances. The push off the axis is 1e-5 of the spin; what an integrator adds to it by its
-   errors moves every turn-over that follows.
+/* A wing nut that spins about its middle axis turns over again and again (Dzhanibekov, 1985). The program compares the
+   closed form with rk45 at two tolerances. At first the angular velocity off this axis is 1e-5 of the spin. An
+   integrator changes this small number by its errors, and so shifts the times of all later turn-overs.
 
    usage: dzhanibekov [file.csv]
-   The file's columns: t, omega_y of the closed form and of rk45 at 1e-3 and at 1e-8, the errors of the latter two's
-   attitudes, rad. */
+   The columns of the file are t, omega_y by the closed form and by rk45 with the tolerances 1e-3 and 1e-8, and the
+   errors of the two attitudes by rk45 in rad. */
 #include "../varmass.h"
 #include <stdio.h>
 
@@ -37,7 +37,7 @@ static int free_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
     return 0;
 }
 
-/* The state at t, between steps as long as the tolerance allows */
+/* Interpolates the state at t; the steps are as long as the tolerance allows. Returns 0 if a step fails. */
 static int follow(rk45 *run, double t, vm_real *y)
 {
     while (run->t < t)
@@ -45,7 +45,7 @@ static int follow(rk45 *run, double t, vm_real *y)
     return rk45_interpolate(run, t, y) == ODE_OK;
 }
 
-/* Angle between the attitudes, y + 3 being a quaternion not quite of length 1 */
+/* The angle between the attitude q and the quaternion at y + 3, whose length is not exactly 1 */
 static double attitude_error(vm_quat q, const vm_real *y)
 {
     const double n = sqrt(y[3] * y[3] + y[4] * y[4] + y[5] * y[5] + y[6] * y[6]);

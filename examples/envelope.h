@@ -1,8 +1,8 @@
-/* envelope.h - the comparison of examples 1 and 2: the oscillator d/dt(m x') + x|x|^(alpha-1) = 0, x(0) = 1, x'(0)
-   = 0, with m = (1 + 0.1 t)^power, integrated by rk45, against envelopes A = m^-a and x'_max = c m^-v.
+/* envelope.h - the comparison in examples 1 and 2: the oscillator d/dt(m x') + x|x|^(alpha-1) = 0 with x(0) = 1, x'(0)
+   = 0 and m = (1 + 0.1 t)^power is integrated by rk45 and compared with the envelopes A = m^-a and x'_max = c m^-v.
 
-   The error of an envelope is the largest relative one at the turning points (amplitude) and at the passages through
-   x = 0 (velocity) of the integrated motion. */
+   The error of an envelope is its largest relative error: for the amplitude at the turning points of the integrated
+   motion, for the velocity at the passages through x = 0. */
 #ifndef ENVELOPE_H
 #define ENVELOPE_H
 
@@ -35,7 +35,7 @@ static inline int oscillator_rhs(vm_real t, const vm_real *y, vm_real *dydt, voi
     return 0;
 }
 
-/* One observation: the amplitude at a turning point, or the velocity at x = 0 */
+/* Compares an envelope with one observed value: the amplitude at a turning point, or the velocity at x = 0 */
 static inline void envelope_compare(envelope *e, double m, int turning_point, double observed)
 {
     double law = turning_point ? pow(m, -e->a) : e->c * pow(m, -e->v), error = fabs(law / observed - 1);
@@ -43,7 +43,7 @@ static inline void envelope_compare(envelope *e, double m, int turning_point, do
     if (!(error <= *worst)) *worst = error;
 }
 
-/* Time in the last step of s at which component i is zero, by bisection of the continuous extension */
+/* The time in the last step of s at which y[i] is zero, by bisection of the interpolated solution */
 static inline vm_real zero_in_step(const rk45 *s, int i)
 {
     vm_real low = s->t_old, high = s->t, y[2];
@@ -59,7 +59,7 @@ static inline vm_real zero_in_step(const rk45 *s, int i)
     return low;
 }
 
-/* x, x' and the envelopes at the multiples of 0.2 that lie in the last step of s, from *t_next on */
+/* Writes x, x' and the envelopes at the multiples of 0.2 that lie in the last step of s, from *t_next on */
 static inline void write_rows(FILE *csv, const rk45 *s, const oscillator *o, const envelope *e, int n,
                               double *t_next)
 {
@@ -75,8 +75,9 @@ static inline void write_rows(FILE *csv, const rk45 *s, const oscillator *o, con
     }
 }
 
-/* Errors of n envelopes over 0 <= t <= t_end; motion and envelopes go to csv where it is not NULL. Returns the last
-   status of rk45; *points is the number of turning points and passages met. */
+/* Computes the errors of n envelopes over 0 <= t <= t_end. If csv is not NULL, motion and envelopes are written to
+   this file. Returns the last status of rk45; *points becomes the number of turning points and of passages through x =
+   0. */
 static inline int envelope_errors(const oscillator *o, double t_end, envelope *e, int n, FILE *csv, int *points)
 {
     vm_real y0[2] = {1, 0}, work[RK45_WORK(2)], y[2], last[2] = {1, -1}; /* x' is negative after the start */
@@ -119,8 +120,8 @@ static inline void envelope_print(const envelope *e, int n)
     }
 }
 
-/* The whole example: errors to t = 50 (written to the file csv_path, where given) and to t = 200. 0 where all went
-   well */
+/* Runs the whole example: computes the errors up to t = 50 and up to t = 200. If csv_path is not NULL, the motion up
+   to t = 50 is written to this file. Returns 0 if there was no error. */
 static inline int envelope_report(const oscillator *o, envelope *e, int n, const char *csv_path)
 {
     FILE *csv = csv_path ? fopen(csv_path, "w") : NULL;

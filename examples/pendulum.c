@@ -1,8 +1,10 @@
-/* A pendulum loses its outer part: Fig. 19. The angular velocity of what remains, (119)-(132), as printed and as
-   corrected, by the closed form, by Lagrange's equations across the jump (96), and by momenta.
+/* A pendulum loses its outer part: Fig. 19. The program computes the angular velocity of the remaining part,
+   (119)-(132), as printed and as corrected, and also by Lagrange's equations for jumps (96). The angular momenta
+   before and after the jump are compared, too.
 
-   usage: pendulum [prefix] writes prefix_rate.csv (l/L, phi1' corrected and printed, for two kinds of throw) and
-   prefix_motion.csv: lines, a rod each, x0, y0, x1, y1, kind (0 before, 1 the rest, 2 the part), y downwards. */
+   usage: pendulum [prefix] writes prefix_rate.csv (l/L, and phi1' corrected and as printed, for two ways in which the
+   part is thrown off) and prefix_motion.csv: for each rod the ends x0, y0 and x1, y1, with y downwards, and a kind (0:
+   before the cut, 1: the rest, 2: the part). */
 #include <math.h>
 #include <stdio.h>
 #include "../varmass.h"
@@ -10,7 +12,7 @@
 
 static const double M = 3, L = 2, gravity = 9.81;
 
-/* (125) as printed, which has (123), the axes (sin, cos) */
+/* The angular velocity of the rest by (125) as printed, with the axes (sin, cos) of (123) */
 static double printed_rate(double angle, double rate, double l, double Omega, double ux, double uy)
 {
     double m = M * l / L, rho = L - l / 2, x = rho * sin(angle), y = rho * cos(angle), with = rate + Omega;
@@ -18,7 +20,7 @@ static double printed_rate(double angle, double rate, double l, double Omega, do
            ((M - m) * (L - l) * (L - l));
 }
 
-/* (96) with n = 1: mass matrices M L^2/3 and (M - m)(L - l)^2/3, and the part's momentum */
+/* The angular velocity of the rest by (96) with n = 1: the mass matrices are M L^2/3 and (M - m)(L - l)^2/3 */
 static double lagrange_rate(const vm_pendulum *p, const vm_pendulum_cut *c)
 {
     vm_real before = p->mass * p->length * p->length / 3,
@@ -54,7 +56,7 @@ static void rates(const char *prefix)
 
 /* ---- Fig. 19 in motion ---- */
 
-/* phi'' = -(3 g/(2 L)) sin phi of a rod; ctx is its length */
+/* The equation of motion phi'' = -(3 g/(2 L)) sin phi of a rod; ctx is its length L */
 static int swing(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 {
     (void)t;

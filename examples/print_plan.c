@@ -1,7 +1,7 @@
-/* Print a prepared plan as a C constant, for the flash of a microcontroller. Every number has the digits that bring its
-   bits back. Built with -DVM_USE_FLOAT it prints plans for the float build.
+/* Prints a prepared plan as a C constant, for the flash of a microcontroller. Every number is printed with enough
+   digits to restore its bits. If the program is built with -DVM_USE_FLOAT, it prints plans for the float build.
    usage: print_plan jacobi M [NAME]                  sn, cn, dn for the parameter M
-          print_plan ateb ALPHA [ACCURACY [NAME]]     sa, ca for ALPHA; accuracy 0 is the full one
+          print_plan ateb ALPHA [ACCURACY [NAME]]     sa, ca for ALPHA; 0 stands for the full accuracy
           print_plan closed ALPHA M0 M1 K0 K1 REACTIVE DAMPING X V ORDER T_END [NAME]
                                                       the motion of an oscillator with the mass M0 + M1 t and the
                                                       stiffness K0 + K1 t from the position X and the velocity V
@@ -20,11 +20,11 @@ static void print_number(vm_real x)
 {
     char text[40];
     if (!VM_IS_FINITE(x)) {
-        printf("VM_INFINITY"); /* an unknown error */
+        printf("VM_INFINITY"); /* an error that is not known */
         return;
     }
     snprintf(text, sizeof text, "%.*g", DIGITS, (double)x);
-    printf("VM_C(%s%s)", text, strpbrk(text, ".e") ? "" : ".0"); /* a point for the suffix of float */
+    printf("VM_C(%s%s)", text, strpbrk(text, ".e") ? "" : ".0"); /* the suffix of float needs a decimal point */
 }
 
 static void print_numbers(const char *before, const vm_real *x, int n, const char *after)
@@ -44,7 +44,8 @@ static void print_head(const char *type, const char *what, size_t size, const ch
     printf("static const %s %s = {\n", type, name);
 }
 
-/* The argument i, or the default where there is none; an argument that is no number ends the program. */
+/* Returns the argument i as a number, or `otherwise` if there are fewer arguments. If the argument is not a number,
+   the program ends. */
 static vm_real number(int argc, char **argv, int i, double otherwise)
 {
     char *end;
@@ -160,7 +161,7 @@ static void print_mean(const vmi_osc_closed_mean *m)
 
 static int print_closed(int argc, char **argv)
 {
-    static vm_osc_closed c; /* static: what a lower order leaves out is 0 */
+    static vm_osc_closed c; /* static: fields that a lower order does not use are 0 */
     vm_osc_problem p;
     char what[80];
     int status;

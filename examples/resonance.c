@@ -1,16 +1,16 @@
-/* Harmonic excitation, which the dissertation leaves to the future (chapter 8): the cubic oscillator
+/* Harmonic excitation, which the dissertation leaves to future work (chapter 8), of the cubic oscillator
      m x'' + x^3 = -(r m' + b) x' + force cos(theta),  theta' = nu.
-   First the amplitude-frequency curve with its unstable part, against sweeps of nu up and down by direct integration,
-   which jump at its folds; then the passage through the resonance while the mass grows: a strong force captures the
-   vibration until it has to let go, a weak one lets it pass. Last the curve of the force
-   0.08 (cos theta + cos(2 theta)/2): its second harmonic makes a second peak, where the oscillator vibrates twice in a
-   period of the force.
+   The program first computes the amplitude-frequency curve with its unstable part. Direct integration while nu rises
+   or falls shows that the amplitude jumps at the folds of this curve. Then the oscillator passes through the resonance
+   while its mass grows: a strong force keeps the vibration near the resonance for some time, a weak force does not. At
+   last the program computes the curve of the force 0.08 (cos theta + cos(2 theta)/2): the second harmonic of the force
+   causes a second peak, where the oscillator vibrates twice in a period of the force.
 
    usage: resonance [prefix]
-   writes prefix_curve.csv, blocks of nu, A, stable (both branches), then of nu, |x| at turning points (up, down);
-   prefix_passage.csv, for each force a block of t, averaged A, backbone, one of t, |x| at turning points;
-   and prefix_periodic.csv, for each of both peaks a block of nu, A, stable, one of nu, A of the backbone, and one of
-   nu, A in a sweep of nu up. */
+   The program writes blocks of rows to three files.
+   prefix_curve.csv: nu, A, stable for each of the two branches; then nu, |x| at turning points, for nu up and down.
+   prefix_passage.csv: for each force t, averaged A, backbone; then t, |x| at turning points.
+   prefix_periodic.csv: for each of both peaks nu, A, stable; then nu, A of the backbone; then nu, A while nu rises. */
 #include <math.h>
 #include <stdio.h>
 #include "../varmass.h"
@@ -35,8 +35,8 @@ static vm_forced cubic(double b, double force, const drifts *d)
     return f;
 }
 
-/* Direct integration to t_end; its turning points as (nu or t, |x|). Returns the nu at which the amplitude last
-   passed level. */
+/* Integrates the motion to t_end and writes its turning points as (nu or t, |x|). Returns the nu at which the
+   amplitude last passed the value `level`. */
 static double write_turning_points(vm_forced *f, const drifts *d, vm_real *y, double t_end, int by_nu, double level,
                                    FILE *csv)
 {
@@ -60,8 +60,8 @@ static double write_turning_points(vm_forced *f, const drifts *d, vm_real *y, do
     return passed;
 }
 
-/* One branch of the curve; fold[0] and fold[1] become the least and largest frequency at which its stability
-   changes */
+/* Writes one branch of the curve; fold[0] and fold[1] become the smallest and the largest frequency at which the
+   stability of the branch changes */
 static void write_branch(const vm_forced *f, int upper, double fold[2], FILE *csv)
 {
     const double peak = vm_forced_peak(f, 0);
@@ -105,7 +105,8 @@ static void resonance(FILE *csv)
     printf("  nu down: leaves the lower branch at nu = %.3f, its fold is at %.3f\n", nu, fold[0]);
 }
 
-/* From the equilibrium on the backbone at m = 1 (weak force: from its amplitude): averaged and direct */
+/* Writes the averaged and the integrated motion. At m = 1 the motion starts at the equilibrium on the backbone; with a
+   weak force there is no equilibrium, and it starts with the amplitude of the backbone. */
 static void passage(double force, double t_end, FILE *csv)
 {
     const double Om1 = vm_osc_omega_trig(3);
@@ -135,8 +136,8 @@ static void passage(double force, double t_end, FILE *csv)
 
 /* ---- A force with a second harmonic ---- */
 
-/* The cubic oscillator under 0.08 N (cos theta + cos(2 theta)/2), near the peak where it makes `vibrations` vibrations
-   in a period of the force */
+/* The cubic oscillator under the force 0.08 N (cos theta + cos(2 theta)/2), near the peak where it makes `vibrations`
+   vibrations in a period of the force */
 static vm_periodic two_harmonics(int vibrations, const drifts *d)
 {
     vm_periodic p;
@@ -150,8 +151,8 @@ static vm_periodic two_harmonics(int vibrations, const drifts *d)
     return p;
 }
 
-/* The steady vibrations of all phases, and the backbone, on which the frequency of the free vibration is `vibrations`
-   times that of the force. Returns the steady vibration of the largest amplitude. */
+/* Writes the steady vibrations of all phases, and the backbone, on which the frequency of the free vibration is
+   `vibrations` times that of the force. Returns the steady vibration with the largest amplitude. */
 static vm_steady_state write_peak(const vm_periodic *p, FILE *csv)
 {
     vm_steady_state peak, s;
@@ -166,9 +167,10 @@ static vm_steady_state write_peak(const vm_periodic *p, FILE *csv)
     return peak;
 }
 
-/* The amplitude in each period of the force while nu rises, by integration. It is computed from the harmonic of x that
-   has the frequency of the resonance: this harmonic divided by the same one of ca. So the other vibrations that the
-   force causes are left out. The sweep starts on the largest steady vibration. Returns the largest amplitude. */
+/* Writes the amplitude in each period of the force while nu rises, by integration. The amplitude is the harmonic of x
+   that has the frequency of the resonance, divided by the same harmonic of ca. Therefore it does not include other
+   vibrations that the force causes. The motion starts as the largest steady vibration. Returns the largest
+   amplitude. */
 static vm_steady_state write_sweep(vm_periodic *p, const drifts *d, double nu_end, FILE *csv)
 {
     vm_real y[3] = {0, 0, 0}, work[RK45_WORK(3)];
@@ -207,7 +209,7 @@ static vm_steady_state write_sweep(vm_periodic *p, const drifts *d, double nu_en
 
 static void second_harmonic(FILE *csv)
 {
-    static const double range[2][2] = {{0.75, 1.6}, {0.33, 0.6}}; /* rad/s, of the sweep */
+    static const double range[2][2] = {{0.75, 1.6}, {0.33, 0.6}}; /* rad/s: first and last nu, per peak */
     int i;
     puts("Resonance curve of m x'' + x^3 = -0.04 x' + 0.08 (cos(nu t) + cos(2 nu t)/2)");
     for (i = 0; i < 2; i++) {

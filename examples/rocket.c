@@ -1,16 +1,18 @@
-/* A rocket whose nozzle is 0.1 mm off its axis and whose tank drains. The propellant is taken from the falling
-   surface in the tank and flows to the nozzle, so that mass, mass centre and inertia follow from the streams alone,
-   and jet damping from the momentum of what flows. Once without spin, once with a turn a second. For the tilt
-   without spin, beside: (155), (157) as printed, with I'(Omega_2 - Omega) = 0, and no jet damping at all.
+/* A rocket whose nozzle is 0.1 mm off its axis and whose tank drains. The propellant is taken from the falling surface
+   in the tank and flows to the nozzle. Therefore mass, mass centre and inertia follow from the streams alone, and jet
+   damping follows from the momentum of the flowing propellant. The rocket flies once without spin, and once with one
+   turn per second. Without spin, the tilt is also computed by (155) and (157) as printed, with I'(Omega_2 - Omega) =
+   0, and without any jet damping.
 
    usage: rocket [file.csv]
-   The file's columns: t, tilt (deg) of the spinless rocket by vm_flow_rhs, as printed, without damping; its path x, z
-   (km); tilt, x, z with spin */
+   The columns of the file are t; then for the rocket without spin the tilt (deg) by vm_flow_rhs, as printed and
+   without damping, and the path x, z (km); then tilt, x and z with spin */
 #include <stdio.h>
 #include <string.h>
 #include "../varmass.h"
 
-/* Dry rocket about its own mass centre, the reference point; SI */
+/* SI units. The moments of inertia are those of the dry rocket about its own mass centre, which is the reference
+   point. */
 static const double dry_mass = 80, dry_transverse = 60, dry_axial = 1.5, gravity = 9.81;
 static const double tank_radius = 0.2, tank_bottom = -1.2, propellant = 120, density = 955;
 static const double nozzle = -1.8, nozzle_radius = 0.05, off_axis = 1e-4, exhaust = 2200, burning = 12;
@@ -26,7 +28,7 @@ typedef struct rocket {
 
 static double level(double contents) { return tank_bottom + contents / (density * pi * tank_radius * tank_radius); }
 
-/* Before each evaluation: weight, and where the surface is */
+/* Is called before each evaluation: sets the weight and the place of the surface */
 static int fly(double t, const double *y, vm_flow *flow)
 {
     rocket *r = (rocket *)flow->ctx;
@@ -43,8 +45,8 @@ static void burnt_out(double t, double *y, void *flow)
     ((vm_flow *)flow)->streams[0].rate = 0;
 }
 
-/* I theta'' = thrust's moment - mu D theta', D = l_e^2 as printed or 0: beside the states of vm_flow_rhs, whose I it
-   uses */
+/* Computes I theta'' = moment of the thrust - mu D theta', with D = l_e^2 as printed or D = 0, in addition to the
+   states of vm_flow_rhs, whose inertia I is used */
 static int with_others(double t, const double *y, double *dydt, void *ctx)
 {
     const vm_flow *flow = (const vm_flow *)ctx;
@@ -58,7 +60,7 @@ static int with_others(double t, const double *y, double *dydt, void *ctx)
     return status;
 }
 
-/* Mass, mass centre and inertia of the rocket with so much propellant, by its shape */
+/* Mass, mass centre and inertia of the rocket with `contents` kg of propellant, computed from its shape */
 static vm_body assemble(double contents, double *centre)
 {
     const double length = level(contents) - tank_bottom, middle = tank_bottom + length / 2;
@@ -84,7 +86,8 @@ typedef struct sample {
 enum { SAMPLES = 201 };
 static const double end = 20;
 
-/* The rocket with a full tank: its jet, the surface that the propellant is taken from, and the flow of both */
+/* Prepares the rocket with a full tank: its jet, the surface from which the propellant is taken, and the vm_flow of
+   both */
 static void fill_tank(rocket *r, double centre)
 {
     memset(r, 0, sizeof *r);
@@ -106,7 +109,7 @@ static void fill_tank(rocket *r, double centre)
     r->flow.least_mass = dry_mass;
 }
 
-/* The event at which the tank is empty */
+/* The event that happens when the tank is empty */
 static ode_event run_dry(rocket *r)
 {
     ode_event dry;
@@ -119,7 +122,7 @@ static ode_event run_dry(rocket *r)
     return dry;
 }
 
-/* The mass, its centre and the inertia that are left, against those of the empty rocket by its shape */
+/* Compares mass, mass centre and inertia at the end with those of the empty rocket that are computed from its shape */
 static void print_empty(const vm_body *b, const double *y)
 {
     double centre;
@@ -129,7 +132,8 @@ static void print_empty(const vm_body *b, const double *y)
            b->inertia.zz - empty.inertia.zz);
 }
 
-/* Momentum and angular momentum about the origin at the launch, less those of the rocket and of all that was shed */
+/* Prints momentum and angular momentum about the origin: their values at the launch, less those of the rocket and of
+   all expelled mass */
 static void print_balance(const vm_body *start, vm_vec3 angular, const vm_body *b, const double *y)
 {
     const vm_vec3 origin = {0, 0, 0};

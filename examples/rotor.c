@@ -1,11 +1,12 @@
-/* A rotor vibrates on its shaft, touches the stator and loses a piece: Figs 16-18. Its motion before (46)-(51), the
-   break (52)-(64), the remainder's transient motion (68)-(74) and where it ends (76)-(82), each as printed and as
-   corrected.
+/* A rotor vibrates on its shaft, touches the stator and loses a piece: Figs 16-18. The program computes the motion
+   before the break by (46)-(51), the break by (52)-(64), the transient motion of the remainder by (68)-(74) and its
+   final motion by (76)-(82), each as printed and as corrected.
 
    usage: rotor [prefix]
-   It writes prefix_orbit.csv (t, x, y, speed, speed as printed), prefix_vectors.csv (the break, Fig. 17: x, y, dx,
-   dy), prefix_spin.csv (alpha, Omega_1a corrected and printed), prefix_transient.csv (t, then y and psi' by (68), by
-   all of (69), by (71)-(72), by (73)-(74)) and prefix_fig18.csv (t, r for the three Omega, their laws). */
+   The program writes prefix_orbit.csv (t, x, y, speed, speed as printed), prefix_vectors.csv (the break, Fig. 17: x,
+   y, dx, dy), prefix_spin.csv (alpha, Omega_1a corrected and printed), prefix_transient.csv (t, then y and psi' by
+   (68), by all terms of (69), by (71)-(72) and by (73)-(74)) and prefix_fig18.csv (t, the radius r for the three
+   values of Omega, and r by its three laws). */
 #include <math.h>
 #include <stdio.h>
 #include "../varmass.h"
@@ -16,7 +17,8 @@ static const double radius = 1, piece_mass = 0.8, piece_inertia = 0.12, SS2 = 0.
 
 /* ---- before the break ---- */
 
-/* The start of the motion, turned so that SS2 will be along x when v_S points to A */
+/* Writes the state at the start. It is turned so that the vector SS2 has the direction of x when v_S points to the
+   point A. */
 static void start_state(vm_real *y)
 {
     const vm_real first[6] = {0.3, -0.2, 0, 0.5, 0.4, 1.5};
@@ -34,7 +36,7 @@ static void start_state(vm_real *y)
     }
 }
 
-/* |v_S| after (52), as printed */
+/* The speed |v_S| by the printed formula after (52) */
 static double printed_speed(const vm_real *abcd, double w, double t)
 {
     double ca = abcd[2] - abcd[0], bd = abcd[1] - abcd[3];
@@ -73,7 +75,7 @@ static vm_broken_rotor_piece piece_at(double angle)
     return p;
 }
 
-/* (59) as printed */
+/* The angular velocity after the break by (59) as printed */
 static double printed_spin(const vm_broken_rotor_break *b, double spin, double angle)
 {
     double share = piece_mass / (whole.mass - piece_mass), moment = SS2 * b->tangential * cos(angle + b->beta);
@@ -92,14 +94,14 @@ static void draw_break(const vm_real *before, const vm_broken_rotor_break *b, co
     FILE *file = csv_open(prefix, "vectors");
     const double *rest = b->state, *piece = b->piece, scale = 0.5;
     double dx = piece[0] - before[0], dy = piece[1] - before[1], direction = alpha + b->beta;
-    arrow(file, before[0], before[1], scale * before[3],
-          scale * before[4]); /* S; S2 before; N and T; after: S1, S2 */
+        /* the velocities of S and S2 before the break; N and T; the velocity of S1 after the break; the point A */
+    arrow(file, before[0], before[1], scale * before[3], scale * before[4]);
     arrow(file, piece[0], piece[1], scale * (before[3] - before[5] * dy), scale * (before[4] + before[5] * dx));
     arrow(file, piece[0], piece[1], scale * b->normal * cos(direction), scale * b->normal * sin(direction));
     arrow(file, piece[0], piece[1], -scale * b->tangential * sin(direction),
           scale * b->tangential * cos(direction));
     arrow(file, rest[0], rest[1], scale * rest[3], scale * rest[4]);
-    arrow(file, before[0] + radius * cos(alpha), before[1] + radius * sin(alpha), 0, 0); /* A */
+    arrow(file, before[0] + radius * cos(alpha), before[1] + radius * sin(alpha), 0, 0);
     csv_close(file);
 }
 

@@ -1,8 +1,10 @@
-/* The machines of chapter 1 and the numerical examples of the dissertation as scenes: where each ends, beside a
-   reference (36-digit integration or a closed form), and its curves.
+/* The machines of chapter 1 and the numerical examples of the dissertation as scenes. For each of them the program
+   prints the end of its motion beside a reference value (from an integration with 36 digits or a closed form), and
+   writes its curves.
 
-   usage: scenes [file.csv]      for each machine file_NAME.csv: t, then the state, and file_NAME_events.csv: when
-                                 each event happened, and its number */
+   usage: scenes [file.csv]
+   For each machine the program writes file_NAME.csv (t, then the state) and file_NAME_events.csv (the time and the
+   index of each event). */
 #include "scenes/chains.h"
 #include "scenes/crane.h"
 #include "scenes/dosing.h"
@@ -24,11 +26,11 @@
 
 enum { POINTS = 800 };
 static const char *file_name;
-static int length; /* of it without ".csv" */
+static int length; /* length of the file name without ".csv" */
 static FILE *event_file;
 static long event_counts[STAGE_EVENTS]; /* how often each event had happened when the last row was written */
 
-/* Between two rows no event happens twice. */
+/* Writes the events since the last row. Between two rows no event happens twice. */
 static void write_events(const vm_scene *scene)
 {
     int i;
@@ -50,7 +52,8 @@ static int write_row(vm_real t, const vm_real *y, vm_scene *scene, void *file)
     return 0;
 }
 
-/* Runs the scene to its end and prints the time and number i of the state there, with the reference in parentheses. */
+/* Runs the scene to its end. Prints the time and the number y[i] of the state at the end, with the reference values in
+   parentheses. */
 static void play(stage *s, const char *name, const char *what, int i, double wanted_t, double wanted)
 {
     vm_real times[POINTS];
@@ -64,7 +67,7 @@ static void play(stage *s, const char *name, const char *what, int i, double wan
         s->scene.output = write_row;
         s->scene.output_ctx = file;
         s->scene.times = times;
-        s->scene.n_times = POINTS - 1; /* the last row is where the run ends */
+        s->scene.n_times = POINTS - 1; /* the last row is for the end of the run */
         sprintf(path, "%.*s_%.30s_events.csv", length, file_name, name);
         event_file = fopen(path, "w");
     }

@@ -1,10 +1,10 @@
-/* Figs 21, 26-30 and 32: slow vibrations by direct integration, with the curves as printed and as corrected. (Figs
-   22-25 are examples 1 and 2.) One case is one motion with its two curves; a figure is a row of panels of some
-   cases each.
+/* Figs 21, 26-30 and 32: vibrations that change slowly, by direct integration, with the curves as printed and as
+   corrected. (Figs 22-25 are in example1.c and example2.c.) A case is a motion with its two curves; a figure is a row
+   of diagrams with some cases each.
 
-   usage: slow [prefix] writes prefix_21.csv ... For every case two blocks: t, motion, both branches of the
-   printed curve, both of the corrected one (in Fig. 21 they are the motion itself); then t and the turning points
-   of the motion. */
+   usage: slow [prefix] writes prefix_21.csv and so on, one file for each figure. For every case a file has two blocks.
+   Columns of the first: t, the motion, both branches of the printed curve, both branches of the corrected curve (in
+   Fig. 21 the curves are the motion itself). Columns of the second: t and x at the turning points of the motion. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -19,14 +19,15 @@ struct motion_case {
     int n, x, v; /* size of the state; the components that are drawn, and its velocity */
     double t_end;
     curve printed, corrected;
-    int waves;                     /* whether the curves are the motion itself; if not, they are its amplitudes */
-    double printed_centre, centre; /* about these */
-    double m0, m1, x0, b;          /* mass m0 + m1 t, first displacement, and b of Fig. 21; -1 for (440) */
+    int waves;                     /* 1: the curves are the motion itself; 0: they are its amplitudes */
+    double printed_centre, centre; /* the amplitudes are measured from these values */
+    double m0, m1, x0, b;          /* mass m0 + m1 t, first displacement, and b of Fig. 21; b = -1 for (440) */
 };
 
 /* ---- Fig. 21, (355): m x'' + x|x|^(1/3) = 0.01 (1 - b) x', m = 1 - 0.01 t ---- */
 
-/* (356): exponent is 0.27273 and rate 0.0909 as printed; both follow from 1/(5 - alpha) in place of 1/(alpha + 3) */
+/* The solution (356). As printed, exponent is 0.27273 and rate is 0.0909; both follow from the wrong 1/(5 - alpha) in
+   place of 1/(alpha + 3). */
 static double solution_356(double t, double b, double exponent, double rate)
 {
     const double m = 1 - 0.01 * t, half = 0.5 * (1 - rate * (1 - 2 * b));
@@ -37,7 +38,7 @@ static double damped(double t, const motion_case *c) { return solution_356(t, c-
 
 /* ---- Figs 26-29, (440): alpha = 5/3, eps b = eps c = 0.01, m = m0 (1 + 0.01 t) ---- */
 
-/* (424) and case c) as printed, with the means of (383), (384), (408) by their printed series */
+/* The amplitude by (424) and case c) as printed, with the means (383), (384), (408) from their printed series */
 static double vdp_printed(double t, const motion_case *c)
 {
     const double alpha = 5. / 3, k2 = vm_osc_jacobi_parameter(alpha);
@@ -100,7 +101,7 @@ static double pair_printed(double t, const motion_case *c)
     return -pow(1 + 0.01 * t, -1. / 6);
 }
 
-/* Half of the amplitude of p = y - x, which is 2 at first */
+/* Half of the amplitude of p = y - x; the amplitude is 2 at first */
 static double pair(double t, const motion_case *c)
 {
     return vm_osc_amplitude_law((c->m0 + c->m1 * t) / c->m0, 0, 1, 3);
@@ -117,7 +118,7 @@ typedef struct context {
     vm_pair pair;
 } context;
 
-/* The first state, and what f needs */
+/* Writes the state at the start to y, and returns the pointer that the function c->f needs */
 static void *start(const motion_case *c, context *x, vm_real *y)
 {
     const double half = sqrt(0.5);
@@ -148,7 +149,8 @@ static void *start(const motion_case *c, context *x, vm_real *y)
     return &x->vdp;
 }
 
-/* The two branches of a curve at t: the same where it is the motion itself, and for (536), a negative amplitude */
+/* The two branches of a curve at t. They are the same if the curve is the motion itself, and for (536), which gives a
+   negative amplitude. */
 typedef struct branches {
     double upper, lower;
 } branches;
@@ -167,7 +169,8 @@ typedef struct errors {
     long turning_points;
 } errors;
 
-/* x against the nearer branches; a NaN, where a printed root is of a negative number, counts as the largest error */
+/* Compares x with the nearer branch of each curve. If a printed formula gives NaN, because it has the root of a
+   negative number, this counts as the largest error. */
 static void compare(errors *e, const motion_case *c, double t, double x)
 {
     const branches p = at(c, t, c->printed, c->printed_centre), k = at(c, t, c->corrected, c->centre);
@@ -183,8 +186,8 @@ static void write_row(FILE *csv, const motion_case *c, double t, double x)
     fprintf(csv, "%.6g,%.6g,%.6g,%.6g,%.6g,%.6g\n", t, x, p.upper, p.lower, k.upper, k.lower);
 }
 
-/* Integrates a case, writes its two blocks, finds the largest errors: of an amplitude at the turning points, of a
-   motion everywhere */
+/* Integrates a case, writes its two blocks, and finds the largest errors: if a curve is an amplitude, at the turning
+   points; if it is the motion, at all times */
 static int run(const motion_case *c, FILE *csv, errors *e)
 {
     static vm_sample points[MOST_POINTS];

@@ -1,8 +1,9 @@
-/* A nonlinear oscillator with variable mass that is solvable exactly. Snow settles on a cart with a cubic spring; its
-   mass grows as m = m0 (1 + a t)^(6/5), and the snow has no velocity before it lands, so that
+/* A nonlinear oscillator with variable mass that has an exact solution. Snow settles on a cart with a cubic spring.
+   The mass of the cart grows as m = m0 (1 + a t)^(6/5), and the snow has no velocity before it lands, so that
      d(m x')/dt + k x^3 = 0.
-   For this one power the disturbance G0 of the law of order five is zero at all times (docs/law.md), so that amplitude
-   and phase of x and V = x' + p x, p = a/(5 (1 + a t)), obey the mean motion without any error:
+   Only for this power 6/5 the disturbance G0 in the law of order five is zero at all times (docs/law.md). Therefore
+   the amplitude and the phase of x and V = x' + p x, with p = a/(5 (1 + a t)), follow the mean motion without any
+   error:
      x = A0 s ca(psi),   x' = -(W/2) A0 s sa(psi) - p x   with s = (1 + a t)^(-1/5),
      psi = psi0 + 5 W0 ((1 + a t)^(1/5) - 1)/a,   W = W0 (1 + a t)^(-4/5).
    The program compares this formula with the law of order five and with integration by rk87. */
@@ -13,7 +14,7 @@
 
 static const double m0 = 2, k = 8, a = 0.05, x0 = 0.3, v0 = 0.1; /* kg, N/m^3, 1/s, m, m/s */
 
-/* The formula */
+/* x by the formula above */
 static double exact(double t)
 {
     const double growth = 1 + a * t, omega0 = sqrt(k / m0), p0 = a / 5;

@@ -1,11 +1,11 @@
-/* A tumbling satellite sheds a panel: the jump in space by vm_separate, the balances of momentum, angular momentum
-   and energy across it, and the free motion of both pieces before and after.
+/* A tumbling satellite sheds a panel: the jump in space by vm_separate, the balances of momentum, angular momentum and
+   energy at the jump, and the free motion before it and of both pieces after it.
 
    usage: tumbling [file.csv]
-   The file has three parts, two empty lines apart:
-     0  t, the hub's angular velocity in body axes, L_z about the origin of hub, panel and both
-     1  the hub's edges at seven times: colour, x, y, z of one end, x, y, z of the other
-     2  the panel's */
+   The file has three parts, with two empty lines between them:
+     0  t; the hub's angular velocity in body axes; L_z about the origin for the hub, for the panel and for both
+     1  the hub's edges at seven times: colour; x, y, z of one end; x, y, z of the other end
+     2  the panel's edges, with the same columns */
 #include "../varmass.h"
 #include <stdio.h>
 
@@ -17,7 +17,7 @@ static vm_vec3 vec3(double x, double y, double z)
 
 static vm_vec3 plus(vm_vec3 a, double c, vm_vec3 b) { return vec3(a.x + c * b.x, a.y + c * b.y, a.z + c * b.z); }
 
-/* A box of edges a, b, c about its middle */
+/* A box with the given edges, whose inertia is about its middle */
 static vm_body box(double mass, vm_vec3 edges, vm_vec3 at)
 {
     const double k = mass / 12;
@@ -30,7 +30,7 @@ static vm_body box(double mass, vm_vec3 edges, vm_vec3 at)
     return body;
 }
 
-/* ---- free motion by rk45: y is the quaternion, ctx the body, whose angular momentum is constant ---- */
+/* ---- free motion by rk45: y is the quaternion; ctx is the body, whose angular momentum is constant ---- */
 
 typedef struct spinning {
     vm_body body;
@@ -62,7 +62,7 @@ static int turning(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
     return 0;
 }
 
-/* The body after time t of free motion, which may be negative; a null status is success */
+/* Computes the body after the time t of free motion; t may be negative. Returns 0 if there was no error. */
 static int moved(const vm_body *from, double t, vm_body *to)
 {
     spinning s;
@@ -88,7 +88,7 @@ static int moved(const vm_body *from, double t, vm_body *to)
     return 0;
 }
 
-/* ---- what is printed and drawn ---- */
+/* ---- output: numbers and drawings ---- */
 
 static void print_motion(const char *name, const vm_body *b)
 {
@@ -104,7 +104,7 @@ static vm_vec3 corner_of(vm_vec3 edges, int corner)
                 edges.z * ((corner >> 2 & 1) - 0.5));
 }
 
-/* The twelve edges of a box of the size and place given in the body's axes */
+/* Writes the twelve edges of a box, whose size and place are given in the axes of the body */
 static void draw_box(FILE *csv, int colour, const vm_body *b, vm_vec3 place, vm_vec3 edges)
 {
     const vmi_mat3 turn = vmi_rotation(b->q);
@@ -120,10 +120,10 @@ static void draw_box(FILE *csv, int colour, const vm_body *b, vm_vec3 place, vm_
     }
 }
 
-/* hub and panel as they are at time t: one body before t = 0, two after it */
+/* Hub and panel: they are one body before t = 0, and two bodies after it */
 typedef struct scene {
     vm_body whole, hub, panel;
-    vm_vec3 hub_edges, panel_edges, hub_in_whole, panel_in_whole; /* places in the whole's axes */
+    vm_vec3 hub_edges, panel_edges, hub_in_whole, panel_in_whole; /* places in the axes of the whole */
 } scene;
 
 static int draw_frames(const scene *s, FILE *csv, int panel)
@@ -173,7 +173,8 @@ static int draw(const scene *s, const char *file)
     return fclose(csv) != 0 || failed;
 }
 
-/* (34) with the inertias that (40) calls I_S1 and I_S2, about S: Table 1 has them about S1 and S2 */
+/* The angular velocity by (34), with the inertias I_S1 and I_S2 of (40), which are about S; those of Table 1 are about
+   S1 and S2 */
 static vm_vec3 with_inertias_about_S(const scene *s)
 {
     const vm_vec3 d1 = plus(s->hub.r, -1, s->whole.r), d2 = plus(s->panel.r, -1, s->whole.r);
@@ -185,7 +186,7 @@ static vm_vec3 with_inertias_about_S(const scene *s)
     h = plus(vmi_spin_momentum(&s->whole), -1, vmi_spin_momentum(&panel));
     h = plus(h, panel.mass, vm_cross(d2, plus(hub.v, -1, panel.v)));
     p = vmi_principal_axes(&hub.inertia);
-    return vmi_spin_of(&p, h); /* the axes are parallel to the inertial ones at the jump */
+    return vmi_spin_of(&p, h); /* at the jump the body axes are parallel to the inertial axes */
 }
 
 int main(int argc, char **argv)
@@ -204,7 +205,7 @@ int main(int argc, char **argv)
     s.hub_in_whole = plus(s.hub.r, -1, s.whole.r);
     s.panel_in_whole = plus(s.panel.r, -1, s.whole.r);
 
-    relative = s.panel; /* it leaves at 0.15 m/s outwards, and turning, (25), (41) */
+    relative = s.panel; /* the panel leaves at 0.15 m/s outwards and rotates, (25), (41) */
     relative.v = vec3(0.15, 0, 0);
     relative.omega = vec3(0.4, -0.3, -1);
     if (vm_to_absolute(&s.whole, &relative, &s.panel) || vm_separate(&s.whole, &s.panel, NULL, &s.hub)) return 1;

@@ -156,7 +156,7 @@ for precision in double float; do
     check "$precision: of an impossible body is refused" fails "$build/$precision/print" rotation 1 1 5 0 0 1
 done
 stored_plan_is_current() {
-    { echo '/* Written by examples/print_plan ateb 3, built with -DVM_USE_FLOAT */'; "$build/float/print" ateb 3 0; } |
+    { echo '/* This file is written by examples/print_plan ateb 3, built with -DVM_USE_FLOAT */'; "$build/float/print" ateb 3 0; } |
         cmp - examples/firmware/plan.h
 }
 check "the firmware example's plan is what init computes" stored_plan_is_current

@@ -1,6 +1,6 @@
-/* The board: lines out by semihosting, and a counter of instructions. MPS2 boards (Cortex-M3, M4, M7) have a counter of
-   25 MHz, which under qemu -icount shift=10, where an instruction takes 1024 ns, counts them exactly. RISC-V has one
-   of instructions. */
+/* The board: prints lines by semihosting, and counts instructions. MPS2 boards (Cortex-M3, M4, M7) have a counter of
+   25 MHz. With qemu -icount shift=10 an instruction takes 1024 ns, so that this counter gives the exact number of
+   instructions. RISC-V has a counter of instructions. */
 #ifndef BOARD_H
 #define BOARD_H
 #include <stdint.h>
@@ -36,8 +36,8 @@ static inline uint32_t board_instructions(void)
 }
 #endif
 
-/* Instructions since board_instructions() returned start: fewer than 2^32 40/1024, after which the MPS2 boards' counter
-   begins again */
+/* The number of instructions since board_instructions() returned `start`. It must be less than 2^32 40/1024, since the
+   counter of the MPS2 boards then begins again at 0. */
 static inline uint32_t board_instructions_since(uint32_t start)
 {
     uint32_t passed = board_instructions() - start;

@@ -1,7 +1,8 @@
-/* What one call costs on a microcontroller: CALL, an expression with the variables below, from HEADER. It is called TRIALS
-   times with arguments that DRAW sets, most of them at random, and then with the arguments listed in HARD. Prints the
-   most instructions of a call, and the depth of the stack over all calls. Flash is the program's size less that of one
-   with CALL = (a = u). */
+/* Measures what one call costs on a microcontroller. CALL is an expression with the variables below that calls a
+   function of HEADER. It is evaluated TRIALS times with arguments that DRAW sets, most of them at random, and then
+   with the arguments listed in HARD. The program prints the largest number of instructions of a call, and the largest
+   depth of the stack in all calls. The flash of a call is the size of this program less the size of the program with
+   CALL = (a = u). */
 #include HEADER
 #include "board.h"
 
@@ -82,7 +83,7 @@ static vm_vec3 draw_vector(vm_real largest)
     return a;
 }
 
-/* A body of this mass with three different moments, in any attitude, in any motion */
+/* A body of the given mass with three different moments of inertia, a random attitude and a random motion */
 static vm_body draw_body(vm_real mass, vm_real size)
 {
     vm_body b;
@@ -111,14 +112,14 @@ static void draw_bodies(void)
     part = draw_body(mass * share, VM_C(0.1));
 }
 
-/* A free body, and a time at which its attitude is asked for */
+/* Draws a free body, and a time at which its attitude is computed */
 static void draw_rotation(void)
 {
     whole = draw_body(between(1, 10), 1);
     u = between(-1000, 1000);
 }
 
-/* A tray on a spring of any power, with a damper, that loses its load */
+/* Draws a scene: a tray on a spring of any power, with a damper, that loses its load */
 static void draw_scene(void)
 {
     const vm_real rate = between(VM_C(-0.05), 0);
@@ -142,7 +143,7 @@ static int __attribute__((noinline, noclone)) call(void)
     return 0;
 }
 
-enum { DEPTH = 2600 }; /* words of stack that are painted before a call, to see later how many it has used */
+enum { DEPTH = 2600 }; /* words of stack filled with a pattern before a call, to count later how many it has used */
 static uint32_t most, deepest;
 
 static void __attribute__((noinline)) count_call(void)
@@ -152,7 +153,7 @@ static void __attribute__((noinline)) count_call(void)
     uint32_t start, reading, used;
     for (low = &here - DEPTH; low < &here - 16; low++) *low = paint;
     start = board_instructions();
-    reading = board_instructions_since(start); /* what the counter itself takes */
+    reading = board_instructions_since(start); /* instructions of the counter itself */
     start = board_instructions();
     call();
     used = board_instructions_since(start) - reading;

@@ -1,4 +1,4 @@
-/* Written by examples/print_plan ateb 3, built with -DVM_USE_FLOAT */
+/* This file is written by examples/print_plan ateb 3, built with -DVM_USE_FLOAT */
 /* alpha = 3, accuracy 0 (0: full), float, 184 bytes */
 static const ateb_plan plan = {
     {VM_C(2.62205744), VM_C(1.16395398e-07)},

@@ -1,23 +1,25 @@
-/* A controller for a vibrating sieve on strongly nonlinear (cubic) supports: while material leaves the sieve, its amplitude
-   falls and its frequency rises; every 10 ms the controller predicts both, and where the sieve is, from the mass that its
-   scales report, so that the drive can follow. Float, no heap, no C library but sqrtf; the Ateb functions come from a
-   plan in flash (plan.h, made by examples/print_plan ateb 3). Runs on an emulated Cortex-M4F: make firmware.
+/* A controller for a vibrating sieve on strongly nonlinear (cubic) supports. While material leaves the sieve, its
+   amplitude falls and its frequency rises. Every 10 ms the controller predicts amplitude, frequency and position of
+   the sieve from the mass that the sieve's scales report, so that the drive can follow. The program uses float, no
+   heap, and of the C library only sqrtf. The Ateb functions come from a plan in flash (plan.h, made by
+   examples/print_plan ateb 3). The program runs on an emulated Cortex-M4F: make firmware.
 
-   What leaves has the sieve's velocity: m x'' + k x^3 = 0, A = A0 (m/m0)^(1/(alpha+3)), by (325) corrected. */
+   Material that leaves has the velocity of the sieve. Therefore m x'' + k x^3 = 0, and A = A0 (m/m0)^(1/(alpha+3)) by
+   (325) as corrected. */
 #define VM_USE_FLOAT
 #include "../../varmass.h"
 #include "plan.h"
 #include "board.h"
 
-enum { TICKS = 300, BUDGET = 1000 /* instructions a tick: some 10 us at 100 MHz */ };
+enum { TICKS = 300, BUDGET = 1000 /* instructions per tick: about 10 us at 100 MHz */ };
 
 typedef struct sieve {
     float k, m0, A0;  /* N/m^3, kg, m */
-    float phase;      /* of the Ateb functions, rad, within a period */
+    float phase;      /* rad: phase of the Ateb functions, within a period */
     float x, A, rate; /* m, m, rad/s */
 } sieve;
 
-/* One tick of dt seconds, the scales reporting m */
+/* Computes one tick of dt seconds; m is the mass that the scales report */
 static void predict(sieve *s, float m, float dt)
 {
     const float period = 4 * plan.quarter.hi, before = s->rate;

@@ -1,9 +1,9 @@
-/* A spring with a leaking mass. A bucket of sand hangs on a spring. Measured from its position of rest, which rises
-   while sand leaks out, its motion is m x'' + k x = 0. The sand keeps the bucket's velocity as it leaks out, so that
-   no reactive force acts. The vibration becomes faster and narrower: its amplitude is A = A0 (m/m0)^(1/4). If the
-   sand were brought to rest before it leaves, the reactive force would make the vibration wider: A = A0
-   (m0/m)^(1/4), which is (325) with alpha = 1. The function vm_osc_amplitude_law has both cases; its third argument
-   is 0 without the reactive force and 1 with it.
+/* A spring with a leaking mass. A bucket of sand hangs on a spring. If x is measured from the position of rest, which
+   rises while sand leaks out, the motion is m x'' + k x = 0. The sand keeps the bucket's velocity as it leaks out, so
+   that no reactive force acts. The vibration becomes faster and narrower: its amplitude is A = A0 (m/m0)^(1/4). If the
+   sand were brought to rest before it leaves, the reactive force would make the vibration wider: A = A0 (m0/m)^(1/4),
+   which is (325) with alpha = 1. The function vm_osc_amplitude_law computes the amplitude in both cases; its third
+   argument is 0 without the reactive force and 1 with it.
 
    cc -O2 01_leaking_spring.c -lm && ./a.out [file.csv] */
 #include <stdio.h>
@@ -13,14 +13,14 @@ int main(int argc, char **argv)
 {
     FILE *csv = argc > 1 ? fopen(argv[1], "w") : NULL;
     vm_osc_problem bucket = {1, vm_law_linear(10, -0.1), vm_law_linear(250, 0), 0, 0, 0.05, 0, NULL, NULL};
-    const double end = 70; /* s: 7 of 10 kg have gone */
+    const double end = 70; /* s: then 7 of 10 kg have leaked out */
     vm_osc_motion motion;
     double mass = 0, rate, t;
     int status = VM_OK;
 
     puts("   t (s)  mass (kg)  amplitude (m)   its law    route that was taken");
     for (t = 0; t <= end && status >= 0; t += 10) {
-        status = vm_osc_within(&bucket, t, 1e-6, &motion); /* the cheapest route that is right to 1e-6 */
+        status = vm_osc_within(&bucket, t, 1e-6, &motion); /* the cheapest route within an error of 1e-6 */
         vm_law_at(&bucket.mass, t, &mass, &rate);
         printf("%8.0f %10.1f %14.6f %10.6f   %s\n", t, mass, motion.amplitude,
                0.05 * vm_osc_amplitude_law(mass / 10, 0, 0, 1), vm_osc_route_name(motion.route));

@@ -1,7 +1,7 @@
-/* A vibrating sieve that is being loaded. This is a scene: a list of bodies, of effects that act on them, and of
-   events that change it; nothing else is simulated. A sieve of 20 kg on a spring and a damper is shaken by a force
-   of 60 N. From t = 4 s on, 2 kg of gravel a second fall into it without sideways velocity, (175), until 20 kg are
-   in. As its mass grows, the sieve passes its resonance.
+/* A vibrating sieve that is being loaded. The program is a scene: it simulates only a list of bodies, a list of
+   effects that act on them, and a list of events that change the scene. A sieve of 20 kg on a spring and a damper is
+   shaken by a force of 60 N. From t = 4 s on, 2 kg of gravel a second fall into it without sideways velocity, (175),
+   until 20 kg are in. As its mass grows, the sieve passes its resonance.
 
    cc -O2 03_sieve.c -lm && ./a.out [file.csv] */
 #include <stdio.h>
@@ -27,7 +27,7 @@ int main(int argc, char **argv)
     effects[DAMPER] = vm_effect_damper(SIEVE, 0, VM_GROUND, 0, 30);
     effects[MOTOR] = vm_effect_harmonic(SIEVE, 0, 60, 17, 0);
     effects[GRAVEL] = vm_effect_stream(SIEVE, 2, at_rest, 1);
-    effects[GRAVEL].off = 1; /* until the first event */
+    effects[GRAVEL].off = 1; /* until the first event switches it on */
     memset(&scene, 0, sizeof scene);
     scene.bodies = bodies;
     scene.n_bodies = 1;

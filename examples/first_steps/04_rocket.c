@@ -33,7 +33,7 @@ int main(int argc, char **argv)
     vm_stream1 jet = {-5, -2000, VM_RELATIVE}; /* 5 kg/s leave, downwards, at 2000 m/s against the rocket */
     vm_flow1 rocket = {1, &jet, 0, weight, NULL, 0};
     static ode_event empty;
-    static rk45_options options; /* zero is the default */
+    static rk45_options options; /* 0 stands for the default */
     vm_real y[3] = {0, 0, 100}, work[RK45_WORK(3)], t; /* x, momentum, mass */
     rk45 s;
     int status;

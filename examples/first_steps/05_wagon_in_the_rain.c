@@ -1,7 +1,8 @@
 /* A wagon in the rain. The wagon rolls without friction. Rain falls straight down, so that mass joins without
    velocity along the rail, and the momentum M v stays the same, (151) with u = 0, (170). Then the rain stops and the
    wagon leaks. The water leaves with the wagon's velocity, and v stays the same. The classic mistake is to say that
-   M v stays the same now, too, so that v must grow again. This forgets the momentum of the water that leaves.
+   M v also stays the same while the wagon leaks, so that v must grow again. This mistake forgets the momentum of the
+   water that leaves.
 
    cc -O2 05_wagon_in_the_rain.c -lm && ./a.out [file.csv] */
 #include <stdio.h>

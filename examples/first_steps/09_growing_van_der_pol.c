@@ -26,7 +26,7 @@ int main(int argc, char **argv)
     v.reactive = 1;
     v.mass = vm_law_linear(1, growth);
     status = vm_vdp_init(&v);
-    memset(&options, 0, sizeof options); /* zero is the default */
+    memset(&options, 0, sizeof options); /* 0 stands for the default */
     options.rtol = 1e-8;
     for (k = 0; k < 2 && status >= 0; k++) {
         vm_real y[2] = {0, 0};

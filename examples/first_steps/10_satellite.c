@@ -7,7 +7,7 @@
 #include <stdio.h>
 #include "../../varmass.h"
 
-/* Body axes to inertial ones: q a q*, |q| = 1 */
+/* Converts the vector a from body axes to inertial axes: q a q* with |q| = 1 */
 static vm_vec3 turned(vm_quat q, vm_vec3 a)
 {
     const double x = 2 * (q.y * a.z - q.z * a.y), y = 2 * (q.z * a.x - q.x * a.z), z = 2 * (q.x * a.y - q.y * a.x);

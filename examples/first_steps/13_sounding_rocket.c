@@ -1,5 +1,5 @@
 /* A sounding rocket in two stages. The rocket flies straight up with two motors, and opens a parachute at the top.
-   The program defines parachute and drag as effects of its own. The air's density falls by the factor e every 8 km.
+   The program itself defines the effects for parachute and drag. The air's density falls by the factor e every 8 km.
 
    cc -O2 13_sounding_rocket.c -lm && ./a.out [file.csv] */
 #include <math.h>
@@ -8,7 +8,7 @@
 
 static void drag(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *scene)
 {
-    const vm_real height = y[e->x], v = y[e->v], area = *(const vm_real *)e->ctx; /* with the drag coefficient */
+    const vm_real height = y[e->x], v = y[e->v], area = *(const vm_real *)e->ctx; /* times the drag coefficient */
     (void)t;
     (void)scene;
     e->load->force[0] -= 1.225 * exp(-height / 8000) / 2 * area * v * fabs(v);
@@ -30,7 +30,7 @@ int main(int argc, char **argv)
                            vm_effect_custom(ROCKET, VM_GROUND, drag, &slim), vm_effect_gravity(ROCKET, 0, -9.81)};
     vm_event events[EVENTS];
     ode_event located[EVENTS];
-    static vm_scene scene; /* what is not set is zero */
+    static vm_scene scene; /* fields that are not set are 0 */
     effects[MOTOR_2].off = effects[PARACHUTE].off = 1;
     events[EMPTY] = vm_then_switch(vm_event_mass(ROCKET, 70, -1), MOTOR_1, 1);
     events[STAGING] = vm_then_separate_on_line(vm_event_at(8.5), ROCKET, BOOSTER, &stage, 1);

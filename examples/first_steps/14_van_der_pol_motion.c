@@ -1,8 +1,9 @@
 /* The motion of a Van der Pol oscillator long after its start. The equation of motion is m x'' + k x = (feed - c
    x^2) x' - m' x', (404). Averaging gives the amplitude, but x(t) itself also needs the phase. The function
-   vm_vdp_plan_within uses a law of order three. If the estimated error of the law is too large, it integrates. With
-   constant mass and alpha = 1 this law is a closed form, whose cost does not depend on t. In the second motion mass
-   joins and the spring softens: the fields mass and stiffness of a vm_vdp are laws of time.
+   vm_vdp_plan_within uses a law of order three, which is a formula for x(t). If the estimated error of the law is too
+   large, the function integrates. With constant mass and alpha = 1 this law is a closed form, whose cost does not
+   depend on t. In the second motion mass joins and the spring softens: the fields mass and stiffness of a vm_vdp are
+   laws of time.
 
    cc -O2 14_van_der_pol_motion.c -lm && ./a.out [file.csv] */
 #include <stdio.h>
@@ -27,7 +28,7 @@ int main(int argc, char **argv)
     if (vm_vdp_cycle_of(&v, &cycle) || vm_vdp_plan_init(&constant, &v, 0.5, 0)) return 1;
     printf("limit cycle: largest x %.8f m, period %.8f s\n", cycle.largest_x, cycle.period);
     v.mass = vm_law_linear(1, 0.002);
-    v.stiffness = vm_law_linear(1, -0.001); /* in place of k */
+    v.stiffness = vm_law_linear(1, -0.001); /* used in place of the field k */
     if (vm_vdp_plan_init(&slow, &v, 0.5, 0)) return 1;
     puts("\n   t (s)   x, constant mass (m)  estimated error   x, slow mass and stiffness (m)  estimated error");
     for (t = 10; t < 2e6; t *= 10) {

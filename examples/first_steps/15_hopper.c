@@ -32,7 +32,7 @@ int main(int argc, char **argv)
                                vm_effect_damper(0, 0, VM_GROUND, 0, 1000), vm_effect_gravity(0, 0, g)}; /* x: downwards */
         vm_event full = vm_event_user(scale, &fine_shuts, -1), shut[2], events[2];
         ode_event located[2];
-        static vm_scene scene; /* what is not set is zero */
+        static vm_scene scene; /* fields that are not set are 0 */
         shut[0] = vm_then_switch(full, FINE, 1);
         shut[1] = vm_then_stop(full);
         events[0] = vm_then_switch(vm_event_user(scale, &coarse_shuts, -1), COARSE, 1);

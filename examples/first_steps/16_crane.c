@@ -29,7 +29,7 @@ int main(int argc, char **argv)
     vm_event events[] = {vm_then_stop(vm_event_velocity(0, 0, 0, -1))}; /* where a swing to one side ends */
     vm_real y[4], work[VM_SCENE_WORK(4)], t = 0, next = 0, now = length, law = 0;
     ode_event located[1];
-    static vm_scene scene; /* what is not set is zero */
+    static vm_scene scene; /* fields that are not set are 0 */
     rk45_options options = rk45_defaults(NULL);
     options.rtol = 1e-11;
     options.atol = 1e-14;

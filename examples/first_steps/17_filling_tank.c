@@ -28,7 +28,7 @@ int main(int argc, char **argv)
     static vm_supply_left left;
     vm_real t = 0, next, y[23 + VM_BUDGET_STATES], work[VM_SCENE_WORK(23 + VM_BUDGET_STATES)];
     static vm_stream filler;
-    static vm_scene scene; /* what is not set is zero */
+    static vm_scene scene; /* fields that are not set are 0 */
     vm_budget budget;
     int i, status;
     filler.rate = 1; /* kg/s */

@@ -3,8 +3,8 @@
    or 5 as plain numbers. The function vm_osc_closed_init computes these numbers once, on a PC or on a
    microcontroller. Then vm_osc_closed_at gives x and v at any time, without integration, and takes the same time for
    each call. The field `error` estimates the error for all times up to the last argument of vm_osc_closed_init. A
-   controller may have the law as a constant in flash, which examples/print_plan.c prints; docs/firmware.md has
-   flash, stack and instructions of each order.
+   controller may store the law as a constant in flash; examples/print_plan.c prints this constant. docs/firmware.md
+   lists flash, stack and number of instructions of a call for each order.
 
    cc -O2 18_law_as_data.c -lm && ./a.out [file.csv] */
 #include <stdio.h>
@@ -14,7 +14,7 @@ int main(int argc, char **argv)
 {
     FILE *csv = argc > 1 ? fopen(argv[1], "w") : NULL;
     vm_osc_problem bucket = {3, vm_law_linear(10, -0.1), vm_law_linear(20000, 0), 0, 0, 0.05, 0, NULL, NULL};
-    const double end = 70; /* s: 7 of 10 kg have gone */
+    const double end = 70; /* s: then 7 of 10 kg have leaked out */
     vm_osc_motion exact;
     vm_osc_closed law;
     double x = 0, v = 0, t;

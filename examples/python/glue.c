@@ -1,5 +1,6 @@
-/* What is easier to write in C than in Python: loops over times, and objects that Python need not know. varmass.py
-   compiles it together with the headers. A route of -1 stands for the cheapest one that keeps the tolerance. */
+/* Functions that are easier to write in C than in Python: loops over times, and structs that Python does not need to
+   know. varmass.py compiles this file together with the headers. The route -1 stands for the cheapest route within the
+   tolerance. */
 #include <time.h>
 #include "varmass.h"
 
@@ -43,7 +44,7 @@ int py_oscillator(const oscillator *o, int route, double tolerance, int n, const
     return status < 0 ? status : 0;
 }
 
-/* Processor time, s, of one call for the motion at t, from a plan that has been made */
+/* Returns the processor time in s of one call that computes the motion at t from a plan that was made before */
 double py_seconds(const oscillator *o, int route, double t, double tolerance)
 {
     vm_osc_plan plan;
@@ -62,7 +63,7 @@ double py_seconds(const oscillator *o, int route, double t, double tolerance)
     return each;
 }
 
-/* A body on which no torque acts, at n times after t = 0 */
+/* Computes a body on which no torque acts at n times after t = 0 */
 int py_rotation(const vm_body *body, int n, const double *t, vm_body *later)
 {
     vm_torque_free motion;
@@ -71,7 +72,8 @@ int py_rotation(const vm_body *body, int n, const double *t, vm_body *later)
     return status;
 }
 
-/* The solution of y' = f(t, y) from y0 at t[0], a row of n numbers at each of the `count` times */
+/* Computes the solution of y' = f(t, y) that starts with y0 at t[0]: a row of n numbers for each of the `count`
+   times */
 int py_solve(ode_rhs f, int n, double rtol, double atol, const double *y0, int count, const double *t, double *y,
              double *work)
 {
@@ -84,5 +86,5 @@ int py_solve(ode_rhs f, int n, double rtol, double atol, const double *y0, int c
     return status < 0 ? status : rk87_solve_at(&s, count, t, y, NULL);
 }
 
-/* How many numbers py_solve needs as its work space */
+/* The number of elements of the work space that py_solve needs */
 int py_work(int n) { return RK87_WORK(n); }

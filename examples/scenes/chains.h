@@ -1,19 +1,20 @@
-/* Cayley's chains: a heap at the edge of a table, whose links are taken up from rest, (M v)' = M g, M = mu x; a mass
-   over a drum that pulls a chain along a plane, straight or from a heap; a chain with an end mass that winds on a
-   fixed drum. */
+/* Cayley's chains. First, a chain falls from a heap at the edge of a table, so that its links are taken up from rest:
+   (M v)' = M g with M = mu x. Second, a mass that hangs over a drum pulls a chain along a plane; the chain is straight
+   or comes from a heap. Third, a chain with a mass at its end winds on a fixed drum. */
 #include "stage.h"
 
 static inline void chain_heap(stage *s)
 {
     int chain;
     stage_clear(s, 10);
-    chain = stage_body(s, vm_scene_body_line(REAL(1e-30), REAL(0.1), 0)); /* M = x */
+    chain = stage_body(s, vm_scene_body_line(REAL(1e-30), REAL(0.1), 0)); /* the mass is 1 kg/m times x */
     stage_effect(s, vm_effect_mass(chain, VM_MASS_OF_X, 1, 0, 1));
     stage_effect(s, vm_effect_gravity(chain, 0, REAL(gravity)));
     stage_event(s, vm_then_stop(vm_event_position(chain, 0, 2, 1)));
 }
 
-/* N = M + mu x hangs, J/R^2 is the drum's; straight: the whole chain moves, (M + mu l + J/R^2) x'' = N g */
+/* The weight N g of the hanging mass N = M + mu x. If the chain is straight, all of it moves: (M + mu l + J/R^2) x'' =
+   N g, where J/R^2 belongs to the drum. */
 static inline vm_real hanging(vm_real t, vm_real x, vm_real v, void *ctx)
 {
     (void)t;
@@ -32,7 +33,8 @@ static inline void chain_over_drum(stage *s, int heaped)
     stage_event(s, vm_then_stop(vm_event_position(chain, 0, 2, 1)));
 }
 
-/* G omega^2 is constant, G = M l^2 + mu l^3/3, l = 3 - R phi: wound links stop without impact */
+/* The moment of inertia G = M l^2 + mu l^3/3 with the free length l = 3 - R phi. Links that reach the drum stop
+   without impact, so that G omega^2 is constant. */
 static inline vm_mass_law_values winding_inertia(vm_real t, vm_real phi, vm_real omega, void *ctx)
 {
     const double l = 3 - 0.3 * (double)phi;

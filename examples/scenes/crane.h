@@ -1,9 +1,9 @@
-/* A crane and its load on a cord (Fig. 11): the crane, 8 t, on an elastic ground contact, the load, 200 kg, on a
-   link of 6 m. When the swing first passes the vertical it picks up 1500 kg at rest, then leaks 40 kg/s; at the next
-   passage 700 kg drop and the leak stops. */
+/* A crane and its load on a cord (Fig. 11). The crane of 8 t stands on elastic ground, and the load of 200 kg hangs on
+   a link of 6 m. When the link is vertical for the first time, the load picks up 1500 kg that are at rest, and then
+   loses 40 kg/s. When the link is vertical again, 700 kg drop, and the loss stops. */
 #include "stage.h"
 
-/* The load's x less the crane's */
+/* x of the load less x of the crane */
 static inline vm_real crane_swing(vm_real t, const vm_real *y, void *ctx)
 {
     const stage *s = (const stage *)ctx;
@@ -11,7 +11,7 @@ static inline vm_real crane_swing(vm_real t, const vm_real *y, void *ctx)
     return y[s->bodies[1].at] - y[s->bodies[0].at];
 }
 
-/* The heap that is picked up lies where the load is. */
+/* Moves the heap that is picked up to the place of the load. */
 static inline int crane_over_heap(vm_real t, vm_real *y, void *ctx)
 {
     stage *s = (stage *)ctx;

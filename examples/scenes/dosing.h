@@ -1,13 +1,13 @@
-/* A belt dosing device (Fig. 12): a lever with a belt on its arm, whose load m opens or closes the gate that feeds
-   it.
+/* A belt dosing device (Fig. 12): a lever has a belt on its arm. The load m of the belt turns the lever, which opens
+   or closes the gate that feeds the belt.
 
      (J0 + m R^2) theta'' = g R (m - m_S) - k theta - b theta' + q_in (R w_i - R^2 theta'),    m' = q_in - nu m
-     q_in = q* (1 - theta/theta_c), from 0 to 2 q*;  what leaves has the lever's velocity */
+     q_in = q* (1 - theta/theta_c), from 0 to 2 q*;  mass that leaves has the lever's velocity */
 #include "stage.h"
 
 static const double belt_R = 0.8, belt_nu = 0.25, belt_q = 5, belt_w = 1.5, belt_k = 800, belt_gate = 0.05;
 
-/* One's own effect on an axle whose moment of inertia J0 + m R^2 is a state */
+/* An effect of this program on an axle whose moment of inertia J0 + m R^2 is a number of the state */
 static inline void belt_feed(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *scene)
 {
     const double R = belt_R, m = ((double)e->load->mass - 12) / (R * R), theta = (double)y[e->x];

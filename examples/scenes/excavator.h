@@ -1,7 +1,7 @@
 /* An excavator of five rigid bodies in the plane (Fig. 10): the base on the ground, the house on it, jib, arm and
    scoop. Pins join them, hydraulic cylinders, which are springs with dampers, hold them, and the ground is elastic.
-   From 1 s to 3 s the scoop takes up 400 kg of soil per second, which was at rest. In the end all is at rest, and the
-   heights follow from statics: there the potential energy of weights and springs is least. */
+   From 1 s to 3 s the scoop takes up 400 kg of soil per second, which was at rest. At the end all bodies are at rest.
+   Their heights follow from statics: the potential energy of weights and springs is then smallest. */
 #include "stage.h"
 
 static inline void excavator(stage *s)

@@ -1,7 +1,7 @@
 /* A luffing crane of four rigid bodies in the plane (Fig. 11): the undercarriage on elastic ground, the house on it,
-   the jib on a hydraulic cylinder, and the hook block on a rope, which is a rod here. When the rope is first
-   vertical, the block picks up body 4, 1500 kg at rest, which then leaks 40 kg/s. When the rope next is vertical,
-   700 kg drop and the leak stops. */
+   the jib on a hydraulic cylinder, and the hook block on a rope, which is a rod here. When the rope is vertical for
+   the first time, the block picks up body 4, 1500 kg at rest, and then loses 40 kg/s. When the rope is vertical again,
+   700 kg drop, and the loss stops. */
 #include "stage.h"
 
 static const double rods[][4] = {{1, 1.5, 1, 0.9}, {5.8, 3.5, 5, 7.5}}; /* m: ends of strut and rope */
@@ -12,7 +12,7 @@ static inline vm_real rope_swing(vm_real t, const vm_real *y, void *ctx) /* how 
     return stage_between((const stage *)ctx, 3, 2, rods[1], y).x;
 }
 
-static inline int heap_below_block(vm_real t, vm_real *y, void *ctx) /* what is picked up lies where the block is */
+static inline int heap_below_block(vm_real t, vm_real *y, void *ctx) /* moves body 4 to the place of the block */
 {
     const stage *s = (const stage *)ctx;
     (void)t;

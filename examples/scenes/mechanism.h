@@ -1,5 +1,6 @@
-/* A wagon on a bar mechanism (Fig. 7): crank angle theta, x = r (1 - cos theta); the mass grows on the way out, from
-   rest, and falls on the way back, with the wagon's velocity. G = J + M x1^2, x1 = r sin theta, x2 = r cos theta:
+/* A wagon on a bar mechanism (Fig. 7) with the crank angle theta and the position x = r (1 - cos theta). On the way
+   out mass that was at rest joins the wagon; on the way back mass leaves with the velocity of the wagon. With G = J +
+   M x1^2, x1 = r sin theta and x2 = r cos theta:
 
      G omega' + (M x1 x2 + mu x1^3) omega^2 = T  out,     G omega' + M x1 x2 omega^2 = T  back */
 #include "stage.h"
@@ -13,7 +14,7 @@ static inline vm_mass_law_values crank_inertia(vm_real t, vm_real theta, vm_real
     (void)t;
     (void)omega;
     (void)ctx;
-    now.mass = REAL(crank_J + (crank_mass + crank_mu * x) * x1 * x1); /* its change is in crank_torque */
+    now.mass = REAL(crank_J + (crank_mass + crank_mu * x) * x1 * x1); /* the effect of its change is in crank_torque */
     return now;
 }
 

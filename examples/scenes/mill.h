@@ -1,6 +1,7 @@
-/* A rolling mill (Fig. 8): drum 1 unwinds strip of thickness h1, drum 3 winds it, h2 <= h1 thick. The strip, of
-   length s1 off drum 1 and speed v1, moves as a line whose mass is G = J1/r1^2 + kap J3/r3^2 + m1 + kap m2, kap =
-   h1/h2; what joins or leaves a drum has its velocity, but the radii change:
+/* A rolling mill (Fig. 8): drum 1 unwinds a strip of the thickness h1, and drum 3 winds it up with the thickness h2 <=
+   h1. The length s1 that has left drum 1 moves with the speed v1 as a body on a line, whose mass is G = J1/r1^2 + kap
+   J3/r3^2 + m1 + kap m2 with kap = h1/h2. Mass that joins or leaves a drum has the velocity of the drum, but the radii
+   change:
 
      G v1' = T3/r3 - T_b/r1 + F_r - rho b h1 (kap - 1) v1^2 + kap^2 h2 J3 v1^2/(2 pi r3^4) - h1 J1 v1^2/(2 pi r1^4) */
 #include "stage.h"

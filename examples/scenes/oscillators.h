@@ -2,7 +2,7 @@
    loses mass and is damped (Fig. 21), Examples 1 and 2, Van der Pol's oscillator (Figs 26 to 29), Laval's rotor
    (Fig. 30), two bodies and a spring (Fig. 32).
 
-     (m x')' + k x |x|^(alpha-1) = what else acts: what joins or leaves has no velocity */
+     (m x')' + k x |x|^(alpha-1) = all other forces, where mass that joins or leaves has no velocity */
 #include "stage.h"
 #include "stator.h"
 

@@ -1,8 +1,8 @@
-/* A band that is wound up on a drum, layer upon layer (chapter 5.2): it comes with the speed v, the drum turns
-   freely; r grows by h at each full turn, or as a spiral.
+/* A band is wound up on a drum (chapter 5.2). It comes with the speed v, and the drum turns freely. The radius r grows
+   by h at each full turn (layers), or continuously (spiral).
 
        v --> ____________        (J0 + J(phi)) omega' = mu r (v - r omega) omega,  mu = rho b h r
-     J omega = J0 omega0 + rho b h v integral of r^2 over phi: the band's momentum is taken over */
+     J omega = J0 omega0 + rho b h v (integral of r^2 over phi): the drum receives the angular momentum of the band */
 #include "stage.h"
 
 static inline vm_band reel_band(int by_layer, double speed, double reactive)

@@ -1,12 +1,12 @@
-/* A centrifugal mercury regulator (Fig. 9): mercury in a central tube and four outer ones. Quasi-static, the inertia
-   is J0 + c omega^2, (J omega)' = T; the motor is switched off where the mercury leaves the contact, on where it is
-   back. In full, z is the rise outside: mu z'' + b z' + 2 rho g nA z = rho nA R^2 omega^2/2, ((J0 + rho nA R^2 z)
-   omega)' = T */
+/* A centrifugal mercury regulator (Fig. 9), with mercury in a central tube and in four outer tubes. In the
+   quasi-static model the moment of inertia is J = J0 + c omega^2, and (J omega)' = T. The motor is switched off when
+   the mercury leaves a contact, and on when it touches the contact again. In the full model z is the rise of the
+   mercury in the outer tubes: mu z'' + b z' + 2 rho g nA z = rho nA R^2 omega^2/2, ((J0 + rho nA R^2 z) omega)' = T */
 #include "stage.h"
 
 static const double mercury_nA = 13595 * 4 * 4e-4, mercury_R = 0.15, mercury_H = 0.12; /* rho n A, kg/m */
 
-static inline double regulator_speed(double level) /* rad/s at which the inner level is this */
+static inline double regulator_speed(double level) /* rad/s: omega for this level in the central tube */
 {
     return sqrt((mercury_H - level) * 4 * gravity) / mercury_R;
 }
@@ -25,7 +25,7 @@ static inline void regulator(stage *s)
     stage_event(s, vm_then_switch(vm_event_velocity(shaft, 0, REAL(regulator_speed(0.05)), -1), motor, 0));
 }
 
-/* The shaft is body 0, the mercury body 1: an effect of one's own reads the one and loads the other */
+/* The shaft is body 0, and the mercury is body 1. This effect depends on the motion of both bodies and loads both. */
 static inline void mercury_coupling(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *scene)
 {
     const vm_real w = y[e->v], k = REAL(mercury_nA * mercury_R * mercury_R);

@@ -1,5 +1,6 @@
-/* An excavator's scoop (Fig. 10): on an arm of 3 m it cuts soil, at rest before, from phi = -0.6 to 0.6, m = m1 (phi
-   + 0.6), then carries it, and at phi = 1.6 the bottom opens: the soil separates with the velocity that it has.
+/* An excavator's scoop (Fig. 10) on an arm of 3 m. From phi = -0.6 to 0.6 it cuts soil that was at rest, with the mass
+   m = m1 (phi + 0.6). Then it carries the soil, and at phi = 1.6 its bottom opens: the soil separates with the
+   velocity of the scoop.
 
      (J_a + m L^2) omega' = T - T_c - g (S_a + m L) sin phi - m1 L^2 omega^2 */
 #include "stage.h"
@@ -28,7 +29,7 @@ static inline vm_real scoop_torque(vm_real t, vm_real phi, vm_real omega, void *
                 gravity * (1500 + (full ? soil((double)phi) : 0) * scoop_L) * sin((double)phi));
 }
 
-static inline int scoop_opens(vm_real t, vm_real *y, void *ctx) /* no jump of velocity */
+static inline int scoop_opens(vm_real t, vm_real *y, void *ctx) /* the velocity does not jump */
 {
     (void)t;
     (void)y;

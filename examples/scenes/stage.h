@@ -1,5 +1,5 @@
-/* A stage has room for the bodies, the effects and the events of a scene, for its state and for the integrator's
-   work. Its functions put them there, and start and run the scene. */
+/* A stage has arrays for the bodies, the effects and the events of a scene, for its state and for the work space of
+   the integrator. The functions of this file fill the arrays, and start and run the scene. */
 #ifndef STAGE_H
 #define STAGE_H
 #include "../../varmass.h"
@@ -16,7 +16,7 @@ typedef struct stage {
     ode_event located[STAGE_EVENTS];
     vm_budget book;
     vm_real t, y[STAGE_STATE], work[VM_SCENE_WORK(STAGE_STATE)];
-    vm_real end; /* when the run is over at the latest */
+    vm_real end; /* s: the latest end of the run */
 } stage;
 
 static inline void stage_clear(stage *s, double end)
@@ -32,7 +32,8 @@ static inline void stage_clear(stage *s, double end)
     s->end = (vm_real)end;
 }
 
-/* The next free index of an array that has room for `room`; where it is full, the program ends with a message. */
+/* Returns the next free index of an array with `room` elements. If the array is full, the program ends with a
+   message. */
 static inline int stage_next(int *count, int room, const char *name)
 {
     if (*count >= room) {
@@ -62,15 +63,16 @@ static inline int stage_event(stage *s, vm_event event)
     return i;
 }
 
-/* Starts at t = 0. A state for which the stage has no room is refused with VM_SHORT_ARRAY. */
+/* Starts at t = 0. If the state is too long for the stage, vm_scene_start returns VM_SHORT_ARRAY. */
 static inline int stage_start(stage *s)
 {
     s->t = 0;
     return vm_scene_start(&s->scene, 0, s->y, NULL);
 }
 
-/* A tolerance near the smallest that the type allows. In float an absolute tolerance below 1e-6 is less than the errors of
-   a step that rounding of the forces causes in machines with stiff springs: the steps would become short and many. */
+/* Tolerances near the smallest that the number type allows. In float, rounding of the forces in machines with stiff
+   springs causes errors of a step that are larger than 1e-6: with an absolute tolerance below 1e-6 there would be very
+   many short steps. */
 static inline rk45_options stage_options(void)
 {
     rk45_options o = rk45_defaults(NULL);
@@ -79,7 +81,7 @@ static inline rk45_options stage_options(void)
     return o;
 }
 
-/* Goes on from s->t to t_end. */
+/* Continues the run from s->t to t_end. */
 static inline int stage_run(stage *s, double t_end)
 {
     const rk45_options o = stage_options();
@@ -112,7 +114,7 @@ static inline int stage_plane(stage *s, const double *b)
     return stage_body(s, vm_scene_body_plane(REAL(b[0]), REAL(b[1]), r, 0, zero, 0));
 }
 
-/* A point of the ground or of a body, given by where it lies at the start, when all angles are 0 */
+/* A point of the ground or of a body, given by its position at the start, when all angles are 0 */
 static inline vm_vec3 stage_point(const stage *s, int body, double x, double y)
 {
     const vm_vec3 p = stage_vec(x, y, 0);
@@ -134,7 +136,7 @@ static inline vm_joint stage_pin(const stage *s, int body, int other, double x, 
     return vm_joint_pin(body, stage_point(s, body, x, y), other, stage_point(s, other, x, y));
 }
 
-/* A rod between two points that are given as those of stage_spring */
+/* A rod between two points, which are given in the same way as for stage_spring */
 static inline vm_joint stage_rod(const stage *s, int body, int other, const double *e)
 {
     const vm_real length = vm_norm(stage_vec(e[0] - e[2], e[1] - e[3], 0));

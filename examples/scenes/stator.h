@@ -7,12 +7,12 @@
 #include "stage.h"
 
 typedef struct stator_data {
-    double omega, gap; /* M* = omega; the rim touches where |W| = gap */
+    double omega, gap; /* omega is M*; the rim touches the stator if |W| = gap */
 } stator_data;
 
 static const double stator_s = 0.5, stator_p2 = 4;
 
-/* The shaft pulls W towards the origin, and has an arm about S1 */
+/* The shaft pulls the point W towards the origin; this force also has a moment about S1 */
 static inline void stator_shaft(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *scene)
 {
     const vm_real *r = y + e->x, k = e->load->mass;

@@ -1,5 +1,5 @@
 /* A wagon turner (Fig. 4) and a tippler with counterweights (Fig. 5): a load m(phi) at the distance e from a fixed
-   axle is poured out between the angles fa and fb; what leaves has lam rho^2 omega of angular momentum a kilogram.
+   axle is poured out between the angles fa and fb. Each kilogram that leaves has the angular momentum lam rho^2 omega.
 
      (J + m rho^2) omega' = Q - (1 - lam) m'(phi) rho^2 omega^2,     Q = T - g (S0 + m e) sin(phi + phase) */
 #include "stage.h"
@@ -8,7 +8,7 @@ enum turner_stage { FULL, POURING, EMPTY };
 
 typedef struct turner_data {
     double J, rho2, e, S0, m0, fa, fb, fe, torque, phase;
-    enum turner_stage stage; /* events say which formula holds, so that no step is made across a kink */
+    enum turner_stage stage; /* events change it, so that no step contains a kink of m(phi) */
 } turner_data;
 
 static const turner_data turner = {60000, 1.06, 0.4, 5000, 60000, 0.9, 2.5, 2.9, 300000, 0, FULL};

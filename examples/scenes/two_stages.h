@@ -1,7 +1,8 @@
 /* A rocket of two stages in space. Two motors, whose flow is a table and a law of time, empty their grains; the first one
-   swivels for half a second. One event at the burn-out of the first motor does all that staging is. Drag acts at the
-   centre of pressure, and from the apogee on at a parachute at the nose: both are one effect of the program's own. At the
-   end the empty second stage remains: inertia 2, 60, 60 kg m^2, mass centre 3.125 m before that of the start. */
+   swivels for half a second. One event at the burn-out of the first motor does the whole staging. Drag acts at the
+   centre of pressure, and after the apogee also at a parachute at the nose; both forces are computed by an effect of
+   this program. At the end the empty second stage remains: inertia 2, 60, 60 kg m^2, mass centre 3.125 m before that
+   of the start. */
 #include "stage.h"
 
 /* flow: kg/s; dry: kg, the mass of the rocket when the grain has burnt; swivel: rad, inclination of the jet until 0.5 s */
@@ -18,7 +19,8 @@ static inline void two_stages_burn(vm_real t, const vm_real *y, vm_stream *nozzl
     vm_law_at(&m->flow, t, &nozzle->rate, &slope);
 }
 
-/* Drag of c[1] m^2, the drag coefficient included, c[0] m before the mass centre of the start */
+/* Drag with the area c[1] m^2, which includes the drag coefficient. It acts c[0] m before the place of the mass centre
+   at the start. */
 static inline void two_stages_drag(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *scene)
 {
     const double *c = (const double *)e->ctx;

@@ -1,8 +1,9 @@
-/* A vessel that is tipped and pours: by a hook about its lip (Fig. 1), by a motor about a trunnion (Figs 2, 3). A
-   rectangular ladle a x h x b, phi its tilt, the metal level with the lip; L(phi) is the length of the surface.
-   Poured about the lip: dI/dphi = -rho b L^4/4; what leaves at the lip takes no angular momentum.
+/* A vessel is tipped and pours: a hook turns it about its lip (Fig. 1), or a motor turns it about a trunnion (Figs 2,
+   3). The vessel is a rectangular ladle a x h x b with the tilt phi. The surface of the metal is level with the lip,
+   and L(phi) is the length of this surface. If the vessel turns about the lip, dI/dphi = -rho b L^4/4; metal that
+   leaves at the lip takes no angular momentum away.
 
-     lip A ___________        x along the vessel's top from the lip backwards is negative, y downwards negative
+     lip A ___________        from A, x along the vessel's top and y downwards are negative
           |~~~~~~~~~~|  h     P: the trunnion, (px, py) from the lip
           |___a______| B      B: the hook pulls here, vertically */
 #include "stage.h"
@@ -11,7 +12,7 @@ static const double vessel_a = 1.2, vessel_h = 1.5, vessel_rho_b = 7000, vessel_
                     vessel_y = -0.8, trunnion_x = -0.6, trunnion_y = -0.7;
 
 typedef struct metal {
-    double m, Sx, Sy, inertia, L; /* mass, static moments, inertia about the lip, surface */
+    double m, Sx, Sy, inertia, L; /* mass, static moments and inertia about the lip, length of the surface */
 } metal;
 
 static inline metal metal_at(double phi)
@@ -43,7 +44,7 @@ static inline double vessel_weight(double phi, double px, double py)
     return gravity * (x * cos(phi) + y * sin(phi));
 }
 
-/* ---- By a hook about the lip: F_B(t) pours uniformly, tan phi = t/4 ---- */
+/* ---- By a hook about the lip: with the force F_B(t), tan phi = t/4, the vessel pours uniformly ---- */
 
 static inline vm_mass_law_values vessel_inertia(vm_real t, vm_real phi, vm_real omega, void *ctx)
 {
@@ -57,7 +58,8 @@ static inline vm_mass_law_values vessel_inertia(vm_real t, vm_real phi, vm_real 
     return now;
 }
 
-/* The force of the hook that makes phi follow tan phi = t/4, or cot phi = (10 - t) (0.16 a^2/h^2) later on */
+/* The force of the hook that makes phi follow tan phi = t/4, or cot phi = (10 - t) (0.16 a^2/h^2) when the surface has
+   reached the bottom */
 static inline double hook_force(double t)
 {
     const double q = 1260, a = vessel_a, h = vessel_h, rb = vessel_rho_b, t1 = rb * a * h / (2 * q);
@@ -82,7 +84,7 @@ static inline vm_real hook_torque(vm_real t, vm_real phi, vm_real omega, void *c
 static inline void vessel_on_hook(stage *s)
 {
     int body;
-    /* After 5 s the surface is at the bottom and this way of tipping is unstable: errors grow 1e6-fold. */
+    /* After 5 s the surface is at the bottom, and this tipping is unstable: errors grow by the factor 1e6. */
     stage_clear(s, 5);
     body = stage_body(s, vm_scene_body_axle(5000, 0, REAL(0.25)));
     stage_effect(s, vm_effect_mass_law(body, vessel_inertia, NULL, stage_vec(0, 0, 0), 1));
@@ -107,7 +109,8 @@ static inline vm_real regulated_torque(vm_real t, vm_real phi, vm_real omega, vo
     return hook_torque(t, phi, omega, ctx) + REAL(2e5 * (wanted - (double)omega));
 }
 
-/* Figure 1 until the vessel is empty after 10 s. Regulated, the tipping is stable after 5 s, too. */
+/* The motion of Fig. 1 until the vessel is empty after 10 s. With the regulated torque the tipping is stable after
+   5 s, too. */
 static inline void vessel_on_regulated_hook(stage *s)
 {
     int body;
@@ -118,7 +121,7 @@ static inline void vessel_on_regulated_hook(stage *s)
     stage_event(s, vm_then_user(vm_event_at(5), stage_kink, NULL));
 }
 
-/* ---- By a motor about the trunnion: T0 - kappa phi'; what leaves has the lip's velocity ---- */
+/* ---- By a motor about the trunnion: T0 - kappa phi'; metal that leaves has the velocity of the lip ---- */
 
 static inline vm_mass_law_values trunnion_inertia(vm_real t, vm_real phi, vm_real omega, void *ctx)
 {
@@ -155,5 +158,5 @@ static inline void vessel_by_motor(stage *s)
     /* The surface reaches the bottom at the angle atan(h/a). */
     stage_event(s, vm_then_user(vm_event_position(body, 0, REAL(0.89605538457134395), 1), stage_kink, NULL));
     stage_event(s, vm_then_stop(vm_event_position(body, 0, REAL(1.4), 1)));
-    stage_event(s, vm_then_stop(vm_event_velocity(body, 0, 0, -1))); /* the stream closes */
+    stage_event(s, vm_then_stop(vm_event_velocity(body, 0, 0, -1))); /* the vessel stops: no more metal leaves */
 }

@@ -1,6 +1,6 @@
-/* A wagon that fills, then empties, while it moves (Fig. 6): (M v)' = F - f M g, then M v' = F - f M g
+/* A wagon is filled and then emptied while it moves (Fig. 6): first (M v)' = F - f M g, then M v' = F - f M g
 
-        | q = 400 kg/s, falls in without velocity, for 60 s; then as much leaves with the wagon's
+        | for 60 s, q = 400 kg/s fall in without velocity; then 400 kg/s leave with the wagon's velocity
       __v__
      |_____| --> F            M(0) = 20 t, F = 15 kN, rolling resistance f M g */
 #include "stage.h"

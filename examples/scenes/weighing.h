@@ -1,5 +1,6 @@
-/* Automatic weighing of a liquid (Fig. 13): a vessel on one arm fills, a weight pulls on the other, the bar rests on
-   a stop until the liquid lifts it; when it has turned by theta_s the tap shuts at once.
+/* Automatic weighing of a liquid (Fig. 13): a vessel on one arm of a bar is filled, and a weight pulls on the other
+   arm. The bar rests on a stop until the weight of the liquid turns it. When it has turned by theta_s, the tap shuts
+   at once.
 
      (J0 + m R^2) theta'' = g (m R - D) cos theta - g e sin theta + q (w cos theta - R theta') R,    m' = q */
 #include "stage.h"
@@ -15,7 +16,7 @@ static inline void scale_weight(const vm_effect *e, vm_real t, const vm_real *y,
     e->load->force[0] += REAL(gravity * ((m * scale_R - scale_D) * cos(theta) - scale_e * sin(theta)));
 }
 
-static inline vm_real scale_jet(vm_real t, vm_real theta, vm_real omega, void *ctx) /* what the liquid falls with */
+static inline vm_real scale_jet(vm_real t, vm_real theta, vm_real omega, void *ctx) /* torque of the falling liquid */
 {
     (void)t;
     (void)omega;
@@ -25,7 +26,7 @@ static inline vm_real scale_jet(vm_real t, vm_real theta, vm_real omega, void *c
 
 static inline void weighing(stage *s)
 {
-    const double filled = scale_D / scale_R - scale_q * scale_w / gravity; /* at which the bar leaves its stop */
+    const double filled = scale_D / scale_R - scale_q * scale_w / gravity; /* kg: then the bar moves */
     int bar, tap, jet;
     stage_clear(s, 20);
     bar = stage_body(s, vm_scene_body_with_mass_state(vm_scene_body_axle(REAL(scale_J0 + filled * scale_R * scale_R), 0, 0)));

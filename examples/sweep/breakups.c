@@ -1,7 +1,8 @@
-/* A sweep: how fast do the remainders of a tumbling body spin, when a random part leaves it at a random instant with a
-   random velocity? Millions of break-ups over all cores (OpenMP) and machines (MPI); the result has the same bits
-   whatever the number of either, since sample i draws from its own generator, samples are summed in blocks and blocks in
-   order. A run that was interrupted goes on where its file of finished blocks ends.
+/* A sweep: how fast do the remainders of a tumbling body spin when a random part leaves the body at a random instant
+   with a random velocity? The program computes millions of break-ups on all cores (OpenMP) and computers (MPI). The
+   result has the same bits for any number of cores and computers, since each sample has its own random numbers, the
+   samples are summed in blocks, and the blocks are summed in order. If a run was interrupted, another run continues
+   after the last block in the file of finished blocks.
 
    usage: [mpirun -n RANKS] breakups SAMPLES [SEED [FILE]]
    make sweep; or: cc -O2 -fopenmp breakups.c -lm        mpicc -O2 -fopenmp -DWITH_MPI breakups.c -lm */
@@ -15,11 +16,11 @@
 enum { BLOCK = 4096, BINS = 24 };
 
 typedef struct block {
-    double number; /* of the block, from 0 */
+    double number; /* number of the block, from 0 */
     double refused, energy, spin, spin_squared, bins[BINS];
 } block;
 
-/* Splitmix64: the n-th number of a sample's sequence */
+/* The generator splitmix64: converts the state x to a random number */
 static uint64_t mix(uint64_t x)
 {
     x = (x ^ (x >> 30)) * UINT64_C(0xbf58476d1ce4e5b9);
@@ -46,7 +47,7 @@ static vm_vec3 inside(random_numbers *r, double size)
     return a;
 }
 
-/* A body of 100 kg that tumbles; up to a third of it, a solid sphere, leaves */
+/* Adds one sample to *sum: a body of 100 kg tumbles, and a solid sphere of up to a third of its mass leaves */
 static void sample(uint64_t seed, uint64_t i, block *sum)
 {
     random_numbers r;
@@ -71,7 +72,7 @@ static void sample(uint64_t seed, uint64_t i, block *sum)
     part.r = inside(&r, 0.4);
     part.v = inside(&r, 3);
     part.omega = inside(&r, 5);
-    if (vm_separate(&whole, &part, NULL, &rest) < 0) { /* no body has the rest's inertia */
+    if (vm_separate(&whole, &part, NULL, &rest) < 0) { /* no body can have the inertia of the rest */
         sum->refused++;
         return;
     }
@@ -113,7 +114,8 @@ static void report(const block *blocks, long count, long samples)
     for (bin = 0; bin < BINS; bin++) printf("%5.2f rad/s %8.5f\n", bin / 4., total.bins[bin] / done);
 }
 
-/* Blocks that an earlier run has finished; a file of another seed or size is not used */
+/* Reads the blocks that an earlier run has finished, and returns their number. A file of a run with another seed or
+   size is not used. */
 static long restore(const char *file_name, const double *key, block *blocks, long count)
 {
     FILE *file = file_name ? fopen(file_name, "rb") : NULL;
@@ -131,7 +133,8 @@ static long restore(const char *file_name, const double *key, block *blocks, lon
     return restored;
 }
 
-/* The file anew, whole: what was restored, so that a torn end of an earlier run is gone; blocks are added as they come */
+/* Writes the file anew with the restored blocks only, since an interrupted run may have left an incomplete block at
+   its end. Later blocks are appended to the file. */
 static FILE *keep(const char *file_name, const double *key, const block *blocks, long count)
 {
     FILE *file = file_name ? fopen(file_name, "wb") : NULL;
@@ -144,7 +147,7 @@ static FILE *keep(const char *file_name, const double *key, const block *blocks,
     return file;
 }
 
-enum { ROUND = 64 }; /* blocks a rank does before the first one gathers them */
+enum { ROUND = 64 }; /* number of blocks that a rank computes before rank 0 gathers them */
 
 int main(int argc, char **argv)
 {
@@ -161,7 +164,7 @@ int main(int argc, char **argv)
     MPI_Comm_rank(MPI_COMM_WORLD, &rank);
     MPI_Comm_size(MPI_COMM_WORLD, &ranks);
 #endif
-    room = (count / ((long)ranks * ROUND) + 1) * (long)ranks * ROUND; /* whole rounds, so that a gather fits */
+    room = (count / ((long)ranks * ROUND) + 1) * (long)ranks * ROUND; /* for whole rounds */
     blocks = (block *)malloc((size_t)room * sizeof *blocks);
     if (!blocks || samples < 1) return 1;
     for (k = 0; k < room; k++) blocks[k].number = -1;
@@ -171,7 +174,7 @@ int main(int argc, char **argv)
 #ifdef WITH_MPI
     MPI_Bcast(blocks, (int)((size_t)count * sizeof *blocks / sizeof(double)), MPI_DOUBLE, 0, MPI_COMM_WORLD);
 #endif
-    for (first = 0; first < count; first += (long)ranks * ROUND) { /* rank r does ROUND blocks of each round */
+    for (first = 0; first < count; first += (long)ranks * ROUND) { /* rank r computes ROUND blocks of each round */
         const long mine = first + (long)rank * ROUND;
 #pragma omp parallel for schedule(dynamic)
         for (k = mine; k < mine + ROUND; k++)

@@ -1,7 +1,8 @@
-/* The leaking oscillator in a browser: x(t) of m x'' + k x |x|^(alpha-1) = -r m' x' with m = 1 + rate t, by vm_osc_within,
-   for the page beside it. Only sqrt, floor, fabs and copysign are called, which WebAssembly has as instructions.
+/* The leaking oscillator in a browser: computes x(t) of m x'' + k x |x|^(alpha-1) = -r m' x' with m = 1 + rate t by
+   vm_osc_within, for the page index.html. The program calls only sqrt, floor, fabs and copysign, which WebAssembly has
+   as instructions.
 
-   make wasm; then serve this folder with leaking.wasm in it (python3 -m http.server) and open it in a browser.
+   Run make wasm; then serve the folder that contains leaking.wasm (python3 -m http.server) and open it in a browser.
    cc -O2 leaking.c -lm && ./a.out prints the same numbers as node leaking.mjs leaking.wasm, bit for bit. */
 #include <stdio.h>
 #include "../../varmass.h"
@@ -20,7 +21,7 @@ int EXPORT(motion)(double alpha, double rate, double reactive, double end, int n
 
 double *buffer(void) { return points; }
 
-/* n points at t from 0 to end; how many there are before the mass has gone */
+/* Computes n points for t from 0 to end. Returns how many of them are before the time at which no mass is left. */
 int motion(double alpha, double rate, double reactive, double end, int n)
 {
     vm_osc_problem problem;

@@ -1,7 +1,8 @@
-/* What the page play.html computes: an oscillator with slow mass, stiffness and damping by any route and tolerance, and a
-   tumbling body that throws off a part. The page calls these functions and reads the numbers at numbers().
+/* The functions that the page play.html calls: they compute an oscillator whose mass, stiffness and damping change
+   slowly, by any route and tolerance, and a tumbling body that throws off a part. The page reads the results at the
+   address numbers().
 
-   make wasm writes build/wasm/play.html, which holds this program and needs no server.
+   make wasm writes build/wasm/play.html, which contains this program and needs no server.
    cc -O2 play.c -lm && ./a.out prints the same numbers as node play.mjs play.wasm, bit for bit. */
 #include <stdio.h>
 #include "../../varmass.h"
@@ -39,7 +40,7 @@ static vm_law mass_law(int law, double rate)
     }
 }
 
-/* Prepares (m x')' + b x' + x |x|^(alpha-1) = 0 from x = 1 m, at rest. Returns the status. */
+/* Prepares the motion (m x')' + b x' + x |x|^(alpha-1) = 0 that starts at rest at x = 1 m. Returns the status. */
 int oscillator(double alpha, int law, double rate, double damping, double reactive)
 {
     vm_osc_problem problem;
@@ -53,7 +54,8 @@ int oscillator(double alpha, int law, double rate, double damping, double reacti
     return vm_osc_plan_init(&plan, &problem);
 }
 
-/* x and amplitude at n times from 0 to `end`, in turn. Returns how many there are before the mass has gone. */
+/* Computes x and the amplitude at n times from 0 to `end`, and stores them in turn. Returns how many of the times are
+   before the time at which no mass is left. */
 int motion(double tolerance, double end, int n)
 {
     vm_osc_motion now;
@@ -66,8 +68,8 @@ int motion(double tolerance, double end, int n)
     return i;
 }
 
-/* x, amplitude, estimated error, route and evaluations at the time t, by the given route, or by the cheapest route within
-   the tolerance if `route` is negative. Returns the status. */
+/* Computes x, amplitude, estimated error, route and number of evaluations at the time t, by the given route, or by the
+   cheapest route within the tolerance if `route` is negative. Returns the status. */
 int motion_at(int route, double t, double tolerance)
 {
     vm_osc_motion now;
@@ -83,8 +85,8 @@ int motion_at(int route, double t, double tolerance)
     return status;
 }
 
-/* A plate of 10 kg that turns about its middle axis throws off a part at t_jump: how the rest and the part move then.
-   Returns the energy in J that the separation gave, or NaN. */
+/* A plate of 10 kg that turns about its middle axis throws off a part at t_jump. Computes how the rest and the part
+   move after the jump. Returns the energy in J that the separation gave, or NaN. */
 double tumble(double part_mass, double part_speed, double t_jump)
 {
     vm_body whole = {10, {0.5, 0.9, 1.2, 0, 0, 0}, {1, 0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0.05, 3, 0}};
@@ -119,7 +121,8 @@ static double *write_body(double *to, const vm_body *b)
     return to + 7;
 }
 
-/* Position and attitude of the whole before the jump, of rest and part after it. Returns how many bodies there are. */
+/* Computes position and attitude of the whole before the jump, or of the rest and the part after it. Returns the
+   number of bodies. */
 int tumble_at(double t)
 {
     vm_body body;

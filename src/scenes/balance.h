@@ -1,9 +1,10 @@
 /* scenes/balance.h - the budget of momentum, angular momentum and energy of a scene
 
-   A scene that keeps a budget integrates its supply from outside together with the motion of its bodies: the impulse
-   and the work of the effects, and the momentum and energy of streams. At any time the momentum and energy of the
-   bodies must equal those at the start plus this supply. The difference is called the defect. It shows the error of a
-   run and the reactions of constraints.
+   A scene that keeps a budget integrates, together with the motion of its bodies, what is supplied to them from
+   outside: the impulse and the work of the effects, and the momentum and energy that streams bring. At any time the
+   momentum and energy of the bodies must equal their values at the start plus this supply. The difference is called
+   the defect. It shows the error of a run, and the reactions of constraints, which hold a body on its line, on its
+   axle or in the plane.
 
        vm_real t = 0, y[2 + VM_BUDGET_STATES], work[VM_SCENE_WORK(2 + VM_BUDGET_STATES)];
        vm_budget budget, now;
@@ -31,8 +32,9 @@
 #include "start.h"
 #include "state.h"
 
-/* The budget adds VM_BUDGET_STATES numbers to the end of the state: sums over the time of the run. These are their
-   indices among the numbers of the budget; a vector takes three numbers. vm_budget in scene.h explains each sum. */
+/* The budget adds VM_BUDGET_STATES numbers to the end of the state: sums over the time of the run. This list gives the
+   index of each sum among the numbers of the budget; a vector has three numbers. vm_budget in scene.h explains each
+   sum. */
 enum {
     VMI_BUDGET_IMPULSE = 0,
     VMI_BUDGET_ANGULAR_IMPULSE = 3,
@@ -50,9 +52,9 @@ VM_INLINE void vmi_add3(vm_vec3 a, vm_real *sum)
     sum[2] += a.z;
 }
 
-/* Adds the contribution of a body's load to the rates of the budget's sums: force, moment and power of the effects, and
-   the momentum, angular momentum and energy that streams bring per second. Reactive forces are left out of the first
-   three, because the momentum of the streams accounts for them. */
+/* Adds the contribution of a body's load to the rates of the budget's sums: force, moment and power of the effects,
+   and the momentum, angular momentum and energy that streams bring per second. The force, moment and power of the
+   effects do not include reactive forces, because the momentum of the streams accounts for these forces. */
 VM_API void vmi_scene_enter_loads(const vm_scene_body *b, const vm_real *y, vm_real *rates)
 {
     const vm_load *load = &b->load;
@@ -70,9 +72,10 @@ VM_API void vmi_scene_enter_loads(const vm_scene_body *b, const vm_real *y, vm_r
     rates[VMI_BUDGET_MIXING] += load->mixing;
 }
 
-/* Adds to the rates of the budget's sums what acts on a body and what streams bring to it. With a mass law M(v), where
-   v is the velocity, the mass also changes by dM/dv v' per second. The momentum and energy of this mass are added here
-   and not by the effect, because the acceleration v' is known only after all effects have added their forces. */
+/* Adds to the rates of the budget's sums the loads on a body and what streams bring to it. If the body has a mass law
+   M(v), where v is the velocity, its mass also changes by dM/dv v' per second. The momentum and energy of this mass
+   are added here and not by the effect, because the acceleration v' is known only after all effects have added their
+   forces. */
 VM_API void vmi_scene_enter(vm_scene_body *b, const vm_real *y, vm_real *rates)
 {
     vm_load *load = &b->load;
@@ -86,7 +89,7 @@ VM_API void vmi_scene_enter(vm_scene_body *b, const vm_real *y, vm_real *rates)
     vmi_scene_enter_loads(b, y, rates);
 }
 
-/* Computes the rates of the budget's sums. The loads in the state y must have been evaluated before. */
+/* Computes the rates of the budget's sums. The loads on the bodies in the state y must have been computed before. */
 VM_API void vmi_scene_rates(vm_scene *s, const vm_real *y, vm_real *rates)
 {
     int i;
@@ -96,7 +99,7 @@ VM_API void vmi_scene_rates(vm_scene *s, const vm_real *y, vm_real *rates)
 }
 
 /* Momentum, angular momentum about the origin and kinetic energy of all bodies that are present. A body on an axle has
-   its inertia in place of the mass, and no momentum. */
+   a moment of inertia in place of the mass, and no momentum. */
 VM_API void vmi_scene_totals(const vm_scene *s, const vm_real *y, vm_budget *budget)
 {
     const vm_vec3 zero = {0, 0, 0};
@@ -131,10 +134,10 @@ VM_API void vmi_scene_open_budget(vm_scene *s, const vm_real *y, vm_real *sums)
     for (i = 0; i < VM_BUDGET_STATES; i++) sums[i] = 0;
 }
 
-/* Makes a scene keep a budget of momentum, angular momentum and energy. If budget_or_NULL is NULL, the scene keeps
-   none. Call this function before vm_scene_start. The state then has VM_BUDGET_STATES further numbers.
-   *budget_or_NULL must stay at its place in memory; the scene stores in it its momentum and energy at the start.
-   Between two runs a scene may end its budget, but not begin one. */
+/* Makes a scene keep a budget of momentum, angular momentum and energy. If budget_or_NULL is NULL, the scene keeps no
+   budget. Call this function before vm_scene_start. The state then has VM_BUDGET_STATES further numbers.
+   *budget_or_NULL must stay at its place in memory; the scene stores its momentum and energy at the start there.
+   Between two runs you may end a budget (with NULL), but not begin one. */
 VM_API void vm_scene_keep_budget(vm_scene *scene, vm_budget *budget_or_NULL)
 {
     if (!scene) return;
@@ -146,12 +149,12 @@ VM_API void vm_scene_keep_budget(vm_scene *scene, vm_budget *budget_or_NULL)
     budget_or_NULL->totals = vmi_scene_totals;
 }
 
-/* The budget of a scene in the state y at time t. It has the momentum and energy of the bodies, the supply from outside
-   since the start, and the defects. Defects come from rounding, from the errors of the integrator, and from
+/* Computes the budget of a scene in the state y at time t: the momentum and energy of the bodies, the supply from
+   outside since the start, and the defects. Defects come from rounding, from the errors of the integrator, and from
    constraints: a line, an axle and the plane hold a body by reactions, which the supply does not include. Returns
-   VM_BAD_ARGUMENT if the scene keeps no budget, a pointer is NULL or a count is negative, VM_NOT_STARTED before a
-   start, VM_NOT_FINITE if the state or a mass that a law gives is not finite, the status of a vm_law that fails, and
-   else VM_OK. */
+   VM_BAD_ARGUMENT if the scene keeps no budget, a pointer is NULL or a count is negative; VM_NOT_STARTED if the scene
+   was not started; VM_NOT_FINITE if the state or a mass that a law gives is not finite; the status of a vm_law that
+   fails; and else VM_OK. */
 VM_API int vm_scene_budget_at(vm_scene *scene, vm_real t, const vm_real *y, vm_budget *budget)
 {
     const vm_budget *start = scene ? scene->budget : NULL;

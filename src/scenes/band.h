@@ -1,13 +1,14 @@
 /* scenes/band.h - a band that winds up on a drum or off it
 
-   The drum is a body on an axle (chapter 5.2 of the dissertation). It is bare at the angle phi = 0, and the body is
-   made with the inertia of the bare drum. The band comes or goes at the radius
+   The drum is a body on an axle (chapter 5.2 of the dissertation). At the angle phi = 0 no band is on the drum, and
+   the body is made with the moment of inertia of the bare drum. The band comes onto the drum or leaves it at the
+   radius
      R + h phi/(2 pi)   along a spiral, or
-     R + h n            in layers, after n complete turns (by_layer),
-   and the inertia grows by rho b h radius^3 per radian. R is the radius of the drum, h the thickness of the band, b its
-   width and rho its density. If the band lies in layers, the mass of the band per radian jumps at each complete turn,
-   and the reactive torque jumps with it. vm_band_at computes the part that is wound up at any angle; vm_effect_band is
-   the mass law of the drum in a scene.
+     R + h n            in layers, after n complete turns (the field by_layer is 1),
+   and the moment of inertia grows by rho b h radius^3 per radian. R is the radius of the drum, h the thickness of the
+   band, b its width and rho its density. If the band lies in layers, the mass of the band per radian jumps at each
+   complete turn, and the reactive torque jumps with it. vm_band_at computes the part that is wound up at any angle;
+   vm_effect_band is the mass law of the drum in a scene.
 
        vm_band band = {0.2, 0.01, 0.5, 800, 0, 0, 0}; // R, h, b, rho; the band moves with the drum; along a spiral
        vm_effect wind = vm_effect_band(0, &band);
@@ -29,23 +30,24 @@ typedef struct VM_TAG(vm_band) {
     vm_real thickness; /* m: thickness h, >= 0 */
     vm_real width;     /* m: width b, >= 0 */
     vm_real density;   /* kg/m^3: density rho, >= 0 */
-    vm_real speed;     /* m/s: velocity of the band, absolute or relative to the drum */
-    vm_real reactive;     /* 1: speed is absolute; 0: speed is relative to the drum */
-    int by_layer;      /* 1: the band lies in layers; 0: along a spiral */
+    vm_real speed;     /* m/s: velocity of the band; the field `reactive` says whether it is absolute */
+    vm_real reactive;     /* 1: the field `speed` is absolute; 0: it is relative to the drum */
+    int by_layer;      /* 1: the band lies in layers; 0: it lies along a spiral */
 } vm_band;
 
-/* The part of a band that is wound up at an angle */
+/* The part of a band that is on the drum at an angle phi of the drum */
 typedef struct VM_TAG(vm_band_now) {
-    vm_real radius;  /* m: radius at which the band comes or goes */
-    vm_real rate;    /* kg/rad: mass mu per radian that is wound up at this radius (181) */
-    vm_real mass;    /* kg: mass of the part that is wound up */
-    vm_real inertia; /* kg m^2: moment of inertia of the part that is wound up */
+    vm_real radius;  /* m: radius at which the band comes onto the drum or leaves it */
+    vm_real rate;    /* kg/rad: mass mu of the band per radian at this radius (181) */
+    vm_real mass;    /* kg: mass of the part of the band that is on the drum */
+    vm_real inertia; /* kg m^2: moment of inertia of the part of the band that is on the drum */
 } vm_band_now;
 
-/* The part of a band in layers that is wound up at the angle phi. `line` is density times width times thickness. Mass
-   and inertia are line times the integrals of the radius and of its cube over phi. n is the number of complete layers;
-   over them these integrals are 2 pi times the sums of R + i h and of (R + i h)^3 for i = 0 ... n - 1. The sums of i,
-   i^2 and i^3 are sum1, sum2 and sum1^2. */
+/* The part of a band in layers that is on the drum at the angle phi. The argument `line` is density times width times
+   thickness. The mass is `line` times the integral of the radius over phi, and the moment of inertia is `line` times
+   the integral of the cube of the radius over phi. With R and h the radius of the drum and the thickness, and n the
+   number of complete layers, the integrals over these layers are 2 pi times the sums of R + i h and of (R + i h)^3 for
+   i = 0 ... n - 1. The sums of i, i^2 and i^3 are sum1, sum2 and sum1^2. */
 VM_API vm_band_now vmi_band_by_layer(vm_real phi, const vm_band *b, vm_real line)
 {
     const vm_real n = VM_FLOOR(phi / (2 * VM_PI)), rest = phi - n * (2 * VM_PI), R = b->radius, h = b->thickness;
@@ -64,8 +66,8 @@ VM_API int vmi_band_is_valid(const vm_band *b)
     return b->radius > 0 && b->thickness >= 0 && b->width >= 0 && b->density >= 0;
 }
 
-/* A vm_band_now whose radius is `radius` and whose other numbers are all `others`. For a bare drum `others` is 0; for a
-   band or an angle that is not valid both arguments are NaN. */
+/* Returns a vm_band_now with this radius, whose rate, mass and inertia are all equal to `others`. For a bare drum
+   `others` is 0. If the band or the angle is not valid, the caller passes NaN for both arguments. */
 VM_API vm_band_now vmi_band_none(vm_real radius, vm_real others)
 {
     vm_band_now none;
@@ -76,9 +78,9 @@ VM_API vm_band_now vmi_band_none(vm_real radius, vm_real others)
     return none;
 }
 
-/* Radius, mass and inertia of the band that is wound up at the angle phi. If phi < 0, the drum is bare. All numbers are
-   NaN if phi is not finite, the radius is not positive, another size is negative, or band is NULL. In double the
-   relative errors are at most 1e-13, tested up to 30 turns. */
+/* Radius, mass and moment of inertia of the part of a band that is on the drum at the angle phi. If phi < 0, the drum
+   is bare. All results are NaN if phi is not finite, if the radius of the drum is not positive, if thickness, width or
+   density is negative, or if band is NULL. In double the relative errors are at most 1e-13, tested up to 30 turns. */
 VM_API vm_band_now vm_band_at(vm_real phi, const vm_band *band)
 {
     if (!band || !VM_IS_FINITE(phi) || !vmi_band_is_valid(band)) return vmi_band_none(VM_NAN, VM_NAN);
@@ -94,7 +96,8 @@ VM_API vm_band_now vm_band_at(vm_real phi, const vm_band *band)
     return now;
 }
 
-/* Indices of the parameters of the effect; its variant is by_layer */
+/* Indices of the parameters p of vm_effect_band; the field `variant` of the effect is the field by_layer of the
+   band */
 enum {
     VMI_BAND_RADIUS,
     VMI_BAND_THICKNESS,
@@ -117,8 +120,9 @@ VM_API vm_band vmi_band_of(const vm_effect *e)
     return b;
 }
 
-/* Sets the moment of inertia J(phi) of the drum, as a mass law sets a mass; on an axle the inertia takes the place of
-   the mass. u is the speed of the band divided by the radius at which it comes, an angular velocity about the axle. */
+/* Sets the moment of inertia J(phi) of the drum, as a mass law sets a mass; on an axle the moment of inertia takes the
+   place of the mass. u is the speed of the band divided by the radius at which it comes, and thus an angular velocity
+   about the axle. */
 VM_API void vmi_apply_band(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
     const vm_band band = vmi_band_of(e);
@@ -138,8 +142,8 @@ VM_API int vmi_band_check(const vm_effect *e)
 }
 
 /* A band that winds up on a drum or off it, with its reactive torque. The drum is a body on an axle, and the band is
-   its mass law. vm_scene_start returns VM_BAD_ARGUMENT if band is NULL, and VM_DOMAIN if its radius is not positive or
-   a size is negative. */
+   its mass law. vm_scene_start returns VM_BAD_ARGUMENT if band is NULL, and VM_DOMAIN if the radius of the drum is not
+   positive or if thickness, width or density is negative. */
 VM_API vm_effect vm_effect_band(int body, const vm_band *band)
 {
     vm_effect e = vmi_effect(body, 0, band ? vmi_apply_band : NULL);

@@ -17,10 +17,11 @@
 #include "../mechanics/vectors.h"
 #include "scene.h"
 
-/* The part of a scene in which a fault is */
+/* Says which part of a scene is wrong */
 typedef struct VM_TAG(vm_scene_fault) {
-    const char *kind; /* "body", "effect" or "event"; "scene" for an array of the scene, and if nothing is wrong */
-    int index;        /* index of the body, effect or event; -1 for the scene itself */
+    /* what is wrong: "body", "effect" or "event"; "scene" if an array of the scene is wrong or if nothing is wrong */
+    const char *kind;
+    int index;        /* index of the wrong body, effect or event; -1 for the scene itself */
 } vm_scene_fault;
 
 VM_API int vmi_scene_check_body(const vm_scene_body *b)
@@ -34,8 +35,8 @@ VM_API int vmi_scene_check_body(const vm_scene_body *b)
     return VM_OK;
 }
 
-/* Checks that a body and its coordinate exist. A free body has six velocities, but only three coordinates, since its
-   rotation has none. */
+/* Checks that a body and its coordinate exist. A free body has six velocities, but an effect can only act on the three
+   coordinates of its mass centre. */
 VM_API int vmi_scene_check_coordinate(const vm_scene *s, int body, int coordinate)
 {
     if (body < 0 || body >= s->n_bodies) return VM_NO_SUCH_BODY;
@@ -45,8 +46,8 @@ VM_API int vmi_scene_check_coordinate(const vm_scene *s, int body, int coordinat
 }
 
 /* Checks the place of an effect in the list, among the effects on a body: a mass law must be the first of them and a
-   link the last, and there is at most one of each. b->listed_orders has a bit for the order of each effect on the body
-   that stands earlier in the list. */
+   link the last, and a body has at most one mass law and one link. `order` is one of VMI_ORDER_..., and
+   b->listed_orders has the bit (1 << order) for each effect on the body that stands earlier in the list. */
 VM_API int vmi_scene_check_order(vm_scene_body *b, int order)
 {
     const int law = 1 << VMI_ORDER_MASS_LAW, force = 1 << VMI_ORDER_FORCE, link = 1 << VMI_ORDER_LINK;
@@ -59,7 +60,7 @@ VM_API int vmi_scene_check_order(vm_scene_body *b, int order)
     return VM_OK;
 }
 
-/* Checks that the bodies of an effect have motions on which it can act */
+/* Checks that the bodies of an effect have kinds of motion on which the effect can act */
 VM_API int vmi_scene_check_motions(const vm_scene *s, const vm_effect *e)
 {
     const vm_scene_body *b = s->bodies + e->body, *other = e->other == VM_GROUND ? NULL : s->bodies + e->other;
@@ -93,15 +94,16 @@ VM_API int vmi_scene_check_effect(const vm_scene *s, const vm_effect *e)
     return status;
 }
 
-/* Whether a body of one motion can take up or give off a body of another motion. Both must have the same motion,
-   except that a body in the plane or in space can also take up or give off a point, which has no rotation. */
+/* Returns 1 if a body of the kind `motion` (VM_LINE, VM_AXLE, ...) can take up or give off a body of the kind `other`,
+   else 0. Both kinds must be the same, except that a body in the plane or in space can also take up or give off a
+   point, which has no rotation. */
 VM_API int vmi_scene_can_jump(int motion, int other)
 {
     return motion == other || (other == VM_POINT && motion > VM_AXLE);
 }
 
-/* Checks a jump. A part that separates becomes a body of the scene that was absent. The function also checks that this
-   body can have the mass, inertia and motion of the part. */
+/* Checks a jump. A part that separates becomes a body of the scene that was absent. This function also checks that
+   this body can have the mass, inertia and motion of the part. */
 VM_API int vmi_scene_check_jump(const vm_scene *s, const vm_event *e)
 {
     int status = vmi_scene_check_coordinate(s, e->jump_body, 0);
@@ -151,15 +153,20 @@ VM_API void vmi_scene_set_fault(vm_scene_fault *fault_or_NULL, const char *kind,
     fault_or_NULL->index = index;
 }
 
-/* The first thing that is wrong with a scene, or VM_OK. Returns the status of this fault, and writes to
-   *fault_or_NULL in which body, effect or event it is. The time of this check is proportional to the number of
-   bodies, effects and events. The statuses are those in the comments of the constructors, and
+/* Finds the first thing that is wrong with a scene. Returns its status, or VM_OK if nothing is wrong, and writes to
+   *fault_or_NULL in which body, effect or event it is. The time of this check is proportional to the number of bodies,
+   effects and events. The function returns the statuses that the comments of the constructors name, and
      VM_BAD_ARGUMENT        if a pointer is NULL, a count is negative, or a body or a function is missing;
      VM_NOT_FINITE          if a parameter, a time or a number of a body is infinite or NaN;
-     VM_BAD_MASS, VM_BAD_INERTIA, VM_BAD_MOTION       for a body, or for the part that separates;
-     VM_NO_SUCH_BODY, VM_NO_SUCH_COORDINATE, VM_NO_SUCH_EFFECT      for an index that does not exist;
-     VM_TWO_MASS_LAWS, VM_BAD_ORDER, VM_TWO_LINKS, VM_LINK_NOT_LAST   for the list of effects;
-     VM_BAD_POINT, VM_NOT_JOINED      for points at which springs, joints and contacts act;
+     VM_BAD_MASS, VM_BAD_INERTIA   if a body, or a part that separates, cannot have its mass or its inertia;
+     VM_BAD_MOTION          if a body has a kind of motion that its effect, its jump or its constructor does not allow;
+     VM_NO_SUCH_BODY, VM_NO_SUCH_COORDINATE, VM_NO_SUCH_EFFECT   if no body, coordinate or effect has the given index;
+     VM_TWO_MASS_LAWS       if a body has two mass laws, or a mass law although its mass is a number of the state;
+     VM_BAD_ORDER           if a mass law does not stand before the other effects on its body;
+     VM_TWO_LINKS           if a body has two links, or a link and joints;
+     VM_LINK_NOT_LAST       if another effect on a body follows its link or its joints;
+     VM_BAD_POINT           if a spring, joint or contact acts at a point that the body cannot have (points.h);
+     VM_NOT_JOINED          if the points of a joint do not fit at the start or move apart (joints.h);
      VM_BAD_TIMES           if the times of output do not increase. */
 VM_API int vm_scene_check(const vm_scene *scene, vm_scene_fault *fault_or_NULL)
 {

@@ -1,16 +1,17 @@
 /* scenes/contact.h - contact of bodies with the ground
 
-   The ground is a plane through the point `on`, and `normal` points out of it. A point of a body, or a ball of a radius
-   about this point, touches the ground where its height is negative. The ground then pushes along the normal with the
-   force stiffness * depth - damping * (velocity along the normal). It never pulls and has no friction.
+   The ground is a plane through the point `on`, and `normal` points out of it. A point of a body, or a ball about this
+   point, touches the ground while its height over the ground is negative; the height of a ball is that of its lowest
+   point. `depth` is minus this height. The ground then pushes along the normal with the force stiffness * depth -
+   damping * (velocity along the normal). The ground never pulls and has no friction.
 
        vm_contact wheel = {{0, 0, 0}, 0.3, {0, 0, 0}, {0, 1, 0}, 1e5, 300}; // 0.3 m radius; y points up
        vm_effect effects[] = {vm_effect_gravity(0, 1, -9.81), vm_effect_contact(0, &wheel)};
        vm_event events[] = {vm_then_land(vm_event_contact(0, &wheel))};     // and it does not bounce
 
-   vm_event_contact happens when the body comes down to the ground. vm_then_land makes it a stop without a bounce: an
-   impulse takes away the velocity of the point along the normal. Afterwards the stiffness of the contact supports the
-   body.
+   vm_event_contact is an event that happens when the body comes down to the ground. vm_then_land makes this event a
+   stop without a bounce: an impulse takes away the velocity of the point along the normal. Afterwards the stiffness of
+   the contact supports the body.
 
    Tests: tests/test_scene_joints.c. */
 #ifndef VARMASS_SCENES_CONTACT_H
@@ -25,18 +26,18 @@
 #include "points.h"
 #include "scene.h"
 
-/* A point of a body, or a ball about it, and the ground on which it comes down */
+/* A point of a body, or a ball about this point, and the ground on which the point or ball comes down */
 typedef struct VM_TAG(vm_contact) {
     vm_vec3 at;        /* m, body axes: the point of the body */
     vm_real radius;    /* m: radius of a ball about the point, >= 0 */
     vm_vec3 on;        /* m: a point of the ground */
-    vm_vec3 normal;    /* direction out of the ground, of any length > 0 */
+    vm_vec3 normal;    /* vector that points out of the ground; its length may be any number > 0 */
     vm_real stiffness; /* N/m, >= 0 */
     vm_real damping;   /* N s/m, >= 0 */
 } vm_contact;
 
-/* Height of the ball over the ground; it is negative where the ball touches the ground. *p is the point of the body,
-   and *normal becomes the unit vector out of the ground. */
+/* Height of the ball of a contact over the ground; it is negative while the ball touches the ground. *p is the point
+   of the body, and *normal becomes the unit vector out of the ground. */
 VM_API vm_real vmi_contact_height(const vm_contact *contact, const vmi_body_point *p, vm_vec3 *normal)
 {
     *normal = vmi_over(contact->normal, vm_norm(contact->normal));
@@ -75,10 +76,10 @@ VM_API int vmi_contact_check(const vm_scene *s, const vm_effect *e)
     return vmi_contact_check_parts(s, e->body, (const vm_contact *)e->parts);
 }
 
-/* Contact of a body with the ground: one-sided stiffness and damping, which never pull. *contact is not copied: if an
-   event changes it, the run continues with the change. vm_scene_start returns VM_BAD_ARGUMENT if contact is NULL,
-   VM_NOT_FINITE if a number is infinite or NaN, VM_BAD_STIFFNESS for a negative stiffness, VM_DOMAIN if radius or
-   damping is negative or the normal is 0, and VM_BAD_POINT for a point that the body cannot have (points.h). */
+/* Contact of a body with the ground, by a stiffness and a damping that push but never pull. *contact is not copied: if
+   an event changes it, the run continues with the change. vm_scene_start returns VM_BAD_ARGUMENT if contact is NULL,
+   VM_NOT_FINITE if a number is infinite or NaN, VM_BAD_STIFFNESS if the stiffness is negative, VM_DOMAIN if radius or
+   damping is negative or the normal is 0, and VM_BAD_POINT if the body cannot have the point (points.h). */
 VM_API vm_effect vm_effect_contact(int body, const vm_contact *contact)
 {
     vm_effect e = vmi_effect(body, 0, contact ? vmi_apply_contact : NULL);
@@ -103,8 +104,8 @@ VM_API int vmi_contact_check_event(const vm_scene *s, const vm_event *e)
 }
 
 /* An event when a body comes down to the ground. Only the fields at, radius, on and normal of *contact are used.
-   *contact is not copied. vm_scene_start returns VM_BAD_ARGUMENT if contact is NULL, and the errors of
-   vm_effect_contact. */
+   *contact is not copied and must stay at its place in memory. vm_scene_start returns VM_BAD_ARGUMENT if contact is
+   NULL, and otherwise the same errors as for vm_effect_contact. */
 VM_API vm_event vm_event_contact(int body, const vm_contact *contact)
 {
     vm_event e = vmi_event(body, 0, 0, -1);
@@ -115,8 +116,9 @@ VM_API vm_event vm_event_contact(int body, const vm_contact *contact)
     return e;
 }
 
-/* Takes away the velocity of the point along the normal by an impulse, which enters the budget. The velocities of the
-   body change as by an impulse of 1 N s along the normal, times a factor. */
+/* Takes away the velocity of the contact's point along the normal by an impulse, and adds this impulse to the budget.
+   The impulse is -v/mobility, where v is this velocity and mobility its change by an impulse of 1 N s along the
+   normal. */
 VM_API int vmi_then_land(vm_event *e, vm_real t, vm_real *y)
 {
     const vm_contact *contact = (const vm_contact *)e->parts;
@@ -143,18 +145,18 @@ VM_API int vmi_then_land(vm_event *e, vm_real t, vm_real *y)
     return VM_OK;
 }
 
-/* Checks a landing: the body must not have a link or a joint, because their reactions would have to act in the same
-   impulse */
+/* Checks a landing: the body must not have a link or a joint, because link and joint would also give the body an
+   impulse, which vmi_then_land does not compute */
 VM_API int vmi_land_check(const vm_scene *s, const vm_event *e)
 {
     if (s->bodies[e->body].listed_orders >> VMI_ORDER_LINK & 1) return VM_TWO_LINKS;
     return VM_OK;
 }
 
-/* The event of vm_event_contact becomes a stop without a bounce: an impulse takes away the velocity of the point
-   along the normal. The other velocities of the body change only as this impulse changes them. Afterwards
-   vm_effect_contact supports the body. vm_scene_start returns VM_BAD_ARGUMENT for an event that vm_event_contact has
-   not made, and VM_TWO_LINKS for a body with a link or a joint, whose impulses this event does not compute. */
+/* Makes an event of vm_event_contact a stop without a bounce: an impulse takes away the velocity of the contact's
+   point along the normal. The other velocities of the body change only by this impulse. Afterwards vm_effect_contact
+   supports the body. vm_scene_start returns VM_BAD_ARGUMENT if vm_event_contact has not made the event, and
+   VM_TWO_LINKS if the body has a link or a joint, whose impulses the event does not compute. */
 VM_API vm_event vm_then_land(vm_event event)
 {
     event.then = vmi_then_land;

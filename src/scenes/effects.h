@@ -1,9 +1,10 @@
 /* scenes/effects.h - springs, dampers, motors and other forces on a coordinate
 
-   An effect exerts a force of forces.h on a coordinate of a body. x and v are the position and the velocity of this
-   coordinate. If an effect acts against another body, x and v are relative to a coordinate of that body, and the
-   opposite force acts on that coordinate; against VM_GROUND they are relative to a point at rest. In the list of
-   effects a mass law must stand before all other effects on its body, and a link after them.
+   An effect of this file exerts a force on a coordinate of a body; forces.h has the formulas of most of these forces.
+   x and v are the position and the velocity of this coordinate. If an effect acts against another body, x and v are
+   relative to a coordinate of that body, and the opposite force acts on that coordinate. If it acts against VM_GROUND,
+   x and v are relative to a point at rest. In the list of effects a mass law must stand before all other effects on
+   its body, and a link must stand after them.
 
        vm_effect effects[] = {vm_effect_gravity(0, 0, -9.81),                       // weight of body 0
                               vm_effect_linear_spring(0, 0, VM_GROUND, 0, 1000, 0), // 1000 N/m to the ground
@@ -11,8 +12,8 @@
 
    In all constructors of this file `body` and `other` are indices of bodies, `coordinate` and `other_coordinate` are
    their coordinates (scene.h has a list). A constructor checks only whether a function of the caller is NULL;
-   vm_scene_check and vm_scene_start refuse an effect that its body cannot have, and parameters that are infinite, NaN
-   or outside their domain.
+   vm_scene_check and vm_scene_start refuse an effect that cannot act on its body, and parameters that are infinite,
+   NaN or outside their domain.
 
    Tests: tests/test_scene_effects.c. */
 #ifndef VARMASS_SCENES_EFFECTS_H
@@ -27,16 +28,18 @@
 #include "motions.h"
 #include "scene.h"
 
-/* To add an effect, write one block like that of the spring (vm_effect_spring), and nothing else in the headers:
+/* To add a new kind of effect, write one block of code like that of the spring (vm_effect_spring). The other code of
+   the headers does not change. The block has these parts:
      an enum          names the indices of the parameters in p[6];
      vmi_apply_NAME   adds the force to the loads, at each evaluation;
-     vmi_NAME_check   returns a status, if not all finite parameters are allowed;
+     vmi_NAME_check   checks the parameters and returns a status; it is needed only if some finite values are
+                      not allowed;
      vm_effect_NAME   is the constructor: it calls vmi_effect and sets the parameters and all that differs from the
                       defaults (the motions on which the effect can act, the check).
    The force itself may be a function of forces.h. */
 
-/* An effect on a coordinate of a body against a coordinate of another body. It can act on all motions, is neither a
-   mass law nor a link, and its parameters are 0. */
+/* An effect on a coordinate of a body against a coordinate of another body. It can act on all kinds of motion, is
+   neither a mass law nor a link, and its parameters are 0. */
 VM_API vm_effect vmi_effect_between(int body, int coordinate, int other, int other_coordinate,
                                     void (*apply)(const vm_effect *effect, vm_real t, const vm_real *y,
                                                   vm_scene *scene))
@@ -95,7 +98,7 @@ VM_API void vmi_apply_spring(const vm_effect *e, vm_real t, const vm_real *y, vm
 VM_API int vmi_spring_check(const vm_effect *e) { return e->p[VMI_SPRING_EXPONENT] >= 0 ? VM_OK : VM_DOMAIN; }
 
 /* A nonlinear spring, the force -k z |z|^(alpha-1) with z = x - rest (248). The stiffness k in N/m^alpha may have
-   either sign; rest is in m or rad. vm_scene_start returns VM_DOMAIN if alpha < 0. */
+   either sign; rest, the position without force, is in m or rad. vm_scene_start returns VM_DOMAIN if alpha < 0. */
 VM_API vm_effect vm_effect_spring(int body, int coordinate, int other, int other_coordinate, vm_real k,
                                   vm_real alpha, vm_real rest)
 {
@@ -115,8 +118,9 @@ VM_API void vmi_apply_linear_spring(const vm_effect *e, vm_real t, const vm_real
     vmi_effect_act(e, -e->p[VMI_SPRING_STIFFNESS] * extension);
 }
 
-/* A linear spring, the force -k (x - rest). The stiffness k in N/m may have either sign; rest is in m or rad. Unlike
-   vm_effect_spring, this effect does not make a program link the power function. */
+/* A linear spring, the force -k (x - rest). The stiffness k in N/m may have either sign; rest, the position without
+   force, is in m or rad. Unlike vm_effect_spring, this effect does not need the power function, so that a program with
+   it is smaller. */
 VM_API vm_effect vm_effect_linear_spring(int body, int coordinate, int other, int other_coordinate, vm_real k,
                                          vm_real rest)
 {
@@ -192,8 +196,8 @@ VM_API void vmi_apply_motor(const vm_effect *e, vm_real t, const vm_real *y, vm_
 }
 
 /* A motor, the torque stall_torque - kappa v. v is the angular velocity in rad/s, stall_torque the torque at rest in
-   N m, and kappa the slope of the straight characteristic in N m s. On a coordinate that is a length the units are N
-   and N s/m. */
+   N m, and kappa in N m s the decrease of the torque per rad/s. On a coordinate that is a length the units are N and
+   N s/m. */
 VM_API vm_effect vm_effect_motor(int body, int coordinate, vm_real stall_torque, vm_real kappa)
 {
     vm_effect e = vmi_effect(body, coordinate, vmi_apply_motor);
@@ -229,9 +233,9 @@ VM_API void vmi_apply_force(const vm_effect *e, vm_real t, const vm_real *y, vm_
     vmi_effect_act(e, e->force(t, vmi_effect_x(e, y), vmi_effect_v(e, y), e->ctx));
 }
 
-/* A force that the caller's function returns, between two coordinates. force(t, x, v, ctx) returns N (N m on an
-   angle). x and v are position and velocity of the coordinate, relative to other_coordinate of the body `other`, on
-   which the opposite force acts. vm_scene_start returns VM_BAD_ARGUMENT if force is NULL. */
+/* A force that the caller's function returns, between two coordinates. force(t, x, v, ctx) returns the force in N (on
+   an angle the torque in N m). x and v are position and velocity of the coordinate, relative to other_coordinate of
+   the body `other`, on which the opposite force acts. vm_scene_start returns VM_BAD_ARGUMENT if force is NULL. */
 VM_API vm_effect vm_effect_force_between(int body, int coordinate, int other, int other_coordinate,
                                         vm_real (*force)(vm_real t, vm_real x, vm_real v, void *ctx), void *ctx)
 {
@@ -241,8 +245,9 @@ VM_API vm_effect vm_effect_force_between(int body, int coordinate, int other, in
     return e;
 }
 
-/* A force that the caller's function returns. force(t, x, v, ctx) returns N (N m on an angle) for the time t and the
-   position x and velocity v of the coordinate. vm_scene_start returns VM_BAD_ARGUMENT if force is NULL. */
+/* A force that the caller's function returns. force(t, x, v, ctx) returns the force in N (on an angle the torque in
+   N m) for the time t and the position x and velocity v of the coordinate. vm_scene_start returns VM_BAD_ARGUMENT if
+   force is NULL. */
 VM_API vm_effect vm_effect_force(int body, int coordinate,
                                 vm_real (*force)(vm_real t, vm_real x, vm_real v, void *ctx), void *ctx)
 {
@@ -335,9 +340,9 @@ VM_API void vmi_apply_gyroscopic(const vm_effect *e, vm_real t, const vm_real *y
     e->load->force[1] += fy;
 }
 
-/* A gyroscopic force normal to the velocity (vx, vy), 2 gyro (-vy, vx). gyro in kg/s is the coefficient in the term 2 i
-   gyro z' of the equation of Laval's rotor, where z is its complex deflection. The effect acts on coordinates 0 and 1
-   of a body in the plane or of a point. It does no work. */
+/* A gyroscopic force normal to the velocity (vx, vy), 2 gyro (-vy, vx). gyro in kg/s is the coefficient in the term
+   2 i gyro z' of the equation of Laval's rotor, where i is the imaginary unit and z = x + i y the deflection. The
+   effect acts on coordinates 0 and 1 of a body in the plane or of a point. It does no work. */
 VM_API vm_effect vm_effect_gyroscopic(int body, vm_real gyro)
 {
     vm_effect e = vmi_effect(body, 0, vmi_apply_gyroscopic);

@@ -1,7 +1,8 @@
 /* scenes/evaluate.h - the right-hand side of a scene
 
-   An evaluation sets the loads of all bodies to 0, lets each effect add to them, and computes the acceleration of each
-   body from its load. vm_scene_rhs is an ode_rhs, so that any integrator can run a scene without events:
+   The right-hand side gives the derivatives of the state. An evaluation of it sets the loads on all bodies to 0, lets
+   each effect add to the loads, and computes the acceleration of each body from its load. The function vm_scene_rhs
+   has the type ode_rhs, so that any integrator of the kit can integrate a scene without events:
 
        vm_real work[RK87_WORK(2)]; // 2 = vm_scene_size(&scene)
        rk87 run;
@@ -18,8 +19,8 @@
 #include "scene.h"
 #include "state.h"
 
-/* Prepares the load of a body before the effects add to it: the mass becomes the present mass, and all sums become 0.
-   Only forces on coordinates that the body has are set. */
+/* Prepares the load of a body before the effects add to the load: the mass becomes the present mass, and all sums
+   become 0. Of the forces only those on coordinates that the body has are set. */
 VM_INLINE void vmi_scene_clear(vm_scene_body *b, const vm_real *y, int with_budget)
 {
     vm_load *load = &b->load;
@@ -48,8 +49,9 @@ VM_INLINE void vmi_scene_evaluate(vm_scene *s, vm_real t, const vm_real *y)
     }
 }
 
-/* Computes the loads for a caller that needs the masses. Returns VM_OK, or an error if the mass of a present body is
-   not finite: the status of the effect that could not act, or VM_NOT_FINITE. s->status then has the same value. */
+/* Computes the loads for a function that needs the masses. Returns VM_OK, or an error if the mass of a body that is
+   present is not finite. The error is the status of the effect that could not act, or VM_NOT_FINITE; s->status then
+   has the same value. */
 VM_API int vmi_scene_weigh(vm_scene *s, vm_real t, const vm_real *y)
 {
     const int before = s->status;
@@ -65,7 +67,8 @@ VM_API int vmi_scene_weigh(vm_scene *s, vm_real t, const vm_real *y)
     return VM_OK;
 }
 
-/* The status that says which mass of the load is not positive or not finite, so that the body cannot be accelerated */
+/* The status of a load with which the body cannot be accelerated: it says whether a mass is not finite, the mass is
+   not positive, or the mass plus extra_mass is not positive */
 VMI_APART int vmi_scene_mass_status(const vm_load *load)
 {
     if (!VM_IS_FINITE(load->mass + load->extra_mass)) return VM_NOT_FINITE;
@@ -73,8 +76,8 @@ VMI_APART int vmi_scene_mass_status(const vm_load *load)
     return VM_BAD_MASS;
 }
 
-/* Writes the derivatives of the state of a body and returns a status. If the mass is a state, it must be positive in
-   y as well, because an effect may have added to load->mass. */
+/* Writes the derivatives of the state of a body and returns a status. Not only load->mass, but also a mass that is a
+   number of the state y must be positive, because an effect may have added to load->mass. */
 VM_INLINE int vmi_scene_accelerate(const vm_scene_body *b, const vm_real *y, vm_real *dydt)
 {
     const vm_load *load = &b->load;
@@ -87,17 +90,17 @@ VM_INLINE int vmi_scene_accelerate(const vm_scene_body *b, const vm_real *y, vm_
     return b->accelerate(b, y + b->at, dydt + b->at);
 }
 
-/* Sets n derivatives to one value. The derivatives of a body that is not present are 0. */
+/* Sets n derivatives to the same value: to 0 for a body that is not present, to NaN after an error */
 VMI_APART void vmi_scene_fill(int n, vm_real value, vm_real *dydt)
 {
     int k;
     for (k = 0; k < n; k++) dydt[k] = value;
 }
 
-/* The right-hand side of a scene, an ode_rhs. ctx is the scene, which must have been started. Returns 0, or
-   VM_BAD_ARGUMENT if a pointer is NULL or the number of bodies or effects is negative. If a body cannot be accelerated,
-   for example because its mass is not positive, or if an effect cannot act, scene.status is the reason and all
-   derivatives are NaN, so that an integrator tries a shorter step. */
+/* The right-hand side of a scene as an ode_rhs: writes the derivatives of the state y at time t to dydt. ctx is the
+   scene, which must have been started. Returns 0, or VM_BAD_ARGUMENT if a pointer is NULL or the number of bodies or
+   effects is negative. If a body cannot be accelerated, for example because its mass is not positive, or if an effect
+   cannot act, scene.status is the reason and all derivatives are NaN, so that an integrator tries a shorter step. */
 VM_API int vm_scene_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 {
     vm_scene *s = (vm_scene *)ctx;

@@ -1,9 +1,9 @@
 /* scenes/events.h - when an event happens, and what it does
 
-   An event is made in two steps: vm_event_... says when it happens, and vm_then_... says what it does. An event without
-   a vm_then_... function only observes: event.count says how often it has happened and event.time when it last
-   happened, and the motion is the same as without the event. An event takes one vm_then_... function; vm_then_all
-   makes it do a list of actions.
+   An event is made in two steps: vm_event_... says when it happens, and vm_then_... says what it does. An event
+   without a vm_then_... function only observes the motion and does not change it: event.count says how often the event
+   has happened, and event.time when it last happened. An event can have one vm_then_... function; with vm_then_all it
+   does a list of actions.
 
        vm_event empty = vm_event_mass(0, 70, -1);                             // the mass of body 0 falls to 70 kg
        vm_event staging[] = {vm_then_switch_range(empty, 0, 4, 1),            // effects 0 to 3 are switched off
@@ -18,16 +18,17 @@
        scene.located = located;
        scene.n_events = 3;
 
-   The functions vm_event_... and vm_then_... do not fail. Instead vm_scene_start refuses an event with a wrong number
-   (VM_NOT_FINITE for an infinite or NaN time or value, VM_NO_SUCH_BODY for a body that does not exist), and its fault
-   names the event.
+   The functions vm_event_... and vm_then_... do not fail. Instead vm_scene_start refuses an event with a wrong
+   argument: it returns VM_NOT_FINITE if a time or value is infinite or NaN, VM_NO_SUCH_BODY if a body does not exist,
+   and so on. The vm_scene_fault of vm_scene_start says which event is wrong.
 
-   An event at a time happens once. A crossing of a value happens at most event.most times, or without limit if
-   event.most is 0; direction > 0 counts rising values, direction < 0 falling values, and direction = 0 both. Only
-   motion causes a crossing: there is none if an event moves a coordinate beyond the value, or while the body is not
-   present. Events at one instant happen in the order of the list; if the times of a jump and of a crossing differ
-   only by rounding errors, either of the two may happen first. To get the times (or states) of all events of one run,
-   set scene.located[i].times (or .states) and .room after the start.
+   An event at a set time happens once. An event at which a quantity crosses a value happens at most event.most times,
+   or without limit if event.most is 0. If direction > 0, it happens where the quantity rises through the value; if
+   direction < 0, where it falls; if direction = 0, in both cases. Only motion causes a crossing: there is no crossing
+   if another event moves a coordinate beyond the value, or while the body is not present. Events at the same instant
+   happen in the order of the list. If the times of a jump and of a crossing differ only by rounding errors, either of
+   the two may happen first. To get the times (or states) of all crossings of one run, set scene.located[i].times (or
+   .states) and .room after the start.
 
    Tests: tests/test_scene_events.c. */
 #ifndef VARMASS_SCENES_EVENTS_H
@@ -46,7 +47,8 @@ VM_API int vmi_event_check_coordinate(const vm_scene *s, const vm_event *e)
     return vmi_scene_check_coordinate(s, e->body, e->coordinate);
 }
 
-/* An event that watches a coordinate of a body */
+/* An event for a coordinate of a body and a value that a quantity of this coordinate crosses; the caller sets
+   e.when */
 VM_API vm_event vmi_event(int body, int coordinate, vm_real value, int direction)
 {
     vm_event e;
@@ -59,8 +61,8 @@ VM_API vm_event vmi_event(int body, int coordinate, vm_real value, int direction
     return e;
 }
 
-/* An event at a time in s, which happens once. If the time is before the start of the run, the event happens as the run
-   begins. */
+/* An event at a set time, which is in s. It happens once. If the time is before the start of the run, the event
+   happens when the run begins. */
 VM_API vm_event vm_event_at(vm_real time)
 {
     vm_event e = vmi_event(0, 0, 0, 0);
@@ -91,7 +93,7 @@ VM_API vm_real vmi_when_velocity(const vm_event *e, vm_real t, const vm_real *y)
     return y[b->at + b->positions + e->coordinate] - e->value;
 }
 
-/* An event when a velocity crosses a value. The velocity is that of a coordinate of a body, and value is in m/s or
+/* An event when a velocity crosses a value. The velocity is the rate of a coordinate of a body, and value is in m/s or
    rad/s. */
 VM_API vm_event vm_event_velocity(int body, int coordinate, vm_real value, int direction)
 {
@@ -147,15 +149,15 @@ VM_API vm_event vm_then_stop(vm_event event)
     return event;
 }
 
-/* Stores the masses of all bodies, which vmi_event_hold_masses restores after a change */
+/* Stores the present masses of all bodies. vmi_event_hold_masses restores them after a jump or a switching. */
 VM_API void vmi_scene_note_masses(vm_scene *s)
 {
     int i;
     for (i = 0; i < s->n_bodies; i++) s->bodies[i].noted_mass = s->bodies[i].load.mass;
 }
 
-/* Computes the loads before the action of an event changes anything. If a mass law fails, returns its status, and the
-   next run does the whole action. */
+/* Computes the loads, and with them the masses, before the action of an event changes anything. If a mass law fails,
+   returns the status of the law, and the next run does the whole action. */
 VM_API int vmi_event_weigh(vm_event *e, vm_real t, const vm_real *y)
 {
     const int status = vmi_scene_weigh(e->scene, t, y);
@@ -164,11 +166,12 @@ VM_API int vmi_event_weigh(vm_event *e, vm_real t, const vm_real *y)
     return status;
 }
 
-/* Gives all bodies the masses that vmi_scene_note_masses has stored. Otherwise a jump, or the switching of a mass
-   law, would change a mass although no stream carries mass and momentum. The loads are evaluated twice: first to find
-   by how much the masses of the laws differ from the stored ones, then again with the corrected masses. A body with a
-   mass law uses the field `law_offset`, any other body the field `mass`. Both fields are corrected, because the
-   unused one has no effect. If a mass law fails, returns its status, and the next run calls this function again. */
+/* Gives all bodies the masses that vmi_scene_note_masses has stored. Without this function a jump, or the switching of
+   a mass law, would change a mass although no stream brings or removes mass and momentum. The loads are evaluated
+   twice: first to find by how much the masses of the laws differ from the stored ones, then again with the corrected
+   masses. A body with a mass law uses the field `law_offset`, any other body the field `mass`. Both fields of a body
+   are corrected, because the field that it does not use has no effect. If a mass law fails, returns the status of the
+   law, and the next run calls this function again. */
 VM_API int vmi_event_hold_masses(vm_event *e, vm_real t, const vm_real *y)
 {
     vm_scene *s = e->scene;
@@ -210,10 +213,10 @@ VM_API int vmi_event_check_switch(const vm_scene *s, const vm_event *e)
     return VM_OK;
 }
 
-/* The event switches n effects that follow each other in the list, off (off = 1) or on (off = 0). first is the index
-   of the first of them. Switching a mass law does not change the mass at this instant: the law continues from the
-   present mass. vm_scene_start returns VM_NO_SUCH_EFFECT if one of the effects does not exist, and VM_BAD_ARGUMENT if n
-   is negative. */
+/* The event switches n effects that follow each other in the list off (off = 1) or on (off = 0). first is the index of
+   the first of these effects. Switching a mass law does not change the mass at this instant: the law continues from
+   the present mass. vm_scene_start returns VM_NO_SUCH_EFFECT if one of the effects does not exist, and VM_BAD_ARGUMENT
+   if n is negative. */
 VM_API vm_event vm_then_switch_range(vm_event event, int first, int n, int off)
 {
     event.then = vmi_then_switch;
@@ -235,8 +238,9 @@ VM_API vm_event vm_then_switch(vm_event event, int effect, int off)
 
 VM_API int vmi_then_user(vm_event *e, vm_real t, vm_real *y) { return e->user_then(t, y, e->then_ctx); }
 
-/* The event calls a function of the caller. then(t, y, ctx) may change y and returns a status: VM_OK to continue, or
-   VM_STOPPED or a negative number, with which the run ends. vm_scene_start returns VM_BAD_ARGUMENT if then is NULL. */
+/* The event calls a function of the caller. then(t, y, ctx) may change y and returns a status. After VM_OK the run
+   continues; after VM_STOPPED or a negative number it ends with this status. vm_scene_start returns VM_BAD_ARGUMENT if
+   then is NULL. */
 VM_API vm_event vm_then_user(vm_event event, int (*then)(vm_real t, vm_real *y, void *ctx), void *ctx)
 {
     event.then = vmi_then_user;
@@ -246,9 +250,10 @@ VM_API vm_event vm_then_user(vm_event event, int (*then)(vm_real t, vm_real *y, 
     return event;
 }
 
-/* Does the actions of the event in the order of their list. Returns the first status other than VM_OK, or VM_OK if
-   there is none. An error (a negative status) ends the list, and is returned even if an earlier action has stopped the
-   run. If a mass law has interrupted an action, the next run goes on with the rest of it. */
+/* Does the actions of an event in the order of their list. Returns the first status other than VM_OK that an action
+   gives, or VM_OK if all give VM_OK. After an error (a negative status) no further action is done; the error is
+   returned even if an earlier action has stopped the run. If a mass law has interrupted an action, the next run does
+   the rest of this action and the actions after it. */
 VM_API int vmi_then_all(vm_event *e, vm_real t, vm_real *y)
 {
     int i = e->next_action, status = e->so_far;
@@ -283,10 +288,10 @@ VM_API int vmi_event_check_all(const vm_scene *s, const vm_event *e)
 }
 
 /* The event does a list of actions, one after the other, at the same instant. actions is an array of n events made by
-   vm_then_... functions; it does not matter when each of them would happen, so that all of them can be made from the
-   same vm_event_... value. The array is not copied and must stay where it is. An action that stops the run lets the
-   following actions happen, too. vm_scene_start returns VM_BAD_ARGUMENT if actions is NULL, n is negative or an action
-   is a list itself, and else the status of the first action that is wrong. */
+   vm_then_... functions. The times or conditions of these events are not used, so that all of them can be made from
+   the same vm_event_... value. The array is not copied and must stay at its place in memory. If an action stops the
+   run, the actions after it still happen. vm_scene_start returns VM_BAD_ARGUMENT if actions is NULL, n is negative or
+   an action is a list itself, and else the status of the first action that is wrong. */
 VM_API vm_event vm_then_all(vm_event event, vm_event *actions, int n)
 {
     event.then = vmi_then_all;

@@ -38,7 +38,7 @@ VM_INLINE vm_real vm_force_van_der_pol(vm_real x, vm_real v, vm_real b, vm_real 
 }
 
 /* The torque of a motor, stall_torque - kappa omega. omega is the angular velocity in rad/s, stall_torque the torque at
-   rest in N m, and kappa the slope of the straight characteristic in N m s. */
+   rest in N m, and kappa in N m s the decrease of the torque per rad/s. */
 VM_INLINE vm_real vm_force_motor(vm_real omega, vm_real stall_torque, vm_real kappa)
 {
     return stall_torque - kappa * omega;
@@ -55,7 +55,7 @@ VM_INLINE vm_real vm_force_harmonic(vm_real t, vm_real amplitude, vm_real freque
 
 /* The reactive force of a stream, rate (u - reactive v). The stream brings `rate` kg of mass per second; a negative
    rate takes mass away. The mass has the velocity u + (1 - reactive) v, where v is the velocity of the body: u is
-   absolute if reactive is 1, and relative to the body if it is 0. */
+   absolute if reactive is 1, and relative to the body if reactive is 0. */
 VM_INLINE vm_real vm_force_stream(vm_real v, vm_real rate, vm_real u, vm_real reactive)
 {
     return rate * (u - reactive * v);
@@ -90,8 +90,9 @@ VM_INLINE void vm_force_unbalance(vm_real t, vm_real unbalance, vm_real frequenc
 }
 
 /* The gyroscopic force normal to the velocity (vx, vy) in the plane, 2 gyro (-vy, vx). gyro in kg/s is the coefficient
-   in the term 2 i gyro z' of the equation of Laval's rotor, where z is its complex deflection. The force does no work.
-   The components are written to *fx and *fy; if one of these pointers is NULL, nothing is written. */
+   in the term 2 i gyro z' of the equation of Laval's rotor, where i is the imaginary unit and z = x + i y the
+   deflection. The force does no work. The components are written to *fx and *fy; if one of these pointers is NULL,
+   nothing is written. */
 VM_INLINE void vm_force_gyroscopic(vm_real vx, vm_real vy, vm_real gyro, vm_real *fx, vm_real *fy)
 {
     if (!fx || !fy) return;

@@ -1,8 +1,8 @@
 /* scenes/gravitation.h - Newton's gravitation between bodies and towards a fixed centre
 
    The attraction falls with the inverse square of the distance and acts at the mass centres. It is computed from the
-   present masses, whatever changes them. The bodies move in the plane or in space, or are points. For uniform gravity
-   use vm_effect_gravity.
+   present masses, also if streams, laws or events change them. The bodies move in the plane or in space, or are
+   points. For uniform gravity use vm_effect_gravity.
 
        vm_vec3 zero = {0, 0, 0};
        vm_effect effects[] = {vm_effect_gravitation(0, 1, 6.6743e-11),                // between the bodies 0 and 1
@@ -21,9 +21,10 @@
 
 enum { VMI_GRAVITATION_G = 0, VMI_CENTRAL_CENTRE = 0, VMI_CENTRAL_MU = 3 };
 
-/* The attraction a b/r^2 along d, the vector to the other mass, with r = |d|. The factors a and b are divided one by
-   one, because their product could overflow. If the force is not finite, because the masses are at the same place, the
-   scene gets the status VM_NOT_FINITE, and the integrator refuses the step. */
+/* The attraction a b/r^2 along d, the vector to the other mass. r is the length of d, and a b is G times the product
+   of the two masses. Each of the factors a and b is divided by r, because the product a b could overflow. If the force
+   is not finite, because the masses are at the same place, the scene gets the status VM_NOT_FINITE, and the integrator
+   refuses the step. */
 VM_INLINE vm_vec3 vmi_gravitation(vm_real a, vm_real b, vm_vec3 d, vm_scene *s)
 {
     const vm_real r = VM_SQRT(vm_dot(d, d));
@@ -32,7 +33,7 @@ VM_INLINE vm_vec3 vmi_gravitation(vm_real a, vm_real b, vm_vec3 d, vm_scene *s)
     return force;
 }
 
-/* An effect of gravitation: it acts on bodies in the plane, points and free bodies */
+/* An effect of gravitation, which can act on bodies in the plane, points and free bodies */
 VM_API vm_effect vmi_effect_gravitation(int body, int other,
                                         void (*apply)(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s))
 {
@@ -61,8 +62,8 @@ VM_API int vmi_gravitation_check(const vm_effect *e)
 
 /* Gravitation between two bodies, the force G M1 M2/r^2. G is in m^3/(kg s^2), 6.6743e-11 in nature; M1 and M2 are the
    present masses and r is the distance of the mass centres. The force on a body in the plane stays in the plane.
-   vm_scene_start returns VM_NO_SUCH_BODY if `other` is VM_GROUND, VM_SAME_BODY if it is `body`, and VM_BAD_MOTION for a
-   body on a line or an axle. A run ends with VM_NOT_FINITE if the bodies meet. */
+   vm_scene_start returns VM_NO_SUCH_BODY if `other` is VM_GROUND, VM_SAME_BODY if `other` is equal to `body`, and
+   VM_BAD_MOTION if one of the bodies is on a line or an axle. A run ends with VM_NOT_FINITE if the bodies meet. */
 VM_API vm_effect vm_effect_gravitation(int body, int other, vm_real G)
 {
     vm_effect e = vmi_effect_gravitation(body, other, vmi_apply_gravitation);
@@ -81,9 +82,9 @@ VM_API void vmi_apply_central_gravity(const vm_effect *e, vm_real t, const vm_re
 }
 
 /* Gravitation towards a centre at rest, the force mu M/r^2. mu is G times the mass in the centre, in m^3/s^2
-   (3.986004418e14 for the Earth); M is the present mass of the body and r its distance from the centre (m, inertial
-   axes). For a body in the plane centre.z is not used. vm_scene_start returns VM_BAD_MOTION for a body on a line or an
-   axle. */
+   (3.986004418e14 for the Earth); M is the present mass of the body and r its distance from the centre. The argument
+   centre is in m and inertial axes; for a body in the plane centre.z is not used. vm_scene_start returns VM_BAD_MOTION
+   if the body is on a line or an axle. */
 VM_API vm_effect vm_effect_central_gravity(int body, vm_vec3 centre, vm_real mu)
 {
     vm_effect e = vmi_effect_gravitation(body, VM_GROUND, vmi_apply_central_gravity);

@@ -1,8 +1,8 @@
 /* scenes/growing.h - bodies whose mass centre and inertia change
 
    The mass, the mass centre in the body, and the inertia of a growing body are numbers of the state, so that streams
-   can enter or leave at its points (streams.h). A growing body moves in the plane or in space. A body without extension
-   (a rod, a point) cannot grow.
+   can enter or leave at points of the body (streams.h). A growing body moves in the plane or in space. A point cannot
+   grow, and neither can a rod, which has no moment of inertia about its axis.
 
        vm_vec3 zero = {0, 0, 0};
        vm_scene_body bodies[] = {vm_scene_body_growing_plane(vm_scene_body_plane(2, 1, zero, 0, zero, 0))};
@@ -23,11 +23,11 @@
 #include "motions.h"
 #include "scene.h"
 
-/* The index of the mass centre in the state of a growing body; the mass centre follows the mass */
+/* The index of the coordinates of the mass centre in the state of a growing body; these coordinates follow the mass */
 VM_INLINE int vmi_growth_centre_at(const vm_scene_body *b) { return vmi_scene_mass_at(b) + 1; }
 
-/* The index of the inertia in the state of a growing body; the inertia follows the mass centre, which has 2 or 3
-   numbers */
+/* The index of the inertia in the state of a growing body; the inertia follows the 2 or 3 coordinates of the mass
+   centre */
 VM_INLINE int vmi_growth_inertia_at(const vm_scene_body *b)
 {
     const int directions = b->motion == VM_PLANE ? 2 : 3;
@@ -90,8 +90,8 @@ VM_API void vmi_plane_growing_get(const vm_scene_body *b, const vm_real *state, 
     vmi_plane_get(b, state, now);
 }
 
-/* A growing body in the plane. The argument is a body made by vm_scene_body_plane. A run ends with VM_BAD_INERTIA when
-   the inertia is no longer positive. vm_scene_start returns VM_BAD_MOTION for any other body. */
+/* A growing body in the plane. The argument is a body made by vm_scene_body_plane; for any other body vm_scene_start
+   returns VM_BAD_MOTION. A run ends with VM_BAD_INERTIA when the moment of inertia is no longer positive. */
 VM_API vm_scene_body vm_scene_body_growing_plane(vm_scene_body body)
 {
     body.mass_is_state = body.grows = 1;
@@ -113,7 +113,8 @@ VM_API void vmi_free_growing_begin(vm_scene_body *b, const vm_real *state)
 VM_API int vmi_free_growing_accelerate(const vm_scene_body *b, const vm_real *state, vm_real *rates)
 {
     const vm_load *load = &b->load;
-    vmi_inertia_ldl factors; /* only for this test; vmi_free_accelerate solves Euler's equations by itself */
+    /* the factors are used only for this check: vmi_free_accelerate solves Euler's equations without them */
+    vmi_inertia_ldl factors;
     if (!vmi_inertia_factor_if_possible(&b->inertia, &factors)) return VM_BAD_INERTIA;
     vmi_growth_put_centre(b, load->centre_rate, rates);
     vmi_set_inertia(rates + vmi_growth_inertia_at(b), &load->inertia_rate);
@@ -136,8 +137,8 @@ VM_API void vmi_free_growing_get(const vm_scene_body *b, const vm_real *state, v
     vmi_free_get(b, state, now);
 }
 
-/* Checks the inertia of a growing body. A rod or a point is refused, since no stream could turn it about one of its
-   axes. */
+/* Checks the inertia of a growing body in space. A rod or a point is refused, since no stream could turn it about an
+   axis about which it has no moment of inertia. */
 VM_API int vmi_free_growing_check(const vm_body *start)
 {
     vmi_inertia_ldl factors;
@@ -147,9 +148,9 @@ VM_API int vmi_free_growing_check(const vm_body *start)
     return VM_OK;
 }
 
-/* A growing body in space. The argument is a body made by vm_scene_body_free. A run ends with VM_BAD_INERTIA when the
-   inertia becomes one that no body can have. vm_scene_start returns VM_BAD_MOTION for any other body, and
-   VM_BAD_INERTIA for a rod or a point. */
+/* A growing body in space. The argument is a body made by vm_scene_body_free; for any other body vm_scene_start
+   returns VM_BAD_MOTION, and for a rod or a point VM_BAD_INERTIA. A run ends with VM_BAD_INERTIA when the inertia
+   becomes one that no body can have. */
 VM_API vm_scene_body vm_scene_body_growing_free(vm_scene_body body)
 {
     body.mass_is_state = body.grows = 1;

@@ -1,9 +1,9 @@
 /* scenes/joints.h - pins and rods between points of bodies
 
    A pin holds a point of a body at a point of another body or of the ground: in the plane it is a hinge, in space a
-   ball joint. A rod holds the distance of two points. All joints of a scene are in one list and are solved together, by
-   Lagrange's multipliers: chains, closed mechanisms and several joints on one body are possible. points.h explains how
-   a point is given.
+   ball joint. A rod keeps the distance of two points constant. Pins and rods are called joints. All joints of a scene
+   are in one list, and the forces of all joints are computed together, by Lagrange's multipliers: chains, closed
+   mechanisms and several joints on one body are possible. points.h explains how a point is given.
 
        vm_vec3 end = {-0.5, 0, 0}, pivot = {0, 0, 0};
        vm_joint list[] = {vm_joint_pin(0, end, VM_GROUND, pivot)};       // body 0 hangs at the pivot
@@ -11,15 +11,17 @@
        vm_joints joints = {list, 1, 10, room, VM_LENGTH(room)};          // deviations decrease as exp(-10 t)
        vm_effect effects[] = {vm_effect_gravity(0, 1, -9.81), vm_effect_joints(&joints)}; // joints stand last
 
-   Let C be the deviation of a joint from its condition; for a pin it is the vector between the two points. The joint
-   exerts the force for which the accelerations obey C'' + 2 rate C' + rate^2 C = 0, as a link does. After a jump of a
-   body, impulses of the joints take away the velocities with which points would move apart; the budget includes these
-   impulses. list[0].force is the reaction on body 0 at the last evaluation.
+   Let C be the deviation of a joint from its condition; for a pin C is the vector between the two points. The joint
+   exerts the force for which the accelerations obey C'' + 2 rate C' + rate^2 C = 0, where `rate` is a field of
+   vm_joints. After a jump of a body, impulses of the joints take away the velocities with which the points of a joint
+   would move apart; the budget includes these impulses. list[0].force is the reaction of the first joint on its body
+   at the last evaluation.
 
    Accuracy: the errors of forces and accelerations are a few eps of the largest of them. This also holds for joints
    that nearly contradict each other, such as two rods almost in line, and for light bodies between heavy ones, since
-   the forces are refined until they fit the equations. Two rods of 1 m that hold a point 1e-5 m beside their line have
-   errors of 4e-16, and at 1e-7 m the error is 4e-11. Closer to such a position the run ends with VM_SINGULAR.
+   the forces are refined until they fit the equations. If two rods of 1 m hold a point 1e-5 m beside the line through
+   their other ends, the errors are 4e-16; if they hold it 1e-7 m beside this line, 4e-11. Still closer to the line the
+   run ends with VM_SINGULAR.
 
    Tests: tests/test_scene_joints.c. */
 #ifndef VARMASS_SCENES_JOINTS_H
@@ -39,20 +41,21 @@
 #include "points.h"
 #include "scene.h"
 
-enum { VMI_JOINT_ROWS = 3 }; /* most equations that a joint has */
+enum { VMI_JOINT_ROWS = 3 }; /* the largest number of equations that a joint has */
 
-/* The number of elements of the work array of n joints */
+/* The number of elements that the array `work` of n joints must have */
 #define VM_JOINTS_WORK(n) (3 * (n) * (3 * (n) + 3))
 
-/* One equation of a joint: along * C'' is given. Index 0 belongs to the body, index 1 to the other one. For a force of
-   1 N along `along` on the body, and the opposite force on the other one, `turn` is the torque, `move` the acceleration
-   of the mass centre, and `spin` the angular acceleration. */
+/* One equation of a joint. It prescribes the component of C'' along the unit vector `along`, where C is the deviation
+   of the joint. Index 0 of an array belongs to the field `body` of the joint, index 1 to its field `other`. A force of
+   1 N along `along` acts on `body`, and the opposite force on `other`; `turn` is then the torque on a body, `move` the
+   acceleration of its mass centre, and `spin` its angular acceleration. */
 typedef struct VM_TAG(vmi_joint_row) {
     vm_vec3 along;            /* unit vector, inertial axes */
     vm_vec3 turn[2];          /* m: torque per N */
     vm_vec3 move[2];          /* 1/kg */
     vm_vec3 spin[2];          /* 1/(kg m) */
-    vm_real gap;              /* m: C, the deviation from the condition of the joint */
+    vm_real gap;              /* m: the deviation C from the condition of the joint */
     vm_real gap_rate;         /* m/s: C' */
     vm_real gap_acceleration; /* m/s^2: C'' without the joints */
 } vmi_joint_row;
@@ -70,28 +73,30 @@ struct VM_TAG(vm_joint) {
     /* fields set by the constructor */
     void (*equations)(vm_joint *joint, const vm_scene *scene, const vmi_joint_end *ends); /* writes the equations */
     int body, other;      /* indices of the bodies; `other` may be VM_GROUND */
-    vm_vec3 at, other_at; /* m: the points of the bodies, in their axes */
+    vm_vec3 at, other_at; /* m: the points of `body` and `other`, in the axes of these bodies */
     vm_real length;       /* m: length of a rod */
-    /* fields for the caller to read, set by each evaluation; all 0 while a body is not present */
-    vm_vec3 force; /* N, inertial axes: reaction on the body; the other one has the opposite reaction */
+    /* fields that the caller may read; each evaluation sets them, to 0 while a body of the joint is not present */
+    vm_vec3 force; /* N, inertial axes: reaction on `body`; the reaction on `other` is opposite */
     /* fields of the last evaluation */
     int n_rows; /* number of equations */
     vmi_joint_row row[VMI_JOINT_ROWS];
 };
 
-/* The joints of a scene, all in one list */
+/* The list of all joints of a scene */
 typedef struct VM_TAG(vm_joints) {
     vm_joint *joints; /* array of n_joints joints */
     int n_joints;
-    vm_real rate;  /* 1/s: deviations decrease as exp(-rate t); > 0 */
+    vm_real rate;  /* 1/s: deviations of the joints from their conditions decrease as exp(-rate t); > 0 */
     vm_real *work; /* array of VM_JOINTS_WORK(n_joints) numbers */
     int work_size; /* number of elements of work, which vm_scene_start checks; 0 means no check */
 } vm_joints;
 
-/* Computes an end of a joint with the acceleration of its point without the joints,
+/* Computes an end of a joint, and the acceleration that its point would have without the joints:
      a + alpha x arm + omega x (omega x arm - drift).
-   drift is the velocity of the mass centre of a growing body relative to the body: a is the rate of the velocity of
-   the material at the mass centre, and this material changes. */
+   Here a is the acceleration of the mass centre, alpha and omega are angular acceleration and angular velocity of the
+   body, and `arm` leads from the mass centre to the point. drift is 0 except for a growing body: it is the velocity
+   with which the mass centre moves through the material of the body. drift is subtracted because a is the rate of the
+   velocity at the mass centre, where the material changes. */
 VM_API void vmi_joint_end_now(const vm_scene *s, int body, vm_vec3 at, const vm_real *y, vmi_joint_end *end)
 {
     const vmi_body_point *p = &end->point;
@@ -129,13 +134,14 @@ VM_API vmi_joint_row *vmi_joint_add_row(vm_joint *joint, const vm_scene *s, cons
 
 /* -- The kinds of joints -- */
 
-/* Whether a body can move across the plane of x and y */
+/* Returns 1 if a body can move out of the plane of x and y, else 0 */
 VM_API int vmi_joint_is_in_space(const vm_scene *s, int body)
 {
     return body >= 0 && (s->bodies[body].motion == VM_POINT || s->bodies[body].motion == VM_FREE);
 }
 
-/* A pin has an equation for each direction in which one of its points can move: C is the vector between the points */
+/* Writes the equations of a pin, one for each direction in which one of its points can move. The deviation C is the
+   vector between the points. */
 VM_API void vmi_pin_equations(vm_joint *joint, const vm_scene *s, const vmi_joint_end *ends)
 {
     const int in_space = vmi_joint_is_in_space(s, joint->body) || vmi_joint_is_in_space(s, joint->other);
@@ -152,8 +158,9 @@ VM_API void vmi_pin_equations(vm_joint *joint, const vm_scene *s, const vmi_join
     }
 }
 
-/* A rod has one equation, C = (d^2 - length^2)/(2 |d|) with the vector d between its points. While it acts, |d| is
-   nearly constant; C' = d v/|d| and C'' = (d a + v^2)/|d|, as for a link. */
+/* Writes the equation of a rod. Its deviation is C = (d^2 - length^2)/(2 |d|), where d is the vector between its
+   points. Since the rod keeps |d| nearly constant, C' = d v/|d| and C'' = (d a + v^2)/|d|, as for a link; v and a are
+   the rates d' and d''. */
 VM_API void vmi_rod_equations(vm_joint *joint, const vm_scene *s, const vmi_joint_end *ends)
 {
     const vm_vec3 d = vm_sub(ends[0].point.r, ends[1].point.r), v = vm_sub(ends[0].point.v, ends[1].point.v);
@@ -180,7 +187,7 @@ VM_API vm_joint vm_joint_pin(int body, vm_vec3 at, int other, vm_vec3 other_at)
 }
 
 /* A rigid rod without mass between the point `at` of a body and the point other_at of the body `other`, or of the
-   ground. It holds the distance of the points at `length` (m), by a force along the line between them. */
+   ground. The rod keeps the distance of the points equal to `length` (m), by a force along the line between them. */
 VM_API vm_joint vm_joint_rod(int body, vm_vec3 at, int other, vm_vec3 other_at, vm_real length)
 {
     vm_joint joint = vm_joint_pin(body, at, other, other_at);
@@ -191,7 +198,8 @@ VM_API vm_joint vm_joint_rod(int body, vm_vec3 at, int other, vm_vec3 other_at, 
 
 /* -- The solution -- */
 
-/* The acceleration that the force of the equation `by`, of the joint j, adds to the equation `row` of the joint i */
+/* Returns the acceleration C'' in the equation `row` of the joint i that is caused by a force of 1 N of the equation
+   `by` of the joint j */
 VM_API vm_real vmi_joint_coupling(const vm_joint *i, const vmi_joint_row *row, const vm_joint *j,
                                   const vmi_joint_row *by)
 {
@@ -226,7 +234,8 @@ VM_API int vmi_joints_equations(const vm_joints *joints, const vm_scene *s, cons
     return n;
 }
 
-/* Writes to row k of the n x n matrix how the forces of all equations accelerate the equation `row` of a joint */
+/* Writes one row of the matrix of all equations to a: for each equation, the acceleration C'' that a force of 1 N of
+   this equation causes in the equation `row` of `joint` */
 VM_API void vmi_joints_matrix_row(const vm_joints *joints, const vm_joint *joint, const vmi_joint_row *row, vm_real *a)
 {
     int j, m, at = 0;
@@ -236,8 +245,8 @@ VM_API void vmi_joints_matrix_row(const vm_joints *joints, const vm_joint *joint
     }
 }
 
-/* What the forces or impulses of an equation must add. Forces must add to C'' what is needed for C'' + 2 rate C' +
-   rate^2 C = 0, impulses must add to C' what is needed for C' = 0. */
+/* What is computed from the equations: forces or impulses. Forces must change C'' so that C'' + 2 rate C' + rate^2 C =
+   0, and impulses must change C' so that C' = 0. */
 enum { VMI_JOINT_FORCES, VMI_JOINT_IMPULSES };
 
 VM_API vm_real vmi_joint_lacks(const vmi_joint_row *row, vm_real rate, int wanted)
@@ -246,7 +255,8 @@ VM_API vm_real vmi_joint_lacks(const vmi_joint_row *row, vm_real rate, int wante
     return -(row->gap_acceleration + 2 * rate * row->gap_rate + rate * rate * row->gap);
 }
 
-/* Computes the accelerations of the mass centre and of the rotation which the forces of all equations give a body */
+/* Computes the acceleration *move of the mass centre and the angular acceleration *spin that the forces of all
+   equations give a body */
 VM_API void vmi_joints_accelerate(const vm_joints *joints, const vm_real *forces, int body, vm_vec3 *move,
                                   vm_vec3 *spin)
 {
@@ -265,9 +275,9 @@ VM_API void vmi_joints_accelerate(const vm_joints *joints, const vm_real *forces
     }
 }
 
-/* Writes the rest of each equation, that is what the forces do not yet add to C'' or C' (see vmi_joint_lacks). It is
-   computed from the accelerations of the bodies. Where large forces nearly cancel, these keep digits that the matrix
-   has lost. */
+/* Writes the remainder of each equation: the part of the needed change of C'' or C' (see vmi_joint_lacks) that the
+   forces do not yet cause. The remainder is computed from the accelerations of the bodies. If large forces nearly
+   cancel, these accelerations have digits that the matrix has lost. */
 VM_API void vmi_joints_rest(const vm_joints *joints, const vm_real *forces, int wanted, vm_real *rest)
 {
     int i, k, m;
@@ -288,8 +298,8 @@ VM_API void vmi_joints_rest(const vm_joints *joints, const vm_real *forces, int 
     }
 }
 
-/* Refines the forces once, by the decomposed matrix of the work array. Returns 1 if this changed them so much that a
-   further refinement is worth its time, else 0. */
+/* Refines the forces once, with the decomposed matrix that joints->work contains. Returns 1 if this changed the forces
+   by more than sqrt(VM_EPSILON) times the largest of them, so that a further refinement is worth its time, else 0. */
 VM_API int vmi_joints_refine(const vm_joints *joints, int n, int wanted)
 {
     const vm_real *a = joints->work;
@@ -305,9 +315,10 @@ VM_API int vmi_joints_refine(const vm_joints *joints, int n, int wanted)
     return change > VM_SQRT(VM_EPSILON) * largest;
 }
 
-/* Solves the n equations for the forces, or for the impulses. The results replace the numbers of the work array from
-   n^2 on. The matrix loses twice as many digits as the equations themselves; refinement gives them back. Returns
-   VM_SINGULAR, VM_NOT_FINITE or VM_OK. */
+/* Solves the n equations for the forces, or for the impulses, and writes the results to joints->work from index n^2
+   on. A solution by the matrix loses twice as many digits as the equations themselves do; the refinement restores
+   these digits. Returns VM_SINGULAR if the equations have no unique solution, VM_NOT_FINITE if a number is not finite,
+   and else VM_OK. */
 VM_API int vmi_joints_solve(const vm_joints *joints, int n, int wanted)
 {
     enum { MOST_REFINEMENTS = 4 };
@@ -329,7 +340,7 @@ VM_API int vmi_joints_solve(const vm_joints *joints, int n, int wanted)
     return VM_OK;
 }
 
-/* The force of a joint on its body, from the forces of its equations */
+/* The force of a joint on its field `body`: the vector sum of the forces of its equations */
 VM_API vm_vec3 vmi_joint_force(const vm_joint *joint, const vm_real *forces)
 {
     vm_vec3 sum = {0, 0, 0};
@@ -367,7 +378,7 @@ VM_API void vmi_apply_joints(const vm_effect *e, vm_real t, const vm_real *y, vm
     }
 }
 
-/* Gives an impulse at a point of a body or of the ground */
+/* Gives a body an impulse at its point `at`; an impulse on the ground changes nothing */
 VM_API void vmi_joint_kick(const vm_scene *s, int body, vm_vec3 at, vm_vec3 impulse, vm_real *y)
 {
     vmi_body_point p;
@@ -376,8 +387,8 @@ VM_API void vmi_joint_kick(const vm_scene *s, int body, vm_vec3 at, vm_vec3 impu
     vmi_point_kick(s->bodies + body, &p, impulse, y);
 }
 
-/* After a jump, gives the impulses of the joints that stop the points of each joint from moving apart, and adds those
-   from the ground to the budget. The equations are those of the last evaluation. */
+/* After a jump, gives the bodies the impulses with which the points of each joint do not move apart, and adds the
+   impulses from the ground to the budget. The equations are those of the last evaluation of the loads. */
 VM_API int vmi_joints_settle(const vm_effect *e, vm_real *y, vm_scene *s)
 {
     const vm_joints *joints = (const vm_joints *)e->parts;
@@ -403,12 +414,14 @@ VM_API int vmi_joints_settle(const vm_effect *e, vm_real *y, vm_scene *s)
 
 /* -- Checks -- */
 
-/* Computes an end of a joint at the start of the scene, when the accelerations are not yet known. `size` and `speed`
-   are sums of the lengths and velocities of which the position and velocity of the point are composed. */
+/* Computes an end of a joint at the start of the scene, when the accelerations are not yet known. Adds to *size the
+   lengths of which the position of the point is composed, and to *speed the velocities of which its velocity is
+   composed. */
 VM_API void vmi_joint_end_at_start(const vm_scene *s, int body, vm_vec3 at, vmi_joint_end *end, vm_real *size,
                                    vm_real *speed)
 {
-    enum { MOST = 13 + 1 + 3 + 6 }; /* the numbers of a free body, its mass, its mass centre and its inertia */
+    /* number of state variables of a free growing body: its motion, mass, mass centre and inertia */
+    enum { MOST = 13 + 1 + 3 + 6 };
     vm_real state[MOST] = {0};
     vmi_body_point *p = &end->point;
     end->a = vmi_vec3(0, 0, 0);
@@ -422,8 +435,8 @@ VM_API void vmi_joint_end_at_start(const vm_scene *s, int body, vm_vec3 at, vmi_
     *speed += vmi_norm1(p->v) + vmi_norm1(p->omega) * vmi_norm1(p->arm);
 }
 
-/* Whether the bodies fit a joint at the start: the gap and its rate are at most a small fraction of the lengths and
-   velocities of which they are composed */
+/* Returns 1 if the bodies fit a joint at the start, else 0. They fit if the deviation and its rate are at most a small
+   fraction of the lengths and velocities of which they are composed. */
 VM_API int vmi_joint_fits(vm_joint *joint, const vm_scene *s)
 {
     const vm_real loose = VM_C(1e-6) + 512 * VM_EPSILON;
@@ -455,8 +468,8 @@ VM_API int vmi_joint_check(vm_joint *joint, const vm_scene *s)
     return vmi_joint_fits(joint, s) ? VM_OK : VM_NOT_JOINED;
 }
 
-/* With `enter` = 1, marks in the lists of effects on the bodies of the joints that a link stands there. With `enter`
-   = 0, returns VM_TWO_LINKS if a link or another list of joints already stands there. */
+/* With `enter` = 1, marks each body of the joints as a body with a link, so that no other effect on it may follow.
+   With `enter` = 0, returns VM_TWO_LINKS if a body already has a link or joints of another list, else VM_OK. */
 VM_API int vmi_joints_enter_links(const vm_joints *joints, const vm_scene *s, int enter)
 {
     const int link = 1 << VMI_ORDER_LINK;
@@ -488,18 +501,19 @@ VM_API int vmi_joints_check(const vm_scene *s, const vm_effect *e)
     return status;
 }
 
-/* The joints of a scene, solved together. *joints and its arrays are not copied and must stay where they are. The
-   effect must stand after all other effects on the bodies of the joints. A pin has 2 equations in the plane and 3 in
-   space, a rod has 1. To solve n equations, an evaluation makes about n^3/3 multiplications, and some 10 n^2 to
-   refine the solution. A high rate makes the equations stiff. vm_scene_start returns VM_BAD_ARGUMENT for null
-   pointers and an empty list, VM_NOT_FINITE if a number is infinite or NaN, VM_DOMAIN if rate or the length of a rod
-   is not positive, VM_SHORT_ARRAY if work is too small, VM_NO_SUCH_BODY if a body does not exist, VM_IS_AWAY if the
-   body of the first joint is absent at the start, VM_SAME_BODY for a joint of a body with itself, VM_BAD_POINT for a
-   point that the body cannot have (points.h), VM_NOT_JOINED if points do not fit at the start or move apart,
-   VM_TWO_LINKS if a body has a link or joints of another list, too, and VM_LINK_NOT_LAST if another effect on one of
-   the bodies follows. A run ends with VM_SINGULAR if joints are redundant or contradict each other, if they hold a
-   point that cannot move, or if a mechanism reaches a position in which it is locked. It ends with VM_NOT_FINITE if
-   the points of a rod coincide. A joint does not act while one of its bodies is not present. */
+/* The joints of a scene, solved together. *joints and its arrays are not copied and must stay at their places in
+   memory. The effect must stand after all other effects on the bodies of the joints. A pin has 2 equations in the
+   plane and 3 in space, a rod has 1. To solve n equations, an evaluation makes about n^3/3 multiplications, and some
+   10 n^2 more to refine the solution. A high rate makes the equations of motion stiff, so that the steps become short.
+   vm_scene_start returns VM_BAD_ARGUMENT if a pointer is NULL or the list is empty; VM_NOT_FINITE if a number is
+   infinite or NaN; VM_DOMAIN if rate or the length of a rod is not positive; VM_SHORT_ARRAY if work is too small;
+   VM_NO_SUCH_BODY if a body does not exist; VM_IS_AWAY if the body of the first joint is absent at the start;
+   VM_SAME_BODY if a joint connects a body with itself; VM_BAD_POINT if a body cannot have the point of its joint
+   (points.h); VM_NOT_JOINED if the points of a joint do not fit at the start or move apart; VM_TWO_LINKS if a body
+   also has a link or joints of another list; and VM_LINK_NOT_LAST if another effect on one of the bodies follows the
+   joints. A run ends with VM_SINGULAR if joints are redundant or contradict each other, if they hold a point that
+   cannot move, or if a mechanism reaches a position in which it is locked. It ends with VM_NOT_FINITE if the points of
+   a rod coincide. A joint does not act while one of its bodies is not present. */
 VM_API vm_effect vm_effect_joints(const vm_joints *joints)
 {
     const int is_list = joints && joints->joints && joints->n_joints > 0;

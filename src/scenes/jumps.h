@@ -1,8 +1,8 @@
 /* scenes/jumps.h - separation and attachment as events of a scene
 
    An event can separate a part from a body, or attach one body to another, by the laws of mechanics/jumps.h. A part
-   that separates becomes another body of the scene, which must be absent before; an attached body is absent
-   afterwards.
+   that separates becomes another body of the scene, which must be absent before the event. A body that is attached is
+   absent after the event.
 
        vm_scene_body bodies[] = {vm_scene_body_line(5, 0, 10), vm_scene_body_absent(vm_scene_body_line(1, 0, 0))};
        vm_body part;
@@ -11,22 +11,23 @@
        part.v.x = 2;    // m/s faster than the body
        vm_event drop = vm_then_separate_on_line(vm_event_at(3), 0, 1, &part, 1);
 
-   The caller gives the motion of a part just after the jump. If relative is 0, it is given in inertial axes. If
-   relative is 1, it is given in the axes of the body: r leads from the mass centre of the body to the part, and q, v
-   and omega are relative to the motion of the body at this point, just before the jump. In the plane and on an axle
-   the new body has the angle of the body from which it separates, plus the angle with which it was made. event.external
-   is an impulse that acts from outside during the jump.
+   The caller gives the motion that a part has just after the jump. If the argument `relative` is 0, this motion is
+   given in inertial axes. If `relative` is 1, it is given in the axes of the body: r leads from the mass centre of the
+   body to the part, and q, v and omega are relative to the motion of the body at this point, just before the jump. In
+   the plane and on an axle the new body has the angle of the body from which it separates, plus the angle that its
+   constructor received. The field `external` of the event is an impulse that acts from outside during the jump.
 
-   Two bodies can jump together if they have the same motion. A body in the plane or a free body can also take up or
-   give off a point. The functions whose names end in _on_line (line or axle) and _in_plane do the same as
-   vm_then_separate and vm_then_attach for these motions only, and make the program smaller (docs/scene-sizes.md). If a
-   point takes up a body at another place, the angular momentum of both about their common mass centre is lost, since a
-   point does not rotate; angular_defect of the budget shows this loss.
+   Two bodies can take part in the same jump if they have the same kind of motion. A body in the plane or a free body
+   can also take up or give off a point. The functions whose names end in _on_line (for a line or an axle) and
+   _in_plane do the same as vm_then_separate and vm_then_attach, but only for these kinds of motion, and make the
+   program smaller (docs/scene-sizes.md). If a point takes up a body at another place, the angular momentum of both
+   bodies about their common mass centre is lost, since a point does not rotate; angular_defect of the budget shows
+   this loss.
 
    A run ends with VM_IS_THERE if a part would become a body that is present already, with VM_IS_AWAY if a body that
-   jumps is not present, and with the errors of vm_separate and vm_attach. vm_scene_start returns VM_BAD_MOTION for
-   bodies that cannot jump together, VM_SAME_BODY for a body with itself, and the status of vm_scene_check for a part
-   that cannot be a body.
+   jumps is not present, and with the errors of vm_separate and vm_attach. vm_scene_start returns VM_BAD_MOTION if the
+   two bodies cannot take part in the same jump, VM_SAME_BODY if both are the same body, and the status of
+   vm_scene_check if a part cannot be a body.
 
    Tests: tests/test_scene_events.c. */
 #ifndef VARMASS_SCENES_JUMPS_H
@@ -46,11 +47,11 @@
 #include "scene.h"
 #include "state.h"
 
-/* Computes the jump on a line and on an axle. With sign = -1 for a part that separates and 1 for a body that is
-   attached, the velocity becomes v1 = (M v + sign m v2 + impulse)/(M + sign m) (24), and the mass centre moves by the
-   fraction sign m/(M + sign m) of the way to the mass centre of the part (15). M and v belong to the body, m and v2
-   to the part; on an axle M and m are moments of inertia. Line and axle use the same formulas: the numbers that a
-   motion does not need are 0. */
+/* Computes the jump on a line and on an axle. Let `sign` be -1 for a part that separates and 1 for a body that is
+   attached. The velocity of the body becomes v1 = (M v + sign m v2 + impulse)/(M + sign m) (24), and its mass centre
+   moves by the fraction sign m/(M + sign m) of the way to the mass centre of the part (15). M and v are mass and
+   velocity of the body, m and v2 those of the part or of the attached body; on an axle M and m are moments of inertia.
+   Line and axle use the same formulas, because the numbers that a line or an axle does not need are 0. */
 VM_API int vmi_event_jump_on_line(const vm_event *e, const vm_body *body, vm_body *other, vm_body *b)
 {
     const vm_real m = e->jump_kind == VMI_JUMP_SEPARATES ? -other->mass : other->mass, mass = body->mass + m;
@@ -68,7 +69,8 @@ VM_API int vmi_event_jump_on_line(const vm_event *e, const vm_body *body, vm_bod
     return VM_OK;
 }
 
-/* Converts *part from motion relative to *body, in the axes of *body, to motion in inertial axes */
+/* Converts the motion of *part: before, it is relative to *body and in the axes of *body; afterwards it is absolute
+   and in inertial axes */
 VM_API void vmi_event_jump_place(const vm_body *body, vm_body *part)
 {
     const vmi_mat3 turn = vmi_rotation(body->q);
@@ -124,8 +126,8 @@ VM_API int vmi_event_jump_any(const vm_event *e, const vm_body *body, vm_body *o
     return vm_attach(body, other, &e->external, b);
 }
 
-/* The angle of a body in the plane or on an axle, complete turns included. For all other bodies the result is a
-   number that the function `put` of the body ignores. */
+/* The angle of a body in the plane or on an axle, complete turns included. For a body with another kind of motion the
+   result has no meaning, and the function `put` of the body does not use it. */
 VM_API vm_real vmi_scene_angle(const vm_scene *s, int body, const vm_real *y)
 {
     const vm_scene_body *b = s->bodies + body;
@@ -146,8 +148,8 @@ VM_API void vmi_scene_shift_centre(const vm_scene *s, int body, vm_vec3 r, vm_re
     vmi_growth_put_centre(b, vm_add(vmi_growth_centre(b, state), step), state);
 }
 
-/* Lets each effect that holds bodies together act even if its first body is not present: such an effect leaves out
-   absent bodies by itself */
+/* Lets each effect that holds bodies together (that is, joints) act even if its first body is not present: such an
+   effect itself leaves out the joints of absent bodies */
 VM_API void vmi_scene_wake(vm_scene *s)
 {
     int i;
@@ -156,8 +158,8 @@ VM_API void vmi_scene_wake(vm_scene *s)
 }
 
 /* Writes the bodies after a jump into the state: the body that lost or gained mass, and the part that separated, or
-   NULL if the body `other` was attached. Stores the masses that all bodies must have then, because a mass law does not
-   include the mass that a jump adds or takes away. */
+   NULL if the body `other` was attached. Stores the masses that all bodies must have after the jump, because a mass
+   law does not include the mass that a jump adds or takes away. */
 VM_API void vmi_scene_put_jump(vm_event *e, vm_real *y, const vm_body *result, const vm_body *part_or_NULL)
 {
     vm_scene *s = e->scene;
@@ -178,7 +180,8 @@ VM_API void vmi_scene_put_jump(vm_event *e, vm_real *y, const vm_body *result, c
     vmi_scene_wake(s);
 }
 
-/* Lets effects that hold bodies together give their impulses after a jump. The loads have been evaluated. */
+/* Lets effects that hold bodies together (that is, joints) give their impulses after a jump. The loads must have been
+   computed before. Returns VM_OK, or the first error of these effects. */
 VM_API int vmi_scene_settle(vm_scene *s, vm_real *y)
 {
     int i, status = VM_OK;
@@ -191,7 +194,7 @@ VM_API int vmi_scene_settle(vm_scene *s, vm_real *y)
 
 /* Adjusts the masses after a jump has been written into the state, and adds to the budget the energy that the jump
    adds and the impulse from outside. Returns VM_OK, the status of an effect that cannot hold the bodies together, or
-   that of a mass law that fails; the next run then calls this function again. */
+   the status of a mass law that fails. If a mass law fails, the next run calls this function again. */
 VM_API int vmi_scene_finish_jump(vm_event *e, vm_real t, vm_real *y)
 {
     vm_scene *s = e->scene;
@@ -317,7 +320,8 @@ VM_API vm_event vm_then_attach_in_plane(vm_event event, int body, int added)
 }
 
 /* The event attaches a body to another body; both may have any kind of motion. The body `added` becomes a part of
-   `body` and is no longer present. vm_scene_start returns VM_BAD_MOTION for kinds that cannot jump together. */
+   `body` and is no longer present. vm_scene_start returns VM_BAD_MOTION if bodies of their kinds of motion cannot take
+   part in the same jump. */
 VM_API vm_event vm_then_attach(vm_event event, int body, int added)
 {
     event = vm_then_attach_on_line(event, body, added);

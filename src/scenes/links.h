@@ -1,8 +1,9 @@
 /* scenes/links.h - rigid links and cords between bodies
 
-   A link keeps the distance between two mass centres, or between a mass centre and a point with a given motion. A cord
-   is a link that can pull but not push. The force of a link is the reaction to all other forces on its ends. Therefore
-   a link must stand last in the list among the effects on a body, and a body has at most one link.
+   A link keeps the distance between two mass centres constant, or the distance between a mass centre and a point whose
+   motion is given. A cord is a link that can pull but not push. The force of a link is the reaction to all other
+   forces on its ends. Therefore a link must stand last in the list among the effects on a body, and a body has at most
+   one link.
 
        vm_effect pendulum = vm_effect_link(0, VM_GROUND, pivot, NULL, 1, 0, 10); // 1 m long, hung up at pivot(t)
 
@@ -24,10 +25,11 @@
 typedef struct VM_TAG(vmi_link_end) {
     vm_real r[3], v[3];
     vm_real a[3];        /* acceleration without the link, m/s^2 */
-    vm_real mobility[3]; /* acceleration per force along each coordinate: 1/mass, or 0 where the end cannot move */
+    vm_real mobility[3]; /* acceleration by a force of 1 N along each coordinate: 1/mass, or 0 if the end cannot move */
 } vmi_link_end;
 
-/* Writes an end that is a body. The numbers of *end for further directions stay 0. */
+/* Writes to *end an end of a link that is a body. Numbers of *end for directions in which the body cannot move stay
+   0. */
 VM_API void vmi_link_to_body(const vm_scene *s, int body, const vm_real *y, vmi_link_end *end)
 {
     const vm_scene_body *b = s->bodies + body;
@@ -43,7 +45,8 @@ VM_API void vmi_link_to_body(const vm_scene *s, int body, const vm_real *y, vmi_
     }
 }
 
-/* Writes an end that is a point with a given motion, which no force accelerates: its mobility stays 0 */
+/* Writes to *end an end of a link that is a point with a given motion. No force accelerates this point: its mobility
+   stays 0. */
 VM_API void vmi_link_to_point(const vm_effect *e, vm_real t, vmi_link_end *end)
 {
     vm_vec3 r = {0, 0, 0}, v = {0, 0, 0}, a = {0, 0, 0};
@@ -53,22 +56,24 @@ VM_API void vmi_link_to_point(const vm_effect *e, vm_real t, vmi_link_end *end)
     vmi_set3(end->a, a);
 }
 
-enum { VMI_LINK_LENGTH, VMI_LINK_RATE }; /* indices of the parameters in p; the variant is 1 for a cord */
+/* indices of the parameters of a link in p; the field `variant` of a link is 1 for a cord */
+enum { VMI_LINK_LENGTH, VMI_LINK_RATE };
 
-/* Computes the factor lambda of the force lambda d on the end `here`, where d leads from `there` to `here`. With the
-   length l of the link, the deviation C = (d^2 - l^2)/2 obeys C'' + 2 rate C' + rate^2 C = 0. In this equation
-   C' = d v and C'' = d a + v^2, where v and a are the velocity and acceleration of `here` relative to `there`. The
-   link adds lambda times the sum of mobility d^2, over both ends and all coordinates, to d a. lambda is 0 for a slack
-   cord. Returns VM_SINGULAR if the ends are in one place or cannot move along the link, and VM_NOT_FINITE if a number
-   is not finite. */
+/* Computes the factor lambda of the force lambda d that the link exerts on its end `here`; the vector d leads from the
+   end `there` to the end `here`. lambda follows from the condition that the deviation C = (d^2 - l^2)/2, where l is
+   the length of the link, obeys C'' + 2 rate C' + rate^2 C = 0. In this equation C' = d v and C'' = d a + v^2, where v
+   and a are the velocity and acceleration of `here` relative to `there`. The force of the link changes d a by lambda
+   times a sum: over both ends and all coordinates, the mobility of the end times the square of the coordinate of d.
+   lambda is 0 for a slack cord. Returns VM_SINGULAR if the ends are at one place or cannot move along the link,
+   VM_NOT_FINITE if a number is not finite, and else VM_OK. */
 VM_API int vmi_link_lambda(const vm_effect *e, const vmi_link_end *here, const vmi_link_end *there, vm_real *lambda)
 {
     /* A cord does not pull while the distance of its ends is shorter than its length by more than this fraction. The
-       fraction is larger than the uncertainty of the length, so that the cord does not alternate between taut and
+       fraction is larger than the error of the computed distance, so that the cord does not alternate between taut and
        slack. */
     const vm_real loose = VM_C(1e-6) + 512 * VM_EPSILON;
     const vm_real length = e->p[VMI_LINK_LENGTH], rate = e->p[VMI_LINK_RATE];
-    vm_real dd = 0, dv = 0, vv = 0, da = 0, mobility = 0, C; /* scalar products of d, v, a; sum of mobility d^2 */
+    vm_real dd = 0, dv = 0, vv = 0, da = 0, mobility = 0, C; /* scalar products; sum of mobility d^2 */
     int i;
     for (i = 0; i < 3; i++) {
         const vm_real v = here->v[i] - there->v[i], d = here->r[i] - there->r[i];
@@ -122,17 +127,18 @@ VM_API int vmi_link_check_ends(const vm_scene *s, const vm_effect *e)
     return VM_OK;
 }
 
-/* A rigid link of a given length, or a cord, which can only pull. The link holds the mass centre of `body`, a point
-   or a body in the plane, at the distance `length` (m) from another mass centre or from a moving point. The other
-   mass centre is that of the body `other`, which is not on an axle; point is then NULL. With other = VM_GROUND the
-   function `point` gives the motion of the point, which may lie above the plane. cord = 1 makes the link a cord.
-   Deviations from the length decrease as exp(-rate t), with rate > 0 in 1/s. A cord that becomes taut at the speed v
-   is stretched by about v/(e rate), where e = 2.718. A high rate makes the equations stiff: in float 100/s is tested
-   for a cord of 1 m at 6 m/s.
-   vm_scene_start returns VM_DOMAIN if length or rate is not positive, VM_BAD_MOTION for a growing body, whose mass
-   centre moves in the body, VM_TWO_LINKS for a second link on a body, VM_LINK_NOT_LAST if another effect on the body
-   follows the link, and VM_SAME_BODY for a link of a body with itself. A run ends with VM_SINGULAR if the ends are in
-   one place or cannot move along the link. */
+/* A rigid link of a given length, or a cord, which can only pull. The link keeps the mass centre of `body`, which is a
+   point or a body in the plane, at the distance `length` (m) from another mass centre or from a moving point. The
+   other mass centre is that of the body `other`, which must not be on an axle; the argument `point` is then NULL. If
+   other is VM_GROUND, the function `point` gives the motion of the moving point, which may lie above the plane. If
+   `cord` is 1, the link is a cord. Deviations from the length decrease as exp(-rate t), with rate > 0 in 1/s. A cord
+   that becomes taut at the speed v is stretched by about v/(e rate), where e = 2.718. A high rate makes the equations
+   of motion stiff, so that the steps become short: in float a rate of 100/s is tested for a cord of 1 m at 6 m/s.
+   vm_scene_start returns VM_DOMAIN if length or rate is not positive; VM_BAD_MOTION if a body has a kind of motion
+   that is not allowed here or is a growing body, whose mass centre moves in the body; VM_TWO_LINKS if a body has a
+   second link; VM_LINK_NOT_LAST if another effect on the body follows the link; and VM_SAME_BODY if the link connects
+   a body with itself. A run ends with VM_SINGULAR if the ends of the link are at one place or cannot move along the
+   link. */
 VM_API vm_effect vm_effect_link(int body, int other, vm_moving_point point, void *ctx, vm_real length, int cord,
                                 vm_real rate)
 {

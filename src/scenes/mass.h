@@ -5,16 +5,16 @@
    equation of motion under the force F is M v' = F + M' (u - reactive v). The mass that joins or leaves has, for
      reactive = 1  the absolute velocity u: the reactive force is M' (u - v) (156), Levi-Civita's (167)-(169) if u = 0;
      reactive = 0  the velocity u relative to the body: the reactive force is M' u, which is 0 if u = 0 (166).
-   Only on a line or an axle may a law depend on position x and velocity v; on an axle it gives the moment of inertia
-   J from the angle or the angular velocity. u is in m/s. On a line and on an axle only u.x is used, on an axle in
-   rad/s.
+   Only on a line or an axle may a law depend on the position x and the velocity v. On an axle x is the angle, v the
+   angular velocity, and the law gives the moment of inertia. u is a vector in m/s; on a line and on an axle only u.x
+   is used, which is in rad/s on an axle.
 
        vm_effect leak = vm_effect_mass(0, VM_MASS_OF_T, -0.01, 0, 0); // body 0 loses 10 g/s, which keeps its velocity
 
-   In the list of effects a law must stand before all other effects on its body, and a body has at most one law. Mass
-   that a jump adds to the body is added to the mass of the law. If an event switches a law off, the mass remains
-   constant; if it switches a law on, the law continues from the present mass (for a law M0 + c t this means that only c
-   has an effect). Therefore switching never changes a mass suddenly.
+   In the list of effects a mass law must stand before all other effects on its body, and a body has at most one mass
+   law. If a jump adds mass to the body, this mass is added to the mass that the law gives. If an event switches a law
+   off, the mass remains constant. If an event switches a law on, the law continues from the present mass: of the law
+   M0 + c t only c then has an effect. Therefore switching never changes a mass suddenly.
 
    Tests: tests/test_scene_mass.c. */
 #ifndef VARMASS_SCENES_MASS_H
@@ -26,12 +26,13 @@
 #include "effects.h"
 #include "scene.h"
 
-/* Indices of the parameters of mass laws and of streams: the velocity u (three numbers), `reactive`, and the
-   coefficient of a law or the rate of a stream */
+/* Indices of the parameters p of mass laws and of streams: the velocity u (three numbers), `reactive`, and the
+   coefficient c of a law or the rate of a stream */
 enum { VMI_MASS_U = 0, VMI_MASS_REACTIVE = 3, VMI_MASS_COEFFICIENT = 4, VMI_MASS_RATE = 4 };
 
-/* Adds the reactive force rate (u - reactive v) on each coordinate along which the mass moves, and adds to the budget
-   the momentum and the energy that the mass brings */
+/* Adds the reactive force rate (u - reactive v) to each coordinate of the mass centre (on an axle to the angle), and
+   adds to the budget the momentum and the energy that the mass brings. u and v are the components along this
+   coordinate. */
 VM_INLINE void vmi_scene_reactive(const vm_effect *e, const vm_real *y, vm_scene *s, vm_real rate, const vm_real *u,
                                   vm_real reactive)
 {
@@ -50,9 +51,10 @@ VM_INLINE void vmi_scene_reactive(const vm_effect *e, const vm_real *y, vm_scene
     }
 }
 
-/* Gives the body the mass of a law. The rate is M' = by_t + by_x v + by_v v'. The acceleration v' is not known yet;
-   therefore the reactive force of the last term, by_v v' (u - reactive v), is moved to the left side of the equation
-   of motion, where it acts as the mass extra_mass = by_v (reactive v - u). */
+/* Gives a body the mass that a law gives, and adds the reactive force. The rate of the mass is M' = by_t + by_x v +
+   by_v v'. The acceleration v' is not known yet; therefore the reactive force of the last term, by_v v' (u - reactive
+   v), is moved to the left side of the equation of motion, where it acts as the mass extra_mass = by_v (reactive v -
+   u). */
 VM_INLINE void vmi_scene_apply_law(const vm_effect *e, const vm_real *y, vm_scene *s, const vm_mass_law_values *now,
                                 const vm_real *u, vm_real reactive)
 {
@@ -73,9 +75,9 @@ VM_API void vmi_apply_mass_law(const vm_effect *e, vm_real t, const vm_real *y, 
 
 /* A mass law M(t, x, v) that the caller's function returns. The effect includes the reactive force. The velocity of
    the mass that joins or leaves is u + (1 - reactive) v, where v is the velocity of the body: u is absolute if
-   reactive is 1, and relative to the body if it is 0. vm_scene_start returns VM_BAD_ARGUMENT if law is NULL. A run
-   ends with VM_BAD_MASS if the mass is not positive, and with VM_NO_EFFECTIVE_MASS if M + dM/dv (reactive v - u) is
-   not positive. */
+   reactive is 1, and relative to the body if reactive is 0. vm_scene_start returns VM_BAD_ARGUMENT if law is NULL. A
+   run ends with VM_BAD_MASS if the mass is not positive, and with VM_NO_EFFECTIVE_MASS if M + dM/dv (reactive v - u)
+   is not positive. */
 VM_API vm_effect vm_effect_mass_law(int body, vm_mass_law_values (*law)(vm_real t, vm_real x, vm_real v, void *ctx),
                                     void *ctx, vm_vec3 u, vm_real reactive)
 {
@@ -90,11 +92,12 @@ VM_API vm_effect vm_effect_mass_law(int body, vm_mass_law_values (*law)(vm_real 
     return e;
 }
 
-/* The kinds of vm_effect_mass. M0 is the mass with which the body was made. */
+/* The argument `kind` of vm_effect_mass says on what the mass depends. M0 is the mass with which the body was made, c
+   a constant. */
 enum {
-    VM_MASS_OF_T, /* M0 + c t at the time t, c in kg/s */
-    VM_MASS_OF_X, /* M0 + c x at the position x, c in kg/m */
-    VM_MASS_OF_V2 /* M0 + c v^2 at the velocity v, c in kg s^2/m^2 */
+    VM_MASS_OF_T, /* the mass is M0 + c t at the time t, with c in kg/s */
+    VM_MASS_OF_X, /* the mass is M0 + c x at the position x, with c in kg/m */
+    VM_MASS_OF_V2 /* the mass is M0 + c v^2 at the velocity v, with c in kg s^2/m^2 */
 };
 
 VM_API void vmi_apply_mass(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
@@ -118,8 +121,8 @@ VM_API void vmi_apply_mass(const vm_effect *e, vm_real t, const vm_real *y, vm_s
 /* A mass that is M0 + c t, M0 + c x or M0 + c v^2, with its reactive force. M0 is the mass with which the body was
    made. kind is VM_MASS_OF_T, VM_MASS_OF_X or VM_MASS_OF_V2; the last two are for a line or an axle. The velocity of
    the mass that joins or leaves is u + (1 - reactive) v along coordinate 0, where v is the velocity of the body: u is
-   absolute if reactive is 1, and relative to the body if it is 0. vm_scene_start returns VM_BAD_ARGUMENT for an
-   unknown kind; a run ends with the errors of vm_effect_mass_law. */
+   absolute if reactive is 1, and relative to the body if reactive is 0. vm_scene_start returns VM_BAD_ARGUMENT if kind
+   is unknown. A run can end with the same errors as a run with vm_effect_mass_law. */
 VM_API vm_effect vm_effect_mass(int body, int kind, vm_real c, vm_real u, vm_real reactive)
 {
     vm_effect e = vmi_effect(body, 0, vmi_apply_mass);

@@ -1,17 +1,19 @@
 /* scenes/motions.h - the bodies of a scene, and how each of them moves
 
    A body moves along a line, about an axle, in the plane, as a point in space, or free in space, with rotation. The
-   arguments of its constructor are its motion at the start, in SI units. Each kind of body has four functions: put
-   writes its motion into the state, get reads its motion from the state, accelerate computes the derivatives of the
-   state from the load, and check refuses an inertia that the body cannot have.
+   arguments of its constructor are its motion at the start, in SI units. Each kind of motion has three or four
+   functions: `put` writes the motion of a body into the state, `get` reads it from the state, `accelerate` computes
+   the derivatives of the state from the load, and `check`, which a line and an axle do not have, refuses an inertia
+   that the body cannot have.
 
        vm_vec3 zero = {0, 0, 0};
        vm_scene_body bodies[] = {vm_scene_body_line(2, 0.1, 0),                              // 2 kg at x = 0.1 m
                                  vm_scene_body_axle(0.5, 0, 30),                             // 0.5 kg m^2 at 30 rad/s
                                  vm_scene_body_absent(vm_scene_body_point(1, zero, zero))};  // an event brings it in
 
-   The constructors check only for NULL pointers; vm_scene_check and vm_scene_start refuse a mass that is not positive
-   (VM_BAD_MASS), an inertia that the body cannot have (VM_BAD_INERTIA) and numbers that are not finite (VM_NOT_FINITE).
+   The constructors only check whether a pointer is NULL. Other errors are found by vm_scene_check and vm_scene_start:
+   they return VM_BAD_MASS if a mass is not positive, VM_BAD_INERTIA if the body cannot have its inertia, and
+   VM_NOT_FINITE if a number is not finite.
 
    Tests: tests/test_scene_bodies.c. */
 #ifndef VARMASS_SCENES_MOTIONS_H
@@ -41,7 +43,7 @@ VM_API vm_scene_body vmi_scene_body(int motion, int positions, int coordinates)
 
 /* -- One coordinate: a line and an axle -- */
 
-/* Computes the acceleration x'' = force/(mass + extra_mass) along the only coordinate */
+/* Computes the acceleration x'' = force/(mass + extra_mass) along the only coordinate of the body */
 VM_API int vmi_single_accelerate(const vm_scene_body *b, const vm_real *state, vm_real *rates)
 {
     rates[0] = state[1];
@@ -132,8 +134,8 @@ VM_API void vmi_plane_put(vm_scene_body *b, const vm_body *now, vm_real angle, v
     state[VMI_PLANE_OMEGA] = now->omega.z;
 }
 
-/* Reads a body in the plane. Motion in the plane does not depend on the moments of inertia about x and y. Both are
-   set to zz/2, as for a thin plate, so that a body with this inertia is possible. */
+/* Reads the motion of a body in the plane. This motion does not depend on the moments of inertia about x and y. Both
+   are set to zz/2, as for a thin plate, so that a body with this inertia can exist. */
 VM_API void vmi_plane_get(const vm_scene_body *b, const vm_real *state, vm_body *now)
 {
     (void)b;
@@ -176,8 +178,8 @@ VM_API int vmi_point_body_check(const vm_body *start)
     return VM_BAD_INERTIA;
 }
 
-/* Computes r' and v' of a point or of a free body. The state of a point is {r, v}. The state of a free body is
-   {r, q, v, ...} with the quaternion q; vmi_free_accelerate computes q'. */
+/* Computes the rates of position r and velocity v of a point or of a free body. The state of a point is {r, v}. The
+   state of a free body is {r, q, v, ...} with the quaternion q, whose rate vmi_free_accelerate computes. */
 VM_API int vmi_point_body_accelerate(const vm_scene_body *b, const vm_real *state, vm_real *rates)
 {
     int i;
@@ -217,10 +219,10 @@ VM_API vm_scene_body vm_scene_body_point(vm_real mass, vm_vec3 r, vm_vec3 v)
 
 enum { VMI_FREE_R = 0, VMI_FREE_Q = 3, VMI_FREE_V = 7, VMI_FREE_OMEGA = 10 }; /* indices in state; omega: body axes */
 
-/* Solves Euler's equations I omega' = torque - omega x I omega. omega and the rates are in body axes, torque in
-   inertial axes. The matrix of the linear equations includes the dummy moments of b->invertible; therefore the
-   equations can be solved for a rod, too. The spin of a rod about its own axis stays constant, since no load turns the
-   rod about this axis. */
+/* Solves Euler's equations I omega' = torque - omega x I omega for omega', where I is the inertia of the body. omega
+   and omega' (`rates`) are in body axes, torque in inertial axes. The matrix of these linear equations is
+   b->invertible, which includes dummy moments (vmi_invertible_inertia); therefore the equations can be solved for a
+   rod, too. The spin of a rod about its own axis stays constant, since no load turns the rod about this axis. */
 VM_API int vmi_free_euler(const vm_scene_body *b, const vmi_mat3 *axes, vm_vec3 torque, vm_vec3 omega, vm_real *rates)
 {
     const vm_inertia *i = &b->invertible;
@@ -247,8 +249,9 @@ VM_API int vmi_free_accelerate(const vm_scene_body *b, const vm_real *state, vm_
     return vmi_free_euler(b, &axes, vmi_get3(b->load.force + 3), omega, rates + VMI_FREE_OMEGA);
 }
 
-/* The inertia with a dummy moment about each axis that has none, so that it can be inverted. No torque acts about such
-   an axis, so that the dummy moment has no effect on the motion. */
+/* Returns the inertia with a dummy moment (an arbitrary number > 0) about each principal axis without moment of
+   inertia, so that the matrix can be inverted. No torque acts about such an axis, so that the dummy moment has no
+   effect on the motion. */
 VM_API vm_inertia vmi_invertible_inertia(const vm_inertia *i)
 {
     const vm_real trace = i->xx + i->yy + i->zz, dummy = trace > 0 ? trace : 1;
@@ -284,7 +287,7 @@ VM_API void vmi_free_get(const vm_scene_body *b, const vm_real *state, vm_body *
     now->omega = vmi_times(&axes, vmi_get3(state + VMI_FREE_OMEGA));
 }
 
-/* A body that moves and turns freely in space. *start is its motion at the start. The body may be a rod, whose spin
+/* A body that moves and turns freely in space. *start is its motion at the start. The body may be a rod; its spin
    about its own axis then stays constant. vm_scene_start returns VM_BAD_ARGUMENT if start is NULL. */
 VM_API vm_scene_body vm_scene_body_free(const vm_body *start)
 {
@@ -301,31 +304,32 @@ VM_API vm_scene_body vm_scene_body_free(const vm_body *start)
 
 /* -- Any body -- */
 
-/* A body like `body` whose mass is a state, so that streams can change the mass. */
+/* A body like `body`, but its mass is a number of the state, so that streams can change it. */
 VM_API vm_scene_body vm_scene_body_with_mass_state(vm_scene_body body)
 {
     body.mass_is_state = 1;
     return body;
 }
 
-/* A body like `body` that is not present until an event brings it in. Effects on the body do not act before this
-   event. A part that separates has the mass that is given with the part; the mass of the body here must only be
-   positive. */
+/* A body like `body`, but it is not present until an event brings it into the scene. Effects on the body do not act
+   before this event. When a part separates and becomes this body, the body has the mass of the part; the mass of the
+   argument `body` is then not used, but must be positive. */
 VM_API vm_scene_body vm_scene_body_absent(vm_scene_body body)
 {
     body.absent = 1;
     return body;
 }
 
-/* The number of coordinates on which the mass, or on an axle the moment of inertia, resists acceleration */
+/* The number of coordinates of the mass centre: along these the mass resists acceleration. For an axle it is 1: the
+   moment of inertia resists the acceleration of the angle. */
 VM_INLINE int vmi_scene_directions(int motion)
 {
     if (motion <= VM_AXLE) return 1;
     return motion == VM_PLANE ? 2 : 3;
 }
 
-/* The array a has a number for each coordinate, for example its velocity or the force on it. Returns the numbers for
-   the motion of the mass centre as a vector in inertial axes. */
+/* The array a has a number for each coordinate, for example its velocity or the force on it. Returns the numbers that
+   belong to the mass centre, as a vector in inertial axes. */
 VM_API vm_vec3 vmi_scene_moving(const vm_scene_body *b, const vm_real *a)
 {
     if (b->motion == VM_AXLE) return vmi_vec3(0, 0, 0);
@@ -334,8 +338,8 @@ VM_API vm_vec3 vmi_scene_moving(const vm_scene_body *b, const vm_real *a)
     return vmi_get3(a);
 }
 
-/* The array a has a number for each coordinate, for example its velocity or the torque on it. Returns the numbers for
-   the rotation of the body as a vector, in the axes in which the array has them. */
+/* The array a has a number for each coordinate, for example its velocity or the torque on it. Returns the numbers that
+   belong to the rotation of the body, as a vector in the same axes as in the array. */
 VM_API vm_vec3 vmi_scene_turning(const vm_scene_body *b, const vm_real *a)
 {
     if (b->motion == VM_AXLE) return vmi_vec3(0, 0, a[0]);
@@ -354,8 +358,9 @@ VM_API vm_vec3 vmi_scene_spin(const vm_scene_body *b, const vm_real *y)
     return vmi_times(&axes, omega);
 }
 
-/* The array a has a number for each coordinate. Adds the vector `moving` to the numbers for the motion of the mass
-   centre and the vector `turning` to the numbers for the rotation. vmi_scene_moving and vmi_scene_turning read them. */
+/* The array a has a number for each coordinate. Adds the vector `moving` to the numbers that belong to the mass
+   centre, and the vector `turning` to the numbers that belong to the rotation. vmi_scene_moving and vmi_scene_turning
+   read these numbers. */
 VM_API void vmi_scene_add(const vm_scene_body *b, vm_real *a, vm_vec3 moving, vm_vec3 turning)
 {
     if (b->motion == VM_AXLE) {

@@ -1,15 +1,16 @@
 /* scenes/points.h - points of the bodies of a scene
 
-   Springs, joints and contacts act at points of bodies. A point is given by the vector from the mass centre of the body
-   at the start, in body axes, so that it moves and turns with the body. On an axle the vector leads from the axle,
-   which stands in the origin. In the plane the third number is a height above the plane. Points of the ground are given
-   by their position. A point body has only one point, the zero vector, and a rod only those on its own axis
-   (VM_BAD_POINT).
+   Springs, joints and contacts act at points of bodies. A point is given by the vector that leads to it from the place
+   of the mass centre in the body at the start, in body axes. The point moves and turns with the body. On an axle the
+   vector leads from the axle, which goes through the origin. In the plane the third component of the vector is a
+   height above the plane. A point of the ground is given by its position. A body that is itself a point has only one
+   point, which is given by the zero vector. A rod has only the points on its own axis. For other points of such bodies
+   the status is VM_BAD_POINT.
 
        vm_vec3 tip = {0.5, 0, 0}, r, v;
        vm_scene_point_at(&scene, 0, tip, y, &r, &v); // position and velocity of a point of body 0 in the state y
 
-   An effect of the caller's own (vm_effect_custom) adds a force at a point by vm_scene_push_at.
+   If you write an effect of your own (vm_effect_custom), add a force at a point by vm_scene_push_at.
 
    Tests: tests/test_scene_joints.c. */
 #ifndef VARMASS_SCENES_POINTS_H
@@ -27,16 +28,16 @@
 #include "motions.h"
 #include "scene.h"
 
-/* A point of a body or of the ground, and how the body moves */
+/* Position and velocity of a point of a body or of the ground, and the rotation of the body */
 typedef struct VM_TAG(vmi_body_point) {
-    vm_vec3 arm;   /* m, inertial axes: from the mass centre (on an axle from the axle) to the point */
+    vm_vec3 arm;   /* m, inertial axes: vector from the mass centre (on an axle from the axle) to the point */
     vm_vec3 r;     /* m: position of the point */
     vm_vec3 v;     /* m/s: velocity of the point */
     vm_vec3 omega; /* rad/s, inertial axes: angular velocity of the body */
     vmi_mat3 axes; /* the body axes in inertial axes */
 } vmi_body_point;
 
-/* The body axes of a body in the given state, in inertial axes */
+/* The body axes of a body in the given state, as unit vectors in inertial axes */
 VM_API vmi_mat3 vmi_point_axes(const vm_scene_body *b, const vm_real *state)
 {
     vmi_mat3 axes;
@@ -50,8 +51,8 @@ VM_API vmi_mat3 vmi_point_axes(const vm_scene_body *b, const vm_real *state)
     return axes;
 }
 
-/* Computes the position and the velocity of the point `at` of a body. The velocity is that of the material: a growing
-   body moves with the velocity v of its state at its present mass centre. */
+/* Computes the position and the velocity of the point `at` of a body. The velocity is that of the material at the
+   point. For a growing body, the velocity v in the state is that of the material at the present mass centre. */
 VM_API void vmi_point_of_body(const vm_scene_body *b, vm_vec3 at, const vm_real *state, vmi_body_point *p)
 {
     const vm_real *rates = state + b->positions;
@@ -63,7 +64,7 @@ VM_API void vmi_point_of_body(const vm_scene_body *b, vm_vec3 at, const vm_real 
     p->v = vm_add(vmi_scene_moving(b, rates), vm_cross(p->omega, p->arm));
 }
 
-/* Computes a point of a body of the scene in the state y, or of the ground, which rests */
+/* Computes a point of a body in the state y of the scene, or a point of the ground, which is at rest */
 VM_API void vmi_point_now(const vm_scene *s, int body, vm_vec3 at, const vm_real *y, vmi_body_point *p)
 {
     const vm_vec3 zero = {0, 0, 0};
@@ -85,14 +86,14 @@ VM_API void vmi_point_push(vm_scene_body *b, const vmi_body_point *p, vm_vec3 f)
     else vmi_scene_add(b, b->load.force, f, vm_cross(p->arm, f));
 }
 
-/* The mass, or on an axle the inertia, that resists acceleration */
+/* The mass (on an axle the moment of inertia) that resists acceleration, with the extra_mass of a mass law M(v) */
 VM_INLINE vm_real vmi_point_mass(const vm_scene_body *b)
 {
     if (b->motion > VM_AXLE) return b->load.mass;
     return b->load.mass + b->load.extra_mass;
 }
 
-/* The acceleration of the mass centre by a force */
+/* The acceleration of the mass centre that a force causes */
 VM_API vm_vec3 vmi_point_move(const vm_scene_body *b, vm_vec3 force)
 {
     if (b->motion == VM_AXLE) return vmi_vec3(0, 0, 0);
@@ -101,8 +102,8 @@ VM_API vm_vec3 vmi_point_move(const vm_scene_body *b, vm_vec3 force)
     return vmi_over(force, vmi_point_mass(b));
 }
 
-/* The angular acceleration I^-1 (torque - omega x I omega) of a body in inertial axes. The inertia of a free body is
-   that of its last evaluation. */
+/* The angular acceleration I^-1 (torque - omega x I omega) of a body, in inertial axes. I is the inertia of the body;
+   for a free body it is that of the last evaluation of the loads. */
 VM_API vm_vec3 vmi_point_spin(const vm_scene_body *b, const vmi_mat3 *axes, vm_vec3 torque, vm_vec3 omega)
 {
     vm_real rates[3];
@@ -113,7 +114,7 @@ VM_API vm_vec3 vmi_point_spin(const vm_scene_body *b, const vmi_mat3 *axes, vm_v
     return vmi_times(axes, vmi_get3(rates));
 }
 
-/* Gives an impulse at a point of a body, which changes its velocities in the state y of the scene */
+/* Gives a body an impulse at a point: changes the velocities of the body in the state y of the scene */
 VM_API void vmi_point_kick(const vm_scene_body *b, const vmi_body_point *p, vm_vec3 impulse, vm_real *y)
 {
     const vm_vec3 zero = {0, 0, 0}, move = vmi_point_move(b, impulse);
@@ -124,17 +125,18 @@ VM_API void vmi_point_kick(const vm_scene_body *b, const vmi_body_point *p, vm_v
     else vmi_scene_add(b, velocities, move, spin);
 }
 
-/* The acceleration of a point along a unit vector by a force of 1 N along this vector */
+/* The acceleration of a point along a unit vector that a force of 1 N on the point along this vector causes */
 VM_API vm_real vmi_point_mobility(const vm_scene_body *b, const vmi_body_point *p, vm_vec3 along)
 {
     const vm_vec3 zero = {0, 0, 0}, turn = vm_cross(p->arm, along);
     return vm_dot(along, vmi_point_move(b, along)) + vm_dot(turn, vmi_point_spin(b, &p->axes, turn, zero));
 }
 
-/* Whether the inertia of a body resists every force at the point `at`. Forces turn a body about all axes normal to
-   `at`. If the body is a rod or a point, `hollow` is the inertia that vmi_invertible_inertia adds, which is the same
-   dummy moment about each of the k axes that have none. The sum of the squares of the parts of `at` normal to these
-   axes is k at^2 - at (hollow at)/dummy, and must be 0 apart from rounding errors. */
+/* Returns 1 if the inertia of a body resists every force at the point `at`, else 0. A force at this point can turn the
+   body about any axis normal to `at`. If the body is a rod or a point, it has no moment of inertia about k of its
+   principal axes. `hollow` is the inertia that vmi_invertible_inertia adds: the same moment `dummy` about each of
+   these k axes. The components of `at` normal to these axes must be 0. The sum of their squares is k at^2 - at (hollow
+   at)/dummy, and must be 0 apart from rounding errors. */
 VM_API int vmi_point_is_possible(const vm_scene_body *b, vm_vec3 at)
 {
     const vm_real noise = 64 * VM_EPSILON;
@@ -149,15 +151,16 @@ VM_API int vmi_point_is_possible(const vm_scene_body *b, vm_vec3 at)
     return trace * square - vm_dot(at, vmi_inertia_times(&hollow, at)) <= noise * (trace * square);
 }
 
-/* Notes that a jump has moved the mass centre of a body by `step`, in inertial axes: its points stay where they are */
+/* Adds to b->centre the vector `step` (in inertial axes) by which a jump has moved the mass centre of a body, so that
+   the points of the body stay where they are */
 VM_API void vmi_point_shift(vm_scene_body *b, vm_vec3 step, const vm_real *state)
 {
     const vmi_mat3 axes = vmi_point_axes(b, state);
     b->centre = vm_add(b->centre, vmi_times_transposed(&axes, step));
 }
 
-/* Checks a point of a body of the scene, or of the ground, and lets jumps of the body call vmi_point_shift. The scene
-   has checked its bodies before. */
+/* Checks a point of a body or of the ground, and makes jumps of the body call vmi_point_shift. The bodies must have
+   been checked before. */
 VM_API int vmi_point_check(const vm_scene *s, int body, vm_vec3 at)
 {
     if (!vmi_vec3_is_finite(at)) return VM_NOT_FINITE;
@@ -167,10 +170,10 @@ VM_API int vmi_point_check(const vm_scene *s, int body, vm_vec3 at)
     return vmi_point_is_possible(s->bodies + body, at) ? VM_OK : VM_BAD_POINT;
 }
 
-/* The position and velocity of a point of a body in the state y, in inertial axes. `at` is the vector from the mass
-   centre at the start to the point, in body axes; on an axle it leads from the axle. The scene must have been started.
-   *r in m and *v in m/s are NaN if no body has this index, if scene or y is NULL, and before a start. If r or v is
-   NULL, nothing is written. */
+/* The position and velocity of a point of a body in the state y, in inertial axes. `at` is the vector from the place
+   of the mass centre at the start to the point, in body axes; on an axle it leads from the axle. The scene must have
+   been started. *r in m and *v in m/s are NaN if no body has this index, if scene or y is NULL, or if the scene was
+   not started. If r or v is NULL, nothing is written. */
 VM_API void vm_scene_point_at(const vm_scene *scene, int body, vm_vec3 at, const vm_real *y, vm_vec3 *r, vm_vec3 *v)
 {
     vmi_body_point p;
@@ -182,11 +185,12 @@ VM_API void vm_scene_point_at(const vm_scene *scene, int body, vm_vec3 at, const
     *v = p.v;
 }
 
-/* Adds a force at a point of a body, in an effect of the caller's own. It adds force, in N and inertial axes, to the
-   load of the body, and its moment about the mass centre, so that drag, wind and thrusters are a few lines of a
-   function for vm_effect_custom. `at` and y are those of vm_scene_point_at. A force on VM_GROUND changes nothing. If
-   no body has this index, scene->status becomes VM_NO_SUCH_BODY, which ends the run; if y is NULL or the scene was
-   not started, it becomes VM_BAD_ARGUMENT. If scene is NULL, nothing is done. */
+/* Adds a force at a point of a body. Call this function from the function that you give to vm_effect_custom; drag,
+   wind and thrusters then need only a few lines of code. vm_scene_push_at adds the force, in N and inertial axes, and
+   its moment about the mass centre to the load of the body. The arguments `at` and y are those of vm_scene_point_at. A
+   force on VM_GROUND changes nothing. If no body has this index, scene->status becomes VM_NO_SUCH_BODY, which ends the
+   run; if y is NULL or the scene was not started, scene->status becomes VM_BAD_ARGUMENT. If scene is NULL, nothing is
+   done. */
 VM_API void vm_scene_push_at(vm_scene *scene, int body, vm_vec3 at, const vm_real *y, vm_vec3 force)
 {
     vmi_body_point p;

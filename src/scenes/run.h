@@ -1,6 +1,7 @@
 /* scenes/run.h - runs of a scene with its events and its output
 
-   vm_scene_run integrates a scene by rk45 from one event to the next, and applies the events.
+   vm_scene_run integrates a scene from one event to the next by the integrator rk45, and lets the events act on the
+   scene.
 
        vm_real t = 0, y[2], work[VM_SCENE_WORK(2)];                               // 2 = vm_scene_size(&scene)
        int status = vm_scene_start(&scene, t, y, NULL);                           // scene is a vm_scene
@@ -24,21 +25,22 @@
 /* How quickly events follow each other in a run */
 typedef struct VM_TAG(vmi_scene_pace) {
     long happened; /* number of events at this instant */
-    vm_real gap;   /* s: of all crossings at this instant, the shortest time since the last crossing by the same event;
-                      VM_MAX if none */
-    int crowded;   /* number of successive instants whose gap is too short for the digits of the time t */
+    vm_real gap;   /* s: shortest time between a crossing at this instant and the crossing before it of the same event;
+                      VM_MAX if no event has crossed before */
+    int crowded;   /* number of successive instants at which `gap` was too short for the digits of the time t */
 } vmi_scene_pace;
 
 enum {
-    VMI_SCENE_MOST_EVENTS = 10000, /* largest number of events at one instant; more count as an endless chain */
-    VMI_SCENE_MOST_CROWDED = 3,    /* largest number of successive instants whose gap is too short for t's digits */
-    VMI_SCENE_STEPS_IN_GAP = 32    /* steps in a short gap between two events, so that no later event is missed */
+    VMI_SCENE_MOST_EVENTS = 10000, /* largest number of events at one instant; more events are an endless chain */
+    VMI_SCENE_MOST_CROWDED = 3,    /* largest value of `crowded` with which a run continues */
+    VMI_SCENE_STEPS_IN_GAP = 32    /* number of steps in a short time between events, so that no event is missed */
 };
 
 VM_API vm_real vmi_scene_larger(vm_real a, vm_real b) { return a > b ? a : b; }
 
-/* Whether event i is due at the time t: its time has come, or the integrator has counted *times new crossings. At the
-   beginning of a run these are the crossings that vmi_scene_keep_crossings has kept. */
+/* Returns 1 if event i is due at the time t, else 0. An event at a set time is due if this time has come. Any other
+   event is due if the integrator has counted new crossings; their number is written to *times. At the beginning of a
+   run, new crossings are those that vmi_scene_keep_crossings has kept. */
 VM_API int vmi_scene_event_is_due(vm_scene *s, int i, vm_real t, long *times)
 {
     vm_event *e = s->events + i;
@@ -49,8 +51,8 @@ VM_API int vmi_scene_event_is_due(vm_scene *s, int i, vm_real t, long *times)
 }
 
 /* Applies to y, in the order of the list, each event that is due at the time t. Returns the first status other than
-   VM_OK, or VM_OK if there is none. An error (a negative status) of an event ends the loop, and is returned even if
-   an earlier event has stopped the run. */
+   VM_OK that an event gives, or VM_OK if all give VM_OK. After an error (a negative status) no further event is
+   applied; the error is returned even if an earlier event has stopped the run. */
 VM_API int vmi_scene_fire_events(vm_scene *s, vm_real t, vm_real *y, vmi_scene_pace *pace)
 {
     int i, status = VM_OK;
@@ -80,13 +82,13 @@ VM_API int vmi_scene_fire_events(vm_scene *s, vm_real t, vm_real *y, vmi_scene_p
     return status;
 }
 
-/* Applies all events of an instant, including those that an event causes at the same instant. Events may follow each
-   other faster and faster, like the contacts of a ball that comes to rest. The run ends when the time has too few
-   digits to tell these events apart. Until then the step after such an event is made so short that the next event is
-   not missed. */
+/* Applies all events of an instant, including events that other events cause at the same instant. Events may follow
+   each other faster and faster, like the contacts of a ball that bounces and comes to rest. The run ends when the
+   number t has too few digits to distinguish the times of these events. Until then the step after such an event is
+   made so short that the next event is found. */
 VM_API int vmi_scene_run_events(vm_scene *s, rk45 *r, vm_real span, vmi_scene_pace *pace)
 {
-    const vm_real resolved = 256 * VM_EPSILON * span; /* a shorter gap between events has fewer than two digits */
+    const vm_real resolved = 256 * VM_EPSILON * span; /* s: a shorter gap has fewer than two right digits */
     const vm_real steps = (vm_real)VMI_SCENE_STEPS_IN_GAP;
     int status = VM_OK;
     pace->happened = 0;
@@ -106,8 +108,8 @@ VM_API int vmi_scene_run_events(vm_scene *s, rk45 *r, vm_real span, vmi_scene_pa
     return status;
 }
 
-/* Calls the caller's function scene.output if it is due at the time t. *next is the index of the next time of output.
-   Returns VM_STOPPED if output ends the run, an error if a mass is not finite, else VM_OK. */
+/* Calls the caller's function scene.output if an output is due at the time t. *next is the index of the next time in
+   scene.times. Returns VM_STOPPED if the function ends the run, an error if a mass is not finite, else VM_OK. */
 VM_API int vmi_scene_output(vm_scene *s, vm_real t, const vm_real *y, int *next)
 {
     int status;
@@ -122,7 +124,7 @@ VM_API int vmi_scene_output(vm_scene *s, vm_real t, const vm_real *y, int *next)
     return VM_OK;
 }
 
-/* The next time for which an event or an output is set, or t_end if that is earlier */
+/* The next set time of an event or of an output, or t_end if t_end is earlier */
 VM_API vm_real vmi_scene_due(const vm_scene *s, vm_real t_end, int next)
 {
     vm_real due = t_end;
@@ -135,11 +137,12 @@ VM_API vm_real vmi_scene_due(const vm_scene *s, vm_real t_end, int next)
     return due;
 }
 
-/* Finds the reason why a run ends: whether a mass or an inertia would soon reach 0 if the state continued at its
-   present rates. It tries longer and longer steps, up to 1e-6 of the time t or t_end (float: 1e-3). The first failure
-   becomes s->status. This search is needed because a mass or an inertia close to 0 makes the equations so stiff that
-   the steps end before 0 is reached, and because shorter steps after a refused step may have set s->status to VM_OK
-   again. The run is over, so that parts of the integrator's work space are free for a state and its rates. */
+/* Looks for the reason why a run ends. The function tests whether a mass or an inertia would soon reach 0 if the state
+   continued to change at its present rates. It tries longer and longer steps, up to 1e-6 of the larger of |t| and
+   |t_end| (in float 1e-3). The first failure of the right-hand side becomes s->status. There are two reasons for this
+   search. A mass or an inertia close to 0 makes the equations so stiff that the steps become too short before 0 is
+   reached. And shorter steps after a refused step may have set s->status to VM_OK again. Since the run is over, parts
+   of the integrator's work space are free for a state and its rates. */
 VM_API void vmi_scene_foresee(vm_scene *s, rk45 *r, vm_real t_end)
 {
     const vm_real farthest = VM_MANT_DIG > 24 ? VM_C(1e-6) : VM_C(1e-3);
@@ -155,7 +158,7 @@ VM_API void vmi_scene_foresee(vm_scene *s, rk45 *r, vm_real t_end)
     }
 }
 
-/* The status VM_... of a scene for the status ODE_... of its integrator, which has reported an error */
+/* Converts an error of the integrator, a status ODE_..., to the status VM_... of the scene */
 VM_API int vmi_scene_status_of_ode(int ode_status)
 {
     switch (ode_status) {
@@ -168,8 +171,8 @@ VM_API int vmi_scene_status_of_ode(int ode_status)
     }
 }
 
-/* Makes one step, at most to the next time for which an event or an output is set. If the integrator fails, returns
-   the reason why a body cannot be accelerated rather than the status of the integrator. */
+/* Makes one step, which ends at the latest at the next set time of an event or of an output. If the integrator fails
+   because a body cannot be accelerated, returns the reason for this and not the status of the integrator. */
 VM_API int vmi_scene_step(vm_scene *s, rk45 *r, vm_real t_end, int next)
 {
     const int ode_status = vmi_rk45_run(r, vm_scene_rhs, r->n, vmi_scene_due(s, t_end, next), 1);
@@ -181,9 +184,9 @@ VM_API int vmi_scene_step(vm_scene *s, rk45 *r, vm_real t_end, int next)
     return vmi_scene_status_of_ode(ode_status);
 }
 
-/* Keeps the crossings that the last run has found but not handled, because an earlier event of the same instant
-   returned an error: the next run handles them at its start. The integrator counts from 0 in each run; therefore `seen`
-   becomes minus the number of these crossings. */
+/* Keeps the crossings that the last run has found but not handled, because another event of the same instant returned
+   an error before: the new run handles them at its start. The integrator counts crossings from 0 in each run;
+   therefore the field `seen` of an event becomes minus the number of its kept crossings. */
 VM_API void vmi_scene_keep_crossings(vm_scene *s)
 {
     int i;
@@ -193,9 +196,9 @@ VM_API void vmi_scene_keep_crossings(vm_scene *s)
     }
 }
 
-/* Prepares rk45 for the scene. Each number of a body has its tolerance. The numbers of the budget have none (VM_MAX),
-   so that the bodies alone determine the steps. The tolerances are stored in work after the numbers of the
-   integrator. */
+/* Prepares the integrator rk45 for the scene. Each number of a body has its absolute tolerance. The numbers of the
+   budget have the tolerance VM_MAX, so that only the bodies determine the steps. The tolerances are stored in work,
+   after the numbers of the integrator. */
 VM_API int vmi_scene_integrator(vm_scene *s, rk45 *r, vm_real t, const vm_real *y, vm_real *work,
                                 const rk45_options *options_or_NULL)
 {
@@ -229,26 +232,33 @@ VM_API int vmi_scene_check_run(const vm_scene *s, const vm_real *t, vm_real t_en
     return VM_OK;
 }
 
-/* Run of a scene from *t to t_end, with its events and its output. The integrator is rk45. The scene must have been
-   started, and t_end must not be before *t. work has room for VM_SCENE_WORK(vm_scene_size(scene)) numbers. The
-   options are those of rk45, without events; NULL stands for a relative error of 1e-6 a step (float 1e-4). *t and y
-   become the time and the state at the end of the run. Returns VM_OK at t_end, VM_STOPPED if an event or the output
-   ended the run, or
-     VM_BAD_ARGUMENT, VM_NOT_FINITE, VM_BAD_TIMES, VM_NOT_STARTED, VM_SHORT_ARRAY, VM_BAD_OPTIONS   if nothing was done;
+/* Runs a scene from *t to t_end, with its events and its output, by the integrator rk45. The scene must have been
+   started, and t_end must not be before *t. work has room for VM_SCENE_WORK(vm_scene_size(scene)) numbers.
+   *options_or_NULL are options of rk45, in which events are not used; NULL stands for a relative error of 1e-6 per
+   step (in float 1e-4). *t and y become the time and the state at the end of the run. Returns VM_OK if the run reached
+   t_end; VM_STOPPED if an event or the output ended the run; an error in the arguments, with which nothing is done:
+     VM_BAD_ARGUMENT       if a pointer is NULL or a count is negative;
+     VM_NOT_FINITE         if *t, t_end or a number of y is not finite;
+     VM_BAD_TIMES          if t_end < *t;
+     VM_NOT_STARTED        if the scene was not started;
+     VM_SHORT_ARRAY        if scene.y_size or scene.work_size is set and too small;
+     VM_BAD_OPTIONS        if rk45 does not accept the options;
+   or an error that ends the run:
      VM_BAD_MASS, VM_BAD_INERTIA, VM_NO_EFFECTIVE_MASS
-                           if a mass or an inertia reached 0, even if the steps became too short just before that;
-     VM_NOT_FINITE         if an effect, a law or an event gave an infinite number or NaN; the status of a vm_law
-                           that failed;
-     VM_SINGULAR           if a link cannot act;
-     VM_TOO_MANY_EVENTS    if events do not end: more than 10 000 happen at one instant, or four times in succession a
-                           crossing follows the last one of the same event within 256 VM_EPSILON max(|*t|, |t_end|);
+                           if a mass or an inertia reached 0, even if the steps became too short just before;
+     VM_NOT_FINITE         if an effect, a law or an event gave an infinite number or NaN;
+     the status of a vm_law                   if this law failed;
+     VM_SINGULAR           if a link, a joint or a spring between points cannot act;
+     VM_TOO_MANY_EVENTS    if events do not end: more than 10 000 events happen at one instant, or four times in
+                           succession the time between two crossings of the same event is less than
+                           256 VM_EPSILON max(|*t|, |t_end|);
      VM_IS_THERE, VM_IS_AWAY and the errors of vm_separate and vm_attach
                            if a jump is impossible;
-     VM_STEP_TOO_SMALL, VM_MAX_STEPS   if the integrator failed; its own status is in scene.ode_status;
+     VM_STEP_TOO_SMALL, VM_MAX_STEPS   if the integrator failed; scene.ode_status is the status of the integrator;
      any other negative number         that an event's function (vm_then_user) returned. This event counts as handled.
-   Another call goes on from *t, with the events of this instant that were not handled. If a mass law fails while the
-   action of an event needs the masses, the action is not done or only partly done: the next call does the rest of
-   it. */
+   Another call continues from *t, beginning with the events of this instant that were not handled. If a mass law fails
+   while the action of an event needs the masses, the action is not done or only partly done: the next call does the
+   rest of the action. */
 VM_API int vm_scene_run(vm_scene *scene, vm_real *t, vm_real t_end, vm_real *y, vm_real *work,
                         const rk45_options *options_or_NULL)
 {

@@ -1,14 +1,15 @@
 /* scenes/springs.h - springs and dampers between points of bodies
 
    A spring and a damper, side by side, act along the straight line between a point of a body and a point of another
-   body or of the ground, in the plane and in space. They push or pull with the same force at both points, and turn the
-   bodies about their mass centres. points.h explains how a point is given.
+   body or of the ground, in the plane and in space. They push or pull with the same force at both points, so that the
+   bodies also turn about their mass centres. points.h explains how a point is given.
 
        vm_point_spring strut = {{0.5, 0, 0}, {2, 1, 0}, 1000, 5, 0.3};          // 1000 N/m, 5 N s/m, 0.3 m long
        vm_effect effects[] = {vm_effect_point_spring(0, VM_GROUND, &strut)};    // from a point of body 0 to (2, 1, 0)
 
-   The budget of the scene has the work of the force, which is the energy that the spring gives back less the energy
-   that the damper takes out. A spring of the present length l stores k (l - rest)^2/2.
+   The field `work` of the scene's budget includes the work of the force, which is the energy that the spring gives
+   back less the energy that the damper takes out. A spring of the stiffness k, the present length l and the length
+   `rest` without force stores the energy k (l - rest)^2/2.
 
    Tests: tests/test_scene_joints.c. */
 #ifndef VARMASS_SCENES_SPRINGS_H
@@ -24,15 +25,16 @@
 /* A spring and a damper between two points */
 typedef struct VM_TAG(vm_point_spring) {
     vm_vec3 at;        /* m, body axes: the point of the body */
-    vm_vec3 other_at;  /* m: the point of the other body, in its axes, or of the ground */
+    vm_vec3 other_at;  /* m: the point of the other body, in the axes of this body, or the point of the ground */
     vm_real stiffness; /* N/m: stiffness k, of either sign */
-    vm_real damping;   /* N s/m: damping; > 0 takes energy out */
-    vm_real rest;      /* m: length of the spring without force, >= 0 */
+    vm_real damping;   /* N s/m: damping; a damping > 0 takes energy out */
+    vm_real rest;      /* m: length of the spring if no force acts on it, >= 0 */
 } vm_point_spring;
 
 /* Computes the force on the first point; d and v are its position and velocity relative to the second point. If the
-   points coincide, a spring whose rest is 0 has no force, and the damper acts against the velocity; any other spring
-   has no direction (VM_SINGULAR). */
+   points coincide, a spring whose length `rest` is 0 or whose stiffness is 0 exerts no force, and the damper acts
+   against the velocity v. For any other spring the force then has no direction, and the function returns VM_SINGULAR;
+   otherwise it returns VM_OK. */
 VM_API int vmi_point_spring_force(const vm_point_spring *spring, vm_vec3 d, vm_vec3 v, vm_vec3 *f)
 {
     const vm_real length = vm_norm(d);
@@ -73,11 +75,11 @@ VM_API int vmi_point_spring_check(const vm_scene *s, const vm_effect *e)
 }
 
 /* A spring and a damper between a point of a body and a point of the body `other`, or of the ground. *spring is not
-   copied: if an event changes it, the run continues with the change. With the length l of the spring, the tension is
-   stiffness (l - rest) + damping l'. vm_scene_start returns VM_BAD_ARGUMENT if spring is NULL, VM_NOT_FINITE if a
-   number is infinite or NaN, VM_DOMAIN if rest < 0, VM_SAME_BODY for a spring of a body with itself, and VM_BAD_POINT
-   for a point that the body cannot have (points.h). A run ends with VM_SINGULAR if the points coincide, unless rest is
-   0. */
+   copied: if an event changes it, the run continues with the change. With the length l of the spring, the force that
+   pulls the points together is stiffness (l - rest) + damping l'. vm_scene_start returns VM_BAD_ARGUMENT if spring is
+   NULL, VM_NOT_FINITE if a number is infinite or NaN, VM_DOMAIN if rest < 0, VM_SAME_BODY if the spring connects a
+   body with itself, and VM_BAD_POINT if a body cannot have its point of the spring (points.h). A run ends with
+   VM_SINGULAR if the points coincide, unless rest or stiffness is 0. */
 VM_API vm_effect vm_effect_point_spring(int body, int other, const vm_point_spring *spring)
 {
     vm_effect e = vmi_effect_between(body, 0, other, 0, spring ? vmi_apply_point_spring : NULL);

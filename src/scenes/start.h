@@ -20,8 +20,8 @@
 #include "scene.h"
 #include "state.h"
 
-/* Returns 1 if vm_scene_start has started the scene and its lists have not visibly changed since then, else 0. The
-   state may be shorter than at the start, since a scene may end its budget. */
+/* Returns 1 if vm_scene_start has started the scene, and if no change of its lists since then can be seen; else 0. The
+   state may be shorter than at the start, since the budget of a scene may be ended. */
 VM_API int vmi_scene_is_started(const vm_scene *s)
 {
     int i;
@@ -33,8 +33,8 @@ VM_API int vmi_scene_is_started(const vm_scene *s)
     return 1;
 }
 
-/* The function whose zeros the integrator locates to find an event. ctx points to a vm_event of the scene. For an event
-   at a set time the function is 1, so that it has no zeros. */
+/* The function whose zeros the integrator locates to find the time of an event. ctx points to a vm_event of the scene.
+   For an event at a set time the function returns 1, so that it has no zeros. */
 VM_API vm_real vmi_scene_when(vm_real t, const vm_real *y, void *ctx)
 {
     const vm_event *e = (const vm_event *)ctx;
@@ -43,7 +43,7 @@ VM_API vm_real vmi_scene_when(vm_real t, const vm_real *y, void *ctx)
 }
 
 /* Prepares s->located[i], the integrator's event for the event s->events[i] of the scene. If s->events[i] is only
-   counted and may happen without limit, the action is ODE_RECORD, which does not end a step; else it is ODE_STOP. */
+   counted, without a limit, located->action is ODE_RECORD, which does not end a step; else it is ODE_STOP. */
 VM_API void vmi_scene_locate(vm_scene *s, int i)
 {
     ode_event *located = s->located + i;
@@ -56,7 +56,7 @@ VM_API void vmi_scene_locate(vm_scene *s, int i)
 }
 
 /* Stores in an effect the indices of its coordinates in the state and the pointers to the loads of its bodies. If the
-   effect acts against the ground, other_coordinate is not used. */
+   effect acts against the ground, its field other_coordinate is not used. */
 VM_API void vmi_scene_bind(vm_scene *s, vm_effect *e)
 {
     vm_scene_body *b = s->bodies + e->body, *other = e->other >= 0 ? s->bodies + e->other : NULL;
@@ -107,11 +107,12 @@ VM_API void vmi_scene_reset_events(vm_scene *s, vm_real t)
     }
 }
 
-/* Start of a scene at time t: checks it and fills its state y. y receives vm_scene_size(scene) numbers. Returns
-   VM_OK, or a status of vm_scene_check, which writes to *fault_or_NULL where the fault is; VM_BAD_ARGUMENT if y is
-   NULL; VM_NOT_FINITE if t is not finite; VM_SHORT_ARRAY if scene.y_size is set and too small. y is unchanged if the
-   start fails. If only a mass law fails at t, y is filled, but the scene is not started: the status is that of the law,
-   or VM_NOT_FINITE. After the start the arrays of the scene must stay where they are. */
+/* Starts a scene at time t: checks the scene and fills its state y, an array of vm_scene_size(scene) numbers. Returns
+   VM_OK, or an error: the status of vm_scene_check, which writes to *fault_or_NULL which part of the scene is wrong;
+   VM_BAD_ARGUMENT if y is NULL; VM_NOT_FINITE if t is not finite; VM_SHORT_ARRAY if scene.y_size is set and too small.
+   After these errors y is unchanged. If only a mass law fails at t, y is filled, but the scene is not started: the
+   function returns the status of the law, or VM_NOT_FINITE. After the start the arrays of the scene must stay at their
+   places in memory. */
 VM_API int vm_scene_start(vm_scene *scene, vm_real t, vm_real *y, vm_scene_fault *fault_or_NULL)
 {
     int i, end, status = vm_scene_check(scene, fault_or_NULL);

@@ -1,7 +1,7 @@
 /* scenes/state.h - the state of a scene: its size, and the bodies in it
 
    The state y of a scene contains the state variables of the bodies, one body after the other. If the scene keeps a
-   budget, its VM_BUDGET_STATES numbers follow. scene.h has a table of the numbers of each body.
+   budget, the VM_BUDGET_STATES numbers of the budget follow. scene.h has a table of the numbers of each body.
 
        vm_body now;
        vm_scene_body_at(&scene, 0, y, &now); // now.r.x, now.v.x, now.mass: body 0 in the state y
@@ -19,24 +19,26 @@
 
 enum { VM_BUDGET_STATES = 15 }; /* number of elements that a budget adds to the state */
 
-/* The number of elements of work that vm_scene_run needs for a state of `size` numbers */
+/* The number of elements of the array `work` that vm_scene_run needs for a state of `size` numbers */
 #define VM_SCENE_WORK(size) (RK45_WORK(size) + (size))
 
-/* Whether a list can have n elements: n is not negative, and list is not NULL unless n is 0 */
+/* Returns 1 if a list can have n elements, else 0: n must not be negative, and `list` must not be NULL unless n is
+   0 */
 VM_INLINE int vmi_scene_is_list(int n, const void *list)
 {
     if (n > 0) return list != NULL;
     return n == 0;
 }
 
-/* Whether the lists of bodies and effects, which an evaluation reads, have possible lengths and are not NULL */
+/* Returns 1 if the lists of bodies and effects of a scene are possible lists (vmi_scene_is_list), else 0 */
 VM_INLINE int vmi_scene_has_lists(const vm_scene *s)
 {
     return vmi_scene_is_list(s->n_bodies, s->bodies) && vmi_scene_is_list(s->n_effects, s->effects);
 }
 
-/* Number of elements of the state of a scene. It depends on the bodies and on whether the scene keeps a budget. Returns
-   VM_BAD_ARGUMENT if scene is NULL, its bodies are missing or their number is negative. */
+/* Number of elements of the state of a scene. This number depends on the bodies, and is larger if the scene keeps a
+   budget. Returns VM_BAD_ARGUMENT if scene is NULL, or if the list of its bodies is missing or has a negative
+   length. */
 VM_API int vm_scene_size(const vm_scene *scene)
 {
     int i, size = 0;
@@ -56,8 +58,8 @@ VM_API void vmi_scene_body_now(const vm_scene *s, int body, const vm_real *y, vm
 }
 
 /* The motion of a body in the state y. The scene must have been started, and 0 <= body < n_bodies. If a law gives the
-   mass, its value is that of the last evaluation of the right-hand side. All numbers of *now are NaN if no body has
-   this index, if a pointer is NULL, and before a start. */
+   mass, now->mass is the mass at the last evaluation of the right-hand side. All numbers of *now are NaN if no body
+   has this index, if scene or y is NULL, or if the scene was not started. */
 VM_API void vm_scene_body_at(const vm_scene *scene, int body, const vm_real *y, vm_body *now)
 {
     const vm_vec3 none = {VM_NAN, VM_NAN, VM_NAN};
@@ -72,8 +74,8 @@ VM_API void vm_scene_body_at(const vm_scene *scene, int body, const vm_real *y, 
     now->r = now->v = now->omega = none;
 }
 
-/* Writes the motion `now` of a body into the state. The angle is a separate argument, since `now` does not include
-   complete turns. */
+/* Writes the motion `now` of a body into the state. The angle is a separate argument, since the attitude in *now does
+   not include complete turns. */
 VM_API void vmi_scene_put(vm_scene *s, int body, const vm_body *now, vm_real angle, vm_real *y)
 {
     vm_scene_body *b = s->bodies + body;
@@ -83,8 +85,8 @@ VM_API void vmi_scene_put(vm_scene *s, int body, const vm_body *now, vm_real ang
     b->put(b, now, angle, y + b->at);
 }
 
-/* Updates the field `idle` of all effects. An effect is idle if its body, or the body on which the opposite force acts,
-   is not present, or if the effect is switched off. */
+/* Updates the field `idle` of all effects, which is not 0 if an effect does not act: because its body, or the body on
+   which the opposite force acts, is not present, or because the effect is switched off. */
 VM_API void vmi_scene_presence(vm_scene *s)
 {
     int i;

@@ -1,14 +1,16 @@
 /* scenes/streams.h - streams of mass into and out of the bodies of a scene
 
-   A stream carries mass into a body or out of it. It changes a mass that is a state (vm_scene_body_with_mass_state).
-   vm_effect_stream is a stream that enters or leaves at the mass centre: it changes the mass and has a reactive force.
-   Four further effects are for a vm_stream of mechanics/streams.h that enters or leaves at a point of a growing body.
-   Each of them is one action of the stream, and each may be left out:
-     vm_effect_stream_mass    mass, mass centre and inertia; the mass centre then moves with r' = v + (M'/M) d
-     vm_effect_stream_force   reactive force M' (u - v) (156)
-     vm_effect_stream_moment  moment d x M' (u - v) about the mass centre (158)
-     vm_effect_stream_torque  torque M' kappa omega2 - I' omega (157)
-   mechanics/streams.h explains the symbols.
+   A stream brings mass into a body or takes mass out of it. The mass of the body must be a number of the state
+   (vm_scene_body_with_mass_state). vm_effect_stream is a stream that enters or leaves at the mass centre: it changes
+   the mass and exerts a reactive force. Four further effects are for a vm_stream of mechanics/streams.h that enters or
+   leaves at a point of a growing body. Each of these four effects is one action of the stream, and a scene need not
+   have all of them:
+     vm_effect_stream_mass    changes mass, mass centre and inertia; the mass centre then moves with r' = v + (M'/M) d
+     vm_effect_stream_force   exerts the reactive force M' (u - v) (156)
+     vm_effect_stream_moment  exerts the moment d x M' (u - v) about the mass centre (158)
+     vm_effect_stream_torque  exerts the torque M' kappa omega2 - I' omega (157)
+   Here M is the mass of the body, M' its rate by the stream, u the velocity of the stream's mass, v that of the body,
+   and d leads from the mass centre to the point of the stream; mechanics/streams.h explains all symbols.
 
        vm_scene_body bodies[] = {vm_scene_body_with_mass_state(vm_scene_body_line(20, 0, 3))}; // a wagon in the rain
        vm_vec3 falls = {0, -8, 0};                               // 8 m/s downwards, no velocity along the line
@@ -38,11 +40,11 @@ VM_API void vmi_apply_stream(const vm_effect *e, vm_real t, const vm_real *y, vm
 }
 
 /* A stream that enters or leaves at the mass centre, with its reactive force. rate in kg/s (on an axle kg m^2/s) is
-   negative for mass that leaves. If reactive is 1, u is the absolute velocity of the mass; if reactive is 0, u is its
-   velocity relative to that of the body. For any number reactive the velocity of the mass is u + (1 - reactive) v,
-   where v is the velocity of the body. The components of u are along inertial axes: they do not turn with the body. For
-   a thrust that turns with it use vm_effect_stream_force or vm_effect_custom. The inertia of the body does not change.
-   vm_scene_start returns VM_MASS_IS_NO_STATE if the mass of the body is not a state. */
+   negative for mass that leaves. The velocity of this mass is u + (1 - reactive) v, where v is the velocity of the
+   body: u is absolute if reactive is 1, and relative to the body if reactive is 0; reactive may be any number. The
+   components of u are along inertial axes: they do not turn with the body. For a thrust that turns with the body use
+   vm_effect_stream_force or vm_effect_custom. The moments of inertia of the body do not change, except on an axle.
+   vm_scene_start returns VM_MASS_IS_NO_STATE if the mass of the body is not a number of the state. */
 VM_API vm_effect vm_effect_stream(int body, vm_real rate, vm_vec3 u, vm_real reactive)
 {
     vm_effect e = vmi_effect(body, 0, vmi_apply_stream);
@@ -55,15 +57,15 @@ VM_API vm_effect vm_effect_stream(int body, vm_real rate, vm_vec3 u, vm_real rea
     return e;
 }
 
-/* A stream at a point of a growing body: the motion of the body, as vmi_stream_sums needs it, and the sums that this
-   function computes */
+/* A stream at a point of a growing body: `seen` is the motion of the body in the form that vmi_stream_sums needs, and
+   `sum` has the sums that vmi_stream_sums computes */
 typedef struct VM_TAG(vmi_crossing) {
     vmi_stream_seen seen;
     vmi_stream_sum sum;
 } vmi_crossing;
 
-/* Fills *c with the sums of the stream of an effect. If vary has written an unknown motion to the stream, the scene
-   gets the status VM_BAD_ARGUMENT, which ends the run. */
+/* Fills *c with the sums of the stream of an effect. If the caller's function `vary` has written an unknown `motion`
+   to the stream, the scene gets the status VM_BAD_ARGUMENT, which ends the run. */
 VM_API void vmi_crossing_now(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s, vmi_crossing *c)
 {
     const vm_scene_body *b = s->bodies + e->body;
@@ -80,9 +82,9 @@ VM_API void vmi_crossing_now(const vm_effect *e, vm_real t, const vm_real *y, vm
 }
 
 /* Adds a reactive force and a moment or torque, in inertial axes, to the load and to the budget.
-   vmi_apply_stream_mass enters in the budget the energy of the mass of the stream, and the momentum that this mass
-   would have at the velocity of the body. This function adds force and torque to the momentum that the stream brings,
-   and subtracts their power from `mixing`. */
+   vmi_apply_stream_mass adds to the budget the energy of the stream's mass, and the momentum that this mass would have
+   at the velocity of the body. This function adds the force and the torque to the momentum and the angular momentum
+   that the stream brings per second, and subtracts their power from the field `mixing` of the load. */
 VM_API void vmi_crossing_push(const vm_effect *e, vm_scene *s, const vmi_crossing *c, vm_vec3 force, vm_vec3 torque)
 {
     const vm_scene_body *b = s->bodies + e->body;
@@ -139,9 +141,10 @@ VM_API void vmi_apply_stream_torque(const vm_effect *e, vm_real t, const vm_real
     vmi_crossing_push(e, s, &c, vmi_vec3(0, 0, 0), vmi_times(c.seen.turn, torque));
 }
 
-/* Checks a stream by vmi_check_stream. A store (stream->from) must lie on the line through the point of the stream and
-   the mass centre at the start, which is the origin of body axes. The reason is that a scene neglects the angular
-   momentum of the mass that flows between the store and the point; this angular momentum is 0 only on such a line. */
+/* Checks a stream by vmi_check_stream. If the stream has a store in the body (stream->from), the store must also lie
+   on the line through the point of the stream and the mass centre at the start, which is the origin of body axes. The
+   reason is that a scene neglects the angular momentum of the mass that flows from the store to the point; only on
+   such a line is this angular momentum 0. */
 VM_API int vmi_crossing_check(const vm_effect *e)
 {
     const vm_stream *stream = e->stream;
@@ -166,21 +169,21 @@ VM_API vm_effect vmi_effect_crossing(int body, const vm_stream *stream,
     return e;
 }
 
-/* Changes of mass, mass centre and inertia of a growing body by a stream. *stream is not copied: if an event changes
-   it, the run continues with the change. stream->at is in body axes, from the position of the mass centre at the
+/* Changes mass, mass centre and inertia of a growing body by a stream. *stream is not copied: if an event changes it,
+   the run continues with the change. stream->at is in body axes and leads from the place of the mass centre at the
    start. The field `mixing` of the budget is right only if the effects for mass, force, moment and torque of the
    stream are all listed, and if the stream has no store. A stream may have a store on the line through its point and
-   the mass centre; for example, the tank and the nozzle of a rocket lie on its axis. The motion is then that of
-   vm_flow_rhs if no other stream of the body has a store. vm_scene_start returns VM_BAD_ARGUMENT if stream is NULL or
-   its motion is unknown, VM_STORED_STREAM if its store does not lie on this line, and VM_DOES_NOT_GROW if the body is
-   not a growing body. */
+   the mass centre; for example, the tank and the nozzle of a rocket lie on the rocket's axis. If no other stream of
+   the body has a store, the motion then is the same as by vm_flow_rhs. vm_scene_start returns VM_BAD_ARGUMENT if
+   stream is NULL or stream->motion is unknown, VM_STORED_STREAM if the store does not lie on this line, and
+   VM_DOES_NOT_GROW if the body is not a growing body. */
 VM_API vm_effect vm_effect_stream_mass(int body, const vm_stream *stream)
 {
     return vmi_effect_crossing(body, stream, vmi_apply_stream_mass);
 }
 
-/* Reactive force M' (u - v) of a stream at a point of a growing body (156). M' is the rate of the mass, u its velocity
-   and v that of the body. Conditions and errors are those of vm_effect_stream_mass. */
+/* Reactive force M' (u - v) of a stream at a point of a growing body (156). M' is the rate of the mass, u the velocity
+   of the stream's mass and v that of the body. Conditions and errors are those of vm_effect_stream_mass. */
 VM_API vm_effect vm_effect_stream_force(int body, const vm_stream *stream)
 {
     return vmi_effect_crossing(body, stream, vmi_apply_stream_force);
@@ -195,17 +198,18 @@ VM_API vm_effect vm_effect_stream_moment(int body, const vm_stream *stream)
 }
 
 /* Torque M' kappa omega2 - I' omega of a stream on a growing body (157). M' is the rate of the mass, kappa the inertia
-   of this mass per kg, omega2 its angular velocity; I' is the rate of the inertia of the body, omega its angular
-   velocity. Conditions and errors are those of vm_effect_stream_mass. */
+   of the stream's mass per kg, and omega2 the angular velocity of this mass. I' is the rate of the inertia of the
+   body, and omega the angular velocity of the body. Conditions and errors are those of vm_effect_stream_mass. */
 VM_API vm_effect vm_effect_stream_torque(int body, const vm_stream *stream)
 {
     return vmi_effect_crossing(body, stream, vmi_apply_stream_torque);
 }
 
-/* An effect of a stream that varies in time. effect comes from vm_effect_stream_mass, _force, _moment or _torque. At
-   each evaluation vary receives a copy of the stream and writes the values of its fields for the time t and the state
-   y: the point, which may move in the body, the rate, the velocity or the store (vm_supply_at gives that of a tank).
-   vm_scene_start returns VM_BAD_ARGUMENT if vary is NULL or the effect has no stream. */
+/* An effect of a stream that varies in time. The argument `effect` comes from vm_effect_stream_mass, _force, _moment
+   or _torque. At each evaluation the function `vary` receives a copy of the stream and writes the fields that vary,
+   for the time t and the state y: the point, which may move in the body, the rate, the velocity or the store
+   (vm_supply_at computes the store of a tank). vm_scene_start returns VM_BAD_ARGUMENT if vary is NULL or the effect
+   has no stream. */
 VM_API vm_effect vm_effect_varying(vm_effect effect,
                                    void (*vary)(vm_real t, const vm_real *y, vm_stream *stream, void *ctx),
                                    void *ctx)

@@ -66,7 +66,7 @@ def main():
             exact = [nstr(v, 22, min_fixed=-9, max_fixed=9) for v in true_values(mpf(alpha))]
             rows.append(f"    {{{alpha}, {{{', '.join(printed)}}}, {{{', '.join(exact)}}}}},")
     with open("examples/table5_data.h", "w") as file:
-        file.write("/* Written by tests/gen/table5.py: alpha, printed and true Omega_alpha, k^2, Omega_1* */\n")
+        file.write("/* This file is written by tests/gen/table5.py. Each row: alpha; Omega_alpha, k^2 and Omega_1* as printed; their true values */\n")
         file.write("\n".join(rows) + "\n")
 
 
