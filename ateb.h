@@ -38,18 +38,18 @@
                            plain data and may be a constant in flash; examples/print_plan prints one. On AVR copy it
                            from there to RAM, by memcpy_P, before it is used.
      ateb_phase            s from sa and ca, as atan2 computes an angle from its sine and cosine
-     ateb_mean             the mean of |sa|^p |ca|^q over a period (316); ateb_mean_nm: the same with two indices and
-                           signs
-     ateb_integral_...     integrals from 0 to s
+     ateb_mean             the mean of |sa|^p |ca|^q over a period (316); ateb_mean_nm takes two indices and the signs
+                           of sa and ca into account
+     ateb_integral_...     integrals of sa^2 and of |ca|^(alpha+1) from 0 to s
      ateb_saca_nm          sa(n, m, s) and ca(m, n, s) with any two indices
      ateb_beta...          beta function, incomplete beta function and its inverse
      ateb_ln_beta...       logarithms of the beta functions, where these overflow or underflow
 
    ERRORS
      alpha < 0, NaN and infinite arguments give NaN; so do probabilities outside [0, 1], parameters of beta functions
-     outside 1e-4 to 1e5 (but the parameters 0 and infinity give limits), and whatever else lies outside the domain
-     that the comment of a function gives. For a bad alpha ateb_plan_init returns -1 and leaves the plan as it was.
-     Nothing else can fail. The functions allocate no memory and keep no state; the value of errno means nothing.
+     outside 1e-4 to 1e5 (but the parameters 0 and infinity give limits), and all arguments outside the domain that the
+     comment of a function gives. For a bad alpha ateb_plan_init returns -1 and leaves the plan as it was. Nothing else
+     can fail. The functions allocate no memory and keep no state; errno says nothing about their errors.
 
    METHOD
      First s is reduced to the first quarter of the period, which needs Pi_alpha. Pi_alpha comes from a table of
@@ -85,41 +85,42 @@
      the compiler's macros show such an option. But clang's macros show only -ffast-math and -ffinite-math-only, and no
      macro shows "#pragma float_control", another rounding mode, or that the processor treats subnormal numbers, the
      smallest of all, as zero. vm_self_check() returns 0 in these cases, and 1 where all is well; a program may call it
-     once when it starts. On x87 units gcc in its gnu modes (gcc -m32, no -std=c99) computes with excess precision. Then
-     the bounds below do not hold, and odd and even functions may lose their symmetry in the last bit. The options
-     -fexcess-precision=standard, or -msse2 -mfpmath=sse, prevent this.
+     once when it starts. On x87 units gcc in its gnu modes (gcc -m32, no -std=c99) computes with more digits than the
+     type has (excess precision). Then the bounds below do not hold, and odd and even functions may lose their symmetry
+     in the last bit. The options -fexcess-precision=standard, or -msse2 -mfpmath=sse, prevent this.
 
    ACCURACY: bounds of the error, which the tests check; docs/measurements.md has the errors found.
      eps, ulp               eps is 2.2e-16 (float 1.2e-7). An ulp is the distance between two neighbouring numbers of
-                            the type, next to the true value. The bounds hold for the inputs as they are, without errors
-                            of their own.
+                            the type, next to the true value. The bounds take the inputs as exact.
      sa, ca                 absolute error <= 4 eps for |s| <= 1e9 (float 1e4), relative error <= 8 ulp for
                             |s| <= 100 Pi_alpha, for alpha = 0 and alpha from 1e-300 to 1e30. Between their extremes sa
                             and ca only rise or only fall, apart from errors of 2 ulp. sa^2 + |ca|^(alpha+1) is 1 to
                             within 1.5 eps (2 sa^2 + (alpha+1) |ca|^(alpha+1)).
      the zeros              of sa and ca have a relative error <= 2^-125 (float 2^-58); for alpha above 5e8 (float 2e4)
                             and for plans, it is <= 2^-102 (float 2^-44). This error, times |s| and the slope of sa or
-                            ca, adds to the errors above. It matters only where s is within an ulp of a zero.
+                            ca, comes in addition to the errors above. It matters only where s is within an ulp of a
+                            zero.
      Pi_alpha               <= 1 ulp
      sa, ca by a plan       <= 2 ulp for |s| <= 100 Pi_alpha and alpha up to 1e6, or the absolute error that the plan
                             was made for
      phase                  <= 8 ulp plus the change of s that 6 ulp of sa and of ca make, where sa and ca come from
                             ateb_saca
      beta, mean, Pi(n, m)   <= 1 ulp, 2 ulp and 1 ulp
-     beta_inc               <= 30 ulp of p and of q
-     beta_inc_inv           <= 16 ulp of x and of y plus the change that one ulp of the smaller of p and q makes
+     beta_inc               <= 30 ulp of p = I_x(a, b) and of q = 1 - p
+     beta_inc_inv           <= 16 ulp of x and of y = 1 - x, plus the change that one ulp of the smaller of p and q
+                            makes
      sa(n, m), ca(m, n)     <= 8 ulp plus the change that an error of 2^-102 |s| (float 2^-44 |s|) in s makes
      integrals              the integrals of sa^2 and |ca|^(alpha+1) add up to s within 3 eps (1 + |s|)
 
    COST
-     docs/cost.md has the times, docs/counts.md the instructions of each function. An ateb_plan has
-     560 [ateb_plan_bytes] bytes, in float 184 [ateb_plan_bytes_float]; the name in brackets is the row of
-     docs/numbers.md from which the number is. The largest stack frame is below 2 kB.
+     docs/cost.md has the time of each function, docs/counts.md the number of instructions of a call. An ateb_plan has
+     560 [ateb_plan_bytes] bytes, in float 184 [ateb_plan_bytes_float]; the name in brackets is that of the row of
+     docs/numbers.md with this number. The largest stack frame is below 2 kB.
 
    REFERENCES
      [1] L. Cveticanin, Dynamics of Mass Variable System, dissertation; numbers like (277) are its equations. Where [1]
-         has a misprint, the corrected equation is meant: (278) and (280) mix up the indices and have a wrong sign,
-         (279) lacks the bars of |u|.
+         has a misprint, this file uses the corrected equation: in [1], (278) and (280) mix up the indices and have a
+         wrong sign, and (279) lacks the bars of |u|.
      [2] R. M. Rosenberg, The Ateb(h)-functions and their properties, Q. Appl. Math. 21 (1963) 37-47.
      [3] DLMF, dlmf.nist.gov: 8.17 (incomplete beta functions), 15.7 (continued fractions), 15.8(iii) (quadratic
          transformations).
@@ -278,8 +279,8 @@ typedef double vm_real;
 /* A struct in float and the same struct in double have different sizes. In C the linker does not see where one file
    passes such a struct to another. So each file marks its precision here, and files of both precisions do not link,
    unless all files of one precision define VM_MIXED_PRECISIONS. With gcc the mark is an absolute symbol, which must
-   have the same value in every file of a program. With clang there is no such mark, since under -flto it would refuse
-   equal values, too. */
+   have the same value in every file of a program. With clang there is no such mark, since clang would refuse equal
+   values, too, under -flto. */
 #if defined(VM_MIXED_PRECISIONS) || defined(__CUDACC__)
 #elif defined(_MSC_VER)
 #ifdef VM_USE_FLOAT
@@ -389,7 +390,7 @@ VM_API vm_real vmi_rounded(vm_real x)
 #define vmi_rounded(x) (x)
 #endif
 
-/* Returns the exact sum a + b as a pair (by Knuth). */
+/* Returns the exact sum a + b as a pair, by Knuth's method. */
 VM_API vm_two vmi_two_sum(vm_real a, vm_real b)
 {
     vm_two s;
@@ -400,7 +401,7 @@ VM_API vm_two vmi_two_sum(vm_real a, vm_real b)
     return s;
 }
 
-/* Returns the exact sum a + b as a pair, for |a| >= |b| (by Dekker). */
+/* Returns the exact sum a + b as a pair, for |a| >= |b|, by Dekker's method. */
 VM_API vm_two vmi_fast_two_sum(vm_real a, vm_real b)
 {
     vm_two s;
@@ -1193,8 +1194,8 @@ VM_INLINE vm_two vmi_ateb_g(vm_two q)
     return g;
 }
 
-/* The numbers that sa, ca and Pi_alpha need for one alpha. Each low word is below an ulp of its high word, unless the
-   comment of the function that sets it says otherwise. */
+/* The numbers from which sa, ca and Pi_alpha are computed for one alpha. Each low word is below an ulp of its high
+   word, unless the comment of the function that sets it says otherwise. */
 typedef struct VM_TAG(vmi_ateb) {
     vm_two n;       /* alpha + 1 */
     vm_two q;       /* 1/(alpha + 1) */
@@ -1217,9 +1218,9 @@ VM_INLINE void vmi_ateb_index_constants(vmi_ateb *c, vm_real alpha)
     c->q.lo = (((1 - n_head * q_head) - n_tail * q_head) - c->n.hi * (c->q.hi - q_head)) * c->q.hi;
 }
 
-/* Sets the fields g and quarter, whose low words may be as large as 2^-13. Where an argument is reduced, the absolute
-   error of Pi_alpha matters. It is small for a large alpha too, since Pi_alpha is computed as the sum of n = alpha + 1
-   and g. */
+/* Sets the fields g and quarter, whose low words may be as large as 2^-13. Where an argument is reduced by multiples of
+   Pi_alpha/2, the absolute error of Pi_alpha is important. It is small for a large alpha too, since Pi_alpha is
+   computed as the sum of n = alpha + 1 and g. */
 VM_INLINE void vmi_ateb_period_constants(vmi_ateb *c)
 {
     c->g = vmi_ateb_g(c->q);
@@ -1228,7 +1229,7 @@ VM_INLINE void vmi_ateb_period_constants(vmi_ateb *c)
     c->quarter = vmi_half(c->quarter);
 }
 
-/* Sets all of n, q, g and quarter, each low word below an ulp of its high word */
+/* Sets the fields n, q, g and quarter. Each low word is below an ulp of its high word. */
 VM_API void vmi_ateb_constants(vmi_ateb *c, vm_real alpha)
 {
     vmi_ateb_index_constants(c, alpha);
@@ -1292,8 +1293,8 @@ VM_API vmi_three vmi_ateb_quarter_in_words(const vmi_ateb *c)
 /* A function that sets all constants of one alpha: vmi_ateb_constants, or vmi_ateb_fine_constants */
 typedef void (*vmi_ateb_constants_of)(vmi_ateb *c, vm_real alpha);
 
-/* Sets all of n, q, g and quarter, as vmi_ateb_constants does, but without the table of g: the code is shorter and the
-   results are more accurate, but the function takes longer. */
+/* Sets the fields n, q, g and quarter, as vmi_ateb_constants does, but without the table of g: the code is shorter and
+   the results are more accurate, but the function takes longer. */
 VM_API void vmi_ateb_fine_constants(vmi_ateb *c, vm_real alpha)
 {
     vmi_ateb_index_constants(c, alpha);
@@ -1305,10 +1306,11 @@ VM_API void vmi_ateb_fine_constants(vmi_ateb *c, vm_real alpha)
 #endif
 /* base/elementary.h - logarithm, exponential, power, sine, cosine and arctangent, with the same bits on every machine
 
-   The C library's functions differ from machine to machine in the last bits. The functions of this file give the same
-   bits everywhere: they use only basic operations, which every machine rounds in the same way. The logarithm and the
-   exponential are computed in two words (see base/sums.h), so that a power made from them has all its digits. They
-   branch only where a result is subnormal, so that a compiler can vectorise loops over them.
+   The results of the C library's functions differ from machine to machine in the last bits. The functions of this file
+   give the same bits everywhere: they use only basic operations, which every machine rounds in the same way. The
+   logarithm and the exponential are computed in two words (see base/sums.h), so that a power made from them has all its
+   digits. The logarithm and the exponential branch only where a number is subnormal, so that a compiler can vectorise
+   loops over them.
 
        vm_real y = vmi_exp(VM_C(1.5), 0); // e^1.5
 
@@ -1629,8 +1631,8 @@ VM_API vm_real vmi_pow_checked(vm_real x, vm_real y)
     return vmi_pow_two(vmi_two(x, 0), vmi_two(y, 0));
 }
 
-/* Returns e^y - 1 in two words. The error is below 2^-(p+4) (1 + e^y), where p is the number of digits of vm_real;
-   for small y it is below 2^-p of the result. Where e^y overflows, the result is infinity. */
+/* Returns e^y - 1 in two words. The error is below 2^-(p+4) (1 + e^y), where p is the number of binary digits of
+   vm_real; for small y the error is below 2^-p times the result. Where e^y overflows, the result is infinity. */
 VM_API vm_two vmi_expm1(vm_two y)
 {
     const vm_real largest = VM_C(0.6931471805599453094) * (VMI_BIAS + 1);
@@ -1651,8 +1653,8 @@ VM_API vm_two vmi_expm1(vm_two y)
     return vmi_fast_two_sum(sum.hi, sum.lo + power.lo);
 }
 
-/* Returns ln(1 + x) in two words for -1 < x < 1e299 (float 1e34); a larger x may give NaN. The relative error is
-   below 2^-(p+7), where p is the number of digits of vm_real. Method: 1 + x = y (1 + t), where y is one word and t is
+/* Returns ln(1 + x) in two words for -1 < x < 1e299 (float 1e34); a larger x may give NaN. The relative error is below
+   2^-(p+7), where p is the number of binary digits of vm_real. Method: 1 + x = y (1 + t), where y is one word and t is
    below an ulp of 1. */
 VM_API vm_two vmi_log1p(vm_two x)
 {
@@ -2072,7 +2074,7 @@ VM_API void vmi_ateb_near_ca_zero(vm_real r, vm_real d, const vmi_ateb *c, vm_re
 #define VARMASS_ATEB_FUNCTIONS_H
 
 /* The position of s in the period. s is `quarter` quarters of the period plus rest, where whole periods (4 quarters)
-   are left out. r and d are the distances of s from the nearest zeros of sa and ca. */
+   are not counted. r and d are the distances of s from the nearest zeros of sa and ca. */
 typedef struct VM_TAG(vmi_ateb_place) {
     vm_real rest, r, d;
     int quarter;
@@ -2107,8 +2109,8 @@ VM_API vm_real vmi_choose(vm_real weight, vm_real a, vm_real b) { return weight 
 /* Returns the position of s >= 0 in the period, by the quickest of three ways.
      1. An s <= (alpha + 1)/2 lies in the first quarter. Then r = s, which is known without Pi_alpha.
      2. For s <= 128 (alpha + 1), c->quarter is accurate enough, unless s is close to a zero of sa or ca. Its high
-        word is multiplied in two halves, whose products with the number of quarters are exact. This number comes
-        from the high word of c->quarter alone, so that the rest may be a little longer than half a quarter.
+        word is multiplied in two halves, whose products with the number of quarters are exact. The number of quarters
+        is computed from the high word of c->quarter alone, so that the rest may be a little longer than half a quarter.
      3. Any other s is reduced by vmi_ateb_reduce_finely. */
 VM_INLINE vmi_ateb_place vmi_ateb_locate(vm_real s, vmi_ateb *c)
 {
@@ -2141,8 +2143,8 @@ VM_INLINE vmi_ateb_place vmi_ateb_locate(vm_real s, vmi_ateb *c)
     return at;
 }
 
-/* Sets the signs of sa and ca to those at s. On entry both hold the values of the first quarter. |s| is `quarter`
-   quarters plus rest. The function works on the bits of the signs, without a branch. */
+/* Sets the signs of sa and ca to those at s. Before the call, *sa and *ca are the values in the first quarter. |s| is
+   `quarter` quarters plus rest. The function works on the bits of the signs, without a branch. */
 VM_INLINE void vmi_ateb_signs(vm_real s, vm_real rest, vmi_bits quarter, vm_real *sa, vm_real *ca)
 {
     const int last = 8 * (int)sizeof(vm_real) - 1;
@@ -2232,7 +2234,8 @@ VM_API vm_real vmi_ateb_phase_near_sa_zero(vm_two h, vm_real sum, vm_real q)
 /* Returns r, the distance between s and the zero of sa, for w = sa^2 >= 0.302. The arguments are h = ln(w/x) with
    x = 1 - w, e = e^-|h| and sum = 1 + e. The function computes u = ca = x^q by means of ln x = -ln(1 + e^h). Where u is
    well below 1, r is a quarter of the period minus d = u (n + T)/2. Where u is near 1, the function computes 1 - u
-   without loss of digits, and r = (n (1 - u) + g - u T)/2. n and g are fields of *c, T is the result of vmi_ateb_T. */
+   without loss of digits, and r = (n (1 - u) + g - u T)/2. n = alpha + 1 and g = Pi_alpha - n are fields of *c, T is
+   the result of vmi_ateb_T. */
 VM_API vm_real vmi_ateb_phase_near_ca_zero(vm_two h, vm_real e, vm_real sum, const vmi_ateb *c)
 {
     const vm_real large_ln = VM_C(0.69) * VMI_BIAS, n = c->n.hi, smaller = e / sum, larger = 1 / sum;
@@ -2343,7 +2346,8 @@ VM_API vm_real vmi_ateb_phase_by_series(vm_two quarter, vm_real alpha, vm_real s
    This file has functions for two integrals from 0 to s,
      integral of sa^2 = (s - sa ca) (alpha+1)/(alpha+3),
      integral of |ca|^(alpha+1) = s - integral of sa^2.
-   Two others have a closed form: the integral of sa is (1 - ca) (alpha+1)/2, and that of ca |ca|^(alpha-1) is sa.
+   Two other integrals are so simple that no function is needed: the integral of sa is (1 - ca) (alpha+1)/2, and that of
+   ca |ca|^(alpha-1) is sa.
 
        vm_real work = ateb_integral_sa2(VM_C(0.7), VM_C(1.5));
 
@@ -2461,9 +2465,9 @@ VM_API void vmi_remove_highest(vm_real *c, int n, int lowest)
    for larger r, with two other polynomials,
      ca = 2 q d (1 + tau A(tau)) and sa = 1 + tau C(tau), where tau is X = (2 q d)^(alpha+1) up to a factor.
    The polynomials are Taylor series from (275), economised: the last terms are removed by Chebyshev polynomials. For
-   alpha = 0, 1/2, 1, ..., 7 tau = d d^alpha is computed by products and a square root; for any other alpha tau = X is
-   an exponential. Source: Lanczos, Applied Analysis (1956). Tests: tests/test_ateb.c, tests/test_plans.sh. Example:
-   examples/print_plan.c. */
+   alpha = 0, 1/2, 1, ..., 7, tau is d d^alpha and is computed by products and a square root; for any other alpha, tau
+   is X and is computed by an exponential. Source: Lanczos, Applied Analysis (1956). Tests: tests/test_ateb.c,
+   tests/test_plans.sh. Example: examples/print_plan.c. */
 #ifndef VARMASS_ATEB_PLANS_H
 #define VARMASS_ATEB_PLANS_H
 
@@ -2481,15 +2485,16 @@ typedef struct VM_TAG(vmi_ateb_part) {
     vm_real odd[ATEB_PLAN_LENGTH], even[ATEB_PLAN_LENGTH];
 } vmi_ateb_part;
 
-/* What sa and ca need for one alpha. ateb_plan_init fills it. All fields are pure numbers. */
+/* The numbers from which sa and ca are computed for one alpha. ateb_plan_init writes them. All fields are pure
+   numbers. */
 typedef struct VM_TAG(ateb_plan) {
     vm_two quarter;           /* Pi_alpha/2 */
 #if VM_MANT_DIG > 24
-    vm_real quarter_low; /* Pi_alpha/2 minus its two words in `quarter`; not in float, where plans are short */
+    vm_real quarter_low; /* Pi_alpha/2 minus its two words in `quarter`; a float plan lacks this field */
 #endif
     vm_real quarter_parts[3]; /* three numbers with the sum `quarter`; the first two have at most half of the digits */
     vm_real per_quarter;      /* 2/Pi_alpha */
-    vm_real longest;          /* for |s| < longest the first two parts times a number of quarters are exact */
+    vm_real longest;          /* for |s| < longest, the first two parts times the number of quarters are exact */
     vm_real change_over;      /* part[0] is used up to this distance r from a zero of sa */
     vm_real n, g;             /* alpha + 1 and Pi_alpha - (alpha + 1) */
     vm_two twice_q;           /* 2/(alpha + 1) */
@@ -2520,7 +2525,7 @@ VM_INLINE vm_two vmi_ateb_twice_q_d(const ateb_plan *p, vm_real d, vm_real d_lo)
 
 /* Returns X = (2 q d)^(alpha+1), where q = 1/(alpha+1). r and d + d_lo are the distances of s from the zeros of sa and
    ca; 2 q d is computed from the shorter one (vmi_ateb_base_of) and is written to *y. Where X would be subnormal, the
-   result is about the least normal number instead. */
+   result is about the smallest normal number instead. */
 VM_INLINE vm_real vmi_ateb_exponential(const ateb_plan *p, vm_real r, vm_real d, vm_real d_lo, vm_two *y)
 {
     const vmi_ateb_base base = vmi_ateb_base_of(p->twice_q, r, 2 * r - p->g, d, d_lo);
@@ -2531,15 +2536,15 @@ VM_INLINE vm_real vmi_ateb_exponential(const ateb_plan *p, vm_real r, vm_real d,
     return vmi_ateb_exp2(whole, rest);
 }
 
-/* The polynomial c[0] + c[1] x + c[2] x^2 + c[3] x^3, where xx = x^2 */
+/* Returns the polynomial c[0] + c[1] x + c[2] x^2 + c[3] x^3, where xx = x^2. */
 VM_INLINE vm_real vmi_ateb_four_terms(const vm_real *c, vm_real x, vm_real xx)
 {
     return (c[0] + x * c[1]) + xx * (c[2] + x * c[3]);
 }
 
-/* The polynomial c[0] + c[1] x + ... with at least `length` terms. The coefficients beyond `length` are 0. The terms
-   after the first are grouped by four, so that the processor computes the groups at once. The first and largest term is
-   added last, so that only one rounding error of the size of the sum is made. */
+/* Returns the polynomial c[0] + c[1] x + ..., computed with at least `length` terms. The coefficients beyond `length`
+   are 0. The terms after the first are grouped by four, so that the processor computes the groups at once. The first
+   and largest term is added last, so that only one rounding error of the size of the sum is made. */
 VM_INLINE vm_real vmi_ateb_part_series(const vm_real *c, int length, vm_real x)
 {
     const vm_real xx = x * x, x4 = xx * xx;
@@ -2562,7 +2567,7 @@ VM_INLINE void vmi_ateb_part_at(const vmi_ateb_part *part, int length, vm_two ba
 }
 
 /* Returns |s| minus the nearest multiple of Pi_alpha/2, for |s| < p->longest, which is 2^26 quarters (float 2^12).
-   The last bits of *quarter become those of the number of quarters. */
+   *quarter becomes a number whose last two bits are the number of quarters modulo 4. */
 VM_INLINE vm_real vmi_ateb_plan_reduce(const ateb_plan *p, vm_real s, vmi_bits *quarter)
 {
     const vm_real x = VM_FABS(s), to_integer = VM_C(1.5) / VM_EPSILON;
@@ -2571,15 +2576,17 @@ VM_INLINE vm_real vmi_ateb_plan_reduce(const ateb_plan *p, vm_real s, vmi_bits *
     return ((x - count * p->quarter_parts[0]) - count * p->quarter_parts[1]) - count * p->quarter_parts[2];
 }
 
-/* Returns 1 if `rest`, which is s minus a multiple of Pi_alpha/2, is so small that two words of Pi_alpha/2 are not
-   enough to compute it, else 0. A float plan has no more words: then the result is 0. */
+/* `rest` is s minus the nearest multiple of Pi_alpha/2, computed with Pi_alpha/2 in two words. Returns 1 if this `rest`
+   is so small that it must be computed again with a third word of Pi_alpha/2, else 0. A plan in float has no third
+   word: then the result is always 0. */
 VM_INLINE int vmi_ateb_plan_is_close(vm_real rest, vm_real s)
 {
     return VM_MANT_DIG > 24 && VM_FABS(rest) < VMI_ATEB_FINE_REACH * VM_FABS(s);
 }
 
 /* Returns x minus the nearest multiple of Pi_alpha/2, for an x > 0 that is close to a multiple (see
-   vmi_ateb_plan_is_close). `rest` is the same difference, computed with two words of Pi_alpha/2. */
+   vmi_ateb_plan_is_close). `rest` is this difference, computed with two words of Pi_alpha/2. The result is computed
+   with three words, or in float is `rest`. */
 VM_API vm_real vmi_ateb_plan_reduce_finely(const ateb_plan *p, vm_real x, vm_real rest)
 {
 #if VM_MANT_DIG > 24
@@ -2642,8 +2649,8 @@ VM_API void ateb_plan_saca(const ateb_plan *p, vm_real s, vm_real *sa, vm_real *
 }
 
 /* Arrays are computed in blocks of VMI_ATEB_BLOCK arguments, by loops without branches, which compilers turn into
-   vector instructions. VMI_ATEB_WIDE is 1 on processors with wide vector registers, else 0. With narrow ones, such a
-   loop takes longer than single calls. */
+   vector instructions. VMI_ATEB_WIDE is 1 on processors with wide vector registers, else 0. With narrow vector
+   registers such a loop takes longer than single calls. */
 enum { VMI_ATEB_BLOCK = 32 };
 #if defined(__AVX2__) || defined(__ARM_NEON) || defined(__ARM_FEATURE_SVE)
 #define VMI_ATEB_WIDE 1
@@ -2779,10 +2786,10 @@ VM_API void vmi_ateb_block_saca(const ateb_plan *plan, const vm_real *s, vm_real
 }
 
 /* sa and ca of n arguments for the plan's alpha. The arrays s, sa and ca have n elements each. s may be the array sa or
-   ca; apart from this they must not overlap. Domain and accuracy are those of ateb_plan_saca; the last bits may depend
-   on the index in the array. Arguments are computed in blocks of 32; those with |s| >= p->longest, and those that are
-   not finite, are computed one by one. Arrays are faster than single calls on processors with wide vector registers
-   (docs/cost.md has the times). */
+   the array ca; otherwise the three arrays must not overlap. Domain and accuracy are those of ateb_plan_saca; the last
+   bits may depend on the index in the array. Arguments are computed in blocks of 32; those with |s| >= p->longest, and
+   those that are not finite, are computed one by one. Arrays are faster than single calls on processors with wide
+   vector registers (docs/cost.md has the times). */
 VM_API void ateb_plan_saca_array(const ateb_plan *p, int n, const vm_real *s, vm_real *sa, vm_real *ca)
 {
     const int wide = VMI_ATEB_WIDE && p->quarter.hi < 1 / VM_EPSILON;
@@ -2810,7 +2817,7 @@ VM_API void ateb_plan_saca_array(const ateb_plan *p, int n, const vm_real *s, vm
 }
 
 /* Returns the coefficient w_j of the power series w = b^alpha, where b is a power series with b_0 = 1. It is computed
-   from w_0 ... w_(j-1) and b_1 ... b_j (by Euler). */
+   from w_0 ... w_(j-1) and b_1 ... b_j by Euler's recurrence. */
 VM_API vm_real vmi_ateb_series_power(vm_real alpha, int j, const vm_real *b, const vm_real *w)
 {
     vm_real sum = 0;
@@ -2822,9 +2829,10 @@ VM_API vm_real vmi_ateb_series_power(vm_real alpha, int j, const vm_real *b, con
 /* The number of terms of the Taylor series from which the polynomials are made */
 enum { VMI_ATEB_TERMS = VM_MANT_DIG > 24 ? 56 : 26 };
 
-/* Computes Taylor coefficients, term by term from the differential equations (275). For beyond = 0 they are those of
-   sa/r (odd) and ca (even) in powers of r^2; for beyond = 1 they are those of ca/(2 q d) (odd) and sa (even) in powers
-   of X = (2 q d)^(alpha+1). r and d are the distances from the nearest zeros of sa and ca, and q = 1/(alpha + 1). */
+/* Computes Taylor coefficients, term by term from the differential equations (275). For beyond = 0, the array `odd`
+   becomes the coefficients of sa/r, and `even` those of ca, in powers of r^2. For beyond = 1, `odd` becomes the
+   coefficients of ca/(2 q d), and `even` those of sa, in powers of X = (2 q d)^(alpha+1). r and d are the distances
+   from the nearest zeros of sa and ca, and q = 1/(alpha + 1). */
 VM_API void vmi_ateb_series(int beyond, vm_real alpha, vm_real q, vm_real *odd, vm_real *even)
 {
     const vm_real large = VM_C(1e30); /* a larger alpha counts as this one, since alpha j might overflow */
@@ -2853,9 +2861,10 @@ VM_API void vmi_ateb_series(int beyond, vm_real alpha, vm_real q, vm_real *odd, 
     }
 }
 
-/* Economises the power series c_1 + c_2 x + c_3 x^2 + ... for 0 <= x <= limit: replaces it by a polynomial in x/unit
-   with at most ATEB_PLAN_LENGTH terms, and returns the number of terms. `result` receives the coefficients times unit.
-   The error of the polynomial is at most tolerance/limit if ATEB_PLAN_LENGTH terms are enough. c is overwritten. */
+/* Economises the power series c_1 + c_2 x + c_3 x^2 + ... for 0 <= x <= limit: the function replaces it by a polynomial
+   in x/unit with at most ATEB_PLAN_LENGTH terms, and returns the number of terms. `result` becomes the array of these
+   coefficients times unit. The error of the polynomial is at most tolerance/limit if ATEB_PLAN_LENGTH terms are enough.
+   c is overwritten. */
 VM_API int vmi_ateb_economise(vm_real *c, vm_real limit, vm_real unit, vm_real tolerance, vm_real *result)
 {
     const int highest = VMI_ATEB_TERMS - 2;
@@ -2919,13 +2928,13 @@ VM_API void vmi_ateb_plan_period(ateb_plan *p, const vmi_ateb *c)
 
 /* Prepares a plan for alpha >= 0 and a given accuracy. `accuracy` is the largest absolute error of sa and ca that is
    allowed, such as 1e-4 or 1e-8; 0 means full accuracy. A plan of less accuracy is shorter and quicker. Returns 0, or
-   -1 for alpha < 0 and if a number is NaN or infinite; then the plan stays as it was. */
+   -1 if alpha < 0 or an argument is NaN or infinite; if it returns -1, the plan stays as it was. */
 VM_API int ateb_plan_init_to(ateb_plan *p, vm_real alpha, vm_real accuracy)
 {
     /* For r beyond the change-over, sa is computed from X = (2 q d)^(alpha+1). The relative rounding error of X, times
-       X/(2 sa), is the error that it causes in sa. The factor X/(2 sa) is 0.33 for a change-over at r = 0.92; for one
-       at r = 0.73 it would be 0.5, and the error 2.3 ulp. For a change-over beyond 0.92 the polynomials would have too
-       few terms. */
+       X/(2 sa), is the error that it causes in sa. The factor X/(2 sa) is 0.33 for a change-over at r = 0.92; for a
+       change-over at r = 0.73 it would be 0.5, and the error of sa would be 2.3 ulp. For a change-over beyond 0.92 the
+       polynomials would have too few terms. */
     const vm_real share = VM_C(0.5), farthest = VM_MANT_DIG > 24 ? VM_C(0.92) : VM_C(0.95);
     vm_real tolerance = VM_EPSILON / 16, unit = 1;
     int length, length_beyond;
@@ -2951,7 +2960,7 @@ VM_API int ateb_plan_init_to(ateb_plan *p, vm_real alpha, vm_real accuracy)
 }
 
 /* Prepares a plan of full accuracy for alpha >= 0.
-   Returns 0, or -1 for alpha < 0, NaN and infinite alpha; then the plan stays as it was. */
+   Returns 0, or -1 for alpha < 0, NaN and infinite alpha; if it returns -1, the plan stays as it was. */
 VM_API int ateb_plan_init(ateb_plan *p, vm_real alpha) { return ateb_plan_init_to(p, alpha, 0); }
 
 #endif
@@ -2962,8 +2971,9 @@ VM_API int ateb_plan_init(ateb_plan *p, vm_real alpha) { return ateb_plan_init_t
 
        vm_real p = ateb_beta_inc(VM_C(0.3), VM_C(0.5), 2); // I_0.3(0.5, 2)
 
-   In this file p = I_x(a, b), q = 1 - p and y = 1 - x. The functions with the suffix _both also take and return y and
-   q. Where x or p is close to 1, y and q have all their digits, while computed differences 1 - x and 1 - p would not.
+   In this file p stands for I_x(a, b), q for 1 - p, and y for 1 - x. The functions with the suffix _both also take and
+   return y and q. Where x or p is close to 1, y and q have all their digits, while computed differences 1 - x and 1 - p
+   would not.
 
    Method: the functions are computed from logarithms in two words. Let i be 0 for a >= 6 and 6 for a < 6, so that
    A = a + i is at least 6. In the same way j, which is 0 or 6, makes B = b + j, and k makes S = a + b + k at least 6.
@@ -3076,8 +3086,9 @@ VM_API vm_real ateb_beta(vm_real a, vm_real b)
 }
 
 /* The logarithm of the complete beta function, ln B(a, b), for a and b from 1e-30 to 1e30.
-   B(a, b) itself may overflow or underflow. The error is at most 1 ulp plus 2^-57 (float 2^-28), which matters where B
-   is close to 1. Limits are the logarithms of those of ateb_beta. Returns NaN for other a or b. */
+   B(a, b) itself may overflow or underflow. The error is at most 1 ulp plus 2^-57 (float 2^-28), which is important
+   where B is close to 1 and ln B close to 0. If a or b is 0 or infinite, the result is the logarithm of the limit that
+   ateb_beta returns. Returns NaN for other a or b. */
 VM_API vm_real ateb_ln_beta(vm_real a, vm_real b)
 {
     const vm_real least = VM_C(1e-30), largest = VM_C(1e30);
@@ -3088,7 +3099,8 @@ VM_API vm_real ateb_ln_beta(vm_real a, vm_real b)
     return vmi_beta_ln(vmi_two(a, 0), vmi_two(b, 0)).hi;
 }
 
-/* What the gamma function of z > 0 needs: Z = z + i, where i is 6 for z < 6 and 0 for other z, and factor and delta:
+/* The numbers from which the gamma function of z > 0 is computed: Z = z + i, where i is 6 for z < 6 and 0 for other z,
+   and factor and delta:
      Gamma(z) = sqrt(2 pi) Z^(z - 1/2) e^(delta - z)/factor, factor = (z)_i e^i/Z^i, delta = vmi_beta_stirling(1/Z) */
 typedef struct VM_TAG(vmi_beta_gamma) {
     vm_two Z;
@@ -3116,8 +3128,9 @@ VM_INLINE vmi_beta_gamma vmi_beta_gamma_of(vm_two z)
     return g;
 }
 
-/* Returns ln(x S/A) in two words. First the logarithm of t, the rounded quotient, is computed; then `lost`, what the
-   rounding has lost, corrects it. Both can be computed at once. */
+/* Returns ln(x S/A) in two words. First the logarithm of t, the rounded quotient, is computed; then `lost`, the
+   difference that this rounding causes, corrects it. The processor can compute the logarithm and `lost` at the same
+   time. */
 VM_INLINE vm_two vmi_beta_ln_quotient(vm_two x, vm_two S, const vmi_beta_gamma *A)
 {
     const vm_real t = (x.hi * S.hi) * A->by_Z;
@@ -3191,7 +3204,7 @@ VM_API vm_real vmi_beta_backward(const vmi_beta_levels *l, int count)
     return 1 / f;
 }
 
-/* The tolerance of vmi_beta_fraction that gives all digits */
+/* The tolerance for which vmi_beta_fraction returns all digits */
 #define VMI_BETA_FULL (2 * VM_EPSILON)
 
 /* A tolerance below VMI_BETA_FULL, for which vmi_beta_fraction always evaluates the fraction from its last level */
@@ -3247,8 +3260,8 @@ VM_API vm_real vmi_beta_series(vm_real x, vm_real a, vm_real b)
     return a * sum;
 }
 
-/* Returns ln(1 - e^l) for l < 0, where e^l = 2^k (1 + p). If k = 0, the number 1 - e^l is -p, so that no digits are
-   lost. */
+/* Returns ln(1 - e^l) for l < 0, where e^l = 2^k (1 + p) with an integer k. If k = 0, the number 1 - e^l is -p, so that
+   no digits are lost. */
 VM_API vm_two vmi_ln_one_minus_exp(vm_two l)
 {
     vm_two rest = {0, 0};
@@ -3277,7 +3290,7 @@ typedef struct VM_TAG(vmi_beta_point) {
     vm_two ln_x, ln_y;
 } vmi_beta_point;
 
-/* The point with x and y exchanged */
+/* Returns the point with x and y exchanged. */
 VM_API vmi_beta_point vmi_beta_mirrored(vmi_beta_point at)
 {
     vmi_beta_point mirrored;
@@ -3479,7 +3492,7 @@ VM_API vm_real vmi_beta_step(vm_real rest, vm_real slope, vm_real bend)
 }
 
 /* Returns a value of t = ln(x/y) from which the solution of I_x(a, b) = p is sought, for p <= 1/2. It is the t where
-   the asymptote of ln I_x for t to -infinity equals ln p, which lies left of the solution. For a, b > 1 the
+   the asymptote of ln I_x for t to -infinity equals ln p; this t is smaller than the solution. For a, b > 1 the
    approximation by a normal distribution is returned instead, if it is larger (Abramowitz and Stegun 26.5.22, with the
    quantile by 26.2.23). */
 VM_API vm_real vmi_beta_start(vm_real ln_p, vm_real a, vm_real b, vm_real ln_B)
@@ -3596,8 +3609,8 @@ enum { ATEB_SIGN_OF_SA = 1, ATEB_SIGN_OF_CA = 2 };
    The indices n and m of sa and ca lie between 0 and 1e30. The powers p and q are above -1 and at most 1e6. signs is 0,
    ATEB_SIGN_OF_SA, ATEB_SIGN_OF_CA or their sum. A power with the sign of its base, such as sa^3, is odd, so that the
    mean is 0. For example, the mean of sa^2 ca^3 is ateb_mean_nm(n, m, 2, 3, ATEB_SIGN_OF_CA). The mean without signs is
-   B((p+1)/(n+1), (q+1)/(m+1))/B(1/(n+1), 1/(m+1)), with an error of at most 2 ulp. Returns NaN for other numbers.
-   Equation (316). */
+   B((p+1)/(n+1), (q+1)/(m+1))/B(1/(n+1), 1/(m+1)), with an error of at most 2 ulp. Returns NaN for an argument outside
+   these limits. Equation (316). */
 VM_API vm_real ateb_mean_nm(vm_real n, vm_real m, vm_real p, vm_real q, int signs)
 {
     const vm_real largest_index = VM_C(1e30), largest_power = VM_C(1e6);

@@ -23,9 +23,9 @@
      rk4    the classical method of order 4 with fixed steps, for control loops, where every step must take the same
             time. In rk4_solve_compensated the rounding errors of millions of steps do not add up.
      rk45   Tsitouras' pair of orders 5 and 4 [1] chooses the size of its steps so that the error stays within a
-            tolerance. A step takes six evaluations of f; the solution inside a step takes none. Begin with this method.
-            It is also the best one in float, for an f that is not smooth, for loose tolerances, for many events and for
-            output at many times.
+            tolerance. A step takes six evaluations of f; the solution inside a step takes no further evaluation. Begin
+            with this method. It is also the best one in float, for an f that is not smooth, for loose tolerances, for
+            many events and for output at many times.
      rk87   Verner's pair of orders 8 and 7 [4]. A step takes 13 evaluations of f, and seven more if the caller asks for
             the solution inside the step. It is the fastest for a smooth f in double. Its rounding errors are larger
             than those of rk45: rtol is at least 256 eps (eps is 2.2e-16, in float 1.2e-7), which is too coarse for most
@@ -42,10 +42,11 @@
      made; the functions of rk45 refuse it, and those of rk87 refuse an rk45 that rk45_init made.
 
    STEP SIZE CONTROL
-     A step gives two results, one by each order of the pair. Their difference is the estimate of the error; the run
+     A step gives two results, one of each order of the pair. Their difference is the estimate of the error; the run
      goes on with the result of the higher order. A step is accepted when |error_i| <= atol + rtol max(|y_i|, |y_i after
-     the step|) for every component i. The size of the next step is chosen by PI control [2], from the errors of the
-     last two steps. It stays the same after an error of 0.25 to 0.75 of the tolerance (rk87: 0.1 to 0.75).
+     the step|) for every component i. The size of the next step is chosen by a proportional-integral (PI) control [2]
+     from the errors of the last two steps. The step size stays the same after an error of 0.25 to 0.75 of the tolerance
+     (rk87: 0.1 to 0.75).
      The tolerance is for each step; the error at the end of a run is larger, in proportion to the length of the run.
      A zero in rk45_options means the default, and a negative tolerance counts as 0. rk45_defaults() fills in the
      defaults.
@@ -89,8 +90,9 @@
      right in a step in which f jumps: the error at the end may be thousands of tolerances, so run again with a tighter
      tolerance and compare. If f consists of smooth branches, such as those of a sign or of |x|, store the present
      branch in ctx and change it at an ODE_RESTART event: the run then needs far fewer evaluations, and its error is
-     small again. For this, f must take the branch from ctx and must not choose it itself. docs/toronto.md has errors
-     and evaluations on the Toronto test set, whose class F has jumps.
+     small again. For this, f must take the branch from ctx and must not choose it itself. docs/toronto.md has the
+     errors and the numbers of evaluations of f for the Toronto test set of equations; the equations of its class F have
+     jumps.
 
    STATUS
      0 (ODE_OK) is success; positive numbers are information, negative ones errors; ode_strerror() gives the text. After
@@ -171,8 +173,8 @@
        rk87_interpolate               State y(t) at a time t within the last step of rk87, accurate to order 8
 
      integrators/output: the solution at listed times
-       rk45_solve_at                  Run of rk45 to the last of n_times times, with the state at each of them in a row of n numbers
-       rk87_solve_at                  Run of rk87 to the last of n_times times, with the state at each of them in a row of n numbers
+       rk45_solve_at                  Continues a run of rk45 to the last of n_times times and writes the state at each of them to a row of n numbers
+       rk87_solve_at                  Continues a run of rk87 to the last of n_times times and writes the state at each of them to a row of n numbers
 
      integrators/saved: runs that are saved as bytes and resumed later
        rk45_save                      Saves a run of rk45 between two calls as bytes
@@ -291,8 +293,8 @@ typedef double vm_real;
 /* A struct in float and the same struct in double have different sizes. In C the linker does not see where one file
    passes such a struct to another. So each file marks its precision here, and files of both precisions do not link,
    unless all files of one precision define VM_MIXED_PRECISIONS. With gcc the mark is an absolute symbol, which must
-   have the same value in every file of a program. With clang there is no such mark, since under -flto it would refuse
-   equal values, too. */
+   have the same value in every file of a program. With clang there is no such mark, since clang would refuse equal
+   values, too, under -flto. */
 #if defined(VM_MIXED_PRECISIONS) || defined(__CUDACC__)
 #elif defined(_MSC_VER)
 #ifdef VM_USE_FLOAT
@@ -402,7 +404,7 @@ VM_API vm_real vmi_rounded(vm_real x)
 #define vmi_rounded(x) (x)
 #endif
 
-/* Returns the exact sum a + b as a pair (by Knuth). */
+/* Returns the exact sum a + b as a pair, by Knuth's method. */
 VM_API vm_two vmi_two_sum(vm_real a, vm_real b)
 {
     vm_two s;
@@ -413,7 +415,7 @@ VM_API vm_two vmi_two_sum(vm_real a, vm_real b)
     return s;
 }
 
-/* Returns the exact sum a + b as a pair, for |a| >= |b| (by Dekker). */
+/* Returns the exact sum a + b as a pair, for |a| >= |b|, by Dekker's method. */
 VM_API vm_two vmi_fast_two_sum(vm_real a, vm_real b)
 {
     vm_two s;
@@ -735,8 +737,9 @@ VM_INLINE int vmi_rk4_solve(ode_rhs f, void *ctx, int n, vm_real *t, vm_real t_e
 }
 
 /* One step of size h, positive or negative, by the classical Runge-Kutta method. y has n numbers; it is the state at
-   time t and becomes the state at t + h. f receives the pointer ctx; work has RK4_WORK(n) numbers. Returns ODE_OK, or,
-   with y unchanged, ODE_BAD_ARGUMENT, ODE_RHS_STOPPED or ODE_NOT_FINITE. */
+   time t and becomes the state at t + h. f receives the pointer ctx; work has RK4_WORK(n) numbers. Returns ODE_OK;
+   ODE_BAD_ARGUMENT if a pointer other than ctx is NULL, n is not positive, or t or h is not finite; ODE_RHS_STOPPED if
+   f returns a number other than 0; ODE_NOT_FINITE if the new state is not finite. After an error y is unchanged. */
 VM_INLINE int rk4_step(ode_rhs f, void *ctx, int n, vm_real t, vm_real h, vm_real *y, vm_real *work)
 {
     return vmi_rk4(f, ctx, n, &t, h, 1, y, NULL, work);
@@ -744,7 +747,8 @@ VM_INLINE int rk4_step(ode_rhs f, void *ctx, int n, vm_real t, vm_real h, vm_rea
 
 /* Equal steps from *t to t_end, `steps` of them, by the classical Runge-Kutta method. y has n numbers and becomes the
    state at t_end; *t becomes t_end exactly. If f stops the run or the state is not finite, y and *t are those at the
-   end of the last complete step. Returns the statuses of rk4_step. */
+   end of the last complete step. Returns a status with the meanings of rk4_step; it is ODE_BAD_ARGUMENT also if `steps`
+   is not positive. */
 VM_INLINE int rk4_solve(ode_rhs f, void *ctx, int n, vm_real *t, vm_real t_end, long steps, vm_real *y,
                         vm_real *work)
 {
@@ -962,12 +966,13 @@ typedef struct VM_TAG(vmi_rk_system) {
     ptrdiff_t m;
 } vmi_rk_system;
 
-/* What a run needs to know of its Runge-Kutta pair. k_i is the value of f in stage i of a step from t to t + h. */
+/* The data and functions of a Runge-Kutta pair that a run uses. k_i is the value of f in stage i of a step from t to
+   t + h. */
 typedef struct VM_TAG(vmi_rk_pair) {
     int method;           /* the number of the pair, VMI_RK45 or VMI_RK87 */
     int order;            /* the order of the state after a step; the order of the error estimate is one less */
     int stages;           /* number of evaluations of f for the new state and the error estimate */
-    int last_is_first;    /* 1: the last stage is f at the new state, the next k_1; 0: the run evaluates f there */
+    int last_is_first;    /* 1: the last stage evaluates f at the new state (k_1 of the next step); 0: it does not */
     int derivatives;      /* number of all k_i of a step: stages, f at its end, stages of the continuous extension */
     int rounding;         /* bound of a step's relative rounding error, in units of VM_EPSILON; it is the least rtol */
     vm_real keep_from;    /* the step size may stay the same after an error above this fraction of the tolerance */
@@ -983,17 +988,17 @@ typedef struct VM_TAG(vmi_rk_pair) {
     int (*extend)(struct VM_TAG(rk45) * s);
 } vmi_rk_pair;
 
-/* What the loop over the steps needs to know of a pair. vmi_run gets this struct as a constant, so that the compiler
-   inlines make_stages and step_error into the loop. The two functions are not fields of vmi_rk_pair: each run stores a
-   vmi_rk_pair, and for a stored pointer to a function the compiler would compile the function once more, outside the
-   loop. */
+/* The functions of a pair that the loop over the steps calls. vmi_run gets this struct as a constant, so that the
+   compiler inlines make_stages and step_error into the loop. The two functions are not fields of vmi_rk_pair: each run
+   stores a vmi_rk_pair, and for a stored pointer to a function the compiler would compile the function once more,
+   outside the loop. */
 typedef struct VM_TAG(vmi_rk_stepper) {
     vmi_rk_pair pair;
     /* Computes stages 2, 3 ... of a step from t to t_new = t + h, after which the part VMI_Z of work is the new state.
        Adds the number of evaluations of f to *evals. Returns 0, or the number with which f has stopped the run. */
     int (*make_stages)(vmi_rk_system sys, vm_real t, vm_real t_new, vm_real h, long *evals);
-    /* The largest ratio of the error of a component to its tolerance in a step of size h, or NaN if the error or the
-       new state is not finite */
+    /* Returns the largest ratio of the error of a component to its tolerance in a step of size h, or NaN if the error
+       or the new state is not finite. */
     vm_real (*step_error)(const rk45_options *o, vmi_rk_system sys, vm_real h);
 } vmi_rk_stepper;
 
@@ -1325,9 +1330,10 @@ typedef int32_t vmi_signed_bits;
 
 #include <string.h>
 
-/* x^p with an error of at most 1.6 % where |p| <= 0.2 and the result is from 0.1 to 10. x must be positive, and the
-   result must neither overflow nor underflow. The bits of x, taken as an integer, give a logarithm of x that is
-   piecewise linear; `middle` is half its largest error. The exponential function is computed as (1 + v + v^2/2)^16. */
+/* Returns x^p with an error of at most 1.6 % where |p| <= 0.2 and the result is from 0.1 to 10. x must be positive, and
+   the result must neither overflow nor underflow. The bits of x, taken as an integer, give a logarithm of x that is
+   piecewise linear; `middle` is half the largest error of this logarithm. The exponential function is computed as
+   (1 + v + v^2/2)^16. */
 VM_INLINE vm_real vmi_pow_rough(vm_real x, vm_real p)
 {
     const vm_real ln2 = VM_C(0.69314718055994531), middle = VM_C(0.043);
@@ -1345,7 +1351,7 @@ VM_INLINE vm_real vmi_pow_rough(vm_real x, vm_real p)
 
 #define VMI_LARGEST_RATIO VM_C(1e10) /* upper limit of the ratios to tolerances from which the first step is chosen */
 
-/* The largest ratio of |v_i| to the tolerance of component i, at most VMI_LARGEST_RATIO */
+/* Returns the largest ratio of |v_i| to the tolerance of component i, but at most VMI_LARGEST_RATIO. */
 VM_API vm_real vmi_norm_by_tolerance(const rk45 *s, const vm_real *v)
 {
     vm_real largest = 0;
@@ -1359,8 +1365,8 @@ VM_API vm_real vmi_norm_by_tolerance(const rk45 *s, const vm_real *v)
 
 /* Chooses the size s->h of the first step from the sizes of y, y' and y'' (Hairer et al. [2, II.4]), so that the error
    of this step should be 1 % of the tolerance. |s->h| is at most 100 times the size of a step that changes y by 1 %,
-   and at most `longest`. `direction`, 1 or -1, is the sign of s->h. Overwrites k_2 and the part VMI_Z of work. Returns
-   a status. */
+   and at most `longest`. `direction`, 1 or -1, is the sign of s->h. The function overwrites k_2 and the part VMI_Z of
+   work. Returns a status. */
 VM_API int vmi_first_step(rk45 *s, vm_real direction, vm_real longest)
 {
     vm_real *k1 = vmi_part(s, VMI_K), *k2 = vmi_part(s, VMI_K + 1), *z = vmi_part(s, VMI_Z);
@@ -1385,8 +1391,8 @@ VM_API int vmi_first_step(rk45 *s, vm_real direction, vm_real longest)
     return ODE_OK;
 }
 
-/* The length of the shortest step that is tried at the time t. It is positive at t = 0 too, since otherwise failing
-   steps could become shorter without end. */
+/* Returns the length of the shortest step that is tried at the time t. It is positive at t = 0 too, since otherwise
+   failing steps could become shorter without end. */
 VM_INLINE vm_real vmi_least_step(const rk45_options *o, vm_real t)
 {
     const vm_real least = 2 * VM_EPSILON * VM_FABS(t) + VM_MIN;
@@ -1399,8 +1405,8 @@ VM_INLINE vm_real vmi_time_left(const rk45 *s, vm_real t_end) { return (t_end - 
 /* The direction of the run to t_end: 1 forward, -1 backward */
 VM_INLINE vm_real vmi_direction(const rk45 *s, vm_real t_end) { return vmi_time_left(s, t_end) < 0 ? -1 : 1; }
 
-/* The factor by which the step size changes after an accepted step, by PI control (Hairer et al. [2, IV.2]). It is the
-   smaller of 10 and
+/* Returns the factor by which the step size changes after an accepted step, by PI control (Hairer et al. [2, IV.2]). It
+   is the smaller of 10 and
      0.9 error^(-4/(5 order)) error_before^(1/(5 order)),
    where error is the error of this step divided by its tolerance, and error_before is that of the previous step. */
 VM_INLINE vm_real vmi_factor(int order, vm_real error, vm_real inverse_error_before)
@@ -1410,8 +1416,8 @@ VM_INLINE vm_real vmi_factor(int order, vm_real error, vm_real inverse_error_bef
     return VMI_SMALLER(factor, VM_C(10.0));
 }
 
-/* The factor by which the step size changes after a rejected step: 0.9 error^(-1/order), at least 1/5, where error is
-   the error of the step divided by its tolerance. It is 1/10 if error is NaN. */
+/* Returns the factor by which the step size changes after a rejected step: 0.9 error^(-1/order), at least 1/5, where
+   error is the error of the step divided by its tolerance. It is 1/10 if error is NaN. */
 VM_INLINE vm_real vmi_shrink(int order, vm_real error)
 {
     vm_real factor;
@@ -1561,8 +1567,9 @@ VMI_FOLDED int vmi_reject(int order, const vmi_trial *trial, vm_real error, vmi_
 }
 
 /* Replaces the state after a step of the smallest size in which f jumps. The weights of the stages have both signs, so
-   that their sum may lead far away from the jump. Therefore each component is continued with the mean of the smallest
-   and the largest of its derivatives in the stages. The error of this mean is at most half the jump. */
+   that the weighted sum of the derivatives may lead far away from the state at the jump. Therefore each component is
+   continued with the mean of the smallest and the largest of its derivatives in the stages. The error of this mean is
+   at most half the jump. */
 VM_INLINE void vmi_take_middle_slope(int stages, vmi_rk_system sys, vm_real h)
 {
     const ptrdiff_t m = sys.m;
@@ -1584,7 +1591,7 @@ VM_INLINE void vmi_take_middle_slope(int stages, vmi_rk_system sys, vm_real h)
 #define VMI_LEAST_ERROR VM_C(1e-8) /* a ratio of an error to its tolerance below this number counts as this number */
 
 /* Chooses the size of the step after an accepted step. The size stays the same if the error is between keep_from and
-   VMI_KEEP_TO times the tolerance. The processor can predict that the size stays, and begin the next step before the
+   VMI_KEEP_TO times the tolerance. Then the processor can predict the next size, and begin the next step before the
    error is known. */
 VMI_FOLDED void vmi_choose_size(int order, vm_real keep_from, const vmi_trial *trial, vm_real error, vmi_progress *p)
 {
@@ -1771,7 +1778,7 @@ VM_API void vmi_state_inside(const rk45 *s, vm_real x, vm_real *y)
     else vmi_inside(s, x, y);
 }
 
-/* The value of g at the fraction x of the last step. Overwrites the part VMI_Z of work. */
+/* Returns the value of g at the fraction x of the last step. The function overwrites the part VMI_Z of work. */
 VM_API vm_real vmi_event_value(const rk45 *s, const ode_event *e, vm_real x)
 {
     vm_real *z = vmi_part(s, VMI_Z);
@@ -1784,9 +1791,9 @@ VM_API vm_real vmi_event_value(const rk45 *s, const ode_event *e, vm_real x)
    serves only to decide whether events happen at the same time. */
 #define VMI_EARLIER_ROUNDING (256 * VM_EPSILON)
 
-/* The value of g at the fraction x of the last step, in a state to which a rounding error is added on purpose. The
-   error is the largest that this step, or if `earlier` is not 0 the whole run so far, may have made. `direction`, -1 or
-   1, is the sign of the error. The size of the error is different for each component, so that the differences of
+/* Returns the value of g at the fraction x of the last step, in a state to which a rounding error is added on purpose.
+   The error is the largest that this step, or if `earlier` is not 0 the whole run so far, may have made. `direction`,
+   -1 or 1, is the sign of the error. The size of the error is different for each component, so that the differences of
    components change, too. */
 VM_API vm_real vmi_event_value_moved(const rk45 *s, const ode_event *e, vm_real x, int earlier,
                                      int direction)
@@ -1869,7 +1876,7 @@ VM_API int vmi_locate(const rk45 *s, const ode_event *e, vm_real a, vm_real ga, 
 
 enum { VMI_CHECKS = 3, VMI_MOST_CHECKS = 9999 }; /* default and limit of an event's `checks` */
 
-/* The fraction of the step at which g is evaluated next after e->from. It is the nearest of three fractions:
+/* Returns the fraction of the step at which g is evaluated next after e->from. It is the nearest of three fractions:
    the sum start + *gap, the next of the points that divide the step evenly, and `to`. *gap is short at first and grows
    with each call, so that two changes of sign of g in a time much shorter than the step are seen. */
 VM_API vm_real vmi_next_look(const ode_event *e, vm_real start, vm_real *gap, vm_real to)
@@ -1988,8 +1995,8 @@ VM_API int vmi_find_cut(const rk45 *s, vm_real *cut, int *owner)
     return ODE_OK;
 }
 
-/* Counts and stores each time that an event which ends no step happens up to the fraction `to` of the step.
-   Returns a status. */
+/* Counts how often the event e, which ends no step, happens up to the fraction `to` of the step, and stores its times
+   and states (vmi_record). Returns a status. */
 VM_API int vmi_record_until(const rk45 *s, ode_event *e, vm_real to)
 {
     for (;;) {
@@ -2132,8 +2139,8 @@ VM_API int vmi_find_events(rk45 *s, vm_real *cut)
 }
 
 /* Returns 1 if the state at the fraction x of the last step is finite, else 0. Between two finite states the continuous
-   extension may overflow if these states are close to the largest number of the type. Overwrites the part VMI_Z of
-   work. */
+   extension may overflow if these states are close to the largest number of the type. The function overwrites the part
+   VMI_Z of work. */
 VM_API int vmi_is_finite_inside(const rk45 *s, vm_real x)
 {
     vm_real *z = vmi_part(s, VMI_Z);
@@ -2395,8 +2402,8 @@ VMI_FOLDED int vmi_rk45_stages(vmi_rk_system sys, vm_real t, vm_real t_new, vm_r
     return 0;
 }
 
-/* The largest ratio of the error of a component to its tolerance. The error is the difference of the two new states, of
-   order 5 and of order 4. */
+/* Returns the largest ratio of the error of a component to its tolerance. The error is the difference of the two new
+   states, of order 5 and of order 4. */
 VMI_FOLDED vm_real vmi_rk45_error(const rk45_options *o, vmi_rk_system sys, vm_real h)
 {
     const ptrdiff_t m = sys.m;
@@ -2489,7 +2496,9 @@ VM_API rk45_options rk45_defaults(const rk45_options *options_or_NULL)
 
 /* Begins a run of y' = f(t, y) by rk45 from state y0 at time t0. y0 has n numbers, f receives the pointer ctx, and work
    has RK45_WORK(n) numbers and must exist as long as s. y0 and the options are copied, but not the arrays to which the
-   options point. f is not evaluated yet. Returns ODE_OK, ODE_RTOL_RAISED, ODE_BAD_ARGUMENT or ODE_WORK_TOO_SMALL. */
+   options point. f is not evaluated yet. Returns ODE_OK; ODE_RTOL_RAISED if rtol was too small and was raised;
+   ODE_BAD_ARGUMENT if an argument or an option is wrong; ODE_WORK_TOO_SMALL if options_or_NULL->work_size is too
+   small. */
 VM_INLINE int rk45_init(rk45 *s, ode_rhs f, void *ctx, int n, vm_real t0, const vm_real *y0,
                         const rk45_options *options_or_NULL, vm_real *work)
 {
@@ -2497,8 +2506,8 @@ VM_INLINE int rk45_init(rk45 *s, ode_rhs f, void *ctx, int n, vm_real t0, const 
 }
 
 /* Continues a run of rk45 from another time or state, such as after a jump. The step size and the counters are kept. y
-   has n numbers and may be s->y. If t is s->t, events that have just happened are not found again. Returns ODE_OK or
-   ODE_BAD_ARGUMENT. */
+   has n numbers and may be s->y. If t is s->t, events that have just happened are not found again. Returns ODE_OK, or
+   ODE_BAD_ARGUMENT if s or y is NULL or a number is not finite. */
 VM_API int rk45_restart(rk45 *s, vm_real t, const vm_real *y) { return vmi_restart(s, t, y); }
 
 /* One accepted step of rk45, or the part of it before an event that ends the step. The step goes forward if s->h is
@@ -2657,7 +2666,7 @@ VMI_FOLDED int vmi_rk87_stages(vmi_rk_system sys, vm_real t, vm_real t_new, vm_r
    magnitude of another sum of the k, of order 5. In it the weights of the k before the jump add up in magnitude to
      0.11 for a jump before 0.155 of the step (only k1 is before it), 0.17 for a jump between 0.155 and 0.465 (k1 and
      k7 are before it), 0.25 for a jump between 0.465 and 0.9 (k1, k7 and k6 are before it).
-   If f is smooth, `seen` is much smaller than `change`, the change of f along the step. The result
+   If f is smooth, `seen` is much smaller than `change`, the change of f along the step. The returned value
    seen^2/(seen + change) is then of order 9, and below the difference of orders 8 and 7 unless the tolerance is
    loose. */
 VM_INLINE vm_real vmi_rk87_jump(vm_real k1, vm_real k6, vm_real k7, vm_real k9, vm_real k10, vm_real k13)
@@ -2669,7 +2678,7 @@ VM_INLINE vm_real vmi_rk87_jump(vm_real k1, vm_real k6, vm_real k7, vm_real k9, 
     return seen * (seen / (seen + change + VM_MIN));
 }
 
-/* The largest ratio of the error of a component to its tolerance. The error is the larger of two numbers: the
+/* Returns the largest ratio of the error of a component to its tolerance. The error is the larger of two numbers: the
    difference of the new states of orders 8 and 7, and the error that a jump of f may cause (vmi_rk87_jump). */
 VMI_FOLDED vm_real vmi_rk87_error(const rk45_options *o, vmi_rk_system sys, vm_real h)
 {
@@ -2716,7 +2725,7 @@ VM_API vm_real vmi_rk87_end_difference(int j)
 #define VMI_RK87_OWN 14
 #define VMI_RK87_EXTRA 7
 
-/* The coefficient of k_{j+1} in the stage of the continuous extension that evaluates k_{15+stage} */
+/* Returns the coefficient of k_{j+1} in the stage of the continuous extension that evaluates k_{15+stage}. */
 VM_API vm_real vmi_rk87_extra_coefficient(int stage, int j)
 {
     VM_TABLE vm_real a[7][20] = {
@@ -2924,8 +2933,8 @@ VM_INLINE int rk87_solve(rk87 *s, vm_real t_end)
 
 /* State y(t) at a time t within the last step of rk87, accurate to order 8. y receives n numbers. The first call after
    a step evaluates f seven times, unless t is s->t. Returns ODE_BAD_ARGUMENT if t is not between s->t_old and s->t.
-   These evaluations may also give ODE_RHS_STOPPED (f stops the run) or ODE_NOT_FINITE, although the step itself has
-   succeeded. */
+   In these evaluations f may also stop the run (then the status is ODE_RHS_STOPPED) or give a number that is not finite
+   (ODE_NOT_FINITE), although the step itself has succeeded. */
 VM_API int rk87_interpolate(rk87 *s, vm_real t, vm_real *y)
 {
     if (!s || s->pair.method != VMI_RK87) return ODE_BAD_ARGUMENT;
@@ -2953,8 +2962,8 @@ VM_API int vmi_has_reached(vm_real t, vm_real time, int direction)
     return t <= time;
 }
 
-/* Returns 1 if the times begin at t or later in the direction of the run and follow each other in this direction, else
-   0. */
+/* Returns 1 if the times begin at t or later, as seen in the direction of the run, and follow each other in this
+   direction, else 0. */
 VM_API int vmi_times_are_in_order(vm_real t, int n_times, const vm_real *times, int direction)
 {
     int i;
@@ -3001,18 +3010,19 @@ VM_API int vmi_solve_at(rk45 *s, int method, int (*run)(rk45 *s, ode_rhs f, int 
     return status == ODE_OK && s->stiff > was_stiff ? (int)ODE_STIFF : status;
 }
 
-/* Run of rk45 to the last of n_times times, with the state at each of them in a row of n numbers.
-   The times start at s->t or later and rise, or start at s->t or earlier and fall; equal times are allowed. rows has
-   n_times n numbers. *n_done_or_NULL becomes the number of rows that are filled. These are all rows, unless an event or
-   an error ends the run; another call with the remaining times continues the run. If an event changes the state at a
-   listed time, the row has the new state. The values are those of rk45_interpolate, and s->y at the last time. Returns
-   a status, as rk45_solve does, and ODE_BAD_ARGUMENT for times that are not finite or in another order. */
+/* Continues a run of rk45 to the last of n_times times and writes the state at each of them to a row of n numbers.
+   The times start at s->t or later and rise, or start at s->t or earlier and fall; equal times are allowed. The array
+   rows has n_times times n numbers. *n_done_or_NULL becomes the number of rows that are filled. These are all rows,
+   unless an event or an error ends the run; another call with the remaining times continues the run. If an event
+   changes the state at a listed time, the row has the new state. The values are those of rk45_interpolate, and s->y at
+   the last time. Returns a status, as rk45_solve does; it is ODE_BAD_ARGUMENT if times are not finite or neither rise
+   nor fall in this way. */
 VM_API int rk45_solve_at(rk45 *s, int n_times, const vm_real *times, vm_real *rows, int *n_done_or_NULL)
 {
     return vmi_solve_at(s, VMI_RK45, vmi_rk45_run, n_times, times, rows, n_done_or_NULL);
 }
 
-/* Run of rk87 to the last of n_times times, with the state at each of them in a row of n numbers.
+/* Continues a run of rk87 to the last of n_times times and writes the state at each of them to a row of n numbers.
    All else is as in rk45_solve_at. A step with listed times takes seven more evaluations of f, which may also end the
    run with ODE_RHS_STOPPED or ODE_NOT_FINITE. */
 VM_API int rk87_solve_at(rk87 *s, int n_times, const vm_real *times, vm_real *rows, int *n_done_or_NULL)
@@ -3048,7 +3058,7 @@ VM_API int rk87_solve_at(rk87 *s, int n_times, const vm_real *times, vm_real *ro
 #include <stdint.h>
 #include <string.h>
 
-/* The numbers at the beginning of a saved run. The run that resumes it must have the same. */
+/* Indices of the numbers at the beginning of a saved run. The run that resumes it must have the same numbers. */
 enum {
     VMI_SAVED_FORMAT,
     VMI_SAVED_REAL,
@@ -3070,20 +3080,22 @@ enum {
     VMI_SAVED_EVENT_BYTES = 4 * sizeof(vm_real) + VMI_SAVED_LONG_BYTES + 3 * VMI_SAVED_INT_BYTES
 };
 
-/* Number of bytes of a saved run with n components and n_events events */
+/* The number of bytes of a saved run with `numbers` numbers in work and n_events events */
 #define VMI_SAVED(numbers, n_events) \
     (VMI_SAVED_RUN_BYTES + (numbers) * (int)sizeof(vm_real) + (n_events) * VMI_SAVED_EVENT_BYTES)
 #define RK45_SAVED(n, n_events) VMI_SAVED(RK45_WORK(n), n_events)
 #define RK87_SAVED(n, n_events) VMI_SAVED(RK87_WORK(n), n_events)
 
-/* A place in the bytes of a saved run. The numbers go to the bytes if `saves` is not 0, else they come from them. */
+/* A place in the bytes of a saved run. If `saves` is not 0, the numbers are written to the bytes; else they are read
+   from the bytes. */
 typedef struct VM_TAG(vmi_saved_place) {
     unsigned char *to;
     const unsigned char *from;
     int saves;
 } vmi_saved_place;
 
-/* Writes the lowest 8 `count` bits of *bits as bytes, the lowest first, or reads them, and goes on to the next place */
+/* Writes the lowest 8 times `count` bits of *bits as bytes, the lowest byte first, or reads them, and goes on to the
+   next place */
 VM_API void vmi_saved_bits(vmi_saved_place *p, uint64_t *bits, int count)
 {
     uint64_t read = 0;
@@ -3265,14 +3277,14 @@ VM_API int vmi_resume(rk45 *s, int method, long size, const unsigned char *bytes
 
 /* Saves a run of rk45 between two calls as bytes. There is room for `size` bytes, at least RK45_SAVED(n, number of
    events). The arrays `times` and `states` of events, ctx and the options are not in the bytes: they are the caller's.
-   A call takes as long as a copy of the bytes. Returns ODE_OK, ODE_BAD_ARGUMENT for a null pointer or a run by rk87, or
-   ODE_WORK_TOO_SMALL. */
+   A call takes as long as a copy of the bytes. Returns ODE_OK; ODE_BAD_ARGUMENT for a null pointer, a negative size or
+   a run by rk87; ODE_WORK_TOO_SMALL if there is too little room. */
 VM_API int rk45_save(const rk45 *s, long size, unsigned char *bytes) { return vmi_save(s, VMI_RK45, size, bytes); }
 
 /* Copies the numbers of a saved run of rk45 into s, which rk45_init has made with the f, n, options and events of the
-   saved run. The next step has the same bits as that of the saved run. Returns ODE_OK, ODE_WORK_TOO_SMALL if size is
-   less than the bytes of such a run, or ODE_BAD_ARGUMENT for a null pointer, for bytes of a run with another method, n,
-   number of events or type, and for damaged bytes; s is then unchanged. */
+   saved run. The next step has the same bits as that of the saved run. Returns ODE_OK; ODE_WORK_TOO_SMALL if size is
+   less than the number of bytes of such a run; ODE_BAD_ARGUMENT for a null pointer, for bytes of a run with another
+   method, n, number of events or type, and for damaged bytes. If the status is not ODE_OK, s is unchanged. */
 VM_API int rk45_resume(rk45 *s, long size, const unsigned char *bytes) { return vmi_resume(s, VMI_RK45, size, bytes); }
 
 /* Saves a run of rk87 as bytes. There is room for `size` bytes, at least RK87_SAVED(n, number of events). All else is

@@ -32,8 +32,8 @@
      scenes/        lists of bodies, of effects that act on them, and of events that change them; a scene simulates
                     only what is listed
    Each chapter begins with a comment that says what it is for and shows a call; the index below names all functions.
-   Numbers in round brackets are the equations of [1]. Where [1] is misprinted or wrong, the corrected form stands
-   here and the comment says so; docs/errata.md lists all of them.
+   Numbers in round brackets are those of equations of [1]. Where an equation of [1] is misprinted or wrong, the
+   corrected form stands here and the comment says so; docs/errata.md lists all these equations.
 
    CONVENTIONS
      Units        SI units; angles are in radians.
@@ -90,15 +90,17 @@
                   the body, omega of the rest does not change.
      Rotation     of a torque-free body: after 1e6 turns the attitude is right within 8 eps (rad) and omega within
                   5 eps, if the inputs are taken as exact.
-     Streams      closed forms are right within a few eps. A body together with all mass that has left it keeps
+     Streams      the solutions in closed form are right within a few eps. A body together with all mass that has left
+                  it keeps
                   momentum, angular momentum and energy to the integrator's tolerance.
      Lambert's W  has an error of at most 1 ulp, the drum on a rigid shaft one of at most 4 ulp.
-     Oscillators  every route (method of solution) returns an estimate of its whole error in the field error, or
+     Oscillators  every route (method of solution) returns an estimate of its whole error in the field `error`, or
                   infinity where no estimate is possible.
 
    COST
-     docs/cost.md has the times of oscillators, free rotation, streams and scenes, docs/counts.md the instructions of a
-     call, docs/firmware.md the flash, stack and instructions on microcontrollers, docs/parts.md the flash of a chapter.
+     docs/cost.md has the times of oscillators, free rotation, streams and scenes, docs/counts.md the number of
+     instructions of a call. docs/firmware.md has the flash memory, the stack and the number of instructions of a call
+     on microcontrollers, docs/parts.md the flash memory that a chapter takes.
      The time of a call is bounded, with two exceptions. A function that takes n objects or a list needs a time in
      proportion to their number. A function that integrates (routes of oscillators, scenes) needs a time in proportion
      to the length of the run; its comment says so.

@@ -107,8 +107,8 @@ typedef double vm_real;
 /* A struct in float and the same struct in double have different sizes. In C the linker does not see where one file
    passes such a struct to another. So each file marks its precision here, and files of both precisions do not link,
    unless all files of one precision define VM_MIXED_PRECISIONS. With gcc the mark is an absolute symbol, which must
-   have the same value in every file of a program. With clang there is no such mark, since under -flto it would refuse
-   equal values, too. */
+   have the same value in every file of a program. With clang there is no such mark, since clang would refuse equal
+   values, too, under -flto. */
 #if defined(VM_MIXED_PRECISIONS) || defined(__CUDACC__)
 #elif defined(_MSC_VER)
 #ifdef VM_USE_FLOAT

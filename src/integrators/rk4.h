@@ -116,8 +116,9 @@ VM_INLINE int vmi_rk4_solve(ode_rhs f, void *ctx, int n, vm_real *t, vm_real t_e
 }
 
 /* One step of size h, positive or negative, by the classical Runge-Kutta method. y has n numbers; it is the state at
-   time t and becomes the state at t + h. f receives the pointer ctx; work has RK4_WORK(n) numbers. Returns ODE_OK, or,
-   with y unchanged, ODE_BAD_ARGUMENT, ODE_RHS_STOPPED or ODE_NOT_FINITE. */
+   time t and becomes the state at t + h. f receives the pointer ctx; work has RK4_WORK(n) numbers. Returns ODE_OK;
+   ODE_BAD_ARGUMENT if a pointer other than ctx is NULL, n is not positive, or t or h is not finite; ODE_RHS_STOPPED if
+   f returns a number other than 0; ODE_NOT_FINITE if the new state is not finite. After an error y is unchanged. */
 VM_INLINE int rk4_step(ode_rhs f, void *ctx, int n, vm_real t, vm_real h, vm_real *y, vm_real *work)
 {
     return vmi_rk4(f, ctx, n, &t, h, 1, y, NULL, work);
@@ -125,7 +126,8 @@ VM_INLINE int rk4_step(ode_rhs f, void *ctx, int n, vm_real t, vm_real h, vm_rea
 
 /* Equal steps from *t to t_end, `steps` of them, by the classical Runge-Kutta method. y has n numbers and becomes the
    state at t_end; *t becomes t_end exactly. If f stops the run or the state is not finite, y and *t are those at the
-   end of the last complete step. Returns the statuses of rk4_step. */
+   end of the last complete step. Returns a status with the meanings of rk4_step; it is ODE_BAD_ARGUMENT also if `steps`
+   is not positive. */
 VM_INLINE int rk4_solve(ode_rhs f, void *ctx, int n, vm_real *t, vm_real t_end, long steps, vm_real *y,
                         vm_real *work)
 {

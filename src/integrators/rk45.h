@@ -57,8 +57,8 @@ VMI_FOLDED int vmi_rk45_stages(vmi_rk_system sys, vm_real t, vm_real t_new, vm_r
     return 0;
 }
 
-/* The largest ratio of the error of a component to its tolerance. The error is the difference of the two new states, of
-   order 5 and of order 4. */
+/* Returns the largest ratio of the error of a component to its tolerance. The error is the difference of the two new
+   states, of order 5 and of order 4. */
 VMI_FOLDED vm_real vmi_rk45_error(const rk45_options *o, vmi_rk_system sys, vm_real h)
 {
     const ptrdiff_t m = sys.m;
@@ -151,7 +151,9 @@ VM_API rk45_options rk45_defaults(const rk45_options *options_or_NULL)
 
 /* Begins a run of y' = f(t, y) by rk45 from state y0 at time t0. y0 has n numbers, f receives the pointer ctx, and work
    has RK45_WORK(n) numbers and must exist as long as s. y0 and the options are copied, but not the arrays to which the
-   options point. f is not evaluated yet. Returns ODE_OK, ODE_RTOL_RAISED, ODE_BAD_ARGUMENT or ODE_WORK_TOO_SMALL. */
+   options point. f is not evaluated yet. Returns ODE_OK; ODE_RTOL_RAISED if rtol was too small and was raised;
+   ODE_BAD_ARGUMENT if an argument or an option is wrong; ODE_WORK_TOO_SMALL if options_or_NULL->work_size is too
+   small. */
 VM_INLINE int rk45_init(rk45 *s, ode_rhs f, void *ctx, int n, vm_real t0, const vm_real *y0,
                         const rk45_options *options_or_NULL, vm_real *work)
 {
@@ -159,8 +161,8 @@ VM_INLINE int rk45_init(rk45 *s, ode_rhs f, void *ctx, int n, vm_real t0, const 
 }
 
 /* Continues a run of rk45 from another time or state, such as after a jump. The step size and the counters are kept. y
-   has n numbers and may be s->y. If t is s->t, events that have just happened are not found again. Returns ODE_OK or
-   ODE_BAD_ARGUMENT. */
+   has n numbers and may be s->y. If t is s->t, events that have just happened are not found again. Returns ODE_OK, or
+   ODE_BAD_ARGUMENT if s or y is NULL or a number is not finite. */
 VM_API int rk45_restart(rk45 *s, vm_real t, const vm_real *y) { return vmi_restart(s, t, y); }
 
 /* One accepted step of rk45, or the part of it before an event that ends the step. The step goes forward if s->h is

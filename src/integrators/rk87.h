@@ -129,7 +129,7 @@ VMI_FOLDED int vmi_rk87_stages(vmi_rk_system sys, vm_real t, vm_real t_new, vm_r
    magnitude of another sum of the k, of order 5. In it the weights of the k before the jump add up in magnitude to
      0.11 for a jump before 0.155 of the step (only k1 is before it), 0.17 for a jump between 0.155 and 0.465 (k1 and
      k7 are before it), 0.25 for a jump between 0.465 and 0.9 (k1, k7 and k6 are before it).
-   If f is smooth, `seen` is much smaller than `change`, the change of f along the step. The result
+   If f is smooth, `seen` is much smaller than `change`, the change of f along the step. The returned value
    seen^2/(seen + change) is then of order 9, and below the difference of orders 8 and 7 unless the tolerance is
    loose. */
 VM_INLINE vm_real vmi_rk87_jump(vm_real k1, vm_real k6, vm_real k7, vm_real k9, vm_real k10, vm_real k13)
@@ -141,7 +141,7 @@ VM_INLINE vm_real vmi_rk87_jump(vm_real k1, vm_real k6, vm_real k7, vm_real k9, 
     return seen * (seen / (seen + change + VM_MIN));
 }
 
-/* The largest ratio of the error of a component to its tolerance. The error is the larger of two numbers: the
+/* Returns the largest ratio of the error of a component to its tolerance. The error is the larger of two numbers: the
    difference of the new states of orders 8 and 7, and the error that a jump of f may cause (vmi_rk87_jump). */
 VMI_FOLDED vm_real vmi_rk87_error(const rk45_options *o, vmi_rk_system sys, vm_real h)
 {
@@ -188,7 +188,7 @@ VM_API vm_real vmi_rk87_end_difference(int j)
 #define VMI_RK87_OWN 14
 #define VMI_RK87_EXTRA 7
 
-/* The coefficient of k_{j+1} in the stage of the continuous extension that evaluates k_{15+stage} */
+/* Returns the coefficient of k_{j+1} in the stage of the continuous extension that evaluates k_{15+stage}. */
 VM_API vm_real vmi_rk87_extra_coefficient(int stage, int j)
 {
     VM_TABLE vm_real a[7][20] = {
@@ -396,8 +396,8 @@ VM_INLINE int rk87_solve(rk87 *s, vm_real t_end)
 
 /* State y(t) at a time t within the last step of rk87, accurate to order 8. y receives n numbers. The first call after
    a step evaluates f seven times, unless t is s->t. Returns ODE_BAD_ARGUMENT if t is not between s->t_old and s->t.
-   These evaluations may also give ODE_RHS_STOPPED (f stops the run) or ODE_NOT_FINITE, although the step itself has
-   succeeded. */
+   In these evaluations f may also stop the run (then the status is ODE_RHS_STOPPED) or give a number that is not finite
+   (ODE_NOT_FINITE), although the step itself has succeeded. */
 VM_API int rk87_interpolate(rk87 *s, vm_real t, vm_real *y)
 {
     if (!s || s->pair.method != VMI_RK87) return ODE_BAD_ARGUMENT;

@@ -27,7 +27,7 @@
 
 /* An angle as the sum of a multiple of pi and a rest theta, |theta| <= pi/2 */
 typedef struct VM_TAG(vmi_angle) {
-    vm_real turns; /* phi = turns pi/2 + theta: an integral to phi contains `turns` complete ones */
+    vm_real turns; /* phi = turns pi/2 + theta: an integral from 0 to phi contains `turns` complete integrals */
     vm_real s, c;  /* sin theta and cos theta, each with a small relative error */
 } vmi_angle;
 
@@ -54,7 +54,7 @@ VM_INLINE vmi_angle vmi_angle_of(vm_real phi)
     vmi_sin_cos(rest, &sine, &cosine);
     angle.s = sine;
     angle.c = cosine;
-    if (j < VM_C(0.25) / VM_EPSILON && j - 2 * VM_FLOOR(j / 2) > 0) { /* theta = rest +- pi/2, nearer to 0 */
+    if (j < VM_C(0.25) / VM_EPSILON && j - 2 * VM_FLOOR(j / 2) > 0) { /* theta is rest + pi/2 or rest - pi/2 */
         const vm_real side = VM_COPYSIGN((vm_real)1, rest.hi);
         angle.turns = j + side;
         angle.s = -side * cosine;
@@ -67,14 +67,14 @@ VM_INLINE vmi_angle vmi_angle_of(vm_real phi)
     return angle;
 }
 
-/* Is 1 if an integral from 0 to phi for m <= 1 has no ordinary value: if phi or m1 is infinite or NaN, or if m1 < 0.
-   The case m1 < 0 belongs to jacobi/above_one.h. */
+/* Returns 1 if an integral from 0 to phi for m <= 1 has no ordinary value, else 0. It has none if phi or m1 is infinite
+   or NaN, or if m1 < 0. For m1 < 0, that is m > 1, jacobi/above_one.h has the integrals. */
 VM_INLINE int vmi_incomplete_special(vm_real phi, vm_real m1)
 {
     return !(VM_IS_FINITE(phi) && m1 >= 0 && VM_IS_FINITE(m1));
 }
 
-/* F(phi | m) for 1 - m = m1 + m1_lo */
+/* Returns F(phi | m) for 1 - m = m1 + m1_lo. */
 VM_API vm_real vmi_F(vm_real phi, vm_real m1, vm_real m1_lo)
 {
     vmi_angle angle;
@@ -124,7 +124,7 @@ VM_API vm_real vmi_E_part(vm_real s, vm_real c, vm_real m, vm_real m1)
     return s * (m1 * (rf + m * ss * rd * VM_C(0.3333333333333333333)) + m * (c / VM_SQRT(dd)));
 }
 
-/* E(phi | m) for 1 - m = m1 + m1_lo */
+/* Returns E(phi | m) for 1 - m = m1 + m1_lo. */
 VM_API vm_real vmi_E_incomplete(vm_real phi, vm_real m, vm_real m1, vm_real m1_lo)
 {
     vmi_angle angle;
@@ -156,11 +156,11 @@ VM_API vm_real jacobi_E_incomplete(vm_real phi, vm_real m)
    digits. */
 VM_API vm_real jacobi_E_incomplete_m1(vm_real phi, vm_real m1) { return vmi_E_incomplete(phi, 1 - m1, m1, 0); }
 
-/* Returns a factor that keeps Carlson's integrals from losing digits where a product of small arguments would underflow
-   or a sum of large ones would overflow. All arguments are multiplied by the square of the factor. The weight of R_D
-   and R_J is multiplied by this square, too. The integral is then multiplied by the factor, which gives its value for
-   the original arguments. The factor is 1 for ordinary arguments, and above 1 only where m1 < 1. `least` is about the
-   smallest of the arguments. */
+/* Returns the factor `lift`, a power of 2 that keeps Carlson's integrals from losing digits where a product of small
+   arguments would underflow or a sum of large ones would overflow. All arguments are multiplied by the square of the
+   factor. The weight of R_D and R_J is multiplied by this square, too. The integral is then multiplied by the factor,
+   which gives its value for the original arguments. The factor is 1 for ordinary arguments, and above 1 only where
+   m1 < 1. `least` is about the smallest of the arguments. */
 VM_INLINE vm_real vmi_lift_of(vm_real least, vm_real m1)
 {
     if (m1 < 1 && least < VM_MIN / VM_EPSILON) return vmi_ldexp(1, VM_MANT_DIG > 24 ? 300 : 40);
@@ -168,7 +168,8 @@ VM_INLINE vm_real vmi_lift_of(vm_real least, vm_real m1)
     return 1;
 }
 
-/* D(theta | m) for 0 <= theta <= pi/2 and m <= 1, from s = sin theta and c = cos theta: s^3 R_D(c^2, 1 - m s^2, 1)/3 */
+/* Returns D(theta | m) for 0 <= theta <= pi/2 and m <= 1, from s = sin theta and c = cos theta. It is
+   s^3 R_D(c^2, 1 - m s^2, 1)/3. */
 VM_API vm_real vmi_D_part(vm_real s, vm_real c, vm_real m1)
 {
     const vm_real cc = c * c, ss = s * s, d = cc + m1 * ss;
@@ -188,7 +189,7 @@ VM_API vm_real vmi_D_complement(vm_real s, vm_real c, vm_real m1)
     return c * (s / VM_SQRT(d) + lift * third);
 }
 
-/* D(m) for m1 = 1 - m */
+/* Returns D(m) for m1 = 1 - m. */
 VM_API vm_real vmi_D(vm_real m1)
 {
     if (!(m1 >= 0)) return VM_NAN;
@@ -244,7 +245,7 @@ VM_API vm_real jacobi_D_incomplete(vm_real phi, vm_real m)
    digits. */
 VM_API vm_real jacobi_D_incomplete_m1(vm_real phi, vm_real m1) { return vmi_D_incomplete(phi, m1, 0); }
 
-/* 1 - m/n for n > 1 and m1 = 1 - m >= 0. All terms are divided by 4 first, so that no sum overflows. */
+/* Returns 1 - m/n for n > 1 and m1 = 1 - m >= 0. All terms are divided by 4 first, so that no sum overflows. */
 VM_INLINE vm_real vmi_share_below_pole(vm_real n, vm_real m1)
 {
     return ((n - 1) * VM_C(0.25) + m1 * VM_C(0.25)) / (n * VM_C(0.25));
@@ -278,9 +279,10 @@ VM_API vm_real vmi_Pi_part(vm_real s, vm_real c, vm_real n, vm_real m, vm_real m
     return s * (vmi_rc(cc * d, p * q) - third);
 }
 
-/* Pi(n | m) for n < 0 and m1 = 1 - m > 0. Where -n is so large that (1 - m)/(1 - n) may underflow even after the
-   multiplication by lift^2, Pi is (pi/2)/sqrt(1 - n) + K/(1 - n). The next term, -E/(1 - n), is far below an ulp
-   there. */
+/* Returns Pi(n | m) for n < 0 and m1 = 1 - m > 0. The factor `lift`, a power of 2 from vmi_lift_of, keeps numbers from
+   underflowing. For a very large -n, however, (1 - m)/(1 - n) may underflow even after it is multiplied by lift^2.
+   There the result is (pi/2)/sqrt(1 - n) + K/(1 - n), where K is K(m); the next term of this series, -E(m)/(1 - n), is
+   far below an ulp. */
 VM_API vm_real vmi_Pi_negative(vm_real n, vm_real m1)
 {
     const vm_real lift = vmi_lift_of(m1 / (1 - n), m1), more = lift * lift, share = more * m1 / (1 - n);
@@ -291,7 +293,7 @@ VM_API vm_real vmi_Pi_negative(vm_real n, vm_real m1)
     return lift * (rf / (1 - n) + n / (n - 1) * third);
 }
 
-/* Pi(n | m), from both m and m1 = 1 - m. The cases are those of vmi_Pi_part for theta = pi/2. */
+/* Returns Pi(n | m), from both m and m1 = 1 - m. The three cases of n are those of vmi_Pi_part for theta = pi/2. */
 VM_API vm_real vmi_Pi(vm_real n, vm_real m, vm_real m1)
 {
     const vm_real top = vmi_larger(m1, 1);

@@ -1,10 +1,10 @@
 /* jacobi/integrals.h - complete elliptic integrals K and E
 
-   K(m) = integral from 0 to pi/2 of dx/sqrt(1 - m sin^2 x), E(m) = integral of sqrt(1 - m sin^2 x) dx
-   between the same limits. The parameter is m = k^2 <= 1, negative ones included. The forms with suffix _m1 take m1 = 1
-   - m; use them for m close to 1, where the difference 1 - m would lose digits. Between m = -33.5 and m = 0.971 K and E
-   are computed by series after one or two steps of the arithmetic-geometric mean, for other m by sums with the
-   logarithm of k' = sqrt(1 - m).
+   K(m) = integral from 0 to pi/2 of dx/sqrt(1 - m sin^2 x), E(m) = integral of sqrt(1 - m sin^2 x) dx from 0 to pi/2,
+   too. The parameter m = k^2 is any number <= 1, also a negative one. The forms with suffix _m1 take m1 = 1 - m; use
+   them for m close to 1, where the difference 1 - m would lose digits. For m between -33.5 and 0.971, K and E are
+   computed by series after one or two steps of the arithmetic-geometric mean, for other m by sums with the logarithm of
+   k' = sqrt(1 - m).
 
        vm_real K = jacobi_K(VM_C(0.5)); // 1.854...
 
@@ -19,7 +19,8 @@
 #include "../base/words.h"
 #include "agm.h"
 
-/* Is 1 if K and E are computed by series for this m1 = 1 - m, and 0 if they are computed by logarithms. */
+/* VMI_MIDDLE(m1) is 1 if K and E are computed by series for this m1 = 1 - m, and 0 if they are computed by
+   logarithms. */
 #define VMI_MIDDLE(m1) ((m1) > VM_C(0.029) && (m1) < VM_C(34.5))
 
 /* Returns ln(4/k') for m1 < 1 and ln(4 k') for m1 > 1 in two words, where k'^2 = m1 + m1_lo. */
@@ -89,9 +90,9 @@ VM_API vm_real vmi_E_rest(vm_real c, vm_real l)
 }
 
 /* Returns S(x), the power series for which K = pi/(1 + k') (1 + x S(x)) with x = ((1 - k')/(1 + k'))^2, for x <=
-   0.0295. The polynomial's error of x S is below 2^-59.2 (float 2^-29.9). x is made this small by a step of the
-   arithmetic-geometric mean, which replaces k' by 2 sqrt(k')/(1 + k'). One step is enough for every m1 for which
-   VMI_MIDDLE(m1) is 1. */
+   0.0295. S is computed by a polynomial. The polynomial's error of x S is below 2^-59.2 (float 2^-29.9). x is made this
+   small by a step of the arithmetic-geometric mean, which replaces k' by 2 sqrt(k')/(1 + k'). One step is enough for
+   every m1 for which VMI_MIDDLE(m1) is 1. */
 VM_API vm_real vmi_K_series(vm_real x)
 {
 #if VM_MANT_DIG > 24
@@ -106,7 +107,8 @@ VM_API vm_real vmi_K_series(vm_real x)
 }
 
 /* Returns x S(x) for x = ((1 - k')/(1 + k'))^2 <= 0.503, where S is the power series for which E = (pi/4) (1 + k')
-   (1 + x S(x)); it is not the series of K. The polynomial's error of x S is below 2^-56.7 (float 2^-28.5). */
+   (1 + x S(x)); this S is not the S of vmi_K_series. S is computed by a polynomial. The polynomial's error of x S is
+   below 2^-56.7 (float 2^-28.5). */
 VM_API vm_real vmi_E_series(vm_real x)
 {
     const vm_real xx = x * x, x4 = xx * xx;
