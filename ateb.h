@@ -62,17 +62,17 @@
      is wanted.
 
    MACROS, to be defined before the include
-     VM_USE_FLOAT         float instead of double; the tests run both
-     VM_API               linkage of every function, default static inline
+     VM_USE_FLOAT         all numbers are float instead of double; the tests run both
+     VM_API               linkage of every function; the default is static inline
      VM_INLINE            linkage of the functions that are fast only if they are inlined. If it is defined as VM_API,
                           the code is smaller and the results are the same.
      VM_SQRT, VM_FABS, VM_FLOOR, VM_COPYSIGN
                           the functions of the C library that are used; define all four or none.
                           These functions are exact, so that results are the same on every machine, unless the compiler
                           fuses products and sums.
-     VM_TABLE, VM_READ    storage of the tables, and how an element of one is read; define both or none. Default:
-                          static const and (x); on AVR static const PROGMEM and pgm_read_float(&(x)), so that tables
-                          take no RAM
+     VM_TABLE, VM_READ    storage of the tables, and how an element of one is read; define both or none. The defaults
+                          are static const and (x); on AVR they are static const PROGMEM and pgm_read_float(&(x)), so
+                          that tables take no RAM
      VM_ALLOW_FAST_MATH   lets the headers compile under -ffast-math or a part of it, but none of the bounds below holds
                           then
      VM_MIXED_PRECISIONS  allows a program in which some files define VM_USE_FLOAT and others do not. Without it gcc and
@@ -174,7 +174,7 @@
 
    All other files include this one. It defines vm_real (double, or float where VM_USE_FLOAT is defined) and gives a
    default to each macro that the user has not set. It stops the compiler with an error if a compiler option changes the
-   results, and the linker where a program has files in float and in double. It names the four functions of the C
+   results, and it stops the linker if a program has files in float and in double. It names the four functions of the C
    library that are used: sqrt, fabs, floor, copysign.
 
        vm_real x = VM_C(0.1); // the number 0.1 as a vm_real, in double and in float
@@ -424,8 +424,9 @@ VM_API vm_two vmi_two(vm_real hi, vm_real lo)
 
    Some options of compilers and some modes of processors change the results of floating-point arithmetic. Where a
    macro of the compiler shows such an option, the headers do not compile. vm_self_check() finds other options and modes
-   when the program runs: it computes a few numbers that show whether sums keep their order, whether results are
-   rounded to the nearest number, and whether NaN, infinity, -0 and subnormal numbers exist.
+   when the program runs: it computes a few numbers that show whether sums are computed in the order in which they are
+   written, whether results are rounded to the nearest number, and whether NaN, infinity, -0 and subnormal numbers
+   exist.
 
        int trustworthy = vm_self_check(); // once, when the program starts
 
@@ -1240,7 +1241,7 @@ VM_API void vmi_ateb_constants(vmi_ateb *c, vm_real alpha)
 
 /* Pi_alpha, half the period of sa and ca, for alpha >= 0. Pi_alpha = B(1/(alpha + 1), 1/2) is a pure number: 2 for
    alpha = 0, pi for alpha = 1, and close to alpha + 1 + 2 ln 2 for a large alpha. The error is at most 1 ulp. Returns
-   NaN for alpha < 0, NaN and infinite alpha. docs/cost.md has the time. Equation (277). */
+   NaN for alpha < 0, NaN and infinite alpha. docs/cost.md has the time of a call. Equation (277). */
 VM_API vm_real ateb_pi(vm_real alpha)
 {
     vmi_ateb c;
@@ -2157,8 +2158,8 @@ VM_INLINE void vmi_ateb_signs(vm_real s, vm_real rest, vmi_bits quarter, vm_real
 /* sa(1, alpha, s) and ca(alpha, 1, s), the Ateb sine and cosine. s is any real number and alpha >= 0; both are pure
    numbers. |sa| <= 1 and |ca| <= 1. sa is odd in s and ca is even, to the last bit. The errors are at most 4 VM_EPSILON
    for |s| <= 1e9 (float 1e4), and at most 8 ulp for |s| <= 100 Pi_alpha, also next to the zeros of sa and ca. The
-   results are NaN for alpha < 0 and for NaN and infinite arguments. docs/cost.md has the time. Equations (275),
-   (276). */
+   results are NaN for alpha < 0 and for NaN and infinite arguments. docs/cost.md has the time of a call. Equations
+   (275), (276). */
 VM_API void ateb_saca(vm_real s, vm_real alpha, vm_real *sa, vm_real *ca)
 {
     vmi_ateb c;
@@ -2603,7 +2604,7 @@ VM_API vm_real vmi_ateb_plan_reduce_finely(const ateb_plan *p, vm_real x, vm_rea
 /* sa and ca of the argument s for the plan's alpha. s may be any number. For alpha up to 1e6 and |s| <= 100 Pi_alpha,
    the error of a plan of full accuracy is at most 2 ulp (in float, next to a zero of sa or ca, 2 ulp plus the change
    that a change of s by 1e-13 |s| makes); any other plan has the accuracy that was given to ateb_plan_init_to. The
-   results are NaN for infinite and NaN s. docs/cost.md has the time. */
+   results are NaN for infinite and NaN s. docs/cost.md has the time of a call. */
 VM_API void ateb_plan_saca(const ateb_plan *p, vm_real s, vm_real *sa, vm_real *ca)
 {
     vm_real rest, near_zero, far_zero, lost, v, u;
@@ -2658,9 +2659,9 @@ enum { VMI_ATEB_BLOCK = 32 };
 #define VMI_ATEB_WIDE 0
 #endif
 
-/* Intermediate results for the arguments s of a block: |s| minus the nearest multiple of the quarter period, the bits
-   of the number of quarters, the distances r and d of s from the zeros of sa and ca with their rounding errors, and
-   base and tau of vmi_ateb_part_at */
+/* Intermediate results for the arguments s of a block. They are |s| minus the nearest multiple of the quarter period,
+   the bits of the number of quarters, the distances r and d of s from the zeros of sa and ca with their rounding
+   errors, and base and tau of vmi_ateb_part_at */
 typedef struct VM_TAG(vmi_ateb_block) {
     vmi_bits quarter[VMI_ATEB_BLOCK];
     vm_real rest[VMI_ATEB_BLOCK];
@@ -3188,8 +3189,9 @@ VM_INLINE void vmi_beta_level(const vmi_beta_levels *l, vm_real n, vm_real befor
     *D = ((an * share) * ((an + l->b) * share)) * (next * (l->b - next));
 }
 
-/* Returns 1/f_0 from the levels 0 ... count. The fraction is evaluated from level `count` down to level 0, beginning
-   with a rough value of f_(count+1): an error of f_(n+1) hardly changes f_n. */
+/* Returns 1/f_0, where f_0 is the continued fraction of vmi_beta_levels with the levels 0 ... count. The fraction is
+   evaluated from level `count` down to level 0, beginning with a rough value of f_(count+1): an error of f_(n+1) hardly
+   changes f_n. */
 VM_API vm_real vmi_beta_backward(const vmi_beta_levels *l, int count)
 {
     vm_real f = (l->a + (vm_real)count) / 2, before, after = 1 / (l->a + 2 * (vm_real)count + 1), C, D;
@@ -3362,7 +3364,7 @@ VM_API int vmi_beta_limit_side(vm_real a, vm_real b)
    ulp each. a and b may also lie between 1e-4 and 1e5, where the function is less accurate and slower. If a or b is 0
    or infinite, p is the limit: 1 for x > 0 if all of the distribution moves to x = 0, and 0 for x < 1 if it moves to
    x = 1. The results are NaN for other a or b, if there is no limit, if x or y is negative, and if x + y is not 1.
-   docs/cost.md has the time. DLMF 8.17, equation (273). */
+   docs/cost.md has the time of a call. DLMF 8.17, equation (273). */
 VM_API void ateb_beta_inc_both(vm_real x, vm_real y, vm_real a, vm_real b, vm_real *p, vm_real *q)
 {
     const vm_real longest = VM_C(0.6); /* 1 minus a larger tail would lose digits; then logarithms are used */
@@ -3456,8 +3458,8 @@ typedef struct VM_TAG(vmi_beta_slope) {
     vm_real value, slope, bend;
 } vmi_beta_slope;
 
-/* Returns ln I_x(a, b) and its derivatives at t = ln(x/y) with an error of about 1e-8 (float 1e-4). ln_B is ln B(a,
-   b). */
+/* Returns ln I_x(a, b) and its derivatives with respect to t, at t = ln(x/y), with an error of about 1e-8 (float 1e-4).
+   ln_B is ln B(a, b). */
 VM_API vmi_beta_slope vmi_beta_rough(vm_real t, vm_real a, vm_real b, vm_real ln_B)
 {
     const vm_real tolerance = VM_MANT_DIG > 24 ? VM_C(1e-8) : VM_C(1e-4), least_ln = VM_C(-0.69) * VMI_BIAS;
@@ -3566,7 +3568,7 @@ VM_API vmi_beta_point vmi_beta_invert_both(vm_real p, vm_real q, vm_real a, vm_r
    makes. a and b may also lie between 1e-4 and 1e5, where the function is less accurate and slower. If a or b is 0 or
    infinite, x is the limit: 0 for p < 1 if all of the distribution moves to x = 0, and 1 for p > 0 if it moves to
    x = 1. The results are NaN for other a or b, if there is no limit, if p or q is negative, and if p + q is not 1.
-   docs/cost.md has the time. */
+   docs/cost.md has the time of a call. */
 VM_API void ateb_beta_inc_inv_both(vm_real p, vm_real q, vm_real a, vm_real b, vm_real *x, vm_real *y,
                                    vm_real *ln_x)
 {

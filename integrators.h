@@ -108,15 +108,15 @@
      state is in work.
 
    MACROS, to be defined before the include
-     VM_USE_FLOAT         float instead of double (tests run both)
-     VM_API               linkage of the functions, default static inline
+     VM_USE_FLOAT         all numbers are float instead of double (tests run both)
+     VM_API               linkage of the functions; the default is static inline
      VM_INLINE            linkage of the functions that are fast only if they are inlined. If it is defined as VM_API,
                           the code is smaller and the results are the same.
      VM_SQRT, VM_FABS     the functions of the C library that are used; define either all of VM_SQRT, VM_FABS, VM_FLOOR
                           and VM_COPYSIGN, or none of them
-     VM_TABLE, VM_READ    storage of the tables, and how an element of one is read; define both or none. Default: static
-                          const and (x); on AVR static const PROGMEM and pgm_read_float(&(x)), so that tables take no
-                          RAM
+     VM_TABLE, VM_READ    storage of the tables, and how an element of one is read; define both or none. The defaults
+                          are static const and (x); on AVR they are static const PROGMEM and pgm_read_float(&(x)), so
+                          that tables take no RAM
      VM_ALLOW_FAST_MATH   lets the headers compile under -ffast-math or a part of it, but the checks for NaN do not work
                           then
      VM_MIXED_PRECISIONS  allows a program in which some files define VM_USE_FLOAT and others do not. Without it gcc and
@@ -151,26 +151,26 @@
        ode_strerror                   Text that describes a status of the integrators
 
      integrators/rk4: rk4: the classical Runge-Kutta method of order 4 with fixed steps
-       rk4_step                       One step of size h, positive or negative, by the classical Runge-Kutta method
-       rk4_solve                      Equal steps from *t to t_end, `steps` of them, by the classical Runge-Kutta method
-       rk4_solve_compensated          Equal steps with compensated summation [3], so that roundings do not add up
+       rk4_step                       Makes one step of size h, positive or negative, by the classical Runge-Kutta method
+       rk4_solve                      Makes `steps` equal steps from *t to t_end by the classical Runge-Kutta method
+       rk4_solve_compensated          Makes equal steps with compensated summation [3], so that rounding errors do not add up
 
      integrators/rk45: rk45: adaptive runs by a Runge-Kutta pair of orders 5 and 4
-       rk45_defaults                  Options of rk45 with each zero replaced by its default, as rk45_init uses them
+       rk45_defaults                  Returns the options of rk45 with each zero replaced by its default, as rk45_init uses them
        rk45_init                      Begins a run of y' = f(t, y) by rk45 from state y0 at time t0
        rk45_restart                   Continues a run of rk45 from another time or state, such as after a jump
-       rk45_step                      One accepted step of rk45, or the part of it before an event that ends the step
-       rk45_solve_with                Steps of rk45 to t_end, with f and n given once more so that f is inlined
-       rk45_solve                     Steps of rk45 to t_end exactly, forward or backward, or to an event that ends the run
-       rk45_interpolate               State y(t) at a time t within the last step of rk45, accurate to order 4
+       rk45_step                      Makes one accepted step of rk45, or the part of it before an event that ends the step
+       rk45_solve_with                Makes steps of rk45 to t_end, with f and n given once more so that f is inlined
+       rk45_solve                     Makes steps of rk45 to t_end exactly, forward or backward, or to an event that ends the run
+       rk45_interpolate               Computes the state y(t) at a time t within the last step of rk45, accurate to order 4
 
      integrators/rk87: rk87: adaptive runs by a Runge-Kutta pair of orders 8 and 7
        rk87_init                      Begins a run of y' = f(t, y) by rk87, as rk45_init begins one by rk45
        rk87_restart                   Continues a run of rk87 from another time or state, such as after a jump
-       rk87_step                      One accepted step of rk87, or the part of it before an event that ends the step
-       rk87_solve_with                Steps of rk87 to t_end, with f and n given once more so that f is inlined
-       rk87_solve                     Steps of rk87 to t_end exactly, forward or backward, or to an event that ends the run
-       rk87_interpolate               State y(t) at a time t within the last step of rk87, accurate to order 8
+       rk87_step                      Makes one accepted step of rk87, or the part of it before an event that ends the step
+       rk87_solve_with                Makes steps of rk87 to t_end, with f and n given once more so that f is inlined
+       rk87_solve                     Makes steps of rk87 to t_end exactly, forward or backward, or to an event that ends the run
+       rk87_interpolate               Computes the state y(t) at a time t within the last step of rk87, accurate to order 8
 
      integrators/output: the solution at listed times
        rk45_solve_at                  Continues a run of rk45 to the last of n_times times and writes the state at each of them to a row of n numbers
@@ -188,7 +188,7 @@
 
    All other files include this one. It defines vm_real (double, or float where VM_USE_FLOAT is defined) and gives a
    default to each macro that the user has not set. It stops the compiler with an error if a compiler option changes the
-   results, and the linker where a program has files in float and in double. It names the four functions of the C
+   results, and it stops the linker if a program has files in float and in double. It names the four functions of the C
    library that are used: sqrt, fabs, floor, copysign.
 
        vm_real x = VM_C(0.1); // the number 0.1 as a vm_real, in double and in float
@@ -438,8 +438,9 @@ VM_API vm_two vmi_two(vm_real hi, vm_real lo)
 
    Some options of compilers and some modes of processors change the results of floating-point arithmetic. Where a
    macro of the compiler shows such an option, the headers do not compile. vm_self_check() finds other options and modes
-   when the program runs: it computes a few numbers that show whether sums keep their order, whether results are
-   rounded to the nearest number, and whether NaN, infinity, -0 and subnormal numbers exist.
+   when the program runs: it computes a few numbers that show whether sums are computed in the order in which they are
+   written, whether results are rounded to the nearest number, and whether NaN, infinity, -0 and subnormal numbers
+   exist.
 
        int trustworthy = vm_self_check(); // once, when the program starts
 
@@ -736,8 +737,8 @@ VM_INLINE int vmi_rk4_solve(ode_rhs f, void *ctx, int n, vm_real *t, vm_real t_e
     return status;
 }
 
-/* One step of size h, positive or negative, by the classical Runge-Kutta method. y has n numbers; it is the state at
-   time t and becomes the state at t + h. f receives the pointer ctx; work has RK4_WORK(n) numbers. Returns ODE_OK;
+/* Makes one step of size h, positive or negative, by the classical Runge-Kutta method. y has n numbers; it is the state
+   at time t and becomes the state at t + h. f receives the pointer ctx; work has RK4_WORK(n) numbers. Returns ODE_OK;
    ODE_BAD_ARGUMENT if a pointer other than ctx is NULL, n is not positive, or t or h is not finite; ODE_RHS_STOPPED if
    f returns a number other than 0; ODE_NOT_FINITE if the new state is not finite. After an error y is unchanged. */
 VM_INLINE int rk4_step(ode_rhs f, void *ctx, int n, vm_real t, vm_real h, vm_real *y, vm_real *work)
@@ -745,19 +746,19 @@ VM_INLINE int rk4_step(ode_rhs f, void *ctx, int n, vm_real t, vm_real h, vm_rea
     return vmi_rk4(f, ctx, n, &t, h, 1, y, NULL, work);
 }
 
-/* Equal steps from *t to t_end, `steps` of them, by the classical Runge-Kutta method. y has n numbers and becomes the
-   state at t_end; *t becomes t_end exactly. If f stops the run or the state is not finite, y and *t are those at the
-   end of the last complete step. Returns a status with the meanings of rk4_step; it is ODE_BAD_ARGUMENT also if `steps`
-   is not positive. */
+/* Makes `steps` equal steps from *t to t_end by the classical Runge-Kutta method. y has n numbers and becomes the state
+   at t_end; *t becomes t_end exactly. If f stops the run or the state is not finite, y and *t are those at the end of
+   the last complete step. Returns a status with the meanings of rk4_step; it is ODE_BAD_ARGUMENT also if `steps` is not
+   positive. */
 VM_INLINE int rk4_solve(ode_rhs f, void *ctx, int n, vm_real *t, vm_real t_end, long steps, vm_real *y,
                         vm_real *work)
 {
     return vmi_rk4_solve(f, ctx, n, t, t_end, steps, y, NULL, work);
 }
 
-/* Equal steps with compensated summation [3], so that roundings do not add up. The steps are those of rk4_solve, but
-   the state is y + y_low. y_low has n numbers, which the caller sets to zero before the first call. The summation takes
-   additional time, which is worth it when there are millions of steps. */
+/* Makes equal steps with compensated summation [3], so that rounding errors do not add up. The steps are those of
+   rk4_solve, but the state is y + y_low. y_low has n numbers, which the caller sets to zero before the first call. The
+   summation takes additional time, which is worth it when there are millions of steps. */
 VM_INLINE int rk4_solve_compensated(ode_rhs f, void *ctx, int n, vm_real *t, vm_real t_end, long steps, vm_real *y,
                                     vm_real *y_low, vm_real *work)
 {
@@ -853,7 +854,7 @@ typedef struct VM_TAG(rk45_options) {
 #define VMI_DEFAULT_RTOL VM_C(1e-4)
 #endif
 
-/* The options with each zero replaced by its default, and with rtol raised to least_rtol */
+/* Returns the options with each zero replaced by its default, and with rtol raised to at least least_rtol. */
 VM_API rk45_options vmi_defaults(vm_real least_rtol, const rk45_options *options_or_NULL)
 {
     rk45_options o = {0, 0, 0, 0, 0, 0, NULL, NULL, 0, 0};
@@ -927,8 +928,8 @@ VM_API int vmi_an_event_stops(const rk45_options *o)
     return 0;
 }
 
-/* Tolerance of component i in a step, atol + rtol |y|, where y is the value of the component. VM_MIN is added so that
-   the result is positive. */
+/* Returns the tolerance of component i in a step, atol + rtol |y|, where y is the value of the component. VM_MIN is
+   added so that the result is positive. */
 VM_INLINE vm_real vmi_tolerance(const rk45_options *o, int i, vm_real y)
 {
     return vmi_atol(o, i) + o->rtol * VM_FABS(y) + VM_MIN;
@@ -1102,7 +1103,7 @@ enum { VMI_K1_MISSING, VMI_K1_READY, VMI_K1_IS_LAST };  /* k_1 is unknown, ready
 enum { VMI_NONE_FAILED, VMI_REJECTED, VMI_NOT_FINITE }; /* results of an attempt */
 enum { VMI_STIFF_WAIT = 100 };                          /* accepted steps from one test of stiffness to the next */
 
-/* The array of n numbers in work with the index `part`, such as VMI_Y */
+/* Returns the part of work with the index `part`, such as VMI_Y: an array of n numbers. */
 VM_API vm_real *vmi_part(const rk45 *s, int part) { return s->work + (ptrdiff_t)part * s->n; }
 
 /* Sets the fields of a new run that do not depend on the options or the pair */
@@ -1192,7 +1193,8 @@ VM_API int vmi_eval(rk45 *s, vm_real t, const vm_real *y, vm_real *k)
 #ifndef VARMASS_INTEGRATORS_DENSE_H
 #define VARMASS_INTEGRATORS_DENSE_H
 
-/* Computes what the continuous extension of the last step needs, if this has not been done yet. Returns a status. */
+/* Computes the derivatives that the continuous extension of the last step needs, if they are not known yet. Returns a
+   status. */
 VM_API int vmi_extend(rk45 *s)
 {
     int status = ODE_OK;
@@ -1210,7 +1212,7 @@ VM_API int vmi_is_in_last_step(const rk45 *s, vm_real t)
     return (s->t_old <= t && t <= s->t) || (s->t <= t && t <= s->t_old);
 }
 
-/* The fraction of the last step at which the time t lies: 0 at the beginning of the step, 1 at its end */
+/* Returns the fraction of the last step at which the time t lies: 0 at the beginning of the step, 1 at its end */
 VM_API vm_real vmi_place_of(const rk45 *s, vm_real t)
 {
     const vm_real x = ((t - s->t_old) - s->t_old_low) / s->h_done;
@@ -2336,7 +2338,8 @@ VM_INLINE int vmi_begin_solve(rk45 *s, int method, ode_rhs f, int n, vm_real t_e
     return ODE_OK;
 }
 
-/* The time at which the steps of a run to t_end end: t_end, or the largest number of the type if t_end is infinite */
+/* Returns the time at which the steps of a run to t_end end: t_end, or the largest number of the type if t_end is
+   infinite */
 VM_INLINE vm_real vmi_last_time(vm_real t_end)
 {
     if (t_end > VM_MAX) return VM_MAX;
@@ -2344,7 +2347,7 @@ VM_INLINE vm_real vmi_last_time(vm_real t_end)
     return t_end;
 }
 
-/* The status of a run to t_end whose steps have ended with `status`. If t_end is infinite, no run gets there. */
+/* Returns the status of a run to t_end whose steps have ended with `status`. No run reaches an infinite t_end. */
 VM_INLINE int vmi_end_solve(vm_real t_end, int status)
 {
     if (!VM_IS_FINITE(t_end) && (status == ODE_OK || status == ODE_STIFF)) return ODE_STEP_TOO_SMALL;
@@ -2486,8 +2489,8 @@ VMI_LOOP int vmi_rk45_run(rk45 *s, ode_rhs f, int n, vm_real t_end, int single)
 
 #define RK45_WORK(n) (10 * (n)) /* number of elements of the array work for n components */
 
-/* Options of rk45 with each zero replaced by its default, as rk45_init uses them. rtol becomes at least 16 VM_EPSILON.
-   If options_or_NULL is NULL, all options have their defaults. */
+/* Returns the options of rk45 with each zero replaced by its default, as rk45_init uses them. rtol becomes at least 16
+   VM_EPSILON. If options_or_NULL is NULL, all options have their defaults. */
 VM_API rk45_options rk45_defaults(const rk45_options *options_or_NULL)
 {
     const vmi_rk_pair pair = vmi_rk45_pair();
@@ -2510,8 +2513,8 @@ VM_INLINE int rk45_init(rk45 *s, ode_rhs f, void *ctx, int n, vm_real t0, const 
    ODE_BAD_ARGUMENT if s or y is NULL or a number is not finite. */
 VM_API int rk45_restart(rk45 *s, vm_real t, const vm_real *y) { return vmi_restart(s, t, y); }
 
-/* One accepted step of rk45, or the part of it before an event that ends the step. The step goes forward if s->h is
-   positive or 0, and backward if s->h is negative; s->h is at first the option h0. Returns a status. */
+/* Makes one accepted step of rk45, or the part of it before an event that ends the step. The step goes forward if s->h
+   is positive or 0, and backward if s->h is negative; s->h is at first the option h0. Returns a status. */
 VM_INLINE int rk45_step(rk45 *s)
 {
     vm_real t_end;
@@ -2520,9 +2523,9 @@ VM_INLINE int rk45_step(rk45 *s)
     return vmi_rk45_run(s, s->f, s->n, t_end, 1);
 }
 
-/* Steps of rk45 to t_end, with f and n given once more so that f is inlined. The compiler inlines f if f and n are
-   constants in this call, wherever rk45_init was called. Returns ODE_BAD_ARGUMENT if f or n is not that of s; all else
-   is as in rk45_solve. */
+/* Makes steps of rk45 to t_end, with f and n given once more so that f is inlined. The compiler inlines f if f and n
+   are constants in this call, wherever rk45_init was called. Returns ODE_BAD_ARGUMENT if f or n is not that of s; all
+   else is as in rk45_solve. */
 VM_INLINE int rk45_solve_with(rk45 *s, ode_rhs f, int n, vm_real t_end)
 {
     const int status = vmi_begin_solve(s, VMI_RK45, f, n, t_end);
@@ -2530,17 +2533,18 @@ VM_INLINE int rk45_solve_with(rk45 *s, ode_rhs f, int n, vm_real t_end)
     return vmi_end_solve(t_end, vmi_rk45_run(s, f, n, vmi_last_time(t_end), 0));
 }
 
-/* Steps of rk45 to t_end exactly, forward or backward, or to an event that ends the run. t_end may be infinite if there
-   is such an event. Nothing changes if s->t is t_end. After an error s->t and s->y are those of the last accepted step.
-   Returns a status. After ODE_MAX_STEPS, that is after options.max_steps attempts, another call continues the run. */
+/* Makes steps of rk45 to t_end exactly, forward or backward, or to an event that ends the run. t_end may be infinite if
+   there is such an event. Nothing changes if s->t is t_end. After an error s->t and s->y are those of the last accepted
+   step. Returns a status. After ODE_MAX_STEPS, that is after options.max_steps attempts, another call continues the
+   run. */
 VM_INLINE int rk45_solve(rk45 *s, vm_real t_end)
 {
     if (!s) return ODE_BAD_ARGUMENT;
     return rk45_solve_with(s, s->f, s->n, t_end);
 }
 
-/* State y(t) at a time t within the last step of rk45, accurate to order 4. y receives n numbers; f is not evaluated.
-   Returns ODE_OK, or ODE_BAD_ARGUMENT if t is not between s->t_old and s->t. */
+/* Computes the state y(t) at a time t within the last step of rk45, accurate to order 4. y receives n numbers; f is not
+   evaluated. Returns ODE_OK, or ODE_BAD_ARGUMENT if t is not between s->t_old and s->t. */
 VM_API int rk45_interpolate(const rk45 *s, vm_real t, vm_real *y) { return vmi_interpolate_ready(s, VMI_RK45, t, y); }
 
 #endif
@@ -2663,7 +2667,8 @@ VMI_FOLDED int vmi_rk87_stages(vmi_rk_system sys, vm_real t, vm_real t_new, vm_r
 /* Estimates the error that a jump of f inside a step of size 1 causes in a component whose derivatives are k1 ... k13.
    This error is up to a quarter of the jump. The difference of the results of orders 8 and 7 hardly shows a jump in the
    first 0.9 of the step: in this difference the weights of the k before the jump add up to 4e-4 at most. `seen` is the
-   magnitude of another sum of the k, of order 5. In it the weights of the k before the jump add up in magnitude to
+   magnitude of another sum of the k, of order 5. In this sum the weights of the k before the jump add up in magnitude
+   to
      0.11 for a jump before 0.155 of the step (only k1 is before it), 0.17 for a jump between 0.155 and 0.465 (k1 and
      k7 are before it), 0.25 for a jump between 0.465 and 0.9 (k1, k7 and k6 are before it).
    If f is smooth, `seen` is much smaller than `change`, the change of f along the step. The returned value
@@ -2906,7 +2911,8 @@ VM_INLINE int rk87_init(rk87 *s, ode_rhs f, void *ctx, int n, vm_real t0, const 
 /* Continues a run of rk87 from another time or state, such as after a jump. All else is as in rk45_restart. */
 VM_API int rk87_restart(rk87 *s, vm_real t, const vm_real *y) { return vmi_restart(s, t, y); }
 
-/* One accepted step of rk87, or the part of it before an event that ends the step. All else is as in rk45_step. */
+/* Makes one accepted step of rk87, or the part of it before an event that ends the step. All else is as in
+   rk45_step. */
 VM_INLINE int rk87_step(rk87 *s)
 {
     vm_real t_end;
@@ -2915,7 +2921,8 @@ VM_INLINE int rk87_step(rk87 *s)
     return vmi_rk87_run(s, s->f, s->n, t_end, 1);
 }
 
-/* Steps of rk87 to t_end, with f and n given once more so that f is inlined. All else is as in rk45_solve_with. */
+/* Makes steps of rk87 to t_end, with f and n given once more so that f is inlined. All else is as in
+   rk45_solve_with. */
 VM_INLINE int rk87_solve_with(rk87 *s, ode_rhs f, int n, vm_real t_end)
 {
     const int status = vmi_begin_solve(s, VMI_RK87, f, n, t_end);
@@ -2923,7 +2930,7 @@ VM_INLINE int rk87_solve_with(rk87 *s, ode_rhs f, int n, vm_real t_end)
     return vmi_end_solve(t_end, vmi_rk87_run(s, f, n, vmi_last_time(t_end), 0));
 }
 
-/* Steps of rk87 to t_end exactly, forward or backward, or to an event that ends the run. All else is as in
+/* Makes steps of rk87 to t_end exactly, forward or backward, or to an event that ends the run. All else is as in
    rk45_solve. */
 VM_INLINE int rk87_solve(rk87 *s, vm_real t_end)
 {
@@ -2931,10 +2938,10 @@ VM_INLINE int rk87_solve(rk87 *s, vm_real t_end)
     return rk87_solve_with(s, s->f, s->n, t_end);
 }
 
-/* State y(t) at a time t within the last step of rk87, accurate to order 8. y receives n numbers. The first call after
-   a step evaluates f seven times, unless t is s->t. Returns ODE_BAD_ARGUMENT if t is not between s->t_old and s->t.
-   In these evaluations f may also stop the run (then the status is ODE_RHS_STOPPED) or give a number that is not finite
-   (ODE_NOT_FINITE), although the step itself has succeeded. */
+/* Computes the state y(t) at a time t within the last step of rk87, accurate to order 8. y receives n numbers. The
+   first call after a step evaluates f seven times, unless t is s->t. Returns ODE_BAD_ARGUMENT if t is not between
+   s->t_old and s->t. In these evaluations f may also stop the run (then the status is ODE_RHS_STOPPED) or give a number
+   that is not finite (ODE_NOT_FINITE), although the step itself has succeeded. */
 VM_API int rk87_interpolate(rk87 *s, vm_real t, vm_real *y)
 {
     if (!s || s->pair.method != VMI_RK87) return ODE_BAD_ARGUMENT;

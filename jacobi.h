@@ -14,8 +14,8 @@
 
    CONVENTIONS
      The variable comes first, then the parameter; results come last. The parameter is m = k^2, not the modulus k:
-     jacobi_K(0.25) is K for k = 1/2. SciPy, Mathematica and GSL's elljac take m too; Boost, C++17 and GSL's Kcomp
-     take k. Any m <= 1 is allowed, negative ones included. The complementary parameter is m1 = 1 - m, the
+     jacobi_K(0.25) is K for k = 1/2. In SciPy, Mathematica and GSL's elljac the argument is m, too; in Boost, C++17 and
+     GSL's Kcomp it is k. Any m <= 1 is allowed, also a negative m. The complementary parameter is m1 = 1 - m, the
      complementary modulus k' = sqrt(m1). The functions with the suffix _m1 take or return m1. Use them where m is close
      to 1: m1 then has all its digits, while a computed difference 1 - m has only a few. sn and cn have the period 4
      K(m), dn has 2 K(m). All arguments are pure numbers.
@@ -45,9 +45,9 @@
      integrals allow both); c < 0 in the functions jacobi_solve_...; NaN; infinite numbers, with these exceptions. The
      incomplete integrals, jacobi_D, jacobi_Pi, the inverses and Carlson's integrals return the limit at an infinite
      argument, and NaN where there is no limit. m = 1 gives the limits: K is infinite, E is 1, sn is tanh u, cn and dn
-     are 1/cosh u, for u = +-infinity too. A quotient such as sn/cn is infinite at its poles, where the denominator is 0. For a bad m
-     jacobi_plan_init returns -1 and leaves the plan as it was. Nothing else can fail. The functions allocate no memory
-     and keep no state; errno says nothing about their errors.
+     are 1/cosh u, for u = +-infinity too. A quotient such as sn/cn is infinite at its poles, where the denominator is
+     0. For a bad m jacobi_plan_init returns -1 and leaves the plan as it was. Nothing else can fail. The functions
+     allocate no memory and keep no state; errno says nothing about their errors.
 
    METHOD
      Where u^2 max(1, 1 - m) is small, (cn/sn)^2 at u/4 is computed by its power series (a Laurent series, since it
@@ -66,17 +66,17 @@
      subtraction loses digits, not even for m = 1.
 
    MACROS, to be defined before the include
-     VM_USE_FLOAT         float instead of double; the tests run both
-     VM_API               linkage of every function, default static inline
+     VM_USE_FLOAT         all numbers are float instead of double; the tests run both
+     VM_API               linkage of every function; the default is static inline
      VM_INLINE            linkage of the functions that are fast only if they are inlined. If it is defined as VM_API,
                           the code is smaller and the results are the same.
      VM_SQRT, VM_FABS, VM_FLOOR, VM_COPYSIGN
                           the functions of the C library that are used; define all four or none.
                           These functions are exact, so that results are the same on every machine, unless the compiler
                           fuses products and sums.
-     VM_TABLE, VM_READ    storage of the tables, and how an element of one is read; define both or none. Default:
-                          static const and (x); on AVR static const PROGMEM and pgm_read_float(&(x)), so that tables
-                          take no RAM
+     VM_TABLE, VM_READ    storage of the tables, and how an element of one is read; define both or none. The defaults
+                          are static const and (x); on AVR they are static const PROGMEM and pgm_read_float(&(x)), so
+                          that tables take no RAM
      VM_ALLOW_FAST_MATH   lets the headers compile under -ffast-math or a part of it, but none of the bounds below holds
                           then
      VM_MIXED_PRECISIONS  allows a program in which some files define VM_USE_FLOAT and others do not. Without it gcc and
@@ -211,7 +211,7 @@
 
    All other files include this one. It defines vm_real (double, or float where VM_USE_FLOAT is defined) and gives a
    default to each macro that the user has not set. It stops the compiler with an error if a compiler option changes the
-   results, and the linker where a program has files in float and in double. It names the four functions of the C
+   results, and it stops the linker if a program has files in float and in double. It names the four functions of the C
    library that are used: sqrt, fabs, floor, copysign.
 
        vm_real x = VM_C(0.1); // the number 0.1 as a vm_real, in double and in float
@@ -461,8 +461,9 @@ VM_API vm_two vmi_two(vm_real hi, vm_real lo)
 
    Some options of compilers and some modes of processors change the results of floating-point arithmetic. Where a
    macro of the compiler shows such an option, the headers do not compile. vm_self_check() finds other options and modes
-   when the program runs: it computes a few numbers that show whether sums keep their order, whether results are
-   rounded to the nearest number, and whether NaN, infinity, -0 and subnormal numbers exist.
+   when the program runs: it computes a few numbers that show whether sums are computed in the order in which they are
+   written, whether results are rounded to the nearest number, and whether NaN, infinity, -0 and subnormal numbers
+   exist.
 
        int trustworthy = vm_self_check(); // once, when the program starts
 
@@ -1384,10 +1385,10 @@ VM_API vm_real vmi_E_series(vm_real x)
 #endif
 }
 
-/* Returns K for 1 - m = m1 + m1_lo. Where VMI_MIDDLE(m1) is 1, K comes from two steps of the arithmetic-geometric mean
-   and the series S(x) of vmi_K_series: K = 2 pi (1 + x S)/(1 + f)^2 with f^2 = k' and x = ((1 - f)/(1 + f))^4. For
-   m > 0.971 K comes from logarithms (vmi_K_by_log), and so it does for m < -33.5, since k' K(m) = K(mu) for the
-   parameter mu with 1 - mu = 1/(1 - m). */
+/* Returns K for 1 - m = m1 + m1_lo, a number in two words. Where VMI_MIDDLE(m1) is 1, K comes from two steps of the
+   arithmetic-geometric mean and the series S(x) of vmi_K_series: K = 2 pi (1 + x S)/(1 + f)^2 with f^2 = k' and
+   x = ((1 - f)/(1 + f))^4. For m > 0.971 K comes from logarithms (vmi_K_by_log), and so it does for m < -33.5, since k'
+   K(m) = K(mu) for the parameter mu with 1 - mu = 1/(1 - m). */
 VM_API vm_real vmi_K(vm_real m1, vm_real m1_lo)
 {
     vm_two K, root;
@@ -1409,8 +1410,8 @@ VM_API vm_real vmi_K(vm_real m1, vm_real m1_lo)
     return quotient + (K.lo - quotient * root.lo) / root.hi;
 }
 
-/* Returns E for 1 - m = m1 + m1_lo. Where VMI_MIDDLE(m1) is 1, E comes from vmi_E_series, for m > 0.971 from
-   vmi_E_rest, and for m < -33.5 from E(m) = k' E(mu) for the parameter mu with 1 - mu = 1/(1 - m). */
+/* Returns E for 1 - m = m1 + m1_lo, a number in two words. Where VMI_MIDDLE(m1) is 1, E comes from vmi_E_series, for
+   m > 0.971 from vmi_E_rest, and for m < -33.5 from E(m) = k' E(mu) for the parameter mu with 1 - mu = 1/(1 - m). */
 VM_API vm_real vmi_E(vm_real m1, vm_real m1_lo)
 {
     vm_two root;
@@ -1731,8 +1732,8 @@ typedef struct VM_TAG(vmi_period) {
 #define VMI_MIDDLE_GRID VM_C(768.0)
 #endif
 
-/* Returns K for 1 - m = m1 + m1_lo, where kp is k' in one word and VMI_IN_PERIOD_TABLE(kp) is 1. The relative error is
-   below 2^-71 (float 2^-36).
+/* Returns K for 1 - m = m1 + m1_lo, a number in two words, where kp is k' in one word and VMI_IN_PERIOD_TABLE(kp) is 1.
+   The relative error is below 2^-71 (float 2^-36).
    Method: t is the sum of head, which has at most 14 digits (float 10), and a tail. b1, b2, ... are the products of the
    heads of c_1, c_2, ... and the powers of head; they are exact. The sums in which K.middle is subtracted are exact,
    too. All other terms are so small that one word is enough for them. The variable t has one word and does not contain
@@ -2225,8 +2226,8 @@ VM_INLINE vm_real vmi_reduced(vm_real u, vm_real m1, vm_real m1_lo, vm_real kp, 
 #endif
 /* jacobi/functions.h - the elliptic functions sn, cn, dn and their quotients
 
-   This file has Jacobi's functions sn(u | m), cn(u | m) and dn(u | m) for every real argument u and every parameter m =
-   k^2 <= 1, also for negative m. sn and cn have the period 4 K(m), dn has 2 K(m). They describe the motions of
+   This file has Jacobi's functions sn(u | m), cn(u | m) and dn(u | m) for every real argument u and every parameter
+   m = k^2 <= 1, also for negative m. sn and cn have the period 4 K(m), dn has 2 K(m). They describe the motions of
    oscillators with cubic springs and of bodies that rotate without torque. For many u and one m use a plan
    (jacobi/plans.h).
 
@@ -2239,8 +2240,9 @@ VM_INLINE vm_real vmi_reduced(vm_real u, vm_real m1, vm_real m1_lo, vm_real kp, 
 #ifndef VARMASS_JACOBI_FUNCTIONS_H
 #define VARMASS_JACOBI_FUNCTIONS_H
 
-/* Returns the theta functions of u for 1 - m = m1 + m1_lo, each with a small relative error, or NaN outside the domain
-   of jacobi_sncndn. dn lies between 1 and *bound. For a small |u| the function computes neither K nor k'. */
+/* Returns the theta functions of u for 1 - m = m1 + m1_lo, a number in two words. Each has a small relative error, or
+   is NaN outside the domain of jacobi_sncndn. dn lies between 1 and *bound. For a small |u| the function computes
+   neither K nor k'. */
 VM_INLINE vmi_thetas vmi_thetas_of(vm_real u, vm_real m1, vm_real m1_lo, vm_real *bound)
 {
     const vm_real reach = u * u * (VM_C(0.81) * (1 + m1) - VM_C(0.338) * VM_FABS(1 - m1)); /* about (2u/K)^2 */
@@ -2258,7 +2260,7 @@ VM_INLINE vmi_thetas vmi_thetas_of(vm_real u, vm_real m1, vm_real m1_lo, vm_real
     return theta;
 }
 
-/* Computes sn, cn and dn for 1 - m = m1 + m1_lo. */
+/* Computes sn, cn and dn of u for 1 - m = m1 + m1_lo, a number in two words. */
 VM_API void vmi_sncndn(vm_real u, vm_real m1, vm_real m1_lo, vm_real *sn, vm_real *cn, vm_real *dn)
 {
     vm_real bound;
@@ -2271,7 +2273,7 @@ VM_API void vmi_sncndn(vm_real u, vm_real m1, vm_real m1_lo, vm_real *sn, vm_rea
    between 1 and sqrt(1 - m). sn is odd in u, cn and dn are even, to the last bit. The error is at most 9 ulp for
    |u| <= 100 K, next to the zeros too, and at most 4 eps times the function's largest value for |u| <= 1e9 (float 1e4).
    The results are NaN for m > 1 and for infinite arguments. For m = 1 sn = tanh u and cn = dn = 1/cosh u, also for
-   infinite u. docs/cost.md has the time. DLMF 22. */
+   infinite u. docs/cost.md has the time of a call. DLMF 22. */
 VM_API void jacobi_sncndn(vm_real u, vm_real m, vm_real *sn, vm_real *cn, vm_real *dn)
 {
     const vm_two m1 = vmi_two_sum(1, -m);
@@ -2513,7 +2515,8 @@ VM_API void vmi_plan_prepare(jacobi_plan *p, vm_real longest)
     }
 }
 
-/* Prepares a plan for 1 - m = m1 + m1_lo. Returns 0, or -1 where no elliptic function has this parameter. */
+/* Prepares a plan for 1 - m = m1 + m1_lo, a number in two words. Returns 0, or -1 where no elliptic function has this
+   parameter. */
 VM_API int vmi_plan_init(jacobi_plan *p, vm_real m1, vm_real m1_lo)
 {
     vmi_three K;
@@ -2611,7 +2614,7 @@ VM_INLINE int vmi_plan_is_close(vm_real rest, vm_real u) { return VM_FABS(rest) 
 
 /* sn, cn and dn of the argument u for the plan's parameter.
    u may be any number; the accuracy is that of jacobi_sncndn. The results are NaN for infinite u, unless m = 1.
-   docs/cost.md has the time. */
+   docs/cost.md has the time of a call. */
 VM_API void jacobi_plan_sncndn(const jacobi_plan *p, vm_real u, vm_real *sn, vm_real *cn, vm_real *dn)
 {
     const vm_real x = VM_FABS(u);
@@ -2670,7 +2673,8 @@ VM_API void vmi_plan_mend_close(const jacobi_plan *p, int n, const vm_real *u, v
 
 /* sn, cn and dn of the n arguments in the array u, for the plan's parameter. The arrays sn, cn, dn have n elements each
    and overlap neither each other nor u. The values are those of jacobi_plan_sncndn; where the compiler fuses
-   multiplications and additions, the last bits may depend on the index in the array. docs/cost.md has the time. */
+   multiplications and additions, the last bits may depend on the index in the array. docs/cost.md has the time of a
+   call. */
 VM_API void jacobi_plan_sncndn_array(const jacobi_plan *p, int n, const vm_real *u, vm_real *sn, vm_real *cn,
                                      vm_real *dn)
 {
@@ -3875,7 +3879,7 @@ VM_INLINE int vmi_incomplete_special(vm_real phi, vm_real m1)
     return !(VM_IS_FINITE(phi) && m1 >= 0 && VM_IS_FINITE(m1));
 }
 
-/* Returns F(phi | m) for 1 - m = m1 + m1_lo. */
+/* Returns F(phi | m) for 1 - m = m1 + m1_lo, a number in two words. */
 VM_API vm_real vmi_F(vm_real phi, vm_real m1, vm_real m1_lo)
 {
     vmi_angle angle;
@@ -3898,8 +3902,8 @@ VM_API vm_real vmi_F(vm_real phi, vm_real m1, vm_real m1_lo)
 /* F(phi | m), the incomplete elliptic integral of the first kind. It is the inverse of the amplitude. It is odd in phi,
    and for m <= 1 F(phi + pi) = F(phi) + 2K. The error is at most 8 ulp for |phi| <= 1e9 (float 1e4). Returns phi for
    infinite phi, 0 for m = -infinity, and NaN where both are infinite. For m = 1 F is infinite for |phi| > pi/2. For
-   m > 1 F is NaN where m sin^2 phi > 1, for |phi| > pi/2, and for infinite m. docs/cost.md has the time. DLMF 19.2.4,
-   19.25.5. */
+   m > 1 F is NaN where m sin^2 phi > 1, for |phi| > pi/2, and for infinite m. docs/cost.md has the time of a call. DLMF
+   19.2.4, 19.25.5. */
 VM_API vm_real jacobi_F(vm_real phi, vm_real m)
 {
     const vm_two m1 = vmi_two_sum(1, -m);
@@ -3910,7 +3914,7 @@ VM_API vm_real jacobi_F(vm_real phi, vm_real m)
    Domain and accuracy are those of jacobi_F. Use it for m close to 1, where the difference 1 - m would lose digits. */
 VM_API vm_real jacobi_F_m1(vm_real phi, vm_real m1) { return vmi_F(phi, m1, 0); }
 
-/* E(theta | m) for |theta| <= pi/2 and m <= 1, from the sine and the cosine of theta. Both m and m1 = 1 - m are
+/* Returns E(theta | m) for |theta| <= pi/2 and m <= 1, from the sine and the cosine of theta. Both m and m1 = 1 - m are
    arguments, so that each has all its digits. There is one formula for m < 0 and one for m >= 0; all their terms are
    positive (DLMF 19.25.9-10). */
 VM_API vm_real vmi_E_part(vm_real s, vm_real c, vm_real m, vm_real m1)
@@ -3925,7 +3929,7 @@ VM_API vm_real vmi_E_part(vm_real s, vm_real c, vm_real m, vm_real m1)
     return s * (m1 * (rf + m * ss * rd * VM_C(0.3333333333333333333)) + m * (c / VM_SQRT(dd)));
 }
 
-/* Returns E(phi | m) for 1 - m = m1 + m1_lo. */
+/* Returns E(phi | m) for 1 - m = m1 + m1_lo, a number in two words. */
 VM_API vm_real vmi_E_incomplete(vm_real phi, vm_real m, vm_real m1, vm_real m1_lo)
 {
     vmi_angle angle;
@@ -3945,7 +3949,7 @@ VM_API vm_real vmi_E_incomplete(vm_real phi, vm_real m, vm_real m1, vm_real m1_l
 /* E(phi | m), the incomplete elliptic integral of the second kind. It is odd in phi, and for m <= 1 E(phi + pi) =
    E(phi) + 2E(m). The error is at most 8 ulp for |phi| <= 1e9 (float 1e4). Returns phi for infinite phi, and infinity
    with the sign of phi for m = -infinity. For m > 1 E is NaN where m sin^2 phi > 1, for |phi| > pi/2, and for infinite
-   m. docs/cost.md has the time. DLMF 19.2.5. */
+   m. docs/cost.md has the time of a call. DLMF 19.2.5. */
 VM_API vm_real jacobi_E_incomplete(vm_real phi, vm_real m)
 {
     const vm_two m1 = vmi_two_sum(1, -m);
@@ -3979,8 +3983,8 @@ VM_API vm_real vmi_D_part(vm_real s, vm_real c, vm_real m1)
     return s * third;
 }
 
-/* D(m) - D(theta | m) for 0 <= theta <= pi/2 and m <= 1, from s = sin theta and c = cos theta. With d = 1 - m s^2 it is
-   c (s/sqrt(d) + c^2 R_D(m1 s^2, m1, d)/3), a sum of positive terms. */
+/* Returns D(m) - D(theta | m) for 0 <= theta <= pi/2 and m <= 1, from s = sin theta and c = cos theta. With
+   d = 1 - m s^2 it is c (s/sqrt(d) + c^2 R_D(m1 s^2, m1, d)/3), a sum of positive terms. */
 VM_API vm_real vmi_D_complement(vm_real s, vm_real c, vm_real m1)
 {
     const vm_real cc = c * c, ss = s * s, d = cc + m1 * ss, lift = vmi_lift_of(m1 * ss, m1), more = lift * lift;
@@ -4007,8 +4011,8 @@ VM_API vm_real jacobi_D(vm_real m) { return vmi_D(1 - m); }
    Domain and accuracy are those of jacobi_D. Use it for m close to 1, where the difference 1 - m would lose digits. */
 VM_API vm_real jacobi_D_m1(vm_real m1) { return vmi_D(m1); }
 
-/* D(phi | m) for 1 - m = m1 + m1_lo. For phi between pi/2 and pi the difference 2 D(m) - D(pi - phi | m) would triple
-   the errors. Therefore the result of vmi_D_complement is added to D(m) there. */
+/* Returns D(phi | m) for 1 - m = m1 + m1_lo, a number in two words. For phi between pi/2 and pi the difference
+   2 D(m) - D(pi - phi | m) would triple the errors. Therefore the result of vmi_D_complement is added to D(m) there. */
 VM_API vm_real vmi_D_incomplete(vm_real phi, vm_real m1, vm_real m1_lo)
 {
     vmi_angle angle;
@@ -4052,9 +4056,9 @@ VM_INLINE vm_real vmi_share_below_pole(vm_real n, vm_real m1)
     return ((n - 1) * VM_C(0.25) + m1 * VM_C(0.25)) / (n * VM_C(0.25));
 }
 
-/* Pi(n; theta | m) for |theta| <= pi/2, from s = sin theta and c = cos theta, with 1 - m = m1. Let p = 1 - n s^2 and
-   d = 1 - m s^2. There are three cases. Each is a sum of positive terms, except for one term of the third case with
-   m > 0.
+/* Returns Pi(n; theta | m) for |theta| <= pi/2, from s = sin theta and c = cos theta, with 1 - m = m1. Let
+   p = 1 - n s^2 and d = 1 - m s^2. There are three formulas. Each is a sum of positive terms, except for one term of
+   the third formula with m > 0.
      n < 0: the characteristic N = (m - n)/(1 - n), which lies between m and 1, replaces n (DLMF 19.7.9), and q is
             1 - N s^2 = c^2 + s^2 m1/(1 - n);
      0 <= n and p > 0: s R_F + n s^3 R_J/3 (DLMF 19.25.14);
@@ -4126,10 +4130,10 @@ VM_API vm_real jacobi_Pi(vm_real n, vm_real m) { return vmi_Pi(n, m, 1 - m); }
    Domain and accuracy are those of jacobi_Pi. Use it for m close to 1, where the difference 1 - m would lose digits. */
 VM_API vm_real jacobi_Pi_m1(vm_real n, vm_real m1) { return vmi_Pi(n, 1 - m1, m1); }
 
-/* Pi(n | m) - Pi(n; theta | m) for n < 1 and 0 <= theta <= pi/2, from s = sin theta and c = cos theta. Let psi be the
-   angle for which tan theta tan psi = 1/k', and N = (m - n)/(1 - n). Then the result is the integral from 0 to psi of
-   (1 - m sin^2 x)/((1 - n)(1 - N sin^2 x)) dx/sqrt(1 - m sin^2 x). *exact becomes 1 if no digits are lost: for all
-   n <= 0, and for n > 0 if c^2 <= (1 - n) s^2. Otherwise *exact and the result are 0. */
+/* Returns Pi(n | m) - Pi(n; theta | m) for n < 1 and 0 <= theta <= pi/2, from s = sin theta and c = cos theta. Let psi
+   be the angle for which tan theta tan psi = 1/k', and N = (m - n)/(1 - n). Then the result is the integral from 0 to
+   psi of (1 - m sin^2 x)/((1 - n)(1 - N sin^2 x)) dx/sqrt(1 - m sin^2 x). *exact becomes 1 if no digits are lost: for
+   all n <= 0, and for n > 0 if c^2 <= (1 - n) s^2. Otherwise *exact and the result are 0. */
 VM_API vm_real vmi_Pi_complement(vm_real s, vm_real c, vm_real n, vm_real m1, int *exact)
 {
     const vm_real cc = c * c, ss = s * s, d = cc + m1 * ss;
@@ -4143,8 +4147,9 @@ VM_API vm_real vmi_Pi_complement(vm_real s, vm_real c, vm_real n, vm_real m1, in
     return lift * (c * (rf - third) / (1 - n));
 }
 
-/* Pi(n; phi | m) for 1 - m = m1 + m1_lo. For phi between pi/2 and pi, the difference 2 Pi(n | m) - Pi(n;
-   pi - phi | m) would triple the errors. Therefore the result of vmi_Pi_complement is added to Pi(n | m) there. */
+/* Returns Pi(n; phi | m) for 1 - m = m1 + m1_lo, a number in two words. For phi between pi/2 and pi, the difference
+   2 Pi(n | m) - Pi(n; pi - phi | m) would triple the errors. Therefore the result of vmi_Pi_complement is added to Pi(n
+   | m) there. */
 VM_API vm_real vmi_Pi_incomplete(vm_real phi, vm_real n, vm_real m, vm_real m1, vm_real m1_lo)
 {
     vmi_angle angle;
@@ -4174,7 +4179,7 @@ VM_API vm_real vmi_Pi_incomplete(vm_real phi, vm_real n, vm_real m, vm_real m1, 
    (float 1e4). For n > 1 Pi has poles where n sin^2 phi = 1. Beyond the first pole Pi is Cauchy's principal value. For
    n > 1 the error is at most 16 eps max(|F|, |Pi|), plus the effect of changing n by 4 ulp. The result is 0 for
    infinite n and m <= 1, and for m = -infinity. For m > 1 it is NaN where m sin^2 phi > 1, for |phi| > pi/2, and for
-   infinite m or n. docs/cost.md has the time. DLMF 19.2.7. */
+   infinite m or n. docs/cost.md has the time of a call. DLMF 19.2.7. */
 VM_API vm_real jacobi_Pi_incomplete(vm_real phi, vm_real n, vm_real m)
 {
     const vm_two m1 = vmi_two_sum(1, -m);
@@ -4223,8 +4228,8 @@ VM_API vm_real jacobi_inverse_sn(vm_real x, vm_real m) { return vmi_inverse_sn(x
    digits. */
 VM_API vm_real jacobi_inverse_sn_m1(vm_real x, vm_real m1) { return vmi_inverse_sn(x, m1); }
 
-/* Returns the inverse of cn for 1 - m = m1 + m1_lo. For x < 0 it is 2 K minus the inverse at |x|, which is at most
-   K. */
+/* Returns the inverse of cn for 1 - m = m1 + m1_lo, a number in two words. For x < 0 it is 2 K minus the inverse at
+   |x|, which is at most K. */
 VM_API vm_real vmi_inverse_cn(vm_real x, vm_real m1, vm_real m1_lo)
 {
     const vm_real ss = (1 - x) * (1 + x), cc = x * x;
@@ -4252,9 +4257,9 @@ VM_API vm_real jacobi_inverse_cn(vm_real x, vm_real m)
    digits. */
 VM_API vm_real jacobi_inverse_cn_m1(vm_real x, vm_real m1) { return vmi_inverse_cn(x, m1, 0); }
 
-/* Returns the inverse of dn for 1 - m = m1 + m1_lo. With s = sn u and c = cn u, m s^2 is 1 - x^2 and m c^2 is x^2 - m1.
-   x^2 - m1 is computed from the exact square of x. It may be negative if x is the rounded value of k'; then c is taken
-   as 0, and s as 1. */
+/* Returns the inverse of dn for 1 - m = m1 + m1_lo, a number in two words. With s = sn u and c = cn u, m s^2 is 1 - x^2
+   and m c^2 is x^2 - m1. x^2 - m1 is computed from the exact square of x. It may be negative if x is the rounded value
+   of k'; then c is taken as 0, and s as 1. */
 VM_API vm_real vmi_inverse_dn(vm_real x, vm_real m, vm_real m1, vm_real m1_lo)
 {
     const vm_real bound = VM_SQRT(m1);

@@ -108,15 +108,15 @@
      state is in work.
 
    MACROS, to be defined before the include
-     VM_USE_FLOAT         float instead of double (tests run both)
-     VM_API               linkage of the functions, default static inline
+     VM_USE_FLOAT         all numbers are float instead of double (tests run both)
+     VM_API               linkage of the functions; the default is static inline
      VM_INLINE            linkage of the functions that are fast only if they are inlined. If it is defined as VM_API,
                           the code is smaller and the results are the same.
      VM_SQRT, VM_FABS     the functions of the C library that are used; define either all of VM_SQRT, VM_FABS, VM_FLOOR
                           and VM_COPYSIGN, or none of them
-     VM_TABLE, VM_READ    storage of the tables, and how an element of one is read; define both or none. Default: static
-                          const and (x); on AVR static const PROGMEM and pgm_read_float(&(x)), so that tables take no
-                          RAM
+     VM_TABLE, VM_READ    storage of the tables, and how an element of one is read; define both or none. The defaults
+                          are static const and (x); on AVR they are static const PROGMEM and pgm_read_float(&(x)), so
+                          that tables take no RAM
      VM_ALLOW_FAST_MATH   lets the headers compile under -ffast-math or a part of it, but the checks for NaN do not work
                           then
      VM_MIXED_PRECISIONS  allows a program in which some files define VM_USE_FLOAT and others do not. Without it gcc and

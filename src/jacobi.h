@@ -14,8 +14,8 @@
 
    CONVENTIONS
      The variable comes first, then the parameter; results come last. The parameter is m = k^2, not the modulus k:
-     jacobi_K(0.25) is K for k = 1/2. SciPy, Mathematica and GSL's elljac take m too; Boost, C++17 and GSL's Kcomp
-     take k. Any m <= 1 is allowed, negative ones included. The complementary parameter is m1 = 1 - m, the
+     jacobi_K(0.25) is K for k = 1/2. In SciPy, Mathematica and GSL's elljac the argument is m, too; in Boost, C++17 and
+     GSL's Kcomp it is k. Any m <= 1 is allowed, also a negative m. The complementary parameter is m1 = 1 - m, the
      complementary modulus k' = sqrt(m1). The functions with the suffix _m1 take or return m1. Use them where m is close
      to 1: m1 then has all its digits, while a computed difference 1 - m has only a few. sn and cn have the period 4
      K(m), dn has 2 K(m). All arguments are pure numbers.
@@ -45,9 +45,9 @@
      integrals allow both); c < 0 in the functions jacobi_solve_...; NaN; infinite numbers, with these exceptions. The
      incomplete integrals, jacobi_D, jacobi_Pi, the inverses and Carlson's integrals return the limit at an infinite
      argument, and NaN where there is no limit. m = 1 gives the limits: K is infinite, E is 1, sn is tanh u, cn and dn
-     are 1/cosh u, for u = +-infinity too. A quotient such as sn/cn is infinite at its poles, where the denominator is 0. For a bad m
-     jacobi_plan_init returns -1 and leaves the plan as it was. Nothing else can fail. The functions allocate no memory
-     and keep no state; errno says nothing about their errors.
+     are 1/cosh u, for u = +-infinity too. A quotient such as sn/cn is infinite at its poles, where the denominator is
+     0. For a bad m jacobi_plan_init returns -1 and leaves the plan as it was. Nothing else can fail. The functions
+     allocate no memory and keep no state; errno says nothing about their errors.
 
    METHOD
      Where u^2 max(1, 1 - m) is small, (cn/sn)^2 at u/4 is computed by its power series (a Laurent series, since it
@@ -66,17 +66,17 @@
      subtraction loses digits, not even for m = 1.
 
    MACROS, to be defined before the include
-     VM_USE_FLOAT         float instead of double; the tests run both
-     VM_API               linkage of every function, default static inline
+     VM_USE_FLOAT         all numbers are float instead of double; the tests run both
+     VM_API               linkage of every function; the default is static inline
      VM_INLINE            linkage of the functions that are fast only if they are inlined. If it is defined as VM_API,
                           the code is smaller and the results are the same.
      VM_SQRT, VM_FABS, VM_FLOOR, VM_COPYSIGN
                           the functions of the C library that are used; define all four or none.
                           These functions are exact, so that results are the same on every machine, unless the compiler
                           fuses products and sums.
-     VM_TABLE, VM_READ    storage of the tables, and how an element of one is read; define both or none. Default:
-                          static const and (x); on AVR static const PROGMEM and pgm_read_float(&(x)), so that tables
-                          take no RAM
+     VM_TABLE, VM_READ    storage of the tables, and how an element of one is read; define both or none. The defaults
+                          are static const and (x); on AVR they are static const PROGMEM and pgm_read_float(&(x)), so
+                          that tables take no RAM
      VM_ALLOW_FAST_MATH   lets the headers compile under -ffast-math or a part of it, but none of the bounds below holds
                           then
      VM_MIXED_PRECISIONS  allows a program in which some files define VM_USE_FLOAT and others do not. Without it gcc and

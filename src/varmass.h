@@ -61,11 +61,11 @@
      their domain and for infinite arguments. An output may be the same variable as an input.
 
    MACROS, to be defined before the include
-     VM_USE_FLOAT         float instead of double (tests run both)
-     VM_API               linkage of the functions, default static inline
-     VM_TABLE, VM_READ    storage of the tables, and how an element of one is read; define both or none. Default:
-                          static const and (x); on AVR static const PROGMEM and pgm_read_float(&(x)), so that tables
-                          take no RAM
+     VM_USE_FLOAT         all numbers are float instead of double (tests run both)
+     VM_API               linkage of the functions; the default is static inline
+     VM_TABLE, VM_READ    storage of the tables, and how an element of one is read; define both or none. The defaults
+                          are static const and (x); on AVR they are static const PROGMEM and pgm_read_float(&(x)), so
+                          that tables take no RAM
      VM_SQRT, VM_FABS ... the functions of the C library that are used (define all of them or none)
      VM_ALLOW_FAST_MATH   lets the headers compile under -ffast-math or a part of it, but no result is promised to be
                           right then

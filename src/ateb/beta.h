@@ -229,8 +229,9 @@ VM_INLINE void vmi_beta_level(const vmi_beta_levels *l, vm_real n, vm_real befor
     *D = ((an * share) * ((an + l->b) * share)) * (next * (l->b - next));
 }
 
-/* Returns 1/f_0 from the levels 0 ... count. The fraction is evaluated from level `count` down to level 0, beginning
-   with a rough value of f_(count+1): an error of f_(n+1) hardly changes f_n. */
+/* Returns 1/f_0, where f_0 is the continued fraction of vmi_beta_levels with the levels 0 ... count. The fraction is
+   evaluated from level `count` down to level 0, beginning with a rough value of f_(count+1): an error of f_(n+1) hardly
+   changes f_n. */
 VM_API vm_real vmi_beta_backward(const vmi_beta_levels *l, int count)
 {
     vm_real f = (l->a + (vm_real)count) / 2, before, after = 1 / (l->a + 2 * (vm_real)count + 1), C, D;
@@ -403,7 +404,7 @@ VM_API int vmi_beta_limit_side(vm_real a, vm_real b)
    ulp each. a and b may also lie between 1e-4 and 1e5, where the function is less accurate and slower. If a or b is 0
    or infinite, p is the limit: 1 for x > 0 if all of the distribution moves to x = 0, and 0 for x < 1 if it moves to
    x = 1. The results are NaN for other a or b, if there is no limit, if x or y is negative, and if x + y is not 1.
-   docs/cost.md has the time. DLMF 8.17, equation (273). */
+   docs/cost.md has the time of a call. DLMF 8.17, equation (273). */
 VM_API void ateb_beta_inc_both(vm_real x, vm_real y, vm_real a, vm_real b, vm_real *p, vm_real *q)
 {
     const vm_real longest = VM_C(0.6); /* 1 minus a larger tail would lose digits; then logarithms are used */
@@ -497,8 +498,8 @@ typedef struct VM_TAG(vmi_beta_slope) {
     vm_real value, slope, bend;
 } vmi_beta_slope;
 
-/* Returns ln I_x(a, b) and its derivatives at t = ln(x/y) with an error of about 1e-8 (float 1e-4). ln_B is ln B(a,
-   b). */
+/* Returns ln I_x(a, b) and its derivatives with respect to t, at t = ln(x/y), with an error of about 1e-8 (float 1e-4).
+   ln_B is ln B(a, b). */
 VM_API vmi_beta_slope vmi_beta_rough(vm_real t, vm_real a, vm_real b, vm_real ln_B)
 {
     const vm_real tolerance = VM_MANT_DIG > 24 ? VM_C(1e-8) : VM_C(1e-4), least_ln = VM_C(-0.69) * VMI_BIAS;
@@ -607,7 +608,7 @@ VM_API vmi_beta_point vmi_beta_invert_both(vm_real p, vm_real q, vm_real a, vm_r
    makes. a and b may also lie between 1e-4 and 1e5, where the function is less accurate and slower. If a or b is 0 or
    infinite, x is the limit: 0 for p < 1 if all of the distribution moves to x = 0, and 1 for p > 0 if it moves to
    x = 1. The results are NaN for other a or b, if there is no limit, if p or q is negative, and if p + q is not 1.
-   docs/cost.md has the time. */
+   docs/cost.md has the time of a call. */
 VM_API void ateb_beta_inc_inv_both(vm_real p, vm_real q, vm_real a, vm_real b, vm_real *x, vm_real *y,
                                    vm_real *ln_x)
 {

@@ -105,8 +105,8 @@ VM_INLINE void vmi_ateb_signs(vm_real s, vm_real rest, vmi_bits quarter, vm_real
 /* sa(1, alpha, s) and ca(alpha, 1, s), the Ateb sine and cosine. s is any real number and alpha >= 0; both are pure
    numbers. |sa| <= 1 and |ca| <= 1. sa is odd in s and ca is even, to the last bit. The errors are at most 4 VM_EPSILON
    for |s| <= 1e9 (float 1e4), and at most 8 ulp for |s| <= 100 Pi_alpha, also next to the zeros of sa and ca. The
-   results are NaN for alpha < 0 and for NaN and infinite arguments. docs/cost.md has the time. Equations (275),
-   (276). */
+   results are NaN for alpha < 0 and for NaN and infinite arguments. docs/cost.md has the time of a call. Equations
+   (275), (276). */
 VM_API void ateb_saca(vm_real s, vm_real alpha, vm_real *sa, vm_real *ca)
 {
     vmi_ateb c;

@@ -424,7 +424,7 @@ VM_API void vmi_ateb_constants(vmi_ateb *c, vm_real alpha)
 
 /* Pi_alpha, half the period of sa and ca, for alpha >= 0. Pi_alpha = B(1/(alpha + 1), 1/2) is a pure number: 2 for
    alpha = 0, pi for alpha = 1, and close to alpha + 1 + 2 ln 2 for a large alpha. The error is at most 1 ulp. Returns
-   NaN for alpha < 0, NaN and infinite alpha. docs/cost.md has the time. Equation (277). */
+   NaN for alpha < 0, NaN and infinite alpha. docs/cost.md has the time of a call. Equation (277). */
 VM_API vm_real ateb_pi(vm_real alpha)
 {
     vmi_ateb c;

@@ -165,7 +165,7 @@ VM_API vm_real vmi_ateb_plan_reduce_finely(const ateb_plan *p, vm_real x, vm_rea
 /* sa and ca of the argument s for the plan's alpha. s may be any number. For alpha up to 1e6 and |s| <= 100 Pi_alpha,
    the error of a plan of full accuracy is at most 2 ulp (in float, next to a zero of sa or ca, 2 ulp plus the change
    that a change of s by 1e-13 |s| makes); any other plan has the accuracy that was given to ateb_plan_init_to. The
-   results are NaN for infinite and NaN s. docs/cost.md has the time. */
+   results are NaN for infinite and NaN s. docs/cost.md has the time of a call. */
 VM_API void ateb_plan_saca(const ateb_plan *p, vm_real s, vm_real *sa, vm_real *ca)
 {
     vm_real rest, near_zero, far_zero, lost, v, u;
@@ -220,9 +220,9 @@ enum { VMI_ATEB_BLOCK = 32 };
 #define VMI_ATEB_WIDE 0
 #endif
 
-/* Intermediate results for the arguments s of a block: |s| minus the nearest multiple of the quarter period, the bits
-   of the number of quarters, the distances r and d of s from the zeros of sa and ca with their rounding errors, and
-   base and tau of vmi_ateb_part_at */
+/* Intermediate results for the arguments s of a block. They are |s| minus the nearest multiple of the quarter period,
+   the bits of the number of quarters, the distances r and d of s from the zeros of sa and ca with their rounding
+   errors, and base and tau of vmi_ateb_part_at */
 typedef struct VM_TAG(vmi_ateb_block) {
     vmi_bits quarter[VMI_ATEB_BLOCK];
     vm_real rest[VMI_ATEB_BLOCK];

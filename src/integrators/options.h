@@ -87,7 +87,7 @@ typedef struct VM_TAG(rk45_options) {
 #define VMI_DEFAULT_RTOL VM_C(1e-4)
 #endif
 
-/* The options with each zero replaced by its default, and with rtol raised to least_rtol */
+/* Returns the options with each zero replaced by its default, and with rtol raised to at least least_rtol. */
 VM_API rk45_options vmi_defaults(vm_real least_rtol, const rk45_options *options_or_NULL)
 {
     rk45_options o = {0, 0, 0, 0, 0, 0, NULL, NULL, 0, 0};
@@ -161,8 +161,8 @@ VM_API int vmi_an_event_stops(const rk45_options *o)
     return 0;
 }
 
-/* Tolerance of component i in a step, atol + rtol |y|, where y is the value of the component. VM_MIN is added so that
-   the result is positive. */
+/* Returns the tolerance of component i in a step, atol + rtol |y|, where y is the value of the component. VM_MIN is
+   added so that the result is positive. */
 VM_INLINE vm_real vmi_tolerance(const rk45_options *o, int i, vm_real y)
 {
     return vmi_atol(o, i) + o->rtol * VM_FABS(y) + VM_MIN;

@@ -130,10 +130,10 @@ VM_API vm_real vmi_E_series(vm_real x)
 #endif
 }
 
-/* Returns K for 1 - m = m1 + m1_lo. Where VMI_MIDDLE(m1) is 1, K comes from two steps of the arithmetic-geometric mean
-   and the series S(x) of vmi_K_series: K = 2 pi (1 + x S)/(1 + f)^2 with f^2 = k' and x = ((1 - f)/(1 + f))^4. For
-   m > 0.971 K comes from logarithms (vmi_K_by_log), and so it does for m < -33.5, since k' K(m) = K(mu) for the
-   parameter mu with 1 - mu = 1/(1 - m). */
+/* Returns K for 1 - m = m1 + m1_lo, a number in two words. Where VMI_MIDDLE(m1) is 1, K comes from two steps of the
+   arithmetic-geometric mean and the series S(x) of vmi_K_series: K = 2 pi (1 + x S)/(1 + f)^2 with f^2 = k' and
+   x = ((1 - f)/(1 + f))^4. For m > 0.971 K comes from logarithms (vmi_K_by_log), and so it does for m < -33.5, since k'
+   K(m) = K(mu) for the parameter mu with 1 - mu = 1/(1 - m). */
 VM_API vm_real vmi_K(vm_real m1, vm_real m1_lo)
 {
     vm_two K, root;
@@ -155,8 +155,8 @@ VM_API vm_real vmi_K(vm_real m1, vm_real m1_lo)
     return quotient + (K.lo - quotient * root.lo) / root.hi;
 }
 
-/* Returns E for 1 - m = m1 + m1_lo. Where VMI_MIDDLE(m1) is 1, E comes from vmi_E_series, for m > 0.971 from
-   vmi_E_rest, and for m < -33.5 from E(m) = k' E(mu) for the parameter mu with 1 - mu = 1/(1 - m). */
+/* Returns E for 1 - m = m1 + m1_lo, a number in two words. Where VMI_MIDDLE(m1) is 1, E comes from vmi_E_series, for
+   m > 0.971 from vmi_E_rest, and for m < -33.5 from E(m) = k' E(mu) for the parameter mu with 1 - mu = 1/(1 - m). */
 VM_API vm_real vmi_E(vm_real m1, vm_real m1_lo)
 {
     vm_two root;

@@ -37,8 +37,8 @@ VM_API vm_real jacobi_inverse_sn(vm_real x, vm_real m) { return vmi_inverse_sn(x
    digits. */
 VM_API vm_real jacobi_inverse_sn_m1(vm_real x, vm_real m1) { return vmi_inverse_sn(x, m1); }
 
-/* Returns the inverse of cn for 1 - m = m1 + m1_lo. For x < 0 it is 2 K minus the inverse at |x|, which is at most
-   K. */
+/* Returns the inverse of cn for 1 - m = m1 + m1_lo, a number in two words. For x < 0 it is 2 K minus the inverse at
+   |x|, which is at most K. */
 VM_API vm_real vmi_inverse_cn(vm_real x, vm_real m1, vm_real m1_lo)
 {
     const vm_real ss = (1 - x) * (1 + x), cc = x * x;
@@ -66,9 +66,9 @@ VM_API vm_real jacobi_inverse_cn(vm_real x, vm_real m)
    digits. */
 VM_API vm_real jacobi_inverse_cn_m1(vm_real x, vm_real m1) { return vmi_inverse_cn(x, m1, 0); }
 
-/* Returns the inverse of dn for 1 - m = m1 + m1_lo. With s = sn u and c = cn u, m s^2 is 1 - x^2 and m c^2 is x^2 - m1.
-   x^2 - m1 is computed from the exact square of x. It may be negative if x is the rounded value of k'; then c is taken
-   as 0, and s as 1. */
+/* Returns the inverse of dn for 1 - m = m1 + m1_lo, a number in two words. With s = sn u and c = cn u, m s^2 is 1 - x^2
+   and m c^2 is x^2 - m1. x^2 - m1 is computed from the exact square of x. It may be negative if x is the rounded value
+   of k'; then c is taken as 0, and s as 1. */
 VM_API vm_real vmi_inverse_dn(vm_real x, vm_real m, vm_real m1, vm_real m1_lo)
 {
     const vm_real bound = VM_SQRT(m1);

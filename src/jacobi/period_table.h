@@ -265,8 +265,8 @@ typedef struct VM_TAG(vmi_period) {
 #define VMI_MIDDLE_GRID VM_C(768.0)
 #endif
 
-/* Returns K for 1 - m = m1 + m1_lo, where kp is k' in one word and VMI_IN_PERIOD_TABLE(kp) is 1. The relative error is
-   below 2^-71 (float 2^-36).
+/* Returns K for 1 - m = m1 + m1_lo, a number in two words, where kp is k' in one word and VMI_IN_PERIOD_TABLE(kp) is 1.
+   The relative error is below 2^-71 (float 2^-36).
    Method: t is the sum of head, which has at most 14 digits (float 10), and a tail. b1, b2, ... are the products of the
    heads of c_1, c_2, ... and the powers of head; they are exact. The sums in which K.middle is subtracted are exact,
    too. All other terms are so small that one word is enough for them. The variable t has one word and does not contain

@@ -83,7 +83,8 @@ VM_API void vmi_plan_prepare(jacobi_plan *p, vm_real longest)
     }
 }
 
-/* Prepares a plan for 1 - m = m1 + m1_lo. Returns 0, or -1 where no elliptic function has this parameter. */
+/* Prepares a plan for 1 - m = m1 + m1_lo, a number in two words. Returns 0, or -1 where no elliptic function has this
+   parameter. */
 VM_API int vmi_plan_init(jacobi_plan *p, vm_real m1, vm_real m1_lo)
 {
     vmi_three K;
@@ -181,7 +182,7 @@ VM_INLINE int vmi_plan_is_close(vm_real rest, vm_real u) { return VM_FABS(rest) 
 
 /* sn, cn and dn of the argument u for the plan's parameter.
    u may be any number; the accuracy is that of jacobi_sncndn. The results are NaN for infinite u, unless m = 1.
-   docs/cost.md has the time. */
+   docs/cost.md has the time of a call. */
 VM_API void jacobi_plan_sncndn(const jacobi_plan *p, vm_real u, vm_real *sn, vm_real *cn, vm_real *dn)
 {
     const vm_real x = VM_FABS(u);
@@ -240,7 +241,8 @@ VM_API void vmi_plan_mend_close(const jacobi_plan *p, int n, const vm_real *u, v
 
 /* sn, cn and dn of the n arguments in the array u, for the plan's parameter. The arrays sn, cn, dn have n elements each
    and overlap neither each other nor u. The values are those of jacobi_plan_sncndn; where the compiler fuses
-   multiplications and additions, the last bits may depend on the index in the array. docs/cost.md has the time. */
+   multiplications and additions, the last bits may depend on the index in the array. docs/cost.md has the time of a
+   call. */
 VM_API void jacobi_plan_sncndn_array(const jacobi_plan *p, int n, const vm_real *u, vm_real *sn, vm_real *cn,
                                      vm_real *dn)
 {
