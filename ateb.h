@@ -105,7 +105,7 @@
                             was made for
      phase                  <= 8 ulp plus the change of s that 6 ulp of sa and of ca make, where sa and ca come from
                             ateb_saca
-     beta, mean, Pi(n, m)   <= 1 ulp, 2 ulp and 1 ulp
+     beta, mean, Pi(n, m)   <= 1 ulp, 2 ulp and 1 ulp, in this order
      beta_inc               <= 30 ulp of p = I_x(a, b) and of q = 1 - p
      beta_inc_inv           <= 16 ulp of x and of y = 1 - x, plus the change that one ulp of the smaller of p and q
                             makes
@@ -344,7 +344,7 @@ VM_API vm_real vmi_copysign(vm_real x, vm_real y)
     return x;
 }
 
-/* The larger and the smaller of two numbers. Both functions return b if a or b is NaN. */
+/* These functions return the larger and the smaller of two numbers. Both functions return b if a or b is NaN. */
 VM_INLINE vm_real vmi_larger(vm_real a, vm_real b) { return a > b ? a : b; }
 VM_INLINE vm_real vmi_smaller(vm_real a, vm_real b) { return a < b ? a : b; }
 
@@ -648,21 +648,24 @@ VM_API vm_real vmi_head(vm_real x)
     return vmi_from_bits(vmi_to_bits(x) & ~(above - 1));
 }
 
-/* The product x y of numbers in two words; the relative error is below 2^-(2p - 4) */
+/* Returns the product x y of numbers in two words. The relative error is below 2^-(2p - 4) with p binary digits of
+   vm_real. */
 VM_API vm_two vmi_two_times(vm_two x, vm_two y)
 {
     vm_two p = vmi_two_product(x.hi, y.hi);
     return vmi_two_sum(p.hi, p.lo + (x.hi * y.lo + x.lo * y.hi));
 }
 
-/* The sum x + y of numbers in two words; the error is below 2^-(2p - 4) of the larger term */
+/* Returns the sum x + y of numbers in two words. The error is below 2^-(2p - 4) times the larger term, with p binary
+   digits of vm_real. */
 VM_API vm_two vmi_two_plus(vm_two x, vm_two y)
 {
     vm_two s = vmi_two_sum(x.hi, y.hi);
     return vmi_two_sum(s.hi, s.lo + (x.lo + y.lo));
 }
 
-/* The quotient x / y of numbers in two words; the relative error is below 2^-(2p - 4) */
+/* Returns the quotient x / y of numbers in two words. The relative error is below 2^-(2p - 4) with p binary digits of
+   vm_real. */
 VM_API vm_two vmi_two_over(vm_two x, vm_two y)
 {
     vm_real z = vmi_rounded(x.hi / y.hi);
@@ -687,7 +690,7 @@ VM_API vmi_three vmi_three_words(vm_real a, vm_real b, vm_real c)
     return x;
 }
 
-/* The sum x + y of numbers in three words */
+/* Returns the sum x + y of numbers in three words. */
 VM_API vmi_three vmi_three_plus(vmi_three x, vmi_three y)
 {
     const vm_two high = vmi_two_sum(x.hi, y.hi), mid = vmi_two_sum(x.mid, y.mid);
@@ -695,7 +698,7 @@ VM_API vmi_three vmi_three_plus(vmi_three x, vmi_three y)
     return vmi_three_words(high.hi, sum.hi, sum.lo + mid.lo + (x.lo + y.lo));
 }
 
-/* The product x y of numbers in three words */
+/* Returns the product x y of numbers in three words. */
 VM_API vmi_three vmi_three_times(vmi_three x, vmi_three y)
 {
     const vm_two p = vmi_two_product(x.hi, y.hi), a = vmi_two_product(x.hi, y.mid);
@@ -705,7 +708,8 @@ VM_API vmi_three vmi_three_times(vmi_three x, vmi_three y)
                            mid.lo + sum.lo + (a.lo + b.lo) + (x.hi * y.lo + x.mid * y.mid + x.lo * y.hi));
 }
 
-/* The quotient x / y of numbers in three words, by long division: each of three steps gives a word of the quotient */
+/* Returns the quotient x / y of numbers in three words, by long division: each of three steps gives a word of the
+   quotient. */
 VM_API vmi_three vmi_three_over(vmi_three x, vmi_three y)
 {
     vm_real quotient[3];
@@ -717,16 +721,17 @@ VM_API vmi_three vmi_three_over(vmi_three x, vmi_three y)
     return vmi_three_words(quotient[0], quotient[1], quotient[2]);
 }
 
-/* The fourth power of x */
+/* Returns the fourth power of x. */
 VM_API vm_real vmi_fourth_power(vm_real x) { return (x * x) * (x * x); }
 
-/* The product of x and a power of two, which is exact */
+/* Returns the product of x and a power of two, which is exact. */
 VM_API vmi_three vmi_three_scaled(vmi_three x, vm_real power)
 {
     return vmi_three_words(x.hi * power, x.mid * power, x.lo * power);
 }
 
-/* The square root of a. It starts as the root of the first word; then two steps of Newton's method add a word each. */
+/* Returns the square root of a. It starts as the root of the first word; then two steps of Newton's method add a word
+   each. */
 VM_API vmi_three vmi_three_sqrt(vmi_three a)
 {
     const vm_real root = VM_SQRT(a.hi);
@@ -739,7 +744,7 @@ VM_API vmi_three vmi_three_sqrt(vmi_three a)
     return x;
 }
 
-/* The number pi/2 in three words */
+/* Returns the number pi/2 in three words. */
 VM_API vmi_three vmi_half_pi(void)
 {
 #if VM_MANT_DIG > 24
@@ -758,7 +763,7 @@ VM_API vm_real vmi_root_residual(vm_real a, vm_real root)
     return ((a - head * head) - 2 * head * tail) - tail * tail;
 }
 
-/* The square root of a + a_lo in two words, where a_lo is below an ulp of a */
+/* Returns the square root of a + a_lo in two words, where a_lo is below an ulp of a. */
 VM_API vm_two vmi_root(vm_real a, vm_real a_lo)
 {
     const vm_real root = vmi_rounded(VM_SQRT(a));
@@ -773,20 +778,20 @@ VM_INLINE vm_real vmi_clamp(vm_real x, vm_real low, vm_real high)
     return x;
 }
 
-/* The product of x and a power of two, which is exact */
+/* Returns the product of x and a power of two, which is exact. */
 VM_API vm_two vmi_two_shifted(vm_two x, vm_real power) { return vmi_two(x.hi * power, x.lo * power); }
 
-/* The difference x - y of numbers in two words */
+/* Returns the difference x - y of numbers in two words. */
 VM_API vm_two vmi_two_minus(vm_two x, vm_two y) { return vmi_two_plus(x, vmi_two(-y.hi, -y.lo)); }
 
-/* The square root of x >= 0. For x below 2^-500 (float 2^-80) the low word of the result is not reliable. */
+/* Returns the square root of x >= 0. For x below 2^-500 (float 2^-80) the low word of the result is not reliable. */
 VM_API vm_two vmi_two_root(vm_two x)
 {
     if (x.hi > 0) return vmi_root(x.hi, x.lo);
     return vmi_two(0, 0);
 }
 
-/* The number -x */
+/* Returns the number -x. */
 VM_API vm_two vmi_minus(vm_two x)
 {
     x.hi = -x.hi;
@@ -794,7 +799,7 @@ VM_API vm_two vmi_minus(vm_two x)
     return x;
 }
 
-/* The number x / 2 */
+/* Returns the number x / 2. */
 VM_API vm_two vmi_half(vm_two x)
 {
     x.hi /= 2;
@@ -802,15 +807,15 @@ VM_API vm_two vmi_half(vm_two x)
     return x;
 }
 
-/* The product of x and a factor of one word */
+/* Returns the product of x and a factor of one word. */
 VM_API vm_two vmi_two_scaled(vm_two x, vm_real factor)
 {
     vm_two p = vmi_two_product(x.hi, factor);
     return vmi_fast_two_sum(p.hi, p.lo + x.lo * factor);
 }
 
-/* The sum a b + c d of two products, with a relative error of at most 2 eps, even where the products nearly cancel each
-   other. No product may underflow. */
+/* Returns the sum a b + c d of two products, with a relative error of at most 2 eps, even where the products nearly
+   cancel each other. No product may underflow. */
 VM_API vm_real vmi_sum_of_products(vm_real a, vm_real b, vm_real c, vm_real d)
 {
     const vm_two ab = vmi_two_product(a, b), cd = vmi_two_product(c, d);
@@ -892,8 +897,8 @@ VM_API vm_real vmi_ateb_coefficient(int which_word, int i)
 /* The degree of the polynomial of vmi_ateb_coefficient */
 enum { VMI_ATEB_DEGREE = VM_MANT_DIG > 24 ? 33 : 17 };
 
-/* The polynomial of vmi_ateb_coefficient in two words. From index TWO_WORDS on the coefficients are so small that one
-   word is enough. Each coefficient exceeds the sum of the terms after it, so that the faster sum by Dekker
+/* Returns the polynomial of vmi_ateb_coefficient in two words. From index TWO_WORDS on the coefficients are so small
+   that one word is enough. Each coefficient exceeds the sum of the terms after it, so that the faster sum by Dekker
    (vmi_fast_two_sum) is enough for the high words. */
 VM_API vm_two vmi_ateb_polynomial(vm_two t)
 {
@@ -1849,8 +1854,8 @@ VM_INLINE vm_real vmi_ateb_exp2(vm_real whole, vm_real rest)
      w, x    v^2 and 1 - w = u^(alpha+1)
      y, X    2 q d and y^(alpha+1)
      p       (1 - v)/2
-   They satisfy two equations. The second one follows from the quadratic transformation of 2F1(1/2, q; 1 + q; x), DLMF
-   15.8(iii), and defines T:
+   These numbers satisfy two equations. The second one follows from the quadratic transformation of
+   2F1(1/2, q; 1 + q; x) (DLMF 15.8(iii)) and defines T:
      r = B_w(1/2, q)/2 = v u 2F1(1, q + 1/2; 3/2; w),
      2 q d = q B_x(q, 1/2) = u (1 + q T), where 1 + q T = 2F1(1, 2q; 1 + q; p).
 
@@ -1877,7 +1882,7 @@ enum { VMI_ATEB_W_LEVELS = VM_MANT_DIG > 24 ? 12 : 6, VMI_ATEB_P_LEVELS = VM_MAN
 
 /* Computes Y_1 = P/Q of Gauss's continued fraction (see above) without a division. Y is the value of Y_(levels+1).
    Element j of e_by_z is e_(j+1)/z, beginning with e_1/z. These elements do not depend on z, so that the processor
-   computes them while it waits for z. */
+   can compute them while it waits for z. */
 VM_INLINE void vmi_ateb_fraction(const vm_real *e_by_z, vm_real z, int levels, vm_real Y, vm_real *P, vm_real *Q)
 {
     int j;
@@ -1934,10 +1939,10 @@ VM_API vm_real vmi_ateb_power_rest(vm_real t, vm_real q)
     return -l - l * z * vmi_ateb_exp_series(z);
 }
 
-/* sa and ca at the distance r from the zero of sa, for 0 <= r <= VMI_ATEB_CHANGE_OVER. q is 1/(alpha + 1). `guess` is
-   the power series of sa up to r^9, which is right to 1e-5; its coefficients are polynomials in k = 1 - q. v is the
-   guess shortened to half of its digits, so that w = v^2 is exact. u is the ca that belongs to sa = v, and h is r minus
-   the r that belongs to v. A Taylor series in e = h/u gives sa and ca. */
+/* Computes sa and ca at the distance r from the zero of sa, for 0 <= r <= VMI_ATEB_CHANGE_OVER. q is 1/(alpha + 1).
+   `guess` is the power series of sa up to r^9, which is right to 1e-5; its coefficients are polynomials in k = 1 - q. v
+   is the guess shortened to half of its digits, so that w = v^2 is exact. u is the ca that belongs to sa = v, and h is
+   r minus the r that belongs to v. A Taylor series in e = h/u gives sa and ca. */
 VM_API void vmi_ateb_near_sa_zero(vm_real r, vm_real q, vm_real *sa, vm_real *ca)
 {
     const vm_real k = 1 - q, rr = r * r, b = q + VM_C(0.5);
@@ -1980,7 +1985,7 @@ VM_INLINE vm_two vmi_ateb_twice_q_times(vm_two twice_q, vm_real d, vm_real d_lo)
 {
     const vm_real q = twice_q.hi, q_head = vmi_head(q), d_head = vmi_head(d);
     vm_two y;
-    y.hi = q * d + 0; /* "+ 0": see vmi_two_product */
+    y.hi = q * d + 0; /* "+ 0" keeps the compiler from fusing (vmi_two_product) */
     y.lo = (q_head * d_head - y.hi) + (q_head * (d - d_head) + (q - q_head) * d) + (twice_q.lo * d + q * d_lo);
     return y;
 }
@@ -2020,8 +2025,8 @@ VM_INLINE vm_real vmi_ateb_guess_p(vm_real q, vm_real X4)
            (X4 + (X4 * X4) * (X4 * X4) * (q * k * (lack0 + X4 * lack1)));
 }
 
-/* sa and ca at the distances r >= VMI_ATEB_CHANGE_OVER from the zero of sa and d from the zero of ca. The numbers
-   q = 1/(alpha + 1), y = 2 q d and X = y^(alpha+1) are known. The unknown is p = (1 - sa)/2. From p follow
+/* Computes sa and ca at the distances r >= VMI_ATEB_CHANGE_OVER from the zero of sa and d from the zero of ca. The
+   numbers q = 1/(alpha + 1), y = 2 q d and X = y^(alpha+1) are known. The unknown is p = (1 - sa)/2. From p follow
      v = sa = 1 - 2 p,   x = 1 - v^2 = 4 p (1 - p),   u = ca = x^q,   E = 2F1(1, 2q; 1 + q; p).
    They satisfy y = u E, so that p is the solution of ln X = ln x + (alpha + 1) ln E. The derivatives with respect to ln
    X are
@@ -2763,8 +2768,7 @@ VM_INLINE void vmi_ateb_block_sums(const ateb_plan *p, int length, const vmi_ate
 
 /* Computes sa and ca of a block of arguments, each with |s| < p->longest. The number of terms is a constant in each of
    the calls, so that compilers can vectorise the loop over the arguments. Arguments next to a zero of sa or ca are
-   computed once more, one by one. The plan is copied: the compiler then knows
-   that the results do not change it. */
+   computed once more, one by one. The plan is copied: the compiler then knows that the results do not change it. */
 VM_API void vmi_ateb_block_saca(const ateb_plan *plan, const vm_real *s, vm_real *sa, vm_real *ca)
 {
     const ateb_plan p = *plan;
@@ -3218,7 +3222,7 @@ VM_API vm_real vmi_beta_backward(const vmi_beta_levels *l, int count)
    evaluated once more, from its last level. */
 VM_API vm_real vmi_beta_fraction(vm_real x, vm_real y, vm_real a, vm_real b, vm_real tolerance)
 {
-    enum { MOST = 20000, SAFE = 20 }; /* MOST stops the loop for a NaN; some 250 levels are enough otherwise */
+    enum { MOST = 20000, SAFE = 20 }; /* MOST stops the loop for a NaN; otherwise about 250 levels are enough */
     const vmi_beta_levels l = vmi_beta_levels_of(x, y, a, b);
     vm_real P0 = 1, Q0 = 0, P1, Q1 = 1, P2, Q2, C, D, D_next, last, ratio = 0, before, after = 1 / (a + 1);
     int levels = 0;
@@ -3316,9 +3320,9 @@ VM_API vm_two vmi_beta_ln_tail(vmi_beta_point at, vm_real a, vm_real b, vm_two l
     return vmi_two_plus(ln_density, f);
 }
 
-/* Computes *ln_p = ln I_x(a, b) and *ln_q = ln I_y(b, a), where y = 1 - x, from ln_density = ln(x^a y^b/B(a, b)). One
-   of them is computed directly: the one that belongs to the shorter tail of the beta distribution. The other one
-   follows from p + q = 1. */
+/* Computes *ln_p = ln I_x(a, b) and *ln_q = ln I_y(b, a), where y = 1 - x, from ln_density = ln(x^a y^b/B(a, b)). For
+   x <= (a + 1)/(a + b + 2) *ln_p is computed directly, for a larger x *ln_q is. The other logarithm follows from
+   p + q = 1. */
 VM_API void vmi_beta_tails(const vmi_beta_point *at, vm_real a, vm_real b, vm_two ln_density, vm_two *ln_p,
                            vm_two *ln_q)
 {

@@ -358,7 +358,7 @@ VM_API vm_real vmi_copysign(vm_real x, vm_real y)
     return x;
 }
 
-/* The larger and the smaller of two numbers. Both functions return b if a or b is NaN. */
+/* These functions return the larger and the smaller of two numbers. Both functions return b if a or b is NaN. */
 VM_INLINE vm_real vmi_larger(vm_real a, vm_real b) { return a > b ? a : b; }
 VM_INLINE vm_real vmi_smaller(vm_real a, vm_real b) { return a < b ? a : b; }
 
@@ -804,8 +804,8 @@ typedef struct VM_TAG(vmi_event_past) {
 } vmi_event_past;
 
 /* An event of a run: it happens when g(t, y) reaches zero or changes its sign. The caller makes an array of events, to
-   which the field `events` of rk45_options points, sets all fields to 0 first, and then the fields from g to stop_after
-   that it needs. The integrator sets the fields from count on. */
+   which the field `events` of rk45_options points. The caller sets all fields to 0 first, and then sets those of the
+   fields from g to stop_after that it needs. The integrator sets the fields from count on. */
 typedef struct VM_TAG(ode_event) {
     ode_event_function g; /* the function whose zeros are the event */
     void *ctx;            /* pointer that g and change receive */
@@ -869,7 +869,7 @@ VM_API rk45_options vmi_defaults(vm_real least_rtol, const rk45_options *options
     return o;
 }
 
-/* The absolute tolerance of component i */
+/* Returns the absolute tolerance of component i. */
 VM_INLINE vm_real vmi_atol(const rk45_options *o, int i) { return o->atol_each ? o->atol_each[i] : o->atol; }
 
 /* Returns 1 if every component has a tolerance and no tolerance is negative or NaN, else 0. */
@@ -1022,10 +1022,10 @@ typedef struct VM_TAG(vmi_rk_stepper) {
 #define VMI_LOOP VM_INLINE
 #endif
 
-/* The index of the part of work that contains f at the end of a step */
+/* Returns the index of the part of work that contains f at the end of a step. */
 VMI_FOLDED int vmi_last_k(const vmi_rk_pair *pair) { return VMI_K + pair->stages - pair->last_is_first; }
 
-/* The least rtol that a run by this pair accepts */
+/* Returns the least rtol that a run by this pair accepts. */
 VMI_FOLDED vm_real vmi_least_rtol(const vmi_rk_pair *pair) { return (vm_real)pair->rounding * VM_EPSILON; }
 
 /* Macros for the stages of a pair. VMI_H is h times a coefficient. VMI_EVAL evaluates k = f(t, y) and counts it; if f
@@ -1334,8 +1334,8 @@ typedef int32_t vmi_signed_bits;
 
 /* Returns x^p with an error of at most 1.6 % where |p| <= 0.2 and the result is from 0.1 to 10. x must be positive, and
    the result must neither overflow nor underflow. The bits of x, taken as an integer, give a logarithm of x that is
-   piecewise linear; `middle` is half the largest error of this logarithm. The exponential function is computed as
-   (1 + v + v^2/2)^16. */
+   piecewise linear; `middle` is half the largest error of this logarithm. The exponential function e^(16 v) is computed
+   as (1 + v + v^2/2)^16. */
 VM_INLINE vm_real vmi_pow_rough(vm_real x, vm_real p)
 {
     const vm_real ln2 = VM_C(0.69314718055994531), middle = VM_C(0.043);
@@ -1401,10 +1401,10 @@ VM_INLINE vm_real vmi_least_step(const rk45_options *o, vm_real t)
     return VMI_LARGER(least, o->h_min);
 }
 
-/* The time from the state y to t_end, negative if the run goes backward */
+/* Returns the time from the state y to t_end, negative if the run goes backward. */
 VM_INLINE vm_real vmi_time_left(const rk45 *s, vm_real t_end) { return (t_end - s->t) - s->t_low; }
 
-/* The direction of the run to t_end: 1 forward, -1 backward */
+/* Returns the direction of the run to t_end: 1 forward, -1 backward. */
 VM_INLINE vm_real vmi_direction(const rk45 *s, vm_real t_end) { return vmi_time_left(s, t_end) < 0 ? -1 : 1; }
 
 /* Returns the factor by which the step size changes after an accepted step, by PI control (Hairer et al. [2, IV.2]). It
@@ -1445,7 +1445,7 @@ typedef struct VM_TAG(vmi_progress) {
     int stopped;                    /* number that f returned last; if it is not 0, the run stops */
 } vmi_progress;
 
-/* The fields that change from step to step, as they are before the loop */
+/* Returns the fields that change from step to step, as they are before the loop. */
 VMI_FOLDED vmi_progress vmi_begin_progress(const rk45 *s, vm_real t_end)
 {
     vmi_progress p;
@@ -1534,8 +1534,9 @@ VMI_FOLDED int vmi_choose_step(const rk45_options *o, vm_real t_end, vmi_progres
     return status;
 }
 
-/* The number of steps within the tolerance that must lie between two steps that may miss it. After a jump of f there
-   are three such steps, 1, 10 and 100 times as long as the smallest step; next to a singularity of f there are none. */
+/* The number of steps within the tolerance that must lie between two steps that miss the tolerance. After a jump of f
+   there are three such steps, 1, 10 and 100 times as long as the smallest step; next to a singularity of f there are
+   none. */
 enum { VMI_BETWEEN_MISSES = 3 };
 
 /* Undoes the last accepted step, which missed the tolerance */
@@ -1731,7 +1732,7 @@ VM_API void vmi_take_back_step(rk45 *s)
 #ifndef VARMASS_INTEGRATORS_EVENTS_H
 #define VARMASS_INTEGRATORS_EVENTS_H
 
-/* The sign of x: 1, 0 or -1 */
+/* Returns the sign of x: 1, 0 or -1. */
 VM_API int vmi_sign(vm_real x) { return (x > 0) - (x < 0); }
 
 /* Stands for the place of an event that does not happen in the step. A place is a fraction of the step, from 0 to 1. */
@@ -1766,7 +1767,7 @@ VM_API int vmi_watch_events(rk45 *s)
     return ODE_OK;
 }
 
-/* The time at the fraction x of the last step */
+/* Returns the time at the fraction x of the last step. */
 VM_API vm_real vmi_time_inside(const rk45 *s, vm_real x)
 {
     if (x == 1) return s->t;
@@ -2347,7 +2348,8 @@ VM_INLINE vm_real vmi_last_time(vm_real t_end)
     return t_end;
 }
 
-/* Returns the status of a run to t_end whose steps have ended with `status`. No run reaches an infinite t_end. */
+/* Returns the status of a run to t_end whose steps have ended with `status`. This is ODE_STEP_TOO_SMALL if t_end is
+   infinite and the steps have ended without an error or an event. */
 VM_INLINE int vmi_end_solve(vm_real t_end, int status)
 {
     if (!VM_IS_FINITE(t_end) && (status == ODE_OK || status == ODE_STIFF)) return ODE_STEP_TOO_SMALL;
@@ -2457,7 +2459,7 @@ VMI_APART void vmi_rk45_inside(const rk45 *s, vm_real x, vm_real *y)
     vmi_weigh_inside(s, 7, b, x, y);
 }
 
-/* The descriptor of rk45: its vmi_rk_pair */
+/* Returns the descriptor of rk45: its vmi_rk_pair. */
 VMI_FOLDED vmi_rk_pair vmi_rk45_pair(void)
 {
     vmi_rk_pair pair;
@@ -2864,7 +2866,7 @@ VMI_APART void vmi_rk87_inside(const rk45 *s, vm_real x, vm_real *y)
     vmi_weigh_inside(s, VMI_RK87_OWN + VMI_RK87_EXTRA, b, x, y);
 }
 
-/* The descriptor of rk87: its vmi_rk_pair */
+/* Returns the descriptor of rk87: its vmi_rk_pair. */
 VMI_FOLDED vmi_rk_pair vmi_rk87_pair(void)
 {
     vmi_rk_pair pair;
@@ -3161,7 +3163,7 @@ VM_API void vmi_saved_move_event(vmi_saved_place *p, ode_event *e)
     vmi_saved_int(p, &e->happens);
 }
 
-/* Number of vm_reals in the work of the run s that belong to the integrator */
+/* Returns the number of vm_real numbers in the work of the run s that belong to the integrator. */
 VM_API long vmi_saved_numbers(const rk45 *s) { return (long)(VMI_K + s->pair.derivatives) * s->n; }
 
 /* Writes all numbers of the run, its work and its events, or reads them */
@@ -3196,7 +3198,7 @@ VM_API void vmi_saved_move_run(vmi_saved_place *p, rk45 *s)
     for (i = 0; i < s->options.n_events; i++) vmi_saved_move_event(p, s->options.events + i);
 }
 
-/* The numbers at the beginning of a saved run */
+/* Writes the numbers at the beginning of a saved run. */
 VM_API void vmi_saved_head(const rk45 *s, int *head)
 {
     head[VMI_SAVED_FORMAT] = VMI_SAVED_FORMAT_NOW;
@@ -3231,7 +3233,7 @@ VM_API uint32_t vmi_saved_checksum(const unsigned char *bytes, long count)
     return sum;
 }
 
-/* Number of bytes of the saved run s */
+/* Returns the number of bytes of the saved run s. */
 VM_API long vmi_saved_size(const rk45 *s)
 {
     return (long)VMI_SAVED_RUN_BYTES + vmi_saved_numbers(s) * (long)sizeof(vm_real) +

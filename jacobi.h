@@ -102,14 +102,15 @@
                   not determine the phase: then sn = 0 and cn = dn = 1.
      K, E         <= 2 ulp
      k'K          <= 5 ulp
-     means        <= 8 ulp
-     quotients    <= 8 ulp; the amplitude has the same bound
+     means        <= 8 ulp, for the means of cn^2, cn^4 and cn^6
+     quotients    <= 8 ulp, for sn/cn and the other quotients; the amplitude has the same bound
      F, E, D, Pi  <= 8 ulp for |phi| <= 1e9 (float 1e4) and n <= 1; the comment of jacobi_Pi_incomplete has the bound
                   for n > 1
      inverses of sn, cn and dn, Carlson's integrals   <= 8 ulp; R_G <= 10 ulp; the comment of jacobi_RJ has the bound of
                   R_J
      m > 1        the bounds of sn, cn, dn hold with k u in place of u (see jacobi_sncndn_any)
-     solvers      <= 4 ulp of m and of m1, plus the change of m or m1 that one ulp of the argument c makes
+     solvers      <= 4 ulp of m and of m1, plus the change of m or m1 that one ulp of the argument c of
+                  jacobi_solve_... makes
 
    COST
      docs/cost.md has the time of each function, docs/counts.md the number of instructions of a call. A jacobi_plan has
@@ -381,7 +382,7 @@ VM_API vm_real vmi_copysign(vm_real x, vm_real y)
     return x;
 }
 
-/* The larger and the smaller of two numbers. Both functions return b if a or b is NaN. */
+/* These functions return the larger and the smaller of two numbers. Both functions return b if a or b is NaN. */
 VM_INLINE vm_real vmi_larger(vm_real a, vm_real b) { return a > b ? a : b; }
 VM_INLINE vm_real vmi_smaller(vm_real a, vm_real b) { return a < b ? a : b; }
 
@@ -685,21 +686,24 @@ VM_API vm_real vmi_head(vm_real x)
     return vmi_from_bits(vmi_to_bits(x) & ~(above - 1));
 }
 
-/* The product x y of numbers in two words; the relative error is below 2^-(2p - 4) */
+/* Returns the product x y of numbers in two words. The relative error is below 2^-(2p - 4) with p binary digits of
+   vm_real. */
 VM_API vm_two vmi_two_times(vm_two x, vm_two y)
 {
     vm_two p = vmi_two_product(x.hi, y.hi);
     return vmi_two_sum(p.hi, p.lo + (x.hi * y.lo + x.lo * y.hi));
 }
 
-/* The sum x + y of numbers in two words; the error is below 2^-(2p - 4) of the larger term */
+/* Returns the sum x + y of numbers in two words. The error is below 2^-(2p - 4) times the larger term, with p binary
+   digits of vm_real. */
 VM_API vm_two vmi_two_plus(vm_two x, vm_two y)
 {
     vm_two s = vmi_two_sum(x.hi, y.hi);
     return vmi_two_sum(s.hi, s.lo + (x.lo + y.lo));
 }
 
-/* The quotient x / y of numbers in two words; the relative error is below 2^-(2p - 4) */
+/* Returns the quotient x / y of numbers in two words. The relative error is below 2^-(2p - 4) with p binary digits of
+   vm_real. */
 VM_API vm_two vmi_two_over(vm_two x, vm_two y)
 {
     vm_real z = vmi_rounded(x.hi / y.hi);
@@ -724,7 +728,7 @@ VM_API vmi_three vmi_three_words(vm_real a, vm_real b, vm_real c)
     return x;
 }
 
-/* The sum x + y of numbers in three words */
+/* Returns the sum x + y of numbers in three words. */
 VM_API vmi_three vmi_three_plus(vmi_three x, vmi_three y)
 {
     const vm_two high = vmi_two_sum(x.hi, y.hi), mid = vmi_two_sum(x.mid, y.mid);
@@ -732,7 +736,7 @@ VM_API vmi_three vmi_three_plus(vmi_three x, vmi_three y)
     return vmi_three_words(high.hi, sum.hi, sum.lo + mid.lo + (x.lo + y.lo));
 }
 
-/* The product x y of numbers in three words */
+/* Returns the product x y of numbers in three words. */
 VM_API vmi_three vmi_three_times(vmi_three x, vmi_three y)
 {
     const vm_two p = vmi_two_product(x.hi, y.hi), a = vmi_two_product(x.hi, y.mid);
@@ -742,7 +746,8 @@ VM_API vmi_three vmi_three_times(vmi_three x, vmi_three y)
                            mid.lo + sum.lo + (a.lo + b.lo) + (x.hi * y.lo + x.mid * y.mid + x.lo * y.hi));
 }
 
-/* The quotient x / y of numbers in three words, by long division: each of three steps gives a word of the quotient */
+/* Returns the quotient x / y of numbers in three words, by long division: each of three steps gives a word of the
+   quotient. */
 VM_API vmi_three vmi_three_over(vmi_three x, vmi_three y)
 {
     vm_real quotient[3];
@@ -754,16 +759,17 @@ VM_API vmi_three vmi_three_over(vmi_three x, vmi_three y)
     return vmi_three_words(quotient[0], quotient[1], quotient[2]);
 }
 
-/* The fourth power of x */
+/* Returns the fourth power of x. */
 VM_API vm_real vmi_fourth_power(vm_real x) { return (x * x) * (x * x); }
 
-/* The product of x and a power of two, which is exact */
+/* Returns the product of x and a power of two, which is exact. */
 VM_API vmi_three vmi_three_scaled(vmi_three x, vm_real power)
 {
     return vmi_three_words(x.hi * power, x.mid * power, x.lo * power);
 }
 
-/* The square root of a. It starts as the root of the first word; then two steps of Newton's method add a word each. */
+/* Returns the square root of a. It starts as the root of the first word; then two steps of Newton's method add a word
+   each. */
 VM_API vmi_three vmi_three_sqrt(vmi_three a)
 {
     const vm_real root = VM_SQRT(a.hi);
@@ -776,7 +782,7 @@ VM_API vmi_three vmi_three_sqrt(vmi_three a)
     return x;
 }
 
-/* The number pi/2 in three words */
+/* Returns the number pi/2 in three words. */
 VM_API vmi_three vmi_half_pi(void)
 {
 #if VM_MANT_DIG > 24
@@ -795,7 +801,7 @@ VM_API vm_real vmi_root_residual(vm_real a, vm_real root)
     return ((a - head * head) - 2 * head * tail) - tail * tail;
 }
 
-/* The square root of a + a_lo in two words, where a_lo is below an ulp of a */
+/* Returns the square root of a + a_lo in two words, where a_lo is below an ulp of a. */
 VM_API vm_two vmi_root(vm_real a, vm_real a_lo)
 {
     const vm_real root = vmi_rounded(VM_SQRT(a));
@@ -810,20 +816,20 @@ VM_INLINE vm_real vmi_clamp(vm_real x, vm_real low, vm_real high)
     return x;
 }
 
-/* The product of x and a power of two, which is exact */
+/* Returns the product of x and a power of two, which is exact. */
 VM_API vm_two vmi_two_shifted(vm_two x, vm_real power) { return vmi_two(x.hi * power, x.lo * power); }
 
-/* The difference x - y of numbers in two words */
+/* Returns the difference x - y of numbers in two words. */
 VM_API vm_two vmi_two_minus(vm_two x, vm_two y) { return vmi_two_plus(x, vmi_two(-y.hi, -y.lo)); }
 
-/* The square root of x >= 0. For x below 2^-500 (float 2^-80) the low word of the result is not reliable. */
+/* Returns the square root of x >= 0. For x below 2^-500 (float 2^-80) the low word of the result is not reliable. */
 VM_API vm_two vmi_two_root(vm_two x)
 {
     if (x.hi > 0) return vmi_root(x.hi, x.lo);
     return vmi_two(0, 0);
 }
 
-/* The number -x */
+/* Returns the number -x. */
 VM_API vm_two vmi_minus(vm_two x)
 {
     x.hi = -x.hi;
@@ -831,7 +837,7 @@ VM_API vm_two vmi_minus(vm_two x)
     return x;
 }
 
-/* The number x / 2 */
+/* Returns the number x / 2. */
 VM_API vm_two vmi_half(vm_two x)
 {
     x.hi /= 2;
@@ -839,15 +845,15 @@ VM_API vm_two vmi_half(vm_two x)
     return x;
 }
 
-/* The product of x and a factor of one word */
+/* Returns the product of x and a factor of one word. */
 VM_API vm_two vmi_two_scaled(vm_two x, vm_real factor)
 {
     vm_two p = vmi_two_product(x.hi, factor);
     return vmi_fast_two_sum(p.hi, p.lo + x.lo * factor);
 }
 
-/* The sum a b + c d of two products, with a relative error of at most 2 eps, even where the products nearly cancel each
-   other. No product may underflow. */
+/* Returns the sum a b + c d of two products, with a relative error of at most 2 eps, even where the products nearly
+   cancel each other. No product may underflow. */
 VM_API vm_real vmi_sum_of_products(vm_real a, vm_real b, vm_real c, vm_real d)
 {
     const vm_two ab = vmi_two_product(a, b), cd = vmi_two_product(c, d);
@@ -1264,8 +1270,8 @@ VM_API vm_two vmi_agm_two_words(vm_real m1, vm_real m1_lo, vm_real u)
    K(m) = integral from 0 to pi/2 of dx/sqrt(1 - m sin^2 x), E(m) = integral of sqrt(1 - m sin^2 x) dx from 0 to pi/2,
    too. The parameter m = k^2 is any number <= 1, also a negative one. The forms with suffix _m1 take m1 = 1 - m; use
    them for m close to 1, where the difference 1 - m would lose digits. For m between -33.5 and 0.971, K and E are
-   computed by series after one or two steps of the arithmetic-geometric mean, for other m by sums with the logarithm of
-   k' = sqrt(1 - m).
+   computed by series after one or two steps of the arithmetic-geometric mean, for any other m by sums that contain the
+   logarithm of k' = sqrt(1 - m).
 
        vm_real K = jacobi_K(VM_C(0.5)); // 1.854...
 
@@ -1815,7 +1821,7 @@ typedef struct VM_TAG(vmi_theta_form) {
     vm_real kp, kp_lo; /* k' = sqrt(1 - m) in two words */
     vm_real q;         /* the nome of 1 - m, or of 1/(1 - m) in the reciprocal form */
     vm_real defect;    /* 1 - z/v, where v is the argument and z its phase (see vmi_far_prepare) */
-    vm_real f[3], g[2], scale[2]; /* f for P and Q, g for E, scale for theta_s and theta_c: see vmi_far_prepare */
+    vm_real f[3], g[2], scale[2]; /* f, g: coefficients of P, Q and of E; scale: factors of theta_s, theta_c */
 } vmi_theta_form;
 
 /* The three methods: the series near 0; theta functions with the nome of 1 - m, for m near 1; theta functions with
@@ -2466,7 +2472,7 @@ typedef struct VM_TAG(jacobi_plan) {
     vmi_theta_form theta;               /* its field kp = k' is set for every method */
 } jacobi_plan;
 
-/* The polynomial 1 + c[0] y + c[1] y^2 + ... with VMI_TERMS coefficients c */
+/* Returns the polynomial 1 + c[0] y + c[1] y^2 + ... with VMI_TERMS coefficients c. */
 VM_INLINE vm_real vmi_plan_series(const vm_real *c, vm_real y)
 {
     const vm_real yy = y * y, y4 = yy * yy, low = (c[0] + y * c[1]) + yy * (c[2] + y * c[3]);
@@ -2638,7 +2644,8 @@ VM_API void jacobi_plan_sncndn(const jacobi_plan *p, vm_real u, vm_real *sn, vm_
     }
 }
 
-/* sn, cn and dn of n arguments, each with |u| < VMI_EXACT_QUARTERS K, in a loop that compilers can vectorise */
+/* Computes sn, cn and dn of n arguments, each with |u| < VMI_EXACT_QUARTERS K, in a loop that compilers can
+   vectorise. */
 VM_INLINE void vmi_plan_loop(const jacobi_plan *p, int form, int n, const vm_real *u, vm_real *sn, vm_real *cn,
                              vm_real *dn)
 {
@@ -2828,7 +2835,7 @@ VM_API vm_real vmi_solution_m1(const vmi_solution *s)
     return vmi_exp(sum.hi, sum.lo) * ratio;
 }
 
-/* Returns m of the solution. */
+/* Returns the parameter m of the solution. */
 VM_API vm_real vmi_solution_m(const vmi_solution *s)
 {
     if (s->circular) return 16 * s->q * (1 - s->q * vmi_theta_loss(s->q));
@@ -2893,9 +2900,9 @@ VM_API vm_real jacobi_solve_K(vm_real c)
 #ifndef VARMASS_JACOBI_MEANS_H
 #define VARMASS_JACOBI_MEANS_H
 
-/* Computes the means from the nome q of m, for |q| <= 0.1. The recurrences (384) and (408) would divide 0 by 0 at
-   m = 0. Here numerators and denominators are divided by m beforehand, by means of two power series S and R in q, for
-   which 1/2 - C2 = q S and m = 16 q R. */
+/* Computes the means C2, C4, C6 of cn^2, cn^4, cn^6 from the nome q of m, for |q| <= 0.1. The recurrences (384) and
+   (408) would divide 0 by 0 at m = 0. Here numerators and denominators are divided by m beforehand, by means of two
+   power series S and R in q, for which 1/2 - C2 = q S and m = 16 q R. */
 VM_API void vmi_means_from_nome(vm_real q, vm_real *C2, vm_real *C4, vm_real *C6)
 {
     const vm_real y = q * q, loss = vmi_theta_loss(q), R = 1 - q * loss;
@@ -2936,8 +2943,8 @@ VM_API void jacobi_cn_means(vm_real m, vm_real *C2, vm_real *C4, vm_real *C6)
         const vm_real e = m / (2 * (1 + root) * ((1 + fourth) * (1 + fourth))), e4 = vmi_fourth_power(e);
         vmi_means_from_nome(e * (1 + e4 * (2 + e4 * (15 + e4 * (150 + e4 * (1707 + e4 * 20910))))), C2, C4, C6);
     } else {
-        /* For m < 0, cn(u | m) = cd(k' u | m/(m - 1)) with k' = sqrt(1 - m). The powers of cd have the means of those
-           of sn. The mean of sn^2 is 1 - C2. */
+        /* For m < 0, cn(u | m) = cd(k' u | m/(m - 1)) with k' = sqrt(1 - m). The mean of a power of cd is the mean of
+           this power of sn. The mean of sn^2 is 1 - C2. */
         const vm_real second = vmi_mean_from_K(vmi_smaller(m1.hi, 1 / m1.hi), vmi_log_4(m1.hi, m1.lo));
         vm_real ratio = m1.hi / m, s2c2, s2c4, fourth; /* ratio is (1 - M)/M for M = m or, if m < 0, M = m/(m - 1) */
         if (m < 0) ratio = -1 / m;
@@ -3086,9 +3093,9 @@ typedef struct VM_TAG(vmi_third_kind) {
     vm_two rest;  /* 1 - Pi(-N | m)/K(m) */
 } vmi_third_kind;
 
-/* The complete integral of the third kind for m1 = 1 - m > 0 and N >= 0, where share = N/(1 + N) and
-   below = 1/(1 + N). It begins with p = sqrt(1 + N), Q = 1 and the numbers a = 1, g = k' of the arithmetic-geometric
-   mean (DLMF 19.8.6-7). Each step replaces p and Q by p+ and Q+:
+/* Returns the complete integral of the third kind for m1 = 1 - m > 0 and N >= 0, where share = N/(1 + N) and below =
+   1/(1 + N). It begins with p = sqrt(1 + N), Q = 1 and the numbers a = 1, g = k' of the arithmetic-geometric mean (DLMF
+   19.8.6-7). Each step replaces p and Q by p+ and Q+:
      e = (p^2 - a g)/(p^2 + a g),  p+ = (p^2 + a g)/(2p),  Q+ = Q e/2.
    1 - Pi/K is share/2 times the sum of all Q. Since this sum is 2 minus the sum of all Q (1 - e), both ratio = Pi/K and
    rest = 1 - Pi/K are sums of positive terms. Therefore they are accurate for any N. */
@@ -3098,7 +3105,7 @@ VM_API vmi_third_kind vmi_third_kind_ladder(vm_two m1, vm_two share, vm_two belo
     vm_two sum = vmi_two(0, 0), less = sum;
     vmi_third_kind result;
     int step;
-    for (step = 0; step < 200; step++) { /* 5 to 10 steps, plus one for each binary digit of sqrt(1 + N) */
+    for (step = 0; step < 200; step++) { /* 5 to 10 steps, and a step for each binary digit of sqrt(1 + N) */
         const vm_real apart = VM_FABS(a.hi - g.hi);
         ag = vmi_two_times(a, g);
         pp = vmi_two_times(p, p);
@@ -3208,7 +3215,7 @@ VM_API vmi_doubled_theta vmi_doubled_dual(vm_real K, vm_real Kc, vm_real y)
     return d;
 }
 
-/* The polynomial a[0] + a[1] x + a[2] x^2 + a[3] x^3 */
+/* Returns the polynomial a[0] + a[1] x + a[2] x^2 + a[3] x^3. */
 VM_INLINE vm_real vmi_cubic(const vm_real *a, vm_real x) { return (a[0] + a[1] * x) + (a[2] + a[3] * x) * (x * x); }
 
 /* Computes theta_4 at x = u/(4K), |x| <= 1/4, without the factor e^(2 pi i shift x), by which the caller multiplies. */
@@ -3305,9 +3312,9 @@ VM_INLINE void vmi_carlson_symmetric(const vmi_carlson *s, vm_real *E2, vm_real 
     *E3 = X * Y * Z;
 }
 
-/* R_F from arguments that are close together: the sum over N of t_N/(2N + 1), divided by the root of the mean. t_N is
-   the coefficient of s^N in the power series of (1 + E2 s^2 - E3 s^3)^(-1/2), with E2, E3 of vmi_carlson_symmetric
-   (DLMF 19.19.7). */
+/* Returns R_F from arguments that are close together: the sum over N of t_N/(2N + 1), divided by the root of the mean.
+   t_N is the coefficient of s^N in the power series of (1 + E2 s^2 - E3 s^3)^(-1/2), with E2, E3 of
+   vmi_carlson_symmetric (DLMF 19.19.7). */
 VM_INLINE vm_real vmi_carlson_first(const vmi_carlson *s)
 {
     vm_real E2, E3, low, high = 0;
@@ -3329,7 +3336,7 @@ VM_INLINE vm_real vmi_carlson_first(const vmi_carlson *s)
     return (1 + (low + high)) / VM_SQRT(s->mean);
 }
 
-/* R_J from arguments x, y, z and p that are close together, where P is 1 - p/mean. It is the sum over N of 3
+/* Returns R_J from arguments x, y, z and p that are close together, where P is 1 - p/mean. It is the sum over N of 3
    T_N/(2N + 3), divided by mean^(3/2). T_N is the coefficient of s^N in (1 + E2 s^2 - E3 s^3)^(-1/2)/(1 - P s). */
 VM_INLINE vm_real vmi_carlson_third(const vmi_carlson *s, vm_real P)
 {
@@ -3394,7 +3401,7 @@ VM_INLINE vm_real vmi_rf_rd(vm_real x, vm_real y, vm_real z, vm_real *rd)
     return vmi_carlson_first(&s);
 }
 
-/* The series of R_C(1, 1 + e) for |e| <= 0.05: 1 - e/3 + e^2/5 - ... */
+/* Returns R_C(1, 1 + e) for |e| <= 0.05 by its series 1 - e/3 + e^2/5 - ... */
 VM_INLINE vm_real vmi_rc_series(vm_real e)
 {
     const vm_real ee = e * e, e4 = ee * ee;
@@ -3410,8 +3417,8 @@ VM_INLINE vm_real vmi_rc_series(vm_real e)
 #endif
 }
 
-/* R_C(1, y) for y > 0. With r = sqrt(|y - 1|) it is arctan(r)/r for y > 1 and artanh(r)/r for y < 1. Next to y = 1 it
-   is computed by vmi_rc_series after one duplication, which divides y - 1 by (1 + sqrt(y))^2. */
+/* Returns R_C(1, y) for y > 0. With r = sqrt(|y - 1|) it is arctan(r)/r for y > 1 and artanh(r)/r for y < 1. Next to y
+   = 1 it is computed by vmi_rc_series after one duplication, which divides y - 1 by (1 + sqrt(y))^2. */
 VM_API vm_real vmi_rc_of_1(vm_real y)
 {
     const vm_real e = y - 1;
@@ -3425,7 +3432,7 @@ VM_API vm_real vmi_rc_of_1(vm_real y)
     return vmi_log((1 + root) * (1 + root) / y).hi / (2 * root);
 }
 
-/* R_C(x, y) for x >= 0 and y != 0. For y < 0 it is Cauchy's principal value (DLMF 19.2.17, 19.2.20). */
+/* Returns R_C(x, y) for x >= 0 and y != 0. For y < 0 it is Cauchy's principal value (DLMF 19.2.17, 19.2.20). */
 VM_API vm_real vmi_rc(vm_real x, vm_real y)
 {
     if (y < 0) return VM_SQRT(x / (x - y)) * vmi_rc(x - y, -y);
@@ -3589,8 +3596,8 @@ VM_API vm_real jacobi_RD(vm_real x, vm_real y, vm_real z)
     return by.root * (by.root * (by.root * rd));
 }
 
-/* R_J for p < 0, its Cauchy principal value, for 0 <= x, y <= z of which at most one is 0. It is computed from R_J with
-   the positive number `other` in place of p (DLMF 19.20.14). */
+/* Returns R_J(x, y, z, p) for p < 0, its Cauchy principal value, for 0 <= x, y <= z of which at most one is 0. It is
+   computed from R_J with the positive number `other` in place of p (DLMF 19.20.14). */
 VM_API vm_real vmi_rj_principal(vm_real x, vm_real y, vm_real z, vm_real p)
 {
     const vm_real q = -p, other = (z * ((x + y) + q) - x * y) / (z + q), product = x * y + other * q;
@@ -3666,8 +3673,8 @@ VM_API vm_real jacobi_RG(vm_real x, vm_real y, vm_real z)
 #ifndef VARMASS_JACOBI_ABOVE_ONE_H
 #define VARMASS_JACOBI_ABOVE_ONE_H
 
-/* The sine of t in two words for 0 <= t <= 0.1, by its power series. The terms from t^11 on are so small that one word
-   is enough for them. */
+/* Returns the sine of t in two words for 0 <= t <= 0.1, by its power series. The terms from t^11 on are so small that
+   one word is enough for them. */
 VM_API vm_two vmi_two_sine_series(vm_two t)
 {
     const vm_two square = vmi_two_times(t, t);
@@ -3683,8 +3690,8 @@ VM_API vm_two vmi_two_sine_series(vm_two t)
     return vmi_two_times(t, sum);
 }
 
-/* The sine and the cosine of z in two words for 0 <= z <= pi/4. The angle z/8, whose sine is computed by a power
-   series, is doubled three times. */
+/* Computes the sine and the cosine of z in two words for 0 <= z <= pi/4. The angle z/8, whose sine is computed by a
+   power series, is doubled three times. */
 VM_API void vmi_two_sin_cos(vm_two z, vm_two *sine, vm_two *cosine)
 {
     const vm_two one = vmi_two(1, 0);
@@ -3708,7 +3715,7 @@ typedef struct VM_TAG(vmi_above) {
     vm_real d;     /* 1 - m sin^2 phi = cc - share; d is below 0 or NaN where the integrals have no real value */
 } vmi_above;
 
-/* Returns sqrt(|x|) sin phi in two words. The root is taken first, so that the product neither overflows nor
+/* Returns sqrt(|x|) sin phi in two words. The root of |x| is taken first, so that the product neither overflows nor
    underflows. */
 VM_API vm_two vmi_root_times_sine(vm_two x, const vmi_above *angle)
 {

@@ -86,13 +86,13 @@
                   next to the true value.
      Jumps        conserve momentum with an error of at most 3 eps times the sum of all M |v|. They conserve angular
                   momentum about any point with an error of at most 6 eps times the sum of all tr(I) |omega| + M (|r| +
-                  |r - point|) |v|, where tr(I) is the sum of the diagonal of I. If a part goes on moving as it did on
+                  |r - point|) |v|. M, v, r, omega and I are mass, velocity, position, angular velocity and inertia
+                  tensor of a body, and tr(I) is the sum of the diagonal of I. If a part goes on moving as it did on
                   the body, omega of the rest does not change.
      Rotation     of a torque-free body: after 1e6 turns the attitude is right within 8 eps (rad) and omega within
                   5 eps, if the inputs are taken as exact.
      Streams      the solutions in closed form are right within a few eps. A body together with all mass that has left
-                  it keeps
-                  momentum, angular momentum and energy to the integrator's tolerance.
+                  it keeps momentum, angular momentum and energy to the integrator's tolerance.
      Lambert's W  has an error of at most 1 ulp, the drum on a rigid shaft one of at most 4 ulp.
      Oscillators  every route (method of solution) returns an estimate of its whole error in the field `error`, or
                   infinity where no estimate is possible.
@@ -939,22 +939,23 @@ VM_API vm_complex vmi_complex(vm_real re, vm_real im)
     return z;
 }
 
-/* The sum a + b, the difference a - b, and the products c a and i c a of a complex number a with a real number c */
+/* These functions return the sum a + b, the difference a - b, and the products c a and i c a of a complex number a with
+   a real number c. */
 VM_API vm_complex vmi_c_add(vm_complex a, vm_complex b) { return vmi_complex(a.re + b.re, a.im + b.im); }
 VM_API vm_complex vmi_c_sub(vm_complex a, vm_complex b) { return vmi_complex(a.re - b.re, a.im - b.im); }
 VM_API vm_complex vmi_c_scale(vm_real c, vm_complex a) { return vmi_complex(c * a.re, c * a.im); }
 VM_API vm_complex vmi_c_times_i(vm_real c, vm_complex a) { return vmi_complex(-c * a.im, c * a.re); }
 
-/* The product a b */
+/* Returns the product a b. */
 VM_API vm_complex vmi_c_times(vm_complex a, vm_complex b)
 {
     return vmi_complex(a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re);
 }
 
-/* The complex conjugate of a, which is a.re - i a.im */
+/* Returns the complex conjugate of a, which is a.re - i a.im. */
 VM_API vm_complex vmi_c_conjugate(vm_complex a) { return vmi_complex(a.re, -a.im); }
 
-/* The complex number e^(i angle), for an angle in radians */
+/* Returns the complex number e^(i angle), for an angle in radians. */
 VM_API vm_complex vmi_c_turn(vm_real angle)
 {
     vm_complex e;
@@ -972,10 +973,10 @@ VM_API void vmi_c_turns(int n, vm_real angle, vm_complex *turns)
     for (k = 1; k <= n; k++) turns[k] = vmi_c_times(turns[k - 1], once);
 }
 
-/* The modulus |z| */
+/* Returns the modulus |z|. */
 VM_API vm_real vmi_c_modulus(vm_complex z) { return vmi_hypot(z.re, z.im); }
 
-/* The quotient a/b by Smith's method, which is accurate even where |b|^2 overflows or underflows */
+/* Returns the quotient a/b by Smith's method, which is accurate even where |b|^2 overflows or underflows. */
 VM_API vm_complex vmi_c_over(vm_complex a, vm_complex b)
 {
     vm_real q, d;
@@ -1165,7 +1166,7 @@ VM_API vm_real vmi_lambert_middle(vm_real x)
     return w.hi + (w.lo + w.hi * vmi_lambert_correction(1 + w.hi, z));
 }
 
-/* A rough value of W_0(e^l), right to 6e-5, for l from 3.95 to 712 */
+/* Returns a rough value of W_0(e^l), right to 6e-5, for l from 3.95 to 712. */
 VM_API vm_real vmi_lambert_rational(vm_real l)
 {
     vm_real above, below;
@@ -1225,10 +1226,10 @@ VM_API vm_two vmi_lambert_depth(vm_real x)
     return vmi_minus(ln);
 }
 
-/* A rough value of W_0(x), right to 2 %, for -1/4 <= x < 1 */
+/* Returns a rough value of W_0(x), right to 2 %, for -1/4 <= x < 1. */
 VM_API vm_real vmi_lambert_pade(vm_real x) { return x * (3 + 4 * x) / (3 + x * (7 + x * VM_C(2.5))); }
 
-/* A rough value of W_0(x), right to 2 %, for x >= 1, from L = ln(1 + x) (by Winitzki) */
+/* Returns a rough value of W_0(x), right to 2 %, for x >= 1, from L = ln(1 + x) (by Winitzki). */
 VM_API vm_real vmi_lambert_winitzki(vm_real L) { return L * (1 - vmi_log(1 + L).hi / (2 + L)); }
 
 /* Lambert's W_0(x), the upper branch: the solution w >= -1 of w e^w = x, for x >= -1/e. x is a pure number and taken

@@ -105,7 +105,7 @@
                             was made for
      phase                  <= 8 ulp plus the change of s that 6 ulp of sa and of ca make, where sa and ca come from
                             ateb_saca
-     beta, mean, Pi(n, m)   <= 1 ulp, 2 ulp and 1 ulp
+     beta, mean, Pi(n, m)   <= 1 ulp, 2 ulp and 1 ulp, in this order
      beta_inc               <= 30 ulp of p = I_x(a, b) and of q = 1 - p
      beta_inc_inv           <= 16 ulp of x and of y = 1 - x, plus the change that one ulp of the smaller of p and q
                             makes

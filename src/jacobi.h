@@ -102,14 +102,15 @@
                   not determine the phase: then sn = 0 and cn = dn = 1.
      K, E         <= 2 ulp
      k'K          <= 5 ulp
-     means        <= 8 ulp
-     quotients    <= 8 ulp; the amplitude has the same bound
+     means        <= 8 ulp, for the means of cn^2, cn^4 and cn^6
+     quotients    <= 8 ulp, for sn/cn and the other quotients; the amplitude has the same bound
      F, E, D, Pi  <= 8 ulp for |phi| <= 1e9 (float 1e4) and n <= 1; the comment of jacobi_Pi_incomplete has the bound
                   for n > 1
      inverses of sn, cn and dn, Carlson's integrals   <= 8 ulp; R_G <= 10 ulp; the comment of jacobi_RJ has the bound of
                   R_J
      m > 1        the bounds of sn, cn, dn hold with k u in place of u (see jacobi_sncndn_any)
-     solvers      <= 4 ulp of m and of m1, plus the change of m or m1 that one ulp of the argument c makes
+     solvers      <= 4 ulp of m and of m1, plus the change of m or m1 that one ulp of the argument c of
+                  jacobi_solve_... makes
 
    COST
      docs/cost.md has the time of each function, docs/counts.md the number of instructions of a call. A jacobi_plan has

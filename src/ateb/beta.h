@@ -258,7 +258,7 @@ VM_API vm_real vmi_beta_backward(const vmi_beta_levels *l, int count)
    evaluated once more, from its last level. */
 VM_API vm_real vmi_beta_fraction(vm_real x, vm_real y, vm_real a, vm_real b, vm_real tolerance)
 {
-    enum { MOST = 20000, SAFE = 20 }; /* MOST stops the loop for a NaN; some 250 levels are enough otherwise */
+    enum { MOST = 20000, SAFE = 20 }; /* MOST stops the loop for a NaN; otherwise about 250 levels are enough */
     const vmi_beta_levels l = vmi_beta_levels_of(x, y, a, b);
     vm_real P0 = 1, Q0 = 0, P1, Q1 = 1, P2, Q2, C, D, D_next, last, ratio = 0, before, after = 1 / (a + 1);
     int levels = 0;
@@ -356,9 +356,9 @@ VM_API vm_two vmi_beta_ln_tail(vmi_beta_point at, vm_real a, vm_real b, vm_two l
     return vmi_two_plus(ln_density, f);
 }
 
-/* Computes *ln_p = ln I_x(a, b) and *ln_q = ln I_y(b, a), where y = 1 - x, from ln_density = ln(x^a y^b/B(a, b)). One
-   of them is computed directly: the one that belongs to the shorter tail of the beta distribution. The other one
-   follows from p + q = 1. */
+/* Computes *ln_p = ln I_x(a, b) and *ln_q = ln I_y(b, a), where y = 1 - x, from ln_density = ln(x^a y^b/B(a, b)). For
+   x <= (a + 1)/(a + b + 2) *ln_p is computed directly, for a larger x *ln_q is. The other logarithm follows from
+   p + q = 1. */
 VM_API void vmi_beta_tails(const vmi_beta_point *at, vm_real a, vm_real b, vm_two ln_density, vm_two *ln_p,
                            vm_two *ln_q)
 {

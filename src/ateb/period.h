@@ -75,8 +75,8 @@ VM_API vm_real vmi_ateb_coefficient(int which_word, int i)
 /* The degree of the polynomial of vmi_ateb_coefficient */
 enum { VMI_ATEB_DEGREE = VM_MANT_DIG > 24 ? 33 : 17 };
 
-/* The polynomial of vmi_ateb_coefficient in two words. From index TWO_WORDS on the coefficients are so small that one
-   word is enough. Each coefficient exceeds the sum of the terms after it, so that the faster sum by Dekker
+/* Returns the polynomial of vmi_ateb_coefficient in two words. From index TWO_WORDS on the coefficients are so small
+   that one word is enough. Each coefficient exceeds the sum of the terms after it, so that the faster sum by Dekker
    (vmi_fast_two_sum) is enough for the high words. */
 VM_API vm_two vmi_ateb_polynomial(vm_two t)
 {

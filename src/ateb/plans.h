@@ -324,8 +324,7 @@ VM_INLINE void vmi_ateb_block_sums(const ateb_plan *p, int length, const vmi_ate
 
 /* Computes sa and ca of a block of arguments, each with |s| < p->longest. The number of terms is a constant in each of
    the calls, so that compilers can vectorise the loop over the arguments. Arguments next to a zero of sa or ca are
-   computed once more, one by one. The plan is copied: the compiler then knows
-   that the results do not change it. */
+   computed once more, one by one. The plan is copied: the compiler then knows that the results do not change it. */
 VM_API void vmi_ateb_block_saca(const ateb_plan *plan, const vm_real *s, vm_real *sa, vm_real *ca)
 {
     const ateb_plan p = *plan;

@@ -61,7 +61,7 @@ VM_API vm_real vmi_lambert_middle(vm_real x)
     return w.hi + (w.lo + w.hi * vmi_lambert_correction(1 + w.hi, z));
 }
 
-/* A rough value of W_0(e^l), right to 6e-5, for l from 3.95 to 712 */
+/* Returns a rough value of W_0(e^l), right to 6e-5, for l from 3.95 to 712. */
 VM_API vm_real vmi_lambert_rational(vm_real l)
 {
     vm_real above, below;
@@ -121,10 +121,10 @@ VM_API vm_two vmi_lambert_depth(vm_real x)
     return vmi_minus(ln);
 }
 
-/* A rough value of W_0(x), right to 2 %, for -1/4 <= x < 1 */
+/* Returns a rough value of W_0(x), right to 2 %, for -1/4 <= x < 1. */
 VM_API vm_real vmi_lambert_pade(vm_real x) { return x * (3 + 4 * x) / (3 + x * (7 + x * VM_C(2.5))); }
 
-/* A rough value of W_0(x), right to 2 %, for x >= 1, from L = ln(1 + x) (by Winitzki) */
+/* Returns a rough value of W_0(x), right to 2 %, for x >= 1, from L = ln(1 + x) (by Winitzki). */
 VM_API vm_real vmi_lambert_winitzki(vm_real L) { return L * (1 - vmi_log(1 + L).hi / (2 + L)); }
 
 /* Lambert's W_0(x), the upper branch: the solution w >= -1 of w e^w = x, for x >= -1/e. x is a pure number and taken

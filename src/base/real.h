@@ -172,7 +172,7 @@ VM_API vm_real vmi_copysign(vm_real x, vm_real y)
     return x;
 }
 
-/* The larger and the smaller of two numbers. Both functions return b if a or b is NaN. */
+/* These functions return the larger and the smaller of two numbers. Both functions return b if a or b is NaN. */
 VM_INLINE vm_real vmi_larger(vm_real a, vm_real b) { return a > b ? a : b; }
 VM_INLINE vm_real vmi_smaller(vm_real a, vm_real b) { return a < b ? a : b; }
 

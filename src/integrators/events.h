@@ -32,7 +32,7 @@
 #include "runs.h"
 #include "steps.h"
 
-/* The sign of x: 1, 0 or -1 */
+/* Returns the sign of x: 1, 0 or -1. */
 VM_API int vmi_sign(vm_real x) { return (x > 0) - (x < 0); }
 
 /* Stands for the place of an event that does not happen in the step. A place is a fraction of the step, from 0 to 1. */
@@ -67,7 +67,7 @@ VM_API int vmi_watch_events(rk45 *s)
     return ODE_OK;
 }
 
-/* The time at the fraction x of the last step */
+/* Returns the time at the fraction x of the last step. */
 VM_API vm_real vmi_time_inside(const rk45 *s, vm_real x)
 {
     if (x == 1) return s->t;

@@ -175,7 +175,8 @@ VM_INLINE vm_real vmi_last_time(vm_real t_end)
     return t_end;
 }
 
-/* Returns the status of a run to t_end whose steps have ended with `status`. No run reaches an infinite t_end. */
+/* Returns the status of a run to t_end whose steps have ended with `status`. This is ODE_STEP_TOO_SMALL if t_end is
+   infinite and the steps have ended without an error or an event. */
 VM_INLINE int vmi_end_solve(vm_real t_end, int status)
 {
     if (!VM_IS_FINITE(t_end) && (status == ODE_OK || status == ODE_STIFF)) return ODE_STEP_TOO_SMALL;

@@ -37,8 +37,8 @@ typedef struct VM_TAG(vmi_event_past) {
 } vmi_event_past;
 
 /* An event of a run: it happens when g(t, y) reaches zero or changes its sign. The caller makes an array of events, to
-   which the field `events` of rk45_options points, sets all fields to 0 first, and then the fields from g to stop_after
-   that it needs. The integrator sets the fields from count on. */
+   which the field `events` of rk45_options points. The caller sets all fields to 0 first, and then sets those of the
+   fields from g to stop_after that it needs. The integrator sets the fields from count on. */
 typedef struct VM_TAG(ode_event) {
     ode_event_function g; /* the function whose zeros are the event */
     void *ctx;            /* pointer that g and change receive */
@@ -102,7 +102,7 @@ VM_API rk45_options vmi_defaults(vm_real least_rtol, const rk45_options *options
     return o;
 }
 
-/* The absolute tolerance of component i */
+/* Returns the absolute tolerance of component i. */
 VM_INLINE vm_real vmi_atol(const rk45_options *o, int i) { return o->atol_each ? o->atol_each[i] : o->atol; }
 
 /* Returns 1 if every component has a tolerance and no tolerance is negative or NaN, else 0. */

@@ -89,10 +89,10 @@ typedef struct VM_TAG(vmi_rk_stepper) {
 #define VMI_LOOP VM_INLINE
 #endif
 
-/* The index of the part of work that contains f at the end of a step */
+/* Returns the index of the part of work that contains f at the end of a step. */
 VMI_FOLDED int vmi_last_k(const vmi_rk_pair *pair) { return VMI_K + pair->stages - pair->last_is_first; }
 
-/* The least rtol that a run by this pair accepts */
+/* Returns the least rtol that a run by this pair accepts. */
 VMI_FOLDED vm_real vmi_least_rtol(const vmi_rk_pair *pair) { return (vm_real)pair->rounding * VM_EPSILON; }
 
 /* Macros for the stages of a pair. VMI_H is h times a coefficient. VMI_EVAL evaluates k = f(t, y) and counts it; if f

@@ -109,7 +109,7 @@ VMI_APART void vmi_rk45_inside(const rk45 *s, vm_real x, vm_real *y)
     vmi_weigh_inside(s, 7, b, x, y);
 }
 
-/* The descriptor of rk45: its vmi_rk_pair */
+/* Returns the descriptor of rk45: its vmi_rk_pair. */
 VMI_FOLDED vmi_rk_pair vmi_rk45_pair(void)
 {
     vmi_rk_pair pair;

@@ -323,7 +323,7 @@ VMI_APART void vmi_rk87_inside(const rk45 *s, vm_real x, vm_real *y)
     vmi_weigh_inside(s, VMI_RK87_OWN + VMI_RK87_EXTRA, b, x, y);
 }
 
-/* The descriptor of rk87: its vmi_rk_pair */
+/* Returns the descriptor of rk87: its vmi_rk_pair. */
 VMI_FOLDED vmi_rk_pair vmi_rk87_pair(void)
 {
     vmi_rk_pair pair;

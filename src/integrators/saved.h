@@ -130,7 +130,7 @@ VM_API void vmi_saved_move_event(vmi_saved_place *p, ode_event *e)
     vmi_saved_int(p, &e->happens);
 }
 
-/* Number of vm_reals in the work of the run s that belong to the integrator */
+/* Returns the number of vm_real numbers in the work of the run s that belong to the integrator. */
 VM_API long vmi_saved_numbers(const rk45 *s) { return (long)(VMI_K + s->pair.derivatives) * s->n; }
 
 /* Writes all numbers of the run, its work and its events, or reads them */
@@ -165,7 +165,7 @@ VM_API void vmi_saved_move_run(vmi_saved_place *p, rk45 *s)
     for (i = 0; i < s->options.n_events; i++) vmi_saved_move_event(p, s->options.events + i);
 }
 
-/* The numbers at the beginning of a saved run */
+/* Writes the numbers at the beginning of a saved run. */
 VM_API void vmi_saved_head(const rk45 *s, int *head)
 {
     head[VMI_SAVED_FORMAT] = VMI_SAVED_FORMAT_NOW;
@@ -200,7 +200,7 @@ VM_API uint32_t vmi_saved_checksum(const unsigned char *bytes, long count)
     return sum;
 }
 
-/* Number of bytes of the saved run s */
+/* Returns the number of bytes of the saved run s. */
 VM_API long vmi_saved_size(const rk45 *s)
 {
     return (long)VMI_SAVED_RUN_BYTES + vmi_saved_numbers(s) * (long)sizeof(vm_real) +

@@ -18,8 +18,8 @@
 
 /* Returns x^p with an error of at most 1.6 % where |p| <= 0.2 and the result is from 0.1 to 10. x must be positive, and
    the result must neither overflow nor underflow. The bits of x, taken as an integer, give a logarithm of x that is
-   piecewise linear; `middle` is half the largest error of this logarithm. The exponential function is computed as
-   (1 + v + v^2/2)^16. */
+   piecewise linear; `middle` is half the largest error of this logarithm. The exponential function e^(16 v) is computed
+   as (1 + v + v^2/2)^16. */
 VM_INLINE vm_real vmi_pow_rough(vm_real x, vm_real p)
 {
     const vm_real ln2 = VM_C(0.69314718055994531), middle = VM_C(0.043);
@@ -85,10 +85,10 @@ VM_INLINE vm_real vmi_least_step(const rk45_options *o, vm_real t)
     return VMI_LARGER(least, o->h_min);
 }
 
-/* The time from the state y to t_end, negative if the run goes backward */
+/* Returns the time from the state y to t_end, negative if the run goes backward. */
 VM_INLINE vm_real vmi_time_left(const rk45 *s, vm_real t_end) { return (t_end - s->t) - s->t_low; }
 
-/* The direction of the run to t_end: 1 forward, -1 backward */
+/* Returns the direction of the run to t_end: 1 forward, -1 backward. */
 VM_INLINE vm_real vmi_direction(const rk45 *s, vm_real t_end) { return vmi_time_left(s, t_end) < 0 ? -1 : 1; }
 
 /* Returns the factor by which the step size changes after an accepted step, by PI control (Hairer et al. [2, IV.2]). It
@@ -129,7 +129,7 @@ typedef struct VM_TAG(vmi_progress) {
     int stopped;                    /* number that f returned last; if it is not 0, the run stops */
 } vmi_progress;
 
-/* The fields that change from step to step, as they are before the loop */
+/* Returns the fields that change from step to step, as they are before the loop. */
 VMI_FOLDED vmi_progress vmi_begin_progress(const rk45 *s, vm_real t_end)
 {
     vmi_progress p;
@@ -218,8 +218,9 @@ VMI_FOLDED int vmi_choose_step(const rk45_options *o, vm_real t_end, vmi_progres
     return status;
 }
 
-/* The number of steps within the tolerance that must lie between two steps that may miss it. After a jump of f there
-   are three such steps, 1, 10 and 100 times as long as the smallest step; next to a singularity of f there are none. */
+/* The number of steps within the tolerance that must lie between two steps that miss the tolerance. After a jump of f
+   there are three such steps, 1, 10 and 100 times as long as the smallest step; next to a singularity of f there are
+   none. */
 enum { VMI_BETWEEN_MISSES = 3 };
 
 /* Undoes the last accepted step, which missed the tolerance */

@@ -20,8 +20,8 @@
 #include "../base/words.h"
 #include "carlson.h"
 
-/* The sine of t in two words for 0 <= t <= 0.1, by its power series. The terms from t^11 on are so small that one word
-   is enough for them. */
+/* Returns the sine of t in two words for 0 <= t <= 0.1, by its power series. The terms from t^11 on are so small that
+   one word is enough for them. */
 VM_API vm_two vmi_two_sine_series(vm_two t)
 {
     const vm_two square = vmi_two_times(t, t);
@@ -37,8 +37,8 @@ VM_API vm_two vmi_two_sine_series(vm_two t)
     return vmi_two_times(t, sum);
 }
 
-/* The sine and the cosine of z in two words for 0 <= z <= pi/4. The angle z/8, whose sine is computed by a power
-   series, is doubled three times. */
+/* Computes the sine and the cosine of z in two words for 0 <= z <= pi/4. The angle z/8, whose sine is computed by a
+   power series, is doubled three times. */
 VM_API void vmi_two_sin_cos(vm_two z, vm_two *sine, vm_two *cosine)
 {
     const vm_two one = vmi_two(1, 0);
@@ -62,7 +62,7 @@ typedef struct VM_TAG(vmi_above) {
     vm_real d;     /* 1 - m sin^2 phi = cc - share; d is below 0 or NaN where the integrals have no real value */
 } vmi_above;
 
-/* Returns sqrt(|x|) sin phi in two words. The root is taken first, so that the product neither overflows nor
+/* Returns sqrt(|x|) sin phi in two words. The root of |x| is taken first, so that the product neither overflows nor
    underflows. */
 VM_API vm_two vmi_root_times_sine(vm_two x, const vmi_above *angle)
 {

@@ -80,9 +80,9 @@ VM_INLINE void vmi_carlson_symmetric(const vmi_carlson *s, vm_real *E2, vm_real 
     *E3 = X * Y * Z;
 }
 
-/* R_F from arguments that are close together: the sum over N of t_N/(2N + 1), divided by the root of the mean. t_N is
-   the coefficient of s^N in the power series of (1 + E2 s^2 - E3 s^3)^(-1/2), with E2, E3 of vmi_carlson_symmetric
-   (DLMF 19.19.7). */
+/* Returns R_F from arguments that are close together: the sum over N of t_N/(2N + 1), divided by the root of the mean.
+   t_N is the coefficient of s^N in the power series of (1 + E2 s^2 - E3 s^3)^(-1/2), with E2, E3 of
+   vmi_carlson_symmetric (DLMF 19.19.7). */
 VM_INLINE vm_real vmi_carlson_first(const vmi_carlson *s)
 {
     vm_real E2, E3, low, high = 0;
@@ -104,7 +104,7 @@ VM_INLINE vm_real vmi_carlson_first(const vmi_carlson *s)
     return (1 + (low + high)) / VM_SQRT(s->mean);
 }
 
-/* R_J from arguments x, y, z and p that are close together, where P is 1 - p/mean. It is the sum over N of 3
+/* Returns R_J from arguments x, y, z and p that are close together, where P is 1 - p/mean. It is the sum over N of 3
    T_N/(2N + 3), divided by mean^(3/2). T_N is the coefficient of s^N in (1 + E2 s^2 - E3 s^3)^(-1/2)/(1 - P s). */
 VM_INLINE vm_real vmi_carlson_third(const vmi_carlson *s, vm_real P)
 {
@@ -169,7 +169,7 @@ VM_INLINE vm_real vmi_rf_rd(vm_real x, vm_real y, vm_real z, vm_real *rd)
     return vmi_carlson_first(&s);
 }
 
-/* The series of R_C(1, 1 + e) for |e| <= 0.05: 1 - e/3 + e^2/5 - ... */
+/* Returns R_C(1, 1 + e) for |e| <= 0.05 by its series 1 - e/3 + e^2/5 - ... */
 VM_INLINE vm_real vmi_rc_series(vm_real e)
 {
     const vm_real ee = e * e, e4 = ee * ee;
@@ -185,8 +185,8 @@ VM_INLINE vm_real vmi_rc_series(vm_real e)
 #endif
 }
 
-/* R_C(1, y) for y > 0. With r = sqrt(|y - 1|) it is arctan(r)/r for y > 1 and artanh(r)/r for y < 1. Next to y = 1 it
-   is computed by vmi_rc_series after one duplication, which divides y - 1 by (1 + sqrt(y))^2. */
+/* Returns R_C(1, y) for y > 0. With r = sqrt(|y - 1|) it is arctan(r)/r for y > 1 and artanh(r)/r for y < 1. Next to y
+   = 1 it is computed by vmi_rc_series after one duplication, which divides y - 1 by (1 + sqrt(y))^2. */
 VM_API vm_real vmi_rc_of_1(vm_real y)
 {
     const vm_real e = y - 1;
@@ -200,7 +200,7 @@ VM_API vm_real vmi_rc_of_1(vm_real y)
     return vmi_log((1 + root) * (1 + root) / y).hi / (2 * root);
 }
 
-/* R_C(x, y) for x >= 0 and y != 0. For y < 0 it is Cauchy's principal value (DLMF 19.2.17, 19.2.20). */
+/* Returns R_C(x, y) for x >= 0 and y != 0. For y < 0 it is Cauchy's principal value (DLMF 19.2.17, 19.2.20). */
 VM_API vm_real vmi_rc(vm_real x, vm_real y)
 {
     if (y < 0) return VM_SQRT(x / (x - y)) * vmi_rc(x - y, -y);
@@ -364,8 +364,8 @@ VM_API vm_real jacobi_RD(vm_real x, vm_real y, vm_real z)
     return by.root * (by.root * (by.root * rd));
 }
 
-/* R_J for p < 0, its Cauchy principal value, for 0 <= x, y <= z of which at most one is 0. It is computed from R_J with
-   the positive number `other` in place of p (DLMF 19.20.14). */
+/* Returns R_J(x, y, z, p) for p < 0, its Cauchy principal value, for 0 <= x, y <= z of which at most one is 0. It is
+   computed from R_J with the positive number `other` in place of p (DLMF 19.20.14). */
 VM_API vm_real vmi_rj_principal(vm_real x, vm_real y, vm_real z, vm_real p)
 {
     const vm_real q = -p, other = (z * ((x + y) + q) - x * y) / (z + q), product = x * y + other * q;

@@ -3,8 +3,8 @@
    K(m) = integral from 0 to pi/2 of dx/sqrt(1 - m sin^2 x), E(m) = integral of sqrt(1 - m sin^2 x) dx from 0 to pi/2,
    too. The parameter m = k^2 is any number <= 1, also a negative one. The forms with suffix _m1 take m1 = 1 - m; use
    them for m close to 1, where the difference 1 - m would lose digits. For m between -33.5 and 0.971, K and E are
-   computed by series after one or two steps of the arithmetic-geometric mean, for other m by sums with the logarithm of
-   k' = sqrt(1 - m).
+   computed by series after one or two steps of the arithmetic-geometric mean, for any other m by sums that contain the
+   logarithm of k' = sqrt(1 - m).
 
        vm_real K = jacobi_K(VM_C(0.5)); // 1.854...
 

@@ -139,7 +139,7 @@ VM_API vm_real vmi_solution_m1(const vmi_solution *s)
     return vmi_exp(sum.hi, sum.lo) * ratio;
 }
 
-/* Returns m of the solution. */
+/* Returns the parameter m of the solution. */
 VM_API vm_real vmi_solution_m(const vmi_solution *s)
 {
     if (s->circular) return 16 * s->q * (1 - s->q * vmi_theta_loss(s->q));

@@ -34,7 +34,7 @@ typedef struct VM_TAG(jacobi_plan) {
     vmi_theta_form theta;               /* its field kp = k' is set for every method */
 } jacobi_plan;
 
-/* The polynomial 1 + c[0] y + c[1] y^2 + ... with VMI_TERMS coefficients c */
+/* Returns the polynomial 1 + c[0] y + c[1] y^2 + ... with VMI_TERMS coefficients c. */
 VM_INLINE vm_real vmi_plan_series(const vm_real *c, vm_real y)
 {
     const vm_real yy = y * y, y4 = yy * yy, low = (c[0] + y * c[1]) + yy * (c[2] + y * c[3]);
@@ -206,7 +206,8 @@ VM_API void jacobi_plan_sncndn(const jacobi_plan *p, vm_real u, vm_real *sn, vm_
     }
 }
 
-/* sn, cn and dn of n arguments, each with |u| < VMI_EXACT_QUARTERS K, in a loop that compilers can vectorise */
+/* Computes sn, cn and dn of n arguments, each with |u| < VMI_EXACT_QUARTERS K, in a loop that compilers can
+   vectorise. */
 VM_INLINE void vmi_plan_loop(const jacobi_plan *p, int form, int n, const vm_real *u, vm_real *sn, vm_real *cn,
                              vm_real *dn)
 {

@@ -21,7 +21,7 @@ typedef struct VM_TAG(vmi_theta_form) {
     vm_real kp, kp_lo; /* k' = sqrt(1 - m) in two words */
     vm_real q;         /* the nome of 1 - m, or of 1/(1 - m) in the reciprocal form */
     vm_real defect;    /* 1 - z/v, where v is the argument and z its phase (see vmi_far_prepare) */
-    vm_real f[3], g[2], scale[2]; /* f for P and Q, g for E, scale for theta_s and theta_c: see vmi_far_prepare */
+    vm_real f[3], g[2], scale[2]; /* f, g: coefficients of P, Q and of E; scale: factors of theta_s, theta_c */
 } vmi_theta_form;
 
 /* The three methods: the series near 0; theta functions with the nome of 1 - m, for m near 1; theta functions with

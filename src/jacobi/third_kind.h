@@ -57,9 +57,9 @@ typedef struct VM_TAG(vmi_third_kind) {
     vm_two rest;  /* 1 - Pi(-N | m)/K(m) */
 } vmi_third_kind;
 
-/* The complete integral of the third kind for m1 = 1 - m > 0 and N >= 0, where share = N/(1 + N) and
-   below = 1/(1 + N). It begins with p = sqrt(1 + N), Q = 1 and the numbers a = 1, g = k' of the arithmetic-geometric
-   mean (DLMF 19.8.6-7). Each step replaces p and Q by p+ and Q+:
+/* Returns the complete integral of the third kind for m1 = 1 - m > 0 and N >= 0, where share = N/(1 + N) and below =
+   1/(1 + N). It begins with p = sqrt(1 + N), Q = 1 and the numbers a = 1, g = k' of the arithmetic-geometric mean (DLMF
+   19.8.6-7). Each step replaces p and Q by p+ and Q+:
      e = (p^2 - a g)/(p^2 + a g),  p+ = (p^2 + a g)/(2p),  Q+ = Q e/2.
    1 - Pi/K is share/2 times the sum of all Q. Since this sum is 2 minus the sum of all Q (1 - e), both ratio = Pi/K and
    rest = 1 - Pi/K are sums of positive terms. Therefore they are accurate for any N. */
@@ -69,7 +69,7 @@ VM_API vmi_third_kind vmi_third_kind_ladder(vm_two m1, vm_two share, vm_two belo
     vm_two sum = vmi_two(0, 0), less = sum;
     vmi_third_kind result;
     int step;
-    for (step = 0; step < 200; step++) { /* 5 to 10 steps, plus one for each binary digit of sqrt(1 + N) */
+    for (step = 0; step < 200; step++) { /* 5 to 10 steps, and a step for each binary digit of sqrt(1 + N) */
         const vm_real apart = VM_FABS(a.hi - g.hi);
         ag = vmi_two_times(a, g);
         pp = vmi_two_times(p, p);
@@ -179,7 +179,7 @@ VM_API vmi_doubled_theta vmi_doubled_dual(vm_real K, vm_real Kc, vm_real y)
     return d;
 }
 
-/* The polynomial a[0] + a[1] x + a[2] x^2 + a[3] x^3 */
+/* Returns the polynomial a[0] + a[1] x + a[2] x^2 + a[3] x^3. */
 VM_INLINE vm_real vmi_cubic(const vm_real *a, vm_real x) { return (a[0] + a[1] * x) + (a[2] + a[3] * x) * (x * x); }
 
 /* Computes theta_4 at x = u/(4K), |x| <= 1/4, without the factor e^(2 pi i shift x), by which the caller multiplies. */
