@@ -686,24 +686,24 @@ VM_API vm_real vmi_head(vm_real x)
     return vmi_from_bits(vmi_to_bits(x) & ~(above - 1));
 }
 
-/* Returns the product x y of numbers in two words. The relative error is below 2^-(2p - 4) with p binary digits of
-   vm_real. */
+/* The product x y of numbers in two words; the relative error is below 2^-(2p - 4), where p is the number of binary
+   digits of vm_real. */
 VM_API vm_two vmi_two_times(vm_two x, vm_two y)
 {
     vm_two p = vmi_two_product(x.hi, y.hi);
     return vmi_two_sum(p.hi, p.lo + (x.hi * y.lo + x.lo * y.hi));
 }
 
-/* Returns the sum x + y of numbers in two words. The error is below 2^-(2p - 4) times the larger term, with p binary
-   digits of vm_real. */
+/* The sum x + y of numbers in two words; the error is below 2^-(2p - 4) of the larger term, where p is the number of
+   binary digits of vm_real. */
 VM_API vm_two vmi_two_plus(vm_two x, vm_two y)
 {
     vm_two s = vmi_two_sum(x.hi, y.hi);
     return vmi_two_sum(s.hi, s.lo + (x.lo + y.lo));
 }
 
-/* Returns the quotient x / y of numbers in two words. The relative error is below 2^-(2p - 4) with p binary digits of
-   vm_real. */
+/* The quotient x / y of numbers in two words; the relative error is below 2^-(2p - 4), where p is the number of binary
+   digits of vm_real. */
 VM_API vm_two vmi_two_over(vm_two x, vm_two y)
 {
     vm_real z = vmi_rounded(x.hi / y.hi);
