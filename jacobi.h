@@ -171,7 +171,7 @@
        jacobi_cn_means                Means of cn^2, cn^4 and cn^6 over a period, for the parameter m <= 1
 
      jacobi/descending: sn, cn, dn and K by the arithmetic-geometric mean
-       jacobi_agm_sncndn              sn, cn and dn by a given number of steps of the arithmetic-geometric mean, for m < 1
+       jacobi_agm_sncndn              sn, cn and dn of u by a given number of steps of the arithmetic-geometric mean, for m < 1
        jacobi_agm_K                   K(m) by the arithmetic-geometric mean, for m <= 1
 
      jacobi/carlson: Carlson's symmetric elliptic integrals R_F, R_C, R_D, R_J and R_G
@@ -1740,11 +1740,11 @@ typedef struct VM_TAG(vmi_period) {
 
 /* Returns K for 1 - m = m1 + m1_lo, a number in two words, where kp is k' in one word and VMI_IN_PERIOD_TABLE(kp) is 1.
    The relative error is below 2^-71 (float 2^-36).
-   Method: t is the sum of head, which has at most 14 digits (float 10), and a tail. b1, b2, ... are the products of the
-   heads of c_1, c_2, ... and the powers of head; they are exact. The sums in which K.middle is subtracted are exact,
-   too. All other terms are so small that one word is enough for them. The variable t has one word and does not contain
-   kp_lo, the low word of k'. The tail contains kp_lo. In the terms with t^4 and t^5 (float t^3 and t^4) the effect of
-   kp_lo is added as kp_lo times their derivatives with respect to t. */
+   Method: t is the sum of head, which has at most 14 binary digits (float 10), and a tail. b1, b2, ... are the products
+   of the heads of c_1, c_2, ... and the powers of head; they are exact. The sums in which K.middle is subtracted are
+   exact, too. All other terms are so small that one word is enough for them. The variable t has one word and does not
+   contain kp_lo, the low word of k'. The tail contains kp_lo. In the terms with t^4 and t^5 (float t^3 and t^4) the
+   effect of kp_lo is added as kp_lo times their derivatives with respect to t. */
 VM_INLINE vmi_period vmi_period_by_table(vm_real m1, vm_real m1_lo, vm_real kp)
 {
     const vmi_bits bits = vmi_to_bits(kp), half = (vmi_bits)1 << (VMI_STORED_DIG - 4);
@@ -2995,11 +2995,11 @@ VM_API void vmi_descend(const vmi_ladder *l, vm_real phase, vm_real *s, vm_real 
     }
 }
 
-/* sn, cn and dn by a given number of steps of the arithmetic-geometric mean, for m < 1. Fewer steps (at least one) cost
-   less and are less accurate. With steps >= 15 the function makes as many steps as the type needs; the error is then at
-   most 3 eps M (1 + M |u|) with M = max(1, k') for |u| <= 5K. The error grows with |u|: the rounded phase a_n u is
-   reduced by pi/2, while jacobi_sncndn reduces u itself by K. The results are NaN for m >= 1 and for infinite
-   arguments. */
+/* sn, cn and dn of u by a given number of steps of the arithmetic-geometric mean, for m < 1. Fewer steps (at least one)
+   cost less and are less accurate. With steps >= 15 the function makes as many steps as the type needs; the error is
+   then at most 3 eps M (1 + M |u|) with M = max(1, k') for |u| <= 5K. The error grows with |u|: the rounded phase
+   a_n u, with the last arithmetic mean a_n, is reduced by pi/2, while jacobi_sncndn reduces u itself by K. The results
+   are NaN for m >= 1 and for infinite arguments. */
 VM_API void jacobi_agm_sncndn(vm_real u, vm_real m, int steps, vm_real *sn, vm_real *cn, vm_real *dn)
 {
     const vmi_three half_pi = vmi_half_pi();
@@ -3394,7 +3394,7 @@ VM_INLINE vm_real vmi_rf_rd(vm_real x, vm_real y, vm_real z, vm_real *rd)
     while (spread > VMI_CARLSON_CLOSE * s.mean) {
         vmi_carlson_duplicate(&s);
         spread *= VM_C(0.25);
-        sum += power / (4 * s.c * s.z); /* 4 s.z is z + lambda with the z before this duplication */
+        sum += power / (4 * s.c * s.z); /* 4 s.z is z + lambda, where z is its value before this duplication */
         power *= VM_C(0.25);
     }
     *rd = 3 * sum + power * vmi_carlson_third(&s, -(s.X + s.Y) / s.mean);

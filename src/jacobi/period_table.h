@@ -267,11 +267,11 @@ typedef struct VM_TAG(vmi_period) {
 
 /* Returns K for 1 - m = m1 + m1_lo, a number in two words, where kp is k' in one word and VMI_IN_PERIOD_TABLE(kp) is 1.
    The relative error is below 2^-71 (float 2^-36).
-   Method: t is the sum of head, which has at most 14 digits (float 10), and a tail. b1, b2, ... are the products of the
-   heads of c_1, c_2, ... and the powers of head; they are exact. The sums in which K.middle is subtracted are exact,
-   too. All other terms are so small that one word is enough for them. The variable t has one word and does not contain
-   kp_lo, the low word of k'. The tail contains kp_lo. In the terms with t^4 and t^5 (float t^3 and t^4) the effect of
-   kp_lo is added as kp_lo times their derivatives with respect to t. */
+   Method: t is the sum of head, which has at most 14 binary digits (float 10), and a tail. b1, b2, ... are the products
+   of the heads of c_1, c_2, ... and the powers of head; they are exact. The sums in which K.middle is subtracted are
+   exact, too. All other terms are so small that one word is enough for them. The variable t has one word and does not
+   contain kp_lo, the low word of k'. The tail contains kp_lo. In the terms with t^4 and t^5 (float t^3 and t^4) the
+   effect of kp_lo is added as kp_lo times their derivatives with respect to t. */
 VM_INLINE vmi_period vmi_period_by_table(vm_real m1, vm_real m1_lo, vm_real kp)
 {
     const vmi_bits bits = vmi_to_bits(kp), half = (vmi_bits)1 << (VMI_STORED_DIG - 4);
