@@ -38,18 +38,18 @@
                            plain data and may be a constant in flash; examples/print_plan prints one. On AVR copy it
                            from there to RAM, by memcpy_P, before it is used.
      ateb_phase            s from sa and ca, as atan2 computes an angle from its sine and cosine
-     ateb_mean             the mean of |sa|^p |ca|^q over a period (316); ateb_mean_nm: the same with two indices and
-                           signs
-     ateb_integral_...     integrals from 0 to s
+     ateb_mean             the mean of |sa|^p |ca|^q over a period (316); ateb_mean_nm takes two indices and the signs
+                           of sa and ca into account
+     ateb_integral_...     integrals of sa^2 and of |ca|^(alpha+1) from 0 to s
      ateb_saca_nm          sa(n, m, s) and ca(m, n, s) with any two indices
      ateb_beta...          beta function, incomplete beta function and its inverse
      ateb_ln_beta...       logarithms of the beta functions, where these overflow or underflow
 
    ERRORS
      alpha < 0, NaN and infinite arguments give NaN; so do probabilities outside [0, 1], parameters of beta functions
-     outside 1e-4 to 1e5 (but the parameters 0 and infinity give limits), and whatever else lies outside the domain
-     that the comment of a function gives. For a bad alpha ateb_plan_init returns -1 and leaves the plan as it was.
-     Nothing else can fail. The functions allocate no memory and keep no state; the value of errno means nothing.
+     outside 1e-4 to 1e5 (but the parameters 0 and infinity give limits), and all arguments outside the domain that the
+     comment of a function gives. For a bad alpha ateb_plan_init returns -1 and leaves the plan as it was. Nothing else
+     can fail. The functions allocate no memory and keep no state; errno says nothing about their errors.
 
    METHOD
      First s is reduced to the first quarter of the period, which needs Pi_alpha. Pi_alpha comes from a table of
@@ -62,17 +62,17 @@
      is wanted.
 
    MACROS, to be defined before the include
-     VM_USE_FLOAT         float instead of double; the tests run both
-     VM_API               linkage of every function, default static inline
+     VM_USE_FLOAT         all numbers are float instead of double; the tests run both
+     VM_API               linkage of every function; the default is static inline
      VM_INLINE            linkage of the functions that are fast only if they are inlined. If it is defined as VM_API,
                           the code is smaller and the results are the same.
      VM_SQRT, VM_FABS, VM_FLOOR, VM_COPYSIGN
                           the functions of the C library that are used; define all four or none.
                           These functions are exact, so that results are the same on every machine, unless the compiler
                           fuses products and sums.
-     VM_TABLE, VM_READ    storage of the tables, and how an element of one is read; define both or none. Default:
-                          static const and (x); on AVR static const PROGMEM and pgm_read_float(&(x)), so that tables
-                          take no RAM
+     VM_TABLE, VM_READ    storage of the tables, and how an element of one is read; define both or none. The defaults
+                          are static const and (x); on AVR they are static const PROGMEM and pgm_read_float(&(x)), so
+                          that tables take no RAM
      VM_ALLOW_FAST_MATH   lets the headers compile under -ffast-math or a part of it, but none of the bounds below holds
                           then
      VM_MIXED_PRECISIONS  allows a program in which some files define VM_USE_FLOAT and others do not. Without it gcc and
@@ -85,41 +85,42 @@
      the compiler's macros show such an option. But clang's macros show only -ffast-math and -ffinite-math-only, and no
      macro shows "#pragma float_control", another rounding mode, or that the processor treats subnormal numbers, the
      smallest of all, as zero. vm_self_check() returns 0 in these cases, and 1 where all is well; a program may call it
-     once when it starts. On x87 units gcc in its gnu modes (gcc -m32, no -std=c99) computes with excess precision. Then
-     the bounds below do not hold, and odd and even functions may lose their symmetry in the last bit. The options
-     -fexcess-precision=standard, or -msse2 -mfpmath=sse, prevent this.
+     once when it starts. On x87 units gcc in its gnu modes (gcc -m32, no -std=c99) computes with more digits than the
+     type has (excess precision). Then the bounds below do not hold, and odd and even functions may lose their symmetry
+     in the last bit. The options -fexcess-precision=standard, or -msse2 -mfpmath=sse, prevent this.
 
    ACCURACY: bounds of the error, which the tests check; docs/measurements.md has the errors found.
      eps, ulp               eps is 2.2e-16 (float 1.2e-7). An ulp is the distance between two neighbouring numbers of
-                            the type, next to the true value. The bounds hold for the inputs as they are, without errors
-                            of their own.
+                            the type, next to the true value. The bounds take the inputs as exact.
      sa, ca                 absolute error <= 4 eps for |s| <= 1e9 (float 1e4), relative error <= 8 ulp for
                             |s| <= 100 Pi_alpha, for alpha = 0 and alpha from 1e-300 to 1e30. Between their extremes sa
                             and ca only rise or only fall, apart from errors of 2 ulp. sa^2 + |ca|^(alpha+1) is 1 to
                             within 1.5 eps (2 sa^2 + (alpha+1) |ca|^(alpha+1)).
      the zeros              of sa and ca have a relative error <= 2^-125 (float 2^-58); for alpha above 5e8 (float 2e4)
                             and for plans, it is <= 2^-102 (float 2^-44). This error, times |s| and the slope of sa or
-                            ca, adds to the errors above. It matters only where s is within an ulp of a zero.
+                            ca, comes in addition to the errors above. It matters only where s is within an ulp of a
+                            zero.
      Pi_alpha               <= 1 ulp
      sa, ca by a plan       <= 2 ulp for |s| <= 100 Pi_alpha and alpha up to 1e6, or the absolute error that the plan
                             was made for
      phase                  <= 8 ulp plus the change of s that 6 ulp of sa and of ca make, where sa and ca come from
                             ateb_saca
-     beta, mean, Pi(n, m)   <= 1 ulp, 2 ulp and 1 ulp
-     beta_inc               <= 30 ulp of p and of q
-     beta_inc_inv           <= 16 ulp of x and of y plus the change that one ulp of the smaller of p and q makes
+     beta, mean, Pi(n, m)   <= 1 ulp, 2 ulp and 1 ulp, in this order
+     beta_inc               <= 30 ulp of p = I_x(a, b) and of q = 1 - p
+     beta_inc_inv           <= 16 ulp of x and of y = 1 - x, plus the change that one ulp of the smaller of p and q
+                            makes
      sa(n, m), ca(m, n)     <= 8 ulp plus the change that an error of 2^-102 |s| (float 2^-44 |s|) in s makes
      integrals              the integrals of sa^2 and |ca|^(alpha+1) add up to s within 3 eps (1 + |s|)
 
    COST
-     docs/cost.md has the times, docs/counts.md the instructions of each function. An ateb_plan has
-     560 [ateb_plan_bytes] bytes, in float 184 [ateb_plan_bytes_float]; the name in brackets is the row of
-     docs/numbers.md from which the number is. The largest stack frame is below 2 kB.
+     docs/cost.md has the time of each function, docs/counts.md the number of instructions of a call. An ateb_plan has
+     560 [ateb_plan_bytes] bytes, in float 184 [ateb_plan_bytes_float]; the name in brackets is that of the row of
+     docs/numbers.md with this number. The largest stack frame is below 2 kB.
 
    REFERENCES
      [1] L. Cveticanin, Dynamics of Mass Variable System, dissertation; numbers like (277) are its equations. Where [1]
-         has a misprint, the corrected equation is meant: (278) and (280) mix up the indices and have a wrong sign,
-         (279) lacks the bars of |u|.
+         has a misprint, this file uses the corrected equation: in [1], (278) and (280) mix up the indices and have a
+         wrong sign, and (279) lacks the bars of |u|.
      [2] R. M. Rosenberg, The Ateb(h)-functions and their properties, Q. Appl. Math. 21 (1963) 37-47.
      [3] DLMF, dlmf.nist.gov: 8.17 (incomplete beta functions), 15.7 (continued fractions), 15.8(iii) (quadratic
          transformations).
@@ -173,7 +174,7 @@
 
    All other files include this one. It defines vm_real (double, or float where VM_USE_FLOAT is defined) and gives a
    default to each macro that the user has not set. It stops the compiler with an error if a compiler option changes the
-   results, and the linker where a program has files in float and in double. It names the four functions of the C
+   results, and it stops the linker if a program has files in float and in double. It names the four functions of the C
    library that are used: sqrt, fabs, floor, copysign.
 
        vm_real x = VM_C(0.1); // the number 0.1 as a vm_real, in double and in float
@@ -278,8 +279,8 @@ typedef double vm_real;
 /* A struct in float and the same struct in double have different sizes. In C the linker does not see where one file
    passes such a struct to another. So each file marks its precision here, and files of both precisions do not link,
    unless all files of one precision define VM_MIXED_PRECISIONS. With gcc the mark is an absolute symbol, which must
-   have the same value in every file of a program. With clang there is no such mark, since under -flto it would refuse
-   equal values, too. */
+   have the same value in every file of a program. With clang there is no such mark, since clang would refuse equal
+   values, too, under -flto. */
 #if defined(VM_MIXED_PRECISIONS) || defined(__CUDACC__)
 #elif defined(_MSC_VER)
 #ifdef VM_USE_FLOAT
@@ -343,7 +344,7 @@ VM_API vm_real vmi_copysign(vm_real x, vm_real y)
     return x;
 }
 
-/* The larger and the smaller of two numbers. Both functions return b if a or b is NaN. */
+/* These functions return the larger and the smaller of two numbers. Both functions return b if a or b is NaN. */
 VM_INLINE vm_real vmi_larger(vm_real a, vm_real b) { return a > b ? a : b; }
 VM_INLINE vm_real vmi_smaller(vm_real a, vm_real b) { return a < b ? a : b; }
 
@@ -389,7 +390,7 @@ VM_API vm_real vmi_rounded(vm_real x)
 #define vmi_rounded(x) (x)
 #endif
 
-/* Returns the exact sum a + b as a pair (by Knuth). */
+/* Returns the exact sum a + b as a pair, by Knuth's method. */
 VM_API vm_two vmi_two_sum(vm_real a, vm_real b)
 {
     vm_two s;
@@ -400,7 +401,7 @@ VM_API vm_two vmi_two_sum(vm_real a, vm_real b)
     return s;
 }
 
-/* Returns the exact sum a + b as a pair, for |a| >= |b| (by Dekker). */
+/* Returns the exact sum a + b as a pair, for |a| >= |b|, by Dekker's method. */
 VM_API vm_two vmi_fast_two_sum(vm_real a, vm_real b)
 {
     vm_two s;
@@ -423,8 +424,9 @@ VM_API vm_two vmi_two(vm_real hi, vm_real lo)
 
    Some options of compilers and some modes of processors change the results of floating-point arithmetic. Where a
    macro of the compiler shows such an option, the headers do not compile. vm_self_check() finds other options and modes
-   when the program runs: it computes a few numbers that show whether sums keep their order, whether results are
-   rounded to the nearest number, and whether NaN, infinity, -0 and subnormal numbers exist.
+   when the program runs: it computes a few numbers that show whether sums are computed in the order in which they are
+   written, whether results are rounded to the nearest number, and whether NaN, infinity, -0 and subnormal numbers
+   exist.
 
        int trustworthy = vm_self_check(); // once, when the program starts
 
@@ -646,21 +648,24 @@ VM_API vm_real vmi_head(vm_real x)
     return vmi_from_bits(vmi_to_bits(x) & ~(above - 1));
 }
 
-/* The product x y of numbers in two words; the relative error is below 2^-(2p - 4) */
+/* The product x y of numbers in two words; the relative error is below 2^-(2p - 4), where p is the number of binary
+   digits of vm_real. */
 VM_API vm_two vmi_two_times(vm_two x, vm_two y)
 {
     vm_two p = vmi_two_product(x.hi, y.hi);
     return vmi_two_sum(p.hi, p.lo + (x.hi * y.lo + x.lo * y.hi));
 }
 
-/* The sum x + y of numbers in two words; the error is below 2^-(2p - 4) of the larger term */
+/* The sum x + y of numbers in two words; the error is below 2^-(2p - 4) of the larger term, where p is the number of
+   binary digits of vm_real. */
 VM_API vm_two vmi_two_plus(vm_two x, vm_two y)
 {
     vm_two s = vmi_two_sum(x.hi, y.hi);
     return vmi_two_sum(s.hi, s.lo + (x.lo + y.lo));
 }
 
-/* The quotient x / y of numbers in two words; the relative error is below 2^-(2p - 4) */
+/* The quotient x / y of numbers in two words; the relative error is below 2^-(2p - 4), where p is the number of binary
+   digits of vm_real. */
 VM_API vm_two vmi_two_over(vm_two x, vm_two y)
 {
     vm_real z = vmi_rounded(x.hi / y.hi);
@@ -685,7 +690,7 @@ VM_API vmi_three vmi_three_words(vm_real a, vm_real b, vm_real c)
     return x;
 }
 
-/* The sum x + y of numbers in three words */
+/* Returns the sum x + y of numbers in three words. */
 VM_API vmi_three vmi_three_plus(vmi_three x, vmi_three y)
 {
     const vm_two high = vmi_two_sum(x.hi, y.hi), mid = vmi_two_sum(x.mid, y.mid);
@@ -693,7 +698,7 @@ VM_API vmi_three vmi_three_plus(vmi_three x, vmi_three y)
     return vmi_three_words(high.hi, sum.hi, sum.lo + mid.lo + (x.lo + y.lo));
 }
 
-/* The product x y of numbers in three words */
+/* Returns the product x y of numbers in three words. */
 VM_API vmi_three vmi_three_times(vmi_three x, vmi_three y)
 {
     const vm_two p = vmi_two_product(x.hi, y.hi), a = vmi_two_product(x.hi, y.mid);
@@ -703,7 +708,8 @@ VM_API vmi_three vmi_three_times(vmi_three x, vmi_three y)
                            mid.lo + sum.lo + (a.lo + b.lo) + (x.hi * y.lo + x.mid * y.mid + x.lo * y.hi));
 }
 
-/* The quotient x / y of numbers in three words, by long division: each of three steps gives a word of the quotient */
+/* Returns the quotient x / y of numbers in three words, by long division: each of three steps gives a word of the
+   quotient. */
 VM_API vmi_three vmi_three_over(vmi_three x, vmi_three y)
 {
     vm_real quotient[3];
@@ -715,16 +721,17 @@ VM_API vmi_three vmi_three_over(vmi_three x, vmi_three y)
     return vmi_three_words(quotient[0], quotient[1], quotient[2]);
 }
 
-/* The fourth power of x */
+/* Returns the fourth power of x. */
 VM_API vm_real vmi_fourth_power(vm_real x) { return (x * x) * (x * x); }
 
-/* The product of x and a power of two, which is exact */
+/* Returns the product of x and a power of two, which is exact. */
 VM_API vmi_three vmi_three_scaled(vmi_three x, vm_real power)
 {
     return vmi_three_words(x.hi * power, x.mid * power, x.lo * power);
 }
 
-/* The square root of a. It starts as the root of the first word; then two steps of Newton's method add a word each. */
+/* Returns the square root of a. It starts as the root of the first word; then two steps of Newton's method add a word
+   each. */
 VM_API vmi_three vmi_three_sqrt(vmi_three a)
 {
     const vm_real root = VM_SQRT(a.hi);
@@ -737,7 +744,7 @@ VM_API vmi_three vmi_three_sqrt(vmi_three a)
     return x;
 }
 
-/* The number pi/2 in three words */
+/* Returns the number pi/2 in three words. */
 VM_API vmi_three vmi_half_pi(void)
 {
 #if VM_MANT_DIG > 24
@@ -756,7 +763,7 @@ VM_API vm_real vmi_root_residual(vm_real a, vm_real root)
     return ((a - head * head) - 2 * head * tail) - tail * tail;
 }
 
-/* The square root of a + a_lo in two words, where a_lo is below an ulp of a */
+/* Returns the square root of a + a_lo in two words, where a_lo is below an ulp of a. */
 VM_API vm_two vmi_root(vm_real a, vm_real a_lo)
 {
     const vm_real root = vmi_rounded(VM_SQRT(a));
@@ -771,20 +778,20 @@ VM_INLINE vm_real vmi_clamp(vm_real x, vm_real low, vm_real high)
     return x;
 }
 
-/* The product of x and a power of two, which is exact */
+/* Returns the product of x and a power of two, which is exact. */
 VM_API vm_two vmi_two_shifted(vm_two x, vm_real power) { return vmi_two(x.hi * power, x.lo * power); }
 
-/* The difference x - y of numbers in two words */
+/* Returns the difference x - y of numbers in two words. */
 VM_API vm_two vmi_two_minus(vm_two x, vm_two y) { return vmi_two_plus(x, vmi_two(-y.hi, -y.lo)); }
 
-/* The square root of x >= 0. For x below 2^-500 (float 2^-80) the low word of the result is not reliable. */
+/* Returns the square root of x >= 0. For x below 2^-500 (float 2^-80) the low word of the result is not reliable. */
 VM_API vm_two vmi_two_root(vm_two x)
 {
     if (x.hi > 0) return vmi_root(x.hi, x.lo);
     return vmi_two(0, 0);
 }
 
-/* The number -x */
+/* Returns the number -x. */
 VM_API vm_two vmi_minus(vm_two x)
 {
     x.hi = -x.hi;
@@ -792,7 +799,7 @@ VM_API vm_two vmi_minus(vm_two x)
     return x;
 }
 
-/* The number x / 2 */
+/* Returns the number x / 2. */
 VM_API vm_two vmi_half(vm_two x)
 {
     x.hi /= 2;
@@ -800,15 +807,15 @@ VM_API vm_two vmi_half(vm_two x)
     return x;
 }
 
-/* The product of x and a factor of one word */
+/* Returns the product of x and a factor of one word. */
 VM_API vm_two vmi_two_scaled(vm_two x, vm_real factor)
 {
     vm_two p = vmi_two_product(x.hi, factor);
     return vmi_fast_two_sum(p.hi, p.lo + x.lo * factor);
 }
 
-/* The sum a b + c d of two products, with a relative error of at most 2 eps, even where the products nearly cancel each
-   other. No product may underflow. */
+/* Returns the sum a b + c d of two products, with a relative error of at most 2 eps, even where the products nearly
+   cancel each other. No product may underflow. */
 VM_API vm_real vmi_sum_of_products(vm_real a, vm_real b, vm_real c, vm_real d)
 {
     const vm_two ab = vmi_two_product(a, b), cd = vmi_two_product(c, d);
@@ -890,8 +897,8 @@ VM_API vm_real vmi_ateb_coefficient(int which_word, int i)
 /* The degree of the polynomial of vmi_ateb_coefficient */
 enum { VMI_ATEB_DEGREE = VM_MANT_DIG > 24 ? 33 : 17 };
 
-/* The polynomial of vmi_ateb_coefficient in two words. From index TWO_WORDS on the coefficients are so small that one
-   word is enough. Each coefficient exceeds the sum of the terms after it, so that the faster sum by Dekker
+/* Returns the polynomial of vmi_ateb_coefficient in two words. From index TWO_WORDS on the coefficients are so small
+   that one word is enough. Each coefficient exceeds the sum of the terms after it, so that the faster sum by Dekker
    (vmi_fast_two_sum) is enough for the high words. */
 VM_API vm_two vmi_ateb_polynomial(vm_two t)
 {
@@ -1193,8 +1200,8 @@ VM_INLINE vm_two vmi_ateb_g(vm_two q)
     return g;
 }
 
-/* The numbers that sa, ca and Pi_alpha need for one alpha. Each low word is below an ulp of its high word, unless the
-   comment of the function that sets it says otherwise. */
+/* The numbers from which sa, ca and Pi_alpha are computed for one alpha. Each low word is below an ulp of its high
+   word, unless the comment of the function that sets it says otherwise. */
 typedef struct VM_TAG(vmi_ateb) {
     vm_two n;       /* alpha + 1 */
     vm_two q;       /* 1/(alpha + 1) */
@@ -1217,9 +1224,9 @@ VM_INLINE void vmi_ateb_index_constants(vmi_ateb *c, vm_real alpha)
     c->q.lo = (((1 - n_head * q_head) - n_tail * q_head) - c->n.hi * (c->q.hi - q_head)) * c->q.hi;
 }
 
-/* Sets the fields g and quarter, whose low words may be as large as 2^-13. Where an argument is reduced, the absolute
-   error of Pi_alpha matters. It is small for a large alpha too, since Pi_alpha is computed as the sum of n = alpha + 1
-   and g. */
+/* Sets the fields g and quarter, whose low words may be as large as 2^-13. Where an argument is reduced by multiples of
+   Pi_alpha/2, the absolute error of Pi_alpha is important. It is small for a large alpha too, since Pi_alpha is
+   computed as the sum of n = alpha + 1 and g. */
 VM_INLINE void vmi_ateb_period_constants(vmi_ateb *c)
 {
     c->g = vmi_ateb_g(c->q);
@@ -1228,7 +1235,7 @@ VM_INLINE void vmi_ateb_period_constants(vmi_ateb *c)
     c->quarter = vmi_half(c->quarter);
 }
 
-/* Sets all of n, q, g and quarter, each low word below an ulp of its high word */
+/* Sets the fields n, q, g and quarter. Each low word is below an ulp of its high word. */
 VM_API void vmi_ateb_constants(vmi_ateb *c, vm_real alpha)
 {
     vmi_ateb_index_constants(c, alpha);
@@ -1239,7 +1246,7 @@ VM_API void vmi_ateb_constants(vmi_ateb *c, vm_real alpha)
 
 /* Pi_alpha, half the period of sa and ca, for alpha >= 0. Pi_alpha = B(1/(alpha + 1), 1/2) is a pure number: 2 for
    alpha = 0, pi for alpha = 1, and close to alpha + 1 + 2 ln 2 for a large alpha. The error is at most 1 ulp. Returns
-   NaN for alpha < 0, NaN and infinite alpha. docs/cost.md has the time. Equation (277). */
+   NaN for alpha < 0, NaN and infinite alpha. docs/cost.md has the time of a call. Equation (277). */
 VM_API vm_real ateb_pi(vm_real alpha)
 {
     vmi_ateb c;
@@ -1292,8 +1299,8 @@ VM_API vmi_three vmi_ateb_quarter_in_words(const vmi_ateb *c)
 /* A function that sets all constants of one alpha: vmi_ateb_constants, or vmi_ateb_fine_constants */
 typedef void (*vmi_ateb_constants_of)(vmi_ateb *c, vm_real alpha);
 
-/* Sets all of n, q, g and quarter, as vmi_ateb_constants does, but without the table of g: the code is shorter and the
-   results are more accurate, but the function takes longer. */
+/* Sets the fields n, q, g and quarter, as vmi_ateb_constants does, but without the table of g: the code is shorter and
+   the results are more accurate, but the function takes longer. */
 VM_API void vmi_ateb_fine_constants(vmi_ateb *c, vm_real alpha)
 {
     vmi_ateb_index_constants(c, alpha);
@@ -1305,10 +1312,11 @@ VM_API void vmi_ateb_fine_constants(vmi_ateb *c, vm_real alpha)
 #endif
 /* base/elementary.h - logarithm, exponential, power, sine, cosine and arctangent, with the same bits on every machine
 
-   The C library's functions differ from machine to machine in the last bits. The functions of this file give the same
-   bits everywhere: they use only basic operations, which every machine rounds in the same way. The logarithm and the
-   exponential are computed in two words (see base/sums.h), so that a power made from them has all its digits. They
-   branch only where a result is subnormal, so that a compiler can vectorise loops over them.
+   The results of the C library's functions differ from machine to machine in the last bits. The functions of this file
+   give the same bits everywhere: they use only basic operations, which every machine rounds in the same way. The
+   logarithm and the exponential are computed in two words (see base/sums.h), so that a power made from them has all its
+   digits. The logarithm and the exponential branch only where a number is subnormal, so that a compiler can vectorise
+   loops over them.
 
        vm_real y = vmi_exp(VM_C(1.5), 0); // e^1.5
 
@@ -1629,8 +1637,8 @@ VM_API vm_real vmi_pow_checked(vm_real x, vm_real y)
     return vmi_pow_two(vmi_two(x, 0), vmi_two(y, 0));
 }
 
-/* Returns e^y - 1 in two words. The error is below 2^-(p+4) (1 + e^y), where p is the number of digits of vm_real;
-   for small y it is below 2^-p of the result. Where e^y overflows, the result is infinity. */
+/* Returns e^y - 1 in two words. The error is below 2^-(p+4) (1 + e^y), where p is the number of binary digits of
+   vm_real; for small y the error is below 2^-p times the result. Where e^y overflows, the result is infinity. */
 VM_API vm_two vmi_expm1(vm_two y)
 {
     const vm_real largest = VM_C(0.6931471805599453094) * (VMI_BIAS + 1);
@@ -1651,8 +1659,8 @@ VM_API vm_two vmi_expm1(vm_two y)
     return vmi_fast_two_sum(sum.hi, sum.lo + power.lo);
 }
 
-/* Returns ln(1 + x) in two words for -1 < x < 1e299 (float 1e34); a larger x may give NaN. The relative error is
-   below 2^-(p+7), where p is the number of digits of vm_real. Method: 1 + x = y (1 + t), where y is one word and t is
+/* Returns ln(1 + x) in two words for -1 < x < 1e299 (float 1e34); a larger x may give NaN. The relative error is below
+   2^-(p+7), where p is the number of binary digits of vm_real. Method: 1 + x = y (1 + t), where y is one word and t is
    below an ulp of 1. */
 VM_API vm_two vmi_log1p(vm_two x)
 {
@@ -1846,8 +1854,8 @@ VM_INLINE vm_real vmi_ateb_exp2(vm_real whole, vm_real rest)
      w, x    v^2 and 1 - w = u^(alpha+1)
      y, X    2 q d and y^(alpha+1)
      p       (1 - v)/2
-   They satisfy two equations. The second one follows from the quadratic transformation of 2F1(1/2, q; 1 + q; x), DLMF
-   15.8(iii), and defines T:
+   These numbers satisfy two equations. The second one follows from the quadratic transformation of
+   2F1(1/2, q; 1 + q; x) (DLMF 15.8(iii)) and defines T:
      r = B_w(1/2, q)/2 = v u 2F1(1, q + 1/2; 3/2; w),
      2 q d = q B_x(q, 1/2) = u (1 + q T), where 1 + q T = 2F1(1, 2q; 1 + q; p).
 
@@ -1874,7 +1882,7 @@ enum { VMI_ATEB_W_LEVELS = VM_MANT_DIG > 24 ? 12 : 6, VMI_ATEB_P_LEVELS = VM_MAN
 
 /* Computes Y_1 = P/Q of Gauss's continued fraction (see above) without a division. Y is the value of Y_(levels+1).
    Element j of e_by_z is e_(j+1)/z, beginning with e_1/z. These elements do not depend on z, so that the processor
-   computes them while it waits for z. */
+   can compute them while it waits for z. */
 VM_INLINE void vmi_ateb_fraction(const vm_real *e_by_z, vm_real z, int levels, vm_real Y, vm_real *P, vm_real *Q)
 {
     int j;
@@ -1931,10 +1939,10 @@ VM_API vm_real vmi_ateb_power_rest(vm_real t, vm_real q)
     return -l - l * z * vmi_ateb_exp_series(z);
 }
 
-/* sa and ca at the distance r from the zero of sa, for 0 <= r <= VMI_ATEB_CHANGE_OVER. q is 1/(alpha + 1). `guess` is
-   the power series of sa up to r^9, which is right to 1e-5; its coefficients are polynomials in k = 1 - q. v is the
-   guess shortened to half of its digits, so that w = v^2 is exact. u is the ca that belongs to sa = v, and h is r minus
-   the r that belongs to v. A Taylor series in e = h/u gives sa and ca. */
+/* Computes sa and ca at the distance r from the zero of sa, for 0 <= r <= VMI_ATEB_CHANGE_OVER. q is 1/(alpha + 1).
+   `guess` is the power series of sa up to r^9, which is right to 1e-5; its coefficients are polynomials in k = 1 - q. v
+   is the guess shortened to half of its digits, so that w = v^2 is exact. u is the ca that belongs to sa = v, and h is
+   r minus the r that belongs to v. A Taylor series in e = h/u gives sa and ca. */
 VM_API void vmi_ateb_near_sa_zero(vm_real r, vm_real q, vm_real *sa, vm_real *ca)
 {
     const vm_real k = 1 - q, rr = r * r, b = q + VM_C(0.5);
@@ -1977,7 +1985,7 @@ VM_INLINE vm_two vmi_ateb_twice_q_times(vm_two twice_q, vm_real d, vm_real d_lo)
 {
     const vm_real q = twice_q.hi, q_head = vmi_head(q), d_head = vmi_head(d);
     vm_two y;
-    y.hi = q * d + 0; /* "+ 0": see vmi_two_product */
+    y.hi = q * d + 0; /* "+ 0" keeps the compiler from fusing (vmi_two_product) */
     y.lo = (q_head * d_head - y.hi) + (q_head * (d - d_head) + (q - q_head) * d) + (twice_q.lo * d + q * d_lo);
     return y;
 }
@@ -2017,8 +2025,8 @@ VM_INLINE vm_real vmi_ateb_guess_p(vm_real q, vm_real X4)
            (X4 + (X4 * X4) * (X4 * X4) * (q * k * (lack0 + X4 * lack1)));
 }
 
-/* sa and ca at the distances r >= VMI_ATEB_CHANGE_OVER from the zero of sa and d from the zero of ca. The numbers
-   q = 1/(alpha + 1), y = 2 q d and X = y^(alpha+1) are known. The unknown is p = (1 - sa)/2. From p follow
+/* Computes sa and ca at the distances r >= VMI_ATEB_CHANGE_OVER from the zero of sa and d from the zero of ca. The
+   numbers q = 1/(alpha + 1), y = 2 q d and X = y^(alpha+1) are known. The unknown is p = (1 - sa)/2. From p follow
      v = sa = 1 - 2 p,   x = 1 - v^2 = 4 p (1 - p),   u = ca = x^q,   E = 2F1(1, 2q; 1 + q; p).
    They satisfy y = u E, so that p is the solution of ln X = ln x + (alpha + 1) ln E. The derivatives with respect to ln
    X are
@@ -2072,7 +2080,7 @@ VM_API void vmi_ateb_near_ca_zero(vm_real r, vm_real d, const vmi_ateb *c, vm_re
 #define VARMASS_ATEB_FUNCTIONS_H
 
 /* The position of s in the period. s is `quarter` quarters of the period plus rest, where whole periods (4 quarters)
-   are left out. r and d are the distances of s from the nearest zeros of sa and ca. */
+   are not counted. r and d are the distances of s from the nearest zeros of sa and ca. */
 typedef struct VM_TAG(vmi_ateb_place) {
     vm_real rest, r, d;
     int quarter;
@@ -2107,8 +2115,8 @@ VM_API vm_real vmi_choose(vm_real weight, vm_real a, vm_real b) { return weight 
 /* Returns the position of s >= 0 in the period, by the quickest of three ways.
      1. An s <= (alpha + 1)/2 lies in the first quarter. Then r = s, which is known without Pi_alpha.
      2. For s <= 128 (alpha + 1), c->quarter is accurate enough, unless s is close to a zero of sa or ca. Its high
-        word is multiplied in two halves, whose products with the number of quarters are exact. This number comes
-        from the high word of c->quarter alone, so that the rest may be a little longer than half a quarter.
+        word is multiplied in two halves, whose products with the number of quarters are exact. The number of quarters
+        is computed from the high word of c->quarter alone, so that the rest may be a little longer than half a quarter.
      3. Any other s is reduced by vmi_ateb_reduce_finely. */
 VM_INLINE vmi_ateb_place vmi_ateb_locate(vm_real s, vmi_ateb *c)
 {
@@ -2141,8 +2149,8 @@ VM_INLINE vmi_ateb_place vmi_ateb_locate(vm_real s, vmi_ateb *c)
     return at;
 }
 
-/* Sets the signs of sa and ca to those at s. On entry both hold the values of the first quarter. |s| is `quarter`
-   quarters plus rest. The function works on the bits of the signs, without a branch. */
+/* Sets the signs of sa and ca to those at s. Before the call, *sa and *ca are the values in the first quarter. |s| is
+   `quarter` quarters plus rest. The function works on the bits of the signs, without a branch. */
 VM_INLINE void vmi_ateb_signs(vm_real s, vm_real rest, vmi_bits quarter, vm_real *sa, vm_real *ca)
 {
     const int last = 8 * (int)sizeof(vm_real) - 1;
@@ -2155,8 +2163,8 @@ VM_INLINE void vmi_ateb_signs(vm_real s, vm_real rest, vmi_bits quarter, vm_real
 /* sa(1, alpha, s) and ca(alpha, 1, s), the Ateb sine and cosine. s is any real number and alpha >= 0; both are pure
    numbers. |sa| <= 1 and |ca| <= 1. sa is odd in s and ca is even, to the last bit. The errors are at most 4 VM_EPSILON
    for |s| <= 1e9 (float 1e4), and at most 8 ulp for |s| <= 100 Pi_alpha, also next to the zeros of sa and ca. The
-   results are NaN for alpha < 0 and for NaN and infinite arguments. docs/cost.md has the time. Equations (275),
-   (276). */
+   results are NaN for alpha < 0 and for NaN and infinite arguments. docs/cost.md has the time of a call. Equations
+   (275), (276). */
 VM_API void ateb_saca(vm_real s, vm_real alpha, vm_real *sa, vm_real *ca)
 {
     vmi_ateb c;
@@ -2232,7 +2240,8 @@ VM_API vm_real vmi_ateb_phase_near_sa_zero(vm_two h, vm_real sum, vm_real q)
 /* Returns r, the distance between s and the zero of sa, for w = sa^2 >= 0.302. The arguments are h = ln(w/x) with
    x = 1 - w, e = e^-|h| and sum = 1 + e. The function computes u = ca = x^q by means of ln x = -ln(1 + e^h). Where u is
    well below 1, r is a quarter of the period minus d = u (n + T)/2. Where u is near 1, the function computes 1 - u
-   without loss of digits, and r = (n (1 - u) + g - u T)/2. n and g are fields of *c, T is the result of vmi_ateb_T. */
+   without loss of digits, and r = (n (1 - u) + g - u T)/2. n = alpha + 1 and g = Pi_alpha - n are fields of *c, T is
+   the result of vmi_ateb_T. */
 VM_API vm_real vmi_ateb_phase_near_ca_zero(vm_two h, vm_real e, vm_real sum, const vmi_ateb *c)
 {
     const vm_real large_ln = VM_C(0.69) * VMI_BIAS, n = c->n.hi, smaller = e / sum, larger = 1 / sum;
@@ -2343,7 +2352,8 @@ VM_API vm_real vmi_ateb_phase_by_series(vm_two quarter, vm_real alpha, vm_real s
    This file has functions for two integrals from 0 to s,
      integral of sa^2 = (s - sa ca) (alpha+1)/(alpha+3),
      integral of |ca|^(alpha+1) = s - integral of sa^2.
-   Two others have a closed form: the integral of sa is (1 - ca) (alpha+1)/2, and that of ca |ca|^(alpha-1) is sa.
+   Two other integrals are so simple that no function is needed: the integral of sa is (1 - ca) (alpha+1)/2, and that of
+   ca |ca|^(alpha-1) is sa.
 
        vm_real work = ateb_integral_sa2(VM_C(0.7), VM_C(1.5));
 
@@ -2461,9 +2471,9 @@ VM_API void vmi_remove_highest(vm_real *c, int n, int lowest)
    for larger r, with two other polynomials,
      ca = 2 q d (1 + tau A(tau)) and sa = 1 + tau C(tau), where tau is X = (2 q d)^(alpha+1) up to a factor.
    The polynomials are Taylor series from (275), economised: the last terms are removed by Chebyshev polynomials. For
-   alpha = 0, 1/2, 1, ..., 7 tau = d d^alpha is computed by products and a square root; for any other alpha tau = X is
-   an exponential. Source: Lanczos, Applied Analysis (1956). Tests: tests/test_ateb.c, tests/test_plans.sh. Example:
-   examples/print_plan.c. */
+   alpha = 0, 1/2, 1, ..., 7, tau is d d^alpha and is computed by products and a square root; for any other alpha, tau
+   is X and is computed by an exponential. Source: Lanczos, Applied Analysis (1956). Tests: tests/test_ateb.c,
+   tests/test_plans.sh. Example: examples/print_plan.c. */
 #ifndef VARMASS_ATEB_PLANS_H
 #define VARMASS_ATEB_PLANS_H
 
@@ -2481,15 +2491,16 @@ typedef struct VM_TAG(vmi_ateb_part) {
     vm_real odd[ATEB_PLAN_LENGTH], even[ATEB_PLAN_LENGTH];
 } vmi_ateb_part;
 
-/* What sa and ca need for one alpha. ateb_plan_init fills it. All fields are pure numbers. */
+/* The numbers from which sa and ca are computed for one alpha. ateb_plan_init writes them. All fields are pure
+   numbers. */
 typedef struct VM_TAG(ateb_plan) {
     vm_two quarter;           /* Pi_alpha/2 */
 #if VM_MANT_DIG > 24
-    vm_real quarter_low; /* Pi_alpha/2 minus its two words in `quarter`; not in float, where plans are short */
+    vm_real quarter_low; /* Pi_alpha/2 minus its two words in `quarter`; a float plan lacks this field */
 #endif
     vm_real quarter_parts[3]; /* three numbers with the sum `quarter`; the first two have at most half of the digits */
     vm_real per_quarter;      /* 2/Pi_alpha */
-    vm_real longest;          /* for |s| < longest the first two parts times a number of quarters are exact */
+    vm_real longest;          /* for |s| < longest, the first two parts times the number of quarters are exact */
     vm_real change_over;      /* part[0] is used up to this distance r from a zero of sa */
     vm_real n, g;             /* alpha + 1 and Pi_alpha - (alpha + 1) */
     vm_two twice_q;           /* 2/(alpha + 1) */
@@ -2520,7 +2531,7 @@ VM_INLINE vm_two vmi_ateb_twice_q_d(const ateb_plan *p, vm_real d, vm_real d_lo)
 
 /* Returns X = (2 q d)^(alpha+1), where q = 1/(alpha+1). r and d + d_lo are the distances of s from the zeros of sa and
    ca; 2 q d is computed from the shorter one (vmi_ateb_base_of) and is written to *y. Where X would be subnormal, the
-   result is about the least normal number instead. */
+   result is about the smallest normal number instead. */
 VM_INLINE vm_real vmi_ateb_exponential(const ateb_plan *p, vm_real r, vm_real d, vm_real d_lo, vm_two *y)
 {
     const vmi_ateb_base base = vmi_ateb_base_of(p->twice_q, r, 2 * r - p->g, d, d_lo);
@@ -2531,15 +2542,15 @@ VM_INLINE vm_real vmi_ateb_exponential(const ateb_plan *p, vm_real r, vm_real d,
     return vmi_ateb_exp2(whole, rest);
 }
 
-/* The polynomial c[0] + c[1] x + c[2] x^2 + c[3] x^3, where xx = x^2 */
+/* Returns the polynomial c[0] + c[1] x + c[2] x^2 + c[3] x^3, where xx = x^2. */
 VM_INLINE vm_real vmi_ateb_four_terms(const vm_real *c, vm_real x, vm_real xx)
 {
     return (c[0] + x * c[1]) + xx * (c[2] + x * c[3]);
 }
 
-/* The polynomial c[0] + c[1] x + ... with at least `length` terms. The coefficients beyond `length` are 0. The terms
-   after the first are grouped by four, so that the processor computes the groups at once. The first and largest term is
-   added last, so that only one rounding error of the size of the sum is made. */
+/* Returns the polynomial c[0] + c[1] x + ..., computed with at least `length` terms. The coefficients beyond `length`
+   are 0. The terms after the first are grouped by four, so that the processor computes the groups at once. The first
+   and largest term is added last, so that only one rounding error of the size of the sum is made. */
 VM_INLINE vm_real vmi_ateb_part_series(const vm_real *c, int length, vm_real x)
 {
     const vm_real xx = x * x, x4 = xx * xx;
@@ -2562,7 +2573,7 @@ VM_INLINE void vmi_ateb_part_at(const vmi_ateb_part *part, int length, vm_two ba
 }
 
 /* Returns |s| minus the nearest multiple of Pi_alpha/2, for |s| < p->longest, which is 2^26 quarters (float 2^12).
-   The last bits of *quarter become those of the number of quarters. */
+   *quarter becomes a number whose last two bits are the number of quarters modulo 4. */
 VM_INLINE vm_real vmi_ateb_plan_reduce(const ateb_plan *p, vm_real s, vmi_bits *quarter)
 {
     const vm_real x = VM_FABS(s), to_integer = VM_C(1.5) / VM_EPSILON;
@@ -2571,15 +2582,17 @@ VM_INLINE vm_real vmi_ateb_plan_reduce(const ateb_plan *p, vm_real s, vmi_bits *
     return ((x - count * p->quarter_parts[0]) - count * p->quarter_parts[1]) - count * p->quarter_parts[2];
 }
 
-/* Returns 1 if `rest`, which is s minus a multiple of Pi_alpha/2, is so small that two words of Pi_alpha/2 are not
-   enough to compute it, else 0. A float plan has no more words: then the result is 0. */
+/* `rest` is s minus the nearest multiple of Pi_alpha/2, computed with Pi_alpha/2 in two words. Returns 1 if this `rest`
+   is so small that it must be computed again with a third word of Pi_alpha/2, else 0. A plan in float has no third
+   word: then the result is always 0. */
 VM_INLINE int vmi_ateb_plan_is_close(vm_real rest, vm_real s)
 {
     return VM_MANT_DIG > 24 && VM_FABS(rest) < VMI_ATEB_FINE_REACH * VM_FABS(s);
 }
 
 /* Returns x minus the nearest multiple of Pi_alpha/2, for an x > 0 that is close to a multiple (see
-   vmi_ateb_plan_is_close). `rest` is the same difference, computed with two words of Pi_alpha/2. */
+   vmi_ateb_plan_is_close). `rest` is this difference, computed with two words of Pi_alpha/2. The result is computed
+   with three words, or in float is `rest`. */
 VM_API vm_real vmi_ateb_plan_reduce_finely(const ateb_plan *p, vm_real x, vm_real rest)
 {
 #if VM_MANT_DIG > 24
@@ -2596,7 +2609,7 @@ VM_API vm_real vmi_ateb_plan_reduce_finely(const ateb_plan *p, vm_real x, vm_rea
 /* sa and ca of the argument s for the plan's alpha. s may be any number. For alpha up to 1e6 and |s| <= 100 Pi_alpha,
    the error of a plan of full accuracy is at most 2 ulp (in float, next to a zero of sa or ca, 2 ulp plus the change
    that a change of s by 1e-13 |s| makes); any other plan has the accuracy that was given to ateb_plan_init_to. The
-   results are NaN for infinite and NaN s. docs/cost.md has the time. */
+   results are NaN for infinite and NaN s. docs/cost.md has the time of a call. */
 VM_API void ateb_plan_saca(const ateb_plan *p, vm_real s, vm_real *sa, vm_real *ca)
 {
     vm_real rest, near_zero, far_zero, lost, v, u;
@@ -2642,8 +2655,8 @@ VM_API void ateb_plan_saca(const ateb_plan *p, vm_real s, vm_real *sa, vm_real *
 }
 
 /* Arrays are computed in blocks of VMI_ATEB_BLOCK arguments, by loops without branches, which compilers turn into
-   vector instructions. VMI_ATEB_WIDE is 1 on processors with wide vector registers, else 0. With narrow ones, such a
-   loop takes longer than single calls. */
+   vector instructions. VMI_ATEB_WIDE is 1 on processors with wide vector registers, else 0. With narrow vector
+   registers such a loop takes longer than single calls. */
 enum { VMI_ATEB_BLOCK = 32 };
 #if defined(__AVX2__) || defined(__ARM_NEON) || defined(__ARM_FEATURE_SVE)
 #define VMI_ATEB_WIDE 1
@@ -2651,9 +2664,9 @@ enum { VMI_ATEB_BLOCK = 32 };
 #define VMI_ATEB_WIDE 0
 #endif
 
-/* Intermediate results for the arguments s of a block: |s| minus the nearest multiple of the quarter period, the bits
-   of the number of quarters, the distances r and d of s from the zeros of sa and ca with their rounding errors, and
-   base and tau of vmi_ateb_part_at */
+/* Intermediate results for the arguments s of a block. They are |s| minus the nearest multiple of the quarter period,
+   the bits of the number of quarters, the distances r and d of s from the zeros of sa and ca with their rounding
+   errors, and base and tau of vmi_ateb_part_at */
 typedef struct VM_TAG(vmi_ateb_block) {
     vmi_bits quarter[VMI_ATEB_BLOCK];
     vm_real rest[VMI_ATEB_BLOCK];
@@ -2755,8 +2768,7 @@ VM_INLINE void vmi_ateb_block_sums(const ateb_plan *p, int length, const vmi_ate
 
 /* Computes sa and ca of a block of arguments, each with |s| < p->longest. The number of terms is a constant in each of
    the calls, so that compilers can vectorise the loop over the arguments. Arguments next to a zero of sa or ca are
-   computed once more, one by one. The plan is copied: the compiler then knows
-   that the results do not change it. */
+   computed once more, one by one. The plan is copied: the compiler then knows that the results do not change it. */
 VM_API void vmi_ateb_block_saca(const ateb_plan *plan, const vm_real *s, vm_real *sa, vm_real *ca)
 {
     const ateb_plan p = *plan;
@@ -2779,10 +2791,10 @@ VM_API void vmi_ateb_block_saca(const ateb_plan *plan, const vm_real *s, vm_real
 }
 
 /* sa and ca of n arguments for the plan's alpha. The arrays s, sa and ca have n elements each. s may be the array sa or
-   ca; apart from this they must not overlap. Domain and accuracy are those of ateb_plan_saca; the last bits may depend
-   on the index in the array. Arguments are computed in blocks of 32; those with |s| >= p->longest, and those that are
-   not finite, are computed one by one. Arrays are faster than single calls on processors with wide vector registers
-   (docs/cost.md has the times). */
+   the array ca; otherwise the three arrays must not overlap. Domain and accuracy are those of ateb_plan_saca; the last
+   bits may depend on the index in the array. Arguments are computed in blocks of 32; those with |s| >= p->longest, and
+   those that are not finite, are computed one by one. Arrays are faster than single calls on processors with wide
+   vector registers (docs/cost.md has the times). */
 VM_API void ateb_plan_saca_array(const ateb_plan *p, int n, const vm_real *s, vm_real *sa, vm_real *ca)
 {
     const int wide = VMI_ATEB_WIDE && p->quarter.hi < 1 / VM_EPSILON;
@@ -2810,7 +2822,7 @@ VM_API void ateb_plan_saca_array(const ateb_plan *p, int n, const vm_real *s, vm
 }
 
 /* Returns the coefficient w_j of the power series w = b^alpha, where b is a power series with b_0 = 1. It is computed
-   from w_0 ... w_(j-1) and b_1 ... b_j (by Euler). */
+   from w_0 ... w_(j-1) and b_1 ... b_j by Euler's recurrence. */
 VM_API vm_real vmi_ateb_series_power(vm_real alpha, int j, const vm_real *b, const vm_real *w)
 {
     vm_real sum = 0;
@@ -2822,9 +2834,10 @@ VM_API vm_real vmi_ateb_series_power(vm_real alpha, int j, const vm_real *b, con
 /* The number of terms of the Taylor series from which the polynomials are made */
 enum { VMI_ATEB_TERMS = VM_MANT_DIG > 24 ? 56 : 26 };
 
-/* Computes Taylor coefficients, term by term from the differential equations (275). For beyond = 0 they are those of
-   sa/r (odd) and ca (even) in powers of r^2; for beyond = 1 they are those of ca/(2 q d) (odd) and sa (even) in powers
-   of X = (2 q d)^(alpha+1). r and d are the distances from the nearest zeros of sa and ca, and q = 1/(alpha + 1). */
+/* Computes Taylor coefficients, term by term from the differential equations (275). For beyond = 0, the array `odd`
+   becomes the coefficients of sa/r, and `even` those of ca, in powers of r^2. For beyond = 1, `odd` becomes the
+   coefficients of ca/(2 q d), and `even` those of sa, in powers of X = (2 q d)^(alpha+1). r and d are the distances
+   from the nearest zeros of sa and ca, and q = 1/(alpha + 1). */
 VM_API void vmi_ateb_series(int beyond, vm_real alpha, vm_real q, vm_real *odd, vm_real *even)
 {
     const vm_real large = VM_C(1e30); /* a larger alpha counts as this one, since alpha j might overflow */
@@ -2853,9 +2866,10 @@ VM_API void vmi_ateb_series(int beyond, vm_real alpha, vm_real q, vm_real *odd, 
     }
 }
 
-/* Economises the power series c_1 + c_2 x + c_3 x^2 + ... for 0 <= x <= limit: replaces it by a polynomial in x/unit
-   with at most ATEB_PLAN_LENGTH terms, and returns the number of terms. `result` receives the coefficients times unit.
-   The error of the polynomial is at most tolerance/limit if ATEB_PLAN_LENGTH terms are enough. c is overwritten. */
+/* Economises the power series c_1 + c_2 x + c_3 x^2 + ... for 0 <= x <= limit: the function replaces it by a polynomial
+   in x/unit with at most ATEB_PLAN_LENGTH terms, and returns the number of terms. `result` becomes the array of these
+   coefficients times unit. The error of the polynomial is at most tolerance/limit if ATEB_PLAN_LENGTH terms are enough.
+   c is overwritten. */
 VM_API int vmi_ateb_economise(vm_real *c, vm_real limit, vm_real unit, vm_real tolerance, vm_real *result)
 {
     const int highest = VMI_ATEB_TERMS - 2;
@@ -2919,13 +2933,13 @@ VM_API void vmi_ateb_plan_period(ateb_plan *p, const vmi_ateb *c)
 
 /* Prepares a plan for alpha >= 0 and a given accuracy. `accuracy` is the largest absolute error of sa and ca that is
    allowed, such as 1e-4 or 1e-8; 0 means full accuracy. A plan of less accuracy is shorter and quicker. Returns 0, or
-   -1 for alpha < 0 and if a number is NaN or infinite; then the plan stays as it was. */
+   -1 if alpha < 0 or an argument is NaN or infinite; if it returns -1, the plan stays as it was. */
 VM_API int ateb_plan_init_to(ateb_plan *p, vm_real alpha, vm_real accuracy)
 {
     /* For r beyond the change-over, sa is computed from X = (2 q d)^(alpha+1). The relative rounding error of X, times
-       X/(2 sa), is the error that it causes in sa. The factor X/(2 sa) is 0.33 for a change-over at r = 0.92; for one
-       at r = 0.73 it would be 0.5, and the error 2.3 ulp. For a change-over beyond 0.92 the polynomials would have too
-       few terms. */
+       X/(2 sa), is the error that it causes in sa. The factor X/(2 sa) is 0.33 for a change-over at r = 0.92; for a
+       change-over at r = 0.73 it would be 0.5, and the error of sa would be 2.3 ulp. For a change-over beyond 0.92 the
+       polynomials would have too few terms. */
     const vm_real share = VM_C(0.5), farthest = VM_MANT_DIG > 24 ? VM_C(0.92) : VM_C(0.95);
     vm_real tolerance = VM_EPSILON / 16, unit = 1;
     int length, length_beyond;
@@ -2951,7 +2965,7 @@ VM_API int ateb_plan_init_to(ateb_plan *p, vm_real alpha, vm_real accuracy)
 }
 
 /* Prepares a plan of full accuracy for alpha >= 0.
-   Returns 0, or -1 for alpha < 0, NaN and infinite alpha; then the plan stays as it was. */
+   Returns 0, or -1 for alpha < 0, NaN and infinite alpha; if it returns -1, the plan stays as it was. */
 VM_API int ateb_plan_init(ateb_plan *p, vm_real alpha) { return ateb_plan_init_to(p, alpha, 0); }
 
 #endif
@@ -2962,8 +2976,9 @@ VM_API int ateb_plan_init(ateb_plan *p, vm_real alpha) { return ateb_plan_init_t
 
        vm_real p = ateb_beta_inc(VM_C(0.3), VM_C(0.5), 2); // I_0.3(0.5, 2)
 
-   In this file p = I_x(a, b), q = 1 - p and y = 1 - x. The functions with the suffix _both also take and return y and
-   q. Where x or p is close to 1, y and q have all their digits, while computed differences 1 - x and 1 - p would not.
+   In this file p stands for I_x(a, b), q for 1 - p, and y for 1 - x. The functions with the suffix _both also take and
+   return y and q. Where x or p is close to 1, y and q have all their digits, while computed differences 1 - x and 1 - p
+   would not.
 
    Method: the functions are computed from logarithms in two words. Let i be 0 for a >= 6 and 6 for a < 6, so that
    A = a + i is at least 6. In the same way j, which is 0 or 6, makes B = b + j, and k makes S = a + b + k at least 6.
@@ -3076,8 +3091,9 @@ VM_API vm_real ateb_beta(vm_real a, vm_real b)
 }
 
 /* The logarithm of the complete beta function, ln B(a, b), for a and b from 1e-30 to 1e30.
-   B(a, b) itself may overflow or underflow. The error is at most 1 ulp plus 2^-57 (float 2^-28), which matters where B
-   is close to 1. Limits are the logarithms of those of ateb_beta. Returns NaN for other a or b. */
+   B(a, b) itself may overflow or underflow. The error is at most 1 ulp plus 2^-57 (float 2^-28), which is important
+   where B is close to 1 and ln B close to 0. If a or b is 0 or infinite, the result is the logarithm of the limit that
+   ateb_beta returns. Returns NaN for other a or b. */
 VM_API vm_real ateb_ln_beta(vm_real a, vm_real b)
 {
     const vm_real least = VM_C(1e-30), largest = VM_C(1e30);
@@ -3088,7 +3104,8 @@ VM_API vm_real ateb_ln_beta(vm_real a, vm_real b)
     return vmi_beta_ln(vmi_two(a, 0), vmi_two(b, 0)).hi;
 }
 
-/* What the gamma function of z > 0 needs: Z = z + i, where i is 6 for z < 6 and 0 for other z, and factor and delta:
+/* The numbers from which the gamma function of z > 0 is computed: Z = z + i, where i is 6 for z < 6 and 0 for other z,
+   and factor and delta:
      Gamma(z) = sqrt(2 pi) Z^(z - 1/2) e^(delta - z)/factor, factor = (z)_i e^i/Z^i, delta = vmi_beta_stirling(1/Z) */
 typedef struct VM_TAG(vmi_beta_gamma) {
     vm_two Z;
@@ -3116,8 +3133,9 @@ VM_INLINE vmi_beta_gamma vmi_beta_gamma_of(vm_two z)
     return g;
 }
 
-/* Returns ln(x S/A) in two words. First the logarithm of t, the rounded quotient, is computed; then `lost`, what the
-   rounding has lost, corrects it. Both can be computed at once. */
+/* Returns ln(x S/A) in two words. First the logarithm of t, the rounded quotient, is computed; then `lost`, the
+   difference that this rounding causes, corrects it. The processor can compute the logarithm and `lost` at the same
+   time. */
 VM_INLINE vm_two vmi_beta_ln_quotient(vm_two x, vm_two S, const vmi_beta_gamma *A)
 {
     const vm_real t = (x.hi * S.hi) * A->by_Z;
@@ -3175,8 +3193,9 @@ VM_INLINE void vmi_beta_level(const vmi_beta_levels *l, vm_real n, vm_real befor
     *D = ((an * share) * ((an + l->b) * share)) * (next * (l->b - next));
 }
 
-/* Returns 1/f_0 from the levels 0 ... count. The fraction is evaluated from level `count` down to level 0, beginning
-   with a rough value of f_(count+1): an error of f_(n+1) hardly changes f_n. */
+/* Returns 1/f_0, where f_0 is the continued fraction of vmi_beta_levels with the levels 0 ... count. The fraction is
+   evaluated from level `count` down to level 0, beginning with a rough value of f_(count+1): an error of f_(n+1) hardly
+   changes f_n. */
 VM_API vm_real vmi_beta_backward(const vmi_beta_levels *l, int count)
 {
     vm_real f = (l->a + (vm_real)count) / 2, before, after = 1 / (l->a + 2 * (vm_real)count + 1), C, D;
@@ -3191,7 +3210,7 @@ VM_API vm_real vmi_beta_backward(const vmi_beta_levels *l, int count)
     return 1 / f;
 }
 
-/* The tolerance of vmi_beta_fraction that gives all digits */
+/* The tolerance for which vmi_beta_fraction returns all digits */
 #define VMI_BETA_FULL (2 * VM_EPSILON)
 
 /* A tolerance below VMI_BETA_FULL, for which vmi_beta_fraction always evaluates the fraction from its last level */
@@ -3203,7 +3222,7 @@ VM_API vm_real vmi_beta_backward(const vmi_beta_levels *l, int count)
    evaluated once more, from its last level. */
 VM_API vm_real vmi_beta_fraction(vm_real x, vm_real y, vm_real a, vm_real b, vm_real tolerance)
 {
-    enum { MOST = 20000, SAFE = 20 }; /* MOST stops the loop for a NaN; some 250 levels are enough otherwise */
+    enum { MOST = 20000, SAFE = 20 }; /* MOST stops the loop for a NaN; otherwise about 250 levels are enough */
     const vmi_beta_levels l = vmi_beta_levels_of(x, y, a, b);
     vm_real P0 = 1, Q0 = 0, P1, Q1 = 1, P2, Q2, C, D, D_next, last, ratio = 0, before, after = 1 / (a + 1);
     int levels = 0;
@@ -3247,8 +3266,8 @@ VM_API vm_real vmi_beta_series(vm_real x, vm_real a, vm_real b)
     return a * sum;
 }
 
-/* Returns ln(1 - e^l) for l < 0, where e^l = 2^k (1 + p). If k = 0, the number 1 - e^l is -p, so that no digits are
-   lost. */
+/* Returns ln(1 - e^l) for l < 0, where e^l = 2^k (1 + p) with an integer k. If k = 0, the number 1 - e^l is -p, so that
+   no digits are lost. */
 VM_API vm_two vmi_ln_one_minus_exp(vm_two l)
 {
     vm_two rest = {0, 0};
@@ -3277,7 +3296,7 @@ typedef struct VM_TAG(vmi_beta_point) {
     vm_two ln_x, ln_y;
 } vmi_beta_point;
 
-/* The point with x and y exchanged */
+/* Returns the point with x and y exchanged. */
 VM_API vmi_beta_point vmi_beta_mirrored(vmi_beta_point at)
 {
     vmi_beta_point mirrored;
@@ -3301,9 +3320,9 @@ VM_API vm_two vmi_beta_ln_tail(vmi_beta_point at, vm_real a, vm_real b, vm_two l
     return vmi_two_plus(ln_density, f);
 }
 
-/* Computes *ln_p = ln I_x(a, b) and *ln_q = ln I_y(b, a), where y = 1 - x, from ln_density = ln(x^a y^b/B(a, b)). One
-   of them is computed directly: the one that belongs to the shorter tail of the beta distribution. The other one
-   follows from p + q = 1. */
+/* Computes *ln_p = ln I_x(a, b) and *ln_q = ln I_y(b, a), where y = 1 - x, from ln_density = ln(x^a y^b/B(a, b)). For
+   x <= (a + 1)/(a + b + 2) *ln_p is computed directly, for a larger x *ln_q is. The other logarithm follows from
+   p + q = 1. */
 VM_API void vmi_beta_tails(const vmi_beta_point *at, vm_real a, vm_real b, vm_two ln_density, vm_two *ln_p,
                            vm_two *ln_q)
 {
@@ -3349,7 +3368,7 @@ VM_API int vmi_beta_limit_side(vm_real a, vm_real b)
    ulp each. a and b may also lie between 1e-4 and 1e5, where the function is less accurate and slower. If a or b is 0
    or infinite, p is the limit: 1 for x > 0 if all of the distribution moves to x = 0, and 0 for x < 1 if it moves to
    x = 1. The results are NaN for other a or b, if there is no limit, if x or y is negative, and if x + y is not 1.
-   docs/cost.md has the time. DLMF 8.17, equation (273). */
+   docs/cost.md has the time of a call. DLMF 8.17, equation (273). */
 VM_API void ateb_beta_inc_both(vm_real x, vm_real y, vm_real a, vm_real b, vm_real *p, vm_real *q)
 {
     const vm_real longest = VM_C(0.6); /* 1 minus a larger tail would lose digits; then logarithms are used */
@@ -3443,8 +3462,8 @@ typedef struct VM_TAG(vmi_beta_slope) {
     vm_real value, slope, bend;
 } vmi_beta_slope;
 
-/* Returns ln I_x(a, b) and its derivatives at t = ln(x/y) with an error of about 1e-8 (float 1e-4). ln_B is ln B(a,
-   b). */
+/* Returns ln I_x(a, b) and its derivatives with respect to t, at t = ln(x/y), with an error of about 1e-8 (float 1e-4).
+   ln_B is ln B(a, b). */
 VM_API vmi_beta_slope vmi_beta_rough(vm_real t, vm_real a, vm_real b, vm_real ln_B)
 {
     const vm_real tolerance = VM_MANT_DIG > 24 ? VM_C(1e-8) : VM_C(1e-4), least_ln = VM_C(-0.69) * VMI_BIAS;
@@ -3479,7 +3498,7 @@ VM_API vm_real vmi_beta_step(vm_real rest, vm_real slope, vm_real bend)
 }
 
 /* Returns a value of t = ln(x/y) from which the solution of I_x(a, b) = p is sought, for p <= 1/2. It is the t where
-   the asymptote of ln I_x for t to -infinity equals ln p, which lies left of the solution. For a, b > 1 the
+   the asymptote of ln I_x for t to -infinity equals ln p; this t is smaller than the solution. For a, b > 1 the
    approximation by a normal distribution is returned instead, if it is larger (Abramowitz and Stegun 26.5.22, with the
    quantile by 26.2.23). */
 VM_API vm_real vmi_beta_start(vm_real ln_p, vm_real a, vm_real b, vm_real ln_B)
@@ -3553,7 +3572,7 @@ VM_API vmi_beta_point vmi_beta_invert_both(vm_real p, vm_real q, vm_real a, vm_r
    makes. a and b may also lie between 1e-4 and 1e5, where the function is less accurate and slower. If a or b is 0 or
    infinite, x is the limit: 0 for p < 1 if all of the distribution moves to x = 0, and 1 for p > 0 if it moves to
    x = 1. The results are NaN for other a or b, if there is no limit, if p or q is negative, and if p + q is not 1.
-   docs/cost.md has the time. */
+   docs/cost.md has the time of a call. */
 VM_API void ateb_beta_inc_inv_both(vm_real p, vm_real q, vm_real a, vm_real b, vm_real *x, vm_real *y,
                                    vm_real *ln_x)
 {
@@ -3596,8 +3615,8 @@ enum { ATEB_SIGN_OF_SA = 1, ATEB_SIGN_OF_CA = 2 };
    The indices n and m of sa and ca lie between 0 and 1e30. The powers p and q are above -1 and at most 1e6. signs is 0,
    ATEB_SIGN_OF_SA, ATEB_SIGN_OF_CA or their sum. A power with the sign of its base, such as sa^3, is odd, so that the
    mean is 0. For example, the mean of sa^2 ca^3 is ateb_mean_nm(n, m, 2, 3, ATEB_SIGN_OF_CA). The mean without signs is
-   B((p+1)/(n+1), (q+1)/(m+1))/B(1/(n+1), 1/(m+1)), with an error of at most 2 ulp. Returns NaN for other numbers.
-   Equation (316). */
+   B((p+1)/(n+1), (q+1)/(m+1))/B(1/(n+1), 1/(m+1)), with an error of at most 2 ulp. Returns NaN for an argument outside
+   these limits. Equation (316). */
 VM_API vm_real ateb_mean_nm(vm_real n, vm_real m, vm_real p, vm_real q, int signs)
 {
     const vm_real largest_index = VM_C(1e30), largest_power = VM_C(1e6);

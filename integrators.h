@@ -23,9 +23,9 @@
      rk4    the classical method of order 4 with fixed steps, for control loops, where every step must take the same
             time. In rk4_solve_compensated the rounding errors of millions of steps do not add up.
      rk45   Tsitouras' pair of orders 5 and 4 [1] chooses the size of its steps so that the error stays within a
-            tolerance. A step takes six evaluations of f; the solution inside a step takes none. Begin with this method.
-            It is also the best one in float, for an f that is not smooth, for loose tolerances, for many events and for
-            output at many times.
+            tolerance. A step takes six evaluations of f; the solution inside a step takes no further evaluation. Begin
+            with this method. It is also the best one in float, for an f that is not smooth, for loose tolerances, for
+            many events and for output at many times.
      rk87   Verner's pair of orders 8 and 7 [4]. A step takes 13 evaluations of f, and seven more if the caller asks for
             the solution inside the step. It is the fastest for a smooth f in double. Its rounding errors are larger
             than those of rk45: rtol is at least 256 eps (eps is 2.2e-16, in float 1.2e-7), which is too coarse for most
@@ -42,10 +42,11 @@
      made; the functions of rk45 refuse it, and those of rk87 refuse an rk45 that rk45_init made.
 
    STEP SIZE CONTROL
-     A step gives two results, one by each order of the pair. Their difference is the estimate of the error; the run
+     A step gives two results, one of each order of the pair. Their difference is the estimate of the error; the run
      goes on with the result of the higher order. A step is accepted when |error_i| <= atol + rtol max(|y_i|, |y_i after
-     the step|) for every component i. The size of the next step is chosen by PI control [2], from the errors of the
-     last two steps. It stays the same after an error of 0.25 to 0.75 of the tolerance (rk87: 0.1 to 0.75).
+     the step|) for every component i. The size of the next step is chosen by a proportional-integral (PI) control [2]
+     from the errors of the last two steps. The step size stays the same after an error of 0.25 to 0.75 of the tolerance
+     (rk87: 0.1 to 0.75).
      The tolerance is for each step; the error at the end of a run is larger, in proportion to the length of the run.
      A zero in rk45_options means the default, and a negative tolerance counts as 0. rk45_defaults() fills in the
      defaults.
@@ -89,8 +90,9 @@
      right in a step in which f jumps: the error at the end may be thousands of tolerances, so run again with a tighter
      tolerance and compare. If f consists of smooth branches, such as those of a sign or of |x|, store the present
      branch in ctx and change it at an ODE_RESTART event: the run then needs far fewer evaluations, and its error is
-     small again. For this, f must take the branch from ctx and must not choose it itself. docs/toronto.md has errors
-     and evaluations on the Toronto test set, whose class F has jumps.
+     small again. For this, f must take the branch from ctx and must not choose it itself. docs/toronto.md has the
+     errors and the numbers of evaluations of f for the Toronto test set of equations; the equations of its class F have
+     jumps.
 
    STATUS
      0 (ODE_OK) is success; positive numbers are information, negative ones errors; ode_strerror() gives the text. After
@@ -106,15 +108,15 @@
      state is in work.
 
    MACROS, to be defined before the include
-     VM_USE_FLOAT         float instead of double (tests run both)
-     VM_API               linkage of the functions, default static inline
+     VM_USE_FLOAT         all numbers are float instead of double (tests run both)
+     VM_API               linkage of the functions; the default is static inline
      VM_INLINE            linkage of the functions that are fast only if they are inlined. If it is defined as VM_API,
                           the code is smaller and the results are the same.
      VM_SQRT, VM_FABS     the functions of the C library that are used; define either all of VM_SQRT, VM_FABS, VM_FLOOR
                           and VM_COPYSIGN, or none of them
-     VM_TABLE, VM_READ    storage of the tables, and how an element of one is read; define both or none. Default: static
-                          const and (x); on AVR static const PROGMEM and pgm_read_float(&(x)), so that tables take no
-                          RAM
+     VM_TABLE, VM_READ    storage of the tables, and how an element of one is read; define both or none. The defaults
+                          are static const and (x); on AVR they are static const PROGMEM and pgm_read_float(&(x)), so
+                          that tables take no RAM
      VM_ALLOW_FAST_MATH   lets the headers compile under -ffast-math or a part of it, but the checks for NaN do not work
                           then
      VM_MIXED_PRECISIONS  allows a program in which some files define VM_USE_FLOAT and others do not. Without it gcc and
@@ -149,30 +151,30 @@
        ode_strerror                   Text that describes a status of the integrators
 
      integrators/rk4: rk4: the classical Runge-Kutta method of order 4 with fixed steps
-       rk4_step                       One step of size h, positive or negative, by the classical Runge-Kutta method
-       rk4_solve                      Equal steps from *t to t_end, `steps` of them, by the classical Runge-Kutta method
-       rk4_solve_compensated          Equal steps with compensated summation [3], so that roundings do not add up
+       rk4_step                       Makes one step of size h, positive or negative, by the classical Runge-Kutta method
+       rk4_solve                      Makes `steps` equal steps from *t to t_end by the classical Runge-Kutta method
+       rk4_solve_compensated          Makes equal steps with compensated summation [3], so that rounding errors do not add up
 
      integrators/rk45: rk45: adaptive runs by a Runge-Kutta pair of orders 5 and 4
-       rk45_defaults                  Options of rk45 with each zero replaced by its default, as rk45_init uses them
+       rk45_defaults                  Returns the options of rk45 with each zero replaced by its default, as rk45_init uses them
        rk45_init                      Begins a run of y' = f(t, y) by rk45 from state y0 at time t0
        rk45_restart                   Continues a run of rk45 from another time or state, such as after a jump
-       rk45_step                      One accepted step of rk45, or the part of it before an event that ends the step
-       rk45_solve_with                Steps of rk45 to t_end, with f and n given once more so that f is inlined
-       rk45_solve                     Steps of rk45 to t_end exactly, forward or backward, or to an event that ends the run
-       rk45_interpolate               State y(t) at a time t within the last step of rk45, accurate to order 4
+       rk45_step                      Makes one accepted step of rk45, or the part of it before an event that ends the step
+       rk45_solve_with                Makes steps of rk45 to t_end, with f and n given once more so that f is inlined
+       rk45_solve                     Makes steps of rk45 to t_end exactly, forward or backward, or to an event that ends the run
+       rk45_interpolate               Computes the state y(t) at a time t within the last step of rk45, accurate to order 4
 
      integrators/rk87: rk87: adaptive runs by a Runge-Kutta pair of orders 8 and 7
        rk87_init                      Begins a run of y' = f(t, y) by rk87, as rk45_init begins one by rk45
        rk87_restart                   Continues a run of rk87 from another time or state, such as after a jump
-       rk87_step                      One accepted step of rk87, or the part of it before an event that ends the step
-       rk87_solve_with                Steps of rk87 to t_end, with f and n given once more so that f is inlined
-       rk87_solve                     Steps of rk87 to t_end exactly, forward or backward, or to an event that ends the run
-       rk87_interpolate               State y(t) at a time t within the last step of rk87, accurate to order 8
+       rk87_step                      Makes one accepted step of rk87, or the part of it before an event that ends the step
+       rk87_solve_with                Makes steps of rk87 to t_end, with f and n given once more so that f is inlined
+       rk87_solve                     Makes steps of rk87 to t_end exactly, forward or backward, or to an event that ends the run
+       rk87_interpolate               Computes the state y(t) at a time t within the last step of rk87, accurate to order 8
 
      integrators/output: the solution at listed times
-       rk45_solve_at                  Run of rk45 to the last of n_times times, with the state at each of them in a row of n numbers
-       rk87_solve_at                  Run of rk87 to the last of n_times times, with the state at each of them in a row of n numbers
+       rk45_solve_at                  Continues a run of rk45 to the last of n_times times and writes the state at each of them to a row of n numbers
+       rk87_solve_at                  Continues a run of rk87 to the last of n_times times and writes the state at each of them to a row of n numbers
 
      integrators/saved: runs that are saved as bytes and resumed later
        rk45_save                      Saves a run of rk45 between two calls as bytes
@@ -186,7 +188,7 @@
 
    All other files include this one. It defines vm_real (double, or float where VM_USE_FLOAT is defined) and gives a
    default to each macro that the user has not set. It stops the compiler with an error if a compiler option changes the
-   results, and the linker where a program has files in float and in double. It names the four functions of the C
+   results, and it stops the linker if a program has files in float and in double. It names the four functions of the C
    library that are used: sqrt, fabs, floor, copysign.
 
        vm_real x = VM_C(0.1); // the number 0.1 as a vm_real, in double and in float
@@ -291,8 +293,8 @@ typedef double vm_real;
 /* A struct in float and the same struct in double have different sizes. In C the linker does not see where one file
    passes such a struct to another. So each file marks its precision here, and files of both precisions do not link,
    unless all files of one precision define VM_MIXED_PRECISIONS. With gcc the mark is an absolute symbol, which must
-   have the same value in every file of a program. With clang there is no such mark, since under -flto it would refuse
-   equal values, too. */
+   have the same value in every file of a program. With clang there is no such mark, since clang would refuse equal
+   values, too, under -flto. */
 #if defined(VM_MIXED_PRECISIONS) || defined(__CUDACC__)
 #elif defined(_MSC_VER)
 #ifdef VM_USE_FLOAT
@@ -356,7 +358,7 @@ VM_API vm_real vmi_copysign(vm_real x, vm_real y)
     return x;
 }
 
-/* The larger and the smaller of two numbers. Both functions return b if a or b is NaN. */
+/* These functions return the larger and the smaller of two numbers. Both functions return b if a or b is NaN. */
 VM_INLINE vm_real vmi_larger(vm_real a, vm_real b) { return a > b ? a : b; }
 VM_INLINE vm_real vmi_smaller(vm_real a, vm_real b) { return a < b ? a : b; }
 
@@ -402,7 +404,7 @@ VM_API vm_real vmi_rounded(vm_real x)
 #define vmi_rounded(x) (x)
 #endif
 
-/* Returns the exact sum a + b as a pair (by Knuth). */
+/* Returns the exact sum a + b as a pair, by Knuth's method. */
 VM_API vm_two vmi_two_sum(vm_real a, vm_real b)
 {
     vm_two s;
@@ -413,7 +415,7 @@ VM_API vm_two vmi_two_sum(vm_real a, vm_real b)
     return s;
 }
 
-/* Returns the exact sum a + b as a pair, for |a| >= |b| (by Dekker). */
+/* Returns the exact sum a + b as a pair, for |a| >= |b|, by Dekker's method. */
 VM_API vm_two vmi_fast_two_sum(vm_real a, vm_real b)
 {
     vm_two s;
@@ -436,8 +438,9 @@ VM_API vm_two vmi_two(vm_real hi, vm_real lo)
 
    Some options of compilers and some modes of processors change the results of floating-point arithmetic. Where a
    macro of the compiler shows such an option, the headers do not compile. vm_self_check() finds other options and modes
-   when the program runs: it computes a few numbers that show whether sums keep their order, whether results are
-   rounded to the nearest number, and whether NaN, infinity, -0 and subnormal numbers exist.
+   when the program runs: it computes a few numbers that show whether sums are computed in the order in which they are
+   written, whether results are rounded to the nearest number, and whether NaN, infinity, -0 and subnormal numbers
+   exist.
 
        int trustworthy = vm_self_check(); // once, when the program starts
 
@@ -734,26 +737,28 @@ VM_INLINE int vmi_rk4_solve(ode_rhs f, void *ctx, int n, vm_real *t, vm_real t_e
     return status;
 }
 
-/* One step of size h, positive or negative, by the classical Runge-Kutta method. y has n numbers; it is the state at
-   time t and becomes the state at t + h. f receives the pointer ctx; work has RK4_WORK(n) numbers. Returns ODE_OK, or,
-   with y unchanged, ODE_BAD_ARGUMENT, ODE_RHS_STOPPED or ODE_NOT_FINITE. */
+/* Makes one step of size h, positive or negative, by the classical Runge-Kutta method. y has n numbers; it is the state
+   at time t and becomes the state at t + h. f receives the pointer ctx; work has RK4_WORK(n) numbers. Returns ODE_OK;
+   ODE_BAD_ARGUMENT if a pointer other than ctx is NULL, n is not positive, or t or h is not finite; ODE_RHS_STOPPED if
+   f returns a number other than 0; ODE_NOT_FINITE if the new state is not finite. After an error y is unchanged. */
 VM_INLINE int rk4_step(ode_rhs f, void *ctx, int n, vm_real t, vm_real h, vm_real *y, vm_real *work)
 {
     return vmi_rk4(f, ctx, n, &t, h, 1, y, NULL, work);
 }
 
-/* Equal steps from *t to t_end, `steps` of them, by the classical Runge-Kutta method. y has n numbers and becomes the
-   state at t_end; *t becomes t_end exactly. If f stops the run or the state is not finite, y and *t are those at the
-   end of the last complete step. Returns the statuses of rk4_step. */
+/* Makes `steps` equal steps from *t to t_end by the classical Runge-Kutta method. y has n numbers and becomes the state
+   at t_end; *t becomes t_end exactly. If f stops the run or the state is not finite, y and *t are those at the end of
+   the last complete step. Returns a status with the meanings of rk4_step; it is ODE_BAD_ARGUMENT also if `steps` is not
+   positive. */
 VM_INLINE int rk4_solve(ode_rhs f, void *ctx, int n, vm_real *t, vm_real t_end, long steps, vm_real *y,
                         vm_real *work)
 {
     return vmi_rk4_solve(f, ctx, n, t, t_end, steps, y, NULL, work);
 }
 
-/* Equal steps with compensated summation [3], so that roundings do not add up. The steps are those of rk4_solve, but
-   the state is y + y_low. y_low has n numbers, which the caller sets to zero before the first call. The summation takes
-   additional time, which is worth it when there are millions of steps. */
+/* Makes equal steps with compensated summation [3], so that rounding errors do not add up. The steps are those of
+   rk4_solve, but the state is y + y_low. y_low has n numbers, which the caller sets to zero before the first call. The
+   summation takes additional time, which is worth it when there are millions of steps. */
 VM_INLINE int rk4_solve_compensated(ode_rhs f, void *ctx, int n, vm_real *t, vm_real t_end, long steps, vm_real *y,
                                     vm_real *y_low, vm_real *work)
 {
@@ -799,8 +804,8 @@ typedef struct VM_TAG(vmi_event_past) {
 } vmi_event_past;
 
 /* An event of a run: it happens when g(t, y) reaches zero or changes its sign. The caller makes an array of events, to
-   which the field `events` of rk45_options points, sets all fields to 0 first, and then the fields from g to stop_after
-   that it needs. The integrator sets the fields from count on. */
+   which the field `events` of rk45_options points. The caller sets all fields to 0 first, and then sets those of the
+   fields from g to stop_after that it needs. The integrator sets the fields from count on. */
 typedef struct VM_TAG(ode_event) {
     ode_event_function g; /* the function whose zeros are the event */
     void *ctx;            /* pointer that g and change receive */
@@ -836,7 +841,7 @@ typedef struct VM_TAG(rk45_options) {
     vm_real h0;               /* size of the first step, 0: computed from f. Its sign is the direction of rk45_step. */
     vm_real h_min;            /* size of the shortest step; the default is the resolution of t */
     vm_real h_max;            /* size of the longest step; the default is no limit */
-    long max_steps;           /* attempts in a call of rk45_solve; the default is 1000000, negative means no limit */
+    long max_steps;           /* steps that a call of rk45_solve may try; default 1000000, negative means no limit */
     const vm_real *atol_each; /* NULL, or n absolute tolerances of the components, in place of atol; 0 means none */
     ode_event *events;        /* array of n_events events, or NULL */
     int n_events;             /* number of events */
@@ -849,7 +854,7 @@ typedef struct VM_TAG(rk45_options) {
 #define VMI_DEFAULT_RTOL VM_C(1e-4)
 #endif
 
-/* The options with each zero replaced by its default, and with rtol raised to least_rtol */
+/* Returns the options with each zero replaced by its default, and with rtol raised to at least least_rtol. */
 VM_API rk45_options vmi_defaults(vm_real least_rtol, const rk45_options *options_or_NULL)
 {
     rk45_options o = {0, 0, 0, 0, 0, 0, NULL, NULL, 0, 0};
@@ -864,7 +869,7 @@ VM_API rk45_options vmi_defaults(vm_real least_rtol, const rk45_options *options
     return o;
 }
 
-/* The absolute tolerance of component i */
+/* Returns the absolute tolerance of component i. */
 VM_INLINE vm_real vmi_atol(const rk45_options *o, int i) { return o->atol_each ? o->atol_each[i] : o->atol; }
 
 /* Returns 1 if every component has a tolerance and no tolerance is negative or NaN, else 0. */
@@ -923,8 +928,8 @@ VM_API int vmi_an_event_stops(const rk45_options *o)
     return 0;
 }
 
-/* Tolerance of component i in a step, atol + rtol |y|, where y is the value of the component. VM_MIN is added so that
-   the result is positive. */
+/* Returns the tolerance of component i in a step, atol + rtol |y|, where y is the value of the component. VM_MIN is
+   added so that the result is positive. */
 VM_INLINE vm_real vmi_tolerance(const rk45_options *o, int i, vm_real y)
 {
     return vmi_atol(o, i) + o->rtol * VM_FABS(y) + VM_MIN;
@@ -962,12 +967,13 @@ typedef struct VM_TAG(vmi_rk_system) {
     ptrdiff_t m;
 } vmi_rk_system;
 
-/* What a run needs to know of its Runge-Kutta pair. k_i is the value of f in stage i of a step from t to t + h. */
+/* The data and functions of a Runge-Kutta pair that a run uses. k_i is the value of f in stage i of a step from t to
+   t + h. */
 typedef struct VM_TAG(vmi_rk_pair) {
     int method;           /* the number of the pair, VMI_RK45 or VMI_RK87 */
     int order;            /* the order of the state after a step; the order of the error estimate is one less */
     int stages;           /* number of evaluations of f for the new state and the error estimate */
-    int last_is_first;    /* 1: the last stage is f at the new state, the next k_1; 0: the run evaluates f there */
+    int last_is_first;    /* 1: the last stage evaluates f at the new state (k_1 of the next step); 0: it does not */
     int derivatives;      /* number of all k_i of a step: stages, f at its end, stages of the continuous extension */
     int rounding;         /* bound of a step's relative rounding error, in units of VM_EPSILON; it is the least rtol */
     vm_real keep_from;    /* the step size may stay the same after an error above this fraction of the tolerance */
@@ -983,17 +989,17 @@ typedef struct VM_TAG(vmi_rk_pair) {
     int (*extend)(struct VM_TAG(rk45) * s);
 } vmi_rk_pair;
 
-/* What the loop over the steps needs to know of a pair. vmi_run gets this struct as a constant, so that the compiler
-   inlines make_stages and step_error into the loop. The two functions are not fields of vmi_rk_pair: each run stores a
-   vmi_rk_pair, and for a stored pointer to a function the compiler would compile the function once more, outside the
-   loop. */
+/* The functions of a pair that the loop over the steps calls. vmi_run gets this struct as a constant, so that the
+   compiler inlines make_stages and step_error into the loop. The two functions are not fields of vmi_rk_pair: each run
+   stores a vmi_rk_pair, and for a stored pointer to a function the compiler would compile the function once more,
+   outside the loop. */
 typedef struct VM_TAG(vmi_rk_stepper) {
     vmi_rk_pair pair;
     /* Computes stages 2, 3 ... of a step from t to t_new = t + h, after which the part VMI_Z of work is the new state.
        Adds the number of evaluations of f to *evals. Returns 0, or the number with which f has stopped the run. */
     int (*make_stages)(vmi_rk_system sys, vm_real t, vm_real t_new, vm_real h, long *evals);
-    /* The largest ratio of the error of a component to its tolerance in a step of size h, or NaN if the error or the
-       new state is not finite */
+    /* Returns the largest ratio of the error of a component to its tolerance in a step of size h, or NaN if the error
+       or the new state is not finite. */
     vm_real (*step_error)(const rk45_options *o, vmi_rk_system sys, vm_real h);
 } vmi_rk_stepper;
 
@@ -1016,10 +1022,10 @@ typedef struct VM_TAG(vmi_rk_stepper) {
 #define VMI_LOOP VM_INLINE
 #endif
 
-/* The index of the part of work that contains f at the end of a step */
+/* Returns the index of the part of work that contains f at the end of a step. */
 VMI_FOLDED int vmi_last_k(const vmi_rk_pair *pair) { return VMI_K + pair->stages - pair->last_is_first; }
 
-/* The least rtol that a run by this pair accepts */
+/* Returns the least rtol that a run by this pair accepts. */
 VMI_FOLDED vm_real vmi_least_rtol(const vmi_rk_pair *pair) { return (vm_real)pair->rounding * VM_EPSILON; }
 
 /* Macros for the stages of a pair. VMI_H is h times a coefficient. VMI_EVAL evaluates k = f(t, y) and counts it; if f
@@ -1097,7 +1103,7 @@ enum { VMI_K1_MISSING, VMI_K1_READY, VMI_K1_IS_LAST };  /* k_1 is unknown, ready
 enum { VMI_NONE_FAILED, VMI_REJECTED, VMI_NOT_FINITE }; /* results of an attempt */
 enum { VMI_STIFF_WAIT = 100 };                          /* accepted steps from one test of stiffness to the next */
 
-/* The array of n numbers in work with the index `part`, such as VMI_Y */
+/* Returns the part of work with the index `part`, such as VMI_Y: an array of n numbers. */
 VM_API vm_real *vmi_part(const rk45 *s, int part) { return s->work + (ptrdiff_t)part * s->n; }
 
 /* Sets the fields of a new run that do not depend on the options or the pair */
@@ -1187,7 +1193,8 @@ VM_API int vmi_eval(rk45 *s, vm_real t, const vm_real *y, vm_real *k)
 #ifndef VARMASS_INTEGRATORS_DENSE_H
 #define VARMASS_INTEGRATORS_DENSE_H
 
-/* Computes what the continuous extension of the last step needs, if this has not been done yet. Returns a status. */
+/* Computes the derivatives that the continuous extension of the last step needs, if they are not known yet. Returns a
+   status. */
 VM_API int vmi_extend(rk45 *s)
 {
     int status = ODE_OK;
@@ -1205,7 +1212,7 @@ VM_API int vmi_is_in_last_step(const rk45 *s, vm_real t)
     return (s->t_old <= t && t <= s->t) || (s->t <= t && t <= s->t_old);
 }
 
-/* The fraction of the last step at which the time t lies: 0 at the beginning of the step, 1 at its end */
+/* Returns the fraction of the last step at which the time t lies: 0 at the beginning of the step, 1 at its end */
 VM_API vm_real vmi_place_of(const rk45 *s, vm_real t)
 {
     const vm_real x = ((t - s->t_old) - s->t_old_low) / s->h_done;
@@ -1325,9 +1332,10 @@ typedef int32_t vmi_signed_bits;
 
 #include <string.h>
 
-/* x^p with an error of at most 1.6 % where |p| <= 0.2 and the result is from 0.1 to 10. x must be positive, and the
-   result must neither overflow nor underflow. The bits of x, taken as an integer, give a logarithm of x that is
-   piecewise linear; `middle` is half its largest error. The exponential function is computed as (1 + v + v^2/2)^16. */
+/* Returns x^p with an error of at most 1.6 % where |p| <= 0.2 and the result is from 0.1 to 10. x must be positive, and
+   the result must neither overflow nor underflow. The bits of x, taken as an integer, give a logarithm of x that is
+   piecewise linear; `middle` is half the largest error of this logarithm. The exponential function e^(16 v) is computed
+   as (1 + v + v^2/2)^16. */
 VM_INLINE vm_real vmi_pow_rough(vm_real x, vm_real p)
 {
     const vm_real ln2 = VM_C(0.69314718055994531), middle = VM_C(0.043);
@@ -1345,7 +1353,7 @@ VM_INLINE vm_real vmi_pow_rough(vm_real x, vm_real p)
 
 #define VMI_LARGEST_RATIO VM_C(1e10) /* upper limit of the ratios to tolerances from which the first step is chosen */
 
-/* The largest ratio of |v_i| to the tolerance of component i, at most VMI_LARGEST_RATIO */
+/* Returns the largest ratio of |v_i| to the tolerance of component i, but at most VMI_LARGEST_RATIO. */
 VM_API vm_real vmi_norm_by_tolerance(const rk45 *s, const vm_real *v)
 {
     vm_real largest = 0;
@@ -1359,8 +1367,8 @@ VM_API vm_real vmi_norm_by_tolerance(const rk45 *s, const vm_real *v)
 
 /* Chooses the size s->h of the first step from the sizes of y, y' and y'' (Hairer et al. [2, II.4]), so that the error
    of this step should be 1 % of the tolerance. |s->h| is at most 100 times the size of a step that changes y by 1 %,
-   and at most `longest`. `direction`, 1 or -1, is the sign of s->h. Overwrites k_2 and the part VMI_Z of work. Returns
-   a status. */
+   and at most `longest`. `direction`, 1 or -1, is the sign of s->h. The function overwrites k_2 and the part VMI_Z of
+   work. Returns a status. */
 VM_API int vmi_first_step(rk45 *s, vm_real direction, vm_real longest)
 {
     vm_real *k1 = vmi_part(s, VMI_K), *k2 = vmi_part(s, VMI_K + 1), *z = vmi_part(s, VMI_Z);
@@ -1385,22 +1393,22 @@ VM_API int vmi_first_step(rk45 *s, vm_real direction, vm_real longest)
     return ODE_OK;
 }
 
-/* The length of the shortest step that is tried at the time t. It is positive at t = 0 too, since otherwise failing
-   steps could become shorter without end. */
+/* Returns the length of the shortest step that is tried at the time t. It is positive at t = 0 too, since otherwise
+   failing steps could become shorter without end. */
 VM_INLINE vm_real vmi_least_step(const rk45_options *o, vm_real t)
 {
     const vm_real least = 2 * VM_EPSILON * VM_FABS(t) + VM_MIN;
     return VMI_LARGER(least, o->h_min);
 }
 
-/* The time from the state y to t_end, negative if the run goes backward */
+/* Returns the time from the state y to t_end, negative if the run goes backward. */
 VM_INLINE vm_real vmi_time_left(const rk45 *s, vm_real t_end) { return (t_end - s->t) - s->t_low; }
 
-/* The direction of the run to t_end: 1 forward, -1 backward */
+/* Returns the direction of the run to t_end: 1 forward, -1 backward. */
 VM_INLINE vm_real vmi_direction(const rk45 *s, vm_real t_end) { return vmi_time_left(s, t_end) < 0 ? -1 : 1; }
 
-/* The factor by which the step size changes after an accepted step, by PI control (Hairer et al. [2, IV.2]). It is the
-   smaller of 10 and
+/* Returns the factor by which the step size changes after an accepted step, by PI control (Hairer et al. [2, IV.2]). It
+   is the smaller of 10 and
      0.9 error^(-4/(5 order)) error_before^(1/(5 order)),
    where error is the error of this step divided by its tolerance, and error_before is that of the previous step. */
 VM_INLINE vm_real vmi_factor(int order, vm_real error, vm_real inverse_error_before)
@@ -1410,8 +1418,8 @@ VM_INLINE vm_real vmi_factor(int order, vm_real error, vm_real inverse_error_bef
     return VMI_SMALLER(factor, VM_C(10.0));
 }
 
-/* The factor by which the step size changes after a rejected step: 0.9 error^(-1/order), at least 1/5, where error is
-   the error of the step divided by its tolerance. It is 1/10 if error is NaN. */
+/* Returns the factor by which the step size changes after a rejected step: 0.9 error^(-1/order), at least 1/5, where
+   error is the error of the step divided by its tolerance. It is 1/10 if error is NaN. */
 VM_INLINE vm_real vmi_shrink(int order, vm_real error)
 {
     vm_real factor;
@@ -1437,7 +1445,7 @@ typedef struct VM_TAG(vmi_progress) {
     int stopped;                    /* number that f returned last; if it is not 0, the run stops */
 } vmi_progress;
 
-/* The fields that change from step to step, as they are before the loop */
+/* Returns the fields that change from step to step, as they are before the loop. */
 VMI_FOLDED vmi_progress vmi_begin_progress(const rk45 *s, vm_real t_end)
 {
     vmi_progress p;
@@ -1526,8 +1534,9 @@ VMI_FOLDED int vmi_choose_step(const rk45_options *o, vm_real t_end, vmi_progres
     return status;
 }
 
-/* The number of steps within the tolerance that must lie between two steps that may miss it. After a jump of f there
-   are three such steps, 1, 10 and 100 times as long as the smallest step; next to a singularity of f there are none. */
+/* The number of steps within the tolerance that must lie between two steps that miss the tolerance. After a jump of f
+   there are three such steps, 1, 10 and 100 times as long as the smallest step; next to a singularity of f there are
+   none. */
 enum { VMI_BETWEEN_MISSES = 3 };
 
 /* Undoes the last accepted step, which missed the tolerance */
@@ -1561,8 +1570,9 @@ VMI_FOLDED int vmi_reject(int order, const vmi_trial *trial, vm_real error, vmi_
 }
 
 /* Replaces the state after a step of the smallest size in which f jumps. The weights of the stages have both signs, so
-   that their sum may lead far away from the jump. Therefore each component is continued with the mean of the smallest
-   and the largest of its derivatives in the stages. The error of this mean is at most half the jump. */
+   that the weighted sum of the derivatives may lead far away from the state at the jump. Therefore each component is
+   continued with the mean of the smallest and the largest of its derivatives in the stages. The error of this mean is
+   at most half the jump. */
 VM_INLINE void vmi_take_middle_slope(int stages, vmi_rk_system sys, vm_real h)
 {
     const ptrdiff_t m = sys.m;
@@ -1584,7 +1594,7 @@ VM_INLINE void vmi_take_middle_slope(int stages, vmi_rk_system sys, vm_real h)
 #define VMI_LEAST_ERROR VM_C(1e-8) /* a ratio of an error to its tolerance below this number counts as this number */
 
 /* Chooses the size of the step after an accepted step. The size stays the same if the error is between keep_from and
-   VMI_KEEP_TO times the tolerance. The processor can predict that the size stays, and begin the next step before the
+   VMI_KEEP_TO times the tolerance. Then the processor can predict the next size, and begin the next step before the
    error is known. */
 VMI_FOLDED void vmi_choose_size(int order, vm_real keep_from, const vmi_trial *trial, vm_real error, vmi_progress *p)
 {
@@ -1722,7 +1732,7 @@ VM_API void vmi_take_back_step(rk45 *s)
 #ifndef VARMASS_INTEGRATORS_EVENTS_H
 #define VARMASS_INTEGRATORS_EVENTS_H
 
-/* The sign of x: 1, 0 or -1 */
+/* Returns the sign of x: 1, 0 or -1. */
 VM_API int vmi_sign(vm_real x) { return (x > 0) - (x < 0); }
 
 /* Stands for the place of an event that does not happen in the step. A place is a fraction of the step, from 0 to 1. */
@@ -1757,7 +1767,7 @@ VM_API int vmi_watch_events(rk45 *s)
     return ODE_OK;
 }
 
-/* The time at the fraction x of the last step */
+/* Returns the time at the fraction x of the last step. */
 VM_API vm_real vmi_time_inside(const rk45 *s, vm_real x)
 {
     if (x == 1) return s->t;
@@ -1771,7 +1781,7 @@ VM_API void vmi_state_inside(const rk45 *s, vm_real x, vm_real *y)
     else vmi_inside(s, x, y);
 }
 
-/* The value of g at the fraction x of the last step. Overwrites the part VMI_Z of work. */
+/* Returns the value of g at the fraction x of the last step. The function overwrites the part VMI_Z of work. */
 VM_API vm_real vmi_event_value(const rk45 *s, const ode_event *e, vm_real x)
 {
     vm_real *z = vmi_part(s, VMI_Z);
@@ -1784,9 +1794,9 @@ VM_API vm_real vmi_event_value(const rk45 *s, const ode_event *e, vm_real x)
    serves only to decide whether events happen at the same time. */
 #define VMI_EARLIER_ROUNDING (256 * VM_EPSILON)
 
-/* The value of g at the fraction x of the last step, in a state to which a rounding error is added on purpose. The
-   error is the largest that this step, or if `earlier` is not 0 the whole run so far, may have made. `direction`, -1 or
-   1, is the sign of the error. The size of the error is different for each component, so that the differences of
+/* Returns the value of g at the fraction x of the last step, in a state to which a rounding error is added on purpose.
+   The error is the largest that this step, or if `earlier` is not 0 the whole run so far, may have made. `direction`,
+   -1 or 1, is the sign of the error. The size of the error is different for each component, so that the differences of
    components change, too. */
 VM_API vm_real vmi_event_value_moved(const rk45 *s, const ode_event *e, vm_real x, int earlier,
                                      int direction)
@@ -1869,7 +1879,7 @@ VM_API int vmi_locate(const rk45 *s, const ode_event *e, vm_real a, vm_real ga, 
 
 enum { VMI_CHECKS = 3, VMI_MOST_CHECKS = 9999 }; /* default and limit of an event's `checks` */
 
-/* The fraction of the step at which g is evaluated next after e->from. It is the nearest of three fractions:
+/* Returns the fraction of the step at which g is evaluated next after e->from. It is the nearest of three fractions:
    the sum start + *gap, the next of the points that divide the step evenly, and `to`. *gap is short at first and grows
    with each call, so that two changes of sign of g in a time much shorter than the step are seen. */
 VM_API vm_real vmi_next_look(const ode_event *e, vm_real start, vm_real *gap, vm_real to)
@@ -1988,8 +1998,8 @@ VM_API int vmi_find_cut(const rk45 *s, vm_real *cut, int *owner)
     return ODE_OK;
 }
 
-/* Counts and stores each time that an event which ends no step happens up to the fraction `to` of the step.
-   Returns a status. */
+/* Counts how often the event e, which ends no step, happens up to the fraction `to` of the step, and stores its times
+   and states (vmi_record). Returns a status. */
 VM_API int vmi_record_until(const rk45 *s, ode_event *e, vm_real to)
 {
     for (;;) {
@@ -2132,8 +2142,8 @@ VM_API int vmi_find_events(rk45 *s, vm_real *cut)
 }
 
 /* Returns 1 if the state at the fraction x of the last step is finite, else 0. Between two finite states the continuous
-   extension may overflow if these states are close to the largest number of the type. Overwrites the part VMI_Z of
-   work. */
+   extension may overflow if these states are close to the largest number of the type. The function overwrites the part
+   VMI_Z of work. */
 VM_API int vmi_is_finite_inside(const rk45 *s, vm_real x)
 {
     vm_real *z = vmi_part(s, VMI_Z);
@@ -2329,7 +2339,8 @@ VM_INLINE int vmi_begin_solve(rk45 *s, int method, ode_rhs f, int n, vm_real t_e
     return ODE_OK;
 }
 
-/* The time at which the steps of a run to t_end end: t_end, or the largest number of the type if t_end is infinite */
+/* Returns the time at which the steps of a run to t_end end: t_end, or the largest number of the type if t_end is
+   infinite */
 VM_INLINE vm_real vmi_last_time(vm_real t_end)
 {
     if (t_end > VM_MAX) return VM_MAX;
@@ -2337,7 +2348,8 @@ VM_INLINE vm_real vmi_last_time(vm_real t_end)
     return t_end;
 }
 
-/* The status of a run to t_end whose steps have ended with `status`. If t_end is infinite, no run gets there. */
+/* Returns the status of a run to t_end whose steps have ended with `status`. This is ODE_STEP_TOO_SMALL if t_end is
+   infinite and the steps have ended without an error or an event. */
 VM_INLINE int vmi_end_solve(vm_real t_end, int status)
 {
     if (!VM_IS_FINITE(t_end) && (status == ODE_OK || status == ODE_STIFF)) return ODE_STEP_TOO_SMALL;
@@ -2395,8 +2407,8 @@ VMI_FOLDED int vmi_rk45_stages(vmi_rk_system sys, vm_real t, vm_real t_new, vm_r
     return 0;
 }
 
-/* The largest ratio of the error of a component to its tolerance. The error is the difference of the two new states, of
-   order 5 and of order 4. */
+/* Returns the largest ratio of the error of a component to its tolerance. The error is the difference of the two new
+   states, of order 5 and of order 4. */
 VMI_FOLDED vm_real vmi_rk45_error(const rk45_options *o, vmi_rk_system sys, vm_real h)
 {
     const ptrdiff_t m = sys.m;
@@ -2447,7 +2459,7 @@ VMI_APART void vmi_rk45_inside(const rk45 *s, vm_real x, vm_real *y)
     vmi_weigh_inside(s, 7, b, x, y);
 }
 
-/* The descriptor of rk45: its vmi_rk_pair */
+/* Returns the descriptor of rk45: its vmi_rk_pair. */
 VMI_FOLDED vmi_rk_pair vmi_rk45_pair(void)
 {
     vmi_rk_pair pair;
@@ -2479,8 +2491,8 @@ VMI_LOOP int vmi_rk45_run(rk45 *s, ode_rhs f, int n, vm_real t_end, int single)
 
 #define RK45_WORK(n) (10 * (n)) /* number of elements of the array work for n components */
 
-/* Options of rk45 with each zero replaced by its default, as rk45_init uses them. rtol becomes at least 16 VM_EPSILON.
-   If options_or_NULL is NULL, all options have their defaults. */
+/* Returns the options of rk45 with each zero replaced by its default, as rk45_init uses them. rtol becomes at least 16
+   VM_EPSILON. If options_or_NULL is NULL, all options have their defaults. */
 VM_API rk45_options rk45_defaults(const rk45_options *options_or_NULL)
 {
     const vmi_rk_pair pair = vmi_rk45_pair();
@@ -2489,7 +2501,9 @@ VM_API rk45_options rk45_defaults(const rk45_options *options_or_NULL)
 
 /* Begins a run of y' = f(t, y) by rk45 from state y0 at time t0. y0 has n numbers, f receives the pointer ctx, and work
    has RK45_WORK(n) numbers and must exist as long as s. y0 and the options are copied, but not the arrays to which the
-   options point. f is not evaluated yet. Returns ODE_OK, ODE_RTOL_RAISED, ODE_BAD_ARGUMENT or ODE_WORK_TOO_SMALL. */
+   options point. f is not evaluated yet. Returns ODE_OK; ODE_RTOL_RAISED if rtol was too small and was raised;
+   ODE_BAD_ARGUMENT if an argument or an option is wrong; ODE_WORK_TOO_SMALL if options_or_NULL->work_size is too
+   small. */
 VM_INLINE int rk45_init(rk45 *s, ode_rhs f, void *ctx, int n, vm_real t0, const vm_real *y0,
                         const rk45_options *options_or_NULL, vm_real *work)
 {
@@ -2497,12 +2511,12 @@ VM_INLINE int rk45_init(rk45 *s, ode_rhs f, void *ctx, int n, vm_real t0, const 
 }
 
 /* Continues a run of rk45 from another time or state, such as after a jump. The step size and the counters are kept. y
-   has n numbers and may be s->y. If t is s->t, events that have just happened are not found again. Returns ODE_OK or
-   ODE_BAD_ARGUMENT. */
+   has n numbers and may be s->y. If t is s->t, events that have just happened are not found again. Returns ODE_OK, or
+   ODE_BAD_ARGUMENT if s or y is NULL or a number is not finite. */
 VM_API int rk45_restart(rk45 *s, vm_real t, const vm_real *y) { return vmi_restart(s, t, y); }
 
-/* One accepted step of rk45, or the part of it before an event that ends the step. The step goes forward if s->h is
-   positive or 0, and backward if s->h is negative; s->h is at first the option h0. Returns a status. */
+/* Makes one accepted step of rk45, or the part of it before an event that ends the step. The step goes forward if s->h
+   is positive or 0, and backward if s->h is negative; s->h is at first the option h0. Returns a status. */
 VM_INLINE int rk45_step(rk45 *s)
 {
     vm_real t_end;
@@ -2511,9 +2525,9 @@ VM_INLINE int rk45_step(rk45 *s)
     return vmi_rk45_run(s, s->f, s->n, t_end, 1);
 }
 
-/* Steps of rk45 to t_end, with f and n given once more so that f is inlined. The compiler inlines f if f and n are
-   constants in this call, wherever rk45_init was called. Returns ODE_BAD_ARGUMENT if f or n is not that of s; all else
-   is as in rk45_solve. */
+/* Makes steps of rk45 to t_end, with f and n given once more so that f is inlined. The compiler inlines f if f and n
+   are constants in this call, wherever rk45_init was called. Returns ODE_BAD_ARGUMENT if f or n is not that of s; all
+   else is as in rk45_solve. */
 VM_INLINE int rk45_solve_with(rk45 *s, ode_rhs f, int n, vm_real t_end)
 {
     const int status = vmi_begin_solve(s, VMI_RK45, f, n, t_end);
@@ -2521,17 +2535,18 @@ VM_INLINE int rk45_solve_with(rk45 *s, ode_rhs f, int n, vm_real t_end)
     return vmi_end_solve(t_end, vmi_rk45_run(s, f, n, vmi_last_time(t_end), 0));
 }
 
-/* Steps of rk45 to t_end exactly, forward or backward, or to an event that ends the run. t_end may be infinite if there
-   is such an event. Nothing changes if s->t is t_end. After an error s->t and s->y are those of the last accepted step.
-   Returns a status. After ODE_MAX_STEPS, that is after options.max_steps attempts, another call continues the run. */
+/* Makes steps of rk45 to t_end exactly, forward or backward, or to an event that ends the run. t_end may be infinite if
+   there is such an event. Nothing changes if s->t is t_end. After an error s->t and s->y are those of the last accepted
+   step. Returns a status. After ODE_MAX_STEPS, that is after options.max_steps attempts, another call continues the
+   run. */
 VM_INLINE int rk45_solve(rk45 *s, vm_real t_end)
 {
     if (!s) return ODE_BAD_ARGUMENT;
     return rk45_solve_with(s, s->f, s->n, t_end);
 }
 
-/* State y(t) at a time t within the last step of rk45, accurate to order 4. y receives n numbers; f is not evaluated.
-   Returns ODE_OK, or ODE_BAD_ARGUMENT if t is not between s->t_old and s->t. */
+/* Computes the state y(t) at a time t within the last step of rk45, accurate to order 4. y receives n numbers; f is not
+   evaluated. Returns ODE_OK, or ODE_BAD_ARGUMENT if t is not between s->t_old and s->t. */
 VM_API int rk45_interpolate(const rk45 *s, vm_real t, vm_real *y) { return vmi_interpolate_ready(s, VMI_RK45, t, y); }
 
 #endif
@@ -2654,10 +2669,11 @@ VMI_FOLDED int vmi_rk87_stages(vmi_rk_system sys, vm_real t, vm_real t_new, vm_r
 /* Estimates the error that a jump of f inside a step of size 1 causes in a component whose derivatives are k1 ... k13.
    This error is up to a quarter of the jump. The difference of the results of orders 8 and 7 hardly shows a jump in the
    first 0.9 of the step: in this difference the weights of the k before the jump add up to 4e-4 at most. `seen` is the
-   magnitude of another sum of the k, of order 5. In it the weights of the k before the jump add up in magnitude to
+   magnitude of another sum of the k, of order 5. In this sum the weights of the k before the jump add up in magnitude
+   to
      0.11 for a jump before 0.155 of the step (only k1 is before it), 0.17 for a jump between 0.155 and 0.465 (k1 and
      k7 are before it), 0.25 for a jump between 0.465 and 0.9 (k1, k7 and k6 are before it).
-   If f is smooth, `seen` is much smaller than `change`, the change of f along the step. The result
+   If f is smooth, `seen` is much smaller than `change`, the change of f along the step. The returned value
    seen^2/(seen + change) is then of order 9, and below the difference of orders 8 and 7 unless the tolerance is
    loose. */
 VM_INLINE vm_real vmi_rk87_jump(vm_real k1, vm_real k6, vm_real k7, vm_real k9, vm_real k10, vm_real k13)
@@ -2669,7 +2685,7 @@ VM_INLINE vm_real vmi_rk87_jump(vm_real k1, vm_real k6, vm_real k7, vm_real k9, 
     return seen * (seen / (seen + change + VM_MIN));
 }
 
-/* The largest ratio of the error of a component to its tolerance. The error is the larger of two numbers: the
+/* Returns the largest ratio of the error of a component to its tolerance. The error is the larger of two numbers: the
    difference of the new states of orders 8 and 7, and the error that a jump of f may cause (vmi_rk87_jump). */
 VMI_FOLDED vm_real vmi_rk87_error(const rk45_options *o, vmi_rk_system sys, vm_real h)
 {
@@ -2716,7 +2732,7 @@ VM_API vm_real vmi_rk87_end_difference(int j)
 #define VMI_RK87_OWN 14
 #define VMI_RK87_EXTRA 7
 
-/* The coefficient of k_{j+1} in the stage of the continuous extension that evaluates k_{15+stage} */
+/* Returns the coefficient of k_{j+1} in the stage of the continuous extension that evaluates k_{15+stage}. */
 VM_API vm_real vmi_rk87_extra_coefficient(int stage, int j)
 {
     VM_TABLE vm_real a[7][20] = {
@@ -2850,7 +2866,7 @@ VMI_APART void vmi_rk87_inside(const rk45 *s, vm_real x, vm_real *y)
     vmi_weigh_inside(s, VMI_RK87_OWN + VMI_RK87_EXTRA, b, x, y);
 }
 
-/* The descriptor of rk87: its vmi_rk_pair */
+/* Returns the descriptor of rk87: its vmi_rk_pair. */
 VMI_FOLDED vmi_rk_pair vmi_rk87_pair(void)
 {
     vmi_rk_pair pair;
@@ -2897,7 +2913,8 @@ VM_INLINE int rk87_init(rk87 *s, ode_rhs f, void *ctx, int n, vm_real t0, const 
 /* Continues a run of rk87 from another time or state, such as after a jump. All else is as in rk45_restart. */
 VM_API int rk87_restart(rk87 *s, vm_real t, const vm_real *y) { return vmi_restart(s, t, y); }
 
-/* One accepted step of rk87, or the part of it before an event that ends the step. All else is as in rk45_step. */
+/* Makes one accepted step of rk87, or the part of it before an event that ends the step. All else is as in
+   rk45_step. */
 VM_INLINE int rk87_step(rk87 *s)
 {
     vm_real t_end;
@@ -2906,7 +2923,8 @@ VM_INLINE int rk87_step(rk87 *s)
     return vmi_rk87_run(s, s->f, s->n, t_end, 1);
 }
 
-/* Steps of rk87 to t_end, with f and n given once more so that f is inlined. All else is as in rk45_solve_with. */
+/* Makes steps of rk87 to t_end, with f and n given once more so that f is inlined. All else is as in
+   rk45_solve_with. */
 VM_INLINE int rk87_solve_with(rk87 *s, ode_rhs f, int n, vm_real t_end)
 {
     const int status = vmi_begin_solve(s, VMI_RK87, f, n, t_end);
@@ -2914,7 +2932,7 @@ VM_INLINE int rk87_solve_with(rk87 *s, ode_rhs f, int n, vm_real t_end)
     return vmi_end_solve(t_end, vmi_rk87_run(s, f, n, vmi_last_time(t_end), 0));
 }
 
-/* Steps of rk87 to t_end exactly, forward or backward, or to an event that ends the run. All else is as in
+/* Makes steps of rk87 to t_end exactly, forward or backward, or to an event that ends the run. All else is as in
    rk45_solve. */
 VM_INLINE int rk87_solve(rk87 *s, vm_real t_end)
 {
@@ -2922,10 +2940,10 @@ VM_INLINE int rk87_solve(rk87 *s, vm_real t_end)
     return rk87_solve_with(s, s->f, s->n, t_end);
 }
 
-/* State y(t) at a time t within the last step of rk87, accurate to order 8. y receives n numbers. The first call after
-   a step evaluates f seven times, unless t is s->t. Returns ODE_BAD_ARGUMENT if t is not between s->t_old and s->t.
-   These evaluations may also give ODE_RHS_STOPPED (f stops the run) or ODE_NOT_FINITE, although the step itself has
-   succeeded. */
+/* Computes the state y(t) at a time t within the last step of rk87, accurate to order 8. y receives n numbers. The
+   first call after a step evaluates f seven times, unless t is s->t. Returns ODE_BAD_ARGUMENT if t is not between
+   s->t_old and s->t. In these evaluations f may also stop the run (then the status is ODE_RHS_STOPPED) or give a number
+   that is not finite (ODE_NOT_FINITE), although the step itself has succeeded. */
 VM_API int rk87_interpolate(rk87 *s, vm_real t, vm_real *y)
 {
     if (!s || s->pair.method != VMI_RK87) return ODE_BAD_ARGUMENT;
@@ -2953,8 +2971,8 @@ VM_API int vmi_has_reached(vm_real t, vm_real time, int direction)
     return t <= time;
 }
 
-/* Returns 1 if the times begin at t or later in the direction of the run and follow each other in this direction, else
-   0. */
+/* Returns 1 if the times begin at t or later, as seen in the direction of the run, and follow each other in this
+   direction, else 0. */
 VM_API int vmi_times_are_in_order(vm_real t, int n_times, const vm_real *times, int direction)
 {
     int i;
@@ -3001,18 +3019,19 @@ VM_API int vmi_solve_at(rk45 *s, int method, int (*run)(rk45 *s, ode_rhs f, int 
     return status == ODE_OK && s->stiff > was_stiff ? (int)ODE_STIFF : status;
 }
 
-/* Run of rk45 to the last of n_times times, with the state at each of them in a row of n numbers.
-   The times start at s->t or later and rise, or start at s->t or earlier and fall; equal times are allowed. rows has
-   n_times n numbers. *n_done_or_NULL becomes the number of rows that are filled. These are all rows, unless an event or
-   an error ends the run; another call with the remaining times continues the run. If an event changes the state at a
-   listed time, the row has the new state. The values are those of rk45_interpolate, and s->y at the last time. Returns
-   a status, as rk45_solve does, and ODE_BAD_ARGUMENT for times that are not finite or in another order. */
+/* Continues a run of rk45 to the last of n_times times and writes the state at each of them to a row of n numbers.
+   The times start at s->t or later and rise, or start at s->t or earlier and fall; equal times are allowed. The array
+   rows has n_times times n numbers. *n_done_or_NULL becomes the number of rows that are filled. These are all rows,
+   unless an event or an error ends the run; another call with the remaining times continues the run. If an event
+   changes the state at a listed time, the row has the new state. The values are those of rk45_interpolate, and s->y at
+   the last time. Returns a status, as rk45_solve does; it is ODE_BAD_ARGUMENT if times are not finite or neither rise
+   nor fall in this way. */
 VM_API int rk45_solve_at(rk45 *s, int n_times, const vm_real *times, vm_real *rows, int *n_done_or_NULL)
 {
     return vmi_solve_at(s, VMI_RK45, vmi_rk45_run, n_times, times, rows, n_done_or_NULL);
 }
 
-/* Run of rk87 to the last of n_times times, with the state at each of them in a row of n numbers.
+/* Continues a run of rk87 to the last of n_times times and writes the state at each of them to a row of n numbers.
    All else is as in rk45_solve_at. A step with listed times takes seven more evaluations of f, which may also end the
    run with ODE_RHS_STOPPED or ODE_NOT_FINITE. */
 VM_API int rk87_solve_at(rk87 *s, int n_times, const vm_real *times, vm_real *rows, int *n_done_or_NULL)
@@ -3048,7 +3067,7 @@ VM_API int rk87_solve_at(rk87 *s, int n_times, const vm_real *times, vm_real *ro
 #include <stdint.h>
 #include <string.h>
 
-/* The numbers at the beginning of a saved run. The run that resumes it must have the same. */
+/* Indices of the numbers at the beginning of a saved run. The run that resumes it must have the same numbers. */
 enum {
     VMI_SAVED_FORMAT,
     VMI_SAVED_REAL,
@@ -3070,20 +3089,22 @@ enum {
     VMI_SAVED_EVENT_BYTES = 4 * sizeof(vm_real) + VMI_SAVED_LONG_BYTES + 3 * VMI_SAVED_INT_BYTES
 };
 
-/* Number of bytes of a saved run with n components and n_events events */
+/* The number of bytes of a saved run with `numbers` numbers in work and n_events events */
 #define VMI_SAVED(numbers, n_events) \
     (VMI_SAVED_RUN_BYTES + (numbers) * (int)sizeof(vm_real) + (n_events) * VMI_SAVED_EVENT_BYTES)
 #define RK45_SAVED(n, n_events) VMI_SAVED(RK45_WORK(n), n_events)
 #define RK87_SAVED(n, n_events) VMI_SAVED(RK87_WORK(n), n_events)
 
-/* A place in the bytes of a saved run. The numbers go to the bytes if `saves` is not 0, else they come from them. */
+/* A place in the bytes of a saved run. If `saves` is not 0, the numbers are written to the bytes; else they are read
+   from the bytes. */
 typedef struct VM_TAG(vmi_saved_place) {
     unsigned char *to;
     const unsigned char *from;
     int saves;
 } vmi_saved_place;
 
-/* Writes the lowest 8 `count` bits of *bits as bytes, the lowest first, or reads them, and goes on to the next place */
+/* Writes the lowest 8 times `count` bits of *bits as bytes, the lowest byte first, or reads them, and goes on to the
+   next place */
 VM_API void vmi_saved_bits(vmi_saved_place *p, uint64_t *bits, int count)
 {
     uint64_t read = 0;
@@ -3142,7 +3163,7 @@ VM_API void vmi_saved_move_event(vmi_saved_place *p, ode_event *e)
     vmi_saved_int(p, &e->happens);
 }
 
-/* Number of vm_reals in the work of the run s that belong to the integrator */
+/* Returns the number of vm_real numbers in the work of the run s that belong to the integrator. */
 VM_API long vmi_saved_numbers(const rk45 *s) { return (long)(VMI_K + s->pair.derivatives) * s->n; }
 
 /* Writes all numbers of the run, its work and its events, or reads them */
@@ -3177,7 +3198,7 @@ VM_API void vmi_saved_move_run(vmi_saved_place *p, rk45 *s)
     for (i = 0; i < s->options.n_events; i++) vmi_saved_move_event(p, s->options.events + i);
 }
 
-/* The numbers at the beginning of a saved run */
+/* Writes the numbers at the beginning of a saved run. */
 VM_API void vmi_saved_head(const rk45 *s, int *head)
 {
     head[VMI_SAVED_FORMAT] = VMI_SAVED_FORMAT_NOW;
@@ -3212,7 +3233,7 @@ VM_API uint32_t vmi_saved_checksum(const unsigned char *bytes, long count)
     return sum;
 }
 
-/* Number of bytes of the saved run s */
+/* Returns the number of bytes of the saved run s. */
 VM_API long vmi_saved_size(const rk45 *s)
 {
     return (long)VMI_SAVED_RUN_BYTES + vmi_saved_numbers(s) * (long)sizeof(vm_real) +
@@ -3265,14 +3286,14 @@ VM_API int vmi_resume(rk45 *s, int method, long size, const unsigned char *bytes
 
 /* Saves a run of rk45 between two calls as bytes. There is room for `size` bytes, at least RK45_SAVED(n, number of
    events). The arrays `times` and `states` of events, ctx and the options are not in the bytes: they are the caller's.
-   A call takes as long as a copy of the bytes. Returns ODE_OK, ODE_BAD_ARGUMENT for a null pointer or a run by rk87, or
-   ODE_WORK_TOO_SMALL. */
+   A call takes as long as a copy of the bytes. Returns ODE_OK; ODE_BAD_ARGUMENT for a null pointer, a negative size or
+   a run by rk87; ODE_WORK_TOO_SMALL if there is too little room. */
 VM_API int rk45_save(const rk45 *s, long size, unsigned char *bytes) { return vmi_save(s, VMI_RK45, size, bytes); }
 
 /* Copies the numbers of a saved run of rk45 into s, which rk45_init has made with the f, n, options and events of the
-   saved run. The next step has the same bits as that of the saved run. Returns ODE_OK, ODE_WORK_TOO_SMALL if size is
-   less than the bytes of such a run, or ODE_BAD_ARGUMENT for a null pointer, for bytes of a run with another method, n,
-   number of events or type, and for damaged bytes; s is then unchanged. */
+   saved run. The next step has the same bits as that of the saved run. Returns ODE_OK; ODE_WORK_TOO_SMALL if size is
+   less than the number of bytes of such a run; ODE_BAD_ARGUMENT for a null pointer, for bytes of a run with another
+   method, n, number of events or type, and for damaged bytes. If the status is not ODE_OK, s is unchanged. */
 VM_API int rk45_resume(rk45 *s, long size, const unsigned char *bytes) { return vmi_resume(s, VMI_RK45, size, bytes); }
 
 /* Saves a run of rk87 as bytes. There is room for `size` bytes, at least RK87_SAVED(n, number of events). All else is

@@ -14,8 +14,8 @@
 
    CONVENTIONS
      The variable comes first, then the parameter; results come last. The parameter is m = k^2, not the modulus k:
-     jacobi_K(0.25) is K for k = 1/2. SciPy, Mathematica and GSL's elljac take m too; Boost, C++17 and GSL's Kcomp
-     take k. Any m <= 1 is allowed, negative ones included. The complementary parameter is m1 = 1 - m, the
+     jacobi_K(0.25) is K for k = 1/2. In SciPy, Mathematica and GSL's elljac the argument is m, too; in Boost, C++17 and
+     GSL's Kcomp it is k. Any m <= 1 is allowed, also a negative m. The complementary parameter is m1 = 1 - m, the
      complementary modulus k' = sqrt(m1). The functions with the suffix _m1 take or return m1. Use them where m is close
      to 1: m1 then has all its digits, while a computed difference 1 - m has only a few. sn and cn have the period 4
      K(m), dn has 2 K(m). All arguments are pure numbers.
@@ -37,22 +37,22 @@
                           used.
      jacobi_solve_kpK     m from the value of k'K(m); jacobi_solve_K returns m from the value of K(m)
      jacobi_cn_means      mean values of cn^2, cn^4 and cn^6 over a period
-     jacobi_agm_...       sn, cn, dn and K by the arithmetic-geometric mean; for sn, cn and dn the number of its steps
-                          is an argument
+     jacobi_agm_...       sn, cn, dn and K by the arithmetic-geometric mean; jacobi_agm_sncndn takes the number of its
+                          steps as an argument
 
    ERRORS
      These arguments give NaN: m > 1, or m1 < 0 in functions that take m1 = 1 - m (jacobi_sncndn_any and the incomplete
-     integrals allow them); c < 0 in the functions jacobi_solve_...; NaN and infinite numbers. The incomplete
-     integrals, jacobi_D, jacobi_Pi, the inverses and Carlson's integrals return the limit at an infinite argument, and
-     NaN where there is no limit. m = 1 gives the limits: K is infinite, E is 1, sn is tanh u, cn and dn are 1/cosh u,
-     for u = +-infinity too. A quotient at a pole is infinite. For a bad m jacobi_plan_init returns -1 and leaves the
-     plan as it was. Nothing else can fail. The functions allocate no memory and keep no state; the value of errno
-     means nothing.
+     integrals allow both); c < 0 in the functions jacobi_solve_...; NaN; infinite numbers, with these exceptions. The
+     incomplete integrals, jacobi_D, jacobi_Pi, the inverses and Carlson's integrals return the limit at an infinite
+     argument, and NaN where there is no limit. m = 1 gives the limits: K is infinite, E is 1, sn is tanh u, cn and dn
+     are 1/cosh u, for u = +-infinity too. A quotient such as sn/cn is infinite at its poles, where the denominator is
+     0. For a bad m jacobi_plan_init returns -1 and leaves the plan as it was. Nothing else can fail. The functions
+     allocate no memory and keep no state; errno says nothing about their errors.
 
    METHOD
      Where u^2 max(1, 1 - m) is small, (cn/sn)^2 at u/4 is computed by its power series (a Laurent series, since it
-     begins with 1/u^2). Then two duplications, which double the argument, lead from u/4 to u [1, 5]. This needs one
-     square root, but not K.
+     begins with 1/u^2). Then two duplications, which double the argument, lead from u/4 to u [1, 5]. This method needs
+     one square root, but not K.
      If |u| is above about K/2, a multiple of the quarter period K is first subtracted. The closer u is to a zero of sn
      or cn, the more digits of K are needed. K comes from a table, from two steps of the arithmetic-geometric mean and a
      series, or from this mean in two or three words. A word is one number of the type; a sum of two or three words has
@@ -61,22 +61,22 @@
      powers of the nome of 1 - m or of 1/(1 - m), where the nome of m is exp(-pi K(1 - m)/K(m)). This nome is then at
      most 0.003, so that few terms are enough.
      The incomplete integrals and the inverses use Carlson's duplication, which brings the arguments of an integral
-     closer together, and then a series of order 10. For the incomplete integrals a multiple of pi is first subtracted
-     from the angle. A plan has polynomials in u^2 in place of the Laurent series. No subtraction loses digits, not even
-     for m = 1.
+     closer together, and then a power series up to the terms of degree 10 (float 4). For the incomplete integrals a
+     multiple of pi is first subtracted from the angle. A plan has polynomials in u^2 instead of the Laurent series. No
+     subtraction loses digits, not even for m = 1.
 
    MACROS, to be defined before the include
-     VM_USE_FLOAT         float instead of double; the tests run both
-     VM_API               linkage of every function, default static inline
+     VM_USE_FLOAT         all numbers are float instead of double; the tests run both
+     VM_API               linkage of every function; the default is static inline
      VM_INLINE            linkage of the functions that are fast only if they are inlined. If it is defined as VM_API,
                           the code is smaller and the results are the same.
      VM_SQRT, VM_FABS, VM_FLOOR, VM_COPYSIGN
                           the functions of the C library that are used; define all four or none.
                           These functions are exact, so that results are the same on every machine, unless the compiler
                           fuses products and sums.
-     VM_TABLE, VM_READ    storage of the tables, and how an element of one is read; define both or none. Default:
-                          static const and (x); on AVR static const PROGMEM and pgm_read_float(&(x)), so that tables
-                          take no RAM
+     VM_TABLE, VM_READ    storage of the tables, and how an element of one is read; define both or none. The defaults
+                          are static const and (x); on AVR they are static const PROGMEM and pgm_read_float(&(x)), so
+                          that tables take no RAM
      VM_ALLOW_FAST_MATH   lets the headers compile under -ffast-math or a part of it, but none of the bounds below holds
                           then
      VM_MIXED_PRECISIONS  allows a program in which some files define VM_USE_FLOAT and others do not. Without it gcc and
@@ -89,30 +89,33 @@
      the compiler's macros show such an option. But clang's macros show only -ffast-math and -ffinite-math-only, and no
      macro shows "#pragma float_control", another rounding mode, or that the processor treats subnormal numbers, the
      smallest of all, as zero. vm_self_check() returns 0 in these cases, and 1 where all is well; a program may call it
-     once when it starts. On x87 units gcc in its gnu modes (gcc -m32, no -std=c99) computes with excess precision. Then
-     the bounds below do not hold, and odd and even functions may lose their symmetry in the last bit. The options
-     -fexcess-precision=standard, or -msse2 -mfpmath=sse, prevent this.
+     once when it starts. On x87 units gcc in its gnu modes (gcc -m32, no -std=c99) computes with more digits than the
+     type has (excess precision). Then the bounds below do not hold, and odd and even functions may lose their symmetry
+     in the last bit. The options -fexcess-precision=standard, or -msse2 -mfpmath=sse, prevent this.
 
    ACCURACY: bounds of the error, which the tests check; docs/measurements.md has the errors found.
      eps, ulp     eps is 2.2e-16 (float 1.2e-7). An ulp is the distance between two neighbouring numbers of the type,
-                  next to the true value. The bounds hold for the inputs as they are, without errors of their own.
+                  next to the true value. The bounds take the inputs as exact.
      sn, cn, dn   absolute error <= 4 eps max(1, k') for |u| <= 1e9 and |u| <= 2^40 K (float 1e4 and 2^17 K). Relative
                   error <= 9 ulp for |u| <= 100 K, at the zeros and next to them too (in float, except where u is
                   within a millionth of an ulp of a zero). A plan is as accurate. For |u| >= K/eps the digits of u do
                   not determine the phase: then sn = 0 and cn = dn = 1.
      K, E         <= 2 ulp
      k'K          <= 5 ulp
-     means        <= 8 ulp
-     quotients    <= 8 ulp; the amplitude has the same bound
-     F, E, D, Pi  <= 8 ulp for |phi| <= 1e9 (float 1e4) and n <= 1; jacobi_Pi_incomplete has the bound for n > 1
-     inverses of sn, cn and dn, Carlson's integrals   <= 8 ulp; R_G <= 10 ulp; jacobi_RJ has the bound of R_J
+     means        <= 8 ulp, for the means of cn^2, cn^4 and cn^6
+     quotients    <= 8 ulp, for sn/cn and the other quotients; the amplitude has the same bound
+     F, E, D, Pi  <= 8 ulp for |phi| <= 1e9 (float 1e4) and n <= 1; the comment of jacobi_Pi_incomplete has the bound
+                  for n > 1
+     inverses of sn, cn and dn, Carlson's integrals   <= 8 ulp; R_G <= 10 ulp; the comment of jacobi_RJ has the bound of
+                  R_J
      m > 1        the bounds of sn, cn, dn hold with k u in place of u (see jacobi_sncndn_any)
-     solvers      <= 4 ulp of m and of m1, plus the change of m or m1 that one ulp of c makes
+     solvers      <= 4 ulp of m and of m1, plus the change of m or m1 that one ulp of the argument c of
+                  jacobi_solve_... makes
 
    COST
-     docs/cost.md has the times, docs/counts.md the instructions of each function. A jacobi_plan has
-     312 [jacobi_plan_bytes] bytes, in float 116 [jacobi_plan_bytes_float]; the name in brackets is the row of
-     docs/numbers.md from which the number is. The largest stack frame is about 1 kB.
+     docs/cost.md has the time of each function, docs/counts.md the number of instructions of a call. A jacobi_plan has
+     312 [jacobi_plan_bytes] bytes, in float 116 [jacobi_plan_bytes_float]; the name in brackets is that of the row of
+     docs/numbers.md with this number. The largest stack frame is about 1 kB.
 
    REFERENCES
      [1] DLMF, chapters 19, 20 and 22, dlmf.nist.gov: 19.8 (AGM), 20.2, 20.7, 22.2 (theta functions), 22.20.
@@ -168,7 +171,7 @@
        jacobi_cn_means                Means of cn^2, cn^4 and cn^6 over a period, for the parameter m <= 1
 
      jacobi/descending: sn, cn, dn and K by the arithmetic-geometric mean
-       jacobi_agm_sncndn              sn, cn and dn by a given number of steps of the arithmetic-geometric mean, for m < 1
+       jacobi_agm_sncndn              sn, cn and dn of u by a given number of steps of the arithmetic-geometric mean, for m < 1
        jacobi_agm_K                   K(m) by the arithmetic-geometric mean, for m <= 1
 
      jacobi/carlson: Carlson's symmetric elliptic integrals R_F, R_C, R_D, R_J and R_G
@@ -209,7 +212,7 @@
 
    All other files include this one. It defines vm_real (double, or float where VM_USE_FLOAT is defined) and gives a
    default to each macro that the user has not set. It stops the compiler with an error if a compiler option changes the
-   results, and the linker where a program has files in float and in double. It names the four functions of the C
+   results, and it stops the linker if a program has files in float and in double. It names the four functions of the C
    library that are used: sqrt, fabs, floor, copysign.
 
        vm_real x = VM_C(0.1); // the number 0.1 as a vm_real, in double and in float
@@ -314,8 +317,8 @@ typedef double vm_real;
 /* A struct in float and the same struct in double have different sizes. In C the linker does not see where one file
    passes such a struct to another. So each file marks its precision here, and files of both precisions do not link,
    unless all files of one precision define VM_MIXED_PRECISIONS. With gcc the mark is an absolute symbol, which must
-   have the same value in every file of a program. With clang there is no such mark, since under -flto it would refuse
-   equal values, too. */
+   have the same value in every file of a program. With clang there is no such mark, since clang would refuse equal
+   values, too, under -flto. */
 #if defined(VM_MIXED_PRECISIONS) || defined(__CUDACC__)
 #elif defined(_MSC_VER)
 #ifdef VM_USE_FLOAT
@@ -379,7 +382,7 @@ VM_API vm_real vmi_copysign(vm_real x, vm_real y)
     return x;
 }
 
-/* The larger and the smaller of two numbers. Both functions return b if a or b is NaN. */
+/* These functions return the larger and the smaller of two numbers. Both functions return b if a or b is NaN. */
 VM_INLINE vm_real vmi_larger(vm_real a, vm_real b) { return a > b ? a : b; }
 VM_INLINE vm_real vmi_smaller(vm_real a, vm_real b) { return a < b ? a : b; }
 
@@ -425,7 +428,7 @@ VM_API vm_real vmi_rounded(vm_real x)
 #define vmi_rounded(x) (x)
 #endif
 
-/* Returns the exact sum a + b as a pair (by Knuth). */
+/* Returns the exact sum a + b as a pair, by Knuth's method. */
 VM_API vm_two vmi_two_sum(vm_real a, vm_real b)
 {
     vm_two s;
@@ -436,7 +439,7 @@ VM_API vm_two vmi_two_sum(vm_real a, vm_real b)
     return s;
 }
 
-/* Returns the exact sum a + b as a pair, for |a| >= |b| (by Dekker). */
+/* Returns the exact sum a + b as a pair, for |a| >= |b|, by Dekker's method. */
 VM_API vm_two vmi_fast_two_sum(vm_real a, vm_real b)
 {
     vm_two s;
@@ -459,8 +462,9 @@ VM_API vm_two vmi_two(vm_real hi, vm_real lo)
 
    Some options of compilers and some modes of processors change the results of floating-point arithmetic. Where a
    macro of the compiler shows such an option, the headers do not compile. vm_self_check() finds other options and modes
-   when the program runs: it computes a few numbers that show whether sums keep their order, whether results are
-   rounded to the nearest number, and whether NaN, infinity, -0 and subnormal numbers exist.
+   when the program runs: it computes a few numbers that show whether sums are computed in the order in which they are
+   written, whether results are rounded to the nearest number, and whether NaN, infinity, -0 and subnormal numbers
+   exist.
 
        int trustworthy = vm_self_check(); // once, when the program starts
 
@@ -682,21 +686,24 @@ VM_API vm_real vmi_head(vm_real x)
     return vmi_from_bits(vmi_to_bits(x) & ~(above - 1));
 }
 
-/* The product x y of numbers in two words; the relative error is below 2^-(2p - 4) */
+/* The product x y of numbers in two words; the relative error is below 2^-(2p - 4), where p is the number of binary
+   digits of vm_real. */
 VM_API vm_two vmi_two_times(vm_two x, vm_two y)
 {
     vm_two p = vmi_two_product(x.hi, y.hi);
     return vmi_two_sum(p.hi, p.lo + (x.hi * y.lo + x.lo * y.hi));
 }
 
-/* The sum x + y of numbers in two words; the error is below 2^-(2p - 4) of the larger term */
+/* The sum x + y of numbers in two words; the error is below 2^-(2p - 4) of the larger term, where p is the number of
+   binary digits of vm_real. */
 VM_API vm_two vmi_two_plus(vm_two x, vm_two y)
 {
     vm_two s = vmi_two_sum(x.hi, y.hi);
     return vmi_two_sum(s.hi, s.lo + (x.lo + y.lo));
 }
 
-/* The quotient x / y of numbers in two words; the relative error is below 2^-(2p - 4) */
+/* The quotient x / y of numbers in two words; the relative error is below 2^-(2p - 4), where p is the number of binary
+   digits of vm_real. */
 VM_API vm_two vmi_two_over(vm_two x, vm_two y)
 {
     vm_real z = vmi_rounded(x.hi / y.hi);
@@ -721,7 +728,7 @@ VM_API vmi_three vmi_three_words(vm_real a, vm_real b, vm_real c)
     return x;
 }
 
-/* The sum x + y of numbers in three words */
+/* Returns the sum x + y of numbers in three words. */
 VM_API vmi_three vmi_three_plus(vmi_three x, vmi_three y)
 {
     const vm_two high = vmi_two_sum(x.hi, y.hi), mid = vmi_two_sum(x.mid, y.mid);
@@ -729,7 +736,7 @@ VM_API vmi_three vmi_three_plus(vmi_three x, vmi_three y)
     return vmi_three_words(high.hi, sum.hi, sum.lo + mid.lo + (x.lo + y.lo));
 }
 
-/* The product x y of numbers in three words */
+/* Returns the product x y of numbers in three words. */
 VM_API vmi_three vmi_three_times(vmi_three x, vmi_three y)
 {
     const vm_two p = vmi_two_product(x.hi, y.hi), a = vmi_two_product(x.hi, y.mid);
@@ -739,7 +746,8 @@ VM_API vmi_three vmi_three_times(vmi_three x, vmi_three y)
                            mid.lo + sum.lo + (a.lo + b.lo) + (x.hi * y.lo + x.mid * y.mid + x.lo * y.hi));
 }
 
-/* The quotient x / y of numbers in three words, by long division: each of three steps gives a word of the quotient */
+/* Returns the quotient x / y of numbers in three words, by long division: each of three steps gives a word of the
+   quotient. */
 VM_API vmi_three vmi_three_over(vmi_three x, vmi_three y)
 {
     vm_real quotient[3];
@@ -751,16 +759,17 @@ VM_API vmi_three vmi_three_over(vmi_three x, vmi_three y)
     return vmi_three_words(quotient[0], quotient[1], quotient[2]);
 }
 
-/* The fourth power of x */
+/* Returns the fourth power of x. */
 VM_API vm_real vmi_fourth_power(vm_real x) { return (x * x) * (x * x); }
 
-/* The product of x and a power of two, which is exact */
+/* Returns the product of x and a power of two, which is exact. */
 VM_API vmi_three vmi_three_scaled(vmi_three x, vm_real power)
 {
     return vmi_three_words(x.hi * power, x.mid * power, x.lo * power);
 }
 
-/* The square root of a. It starts as the root of the first word; then two steps of Newton's method add a word each. */
+/* Returns the square root of a. It starts as the root of the first word; then two steps of Newton's method add a word
+   each. */
 VM_API vmi_three vmi_three_sqrt(vmi_three a)
 {
     const vm_real root = VM_SQRT(a.hi);
@@ -773,7 +782,7 @@ VM_API vmi_three vmi_three_sqrt(vmi_three a)
     return x;
 }
 
-/* The number pi/2 in three words */
+/* Returns the number pi/2 in three words. */
 VM_API vmi_three vmi_half_pi(void)
 {
 #if VM_MANT_DIG > 24
@@ -792,7 +801,7 @@ VM_API vm_real vmi_root_residual(vm_real a, vm_real root)
     return ((a - head * head) - 2 * head * tail) - tail * tail;
 }
 
-/* The square root of a + a_lo in two words, where a_lo is below an ulp of a */
+/* Returns the square root of a + a_lo in two words, where a_lo is below an ulp of a. */
 VM_API vm_two vmi_root(vm_real a, vm_real a_lo)
 {
     const vm_real root = vmi_rounded(VM_SQRT(a));
@@ -807,20 +816,20 @@ VM_INLINE vm_real vmi_clamp(vm_real x, vm_real low, vm_real high)
     return x;
 }
 
-/* The product of x and a power of two, which is exact */
+/* Returns the product of x and a power of two, which is exact. */
 VM_API vm_two vmi_two_shifted(vm_two x, vm_real power) { return vmi_two(x.hi * power, x.lo * power); }
 
-/* The difference x - y of numbers in two words */
+/* Returns the difference x - y of numbers in two words. */
 VM_API vm_two vmi_two_minus(vm_two x, vm_two y) { return vmi_two_plus(x, vmi_two(-y.hi, -y.lo)); }
 
-/* The square root of x >= 0. For x below 2^-500 (float 2^-80) the low word of the result is not reliable. */
+/* Returns the square root of x >= 0. For x below 2^-500 (float 2^-80) the low word of the result is not reliable. */
 VM_API vm_two vmi_two_root(vm_two x)
 {
     if (x.hi > 0) return vmi_root(x.hi, x.lo);
     return vmi_two(0, 0);
 }
 
-/* The number -x */
+/* Returns the number -x. */
 VM_API vm_two vmi_minus(vm_two x)
 {
     x.hi = -x.hi;
@@ -828,7 +837,7 @@ VM_API vm_two vmi_minus(vm_two x)
     return x;
 }
 
-/* The number x / 2 */
+/* Returns the number x / 2. */
 VM_API vm_two vmi_half(vm_two x)
 {
     x.hi /= 2;
@@ -836,15 +845,15 @@ VM_API vm_two vmi_half(vm_two x)
     return x;
 }
 
-/* The product of x and a factor of one word */
+/* Returns the product of x and a factor of one word. */
 VM_API vm_two vmi_two_scaled(vm_two x, vm_real factor)
 {
     vm_two p = vmi_two_product(x.hi, factor);
     return vmi_fast_two_sum(p.hi, p.lo + x.lo * factor);
 }
 
-/* The sum a b + c d of two products, with a relative error of at most 2 eps, even where the products nearly cancel each
-   other. No product may underflow. */
+/* Returns the sum a b + c d of two products, with a relative error of at most 2 eps, even where the products nearly
+   cancel each other. No product may underflow. */
 VM_API vm_real vmi_sum_of_products(vm_real a, vm_real b, vm_real c, vm_real d)
 {
     const vm_two ab = vmi_two_product(a, b), cd = vmi_two_product(c, d);
@@ -856,10 +865,11 @@ VM_API vm_real vmi_sum_of_products(vm_real a, vm_real b, vm_real c, vm_real d)
 #endif
 /* base/elementary.h - logarithm, exponential, power, sine, cosine and arctangent, with the same bits on every machine
 
-   The C library's functions differ from machine to machine in the last bits. The functions of this file give the same
-   bits everywhere: they use only basic operations, which every machine rounds in the same way. The logarithm and the
-   exponential are computed in two words (see base/sums.h), so that a power made from them has all its digits. They
-   branch only where a result is subnormal, so that a compiler can vectorise loops over them.
+   The results of the C library's functions differ from machine to machine in the last bits. The functions of this file
+   give the same bits everywhere: they use only basic operations, which every machine rounds in the same way. The
+   logarithm and the exponential are computed in two words (see base/sums.h), so that a power made from them has all its
+   digits. The logarithm and the exponential branch only where a number is subnormal, so that a compiler can vectorise
+   loops over them.
 
        vm_real y = vmi_exp(VM_C(1.5), 0); // e^1.5
 
@@ -1202,12 +1212,13 @@ VM_API void vmi_agm(vmi_ladder *l, vm_real b0, int steps)
     l->n = n;
 }
 
-/* Returns the quarter period K in three words, with a relative error below 2^-(3p - 12), for 1 - m = m1 + m1_lo > 0.
-   Plans (jacobi/plans.h) and the reduction of an argument next to a multiple of K need so many digits. */
+/* Returns the quarter period K in three words, with a relative error below 2^-(3p - 12), for 1 - m = m1 + m1_lo > 0; p
+   is the number of binary digits of vm_real. Plans (jacobi/plans.h) and the reduction of an argument next to a multiple
+   of K need so many digits. */
 VM_API vmi_three vmi_K_three_words(vm_real m1, vm_real m1_lo)
 {
     const vm_real tiny = VM_EPSILON * VM_EPSILON;
-    vm_real lift = 1, c; /* roots are taken of m1 lift^2, so that no word overflows or underflows */
+    vm_real lift = 1, c; /* lift is a power of 2; roots of m1 lift^2 are taken, so that no word over- or underflows */
     vmi_three a = vmi_three_words(1, 0, 0), b;
     if (m1 < tiny) lift = 1 / tiny;
     if (m1 > 1 / tiny) lift = VM_EPSILON;
@@ -1223,14 +1234,14 @@ VM_API vmi_three vmi_K_three_words(vm_real m1, vm_real m1_lo)
 }
 
 /* Returns agm(1, k') = pi/(2K) in two words, for 1 - m = m1 + m1_lo > 0. Let s be the mean of the last a_n and b_n, c
-   half their difference, and x = (c/s)^2. Instead of a further step, the series agm(s + c, s - c) = s (1 - x/4 - 5
-   x^2/64 - ...) is used. The relative error of the result is x eps/8 < 2^-85 (float 2^-41). Where the result serves to
-   reduce the argument u, its error changes sn, cn and dn/k' by less than eps/8, since the slopes of these functions are
-   at most max(1, k'). */
+   half their difference, and x = (c/s)^2. The series agm(s + c, s - c) = s (1 - x/4 - 5 x^2/64 - ...) replaces a
+   further step of the mean. The relative error of the result is x eps/8 < 2^-85 (float 2^-41). Where an argument u is
+   reduced by means of this result, the error of the result changes sn, cn and dn/k' by less than eps/8, since the
+   slopes of these functions are at most max(1, k'). */
 VM_API vm_two vmi_agm_two_words(vm_real m1, vm_real m1_lo, vm_real u)
 {
     const vm_real tiny = VM_EPSILON * VM_EPSILON, last = VM_MANT_DIG > 24 ? VM_C(3e-5) : VM_C(4e-3);
-    vm_real lift = 1, slope; /* the root is taken of m1 lift^2, so that no word underflows */
+    vm_real lift = 1, slope; /* lift is a power of 2; the root is taken of m1 lift^2, so that no word underflows */
     vm_two root, kp, a, b, p;
     if (m1 < tiny) lift = 1 / tiny;
     root = vmi_root(m1 * lift * lift, m1_lo * lift * lift);
@@ -1256,10 +1267,10 @@ VM_API vm_two vmi_agm_two_words(vm_real m1, vm_real m1_lo, vm_real u)
 #endif
 /* jacobi/integrals.h - complete elliptic integrals K and E
 
-   K(m) = integral from 0 to pi/2 of dx/sqrt(1 - m sin^2 x), E(m) = integral of sqrt(1 - m sin^2 x) dx
-   between the same limits. The parameter is m = k^2 <= 1, negative ones included. The forms with suffix _m1 take m1 = 1
-   - m; use them for m close to 1, where the difference 1 - m would lose digits. Between m = -33.5 and m = 0.971 K and E
-   are computed by series after one or two steps of the arithmetic-geometric mean, for other m by sums with the
+   K(m) = integral from 0 to pi/2 of dx/sqrt(1 - m sin^2 x), E(m) = integral of sqrt(1 - m sin^2 x) dx from 0 to pi/2,
+   too. The parameter m = k^2 is any number <= 1, also a negative one. The forms with suffix _m1 take m1 = 1 - m; use
+   them for m close to 1, where the difference 1 - m would lose digits. For m between -33.5 and 0.971, K and E are
+   computed by series after one or two steps of the arithmetic-geometric mean, for any other m by sums that contain the
    logarithm of k' = sqrt(1 - m).
 
        vm_real K = jacobi_K(VM_C(0.5)); // 1.854...
@@ -1269,7 +1280,8 @@ VM_API vm_two vmi_agm_two_words(vm_real m1, vm_real m1_lo, vm_real u)
 #ifndef VARMASS_JACOBI_INTEGRALS_H
 #define VARMASS_JACOBI_INTEGRALS_H
 
-/* Is 1 if K and E are computed by series for this m1 = 1 - m, and 0 if they are computed by logarithms. */
+/* VMI_MIDDLE(m1) is 1 if K and E are computed by series for this m1 = 1 - m, and 0 if they are computed by
+   logarithms. */
 #define VMI_MIDDLE(m1) ((m1) > VM_C(0.029) && (m1) < VM_C(34.5))
 
 /* Returns ln(4/k') for m1 < 1 and ln(4 k') for m1 > 1 in two words, where k'^2 = m1 + m1_lo. */
@@ -1339,9 +1351,9 @@ VM_API vm_real vmi_E_rest(vm_real c, vm_real l)
 }
 
 /* Returns S(x), the power series for which K = pi/(1 + k') (1 + x S(x)) with x = ((1 - k')/(1 + k'))^2, for x <=
-   0.0295. The polynomial's error of x S is below 2^-59.2 (float 2^-29.9). x is made this small by a step of the
-   arithmetic-geometric mean, which replaces k' by 2 sqrt(k')/(1 + k'). One step is enough for every m1 for which
-   VMI_MIDDLE(m1) is 1. */
+   0.0295. S is computed by a polynomial. The polynomial's error of x S is below 2^-59.2 (float 2^-29.9). x is made this
+   small by a step of the arithmetic-geometric mean, which replaces k' by 2 sqrt(k')/(1 + k'). One step is enough for
+   every m1 for which VMI_MIDDLE(m1) is 1. */
 VM_API vm_real vmi_K_series(vm_real x)
 {
 #if VM_MANT_DIG > 24
@@ -1356,7 +1368,8 @@ VM_API vm_real vmi_K_series(vm_real x)
 }
 
 /* Returns x S(x) for x = ((1 - k')/(1 + k'))^2 <= 0.503, where S is the power series for which E = (pi/4) (1 + k')
-   (1 + x S(x)); it is not the series of K. The polynomial's error of x S is below 2^-56.7 (float 2^-28.5). */
+   (1 + x S(x)); this S is not the S of vmi_K_series. S is computed by a polynomial. The polynomial's error of x S is
+   below 2^-56.7 (float 2^-28.5). */
 VM_API vm_real vmi_E_series(vm_real x)
 {
     const vm_real xx = x * x, x4 = xx * xx;
@@ -1378,10 +1391,10 @@ VM_API vm_real vmi_E_series(vm_real x)
 #endif
 }
 
-/* Returns K for 1 - m = m1 + m1_lo. Where VMI_MIDDLE(m1) is 1, K comes from two steps of the arithmetic-geometric mean
-   and the series S(x) of vmi_K_series: K = 2 pi (1 + x S)/(1 + f)^2 with f^2 = k' and x = ((1 - f)/(1 + f))^4. For
-   m > 0.971 K comes from logarithms (vmi_K_by_log), and so it does for m < -33.5, since k' K(m) = K(mu) for the
-   parameter mu with 1 - mu = 1/(1 - m). */
+/* Returns K for 1 - m = m1 + m1_lo, a number in two words. Where VMI_MIDDLE(m1) is 1, K comes from two steps of the
+   arithmetic-geometric mean and the series S(x) of vmi_K_series: K = 2 pi (1 + x S)/(1 + f)^2 with f^2 = k' and
+   x = ((1 - f)/(1 + f))^4. For m > 0.971 K comes from logarithms (vmi_K_by_log), and so it does for m < -33.5, since k'
+   K(m) = K(mu) for the parameter mu with 1 - mu = 1/(1 - m). */
 VM_API vm_real vmi_K(vm_real m1, vm_real m1_lo)
 {
     vm_two K, root;
@@ -1403,8 +1416,8 @@ VM_API vm_real vmi_K(vm_real m1, vm_real m1_lo)
     return quotient + (K.lo - quotient * root.lo) / root.hi;
 }
 
-/* Returns E for 1 - m = m1 + m1_lo. Where VMI_MIDDLE(m1) is 1, E comes from vmi_E_series, for m > 0.971 from
-   vmi_E_rest, and for m < -33.5 from E(m) = k' E(mu) for the parameter mu with 1 - mu = 1/(1 - m). */
+/* Returns E for 1 - m = m1 + m1_lo, a number in two words. Where VMI_MIDDLE(m1) is 1, E comes from vmi_E_series, for
+   m > 0.971 from vmi_E_rest, and for m < -33.5 from E(m) = k' E(mu) for the parameter mu with 1 - mu = 1/(1 - m). */
 VM_API vm_real vmi_E(vm_real m1, vm_real m1_lo)
 {
     vm_two root;
@@ -1467,9 +1480,9 @@ VM_API vm_real jacobi_kpK(vm_real m)
 
    To reduce a large argument, K is needed with more digits than a vm_real has. The arithmetic-geometric mean gives
    these digits (jacobi/agm.h), but it is slow, since it takes one square root after another. Here K comes from one of
-   25 polynomials in k' = sqrt(1 - m), for k' from 0.171875 to 1.5. Each octave of k' has eight pieces, and each piece
-   has its own polynomial c_0 + c_1 t + c_2 t^2 + ..., where t is k' minus the middle of the piece. The table takes 3.8
-   kB (float 1 kB).
+   25 polynomials in k' = sqrt(1 - m), for k' from 0.171875 to 1.5. Each octave of k', an interval from 2^n to 2^(n+1),
+   is divided into eight pieces. Each piece has its own polynomial c_0 + c_1 t + c_2 t^2 + ..., where t is k' minus the
+   middle of the piece. The table takes 3.8 kB (float 1 kB).
 
        vmi_period K = vmi_period_by_table(VM_C(0.5), 0, VM_SQRT(VM_C(0.5))); // K(0.5) = K.head + K.middle + K.low
 
@@ -1477,7 +1490,7 @@ VM_API vm_real jacobi_kpK(vm_real m)
 #ifndef VARMASS_JACOBI_PERIOD_TABLE_H
 #define VARMASS_JACOBI_PERIOD_TABLE_H
 
-/* Is 1 if the table gives the quarter period for this k', else 0. */
+/* VMI_IN_PERIOD_TABLE(kp) is 1 if the table gives the quarter period for k' = kp, else 0. */
 #define VMI_IN_PERIOD_TABLE(kp) ((kp) >= VM_C(0.171875) && (kp) < VM_C(1.5))
 
 /* The number of polynomials and the number of constants of each. Constants 0 and 1 are the two words of c_0, constants
@@ -1705,7 +1718,7 @@ VM_INLINE vm_real vmi_period_constant(vmi_bits row, int column)
 
 /* The quarter period as the sum head + middle + low. head and middle are so short that their products with a whole
    number below 2^20 (float 2^13) are exact. rough is the sum in one word with a relative error below 2^-27 (float
-   2^-23), and early, which takes less time, a sum with a relative error below 2^-13. */
+   2^-23), and early is a sum that takes less time, with a relative error below 2^-13. */
 typedef struct VM_TAG(vmi_period) {
     vm_real head, middle, low, rough, early;
 } vmi_period;
@@ -1725,13 +1738,13 @@ typedef struct VM_TAG(vmi_period) {
 #define VMI_MIDDLE_GRID VM_C(768.0)
 #endif
 
-/* Returns K for 1 - m = m1 + m1_lo, where kp is k' in one word and VMI_IN_PERIOD_TABLE(kp) is 1. The relative error is
-   below 2^-71 (float 2^-36).
-   Method: t is the sum of head, which has at most 14 digits (float 10), and a tail. b1, b2, ... are the products of the
-   heads of c_1, c_2, ... and the powers of head; they are exact. The sums in which K.middle is subtracted are exact,
-   too. All other terms are so small that one word is enough for them. The variable t has one word and does not contain
-   kp_lo, the low word of k'. The tail contains kp_lo. In the terms with t^4 and t^5 (float t^3 and t^4) the effect of
-   kp_lo is added as kp_lo times their derivatives with respect to t. */
+/* Returns K for 1 - m = m1 + m1_lo, a number in two words, where kp is k' in one word and VMI_IN_PERIOD_TABLE(kp) is 1.
+   The relative error is below 2^-71 (float 2^-36).
+   Method: t is the sum of head, which has at most 14 binary digits (float 10), and a tail. b1, b2, ... are the products
+   of the heads of c_1, c_2, ... and the powers of head; they are exact. The sums in which K.middle is subtracted are
+   exact, too. All other terms are so small that one word is enough for them. The variable t has one word and does not
+   contain kp_lo, the low word of k'. The tail contains kp_lo. In the terms with t^4 and t^5 (float t^3 and t^4) the
+   effect of kp_lo is added as kp_lo times their derivatives with respect to t. */
 VM_INLINE vmi_period vmi_period_by_table(vm_real m1, vm_real m1_lo, vm_real kp)
 {
     const vmi_bits bits = vmi_to_bits(kp), half = (vmi_bits)1 << (VMI_STORED_DIG - 4);
@@ -1766,7 +1779,7 @@ VM_INLINE vmi_period vmi_period_by_table(vm_real m1, vm_real m1_lo, vm_real kp)
     const vm_real words = (c0_lo + (c1_lo * head + (c2_lo + c3_lo * head) * hh)) + c4_lo * (g * g);
     const vm_real rest4 = (c4 + c4_lo) * ((tt - g) * (tt + g)), slope45 = tt * t * (4 * c4 + 5 * t * c5);
     const vm_real slope3 = (c3 + c3_lo) * (3 * head * t + kp_tail * kp_tail);
-    const vm_real slope = (c2 + c2_lo) * (head + t) + slope3; /* without c_1 */
+    const vm_real slope = (c2 + c2_lo) * (head + t) + slope3; /* derivative of the polynomial without its term c_1 */
     const vm_real rest1 = kp_tail * (c1_rest + slope) + kp_lo * (c1 + slope + slope45);
     K.middle = vmi_rounded(b + VMI_MIDDLE_GRID) - VMI_MIDDLE_GRID;
     K.low = (((((b1 - K.middle) + b2) + b3) + b4) + b5) + (((words + rest4) + t4 * t * p) + rest1);
@@ -1803,12 +1816,12 @@ VM_INLINE vmi_period vmi_period_by_table(vm_real m1, vm_real m1_lo, vm_real kp)
 #ifndef VARMASS_JACOBI_THETA_H
 #define VARMASS_JACOBI_THETA_H
 
-/* What the theta functions far from 0 need for a parameter m. vmi_far_prepare computes these numbers. */
+/* The numbers from which the theta functions far from 0 are computed for a parameter m. vmi_far_prepare writes them. */
 typedef struct VM_TAG(vmi_theta_form) {
     vm_real kp, kp_lo; /* k' = sqrt(1 - m) in two words */
     vm_real q;         /* the nome of 1 - m, or of 1/(1 - m) in the reciprocal form */
     vm_real defect;    /* 1 - z/v, where v is the argument and z its phase (see vmi_far_prepare) */
-    vm_real f[3], g[2], scale[2]; /* f for P and Q, g for E, scale for theta_s and theta_c: see vmi_far_prepare */
+    vm_real f[3], g[2], scale[2]; /* f, g: coefficients of P, Q and of E; scale: factors of theta_s, theta_c */
 } vmi_theta_form;
 
 /* The three methods: the series near 0; theta functions with the nome of 1 - m, for m near 1; theta functions with
@@ -1840,10 +1853,10 @@ VM_INLINE void vmi_laurent(vm_real theta, vm_real m1_theta, vm_real *c)
     c[3] = e * (9 * product - 2 * ee) * VM_C(5.291005291005291005e-3);
 }
 
-/* The theta functions near 0, from the series at w = v/4 to the ninth term (float: the fifth) and two duplications.
-   Only theta.c and the local variable f are computed by subtractions, and both are far from 0. s, c, d and n below
-   are the four theta functions. A duplication leads from w to 2w: if a and
-   b are numbers with b/a = sc^2(w), where sc = sn/cn, then
+/* Returns the theta functions near 0, from the series at w = v/4 to the ninth term (float: the fifth) and two
+   duplications. Only theta.c and the local variable f are computed by subtractions, and both are far from 0. s, c, d
+   and n below are the four theta functions. A duplication leads from w to 2w: if a and b are
+   numbers with b/a = sc^2(w), where sc = sn/cn, then
      sc^2(2w) = 4 a b (a + b)(a + m1 b)/(a^2 - m1 b^2)^2,
      s : c : d : n = 2 sqrt(a b (a + b)(a + m1 b)) : a^2 - m1 b^2 : a^2 + 2 m1 a b + m1 b^2 : a^2 + 2 a b + m1 b^2. */
 VM_INLINE vmi_thetas vmi_theta_near(vm_real v, vm_real m1)
@@ -1929,10 +1942,10 @@ typedef struct VM_TAG(vmi_exponentials) {
     vm_real sine, cosine, power, lift;
 } vmi_exponentials;
 
-/* Returns the hyperbolic sine and cosine of z + z_lo, times a power of two, for 0 <= z <= VMI_LONGEST. |z_lo| is at
-   most an ulp of z. The relative errors are at most 1.3 ulp. The field lift is wrong for n > VMI_BIAS, where 2^n
-   overflows. Method: z = n ln 2 + r with |r| < 0.35. With S = sinh r and C = cosh r - 1, which polynomials in r^2
-   give,
+/* Returns the four numbers of vmi_exponentials for the argument z + z_lo, where 0 <= z <= VMI_LONGEST and |z_lo| is at
+   most an ulp of z. The relative errors are at most 1.3 ulp. The field `lift`, which is 2^n, is wrong for n > VMI_BIAS,
+   where 2^n overflows. Method: z = n ln 2 + r with |r| < 0.35. With S = sinh r and C = cosh r - 1, which polynomials in
+   r^2 give,
      sine = (1 - 4^-n) + (S (1 + 4^-n) + C (1 - 4^-n)),  cosine = (1 + 4^-n) + (C (1 + 4^-n) + S (1 - 4^-n)).  */
 VM_INLINE vmi_exponentials vmi_far_exponentials(vm_real z, vm_real z_lo)
 {
@@ -1970,8 +1983,8 @@ VM_INLINE vmi_exponentials vmi_far_exponentials(vm_real z, vm_real z_lo)
     return e;
 }
 
-/* The theta functions far from 0, for |argument| <= VMI_LONGEST. All four are multiplied by 2^-n, so that they do not
-   overflow (see vmi_far_exponentials). */
+/* Returns the theta functions far from 0, for |argument| <= VMI_LONGEST. All four are multiplied by a power of two,
+   2^-n with the n of vmi_exponentials, so that they do not overflow. */
 VM_INLINE vmi_thetas vmi_theta_far(const vmi_theta_form *t, int reciprocal, vm_two argument)
 {
     vmi_thetas theta;
@@ -1999,7 +2012,7 @@ VM_INLINE vmi_thetas vmi_theta_far(const vmi_theta_form *t, int reciprocal, vm_t
     return theta;
 }
 
-/* The theta functions far from 0 for a single v and m, without a plan */
+/* Returns the theta functions far from 0 for a single v and m, without a plan. */
 VMI_APART vmi_thetas vmi_theta_far_unprepared(vm_two v, vm_real m1, vm_real m1_lo)
 {
     vmi_theta_form t;
@@ -2008,7 +2021,7 @@ VMI_APART vmi_thetas vmi_theta_far_unprepared(vm_two v, vm_real m1, vm_real m1_l
     return vmi_theta_far(&t, m1 > 1, v);
 }
 
-/* The theta functions at an argument that is larger by the given number of quarter periods. One quarter period turns s,
+/* Returns the theta functions at an argument that is larger by `quarters` quarter periods. One quarter period turns s,
    c, d, n into c, -k' s, k' n, d; two quarter periods change the signs of s and c. Products with 0, 1 and -1 replace a
    branch, which would be mispredicted half the time. */
 VM_INLINE vmi_thetas vmi_theta_shift(vmi_thetas theta, vm_real kp, vmi_bits quarters)
@@ -2025,7 +2038,7 @@ VM_INLINE vmi_thetas vmi_theta_shift(vmi_thetas theta, vm_real kp, vmi_bits quar
     return shifted;
 }
 
-/* sn, cn and dn from the theta functions, where dn is kept between 1 and bound */
+/* Computes sn, cn and dn from the theta functions. dn is kept between 1 and `bound`. */
 VM_INLINE void vmi_theta_ratios(vmi_thetas theta, vm_real bound, vm_real *sn, vm_real *cn, vm_real *dn)
 {
     const vm_real low = vmi_smaller(bound, 1), high = vmi_larger(bound, 1), per_n = 1 / theta.n;
@@ -2049,7 +2062,7 @@ VM_INLINE void vmi_theta_ratios(vmi_thetas theta, vm_real bound, vm_real *sn, vm
 /* The product of a piece of K (see vmi_pieces) and a whole number below this limit, 2^30 (float 2^13), is exact. */
 #define VMI_EXACT_QUARTERS (VM_MANT_DIG > 24 ? VM_C(1073741824.0) : VM_C(8192.0))
 
-/* The number of parts of K that vmi_pieces writes */
+/* The number of parts of K that vmi_pieces writes into an array */
 enum { VMI_PIECES = 5 };
 
 /* Writes K to `piece` as a sum of three short numbers, the pieces, and two words. The pieces are so short that their
@@ -2075,9 +2088,10 @@ VM_API void vmi_pieces(vmi_three K, vm_real *piece)
 #define VMI_PIECES_REACH (VM_MANT_DIG > 24 ? VM_C(5.4e-20) : VM_C(4.7e-10))
 
 /* Returns u minus the nearest multiple j K, as three terms, for 0 <= u < VMI_EXACT_QUARTERS K. The array K comes from
-   vmi_pieces, and per_K is 1/K. The last bits of *quarters become those of j. The last word of K is left out, and the
-   product of j and the word before it is rounded: the error is u eps^2/1000 or less. A result below VMI_PIECES_REACH
-   times u must therefore be computed by vmi_reduce_finely. Loops over this function can be vectorised. */
+   vmi_pieces, and per_K is 1/K. *quarters becomes a number whose last two bits are j modulo 4. The product of j and
+   K[3] is rounded, and K[4] is not used: the error is therefore u eps^2/1000 or less. A result below VMI_PIECES_REACH
+   times u is not accurate enough and must be computed by vmi_reduce_finely. Loops over this function can be
+   vectorised. */
 VM_INLINE vmi_three vmi_reduce_pieces(vm_real u, const vm_real *K, vm_real per_K, vmi_bits *quarters)
 {
     const vm_real shifted = vmi_rounded(u * per_K + 1 / VM_EPSILON), j = shifted - 1 / VM_EPSILON;
@@ -2089,9 +2103,9 @@ VM_INLINE vmi_three vmi_reduce_pieces(vm_real u, const vm_real *K, vm_real per_K
     return rest;
 }
 
-/* Returns u minus the nearest multiple j K in two words, as vmi_reduce_pieces does, but from all words of K. The
-   relative error is below eps for any result but those below 2^-90 u (float 2^-44 u). The distance of u from j K must
-   be less than 1e-9 u (float 8e-6 u): then the products and differences with the three pieces are exact. */
+/* Returns u minus the nearest multiple j K in two words, as vmi_reduce_pieces does, but uses all elements of the array
+   K. The relative error is below eps for every result above 2^-90 u (float 2^-44 u). The distance of u from j K must be
+   less than 1e-9 u (float 8e-6 u): then the products and differences with the three pieces are exact. */
 VM_API vm_two vmi_reduce_finely(vm_real u, const vm_real *K, vm_real per_K, vmi_bits *quarters)
 {
     const vmi_three rest = vmi_reduce_pieces(u, K, per_K, quarters);
@@ -2103,9 +2117,9 @@ VM_API vm_two vmi_reduce_finely(vm_real u, const vm_real *K, vm_real per_K, vmi_
 /* Adding and subtracting this number rounds a number below 6 to a multiple of 2^-23 (float 2^-8). */
 #define VMI_REDUCTION_GRID (VM_MANT_DIG > 24 ? VM_C(805306368.0) : VM_C(49152.0))
 
-/* Returns u minus a multiple j K, for 0 < u < 2.5 K, where VMI_MIDDLE(m1) must be 1; kp is k'. The last bits of
-   *quarters become those of j. The relative error of the result is at most about eps. A result below u/64 would
-   lose digits: then the function returns NaN, and u must be reduced by vmi_reduce_long.
+/* Returns u minus a multiple j K, for 0 < u < 2.5 K, where VMI_MIDDLE(m1) must be 1; kp is k'. *quarters becomes a
+   number whose last two bits are j modulo 4. The relative error of the result is at most about eps. A result below u/64
+   would lose digits: then the function returns NaN, and u must be reduced by vmi_reduce_long.
    Method: K (1 + f)^2 = 2 pi (1 + x S) with f^2 = k', where x S is small (vmi_K). So a multiple of 2 pi (1 + x S) is
    subtracted from the phase u (1 + f)^2. The first halves (heads) of k' and f are multiples of 2^-23 and 2^-24 (float
    2^-8, 2^-9), so that the squares of these heads, the number (1 + f)^2 formed from them, and its product with the head
@@ -2122,7 +2136,7 @@ VMI_APART vm_real vmi_reduce_short(vm_real u, vm_real m1, vm_real m1_lo, vm_real
     const vm_real h = (1 - f) / (1 + f), x = vmi_fourth_power(h), S = vmi_K_series(x);
     const vm_real u_head = vmi_head(u), phase = u_head * rate_head;
     const vm_real phase_lo = (u - u_head) * rate_head + u * rate_tail;
-    const int second = phase > 6 * half_pi.hi; /* 0 or 1, used in formulas: a branch would often be mispredicted */
+    const int second = phase > 6 * half_pi.hi; /* 0 or 1; it replaces a branch, which would often be mispredicted */
     const vm_real j = (vm_real)(4 + 4 * second);
     const vm_real rest = (phase - j * half_pi.hi) + ((phase_lo - j * half_pi.mid) - j * half_pi.hi * x * S);
     *quarters = 0;
@@ -2132,9 +2146,9 @@ VMI_APART vm_real vmi_reduce_short(vm_real u, vm_real m1, vm_real m1_lo, vm_real
     return rest / (rate_head + rate_tail);
 }
 
-/* Returns u minus the nearest multiple j K in two words, for any u > 0 and m1 > 0. The last bits of *quarters become
-   those of j. K is used in two words, or in three if u is below 128 K and next to a multiple of K. Where u is so large
-   that no digit of the phase is left, the result is 0. */
+/* Returns u minus the nearest multiple j K in two words, for any u > 0 and m1 > 0. *quarters becomes a number whose
+   last two bits are j modulo 4. K is used in two words, or in three if u is below 128 K and next to a multiple of K.
+   Where u is so large that no digit of the phase is left, the result is 0. */
 VMI_APART vm_two vmi_reduce_long(vm_real u, vm_real m1, vm_real m1_lo, vmi_bits *quarters)
 {
     const vmi_three half_pi = vmi_half_pi();
@@ -2172,16 +2186,16 @@ VMI_APART vm_two vmi_reduce_long(vm_real u, vm_real m1, vm_real m1_lo, vmi_bits 
 #define VMI_TABLE_REACH (VM_MANT_DIG > 24 ? VM_C(1048576.0) : VM_C(11000.0))
 
 /* Returns u minus the nearest multiple j K, for 0 <= u < VMI_TABLE_REACH and a k' = kp for which VMI_IN_PERIOD_TABLE is
-   1. The last bits of *quarters become those of j. K has a relative error below 2^-71 (float 2^-36), so that the result
-   is within half an ulp plus 2^-71 u (float 2^-36 u). Where this error is too large, next to a multiple of K, the
-   result is NaN, and u must be reduced by vmi_reduce_long. It is not NaN for j >= 128, since there only the absolute
-   error counts. */
+   1. *quarters becomes a number whose last two bits are j modulo 4. K has a relative error below 2^-71 (float 2^-36),
+   so that the result is within half an ulp plus 2^-71 u (float 2^-36 u) of the exact difference. Where this error is
+   too large, next to a multiple of K, the result is NaN, and u must be reduced by vmi_reduce_long. For j >= 128 the
+   result is never NaN, since there only its absolute error is important. */
 VMI_APART vm_real vmi_reduce_by_table(vm_real u, vm_real m1, vm_real m1_lo, vm_real kp, vmi_bits *quarters)
 {
     const vm_real closest = VM_MANT_DIG > 24 ? VM_C(1048576.0) : VM_C(1024.0);
     const vmi_period K = vmi_period_by_table(m1, m1_lo, kp);
     vm_real divisor = K.rough, shifted, j, rest;
-    if (u < VM_C(2.5) * K.early) divisor = K.early; /* it is computed before K.rough is */
+    if (u < VM_C(2.5) * K.early) divisor = K.early; /* K.early is known sooner than K.rough */
     shifted = vmi_rounded(u / divisor + 1 / VM_EPSILON);
     j = shifted - 1 / VM_EPSILON;
     rest = ((u - j * K.head) - j * K.middle) - j * K.low; /* only the last product and difference round */
@@ -2190,9 +2204,9 @@ VMI_APART vm_real vmi_reduce_by_table(vm_real u, vm_real m1, vm_real m1_lo, vm_r
     return rest;
 }
 
-/* Returns u >= 0 minus the nearest multiple j K, or NaN if u or m1 is outside the domain of jacobi_sncndn. The low
-   word of the result goes to *v_lo, the last bits of j to *quarters. kp is k'. reach is about (2u/K)^2; if reach is
-   below 30, u < 2.5 K. */
+/* Returns u >= 0 minus the nearest multiple j K, or NaN if u or m1 is outside the domain of jacobi_sncndn. *v_lo
+   becomes the low word of the result, and *quarters a number whose last two bits are j modulo 4. kp is k'. reach is
+   about (2u/K)^2; if reach is below 30, u < 2.5 K. */
 VM_INLINE vm_real vmi_reduced(vm_real u, vm_real m1, vm_real m1_lo, vm_real kp, vm_real reach, vm_real *v_lo,
                               vmi_bits *quarters)
 {
@@ -2218,9 +2232,10 @@ VM_INLINE vm_real vmi_reduced(vm_real u, vm_real m1, vm_real m1_lo, vm_real kp, 
 #endif
 /* jacobi/functions.h - the elliptic functions sn, cn, dn and their quotients
 
-   sn(u | m), cn(u | m) and dn(u | m) of Jacobi, for every real argument u and every parameter m = k^2 <= 1, negative
-   ones included. sn and cn have the period 4 K(m), dn has 2 K(m). They describe the motions of oscillators with cubic
-   springs and of bodies that rotate without torque. For many u and one m use a plan (jacobi/plans.h).
+   This file has Jacobi's functions sn(u | m), cn(u | m) and dn(u | m) for every real argument u and every parameter
+   m = k^2 <= 1, also for negative m. sn and cn have the period 4 K(m), dn has 2 K(m). They describe the motions of
+   oscillators with cubic springs and of bodies that rotate without torque. For many u and one m use a plan
+   (jacobi/plans.h).
 
        vm_real sn, cn, dn;
        jacobi_sncndn(VM_C(1.2), VM_C(0.3), &sn, &cn, &dn);
@@ -2231,8 +2246,9 @@ VM_INLINE vm_real vmi_reduced(vm_real u, vm_real m1, vm_real m1_lo, vm_real kp, 
 #ifndef VARMASS_JACOBI_FUNCTIONS_H
 #define VARMASS_JACOBI_FUNCTIONS_H
 
-/* The theta functions of u for 1 - m = m1 + m1_lo, each with a small relative error, or NaN outside the domain of
-   jacobi_sncndn. dn lies between 1 and *bound. For a small |u| the function computes neither K nor k'. */
+/* Returns the theta functions of u for 1 - m = m1 + m1_lo, a number in two words. Each has a small relative error, or
+   is NaN outside the domain of jacobi_sncndn. dn lies between 1 and *bound. For a small |u| the function computes
+   neither K nor k'. */
 VM_INLINE vmi_thetas vmi_thetas_of(vm_real u, vm_real m1, vm_real m1_lo, vm_real *bound)
 {
     const vm_real reach = u * u * (VM_C(0.81) * (1 + m1) - VM_C(0.338) * VM_FABS(1 - m1)); /* about (2u/K)^2 */
@@ -2250,7 +2266,7 @@ VM_INLINE vmi_thetas vmi_thetas_of(vm_real u, vm_real m1, vm_real m1_lo, vm_real
     return theta;
 }
 
-/* sn, cn and dn for 1 - m = m1 + m1_lo */
+/* Computes sn, cn and dn of u for 1 - m = m1 + m1_lo, a number in two words. */
 VM_API void vmi_sncndn(vm_real u, vm_real m1, vm_real m1_lo, vm_real *sn, vm_real *cn, vm_real *dn)
 {
     vm_real bound;
@@ -2263,7 +2279,7 @@ VM_API void vmi_sncndn(vm_real u, vm_real m1, vm_real m1_lo, vm_real *sn, vm_rea
    between 1 and sqrt(1 - m). sn is odd in u, cn and dn are even, to the last bit. The error is at most 9 ulp for
    |u| <= 100 K, next to the zeros too, and at most 4 eps times the function's largest value for |u| <= 1e9 (float 1e4).
    The results are NaN for m > 1 and for infinite arguments. For m = 1 sn = tanh u and cn = dn = 1/cosh u, also for
-   infinite u. docs/cost.md has the time. DLMF 22. */
+   infinite u. docs/cost.md has the time of a call. DLMF 22. */
 VM_API void jacobi_sncndn(vm_real u, vm_real m, vm_real *sn, vm_real *cn, vm_real *dn)
 {
     const vm_two m1 = vmi_two_sum(1, -m);
@@ -2287,8 +2303,8 @@ VM_API vm_real vmi_theta_named(vmi_thetas t, char name)
     return t.n;
 }
 
-/* The elliptic function whose name has the letters p and q, such as cd: the quotient theta_p/theta_q. For m = 1 both
-   theta functions may underflow to the same number: then the quotient is 1. */
+/* Returns the elliptic function whose name has the letters p and q, such as cd: it is the quotient theta_p/theta_q. For
+   m = 1 both theta functions may underflow to the same number: then the quotient is 1. */
 VM_API vm_real vmi_quotient(vm_real u, vm_real m, char p, char q)
 {
     vm_real bound;
@@ -2431,10 +2447,10 @@ VM_API void vmi_remove_highest(vm_real *c, int n, int lowest)
 #endif
 /* jacobi/plans.h - sn, cn and dn for many arguments and one parameter
 
-   A plan contains all numbers that depend only on m: the quarter period as a sum of short numbers, and polynomials that
-   replace the series of jacobi_sncndn. A call with a plan is faster, most of all for arrays, where the compiler
-   vectorises the loop (docs/cost.md has the times). A plan is plain data: it may be copied, and it may be a constant in
-   flash.
+   A plan contains all numbers that depend only on m: the quarter period as a sum of numbers with few digits, and
+   polynomials that replace the series of jacobi_sncndn. A call with a plan is faster, most of all for arrays, where the
+   compiler vectorises the loop (docs/cost.md has the times). A plan is plain data: it may be copied, and it may be a
+   constant in flash.
 
        jacobi_plan p;
        vm_real sn, cn, dn;
@@ -2456,7 +2472,7 @@ typedef struct VM_TAG(jacobi_plan) {
     vmi_theta_form theta;               /* its field kp = k' is set for every method */
 } jacobi_plan;
 
-/* The polynomial 1 + c[0] y + c[1] y^2 + ... with VMI_TERMS coefficients c */
+/* Returns the polynomial 1 + c[0] y + c[1] y^2 + ... with VMI_TERMS coefficients c. */
 VM_INLINE vm_real vmi_plan_series(const vm_real *c, vm_real y)
 {
     const vm_real yy = y * y, y4 = yy * yy, low = (c[0] + y * c[1]) + yy * (c[2] + y * c[3]);
@@ -2481,8 +2497,8 @@ VM_API void vmi_shorten(vm_real *c)
     for (n = VMI_MORE_TERMS; n > VMI_TERMS; n--) vmi_remove_highest(c, n, 1);
 }
 
-/* Computes p->a and p->b, the coefficients of two power series in v^2: p->a of w^2 cs^2(w) and p->b of -w^4
-   d(cs^2)/d(w^2), where cs = cn/sn and w = v/2, for |v| <= longest. Their constant coefficients are 1 and are not
+/* Computes p->a and p->b, the coefficients of two power series in v^2 for |v| <= longest. With cs = cn/sn and w = v/2,
+   p->a belongs to w^2 cs^2(w), and p->b to -w^4 d(cs^2)/d(w^2). The constant coefficients of both are 1 and are not
    stored. */
 VM_API void vmi_plan_prepare(jacobi_plan *p, vm_real longest)
 {
@@ -2505,7 +2521,8 @@ VM_API void vmi_plan_prepare(jacobi_plan *p, vm_real longest)
     }
 }
 
-/* Prepares a plan for 1 - m = m1 + m1_lo. Returns 0, or -1 where no elliptic function has this parameter. */
+/* Prepares a plan for 1 - m = m1 + m1_lo, a number in two words. Returns 0, or -1 where no elliptic function has this
+   parameter. */
 VM_API int vmi_plan_init(jacobi_plan *p, vm_real m1, vm_real m1_lo)
 {
     vmi_three K;
@@ -2541,11 +2558,11 @@ VM_API int jacobi_plan_init(jacobi_plan *p, vm_real m)
 /* Prepares a plan for the complementary parameter m1 = 1 - m >= 0.
    Domain and result are those of jacobi_plan_init. Use it for m close to 1, where the difference 1 - m would lose
    digits. */
-VM_API int jacobi_plan_init_m1(jacobi_plan *p, vm_real m1) { return vmi_plan_init(p, m1 + 0, 0); } /* 0 for -0 */
+VM_API int jacobi_plan_init_m1(jacobi_plan *p, vm_real m1) { return vmi_plan_init(p, m1 + 0, 0); } /* -0 + 0 is 0 */
 
-/* The theta functions near 0. They are computed from the plan's two polynomials at w = v/2 and by one duplication,
-   which leads from w to v (compare vmi_theta_near). theta_s is v times the polynomial p->b, since d(sc^2)/dw = 2 sc nc
-   dc. */
+/* Returns the theta functions near 0. They are computed from the plan's two polynomials at w = v/2 and by one
+   duplication, which leads from w to v (compare vmi_theta_near). theta_s is v times the polynomial p->b, since
+   d(sc^2)/dw = 2 sc nc dc. */
 VM_INLINE vmi_thetas vmi_plan_near(const jacobi_plan *p, vm_real v)
 {
     vmi_thetas theta;
@@ -2557,8 +2574,8 @@ VM_INLINE vmi_thetas vmi_plan_near(const jacobi_plan *p, vm_real v)
     return theta;
 }
 
-/* sn, cn and dn at one u, where |u| = j K + rest and the last bits of `quarters` are those of the integer j. There is
-   no branch if the compiler knows the form. */
+/* Computes sn, cn and dn at one u, where |u| = j K + rest. `quarters` stands for the integer j: only its last two bits
+   are used, which are j modulo 4. There is no branch if the compiler knows the form. */
 VM_INLINE void vmi_plan_point(const jacobi_plan *p, int form, vm_real u, vmi_three rest, vmi_bits quarters,
                               vm_real *sn, vm_real *cn, vm_real *dn)
 {
@@ -2579,8 +2596,8 @@ VM_INLINE void vmi_plan_point(const jacobi_plan *p, int form, vm_real u, vmi_thr
     vmi_theta_ratios(theta, p->theta.kp, sn, cn, dn);
 }
 
-/* Returns u minus the nearest multiple j K, for a u that is too large for vmi_reduce_pieces. The last bits of *quarters
-   become those of j. For m = 1 returns the smaller of u and VMI_LONGEST. */
+/* Returns u minus the nearest multiple j K, for a u that is too large for vmi_reduce_pieces. *quarters becomes a number
+   whose last two bits are j modulo 4. For m = 1 the function returns the smaller of u and VMI_LONGEST. */
 VM_API vmi_three vmi_plan_reduce_long(const jacobi_plan *p, vm_real u, vmi_bits *quarters)
 {
     const vm_two head = vmi_two_sum(p->K[0], p->K[1]), K = vmi_two_sum(head.hi, head.lo + (p->K[2] + p->K[3]));
@@ -2603,7 +2620,7 @@ VM_INLINE int vmi_plan_is_close(vm_real rest, vm_real u) { return VM_FABS(rest) 
 
 /* sn, cn and dn of the argument u for the plan's parameter.
    u may be any number; the accuracy is that of jacobi_sncndn. The results are NaN for infinite u, unless m = 1.
-   docs/cost.md has the time. */
+   docs/cost.md has the time of a call. */
 VM_API void jacobi_plan_sncndn(const jacobi_plan *p, vm_real u, vm_real *sn, vm_real *cn, vm_real *dn)
 {
     const vm_real x = VM_FABS(u);
@@ -2627,7 +2644,8 @@ VM_API void jacobi_plan_sncndn(const jacobi_plan *p, vm_real u, vm_real *sn, vm_
     }
 }
 
-/* sn, cn and dn of n arguments, each with |u| < VMI_EXACT_QUARTERS K, in a loop that compilers can vectorise */
+/* Computes sn, cn and dn of n arguments, each with |u| < VMI_EXACT_QUARTERS K, in a loop that compilers can
+   vectorise. */
 VM_INLINE void vmi_plan_loop(const jacobi_plan *p, int form, int n, const vm_real *u, vm_real *sn, vm_real *cn,
                              vm_real *dn)
 {
@@ -2645,8 +2663,8 @@ VM_INLINE void vmi_plan_loop(const jacobi_plan *p, int form, int n, const vm_rea
         }
 }
 
-/* Computes the results next to a zero of sn or cn once more, one by one. There the size of sn is about the distance |u
-   - j K| from the zero, and that of cn about k' times this distance. */
+/* Computes the results next to a zero of sn or cn once more, one by one, with more digits of K. There the size of sn is
+   about the distance |u - j K| from the zero, and that of cn about k' times this distance. */
 VM_API void vmi_plan_mend_close(const jacobi_plan *p, int n, const vm_real *u, vm_real *sn, vm_real *cn, vm_real *dn)
 {
     const vm_real kp = p->theta.kp;
@@ -2662,7 +2680,8 @@ VM_API void vmi_plan_mend_close(const jacobi_plan *p, int n, const vm_real *u, v
 
 /* sn, cn and dn of the n arguments in the array u, for the plan's parameter. The arrays sn, cn, dn have n elements each
    and overlap neither each other nor u. The values are those of jacobi_plan_sncndn; where the compiler fuses
-   multiplications and additions, the last bits may depend on the index in the array. docs/cost.md has the time. */
+   multiplications and additions, the last bits may depend on the index in the array. docs/cost.md has the time of a
+   call. */
 VM_API void jacobi_plan_sncndn_array(const jacobi_plan *p, int n, const vm_real *u, vm_real *sn, vm_real *cn,
                                      vm_real *dn)
 {
@@ -2704,20 +2723,21 @@ VM_API vm_real vmi_theta_loss(vm_real q)
     return rho * ((1 + b) * (1 + b * b));
 }
 
-/* A parameter m, given by a nome q */
+/* A parameter m, which is given by a nome q */
 typedef struct VM_TAG(vmi_solution) {
     int circular;        /* 1 if q is the nome of m, else 0 */
     int upside;          /* used if circular is 0: 0 if q is the nome of 1 - m, 1 if q is the nome of 1/(1 - m) */
     vm_real q, L, L_lo;  /* the nome q, which is exp(-L - L_lo) if circular is 0 */
 } vmi_solution;
 
-/* Returns the nome q with theta_4(q)^2 = 2 c/pi, for c between K(-1) and K(1/2). q is the nome of the m that solves
-   k' K = c, and -q is the nome of the m that solves K = c. */
+/* Returns the nome q with theta_4(q)^2 = 2 c/pi, for c between K(-1) and K(1/2). q is the nome of the m that solves k'
+   K = c, and -q is the nome of the m that solves K = c. The method solves the series q - q^4 + q^9 = (1 - theta_4(q))/2
+   for q. */
 VM_API vm_real vmi_solve_middle(vm_real c)
 {
     const vmi_three half_pi = vmi_half_pi();
     const vm_real less = ((half_pi.hi - c) + half_pi.mid) / half_pi.hi; /* less = 1 - theta_4(q)^2 */
-    const vm_real start = less / (2 * (1 + VM_SQRT(1 - less)));         /* (1 - theta_4(q))/2 = q - q^4 + q^9 */
+    const vm_real start = less / (2 * (1 + VM_SQRT(1 - less)));         /* (1 - theta_4(q))/2 */
     vm_real q = start;
     int i;
     for (i = 0; i < 6; i++) /* each step gains about 3 digits of q */
@@ -2778,8 +2798,8 @@ VM_API void vmi_solve_low(vm_real c, vmi_solution *s)
     s->L_lo = sum.lo;
 }
 
-/* Returns the parameter m with K(m) = c if inverse_of_K is 1, and with k' K(m) = c if it is 0, for c > 0. Both
-   equations are one problem, since k' K(m) is K(m/(m - 1)). For c > 1000 the number 1 - m underflows to 0 or overflows
+/* Returns the parameter m with K(m) = c if inverse_of_K is 1, and with k' K(m) = c if it is 0, for c > 0. One method is
+   enough for both equations, since k' K(m) is K(m/(m - 1)). For c > 1000 the number 1 - m underflows to 0 or overflows
    (in float for much smaller c too), so that every such c gives the result of c = 1000. */
 VM_API vmi_solution vmi_solve_parameter(vm_real c, int inverse_of_K)
 {
@@ -2815,7 +2835,7 @@ VM_API vm_real vmi_solution_m1(const vmi_solution *s)
     return vmi_exp(sum.hi, sum.lo) * ratio;
 }
 
-/* Returns m of the solution. */
+/* Returns the parameter m of the solution. */
 VM_API vm_real vmi_solution_m(const vmi_solution *s)
 {
     if (s->circular) return 16 * s->q * (1 - s->q * vmi_theta_loss(s->q));
@@ -2880,9 +2900,9 @@ VM_API vm_real jacobi_solve_K(vm_real c)
 #ifndef VARMASS_JACOBI_MEANS_H
 #define VARMASS_JACOBI_MEANS_H
 
-/* Computes the means from the nome q of m, for |q| <= 0.1. The recurrences (384) and (408) would divide 0 by 0 at
-   m = 0. Here numerators and denominators are divided by m beforehand, by means of two power series S and R in q, for
-   which 1/2 - C2 = q S and m = 16 q R. */
+/* Computes the means C2, C4, C6 of cn^2, cn^4, cn^6 from the nome q of m, for |q| <= 0.1. The recurrences (384) and
+   (408) would divide 0 by 0 at m = 0. Here numerators and denominators are divided by m beforehand, by means of two
+   power series S and R in q, for which 1/2 - C2 = q S and m = 16 q R. */
 VM_API void vmi_means_from_nome(vm_real q, vm_real *C2, vm_real *C4, vm_real *C6)
 {
     const vm_real y = q * q, loss = vmi_theta_loss(q), R = 1 - q * loss;
@@ -2923,8 +2943,8 @@ VM_API void jacobi_cn_means(vm_real m, vm_real *C2, vm_real *C4, vm_real *C6)
         const vm_real e = m / (2 * (1 + root) * ((1 + fourth) * (1 + fourth))), e4 = vmi_fourth_power(e);
         vmi_means_from_nome(e * (1 + e4 * (2 + e4 * (15 + e4 * (150 + e4 * (1707 + e4 * 20910))))), C2, C4, C6);
     } else {
-        /* For m < 0, cn(u | m) = cd(k' u | m/(m - 1)) with k' = sqrt(1 - m). The powers of cd have the means of those
-           of sn. The mean of sn^2 is 1 - C2. */
+        /* For m < 0, cn(u | m) = cd(k' u | m/(m - 1)) with k' = sqrt(1 - m). The mean of a power of cd is the mean of
+           this power of sn. The mean of sn^2 is 1 - C2. */
         const vm_real second = vmi_mean_from_K(vmi_smaller(m1.hi, 1 / m1.hi), vmi_log_4(m1.hi, m1.lo));
         vm_real ratio = m1.hi / m, s2c2, s2c4, fourth; /* ratio is (1 - M)/M for M = m or, if m < 0, M = m/(m - 1) */
         if (m < 0) ratio = -1 / m;
@@ -2975,11 +2995,11 @@ VM_API void vmi_descend(const vmi_ladder *l, vm_real phase, vm_real *s, vm_real 
     }
 }
 
-/* sn, cn and dn by a given number of steps of the arithmetic-geometric mean, for m < 1. Fewer steps (at least one) cost
-   less and are less accurate. With steps >= 15 the function takes as many steps as the type needs; the error is then at
-   most 3 eps M (1 + M |u|) with M = max(1, k') for |u| <= 5K. The error grows with |u|: the rounded phase a_n u is
-   reduced by pi/2, while jacobi_sncndn reduces u itself by K. The results are NaN for m >= 1 and for infinite
-   arguments. */
+/* sn, cn and dn of u by a given number of steps of the arithmetic-geometric mean, for m < 1. Fewer steps (at least one)
+   cost less and are less accurate. With steps >= 15 the function makes as many steps as the type needs; the error is
+   then at most 3 eps M (1 + M |u|) with M = max(1, k') for |u| <= 5K. The error grows with |u|: the rounded phase
+   a_n u, with the last arithmetic mean a_n, is reduced by pi/2, while jacobi_sncndn reduces u itself by K. The results
+   are NaN for m >= 1 and for infinite arguments. */
 VM_API void jacobi_agm_sncndn(vm_real u, vm_real m, int steps, vm_real *sn, vm_real *cn, vm_real *dn)
 {
     const vmi_three half_pi = vmi_half_pi();
@@ -3031,9 +3051,10 @@ VM_API vm_real jacobi_agm_K(vm_real m)
 #ifndef VARMASS_JACOBI_THIRD_KIND_H
 #define VARMASS_JACOBI_THIRD_KIND_H
 
-/* Carlson's symmetric integral R_F(x, y, z) in two words, for x, y, z >= 0 of which at most one is 0. The arguments
-   are brought together by duplications, usually 7, until the series in their differences (DLMF 19.36.1) has an error
-   of 2^-(2p - 4). If an argument is 2^-n times the largest one, log2(n) more duplications are needed. */
+/* Returns Carlson's symmetric integral R_F(x, y, z) in two words, for x, y, z >= 0 of which at most one is 0. The
+   arguments are brought together by duplications, usually 7, until the series in their differences (DLMF 19.36.1) has
+   an error of 2^-(2p - 4), where p is the number of binary digits of vm_real. If an argument is 2^-n times the largest
+   one, log2(n) more duplications are needed. */
 VM_API vm_two vmi_carlson_rf(vm_two x, vm_two y, vm_two z)
 {
     const vm_real enough = VM_SQRT(VM_SQRT(VM_EPSILON));
@@ -3072,9 +3093,9 @@ typedef struct VM_TAG(vmi_third_kind) {
     vm_two rest;  /* 1 - Pi(-N | m)/K(m) */
 } vmi_third_kind;
 
-/* The complete integral of the third kind for m1 = 1 - m > 0 and N >= 0, where share = N/(1 + N) and
-   below = 1/(1 + N). It begins with p = sqrt(1 + N), Q = 1 and the numbers a = 1, g = k' of the arithmetic-geometric
-   mean (DLMF 19.8.6-7). Each step replaces p and Q by p+ and Q+:
+/* Returns the complete integral of the third kind for m1 = 1 - m > 0 and N >= 0, where share = N/(1 + N) and below =
+   1/(1 + N). It begins with p = sqrt(1 + N), Q = 1 and the numbers a = 1, g = k' of the arithmetic-geometric mean (DLMF
+   19.8.6-7). Each step replaces p and Q by p+ and Q+:
      e = (p^2 - a g)/(p^2 + a g),  p+ = (p^2 + a g)/(2p),  Q+ = Q e/2.
    1 - Pi/K is share/2 times the sum of all Q. Since this sum is 2 minus the sum of all Q (1 - e), both ratio = Pi/K and
    rest = 1 - Pi/K are sums of positive terms. Therefore they are accurate for any N. */
@@ -3084,7 +3105,7 @@ VM_API vmi_third_kind vmi_third_kind_ladder(vm_two m1, vm_two share, vm_two belo
     vm_two sum = vmi_two(0, 0), less = sum;
     vmi_third_kind result;
     int step;
-    for (step = 0; step < 200; step++) { /* 5 to 10 steps, plus one for each binary digit of sqrt(1 + N) */
+    for (step = 0; step < 200; step++) { /* 5 to 10 steps, and a step for each binary digit of sqrt(1 + N) */
         const vm_real apart = VM_FABS(a.hi - g.hi);
         ag = vmi_two_times(a, g);
         pp = vmi_two_times(p, p);
@@ -3104,7 +3125,7 @@ VM_API vmi_third_kind vmi_third_kind_ladder(vm_two m1, vm_two share, vm_two belo
     return result;
 }
 
-/* The sine and the cosine of an angle of x turns, that is of 2 pi x, for |x| < 2^13 */
+/* Computes the sine and the cosine of an angle of x turns, that is of 2 pi x, for |x| < 2^13. */
 VM_API void vmi_sincos_turns(vm_real x, vm_real *sine, vm_real *cosine)
 {
     const vmi_three half_pi = vmi_half_pi();
@@ -3194,11 +3215,10 @@ VM_API vmi_doubled_theta vmi_doubled_dual(vm_real K, vm_real Kc, vm_real y)
     return d;
 }
 
-/* The polynomial a[0] + a[1] x + a[2] x^2 + a[3] x^3 */
+/* Returns the polynomial a[0] + a[1] x + a[2] x^2 + a[3] x^3. */
 VM_INLINE vm_real vmi_cubic(const vm_real *a, vm_real x) { return (a[0] + a[1] * x) + (a[2] + a[3] * x) * (x * x); }
 
-/* The theta function theta_4 at x = u/(4K), |x| <= 1/4, without the factor e^(2 pi i shift x), which the caller
-   applies */
+/* Computes theta_4 at x = u/(4K), |x| <= 1/4, without the factor e^(2 pi i shift x), by which the caller multiplies. */
 VM_API void vmi_doubled_at(const vmi_doubled_theta *d, vm_real x, vm_real *re, vm_real *im)
 {
     if (d->decay > 0) {
@@ -3218,7 +3238,7 @@ VM_API void vmi_doubled_at(const vmi_doubled_theta *d, vm_real x, vm_real *re, v
 #endif
 /* jacobi/carlson.h - Carlson's symmetric elliptic integrals R_F, R_C, R_D, R_J and R_G
 
-   Every elliptic integral is a sum of a few of these. They are computed without loss of digits and without special
+   Every elliptic integral is a sum of a few of these five. They are computed without loss of digits and without special
    cases:
      R_F(x, y, z)    = 1/2 integral from 0 to infinity of dt/s(t),  s(t) = sqrt((t + x)(t + y)(t + z)),
      R_J(x, y, z, p) = 3/2 integral from 0 to infinity of dt/((t + p) s(t)),
@@ -3246,7 +3266,7 @@ typedef struct VM_TAG(vmi_carlson) {
    that are left out have the degree 11 (float 5) in these differences; they are below 1e-17 (float 4e-9). */
 #define VMI_CARLSON_CLOSE VM_C(0.0262)
 
-/* Returns the state before the first duplication of x, y, z. */
+/* Returns the numbers of vmi_carlson before the first duplication of x, y, z. */
 VM_INLINE vmi_carlson vmi_carlson_begin(vm_real x, vm_real y, vm_real z)
 {
     vmi_carlson s;
@@ -3260,7 +3280,7 @@ VM_INLINE vmi_carlson vmi_carlson_begin(vm_real x, vm_real y, vm_real z)
     return s;
 }
 
-/* Returns the largest distance of an argument from the mean. */
+/* Returns the largest distance of an argument x, y, z from their mean. */
 VM_INLINE vm_real vmi_carlson_spread(const vmi_carlson *s)
 {
     return vmi_larger(vmi_larger(VM_FABS(s->X), VM_FABS(s->Y)), VM_FABS(s->X + s->Y));
@@ -3292,9 +3312,9 @@ VM_INLINE void vmi_carlson_symmetric(const vmi_carlson *s, vm_real *E2, vm_real 
     *E3 = X * Y * Z;
 }
 
-/* R_F from arguments that are close together: the sum over N of t_N/(2N + 1), divided by the root of the mean. t_N is
-   the coefficient of s^N in the power series of (1 + E2 s^2 - E3 s^3)^(-1/2), with E2, E3 of vmi_carlson_symmetric
-   (DLMF 19.19.7). */
+/* Returns R_F from arguments that are close together: the sum over N of t_N/(2N + 1), divided by the root of the mean.
+   t_N is the coefficient of s^N in the power series of (1 + E2 s^2 - E3 s^3)^(-1/2), with E2, E3 of
+   vmi_carlson_symmetric (DLMF 19.19.7). */
 VM_INLINE vm_real vmi_carlson_first(const vmi_carlson *s)
 {
     vm_real E2, E3, low, high = 0;
@@ -3316,7 +3336,7 @@ VM_INLINE vm_real vmi_carlson_first(const vmi_carlson *s)
     return (1 + (low + high)) / VM_SQRT(s->mean);
 }
 
-/* R_J from arguments x, y, z and p that are close together, where P is 1 - p/mean. It is the sum over N of 3
+/* Returns R_J from arguments x, y, z and p that are close together, where P is 1 - p/mean. It is the sum over N of 3
    T_N/(2N + 3), divided by mean^(3/2). T_N is the coefficient of s^N in (1 + E2 s^2 - E3 s^3)^(-1/2)/(1 - P s). */
 VM_INLINE vm_real vmi_carlson_third(const vmi_carlson *s, vm_real P)
 {
@@ -3353,7 +3373,7 @@ VM_INLINE vm_real vmi_carlson_third(const vmi_carlson *s, vm_real P)
     return (1 + sum) / (s->mean * VM_SQRT(s->mean));
 }
 
-/* R_F for arguments x, y, z >= 0 of which at most one is 0, within 3 ulp */
+/* Returns R_F(x, y, z), within 3 ulp, for arguments >= 0 of which at most one is 0. */
 VM_INLINE vm_real vmi_rf(vm_real x, vm_real y, vm_real z)
 {
     vmi_carlson s = vmi_carlson_begin(x, y, z);
@@ -3374,14 +3394,14 @@ VM_INLINE vm_real vmi_rf_rd(vm_real x, vm_real y, vm_real z, vm_real *rd)
     while (spread > VMI_CARLSON_CLOSE * s.mean) {
         vmi_carlson_duplicate(&s);
         spread *= VM_C(0.25);
-        sum += power / (4 * s.c * s.z); /* 4 z is the formula's z + lambda */
+        sum += power / (4 * s.c * s.z); /* 4 s.z is z + lambda, where z is its value before this duplication */
         power *= VM_C(0.25);
     }
     *rd = 3 * sum + power * vmi_carlson_third(&s, -(s.X + s.Y) / s.mean);
     return vmi_carlson_first(&s);
 }
 
-/* The series of R_C(1, 1 + e) for |e| <= 0.05: 1 - e/3 + e^2/5 - ... */
+/* Returns R_C(1, 1 + e) for |e| <= 0.05 by its series 1 - e/3 + e^2/5 - ... */
 VM_INLINE vm_real vmi_rc_series(vm_real e)
 {
     const vm_real ee = e * e, e4 = ee * ee;
@@ -3397,8 +3417,8 @@ VM_INLINE vm_real vmi_rc_series(vm_real e)
 #endif
 }
 
-/* R_C(1, y) for y > 0. With r = sqrt(|y - 1|) it is arctan(r)/r for y > 1 and artanh(r)/r for y < 1. Next to y = 1 it
-   is computed by vmi_rc_series after one duplication, which divides y - 1 by (1 + sqrt(y))^2. */
+/* Returns R_C(1, y) for y > 0. With r = sqrt(|y - 1|) it is arctan(r)/r for y > 1 and artanh(r)/r for y < 1. Next to y
+   = 1 it is computed by vmi_rc_series after one duplication, which divides y - 1 by (1 + sqrt(y))^2. */
 VM_API vm_real vmi_rc_of_1(vm_real y)
 {
     const vm_real e = y - 1;
@@ -3412,7 +3432,7 @@ VM_API vm_real vmi_rc_of_1(vm_real y)
     return vmi_log((1 + root) * (1 + root) / y).hi / (2 * root);
 }
 
-/* R_C(x, y) for x >= 0 and y != 0. For y < 0 it is Cauchy's principal value (DLMF 19.2.17, 19.2.20). */
+/* Returns R_C(x, y) for x >= 0 and y != 0. For y < 0 it is Cauchy's principal value (DLMF 19.2.17, 19.2.20). */
 VM_API vm_real vmi_rc(vm_real x, vm_real y)
 {
     if (y < 0) return VM_SQRT(x / (x - y)) * vmi_rc(x - y, -y);
@@ -3421,10 +3441,10 @@ VM_API vm_real vmi_rc(vm_real x, vm_real y)
 }
 
 /* Returns R_F(x, y, z), and R_J(x, y, z, p) in *rj, for p > 0 and arguments x, y, z >= 0 of which at most one is 0. The
-   arguments should be about 1, because their power 3/2 is contained in d, which must neither overflow nor underflow.
+   arguments should be about 1, because d below, which grows as their power 3/2, must neither overflow nor underflow.
    Each duplication adds 6/d R_C(1, 1 + e) to R_J (DLMF 19.26.21 and Carlson 1995), where d = (r + a)(r + b)(r + c) and
    r = sqrt(p).
-   1 + e is computed as 2 r (p + lambda)/d, so that nothing cancels. */
+   1 + e is computed as 2 r (p + lambda)/d, so that no subtraction loses digits. */
 VM_API vm_real vmi_rf_rj(vm_real x, vm_real y, vm_real z, vm_real p, vm_real *rj)
 {
     vmi_carlson s = vmi_carlson_begin(x, y, z);
@@ -3462,8 +3482,8 @@ VM_API vmi_carlson_scale vmi_carlson_scale_of(vm_real largest)
     return scale;
 }
 
-/* Returns R_F(x, y, z), and weight R_D(x, y, z)/3 in *third, for arguments of any size, of which the largest is
-   `top`. R_D itself may overflow or underflow if its product with the weight does not. */
+/* Returns R_F(x, y, z), and the product of `weight` and R_D(x, y, z)/3 in *third, for arguments of any size, of which
+   the largest is `top`. R_D itself may overflow or underflow if this product does not. */
 VM_API vm_real vmi_rf_rd_weighted(vm_real x, vm_real y, vm_real z, vm_real top, vm_real weight, vm_real *third)
 {
     vmi_carlson_scale by;
@@ -3479,8 +3499,8 @@ VM_API vm_real vmi_rf_rd_weighted(vm_real x, vm_real y, vm_real z, vm_real top, 
     return by.root * rf;
 }
 
-/* Returns R_F(x, y, z), and weight R_J(x, y, z, p)/3 in *third, for arguments of any size, of which the largest is
-   `top`. R_J itself may overflow or underflow if its product with the weight does not. */
+/* Returns R_F(x, y, z), and the product of `weight` and R_J(x, y, z, p)/3 in *third, for arguments of any size, of
+   which the largest is `top`. R_J itself may overflow or underflow if this product does not. */
 VM_API vm_real vmi_rf_rj_weighted(vm_real x, vm_real y, vm_real z, vm_real p, vm_real top, vm_real weight,
                                   vm_real *third)
 {
@@ -3497,20 +3517,21 @@ VM_API vm_real vmi_rf_rj_weighted(vm_real x, vm_real y, vm_real z, vm_real p, vm
     return by.root * rf;
 }
 
-/* Is 1 if a positive argument is so much smaller than the largest one that the scale makes it subnormal or 0 */
+/* Returns 1 if x > 0 is so much smaller than the largest argument that the scale makes it subnormal or 0, else 0. */
 VM_API int vmi_carlson_is_lost(vmi_carlson_scale by, vm_real x) { return x > 0 && by.factor * x < VM_MIN; }
 
-/* Is 1 if x, y, z >= 0 */
+/* Returns 1 if x, y, z >= 0, else 0. */
 VM_API int vmi_carlson_allowed(vm_real x, vm_real y, vm_real z) { return x >= 0 && y >= 0 && z >= 0; }
 
-/* Is 1 if at least two of the three numbers, which are not negative, are 0 */
+/* Returns 1 if at least two of the three numbers, which are not negative, are 0, else returns 0. */
 VM_API int vmi_two_zeros(vm_real x, vm_real y, vm_real z)
 {
     return x + y == 0 || y + z == 0 || z + x == 0;
 }
 
-/* The limit of R_F, R_D or R_J. It is infinity if so many arguments are 0 that the integral diverges (`zeros`). It is
-   0 if an argument is infinite (`infinite`), and NaN if both are the case. */
+/* Returns the limit of R_F, R_D or R_J at arguments that are 0 or infinite. `zeros` is 1 if so many arguments are 0
+   that the integral diverges: then the limit is infinity. `infinite` is 1 if an argument is infinite: then the limit is
+   0. If both are 1, there is no limit, and the result is NaN. */
 VM_API vm_real vmi_carlson_limit(int zeros, int infinite)
 {
     if (zeros && infinite) return VM_NAN;
@@ -3518,9 +3539,9 @@ VM_API vm_real vmi_carlson_limit(int zeros, int infinite)
     return 0;
 }
 
-/* R_F for a largest argument so great that sums would overflow. The function makes one duplication and divides the new
-   arguments by 16. Each term is divided before it is added, so that no sum overflows. After the duplication no argument
-   is small. */
+/* Returns R_F where the largest argument is so great that sums would overflow. The function makes one duplication and
+   divides the new arguments by 16. Each term is divided before it is added, so that no sum overflows. After the
+   duplication no argument is small. */
 VM_API vm_real vmi_rf_huge(vm_real x, vm_real y, vm_real z)
 {
     const vm_real a = VM_SQRT(x) / 2, b = VM_SQRT(y) / 2, c = VM_SQRT(z) / 2;
@@ -3540,7 +3561,7 @@ VM_API vm_real jacobi_RF(vm_real x, vm_real y, vm_real z)
     if (zeros || infinite) return vmi_carlson_limit(zeros, infinite);
     if (largest > VM_MAX / 64) return vmi_rf_huge(x, y, z);
     if (largest > VM_MIN / vmi_fourth_power(VM_EPSILON)) return vmi_rf(x, y, z);
-    by = vmi_carlson_scale_of(largest); /* else products of two small arguments would lose digits */
+    by = vmi_carlson_scale_of(largest); /* without this scale products of two small arguments lose digits */
     return by.root * vmi_rf(by.factor * x, by.factor * y, by.factor * z);
 }
 
@@ -3575,8 +3596,8 @@ VM_API vm_real jacobi_RD(vm_real x, vm_real y, vm_real z)
     return by.root * (by.root * (by.root * rd));
 }
 
-/* R_J for p < 0, its Cauchy principal value, for 0 <= x, y <= z of which at most one is 0. It is computed from R_J with
-   the positive number `other` in place of p (DLMF 19.20.14). */
+/* Returns R_J(x, y, z, p) for p < 0, its Cauchy principal value, for 0 <= x, y <= z of which at most one is 0. It is
+   computed from R_J with the positive number `other` in place of p (DLMF 19.20.14). */
 VM_API vm_real vmi_rj_principal(vm_real x, vm_real y, vm_real z, vm_real p)
 {
     const vm_real q = -p, other = (z * ((x + y) + q) - x * y) / (z + q), product = x * y + other * q;
@@ -3638,8 +3659,8 @@ VM_API vm_real jacobi_RG(vm_real x, vm_real y, vm_real z)
 /* jacobi/above_one.h - incomplete elliptic integrals for m > 1
 
    For m > 1 the root sqrt(1 - m sin^2 x) is real only up to the angle arcsin(1/k), where k = sqrt(m). Up to this angle,
-   and at it, the integrals F, E, D and Pi have ordinary values; beyond it they are NaN. They give the time in which a
-   pendulum reaches an angle. A pendulum that swings to and fro up to the angle A needs F(a/2 | m)/(k w0) seconds from
+   and at it, the integrals F, E, D and Pi have ordinary values; beyond it they are NaN. F gives the time in which a
+   pendulum reaches an angle: a pendulum that swings to and fro up to the angle A needs F(a/2 | m)/(k w0) seconds from
    its lowest point to the angle a, where k is 1/sin(A/2) and w0 is the frequency of its small oscillations.
 
        vm_real u = jacobi_F(VM_C(0.4), VM_C(2.5)); // sn(u | 2.5) = sin 0.4
@@ -3652,8 +3673,8 @@ VM_API vm_real jacobi_RG(vm_real x, vm_real y, vm_real z)
 #ifndef VARMASS_JACOBI_ABOVE_ONE_H
 #define VARMASS_JACOBI_ABOVE_ONE_H
 
-/* The sine of t in two words for 0 <= t <= 0.1, by its power series. The terms from t^11 on are so small that one word
-   is enough for them. */
+/* Returns the sine of t in two words for 0 <= t <= 0.1, by its power series. The terms from t^11 on are so small that
+   one word is enough for them. */
 VM_API vm_two vmi_two_sine_series(vm_two t)
 {
     const vm_two square = vmi_two_times(t, t);
@@ -3669,8 +3690,8 @@ VM_API vm_two vmi_two_sine_series(vm_two t)
     return vmi_two_times(t, sum);
 }
 
-/* The sine and the cosine of z in two words for 0 <= z <= pi/4. The angle z/8, whose sine is computed by a power
-   series, is doubled three times. */
+/* Computes the sine and the cosine of z in two words for 0 <= z <= pi/4. The angle z/8, whose sine is computed by a
+   power series, is doubled three times. */
 VM_API void vmi_two_sin_cos(vm_two z, vm_two *sine, vm_two *cosine)
 {
     const vm_two one = vmi_two(1, 0);
@@ -3686,15 +3707,15 @@ VM_API void vmi_two_sin_cos(vm_two z, vm_two *sine, vm_two *cosine)
     *cosine = c;
 }
 
-/* An angle phi between 0 and arcsin(1/k), with the numbers of which the integrals for m > 1 consist */
+/* An angle phi between 0 and arcsin(1/k), with the numbers from which the integrals for m > 1 are computed */
 typedef struct VM_TAG(vmi_above) {
     vm_two s, c;   /* sin phi and cos phi */
     vm_real cc;    /* cos^2 phi */
-    vm_real share; /* (m - 1) sin^2 phi, by which d is smaller than cc */
-    vm_real d;     /* 1 - m sin^2 phi, which is cc - share; below 0 or NaN where the integrals have no real value */
+    vm_real share; /* (m - 1) sin^2 phi, the difference cc - d */
+    vm_real d;     /* 1 - m sin^2 phi = cc - share; d is below 0 or NaN where the integrals have no real value */
 } vmi_above;
 
-/* Returns sqrt(|x|) sin phi in two words. The root is taken first, so that the product neither overflows nor
+/* Returns sqrt(|x|) sin phi in two words. The root of |x| is taken first, so that the product neither overflows nor
    underflows. */
 VM_API vm_two vmi_root_times_sine(vm_two x, const vmi_above *angle)
 {
@@ -3729,7 +3750,7 @@ VM_API vmi_above vmi_above_of(vm_real phi, vm_two m1)
     return angle;
 }
 
-/* F(phi | m) for m > 1: s R_F(d, cc, 1) */
+/* Returns F(phi | m) for m > 1, which is s R_F(d, cc, 1) with the fields s, d, cc of vmi_above. */
 VM_API vm_real vmi_F_above(vm_real phi, vm_two m1)
 {
     const vmi_above angle = vmi_above_of(phi, m1);
@@ -3737,8 +3758,9 @@ VM_API vm_real vmi_F_above(vm_real phi, vm_two m1)
     return VM_COPYSIGN(angle.s.hi * vmi_rf(angle.cc, angle.d, 1), phi);
 }
 
-/* E(phi | m) for m > 1. With M = 1/m and the angle B whose sine is k s, it equals (E(B | M) - (1 - M) F(B | M)) k, but
-   this difference would lose digits. The formula here is a sum of positive terms (DLMF 19.25.10). */
+/* Returns E(phi | m) for m > 1. With s = sin phi, k = sqrt(m), M = 1/m and the angle B whose sine is k s, it equals
+   (E(B | M) - (1 - M) F(B | M)) k, but this difference would lose digits. The formula here is a sum of positive terms
+   (DLMF 19.25.10). */
 VM_API vm_real vmi_E_above(vm_real phi, vm_two m1)
 {
     const vmi_above angle = vmi_above_of(phi, m1);
@@ -3749,7 +3771,7 @@ VM_API vm_real vmi_E_above(vm_real phi, vm_two m1)
     return VM_COPYSIGN(angle.s.hi * sum, phi);
 }
 
-/* D(phi | m) for m > 1: s^3 R_D(cc, d, 1)/3 */
+/* Returns D(phi | m) for m > 1, which is s^3 R_D(cc, d, 1)/3 with the fields s, cc, d of vmi_above. */
 VM_API vm_real vmi_D_above(vm_real phi, vm_two m1)
 {
     const vmi_above angle = vmi_above_of(phi, m1);
@@ -3760,9 +3782,9 @@ VM_API vm_real vmi_D_above(vm_real phi, vm_two m1)
     return VM_COPYSIGN(s * (s * s * rd * VM_C(0.3333333333333333333)), phi);
 }
 
-/* Pi(n; phi | m) for m > 1 and n < 0. The reciprocal transformation leads to the parameter 1/m and the characteristic
-   n/m. The characteristic N = (1 - n)/(m - n) replaces n/m (DLMF 19.7.9), so that all terms are positive. q is 1 - N
-   k^2 s^2. */
+/* Returns Pi(n; phi | m) for m > 1 and n < 0. The reciprocal transformation leads to the parameter 1/m and the
+   characteristic n/m. The characteristic N = (1 - n)/(m - n) replaces n/m (DLMF 19.7.9), so that all terms are
+   positive. The variable q is 1 - N m s^2 with s = sin phi. */
 VM_API vm_real vmi_Pi_above_negative(const vmi_above *angle, vm_real n, vm_real m, vm_real m1)
 {
     const vm_real s = angle->s.hi, ratio = n / m, per = 1 / (1 - ratio);
@@ -3773,8 +3795,9 @@ VM_API vm_real vmi_Pi_above_negative(const vmi_above *angle, vm_real n, vm_real 
     return s * (rf * per - ratio * per * (VM_SQRT(angle->d) * vmi_rc(angle->cc, p * q) + third));
 }
 
-/* Pi(n; phi | m) for m > 1 and a finite n. p = 1 - n s^2 is computed in two words, since it falls to 0 at a pole. For
-   p < 0, where n > m, the formula of vmi_Pi_part holds: q is 1 - s^2 m/n, and R_C has its principal value. */
+/* Returns Pi(n; phi | m) for m > 1 and a finite n. With s = sin phi, p = 1 - n s^2 is computed in two words, since it
+   falls to 0 at a pole. For p < 0, where n > m, the formula of vmi_Pi_part for p < 0 is used: q is 1 - s^2 m/n, and R_C
+   has its principal value. */
 VM_API vm_real vmi_Pi_above(vm_real phi, vm_real n, vm_real m, vm_two m1)
 {
     const vmi_above angle = vmi_above_of(phi, m1);
@@ -3816,7 +3839,7 @@ VM_API vm_real vmi_Pi_above(vm_real phi, vm_real n, vm_real m, vm_two m1)
 
 /* An angle as the sum of a multiple of pi and a rest theta, |theta| <= pi/2 */
 typedef struct VM_TAG(vmi_angle) {
-    vm_real turns; /* phi = turns pi/2 + theta: an integral to phi contains `turns` complete ones */
+    vm_real turns; /* phi = turns pi/2 + theta: an integral from 0 to phi contains `turns` complete integrals */
     vm_real s, c;  /* sin theta and cos theta, each with a small relative error */
 } vmi_angle;
 
@@ -3843,7 +3866,7 @@ VM_INLINE vmi_angle vmi_angle_of(vm_real phi)
     vmi_sin_cos(rest, &sine, &cosine);
     angle.s = sine;
     angle.c = cosine;
-    if (j < VM_C(0.25) / VM_EPSILON && j - 2 * VM_FLOOR(j / 2) > 0) { /* theta = rest +- pi/2, nearer to 0 */
+    if (j < VM_C(0.25) / VM_EPSILON && j - 2 * VM_FLOOR(j / 2) > 0) { /* theta is rest + pi/2 or rest - pi/2 */
         const vm_real side = VM_COPYSIGN((vm_real)1, rest.hi);
         angle.turns = j + side;
         angle.s = -side * cosine;
@@ -3856,14 +3879,14 @@ VM_INLINE vmi_angle vmi_angle_of(vm_real phi)
     return angle;
 }
 
-/* Is 1 if an integral from 0 to phi for m <= 1 has no ordinary value: if phi or m1 is infinite or NaN, or if m1 < 0.
-   The case m1 < 0 belongs to jacobi/above_one.h. */
+/* Returns 1 if an integral from 0 to phi for m <= 1 has no ordinary value, else 0. It has none if phi or m1 is infinite
+   or NaN, or if m1 < 0. For m1 < 0, that is m > 1, jacobi/above_one.h has the integrals. */
 VM_INLINE int vmi_incomplete_special(vm_real phi, vm_real m1)
 {
     return !(VM_IS_FINITE(phi) && m1 >= 0 && VM_IS_FINITE(m1));
 }
 
-/* F(phi | m) for 1 - m = m1 + m1_lo */
+/* Returns F(phi | m) for 1 - m = m1 + m1_lo, a number in two words. */
 VM_API vm_real vmi_F(vm_real phi, vm_real m1, vm_real m1_lo)
 {
     vmi_angle angle;
@@ -3886,8 +3909,8 @@ VM_API vm_real vmi_F(vm_real phi, vm_real m1, vm_real m1_lo)
 /* F(phi | m), the incomplete elliptic integral of the first kind. It is the inverse of the amplitude. It is odd in phi,
    and for m <= 1 F(phi + pi) = F(phi) + 2K. The error is at most 8 ulp for |phi| <= 1e9 (float 1e4). Returns phi for
    infinite phi, 0 for m = -infinity, and NaN where both are infinite. For m = 1 F is infinite for |phi| > pi/2. For
-   m > 1 F is NaN where m sin^2 phi > 1, for |phi| > pi/2, and for infinite m. docs/cost.md has the time. DLMF 19.2.4,
-   19.25.5. */
+   m > 1 F is NaN where m sin^2 phi > 1, for |phi| > pi/2, and for infinite m. docs/cost.md has the time of a call. DLMF
+   19.2.4, 19.25.5. */
 VM_API vm_real jacobi_F(vm_real phi, vm_real m)
 {
     const vm_two m1 = vmi_two_sum(1, -m);
@@ -3898,7 +3921,7 @@ VM_API vm_real jacobi_F(vm_real phi, vm_real m)
    Domain and accuracy are those of jacobi_F. Use it for m close to 1, where the difference 1 - m would lose digits. */
 VM_API vm_real jacobi_F_m1(vm_real phi, vm_real m1) { return vmi_F(phi, m1, 0); }
 
-/* E(theta | m) for |theta| <= pi/2 and m <= 1, from the sine and the cosine of theta. Both m and m1 = 1 - m are
+/* Returns E(theta | m) for |theta| <= pi/2 and m <= 1, from the sine and the cosine of theta. Both m and m1 = 1 - m are
    arguments, so that each has all its digits. There is one formula for m < 0 and one for m >= 0; all their terms are
    positive (DLMF 19.25.9-10). */
 VM_API vm_real vmi_E_part(vm_real s, vm_real c, vm_real m, vm_real m1)
@@ -3913,7 +3936,7 @@ VM_API vm_real vmi_E_part(vm_real s, vm_real c, vm_real m, vm_real m1)
     return s * (m1 * (rf + m * ss * rd * VM_C(0.3333333333333333333)) + m * (c / VM_SQRT(dd)));
 }
 
-/* E(phi | m) for 1 - m = m1 + m1_lo */
+/* Returns E(phi | m) for 1 - m = m1 + m1_lo, a number in two words. */
 VM_API vm_real vmi_E_incomplete(vm_real phi, vm_real m, vm_real m1, vm_real m1_lo)
 {
     vmi_angle angle;
@@ -3933,7 +3956,7 @@ VM_API vm_real vmi_E_incomplete(vm_real phi, vm_real m, vm_real m1, vm_real m1_l
 /* E(phi | m), the incomplete elliptic integral of the second kind. It is odd in phi, and for m <= 1 E(phi + pi) =
    E(phi) + 2E(m). The error is at most 8 ulp for |phi| <= 1e9 (float 1e4). Returns phi for infinite phi, and infinity
    with the sign of phi for m = -infinity. For m > 1 E is NaN where m sin^2 phi > 1, for |phi| > pi/2, and for infinite
-   m. docs/cost.md has the time. DLMF 19.2.5. */
+   m. docs/cost.md has the time of a call. DLMF 19.2.5. */
 VM_API vm_real jacobi_E_incomplete(vm_real phi, vm_real m)
 {
     const vm_two m1 = vmi_two_sum(1, -m);
@@ -3945,11 +3968,11 @@ VM_API vm_real jacobi_E_incomplete(vm_real phi, vm_real m)
    digits. */
 VM_API vm_real jacobi_E_incomplete_m1(vm_real phi, vm_real m1) { return vmi_E_incomplete(phi, 1 - m1, m1, 0); }
 
-/* Returns a factor that keeps Carlson's integrals from losing digits where a product of small arguments would underflow
-   or a sum of large ones would overflow. All arguments are multiplied by the square of the factor. The weight of R_D
-   and R_J is multiplied by this square, too. The integral is then multiplied by the factor, which gives its value for
-   the original arguments. The factor is 1 for ordinary arguments, and above 1 only where m1 < 1. `least` is about the
-   smallest of the arguments. */
+/* Returns the factor `lift`, a power of 2 that keeps Carlson's integrals from losing digits where a product of small
+   arguments would underflow or a sum of large ones would overflow. All arguments are multiplied by the square of the
+   factor. The weight of R_D and R_J is multiplied by this square, too. The integral is then multiplied by the factor,
+   which gives its value for the original arguments. The factor is 1 for ordinary arguments, and above 1 only where
+   m1 < 1. `least` is about the smallest of the arguments. */
 VM_INLINE vm_real vmi_lift_of(vm_real least, vm_real m1)
 {
     if (m1 < 1 && least < VM_MIN / VM_EPSILON) return vmi_ldexp(1, VM_MANT_DIG > 24 ? 300 : 40);
@@ -3957,7 +3980,8 @@ VM_INLINE vm_real vmi_lift_of(vm_real least, vm_real m1)
     return 1;
 }
 
-/* D(theta | m) for 0 <= theta <= pi/2 and m <= 1, from s = sin theta and c = cos theta: s^3 R_D(c^2, 1 - m s^2, 1)/3 */
+/* Returns D(theta | m) for 0 <= theta <= pi/2 and m <= 1, from s = sin theta and c = cos theta. It is
+   s^3 R_D(c^2, 1 - m s^2, 1)/3. */
 VM_API vm_real vmi_D_part(vm_real s, vm_real c, vm_real m1)
 {
     const vm_real cc = c * c, ss = s * s, d = cc + m1 * ss;
@@ -3966,8 +3990,8 @@ VM_API vm_real vmi_D_part(vm_real s, vm_real c, vm_real m1)
     return s * third;
 }
 
-/* D(m) - D(theta | m) for 0 <= theta <= pi/2 and m <= 1, from s = sin theta and c = cos theta. With d = 1 - m s^2 it is
-   c (s/sqrt(d) + c^2 R_D(m1 s^2, m1, d)/3), a sum of positive terms. */
+/* Returns D(m) - D(theta | m) for 0 <= theta <= pi/2 and m <= 1, from s = sin theta and c = cos theta. With
+   d = 1 - m s^2 it is c (s/sqrt(d) + c^2 R_D(m1 s^2, m1, d)/3), a sum of positive terms. */
 VM_API vm_real vmi_D_complement(vm_real s, vm_real c, vm_real m1)
 {
     const vm_real cc = c * c, ss = s * s, d = cc + m1 * ss, lift = vmi_lift_of(m1 * ss, m1), more = lift * lift;
@@ -3977,7 +4001,7 @@ VM_API vm_real vmi_D_complement(vm_real s, vm_real c, vm_real m1)
     return c * (s / VM_SQRT(d) + lift * third);
 }
 
-/* D(m) for m1 = 1 - m */
+/* Returns D(m) for m1 = 1 - m. */
 VM_API vm_real vmi_D(vm_real m1)
 {
     if (!(m1 >= 0)) return VM_NAN;
@@ -3994,8 +4018,8 @@ VM_API vm_real jacobi_D(vm_real m) { return vmi_D(1 - m); }
    Domain and accuracy are those of jacobi_D. Use it for m close to 1, where the difference 1 - m would lose digits. */
 VM_API vm_real jacobi_D_m1(vm_real m1) { return vmi_D(m1); }
 
-/* D(phi | m) for 1 - m = m1 + m1_lo. For phi between pi/2 and pi the difference 2 D(m) - D(pi - phi | m) would triple
-   the errors. Therefore the result of vmi_D_complement is added to D(m) there. */
+/* Returns D(phi | m) for 1 - m = m1 + m1_lo, a number in two words. For phi between pi/2 and pi the difference
+   2 D(m) - D(pi - phi | m) would triple the errors. Therefore the result of vmi_D_complement is added to D(m) there. */
 VM_API vm_real vmi_D_incomplete(vm_real phi, vm_real m1, vm_real m1_lo)
 {
     vmi_angle angle;
@@ -4033,15 +4057,15 @@ VM_API vm_real jacobi_D_incomplete(vm_real phi, vm_real m)
    digits. */
 VM_API vm_real jacobi_D_incomplete_m1(vm_real phi, vm_real m1) { return vmi_D_incomplete(phi, m1, 0); }
 
-/* 1 - m/n for n > 1 and m1 = 1 - m >= 0. All terms are divided by 4 first, so that no sum overflows. */
+/* Returns 1 - m/n for n > 1 and m1 = 1 - m >= 0. All terms are divided by 4 first, so that no sum overflows. */
 VM_INLINE vm_real vmi_share_below_pole(vm_real n, vm_real m1)
 {
     return ((n - 1) * VM_C(0.25) + m1 * VM_C(0.25)) / (n * VM_C(0.25));
 }
 
-/* Pi(n; theta | m) for |theta| <= pi/2, from s = sin theta and c = cos theta, with 1 - m = m1. Let p = 1 - n s^2 and
-   d = 1 - m s^2. There are three cases. Each is a sum of positive terms, except for one term of the third case with
-   m > 0.
+/* Returns Pi(n; theta | m) for |theta| <= pi/2, from s = sin theta and c = cos theta, with 1 - m = m1. Let
+   p = 1 - n s^2 and d = 1 - m s^2. There are three formulas. Each is a sum of positive terms, except for one term of
+   the third formula with m > 0.
      n < 0: the characteristic N = (m - n)/(1 - n), which lies between m and 1, replaces n (DLMF 19.7.9), and q is
             1 - N s^2 = c^2 + s^2 m1/(1 - n);
      0 <= n and p > 0: s R_F + n s^3 R_J/3 (DLMF 19.25.14);
@@ -4067,9 +4091,10 @@ VM_API vm_real vmi_Pi_part(vm_real s, vm_real c, vm_real n, vm_real m, vm_real m
     return s * (vmi_rc(cc * d, p * q) - third);
 }
 
-/* Pi(n | m) for n < 0 and m1 = 1 - m > 0. Where -n is so large that (1 - m)/(1 - n) may underflow even after the
-   multiplication by lift^2, Pi is (pi/2)/sqrt(1 - n) + K/(1 - n). The next term, -E/(1 - n), is far below an ulp
-   there. */
+/* Returns Pi(n | m) for n < 0 and m1 = 1 - m > 0. The factor `lift`, a power of 2 from vmi_lift_of, keeps numbers from
+   underflowing. For a very large -n, however, (1 - m)/(1 - n) may underflow even after it is multiplied by lift^2.
+   There the result is (pi/2)/sqrt(1 - n) + K/(1 - n), where K is K(m); the next term of this series, -E(m)/(1 - n), is
+   far below an ulp. */
 VM_API vm_real vmi_Pi_negative(vm_real n, vm_real m1)
 {
     const vm_real lift = vmi_lift_of(m1 / (1 - n), m1), more = lift * lift, share = more * m1 / (1 - n);
@@ -4080,7 +4105,7 @@ VM_API vm_real vmi_Pi_negative(vm_real n, vm_real m1)
     return lift * (rf / (1 - n) + n / (n - 1) * third);
 }
 
-/* Pi(n | m), from both m and m1 = 1 - m. The cases are those of vmi_Pi_part for theta = pi/2. */
+/* Returns Pi(n | m), from both m and m1 = 1 - m. The three cases of n are those of vmi_Pi_part for theta = pi/2. */
 VM_API vm_real vmi_Pi(vm_real n, vm_real m, vm_real m1)
 {
     const vm_real top = vmi_larger(m1, 1);
@@ -4112,10 +4137,10 @@ VM_API vm_real jacobi_Pi(vm_real n, vm_real m) { return vmi_Pi(n, m, 1 - m); }
    Domain and accuracy are those of jacobi_Pi. Use it for m close to 1, where the difference 1 - m would lose digits. */
 VM_API vm_real jacobi_Pi_m1(vm_real n, vm_real m1) { return vmi_Pi(n, 1 - m1, m1); }
 
-/* Pi(n | m) - Pi(n; theta | m) for n < 1 and 0 <= theta <= pi/2, from s = sin theta and c = cos theta. Let psi be the
-   angle for which tan theta tan psi = 1/k', and N = (m - n)/(1 - n). Then the result is the integral from 0 to psi of
-   (1 - m sin^2 x)/((1 - n)(1 - N sin^2 x)) dx/sqrt(1 - m sin^2 x). *exact becomes 1 if no digits are lost: for all
-   n <= 0, and for n > 0 if c^2 <= (1 - n) s^2. Otherwise *exact and the result are 0. */
+/* Returns Pi(n | m) - Pi(n; theta | m) for n < 1 and 0 <= theta <= pi/2, from s = sin theta and c = cos theta. Let psi
+   be the angle for which tan theta tan psi = 1/k', and N = (m - n)/(1 - n). Then the result is the integral from 0 to
+   psi of (1 - m sin^2 x)/((1 - n)(1 - N sin^2 x)) dx/sqrt(1 - m sin^2 x). *exact becomes 1 if no digits are lost: for
+   all n <= 0, and for n > 0 if c^2 <= (1 - n) s^2. Otherwise *exact and the result are 0. */
 VM_API vm_real vmi_Pi_complement(vm_real s, vm_real c, vm_real n, vm_real m1, int *exact)
 {
     const vm_real cc = c * c, ss = s * s, d = cc + m1 * ss;
@@ -4129,8 +4154,9 @@ VM_API vm_real vmi_Pi_complement(vm_real s, vm_real c, vm_real n, vm_real m1, in
     return lift * (c * (rf - third) / (1 - n));
 }
 
-/* Pi(n; phi | m) for 1 - m = m1 + m1_lo. For phi between pi/2 and pi, the difference 2 Pi(n | m) - Pi(n;
-   pi - phi | m) would triple the errors. Therefore the result of vmi_Pi_complement is added to Pi(n | m) there. */
+/* Returns Pi(n; phi | m) for 1 - m = m1 + m1_lo, a number in two words. For phi between pi/2 and pi, the difference
+   2 Pi(n | m) - Pi(n; pi - phi | m) would triple the errors. Therefore the result of vmi_Pi_complement is added to Pi(n
+   | m) there. */
 VM_API vm_real vmi_Pi_incomplete(vm_real phi, vm_real n, vm_real m, vm_real m1, vm_real m1_lo)
 {
     vmi_angle angle;
@@ -4160,7 +4186,7 @@ VM_API vm_real vmi_Pi_incomplete(vm_real phi, vm_real n, vm_real m, vm_real m1, 
    (float 1e4). For n > 1 Pi has poles where n sin^2 phi = 1. Beyond the first pole Pi is Cauchy's principal value. For
    n > 1 the error is at most 16 eps max(|F|, |Pi|), plus the effect of changing n by 4 ulp. The result is 0 for
    infinite n and m <= 1, and for m = -infinity. For m > 1 it is NaN where m sin^2 phi > 1, for |phi| > pi/2, and for
-   infinite m or n. docs/cost.md has the time. DLMF 19.2.7. */
+   infinite m or n. docs/cost.md has the time of a call. DLMF 19.2.7. */
 VM_API vm_real jacobi_Pi_incomplete(vm_real phi, vm_real n, vm_real m)
 {
     const vm_two m1 = vmi_two_sum(1, -m);
@@ -4188,7 +4214,8 @@ VM_API vm_real jacobi_Pi_incomplete_m1(vm_real phi, vm_real n, vm_real m1)
 #ifndef VARMASS_JACOBI_INVERSE_H
 #define VARMASS_JACOBI_INVERSE_H
 
-/* The inverse of sn for 1 - m = m1. 1 - x^2 is computed as a product, so that it keeps its digits. */
+/* Returns the inverse of sn for 1 - m = m1. 1 - x^2 is computed as the product (1 - x)(1 + x), so that it keeps its
+   digits. */
 VM_API vm_real vmi_inverse_sn(vm_real x, vm_real m1)
 {
     const vm_real cc = (1 - x) * (1 + x);
@@ -4200,7 +4227,7 @@ VM_API vm_real vmi_inverse_sn(vm_real x, vm_real m1)
 
 /* The inverse of sn: u with sn(u | m) = x and |u| <= K, for |x| <= 1 and m <= 1. It is odd in x. The error is at most
    8 ulp. For m = 1 it is the inverse of tanh, infinite for |x| = 1. Returns 0 for m = -infinity, and NaN for |x| > 1
-   and m > 1. DLMF 22.15.12. */
+   and for m > 1. DLMF 22.15.12. */
 VM_API vm_real jacobi_inverse_sn(vm_real x, vm_real m) { return vmi_inverse_sn(x, 1 - m); }
 
 /* The inverse of sn from the complementary parameter m1 = 1 - m >= 0.
@@ -4208,7 +4235,8 @@ VM_API vm_real jacobi_inverse_sn(vm_real x, vm_real m) { return vmi_inverse_sn(x
    digits. */
 VM_API vm_real jacobi_inverse_sn_m1(vm_real x, vm_real m1) { return vmi_inverse_sn(x, m1); }
 
-/* The inverse of cn for 1 - m = m1 + m1_lo. For x < 0 it is 2 K minus the inverse at |x|, which is at most K. */
+/* Returns the inverse of cn for 1 - m = m1 + m1_lo, a number in two words. For x < 0 it is 2 K minus the inverse at
+   |x|, which is at most K. */
 VM_API vm_real vmi_inverse_cn(vm_real x, vm_real m1, vm_real m1_lo)
 {
     const vm_real ss = (1 - x) * (1 + x), cc = x * x;
@@ -4223,8 +4251,8 @@ VM_API vm_real vmi_inverse_cn(vm_real x, vm_real m1, vm_real m1_lo)
 }
 
 /* The inverse of cn: u with cn(u | m) = x and 0 <= u <= 2K, for |x| <= 1 and m <= 1. The error is at most 8 ulp. For
-   m = 1 it is the inverse of 1/cosh, infinite for x = 0 and NaN for x < 0. Returns 0 for m = -infinity, and NaN for
-   |x| > 1 and m > 1. DLMF 22.15.13. */
+   m = 1 it is the inverse of 1/cosh, infinite for x = 0 and NaN for x < 0. Returns 0 for m = -infinity, and NaN for |x|
+   > 1 and for m > 1. DLMF 22.15.13. */
 VM_API vm_real jacobi_inverse_cn(vm_real x, vm_real m)
 {
     const vm_two m1 = vmi_two_sum(1, -m);
@@ -4236,9 +4264,9 @@ VM_API vm_real jacobi_inverse_cn(vm_real x, vm_real m)
    digits. */
 VM_API vm_real jacobi_inverse_cn_m1(vm_real x, vm_real m1) { return vmi_inverse_cn(x, m1, 0); }
 
-/* The inverse of dn for 1 - m = m1 + m1_lo. With s = sn u and c = cn u, m s^2 is 1 - x^2 and m c^2 is x^2 - m1.
-   x^2 - m1 is computed from the exact square of x. It may be negative if x is k' after rounding; then c is taken as
-   0, and s as 1. */
+/* Returns the inverse of dn for 1 - m = m1 + m1_lo, a number in two words. With s = sn u and c = cn u, m s^2 is 1 - x^2
+   and m c^2 is x^2 - m1. x^2 - m1 is computed from the exact square of x. It may be negative if x is the rounded value
+   of k'; then c is taken as 0, and s as 1. */
 VM_API vm_real vmi_inverse_dn(vm_real x, vm_real m, vm_real m1, vm_real m1_lo)
 {
     const vm_real bound = VM_SQRT(m1);
@@ -4253,8 +4281,8 @@ VM_API vm_real vmi_inverse_dn(vm_real x, vm_real m, vm_real m1, vm_real m1_lo)
 }
 
 /* The inverse of dn: u with dn(u | m) = x and 0 <= u <= K, for x between 1 and sqrt(1 - m), m <= 1. The error is at
-   most 8 ulp. For m = 1 it is the inverse of 1/cosh, infinite for x = 0. Returns NaN for m > 1 and where dn has no such
-   value; for m = 0 dn is 1 everywhere, and u is 0. DLMF 22.15.14. */
+   most 8 ulp. For m = 1 it is the inverse of 1/cosh, infinite for x = 0. Returns NaN for m > 1 and for an x outside
+   these limits. For m = 0 dn is 1 everywhere; then u is 0 for x = 1. DLMF 22.15.14. */
 VM_API vm_real jacobi_inverse_dn(vm_real x, vm_real m)
 {
     const vm_two m1 = vmi_two_sum(1, -m);
@@ -4286,9 +4314,10 @@ VM_API vm_real jacobi_inverse_dn_m1(vm_real x, vm_real m1)
 #ifndef VARMASS_JACOBI_RECIPROCAL_H
 #define VARMASS_JACOBI_RECIPROCAL_H
 
-/* sn, cn and dn of the argument u for any finite parameter m. For m <= 1 they are those of jacobi_sncndn. For m > 1
+/* sn, cn and dn of the argument u for any finite parameter m. For m <= 1 the results are those of jacobi_sncndn. For
+   m > 1 they are
      sn(u | m) = sn(k u | 1/m)/k,  cn(u | m) = dn(k u | 1/m),  dn(u | m) = cn(k u | 1/m),  k = sqrt(m).
-   The error is then at most 4 eps (4 eps/k for sn) for |k u| <= 1e9 (float 1e4), and at most 8 ulp for
+   For m > 1 the error is at most 4 eps (4 eps/k for sn) for |k u| <= 1e9 (float 1e4), and at most 8 ulp for
    |u| <= 100 K(1/m)/k. Returns NaN for infinite m. k u is computed in two words. A Taylor series adds the effect of the
    second word, h. */
 VM_API void jacobi_sncndn_any(vm_real u, vm_real m, vm_real *sn, vm_real *cn, vm_real *dn)

@@ -32,8 +32,8 @@
      scenes/        lists of bodies, of effects that act on them, and of events that change them; a scene simulates
                     only what is listed
    Each chapter begins with a comment that says what it is for and shows a call; the index below names all functions.
-   Numbers in round brackets are the equations of [1]. Where [1] is misprinted or wrong, the corrected form stands
-   here and the comment says so; docs/errata.md lists all of them.
+   Numbers in round brackets are those of equations of [1]. Where an equation of [1] is misprinted or wrong, the
+   corrected form stands here and the comment says so; docs/errata.md lists all these equations.
 
    CONVENTIONS
      Units        SI units; angles are in radians.
@@ -61,11 +61,11 @@
      their domain and for infinite arguments. An output may be the same variable as an input.
 
    MACROS, to be defined before the include
-     VM_USE_FLOAT         float instead of double (tests run both)
-     VM_API               linkage of the functions, default static inline
-     VM_TABLE, VM_READ    storage of the tables, and how an element of one is read; define both or none. Default:
-                          static const and (x); on AVR static const PROGMEM and pgm_read_float(&(x)), so that tables
-                          take no RAM
+     VM_USE_FLOAT         all numbers are float instead of double (tests run both)
+     VM_API               linkage of the functions; the default is static inline
+     VM_TABLE, VM_READ    storage of the tables, and how an element of one is read; define both or none. The defaults
+                          are static const and (x); on AVR they are static const PROGMEM and pgm_read_float(&(x)), so
+                          that tables take no RAM
      VM_SQRT, VM_FABS ... the functions of the C library that are used (define all of them or none)
      VM_ALLOW_FAST_MATH   lets the headers compile under -ffast-math or a part of it, but no result is promised to be
                           right then
@@ -86,19 +86,21 @@
                   next to the true value.
      Jumps        conserve momentum with an error of at most 3 eps times the sum of all M |v|. They conserve angular
                   momentum about any point with an error of at most 6 eps times the sum of all tr(I) |omega| + M (|r| +
-                  |r - point|) |v|, where tr(I) is the sum of the diagonal of I. If a part goes on moving as it did on
+                  |r - point|) |v|. M, v, r, omega and I are mass, velocity, position, angular velocity and inertia
+                  tensor of a body, and tr(I) is the sum of the diagonal of I. If a part goes on moving as it did on
                   the body, omega of the rest does not change.
      Rotation     of a torque-free body: after 1e6 turns the attitude is right within 8 eps (rad) and omega within
                   5 eps, if the inputs are taken as exact.
-     Streams      closed forms are right within a few eps. A body together with all mass that has left it keeps
-                  momentum, angular momentum and energy to the integrator's tolerance.
+     Streams      the solutions in closed form are right within a few eps. A body together with all mass that has left
+                  it keeps momentum, angular momentum and energy to the integrator's tolerance.
      Lambert's W  has an error of at most 1 ulp, the drum on a rigid shaft one of at most 4 ulp.
-     Oscillators  every route (method of solution) returns an estimate of its whole error in the field error, or
+     Oscillators  every route (method of solution) returns an estimate of its whole error in the field `error`, or
                   infinity where no estimate is possible.
 
    COST
-     docs/cost.md has the times of oscillators, free rotation, streams and scenes, docs/counts.md the instructions of a
-     call, docs/firmware.md the flash, stack and instructions on microcontrollers, docs/parts.md the flash of a chapter.
+     docs/cost.md has the times of oscillators, free rotation, streams and scenes, docs/counts.md the number of
+     instructions of a call. docs/firmware.md has the flash memory, the stack and the number of instructions of a call
+     on microcontrollers, docs/parts.md the flash memory that a chapter takes.
      The time of a call is bounded, with two exceptions. A function that takes n objects or a list needs a time in
      proportion to their number. A function that integrates (routes of oscillators, scenes) needs a time in proportion
      to the length of the run; its comment says so.
@@ -638,7 +640,7 @@ enum {
     VM_DOMAIN = -6,              /* a parameter lies outside its domain */
     VM_NO_LAW = -7,              /* this problem has no such route (method of solution) or closed form */
     VM_NOT_INTEGRATED = -8,      /* oscillators: the integrator did not reach the end */
-    VM_BAD_MOTION = -9,          /* scenes: a kind of motion does not exist, or no such effect or event can act on it */
+    VM_BAD_MOTION = -9,          /* scenes: a kind of motion does not exist, or does not allow this effect or event */
     VM_NO_SUCH_BODY = -10,       /* scenes: no body has this index */
     VM_NO_SUCH_COORDINATE = -11, /* scenes: the body has no such coordinate */
     VM_NO_SUCH_EFFECT = -12,     /* scenes: no effect has this index */
@@ -765,7 +767,7 @@ VM_API void vmi_eliminate(int n, int k, vm_real *a)
     }
 }
 
-/* Does the same with the right sides, after vmi_eliminate. */
+/* Changes the right sides b in the way in which vmi_eliminate, which must come first, has changed the left sides. */
 VM_API void vmi_eliminate_right(int n, int k, const vm_real *a, vm_real *b)
 {
     int i;
@@ -809,11 +811,11 @@ VM_API int vmi_solve_linear(int n, vm_real *a, vm_real *b)
 }
 
 /* Decomposes a mass matrix a, which is symmetric and positive definite, for vmi_solve_decomposed. Both triangles of a
-   receive the decomposition, and `scale` receives n numbers. The function first scales rows and columns so that the
-   diagonal is 1. The units of the coordinates then do not matter, and the condition number is nearly the least that
-   scaling can give (van der Sluis 1969). Rows need not be exchanged. Returns VM_SINGULAR if an entry of the diagonal
-   is not positive or a pivot is not above 4 n eps, which happens for every matrix that is not positive definite, and
-   VM_OK otherwise. */
+   become the decomposition. The function first divides row i and column i by scale[i], so that the diagonal is 1;
+   `scale` becomes the array of these n numbers. The units of the coordinates then do not matter, and the condition
+   number is nearly the least that scaling can give (van der Sluis 1969). Rows need not be exchanged. Returns
+   VM_SINGULAR if an entry of the diagonal is not positive or a pivot is not above 4 n eps, which happens for every
+   matrix that is not positive definite, and VM_OK otherwise. */
 VM_API int vmi_decompose_mass(int n, vm_real *a, vm_real *scale)
 {
     int i, j, k;
@@ -841,7 +843,7 @@ VM_API void vmi_solve_decomposed(int n, const vm_real *a, const vm_real *scale, 
 }
 
 /* Solves a x = b for a mass matrix a. x replaces b, a is overwritten, and `scale` is work space for n numbers. Returns
-   a status of vmi_decompose_mass. */
+   VM_OK or VM_SINGULAR, as vmi_decompose_mass does. */
 VM_API int vmi_solve_mass(int n, vm_real *a, vm_real *b, vm_real *scale)
 {
     const int status = vmi_decompose_mass(n, a, scale);
@@ -938,22 +940,23 @@ VM_API vm_complex vmi_complex(vm_real re, vm_real im)
     return z;
 }
 
-/* The sum a + b, the difference a - b, and the products c a and i c a of a complex number a with a real number c */
+/* These functions return the sum a + b, the difference a - b, and the products c a and i c a of a complex number a with
+   a real number c. */
 VM_API vm_complex vmi_c_add(vm_complex a, vm_complex b) { return vmi_complex(a.re + b.re, a.im + b.im); }
 VM_API vm_complex vmi_c_sub(vm_complex a, vm_complex b) { return vmi_complex(a.re - b.re, a.im - b.im); }
 VM_API vm_complex vmi_c_scale(vm_real c, vm_complex a) { return vmi_complex(c * a.re, c * a.im); }
 VM_API vm_complex vmi_c_times_i(vm_real c, vm_complex a) { return vmi_complex(-c * a.im, c * a.re); }
 
-/* The product a b */
+/* Returns the product a b. */
 VM_API vm_complex vmi_c_times(vm_complex a, vm_complex b)
 {
     return vmi_complex(a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re);
 }
 
-/* The complex conjugate of a, which is a.re - i a.im */
+/* Returns the complex conjugate of a, which is a.re - i a.im. */
 VM_API vm_complex vmi_c_conjugate(vm_complex a) { return vmi_complex(a.re, -a.im); }
 
-/* The complex number e^(i angle), for an angle in radians */
+/* Returns the complex number e^(i angle), for an angle in radians. */
 VM_API vm_complex vmi_c_turn(vm_real angle)
 {
     vm_complex e;
@@ -961,8 +964,8 @@ VM_API vm_complex vmi_c_turn(vm_real angle)
     return e;
 }
 
-/* Writes the complex numbers e^(i k angle) for k = 0 to n, for an angle in radians. The error of e^(i k angle)
-   is that of k roundings. */
+/* Writes the complex numbers e^(i k angle) for k = 0 to n, for an angle in radians. The error of e^(i k angle) is that
+   of about k rounding errors. */
 VM_API void vmi_c_turns(int n, vm_real angle, vm_complex *turns)
 {
     const vm_complex once = vmi_c_turn(angle);
@@ -971,10 +974,10 @@ VM_API void vmi_c_turns(int n, vm_real angle, vm_complex *turns)
     for (k = 1; k <= n; k++) turns[k] = vmi_c_times(turns[k - 1], once);
 }
 
-/* The modulus |z| */
+/* Returns the modulus |z|. */
 VM_API vm_real vmi_c_modulus(vm_complex z) { return vmi_hypot(z.re, z.im); }
 
-/* The quotient a/b by Smith's method, which is accurate even where |b|^2 overflows or underflows */
+/* Returns the quotient a/b by Smith's method, which is accurate even where |b|^2 overflows or underflows. */
 VM_API vm_complex vmi_c_over(vm_complex a, vm_complex b)
 {
     vm_real q, d;
@@ -1115,9 +1118,10 @@ VM_API void vmi_poly_roots(int n, const vm_real *c, vm_real *re, vm_real *im)
 
        vm_real w = vm_lambert_w0(1); // 0.567..., the solution of w e^w = 1
 
-   Method: a start value is improved by steps of fourth order by Fritsch, Shafer and Crowley (Comm. ACM 16, 1973). A
-   start value with an error of at most 2 % needs two steps, one with an error of at most 1e-4 needs one step. The
-   residual is computed in two words, so that the final error is little more than a rounding.
+   Method: a start value is improved by the steps of Fritsch, Shafer and Crowley (Comm. ACM 16, 1973), which have order
+   four: the error after a step is proportional to the fourth power of the error before it. A start value with an error
+   of at most 2 % needs two steps, one with an error of at most 1e-4 needs one step. The residual ln(x/w) - w is
+   computed in two words, so that the final error is little more than one rounding error.
    Tests: tests/test_lambert.c. */
 #ifndef VARMASS_BASE_LAMBERT_H
 #define VARMASS_BASE_LAMBERT_H
@@ -1163,7 +1167,7 @@ VM_API vm_real vmi_lambert_middle(vm_real x)
     return w.hi + (w.lo + w.hi * vmi_lambert_correction(1 + w.hi, z));
 }
 
-/* A rough value of W_0(e^l), right to 6e-5, for l from 3.95 to 712 */
+/* Returns a rough value of W_0(e^l), right to 6e-5, for l from 3.95 to 712. */
 VM_API vm_real vmi_lambert_rational(vm_real l)
 {
     vm_real above, below;
@@ -1223,15 +1227,15 @@ VM_API vm_two vmi_lambert_depth(vm_real x)
     return vmi_minus(ln);
 }
 
-/* A rough value of W_0(x), right to 2 %, for -1/4 <= x < 1 */
+/* Returns a rough value of W_0(x), right to 2 %, for -1/4 <= x < 1. */
 VM_API vm_real vmi_lambert_pade(vm_real x) { return x * (3 + 4 * x) / (3 + x * (7 + x * VM_C(2.5))); }
 
-/* A rough value of W_0(x), right to 2 %, for x >= 1, from L = ln(1 + x) (by Winitzki) */
+/* Returns a rough value of W_0(x), right to 2 %, for x >= 1, from L = ln(1 + x) (by Winitzki). */
 VM_API vm_real vmi_lambert_winitzki(vm_real L) { return L * (1 - vmi_log(1 + L).hi / (2 + L)); }
 
 /* Lambert's W_0(x), the upper branch: the solution w >= -1 of w e^w = x, for x >= -1/e. x is a pure number and taken
-   as exact. The error is at most 1 ulp. Returns infinity for infinite x > 0, and NaN for x < -1/e, except that the
-   number next to -1/e counts as -1/e and gives -1. */
+   as exact. The error is at most 1 ulp. Returns infinity for x = infinity, and NaN for x < -1/e. The number of the type
+   next to -1/e counts as -1/e and gives -1. */
 VM_API vm_real vm_lambert_w0(vm_real x)
 {
     vm_two l;
@@ -1244,8 +1248,8 @@ VM_API vm_real vm_lambert_w0(vm_real x)
 }
 
 /* Lambert's W_-1(x), the lower branch: the solution w <= -1 of w e^w = x, for -1/e <= x < 0. x is a pure number and
-   taken as exact. The error is at most 1 ulp. Returns -infinity for x = 0, and NaN for x > 0 and x < -1/e, except
-   that the number next to -1/e counts as -1/e and gives -1. */
+   taken as exact. The error is at most 1 ulp. Returns -infinity for x = 0, and NaN for x > 0 and for x < -1/e. The
+   number of the type next to -1/e counts as -1/e and gives -1. */
 VM_API vm_real vm_lambert_wm1(vm_real x)
 {
     vm_two ln;

@@ -38,18 +38,18 @@
                            plain data and may be a constant in flash; examples/print_plan prints one. On AVR copy it
                            from there to RAM, by memcpy_P, before it is used.
      ateb_phase            s from sa and ca, as atan2 computes an angle from its sine and cosine
-     ateb_mean             the mean of |sa|^p |ca|^q over a period (316); ateb_mean_nm: the same with two indices and
-                           signs
-     ateb_integral_...     integrals from 0 to s
+     ateb_mean             the mean of |sa|^p |ca|^q over a period (316); ateb_mean_nm takes two indices and the signs
+                           of sa and ca into account
+     ateb_integral_...     integrals of sa^2 and of |ca|^(alpha+1) from 0 to s
      ateb_saca_nm          sa(n, m, s) and ca(m, n, s) with any two indices
      ateb_beta...          beta function, incomplete beta function and its inverse
      ateb_ln_beta...       logarithms of the beta functions, where these overflow or underflow
 
    ERRORS
      alpha < 0, NaN and infinite arguments give NaN; so do probabilities outside [0, 1], parameters of beta functions
-     outside 1e-4 to 1e5 (but the parameters 0 and infinity give limits), and whatever else lies outside the domain
-     that the comment of a function gives. For a bad alpha ateb_plan_init returns -1 and leaves the plan as it was.
-     Nothing else can fail. The functions allocate no memory and keep no state; the value of errno means nothing.
+     outside 1e-4 to 1e5 (but the parameters 0 and infinity give limits), and all arguments outside the domain that the
+     comment of a function gives. For a bad alpha ateb_plan_init returns -1 and leaves the plan as it was. Nothing else
+     can fail. The functions allocate no memory and keep no state; errno says nothing about their errors.
 
    METHOD
      First s is reduced to the first quarter of the period, which needs Pi_alpha. Pi_alpha comes from a table of
@@ -62,17 +62,17 @@
      is wanted.
 
    MACROS, to be defined before the include
-     VM_USE_FLOAT         float instead of double; the tests run both
-     VM_API               linkage of every function, default static inline
+     VM_USE_FLOAT         all numbers are float instead of double; the tests run both
+     VM_API               linkage of every function; the default is static inline
      VM_INLINE            linkage of the functions that are fast only if they are inlined. If it is defined as VM_API,
                           the code is smaller and the results are the same.
      VM_SQRT, VM_FABS, VM_FLOOR, VM_COPYSIGN
                           the functions of the C library that are used; define all four or none.
                           These functions are exact, so that results are the same on every machine, unless the compiler
                           fuses products and sums.
-     VM_TABLE, VM_READ    storage of the tables, and how an element of one is read; define both or none. Default:
-                          static const and (x); on AVR static const PROGMEM and pgm_read_float(&(x)), so that tables
-                          take no RAM
+     VM_TABLE, VM_READ    storage of the tables, and how an element of one is read; define both or none. The defaults
+                          are static const and (x); on AVR they are static const PROGMEM and pgm_read_float(&(x)), so
+                          that tables take no RAM
      VM_ALLOW_FAST_MATH   lets the headers compile under -ffast-math or a part of it, but none of the bounds below holds
                           then
      VM_MIXED_PRECISIONS  allows a program in which some files define VM_USE_FLOAT and others do not. Without it gcc and
@@ -85,41 +85,42 @@
      the compiler's macros show such an option. But clang's macros show only -ffast-math and -ffinite-math-only, and no
      macro shows "#pragma float_control", another rounding mode, or that the processor treats subnormal numbers, the
      smallest of all, as zero. vm_self_check() returns 0 in these cases, and 1 where all is well; a program may call it
-     once when it starts. On x87 units gcc in its gnu modes (gcc -m32, no -std=c99) computes with excess precision. Then
-     the bounds below do not hold, and odd and even functions may lose their symmetry in the last bit. The options
-     -fexcess-precision=standard, or -msse2 -mfpmath=sse, prevent this.
+     once when it starts. On x87 units gcc in its gnu modes (gcc -m32, no -std=c99) computes with more digits than the
+     type has (excess precision). Then the bounds below do not hold, and odd and even functions may lose their symmetry
+     in the last bit. The options -fexcess-precision=standard, or -msse2 -mfpmath=sse, prevent this.
 
    ACCURACY: bounds of the error, which the tests check; docs/measurements.md has the errors found.
      eps, ulp               eps is 2.2e-16 (float 1.2e-7). An ulp is the distance between two neighbouring numbers of
-                            the type, next to the true value. The bounds hold for the inputs as they are, without errors
-                            of their own.
+                            the type, next to the true value. The bounds take the inputs as exact.
      sa, ca                 absolute error <= 4 eps for |s| <= 1e9 (float 1e4), relative error <= 8 ulp for
                             |s| <= 100 Pi_alpha, for alpha = 0 and alpha from 1e-300 to 1e30. Between their extremes sa
                             and ca only rise or only fall, apart from errors of 2 ulp. sa^2 + |ca|^(alpha+1) is 1 to
                             within 1.5 eps (2 sa^2 + (alpha+1) |ca|^(alpha+1)).
      the zeros              of sa and ca have a relative error <= 2^-125 (float 2^-58); for alpha above 5e8 (float 2e4)
                             and for plans, it is <= 2^-102 (float 2^-44). This error, times |s| and the slope of sa or
-                            ca, adds to the errors above. It matters only where s is within an ulp of a zero.
+                            ca, comes in addition to the errors above. It matters only where s is within an ulp of a
+                            zero.
      Pi_alpha               <= 1 ulp
      sa, ca by a plan       <= 2 ulp for |s| <= 100 Pi_alpha and alpha up to 1e6, or the absolute error that the plan
                             was made for
      phase                  <= 8 ulp plus the change of s that 6 ulp of sa and of ca make, where sa and ca come from
                             ateb_saca
-     beta, mean, Pi(n, m)   <= 1 ulp, 2 ulp and 1 ulp
-     beta_inc               <= 30 ulp of p and of q
-     beta_inc_inv           <= 16 ulp of x and of y plus the change that one ulp of the smaller of p and q makes
+     beta, mean, Pi(n, m)   <= 1 ulp, 2 ulp and 1 ulp, in this order
+     beta_inc               <= 30 ulp of p = I_x(a, b) and of q = 1 - p
+     beta_inc_inv           <= 16 ulp of x and of y = 1 - x, plus the change that one ulp of the smaller of p and q
+                            makes
      sa(n, m), ca(m, n)     <= 8 ulp plus the change that an error of 2^-102 |s| (float 2^-44 |s|) in s makes
      integrals              the integrals of sa^2 and |ca|^(alpha+1) add up to s within 3 eps (1 + |s|)
 
    COST
-     docs/cost.md has the times, docs/counts.md the instructions of each function. An ateb_plan has
-     560 [ateb_plan_bytes] bytes, in float 184 [ateb_plan_bytes_float]; the name in brackets is the row of
-     docs/numbers.md from which the number is. The largest stack frame is below 2 kB.
+     docs/cost.md has the time of each function, docs/counts.md the number of instructions of a call. An ateb_plan has
+     560 [ateb_plan_bytes] bytes, in float 184 [ateb_plan_bytes_float]; the name in brackets is that of the row of
+     docs/numbers.md with this number. The largest stack frame is below 2 kB.
 
    REFERENCES
      [1] L. Cveticanin, Dynamics of Mass Variable System, dissertation; numbers like (277) are its equations. Where [1]
-         has a misprint, the corrected equation is meant: (278) and (280) mix up the indices and have a wrong sign,
-         (279) lacks the bars of |u|.
+         has a misprint, this file uses the corrected equation: in [1], (278) and (280) mix up the indices and have a
+         wrong sign, and (279) lacks the bars of |u|.
      [2] R. M. Rosenberg, The Ateb(h)-functions and their properties, Q. Appl. Math. 21 (1963) 37-47.
      [3] DLMF, dlmf.nist.gov: 8.17 (incomplete beta functions), 15.7 (continued fractions), 15.8(iii) (quadratic
          transformations).

@@ -23,9 +23,9 @@
      rk4    the classical method of order 4 with fixed steps, for control loops, where every step must take the same
             time. In rk4_solve_compensated the rounding errors of millions of steps do not add up.
      rk45   Tsitouras' pair of orders 5 and 4 [1] chooses the size of its steps so that the error stays within a
-            tolerance. A step takes six evaluations of f; the solution inside a step takes none. Begin with this method.
-            It is also the best one in float, for an f that is not smooth, for loose tolerances, for many events and for
-            output at many times.
+            tolerance. A step takes six evaluations of f; the solution inside a step takes no further evaluation. Begin
+            with this method. It is also the best one in float, for an f that is not smooth, for loose tolerances, for
+            many events and for output at many times.
      rk87   Verner's pair of orders 8 and 7 [4]. A step takes 13 evaluations of f, and seven more if the caller asks for
             the solution inside the step. It is the fastest for a smooth f in double. Its rounding errors are larger
             than those of rk45: rtol is at least 256 eps (eps is 2.2e-16, in float 1.2e-7), which is too coarse for most
@@ -42,10 +42,11 @@
      made; the functions of rk45 refuse it, and those of rk87 refuse an rk45 that rk45_init made.
 
    STEP SIZE CONTROL
-     A step gives two results, one by each order of the pair. Their difference is the estimate of the error; the run
+     A step gives two results, one of each order of the pair. Their difference is the estimate of the error; the run
      goes on with the result of the higher order. A step is accepted when |error_i| <= atol + rtol max(|y_i|, |y_i after
-     the step|) for every component i. The size of the next step is chosen by PI control [2], from the errors of the
-     last two steps. It stays the same after an error of 0.25 to 0.75 of the tolerance (rk87: 0.1 to 0.75).
+     the step|) for every component i. The size of the next step is chosen by a proportional-integral (PI) control [2]
+     from the errors of the last two steps. The step size stays the same after an error of 0.25 to 0.75 of the tolerance
+     (rk87: 0.1 to 0.75).
      The tolerance is for each step; the error at the end of a run is larger, in proportion to the length of the run.
      A zero in rk45_options means the default, and a negative tolerance counts as 0. rk45_defaults() fills in the
      defaults.
@@ -89,8 +90,9 @@
      right in a step in which f jumps: the error at the end may be thousands of tolerances, so run again with a tighter
      tolerance and compare. If f consists of smooth branches, such as those of a sign or of |x|, store the present
      branch in ctx and change it at an ODE_RESTART event: the run then needs far fewer evaluations, and its error is
-     small again. For this, f must take the branch from ctx and must not choose it itself. docs/toronto.md has errors
-     and evaluations on the Toronto test set, whose class F has jumps.
+     small again. For this, f must take the branch from ctx and must not choose it itself. docs/toronto.md has the
+     errors and the numbers of evaluations of f for the Toronto test set of equations; the equations of its class F have
+     jumps.
 
    STATUS
      0 (ODE_OK) is success; positive numbers are information, negative ones errors; ode_strerror() gives the text. After
@@ -106,15 +108,15 @@
      state is in work.
 
    MACROS, to be defined before the include
-     VM_USE_FLOAT         float instead of double (tests run both)
-     VM_API               linkage of the functions, default static inline
+     VM_USE_FLOAT         all numbers are float instead of double (tests run both)
+     VM_API               linkage of the functions; the default is static inline
      VM_INLINE            linkage of the functions that are fast only if they are inlined. If it is defined as VM_API,
                           the code is smaller and the results are the same.
      VM_SQRT, VM_FABS     the functions of the C library that are used; define either all of VM_SQRT, VM_FABS, VM_FLOOR
                           and VM_COPYSIGN, or none of them
-     VM_TABLE, VM_READ    storage of the tables, and how an element of one is read; define both or none. Default: static
-                          const and (x); on AVR static const PROGMEM and pgm_read_float(&(x)), so that tables take no
-                          RAM
+     VM_TABLE, VM_READ    storage of the tables, and how an element of one is read; define both or none. The defaults
+                          are static const and (x); on AVR they are static const PROGMEM and pgm_read_float(&(x)), so
+                          that tables take no RAM
      VM_ALLOW_FAST_MATH   lets the headers compile under -ffast-math or a part of it, but the checks for NaN do not work
                           then
      VM_MIXED_PRECISIONS  allows a program in which some files define VM_USE_FLOAT and others do not. Without it gcc and

@@ -14,8 +14,8 @@
 
    CONVENTIONS
      The variable comes first, then the parameter; results come last. The parameter is m = k^2, not the modulus k:
-     jacobi_K(0.25) is K for k = 1/2. SciPy, Mathematica and GSL's elljac take m too; Boost, C++17 and GSL's Kcomp
-     take k. Any m <= 1 is allowed, negative ones included. The complementary parameter is m1 = 1 - m, the
+     jacobi_K(0.25) is K for k = 1/2. In SciPy, Mathematica and GSL's elljac the argument is m, too; in Boost, C++17 and
+     GSL's Kcomp it is k. Any m <= 1 is allowed, also a negative m. The complementary parameter is m1 = 1 - m, the
      complementary modulus k' = sqrt(m1). The functions with the suffix _m1 take or return m1. Use them where m is close
      to 1: m1 then has all its digits, while a computed difference 1 - m has only a few. sn and cn have the period 4
      K(m), dn has 2 K(m). All arguments are pure numbers.
@@ -37,22 +37,22 @@
                           used.
      jacobi_solve_kpK     m from the value of k'K(m); jacobi_solve_K returns m from the value of K(m)
      jacobi_cn_means      mean values of cn^2, cn^4 and cn^6 over a period
-     jacobi_agm_...       sn, cn, dn and K by the arithmetic-geometric mean; for sn, cn and dn the number of its steps
-                          is an argument
+     jacobi_agm_...       sn, cn, dn and K by the arithmetic-geometric mean; jacobi_agm_sncndn takes the number of its
+                          steps as an argument
 
    ERRORS
      These arguments give NaN: m > 1, or m1 < 0 in functions that take m1 = 1 - m (jacobi_sncndn_any and the incomplete
-     integrals allow them); c < 0 in the functions jacobi_solve_...; NaN and infinite numbers. The incomplete
-     integrals, jacobi_D, jacobi_Pi, the inverses and Carlson's integrals return the limit at an infinite argument, and
-     NaN where there is no limit. m = 1 gives the limits: K is infinite, E is 1, sn is tanh u, cn and dn are 1/cosh u,
-     for u = +-infinity too. A quotient at a pole is infinite. For a bad m jacobi_plan_init returns -1 and leaves the
-     plan as it was. Nothing else can fail. The functions allocate no memory and keep no state; the value of errno
-     means nothing.
+     integrals allow both); c < 0 in the functions jacobi_solve_...; NaN; infinite numbers, with these exceptions. The
+     incomplete integrals, jacobi_D, jacobi_Pi, the inverses and Carlson's integrals return the limit at an infinite
+     argument, and NaN where there is no limit. m = 1 gives the limits: K is infinite, E is 1, sn is tanh u, cn and dn
+     are 1/cosh u, for u = +-infinity too. A quotient such as sn/cn is infinite at its poles, where the denominator is
+     0. For a bad m jacobi_plan_init returns -1 and leaves the plan as it was. Nothing else can fail. The functions
+     allocate no memory and keep no state; errno says nothing about their errors.
 
    METHOD
      Where u^2 max(1, 1 - m) is small, (cn/sn)^2 at u/4 is computed by its power series (a Laurent series, since it
-     begins with 1/u^2). Then two duplications, which double the argument, lead from u/4 to u [1, 5]. This needs one
-     square root, but not K.
+     begins with 1/u^2). Then two duplications, which double the argument, lead from u/4 to u [1, 5]. This method needs
+     one square root, but not K.
      If |u| is above about K/2, a multiple of the quarter period K is first subtracted. The closer u is to a zero of sn
      or cn, the more digits of K are needed. K comes from a table, from two steps of the arithmetic-geometric mean and a
      series, or from this mean in two or three words. A word is one number of the type; a sum of two or three words has
@@ -61,22 +61,22 @@
      powers of the nome of 1 - m or of 1/(1 - m), where the nome of m is exp(-pi K(1 - m)/K(m)). This nome is then at
      most 0.003, so that few terms are enough.
      The incomplete integrals and the inverses use Carlson's duplication, which brings the arguments of an integral
-     closer together, and then a series of order 10. For the incomplete integrals a multiple of pi is first subtracted
-     from the angle. A plan has polynomials in u^2 in place of the Laurent series. No subtraction loses digits, not even
-     for m = 1.
+     closer together, and then a power series up to the terms of degree 10 (float 4). For the incomplete integrals a
+     multiple of pi is first subtracted from the angle. A plan has polynomials in u^2 instead of the Laurent series. No
+     subtraction loses digits, not even for m = 1.
 
    MACROS, to be defined before the include
-     VM_USE_FLOAT         float instead of double; the tests run both
-     VM_API               linkage of every function, default static inline
+     VM_USE_FLOAT         all numbers are float instead of double; the tests run both
+     VM_API               linkage of every function; the default is static inline
      VM_INLINE            linkage of the functions that are fast only if they are inlined. If it is defined as VM_API,
                           the code is smaller and the results are the same.
      VM_SQRT, VM_FABS, VM_FLOOR, VM_COPYSIGN
                           the functions of the C library that are used; define all four or none.
                           These functions are exact, so that results are the same on every machine, unless the compiler
                           fuses products and sums.
-     VM_TABLE, VM_READ    storage of the tables, and how an element of one is read; define both or none. Default:
-                          static const and (x); on AVR static const PROGMEM and pgm_read_float(&(x)), so that tables
-                          take no RAM
+     VM_TABLE, VM_READ    storage of the tables, and how an element of one is read; define both or none. The defaults
+                          are static const and (x); on AVR they are static const PROGMEM and pgm_read_float(&(x)), so
+                          that tables take no RAM
      VM_ALLOW_FAST_MATH   lets the headers compile under -ffast-math or a part of it, but none of the bounds below holds
                           then
      VM_MIXED_PRECISIONS  allows a program in which some files define VM_USE_FLOAT and others do not. Without it gcc and
@@ -89,30 +89,33 @@
      the compiler's macros show such an option. But clang's macros show only -ffast-math and -ffinite-math-only, and no
      macro shows "#pragma float_control", another rounding mode, or that the processor treats subnormal numbers, the
      smallest of all, as zero. vm_self_check() returns 0 in these cases, and 1 where all is well; a program may call it
-     once when it starts. On x87 units gcc in its gnu modes (gcc -m32, no -std=c99) computes with excess precision. Then
-     the bounds below do not hold, and odd and even functions may lose their symmetry in the last bit. The options
-     -fexcess-precision=standard, or -msse2 -mfpmath=sse, prevent this.
+     once when it starts. On x87 units gcc in its gnu modes (gcc -m32, no -std=c99) computes with more digits than the
+     type has (excess precision). Then the bounds below do not hold, and odd and even functions may lose their symmetry
+     in the last bit. The options -fexcess-precision=standard, or -msse2 -mfpmath=sse, prevent this.
 
    ACCURACY: bounds of the error, which the tests check; docs/measurements.md has the errors found.
      eps, ulp     eps is 2.2e-16 (float 1.2e-7). An ulp is the distance between two neighbouring numbers of the type,
-                  next to the true value. The bounds hold for the inputs as they are, without errors of their own.
+                  next to the true value. The bounds take the inputs as exact.
      sn, cn, dn   absolute error <= 4 eps max(1, k') for |u| <= 1e9 and |u| <= 2^40 K (float 1e4 and 2^17 K). Relative
                   error <= 9 ulp for |u| <= 100 K, at the zeros and next to them too (in float, except where u is
                   within a millionth of an ulp of a zero). A plan is as accurate. For |u| >= K/eps the digits of u do
                   not determine the phase: then sn = 0 and cn = dn = 1.
      K, E         <= 2 ulp
      k'K          <= 5 ulp
-     means        <= 8 ulp
-     quotients    <= 8 ulp; the amplitude has the same bound
-     F, E, D, Pi  <= 8 ulp for |phi| <= 1e9 (float 1e4) and n <= 1; jacobi_Pi_incomplete has the bound for n > 1
-     inverses of sn, cn and dn, Carlson's integrals   <= 8 ulp; R_G <= 10 ulp; jacobi_RJ has the bound of R_J
+     means        <= 8 ulp, for the means of cn^2, cn^4 and cn^6
+     quotients    <= 8 ulp, for sn/cn and the other quotients; the amplitude has the same bound
+     F, E, D, Pi  <= 8 ulp for |phi| <= 1e9 (float 1e4) and n <= 1; the comment of jacobi_Pi_incomplete has the bound
+                  for n > 1
+     inverses of sn, cn and dn, Carlson's integrals   <= 8 ulp; R_G <= 10 ulp; the comment of jacobi_RJ has the bound of
+                  R_J
      m > 1        the bounds of sn, cn, dn hold with k u in place of u (see jacobi_sncndn_any)
-     solvers      <= 4 ulp of m and of m1, plus the change of m or m1 that one ulp of c makes
+     solvers      <= 4 ulp of m and of m1, plus the change of m or m1 that one ulp of the argument c of
+                  jacobi_solve_... makes
 
    COST
-     docs/cost.md has the times, docs/counts.md the instructions of each function. A jacobi_plan has
-     312 [jacobi_plan_bytes] bytes, in float 116 [jacobi_plan_bytes_float]; the name in brackets is the row of
-     docs/numbers.md from which the number is. The largest stack frame is about 1 kB.
+     docs/cost.md has the time of each function, docs/counts.md the number of instructions of a call. A jacobi_plan has
+     312 [jacobi_plan_bytes] bytes, in float 116 [jacobi_plan_bytes_float]; the name in brackets is that of the row of
+     docs/numbers.md with this number. The largest stack frame is about 1 kB.
 
    REFERENCES
      [1] DLMF, chapters 19, 20 and 22, dlmf.nist.gov: 19.8 (AGM), 20.2, 20.7, 22.2 (theta functions), 22.20.

@@ -32,8 +32,8 @@
      scenes/        lists of bodies, of effects that act on them, and of events that change them; a scene simulates
                     only what is listed
    Each chapter begins with a comment that says what it is for and shows a call; the index below names all functions.
-   Numbers in round brackets are the equations of [1]. Where [1] is misprinted or wrong, the corrected form stands
-   here and the comment says so; docs/errata.md lists all of them.
+   Numbers in round brackets are those of equations of [1]. Where an equation of [1] is misprinted or wrong, the
+   corrected form stands here and the comment says so; docs/errata.md lists all these equations.
 
    CONVENTIONS
      Units        SI units; angles are in radians.
@@ -61,11 +61,11 @@
      their domain and for infinite arguments. An output may be the same variable as an input.
 
    MACROS, to be defined before the include
-     VM_USE_FLOAT         float instead of double (tests run both)
-     VM_API               linkage of the functions, default static inline
-     VM_TABLE, VM_READ    storage of the tables, and how an element of one is read; define both or none. Default:
-                          static const and (x); on AVR static const PROGMEM and pgm_read_float(&(x)), so that tables
-                          take no RAM
+     VM_USE_FLOAT         all numbers are float instead of double (tests run both)
+     VM_API               linkage of the functions; the default is static inline
+     VM_TABLE, VM_READ    storage of the tables, and how an element of one is read; define both or none. The defaults
+                          are static const and (x); on AVR they are static const PROGMEM and pgm_read_float(&(x)), so
+                          that tables take no RAM
      VM_SQRT, VM_FABS ... the functions of the C library that are used (define all of them or none)
      VM_ALLOW_FAST_MATH   lets the headers compile under -ffast-math or a part of it, but no result is promised to be
                           right then
@@ -86,19 +86,21 @@
                   next to the true value.
      Jumps        conserve momentum with an error of at most 3 eps times the sum of all M |v|. They conserve angular
                   momentum about any point with an error of at most 6 eps times the sum of all tr(I) |omega| + M (|r| +
-                  |r - point|) |v|, where tr(I) is the sum of the diagonal of I. If a part goes on moving as it did on
+                  |r - point|) |v|. M, v, r, omega and I are mass, velocity, position, angular velocity and inertia
+                  tensor of a body, and tr(I) is the sum of the diagonal of I. If a part goes on moving as it did on
                   the body, omega of the rest does not change.
      Rotation     of a torque-free body: after 1e6 turns the attitude is right within 8 eps (rad) and omega within
                   5 eps, if the inputs are taken as exact.
-     Streams      closed forms are right within a few eps. A body together with all mass that has left it keeps
-                  momentum, angular momentum and energy to the integrator's tolerance.
+     Streams      the solutions in closed form are right within a few eps. A body together with all mass that has left
+                  it keeps momentum, angular momentum and energy to the integrator's tolerance.
      Lambert's W  has an error of at most 1 ulp, the drum on a rigid shaft one of at most 4 ulp.
-     Oscillators  every route (method of solution) returns an estimate of its whole error in the field error, or
+     Oscillators  every route (method of solution) returns an estimate of its whole error in the field `error`, or
                   infinity where no estimate is possible.
 
    COST
-     docs/cost.md has the times of oscillators, free rotation, streams and scenes, docs/counts.md the instructions of a
-     call, docs/firmware.md the flash, stack and instructions on microcontrollers, docs/parts.md the flash of a chapter.
+     docs/cost.md has the times of oscillators, free rotation, streams and scenes, docs/counts.md the number of
+     instructions of a call. docs/firmware.md has the flash memory, the stack and the number of instructions of a call
+     on microcontrollers, docs/parts.md the flash memory that a chapter takes.
      The time of a call is bounded, with two exceptions. A function that takes n objects or a list needs a time in
      proportion to their number. A function that integrates (routes of oscillators, scenes) needs a time in proportion
      to the length of the run; its comment says so.

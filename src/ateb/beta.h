@@ -5,8 +5,9 @@
 
        vm_real p = ateb_beta_inc(VM_C(0.3), VM_C(0.5), 2); // I_0.3(0.5, 2)
 
-   In this file p = I_x(a, b), q = 1 - p and y = 1 - x. The functions with the suffix _both also take and return y and
-   q. Where x or p is close to 1, y and q have all their digits, while computed differences 1 - x and 1 - p would not.
+   In this file p stands for I_x(a, b), q for 1 - p, and y for 1 - x. The functions with the suffix _both also take and
+   return y and q. Where x or p is close to 1, y and q have all their digits, while computed differences 1 - x and 1 - p
+   would not.
 
    Method: the functions are computed from logarithms in two words. Let i be 0 for a >= 6 and 6 for a < 6, so that
    A = a + i is at least 6. In the same way j, which is 0 or 6, makes B = b + j, and k makes S = a + b + k at least 6.
@@ -126,8 +127,9 @@ VM_API vm_real ateb_beta(vm_real a, vm_real b)
 }
 
 /* The logarithm of the complete beta function, ln B(a, b), for a and b from 1e-30 to 1e30.
-   B(a, b) itself may overflow or underflow. The error is at most 1 ulp plus 2^-57 (float 2^-28), which matters where B
-   is close to 1. Limits are the logarithms of those of ateb_beta. Returns NaN for other a or b. */
+   B(a, b) itself may overflow or underflow. The error is at most 1 ulp plus 2^-57 (float 2^-28), which is important
+   where B is close to 1 and ln B close to 0. If a or b is 0 or infinite, the result is the logarithm of the limit that
+   ateb_beta returns. Returns NaN for other a or b. */
 VM_API vm_real ateb_ln_beta(vm_real a, vm_real b)
 {
     const vm_real least = VM_C(1e-30), largest = VM_C(1e30);
@@ -138,7 +140,8 @@ VM_API vm_real ateb_ln_beta(vm_real a, vm_real b)
     return vmi_beta_ln(vmi_two(a, 0), vmi_two(b, 0)).hi;
 }
 
-/* What the gamma function of z > 0 needs: Z = z + i, where i is 6 for z < 6 and 0 for other z, and factor and delta:
+/* The numbers from which the gamma function of z > 0 is computed: Z = z + i, where i is 6 for z < 6 and 0 for other z,
+   and factor and delta:
      Gamma(z) = sqrt(2 pi) Z^(z - 1/2) e^(delta - z)/factor, factor = (z)_i e^i/Z^i, delta = vmi_beta_stirling(1/Z) */
 typedef struct VM_TAG(vmi_beta_gamma) {
     vm_two Z;
@@ -166,8 +169,9 @@ VM_INLINE vmi_beta_gamma vmi_beta_gamma_of(vm_two z)
     return g;
 }
 
-/* Returns ln(x S/A) in two words. First the logarithm of t, the rounded quotient, is computed; then `lost`, what the
-   rounding has lost, corrects it. Both can be computed at once. */
+/* Returns ln(x S/A) in two words. First the logarithm of t, the rounded quotient, is computed; then `lost`, the
+   difference that this rounding causes, corrects it. The processor can compute the logarithm and `lost` at the same
+   time. */
 VM_INLINE vm_two vmi_beta_ln_quotient(vm_two x, vm_two S, const vmi_beta_gamma *A)
 {
     const vm_real t = (x.hi * S.hi) * A->by_Z;
@@ -225,8 +229,9 @@ VM_INLINE void vmi_beta_level(const vmi_beta_levels *l, vm_real n, vm_real befor
     *D = ((an * share) * ((an + l->b) * share)) * (next * (l->b - next));
 }
 
-/* Returns 1/f_0 from the levels 0 ... count. The fraction is evaluated from level `count` down to level 0, beginning
-   with a rough value of f_(count+1): an error of f_(n+1) hardly changes f_n. */
+/* Returns 1/f_0, where f_0 is the continued fraction of vmi_beta_levels with the levels 0 ... count. The fraction is
+   evaluated from level `count` down to level 0, beginning with a rough value of f_(count+1): an error of f_(n+1) hardly
+   changes f_n. */
 VM_API vm_real vmi_beta_backward(const vmi_beta_levels *l, int count)
 {
     vm_real f = (l->a + (vm_real)count) / 2, before, after = 1 / (l->a + 2 * (vm_real)count + 1), C, D;
@@ -241,7 +246,7 @@ VM_API vm_real vmi_beta_backward(const vmi_beta_levels *l, int count)
     return 1 / f;
 }
 
-/* The tolerance of vmi_beta_fraction that gives all digits */
+/* The tolerance for which vmi_beta_fraction returns all digits */
 #define VMI_BETA_FULL (2 * VM_EPSILON)
 
 /* A tolerance below VMI_BETA_FULL, for which vmi_beta_fraction always evaluates the fraction from its last level */
@@ -253,7 +258,7 @@ VM_API vm_real vmi_beta_backward(const vmi_beta_levels *l, int count)
    evaluated once more, from its last level. */
 VM_API vm_real vmi_beta_fraction(vm_real x, vm_real y, vm_real a, vm_real b, vm_real tolerance)
 {
-    enum { MOST = 20000, SAFE = 20 }; /* MOST stops the loop for a NaN; some 250 levels are enough otherwise */
+    enum { MOST = 20000, SAFE = 20 }; /* MOST stops the loop for a NaN; otherwise about 250 levels are enough */
     const vmi_beta_levels l = vmi_beta_levels_of(x, y, a, b);
     vm_real P0 = 1, Q0 = 0, P1, Q1 = 1, P2, Q2, C, D, D_next, last, ratio = 0, before, after = 1 / (a + 1);
     int levels = 0;
@@ -297,8 +302,8 @@ VM_API vm_real vmi_beta_series(vm_real x, vm_real a, vm_real b)
     return a * sum;
 }
 
-/* Returns ln(1 - e^l) for l < 0, where e^l = 2^k (1 + p). If k = 0, the number 1 - e^l is -p, so that no digits are
-   lost. */
+/* Returns ln(1 - e^l) for l < 0, where e^l = 2^k (1 + p) with an integer k. If k = 0, the number 1 - e^l is -p, so that
+   no digits are lost. */
 VM_API vm_two vmi_ln_one_minus_exp(vm_two l)
 {
     vm_two rest = {0, 0};
@@ -327,7 +332,7 @@ typedef struct VM_TAG(vmi_beta_point) {
     vm_two ln_x, ln_y;
 } vmi_beta_point;
 
-/* The point with x and y exchanged */
+/* Returns the point with x and y exchanged. */
 VM_API vmi_beta_point vmi_beta_mirrored(vmi_beta_point at)
 {
     vmi_beta_point mirrored;
@@ -351,9 +356,9 @@ VM_API vm_two vmi_beta_ln_tail(vmi_beta_point at, vm_real a, vm_real b, vm_two l
     return vmi_two_plus(ln_density, f);
 }
 
-/* Computes *ln_p = ln I_x(a, b) and *ln_q = ln I_y(b, a), where y = 1 - x, from ln_density = ln(x^a y^b/B(a, b)). One
-   of them is computed directly: the one that belongs to the shorter tail of the beta distribution. The other one
-   follows from p + q = 1. */
+/* Computes *ln_p = ln I_x(a, b) and *ln_q = ln I_y(b, a), where y = 1 - x, from ln_density = ln(x^a y^b/B(a, b)). For
+   x <= (a + 1)/(a + b + 2) *ln_p is computed directly, for a larger x *ln_q is. The other logarithm follows from
+   p + q = 1. */
 VM_API void vmi_beta_tails(const vmi_beta_point *at, vm_real a, vm_real b, vm_two ln_density, vm_two *ln_p,
                            vm_two *ln_q)
 {
@@ -399,7 +404,7 @@ VM_API int vmi_beta_limit_side(vm_real a, vm_real b)
    ulp each. a and b may also lie between 1e-4 and 1e5, where the function is less accurate and slower. If a or b is 0
    or infinite, p is the limit: 1 for x > 0 if all of the distribution moves to x = 0, and 0 for x < 1 if it moves to
    x = 1. The results are NaN for other a or b, if there is no limit, if x or y is negative, and if x + y is not 1.
-   docs/cost.md has the time. DLMF 8.17, equation (273). */
+   docs/cost.md has the time of a call. DLMF 8.17, equation (273). */
 VM_API void ateb_beta_inc_both(vm_real x, vm_real y, vm_real a, vm_real b, vm_real *p, vm_real *q)
 {
     const vm_real longest = VM_C(0.6); /* 1 minus a larger tail would lose digits; then logarithms are used */
@@ -493,8 +498,8 @@ typedef struct VM_TAG(vmi_beta_slope) {
     vm_real value, slope, bend;
 } vmi_beta_slope;
 
-/* Returns ln I_x(a, b) and its derivatives at t = ln(x/y) with an error of about 1e-8 (float 1e-4). ln_B is ln B(a,
-   b). */
+/* Returns ln I_x(a, b) and its derivatives with respect to t, at t = ln(x/y), with an error of about 1e-8 (float 1e-4).
+   ln_B is ln B(a, b). */
 VM_API vmi_beta_slope vmi_beta_rough(vm_real t, vm_real a, vm_real b, vm_real ln_B)
 {
     const vm_real tolerance = VM_MANT_DIG > 24 ? VM_C(1e-8) : VM_C(1e-4), least_ln = VM_C(-0.69) * VMI_BIAS;
@@ -529,7 +534,7 @@ VM_API vm_real vmi_beta_step(vm_real rest, vm_real slope, vm_real bend)
 }
 
 /* Returns a value of t = ln(x/y) from which the solution of I_x(a, b) = p is sought, for p <= 1/2. It is the t where
-   the asymptote of ln I_x for t to -infinity equals ln p, which lies left of the solution. For a, b > 1 the
+   the asymptote of ln I_x for t to -infinity equals ln p; this t is smaller than the solution. For a, b > 1 the
    approximation by a normal distribution is returned instead, if it is larger (Abramowitz and Stegun 26.5.22, with the
    quantile by 26.2.23). */
 VM_API vm_real vmi_beta_start(vm_real ln_p, vm_real a, vm_real b, vm_real ln_B)
@@ -603,7 +608,7 @@ VM_API vmi_beta_point vmi_beta_invert_both(vm_real p, vm_real q, vm_real a, vm_r
    makes. a and b may also lie between 1e-4 and 1e5, where the function is less accurate and slower. If a or b is 0 or
    infinite, x is the limit: 0 for p < 1 if all of the distribution moves to x = 0, and 1 for p > 0 if it moves to
    x = 1. The results are NaN for other a or b, if there is no limit, if p or q is negative, and if p + q is not 1.
-   docs/cost.md has the time. */
+   docs/cost.md has the time of a call. */
 VM_API void ateb_beta_inc_inv_both(vm_real p, vm_real q, vm_real a, vm_real b, vm_real *x, vm_real *y,
                                    vm_real *ln_x)
 {
@@ -646,8 +651,8 @@ enum { ATEB_SIGN_OF_SA = 1, ATEB_SIGN_OF_CA = 2 };
    The indices n and m of sa and ca lie between 0 and 1e30. The powers p and q are above -1 and at most 1e6. signs is 0,
    ATEB_SIGN_OF_SA, ATEB_SIGN_OF_CA or their sum. A power with the sign of its base, such as sa^3, is odd, so that the
    mean is 0. For example, the mean of sa^2 ca^3 is ateb_mean_nm(n, m, 2, 3, ATEB_SIGN_OF_CA). The mean without signs is
-   B((p+1)/(n+1), (q+1)/(m+1))/B(1/(n+1), 1/(m+1)), with an error of at most 2 ulp. Returns NaN for other numbers.
-   Equation (316). */
+   B((p+1)/(n+1), (q+1)/(m+1))/B(1/(n+1), 1/(m+1)), with an error of at most 2 ulp. Returns NaN for an argument outside
+   these limits. Equation (316). */
 VM_API vm_real ateb_mean_nm(vm_real n, vm_real m, vm_real p, vm_real q, int signs)
 {
     const vm_real largest_index = VM_C(1e30), largest_power = VM_C(1e6);

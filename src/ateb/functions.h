@@ -22,7 +22,7 @@
 #include "powers.h"
 
 /* The position of s in the period. s is `quarter` quarters of the period plus rest, where whole periods (4 quarters)
-   are left out. r and d are the distances of s from the nearest zeros of sa and ca. */
+   are not counted. r and d are the distances of s from the nearest zeros of sa and ca. */
 typedef struct VM_TAG(vmi_ateb_place) {
     vm_real rest, r, d;
     int quarter;
@@ -57,8 +57,8 @@ VM_API vm_real vmi_choose(vm_real weight, vm_real a, vm_real b) { return weight 
 /* Returns the position of s >= 0 in the period, by the quickest of three ways.
      1. An s <= (alpha + 1)/2 lies in the first quarter. Then r = s, which is known without Pi_alpha.
      2. For s <= 128 (alpha + 1), c->quarter is accurate enough, unless s is close to a zero of sa or ca. Its high
-        word is multiplied in two halves, whose products with the number of quarters are exact. This number comes
-        from the high word of c->quarter alone, so that the rest may be a little longer than half a quarter.
+        word is multiplied in two halves, whose products with the number of quarters are exact. The number of quarters
+        is computed from the high word of c->quarter alone, so that the rest may be a little longer than half a quarter.
      3. Any other s is reduced by vmi_ateb_reduce_finely. */
 VM_INLINE vmi_ateb_place vmi_ateb_locate(vm_real s, vmi_ateb *c)
 {
@@ -91,8 +91,8 @@ VM_INLINE vmi_ateb_place vmi_ateb_locate(vm_real s, vmi_ateb *c)
     return at;
 }
 
-/* Sets the signs of sa and ca to those at s. On entry both hold the values of the first quarter. |s| is `quarter`
-   quarters plus rest. The function works on the bits of the signs, without a branch. */
+/* Sets the signs of sa and ca to those at s. Before the call, *sa and *ca are the values in the first quarter. |s| is
+   `quarter` quarters plus rest. The function works on the bits of the signs, without a branch. */
 VM_INLINE void vmi_ateb_signs(vm_real s, vm_real rest, vmi_bits quarter, vm_real *sa, vm_real *ca)
 {
     const int last = 8 * (int)sizeof(vm_real) - 1;
@@ -105,8 +105,8 @@ VM_INLINE void vmi_ateb_signs(vm_real s, vm_real rest, vmi_bits quarter, vm_real
 /* sa(1, alpha, s) and ca(alpha, 1, s), the Ateb sine and cosine. s is any real number and alpha >= 0; both are pure
    numbers. |sa| <= 1 and |ca| <= 1. sa is odd in s and ca is even, to the last bit. The errors are at most 4 VM_EPSILON
    for |s| <= 1e9 (float 1e4), and at most 8 ulp for |s| <= 100 Pi_alpha, also next to the zeros of sa and ca. The
-   results are NaN for alpha < 0 and for NaN and infinite arguments. docs/cost.md has the time. Equations (275),
-   (276). */
+   results are NaN for alpha < 0 and for NaN and infinite arguments. docs/cost.md has the time of a call. Equations
+   (275), (276). */
 VM_API void ateb_saca(vm_real s, vm_real alpha, vm_real *sa, vm_real *ca)
 {
     vmi_ateb c;

@@ -3,7 +3,8 @@
    This file has functions for two integrals from 0 to s,
      integral of sa^2 = (s - sa ca) (alpha+1)/(alpha+3),
      integral of |ca|^(alpha+1) = s - integral of sa^2.
-   Two others have a closed form: the integral of sa is (1 - ca) (alpha+1)/2, and that of ca |ca|^(alpha-1) is sa.
+   Two other integrals are so simple that no function is needed: the integral of sa is (1 - ca) (alpha+1)/2, and that of
+   ca |ca|^(alpha-1) is sa.
 
        vm_real work = ateb_integral_sa2(VM_C(0.7), VM_C(1.5));
 

@@ -6,8 +6,8 @@
      w, x    v^2 and 1 - w = u^(alpha+1)
      y, X    2 q d and y^(alpha+1)
      p       (1 - v)/2
-   They satisfy two equations. The second one follows from the quadratic transformation of 2F1(1/2, q; 1 + q; x), DLMF
-   15.8(iii), and defines T:
+   These numbers satisfy two equations. The second one follows from the quadratic transformation of
+   2F1(1/2, q; 1 + q; x) (DLMF 15.8(iii)) and defines T:
      r = B_w(1/2, q)/2 = v u 2F1(1, q + 1/2; 3/2; w),
      2 q d = q B_x(q, 1/2) = u (1 + q T), where 1 + q T = 2F1(1, 2q; 1 + q; p).
 
@@ -41,7 +41,7 @@ enum { VMI_ATEB_W_LEVELS = VM_MANT_DIG > 24 ? 12 : 6, VMI_ATEB_P_LEVELS = VM_MAN
 
 /* Computes Y_1 = P/Q of Gauss's continued fraction (see above) without a division. Y is the value of Y_(levels+1).
    Element j of e_by_z is e_(j+1)/z, beginning with e_1/z. These elements do not depend on z, so that the processor
-   computes them while it waits for z. */
+   can compute them while it waits for z. */
 VM_INLINE void vmi_ateb_fraction(const vm_real *e_by_z, vm_real z, int levels, vm_real Y, vm_real *P, vm_real *Q)
 {
     int j;
@@ -98,10 +98,10 @@ VM_API vm_real vmi_ateb_power_rest(vm_real t, vm_real q)
     return -l - l * z * vmi_ateb_exp_series(z);
 }
 
-/* sa and ca at the distance r from the zero of sa, for 0 <= r <= VMI_ATEB_CHANGE_OVER. q is 1/(alpha + 1). `guess` is
-   the power series of sa up to r^9, which is right to 1e-5; its coefficients are polynomials in k = 1 - q. v is the
-   guess shortened to half of its digits, so that w = v^2 is exact. u is the ca that belongs to sa = v, and h is r minus
-   the r that belongs to v. A Taylor series in e = h/u gives sa and ca. */
+/* Computes sa and ca at the distance r from the zero of sa, for 0 <= r <= VMI_ATEB_CHANGE_OVER. q is 1/(alpha + 1).
+   `guess` is the power series of sa up to r^9, which is right to 1e-5; its coefficients are polynomials in k = 1 - q. v
+   is the guess shortened to half of its digits, so that w = v^2 is exact. u is the ca that belongs to sa = v, and h is
+   r minus the r that belongs to v. A Taylor series in e = h/u gives sa and ca. */
 VM_API void vmi_ateb_near_sa_zero(vm_real r, vm_real q, vm_real *sa, vm_real *ca)
 {
     const vm_real k = 1 - q, rr = r * r, b = q + VM_C(0.5);
@@ -144,7 +144,7 @@ VM_INLINE vm_two vmi_ateb_twice_q_times(vm_two twice_q, vm_real d, vm_real d_lo)
 {
     const vm_real q = twice_q.hi, q_head = vmi_head(q), d_head = vmi_head(d);
     vm_two y;
-    y.hi = q * d + 0; /* "+ 0": see vmi_two_product */
+    y.hi = q * d + 0; /* "+ 0" keeps the compiler from fusing (vmi_two_product) */
     y.lo = (q_head * d_head - y.hi) + (q_head * (d - d_head) + (q - q_head) * d) + (twice_q.lo * d + q * d_lo);
     return y;
 }
@@ -184,8 +184,8 @@ VM_INLINE vm_real vmi_ateb_guess_p(vm_real q, vm_real X4)
            (X4 + (X4 * X4) * (X4 * X4) * (q * k * (lack0 + X4 * lack1)));
 }
 
-/* sa and ca at the distances r >= VMI_ATEB_CHANGE_OVER from the zero of sa and d from the zero of ca. The numbers
-   q = 1/(alpha + 1), y = 2 q d and X = y^(alpha+1) are known. The unknown is p = (1 - sa)/2. From p follow
+/* Computes sa and ca at the distances r >= VMI_ATEB_CHANGE_OVER from the zero of sa and d from the zero of ca. The
+   numbers q = 1/(alpha + 1), y = 2 q d and X = y^(alpha+1) are known. The unknown is p = (1 - sa)/2. From p follow
      v = sa = 1 - 2 p,   x = 1 - v^2 = 4 p (1 - p),   u = ca = x^q,   E = 2F1(1, 2q; 1 + q; p).
    They satisfy y = u E, so that p is the solution of ln X = ln x + (alpha + 1) ln E. The derivatives with respect to ln
    X are

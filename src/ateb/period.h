@@ -75,8 +75,8 @@ VM_API vm_real vmi_ateb_coefficient(int which_word, int i)
 /* The degree of the polynomial of vmi_ateb_coefficient */
 enum { VMI_ATEB_DEGREE = VM_MANT_DIG > 24 ? 33 : 17 };
 
-/* The polynomial of vmi_ateb_coefficient in two words. From index TWO_WORDS on the coefficients are so small that one
-   word is enough. Each coefficient exceeds the sum of the terms after it, so that the faster sum by Dekker
+/* Returns the polynomial of vmi_ateb_coefficient in two words. From index TWO_WORDS on the coefficients are so small
+   that one word is enough. Each coefficient exceeds the sum of the terms after it, so that the faster sum by Dekker
    (vmi_fast_two_sum) is enough for the high words. */
 VM_API vm_two vmi_ateb_polynomial(vm_two t)
 {
@@ -378,8 +378,8 @@ VM_INLINE vm_two vmi_ateb_g(vm_two q)
     return g;
 }
 
-/* The numbers that sa, ca and Pi_alpha need for one alpha. Each low word is below an ulp of its high word, unless the
-   comment of the function that sets it says otherwise. */
+/* The numbers from which sa, ca and Pi_alpha are computed for one alpha. Each low word is below an ulp of its high
+   word, unless the comment of the function that sets it says otherwise. */
 typedef struct VM_TAG(vmi_ateb) {
     vm_two n;       /* alpha + 1 */
     vm_two q;       /* 1/(alpha + 1) */
@@ -402,9 +402,9 @@ VM_INLINE void vmi_ateb_index_constants(vmi_ateb *c, vm_real alpha)
     c->q.lo = (((1 - n_head * q_head) - n_tail * q_head) - c->n.hi * (c->q.hi - q_head)) * c->q.hi;
 }
 
-/* Sets the fields g and quarter, whose low words may be as large as 2^-13. Where an argument is reduced, the absolute
-   error of Pi_alpha matters. It is small for a large alpha too, since Pi_alpha is computed as the sum of n = alpha + 1
-   and g. */
+/* Sets the fields g and quarter, whose low words may be as large as 2^-13. Where an argument is reduced by multiples of
+   Pi_alpha/2, the absolute error of Pi_alpha is important. It is small for a large alpha too, since Pi_alpha is
+   computed as the sum of n = alpha + 1 and g. */
 VM_INLINE void vmi_ateb_period_constants(vmi_ateb *c)
 {
     c->g = vmi_ateb_g(c->q);
@@ -413,7 +413,7 @@ VM_INLINE void vmi_ateb_period_constants(vmi_ateb *c)
     c->quarter = vmi_half(c->quarter);
 }
 
-/* Sets all of n, q, g and quarter, each low word below an ulp of its high word */
+/* Sets the fields n, q, g and quarter. Each low word is below an ulp of its high word. */
 VM_API void vmi_ateb_constants(vmi_ateb *c, vm_real alpha)
 {
     vmi_ateb_index_constants(c, alpha);
@@ -424,7 +424,7 @@ VM_API void vmi_ateb_constants(vmi_ateb *c, vm_real alpha)
 
 /* Pi_alpha, half the period of sa and ca, for alpha >= 0. Pi_alpha = B(1/(alpha + 1), 1/2) is a pure number: 2 for
    alpha = 0, pi for alpha = 1, and close to alpha + 1 + 2 ln 2 for a large alpha. The error is at most 1 ulp. Returns
-   NaN for alpha < 0, NaN and infinite alpha. docs/cost.md has the time. Equation (277). */
+   NaN for alpha < 0, NaN and infinite alpha. docs/cost.md has the time of a call. Equation (277). */
 VM_API vm_real ateb_pi(vm_real alpha)
 {
     vmi_ateb c;
@@ -477,8 +477,8 @@ VM_API vmi_three vmi_ateb_quarter_in_words(const vmi_ateb *c)
 /* A function that sets all constants of one alpha: vmi_ateb_constants, or vmi_ateb_fine_constants */
 typedef void (*vmi_ateb_constants_of)(vmi_ateb *c, vm_real alpha);
 
-/* Sets all of n, q, g and quarter, as vmi_ateb_constants does, but without the table of g: the code is shorter and the
-   results are more accurate, but the function takes longer. */
+/* Sets the fields n, q, g and quarter, as vmi_ateb_constants does, but without the table of g: the code is shorter and
+   the results are more accurate, but the function takes longer. */
 VM_API void vmi_ateb_fine_constants(vmi_ateb *c, vm_real alpha)
 {
     vmi_ateb_index_constants(c, alpha);

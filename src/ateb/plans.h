@@ -15,9 +15,9 @@
    for larger r, with two other polynomials,
      ca = 2 q d (1 + tau A(tau)) and sa = 1 + tau C(tau), where tau is X = (2 q d)^(alpha+1) up to a factor.
    The polynomials are Taylor series from (275), economised: the last terms are removed by Chebyshev polynomials. For
-   alpha = 0, 1/2, 1, ..., 7 tau = d d^alpha is computed by products and a square root; for any other alpha tau = X is
-   an exponential. Source: Lanczos, Applied Analysis (1956). Tests: tests/test_ateb.c, tests/test_plans.sh. Example:
-   examples/print_plan.c. */
+   alpha = 0, 1/2, 1, ..., 7, tau is d d^alpha and is computed by products and a square root; for any other alpha, tau
+   is X and is computed by an exponential. Source: Lanczos, Applied Analysis (1956). Tests: tests/test_ateb.c,
+   tests/test_plans.sh. Example: examples/print_plan.c. */
 #ifndef VARMASS_ATEB_PLANS_H
 #define VARMASS_ATEB_PLANS_H
 
@@ -47,15 +47,16 @@ typedef struct VM_TAG(vmi_ateb_part) {
     vm_real odd[ATEB_PLAN_LENGTH], even[ATEB_PLAN_LENGTH];
 } vmi_ateb_part;
 
-/* What sa and ca need for one alpha. ateb_plan_init fills it. All fields are pure numbers. */
+/* The numbers from which sa and ca are computed for one alpha. ateb_plan_init writes them. All fields are pure
+   numbers. */
 typedef struct VM_TAG(ateb_plan) {
     vm_two quarter;           /* Pi_alpha/2 */
 #if VM_MANT_DIG > 24
-    vm_real quarter_low; /* Pi_alpha/2 minus its two words in `quarter`; not in float, where plans are short */
+    vm_real quarter_low; /* Pi_alpha/2 minus its two words in `quarter`; a float plan lacks this field */
 #endif
     vm_real quarter_parts[3]; /* three numbers with the sum `quarter`; the first two have at most half of the digits */
     vm_real per_quarter;      /* 2/Pi_alpha */
-    vm_real longest;          /* for |s| < longest the first two parts times a number of quarters are exact */
+    vm_real longest;          /* for |s| < longest, the first two parts times the number of quarters are exact */
     vm_real change_over;      /* part[0] is used up to this distance r from a zero of sa */
     vm_real n, g;             /* alpha + 1 and Pi_alpha - (alpha + 1) */
     vm_two twice_q;           /* 2/(alpha + 1) */
@@ -86,7 +87,7 @@ VM_INLINE vm_two vmi_ateb_twice_q_d(const ateb_plan *p, vm_real d, vm_real d_lo)
 
 /* Returns X = (2 q d)^(alpha+1), where q = 1/(alpha+1). r and d + d_lo are the distances of s from the zeros of sa and
    ca; 2 q d is computed from the shorter one (vmi_ateb_base_of) and is written to *y. Where X would be subnormal, the
-   result is about the least normal number instead. */
+   result is about the smallest normal number instead. */
 VM_INLINE vm_real vmi_ateb_exponential(const ateb_plan *p, vm_real r, vm_real d, vm_real d_lo, vm_two *y)
 {
     const vmi_ateb_base base = vmi_ateb_base_of(p->twice_q, r, 2 * r - p->g, d, d_lo);
@@ -97,15 +98,15 @@ VM_INLINE vm_real vmi_ateb_exponential(const ateb_plan *p, vm_real r, vm_real d,
     return vmi_ateb_exp2(whole, rest);
 }
 
-/* The polynomial c[0] + c[1] x + c[2] x^2 + c[3] x^3, where xx = x^2 */
+/* Returns the polynomial c[0] + c[1] x + c[2] x^2 + c[3] x^3, where xx = x^2. */
 VM_INLINE vm_real vmi_ateb_four_terms(const vm_real *c, vm_real x, vm_real xx)
 {
     return (c[0] + x * c[1]) + xx * (c[2] + x * c[3]);
 }
 
-/* The polynomial c[0] + c[1] x + ... with at least `length` terms. The coefficients beyond `length` are 0. The terms
-   after the first are grouped by four, so that the processor computes the groups at once. The first and largest term is
-   added last, so that only one rounding error of the size of the sum is made. */
+/* Returns the polynomial c[0] + c[1] x + ..., computed with at least `length` terms. The coefficients beyond `length`
+   are 0. The terms after the first are grouped by four, so that the processor computes the groups at once. The first
+   and largest term is added last, so that only one rounding error of the size of the sum is made. */
 VM_INLINE vm_real vmi_ateb_part_series(const vm_real *c, int length, vm_real x)
 {
     const vm_real xx = x * x, x4 = xx * xx;
@@ -128,7 +129,7 @@ VM_INLINE void vmi_ateb_part_at(const vmi_ateb_part *part, int length, vm_two ba
 }
 
 /* Returns |s| minus the nearest multiple of Pi_alpha/2, for |s| < p->longest, which is 2^26 quarters (float 2^12).
-   The last bits of *quarter become those of the number of quarters. */
+   *quarter becomes a number whose last two bits are the number of quarters modulo 4. */
 VM_INLINE vm_real vmi_ateb_plan_reduce(const ateb_plan *p, vm_real s, vmi_bits *quarter)
 {
     const vm_real x = VM_FABS(s), to_integer = VM_C(1.5) / VM_EPSILON;
@@ -137,15 +138,17 @@ VM_INLINE vm_real vmi_ateb_plan_reduce(const ateb_plan *p, vm_real s, vmi_bits *
     return ((x - count * p->quarter_parts[0]) - count * p->quarter_parts[1]) - count * p->quarter_parts[2];
 }
 
-/* Returns 1 if `rest`, which is s minus a multiple of Pi_alpha/2, is so small that two words of Pi_alpha/2 are not
-   enough to compute it, else 0. A float plan has no more words: then the result is 0. */
+/* `rest` is s minus the nearest multiple of Pi_alpha/2, computed with Pi_alpha/2 in two words. Returns 1 if this `rest`
+   is so small that it must be computed again with a third word of Pi_alpha/2, else 0. A plan in float has no third
+   word: then the result is always 0. */
 VM_INLINE int vmi_ateb_plan_is_close(vm_real rest, vm_real s)
 {
     return VM_MANT_DIG > 24 && VM_FABS(rest) < VMI_ATEB_FINE_REACH * VM_FABS(s);
 }
 
 /* Returns x minus the nearest multiple of Pi_alpha/2, for an x > 0 that is close to a multiple (see
-   vmi_ateb_plan_is_close). `rest` is the same difference, computed with two words of Pi_alpha/2. */
+   vmi_ateb_plan_is_close). `rest` is this difference, computed with two words of Pi_alpha/2. The result is computed
+   with three words, or in float is `rest`. */
 VM_API vm_real vmi_ateb_plan_reduce_finely(const ateb_plan *p, vm_real x, vm_real rest)
 {
 #if VM_MANT_DIG > 24
@@ -162,7 +165,7 @@ VM_API vm_real vmi_ateb_plan_reduce_finely(const ateb_plan *p, vm_real x, vm_rea
 /* sa and ca of the argument s for the plan's alpha. s may be any number. For alpha up to 1e6 and |s| <= 100 Pi_alpha,
    the error of a plan of full accuracy is at most 2 ulp (in float, next to a zero of sa or ca, 2 ulp plus the change
    that a change of s by 1e-13 |s| makes); any other plan has the accuracy that was given to ateb_plan_init_to. The
-   results are NaN for infinite and NaN s. docs/cost.md has the time. */
+   results are NaN for infinite and NaN s. docs/cost.md has the time of a call. */
 VM_API void ateb_plan_saca(const ateb_plan *p, vm_real s, vm_real *sa, vm_real *ca)
 {
     vm_real rest, near_zero, far_zero, lost, v, u;
@@ -208,8 +211,8 @@ VM_API void ateb_plan_saca(const ateb_plan *p, vm_real s, vm_real *sa, vm_real *
 }
 
 /* Arrays are computed in blocks of VMI_ATEB_BLOCK arguments, by loops without branches, which compilers turn into
-   vector instructions. VMI_ATEB_WIDE is 1 on processors with wide vector registers, else 0. With narrow ones, such a
-   loop takes longer than single calls. */
+   vector instructions. VMI_ATEB_WIDE is 1 on processors with wide vector registers, else 0. With narrow vector
+   registers such a loop takes longer than single calls. */
 enum { VMI_ATEB_BLOCK = 32 };
 #if defined(__AVX2__) || defined(__ARM_NEON) || defined(__ARM_FEATURE_SVE)
 #define VMI_ATEB_WIDE 1
@@ -217,9 +220,9 @@ enum { VMI_ATEB_BLOCK = 32 };
 #define VMI_ATEB_WIDE 0
 #endif
 
-/* Intermediate results for the arguments s of a block: |s| minus the nearest multiple of the quarter period, the bits
-   of the number of quarters, the distances r and d of s from the zeros of sa and ca with their rounding errors, and
-   base and tau of vmi_ateb_part_at */
+/* Intermediate results for the arguments s of a block. They are |s| minus the nearest multiple of the quarter period,
+   the bits of the number of quarters, the distances r and d of s from the zeros of sa and ca with their rounding
+   errors, and base and tau of vmi_ateb_part_at */
 typedef struct VM_TAG(vmi_ateb_block) {
     vmi_bits quarter[VMI_ATEB_BLOCK];
     vm_real rest[VMI_ATEB_BLOCK];
@@ -321,8 +324,7 @@ VM_INLINE void vmi_ateb_block_sums(const ateb_plan *p, int length, const vmi_ate
 
 /* Computes sa and ca of a block of arguments, each with |s| < p->longest. The number of terms is a constant in each of
    the calls, so that compilers can vectorise the loop over the arguments. Arguments next to a zero of sa or ca are
-   computed once more, one by one. The plan is copied: the compiler then knows
-   that the results do not change it. */
+   computed once more, one by one. The plan is copied: the compiler then knows that the results do not change it. */
 VM_API void vmi_ateb_block_saca(const ateb_plan *plan, const vm_real *s, vm_real *sa, vm_real *ca)
 {
     const ateb_plan p = *plan;
@@ -345,10 +347,10 @@ VM_API void vmi_ateb_block_saca(const ateb_plan *plan, const vm_real *s, vm_real
 }
 
 /* sa and ca of n arguments for the plan's alpha. The arrays s, sa and ca have n elements each. s may be the array sa or
-   ca; apart from this they must not overlap. Domain and accuracy are those of ateb_plan_saca; the last bits may depend
-   on the index in the array. Arguments are computed in blocks of 32; those with |s| >= p->longest, and those that are
-   not finite, are computed one by one. Arrays are faster than single calls on processors with wide vector registers
-   (docs/cost.md has the times). */
+   the array ca; otherwise the three arrays must not overlap. Domain and accuracy are those of ateb_plan_saca; the last
+   bits may depend on the index in the array. Arguments are computed in blocks of 32; those with |s| >= p->longest, and
+   those that are not finite, are computed one by one. Arrays are faster than single calls on processors with wide
+   vector registers (docs/cost.md has the times). */
 VM_API void ateb_plan_saca_array(const ateb_plan *p, int n, const vm_real *s, vm_real *sa, vm_real *ca)
 {
     const int wide = VMI_ATEB_WIDE && p->quarter.hi < 1 / VM_EPSILON;
@@ -376,7 +378,7 @@ VM_API void ateb_plan_saca_array(const ateb_plan *p, int n, const vm_real *s, vm
 }
 
 /* Returns the coefficient w_j of the power series w = b^alpha, where b is a power series with b_0 = 1. It is computed
-   from w_0 ... w_(j-1) and b_1 ... b_j (by Euler). */
+   from w_0 ... w_(j-1) and b_1 ... b_j by Euler's recurrence. */
 VM_API vm_real vmi_ateb_series_power(vm_real alpha, int j, const vm_real *b, const vm_real *w)
 {
     vm_real sum = 0;
@@ -388,9 +390,10 @@ VM_API vm_real vmi_ateb_series_power(vm_real alpha, int j, const vm_real *b, con
 /* The number of terms of the Taylor series from which the polynomials are made */
 enum { VMI_ATEB_TERMS = VM_MANT_DIG > 24 ? 56 : 26 };
 
-/* Computes Taylor coefficients, term by term from the differential equations (275). For beyond = 0 they are those of
-   sa/r (odd) and ca (even) in powers of r^2; for beyond = 1 they are those of ca/(2 q d) (odd) and sa (even) in powers
-   of X = (2 q d)^(alpha+1). r and d are the distances from the nearest zeros of sa and ca, and q = 1/(alpha + 1). */
+/* Computes Taylor coefficients, term by term from the differential equations (275). For beyond = 0, the array `odd`
+   becomes the coefficients of sa/r, and `even` those of ca, in powers of r^2. For beyond = 1, `odd` becomes the
+   coefficients of ca/(2 q d), and `even` those of sa, in powers of X = (2 q d)^(alpha+1). r and d are the distances
+   from the nearest zeros of sa and ca, and q = 1/(alpha + 1). */
 VM_API void vmi_ateb_series(int beyond, vm_real alpha, vm_real q, vm_real *odd, vm_real *even)
 {
     const vm_real large = VM_C(1e30); /* a larger alpha counts as this one, since alpha j might overflow */
@@ -419,9 +422,10 @@ VM_API void vmi_ateb_series(int beyond, vm_real alpha, vm_real q, vm_real *odd, 
     }
 }
 
-/* Economises the power series c_1 + c_2 x + c_3 x^2 + ... for 0 <= x <= limit: replaces it by a polynomial in x/unit
-   with at most ATEB_PLAN_LENGTH terms, and returns the number of terms. `result` receives the coefficients times unit.
-   The error of the polynomial is at most tolerance/limit if ATEB_PLAN_LENGTH terms are enough. c is overwritten. */
+/* Economises the power series c_1 + c_2 x + c_3 x^2 + ... for 0 <= x <= limit: the function replaces it by a polynomial
+   in x/unit with at most ATEB_PLAN_LENGTH terms, and returns the number of terms. `result` becomes the array of these
+   coefficients times unit. The error of the polynomial is at most tolerance/limit if ATEB_PLAN_LENGTH terms are enough.
+   c is overwritten. */
 VM_API int vmi_ateb_economise(vm_real *c, vm_real limit, vm_real unit, vm_real tolerance, vm_real *result)
 {
     const int highest = VMI_ATEB_TERMS - 2;
@@ -485,13 +489,13 @@ VM_API void vmi_ateb_plan_period(ateb_plan *p, const vmi_ateb *c)
 
 /* Prepares a plan for alpha >= 0 and a given accuracy. `accuracy` is the largest absolute error of sa and ca that is
    allowed, such as 1e-4 or 1e-8; 0 means full accuracy. A plan of less accuracy is shorter and quicker. Returns 0, or
-   -1 for alpha < 0 and if a number is NaN or infinite; then the plan stays as it was. */
+   -1 if alpha < 0 or an argument is NaN or infinite; if it returns -1, the plan stays as it was. */
 VM_API int ateb_plan_init_to(ateb_plan *p, vm_real alpha, vm_real accuracy)
 {
     /* For r beyond the change-over, sa is computed from X = (2 q d)^(alpha+1). The relative rounding error of X, times
-       X/(2 sa), is the error that it causes in sa. The factor X/(2 sa) is 0.33 for a change-over at r = 0.92; for one
-       at r = 0.73 it would be 0.5, and the error 2.3 ulp. For a change-over beyond 0.92 the polynomials would have too
-       few terms. */
+       X/(2 sa), is the error that it causes in sa. The factor X/(2 sa) is 0.33 for a change-over at r = 0.92; for a
+       change-over at r = 0.73 it would be 0.5, and the error of sa would be 2.3 ulp. For a change-over beyond 0.92 the
+       polynomials would have too few terms. */
     const vm_real share = VM_C(0.5), farthest = VM_MANT_DIG > 24 ? VM_C(0.92) : VM_C(0.95);
     vm_real tolerance = VM_EPSILON / 16, unit = 1;
     int length, length_beyond;
@@ -517,7 +521,7 @@ VM_API int ateb_plan_init_to(ateb_plan *p, vm_real alpha, vm_real accuracy)
 }
 
 /* Prepares a plan of full accuracy for alpha >= 0.
-   Returns 0, or -1 for alpha < 0, NaN and infinite alpha; then the plan stays as it was. */
+   Returns 0, or -1 for alpha < 0, NaN and infinite alpha; if it returns -1, the plan stays as it was. */
 VM_API int ateb_plan_init(ateb_plan *p, vm_real alpha) { return ateb_plan_init_to(p, alpha, 0); }
 
 #endif

@@ -24,22 +24,23 @@ VM_API vm_complex vmi_complex(vm_real re, vm_real im)
     return z;
 }
 
-/* The sum a + b, the difference a - b, and the products c a and i c a of a complex number a with a real number c */
+/* These functions return the sum a + b, the difference a - b, and the products c a and i c a of a complex number a with
+   a real number c. */
 VM_API vm_complex vmi_c_add(vm_complex a, vm_complex b) { return vmi_complex(a.re + b.re, a.im + b.im); }
 VM_API vm_complex vmi_c_sub(vm_complex a, vm_complex b) { return vmi_complex(a.re - b.re, a.im - b.im); }
 VM_API vm_complex vmi_c_scale(vm_real c, vm_complex a) { return vmi_complex(c * a.re, c * a.im); }
 VM_API vm_complex vmi_c_times_i(vm_real c, vm_complex a) { return vmi_complex(-c * a.im, c * a.re); }
 
-/* The product a b */
+/* Returns the product a b. */
 VM_API vm_complex vmi_c_times(vm_complex a, vm_complex b)
 {
     return vmi_complex(a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re);
 }
 
-/* The complex conjugate of a, which is a.re - i a.im */
+/* Returns the complex conjugate of a, which is a.re - i a.im. */
 VM_API vm_complex vmi_c_conjugate(vm_complex a) { return vmi_complex(a.re, -a.im); }
 
-/* The complex number e^(i angle), for an angle in radians */
+/* Returns the complex number e^(i angle), for an angle in radians. */
 VM_API vm_complex vmi_c_turn(vm_real angle)
 {
     vm_complex e;
@@ -47,8 +48,8 @@ VM_API vm_complex vmi_c_turn(vm_real angle)
     return e;
 }
 
-/* Writes the complex numbers e^(i k angle) for k = 0 to n, for an angle in radians. The error of e^(i k angle)
-   is that of k roundings. */
+/* Writes the complex numbers e^(i k angle) for k = 0 to n, for an angle in radians. The error of e^(i k angle) is that
+   of about k rounding errors. */
 VM_API void vmi_c_turns(int n, vm_real angle, vm_complex *turns)
 {
     const vm_complex once = vmi_c_turn(angle);
@@ -57,10 +58,10 @@ VM_API void vmi_c_turns(int n, vm_real angle, vm_complex *turns)
     for (k = 1; k <= n; k++) turns[k] = vmi_c_times(turns[k - 1], once);
 }
 
-/* The modulus |z| */
+/* Returns the modulus |z|. */
 VM_API vm_real vmi_c_modulus(vm_complex z) { return vmi_hypot(z.re, z.im); }
 
-/* The quotient a/b by Smith's method, which is accurate even where |b|^2 overflows or underflows */
+/* Returns the quotient a/b by Smith's method, which is accurate even where |b|^2 overflows or underflows. */
 VM_API vm_complex vmi_c_over(vm_complex a, vm_complex b)
 {
     vm_real q, d;

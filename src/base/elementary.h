@@ -1,9 +1,10 @@
 /* base/elementary.h - logarithm, exponential, power, sine, cosine and arctangent, with the same bits on every machine
 
-   The C library's functions differ from machine to machine in the last bits. The functions of this file give the same
-   bits everywhere: they use only basic operations, which every machine rounds in the same way. The logarithm and the
-   exponential are computed in two words (see base/sums.h), so that a power made from them has all its digits. They
-   branch only where a result is subnormal, so that a compiler can vectorise loops over them.
+   The results of the C library's functions differ from machine to machine in the last bits. The functions of this file
+   give the same bits everywhere: they use only basic operations, which every machine rounds in the same way. The
+   logarithm and the exponential are computed in two words (see base/sums.h), so that a power made from them has all its
+   digits. The logarithm and the exponential branch only where a number is subnormal, so that a compiler can vectorise
+   loops over them.
 
        vm_real y = vmi_exp(VM_C(1.5), 0); // e^1.5
 

@@ -6,9 +6,10 @@
 
        vm_real w = vm_lambert_w0(1); // 0.567..., the solution of w e^w = 1
 
-   Method: a start value is improved by steps of fourth order by Fritsch, Shafer and Crowley (Comm. ACM 16, 1973). A
-   start value with an error of at most 2 % needs two steps, one with an error of at most 1e-4 needs one step. The
-   residual is computed in two words, so that the final error is little more than a rounding.
+   Method: a start value is improved by the steps of Fritsch, Shafer and Crowley (Comm. ACM 16, 1973), which have order
+   four: the error after a step is proportional to the fourth power of the error before it. A start value with an error
+   of at most 2 % needs two steps, one with an error of at most 1e-4 needs one step. The residual ln(x/w) - w is
+   computed in two words, so that the final error is little more than one rounding error.
    Tests: tests/test_lambert.c. */
 #ifndef VARMASS_BASE_LAMBERT_H
 #define VARMASS_BASE_LAMBERT_H
@@ -60,7 +61,7 @@ VM_API vm_real vmi_lambert_middle(vm_real x)
     return w.hi + (w.lo + w.hi * vmi_lambert_correction(1 + w.hi, z));
 }
 
-/* A rough value of W_0(e^l), right to 6e-5, for l from 3.95 to 712 */
+/* Returns a rough value of W_0(e^l), right to 6e-5, for l from 3.95 to 712. */
 VM_API vm_real vmi_lambert_rational(vm_real l)
 {
     vm_real above, below;
@@ -120,15 +121,15 @@ VM_API vm_two vmi_lambert_depth(vm_real x)
     return vmi_minus(ln);
 }
 
-/* A rough value of W_0(x), right to 2 %, for -1/4 <= x < 1 */
+/* Returns a rough value of W_0(x), right to 2 %, for -1/4 <= x < 1. */
 VM_API vm_real vmi_lambert_pade(vm_real x) { return x * (3 + 4 * x) / (3 + x * (7 + x * VM_C(2.5))); }
 
-/* A rough value of W_0(x), right to 2 %, for x >= 1, from L = ln(1 + x) (by Winitzki) */
+/* Returns a rough value of W_0(x), right to 2 %, for x >= 1, from L = ln(1 + x) (by Winitzki). */
 VM_API vm_real vmi_lambert_winitzki(vm_real L) { return L * (1 - vmi_log(1 + L).hi / (2 + L)); }
 
 /* Lambert's W_0(x), the upper branch: the solution w >= -1 of w e^w = x, for x >= -1/e. x is a pure number and taken
-   as exact. The error is at most 1 ulp. Returns infinity for infinite x > 0, and NaN for x < -1/e, except that the
-   number next to -1/e counts as -1/e and gives -1. */
+   as exact. The error is at most 1 ulp. Returns infinity for x = infinity, and NaN for x < -1/e. The number of the type
+   next to -1/e counts as -1/e and gives -1. */
 VM_API vm_real vm_lambert_w0(vm_real x)
 {
     vm_two l;
@@ -141,8 +142,8 @@ VM_API vm_real vm_lambert_w0(vm_real x)
 }
 
 /* Lambert's W_-1(x), the lower branch: the solution w <= -1 of w e^w = x, for -1/e <= x < 0. x is a pure number and
-   taken as exact. The error is at most 1 ulp. Returns -infinity for x = 0, and NaN for x > 0 and x < -1/e, except
-   that the number next to -1/e counts as -1/e and gives -1. */
+   taken as exact. The error is at most 1 ulp. Returns -infinity for x = 0, and NaN for x > 0 and for x < -1/e. The
+   number of the type next to -1/e counts as -1/e and gives -1. */
 VM_API vm_real vm_lambert_wm1(vm_real x)
 {
     vm_two ln;

@@ -23,7 +23,7 @@ VM_API void vmi_eliminate(int n, int k, vm_real *a)
     }
 }
 
-/* Does the same with the right sides, after vmi_eliminate. */
+/* Changes the right sides b in the way in which vmi_eliminate, which must come first, has changed the left sides. */
 VM_API void vmi_eliminate_right(int n, int k, const vm_real *a, vm_real *b)
 {
     int i;
@@ -67,11 +67,11 @@ VM_API int vmi_solve_linear(int n, vm_real *a, vm_real *b)
 }
 
 /* Decomposes a mass matrix a, which is symmetric and positive definite, for vmi_solve_decomposed. Both triangles of a
-   receive the decomposition, and `scale` receives n numbers. The function first scales rows and columns so that the
-   diagonal is 1. The units of the coordinates then do not matter, and the condition number is nearly the least that
-   scaling can give (van der Sluis 1969). Rows need not be exchanged. Returns VM_SINGULAR if an entry of the diagonal
-   is not positive or a pivot is not above 4 n eps, which happens for every matrix that is not positive definite, and
-   VM_OK otherwise. */
+   become the decomposition. The function first divides row i and column i by scale[i], so that the diagonal is 1;
+   `scale` becomes the array of these n numbers. The units of the coordinates then do not matter, and the condition
+   number is nearly the least that scaling can give (van der Sluis 1969). Rows need not be exchanged. Returns
+   VM_SINGULAR if an entry of the diagonal is not positive or a pivot is not above 4 n eps, which happens for every
+   matrix that is not positive definite, and VM_OK otherwise. */
 VM_API int vmi_decompose_mass(int n, vm_real *a, vm_real *scale)
 {
     int i, j, k;
@@ -99,7 +99,7 @@ VM_API void vmi_solve_decomposed(int n, const vm_real *a, const vm_real *scale, 
 }
 
 /* Solves a x = b for a mass matrix a. x replaces b, a is overwritten, and `scale` is work space for n numbers. Returns
-   a status of vmi_decompose_mass. */
+   VM_OK or VM_SINGULAR, as vmi_decompose_mass does. */
 VM_API int vmi_solve_mass(int n, vm_real *a, vm_real *b, vm_real *scale)
 {
     const int status = vmi_decompose_mass(n, a, scale);

@@ -2,7 +2,7 @@
 
    All other files include this one. It defines vm_real (double, or float where VM_USE_FLOAT is defined) and gives a
    default to each macro that the user has not set. It stops the compiler with an error if a compiler option changes the
-   results, and the linker where a program has files in float and in double. It names the four functions of the C
+   results, and it stops the linker if a program has files in float and in double. It names the four functions of the C
    library that are used: sqrt, fabs, floor, copysign.
 
        vm_real x = VM_C(0.1); // the number 0.1 as a vm_real, in double and in float
@@ -107,8 +107,8 @@ typedef double vm_real;
 /* A struct in float and the same struct in double have different sizes. In C the linker does not see where one file
    passes such a struct to another. So each file marks its precision here, and files of both precisions do not link,
    unless all files of one precision define VM_MIXED_PRECISIONS. With gcc the mark is an absolute symbol, which must
-   have the same value in every file of a program. With clang there is no such mark, since under -flto it would refuse
-   equal values, too. */
+   have the same value in every file of a program. With clang there is no such mark, since clang would refuse equal
+   values, too, under -flto. */
 #if defined(VM_MIXED_PRECISIONS) || defined(__CUDACC__)
 #elif defined(_MSC_VER)
 #ifdef VM_USE_FLOAT
@@ -172,7 +172,7 @@ VM_API vm_real vmi_copysign(vm_real x, vm_real y)
     return x;
 }
 
-/* The larger and the smaller of two numbers. Both functions return b if a or b is NaN. */
+/* These functions return the larger and the smaller of two numbers. Both functions return b if a or b is NaN. */
 VM_INLINE vm_real vmi_larger(vm_real a, vm_real b) { return a > b ? a : b; }
 VM_INLINE vm_real vmi_smaller(vm_real a, vm_real b) { return a < b ? a : b; }
 

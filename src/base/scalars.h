@@ -29,8 +29,8 @@ VM_API vm_real vmi_pow_checked(vm_real x, vm_real y)
     return vmi_pow_two(vmi_two(x, 0), vmi_two(y, 0));
 }
 
-/* Returns e^y - 1 in two words. The error is below 2^-(p+4) (1 + e^y), where p is the number of digits of vm_real;
-   for small y it is below 2^-p of the result. Where e^y overflows, the result is infinity. */
+/* Returns e^y - 1 in two words. The error is below 2^-(p+4) (1 + e^y), where p is the number of binary digits of
+   vm_real; for small y the error is below 2^-p times the result. Where e^y overflows, the result is infinity. */
 VM_API vm_two vmi_expm1(vm_two y)
 {
     const vm_real largest = VM_C(0.6931471805599453094) * (VMI_BIAS + 1);
@@ -51,8 +51,8 @@ VM_API vm_two vmi_expm1(vm_two y)
     return vmi_fast_two_sum(sum.hi, sum.lo + power.lo);
 }
 
-/* Returns ln(1 + x) in two words for -1 < x < 1e299 (float 1e34); a larger x may give NaN. The relative error is
-   below 2^-(p+7), where p is the number of digits of vm_real. Method: 1 + x = y (1 + t), where y is one word and t is
+/* Returns ln(1 + x) in two words for -1 < x < 1e299 (float 1e34); a larger x may give NaN. The relative error is below
+   2^-(p+7), where p is the number of binary digits of vm_real. Method: 1 + x = y (1 + t), where y is one word and t is
    below an ulp of 1. */
 VM_API vm_two vmi_log1p(vm_two x)
 {

@@ -29,7 +29,7 @@ VM_API vm_real vmi_rounded(vm_real x)
 #define vmi_rounded(x) (x)
 #endif
 
-/* Returns the exact sum a + b as a pair (by Knuth). */
+/* Returns the exact sum a + b as a pair, by Knuth's method. */
 VM_API vm_two vmi_two_sum(vm_real a, vm_real b)
 {
     vm_two s;
@@ -40,7 +40,7 @@ VM_API vm_two vmi_two_sum(vm_real a, vm_real b)
     return s;
 }
 
-/* Returns the exact sum a + b as a pair, for |a| >= |b| (by Dekker). */
+/* Returns the exact sum a + b as a pair, for |a| >= |b|, by Dekker's method. */
 VM_API vm_two vmi_fast_two_sum(vm_real a, vm_real b)
 {
     vm_two s;

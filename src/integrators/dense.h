@@ -11,7 +11,8 @@
 #include "ode.h"
 #include "runs.h"
 
-/* Computes what the continuous extension of the last step needs, if this has not been done yet. Returns a status. */
+/* Computes the derivatives that the continuous extension of the last step needs, if they are not known yet. Returns a
+   status. */
 VM_API int vmi_extend(rk45 *s)
 {
     int status = ODE_OK;
@@ -29,7 +30,7 @@ VM_API int vmi_is_in_last_step(const rk45 *s, vm_real t)
     return (s->t_old <= t && t <= s->t) || (s->t <= t && t <= s->t_old);
 }
 
-/* The fraction of the last step at which the time t lies: 0 at the beginning of the step, 1 at its end */
+/* Returns the fraction of the last step at which the time t lies: 0 at the beginning of the step, 1 at its end */
 VM_API vm_real vmi_place_of(const rk45 *s, vm_real t)
 {
     const vm_real x = ((t - s->t_old) - s->t_old_low) / s->h_done;

@@ -32,7 +32,7 @@
 #include "runs.h"
 #include "steps.h"
 
-/* The sign of x: 1, 0 or -1 */
+/* Returns the sign of x: 1, 0 or -1. */
 VM_API int vmi_sign(vm_real x) { return (x > 0) - (x < 0); }
 
 /* Stands for the place of an event that does not happen in the step. A place is a fraction of the step, from 0 to 1. */
@@ -67,7 +67,7 @@ VM_API int vmi_watch_events(rk45 *s)
     return ODE_OK;
 }
 
-/* The time at the fraction x of the last step */
+/* Returns the time at the fraction x of the last step. */
 VM_API vm_real vmi_time_inside(const rk45 *s, vm_real x)
 {
     if (x == 1) return s->t;
@@ -81,7 +81,7 @@ VM_API void vmi_state_inside(const rk45 *s, vm_real x, vm_real *y)
     else vmi_inside(s, x, y);
 }
 
-/* The value of g at the fraction x of the last step. Overwrites the part VMI_Z of work. */
+/* Returns the value of g at the fraction x of the last step. The function overwrites the part VMI_Z of work. */
 VM_API vm_real vmi_event_value(const rk45 *s, const ode_event *e, vm_real x)
 {
     vm_real *z = vmi_part(s, VMI_Z);
@@ -94,9 +94,9 @@ VM_API vm_real vmi_event_value(const rk45 *s, const ode_event *e, vm_real x)
    serves only to decide whether events happen at the same time. */
 #define VMI_EARLIER_ROUNDING (256 * VM_EPSILON)
 
-/* The value of g at the fraction x of the last step, in a state to which a rounding error is added on purpose. The
-   error is the largest that this step, or if `earlier` is not 0 the whole run so far, may have made. `direction`, -1 or
-   1, is the sign of the error. The size of the error is different for each component, so that the differences of
+/* Returns the value of g at the fraction x of the last step, in a state to which a rounding error is added on purpose.
+   The error is the largest that this step, or if `earlier` is not 0 the whole run so far, may have made. `direction`,
+   -1 or 1, is the sign of the error. The size of the error is different for each component, so that the differences of
    components change, too. */
 VM_API vm_real vmi_event_value_moved(const rk45 *s, const ode_event *e, vm_real x, int earlier,
                                      int direction)
@@ -179,7 +179,7 @@ VM_API int vmi_locate(const rk45 *s, const ode_event *e, vm_real a, vm_real ga, 
 
 enum { VMI_CHECKS = 3, VMI_MOST_CHECKS = 9999 }; /* default and limit of an event's `checks` */
 
-/* The fraction of the step at which g is evaluated next after e->from. It is the nearest of three fractions:
+/* Returns the fraction of the step at which g is evaluated next after e->from. It is the nearest of three fractions:
    the sum start + *gap, the next of the points that divide the step evenly, and `to`. *gap is short at first and grows
    with each call, so that two changes of sign of g in a time much shorter than the step are seen. */
 VM_API vm_real vmi_next_look(const ode_event *e, vm_real start, vm_real *gap, vm_real to)
@@ -298,8 +298,8 @@ VM_API int vmi_find_cut(const rk45 *s, vm_real *cut, int *owner)
     return ODE_OK;
 }
 
-/* Counts and stores each time that an event which ends no step happens up to the fraction `to` of the step.
-   Returns a status. */
+/* Counts how often the event e, which ends no step, happens up to the fraction `to` of the step, and stores its times
+   and states (vmi_record). Returns a status. */
 VM_API int vmi_record_until(const rk45 *s, ode_event *e, vm_real to)
 {
     for (;;) {
@@ -442,8 +442,8 @@ VM_API int vmi_find_events(rk45 *s, vm_real *cut)
 }
 
 /* Returns 1 if the state at the fraction x of the last step is finite, else 0. Between two finite states the continuous
-   extension may overflow if these states are close to the largest number of the type. Overwrites the part VMI_Z of
-   work. */
+   extension may overflow if these states are close to the largest number of the type. The function overwrites the part
+   VMI_Z of work. */
 VM_API int vmi_is_finite_inside(const rk45 *s, vm_real x)
 {
     vm_real *z = vmi_part(s, VMI_Z);

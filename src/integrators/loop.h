@@ -166,7 +166,8 @@ VM_INLINE int vmi_begin_solve(rk45 *s, int method, ode_rhs f, int n, vm_real t_e
     return ODE_OK;
 }
 
-/* The time at which the steps of a run to t_end end: t_end, or the largest number of the type if t_end is infinite */
+/* Returns the time at which the steps of a run to t_end end: t_end, or the largest number of the type if t_end is
+   infinite */
 VM_INLINE vm_real vmi_last_time(vm_real t_end)
 {
     if (t_end > VM_MAX) return VM_MAX;
@@ -174,7 +175,8 @@ VM_INLINE vm_real vmi_last_time(vm_real t_end)
     return t_end;
 }
 
-/* The status of a run to t_end whose steps have ended with `status`. If t_end is infinite, no run gets there. */
+/* Returns the status of a run to t_end whose steps have ended with `status`. This is ODE_STEP_TOO_SMALL if t_end is
+   infinite and the steps have ended without an error or an event. */
 VM_INLINE int vmi_end_solve(vm_real t_end, int status)
 {
     if (!VM_IS_FINITE(t_end) && (status == ODE_OK || status == ODE_STIFF)) return ODE_STEP_TOO_SMALL;

@@ -37,8 +37,8 @@ typedef struct VM_TAG(vmi_event_past) {
 } vmi_event_past;
 
 /* An event of a run: it happens when g(t, y) reaches zero or changes its sign. The caller makes an array of events, to
-   which the field `events` of rk45_options points, sets all fields to 0 first, and then the fields from g to stop_after
-   that it needs. The integrator sets the fields from count on. */
+   which the field `events` of rk45_options points. The caller sets all fields to 0 first, and then sets those of the
+   fields from g to stop_after that it needs. The integrator sets the fields from count on. */
 typedef struct VM_TAG(ode_event) {
     ode_event_function g; /* the function whose zeros are the event */
     void *ctx;            /* pointer that g and change receive */
@@ -74,7 +74,7 @@ typedef struct VM_TAG(rk45_options) {
     vm_real h0;               /* size of the first step, 0: computed from f. Its sign is the direction of rk45_step. */
     vm_real h_min;            /* size of the shortest step; the default is the resolution of t */
     vm_real h_max;            /* size of the longest step; the default is no limit */
-    long max_steps;           /* attempts in a call of rk45_solve; the default is 1000000, negative means no limit */
+    long max_steps;           /* steps that a call of rk45_solve may try; default 1000000, negative means no limit */
     const vm_real *atol_each; /* NULL, or n absolute tolerances of the components, in place of atol; 0 means none */
     ode_event *events;        /* array of n_events events, or NULL */
     int n_events;             /* number of events */
@@ -87,7 +87,7 @@ typedef struct VM_TAG(rk45_options) {
 #define VMI_DEFAULT_RTOL VM_C(1e-4)
 #endif
 
-/* The options with each zero replaced by its default, and with rtol raised to least_rtol */
+/* Returns the options with each zero replaced by its default, and with rtol raised to at least least_rtol. */
 VM_API rk45_options vmi_defaults(vm_real least_rtol, const rk45_options *options_or_NULL)
 {
     rk45_options o = {0, 0, 0, 0, 0, 0, NULL, NULL, 0, 0};
@@ -102,7 +102,7 @@ VM_API rk45_options vmi_defaults(vm_real least_rtol, const rk45_options *options
     return o;
 }
 
-/* The absolute tolerance of component i */
+/* Returns the absolute tolerance of component i. */
 VM_INLINE vm_real vmi_atol(const rk45_options *o, int i) { return o->atol_each ? o->atol_each[i] : o->atol; }
 
 /* Returns 1 if every component has a tolerance and no tolerance is negative or NaN, else 0. */
@@ -161,8 +161,8 @@ VM_API int vmi_an_event_stops(const rk45_options *o)
     return 0;
 }
 
-/* Tolerance of component i in a step, atol + rtol |y|, where y is the value of the component. VM_MIN is added so that
-   the result is positive. */
+/* Returns the tolerance of component i in a step, atol + rtol |y|, where y is the value of the component. VM_MIN is
+   added so that the result is positive. */
 VM_INLINE vm_real vmi_tolerance(const rk45_options *o, int i, vm_real y)
 {
     return vmi_atol(o, i) + o->rtol * VM_FABS(y) + VM_MIN;

@@ -28,8 +28,8 @@ VM_API int vmi_has_reached(vm_real t, vm_real time, int direction)
     return t <= time;
 }
 
-/* Returns 1 if the times begin at t or later in the direction of the run and follow each other in this direction, else
-   0. */
+/* Returns 1 if the times begin at t or later, as seen in the direction of the run, and follow each other in this
+   direction, else 0. */
 VM_API int vmi_times_are_in_order(vm_real t, int n_times, const vm_real *times, int direction)
 {
     int i;
@@ -76,18 +76,19 @@ VM_API int vmi_solve_at(rk45 *s, int method, int (*run)(rk45 *s, ode_rhs f, int 
     return status == ODE_OK && s->stiff > was_stiff ? (int)ODE_STIFF : status;
 }
 
-/* Run of rk45 to the last of n_times times, with the state at each of them in a row of n numbers.
-   The times start at s->t or later and rise, or start at s->t or earlier and fall; equal times are allowed. rows has
-   n_times n numbers. *n_done_or_NULL becomes the number of rows that are filled. These are all rows, unless an event or
-   an error ends the run; another call with the remaining times continues the run. If an event changes the state at a
-   listed time, the row has the new state. The values are those of rk45_interpolate, and s->y at the last time. Returns
-   a status, as rk45_solve does, and ODE_BAD_ARGUMENT for times that are not finite or in another order. */
+/* Continues a run of rk45 to the last of n_times times and writes the state at each of them to a row of n numbers.
+   The times start at s->t or later and rise, or start at s->t or earlier and fall; equal times are allowed. The array
+   rows has n_times times n numbers. *n_done_or_NULL becomes the number of rows that are filled. These are all rows,
+   unless an event or an error ends the run; another call with the remaining times continues the run. If an event
+   changes the state at a listed time, the row has the new state. The values are those of rk45_interpolate, and s->y at
+   the last time. Returns a status, as rk45_solve does; it is ODE_BAD_ARGUMENT if times are not finite or neither rise
+   nor fall in this way. */
 VM_API int rk45_solve_at(rk45 *s, int n_times, const vm_real *times, vm_real *rows, int *n_done_or_NULL)
 {
     return vmi_solve_at(s, VMI_RK45, vmi_rk45_run, n_times, times, rows, n_done_or_NULL);
 }
 
-/* Run of rk87 to the last of n_times times, with the state at each of them in a row of n numbers.
+/* Continues a run of rk87 to the last of n_times times and writes the state at each of them to a row of n numbers.
    All else is as in rk45_solve_at. A step with listed times takes seven more evaluations of f, which may also end the
    run with ODE_RHS_STOPPED or ODE_NOT_FINITE. */
 VM_API int rk87_solve_at(rk87 *s, int n_times, const vm_real *times, vm_real *rows, int *n_done_or_NULL)

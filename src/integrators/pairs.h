@@ -34,12 +34,13 @@ typedef struct VM_TAG(vmi_rk_system) {
     ptrdiff_t m;
 } vmi_rk_system;
 
-/* What a run needs to know of its Runge-Kutta pair. k_i is the value of f in stage i of a step from t to t + h. */
+/* The data and functions of a Runge-Kutta pair that a run uses. k_i is the value of f in stage i of a step from t to
+   t + h. */
 typedef struct VM_TAG(vmi_rk_pair) {
     int method;           /* the number of the pair, VMI_RK45 or VMI_RK87 */
     int order;            /* the order of the state after a step; the order of the error estimate is one less */
     int stages;           /* number of evaluations of f for the new state and the error estimate */
-    int last_is_first;    /* 1: the last stage is f at the new state, the next k_1; 0: the run evaluates f there */
+    int last_is_first;    /* 1: the last stage evaluates f at the new state (k_1 of the next step); 0: it does not */
     int derivatives;      /* number of all k_i of a step: stages, f at its end, stages of the continuous extension */
     int rounding;         /* bound of a step's relative rounding error, in units of VM_EPSILON; it is the least rtol */
     vm_real keep_from;    /* the step size may stay the same after an error above this fraction of the tolerance */
@@ -55,17 +56,17 @@ typedef struct VM_TAG(vmi_rk_pair) {
     int (*extend)(struct VM_TAG(rk45) * s);
 } vmi_rk_pair;
 
-/* What the loop over the steps needs to know of a pair. vmi_run gets this struct as a constant, so that the compiler
-   inlines make_stages and step_error into the loop. The two functions are not fields of vmi_rk_pair: each run stores a
-   vmi_rk_pair, and for a stored pointer to a function the compiler would compile the function once more, outside the
-   loop. */
+/* The functions of a pair that the loop over the steps calls. vmi_run gets this struct as a constant, so that the
+   compiler inlines make_stages and step_error into the loop. The two functions are not fields of vmi_rk_pair: each run
+   stores a vmi_rk_pair, and for a stored pointer to a function the compiler would compile the function once more,
+   outside the loop. */
 typedef struct VM_TAG(vmi_rk_stepper) {
     vmi_rk_pair pair;
     /* Computes stages 2, 3 ... of a step from t to t_new = t + h, after which the part VMI_Z of work is the new state.
        Adds the number of evaluations of f to *evals. Returns 0, or the number with which f has stopped the run. */
     int (*make_stages)(vmi_rk_system sys, vm_real t, vm_real t_new, vm_real h, long *evals);
-    /* The largest ratio of the error of a component to its tolerance in a step of size h, or NaN if the error or the
-       new state is not finite */
+    /* Returns the largest ratio of the error of a component to its tolerance in a step of size h, or NaN if the error
+       or the new state is not finite. */
     vm_real (*step_error)(const rk45_options *o, vmi_rk_system sys, vm_real h);
 } vmi_rk_stepper;
 
@@ -88,10 +89,10 @@ typedef struct VM_TAG(vmi_rk_stepper) {
 #define VMI_LOOP VM_INLINE
 #endif
 
-/* The index of the part of work that contains f at the end of a step */
+/* Returns the index of the part of work that contains f at the end of a step. */
 VMI_FOLDED int vmi_last_k(const vmi_rk_pair *pair) { return VMI_K + pair->stages - pair->last_is_first; }
 
-/* The least rtol that a run by this pair accepts */
+/* Returns the least rtol that a run by this pair accepts. */
 VMI_FOLDED vm_real vmi_least_rtol(const vmi_rk_pair *pair) { return (vm_real)pair->rounding * VM_EPSILON; }
 
 /* Macros for the stages of a pair. VMI_H is h times a coefficient. VMI_EVAL evaluates k = f(t, y) and counts it; if f

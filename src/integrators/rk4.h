@@ -115,26 +115,28 @@ VM_INLINE int vmi_rk4_solve(ode_rhs f, void *ctx, int n, vm_real *t, vm_real t_e
     return status;
 }
 
-/* One step of size h, positive or negative, by the classical Runge-Kutta method. y has n numbers; it is the state at
-   time t and becomes the state at t + h. f receives the pointer ctx; work has RK4_WORK(n) numbers. Returns ODE_OK, or,
-   with y unchanged, ODE_BAD_ARGUMENT, ODE_RHS_STOPPED or ODE_NOT_FINITE. */
+/* Makes one step of size h, positive or negative, by the classical Runge-Kutta method. y has n numbers; it is the state
+   at time t and becomes the state at t + h. f receives the pointer ctx; work has RK4_WORK(n) numbers. Returns ODE_OK;
+   ODE_BAD_ARGUMENT if a pointer other than ctx is NULL, n is not positive, or t or h is not finite; ODE_RHS_STOPPED if
+   f returns a number other than 0; ODE_NOT_FINITE if the new state is not finite. After an error y is unchanged. */
 VM_INLINE int rk4_step(ode_rhs f, void *ctx, int n, vm_real t, vm_real h, vm_real *y, vm_real *work)
 {
     return vmi_rk4(f, ctx, n, &t, h, 1, y, NULL, work);
 }
 
-/* Equal steps from *t to t_end, `steps` of them, by the classical Runge-Kutta method. y has n numbers and becomes the
-   state at t_end; *t becomes t_end exactly. If f stops the run or the state is not finite, y and *t are those at the
-   end of the last complete step. Returns the statuses of rk4_step. */
+/* Makes `steps` equal steps from *t to t_end by the classical Runge-Kutta method. y has n numbers and becomes the state
+   at t_end; *t becomes t_end exactly. If f stops the run or the state is not finite, y and *t are those at the end of
+   the last complete step. Returns a status with the meanings of rk4_step; it is ODE_BAD_ARGUMENT also if `steps` is not
+   positive. */
 VM_INLINE int rk4_solve(ode_rhs f, void *ctx, int n, vm_real *t, vm_real t_end, long steps, vm_real *y,
                         vm_real *work)
 {
     return vmi_rk4_solve(f, ctx, n, t, t_end, steps, y, NULL, work);
 }
 
-/* Equal steps with compensated summation [3], so that roundings do not add up. The steps are those of rk4_solve, but
-   the state is y + y_low. y_low has n numbers, which the caller sets to zero before the first call. The summation takes
-   additional time, which is worth it when there are millions of steps. */
+/* Makes equal steps with compensated summation [3], so that rounding errors do not add up. The steps are those of
+   rk4_solve, but the state is y + y_low. y_low has n numbers, which the caller sets to zero before the first call. The
+   summation takes additional time, which is worth it when there are millions of steps. */
 VM_INLINE int rk4_solve_compensated(ode_rhs f, void *ctx, int n, vm_real *t, vm_real t_end, long steps, vm_real *y,
                                     vm_real *y_low, vm_real *work)
 {

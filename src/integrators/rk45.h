@@ -57,8 +57,8 @@ VMI_FOLDED int vmi_rk45_stages(vmi_rk_system sys, vm_real t, vm_real t_new, vm_r
     return 0;
 }
 
-/* The largest ratio of the error of a component to its tolerance. The error is the difference of the two new states, of
-   order 5 and of order 4. */
+/* Returns the largest ratio of the error of a component to its tolerance. The error is the difference of the two new
+   states, of order 5 and of order 4. */
 VMI_FOLDED vm_real vmi_rk45_error(const rk45_options *o, vmi_rk_system sys, vm_real h)
 {
     const ptrdiff_t m = sys.m;
@@ -109,7 +109,7 @@ VMI_APART void vmi_rk45_inside(const rk45 *s, vm_real x, vm_real *y)
     vmi_weigh_inside(s, 7, b, x, y);
 }
 
-/* The descriptor of rk45: its vmi_rk_pair */
+/* Returns the descriptor of rk45: its vmi_rk_pair. */
 VMI_FOLDED vmi_rk_pair vmi_rk45_pair(void)
 {
     vmi_rk_pair pair;
@@ -141,8 +141,8 @@ VMI_LOOP int vmi_rk45_run(rk45 *s, ode_rhs f, int n, vm_real t_end, int single)
 
 #define RK45_WORK(n) (10 * (n)) /* number of elements of the array work for n components */
 
-/* Options of rk45 with each zero replaced by its default, as rk45_init uses them. rtol becomes at least 16 VM_EPSILON.
-   If options_or_NULL is NULL, all options have their defaults. */
+/* Returns the options of rk45 with each zero replaced by its default, as rk45_init uses them. rtol becomes at least 16
+   VM_EPSILON. If options_or_NULL is NULL, all options have their defaults. */
 VM_API rk45_options rk45_defaults(const rk45_options *options_or_NULL)
 {
     const vmi_rk_pair pair = vmi_rk45_pair();
@@ -151,7 +151,9 @@ VM_API rk45_options rk45_defaults(const rk45_options *options_or_NULL)
 
 /* Begins a run of y' = f(t, y) by rk45 from state y0 at time t0. y0 has n numbers, f receives the pointer ctx, and work
    has RK45_WORK(n) numbers and must exist as long as s. y0 and the options are copied, but not the arrays to which the
-   options point. f is not evaluated yet. Returns ODE_OK, ODE_RTOL_RAISED, ODE_BAD_ARGUMENT or ODE_WORK_TOO_SMALL. */
+   options point. f is not evaluated yet. Returns ODE_OK; ODE_RTOL_RAISED if rtol was too small and was raised;
+   ODE_BAD_ARGUMENT if an argument or an option is wrong; ODE_WORK_TOO_SMALL if options_or_NULL->work_size is too
+   small. */
 VM_INLINE int rk45_init(rk45 *s, ode_rhs f, void *ctx, int n, vm_real t0, const vm_real *y0,
                         const rk45_options *options_or_NULL, vm_real *work)
 {
@@ -159,12 +161,12 @@ VM_INLINE int rk45_init(rk45 *s, ode_rhs f, void *ctx, int n, vm_real t0, const 
 }
 
 /* Continues a run of rk45 from another time or state, such as after a jump. The step size and the counters are kept. y
-   has n numbers and may be s->y. If t is s->t, events that have just happened are not found again. Returns ODE_OK or
-   ODE_BAD_ARGUMENT. */
+   has n numbers and may be s->y. If t is s->t, events that have just happened are not found again. Returns ODE_OK, or
+   ODE_BAD_ARGUMENT if s or y is NULL or a number is not finite. */
 VM_API int rk45_restart(rk45 *s, vm_real t, const vm_real *y) { return vmi_restart(s, t, y); }
 
-/* One accepted step of rk45, or the part of it before an event that ends the step. The step goes forward if s->h is
-   positive or 0, and backward if s->h is negative; s->h is at first the option h0. Returns a status. */
+/* Makes one accepted step of rk45, or the part of it before an event that ends the step. The step goes forward if s->h
+   is positive or 0, and backward if s->h is negative; s->h is at first the option h0. Returns a status. */
 VM_INLINE int rk45_step(rk45 *s)
 {
     vm_real t_end;
@@ -173,9 +175,9 @@ VM_INLINE int rk45_step(rk45 *s)
     return vmi_rk45_run(s, s->f, s->n, t_end, 1);
 }
 
-/* Steps of rk45 to t_end, with f and n given once more so that f is inlined. The compiler inlines f if f and n are
-   constants in this call, wherever rk45_init was called. Returns ODE_BAD_ARGUMENT if f or n is not that of s; all else
-   is as in rk45_solve. */
+/* Makes steps of rk45 to t_end, with f and n given once more so that f is inlined. The compiler inlines f if f and n
+   are constants in this call, wherever rk45_init was called. Returns ODE_BAD_ARGUMENT if f or n is not that of s; all
+   else is as in rk45_solve. */
 VM_INLINE int rk45_solve_with(rk45 *s, ode_rhs f, int n, vm_real t_end)
 {
     const int status = vmi_begin_solve(s, VMI_RK45, f, n, t_end);
@@ -183,17 +185,18 @@ VM_INLINE int rk45_solve_with(rk45 *s, ode_rhs f, int n, vm_real t_end)
     return vmi_end_solve(t_end, vmi_rk45_run(s, f, n, vmi_last_time(t_end), 0));
 }
 
-/* Steps of rk45 to t_end exactly, forward or backward, or to an event that ends the run. t_end may be infinite if there
-   is such an event. Nothing changes if s->t is t_end. After an error s->t and s->y are those of the last accepted step.
-   Returns a status. After ODE_MAX_STEPS, that is after options.max_steps attempts, another call continues the run. */
+/* Makes steps of rk45 to t_end exactly, forward or backward, or to an event that ends the run. t_end may be infinite if
+   there is such an event. Nothing changes if s->t is t_end. After an error s->t and s->y are those of the last accepted
+   step. Returns a status. After ODE_MAX_STEPS, that is after options.max_steps attempts, another call continues the
+   run. */
 VM_INLINE int rk45_solve(rk45 *s, vm_real t_end)
 {
     if (!s) return ODE_BAD_ARGUMENT;
     return rk45_solve_with(s, s->f, s->n, t_end);
 }
 
-/* State y(t) at a time t within the last step of rk45, accurate to order 4. y receives n numbers; f is not evaluated.
-   Returns ODE_OK, or ODE_BAD_ARGUMENT if t is not between s->t_old and s->t. */
+/* Computes the state y(t) at a time t within the last step of rk45, accurate to order 4. y receives n numbers; f is not
+   evaluated. Returns ODE_OK, or ODE_BAD_ARGUMENT if t is not between s->t_old and s->t. */
 VM_API int rk45_interpolate(const rk45 *s, vm_real t, vm_real *y) { return vmi_interpolate_ready(s, VMI_RK45, t, y); }
 
 #endif

@@ -126,10 +126,11 @@ VMI_FOLDED int vmi_rk87_stages(vmi_rk_system sys, vm_real t, vm_real t_new, vm_r
 /* Estimates the error that a jump of f inside a step of size 1 causes in a component whose derivatives are k1 ... k13.
    This error is up to a quarter of the jump. The difference of the results of orders 8 and 7 hardly shows a jump in the
    first 0.9 of the step: in this difference the weights of the k before the jump add up to 4e-4 at most. `seen` is the
-   magnitude of another sum of the k, of order 5. In it the weights of the k before the jump add up in magnitude to
+   magnitude of another sum of the k, of order 5. In this sum the weights of the k before the jump add up in magnitude
+   to
      0.11 for a jump before 0.155 of the step (only k1 is before it), 0.17 for a jump between 0.155 and 0.465 (k1 and
      k7 are before it), 0.25 for a jump between 0.465 and 0.9 (k1, k7 and k6 are before it).
-   If f is smooth, `seen` is much smaller than `change`, the change of f along the step. The result
+   If f is smooth, `seen` is much smaller than `change`, the change of f along the step. The returned value
    seen^2/(seen + change) is then of order 9, and below the difference of orders 8 and 7 unless the tolerance is
    loose. */
 VM_INLINE vm_real vmi_rk87_jump(vm_real k1, vm_real k6, vm_real k7, vm_real k9, vm_real k10, vm_real k13)
@@ -141,7 +142,7 @@ VM_INLINE vm_real vmi_rk87_jump(vm_real k1, vm_real k6, vm_real k7, vm_real k9, 
     return seen * (seen / (seen + change + VM_MIN));
 }
 
-/* The largest ratio of the error of a component to its tolerance. The error is the larger of two numbers: the
+/* Returns the largest ratio of the error of a component to its tolerance. The error is the larger of two numbers: the
    difference of the new states of orders 8 and 7, and the error that a jump of f may cause (vmi_rk87_jump). */
 VMI_FOLDED vm_real vmi_rk87_error(const rk45_options *o, vmi_rk_system sys, vm_real h)
 {
@@ -188,7 +189,7 @@ VM_API vm_real vmi_rk87_end_difference(int j)
 #define VMI_RK87_OWN 14
 #define VMI_RK87_EXTRA 7
 
-/* The coefficient of k_{j+1} in the stage of the continuous extension that evaluates k_{15+stage} */
+/* Returns the coefficient of k_{j+1} in the stage of the continuous extension that evaluates k_{15+stage}. */
 VM_API vm_real vmi_rk87_extra_coefficient(int stage, int j)
 {
     VM_TABLE vm_real a[7][20] = {
@@ -322,7 +323,7 @@ VMI_APART void vmi_rk87_inside(const rk45 *s, vm_real x, vm_real *y)
     vmi_weigh_inside(s, VMI_RK87_OWN + VMI_RK87_EXTRA, b, x, y);
 }
 
-/* The descriptor of rk87: its vmi_rk_pair */
+/* Returns the descriptor of rk87: its vmi_rk_pair. */
 VMI_FOLDED vmi_rk_pair vmi_rk87_pair(void)
 {
     vmi_rk_pair pair;
@@ -369,7 +370,8 @@ VM_INLINE int rk87_init(rk87 *s, ode_rhs f, void *ctx, int n, vm_real t0, const 
 /* Continues a run of rk87 from another time or state, such as after a jump. All else is as in rk45_restart. */
 VM_API int rk87_restart(rk87 *s, vm_real t, const vm_real *y) { return vmi_restart(s, t, y); }
 
-/* One accepted step of rk87, or the part of it before an event that ends the step. All else is as in rk45_step. */
+/* Makes one accepted step of rk87, or the part of it before an event that ends the step. All else is as in
+   rk45_step. */
 VM_INLINE int rk87_step(rk87 *s)
 {
     vm_real t_end;
@@ -378,7 +380,8 @@ VM_INLINE int rk87_step(rk87 *s)
     return vmi_rk87_run(s, s->f, s->n, t_end, 1);
 }
 
-/* Steps of rk87 to t_end, with f and n given once more so that f is inlined. All else is as in rk45_solve_with. */
+/* Makes steps of rk87 to t_end, with f and n given once more so that f is inlined. All else is as in
+   rk45_solve_with. */
 VM_INLINE int rk87_solve_with(rk87 *s, ode_rhs f, int n, vm_real t_end)
 {
     const int status = vmi_begin_solve(s, VMI_RK87, f, n, t_end);
@@ -386,7 +389,7 @@ VM_INLINE int rk87_solve_with(rk87 *s, ode_rhs f, int n, vm_real t_end)
     return vmi_end_solve(t_end, vmi_rk87_run(s, f, n, vmi_last_time(t_end), 0));
 }
 
-/* Steps of rk87 to t_end exactly, forward or backward, or to an event that ends the run. All else is as in
+/* Makes steps of rk87 to t_end exactly, forward or backward, or to an event that ends the run. All else is as in
    rk45_solve. */
 VM_INLINE int rk87_solve(rk87 *s, vm_real t_end)
 {
@@ -394,10 +397,10 @@ VM_INLINE int rk87_solve(rk87 *s, vm_real t_end)
     return rk87_solve_with(s, s->f, s->n, t_end);
 }
 
-/* State y(t) at a time t within the last step of rk87, accurate to order 8. y receives n numbers. The first call after
-   a step evaluates f seven times, unless t is s->t. Returns ODE_BAD_ARGUMENT if t is not between s->t_old and s->t.
-   These evaluations may also give ODE_RHS_STOPPED (f stops the run) or ODE_NOT_FINITE, although the step itself has
-   succeeded. */
+/* Computes the state y(t) at a time t within the last step of rk87, accurate to order 8. y receives n numbers. The
+   first call after a step evaluates f seven times, unless t is s->t. Returns ODE_BAD_ARGUMENT if t is not between
+   s->t_old and s->t. In these evaluations f may also stop the run (then the status is ODE_RHS_STOPPED) or give a number
+   that is not finite (ODE_NOT_FINITE), although the step itself has succeeded. */
 VM_API int rk87_interpolate(rk87 *s, vm_real t, vm_real *y)
 {
     if (!s || s->pair.method != VMI_RK87) return ODE_BAD_ARGUMENT;

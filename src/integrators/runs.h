@@ -50,7 +50,7 @@ enum { VMI_K1_MISSING, VMI_K1_READY, VMI_K1_IS_LAST };  /* k_1 is unknown, ready
 enum { VMI_NONE_FAILED, VMI_REJECTED, VMI_NOT_FINITE }; /* results of an attempt */
 enum { VMI_STIFF_WAIT = 100 };                          /* accepted steps from one test of stiffness to the next */
 
-/* The array of n numbers in work with the index `part`, such as VMI_Y */
+/* Returns the part of work with the index `part`, such as VMI_Y: an array of n numbers. */
 VM_API vm_real *vmi_part(const rk45 *s, int part) { return s->work + (ptrdiff_t)part * s->n; }
 
 /* Sets the fields of a new run that do not depend on the options or the pair */

@@ -34,7 +34,7 @@
 #include "rk87.h"
 #include "runs.h"
 
-/* The numbers at the beginning of a saved run. The run that resumes it must have the same. */
+/* Indices of the numbers at the beginning of a saved run. The run that resumes it must have the same numbers. */
 enum {
     VMI_SAVED_FORMAT,
     VMI_SAVED_REAL,
@@ -56,20 +56,22 @@ enum {
     VMI_SAVED_EVENT_BYTES = 4 * sizeof(vm_real) + VMI_SAVED_LONG_BYTES + 3 * VMI_SAVED_INT_BYTES
 };
 
-/* Number of bytes of a saved run with n components and n_events events */
+/* The number of bytes of a saved run with `numbers` numbers in work and n_events events */
 #define VMI_SAVED(numbers, n_events) \
     (VMI_SAVED_RUN_BYTES + (numbers) * (int)sizeof(vm_real) + (n_events) * VMI_SAVED_EVENT_BYTES)
 #define RK45_SAVED(n, n_events) VMI_SAVED(RK45_WORK(n), n_events)
 #define RK87_SAVED(n, n_events) VMI_SAVED(RK87_WORK(n), n_events)
 
-/* A place in the bytes of a saved run. The numbers go to the bytes if `saves` is not 0, else they come from them. */
+/* A place in the bytes of a saved run. If `saves` is not 0, the numbers are written to the bytes; else they are read
+   from the bytes. */
 typedef struct VM_TAG(vmi_saved_place) {
     unsigned char *to;
     const unsigned char *from;
     int saves;
 } vmi_saved_place;
 
-/* Writes the lowest 8 `count` bits of *bits as bytes, the lowest first, or reads them, and goes on to the next place */
+/* Writes the lowest 8 times `count` bits of *bits as bytes, the lowest byte first, or reads them, and goes on to the
+   next place */
 VM_API void vmi_saved_bits(vmi_saved_place *p, uint64_t *bits, int count)
 {
     uint64_t read = 0;
@@ -128,7 +130,7 @@ VM_API void vmi_saved_move_event(vmi_saved_place *p, ode_event *e)
     vmi_saved_int(p, &e->happens);
 }
 
-/* Number of vm_reals in the work of the run s that belong to the integrator */
+/* Returns the number of vm_real numbers in the work of the run s that belong to the integrator. */
 VM_API long vmi_saved_numbers(const rk45 *s) { return (long)(VMI_K + s->pair.derivatives) * s->n; }
 
 /* Writes all numbers of the run, its work and its events, or reads them */
@@ -163,7 +165,7 @@ VM_API void vmi_saved_move_run(vmi_saved_place *p, rk45 *s)
     for (i = 0; i < s->options.n_events; i++) vmi_saved_move_event(p, s->options.events + i);
 }
 
-/* The numbers at the beginning of a saved run */
+/* Writes the numbers at the beginning of a saved run. */
 VM_API void vmi_saved_head(const rk45 *s, int *head)
 {
     head[VMI_SAVED_FORMAT] = VMI_SAVED_FORMAT_NOW;
@@ -198,7 +200,7 @@ VM_API uint32_t vmi_saved_checksum(const unsigned char *bytes, long count)
     return sum;
 }
 
-/* Number of bytes of the saved run s */
+/* Returns the number of bytes of the saved run s. */
 VM_API long vmi_saved_size(const rk45 *s)
 {
     return (long)VMI_SAVED_RUN_BYTES + vmi_saved_numbers(s) * (long)sizeof(vm_real) +
@@ -251,14 +253,14 @@ VM_API int vmi_resume(rk45 *s, int method, long size, const unsigned char *bytes
 
 /* Saves a run of rk45 between two calls as bytes. There is room for `size` bytes, at least RK45_SAVED(n, number of
    events). The arrays `times` and `states` of events, ctx and the options are not in the bytes: they are the caller's.
-   A call takes as long as a copy of the bytes. Returns ODE_OK, ODE_BAD_ARGUMENT for a null pointer or a run by rk87, or
-   ODE_WORK_TOO_SMALL. */
+   A call takes as long as a copy of the bytes. Returns ODE_OK; ODE_BAD_ARGUMENT for a null pointer, a negative size or
+   a run by rk87; ODE_WORK_TOO_SMALL if there is too little room. */
 VM_API int rk45_save(const rk45 *s, long size, unsigned char *bytes) { return vmi_save(s, VMI_RK45, size, bytes); }
 
 /* Copies the numbers of a saved run of rk45 into s, which rk45_init has made with the f, n, options and events of the
-   saved run. The next step has the same bits as that of the saved run. Returns ODE_OK, ODE_WORK_TOO_SMALL if size is
-   less than the bytes of such a run, or ODE_BAD_ARGUMENT for a null pointer, for bytes of a run with another method, n,
-   number of events or type, and for damaged bytes; s is then unchanged. */
+   saved run. The next step has the same bits as that of the saved run. Returns ODE_OK; ODE_WORK_TOO_SMALL if size is
+   less than the number of bytes of such a run; ODE_BAD_ARGUMENT for a null pointer, for bytes of a run with another
+   method, n, number of events or type, and for damaged bytes. If the status is not ODE_OK, s is unchanged. */
 VM_API int rk45_resume(rk45 *s, long size, const unsigned char *bytes) { return vmi_resume(s, VMI_RK45, size, bytes); }
 
 /* Saves a run of rk87 as bytes. There is room for `size` bytes, at least RK87_SAVED(n, number of events). All else is

@@ -16,9 +16,10 @@
 #include "pairs.h"
 #include "runs.h"
 
-/* x^p with an error of at most 1.6 % where |p| <= 0.2 and the result is from 0.1 to 10. x must be positive, and the
-   result must neither overflow nor underflow. The bits of x, taken as an integer, give a logarithm of x that is
-   piecewise linear; `middle` is half its largest error. The exponential function is computed as (1 + v + v^2/2)^16. */
+/* Returns x^p with an error of at most 1.6 % where |p| <= 0.2 and the result is from 0.1 to 10. x must be positive, and
+   the result must neither overflow nor underflow. The bits of x, taken as an integer, give a logarithm of x that is
+   piecewise linear; `middle` is half the largest error of this logarithm. The exponential function e^(16 v) is computed
+   as (1 + v + v^2/2)^16. */
 VM_INLINE vm_real vmi_pow_rough(vm_real x, vm_real p)
 {
     const vm_real ln2 = VM_C(0.69314718055994531), middle = VM_C(0.043);
@@ -36,7 +37,7 @@ VM_INLINE vm_real vmi_pow_rough(vm_real x, vm_real p)
 
 #define VMI_LARGEST_RATIO VM_C(1e10) /* upper limit of the ratios to tolerances from which the first step is chosen */
 
-/* The largest ratio of |v_i| to the tolerance of component i, at most VMI_LARGEST_RATIO */
+/* Returns the largest ratio of |v_i| to the tolerance of component i, but at most VMI_LARGEST_RATIO. */
 VM_API vm_real vmi_norm_by_tolerance(const rk45 *s, const vm_real *v)
 {
     vm_real largest = 0;
@@ -50,8 +51,8 @@ VM_API vm_real vmi_norm_by_tolerance(const rk45 *s, const vm_real *v)
 
 /* Chooses the size s->h of the first step from the sizes of y, y' and y'' (Hairer et al. [2, II.4]), so that the error
    of this step should be 1 % of the tolerance. |s->h| is at most 100 times the size of a step that changes y by 1 %,
-   and at most `longest`. `direction`, 1 or -1, is the sign of s->h. Overwrites k_2 and the part VMI_Z of work. Returns
-   a status. */
+   and at most `longest`. `direction`, 1 or -1, is the sign of s->h. The function overwrites k_2 and the part VMI_Z of
+   work. Returns a status. */
 VM_API int vmi_first_step(rk45 *s, vm_real direction, vm_real longest)
 {
     vm_real *k1 = vmi_part(s, VMI_K), *k2 = vmi_part(s, VMI_K + 1), *z = vmi_part(s, VMI_Z);
@@ -76,22 +77,22 @@ VM_API int vmi_first_step(rk45 *s, vm_real direction, vm_real longest)
     return ODE_OK;
 }
 
-/* The length of the shortest step that is tried at the time t. It is positive at t = 0 too, since otherwise failing
-   steps could become shorter without end. */
+/* Returns the length of the shortest step that is tried at the time t. It is positive at t = 0 too, since otherwise
+   failing steps could become shorter without end. */
 VM_INLINE vm_real vmi_least_step(const rk45_options *o, vm_real t)
 {
     const vm_real least = 2 * VM_EPSILON * VM_FABS(t) + VM_MIN;
     return VMI_LARGER(least, o->h_min);
 }
 
-/* The time from the state y to t_end, negative if the run goes backward */
+/* Returns the time from the state y to t_end, negative if the run goes backward. */
 VM_INLINE vm_real vmi_time_left(const rk45 *s, vm_real t_end) { return (t_end - s->t) - s->t_low; }
 
-/* The direction of the run to t_end: 1 forward, -1 backward */
+/* Returns the direction of the run to t_end: 1 forward, -1 backward. */
 VM_INLINE vm_real vmi_direction(const rk45 *s, vm_real t_end) { return vmi_time_left(s, t_end) < 0 ? -1 : 1; }
 
-/* The factor by which the step size changes after an accepted step, by PI control (Hairer et al. [2, IV.2]). It is the
-   smaller of 10 and
+/* Returns the factor by which the step size changes after an accepted step, by PI control (Hairer et al. [2, IV.2]). It
+   is the smaller of 10 and
      0.9 error^(-4/(5 order)) error_before^(1/(5 order)),
    where error is the error of this step divided by its tolerance, and error_before is that of the previous step. */
 VM_INLINE vm_real vmi_factor(int order, vm_real error, vm_real inverse_error_before)
@@ -101,8 +102,8 @@ VM_INLINE vm_real vmi_factor(int order, vm_real error, vm_real inverse_error_bef
     return VMI_SMALLER(factor, VM_C(10.0));
 }
 
-/* The factor by which the step size changes after a rejected step: 0.9 error^(-1/order), at least 1/5, where error is
-   the error of the step divided by its tolerance. It is 1/10 if error is NaN. */
+/* Returns the factor by which the step size changes after a rejected step: 0.9 error^(-1/order), at least 1/5, where
+   error is the error of the step divided by its tolerance. It is 1/10 if error is NaN. */
 VM_INLINE vm_real vmi_shrink(int order, vm_real error)
 {
     vm_real factor;
@@ -128,7 +129,7 @@ typedef struct VM_TAG(vmi_progress) {
     int stopped;                    /* number that f returned last; if it is not 0, the run stops */
 } vmi_progress;
 
-/* The fields that change from step to step, as they are before the loop */
+/* Returns the fields that change from step to step, as they are before the loop. */
 VMI_FOLDED vmi_progress vmi_begin_progress(const rk45 *s, vm_real t_end)
 {
     vmi_progress p;
@@ -217,8 +218,9 @@ VMI_FOLDED int vmi_choose_step(const rk45_options *o, vm_real t_end, vmi_progres
     return status;
 }
 
-/* The number of steps within the tolerance that must lie between two steps that may miss it. After a jump of f there
-   are three such steps, 1, 10 and 100 times as long as the smallest step; next to a singularity of f there are none. */
+/* The number of steps within the tolerance that must lie between two steps that miss the tolerance. After a jump of f
+   there are three such steps, 1, 10 and 100 times as long as the smallest step; next to a singularity of f there are
+   none. */
 enum { VMI_BETWEEN_MISSES = 3 };
 
 /* Undoes the last accepted step, which missed the tolerance */
@@ -252,8 +254,9 @@ VMI_FOLDED int vmi_reject(int order, const vmi_trial *trial, vm_real error, vmi_
 }
 
 /* Replaces the state after a step of the smallest size in which f jumps. The weights of the stages have both signs, so
-   that their sum may lead far away from the jump. Therefore each component is continued with the mean of the smallest
-   and the largest of its derivatives in the stages. The error of this mean is at most half the jump. */
+   that the weighted sum of the derivatives may lead far away from the state at the jump. Therefore each component is
+   continued with the mean of the smallest and the largest of its derivatives in the stages. The error of this mean is
+   at most half the jump. */
 VM_INLINE void vmi_take_middle_slope(int stages, vmi_rk_system sys, vm_real h)
 {
     const ptrdiff_t m = sys.m;
@@ -275,7 +278,7 @@ VM_INLINE void vmi_take_middle_slope(int stages, vmi_rk_system sys, vm_real h)
 #define VMI_LEAST_ERROR VM_C(1e-8) /* a ratio of an error to its tolerance below this number counts as this number */
 
 /* Chooses the size of the step after an accepted step. The size stays the same if the error is between keep_from and
-   VMI_KEEP_TO times the tolerance. The processor can predict that the size stays, and begin the next step before the
+   VMI_KEEP_TO times the tolerance. Then the processor can predict the next size, and begin the next step before the
    error is known. */
 VMI_FOLDED void vmi_choose_size(int order, vm_real keep_from, const vmi_trial *trial, vm_real error, vmi_progress *p)
 {

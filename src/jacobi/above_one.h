@@ -1,8 +1,8 @@
 /* jacobi/above_one.h - incomplete elliptic integrals for m > 1
 
    For m > 1 the root sqrt(1 - m sin^2 x) is real only up to the angle arcsin(1/k), where k = sqrt(m). Up to this angle,
-   and at it, the integrals F, E, D and Pi have ordinary values; beyond it they are NaN. They give the time in which a
-   pendulum reaches an angle. A pendulum that swings to and fro up to the angle A needs F(a/2 | m)/(k w0) seconds from
+   and at it, the integrals F, E, D and Pi have ordinary values; beyond it they are NaN. F gives the time in which a
+   pendulum reaches an angle: a pendulum that swings to and fro up to the angle A needs F(a/2 | m)/(k w0) seconds from
    its lowest point to the angle a, where k is 1/sin(A/2) and w0 is the frequency of its small oscillations.
 
        vm_real u = jacobi_F(VM_C(0.4), VM_C(2.5)); // sn(u | 2.5) = sin 0.4
@@ -20,8 +20,8 @@
 #include "../base/words.h"
 #include "carlson.h"
 
-/* The sine of t in two words for 0 <= t <= 0.1, by its power series. The terms from t^11 on are so small that one word
-   is enough for them. */
+/* Returns the sine of t in two words for 0 <= t <= 0.1, by its power series. The terms from t^11 on are so small that
+   one word is enough for them. */
 VM_API vm_two vmi_two_sine_series(vm_two t)
 {
     const vm_two square = vmi_two_times(t, t);
@@ -37,8 +37,8 @@ VM_API vm_two vmi_two_sine_series(vm_two t)
     return vmi_two_times(t, sum);
 }
 
-/* The sine and the cosine of z in two words for 0 <= z <= pi/4. The angle z/8, whose sine is computed by a power
-   series, is doubled three times. */
+/* Computes the sine and the cosine of z in two words for 0 <= z <= pi/4. The angle z/8, whose sine is computed by a
+   power series, is doubled three times. */
 VM_API void vmi_two_sin_cos(vm_two z, vm_two *sine, vm_two *cosine)
 {
     const vm_two one = vmi_two(1, 0);
@@ -54,15 +54,15 @@ VM_API void vmi_two_sin_cos(vm_two z, vm_two *sine, vm_two *cosine)
     *cosine = c;
 }
 
-/* An angle phi between 0 and arcsin(1/k), with the numbers of which the integrals for m > 1 consist */
+/* An angle phi between 0 and arcsin(1/k), with the numbers from which the integrals for m > 1 are computed */
 typedef struct VM_TAG(vmi_above) {
     vm_two s, c;   /* sin phi and cos phi */
     vm_real cc;    /* cos^2 phi */
-    vm_real share; /* (m - 1) sin^2 phi, by which d is smaller than cc */
-    vm_real d;     /* 1 - m sin^2 phi, which is cc - share; below 0 or NaN where the integrals have no real value */
+    vm_real share; /* (m - 1) sin^2 phi, the difference cc - d */
+    vm_real d;     /* 1 - m sin^2 phi = cc - share; d is below 0 or NaN where the integrals have no real value */
 } vmi_above;
 
-/* Returns sqrt(|x|) sin phi in two words. The root is taken first, so that the product neither overflows nor
+/* Returns sqrt(|x|) sin phi in two words. The root of |x| is taken first, so that the product neither overflows nor
    underflows. */
 VM_API vm_two vmi_root_times_sine(vm_two x, const vmi_above *angle)
 {
@@ -97,7 +97,7 @@ VM_API vmi_above vmi_above_of(vm_real phi, vm_two m1)
     return angle;
 }
 
-/* F(phi | m) for m > 1: s R_F(d, cc, 1) */
+/* Returns F(phi | m) for m > 1, which is s R_F(d, cc, 1) with the fields s, d, cc of vmi_above. */
 VM_API vm_real vmi_F_above(vm_real phi, vm_two m1)
 {
     const vmi_above angle = vmi_above_of(phi, m1);
@@ -105,8 +105,9 @@ VM_API vm_real vmi_F_above(vm_real phi, vm_two m1)
     return VM_COPYSIGN(angle.s.hi * vmi_rf(angle.cc, angle.d, 1), phi);
 }
 
-/* E(phi | m) for m > 1. With M = 1/m and the angle B whose sine is k s, it equals (E(B | M) - (1 - M) F(B | M)) k, but
-   this difference would lose digits. The formula here is a sum of positive terms (DLMF 19.25.10). */
+/* Returns E(phi | m) for m > 1. With s = sin phi, k = sqrt(m), M = 1/m and the angle B whose sine is k s, it equals
+   (E(B | M) - (1 - M) F(B | M)) k, but this difference would lose digits. The formula here is a sum of positive terms
+   (DLMF 19.25.10). */
 VM_API vm_real vmi_E_above(vm_real phi, vm_two m1)
 {
     const vmi_above angle = vmi_above_of(phi, m1);
@@ -117,7 +118,7 @@ VM_API vm_real vmi_E_above(vm_real phi, vm_two m1)
     return VM_COPYSIGN(angle.s.hi * sum, phi);
 }
 
-/* D(phi | m) for m > 1: s^3 R_D(cc, d, 1)/3 */
+/* Returns D(phi | m) for m > 1, which is s^3 R_D(cc, d, 1)/3 with the fields s, cc, d of vmi_above. */
 VM_API vm_real vmi_D_above(vm_real phi, vm_two m1)
 {
     const vmi_above angle = vmi_above_of(phi, m1);
@@ -128,9 +129,9 @@ VM_API vm_real vmi_D_above(vm_real phi, vm_two m1)
     return VM_COPYSIGN(s * (s * s * rd * VM_C(0.3333333333333333333)), phi);
 }
 
-/* Pi(n; phi | m) for m > 1 and n < 0. The reciprocal transformation leads to the parameter 1/m and the characteristic
-   n/m. The characteristic N = (1 - n)/(m - n) replaces n/m (DLMF 19.7.9), so that all terms are positive. q is 1 - N
-   k^2 s^2. */
+/* Returns Pi(n; phi | m) for m > 1 and n < 0. The reciprocal transformation leads to the parameter 1/m and the
+   characteristic n/m. The characteristic N = (1 - n)/(m - n) replaces n/m (DLMF 19.7.9), so that all terms are
+   positive. The variable q is 1 - N m s^2 with s = sin phi. */
 VM_API vm_real vmi_Pi_above_negative(const vmi_above *angle, vm_real n, vm_real m, vm_real m1)
 {
     const vm_real s = angle->s.hi, ratio = n / m, per = 1 / (1 - ratio);
@@ -141,8 +142,9 @@ VM_API vm_real vmi_Pi_above_negative(const vmi_above *angle, vm_real n, vm_real 
     return s * (rf * per - ratio * per * (VM_SQRT(angle->d) * vmi_rc(angle->cc, p * q) + third));
 }
 
-/* Pi(n; phi | m) for m > 1 and a finite n. p = 1 - n s^2 is computed in two words, since it falls to 0 at a pole. For
-   p < 0, where n > m, the formula of vmi_Pi_part holds: q is 1 - s^2 m/n, and R_C has its principal value. */
+/* Returns Pi(n; phi | m) for m > 1 and a finite n. With s = sin phi, p = 1 - n s^2 is computed in two words, since it
+   falls to 0 at a pole. For p < 0, where n > m, the formula of vmi_Pi_part for p < 0 is used: q is 1 - s^2 m/n, and R_C
+   has its principal value. */
 VM_API vm_real vmi_Pi_above(vm_real phi, vm_real n, vm_real m, vm_two m1)
 {
     const vmi_above angle = vmi_above_of(phi, m1);

@@ -49,12 +49,13 @@ VM_API void vmi_agm(vmi_ladder *l, vm_real b0, int steps)
     l->n = n;
 }
 
-/* Returns the quarter period K in three words, with a relative error below 2^-(3p - 12), for 1 - m = m1 + m1_lo > 0.
-   Plans (jacobi/plans.h) and the reduction of an argument next to a multiple of K need so many digits. */
+/* Returns the quarter period K in three words, with a relative error below 2^-(3p - 12), for 1 - m = m1 + m1_lo > 0; p
+   is the number of binary digits of vm_real. Plans (jacobi/plans.h) and the reduction of an argument next to a multiple
+   of K need so many digits. */
 VM_API vmi_three vmi_K_three_words(vm_real m1, vm_real m1_lo)
 {
     const vm_real tiny = VM_EPSILON * VM_EPSILON;
-    vm_real lift = 1, c; /* roots are taken of m1 lift^2, so that no word overflows or underflows */
+    vm_real lift = 1, c; /* lift is a power of 2; roots of m1 lift^2 are taken, so that no word over- or underflows */
     vmi_three a = vmi_three_words(1, 0, 0), b;
     if (m1 < tiny) lift = 1 / tiny;
     if (m1 > 1 / tiny) lift = VM_EPSILON;
@@ -70,14 +71,14 @@ VM_API vmi_three vmi_K_three_words(vm_real m1, vm_real m1_lo)
 }
 
 /* Returns agm(1, k') = pi/(2K) in two words, for 1 - m = m1 + m1_lo > 0. Let s be the mean of the last a_n and b_n, c
-   half their difference, and x = (c/s)^2. Instead of a further step, the series agm(s + c, s - c) = s (1 - x/4 - 5
-   x^2/64 - ...) is used. The relative error of the result is x eps/8 < 2^-85 (float 2^-41). Where the result serves to
-   reduce the argument u, its error changes sn, cn and dn/k' by less than eps/8, since the slopes of these functions are
-   at most max(1, k'). */
+   half their difference, and x = (c/s)^2. The series agm(s + c, s - c) = s (1 - x/4 - 5 x^2/64 - ...) replaces a
+   further step of the mean. The relative error of the result is x eps/8 < 2^-85 (float 2^-41). Where an argument u is
+   reduced by means of this result, the error of the result changes sn, cn and dn/k' by less than eps/8, since the
+   slopes of these functions are at most max(1, k'). */
 VM_API vm_two vmi_agm_two_words(vm_real m1, vm_real m1_lo, vm_real u)
 {
     const vm_real tiny = VM_EPSILON * VM_EPSILON, last = VM_MANT_DIG > 24 ? VM_C(3e-5) : VM_C(4e-3);
-    vm_real lift = 1, slope; /* the root is taken of m1 lift^2, so that no word underflows */
+    vm_real lift = 1, slope; /* lift is a power of 2; the root is taken of m1 lift^2, so that no word underflows */
     vm_two root, kp, a, b, p;
     if (m1 < tiny) lift = 1 / tiny;
     root = vmi_root(m1 * lift * lift, m1_lo * lift * lift);

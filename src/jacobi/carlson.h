@@ -1,6 +1,6 @@
 /* jacobi/carlson.h - Carlson's symmetric elliptic integrals R_F, R_C, R_D, R_J and R_G
 
-   Every elliptic integral is a sum of a few of these. They are computed without loss of digits and without special
+   Every elliptic integral is a sum of a few of these five. They are computed without loss of digits and without special
    cases:
      R_F(x, y, z)    = 1/2 integral from 0 to infinity of dt/s(t),  s(t) = sqrt((t + x)(t + y)(t + z)),
      R_J(x, y, z, p) = 3/2 integral from 0 to infinity of dt/((t + p) s(t)),
@@ -34,7 +34,7 @@ typedef struct VM_TAG(vmi_carlson) {
    that are left out have the degree 11 (float 5) in these differences; they are below 1e-17 (float 4e-9). */
 #define VMI_CARLSON_CLOSE VM_C(0.0262)
 
-/* Returns the state before the first duplication of x, y, z. */
+/* Returns the numbers of vmi_carlson before the first duplication of x, y, z. */
 VM_INLINE vmi_carlson vmi_carlson_begin(vm_real x, vm_real y, vm_real z)
 {
     vmi_carlson s;
@@ -48,7 +48,7 @@ VM_INLINE vmi_carlson vmi_carlson_begin(vm_real x, vm_real y, vm_real z)
     return s;
 }
 
-/* Returns the largest distance of an argument from the mean. */
+/* Returns the largest distance of an argument x, y, z from their mean. */
 VM_INLINE vm_real vmi_carlson_spread(const vmi_carlson *s)
 {
     return vmi_larger(vmi_larger(VM_FABS(s->X), VM_FABS(s->Y)), VM_FABS(s->X + s->Y));
@@ -80,9 +80,9 @@ VM_INLINE void vmi_carlson_symmetric(const vmi_carlson *s, vm_real *E2, vm_real 
     *E3 = X * Y * Z;
 }
 
-/* R_F from arguments that are close together: the sum over N of t_N/(2N + 1), divided by the root of the mean. t_N is
-   the coefficient of s^N in the power series of (1 + E2 s^2 - E3 s^3)^(-1/2), with E2, E3 of vmi_carlson_symmetric
-   (DLMF 19.19.7). */
+/* Returns R_F from arguments that are close together: the sum over N of t_N/(2N + 1), divided by the root of the mean.
+   t_N is the coefficient of s^N in the power series of (1 + E2 s^2 - E3 s^3)^(-1/2), with E2, E3 of
+   vmi_carlson_symmetric (DLMF 19.19.7). */
 VM_INLINE vm_real vmi_carlson_first(const vmi_carlson *s)
 {
     vm_real E2, E3, low, high = 0;
@@ -104,7 +104,7 @@ VM_INLINE vm_real vmi_carlson_first(const vmi_carlson *s)
     return (1 + (low + high)) / VM_SQRT(s->mean);
 }
 
-/* R_J from arguments x, y, z and p that are close together, where P is 1 - p/mean. It is the sum over N of 3
+/* Returns R_J from arguments x, y, z and p that are close together, where P is 1 - p/mean. It is the sum over N of 3
    T_N/(2N + 3), divided by mean^(3/2). T_N is the coefficient of s^N in (1 + E2 s^2 - E3 s^3)^(-1/2)/(1 - P s). */
 VM_INLINE vm_real vmi_carlson_third(const vmi_carlson *s, vm_real P)
 {
@@ -141,7 +141,7 @@ VM_INLINE vm_real vmi_carlson_third(const vmi_carlson *s, vm_real P)
     return (1 + sum) / (s->mean * VM_SQRT(s->mean));
 }
 
-/* R_F for arguments x, y, z >= 0 of which at most one is 0, within 3 ulp */
+/* Returns R_F(x, y, z), within 3 ulp, for arguments >= 0 of which at most one is 0. */
 VM_INLINE vm_real vmi_rf(vm_real x, vm_real y, vm_real z)
 {
     vmi_carlson s = vmi_carlson_begin(x, y, z);
@@ -162,14 +162,14 @@ VM_INLINE vm_real vmi_rf_rd(vm_real x, vm_real y, vm_real z, vm_real *rd)
     while (spread > VMI_CARLSON_CLOSE * s.mean) {
         vmi_carlson_duplicate(&s);
         spread *= VM_C(0.25);
-        sum += power / (4 * s.c * s.z); /* 4 z is the formula's z + lambda */
+        sum += power / (4 * s.c * s.z); /* 4 s.z is z + lambda, where z is its value before this duplication */
         power *= VM_C(0.25);
     }
     *rd = 3 * sum + power * vmi_carlson_third(&s, -(s.X + s.Y) / s.mean);
     return vmi_carlson_first(&s);
 }
 
-/* The series of R_C(1, 1 + e) for |e| <= 0.05: 1 - e/3 + e^2/5 - ... */
+/* Returns R_C(1, 1 + e) for |e| <= 0.05 by its series 1 - e/3 + e^2/5 - ... */
 VM_INLINE vm_real vmi_rc_series(vm_real e)
 {
     const vm_real ee = e * e, e4 = ee * ee;
@@ -185,8 +185,8 @@ VM_INLINE vm_real vmi_rc_series(vm_real e)
 #endif
 }
 
-/* R_C(1, y) for y > 0. With r = sqrt(|y - 1|) it is arctan(r)/r for y > 1 and artanh(r)/r for y < 1. Next to y = 1 it
-   is computed by vmi_rc_series after one duplication, which divides y - 1 by (1 + sqrt(y))^2. */
+/* Returns R_C(1, y) for y > 0. With r = sqrt(|y - 1|) it is arctan(r)/r for y > 1 and artanh(r)/r for y < 1. Next to y
+   = 1 it is computed by vmi_rc_series after one duplication, which divides y - 1 by (1 + sqrt(y))^2. */
 VM_API vm_real vmi_rc_of_1(vm_real y)
 {
     const vm_real e = y - 1;
@@ -200,7 +200,7 @@ VM_API vm_real vmi_rc_of_1(vm_real y)
     return vmi_log((1 + root) * (1 + root) / y).hi / (2 * root);
 }
 
-/* R_C(x, y) for x >= 0 and y != 0. For y < 0 it is Cauchy's principal value (DLMF 19.2.17, 19.2.20). */
+/* Returns R_C(x, y) for x >= 0 and y != 0. For y < 0 it is Cauchy's principal value (DLMF 19.2.17, 19.2.20). */
 VM_API vm_real vmi_rc(vm_real x, vm_real y)
 {
     if (y < 0) return VM_SQRT(x / (x - y)) * vmi_rc(x - y, -y);
@@ -209,10 +209,10 @@ VM_API vm_real vmi_rc(vm_real x, vm_real y)
 }
 
 /* Returns R_F(x, y, z), and R_J(x, y, z, p) in *rj, for p > 0 and arguments x, y, z >= 0 of which at most one is 0. The
-   arguments should be about 1, because their power 3/2 is contained in d, which must neither overflow nor underflow.
+   arguments should be about 1, because d below, which grows as their power 3/2, must neither overflow nor underflow.
    Each duplication adds 6/d R_C(1, 1 + e) to R_J (DLMF 19.26.21 and Carlson 1995), where d = (r + a)(r + b)(r + c) and
    r = sqrt(p).
-   1 + e is computed as 2 r (p + lambda)/d, so that nothing cancels. */
+   1 + e is computed as 2 r (p + lambda)/d, so that no subtraction loses digits. */
 VM_API vm_real vmi_rf_rj(vm_real x, vm_real y, vm_real z, vm_real p, vm_real *rj)
 {
     vmi_carlson s = vmi_carlson_begin(x, y, z);
@@ -250,8 +250,8 @@ VM_API vmi_carlson_scale vmi_carlson_scale_of(vm_real largest)
     return scale;
 }
 
-/* Returns R_F(x, y, z), and weight R_D(x, y, z)/3 in *third, for arguments of any size, of which the largest is
-   `top`. R_D itself may overflow or underflow if its product with the weight does not. */
+/* Returns R_F(x, y, z), and the product of `weight` and R_D(x, y, z)/3 in *third, for arguments of any size, of which
+   the largest is `top`. R_D itself may overflow or underflow if this product does not. */
 VM_API vm_real vmi_rf_rd_weighted(vm_real x, vm_real y, vm_real z, vm_real top, vm_real weight, vm_real *third)
 {
     vmi_carlson_scale by;
@@ -267,8 +267,8 @@ VM_API vm_real vmi_rf_rd_weighted(vm_real x, vm_real y, vm_real z, vm_real top, 
     return by.root * rf;
 }
 
-/* Returns R_F(x, y, z), and weight R_J(x, y, z, p)/3 in *third, for arguments of any size, of which the largest is
-   `top`. R_J itself may overflow or underflow if its product with the weight does not. */
+/* Returns R_F(x, y, z), and the product of `weight` and R_J(x, y, z, p)/3 in *third, for arguments of any size, of
+   which the largest is `top`. R_J itself may overflow or underflow if this product does not. */
 VM_API vm_real vmi_rf_rj_weighted(vm_real x, vm_real y, vm_real z, vm_real p, vm_real top, vm_real weight,
                                   vm_real *third)
 {
@@ -285,20 +285,21 @@ VM_API vm_real vmi_rf_rj_weighted(vm_real x, vm_real y, vm_real z, vm_real p, vm
     return by.root * rf;
 }
 
-/* Is 1 if a positive argument is so much smaller than the largest one that the scale makes it subnormal or 0 */
+/* Returns 1 if x > 0 is so much smaller than the largest argument that the scale makes it subnormal or 0, else 0. */
 VM_API int vmi_carlson_is_lost(vmi_carlson_scale by, vm_real x) { return x > 0 && by.factor * x < VM_MIN; }
 
-/* Is 1 if x, y, z >= 0 */
+/* Returns 1 if x, y, z >= 0, else 0. */
 VM_API int vmi_carlson_allowed(vm_real x, vm_real y, vm_real z) { return x >= 0 && y >= 0 && z >= 0; }
 
-/* Is 1 if at least two of the three numbers, which are not negative, are 0 */
+/* Returns 1 if at least two of the three numbers, which are not negative, are 0, else returns 0. */
 VM_API int vmi_two_zeros(vm_real x, vm_real y, vm_real z)
 {
     return x + y == 0 || y + z == 0 || z + x == 0;
 }
 
-/* The limit of R_F, R_D or R_J. It is infinity if so many arguments are 0 that the integral diverges (`zeros`). It is
-   0 if an argument is infinite (`infinite`), and NaN if both are the case. */
+/* Returns the limit of R_F, R_D or R_J at arguments that are 0 or infinite. `zeros` is 1 if so many arguments are 0
+   that the integral diverges: then the limit is infinity. `infinite` is 1 if an argument is infinite: then the limit is
+   0. If both are 1, there is no limit, and the result is NaN. */
 VM_API vm_real vmi_carlson_limit(int zeros, int infinite)
 {
     if (zeros && infinite) return VM_NAN;
@@ -306,9 +307,9 @@ VM_API vm_real vmi_carlson_limit(int zeros, int infinite)
     return 0;
 }
 
-/* R_F for a largest argument so great that sums would overflow. The function makes one duplication and divides the new
-   arguments by 16. Each term is divided before it is added, so that no sum overflows. After the duplication no argument
-   is small. */
+/* Returns R_F where the largest argument is so great that sums would overflow. The function makes one duplication and
+   divides the new arguments by 16. Each term is divided before it is added, so that no sum overflows. After the
+   duplication no argument is small. */
 VM_API vm_real vmi_rf_huge(vm_real x, vm_real y, vm_real z)
 {
     const vm_real a = VM_SQRT(x) / 2, b = VM_SQRT(y) / 2, c = VM_SQRT(z) / 2;
@@ -328,7 +329,7 @@ VM_API vm_real jacobi_RF(vm_real x, vm_real y, vm_real z)
     if (zeros || infinite) return vmi_carlson_limit(zeros, infinite);
     if (largest > VM_MAX / 64) return vmi_rf_huge(x, y, z);
     if (largest > VM_MIN / vmi_fourth_power(VM_EPSILON)) return vmi_rf(x, y, z);
-    by = vmi_carlson_scale_of(largest); /* else products of two small arguments would lose digits */
+    by = vmi_carlson_scale_of(largest); /* without this scale products of two small arguments lose digits */
     return by.root * vmi_rf(by.factor * x, by.factor * y, by.factor * z);
 }
 
@@ -363,8 +364,8 @@ VM_API vm_real jacobi_RD(vm_real x, vm_real y, vm_real z)
     return by.root * (by.root * (by.root * rd));
 }
 
-/* R_J for p < 0, its Cauchy principal value, for 0 <= x, y <= z of which at most one is 0. It is computed from R_J with
-   the positive number `other` in place of p (DLMF 19.20.14). */
+/* Returns R_J(x, y, z, p) for p < 0, its Cauchy principal value, for 0 <= x, y <= z of which at most one is 0. It is
+   computed from R_J with the positive number `other` in place of p (DLMF 19.20.14). */
 VM_API vm_real vmi_rj_principal(vm_real x, vm_real y, vm_real z, vm_real p)
 {
     const vm_real q = -p, other = (z * ((x + y) + q) - x * y) / (z + q), product = x * y + other * q;

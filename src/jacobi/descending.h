@@ -36,11 +36,11 @@ VM_API void vmi_descend(const vmi_ladder *l, vm_real phase, vm_real *s, vm_real 
     }
 }
 
-/* sn, cn and dn by a given number of steps of the arithmetic-geometric mean, for m < 1. Fewer steps (at least one) cost
-   less and are less accurate. With steps >= 15 the function takes as many steps as the type needs; the error is then at
-   most 3 eps M (1 + M |u|) with M = max(1, k') for |u| <= 5K. The error grows with |u|: the rounded phase a_n u is
-   reduced by pi/2, while jacobi_sncndn reduces u itself by K. The results are NaN for m >= 1 and for infinite
-   arguments. */
+/* sn, cn and dn of u by a given number of steps of the arithmetic-geometric mean, for m < 1. Fewer steps (at least one)
+   cost less and are less accurate. With steps >= 15 the function makes as many steps as the type needs; the error is
+   then at most 3 eps M (1 + M |u|) with M = max(1, k') for |u| <= 5K. The error grows with |u|: the rounded phase
+   a_n u, with the last arithmetic mean a_n, is reduced by pi/2, while jacobi_sncndn reduces u itself by K. The results
+   are NaN for m >= 1 and for infinite arguments. */
 VM_API void jacobi_agm_sncndn(vm_real u, vm_real m, int steps, vm_real *sn, vm_real *cn, vm_real *dn)
 {
     const vmi_three half_pi = vmi_half_pi();

@@ -1,8 +1,9 @@
 /* jacobi/functions.h - the elliptic functions sn, cn, dn and their quotients
 
-   sn(u | m), cn(u | m) and dn(u | m) of Jacobi, for every real argument u and every parameter m = k^2 <= 1, negative
-   ones included. sn and cn have the period 4 K(m), dn has 2 K(m). They describe the motions of oscillators with cubic
-   springs and of bodies that rotate without torque. For many u and one m use a plan (jacobi/plans.h).
+   This file has Jacobi's functions sn(u | m), cn(u | m) and dn(u | m) for every real argument u and every parameter
+   m = k^2 <= 1, also for negative m. sn and cn have the period 4 K(m), dn has 2 K(m). They describe the motions of
+   oscillators with cubic springs and of bodies that rotate without torque. For many u and one m use a plan
+   (jacobi/plans.h).
 
        vm_real sn, cn, dn;
        jacobi_sncndn(VM_C(1.2), VM_C(0.3), &sn, &cn, &dn);
@@ -20,8 +21,9 @@
 #include "reduction.h"
 #include "theta.h"
 
-/* The theta functions of u for 1 - m = m1 + m1_lo, each with a small relative error, or NaN outside the domain of
-   jacobi_sncndn. dn lies between 1 and *bound. For a small |u| the function computes neither K nor k'. */
+/* Returns the theta functions of u for 1 - m = m1 + m1_lo, a number in two words. Each has a small relative error, or
+   is NaN outside the domain of jacobi_sncndn. dn lies between 1 and *bound. For a small |u| the function computes
+   neither K nor k'. */
 VM_INLINE vmi_thetas vmi_thetas_of(vm_real u, vm_real m1, vm_real m1_lo, vm_real *bound)
 {
     const vm_real reach = u * u * (VM_C(0.81) * (1 + m1) - VM_C(0.338) * VM_FABS(1 - m1)); /* about (2u/K)^2 */
@@ -39,7 +41,7 @@ VM_INLINE vmi_thetas vmi_thetas_of(vm_real u, vm_real m1, vm_real m1_lo, vm_real
     return theta;
 }
 
-/* sn, cn and dn for 1 - m = m1 + m1_lo */
+/* Computes sn, cn and dn of u for 1 - m = m1 + m1_lo, a number in two words. */
 VM_API void vmi_sncndn(vm_real u, vm_real m1, vm_real m1_lo, vm_real *sn, vm_real *cn, vm_real *dn)
 {
     vm_real bound;
@@ -52,7 +54,7 @@ VM_API void vmi_sncndn(vm_real u, vm_real m1, vm_real m1_lo, vm_real *sn, vm_rea
    between 1 and sqrt(1 - m). sn is odd in u, cn and dn are even, to the last bit. The error is at most 9 ulp for
    |u| <= 100 K, next to the zeros too, and at most 4 eps times the function's largest value for |u| <= 1e9 (float 1e4).
    The results are NaN for m > 1 and for infinite arguments. For m = 1 sn = tanh u and cn = dn = 1/cosh u, also for
-   infinite u. docs/cost.md has the time. DLMF 22. */
+   infinite u. docs/cost.md has the time of a call. DLMF 22. */
 VM_API void jacobi_sncndn(vm_real u, vm_real m, vm_real *sn, vm_real *cn, vm_real *dn)
 {
     const vm_two m1 = vmi_two_sum(1, -m);
@@ -76,8 +78,8 @@ VM_API vm_real vmi_theta_named(vmi_thetas t, char name)
     return t.n;
 }
 
-/* The elliptic function whose name has the letters p and q, such as cd: the quotient theta_p/theta_q. For m = 1 both
-   theta functions may underflow to the same number: then the quotient is 1. */
+/* Returns the elliptic function whose name has the letters p and q, such as cd: it is the quotient theta_p/theta_q. For
+   m = 1 both theta functions may underflow to the same number: then the quotient is 1. */
 VM_API vm_real vmi_quotient(vm_real u, vm_real m, char p, char q)
 {
     vm_real bound;

@@ -27,7 +27,7 @@
 
 /* An angle as the sum of a multiple of pi and a rest theta, |theta| <= pi/2 */
 typedef struct VM_TAG(vmi_angle) {
-    vm_real turns; /* phi = turns pi/2 + theta: an integral to phi contains `turns` complete ones */
+    vm_real turns; /* phi = turns pi/2 + theta: an integral from 0 to phi contains `turns` complete integrals */
     vm_real s, c;  /* sin theta and cos theta, each with a small relative error */
 } vmi_angle;
 
@@ -54,7 +54,7 @@ VM_INLINE vmi_angle vmi_angle_of(vm_real phi)
     vmi_sin_cos(rest, &sine, &cosine);
     angle.s = sine;
     angle.c = cosine;
-    if (j < VM_C(0.25) / VM_EPSILON && j - 2 * VM_FLOOR(j / 2) > 0) { /* theta = rest +- pi/2, nearer to 0 */
+    if (j < VM_C(0.25) / VM_EPSILON && j - 2 * VM_FLOOR(j / 2) > 0) { /* theta is rest + pi/2 or rest - pi/2 */
         const vm_real side = VM_COPYSIGN((vm_real)1, rest.hi);
         angle.turns = j + side;
         angle.s = -side * cosine;
@@ -67,14 +67,14 @@ VM_INLINE vmi_angle vmi_angle_of(vm_real phi)
     return angle;
 }
 
-/* Is 1 if an integral from 0 to phi for m <= 1 has no ordinary value: if phi or m1 is infinite or NaN, or if m1 < 0.
-   The case m1 < 0 belongs to jacobi/above_one.h. */
+/* Returns 1 if an integral from 0 to phi for m <= 1 has no ordinary value, else 0. It has none if phi or m1 is infinite
+   or NaN, or if m1 < 0. For m1 < 0, that is m > 1, jacobi/above_one.h has the integrals. */
 VM_INLINE int vmi_incomplete_special(vm_real phi, vm_real m1)
 {
     return !(VM_IS_FINITE(phi) && m1 >= 0 && VM_IS_FINITE(m1));
 }
 
-/* F(phi | m) for 1 - m = m1 + m1_lo */
+/* Returns F(phi | m) for 1 - m = m1 + m1_lo, a number in two words. */
 VM_API vm_real vmi_F(vm_real phi, vm_real m1, vm_real m1_lo)
 {
     vmi_angle angle;
@@ -97,8 +97,8 @@ VM_API vm_real vmi_F(vm_real phi, vm_real m1, vm_real m1_lo)
 /* F(phi | m), the incomplete elliptic integral of the first kind. It is the inverse of the amplitude. It is odd in phi,
    and for m <= 1 F(phi + pi) = F(phi) + 2K. The error is at most 8 ulp for |phi| <= 1e9 (float 1e4). Returns phi for
    infinite phi, 0 for m = -infinity, and NaN where both are infinite. For m = 1 F is infinite for |phi| > pi/2. For
-   m > 1 F is NaN where m sin^2 phi > 1, for |phi| > pi/2, and for infinite m. docs/cost.md has the time. DLMF 19.2.4,
-   19.25.5. */
+   m > 1 F is NaN where m sin^2 phi > 1, for |phi| > pi/2, and for infinite m. docs/cost.md has the time of a call. DLMF
+   19.2.4, 19.25.5. */
 VM_API vm_real jacobi_F(vm_real phi, vm_real m)
 {
     const vm_two m1 = vmi_two_sum(1, -m);
@@ -109,7 +109,7 @@ VM_API vm_real jacobi_F(vm_real phi, vm_real m)
    Domain and accuracy are those of jacobi_F. Use it for m close to 1, where the difference 1 - m would lose digits. */
 VM_API vm_real jacobi_F_m1(vm_real phi, vm_real m1) { return vmi_F(phi, m1, 0); }
 
-/* E(theta | m) for |theta| <= pi/2 and m <= 1, from the sine and the cosine of theta. Both m and m1 = 1 - m are
+/* Returns E(theta | m) for |theta| <= pi/2 and m <= 1, from the sine and the cosine of theta. Both m and m1 = 1 - m are
    arguments, so that each has all its digits. There is one formula for m < 0 and one for m >= 0; all their terms are
    positive (DLMF 19.25.9-10). */
 VM_API vm_real vmi_E_part(vm_real s, vm_real c, vm_real m, vm_real m1)
@@ -124,7 +124,7 @@ VM_API vm_real vmi_E_part(vm_real s, vm_real c, vm_real m, vm_real m1)
     return s * (m1 * (rf + m * ss * rd * VM_C(0.3333333333333333333)) + m * (c / VM_SQRT(dd)));
 }
 
-/* E(phi | m) for 1 - m = m1 + m1_lo */
+/* Returns E(phi | m) for 1 - m = m1 + m1_lo, a number in two words. */
 VM_API vm_real vmi_E_incomplete(vm_real phi, vm_real m, vm_real m1, vm_real m1_lo)
 {
     vmi_angle angle;
@@ -144,7 +144,7 @@ VM_API vm_real vmi_E_incomplete(vm_real phi, vm_real m, vm_real m1, vm_real m1_l
 /* E(phi | m), the incomplete elliptic integral of the second kind. It is odd in phi, and for m <= 1 E(phi + pi) =
    E(phi) + 2E(m). The error is at most 8 ulp for |phi| <= 1e9 (float 1e4). Returns phi for infinite phi, and infinity
    with the sign of phi for m = -infinity. For m > 1 E is NaN where m sin^2 phi > 1, for |phi| > pi/2, and for infinite
-   m. docs/cost.md has the time. DLMF 19.2.5. */
+   m. docs/cost.md has the time of a call. DLMF 19.2.5. */
 VM_API vm_real jacobi_E_incomplete(vm_real phi, vm_real m)
 {
     const vm_two m1 = vmi_two_sum(1, -m);
@@ -156,11 +156,11 @@ VM_API vm_real jacobi_E_incomplete(vm_real phi, vm_real m)
    digits. */
 VM_API vm_real jacobi_E_incomplete_m1(vm_real phi, vm_real m1) { return vmi_E_incomplete(phi, 1 - m1, m1, 0); }
 
-/* Returns a factor that keeps Carlson's integrals from losing digits where a product of small arguments would underflow
-   or a sum of large ones would overflow. All arguments are multiplied by the square of the factor. The weight of R_D
-   and R_J is multiplied by this square, too. The integral is then multiplied by the factor, which gives its value for
-   the original arguments. The factor is 1 for ordinary arguments, and above 1 only where m1 < 1. `least` is about the
-   smallest of the arguments. */
+/* Returns the factor `lift`, a power of 2 that keeps Carlson's integrals from losing digits where a product of small
+   arguments would underflow or a sum of large ones would overflow. All arguments are multiplied by the square of the
+   factor. The weight of R_D and R_J is multiplied by this square, too. The integral is then multiplied by the factor,
+   which gives its value for the original arguments. The factor is 1 for ordinary arguments, and above 1 only where
+   m1 < 1. `least` is about the smallest of the arguments. */
 VM_INLINE vm_real vmi_lift_of(vm_real least, vm_real m1)
 {
     if (m1 < 1 && least < VM_MIN / VM_EPSILON) return vmi_ldexp(1, VM_MANT_DIG > 24 ? 300 : 40);
@@ -168,7 +168,8 @@ VM_INLINE vm_real vmi_lift_of(vm_real least, vm_real m1)
     return 1;
 }
 
-/* D(theta | m) for 0 <= theta <= pi/2 and m <= 1, from s = sin theta and c = cos theta: s^3 R_D(c^2, 1 - m s^2, 1)/3 */
+/* Returns D(theta | m) for 0 <= theta <= pi/2 and m <= 1, from s = sin theta and c = cos theta. It is
+   s^3 R_D(c^2, 1 - m s^2, 1)/3. */
 VM_API vm_real vmi_D_part(vm_real s, vm_real c, vm_real m1)
 {
     const vm_real cc = c * c, ss = s * s, d = cc + m1 * ss;
@@ -177,8 +178,8 @@ VM_API vm_real vmi_D_part(vm_real s, vm_real c, vm_real m1)
     return s * third;
 }
 
-/* D(m) - D(theta | m) for 0 <= theta <= pi/2 and m <= 1, from s = sin theta and c = cos theta. With d = 1 - m s^2 it is
-   c (s/sqrt(d) + c^2 R_D(m1 s^2, m1, d)/3), a sum of positive terms. */
+/* Returns D(m) - D(theta | m) for 0 <= theta <= pi/2 and m <= 1, from s = sin theta and c = cos theta. With
+   d = 1 - m s^2 it is c (s/sqrt(d) + c^2 R_D(m1 s^2, m1, d)/3), a sum of positive terms. */
 VM_API vm_real vmi_D_complement(vm_real s, vm_real c, vm_real m1)
 {
     const vm_real cc = c * c, ss = s * s, d = cc + m1 * ss, lift = vmi_lift_of(m1 * ss, m1), more = lift * lift;
@@ -188,7 +189,7 @@ VM_API vm_real vmi_D_complement(vm_real s, vm_real c, vm_real m1)
     return c * (s / VM_SQRT(d) + lift * third);
 }
 
-/* D(m) for m1 = 1 - m */
+/* Returns D(m) for m1 = 1 - m. */
 VM_API vm_real vmi_D(vm_real m1)
 {
     if (!(m1 >= 0)) return VM_NAN;
@@ -205,8 +206,8 @@ VM_API vm_real jacobi_D(vm_real m) { return vmi_D(1 - m); }
    Domain and accuracy are those of jacobi_D. Use it for m close to 1, where the difference 1 - m would lose digits. */
 VM_API vm_real jacobi_D_m1(vm_real m1) { return vmi_D(m1); }
 
-/* D(phi | m) for 1 - m = m1 + m1_lo. For phi between pi/2 and pi the difference 2 D(m) - D(pi - phi | m) would triple
-   the errors. Therefore the result of vmi_D_complement is added to D(m) there. */
+/* Returns D(phi | m) for 1 - m = m1 + m1_lo, a number in two words. For phi between pi/2 and pi the difference
+   2 D(m) - D(pi - phi | m) would triple the errors. Therefore the result of vmi_D_complement is added to D(m) there. */
 VM_API vm_real vmi_D_incomplete(vm_real phi, vm_real m1, vm_real m1_lo)
 {
     vmi_angle angle;
@@ -244,15 +245,15 @@ VM_API vm_real jacobi_D_incomplete(vm_real phi, vm_real m)
    digits. */
 VM_API vm_real jacobi_D_incomplete_m1(vm_real phi, vm_real m1) { return vmi_D_incomplete(phi, m1, 0); }
 
-/* 1 - m/n for n > 1 and m1 = 1 - m >= 0. All terms are divided by 4 first, so that no sum overflows. */
+/* Returns 1 - m/n for n > 1 and m1 = 1 - m >= 0. All terms are divided by 4 first, so that no sum overflows. */
 VM_INLINE vm_real vmi_share_below_pole(vm_real n, vm_real m1)
 {
     return ((n - 1) * VM_C(0.25) + m1 * VM_C(0.25)) / (n * VM_C(0.25));
 }
 
-/* Pi(n; theta | m) for |theta| <= pi/2, from s = sin theta and c = cos theta, with 1 - m = m1. Let p = 1 - n s^2 and
-   d = 1 - m s^2. There are three cases. Each is a sum of positive terms, except for one term of the third case with
-   m > 0.
+/* Returns Pi(n; theta | m) for |theta| <= pi/2, from s = sin theta and c = cos theta, with 1 - m = m1. Let
+   p = 1 - n s^2 and d = 1 - m s^2. There are three formulas. Each is a sum of positive terms, except for one term of
+   the third formula with m > 0.
      n < 0: the characteristic N = (m - n)/(1 - n), which lies between m and 1, replaces n (DLMF 19.7.9), and q is
             1 - N s^2 = c^2 + s^2 m1/(1 - n);
      0 <= n and p > 0: s R_F + n s^3 R_J/3 (DLMF 19.25.14);
@@ -278,9 +279,10 @@ VM_API vm_real vmi_Pi_part(vm_real s, vm_real c, vm_real n, vm_real m, vm_real m
     return s * (vmi_rc(cc * d, p * q) - third);
 }
 
-/* Pi(n | m) for n < 0 and m1 = 1 - m > 0. Where -n is so large that (1 - m)/(1 - n) may underflow even after the
-   multiplication by lift^2, Pi is (pi/2)/sqrt(1 - n) + K/(1 - n). The next term, -E/(1 - n), is far below an ulp
-   there. */
+/* Returns Pi(n | m) for n < 0 and m1 = 1 - m > 0. The factor `lift`, a power of 2 from vmi_lift_of, keeps numbers from
+   underflowing. For a very large -n, however, (1 - m)/(1 - n) may underflow even after it is multiplied by lift^2.
+   There the result is (pi/2)/sqrt(1 - n) + K/(1 - n), where K is K(m); the next term of this series, -E(m)/(1 - n), is
+   far below an ulp. */
 VM_API vm_real vmi_Pi_negative(vm_real n, vm_real m1)
 {
     const vm_real lift = vmi_lift_of(m1 / (1 - n), m1), more = lift * lift, share = more * m1 / (1 - n);
@@ -291,7 +293,7 @@ VM_API vm_real vmi_Pi_negative(vm_real n, vm_real m1)
     return lift * (rf / (1 - n) + n / (n - 1) * third);
 }
 
-/* Pi(n | m), from both m and m1 = 1 - m. The cases are those of vmi_Pi_part for theta = pi/2. */
+/* Returns Pi(n | m), from both m and m1 = 1 - m. The three cases of n are those of vmi_Pi_part for theta = pi/2. */
 VM_API vm_real vmi_Pi(vm_real n, vm_real m, vm_real m1)
 {
     const vm_real top = vmi_larger(m1, 1);
@@ -323,10 +325,10 @@ VM_API vm_real jacobi_Pi(vm_real n, vm_real m) { return vmi_Pi(n, m, 1 - m); }
    Domain and accuracy are those of jacobi_Pi. Use it for m close to 1, where the difference 1 - m would lose digits. */
 VM_API vm_real jacobi_Pi_m1(vm_real n, vm_real m1) { return vmi_Pi(n, 1 - m1, m1); }
 
-/* Pi(n | m) - Pi(n; theta | m) for n < 1 and 0 <= theta <= pi/2, from s = sin theta and c = cos theta. Let psi be the
-   angle for which tan theta tan psi = 1/k', and N = (m - n)/(1 - n). Then the result is the integral from 0 to psi of
-   (1 - m sin^2 x)/((1 - n)(1 - N sin^2 x)) dx/sqrt(1 - m sin^2 x). *exact becomes 1 if no digits are lost: for all
-   n <= 0, and for n > 0 if c^2 <= (1 - n) s^2. Otherwise *exact and the result are 0. */
+/* Returns Pi(n | m) - Pi(n; theta | m) for n < 1 and 0 <= theta <= pi/2, from s = sin theta and c = cos theta. Let psi
+   be the angle for which tan theta tan psi = 1/k', and N = (m - n)/(1 - n). Then the result is the integral from 0 to
+   psi of (1 - m sin^2 x)/((1 - n)(1 - N sin^2 x)) dx/sqrt(1 - m sin^2 x). *exact becomes 1 if no digits are lost: for
+   all n <= 0, and for n > 0 if c^2 <= (1 - n) s^2. Otherwise *exact and the result are 0. */
 VM_API vm_real vmi_Pi_complement(vm_real s, vm_real c, vm_real n, vm_real m1, int *exact)
 {
     const vm_real cc = c * c, ss = s * s, d = cc + m1 * ss;
@@ -340,8 +342,9 @@ VM_API vm_real vmi_Pi_complement(vm_real s, vm_real c, vm_real n, vm_real m1, in
     return lift * (c * (rf - third) / (1 - n));
 }
 
-/* Pi(n; phi | m) for 1 - m = m1 + m1_lo. For phi between pi/2 and pi, the difference 2 Pi(n | m) - Pi(n;
-   pi - phi | m) would triple the errors. Therefore the result of vmi_Pi_complement is added to Pi(n | m) there. */
+/* Returns Pi(n; phi | m) for 1 - m = m1 + m1_lo, a number in two words. For phi between pi/2 and pi, the difference
+   2 Pi(n | m) - Pi(n; pi - phi | m) would triple the errors. Therefore the result of vmi_Pi_complement is added to Pi(n
+   | m) there. */
 VM_API vm_real vmi_Pi_incomplete(vm_real phi, vm_real n, vm_real m, vm_real m1, vm_real m1_lo)
 {
     vmi_angle angle;
@@ -371,7 +374,7 @@ VM_API vm_real vmi_Pi_incomplete(vm_real phi, vm_real n, vm_real m, vm_real m1, 
    (float 1e4). For n > 1 Pi has poles where n sin^2 phi = 1. Beyond the first pole Pi is Cauchy's principal value. For
    n > 1 the error is at most 16 eps max(|F|, |Pi|), plus the effect of changing n by 4 ulp. The result is 0 for
    infinite n and m <= 1, and for m = -infinity. For m > 1 it is NaN where m sin^2 phi > 1, for |phi| > pi/2, and for
-   infinite m or n. docs/cost.md has the time. DLMF 19.2.7. */
+   infinite m or n. docs/cost.md has the time of a call. DLMF 19.2.7. */
 VM_API vm_real jacobi_Pi_incomplete(vm_real phi, vm_real n, vm_real m)
 {
     const vm_two m1 = vmi_two_sum(1, -m);

@@ -1,9 +1,9 @@
 /* jacobi/integrals.h - complete elliptic integrals K and E
 
-   K(m) = integral from 0 to pi/2 of dx/sqrt(1 - m sin^2 x), E(m) = integral of sqrt(1 - m sin^2 x) dx
-   between the same limits. The parameter is m = k^2 <= 1, negative ones included. The forms with suffix _m1 take m1 = 1
-   - m; use them for m close to 1, where the difference 1 - m would lose digits. Between m = -33.5 and m = 0.971 K and E
-   are computed by series after one or two steps of the arithmetic-geometric mean, for other m by sums with the
+   K(m) = integral from 0 to pi/2 of dx/sqrt(1 - m sin^2 x), E(m) = integral of sqrt(1 - m sin^2 x) dx from 0 to pi/2,
+   too. The parameter m = k^2 is any number <= 1, also a negative one. The forms with suffix _m1 take m1 = 1 - m; use
+   them for m close to 1, where the difference 1 - m would lose digits. For m between -33.5 and 0.971, K and E are
+   computed by series after one or two steps of the arithmetic-geometric mean, for any other m by sums that contain the
    logarithm of k' = sqrt(1 - m).
 
        vm_real K = jacobi_K(VM_C(0.5)); // 1.854...
@@ -19,7 +19,8 @@
 #include "../base/words.h"
 #include "agm.h"
 
-/* Is 1 if K and E are computed by series for this m1 = 1 - m, and 0 if they are computed by logarithms. */
+/* VMI_MIDDLE(m1) is 1 if K and E are computed by series for this m1 = 1 - m, and 0 if they are computed by
+   logarithms. */
 #define VMI_MIDDLE(m1) ((m1) > VM_C(0.029) && (m1) < VM_C(34.5))
 
 /* Returns ln(4/k') for m1 < 1 and ln(4 k') for m1 > 1 in two words, where k'^2 = m1 + m1_lo. */
@@ -89,9 +90,9 @@ VM_API vm_real vmi_E_rest(vm_real c, vm_real l)
 }
 
 /* Returns S(x), the power series for which K = pi/(1 + k') (1 + x S(x)) with x = ((1 - k')/(1 + k'))^2, for x <=
-   0.0295. The polynomial's error of x S is below 2^-59.2 (float 2^-29.9). x is made this small by a step of the
-   arithmetic-geometric mean, which replaces k' by 2 sqrt(k')/(1 + k'). One step is enough for every m1 for which
-   VMI_MIDDLE(m1) is 1. */
+   0.0295. S is computed by a polynomial. The polynomial's error of x S is below 2^-59.2 (float 2^-29.9). x is made this
+   small by a step of the arithmetic-geometric mean, which replaces k' by 2 sqrt(k')/(1 + k'). One step is enough for
+   every m1 for which VMI_MIDDLE(m1) is 1. */
 VM_API vm_real vmi_K_series(vm_real x)
 {
 #if VM_MANT_DIG > 24
@@ -106,7 +107,8 @@ VM_API vm_real vmi_K_series(vm_real x)
 }
 
 /* Returns x S(x) for x = ((1 - k')/(1 + k'))^2 <= 0.503, where S is the power series for which E = (pi/4) (1 + k')
-   (1 + x S(x)); it is not the series of K. The polynomial's error of x S is below 2^-56.7 (float 2^-28.5). */
+   (1 + x S(x)); this S is not the S of vmi_K_series. S is computed by a polynomial. The polynomial's error of x S is
+   below 2^-56.7 (float 2^-28.5). */
 VM_API vm_real vmi_E_series(vm_real x)
 {
     const vm_real xx = x * x, x4 = xx * xx;
@@ -128,10 +130,10 @@ VM_API vm_real vmi_E_series(vm_real x)
 #endif
 }
 
-/* Returns K for 1 - m = m1 + m1_lo. Where VMI_MIDDLE(m1) is 1, K comes from two steps of the arithmetic-geometric mean
-   and the series S(x) of vmi_K_series: K = 2 pi (1 + x S)/(1 + f)^2 with f^2 = k' and x = ((1 - f)/(1 + f))^4. For
-   m > 0.971 K comes from logarithms (vmi_K_by_log), and so it does for m < -33.5, since k' K(m) = K(mu) for the
-   parameter mu with 1 - mu = 1/(1 - m). */
+/* Returns K for 1 - m = m1 + m1_lo, a number in two words. Where VMI_MIDDLE(m1) is 1, K comes from two steps of the
+   arithmetic-geometric mean and the series S(x) of vmi_K_series: K = 2 pi (1 + x S)/(1 + f)^2 with f^2 = k' and
+   x = ((1 - f)/(1 + f))^4. For m > 0.971 K comes from logarithms (vmi_K_by_log), and so it does for m < -33.5, since k'
+   K(m) = K(mu) for the parameter mu with 1 - mu = 1/(1 - m). */
 VM_API vm_real vmi_K(vm_real m1, vm_real m1_lo)
 {
     vm_two K, root;
@@ -153,8 +155,8 @@ VM_API vm_real vmi_K(vm_real m1, vm_real m1_lo)
     return quotient + (K.lo - quotient * root.lo) / root.hi;
 }
 
-/* Returns E for 1 - m = m1 + m1_lo. Where VMI_MIDDLE(m1) is 1, E comes from vmi_E_series, for m > 0.971 from
-   vmi_E_rest, and for m < -33.5 from E(m) = k' E(mu) for the parameter mu with 1 - mu = 1/(1 - m). */
+/* Returns E for 1 - m = m1 + m1_lo, a number in two words. Where VMI_MIDDLE(m1) is 1, E comes from vmi_E_series, for
+   m > 0.971 from vmi_E_rest, and for m < -33.5 from E(m) = k' E(mu) for the parameter mu with 1 - mu = 1/(1 - m). */
 VM_API vm_real vmi_E(vm_real m1, vm_real m1_lo)
 {
     vm_two root;

@@ -17,9 +17,9 @@
 #include "integrals.h"
 #include "modulus.h"
 
-/* Computes the means from the nome q of m, for |q| <= 0.1. The recurrences (384) and (408) would divide 0 by 0 at
-   m = 0. Here numerators and denominators are divided by m beforehand, by means of two power series S and R in q, for
-   which 1/2 - C2 = q S and m = 16 q R. */
+/* Computes the means C2, C4, C6 of cn^2, cn^4, cn^6 from the nome q of m, for |q| <= 0.1. The recurrences (384) and
+   (408) would divide 0 by 0 at m = 0. Here numerators and denominators are divided by m beforehand, by means of two
+   power series S and R in q, for which 1/2 - C2 = q S and m = 16 q R. */
 VM_API void vmi_means_from_nome(vm_real q, vm_real *C2, vm_real *C4, vm_real *C6)
 {
     const vm_real y = q * q, loss = vmi_theta_loss(q), R = 1 - q * loss;
@@ -60,8 +60,8 @@ VM_API void jacobi_cn_means(vm_real m, vm_real *C2, vm_real *C4, vm_real *C6)
         const vm_real e = m / (2 * (1 + root) * ((1 + fourth) * (1 + fourth))), e4 = vmi_fourth_power(e);
         vmi_means_from_nome(e * (1 + e4 * (2 + e4 * (15 + e4 * (150 + e4 * (1707 + e4 * 20910))))), C2, C4, C6);
     } else {
-        /* For m < 0, cn(u | m) = cd(k' u | m/(m - 1)) with k' = sqrt(1 - m). The powers of cd have the means of those
-           of sn. The mean of sn^2 is 1 - C2. */
+        /* For m < 0, cn(u | m) = cd(k' u | m/(m - 1)) with k' = sqrt(1 - m). The mean of a power of cd is the mean of
+           this power of sn. The mean of sn^2 is 1 - C2. */
         const vm_real second = vmi_mean_from_K(vmi_smaller(m1.hi, 1 / m1.hi), vmi_log_4(m1.hi, m1.lo));
         vm_real ratio = m1.hi / m, s2c2, s2c4, fourth; /* ratio is (1 - M)/M for M = m or, if m < 0, M = m/(m - 1) */
         if (m < 0) ratio = -1 / m;

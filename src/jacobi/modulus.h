@@ -27,20 +27,21 @@ VM_API vm_real vmi_theta_loss(vm_real q)
     return rho * ((1 + b) * (1 + b * b));
 }
 
-/* A parameter m, given by a nome q */
+/* A parameter m, which is given by a nome q */
 typedef struct VM_TAG(vmi_solution) {
     int circular;        /* 1 if q is the nome of m, else 0 */
     int upside;          /* used if circular is 0: 0 if q is the nome of 1 - m, 1 if q is the nome of 1/(1 - m) */
     vm_real q, L, L_lo;  /* the nome q, which is exp(-L - L_lo) if circular is 0 */
 } vmi_solution;
 
-/* Returns the nome q with theta_4(q)^2 = 2 c/pi, for c between K(-1) and K(1/2). q is the nome of the m that solves
-   k' K = c, and -q is the nome of the m that solves K = c. */
+/* Returns the nome q with theta_4(q)^2 = 2 c/pi, for c between K(-1) and K(1/2). q is the nome of the m that solves k'
+   K = c, and -q is the nome of the m that solves K = c. The method solves the series q - q^4 + q^9 = (1 - theta_4(q))/2
+   for q. */
 VM_API vm_real vmi_solve_middle(vm_real c)
 {
     const vmi_three half_pi = vmi_half_pi();
     const vm_real less = ((half_pi.hi - c) + half_pi.mid) / half_pi.hi; /* less = 1 - theta_4(q)^2 */
-    const vm_real start = less / (2 * (1 + VM_SQRT(1 - less)));         /* (1 - theta_4(q))/2 = q - q^4 + q^9 */
+    const vm_real start = less / (2 * (1 + VM_SQRT(1 - less)));         /* (1 - theta_4(q))/2 */
     vm_real q = start;
     int i;
     for (i = 0; i < 6; i++) /* each step gains about 3 digits of q */
@@ -101,8 +102,8 @@ VM_API void vmi_solve_low(vm_real c, vmi_solution *s)
     s->L_lo = sum.lo;
 }
 
-/* Returns the parameter m with K(m) = c if inverse_of_K is 1, and with k' K(m) = c if it is 0, for c > 0. Both
-   equations are one problem, since k' K(m) is K(m/(m - 1)). For c > 1000 the number 1 - m underflows to 0 or overflows
+/* Returns the parameter m with K(m) = c if inverse_of_K is 1, and with k' K(m) = c if it is 0, for c > 0. One method is
+   enough for both equations, since k' K(m) is K(m/(m - 1)). For c > 1000 the number 1 - m underflows to 0 or overflows
    (in float for much smaller c too), so that every such c gives the result of c = 1000. */
 VM_API vmi_solution vmi_solve_parameter(vm_real c, int inverse_of_K)
 {
@@ -138,7 +139,7 @@ VM_API vm_real vmi_solution_m1(const vmi_solution *s)
     return vmi_exp(sum.hi, sum.lo) * ratio;
 }
 
-/* Returns m of the solution. */
+/* Returns the parameter m of the solution. */
 VM_API vm_real vmi_solution_m(const vmi_solution *s)
 {
     if (s->circular) return 16 * s->q * (1 - s->q * vmi_theta_loss(s->q));

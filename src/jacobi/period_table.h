@@ -2,9 +2,9 @@
 
    To reduce a large argument, K is needed with more digits than a vm_real has. The arithmetic-geometric mean gives
    these digits (jacobi/agm.h), but it is slow, since it takes one square root after another. Here K comes from one of
-   25 polynomials in k' = sqrt(1 - m), for k' from 0.171875 to 1.5. Each octave of k' has eight pieces, and each piece
-   has its own polynomial c_0 + c_1 t + c_2 t^2 + ..., where t is k' minus the middle of the piece. The table takes 3.8
-   kB (float 1 kB).
+   25 polynomials in k' = sqrt(1 - m), for k' from 0.171875 to 1.5. Each octave of k', an interval from 2^n to 2^(n+1),
+   is divided into eight pieces. Each piece has its own polynomial c_0 + c_1 t + c_2 t^2 + ..., where t is k' minus the
+   middle of the piece. The table takes 3.8 kB (float 1 kB).
 
        vmi_period K = vmi_period_by_table(VM_C(0.5), 0, VM_SQRT(VM_C(0.5))); // K(0.5) = K.head + K.middle + K.low
 
@@ -17,7 +17,7 @@
 #include "../base/sums.h"
 #include "../base/words.h"
 
-/* Is 1 if the table gives the quarter period for this k', else 0. */
+/* VMI_IN_PERIOD_TABLE(kp) is 1 if the table gives the quarter period for k' = kp, else 0. */
 #define VMI_IN_PERIOD_TABLE(kp) ((kp) >= VM_C(0.171875) && (kp) < VM_C(1.5))
 
 /* The number of polynomials and the number of constants of each. Constants 0 and 1 are the two words of c_0, constants
@@ -245,7 +245,7 @@ VM_INLINE vm_real vmi_period_constant(vmi_bits row, int column)
 
 /* The quarter period as the sum head + middle + low. head and middle are so short that their products with a whole
    number below 2^20 (float 2^13) are exact. rough is the sum in one word with a relative error below 2^-27 (float
-   2^-23), and early, which takes less time, a sum with a relative error below 2^-13. */
+   2^-23), and early is a sum that takes less time, with a relative error below 2^-13. */
 typedef struct VM_TAG(vmi_period) {
     vm_real head, middle, low, rough, early;
 } vmi_period;
@@ -265,13 +265,13 @@ typedef struct VM_TAG(vmi_period) {
 #define VMI_MIDDLE_GRID VM_C(768.0)
 #endif
 
-/* Returns K for 1 - m = m1 + m1_lo, where kp is k' in one word and VMI_IN_PERIOD_TABLE(kp) is 1. The relative error is
-   below 2^-71 (float 2^-36).
-   Method: t is the sum of head, which has at most 14 digits (float 10), and a tail. b1, b2, ... are the products of the
-   heads of c_1, c_2, ... and the powers of head; they are exact. The sums in which K.middle is subtracted are exact,
-   too. All other terms are so small that one word is enough for them. The variable t has one word and does not contain
-   kp_lo, the low word of k'. The tail contains kp_lo. In the terms with t^4 and t^5 (float t^3 and t^4) the effect of
-   kp_lo is added as kp_lo times their derivatives with respect to t. */
+/* Returns K for 1 - m = m1 + m1_lo, a number in two words, where kp is k' in one word and VMI_IN_PERIOD_TABLE(kp) is 1.
+   The relative error is below 2^-71 (float 2^-36).
+   Method: t is the sum of head, which has at most 14 binary digits (float 10), and a tail. b1, b2, ... are the products
+   of the heads of c_1, c_2, ... and the powers of head; they are exact. The sums in which K.middle is subtracted are
+   exact, too. All other terms are so small that one word is enough for them. The variable t has one word and does not
+   contain kp_lo, the low word of k'. The tail contains kp_lo. In the terms with t^4 and t^5 (float t^3 and t^4) the
+   effect of kp_lo is added as kp_lo times their derivatives with respect to t. */
 VM_INLINE vmi_period vmi_period_by_table(vm_real m1, vm_real m1_lo, vm_real kp)
 {
     const vmi_bits bits = vmi_to_bits(kp), half = (vmi_bits)1 << (VMI_STORED_DIG - 4);
@@ -306,7 +306,7 @@ VM_INLINE vmi_period vmi_period_by_table(vm_real m1, vm_real m1_lo, vm_real kp)
     const vm_real words = (c0_lo + (c1_lo * head + (c2_lo + c3_lo * head) * hh)) + c4_lo * (g * g);
     const vm_real rest4 = (c4 + c4_lo) * ((tt - g) * (tt + g)), slope45 = tt * t * (4 * c4 + 5 * t * c5);
     const vm_real slope3 = (c3 + c3_lo) * (3 * head * t + kp_tail * kp_tail);
-    const vm_real slope = (c2 + c2_lo) * (head + t) + slope3; /* without c_1 */
+    const vm_real slope = (c2 + c2_lo) * (head + t) + slope3; /* derivative of the polynomial without its term c_1 */
     const vm_real rest1 = kp_tail * (c1_rest + slope) + kp_lo * (c1 + slope + slope45);
     K.middle = vmi_rounded(b + VMI_MIDDLE_GRID) - VMI_MIDDLE_GRID;
     K.low = (((((b1 - K.middle) + b2) + b3) + b4) + b5) + (((words + rest4) + t4 * t * p) + rest1);

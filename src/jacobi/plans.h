@@ -1,9 +1,9 @@
 /* jacobi/plans.h - sn, cn and dn for many arguments and one parameter
 
-   A plan contains all numbers that depend only on m: the quarter period as a sum of short numbers, and polynomials that
-   replace the series of jacobi_sncndn. A call with a plan is faster, most of all for arrays, where the compiler
-   vectorises the loop (docs/cost.md has the times). A plan is plain data: it may be copied, and it may be a constant in
-   flash.
+   A plan contains all numbers that depend only on m: the quarter period as a sum of numbers with few digits, and
+   polynomials that replace the series of jacobi_sncndn. A call with a plan is faster, most of all for arrays, where the
+   compiler vectorises the loop (docs/cost.md has the times). A plan is plain data: it may be copied, and it may be a
+   constant in flash.
 
        jacobi_plan p;
        vm_real sn, cn, dn;
@@ -34,7 +34,7 @@ typedef struct VM_TAG(jacobi_plan) {
     vmi_theta_form theta;               /* its field kp = k' is set for every method */
 } jacobi_plan;
 
-/* The polynomial 1 + c[0] y + c[1] y^2 + ... with VMI_TERMS coefficients c */
+/* Returns the polynomial 1 + c[0] y + c[1] y^2 + ... with VMI_TERMS coefficients c. */
 VM_INLINE vm_real vmi_plan_series(const vm_real *c, vm_real y)
 {
     const vm_real yy = y * y, y4 = yy * yy, low = (c[0] + y * c[1]) + yy * (c[2] + y * c[3]);
@@ -59,8 +59,8 @@ VM_API void vmi_shorten(vm_real *c)
     for (n = VMI_MORE_TERMS; n > VMI_TERMS; n--) vmi_remove_highest(c, n, 1);
 }
 
-/* Computes p->a and p->b, the coefficients of two power series in v^2: p->a of w^2 cs^2(w) and p->b of -w^4
-   d(cs^2)/d(w^2), where cs = cn/sn and w = v/2, for |v| <= longest. Their constant coefficients are 1 and are not
+/* Computes p->a and p->b, the coefficients of two power series in v^2 for |v| <= longest. With cs = cn/sn and w = v/2,
+   p->a belongs to w^2 cs^2(w), and p->b to -w^4 d(cs^2)/d(w^2). The constant coefficients of both are 1 and are not
    stored. */
 VM_API void vmi_plan_prepare(jacobi_plan *p, vm_real longest)
 {
@@ -83,7 +83,8 @@ VM_API void vmi_plan_prepare(jacobi_plan *p, vm_real longest)
     }
 }
 
-/* Prepares a plan for 1 - m = m1 + m1_lo. Returns 0, or -1 where no elliptic function has this parameter. */
+/* Prepares a plan for 1 - m = m1 + m1_lo, a number in two words. Returns 0, or -1 where no elliptic function has this
+   parameter. */
 VM_API int vmi_plan_init(jacobi_plan *p, vm_real m1, vm_real m1_lo)
 {
     vmi_three K;
@@ -119,11 +120,11 @@ VM_API int jacobi_plan_init(jacobi_plan *p, vm_real m)
 /* Prepares a plan for the complementary parameter m1 = 1 - m >= 0.
    Domain and result are those of jacobi_plan_init. Use it for m close to 1, where the difference 1 - m would lose
    digits. */
-VM_API int jacobi_plan_init_m1(jacobi_plan *p, vm_real m1) { return vmi_plan_init(p, m1 + 0, 0); } /* 0 for -0 */
+VM_API int jacobi_plan_init_m1(jacobi_plan *p, vm_real m1) { return vmi_plan_init(p, m1 + 0, 0); } /* -0 + 0 is 0 */
 
-/* The theta functions near 0. They are computed from the plan's two polynomials at w = v/2 and by one duplication,
-   which leads from w to v (compare vmi_theta_near). theta_s is v times the polynomial p->b, since d(sc^2)/dw = 2 sc nc
-   dc. */
+/* Returns the theta functions near 0. They are computed from the plan's two polynomials at w = v/2 and by one
+   duplication, which leads from w to v (compare vmi_theta_near). theta_s is v times the polynomial p->b, since
+   d(sc^2)/dw = 2 sc nc dc. */
 VM_INLINE vmi_thetas vmi_plan_near(const jacobi_plan *p, vm_real v)
 {
     vmi_thetas theta;
@@ -135,8 +136,8 @@ VM_INLINE vmi_thetas vmi_plan_near(const jacobi_plan *p, vm_real v)
     return theta;
 }
 
-/* sn, cn and dn at one u, where |u| = j K + rest and the last bits of `quarters` are those of the integer j. There is
-   no branch if the compiler knows the form. */
+/* Computes sn, cn and dn at one u, where |u| = j K + rest. `quarters` stands for the integer j: only its last two bits
+   are used, which are j modulo 4. There is no branch if the compiler knows the form. */
 VM_INLINE void vmi_plan_point(const jacobi_plan *p, int form, vm_real u, vmi_three rest, vmi_bits quarters,
                               vm_real *sn, vm_real *cn, vm_real *dn)
 {
@@ -157,8 +158,8 @@ VM_INLINE void vmi_plan_point(const jacobi_plan *p, int form, vm_real u, vmi_thr
     vmi_theta_ratios(theta, p->theta.kp, sn, cn, dn);
 }
 
-/* Returns u minus the nearest multiple j K, for a u that is too large for vmi_reduce_pieces. The last bits of *quarters
-   become those of j. For m = 1 returns the smaller of u and VMI_LONGEST. */
+/* Returns u minus the nearest multiple j K, for a u that is too large for vmi_reduce_pieces. *quarters becomes a number
+   whose last two bits are j modulo 4. For m = 1 the function returns the smaller of u and VMI_LONGEST. */
 VM_API vmi_three vmi_plan_reduce_long(const jacobi_plan *p, vm_real u, vmi_bits *quarters)
 {
     const vm_two head = vmi_two_sum(p->K[0], p->K[1]), K = vmi_two_sum(head.hi, head.lo + (p->K[2] + p->K[3]));
@@ -181,7 +182,7 @@ VM_INLINE int vmi_plan_is_close(vm_real rest, vm_real u) { return VM_FABS(rest) 
 
 /* sn, cn and dn of the argument u for the plan's parameter.
    u may be any number; the accuracy is that of jacobi_sncndn. The results are NaN for infinite u, unless m = 1.
-   docs/cost.md has the time. */
+   docs/cost.md has the time of a call. */
 VM_API void jacobi_plan_sncndn(const jacobi_plan *p, vm_real u, vm_real *sn, vm_real *cn, vm_real *dn)
 {
     const vm_real x = VM_FABS(u);
@@ -205,7 +206,8 @@ VM_API void jacobi_plan_sncndn(const jacobi_plan *p, vm_real u, vm_real *sn, vm_
     }
 }
 
-/* sn, cn and dn of n arguments, each with |u| < VMI_EXACT_QUARTERS K, in a loop that compilers can vectorise */
+/* Computes sn, cn and dn of n arguments, each with |u| < VMI_EXACT_QUARTERS K, in a loop that compilers can
+   vectorise. */
 VM_INLINE void vmi_plan_loop(const jacobi_plan *p, int form, int n, const vm_real *u, vm_real *sn, vm_real *cn,
                              vm_real *dn)
 {
@@ -223,8 +225,8 @@ VM_INLINE void vmi_plan_loop(const jacobi_plan *p, int form, int n, const vm_rea
         }
 }
 
-/* Computes the results next to a zero of sn or cn once more, one by one. There the size of sn is about the distance |u
-   - j K| from the zero, and that of cn about k' times this distance. */
+/* Computes the results next to a zero of sn or cn once more, one by one, with more digits of K. There the size of sn is
+   about the distance |u - j K| from the zero, and that of cn about k' times this distance. */
 VM_API void vmi_plan_mend_close(const jacobi_plan *p, int n, const vm_real *u, vm_real *sn, vm_real *cn, vm_real *dn)
 {
     const vm_real kp = p->theta.kp;
@@ -240,7 +242,8 @@ VM_API void vmi_plan_mend_close(const jacobi_plan *p, int n, const vm_real *u, v
 
 /* sn, cn and dn of the n arguments in the array u, for the plan's parameter. The arrays sn, cn, dn have n elements each
    and overlap neither each other nor u. The values are those of jacobi_plan_sncndn; where the compiler fuses
-   multiplications and additions, the last bits may depend on the index in the array. docs/cost.md has the time. */
+   multiplications and additions, the last bits may depend on the index in the array. docs/cost.md has the time of a
+   call. */
 VM_API void jacobi_plan_sncndn_array(const jacobi_plan *p, int n, const vm_real *u, vm_real *sn, vm_real *cn,
                                      vm_real *dn)
 {

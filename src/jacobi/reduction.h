@@ -21,7 +21,7 @@
 /* The product of a piece of K (see vmi_pieces) and a whole number below this limit, 2^30 (float 2^13), is exact. */
 #define VMI_EXACT_QUARTERS (VM_MANT_DIG > 24 ? VM_C(1073741824.0) : VM_C(8192.0))
 
-/* The number of parts of K that vmi_pieces writes */
+/* The number of parts of K that vmi_pieces writes into an array */
 enum { VMI_PIECES = 5 };
 
 /* Writes K to `piece` as a sum of three short numbers, the pieces, and two words. The pieces are so short that their
@@ -47,9 +47,10 @@ VM_API void vmi_pieces(vmi_three K, vm_real *piece)
 #define VMI_PIECES_REACH (VM_MANT_DIG > 24 ? VM_C(5.4e-20) : VM_C(4.7e-10))
 
 /* Returns u minus the nearest multiple j K, as three terms, for 0 <= u < VMI_EXACT_QUARTERS K. The array K comes from
-   vmi_pieces, and per_K is 1/K. The last bits of *quarters become those of j. The last word of K is left out, and the
-   product of j and the word before it is rounded: the error is u eps^2/1000 or less. A result below VMI_PIECES_REACH
-   times u must therefore be computed by vmi_reduce_finely. Loops over this function can be vectorised. */
+   vmi_pieces, and per_K is 1/K. *quarters becomes a number whose last two bits are j modulo 4. The product of j and
+   K[3] is rounded, and K[4] is not used: the error is therefore u eps^2/1000 or less. A result below VMI_PIECES_REACH
+   times u is not accurate enough and must be computed by vmi_reduce_finely. Loops over this function can be
+   vectorised. */
 VM_INLINE vmi_three vmi_reduce_pieces(vm_real u, const vm_real *K, vm_real per_K, vmi_bits *quarters)
 {
     const vm_real shifted = vmi_rounded(u * per_K + 1 / VM_EPSILON), j = shifted - 1 / VM_EPSILON;
@@ -61,9 +62,9 @@ VM_INLINE vmi_three vmi_reduce_pieces(vm_real u, const vm_real *K, vm_real per_K
     return rest;
 }
 
-/* Returns u minus the nearest multiple j K in two words, as vmi_reduce_pieces does, but from all words of K. The
-   relative error is below eps for any result but those below 2^-90 u (float 2^-44 u). The distance of u from j K must
-   be less than 1e-9 u (float 8e-6 u): then the products and differences with the three pieces are exact. */
+/* Returns u minus the nearest multiple j K in two words, as vmi_reduce_pieces does, but uses all elements of the array
+   K. The relative error is below eps for every result above 2^-90 u (float 2^-44 u). The distance of u from j K must be
+   less than 1e-9 u (float 8e-6 u): then the products and differences with the three pieces are exact. */
 VM_API vm_two vmi_reduce_finely(vm_real u, const vm_real *K, vm_real per_K, vmi_bits *quarters)
 {
     const vmi_three rest = vmi_reduce_pieces(u, K, per_K, quarters);
@@ -75,9 +76,9 @@ VM_API vm_two vmi_reduce_finely(vm_real u, const vm_real *K, vm_real per_K, vmi_
 /* Adding and subtracting this number rounds a number below 6 to a multiple of 2^-23 (float 2^-8). */
 #define VMI_REDUCTION_GRID (VM_MANT_DIG > 24 ? VM_C(805306368.0) : VM_C(49152.0))
 
-/* Returns u minus a multiple j K, for 0 < u < 2.5 K, where VMI_MIDDLE(m1) must be 1; kp is k'. The last bits of
-   *quarters become those of j. The relative error of the result is at most about eps. A result below u/64 would
-   lose digits: then the function returns NaN, and u must be reduced by vmi_reduce_long.
+/* Returns u minus a multiple j K, for 0 < u < 2.5 K, where VMI_MIDDLE(m1) must be 1; kp is k'. *quarters becomes a
+   number whose last two bits are j modulo 4. The relative error of the result is at most about eps. A result below u/64
+   would lose digits: then the function returns NaN, and u must be reduced by vmi_reduce_long.
    Method: K (1 + f)^2 = 2 pi (1 + x S) with f^2 = k', where x S is small (vmi_K). So a multiple of 2 pi (1 + x S) is
    subtracted from the phase u (1 + f)^2. The first halves (heads) of k' and f are multiples of 2^-23 and 2^-24 (float
    2^-8, 2^-9), so that the squares of these heads, the number (1 + f)^2 formed from them, and its product with the head
@@ -94,7 +95,7 @@ VMI_APART vm_real vmi_reduce_short(vm_real u, vm_real m1, vm_real m1_lo, vm_real
     const vm_real h = (1 - f) / (1 + f), x = vmi_fourth_power(h), S = vmi_K_series(x);
     const vm_real u_head = vmi_head(u), phase = u_head * rate_head;
     const vm_real phase_lo = (u - u_head) * rate_head + u * rate_tail;
-    const int second = phase > 6 * half_pi.hi; /* 0 or 1, used in formulas: a branch would often be mispredicted */
+    const int second = phase > 6 * half_pi.hi; /* 0 or 1; it replaces a branch, which would often be mispredicted */
     const vm_real j = (vm_real)(4 + 4 * second);
     const vm_real rest = (phase - j * half_pi.hi) + ((phase_lo - j * half_pi.mid) - j * half_pi.hi * x * S);
     *quarters = 0;
@@ -104,9 +105,9 @@ VMI_APART vm_real vmi_reduce_short(vm_real u, vm_real m1, vm_real m1_lo, vm_real
     return rest / (rate_head + rate_tail);
 }
 
-/* Returns u minus the nearest multiple j K in two words, for any u > 0 and m1 > 0. The last bits of *quarters become
-   those of j. K is used in two words, or in three if u is below 128 K and next to a multiple of K. Where u is so large
-   that no digit of the phase is left, the result is 0. */
+/* Returns u minus the nearest multiple j K in two words, for any u > 0 and m1 > 0. *quarters becomes a number whose
+   last two bits are j modulo 4. K is used in two words, or in three if u is below 128 K and next to a multiple of K.
+   Where u is so large that no digit of the phase is left, the result is 0. */
 VMI_APART vm_two vmi_reduce_long(vm_real u, vm_real m1, vm_real m1_lo, vmi_bits *quarters)
 {
     const vmi_three half_pi = vmi_half_pi();
@@ -144,16 +145,16 @@ VMI_APART vm_two vmi_reduce_long(vm_real u, vm_real m1, vm_real m1_lo, vmi_bits 
 #define VMI_TABLE_REACH (VM_MANT_DIG > 24 ? VM_C(1048576.0) : VM_C(11000.0))
 
 /* Returns u minus the nearest multiple j K, for 0 <= u < VMI_TABLE_REACH and a k' = kp for which VMI_IN_PERIOD_TABLE is
-   1. The last bits of *quarters become those of j. K has a relative error below 2^-71 (float 2^-36), so that the result
-   is within half an ulp plus 2^-71 u (float 2^-36 u). Where this error is too large, next to a multiple of K, the
-   result is NaN, and u must be reduced by vmi_reduce_long. It is not NaN for j >= 128, since there only the absolute
-   error counts. */
+   1. *quarters becomes a number whose last two bits are j modulo 4. K has a relative error below 2^-71 (float 2^-36),
+   so that the result is within half an ulp plus 2^-71 u (float 2^-36 u) of the exact difference. Where this error is
+   too large, next to a multiple of K, the result is NaN, and u must be reduced by vmi_reduce_long. For j >= 128 the
+   result is never NaN, since there only its absolute error is important. */
 VMI_APART vm_real vmi_reduce_by_table(vm_real u, vm_real m1, vm_real m1_lo, vm_real kp, vmi_bits *quarters)
 {
     const vm_real closest = VM_MANT_DIG > 24 ? VM_C(1048576.0) : VM_C(1024.0);
     const vmi_period K = vmi_period_by_table(m1, m1_lo, kp);
     vm_real divisor = K.rough, shifted, j, rest;
-    if (u < VM_C(2.5) * K.early) divisor = K.early; /* it is computed before K.rough is */
+    if (u < VM_C(2.5) * K.early) divisor = K.early; /* K.early is known sooner than K.rough */
     shifted = vmi_rounded(u / divisor + 1 / VM_EPSILON);
     j = shifted - 1 / VM_EPSILON;
     rest = ((u - j * K.head) - j * K.middle) - j * K.low; /* only the last product and difference round */
@@ -162,9 +163,9 @@ VMI_APART vm_real vmi_reduce_by_table(vm_real u, vm_real m1, vm_real m1_lo, vm_r
     return rest;
 }
 
-/* Returns u >= 0 minus the nearest multiple j K, or NaN if u or m1 is outside the domain of jacobi_sncndn. The low
-   word of the result goes to *v_lo, the last bits of j to *quarters. kp is k'. reach is about (2u/K)^2; if reach is
-   below 30, u < 2.5 K. */
+/* Returns u >= 0 minus the nearest multiple j K, or NaN if u or m1 is outside the domain of jacobi_sncndn. *v_lo
+   becomes the low word of the result, and *quarters a number whose last two bits are j modulo 4. kp is k'. reach is
+   about (2u/K)^2; if reach is below 30, u < 2.5 K. */
 VM_INLINE vm_real vmi_reduced(vm_real u, vm_real m1, vm_real m1_lo, vm_real kp, vm_real reach, vm_real *v_lo,
                               vmi_bits *quarters)
 {

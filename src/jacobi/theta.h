@@ -16,12 +16,12 @@
 #include "../base/sums.h"
 #include "../base/words.h"
 
-/* What the theta functions far from 0 need for a parameter m. vmi_far_prepare computes these numbers. */
+/* The numbers from which the theta functions far from 0 are computed for a parameter m. vmi_far_prepare writes them. */
 typedef struct VM_TAG(vmi_theta_form) {
     vm_real kp, kp_lo; /* k' = sqrt(1 - m) in two words */
     vm_real q;         /* the nome of 1 - m, or of 1/(1 - m) in the reciprocal form */
     vm_real defect;    /* 1 - z/v, where v is the argument and z its phase (see vmi_far_prepare) */
-    vm_real f[3], g[2], scale[2]; /* f for P and Q, g for E, scale for theta_s and theta_c: see vmi_far_prepare */
+    vm_real f[3], g[2], scale[2]; /* f, g: coefficients of P, Q and of E; scale: factors of theta_s, theta_c */
 } vmi_theta_form;
 
 /* The three methods: the series near 0; theta functions with the nome of 1 - m, for m near 1; theta functions with
@@ -53,10 +53,10 @@ VM_INLINE void vmi_laurent(vm_real theta, vm_real m1_theta, vm_real *c)
     c[3] = e * (9 * product - 2 * ee) * VM_C(5.291005291005291005e-3);
 }
 
-/* The theta functions near 0, from the series at w = v/4 to the ninth term (float: the fifth) and two duplications.
-   Only theta.c and the local variable f are computed by subtractions, and both are far from 0. s, c, d and n below
-   are the four theta functions. A duplication leads from w to 2w: if a and
-   b are numbers with b/a = sc^2(w), where sc = sn/cn, then
+/* Returns the theta functions near 0, from the series at w = v/4 to the ninth term (float: the fifth) and two
+   duplications. Only theta.c and the local variable f are computed by subtractions, and both are far from 0. s, c, d
+   and n below are the four theta functions. A duplication leads from w to 2w: if a and b are
+   numbers with b/a = sc^2(w), where sc = sn/cn, then
      sc^2(2w) = 4 a b (a + b)(a + m1 b)/(a^2 - m1 b^2)^2,
      s : c : d : n = 2 sqrt(a b (a + b)(a + m1 b)) : a^2 - m1 b^2 : a^2 + 2 m1 a b + m1 b^2 : a^2 + 2 a b + m1 b^2. */
 VM_INLINE vmi_thetas vmi_theta_near(vm_real v, vm_real m1)
@@ -142,10 +142,10 @@ typedef struct VM_TAG(vmi_exponentials) {
     vm_real sine, cosine, power, lift;
 } vmi_exponentials;
 
-/* Returns the hyperbolic sine and cosine of z + z_lo, times a power of two, for 0 <= z <= VMI_LONGEST. |z_lo| is at
-   most an ulp of z. The relative errors are at most 1.3 ulp. The field lift is wrong for n > VMI_BIAS, where 2^n
-   overflows. Method: z = n ln 2 + r with |r| < 0.35. With S = sinh r and C = cosh r - 1, which polynomials in r^2
-   give,
+/* Returns the four numbers of vmi_exponentials for the argument z + z_lo, where 0 <= z <= VMI_LONGEST and |z_lo| is at
+   most an ulp of z. The relative errors are at most 1.3 ulp. The field `lift`, which is 2^n, is wrong for n > VMI_BIAS,
+   where 2^n overflows. Method: z = n ln 2 + r with |r| < 0.35. With S = sinh r and C = cosh r - 1, which polynomials in
+   r^2 give,
      sine = (1 - 4^-n) + (S (1 + 4^-n) + C (1 - 4^-n)),  cosine = (1 + 4^-n) + (C (1 + 4^-n) + S (1 - 4^-n)).  */
 VM_INLINE vmi_exponentials vmi_far_exponentials(vm_real z, vm_real z_lo)
 {
@@ -183,8 +183,8 @@ VM_INLINE vmi_exponentials vmi_far_exponentials(vm_real z, vm_real z_lo)
     return e;
 }
 
-/* The theta functions far from 0, for |argument| <= VMI_LONGEST. All four are multiplied by 2^-n, so that they do not
-   overflow (see vmi_far_exponentials). */
+/* Returns the theta functions far from 0, for |argument| <= VMI_LONGEST. All four are multiplied by a power of two,
+   2^-n with the n of vmi_exponentials, so that they do not overflow. */
 VM_INLINE vmi_thetas vmi_theta_far(const vmi_theta_form *t, int reciprocal, vm_two argument)
 {
     vmi_thetas theta;
@@ -212,7 +212,7 @@ VM_INLINE vmi_thetas vmi_theta_far(const vmi_theta_form *t, int reciprocal, vm_t
     return theta;
 }
 
-/* The theta functions far from 0 for a single v and m, without a plan */
+/* Returns the theta functions far from 0 for a single v and m, without a plan. */
 VMI_APART vmi_thetas vmi_theta_far_unprepared(vm_two v, vm_real m1, vm_real m1_lo)
 {
     vmi_theta_form t;
@@ -221,7 +221,7 @@ VMI_APART vmi_thetas vmi_theta_far_unprepared(vm_two v, vm_real m1, vm_real m1_l
     return vmi_theta_far(&t, m1 > 1, v);
 }
 
-/* The theta functions at an argument that is larger by the given number of quarter periods. One quarter period turns s,
+/* Returns the theta functions at an argument that is larger by `quarters` quarter periods. One quarter period turns s,
    c, d, n into c, -k' s, k' n, d; two quarter periods change the signs of s and c. Products with 0, 1 and -1 replace a
    branch, which would be mispredicted half the time. */
 VM_INLINE vmi_thetas vmi_theta_shift(vmi_thetas theta, vm_real kp, vmi_bits quarters)
@@ -238,7 +238,7 @@ VM_INLINE vmi_thetas vmi_theta_shift(vmi_thetas theta, vm_real kp, vmi_bits quar
     return shifted;
 }
 
-/* sn, cn and dn from the theta functions, where dn is kept between 1 and bound */
+/* Computes sn, cn and dn from the theta functions. dn is kept between 1 and `bound`. */
 VM_INLINE void vmi_theta_ratios(vmi_thetas theta, vm_real bound, vm_real *sn, vm_real *cn, vm_real *dn)
 {
     const vm_real low = vmi_smaller(bound, 1), high = vmi_larger(bound, 1), per_n = 1 / theta.n;

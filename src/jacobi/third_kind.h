@@ -15,9 +15,10 @@
 #include "../base/words.h"
 #include "theta.h"
 
-/* Carlson's symmetric integral R_F(x, y, z) in two words, for x, y, z >= 0 of which at most one is 0. The arguments
-   are brought together by duplications, usually 7, until the series in their differences (DLMF 19.36.1) has an error
-   of 2^-(2p - 4). If an argument is 2^-n times the largest one, log2(n) more duplications are needed. */
+/* Returns Carlson's symmetric integral R_F(x, y, z) in two words, for x, y, z >= 0 of which at most one is 0. The
+   arguments are brought together by duplications, usually 7, until the series in their differences (DLMF 19.36.1) has
+   an error of 2^-(2p - 4), where p is the number of binary digits of vm_real. If an argument is 2^-n times the largest
+   one, log2(n) more duplications are needed. */
 VM_API vm_two vmi_carlson_rf(vm_two x, vm_two y, vm_two z)
 {
     const vm_real enough = VM_SQRT(VM_SQRT(VM_EPSILON));
@@ -56,9 +57,9 @@ typedef struct VM_TAG(vmi_third_kind) {
     vm_two rest;  /* 1 - Pi(-N | m)/K(m) */
 } vmi_third_kind;
 
-/* The complete integral of the third kind for m1 = 1 - m > 0 and N >= 0, where share = N/(1 + N) and
-   below = 1/(1 + N). It begins with p = sqrt(1 + N), Q = 1 and the numbers a = 1, g = k' of the arithmetic-geometric
-   mean (DLMF 19.8.6-7). Each step replaces p and Q by p+ and Q+:
+/* Returns the complete integral of the third kind for m1 = 1 - m > 0 and N >= 0, where share = N/(1 + N) and below =
+   1/(1 + N). It begins with p = sqrt(1 + N), Q = 1 and the numbers a = 1, g = k' of the arithmetic-geometric mean (DLMF
+   19.8.6-7). Each step replaces p and Q by p+ and Q+:
      e = (p^2 - a g)/(p^2 + a g),  p+ = (p^2 + a g)/(2p),  Q+ = Q e/2.
    1 - Pi/K is share/2 times the sum of all Q. Since this sum is 2 minus the sum of all Q (1 - e), both ratio = Pi/K and
    rest = 1 - Pi/K are sums of positive terms. Therefore they are accurate for any N. */
@@ -68,7 +69,7 @@ VM_API vmi_third_kind vmi_third_kind_ladder(vm_two m1, vm_two share, vm_two belo
     vm_two sum = vmi_two(0, 0), less = sum;
     vmi_third_kind result;
     int step;
-    for (step = 0; step < 200; step++) { /* 5 to 10 steps, plus one for each binary digit of sqrt(1 + N) */
+    for (step = 0; step < 200; step++) { /* 5 to 10 steps, and a step for each binary digit of sqrt(1 + N) */
         const vm_real apart = VM_FABS(a.hi - g.hi);
         ag = vmi_two_times(a, g);
         pp = vmi_two_times(p, p);
@@ -88,7 +89,7 @@ VM_API vmi_third_kind vmi_third_kind_ladder(vm_two m1, vm_two share, vm_two belo
     return result;
 }
 
-/* The sine and the cosine of an angle of x turns, that is of 2 pi x, for |x| < 2^13 */
+/* Computes the sine and the cosine of an angle of x turns, that is of 2 pi x, for |x| < 2^13. */
 VM_API void vmi_sincos_turns(vm_real x, vm_real *sine, vm_real *cosine)
 {
     const vmi_three half_pi = vmi_half_pi();
@@ -178,11 +179,10 @@ VM_API vmi_doubled_theta vmi_doubled_dual(vm_real K, vm_real Kc, vm_real y)
     return d;
 }
 
-/* The polynomial a[0] + a[1] x + a[2] x^2 + a[3] x^3 */
+/* Returns the polynomial a[0] + a[1] x + a[2] x^2 + a[3] x^3. */
 VM_INLINE vm_real vmi_cubic(const vm_real *a, vm_real x) { return (a[0] + a[1] * x) + (a[2] + a[3] * x) * (x * x); }
 
-/* The theta function theta_4 at x = u/(4K), |x| <= 1/4, without the factor e^(2 pi i shift x), which the caller
-   applies */
+/* Computes theta_4 at x = u/(4K), |x| <= 1/4, without the factor e^(2 pi i shift x), by which the caller multiplies. */
 VM_API void vmi_doubled_at(const vmi_doubled_theta *d, vm_real x, vm_real *re, vm_real *im)
 {
     if (d->decay > 0) {
