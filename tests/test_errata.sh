@@ -93,7 +93,7 @@ rows_are_whole() { # five columns, a known verdict, a name of its own without qu
 }
 readme_counts() { # the README says how many items there are
     items=$(awk -F'\t' '$2 != "verified"' "$build/rows" | wc -l)
-    grep -q "has the $((items)) items" README.md || { echo "README.md does not say: has the $((items)) items"; false; }
+    grep -q "lists $((items)) places" README.md || { echo "README.md does not say: lists $((items)) places"; false; }
 }
 
 marks >"$build/marks"
