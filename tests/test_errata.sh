@@ -56,8 +56,8 @@ System*, and what is true. It is written by `sh tests/test_errata.sh build write
 - The column "how it was checked" has errors or values of the printed form, of the corrected form, and of a motion that is exact
   or integrated numerically. ODE means direct integration of the equation of motion. A residual is the difference of the two
   sides of a balance, such as that of momentum. "The sample" is a set of numbers that stands in the test.
-- The last column names the tests (tests/test_NAME.c) that compute the item with numbers. They call ERRATUM("equation", ...),
-  which checks that the printed form is wrong and that the corrected form is right.
+- The last column names the tests (tests/test_NAME.c) that compute the item with numbers. For each item a test calls
+  ERRATUM("equation", ...), which checks that the printed form of the equation is wrong and that the corrected form is right.
 - Symbols: S is the mass centre of the initial body, S1 that of the final body, S2 that of the part. O or Om is an angular
   velocity Omega: O1 or Om1 is Omega_1, Or is Omega_r, Or1 is Omega_r1, Ob is Omega_b. w is omega. P(d) = |d|^2 E - d d^T with the
   unit matrix E. a or alpha is the exponent of the elastic force. The [glossary](glossary.md) has the other symbols.

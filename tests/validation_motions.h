@@ -288,8 +288,8 @@ static void validate_orekit(void)
         "Orekit's burn of constant thrust, the mass",
         "CS-SI/Orekit, commit 0104345c (2020), ConstantThrustManeuverTest.java, testRoughBehaviour",
         "We use `rk87_solve` in three parts: a flight without thrust for 17134.08 s, the burn of 3653.99 s with 420 N "
-        "and a specific impulse of 318 s, and again a flight without thrust, until 3800 s after ignition. g0 = "
-        "9.80665 m/s^2.",
+        "and a specific impulse of 318 s, and again a flight without thrust, until 3800 s after ignition. The "
+        "specific impulse times g0 = 9.80665 m/s^2 is the exhaust velocity.",
         "Orekit prints 16 digits. Its integrator and ours add up the mass step by step, with rounding errors.",
         1e-13, 3e-5};
     static const validation_group orbit = {
