@@ -113,8 +113,9 @@ static void validate_boost(void)
         "Boost.Math's test data",
         "boostorg/math, commit 99733ebbd (2026), test/test_jacobi.hpp, test_ellint_3.hpp, ellint_*_data.ipp, ellint_rg.ipp, "
         "ibeta_small_data.ipp",
-        "Boost's parameter is k; ours is m = k^2. The arguments are binary fractions, which are exact also in float. "
-        "In the table, any_sn stands for the first result of jacobi_sncndn_any, for k = 1.5.",
+        "Boost's functions have the modulus k as parameter; ours have m = k^2. The arguments are binary fractions, "
+        "which are exact also in float. In the table, any_sn stands for the first result of jacobi_sncndn_any, for k "
+        "= 1.5.",
         "Our bound is 8 ulp. The rounding of k^2 adds some eps near k = 1, where E and F depend on 1 - k^2.",
         4e-15, 4e-6};
     validation_begin(&group);
