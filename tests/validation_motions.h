@@ -322,8 +322,9 @@ static void validate_tsiolkovsky(void)
     static const validation_group group = {
         "Tsiolkovsky's rocket",
         "Wikipedia, Tsiolkovsky rocket equation, section Examples (read in 2026)",
-        "We call `vm_tsiolkovsky(0, 1, m, -4500)`, where m is the fraction of the mass that is left. The first row is "
-        "a rocket that reaches an orbit with one stage; the other rows are the two stages of a second rocket.",
+        "We call `vm_tsiolkovsky(0, 1, m, -4500)`, where m is the fraction of the mass that is left and 4500 m/s is "
+        "the exhaust velocity. The first row is a rocket that reaches an orbit with one stage; the other rows are the "
+        "two stages of a second rocket.",
         "The masses have three decimals. So the fraction 0.116 of the first row is known to 0.4 %, and its velocity "
         "to 0.4 % divided by ln(1/0.116) = 2.2.",
         2e-3, 2e-3};
