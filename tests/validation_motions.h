@@ -105,7 +105,8 @@ static void validate_cv_rocket(void)
         3e-4, 3e-4};
     static const validation_group exact = {
         "CVODE's rocket, exactly",
-        "the closed form of the same problem, with an exponential integral, evaluated by mpmath to 40 digits",
+        "the closed form of the problem of the previous table, with an exponential integral, evaluated by mpmath to "
+        "40 digits",
         "Our numbers are from the same run as in the previous table. Compared with the closed form, CVODE's relative "
         "errors are 3e-5 in the time of the cutoff, 7e-5 in the time of the apogee and 1.2e-4 in the height of the "
         "apogee.",
@@ -294,7 +295,7 @@ static void validate_orekit(void)
         1e-13, 3e-5};
     static const validation_group orbit = {
         "Orekit's burn of constant thrust, the orbit",
-        "the same commit and test of Orekit",
+        "the same commit and test of Orekit as in the previous table",
         "Our numbers are from the same run as in the previous table. Before the burn the orbit has the semi-major "
         "axis a = 24396159 m, the eccentricity e = 0.72831215 and an inclination of 7 degrees. The thrust has the "
         "right ascension 351 degrees and the declination -7.4978 degrees.",
