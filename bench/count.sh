@@ -72,9 +72,10 @@ compiler=$($CC --version) || fail "the compiler $CC does not say its version"
 {
     echo '# Instructions of a call'
     echo
-    echo "Written by \`make bench-count\`: $(uname -m), $(echo "$compiler" | head -n 1), $FLAGS, counted by"
-    echo 'callgrind. The numbers are the same in every run. Each number is the mean over 200 calls. Some names have an addition, such as _4_3'
-    echo 'for alpha = 4/3 or _to_1e_3 for a tolerance of 1e-3; bench/count.c has all calls and their arguments. For integrators, a call is one'
+    echo "This page is written by \`make bench-count\`, on $(uname -m) with $(echo "$compiler" | head -n 1), $FLAGS."
+    echo 'The program callgrind counts the instructions that a call executes. The counts are the same in every run; each is the mean'
+    echo 'over 200 calls. Some names have an addition, such as _4_3 for alpha = 4/3 or _to_1e_3 for a tolerance of 1e-3;'
+    echo 'bench/count.c has all calls and their arguments. For integrators, a call is one'
     echo "step of x'' = -x^3."
     echo
     echo '| function | double | float |'

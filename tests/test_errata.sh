@@ -50,22 +50,23 @@ write() {
 This page lists what is wrong, misprinted or ambiguous in the dissertation [1], L. Cveticanin, *Dynamics of Mass Variable
 System*, and what is true. It is written by `sh tests/test_errata.sh build write` from tests/data/errata.txt.
 
-- Wrong is a formula or number that gives wrong results where it is used. A misprint is a slip that no later result contains.
-  Ambiguous is what is right in only one of several readings.
-- "How it was checked" has errors or values of the printed form, of the corrected form, and of an exact or integrated motion. ODE
-  means direct integration of the equation of motion. A residual is the difference of the two sides of a balance. The sample is
-  one set of numbers, which the test has.
-- The last column names the tests (tests/test_NAME.c) that show the item in numbers. They call ERRATUM("equation", ...), which
-  checks that the printed form is wrong and that the corrected form is right.
+- The verdict "wrong" means that the printed formula or number gives wrong results where it is used. A misprint is a slip, such
+  as a wrong sign, that no later result contains. "Ambiguous" means that the printed text can be read in several ways, of which
+  only one is right.
+- The column "how it was checked" has errors or values of the printed form, of the corrected form, and of a motion that is exact
+  or integrated numerically. ODE means direct integration of the equation of motion. A residual is the difference of the two
+  sides of a balance, such as that of momentum. "The sample" is a set of numbers that stands in the test.
+- The last column names the tests (tests/test_NAME.c) that compute the item with numbers. For each item a test calls
+  ERRATUM("equation", ...), which checks that the printed form of the equation is wrong and that the corrected form is right.
 - Symbols: S is the mass centre of the initial body, S1 that of the final body, S2 that of the part. O or Om is an angular
   velocity Omega: O1 or Om1 is Omega_1, Or is Omega_r, Or1 is Omega_r1, Ob is Omega_b. w is omega. P(d) = |d|^2 E - d d^T with the
   unit matrix E. a or alpha is the exponent of the elastic force. The [glossary](glossary.md) has the other symbols.
 
 END
     awk -F'\t' '$2 != "verified" {n[$2]++; if ($6 == "") none++} $2 == "verified" {v++} END {
-        printf "Of %d items %d hold as printed; %d are wrong, %d misprints, ", NR, v, n["wrong"], n["misprint"]
-        printf "%d ambiguous. %d misprints of words, which\n", n["ambiguous"], none
-        print "have nothing to compute, have no test.\n"}' "$build/rows"
+        printf "%d items of the dissertation (equations, tables and statements) were checked. %d of them are right as\n", NR, v
+        printf "printed; %d are wrong, %d are misprints and %d are ambiguous. ", n["wrong"], n["misprint"], n["ambiguous"]
+        printf "%d misprints have no test,\nbecause they are misprints of words, in which there is nothing to compute.\n\n", none}' "$build/rows"
     echo '| equation | what is printed | verdict | what is true | how it was checked | tests |'
     echo '|---|---|---|---|---|---|'
     awk -F'\t' '$2 != "verified" {
@@ -92,7 +93,7 @@ rows_are_whole() { # five columns, a known verdict, a name of its own without qu
 }
 readme_counts() { # the README says how many items there are
     items=$(awk -F'\t' '$2 != "verified"' "$build/rows" | wc -l)
-    grep -q "has the $((items)) items" README.md || { echo "README.md does not say: has the $((items)) items"; false; }
+    grep -q "lists $((items)) places" README.md || { echo "README.md does not say: lists $((items)) places"; false; }
 }
 
 marks >"$build/marks"

@@ -29,18 +29,20 @@ write() {
     cat <<'END'
 # Hard cases
 
-Written by `make hard-cases` from the output of tests/test_hard.c. Each case is a point at which a formula of the textbook, or of
-the dissertation, goes wrong. The first column says what is computed and why the formula goes wrong. The true values come from
-arbitrary precision (tests/gen/hard_reference.py).
+This page is written by `make hard-cases` from the output of tests/test_hard.c. Each case is a point at which a formula of
+textbooks, or of the dissertation, goes wrong: its result has few correct digits or is no number. The first column says what is
+computed and why the formula goes wrong. The true values are computed with arbitrary precision (tests/gen/hard_reference.py).
 
-- "kernel" names the function of tests/hard/ that computes the case, with the naive formula (the formula that goes wrong) beside
-  it. "at" has its arguments; arguments that are left out at the end are zero. Numbers in the first column are those of the point
-  in double. Letters in it are explained in the comment above the headers' function that is tested.
-- "error" is the error of the headers' function. "naive" is the error of the naive formula in the same precision; "no number"
-  means that it gives infinity or NaN, or divides by zero. Both errors are in eps (2.2e-16, in float 1.2e-7) of the value, or of
-  the scale of the problem, such as the largest value of an oscillation.
-- "bound" is the largest error that the test allows. The test also fails where the error of the naive formula is less than four
-  times the bound: such a point is no hard case.
+- The column "kernel" names a pair of functions in tests/hard/ that compute the case: one by the headers, and one by the naive
+  formula (the formula that goes wrong). The column "at" has the arguments of these functions; arguments that are missing at the
+  end are zero. Numbers in the first column belong to the point in double. Letters in the first column are explained in the
+  comment above the headers' function that is tested.
+- The column "error" has the error of the headers' function, and the column "naive" the error of the naive formula in the same
+  precision. "No number" there means that the naive formula gives infinity or NaN, or divides by zero. The unit of both errors
+  is eps (2.2e-16, in float 1.2e-7) times the true value, or times the scale of the problem, such as the largest value of an
+  oscillation.
+- The column "bound" has the largest error that the test allows. The test also fails where the error of the naive formula is
+  less than four times the bound, because such a point is no hard case.
 - In a jump, a "part" leaves a body and the "rest" is what remains of it; "spin" is an angular velocity. "By rk4" means
   integration with fixed steps of the classical Runge-Kutta method.
 END

@@ -11,15 +11,16 @@
 
 static void print_head(void)
 {
-    puts("# Validation by others' numbers\n\nWritten by `make validation` (tests/test_validation.c); `make test` "
-         "checks it row by row. Each table compares numbers that others have published with our numbers. The "
-         "difference is relative, |ours - published|/|published|. The tolerance is larger for a number that has few "
-         "digits or that its source computed roughly; the reason stands after the tolerance.\n\nFindings: no "
-         "published number contradicts the kit. Three sources are less exact than they look. The printed output of "
-         "CVODE's rocket is wrong from the fourth or fifth digit on, because the tolerance of that run is large. The "
-         "simulation programs of the tumbling brick differ from each other by up to 2e-4; the two most accurate of "
-         "them agree with our angular velocities to 4e-11. The file of the two-stage rocket contains a pitch moment "
-         "whose cause we could not find.");
+    puts("# Validation by others' numbers\n\nThis page is written by `make validation` (tests/test_validation.c); "
+         "`make test` checks it row by row. Each table compares numbers that others have published with our numbers, "
+         "which varmass has computed. The difference is relative, |ours - published|/|published|. Each table has a "
+         "tolerance, which is the largest difference that is allowed. It is larger where the published numbers have "
+         "few digits or were computed roughly; the reason stands after the tolerance.\n\nFindings: no published "
+         "number contradicts the kit. Three sources are less exact than they look. The printed output of CVODE's "
+         "example of a rocket is wrong from the fourth or fifth digit on, because the tolerance of that run is large. "
+         "The simulation programs of the tumbling brick differ from each other by up to 2e-4; the two most accurate "
+         "of them agree with our angular velocities to 4e-11. The file of the two-stage rocket contains a pitch "
+         "moment whose cause we could not find.");
 }
 
 int main(int argc, char **argv)

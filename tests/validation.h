@@ -26,8 +26,8 @@ static void validation_begin(const validation_group *group)
 {
     validation_now = group;
     if (!validation_prints) return;
-    printf("\n## %s\n\nSource: %s.\n\n%s\n\nAllowed: a relative difference of %.1g. %s\n\n", group->title, group->source,
-           group->method, group->tolerance, group->reason);
+    printf("\n## %s\n\nSource: %s.\n\n%s\n\n", group->title, group->source, group->method);
+    printf("A relative difference of at most %.1g is allowed. %s\n\n", group->tolerance, group->reason);
     printf("| what | published | ours | difference |\n|---|---|---|---|\n");
 }
 

@@ -157,11 +157,11 @@ static void validate_brick(void)
         "NESC check case Atmos_02: a brick tumbles without drag",
         "NASA NESC atmospheric check cases, Atmos_02_sim_04.csv, in nasa/simupy-flight, commit 70754e6 (2024)",
         "The rotation is computed by `vm_torque_free_rotation`, in one step from the start, and the fall under "
-        "gravity with the oblateness term J2 by `rk87_solve`. The atmosphere is left out, because without drag it has "
-        "no effect. Rates are components along body axes of the rotation relative to inertial axes. Euler angles are "
-        "relative to the directions north, east and down.",
-        "The file prints 12 digits. At 30 s its yaw differs from that of the simulator sim_01 by 3e-9 degrees; our "
-        "yaw differs from that of sim_01 by 1.6e-9 degrees.",
+        "gravity with the oblateness term J2 by `rk87_solve`. We compute without the atmosphere, because without drag "
+        "it has no effect. The rates in the table are components along body axes; they describe the rotation relative "
+        "to inertial axes. Euler angles are relative to the directions north, east and down.",
+        "The file prints 12 digits. At 30 s its yaw differs by 3e-9 degrees from the yaw of another simulator, "
+        "sim_01. Our yaw differs by 1.6e-9 degrees from the yaw of sim_01.",
         3e-9, 0};
     char text[60];
     int i, j;
@@ -188,8 +188,8 @@ static void validate_other_bricks(void)
     static const validation_group others = {
         "Atmos_02 by the other simulators, body rates at 30 s",
         "the NESC check cases, Atmos_02_sim_01.csv, 02, 05 and 06",
-        "Our numbers come from the call of the last table. The simulators agree with each other as far as the lengths "
-        "of their steps allow; sim_01 and sim_04 agree with us to 10 digits.",
+        "Our numbers come from the same call as in the previous table. The simulators agree with each other as far as "
+        "the lengths of their steps allow. The rates by sim_01 and sim_04 agree with ours to 10 digits.",
         "The largest difference between two of the simulators is 2e-4.",
         3e-4, 3e-4};
     static const char *const axis[3] = {"roll", "pitch", "yaw"};
@@ -213,14 +213,16 @@ static void validate_second_stage(void)
         "the NESC check cases, Atmos_17_sim_06.csv, and twostage_prop.dml (revision A), twostage_inertia.dml",
         "`rk87_solve` starts from the published state at 134.1 s and computes the flight to 200 s under gravity with "
         "J2. In this time 80 t of the 99 t burn as propellant (thrust 5 MN, specific impulse 390 s, g0 = 9.8066 "
-        "m/s^2). The published pitch gives the direction of the thrust. The first stage is left out, since its flight "
-        "through the atmosphere needs tables of drag; the drag of the second stage is below 0.01 N. The rotation is "
-        "left out, too. For at 200 s the file has a pitch moment of 29 ft lbf, although the dynamic pressure is only "
-        "4e-11 lbf/ft^2. No aerodynamic coefficient can cause this moment, and we do not know its cause. The time of "
-        "ignition is not in the file. Each of the two velocities at 134.3 s gives 134.1745 s, within 4e-6 s. The "
-        "files of two more simulators were not available.",
-        "Our speed at 200 s is smaller by 1.6 ft/s. The engine produces this speed in the last 1.8 ms before burnout, "
-        "and the simulator has steps of 100 ms. The differences of the other rows follow from this one.",
+        "m/s^2). The published pitch gives the direction of the thrust. We do not compute the flight of the first "
+        "stage through the atmosphere, since it needs tables of drag; the drag of the second stage is below 0.01 N. "
+        "We do not compute the rotation of the rocket either. The reason is that at 200 s the file has a pitch moment "
+        "of 29 ft lbf, although the dynamic pressure is only 4e-11 lbf/ft^2. No aerodynamic coefficient can cause "
+        "this moment, and we do not know its cause. The time of ignition is not in the file. It follows from the "
+        "velocity in the file at 134.3 s: each of the two components gives 134.1745 s, within 4e-6 s. The check case "
+        "also has files of two other simulators, which were not available.",
+        "Our speed at 200 s is smaller than the published speed by 1.6 ft/s. The engine adds 1.6 ft/s in the last 1.8 "
+        "ms before burnout, and the simulator has steps of 100 ms. The differences in the other rows follow from this "
+        "difference.",
         1e-4, 4e-4};
     const double ignition = 134.1745, mass_rate = -5e6 / (390 * 9.8066), burn = 80000 / -mass_rate;
     vm_real y[4] = {VM_C(21361276.292372078), VM_C(1007426.1413189974), VM_C(2099.812416485217),
@@ -314,7 +316,7 @@ static void validate_toutatis_periods(void)
         "270 (1995) 84, 5.41 and 7.35 days",
         "Toutatis is an asteroid. We compute its rotation over 10000 days by `vm_torque_free_rotation`. The start is "
         "the spin state of Takahashi, Busch and Scheeres, AJ 146 (2013) 95: relative moments of inertia 3.0836, 3.235 "
-        "and 1, rates 14.51, 33.529 and -98.709 degrees a day. The torques of earth and sun are left out.",
+        "and 1, rates of rotation 14.51, 33.529 and -98.709 degrees a day. We neglect the torques of earth and sun.",
         "The authors give an uncertainty of 0.6 %, and the older periods differ from the newer ones by the same "
         "amount.",
         1e-2, 1e-2};
@@ -348,7 +350,7 @@ static void validate_toutatis_rates(void)
         "angular velocity that its solver computes with the observed one, in body axes: the relative difference of "
         "the speeds, and the angle between the two vectors",
         "We compute the angular velocity at the times of the observations by `vm_torque_free_rotation`, from the spin "
-        "state of the last table.",
+        "state that is given with the previous table.",
         "Principia prints the difference to 0.001 and the angle to 0.1 degrees. Half a unit of the last place, 0.05 "
         "degrees, is 10 % of the smallest angle, 0.5 degrees.",
         0.1, 0.1};

@@ -105,10 +105,12 @@ static void validate_cv_rocket(void)
         3e-4, 3e-4};
     static const validation_group exact = {
         "CVODE's rocket, exactly",
-        "the closed form of the same problem, with an exponential integral, evaluated by mpmath to 40 digits",
-        "Our run is that of the last table. Compared with this closed form, CVODE's relative errors are 3e-5 in the "
-        "time of the cutoff, 7e-5 in the time of the apogee and 1.2e-4 in the height of the apogee.",
-        "The tolerance of 1e-13 is that of one step, and the errors of all steps add up.",
+        "the closed form of the problem of the previous table, with an exponential integral, evaluated by mpmath to "
+        "40 digits",
+        "Our numbers are from the same run as in the previous table. Compared with the closed form, CVODE's relative "
+        "errors are 3e-5 in the time of the cutoff, 7e-5 in the time of the apogee and 1.2e-4 in the height of the "
+        "apogee.",
+        "The run has the tolerance 1e-13 for each step, and the errors of all steps add up.",
         1e-12, 1e-5};
     const cv_rocket_flight flight = cv_rocket_fly();
     validation_begin(&printed);
@@ -155,7 +157,7 @@ static void validate_arenstorf(void)
         "Arenstorf's orbit",
         "E. Hairer, S. P. Norsett, G. Wanner, Solving Ordinary Differential Equations I, 2nd edition, II.0, (0.1), (0.2)",
         "We use `rk87_solve` with the tolerance 6e-14. An event, where y2 falls through 0, marks the end of the "
-        "period. There the orbit must be back at its start (0.994, 0).",
+        "period. There the body must be back at its start (0.994, 0).",
         "The orbit is unstable: an error at the start becomes 14 000 times as large in one period.",
         1e-9, 0};
     vm_real y[4] = {VM_C(0.994), 0, 0, VM_C(-2.00158510637908252240537862224)};
@@ -200,8 +202,8 @@ static void validate_pleiades(void)
         "The Pleiades, seven stars in a plane",
         "Test Set for IVP Solvers, release 2.4 (F. Mazzia, C. Magherini, Bari 2008), problem plei, reference solution at "
         "t = 3",
-        "We use `rk87_solve` with the tolerance 6e-14 for all 28 unknowns. The table has the 14 coordinates; the "
-        "velocities are left out.",
+        "We use `rk87_solve` with the tolerance 6e-14 for all 28 unknowns. The table has the 14 coordinates of the "
+        "stars, but not their velocities.",
         "Stars 1 and 7 pass each other at a distance of only 0.034, and an error of x1 at the start becomes 31 times "
         "as large. The reference has 16 digits.",
         1e-10, 0};
@@ -287,16 +289,16 @@ static void validate_orekit(void)
         "Orekit's burn of constant thrust, the mass",
         "CS-SI/Orekit, commit 0104345c (2020), ConstantThrustManeuverTest.java, testRoughBehaviour",
         "We use `rk87_solve` in three parts: a flight without thrust for 17134.08 s, the burn of 3653.99 s with 420 N "
-        "and a specific impulse of 318 s, and again a flight without thrust, until 3800 s after ignition. g0 = "
-        "9.80665 m/s^2.",
+        "and a specific impulse of 318 s, and again a flight without thrust, until 3800 s after ignition. The "
+        "specific impulse times g0 = 9.80665 m/s^2 is the exhaust velocity.",
         "Orekit prints 16 digits. Its integrator and ours add up the mass step by step, with rounding errors.",
         1e-13, 3e-5};
     static const validation_group orbit = {
         "Orekit's burn of constant thrust, the orbit",
-        "the same commit and test of Orekit",
-        "Our run is that of the last table. Before the burn the orbit has the semi-major axis a = 24396159 m, the "
-        "eccentricity e = 0.72831215 and an inclination of 7 degrees. The thrust has the right ascension 351 degrees "
-        "and the declination -7.4978 degrees.",
+        "the same commit and test of Orekit as in the previous table",
+        "Our numbers are from the same run as in the previous table. Before the burn the orbit has the semi-major "
+        "axis a = 24396159 m, the eccentricity e = 0.72831215 and an inclination of 7 degrees. The thrust has the "
+        "right ascension 351 degrees and the declination -7.4978 degrees.",
         "Orekit prints the inclination after the burn, 2.6872 degrees, to 1e-4 degrees, and the semi-major axis, "
         "28970 km, to 1 km. In both cases a unit of the last digit is about 4e-5 of the value.",
         4e-5, 4e-5};
@@ -321,10 +323,11 @@ static void validate_tsiolkovsky(void)
     static const validation_group group = {
         "Tsiolkovsky's rocket",
         "Wikipedia, Tsiolkovsky rocket equation, section Examples (read in 2026)",
-        "We call `vm_tsiolkovsky(0, 1, m, -4500)`, where m is the fraction of the mass that is left. The first row is "
-        "a rocket that reaches an orbit with one stage; the other rows are the two stages of a second rocket.",
-        "The masses have three decimals. So 0.116 is known to 0.4 %, and the velocity to 0.4 % divided by ln(1/0.116) "
-        "= 2.2.",
+        "We call `vm_tsiolkovsky(0, 1, m, -4500)`, where m is the fraction of the mass that is left and 4500 m/s is "
+        "the exhaust velocity. The first row is a rocket that reaches an orbit with one stage; the other rows are the "
+        "two stages of a second rocket.",
+        "The masses have three decimals. So the fraction 0.116 of the first row is known to 0.4 %, and its velocity "
+        "to 0.4 % divided by ln(1/0.116) = 2.2.",
         2e-3, 2e-3};
     validation_begin(&group);
     validation_row("velocity with 88.4 % of propellant, m/s", "9700", (double)vm_tsiolkovsky(0, 1, VM_C(0.116), -4500));
