@@ -150,13 +150,13 @@ static void __attribute__((noinline)) count_call(void)
 {
     const uint32_t paint = 0xdeadbeefu;
     volatile uint32_t *low, here = 0;
-    uint32_t start, reading, used;
+    uint32_t before, start, end, used;
     for (low = &here - DEPTH; low < &here - 16; low++) *low = paint;
-    start = board_instructions();
-    reading = board_instructions_since(start); /* instructions of the counter itself */
-    start = board_instructions();
+    before = board_counter();
+    start = board_counter();
     call();
-    used = board_instructions_since(start) - reading;
+    end = board_counter();
+    used = board_instructions(start, end) - board_instructions(before, start); /* less those of a reading */
     if (used > most) most = used;
     for (low = &here - DEPTH; *low == paint && low < &here; low++) {}
     used = (uint32_t)(&here - low) * 4;

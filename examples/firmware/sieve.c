@@ -35,18 +35,18 @@ static void predict(sieve *s, float m, float dt)
 int main(void)
 {
     sieve s = {4e8f, 120, 0.005f, 0, 0.005f, 0.005f, 0};
-    uint32_t most = 0, empty, start;
+    uint32_t most = 0;
     int tick;
     s.rate = VM_SQRT(2 * s.k / s.m0) * s.A0;
-    start = board_instructions();
-    empty = board_instructions() - start;
     board_print("    t, ms    mass, g   amplitude, um   frequency, mHz   position, um\n");
     for (tick = 1; tick <= TICKS; tick++) {
         const float m = 120 - 0.2f * (float)tick; /* 20 kg/s leave */
-        uint32_t used;
-        start = board_instructions();
+        uint32_t before, start, end, used;
+        before = board_counter();
+        start = board_counter();
         predict(&s, m, 0.01f);
-        used = board_instructions() - start - empty;
+        end = board_counter();
+        used = board_instructions(start, end) - board_instructions(before, start);
         if (used > most) most = used;
         if (tick % 30) continue;
         board_print_number((int32_t)tick * 10, 9);
