@@ -298,13 +298,13 @@ VM_API int vmi_odd_is_known(const vm_odd_plan *p, int route, vm_real t, vm_odd_m
 
 /* Motion under an odd elastic force at time t (s, between 0 and the plan's t_end) by a given route VM_ODD_....
    motion->error estimates the larger of |error of x|/swing and |error of v|/vmax (see vm_odd_motion); it is infinite
-   where the averaged solution is not valid. Only VM_ODD_RK87 uses the tolerance of this error; 0 means 1e-6 (float
-   1e-3). Returns VM_OK, or VM_TOLERANCE_MISSED where the integration misses the tolerance. After an error *motion is
-   unchanged. The errors are
+   where the averaged solution is not valid. Only VM_ODD_RK87 uses `tolerance`, a bound for this error; 0 means 1e-6
+   (float 1e-3). Returns VM_OK, or VM_TOLERANCE_MISSED where the integration misses the tolerance. After an error
+   *motion is unchanged. The errors are
      VM_BAD_ARGUMENT for null pointers or a route that does not exist,
      VM_NOT_FINITE for a number that is infinite or NaN,
      VM_BAD_MASS or VM_BAD_STIFFNESS for a mass or a stiffness that is not positive between 0 and t,
-     VM_DOMAIN for a negative tolerance, t outside the plan, and where a user's function fails,
+     VM_DOMAIN for a negative tolerance, for t that is not between 0 and t_end, and where a user's function fails,
      VM_NO_LAW, except for VM_ODD_RK87, for t beyond the plan's field `reach` and where there is no vibration,
      VM_NOT_INTEGRATED where the integrator gives up, as it does for a motion that runs away. */
 VM_API int vm_odd_plan_by_route(const vm_odd_plan *p, int route, vm_real t, vm_real tolerance, vm_odd_motion *motion)
