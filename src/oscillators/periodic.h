@@ -68,10 +68,10 @@ VM_API int vmi_periodic_at(const vm_periodic *p, vm_real t, vmi_forced_parameter
     return status;
 }
 
-/* Prepares an oscillator under a periodic force: checks its fields at t = 0, and prepares the field `oscillator`. Call
-   it before all other functions of this file except vm_periodic_from_samples. Returns the statuses of vm_forced_init.
-   In addition it returns VM_BAD_ARGUMENT where `vibrations` or `periods` is not from 1 to 9, and VM_NOT_FINITE where a
-   coefficient is infinite or NaN. An error leaves *p as it was. */
+/* Prepares an oscillator under a periodic force: checks its fields at t = 0, and prepares the field `oscillator`. All
+   other functions of this file except vm_periodic_from_samples and vm_periodic_shape need this call. Returns the
+   statuses of vm_forced_init. In addition it returns VM_BAD_ARGUMENT where `vibrations` or `periods` is not from 1 to
+   9, and VM_NOT_FINITE where a coefficient is infinite or NaN. An error leaves *p as it was. */
 VM_API int vm_periodic_init(vm_periodic *p)
 {
     vmi_forced_parameters now;
