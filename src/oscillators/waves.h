@@ -8,7 +8,8 @@
      A'/A = -q/(alpha+3) - gain_A <F s>/(m V),   theta' = -gain_theta <F c>/(m V),   V = speed vmax(A),
    where <> is the mean over a period, q the rate at which slow changes of stiffness and mass, and damping, change the
    motion, and theta the slow part of the wave's own angle. This angle is the argument of ca, cos or cn: theta plus the
-   integral of turn psi' over time, where `turn` is a field of vmi_osc_wave.
+   integral of turn psi' over time, where `turn` is a field of vmi_osc_wave. To add another wave, write a constructor
+   and a function that evaluates the wave.
        vmi_osc_wave w = vmi_osc_wave_cn(3, ateb_pi(3));
        vm_real c, s;
        vmi_osc_wave_at(&w, VM_C(0.5), &c, &s); // at psi = 0.5: x = A c, x' = -w.speed vmax(A) s
