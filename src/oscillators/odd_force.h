@@ -537,9 +537,8 @@ VM_API vm_real vm_odd_period(const vm_odd_force *force, vm_real x0)
 }
 
 /* Action, m^2/s, of x'' + F(x) = 0 from rest at x0 (m, either sign), for an odd force F per unit mass. The action is
-   the integral of v dx over a period, divided by 2 pi. It stays nearly constant while the force changes slowly. The
-   function returns NaN where vm_odd_period does, except that for x0 = 0 the action is 0; its relative error has the
-   same bound. */
+   the integral of v dx over a period, divided by 2 pi. It stays nearly constant while the force changes slowly. Returns
+   NaN where vm_odd_period does, but 0 for x0 = 0. The accuracy is that of vm_odd_period. */
 VM_API vm_real vm_odd_action(const vm_odd_force *force, vm_real x0)
 {
     vmi_orbit orbit;

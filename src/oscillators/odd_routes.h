@@ -306,7 +306,7 @@ VM_API int vmi_odd_is_known(const vm_odd_plan *p, int route, vm_real t, vm_odd_m
      VM_BAD_MASS or VM_BAD_STIFFNESS for a mass or a stiffness that is not positive between 0 and t,
      VM_DOMAIN for a negative tolerance, for t that is not between 0 and t_end, and where a user's function fails,
      VM_NO_LAW, except for VM_ODD_RK87, for t beyond the plan's field `reach` and where there is no vibration,
-     VM_NOT_INTEGRATED where the integrator gives up, as it does for a motion that runs away. */
+     VM_NOT_INTEGRATED where the integrator cannot reach t, for example because the motion becomes infinite. */
 VM_API int vm_odd_plan_by_route(const vm_odd_plan *p, int route, vm_real t, vm_real tolerance, vm_odd_motion *motion)
 {
     vm_odd_motion r;

@@ -23,8 +23,7 @@
 #include "ripple.h"
 #include "waves.h"
 
-/* -- What each route costs, which route is chosen, what the estimate of its error covers, and how good the estimate is
-   --
+/* -- What each route costs, which route is chosen, what the estimate of the error covers, and how good it is --
 
    Cost. If the problem has no force F, the first seven routes (VM_ROUTE_TRIG to VM_ROUTE_ORDER5) are averaged solutions
    in closed form: they need one or two evaluations of sa and ca and the integrals of the laws of mass and stiffness,
@@ -40,15 +39,16 @@
    What the estimate of an averaged solution covers:
      - the terms that the solution leaves out, the error of cos and cn in place of ca, and rounding errors of the phase;
      - fast changes of mass and stiffness between 0 and t. The integration along the laws looks for such changes on each
-     panel, a short interval of time, and in tables between the points (for users' functions see vm_law_user). A change
-     within a period makes the estimate large, so that vm_osc_within integrates numerically. If the law is a user's
-     function, no step of this integration is longer than the shortest panel, so that no step skips the change.
+       panel, a short interval of time, and in tables between the points (for users' functions see vm_law_user). A fast
+       change makes the estimate large, so that vm_osc_within integrates numerically. If the law is a user's function,
+       no step of this integration is longer than the shortest panel, so that no step skips the change.
    What the estimate covers where averaged equations with a force F are integrated:
      - the error of this integration, and the error of cos and cn in place of ca;
      - what averaging leaves out: the ripple within a period, the effect of the ripple at t = 0, and its second-order
-     terms; - a force that changes within a period, as in a resonance. To find such changes, the function F is called
-     over one period at the start and over one period at each of eight later times. So the estimate misses a force that
-     acts only for a short time between these periods.
+       terms;
+     - a force that changes within a period, as in a resonance. To find such changes, the function F is called over one
+       period at the start and over one period at each of eight later times. So the estimate misses a force that acts
+       only for a short time between these periods.
 
    How good the estimate is. tests/test_routes.c compares the estimate with the true error of random problems. In these
    problems alpha is from 1/8 to 8, the relative rate q of change of mass and stiffness from 2e-3 to 0.1, and t from 1/q
@@ -184,12 +184,12 @@ VM_API int vmi_osc_at_rest(const vm_osc_plan *p, int route, vm_osc_motion *motio
      VM_BAD_MASS or VM_BAD_STIFFNESS for a mass or a stiffness that is not positive between 0 and t,
      VM_DOMAIN for a negative tolerance, t outside a table, a table whose times do not rise, a user's law that fails,
        or a change_time that is negative or too short,
-     VM_NO_LAW for VM_ROUTE_ORDER2 to VM_ROUTE_ORDER5 with a force F, and for any route with F if x and v are 0 at t =
-     0,
+     VM_NO_LAW for VM_ROUTE_ORDER2 to VM_ROUTE_ORDER5 with a force F, and for all routes with F if x = v = 0 at t = 0,
      VM_NOT_INTEGRATED, for collocation only, where amplitude and phase do not describe the motion,
-     VM_NOT_INTEGRATED where the integrator gives up, where |t| is more than 2^23 of the present periods, or where there
-       are too many steps: more than 2^13 a period plus four times the number that the longest step makes necessary.
-   Because of the last two limits every call ends. */
+     VM_NOT_INTEGRATED where the integrator cannot reach t, where |t| is more than 2^23 of the present periods, or where
+       there are too many steps: more than 2^13 a period plus four times the number that the longest step makes
+       necessary.
+   The two limits on |t| and on the steps guarantee that every call ends. */
 VM_API int vm_osc_plan_by_route(const vm_osc_plan *p, int route, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
     vmi_osc_route entry;

@@ -153,13 +153,15 @@ VM_API int vmi_vdp_check_call(const vm_vdp_plan *p, vm_real t, vm_real *toleranc
    numerically and keep this error within the tolerance, where 0 means 1e-6 (float 1e-3); the first three do not use the
    tolerance. Returns VM_OK, or VM_TOLERANCE_MISSED where x and v are computed but the error of integration is larger
    than the tolerance. After an error *motion is unchanged. The errors are
-     VM_BAD_ARGUMENT for null pointers or a route that is not one of the five,
-     VM_NOT_FINITE for a number that is infinite or NaN, and for the law where the amplitude becomes infinite before t,
+     VM_BAD_ARGUMENT for null pointers or a route that is not one of these five,
+     VM_NOT_FINITE for a number that is infinite or NaN, and for the first three routes where the amplitude becomes
+       infinite before t,
      VM_BAD_MASS or VM_BAD_STIFFNESS for a mass or a stiffness that is not positive between 0 and t,
      VM_DOMAIN for a negative tolerance, t outside a table, a table whose times do not rise, or a user's function that
-     fails, VM_NOT_INTEGRATED where amplitude and phase do not describe the motion, for the law and collocation,
-     VM_NOT_INTEGRATED for the law where a table has points closer than a quarter of a vibration,
-     VM_NOT_INTEGRATED where the numerical integration fails. */
+       fails,
+     VM_NOT_INTEGRATED, for all routes but VM_ROUTE_RK87, where amplitude and phase do not describe the motion,
+     VM_NOT_INTEGRATED, for the first three routes, where points of a table are closer than a quarter of a vibration,
+     VM_NOT_INTEGRATED, for the last two routes, where the integrator cannot reach t. */
 VM_API int vm_vdp_plan_by_route(const vm_vdp_plan *p, int route, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
     const int by_law = vmi_vdp_order_of(route) > 0;
@@ -262,9 +264,9 @@ VM_API void vmi_vdp_cycle_coefficients(const vmi_vdp_ripple *v, const vmi_ripple
    The errors of both results are O(epsilon^4). Mass and stiffness are those at t = 0; the fields method, reactive and
    a1 to a3 do not matter. Returns VM_BAD_ARGUMENT for null pointers, an unknown method, and a mass that no constructor
    made, VM_NOT_FINITE for numbers that are infinite or NaN, VM_BAD_MASS for a mass that is not positive,
-   VM_BAD_STIFFNESS for a stiffness that is not positive, VM_DOMAIN for alpha < 0 or a law that has no value at t = 0,
-   and VM_NO_LAW where there is no limit cycle, that is where feed and c do not have the same sign. An error leaves
-   *cycle untouched. */
+   VM_BAD_STIFFNESS for a stiffness that is not positive, VM_DOMAIN for alpha < 0, for a table whose times do not rise
+   or do not contain t = 0, and where a user's function fails, and VM_NO_LAW where there is no limit cycle, that is
+   where feed and c do not have the same sign. An error leaves *cycle untouched. */
 VM_API int vm_vdp_cycle_of(const vm_vdp *v, vm_vdp_cycle *cycle)
 {
     vmi_ripple r;
