@@ -370,7 +370,7 @@
        vm_duffing_exact_from          Exact motion x(t), v(t) of Duffing's oscillator x'' + c1 x + c3 x^3 = 0 from x0 (m) and v0 (m/s)
 
      oscillators/odd_motion: vibration under an odd elastic force with slow mass, stiffness and damping
-       vm_odd_plan_init               Plan for many values of one vibration under an odd elastic force, from t = 0 to t_end (s, any sign)
+       vm_odd_plan_init               Makes a plan, by which one vibration under an odd elastic force is computed at many times between t = 0 and t_end (s, any sign)
 
      oscillators/odd_routes: vibration under an odd elastic force, by a given method or by the cheapest
        vm_odd_rhs                     Equation of motion of a vibration under an odd elastic force, for rk45 or rk87
@@ -9619,7 +9619,7 @@ typedef struct VM_TAG(vm_osc_problem) {
     vm_real damping;    /* damping b, kg/s, the dissertation's eps b; a positive b takes energy out */
     vm_real x, v;       /* position, m, and velocity, m/s, at t = 0 */
     vm_osc_force force; /* function for a further small force F, or NULL */
-    void *ctx;          /* the user's pointer, last argument of force */
+    void *ctx;          /* the user's pointer, last argument of `force` */
 } vm_osc_problem;
 
 /* The motion at one time */
@@ -10059,7 +10059,7 @@ typedef struct VM_TAG(vmi_ripple) {
     vm_real alpha;
     vm_real gamma;              /* (alpha-1)/(alpha+3): for constant mass and stiffness the rate of the phase is
                                    proportional to (action)^gamma */
-    vm_real scale;              /* L = (alpha+1)(alpha+3)/4, a factor in the law of order five */
+    vm_real scale;              /* (alpha+1)(alpha+3)/4, a factor in the law of order five (L in docs/law.md) */
     vm_real pi;                 /* Pi_alpha, the period of C, S, S2, S3 and Q */
     vm_real mean2, mean4;       /* the means of ca^2 and ca^4 */
     vm_real variance;           /* the mean of C^2, where C = ca^2 - mean2 */
@@ -10916,9 +10916,9 @@ VM_API int vm_osc_closed_at_order3(const vm_osc_closed *c, vm_real t, vm_real *x
 #ifndef VARMASS_OSCILLATORS_PLAN_H
 #define VARMASS_OSCILLATORS_PLAN_H
 
-/* What is computed only once for a problem, by vm_osc_plan_init. Read its fields, but do not change them. The plan
-   contains pointers to the tables of the problem, to the user's functions and to their ctx; therefore a copy of it is
-   of no use in another program. */
+/* A plan: numbers that vm_osc_plan_init computes once for a problem. Read the fields of the plan, but do not change
+   them. The plan contains pointers to the tables of the problem, to the user's functions and to their ctx; therefore a
+   copy of it is of no use in another program. */
 typedef struct VM_TAG(vm_osc_plan) {
     vm_osc_problem problem;  /* a copy of the problem */
     vm_real m0, k0;          /* mass, kg, and stiffness, N/m^alpha, at t = 0 */
@@ -11852,12 +11852,12 @@ VM_API vm_real vmi_osc_rounding(const vm_osc_plan *p, const vmi_osc_mean *mean)
     return 4 * VM_EPSILON * (2 + VM_FABS(p->Om * mean->phase)) + p->Om * mean->error;
 }
 
-/* A bound of the change of ln J, where J is the action, that fast changes of mass and stiffness cause. E_0 measures how
-   strongly these changes disturb the motion (oscillators/expansion.h). The exact change of ln J is the integral over
-   the phase of E_0 times a periodic function whose mean is 0. i integrations by parts turn this integral into the
-   integral of the ith derivative of E_0 times the ith integral of the periodic function, and into terms at both ends,
-   which the solutions already contain. Each i gives a bound, and the function returns the smallest bound. It belongs to
-   a large i where the laws change slowly, and to i = 0 where they change within less than a period. */
+/* Fast changes of mass and stiffness change the action J. This function returns a bound of the change of ln J. E_0
+   measures how strongly these changes disturb the motion (oscillators/expansion.h). The exact change of ln J is the
+   integral over the phase of E_0 times a periodic function whose mean is 0. i integrations by parts turn this integral
+   into the integral of the ith derivative of E_0 times the ith integral of the periodic function, and into terms at
+   both ends, which the solutions already contain. Each i gives a bound, and the function returns the smallest bound. It
+   belongs to a large i where the laws change slowly, and to i = 0 where they change within less than a period. */
 VM_API vm_real vmi_osc_fast(const vm_osc_plan *p, const vmi_osc_mean *mean)
 {
     const vmi_ripple *r = &p->ripple;
@@ -14069,7 +14069,7 @@ struct VM_TAG(vm_odd_force) {
     vm_real k1, k3;           /* coefficients of x and x^3 of Duffing's force; 0 for a user's function */
     const struct VM_TAG(vm_law) *laws; /* two laws of time for k1 and k3; null where they are constant */
     vm_odd_function function; /* the user's function for vm_odd_force_user; null for Duffing's force */
-    void *ctx;                /* the user's pointer, last argument of function */
+    void *ctx;                /* the user's pointer, last argument of `function` */
     /* Functions that depend on the kind of force; its constructor sets them. Those of type int return a status. */
     int (*at)(const vm_odd_force *force, vm_real x, vm_real *f); /* writes F(x) for any x to *f; null if no constructor
                                                                     filled the struct */
@@ -14240,7 +14240,7 @@ typedef struct VM_TAG(vmi_orbit_folded) {
     vm_real phi;  /* between 0 and the orbit's span */
     vm_real sign; /* -1 where the original phase lies on a mirror image, on which odd functions of the phase have the
                      opposite sign; else 1 */
-    vm_real side; /* -1 where x and the x at phase 0 have opposite signs; else 1 */
+    vm_real side; /* -1 where the x at this phase and the x at phase 0 have opposite signs; else 1 */
 } vmi_orbit_folded;
 
 /* Replaces a phase of any size by the corresponding phase between 0 and orbit->span. */
@@ -15842,9 +15842,9 @@ VM_API int vmi_odd_read(const vm_odd_problem *o, const vmi_odd_panel *panel, vmi
     return vmi_odd_read_shape(o, panel, at);
 }
 
-/* Adds to panel->change the integrals over this panel. They are computed from `ratio`, the Legendre series of h/w, with
-   root mean squares in place of absolute values. Coefficients of the series that are as small as rounding errors become
-   0 first. The series is overwritten. */
+/* Adds to the field `change` the integrals of |d^i (h/w)/dphi^i| over this panel. They are computed from `ratio`, the
+   Legendre series of h/w, with root mean squares in place of absolute values. Coefficients of the series that are as
+   small as rounding errors become 0 first. The series is overwritten. */
 VM_API void vmi_odd_add_changes(vmi_odd_panel *panel, vm_real *ratio)
 {
     const vm_real noise = (VM_MANT_DIG > 24 ? 4096 : 16) * VM_EPSILON;
@@ -15933,9 +15933,9 @@ VM_API void vmi_odd_keep(vm_odd_plan *p, const vmi_odd_panel *panel, const vmi_o
     p->reach = next->t;
 }
 
-/* Adds to the plan the panels up to the time `end`. No table may have a point on the way. Returns VM_NO_LAW where the
-   averaged motion ends, that is at a separatrix (the border between two kinds of vibration), and where the plan has no
-   room for more panels. */
+/* Adds to the plan the panels up to the time `end`. No table may have a point between the start of *next and this time.
+   Returns VM_NO_LAW where the averaged motion ends, that is at a separatrix (the border between two kinds of
+   vibration), and where the plan has no room for more panels. */
 VM_API int vmi_odd_walk_piece(vm_odd_plan *p, vm_real end, vm_real longest, vmi_orbit *orbit, vmi_odd_panel *next)
 {
     const vm_real whole = VM_FABS(p->t_end), shortest_at_end = whole / 64;
@@ -16100,14 +16100,14 @@ VM_API int vmi_odd_fill(vm_odd_plan *p)
     return status == VM_NO_LAW ? VM_OK : status;
 }
 
-/* Plan for many values of one vibration under an odd elastic force, from t = 0 to t_end (s, any sign).
-   vm_odd_plan_within and vm_odd_plan_by_route use the plan. The problem is copied; its tables and what ctx points to
-   must exist as long as the plan is used. The averaged motion may end before t_end, at a separatrix (the border between
-   two kinds of vibration) or because laws change too fast. The field `reach` is the time at which it ends; at later
-   times only the route VM_ODD_RK87 works. Errors leave the plan untouched. Returns VM_BAD_ARGUMENT for null pointers
-   and for a law or force that no constructor made, VM_NOT_FINITE for a number that is infinite or NaN, VM_BAD_MASS or
-   VM_BAD_STIFFNESS for a mass or a stiffness that is not positive, and VM_DOMAIN for a table whose times do not rise or
-   do not contain 0 and t_end, and where a user's function fails. */
+/* Makes a plan, by which one vibration under an odd elastic force is computed at many times between t = 0 and t_end (s,
+   any sign). vm_odd_plan_within and vm_odd_plan_by_route use the plan. The problem is copied; its tables and what ctx
+   points to must exist as long as the plan is used. The averaged motion may end before t_end, at a separatrix (the
+   border between two kinds of vibration) or because laws change too fast. The field `reach` is the time at which it
+   ends; at later times only the route VM_ODD_RK87 works. Errors leave the plan untouched. Returns VM_BAD_ARGUMENT for
+   null pointers and for a law or force that no constructor made, VM_NOT_FINITE for a number that is infinite or NaN,
+   VM_BAD_MASS or VM_BAD_STIFFNESS for a mass or a stiffness that is not positive, and VM_DOMAIN for a table whose times
+   do not rise or do not contain 0 and t_end, and where a user's function fails. */
 VM_API int vm_odd_plan_init(vm_odd_plan *p, const vm_odd_problem *problem, vm_real t_end)
 {
     vm_odd_plan plan;
@@ -16332,12 +16332,12 @@ VM_API int vm_odd_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *problem)
 
 /* -- Integration -- */
 
-/* One integration by rk87 from 0 to t, called a run. Its two unknowns are x/length and v/velocity, so that both are of
-   the order of 1. */
+/* One integration by rk87 from time 0 to t, called a run. Its two unknowns are x/length and v/velocity, so that both
+   are of the order of 1. */
 typedef struct VM_TAG(vmi_odd_run) {
     const vm_odd_plan *plan;
     int side;                 /* 1 forward, -1 backward in time */
-    int status;               /* status of a law or of the force that stopped the run */
+    int status;               /* the status of a law or of the force that stopped the integration, or VM_OK */
     vm_real length, velocity; /* units of the state */
     vm_real longest;          /* longest step, s */
     long evals;               /* number of evaluations of the right-hand side by all runs so far */
@@ -16380,7 +16380,7 @@ VM_API void vmi_odd_units(vmi_odd_run *c, vm_real whole)
         if (laws[i]->function) c->longest = vmi_smaller(vmi_law_longest_panel(laws[i], whole) / 4, c->longest);
 }
 
-/* Integrates from the present time to t, and stops and restarts at every table point of the laws on the way. */
+/* Integrates from the present time to t. It stops and restarts at every point of a table between these times. */
 VM_API int vmi_odd_solve(vmi_odd_run *c, vm_real t)
 {
     const vm_odd_problem *o = &c->plan->problem;
@@ -16462,9 +16462,9 @@ VM_API int vmi_odd_run_once(vmi_odd_run *c, vm_real t, vm_real tolerance, vm_odd
     return VM_OK;
 }
 
-/* Makes two runs, one with a loose tolerance and one with a strict tolerance and half the longest step. Writes the
-   motion at t from the strict run. Its error is estimated from the largest difference between the two runs and from the
-   strict tolerance. */
+/* Makes two runs, which are integrations from 0 to t: one with a loose tolerance and one with a strict tolerance and
+   half the longest step. Writes the motion at t from the strict run. Its error is estimated from the largest difference
+   between the two runs and from the strict tolerance. */
 VM_API int vmi_odd_pair(vmi_odd_run *c, vm_real t, vm_real step_tolerance, vm_odd_motion *motion)
 {
     const vmi_osc_tuning tuning = vmi_osc_method_rk87(vmi_odd_run_rhs).tuning;
@@ -16487,10 +16487,10 @@ VM_API int vmi_odd_pair(vmi_odd_run *c, vm_real t, vm_real step_tolerance, vm_od
     return VM_OK;
 }
 
-/* Computes the motion at t by rk87. It makes pairs of runs with stricter and stricter tolerances until the estimated
-   error is within `tolerance`, at most eight pairs. If the error of a pair is not below half of the smallest error so
-   far, the longest step is halved. After three such pairs no further pair is made. The result is that of the pair with
-   the smallest error. */
+/* Computes the motion at t by rk87. It makes pairs of integrations, called runs, with stricter and stricter tolerances
+   until the estimated error is within `tolerance`, at most eight pairs. If the error of a pair is not below half of the
+   smallest error so far, the longest step is halved. After three such pairs no further pair is made. The result is that
+   of the pair with the smallest error. */
 VM_API int vmi_odd_integrate(const vm_odd_plan *p, vm_real t, vm_real tolerance, vm_odd_motion *motion)
 {
     const int most_attempts = 8, most_stalled = 3;
@@ -16848,12 +16848,12 @@ VM_API int vmi_vdp_has_closed_forms(const vm_vdp *v) { return v->a1 > 0; }
 
 /* Amplitude of a Van der Pol oscillator at time t, in closed form for a mass that is linear in time. first_A is the
    amplitude, m, at t = 0, of either sign. One formula replaces the equations (422), (424), (427), (429), (431)-(435)
-   and (437), as corrected, and has no singularity where terms cancel. The error is the sum of the error of averaging,
-   which depends on the field `method`, and of the rounding error, which tests bound by 12 eps. Returns NaN for a null
-   pointer, an oscillator that vm_vdp_init has not prepared, infinite arguments, a mass that is not positive at 0 or at
-   t, a mass that is neither linear nor constant, and a stiffness that follows a law (integrate vm_vdp_averaged_rhs
-   instead). For c < 0 it also returns NaN from the time at which the amplitude becomes infinite. Method: the solution
-   of (416) is
+   and (437), as corrected in docs/errata.md, and has no singularity where terms cancel. The error is the sum of the
+   error of averaging, which depends on the field `method`, and of the rounding error, which tests bound by 12 eps.
+   Returns NaN for a null pointer, an oscillator that vm_vdp_init has not prepared, infinite arguments, a mass that is
+   not positive at 0 or at t, a mass that is neither linear nor constant, and a stiffness that follows a law (integrate
+   vm_vdp_averaged_rhs instead). For c < 0 it also returns NaN from the time at which the amplitude becomes infinite.
+   Method: the solution of (416) is
      1/A^2 = e^-F (1/first_A^2 + 2 c a3/a1 times the integral of e^F dt/m),  F = drive a2/a1 times the integral of dt/m,
    where drive = 2 feed - (2r - 1) m'. If the mass is linear in time, F is proportional to the integral of dt/m; hence
    the integral of e^F dt/m is (e^F - 1)/F times the integral of dt/m. So that nothing overflows, the code uses e^-|F|
@@ -17113,7 +17113,8 @@ VM_API void vmi_vdp_make_near_ca_0(vmi_vdp_ripple *v, const vmi_ripple *r)
 
 /* -- The integrals of ca^6 and of S^2 -- */
 
-/* The integral of S^2 from the nearest zero of ca to a phase where |ca| = x and sa^2 = y */
+/* The integral of S^2 over the phase, from the nearest zero of ca to a phase where |ca| = x and sa^2 = y. S is the
+   integral of ca^2 minus its mean mean2. */
 VM_API vm_real vmi_vdp_square_from_ca_0(const vmi_vdp_ripple *v, vm_real mean2, vm_real x, vm_real y)
 {
     const vm_real z = 4 * (1 - y) - 1, x2 = x * x;
@@ -17123,7 +17124,8 @@ VM_API vm_real vmi_vdp_square_from_ca_0(const vmi_vdp_ripple *v, vm_real mean2, 
     return x2 * x * (mean2 * mean2 * phase2 + x2 * (x2 * integral2 - 2 * mean2 * product));
 }
 
-/* The integral of S^2 from the nearest zero of sa to a phase where |sa| = u and sa^2 = y */
+/* The integral of S^2 over the phase, from the nearest zero of sa to a phase where |sa| = u and sa^2 = y. S is the
+   integral of ca^2 minus its mean. */
 VM_API vm_real vmi_vdp_square_from_sa_0(const vmi_vdp_ripple *v, vm_real u, vm_real y)
 {
     return y * u * vmi_ripple_polynomial(v->near_sa_0[VMI_VDP_SQUARE], 4 * y - 1);
@@ -17194,7 +17196,7 @@ typedef struct VM_TAG(vmi_vdp_values) {
     vmi_ripple_values f;
     vm_real C4;         /* ca^4 minus its mean over a period */
     vm_real U, U1, P1;  /* U is the factor of e, and U1 that of e1, in ln J; P1 is the factor of e in the phase */
-    vm_real X;          /* a part of the factor of e^2 in ln J */
+    vm_real X;          /* a part of the factor of e^2 in the transformation of ln J */
 } vmi_vdp_values;
 
 /* Writes the functions of the transformation at the phase psi, where sa and ca are the Ateb functions of psi. */
@@ -17352,9 +17354,9 @@ typedef struct VM_TAG(vmi_vdp_mean) {
                                      stiffness; the rest of its fields is not used */
 } vmi_vdp_mean;
 
-/* What is computed only once for a Van der Pol oscillator and its state at t = 0, by vm_vdp_plan_init. Read its fields,
-   but do not change them. The plan contains pointers to the tables of the laws, to the user's functions and to their
-   ctx. */
+/* A plan: numbers that vm_vdp_plan_init computes once for a Van der Pol oscillator and its state at t = 0. Read the
+   fields of the plan, but do not change them. The plan contains pointers to the tables of the laws, to the user's
+   functions and to their ctx. */
 typedef struct VM_TAG(vm_vdp_plan) {
     vm_vdp vdp;            /* a copy of the oscillator */
     vm_osc_plan osc;       /* plan of the oscillator without its term -c x^2 x'; the feed is a negative damping */
@@ -17462,7 +17464,7 @@ VM_API void vmi_vdp_start_at(const vm_vdp_plan *p, const vmi_osc_reduced *r, vmi
 /* Integrates the exact equations from the state *r at the time t to the first phase at which sa or ca is 0, and starts
    the mean motion there. If `knots` is 1, it integrates to the first such phase after the next point of a table. `side`
    is 1 forward, -1 backward in time. VM_NOT_INTEGRATED means that amplitude and phase do not describe the motion, or
-   that a further table point lies on the way. */
+   that a further table point lies before the end of this integration. */
 VM_API int vmi_vdp_bridge(const vm_vdp_plan *p, vm_real t, int side, const vmi_osc_reduced *r, int knots,
                           vmi_vdp_mean *mean)
 {
@@ -17746,7 +17748,7 @@ VM_API void vmi_vdp_add_panel(const vm_vdp_plan *p, vmi_vdp_panel *panel, vm_rea
 
 /* Advances the mean motion to `end` by panels of at most `longest`. No table may have a point between these times.
    `whole` is the length of the whole interval of integration, s. Returns VM_NOT_FINITE where the amplitude becomes
-   infinite on the way. */
+   infinite between these times. */
 VM_API int vmi_vdp_walk_piece(const vm_vdp_plan *p, vm_real end, vm_real longest, vm_real whole, vmi_vdp_mean *mean)
 {
     vmi_panels panels = vmi_panels_from(mean->t, end, longest, whole);
@@ -17913,7 +17915,7 @@ VM_API vmi_vdp_growth_course vmi_vdp_course_from(const vm_vdp_plan *p, const vmi
 }
 
 /* Computes R, y and their logarithms after `time` seconds, of either sign. The code uses exp(-|kappa time|), so that
-   nothing overflows. Returns VM_NOT_FINITE where the amplitude becomes infinite on the way. */
+   nothing overflows. Returns VM_NOT_FINITE where the amplitude becomes infinite before that time. */
 VM_API int vmi_vdp_grow(vmi_vdp_growth_course *g, vm_real time)
 {
     const vm_real x = g->kappa * time, e = vmi_exp(-VM_FABS(x), 0);
@@ -18096,8 +18098,8 @@ VM_API vm_real vmi_vdp_error(const vm_vdp_plan *p, const vmi_vdp_mean *mean, vm_
     return error < largest_known ? error : VM_INFINITY;
 }
 
-/* Computes the motion from the mean motion by the law, cut off after the order 1, 2 or 3 of the route, with an estimate
-   of the terms that are left out. Writes amplitude, phase and rate of the phase to *state. */
+/* Computes the motion from the mean motion by the law of order three, cut off after the order 1, 2 or 3 of the route,
+   with an estimate of the terms that are left out. Writes amplitude, phase and rate of the phase to *state. */
 VM_API int vmi_vdp_truncated(const vm_vdp_plan *p, int route, const vmi_vdp_mean *mean, vmi_osc_reduced *state,
                              vm_osc_motion *motion)
 {
@@ -18116,9 +18118,9 @@ VM_API int vmi_vdp_truncated(const vm_vdp_plan *p, int route, const vmi_vdp_mean
     return VM_OK;
 }
 
-/* Computes the motion from the mean motion by the law, cut off after the order 1, 2 or 3 of the route, with an estimate
-   of its error. For order 1 the estimate is the one for order 2 plus the difference between the motions by order 1 and
-   by order 2. */
+/* Computes the motion from the mean motion by the law of order three, cut off after the order 1, 2 or 3 of the route,
+   with an estimate of the error. For order 1 the estimate is the one for order 2 plus the difference between the
+   motions by order 1 and by order 2. */
 VM_API int vmi_vdp_order_n(const vm_vdp_plan *p, int route, const vmi_vdp_mean *mean, vm_osc_motion *motion)
 {
     vmi_osc_reduced state, unused;
@@ -18162,10 +18164,10 @@ VM_API int vmi_vdp_check_call(const vm_vdp_plan *p, vm_real t, vm_real *toleranc
 /* Motion x(t), x'(t) of a Van der Pol oscillator by a given route, from a plan.
    t is in seconds, of either sign. `route` is VM_ROUTE_ATEB, VM_ROUTE_ORDER2, VM_ROUTE_ORDER3, VM_ROUTE_COLLOCATION or
    VM_ROUTE_RK87. motion->error estimates the larger of |error of x|/A and |error of v|/vmax, where vmax is the largest
-   velocity at the amplitude A; it is infinite where the law is not valid. The last two of these routes integrate
-   numerically and keep this error within the tolerance, where 0 means 1e-6 (float 1e-3); the first three do not use the
-   tolerance. Returns VM_OK, or VM_TOLERANCE_MISSED where x and v are computed but the error of integration is larger
-   than the tolerance. After an error *motion is unchanged. The errors are
+   velocity at the amplitude A; it is infinite where the law of order three is not valid. The last two of these routes
+   integrate numerically and keep this error within the tolerance, where 0 means 1e-6 (float 1e-3); the first three do
+   not use the tolerance. Returns VM_OK, or VM_TOLERANCE_MISSED where x and v are computed but the error of integration
+   is larger than the tolerance. After an error *motion is unchanged. The errors are
      VM_BAD_ARGUMENT for null pointers or a route that is not one of these five,
      VM_NOT_FINITE for a number that is infinite or NaN, and for the first three routes where the amplitude becomes
        infinite before t,
@@ -18222,7 +18224,7 @@ VM_API int vm_vdp_plan_within(const vm_vdp_plan *p, vm_real t, vm_real tolerance
     if (p->osc.A == 0) return vmi_osc_at_rest(&p->osc, VM_ROUTE_ATEB, motion);
     status = vmi_vdp_law_within(p, t, tolerance, motion);
     if (status != VM_TOLERANCE_MISSED) return status;
-    return vmi_vdp_integrate(p, VM_ROUTE_TRIG, t, tolerance, motion); /* collocation, or else rk87 */
+    return vmi_vdp_integrate(p, VM_ROUTE_TRIG, t, tolerance, motion); /* integrates by collocation, or else by rk87 */
 }
 
 /* Motion x(t), x'(t) of a Van der Pol oscillator within a tolerance, for a single t.
@@ -20090,8 +20092,8 @@ typedef struct VM_TAG(vm_periodic) {
     vm_forced oscillator; /* the oscillator; its field `force` is the factor F of the shape g, N */
     vm_real cosine[VM_PERIODIC_HARMONICS + 1]; /* the coefficients a_n of cos(n theta) in g; a_0 is the mean of g */
     vm_real sine[VM_PERIODIC_HARMONICS + 1];   /* the coefficients b_n of sin(n theta) in g; b_0 has no effect */
-    int vibrations; /* P, from 1 to 9: at the resonance the oscillator makes P vibrations ... */
-    int periods;    /* Q, from 1 to 9: ... in Q periods of the force */
+    int vibrations; /* P, from 1 to 9: the number of vibrations in Q periods of the force, at the resonance */
+    int periods;    /* Q, from 1 to 9: the number of periods of the force in which there are P vibrations */
 } vm_periodic;
 
 /* Writes the parameters of the oscillator at time t to *n. Checks these parameters, the coefficients of the shape, and

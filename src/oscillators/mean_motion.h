@@ -95,12 +95,12 @@ VM_API vm_real vmi_osc_rounding(const vm_osc_plan *p, const vmi_osc_mean *mean)
     return 4 * VM_EPSILON * (2 + VM_FABS(p->Om * mean->phase)) + p->Om * mean->error;
 }
 
-/* A bound of the change of ln J, where J is the action, that fast changes of mass and stiffness cause. E_0 measures how
-   strongly these changes disturb the motion (oscillators/expansion.h). The exact change of ln J is the integral over
-   the phase of E_0 times a periodic function whose mean is 0. i integrations by parts turn this integral into the
-   integral of the ith derivative of E_0 times the ith integral of the periodic function, and into terms at both ends,
-   which the solutions already contain. Each i gives a bound, and the function returns the smallest bound. It belongs to
-   a large i where the laws change slowly, and to i = 0 where they change within less than a period. */
+/* Fast changes of mass and stiffness change the action J. This function returns a bound of the change of ln J. E_0
+   measures how strongly these changes disturb the motion (oscillators/expansion.h). The exact change of ln J is the
+   integral over the phase of E_0 times a periodic function whose mean is 0. i integrations by parts turn this integral
+   into the integral of the ith derivative of E_0 times the ith integral of the periodic function, and into terms at
+   both ends, which the solutions already contain. Each i gives a bound, and the function returns the smallest bound. It
+   belongs to a large i where the laws change slowly, and to i = 0 where they change within less than a period. */
 VM_API vm_real vmi_osc_fast(const vm_osc_plan *p, const vmi_osc_mean *mean)
 {
     const vmi_ripple *r = &p->ripple;

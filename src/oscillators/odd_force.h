@@ -41,7 +41,7 @@ struct VM_TAG(vm_odd_force) {
     vm_real k1, k3;           /* coefficients of x and x^3 of Duffing's force; 0 for a user's function */
     const struct VM_TAG(vm_law) *laws; /* two laws of time for k1 and k3; null where they are constant */
     vm_odd_function function; /* the user's function for vm_odd_force_user; null for Duffing's force */
-    void *ctx;                /* the user's pointer, last argument of function */
+    void *ctx;                /* the user's pointer, last argument of `function` */
     /* Functions that depend on the kind of force; its constructor sets them. Those of type int return a status. */
     int (*at)(const vm_odd_force *force, vm_real x, vm_real *f); /* writes F(x) for any x to *f; null if no constructor
                                                                     filled the struct */
@@ -212,7 +212,7 @@ typedef struct VM_TAG(vmi_orbit_folded) {
     vm_real phi;  /* between 0 and the orbit's span */
     vm_real sign; /* -1 where the original phase lies on a mirror image, on which odd functions of the phase have the
                      opposite sign; else 1 */
-    vm_real side; /* -1 where x and the x at phase 0 have opposite signs; else 1 */
+    vm_real side; /* -1 where the x at this phase and the x at phase 0 have opposite signs; else 1 */
 } vmi_orbit_folded;
 
 /* Replaces a phase of any size by the corresponding phase between 0 and orbit->span. */

@@ -233,9 +233,9 @@ VM_API int vmi_odd_read(const vm_odd_problem *o, const vmi_odd_panel *panel, vmi
     return vmi_odd_read_shape(o, panel, at);
 }
 
-/* Adds to panel->change the integrals over this panel. They are computed from `ratio`, the Legendre series of h/w, with
-   root mean squares in place of absolute values. Coefficients of the series that are as small as rounding errors become
-   0 first. The series is overwritten. */
+/* Adds to the field `change` the integrals of |d^i (h/w)/dphi^i| over this panel. They are computed from `ratio`, the
+   Legendre series of h/w, with root mean squares in place of absolute values. Coefficients of the series that are as
+   small as rounding errors become 0 first. The series is overwritten. */
 VM_API void vmi_odd_add_changes(vmi_odd_panel *panel, vm_real *ratio)
 {
     const vm_real noise = (VM_MANT_DIG > 24 ? 4096 : 16) * VM_EPSILON;
@@ -324,9 +324,9 @@ VM_API void vmi_odd_keep(vm_odd_plan *p, const vmi_odd_panel *panel, const vmi_o
     p->reach = next->t;
 }
 
-/* Adds to the plan the panels up to the time `end`. No table may have a point on the way. Returns VM_NO_LAW where the
-   averaged motion ends, that is at a separatrix (the border between two kinds of vibration), and where the plan has no
-   room for more panels. */
+/* Adds to the plan the panels up to the time `end`. No table may have a point between the start of *next and this time.
+   Returns VM_NO_LAW where the averaged motion ends, that is at a separatrix (the border between two kinds of
+   vibration), and where the plan has no room for more panels. */
 VM_API int vmi_odd_walk_piece(vm_odd_plan *p, vm_real end, vm_real longest, vmi_orbit *orbit, vmi_odd_panel *next)
 {
     const vm_real whole = VM_FABS(p->t_end), shortest_at_end = whole / 64;
@@ -491,14 +491,14 @@ VM_API int vmi_odd_fill(vm_odd_plan *p)
     return status == VM_NO_LAW ? VM_OK : status;
 }
 
-/* Plan for many values of one vibration under an odd elastic force, from t = 0 to t_end (s, any sign).
-   vm_odd_plan_within and vm_odd_plan_by_route use the plan. The problem is copied; its tables and what ctx points to
-   must exist as long as the plan is used. The averaged motion may end before t_end, at a separatrix (the border between
-   two kinds of vibration) or because laws change too fast. The field `reach` is the time at which it ends; at later
-   times only the route VM_ODD_RK87 works. Errors leave the plan untouched. Returns VM_BAD_ARGUMENT for null pointers
-   and for a law or force that no constructor made, VM_NOT_FINITE for a number that is infinite or NaN, VM_BAD_MASS or
-   VM_BAD_STIFFNESS for a mass or a stiffness that is not positive, and VM_DOMAIN for a table whose times do not rise or
-   do not contain 0 and t_end, and where a user's function fails. */
+/* Makes a plan, by which one vibration under an odd elastic force is computed at many times between t = 0 and t_end (s,
+   any sign). vm_odd_plan_within and vm_odd_plan_by_route use the plan. The problem is copied; its tables and what ctx
+   points to must exist as long as the plan is used. The averaged motion may end before t_end, at a separatrix (the
+   border between two kinds of vibration) or because laws change too fast. The field `reach` is the time at which it
+   ends; at later times only the route VM_ODD_RK87 works. Errors leave the plan untouched. Returns VM_BAD_ARGUMENT for
+   null pointers and for a law or force that no constructor made, VM_NOT_FINITE for a number that is infinite or NaN,
+   VM_BAD_MASS or VM_BAD_STIFFNESS for a mass or a stiffness that is not positive, and VM_DOMAIN for a table whose times
+   do not rise or do not contain 0 and t_end, and where a user's function fails. */
 VM_API int vm_odd_plan_init(vm_odd_plan *p, const vm_odd_problem *problem, vm_real t_end)
 {
     vm_odd_plan plan;

@@ -75,12 +75,12 @@ VM_API int vm_odd_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *problem)
 
 /* -- Integration -- */
 
-/* One integration by rk87 from 0 to t, called a run. Its two unknowns are x/length and v/velocity, so that both are of
-   the order of 1. */
+/* One integration by rk87 from time 0 to t, called a run. Its two unknowns are x/length and v/velocity, so that both
+   are of the order of 1. */
 typedef struct VM_TAG(vmi_odd_run) {
     const vm_odd_plan *plan;
     int side;                 /* 1 forward, -1 backward in time */
-    int status;               /* status of a law or of the force that stopped the run */
+    int status;               /* the status of a law or of the force that stopped the integration, or VM_OK */
     vm_real length, velocity; /* units of the state */
     vm_real longest;          /* longest step, s */
     long evals;               /* number of evaluations of the right-hand side by all runs so far */
@@ -123,7 +123,7 @@ VM_API void vmi_odd_units(vmi_odd_run *c, vm_real whole)
         if (laws[i]->function) c->longest = vmi_smaller(vmi_law_longest_panel(laws[i], whole) / 4, c->longest);
 }
 
-/* Integrates from the present time to t, and stops and restarts at every table point of the laws on the way. */
+/* Integrates from the present time to t. It stops and restarts at every point of a table between these times. */
 VM_API int vmi_odd_solve(vmi_odd_run *c, vm_real t)
 {
     const vm_odd_problem *o = &c->plan->problem;
@@ -205,9 +205,9 @@ VM_API int vmi_odd_run_once(vmi_odd_run *c, vm_real t, vm_real tolerance, vm_odd
     return VM_OK;
 }
 
-/* Makes two runs, one with a loose tolerance and one with a strict tolerance and half the longest step. Writes the
-   motion at t from the strict run. Its error is estimated from the largest difference between the two runs and from the
-   strict tolerance. */
+/* Makes two runs, which are integrations from 0 to t: one with a loose tolerance and one with a strict tolerance and
+   half the longest step. Writes the motion at t from the strict run. Its error is estimated from the largest difference
+   between the two runs and from the strict tolerance. */
 VM_API int vmi_odd_pair(vmi_odd_run *c, vm_real t, vm_real step_tolerance, vm_odd_motion *motion)
 {
     const vmi_osc_tuning tuning = vmi_osc_method_rk87(vmi_odd_run_rhs).tuning;
@@ -230,10 +230,10 @@ VM_API int vmi_odd_pair(vmi_odd_run *c, vm_real t, vm_real step_tolerance, vm_od
     return VM_OK;
 }
 
-/* Computes the motion at t by rk87. It makes pairs of runs with stricter and stricter tolerances until the estimated
-   error is within `tolerance`, at most eight pairs. If the error of a pair is not below half of the smallest error so
-   far, the longest step is halved. After three such pairs no further pair is made. The result is that of the pair with
-   the smallest error. */
+/* Computes the motion at t by rk87. It makes pairs of integrations, called runs, with stricter and stricter tolerances
+   until the estimated error is within `tolerance`, at most eight pairs. If the error of a pair is not below half of the
+   smallest error so far, the longest step is halved. After three such pairs no further pair is made. The result is that
+   of the pair with the smallest error. */
 VM_API int vmi_odd_integrate(const vm_odd_plan *p, vm_real t, vm_real tolerance, vm_odd_motion *motion)
 {
     const int most_attempts = 8, most_stalled = 3;

@@ -51,8 +51,8 @@ typedef struct VM_TAG(vm_periodic) {
     vm_forced oscillator; /* the oscillator; its field `force` is the factor F of the shape g, N */
     vm_real cosine[VM_PERIODIC_HARMONICS + 1]; /* the coefficients a_n of cos(n theta) in g; a_0 is the mean of g */
     vm_real sine[VM_PERIODIC_HARMONICS + 1];   /* the coefficients b_n of sin(n theta) in g; b_0 has no effect */
-    int vibrations; /* P, from 1 to 9: at the resonance the oscillator makes P vibrations ... */
-    int periods;    /* Q, from 1 to 9: ... in Q periods of the force */
+    int vibrations; /* P, from 1 to 9: the number of vibrations in Q periods of the force, at the resonance */
+    int periods;    /* Q, from 1 to 9: the number of periods of the force in which there are P vibrations */
 } vm_periodic;
 
 /* Writes the parameters of the oscillator at time t to *n. Checks these parameters, the coefficients of the shape, and

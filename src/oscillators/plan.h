@@ -22,9 +22,9 @@
 #include "ripple.h"
 #include "waves.h"
 
-/* What is computed only once for a problem, by vm_osc_plan_init. Read its fields, but do not change them. The plan
-   contains pointers to the tables of the problem, to the user's functions and to their ctx; therefore a copy of it is
-   of no use in another program. */
+/* A plan: numbers that vm_osc_plan_init computes once for a problem. Read the fields of the plan, but do not change
+   them. The plan contains pointers to the tables of the problem, to the user's functions and to their ctx; therefore a
+   copy of it is of no use in another program. */
 typedef struct VM_TAG(vm_osc_plan) {
     vm_osc_problem problem;  /* a copy of the problem */
     vm_real m0, k0;          /* mass, kg, and stiffness, N/m^alpha, at t = 0 */

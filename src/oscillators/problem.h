@@ -52,7 +52,7 @@ typedef struct VM_TAG(vm_osc_problem) {
     vm_real damping;    /* damping b, kg/s, the dissertation's eps b; a positive b takes energy out */
     vm_real x, v;       /* position, m, and velocity, m/s, at t = 0 */
     vm_osc_force force; /* function for a further small force F, or NULL */
-    void *ctx;          /* the user's pointer, last argument of force */
+    void *ctx;          /* the user's pointer, last argument of `force` */
 } vm_osc_problem;
 
 /* The motion at one time */

@@ -49,7 +49,7 @@ typedef struct VM_TAG(vmi_ripple) {
     vm_real alpha;
     vm_real gamma;              /* (alpha-1)/(alpha+3): for constant mass and stiffness the rate of the phase is
                                    proportional to (action)^gamma */
-    vm_real scale;              /* L = (alpha+1)(alpha+3)/4, a factor in the law of order five */
+    vm_real scale;              /* (alpha+1)(alpha+3)/4, a factor in the law of order five (L in docs/law.md) */
     vm_real pi;                 /* Pi_alpha, the period of C, S, S2, S3 and Q */
     vm_real mean2, mean4;       /* the means of ca^2 and ca^4 */
     vm_real variance;           /* the mean of C^2, where C = ca^2 - mean2 */

@@ -136,12 +136,12 @@ VM_API int vmi_vdp_has_closed_forms(const vm_vdp *v) { return v->a1 > 0; }
 
 /* Amplitude of a Van der Pol oscillator at time t, in closed form for a mass that is linear in time. first_A is the
    amplitude, m, at t = 0, of either sign. One formula replaces the equations (422), (424), (427), (429), (431)-(435)
-   and (437), as corrected, and has no singularity where terms cancel. The error is the sum of the error of averaging,
-   which depends on the field `method`, and of the rounding error, which tests bound by 12 eps. Returns NaN for a null
-   pointer, an oscillator that vm_vdp_init has not prepared, infinite arguments, a mass that is not positive at 0 or at
-   t, a mass that is neither linear nor constant, and a stiffness that follows a law (integrate vm_vdp_averaged_rhs
-   instead). For c < 0 it also returns NaN from the time at which the amplitude becomes infinite. Method: the solution
-   of (416) is
+   and (437), as corrected in docs/errata.md, and has no singularity where terms cancel. The error is the sum of the
+   error of averaging, which depends on the field `method`, and of the rounding error, which tests bound by 12 eps.
+   Returns NaN for a null pointer, an oscillator that vm_vdp_init has not prepared, infinite arguments, a mass that is
+   not positive at 0 or at t, a mass that is neither linear nor constant, and a stiffness that follows a law (integrate
+   vm_vdp_averaged_rhs instead). For c < 0 it also returns NaN from the time at which the amplitude becomes infinite.
+   Method: the solution of (416) is
      1/A^2 = e^-F (1/first_A^2 + 2 c a3/a1 times the integral of e^F dt/m),  F = drive a2/a1 times the integral of dt/m,
    where drive = 2 feed - (2r - 1) m'. If the mass is linear in time, F is proportional to the integral of dt/m; hence
    the integral of e^F dt/m is (e^F - 1)/F times the integral of dt/m. So that nothing overflows, the code uses e^-|F|

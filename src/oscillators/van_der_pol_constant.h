@@ -54,7 +54,7 @@ VM_API vmi_vdp_growth_course vmi_vdp_course_from(const vm_vdp_plan *p, const vmi
 }
 
 /* Computes R, y and their logarithms after `time` seconds, of either sign. The code uses exp(-|kappa time|), so that
-   nothing overflows. Returns VM_NOT_FINITE where the amplitude becomes infinite on the way. */
+   nothing overflows. Returns VM_NOT_FINITE where the amplitude becomes infinite before that time. */
 VM_API int vmi_vdp_grow(vmi_vdp_growth_course *g, vm_real time)
 {
     const vm_real x = g->kappa * time, e = vmi_exp(-VM_FABS(x), 0);

@@ -161,7 +161,8 @@ VM_API void vmi_vdp_make_near_ca_0(vmi_vdp_ripple *v, const vmi_ripple *r)
 
 /* -- The integrals of ca^6 and of S^2 -- */
 
-/* The integral of S^2 from the nearest zero of ca to a phase where |ca| = x and sa^2 = y */
+/* The integral of S^2 over the phase, from the nearest zero of ca to a phase where |ca| = x and sa^2 = y. S is the
+   integral of ca^2 minus its mean mean2. */
 VM_API vm_real vmi_vdp_square_from_ca_0(const vmi_vdp_ripple *v, vm_real mean2, vm_real x, vm_real y)
 {
     const vm_real z = 4 * (1 - y) - 1, x2 = x * x;
@@ -171,7 +172,8 @@ VM_API vm_real vmi_vdp_square_from_ca_0(const vmi_vdp_ripple *v, vm_real mean2, 
     return x2 * x * (mean2 * mean2 * phase2 + x2 * (x2 * integral2 - 2 * mean2 * product));
 }
 
-/* The integral of S^2 from the nearest zero of sa to a phase where |sa| = u and sa^2 = y */
+/* The integral of S^2 over the phase, from the nearest zero of sa to a phase where |sa| = u and sa^2 = y. S is the
+   integral of ca^2 minus its mean. */
 VM_API vm_real vmi_vdp_square_from_sa_0(const vmi_vdp_ripple *v, vm_real u, vm_real y)
 {
     return y * u * vmi_ripple_polynomial(v->near_sa_0[VMI_VDP_SQUARE], 4 * y - 1);
@@ -242,7 +244,7 @@ typedef struct VM_TAG(vmi_vdp_values) {
     vmi_ripple_values f;
     vm_real C4;         /* ca^4 minus its mean over a period */
     vm_real U, U1, P1;  /* U is the factor of e, and U1 that of e1, in ln J; P1 is the factor of e in the phase */
-    vm_real X;          /* a part of the factor of e^2 in ln J */
+    vm_real X;          /* a part of the factor of e^2 in the transformation of ln J */
 } vmi_vdp_values;
 
 /* Writes the functions of the transformation at the phase psi, where sa and ca are the Ateb functions of psi. */

@@ -83,8 +83,8 @@ VM_API vm_real vmi_vdp_error(const vm_vdp_plan *p, const vmi_vdp_mean *mean, vm_
     return error < largest_known ? error : VM_INFINITY;
 }
 
-/* Computes the motion from the mean motion by the law, cut off after the order 1, 2 or 3 of the route, with an estimate
-   of the terms that are left out. Writes amplitude, phase and rate of the phase to *state. */
+/* Computes the motion from the mean motion by the law of order three, cut off after the order 1, 2 or 3 of the route,
+   with an estimate of the terms that are left out. Writes amplitude, phase and rate of the phase to *state. */
 VM_API int vmi_vdp_truncated(const vm_vdp_plan *p, int route, const vmi_vdp_mean *mean, vmi_osc_reduced *state,
                              vm_osc_motion *motion)
 {
@@ -103,9 +103,9 @@ VM_API int vmi_vdp_truncated(const vm_vdp_plan *p, int route, const vmi_vdp_mean
     return VM_OK;
 }
 
-/* Computes the motion from the mean motion by the law, cut off after the order 1, 2 or 3 of the route, with an estimate
-   of its error. For order 1 the estimate is the one for order 2 plus the difference between the motions by order 1 and
-   by order 2. */
+/* Computes the motion from the mean motion by the law of order three, cut off after the order 1, 2 or 3 of the route,
+   with an estimate of the error. For order 1 the estimate is the one for order 2 plus the difference between the
+   motions by order 1 and by order 2. */
 VM_API int vmi_vdp_order_n(const vm_vdp_plan *p, int route, const vmi_vdp_mean *mean, vm_osc_motion *motion)
 {
     vmi_osc_reduced state, unused;
@@ -149,10 +149,10 @@ VM_API int vmi_vdp_check_call(const vm_vdp_plan *p, vm_real t, vm_real *toleranc
 /* Motion x(t), x'(t) of a Van der Pol oscillator by a given route, from a plan.
    t is in seconds, of either sign. `route` is VM_ROUTE_ATEB, VM_ROUTE_ORDER2, VM_ROUTE_ORDER3, VM_ROUTE_COLLOCATION or
    VM_ROUTE_RK87. motion->error estimates the larger of |error of x|/A and |error of v|/vmax, where vmax is the largest
-   velocity at the amplitude A; it is infinite where the law is not valid. The last two of these routes integrate
-   numerically and keep this error within the tolerance, where 0 means 1e-6 (float 1e-3); the first three do not use the
-   tolerance. Returns VM_OK, or VM_TOLERANCE_MISSED where x and v are computed but the error of integration is larger
-   than the tolerance. After an error *motion is unchanged. The errors are
+   velocity at the amplitude A; it is infinite where the law of order three is not valid. The last two of these routes
+   integrate numerically and keep this error within the tolerance, where 0 means 1e-6 (float 1e-3); the first three do
+   not use the tolerance. Returns VM_OK, or VM_TOLERANCE_MISSED where x and v are computed but the error of integration
+   is larger than the tolerance. After an error *motion is unchanged. The errors are
      VM_BAD_ARGUMENT for null pointers or a route that is not one of these five,
      VM_NOT_FINITE for a number that is infinite or NaN, and for the first three routes where the amplitude becomes
        infinite before t,
@@ -209,7 +209,7 @@ VM_API int vm_vdp_plan_within(const vm_vdp_plan *p, vm_real t, vm_real tolerance
     if (p->osc.A == 0) return vmi_osc_at_rest(&p->osc, VM_ROUTE_ATEB, motion);
     status = vmi_vdp_law_within(p, t, tolerance, motion);
     if (status != VM_TOLERANCE_MISSED) return status;
-    return vmi_vdp_integrate(p, VM_ROUTE_TRIG, t, tolerance, motion); /* collocation, or else rk87 */
+    return vmi_vdp_integrate(p, VM_ROUTE_TRIG, t, tolerance, motion); /* integrates by collocation, or else by rk87 */
 }
 
 /* Motion x(t), x'(t) of a Van der Pol oscillator within a tolerance, for a single t.

@@ -63,9 +63,9 @@ typedef struct VM_TAG(vmi_vdp_mean) {
                                      stiffness; the rest of its fields is not used */
 } vmi_vdp_mean;
 
-/* What is computed only once for a Van der Pol oscillator and its state at t = 0, by vm_vdp_plan_init. Read its fields,
-   but do not change them. The plan contains pointers to the tables of the laws, to the user's functions and to their
-   ctx. */
+/* A plan: numbers that vm_vdp_plan_init computes once for a Van der Pol oscillator and its state at t = 0. Read the
+   fields of the plan, but do not change them. The plan contains pointers to the tables of the laws, to the user's
+   functions and to their ctx. */
 typedef struct VM_TAG(vm_vdp_plan) {
     vm_vdp vdp;            /* a copy of the oscillator */
     vm_osc_plan osc;       /* plan of the oscillator without its term -c x^2 x'; the feed is a negative damping */
@@ -173,7 +173,7 @@ VM_API void vmi_vdp_start_at(const vm_vdp_plan *p, const vmi_osc_reduced *r, vmi
 /* Integrates the exact equations from the state *r at the time t to the first phase at which sa or ca is 0, and starts
    the mean motion there. If `knots` is 1, it integrates to the first such phase after the next point of a table. `side`
    is 1 forward, -1 backward in time. VM_NOT_INTEGRATED means that amplitude and phase do not describe the motion, or
-   that a further table point lies on the way. */
+   that a further table point lies before the end of this integration. */
 VM_API int vmi_vdp_bridge(const vm_vdp_plan *p, vm_real t, int side, const vmi_osc_reduced *r, int knots,
                           vmi_vdp_mean *mean)
 {
@@ -457,7 +457,7 @@ VM_API void vmi_vdp_add_panel(const vm_vdp_plan *p, vmi_vdp_panel *panel, vm_rea
 
 /* Advances the mean motion to `end` by panels of at most `longest`. No table may have a point between these times.
    `whole` is the length of the whole interval of integration, s. Returns VM_NOT_FINITE where the amplitude becomes
-   infinite on the way. */
+   infinite between these times. */
 VM_API int vmi_vdp_walk_piece(const vm_vdp_plan *p, vm_real end, vm_real longest, vm_real whole, vmi_vdp_mean *mean)
 {
     vmi_panels panels = vmi_panels_from(mean->t, end, longest, whole);
