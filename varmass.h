@@ -390,7 +390,7 @@
        vm_vdp_averaged_rhs            Averaged equations (410) of a Van der Pol oscillator, for rk45 or rk87
 
      oscillators/van_der_pol_walk: the mean motion of a Van der Pol oscillator with slowly varying mass and stiffness
-       vm_vdp_plan_init               Prepares a plan for many values of the motion of a Van der Pol oscillator
+       vm_vdp_plan_init               Prepares a plan, by which the motion of a Van der Pol oscillator is computed at many times
 
      oscillators/van_der_pol_routes: the motion x(t) of a Van der Pol oscillator, and its limit cycle to second order
        vm_vdp_plan_by_route           Motion x(t), x'(t) of a Van der Pol oscillator by a given route, from a plan
@@ -14426,7 +14426,7 @@ VM_API int vmi_odd_user_complete(vmi_orbit *orbit)
     return VM_IS_FINITE(orbit->w) && orbit->w > 0 && orbit->energy_slope > 0 ? VM_OK : VM_NO_LAW;
 }
 
-/* A state (x, v) on an orbit whose amplitude is searched */
+/* A state (x, v) on an orbit whose amplitude is to be found */
 typedef struct VM_TAG(vmi_odd_state) {
     const vm_odd_force *force;
     vm_real x, v; /* position >= 0 and velocity */
@@ -14645,9 +14645,8 @@ struct VM_TAG(vmi_orbit_ripple) {
     vm_real largest_B;     /* largest w |(B/w)_j|, or for a Fourier series a bound of it */
     int harmonics;         /* number of terms of the Fourier series; 0 where there is none, and the fields from `time`
                               on are used */
-    vm_real a[VMI_RIPPLE_HARMONICS + 1], a_size[VMI_RIPPLE_HARMONICS + 1]; /* factor of sin(n zeta) in the function a,
-                                                                              and its derivative with respect to size; n
-                                                                              >= 1 */
+    vm_real a[VMI_RIPPLE_HARMONICS + 1], a_size[VMI_RIPPLE_HARMONICS + 1]; /* n >= 1: factor of sin(n zeta) in a, and
+                                                                              its derivative with respect to size */
     vm_real b[VMI_RIPPLE_HARMONICS + 1];                                   /* factor of cos(n zeta) in (B/w)_j */
     vmi_orbit_sum time, time_size; /* time since theta = 0, and its derivative with respect to size at fixed theta */
     vmi_orbit_sum squares;         /* integral of v^2 over time */
@@ -15351,8 +15350,8 @@ VM_API void vm_duffing_exact_from(vm_real t, vm_real x0, vm_real v0, vm_real c1,
    laws of mass, stiffness and damping at one time, and computes from them the numbers that averaging needs.
 
    Where k1 and k3 of Duffing's force follow laws of their own (vm_duffing_force_of_laws), the shape of the force
-   changes with time. A new coordinate y = x/s makes the shape constant, where s(t) is the square root of k1/k3 divided
-   by the value of k1/k3 at t = 0. This coordinate obeys, without any approximation,
+   changes with time. A new coordinate y = x/s makes the shape constant, where s(t)^2 is the ratio k1/k3 divided by the
+   value of this ratio at t = 0. The coordinate y obeys, without any approximation,
        m y'' + K F(y) + (reactive m' + b + 2 m s'/s) y' + m G y = 0
    with F(y) = k1(0) y + k3(0) y^3, K(t) = k(t) k1(t)/k1(0) and G = s''/s + (s'/s) (reactive m' + b)/m. So the change of
    shape acts as additional damping, and as a weak linear spring, whose stiffness m G is of second order in the rates of
@@ -16139,7 +16138,7 @@ VM_API int vm_odd_plan_init(vm_odd_plan *p, const vm_odd_problem *problem, vm_re
 typedef struct VM_TAG(vmi_odd_mean) {
     vmi_orbit orbit;     /* the mean orbit */
     vm_real phase;       /* the mean phase */
-    vmi_odd_rates rates; /* the laws */
+    vmi_odd_rates rates; /* the laws at this time, and their rates */
     const vmi_odd_panel *panel;
 } vmi_odd_mean;
 
@@ -17529,7 +17528,7 @@ VM_API int vmi_vdp_start(const vm_vdp_plan *p, int side, vmi_vdp_mean *mean)
     return VM_OK;
 }
 
-/* Prepares a plan for many values of the motion of a Van der Pol oscillator.
+/* Prepares a plan, by which the motion of a Van der Pol oscillator is computed at many times.
    x is the position, m, and x_rate the velocity, m/s, at t = 0. vm_vdp_plan_by_route and vm_vdp_plan_within use the
    plan. The field `method` of *v must be valid, but the results do not depend on it, nor on the fields a1, a2 and a3.
    The oscillator is copied; the tables of its laws and what ctx points to must exist as long as the plan is used.
@@ -20411,8 +20410,8 @@ VM_API vm_steady_state vmi_periodic_state(const vmi_periodic_search *search, vm_
    belongs to at most one amplitude and one frequency nu of the force, so that values of delta from -pi to pi give the
    whole curve. The field nu of *steady is this frequency; the frequency in the fields of the oscillator is not used.
    All other parameters are those at time t. Returns the statuses of vm_periodic_rhs. In addition it returns
-   VM_NOT_FINITE where delta is not finite, and VM_DOMAIN where no steady vibration has this phase, or where damping and
-   slow changes are absent (q = 0 in the averaged equations), so that the phase does not determine the amplitude. An
+   VM_NOT_FINITE where delta is not finite, and VM_DOMAIN where no steady vibration has this phase, or where q = 0 in
+   the averaged equations, as without damping and slow changes, so that the phase does not determine the amplitude. An
    error leaves *steady as it was. */
 VM_API int vm_periodic_curve(const vm_periodic *p, vm_real t, vm_real delta, vm_steady_state *steady)
 {

@@ -398,7 +398,7 @@ VM_API int vmi_odd_user_complete(vmi_orbit *orbit)
     return VM_IS_FINITE(orbit->w) && orbit->w > 0 && orbit->energy_slope > 0 ? VM_OK : VM_NO_LAW;
 }
 
-/* A state (x, v) on an orbit whose amplitude is searched */
+/* A state (x, v) on an orbit whose amplitude is to be found */
 typedef struct VM_TAG(vmi_odd_state) {
     const vm_odd_force *force;
     vm_real x, v; /* position >= 0 and velocity */

@@ -4,8 +4,8 @@
    laws of mass, stiffness and damping at one time, and computes from them the numbers that averaging needs.
 
    Where k1 and k3 of Duffing's force follow laws of their own (vm_duffing_force_of_laws), the shape of the force
-   changes with time. A new coordinate y = x/s makes the shape constant, where s(t) is the square root of k1/k3 divided
-   by the value of k1/k3 at t = 0. This coordinate obeys, without any approximation,
+   changes with time. A new coordinate y = x/s makes the shape constant, where s(t)^2 is the ratio k1/k3 divided by the
+   value of this ratio at t = 0. The coordinate y obeys, without any approximation,
        m y'' + K F(y) + (reactive m' + b + 2 m s'/s) y' + m G y = 0
    with F(y) = k1(0) y + k3(0) y^3, K(t) = k(t) k1(t)/k1(0) and G = s''/s + (s'/s) (reactive m' + b)/m. So the change of
    shape acts as additional damping, and as a weak linear spring, whose stiffness m G is of second order in the rates of

@@ -530,7 +530,7 @@ VM_API int vm_odd_plan_init(vm_odd_plan *p, const vm_odd_problem *problem, vm_re
 typedef struct VM_TAG(vmi_odd_mean) {
     vmi_orbit orbit;     /* the mean orbit */
     vm_real phase;       /* the mean phase */
-    vmi_odd_rates rates; /* the laws */
+    vmi_odd_rates rates; /* the laws at this time, and their rates */
     const vmi_odd_panel *panel;
 } vmi_odd_mean;
 

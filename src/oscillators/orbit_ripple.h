@@ -44,9 +44,8 @@ struct VM_TAG(vmi_orbit_ripple) {
     vm_real largest_B;     /* largest w |(B/w)_j|, or for a Fourier series a bound of it */
     int harmonics;         /* number of terms of the Fourier series; 0 where there is none, and the fields from `time`
                               on are used */
-    vm_real a[VMI_RIPPLE_HARMONICS + 1], a_size[VMI_RIPPLE_HARMONICS + 1]; /* factor of sin(n zeta) in the function a,
-                                                                              and its derivative with respect to size; n
-                                                                              >= 1 */
+    vm_real a[VMI_RIPPLE_HARMONICS + 1], a_size[VMI_RIPPLE_HARMONICS + 1]; /* n >= 1: factor of sin(n zeta) in a, and
+                                                                              its derivative with respect to size */
     vm_real b[VMI_RIPPLE_HARMONICS + 1];                                   /* factor of cos(n zeta) in (B/w)_j */
     vmi_orbit_sum time, time_size; /* time since theta = 0, and its derivative with respect to size at fixed theta */
     vmi_orbit_sum squares;         /* integral of v^2 over time */

@@ -370,8 +370,8 @@ VM_API vm_steady_state vmi_periodic_state(const vmi_periodic_search *search, vm_
    belongs to at most one amplitude and one frequency nu of the force, so that values of delta from -pi to pi give the
    whole curve. The field nu of *steady is this frequency; the frequency in the fields of the oscillator is not used.
    All other parameters are those at time t. Returns the statuses of vm_periodic_rhs. In addition it returns
-   VM_NOT_FINITE where delta is not finite, and VM_DOMAIN where no steady vibration has this phase, or where damping and
-   slow changes are absent (q = 0 in the averaged equations), so that the phase does not determine the amplitude. An
+   VM_NOT_FINITE where delta is not finite, and VM_DOMAIN where no steady vibration has this phase, or where q = 0 in
+   the averaged equations, as without damping and slow changes, so that the phase does not determine the amplitude. An
    error leaves *steady as it was. */
 VM_API int vm_periodic_curve(const vm_periodic *p, vm_real t, vm_real delta, vm_steady_state *steady)
 {

@@ -238,7 +238,7 @@ VM_API int vmi_vdp_start(const vm_vdp_plan *p, int side, vmi_vdp_mean *mean)
     return VM_OK;
 }
 
-/* Prepares a plan for many values of the motion of a Van der Pol oscillator.
+/* Prepares a plan, by which the motion of a Van der Pol oscillator is computed at many times.
    x is the position, m, and x_rate the velocity, m/s, at t = 0. vm_vdp_plan_by_route and vm_vdp_plan_within use the
    plan. The field `method` of *v must be valid, but the results do not depend on it, nor on the fields a1, a2 and a3.
    The oscillator is copied; the tables of its laws and what ctx points to must exist as long as the plan is used.
