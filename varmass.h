@@ -13952,9 +13952,9 @@ VM_API int vmi_osc_averaged_within(const vm_osc_plan *p, vm_real t, vm_real tole
     return VM_TOLERANCE_MISSED;
 }
 
-/* Motion at any time t (s) by integration, for vm_osc_plan_within where no averaged solution is good enough: by
-   collocation, or by rk87 where amplitude and phase do not describe the motion. If collocation and rk87 both miss the
-   tolerance, the result with the smaller error is taken. */
+/* Computes the motion at any time t (s) by numerical integration, for vm_osc_plan_within where no averaged solution is
+   accurate enough: by collocation, or by rk87 where amplitude and phase do not describe the motion. If collocation and
+   rk87 both miss the tolerance, the result with the smaller error is taken. */
 VM_API int vmi_osc_integrate_within(const vm_osc_plan *p, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
     vm_osc_motion direct;
@@ -15655,8 +15655,8 @@ typedef struct VM_TAG(vm_odd_motion) {
     vm_real amplitude; /* the largest |x| of the present vibration, m; NaN where the state (x, v) does not lie on a
                           vibration */
     vm_real error;     /* estimate of the larger of |error of x|/swing and |error of v|/vmax, where swing is half the
-                          distance between the turning points, and vmax is the largest velocity, of the present
-                          vibration */
+                          distance between the turning points of the present vibration, and vmax is its largest
+                          velocity */
     int route;         /* the route by which x and v were computed, VM_ODD_... */
     long evals;        /* evaluations of the equation of motion; 0 where nothing was integrated */
 } vm_odd_motion;
@@ -17189,8 +17189,7 @@ VM_API void vmi_vdp_ripple_init(vmi_vdp_ripple *v, const vmi_ripple *r)
 
 /* -- The functions of the transformation -- */
 
-/* Functions of the phase in the transformation. They are factors of the disturbances e and e1 of the top of this
-   file. */
+/* Functions of the phase from which the factors of the disturbances in the transformation follow. */
 typedef struct VM_TAG(vmi_vdp_values) {
     vmi_ripple_values f;
     vm_real C4;         /* ca^4 minus its mean over a period */
@@ -20360,7 +20359,8 @@ VM_API vmi_periodic_sums vmi_periodic_sums_from(const vmi_periodic_search *s, vm
 }
 
 /* The amplitude for which the averaged equations give A' = 0 if the sum has the value S. It follows from A w(A) = -S
-   F/(m p), where p is q/(alpha+3). The result is 0 where there is no such amplitude. */
+   F/(m p), where p is q/(alpha+3), F/m the force per mass, and w(A) the frequency of the free vibration. The result is
+   0 where there is no such amplitude. */
 VM_API vm_real vmi_periodic_amplitude(const vmi_resonance *z, vm_real S)
 {
     const vm_real product = -z->push / z->p * S;

@@ -47,8 +47,8 @@ typedef struct VM_TAG(vm_odd_motion) {
     vm_real amplitude; /* the largest |x| of the present vibration, m; NaN where the state (x, v) does not lie on a
                           vibration */
     vm_real error;     /* estimate of the larger of |error of x|/swing and |error of v|/vmax, where swing is half the
-                          distance between the turning points, and vmax is the largest velocity, of the present
-                          vibration */
+                          distance between the turning points of the present vibration, and vmax is its largest
+                          velocity */
     int route;         /* the route by which x and v were computed, VM_ODD_... */
     long evals;        /* evaluations of the equation of motion; 0 where nothing was integrated */
 } vm_odd_motion;

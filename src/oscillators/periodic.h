@@ -320,7 +320,8 @@ VM_API vmi_periodic_sums vmi_periodic_sums_from(const vmi_periodic_search *s, vm
 }
 
 /* The amplitude for which the averaged equations give A' = 0 if the sum has the value S. It follows from A w(A) = -S
-   F/(m p), where p is q/(alpha+3). The result is 0 where there is no such amplitude. */
+   F/(m p), where p is q/(alpha+3), F/m the force per mass, and w(A) the frequency of the free vibration. The result is
+   0 where there is no such amplitude. */
 VM_API vm_real vmi_periodic_amplitude(const vmi_resonance *z, vm_real S)
 {
     const vm_real product = -z->push / z->p * S;

@@ -234,9 +234,9 @@ VM_API int vmi_osc_averaged_within(const vm_osc_plan *p, vm_real t, vm_real tole
     return VM_TOLERANCE_MISSED;
 }
 
-/* Motion at any time t (s) by integration, for vm_osc_plan_within where no averaged solution is good enough: by
-   collocation, or by rk87 where amplitude and phase do not describe the motion. If collocation and rk87 both miss the
-   tolerance, the result with the smaller error is taken. */
+/* Computes the motion at any time t (s) by numerical integration, for vm_osc_plan_within where no averaged solution is
+   accurate enough: by collocation, or by rk87 where amplitude and phase do not describe the motion. If collocation and
+   rk87 both miss the tolerance, the result with the smaller error is taken. */
 VM_API int vmi_osc_integrate_within(const vm_osc_plan *p, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
     vm_osc_motion direct;

@@ -238,8 +238,7 @@ VM_API void vmi_vdp_ripple_init(vmi_vdp_ripple *v, const vmi_ripple *r)
 
 /* -- The functions of the transformation -- */
 
-/* Functions of the phase in the transformation. They are factors of the disturbances e and e1 of the top of this
-   file. */
+/* Functions of the phase from which the factors of the disturbances in the transformation follow. */
 typedef struct VM_TAG(vmi_vdp_values) {
     vmi_ripple_values f;
     vm_real C4;         /* ca^4 minus its mean over a period */
