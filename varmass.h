@@ -339,16 +339,16 @@
        vm_osc_closed_at_order3        Position and velocity as by vm_osc_closed_at, but always by order 3; returns VM_BAD_ARGUMENT if *c has order 2
 
      oscillators/plan: the plan of an oscillator: what is computed once and then used at many times t
-       vm_osc_plan_init               Plan for many values of one problem's motion
+       vm_osc_plan_init               Makes a plan, by which the motion of one problem is computed for many values of t
 
-     oscillators/panels: intervals of time in which a law f(t) is smooth, and the integrals of 1/f and f/g
+     oscillators/panels: intervals of time on which laws f(t) and g(t) are smooth, and the integrals of 1/f and f/g
        vm_law_inverse_integral        Integral of ds/f(s) from 0 to t, s per unit of f, for t of either sign
        vm_law_ratio_integral          Integral of f(s)/g(s) ds from 0 to t, for t of either sign, f of any sign and g > 0
 
      oscillators/averaging: averaged equations of an oscillator with a force, and the error of averaging
        vm_osc_averaged                Averaged rates A', theta', psi' of amplitude and phase, with the problem's force
 
-     oscillators/routes: the motion x(t) of an oscillator at any time, by a given route or by the cheapest
+     oscillators/routes: the motion x(t) of an oscillator at any time, by a given method or by the cheapest
        vm_osc_route_name              Name of a route VM_ROUTE_..., in English; "unknown route" for any other number
        vm_osc_plan_by_route           Motion x(t), x'(t) at time t (s, either sign) by a given route, from a plan
        vm_osc_plan_within             Motion x(t), x'(t) at time t (s, either sign) within a tolerance, from a plan
@@ -357,9 +357,9 @@
 
      oscillators/odd_force: vibration under an odd elastic force of any form, with constant mass
        vm_odd_force_user              Odd elastic force F(x) that a user's function computes
-       vm_odd_period                  Exact period, s, of x'' + F(x) = 0 from rest at x0 (m, either sign), for an odd F per unit mass
-       vm_odd_action                  Action, m^2/s, of x'' + F(x) = 0 from rest at x0 (m, either sign), for an odd F per unit mass
-       vm_odd_exact_from              Exact motion x(t), v(t) of x'' + F(x) = 0 from x0 (m) and v0 (m/s), for an odd F per unit mass
+       vm_odd_period                  Exact period, s, of x'' + F(x) = 0 from rest at x0 (m, either sign), for an odd force F per unit mass
+       vm_odd_action                  Action, m^2/s, of x'' + F(x) = 0 from rest at x0 (m, either sign), for an odd force F per unit mass
+       vm_odd_exact_from              Exact motion x(t), v(t) of x'' + F(x) = 0 from the position x0 (m) and the velocity v0 (m/s) at t = 0, for an odd force F per unit mass
 
      oscillators/duffing: Duffing's oscillator, with the elastic force k1 x + k3 x^3
        vm_duffing_force               Duffing's force k1 x + k3 x^3
@@ -370,27 +370,27 @@
        vm_duffing_exact_from          Exact motion x(t), v(t) of Duffing's oscillator x'' + c1 x + c3 x^3 = 0 from x0 (m) and v0 (m/s)
 
      oscillators/odd_motion: vibration under an odd elastic force with slow mass, stiffness and damping
-       vm_odd_plan_init               Plan for many values of one vibration under an odd elastic force, from t = 0 to t_end (s, any sign)
+       vm_odd_plan_init               Makes a plan, by which one vibration under an odd elastic force is computed at many times between t = 0 and t_end (s, any sign)
 
-     oscillators/odd_routes: routes to the motion of a vibration under an odd elastic force, and its integration
+     oscillators/odd_routes: vibration under an odd elastic force, by a given method or by the cheapest
        vm_odd_rhs                     Equation of motion of a vibration under an odd elastic force, for rk45 or rk87
-       vm_odd_plan_by_route           Motion under an odd elastic force at time t (s, within the plan's reach) by a given route VM_ODD_...
+       vm_odd_plan_by_route           Motion under an odd elastic force at time t (s, between 0 and the plan's t_end) by a given route VM_ODD_...
        vm_odd_plan_within             Motion under an odd elastic force at time t (s, between 0 and the plan's t_end) within a tolerance
        vm_odd_within                  Motion under an odd elastic force at time t (s, either sign) within a tolerance, without a plan
 
      oscillators/slow: laws of amplitude for all oscillators with a slowly varying mass
-       vm_osc_amplitude_law           Ratio A/A0 of the amplitude to its first value, of an oscillator whose mass varies slowly
-       vm_osc_velocity_law            Ratio of the largest velocity to its first value, of an oscillator whose mass varies slowly
+       vm_osc_amplitude_law           Ratio A/A0 of the amplitude A to its value A0 at t = 0, for an oscillator whose mass varies slowly
+       vm_osc_velocity_law            Ratio of the largest velocity x'_max within a period to its value at t = 0, for an oscillator whose mass varies slowly
 
      oscillators/van_der_pol: the Van der Pol oscillator with variable mass
        vm_vdp_init                    Prepares a Van der Pol oscillator
-       vm_vdp_amplitude               Amplitude of a Van der Pol oscillator at time t, in closed form for a linear mass
+       vm_vdp_amplitude               Amplitude of a Van der Pol oscillator at time t, in closed form for a mass that is linear in time
        vm_vdp_limit_cycle             Amplitude of the limit cycle, m, while the mass changes at mass_rate (kg/s)
        vm_vdp_rhs                     Equation of motion (404) of a Van der Pol oscillator, for rk45 or rk87
        vm_vdp_averaged_rhs            Averaged equations (410) of a Van der Pol oscillator, for rk45 or rk87
 
      oscillators/van_der_pol_walk: the mean motion of a Van der Pol oscillator with slowly varying mass and stiffness
-       vm_vdp_plan_init               Prepares a plan for many values of the motion of a Van der Pol oscillator
+       vm_vdp_plan_init               Prepares a plan, by which the motion of a Van der Pol oscillator is computed at many times
 
      oscillators/van_der_pol_routes: the motion x(t) of a Van der Pol oscillator, and its limit cycle to second order
        vm_vdp_plan_by_route           Motion x(t), x'(t) of a Van der Pol oscillator by a given route, from a plan
@@ -422,8 +422,8 @@
        vm_pair_to_averaged            Converts a motion y = (x, y, x', y') of two bodies to the modes (A, psi, q, q'), (520)-(522)
        vm_pair_from_averaged          Converts the modes (A, psi, q, q') of two bodies to the motion y = (x, y, x', y')
        vm_pair_averaged_rhs           Averaged equations of the two modes of a pair, for rk45 or rk87
-       vm_pair_at                     Motion of two bodies at time t, in closed form for a linear mass
-       vm_pair_by_method              Motion of two bodies at time t by one of the three methods of (524), so that they can be compared
+       vm_pair_at                     Motion of two bodies at time t, in closed form for a mass m that is linear in time
+       vm_pair_by_method              Motion of two bodies at time t by one of the three methods of (524), so that the methods can be compared
 
      oscillators/coupled_pair: two bodies of different, variable masses with nonlinear connections
        vm_coupled_pair_rhs            Equations of motion of two bodies with different masses and several connections, for rk45 or rk87
@@ -440,22 +440,22 @@
        vm_forced_from_averaged        Converts the mean y = (A, delta, theta) of an excited oscillator to the motion (x, x', theta)
 
      oscillators/resonance: steady vibrations, resonance curves, passage through resonance
-       vm_forced_steady_states        Steady vibrations of an excited oscillator
+       vm_forced_steady_states        Steady vibrations of an oscillator under a harmonic force, with their amplitudes, phases and stability
        vm_forced_curve                Steady vibrations of a given amplitude A, m, at any frequency nu > 0
-       vm_forced_peak                 Largest amplitude of the amplitude-frequency curve, m
+       vm_forced_peak                 Largest amplitude, m, of the amplitude-frequency curve
        vm_forced_passage              Passage through the resonance
 
-     oscillators/periodic: periodic excitation that is not harmonic, of a strongly nonlinear oscillator
+     oscillators/periodic: a strongly nonlinear oscillator under a periodic force that is not harmonic
        vm_periodic_init               Prepares an oscillator under a periodic force
        vm_periodic_from_samples       Sets the shape of a periodic force from n samples g[i] = g(2 pi i/n) over one period
-       vm_periodic_shape              Shape of the force
+       vm_periodic_shape              Shape g(theta) of the force, a pure number
        vm_periodic_rhs                Equation of motion of an oscillator under a periodic force, for rk45 or rk87
        vm_periodic_exact_rhs          Exact equations of amplitude and phase under a periodic force, for rk45 or rk87
        vm_periodic_averaged_rhs       Averaged equations of an oscillator under a periodic force near a resonance, for rk45 or rk87
-       vm_periodic_to_averaged        Converts a motion (x, x', theta) under a periodic force to its mean y = (A, delta, theta), near the resonance
+       vm_periodic_to_averaged        Converts a motion (x, x', theta) under a periodic force, near the resonance, to its mean y = (A, delta, theta) (see vm_periodic_averaged_rhs)
        vm_periodic_from_averaged      Converts the mean y = (A, delta, theta) under a periodic force to the motion (x, x', theta)
        vm_periodic_curve              Steady vibration of the phase delta under a periodic force
-       vm_periodic_steady_states      Steady vibrations under a periodic force
+       vm_periodic_steady_states      Steady vibrations under a periodic force, near the resonance, with their amplitudes, phases and stability
 
      oscillators/grounded_pair: two strongly nonlinear oscillators with slow masses and a weak coupling
        vm_grounded_pair_init          Prepares a pair of coupled oscillators
@@ -8513,7 +8513,7 @@ VM_INLINE vm_real vmi_van_der_pol_feed(vm_real feed, vm_real c, vm_real x) { ret
 VM_INLINE vm_real vmi_gyroscopic_coupling(vm_real gyro) { return 2 * gyro; }
 
 #endif
-/* oscillators/waves.h - wave forms of a strongly nonlinear oscillator: ca, cos and cn
+/* oscillators/waves.h - the periodic functions ca, cos and cn that describe a strongly nonlinear oscillator
 
    The motion of x'' + omega0^2 x|x|^(alpha-1) = 0 is x = A ca(psi), x' = -vmax(A) sa(psi) with the Ateb functions of
    the phase psi (282), (283); A is the amplitude, vmax(A) the largest velocity. Two simpler waves with the same
@@ -8521,9 +8521,10 @@ VM_INLINE vm_real vmi_gyroscopic_coupling(vm_real gyro) { return 2 * gyro; }
    these three waves: the wave c of the position, the wave s of the velocity, and the factors speed, gain_A and
    gain_theta. If a small force F acts on the mass m, the averaged equations are
      A'/A = -q/(alpha+3) - gain_A <F s>/(m V),   theta' = -gain_theta <F c>/(m V),   V = speed vmax(A),
-   where <> is the mean over a period and q the rate at which stiffness, mass and damping change the motion. The wave's
-   own angle, which is the argument of ca, cos or cn, is theta plus the integral of turn psi' over time: theta is its
-   slow part. A new wave needs a function that evaluates it and a constructor.
+   where <> is the mean over a period, q the rate at which slow changes of stiffness and mass, and damping, change the
+   motion, and theta the slow part of the wave's own angle. This angle is the argument of ca, cos or cn: theta plus the
+   integral of turn psi' over time, where `turn` is a field of vmi_osc_wave. To add another wave, write a constructor
+   and a function that evaluates the wave.
        vmi_osc_wave w = vmi_osc_wave_cn(3, ateb_pi(3));
        vm_real c, s;
        vmi_osc_wave_at(&w, VM_C(0.5), &c, &s); // at psi = 0.5: x = A c, x' = -w.speed vmax(A) s
@@ -8533,20 +8534,21 @@ VM_INLINE vm_real vmi_gyroscopic_coupling(vm_real gyro) { return 2 * gyro; }
 
 typedef struct VM_TAG(vmi_osc_wave) vmi_osc_wave;
 struct VM_TAG(vmi_osc_wave) {
-    /* writes the waves c of the position and s of the velocity at the Ateb phase psi */
+    /* writes to *c the wave of the position, and to *s the wave of the velocity, at the Ateb phase psi */
     void (*at)(const vmi_osc_wave *w, vm_real psi, vm_real *c, vm_real *s);
-    /* estimates the error of the wave, where mean_ca2 is the mean of ca^2; null for ca, which has no error */
+    /* estimates the error of the wave compared with ca, where mean_ca2 is the mean of ca^2; null for ca itself */
     vm_real (*error)(const vmi_osc_wave *w, vm_real mean_ca2);
     vm_real alpha;              /* exponent of the spring */
     vm_real turn;               /* the wave's own angle, the argument of ca, cos or cn, is turn psi */
     vm_real speed;              /* the velocity is x' = -speed vmax(A) s */
-    vm_real gain_A, gain_theta; /* factors of the means of the force in the averaged equations */
-    vm_real m;                  /* parameter m = k^2 of cn; 0 for the other waves */
-    vm_real mean_c2;            /* mean of cn^2; 0 for the other waves */
+    vm_real gain_A, gain_theta; /* the factors gain_A and gain_theta in the averaged equations at the top of this
+                                   file */
+    vm_real m;                  /* parameter m = k^2 of cn; 0 for ca and cos */
+    vm_real mean_c2;            /* mean of cn^2; 0 for ca and cos */
     const ateb_plan *ateb;      /* plan of ca, or null */
 };
 
-/* Writes the waves c of the position and s of the velocity at the Ateb phase psi. */
+/* Writes to *c the wave of the position, and to *s the wave of the velocity, at the Ateb phase psi. */
 VM_API void vmi_osc_wave_at(const vmi_osc_wave *w, vm_real psi, vm_real *c, vm_real *s) { w->at(w, psi, c, s); }
 
 /* -- ca: exact -- */
@@ -8560,7 +8562,8 @@ VM_API void vmi_osc_ca_by_plan(const vmi_osc_wave *w, vm_real psi, vm_real *c, v
     ateb_plan_saca(w->ateb, psi, s, c);
 }
 
-/* The wave x = A ca(psi), x' = -vmax(A) sa(psi). With a plan for this alpha it is evaluated faster. */
+/* Makes the wave x = A ca(psi), x' = -vmax(A) sa(psi). With a plan of the Ateb functions for this alpha, the wave is
+   evaluated faster. */
 VM_API vmi_osc_wave vmi_osc_wave_ca(vm_real alpha, const ateb_plan *ateb_or_NULL)
 {
     vmi_osc_wave w;
@@ -8583,17 +8586,17 @@ VM_API void vmi_osc_cos_at(const vmi_osc_wave *w, vm_real psi, vm_real *c, vm_re
     vmi_sincos(w->turn * psi, s, c);
 }
 
-/* Estimates the error of the wave cos. It is the error of its velocity at x = 0, where it is largest, times a factor
-   that grows with alpha. */
+/* Estimates the error of cos in place of ca. The estimate is the error of the velocity at x = 0, where the velocity is
+   largest, times a factor that grows with alpha. */
 VM_API vm_real vmi_osc_cos_error(const vmi_osc_wave *w, vm_real mean_ca2)
 {
     (void)mean_ca2;
     return VM_FABS(w->speed - 1) * (1 + w->alpha / 100);
 }
 
-/* The wave x = A cos(turn psi), whose period is that of ca; the argument pi is Pi_alpha. gain_A and gain_theta are the
-   factors 4/(alpha + 3) in the averaged equations (337)-(339). The dissertation has 5 - alpha instead of alpha + 3,
-   because of a wrong sign in (335). */
+/* Makes the wave x = A cos(turn psi), whose period is that of ca; the argument `pi` is Pi_alpha, half the period of ca.
+   The fields gain_A and gain_theta become the factors 4/(alpha + 3) in the averaged equations (337)-(339). The
+   dissertation has 5 - alpha instead of alpha + 3, because of a wrong sign in (335). */
 VM_API vmi_osc_wave vmi_osc_wave_cos(vm_real alpha, vm_real pi)
 {
     vmi_osc_wave w = vmi_osc_wave_ca(alpha, NULL);
@@ -8616,19 +8619,20 @@ VM_API void vmi_osc_cn_at(const vmi_osc_wave *w, vm_real psi, vm_real *c, vm_rea
     *s = sn * dn;
 }
 
-/* Estimates the error of the wave cn. It is the difference between the means of cn^2 and of ca^2, which is 0 where cn
-   is exact, times a factor that is fitted to the largest errors of this wave. */
+/* Estimates the error of cn in place of ca. The estimate is the difference between the means of cn^2 and of ca^2, times
+   a factor that is fitted to the largest errors of cn. The difference is 0 where cn is exact. */
 VM_API vm_real vmi_osc_cn_error(const vmi_osc_wave *w, vm_real mean_ca2)
 {
     return VM_FABS(w->mean_c2 - mean_ca2) * (VM_C(2.7) + w->alpha / 2);
 }
 
-/* The wave x = A cn(turn psi | m), whose period and whose velocity at x = 0 are those of A ca(psi); pi is Pi_alpha. The
-   parameter m follows from (307), the factors gain_A and gain_theta from (380)-(382). */
+/* Makes the wave x = A cn(turn psi | m), whose period and whose velocity at x = 0 are those of A ca(psi); the argument
+   `pi` is Pi_alpha, half the period of ca. The parameter m follows from (307), the factors gain_A and gain_theta from
+   (380)-(382). */
 VM_API vmi_osc_wave vmi_osc_wave_cn(vm_real alpha, vm_real pi)
 {
     vmi_osc_wave w = vmi_osc_wave_ca(alpha, NULL);
-    vm_real C2, C4, C6, bracket; /* means of cn^2, cn^4, cn^6; and twice the mean of sn^2 dn^2 */
+    vm_real C2, C4, C6, bracket; /* the means of cn^2, cn^4 and cn^6; bracket is twice the mean of sn^2 dn^2 */
     w.at = vmi_osc_cn_at;
     w.error = vmi_osc_cn_error;
     w.m = jacobi_solve_kpK(pi / (alpha + 1));
@@ -8644,8 +8648,8 @@ VM_API vmi_osc_wave vmi_osc_wave_cn(vm_real alpha, vm_real pi)
 
 /* -- How good a wave is -- */
 
-/* Estimates the larger one of the errors of x/A and of x'/vmax by this wave; the result is at most 1. mean_ca2 is the
-   mean of ca^2. */
+/* Estimates the larger one of the errors of x/A and of x'/vmax that the wave w in place of ca causes; the result is at
+   most 1. mean_ca2 is the mean of ca^2. */
 VM_API vm_real vmi_osc_wave_error(const vmi_osc_wave *w, vm_real mean_ca2)
 {
     const vm_real error = w->error ? w->error(w, mean_ca2) : 0;
@@ -8653,8 +8657,8 @@ VM_API vm_real vmi_osc_wave_error(const vmi_osc_wave *w, vm_real mean_ca2)
 }
 
 /* Writes to *x_error the largest difference between the wave c and ca, and to *v_error the largest difference between
-   w->speed s and sa. Both are taken over a quarter of the period, at points that are densest near x = 0. pi is
-   Pi_alpha. */
+   w->speed s and sa. Both are found from points in a quarter of the period, which are densest near x = 0. The argument
+   `pi` is Pi_alpha, half the period of ca. */
 VM_API void vmi_osc_wave_differences(const vmi_osc_wave *w, vm_real pi, vm_real *x_error, vm_real *v_error)
 {
     const int points = 256;
@@ -9570,35 +9574,39 @@ VM_API vm_real vmi_law_longest_panel(const vm_law *law, vm_real whole)
 
    The equation of motion, with mass m(t), stiffness k(t), damping b and a further small force F, is
      m x'' + k x|x|^(alpha-1) + (reactive m' + b) x' = F(t, x, x'),   x(0) and x'(0) given.
-   Ten methods, called routes, compute x(t) and x'(t); oscillators/routes.h has them and shows the shortest useful call.
-   `reactive` is 1 where mass that joins or leaves is at rest, and 0 where it has the body's velocity. With a plan
-   (oscillators/plan.h) one motion is evaluated at many values of t.
+   Ten methods, called routes, compute x(t) and x'(t). The functions for them are in oscillators/routes.h, which also
+   shows the shortest useful call. `reactive` is 1 where mass that joins or leaves is at rest, and 0 where it has the
+   body's velocity. With a plan (oscillators/plan.h) one motion is evaluated at many values of t.
    Tests: tests/test_averaging.c, tests/test_routes.c. */
 #ifndef VARMASS_OSCILLATORS_PROBLEM_H
 #define VARMASS_OSCILLATORS_PROBLEM_H
 
-/* Routes to x(t) and x'(t), the cheapest first. All but the last three use averaging: mass and stiffness must change
-   little within a period. The routes of order 2 to 5 exist only without a further force F. */
+/* Routes, which are the methods to compute x(t) and x'(t), the cheapest first. The first seven use averaging: for
+   these, mass and stiffness must change little within a period. The routes VM_ROUTE_ORDER2 to VM_ROUTE_ORDER5 exist
+   only if there is no further force F. */
 enum {
     VM_ROUTE_TRIG = 0,        /* cosine (329), (330), averaged to first order; the sign of (335) is corrected */
     VM_ROUTE_JACOBI = 1,      /* Jacobi's cn (370), (371), averaged to first order */
     VM_ROUTE_ATEB = 2,        /* Ateb function ca (310), (311), averaged to first order */
-    VM_ROUTE_ORDER2 = 3,      /* terms up to order two of the law of order five (oscillators/expansion.h) */
-    VM_ROUTE_ORDER3 = 4,      /* terms up to order three of this law */
-    VM_ROUTE_ORDER4 = 5,      /* terms up to order four of this law */
+    VM_ROUTE_ORDER2 = 3,      /* the law of order five (oscillators/expansion.h), cut off after order two */
+    VM_ROUTE_ORDER3 = 4,      /* the law of order five, cut off after order three */
+    VM_ROUTE_ORDER4 = 5,      /* the law of order five, cut off after order four */
     VM_ROUTE_ORDER5 = 6,      /* the whole law of order five */
     VM_ROUTE_COLLOCATION = 7, /* integration from each zero of x to the next (oscillators/collocation.h) */
     VM_ROUTE_RK45 = 8,        /* integration of the equation of motion by rk45 */
     VM_ROUTE_RK87 = 9         /* integration of the equation of motion by rk87 */
 };
 
-/* The order, 2 to 5, of the law that one of the routes VM_ROUTE_ORDER2 to VM_ROUTE_ORDER5 uses */
+/* Returns the order, 2 to 5, after which the law of order five is cut off by one of the routes VM_ROUTE_ORDER2 to
+   VM_ROUTE_ORDER5. */
 VM_API int vmi_osc_order_of(int route) { return route - VM_ROUTE_ORDER2 + 2; }
 
-/* The route, VM_ROUTE_ORDER2 to VM_ROUTE_ORDER5, that uses the law of this order, 2 to 5 */
+/* Returns the route, VM_ROUTE_ORDER2 to VM_ROUTE_ORDER5, that cuts off the law of order five after the given order, 2
+   to 5. */
 VM_API int vmi_osc_route_of_order(int order) { return VM_ROUTE_ORDER2 + order - 2; }
 
-/* A user's function for a further small force: returns F, N, at time t (s), position x (m) and velocity v (m/s) */
+/* A user's function for a further small force. It returns the force F, N, at the time t (s), the position x (m) and the
+   velocity v (m/s). */
 typedef vm_real (*vm_osc_force)(vm_real t, vm_real x, vm_real v, void *ctx);
 
 /* An oscillator and its state at t = 0 */
@@ -9611,19 +9619,19 @@ typedef struct VM_TAG(vm_osc_problem) {
     vm_real damping;    /* damping b, kg/s, the dissertation's eps b; a positive b takes energy out */
     vm_real x, v;       /* position, m, and velocity, m/s, at t = 0 */
     vm_osc_force force; /* function for a further small force F, or NULL */
-    void *ctx;          /* the user's pointer, last argument of force */
+    void *ctx;          /* the user's pointer, last argument of `force` */
 } vm_osc_problem;
 
 /* The motion at one time */
 typedef struct VM_TAG(vm_osc_motion) {
     vm_real x, v;      /* position, m, and velocity, m/s */
-    vm_real amplitude; /* amplitude A, m. The routes rk45 and rk87 give the amplitude that belongs to x and v. The other
-                          routes leave out the first-order ripple within a period, which slow changes of mass and
-                          stiffness, and damping, cause */
+    vm_real amplitude; /* amplitude A, m. The routes rk45 and rk87 give the amplitude that belongs to x and v. All other
+                          routes give the amplitude without its first-order ripple, the swing within a period that slow
+                          changes of mass and stiffness, and damping, cause */
     vm_real error;     /* estimate of the larger of |error of x|/A and |error of v|/vmax, where vmax is the largest
                           velocity at the amplitude A; it includes all causes of errors */
-    int route;         /* the route that was taken, VM_ROUTE_... */
-    long evals;        /* evaluations of right-hand sides; 0 where nothing was integrated */
+    int route;         /* the route by which x and v were computed, VM_ROUTE_... */
+    long evals;        /* number of evaluations of the equations that were integrated; 0 where nothing was integrated */
 } vm_osc_motion;
 
 /* Checks mass and stiffness by vmi_law_check: both must be finite and positive between 0 and t. */
@@ -9633,7 +9641,7 @@ VM_API int vmi_osc_check_laws(const vm_osc_problem *o, vm_real t)
                            vmi_law_check(&o->stiffness, VM_BAD_STIFFNESS, t));
 }
 
-/* Checks the problem's numbers, and its laws between 0 and t. Writes its mass and stiffness at t = 0. */
+/* Checks the fields of the problem, and its laws between 0 and t. Writes mass and stiffness at t = 0. */
 VM_API int vmi_osc_check_problem(const vm_osc_problem *o, vm_real t, vm_real *mass, vm_real *stiffness)
 {
     const vm_real numbers[5] = {o->alpha, o->reactive, o->damping, o->x, o->v};
@@ -9741,18 +9749,20 @@ VM_API int vm_osc_load_init(vm_osc_load *load, vm_osc_problem *problem, const vm
 }
 
 #endif
-/* oscillators/reduction.h - amplitude and phase of an oscillator, which slow changes disturb only in second order
+/* oscillators/reduction.h - amplitude and phase of an oscillator, defined so that slow changes disturb them only in
+   second order
 
    The oscillator m x'' + k x|x|^(alpha-1) + (reactive m' + b) x' = 0 can be written d(mu x')/dt + kappa x|x|^(alpha-1)
-   = 0. The functions mu(t) and kappa(t) follow from mu'/mu = a with a = (reactive m' + b)/m, and from kappa/mu = k/m.
-   `reactive` is 1 where mass that joins or leaves is at rest, and 0 where it has the body's velocity; b is the damping.
-   Let p = (ln(mu kappa))'/(alpha+3) and V = x' + p x.
+   = 0. m(t) is the mass and k(t) the stiffness. The functions mu(t) and kappa(t) follow from mu'/mu = a with a =
+   (reactive m' + b)/m, and from kappa/mu = k/m. `reactive` is 1 where mass that joins or leaves is at rest, and 0 where
+   it has the body's velocity; b is the damping. Let p = (ln(mu kappa))'/(alpha+3) and V = x' + p x.
    Then x = A ca(psi) and V = -(2/(alpha+1)) W A sa(psi) define an amplitude A and a phase psi with the exact equations
      A'/A = -p + (G_0/W) sa ca,   psi' = W + (alpha+1)/2 (G_0/W) ca^2,   G_0 = p^2 - a p - p',
-   where W is the rate of the phase for constant mass and stiffness. Only G_0 disturbs the slow motion A'/A = -p,
-   psi' = W, and G_0 is of second order in the rates of mass and stiffness. The numbers G_1, G_2 ... follow from the
-   derivatives of G_0 (vmi_osc_find_G).
-   This file computes a, p and G_k from the derivatives of the laws, and A and psi from x and x', and back.
+   where W is the rate that the phase has at the amplitude A if mass and stiffness are constant. Only G_0 disturbs the
+   slow motion A'/A = -p, psi' = W, and G_0 is of second order in the rates of mass and stiffness. The numbers G_1, G_2
+   ... follow from the derivatives of G_0 (vmi_osc_find_G).
+   This file computes a, p and G_k from the derivatives of the laws of mass and stiffness. It also computes A and psi
+   from x and x', and x and x' from A and psi.
        vmi_osc_slow now;
        vmi_osc_reduced r;
        int status = vmi_osc_slow_at(&problem, 0, 1, 10, 1, &now); // laws at t = 0, with their values up to 10 s
@@ -9770,21 +9780,21 @@ typedef struct VM_TAG(vmi_osc_slow) {
     vm_real m, k;         /* mass, kg, and stiffness, N/m^alpha */
     vm_real a, p;         /* the rates a and p that the top of this file defines, 1/s */
     vm_real k_rate;       /* k'/k, 1/s */
-    vm_real unit;         /* time by which G_i are scaled, s, about 1/W: it keeps powers of very fast or slow rates from
-                             overflowing */
+    vm_real unit;         /* a time of about 1/W, s, by which the G_i are made pure numbers, so that powers of very
+                             large or small rates do not overflow */
     vm_real G[VMI_OSC_G]; /* G[i] is unit^(i+2) G_i, a pure number */
 } vmi_osc_slow;
 
-/* Mass, stiffness and the rates a and p at one time, without the numbers G_k. The laws' values and first derivatives
-   are enough for them. */
+/* Mass, stiffness and the rates a and p at one time, without the numbers G_k. They follow from the values and first
+   derivatives of the laws alone. */
 typedef struct VM_TAG(vmi_osc_rates) {
     vm_real m, k; /* mass, kg, and stiffness, N/m^alpha */
-    vm_real a, p; /* the rates a and p of the top of this file, 1/s */
+    vm_real a, p; /* the rates a and p that the top of this file defines, 1/s */
     vm_real k_rate; /* k'/k, 1/s */
 } vmi_osc_rates;
 
-/* Writes mass, stiffness and rates at t to *r. Where the rates jump at t, side = 1 asks for those after t, side = -1
-   for those before t. Returns the statuses of vmi_law_derivatives. */
+/* Writes mass, stiffness and their rates at t to *r. Where the rates jump at t, side = 1 asks for the rates after t,
+   side = -1 for the rates before t. Returns the statuses of vmi_law_derivatives. */
 VM_API int vmi_osc_rates_at(const vm_osc_problem *o, vm_real t, int side, vmi_osc_rates *r)
 {
     vm_real m[VMI_LAW_ORDERS], k[VMI_LAW_ORDERS];
@@ -9799,12 +9809,12 @@ VM_API int vmi_osc_rates_at(const vm_osc_problem *o, vm_real t, int side, vmi_os
     return VM_OK;
 }
 
-/* Whether mass or stiffness is a function of the user, which gives no second derivative */
+/* Returns 1 if mass or stiffness is a function of the user, which gives no second derivative; else 0. */
 VM_API int vmi_osc_has_user_law(const vm_osc_problem *o) { return o->mass.function || o->stiffness.function; }
 
-/* Returns 1 if the numbers of a law show that it is constant, as most stiffnesses are, and writes its value and its
-   first two derivatives to f; else returns 0. The value was already checked at t = 0. This saves 3 to 4 % of the
-   instructions of collocation. */
+/* Returns 1 if the fields of a law show that it is constant, as most stiffnesses are, and writes its value and its
+   first two derivatives to f; else returns 0. The value is not checked, since it was checked at t = 0. This function
+   saves 3 to 4 % of the machine instructions of collocation. */
 VM_API int vmi_law_is_constant(const vm_law *law, vm_real *f)
 {
     if (law->time || law->function || law->f1 != 0 || law->f2 != 0) return 0;
@@ -9814,8 +9824,8 @@ VM_API int vmi_law_is_constant(const vm_law *law, vm_real *f)
     return 1;
 }
 
-/* Writes what vmi_osc_rates_at writes, and the time derivative of p to *p_rate, which is 0 for laws by functions of the
-   user. */
+/* Writes what vmi_osc_rates_at writes. In addition it writes the time derivative of the rate p to *p_rate, or 0 if mass
+   or stiffness is a function of the user. */
 VM_API int vmi_osc_rates_and_slope(const vm_osc_problem *o, vm_real t, int side, vmi_osc_rates *r, vm_real *p_rate)
 {
     const vm_real share = 1 / (o->alpha + 3);
@@ -9842,8 +9852,8 @@ VM_API int vmi_osc_rates_and_slope(const vm_osc_problem *o, vm_real t, int side,
 
 /* -- Power series in time: element i of an array is the coefficient of the ith power -- */
 
-/* Replaces the n derivatives f, f', f'' ... by the coefficients of the power series of f in the variable time/unit,
-   where unit is a time in s. */
+/* Replaces the n numbers f, f', f'' ... in the array f by the first n coefficients of the power series of f in the
+   variable time/unit, where unit is a time in s. */
 VM_API void vmi_series_of_derivatives(int n, vm_real unit, vm_real *f)
 {
     int i, power;
@@ -9851,7 +9861,7 @@ VM_API void vmi_series_of_derivatives(int n, vm_real unit, vm_real *f)
         for (i = power; i < n; i++) f[i] *= unit / (vm_real)power;
 }
 
-/* Writes the series of f'/f to ratio. f has n coefficients, ratio has n - 1. */
+/* Writes the coefficients of the series of f'/f to ratio. The array f has n coefficients, ratio gets n - 1. */
 VM_API void vmi_series_log_rate(int n, const vm_real *f, vm_real *ratio)
 {
     int i, j;
@@ -9862,7 +9872,7 @@ VM_API void vmi_series_log_rate(int n, const vm_real *f, vm_real *ratio)
     }
 }
 
-/* Writes the n coefficients of the series of 1/f to inverse. */
+/* Writes the first n coefficients of the series of 1/f to inverse. */
 VM_API void vmi_series_inverse(int n, const vm_real *f, vm_real *inverse)
 {
     int i, j;
@@ -9874,7 +9884,7 @@ VM_API void vmi_series_inverse(int n, const vm_real *f, vm_real *inverse)
     }
 }
 
-/* Coefficient i of the product of two series */
+/* Coefficient i of the product of the two series f and g */
 VM_API vm_real vmi_series_product(int i, const vm_real *f, const vm_real *g)
 {
     vm_real sum = 0;
@@ -9885,8 +9895,8 @@ VM_API vm_real vmi_series_product(int i, const vm_real *f, const vm_real *g)
 
 /* -- The numbers G_k -- */
 
-/* Fills now->G by G_0 = p^2 - a p - p' and G_(k+1) = G_k' - (k+2) (2p - a) G_k. The arrays a and p hold the first n
-   coefficients of the power series of a and p in time. The array a is overwritten. */
+/* Fills now->G by G_0 = p^2 - a p - p' and G_(k+1) = G_k' - (k+2) (2p - a) G_k. The arrays a and p contain the first n
+   coefficients of the power series in time of the rates a and p. The array a is overwritten. */
 VM_API void vmi_osc_find_G(int n, vm_real *a, vm_real *p, vmi_osc_slow *now)
 {
     vm_real G[VMI_LAW_ORDERS], next[VMI_LAW_ORDERS];
@@ -9903,8 +9913,8 @@ VM_API void vmi_osc_find_G(int n, vm_real *a, vm_real *p, vmi_osc_slow *now)
     }
 }
 
-/* Fills *now. The arrays m and k contain mass and stiffness with their derivatives up to the sixth. Both arrays are
-   overwritten. The field `unit` of vmi_osc_slow explains the argument unit, s. */
+/* Fills *now from the arrays m and k, which contain mass and stiffness with their derivatives up to the sixth. Both
+   arrays are overwritten. The argument `unit`, s, becomes the field `unit` of *now. */
 VM_API void vmi_osc_slow_of(const vm_osc_problem *o, vm_real *m, vm_real *k, vm_real unit, vmi_osc_slow *now)
 {
     const int n = VMI_LAW_ORDERS - 1;
@@ -9929,9 +9939,10 @@ VM_API void vmi_osc_slow_of(const vm_osc_problem *o, vm_real *m, vm_real *k, vm_
     vmi_osc_find_G(n, m, k, now);
 }
 
-/* Fills *now for the time t. Where derivatives of the laws jump at t, side = 1 asks for those after t, side = -1 for
-   those before t. vmi_law_derivatives explains length, s, and the field `unit` of vmi_osc_slow explains unit, s.
-   Returns VM_OK, or the status VM_BAD_MASS, VM_BAD_STIFFNESS, VM_DOMAIN or VM_NOT_FINITE of a law that fails. */
+/* Fills *now for the time t. Where derivatives of the laws jump at t, side = 1 asks for the derivatives after t, side =
+   -1 for those before t. The comment of vmi_law_derivatives explains the argument `length`, s. The argument `unit`, s,
+   becomes the field `unit` of *now. Returns VM_OK, or the status of a law that fails: VM_BAD_MASS or VM_BAD_STIFFNESS
+   if it is not positive, VM_DOMAIN if it has no value at t, VM_NOT_FINITE if a number is infinite or NaN. */
 VM_API int vmi_osc_slow_at(const vm_osc_problem *o, vm_real t, int side, vm_real length, vm_real unit,
                            vmi_osc_slow *now)
 {
@@ -9944,14 +9955,15 @@ VM_API int vmi_osc_slow_at(const vm_osc_problem *o, vm_real t, int side, vm_real
 
 /* -- Amplitude and phase -- */
 
-/* The reduced state of the oscillator: the amplitude A and the phase psi of the position x and of V = x' + p x */
+/* The reduced state of the oscillator: the amplitude A and the phase psi that follow from the position x and from V =
+   x' + p x, where p is the rate of the top of this file */
 typedef struct VM_TAG(vmi_osc_reduced) {
     vm_real A;   /* amplitude, m */
     vm_real psi; /* Ateb phase */
-    vm_real W;   /* rate of the phase that this amplitude has if mass and stiffness are constant, 1/s */
+    vm_real W;   /* rate of the phase at the amplitude A if mass and stiffness are constant, 1/s */
 } vmi_osc_reduced;
 
-/* The reduced state that belongs to the position x and the velocity v, with the rates at the time of *now */
+/* Returns the reduced state that belongs to the position x and the velocity v at the time for which *now was filled. */
 VM_API vmi_osc_reduced vmi_osc_reduce(const vmi_osc_slow *now, vm_real alpha, vm_real x, vm_real v)
 {
     const vm_real omega = VM_SQRT(now->k / now->m);
@@ -9961,8 +9973,9 @@ VM_API vmi_osc_reduced vmi_osc_reduce(const vmi_osc_slow *now, vm_real alpha, vm
     return r;
 }
 
-/* The same state as vmi_osc_reduce finds, from omega = sqrt(k/m) and V = v + p x, for alpha >= 0. The code is shorter
-   and slower. Both vm_osc_closed_init and vm_osc_plan_init use it, so that their results agree. */
+/* Returns the state that vmi_osc_reduce returns, but computes it from omega = sqrt(k/m) and V = v + p x, for alpha >=
+   0. The code of this function is shorter and slower than that of vmi_osc_reduce. vm_osc_closed_init and
+   vm_osc_plan_init both use this function, so that their results agree. */
 VM_API vmi_osc_reduced vmi_osc_reduce_by_series(vm_real omega, vm_real alpha, vm_real x, vm_real V)
 {
     const vm_real n = alpha + 1, s = 0 - V / (VM_SQRT(2 / n) * omega); /* B^(n/2), where vmax(B) = |V|; see
@@ -9980,8 +9993,8 @@ VM_API vmi_osc_reduced vmi_osc_reduce_by_series(vm_real omega, vm_real alpha, vm
     return r;
 }
 
-/* Writes the position x and the velocity v of a reduced state, as the inverse of vmi_osc_reduce. sa and ca are the Ateb
-   functions of the state's phase. */
+/* Writes the position x and the velocity v of a reduced state. This is the inverse of vmi_osc_reduce. p is the rate at
+   the top of this file; sa and ca are the Ateb functions of the state's phase. */
 VM_API void vmi_osc_unreduce(const vmi_osc_reduced *r, vm_real p, vm_real alpha, vm_real sa, vm_real ca, vm_real *x,
                              vm_real *v)
 {
@@ -10005,11 +10018,12 @@ VM_API void vmi_osc_disturbance(const vmi_osc_slow *now, vm_real W, vm_real *E)
 /* oscillators/ripple.h - the ripple of ca^2 within a period, and its integrals over the Ateb phase
 
    Amplitude and phase of an oscillator whose mass or stiffness varies slowly swing a little about mean values. This
-   ripple is computed from five functions of the Ateb phase psi. The first is C = ca^2(psi) - <ca^2>, where < > is the
-   mean over a period. The other four are integrals over psi, each with the mean 0 and the period Pi_alpha:
+   swing, the ripple, is computed from five functions of the Ateb phase psi. The first is C = ca^2(psi) - <ca^2>, where
+   < > is the mean over a period. The other four are integrals over psi, each with the mean 0 and the period Pi_alpha:
      S = integral of C,   S2 = integral of S,   S3 = integral of S2,   Q = integral of C^2 - <C^2>.
    A vmi_ripple contains what is computed once for an alpha: polynomials that approximate these integrals, and constants
-   of the law of order five (oscillators/expansion.h). It is plain data and may lie in flash memory.
+   of the law of order five (oscillators/expansion.h). It contains no pointers, so that a constant vmi_ripple may lie in
+   flash memory.
        vmi_ripple r;
        vmi_ripple_values f;
        vm_real sa, ca;
@@ -10020,54 +10034,60 @@ VM_API void vmi_osc_disturbance(const vmi_osc_slow *now, vm_real W, vm_real *E)
 
    Method: let w = |ca|^(alpha+1) and y = sa^2, so that w + y = 1. An integral from a zero of ca is |ca|^3, |ca|^4 or
    |ca|^5 times a power series in w. An integral from a zero of sa is a power series in y, times a power of sa. The
-   first set of series is used for w < 1/2, the second for y <= 1/2. On [0, 1/2] each power series is replaced by the
-   first terms of its Chebyshev series: 15 terms give an error of 1e-12, 8 terms 1e-7, for every alpha.
+   series in w are used for w < 1/2, the series in y for y <= 1/2. On the interval from 0 to 1/2 each power series is
+   replaced by the first terms of its Chebyshev series, a sum of Chebyshev polynomials. For every alpha, 15 terms give
+   an error of 1e-12, and 8 terms an error of 1e-7.
    Tests: tests/test_slow_motion.c. */
 #ifndef VARMASS_OSCILLATORS_RIPPLE_H
 #define VARMASS_OSCILLATORS_RIPPLE_H
 
-/* Numbers of terms of each polynomial (TERMS), of the Chebyshev series of each power w^i (KEPT), and of each power
-   series in w or y (SERIES), where w = |ca|^(alpha+1) and y = sa^2 */
+/* The numbers of terms: VMI_RIPPLE_TERMS of each polynomial, VMI_RIPPLE_KEPT of the Chebyshev series of each power w^i,
+   and VMI_RIPPLE_SERIES of each power series in w = |ca|^(alpha+1) or y = sa^2 */
 #if VM_MANT_DIG > 24
 enum { VMI_RIPPLE_TERMS = 15, VMI_RIPPLE_KEPT = 24, VMI_RIPPLE_SERIES = 56 };
 #else
 enum { VMI_RIPPLE_TERMS = 8, VMI_RIPPLE_KEPT = 13, VMI_RIPPLE_SERIES = 28 };
 #endif
 
-/* The four polynomials of a set. CA2 and CA4 give the integrals of ca^2 and of ca^4; FIRST gives the integral of the
-   integral of ca^2, and SECOND gives the integral of that. In one set all integrals begin at the nearest zero of ca, in
-   the other at the nearest zero of sa. */
+/* The indices of the four polynomials of a set. CA2 and CA4 give the integrals of ca^2 and of ca^4 over the phase.
+   FIRST gives the integral of the integral of ca^2, and SECOND gives the integral of the result of FIRST. There are two
+   sets: in one all integrals begin at the nearest zero of ca, in the other at the nearest zero of sa. */
 enum { VMI_RIPPLE_CA2, VMI_RIPPLE_CA4, VMI_RIPPLE_FIRST, VMI_RIPPLE_SECOND, VMI_RIPPLE_FUNCTIONS };
 
 /* Constants and polynomials for one alpha, prepared by vmi_ripple_init and vmi_ripple_complete */
 typedef struct VM_TAG(vmi_ripple) {
     vm_real alpha;
-    vm_real gamma;              /* (alpha-1)/(alpha+3): the rate of the phase is proportional to (action)^gamma */
-    vm_real scale;              /* L = (alpha+1)(alpha+3)/4, a factor in the law of order five */
+    vm_real gamma;              /* (alpha-1)/(alpha+3): for constant mass and stiffness the rate of the phase is
+                                   proportional to (action)^gamma */
+    vm_real scale;              /* (alpha+1)(alpha+3)/4, a factor in the law of order five (L in docs/law.md) */
     vm_real pi;                 /* Pi_alpha, the period of C, S, S2, S3 and Q */
     vm_real mean2, mean4;       /* the means of ca^2 and ca^4 */
     vm_real variance;           /* the mean of C^2, where C = ca^2 - mean2 */
-    int has_polynomials;        /* 1 where the fields below are set, else 0 */
+    int has_polynomials;        /* 1 where the fields below this line are set, else 0 */
     vm_real at_sa_0, at_ca_0;   /* values of S2 at the phases with sa = 0 and with ca = 0 */
-    vm_real near_ca_0[VMI_RIPPLE_FUNCTIONS][VMI_RIPPLE_TERMS]; /* polynomials in 4 w - 1, w = |ca|^(alpha+1) */
-    vm_real near_sa_0[VMI_RIPPLE_FUNCTIONS][VMI_RIPPLE_TERMS]; /* polynomials in 4 y - 1, where y = sa^2 */
+    vm_real near_ca_0[VMI_RIPPLE_FUNCTIONS][VMI_RIPPLE_TERMS]; /* coefficients of polynomials in 4 w - 1, where w =
+                                                                  |ca|^(alpha+1) */
+    vm_real near_sa_0[VMI_RIPPLE_FUNCTIONS][VMI_RIPPLE_TERMS]; /* coefficients of polynomials in 4 y - 1, where y =
+                                                                  sa^2 */
 } vmi_ripple;
 
 /* The functions of the ripple at one phase */
 typedef struct VM_TAG(vmi_ripple_values) {
     vm_real sa, ca;
-    vm_real C, S, S2, S3, Q; /* see the top of this file; S is valid from order 3 on, S2 from 4 on, S3 and Q for 5 */
+    vm_real C, S, S2, S3, Q; /* the functions at the top of this file; S is valid for orders from 3 on, S2 from 4 on, S3
+                                and Q for order 5 */
 } vmi_ripple_values;
 
 /* -- Making the polynomials -- */
 
-/* Coefficients with the same index i of all power series. For example the integral of ca^2 from a zero of ca is |ca|^3
-   times the sum of near_ca_0[VMI_RIPPLE_CA2] w^i over all i. */
+/* The coefficients with the index i of all power series in w = |ca|^(alpha+1) or y = sa^2. For example the integral of
+   ca^2 from a zero of ca is |ca|^3 times the sum of near_ca_0[VMI_RIPPLE_CA2] w^i over all i. */
 typedef struct VM_TAG(vmi_ripple_series) {
     vm_real root;                 /* coefficient i of the power series of (1-w)^(-1/2) */
-    vm_real power2, power3, power4; /* coefficients i of (1-y)^((j-alpha)/(alpha+1)) for j = 2, 3, 4 */
-    vm_real product;              /* coefficient i of (1-y)^(1-nu) T, where nu = 2 alpha/(alpha+1) and
-                                     T |sa| is the integral of ca^2 from a zero of sa */
+    vm_real power2, power3, power4; /* coefficients i of the power series of (1-y)^((j-alpha)/(alpha+1)) for j = 2, 3,
+                                       4 */
+    vm_real product;              /* coefficient i of the power series of (1-y)^(1-nu) T, where nu = 2 alpha/(alpha+1)
+                                     and T |sa| is the integral of ca^2 from a zero of sa */
     vm_real near_ca_0[VMI_RIPPLE_FUNCTIONS], near_sa_0[VMI_RIPPLE_FUNCTIONS];
 } vmi_ripple_series;
 
@@ -10078,10 +10098,10 @@ VM_API vm_real vmi_binomial_next(vm_real before, int i, vm_real exponent)
     return before * ((vm_real)(i - 1) - exponent) / (vm_real)i;
 }
 
-/* Replaces the coefficients i - 1 of the power series by the coefficients i; for i = 0 all must be 0 before. Up to
-   order 3 only the series for the integral of ca^2 are needed. Method: let I be this integral over the phase from a
-   zero of ca or sa, D the integral of I, and E the integral of D. The differential equations D'' = ca^2 and E'' = I
-   give each coefficient of D and E from the previous coefficient. */
+/* Replaces the coefficients i - 1 of the power series in *s by the coefficients i; before the call with i = 0 all must
+   be 0. For `order` up to 3 only the series for the integral of ca^2 are computed. Method: let I be the integral of
+   ca^2 over the phase from a zero of ca or sa, D the integral of I, and E the integral of D. The differential equations
+   D'' = ca^2 and E'' = I give each coefficient of D and E from the previous coefficient. */
 VM_API void vmi_ripple_next_terms(vmi_ripple_series *s, int order, int i, vm_real alpha)
 {
     const vm_real n = alpha + 1, nu = 2 * alpha / n, k = (vm_real)(2 * i);
@@ -10106,8 +10126,8 @@ VM_API void vmi_ripple_next_terms(vmi_ripple_series *s, int order, int i, vm_rea
     turn[VMI_RIPPLE_SECOND] = (turn[VMI_RIPPLE_SECOND] * (k + 1) * (k + nu) + s->product) / ((k + 3) * (k + 2));
 }
 
-/* Multiplies the Chebyshev series sum of c[k] T_k(z) by w = (1 + z)/4, where T_k is Chebyshev's polynomial and z T_k =
-   (T_(k+1) + T_(k-1))/2. */
+/* Multiplies the Chebyshev series, which is the sum of c[k] T_k(z) over k, by w = (1 + z)/4. T_k is Chebyshev's
+   polynomial, and z T_k = (T_(k+1) + T_(k-1))/2. */
 VM_API void vmi_chebyshev_times_w(vm_real *c)
 {
     const int last = VMI_RIPPLE_KEPT - 1;
@@ -10133,8 +10153,9 @@ VM_API void vmi_chebyshev_to_powers(vm_real *c)
     }
 }
 
-/* Makes the eight polynomials, four in each set; those that the laws up to `order` do not need become 0. It adds up the
-   power series, with each power w^i or y^i replaced by its Chebyshev series. */
+/* Makes the eight polynomials, four in each set. Polynomials that the law of order five needs only beyond `order`
+   become 0. The function adds up the power series, in which each power w^i or y^i is replaced by its Chebyshev
+   series. */
 VMI_APART void vmi_ripple_make_polynomials(vmi_ripple *r, int order)
 {
     vm_real w_power[VMI_RIPPLE_KEPT]; /* coefficients of the Chebyshev series of w^i */
@@ -10179,11 +10200,12 @@ VM_API vm_real vmi_ripple_polynomial(const vm_real *c, vm_real z)
 
 /* Integrals over the phase from the nearest zero of ca (or of sa) to a given phase */
 typedef struct VM_TAG(vmi_ripple_integrals) {
-    vm_real ca2, ca4, first, second; /* integrals of ca^2 and ca^4; the integral of ca2, and the integral of this */
+    vm_real ca2, ca4, first, second; /* the integrals of ca^2 and ca^4, the integral of the integral ca2, and the
+                                        integral of `first` */
 } vmi_ripple_integrals;
 
-/* A phase between a zero of ca or sa and the phase where sa^2 = 1/2, and the numbers that give the integrals from the
-   zero to this phase. At sa^2 = 1/2 one set of polynomials replaces the other. */
+/* A place, that is a phase between a zero of ca or sa and the phase where sa^2 = 1/2, and the numbers from which the
+   integrals from the zero to this place follow. At sa^2 = 1/2 one set of polynomials replaces the other. */
 typedef struct VM_TAG(vmi_ripple_place) {
     const vm_real (*polynomial)[VMI_RIPPLE_TERMS]; /* near_ca_0 or near_sa_0 */
     vm_real z;        /* variable of the polynomials */
@@ -10216,8 +10238,8 @@ VM_API vmi_ripple_place vmi_ripple_near_sa_0(const vmi_ripple *r, vm_real u, vm_
     return at;
 }
 
-/* The integrals from the zero to the place. Integrals that the law of this order, 2 to 5, does not need are set to
-   0. */
+/* Returns the integrals over the phase from the nearest zero of ca or sa to the place *at. Integrals that the law of
+   the given order, 2 to 5, does not need become 0. */
 VM_API vmi_ripple_integrals vmi_ripple_integrals_at(const vmi_ripple_place *at, int order)
 {
     const vm_real once = at->power2 * at->x;
@@ -10234,8 +10256,8 @@ VM_API vmi_ripple_integrals vmi_ripple_integrals_at(const vmi_ripple_place *at, 
 
 /* -- Preparing an alpha, and the functions -- */
 
-/* Prepares the ripple for an alpha >= 0, without the polynomials. Of the five functions only C can be computed from it.
-   `constants` is the function that computes Pi_alpha. */
+/* Prepares the ripple for an alpha >= 0, without the polynomials. Without them only C can be computed, of the five
+   functions at the top of this file. `constants` is the function that computes Pi_alpha. */
 VM_API void vmi_ripple_init(vmi_ripple *r, vm_real alpha, vmi_ateb_constants_of constants)
 {
     vmi_ateb c;
@@ -10250,8 +10272,8 @@ VM_API void vmi_ripple_init(vmi_ripple *r, vm_real alpha, vmi_ateb_constants_of 
     r->has_polynomials = 0;
 }
 
-/* Sets S2 at the zeros of sa and of ca. They follow from the condition that both sets of polynomials give the same S2
-   and S3 at the phase where sa^2 = 1/2. */
+/* Sets at_sa_0 and at_ca_0, the values of S2 at the zeros of sa and of ca. They follow from the condition that both
+   sets of polynomials give the same S2 and S3 at the phase where sa^2 = 1/2. */
 VM_API void vmi_ripple_join(vmi_ripple *r)
 {
     const vm_real half = VM_C(0.5), sa = VM_SQRT(half), ca = vmi_pow_checked(half, 1 / (r->alpha + 1));
@@ -10259,7 +10281,7 @@ VM_API void vmi_ripple_join(vmi_ripple *r)
     vmi_ripple_place place = vmi_ripple_near_ca_0(r, ca, half);
     const vmi_ripple_integrals zero = vmi_ripple_integrals_at(&place, 5);
     vmi_ripple_integrals turn;
-    vm_real jump; /* at_sa_0 - at_ca_0 */
+    vm_real jump; /* the difference at_sa_0 - at_ca_0 */
     place = vmi_ripple_near_sa_0(r, sa, half);
     turn = vmi_ripple_integrals_at(&place, 5);
     jump = (zero.first - r->mean2 * s * s / 2) - (turn.first - r->mean2 * t * t / 2);
@@ -10268,8 +10290,8 @@ VM_API void vmi_ripple_join(vmi_ripple *r)
     r->at_sa_0 = r->at_ca_0 + jump;
 }
 
-/* Adds what the laws up to `order`, 3 to 5, need: the polynomials, and S2 at the zeros of sa and of ca. What only
-   higher orders need is set to 0. */
+/* Adds to *r what the law of order five needs if it is cut off after `order`, 3 to 5: the polynomials, and the values
+   of S2 at the zeros of sa and of ca. Polynomials that only higher orders need become 0. */
 VM_API void vmi_ripple_complete(vmi_ripple *r, int order)
 {
     if (r->has_polynomials) return;
@@ -10280,14 +10302,13 @@ VM_API void vmi_ripple_complete(vmi_ripple *r, int order)
     r->has_polynomials = 1;
 }
 
-/* Writes the functions of the ripple at the phase psi, where sa and ca are the Ateb functions of psi. order, 2 to 5, is
-   the order of the law that needs them; for orders above 2, vmi_ripple_complete must have computed the polynomials
-   before. */
+/* Writes those of the functions C, S, S2, S3 and Q that the law of the given order, 2 to 5, needs, at the phase psi. sa
+   and ca are the Ateb functions of psi. For orders above 2, vmi_ripple_complete must have been called before. */
 VM_API void vmi_ripple_at(const vmi_ripple *r, int order, vm_real psi, vm_real sa, vm_real ca, vmi_ripple_values *f)
 {
     const vm_real m = r->mean2, y = sa * sa, from_sa_0 = psi - r->pi * VM_FLOOR(psi / r->pi + VM_C(0.5));
     vm_real side = VM_COPYSIGN(1, from_sa_0), way = VM_FABS(from_sa_0), S2_at_0 = r->at_sa_0; /* way: phase since the
-                                                                                                 zero */
+                                                                                                 nearest zero of sa */
     vmi_ripple_place place;
     vmi_ripple_integrals d;
     f->sa = sa;
@@ -10887,34 +10908,37 @@ VM_API int vm_osc_closed_at_order3(const vm_osc_closed *c, vm_real t, vm_real *x
 /* oscillators/plan.h - the plan of an oscillator: what is computed once and then used at many times t
 
    A plan contains the amplitude and the phase at t = 0, the mean motion at t = 0 by the law of order five
-   (oscillators/expansion.h), and the closed forms of the laws of mass and stiffness, if they have such forms:
+   (oscillators/expansion.h), and closed forms of the integrals along the laws of mass and stiffness, if there are such
+   forms:
        vm_osc_plan plan;
        int status = vm_osc_plan_init(&plan, &problem); // problem is a vm_osc_problem
    Tests: tests/test_slow_motion.c, tests/test_routes.c. */
 #ifndef VARMASS_OSCILLATORS_PLAN_H
 #define VARMASS_OSCILLATORS_PLAN_H
 
-/* What is computed only once for a problem, by vm_osc_plan_init. Read its fields, but do not change them. The plan
-   points to the tables, functions and contexts of the problem; therefore another program cannot use it. */
+/* A plan: numbers that vm_osc_plan_init computes once for a problem. Read the fields of the plan, but do not change
+   them. The plan contains pointers to the tables of the problem, to the user's functions and to their ctx; therefore a
+   copy of it is of no use in another program. */
 typedef struct VM_TAG(vm_osc_plan) {
     vm_osc_problem problem;  /* a copy of the problem */
     vm_real m0, k0;          /* mass, kg, and stiffness, N/m^alpha, at t = 0 */
-    vm_real A, psi, Om;      /* amplitude, m, and Ateb phase of x and v at t = 0, and rate of the phase, 1/s */
-    vmi_osc_slow slow;       /* mass, stiffness and G_k just after t = 0 */
+    vm_real A, psi, Om;      /* at t = 0: amplitude A, m, and Ateb phase psi of the state (x, v), and rate Om of the
+                                phase, 1/s */
+    vmi_osc_slow slow;       /* mass, stiffness and the numbers G_k (see vmi_osc_slow) just after t = 0 */
     vm_real E[VMI_OSC_G];    /* the numbers E_k at t = 0 (see vmi_osc_disturbance) */
     vmi_osc_reduced mean;    /* amplitude, phase and rate of the mean motion at t = 0 */
-    int start_order;         /* order by which `mean` was found: 5, or 2 without the polynomials of the ripple;
-                                0 where x and v are 0, so that there is no mean motion */
+    int start_order;         /* order of the law of order five by which `mean` was found: 5, or 2 if `ripple` has no
+                                polynomials; 0 where x and v are 0, so that there is no mean motion */
     int closed;              /* 1 where all integrals along the laws have closed forms, else 0 */
-    vmi_osc_rates_of_u laws; /* where closed is 1, the rates in the exponents of the laws (oscillators/closed.h) */
-    vmi_osc_closed_mean closed_mean; /* where closed is 1, the mean motion at t = 0 and its rates */
+    vmi_osc_rates_of_u laws; /* where `closed` is 1, the rates in the exponents of the laws (oscillators/closed.h) */
+    vmi_osc_closed_mean closed_mean; /* where `closed` is 1, the mean motion at t = 0 and its rates */
     int has_ateb;            /* 1 where the field ateb is set, else 0 */
-    vmi_ripple ripple;       /* functions of the ripple, prepared for alpha */
+    vmi_ripple ripple;       /* the ripple (oscillators/ripple.h), prepared for alpha */
     ateb_plan ateb;          /* Ateb functions, prepared for alpha */
 } vm_osc_plan;
 
-/* The periodic function, cos, cn or ca, by which a route describes the oscillation. It points into the plan, which must
-   exist as long as the wave is used. */
+/* Returns the wave, that is the periodic function cos, cn or ca, by which a route describes the vibration. The wave
+   contains a pointer into the plan; therefore the plan must exist as long as the wave is used. */
 VM_API vmi_osc_wave vmi_osc_wave_of(const vm_osc_plan *p, int route)
 {
     if (route == VM_ROUTE_TRIG) return vmi_osc_wave_cos(p->problem.alpha, p->ripple.pi);
@@ -10922,16 +10946,16 @@ VM_API vmi_osc_wave vmi_osc_wave_of(const vm_osc_plan *p, int route)
     return vmi_osc_wave_ca(p->problem.alpha, p->has_ateb ? &p->ateb : NULL);
 }
 
-/* The time, s, in which the phase advances by 16 radians. The derivatives of a user's law are found from its rates
-   within such a time. */
+/* Returns the time, s, in which the phase grows by 16. The second and higher derivatives of a law by a user's function
+   are found from its first derivatives within such a time. */
 VM_API vm_real vmi_osc_sampling_time(const vm_osc_plan *p)
 {
     if (!(p->Om > 0)) return 0;
     return 16 / p->Om;
 }
 
-/* The mean motion that belongs to a reduced state, by the law of this order, 2 to 5. E contains the numbers E_k of the
-   state. */
+/* Returns the mean motion that belongs to a reduced state (see vmi_osc_reduced), by the law of the given order, 2 to 5.
+   E contains the numbers E_k of the state (see vmi_osc_disturbance). */
 VM_API vmi_osc_reduced vmi_osc_mean_of(const vm_osc_plan *p, int order, const vmi_osc_reduced *state, const vm_real *E)
 {
     const vmi_osc_wave w = vmi_osc_wave_of(p, VM_ROUTE_ATEB);
@@ -10940,15 +10964,17 @@ VM_API vmi_osc_reduced vmi_osc_mean_of(const vm_osc_plan *p, int order, const vm
     return vmi_expansion_to_mean(&p->ripple, order, state, sa, ca, E);
 }
 
-/* The function that computes the constants of the Ateb functions: an accurate one if for_many is 1, for objects that
-   are used for many values, such as a vm_osc_closed; otherwise a fast one for a single value */
+/* Returns the function that computes the constants of the Ateb functions. If for_many is 1, this is the accurate
+   function, for structs that are used for many values, such as a vm_osc_closed. If for_many is 0, it is the fast
+   function, for a single value. */
 VM_API vmi_ateb_constants_of vmi_osc_constants_of(int for_many)
 {
     if (for_many) return vmi_ateb_fine_constants;
     return vmi_ateb_constants;
 }
 
-/* Computes the mean motion at t = 0, by order 5 if the ripple has its polynomials, else by order 2. */
+/* Computes the mean motion at t = 0, by the law of order 5 if p->ripple has its polynomials, else by the law of order
+   2. */
 VM_API int vmi_osc_start(vm_osc_plan *p)
 {
     const vm_osc_problem *o = &p->problem;
@@ -10996,12 +11022,12 @@ VM_API int vmi_osc_prepare(vm_osc_plan *p, const vm_osc_problem *problem, int fo
     return VM_OK;
 }
 
-/* Plan for many values of one problem's motion. The functions vm_osc_plan_by_route, vm_osc_plan_within and
-   vm_osc_averaged use the plan. The problem is copied; its tables and contexts must exist as long as the plan is used.
-   Errors leave the plan untouched. Returns VM_BAD_ARGUMENT for null pointers and for a law that no constructor made,
-   VM_NOT_FINITE for a number that is infinite or NaN, VM_BAD_MASS and VM_BAD_STIFFNESS for a law that is not positive
-   at t = 0 or in a table, VM_DOMAIN for alpha < 0, a table out of order or without t = 0, or a user's function of a law
-   that fails. */
+/* Makes a plan, by which the motion of one problem is computed for many values of t. The functions
+   vm_osc_plan_by_route, vm_osc_plan_within and vm_osc_averaged use the plan. The problem is copied; its tables and what
+   ctx points to must exist as long as the plan is used. Errors leave the plan untouched. Returns VM_BAD_ARGUMENT for
+   null pointers and for a law that no constructor made, VM_NOT_FINITE for a number that is infinite or NaN, VM_BAD_MASS
+   or VM_BAD_STIFFNESS for a mass or a stiffness that is not positive at t = 0 or in a table, and VM_DOMAIN for alpha <
+   0, for a table whose times do not rise or do not contain t = 0, and where the user's function of a law fails. */
 VM_API int vm_osc_plan_init(vm_osc_plan *p, const vm_osc_problem *problem)
 {
     vm_osc_plan plan;
@@ -11017,11 +11043,11 @@ VM_API int vm_osc_plan_init(vm_osc_plan *p, const vm_osc_problem *problem)
 }
 
 #endif
-/* oscillators/panels.h - intervals of time in which a law f(t) is smooth, and the integrals of 1/f and f/g
+/* oscillators/panels.h - intervals of time on which laws f(t) and g(t) are smooth, and the integrals of 1/f and f/g
 
    An integral along a law f(t) from 0 to t is a sum over intervals of time, called panels. Each panel is so short that
-   a series of 20 Legendre polynomials represents the law on it. A panel that is too long for its series is halved. The
-   next panel is first tried with twice the length of this panel. Panels end at the points of a table.
+   a series of 20 Legendre polynomials represents the law on it. A panel that is too long for such a series is halved.
+   After each panel, the next one is first tried with twice its length. Panels end at the points of a table.
        vm_law mass = vm_law_linear(10, VM_C(-0.1));
        vm_real integral;
        int status = vm_law_inverse_integral(&mass, 20, &integral); // 10 ln(10/8) s/kg
@@ -11031,7 +11057,7 @@ VM_API int vm_osc_plan_init(vm_osc_plan *p, const vm_osc_problem *problem)
 
 /* -- The lengths of panels -- */
 
-/* The panels from t to end, one after the other. The loop over them is
+/* The panels from the time t to the time `end`, one after the other. The loop over them is
      while (vmi_panels_next(&p)) {
          ... compute the series on the panel from p.t to p.t + p.side * p.step ...
          if (too long && vmi_panels_halve(&p)) continue;
@@ -11039,15 +11065,16 @@ VM_API int vm_osc_plan_init(vm_osc_plan *p, const vm_osc_problem *problem)
          vmi_panels_advance(&p);
      } */
 typedef struct VM_TAG(vmi_panels) {
-    vm_real t, end;         /* start of the present panel and end of the last one, s */
+    vm_real t, end;         /* start of the present panel and end of the last panel, s */
     vm_real side;           /* 1 forward, -1 backward in time */
-    vm_real longest, least; /* bounds of a panel's length, s */
+    vm_real longest, least; /* largest and smallest length that a panel may have, s */
     vm_real size;           /* intended length of the present panel, s */
     vm_real left, step;     /* time left to the end, and length of the present panel, which is at most `left`, s */
-    int halved;             /* number of halvings so far */
+    int halved;             /* how many times a panel has been halved so far */
 } vmi_panels;
 
-/* Panels from start to end, each at most `longest` long; `whole` is the length of the whole integral, s */
+/* Returns the panels from start to end, each at most `longest` long. `whole` is the length of the whole interval of
+   integration, s, of which start ... end may be a part. */
 VM_API vmi_panels vmi_panels_from(vm_real start, vm_real end, vm_real longest, vm_real whole)
 {
     vmi_panels p;
@@ -11055,7 +11082,7 @@ VM_API vmi_panels vmi_panels_from(vm_real start, vm_real end, vm_real longest, v
     p.end = end;
     p.side = VM_COPYSIGN(1, end - start);
     p.longest = vmi_smaller(longest, VM_FABS(end - start));
-    p.least = whole / VM_C(1099511627776.); /* 2^40; an error on a shorter panel does not matter */
+    p.least = whole / VM_C(1099511627776.); /* 2^40; the error of a panel shorter than whole/2^40 does not matter */
     p.size = p.longest;
     p.left = 0;
     p.step = 0;
@@ -11063,8 +11090,8 @@ VM_API vmi_panels vmi_panels_from(vm_real start, vm_real end, vm_real longest, v
     return p;
 }
 
-/* Returns 1 while the end is not reached, else 0, and sets the length p->step of the panel that starts at p->t. If the
-   time left is hardly longer than a panel, all of it becomes one panel. */
+/* Returns 0 if the end is reached. Otherwise it returns 1 and sets p->step, the length of the panel that starts at
+   p->t. If the time that is left is hardly longer than a panel, all of this time becomes one panel. */
 VM_API int vmi_panels_next(vmi_panels *p)
 {
     if (p->t == p->end) return 0;
@@ -11074,17 +11101,18 @@ VM_API int vmi_panels_next(vmi_panels *p)
     return 1;
 }
 
-/* Halves the intended length of the present panel, and returns whether that was possible */
+/* Halves the intended length of the present panel. Returns 1 if that was possible, else 0. */
 VM_API int vmi_panels_halve(vmi_panels *p)
 {
-    const int most = 4096; /* a bound that ends the search for laws with noise, for which no length is short enough */
+    const int most = 4096; /* a bound on the number of halvings; it ends the search for laws with noise, for which no
+                              panel is short enough */
     if (!(p->step > p->least) || p->halved >= most || p->t + p->side * (p->step / 2) == p->t) return 0;
     p->size = p->step / 2;
     p->halved++;
     return 1;
 }
 
-/* Goes on to the next panel. Its intended length is twice that of the present one. */
+/* Goes on to the next panel. Its intended length becomes twice that of the present panel. */
 VM_API void vmi_panels_advance(vmi_panels *p)
 {
     if (p->step == p->left) p->t = p->end;
@@ -11094,9 +11122,10 @@ VM_API void vmi_panels_advance(vmi_panels *p)
 
 /* -- Whether a series is good enough -- */
 
-/* The relative size below which the last terms of a series do not matter. Gauss' rule integrates twice as many terms
-   exactly, so that the error of an integral is about the square of the last terms. The limit is larger for a panel that
-   is only a small part of the whole integral. */
+/* Returns the limit below which the last terms of a Legendre series, divided by the mean of the function, do not
+   matter. Gauss' rule integrates twice as many terms as the series has exactly, so that the error of the integral is
+   about the square of the last terms. The limit is larger for a panel that is only a small part of the whole
+   integral. */
 VM_API vm_real vmi_panel_limit(vm_real length, vm_real whole)
 {
     const vm_real enough = VM_MANT_DIG > 24 ? VM_C(1e-9) : VM_C(1e-5);
@@ -11104,16 +11133,17 @@ VM_API vm_real vmi_panel_limit(vm_real length, vm_real whole)
     return vmi_larger(enough, matters);
 }
 
-/* Whether the last terms of a series are at most `limit` times its mean */
+/* Returns 1 if the last terms of a Legendre series are at most `limit` times the mean of the function, else 0. */
 VM_API int vmi_panel_is_resolved(const vm_real *series, vm_real limit)
 {
     return vmi_legendre_tail(series) <= limit * series[0];
 }
 
-/* The size of terms of E_0 = G_0/W^2 that do not matter on a panel over which the phase advances by `phase`, of either
-   sign. E_0 disturbs the motion with the rate W of the phase (oscillators/expansion.h). Terms as large as the first
-   part of the result change the phase by 16 eps. The second part is the size of rounding errors: E_0 contains p', which
-   is found from differences of p on the panel. */
+/* Returns the size of those terms of the number E_0 = G_0/W^2 that do not matter on a panel over which the phase grows
+   by `phase`, of either sign. E_0 measures how strongly slow changes disturb the motion; W is the rate of the phase
+   (oscillators/expansion.h). The result has two parts. Terms as large as the first part change the phase by 16 eps. The
+   second part is the size of the rounding errors of E_0, which contains the derivative p', found from differences of
+   the rate p on the panel. */
 VM_API vm_real vmi_panel_E_noise(vm_real phase)
 {
     const vm_real advance = VM_FABS(phase);
@@ -11121,20 +11151,21 @@ VM_API vm_real vmi_panel_E_noise(vm_real phase)
 }
 
 /* The largest relative difference that is allowed between a law and its series at the ends of a panel. It is larger
-   than `limit`, because all terms that the series leaves out add up there. */
+   than `limit`, because at the ends all terms that the series leaves out add up. */
 VM_API vm_real vmi_panel_edge_limit(vm_real limit) { return 16 * limit; }
 
-/* Raises *edge to the relative difference between f and its value by a series, if this difference is larger than *edge.
-   by_series is the value that the series gives: for 1/f if `reciprocal` is 1, for f if it is 0. */
+/* Raises *edge to the relative difference between f and the value that a series gives for f, if this difference is
+   larger than *edge. by_series is the value of the series, which is a series of 1/f if `reciprocal` is 1, and of f if
+   `reciprocal` is 0. */
 VM_API void vmi_panel_raise_edge(int reciprocal, vm_real f, vm_real by_series, vm_real *edge)
 {
     const vm_real ratio = by_series * (reciprocal ? f : 1 / f), miss = VM_FABS(ratio - 1);
     if (!(miss <= *edge)) *edge = miss;
 }
 
-/* Raises *edge to the larger of the relative differences between a law and its series at both ends of the panel. If
-   `reciprocal` is 1, the series gives 1/f, where f is the law. Only this test notices a kink between an end and the
-   nearest point of Gauss' rule. */
+/* Raises *edge to the relative difference between a law f and its series at the start or the end of the panel,
+   whichever is larger, if this difference is larger than *edge. If `reciprocal` is 1, the series is one of 1/f. Only
+   this test notices a kink of the law between an end and the nearest point of Gauss' rule. */
 VM_API int vmi_panel_edge(const vm_law *law, int if_not_positive, int reciprocal, vm_real start, vm_real length,
                           const vm_real *series, vm_real *edge)
 {
@@ -11174,8 +11205,8 @@ VM_API int vmi_law_inverse_series(const vm_law *law, vm_real start, vm_real leng
     return vmi_panel_edge(law, VM_BAD_MASS, 1, start, length, series, edge);
 }
 
-/* Adds the integral of dt/f from start to end to *sum; a table must have no point between them. `whole` is the length
-   of the whole integral. */
+/* Adds the integral of dt/f from start to end to *sum; a table must have no point between these times. `whole` is the
+   length of the whole interval of integration, s. */
 VM_API int vmi_law_add_inverse_integral(const vm_law *law, vm_real start, vm_real end, vm_real whole, vm_real *sum)
 {
     vmi_panels p = vmi_panels_from(start, end, vmi_law_longest_panel(law, whole), whole);
@@ -11192,7 +11223,7 @@ VM_API int vmi_law_add_inverse_integral(const vm_law *law, vm_real start, vm_rea
     return VM_OK;
 }
 
-/* The integral of dt/f from 0 to t by panels, from one point of a table to the next */
+/* Writes the integral of dt/f from 0 to t. It is a sum over panels, from one point of a table to the next. */
 VM_API int vmi_law_inverse_integral_by_panels(const vm_law *law, vm_real t, vm_real *integral)
 {
     vm_real at = 0;
@@ -11206,12 +11237,13 @@ VM_API int vmi_law_inverse_integral_by_panels(const vm_law *law, vm_real t, vm_r
     return status;
 }
 
-/* Integral of ds/f(s) from 0 to t, s per unit of f, for t of either sign. A closed form is used if the law has one; it
-   loses no digits where it tends to 0/0. Tables and functions use Gauss' rule; for functions the relative error is at
-   most 1e-13 (float 1e-5) if f changes no faster than vm_law_user says. Returns VM_BAD_ARGUMENT for null pointers and
-   for a law that no constructor made, VM_NOT_FINITE for numbers that are infinite or NaN, VM_BAD_MASS where f <= 0
-   anywhere between 0 and t, and VM_DOMAIN for t outside a table, for a table out of order, where the user's function
-   fails, or where the law's change_time is negative or less than |t|/2^20. An error leaves *integral untouched. */
+/* Integral of ds/f(s) from 0 to t, s per unit of f, for t of either sign. If the integral of a law has a closed form,
+   the function uses it; the closed form loses no digits where it tends to 0/0. For tables and users' functions it uses
+   Gauss' rule; for users' functions the relative error is at most 1e-13 (float 1e-5) if f changes no faster than
+   vm_law_user says. Returns VM_BAD_ARGUMENT for null pointers and for a law that no constructor made, VM_NOT_FINITE for
+   numbers that are infinite or NaN, VM_BAD_MASS where f <= 0 anywhere between 0 and t, and VM_DOMAIN for t outside a
+   table, for a table whose times do not rise, where the user's function fails, and where the law's field change_time is
+   negative, or positive but less than |t|/2^20. An error leaves *integral untouched. */
 VM_API int vm_law_inverse_integral(const vm_law *law, vm_real t, vm_real *integral)
 {
     vm_real sum;
@@ -11228,12 +11260,14 @@ VM_API int vm_law_inverse_integral(const vm_law *law, vm_real t, vm_real *integr
 
 /* -- The integral of any function of time -- */
 
-/* A function of time that is integrated: writes its value at t, and returns VM_OK or the status with which it fails.
-   Where the value jumps at t, side = 1 asks for the value after t, side = -1 for the value before t. */
+/* A function of time that is integrated, the integrand. It writes its value at t to *value, and returns VM_OK or the
+   status with which it fails. Where the value jumps at t, side = 1 asks for the value after t, side = -1 for the value
+   before t. */
 typedef int (*vmi_integrand)(vm_real t, int side, vm_real *value, void *ctx);
 
-/* Computes the series of a function on a panel. *size receives its largest absolute value at the points of Gauss' rule
-   and at the ends of the panel, and *edge the largest difference between series and function at the ends. */
+/* Computes the series of a function on a panel. Writes to *size the largest absolute value of the function at the
+   points of Gauss' rule and at the ends of the panel, and to *edge the largest difference between series and function
+   at the ends. */
 VM_API int vmi_integrand_series(vmi_integrand f, void *ctx, vm_real start, vm_real length, vm_real *series,
                                 vm_real *size, vm_real *edge)
 {
@@ -11255,8 +11289,8 @@ VM_API int vmi_integrand_series(vmi_integrand f, void *ctx, vm_real start, vm_re
     return VM_OK;
 }
 
-/* Adds the integral of a function from start to end to *sum. The function must be smooth between them, and no panel is
-   longer than `longest`; `whole` is the length of the whole integral, s. */
+/* Adds the integral of a function from start to end to *sum. The function must be smooth between these times. No panel
+   is longer than `longest`. `whole` is the length of the whole interval of integration, s. */
 VM_API int vmi_add_integral(vmi_integrand f, void *ctx, vm_real start, vm_real end, vm_real longest, vm_real whole,
                             vm_real *sum)
 {
@@ -11276,13 +11310,13 @@ VM_API int vmi_add_integral(vmi_integrand f, void *ctx, vm_real start, vm_real e
 
 /* -- The integral of f/g -- */
 
-/* Two laws, whose quotient f/g is integrated */
+/* Two laws f and g, whose quotient f/g is integrated */
 typedef struct VM_TAG(vmi_law_ratio) {
     const vm_law *f, *g;
 } vmi_law_ratio;
 
-/* The value of f/g, where f may have any sign and g is positive. The function is a vmi_integrand; ratio points to a
-   vmi_law_ratio. */
+/* Writes the value of f/g at t, where f may have any sign and g must be positive. The function is a vmi_integrand;
+   `ratio` points to a vmi_law_ratio. */
 VM_API int vmi_law_ratio_at(vm_real t, int side, vm_real *value, void *ratio)
 {
     const vmi_law_ratio *r = (const vmi_law_ratio *)ratio;
@@ -11293,7 +11327,7 @@ VM_API int vmi_law_ratio_at(vm_real t, int side, vm_real *value, void *ratio)
     return status;
 }
 
-/* The integral of f/g dt from 0 to t by panels, from one point of a table to the next */
+/* Writes the integral of f/g dt from 0 to t. It is a sum over panels, from one point of a table to the next. */
 VM_API int vmi_law_ratio_integral_by_panels(const vm_law *f, const vm_law *g, vm_real t, vm_real *integral)
 {
     const vm_real whole = VM_FABS(t);
@@ -11312,8 +11346,9 @@ VM_API int vmi_law_ratio_integral_by_panels(const vm_law *f, const vm_law *g, vm
     return status;
 }
 
-/* Computes the integral of f/g dt from 0 to t in closed form, and returns whether there is one: f is constant, or f and
-   g have exponential forms with the same base. */
+/* Computes the integral of f/g dt from 0 to t in closed form. Returns 1 if there is a closed form, else 0. There is one
+   if f is constant and the integral of 1/g has a closed form, or if f and g have exponential forms with the same base
+   (see vmi_law_exponential_form). */
 VM_API int vmi_law_ratio_integral_closed(const vm_law *f, const vm_law *g, vm_real t, vm_real *integral)
 {
     vm_real base, rate, base_g, rate_g, u;
@@ -11330,13 +11365,14 @@ VM_API int vmi_law_ratio_integral_closed(const vm_law *f, const vm_law *g, vm_re
 }
 
 /* Integral of f(s)/g(s) ds from 0 to t, for t of either sign, f of any sign and g > 0.
-   With the damping b(t) for f and the mass m(t) for g it is the `decay` of the amplitude laws (vm_osc_amplitude_law). A
-   closed form is used where f is constant, or where f and g are powers of the same 1 + c t or both exponential. All
-   other laws use Gauss' rule on panels: the error is at most 1e-13 (float 1e-5) of the integral of |f/g|, if users'
-   functions change no faster than vm_law_user says. Returns VM_BAD_ARGUMENT for null pointers and for a law that no
-   constructor made, VM_NOT_FINITE for numbers that are infinite or NaN, VM_BAD_MASS where g <= 0 between 0 and t, and
-   VM_DOMAIN for t outside a table, for a table out of order, where a user's function fails, or where a change_time is
-   negative or less than |t|/2^20. An error leaves *integral untouched. */
+   With the damping b(t) for f and the mass m(t) for g, the integral is the argument `decay` of vm_osc_amplitude_law.
+   The function uses a closed form where f is constant and the integral of 1/g has a closed form, where f and g are
+   powers of the same 1 + c t, and where both are exponential. For all other laws f and g it uses Gauss' rule on panels:
+   the error is at most 1e-13 (float 1e-5) of the integral of |f/g|, if users' functions change no faster than
+   vm_law_user says. Returns VM_BAD_ARGUMENT for null pointers and for a law that no constructor made, VM_NOT_FINITE for
+   numbers that are infinite or NaN, VM_BAD_MASS where g <= 0 between 0 and t, and VM_DOMAIN for t outside a table, for
+   a table whose times do not rise, where a user's function fails, and where a law's field change_time is negative, or
+   positive but less than |t|/2^20. An error leaves *integral untouched. */
 VM_API int vm_law_ratio_integral(const vm_law *f, const vm_law *g, vm_real t, vm_real *integral)
 {
     vm_real sum = 0;
@@ -11351,51 +11387,54 @@ VM_API int vm_law_ratio_integral(const vm_law *f, const vm_law *g, vm_real t, vm
 }
 
 #endif
-/* oscillators/walk.h - the mean motion of an oscillator if the integrals have no closed form
+/* oscillators/walk.h - the mean motion of an oscillator if its integrals have no closed form
 
    The mean motion at t follows from integrals along the laws of mass and stiffness from 0 to t. vmi_osc_walk_to adds up
-   these integrals over panels of time (oscillators/panels.h), from one point of a table to the next. At such a point
-   the second derivatives of the laws jump, so that the mean motion jumps, too. This integration, called the walk, also
-   measures how large E_0 = G_0/W^2 and its derivatives are; the estimates of the error need these numbers. E_0 measures
-   how strongly the damping and the changes of mass and stiffness disturb the motion (oscillators/expansion.h).
+   these integrals over panels, which are short intervals of time (oscillators/panels.h), from one point of a table to
+   the next. At such a point the second derivatives of the laws jump, so that the mean motion jumps, too. This
+   integration, called the walk, also measures how large E_0 = G_0/W^2 and its derivatives are; the estimates of the
+   error need these numbers. E_0 measures how strongly the damping and the changes of mass and stiffness disturb the
+   motion (oscillators/expansion.h).
        vmi_osc_mean mean;
        int status = vmi_osc_walk_to(&plan, 10, &mean); // plan is a vm_osc_plan; mean.psi, mean.inverse_mass, ...
    Tests: tests/test_slow_motion.c, tests/test_averaging.c, tests/test_ladder.c. */
 #ifndef VARMASS_OSCILLATORS_WALK_H
 #define VARMASS_OSCILLATORS_WALK_H
 
-/* The walk measures how large E_0 and its first six derivatives with respect to the phase are: 7 numbers, in the field
-   `change` */
+/* The number of elements of the field `change`. They measure how large E_0 and its first six derivatives with respect
+   to the phase are; E_0 is explained at the top of this file. */
 enum { VMI_WALK_ORDERS = 7 };
 
-/* The mean motion at one time t, and what its errors depend on. The adiabatic law, which keeps the action constant,
-   gives the amplitude A = A0 exp(ln_A) and the rate of the phase, `ratio` times the rate at t = 0. A0 is the amplitude
-   at t = 0. */
+/* The mean motion at one time t, and the numbers on which its errors depend. According to the adiabatic law, by which
+   the action stays constant, the amplitude is A = A0 exp(ln_A), and the rate of the phase is `ratio` times the rate at
+   t = 0. A0 is the amplitude at t = 0. J is the action. */
 typedef struct VM_TAG(vmi_osc_mean) {
-    vmi_osc_slow now;      /* mass, stiffness and G_k just before t; for t < 0 just after t */
+    vmi_osc_slow now;      /* mass, stiffness and the numbers G_k just before t, or for t < 0 just after t */
     vm_real E[VMI_OSC_G];  /* the numbers E_k = G_k/W^(k+2) at t, for the rate W of the mean phase */
-    vm_real ln_A, ratio;   /* ln(A/A0), and the phase rate divided by its value at t = 0, both by the adiabatic law */
+    vm_real ln_A, ratio;   /* ln(A/A0), and (phase rate at t)/(phase rate at t = 0), by the adiabatic law */
     vm_real inverse_mass;  /* the integral of dt/m from 0 to t, s/kg */
-    vm_real phase;         /* the integral of ratio dt from 0 to t, s */
+    vm_real phase;         /* the integral of `ratio` over time from 0 to t, s */
     vm_real psi;           /* the mean phase */
-    vm_real ln_J;          /* ln of the mean action divided by its value at t = 0; it changes only at points of
-                              tables */
+    vm_real ln_J;          /* ln of (mean action at t)/(mean action at t = 0); it changes only at points of tables */
     vm_real first;         /* the part of psi that is proportional to E_0 */
-    vm_real second, third; /* the part of psi that is proportional to E_0^2; a bound of the terms of psi that order five
-                              leaves out */
-    vm_real knots_J[4];    /* element i, for order i + 2: sum of squares of errors of ln J at points of tables */
-    vm_real knots_psi[4];  /* element i, for order i + 2: sum of squares of errors of psi at points of tables */
+    vm_real second, third; /* `second`: the part of psi that is proportional to E_0^2; `third`: a bound of the terms of
+                              psi that the law of order five leaves out */
+    vm_real knots_J[4];    /* element i is for order i + 2: sum of the squares of the errors of ln J at points of
+                              tables */
+    vm_real knots_psi[4];  /* element i is for order i + 2: sum of the squares of the errors of psi at points of
+                              tables */
     vm_real largest;       /* largest |E_0| between 0 and t; E_0 = G_0/W^2 measures how much the motion is disturbed */
     /* Element i, from 0 to 6, is the integral of |d^i E_0/dpsi^i| over psi from time 0 to t, where d^i/dpsi^i is the
        ith derivative with respect to the phase. All elements are 0 where closed forms of the laws are used. */
     vm_real change[VMI_WALK_ORDERS];
     vm_real dropped;       /* integral over psi of the part of |E_0| that is not in `change` */
-    vm_real shortest;      /* the shortest panel that the laws of mass and stiffness needed, s */
+    vm_real shortest;      /* length of the shortest panel that was needed, s */
     vm_real error;         /* estimated error of `phase`, s */
 } vmi_osc_mean;
 
-/* Writes ln(A/A0) and ln(Om/Om0) by the adiabatic law, where Om is the rate of the phase and A0, Om0, m0, k0 are values
-   at t = 0. ln_m = ln(m/m0), ln_k = ln(k/k0), and decay is the integral of b/m over time, where b is the damping. */
+/* Writes ln(A/A0) and ln(Om/Om0) by the adiabatic law. A is the amplitude, Om the rate of the phase, m the mass and k
+   the stiffness; A0, Om0, m0 and k0 are their values at t = 0. The arguments are ln_m = ln(m/m0), ln_k = ln(k/k0) and
+   `decay`, the integral of b/m over time, where b is the damping. */
 VM_API void vmi_osc_adiabatic(const vm_osc_plan *p, vm_real ln_m, vm_real ln_k, vm_real decay, vm_real *ln_A,
                               vm_real *ln_Om)
 {
@@ -11445,28 +11484,29 @@ VM_API vmi_osc_reduced vmi_osc_mean_state(const vm_osc_plan *p, const vmi_osc_me
 
 /* -- A panel -- */
 
-/* A panel of the walk: the Legendre series of the laws on the panel, and what the panel adds to the integrals */
+/* A panel, which is a short interval of time: the Legendre series of the laws on the panel, and what the panel adds to
+   the integrals */
 typedef struct VM_TAG(vmi_osc_panel) {
     vm_real edge;               /* largest relative difference between 1/m or k and its series at the panel's ends */
     vm_real inverse[VMI_GAUSS]; /* series of 1/m */
-    vm_real ratio[VMI_GAUSS];   /* series of k at first, then of the phase rate divided by its value at t = 0 */
+    vm_real ratio[VMI_GAUSS];   /* at first the series of k, later the series of (phase rate)/(phase rate at t = 0) */
     vm_real E[VMI_GAUSS];       /* series of E_0 = G_0/W^2 */
-    vm_real noise;              /* size of those coefficients of E that come from rounding errors of p' alone
+    vm_real noise;              /* size of those coefficients of the series E that only rounding errors of p' cause
                                    (vmi_osc_rate_noise) */
     vm_real first, second;      /* integrals of E_0 and of E_0^2 over the phase */
     vm_real cube;               /* integral of |E_0|^3 over the phase */
     vm_real largest;            /* largest |E_0| on the panel */
 } vmi_osc_panel;
 
-/* Mass, stiffness, and the rates a and p, at the points of Gauss' rule of a panel */
+/* Mass, stiffness, and the rates a and p of oscillators/reduction.h, at the points of Gauss' rule on a panel */
 typedef struct VM_TAG(vmi_osc_panel_laws) {
     vmi_osc_rates rates[VMI_GAUSS];
     vm_real p_rate[VMI_GAUSS]; /* time derivatives p' of the rate p of `rates`, 1/s^2 */
 } vmi_osc_panel_laws;
 
-/* Reads the laws at the points of Gauss' rule. Writes the series of 1/m to panel->inverse and that of k to
-   panel->ratio, and to panel->edge the largest relative difference between these series and the laws at the ends of the
-   panel. */
+/* Reads the laws at the points of Gauss' rule on a panel. Writes the Legendre series of 1/m to panel->inverse, the
+   series of k to panel->ratio, and to panel->edge the largest relative difference between these series and the laws at
+   the ends of the panel. */
 VM_API int vmi_osc_read_laws(const vm_osc_problem *o, int side, vm_real start, vm_real length, vmi_osc_panel_laws *at,
                              vmi_osc_panel *panel)
 {
@@ -11490,13 +11530,13 @@ VM_API int vmi_osc_read_laws(const vm_osc_problem *o, int side, vm_real start, v
     return vmi_panel_edge(&o->stiffness, VM_BAD_STIFFNESS, 0, start, length, panel->ratio, &panel->edge);
 }
 
-/* The size of the errors of p' that rounding errors of the rates a and p cause on a panel of 1 s, divided by |a| + |p|.
-   In float the factor is 0: there such errors cannot be distinguished from fast changes, and they count as fast
-   changes. */
+/* Returns the size of the errors of p' that rounding errors of the slow rates a and p cause on a panel of 1 s, divided
+   by |a| + |p|. In float the result is 0: such errors cannot be distinguished from fast changes of the laws, and count
+   as fast changes. */
 VM_API vm_real vmi_osc_rate_noise(void) { return VM_MANT_DIG > 24 ? 2048 * VM_EPSILON : 0; }
 
-/* Computes the panel from start to start + length, where length < 0 goes backward. *mean is the mean motion at
-   start. */
+/* Computes the panel from the time start to start + length, where length < 0 means backward in time. *mean is the mean
+   motion at the time start. */
 VM_API int vmi_osc_panel_of(const vm_osc_plan *p, const vmi_osc_mean *mean, vm_real start, vm_real length,
                             vmi_osc_panel *panel)
 {
@@ -11532,9 +11572,10 @@ VM_API int vmi_osc_panel_of(const vm_osc_plan *p, const vmi_osc_mean *mean, vm_r
     return VM_OK;
 }
 
-/* Whether the panel is short enough for its series. If a law has a kink, the series never fits near the kink, however
-   short the panel is; therefore a panel also counts as short enough if the terms that its series leaves out do not
-   matter. `whole` is the length of the walk, s. */
+/* Returns 1 if the panel is so short that its series are accurate enough, else 0. If a law has a kink, the series is
+   never accurate near the kink, however short the panel is. Therefore a panel also counts as short enough if the terms
+   that its series leave out do not matter for the result. `whole` is the length of the whole interval of integration,
+   s. */
 VM_API int vmi_osc_panel_is_resolved(const vm_osc_plan *p, const vmi_osc_panel *panel, vm_real length, vm_real whole)
 {
     const vm_real E_enough = VM_MANT_DIG > 24 ? VM_C(1e-6) : VM_C(1e-3);
@@ -11548,10 +11589,10 @@ VM_API int vmi_osc_panel_is_resolved(const vm_osc_plan *p, const vmi_osc_panel *
            E_enough * VM_SQRT(vmi_legendre_square(panel->E)) + vmi_panel_E_noise(phase);
 }
 
-/* Adds what the panel contributes to mean->change and to mean->third, the bound of the terms of psi that order five
-   leaves out. For each integral of |d^i E_0/dpsi^i| in mean->change it takes the root mean square over the panel
-   instead of the absolute value. Before that, it sets coefficients of E_0 to 0 if they are as small as rounding errors,
-   and adds their integral to mean->dropped. The series of E_0 is overwritten. */
+/* Adds what the panel contributes to mean->change and to mean->third, the bound of the terms of psi that the law of
+   order five leaves out. For the integrals of |d^i E_0/dpsi^i| in mean->change, it uses the root mean square over the
+   panel in place of the absolute value. Before that, coefficients in the series of E_0 that are as small as rounding
+   errors are set to 0, and their integral is added to mean->dropped. The series of E_0 is overwritten. */
 VM_API void vmi_osc_add_changes(const vm_osc_plan *p, vmi_osc_panel *panel, vm_real length, vmi_osc_mean *mean)
 {
     const vm_real noise = 1024 * VM_EPSILON, W = p->mean.W * panel->ratio[0], phase_length = W * VM_FABS(length);
@@ -11575,7 +11616,7 @@ VM_API void vmi_osc_add_changes(const vm_osc_plan *p, vmi_osc_panel *panel, vm_r
     mean->third += vmi_expansion_third_rate(&p->ripple, phase_length * size[0] * size[2], panel->cube);
 }
 
-/* Advances the mean motion over a panel. */
+/* Advances the mean motion from the start to the end of a panel. */
 VM_API void vmi_osc_add_panel(const vm_osc_plan *p, vmi_osc_panel *panel, vm_real length, vmi_osc_mean *mean)
 {
     const vm_real W0 = p->mean.W * vmi_exp(p->ripple.gamma * mean->ln_J, 0);
@@ -11591,7 +11632,7 @@ VM_API void vmi_osc_add_panel(const vm_osc_plan *p, vmi_osc_panel *panel, vm_rea
 }
 
 /* Advances the mean motion from start to end by panels of at most `longest`. No table may have a point between start
-   and end. `whole` is the length of the whole walk, s. */
+   and end. `whole` is the length of the whole interval of integration, s. */
 VM_API int vmi_osc_walk_piece(const vm_osc_plan *p, vm_real start, vm_real end, vm_real longest, vm_real whole,
                               vmi_osc_mean *mean)
 {
@@ -11612,8 +11653,9 @@ VM_API int vmi_osc_walk_piece(const vm_osc_plan *p, vm_real start, vm_real end, 
     return VM_OK;
 }
 
-/* Sets `now`, `ln_A` and `ratio` of *mean for the time t. Where derivatives of the laws jump at t, it takes their
-   values on the side of t that the walk has already covered. side is 1 forward, -1 backward in time. */
+/* Sets the fields `now`, `ln_A` and `ratio` of *mean for the time t. `side` is the direction of the integration along
+   the laws: 1 forward, -1 backward in time. Where derivatives of the laws jump at t, the function takes their values
+   before t for side = 1, and after t for side = -1. */
 VM_API int vmi_osc_mean_update(const vm_osc_plan *p, vm_real t, int side, vmi_osc_mean *mean)
 {
     const vm_real sampling = vmi_osc_sampling_time(p), length = t == 0 ? sampling : vmi_smaller(sampling, VM_FABS(t));
@@ -11628,8 +11670,8 @@ VM_API int vmi_osc_mean_update(const vm_osc_plan *p, vm_real t, int side, vmi_os
 
 /* -- Points of tables -- */
 
-/* Adds to knots_J and knots_psi the squares of the terms that orders 2 to 5 leave out at a point of a table. The
-   numbers E_k jump there from `before` to `after`. */
+/* Adds to the fields knots_J and knots_psi the squares of the terms that the law of order five, cut off after each of
+   the orders 2 to 5, leaves out at a point of a table. At this point the numbers E_k jump from `before` to `after`. */
 VM_API void vmi_osc_add_knot_error(const vm_osc_plan *p, const vm_real *before, const vm_real *after,
                                    vmi_osc_mean *mean)
 {
@@ -11644,10 +11686,10 @@ VM_API void vmi_osc_add_knot_error(const vm_osc_plan *p, const vm_real *before, 
     }
 }
 
-/* Continues the mean motion beyond the time t, a point of a table. The derivatives of m' and k' jump there. The motion
-   itself does not jump; therefore the mean motion jumps. The motion at t follows from the mean motion before t, and the
-   mean motion after t follows from the motion. The action at t is found by iteration with vmi_expansion_J, which has
-   the full order; vmi_expansion_J_back has one order less. */
+/* Continues the mean motion beyond the time t of a table point. The second derivatives of mass and stiffness jump
+   there. The motion itself does not jump; therefore the mean motion jumps. The function computes the motion at t from
+   the mean motion before t, and from the motion at t the mean motion after t. The action at t is found by iteration
+   with vmi_expansion_J, whose terms go up to the full order; those of vmi_expansion_J_back end one order earlier. */
 VM_API int vmi_osc_walk_past_knot(const vm_osc_plan *p, vm_real t, int side, vmi_osc_mean *mean)
 {
     const vmi_ripple *r = &p->ripple;
@@ -11682,8 +11724,9 @@ VM_API int vmi_osc_walk_past_knot(const vm_osc_plan *p, vm_real t, int side, vmi
 
 /* -- The walk -- */
 
-/* Sets the mean motion at the start of a walk backward in time. The plan has the mean motion that belongs to the
-   laws just after t = 0; *mean becomes the mean motion that belongs to the laws just before t = 0. */
+/* Sets the mean motion at t = 0 for an integration backward in time. The plan contains the mean motion that follows
+   from the derivatives of the laws just after t = 0; *mean becomes the mean motion that follows from their derivatives
+   just before t = 0. */
 VM_API int vmi_osc_start_backward(const vm_osc_plan *p, vmi_osc_mean *mean)
 {
     const vm_osc_problem *o = &p->problem;
@@ -11729,10 +11772,10 @@ VM_API int vmi_osc_walk_to(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean)
 
    If no force F acts and mass and stiffness change slowly, integrals give the mean motion of the oscillator: the
    amplitude follows the adiabatic law (325), (344), (367), (389), and the phase is the integral of its rate (310),
-   (329), (370). vmi_osc_first_order uses this mean motion as the motion itself; its wave is cos, cn or ca.
-   vmi_osc_order_n computes the motion from the mean motion by the transformation of oscillators/expansion.h, which is
-   cut off after an order N from 2 to 5. Its error is of the order epsilon^N, where epsilon is the relative change of
-   mass and stiffness within a radian.
+   (329), (370). vmi_osc_first_order uses this mean motion as the motion itself, with cos, cn or ca as the periodic
+   function. vmi_osc_order_n computes the motion from the mean motion by the transformation of oscillators/expansion.h.
+   The transformation is a series, which is cut off after an order N from 2 to 5. Its error is of the order epsilon^N,
+   where epsilon is the relative change of mass and stiffness while the phase grows by 1.
        vmi_osc_mean mean;
        vm_osc_motion motion;
        vmi_osc_wave w = vmi_osc_wave_of(&plan, VM_ROUTE_ORDER5);
@@ -11773,7 +11816,7 @@ VM_API void vmi_osc_mean_closed(const vm_osc_plan *p, vm_real t, vmi_osc_mean *m
     }
 }
 
-/* Computes the mean motion at a time t so close to 0 that the laws do not change between 0 and t. */
+/* Computes the mean motion at a time t so close to 0 that mass and stiffness do not change between 0 and t. */
 VM_API int vmi_osc_mean_near_0(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean)
 {
     int status = VM_OK;
@@ -11785,11 +11828,12 @@ VM_API int vmi_osc_mean_near_0(const vm_osc_plan *p, vm_real t, vmi_osc_mean *me
     return status;
 }
 
-/* Computes the mean motion at t, by closed forms if there are any, else by integration along the laws
-   (oscillators/walk.h). */
+/* Computes the mean motion at t. It uses closed forms of the integrals if there are any, else integration along the
+   laws of mass and stiffness (oscillators/walk.h). */
 VM_API int vmi_osc_mean_at(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean)
 {
-    const vm_real too_short = 256 * VM_EPSILON; /* over a smaller phase the laws change only by rounding errors */
+    const vm_real too_short = 256 * VM_EPSILON; /* while the phase grows by less, the laws change only by rounding
+                                                   errors */
     int status = VM_OK;
     if (!p->closed && p->Om * VM_FABS(t) < too_short) status = vmi_osc_mean_near_0(p, t, mean);
     else if (p->closed) vmi_osc_mean_closed(p, t, mean);
@@ -11808,12 +11852,12 @@ VM_API vm_real vmi_osc_rounding(const vm_osc_plan *p, const vmi_osc_mean *mean)
     return 4 * VM_EPSILON * (2 + VM_FABS(p->Om * mean->phase)) + p->Om * mean->error;
 }
 
-/* A bound of the change of ln J that fast changes of mass and stiffness cause. J is the action. E_0 measures how
-   strongly these changes disturb the motion (oscillators/expansion.h). The exact change of ln J is the integral over
-   the phase of E_0 times a periodic function whose mean is 0. i integrations by parts turn it into the integral of the
-   ith derivative of E_0 times the ith integral of the periodic function, and into terms at both ends, which the
-   solutions already contain. Each i gives a bound, and the function returns the smallest. The smallest belongs to a
-   large i where the laws change slowly, and to i = 0 where they change within less than a period. */
+/* Fast changes of mass and stiffness change the action J. This function returns a bound of the change of ln J. E_0
+   measures how strongly these changes disturb the motion (oscillators/expansion.h). The exact change of ln J is the
+   integral over the phase of E_0 times a periodic function whose mean is 0. i integrations by parts turn this integral
+   into the integral of the ith derivative of E_0 times the ith integral of the periodic function, and into terms at
+   both ends, which the solutions already contain. Each i gives a bound, and the function returns the smallest bound. It
+   belongs to a large i where the laws change slowly, and to i = 0 where they change within less than a period. */
 VM_API vm_real vmi_osc_fast(const vm_osc_plan *p, const vmi_osc_mean *mean)
 {
     const vmi_ripple *r = &p->ripple;
@@ -11830,19 +11874,21 @@ VM_API vm_real vmi_osc_fast(const vm_osc_plan *p, const vmi_osc_mean *mean)
     return least + first * mean->dropped;
 }
 
-/* The error that fast changes of the laws between 0 and t cause in every averaged solution. An error of ln J makes an
-   error of the phase that is larger by the factor gamma Om t, where gamma is a field of the ripple and Om the rate of
-   the phase. */
+/* The error that fast changes of mass and stiffness between 0 and t cause in every averaged solution. An error of ln J,
+   where J is the action, makes an error of the phase that is larger by the factor gamma Om t. gamma is a field of
+   vmi_ripple, and Om is the rate of the phase. */
 VM_API vm_real vmi_osc_way_error(const vm_osc_plan *p, const vmi_osc_mean *mean)
 {
     return (1 + VM_FABS(p->ripple.gamma * p->Om * mean->phase)) * vmi_osc_fast(p, mean);
 }
 
-/* Estimates the error of vmi_osc_first_order, except for the error of its wave. The solution uses the amplitude and the
-   phase at the start as if they were the mean values. It leaves out the ripple within a period, and the part of the
-   mean phase that is proportional to E_0 (oscillators/expansion.h). An error of ln J makes an error of the phase that
-   is larger by the factor gamma Om t. The phase that follows from x and x' is larger by (alpha+1)/2 p/Om ca^2 than the
-   phase that follows from x and V = x' + p x. The mean of this difference is the same at the start and at t. */
+/* Estimates the error of vmi_osc_first_order, except for the error of cos or cn in place of ca. vmi_osc_first_order
+   uses the amplitude and the phase at t = 0 as if they were the mean amplitude and the mean phase. It leaves out the
+   ripple within a period, and the part of the mean phase that is proportional to the number E_0
+   (oscillators/expansion.h). An error of ln J, where J is the action, makes an error of the phase that is larger by the
+   factor gamma Om t, with the field gamma of vmi_ripple. The phase that follows from x and x' is larger by (alpha+1)/2
+   p/Om ca^2 than the phase that follows from x and V = x' + p x, where p is the rate of oscillators/reduction.h and Om
+   the rate of the phase. The mean of this difference over a period is the same at t = 0 and at t. */
 VM_API vm_real vmi_osc_first_error(const vm_osc_plan *p, const vmi_osc_mean *mean)
 {
     const vmi_ripple *r = &p->ripple;
@@ -11857,9 +11903,10 @@ VM_API vm_real vmi_osc_first_error(const vm_osc_plan *p, const vmi_osc_mean *mea
     return error;
 }
 
-/* Estimates the error of vmi_osc_order_n for the order 2, 3, 4 or 5. It adds up the sizes of the first terms that are
-   left out. The transformation of this order leaves out terms at t. The mean motion, whose order is p->start_order,
-   leaves out terms at the start, at points of tables, and in the mean rate of the phase. */
+/* Estimates the error of vmi_osc_order_n for the order 2, 3, 4 or 5. The estimate is the sum of the sizes of the first
+   terms that two computations leave out. One is the transformation at t, whose order is `order`. The other is the mean
+   motion, whose order is p->start_order; it leaves out terms at t = 0, at points of tables, and in the mean rate of the
+   phase. */
 VM_API vm_real vmi_osc_order_error(const vm_osc_plan *p, int order, const vmi_osc_mean *mean)
 {
     const vmi_ripple *r = &p->ripple;
@@ -11883,9 +11930,10 @@ VM_API vm_real vmi_osc_order_error(const vm_osc_plan *p, int order, const vmi_os
 
 /* -- The solutions -- */
 
-/* Writes the motion with the amplitude A. c and s are the values of the waves of position and velocity. Om is the rate
-   of the Ateb phase, so that the largest velocity is 2 A Om/(alpha+1); w is the wave. evals is set to 0. VM_NOT_FINITE
-   leaves *motion untouched. */
+/* Writes the motion with the amplitude A. w describes the periodic functions of position and velocity
+   (oscillators/waves.h), and c and s are their values. Om is the rate of the Ateb phase, so that the largest velocity
+   is 2 A Om/(alpha+1). The field evals becomes 0. Returns VM_NOT_FINITE, and leaves *motion untouched, if position or
+   velocity is not finite; else VM_OK. */
 VM_API int vmi_osc_motion_of(const vmi_osc_wave *w, vm_real A, vm_real Om, vm_real c, vm_real s, vm_real error,
                              int route, vm_osc_motion *motion)
 {
@@ -11902,7 +11950,7 @@ VM_API int vmi_osc_motion_of(const vmi_osc_wave *w, vm_real A, vm_real Om, vm_re
 }
 
 /* Computes the motion to first order (310), (329), (370): the amplitude A follows the adiabatic law, and the phase is
-   the integral of Om. w is the wave of the route. */
+   the integral of its rate Om. w is the periodic function that the route uses. */
 VM_API int vmi_osc_first_order(const vm_osc_plan *p, int route, const vmi_osc_wave *w, const vmi_osc_mean *mean,
                                vm_osc_motion *motion)
 {
@@ -11914,7 +11962,7 @@ VM_API int vmi_osc_first_order(const vm_osc_plan *p, int route, const vmi_osc_wa
 }
 
 /* Computes the motion at t from the mean motion, by the terms of the law of order five up to the order of the route.
-   route is one of VM_ROUTE_ORDER2 to VM_ROUTE_ORDER5, w its wave. */
+   route is one of VM_ROUTE_ORDER2 to VM_ROUTE_ORDER5, and w describes the functions ca and sa. */
 VM_API int vmi_osc_order_n(const vm_osc_plan *p, int route, const vmi_osc_wave *w, const vmi_osc_mean *mean,
                            vm_osc_motion *motion)
 {
@@ -13679,12 +13727,13 @@ VM_API int vmi_osc_collocate(const vm_osc_plan *plan, int route, vm_real t, vm_r
 }
 
 #endif
-/* oscillators/routes.h - the motion x(t) of an oscillator at any time, by a given route or by the cheapest
+/* oscillators/routes.h - the motion x(t) of an oscillator at any time, by a given method or by the cheapest
 
-   Ten routes lead to x(t) and x'(t), from a cosine to the integration of the equation of motion by rk87 (VM_ROUTE_...
-   in oscillators/problem.h). vm_osc_within takes the cheapest route whose error is estimated to be within a tolerance.
-   vm_osc_by_route takes the route that its argument names. vm_osc_plan_within and vm_osc_plan_by_route do the same from
-   a plan, for one problem at many values of t. The shortest useful call:
+   Ten methods, called routes, compute x(t) and x'(t), from a cosine to the integration of the equation of motion by
+   rk87 (VM_ROUTE_... in oscillators/problem.h). vm_osc_within takes the cheapest route whose estimated error is within
+   a tolerance. vm_osc_by_route takes the route that its argument names. vm_osc_plan_within and vm_osc_plan_by_route do
+   this with a plan (oscillators/plan.h), which saves time if one problem is solved at many values of t. The shortest
+   useful call:
        vm_osc_problem bucket = {1, vm_law_linear(10, -0.1), vm_law_linear(250, 0), 0, 0, 0.05, 0, NULL, NULL};
        vm_osc_motion motion;
        if (vm_osc_within(&bucket, 70, 1e-6, &motion) == VM_OK) printf("%g m\n", motion.x);
@@ -13692,40 +13741,43 @@ VM_API int vmi_osc_collocate(const vm_osc_plan *plan, int route, vm_real t, vm_r
 #ifndef VARMASS_OSCILLATORS_ROUTES_H
 #define VARMASS_OSCILLATORS_ROUTES_H
 
-/* -- What each route costs, which one is chosen, what its estimate covers, and how good the estimate is --
+/* -- What each route costs, which route is chosen, what the estimate of the error covers, and how good it is --
 
-   Cost. Without a force F the first seven routes are averaged solutions in closed form: they need one or two
-   evaluations of sa and ca and the integrals of the laws of mass and stiffness, whatever t and the tolerance are. The
-   other routes integrate from 0 to t within the tolerance. Each of them runs twice, the second time more strictly, and
-   the difference of the two runs gives the error. With F the averaged equations of the first three routes are
-   integrated, too, and the laws of orders 2 to 5 do not exist. docs/cost.md has the times.
+   Cost. If the problem has no force F, the first seven routes (VM_ROUTE_TRIG to VM_ROUTE_ORDER5) are averaged solutions
+   in closed form: they need one or two evaluations of sa and ca and the integrals of the laws of mass and stiffness,
+   whatever t and the tolerance are. The last three routes integrate from 0 to t within the tolerance. They integrate
+   twice, the second time with a stricter tolerance, and the difference of the two results gives the error. With a force
+   F the averaged equations of the first three routes are integrated numerically, too, and the routes VM_ROUTE_ORDER2 to
+   VM_ROUTE_ORDER5 do not exist. docs/cost.md has the times.
 
-   Choice. vm_osc_within takes the first of these seven solutions whose estimated error is within the tolerance. If
-   there is none, or a force F is given, it integrates numerically: by collocation if amplitude and phase describe the
-   motion, otherwise by rk87.
+   Choice. vm_osc_within takes the first of the seven averaged solutions whose estimated error is within the tolerance.
+   If there is no such solution, or if there is a force F, it integrates numerically: by collocation
+   (oscillators/collocation.h) if amplitude and phase describe the motion, otherwise by rk87.
 
    What the estimate of an averaged solution covers:
      - the terms that the solution leaves out, the error of cos and cn in place of ca, and rounding errors of the phase;
-     - fast changes of mass and stiffness between 0 and t. The integration along the laws looks for them panel by panel
-       (for laws by functions see vm_law_user), and in tables from one point to the next. A change within a period makes
-       the estimate large, so that vm_osc_within integrates. For a law by a function its steps are then limited by the
-       shortest panel, so that no step skips the change.
-   What the estimate of averaged equations with F covers:
-     - the error of their integration, and the error of cos and cn in place of ca;
-     - what averaging leaves out: the ripple within a period, its effect at the start, and second-order terms of it;
-     - a force that changes within a period, as in a resonance. For this the estimate calls F over a period at the start
-       and over periods at eight later times, so it misses a force that acts only for a short time between them.
+     - fast changes of mass and stiffness between 0 and t. The integration along the laws looks for such changes on each
+       panel, a short interval of time, and in tables between the points (for users' functions see vm_law_user). A fast
+       change makes the estimate large, so that vm_osc_within integrates numerically. If the law is a user's function,
+       no step of this integration is longer than the shortest panel, so that no step skips the change.
+   What the estimate covers where averaged equations with a force F are integrated:
+     - the error of this integration, and the error of cos and cn in place of ca;
+     - what averaging leaves out: the ripple within a period, the effect of the ripple at t = 0, and its second-order
+       terms;
+     - a force that changes within a period, as in a resonance. To find such changes, the function F is called over one
+       period at the start and over one period at each of eight later times. So the estimate misses a force that acts
+       only for a short time between these periods.
 
-   How good the estimate is. tests/test_routes.c compares it with the true error of random problems with alpha from
-   1/8 to 8, a rate q of the laws from 2e-3 to 0.1, and t from 1/q to 3/q. In double the test demands these
-   bounds:
+   How good the estimate is. tests/test_routes.c compares the estimate with the true error of random problems. In these
+   problems alpha is from 1/8 to 8, the relative rate q of change of mass and stiffness from 2e-3 to 0.1, and t from 1/q
+   to 3/q. In double the test demands these bounds:
      - the true error is above 3 times the estimate in at most 1 % of the problems for vm_osc_within, 4 % for rk87, and
        2 % for all other routes;
-     - the true error is at most 30 times the estimate for rk87, 40 times for rk45, and 10 times for all others;
+     - the true error is at most 30 times the estimate for rk87, 40 times for rk45, and 10 times for all other routes;
      - the median of estimate/(true error) is at most 55 for collocation, 25 for rk87, 13 for rk45, 15 for orders 4 and
-       5 and for averaged solutions with F, and 10 for all others.
-   The estimate is worse for rk87, because its errors are not proportional to the tolerance if alpha is not an odd
-   integer. */
+       5 and for averaged solutions with F, and 10 for all other routes.
+   The estimate is worse for rk87, because the errors of rk87 are not proportional to its tolerance if alpha is not an
+   odd integer. */
 
 /* -- The table of routes -- */
 
@@ -13733,11 +13785,12 @@ VM_API int vmi_osc_collocate(const vm_osc_plan *plan, int route, vm_real t, vm_r
 typedef int (*vmi_osc_solution)(const vm_osc_plan *p, int route, const vmi_osc_wave *w, const vmi_osc_mean *mean,
                                 vm_osc_motion *motion);
 
-/* A function that computes the motion at t by integration from 0 to t, to a tolerance */
+/* A function that computes the motion at t by numerical integration from 0 to t, within a tolerance */
 typedef int (*vmi_osc_integration)(const vm_osc_plan *p, int route, vm_real t, vm_real tolerance,
                                    vm_osc_motion *motion);
 
-/* Integrates the averaged equations; with a force they have no solution in closed form. */
+/* Integrates the averaged equations numerically. This is needed with a force F, since there is no solution in closed
+   form. */
 VM_API int vmi_osc_integrate_averaged(const vm_osc_plan *p, int route, vm_real t, vm_real tolerance,
                                       vm_osc_motion *motion)
 {
@@ -13762,14 +13815,15 @@ VM_API int vmi_osc_integrate_rk87(const vm_osc_plan *p, int route, vm_real t, vm
     return vmi_osc_integrate(p, route, &method, t, tolerance, motion);
 }
 
-/* A route. Without a force it takes its solution in closed form, if it has one; otherwise it integrates. */
+/* A route. If the problem has no force F and the route has a solution in closed form, the route uses this solution;
+   otherwise it integrates numerically. */
 typedef struct VM_TAG(vmi_osc_route) {
     const char *name;
     vmi_osc_solution solution;     /* the solution in closed form, or null if there is none */
     vmi_osc_integration integrate; /* the integration, or null if there is none */
 } vmi_osc_route;
 
-/* Makes the entry of a route in the table of routes. solution or integrate may be null. */
+/* Makes the entry of a route in the table of routes. `solution` or `integrate` may be null, if the route has none. */
 VM_API vmi_osc_route vmi_osc_route_by(const char *name, vmi_osc_solution solution, vmi_osc_integration integrate)
 {
     vmi_osc_route route;
@@ -13802,7 +13856,8 @@ VM_API const char *vm_osc_route_name(int route) { return vmi_osc_route_of(route)
 
 /* -- One route -- */
 
-/* Checks the arguments that all calls share, except for the problem or the plan. */
+/* Checks those arguments that the functions with and without a plan have in common: the route, t, the tolerance and
+   `motion`. */
 VM_API int vmi_osc_check_arguments(int route, vm_real t, vm_real tolerance, const vm_osc_motion *motion)
 {
     if (!motion || route < VM_ROUTE_TRIG || route > VM_ROUTE_RK87) return VM_BAD_ARGUMENT;
@@ -13811,7 +13866,7 @@ VM_API int vmi_osc_check_arguments(int route, vm_real t, vm_real tolerance, cons
     return VM_OK;
 }
 
-/* Checks the arguments that all calls with a plan share, and replaces a tolerance of 0 by the default. */
+/* Checks the arguments of the functions with a plan, and replaces a tolerance of 0 by the default. */
 VM_API int vmi_osc_check_call(const vm_osc_plan *p, int route, vm_real t, vm_real *tolerance,
                               const vm_osc_motion *motion)
 {
@@ -13836,22 +13891,23 @@ VM_API int vmi_osc_at_rest(const vm_osc_plan *p, int route, vm_osc_motion *motio
     return VM_OK;
 }
 
-/* Motion x(t), x'(t) at time t (s, either sign) by a given route, from a plan. route is one of VM_ROUTE_....
-   motion->error estimates the larger of |error of x|/A and |error of v|/vmax. Routes that integrate keep the part of
-   this error that comes from the integration within the tolerance; a tolerance of 0 means 1e-6 (float 1e-3). A comment
-   at the start of oscillators/routes.h says what a route costs. Returns VM_OK, or VM_TOLERANCE_MISSED where x and v are
-   computed but the error of integration is larger than the tolerance. After an error *motion is unchanged. The errors
-   are
+/* Motion x(t), x'(t) at time t (s, either sign) by a given route, from a plan. `route` is one of VM_ROUTE_....
+   motion->error estimates the larger of |error of x|/A and |error of v|/vmax (see vm_osc_motion). Routes that integrate
+   numerically keep the error of the integration within the tolerance; a tolerance of 0 means 1e-6 (float 1e-3). A
+   comment at the start of oscillators/routes.h says what a route costs. Returns VM_OK, or VM_TOLERANCE_MISSED where x
+   and v are computed but the error of integration is larger than the tolerance. After an error *motion is unchanged.
+   The errors are
      VM_BAD_ARGUMENT for null pointers or a route that does not exist,
      VM_NOT_FINITE for a number that is infinite or NaN,
-     VM_BAD_MASS or VM_BAD_STIFFNESS for a law that is not positive between 0 and t,
-     VM_DOMAIN for a negative tolerance, t outside a table, a table out of order, a user's function of a law that fails,
+     VM_BAD_MASS or VM_BAD_STIFFNESS for a mass or a stiffness that is not positive between 0 and t,
+     VM_DOMAIN for a negative tolerance, t outside a table, a table whose times do not rise, a user's law that fails,
        or a change_time that is negative or too short,
-     VM_NO_LAW for the laws of orders 2 to 5 with F, and for F on a body at rest at x = 0,
-     VM_NOT_INTEGRATED where amplitude and phase do not describe the motion, for collocation only,
-     VM_NOT_INTEGRATED where the integrator gives up, where |t| is more than 2^23 of the present periods, or where there
-       are too many steps: more than 2^13 a period plus four times the number that the longest step makes necessary.
-   Thus every call ends. */
+     VM_NO_LAW for VM_ROUTE_ORDER2 to VM_ROUTE_ORDER5 with a force F, and for all routes with F if x = v = 0 at t = 0,
+     VM_NOT_INTEGRATED, for collocation only, where amplitude and phase do not describe the motion,
+     VM_NOT_INTEGRATED where the integrator cannot reach t, where |t| is more than 2^23 of the present periods, or where
+       there are too many steps: more than 2^13 a period plus four times the number that the longest step makes
+       necessary.
+   The two limits on |t| and on the steps guarantee that every call ends. */
 VM_API int vm_osc_plan_by_route(const vm_osc_plan *p, int route, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
     vmi_osc_route entry;
@@ -13871,18 +13927,20 @@ VM_API int vm_osc_plan_by_route(const vm_osc_plan *p, int route, vm_real t, vm_r
 
 /* -- The cheapest route -- */
 
-/* Writes the motion at t by the first of cos, cn, ca and the orders 2 to 5 whose error is estimated to be within the
-   tolerance. Returns VM_TOLERANCE_MISSED where there is none, and leaves *motion untouched. */
+/* Writes the motion at t by the first of the routes VM_ROUTE_TRIG to VM_ROUTE_ORDER5 whose estimated error is within
+   the tolerance. If there is no such route, it returns VM_TOLERANCE_MISSED and leaves *motion untouched. */
 VM_API int vmi_osc_averaged_within(const vm_osc_plan *p, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
-    const vm_real reserve = VM_C(1.5); /* in one case of 400 the error is larger than the estimate, up to 1.9 times */
+    const vm_real reserve = VM_C(1.5); /* a factor on the estimate: in one case of 400 the error is larger than the
+                                          estimate, up to 1.9 times */
     vmi_osc_mean mean;
     vmi_osc_wave w;
     vm_real first;
     int route, order, status = vmi_osc_mean_at(p, t, &mean);
     if (status) return status;
     first = vmi_osc_first_error(p, &mean);
-    for (route = VM_ROUTE_TRIG; first <= tolerance; route++) { /* ends at VM_ROUTE_ATEB: ca has no error */
+    for (route = VM_ROUTE_TRIG; first <= tolerance; route++) { /* this loop ends at VM_ROUTE_ATEB at the latest, since
+                                                                  ca has no error */
         w = vmi_osc_wave_of(p, route);
         if (first + vmi_osc_wave_error(&w, p->ripple.mean2) <= tolerance)
             return vmi_osc_first_order(p, route, &w, &mean, motion);
@@ -13894,9 +13952,9 @@ VM_API int vmi_osc_averaged_within(const vm_osc_plan *p, vm_real t, vm_real tole
     return VM_TOLERANCE_MISSED;
 }
 
-/* Motion at any time t (s) by integration, for vm_osc_plan_within where no averaged solution is good enough: by
-   collocation, and by rk87 where amplitude and phase do not describe the motion. If both miss the tolerance, the
-   one with the smaller error is taken. */
+/* Computes the motion at any time t (s) by numerical integration, for vm_osc_plan_within where no averaged solution is
+   accurate enough: by collocation, or by rk87 where amplitude and phase do not describe the motion. If collocation and
+   rk87 both miss the tolerance, the result with the smaller error is taken. */
 VM_API int vmi_osc_integrate_within(const vm_osc_plan *p, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
     vm_osc_motion direct;
@@ -13909,10 +13967,10 @@ VM_API int vmi_osc_integrate_within(const vm_osc_plan *p, vm_real t, vm_real tol
     return direct_status;
 }
 
-/* Motion x(t), x'(t) at time t (s, either sign) within a tolerance, from a plan. It takes the cheapest route whose
-   error is estimated to be within the tolerance; motion->route says which. The tolerance is relative, for the larger
-   of |error of x|/A and |error of v|/vmax: for x within d metres ask for d/A; 0 means 1e-6 (float 1e-3). The statuses
-   are those of vm_osc_plan_by_route. */
+/* Motion x(t), x'(t) at time t (s, either sign) within a tolerance, from a plan. The function takes the cheapest route
+   whose estimated error is within the tolerance; motion->route is this route. The error is the larger of |error of x|/A
+   and |error of v|/vmax (see vm_osc_motion). For an error of x of at most d metres, the tolerance is d/A; a tolerance
+   of 0 means 1e-6 (float 1e-3). The statuses are those of vm_osc_plan_by_route. */
 VM_API int vm_osc_plan_within(const vm_osc_plan *p, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
     int status = vmi_osc_check_call(p, VM_ROUTE_TRIG, t, &tolerance, motion);
@@ -13926,8 +13984,9 @@ VM_API int vm_osc_plan_within(const vm_osc_plan *p, vm_real t, vm_real tolerance
 
 /* -- Without a plan -- */
 
-/* Makes the plan of a problem for one call, without the plan of the Ateb functions, which saves time only for many
-   calls. complete = 1 also makes the polynomials of the ripple, which orders 3 to 5 and collocation need. */
+/* Makes the plan of a problem for one call. It does not make the plan of the Ateb functions, which saves time only for
+   many calls. If `complete` is 1, it also makes the polynomials of the ripple, which the routes VM_ROUTE_ORDER3 to
+   VM_ROUTE_ORDER5 and collocation need. */
 VM_API int vmi_osc_once(const vm_osc_problem *problem, int complete, vm_osc_plan *plan)
 {
     int status;
@@ -13938,9 +13997,9 @@ VM_API int vmi_osc_once(const vm_osc_problem *problem, int complete, vm_osc_plan
     return vmi_osc_start(plan);
 }
 
-/* Computes x(t), x'(t) at time t (s, either sign) by a given route. Use it for a single t; for several, make a plan.
-   Arguments, result and statuses are those of vm_osc_plan_by_route; it also returns the statuses of
-   vm_osc_plan_init. */
+/* Computes x(t), x'(t) at time t (s, either sign) by a given route. Use this function for a single t; for several
+   values of t make a plan. Arguments, result and statuses are those of vm_osc_plan_by_route; it also returns the
+   statuses of vm_osc_plan_init. */
 VM_API int vm_osc_by_route(const vm_osc_problem *problem, int route, vm_real t, vm_real tolerance,
                            vm_osc_motion *motion)
 {
@@ -13952,9 +14011,9 @@ VM_API int vm_osc_by_route(const vm_osc_problem *problem, int route, vm_real t, 
     return vm_osc_plan_by_route(&plan, route, t, tolerance, motion);
 }
 
-/* Computes x(t), x'(t) at time t (s, either sign) within a tolerance, by the cheapest route. Use it for a single t; for
-   several, make a plan. Arguments, result and statuses are those of vm_osc_plan_within; it also returns the statuses of
-   vm_osc_plan_init. */
+/* Computes x(t), x'(t) at time t (s, either sign) within a tolerance, by the cheapest route. Use this function for a
+   single t; for several values of t make a plan. Arguments, result and statuses are those of vm_osc_plan_within; it
+   also returns the statuses of vm_osc_plan_init. */
 VM_API int vm_osc_within(const vm_osc_problem *problem, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
     vm_osc_plan plan;
@@ -13976,93 +14035,101 @@ VM_API int vm_osc_within(const vm_osc_problem *problem, vm_real t, vm_real toler
 #endif
 /* oscillators/odd_force.h - vibration under an odd elastic force of any form, with constant mass
 
-   The equation is x'' + F(x) = 0. F is an odd function, the force per unit mass: x + x^3, sin x, tanh x, or a function
-   of the user. A vm_odd_force describes F. Its constructors are vm_odd_force_user here and vm_duffing_force in
-   oscillators/duffing.h.
-   At an amplitude A one numerical integral (a quadrature) gives the period, the action and x(t):
+   The equation is x'' + F(x) = 0. F is the force per unit mass, and an odd function, that is F(-x) = -F(x): for example
+   x + x^3, sin x, tanh x, or a function of the user. A vm_odd_force describes F. The function vm_odd_force_user in this
+   file and vm_duffing_force in oscillators/duffing.h make it; they are its constructors.
+   For each amplitude A one numerical integration (a quadrature) gives the period, the action and x(t):
        vm_odd_force force = vm_odd_force_user(hard, NULL); // int hard(vm_real x, vm_real *f, void *ctx) writes *f
        vm_real T = vm_odd_period(&force, 2); // period of the motion from rest at x = 2 m
-   Method: x = A cos(theta), v = -A sin(theta) sqrt(g), and so dt = dtheta/sqrt(g). Here g is the mean of F(x)/x over
-   the variable x^2, from the present x^2 to A^2. g is smooth and positive, so that Gauss' rule converges fast. An orbit
-   is the motion at one amplitude. Its phase is 2 pi t/period, and 0 where x is largest. Its action j is the integral of
-   v dx over a period, divided by 2 pi. For mass, stiffness and damping that change slowly see oscillators/odd_motion.h.
+   Method: with an angle theta, let x = A cos(theta); then v = -A sin(theta) sqrt(g), and dt = dtheta/sqrt(g). Here g is
+   the mean of F(x)/x over the variable x^2, from the present x^2 to A^2. g is smooth and positive, so that Gauss' rule
+   converges fast. An orbit is the motion at one amplitude. The phase of the orbit is 2 pi t/period, and is 0 where x is
+   largest. The action j of the orbit is the integral of v dx over a period, divided by 2 pi. For mass, stiffness and
+   damping that change slowly see oscillators/odd_motion.h.
    Tests: tests/test_odd_force.c. */
 #ifndef VARMASS_OSCILLATORS_ODD_FORCE_H
 #define VARMASS_OSCILLATORS_ODD_FORCE_H
 
 /* -- The force and its orbits -- */
 
-/* A user's odd function: writes F(x) for x >= 0 to *f and returns 0, or another number where it fails. F must be
-   smooth for x >= 0; at x = 0 it may have a kink, as x|x| does. */
+/* A user's odd function: writes F(x) for x >= 0 to *f. It returns 0 on success, and any other number if it cannot
+   compute F(x). F must be smooth for x >= 0; at x = 0 it may have a kink, as x|x| does. */
 typedef int (*vm_odd_function)(vm_real x, vm_real *f, void *ctx);
 
 typedef struct VM_TAG(vmi_orbit) vmi_orbit;
 typedef struct VM_TAG(vmi_orbit_point) vmi_orbit_point;
 typedef struct VM_TAG(vmi_orbit_ripple) vmi_orbit_ripple; /* oscillators/orbit_ripple.h */
 
-/* An odd elastic force F(x). The constructors vm_odd_force_user and vm_duffing_force fill it. It points to functions of
-   this header, to the user's function and to ctx. The function and what ctx points to must exist as long as the force
-   is used. */
+/* An odd elastic force F(x). The constructors vm_odd_force_user and vm_duffing_force fill this struct. It contains
+   pointers to functions of this header, to the user's function, and the user's pointer ctx. The user's function and
+   what ctx points to must exist as long as the force is used. */
 typedef struct VM_TAG(vm_odd_force) vm_odd_force;
 struct VM_TAG(vm_law); /* oscillators/laws.h */
 struct VM_TAG(vm_odd_force) {
     vm_real k1, k3;           /* coefficients of x and x^3 of Duffing's force; 0 for a user's function */
     const struct VM_TAG(vm_law) *laws; /* two laws of time for k1 and k3; null where they are constant */
-    vm_odd_function function; /* the user's function; else null */
-    void *ctx;                /* the user's pointer, last argument of function */
-    /* Functions that depend on the kind of force; its constructor sets them. All but `point` return a status. */
-    int (*at)(const vm_odd_force *force, vm_real x, vm_real *f); /* F(x) for any x; null if this is no force */
+    vm_odd_function function; /* the user's function for vm_odd_force_user; null for Duffing's force */
+    void *ctx;                /* the user's pointer, last argument of `function` */
+    /* Functions that depend on the kind of force; its constructor sets them. Those of type int return a status. */
+    int (*at)(const vm_odd_force *force, vm_real x, vm_real *f); /* writes F(x) for any x to *f; null if no constructor
+                                                                    filled the struct */
     /* Writes the size and the place of the orbit that contains a given state (x, v). */
     int (*orbit_through)(const vm_odd_force *force, vm_real x, vm_real v, vmi_orbit *orbit);
     /* Computes all other fields of an orbit from its size and place. */
     int (*complete)(vmi_orbit *orbit);
-    /* Writes a point of a complete orbit, the phase of a state on it, and the state at a phase. */
+    /* Three functions for a complete orbit: `point` writes the point at theta, `phase` the phase of the state (x, v),
+       and `at_phase` the state at the phase phi. */
     void (*point)(const vmi_orbit *orbit, vm_real theta, vmi_orbit_point *point);
     int (*phase)(const vmi_orbit *orbit, vm_real x, vm_real v, vm_real *phi);
     int (*at_phase)(const vmi_orbit *orbit, vm_real phi, vm_real *x, vm_real *v);
-    /* Writes the ripple of a complete orbit; null where quadrature has to find it. */
+    /* Writes the ripple of a complete orbit (oscillators/orbit_ripple.h); null where numerical integration has to find
+       it. */
     void (*ripple)(const vmi_orbit *orbit, vmi_orbit_ripple *ripple);
 };
 
 /* Where an orbit lies: around x = 0, or around another place of rest, to the right or to the left of x = 0 */
 enum { VMI_ORBIT_AROUND_0 = 0, VMI_ORBIT_RIGHT = 1, VMI_ORBIT_LEFT = -1 };
 
-/* The largest number of equal parts into which 0 <= theta <= pi/2 is divided, and also 0 <= x <= A */
+/* The largest number of equal parts into which the interval 0 <= theta <= pi/2 is divided, and also the interval 0 <= x
+   <= A, where A is the amplitude; and the largest number of nodes of Gauss' rule on these parts */
 enum { VMI_ORBIT_PARTS = 8, VMI_ORBIT_NODES = VMI_ORBIT_PARTS * VMI_GAUSS };
 
-/* An orbit of x'' + F(x) = 0 */
+/* An orbit, which is the motion x'' + F(x) = 0 at one amplitude. theta is the angle at the top of this file. */
 struct VM_TAG(vmi_orbit) {
     const vm_odd_force *force;
-    vm_real size;              /* amplitude, m, if the orbit lies around 0; else half the difference of the largest and
-                                  the smallest x^2, m^2 */
-    int place;                 /* where the orbit lies: around 0, or at one side of it; one of VMI_ORBIT_... */
+    vm_real size;              /* amplitude, m, if the orbit lies around x = 0; else half the difference of the largest
+                                  and the smallest x^2, m^2 */
+    int place;                 /* where the orbit lies: around x = 0, or to the right or left of it; one of
+                                  VMI_ORBIT_... */
     vm_real span;              /* by how much the phase grows between theta = 0 and theta = pi/2: pi/2 for an orbit
                                   around 0, else pi */
-    vm_real w, j;              /* rate of the phase, 1/s, and action */
+    vm_real w, j;              /* rate w of the phase, 1/s, and action j, m^2/s */
     vm_real energy_slope;      /* derivative of the energy with respect to `size` */
     vm_real swing, vmax;       /* half the distance of the turning points, m, and largest velocity, m/s */
-    vm_real lambda, m1;        /* rate of the argument of Jacobi's functions, and 1 - k^2 with their modulus k */
-    vm_real C2, C4;            /* for Duffing's force: means of cn^2 and cn^4 over a period, for this modulus */
+    vm_real lambda, m1;        /* for Duffing's force: rate of the argument of Jacobi's functions, and 1 - k^2, where k
+                                  is their modulus */
+    vm_real C2, C4;            /* for Duffing's force: means of cn^2 and cn^4 over a period, for the modulus k */
     int pieces;                /* for a user's force: number of equal pieces of 0 ... `size`; a series gives F
                                   on each piece */
     vm_real series[VMI_ORBIT_PARTS][VMI_GAUSS]; /* for a user's force: Legendre series of F on each piece */
     vm_real above[VMI_ORBIT_PARTS];             /* for a user's force: integral of F from a piece's end to `size` */
 };
 
-/* A point of an orbit, 0 <= theta <= pi/2; theta = 0 is the turning point with the largest |x|. x is positive. */
+/* The point of an orbit at an angle theta between 0 and pi/2; theta = 0 is the turning point with the largest |x|. The
+   position x at this point is positive. */
 struct VM_TAG(vmi_orbit_point) {
     vm_real x, v;          /* position and velocity */
     vm_real slowness;      /* dt/dtheta */
-    vm_real x_size;        /* derivative of x with respect to the orbit's size, at fixed theta */
-    vm_real slowness_size; /* derivative of the slowness with respect to the orbit's size, at fixed theta */
+    vm_real x_size;        /* derivative of x with respect to the field `size` of the orbit, at fixed theta */
+    vm_real slowness_size; /* derivative of `slowness` with respect to the field `size` of the orbit, at fixed theta */
 };
 
-/* The largest |x| on a complete orbit, m */
+/* The largest |x|, m, on an orbit all of whose fields are set */
 VM_API vm_real vmi_orbit_amplitude(const vmi_orbit *orbit)
 {
     if (orbit->place == VMI_ORBIT_AROUND_0) return orbit->size;
-    return orbit->size / (2 * orbit->swing) + orbit->swing; /* (A + B)/2 + (A - B)/2 = A, with the smallest |x| B; size
-                                                               = (A^2 - B^2)/2 */
+    return orbit->size / (2 * orbit->swing) + orbit->swing; /* (A + B)/2 + (A - B)/2 = A, where A is the largest and B
+                                                               the smallest |x|; size = (A^2 - B^2)/2 */
 }
 
 /* -- Integrals over theta -- */
@@ -14071,17 +14138,18 @@ VM_API vm_real vmi_orbit_amplitude(const vmi_orbit *orbit)
 typedef struct VM_TAG(vmi_orbit_sum) {
     int parts;
     vm_real series[VMI_ORBIT_PARTS][VMI_GAUSS];
-    vm_real start[VMI_ORBIT_PARTS + 1]; /* integral from 0 to the start of each part; the last: from 0 to pi/2 */
+    vm_real start[VMI_ORBIT_PARTS + 1]; /* integral from 0 to the start of each part; in the last element from 0 to
+                                           pi/2 */
 } vmi_orbit_sum;
 
-/* The angle theta of node i, if there are `parts` equal parts with 20 nodes each */
+/* The angle theta of the node i, if the interval 0 ... pi/2 has `parts` equal parts with 20 nodes each */
 VM_API vm_real vmi_orbit_node(int parts, int i)
 {
     const vm_real in_part = (1 + vmi_gauss_node(i % VMI_GAUSS)) / 2;
     return VM_PI / 2 * (((vm_real)(i / VMI_GAUSS) + in_part) / (vm_real)parts);
 }
 
-/* Computes the series and the integrals of two functions from their values at the nodes. */
+/* Computes the Legendre series and the integrals of two functions of theta from their values at the nodes. */
 VM_API void vmi_orbit_sums(int parts, const vm_real *values_a, const vm_real *values_b, vmi_orbit_sum *a,
                            vmi_orbit_sum *b)
 {
@@ -14098,10 +14166,10 @@ VM_API void vmi_orbit_sums(int parts, const vm_real *values_a, const vm_real *va
     }
 }
 
-/* The integral from 0 to pi/2 */
+/* The integral of the function from theta = 0 to pi/2 */
 VM_API vm_real vmi_orbit_whole(const vmi_orbit_sum *sum) { return sum->start[sum->parts]; }
 
-/* The number of the part that contains theta, 0 <= theta <= pi/2. *place becomes the place of theta in this part, from
+/* Returns the index of the part of 0 ... pi/2 that contains theta. Writes to *place where theta lies in this part, from
    -1 at its start to 1 at its end. */
 VM_API int vmi_orbit_part(const vmi_orbit_sum *sum, vm_real theta, vm_real *place)
 {
@@ -14113,7 +14181,7 @@ VM_API int vmi_orbit_part(const vmi_orbit_sum *sum, vm_real theta, vm_real *plac
     return part;
 }
 
-/* The integral from 0 to theta, 0 <= theta <= pi/2 */
+/* The integral of the function from 0 to theta, where 0 <= theta <= pi/2 */
 VM_API vm_real vmi_orbit_sum_to(const vmi_orbit_sum *sum, vm_real theta)
 {
     vm_real place;
@@ -14122,7 +14190,7 @@ VM_API vm_real vmi_orbit_sum_to(const vmi_orbit_sum *sum, vm_real theta)
     return sum->start[part] + half * vmi_legendre_integral(sum->series[part], place);
 }
 
-/* The value of the function at theta, 0 <= theta <= pi/2 */
+/* The value of the function at theta, where 0 <= theta <= pi/2 */
 VM_API vm_real vmi_orbit_value(const vmi_orbit_sum *sum, vm_real theta)
 {
     vm_real place;
@@ -14164,16 +14232,18 @@ VM_API vm_real vmi_orbit_theta(const vmi_orbit_sum *sum, vm_real target)
     return theta;
 }
 
-/* -- A phase, brought to the part of an orbit that repeats -- */
+/* -- A phase of any size, replaced by a phase between 0 and the orbit's span -- */
 
-/* A phase on the part 0 ... span, of which all other parts are mirror images */
+/* A phase on the part 0 ... span of an orbit, where span is the field of vmi_orbit. The rest of the orbit consists of
+   mirror images of this part. */
 typedef struct VM_TAG(vmi_orbit_folded) {
     vm_real phi;  /* between 0 and the orbit's span */
-    vm_real sign; /* -1 where the phase is a mirror image, so that odd functions change their sign; else 1 */
-    vm_real side; /* -1 where x has the other sign than at phase 0; else 1 */
+    vm_real sign; /* -1 where the original phase lies on a mirror image, on which odd functions of the phase have the
+                     opposite sign; else 1 */
+    vm_real side; /* -1 where the x at this phase and the x at phase 0 have opposite signs; else 1 */
 } vmi_orbit_folded;
 
-/* Brings a phase of any size to the part 0 ... span. */
+/* Replaces a phase of any size by the corresponding phase between 0 and orbit->span. */
 VM_API vmi_orbit_folded vmi_orbit_fold(const vmi_orbit *orbit, vm_real phi)
 {
     vmi_orbit_folded f;
@@ -14187,8 +14257,9 @@ VM_API vmi_orbit_folded vmi_orbit_fold(const vmi_orbit *orbit, vm_real phi)
     return f;
 }
 
-/* Computes dt/dtheta at all nodes, and its derivative with respect to the orbit's size. Doubles the number of parts
-   until vmi_orbit_tail is at most `enough` or there are VMI_ORBIT_PARTS parts. */
+/* Computes Legendre series of dt/dtheta and of its derivative with respect to the field `size` of the orbit. It doubles
+   the number of parts of 0 <= theta <= pi/2 until vmi_orbit_tail is at most `enough`, or until there are
+   VMI_ORBIT_PARTS parts. */
 VM_API void vmi_orbit_times(const vmi_orbit *orbit, vm_real enough, vmi_orbit_sum *time, vmi_orbit_sum *time_size)
 {
     vm_real slowness[VMI_ORBIT_NODES], by_size[VMI_ORBIT_NODES];
@@ -14207,7 +14278,8 @@ VM_API void vmi_orbit_times(const vmi_orbit *orbit, vm_real enough, vmi_orbit_su
 
 /* -- Forces by a user's function -- */
 
-/* F(x) for any x. Returns VM_DOMAIN where the user's function fails, VM_NOT_FINITE where F is not finite. */
+/* Writes F(x) for any x to *f. Returns VM_DOMAIN where the user's function fails, VM_NOT_FINITE where F is not finite,
+   and else VM_OK. */
 VM_API int vmi_odd_user_at(const vm_odd_force *force, vm_real x, vm_real *f)
 {
     *f = 0;
@@ -14218,16 +14290,17 @@ VM_API int vmi_odd_user_at(const vm_odd_force *force, vm_real x, vm_real *f)
     return VM_OK;
 }
 
-/* F at one point x, and its mean and mean slope from x to an end, which is the amplitude A or the end of a piece */
+/* The force F at one point x, and its mean and its mean slope between x and an end point. The end point is the
+   amplitude A or the end of a piece of 0 ... A. */
 typedef struct VM_TAG(vmi_odd_forces) {
     vm_real f;     /* F(x) */
-    vm_real mean;  /* mean of F between x and the end */
-    vm_real slope; /* (F(end) - F(x))/(end - x) */
+    vm_real mean;  /* mean of F between x and the end point */
+    vm_real slope; /* (F(end point) - F(x))/(end point - x) */
 } vmi_odd_forces;
 
 /* Evaluates the Legendre series of F on a piece at y between -1 and 1, where y = 1 is the end of the piece. `half` is
-   half the length of the piece. The sums use D_k = (1 - P_k(y))/(1 - y) with Legendre's polynomials P_k, so that no
-   close numbers are subtracted near the end. */
+   half the length of the piece. The sums use D_k = (1 - P_k(y))/(1 - y) with Legendre's polynomials P_k, so that near y
+   = 1 the code need not subtract nearly equal numbers. */
 VM_API vmi_odd_forces vmi_odd_user_sums(const vm_real *series, vm_real y, vm_real half)
 {
     vm_real before = 0, now = 1, D_before = 0, D = 0;
@@ -14248,7 +14321,7 @@ VM_API vmi_odd_forces vmi_odd_user_sums(const vm_real *series, vm_real y, vm_rea
     return r;
 }
 
-/* F at x = share A, and its mean and slope between x and the amplitude A, where 0 <= share <= 1 */
+/* The force F at x = share A, and its mean and mean slope between x and the amplitude A, where 0 <= share <= 1 */
 VM_API vmi_odd_forces vmi_odd_user_forces(const vmi_orbit *orbit, vm_real share)
 {
     const vm_real A = orbit->size, half = A / (2 * (vm_real)orbit->pieces);
@@ -14265,7 +14338,8 @@ VM_API vmi_odd_forces vmi_odd_user_forces(const vmi_orbit *orbit, vm_real share)
     return r;
 }
 
-/* The point at theta. Between x and the amplitude A, F has the mean g (A + x)/2. */
+/* Writes the point of the orbit at the angle theta. The variable g is defined by this: between x and the amplitude A, F
+   has the mean g (A + x)/2. */
 VM_API void vmi_odd_user_point(const vmi_orbit *orbit, vm_real theta, vmi_orbit_point *point)
 {
     const vm_real A = orbit->size;
@@ -14282,8 +14356,8 @@ VM_API void vmi_odd_user_point(const vmi_orbit *orbit, vm_real theta, vmi_orbit_
     point->slowness_size = -point->slowness * (g_size / (2 * g));
 }
 
-/* Fits series of F on this number of equal pieces of 0 ... A. Writes the size of the terms that the series leave out,
-   relative to the root mean square of F. */
+/* Fits Legendre series to F on `pieces` equal pieces of the interval from 0 to the amplitude. Writes to *tail the size
+   of the terms that the series leave out, divided by the root mean square of F. */
 VM_API int vmi_odd_user_fit(vmi_orbit *orbit, int pieces, vm_real *tail)
 {
     const vm_real length = orbit->size / (vm_real)pieces;
@@ -14308,8 +14382,9 @@ VM_API int vmi_odd_user_fit(vmi_orbit *orbit, int pieces, vm_real *tail)
     return VM_OK;
 }
 
-/* Fits series of F between 0 and the orbit's amplitude, on 1, 2, 4 or 8 equal pieces: on the first number that is
-   enough. Returns VM_NO_LAW if F is not smooth enough for 8 pieces. */
+/* Fits Legendre series to F between 0 and the orbit's amplitude, on 1, 2, 4 or 8 equal pieces. It takes the smallest of
+   these numbers for which the series are accurate enough. Returns VM_NO_LAW if 8 pieces are not enough, because F is
+   not smooth. */
 VM_API int vmi_odd_user_series(vmi_orbit *orbit)
 {
     const vm_real enough = 64 * VM_EPSILON, accepted = VM_MANT_DIG > 24 ? VM_C(1e-11) : VM_C(1e-5);
@@ -14324,8 +14399,9 @@ VM_API int vmi_odd_user_series(vmi_orbit *orbit)
     return VM_NO_LAW;
 }
 
-/* Completes an orbit whose amplitude is known. Returns VM_NO_LAW where there is no vibration of this amplitude, and
-   where the quadrature is not accurate: close to a separatrix, and for a force that is not smooth. */
+/* Sets all other fields of an orbit whose amplitude is known. Returns VM_NO_LAW where there is no vibration of this
+   amplitude, and where the numerical integration is not accurate: close to a separatrix (the border between two kinds
+   of vibration), and for a force that is not smooth. */
 VM_API int vmi_odd_user_complete(vmi_orbit *orbit)
 {
     const vm_real enough = 16 * VM_EPSILON, accepted = VM_MANT_DIG > 24 ? VM_C(1e-10) : VM_C(1e-4);
@@ -14350,15 +14426,15 @@ VM_API int vmi_odd_user_complete(vmi_orbit *orbit)
     return VM_IS_FINITE(orbit->w) && orbit->w > 0 && orbit->energy_slope > 0 ? VM_OK : VM_NO_LAW;
 }
 
-/* A state whose amplitude is searched */
+/* A state (x, v) on an orbit whose amplitude is to be found */
 typedef struct VM_TAG(vmi_odd_state) {
     const vm_odd_force *force;
     vm_real x, v; /* position >= 0 and velocity */
     int status;   /* status of the user's function */
 } vmi_odd_state;
 
-/* The potential energy at x + more, minus that at x, minus the kinetic energy of the state. It is 0 where x + more is
-   the amplitude. */
+/* The potential energy at x + more, minus the potential energy at x, minus the kinetic energy v^2/2 of the state (x,
+   v). The result is 0 where x + more is the amplitude. */
 VM_API vm_real vmi_odd_user_missing(vm_real more, void *state)
 {
     vmi_odd_state *s = (vmi_odd_state *)state;
@@ -14376,8 +14452,8 @@ VM_API vm_real vmi_odd_user_missing(vm_real more, void *state)
     return sum * length - s->v * s->v / 2;
 }
 
-/* Finds the orbit through a state. A trial value of the amplitude is doubled or halved until the amplitude lies between
-   two trial values. Returns VM_NO_LAW where there is no amplitude. */
+/* Finds the orbit through the state (x, v). A trial value of the amplitude is doubled or halved until the amplitude
+   lies between two trial values. Returns VM_NO_LAW where there is no amplitude. */
 VM_API int vmi_odd_user_through(const vm_odd_force *force, vm_real x, vm_real v, vmi_orbit *orbit)
 {
     const int most = 200;
@@ -14410,8 +14486,8 @@ VM_API int vmi_odd_user_through(const vm_odd_force *force, vm_real x, vm_real v,
     return s.status;
 }
 
-/* The phase of a state on a complete orbit. The state gives theta by x = A cos(theta) and v = -A
-   sin(theta)/(dt/dtheta). */
+/* Writes the phase of the state (x, v) on a complete orbit of amplitude A. The angle theta follows from x = A
+   cos(theta) and v = -A sin(theta)/(dt/dtheta), and the phase from theta. */
 VM_API int vmi_odd_user_phase(const vmi_orbit *orbit, vm_real x, vm_real v, vm_real *phi)
 {
     const vm_real above = vmi_larger(orbit->size - VM_FABS(x), 0) * (orbit->size + VM_FABS(x));
@@ -14427,7 +14503,7 @@ VM_API int vmi_odd_user_phase(const vmi_orbit *orbit, vm_real x, vm_real v, vm_r
     return VM_OK;
 }
 
-/* Position and velocity at a phase */
+/* Writes position x and velocity v of the orbit at the phase phi. */
 VM_API int vmi_odd_user_at_phase(const vmi_orbit *orbit, vm_real phi, vm_real *x, vm_real *v)
 {
     const vmi_orbit_folded f = vmi_orbit_fold(orbit, phi);
@@ -14443,7 +14519,7 @@ VM_API int vmi_odd_user_at_phase(const vmi_orbit *orbit, vm_real phi, vm_real *x
 /* Odd elastic force F(x) that a user's function computes. The function is called for x >= 0 only; its last argument is
    ctx. F must be positive for 0 < x <= A, or at least do positive work between every x and the amplitude A. Between 0
    and A it must be so smooth that polynomials of degree 19 represent it on at most 8 equal pieces; otherwise the
-   functions that return a status return VM_NO_LAW. A null function makes no force: these functions then return
+   functions that use the force and return a status return VM_NO_LAW. If `function` is null, they return
    VM_BAD_ARGUMENT. */
 VM_API vm_odd_force vm_odd_force_user(vm_odd_function function, void *ctx)
 {
@@ -14454,7 +14530,7 @@ VM_API vm_odd_force vm_odd_force_user(vm_odd_function function, void *ctx)
     force.function = function;
     force.ctx = ctx;
     force.at = NULL;
-    if (function) force.at = vmi_odd_user_at; /* else there is no force */
+    if (function) force.at = vmi_odd_user_at; /* if `at` stays null, the struct describes no force */
     force.orbit_through = vmi_odd_user_through;
     force.complete = vmi_odd_user_complete;
     force.point = vmi_odd_user_point;
@@ -14466,7 +14542,8 @@ VM_API vm_odd_force vm_odd_force_user(vm_odd_function function, void *ctx)
 
 /* -- Motion with constant mass -- */
 
-/* Makes the complete orbit through a state. For a state of rest the size is 0, and the other fields have no meaning. */
+/* Computes all fields of the orbit through the state (x, v). If the state is one of rest in equilibrium, the field
+   `size` becomes 0, and the other fields have no meaning. */
 VM_API int vmi_orbit_of_state(const vm_odd_force *force, vm_real x, vm_real v, vmi_orbit *orbit)
 {
     int status;
@@ -14477,9 +14554,9 @@ VM_API int vmi_orbit_of_state(const vm_odd_force *force, vm_real x, vm_real v, v
     return force->complete(orbit);
 }
 
-/* Exact period, s, of x'' + F(x) = 0 from rest at x0 (m, either sign), for an odd F per unit mass.
-   Returns NaN for a null pointer, a force that no constructor made, x0 = 0, infinite x0, and where there is no
-   vibration. The relative error is at most 1e-13 (float 1e-5). */
+/* Exact period, s, of x'' + F(x) = 0 from rest at x0 (m, either sign), for an odd force F per unit mass. Returns NaN
+   for a null pointer, for a force that no constructor made, for x0 = 0 or infinite x0, and where there is no vibration.
+   The relative error is at most 1e-13 (float 1e-5). */
 VM_API vm_real vm_odd_period(const vm_odd_force *force, vm_real x0)
 {
     vmi_orbit orbit;
@@ -14487,9 +14564,9 @@ VM_API vm_real vm_odd_period(const vm_odd_force *force, vm_real x0)
     return 2 * VM_PI / orbit.w;
 }
 
-/* Action, m^2/s, of x'' + F(x) = 0 from rest at x0 (m, either sign), for an odd F per unit mass.
-   It is the integral of v dx over a period, divided by 2 pi. A slow change of the force keeps it constant. Errors and
-   accuracy are those of vm_odd_period, but for x0 = 0 the action is 0. */
+/* Action, m^2/s, of x'' + F(x) = 0 from rest at x0 (m, either sign), for an odd force F per unit mass. The action is
+   the integral of v dx over a period, divided by 2 pi. It stays nearly constant while the force changes slowly. Returns
+   NaN where vm_odd_period does, but 0 for x0 = 0. The accuracy is that of vm_odd_period. */
 VM_API vm_real vm_odd_action(const vm_odd_force *force, vm_real x0)
 {
     vmi_orbit orbit;
@@ -14498,12 +14575,12 @@ VM_API vm_real vm_odd_action(const vm_odd_force *force, vm_real x0)
     return orbit.j;
 }
 
-/* Exact motion x(t), v(t) of x'' + F(x) = 0 from x0 (m) and v0 (m/s), for an odd F per unit mass.
-   The errors of x and v are at most 1e-12 (float 1e-4) of the amplitude and of the largest velocity, times 1 +
-   t/period. Returns VM_BAD_ARGUMENT for null pointers and for a force that no constructor made, VM_NOT_FINITE for
-   infinite numbers and a force that is infinite, VM_DOMAIN where the user's function fails, and VM_NO_LAW where there
-   is no vibration, on a separatrix and close to it, and for a force that is not smooth. An error leaves *x and *v
-   untouched. */
+/* Exact motion x(t), v(t) of x'' + F(x) = 0 from the position x0 (m) and the velocity v0 (m/s) at t = 0, for an odd
+   force F per unit mass. The error of x, divided by the amplitude, and the error of v, divided by the largest velocity,
+   are at most 1e-12 (float 1e-4) times 1 + t/period. Returns VM_BAD_ARGUMENT for null pointers and for a force that no
+   constructor made, VM_NOT_FINITE for numbers or a force that are infinite or NaN, VM_DOMAIN where the user's function
+   fails, and VM_NO_LAW in three cases: where there is no vibration, on or close to a separatrix (the border between two
+   kinds of vibration), and for a force that is not smooth. An error leaves *x and *v untouched. */
 VM_API int vm_odd_exact_from(const vm_odd_force *force, vm_real t, vm_real x0, vm_real v0, vm_real *x, vm_real *v)
 {
     vmi_orbit orbit;
@@ -14529,15 +14606,16 @@ VM_API int vm_odd_exact_from(const vm_odd_force *force, vm_real t, vm_real x0, v
 #endif
 /* oscillators/orbit_ripple.h - how a slow change disturbs the motion on an orbit within a period
 
-   If ds = sqrt(k/m) dt defines a new time s, then slow mass, stiffness, damping b and the reactive force (with the
-   share r) together act as one damping h:
+   An orbit is the motion under an odd force F(x) at one amplitude (oscillators/odd_force.h). Let m be the mass, k the
+   factor of the force, b the damping and r the share of the reactive force. If ds = sqrt(k/m) dt defines a new time s,
+   then all slow changes together act as one damping h:
        x'' + F(x) = -2 h x',   2 h = d ln(mu sqrt(k/m))/ds,   mu' = (r m' + b) mu/m
    so that J = j mu sqrt(k/m) stays constant on average, where j is the action of the orbit. J and the phase phi are
-   canonical variables. Their Hamiltonian is (H + 2 h a) mu sqrt(k/m), where H is the Hamiltonian of constant mass and a
-   the function
+   canonical variables, that is they obey Hamilton's equations. Their Hamiltonian is (H + 2 h a) mu sqrt(k/m), where H
+   is the Hamiltonian for constant mass, and a is the function
        a(phi) = (integral of v dx from phase 0) - j phi
-   of period pi (2 pi in a well) and mean 0. Let B be the integral of a over the phase, with mean 0. To second order
-   in h the mean action and the mean phase are
+   of period pi (2 pi in a well, which is a place of rest beside x = 0) and mean 0. Let B be the integral of a over the
+   phase, with mean 0. To second order in h the mean action and the mean phase are
        j_mean = j + 2h a/w - (B/w)(2h' + 4h^2)/w + 4h^2 j (B/w)_j/w - 2h^2 (a^2 - M) w_j/w^3 + 2h^2 (M/w^2)_j
        phi_mean = phi - 2h (B/w)_j,   phi_mean' = w(j_mean) - 2h^2 (M/w)_jj
    where w is the rate of the phase, M the mean of a^2, _j the derivative with respect to j at fixed phase, and h' =
@@ -14551,44 +14629,49 @@ VM_API int vm_odd_exact_from(const vm_odd_force *force, vm_real t, vm_real x0, v
 #ifndef VARMASS_OSCILLATORS_ORBIT_RIPPLE_H
 #define VARMASS_OSCILLATORS_ORBIT_RIPPLE_H
 
-/* The largest number of terms of a Fourier series of the ripple */
+/* The largest number of terms of a Fourier series in vmi_orbit_ripple */
 enum { VMI_RIPPLE_HARMONICS = 96 };
 
-/* The functions of the ripple on one orbit. "By size" stands for the derivative with respect to orbit.size at fixed
-   phase. a is a Fourier series in sin(n zeta) where it has a closed form, with zeta = 2 phi for an orbit around 0 and
-   zeta = phi in a well; otherwise it is an integral over theta. */
+/* The functions a and B of the top of this file on one orbit. They give the ripple, the swing of action and phase
+   within a period. A name with _size is the derivative with respect to the field `size` of the orbit, at fixed phase.
+   The function a is a Fourier series in sin(n zeta) where its coefficients have closed forms, with zeta = 2 phi for an
+   orbit around 0 and zeta = phi in a well; otherwise it is an integral over theta. */
 struct VM_TAG(vmi_orbit_ripple) {
-    vm_real M, M_size;     /* mean of a^2, and its derivative by size */
-    vm_real X, X_size;     /* mean of x^2, and its derivative by size; set for Duffing's force only, else 0 */
-    vm_real w_size, j_size; /* derivatives of w and j by size */
-    vm_real largest_a;     /* largest |a|/j; for a Fourier series a bound of it */
-    vm_real largest_B;     /* largest w |(B/w)_j|; for a Fourier series a bound of it */
-    int harmonics;         /* number of terms of the Fourier series; 0 where the fields from `time` on are used */
-    vm_real a[VMI_RIPPLE_HARMONICS + 1], a_size[VMI_RIPPLE_HARMONICS + 1]; /* factor of sin(n zeta) in a, and its
-                                                                              derivative by size, n >= 1 */
+    vm_real M, M_size;     /* mean of a^2, and the derivative of this mean with respect to size */
+    vm_real X, X_size;     /* mean of x^2, and the derivative of this mean with respect to size; for Duffing's force
+                              only, else 0 */
+    vm_real w_size, j_size; /* derivatives of the phase rate w and of the action j with respect to size */
+    vm_real largest_a;     /* largest |a|/j, or for a Fourier series a bound of it */
+    vm_real largest_B;     /* largest w |(B/w)_j|, or for a Fourier series a bound of it */
+    int harmonics;         /* number of terms of the Fourier series; 0 where there is none, and the fields from `time`
+                              on are used */
+    vm_real a[VMI_RIPPLE_HARMONICS + 1], a_size[VMI_RIPPLE_HARMONICS + 1]; /* n >= 1: factor of sin(n zeta) in a, and
+                                                                              its derivative with respect to size */
     vm_real b[VMI_RIPPLE_HARMONICS + 1];                                   /* factor of cos(n zeta) in (B/w)_j */
-    vmi_orbit_sum time, time_size; /* time from theta = 0, and its derivative by size at fixed theta */
+    vmi_orbit_sum time, time_size; /* time since theta = 0, and its derivative with respect to size at fixed theta */
     vmi_orbit_sum squares;         /* integral of v^2 over time */
-    vmi_orbit_sum B, B_size;       /* integrals of a over the phase, and of its derivative by size */
-    vm_real B_mean, B_size_mean;   /* the means of these integrals */
+    vmi_orbit_sum B, B_size;       /* integrals over the phase: of the function a, and of its derivative with respect to
+                                      size */
+    vm_real B_mean, B_size_mean;   /* the means of the integrals B and B_size */
 };
 
-/* The ripple at one phase */
+/* The functions of the ripple at one phase */
 typedef struct VM_TAG(vmi_orbit_ripple_values) {
     vm_real a, B; /* the functions a and B of the top of this file */
     vm_real B_j;  /* (B/w)_j */
 } vmi_orbit_ripple_values;
 
-/* Values at the nodes of theta, from which series and integrals are computed */
+/* Values at the nodes, the values of theta from which series and integrals are computed */
 typedef struct VM_TAG(vmi_orbit_nodes) {
     int n;
     vmi_orbit_point point[VMI_ORBIT_NODES];
-    vm_real a[VMI_ORBIT_NODES], a_size[VMI_ORBIT_NODES]; /* a, and its derivative by size at fixed phase */
+    vm_real a[VMI_ORBIT_NODES], a_size[VMI_ORBIT_NODES]; /* the function a, and its derivative with respect to size at
+                                                            fixed phase */
     vm_real phase_rate[VMI_ORBIT_NODES];                 /* dphi/dtheta */
 } vmi_orbit_nodes;
 
-/* Computes a and its derivative by size at the nodes. At fixed phase the derivative of a is v times the derivative of
-   x. */
+/* Computes the function a and its derivative with respect to the orbit's size at the nodes. At fixed phase the
+   derivative of a is v times the derivative of x. */
 VM_API void vmi_orbit_ripple_nodes(const vmi_orbit *orbit, vmi_orbit_ripple *r, vmi_orbit_nodes *nodes)
 {
     vm_real squares[VMI_ORBIT_NODES];
@@ -14612,7 +14695,7 @@ VM_API void vmi_orbit_ripple_nodes(const vmi_orbit *orbit, vmi_orbit_ripple *r, 
     }
 }
 
-/* The mean over the phase of a function with these values at the nodes */
+/* The mean over the phase of a function whose values at the nodes are in `values` */
 VM_API vm_real vmi_orbit_mean(const vmi_orbit *orbit, const vmi_orbit_nodes *nodes, const vm_real *values)
 {
     vm_real sum = 0;
@@ -14621,13 +14704,14 @@ VM_API vm_real vmi_orbit_mean(const vmi_orbit *orbit, const vmi_orbit_nodes *nod
     return sum * (VM_PI / 4 / ((vm_real)(nodes->n / VMI_GAUSS) * orbit->span));
 }
 
-/* The derivative of B/w with respect to j, from B and its derivative by size */
+/* The derivative of B/w with respect to the action j, where w is the rate of the phase. B_size is the derivative of B
+   with respect to the orbit's size. */
 VM_API vm_real vmi_orbit_B_j(const vmi_orbit *orbit, const vmi_orbit_ripple *r, vm_real B, vm_real B_size)
 {
     return (B_size - B * (r->w_size / orbit->w)) / (orbit->w * r->j_size);
 }
 
-/* Computes B, the means and the largest values from the nodes. */
+/* Computes the function B, the means and the largest values from the values at the nodes. */
 VM_API void vmi_orbit_ripple_means(const vmi_orbit *orbit, const vmi_orbit_nodes *nodes, vmi_orbit_ripple *r)
 {
     const int parts = r->time.parts;
@@ -14662,8 +14746,8 @@ VM_API void vmi_orbit_ripple_means(const vmi_orbit *orbit, const vmi_orbit_nodes
     }
 }
 
-/* Computes the other fields of a ripple by Fourier series. The fields harmonics, a, a_size, w_size and j_size must be
-   set. */
+/* Computes the means, the largest values and the coefficients b of a ripple from its Fourier series. The fields
+   harmonics, a, a_size, w_size and j_size must be set before. */
 VM_API void vmi_orbit_ripple_of_harmonics(const vmi_orbit *orbit, vmi_orbit_ripple *r)
 {
     const vm_real turn = VM_PI / orbit->span; /* zeta/phi */
@@ -14682,7 +14766,8 @@ VM_API void vmi_orbit_ripple_of_harmonics(const vmi_orbit *orbit, vmi_orbit_ripp
     }
 }
 
-/* Computes the ripple of a complete orbit. Its terms are small, so that 8 digits are enough for them. */
+/* Computes the ripple of an orbit whose fields are all set. The terms of the ripple are small, so that 8 digits are
+   enough for them. */
 VM_API void vmi_orbit_ripple_init(vmi_orbit_ripple *r, const vmi_orbit *orbit)
 {
     const vm_real enough = VM_MANT_DIG > 24 ? VM_C(1e-8) : VM_C(1e-5);
@@ -14701,7 +14786,8 @@ VM_API void vmi_orbit_ripple_init(vmi_orbit_ripple *r, const vmi_orbit *orbit)
     vmi_orbit_ripple_means(orbit, &nodes, r);
 }
 
-/* The ripple at a phase by the Fourier series, which Clenshaw's recurrence adds up from the last term to the first */
+/* Writes the ripple at the phase phi by the Fourier series, which Clenshaw's recurrence adds up from the last term to
+   the first. */
 VM_API void vmi_orbit_ripple_by_harmonics(const vmi_orbit_ripple *r, const vmi_orbit *orbit, vm_real phi,
                                           vmi_orbit_ripple_values *now)
 {
@@ -14724,7 +14810,7 @@ VM_API void vmi_orbit_ripple_by_harmonics(const vmi_orbit_ripple *r, const vmi_o
     now->B_j = cosine * b - b_next;
 }
 
-/* The ripple at a phase of any size */
+/* Writes the ripple at a phase phi of any size. */
 VM_API void vmi_orbit_ripple_at(const vmi_orbit_ripple *r, const vmi_orbit *orbit, vm_real phi,
                                 vmi_orbit_ripple_values *now)
 {
@@ -14743,20 +14829,21 @@ VM_API void vmi_orbit_ripple_at(const vmi_orbit_ripple *r, const vmi_orbit *orbi
     now->B_j = vmi_orbit_B_j(orbit, r, now->B, B_size);
 }
 
-/* The relative change of w divided by the relative change of j that causes it */
+/* The relative change of the phase rate w, divided by the relative change of the action j that causes it */
 VM_API vm_real vmi_orbit_gamma(const vmi_orbit_ripple *r, const vmi_orbit *orbit)
 {
     return orbit->j * r->w_size / (r->j_size * orbit->w);
 }
 
-/* (M/w)_j, on which the mean rate of the phase depends */
+/* (M/w)_j, the derivative of M/w with respect to the action, on which the mean rate of the phase depends. M is the mean
+   of a^2, w the rate of the phase. */
 VM_API vm_real vmi_orbit_M_j(const vmi_orbit_ripple *r, const vmi_orbit *orbit)
 {
     return (r->M_size - r->M * (r->w_size / orbit->w)) / (orbit->w * r->j_size);
 }
 
-/* The mean action that belongs to the action j of an orbit at a phase. h is the damping that the top of this file
-   defines, and h_rate = dh/ds. */
+/* The mean action that belongs to the action j of an orbit at the phase of `now`. h is the damping that the top of this
+   file defines, and h_rate = dh/ds. */
 VM_API vm_real vmi_orbit_mean_action(const vmi_orbit_ripple *r, const vmi_orbit *orbit,
                                      const vmi_orbit_ripple_values *now, vm_real h, vm_real h_rate)
 {
@@ -14767,8 +14854,8 @@ VM_API vm_real vmi_orbit_mean_action(const vmi_orbit_ripple *r, const vmi_orbit 
     return orbit->j + first + second;
 }
 
-/* The difference (mean action) - (action), as far as a weak linear spring of stiffness 1 causes it. The spring acts in
-   addition to the force; x is the position on the orbit. */
+/* The part of the difference (mean action) - (action) that a weak linear spring of stiffness 1 causes. The spring acts
+   in addition to the force F; x is the position on the orbit. */
 VM_API vm_real vmi_orbit_spring_action(const vmi_orbit_ripple *r, const vmi_orbit *orbit, vm_real x)
 {
     return (x * x - r->X) / (2 * orbit->w);
@@ -15257,19 +15344,19 @@ VM_API void vm_duffing_exact_from(vm_real t, vm_real x0, vm_real v0, vm_real c1,
 }
 
 #endif
-/* oscillators/odd_laws.h - a vibration under an odd elastic force, and its slow laws at one time
+/* oscillators/odd_laws.h - a vibration under an odd elastic force, and its slowly changing numbers at one time
 
-   The problem is that of oscillators/odd_motion.h, which also shows the shortest useful call. This file reads the laws
-   and computes the numbers that the averaging needs from them.
+   The equation of motion is in oscillators/odd_motion.h, which also shows the shortest useful call. This file reads the
+   laws of mass, stiffness and damping at one time, and computes from them the numbers that averaging needs.
 
    Where k1 and k3 of Duffing's force follow laws of their own (vm_duffing_force_of_laws), the shape of the force
-   changes with time. A length s(t) makes the shape constant, where s^2 is k1/k3 divided by the value of k1/k3 at t = 0.
-   The coordinate y = x/s obeys, without any approximation,
+   changes with time. A new coordinate y = x/s makes the shape constant, where s(t)^2 is the ratio k1/k3 divided by the
+   value of this ratio at t = 0. The coordinate y obeys, without any approximation,
        m y'' + K F(y) + (reactive m' + b + 2 m s'/s) y' + m G y = 0
    with F(y) = k1(0) y + k3(0) y^3, K(t) = k(t) k1(t)/k1(0) and G = s''/s + (s'/s) (reactive m' + b)/m. So the change of
-   shape acts as more damping, and as a weak linear spring, whose stiffness is of second order in the rates of the
-   laws. Where k1 or k3 is 0 all the time, s is 1. Where one of them is 0 at one time only, there is no such s; then the
-   equation of motion is integrated numerically. Guide: docs/duffing.md. Tests: tests/test_duffing_laws.c. */
+   shape acts as additional damping, and as a weak linear spring, whose stiffness m G is of second order in the rates of
+   the laws. Where k1 or k3 is 0 all the time, s is 1. Where k1 or k3 is 0 at some times only, there is no such s; then
+   the equation of motion is integrated numerically. Guide: docs/duffing.md. Tests: tests/test_duffing_laws.c. */
 #ifndef VARMASS_OSCILLATORS_ODD_LAWS_H
 #define VARMASS_OSCILLATORS_ODD_LAWS_H
 
@@ -15286,8 +15373,8 @@ typedef struct VM_TAG(vm_odd_problem) {
 
 /* -- All laws of a problem -- */
 
-/* Writes pointers to the laws of a problem, and for each law the status if it is not positive (VM_OK if it may have any
-   sign). Returns the number of laws. */
+/* Writes pointers to the laws of a problem, and for each law the status that is returned if the law is not positive
+   (VM_OK if the law may have any sign). Returns the number of laws. */
 enum { VMI_ODD_LAWS = 5 };
 VM_API int vmi_odd_all_laws(const vm_odd_problem *o, const vm_law **laws, int *if_not_positive)
 {
@@ -15305,7 +15392,7 @@ VM_API int vmi_odd_all_laws(const vm_odd_problem *o, const vm_law **laws, int *i
     return VMI_ODD_LAWS;
 }
 
-/* Whether constructors made all laws of a problem */
+/* Returns 1 if constructors made all laws of a problem, else 0. */
 VM_API int vmi_odd_has_laws(const vm_odd_problem *o)
 {
     const vm_law *laws[VMI_ODD_LAWS];
@@ -15316,7 +15403,8 @@ VM_API int vmi_odd_has_laws(const vm_odd_problem *o)
     return 1;
 }
 
-/* The first point of a table of any law after t on the way to t_end, or t_end if there is none */
+/* Returns the first time between t and t_end at which the table of any law has a point, or t_end if there is no such
+   time. */
 VM_API vm_real vmi_odd_next_knot(const vm_odd_problem *o, vm_real t, vm_real t_end)
 {
     const vm_law *laws[VMI_ODD_LAWS];
@@ -15326,7 +15414,8 @@ VM_API vm_real vmi_odd_next_knot(const vm_odd_problem *o, vm_real t, vm_real t_e
     return t_end;
 }
 
-/* Checks all laws of a problem between 0 and t. Returns the status that comes first in the table of errors. */
+/* Checks all laws of a problem between the times 0 and t. If several laws are wrong, it returns the status that comes
+   first in the table of errors in src/base/status.h. */
 VM_API int vmi_odd_check_laws(const vm_odd_problem *o, vm_real t)
 {
     const vm_law *laws[VMI_ODD_LAWS];
@@ -15342,10 +15431,11 @@ VM_API int vmi_odd_check_laws(const vm_odd_problem *o, vm_real t)
 typedef struct VM_TAG(vmi_odd_now) {
     vm_real m, k, b; /* mass, factor of the elastic force, and damping */
     vm_real m_rate;  /* dm/dt, kg/s */
-    vm_real k1, k3;  /* coefficients of Duffing's force if they follow laws; else unused */
+    vm_real k1, k3;  /* coefficients of x and x^3 of Duffing's force if they follow laws; else unused */
 } vmi_odd_now;
 
-/* Reads the laws at t. Where a rate jumps at t, side = 1 asks for its value after t, side = -1 before t. */
+/* Reads the laws at t. Where the rate of a law jumps at t, side = 1 asks for its value after t, side = -1 for its value
+   before t. */
 VM_API int vmi_odd_read_laws(const vm_odd_problem *o, vm_real t, int side, vmi_odd_now *now)
 {
     vm_real m[VMI_LAW_ORDERS], k[VMI_LAW_ORDERS], b[VMI_LAW_ORDERS], k1[VMI_LAW_ORDERS], k3[VMI_LAW_ORDERS];
@@ -15366,7 +15456,7 @@ VM_API int vmi_odd_read_laws(const vm_odd_problem *o, vm_real t, int side, vmi_o
     return VM_OK;
 }
 
-/* Writes the force F(x) with the coefficients of the present time. */
+/* Writes the force F(x) to *f, with the coefficients k1 and k3 of the present time if they follow laws. */
 VM_API int vmi_odd_elastic(const vm_odd_problem *o, const vmi_odd_now *now, vm_real x, vm_real *f)
 {
     if (!o->force.laws) return o->force.at(&o->force, x, f);
@@ -15376,16 +15466,18 @@ VM_API int vmi_odd_elastic(const vm_odd_problem *o, const vmi_odd_now *now, vm_r
 
 /* -- The shape of the force -- */
 
-/* k1 and k3 of Duffing's force, divided by their values at t = 0, and the relative rates of change of both as power
-   series in time. They are 1 and 0 where k1 or k3 is constant. */
+/* ratio1 and ratio3 are the coefficients k1 and k3 of Duffing's force, divided by their values at t = 0. rate1 and
+   rate3 are power series in time of the relative rates of change k1'/k1 and k3'/k3. For constant k1 or k3 the ratio is
+   1 and the rate 0. */
 typedef struct VM_TAG(vmi_odd_shape) {
     vm_real ratio1, ratio3;
     vm_real rate1[4], rate3[4];
 } vmi_odd_shape;
 
-/* Writes the ratio and the rates of k1 or k3. `law` is its law, and first its value at t = 0. The first `orders` terms
-   of the rates are written. length has the meaning that it has for vmi_law_derivatives. Returns VM_NO_LAW where the law
-   is 0 at some times but not at all times. */
+/* Writes the ratio and the rates of vmi_odd_shape for one coefficient, k1 or k3. `law` is the law of the coefficient,
+   and `first` the value of the law at t = 0. The first `orders` terms of the power series of the rate are written. The
+   comment of vmi_law_derivatives explains side and length. Returns VM_NO_LAW where the law is 0 at some times but not
+   at all times. */
 VM_API int vmi_odd_coefficient(const vm_law *law, vm_real first, vm_real t, int side, vm_real length, int orders,
                                vm_real *ratio, vm_real *rates)
 {
@@ -15406,8 +15498,9 @@ VM_API int vmi_odd_coefficient(const vm_law *law, vm_real first, vm_real t, int 
     return VM_OK;
 }
 
-/* Reads the shape of the force at t. With orders = 1 only the rates themselves are written, with orders = 4 their
-   series. Where k1 or k3 is 0 all the time, it gets the ratio and the rates of the other one, so that s is 1. */
+/* Reads the shape of Duffing's force k1 x + k3 x^3 at t. With orders = 1 only the relative rates at t are written, with
+   orders = 4 their power series in time. Where k1 is 0 all the time, its ratio and rates are set to those of k3, and
+   the other way round, so that the factor s at the top of this file is 1. */
 VM_API int vmi_odd_shape_at(const vm_odd_problem *o, vm_real t, int side, vm_real length, int orders,
                             vmi_odd_shape *shape)
 {
@@ -15437,20 +15530,21 @@ VM_API int vmi_odd_shape_at(const vm_odd_problem *o, vm_real t, int side, vm_rea
 
 /* -- What the averaging needs -- */
 
-/* Mass, stiffness and damping of y = x/s, and the rates that follow from them, at one time */
+/* Mass, stiffness and damping in the equation of y = x/s at the top of this file, and the rates that follow from them,
+   at one time */
 typedef struct VM_TAG(vmi_odd_rates) {
-    vm_real m, k, b;       /* mass, stiffness K and damping b */
+    vm_real m, k, b;       /* mass m, stiffness factor K and damping b */
     vm_real loss;          /* (reactive m' + b)/m, 1/s */
-    vm_real speed;         /* ds/dt = sqrt(K/m) for the time s of orbit_ripple.h */
+    vm_real speed;         /* sqrt(K/m), the rate ds/dt of the new time s of orbit_ripple.h, 1/s */
     vm_real turn;          /* relative rate of change of `speed`, 1/s */
-    vm_real h;             /* damping h of orbit_ripple.h, times `speed`, 1/s */
+    vm_real h;             /* the damping h of orbit_ripple.h, multiplied by `speed`, 1/s */
     vm_real ratio1, ratio3; /* k1 and k3 divided by their values at t = 0; 1 where they are constant */
-    vm_real scale;         /* the length s at the top of this file */
-    vm_real scale_rate;    /* s'/s, 1/s */
+    vm_real scale;         /* the factor s(t) at the top of this file */
+    vm_real scale_rate;    /* s'/s of this factor, 1/s */
 } vmi_odd_rates;
 
-/* Computes these numbers at t. side has the meaning that it has for vmi_odd_read_laws. Returns VM_NO_LAW where the
-   shape of the force cannot be made constant. */
+/* Computes the fields of *r at t. Where the rate of a law jumps at t, side = 1 asks for its value after t, side = -1
+   for its value before t. Returns VM_NO_LAW where the shape of the force cannot be made constant. */
 VM_API int vmi_odd_rates_at(const vm_odd_problem *o, vm_real t, int side, vmi_odd_rates *r)
 {
     vm_real m[VMI_LAW_ORDERS], k[VMI_LAW_ORDERS], b[VMI_LAW_ORDERS];
@@ -15474,15 +15568,17 @@ VM_API int vmi_odd_rates_at(const vm_odd_problem *o, vm_real t, int side, vmi_od
     return VM_OK;
 }
 
-/* The damping h of orbit_ripple.h, and its first two derivatives h1 and h2 with respect to s, where ds/dt =
-   sqrt(K/m). spring is G m/K, the weak linear spring at the top of this file, and spring1 its derivative. */
+/* The damping h of orbit_ripple.h, and its first two derivatives h1 and h2 with respect to the new time s of that file,
+   where ds/dt = sqrt(K/m). spring is G m/K, which stands for the weak linear spring at the top of this file, and
+   spring1 is the derivative of spring with respect to the new time. */
 typedef struct VM_TAG(vmi_odd_slow) {
     vm_real h, h1, h2;
     vm_real spring, spring1;
 } vmi_odd_slow;
 
-/* Computes h, h1, h2 and the spring at t. length, s, is needed for the derivatives of users' laws (see
-   vmi_law_derivatives). */
+/* Computes the fields of *slow at t. `length`, in seconds, is needed for the derivatives of laws that are functions of
+   the user (see vmi_law_derivatives). Where a derivative of a law jumps at t, side = 1 asks for its value after t, side
+   = -1 for its value before t. */
 VM_API int vmi_odd_slow_at(const vm_odd_problem *o, vm_real t, int side, vm_real length, vmi_odd_slow *slow)
 {
     enum { TERMS = 4 };
@@ -15525,9 +15621,9 @@ VM_API int vmi_odd_slow_at(const vm_odd_problem *o, vm_real t, int side, vm_real
 
    The equation of motion, with the laws of time m(t) (kg), k(t) (a pure number) and b(t) (kg/s), is
        m x'' + k F(x) + (reactive m' + b) x' = 0,   x(0) and x'(0) given
-   F is odd: Duffing's force k1 x + k3 x^3 (oscillators/duffing.h) or a function of the user (oscillators/odd_force.h).
-   `reactive` is 1 where mass that joins or leaves is at rest, 0 where it has the body's velocity. k1 and k3 may follow
-   laws of their own (vm_duffing_force_of_laws). Shortest useful call:
+   F is odd, that is F(-x) = -F(x). It is Duffing's force k1 x + k3 x^3 (oscillators/duffing.h) or a function of the
+   user (oscillators/odd_force.h). `reactive` is 1 where mass that joins or leaves is at rest, 0 where it has the body's
+   velocity. k1 and k3 may depend on time, too (vm_duffing_force_of_laws). The shortest useful call:
        vm_odd_problem problem;
        vm_odd_motion motion;
        problem.force = vm_duffing_force(100, 2000);           // 100 N/m x + 2000 N/m^3 x^3
@@ -15538,76 +15634,86 @@ VM_API int vmi_odd_slow_at(const vm_odd_problem *o, vm_real t, int side, vm_real
        problem.x = VM_C(0.2);
        problem.v = 0;
        if (vm_odd_within(&problem, 60, VM_C(1e-3), &motion) == VM_OK) printf("%g m\n", (double)motion.x);
-   Method: averaging of the action and the phase (oscillators/orbit_ripple.h), or integration by rk87 where the laws are
-   not slow or the motion crosses a separatrix, the border between two kinds of vibration. A plan contains the mean
-   motion from 0 to a given time. Guide: docs/duffing.md. Tests: tests/test_odd_force.c. */
+   Method: averaging of the action and the phase (oscillators/orbit_ripple.h). Where the laws are not slow, or where the
+   motion crosses a separatrix, the border between two kinds of vibration, rk87 integrates the equation of motion. A
+   plan contains the mean motion from t = 0 to a given time. Guide: docs/duffing.md. Tests: tests/test_odd_force.c. */
 #ifndef VARMASS_OSCILLATORS_ODD_MOTION_H
 #define VARMASS_OSCILLATORS_ODD_MOTION_H
 
 #include <string.h>
 
-/* Routes to x(t) and x'(t), the cheapest first */
+/* Routes, which are methods to compute x(t) and x'(t), the cheapest first */
 enum {
-    VM_ODD_MEAN = 0,   /* the mean motion: averaging with an error of first order in the rates of the laws */
-    VM_ODD_ORDER2 = 1, /* the mean motion and its ripple within a period: an error of second order */
+    VM_ODD_MEAN = 0,   /* the mean motion, by averaging; its error is of first order in the rates of the laws */
+    VM_ODD_ORDER2 = 1, /* the mean motion and its ripple within a period; the error is of second order in these rates */
     VM_ODD_RK87 = 2    /* integration of the equation of motion by rk87 */
 };
 
 /* The motion at one time */
 typedef struct VM_TAG(vm_odd_motion) {
     vm_real x, v;      /* position, m, and velocity, m/s */
-    vm_real amplitude; /* the largest |x| of the present vibration, m; NaN where x and v belong to no vibration */
+    vm_real amplitude; /* the largest |x| of the present vibration, m; NaN where the state (x, v) does not lie on a
+                          vibration */
     vm_real error;     /* estimate of the larger of |error of x|/swing and |error of v|/vmax, where swing is half the
-                          distance of the turning points and vmax the largest velocity of the present vibration */
-    int route;         /* the route that was taken, VM_ODD_... */
+                          distance between the turning points of the present vibration, and vmax is its largest
+                          velocity */
+    int route;         /* the route by which x and v were computed, VM_ODD_... */
     long evals;        /* evaluations of the equation of motion; 0 where nothing was integrated */
 } vm_odd_motion;
 
 /* -- The plan -- */
 
-/* The largest number of panels of time that a plan holds (a user's law needs 32 at least), and the number of
-   derivatives that tell how fast the laws change */
+/* VMI_ODD_PANELS is the largest number of panels of time in a plan; a law by a user's function needs at least 32.
+   VMI_ODD_ORDERS is the number of integrals in the field `change` of a panel, which measure how fast the laws
+   change. */
 enum { VMI_ODD_PANELS = 48, VMI_ODD_ORDERS = 7 };
 
 /* A panel of time, on which the laws and the mean motion are Legendre series */
 typedef struct VM_TAG(vmi_odd_panel) {
-    vm_real t, length;          /* its start and its length, s; backward in time the length is negative */
-    vm_real phase;              /* mean phase at its start */
-    vm_real decay;              /* integral of b/m from 0 to its start */
-    vm_real ln_J;               /* ln of the mean action J divided by its value at t = 0; it changes at points of
+    vm_real t, length;          /* start and length of the panel, s; backward in time the length is negative */
+    vm_real phase;              /* mean phase at the start of the panel */
+    vm_real decay;              /* integral of b/m over time, from t = 0 to the start of the panel; b is the damping */
+    vm_real ln_J;               /* ln of the mean action J divided by its value at t = 0; it changes only at points of
                                    tables */
-    vm_real rate[VMI_GAUSS];    /* series of the rate of the mean phase, 1/s */
-    vm_real size[VMI_GAUSS];    /* series of the size of the mean orbit (see vmi_orbit) */
-    /* Element i is the integral of |d^i (h/w)/dphi^i| over the phase phi, from t = 0 to the end of the panel. */
+    vm_real rate[VMI_GAUSS];    /* Legendre series of the rate of the mean phase, 1/s */
+    vm_real size[VMI_GAUSS];    /* Legendre series of the field `size` of the mean orbit (see vmi_orbit) */
+    /* Element i is the integral of |d^i (h/w)/dphi^i| over the phase phi, from t = 0 to the end of the panel. h is the
+       damping of oscillators/orbit_ripple.h, and w the rate of the phase. */
     vm_real change[VMI_ODD_ORDERS];
-    vm_real knots;              /* terms of ln J that order two leaves out at points of tables, from t = 0 to the end of
-                                   the panel */
-    vm_real largest_a, largest_B; /* largest values on the panel of the ripple's fields of these names */
-    vm_real gamma;              /* largest ratio, on the panel, of the relative change of w to that of j */
+    vm_real knots;              /* terms of ln J that the route VM_ODD_ORDER2 leaves out at points of tables, from t = 0
+                                   to the end of the panel */
+    vm_real largest_a, largest_B; /* largest values, on the panel, of the fields largest_a and largest_B of
+                                     vmi_orbit_ripple */
+    vm_real gamma;              /* largest value, on the panel, of (relative change of the phase rate w)/(relative
+                                   change of the action j) */
 } vmi_odd_panel;
 
-/* The mean motion of a problem from t = 0 to a given time. Fill it by vm_odd_plan_init; read its fields, but do not
-   change them. It points to the tables, functions and contexts of the problem. */
+/* The mean motion of a problem from t = 0 to a given time. Fill the plan by vm_odd_plan_init. Read its fields, but do
+   not change them. The plan contains pointers to the tables of the problem, to the user's functions and to their
+   ctx. */
 typedef struct VM_TAG(vm_odd_plan) {
     vm_odd_problem problem; /* a copy of the problem */
     vm_real t_end;          /* the time up to which the plan was asked for, s */
-    vm_real reach;          /* the time up to which the averaged solutions exist, s: t_end, or less */
-    vm_real m0, k0, speed0; /* mass, factor k and sqrt(k/m) at t = 0 */
-    vm_real v0;             /* velocity of the reduced motion x/s of odd_laws.h at t = 0, divided by speed0 */
+    vm_real reach;          /* the time up to which the averaged solutions exist, s: t_end, or a time between 0 and
+                               t_end */
+    vm_real m0, k0, speed0; /* mass m, stiffness factor k and sqrt(k/m) at t = 0 */
+    vm_real v0;             /* rate of x/s at t = 0, where s is the factor of odd_laws.h, divided by speed0 */
     int at_rest;            /* 1 where the body rests in equilibrium, else 0 */
-    vmi_orbit start;        /* the orbit of the state at t = 0; its size is 0 where there is no vibration */
-    vm_real phi;            /* phase of this state */
+    vmi_orbit start;        /* the orbit through the state at t = 0; its field `size` is 0 where there is no
+                               vibration */
+    vm_real phi;            /* phase of the state at t = 0 on the orbit `start` */
     vm_real ln_j, phase;    /* ln of the mean action, and mean phase, at t = 0 */
-    vmi_odd_slow slow;      /* damping h and weak spring at t = 0, and their derivatives */
-    vm_real gamma;          /* ratio of a relative change of w to that of j, at t = 0 */
-    vm_real first_a;        /* field largest_a of the ripple at t = 0 */
-    vm_real first_B;        /* field largest_B of the ripple at t = 0 */
+    vmi_odd_slow slow;      /* the damping h and the weak spring of odd_laws.h at t = 0, and their derivatives */
+    vm_real gamma;          /* (relative change of the phase rate w)/(relative change of the action j) at t = 0 */
+    vm_real first_a;        /* field largest_a of vmi_orbit_ripple at t = 0 */
+    vm_real first_B;        /* field largest_B of vmi_orbit_ripple at t = 0 */
     int n;                  /* number of panels */
     vmi_odd_panel panel[VMI_ODD_PANELS];
 } vm_odd_plan;
 
-/* Finds the orbit whose action is exp(ln_j), by Newton's method. The size of *orbit is the first guess. A step to a
-   size at which there is no orbit is halved. Returns VM_NO_LAW where there is no orbit with this action. */
+/* Finds the orbit whose action is exp(ln_j), by Newton's method. The field `size` of *orbit is the first guess. If a
+   step leads to a size at which there is no orbit, the step is halved. Returns VM_NO_LAW where there is no orbit with
+   this action. */
 VM_API int vmi_orbit_find(vmi_orbit *orbit, vm_real ln_j)
 {
     const vm_real enough = 4 * VM_EPSILON, longest = 2;
@@ -15631,17 +15737,18 @@ VM_API int vmi_orbit_find(vmi_orbit *orbit, vm_real ln_j)
     return VM_NO_LAW;
 }
 
-/* The change of ln j by the adiabatic law since t = 0. *now has the values of the laws at the present time; decay is
-   the integral of b/m from 0 to this time. */
+/* The change of ln j since t = 0 by the adiabatic law, where j is the action. *now contains the values of the laws at
+   the present time, and `decay` is the integral of b/m from 0 to this time, where b is the damping. */
 VM_API vm_real vmi_odd_adiabatic(const vm_odd_plan *p, const vmi_odd_rates *now, vm_real decay)
 {
     const vm_real ln_m = vmi_log(now->m / p->m0).hi, ln_k = vmi_log(now->k / p->k0).hi;
-    vm_real shape = 0; /* 2 ln s, where s is the length of odd_laws.h */
+    vm_real shape = 0; /* 2 ln s, where s is the factor in y = x/s of odd_laws.h */
     if (now->ratio1 != now->ratio3) shape = vmi_log(now->ratio1 / now->ratio3).hi;
     return -(ln_k / 2 + (p->problem.reactive - VM_C(0.5)) * ln_m + decay + shape);
 }
 
-/* The longest panel of time that the laws allow for a walk over `whole` seconds, s */
+/* Returns the longest panel, s, that the laws allow for a walk (the integration along the laws) over `whole`
+   seconds. */
 VM_API vm_real vmi_odd_longest_panel(const vm_odd_problem *o, vm_real whole)
 {
     const vm_law *laws[VMI_ODD_LAWS];
@@ -15652,26 +15759,30 @@ VM_API vm_real vmi_odd_longest_panel(const vm_odd_problem *o, vm_real whole)
     return longest;
 }
 
-/* The time, s, in which the phase of the orbit grows by 16. Derivatives of users' laws are computed from rates at times
-   that differ from the present time by at most this time. */
+/* Returns the time, s, in which the phase of the orbit grows by 16. The second and higher derivatives of laws by users'
+   functions are computed from the first derivatives at times that differ from the present time by at most this time. */
 VM_API vm_real vmi_odd_sampling_time(vm_real w, vm_real speed) { return 16 / (w * speed); }
 
 /* -- A panel -- */
 
-/* The laws at the nodes of a panel, and what follows from them */
+/* The laws at the nodes of Gauss' rule on a panel, and numbers that follow from the laws */
 typedef struct VM_TAG(vmi_odd_nodes) {
     vmi_odd_rates rates[VMI_GAUSS];
     vm_real decay[VMI_GAUSS];  /* integral of b/m from t = 0 */
-    vm_real h_rate[VMI_GAUSS]; /* time derivative of the field h of the rates, 1/s^2 */
-    vm_real spring[VMI_GAUSS]; /* stiffness G of the weak spring of odd_laws.h, divided by the mass, 1/s^2 */
-    vm_real edge;              /* largest relative difference between a law and its series at the panel's ends */
+    vm_real h_rate[VMI_GAUSS]; /* time derivative of the field h of vmi_odd_rates, 1/s^2 */
+    vm_real spring[VMI_GAUSS]; /* the number G of odd_laws.h, 1/s^2, at the nodes: m G is the stiffness of the weak
+                                  spring */
+    vm_real edge;              /* largest relative difference between a law and its Legendre series at the ends of the
+                                  panel */
     vm_real decay_end;         /* integral of b/m from t = 0 to the end of the panel */
-    vm_real inverse[VMI_GAUSS], stiffness[VMI_GAUSS]; /* series of 1/m and k */
-    vm_real ratio1[VMI_GAUSS], ratio3[VMI_GAUSS];     /* series of these fields of the rates */
+    vm_real inverse[VMI_GAUSS], stiffness[VMI_GAUSS]; /* Legendre series of 1/m and of k */
+    vm_real ratio1[VMI_GAUSS], ratio3[VMI_GAUSS];     /* Legendre series of the fields ratio1 and ratio3 of
+                                                         vmi_odd_rates */
 } vmi_odd_nodes;
 
-/* Reads the shape of the force: its series, the errors of these series at the ends of the panel, and the weak spring at
-   the nodes. The rates at the nodes must be set. */
+/* Reads the shape of the force, which changes where k1 and k3 follow laws. It writes the series ratio1 and ratio3,
+   raises `edge` to the errors of these series at the ends of the panel, and writes the weak spring at the nodes. The
+   field `rates` of *at must be set before. */
 VM_API int vmi_odd_read_shape(const vm_odd_problem *o, const vmi_odd_panel *panel, vmi_odd_nodes *at)
 {
     const vm_odd_force *force = &o->force;
@@ -15698,7 +15809,7 @@ VM_API int vmi_odd_read_shape(const vm_odd_problem *o, const vmi_odd_panel *pane
     return vmi_panel_edge(&force->laws[1], VM_OK, 0, panel->t, panel->length, k3, &at->edge);
 }
 
-/* Reads the laws at the nodes of a panel. */
+/* Fills *at with the laws at the nodes of Gauss' rule on a panel. */
 VM_API int vmi_odd_read(const vm_odd_problem *o, const vmi_odd_panel *panel, vmi_odd_nodes *at)
 {
     const int side = vmi_time_side(panel->length);
@@ -15730,9 +15841,9 @@ VM_API int vmi_odd_read(const vm_odd_problem *o, const vmi_odd_panel *panel, vmi
     return vmi_odd_read_shape(o, panel, at);
 }
 
-/* Adds to panel->change the integrals over this panel. They are computed from the series of h/w, with root mean squares
-   in place of absolute values. Coefficients that are as small as rounding errors are left out. The series is
-   overwritten. */
+/* Adds to the field `change` the integrals of |d^i (h/w)/dphi^i| over this panel. They are computed from `ratio`, the
+   Legendre series of h/w, with root mean squares in place of absolute values. Coefficients of the series that are as
+   small as rounding errors become 0 first. The series is overwritten. */
 VM_API void vmi_odd_add_changes(vmi_odd_panel *panel, vm_real *ratio)
 {
     const vm_real noise = (VM_MANT_DIG > 24 ? 4096 : 16) * VM_EPSILON;
@@ -15749,11 +15860,12 @@ VM_API void vmi_odd_add_changes(vmi_odd_panel *panel, vm_real *ratio)
     }
 }
 
-/* The number of the kth node in the order of time, 0 <= k < 20: 0, 2 ... 18, 19, 17 ... 1 */
+/* The index of the node that comes at place k in time, 0 <= k < 20. In the order of time the indices are 0, 2 ... 18,
+   19, 17 ... 1. */
 VM_API int vmi_odd_node_number(int k) { return k < VMI_GAUSS / 2 ? 2 * k : 2 * VMI_GAUSS - 1 - 2 * k; }
 
-/* Computes the series of a panel. The fields for its start and its length must be set. At the call *orbit is a guess of
-   the mean orbit at the start; afterwards it is the orbit at the last node. */
+/* Computes the Legendre series of a panel, whose fields for its start and length must be set. Before the call *orbit
+   must be a guess of the mean orbit at the start of the panel. After the call it is the mean orbit at the last node. */
 VM_API int vmi_odd_panel_of(const vm_odd_plan *p, vmi_odd_panel *panel, vmi_orbit *orbit, vmi_odd_nodes *at)
 {
     vm_real rates[VMI_GAUSS], sizes[VMI_GAUSS], bends[VMI_GAUSS], ratios[VMI_GAUSS];
@@ -15792,9 +15904,10 @@ VM_API int vmi_odd_panel_of(const vm_odd_plan *p, vmi_odd_panel *panel, vmi_orbi
     return VM_OK;
 }
 
-/* Whether a panel is short enough for its series. Phase and size are also needed inside the panel. There their errors
-   are as large as the terms that their series leave out, while the error of an integral is about the square of such
-   terms. varying is 1 where k1 and k3 follow laws of their own. whole is the length of the walk, s. */
+/* Returns 1 if a panel is so short that its Legendre series are accurate enough, else 0. The limit is stricter for the
+   series of phase rate and size, which are also used inside the panel: there the errors are as large as the terms that
+   a series leaves out, while the error of an integral over the panel is about the square of such terms. `varying` is 1
+   where k1 and k3 follow laws. `whole` is the length of the whole integration in time, s. */
 VM_API int vmi_odd_panel_is_resolved(const vmi_odd_panel *panel, const vmi_odd_nodes *at, int varying, vm_real whole)
 {
     const vm_real limit = vmi_panel_limit(panel->length, whole), fine = VM_MANT_DIG > 24 ? VM_C(1e-12) : VM_C(1e-5);
@@ -15807,7 +15920,7 @@ VM_API int vmi_odd_panel_is_resolved(const vmi_odd_panel *panel, const vmi_odd_n
 
 /* -- The walk from t = 0 to the plan's end -- */
 
-/* Adds a resolved panel to the plan, and writes the start of the next one to *next. */
+/* Adds to the plan a panel that is short enough, and writes the start values of the next panel to *next. */
 VM_API void vmi_odd_keep(vm_odd_plan *p, const vmi_odd_panel *panel, const vmi_odd_nodes *at, vmi_odd_panel *next)
 {
     p->panel[p->n] = *panel;
@@ -15819,8 +15932,9 @@ VM_API void vmi_odd_keep(vm_odd_plan *p, const vmi_odd_panel *panel, const vmi_o
     p->reach = next->t;
 }
 
-/* Adds the panels of a piece of time without points of tables. Returns VM_NO_LAW where the averaged motion ends: at a
-   separatrix, and where the plan has no room for more panels. */
+/* Adds to the plan the panels up to the time `end`. No table may have a point between the start of *next and this time.
+   Returns VM_NO_LAW where the averaged motion ends, that is at a separatrix (the border between two kinds of
+   vibration), and where the plan has no room for more panels. */
 VM_API int vmi_odd_walk_piece(vm_odd_plan *p, vm_real end, vm_real longest, vmi_orbit *orbit, vmi_odd_panel *next)
 {
     const vm_real whole = VM_FABS(p->t_end), shortest_at_end = whole / 64;
@@ -15848,17 +15962,18 @@ VM_API int vmi_odd_walk_piece(vm_odd_plan *p, vm_real end, vm_real longest, vmi_
     return VM_OK;
 }
 
-/* The relative change of the action within a period that a weak linear spring of stiffness 1 causes. On an orbit at one
-   side of x = 0 (in a well) it is larger for a smaller orbit, because the spring moves the place of rest. */
+/* The relative change of the action within a period that a weak linear spring of stiffness 1 causes. On an orbit in a
+   well, which lies at one side of x = 0, this change is larger for a smaller orbit, because the spring moves the place
+   of rest. */
 VM_API vm_real vmi_odd_spring_ripple(const vmi_orbit *orbit)
 {
-    vm_real squares = orbit->size; /* the largest change of x^2 */
+    vm_real squares = orbit->size; /* the largest change of x^2 along the orbit */
     if (orbit->place == VMI_ORBIT_AROUND_0) squares *= orbit->size;
     return squares / (2 * orbit->w * orbit->j);
 }
 
-/* Continues the mean motion beyond the time t, a point of a table. The derivative of h jumps there, but the motion does
-   not jump. Therefore the mean action jumps. */
+/* Continues the mean motion beyond the time t, a point of a table. The derivative of the damping h of odd_laws.h jumps
+   there, but the motion does not jump. Therefore the mean action jumps. */
 VM_API int vmi_odd_walk_past_knot(const vm_odd_plan *p, vmi_orbit *orbit, vmi_odd_panel *next)
 {
     const int side = vmi_time_side(p->t_end);
@@ -15886,7 +16001,8 @@ VM_API int vmi_odd_walk_past_knot(const vm_odd_plan *p, vmi_orbit *orbit, vmi_od
     return VM_OK;
 }
 
-/* Computes the panels of the mean motion one after the other, from t = 0 to the plan's end. Returns a status. */
+/* Computes the panels of the mean motion one after the other, from t = 0 to the time t_end of the plan. Returns a
+   status. */
 VM_API int vmi_odd_walk(vm_odd_plan *p, vmi_orbit *orbit)
 {
     const vm_odd_problem *o = &p->problem;
@@ -15911,7 +16027,8 @@ VM_API int vmi_odd_walk(vm_odd_plan *p, vmi_orbit *orbit)
     return status;
 }
 
-/* Computes the mean motion at t = 0 from the state at t = 0, and the numbers that estimates need there. */
+/* Computes the mean motion at t = 0 from the state at t = 0, and the numbers at t = 0 that the estimates of the error
+   need. */
 VM_API int vmi_odd_start(vm_odd_plan *p, const vmi_orbit *orbit)
 {
     const int side = vmi_time_side(p->t_end);
@@ -15943,8 +16060,8 @@ VM_API int vmi_odd_check(const vm_odd_problem *o, vm_real t)
     return vmi_first_error(status, vmi_odd_check_laws(o, t));
 }
 
-/* Writes the velocity of the reduced motion at t = 0, divided by speed0. Where the shape of the force cannot be made
-   constant, it is the velocity of the body itself. */
+/* Writes the field v0 of the plan: the rate of x/s at t = 0, divided by speed0, where s is the factor of odd_laws.h.
+   Where the shape of the force cannot be made constant, s is taken as 1. */
 VM_API int vmi_odd_first_velocity(vm_odd_plan *p)
 {
     const vm_odd_problem *o = &p->problem;
@@ -15956,7 +16073,7 @@ VM_API int vmi_odd_first_velocity(vm_odd_plan *p)
     return VM_OK;
 }
 
-/* Fills a plan whose fields problem, t_end, m0, k0 and speed0 are set. */
+/* Sets all other fields of a plan whose fields problem, t_end, m0, k0 and speed0 are set. */
 VM_API int vmi_odd_fill(vm_odd_plan *p)
 {
     const vm_odd_problem *o = &p->problem;
@@ -15976,19 +16093,20 @@ VM_API int vmi_odd_fill(vm_odd_plan *p)
     if (status == VM_NO_LAW) return VM_OK;
     if (status || p->at_rest || orbit.size == 0) return status;
     p->start = orbit;
-    p->start.force = NULL; /* use p->problem.force: a pointer to it would be wrong in a copy of the plan */
+    p->start.force = NULL; /* the force is p->problem.force; a pointer to it would be wrong in a copy of the plan */
     status = vmi_odd_start(p, &orbit);
     if (!status && p->t_end != 0) status = vmi_odd_walk(p, &orbit);
     return status == VM_NO_LAW ? VM_OK : status;
 }
 
-/* Plan for many values of one vibration under an odd elastic force, from t = 0 to t_end (s, any sign).
-   vm_odd_plan_within and vm_odd_plan_by_route use it. The problem is copied; its tables and contexts must exist as long
-   as the plan is used. Where the averaged motion ends before t_end, at a separatrix or because laws change too fast,
-   the plan's field reach says where; beyond it only VM_ODD_RK87 works. Errors leave the plan untouched. Returns
-   VM_BAD_ARGUMENT for null pointers and for a law or force that no constructor made, VM_NOT_FINITE for a number that is
-   infinite or NaN, VM_BAD_MASS or VM_BAD_STIFFNESS for a law that is not positive, VM_DOMAIN for a table out of order
-   or one that does not contain 0 and t_end, and where a user's function fails. */
+/* Makes a plan, by which one vibration under an odd elastic force is computed at many times between t = 0 and t_end (s,
+   any sign). vm_odd_plan_within and vm_odd_plan_by_route use the plan. The problem is copied; its tables and what ctx
+   points to must exist as long as the plan is used. The averaged motion may end before t_end, at a separatrix (the
+   border between two kinds of vibration) or because laws change too fast. The field `reach` is the time at which it
+   ends; at later times only the route VM_ODD_RK87 works. Errors leave the plan untouched. Returns VM_BAD_ARGUMENT for
+   null pointers and for a law or force that no constructor made, VM_NOT_FINITE for a number that is infinite or NaN,
+   VM_BAD_MASS or VM_BAD_STIFFNESS for a mass or a stiffness that is not positive, and VM_DOMAIN for a table whose times
+   do not rise or do not contain 0 and t_end, and where a user's function fails. */
 VM_API int vm_odd_plan_init(vm_odd_plan *p, const vm_odd_problem *problem, vm_real t_end)
 {
     vm_odd_plan plan;
@@ -16020,11 +16138,12 @@ VM_API int vm_odd_plan_init(vm_odd_plan *p, const vm_odd_problem *problem, vm_re
 typedef struct VM_TAG(vmi_odd_mean) {
     vmi_orbit orbit;     /* the mean orbit */
     vm_real phase;       /* the mean phase */
-    vmi_odd_rates rates; /* the laws */
+    vmi_odd_rates rates; /* the laws at this time, and their rates */
     const vmi_odd_panel *panel;
 } vmi_odd_mean;
 
-/* Computes the mean motion at t from the series of the plan. Returns VM_NO_LAW beyond the plan's reach. */
+/* Computes the mean motion at t from the series of the plan. Returns VM_NO_LAW where t lies beyond the field `reach` of
+   the plan. */
 VM_API int vmi_odd_mean_at(const vm_odd_plan *p, vm_real t, vmi_odd_mean *mean)
 {
     const vmi_odd_panel *panel = p->panel;
@@ -16057,8 +16176,9 @@ VM_API int vmi_odd_add_ripple(vmi_odd_mean *mean)
     return orbit->force->complete(orbit);
 }
 
-/* A bound of the change of ln J that fast changes of the laws cause: the smallest of the bounds that follow from
-   integrating by parts i times, as vmi_osc_fast (oscillators/mean_motion.h) does */
+/* A bound of the change of ln J, where J is the action, that fast changes of the laws cause. Integrating by parts i
+   times gives a bound for each i, and the function returns the smallest bound; vmi_osc_fast (oscillators/mean_motion.h)
+   explains this. */
 VM_API vm_real vmi_odd_fast(const vmi_odd_mean *mean, vm_real largest_a)
 {
     const vm_real turn = mean->orbit.span / VM_PI;
@@ -16073,7 +16193,8 @@ VM_API vm_real vmi_odd_fast(const vmi_odd_mean *mean, vm_real largest_a)
     return least;
 }
 
-/* The sizes of terms of second and of third order on an orbit, for the damping and the spring in *slow */
+/* Writes the sizes of the terms of second and of third order in the rates of the laws, for one orbit and for the
+   damping and the weak spring in *slow. */
 VM_API void vmi_odd_sizes(const vmi_odd_slow *slow, const vmi_orbit *orbit, vm_real *second, vm_real *third)
 {
     const vm_real w = orbit->w, by_spring = vmi_odd_spring_ripple(orbit);
@@ -16083,7 +16204,8 @@ VM_API void vmi_odd_sizes(const vmi_odd_slow *slow, const vmi_orbit *orbit, vm_r
     *third = h2 + 4 * h * h1 + 4 * h * h * h + spring1 + 4 * h * spring;
 }
 
-/* The factor by which a small error of the phase becomes an error of x/swing or of v/vmax */
+/* Returns the factor by which a small error of the phase must be multiplied to give the error of x/swing or of v/vmax.
+   swing and vmax are fields of the orbit. */
 VM_API vm_real vmi_odd_steepness(const vmi_orbit *orbit)
 {
     const vm_real of_x = orbit->vmax / (orbit->w * orbit->swing);
@@ -16091,9 +16213,10 @@ VM_API vm_real vmi_odd_steepness(const vmi_orbit *orbit)
     return vmi_larger(of_x, orbit->energy_slope / (orbit->w * orbit->vmax));
 }
 
-/* Estimates the error of an averaged solution at t. It adds up the sizes of the terms that are left out: in the
-   transformation at the start and at t, and in the action at the start and at points of tables. An error of the action
-   changes the phase by gamma times the phase. The factors are chosen to fit the errors of random problems in
+/* Estimates the error of an averaged solution at t. The estimate is the sum of the sizes of the terms that are left
+   out: in the transformation between motion and mean motion at t = 0 and at t, and in the action at t = 0 and at points
+   of tables. A relative error of the action changes the phase by gamma times this error times the phase, where gamma is
+   the field of the plan or panel. The numerical factors are chosen to fit the errors of random problems in
    tests/test_odd_force.c. */
 VM_API int vmi_odd_error(const vm_odd_plan *p, int route, vm_real t, const vmi_odd_mean *mean, vm_real *error)
 {
@@ -16118,7 +16241,8 @@ VM_API int vmi_odd_error(const vm_odd_plan *p, int route, vm_real t, const vmi_o
     return VM_OK;
 }
 
-/* Writes the motion at t by averaging, of first order for VM_ODD_MEAN, else of second order. */
+/* Writes the motion at t by averaging. Its error is of first order for the route VM_ODD_MEAN, and of second order for
+   VM_ODD_ORDER2. */
 VM_API int vmi_odd_averaged(const vm_odd_plan *p, int route, vm_real t, vm_odd_motion *motion)
 {
     vmi_odd_mean mean;
@@ -16140,15 +16264,15 @@ VM_API int vmi_odd_averaged(const vm_odd_plan *p, int route, vm_real t, vm_odd_m
 }
 
 #endif
-/* oscillators/odd_routes.h - routes to the motion of a vibration under an odd elastic force, and its integration
+/* oscillators/odd_routes.h - vibration under an odd elastic force, by a given method or by the cheapest
 
-   vm_odd_plan_by_route takes the route that its argument names. vm_odd_plan_within takes the cheapest route whose error
-   is estimated to be within a tolerance, and vm_odd_within does so without a plan. The problem and the averaged
-   solutions are those of oscillators/odd_motion.h, which also shows the shortest useful call. vm_odd_rhs is the
-   equation of motion. tests/test_odd_force.c compares the estimates with the true errors of random problems. The true
-   error is below three times the estimate in 99 % of the problems, and never above ten times the estimate. The
-   integration of a force with a kink, as x + x|x| has, needs very short steps: it may miss tolerances below 1e-6 and
-   then returns VM_TOLERANCE_MISSED. Tests: tests/test_odd_force.c. */
+   The methods that compute the motion are called routes. vm_odd_plan_by_route takes the route that its argument names.
+   vm_odd_plan_within takes the cheapest route whose estimated error is within a tolerance, and vm_odd_within does so
+   without a plan. oscillators/odd_motion.h has the problem and the averaged solutions, and shows the shortest useful
+   call. vm_odd_rhs is the equation of motion. tests/test_odd_force.c compares the estimates with the true errors of
+   random problems. The true error is below three times the estimate in 99 % of the problems, and never above ten times
+   the estimate. If the force has a kink, as x + x|x| has, the integration needs very short steps. It may then miss
+   tolerances below 1e-6; if it does, the function returns VM_TOLERANCE_MISSED. Tests: tests/test_odd_force.c. */
 #ifndef VARMASS_OSCILLATORS_ODD_ROUTES_H
 #define VARMASS_OSCILLATORS_ODD_ROUTES_H
 
@@ -16156,7 +16280,7 @@ VM_API int vmi_odd_averaged(const vm_odd_plan *p, int route, vm_real t, vm_odd_m
 
 /* -- The equation of motion -- */
 
-/* Writes the acceleration at t, position x and velocity v, m/s^2. */
+/* Writes the acceleration, m/s^2, at the time t, the position x and the velocity v. */
 VM_API int vmi_odd_acceleration(const vm_odd_problem *o, vm_real t, int side, vm_real x, vm_real v, vm_real *a)
 {
     vmi_odd_now now;
@@ -16168,7 +16292,8 @@ VM_API int vmi_odd_acceleration(const vm_odd_problem *o, vm_real t, int side, vm
     return VM_OK;
 }
 
-/* The status of the laws at t that comes first in the table of errors */
+/* Checks all laws at t. If several laws are wrong, it returns the status that comes first in the table of errors in
+   src/base/status.h. */
 VM_API int vmi_odd_statuses_at(const vm_odd_problem *o, vm_real t)
 {
     const vm_law *laws[VMI_ODD_LAWS];
@@ -16181,11 +16306,11 @@ VM_API int vmi_odd_statuses_at(const vm_odd_problem *o, vm_real t)
     return status;
 }
 
-/* Equation of motion of a vibration under an odd elastic force, for rk45 or rk87. y = (x, x') is in m and m/s; problem
-   points to a vm_odd_problem, whose x and v are not used. Returns VM_BAD_ARGUMENT for null pointers and for a law or a
-   force that no constructor made, VM_NOT_FINITE for a number that is infinite or NaN, VM_BAD_MASS or VM_BAD_STIFFNESS
-   for a law that is not positive, and VM_DOMAIN for t outside a table and where a user's function fails. These statuses
-   stop the run. */
+/* Equation of motion of a vibration under an odd elastic force, for rk45 or rk87. The array y = (x, x') is in m and
+   m/s. `problem` points to a vm_odd_problem, whose fields x and v are not used. Returns VM_BAD_ARGUMENT for null
+   pointers and for a law or a force that no constructor made, VM_NOT_FINITE for a number that is infinite or NaN,
+   VM_BAD_MASS or VM_BAD_STIFFNESS for a mass or a stiffness that is not positive, and VM_DOMAIN for t outside a table
+   and where a user's function fails. These statuses stop the integration. */
 VM_API int vm_odd_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *problem)
 {
     const vm_odd_problem *o = (const vm_odd_problem *)problem;
@@ -16197,7 +16322,7 @@ VM_API int vm_odd_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *problem)
     if (!VM_IS_FINITE(o->reactive)) return VM_NOT_FINITE;
     status = vmi_odd_acceleration(o, t, 1, y[0], y[1], &a);
     if (!status && !VM_IS_FINITE(a)) status = VM_NOT_FINITE;
-    if (status) /* return the status that comes first in the table of errors */
+    if (status) /* return the status that comes first in the table of errors in src/base/status.h */
         return vmi_first_error(status, vmi_odd_statuses_at(o, t));
     dydt[0] = y[1];
     dydt[1] = a;
@@ -16206,19 +16331,20 @@ VM_API int vm_odd_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *problem)
 
 /* -- Integration -- */
 
-/* A run of rk87 from 0 to t. Its state is x/length and v/velocity, so that both are of the order of 1. */
+/* One integration by rk87 from time 0 to t, called a run. Its two unknowns are x/length and v/velocity, so that both
+   are of the order of 1. */
 typedef struct VM_TAG(vmi_odd_run) {
     const vm_odd_plan *plan;
     int side;                 /* 1 forward, -1 backward in time */
-    int status;               /* status of a law or of the force that stopped the run */
+    int status;               /* the status of a law or of the force that stopped the integration, or VM_OK */
     vm_real length, velocity; /* units of the state */
     vm_real longest;          /* longest step, s */
-    long evals;               /* evaluations by all runs so far */
+    long evals;               /* number of evaluations of the right-hand side by all runs so far */
     rk87 s;
     vm_real work[RK87_WORK(2)];
 } vmi_odd_run;
 
-/* Right-hand side of the equation of motion for a run */
+/* Right-hand side of the equation of motion for a run, in the units of the run */
 VM_API int vmi_odd_run_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *run)
 {
     vmi_odd_run *c = (vmi_odd_run *)run;
@@ -16231,7 +16357,7 @@ VM_API int vmi_odd_run_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *run
     return VM_OK;
 }
 
-/* Chooses the units of the state, and the longest step for an integration over `whole` seconds. */
+/* Chooses the units of x and v, and the longest step for an integration over `whole` seconds. */
 VM_API void vmi_odd_units(vmi_odd_run *c, vm_real whole)
 {
     const vm_odd_plan *p = c->plan;
@@ -16253,7 +16379,7 @@ VM_API void vmi_odd_units(vmi_odd_run *c, vm_real whole)
         if (laws[i]->function) c->longest = vmi_smaller(vmi_law_longest_panel(laws[i], whole) / 4, c->longest);
 }
 
-/* Integrates from the present time to t, and stops and restarts at every table point of the laws on the way. */
+/* Integrates from the present time to t. It stops and restarts at every point of a table between these times. */
 VM_API int vmi_odd_solve(vmi_odd_run *c, vm_real t)
 {
     const vm_odd_problem *o = &c->plan->problem;
@@ -16272,8 +16398,9 @@ VM_API int vmi_odd_solve(vmi_odd_run *c, vm_real t)
     return VM_OK;
 }
 
-/* Writes the motion at the run's time, and the swing and the largest velocity of the vibration there. Where there is no
-   vibration, the amplitude is NaN, *swing is c->length and *vmax is c->velocity. */
+/* Writes the motion at the time that the run has reached, and the swing (half the distance between the turning points)
+   and the largest velocity of the vibration at this time. Where there is no vibration, the amplitude is NaN, *swing is
+   c->length and *vmax is c->velocity. */
 VM_API int vmi_odd_motion_now(const vmi_odd_run *c, vm_odd_motion *motion, vm_real *swing, vm_real *vmax)
 {
     const vm_odd_problem *o = &c->plan->problem;
@@ -16284,7 +16411,7 @@ VM_API int vmi_odd_motion_now(const vmi_odd_run *c, vm_odd_motion *motion, vm_re
     int status = vmi_odd_read_laws(o, c->s.t, -c->side, &now);
     if (status) return status;
     speed = VM_SQRT(now.k / now.m);
-    if (o->force.laws) { /* the orbit is that of the force at this time */
+    if (o->force.laws) { /* the orbit under the force that acts at this time */
         force.k1 = now.k1;
         force.k3 = now.k3;
     }
@@ -16304,8 +16431,8 @@ VM_API int vmi_odd_motion_now(const vmi_odd_run *c, vm_odd_motion *motion, vm_re
     return VM_OK;
 }
 
-/* Makes one run from 0 to t. Writes the motions at the times of vmi_osc_check_time, and their swings and largest
-   velocities. */
+/* Makes one run from 0 to t. Writes the motions at the times of vmi_osc_check_time, with the swing (half the distance
+   between the turning points) and the largest velocity of each. */
 VM_API int vmi_odd_run_once(vmi_odd_run *c, vm_real t, vm_real tolerance, vm_odd_motion *motion, vm_real *swing,
                             vm_real *vmax)
 {
@@ -16334,8 +16461,9 @@ VM_API int vmi_odd_run_once(vmi_odd_run *c, vm_real t, vm_real tolerance, vm_odd
     return VM_OK;
 }
 
-/* Makes two runs, one with a loose and one with a strict tolerance. Writes the motion at t of the strict run; its error
-   is the largest difference of the two runs. */
+/* Makes two runs, which are integrations from 0 to t: one with a loose tolerance and one with a strict tolerance and
+   half the longest step. Writes the motion at t from the strict run. Its error is estimated from the largest difference
+   between the two runs and from the strict tolerance. */
 VM_API int vmi_odd_pair(vmi_odd_run *c, vm_real t, vm_real step_tolerance, vm_odd_motion *motion)
 {
     const vmi_osc_tuning tuning = vmi_osc_method_rk87(vmi_odd_run_rhs).tuning;
@@ -16358,9 +16486,10 @@ VM_API int vmi_odd_pair(vmi_odd_run *c, vm_real t, vm_real step_tolerance, vm_od
     return VM_OK;
 }
 
-/* Computes the motion at t by rk87. It makes pairs of runs with stricter and stricter tolerances until the estimated
-   error is within `tolerance`. After a pair that is not better than the best pair so far, the longest step is halved.
-   After three such pairs the best pair is the result. */
+/* Computes the motion at t by rk87. It makes pairs of integrations, called runs, with stricter and stricter tolerances
+   until the estimated error is within `tolerance`, at most eight pairs. If the error of a pair is not below half of the
+   smallest error so far, the longest step is halved. After three such pairs no further pair is made. The result is that
+   of the pair with the smallest error. */
 VM_API int vmi_odd_integrate(const vm_odd_plan *p, vm_real t, vm_real tolerance, vm_odd_motion *motion)
 {
     const int most_attempts = 8, most_stalled = 3;
@@ -16395,7 +16524,7 @@ VM_API int vmi_odd_integrate(const vm_odd_plan *p, vm_real t, vm_real tolerance,
 
 /* -- Routes -- */
 
-/* Checks the arguments that all calls with a plan share, and replaces a tolerance of 0 by the default. */
+/* Checks the arguments that all functions with a plan have in common, and replaces a tolerance of 0 by the default. */
 VM_API int vmi_odd_check_call(const vm_odd_plan *p, int route, vm_real t, vm_real *tolerance,
                               const vm_odd_motion *motion)
 {
@@ -16407,7 +16536,8 @@ VM_API int vmi_odd_check_call(const vm_odd_plan *p, int route, vm_real t, vm_rea
     return VM_OK;
 }
 
-/* If t is 0 or the body is at rest, writes the motion, which needs no computation, and returns 1; else returns 0. */
+/* Returns 1 and writes the motion if t is 0 or the body is at rest, so that nothing has to be computed; else returns
+   0. */
 VM_API int vmi_odd_is_known(const vm_odd_plan *p, int route, vm_real t, vm_odd_motion *motion)
 {
     if (t != 0 && !p->at_rest) return 0;
@@ -16422,17 +16552,17 @@ VM_API int vmi_odd_is_known(const vm_odd_plan *p, int route, vm_real t, vm_odd_m
     return 1;
 }
 
-/* Motion under an odd elastic force at time t (s, within the plan's reach) by a given route VM_ODD_....
-   motion->error estimates the larger of |error of x|/swing and |error of v|/vmax; it is infinite where the averaged
-   solution is far off. The tolerance is for VM_ODD_RK87 only; 0 means 1e-6 (float 1e-3). Returns VM_OK, or
-   VM_TOLERANCE_MISSED where the integration is less accurate than asked for. After an error *motion is unchanged. The
-   errors are
+/* Motion under an odd elastic force at time t (s, between 0 and the plan's t_end) by a given route VM_ODD_....
+   motion->error estimates the larger of |error of x|/swing and |error of v|/vmax (see vm_odd_motion); it is infinite
+   where the averaged solution is not valid. Only VM_ODD_RK87 uses `tolerance`, a bound for this error; 0 means 1e-6
+   (float 1e-3). Returns VM_OK, or VM_TOLERANCE_MISSED where the integration misses the tolerance. After an error
+   *motion is unchanged. The errors are
      VM_BAD_ARGUMENT for null pointers or a route that does not exist,
      VM_NOT_FINITE for a number that is infinite or NaN,
-     VM_BAD_MASS or VM_BAD_STIFFNESS for a law that is not positive between 0 and t,
-     VM_DOMAIN for a negative tolerance, t outside the plan, and where a user's function fails,
-     VM_NO_LAW beyond the plan's reach and where there is no vibration, except for VM_ODD_RK87,
-     VM_NOT_INTEGRATED where the integrator gives up, as it does for a motion that runs away. */
+     VM_BAD_MASS or VM_BAD_STIFFNESS for a mass or a stiffness that is not positive between 0 and t,
+     VM_DOMAIN for a negative tolerance, for t that is not between 0 and t_end, and where a user's function fails,
+     VM_NO_LAW, except for VM_ODD_RK87, for t beyond the plan's field `reach` and where there is no vibration,
+     VM_NOT_INTEGRATED where the integrator cannot reach t, for example because the motion becomes infinite. */
 VM_API int vm_odd_plan_by_route(const vm_odd_plan *p, int route, vm_real t, vm_real tolerance, vm_odd_motion *motion)
 {
     vm_odd_motion r;
@@ -16446,9 +16576,10 @@ VM_API int vm_odd_plan_by_route(const vm_odd_plan *p, int route, vm_real t, vm_r
 }
 
 /* Motion under an odd elastic force at time t (s, between 0 and the plan's t_end) within a tolerance.
-   It takes the cheapest route whose error is estimated to be within the tolerance; motion->route says which. The
-   tolerance is relative, for the larger of |error of x|/swing and |error of v|/vmax; 0 means 1e-6 (float 1e-3). Beyond
-   the plan's reach it integrates. The statuses are those of vm_odd_plan_by_route except VM_NO_LAW. */
+   The function takes the cheapest route whose estimated error is within the tolerance; motion->route is this route. The
+   error is the larger of |error of x|/swing and |error of v|/vmax (see vm_odd_motion); a tolerance of 0 means 1e-6
+   (float 1e-3). For t beyond the plan's field `reach` the function integrates by rk87. Returns the statuses of
+   vm_odd_plan_by_route except VM_NO_LAW. */
 VM_API int vm_odd_plan_within(const vm_odd_plan *p, vm_real t, vm_real tolerance, vm_odd_motion *motion)
 {
     vm_odd_motion r;
@@ -16465,8 +16596,8 @@ VM_API int vm_odd_plan_within(const vm_odd_plan *p, vm_real t, vm_real tolerance
 }
 
 /* Motion under an odd elastic force at time t (s, either sign) within a tolerance, without a plan.
-   Use it for a single t; for several, make a plan. Arguments, result and statuses are those of vm_odd_plan_within and
-   of vm_odd_plan_init. */
+   Use this function for a single t; for several values of t make a plan. Arguments, result and statuses are those of
+   vm_odd_plan_within and of vm_odd_plan_init. */
 VM_API int vm_odd_within(const vm_odd_problem *problem, vm_real t, vm_real tolerance, vm_odd_motion *motion)
 {
     vm_odd_plan plan;
@@ -16484,42 +16615,44 @@ VM_API int vm_odd_within(const vm_odd_problem *problem, vm_real t, vm_real toler
 
    This file has, in closed form, the amplitude and the largest velocity of an oscillator
        m x'' + k x|x|^(alpha-1) = -(r m' + b) x'
-   whose mass m(t) varies slowly, that is little within a period: (325), (326), (344), (364), (367), (389), (395).
-   The chapters on Van der Pol's oscillator, on the rotor, on two bodies and on harmonic excitation build on this file.
+   whose mass m(t) varies slowly, that is, by little within a period: (325), (326), (344), (364), (367), (389), (395).
+   The files for Van der Pol's oscillator, for the rotor, for two bodies and for an oscillator under a harmonic force
+   use this file.
 
        vm_real A = 3 * vm_osc_amplitude_law(VM_C(0.5), 0, 1, 3); // cubic spring, half of the mass gone, A was 3
 
-   Symbols of these chapters: A is the amplitude, psi the Ateb phase, Om = psi' its rate, m the mass, k the stiffness, b
-   the damping, r the argument `reactive`, and q the rate at which mass, damping and stiffness change the vibration
+   The symbols in these files: A is the amplitude, psi the Ateb phase, Om = psi' its rate, m the mass, k the stiffness,
+   b the damping, r the argument `reactive`, and q the rate at which mass, damping and stiffness change the vibration
    (vmi_slow_q). Averaging needs q much smaller than Om.
    Tests: tests/test_averaging.c, tests/test_constant_mass.c. */
 #ifndef VARMASS_OSCILLATORS_SLOW_H
 #define VARMASS_OSCILLATORS_SLOW_H
 
-/* Whether the arguments of vm_osc_amplitude_law and vm_osc_velocity_law are in their domain */
+/* Returns 1 if the arguments of vm_osc_amplitude_law and vm_osc_velocity_law are in their domain, else 0. */
 VM_API int vmi_osc_law_is_in_domain(vm_real mass_ratio, vm_real decay, vm_real reactive, vm_real alpha)
 {
     return mass_ratio > 0 && alpha >= 0 && VM_IS_FINITE(mass_ratio) && VM_IS_FINITE(decay) &&
            VM_IS_FINITE(reactive) && VM_IS_FINITE(alpha);
 }
 
-/* Ratio A/A0 of the amplitude to its first value, of an oscillator whose mass varies slowly.
-   The law, (325), (344), (367), (389) corrected, is
+/* Ratio A/A0 of the amplitude A to its value A0 at t = 0, for an oscillator whose mass varies slowly. The law, (325),
+   (344), (367) and (389) as corrected in docs/errata.md, is
      A/A0 = (m0/m)^((2r-1)/(alpha+3)) exp(-2 decay/(alpha+3)).
-   Averaging with ca, with cos and with cn gives this law, if the sign in (335) is corrected. It holds to first order in
-   m' and the damping. The arguments are pure numbers: mass_ratio = m/m0 > 0; decay, the integral of damping/mass;
-   reactive, r, which is 1 where mass that joins or leaves is at rest, so that there is the full reactive force, and 0
-   where it has the body's own velocity, as in a leak; and alpha >= 0. Returns NaN outside the domain and for infinite
-   arguments. */
+   Averaging with ca, with cos and with cn gives this law, if the sign in (335) is corrected. The law holds to first
+   order in the mass rate m' and in the damping. The arguments are pure numbers. mass_ratio > 0 is m/m0, where m0 is the
+   mass at t = 0. decay is the integral of damping/mass over time. reactive, or r, is 1 where mass that joins or leaves
+   is at rest, so that the full reactive force acts, and 0 where this mass has the body's own velocity, as in a leak.
+   alpha >= 0 is the exponent of the spring. Returns NaN outside the domain and for infinite arguments. */
 VM_API vm_real vm_osc_amplitude_law(vm_real mass_ratio, vm_real decay, vm_real reactive, vm_real alpha)
 {
     if (!vmi_osc_law_is_in_domain(mass_ratio, decay, reactive, alpha)) return VM_NAN;
     return vmi_pow_checked(mass_ratio, (1 - 2 * reactive) / (alpha + 3)) * vmi_exp(-2 * decay / (alpha + 3), 0);
 }
 
-/* Ratio of the largest velocity to its first value, of an oscillator whose mass varies slowly. It follows from the
-   amplitude A by x'_max = sqrt(2 k A^(alpha+1)/((alpha+1) m)): (326), (364), (395) corrected. The arguments and their
-   domain are those of vm_osc_amplitude_law. Outside the domain and for infinite arguments the result is NaN. */
+/* Ratio of the largest velocity x'_max within a period to its value at t = 0, for an oscillator whose mass varies
+   slowly. It follows from the amplitude A by x'_max = sqrt(2 k A^(alpha+1)/((alpha+1) m)): (326), (364) and (395) as
+   corrected in docs/errata.md. The arguments and their domain are those of vm_osc_amplitude_law. Outside the domain and
+   for infinite arguments the result is NaN. */
 VM_API vm_real vm_osc_velocity_law(vm_real mass_ratio, vm_real decay, vm_real reactive, vm_real alpha)
 {
     const vm_real share = (alpha + 1) / (alpha + 3); /* (alpha+1)/2, the exponent of A in x'_max, times 2/(alpha+3) */
@@ -16527,17 +16660,17 @@ VM_API vm_real vm_osc_velocity_law(vm_real mass_ratio, vm_real decay, vm_real re
     return vmi_pow_checked(mass_ratio, (share * (1 - 2 * reactive) - 1) / 2) * vmi_exp(-share * decay, 0);
 }
 
-/* The linear mass m0 + rate time, between the times 0 and t */
+/* The mass m0 + rate time, which is linear in time, between the times 0 and t */
 typedef struct VM_TAG(vmi_linear_mass) {
-    vm_real m0, m, rate; /* mass at 0 and mass at t, kg; rate of the mass, kg/s */
+    vm_real m0, m, rate; /* mass at time 0, and mass at time t, kg; rate of the mass, kg/s */
     vm_real ln_ratio;    /* ln(m/m0) */
     vm_real integral;    /* integral of dt/m from 0 to t, s/kg; its formula is also valid at rate = 0 */
 } vmi_linear_mass;
 
-/* Writes the linear mass that a law describes between 0 and t, which closed forms need. Returns VM_NO_LAW where the law
-   is neither linear nor constant; vmi_law_exponential_form then fails or gives a rate that differs from the base.
-   Returns VM_BAD_MASS where the mass is not positive at 0 or at t, VM_BAD_ARGUMENT where no constructor made the law,
-   and VM_NOT_FINITE for a number that is infinite or NaN. */
+/* Writes to *linear the mass that a law describes between 0 and t, if this mass is linear in time. Closed forms need
+   this. Returns VM_NO_LAW where the mass is neither linear in time nor constant; the code finds this by
+   vmi_law_exponential_form. Returns VM_BAD_MASS where the mass is not positive at 0 or at t, VM_BAD_ARGUMENT where no
+   constructor made the law, and VM_NOT_FINITE for a number that is infinite or NaN. */
 VM_API int vmi_linear_mass_of(const vm_law *law, vm_real t, vmi_linear_mass *linear)
 {
     vm_real growth, mean, base, rate;
@@ -16554,18 +16687,20 @@ VM_API int vmi_linear_mass_of(const vm_law *law, vm_real t, vmi_linear_mass *lin
     return VM_OK;
 }
 
-/* The drag (2r - 1) m' + 2 b, kg/s, which the reactive force and the damping b together exert on the vibration. Where
-   mass joins at rest (r = 1) it is m' + 2 b, where mass joins with the body's velocity (r = 0) it is -m' + 2 b. */
+/* The drag (2r - 1) m' + 2 b, kg/s, which the reactive force and the damping b together exert on the vibration. m' is
+   the mass rate and r the argument `reactive`. Where mass joins at rest (r = 1), the drag is m' + 2 b; where mass joins
+   with the body's velocity (r = 0), it is -m' + 2 b. */
 VM_API vm_real vmi_slow_drag(vm_real reactive, vm_real mass_rate, vm_real damping)
 {
     return (2 * reactive - 1) * mass_rate + 2 * damping;
 }
 
-/* q = drag/m + k'/k, 1/s, the rate at which mass, damping and stiffness change the vibration. drag is the result of
-   vmi_slow_drag. The mean amplitude follows A' = -q A/(alpha + 3). */
+/* q = drag/m + k'/k, 1/s, the rate at which slow changes of the mass m and of the stiffness k, and damping, change the
+   vibration. drag is the result of vmi_slow_drag. The mean amplitude follows A' = -q A/(alpha + 3). */
 VM_API vm_real vmi_slow_q(vm_real drag, vm_real mass, vm_real k, vm_real k_rate) { return drag / mass + k_rate / k; }
 
-/* Om, the rate of the Ateb phase at the amplitude A, 1/s; 0 at rest, where the formula may give infinity */
+/* Om, the rate of the Ateb phase at the amplitude A, 1/s. At rest (A = 0) the result is 0 for alpha < 1, where the
+   formula gives infinity. */
 VM_API vm_real vmi_slow_rate(vm_real A, vm_real k, vm_real mass, vm_real alpha)
 {
     if (A == 0 && alpha < 1) return 0;
@@ -16578,7 +16713,8 @@ VM_API void vmi_slow_motion(vm_real A, vm_real psi, vm_real k, vm_real mass, vm_
     vmi_osc_at_phase(A, psi, VM_SQRT(k / mass), alpha, x, v);
 }
 
-/* Writes the amplitude A and the Ateb phase psi from x and v = x', the inverse of vmi_slow_motion. */
+/* Computes the amplitude A and the Ateb phase psi from the position x and the velocity v. This is the inverse of
+   vmi_slow_motion. */
 VM_API void vmi_slow_phase(vm_real x, vm_real v, vm_real k, vm_real mass, vm_real alpha, vm_real *A, vm_real *psi)
 {
     vm_osc_amplitude_phase(x, v, VM_SQRT(k / mass), alpha, A, psi);
@@ -16587,13 +16723,14 @@ VM_API void vmi_slow_phase(vm_real x, vm_real v, vm_real k, vm_real mass, vm_rea
 #endif
 /* oscillators/van_der_pol.h - the Van der Pol oscillator with variable mass
 
-   The equation is (404), with the mass m(t), a spring of any exponent alpha, and a stiffness k that may vary slowly,
-   too:
+   The equation is (404), with the mass m(t), a spring of any exponent alpha, and a stiffness k, which may vary slowly
+   like the mass:
        m x'' + k x|x|^(alpha-1) = (feed - c x^2) x' - r m' x'
-   If feed > 0 feeds the vibration and c > 0 limits it, the vibration tends to a limit cycle. r (`reactive`) is 1 where
-   mass that joins or leaves is at rest, 0 where it has the body's velocity. This file has the equation of motion, the
-   averaged equations (410), the amplitude in closed form for a linear mass, and the amplitude of the limit cycle: (403)
-   to (440), as corrected in docs/errata.md.
+   The term with feed > 0 brings energy into the vibration, and the term with c > 0 limits it; then the vibration tends
+   to a steady one, the limit cycle. r is the field `reactive`: 1 where mass that joins or leaves is at rest, 0 where it
+   has the body's velocity. This file has the equation of motion, the averaged equations (410), the amplitude in closed
+   form for a mass that is linear in time, and the amplitude of the limit cycle. These are the equations (403) to (440),
+   as corrected in docs/errata.md.
 
        vm_vdp v;
        memset(&v, 0, sizeof v);
@@ -16607,31 +16744,35 @@ VM_API void vmi_slow_phase(vm_real x, vm_real v, vm_real k, vm_real mass, vm_rea
 #ifndef VARMASS_OSCILLATORS_VAN_DER_POL_H
 #define VARMASS_OSCILLATORS_VAN_DER_POL_H
 
-/* Methods of averaging. Each computes the means over one period of the motion x that stands beside its name. */
+/* Methods of averaging. Each method computes the means over one period of an approximate motion x, which is given
+   beside its name. A is the amplitude and psi the Ateb phase. */
 enum {
-    VM_VDP_ATEB = 0,         /* A ca(psi), the exact motion without damping: its means are exact to first order */
-    VM_VDP_JACOBI = 1,       /* A cn with Jacobi's cn (411)-(413): the amplitude of the limit cycle is wrong by
-                                at most 0.51 % for 1/3 <= alpha <= 5 */
-    VM_VDP_TRIGONOMETRIC = 2 /* A cos(psi) for every alpha: the amplitude of the limit cycle does not depend on alpha */
+    VM_VDP_ATEB = 0,         /* x = A ca(psi), the exact motion without damping; the means are exact to first order */
+    VM_VDP_JACOBI = 1,       /* x = A cn with Jacobi's cn (411)-(413); the error of the limit cycle's amplitude is at
+                                most 0.51 % for 1/3 <= alpha <= 5 */
+    VM_VDP_TRIGONOMETRIC = 2 /* x = A cos(psi) for every alpha; the amplitude of the limit cycle then does not depend on
+                                alpha */
 };
 
-/* A Van der Pol oscillator. Fill all fields but a1, a2, a3, then call vm_vdp_init. feed and c are eps b and eps c in
-   the dissertation; both may have either sign. */
+/* A Van der Pol oscillator. Fill all fields but a1, a2, a3, then call vm_vdp_init. The fields feed and c are eps b and
+   eps c in the dissertation; both may have either sign. */
 typedef struct VM_TAG(vm_vdp) {
-    vm_real alpha;      /* exponent of the spring, >= 0 */
-    vm_real k;          /* stiffness, N/m^alpha, > 0, where it is constant */
-    vm_real feed;       /* coefficient of the term that feeds the vibration, N s/m; < 0 takes energy out */
+    vm_real alpha;      /* exponent of the spring's force, >= 0 */
+    vm_real k;          /* stiffness, N/m^alpha, > 0, if the stiffness is constant */
+    vm_real feed;       /* coefficient of the term that brings energy into the vibration, N s/m; if it is < 0, the term
+                           takes energy out */
     vm_real c;          /* coefficient of the term that limits the vibration, N s/m^3 */
     vm_real reactive;   /* r: 1 where mass that joins or leaves is at rest, 0 where it has the body's velocity */
     int method;         /* method of averaging, VM_VDP_... */
     vm_law mass;        /* slow mass m, kg, > 0; vm_vdp_init and vm_vdp_limit_cycle do not use it */
     vm_law stiffness;   /* slow stiffness, N/m^alpha, > 0, in place of k; if all its fields are 0, as after memset, the
                            stiffness is the constant k. vm_vdp_init and vm_vdp_limit_cycle do not use it */
-    vm_real a1, a2, a3; /* mean values of (410), pure numbers; vm_vdp_init writes them */
+    vm_real a1, a2, a3; /* mean values in the averaged equations (410), pure numbers; vm_vdp_init writes them */
 } vm_vdp;
 
-/* Writes the mean values a1, a2, a3 of (410) for the oscillator's method. For VM_VDP_JACOBI the expression for a1 in
-   (411) is simplified by (1 - m) + m C4 = 2 a2, where m is the parameter of cn and C4 the mean of cn^4. */
+/* Writes the mean values a1, a2, a3 in the averaged equations (410), for the method in the field `method`. For
+   VM_VDP_JACOBI the expression for a1 in (411) is simplified by (1 - m) + m C4 = 2 a2, where m is the parameter of cn
+   and C4 the mean of cn^4. */
 VM_API void vmi_vdp_means(vm_vdp *v)
 {
     v->a1 = 1;
@@ -16650,18 +16791,18 @@ VM_API void vmi_vdp_means(vm_vdp *v)
     }
 }
 
-/* Whether the stiffness follows a law; else it is the constant k */
+/* Returns 1 if the stiffness follows a law, 0 if it is the constant k. */
 VM_API int vmi_vdp_has_stiffness_law(const vm_vdp *v) { return v->stiffness.derivatives != NULL; }
 
-/* The law of the stiffness */
+/* Returns the law of the stiffness, which may be constant. */
 VM_API vm_law vmi_vdp_stiffness(const vm_vdp *v)
 {
     if (vmi_vdp_has_stiffness_law(v)) return v->stiffness;
     return vm_law_linear(v->k, 0);
 }
 
-/* Checks that the numbers of a Van der Pol oscillator are in their domains. k is checked only where no law gives the
-   stiffness. */
+/* Checks that the fields alpha, k, feed, c and reactive are in their domains. The sign of k is checked only if the
+   stiffness follows no law. */
 VM_API int vmi_vdp_check(const vm_vdp *v)
 {
     const vm_real numbers[5] = {v->alpha, v->k, v->feed, v->c, v->reactive};
@@ -16671,10 +16812,11 @@ VM_API int vmi_vdp_check(const vm_vdp *v)
     return VM_OK;
 }
 
-/* Prepares a Van der Pol oscillator: checks alpha, k, feed, c, reactive and method, and writes a1, a2, a3
-   (411)-(413). The functions below need it; the mass may be set and changed later. The mean values are within 20 eps.
-   Returns VM_BAD_ARGUMENT for a null pointer or an unknown method, VM_NOT_FINITE for a number that is infinite or
-   NaN, VM_BAD_STIFFNESS for k <= 0, VM_DOMAIN for alpha < 0, and VM_OK otherwise. An error leaves v as it was. */
+/* Prepares a Van der Pol oscillator: checks the fields alpha, k, feed, c, reactive and method, and writes the mean
+   values a1, a2, a3 (411)-(413). The functions below need this call; the mass may be set and changed later. The mean
+   values are within 20 eps. Returns VM_BAD_ARGUMENT for a null pointer or an unknown method, VM_NOT_FINITE for a number
+   that is infinite or NaN, VM_BAD_STIFFNESS for k <= 0 without a law of the stiffness, VM_DOMAIN for alpha < 0, and
+   VM_OK otherwise. An error leaves *v as it was. */
 VM_API int vm_vdp_init(vm_vdp *v)
 {
     int status;
@@ -16685,34 +16827,36 @@ VM_API int vm_vdp_init(vm_vdp *v)
     return VM_OK;
 }
 
-/* The drive 2 feed - (2 reactive - 1) m', N s/m, which on average feeds energy to a small vibration */
+/* The drive 2 feed - (2 reactive - 1) m', N s/m, where m' is the mass rate. If it is positive, a small vibration grows
+   on average. */
 VM_API vm_real vmi_vdp_drive(const vm_vdp *v, vm_real mass_rate)
 {
     return -vmi_slow_drag(v->reactive, mass_rate, -v->feed);
 }
 
-/* The growth a1 m A'/A at the amplitude A, N s/m, where m is the mass. It is the sum of the averages of Van der Pol's
-   term and of the reactive force (410), and is 0 on the limit cycle. vm_vdp_amplitude is the solution of A' = A
-   growth(A)/(a1 m). */
+/* The growth a1 m A'/A at the amplitude A, N s/m, where m is the mass and a1 the mean value of (410). The growth is the
+   sum of the averages of Van der Pol's term and of the reactive force (410), and is 0 on the limit cycle.
+   vm_vdp_amplitude is the solution of A' = A growth(A)/(a1 m). */
 VM_API vm_real vmi_vdp_growth(const vm_vdp *v, vm_real mass_rate, vm_real A)
 {
     return vmi_vdp_drive(v, mass_rate) * v->a2 / 2 - v->c * A * A * v->a3;
 }
 
-/* Whether the closed forms below may be used: whether vm_vdp_init has prepared the oscillator */
+/* Returns 1 if the closed forms below may be used, that is if vm_vdp_init has prepared the oscillator; else 0. */
 VM_API int vmi_vdp_has_closed_forms(const vm_vdp *v) { return v->a1 > 0; }
 
-/* Amplitude of a Van der Pol oscillator at time t, in closed form for a linear mass. first_A is the amplitude, m, at
-   t = 0, of either sign. One formula replaces (422), (424), (427), (429), (431)-(435), (437), as corrected, and has no
-   singularity where terms cancel. The error is that of averaging (see `method`) and that of rounding, which tests bound
-   by 12 eps. Returns NaN for a null pointer, an oscillator that is not prepared, infinite arguments, a mass that is not
-   positive at 0 or at t, a mass that is neither linear nor constant, and a stiffness that follows a law (integrate
+/* Amplitude of a Van der Pol oscillator at time t, in closed form for a mass that is linear in time. first_A is the
+   amplitude, m, at t = 0, of either sign. One formula replaces the equations (422), (424), (427), (429), (431)-(435)
+   and (437), as corrected in docs/errata.md, and has no singularity where terms cancel. The error is the sum of the
+   error of averaging, which depends on the field `method`, and of the rounding error, which tests bound by 12 eps.
+   Returns NaN for a null pointer, an oscillator that vm_vdp_init has not prepared, infinite arguments, a mass that is
+   not positive at 0 or at t, a mass that is neither linear nor constant, and a stiffness that follows a law (integrate
    vm_vdp_averaged_rhs instead). For c < 0 it also returns NaN from the time at which the amplitude becomes infinite.
    Method: the solution of (416) is
      1/A^2 = e^-F (1/first_A^2 + 2 c a3/a1 times the integral of e^F dt/m),  F = drive a2/a1 times the integral of dt/m,
-   where drive = 2 feed - (2r - 1) m'. For a linear mass F is proportional to the integral of dt/m, hence the integral
-   of e^F dt/m is (e^F - 1)/F times the integral of dt/m. The code uses e^-|F| and divides by the larger of the two
-   terms, so that nothing overflows. */
+   where drive = 2 feed - (2r - 1) m'. If the mass is linear in time, F is proportional to the integral of dt/m; hence
+   the integral of e^F dt/m is (e^F - 1)/F times the integral of dt/m. So that nothing overflows, the code uses e^-|F|
+   and divides by the larger of the two terms in the bracket. */
 VM_API vm_real vm_vdp_amplitude(const vm_vdp *v, vm_real t, vm_real first_A)
 {
     if (!v) return VM_NAN;
@@ -16726,7 +16870,7 @@ VM_API vm_real vm_vdp_amplitude(const vm_vdp *v, vm_real t, vm_real first_A)
     e = vmi_exp(-VM_FABS(F), 0);
     limit = 2 * v->c * (v->a3 / v->a1) * m.integral * vmi_exp_ratio(-VM_FABS(F));
     root = VM_SQRT(VM_FABS(limit));
-    size = VM_FABS(first_A) * root; /* its square is added to free_term with the sign of limit */
+    size = VM_FABS(first_A) * root; /* the square of `size` is added to free_term with the sign of `limit` */
     if (F > 0) {
         numerator = 1;
         free_term = e;
@@ -16745,10 +16889,11 @@ VM_API vm_real vm_vdp_amplitude(const vm_vdp *v, vm_real t, vm_real first_A)
     return scale * VM_SQRT(numerator / denominator);
 }
 
-/* Amplitude of the limit cycle, m, while the mass changes at mass_rate (kg/s): (425), (430), (438). The stiffness
-   must be constant. The amplitude is 0 where there is no limit cycle. *stable_or_NULL becomes 1 if amplitudes near
-   the result tend to it, else 0. The relative rounding error is at most 3e-15 (float 6e-6); the error of averaging
-   comes on top. Returns NaN for a null pointer, an oscillator that is not prepared, or an infinite mass_rate. */
+/* Amplitude of the limit cycle, m, while the mass changes at mass_rate (kg/s): (425), (430), (438). The stiffness must
+   be constant. The result is 0 where there is no limit cycle. *stable_or_NULL becomes 1 if amplitudes near the result
+   tend to the result, else 0. The relative rounding error is at most 3e-15 (float 6e-6); the error of averaging must be
+   added. Returns NaN for a null pointer, for an oscillator that vm_vdp_init has not prepared, and for an infinite
+   mass_rate. */
 VM_API vm_real vm_vdp_limit_cycle(const vm_vdp *v, vm_real mass_rate, int *stable_or_NULL)
 {
     if (!v) return VM_NAN;
@@ -16761,7 +16906,7 @@ VM_API vm_real vm_vdp_limit_cycle(const vm_vdp *v, vm_real mass_rate, int *stabl
     return VM_SQRT(drive / v->c * (v->a2 / (2 * v->a3)));
 }
 
-/* Reads mass and stiffness at t, and their rates, after a check of the oscillator's numbers. */
+/* Writes mass and stiffness at t, and their rates. It also checks the fields of the oscillator. */
 VM_API int vmi_vdp_laws_at(const vm_vdp *v, vm_real t, vm_real *mass, vm_real *mass_rate, vm_real *k, vm_real *k_rate)
 {
     int status = vmi_first_error(vmi_law_at(&v->mass, VM_BAD_MASS, t, mass, mass_rate), vmi_vdp_check(v));
@@ -16773,10 +16918,10 @@ VM_API int vmi_vdp_laws_at(const vm_vdp *v, vm_real t, vm_real *mass, vm_real *m
 }
 
 /* Equation of motion (404) of a Van der Pol oscillator, for rk45 or rk87.
-   y = (x, x') is in m and m/s; vdp points to a vm_vdp. Returns VM_BAD_ARGUMENT for null pointers or where no
-   constructor made the mass, VM_NOT_FINITE for a number that is infinite or NaN, VM_BAD_MASS for a mass that is not
-   positive, VM_BAD_STIFFNESS for k <= 0, and VM_DOMAIN for alpha < 0 and for t outside a table. These statuses stop the
-   run. */
+   The array y = (x, x') is in m and m/s; `vdp` points to a vm_vdp. Returns VM_BAD_ARGUMENT for null pointers or where
+   no constructor made the mass, VM_NOT_FINITE for a number that is infinite or NaN, VM_BAD_MASS for a mass that is not
+   positive, VM_BAD_STIFFNESS for a stiffness that is not positive, and VM_DOMAIN for alpha < 0 and for t outside a
+   table. These statuses stop the integration. */
 VM_API int vm_vdp_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *vdp)
 {
     if (!y || !dydt || !vdp) return VM_BAD_ARGUMENT;
@@ -16791,10 +16936,11 @@ VM_API int vm_vdp_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *vdp)
 }
 
 /* Averaged equations (410) of a Van der Pol oscillator, for rk45 or rk87. Mass and stiffness may follow any slow law.
-   y = (A, psi) contains the mean amplitude A, in metres, and the Ateb phase psi: x = A ca(psi), and |x| = A at the
-   turning points. vdp points to a prepared vm_vdp with the fields feed and c. For the method VM_VDP_ATEB and a start
-   from rest, let e be the largest of feed, c A^2 and m', divided by m psi'. Then, up to the time m/feed, the relative
-   error of A is of the order of e^2, and the error of psi of the order of e. The statuses are those of vm_vdp_rhs. */
+   The array y = (A, psi) contains the mean amplitude A, in metres, and the Ateb phase psi: x = A ca(psi), and |x| = A
+   at the turning points. `vdp` points to a vm_vdp that vm_vdp_init has prepared. The errors are known for the method
+   VM_VDP_ATEB and a start from rest. Let e be the largest of feed, c A^2 and m', divided by m psi', where m is the
+   mass. Then, up to the time m/feed, the relative error of A is of the order of e^2, and the error of psi is of the
+   order of e. Returns the statuses of vm_vdp_rhs. */
 VM_API int vm_vdp_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *vdp)
 {
     if (!y || !dydt || !vdp) return VM_BAD_ARGUMENT;
@@ -16811,23 +16957,26 @@ VM_API int vm_vdp_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void 
 #endif
 /* oscillators/van_der_pol_expansion.h - Van der Pol's oscillator: from the motion to its mean motion and back
 
-   The oscillator is that of oscillators/van_der_pol.h. The feed is treated as a negative damping. Then the amplitude A
-   and the phase psi of oscillators/reduction.h obey the exact equations
+   The oscillator is that of oscillators/van_der_pol.h. The feed is treated as a negative damping, so that the rates a
+   and p of oscillators/reduction.h contain it. Then the amplitude A and the phase psi of oscillators/reduction.h obey
+   the exact equations
      (ln A)' = -p + W [-(2/n) e ca^2 sa^2 + E0 sa ca - Q0 ca^3 sa],
      psi'    =      W [1 - e ca^3 sa + (n/2) E0 ca^2 - (n/2) Q0 ca^4],
-   with n = alpha + 1. W is the rate of the phase at the amplitude A for constant mass. Let epsilon be the relative
-   change of the vibration within a radian. The disturbances are the numbers
+   with n = alpha + 1. W is the rate of the phase at the amplitude A for constant mass and stiffness. Let epsilon be the
+   relative change of the vibration while the phase grows by 1. The numbers e, e1, Q0 and E0, called the disturbances,
+   are
      e = (c/m) A^2/W,  e1 = e nu/W,  Q0 = e p/W,  E0 = (p^2 - a p - p')/W^2,  nu = -m'/m - 4 p + a;
-   e is of the order epsilon; e1, Q0 and E0 are of the order epsilon^2. For c = 0 only E0 is left.
+   where m is the mass. e is of the order epsilon; e1, Q0 and E0 are of the order epsilon^2. For c = 0 all but E0 are 0.
 
    A transformation leads from A and psi to mean values, whose rates have no ripple within a period. Let J be
-   A^((alpha+3)/2) times a factor that varies slowly. The factor is such that J is constant if A'/A = -p. Then the mean
-   values obey
+   A^((alpha+3)/2) times a factor that varies slowly, chosen so that J is constant if A'/A = -p. Then the mean values of
+   J and psi obey
      (ln J)' = W [F e + K_3 e^3 + K_1 e e1 + K_Q e Q0 + K_E e E0],
      psi'    = W [1 + K_2 e^2 - (n/2) <ca^4> Q0 + (n/2) <ca^2> E0],
-   where < > is the mean over a period. F and the K are constants for each alpha. This file has these constants, and the
-   transformation in both directions. The motion that follows has an error of O(epsilon^3) over times of 1/epsilon. The
-   law is new; docs/van-der-pol.md shows how large its errors are.
+   where < > is the mean over a period. F and K_1, K_2, K_3, K_Q, K_E are constants that depend on alpha only. This file
+   has these constants, and the transformation in both directions. These equations and the transformation are called the
+   law of order three: the motion that follows from them has an error of O(epsilon^3) over times of 1/epsilon. The law
+   is new; docs/van-der-pol.md shows how large its errors are.
        vmi_ripple r;
        vmi_vdp_ripple v;
        vmi_ripple_init(&r, 1, vmi_ateb_constants);
@@ -16837,31 +16986,31 @@ VM_API int vm_vdp_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void 
 #ifndef VARMASS_OSCILLATORS_VAN_DER_POL_EXPANSION_H
 #define VARMASS_OSCILLATORS_VAN_DER_POL_EXPANSION_H
 
-/* The polynomials that this law needs in addition to those of oscillators/ripple.h, for phases near a zero of sa. CA6
-   gives the integral over the phase of ca^6. SQUARE gives the integral of S^2, where S is the integral of C = ca^2 -
-   <ca^2>. */
+/* The indices of the polynomials for phases near a zero of sa, which the law of order three needs in addition to those
+   of oscillators/ripple.h. CA6 gives the integral over the phase of ca^6. SQUARE gives the integral of S^2, where S is
+   the integral of C = ca^2 - <ca^2>. */
 enum { VMI_VDP_CA6, VMI_VDP_SQUARE, VMI_VDP_TURN_FUNCTIONS };
 
-/* The polynomials for phases near a zero of ca. CA6 gives the integral of ca^6. The others give three parts of the
-   integral of S^2: S is I - <ca^2> d with the integral I of ca^2 and the phase d since the zero, so S^2 has terms in
-   d^2 (PHASE2), I d (PRODUCT) and I^2 (INTEGRAL2). */
+/* The indices of the polynomials for phases near a zero of ca. VMI_VDP_CA6 gives the integral of ca^6. The polynomials
+   listed here give three parts of the integral of S^2: S is I - <ca^2> d with the integral I of ca^2 and the phase d
+   since the zero, so S^2 has terms in d^2 (PHASE2), I d (PRODUCT) and I^2 (INTEGRAL2). */
 enum { VMI_VDP_PHASE2 = 1, VMI_VDP_PRODUCT, VMI_VDP_INTEGRAL2, VMI_VDP_ZERO_FUNCTIONS };
 
-/* Constants and polynomials of the law for one alpha, prepared by vmi_vdp_ripple_init. The names of the constants are
-   those of the equations at the top of this file. */
+/* Constants and polynomials of the law of order three for one alpha, prepared by vmi_vdp_ripple_init. F, K2, K3, K1, KQ
+   and KE are the constants in the equations at the top of this file. */
 typedef struct VM_TAG(vmi_vdp_ripple) {
     vm_real q;               /* (alpha+3)/(alpha+7) */
-    vm_real mean6, mean8;    /* <ca^6>, <ca^8> */
-    vm_real mean_square;     /* the mean of S^2, where S is the integral of ca^2 - <ca^2> */
+    vm_real mean6, mean8;    /* the means of ca^6 and of ca^8 over a period */
+    vm_real mean_square;     /* the mean of S^2, where S is the integral of ca^2 - <ca^2> and < > is the mean over a
+                                period */
     vm_real F, K2, K3, K1, KQ, KE;
-    vm_real constant;        /* the part of the transformation of ln J that does not depend on the phase, divided by
-                                e^2 */
-    /* The functions of the transformation as polynomials: the factors of the powers of 4 w - 1 and 4 y - 1 */
+    vm_real constant;        /* the constant part of the factor of e^2 in the transformation of ln J */
+    /* The functions of the transformation as polynomials: the coefficients of the powers of 4 w - 1 and of 4 y - 1 */
     vm_real near_ca_0[VMI_VDP_ZERO_FUNCTIONS][VMI_RIPPLE_TERMS]; /* where w = |ca|^(alpha+1) */
     vm_real near_sa_0[VMI_VDP_TURN_FUNCTIONS][VMI_RIPPLE_TERMS]; /* where y = sa^2 */
 } vmi_vdp_ripple;
 
-/* The disturbances at one time and one amplitude, see the top of this file */
+/* The disturbances e, e1, Q0 and E0 of the top of this file, at one time and one amplitude */
 typedef struct VM_TAG(vmi_vdp_disturbance) {
     vm_real e, e1, Q0, E0;
 } vmi_vdp_disturbance;
@@ -16878,7 +17027,7 @@ VM_API void vmi_vdp_multiply(const vm_real *f, const vm_real *g, vm_real *produc
     }
 }
 
-/* Writes the power series of (1-y)^exponent. */
+/* Writes the coefficients of the power series of (1-y)^exponent in y. */
 VM_API void vmi_vdp_binomial(vm_real exponent, vm_real *series)
 {
     vm_real before = 0;
@@ -16889,7 +17038,8 @@ VM_API void vmi_vdp_binomial(vm_real exponent, vm_real *series)
     }
 }
 
-/* Turns a power series in w on [0, 1/2] into a polynomial in 4 w - 1 that differs from it by about rounding errors. */
+/* Turns a power series in w, for w from 0 to 1/2, into a polynomial in 4 w - 1. It differs from the series only by
+   about rounding errors. */
 VM_API void vmi_vdp_economise(const vm_real *series, vm_real *polynomial)
 {
     vm_real w_power[VMI_RIPPLE_KEPT]; /* coefficients of the Chebyshev series of w^i */
@@ -16904,9 +17054,9 @@ VM_API void vmi_vdp_economise(const vm_real *series, vm_real *polynomial)
     vmi_chebyshev_to_powers(polynomial);
 }
 
-/* Makes the polynomials for phases close to a zero of sa. There du = (1-y)^(alpha/n) dpsi with u = |sa|, y = u^2 and
-   n = alpha + 1, so that the integral of (1-y)^b dpsi is u times the sum of [(1-y)^(b-alpha/n)]_i y^i/(2i+1), where
-   [ ]_i is coefficient i of the power series. */
+/* Makes the polynomials for phases psi close to a zero of sa. For these phases du = (1-y)^(alpha/n) dpsi with u = |sa|,
+   y = u^2 and n = alpha + 1, so that the integral of (1-y)^b dpsi is u times the sum of [(1-y)^(b-alpha/n)]_i
+   y^i/(2i+1), where [ ]_i is coefficient i of the power series. */
 VM_API void vmi_vdp_make_near_sa_0(vmi_vdp_ripple *v, const vmi_ripple *r)
 {
     const vm_real alpha = r->alpha, n = alpha + 1;
@@ -16924,9 +17074,9 @@ VM_API void vmi_vdp_make_near_sa_0(vmi_vdp_ripple *v, const vmi_ripple *r)
     vmi_vdp_economise(power, v->near_sa_0[VMI_VDP_SQUARE]);
 }
 
-/* Makes one of the polynomials for the integral of S^2 close to a zero of ca. The integrand is a product: f, g and
-   slope are the power series of its two factors and of dpsi/dx. x_power is the power of x = |ca| that multiplies the
-   polynomial. */
+/* Makes one of the polynomials for the integral of S^2 close to a zero of ca. The integrand is a product: f and g are
+   the power series of its two factors, and `slope` is the power series of dpsi/dx, where x = |ca|. x_power is the power
+   of x that multiplies the polynomial. */
 VM_API void vmi_vdp_make_part(const vm_real *f, const vm_real *g, const vm_real *slope, vm_real x_power, vm_real n,
                               vm_real *polynomial)
 {
@@ -16938,8 +17088,9 @@ VM_API void vmi_vdp_make_part(const vm_real *f, const vm_real *g, const vm_real 
     vmi_vdp_economise(series, polynomial);
 }
 
-/* Makes the polynomials for phases close to a zero of ca. There dpsi = (n/2) (1-w)^(-1/2) dx with x = |ca|, w = x^n
-   and n = alpha + 1. The phase is x times one power series in w, the integral of ca^2 is x^3 times another. */
+/* Makes the polynomials for phases psi close to a zero of ca. For these phases dpsi = (n/2) (1-w)^(-1/2) dx with x =
+   |ca|, w = x^n and n = alpha + 1. The phase since the zero is x times a power series in w, and the integral of ca^2 is
+   x^3 times a second power series. */
 VM_API void vmi_vdp_make_near_ca_0(vmi_vdp_ripple *v, const vmi_ripple *r)
 {
     const vm_real n = r->alpha + 1;
@@ -16961,7 +17112,8 @@ VM_API void vmi_vdp_make_near_ca_0(vmi_vdp_ripple *v, const vmi_ripple *r)
 
 /* -- The integrals of ca^6 and of S^2 -- */
 
-/* The integral of S^2 from the nearest zero of ca to a phase where |ca| = x and sa^2 = y */
+/* The integral of S^2 over the phase, from the nearest zero of ca to a phase where |ca| = x and sa^2 = y. S is the
+   integral of ca^2 minus its mean mean2. */
 VM_API vm_real vmi_vdp_square_from_ca_0(const vmi_vdp_ripple *v, vm_real mean2, vm_real x, vm_real y)
 {
     const vm_real z = 4 * (1 - y) - 1, x2 = x * x;
@@ -16971,14 +17123,16 @@ VM_API vm_real vmi_vdp_square_from_ca_0(const vmi_vdp_ripple *v, vm_real mean2, 
     return x2 * x * (mean2 * mean2 * phase2 + x2 * (x2 * integral2 - 2 * mean2 * product));
 }
 
-/* The integral of S^2 from the nearest zero of sa to a phase where |sa| = u and sa^2 = y */
+/* The integral of S^2 over the phase, from the nearest zero of sa to a phase where |sa| = u and sa^2 = y. S is the
+   integral of ca^2 minus its mean. */
 VM_API vm_real vmi_vdp_square_from_sa_0(const vmi_vdp_ripple *v, vm_real u, vm_real y)
 {
     return y * u * vmi_ripple_polynomial(v->near_sa_0[VMI_VDP_SQUARE], 4 * y - 1);
 }
 
-/* Writes the integrals over the phase of ca^6 - <ca^6> and of S^2 - <S^2>, both 0 where ca or sa is 0. sa and ca are
-   the Ateb functions of psi. */
+/* Writes the integrals over the phase of ca^6 - <ca^6> and of S^2 - <S^2>, where < > is the mean over a period. The
+   constants of integration are such that both integrals are 0 where ca or sa is 0. sa and ca are the Ateb functions of
+   psi. */
 VM_API void vmi_vdp_integrals_at(const vmi_vdp_ripple *v, const vmi_ripple *r, vm_real psi, vm_real sa, vm_real ca,
                                  vm_real *ca6, vm_real *square)
 {
@@ -16998,7 +17152,8 @@ VM_API void vmi_vdp_integrals_at(const vmi_vdp_ripple *v, const vmi_ripple *r, v
 
 /* -- Preparing an alpha -- */
 
-/* Computes the constants of the equations of the mean motion, from the means of powers of ca and of S^2. */
+/* Computes the constants F, K2, K3, K1, KQ and KE of the equations of the mean motion, from the means of powers of ca
+   and of S^2. */
 VM_API void vmi_vdp_find_constants(vmi_vdp_ripple *v, const vmi_ripple *r)
 {
     const vm_real alpha = r->alpha, n = alpha + 1, g = r->gamma, q = v->q;
@@ -17034,12 +17189,12 @@ VM_API void vmi_vdp_ripple_init(vmi_vdp_ripple *v, const vmi_ripple *r)
 
 /* -- The functions of the transformation -- */
 
-/* Functions of the phase in the transformation. Each is the factor of a disturbance that is named beside it. */
+/* Functions of the phase from which the factors of the disturbances in the transformation follow. */
 typedef struct VM_TAG(vmi_vdp_values) {
     vmi_ripple_values f;
-    vm_real C4;         /* ca^4 - <ca^4> */
-    vm_real U, U1, P1;  /* U and U1 multiply e and e1 in ln J; P1 multiplies e in the phase */
-    vm_real X;          /* a part of the factor of e^2 in ln J */
+    vm_real C4;         /* ca^4 minus its mean over a period */
+    vm_real U, U1, P1;  /* U is the factor of e, and U1 that of e1, in ln J; P1 is the factor of e in the phase */
+    vm_real X;          /* a part of the factor of e^2 in the transformation of ln J */
 } vmi_vdp_values;
 
 /* Writes the functions of the transformation at the phase psi, where sa and ca are the Ateb functions of psi. */
@@ -17057,8 +17212,9 @@ VM_API void vmi_vdp_values_at(const vmi_vdp_ripple *v, const vmi_ripple *r, vm_r
 
 /* -- From the motion to the mean motion -- */
 
-/* Returns ln(mean J/J) with all terms up to order epsilon^2, and at phases where sa or ca is 0 up to epsilon^3. *f
-   contains the functions at the phase, and *now the disturbances at the amplitude. */
+/* Returns ln(mean J/J) with all terms up to order epsilon^2; at phases where sa or ca is 0, with all terms up to
+   epsilon^3. *f contains the functions of the transformation at the phase of the motion, and *now the disturbances at
+   its amplitude. */
 VM_API vm_real vmi_vdp_J(const vmi_vdp_ripple *v, const vmi_ripple *r, const vmi_vdp_values *f,
                          const vmi_vdp_disturbance *now)
 {
@@ -17068,12 +17224,14 @@ VM_API vm_real vmi_vdp_J(const vmi_vdp_ripple *v, const vmi_ripple *r, const vmi
            half * now->E0 * f->f.C;
 }
 
-/* Returns the mean phase minus the phase, up to order epsilon, and at phases where sa or ca is 0 up to epsilon^2. */
+/* Returns the mean phase minus the phase, with all terms up to order epsilon; at phases where sa or ca is 0, with all
+   terms up to epsilon^2. */
 VM_API vm_real vmi_vdp_psi(const vmi_vdp_values *f, const vmi_vdp_disturbance *now) { return -now->e * f->P1; }
 
 /* -- From the mean motion to the motion -- */
 
-/* Returns the part of order epsilon^2 of ln(J/mean J). *f contains the functions at the mean phase. */
+/* Returns the terms of order epsilon^2 in ln(J/mean J). *f contains the functions of the transformation at the mean
+   phase. */
 VM_API vm_real vmi_vdp_J_back_second(const vmi_vdp_ripple *v, const vmi_ripple *r, const vmi_vdp_values *f,
                                      const vmi_vdp_disturbance *now)
 {
@@ -17083,8 +17241,8 @@ VM_API vm_real vmi_vdp_J_back_second(const vmi_vdp_ripple *v, const vmi_ripple *
     return now->e * now->e * square + now->e1 * f->U1 + half / 2 * now->Q0 * f->C4 - half * now->E0 * f->f.C;
 }
 
-/* Returns the part of order epsilon^2 of the difference phase - mean phase. *f contains the functions at the mean phase
-   psi. */
+/* Returns the terms of order epsilon^2 in the difference (phase) - (mean phase). *f contains the functions of the
+   transformation at the mean phase psi. */
 VM_API vm_real vmi_vdp_psi_back_second(const vmi_vdp_ripple *v, const vmi_ripple *r, vm_real psi,
                                        const vmi_vdp_values *f, const vmi_vdp_disturbance *now)
 {
@@ -17106,14 +17264,14 @@ VM_API vm_real vmi_vdp_psi_back_second(const vmi_vdp_ripple *v, const vmi_ripple
 
 /* -- The mean motion -- */
 
-/* Returns (ln J)'/(W e) - F, which is of order epsilon^2. Multiplied by W e, it gives all terms but the first, W F e,
+/* Returns (ln J)'/(W e) - F, which is of order epsilon^2. Multiplied by W e, this number gives all terms except W F e
    in the equation of (ln J)' at the top of this file. */
 VM_API vm_real vmi_vdp_mean_second(const vmi_vdp_ripple *v, const vmi_vdp_disturbance *now)
 {
     return v->K3 * now->e * now->e + v->K1 * now->e1 + v->KQ * now->Q0 + v->KE * now->E0;
 }
 
-/* The mean rate of the phase divided by W, up to order epsilon^3 */
+/* Returns the mean rate of the phase divided by W, with all terms up to order epsilon^3. */
 VM_API vm_real vmi_vdp_mean_rate(const vmi_vdp_ripple *v, const vmi_ripple *r, const vmi_vdp_disturbance *now)
 {
     const vm_real n = r->alpha + 1;
@@ -17122,16 +17280,18 @@ VM_API vm_real vmi_vdp_mean_rate(const vmi_vdp_ripple *v, const vmi_ripple *r, c
 
 /* -- Sizes of the terms, for estimates of errors -- */
 
-/* Bounds of the terms that order two leaves out at one time: in the phase and in ln J by the transformation from the
-   mean motion to the motion, and in ln J by the transformation to the mean motion */
+/* Bounds of the terms that the law of order three leaves out if it is cut off after order two, at one time. The fields
+   psi and J are for the transformation from the mean motion to the motion, the field `start` for the transformation to
+   the mean motion. */
 typedef struct VM_TAG(vmi_vdp_sizes) {
-    vm_real psi, J; /* terms of order epsilon^2 in the transformation to the motion */
-    vm_real start;  /* terms of order epsilon^3 of ln J in the transformation to the mean motion */
+    vm_real psi, J; /* terms of order epsilon^2 in the phase and in ln J, in the transformation to the motion */
+    vm_real start;  /* terms of order epsilon^3 in ln J, in the transformation to the mean motion */
     vm_real ratio;  /* estimated ratio of the terms of one order to the terms of the next lower order */
 } vmi_vdp_sizes;
 
-/* Computes these sizes for the disturbances *now. rate is (|nu| + |p| + |a|)/W, see the top of this file. The factors
-   are fitted to the largest values of the functions for alpha from 0.2 to 12. */
+/* Computes the bounds in vmi_vdp_sizes for the disturbances *now. `rate` is (|nu| + |p| + |a|)/W, with the symbols at
+   the top of this file. The numerical factors are fitted to the largest values of the functions of the transformation
+   for alpha from 0.2 to 12. */
 VM_API vmi_vdp_sizes vmi_vdp_sizes_of(const vmi_ripple *r, const vmi_vdp_disturbance *now, vm_real rate)
 {
     const vm_real d = r->pi / (2 * VM_PI), d2 = d * d, d3 = d2 * d, d4 = d2 * d2;
@@ -17149,17 +17309,20 @@ VM_API vmi_vdp_sizes vmi_vdp_sizes_of(const vmi_ripple *r, const vmi_vdp_disturb
 #endif
 /* oscillators/van_der_pol_walk.h - the mean motion of a Van der Pol oscillator with slowly varying mass and stiffness
 
-   At phases where sa or ca is 0, the transformation of oscillators/van_der_pol_expansion.h has the full order three.
-   The plan therefore follows the exact equations from t = 0 to the next such phase (by collocation), and starts the
-   mean motion there. The mean amplitude and phase at any other time are integrals along the laws, so the cost does not
-   depend on the number of vibrations. On a panel of time (oscillators/panels.h) that starts with the mean amplitude A_0
-   and the mean phase psi_0, let B = c/m and r = exp(-2 integral of p dt from the start). Then the mean amplitude A and
-   the mean phase psi are
+   The transformation of oscillators/van_der_pol_expansion.h, from the motion to the mean motion, has the full order
+   three only at phases where sa or ca is 0. The plan therefore integrates the exact equations (by collocation) from t =
+   0 to the next such phase, and starts the mean motion there. The mean amplitude and the mean phase at any other time
+   are integrals along the laws of mass and stiffness, so the cost does not depend on the number of vibrations. The laws
+   are integrated on panels, which are short intervals of time (oscillators/panels.h). On a panel that starts with the
+   mean amplitude A_0 and the mean phase psi_0, let B = c/m and r = exp(-2 integral of p dt from the start of the
+   panel). Here m is the mass and p the slow rate of oscillators/reduction.h. Then the mean amplitude A and the mean
+   phase psi are
      A^2 = A_0^2 r/y,  y = 1 + 4/(alpha+3) A_0^2 integral of B r (-F - second order terms) dt,
      psi = psi_0 + integral of W (1 + second order terms) dt,
-   where the constant F and the terms of second order are those of oscillators/van_der_pol_expansion.h. At the points of
-   a table p' jumps, so that the mean motion jumps, too. Around such a point the motion is computed by the exact
-   equations: from the last phase with sa = 0 or ca = 0 before the point to the first such phase after it.
+   where W is the rate of the phase, and the constant F and the terms of second order are those of
+   oscillators/van_der_pol_expansion.h. At the points of a table p' jumps, so that the mean motion jumps, too. Around
+   such a point the exact equations are integrated: from the last phase with sa = 0 or ca = 0 before the point to the
+   first such phase after the point.
        vm_vdp_plan plan;
        vmi_vdp_mean mean;
        int status = vm_vdp_plan_init(&plan, &vdp, VM_C(0.3), 0); // vdp is a vm_vdp; from rest at x = 0.3 m
@@ -17168,36 +17331,40 @@ VM_API vmi_vdp_sizes vmi_vdp_sizes_of(const vmi_ripple *r, const vmi_vdp_disturb
 #ifndef VARMASS_OSCILLATORS_VAN_DER_POL_WALK_H
 #define VARMASS_OSCILLATORS_VAN_DER_POL_WALK_H
 
-/* The mean motion at one time, and what the error depends on */
+/* The mean motion at one time, and the numbers on which its error depends. J is the quantity of
+   oscillators/van_der_pol_expansion.h */
 typedef struct VM_TAG(vmi_vdp_mean) {
     vm_real t;                    /* the time, s */
-    vm_real ln_A, psi;            /* ln of the mean amplitude in m, and mean phase */
-    vm_real first_ln_A, first_psi; /* ln_A and psi by the equations of first order */
-    vm_real segment;              /* time, s, of the last point of a table before t, or 0; the mass is smooth since
-                                     then */
-    vmi_osc_slow now;             /* mass, stiffness and rates at t; set at the end of a walk only */
-    vm_real J_error;              /* error of ln J that order two makes at starts of the mean motion; only the part that
-                                     is still left at t */
+    vm_real ln_A, psi;            /* ln of the mean amplitude in metres, and mean phase */
+    vm_real first_ln_A, first_psi; /* ln of the mean amplitude, and mean phase, by the equations of first order */
+    vm_real segment;              /* time, s, of the last point of a table before t, or 0; between this time and t the
+                                     laws are smooth */
+    vmi_osc_slow now;             /* mass, stiffness and rates at t; valid only at the end of a walk, the integration
+                                     along the laws */
+    vm_real J_error;              /* error of ln J by the terms that order two leaves out where the mean motion is
+                                     started; such an error grows or decays, and this is its value at t */
     vm_real psi_error;            /* size of the terms of psi that order two leaves out */
-    vm_real J_third, psi_third;   /* size of terms that order three leaves out: only of those that depend on feed and
-                                     mass alone */
-    vm_real ratio;                /* largest ratio, at a start of the mean motion, of the terms of one order to those of
-                                     the next lower order */
-    vmi_osc_mean fast;            /* only its fields change, dropped, shortest and error are used, for the effects of
-                                     fast changes of the mass */
+    vm_real J_third, psi_third;   /* sizes of the terms of ln J and of psi that order three leaves out, as far as they
+                                     do not depend on c */
+    vm_real ratio;                /* where the mean motion was started, the largest value of (terms of one order)/(terms
+                                     of the next lower order) */
+    vmi_osc_mean fast;            /* its fields change, dropped, shortest and error describe fast changes of mass and
+                                     stiffness; the rest of its fields is not used */
 } vmi_vdp_mean;
 
-/* What is computed only once for a Van der Pol oscillator and its state at t = 0, by vm_vdp_plan_init. Read its fields,
-   but do not change them. The plan points to the tables, functions and contexts of the law of the mass. */
+/* A plan: numbers that vm_vdp_plan_init computes once for a Van der Pol oscillator and its state at t = 0. Read the
+   fields of the plan, but do not change them. The plan contains pointers to the tables of the laws, to the user's
+   functions and to their ctx. */
 typedef struct VM_TAG(vm_vdp_plan) {
     vm_vdp vdp;            /* a copy of the oscillator */
-    vm_osc_plan osc;       /* the oscillator without its term -c x^2 x', with the feed as a negative damping */
+    vm_osc_plan osc;       /* plan of the oscillator without its term -c x^2 x'; the feed is a negative damping */
     vmi_vdp_ripple ripple; /* constants and polynomials of the law of order three */
-    int start_status;      /* VM_OK where `start` is set; else why there is no mean motion, or VM_NO_LAW at rest */
+    int start_status;      /* VM_OK if `start` is set; else the status that says why there is no mean motion, VM_NO_LAW
+                              for a body at rest */
     vmi_vdp_mean start;    /* the start of the mean motion forward in time */
 } vm_vdp_plan;
 
-/* The term -c x^2 x', N; ctx points to c. */
+/* The force -c x^2 x', N, of the Van der Pol oscillator; ctx points to c. */
 VM_API vm_real vmi_vdp_force(vm_real t, vm_real x, vm_real v, void *ctx)
 {
     const vm_real *c = (const vm_real *)ctx;
@@ -17207,22 +17374,23 @@ VM_API vm_real vmi_vdp_force(vm_real t, vm_real x, vm_real v, void *ctx)
 
 /* -- The disturbances -- */
 
-/* The rate of the phase, 1/s, at the amplitude exp(ln_A) */
+/* The rate of the Ateb phase, 1/s, at the amplitude exp(ln_A) */
 VM_API vm_real vmi_vdp_rate(const vm_vdp_plan *p, vm_real mass, vm_real k, vm_real ln_A)
 {
     const vm_real alpha = p->vdp.alpha;
     return VM_SQRT((alpha + 1) / 2 * k / mass) * vmi_exp((alpha - 1) / 2 * ln_A, 0);
 }
 
-/* nu = -m'/m - 4 p + a, 1/s, with the rates a, p and k'/k. The code finds m'/m from p = (k'/k + 2 a -
-   m'/m)/(alpha+3). */
+/* Returns nu = -m'/m - 4 p + a, 1/s, from the rates a and p of oscillators/reduction.h and from k'/k. The relative rate
+   m'/m of the mass follows from p = (k'/k + 2 a - m'/m)/(alpha+3). */
 VM_API vm_real vmi_vdp_nu(const vm_vdp_plan *p, vm_real rate_a, vm_real rate_p, vm_real k_rate)
 {
     return (p->vdp.alpha - 1) * rate_p - rate_a - k_rate;
 }
 
-/* Computes the disturbances from the mass, the rates a and p, nu, G0 = p^2 - a p - p', and the amplitude exp(ln_A). W
-   is the rate of the phase at this amplitude. */
+/* Returns the disturbances e, e1, Q0 and E0 of oscillators/van_der_pol_expansion.h. They follow from the mass, from nu
+   (see vmi_vdp_nu), from the rate p, from G0 = p^2 - a p - p', and from the amplitude exp(ln_A). W is the rate of the
+   phase at this amplitude. */
 VM_API vmi_vdp_disturbance vmi_vdp_disturbance_of(const vm_vdp_plan *p, vm_real mass, vm_real nu, vm_real rate_p,
                                                   vm_real G0, vm_real ln_A, vm_real W)
 {
@@ -17234,7 +17402,8 @@ VM_API vmi_vdp_disturbance vmi_vdp_disturbance_of(const vm_vdp_plan *p, vm_real 
     return d;
 }
 
-/* The disturbances for the mass and rates in *now, and for the amplitude exp(ln_A), whose phase has the rate W */
+/* Returns the disturbances e, e1, Q0 and E0 for the mass and the rates in *now, and for the amplitude exp(ln_A), at
+   which the phase has the rate W. */
 VM_API vmi_vdp_disturbance vmi_vdp_disturbance_at(const vm_vdp_plan *p, const vmi_osc_slow *now, vm_real ln_A,
                                                   vm_real W)
 {
@@ -17242,8 +17411,8 @@ VM_API vmi_vdp_disturbance vmi_vdp_disturbance_at(const vm_vdp_plan *p, const vm
     return vmi_vdp_disturbance_of(p, now->m, nu, now->p, G0, ln_A, W);
 }
 
-/* The sizes of terms for estimates, for the mass and rates in *now, and for the amplitude exp(ln_A), whose phase has
-   the rate W */
+/* Returns the sizes of terms that estimates of the error need (vmi_vdp_sizes), for the mass and the rates in *now, and
+   for the amplitude exp(ln_A), at which the phase has the rate W. */
 VM_API vmi_vdp_sizes vmi_vdp_sizes_at(const vm_vdp_plan *p, const vmi_osc_slow *now, vm_real ln_A, vm_real W)
 {
     const vmi_vdp_disturbance d = vmi_vdp_disturbance_at(p, now, ln_A, W);
@@ -17253,7 +17422,8 @@ VM_API vmi_vdp_sizes vmi_vdp_sizes_at(const vm_vdp_plan *p, const vmi_osc_slow *
     return vmi_vdp_sizes_of(&p->osc.ripple, &d, rate);
 }
 
-/* Writes |E_k| = |G_k|/W^(k+2), see oscillators/expansion.h. They belong to the oscillator without its term in c. */
+/* Writes the absolute values of the numbers E_k = G_k/W^(k+2) of oscillators/expansion.h, for the oscillator without
+   the force -c x^2 x'. W is the rate of the phase. */
 VM_API void vmi_vdp_absolute_E(const vmi_osc_slow *now, vm_real W, vm_real *E)
 {
     int i;
@@ -17263,8 +17433,8 @@ VM_API void vmi_vdp_absolute_E(const vmi_osc_slow *now, vm_real W, vm_real *E)
 
 /* -- The start -- */
 
-/* Starts the mean motion at the reduced state (r->A, r->psi, r->W), a point where sa or ca is 0. mean->t and mean->now
-   must already be set for the time of this state. The errors that the start causes are added to those in *mean. */
+/* Starts the mean motion from the reduced state *r, at whose phase sa or ca must be 0. mean->t and mean->now must
+   already be set for the time of this state. The errors that the start causes are added to the errors in *mean. */
 VM_API void vmi_vdp_start_at(const vm_vdp_plan *p, const vmi_osc_reduced *r, vmi_vdp_mean *mean)
 {
     const vmi_osc_wave wave = vmi_osc_wave_of(&p->osc, VM_ROUTE_ATEB);
@@ -17289,10 +17459,10 @@ VM_API void vmi_vdp_start_at(const vm_vdp_plan *p, const vmi_osc_reduced *r, vmi
     mean->ratio = vmi_larger(sizes.ratio, mean->ratio);
 }
 
-/* Follows the exact equations from the state *r at the time t to the first phase at which sa or ca is 0, and starts the
-   mean motion there. If `knots` is 1, the phase must lie beyond the next point of a table. side is 1 forward, -1
-   backward in time. VM_NOT_INTEGRATED means that amplitude and phase do not describe the motion, or that a further
-   table point lies on the way. */
+/* Integrates the exact equations from the state *r at the time t to the first phase at which sa or ca is 0, and starts
+   the mean motion there. If `knots` is 1, it integrates to the first such phase after the next point of a table. `side`
+   is 1 forward, -1 backward in time. VM_NOT_INTEGRATED means that amplitude and phase do not describe the motion, or
+   that a further table point lies before the end of this integration. */
 VM_API int vmi_vdp_bridge(const vm_vdp_plan *p, vm_real t, int side, const vmi_osc_reduced *r, int knots,
                           vmi_vdp_mean *mean)
 {
@@ -17330,7 +17500,8 @@ VM_API int vmi_vdp_bridge(const vm_vdp_plan *p, vm_real t, int side, const vmi_o
     return VM_OK;
 }
 
-/* Starts the mean motion from position and velocity at t = 0, for times t > 0 with side = 1, t < 0 with side = -1. */
+/* Starts the mean motion from position and velocity at t = 0. With side = 1 the mean motion is for times t > 0, with
+   side = -1 for times t < 0. */
 VM_API int vmi_vdp_start(const vm_vdp_plan *p, int side, vmi_vdp_mean *mean)
 {
     const vm_osc_problem *o = &p->osc.problem;
@@ -17356,14 +17527,14 @@ VM_API int vmi_vdp_start(const vm_vdp_plan *p, int side, vmi_vdp_mean *mean)
     return VM_OK;
 }
 
-/* Prepares a plan for many values of the motion of a Van der Pol oscillator.
-   x is the position, m, x_rate the velocity, m/s, both at t = 0. vm_vdp_plan_by_route and vm_vdp_plan_within use the
-   plan. The field method must be valid, but it has no effect, and a1 to a3 have none. The oscillator is copied; the
-   tables and contexts of its mass must exist as long as the plan is used. Errors leave the plan untouched. Returns
-   VM_BAD_ARGUMENT for null pointers, an unknown method, and a mass that no constructor made, VM_NOT_FINITE for numbers
-   that are infinite or NaN, VM_BAD_MASS for a mass that is not positive at t = 0 or in a table, VM_BAD_STIFFNESS for a
-   stiffness that is not positive there, VM_DOMAIN for alpha < 0, a table out of order or without t = 0, or a user's
-   function that fails. */
+/* Prepares a plan, by which the motion of a Van der Pol oscillator is computed at many times.
+   x is the position, m, and x_rate the velocity, m/s, at t = 0. vm_vdp_plan_by_route and vm_vdp_plan_within use the
+   plan. The field `method` of *v must be valid, but the results do not depend on it, nor on the fields a1, a2 and a3.
+   The oscillator is copied; the tables of its laws and what ctx points to must exist as long as the plan is used.
+   Errors leave the plan untouched. Returns VM_BAD_ARGUMENT for null pointers, an unknown method, and a mass that no
+   constructor made, VM_NOT_FINITE for numbers that are infinite or NaN, VM_BAD_MASS or VM_BAD_STIFFNESS for a mass or a
+   stiffness that is not positive at t = 0 or in a table, and VM_DOMAIN for alpha < 0, for a table whose times do not
+   rise or do not contain t = 0, and where a user's function fails. */
 VM_API int vm_vdp_plan_init(vm_vdp_plan *p, const vm_vdp *v, vm_real x, vm_real x_rate)
 {
     vm_vdp_plan plan;
@@ -17394,31 +17565,36 @@ VM_API int vm_vdp_plan_init(vm_vdp_plan *p, const vm_vdp *v, vm_real x, vm_real 
 
 /* -- A panel -- */
 
-/* Series and integrals of the mean motion on a panel of time */
+/* Legendre series and integrals of the mean motion on a panel, a short interval of time. J is the quantity of
+   oscillators/van_der_pol_expansion.h */
 typedef struct VM_TAG(vmi_vdp_panel) {
-    vmi_osc_panel laws;                   /* the law of the mass; its fields E and noise are used to find fast changes
-                                             of it */
+    vmi_osc_panel laws;                   /* the laws of mass and stiffness; its fields E and noise are used to find
+                                             fast changes of the laws */
     vm_real r[VMI_GAUSS];                 /* series of r/m with r = exp(-2 integral of p dt) from the panel's start */
-    vm_real rate[VMI_GAUSS], first_rate[VMI_GAUSS]; /* series of the rate of the mean phase, by order three and one */
-    vm_real ln_A, first_ln_A;             /* change of ln A over the panel, by order three and one */
-    vm_real loss;                         /* factor by which an error of ln J changes over the panel */
-    vm_real rounding;                     /* size of the terms of E_0 that rounding errors of p cause, see
-                                             vmi_vdp_rounding */
-    vm_real kept;                         /* integral over the phase of the factor by which an error of ln J changes
-                                             from the panel's start to this phase */
+    vm_real rate[VMI_GAUSS], first_rate[VMI_GAUSS]; /* series of the rate of the mean phase: `rate` by the law of order
+                                                       three, first_rate by the law of order one */
+    vm_real ln_A, first_ln_A;             /* change of ln A over the panel, where A is the mean amplitude: ln_A by the
+                                             law of order three, first_ln_A by that of order one */
+    vm_real loss;                         /* the factor by which an error of ln J changes from the start to the end of
+                                             the panel */
+    vm_real rounding;                     /* size of the errors of E_0 that rounding errors of the rate p cause
+                                             (vmi_vdp_rounding) */
+    vm_real kept;                         /* the integral, over the phases of the panel, of the factor by which an error
+                                             of ln J changes from the start of the panel to the phase */
 } vmi_vdp_panel;
 
-/* Mean values at the points of Gauss' rule of a panel */
+/* Numbers of the mean motion at the nodes, which are the points of Gauss' rule on a panel */
 typedef struct VM_TAG(vmi_vdp_nodes) {
-    vm_real r[VMI_GAUSS], ln_r[VMI_GAUSS];      /* r/m, see vmi_vdp_panel, and ln r */
+    vm_real r[VMI_GAUSS], ln_r[VMI_GAUSS];      /* r/m with the r of vmi_vdp_panel, and ln r */
     vm_real first_ln_A[VMI_GAUSS], first_rate[VMI_GAUSS];
-    vm_real G0[VMI_GAUSS], E[VMI_GAUSS];        /* p^2 - a p - p', and E_0 */
+    vm_real G0[VMI_GAUSS], E[VMI_GAUSS];        /* G_0 = p^2 - a p - p', and E_0 = G_0/W^2 */
     vm_real second[VMI_GAUSS];                  /* r/m times the result of vmi_vdp_mean_second */
     vm_real rate[VMI_GAUSS];
 } vmi_vdp_nodes;
 
-/* Returns ln r, where r = exp(-2 integral of p dt), for an interval of time in which mass and stiffness change by the
-   factors exp(ln_m) and exp(ln_k). `way` is the integral of dt/m over this interval. */
+/* Returns ln r, where r = exp(-2 integral of p dt) with the rate p of oscillators/reduction.h, for an interval of time
+   in which mass and stiffness change by the factors exp(ln_m) and exp(ln_k). `way` is the integral of dt/m over this
+   interval. */
 VM_API vm_real vmi_vdp_ln_r(const vm_vdp_plan *p, vm_real ln_m, vm_real ln_k, vm_real way)
 {
     vm_real ln_A, ln_Om;
@@ -17426,24 +17602,24 @@ VM_API vm_real vmi_vdp_ln_r(const vm_vdp_plan *p, vm_real ln_m, vm_real ln_k, vm
     return 2 * ln_A;
 }
 
-/* ln(k/k_start); most stiffnesses are constant, and need no logarithm */
+/* ln(k/k_start); for a constant stiffness, which is the usual case, no logarithm is computed */
 VM_API vm_real vmi_vdp_ln_k(vm_real k, vm_real k_start)
 {
     if (k == k_start) return 0;
     return vmi_log(k / k_start).hi;
 }
 
-/* The size of the rounding errors in the last terms of the series of E_0. *now has the rates of the laws, and W is the
-   rate of the phase. E_0 contains p'/W^2, and p' is the derivative of a series of p on the panel. Rounding errors of p,
-   at most a few eps (|a| + |p|), grow by up to 250/length in its last terms; on short panels they hide the law
-   itself. */
+/* The size of the rounding errors in the last terms of the Legendre series of E_0. *now contains the rates of the laws,
+   and W is the rate of the phase. E_0 contains p'/W^2, where p is a slow rate, and p' is the derivative of a series of
+   p on the panel. The rounding errors of p are at most a few eps (|a| + |p|). In the last terms of p' they are larger
+   by a factor of up to 250/length; on short panels they are larger than the terms themselves. */
 VM_API vm_real vmi_vdp_rounding(const vmi_osc_rates *now, vm_real W, vm_real length)
 {
     return 256 * VM_EPSILON / VM_FABS(length) / W * ((VM_FABS(now->p) + VM_FABS(now->a)) / W);
 }
 
-/* Computes the first order at the nodes, and from it the terms of second order. *mean is the mean motion at the start
-   of the panel, where *start has mass and stiffness. */
+/* Computes the mean motion of first order at the nodes of a panel, and from this motion the terms of second order.
+   *mean is the mean motion, and *start contains mass and stiffness, at the start of the panel. */
 VM_API void vmi_vdp_first_order(const vm_vdp_plan *p, const vmi_vdp_mean *mean, vm_real length,
                                 const vmi_osc_rates *start, const vmi_osc_panel_laws *at, vmi_vdp_nodes *nodes,
                                 vmi_vdp_panel *panel)
@@ -17479,7 +17655,7 @@ VM_API void vmi_vdp_first_order(const vm_vdp_plan *p, const vmi_vdp_mean *mean, 
     panel->first_ln_A = 1 + gain * length * panel->r[0]; /* y at the end of the panel */
 }
 
-/* Computes the mean motion of order three at the nodes. `second` is the Legendre series of nodes->second. */
+/* Computes the mean motion of order three at the nodes of a panel. `second` is the Legendre series of nodes->second. */
 VM_API void vmi_vdp_second_order(const vm_vdp_plan *p, const vmi_vdp_mean *mean, vm_real length,
                                  const vmi_osc_panel_laws *at, const vm_real *second, vmi_vdp_nodes *nodes,
                                  vmi_vdp_panel *panel)
@@ -17525,16 +17701,17 @@ VM_API int vmi_vdp_panel_of(const vm_vdp_plan *p, const vmi_vdp_mean *mean, vm_r
     return VM_OK;
 }
 
-/* Whether the last terms of a series of the rate of the phase are at most `limit` times the rate. The rate may be
-   negative, where the law does not hold. */
+/* Returns 1 if the last terms of a Legendre series of the phase rate are at most `limit` times the mean rate, else 0.
+   The rate may be negative where the law of order three is not valid. */
 VM_API int vmi_vdp_rate_is_resolved(const vm_real *rate, vm_real limit)
 {
     return vmi_legendre_tail(rate) <= limit * VM_FABS(rate[0]);
 }
 
-/* Whether the panel is short enough for its series. `whole` is the length of the walk, s. The series of E_0 may leave
-   out terms that do not matter, and terms that are rounding errors: halving the panel would make rounding errors
-   larger. The same is allowed for the rate of the phase, which contains E_0. */
+/* Returns 1 if the panel is so short that its series are accurate enough, else 0. `whole` is the length of the whole
+   interval of integration, s. The series of E_0 may leave out terms that do not matter, and terms that are rounding
+   errors: on a panel of half the length the rounding errors would be larger. The series of the phase rate may leave out
+   such terms, too, since it contains E_0. */
 VM_API int vmi_vdp_panel_is_resolved(const vmi_vdp_panel *panel, vm_real length, vm_real whole)
 {
     const vm_real E_enough = VM_MANT_DIG > 24 ? VM_C(1e-6) : VM_C(1e-3);
@@ -17548,7 +17725,7 @@ VM_API int vmi_vdp_panel_is_resolved(const vmi_vdp_panel *panel, vm_real length,
     return vmi_legendre_tail(panel->laws.E) <= E_enough * VM_SQRT(vmi_legendre_square(panel->laws.E)) + noise;
 }
 
-/* Advances the mean motion over a panel. */
+/* Advances the mean motion from the start to the end of a panel. */
 VM_API void vmi_vdp_add_panel(const vm_vdp_plan *p, vmi_vdp_panel *panel, vm_real length, vmi_vdp_mean *mean)
 {
     const vm_real g = VM_FABS(p->osc.ripple.gamma), phase = panel->rate[0] * VM_FABS(length);
@@ -17567,8 +17744,9 @@ VM_API void vmi_vdp_add_panel(const vm_vdp_plan *p, vmi_vdp_panel *panel, vm_rea
     vmi_osc_add_changes(&p->osc, &panel->laws, length, &mean->fast);
 }
 
-/* Advances the mean motion to `end` by panels of at most `longest`. No table may have a point on the way. `whole` is
-   the length of the whole walk, s. Returns VM_NOT_FINITE where the amplitude becomes infinite on the way. */
+/* Advances the mean motion to `end` by panels of at most `longest`. No table may have a point between these times.
+   `whole` is the length of the whole interval of integration, s. Returns VM_NOT_FINITE where the amplitude becomes
+   infinite between these times. */
 VM_API int vmi_vdp_walk_piece(const vm_vdp_plan *p, vm_real end, vm_real longest, vm_real whole, vmi_vdp_mean *mean)
 {
     vmi_panels panels = vmi_panels_from(mean->t, end, longest, whole);
@@ -17592,7 +17770,8 @@ VM_API int vmi_vdp_walk_piece(const vm_vdp_plan *p, vm_real end, vm_real longest
 
 /* -- The motion that belongs to a mean motion -- */
 
-/* Writes amplitude, phase and its rate at mean->t by order 1, 2 or 3, with rates from mean->now. */
+/* Returns amplitude, phase and phase rate of the motion at mean->t, by the law of order three cut off after order 1, 2
+   or 3. Mass, stiffness and rates are those in mean->now. */
 VM_API vmi_osc_reduced vmi_vdp_state(const vm_vdp_plan *p, int order, const vmi_vdp_mean *mean)
 {
     const vmi_ripple *r = &p->osc.ripple;
@@ -17623,8 +17802,9 @@ VM_API vmi_osc_reduced vmi_vdp_state(const vm_vdp_plan *p, int order, const vmi_
 
 /* -- The walk -- */
 
-/* Sets mean->now for the time mean->t. side is the direction of the walk, 1 forward, -1 backward in time. Where
-   derivatives of the mass jump at this time, it takes their values on the side that the walk has already covered. */
+/* Sets mean->now for the time mean->t. `side` is the direction of the integration along the laws: 1 forward, -1
+   backward in time. Where derivatives of the laws jump at this time, the function takes their values before the jump
+   for side = 1, and after the jump for side = -1. */
 VM_API int vmi_vdp_mean_update(const vm_vdp_plan *p, int side, vmi_vdp_mean *mean)
 {
     const vm_real sampling = vmi_osc_sampling_time(&p->osc), way = VM_FABS(mean->t);
@@ -17633,8 +17813,8 @@ VM_API int vmi_vdp_mean_update(const vm_vdp_plan *p, int side, vmi_vdp_mean *mea
     return vmi_osc_slow_at(&p->osc.problem, mean->t, -side, vmi_smaller(sampling, way), unit, &mean->now);
 }
 
-/* Continues the mean motion beyond mean->t, the time of a table point. It goes back to the last phase before this time
-   at which sa or ca is 0. From there it follows the exact equations to the first such phase after this time. */
+/* Continues the mean motion beyond mean->t, the time of a table point. First it goes back to the last phase before this
+   time at which sa or ca is 0. From there it integrates the exact equations to the first such phase after this time. */
 VM_API int vmi_vdp_walk_past_knot(const vm_vdp_plan *p, int side, vmi_vdp_mean *mean)
 {
     const vm_real quarter = p->osc.ripple.pi / 2, turns = (vm_real)side * mean->psi / quarter;
@@ -17643,7 +17823,7 @@ VM_API int vmi_vdp_walk_past_knot(const vm_vdp_plan *p, int side, vmi_vdp_mean *
     vmi_vdp_panel panel;
     vmi_osc_reduced state;
     int status = VM_OK;
-    /* If the way back passes the previous table point, or t = 0, the two points are too close together. */
+    /* If going back passes the previous table point, or t = 0, the two points are too close together. */
     if ((vm_real)side * (knot + back - mean->segment) < 0) return VM_NOT_INTEGRATED;
     if (back != 0) {
         status = vmi_vdp_panel_of(p, mean, back, &panel);
@@ -17658,9 +17838,9 @@ VM_API int vmi_vdp_walk_past_knot(const vm_vdp_plan *p, int side, vmi_vdp_mean *
     return vmi_vdp_bridge(p, mean->t, side, &state, 1, mean);
 }
 
-/* Computes the mean motion at t by integration along the law of the mass, from one point of a table to the next.
-   Returns VM_NOT_INTEGRATED where amplitude and phase do not describe the motion, or where points of a table are closer
-   than a quarter of a vibration, and VM_NOT_FINITE where the amplitude becomes infinite between 0 and t. */
+/* Computes the mean motion at t by integration along the laws of mass and stiffness, from one point of a table to the
+   next. Returns VM_NOT_INTEGRATED where amplitude and phase do not describe the motion, or where points of a table are
+   closer than a quarter of a vibration, and VM_NOT_FINITE where the amplitude becomes infinite between 0 and t. */
 VM_API int vmi_vdp_mean_at(const vm_vdp_plan *p, vm_real t, vmi_vdp_mean *mean)
 {
     const vm_osc_problem *o = &p->osc.problem;
@@ -17688,17 +17868,18 @@ VM_API int vmi_vdp_mean_at(const vm_vdp_plan *p, vm_real t, vmi_vdp_mean *mean)
 #endif
 /* oscillators/van_der_pol_constant.h - the mean motion of a Van der Pol oscillator of constant mass and stiffness
 
-   The mean motion of oscillators/van_der_pol_walk.h is an integral along the laws of mass and stiffness. If both are
-   constant and alpha = 1, as in Van der Pol's own equation, the integrals have closed forms. Let
-   kappa = feed/m, beta = -F (c/m) A_0^2 with the constant F = -1/4, z = beta/kappa, and y = 1 + z (e^(kappa t) - 1). To
-   first order the amplitude A is A_0 R^(1/2) with R = e^(kappa t)/y, and
+   The mean motion of oscillators/van_der_pol_walk.h consists of integrals along the laws of mass and stiffness. If mass
+   and stiffness are constant and alpha = 1, as in Van der Pol's own equation, these integrals have closed forms. Let
+   kappa = feed/m, beta = -F (c/m) A_0^2 with the constant F = -1/4, z = beta/kappa, and y = 1 + z (e^(kappa t) - 1). m
+   is the mass, A_0 the mean amplitude at the start of the mean motion, and t the time since this start. To first order
+   the amplitude A is A_0 R^(1/2) with R = e^(kappa t)/y, and
        integral of R dt = ln(y)/beta,   integral of R^2 dt = (kappa ln(y)/beta - R + 1)/beta.
-   The terms of second order are such integrals, too (vmi_vdp_closed_loss). For other alpha the amplitude of first order
-   has the same form with (4/(alpha+3)) kappa in place of kappa, but the phase needs the integral of R^((alpha-1)/4) dt,
-   an incomplete beta function whose second parameter is 0. It is elementary only if (alpha-1)/4 is rational, and the
-   other orders need several such functions (docs/van-der-pol.md). For these alpha the code of
-   oscillators/van_der_pol_walk.h computes all integrals at once, until the limit cycle is reached: from there on the
-   phase grows at a constant rate. So the cost does not depend on t.
+   The terms of second order are similar integrals (vmi_vdp_closed_loss). For other alpha the amplitude of first order
+   has the same form, with (4/(alpha+3)) kappa in place of kappa in the exponents. But the phase then needs the integral
+   of R^((alpha-1)/4) dt, an incomplete beta function whose second parameter is 0. This function is elementary only if
+   (alpha-1)/4 is rational, and the orders two and three need several such functions (docs/van-der-pol.md). For these
+   alpha the code of oscillators/van_der_pol_walk.h computes all integrals numerically until the limit cycle (the steady
+   vibration) is reached. From that time on the phase grows at a constant rate. So the cost does not depend on t.
        vmi_vdp_mean mean;
        vm_vdp_plan plan;
        int status = vm_vdp_plan_init(&plan, &vdp, VM_C(0.3), 0); // vdp is a vm_vdp; from rest at x = 0.3 m
@@ -17707,7 +17888,7 @@ VM_API int vmi_vdp_mean_at(const vm_vdp_plan *p, vm_real t, vmi_vdp_mean *mean)
 #ifndef VARMASS_OSCILLATORS_VAN_DER_POL_CONSTANT_H
 #define VARMASS_OSCILLATORS_VAN_DER_POL_CONSTANT_H
 
-/* Whether the form of a law shows that it is constant */
+/* Returns 1 if the form of a law shows that the law is constant, else 0. */
 VM_API int vmi_vdp_is_constant(const vm_law *law)
 {
     vm_real base, rate;
@@ -17716,12 +17897,12 @@ VM_API int vmi_vdp_is_constant(const vm_law *law)
 
 /* The growth of the first-order amplitude from the start of the mean motion to a later or earlier time */
 typedef struct VM_TAG(vmi_vdp_growth_course) {
-    vm_real kappa, beta, z; /* see the top of this file; kappa and beta are in 1/s */
-    vm_real ln_R, R;        /* R = (A/A_0)^2, and its logarithm */
-    vm_real ln_y, q;        /* ln(y), and q = 1/y */
+    vm_real kappa, beta, z; /* the numbers at the top of this file; kappa and beta are in 1/s */
+    vm_real ln_R, R;        /* logarithm of R, and R = (A/A_0)^2 */
+    vm_real ln_y, q;        /* ln(y) for the y at the top of this file, and q = 1/y */
 } vmi_vdp_growth_course;
 
-/* Computes kappa, beta and z for a mean motion that begins with *start. s = 4/(alpha+3) is 1 for alpha = 1. */
+/* Computes kappa, beta and z at the top of this file, for a mean motion that begins with *start. */
 VM_API vmi_vdp_growth_course vmi_vdp_course_from(const vm_vdp_plan *p, const vmi_vdp_mean *start)
 {
     vmi_vdp_growth_course g;
@@ -17731,8 +17912,8 @@ VM_API vmi_vdp_growth_course vmi_vdp_course_from(const vm_vdp_plan *p, const vmi
     return g;
 }
 
-/* Computes the growth over `time` seconds, of either sign. The code uses exp(-|kappa time|), so that nothing overflows.
-   Returns VM_NOT_FINITE where the amplitude becomes infinite on the way. */
+/* Computes R, y and their logarithms after `time` seconds, of either sign. The code uses exp(-|kappa time|), so that
+   nothing overflows. Returns VM_NOT_FINITE where the amplitude becomes infinite before that time. */
 VM_API int vmi_vdp_grow(vmi_vdp_growth_course *g, vm_real time)
 {
     const vm_real x = g->kappa * time, e = vmi_exp(-VM_FABS(x), 0);
@@ -17754,8 +17935,8 @@ VM_API int vmi_vdp_grow(vmi_vdp_growth_course *g, vm_real time)
     return VM_OK;
 }
 
-/* The terms of second order of y, divided by y, for alpha = 1. They are integrals of e^(kappa t) times 1, A^2 and
-   A^4. */
+/* Returns the terms of second order in y, divided by y, for alpha = 1. These terms are integrals over time of e^(kappa
+   t), e^(kappa t) A^2 and e^(kappa t) A^4, where A is the amplitude of first order. */
 VM_API vm_real vmi_vdp_closed_loss(const vm_vdp_plan *p, const vmi_vdp_growth_course *g, vm_real W)
 {
     const vmi_vdp_ripple *v = &p->ripple;
@@ -17768,7 +17949,8 @@ VM_API vm_real vmi_vdp_closed_loss(const vm_vdp_plan *p, const vmi_vdp_growth_co
                  v->KE * G0 / W / W * J0);
 }
 
-/* Computes the mean motion at t in closed form, for alpha = 1. At the call *mean is the start of the mean motion. */
+/* Computes the mean motion at t in closed form, for alpha = 1. Before the call *mean must be the start of the mean
+   motion; the function replaces it by the mean motion at t. */
 VM_API int vmi_vdp_closed(const vm_vdp_plan *p, vmi_vdp_growth_course *g, vm_real t, vmi_vdp_mean *mean)
 {
     const vmi_ripple *r = &p->osc.ripple;
@@ -17794,18 +17976,19 @@ VM_API int vmi_vdp_closed(const vm_vdp_plan *p, vmi_vdp_growth_course *g, vm_rea
     return VM_OK;
 }
 
-/* The time, s, after which the motion differs from the limit cycle by rounding errors only. It is counted from the
-   start of the mean motion in the direction `side` of time, and is infinite if the motion does not tend to a limit
-   cycle. */
+/* Returns the time, s, after which the motion differs from the limit cycle (the steady vibration) by rounding errors
+   only. The time is counted from the start of the mean motion, forward for side = 1, backward for side = -1. It is
+   infinite if the motion does not tend to a limit cycle in this direction. */
 VM_API vm_real vmi_vdp_settling_time(const vm_vdp_plan *p, const vmi_vdp_growth_course *g, int side)
 {
-    const vm_real digits = VM_MANT_DIG > 24 ? 45 : 24; /* exp(-45) is below the rounding error */
+    const vm_real digits = VM_MANT_DIG > 24 ? 45 : 24; /* exp(-45) and, for float, exp(-24) are below the rounding
+                                                          error */
     const vm_real share = 4 / (p->vdp.alpha + 3);
     if (!((vm_real)side * g->kappa > 0) || !(g->z > 0)) return VM_INFINITY;
     return (digits + VM_FABS(vmi_log(g->z).hi)) / (share * VM_FABS(g->kappa));
 }
 
-/* Advances the mean motion on the limit cycle to t. */
+/* Advances the mean motion to t, if it has reached the limit cycle. */
 VM_API void vmi_vdp_stay(const vm_vdp_plan *p, vm_real t, vmi_vdp_mean *mean)
 {
     const vmi_ripple *r = &p->osc.ripple;
@@ -17817,8 +18000,8 @@ VM_API void vmi_vdp_stay(const vm_vdp_plan *p, vm_real t, vmi_vdp_mean *mean)
     mean->t = t;
 }
 
-/* Computes the mean motion at t: in closed form if there is one, or by integration along the laws as far as that is
-   needed. The statuses are those of vmi_vdp_mean_at. */
+/* Computes the mean motion at t: in closed form if there is one, else by integration along the laws until t or until
+   the limit cycle is reached. Returns the statuses of vmi_vdp_mean_at. */
 VM_API int vmi_vdp_mean_motion(const vm_vdp_plan *p, vm_real t, vmi_vdp_mean *mean)
 {
     const vm_real extreme = VM_C(1e6); /* for |z| > extreme or < 1/extreme the closed form divides by about 0 */
@@ -17847,15 +18030,17 @@ VM_API int vmi_vdp_mean_motion(const vm_vdp_plan *p, vm_real t, vmi_vdp_mean *me
 #endif
 /* oscillators/van_der_pol_routes.h - the motion x(t) of a Van der Pol oscillator, and its limit cycle to second order
 
-   Five routes lead from x and x' at t = 0 to x and x' at any t: the law of oscillators/van_der_pol_expansion.h, cut off
-   after order one, two or three, and two integrations. Their names are those of oscillators/problem.h:
-     VM_ROUTE_ATEB           order one, with a start of order three; errors are O(epsilon)
-     VM_ROUTE_ORDER2         order two; errors are O(epsilon^2)
-     VM_ROUTE_ORDER3         the whole law; errors are O(epsilon^3)
-     VM_ROUTE_COLLOCATION    integration from each zero of x or x' to the next, to a tolerance
-     VM_ROUTE_RK87           integration of the equation of motion by rk87, to a tolerance
-   epsilon is the relative change of the vibration within a radian. The cost of the first three does not depend on t.
-   vm_vdp_within takes the cheapest route whose error is estimated to be within a tolerance. The shortest useful call:
+   Five methods, called routes, lead from x and x' at t = 0 to x and x' at any t. Three of them are the law of
+   oscillators/van_der_pol_expansion.h, cut off after order one, two or three; the other two are numerical integrations.
+   The names of the routes are those of oscillators/problem.h:
+     VM_ROUTE_ATEB           law of order one, with a start of order three; errors are O(epsilon)
+     VM_ROUTE_ORDER2         law of order two; errors are O(epsilon^2)
+     VM_ROUTE_ORDER3         the whole law, of order three; errors are O(epsilon^3)
+     VM_ROUTE_COLLOCATION    integration from each zero of x or x' to the next, within a tolerance
+     VM_ROUTE_RK87           integration of the equation of motion by rk87, within a tolerance
+   epsilon is the relative change of the vibration while the phase grows by 1. The cost of the first three routes does
+   not depend on t. vm_vdp_within takes the cheapest route whose estimated error is within a tolerance. The shortest
+   useful call:
        vm_vdp v;
        vm_osc_motion motion;
        memset(&v, 0, sizeof v);
@@ -17870,7 +18055,8 @@ VM_API int vmi_vdp_mean_motion(const vm_vdp_plan *p, vm_real t, vmi_vdp_mean *me
 
 /* -- The law of orders one to three -- */
 
-/* The order, 1 to 3, of a route of the law, or 0 for every other route */
+/* Returns the order, 1 to 3, after which a route cuts off the law of order three, or 0 for a route that does not use
+   this law. */
 VM_API int vmi_vdp_order_of(int route)
 {
     switch (route) {
@@ -17881,14 +18067,17 @@ VM_API int vmi_vdp_order_of(int route)
     }
 }
 
-/* Estimates the error of order three, and writes that of order two to *second. Each is the sum of the terms that the
-   order leaves out: in the transformations at the start and at t, and in the mean motion, where errors of ln J at the
-   start grow with the phase. The effects of fast changes of the mass and of rounding errors are added. A factor of 2 is
-   included, which fits the errors that tests/test_van_der_pol_law.c finds. */
+/* Returns the estimated error of the route VM_ROUTE_ORDER3, and writes that of VM_ROUTE_ORDER2 to *second. Each
+   estimate is the sum of the terms that the route leaves out, in the transformations at the start and at t and in the
+   mean motion. In the mean motion an error of ln J at the start causes an error of the phase that grows with the phase;
+   J is the quantity of oscillators/van_der_pol_expansion.h. The effects of fast changes of the mass and of rounding
+   errors are added. The estimates contain a factor of 2, which fits the errors that tests/test_van_der_pol_law.c
+   finds. */
 VM_API vm_real vmi_vdp_error(const vm_vdp_plan *p, const vmi_vdp_mean *mean, vm_real *second)
 {
     const vmi_ripple *r = &p->osc.ripple;
-    const vm_real n = r->alpha + 1, largest_known = VM_C(0.25); /* where the estimate is larger the error is unknown */
+    const vm_real n = r->alpha + 1, largest_known = VM_C(0.25); /* where the estimate is larger than this, it says
+                                                                   nothing about the error */
     const vm_real W = vmi_vdp_rate(p, mean->now.m, mean->now.k, mean->ln_A), turns = VM_FABS(mean->psi - p->start.psi);
     const vmi_vdp_sizes now = vmi_vdp_sizes_at(p, &mean->now, mean->ln_A, W);
     const vm_real back = 2 / n * now.psi + 2 / (n + 2) * now.J;
@@ -17907,8 +18096,8 @@ VM_API vm_real vmi_vdp_error(const vm_vdp_plan *p, const vmi_vdp_mean *mean, vm_
     return error < largest_known ? error : VM_INFINITY;
 }
 
-/* Computes the motion by order 1, 2 or 3 from the mean motion, with the estimate of what the order leaves out. Writes
-   amplitude, phase and rate of the phase to *state. */
+/* Computes the motion from the mean motion by the law of order three, cut off after the order 1, 2 or 3 of the route,
+   with an estimate of the terms that are left out. Writes amplitude, phase and rate of the phase to *state. */
 VM_API int vmi_vdp_truncated(const vm_vdp_plan *p, int route, const vmi_vdp_mean *mean, vmi_osc_reduced *state,
                              vm_osc_motion *motion)
 {
@@ -17927,8 +18116,9 @@ VM_API int vmi_vdp_truncated(const vm_vdp_plan *p, int route, const vmi_vdp_mean
     return VM_OK;
 }
 
-/* Computes the motion by order 1, 2 or 3 from the mean motion, with an estimate of its error. For order 1 the estimate
-   is that of order 2 plus the difference of the two orders. */
+/* Computes the motion from the mean motion by the law of order three, cut off after the order 1, 2 or 3 of the route,
+   with an estimate of the error. For order 1 the estimate is the one for order 2 plus the difference between the
+   motions by order 1 and by order 2. */
 VM_API int vmi_vdp_order_n(const vm_vdp_plan *p, int route, const vmi_vdp_mean *mean, vm_osc_motion *motion)
 {
     vmi_osc_reduced state, unused;
@@ -17948,8 +18138,8 @@ VM_API int vmi_vdp_order_n(const vm_vdp_plan *p, int route, const vmi_vdp_mean *
 
 /* -- One route -- */
 
-/* Integrates the exact equations to the tolerance, by a function of oscillators/routes.h. The term -c x^2 x' takes
-   the place of the force F of that file. */
+/* Integrates the exact equations within the tolerance. It uses the functions for an oscillator with a further force F
+   (oscillators/problem.h), where F is the term -c x^2 x'. */
 VM_API int vmi_vdp_integrate(const vm_vdp_plan *p, int route, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
     vm_osc_plan exact = p->osc;
@@ -17961,7 +18151,8 @@ VM_API int vmi_vdp_integrate(const vm_vdp_plan *p, int route, vm_real t, vm_real
     return vmi_osc_integrate_within(&exact, t, tolerance, motion);
 }
 
-/* Checks the arguments that all calls with a plan share, and replaces a tolerance of 0 by the default. */
+/* Checks those arguments that the functions with a plan have in common, and replaces a tolerance of 0 by the
+   default. */
 VM_API int vmi_vdp_check_call(const vm_vdp_plan *p, vm_real t, vm_real *tolerance, const vm_osc_motion *motion)
 {
     if (!p) return VM_BAD_ARGUMENT;
@@ -17969,19 +18160,21 @@ VM_API int vmi_vdp_check_call(const vm_vdp_plan *p, vm_real t, vm_real *toleranc
 }
 
 /* Motion x(t), x'(t) of a Van der Pol oscillator by a given route, from a plan.
-   t is in seconds, of either sign. route is VM_ROUTE_ATEB, VM_ROUTE_ORDER2, VM_ROUTE_ORDER3, VM_ROUTE_COLLOCATION or
+   t is in seconds, of either sign. `route` is VM_ROUTE_ATEB, VM_ROUTE_ORDER2, VM_ROUTE_ORDER3, VM_ROUTE_COLLOCATION or
    VM_ROUTE_RK87. motion->error estimates the larger of |error of x|/A and |error of v|/vmax, where vmax is the largest
-   velocity at the amplitude A; it is infinite where the law is not valid. The routes that integrate keep it within the
-   tolerance, where 0 means 1e-6 (float 1e-3); the law does not use the tolerance. Returns VM_OK, or VM_TOLERANCE_MISSED
-   where x and v are computed but the error of integration is larger than the tolerance. After an error *motion is
-   unchanged. The errors are
-     VM_BAD_ARGUMENT for null pointers or a route that is not one of the five,
-     VM_NOT_FINITE for a number that is infinite or NaN, and for the law where the amplitude becomes infinite before t,
-     VM_BAD_MASS or VM_BAD_STIFFNESS for a law that is not positive between 0 and t,
-     VM_DOMAIN for a negative tolerance, t outside a table, a table out of order, or a user's function that fails,
-     VM_NOT_INTEGRATED where amplitude and phase do not describe the motion, for the law and collocation,
-     VM_NOT_INTEGRATED for the law where a table has points closer than a quarter of a vibration,
-     VM_NOT_INTEGRATED where the integrator gives up. */
+   velocity at the amplitude A; it is infinite where the law of order three is not valid. The last two of these routes
+   integrate numerically and keep this error within the tolerance, where 0 means 1e-6 (float 1e-3); the first three do
+   not use the tolerance. Returns VM_OK, or VM_TOLERANCE_MISSED where x and v are computed but the error of integration
+   is larger than the tolerance. After an error *motion is unchanged. The errors are
+     VM_BAD_ARGUMENT for null pointers or a route that is not one of these five,
+     VM_NOT_FINITE for a number that is infinite or NaN, and for the first three routes where the amplitude becomes
+       infinite before t,
+     VM_BAD_MASS or VM_BAD_STIFFNESS for a mass or a stiffness that is not positive between 0 and t,
+     VM_DOMAIN for a negative tolerance, t outside a table, a table whose times do not rise, or a user's function that
+       fails,
+     VM_NOT_INTEGRATED, for all routes but VM_ROUTE_RK87, where amplitude and phase do not describe the motion,
+     VM_NOT_INTEGRATED, for the first three routes, where points of a table are closer than a quarter of a vibration,
+     VM_NOT_INTEGRATED, for the last two routes, where the integrator cannot reach t. */
 VM_API int vm_vdp_plan_by_route(const vm_vdp_plan *p, int route, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
     const int by_law = vmi_vdp_order_of(route) > 0;
@@ -17999,11 +18192,11 @@ VM_API int vm_vdp_plan_by_route(const vm_vdp_plan *p, int route, vm_real t, vm_r
 
 /* -- The cheapest route -- */
 
-/* Writes the motion by the first of the orders 1 to 3 whose error is estimated to be within the tolerance. Returns
-   VM_TOLERANCE_MISSED where there is none, and leaves *motion untouched. */
+/* Writes the motion by the first of the routes VM_ROUTE_ATEB, VM_ROUTE_ORDER2 and VM_ROUTE_ORDER3 whose estimated error
+   is within the tolerance. If there is no such route, it returns VM_TOLERANCE_MISSED and leaves *motion untouched. */
 VM_API int vmi_vdp_law_within(const vm_vdp_plan *p, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
-    const vm_real reserve = VM_C(1.5); /* the same reserve as in vmi_osc_averaged_within */
+    const vm_real reserve = VM_C(1.5); /* a factor on the estimate, the same as in vmi_osc_averaged_within */
     vmi_vdp_mean mean;
     vm_osc_motion result;
     int route;
@@ -18018,9 +18211,10 @@ VM_API int vmi_vdp_law_within(const vm_vdp_plan *p, vm_real t, vm_real tolerance
 }
 
 /* Motion x(t), x'(t) of a Van der Pol oscillator within a tolerance, from a plan. t is in seconds, of either sign. The
-   call takes the first of the orders one, two and three whose error is estimated to be within the tolerance, and
-   integrates if there is none; motion->route says which route it took. The tolerance is relative, for the larger of
-   |error of x|/A and |error of v|/vmax; 0 means 1e-6 (float 1e-3). The statuses are those of vm_vdp_plan_by_route. */
+   function takes the first of the routes VM_ROUTE_ATEB, VM_ROUTE_ORDER2 and VM_ROUTE_ORDER3 whose estimated error is
+   within the tolerance. If there is no such route, it integrates numerically; motion->route is the route that it took.
+   The error is the larger of |error of x|/A and |error of v|/vmax (see vm_osc_motion); a tolerance of 0 means 1e-6
+   (float 1e-3). Returns the statuses of vm_vdp_plan_by_route. */
 VM_API int vm_vdp_plan_within(const vm_vdp_plan *p, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
     int status = vmi_vdp_check_call(p, t, &tolerance, motion);
@@ -18028,12 +18222,12 @@ VM_API int vm_vdp_plan_within(const vm_vdp_plan *p, vm_real t, vm_real tolerance
     if (p->osc.A == 0) return vmi_osc_at_rest(&p->osc, VM_ROUTE_ATEB, motion);
     status = vmi_vdp_law_within(p, t, tolerance, motion);
     if (status != VM_TOLERANCE_MISSED) return status;
-    return vmi_vdp_integrate(p, VM_ROUTE_TRIG, t, tolerance, motion); /* collocation, or else rk87 */
+    return vmi_vdp_integrate(p, VM_ROUTE_TRIG, t, tolerance, motion); /* integrates by collocation, or else by rk87 */
 }
 
 /* Motion x(t), x'(t) of a Van der Pol oscillator within a tolerance, for a single t.
-   x (m) and x_rate (m/s) are position and velocity at t = 0. Arguments, result and statuses are those of
-   vm_vdp_plan_within and vm_vdp_plan_init. */
+   x (m) and x_rate (m/s) are position and velocity at t = 0. All other arguments, the result and the statuses are those
+   of vm_vdp_plan_within and vm_vdp_plan_init. */
 VM_API int vm_vdp_within(const vm_vdp *v, vm_real x, vm_real x_rate, vm_real t, vm_real tolerance,
                          vm_osc_motion *motion)
 {
@@ -18046,18 +18240,20 @@ VM_API int vm_vdp_within(const vm_vdp *v, vm_real x, vm_real x_rate, vm_real t, 
 
 /* -- The limit cycle -- */
 
-/* The limit cycle of a Van der Pol oscillator of constant mass */
+/* The limit cycle, that is the steady vibration, of a Van der Pol oscillator of constant mass */
 typedef struct VM_TAG(vm_vdp_cycle) {
     vm_real largest_x; /* the largest position, m */
     vm_real period;    /* s */
-    vm_real epsilon;   /* the small number feed/(m W) in whose powers largest_x and period are expanded */
+    vm_real epsilon;   /* the number feed/(m W), in powers of which largest_x and period are expanded; W is the rate of
+                          the phase */
     int stable;        /* 1 where motions close to the cycle tend to it, else 0 */
 } vm_vdp_cycle;
 
-/* Writes two coefficients of epsilon^2, where epsilon = feed/(m W): *kx belongs to the power series of the largest x in
-   epsilon, *kw to that of the rate of the phase. The disturbances follow from the constant amplitude of the cycle; the
-   code uses their values for epsilon = 1. The largest x is reached where x' = 0, that is where V = p x. The phase is
-   `late` times epsilon there, and it is 0 where V = 0. */
+/* Writes two coefficients of epsilon^2, where epsilon = feed/(m W): *kx is the coefficient in the series of the largest
+   x, *kw the coefficient in the series of the rate of the phase. The disturbances (oscillators/van_der_pol_expansion.h)
+   follow from the constant amplitude of the limit cycle; the code uses their values for epsilon = 1. The largest x is
+   reached where x' = 0, that is where V = p x with V and p of oscillators/reduction.h. At this point the phase is
+   `late` times epsilon; the phase is 0 where V = 0. */
 VM_API void vmi_vdp_cycle_coefficients(const vmi_vdp_ripple *v, const vmi_ripple *r, vm_real *kx, vm_real *kw)
 {
     const vm_real n = r->alpha + 1, s = 4 / (r->alpha + 3);
@@ -18068,21 +18264,22 @@ VM_API void vmi_vdp_cycle_coefficients(const vmi_vdp_ripple *v, const vmi_ripple
     d.e1 = (2 * s - 1) * d.e;
     d.Q0 = -s / 2 * d.e;
     d.E0 = -s * (2 - s) / 4;
-    kA = -vmi_vdp_mean_second(v, &d) / v->F; /* relative change of A^2 */
+    kA = -vmi_vdp_mean_second(v, &d) / v->F; /* relative change of A^2 by the terms of second order */
     *kw = (r->alpha - 1) / 4 * kA + vmi_vdp_mean_rate(v, r, &d) - 1;
     vmi_vdp_values_at(v, r, 0, 0, 1, &f);
     late = n * s / 4;
     *kx = kA / 2 + 2 / (n + 2) * (late - d.e * f.P1 + vmi_vdp_J_back_second(v, r, &f, &d)) - late * late / n;
 }
 
-/* Limit cycle of a Van der Pol oscillator of constant mass, to second order in epsilon. epsilon = feed/(m W), where W
-   is the rate of the phase, 1/s, at the amplitude A of vm_vdp_limit_cycle. Then the largest x is A (1 + kx epsilon^2)
-   and the period is 2 Pi_alpha/(W (1 + kw epsilon^2)), with kx = 1/192 and kw = -1/16 for alpha = 1. Both are right
-   to O(epsilon^4). Mass and stiffness are those at t = 0; the fields method, reactive and a1 to a3 do not matter.
-   Returns VM_BAD_ARGUMENT for null pointers, an unknown method, and a mass that no constructor made, VM_NOT_FINITE
-   for numbers that are infinite or NaN, VM_BAD_MASS for a mass that is not positive, VM_BAD_STIFFNESS for a stiffness
-   that is not positive, VM_DOMAIN for alpha < 0 or a law that fails, and VM_NO_LAW where there is no limit cycle: there
-   is one only if feed and c have the same sign. An error leaves *cycle untouched. */
+/* Limit cycle of a Van der Pol oscillator of constant mass, to second order in epsilon. epsilon is feed/(m W), where m
+   is the mass, and W the rate of the Ateb phase, 1/s, at the amplitude A of vm_vdp_limit_cycle. Then the largest x is A
+   (1 + kx epsilon^2) and the period is 2 Pi_alpha/(W (1 + kw epsilon^2)), with kx = 1/192 and kw = -1/16 for alpha = 1.
+   The errors of both results are O(epsilon^4). Mass and stiffness are those at t = 0; the fields method, reactive and
+   a1 to a3 do not matter. Returns VM_BAD_ARGUMENT for null pointers, an unknown method, and a mass that no constructor
+   made, VM_NOT_FINITE for numbers that are infinite or NaN, VM_BAD_MASS for a mass that is not positive,
+   VM_BAD_STIFFNESS for a stiffness that is not positive, VM_DOMAIN for alpha < 0, for a table whose times do not rise
+   or do not contain t = 0, and where a user's function fails, and VM_NO_LAW where there is no limit cycle, that is
+   where feed and c do not have the same sign. An error leaves *cycle untouched. */
 VM_API int vm_vdp_cycle_of(const vm_vdp *v, vm_vdp_cycle *cycle)
 {
     vmi_ripple r;
@@ -18872,9 +19069,9 @@ VM_API int vm_jeffcott_linear_at(const vm_jeffcott *r, const vm_real *start, vm_
    (518):
        m x'' = -k (x - y)|x - y|^(alpha-1) - r m' x',   m y'' = k (x - y)|x - y|^(alpha-1) - r m' y'
    k is the stiffness of the spring, r the share of the reactive force (`reactive`). The sum q = x + y drifts, and the
-   difference p = y - x vibrates with the amplitude A and the Ateb phase psi, whose rate is Om, (520)-(522). This file
-   has the equations of motion, the averaged equations of both modes, and the motion in closed form for a linear mass
-   (528), (529).
+   difference p = y - x vibrates with the amplitude A and the Ateb phase psi, whose rate is Om, (520)-(522). The drift
+   and the vibration are the two modes. This file has the equations of motion, the averaged equations of both modes, and
+   the motion in closed form for a mass that is linear in time, (528), (529).
 
        vm_real y[4] = {1, 3, 0, 0}; // x, y, x', y'
        vm_pair p;
@@ -18894,10 +19091,11 @@ typedef struct VM_TAG(vm_pair) {
     vm_real alpha;    /* exponent of the spring, >= 0 */
     vm_real k;        /* stiffness, N/m^alpha, > 0 */
     vm_real reactive; /* r: 1 where mass that joins or leaves is at rest, 0 where it has the body's velocity */
-    vm_law mass;      /* mass m of each body, kg, > 0; it must vary slowly */
+    vm_law mass;      /* mass m(t) of each body, kg, > 0; it must vary slowly */
 } vm_pair;
 
-/* Indices of the modes: mean amplitude A of p = y - x, m; Ateb phase psi of p; sum q = x + y, m; rate q', m/s */
+/* Indices of the four numbers that describe the modes: the mean amplitude A, m, of p = y - x; the Ateb phase psi of p;
+   the sum q = x + y, m; its rate q', m/s */
 enum {
     VMI_PAIR_A = 0,
     VMI_PAIR_PSI = 1,
@@ -18906,9 +19104,9 @@ enum {
     VMI_PAIR_MODES = 4
 };
 
-/* Writes the mass and its rate at time t. Checks them, the pair, and the four numbers of a state. Right-hand sides pass
-   NULL for the state: a trial step of an integrator may overflow, and then the integrator must repeat it rather than
-   stop. */
+/* Writes the mass and its rate at time t. It checks both numbers, the fields of the pair, and the four numbers of a
+   state. Functions that an integrator calls pass NULL for the state, so that it is not checked: if a trial step
+   overflows, the integrator must repeat the step rather than stop. */
 VM_API int vmi_pair_now(const vm_pair *p, vm_real t, const vm_real *state_or_NULL, vm_real *mass, vm_real *rate)
 {
     const vm_real numbers[3] = {p->alpha, p->k, p->reactive};
@@ -18921,10 +19119,10 @@ VM_API int vmi_pair_now(const vm_pair *p, vm_real t, const vm_real *state_or_NUL
 }
 
 /* Equations of motion (517), (518) of two bodies, for rk45 or rk87.
-   y = (x, y, x', y') is in m and m/s; pair points to a vm_pair. Returns VM_BAD_ARGUMENT for null pointers or where no
-   constructor made the mass, VM_NOT_FINITE for a number that is infinite or NaN, VM_BAD_MASS or VM_BAD_STIFFNESS for a
-   mass or a stiffness that is not positive, and VM_DOMAIN for alpha < 0 or t outside a table. These statuses stop the
-   run. */
+   The array y = (x, y, x', y') is in m and m/s; pair points to a vm_pair. Returns VM_BAD_ARGUMENT for null pointers or
+   where no constructor made the mass, VM_NOT_FINITE for a number that is infinite or NaN, VM_BAD_MASS or
+   VM_BAD_STIFFNESS for a mass or a stiffness that is not positive, and VM_DOMAIN for alpha < 0 or t outside a table.
+   These statuses stop the integration. */
 VM_API int vm_pair_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *pair)
 {
     if (!y || !dydt || !pair) return VM_BAD_ARGUMENT;
@@ -18940,9 +19138,9 @@ VM_API int vm_pair_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *pair)
     return VM_OK;
 }
 
-/* The amplitude of y - x at the Ateb phase psi, divided by the mean amplitude A. It is (1 + s sa ca/(2
-   Om))^(2/(alpha+3)) with the rate Om of psi and s = (2r - 1) m'/m. The spring acts on both bodies, so that y - x
-   vibrates with the stiffness 2 k. */
+/* The amplitude of y - x at the Ateb phase psi, divided by the mean amplitude A. This ratio is (1 + s sa ca/(2
+   Om))^(2/(alpha+3)) with the rate Om of psi and s = (2r - 1) m'/m, where r is the field `reactive`. The spring acts on
+   both bodies, so that y - x vibrates with the stiffness 2 k. */
 VM_API vm_real vmi_pair_ripple(const vm_pair *p, vm_real mass, vm_real rate, vm_real A, vm_real psi)
 {
     const vm_real q = vmi_slow_q(vmi_slow_drag(p->reactive, rate, 0), mass, p->k, 0);
@@ -18953,8 +19151,8 @@ VM_API vm_real vmi_pair_ripple(const vm_pair *p, vm_real mass, vm_real rate, vm_
 }
 
 /* Computes the modes from the motion y. The mean amplitude A solves exact = A ripple(A), where `exact` is the amplitude
-   at this instant and ripple is vmi_pair_ripple. Three iterations are enough where the ripple is small. Returns
-   VM_DOMAIN where they are not, because the ripple is as large as the motion. */
+   at this instant and `ripple` is the result of vmi_pair_ripple. Three iterations are enough where the ripple is small.
+   Returns VM_DOMAIN where three iterations are not enough, because the ripple is as large as the motion. */
 VM_API int vmi_pair_split(const vm_pair *p, vm_real mass, vm_real rate, const vm_real *y, vm_real *modes)
 {
     vm_real exact, A, psi, found[VMI_PAIR_MODES];
@@ -18988,12 +19186,12 @@ VM_API int vmi_pair_join(const vm_pair *p, vm_real mass, vm_real rate, const vm_
 }
 
 /* Converts a motion y = (x, y, x', y') of two bodies to the modes (A, psi, q, q'), (520)-(522). q = x + y drifts; p = y
-   - x vibrates with the mean amplitude A, m, and the Ateb phase psi. The ripple of the amplitude within a period is
-   taken out of A, so that any initial velocities are allowed. Returns VM_BAD_ARGUMENT for null pointers or where no
+   - x vibrates with the mean amplitude A, m, and the Ateb phase psi. A does not contain the ripple of the amplitude
+   within a period. Any initial velocities are allowed. Returns VM_BAD_ARGUMENT for null pointers or where no
    constructor made the mass, VM_NOT_FINITE for a number that is infinite or NaN, VM_BAD_MASS or VM_BAD_STIFFNESS for a
-   mass or a stiffness that is not positive, and VM_DOMAIN for alpha < 0 and where the ripple is as large as the motion.
-   It is so if |(2r - 1) m'/m| is about twice the rate of psi, for example where m tends to 0. modes and y may be the
-   same array. */
+   mass or a stiffness that is not positive, and VM_DOMAIN for alpha < 0, for t outside a table, and where the ripple is
+   as large as the motion. The ripple is so large if |(2r - 1) m'/m| is about twice the rate of psi, for example where
+   the mass m tends to 0; r is the field `reactive`. modes and y may be the same array. */
 VM_API int vm_pair_to_averaged(const vm_pair *p, vm_real t, const vm_real *y, vm_real *modes)
 {
     if (!p || !y || !modes) return VM_BAD_ARGUMENT;
@@ -19004,7 +19202,7 @@ VM_API int vm_pair_to_averaged(const vm_pair *p, vm_real t, const vm_real *y, vm
 }
 
 /* Converts the modes (A, psi, q, q') of two bodies to the motion y = (x, y, x', y'). This is the inverse of
-   vm_pair_to_averaged, with its statuses. y and modes may be the same array. */
+   vm_pair_to_averaged, and returns the same statuses. y and modes may be the same array. */
 VM_API int vm_pair_from_averaged(const vm_pair *p, vm_real t, const vm_real *modes, vm_real *y)
 {
     if (!p || !modes || !y) return VM_BAD_ARGUMENT;
@@ -19015,9 +19213,9 @@ VM_API int vm_pair_from_averaged(const vm_pair *p, vm_real t, const vm_real *mod
 }
 
 /* Averaged equations of the two modes of a pair, for rk45 or rk87.
-   The mass may follow any slow law. modes = (A, psi, q, q'), see vm_pair_to_averaged; pair points to a vm_pair. The
-   error is of the order of m'/(m Om) up to the time m/m', where Om is the rate of psi. The statuses are those of
-   vm_pair_rhs. */
+   The mass may follow any slow law. The array modes = (A, psi, q, q') is that of vm_pair_to_averaged; pair points to a
+   vm_pair. The relative error of the motion is of the order of m'/(m Om) up to the time m/m', where m is the mass and
+   Om the rate of psi. Returns the statuses of vm_pair_rhs. */
 VM_API int vm_pair_averaged_rhs(vm_real t, const vm_real *modes, vm_real *dmodes, void *pair)
 {
     if (!modes || !dmodes || !pair) return VM_BAD_ARGUMENT;
@@ -19033,9 +19231,10 @@ VM_API int vm_pair_averaged_rhs(vm_real t, const vm_real *modes, vm_real *dmodes
 }
 
 /* Computes the averaged motion at time t by closed formulas, which hold for a mass that is linear in time. y0 contains
-   x, y, x' and y' at t = 0. `modes` receives the results in the order VMI_PAIR_..., and *m the mass at t with its
-   integrals. The averaged equations contain powers of m/m0, where m0 is the mass at t = 0. For any exponent e the
-   integral of (m/m0)^e dt is m0 (exp(u) - 1)/u times the integral of dt/m, with u = (1 + e) ln(m/m0). */
+   x, y, x' and y' at t = 0. The results are written to `modes` in the order VMI_PAIR_..., and the mass at t with its
+   integrals to *m. The averaged equations contain powers of m/m0, where m is the mass at t and m0 the mass at t = 0.
+   For any exponent e the integral of (m/m0)^e dt is m0 (exp(u) - 1)/u times the integral of dt/m, with u = (1 + e)
+   ln(m/m0). */
 VM_API int vmi_pair_modes_at(const vm_pair *p, vm_real t, const vm_real *y0, vmi_linear_mass *m, vm_real *modes)
 {
     const vm_real fall = (2 * p->reactive - 1) / (p->alpha + 3); /* A is proportional to (m/m0)^-fall */
@@ -19055,10 +19254,11 @@ VM_API int vmi_pair_modes_at(const vm_pair *p, vm_real t, const vm_real *y0, vmi
     return VM_OK;
 }
 
-/* Motion of two bodies at time t, in closed form for a linear mass: (528), (529) with p0 = y(0) - x(0). y0 = (x, y, x',
-   y') is the motion at t = 0. The error is of the order of m'/(m Om) up to the time m/m', where Om is the rate of the
-   Ateb phase of y - x. Returns the statuses of vm_pair_to_averaged, at 0 and at t, and VM_NO_LAW where the mass is
-   neither linear nor constant (integrate vm_pair_averaged_rhs instead). y and y0 may be the same array. */
+/* Motion of two bodies at time t, in closed form for a mass m that is linear in time: (528), (529) with p0 = y(0) -
+   x(0). The array y0 = (x, y, x', y') is the motion at t = 0. The relative error of the motion is of the order of m'/(m
+   Om) up to the time m/m', where Om is the rate of the Ateb phase of y - x. Returns the statuses of
+   vm_pair_to_averaged, at 0 and at t, and VM_NO_LAW where the mass is neither linear nor constant (integrate
+   vm_pair_averaged_rhs instead). y and y0 may be the same array. */
 VM_API int vm_pair_at(const vm_pair *p, vm_real t, const vm_real *y0, vm_real *y)
 {
     if (!p || !y0 || !y) return VM_BAD_ARGUMENT;
@@ -19069,20 +19269,21 @@ VM_API int vm_pair_at(const vm_pair *p, vm_real t, const vm_real *y0, vm_real *y
     return vmi_pair_join(p, m.m, m.rate, modes, y);
 }
 
-/* The three methods of (524) */
+/* The three methods of (524), named after the periodic function that describes the vibration p = y - x */
 enum {
     VM_PAIR_ATEB = 0,  /* the Ateb function ca, which is exact where the mass is constant */
     VM_PAIR_TRIG = 1,  /* the cosine with the exact period */
     VM_PAIR_JACOBI = 2 /* Jacobi's cn with the exact period and the exact velocity at p = 0 */
 };
 
-/* Motion of two bodies at time t by one of the three methods of (524), so that they can be compared. p is A(t) times
-   ca, cos or cn. A is the mean amplitude of vm_pair_to_averaged; its law is the same for all three methods. x and y
-   follow from p and q by (528), (529). `method` is VM_PAIR_ATEB, VM_PAIR_TRIG or VM_PAIR_JACOBI. Unlike vm_pair_at this
-   leaves out the ripple of the amplitude within a period, as the dissertation does. The other arguments are those of
-   vm_pair_at. The error has two parts: the error of vm_osc_approximation_errors times A/2, and a part of the order of
-   m'/(m Om). Returns the statuses of vm_pair_at, and VM_BAD_ARGUMENT for a method that does not exist. y and y0 may be
-   the same array. */
+/* Motion of two bodies at time t by one of the three methods of (524), so that the methods can be compared. The
+   difference p = y - x is A(t) times ca, cos or cn. A is the mean amplitude of vm_pair_to_averaged; its law is the same
+   for all three methods. x and y follow from p and the sum q = x + y by (528), (529). `method` is VM_PAIR_ATEB,
+   VM_PAIR_TRIG or VM_PAIR_JACOBI. Unlike vm_pair_at, this function leaves out the ripple of the amplitude within a
+   period, as the dissertation does. The other arguments are those of vm_pair_at. The error has two parts: the error
+   that vm_osc_approximation_errors gives, times A/2; and a part of the order of m'/(m Om), where m is the mass and Om
+   the rate of the phase of p. Returns the statuses of vm_pair_at, and VM_BAD_ARGUMENT for a method that does not exist.
+   y and y0 may be the same array. */
 VM_API int vm_pair_by_method(const vm_pair *p, int method, vm_real t, const vm_real *y0, vm_real *y)
 {
     if (!p || !y0 || !y || method < VM_PAIR_ATEB || method > VM_PAIR_JACOBI) return VM_BAD_ARGUMENT;
@@ -19615,10 +19816,11 @@ VM_API int vm_forced_from_averaged(const vm_forced *f, vm_real t, const vm_real 
 /* oscillators/resonance.h - steady vibrations, resonance curves, passage through resonance
 
    For an oscillator under harmonic excitation (forced.h, which explains the symbols), this file computes all steady
-   vibrations and their stability, the amplitude-frequency curve and its peak, and whether a slow change of frequency,
-   mass or stiffness lets the vibration pass through the resonance or captures it. The results follow from the averaged
-   equations, so that they hold near the main resonance, where the natural frequency w(A) is the frequency nu of the
-   force. Mass, stiffness, frequency, force and their rates are those at one time t.
+   vibrations and their stability, and the amplitude-frequency curve with its peak. It also tells whether the vibration
+   passes through the resonance or is captured by it while frequency, mass or stiffness change slowly. The results
+   follow from the averaged equations. Therefore they hold near the main resonance, where the natural frequency w(A) at
+   the amplitude A is about the frequency nu of the force. All functions use mass, stiffness, frequency, force and their
+   rates at one time t.
 
        vm_steady_state steady[3];
        int n = vm_forced_steady_states(&forced, 0, steady); // forced is a vm_forced after vm_forced_init
@@ -19631,17 +19833,20 @@ VM_API int vm_forced_from_averaged(const vm_forced *f, vm_real t, const vm_real 
 typedef struct VM_TAG(vm_steady_state) {
     vm_real nu;         /* frequency of the force, rad/s */
     vm_real A;          /* mean amplitude, m; vm_forced_from_averaged gives the motion with its ripple */
-    vm_real delta;      /* phase by which the vibration leads the force, rad, in (-pi, pi] */
-    vm_real trace, det; /* small deviations vary as e^(lambda t) with lambda^2 - trace lambda + det = 0 */
-    int stable;         /* 1 where det > 0 and trace < 0, else 0; det < 0 means a saddle */
+    vm_real delta;      /* phase by which the vibration leads the force, rad, -pi < delta <= pi */
+    vm_real trace, det; /* trace and determinant of the linearized equations: small deviations from the steady vibration
+                           vary as e^(lambda t), where lambda^2 - trace lambda + det = 0 */
+    int stable;         /* 1 if the vibration is stable, which means det > 0 and trace < 0; else 0. It is a saddle if
+                           det < 0 */
 } vm_steady_state;
 
-/* Passage through the resonance at one time */
+/* The passage through the resonance, for the rates of mass, stiffness and frequency at one time */
 typedef struct VM_TAG(vm_passage) {
-    vm_real A;              /* amplitude, m, whose natural frequency w(A) is nu; for alpha = 1 the given amplitude */
-    vm_real drift_ratio;    /* rate at which w - nu drifts, divided by the largest rate that the force can balance.
-                               Below 1 the vibration may be captured, so that it follows A; above 1 it passes through
-                               the resonance */
+    vm_real A;              /* amplitude, m, whose natural frequency w(A) is the frequency nu of the force; for alpha =
+                               1 the argument `amplitude` */
+    vm_real drift_ratio;    /* rate at which w - nu changes without the force, divided by the largest such rate that the
+                               force can balance. If it is below 1, the vibration may be captured, so that its amplitude
+                               follows A; if it is above 1, the vibration passes through the resonance */
     vm_real delta;          /* phase by which the captured vibration leads the force, rad; NaN for drift_ratio > 1 */
     vm_real amplitude_jump; /* largest relative change of the amplitude in a quick passage (drift_ratio much larger
                                than 1). The change depends on the phase at the start and may have either sign */
@@ -19651,8 +19856,9 @@ typedef struct VM_TAG(vm_passage) {
 typedef struct VM_TAG(vmi_resonance) {
     vm_real w1, exponent; /* natural frequency w = w1 A^exponent, rad/s */
     vm_real nu;           /* frequency of the force, rad/s */
-    vm_real p;            /* decay rate q/(alpha+3), 1/s: free vibrations follow A' = -p A */
-    vm_real push;         /* the force per mass, F G/m, that drives the mean motion; G is a field of vm_forced */
+    vm_real p;            /* decay rate of free vibrations, 1/s: their amplitude follows A' = -p A */
+    vm_real push;         /* F G/m, the force per mass that drives the mean motion; F is the force, m the mass, G a
+                             field of vm_forced */
 } vmi_resonance;
 
 /* Computes the quantities of vmi_resonance for the oscillator f with the parameters n. */
@@ -19667,8 +19873,8 @@ VM_API vmi_resonance vmi_resonance_of(const vm_forced *f, const vmi_forced_param
     return z;
 }
 
-/* The excess ln(A w sqrt((w - nu)^2 + p^2)/|push|) at the amplitude A = e^x. It is 0 for a steady vibration. w = w1
-   A^exponent, nu, p and push are those of vmi_resonance. */
+/* The excess ln(A w sqrt((w - nu)^2 + p^2)/|push|) at the amplitude A = e^x. The excess is 0 if A is the amplitude of a
+   steady vibration. w = w1 A^exponent, nu, p and push are those of vmi_resonance. */
 VM_API vm_real vmi_resonance_excess(vm_real x, void *resonance)
 {
     const vmi_resonance *z = (const vmi_resonance *)resonance;
@@ -19677,7 +19883,7 @@ VM_API vm_real vmi_resonance_excess(vm_real x, void *resonance)
     return (1 + z->exponent) * x + vmi_log(z->w1 / VM_FABS(z->push) * detuning).hi;
 }
 
-/* The steady vibration of amplitude A, with trace and determinant of the linearized averaged equations */
+/* Returns the steady vibration of amplitude A, with trace and determinant of the linearized averaged equations. */
 VM_API vm_steady_state vmi_resonance_state(const vmi_resonance *z, vm_real alpha, vm_real A)
 {
     const vm_real w = z->w1 * vmi_pow_checked(A, z->exponent), gain = (alpha + 1) / 2, off = w - z->nu, p = z->p;
@@ -19691,9 +19897,9 @@ VM_API vm_steady_state vmi_resonance_state(const vmi_resonance *z, vm_real alpha
     return s;
 }
 
-/* The extrema of vmi_resonance_excess for alpha != 1. Writes x = ln A of at most two extrema, in ascending order, and
-   returns how many there are. At an extremum the field det of the vibration is 0, so that w solves 2 alpha w^2 - (3
-   alpha + 1) nu w + (alpha + 1)(nu^2 + p^2) = 0. */
+/* The extrema of the function vmi_resonance_excess of x = ln A, for alpha != 1. Writes the x of at most two extrema, in
+   ascending order, and returns how many there are. At an extremum the field det of vm_steady_state is 0, so that w
+   solves 2 alpha w^2 - (3 alpha + 1) nu w + (alpha + 1)(nu^2 + p^2) = 0. */
 VM_API int vmi_resonance_turns(const vmi_resonance *z, vm_real alpha, vm_real x[2])
 {
     const vm_real bend = (alpha - 1) * z->nu, square = bend * bend - 8 * alpha * (alpha + 1) * z->p * z->p;
@@ -19711,9 +19917,9 @@ VM_API int vmi_resonance_turns(const vmi_resonance *z, vm_real alpha, vm_real x[
     return 2;
 }
 
-/* The steady amplitudes for alpha != 1. Writes at most three, in ascending order, and returns how many there are. The
-   excess is monotonic below, between and above its extrema, so each of these intervals of x = ln A contains at most one
-   zero. */
+/* The amplitudes of the steady vibrations for alpha != 1. Writes at most three amplitudes, in ascending order, and
+   returns how many there are. They are the zeros of vmi_resonance_excess, a function of x = ln A. This function is
+   monotonic below, between and above its extrema, so each of these intervals contains at most one zero. */
 VM_API int vmi_resonance_roots(vmi_resonance *z, vm_real alpha, vm_real A[3])
 {
     const vm_real steep = vmi_larger(VM_FABS(z->exponent), 1);
@@ -19733,12 +19939,13 @@ VM_API int vmi_resonance_roots(vmi_resonance *z, vm_real alpha, vm_real A[3])
     return found;
 }
 
-/* Steady vibrations of an excited oscillator: amplitudes, phases, stability. All parameters are those at time t. Writes
-   at most three vibrations to steady, the smallest amplitude first, and returns how many there are, 0 where the force
-   is 0, or a negative status. In the tests the relative error of amplitudes, compared with solutions of the averaged
-   equations, is at most 3e-14 (float 3e-5). To get the response at all frequencies, call the function for each nu.
-   The averaged equations are valid near the resonance only; far from w(A) = nu a solution may differ from every real
-   motion. The negative statuses are those of vm_forced_rhs. */
+/* Steady vibrations of an oscillator under a harmonic force, with their amplitudes, phases and stability. All
+   parameters are those at time t. Writes at most three vibrations to steady, the smallest amplitude first, and returns
+   how many there are, 0 where the force is 0, or a negative status. In the tests the relative error of amplitudes,
+   compared with solutions of the averaged equations, is at most 3e-14 (float 3e-5). To get the response at several
+   frequencies nu of the force, call the function for each nu. The averaged equations are valid only near the resonance,
+   where the natural frequency w(A) is about nu; far from it a solution may differ from every real motion. The negative
+   statuses are those of vm_forced_rhs. */
 VM_API int vm_forced_steady_states(const vm_forced *f, vm_real t, vm_steady_state steady[3])
 {
     if (!f || !steady) return VM_BAD_ARGUMENT;
@@ -19762,8 +19969,9 @@ VM_API int vm_forced_steady_states(const vm_forced *f, vm_real t, vm_steady_stat
 
 /* Steady vibrations of a given amplitude A, m, at any frequency nu > 0: points of the amplitude-frequency curve. Writes
    at most two vibrations to curve, the lower frequency first. They lie on both sides of the backbone, the curve nu =
-   w(A). Returns how many there are, 0 where the force is too small for A, or a negative status: those of vm_forced_rhs,
-   and VM_DOMAIN also where A is not positive. Results that overflow are NaN. */
+   w(A) with the natural frequency w. Returns how many there are, 0 where the force is too small for the amplitude A, or
+   a negative status: a status of vm_forced_rhs, where VM_DOMAIN also means that A is not positive. Results that
+   overflow are NaN. */
 VM_API int vm_forced_curve(const vm_forced *f, vm_real t, vm_real A, vm_steady_state curve[2])
 {
     if (!f || !curve) return VM_BAD_ARGUMENT;
@@ -19789,9 +19997,10 @@ VM_API int vm_forced_curve(const vm_forced *f, vm_real t, vm_real A, vm_steady_s
     return found;
 }
 
-/* Largest amplitude of the amplitude-frequency curve, m: where the curve meets the backbone nu = w(A). It is infinite
-   without damping. The relative error is at most 1e-14 (float 2e-5). Returns NaN for a null pointer and where the
-   parameters at time t are not in their domain. */
+/* Largest amplitude, m, of the amplitude-frequency curve. The curve has this amplitude where it crosses the backbone nu
+   = w(A), on which the frequency of the force is the natural frequency. The result is infinite without damping. The
+   relative error is at most 1e-14 (float 2e-5). Returns NaN for a null pointer and where the parameters at time t are
+   not in their domain. */
 VM_API vm_real vm_forced_peak(const vm_forced *f, vm_real t)
 {
     if (!f) return VM_NAN;
@@ -19802,13 +20011,15 @@ VM_API vm_real vm_forced_peak(const vm_forced *f, vm_real t)
     return vmi_pow_checked(VM_FABS(z.push / z.p) / z.w1, 2 / (f->alpha + 1));
 }
 
-/* Passage through the resonance: whether a slow drift leads to capture. The drift is given by the rates of mass,
-   stiffness and frequency at time t. amplitude, m, is used for alpha = 1 only, where w is the same for all amplitudes.
-   Near w(A) = nu the averaged equations give delta'' = -(gamma push/A) sin(delta) - nu D, which is the equation of a
-   pendulum under a torque. Here gamma = (alpha - 1)/2, push = F G/m, and D is the rate at which ln(w/nu) would fall
-   without the force. drift_ratio is the torque |nu D| divided by |gamma push/A|, the largest torque that the pendulum
-   can hold. The statuses are those of vm_forced_rhs; VM_DOMAIN also means that the force is 0 or that the amplitude is
-   not positive and finite. An error leaves *passage as it was. */
+/* Passage through the resonance: tells whether slow changes of mass, stiffness and frequency, with their rates at time
+   t, let the vibration pass through the resonance or capture it. The argument `amplitude`, m, is used for alpha = 1
+   only, where the natural frequency w is the same for all amplitudes. Let nu be the frequency of the force, and delta
+   the phase by which the vibration leads the force. Near w(A) = nu the averaged equations give delta'' = -(gamma
+   push/A) sin(delta) - nu D, which is the equation of a pendulum under a torque. Here gamma = (alpha - 1)/2, push is
+   the field of vmi_resonance (a force per mass), and D is the rate at which ln(w/nu) would fall without the force. The
+   field drift_ratio is the torque |nu D| divided by |gamma push/A|, the largest torque that the pendulum can balance.
+   Returns the statuses of vm_forced_rhs, where VM_DOMAIN also means that the force is 0 or that the amplitude is not
+   positive and finite. An error leaves *passage as it was. */
 VM_API int vm_forced_passage(const vm_forced *f, vm_real t, vm_real amplitude, vm_passage *passage)
 {
     if (!f || !passage) return VM_BAD_ARGUMENT;
@@ -19836,13 +20047,14 @@ VM_API int vm_forced_passage(const vm_forced *f, vm_real t, vm_real amplitude, v
 }
 
 #endif
-/* oscillators/periodic.h - periodic excitation that is not harmonic, of a strongly nonlinear oscillator
+/* oscillators/periodic.h - a strongly nonlinear oscillator under a periodic force that is not harmonic
 
-   The oscillator of forced.h vibrates under a force F g(theta), where theta' = nu and the shape g has the period 2 pi:
+   The oscillator of forced.h vibrates under a force F g(theta). The phase theta of the force grows at the rate nu,
+   theta' = nu, and the shape g has the period 2 pi:
        m x'' + k x|x|^(alpha-1) = -(r m' + b) x' + F g(theta),   g = sum over n of a_n cos(n theta) + b_n sin(n theta)
-   for n = 0 to 9. This file has the equation of motion, the exact equations of amplitude and phase, the averaged
-   equations near a resonance, and the steady vibrations with their stability. The dissertation leaves this problem to
-   the future.
+   for n = 0 to 9. Here m is the mass, k the stiffness, b the damping and r the field `reactive`. This file has the
+   equation of motion, the exact equations of amplitude and phase, the averaged equations near a resonance, and the
+   steady vibrations with their stability. The dissertation leaves this problem to the future.
 
        vm_periodic p;
        memset(&p, 0, sizeof p);
@@ -19853,34 +20065,37 @@ VM_API int vm_forced_passage(const vm_forced *f, vm_real t, vm_real amplitude, v
        int status = vm_periodic_init(&p);
 
    Resonances. At a resonance the oscillator makes P vibrations in Q periods of the force; the fields `vibrations` and
-   `periods` are P and Q. Near it the frequency w(A) of the free vibration is about (P/Q) nu. P = Q = 1 is the main
-   resonance. P = 3, Q = 1 is the resonance with the third harmonic of the force. P = 1, Q = 3 is a subharmonic
-   resonance with a third of the frequency of the force, which exists where alpha is not 1. The vibration has odd
-   harmonics only. Therefore the averaged equations contain no force if Q is even, with P/Q in lowest terms.
+   `periods` are P and Q. Near the resonance the frequency w(A) of the free vibration of amplitude A is about (P/Q) nu.
+   P = Q = 1 is the main resonance. P = 3, Q = 1 is the resonance with the third harmonic of the force. P = 1, Q = 3 is
+   a subharmonic resonance with a third of the frequency of the force, which exists where alpha is not 1. The vibration
+   has odd harmonics only. Therefore the averaged equations contain no force if Q is even after common factors of P and
+   Q have been removed.
 
-   The averaged equations use the phase phi of the vibration, delta = phi - (P/Q) theta, and the symbols of forced.h:
+   The averaged equations use the phase phi of the vibration and delta = phi - (P/Q) theta. q is the rate at which slow
+   changes and damping act (slow.h), and G_j is explained below:
        A' = -q A/(alpha+3) - F/(m w) S,   delta' = w(A) - (P/Q) nu - F/(m w A) C,
        S = sum of j G_j (a_n sin(j delta) + b_n cos(j delta)),   C = sum of G_j (a_n cos(j delta) - b_n sin(j delta)),
-   over the odd j for which n = j P/Q is a whole number. G_j = Om1^2 c_j/2, with the Fourier coefficient c_j of cos(j
-   phi) in ca. Terms with j > 9 are left out; for alpha = 3 they are below 1e-7 of the first term. Tests:
-   tests/test_periodic.c. */
+   over the odd j for which n = j P/Q is a whole number. G_j is Om1^2 c_j/2, where Om1 is the field of vm_forced and c_j
+   the Fourier coefficient of cos(j phi) in ca. Terms with j > 9 are left out; for alpha = 3 these terms are below 1e-7
+   of the first term. Tests: tests/test_periodic.c. */
 #ifndef VARMASS_OSCILLATORS_PERIODIC_H
 #define VARMASS_OSCILLATORS_PERIODIC_H
 
-/* Largest order of a harmonic of the force, and largest number of periods in a resonance */
+/* The largest order n of a harmonic of the force. It is also the largest value of P and of Q in a resonance. */
 enum { VM_PERIODIC_HARMONICS = 9 };
 
-/* An oscillator under a periodic force. Set all fields, then call vm_periodic_init. The coefficients and the resonance
-   may change without a new call; after a change of oscillator.alpha call vm_periodic_init again. */
+/* An oscillator under a periodic force. Set all fields, then call vm_periodic_init. The fields cosine, sine, vibrations
+   and periods may change later without a new call; after a change of oscillator.alpha call vm_periodic_init again. */
 typedef struct VM_TAG(vm_periodic) {
     vm_forced oscillator; /* the oscillator; its field `force` is the factor F of the shape g, N */
     vm_real cosine[VM_PERIODIC_HARMONICS + 1]; /* the coefficients a_n of cos(n theta) in g; a_0 is the mean of g */
     vm_real sine[VM_PERIODIC_HARMONICS + 1];   /* the coefficients b_n of sin(n theta) in g; b_0 has no effect */
-    int vibrations; /* P, from 1 to 9: at the resonance the oscillator makes P vibrations ... */
-    int periods;    /* Q, from 1 to 9: ... in Q periods of the force */
+    int vibrations; /* P, from 1 to 9: the number of vibrations in Q periods of the force, at the resonance */
+    int periods;    /* Q, from 1 to 9: the number of periods of the force in which there are P vibrations */
 } vm_periodic;
 
-/* Writes the parameters at time t, and checks them, the coefficients and the resonance. */
+/* Writes the parameters of the oscillator at time t to *n. Checks these parameters, the coefficients of the shape, and
+   P and Q. */
 VM_API int vmi_periodic_at(const vm_periodic *p, vm_real t, vmi_forced_parameters *n)
 {
     int status = vmi_forced_at(&p->oscillator, t, n);
@@ -19892,10 +20107,10 @@ VM_API int vmi_periodic_at(const vm_periodic *p, vm_real t, vmi_forced_parameter
     return status;
 }
 
-/* Prepares an oscillator under a periodic force: checks it at t = 0, and prepares its field `oscillator`. All other
-   functions need this call. Returns the statuses of vm_forced_init, VM_BAD_ARGUMENT also where `vibrations` or
-   `periods` is not from 1 to 9, and VM_NOT_FINITE also for a coefficient that is infinite or NaN. An error leaves *p
-   as it was. */
+/* Prepares an oscillator under a periodic force: checks its fields at t = 0, and prepares the field `oscillator`. All
+   other functions of this file except vm_periodic_from_samples and vm_periodic_shape need this call. Returns the
+   statuses of vm_forced_init. In addition it returns VM_BAD_ARGUMENT where `vibrations` or `periods` is not from 1 to
+   9, and VM_NOT_FINITE where a coefficient is infinite or NaN. An error leaves *p as it was. */
 VM_API int vm_periodic_init(vm_periodic *p)
 {
     vmi_forced_parameters now;
@@ -19906,12 +20121,12 @@ VM_API int vm_periodic_init(vm_periodic *p)
     return vm_forced_init(&p->oscillator);
 }
 
-/* Sets the shape of a periodic force from n samples g[i] = g(2 pi i/n) over one period. Writes the fields cosine and
-   sine of *p, and no other. Harmonics of an order below n/2, up to the ninth, are computed; the others become 0. Apart
-   from rounding the result is exact if g has no harmonics of an order >= n/2. The samples may be those of ca, of
-   Jacobi's cn or of a rectangle; harmonics above the ninth excite the vibration only little. The function takes about
-   as long as 9 n sines. Returns VM_BAD_ARGUMENT for a null pointer or n < 1, VM_NOT_FINITE for a sample that is
-   infinite or NaN, and VM_OK otherwise. An error leaves *p as it was. */
+/* Sets the shape of a periodic force from n samples g[i] = g(2 pi i/n) over one period. Writes only the fields cosine
+   and sine of *p. The coefficients of all harmonics up to the ninth whose order is below n/2 are computed; all other
+   coefficients become 0. Apart from rounding the result is exact if g has no harmonics of an order >= n/2. The samples
+   may be those of ca, of Jacobi's cn or of a rectangle; harmonics above the ninth excite the vibration only little. The
+   function takes about as long as the computation of 9 n sines. Returns VM_BAD_ARGUMENT for a null pointer or n < 1,
+   VM_NOT_FINITE for a sample that is infinite or NaN, and VM_OK otherwise. An error leaves *p as it was. */
 VM_API int vm_periodic_from_samples(vm_periodic *p, int n, const vm_real *g)
 {
     int k, i;
@@ -19933,8 +20148,8 @@ VM_API int vm_periodic_from_samples(vm_periodic *p, int n, const vm_real *g)
     return VM_OK;
 }
 
-/* Shape of the force: g(theta), a pure number. Returns NaN for a null pointer and for a theta that is infinite or NaN.
-   The error is about that of rounding the largest term 9 times. */
+/* Shape g(theta) of the force, a pure number. Returns NaN for a null pointer and for a theta that is infinite or NaN.
+   The error is about nine times the rounding error of the largest term. */
 VM_API vm_real vm_periodic_shape(const vm_periodic *p, vm_real theta)
 {
     vm_complex turns[VM_PERIODIC_HARMONICS + 1];
@@ -19947,9 +20162,9 @@ VM_API vm_real vm_periodic_shape(const vm_periodic *p, vm_real theta)
     return g;
 }
 
-/* Equation of motion of an oscillator under a periodic force, for rk45 or rk87. y = (x, x', theta) is in m, m/s and
-   rad; periodic points to a prepared vm_periodic. The statuses are those of vm_periodic_init at the time t, and
-   VM_DOMAIN for t outside a table; they stop the run. */
+/* Equation of motion of an oscillator under a periodic force, for rk45 or rk87. The array y = (x, x', theta) is in m,
+   m/s and rad; `periodic` points to a prepared vm_periodic. Returns the statuses of vm_periodic_init, now for the
+   fields at the time t, and VM_DOMAIN for t outside a table. These statuses stop the integration. */
 VM_API int vm_periodic_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *periodic)
 {
     if (!y || !dydt || !periodic) return VM_BAD_ARGUMENT;
@@ -19961,9 +20176,9 @@ VM_API int vm_periodic_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *per
     return VM_OK;
 }
 
-/* Exact equations of amplitude and phase under a periodic force, for rk45 or rk87. The state is y = (A, psi, theta), as
-   for vm_forced_exact_rhs. The equations neglect nothing, but they are singular at A = 0. The argument periodic and the
-   statuses are those of vm_periodic_rhs. */
+/* Exact equations of amplitude and phase under a periodic force, for rk45 or rk87. The array y = (A, psi, theta)
+   contains the amplitude, the Ateb phase, and the phase of the force, as for vm_forced_exact_rhs. The equations neglect
+   nothing, but they are singular at A = 0. The argument `periodic` and the statuses are those of vm_periodic_rhs. */
 VM_API int vm_periodic_exact_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *periodic)
 {
     if (!y || !dydt || !periodic) return VM_BAD_ARGUMENT;
@@ -19975,13 +20190,14 @@ VM_API int vm_periodic_exact_rhs(vm_real t, const vm_real *y, vm_real *dydt, voi
     return VM_OK;
 }
 
-/* The sums of the averaged equations at the phase delta */
+/* The sums in the averaged equations at the phase delta = phi - (P/Q) theta */
 typedef struct VM_TAG(vmi_periodic_sums) {
     vm_real S, C; /* the sums S and C at the top of this file */
     vm_real slope; /* dS/ddelta; dC/ddelta is -S */
 } vmi_periodic_sums;
 
-/* The order of the force's harmonic that is in resonance with the harmonic j of the vibration; 0 where there is none */
+/* Returns the order n of the force's harmonic that is in resonance with the harmonic j of the vibration, or 0 where
+   there is none. */
 VM_API int vmi_periodic_partner(const vm_periodic *p, int j)
 {
     const int n = j * p->vibrations / p->periods;
@@ -20010,18 +20226,19 @@ VM_API vmi_periodic_sums vmi_periodic_sums_at(const vm_periodic *p, vm_real delt
     return sums;
 }
 
-/* The frequency (P/Q) nu, rad/s, with which the vibration is in resonance */
+/* The frequency (P/Q) nu, rad/s, of the vibration at the resonance. nu is the frequency of the force. */
 VM_API vm_real vmi_periodic_frequency(const vm_periodic *p, vm_real nu)
 {
     return nu * (vm_real)p->vibrations / (vm_real)p->periods;
 }
 
-/* Averaged equations of an oscillator under a periodic force near a resonance, for rk45 or rk87. The top of this file
-   shows them. The state is y = (A, delta, theta): A is the mean amplitude, theta the phase of the force, and
-   delta = phi - (P/Q) theta. Start with vm_periodic_to_averaged, and end with vm_periodic_from_averaged. Let e be the
-   largest of the damping b, the mass rate m' and the force F. Near the resonance the error of x up to times of the
-   order of 1/e is of the order of e for alpha = 1, and between e and sqrt(e) for other alpha; it is larger for motions
-   that come close to an unstable vibration. The argument periodic and the statuses are those of vm_periodic_rhs. */
+/* Averaged equations of an oscillator under a periodic force near a resonance, for rk45 or rk87. The equations are at
+   the top of this file. The array y = (A, delta, theta) contains the mean amplitude A, delta = phi - (P/Q) theta with
+   the phase phi of the vibration, and the phase theta of the force. Start with vm_periodic_to_averaged, and end with
+   vm_periodic_from_averaged. Let e be the largest of the damping b, the mass rate m' and the force F. Near the
+   resonance, for times up to the order of 1/e, the error of x is of the order of e for alpha = 1, and between e and
+   sqrt(e) for other alpha. The error is larger for motions that come close to an unstable vibration. The argument
+   `periodic` and the statuses are those of vm_periodic_rhs. */
 VM_API int vm_periodic_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *periodic)
 {
     if (!y || !dydt || !periodic) return VM_BAD_ARGUMENT;
@@ -20040,12 +20257,13 @@ VM_API int vm_periodic_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, 
     return VM_OK;
 }
 
-/* The ripple of the amplitude, which is the exact amplitude minus the mean one, at the phases phi of the vibration
-   and theta of the force. The function has the type vmi_ripple_of_force. The slow changes give the ripple q
-   A/((alpha+3) Om) sa ca, and the force adds F/(m Om) times the sum over j and n of
+/* The ripple of the amplitude, which is the exact amplitude minus the mean amplitude, at the phase phi of the vibration
+   and the phase theta of the force. The function has the type vmi_ripple_of_force. Slow changes and damping, which act
+   at the rate q, give the ripple q A/((alpha+3) Om) sa ca, where Om is the rate of the Ateb phase. The force adds F/(m
+   Om) times the sum over j and n of
      s_j/2 [(a_n cos u + b_n sin u)/(j w + n nu) + (a_n cos v - b_n sin v)/(j w - n nu)],
    where u = j phi + n theta, v = j phi - n theta, w is the frequency of the free vibration, and s_j is the Fourier
-   coefficient of sin(j phi) in sa. The second quotient is left out for the pairs j, n that are in resonance, since it
+   coefficient of sin(j phi) in sa. The second quotient is left out for those j and n that are in resonance, since v
    does not vary there. */
 VM_API vm_real vmi_periodic_ripple(const void *periodic, const vmi_forced_parameters *n, vm_real A, vm_real phi,
                                    vm_real theta)
@@ -20073,10 +20291,10 @@ VM_API vm_real vmi_periodic_ripple(const void *periodic, const vmi_forced_parame
     return vmi_forced_q(f, n) * A / ((f->alpha + 3) * Om) * sa * ca + n->force / (n->mass * Om) * sum;
 }
 
-/* Converts a motion (x, x', theta) under a periodic force to its mean y = (A, delta, theta), near the resonance. A is
-   the amplitude without its ripple within a period. The statuses are those of vm_periodic_rhs; VM_NOT_FINITE also
-   means that the motion is infinite or NaN, and VM_DOMAIN that it is smaller than its ripple. y and motion may be the
-   same array. */
+/* Converts a motion (x, x', theta) under a periodic force, near the resonance, to its mean y = (A, delta, theta) (see
+   vm_periodic_averaged_rhs). A is the amplitude without its ripple within a period. Returns the statuses of
+   vm_periodic_rhs. In addition it returns VM_NOT_FINITE where a number of the motion is infinite or NaN, and VM_DOMAIN
+   where the amplitude is smaller than its ripple. y and motion may be the same array. */
 VM_API int vm_periodic_to_averaged(const vm_periodic *p, vm_real t, const vm_real *motion, vm_real *y)
 {
     if (!p || !motion || !y) return VM_BAD_ARGUMENT;
@@ -20094,9 +20312,9 @@ VM_API int vm_periodic_to_averaged(const vm_periodic *p, vm_real t, const vm_rea
 }
 
 /* Converts the mean y = (A, delta, theta) under a periodic force to the motion (x, x', theta). This is the inverse of
-   vm_periodic_to_averaged: it puts the ripple back. The statuses are those of vm_periodic_rhs; VM_NOT_FINITE also means
-   that y is infinite or NaN, and VM_DOMAIN that A <= 0 or that A is smaller than its ripple. motion and y may be the
-   same array. */
+   vm_periodic_to_averaged: it adds the ripple again. Returns the statuses of vm_periodic_rhs. In addition it returns
+   VM_NOT_FINITE where a number of y is infinite or NaN, and VM_DOMAIN where A <= 0 or A is smaller than its ripple.
+   motion and y may be the same array. */
 VM_API int vm_periodic_from_averaged(const vm_periodic *p, vm_real t, const vm_real *y, vm_real *motion)
 {
     if (!p || !y || !motion) return VM_BAD_ARGUMENT;
@@ -20108,11 +20326,13 @@ VM_API int vm_periodic_from_averaged(const vm_periodic *p, vm_real t, const vm_r
                            y[2], motion);
 }
 
-/* The search for steady vibrations */
+/* What the search for steady vibrations needs. S and C are the sums at the top of this file. */
 typedef struct VM_TAG(vmi_periodic_search) {
     const vm_periodic *p;
-    vmi_resonance z; /* its field push is F/m, without G; its field nu is (P/Q) nu */
-    vm_real side;    /* 1: phases are counted from 0; -1: from pi, where S and C have the opposite sign */
+    vmi_resonance z; /* its field push is F/m here, without the factor G; its field nu is (P/Q) nu, where nu is the
+                        frequency of the force */
+    vm_real side;    /* 1: phases delta are counted from 0; -1: they are counted from pi, where S and C have the
+                        opposite sign */
 } vmi_periodic_search;
 
 VM_API vmi_periodic_search vmi_periodic_search_of(const vm_periodic *p, const vmi_forced_parameters *n)
@@ -20126,9 +20346,9 @@ VM_API vmi_periodic_search vmi_periodic_search_of(const vm_periodic *p, const vm
     return search;
 }
 
-/* The sums at a phase that is counted from 0 or pi, as the field `side` says. Next to pi, S is nearly 0 and would
-   lose digits with the rounding of pi. All harmonics of the vibration are odd, so that half a turn changes the signs
-   only. */
+/* The sums S and C at a phase that is counted from 0 or from pi, as the field `side` of the search says. Counting from
+   pi keeps digits near pi, where S is nearly 0 and the rounding error of pi would matter. All harmonics of the
+   vibration are odd; therefore S and C only change their signs if pi is added to the phase. */
 VM_API vmi_periodic_sums vmi_periodic_sums_from(const vmi_periodic_search *s, vm_real phase)
 {
     vmi_periodic_sums sums = vmi_periodic_sums_at(s->p, phase);
@@ -20138,8 +20358,9 @@ VM_API vmi_periodic_sums vmi_periodic_sums_from(const vmi_periodic_search *s, vm
     return sums;
 }
 
-/* The amplitude for which A' = 0 at the sum S. It follows from A w(A) = -S F/(m p), where p is q/(alpha+3). The result
-   is 0 where there is no such amplitude. */
+/* The amplitude for which the averaged equations give A' = 0 if the sum has the value S. It follows from A w(A) = -S
+   F/(m p), where p is q/(alpha+3), F/m the force per mass, and w(A) the frequency of the free vibration. The result is
+   0 where there is no such amplitude. */
 VM_API vm_real vmi_periodic_amplitude(const vmi_resonance *z, vm_real S)
 {
     const vm_real product = -z->push / z->p * S;
@@ -20147,9 +20368,9 @@ VM_API vm_real vmi_periodic_amplitude(const vmi_resonance *z, vm_real S)
     return vmi_pow_checked(product / z->w1, 1 / (1 + z->exponent));
 }
 
-/* The excess, which is delta' of the averaged equations times |S|, at a phase that is counted from 0 or pi, with the
-   amplitude for which A' = 0. Its zeros with A > 0 are the steady vibrations. It is continuous: where no amplitude
-   has A' = 0, it is the limit for A -> 0. */
+/* The excess, which is delta' of the averaged equations times the absolute value of the sum S. It is computed at a
+   phase that is counted from 0 or pi, with the amplitude A for which A' = 0. The zeros of the excess with A > 0 are the
+   steady vibrations. The excess is continuous: where no amplitude has A' = 0, it is the limit for A -> 0. */
 VM_API vm_real vmi_periodic_excess(vm_real phase, void *search)
 {
     const vmi_periodic_search *s = (const vmi_periodic_search *)search;
@@ -20163,8 +20384,9 @@ VM_API vm_real vmi_periodic_excess(vm_real phase, void *search)
     return (w - z->nu) * VM_FABS(sums.S) + limit;
 }
 
-/* The steady vibration of a phase that is counted from 0 or pi, with trace and determinant of the linearized averaged
-   equations. Its frequency nu follows from the phase. A is 0 where there is no such vibration. */
+/* Returns the steady vibration of a phase that is counted from 0 or pi, with trace and determinant of the linearized
+   averaged equations. The frequency nu of the force follows from the phase. The field A is 0 where there is no such
+   vibration. */
 VM_API vm_steady_state vmi_periodic_state(const vmi_periodic_search *search, vm_real phase)
 {
     const vmi_resonance *z = &search->z;
@@ -20184,12 +20406,13 @@ VM_API vm_steady_state vmi_periodic_state(const vmi_periodic_search *search, vm_
     return s;
 }
 
-/* Steady vibration of the phase delta under a periodic force: a point of the resonance curve. Each phase, rad,
-   belongs to at most one amplitude and one frequency nu of the force, so that a run of delta from -pi to pi gives the
-   whole curve. The field nu of *steady is this frequency; that of the oscillator is not used. All other parameters
-   are those at time t. Returns the statuses of vm_periodic_rhs, VM_NOT_FINITE also where delta is not finite, and
-   VM_DOMAIN also where no steady vibration has this phase or where q = 0: without damping and slow changes the phase
-   does not determine the amplitude. An error leaves *steady as it was. */
+/* Steady vibration of the phase delta under a periodic force: a point of the resonance curve. Each phase delta, rad,
+   belongs to at most one amplitude and one frequency nu of the force, so that values of delta from -pi to pi give the
+   whole curve. The field nu of *steady is this frequency; the frequency in the fields of the oscillator is not used.
+   All other parameters are those at time t. Returns the statuses of vm_periodic_rhs. In addition it returns
+   VM_NOT_FINITE where delta is not finite, and VM_DOMAIN where no steady vibration has this phase, or where q = 0 in
+   the averaged equations, as without damping and slow changes, so that the phase does not determine the amplitude. An
+   error leaves *steady as it was. */
 VM_API int vm_periodic_curve(const vm_periodic *p, vm_real t, vm_real delta, vm_steady_state *steady)
 {
     if (!p || !steady) return VM_BAD_ARGUMENT;
@@ -20208,8 +20431,8 @@ VM_API int vm_periodic_curve(const vm_periodic *p, vm_real t, vm_real delta, vm_
     return VM_OK;
 }
 
-/* Writes state into the list of n states, which has `room` places and is sorted by amplitude; if it is full, the
-   largest amplitude is left out. */
+/* Inserts *state into the list `steady` of n states, which has `room` places and is sorted by amplitude. If the list is
+   full, the state with the largest amplitude is dropped. */
 VM_API void vmi_periodic_insert(const vm_steady_state *state, int n, int room, vm_steady_state *steady)
 {
     int i = n;
@@ -20219,13 +20442,13 @@ VM_API void vmi_periodic_insert(const vm_steady_state *state, int n, int room, v
     if (i < room) steady[i] = *state;
 }
 
-/* Steady vibrations under a periodic force: amplitudes, phases, stability, near the resonance. All parameters are
-   those at time t. Writes at most `room` vibrations to steady, the smallest amplitudes first, and returns how many
-   there are (it may be more than room), or a negative status. The function looks for changes of sign between 360
-   phases, so that two vibrations whose phases differ by less than a degree, next to a fold of the resonance curve,
-   may be missed together. The function takes about as long as 4000 sines. The negative statuses are those of
-   vm_periodic_rhs; VM_BAD_ARGUMENT also means room < 0, VM_DOMAIN also means q = 0; the comment of vm_periodic_curve
-   explains why. */
+/* Steady vibrations under a periodic force, near the resonance, with their amplitudes, phases and stability. All
+   parameters are those at time t. Writes at most `room` vibrations to steady, the smallest amplitudes first, and
+   returns how many there are (this number may be larger than room), or a negative status. The function looks for
+   changes of sign between 360 phases, so that it may miss two vibrations whose phases differ by less than a degree;
+   such vibrations lie next to a fold of the resonance curve. The function takes about as long as the computation of
+   4000 sines. The negative statuses are those of vm_periodic_rhs, VM_BAD_ARGUMENT also for room < 0, and VM_DOMAIN also
+   for q = 0, which the comment of vm_periodic_curve explains. */
 VM_API int vm_periodic_steady_states(const vm_periodic *p, vm_real t, int room, vm_steady_state *steady)
 {
     if (!p || !steady || room < 0) return VM_BAD_ARGUMENT;
@@ -20240,7 +20463,7 @@ VM_API int vm_periodic_steady_states(const vm_periodic *p, vm_real t, int room, 
     if (search.z.push == 0) return 0;
     search.side = -1;
     after = vmi_periodic_excess(0, &search);
-    for (degree = -180; degree < 180; degree++) { /* at the left end of the interval */
+    for (degree = -180; degree < 180; degree++) { /* phases in degrees: the left end of each interval of one degree */
         int origin = 0;
         vm_steady_state state;
         vm_real left, right;

@@ -2,10 +2,10 @@
 
    If no force F acts and mass and stiffness change slowly, integrals give the mean motion of the oscillator: the
    amplitude follows the adiabatic law (325), (344), (367), (389), and the phase is the integral of its rate (310),
-   (329), (370). vmi_osc_first_order uses this mean motion as the motion itself; its wave is cos, cn or ca.
-   vmi_osc_order_n computes the motion from the mean motion by the transformation of oscillators/expansion.h, which is
-   cut off after an order N from 2 to 5. Its error is of the order epsilon^N, where epsilon is the relative change of
-   mass and stiffness within a radian.
+   (329), (370). vmi_osc_first_order uses this mean motion as the motion itself, with cos, cn or ca as the periodic
+   function. vmi_osc_order_n computes the motion from the mean motion by the transformation of oscillators/expansion.h.
+   The transformation is a series, which is cut off after an order N from 2 to 5. Its error is of the order epsilon^N,
+   where epsilon is the relative change of mass and stiffness while the phase grows by 1.
        vmi_osc_mean mean;
        vm_osc_motion motion;
        vmi_osc_wave w = vmi_osc_wave_of(&plan, VM_ROUTE_ORDER5);
@@ -59,7 +59,7 @@ VM_API void vmi_osc_mean_closed(const vm_osc_plan *p, vm_real t, vmi_osc_mean *m
     }
 }
 
-/* Computes the mean motion at a time t so close to 0 that the laws do not change between 0 and t. */
+/* Computes the mean motion at a time t so close to 0 that mass and stiffness do not change between 0 and t. */
 VM_API int vmi_osc_mean_near_0(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean)
 {
     int status = VM_OK;
@@ -71,11 +71,12 @@ VM_API int vmi_osc_mean_near_0(const vm_osc_plan *p, vm_real t, vmi_osc_mean *me
     return status;
 }
 
-/* Computes the mean motion at t, by closed forms if there are any, else by integration along the laws
-   (oscillators/walk.h). */
+/* Computes the mean motion at t. It uses closed forms of the integrals if there are any, else integration along the
+   laws of mass and stiffness (oscillators/walk.h). */
 VM_API int vmi_osc_mean_at(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean)
 {
-    const vm_real too_short = 256 * VM_EPSILON; /* over a smaller phase the laws change only by rounding errors */
+    const vm_real too_short = 256 * VM_EPSILON; /* while the phase grows by less, the laws change only by rounding
+                                                   errors */
     int status = VM_OK;
     if (!p->closed && p->Om * VM_FABS(t) < too_short) status = vmi_osc_mean_near_0(p, t, mean);
     else if (p->closed) vmi_osc_mean_closed(p, t, mean);
@@ -94,12 +95,12 @@ VM_API vm_real vmi_osc_rounding(const vm_osc_plan *p, const vmi_osc_mean *mean)
     return 4 * VM_EPSILON * (2 + VM_FABS(p->Om * mean->phase)) + p->Om * mean->error;
 }
 
-/* A bound of the change of ln J that fast changes of mass and stiffness cause. J is the action. E_0 measures how
-   strongly these changes disturb the motion (oscillators/expansion.h). The exact change of ln J is the integral over
-   the phase of E_0 times a periodic function whose mean is 0. i integrations by parts turn it into the integral of the
-   ith derivative of E_0 times the ith integral of the periodic function, and into terms at both ends, which the
-   solutions already contain. Each i gives a bound, and the function returns the smallest. The smallest belongs to a
-   large i where the laws change slowly, and to i = 0 where they change within less than a period. */
+/* Fast changes of mass and stiffness change the action J. This function returns a bound of the change of ln J. E_0
+   measures how strongly these changes disturb the motion (oscillators/expansion.h). The exact change of ln J is the
+   integral over the phase of E_0 times a periodic function whose mean is 0. i integrations by parts turn this integral
+   into the integral of the ith derivative of E_0 times the ith integral of the periodic function, and into terms at
+   both ends, which the solutions already contain. Each i gives a bound, and the function returns the smallest bound. It
+   belongs to a large i where the laws change slowly, and to i = 0 where they change within less than a period. */
 VM_API vm_real vmi_osc_fast(const vm_osc_plan *p, const vmi_osc_mean *mean)
 {
     const vmi_ripple *r = &p->ripple;
@@ -116,19 +117,21 @@ VM_API vm_real vmi_osc_fast(const vm_osc_plan *p, const vmi_osc_mean *mean)
     return least + first * mean->dropped;
 }
 
-/* The error that fast changes of the laws between 0 and t cause in every averaged solution. An error of ln J makes an
-   error of the phase that is larger by the factor gamma Om t, where gamma is a field of the ripple and Om the rate of
-   the phase. */
+/* The error that fast changes of mass and stiffness between 0 and t cause in every averaged solution. An error of ln J,
+   where J is the action, makes an error of the phase that is larger by the factor gamma Om t. gamma is a field of
+   vmi_ripple, and Om is the rate of the phase. */
 VM_API vm_real vmi_osc_way_error(const vm_osc_plan *p, const vmi_osc_mean *mean)
 {
     return (1 + VM_FABS(p->ripple.gamma * p->Om * mean->phase)) * vmi_osc_fast(p, mean);
 }
 
-/* Estimates the error of vmi_osc_first_order, except for the error of its wave. The solution uses the amplitude and the
-   phase at the start as if they were the mean values. It leaves out the ripple within a period, and the part of the
-   mean phase that is proportional to E_0 (oscillators/expansion.h). An error of ln J makes an error of the phase that
-   is larger by the factor gamma Om t. The phase that follows from x and x' is larger by (alpha+1)/2 p/Om ca^2 than the
-   phase that follows from x and V = x' + p x. The mean of this difference is the same at the start and at t. */
+/* Estimates the error of vmi_osc_first_order, except for the error of cos or cn in place of ca. vmi_osc_first_order
+   uses the amplitude and the phase at t = 0 as if they were the mean amplitude and the mean phase. It leaves out the
+   ripple within a period, and the part of the mean phase that is proportional to the number E_0
+   (oscillators/expansion.h). An error of ln J, where J is the action, makes an error of the phase that is larger by the
+   factor gamma Om t, with the field gamma of vmi_ripple. The phase that follows from x and x' is larger by (alpha+1)/2
+   p/Om ca^2 than the phase that follows from x and V = x' + p x, where p is the rate of oscillators/reduction.h and Om
+   the rate of the phase. The mean of this difference over a period is the same at t = 0 and at t. */
 VM_API vm_real vmi_osc_first_error(const vm_osc_plan *p, const vmi_osc_mean *mean)
 {
     const vmi_ripple *r = &p->ripple;
@@ -143,9 +146,10 @@ VM_API vm_real vmi_osc_first_error(const vm_osc_plan *p, const vmi_osc_mean *mea
     return error;
 }
 
-/* Estimates the error of vmi_osc_order_n for the order 2, 3, 4 or 5. It adds up the sizes of the first terms that are
-   left out. The transformation of this order leaves out terms at t. The mean motion, whose order is p->start_order,
-   leaves out terms at the start, at points of tables, and in the mean rate of the phase. */
+/* Estimates the error of vmi_osc_order_n for the order 2, 3, 4 or 5. The estimate is the sum of the sizes of the first
+   terms that two computations leave out. One is the transformation at t, whose order is `order`. The other is the mean
+   motion, whose order is p->start_order; it leaves out terms at t = 0, at points of tables, and in the mean rate of the
+   phase. */
 VM_API vm_real vmi_osc_order_error(const vm_osc_plan *p, int order, const vmi_osc_mean *mean)
 {
     const vmi_ripple *r = &p->ripple;
@@ -169,9 +173,10 @@ VM_API vm_real vmi_osc_order_error(const vm_osc_plan *p, int order, const vmi_os
 
 /* -- The solutions -- */
 
-/* Writes the motion with the amplitude A. c and s are the values of the waves of position and velocity. Om is the rate
-   of the Ateb phase, so that the largest velocity is 2 A Om/(alpha+1); w is the wave. evals is set to 0. VM_NOT_FINITE
-   leaves *motion untouched. */
+/* Writes the motion with the amplitude A. w describes the periodic functions of position and velocity
+   (oscillators/waves.h), and c and s are their values. Om is the rate of the Ateb phase, so that the largest velocity
+   is 2 A Om/(alpha+1). The field evals becomes 0. Returns VM_NOT_FINITE, and leaves *motion untouched, if position or
+   velocity is not finite; else VM_OK. */
 VM_API int vmi_osc_motion_of(const vmi_osc_wave *w, vm_real A, vm_real Om, vm_real c, vm_real s, vm_real error,
                              int route, vm_osc_motion *motion)
 {
@@ -188,7 +193,7 @@ VM_API int vmi_osc_motion_of(const vmi_osc_wave *w, vm_real A, vm_real Om, vm_re
 }
 
 /* Computes the motion to first order (310), (329), (370): the amplitude A follows the adiabatic law, and the phase is
-   the integral of Om. w is the wave of the route. */
+   the integral of its rate Om. w is the periodic function that the route uses. */
 VM_API int vmi_osc_first_order(const vm_osc_plan *p, int route, const vmi_osc_wave *w, const vmi_osc_mean *mean,
                                vm_osc_motion *motion)
 {
@@ -200,7 +205,7 @@ VM_API int vmi_osc_first_order(const vm_osc_plan *p, int route, const vmi_osc_wa
 }
 
 /* Computes the motion at t from the mean motion, by the terms of the law of order five up to the order of the route.
-   route is one of VM_ROUTE_ORDER2 to VM_ROUTE_ORDER5, w its wave. */
+   route is one of VM_ROUTE_ORDER2 to VM_ROUTE_ORDER5, and w describes the functions ca and sa. */
 VM_API int vmi_osc_order_n(const vm_osc_plan *p, int route, const vmi_osc_wave *w, const vmi_osc_mean *mean,
                            vm_osc_motion *motion)
 {

@@ -1,15 +1,16 @@
 /* oscillators/odd_force.h - vibration under an odd elastic force of any form, with constant mass
 
-   The equation is x'' + F(x) = 0. F is an odd function, the force per unit mass: x + x^3, sin x, tanh x, or a function
-   of the user. A vm_odd_force describes F. Its constructors are vm_odd_force_user here and vm_duffing_force in
-   oscillators/duffing.h.
-   At an amplitude A one numerical integral (a quadrature) gives the period, the action and x(t):
+   The equation is x'' + F(x) = 0. F is the force per unit mass, and an odd function, that is F(-x) = -F(x): for example
+   x + x^3, sin x, tanh x, or a function of the user. A vm_odd_force describes F. The function vm_odd_force_user in this
+   file and vm_duffing_force in oscillators/duffing.h make it; they are its constructors.
+   For each amplitude A one numerical integration (a quadrature) gives the period, the action and x(t):
        vm_odd_force force = vm_odd_force_user(hard, NULL); // int hard(vm_real x, vm_real *f, void *ctx) writes *f
        vm_real T = vm_odd_period(&force, 2); // period of the motion from rest at x = 2 m
-   Method: x = A cos(theta), v = -A sin(theta) sqrt(g), and so dt = dtheta/sqrt(g). Here g is the mean of F(x)/x over
-   the variable x^2, from the present x^2 to A^2. g is smooth and positive, so that Gauss' rule converges fast. An orbit
-   is the motion at one amplitude. Its phase is 2 pi t/period, and 0 where x is largest. Its action j is the integral of
-   v dx over a period, divided by 2 pi. For mass, stiffness and damping that change slowly see oscillators/odd_motion.h.
+   Method: with an angle theta, let x = A cos(theta); then v = -A sin(theta) sqrt(g), and dt = dtheta/sqrt(g). Here g is
+   the mean of F(x)/x over the variable x^2, from the present x^2 to A^2. g is smooth and positive, so that Gauss' rule
+   converges fast. An orbit is the motion at one amplitude. The phase of the orbit is 2 pi t/period, and is 0 where x is
+   largest. The action j of the orbit is the integral of v dx over a period, divided by 2 pi. For mass, stiffness and
+   damping that change slowly see oscillators/odd_motion.h.
    Tests: tests/test_odd_force.c. */
 #ifndef VARMASS_OSCILLATORS_ODD_FORCE_H
 #define VARMASS_OSCILLATORS_ODD_FORCE_H
@@ -23,77 +24,84 @@
 
 /* -- The force and its orbits -- */
 
-/* A user's odd function: writes F(x) for x >= 0 to *f and returns 0, or another number where it fails. F must be
-   smooth for x >= 0; at x = 0 it may have a kink, as x|x| does. */
+/* A user's odd function: writes F(x) for x >= 0 to *f. It returns 0 on success, and any other number if it cannot
+   compute F(x). F must be smooth for x >= 0; at x = 0 it may have a kink, as x|x| does. */
 typedef int (*vm_odd_function)(vm_real x, vm_real *f, void *ctx);
 
 typedef struct VM_TAG(vmi_orbit) vmi_orbit;
 typedef struct VM_TAG(vmi_orbit_point) vmi_orbit_point;
 typedef struct VM_TAG(vmi_orbit_ripple) vmi_orbit_ripple; /* oscillators/orbit_ripple.h */
 
-/* An odd elastic force F(x). The constructors vm_odd_force_user and vm_duffing_force fill it. It points to functions of
-   this header, to the user's function and to ctx. The function and what ctx points to must exist as long as the force
-   is used. */
+/* An odd elastic force F(x). The constructors vm_odd_force_user and vm_duffing_force fill this struct. It contains
+   pointers to functions of this header, to the user's function, and the user's pointer ctx. The user's function and
+   what ctx points to must exist as long as the force is used. */
 typedef struct VM_TAG(vm_odd_force) vm_odd_force;
 struct VM_TAG(vm_law); /* oscillators/laws.h */
 struct VM_TAG(vm_odd_force) {
     vm_real k1, k3;           /* coefficients of x and x^3 of Duffing's force; 0 for a user's function */
     const struct VM_TAG(vm_law) *laws; /* two laws of time for k1 and k3; null where they are constant */
-    vm_odd_function function; /* the user's function; else null */
-    void *ctx;                /* the user's pointer, last argument of function */
-    /* Functions that depend on the kind of force; its constructor sets them. All but `point` return a status. */
-    int (*at)(const vm_odd_force *force, vm_real x, vm_real *f); /* F(x) for any x; null if this is no force */
+    vm_odd_function function; /* the user's function for vm_odd_force_user; null for Duffing's force */
+    void *ctx;                /* the user's pointer, last argument of `function` */
+    /* Functions that depend on the kind of force; its constructor sets them. Those of type int return a status. */
+    int (*at)(const vm_odd_force *force, vm_real x, vm_real *f); /* writes F(x) for any x to *f; null if no constructor
+                                                                    filled the struct */
     /* Writes the size and the place of the orbit that contains a given state (x, v). */
     int (*orbit_through)(const vm_odd_force *force, vm_real x, vm_real v, vmi_orbit *orbit);
     /* Computes all other fields of an orbit from its size and place. */
     int (*complete)(vmi_orbit *orbit);
-    /* Writes a point of a complete orbit, the phase of a state on it, and the state at a phase. */
+    /* Three functions for a complete orbit: `point` writes the point at theta, `phase` the phase of the state (x, v),
+       and `at_phase` the state at the phase phi. */
     void (*point)(const vmi_orbit *orbit, vm_real theta, vmi_orbit_point *point);
     int (*phase)(const vmi_orbit *orbit, vm_real x, vm_real v, vm_real *phi);
     int (*at_phase)(const vmi_orbit *orbit, vm_real phi, vm_real *x, vm_real *v);
-    /* Writes the ripple of a complete orbit; null where quadrature has to find it. */
+    /* Writes the ripple of a complete orbit (oscillators/orbit_ripple.h); null where numerical integration has to find
+       it. */
     void (*ripple)(const vmi_orbit *orbit, vmi_orbit_ripple *ripple);
 };
 
 /* Where an orbit lies: around x = 0, or around another place of rest, to the right or to the left of x = 0 */
 enum { VMI_ORBIT_AROUND_0 = 0, VMI_ORBIT_RIGHT = 1, VMI_ORBIT_LEFT = -1 };
 
-/* The largest number of equal parts into which 0 <= theta <= pi/2 is divided, and also 0 <= x <= A */
+/* The largest number of equal parts into which the interval 0 <= theta <= pi/2 is divided, and also the interval 0 <= x
+   <= A, where A is the amplitude; and the largest number of nodes of Gauss' rule on these parts */
 enum { VMI_ORBIT_PARTS = 8, VMI_ORBIT_NODES = VMI_ORBIT_PARTS * VMI_GAUSS };
 
-/* An orbit of x'' + F(x) = 0 */
+/* An orbit, which is the motion x'' + F(x) = 0 at one amplitude. theta is the angle at the top of this file. */
 struct VM_TAG(vmi_orbit) {
     const vm_odd_force *force;
-    vm_real size;              /* amplitude, m, if the orbit lies around 0; else half the difference of the largest and
-                                  the smallest x^2, m^2 */
-    int place;                 /* where the orbit lies: around 0, or at one side of it; one of VMI_ORBIT_... */
+    vm_real size;              /* amplitude, m, if the orbit lies around x = 0; else half the difference of the largest
+                                  and the smallest x^2, m^2 */
+    int place;                 /* where the orbit lies: around x = 0, or to the right or left of it; one of
+                                  VMI_ORBIT_... */
     vm_real span;              /* by how much the phase grows between theta = 0 and theta = pi/2: pi/2 for an orbit
                                   around 0, else pi */
-    vm_real w, j;              /* rate of the phase, 1/s, and action */
+    vm_real w, j;              /* rate w of the phase, 1/s, and action j, m^2/s */
     vm_real energy_slope;      /* derivative of the energy with respect to `size` */
     vm_real swing, vmax;       /* half the distance of the turning points, m, and largest velocity, m/s */
-    vm_real lambda, m1;        /* rate of the argument of Jacobi's functions, and 1 - k^2 with their modulus k */
-    vm_real C2, C4;            /* for Duffing's force: means of cn^2 and cn^4 over a period, for this modulus */
+    vm_real lambda, m1;        /* for Duffing's force: rate of the argument of Jacobi's functions, and 1 - k^2, where k
+                                  is their modulus */
+    vm_real C2, C4;            /* for Duffing's force: means of cn^2 and cn^4 over a period, for the modulus k */
     int pieces;                /* for a user's force: number of equal pieces of 0 ... `size`; a series gives F
                                   on each piece */
     vm_real series[VMI_ORBIT_PARTS][VMI_GAUSS]; /* for a user's force: Legendre series of F on each piece */
     vm_real above[VMI_ORBIT_PARTS];             /* for a user's force: integral of F from a piece's end to `size` */
 };
 
-/* A point of an orbit, 0 <= theta <= pi/2; theta = 0 is the turning point with the largest |x|. x is positive. */
+/* The point of an orbit at an angle theta between 0 and pi/2; theta = 0 is the turning point with the largest |x|. The
+   position x at this point is positive. */
 struct VM_TAG(vmi_orbit_point) {
     vm_real x, v;          /* position and velocity */
     vm_real slowness;      /* dt/dtheta */
-    vm_real x_size;        /* derivative of x with respect to the orbit's size, at fixed theta */
-    vm_real slowness_size; /* derivative of the slowness with respect to the orbit's size, at fixed theta */
+    vm_real x_size;        /* derivative of x with respect to the field `size` of the orbit, at fixed theta */
+    vm_real slowness_size; /* derivative of `slowness` with respect to the field `size` of the orbit, at fixed theta */
 };
 
-/* The largest |x| on a complete orbit, m */
+/* The largest |x|, m, on an orbit all of whose fields are set */
 VM_API vm_real vmi_orbit_amplitude(const vmi_orbit *orbit)
 {
     if (orbit->place == VMI_ORBIT_AROUND_0) return orbit->size;
-    return orbit->size / (2 * orbit->swing) + orbit->swing; /* (A + B)/2 + (A - B)/2 = A, with the smallest |x| B; size
-                                                               = (A^2 - B^2)/2 */
+    return orbit->size / (2 * orbit->swing) + orbit->swing; /* (A + B)/2 + (A - B)/2 = A, where A is the largest and B
+                                                               the smallest |x|; size = (A^2 - B^2)/2 */
 }
 
 /* -- Integrals over theta -- */
@@ -102,17 +110,18 @@ VM_API vm_real vmi_orbit_amplitude(const vmi_orbit *orbit)
 typedef struct VM_TAG(vmi_orbit_sum) {
     int parts;
     vm_real series[VMI_ORBIT_PARTS][VMI_GAUSS];
-    vm_real start[VMI_ORBIT_PARTS + 1]; /* integral from 0 to the start of each part; the last: from 0 to pi/2 */
+    vm_real start[VMI_ORBIT_PARTS + 1]; /* integral from 0 to the start of each part; in the last element from 0 to
+                                           pi/2 */
 } vmi_orbit_sum;
 
-/* The angle theta of node i, if there are `parts` equal parts with 20 nodes each */
+/* The angle theta of the node i, if the interval 0 ... pi/2 has `parts` equal parts with 20 nodes each */
 VM_API vm_real vmi_orbit_node(int parts, int i)
 {
     const vm_real in_part = (1 + vmi_gauss_node(i % VMI_GAUSS)) / 2;
     return VM_PI / 2 * (((vm_real)(i / VMI_GAUSS) + in_part) / (vm_real)parts);
 }
 
-/* Computes the series and the integrals of two functions from their values at the nodes. */
+/* Computes the Legendre series and the integrals of two functions of theta from their values at the nodes. */
 VM_API void vmi_orbit_sums(int parts, const vm_real *values_a, const vm_real *values_b, vmi_orbit_sum *a,
                            vmi_orbit_sum *b)
 {
@@ -129,10 +138,10 @@ VM_API void vmi_orbit_sums(int parts, const vm_real *values_a, const vm_real *va
     }
 }
 
-/* The integral from 0 to pi/2 */
+/* The integral of the function from theta = 0 to pi/2 */
 VM_API vm_real vmi_orbit_whole(const vmi_orbit_sum *sum) { return sum->start[sum->parts]; }
 
-/* The number of the part that contains theta, 0 <= theta <= pi/2. *place becomes the place of theta in this part, from
+/* Returns the index of the part of 0 ... pi/2 that contains theta. Writes to *place where theta lies in this part, from
    -1 at its start to 1 at its end. */
 VM_API int vmi_orbit_part(const vmi_orbit_sum *sum, vm_real theta, vm_real *place)
 {
@@ -144,7 +153,7 @@ VM_API int vmi_orbit_part(const vmi_orbit_sum *sum, vm_real theta, vm_real *plac
     return part;
 }
 
-/* The integral from 0 to theta, 0 <= theta <= pi/2 */
+/* The integral of the function from 0 to theta, where 0 <= theta <= pi/2 */
 VM_API vm_real vmi_orbit_sum_to(const vmi_orbit_sum *sum, vm_real theta)
 {
     vm_real place;
@@ -153,7 +162,7 @@ VM_API vm_real vmi_orbit_sum_to(const vmi_orbit_sum *sum, vm_real theta)
     return sum->start[part] + half * vmi_legendre_integral(sum->series[part], place);
 }
 
-/* The value of the function at theta, 0 <= theta <= pi/2 */
+/* The value of the function at theta, where 0 <= theta <= pi/2 */
 VM_API vm_real vmi_orbit_value(const vmi_orbit_sum *sum, vm_real theta)
 {
     vm_real place;
@@ -195,16 +204,18 @@ VM_API vm_real vmi_orbit_theta(const vmi_orbit_sum *sum, vm_real target)
     return theta;
 }
 
-/* -- A phase, brought to the part of an orbit that repeats -- */
+/* -- A phase of any size, replaced by a phase between 0 and the orbit's span -- */
 
-/* A phase on the part 0 ... span, of which all other parts are mirror images */
+/* A phase on the part 0 ... span of an orbit, where span is the field of vmi_orbit. The rest of the orbit consists of
+   mirror images of this part. */
 typedef struct VM_TAG(vmi_orbit_folded) {
     vm_real phi;  /* between 0 and the orbit's span */
-    vm_real sign; /* -1 where the phase is a mirror image, so that odd functions change their sign; else 1 */
-    vm_real side; /* -1 where x has the other sign than at phase 0; else 1 */
+    vm_real sign; /* -1 where the original phase lies on a mirror image, on which odd functions of the phase have the
+                     opposite sign; else 1 */
+    vm_real side; /* -1 where the x at this phase and the x at phase 0 have opposite signs; else 1 */
 } vmi_orbit_folded;
 
-/* Brings a phase of any size to the part 0 ... span. */
+/* Replaces a phase of any size by the corresponding phase between 0 and orbit->span. */
 VM_API vmi_orbit_folded vmi_orbit_fold(const vmi_orbit *orbit, vm_real phi)
 {
     vmi_orbit_folded f;
@@ -218,8 +229,9 @@ VM_API vmi_orbit_folded vmi_orbit_fold(const vmi_orbit *orbit, vm_real phi)
     return f;
 }
 
-/* Computes dt/dtheta at all nodes, and its derivative with respect to the orbit's size. Doubles the number of parts
-   until vmi_orbit_tail is at most `enough` or there are VMI_ORBIT_PARTS parts. */
+/* Computes Legendre series of dt/dtheta and of its derivative with respect to the field `size` of the orbit. It doubles
+   the number of parts of 0 <= theta <= pi/2 until vmi_orbit_tail is at most `enough`, or until there are
+   VMI_ORBIT_PARTS parts. */
 VM_API void vmi_orbit_times(const vmi_orbit *orbit, vm_real enough, vmi_orbit_sum *time, vmi_orbit_sum *time_size)
 {
     vm_real slowness[VMI_ORBIT_NODES], by_size[VMI_ORBIT_NODES];
@@ -238,7 +250,8 @@ VM_API void vmi_orbit_times(const vmi_orbit *orbit, vm_real enough, vmi_orbit_su
 
 /* -- Forces by a user's function -- */
 
-/* F(x) for any x. Returns VM_DOMAIN where the user's function fails, VM_NOT_FINITE where F is not finite. */
+/* Writes F(x) for any x to *f. Returns VM_DOMAIN where the user's function fails, VM_NOT_FINITE where F is not finite,
+   and else VM_OK. */
 VM_API int vmi_odd_user_at(const vm_odd_force *force, vm_real x, vm_real *f)
 {
     *f = 0;
@@ -249,16 +262,17 @@ VM_API int vmi_odd_user_at(const vm_odd_force *force, vm_real x, vm_real *f)
     return VM_OK;
 }
 
-/* F at one point x, and its mean and mean slope from x to an end, which is the amplitude A or the end of a piece */
+/* The force F at one point x, and its mean and its mean slope between x and an end point. The end point is the
+   amplitude A or the end of a piece of 0 ... A. */
 typedef struct VM_TAG(vmi_odd_forces) {
     vm_real f;     /* F(x) */
-    vm_real mean;  /* mean of F between x and the end */
-    vm_real slope; /* (F(end) - F(x))/(end - x) */
+    vm_real mean;  /* mean of F between x and the end point */
+    vm_real slope; /* (F(end point) - F(x))/(end point - x) */
 } vmi_odd_forces;
 
 /* Evaluates the Legendre series of F on a piece at y between -1 and 1, where y = 1 is the end of the piece. `half` is
-   half the length of the piece. The sums use D_k = (1 - P_k(y))/(1 - y) with Legendre's polynomials P_k, so that no
-   close numbers are subtracted near the end. */
+   half the length of the piece. The sums use D_k = (1 - P_k(y))/(1 - y) with Legendre's polynomials P_k, so that near y
+   = 1 the code need not subtract nearly equal numbers. */
 VM_API vmi_odd_forces vmi_odd_user_sums(const vm_real *series, vm_real y, vm_real half)
 {
     vm_real before = 0, now = 1, D_before = 0, D = 0;
@@ -279,7 +293,7 @@ VM_API vmi_odd_forces vmi_odd_user_sums(const vm_real *series, vm_real y, vm_rea
     return r;
 }
 
-/* F at x = share A, and its mean and slope between x and the amplitude A, where 0 <= share <= 1 */
+/* The force F at x = share A, and its mean and mean slope between x and the amplitude A, where 0 <= share <= 1 */
 VM_API vmi_odd_forces vmi_odd_user_forces(const vmi_orbit *orbit, vm_real share)
 {
     const vm_real A = orbit->size, half = A / (2 * (vm_real)orbit->pieces);
@@ -296,7 +310,8 @@ VM_API vmi_odd_forces vmi_odd_user_forces(const vmi_orbit *orbit, vm_real share)
     return r;
 }
 
-/* The point at theta. Between x and the amplitude A, F has the mean g (A + x)/2. */
+/* Writes the point of the orbit at the angle theta. The variable g is defined by this: between x and the amplitude A, F
+   has the mean g (A + x)/2. */
 VM_API void vmi_odd_user_point(const vmi_orbit *orbit, vm_real theta, vmi_orbit_point *point)
 {
     const vm_real A = orbit->size;
@@ -313,8 +328,8 @@ VM_API void vmi_odd_user_point(const vmi_orbit *orbit, vm_real theta, vmi_orbit_
     point->slowness_size = -point->slowness * (g_size / (2 * g));
 }
 
-/* Fits series of F on this number of equal pieces of 0 ... A. Writes the size of the terms that the series leave out,
-   relative to the root mean square of F. */
+/* Fits Legendre series to F on `pieces` equal pieces of the interval from 0 to the amplitude. Writes to *tail the size
+   of the terms that the series leave out, divided by the root mean square of F. */
 VM_API int vmi_odd_user_fit(vmi_orbit *orbit, int pieces, vm_real *tail)
 {
     const vm_real length = orbit->size / (vm_real)pieces;
@@ -339,8 +354,9 @@ VM_API int vmi_odd_user_fit(vmi_orbit *orbit, int pieces, vm_real *tail)
     return VM_OK;
 }
 
-/* Fits series of F between 0 and the orbit's amplitude, on 1, 2, 4 or 8 equal pieces: on the first number that is
-   enough. Returns VM_NO_LAW if F is not smooth enough for 8 pieces. */
+/* Fits Legendre series to F between 0 and the orbit's amplitude, on 1, 2, 4 or 8 equal pieces. It takes the smallest of
+   these numbers for which the series are accurate enough. Returns VM_NO_LAW if 8 pieces are not enough, because F is
+   not smooth. */
 VM_API int vmi_odd_user_series(vmi_orbit *orbit)
 {
     const vm_real enough = 64 * VM_EPSILON, accepted = VM_MANT_DIG > 24 ? VM_C(1e-11) : VM_C(1e-5);
@@ -355,8 +371,9 @@ VM_API int vmi_odd_user_series(vmi_orbit *orbit)
     return VM_NO_LAW;
 }
 
-/* Completes an orbit whose amplitude is known. Returns VM_NO_LAW where there is no vibration of this amplitude, and
-   where the quadrature is not accurate: close to a separatrix, and for a force that is not smooth. */
+/* Sets all other fields of an orbit whose amplitude is known. Returns VM_NO_LAW where there is no vibration of this
+   amplitude, and where the numerical integration is not accurate: close to a separatrix (the border between two kinds
+   of vibration), and for a force that is not smooth. */
 VM_API int vmi_odd_user_complete(vmi_orbit *orbit)
 {
     const vm_real enough = 16 * VM_EPSILON, accepted = VM_MANT_DIG > 24 ? VM_C(1e-10) : VM_C(1e-4);
@@ -381,15 +398,15 @@ VM_API int vmi_odd_user_complete(vmi_orbit *orbit)
     return VM_IS_FINITE(orbit->w) && orbit->w > 0 && orbit->energy_slope > 0 ? VM_OK : VM_NO_LAW;
 }
 
-/* A state whose amplitude is searched */
+/* A state (x, v) on an orbit whose amplitude is to be found */
 typedef struct VM_TAG(vmi_odd_state) {
     const vm_odd_force *force;
     vm_real x, v; /* position >= 0 and velocity */
     int status;   /* status of the user's function */
 } vmi_odd_state;
 
-/* The potential energy at x + more, minus that at x, minus the kinetic energy of the state. It is 0 where x + more is
-   the amplitude. */
+/* The potential energy at x + more, minus the potential energy at x, minus the kinetic energy v^2/2 of the state (x,
+   v). The result is 0 where x + more is the amplitude. */
 VM_API vm_real vmi_odd_user_missing(vm_real more, void *state)
 {
     vmi_odd_state *s = (vmi_odd_state *)state;
@@ -407,8 +424,8 @@ VM_API vm_real vmi_odd_user_missing(vm_real more, void *state)
     return sum * length - s->v * s->v / 2;
 }
 
-/* Finds the orbit through a state. A trial value of the amplitude is doubled or halved until the amplitude lies between
-   two trial values. Returns VM_NO_LAW where there is no amplitude. */
+/* Finds the orbit through the state (x, v). A trial value of the amplitude is doubled or halved until the amplitude
+   lies between two trial values. Returns VM_NO_LAW where there is no amplitude. */
 VM_API int vmi_odd_user_through(const vm_odd_force *force, vm_real x, vm_real v, vmi_orbit *orbit)
 {
     const int most = 200;
@@ -441,8 +458,8 @@ VM_API int vmi_odd_user_through(const vm_odd_force *force, vm_real x, vm_real v,
     return s.status;
 }
 
-/* The phase of a state on a complete orbit. The state gives theta by x = A cos(theta) and v = -A
-   sin(theta)/(dt/dtheta). */
+/* Writes the phase of the state (x, v) on a complete orbit of amplitude A. The angle theta follows from x = A
+   cos(theta) and v = -A sin(theta)/(dt/dtheta), and the phase from theta. */
 VM_API int vmi_odd_user_phase(const vmi_orbit *orbit, vm_real x, vm_real v, vm_real *phi)
 {
     const vm_real above = vmi_larger(orbit->size - VM_FABS(x), 0) * (orbit->size + VM_FABS(x));
@@ -458,7 +475,7 @@ VM_API int vmi_odd_user_phase(const vmi_orbit *orbit, vm_real x, vm_real v, vm_r
     return VM_OK;
 }
 
-/* Position and velocity at a phase */
+/* Writes position x and velocity v of the orbit at the phase phi. */
 VM_API int vmi_odd_user_at_phase(const vmi_orbit *orbit, vm_real phi, vm_real *x, vm_real *v)
 {
     const vmi_orbit_folded f = vmi_orbit_fold(orbit, phi);
@@ -474,7 +491,7 @@ VM_API int vmi_odd_user_at_phase(const vmi_orbit *orbit, vm_real phi, vm_real *x
 /* Odd elastic force F(x) that a user's function computes. The function is called for x >= 0 only; its last argument is
    ctx. F must be positive for 0 < x <= A, or at least do positive work between every x and the amplitude A. Between 0
    and A it must be so smooth that polynomials of degree 19 represent it on at most 8 equal pieces; otherwise the
-   functions that return a status return VM_NO_LAW. A null function makes no force: these functions then return
+   functions that use the force and return a status return VM_NO_LAW. If `function` is null, they return
    VM_BAD_ARGUMENT. */
 VM_API vm_odd_force vm_odd_force_user(vm_odd_function function, void *ctx)
 {
@@ -485,7 +502,7 @@ VM_API vm_odd_force vm_odd_force_user(vm_odd_function function, void *ctx)
     force.function = function;
     force.ctx = ctx;
     force.at = NULL;
-    if (function) force.at = vmi_odd_user_at; /* else there is no force */
+    if (function) force.at = vmi_odd_user_at; /* if `at` stays null, the struct describes no force */
     force.orbit_through = vmi_odd_user_through;
     force.complete = vmi_odd_user_complete;
     force.point = vmi_odd_user_point;
@@ -497,7 +514,8 @@ VM_API vm_odd_force vm_odd_force_user(vm_odd_function function, void *ctx)
 
 /* -- Motion with constant mass -- */
 
-/* Makes the complete orbit through a state. For a state of rest the size is 0, and the other fields have no meaning. */
+/* Computes all fields of the orbit through the state (x, v). If the state is one of rest in equilibrium, the field
+   `size` becomes 0, and the other fields have no meaning. */
 VM_API int vmi_orbit_of_state(const vm_odd_force *force, vm_real x, vm_real v, vmi_orbit *orbit)
 {
     int status;
@@ -508,9 +526,9 @@ VM_API int vmi_orbit_of_state(const vm_odd_force *force, vm_real x, vm_real v, v
     return force->complete(orbit);
 }
 
-/* Exact period, s, of x'' + F(x) = 0 from rest at x0 (m, either sign), for an odd F per unit mass.
-   Returns NaN for a null pointer, a force that no constructor made, x0 = 0, infinite x0, and where there is no
-   vibration. The relative error is at most 1e-13 (float 1e-5). */
+/* Exact period, s, of x'' + F(x) = 0 from rest at x0 (m, either sign), for an odd force F per unit mass. Returns NaN
+   for a null pointer, for a force that no constructor made, for x0 = 0 or infinite x0, and where there is no vibration.
+   The relative error is at most 1e-13 (float 1e-5). */
 VM_API vm_real vm_odd_period(const vm_odd_force *force, vm_real x0)
 {
     vmi_orbit orbit;
@@ -518,9 +536,9 @@ VM_API vm_real vm_odd_period(const vm_odd_force *force, vm_real x0)
     return 2 * VM_PI / orbit.w;
 }
 
-/* Action, m^2/s, of x'' + F(x) = 0 from rest at x0 (m, either sign), for an odd F per unit mass.
-   It is the integral of v dx over a period, divided by 2 pi. A slow change of the force keeps it constant. Errors and
-   accuracy are those of vm_odd_period, but for x0 = 0 the action is 0. */
+/* Action, m^2/s, of x'' + F(x) = 0 from rest at x0 (m, either sign), for an odd force F per unit mass. The action is
+   the integral of v dx over a period, divided by 2 pi. It stays nearly constant while the force changes slowly. Returns
+   NaN where vm_odd_period does, but 0 for x0 = 0. The accuracy is that of vm_odd_period. */
 VM_API vm_real vm_odd_action(const vm_odd_force *force, vm_real x0)
 {
     vmi_orbit orbit;
@@ -529,12 +547,12 @@ VM_API vm_real vm_odd_action(const vm_odd_force *force, vm_real x0)
     return orbit.j;
 }
 
-/* Exact motion x(t), v(t) of x'' + F(x) = 0 from x0 (m) and v0 (m/s), for an odd F per unit mass.
-   The errors of x and v are at most 1e-12 (float 1e-4) of the amplitude and of the largest velocity, times 1 +
-   t/period. Returns VM_BAD_ARGUMENT for null pointers and for a force that no constructor made, VM_NOT_FINITE for
-   infinite numbers and a force that is infinite, VM_DOMAIN where the user's function fails, and VM_NO_LAW where there
-   is no vibration, on a separatrix and close to it, and for a force that is not smooth. An error leaves *x and *v
-   untouched. */
+/* Exact motion x(t), v(t) of x'' + F(x) = 0 from the position x0 (m) and the velocity v0 (m/s) at t = 0, for an odd
+   force F per unit mass. The error of x, divided by the amplitude, and the error of v, divided by the largest velocity,
+   are at most 1e-12 (float 1e-4) times 1 + t/period. Returns VM_BAD_ARGUMENT for null pointers and for a force that no
+   constructor made, VM_NOT_FINITE for numbers or a force that are infinite or NaN, VM_DOMAIN where the user's function
+   fails, and VM_NO_LAW in three cases: where there is no vibration, on or close to a separatrix (the border between two
+   kinds of vibration), and for a force that is not smooth. An error leaves *x and *v untouched. */
 VM_API int vm_odd_exact_from(const vm_odd_force *force, vm_real t, vm_real x0, vm_real v0, vm_real *x, vm_real *v)
 {
     vmi_orbit orbit;

@@ -1,16 +1,16 @@
-/* oscillators/odd_laws.h - a vibration under an odd elastic force, and its slow laws at one time
+/* oscillators/odd_laws.h - a vibration under an odd elastic force, and its slowly changing numbers at one time
 
-   The problem is that of oscillators/odd_motion.h, which also shows the shortest useful call. This file reads the laws
-   and computes the numbers that the averaging needs from them.
+   The equation of motion is in oscillators/odd_motion.h, which also shows the shortest useful call. This file reads the
+   laws of mass, stiffness and damping at one time, and computes from them the numbers that averaging needs.
 
    Where k1 and k3 of Duffing's force follow laws of their own (vm_duffing_force_of_laws), the shape of the force
-   changes with time. A length s(t) makes the shape constant, where s^2 is k1/k3 divided by the value of k1/k3 at t = 0.
-   The coordinate y = x/s obeys, without any approximation,
+   changes with time. A new coordinate y = x/s makes the shape constant, where s(t)^2 is the ratio k1/k3 divided by the
+   value of this ratio at t = 0. The coordinate y obeys, without any approximation,
        m y'' + K F(y) + (reactive m' + b + 2 m s'/s) y' + m G y = 0
    with F(y) = k1(0) y + k3(0) y^3, K(t) = k(t) k1(t)/k1(0) and G = s''/s + (s'/s) (reactive m' + b)/m. So the change of
-   shape acts as more damping, and as a weak linear spring, whose stiffness is of second order in the rates of the
-   laws. Where k1 or k3 is 0 all the time, s is 1. Where one of them is 0 at one time only, there is no such s; then the
-   equation of motion is integrated numerically. Guide: docs/duffing.md. Tests: tests/test_duffing_laws.c. */
+   shape acts as additional damping, and as a weak linear spring, whose stiffness m G is of second order in the rates of
+   the laws. Where k1 or k3 is 0 all the time, s is 1. Where k1 or k3 is 0 at some times only, there is no such s; then
+   the equation of motion is integrated numerically. Guide: docs/duffing.md. Tests: tests/test_duffing_laws.c. */
 #ifndef VARMASS_OSCILLATORS_ODD_LAWS_H
 #define VARMASS_OSCILLATORS_ODD_LAWS_H
 
@@ -35,8 +35,8 @@ typedef struct VM_TAG(vm_odd_problem) {
 
 /* -- All laws of a problem -- */
 
-/* Writes pointers to the laws of a problem, and for each law the status if it is not positive (VM_OK if it may have any
-   sign). Returns the number of laws. */
+/* Writes pointers to the laws of a problem, and for each law the status that is returned if the law is not positive
+   (VM_OK if the law may have any sign). Returns the number of laws. */
 enum { VMI_ODD_LAWS = 5 };
 VM_API int vmi_odd_all_laws(const vm_odd_problem *o, const vm_law **laws, int *if_not_positive)
 {
@@ -54,7 +54,7 @@ VM_API int vmi_odd_all_laws(const vm_odd_problem *o, const vm_law **laws, int *i
     return VMI_ODD_LAWS;
 }
 
-/* Whether constructors made all laws of a problem */
+/* Returns 1 if constructors made all laws of a problem, else 0. */
 VM_API int vmi_odd_has_laws(const vm_odd_problem *o)
 {
     const vm_law *laws[VMI_ODD_LAWS];
@@ -65,7 +65,8 @@ VM_API int vmi_odd_has_laws(const vm_odd_problem *o)
     return 1;
 }
 
-/* The first point of a table of any law after t on the way to t_end, or t_end if there is none */
+/* Returns the first time between t and t_end at which the table of any law has a point, or t_end if there is no such
+   time. */
 VM_API vm_real vmi_odd_next_knot(const vm_odd_problem *o, vm_real t, vm_real t_end)
 {
     const vm_law *laws[VMI_ODD_LAWS];
@@ -75,7 +76,8 @@ VM_API vm_real vmi_odd_next_knot(const vm_odd_problem *o, vm_real t, vm_real t_e
     return t_end;
 }
 
-/* Checks all laws of a problem between 0 and t. Returns the status that comes first in the table of errors. */
+/* Checks all laws of a problem between the times 0 and t. If several laws are wrong, it returns the status that comes
+   first in the table of errors in src/base/status.h. */
 VM_API int vmi_odd_check_laws(const vm_odd_problem *o, vm_real t)
 {
     const vm_law *laws[VMI_ODD_LAWS];
@@ -91,10 +93,11 @@ VM_API int vmi_odd_check_laws(const vm_odd_problem *o, vm_real t)
 typedef struct VM_TAG(vmi_odd_now) {
     vm_real m, k, b; /* mass, factor of the elastic force, and damping */
     vm_real m_rate;  /* dm/dt, kg/s */
-    vm_real k1, k3;  /* coefficients of Duffing's force if they follow laws; else unused */
+    vm_real k1, k3;  /* coefficients of x and x^3 of Duffing's force if they follow laws; else unused */
 } vmi_odd_now;
 
-/* Reads the laws at t. Where a rate jumps at t, side = 1 asks for its value after t, side = -1 before t. */
+/* Reads the laws at t. Where the rate of a law jumps at t, side = 1 asks for its value after t, side = -1 for its value
+   before t. */
 VM_API int vmi_odd_read_laws(const vm_odd_problem *o, vm_real t, int side, vmi_odd_now *now)
 {
     vm_real m[VMI_LAW_ORDERS], k[VMI_LAW_ORDERS], b[VMI_LAW_ORDERS], k1[VMI_LAW_ORDERS], k3[VMI_LAW_ORDERS];
@@ -115,7 +118,7 @@ VM_API int vmi_odd_read_laws(const vm_odd_problem *o, vm_real t, int side, vmi_o
     return VM_OK;
 }
 
-/* Writes the force F(x) with the coefficients of the present time. */
+/* Writes the force F(x) to *f, with the coefficients k1 and k3 of the present time if they follow laws. */
 VM_API int vmi_odd_elastic(const vm_odd_problem *o, const vmi_odd_now *now, vm_real x, vm_real *f)
 {
     if (!o->force.laws) return o->force.at(&o->force, x, f);
@@ -125,16 +128,18 @@ VM_API int vmi_odd_elastic(const vm_odd_problem *o, const vmi_odd_now *now, vm_r
 
 /* -- The shape of the force -- */
 
-/* k1 and k3 of Duffing's force, divided by their values at t = 0, and the relative rates of change of both as power
-   series in time. They are 1 and 0 where k1 or k3 is constant. */
+/* ratio1 and ratio3 are the coefficients k1 and k3 of Duffing's force, divided by their values at t = 0. rate1 and
+   rate3 are power series in time of the relative rates of change k1'/k1 and k3'/k3. For constant k1 or k3 the ratio is
+   1 and the rate 0. */
 typedef struct VM_TAG(vmi_odd_shape) {
     vm_real ratio1, ratio3;
     vm_real rate1[4], rate3[4];
 } vmi_odd_shape;
 
-/* Writes the ratio and the rates of k1 or k3. `law` is its law, and first its value at t = 0. The first `orders` terms
-   of the rates are written. length has the meaning that it has for vmi_law_derivatives. Returns VM_NO_LAW where the law
-   is 0 at some times but not at all times. */
+/* Writes the ratio and the rates of vmi_odd_shape for one coefficient, k1 or k3. `law` is the law of the coefficient,
+   and `first` the value of the law at t = 0. The first `orders` terms of the power series of the rate are written. The
+   comment of vmi_law_derivatives explains side and length. Returns VM_NO_LAW where the law is 0 at some times but not
+   at all times. */
 VM_API int vmi_odd_coefficient(const vm_law *law, vm_real first, vm_real t, int side, vm_real length, int orders,
                                vm_real *ratio, vm_real *rates)
 {
@@ -155,8 +160,9 @@ VM_API int vmi_odd_coefficient(const vm_law *law, vm_real first, vm_real t, int 
     return VM_OK;
 }
 
-/* Reads the shape of the force at t. With orders = 1 only the rates themselves are written, with orders = 4 their
-   series. Where k1 or k3 is 0 all the time, it gets the ratio and the rates of the other one, so that s is 1. */
+/* Reads the shape of Duffing's force k1 x + k3 x^3 at t. With orders = 1 only the relative rates at t are written, with
+   orders = 4 their power series in time. Where k1 is 0 all the time, its ratio and rates are set to those of k3, and
+   the other way round, so that the factor s at the top of this file is 1. */
 VM_API int vmi_odd_shape_at(const vm_odd_problem *o, vm_real t, int side, vm_real length, int orders,
                             vmi_odd_shape *shape)
 {
@@ -186,20 +192,21 @@ VM_API int vmi_odd_shape_at(const vm_odd_problem *o, vm_real t, int side, vm_rea
 
 /* -- What the averaging needs -- */
 
-/* Mass, stiffness and damping of y = x/s, and the rates that follow from them, at one time */
+/* Mass, stiffness and damping in the equation of y = x/s at the top of this file, and the rates that follow from them,
+   at one time */
 typedef struct VM_TAG(vmi_odd_rates) {
-    vm_real m, k, b;       /* mass, stiffness K and damping b */
+    vm_real m, k, b;       /* mass m, stiffness factor K and damping b */
     vm_real loss;          /* (reactive m' + b)/m, 1/s */
-    vm_real speed;         /* ds/dt = sqrt(K/m) for the time s of orbit_ripple.h */
+    vm_real speed;         /* sqrt(K/m), the rate ds/dt of the new time s of orbit_ripple.h, 1/s */
     vm_real turn;          /* relative rate of change of `speed`, 1/s */
-    vm_real h;             /* damping h of orbit_ripple.h, times `speed`, 1/s */
+    vm_real h;             /* the damping h of orbit_ripple.h, multiplied by `speed`, 1/s */
     vm_real ratio1, ratio3; /* k1 and k3 divided by their values at t = 0; 1 where they are constant */
-    vm_real scale;         /* the length s at the top of this file */
-    vm_real scale_rate;    /* s'/s, 1/s */
+    vm_real scale;         /* the factor s(t) at the top of this file */
+    vm_real scale_rate;    /* s'/s of this factor, 1/s */
 } vmi_odd_rates;
 
-/* Computes these numbers at t. side has the meaning that it has for vmi_odd_read_laws. Returns VM_NO_LAW where the
-   shape of the force cannot be made constant. */
+/* Computes the fields of *r at t. Where the rate of a law jumps at t, side = 1 asks for its value after t, side = -1
+   for its value before t. Returns VM_NO_LAW where the shape of the force cannot be made constant. */
 VM_API int vmi_odd_rates_at(const vm_odd_problem *o, vm_real t, int side, vmi_odd_rates *r)
 {
     vm_real m[VMI_LAW_ORDERS], k[VMI_LAW_ORDERS], b[VMI_LAW_ORDERS];
@@ -223,15 +230,17 @@ VM_API int vmi_odd_rates_at(const vm_odd_problem *o, vm_real t, int side, vmi_od
     return VM_OK;
 }
 
-/* The damping h of orbit_ripple.h, and its first two derivatives h1 and h2 with respect to s, where ds/dt =
-   sqrt(K/m). spring is G m/K, the weak linear spring at the top of this file, and spring1 its derivative. */
+/* The damping h of orbit_ripple.h, and its first two derivatives h1 and h2 with respect to the new time s of that file,
+   where ds/dt = sqrt(K/m). spring is G m/K, which stands for the weak linear spring at the top of this file, and
+   spring1 is the derivative of spring with respect to the new time. */
 typedef struct VM_TAG(vmi_odd_slow) {
     vm_real h, h1, h2;
     vm_real spring, spring1;
 } vmi_odd_slow;
 
-/* Computes h, h1, h2 and the spring at t. length, s, is needed for the derivatives of users' laws (see
-   vmi_law_derivatives). */
+/* Computes the fields of *slow at t. `length`, in seconds, is needed for the derivatives of laws that are functions of
+   the user (see vmi_law_derivatives). Where a derivative of a law jumps at t, side = 1 asks for its value after t, side
+   = -1 for its value before t. */
 VM_API int vmi_odd_slow_at(const vm_odd_problem *o, vm_real t, int side, vm_real length, vmi_odd_slow *slow)
 {
     enum { TERMS = 4 };

@@ -2,9 +2,9 @@
 
    The equation of motion, with the laws of time m(t) (kg), k(t) (a pure number) and b(t) (kg/s), is
        m x'' + k F(x) + (reactive m' + b) x' = 0,   x(0) and x'(0) given
-   F is odd: Duffing's force k1 x + k3 x^3 (oscillators/duffing.h) or a function of the user (oscillators/odd_force.h).
-   `reactive` is 1 where mass that joins or leaves is at rest, 0 where it has the body's velocity. k1 and k3 may follow
-   laws of their own (vm_duffing_force_of_laws). Shortest useful call:
+   F is odd, that is F(-x) = -F(x). It is Duffing's force k1 x + k3 x^3 (oscillators/duffing.h) or a function of the
+   user (oscillators/odd_force.h). `reactive` is 1 where mass that joins or leaves is at rest, 0 where it has the body's
+   velocity. k1 and k3 may depend on time, too (vm_duffing_force_of_laws). The shortest useful call:
        vm_odd_problem problem;
        vm_odd_motion motion;
        problem.force = vm_duffing_force(100, 2000);           // 100 N/m x + 2000 N/m^3 x^3
@@ -15,9 +15,9 @@
        problem.x = VM_C(0.2);
        problem.v = 0;
        if (vm_odd_within(&problem, 60, VM_C(1e-3), &motion) == VM_OK) printf("%g m\n", (double)motion.x);
-   Method: averaging of the action and the phase (oscillators/orbit_ripple.h), or integration by rk87 where the laws are
-   not slow or the motion crosses a separatrix, the border between two kinds of vibration. A plan contains the mean
-   motion from 0 to a given time. Guide: docs/duffing.md. Tests: tests/test_odd_force.c. */
+   Method: averaging of the action and the phase (oscillators/orbit_ripple.h). Where the laws are not slow, or where the
+   motion crosses a separatrix, the border between two kinds of vibration, rk87 integrates the equation of motion. A
+   plan contains the mean motion from t = 0 to a given time. Guide: docs/duffing.md. Tests: tests/test_odd_force.c. */
 #ifndef VARMASS_OSCILLATORS_ODD_MOTION_H
 #define VARMASS_OSCILLATORS_ODD_MOTION_H
 
@@ -34,68 +34,78 @@
 #include "orbit_ripple.h"
 #include "panels.h"
 
-/* Routes to x(t) and x'(t), the cheapest first */
+/* Routes, which are methods to compute x(t) and x'(t), the cheapest first */
 enum {
-    VM_ODD_MEAN = 0,   /* the mean motion: averaging with an error of first order in the rates of the laws */
-    VM_ODD_ORDER2 = 1, /* the mean motion and its ripple within a period: an error of second order */
+    VM_ODD_MEAN = 0,   /* the mean motion, by averaging; its error is of first order in the rates of the laws */
+    VM_ODD_ORDER2 = 1, /* the mean motion and its ripple within a period; the error is of second order in these rates */
     VM_ODD_RK87 = 2    /* integration of the equation of motion by rk87 */
 };
 
 /* The motion at one time */
 typedef struct VM_TAG(vm_odd_motion) {
     vm_real x, v;      /* position, m, and velocity, m/s */
-    vm_real amplitude; /* the largest |x| of the present vibration, m; NaN where x and v belong to no vibration */
+    vm_real amplitude; /* the largest |x| of the present vibration, m; NaN where the state (x, v) does not lie on a
+                          vibration */
     vm_real error;     /* estimate of the larger of |error of x|/swing and |error of v|/vmax, where swing is half the
-                          distance of the turning points and vmax the largest velocity of the present vibration */
-    int route;         /* the route that was taken, VM_ODD_... */
+                          distance between the turning points of the present vibration, and vmax is its largest
+                          velocity */
+    int route;         /* the route by which x and v were computed, VM_ODD_... */
     long evals;        /* evaluations of the equation of motion; 0 where nothing was integrated */
 } vm_odd_motion;
 
 /* -- The plan -- */
 
-/* The largest number of panels of time that a plan holds (a user's law needs 32 at least), and the number of
-   derivatives that tell how fast the laws change */
+/* VMI_ODD_PANELS is the largest number of panels of time in a plan; a law by a user's function needs at least 32.
+   VMI_ODD_ORDERS is the number of integrals in the field `change` of a panel, which measure how fast the laws
+   change. */
 enum { VMI_ODD_PANELS = 48, VMI_ODD_ORDERS = 7 };
 
 /* A panel of time, on which the laws and the mean motion are Legendre series */
 typedef struct VM_TAG(vmi_odd_panel) {
-    vm_real t, length;          /* its start and its length, s; backward in time the length is negative */
-    vm_real phase;              /* mean phase at its start */
-    vm_real decay;              /* integral of b/m from 0 to its start */
-    vm_real ln_J;               /* ln of the mean action J divided by its value at t = 0; it changes at points of
+    vm_real t, length;          /* start and length of the panel, s; backward in time the length is negative */
+    vm_real phase;              /* mean phase at the start of the panel */
+    vm_real decay;              /* integral of b/m over time, from t = 0 to the start of the panel; b is the damping */
+    vm_real ln_J;               /* ln of the mean action J divided by its value at t = 0; it changes only at points of
                                    tables */
-    vm_real rate[VMI_GAUSS];    /* series of the rate of the mean phase, 1/s */
-    vm_real size[VMI_GAUSS];    /* series of the size of the mean orbit (see vmi_orbit) */
-    /* Element i is the integral of |d^i (h/w)/dphi^i| over the phase phi, from t = 0 to the end of the panel. */
+    vm_real rate[VMI_GAUSS];    /* Legendre series of the rate of the mean phase, 1/s */
+    vm_real size[VMI_GAUSS];    /* Legendre series of the field `size` of the mean orbit (see vmi_orbit) */
+    /* Element i is the integral of |d^i (h/w)/dphi^i| over the phase phi, from t = 0 to the end of the panel. h is the
+       damping of oscillators/orbit_ripple.h, and w the rate of the phase. */
     vm_real change[VMI_ODD_ORDERS];
-    vm_real knots;              /* terms of ln J that order two leaves out at points of tables, from t = 0 to the end of
-                                   the panel */
-    vm_real largest_a, largest_B; /* largest values on the panel of the ripple's fields of these names */
-    vm_real gamma;              /* largest ratio, on the panel, of the relative change of w to that of j */
+    vm_real knots;              /* terms of ln J that the route VM_ODD_ORDER2 leaves out at points of tables, from t = 0
+                                   to the end of the panel */
+    vm_real largest_a, largest_B; /* largest values, on the panel, of the fields largest_a and largest_B of
+                                     vmi_orbit_ripple */
+    vm_real gamma;              /* largest value, on the panel, of (relative change of the phase rate w)/(relative
+                                   change of the action j) */
 } vmi_odd_panel;
 
-/* The mean motion of a problem from t = 0 to a given time. Fill it by vm_odd_plan_init; read its fields, but do not
-   change them. It points to the tables, functions and contexts of the problem. */
+/* The mean motion of a problem from t = 0 to a given time. Fill the plan by vm_odd_plan_init. Read its fields, but do
+   not change them. The plan contains pointers to the tables of the problem, to the user's functions and to their
+   ctx. */
 typedef struct VM_TAG(vm_odd_plan) {
     vm_odd_problem problem; /* a copy of the problem */
     vm_real t_end;          /* the time up to which the plan was asked for, s */
-    vm_real reach;          /* the time up to which the averaged solutions exist, s: t_end, or less */
-    vm_real m0, k0, speed0; /* mass, factor k and sqrt(k/m) at t = 0 */
-    vm_real v0;             /* velocity of the reduced motion x/s of odd_laws.h at t = 0, divided by speed0 */
+    vm_real reach;          /* the time up to which the averaged solutions exist, s: t_end, or a time between 0 and
+                               t_end */
+    vm_real m0, k0, speed0; /* mass m, stiffness factor k and sqrt(k/m) at t = 0 */
+    vm_real v0;             /* rate of x/s at t = 0, where s is the factor of odd_laws.h, divided by speed0 */
     int at_rest;            /* 1 where the body rests in equilibrium, else 0 */
-    vmi_orbit start;        /* the orbit of the state at t = 0; its size is 0 where there is no vibration */
-    vm_real phi;            /* phase of this state */
+    vmi_orbit start;        /* the orbit through the state at t = 0; its field `size` is 0 where there is no
+                               vibration */
+    vm_real phi;            /* phase of the state at t = 0 on the orbit `start` */
     vm_real ln_j, phase;    /* ln of the mean action, and mean phase, at t = 0 */
-    vmi_odd_slow slow;      /* damping h and weak spring at t = 0, and their derivatives */
-    vm_real gamma;          /* ratio of a relative change of w to that of j, at t = 0 */
-    vm_real first_a;        /* field largest_a of the ripple at t = 0 */
-    vm_real first_B;        /* field largest_B of the ripple at t = 0 */
+    vmi_odd_slow slow;      /* the damping h and the weak spring of odd_laws.h at t = 0, and their derivatives */
+    vm_real gamma;          /* (relative change of the phase rate w)/(relative change of the action j) at t = 0 */
+    vm_real first_a;        /* field largest_a of vmi_orbit_ripple at t = 0 */
+    vm_real first_B;        /* field largest_B of vmi_orbit_ripple at t = 0 */
     int n;                  /* number of panels */
     vmi_odd_panel panel[VMI_ODD_PANELS];
 } vm_odd_plan;
 
-/* Finds the orbit whose action is exp(ln_j), by Newton's method. The size of *orbit is the first guess. A step to a
-   size at which there is no orbit is halved. Returns VM_NO_LAW where there is no orbit with this action. */
+/* Finds the orbit whose action is exp(ln_j), by Newton's method. The field `size` of *orbit is the first guess. If a
+   step leads to a size at which there is no orbit, the step is halved. Returns VM_NO_LAW where there is no orbit with
+   this action. */
 VM_API int vmi_orbit_find(vmi_orbit *orbit, vm_real ln_j)
 {
     const vm_real enough = 4 * VM_EPSILON, longest = 2;
@@ -119,17 +129,18 @@ VM_API int vmi_orbit_find(vmi_orbit *orbit, vm_real ln_j)
     return VM_NO_LAW;
 }
 
-/* The change of ln j by the adiabatic law since t = 0. *now has the values of the laws at the present time; decay is
-   the integral of b/m from 0 to this time. */
+/* The change of ln j since t = 0 by the adiabatic law, where j is the action. *now contains the values of the laws at
+   the present time, and `decay` is the integral of b/m from 0 to this time, where b is the damping. */
 VM_API vm_real vmi_odd_adiabatic(const vm_odd_plan *p, const vmi_odd_rates *now, vm_real decay)
 {
     const vm_real ln_m = vmi_log(now->m / p->m0).hi, ln_k = vmi_log(now->k / p->k0).hi;
-    vm_real shape = 0; /* 2 ln s, where s is the length of odd_laws.h */
+    vm_real shape = 0; /* 2 ln s, where s is the factor in y = x/s of odd_laws.h */
     if (now->ratio1 != now->ratio3) shape = vmi_log(now->ratio1 / now->ratio3).hi;
     return -(ln_k / 2 + (p->problem.reactive - VM_C(0.5)) * ln_m + decay + shape);
 }
 
-/* The longest panel of time that the laws allow for a walk over `whole` seconds, s */
+/* Returns the longest panel, s, that the laws allow for a walk (the integration along the laws) over `whole`
+   seconds. */
 VM_API vm_real vmi_odd_longest_panel(const vm_odd_problem *o, vm_real whole)
 {
     const vm_law *laws[VMI_ODD_LAWS];
@@ -140,26 +151,30 @@ VM_API vm_real vmi_odd_longest_panel(const vm_odd_problem *o, vm_real whole)
     return longest;
 }
 
-/* The time, s, in which the phase of the orbit grows by 16. Derivatives of users' laws are computed from rates at times
-   that differ from the present time by at most this time. */
+/* Returns the time, s, in which the phase of the orbit grows by 16. The second and higher derivatives of laws by users'
+   functions are computed from the first derivatives at times that differ from the present time by at most this time. */
 VM_API vm_real vmi_odd_sampling_time(vm_real w, vm_real speed) { return 16 / (w * speed); }
 
 /* -- A panel -- */
 
-/* The laws at the nodes of a panel, and what follows from them */
+/* The laws at the nodes of Gauss' rule on a panel, and numbers that follow from the laws */
 typedef struct VM_TAG(vmi_odd_nodes) {
     vmi_odd_rates rates[VMI_GAUSS];
     vm_real decay[VMI_GAUSS];  /* integral of b/m from t = 0 */
-    vm_real h_rate[VMI_GAUSS]; /* time derivative of the field h of the rates, 1/s^2 */
-    vm_real spring[VMI_GAUSS]; /* stiffness G of the weak spring of odd_laws.h, divided by the mass, 1/s^2 */
-    vm_real edge;              /* largest relative difference between a law and its series at the panel's ends */
+    vm_real h_rate[VMI_GAUSS]; /* time derivative of the field h of vmi_odd_rates, 1/s^2 */
+    vm_real spring[VMI_GAUSS]; /* the number G of odd_laws.h, 1/s^2, at the nodes: m G is the stiffness of the weak
+                                  spring */
+    vm_real edge;              /* largest relative difference between a law and its Legendre series at the ends of the
+                                  panel */
     vm_real decay_end;         /* integral of b/m from t = 0 to the end of the panel */
-    vm_real inverse[VMI_GAUSS], stiffness[VMI_GAUSS]; /* series of 1/m and k */
-    vm_real ratio1[VMI_GAUSS], ratio3[VMI_GAUSS];     /* series of these fields of the rates */
+    vm_real inverse[VMI_GAUSS], stiffness[VMI_GAUSS]; /* Legendre series of 1/m and of k */
+    vm_real ratio1[VMI_GAUSS], ratio3[VMI_GAUSS];     /* Legendre series of the fields ratio1 and ratio3 of
+                                                         vmi_odd_rates */
 } vmi_odd_nodes;
 
-/* Reads the shape of the force: its series, the errors of these series at the ends of the panel, and the weak spring at
-   the nodes. The rates at the nodes must be set. */
+/* Reads the shape of the force, which changes where k1 and k3 follow laws. It writes the series ratio1 and ratio3,
+   raises `edge` to the errors of these series at the ends of the panel, and writes the weak spring at the nodes. The
+   field `rates` of *at must be set before. */
 VM_API int vmi_odd_read_shape(const vm_odd_problem *o, const vmi_odd_panel *panel, vmi_odd_nodes *at)
 {
     const vm_odd_force *force = &o->force;
@@ -186,7 +201,7 @@ VM_API int vmi_odd_read_shape(const vm_odd_problem *o, const vmi_odd_panel *pane
     return vmi_panel_edge(&force->laws[1], VM_OK, 0, panel->t, panel->length, k3, &at->edge);
 }
 
-/* Reads the laws at the nodes of a panel. */
+/* Fills *at with the laws at the nodes of Gauss' rule on a panel. */
 VM_API int vmi_odd_read(const vm_odd_problem *o, const vmi_odd_panel *panel, vmi_odd_nodes *at)
 {
     const int side = vmi_time_side(panel->length);
@@ -218,9 +233,9 @@ VM_API int vmi_odd_read(const vm_odd_problem *o, const vmi_odd_panel *panel, vmi
     return vmi_odd_read_shape(o, panel, at);
 }
 
-/* Adds to panel->change the integrals over this panel. They are computed from the series of h/w, with root mean squares
-   in place of absolute values. Coefficients that are as small as rounding errors are left out. The series is
-   overwritten. */
+/* Adds to the field `change` the integrals of |d^i (h/w)/dphi^i| over this panel. They are computed from `ratio`, the
+   Legendre series of h/w, with root mean squares in place of absolute values. Coefficients of the series that are as
+   small as rounding errors become 0 first. The series is overwritten. */
 VM_API void vmi_odd_add_changes(vmi_odd_panel *panel, vm_real *ratio)
 {
     const vm_real noise = (VM_MANT_DIG > 24 ? 4096 : 16) * VM_EPSILON;
@@ -237,11 +252,12 @@ VM_API void vmi_odd_add_changes(vmi_odd_panel *panel, vm_real *ratio)
     }
 }
 
-/* The number of the kth node in the order of time, 0 <= k < 20: 0, 2 ... 18, 19, 17 ... 1 */
+/* The index of the node that comes at place k in time, 0 <= k < 20. In the order of time the indices are 0, 2 ... 18,
+   19, 17 ... 1. */
 VM_API int vmi_odd_node_number(int k) { return k < VMI_GAUSS / 2 ? 2 * k : 2 * VMI_GAUSS - 1 - 2 * k; }
 
-/* Computes the series of a panel. The fields for its start and its length must be set. At the call *orbit is a guess of
-   the mean orbit at the start; afterwards it is the orbit at the last node. */
+/* Computes the Legendre series of a panel, whose fields for its start and length must be set. Before the call *orbit
+   must be a guess of the mean orbit at the start of the panel. After the call it is the mean orbit at the last node. */
 VM_API int vmi_odd_panel_of(const vm_odd_plan *p, vmi_odd_panel *panel, vmi_orbit *orbit, vmi_odd_nodes *at)
 {
     vm_real rates[VMI_GAUSS], sizes[VMI_GAUSS], bends[VMI_GAUSS], ratios[VMI_GAUSS];
@@ -280,9 +296,10 @@ VM_API int vmi_odd_panel_of(const vm_odd_plan *p, vmi_odd_panel *panel, vmi_orbi
     return VM_OK;
 }
 
-/* Whether a panel is short enough for its series. Phase and size are also needed inside the panel. There their errors
-   are as large as the terms that their series leave out, while the error of an integral is about the square of such
-   terms. varying is 1 where k1 and k3 follow laws of their own. whole is the length of the walk, s. */
+/* Returns 1 if a panel is so short that its Legendre series are accurate enough, else 0. The limit is stricter for the
+   series of phase rate and size, which are also used inside the panel: there the errors are as large as the terms that
+   a series leaves out, while the error of an integral over the panel is about the square of such terms. `varying` is 1
+   where k1 and k3 follow laws. `whole` is the length of the whole integration in time, s. */
 VM_API int vmi_odd_panel_is_resolved(const vmi_odd_panel *panel, const vmi_odd_nodes *at, int varying, vm_real whole)
 {
     const vm_real limit = vmi_panel_limit(panel->length, whole), fine = VM_MANT_DIG > 24 ? VM_C(1e-12) : VM_C(1e-5);
@@ -295,7 +312,7 @@ VM_API int vmi_odd_panel_is_resolved(const vmi_odd_panel *panel, const vmi_odd_n
 
 /* -- The walk from t = 0 to the plan's end -- */
 
-/* Adds a resolved panel to the plan, and writes the start of the next one to *next. */
+/* Adds to the plan a panel that is short enough, and writes the start values of the next panel to *next. */
 VM_API void vmi_odd_keep(vm_odd_plan *p, const vmi_odd_panel *panel, const vmi_odd_nodes *at, vmi_odd_panel *next)
 {
     p->panel[p->n] = *panel;
@@ -307,8 +324,9 @@ VM_API void vmi_odd_keep(vm_odd_plan *p, const vmi_odd_panel *panel, const vmi_o
     p->reach = next->t;
 }
 
-/* Adds the panels of a piece of time without points of tables. Returns VM_NO_LAW where the averaged motion ends: at a
-   separatrix, and where the plan has no room for more panels. */
+/* Adds to the plan the panels up to the time `end`. No table may have a point between the start of *next and this time.
+   Returns VM_NO_LAW where the averaged motion ends, that is at a separatrix (the border between two kinds of
+   vibration), and where the plan has no room for more panels. */
 VM_API int vmi_odd_walk_piece(vm_odd_plan *p, vm_real end, vm_real longest, vmi_orbit *orbit, vmi_odd_panel *next)
 {
     const vm_real whole = VM_FABS(p->t_end), shortest_at_end = whole / 64;
@@ -336,17 +354,18 @@ VM_API int vmi_odd_walk_piece(vm_odd_plan *p, vm_real end, vm_real longest, vmi_
     return VM_OK;
 }
 
-/* The relative change of the action within a period that a weak linear spring of stiffness 1 causes. On an orbit at one
-   side of x = 0 (in a well) it is larger for a smaller orbit, because the spring moves the place of rest. */
+/* The relative change of the action within a period that a weak linear spring of stiffness 1 causes. On an orbit in a
+   well, which lies at one side of x = 0, this change is larger for a smaller orbit, because the spring moves the place
+   of rest. */
 VM_API vm_real vmi_odd_spring_ripple(const vmi_orbit *orbit)
 {
-    vm_real squares = orbit->size; /* the largest change of x^2 */
+    vm_real squares = orbit->size; /* the largest change of x^2 along the orbit */
     if (orbit->place == VMI_ORBIT_AROUND_0) squares *= orbit->size;
     return squares / (2 * orbit->w * orbit->j);
 }
 
-/* Continues the mean motion beyond the time t, a point of a table. The derivative of h jumps there, but the motion does
-   not jump. Therefore the mean action jumps. */
+/* Continues the mean motion beyond the time t, a point of a table. The derivative of the damping h of odd_laws.h jumps
+   there, but the motion does not jump. Therefore the mean action jumps. */
 VM_API int vmi_odd_walk_past_knot(const vm_odd_plan *p, vmi_orbit *orbit, vmi_odd_panel *next)
 {
     const int side = vmi_time_side(p->t_end);
@@ -374,7 +393,8 @@ VM_API int vmi_odd_walk_past_knot(const vm_odd_plan *p, vmi_orbit *orbit, vmi_od
     return VM_OK;
 }
 
-/* Computes the panels of the mean motion one after the other, from t = 0 to the plan's end. Returns a status. */
+/* Computes the panels of the mean motion one after the other, from t = 0 to the time t_end of the plan. Returns a
+   status. */
 VM_API int vmi_odd_walk(vm_odd_plan *p, vmi_orbit *orbit)
 {
     const vm_odd_problem *o = &p->problem;
@@ -399,7 +419,8 @@ VM_API int vmi_odd_walk(vm_odd_plan *p, vmi_orbit *orbit)
     return status;
 }
 
-/* Computes the mean motion at t = 0 from the state at t = 0, and the numbers that estimates need there. */
+/* Computes the mean motion at t = 0 from the state at t = 0, and the numbers at t = 0 that the estimates of the error
+   need. */
 VM_API int vmi_odd_start(vm_odd_plan *p, const vmi_orbit *orbit)
 {
     const int side = vmi_time_side(p->t_end);
@@ -431,8 +452,8 @@ VM_API int vmi_odd_check(const vm_odd_problem *o, vm_real t)
     return vmi_first_error(status, vmi_odd_check_laws(o, t));
 }
 
-/* Writes the velocity of the reduced motion at t = 0, divided by speed0. Where the shape of the force cannot be made
-   constant, it is the velocity of the body itself. */
+/* Writes the field v0 of the plan: the rate of x/s at t = 0, divided by speed0, where s is the factor of odd_laws.h.
+   Where the shape of the force cannot be made constant, s is taken as 1. */
 VM_API int vmi_odd_first_velocity(vm_odd_plan *p)
 {
     const vm_odd_problem *o = &p->problem;
@@ -444,7 +465,7 @@ VM_API int vmi_odd_first_velocity(vm_odd_plan *p)
     return VM_OK;
 }
 
-/* Fills a plan whose fields problem, t_end, m0, k0 and speed0 are set. */
+/* Sets all other fields of a plan whose fields problem, t_end, m0, k0 and speed0 are set. */
 VM_API int vmi_odd_fill(vm_odd_plan *p)
 {
     const vm_odd_problem *o = &p->problem;
@@ -464,19 +485,20 @@ VM_API int vmi_odd_fill(vm_odd_plan *p)
     if (status == VM_NO_LAW) return VM_OK;
     if (status || p->at_rest || orbit.size == 0) return status;
     p->start = orbit;
-    p->start.force = NULL; /* use p->problem.force: a pointer to it would be wrong in a copy of the plan */
+    p->start.force = NULL; /* the force is p->problem.force; a pointer to it would be wrong in a copy of the plan */
     status = vmi_odd_start(p, &orbit);
     if (!status && p->t_end != 0) status = vmi_odd_walk(p, &orbit);
     return status == VM_NO_LAW ? VM_OK : status;
 }
 
-/* Plan for many values of one vibration under an odd elastic force, from t = 0 to t_end (s, any sign).
-   vm_odd_plan_within and vm_odd_plan_by_route use it. The problem is copied; its tables and contexts must exist as long
-   as the plan is used. Where the averaged motion ends before t_end, at a separatrix or because laws change too fast,
-   the plan's field reach says where; beyond it only VM_ODD_RK87 works. Errors leave the plan untouched. Returns
-   VM_BAD_ARGUMENT for null pointers and for a law or force that no constructor made, VM_NOT_FINITE for a number that is
-   infinite or NaN, VM_BAD_MASS or VM_BAD_STIFFNESS for a law that is not positive, VM_DOMAIN for a table out of order
-   or one that does not contain 0 and t_end, and where a user's function fails. */
+/* Makes a plan, by which one vibration under an odd elastic force is computed at many times between t = 0 and t_end (s,
+   any sign). vm_odd_plan_within and vm_odd_plan_by_route use the plan. The problem is copied; its tables and what ctx
+   points to must exist as long as the plan is used. The averaged motion may end before t_end, at a separatrix (the
+   border between two kinds of vibration) or because laws change too fast. The field `reach` is the time at which it
+   ends; at later times only the route VM_ODD_RK87 works. Errors leave the plan untouched. Returns VM_BAD_ARGUMENT for
+   null pointers and for a law or force that no constructor made, VM_NOT_FINITE for a number that is infinite or NaN,
+   VM_BAD_MASS or VM_BAD_STIFFNESS for a mass or a stiffness that is not positive, and VM_DOMAIN for a table whose times
+   do not rise or do not contain 0 and t_end, and where a user's function fails. */
 VM_API int vm_odd_plan_init(vm_odd_plan *p, const vm_odd_problem *problem, vm_real t_end)
 {
     vm_odd_plan plan;
@@ -508,11 +530,12 @@ VM_API int vm_odd_plan_init(vm_odd_plan *p, const vm_odd_problem *problem, vm_re
 typedef struct VM_TAG(vmi_odd_mean) {
     vmi_orbit orbit;     /* the mean orbit */
     vm_real phase;       /* the mean phase */
-    vmi_odd_rates rates; /* the laws */
+    vmi_odd_rates rates; /* the laws at this time, and their rates */
     const vmi_odd_panel *panel;
 } vmi_odd_mean;
 
-/* Computes the mean motion at t from the series of the plan. Returns VM_NO_LAW beyond the plan's reach. */
+/* Computes the mean motion at t from the series of the plan. Returns VM_NO_LAW where t lies beyond the field `reach` of
+   the plan. */
 VM_API int vmi_odd_mean_at(const vm_odd_plan *p, vm_real t, vmi_odd_mean *mean)
 {
     const vmi_odd_panel *panel = p->panel;
@@ -545,8 +568,9 @@ VM_API int vmi_odd_add_ripple(vmi_odd_mean *mean)
     return orbit->force->complete(orbit);
 }
 
-/* A bound of the change of ln J that fast changes of the laws cause: the smallest of the bounds that follow from
-   integrating by parts i times, as vmi_osc_fast (oscillators/mean_motion.h) does */
+/* A bound of the change of ln J, where J is the action, that fast changes of the laws cause. Integrating by parts i
+   times gives a bound for each i, and the function returns the smallest bound; vmi_osc_fast (oscillators/mean_motion.h)
+   explains this. */
 VM_API vm_real vmi_odd_fast(const vmi_odd_mean *mean, vm_real largest_a)
 {
     const vm_real turn = mean->orbit.span / VM_PI;
@@ -561,7 +585,8 @@ VM_API vm_real vmi_odd_fast(const vmi_odd_mean *mean, vm_real largest_a)
     return least;
 }
 
-/* The sizes of terms of second and of third order on an orbit, for the damping and the spring in *slow */
+/* Writes the sizes of the terms of second and of third order in the rates of the laws, for one orbit and for the
+   damping and the weak spring in *slow. */
 VM_API void vmi_odd_sizes(const vmi_odd_slow *slow, const vmi_orbit *orbit, vm_real *second, vm_real *third)
 {
     const vm_real w = orbit->w, by_spring = vmi_odd_spring_ripple(orbit);
@@ -571,7 +596,8 @@ VM_API void vmi_odd_sizes(const vmi_odd_slow *slow, const vmi_orbit *orbit, vm_r
     *third = h2 + 4 * h * h1 + 4 * h * h * h + spring1 + 4 * h * spring;
 }
 
-/* The factor by which a small error of the phase becomes an error of x/swing or of v/vmax */
+/* Returns the factor by which a small error of the phase must be multiplied to give the error of x/swing or of v/vmax.
+   swing and vmax are fields of the orbit. */
 VM_API vm_real vmi_odd_steepness(const vmi_orbit *orbit)
 {
     const vm_real of_x = orbit->vmax / (orbit->w * orbit->swing);
@@ -579,9 +605,10 @@ VM_API vm_real vmi_odd_steepness(const vmi_orbit *orbit)
     return vmi_larger(of_x, orbit->energy_slope / (orbit->w * orbit->vmax));
 }
 
-/* Estimates the error of an averaged solution at t. It adds up the sizes of the terms that are left out: in the
-   transformation at the start and at t, and in the action at the start and at points of tables. An error of the action
-   changes the phase by gamma times the phase. The factors are chosen to fit the errors of random problems in
+/* Estimates the error of an averaged solution at t. The estimate is the sum of the sizes of the terms that are left
+   out: in the transformation between motion and mean motion at t = 0 and at t, and in the action at t = 0 and at points
+   of tables. A relative error of the action changes the phase by gamma times this error times the phase, where gamma is
+   the field of the plan or panel. The numerical factors are chosen to fit the errors of random problems in
    tests/test_odd_force.c. */
 VM_API int vmi_odd_error(const vm_odd_plan *p, int route, vm_real t, const vmi_odd_mean *mean, vm_real *error)
 {
@@ -606,7 +633,8 @@ VM_API int vmi_odd_error(const vm_odd_plan *p, int route, vm_real t, const vmi_o
     return VM_OK;
 }
 
-/* Writes the motion at t by averaging, of first order for VM_ODD_MEAN, else of second order. */
+/* Writes the motion at t by averaging. Its error is of first order for the route VM_ODD_MEAN, and of second order for
+   VM_ODD_ORDER2. */
 VM_API int vmi_odd_averaged(const vm_odd_plan *p, int route, vm_real t, vm_odd_motion *motion)
 {
     vmi_odd_mean mean;

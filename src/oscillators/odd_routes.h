@@ -1,12 +1,12 @@
-/* oscillators/odd_routes.h - routes to the motion of a vibration under an odd elastic force, and its integration
+/* oscillators/odd_routes.h - vibration under an odd elastic force, by a given method or by the cheapest
 
-   vm_odd_plan_by_route takes the route that its argument names. vm_odd_plan_within takes the cheapest route whose error
-   is estimated to be within a tolerance, and vm_odd_within does so without a plan. The problem and the averaged
-   solutions are those of oscillators/odd_motion.h, which also shows the shortest useful call. vm_odd_rhs is the
-   equation of motion. tests/test_odd_force.c compares the estimates with the true errors of random problems. The true
-   error is below three times the estimate in 99 % of the problems, and never above ten times the estimate. The
-   integration of a force with a kink, as x + x|x| has, needs very short steps: it may miss tolerances below 1e-6 and
-   then returns VM_TOLERANCE_MISSED. Tests: tests/test_odd_force.c. */
+   The methods that compute the motion are called routes. vm_odd_plan_by_route takes the route that its argument names.
+   vm_odd_plan_within takes the cheapest route whose estimated error is within a tolerance, and vm_odd_within does so
+   without a plan. oscillators/odd_motion.h has the problem and the averaged solutions, and shows the shortest useful
+   call. vm_odd_rhs is the equation of motion. tests/test_odd_force.c compares the estimates with the true errors of
+   random problems. The true error is below three times the estimate in 99 % of the problems, and never above ten times
+   the estimate. If the force has a kink, as x + x|x| has, the integration needs very short steps. It may then miss
+   tolerances below 1e-6; if it does, the function returns VM_TOLERANCE_MISSED. Tests: tests/test_odd_force.c. */
 #ifndef VARMASS_OSCILLATORS_ODD_ROUTES_H
 #define VARMASS_OSCILLATORS_ODD_ROUTES_H
 
@@ -24,7 +24,7 @@
 
 /* -- The equation of motion -- */
 
-/* Writes the acceleration at t, position x and velocity v, m/s^2. */
+/* Writes the acceleration, m/s^2, at the time t, the position x and the velocity v. */
 VM_API int vmi_odd_acceleration(const vm_odd_problem *o, vm_real t, int side, vm_real x, vm_real v, vm_real *a)
 {
     vmi_odd_now now;
@@ -36,7 +36,8 @@ VM_API int vmi_odd_acceleration(const vm_odd_problem *o, vm_real t, int side, vm
     return VM_OK;
 }
 
-/* The status of the laws at t that comes first in the table of errors */
+/* Checks all laws at t. If several laws are wrong, it returns the status that comes first in the table of errors in
+   src/base/status.h. */
 VM_API int vmi_odd_statuses_at(const vm_odd_problem *o, vm_real t)
 {
     const vm_law *laws[VMI_ODD_LAWS];
@@ -49,11 +50,11 @@ VM_API int vmi_odd_statuses_at(const vm_odd_problem *o, vm_real t)
     return status;
 }
 
-/* Equation of motion of a vibration under an odd elastic force, for rk45 or rk87. y = (x, x') is in m and m/s; problem
-   points to a vm_odd_problem, whose x and v are not used. Returns VM_BAD_ARGUMENT for null pointers and for a law or a
-   force that no constructor made, VM_NOT_FINITE for a number that is infinite or NaN, VM_BAD_MASS or VM_BAD_STIFFNESS
-   for a law that is not positive, and VM_DOMAIN for t outside a table and where a user's function fails. These statuses
-   stop the run. */
+/* Equation of motion of a vibration under an odd elastic force, for rk45 or rk87. The array y = (x, x') is in m and
+   m/s. `problem` points to a vm_odd_problem, whose fields x and v are not used. Returns VM_BAD_ARGUMENT for null
+   pointers and for a law or a force that no constructor made, VM_NOT_FINITE for a number that is infinite or NaN,
+   VM_BAD_MASS or VM_BAD_STIFFNESS for a mass or a stiffness that is not positive, and VM_DOMAIN for t outside a table
+   and where a user's function fails. These statuses stop the integration. */
 VM_API int vm_odd_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *problem)
 {
     const vm_odd_problem *o = (const vm_odd_problem *)problem;
@@ -65,7 +66,7 @@ VM_API int vm_odd_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *problem)
     if (!VM_IS_FINITE(o->reactive)) return VM_NOT_FINITE;
     status = vmi_odd_acceleration(o, t, 1, y[0], y[1], &a);
     if (!status && !VM_IS_FINITE(a)) status = VM_NOT_FINITE;
-    if (status) /* return the status that comes first in the table of errors */
+    if (status) /* return the status that comes first in the table of errors in src/base/status.h */
         return vmi_first_error(status, vmi_odd_statuses_at(o, t));
     dydt[0] = y[1];
     dydt[1] = a;
@@ -74,19 +75,20 @@ VM_API int vm_odd_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *problem)
 
 /* -- Integration -- */
 
-/* A run of rk87 from 0 to t. Its state is x/length and v/velocity, so that both are of the order of 1. */
+/* One integration by rk87 from time 0 to t, called a run. Its two unknowns are x/length and v/velocity, so that both
+   are of the order of 1. */
 typedef struct VM_TAG(vmi_odd_run) {
     const vm_odd_plan *plan;
     int side;                 /* 1 forward, -1 backward in time */
-    int status;               /* status of a law or of the force that stopped the run */
+    int status;               /* the status of a law or of the force that stopped the integration, or VM_OK */
     vm_real length, velocity; /* units of the state */
     vm_real longest;          /* longest step, s */
-    long evals;               /* evaluations by all runs so far */
+    long evals;               /* number of evaluations of the right-hand side by all runs so far */
     rk87 s;
     vm_real work[RK87_WORK(2)];
 } vmi_odd_run;
 
-/* Right-hand side of the equation of motion for a run */
+/* Right-hand side of the equation of motion for a run, in the units of the run */
 VM_API int vmi_odd_run_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *run)
 {
     vmi_odd_run *c = (vmi_odd_run *)run;
@@ -99,7 +101,7 @@ VM_API int vmi_odd_run_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *run
     return VM_OK;
 }
 
-/* Chooses the units of the state, and the longest step for an integration over `whole` seconds. */
+/* Chooses the units of x and v, and the longest step for an integration over `whole` seconds. */
 VM_API void vmi_odd_units(vmi_odd_run *c, vm_real whole)
 {
     const vm_odd_plan *p = c->plan;
@@ -121,7 +123,7 @@ VM_API void vmi_odd_units(vmi_odd_run *c, vm_real whole)
         if (laws[i]->function) c->longest = vmi_smaller(vmi_law_longest_panel(laws[i], whole) / 4, c->longest);
 }
 
-/* Integrates from the present time to t, and stops and restarts at every table point of the laws on the way. */
+/* Integrates from the present time to t. It stops and restarts at every point of a table between these times. */
 VM_API int vmi_odd_solve(vmi_odd_run *c, vm_real t)
 {
     const vm_odd_problem *o = &c->plan->problem;
@@ -140,8 +142,9 @@ VM_API int vmi_odd_solve(vmi_odd_run *c, vm_real t)
     return VM_OK;
 }
 
-/* Writes the motion at the run's time, and the swing and the largest velocity of the vibration there. Where there is no
-   vibration, the amplitude is NaN, *swing is c->length and *vmax is c->velocity. */
+/* Writes the motion at the time that the run has reached, and the swing (half the distance between the turning points)
+   and the largest velocity of the vibration at this time. Where there is no vibration, the amplitude is NaN, *swing is
+   c->length and *vmax is c->velocity. */
 VM_API int vmi_odd_motion_now(const vmi_odd_run *c, vm_odd_motion *motion, vm_real *swing, vm_real *vmax)
 {
     const vm_odd_problem *o = &c->plan->problem;
@@ -152,7 +155,7 @@ VM_API int vmi_odd_motion_now(const vmi_odd_run *c, vm_odd_motion *motion, vm_re
     int status = vmi_odd_read_laws(o, c->s.t, -c->side, &now);
     if (status) return status;
     speed = VM_SQRT(now.k / now.m);
-    if (o->force.laws) { /* the orbit is that of the force at this time */
+    if (o->force.laws) { /* the orbit under the force that acts at this time */
         force.k1 = now.k1;
         force.k3 = now.k3;
     }
@@ -172,8 +175,8 @@ VM_API int vmi_odd_motion_now(const vmi_odd_run *c, vm_odd_motion *motion, vm_re
     return VM_OK;
 }
 
-/* Makes one run from 0 to t. Writes the motions at the times of vmi_osc_check_time, and their swings and largest
-   velocities. */
+/* Makes one run from 0 to t. Writes the motions at the times of vmi_osc_check_time, with the swing (half the distance
+   between the turning points) and the largest velocity of each. */
 VM_API int vmi_odd_run_once(vmi_odd_run *c, vm_real t, vm_real tolerance, vm_odd_motion *motion, vm_real *swing,
                             vm_real *vmax)
 {
@@ -202,8 +205,9 @@ VM_API int vmi_odd_run_once(vmi_odd_run *c, vm_real t, vm_real tolerance, vm_odd
     return VM_OK;
 }
 
-/* Makes two runs, one with a loose and one with a strict tolerance. Writes the motion at t of the strict run; its error
-   is the largest difference of the two runs. */
+/* Makes two runs, which are integrations from 0 to t: one with a loose tolerance and one with a strict tolerance and
+   half the longest step. Writes the motion at t from the strict run. Its error is estimated from the largest difference
+   between the two runs and from the strict tolerance. */
 VM_API int vmi_odd_pair(vmi_odd_run *c, vm_real t, vm_real step_tolerance, vm_odd_motion *motion)
 {
     const vmi_osc_tuning tuning = vmi_osc_method_rk87(vmi_odd_run_rhs).tuning;
@@ -226,9 +230,10 @@ VM_API int vmi_odd_pair(vmi_odd_run *c, vm_real t, vm_real step_tolerance, vm_od
     return VM_OK;
 }
 
-/* Computes the motion at t by rk87. It makes pairs of runs with stricter and stricter tolerances until the estimated
-   error is within `tolerance`. After a pair that is not better than the best pair so far, the longest step is halved.
-   After three such pairs the best pair is the result. */
+/* Computes the motion at t by rk87. It makes pairs of integrations, called runs, with stricter and stricter tolerances
+   until the estimated error is within `tolerance`, at most eight pairs. If the error of a pair is not below half of the
+   smallest error so far, the longest step is halved. After three such pairs no further pair is made. The result is that
+   of the pair with the smallest error. */
 VM_API int vmi_odd_integrate(const vm_odd_plan *p, vm_real t, vm_real tolerance, vm_odd_motion *motion)
 {
     const int most_attempts = 8, most_stalled = 3;
@@ -263,7 +268,7 @@ VM_API int vmi_odd_integrate(const vm_odd_plan *p, vm_real t, vm_real tolerance,
 
 /* -- Routes -- */
 
-/* Checks the arguments that all calls with a plan share, and replaces a tolerance of 0 by the default. */
+/* Checks the arguments that all functions with a plan have in common, and replaces a tolerance of 0 by the default. */
 VM_API int vmi_odd_check_call(const vm_odd_plan *p, int route, vm_real t, vm_real *tolerance,
                               const vm_odd_motion *motion)
 {
@@ -275,7 +280,8 @@ VM_API int vmi_odd_check_call(const vm_odd_plan *p, int route, vm_real t, vm_rea
     return VM_OK;
 }
 
-/* If t is 0 or the body is at rest, writes the motion, which needs no computation, and returns 1; else returns 0. */
+/* Returns 1 and writes the motion if t is 0 or the body is at rest, so that nothing has to be computed; else returns
+   0. */
 VM_API int vmi_odd_is_known(const vm_odd_plan *p, int route, vm_real t, vm_odd_motion *motion)
 {
     if (t != 0 && !p->at_rest) return 0;
@@ -290,17 +296,17 @@ VM_API int vmi_odd_is_known(const vm_odd_plan *p, int route, vm_real t, vm_odd_m
     return 1;
 }
 
-/* Motion under an odd elastic force at time t (s, within the plan's reach) by a given route VM_ODD_....
-   motion->error estimates the larger of |error of x|/swing and |error of v|/vmax; it is infinite where the averaged
-   solution is far off. The tolerance is for VM_ODD_RK87 only; 0 means 1e-6 (float 1e-3). Returns VM_OK, or
-   VM_TOLERANCE_MISSED where the integration is less accurate than asked for. After an error *motion is unchanged. The
-   errors are
+/* Motion under an odd elastic force at time t (s, between 0 and the plan's t_end) by a given route VM_ODD_....
+   motion->error estimates the larger of |error of x|/swing and |error of v|/vmax (see vm_odd_motion); it is infinite
+   where the averaged solution is not valid. Only VM_ODD_RK87 uses `tolerance`, a bound for this error; 0 means 1e-6
+   (float 1e-3). Returns VM_OK, or VM_TOLERANCE_MISSED where the integration misses the tolerance. After an error
+   *motion is unchanged. The errors are
      VM_BAD_ARGUMENT for null pointers or a route that does not exist,
      VM_NOT_FINITE for a number that is infinite or NaN,
-     VM_BAD_MASS or VM_BAD_STIFFNESS for a law that is not positive between 0 and t,
-     VM_DOMAIN for a negative tolerance, t outside the plan, and where a user's function fails,
-     VM_NO_LAW beyond the plan's reach and where there is no vibration, except for VM_ODD_RK87,
-     VM_NOT_INTEGRATED where the integrator gives up, as it does for a motion that runs away. */
+     VM_BAD_MASS or VM_BAD_STIFFNESS for a mass or a stiffness that is not positive between 0 and t,
+     VM_DOMAIN for a negative tolerance, for t that is not between 0 and t_end, and where a user's function fails,
+     VM_NO_LAW, except for VM_ODD_RK87, for t beyond the plan's field `reach` and where there is no vibration,
+     VM_NOT_INTEGRATED where the integrator cannot reach t, for example because the motion becomes infinite. */
 VM_API int vm_odd_plan_by_route(const vm_odd_plan *p, int route, vm_real t, vm_real tolerance, vm_odd_motion *motion)
 {
     vm_odd_motion r;
@@ -314,9 +320,10 @@ VM_API int vm_odd_plan_by_route(const vm_odd_plan *p, int route, vm_real t, vm_r
 }
 
 /* Motion under an odd elastic force at time t (s, between 0 and the plan's t_end) within a tolerance.
-   It takes the cheapest route whose error is estimated to be within the tolerance; motion->route says which. The
-   tolerance is relative, for the larger of |error of x|/swing and |error of v|/vmax; 0 means 1e-6 (float 1e-3). Beyond
-   the plan's reach it integrates. The statuses are those of vm_odd_plan_by_route except VM_NO_LAW. */
+   The function takes the cheapest route whose estimated error is within the tolerance; motion->route is this route. The
+   error is the larger of |error of x|/swing and |error of v|/vmax (see vm_odd_motion); a tolerance of 0 means 1e-6
+   (float 1e-3). For t beyond the plan's field `reach` the function integrates by rk87. Returns the statuses of
+   vm_odd_plan_by_route except VM_NO_LAW. */
 VM_API int vm_odd_plan_within(const vm_odd_plan *p, vm_real t, vm_real tolerance, vm_odd_motion *motion)
 {
     vm_odd_motion r;
@@ -333,8 +340,8 @@ VM_API int vm_odd_plan_within(const vm_odd_plan *p, vm_real t, vm_real tolerance
 }
 
 /* Motion under an odd elastic force at time t (s, either sign) within a tolerance, without a plan.
-   Use it for a single t; for several, make a plan. Arguments, result and statuses are those of vm_odd_plan_within and
-   of vm_odd_plan_init. */
+   Use this function for a single t; for several values of t make a plan. Arguments, result and statuses are those of
+   vm_odd_plan_within and of vm_odd_plan_init. */
 VM_API int vm_odd_within(const vm_odd_problem *problem, vm_real t, vm_real tolerance, vm_odd_motion *motion)
 {
     vm_odd_plan plan;

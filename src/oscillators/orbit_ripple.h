@@ -1,14 +1,15 @@
 /* oscillators/orbit_ripple.h - how a slow change disturbs the motion on an orbit within a period
 
-   If ds = sqrt(k/m) dt defines a new time s, then slow mass, stiffness, damping b and the reactive force (with the
-   share r) together act as one damping h:
+   An orbit is the motion under an odd force F(x) at one amplitude (oscillators/odd_force.h). Let m be the mass, k the
+   factor of the force, b the damping and r the share of the reactive force. If ds = sqrt(k/m) dt defines a new time s,
+   then all slow changes together act as one damping h:
        x'' + F(x) = -2 h x',   2 h = d ln(mu sqrt(k/m))/ds,   mu' = (r m' + b) mu/m
    so that J = j mu sqrt(k/m) stays constant on average, where j is the action of the orbit. J and the phase phi are
-   canonical variables. Their Hamiltonian is (H + 2 h a) mu sqrt(k/m), where H is the Hamiltonian of constant mass and a
-   the function
+   canonical variables, that is they obey Hamilton's equations. Their Hamiltonian is (H + 2 h a) mu sqrt(k/m), where H
+   is the Hamiltonian for constant mass, and a is the function
        a(phi) = (integral of v dx from phase 0) - j phi
-   of period pi (2 pi in a well) and mean 0. Let B be the integral of a over the phase, with mean 0. To second order
-   in h the mean action and the mean phase are
+   of period pi (2 pi in a well, which is a place of rest beside x = 0) and mean 0. Let B be the integral of a over the
+   phase, with mean 0. To second order in h the mean action and the mean phase are
        j_mean = j + 2h a/w - (B/w)(2h' + 4h^2)/w + 4h^2 j (B/w)_j/w - 2h^2 (a^2 - M) w_j/w^3 + 2h^2 (M/w^2)_j
        phi_mean = phi - 2h (B/w)_j,   phi_mean' = w(j_mean) - 2h^2 (M/w)_jj
    where w is the rate of the phase, M the mean of a^2, _j the derivative with respect to j at fixed phase, and h' =
@@ -27,44 +28,49 @@
 #include "../base/scalars.h"
 #include "odd_force.h"
 
-/* The largest number of terms of a Fourier series of the ripple */
+/* The largest number of terms of a Fourier series in vmi_orbit_ripple */
 enum { VMI_RIPPLE_HARMONICS = 96 };
 
-/* The functions of the ripple on one orbit. "By size" stands for the derivative with respect to orbit.size at fixed
-   phase. a is a Fourier series in sin(n zeta) where it has a closed form, with zeta = 2 phi for an orbit around 0 and
-   zeta = phi in a well; otherwise it is an integral over theta. */
+/* The functions a and B of the top of this file on one orbit. They give the ripple, the swing of action and phase
+   within a period. A name with _size is the derivative with respect to the field `size` of the orbit, at fixed phase.
+   The function a is a Fourier series in sin(n zeta) where its coefficients have closed forms, with zeta = 2 phi for an
+   orbit around 0 and zeta = phi in a well; otherwise it is an integral over theta. */
 struct VM_TAG(vmi_orbit_ripple) {
-    vm_real M, M_size;     /* mean of a^2, and its derivative by size */
-    vm_real X, X_size;     /* mean of x^2, and its derivative by size; set for Duffing's force only, else 0 */
-    vm_real w_size, j_size; /* derivatives of w and j by size */
-    vm_real largest_a;     /* largest |a|/j; for a Fourier series a bound of it */
-    vm_real largest_B;     /* largest w |(B/w)_j|; for a Fourier series a bound of it */
-    int harmonics;         /* number of terms of the Fourier series; 0 where the fields from `time` on are used */
-    vm_real a[VMI_RIPPLE_HARMONICS + 1], a_size[VMI_RIPPLE_HARMONICS + 1]; /* factor of sin(n zeta) in a, and its
-                                                                              derivative by size, n >= 1 */
+    vm_real M, M_size;     /* mean of a^2, and the derivative of this mean with respect to size */
+    vm_real X, X_size;     /* mean of x^2, and the derivative of this mean with respect to size; for Duffing's force
+                              only, else 0 */
+    vm_real w_size, j_size; /* derivatives of the phase rate w and of the action j with respect to size */
+    vm_real largest_a;     /* largest |a|/j, or for a Fourier series a bound of it */
+    vm_real largest_B;     /* largest w |(B/w)_j|, or for a Fourier series a bound of it */
+    int harmonics;         /* number of terms of the Fourier series; 0 where there is none, and the fields from `time`
+                              on are used */
+    vm_real a[VMI_RIPPLE_HARMONICS + 1], a_size[VMI_RIPPLE_HARMONICS + 1]; /* n >= 1: factor of sin(n zeta) in a, and
+                                                                              its derivative with respect to size */
     vm_real b[VMI_RIPPLE_HARMONICS + 1];                                   /* factor of cos(n zeta) in (B/w)_j */
-    vmi_orbit_sum time, time_size; /* time from theta = 0, and its derivative by size at fixed theta */
+    vmi_orbit_sum time, time_size; /* time since theta = 0, and its derivative with respect to size at fixed theta */
     vmi_orbit_sum squares;         /* integral of v^2 over time */
-    vmi_orbit_sum B, B_size;       /* integrals of a over the phase, and of its derivative by size */
-    vm_real B_mean, B_size_mean;   /* the means of these integrals */
+    vmi_orbit_sum B, B_size;       /* integrals over the phase: of the function a, and of its derivative with respect to
+                                      size */
+    vm_real B_mean, B_size_mean;   /* the means of the integrals B and B_size */
 };
 
-/* The ripple at one phase */
+/* The functions of the ripple at one phase */
 typedef struct VM_TAG(vmi_orbit_ripple_values) {
     vm_real a, B; /* the functions a and B of the top of this file */
     vm_real B_j;  /* (B/w)_j */
 } vmi_orbit_ripple_values;
 
-/* Values at the nodes of theta, from which series and integrals are computed */
+/* Values at the nodes, the values of theta from which series and integrals are computed */
 typedef struct VM_TAG(vmi_orbit_nodes) {
     int n;
     vmi_orbit_point point[VMI_ORBIT_NODES];
-    vm_real a[VMI_ORBIT_NODES], a_size[VMI_ORBIT_NODES]; /* a, and its derivative by size at fixed phase */
+    vm_real a[VMI_ORBIT_NODES], a_size[VMI_ORBIT_NODES]; /* the function a, and its derivative with respect to size at
+                                                            fixed phase */
     vm_real phase_rate[VMI_ORBIT_NODES];                 /* dphi/dtheta */
 } vmi_orbit_nodes;
 
-/* Computes a and its derivative by size at the nodes. At fixed phase the derivative of a is v times the derivative of
-   x. */
+/* Computes the function a and its derivative with respect to the orbit's size at the nodes. At fixed phase the
+   derivative of a is v times the derivative of x. */
 VM_API void vmi_orbit_ripple_nodes(const vmi_orbit *orbit, vmi_orbit_ripple *r, vmi_orbit_nodes *nodes)
 {
     vm_real squares[VMI_ORBIT_NODES];
@@ -88,7 +94,7 @@ VM_API void vmi_orbit_ripple_nodes(const vmi_orbit *orbit, vmi_orbit_ripple *r, 
     }
 }
 
-/* The mean over the phase of a function with these values at the nodes */
+/* The mean over the phase of a function whose values at the nodes are in `values` */
 VM_API vm_real vmi_orbit_mean(const vmi_orbit *orbit, const vmi_orbit_nodes *nodes, const vm_real *values)
 {
     vm_real sum = 0;
@@ -97,13 +103,14 @@ VM_API vm_real vmi_orbit_mean(const vmi_orbit *orbit, const vmi_orbit_nodes *nod
     return sum * (VM_PI / 4 / ((vm_real)(nodes->n / VMI_GAUSS) * orbit->span));
 }
 
-/* The derivative of B/w with respect to j, from B and its derivative by size */
+/* The derivative of B/w with respect to the action j, where w is the rate of the phase. B_size is the derivative of B
+   with respect to the orbit's size. */
 VM_API vm_real vmi_orbit_B_j(const vmi_orbit *orbit, const vmi_orbit_ripple *r, vm_real B, vm_real B_size)
 {
     return (B_size - B * (r->w_size / orbit->w)) / (orbit->w * r->j_size);
 }
 
-/* Computes B, the means and the largest values from the nodes. */
+/* Computes the function B, the means and the largest values from the values at the nodes. */
 VM_API void vmi_orbit_ripple_means(const vmi_orbit *orbit, const vmi_orbit_nodes *nodes, vmi_orbit_ripple *r)
 {
     const int parts = r->time.parts;
@@ -138,8 +145,8 @@ VM_API void vmi_orbit_ripple_means(const vmi_orbit *orbit, const vmi_orbit_nodes
     }
 }
 
-/* Computes the other fields of a ripple by Fourier series. The fields harmonics, a, a_size, w_size and j_size must be
-   set. */
+/* Computes the means, the largest values and the coefficients b of a ripple from its Fourier series. The fields
+   harmonics, a, a_size, w_size and j_size must be set before. */
 VM_API void vmi_orbit_ripple_of_harmonics(const vmi_orbit *orbit, vmi_orbit_ripple *r)
 {
     const vm_real turn = VM_PI / orbit->span; /* zeta/phi */
@@ -158,7 +165,8 @@ VM_API void vmi_orbit_ripple_of_harmonics(const vmi_orbit *orbit, vmi_orbit_ripp
     }
 }
 
-/* Computes the ripple of a complete orbit. Its terms are small, so that 8 digits are enough for them. */
+/* Computes the ripple of an orbit whose fields are all set. The terms of the ripple are small, so that 8 digits are
+   enough for them. */
 VM_API void vmi_orbit_ripple_init(vmi_orbit_ripple *r, const vmi_orbit *orbit)
 {
     const vm_real enough = VM_MANT_DIG > 24 ? VM_C(1e-8) : VM_C(1e-5);
@@ -177,7 +185,8 @@ VM_API void vmi_orbit_ripple_init(vmi_orbit_ripple *r, const vmi_orbit *orbit)
     vmi_orbit_ripple_means(orbit, &nodes, r);
 }
 
-/* The ripple at a phase by the Fourier series, which Clenshaw's recurrence adds up from the last term to the first */
+/* Writes the ripple at the phase phi by the Fourier series, which Clenshaw's recurrence adds up from the last term to
+   the first. */
 VM_API void vmi_orbit_ripple_by_harmonics(const vmi_orbit_ripple *r, const vmi_orbit *orbit, vm_real phi,
                                           vmi_orbit_ripple_values *now)
 {
@@ -200,7 +209,7 @@ VM_API void vmi_orbit_ripple_by_harmonics(const vmi_orbit_ripple *r, const vmi_o
     now->B_j = cosine * b - b_next;
 }
 
-/* The ripple at a phase of any size */
+/* Writes the ripple at a phase phi of any size. */
 VM_API void vmi_orbit_ripple_at(const vmi_orbit_ripple *r, const vmi_orbit *orbit, vm_real phi,
                                 vmi_orbit_ripple_values *now)
 {
@@ -219,20 +228,21 @@ VM_API void vmi_orbit_ripple_at(const vmi_orbit_ripple *r, const vmi_orbit *orbi
     now->B_j = vmi_orbit_B_j(orbit, r, now->B, B_size);
 }
 
-/* The relative change of w divided by the relative change of j that causes it */
+/* The relative change of the phase rate w, divided by the relative change of the action j that causes it */
 VM_API vm_real vmi_orbit_gamma(const vmi_orbit_ripple *r, const vmi_orbit *orbit)
 {
     return orbit->j * r->w_size / (r->j_size * orbit->w);
 }
 
-/* (M/w)_j, on which the mean rate of the phase depends */
+/* (M/w)_j, the derivative of M/w with respect to the action, on which the mean rate of the phase depends. M is the mean
+   of a^2, w the rate of the phase. */
 VM_API vm_real vmi_orbit_M_j(const vmi_orbit_ripple *r, const vmi_orbit *orbit)
 {
     return (r->M_size - r->M * (r->w_size / orbit->w)) / (orbit->w * r->j_size);
 }
 
-/* The mean action that belongs to the action j of an orbit at a phase. h is the damping that the top of this file
-   defines, and h_rate = dh/ds. */
+/* The mean action that belongs to the action j of an orbit at the phase of `now`. h is the damping that the top of this
+   file defines, and h_rate = dh/ds. */
 VM_API vm_real vmi_orbit_mean_action(const vmi_orbit_ripple *r, const vmi_orbit *orbit,
                                      const vmi_orbit_ripple_values *now, vm_real h, vm_real h_rate)
 {
@@ -243,8 +253,8 @@ VM_API vm_real vmi_orbit_mean_action(const vmi_orbit_ripple *r, const vmi_orbit 
     return orbit->j + first + second;
 }
 
-/* The difference (mean action) - (action), as far as a weak linear spring of stiffness 1 causes it. The spring acts in
-   addition to the force; x is the position on the orbit. */
+/* The part of the difference (mean action) - (action) that a weak linear spring of stiffness 1 causes. The spring acts
+   in addition to the force F; x is the position on the orbit. */
 VM_API vm_real vmi_orbit_spring_action(const vmi_orbit_ripple *r, const vmi_orbit *orbit, vm_real x)
 {
     return (x * x - r->X) / (2 * orbit->w);

@@ -4,9 +4,9 @@
    (518):
        m x'' = -k (x - y)|x - y|^(alpha-1) - r m' x',   m y'' = k (x - y)|x - y|^(alpha-1) - r m' y'
    k is the stiffness of the spring, r the share of the reactive force (`reactive`). The sum q = x + y drifts, and the
-   difference p = y - x vibrates with the amplitude A and the Ateb phase psi, whose rate is Om, (520)-(522). This file
-   has the equations of motion, the averaged equations of both modes, and the motion in closed form for a linear mass
-   (528), (529).
+   difference p = y - x vibrates with the amplitude A and the Ateb phase psi, whose rate is Om, (520)-(522). The drift
+   and the vibration are the two modes. This file has the equations of motion, the averaged equations of both modes, and
+   the motion in closed form for a mass that is linear in time, (528), (529).
 
        vm_real y[4] = {1, 3, 0, 0}; // x, y, x', y'
        vm_pair p;
@@ -37,10 +37,11 @@ typedef struct VM_TAG(vm_pair) {
     vm_real alpha;    /* exponent of the spring, >= 0 */
     vm_real k;        /* stiffness, N/m^alpha, > 0 */
     vm_real reactive; /* r: 1 where mass that joins or leaves is at rest, 0 where it has the body's velocity */
-    vm_law mass;      /* mass m of each body, kg, > 0; it must vary slowly */
+    vm_law mass;      /* mass m(t) of each body, kg, > 0; it must vary slowly */
 } vm_pair;
 
-/* Indices of the modes: mean amplitude A of p = y - x, m; Ateb phase psi of p; sum q = x + y, m; rate q', m/s */
+/* Indices of the four numbers that describe the modes: the mean amplitude A, m, of p = y - x; the Ateb phase psi of p;
+   the sum q = x + y, m; its rate q', m/s */
 enum {
     VMI_PAIR_A = 0,
     VMI_PAIR_PSI = 1,
@@ -49,9 +50,9 @@ enum {
     VMI_PAIR_MODES = 4
 };
 
-/* Writes the mass and its rate at time t. Checks them, the pair, and the four numbers of a state. Right-hand sides pass
-   NULL for the state: a trial step of an integrator may overflow, and then the integrator must repeat it rather than
-   stop. */
+/* Writes the mass and its rate at time t. It checks both numbers, the fields of the pair, and the four numbers of a
+   state. Functions that an integrator calls pass NULL for the state, so that it is not checked: if a trial step
+   overflows, the integrator must repeat the step rather than stop. */
 VM_API int vmi_pair_now(const vm_pair *p, vm_real t, const vm_real *state_or_NULL, vm_real *mass, vm_real *rate)
 {
     const vm_real numbers[3] = {p->alpha, p->k, p->reactive};
@@ -64,10 +65,10 @@ VM_API int vmi_pair_now(const vm_pair *p, vm_real t, const vm_real *state_or_NUL
 }
 
 /* Equations of motion (517), (518) of two bodies, for rk45 or rk87.
-   y = (x, y, x', y') is in m and m/s; pair points to a vm_pair. Returns VM_BAD_ARGUMENT for null pointers or where no
-   constructor made the mass, VM_NOT_FINITE for a number that is infinite or NaN, VM_BAD_MASS or VM_BAD_STIFFNESS for a
-   mass or a stiffness that is not positive, and VM_DOMAIN for alpha < 0 or t outside a table. These statuses stop the
-   run. */
+   The array y = (x, y, x', y') is in m and m/s; pair points to a vm_pair. Returns VM_BAD_ARGUMENT for null pointers or
+   where no constructor made the mass, VM_NOT_FINITE for a number that is infinite or NaN, VM_BAD_MASS or
+   VM_BAD_STIFFNESS for a mass or a stiffness that is not positive, and VM_DOMAIN for alpha < 0 or t outside a table.
+   These statuses stop the integration. */
 VM_API int vm_pair_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *pair)
 {
     if (!y || !dydt || !pair) return VM_BAD_ARGUMENT;
@@ -83,9 +84,9 @@ VM_API int vm_pair_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *pair)
     return VM_OK;
 }
 
-/* The amplitude of y - x at the Ateb phase psi, divided by the mean amplitude A. It is (1 + s sa ca/(2
-   Om))^(2/(alpha+3)) with the rate Om of psi and s = (2r - 1) m'/m. The spring acts on both bodies, so that y - x
-   vibrates with the stiffness 2 k. */
+/* The amplitude of y - x at the Ateb phase psi, divided by the mean amplitude A. This ratio is (1 + s sa ca/(2
+   Om))^(2/(alpha+3)) with the rate Om of psi and s = (2r - 1) m'/m, where r is the field `reactive`. The spring acts on
+   both bodies, so that y - x vibrates with the stiffness 2 k. */
 VM_API vm_real vmi_pair_ripple(const vm_pair *p, vm_real mass, vm_real rate, vm_real A, vm_real psi)
 {
     const vm_real q = vmi_slow_q(vmi_slow_drag(p->reactive, rate, 0), mass, p->k, 0);
@@ -96,8 +97,8 @@ VM_API vm_real vmi_pair_ripple(const vm_pair *p, vm_real mass, vm_real rate, vm_
 }
 
 /* Computes the modes from the motion y. The mean amplitude A solves exact = A ripple(A), where `exact` is the amplitude
-   at this instant and ripple is vmi_pair_ripple. Three iterations are enough where the ripple is small. Returns
-   VM_DOMAIN where they are not, because the ripple is as large as the motion. */
+   at this instant and `ripple` is the result of vmi_pair_ripple. Three iterations are enough where the ripple is small.
+   Returns VM_DOMAIN where three iterations are not enough, because the ripple is as large as the motion. */
 VM_API int vmi_pair_split(const vm_pair *p, vm_real mass, vm_real rate, const vm_real *y, vm_real *modes)
 {
     vm_real exact, A, psi, found[VMI_PAIR_MODES];
@@ -131,12 +132,12 @@ VM_API int vmi_pair_join(const vm_pair *p, vm_real mass, vm_real rate, const vm_
 }
 
 /* Converts a motion y = (x, y, x', y') of two bodies to the modes (A, psi, q, q'), (520)-(522). q = x + y drifts; p = y
-   - x vibrates with the mean amplitude A, m, and the Ateb phase psi. The ripple of the amplitude within a period is
-   taken out of A, so that any initial velocities are allowed. Returns VM_BAD_ARGUMENT for null pointers or where no
+   - x vibrates with the mean amplitude A, m, and the Ateb phase psi. A does not contain the ripple of the amplitude
+   within a period. Any initial velocities are allowed. Returns VM_BAD_ARGUMENT for null pointers or where no
    constructor made the mass, VM_NOT_FINITE for a number that is infinite or NaN, VM_BAD_MASS or VM_BAD_STIFFNESS for a
-   mass or a stiffness that is not positive, and VM_DOMAIN for alpha < 0 and where the ripple is as large as the motion.
-   It is so if |(2r - 1) m'/m| is about twice the rate of psi, for example where m tends to 0. modes and y may be the
-   same array. */
+   mass or a stiffness that is not positive, and VM_DOMAIN for alpha < 0, for t outside a table, and where the ripple is
+   as large as the motion. The ripple is so large if |(2r - 1) m'/m| is about twice the rate of psi, for example where
+   the mass m tends to 0; r is the field `reactive`. modes and y may be the same array. */
 VM_API int vm_pair_to_averaged(const vm_pair *p, vm_real t, const vm_real *y, vm_real *modes)
 {
     if (!p || !y || !modes) return VM_BAD_ARGUMENT;
@@ -147,7 +148,7 @@ VM_API int vm_pair_to_averaged(const vm_pair *p, vm_real t, const vm_real *y, vm
 }
 
 /* Converts the modes (A, psi, q, q') of two bodies to the motion y = (x, y, x', y'). This is the inverse of
-   vm_pair_to_averaged, with its statuses. y and modes may be the same array. */
+   vm_pair_to_averaged, and returns the same statuses. y and modes may be the same array. */
 VM_API int vm_pair_from_averaged(const vm_pair *p, vm_real t, const vm_real *modes, vm_real *y)
 {
     if (!p || !modes || !y) return VM_BAD_ARGUMENT;
@@ -158,9 +159,9 @@ VM_API int vm_pair_from_averaged(const vm_pair *p, vm_real t, const vm_real *mod
 }
 
 /* Averaged equations of the two modes of a pair, for rk45 or rk87.
-   The mass may follow any slow law. modes = (A, psi, q, q'), see vm_pair_to_averaged; pair points to a vm_pair. The
-   error is of the order of m'/(m Om) up to the time m/m', where Om is the rate of psi. The statuses are those of
-   vm_pair_rhs. */
+   The mass may follow any slow law. The array modes = (A, psi, q, q') is that of vm_pair_to_averaged; pair points to a
+   vm_pair. The relative error of the motion is of the order of m'/(m Om) up to the time m/m', where m is the mass and
+   Om the rate of psi. Returns the statuses of vm_pair_rhs. */
 VM_API int vm_pair_averaged_rhs(vm_real t, const vm_real *modes, vm_real *dmodes, void *pair)
 {
     if (!modes || !dmodes || !pair) return VM_BAD_ARGUMENT;
@@ -176,9 +177,10 @@ VM_API int vm_pair_averaged_rhs(vm_real t, const vm_real *modes, vm_real *dmodes
 }
 
 /* Computes the averaged motion at time t by closed formulas, which hold for a mass that is linear in time. y0 contains
-   x, y, x' and y' at t = 0. `modes` receives the results in the order VMI_PAIR_..., and *m the mass at t with its
-   integrals. The averaged equations contain powers of m/m0, where m0 is the mass at t = 0. For any exponent e the
-   integral of (m/m0)^e dt is m0 (exp(u) - 1)/u times the integral of dt/m, with u = (1 + e) ln(m/m0). */
+   x, y, x' and y' at t = 0. The results are written to `modes` in the order VMI_PAIR_..., and the mass at t with its
+   integrals to *m. The averaged equations contain powers of m/m0, where m is the mass at t and m0 the mass at t = 0.
+   For any exponent e the integral of (m/m0)^e dt is m0 (exp(u) - 1)/u times the integral of dt/m, with u = (1 + e)
+   ln(m/m0). */
 VM_API int vmi_pair_modes_at(const vm_pair *p, vm_real t, const vm_real *y0, vmi_linear_mass *m, vm_real *modes)
 {
     const vm_real fall = (2 * p->reactive - 1) / (p->alpha + 3); /* A is proportional to (m/m0)^-fall */
@@ -198,10 +200,11 @@ VM_API int vmi_pair_modes_at(const vm_pair *p, vm_real t, const vm_real *y0, vmi
     return VM_OK;
 }
 
-/* Motion of two bodies at time t, in closed form for a linear mass: (528), (529) with p0 = y(0) - x(0). y0 = (x, y, x',
-   y') is the motion at t = 0. The error is of the order of m'/(m Om) up to the time m/m', where Om is the rate of the
-   Ateb phase of y - x. Returns the statuses of vm_pair_to_averaged, at 0 and at t, and VM_NO_LAW where the mass is
-   neither linear nor constant (integrate vm_pair_averaged_rhs instead). y and y0 may be the same array. */
+/* Motion of two bodies at time t, in closed form for a mass m that is linear in time: (528), (529) with p0 = y(0) -
+   x(0). The array y0 = (x, y, x', y') is the motion at t = 0. The relative error of the motion is of the order of m'/(m
+   Om) up to the time m/m', where Om is the rate of the Ateb phase of y - x. Returns the statuses of
+   vm_pair_to_averaged, at 0 and at t, and VM_NO_LAW where the mass is neither linear nor constant (integrate
+   vm_pair_averaged_rhs instead). y and y0 may be the same array. */
 VM_API int vm_pair_at(const vm_pair *p, vm_real t, const vm_real *y0, vm_real *y)
 {
     if (!p || !y0 || !y) return VM_BAD_ARGUMENT;
@@ -212,20 +215,21 @@ VM_API int vm_pair_at(const vm_pair *p, vm_real t, const vm_real *y0, vm_real *y
     return vmi_pair_join(p, m.m, m.rate, modes, y);
 }
 
-/* The three methods of (524) */
+/* The three methods of (524), named after the periodic function that describes the vibration p = y - x */
 enum {
     VM_PAIR_ATEB = 0,  /* the Ateb function ca, which is exact where the mass is constant */
     VM_PAIR_TRIG = 1,  /* the cosine with the exact period */
     VM_PAIR_JACOBI = 2 /* Jacobi's cn with the exact period and the exact velocity at p = 0 */
 };
 
-/* Motion of two bodies at time t by one of the three methods of (524), so that they can be compared. p is A(t) times
-   ca, cos or cn. A is the mean amplitude of vm_pair_to_averaged; its law is the same for all three methods. x and y
-   follow from p and q by (528), (529). `method` is VM_PAIR_ATEB, VM_PAIR_TRIG or VM_PAIR_JACOBI. Unlike vm_pair_at this
-   leaves out the ripple of the amplitude within a period, as the dissertation does. The other arguments are those of
-   vm_pair_at. The error has two parts: the error of vm_osc_approximation_errors times A/2, and a part of the order of
-   m'/(m Om). Returns the statuses of vm_pair_at, and VM_BAD_ARGUMENT for a method that does not exist. y and y0 may be
-   the same array. */
+/* Motion of two bodies at time t by one of the three methods of (524), so that the methods can be compared. The
+   difference p = y - x is A(t) times ca, cos or cn. A is the mean amplitude of vm_pair_to_averaged; its law is the same
+   for all three methods. x and y follow from p and the sum q = x + y by (528), (529). `method` is VM_PAIR_ATEB,
+   VM_PAIR_TRIG or VM_PAIR_JACOBI. Unlike vm_pair_at, this function leaves out the ripple of the amplitude within a
+   period, as the dissertation does. The other arguments are those of vm_pair_at. The error has two parts: the error
+   that vm_osc_approximation_errors gives, times A/2; and a part of the order of m'/(m Om), where m is the mass and Om
+   the rate of the phase of p. Returns the statuses of vm_pair_at, and VM_BAD_ARGUMENT for a method that does not exist.
+   y and y0 may be the same array. */
 VM_API int vm_pair_by_method(const vm_pair *p, int method, vm_real t, const vm_real *y0, vm_real *y)
 {
     if (!p || !y0 || !y || method < VM_PAIR_ATEB || method > VM_PAIR_JACOBI) return VM_BAD_ARGUMENT;

@@ -1,8 +1,8 @@
-/* oscillators/panels.h - intervals of time in which a law f(t) is smooth, and the integrals of 1/f and f/g
+/* oscillators/panels.h - intervals of time on which laws f(t) and g(t) are smooth, and the integrals of 1/f and f/g
 
    An integral along a law f(t) from 0 to t is a sum over intervals of time, called panels. Each panel is so short that
-   a series of 20 Legendre polynomials represents the law on it. A panel that is too long for its series is halved. The
-   next panel is first tried with twice the length of this panel. Panels end at the points of a table.
+   a series of 20 Legendre polynomials represents the law on it. A panel that is too long for such a series is halved.
+   After each panel, the next one is first tried with twice its length. Panels end at the points of a table.
        vm_law mass = vm_law_linear(10, VM_C(-0.1));
        vm_real integral;
        int status = vm_law_inverse_integral(&mass, 20, &integral); // 10 ln(10/8) s/kg
@@ -17,7 +17,7 @@
 
 /* -- The lengths of panels -- */
 
-/* The panels from t to end, one after the other. The loop over them is
+/* The panels from the time t to the time `end`, one after the other. The loop over them is
      while (vmi_panels_next(&p)) {
          ... compute the series on the panel from p.t to p.t + p.side * p.step ...
          if (too long && vmi_panels_halve(&p)) continue;
@@ -25,15 +25,16 @@
          vmi_panels_advance(&p);
      } */
 typedef struct VM_TAG(vmi_panels) {
-    vm_real t, end;         /* start of the present panel and end of the last one, s */
+    vm_real t, end;         /* start of the present panel and end of the last panel, s */
     vm_real side;           /* 1 forward, -1 backward in time */
-    vm_real longest, least; /* bounds of a panel's length, s */
+    vm_real longest, least; /* largest and smallest length that a panel may have, s */
     vm_real size;           /* intended length of the present panel, s */
     vm_real left, step;     /* time left to the end, and length of the present panel, which is at most `left`, s */
-    int halved;             /* number of halvings so far */
+    int halved;             /* how many times a panel has been halved so far */
 } vmi_panels;
 
-/* Panels from start to end, each at most `longest` long; `whole` is the length of the whole integral, s */
+/* Returns the panels from start to end, each at most `longest` long. `whole` is the length of the whole interval of
+   integration, s, of which start ... end may be a part. */
 VM_API vmi_panels vmi_panels_from(vm_real start, vm_real end, vm_real longest, vm_real whole)
 {
     vmi_panels p;
@@ -41,7 +42,7 @@ VM_API vmi_panels vmi_panels_from(vm_real start, vm_real end, vm_real longest, v
     p.end = end;
     p.side = VM_COPYSIGN(1, end - start);
     p.longest = vmi_smaller(longest, VM_FABS(end - start));
-    p.least = whole / VM_C(1099511627776.); /* 2^40; an error on a shorter panel does not matter */
+    p.least = whole / VM_C(1099511627776.); /* 2^40; the error of a panel shorter than whole/2^40 does not matter */
     p.size = p.longest;
     p.left = 0;
     p.step = 0;
@@ -49,8 +50,8 @@ VM_API vmi_panels vmi_panels_from(vm_real start, vm_real end, vm_real longest, v
     return p;
 }
 
-/* Returns 1 while the end is not reached, else 0, and sets the length p->step of the panel that starts at p->t. If the
-   time left is hardly longer than a panel, all of it becomes one panel. */
+/* Returns 0 if the end is reached. Otherwise it returns 1 and sets p->step, the length of the panel that starts at
+   p->t. If the time that is left is hardly longer than a panel, all of this time becomes one panel. */
 VM_API int vmi_panels_next(vmi_panels *p)
 {
     if (p->t == p->end) return 0;
@@ -60,17 +61,18 @@ VM_API int vmi_panels_next(vmi_panels *p)
     return 1;
 }
 
-/* Halves the intended length of the present panel, and returns whether that was possible */
+/* Halves the intended length of the present panel. Returns 1 if that was possible, else 0. */
 VM_API int vmi_panels_halve(vmi_panels *p)
 {
-    const int most = 4096; /* a bound that ends the search for laws with noise, for which no length is short enough */
+    const int most = 4096; /* a bound on the number of halvings; it ends the search for laws with noise, for which no
+                              panel is short enough */
     if (!(p->step > p->least) || p->halved >= most || p->t + p->side * (p->step / 2) == p->t) return 0;
     p->size = p->step / 2;
     p->halved++;
     return 1;
 }
 
-/* Goes on to the next panel. Its intended length is twice that of the present one. */
+/* Goes on to the next panel. Its intended length becomes twice that of the present panel. */
 VM_API void vmi_panels_advance(vmi_panels *p)
 {
     if (p->step == p->left) p->t = p->end;
@@ -80,9 +82,10 @@ VM_API void vmi_panels_advance(vmi_panels *p)
 
 /* -- Whether a series is good enough -- */
 
-/* The relative size below which the last terms of a series do not matter. Gauss' rule integrates twice as many terms
-   exactly, so that the error of an integral is about the square of the last terms. The limit is larger for a panel that
-   is only a small part of the whole integral. */
+/* Returns the limit below which the last terms of a Legendre series, divided by the mean of the function, do not
+   matter. Gauss' rule integrates twice as many terms as the series has exactly, so that the error of the integral is
+   about the square of the last terms. The limit is larger for a panel that is only a small part of the whole
+   integral. */
 VM_API vm_real vmi_panel_limit(vm_real length, vm_real whole)
 {
     const vm_real enough = VM_MANT_DIG > 24 ? VM_C(1e-9) : VM_C(1e-5);
@@ -90,16 +93,17 @@ VM_API vm_real vmi_panel_limit(vm_real length, vm_real whole)
     return vmi_larger(enough, matters);
 }
 
-/* Whether the last terms of a series are at most `limit` times its mean */
+/* Returns 1 if the last terms of a Legendre series are at most `limit` times the mean of the function, else 0. */
 VM_API int vmi_panel_is_resolved(const vm_real *series, vm_real limit)
 {
     return vmi_legendre_tail(series) <= limit * series[0];
 }
 
-/* The size of terms of E_0 = G_0/W^2 that do not matter on a panel over which the phase advances by `phase`, of either
-   sign. E_0 disturbs the motion with the rate W of the phase (oscillators/expansion.h). Terms as large as the first
-   part of the result change the phase by 16 eps. The second part is the size of rounding errors: E_0 contains p', which
-   is found from differences of p on the panel. */
+/* Returns the size of those terms of the number E_0 = G_0/W^2 that do not matter on a panel over which the phase grows
+   by `phase`, of either sign. E_0 measures how strongly slow changes disturb the motion; W is the rate of the phase
+   (oscillators/expansion.h). The result has two parts. Terms as large as the first part change the phase by 16 eps. The
+   second part is the size of the rounding errors of E_0, which contains the derivative p', found from differences of
+   the rate p on the panel. */
 VM_API vm_real vmi_panel_E_noise(vm_real phase)
 {
     const vm_real advance = VM_FABS(phase);
@@ -107,20 +111,21 @@ VM_API vm_real vmi_panel_E_noise(vm_real phase)
 }
 
 /* The largest relative difference that is allowed between a law and its series at the ends of a panel. It is larger
-   than `limit`, because all terms that the series leaves out add up there. */
+   than `limit`, because at the ends all terms that the series leaves out add up. */
 VM_API vm_real vmi_panel_edge_limit(vm_real limit) { return 16 * limit; }
 
-/* Raises *edge to the relative difference between f and its value by a series, if this difference is larger than *edge.
-   by_series is the value that the series gives: for 1/f if `reciprocal` is 1, for f if it is 0. */
+/* Raises *edge to the relative difference between f and the value that a series gives for f, if this difference is
+   larger than *edge. by_series is the value of the series, which is a series of 1/f if `reciprocal` is 1, and of f if
+   `reciprocal` is 0. */
 VM_API void vmi_panel_raise_edge(int reciprocal, vm_real f, vm_real by_series, vm_real *edge)
 {
     const vm_real ratio = by_series * (reciprocal ? f : 1 / f), miss = VM_FABS(ratio - 1);
     if (!(miss <= *edge)) *edge = miss;
 }
 
-/* Raises *edge to the larger of the relative differences between a law and its series at both ends of the panel. If
-   `reciprocal` is 1, the series gives 1/f, where f is the law. Only this test notices a kink between an end and the
-   nearest point of Gauss' rule. */
+/* Raises *edge to the relative difference between a law f and its series at the start or the end of the panel,
+   whichever is larger, if this difference is larger than *edge. If `reciprocal` is 1, the series is one of 1/f. Only
+   this test notices a kink of the law between an end and the nearest point of Gauss' rule. */
 VM_API int vmi_panel_edge(const vm_law *law, int if_not_positive, int reciprocal, vm_real start, vm_real length,
                           const vm_real *series, vm_real *edge)
 {
@@ -160,8 +165,8 @@ VM_API int vmi_law_inverse_series(const vm_law *law, vm_real start, vm_real leng
     return vmi_panel_edge(law, VM_BAD_MASS, 1, start, length, series, edge);
 }
 
-/* Adds the integral of dt/f from start to end to *sum; a table must have no point between them. `whole` is the length
-   of the whole integral. */
+/* Adds the integral of dt/f from start to end to *sum; a table must have no point between these times. `whole` is the
+   length of the whole interval of integration, s. */
 VM_API int vmi_law_add_inverse_integral(const vm_law *law, vm_real start, vm_real end, vm_real whole, vm_real *sum)
 {
     vmi_panels p = vmi_panels_from(start, end, vmi_law_longest_panel(law, whole), whole);
@@ -178,7 +183,7 @@ VM_API int vmi_law_add_inverse_integral(const vm_law *law, vm_real start, vm_rea
     return VM_OK;
 }
 
-/* The integral of dt/f from 0 to t by panels, from one point of a table to the next */
+/* Writes the integral of dt/f from 0 to t. It is a sum over panels, from one point of a table to the next. */
 VM_API int vmi_law_inverse_integral_by_panels(const vm_law *law, vm_real t, vm_real *integral)
 {
     vm_real at = 0;
@@ -192,12 +197,13 @@ VM_API int vmi_law_inverse_integral_by_panels(const vm_law *law, vm_real t, vm_r
     return status;
 }
 
-/* Integral of ds/f(s) from 0 to t, s per unit of f, for t of either sign. A closed form is used if the law has one; it
-   loses no digits where it tends to 0/0. Tables and functions use Gauss' rule; for functions the relative error is at
-   most 1e-13 (float 1e-5) if f changes no faster than vm_law_user says. Returns VM_BAD_ARGUMENT for null pointers and
-   for a law that no constructor made, VM_NOT_FINITE for numbers that are infinite or NaN, VM_BAD_MASS where f <= 0
-   anywhere between 0 and t, and VM_DOMAIN for t outside a table, for a table out of order, where the user's function
-   fails, or where the law's change_time is negative or less than |t|/2^20. An error leaves *integral untouched. */
+/* Integral of ds/f(s) from 0 to t, s per unit of f, for t of either sign. If the integral of a law has a closed form,
+   the function uses it; the closed form loses no digits where it tends to 0/0. For tables and users' functions it uses
+   Gauss' rule; for users' functions the relative error is at most 1e-13 (float 1e-5) if f changes no faster than
+   vm_law_user says. Returns VM_BAD_ARGUMENT for null pointers and for a law that no constructor made, VM_NOT_FINITE for
+   numbers that are infinite or NaN, VM_BAD_MASS where f <= 0 anywhere between 0 and t, and VM_DOMAIN for t outside a
+   table, for a table whose times do not rise, where the user's function fails, and where the law's field change_time is
+   negative, or positive but less than |t|/2^20. An error leaves *integral untouched. */
 VM_API int vm_law_inverse_integral(const vm_law *law, vm_real t, vm_real *integral)
 {
     vm_real sum;
@@ -214,12 +220,14 @@ VM_API int vm_law_inverse_integral(const vm_law *law, vm_real t, vm_real *integr
 
 /* -- The integral of any function of time -- */
 
-/* A function of time that is integrated: writes its value at t, and returns VM_OK or the status with which it fails.
-   Where the value jumps at t, side = 1 asks for the value after t, side = -1 for the value before t. */
+/* A function of time that is integrated, the integrand. It writes its value at t to *value, and returns VM_OK or the
+   status with which it fails. Where the value jumps at t, side = 1 asks for the value after t, side = -1 for the value
+   before t. */
 typedef int (*vmi_integrand)(vm_real t, int side, vm_real *value, void *ctx);
 
-/* Computes the series of a function on a panel. *size receives its largest absolute value at the points of Gauss' rule
-   and at the ends of the panel, and *edge the largest difference between series and function at the ends. */
+/* Computes the series of a function on a panel. Writes to *size the largest absolute value of the function at the
+   points of Gauss' rule and at the ends of the panel, and to *edge the largest difference between series and function
+   at the ends. */
 VM_API int vmi_integrand_series(vmi_integrand f, void *ctx, vm_real start, vm_real length, vm_real *series,
                                 vm_real *size, vm_real *edge)
 {
@@ -241,8 +249,8 @@ VM_API int vmi_integrand_series(vmi_integrand f, void *ctx, vm_real start, vm_re
     return VM_OK;
 }
 
-/* Adds the integral of a function from start to end to *sum. The function must be smooth between them, and no panel is
-   longer than `longest`; `whole` is the length of the whole integral, s. */
+/* Adds the integral of a function from start to end to *sum. The function must be smooth between these times. No panel
+   is longer than `longest`. `whole` is the length of the whole interval of integration, s. */
 VM_API int vmi_add_integral(vmi_integrand f, void *ctx, vm_real start, vm_real end, vm_real longest, vm_real whole,
                             vm_real *sum)
 {
@@ -262,13 +270,13 @@ VM_API int vmi_add_integral(vmi_integrand f, void *ctx, vm_real start, vm_real e
 
 /* -- The integral of f/g -- */
 
-/* Two laws, whose quotient f/g is integrated */
+/* Two laws f and g, whose quotient f/g is integrated */
 typedef struct VM_TAG(vmi_law_ratio) {
     const vm_law *f, *g;
 } vmi_law_ratio;
 
-/* The value of f/g, where f may have any sign and g is positive. The function is a vmi_integrand; ratio points to a
-   vmi_law_ratio. */
+/* Writes the value of f/g at t, where f may have any sign and g must be positive. The function is a vmi_integrand;
+   `ratio` points to a vmi_law_ratio. */
 VM_API int vmi_law_ratio_at(vm_real t, int side, vm_real *value, void *ratio)
 {
     const vmi_law_ratio *r = (const vmi_law_ratio *)ratio;
@@ -279,7 +287,7 @@ VM_API int vmi_law_ratio_at(vm_real t, int side, vm_real *value, void *ratio)
     return status;
 }
 
-/* The integral of f/g dt from 0 to t by panels, from one point of a table to the next */
+/* Writes the integral of f/g dt from 0 to t. It is a sum over panels, from one point of a table to the next. */
 VM_API int vmi_law_ratio_integral_by_panels(const vm_law *f, const vm_law *g, vm_real t, vm_real *integral)
 {
     const vm_real whole = VM_FABS(t);
@@ -298,8 +306,9 @@ VM_API int vmi_law_ratio_integral_by_panels(const vm_law *f, const vm_law *g, vm
     return status;
 }
 
-/* Computes the integral of f/g dt from 0 to t in closed form, and returns whether there is one: f is constant, or f and
-   g have exponential forms with the same base. */
+/* Computes the integral of f/g dt from 0 to t in closed form. Returns 1 if there is a closed form, else 0. There is one
+   if f is constant and the integral of 1/g has a closed form, or if f and g have exponential forms with the same base
+   (see vmi_law_exponential_form). */
 VM_API int vmi_law_ratio_integral_closed(const vm_law *f, const vm_law *g, vm_real t, vm_real *integral)
 {
     vm_real base, rate, base_g, rate_g, u;
@@ -316,13 +325,14 @@ VM_API int vmi_law_ratio_integral_closed(const vm_law *f, const vm_law *g, vm_re
 }
 
 /* Integral of f(s)/g(s) ds from 0 to t, for t of either sign, f of any sign and g > 0.
-   With the damping b(t) for f and the mass m(t) for g it is the `decay` of the amplitude laws (vm_osc_amplitude_law). A
-   closed form is used where f is constant, or where f and g are powers of the same 1 + c t or both exponential. All
-   other laws use Gauss' rule on panels: the error is at most 1e-13 (float 1e-5) of the integral of |f/g|, if users'
-   functions change no faster than vm_law_user says. Returns VM_BAD_ARGUMENT for null pointers and for a law that no
-   constructor made, VM_NOT_FINITE for numbers that are infinite or NaN, VM_BAD_MASS where g <= 0 between 0 and t, and
-   VM_DOMAIN for t outside a table, for a table out of order, where a user's function fails, or where a change_time is
-   negative or less than |t|/2^20. An error leaves *integral untouched. */
+   With the damping b(t) for f and the mass m(t) for g, the integral is the argument `decay` of vm_osc_amplitude_law.
+   The function uses a closed form where f is constant and the integral of 1/g has a closed form, where f and g are
+   powers of the same 1 + c t, and where both are exponential. For all other laws f and g it uses Gauss' rule on panels:
+   the error is at most 1e-13 (float 1e-5) of the integral of |f/g|, if users' functions change no faster than
+   vm_law_user says. Returns VM_BAD_ARGUMENT for null pointers and for a law that no constructor made, VM_NOT_FINITE for
+   numbers that are infinite or NaN, VM_BAD_MASS where g <= 0 between 0 and t, and VM_DOMAIN for t outside a table, for
+   a table whose times do not rise, where a user's function fails, and where a law's field change_time is negative, or
+   positive but less than |t|/2^20. An error leaves *integral untouched. */
 VM_API int vm_law_ratio_integral(const vm_law *f, const vm_law *g, vm_real t, vm_real *integral)
 {
     vm_real sum = 0;

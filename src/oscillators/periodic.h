@@ -1,10 +1,11 @@
-/* oscillators/periodic.h - periodic excitation that is not harmonic, of a strongly nonlinear oscillator
+/* oscillators/periodic.h - a strongly nonlinear oscillator under a periodic force that is not harmonic
 
-   The oscillator of forced.h vibrates under a force F g(theta), where theta' = nu and the shape g has the period 2 pi:
+   The oscillator of forced.h vibrates under a force F g(theta). The phase theta of the force grows at the rate nu,
+   theta' = nu, and the shape g has the period 2 pi:
        m x'' + k x|x|^(alpha-1) = -(r m' + b) x' + F g(theta),   g = sum over n of a_n cos(n theta) + b_n sin(n theta)
-   for n = 0 to 9. This file has the equation of motion, the exact equations of amplitude and phase, the averaged
-   equations near a resonance, and the steady vibrations with their stability. The dissertation leaves this problem to
-   the future.
+   for n = 0 to 9. Here m is the mass, k the stiffness, b the damping and r the field `reactive`. This file has the
+   equation of motion, the exact equations of amplitude and phase, the averaged equations near a resonance, and the
+   steady vibrations with their stability. The dissertation leaves this problem to the future.
 
        vm_periodic p;
        memset(&p, 0, sizeof p);
@@ -15,17 +16,19 @@
        int status = vm_periodic_init(&p);
 
    Resonances. At a resonance the oscillator makes P vibrations in Q periods of the force; the fields `vibrations` and
-   `periods` are P and Q. Near it the frequency w(A) of the free vibration is about (P/Q) nu. P = Q = 1 is the main
-   resonance. P = 3, Q = 1 is the resonance with the third harmonic of the force. P = 1, Q = 3 is a subharmonic
-   resonance with a third of the frequency of the force, which exists where alpha is not 1. The vibration has odd
-   harmonics only. Therefore the averaged equations contain no force if Q is even, with P/Q in lowest terms.
+   `periods` are P and Q. Near the resonance the frequency w(A) of the free vibration of amplitude A is about (P/Q) nu.
+   P = Q = 1 is the main resonance. P = 3, Q = 1 is the resonance with the third harmonic of the force. P = 1, Q = 3 is
+   a subharmonic resonance with a third of the frequency of the force, which exists where alpha is not 1. The vibration
+   has odd harmonics only. Therefore the averaged equations contain no force if Q is even after common factors of P and
+   Q have been removed.
 
-   The averaged equations use the phase phi of the vibration, delta = phi - (P/Q) theta, and the symbols of forced.h:
+   The averaged equations use the phase phi of the vibration and delta = phi - (P/Q) theta. q is the rate at which slow
+   changes and damping act (slow.h), and G_j is explained below:
        A' = -q A/(alpha+3) - F/(m w) S,   delta' = w(A) - (P/Q) nu - F/(m w A) C,
        S = sum of j G_j (a_n sin(j delta) + b_n cos(j delta)),   C = sum of G_j (a_n cos(j delta) - b_n sin(j delta)),
-   over the odd j for which n = j P/Q is a whole number. G_j = Om1^2 c_j/2, with the Fourier coefficient c_j of cos(j
-   phi) in ca. Terms with j > 9 are left out; for alpha = 3 they are below 1e-7 of the first term. Tests:
-   tests/test_periodic.c. */
+   over the odd j for which n = j P/Q is a whole number. G_j is Om1^2 c_j/2, where Om1 is the field of vm_forced and c_j
+   the Fourier coefficient of cos(j phi) in ca. Terms with j > 9 are left out; for alpha = 3 these terms are below 1e-7
+   of the first term. Tests: tests/test_periodic.c. */
 #ifndef VARMASS_OSCILLATORS_PERIODIC_H
 #define VARMASS_OSCILLATORS_PERIODIC_H
 
@@ -39,20 +42,21 @@
 #include "forced.h"
 #include "resonance.h"
 
-/* Largest order of a harmonic of the force, and largest number of periods in a resonance */
+/* The largest order n of a harmonic of the force. It is also the largest value of P and of Q in a resonance. */
 enum { VM_PERIODIC_HARMONICS = 9 };
 
-/* An oscillator under a periodic force. Set all fields, then call vm_periodic_init. The coefficients and the resonance
-   may change without a new call; after a change of oscillator.alpha call vm_periodic_init again. */
+/* An oscillator under a periodic force. Set all fields, then call vm_periodic_init. The fields cosine, sine, vibrations
+   and periods may change later without a new call; after a change of oscillator.alpha call vm_periodic_init again. */
 typedef struct VM_TAG(vm_periodic) {
     vm_forced oscillator; /* the oscillator; its field `force` is the factor F of the shape g, N */
     vm_real cosine[VM_PERIODIC_HARMONICS + 1]; /* the coefficients a_n of cos(n theta) in g; a_0 is the mean of g */
     vm_real sine[VM_PERIODIC_HARMONICS + 1];   /* the coefficients b_n of sin(n theta) in g; b_0 has no effect */
-    int vibrations; /* P, from 1 to 9: at the resonance the oscillator makes P vibrations ... */
-    int periods;    /* Q, from 1 to 9: ... in Q periods of the force */
+    int vibrations; /* P, from 1 to 9: the number of vibrations in Q periods of the force, at the resonance */
+    int periods;    /* Q, from 1 to 9: the number of periods of the force in which there are P vibrations */
 } vm_periodic;
 
-/* Writes the parameters at time t, and checks them, the coefficients and the resonance. */
+/* Writes the parameters of the oscillator at time t to *n. Checks these parameters, the coefficients of the shape, and
+   P and Q. */
 VM_API int vmi_periodic_at(const vm_periodic *p, vm_real t, vmi_forced_parameters *n)
 {
     int status = vmi_forced_at(&p->oscillator, t, n);
@@ -64,10 +68,10 @@ VM_API int vmi_periodic_at(const vm_periodic *p, vm_real t, vmi_forced_parameter
     return status;
 }
 
-/* Prepares an oscillator under a periodic force: checks it at t = 0, and prepares its field `oscillator`. All other
-   functions need this call. Returns the statuses of vm_forced_init, VM_BAD_ARGUMENT also where `vibrations` or
-   `periods` is not from 1 to 9, and VM_NOT_FINITE also for a coefficient that is infinite or NaN. An error leaves *p
-   as it was. */
+/* Prepares an oscillator under a periodic force: checks its fields at t = 0, and prepares the field `oscillator`. All
+   other functions of this file except vm_periodic_from_samples and vm_periodic_shape need this call. Returns the
+   statuses of vm_forced_init. In addition it returns VM_BAD_ARGUMENT where `vibrations` or `periods` is not from 1 to
+   9, and VM_NOT_FINITE where a coefficient is infinite or NaN. An error leaves *p as it was. */
 VM_API int vm_periodic_init(vm_periodic *p)
 {
     vmi_forced_parameters now;
@@ -78,12 +82,12 @@ VM_API int vm_periodic_init(vm_periodic *p)
     return vm_forced_init(&p->oscillator);
 }
 
-/* Sets the shape of a periodic force from n samples g[i] = g(2 pi i/n) over one period. Writes the fields cosine and
-   sine of *p, and no other. Harmonics of an order below n/2, up to the ninth, are computed; the others become 0. Apart
-   from rounding the result is exact if g has no harmonics of an order >= n/2. The samples may be those of ca, of
-   Jacobi's cn or of a rectangle; harmonics above the ninth excite the vibration only little. The function takes about
-   as long as 9 n sines. Returns VM_BAD_ARGUMENT for a null pointer or n < 1, VM_NOT_FINITE for a sample that is
-   infinite or NaN, and VM_OK otherwise. An error leaves *p as it was. */
+/* Sets the shape of a periodic force from n samples g[i] = g(2 pi i/n) over one period. Writes only the fields cosine
+   and sine of *p. The coefficients of all harmonics up to the ninth whose order is below n/2 are computed; all other
+   coefficients become 0. Apart from rounding the result is exact if g has no harmonics of an order >= n/2. The samples
+   may be those of ca, of Jacobi's cn or of a rectangle; harmonics above the ninth excite the vibration only little. The
+   function takes about as long as the computation of 9 n sines. Returns VM_BAD_ARGUMENT for a null pointer or n < 1,
+   VM_NOT_FINITE for a sample that is infinite or NaN, and VM_OK otherwise. An error leaves *p as it was. */
 VM_API int vm_periodic_from_samples(vm_periodic *p, int n, const vm_real *g)
 {
     int k, i;
@@ -105,8 +109,8 @@ VM_API int vm_periodic_from_samples(vm_periodic *p, int n, const vm_real *g)
     return VM_OK;
 }
 
-/* Shape of the force: g(theta), a pure number. Returns NaN for a null pointer and for a theta that is infinite or NaN.
-   The error is about that of rounding the largest term 9 times. */
+/* Shape g(theta) of the force, a pure number. Returns NaN for a null pointer and for a theta that is infinite or NaN.
+   The error is about nine times the rounding error of the largest term. */
 VM_API vm_real vm_periodic_shape(const vm_periodic *p, vm_real theta)
 {
     vm_complex turns[VM_PERIODIC_HARMONICS + 1];
@@ -119,9 +123,9 @@ VM_API vm_real vm_periodic_shape(const vm_periodic *p, vm_real theta)
     return g;
 }
 
-/* Equation of motion of an oscillator under a periodic force, for rk45 or rk87. y = (x, x', theta) is in m, m/s and
-   rad; periodic points to a prepared vm_periodic. The statuses are those of vm_periodic_init at the time t, and
-   VM_DOMAIN for t outside a table; they stop the run. */
+/* Equation of motion of an oscillator under a periodic force, for rk45 or rk87. The array y = (x, x', theta) is in m,
+   m/s and rad; `periodic` points to a prepared vm_periodic. Returns the statuses of vm_periodic_init, now for the
+   fields at the time t, and VM_DOMAIN for t outside a table. These statuses stop the integration. */
 VM_API int vm_periodic_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *periodic)
 {
     if (!y || !dydt || !periodic) return VM_BAD_ARGUMENT;
@@ -133,9 +137,9 @@ VM_API int vm_periodic_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *per
     return VM_OK;
 }
 
-/* Exact equations of amplitude and phase under a periodic force, for rk45 or rk87. The state is y = (A, psi, theta), as
-   for vm_forced_exact_rhs. The equations neglect nothing, but they are singular at A = 0. The argument periodic and the
-   statuses are those of vm_periodic_rhs. */
+/* Exact equations of amplitude and phase under a periodic force, for rk45 or rk87. The array y = (A, psi, theta)
+   contains the amplitude, the Ateb phase, and the phase of the force, as for vm_forced_exact_rhs. The equations neglect
+   nothing, but they are singular at A = 0. The argument `periodic` and the statuses are those of vm_periodic_rhs. */
 VM_API int vm_periodic_exact_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *periodic)
 {
     if (!y || !dydt || !periodic) return VM_BAD_ARGUMENT;
@@ -147,13 +151,14 @@ VM_API int vm_periodic_exact_rhs(vm_real t, const vm_real *y, vm_real *dydt, voi
     return VM_OK;
 }
 
-/* The sums of the averaged equations at the phase delta */
+/* The sums in the averaged equations at the phase delta = phi - (P/Q) theta */
 typedef struct VM_TAG(vmi_periodic_sums) {
     vm_real S, C; /* the sums S and C at the top of this file */
     vm_real slope; /* dS/ddelta; dC/ddelta is -S */
 } vmi_periodic_sums;
 
-/* The order of the force's harmonic that is in resonance with the harmonic j of the vibration; 0 where there is none */
+/* Returns the order n of the force's harmonic that is in resonance with the harmonic j of the vibration, or 0 where
+   there is none. */
 VM_API int vmi_periodic_partner(const vm_periodic *p, int j)
 {
     const int n = j * p->vibrations / p->periods;
@@ -182,18 +187,19 @@ VM_API vmi_periodic_sums vmi_periodic_sums_at(const vm_periodic *p, vm_real delt
     return sums;
 }
 
-/* The frequency (P/Q) nu, rad/s, with which the vibration is in resonance */
+/* The frequency (P/Q) nu, rad/s, of the vibration at the resonance. nu is the frequency of the force. */
 VM_API vm_real vmi_periodic_frequency(const vm_periodic *p, vm_real nu)
 {
     return nu * (vm_real)p->vibrations / (vm_real)p->periods;
 }
 
-/* Averaged equations of an oscillator under a periodic force near a resonance, for rk45 or rk87. The top of this file
-   shows them. The state is y = (A, delta, theta): A is the mean amplitude, theta the phase of the force, and
-   delta = phi - (P/Q) theta. Start with vm_periodic_to_averaged, and end with vm_periodic_from_averaged. Let e be the
-   largest of the damping b, the mass rate m' and the force F. Near the resonance the error of x up to times of the
-   order of 1/e is of the order of e for alpha = 1, and between e and sqrt(e) for other alpha; it is larger for motions
-   that come close to an unstable vibration. The argument periodic and the statuses are those of vm_periodic_rhs. */
+/* Averaged equations of an oscillator under a periodic force near a resonance, for rk45 or rk87. The equations are at
+   the top of this file. The array y = (A, delta, theta) contains the mean amplitude A, delta = phi - (P/Q) theta with
+   the phase phi of the vibration, and the phase theta of the force. Start with vm_periodic_to_averaged, and end with
+   vm_periodic_from_averaged. Let e be the largest of the damping b, the mass rate m' and the force F. Near the
+   resonance, for times up to the order of 1/e, the error of x is of the order of e for alpha = 1, and between e and
+   sqrt(e) for other alpha. The error is larger for motions that come close to an unstable vibration. The argument
+   `periodic` and the statuses are those of vm_periodic_rhs. */
 VM_API int vm_periodic_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *periodic)
 {
     if (!y || !dydt || !periodic) return VM_BAD_ARGUMENT;
@@ -212,12 +218,13 @@ VM_API int vm_periodic_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, 
     return VM_OK;
 }
 
-/* The ripple of the amplitude, which is the exact amplitude minus the mean one, at the phases phi of the vibration
-   and theta of the force. The function has the type vmi_ripple_of_force. The slow changes give the ripple q
-   A/((alpha+3) Om) sa ca, and the force adds F/(m Om) times the sum over j and n of
+/* The ripple of the amplitude, which is the exact amplitude minus the mean amplitude, at the phase phi of the vibration
+   and the phase theta of the force. The function has the type vmi_ripple_of_force. Slow changes and damping, which act
+   at the rate q, give the ripple q A/((alpha+3) Om) sa ca, where Om is the rate of the Ateb phase. The force adds F/(m
+   Om) times the sum over j and n of
      s_j/2 [(a_n cos u + b_n sin u)/(j w + n nu) + (a_n cos v - b_n sin v)/(j w - n nu)],
    where u = j phi + n theta, v = j phi - n theta, w is the frequency of the free vibration, and s_j is the Fourier
-   coefficient of sin(j phi) in sa. The second quotient is left out for the pairs j, n that are in resonance, since it
+   coefficient of sin(j phi) in sa. The second quotient is left out for those j and n that are in resonance, since v
    does not vary there. */
 VM_API vm_real vmi_periodic_ripple(const void *periodic, const vmi_forced_parameters *n, vm_real A, vm_real phi,
                                    vm_real theta)
@@ -245,10 +252,10 @@ VM_API vm_real vmi_periodic_ripple(const void *periodic, const vmi_forced_parame
     return vmi_forced_q(f, n) * A / ((f->alpha + 3) * Om) * sa * ca + n->force / (n->mass * Om) * sum;
 }
 
-/* Converts a motion (x, x', theta) under a periodic force to its mean y = (A, delta, theta), near the resonance. A is
-   the amplitude without its ripple within a period. The statuses are those of vm_periodic_rhs; VM_NOT_FINITE also
-   means that the motion is infinite or NaN, and VM_DOMAIN that it is smaller than its ripple. y and motion may be the
-   same array. */
+/* Converts a motion (x, x', theta) under a periodic force, near the resonance, to its mean y = (A, delta, theta) (see
+   vm_periodic_averaged_rhs). A is the amplitude without its ripple within a period. Returns the statuses of
+   vm_periodic_rhs. In addition it returns VM_NOT_FINITE where a number of the motion is infinite or NaN, and VM_DOMAIN
+   where the amplitude is smaller than its ripple. y and motion may be the same array. */
 VM_API int vm_periodic_to_averaged(const vm_periodic *p, vm_real t, const vm_real *motion, vm_real *y)
 {
     if (!p || !motion || !y) return VM_BAD_ARGUMENT;
@@ -266,9 +273,9 @@ VM_API int vm_periodic_to_averaged(const vm_periodic *p, vm_real t, const vm_rea
 }
 
 /* Converts the mean y = (A, delta, theta) under a periodic force to the motion (x, x', theta). This is the inverse of
-   vm_periodic_to_averaged: it puts the ripple back. The statuses are those of vm_periodic_rhs; VM_NOT_FINITE also means
-   that y is infinite or NaN, and VM_DOMAIN that A <= 0 or that A is smaller than its ripple. motion and y may be the
-   same array. */
+   vm_periodic_to_averaged: it adds the ripple again. Returns the statuses of vm_periodic_rhs. In addition it returns
+   VM_NOT_FINITE where a number of y is infinite or NaN, and VM_DOMAIN where A <= 0 or A is smaller than its ripple.
+   motion and y may be the same array. */
 VM_API int vm_periodic_from_averaged(const vm_periodic *p, vm_real t, const vm_real *y, vm_real *motion)
 {
     if (!p || !y || !motion) return VM_BAD_ARGUMENT;
@@ -280,11 +287,13 @@ VM_API int vm_periodic_from_averaged(const vm_periodic *p, vm_real t, const vm_r
                            y[2], motion);
 }
 
-/* The search for steady vibrations */
+/* What the search for steady vibrations needs. S and C are the sums at the top of this file. */
 typedef struct VM_TAG(vmi_periodic_search) {
     const vm_periodic *p;
-    vmi_resonance z; /* its field push is F/m, without G; its field nu is (P/Q) nu */
-    vm_real side;    /* 1: phases are counted from 0; -1: from pi, where S and C have the opposite sign */
+    vmi_resonance z; /* its field push is F/m here, without the factor G; its field nu is (P/Q) nu, where nu is the
+                        frequency of the force */
+    vm_real side;    /* 1: phases delta are counted from 0; -1: they are counted from pi, where S and C have the
+                        opposite sign */
 } vmi_periodic_search;
 
 VM_API vmi_periodic_search vmi_periodic_search_of(const vm_periodic *p, const vmi_forced_parameters *n)
@@ -298,9 +307,9 @@ VM_API vmi_periodic_search vmi_periodic_search_of(const vm_periodic *p, const vm
     return search;
 }
 
-/* The sums at a phase that is counted from 0 or pi, as the field `side` says. Next to pi, S is nearly 0 and would
-   lose digits with the rounding of pi. All harmonics of the vibration are odd, so that half a turn changes the signs
-   only. */
+/* The sums S and C at a phase that is counted from 0 or from pi, as the field `side` of the search says. Counting from
+   pi keeps digits near pi, where S is nearly 0 and the rounding error of pi would matter. All harmonics of the
+   vibration are odd; therefore S and C only change their signs if pi is added to the phase. */
 VM_API vmi_periodic_sums vmi_periodic_sums_from(const vmi_periodic_search *s, vm_real phase)
 {
     vmi_periodic_sums sums = vmi_periodic_sums_at(s->p, phase);
@@ -310,8 +319,9 @@ VM_API vmi_periodic_sums vmi_periodic_sums_from(const vmi_periodic_search *s, vm
     return sums;
 }
 
-/* The amplitude for which A' = 0 at the sum S. It follows from A w(A) = -S F/(m p), where p is q/(alpha+3). The result
-   is 0 where there is no such amplitude. */
+/* The amplitude for which the averaged equations give A' = 0 if the sum has the value S. It follows from A w(A) = -S
+   F/(m p), where p is q/(alpha+3), F/m the force per mass, and w(A) the frequency of the free vibration. The result is
+   0 where there is no such amplitude. */
 VM_API vm_real vmi_periodic_amplitude(const vmi_resonance *z, vm_real S)
 {
     const vm_real product = -z->push / z->p * S;
@@ -319,9 +329,9 @@ VM_API vm_real vmi_periodic_amplitude(const vmi_resonance *z, vm_real S)
     return vmi_pow_checked(product / z->w1, 1 / (1 + z->exponent));
 }
 
-/* The excess, which is delta' of the averaged equations times |S|, at a phase that is counted from 0 or pi, with the
-   amplitude for which A' = 0. Its zeros with A > 0 are the steady vibrations. It is continuous: where no amplitude
-   has A' = 0, it is the limit for A -> 0. */
+/* The excess, which is delta' of the averaged equations times the absolute value of the sum S. It is computed at a
+   phase that is counted from 0 or pi, with the amplitude A for which A' = 0. The zeros of the excess with A > 0 are the
+   steady vibrations. The excess is continuous: where no amplitude has A' = 0, it is the limit for A -> 0. */
 VM_API vm_real vmi_periodic_excess(vm_real phase, void *search)
 {
     const vmi_periodic_search *s = (const vmi_periodic_search *)search;
@@ -335,8 +345,9 @@ VM_API vm_real vmi_periodic_excess(vm_real phase, void *search)
     return (w - z->nu) * VM_FABS(sums.S) + limit;
 }
 
-/* The steady vibration of a phase that is counted from 0 or pi, with trace and determinant of the linearized averaged
-   equations. Its frequency nu follows from the phase. A is 0 where there is no such vibration. */
+/* Returns the steady vibration of a phase that is counted from 0 or pi, with trace and determinant of the linearized
+   averaged equations. The frequency nu of the force follows from the phase. The field A is 0 where there is no such
+   vibration. */
 VM_API vm_steady_state vmi_periodic_state(const vmi_periodic_search *search, vm_real phase)
 {
     const vmi_resonance *z = &search->z;
@@ -356,12 +367,13 @@ VM_API vm_steady_state vmi_periodic_state(const vmi_periodic_search *search, vm_
     return s;
 }
 
-/* Steady vibration of the phase delta under a periodic force: a point of the resonance curve. Each phase, rad,
-   belongs to at most one amplitude and one frequency nu of the force, so that a run of delta from -pi to pi gives the
-   whole curve. The field nu of *steady is this frequency; that of the oscillator is not used. All other parameters
-   are those at time t. Returns the statuses of vm_periodic_rhs, VM_NOT_FINITE also where delta is not finite, and
-   VM_DOMAIN also where no steady vibration has this phase or where q = 0: without damping and slow changes the phase
-   does not determine the amplitude. An error leaves *steady as it was. */
+/* Steady vibration of the phase delta under a periodic force: a point of the resonance curve. Each phase delta, rad,
+   belongs to at most one amplitude and one frequency nu of the force, so that values of delta from -pi to pi give the
+   whole curve. The field nu of *steady is this frequency; the frequency in the fields of the oscillator is not used.
+   All other parameters are those at time t. Returns the statuses of vm_periodic_rhs. In addition it returns
+   VM_NOT_FINITE where delta is not finite, and VM_DOMAIN where no steady vibration has this phase, or where q = 0 in
+   the averaged equations, as without damping and slow changes, so that the phase does not determine the amplitude. An
+   error leaves *steady as it was. */
 VM_API int vm_periodic_curve(const vm_periodic *p, vm_real t, vm_real delta, vm_steady_state *steady)
 {
     if (!p || !steady) return VM_BAD_ARGUMENT;
@@ -380,8 +392,8 @@ VM_API int vm_periodic_curve(const vm_periodic *p, vm_real t, vm_real delta, vm_
     return VM_OK;
 }
 
-/* Writes state into the list of n states, which has `room` places and is sorted by amplitude; if it is full, the
-   largest amplitude is left out. */
+/* Inserts *state into the list `steady` of n states, which has `room` places and is sorted by amplitude. If the list is
+   full, the state with the largest amplitude is dropped. */
 VM_API void vmi_periodic_insert(const vm_steady_state *state, int n, int room, vm_steady_state *steady)
 {
     int i = n;
@@ -391,13 +403,13 @@ VM_API void vmi_periodic_insert(const vm_steady_state *state, int n, int room, v
     if (i < room) steady[i] = *state;
 }
 
-/* Steady vibrations under a periodic force: amplitudes, phases, stability, near the resonance. All parameters are
-   those at time t. Writes at most `room` vibrations to steady, the smallest amplitudes first, and returns how many
-   there are (it may be more than room), or a negative status. The function looks for changes of sign between 360
-   phases, so that two vibrations whose phases differ by less than a degree, next to a fold of the resonance curve,
-   may be missed together. The function takes about as long as 4000 sines. The negative statuses are those of
-   vm_periodic_rhs; VM_BAD_ARGUMENT also means room < 0, VM_DOMAIN also means q = 0; the comment of vm_periodic_curve
-   explains why. */
+/* Steady vibrations under a periodic force, near the resonance, with their amplitudes, phases and stability. All
+   parameters are those at time t. Writes at most `room` vibrations to steady, the smallest amplitudes first, and
+   returns how many there are (this number may be larger than room), or a negative status. The function looks for
+   changes of sign between 360 phases, so that it may miss two vibrations whose phases differ by less than a degree;
+   such vibrations lie next to a fold of the resonance curve. The function takes about as long as the computation of
+   4000 sines. The negative statuses are those of vm_periodic_rhs, VM_BAD_ARGUMENT also for room < 0, and VM_DOMAIN also
+   for q = 0, which the comment of vm_periodic_curve explains. */
 VM_API int vm_periodic_steady_states(const vm_periodic *p, vm_real t, int room, vm_steady_state *steady)
 {
     if (!p || !steady || room < 0) return VM_BAD_ARGUMENT;
@@ -412,7 +424,7 @@ VM_API int vm_periodic_steady_states(const vm_periodic *p, vm_real t, int room, 
     if (search.z.push == 0) return 0;
     search.side = -1;
     after = vmi_periodic_excess(0, &search);
-    for (degree = -180; degree < 180; degree++) { /* at the left end of the interval */
+    for (degree = -180; degree < 180; degree++) { /* phases in degrees: the left end of each interval of one degree */
         int origin = 0;
         vm_steady_state state;
         vm_real left, right;

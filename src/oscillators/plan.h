@@ -1,7 +1,8 @@
 /* oscillators/plan.h - the plan of an oscillator: what is computed once and then used at many times t
 
    A plan contains the amplitude and the phase at t = 0, the mean motion at t = 0 by the law of order five
-   (oscillators/expansion.h), and the closed forms of the laws of mass and stiffness, if they have such forms:
+   (oscillators/expansion.h), and closed forms of the integrals along the laws of mass and stiffness, if there are such
+   forms:
        vm_osc_plan plan;
        int status = vm_osc_plan_init(&plan, &problem); // problem is a vm_osc_problem
    Tests: tests/test_slow_motion.c, tests/test_routes.c. */
@@ -21,27 +22,29 @@
 #include "ripple.h"
 #include "waves.h"
 
-/* What is computed only once for a problem, by vm_osc_plan_init. Read its fields, but do not change them. The plan
-   points to the tables, functions and contexts of the problem; therefore another program cannot use it. */
+/* A plan: numbers that vm_osc_plan_init computes once for a problem. Read the fields of the plan, but do not change
+   them. The plan contains pointers to the tables of the problem, to the user's functions and to their ctx; therefore a
+   copy of it is of no use in another program. */
 typedef struct VM_TAG(vm_osc_plan) {
     vm_osc_problem problem;  /* a copy of the problem */
     vm_real m0, k0;          /* mass, kg, and stiffness, N/m^alpha, at t = 0 */
-    vm_real A, psi, Om;      /* amplitude, m, and Ateb phase of x and v at t = 0, and rate of the phase, 1/s */
-    vmi_osc_slow slow;       /* mass, stiffness and G_k just after t = 0 */
+    vm_real A, psi, Om;      /* at t = 0: amplitude A, m, and Ateb phase psi of the state (x, v), and rate Om of the
+                                phase, 1/s */
+    vmi_osc_slow slow;       /* mass, stiffness and the numbers G_k (see vmi_osc_slow) just after t = 0 */
     vm_real E[VMI_OSC_G];    /* the numbers E_k at t = 0 (see vmi_osc_disturbance) */
     vmi_osc_reduced mean;    /* amplitude, phase and rate of the mean motion at t = 0 */
-    int start_order;         /* order by which `mean` was found: 5, or 2 without the polynomials of the ripple;
-                                0 where x and v are 0, so that there is no mean motion */
+    int start_order;         /* order of the law of order five by which `mean` was found: 5, or 2 if `ripple` has no
+                                polynomials; 0 where x and v are 0, so that there is no mean motion */
     int closed;              /* 1 where all integrals along the laws have closed forms, else 0 */
-    vmi_osc_rates_of_u laws; /* where closed is 1, the rates in the exponents of the laws (oscillators/closed.h) */
-    vmi_osc_closed_mean closed_mean; /* where closed is 1, the mean motion at t = 0 and its rates */
+    vmi_osc_rates_of_u laws; /* where `closed` is 1, the rates in the exponents of the laws (oscillators/closed.h) */
+    vmi_osc_closed_mean closed_mean; /* where `closed` is 1, the mean motion at t = 0 and its rates */
     int has_ateb;            /* 1 where the field ateb is set, else 0 */
-    vmi_ripple ripple;       /* functions of the ripple, prepared for alpha */
+    vmi_ripple ripple;       /* the ripple (oscillators/ripple.h), prepared for alpha */
     ateb_plan ateb;          /* Ateb functions, prepared for alpha */
 } vm_osc_plan;
 
-/* The periodic function, cos, cn or ca, by which a route describes the oscillation. It points into the plan, which must
-   exist as long as the wave is used. */
+/* Returns the wave, that is the periodic function cos, cn or ca, by which a route describes the vibration. The wave
+   contains a pointer into the plan; therefore the plan must exist as long as the wave is used. */
 VM_API vmi_osc_wave vmi_osc_wave_of(const vm_osc_plan *p, int route)
 {
     if (route == VM_ROUTE_TRIG) return vmi_osc_wave_cos(p->problem.alpha, p->ripple.pi);
@@ -49,16 +52,16 @@ VM_API vmi_osc_wave vmi_osc_wave_of(const vm_osc_plan *p, int route)
     return vmi_osc_wave_ca(p->problem.alpha, p->has_ateb ? &p->ateb : NULL);
 }
 
-/* The time, s, in which the phase advances by 16 radians. The derivatives of a user's law are found from its rates
-   within such a time. */
+/* Returns the time, s, in which the phase grows by 16. The second and higher derivatives of a law by a user's function
+   are found from its first derivatives within such a time. */
 VM_API vm_real vmi_osc_sampling_time(const vm_osc_plan *p)
 {
     if (!(p->Om > 0)) return 0;
     return 16 / p->Om;
 }
 
-/* The mean motion that belongs to a reduced state, by the law of this order, 2 to 5. E contains the numbers E_k of the
-   state. */
+/* Returns the mean motion that belongs to a reduced state (see vmi_osc_reduced), by the law of the given order, 2 to 5.
+   E contains the numbers E_k of the state (see vmi_osc_disturbance). */
 VM_API vmi_osc_reduced vmi_osc_mean_of(const vm_osc_plan *p, int order, const vmi_osc_reduced *state, const vm_real *E)
 {
     const vmi_osc_wave w = vmi_osc_wave_of(p, VM_ROUTE_ATEB);
@@ -67,15 +70,17 @@ VM_API vmi_osc_reduced vmi_osc_mean_of(const vm_osc_plan *p, int order, const vm
     return vmi_expansion_to_mean(&p->ripple, order, state, sa, ca, E);
 }
 
-/* The function that computes the constants of the Ateb functions: an accurate one if for_many is 1, for objects that
-   are used for many values, such as a vm_osc_closed; otherwise a fast one for a single value */
+/* Returns the function that computes the constants of the Ateb functions. If for_many is 1, this is the accurate
+   function, for structs that are used for many values, such as a vm_osc_closed. If for_many is 0, it is the fast
+   function, for a single value. */
 VM_API vmi_ateb_constants_of vmi_osc_constants_of(int for_many)
 {
     if (for_many) return vmi_ateb_fine_constants;
     return vmi_ateb_constants;
 }
 
-/* Computes the mean motion at t = 0, by order 5 if the ripple has its polynomials, else by order 2. */
+/* Computes the mean motion at t = 0, by the law of order 5 if p->ripple has its polynomials, else by the law of order
+   2. */
 VM_API int vmi_osc_start(vm_osc_plan *p)
 {
     const vm_osc_problem *o = &p->problem;
@@ -123,12 +128,12 @@ VM_API int vmi_osc_prepare(vm_osc_plan *p, const vm_osc_problem *problem, int fo
     return VM_OK;
 }
 
-/* Plan for many values of one problem's motion. The functions vm_osc_plan_by_route, vm_osc_plan_within and
-   vm_osc_averaged use the plan. The problem is copied; its tables and contexts must exist as long as the plan is used.
-   Errors leave the plan untouched. Returns VM_BAD_ARGUMENT for null pointers and for a law that no constructor made,
-   VM_NOT_FINITE for a number that is infinite or NaN, VM_BAD_MASS and VM_BAD_STIFFNESS for a law that is not positive
-   at t = 0 or in a table, VM_DOMAIN for alpha < 0, a table out of order or without t = 0, or a user's function of a law
-   that fails. */
+/* Makes a plan, by which the motion of one problem is computed for many values of t. The functions
+   vm_osc_plan_by_route, vm_osc_plan_within and vm_osc_averaged use the plan. The problem is copied; its tables and what
+   ctx points to must exist as long as the plan is used. Errors leave the plan untouched. Returns VM_BAD_ARGUMENT for
+   null pointers and for a law that no constructor made, VM_NOT_FINITE for a number that is infinite or NaN, VM_BAD_MASS
+   or VM_BAD_STIFFNESS for a mass or a stiffness that is not positive at t = 0 or in a table, and VM_DOMAIN for alpha <
+   0, for a table whose times do not rise or do not contain t = 0, and where the user's function of a law fails. */
 VM_API int vm_osc_plan_init(vm_osc_plan *p, const vm_osc_problem *problem)
 {
     vm_osc_plan plan;

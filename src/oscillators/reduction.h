@@ -1,15 +1,17 @@
-/* oscillators/reduction.h - amplitude and phase of an oscillator, which slow changes disturb only in second order
+/* oscillators/reduction.h - amplitude and phase of an oscillator, defined so that slow changes disturb them only in
+   second order
 
    The oscillator m x'' + k x|x|^(alpha-1) + (reactive m' + b) x' = 0 can be written d(mu x')/dt + kappa x|x|^(alpha-1)
-   = 0. The functions mu(t) and kappa(t) follow from mu'/mu = a with a = (reactive m' + b)/m, and from kappa/mu = k/m.
-   `reactive` is 1 where mass that joins or leaves is at rest, and 0 where it has the body's velocity; b is the damping.
-   Let p = (ln(mu kappa))'/(alpha+3) and V = x' + p x.
+   = 0. m(t) is the mass and k(t) the stiffness. The functions mu(t) and kappa(t) follow from mu'/mu = a with a =
+   (reactive m' + b)/m, and from kappa/mu = k/m. `reactive` is 1 where mass that joins or leaves is at rest, and 0 where
+   it has the body's velocity; b is the damping. Let p = (ln(mu kappa))'/(alpha+3) and V = x' + p x.
    Then x = A ca(psi) and V = -(2/(alpha+1)) W A sa(psi) define an amplitude A and a phase psi with the exact equations
      A'/A = -p + (G_0/W) sa ca,   psi' = W + (alpha+1)/2 (G_0/W) ca^2,   G_0 = p^2 - a p - p',
-   where W is the rate of the phase for constant mass and stiffness. Only G_0 disturbs the slow motion A'/A = -p,
-   psi' = W, and G_0 is of second order in the rates of mass and stiffness. The numbers G_1, G_2 ... follow from the
-   derivatives of G_0 (vmi_osc_find_G).
-   This file computes a, p and G_k from the derivatives of the laws, and A and psi from x and x', and back.
+   where W is the rate that the phase has at the amplitude A if mass and stiffness are constant. Only G_0 disturbs the
+   slow motion A'/A = -p, psi' = W, and G_0 is of second order in the rates of mass and stiffness. The numbers G_1, G_2
+   ... follow from the derivatives of G_0 (vmi_osc_find_G).
+   This file computes a, p and G_k from the derivatives of the laws of mass and stiffness. It also computes A and psi
+   from x and x', and x and x' from A and psi.
        vmi_osc_slow now;
        vmi_osc_reduced r;
        int status = vmi_osc_slow_at(&problem, 0, 1, 10, 1, &now); // laws at t = 0, with their values up to 10 s
@@ -36,21 +38,21 @@ typedef struct VM_TAG(vmi_osc_slow) {
     vm_real m, k;         /* mass, kg, and stiffness, N/m^alpha */
     vm_real a, p;         /* the rates a and p that the top of this file defines, 1/s */
     vm_real k_rate;       /* k'/k, 1/s */
-    vm_real unit;         /* time by which G_i are scaled, s, about 1/W: it keeps powers of very fast or slow rates from
-                             overflowing */
+    vm_real unit;         /* a time of about 1/W, s, by which the G_i are made pure numbers, so that powers of very
+                             large or small rates do not overflow */
     vm_real G[VMI_OSC_G]; /* G[i] is unit^(i+2) G_i, a pure number */
 } vmi_osc_slow;
 
-/* Mass, stiffness and the rates a and p at one time, without the numbers G_k. The laws' values and first derivatives
-   are enough for them. */
+/* Mass, stiffness and the rates a and p at one time, without the numbers G_k. They follow from the values and first
+   derivatives of the laws alone. */
 typedef struct VM_TAG(vmi_osc_rates) {
     vm_real m, k; /* mass, kg, and stiffness, N/m^alpha */
-    vm_real a, p; /* the rates a and p of the top of this file, 1/s */
+    vm_real a, p; /* the rates a and p that the top of this file defines, 1/s */
     vm_real k_rate; /* k'/k, 1/s */
 } vmi_osc_rates;
 
-/* Writes mass, stiffness and rates at t to *r. Where the rates jump at t, side = 1 asks for those after t, side = -1
-   for those before t. Returns the statuses of vmi_law_derivatives. */
+/* Writes mass, stiffness and their rates at t to *r. Where the rates jump at t, side = 1 asks for the rates after t,
+   side = -1 for the rates before t. Returns the statuses of vmi_law_derivatives. */
 VM_API int vmi_osc_rates_at(const vm_osc_problem *o, vm_real t, int side, vmi_osc_rates *r)
 {
     vm_real m[VMI_LAW_ORDERS], k[VMI_LAW_ORDERS];
@@ -65,12 +67,12 @@ VM_API int vmi_osc_rates_at(const vm_osc_problem *o, vm_real t, int side, vmi_os
     return VM_OK;
 }
 
-/* Whether mass or stiffness is a function of the user, which gives no second derivative */
+/* Returns 1 if mass or stiffness is a function of the user, which gives no second derivative; else 0. */
 VM_API int vmi_osc_has_user_law(const vm_osc_problem *o) { return o->mass.function || o->stiffness.function; }
 
-/* Returns 1 if the numbers of a law show that it is constant, as most stiffnesses are, and writes its value and its
-   first two derivatives to f; else returns 0. The value was already checked at t = 0. This saves 3 to 4 % of the
-   instructions of collocation. */
+/* Returns 1 if the fields of a law show that it is constant, as most stiffnesses are, and writes its value and its
+   first two derivatives to f; else returns 0. The value is not checked, since it was checked at t = 0. This function
+   saves 3 to 4 % of the machine instructions of collocation. */
 VM_API int vmi_law_is_constant(const vm_law *law, vm_real *f)
 {
     if (law->time || law->function || law->f1 != 0 || law->f2 != 0) return 0;
@@ -80,8 +82,8 @@ VM_API int vmi_law_is_constant(const vm_law *law, vm_real *f)
     return 1;
 }
 
-/* Writes what vmi_osc_rates_at writes, and the time derivative of p to *p_rate, which is 0 for laws by functions of the
-   user. */
+/* Writes what vmi_osc_rates_at writes. In addition it writes the time derivative of the rate p to *p_rate, or 0 if mass
+   or stiffness is a function of the user. */
 VM_API int vmi_osc_rates_and_slope(const vm_osc_problem *o, vm_real t, int side, vmi_osc_rates *r, vm_real *p_rate)
 {
     const vm_real share = 1 / (o->alpha + 3);
@@ -108,8 +110,8 @@ VM_API int vmi_osc_rates_and_slope(const vm_osc_problem *o, vm_real t, int side,
 
 /* -- Power series in time: element i of an array is the coefficient of the ith power -- */
 
-/* Replaces the n derivatives f, f', f'' ... by the coefficients of the power series of f in the variable time/unit,
-   where unit is a time in s. */
+/* Replaces the n numbers f, f', f'' ... in the array f by the first n coefficients of the power series of f in the
+   variable time/unit, where unit is a time in s. */
 VM_API void vmi_series_of_derivatives(int n, vm_real unit, vm_real *f)
 {
     int i, power;
@@ -117,7 +119,7 @@ VM_API void vmi_series_of_derivatives(int n, vm_real unit, vm_real *f)
         for (i = power; i < n; i++) f[i] *= unit / (vm_real)power;
 }
 
-/* Writes the series of f'/f to ratio. f has n coefficients, ratio has n - 1. */
+/* Writes the coefficients of the series of f'/f to ratio. The array f has n coefficients, ratio gets n - 1. */
 VM_API void vmi_series_log_rate(int n, const vm_real *f, vm_real *ratio)
 {
     int i, j;
@@ -128,7 +130,7 @@ VM_API void vmi_series_log_rate(int n, const vm_real *f, vm_real *ratio)
     }
 }
 
-/* Writes the n coefficients of the series of 1/f to inverse. */
+/* Writes the first n coefficients of the series of 1/f to inverse. */
 VM_API void vmi_series_inverse(int n, const vm_real *f, vm_real *inverse)
 {
     int i, j;
@@ -140,7 +142,7 @@ VM_API void vmi_series_inverse(int n, const vm_real *f, vm_real *inverse)
     }
 }
 
-/* Coefficient i of the product of two series */
+/* Coefficient i of the product of the two series f and g */
 VM_API vm_real vmi_series_product(int i, const vm_real *f, const vm_real *g)
 {
     vm_real sum = 0;
@@ -151,8 +153,8 @@ VM_API vm_real vmi_series_product(int i, const vm_real *f, const vm_real *g)
 
 /* -- The numbers G_k -- */
 
-/* Fills now->G by G_0 = p^2 - a p - p' and G_(k+1) = G_k' - (k+2) (2p - a) G_k. The arrays a and p hold the first n
-   coefficients of the power series of a and p in time. The array a is overwritten. */
+/* Fills now->G by G_0 = p^2 - a p - p' and G_(k+1) = G_k' - (k+2) (2p - a) G_k. The arrays a and p contain the first n
+   coefficients of the power series in time of the rates a and p. The array a is overwritten. */
 VM_API void vmi_osc_find_G(int n, vm_real *a, vm_real *p, vmi_osc_slow *now)
 {
     vm_real G[VMI_LAW_ORDERS], next[VMI_LAW_ORDERS];
@@ -169,8 +171,8 @@ VM_API void vmi_osc_find_G(int n, vm_real *a, vm_real *p, vmi_osc_slow *now)
     }
 }
 
-/* Fills *now. The arrays m and k contain mass and stiffness with their derivatives up to the sixth. Both arrays are
-   overwritten. The field `unit` of vmi_osc_slow explains the argument unit, s. */
+/* Fills *now from the arrays m and k, which contain mass and stiffness with their derivatives up to the sixth. Both
+   arrays are overwritten. The argument `unit`, s, becomes the field `unit` of *now. */
 VM_API void vmi_osc_slow_of(const vm_osc_problem *o, vm_real *m, vm_real *k, vm_real unit, vmi_osc_slow *now)
 {
     const int n = VMI_LAW_ORDERS - 1;
@@ -195,9 +197,10 @@ VM_API void vmi_osc_slow_of(const vm_osc_problem *o, vm_real *m, vm_real *k, vm_
     vmi_osc_find_G(n, m, k, now);
 }
 
-/* Fills *now for the time t. Where derivatives of the laws jump at t, side = 1 asks for those after t, side = -1 for
-   those before t. vmi_law_derivatives explains length, s, and the field `unit` of vmi_osc_slow explains unit, s.
-   Returns VM_OK, or the status VM_BAD_MASS, VM_BAD_STIFFNESS, VM_DOMAIN or VM_NOT_FINITE of a law that fails. */
+/* Fills *now for the time t. Where derivatives of the laws jump at t, side = 1 asks for the derivatives after t, side =
+   -1 for those before t. The comment of vmi_law_derivatives explains the argument `length`, s. The argument `unit`, s,
+   becomes the field `unit` of *now. Returns VM_OK, or the status of a law that fails: VM_BAD_MASS or VM_BAD_STIFFNESS
+   if it is not positive, VM_DOMAIN if it has no value at t, VM_NOT_FINITE if a number is infinite or NaN. */
 VM_API int vmi_osc_slow_at(const vm_osc_problem *o, vm_real t, int side, vm_real length, vm_real unit,
                            vmi_osc_slow *now)
 {
@@ -210,14 +213,15 @@ VM_API int vmi_osc_slow_at(const vm_osc_problem *o, vm_real t, int side, vm_real
 
 /* -- Amplitude and phase -- */
 
-/* The reduced state of the oscillator: the amplitude A and the phase psi of the position x and of V = x' + p x */
+/* The reduced state of the oscillator: the amplitude A and the phase psi that follow from the position x and from V =
+   x' + p x, where p is the rate of the top of this file */
 typedef struct VM_TAG(vmi_osc_reduced) {
     vm_real A;   /* amplitude, m */
     vm_real psi; /* Ateb phase */
-    vm_real W;   /* rate of the phase that this amplitude has if mass and stiffness are constant, 1/s */
+    vm_real W;   /* rate of the phase at the amplitude A if mass and stiffness are constant, 1/s */
 } vmi_osc_reduced;
 
-/* The reduced state that belongs to the position x and the velocity v, with the rates at the time of *now */
+/* Returns the reduced state that belongs to the position x and the velocity v at the time for which *now was filled. */
 VM_API vmi_osc_reduced vmi_osc_reduce(const vmi_osc_slow *now, vm_real alpha, vm_real x, vm_real v)
 {
     const vm_real omega = VM_SQRT(now->k / now->m);
@@ -227,8 +231,9 @@ VM_API vmi_osc_reduced vmi_osc_reduce(const vmi_osc_slow *now, vm_real alpha, vm
     return r;
 }
 
-/* The same state as vmi_osc_reduce finds, from omega = sqrt(k/m) and V = v + p x, for alpha >= 0. The code is shorter
-   and slower. Both vm_osc_closed_init and vm_osc_plan_init use it, so that their results agree. */
+/* Returns the state that vmi_osc_reduce returns, but computes it from omega = sqrt(k/m) and V = v + p x, for alpha >=
+   0. The code of this function is shorter and slower than that of vmi_osc_reduce. vm_osc_closed_init and
+   vm_osc_plan_init both use this function, so that their results agree. */
 VM_API vmi_osc_reduced vmi_osc_reduce_by_series(vm_real omega, vm_real alpha, vm_real x, vm_real V)
 {
     const vm_real n = alpha + 1, s = 0 - V / (VM_SQRT(2 / n) * omega); /* B^(n/2), where vmax(B) = |V|; see
@@ -246,8 +251,8 @@ VM_API vmi_osc_reduced vmi_osc_reduce_by_series(vm_real omega, vm_real alpha, vm
     return r;
 }
 
-/* Writes the position x and the velocity v of a reduced state, as the inverse of vmi_osc_reduce. sa and ca are the Ateb
-   functions of the state's phase. */
+/* Writes the position x and the velocity v of a reduced state. This is the inverse of vmi_osc_reduce. p is the rate at
+   the top of this file; sa and ca are the Ateb functions of the state's phase. */
 VM_API void vmi_osc_unreduce(const vmi_osc_reduced *r, vm_real p, vm_real alpha, vm_real sa, vm_real ca, vm_real *x,
                              vm_real *v)
 {

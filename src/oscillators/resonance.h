@@ -1,10 +1,11 @@
 /* oscillators/resonance.h - steady vibrations, resonance curves, passage through resonance
 
    For an oscillator under harmonic excitation (forced.h, which explains the symbols), this file computes all steady
-   vibrations and their stability, the amplitude-frequency curve and its peak, and whether a slow change of frequency,
-   mass or stiffness lets the vibration pass through the resonance or captures it. The results follow from the averaged
-   equations, so that they hold near the main resonance, where the natural frequency w(A) is the frequency nu of the
-   force. Mass, stiffness, frequency, force and their rates are those at one time t.
+   vibrations and their stability, and the amplitude-frequency curve with its peak. It also tells whether the vibration
+   passes through the resonance or is captured by it while frequency, mass or stiffness change slowly. The results
+   follow from the averaged equations. Therefore they hold near the main resonance, where the natural frequency w(A) at
+   the amplitude A is about the frequency nu of the force. All functions use mass, stiffness, frequency, force and their
+   rates at one time t.
 
        vm_steady_state steady[3];
        int n = vm_forced_steady_states(&forced, 0, steady); // forced is a vm_forced after vm_forced_init
@@ -27,17 +28,20 @@
 typedef struct VM_TAG(vm_steady_state) {
     vm_real nu;         /* frequency of the force, rad/s */
     vm_real A;          /* mean amplitude, m; vm_forced_from_averaged gives the motion with its ripple */
-    vm_real delta;      /* phase by which the vibration leads the force, rad, in (-pi, pi] */
-    vm_real trace, det; /* small deviations vary as e^(lambda t) with lambda^2 - trace lambda + det = 0 */
-    int stable;         /* 1 where det > 0 and trace < 0, else 0; det < 0 means a saddle */
+    vm_real delta;      /* phase by which the vibration leads the force, rad, -pi < delta <= pi */
+    vm_real trace, det; /* trace and determinant of the linearized equations: small deviations from the steady vibration
+                           vary as e^(lambda t), where lambda^2 - trace lambda + det = 0 */
+    int stable;         /* 1 if the vibration is stable, which means det > 0 and trace < 0; else 0. It is a saddle if
+                           det < 0 */
 } vm_steady_state;
 
-/* Passage through the resonance at one time */
+/* The passage through the resonance, for the rates of mass, stiffness and frequency at one time */
 typedef struct VM_TAG(vm_passage) {
-    vm_real A;              /* amplitude, m, whose natural frequency w(A) is nu; for alpha = 1 the given amplitude */
-    vm_real drift_ratio;    /* rate at which w - nu drifts, divided by the largest rate that the force can balance.
-                               Below 1 the vibration may be captured, so that it follows A; above 1 it passes through
-                               the resonance */
+    vm_real A;              /* amplitude, m, whose natural frequency w(A) is the frequency nu of the force; for alpha =
+                               1 the argument `amplitude` */
+    vm_real drift_ratio;    /* rate at which w - nu changes without the force, divided by the largest such rate that the
+                               force can balance. If it is below 1, the vibration may be captured, so that its amplitude
+                               follows A; if it is above 1, the vibration passes through the resonance */
     vm_real delta;          /* phase by which the captured vibration leads the force, rad; NaN for drift_ratio > 1 */
     vm_real amplitude_jump; /* largest relative change of the amplitude in a quick passage (drift_ratio much larger
                                than 1). The change depends on the phase at the start and may have either sign */
@@ -47,8 +51,9 @@ typedef struct VM_TAG(vm_passage) {
 typedef struct VM_TAG(vmi_resonance) {
     vm_real w1, exponent; /* natural frequency w = w1 A^exponent, rad/s */
     vm_real nu;           /* frequency of the force, rad/s */
-    vm_real p;            /* decay rate q/(alpha+3), 1/s: free vibrations follow A' = -p A */
-    vm_real push;         /* the force per mass, F G/m, that drives the mean motion; G is a field of vm_forced */
+    vm_real p;            /* decay rate of free vibrations, 1/s: their amplitude follows A' = -p A */
+    vm_real push;         /* F G/m, the force per mass that drives the mean motion; F is the force, m the mass, G a
+                             field of vm_forced */
 } vmi_resonance;
 
 /* Computes the quantities of vmi_resonance for the oscillator f with the parameters n. */
@@ -63,8 +68,8 @@ VM_API vmi_resonance vmi_resonance_of(const vm_forced *f, const vmi_forced_param
     return z;
 }
 
-/* The excess ln(A w sqrt((w - nu)^2 + p^2)/|push|) at the amplitude A = e^x. It is 0 for a steady vibration. w = w1
-   A^exponent, nu, p and push are those of vmi_resonance. */
+/* The excess ln(A w sqrt((w - nu)^2 + p^2)/|push|) at the amplitude A = e^x. The excess is 0 if A is the amplitude of a
+   steady vibration. w = w1 A^exponent, nu, p and push are those of vmi_resonance. */
 VM_API vm_real vmi_resonance_excess(vm_real x, void *resonance)
 {
     const vmi_resonance *z = (const vmi_resonance *)resonance;
@@ -73,7 +78,7 @@ VM_API vm_real vmi_resonance_excess(vm_real x, void *resonance)
     return (1 + z->exponent) * x + vmi_log(z->w1 / VM_FABS(z->push) * detuning).hi;
 }
 
-/* The steady vibration of amplitude A, with trace and determinant of the linearized averaged equations */
+/* Returns the steady vibration of amplitude A, with trace and determinant of the linearized averaged equations. */
 VM_API vm_steady_state vmi_resonance_state(const vmi_resonance *z, vm_real alpha, vm_real A)
 {
     const vm_real w = z->w1 * vmi_pow_checked(A, z->exponent), gain = (alpha + 1) / 2, off = w - z->nu, p = z->p;
@@ -87,9 +92,9 @@ VM_API vm_steady_state vmi_resonance_state(const vmi_resonance *z, vm_real alpha
     return s;
 }
 
-/* The extrema of vmi_resonance_excess for alpha != 1. Writes x = ln A of at most two extrema, in ascending order, and
-   returns how many there are. At an extremum the field det of the vibration is 0, so that w solves 2 alpha w^2 - (3
-   alpha + 1) nu w + (alpha + 1)(nu^2 + p^2) = 0. */
+/* The extrema of the function vmi_resonance_excess of x = ln A, for alpha != 1. Writes the x of at most two extrema, in
+   ascending order, and returns how many there are. At an extremum the field det of vm_steady_state is 0, so that w
+   solves 2 alpha w^2 - (3 alpha + 1) nu w + (alpha + 1)(nu^2 + p^2) = 0. */
 VM_API int vmi_resonance_turns(const vmi_resonance *z, vm_real alpha, vm_real x[2])
 {
     const vm_real bend = (alpha - 1) * z->nu, square = bend * bend - 8 * alpha * (alpha + 1) * z->p * z->p;
@@ -107,9 +112,9 @@ VM_API int vmi_resonance_turns(const vmi_resonance *z, vm_real alpha, vm_real x[
     return 2;
 }
 
-/* The steady amplitudes for alpha != 1. Writes at most three, in ascending order, and returns how many there are. The
-   excess is monotonic below, between and above its extrema, so each of these intervals of x = ln A contains at most one
-   zero. */
+/* The amplitudes of the steady vibrations for alpha != 1. Writes at most three amplitudes, in ascending order, and
+   returns how many there are. They are the zeros of vmi_resonance_excess, a function of x = ln A. This function is
+   monotonic below, between and above its extrema, so each of these intervals contains at most one zero. */
 VM_API int vmi_resonance_roots(vmi_resonance *z, vm_real alpha, vm_real A[3])
 {
     const vm_real steep = vmi_larger(VM_FABS(z->exponent), 1);
@@ -129,12 +134,13 @@ VM_API int vmi_resonance_roots(vmi_resonance *z, vm_real alpha, vm_real A[3])
     return found;
 }
 
-/* Steady vibrations of an excited oscillator: amplitudes, phases, stability. All parameters are those at time t. Writes
-   at most three vibrations to steady, the smallest amplitude first, and returns how many there are, 0 where the force
-   is 0, or a negative status. In the tests the relative error of amplitudes, compared with solutions of the averaged
-   equations, is at most 3e-14 (float 3e-5). To get the response at all frequencies, call the function for each nu.
-   The averaged equations are valid near the resonance only; far from w(A) = nu a solution may differ from every real
-   motion. The negative statuses are those of vm_forced_rhs. */
+/* Steady vibrations of an oscillator under a harmonic force, with their amplitudes, phases and stability. All
+   parameters are those at time t. Writes at most three vibrations to steady, the smallest amplitude first, and returns
+   how many there are, 0 where the force is 0, or a negative status. In the tests the relative error of amplitudes,
+   compared with solutions of the averaged equations, is at most 3e-14 (float 3e-5). To get the response at several
+   frequencies nu of the force, call the function for each nu. The averaged equations are valid only near the resonance,
+   where the natural frequency w(A) is about nu; far from it a solution may differ from every real motion. The negative
+   statuses are those of vm_forced_rhs. */
 VM_API int vm_forced_steady_states(const vm_forced *f, vm_real t, vm_steady_state steady[3])
 {
     if (!f || !steady) return VM_BAD_ARGUMENT;
@@ -158,8 +164,9 @@ VM_API int vm_forced_steady_states(const vm_forced *f, vm_real t, vm_steady_stat
 
 /* Steady vibrations of a given amplitude A, m, at any frequency nu > 0: points of the amplitude-frequency curve. Writes
    at most two vibrations to curve, the lower frequency first. They lie on both sides of the backbone, the curve nu =
-   w(A). Returns how many there are, 0 where the force is too small for A, or a negative status: those of vm_forced_rhs,
-   and VM_DOMAIN also where A is not positive. Results that overflow are NaN. */
+   w(A) with the natural frequency w. Returns how many there are, 0 where the force is too small for the amplitude A, or
+   a negative status: a status of vm_forced_rhs, where VM_DOMAIN also means that A is not positive. Results that
+   overflow are NaN. */
 VM_API int vm_forced_curve(const vm_forced *f, vm_real t, vm_real A, vm_steady_state curve[2])
 {
     if (!f || !curve) return VM_BAD_ARGUMENT;
@@ -185,9 +192,10 @@ VM_API int vm_forced_curve(const vm_forced *f, vm_real t, vm_real A, vm_steady_s
     return found;
 }
 
-/* Largest amplitude of the amplitude-frequency curve, m: where the curve meets the backbone nu = w(A). It is infinite
-   without damping. The relative error is at most 1e-14 (float 2e-5). Returns NaN for a null pointer and where the
-   parameters at time t are not in their domain. */
+/* Largest amplitude, m, of the amplitude-frequency curve. The curve has this amplitude where it crosses the backbone nu
+   = w(A), on which the frequency of the force is the natural frequency. The result is infinite without damping. The
+   relative error is at most 1e-14 (float 2e-5). Returns NaN for a null pointer and where the parameters at time t are
+   not in their domain. */
 VM_API vm_real vm_forced_peak(const vm_forced *f, vm_real t)
 {
     if (!f) return VM_NAN;
@@ -198,13 +206,15 @@ VM_API vm_real vm_forced_peak(const vm_forced *f, vm_real t)
     return vmi_pow_checked(VM_FABS(z.push / z.p) / z.w1, 2 / (f->alpha + 1));
 }
 
-/* Passage through the resonance: whether a slow drift leads to capture. The drift is given by the rates of mass,
-   stiffness and frequency at time t. amplitude, m, is used for alpha = 1 only, where w is the same for all amplitudes.
-   Near w(A) = nu the averaged equations give delta'' = -(gamma push/A) sin(delta) - nu D, which is the equation of a
-   pendulum under a torque. Here gamma = (alpha - 1)/2, push = F G/m, and D is the rate at which ln(w/nu) would fall
-   without the force. drift_ratio is the torque |nu D| divided by |gamma push/A|, the largest torque that the pendulum
-   can hold. The statuses are those of vm_forced_rhs; VM_DOMAIN also means that the force is 0 or that the amplitude is
-   not positive and finite. An error leaves *passage as it was. */
+/* Passage through the resonance: tells whether slow changes of mass, stiffness and frequency, with their rates at time
+   t, let the vibration pass through the resonance or capture it. The argument `amplitude`, m, is used for alpha = 1
+   only, where the natural frequency w is the same for all amplitudes. Let nu be the frequency of the force, and delta
+   the phase by which the vibration leads the force. Near w(A) = nu the averaged equations give delta'' = -(gamma
+   push/A) sin(delta) - nu D, which is the equation of a pendulum under a torque. Here gamma = (alpha - 1)/2, push is
+   the field of vmi_resonance (a force per mass), and D is the rate at which ln(w/nu) would fall without the force. The
+   field drift_ratio is the torque |nu D| divided by |gamma push/A|, the largest torque that the pendulum can balance.
+   Returns the statuses of vm_forced_rhs, where VM_DOMAIN also means that the force is 0 or that the amplitude is not
+   positive and finite. An error leaves *passage as it was. */
 VM_API int vm_forced_passage(const vm_forced *f, vm_real t, vm_real amplitude, vm_passage *passage)
 {
     if (!f || !passage) return VM_BAD_ARGUMENT;

@@ -1,11 +1,12 @@
 /* oscillators/ripple.h - the ripple of ca^2 within a period, and its integrals over the Ateb phase
 
    Amplitude and phase of an oscillator whose mass or stiffness varies slowly swing a little about mean values. This
-   ripple is computed from five functions of the Ateb phase psi. The first is C = ca^2(psi) - <ca^2>, where < > is the
-   mean over a period. The other four are integrals over psi, each with the mean 0 and the period Pi_alpha:
+   swing, the ripple, is computed from five functions of the Ateb phase psi. The first is C = ca^2(psi) - <ca^2>, where
+   < > is the mean over a period. The other four are integrals over psi, each with the mean 0 and the period Pi_alpha:
      S = integral of C,   S2 = integral of S,   S3 = integral of S2,   Q = integral of C^2 - <C^2>.
    A vmi_ripple contains what is computed once for an alpha: polynomials that approximate these integrals, and constants
-   of the law of order five (oscillators/expansion.h). It is plain data and may lie in flash memory.
+   of the law of order five (oscillators/expansion.h). It contains no pointers, so that a constant vmi_ripple may lie in
+   flash memory.
        vmi_ripple r;
        vmi_ripple_values f;
        vm_real sa, ca;
@@ -16,8 +17,9 @@
 
    Method: let w = |ca|^(alpha+1) and y = sa^2, so that w + y = 1. An integral from a zero of ca is |ca|^3, |ca|^4 or
    |ca|^5 times a power series in w. An integral from a zero of sa is a power series in y, times a power of sa. The
-   first set of series is used for w < 1/2, the second for y <= 1/2. On [0, 1/2] each power series is replaced by the
-   first terms of its Chebyshev series: 15 terms give an error of 1e-12, 8 terms 1e-7, for every alpha.
+   series in w are used for w < 1/2, the series in y for y <= 1/2. On the interval from 0 to 1/2 each power series is
+   replaced by the first terms of its Chebyshev series, a sum of Chebyshev polynomials. For every alpha, 15 terms give
+   an error of 1e-12, and 8 terms an error of 1e-7.
    Tests: tests/test_slow_motion.c. */
 #ifndef VARMASS_OSCILLATORS_RIPPLE_H
 #define VARMASS_OSCILLATORS_RIPPLE_H
@@ -29,48 +31,53 @@
 #include "../base/scalars.h"
 #include "constant_mass.h"
 
-/* Numbers of terms of each polynomial (TERMS), of the Chebyshev series of each power w^i (KEPT), and of each power
-   series in w or y (SERIES), where w = |ca|^(alpha+1) and y = sa^2 */
+/* The numbers of terms: VMI_RIPPLE_TERMS of each polynomial, VMI_RIPPLE_KEPT of the Chebyshev series of each power w^i,
+   and VMI_RIPPLE_SERIES of each power series in w = |ca|^(alpha+1) or y = sa^2 */
 #if VM_MANT_DIG > 24
 enum { VMI_RIPPLE_TERMS = 15, VMI_RIPPLE_KEPT = 24, VMI_RIPPLE_SERIES = 56 };
 #else
 enum { VMI_RIPPLE_TERMS = 8, VMI_RIPPLE_KEPT = 13, VMI_RIPPLE_SERIES = 28 };
 #endif
 
-/* The four polynomials of a set. CA2 and CA4 give the integrals of ca^2 and of ca^4; FIRST gives the integral of the
-   integral of ca^2, and SECOND gives the integral of that. In one set all integrals begin at the nearest zero of ca, in
-   the other at the nearest zero of sa. */
+/* The indices of the four polynomials of a set. CA2 and CA4 give the integrals of ca^2 and of ca^4 over the phase.
+   FIRST gives the integral of the integral of ca^2, and SECOND gives the integral of the result of FIRST. There are two
+   sets: in one all integrals begin at the nearest zero of ca, in the other at the nearest zero of sa. */
 enum { VMI_RIPPLE_CA2, VMI_RIPPLE_CA4, VMI_RIPPLE_FIRST, VMI_RIPPLE_SECOND, VMI_RIPPLE_FUNCTIONS };
 
 /* Constants and polynomials for one alpha, prepared by vmi_ripple_init and vmi_ripple_complete */
 typedef struct VM_TAG(vmi_ripple) {
     vm_real alpha;
-    vm_real gamma;              /* (alpha-1)/(alpha+3): the rate of the phase is proportional to (action)^gamma */
-    vm_real scale;              /* L = (alpha+1)(alpha+3)/4, a factor in the law of order five */
+    vm_real gamma;              /* (alpha-1)/(alpha+3): for constant mass and stiffness the rate of the phase is
+                                   proportional to (action)^gamma */
+    vm_real scale;              /* (alpha+1)(alpha+3)/4, a factor in the law of order five (L in docs/law.md) */
     vm_real pi;                 /* Pi_alpha, the period of C, S, S2, S3 and Q */
     vm_real mean2, mean4;       /* the means of ca^2 and ca^4 */
     vm_real variance;           /* the mean of C^2, where C = ca^2 - mean2 */
-    int has_polynomials;        /* 1 where the fields below are set, else 0 */
+    int has_polynomials;        /* 1 where the fields below this line are set, else 0 */
     vm_real at_sa_0, at_ca_0;   /* values of S2 at the phases with sa = 0 and with ca = 0 */
-    vm_real near_ca_0[VMI_RIPPLE_FUNCTIONS][VMI_RIPPLE_TERMS]; /* polynomials in 4 w - 1, w = |ca|^(alpha+1) */
-    vm_real near_sa_0[VMI_RIPPLE_FUNCTIONS][VMI_RIPPLE_TERMS]; /* polynomials in 4 y - 1, where y = sa^2 */
+    vm_real near_ca_0[VMI_RIPPLE_FUNCTIONS][VMI_RIPPLE_TERMS]; /* coefficients of polynomials in 4 w - 1, where w =
+                                                                  |ca|^(alpha+1) */
+    vm_real near_sa_0[VMI_RIPPLE_FUNCTIONS][VMI_RIPPLE_TERMS]; /* coefficients of polynomials in 4 y - 1, where y =
+                                                                  sa^2 */
 } vmi_ripple;
 
 /* The functions of the ripple at one phase */
 typedef struct VM_TAG(vmi_ripple_values) {
     vm_real sa, ca;
-    vm_real C, S, S2, S3, Q; /* see the top of this file; S is valid from order 3 on, S2 from 4 on, S3 and Q for 5 */
+    vm_real C, S, S2, S3, Q; /* the functions at the top of this file; S is valid for orders from 3 on, S2 from 4 on, S3
+                                and Q for order 5 */
 } vmi_ripple_values;
 
 /* -- Making the polynomials -- */
 
-/* Coefficients with the same index i of all power series. For example the integral of ca^2 from a zero of ca is |ca|^3
-   times the sum of near_ca_0[VMI_RIPPLE_CA2] w^i over all i. */
+/* The coefficients with the index i of all power series in w = |ca|^(alpha+1) or y = sa^2. For example the integral of
+   ca^2 from a zero of ca is |ca|^3 times the sum of near_ca_0[VMI_RIPPLE_CA2] w^i over all i. */
 typedef struct VM_TAG(vmi_ripple_series) {
     vm_real root;                 /* coefficient i of the power series of (1-w)^(-1/2) */
-    vm_real power2, power3, power4; /* coefficients i of (1-y)^((j-alpha)/(alpha+1)) for j = 2, 3, 4 */
-    vm_real product;              /* coefficient i of (1-y)^(1-nu) T, where nu = 2 alpha/(alpha+1) and
-                                     T |sa| is the integral of ca^2 from a zero of sa */
+    vm_real power2, power3, power4; /* coefficients i of the power series of (1-y)^((j-alpha)/(alpha+1)) for j = 2, 3,
+                                       4 */
+    vm_real product;              /* coefficient i of the power series of (1-y)^(1-nu) T, where nu = 2 alpha/(alpha+1)
+                                     and T |sa| is the integral of ca^2 from a zero of sa */
     vm_real near_ca_0[VMI_RIPPLE_FUNCTIONS], near_sa_0[VMI_RIPPLE_FUNCTIONS];
 } vmi_ripple_series;
 
@@ -81,10 +88,10 @@ VM_API vm_real vmi_binomial_next(vm_real before, int i, vm_real exponent)
     return before * ((vm_real)(i - 1) - exponent) / (vm_real)i;
 }
 
-/* Replaces the coefficients i - 1 of the power series by the coefficients i; for i = 0 all must be 0 before. Up to
-   order 3 only the series for the integral of ca^2 are needed. Method: let I be this integral over the phase from a
-   zero of ca or sa, D the integral of I, and E the integral of D. The differential equations D'' = ca^2 and E'' = I
-   give each coefficient of D and E from the previous coefficient. */
+/* Replaces the coefficients i - 1 of the power series in *s by the coefficients i; before the call with i = 0 all must
+   be 0. For `order` up to 3 only the series for the integral of ca^2 are computed. Method: let I be the integral of
+   ca^2 over the phase from a zero of ca or sa, D the integral of I, and E the integral of D. The differential equations
+   D'' = ca^2 and E'' = I give each coefficient of D and E from the previous coefficient. */
 VM_API void vmi_ripple_next_terms(vmi_ripple_series *s, int order, int i, vm_real alpha)
 {
     const vm_real n = alpha + 1, nu = 2 * alpha / n, k = (vm_real)(2 * i);
@@ -109,8 +116,8 @@ VM_API void vmi_ripple_next_terms(vmi_ripple_series *s, int order, int i, vm_rea
     turn[VMI_RIPPLE_SECOND] = (turn[VMI_RIPPLE_SECOND] * (k + 1) * (k + nu) + s->product) / ((k + 3) * (k + 2));
 }
 
-/* Multiplies the Chebyshev series sum of c[k] T_k(z) by w = (1 + z)/4, where T_k is Chebyshev's polynomial and z T_k =
-   (T_(k+1) + T_(k-1))/2. */
+/* Multiplies the Chebyshev series, which is the sum of c[k] T_k(z) over k, by w = (1 + z)/4. T_k is Chebyshev's
+   polynomial, and z T_k = (T_(k+1) + T_(k-1))/2. */
 VM_API void vmi_chebyshev_times_w(vm_real *c)
 {
     const int last = VMI_RIPPLE_KEPT - 1;
@@ -136,8 +143,9 @@ VM_API void vmi_chebyshev_to_powers(vm_real *c)
     }
 }
 
-/* Makes the eight polynomials, four in each set; those that the laws up to `order` do not need become 0. It adds up the
-   power series, with each power w^i or y^i replaced by its Chebyshev series. */
+/* Makes the eight polynomials, four in each set. Polynomials that the law of order five needs only beyond `order`
+   become 0. The function adds up the power series, in which each power w^i or y^i is replaced by its Chebyshev
+   series. */
 VMI_APART void vmi_ripple_make_polynomials(vmi_ripple *r, int order)
 {
     vm_real w_power[VMI_RIPPLE_KEPT]; /* coefficients of the Chebyshev series of w^i */
@@ -182,11 +190,12 @@ VM_API vm_real vmi_ripple_polynomial(const vm_real *c, vm_real z)
 
 /* Integrals over the phase from the nearest zero of ca (or of sa) to a given phase */
 typedef struct VM_TAG(vmi_ripple_integrals) {
-    vm_real ca2, ca4, first, second; /* integrals of ca^2 and ca^4; the integral of ca2, and the integral of this */
+    vm_real ca2, ca4, first, second; /* the integrals of ca^2 and ca^4, the integral of the integral ca2, and the
+                                        integral of `first` */
 } vmi_ripple_integrals;
 
-/* A phase between a zero of ca or sa and the phase where sa^2 = 1/2, and the numbers that give the integrals from the
-   zero to this phase. At sa^2 = 1/2 one set of polynomials replaces the other. */
+/* A place, that is a phase between a zero of ca or sa and the phase where sa^2 = 1/2, and the numbers from which the
+   integrals from the zero to this place follow. At sa^2 = 1/2 one set of polynomials replaces the other. */
 typedef struct VM_TAG(vmi_ripple_place) {
     const vm_real (*polynomial)[VMI_RIPPLE_TERMS]; /* near_ca_0 or near_sa_0 */
     vm_real z;        /* variable of the polynomials */
@@ -219,8 +228,8 @@ VM_API vmi_ripple_place vmi_ripple_near_sa_0(const vmi_ripple *r, vm_real u, vm_
     return at;
 }
 
-/* The integrals from the zero to the place. Integrals that the law of this order, 2 to 5, does not need are set to
-   0. */
+/* Returns the integrals over the phase from the nearest zero of ca or sa to the place *at. Integrals that the law of
+   the given order, 2 to 5, does not need become 0. */
 VM_API vmi_ripple_integrals vmi_ripple_integrals_at(const vmi_ripple_place *at, int order)
 {
     const vm_real once = at->power2 * at->x;
@@ -237,8 +246,8 @@ VM_API vmi_ripple_integrals vmi_ripple_integrals_at(const vmi_ripple_place *at, 
 
 /* -- Preparing an alpha, and the functions -- */
 
-/* Prepares the ripple for an alpha >= 0, without the polynomials. Of the five functions only C can be computed from it.
-   `constants` is the function that computes Pi_alpha. */
+/* Prepares the ripple for an alpha >= 0, without the polynomials. Without them only C can be computed, of the five
+   functions at the top of this file. `constants` is the function that computes Pi_alpha. */
 VM_API void vmi_ripple_init(vmi_ripple *r, vm_real alpha, vmi_ateb_constants_of constants)
 {
     vmi_ateb c;
@@ -253,8 +262,8 @@ VM_API void vmi_ripple_init(vmi_ripple *r, vm_real alpha, vmi_ateb_constants_of 
     r->has_polynomials = 0;
 }
 
-/* Sets S2 at the zeros of sa and of ca. They follow from the condition that both sets of polynomials give the same S2
-   and S3 at the phase where sa^2 = 1/2. */
+/* Sets at_sa_0 and at_ca_0, the values of S2 at the zeros of sa and of ca. They follow from the condition that both
+   sets of polynomials give the same S2 and S3 at the phase where sa^2 = 1/2. */
 VM_API void vmi_ripple_join(vmi_ripple *r)
 {
     const vm_real half = VM_C(0.5), sa = VM_SQRT(half), ca = vmi_pow_checked(half, 1 / (r->alpha + 1));
@@ -262,7 +271,7 @@ VM_API void vmi_ripple_join(vmi_ripple *r)
     vmi_ripple_place place = vmi_ripple_near_ca_0(r, ca, half);
     const vmi_ripple_integrals zero = vmi_ripple_integrals_at(&place, 5);
     vmi_ripple_integrals turn;
-    vm_real jump; /* at_sa_0 - at_ca_0 */
+    vm_real jump; /* the difference at_sa_0 - at_ca_0 */
     place = vmi_ripple_near_sa_0(r, sa, half);
     turn = vmi_ripple_integrals_at(&place, 5);
     jump = (zero.first - r->mean2 * s * s / 2) - (turn.first - r->mean2 * t * t / 2);
@@ -271,8 +280,8 @@ VM_API void vmi_ripple_join(vmi_ripple *r)
     r->at_sa_0 = r->at_ca_0 + jump;
 }
 
-/* Adds what the laws up to `order`, 3 to 5, need: the polynomials, and S2 at the zeros of sa and of ca. What only
-   higher orders need is set to 0. */
+/* Adds to *r what the law of order five needs if it is cut off after `order`, 3 to 5: the polynomials, and the values
+   of S2 at the zeros of sa and of ca. Polynomials that only higher orders need become 0. */
 VM_API void vmi_ripple_complete(vmi_ripple *r, int order)
 {
     if (r->has_polynomials) return;
@@ -283,14 +292,13 @@ VM_API void vmi_ripple_complete(vmi_ripple *r, int order)
     r->has_polynomials = 1;
 }
 
-/* Writes the functions of the ripple at the phase psi, where sa and ca are the Ateb functions of psi. order, 2 to 5, is
-   the order of the law that needs them; for orders above 2, vmi_ripple_complete must have computed the polynomials
-   before. */
+/* Writes those of the functions C, S, S2, S3 and Q that the law of the given order, 2 to 5, needs, at the phase psi. sa
+   and ca are the Ateb functions of psi. For orders above 2, vmi_ripple_complete must have been called before. */
 VM_API void vmi_ripple_at(const vmi_ripple *r, int order, vm_real psi, vm_real sa, vm_real ca, vmi_ripple_values *f)
 {
     const vm_real m = r->mean2, y = sa * sa, from_sa_0 = psi - r->pi * VM_FLOOR(psi / r->pi + VM_C(0.5));
     vm_real side = VM_COPYSIGN(1, from_sa_0), way = VM_FABS(from_sa_0), S2_at_0 = r->at_sa_0; /* way: phase since the
-                                                                                                 zero */
+                                                                                                 nearest zero of sa */
     vmi_ripple_place place;
     vmi_ripple_integrals d;
     f->sa = sa;

@@ -1,9 +1,10 @@
-/* oscillators/routes.h - the motion x(t) of an oscillator at any time, by a given route or by the cheapest
+/* oscillators/routes.h - the motion x(t) of an oscillator at any time, by a given method or by the cheapest
 
-   Ten routes lead to x(t) and x'(t), from a cosine to the integration of the equation of motion by rk87 (VM_ROUTE_...
-   in oscillators/problem.h). vm_osc_within takes the cheapest route whose error is estimated to be within a tolerance.
-   vm_osc_by_route takes the route that its argument names. vm_osc_plan_within and vm_osc_plan_by_route do the same from
-   a plan, for one problem at many values of t. The shortest useful call:
+   Ten methods, called routes, compute x(t) and x'(t), from a cosine to the integration of the equation of motion by
+   rk87 (VM_ROUTE_... in oscillators/problem.h). vm_osc_within takes the cheapest route whose estimated error is within
+   a tolerance. vm_osc_by_route takes the route that its argument names. vm_osc_plan_within and vm_osc_plan_by_route do
+   this with a plan (oscillators/plan.h), which saves time if one problem is solved at many values of t. The shortest
+   useful call:
        vm_osc_problem bucket = {1, vm_law_linear(10, -0.1), vm_law_linear(250, 0), 0, 0, 0.05, 0, NULL, NULL};
        vm_osc_motion motion;
        if (vm_osc_within(&bucket, 70, 1e-6, &motion) == VM_OK) printf("%g m\n", motion.x);
@@ -22,40 +23,43 @@
 #include "ripple.h"
 #include "waves.h"
 
-/* -- What each route costs, which one is chosen, what its estimate covers, and how good the estimate is --
+/* -- What each route costs, which route is chosen, what the estimate of the error covers, and how good it is --
 
-   Cost. Without a force F the first seven routes are averaged solutions in closed form: they need one or two
-   evaluations of sa and ca and the integrals of the laws of mass and stiffness, whatever t and the tolerance are. The
-   other routes integrate from 0 to t within the tolerance. Each of them runs twice, the second time more strictly, and
-   the difference of the two runs gives the error. With F the averaged equations of the first three routes are
-   integrated, too, and the laws of orders 2 to 5 do not exist. docs/cost.md has the times.
+   Cost. If the problem has no force F, the first seven routes (VM_ROUTE_TRIG to VM_ROUTE_ORDER5) are averaged solutions
+   in closed form: they need one or two evaluations of sa and ca and the integrals of the laws of mass and stiffness,
+   whatever t and the tolerance are. The last three routes integrate from 0 to t within the tolerance. They integrate
+   twice, the second time with a stricter tolerance, and the difference of the two results gives the error. With a force
+   F the averaged equations of the first three routes are integrated numerically, too, and the routes VM_ROUTE_ORDER2 to
+   VM_ROUTE_ORDER5 do not exist. docs/cost.md has the times.
 
-   Choice. vm_osc_within takes the first of these seven solutions whose estimated error is within the tolerance. If
-   there is none, or a force F is given, it integrates numerically: by collocation if amplitude and phase describe the
-   motion, otherwise by rk87.
+   Choice. vm_osc_within takes the first of the seven averaged solutions whose estimated error is within the tolerance.
+   If there is no such solution, or if there is a force F, it integrates numerically: by collocation
+   (oscillators/collocation.h) if amplitude and phase describe the motion, otherwise by rk87.
 
    What the estimate of an averaged solution covers:
      - the terms that the solution leaves out, the error of cos and cn in place of ca, and rounding errors of the phase;
-     - fast changes of mass and stiffness between 0 and t. The integration along the laws looks for them panel by panel
-       (for laws by functions see vm_law_user), and in tables from one point to the next. A change within a period makes
-       the estimate large, so that vm_osc_within integrates. For a law by a function its steps are then limited by the
-       shortest panel, so that no step skips the change.
-   What the estimate of averaged equations with F covers:
-     - the error of their integration, and the error of cos and cn in place of ca;
-     - what averaging leaves out: the ripple within a period, its effect at the start, and second-order terms of it;
-     - a force that changes within a period, as in a resonance. For this the estimate calls F over a period at the start
-       and over periods at eight later times, so it misses a force that acts only for a short time between them.
+     - fast changes of mass and stiffness between 0 and t. The integration along the laws looks for such changes on each
+       panel, a short interval of time, and in tables between the points (for users' functions see vm_law_user). A fast
+       change makes the estimate large, so that vm_osc_within integrates numerically. If the law is a user's function,
+       no step of this integration is longer than the shortest panel, so that no step skips the change.
+   What the estimate covers where averaged equations with a force F are integrated:
+     - the error of this integration, and the error of cos and cn in place of ca;
+     - what averaging leaves out: the ripple within a period, the effect of the ripple at t = 0, and its second-order
+       terms;
+     - a force that changes within a period, as in a resonance. To find such changes, the function F is called over one
+       period at the start and over one period at each of eight later times. So the estimate misses a force that acts
+       only for a short time between these periods.
 
-   How good the estimate is. tests/test_routes.c compares it with the true error of random problems with alpha from
-   1/8 to 8, a rate q of the laws from 2e-3 to 0.1, and t from 1/q to 3/q. In double the test demands these
-   bounds:
+   How good the estimate is. tests/test_routes.c compares the estimate with the true error of random problems. In these
+   problems alpha is from 1/8 to 8, the relative rate q of change of mass and stiffness from 2e-3 to 0.1, and t from 1/q
+   to 3/q. In double the test demands these bounds:
      - the true error is above 3 times the estimate in at most 1 % of the problems for vm_osc_within, 4 % for rk87, and
        2 % for all other routes;
-     - the true error is at most 30 times the estimate for rk87, 40 times for rk45, and 10 times for all others;
+     - the true error is at most 30 times the estimate for rk87, 40 times for rk45, and 10 times for all other routes;
      - the median of estimate/(true error) is at most 55 for collocation, 25 for rk87, 13 for rk45, 15 for orders 4 and
-       5 and for averaged solutions with F, and 10 for all others.
-   The estimate is worse for rk87, because its errors are not proportional to the tolerance if alpha is not an odd
-   integer. */
+       5 and for averaged solutions with F, and 10 for all other routes.
+   The estimate is worse for rk87, because the errors of rk87 are not proportional to its tolerance if alpha is not an
+   odd integer. */
 
 /* -- The table of routes -- */
 
@@ -63,11 +67,12 @@
 typedef int (*vmi_osc_solution)(const vm_osc_plan *p, int route, const vmi_osc_wave *w, const vmi_osc_mean *mean,
                                 vm_osc_motion *motion);
 
-/* A function that computes the motion at t by integration from 0 to t, to a tolerance */
+/* A function that computes the motion at t by numerical integration from 0 to t, within a tolerance */
 typedef int (*vmi_osc_integration)(const vm_osc_plan *p, int route, vm_real t, vm_real tolerance,
                                    vm_osc_motion *motion);
 
-/* Integrates the averaged equations; with a force they have no solution in closed form. */
+/* Integrates the averaged equations numerically. This is needed with a force F, since there is no solution in closed
+   form. */
 VM_API int vmi_osc_integrate_averaged(const vm_osc_plan *p, int route, vm_real t, vm_real tolerance,
                                       vm_osc_motion *motion)
 {
@@ -92,14 +97,15 @@ VM_API int vmi_osc_integrate_rk87(const vm_osc_plan *p, int route, vm_real t, vm
     return vmi_osc_integrate(p, route, &method, t, tolerance, motion);
 }
 
-/* A route. Without a force it takes its solution in closed form, if it has one; otherwise it integrates. */
+/* A route. If the problem has no force F and the route has a solution in closed form, the route uses this solution;
+   otherwise it integrates numerically. */
 typedef struct VM_TAG(vmi_osc_route) {
     const char *name;
     vmi_osc_solution solution;     /* the solution in closed form, or null if there is none */
     vmi_osc_integration integrate; /* the integration, or null if there is none */
 } vmi_osc_route;
 
-/* Makes the entry of a route in the table of routes. solution or integrate may be null. */
+/* Makes the entry of a route in the table of routes. `solution` or `integrate` may be null, if the route has none. */
 VM_API vmi_osc_route vmi_osc_route_by(const char *name, vmi_osc_solution solution, vmi_osc_integration integrate)
 {
     vmi_osc_route route;
@@ -132,7 +138,8 @@ VM_API const char *vm_osc_route_name(int route) { return vmi_osc_route_of(route)
 
 /* -- One route -- */
 
-/* Checks the arguments that all calls share, except for the problem or the plan. */
+/* Checks those arguments that the functions with and without a plan have in common: the route, t, the tolerance and
+   `motion`. */
 VM_API int vmi_osc_check_arguments(int route, vm_real t, vm_real tolerance, const vm_osc_motion *motion)
 {
     if (!motion || route < VM_ROUTE_TRIG || route > VM_ROUTE_RK87) return VM_BAD_ARGUMENT;
@@ -141,7 +148,7 @@ VM_API int vmi_osc_check_arguments(int route, vm_real t, vm_real tolerance, cons
     return VM_OK;
 }
 
-/* Checks the arguments that all calls with a plan share, and replaces a tolerance of 0 by the default. */
+/* Checks the arguments of the functions with a plan, and replaces a tolerance of 0 by the default. */
 VM_API int vmi_osc_check_call(const vm_osc_plan *p, int route, vm_real t, vm_real *tolerance,
                               const vm_osc_motion *motion)
 {
@@ -166,22 +173,23 @@ VM_API int vmi_osc_at_rest(const vm_osc_plan *p, int route, vm_osc_motion *motio
     return VM_OK;
 }
 
-/* Motion x(t), x'(t) at time t (s, either sign) by a given route, from a plan. route is one of VM_ROUTE_....
-   motion->error estimates the larger of |error of x|/A and |error of v|/vmax. Routes that integrate keep the part of
-   this error that comes from the integration within the tolerance; a tolerance of 0 means 1e-6 (float 1e-3). A comment
-   at the start of oscillators/routes.h says what a route costs. Returns VM_OK, or VM_TOLERANCE_MISSED where x and v are
-   computed but the error of integration is larger than the tolerance. After an error *motion is unchanged. The errors
-   are
+/* Motion x(t), x'(t) at time t (s, either sign) by a given route, from a plan. `route` is one of VM_ROUTE_....
+   motion->error estimates the larger of |error of x|/A and |error of v|/vmax (see vm_osc_motion). Routes that integrate
+   numerically keep the error of the integration within the tolerance; a tolerance of 0 means 1e-6 (float 1e-3). A
+   comment at the start of oscillators/routes.h says what a route costs. Returns VM_OK, or VM_TOLERANCE_MISSED where x
+   and v are computed but the error of integration is larger than the tolerance. After an error *motion is unchanged.
+   The errors are
      VM_BAD_ARGUMENT for null pointers or a route that does not exist,
      VM_NOT_FINITE for a number that is infinite or NaN,
-     VM_BAD_MASS or VM_BAD_STIFFNESS for a law that is not positive between 0 and t,
-     VM_DOMAIN for a negative tolerance, t outside a table, a table out of order, a user's function of a law that fails,
+     VM_BAD_MASS or VM_BAD_STIFFNESS for a mass or a stiffness that is not positive between 0 and t,
+     VM_DOMAIN for a negative tolerance, t outside a table, a table whose times do not rise, a user's law that fails,
        or a change_time that is negative or too short,
-     VM_NO_LAW for the laws of orders 2 to 5 with F, and for F on a body at rest at x = 0,
-     VM_NOT_INTEGRATED where amplitude and phase do not describe the motion, for collocation only,
-     VM_NOT_INTEGRATED where the integrator gives up, where |t| is more than 2^23 of the present periods, or where there
-       are too many steps: more than 2^13 a period plus four times the number that the longest step makes necessary.
-   Thus every call ends. */
+     VM_NO_LAW for VM_ROUTE_ORDER2 to VM_ROUTE_ORDER5 with a force F, and for all routes with F if x = v = 0 at t = 0,
+     VM_NOT_INTEGRATED, for collocation only, where amplitude and phase do not describe the motion,
+     VM_NOT_INTEGRATED where the integrator cannot reach t, where |t| is more than 2^23 of the present periods, or where
+       there are too many steps: more than 2^13 a period plus four times the number that the longest step makes
+       necessary.
+   The two limits on |t| and on the steps guarantee that every call ends. */
 VM_API int vm_osc_plan_by_route(const vm_osc_plan *p, int route, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
     vmi_osc_route entry;
@@ -201,18 +209,20 @@ VM_API int vm_osc_plan_by_route(const vm_osc_plan *p, int route, vm_real t, vm_r
 
 /* -- The cheapest route -- */
 
-/* Writes the motion at t by the first of cos, cn, ca and the orders 2 to 5 whose error is estimated to be within the
-   tolerance. Returns VM_TOLERANCE_MISSED where there is none, and leaves *motion untouched. */
+/* Writes the motion at t by the first of the routes VM_ROUTE_TRIG to VM_ROUTE_ORDER5 whose estimated error is within
+   the tolerance. If there is no such route, it returns VM_TOLERANCE_MISSED and leaves *motion untouched. */
 VM_API int vmi_osc_averaged_within(const vm_osc_plan *p, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
-    const vm_real reserve = VM_C(1.5); /* in one case of 400 the error is larger than the estimate, up to 1.9 times */
+    const vm_real reserve = VM_C(1.5); /* a factor on the estimate: in one case of 400 the error is larger than the
+                                          estimate, up to 1.9 times */
     vmi_osc_mean mean;
     vmi_osc_wave w;
     vm_real first;
     int route, order, status = vmi_osc_mean_at(p, t, &mean);
     if (status) return status;
     first = vmi_osc_first_error(p, &mean);
-    for (route = VM_ROUTE_TRIG; first <= tolerance; route++) { /* ends at VM_ROUTE_ATEB: ca has no error */
+    for (route = VM_ROUTE_TRIG; first <= tolerance; route++) { /* this loop ends at VM_ROUTE_ATEB at the latest, since
+                                                                  ca has no error */
         w = vmi_osc_wave_of(p, route);
         if (first + vmi_osc_wave_error(&w, p->ripple.mean2) <= tolerance)
             return vmi_osc_first_order(p, route, &w, &mean, motion);
@@ -224,9 +234,9 @@ VM_API int vmi_osc_averaged_within(const vm_osc_plan *p, vm_real t, vm_real tole
     return VM_TOLERANCE_MISSED;
 }
 
-/* Motion at any time t (s) by integration, for vm_osc_plan_within where no averaged solution is good enough: by
-   collocation, and by rk87 where amplitude and phase do not describe the motion. If both miss the tolerance, the
-   one with the smaller error is taken. */
+/* Computes the motion at any time t (s) by numerical integration, for vm_osc_plan_within where no averaged solution is
+   accurate enough: by collocation, or by rk87 where amplitude and phase do not describe the motion. If collocation and
+   rk87 both miss the tolerance, the result with the smaller error is taken. */
 VM_API int vmi_osc_integrate_within(const vm_osc_plan *p, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
     vm_osc_motion direct;
@@ -239,10 +249,10 @@ VM_API int vmi_osc_integrate_within(const vm_osc_plan *p, vm_real t, vm_real tol
     return direct_status;
 }
 
-/* Motion x(t), x'(t) at time t (s, either sign) within a tolerance, from a plan. It takes the cheapest route whose
-   error is estimated to be within the tolerance; motion->route says which. The tolerance is relative, for the larger
-   of |error of x|/A and |error of v|/vmax: for x within d metres ask for d/A; 0 means 1e-6 (float 1e-3). The statuses
-   are those of vm_osc_plan_by_route. */
+/* Motion x(t), x'(t) at time t (s, either sign) within a tolerance, from a plan. The function takes the cheapest route
+   whose estimated error is within the tolerance; motion->route is this route. The error is the larger of |error of x|/A
+   and |error of v|/vmax (see vm_osc_motion). For an error of x of at most d metres, the tolerance is d/A; a tolerance
+   of 0 means 1e-6 (float 1e-3). The statuses are those of vm_osc_plan_by_route. */
 VM_API int vm_osc_plan_within(const vm_osc_plan *p, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
     int status = vmi_osc_check_call(p, VM_ROUTE_TRIG, t, &tolerance, motion);
@@ -256,8 +266,9 @@ VM_API int vm_osc_plan_within(const vm_osc_plan *p, vm_real t, vm_real tolerance
 
 /* -- Without a plan -- */
 
-/* Makes the plan of a problem for one call, without the plan of the Ateb functions, which saves time only for many
-   calls. complete = 1 also makes the polynomials of the ripple, which orders 3 to 5 and collocation need. */
+/* Makes the plan of a problem for one call. It does not make the plan of the Ateb functions, which saves time only for
+   many calls. If `complete` is 1, it also makes the polynomials of the ripple, which the routes VM_ROUTE_ORDER3 to
+   VM_ROUTE_ORDER5 and collocation need. */
 VM_API int vmi_osc_once(const vm_osc_problem *problem, int complete, vm_osc_plan *plan)
 {
     int status;
@@ -268,9 +279,9 @@ VM_API int vmi_osc_once(const vm_osc_problem *problem, int complete, vm_osc_plan
     return vmi_osc_start(plan);
 }
 
-/* Computes x(t), x'(t) at time t (s, either sign) by a given route. Use it for a single t; for several, make a plan.
-   Arguments, result and statuses are those of vm_osc_plan_by_route; it also returns the statuses of
-   vm_osc_plan_init. */
+/* Computes x(t), x'(t) at time t (s, either sign) by a given route. Use this function for a single t; for several
+   values of t make a plan. Arguments, result and statuses are those of vm_osc_plan_by_route; it also returns the
+   statuses of vm_osc_plan_init. */
 VM_API int vm_osc_by_route(const vm_osc_problem *problem, int route, vm_real t, vm_real tolerance,
                            vm_osc_motion *motion)
 {
@@ -282,9 +293,9 @@ VM_API int vm_osc_by_route(const vm_osc_problem *problem, int route, vm_real t, 
     return vm_osc_plan_by_route(&plan, route, t, tolerance, motion);
 }
 
-/* Computes x(t), x'(t) at time t (s, either sign) within a tolerance, by the cheapest route. Use it for a single t; for
-   several, make a plan. Arguments, result and statuses are those of vm_osc_plan_within; it also returns the statuses of
-   vm_osc_plan_init. */
+/* Computes x(t), x'(t) at time t (s, either sign) within a tolerance, by the cheapest route. Use this function for a
+   single t; for several values of t make a plan. Arguments, result and statuses are those of vm_osc_plan_within; it
+   also returns the statuses of vm_osc_plan_init. */
 VM_API int vm_osc_within(const vm_osc_problem *problem, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
     vm_osc_plan plan;

@@ -1,12 +1,13 @@
 /* oscillators/van_der_pol.h - the Van der Pol oscillator with variable mass
 
-   The equation is (404), with the mass m(t), a spring of any exponent alpha, and a stiffness k that may vary slowly,
-   too:
+   The equation is (404), with the mass m(t), a spring of any exponent alpha, and a stiffness k, which may vary slowly
+   like the mass:
        m x'' + k x|x|^(alpha-1) = (feed - c x^2) x' - r m' x'
-   If feed > 0 feeds the vibration and c > 0 limits it, the vibration tends to a limit cycle. r (`reactive`) is 1 where
-   mass that joins or leaves is at rest, 0 where it has the body's velocity. This file has the equation of motion, the
-   averaged equations (410), the amplitude in closed form for a linear mass, and the amplitude of the limit cycle: (403)
-   to (440), as corrected in docs/errata.md.
+   The term with feed > 0 brings energy into the vibration, and the term with c > 0 limits it; then the vibration tends
+   to a steady one, the limit cycle. r is the field `reactive`: 1 where mass that joins or leaves is at rest, 0 where it
+   has the body's velocity. This file has the equation of motion, the averaged equations (410), the amplitude in closed
+   form for a mass that is linear in time, and the amplitude of the limit cycle. These are the equations (403) to (440),
+   as corrected in docs/errata.md.
 
        vm_vdp v;
        memset(&v, 0, sizeof v);
@@ -32,31 +33,35 @@
 #include "laws.h"
 #include "slow.h"
 
-/* Methods of averaging. Each computes the means over one period of the motion x that stands beside its name. */
+/* Methods of averaging. Each method computes the means over one period of an approximate motion x, which is given
+   beside its name. A is the amplitude and psi the Ateb phase. */
 enum {
-    VM_VDP_ATEB = 0,         /* A ca(psi), the exact motion without damping: its means are exact to first order */
-    VM_VDP_JACOBI = 1,       /* A cn with Jacobi's cn (411)-(413): the amplitude of the limit cycle is wrong by
-                                at most 0.51 % for 1/3 <= alpha <= 5 */
-    VM_VDP_TRIGONOMETRIC = 2 /* A cos(psi) for every alpha: the amplitude of the limit cycle does not depend on alpha */
+    VM_VDP_ATEB = 0,         /* x = A ca(psi), the exact motion without damping; the means are exact to first order */
+    VM_VDP_JACOBI = 1,       /* x = A cn with Jacobi's cn (411)-(413); the error of the limit cycle's amplitude is at
+                                most 0.51 % for 1/3 <= alpha <= 5 */
+    VM_VDP_TRIGONOMETRIC = 2 /* x = A cos(psi) for every alpha; the amplitude of the limit cycle then does not depend on
+                                alpha */
 };
 
-/* A Van der Pol oscillator. Fill all fields but a1, a2, a3, then call vm_vdp_init. feed and c are eps b and eps c in
-   the dissertation; both may have either sign. */
+/* A Van der Pol oscillator. Fill all fields but a1, a2, a3, then call vm_vdp_init. The fields feed and c are eps b and
+   eps c in the dissertation; both may have either sign. */
 typedef struct VM_TAG(vm_vdp) {
-    vm_real alpha;      /* exponent of the spring, >= 0 */
-    vm_real k;          /* stiffness, N/m^alpha, > 0, where it is constant */
-    vm_real feed;       /* coefficient of the term that feeds the vibration, N s/m; < 0 takes energy out */
+    vm_real alpha;      /* exponent of the spring's force, >= 0 */
+    vm_real k;          /* stiffness, N/m^alpha, > 0, if the stiffness is constant */
+    vm_real feed;       /* coefficient of the term that brings energy into the vibration, N s/m; if it is < 0, the term
+                           takes energy out */
     vm_real c;          /* coefficient of the term that limits the vibration, N s/m^3 */
     vm_real reactive;   /* r: 1 where mass that joins or leaves is at rest, 0 where it has the body's velocity */
     int method;         /* method of averaging, VM_VDP_... */
     vm_law mass;        /* slow mass m, kg, > 0; vm_vdp_init and vm_vdp_limit_cycle do not use it */
     vm_law stiffness;   /* slow stiffness, N/m^alpha, > 0, in place of k; if all its fields are 0, as after memset, the
                            stiffness is the constant k. vm_vdp_init and vm_vdp_limit_cycle do not use it */
-    vm_real a1, a2, a3; /* mean values of (410), pure numbers; vm_vdp_init writes them */
+    vm_real a1, a2, a3; /* mean values in the averaged equations (410), pure numbers; vm_vdp_init writes them */
 } vm_vdp;
 
-/* Writes the mean values a1, a2, a3 of (410) for the oscillator's method. For VM_VDP_JACOBI the expression for a1 in
-   (411) is simplified by (1 - m) + m C4 = 2 a2, where m is the parameter of cn and C4 the mean of cn^4. */
+/* Writes the mean values a1, a2, a3 in the averaged equations (410), for the method in the field `method`. For
+   VM_VDP_JACOBI the expression for a1 in (411) is simplified by (1 - m) + m C4 = 2 a2, where m is the parameter of cn
+   and C4 the mean of cn^4. */
 VM_API void vmi_vdp_means(vm_vdp *v)
 {
     v->a1 = 1;
@@ -75,18 +80,18 @@ VM_API void vmi_vdp_means(vm_vdp *v)
     }
 }
 
-/* Whether the stiffness follows a law; else it is the constant k */
+/* Returns 1 if the stiffness follows a law, 0 if it is the constant k. */
 VM_API int vmi_vdp_has_stiffness_law(const vm_vdp *v) { return v->stiffness.derivatives != NULL; }
 
-/* The law of the stiffness */
+/* Returns the law of the stiffness, which may be constant. */
 VM_API vm_law vmi_vdp_stiffness(const vm_vdp *v)
 {
     if (vmi_vdp_has_stiffness_law(v)) return v->stiffness;
     return vm_law_linear(v->k, 0);
 }
 
-/* Checks that the numbers of a Van der Pol oscillator are in their domains. k is checked only where no law gives the
-   stiffness. */
+/* Checks that the fields alpha, k, feed, c and reactive are in their domains. The sign of k is checked only if the
+   stiffness follows no law. */
 VM_API int vmi_vdp_check(const vm_vdp *v)
 {
     const vm_real numbers[5] = {v->alpha, v->k, v->feed, v->c, v->reactive};
@@ -96,10 +101,11 @@ VM_API int vmi_vdp_check(const vm_vdp *v)
     return VM_OK;
 }
 
-/* Prepares a Van der Pol oscillator: checks alpha, k, feed, c, reactive and method, and writes a1, a2, a3
-   (411)-(413). The functions below need it; the mass may be set and changed later. The mean values are within 20 eps.
-   Returns VM_BAD_ARGUMENT for a null pointer or an unknown method, VM_NOT_FINITE for a number that is infinite or
-   NaN, VM_BAD_STIFFNESS for k <= 0, VM_DOMAIN for alpha < 0, and VM_OK otherwise. An error leaves v as it was. */
+/* Prepares a Van der Pol oscillator: checks the fields alpha, k, feed, c, reactive and method, and writes the mean
+   values a1, a2, a3 (411)-(413). The functions below need this call; the mass may be set and changed later. The mean
+   values are within 20 eps. Returns VM_BAD_ARGUMENT for a null pointer or an unknown method, VM_NOT_FINITE for a number
+   that is infinite or NaN, VM_BAD_STIFFNESS for k <= 0 without a law of the stiffness, VM_DOMAIN for alpha < 0, and
+   VM_OK otherwise. An error leaves *v as it was. */
 VM_API int vm_vdp_init(vm_vdp *v)
 {
     int status;
@@ -110,34 +116,36 @@ VM_API int vm_vdp_init(vm_vdp *v)
     return VM_OK;
 }
 
-/* The drive 2 feed - (2 reactive - 1) m', N s/m, which on average feeds energy to a small vibration */
+/* The drive 2 feed - (2 reactive - 1) m', N s/m, where m' is the mass rate. If it is positive, a small vibration grows
+   on average. */
 VM_API vm_real vmi_vdp_drive(const vm_vdp *v, vm_real mass_rate)
 {
     return -vmi_slow_drag(v->reactive, mass_rate, -v->feed);
 }
 
-/* The growth a1 m A'/A at the amplitude A, N s/m, where m is the mass. It is the sum of the averages of Van der Pol's
-   term and of the reactive force (410), and is 0 on the limit cycle. vm_vdp_amplitude is the solution of A' = A
-   growth(A)/(a1 m). */
+/* The growth a1 m A'/A at the amplitude A, N s/m, where m is the mass and a1 the mean value of (410). The growth is the
+   sum of the averages of Van der Pol's term and of the reactive force (410), and is 0 on the limit cycle.
+   vm_vdp_amplitude is the solution of A' = A growth(A)/(a1 m). */
 VM_API vm_real vmi_vdp_growth(const vm_vdp *v, vm_real mass_rate, vm_real A)
 {
     return vmi_vdp_drive(v, mass_rate) * v->a2 / 2 - v->c * A * A * v->a3;
 }
 
-/* Whether the closed forms below may be used: whether vm_vdp_init has prepared the oscillator */
+/* Returns 1 if the closed forms below may be used, that is if vm_vdp_init has prepared the oscillator; else 0. */
 VM_API int vmi_vdp_has_closed_forms(const vm_vdp *v) { return v->a1 > 0; }
 
-/* Amplitude of a Van der Pol oscillator at time t, in closed form for a linear mass. first_A is the amplitude, m, at
-   t = 0, of either sign. One formula replaces (422), (424), (427), (429), (431)-(435), (437), as corrected, and has no
-   singularity where terms cancel. The error is that of averaging (see `method`) and that of rounding, which tests bound
-   by 12 eps. Returns NaN for a null pointer, an oscillator that is not prepared, infinite arguments, a mass that is not
-   positive at 0 or at t, a mass that is neither linear nor constant, and a stiffness that follows a law (integrate
+/* Amplitude of a Van der Pol oscillator at time t, in closed form for a mass that is linear in time. first_A is the
+   amplitude, m, at t = 0, of either sign. One formula replaces the equations (422), (424), (427), (429), (431)-(435)
+   and (437), as corrected in docs/errata.md, and has no singularity where terms cancel. The error is the sum of the
+   error of averaging, which depends on the field `method`, and of the rounding error, which tests bound by 12 eps.
+   Returns NaN for a null pointer, an oscillator that vm_vdp_init has not prepared, infinite arguments, a mass that is
+   not positive at 0 or at t, a mass that is neither linear nor constant, and a stiffness that follows a law (integrate
    vm_vdp_averaged_rhs instead). For c < 0 it also returns NaN from the time at which the amplitude becomes infinite.
    Method: the solution of (416) is
      1/A^2 = e^-F (1/first_A^2 + 2 c a3/a1 times the integral of e^F dt/m),  F = drive a2/a1 times the integral of dt/m,
-   where drive = 2 feed - (2r - 1) m'. For a linear mass F is proportional to the integral of dt/m, hence the integral
-   of e^F dt/m is (e^F - 1)/F times the integral of dt/m. The code uses e^-|F| and divides by the larger of the two
-   terms, so that nothing overflows. */
+   where drive = 2 feed - (2r - 1) m'. If the mass is linear in time, F is proportional to the integral of dt/m; hence
+   the integral of e^F dt/m is (e^F - 1)/F times the integral of dt/m. So that nothing overflows, the code uses e^-|F|
+   and divides by the larger of the two terms in the bracket. */
 VM_API vm_real vm_vdp_amplitude(const vm_vdp *v, vm_real t, vm_real first_A)
 {
     if (!v) return VM_NAN;
@@ -151,7 +159,7 @@ VM_API vm_real vm_vdp_amplitude(const vm_vdp *v, vm_real t, vm_real first_A)
     e = vmi_exp(-VM_FABS(F), 0);
     limit = 2 * v->c * (v->a3 / v->a1) * m.integral * vmi_exp_ratio(-VM_FABS(F));
     root = VM_SQRT(VM_FABS(limit));
-    size = VM_FABS(first_A) * root; /* its square is added to free_term with the sign of limit */
+    size = VM_FABS(first_A) * root; /* the square of `size` is added to free_term with the sign of `limit` */
     if (F > 0) {
         numerator = 1;
         free_term = e;
@@ -170,10 +178,11 @@ VM_API vm_real vm_vdp_amplitude(const vm_vdp *v, vm_real t, vm_real first_A)
     return scale * VM_SQRT(numerator / denominator);
 }
 
-/* Amplitude of the limit cycle, m, while the mass changes at mass_rate (kg/s): (425), (430), (438). The stiffness
-   must be constant. The amplitude is 0 where there is no limit cycle. *stable_or_NULL becomes 1 if amplitudes near
-   the result tend to it, else 0. The relative rounding error is at most 3e-15 (float 6e-6); the error of averaging
-   comes on top. Returns NaN for a null pointer, an oscillator that is not prepared, or an infinite mass_rate. */
+/* Amplitude of the limit cycle, m, while the mass changes at mass_rate (kg/s): (425), (430), (438). The stiffness must
+   be constant. The result is 0 where there is no limit cycle. *stable_or_NULL becomes 1 if amplitudes near the result
+   tend to the result, else 0. The relative rounding error is at most 3e-15 (float 6e-6); the error of averaging must be
+   added. Returns NaN for a null pointer, for an oscillator that vm_vdp_init has not prepared, and for an infinite
+   mass_rate. */
 VM_API vm_real vm_vdp_limit_cycle(const vm_vdp *v, vm_real mass_rate, int *stable_or_NULL)
 {
     if (!v) return VM_NAN;
@@ -186,7 +195,7 @@ VM_API vm_real vm_vdp_limit_cycle(const vm_vdp *v, vm_real mass_rate, int *stabl
     return VM_SQRT(drive / v->c * (v->a2 / (2 * v->a3)));
 }
 
-/* Reads mass and stiffness at t, and their rates, after a check of the oscillator's numbers. */
+/* Writes mass and stiffness at t, and their rates. It also checks the fields of the oscillator. */
 VM_API int vmi_vdp_laws_at(const vm_vdp *v, vm_real t, vm_real *mass, vm_real *mass_rate, vm_real *k, vm_real *k_rate)
 {
     int status = vmi_first_error(vmi_law_at(&v->mass, VM_BAD_MASS, t, mass, mass_rate), vmi_vdp_check(v));
@@ -198,10 +207,10 @@ VM_API int vmi_vdp_laws_at(const vm_vdp *v, vm_real t, vm_real *mass, vm_real *m
 }
 
 /* Equation of motion (404) of a Van der Pol oscillator, for rk45 or rk87.
-   y = (x, x') is in m and m/s; vdp points to a vm_vdp. Returns VM_BAD_ARGUMENT for null pointers or where no
-   constructor made the mass, VM_NOT_FINITE for a number that is infinite or NaN, VM_BAD_MASS for a mass that is not
-   positive, VM_BAD_STIFFNESS for k <= 0, and VM_DOMAIN for alpha < 0 and for t outside a table. These statuses stop the
-   run. */
+   The array y = (x, x') is in m and m/s; `vdp` points to a vm_vdp. Returns VM_BAD_ARGUMENT for null pointers or where
+   no constructor made the mass, VM_NOT_FINITE for a number that is infinite or NaN, VM_BAD_MASS for a mass that is not
+   positive, VM_BAD_STIFFNESS for a stiffness that is not positive, and VM_DOMAIN for alpha < 0 and for t outside a
+   table. These statuses stop the integration. */
 VM_API int vm_vdp_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *vdp)
 {
     if (!y || !dydt || !vdp) return VM_BAD_ARGUMENT;
@@ -216,10 +225,11 @@ VM_API int vm_vdp_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *vdp)
 }
 
 /* Averaged equations (410) of a Van der Pol oscillator, for rk45 or rk87. Mass and stiffness may follow any slow law.
-   y = (A, psi) contains the mean amplitude A, in metres, and the Ateb phase psi: x = A ca(psi), and |x| = A at the
-   turning points. vdp points to a prepared vm_vdp with the fields feed and c. For the method VM_VDP_ATEB and a start
-   from rest, let e be the largest of feed, c A^2 and m', divided by m psi'. Then, up to the time m/feed, the relative
-   error of A is of the order of e^2, and the error of psi of the order of e. The statuses are those of vm_vdp_rhs. */
+   The array y = (A, psi) contains the mean amplitude A, in metres, and the Ateb phase psi: x = A ca(psi), and |x| = A
+   at the turning points. `vdp` points to a vm_vdp that vm_vdp_init has prepared. The errors are known for the method
+   VM_VDP_ATEB and a start from rest. Let e be the largest of feed, c A^2 and m', divided by m psi', where m is the
+   mass. Then, up to the time m/feed, the relative error of A is of the order of e^2, and the error of psi is of the
+   order of e. Returns the statuses of vm_vdp_rhs. */
 VM_API int vm_vdp_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *vdp)
 {
     if (!y || !dydt || !vdp) return VM_BAD_ARGUMENT;

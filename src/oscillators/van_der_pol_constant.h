@@ -1,16 +1,17 @@
 /* oscillators/van_der_pol_constant.h - the mean motion of a Van der Pol oscillator of constant mass and stiffness
 
-   The mean motion of oscillators/van_der_pol_walk.h is an integral along the laws of mass and stiffness. If both are
-   constant and alpha = 1, as in Van der Pol's own equation, the integrals have closed forms. Let
-   kappa = feed/m, beta = -F (c/m) A_0^2 with the constant F = -1/4, z = beta/kappa, and y = 1 + z (e^(kappa t) - 1). To
-   first order the amplitude A is A_0 R^(1/2) with R = e^(kappa t)/y, and
+   The mean motion of oscillators/van_der_pol_walk.h consists of integrals along the laws of mass and stiffness. If mass
+   and stiffness are constant and alpha = 1, as in Van der Pol's own equation, these integrals have closed forms. Let
+   kappa = feed/m, beta = -F (c/m) A_0^2 with the constant F = -1/4, z = beta/kappa, and y = 1 + z (e^(kappa t) - 1). m
+   is the mass, A_0 the mean amplitude at the start of the mean motion, and t the time since this start. To first order
+   the amplitude A is A_0 R^(1/2) with R = e^(kappa t)/y, and
        integral of R dt = ln(y)/beta,   integral of R^2 dt = (kappa ln(y)/beta - R + 1)/beta.
-   The terms of second order are such integrals, too (vmi_vdp_closed_loss). For other alpha the amplitude of first order
-   has the same form with (4/(alpha+3)) kappa in place of kappa, but the phase needs the integral of R^((alpha-1)/4) dt,
-   an incomplete beta function whose second parameter is 0. It is elementary only if (alpha-1)/4 is rational, and the
-   other orders need several such functions (docs/van-der-pol.md). For these alpha the code of
-   oscillators/van_der_pol_walk.h computes all integrals at once, until the limit cycle is reached: from there on the
-   phase grows at a constant rate. So the cost does not depend on t.
+   The terms of second order are similar integrals (vmi_vdp_closed_loss). For other alpha the amplitude of first order
+   has the same form, with (4/(alpha+3)) kappa in place of kappa in the exponents. But the phase then needs the integral
+   of R^((alpha-1)/4) dt, an incomplete beta function whose second parameter is 0. This function is elementary only if
+   (alpha-1)/4 is rational, and the orders two and three need several such functions (docs/van-der-pol.md). For these
+   alpha the code of oscillators/van_der_pol_walk.h computes all integrals numerically until the limit cycle (the steady
+   vibration) is reached. From that time on the phase grows at a constant rate. So the cost does not depend on t.
        vmi_vdp_mean mean;
        vm_vdp_plan plan;
        int status = vm_vdp_plan_init(&plan, &vdp, VM_C(0.3), 0); // vdp is a vm_vdp; from rest at x = 0.3 m
@@ -28,7 +29,7 @@
 #include "van_der_pol_expansion.h"
 #include "van_der_pol_walk.h"
 
-/* Whether the form of a law shows that it is constant */
+/* Returns 1 if the form of a law shows that the law is constant, else 0. */
 VM_API int vmi_vdp_is_constant(const vm_law *law)
 {
     vm_real base, rate;
@@ -37,12 +38,12 @@ VM_API int vmi_vdp_is_constant(const vm_law *law)
 
 /* The growth of the first-order amplitude from the start of the mean motion to a later or earlier time */
 typedef struct VM_TAG(vmi_vdp_growth_course) {
-    vm_real kappa, beta, z; /* see the top of this file; kappa and beta are in 1/s */
-    vm_real ln_R, R;        /* R = (A/A_0)^2, and its logarithm */
-    vm_real ln_y, q;        /* ln(y), and q = 1/y */
+    vm_real kappa, beta, z; /* the numbers at the top of this file; kappa and beta are in 1/s */
+    vm_real ln_R, R;        /* logarithm of R, and R = (A/A_0)^2 */
+    vm_real ln_y, q;        /* ln(y) for the y at the top of this file, and q = 1/y */
 } vmi_vdp_growth_course;
 
-/* Computes kappa, beta and z for a mean motion that begins with *start. s = 4/(alpha+3) is 1 for alpha = 1. */
+/* Computes kappa, beta and z at the top of this file, for a mean motion that begins with *start. */
 VM_API vmi_vdp_growth_course vmi_vdp_course_from(const vm_vdp_plan *p, const vmi_vdp_mean *start)
 {
     vmi_vdp_growth_course g;
@@ -52,8 +53,8 @@ VM_API vmi_vdp_growth_course vmi_vdp_course_from(const vm_vdp_plan *p, const vmi
     return g;
 }
 
-/* Computes the growth over `time` seconds, of either sign. The code uses exp(-|kappa time|), so that nothing overflows.
-   Returns VM_NOT_FINITE where the amplitude becomes infinite on the way. */
+/* Computes R, y and their logarithms after `time` seconds, of either sign. The code uses exp(-|kappa time|), so that
+   nothing overflows. Returns VM_NOT_FINITE where the amplitude becomes infinite before that time. */
 VM_API int vmi_vdp_grow(vmi_vdp_growth_course *g, vm_real time)
 {
     const vm_real x = g->kappa * time, e = vmi_exp(-VM_FABS(x), 0);
@@ -75,8 +76,8 @@ VM_API int vmi_vdp_grow(vmi_vdp_growth_course *g, vm_real time)
     return VM_OK;
 }
 
-/* The terms of second order of y, divided by y, for alpha = 1. They are integrals of e^(kappa t) times 1, A^2 and
-   A^4. */
+/* Returns the terms of second order in y, divided by y, for alpha = 1. These terms are integrals over time of e^(kappa
+   t), e^(kappa t) A^2 and e^(kappa t) A^4, where A is the amplitude of first order. */
 VM_API vm_real vmi_vdp_closed_loss(const vm_vdp_plan *p, const vmi_vdp_growth_course *g, vm_real W)
 {
     const vmi_vdp_ripple *v = &p->ripple;
@@ -89,7 +90,8 @@ VM_API vm_real vmi_vdp_closed_loss(const vm_vdp_plan *p, const vmi_vdp_growth_co
                  v->KE * G0 / W / W * J0);
 }
 
-/* Computes the mean motion at t in closed form, for alpha = 1. At the call *mean is the start of the mean motion. */
+/* Computes the mean motion at t in closed form, for alpha = 1. Before the call *mean must be the start of the mean
+   motion; the function replaces it by the mean motion at t. */
 VM_API int vmi_vdp_closed(const vm_vdp_plan *p, vmi_vdp_growth_course *g, vm_real t, vmi_vdp_mean *mean)
 {
     const vmi_ripple *r = &p->osc.ripple;
@@ -115,18 +117,19 @@ VM_API int vmi_vdp_closed(const vm_vdp_plan *p, vmi_vdp_growth_course *g, vm_rea
     return VM_OK;
 }
 
-/* The time, s, after which the motion differs from the limit cycle by rounding errors only. It is counted from the
-   start of the mean motion in the direction `side` of time, and is infinite if the motion does not tend to a limit
-   cycle. */
+/* Returns the time, s, after which the motion differs from the limit cycle (the steady vibration) by rounding errors
+   only. The time is counted from the start of the mean motion, forward for side = 1, backward for side = -1. It is
+   infinite if the motion does not tend to a limit cycle in this direction. */
 VM_API vm_real vmi_vdp_settling_time(const vm_vdp_plan *p, const vmi_vdp_growth_course *g, int side)
 {
-    const vm_real digits = VM_MANT_DIG > 24 ? 45 : 24; /* exp(-45) is below the rounding error */
+    const vm_real digits = VM_MANT_DIG > 24 ? 45 : 24; /* exp(-45) and, for float, exp(-24) are below the rounding
+                                                          error */
     const vm_real share = 4 / (p->vdp.alpha + 3);
     if (!((vm_real)side * g->kappa > 0) || !(g->z > 0)) return VM_INFINITY;
     return (digits + VM_FABS(vmi_log(g->z).hi)) / (share * VM_FABS(g->kappa));
 }
 
-/* Advances the mean motion on the limit cycle to t. */
+/* Advances the mean motion to t, if it has reached the limit cycle. */
 VM_API void vmi_vdp_stay(const vm_vdp_plan *p, vm_real t, vmi_vdp_mean *mean)
 {
     const vmi_ripple *r = &p->osc.ripple;
@@ -138,8 +141,8 @@ VM_API void vmi_vdp_stay(const vm_vdp_plan *p, vm_real t, vmi_vdp_mean *mean)
     mean->t = t;
 }
 
-/* Computes the mean motion at t: in closed form if there is one, or by integration along the laws as far as that is
-   needed. The statuses are those of vmi_vdp_mean_at. */
+/* Computes the mean motion at t: in closed form if there is one, else by integration along the laws until t or until
+   the limit cycle is reached. Returns the statuses of vmi_vdp_mean_at. */
 VM_API int vmi_vdp_mean_motion(const vm_vdp_plan *p, vm_real t, vmi_vdp_mean *mean)
 {
     const vm_real extreme = VM_C(1e6); /* for |z| > extreme or < 1/extreme the closed form divides by about 0 */

@@ -1,22 +1,25 @@
 /* oscillators/van_der_pol_expansion.h - Van der Pol's oscillator: from the motion to its mean motion and back
 
-   The oscillator is that of oscillators/van_der_pol.h. The feed is treated as a negative damping. Then the amplitude A
-   and the phase psi of oscillators/reduction.h obey the exact equations
+   The oscillator is that of oscillators/van_der_pol.h. The feed is treated as a negative damping, so that the rates a
+   and p of oscillators/reduction.h contain it. Then the amplitude A and the phase psi of oscillators/reduction.h obey
+   the exact equations
      (ln A)' = -p + W [-(2/n) e ca^2 sa^2 + E0 sa ca - Q0 ca^3 sa],
      psi'    =      W [1 - e ca^3 sa + (n/2) E0 ca^2 - (n/2) Q0 ca^4],
-   with n = alpha + 1. W is the rate of the phase at the amplitude A for constant mass. Let epsilon be the relative
-   change of the vibration within a radian. The disturbances are the numbers
+   with n = alpha + 1. W is the rate of the phase at the amplitude A for constant mass and stiffness. Let epsilon be the
+   relative change of the vibration while the phase grows by 1. The numbers e, e1, Q0 and E0, called the disturbances,
+   are
      e = (c/m) A^2/W,  e1 = e nu/W,  Q0 = e p/W,  E0 = (p^2 - a p - p')/W^2,  nu = -m'/m - 4 p + a;
-   e is of the order epsilon; e1, Q0 and E0 are of the order epsilon^2. For c = 0 only E0 is left.
+   where m is the mass. e is of the order epsilon; e1, Q0 and E0 are of the order epsilon^2. For c = 0 all but E0 are 0.
 
    A transformation leads from A and psi to mean values, whose rates have no ripple within a period. Let J be
-   A^((alpha+3)/2) times a factor that varies slowly. The factor is such that J is constant if A'/A = -p. Then the mean
-   values obey
+   A^((alpha+3)/2) times a factor that varies slowly, chosen so that J is constant if A'/A = -p. Then the mean values of
+   J and psi obey
      (ln J)' = W [F e + K_3 e^3 + K_1 e e1 + K_Q e Q0 + K_E e E0],
      psi'    = W [1 + K_2 e^2 - (n/2) <ca^4> Q0 + (n/2) <ca^2> E0],
-   where < > is the mean over a period. F and the K are constants for each alpha. This file has these constants, and the
-   transformation in both directions. The motion that follows has an error of O(epsilon^3) over times of 1/epsilon. The
-   law is new; docs/van-der-pol.md shows how large its errors are.
+   where < > is the mean over a period. F and K_1, K_2, K_3, K_Q, K_E are constants that depend on alpha only. This file
+   has these constants, and the transformation in both directions. These equations and the transformation are called the
+   law of order three: the motion that follows from them has an error of O(epsilon^3) over times of 1/epsilon. The law
+   is new; docs/van-der-pol.md shows how large its errors are.
        vmi_ripple r;
        vmi_vdp_ripple v;
        vmi_ripple_init(&r, 1, vmi_ateb_constants);
@@ -32,31 +35,31 @@
 #include "constant_mass.h"
 #include "ripple.h"
 
-/* The polynomials that this law needs in addition to those of oscillators/ripple.h, for phases near a zero of sa. CA6
-   gives the integral over the phase of ca^6. SQUARE gives the integral of S^2, where S is the integral of C = ca^2 -
-   <ca^2>. */
+/* The indices of the polynomials for phases near a zero of sa, which the law of order three needs in addition to those
+   of oscillators/ripple.h. CA6 gives the integral over the phase of ca^6. SQUARE gives the integral of S^2, where S is
+   the integral of C = ca^2 - <ca^2>. */
 enum { VMI_VDP_CA6, VMI_VDP_SQUARE, VMI_VDP_TURN_FUNCTIONS };
 
-/* The polynomials for phases near a zero of ca. CA6 gives the integral of ca^6. The others give three parts of the
-   integral of S^2: S is I - <ca^2> d with the integral I of ca^2 and the phase d since the zero, so S^2 has terms in
-   d^2 (PHASE2), I d (PRODUCT) and I^2 (INTEGRAL2). */
+/* The indices of the polynomials for phases near a zero of ca. VMI_VDP_CA6 gives the integral of ca^6. The polynomials
+   listed here give three parts of the integral of S^2: S is I - <ca^2> d with the integral I of ca^2 and the phase d
+   since the zero, so S^2 has terms in d^2 (PHASE2), I d (PRODUCT) and I^2 (INTEGRAL2). */
 enum { VMI_VDP_PHASE2 = 1, VMI_VDP_PRODUCT, VMI_VDP_INTEGRAL2, VMI_VDP_ZERO_FUNCTIONS };
 
-/* Constants and polynomials of the law for one alpha, prepared by vmi_vdp_ripple_init. The names of the constants are
-   those of the equations at the top of this file. */
+/* Constants and polynomials of the law of order three for one alpha, prepared by vmi_vdp_ripple_init. F, K2, K3, K1, KQ
+   and KE are the constants in the equations at the top of this file. */
 typedef struct VM_TAG(vmi_vdp_ripple) {
     vm_real q;               /* (alpha+3)/(alpha+7) */
-    vm_real mean6, mean8;    /* <ca^6>, <ca^8> */
-    vm_real mean_square;     /* the mean of S^2, where S is the integral of ca^2 - <ca^2> */
+    vm_real mean6, mean8;    /* the means of ca^6 and of ca^8 over a period */
+    vm_real mean_square;     /* the mean of S^2, where S is the integral of ca^2 - <ca^2> and < > is the mean over a
+                                period */
     vm_real F, K2, K3, K1, KQ, KE;
-    vm_real constant;        /* the part of the transformation of ln J that does not depend on the phase, divided by
-                                e^2 */
-    /* The functions of the transformation as polynomials: the factors of the powers of 4 w - 1 and 4 y - 1 */
+    vm_real constant;        /* the constant part of the factor of e^2 in the transformation of ln J */
+    /* The functions of the transformation as polynomials: the coefficients of the powers of 4 w - 1 and of 4 y - 1 */
     vm_real near_ca_0[VMI_VDP_ZERO_FUNCTIONS][VMI_RIPPLE_TERMS]; /* where w = |ca|^(alpha+1) */
     vm_real near_sa_0[VMI_VDP_TURN_FUNCTIONS][VMI_RIPPLE_TERMS]; /* where y = sa^2 */
 } vmi_vdp_ripple;
 
-/* The disturbances at one time and one amplitude, see the top of this file */
+/* The disturbances e, e1, Q0 and E0 of the top of this file, at one time and one amplitude */
 typedef struct VM_TAG(vmi_vdp_disturbance) {
     vm_real e, e1, Q0, E0;
 } vmi_vdp_disturbance;
@@ -73,7 +76,7 @@ VM_API void vmi_vdp_multiply(const vm_real *f, const vm_real *g, vm_real *produc
     }
 }
 
-/* Writes the power series of (1-y)^exponent. */
+/* Writes the coefficients of the power series of (1-y)^exponent in y. */
 VM_API void vmi_vdp_binomial(vm_real exponent, vm_real *series)
 {
     vm_real before = 0;
@@ -84,7 +87,8 @@ VM_API void vmi_vdp_binomial(vm_real exponent, vm_real *series)
     }
 }
 
-/* Turns a power series in w on [0, 1/2] into a polynomial in 4 w - 1 that differs from it by about rounding errors. */
+/* Turns a power series in w, for w from 0 to 1/2, into a polynomial in 4 w - 1. It differs from the series only by
+   about rounding errors. */
 VM_API void vmi_vdp_economise(const vm_real *series, vm_real *polynomial)
 {
     vm_real w_power[VMI_RIPPLE_KEPT]; /* coefficients of the Chebyshev series of w^i */
@@ -99,9 +103,9 @@ VM_API void vmi_vdp_economise(const vm_real *series, vm_real *polynomial)
     vmi_chebyshev_to_powers(polynomial);
 }
 
-/* Makes the polynomials for phases close to a zero of sa. There du = (1-y)^(alpha/n) dpsi with u = |sa|, y = u^2 and
-   n = alpha + 1, so that the integral of (1-y)^b dpsi is u times the sum of [(1-y)^(b-alpha/n)]_i y^i/(2i+1), where
-   [ ]_i is coefficient i of the power series. */
+/* Makes the polynomials for phases psi close to a zero of sa. For these phases du = (1-y)^(alpha/n) dpsi with u = |sa|,
+   y = u^2 and n = alpha + 1, so that the integral of (1-y)^b dpsi is u times the sum of [(1-y)^(b-alpha/n)]_i
+   y^i/(2i+1), where [ ]_i is coefficient i of the power series. */
 VM_API void vmi_vdp_make_near_sa_0(vmi_vdp_ripple *v, const vmi_ripple *r)
 {
     const vm_real alpha = r->alpha, n = alpha + 1;
@@ -119,9 +123,9 @@ VM_API void vmi_vdp_make_near_sa_0(vmi_vdp_ripple *v, const vmi_ripple *r)
     vmi_vdp_economise(power, v->near_sa_0[VMI_VDP_SQUARE]);
 }
 
-/* Makes one of the polynomials for the integral of S^2 close to a zero of ca. The integrand is a product: f, g and
-   slope are the power series of its two factors and of dpsi/dx. x_power is the power of x = |ca| that multiplies the
-   polynomial. */
+/* Makes one of the polynomials for the integral of S^2 close to a zero of ca. The integrand is a product: f and g are
+   the power series of its two factors, and `slope` is the power series of dpsi/dx, where x = |ca|. x_power is the power
+   of x that multiplies the polynomial. */
 VM_API void vmi_vdp_make_part(const vm_real *f, const vm_real *g, const vm_real *slope, vm_real x_power, vm_real n,
                               vm_real *polynomial)
 {
@@ -133,8 +137,9 @@ VM_API void vmi_vdp_make_part(const vm_real *f, const vm_real *g, const vm_real 
     vmi_vdp_economise(series, polynomial);
 }
 
-/* Makes the polynomials for phases close to a zero of ca. There dpsi = (n/2) (1-w)^(-1/2) dx with x = |ca|, w = x^n
-   and n = alpha + 1. The phase is x times one power series in w, the integral of ca^2 is x^3 times another. */
+/* Makes the polynomials for phases psi close to a zero of ca. For these phases dpsi = (n/2) (1-w)^(-1/2) dx with x =
+   |ca|, w = x^n and n = alpha + 1. The phase since the zero is x times a power series in w, and the integral of ca^2 is
+   x^3 times a second power series. */
 VM_API void vmi_vdp_make_near_ca_0(vmi_vdp_ripple *v, const vmi_ripple *r)
 {
     const vm_real n = r->alpha + 1;
@@ -156,7 +161,8 @@ VM_API void vmi_vdp_make_near_ca_0(vmi_vdp_ripple *v, const vmi_ripple *r)
 
 /* -- The integrals of ca^6 and of S^2 -- */
 
-/* The integral of S^2 from the nearest zero of ca to a phase where |ca| = x and sa^2 = y */
+/* The integral of S^2 over the phase, from the nearest zero of ca to a phase where |ca| = x and sa^2 = y. S is the
+   integral of ca^2 minus its mean mean2. */
 VM_API vm_real vmi_vdp_square_from_ca_0(const vmi_vdp_ripple *v, vm_real mean2, vm_real x, vm_real y)
 {
     const vm_real z = 4 * (1 - y) - 1, x2 = x * x;
@@ -166,14 +172,16 @@ VM_API vm_real vmi_vdp_square_from_ca_0(const vmi_vdp_ripple *v, vm_real mean2, 
     return x2 * x * (mean2 * mean2 * phase2 + x2 * (x2 * integral2 - 2 * mean2 * product));
 }
 
-/* The integral of S^2 from the nearest zero of sa to a phase where |sa| = u and sa^2 = y */
+/* The integral of S^2 over the phase, from the nearest zero of sa to a phase where |sa| = u and sa^2 = y. S is the
+   integral of ca^2 minus its mean. */
 VM_API vm_real vmi_vdp_square_from_sa_0(const vmi_vdp_ripple *v, vm_real u, vm_real y)
 {
     return y * u * vmi_ripple_polynomial(v->near_sa_0[VMI_VDP_SQUARE], 4 * y - 1);
 }
 
-/* Writes the integrals over the phase of ca^6 - <ca^6> and of S^2 - <S^2>, both 0 where ca or sa is 0. sa and ca are
-   the Ateb functions of psi. */
+/* Writes the integrals over the phase of ca^6 - <ca^6> and of S^2 - <S^2>, where < > is the mean over a period. The
+   constants of integration are such that both integrals are 0 where ca or sa is 0. sa and ca are the Ateb functions of
+   psi. */
 VM_API void vmi_vdp_integrals_at(const vmi_vdp_ripple *v, const vmi_ripple *r, vm_real psi, vm_real sa, vm_real ca,
                                  vm_real *ca6, vm_real *square)
 {
@@ -193,7 +201,8 @@ VM_API void vmi_vdp_integrals_at(const vmi_vdp_ripple *v, const vmi_ripple *r, v
 
 /* -- Preparing an alpha -- */
 
-/* Computes the constants of the equations of the mean motion, from the means of powers of ca and of S^2. */
+/* Computes the constants F, K2, K3, K1, KQ and KE of the equations of the mean motion, from the means of powers of ca
+   and of S^2. */
 VM_API void vmi_vdp_find_constants(vmi_vdp_ripple *v, const vmi_ripple *r)
 {
     const vm_real alpha = r->alpha, n = alpha + 1, g = r->gamma, q = v->q;
@@ -229,12 +238,12 @@ VM_API void vmi_vdp_ripple_init(vmi_vdp_ripple *v, const vmi_ripple *r)
 
 /* -- The functions of the transformation -- */
 
-/* Functions of the phase in the transformation. Each is the factor of a disturbance that is named beside it. */
+/* Functions of the phase from which the factors of the disturbances in the transformation follow. */
 typedef struct VM_TAG(vmi_vdp_values) {
     vmi_ripple_values f;
-    vm_real C4;         /* ca^4 - <ca^4> */
-    vm_real U, U1, P1;  /* U and U1 multiply e and e1 in ln J; P1 multiplies e in the phase */
-    vm_real X;          /* a part of the factor of e^2 in ln J */
+    vm_real C4;         /* ca^4 minus its mean over a period */
+    vm_real U, U1, P1;  /* U is the factor of e, and U1 that of e1, in ln J; P1 is the factor of e in the phase */
+    vm_real X;          /* a part of the factor of e^2 in the transformation of ln J */
 } vmi_vdp_values;
 
 /* Writes the functions of the transformation at the phase psi, where sa and ca are the Ateb functions of psi. */
@@ -252,8 +261,9 @@ VM_API void vmi_vdp_values_at(const vmi_vdp_ripple *v, const vmi_ripple *r, vm_r
 
 /* -- From the motion to the mean motion -- */
 
-/* Returns ln(mean J/J) with all terms up to order epsilon^2, and at phases where sa or ca is 0 up to epsilon^3. *f
-   contains the functions at the phase, and *now the disturbances at the amplitude. */
+/* Returns ln(mean J/J) with all terms up to order epsilon^2; at phases where sa or ca is 0, with all terms up to
+   epsilon^3. *f contains the functions of the transformation at the phase of the motion, and *now the disturbances at
+   its amplitude. */
 VM_API vm_real vmi_vdp_J(const vmi_vdp_ripple *v, const vmi_ripple *r, const vmi_vdp_values *f,
                          const vmi_vdp_disturbance *now)
 {
@@ -263,12 +273,14 @@ VM_API vm_real vmi_vdp_J(const vmi_vdp_ripple *v, const vmi_ripple *r, const vmi
            half * now->E0 * f->f.C;
 }
 
-/* Returns the mean phase minus the phase, up to order epsilon, and at phases where sa or ca is 0 up to epsilon^2. */
+/* Returns the mean phase minus the phase, with all terms up to order epsilon; at phases where sa or ca is 0, with all
+   terms up to epsilon^2. */
 VM_API vm_real vmi_vdp_psi(const vmi_vdp_values *f, const vmi_vdp_disturbance *now) { return -now->e * f->P1; }
 
 /* -- From the mean motion to the motion -- */
 
-/* Returns the part of order epsilon^2 of ln(J/mean J). *f contains the functions at the mean phase. */
+/* Returns the terms of order epsilon^2 in ln(J/mean J). *f contains the functions of the transformation at the mean
+   phase. */
 VM_API vm_real vmi_vdp_J_back_second(const vmi_vdp_ripple *v, const vmi_ripple *r, const vmi_vdp_values *f,
                                      const vmi_vdp_disturbance *now)
 {
@@ -278,8 +290,8 @@ VM_API vm_real vmi_vdp_J_back_second(const vmi_vdp_ripple *v, const vmi_ripple *
     return now->e * now->e * square + now->e1 * f->U1 + half / 2 * now->Q0 * f->C4 - half * now->E0 * f->f.C;
 }
 
-/* Returns the part of order epsilon^2 of the difference phase - mean phase. *f contains the functions at the mean phase
-   psi. */
+/* Returns the terms of order epsilon^2 in the difference (phase) - (mean phase). *f contains the functions of the
+   transformation at the mean phase psi. */
 VM_API vm_real vmi_vdp_psi_back_second(const vmi_vdp_ripple *v, const vmi_ripple *r, vm_real psi,
                                        const vmi_vdp_values *f, const vmi_vdp_disturbance *now)
 {
@@ -301,14 +313,14 @@ VM_API vm_real vmi_vdp_psi_back_second(const vmi_vdp_ripple *v, const vmi_ripple
 
 /* -- The mean motion -- */
 
-/* Returns (ln J)'/(W e) - F, which is of order epsilon^2. Multiplied by W e, it gives all terms but the first, W F e,
+/* Returns (ln J)'/(W e) - F, which is of order epsilon^2. Multiplied by W e, this number gives all terms except W F e
    in the equation of (ln J)' at the top of this file. */
 VM_API vm_real vmi_vdp_mean_second(const vmi_vdp_ripple *v, const vmi_vdp_disturbance *now)
 {
     return v->K3 * now->e * now->e + v->K1 * now->e1 + v->KQ * now->Q0 + v->KE * now->E0;
 }
 
-/* The mean rate of the phase divided by W, up to order epsilon^3 */
+/* Returns the mean rate of the phase divided by W, with all terms up to order epsilon^3. */
 VM_API vm_real vmi_vdp_mean_rate(const vmi_vdp_ripple *v, const vmi_ripple *r, const vmi_vdp_disturbance *now)
 {
     const vm_real n = r->alpha + 1;
@@ -317,16 +329,18 @@ VM_API vm_real vmi_vdp_mean_rate(const vmi_vdp_ripple *v, const vmi_ripple *r, c
 
 /* -- Sizes of the terms, for estimates of errors -- */
 
-/* Bounds of the terms that order two leaves out at one time: in the phase and in ln J by the transformation from the
-   mean motion to the motion, and in ln J by the transformation to the mean motion */
+/* Bounds of the terms that the law of order three leaves out if it is cut off after order two, at one time. The fields
+   psi and J are for the transformation from the mean motion to the motion, the field `start` for the transformation to
+   the mean motion. */
 typedef struct VM_TAG(vmi_vdp_sizes) {
-    vm_real psi, J; /* terms of order epsilon^2 in the transformation to the motion */
-    vm_real start;  /* terms of order epsilon^3 of ln J in the transformation to the mean motion */
+    vm_real psi, J; /* terms of order epsilon^2 in the phase and in ln J, in the transformation to the motion */
+    vm_real start;  /* terms of order epsilon^3 in ln J, in the transformation to the mean motion */
     vm_real ratio;  /* estimated ratio of the terms of one order to the terms of the next lower order */
 } vmi_vdp_sizes;
 
-/* Computes these sizes for the disturbances *now. rate is (|nu| + |p| + |a|)/W, see the top of this file. The factors
-   are fitted to the largest values of the functions for alpha from 0.2 to 12. */
+/* Computes the bounds in vmi_vdp_sizes for the disturbances *now. `rate` is (|nu| + |p| + |a|)/W, with the symbols at
+   the top of this file. The numerical factors are fitted to the largest values of the functions of the transformation
+   for alpha from 0.2 to 12. */
 VM_API vmi_vdp_sizes vmi_vdp_sizes_of(const vmi_ripple *r, const vmi_vdp_disturbance *now, vm_real rate)
 {
     const vm_real d = r->pi / (2 * VM_PI), d2 = d * d, d3 = d2 * d, d4 = d2 * d2;

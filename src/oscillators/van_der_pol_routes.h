@@ -1,14 +1,16 @@
 /* oscillators/van_der_pol_routes.h - the motion x(t) of a Van der Pol oscillator, and its limit cycle to second order
 
-   Five routes lead from x and x' at t = 0 to x and x' at any t: the law of oscillators/van_der_pol_expansion.h, cut off
-   after order one, two or three, and two integrations. Their names are those of oscillators/problem.h:
-     VM_ROUTE_ATEB           order one, with a start of order three; errors are O(epsilon)
-     VM_ROUTE_ORDER2         order two; errors are O(epsilon^2)
-     VM_ROUTE_ORDER3         the whole law; errors are O(epsilon^3)
-     VM_ROUTE_COLLOCATION    integration from each zero of x or x' to the next, to a tolerance
-     VM_ROUTE_RK87           integration of the equation of motion by rk87, to a tolerance
-   epsilon is the relative change of the vibration within a radian. The cost of the first three does not depend on t.
-   vm_vdp_within takes the cheapest route whose error is estimated to be within a tolerance. The shortest useful call:
+   Five methods, called routes, lead from x and x' at t = 0 to x and x' at any t. Three of them are the law of
+   oscillators/van_der_pol_expansion.h, cut off after order one, two or three; the other two are numerical integrations.
+   The names of the routes are those of oscillators/problem.h:
+     VM_ROUTE_ATEB           law of order one, with a start of order three; errors are O(epsilon)
+     VM_ROUTE_ORDER2         law of order two; errors are O(epsilon^2)
+     VM_ROUTE_ORDER3         the whole law, of order three; errors are O(epsilon^3)
+     VM_ROUTE_COLLOCATION    integration from each zero of x or x' to the next, within a tolerance
+     VM_ROUTE_RK87           integration of the equation of motion by rk87, within a tolerance
+   epsilon is the relative change of the vibration while the phase grows by 1. The cost of the first three routes does
+   not depend on t. vm_vdp_within takes the cheapest route whose estimated error is within a tolerance. The shortest
+   useful call:
        vm_vdp v;
        vm_osc_motion motion;
        memset(&v, 0, sizeof v);
@@ -40,7 +42,8 @@
 
 /* -- The law of orders one to three -- */
 
-/* The order, 1 to 3, of a route of the law, or 0 for every other route */
+/* Returns the order, 1 to 3, after which a route cuts off the law of order three, or 0 for a route that does not use
+   this law. */
 VM_API int vmi_vdp_order_of(int route)
 {
     switch (route) {
@@ -51,14 +54,17 @@ VM_API int vmi_vdp_order_of(int route)
     }
 }
 
-/* Estimates the error of order three, and writes that of order two to *second. Each is the sum of the terms that the
-   order leaves out: in the transformations at the start and at t, and in the mean motion, where errors of ln J at the
-   start grow with the phase. The effects of fast changes of the mass and of rounding errors are added. A factor of 2 is
-   included, which fits the errors that tests/test_van_der_pol_law.c finds. */
+/* Returns the estimated error of the route VM_ROUTE_ORDER3, and writes that of VM_ROUTE_ORDER2 to *second. Each
+   estimate is the sum of the terms that the route leaves out, in the transformations at the start and at t and in the
+   mean motion. In the mean motion an error of ln J at the start causes an error of the phase that grows with the phase;
+   J is the quantity of oscillators/van_der_pol_expansion.h. The effects of fast changes of the mass and of rounding
+   errors are added. The estimates contain a factor of 2, which fits the errors that tests/test_van_der_pol_law.c
+   finds. */
 VM_API vm_real vmi_vdp_error(const vm_vdp_plan *p, const vmi_vdp_mean *mean, vm_real *second)
 {
     const vmi_ripple *r = &p->osc.ripple;
-    const vm_real n = r->alpha + 1, largest_known = VM_C(0.25); /* where the estimate is larger the error is unknown */
+    const vm_real n = r->alpha + 1, largest_known = VM_C(0.25); /* where the estimate is larger than this, it says
+                                                                   nothing about the error */
     const vm_real W = vmi_vdp_rate(p, mean->now.m, mean->now.k, mean->ln_A), turns = VM_FABS(mean->psi - p->start.psi);
     const vmi_vdp_sizes now = vmi_vdp_sizes_at(p, &mean->now, mean->ln_A, W);
     const vm_real back = 2 / n * now.psi + 2 / (n + 2) * now.J;
@@ -77,8 +83,8 @@ VM_API vm_real vmi_vdp_error(const vm_vdp_plan *p, const vmi_vdp_mean *mean, vm_
     return error < largest_known ? error : VM_INFINITY;
 }
 
-/* Computes the motion by order 1, 2 or 3 from the mean motion, with the estimate of what the order leaves out. Writes
-   amplitude, phase and rate of the phase to *state. */
+/* Computes the motion from the mean motion by the law of order three, cut off after the order 1, 2 or 3 of the route,
+   with an estimate of the terms that are left out. Writes amplitude, phase and rate of the phase to *state. */
 VM_API int vmi_vdp_truncated(const vm_vdp_plan *p, int route, const vmi_vdp_mean *mean, vmi_osc_reduced *state,
                              vm_osc_motion *motion)
 {
@@ -97,8 +103,9 @@ VM_API int vmi_vdp_truncated(const vm_vdp_plan *p, int route, const vmi_vdp_mean
     return VM_OK;
 }
 
-/* Computes the motion by order 1, 2 or 3 from the mean motion, with an estimate of its error. For order 1 the estimate
-   is that of order 2 plus the difference of the two orders. */
+/* Computes the motion from the mean motion by the law of order three, cut off after the order 1, 2 or 3 of the route,
+   with an estimate of the error. For order 1 the estimate is the one for order 2 plus the difference between the
+   motions by order 1 and by order 2. */
 VM_API int vmi_vdp_order_n(const vm_vdp_plan *p, int route, const vmi_vdp_mean *mean, vm_osc_motion *motion)
 {
     vmi_osc_reduced state, unused;
@@ -118,8 +125,8 @@ VM_API int vmi_vdp_order_n(const vm_vdp_plan *p, int route, const vmi_vdp_mean *
 
 /* -- One route -- */
 
-/* Integrates the exact equations to the tolerance, by a function of oscillators/routes.h. The term -c x^2 x' takes
-   the place of the force F of that file. */
+/* Integrates the exact equations within the tolerance. It uses the functions for an oscillator with a further force F
+   (oscillators/problem.h), where F is the term -c x^2 x'. */
 VM_API int vmi_vdp_integrate(const vm_vdp_plan *p, int route, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
     vm_osc_plan exact = p->osc;
@@ -131,7 +138,8 @@ VM_API int vmi_vdp_integrate(const vm_vdp_plan *p, int route, vm_real t, vm_real
     return vmi_osc_integrate_within(&exact, t, tolerance, motion);
 }
 
-/* Checks the arguments that all calls with a plan share, and replaces a tolerance of 0 by the default. */
+/* Checks those arguments that the functions with a plan have in common, and replaces a tolerance of 0 by the
+   default. */
 VM_API int vmi_vdp_check_call(const vm_vdp_plan *p, vm_real t, vm_real *tolerance, const vm_osc_motion *motion)
 {
     if (!p) return VM_BAD_ARGUMENT;
@@ -139,19 +147,21 @@ VM_API int vmi_vdp_check_call(const vm_vdp_plan *p, vm_real t, vm_real *toleranc
 }
 
 /* Motion x(t), x'(t) of a Van der Pol oscillator by a given route, from a plan.
-   t is in seconds, of either sign. route is VM_ROUTE_ATEB, VM_ROUTE_ORDER2, VM_ROUTE_ORDER3, VM_ROUTE_COLLOCATION or
+   t is in seconds, of either sign. `route` is VM_ROUTE_ATEB, VM_ROUTE_ORDER2, VM_ROUTE_ORDER3, VM_ROUTE_COLLOCATION or
    VM_ROUTE_RK87. motion->error estimates the larger of |error of x|/A and |error of v|/vmax, where vmax is the largest
-   velocity at the amplitude A; it is infinite where the law is not valid. The routes that integrate keep it within the
-   tolerance, where 0 means 1e-6 (float 1e-3); the law does not use the tolerance. Returns VM_OK, or VM_TOLERANCE_MISSED
-   where x and v are computed but the error of integration is larger than the tolerance. After an error *motion is
-   unchanged. The errors are
-     VM_BAD_ARGUMENT for null pointers or a route that is not one of the five,
-     VM_NOT_FINITE for a number that is infinite or NaN, and for the law where the amplitude becomes infinite before t,
-     VM_BAD_MASS or VM_BAD_STIFFNESS for a law that is not positive between 0 and t,
-     VM_DOMAIN for a negative tolerance, t outside a table, a table out of order, or a user's function that fails,
-     VM_NOT_INTEGRATED where amplitude and phase do not describe the motion, for the law and collocation,
-     VM_NOT_INTEGRATED for the law where a table has points closer than a quarter of a vibration,
-     VM_NOT_INTEGRATED where the integrator gives up. */
+   velocity at the amplitude A; it is infinite where the law of order three is not valid. The last two of these routes
+   integrate numerically and keep this error within the tolerance, where 0 means 1e-6 (float 1e-3); the first three do
+   not use the tolerance. Returns VM_OK, or VM_TOLERANCE_MISSED where x and v are computed but the error of integration
+   is larger than the tolerance. After an error *motion is unchanged. The errors are
+     VM_BAD_ARGUMENT for null pointers or a route that is not one of these five,
+     VM_NOT_FINITE for a number that is infinite or NaN, and for the first three routes where the amplitude becomes
+       infinite before t,
+     VM_BAD_MASS or VM_BAD_STIFFNESS for a mass or a stiffness that is not positive between 0 and t,
+     VM_DOMAIN for a negative tolerance, t outside a table, a table whose times do not rise, or a user's function that
+       fails,
+     VM_NOT_INTEGRATED, for all routes but VM_ROUTE_RK87, where amplitude and phase do not describe the motion,
+     VM_NOT_INTEGRATED, for the first three routes, where points of a table are closer than a quarter of a vibration,
+     VM_NOT_INTEGRATED, for the last two routes, where the integrator cannot reach t. */
 VM_API int vm_vdp_plan_by_route(const vm_vdp_plan *p, int route, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
     const int by_law = vmi_vdp_order_of(route) > 0;
@@ -169,11 +179,11 @@ VM_API int vm_vdp_plan_by_route(const vm_vdp_plan *p, int route, vm_real t, vm_r
 
 /* -- The cheapest route -- */
 
-/* Writes the motion by the first of the orders 1 to 3 whose error is estimated to be within the tolerance. Returns
-   VM_TOLERANCE_MISSED where there is none, and leaves *motion untouched. */
+/* Writes the motion by the first of the routes VM_ROUTE_ATEB, VM_ROUTE_ORDER2 and VM_ROUTE_ORDER3 whose estimated error
+   is within the tolerance. If there is no such route, it returns VM_TOLERANCE_MISSED and leaves *motion untouched. */
 VM_API int vmi_vdp_law_within(const vm_vdp_plan *p, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
-    const vm_real reserve = VM_C(1.5); /* the same reserve as in vmi_osc_averaged_within */
+    const vm_real reserve = VM_C(1.5); /* a factor on the estimate, the same as in vmi_osc_averaged_within */
     vmi_vdp_mean mean;
     vm_osc_motion result;
     int route;
@@ -188,9 +198,10 @@ VM_API int vmi_vdp_law_within(const vm_vdp_plan *p, vm_real t, vm_real tolerance
 }
 
 /* Motion x(t), x'(t) of a Van der Pol oscillator within a tolerance, from a plan. t is in seconds, of either sign. The
-   call takes the first of the orders one, two and three whose error is estimated to be within the tolerance, and
-   integrates if there is none; motion->route says which route it took. The tolerance is relative, for the larger of
-   |error of x|/A and |error of v|/vmax; 0 means 1e-6 (float 1e-3). The statuses are those of vm_vdp_plan_by_route. */
+   function takes the first of the routes VM_ROUTE_ATEB, VM_ROUTE_ORDER2 and VM_ROUTE_ORDER3 whose estimated error is
+   within the tolerance. If there is no such route, it integrates numerically; motion->route is the route that it took.
+   The error is the larger of |error of x|/A and |error of v|/vmax (see vm_osc_motion); a tolerance of 0 means 1e-6
+   (float 1e-3). Returns the statuses of vm_vdp_plan_by_route. */
 VM_API int vm_vdp_plan_within(const vm_vdp_plan *p, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
     int status = vmi_vdp_check_call(p, t, &tolerance, motion);
@@ -198,12 +209,12 @@ VM_API int vm_vdp_plan_within(const vm_vdp_plan *p, vm_real t, vm_real tolerance
     if (p->osc.A == 0) return vmi_osc_at_rest(&p->osc, VM_ROUTE_ATEB, motion);
     status = vmi_vdp_law_within(p, t, tolerance, motion);
     if (status != VM_TOLERANCE_MISSED) return status;
-    return vmi_vdp_integrate(p, VM_ROUTE_TRIG, t, tolerance, motion); /* collocation, or else rk87 */
+    return vmi_vdp_integrate(p, VM_ROUTE_TRIG, t, tolerance, motion); /* integrates by collocation, or else by rk87 */
 }
 
 /* Motion x(t), x'(t) of a Van der Pol oscillator within a tolerance, for a single t.
-   x (m) and x_rate (m/s) are position and velocity at t = 0. Arguments, result and statuses are those of
-   vm_vdp_plan_within and vm_vdp_plan_init. */
+   x (m) and x_rate (m/s) are position and velocity at t = 0. All other arguments, the result and the statuses are those
+   of vm_vdp_plan_within and vm_vdp_plan_init. */
 VM_API int vm_vdp_within(const vm_vdp *v, vm_real x, vm_real x_rate, vm_real t, vm_real tolerance,
                          vm_osc_motion *motion)
 {
@@ -216,18 +227,20 @@ VM_API int vm_vdp_within(const vm_vdp *v, vm_real x, vm_real x_rate, vm_real t, 
 
 /* -- The limit cycle -- */
 
-/* The limit cycle of a Van der Pol oscillator of constant mass */
+/* The limit cycle, that is the steady vibration, of a Van der Pol oscillator of constant mass */
 typedef struct VM_TAG(vm_vdp_cycle) {
     vm_real largest_x; /* the largest position, m */
     vm_real period;    /* s */
-    vm_real epsilon;   /* the small number feed/(m W) in whose powers largest_x and period are expanded */
+    vm_real epsilon;   /* the number feed/(m W), in powers of which largest_x and period are expanded; W is the rate of
+                          the phase */
     int stable;        /* 1 where motions close to the cycle tend to it, else 0 */
 } vm_vdp_cycle;
 
-/* Writes two coefficients of epsilon^2, where epsilon = feed/(m W): *kx belongs to the power series of the largest x in
-   epsilon, *kw to that of the rate of the phase. The disturbances follow from the constant amplitude of the cycle; the
-   code uses their values for epsilon = 1. The largest x is reached where x' = 0, that is where V = p x. The phase is
-   `late` times epsilon there, and it is 0 where V = 0. */
+/* Writes two coefficients of epsilon^2, where epsilon = feed/(m W): *kx is the coefficient in the series of the largest
+   x, *kw the coefficient in the series of the rate of the phase. The disturbances (oscillators/van_der_pol_expansion.h)
+   follow from the constant amplitude of the limit cycle; the code uses their values for epsilon = 1. The largest x is
+   reached where x' = 0, that is where V = p x with V and p of oscillators/reduction.h. At this point the phase is
+   `late` times epsilon; the phase is 0 where V = 0. */
 VM_API void vmi_vdp_cycle_coefficients(const vmi_vdp_ripple *v, const vmi_ripple *r, vm_real *kx, vm_real *kw)
 {
     const vm_real n = r->alpha + 1, s = 4 / (r->alpha + 3);
@@ -238,21 +251,22 @@ VM_API void vmi_vdp_cycle_coefficients(const vmi_vdp_ripple *v, const vmi_ripple
     d.e1 = (2 * s - 1) * d.e;
     d.Q0 = -s / 2 * d.e;
     d.E0 = -s * (2 - s) / 4;
-    kA = -vmi_vdp_mean_second(v, &d) / v->F; /* relative change of A^2 */
+    kA = -vmi_vdp_mean_second(v, &d) / v->F; /* relative change of A^2 by the terms of second order */
     *kw = (r->alpha - 1) / 4 * kA + vmi_vdp_mean_rate(v, r, &d) - 1;
     vmi_vdp_values_at(v, r, 0, 0, 1, &f);
     late = n * s / 4;
     *kx = kA / 2 + 2 / (n + 2) * (late - d.e * f.P1 + vmi_vdp_J_back_second(v, r, &f, &d)) - late * late / n;
 }
 
-/* Limit cycle of a Van der Pol oscillator of constant mass, to second order in epsilon. epsilon = feed/(m W), where W
-   is the rate of the phase, 1/s, at the amplitude A of vm_vdp_limit_cycle. Then the largest x is A (1 + kx epsilon^2)
-   and the period is 2 Pi_alpha/(W (1 + kw epsilon^2)), with kx = 1/192 and kw = -1/16 for alpha = 1. Both are right
-   to O(epsilon^4). Mass and stiffness are those at t = 0; the fields method, reactive and a1 to a3 do not matter.
-   Returns VM_BAD_ARGUMENT for null pointers, an unknown method, and a mass that no constructor made, VM_NOT_FINITE
-   for numbers that are infinite or NaN, VM_BAD_MASS for a mass that is not positive, VM_BAD_STIFFNESS for a stiffness
-   that is not positive, VM_DOMAIN for alpha < 0 or a law that fails, and VM_NO_LAW where there is no limit cycle: there
-   is one only if feed and c have the same sign. An error leaves *cycle untouched. */
+/* Limit cycle of a Van der Pol oscillator of constant mass, to second order in epsilon. epsilon is feed/(m W), where m
+   is the mass, and W the rate of the Ateb phase, 1/s, at the amplitude A of vm_vdp_limit_cycle. Then the largest x is A
+   (1 + kx epsilon^2) and the period is 2 Pi_alpha/(W (1 + kw epsilon^2)), with kx = 1/192 and kw = -1/16 for alpha = 1.
+   The errors of both results are O(epsilon^4). Mass and stiffness are those at t = 0; the fields method, reactive and
+   a1 to a3 do not matter. Returns VM_BAD_ARGUMENT for null pointers, an unknown method, and a mass that no constructor
+   made, VM_NOT_FINITE for numbers that are infinite or NaN, VM_BAD_MASS for a mass that is not positive,
+   VM_BAD_STIFFNESS for a stiffness that is not positive, VM_DOMAIN for alpha < 0, for a table whose times do not rise
+   or do not contain t = 0, and where a user's function fails, and VM_NO_LAW where there is no limit cycle, that is
+   where feed and c do not have the same sign. An error leaves *cycle untouched. */
 VM_API int vm_vdp_cycle_of(const vm_vdp *v, vm_vdp_cycle *cycle)
 {
     vmi_ripple r;

@@ -1,16 +1,19 @@
 /* oscillators/van_der_pol_walk.h - the mean motion of a Van der Pol oscillator with slowly varying mass and stiffness
 
-   At phases where sa or ca is 0, the transformation of oscillators/van_der_pol_expansion.h has the full order three.
-   The plan therefore follows the exact equations from t = 0 to the next such phase (by collocation), and starts the
-   mean motion there. The mean amplitude and phase at any other time are integrals along the laws, so the cost does not
-   depend on the number of vibrations. On a panel of time (oscillators/panels.h) that starts with the mean amplitude A_0
-   and the mean phase psi_0, let B = c/m and r = exp(-2 integral of p dt from the start). Then the mean amplitude A and
-   the mean phase psi are
+   The transformation of oscillators/van_der_pol_expansion.h, from the motion to the mean motion, has the full order
+   three only at phases where sa or ca is 0. The plan therefore integrates the exact equations (by collocation) from t =
+   0 to the next such phase, and starts the mean motion there. The mean amplitude and the mean phase at any other time
+   are integrals along the laws of mass and stiffness, so the cost does not depend on the number of vibrations. The laws
+   are integrated on panels, which are short intervals of time (oscillators/panels.h). On a panel that starts with the
+   mean amplitude A_0 and the mean phase psi_0, let B = c/m and r = exp(-2 integral of p dt from the start of the
+   panel). Here m is the mass and p the slow rate of oscillators/reduction.h. Then the mean amplitude A and the mean
+   phase psi are
      A^2 = A_0^2 r/y,  y = 1 + 4/(alpha+3) A_0^2 integral of B r (-F - second order terms) dt,
      psi = psi_0 + integral of W (1 + second order terms) dt,
-   where the constant F and the terms of second order are those of oscillators/van_der_pol_expansion.h. At the points of
-   a table p' jumps, so that the mean motion jumps, too. Around such a point the motion is computed by the exact
-   equations: from the last phase with sa = 0 or ca = 0 before the point to the first such phase after it.
+   where W is the rate of the phase, and the constant F and the terms of second order are those of
+   oscillators/van_der_pol_expansion.h. At the points of a table p' jumps, so that the mean motion jumps, too. Around
+   such a point the exact equations are integrated: from the last phase with sa = 0 or ca = 0 before the point to the
+   first such phase after the point.
        vm_vdp_plan plan;
        vmi_vdp_mean mean;
        int status = vm_vdp_plan_init(&plan, &vdp, VM_C(0.3), 0); // vdp is a vm_vdp; from rest at x = 0.3 m
@@ -39,36 +42,40 @@
 #include "walk.h"
 #include "waves.h"
 
-/* The mean motion at one time, and what the error depends on */
+/* The mean motion at one time, and the numbers on which its error depends. J is the quantity of
+   oscillators/van_der_pol_expansion.h */
 typedef struct VM_TAG(vmi_vdp_mean) {
     vm_real t;                    /* the time, s */
-    vm_real ln_A, psi;            /* ln of the mean amplitude in m, and mean phase */
-    vm_real first_ln_A, first_psi; /* ln_A and psi by the equations of first order */
-    vm_real segment;              /* time, s, of the last point of a table before t, or 0; the mass is smooth since
-                                     then */
-    vmi_osc_slow now;             /* mass, stiffness and rates at t; set at the end of a walk only */
-    vm_real J_error;              /* error of ln J that order two makes at starts of the mean motion; only the part that
-                                     is still left at t */
+    vm_real ln_A, psi;            /* ln of the mean amplitude in metres, and mean phase */
+    vm_real first_ln_A, first_psi; /* ln of the mean amplitude, and mean phase, by the equations of first order */
+    vm_real segment;              /* time, s, of the last point of a table before t, or 0; between this time and t the
+                                     laws are smooth */
+    vmi_osc_slow now;             /* mass, stiffness and rates at t; valid only at the end of a walk, the integration
+                                     along the laws */
+    vm_real J_error;              /* error of ln J by the terms that order two leaves out where the mean motion is
+                                     started; such an error grows or decays, and this is its value at t */
     vm_real psi_error;            /* size of the terms of psi that order two leaves out */
-    vm_real J_third, psi_third;   /* size of terms that order three leaves out: only of those that depend on feed and
-                                     mass alone */
-    vm_real ratio;                /* largest ratio, at a start of the mean motion, of the terms of one order to those of
-                                     the next lower order */
-    vmi_osc_mean fast;            /* only its fields change, dropped, shortest and error are used, for the effects of
-                                     fast changes of the mass */
+    vm_real J_third, psi_third;   /* sizes of the terms of ln J and of psi that order three leaves out, as far as they
+                                     do not depend on c */
+    vm_real ratio;                /* where the mean motion was started, the largest value of (terms of one order)/(terms
+                                     of the next lower order) */
+    vmi_osc_mean fast;            /* its fields change, dropped, shortest and error describe fast changes of mass and
+                                     stiffness; the rest of its fields is not used */
 } vmi_vdp_mean;
 
-/* What is computed only once for a Van der Pol oscillator and its state at t = 0, by vm_vdp_plan_init. Read its fields,
-   but do not change them. The plan points to the tables, functions and contexts of the law of the mass. */
+/* A plan: numbers that vm_vdp_plan_init computes once for a Van der Pol oscillator and its state at t = 0. Read the
+   fields of the plan, but do not change them. The plan contains pointers to the tables of the laws, to the user's
+   functions and to their ctx. */
 typedef struct VM_TAG(vm_vdp_plan) {
     vm_vdp vdp;            /* a copy of the oscillator */
-    vm_osc_plan osc;       /* the oscillator without its term -c x^2 x', with the feed as a negative damping */
+    vm_osc_plan osc;       /* plan of the oscillator without its term -c x^2 x'; the feed is a negative damping */
     vmi_vdp_ripple ripple; /* constants and polynomials of the law of order three */
-    int start_status;      /* VM_OK where `start` is set; else why there is no mean motion, or VM_NO_LAW at rest */
+    int start_status;      /* VM_OK if `start` is set; else the status that says why there is no mean motion, VM_NO_LAW
+                              for a body at rest */
     vmi_vdp_mean start;    /* the start of the mean motion forward in time */
 } vm_vdp_plan;
 
-/* The term -c x^2 x', N; ctx points to c. */
+/* The force -c x^2 x', N, of the Van der Pol oscillator; ctx points to c. */
 VM_API vm_real vmi_vdp_force(vm_real t, vm_real x, vm_real v, void *ctx)
 {
     const vm_real *c = (const vm_real *)ctx;
@@ -78,22 +85,23 @@ VM_API vm_real vmi_vdp_force(vm_real t, vm_real x, vm_real v, void *ctx)
 
 /* -- The disturbances -- */
 
-/* The rate of the phase, 1/s, at the amplitude exp(ln_A) */
+/* The rate of the Ateb phase, 1/s, at the amplitude exp(ln_A) */
 VM_API vm_real vmi_vdp_rate(const vm_vdp_plan *p, vm_real mass, vm_real k, vm_real ln_A)
 {
     const vm_real alpha = p->vdp.alpha;
     return VM_SQRT((alpha + 1) / 2 * k / mass) * vmi_exp((alpha - 1) / 2 * ln_A, 0);
 }
 
-/* nu = -m'/m - 4 p + a, 1/s, with the rates a, p and k'/k. The code finds m'/m from p = (k'/k + 2 a -
-   m'/m)/(alpha+3). */
+/* Returns nu = -m'/m - 4 p + a, 1/s, from the rates a and p of oscillators/reduction.h and from k'/k. The relative rate
+   m'/m of the mass follows from p = (k'/k + 2 a - m'/m)/(alpha+3). */
 VM_API vm_real vmi_vdp_nu(const vm_vdp_plan *p, vm_real rate_a, vm_real rate_p, vm_real k_rate)
 {
     return (p->vdp.alpha - 1) * rate_p - rate_a - k_rate;
 }
 
-/* Computes the disturbances from the mass, the rates a and p, nu, G0 = p^2 - a p - p', and the amplitude exp(ln_A). W
-   is the rate of the phase at this amplitude. */
+/* Returns the disturbances e, e1, Q0 and E0 of oscillators/van_der_pol_expansion.h. They follow from the mass, from nu
+   (see vmi_vdp_nu), from the rate p, from G0 = p^2 - a p - p', and from the amplitude exp(ln_A). W is the rate of the
+   phase at this amplitude. */
 VM_API vmi_vdp_disturbance vmi_vdp_disturbance_of(const vm_vdp_plan *p, vm_real mass, vm_real nu, vm_real rate_p,
                                                   vm_real G0, vm_real ln_A, vm_real W)
 {
@@ -105,7 +113,8 @@ VM_API vmi_vdp_disturbance vmi_vdp_disturbance_of(const vm_vdp_plan *p, vm_real 
     return d;
 }
 
-/* The disturbances for the mass and rates in *now, and for the amplitude exp(ln_A), whose phase has the rate W */
+/* Returns the disturbances e, e1, Q0 and E0 for the mass and the rates in *now, and for the amplitude exp(ln_A), at
+   which the phase has the rate W. */
 VM_API vmi_vdp_disturbance vmi_vdp_disturbance_at(const vm_vdp_plan *p, const vmi_osc_slow *now, vm_real ln_A,
                                                   vm_real W)
 {
@@ -113,8 +122,8 @@ VM_API vmi_vdp_disturbance vmi_vdp_disturbance_at(const vm_vdp_plan *p, const vm
     return vmi_vdp_disturbance_of(p, now->m, nu, now->p, G0, ln_A, W);
 }
 
-/* The sizes of terms for estimates, for the mass and rates in *now, and for the amplitude exp(ln_A), whose phase has
-   the rate W */
+/* Returns the sizes of terms that estimates of the error need (vmi_vdp_sizes), for the mass and the rates in *now, and
+   for the amplitude exp(ln_A), at which the phase has the rate W. */
 VM_API vmi_vdp_sizes vmi_vdp_sizes_at(const vm_vdp_plan *p, const vmi_osc_slow *now, vm_real ln_A, vm_real W)
 {
     const vmi_vdp_disturbance d = vmi_vdp_disturbance_at(p, now, ln_A, W);
@@ -124,7 +133,8 @@ VM_API vmi_vdp_sizes vmi_vdp_sizes_at(const vm_vdp_plan *p, const vmi_osc_slow *
     return vmi_vdp_sizes_of(&p->osc.ripple, &d, rate);
 }
 
-/* Writes |E_k| = |G_k|/W^(k+2), see oscillators/expansion.h. They belong to the oscillator without its term in c. */
+/* Writes the absolute values of the numbers E_k = G_k/W^(k+2) of oscillators/expansion.h, for the oscillator without
+   the force -c x^2 x'. W is the rate of the phase. */
 VM_API void vmi_vdp_absolute_E(const vmi_osc_slow *now, vm_real W, vm_real *E)
 {
     int i;
@@ -134,8 +144,8 @@ VM_API void vmi_vdp_absolute_E(const vmi_osc_slow *now, vm_real W, vm_real *E)
 
 /* -- The start -- */
 
-/* Starts the mean motion at the reduced state (r->A, r->psi, r->W), a point where sa or ca is 0. mean->t and mean->now
-   must already be set for the time of this state. The errors that the start causes are added to those in *mean. */
+/* Starts the mean motion from the reduced state *r, at whose phase sa or ca must be 0. mean->t and mean->now must
+   already be set for the time of this state. The errors that the start causes are added to the errors in *mean. */
 VM_API void vmi_vdp_start_at(const vm_vdp_plan *p, const vmi_osc_reduced *r, vmi_vdp_mean *mean)
 {
     const vmi_osc_wave wave = vmi_osc_wave_of(&p->osc, VM_ROUTE_ATEB);
@@ -160,10 +170,10 @@ VM_API void vmi_vdp_start_at(const vm_vdp_plan *p, const vmi_osc_reduced *r, vmi
     mean->ratio = vmi_larger(sizes.ratio, mean->ratio);
 }
 
-/* Follows the exact equations from the state *r at the time t to the first phase at which sa or ca is 0, and starts the
-   mean motion there. If `knots` is 1, the phase must lie beyond the next point of a table. side is 1 forward, -1
-   backward in time. VM_NOT_INTEGRATED means that amplitude and phase do not describe the motion, or that a further
-   table point lies on the way. */
+/* Integrates the exact equations from the state *r at the time t to the first phase at which sa or ca is 0, and starts
+   the mean motion there. If `knots` is 1, it integrates to the first such phase after the next point of a table. `side`
+   is 1 forward, -1 backward in time. VM_NOT_INTEGRATED means that amplitude and phase do not describe the motion, or
+   that a further table point lies before the end of this integration. */
 VM_API int vmi_vdp_bridge(const vm_vdp_plan *p, vm_real t, int side, const vmi_osc_reduced *r, int knots,
                           vmi_vdp_mean *mean)
 {
@@ -201,7 +211,8 @@ VM_API int vmi_vdp_bridge(const vm_vdp_plan *p, vm_real t, int side, const vmi_o
     return VM_OK;
 }
 
-/* Starts the mean motion from position and velocity at t = 0, for times t > 0 with side = 1, t < 0 with side = -1. */
+/* Starts the mean motion from position and velocity at t = 0. With side = 1 the mean motion is for times t > 0, with
+   side = -1 for times t < 0. */
 VM_API int vmi_vdp_start(const vm_vdp_plan *p, int side, vmi_vdp_mean *mean)
 {
     const vm_osc_problem *o = &p->osc.problem;
@@ -227,14 +238,14 @@ VM_API int vmi_vdp_start(const vm_vdp_plan *p, int side, vmi_vdp_mean *mean)
     return VM_OK;
 }
 
-/* Prepares a plan for many values of the motion of a Van der Pol oscillator.
-   x is the position, m, x_rate the velocity, m/s, both at t = 0. vm_vdp_plan_by_route and vm_vdp_plan_within use the
-   plan. The field method must be valid, but it has no effect, and a1 to a3 have none. The oscillator is copied; the
-   tables and contexts of its mass must exist as long as the plan is used. Errors leave the plan untouched. Returns
-   VM_BAD_ARGUMENT for null pointers, an unknown method, and a mass that no constructor made, VM_NOT_FINITE for numbers
-   that are infinite or NaN, VM_BAD_MASS for a mass that is not positive at t = 0 or in a table, VM_BAD_STIFFNESS for a
-   stiffness that is not positive there, VM_DOMAIN for alpha < 0, a table out of order or without t = 0, or a user's
-   function that fails. */
+/* Prepares a plan, by which the motion of a Van der Pol oscillator is computed at many times.
+   x is the position, m, and x_rate the velocity, m/s, at t = 0. vm_vdp_plan_by_route and vm_vdp_plan_within use the
+   plan. The field `method` of *v must be valid, but the results do not depend on it, nor on the fields a1, a2 and a3.
+   The oscillator is copied; the tables of its laws and what ctx points to must exist as long as the plan is used.
+   Errors leave the plan untouched. Returns VM_BAD_ARGUMENT for null pointers, an unknown method, and a mass that no
+   constructor made, VM_NOT_FINITE for numbers that are infinite or NaN, VM_BAD_MASS or VM_BAD_STIFFNESS for a mass or a
+   stiffness that is not positive at t = 0 or in a table, and VM_DOMAIN for alpha < 0, for a table whose times do not
+   rise or do not contain t = 0, and where a user's function fails. */
 VM_API int vm_vdp_plan_init(vm_vdp_plan *p, const vm_vdp *v, vm_real x, vm_real x_rate)
 {
     vm_vdp_plan plan;
@@ -265,31 +276,36 @@ VM_API int vm_vdp_plan_init(vm_vdp_plan *p, const vm_vdp *v, vm_real x, vm_real 
 
 /* -- A panel -- */
 
-/* Series and integrals of the mean motion on a panel of time */
+/* Legendre series and integrals of the mean motion on a panel, a short interval of time. J is the quantity of
+   oscillators/van_der_pol_expansion.h */
 typedef struct VM_TAG(vmi_vdp_panel) {
-    vmi_osc_panel laws;                   /* the law of the mass; its fields E and noise are used to find fast changes
-                                             of it */
+    vmi_osc_panel laws;                   /* the laws of mass and stiffness; its fields E and noise are used to find
+                                             fast changes of the laws */
     vm_real r[VMI_GAUSS];                 /* series of r/m with r = exp(-2 integral of p dt) from the panel's start */
-    vm_real rate[VMI_GAUSS], first_rate[VMI_GAUSS]; /* series of the rate of the mean phase, by order three and one */
-    vm_real ln_A, first_ln_A;             /* change of ln A over the panel, by order three and one */
-    vm_real loss;                         /* factor by which an error of ln J changes over the panel */
-    vm_real rounding;                     /* size of the terms of E_0 that rounding errors of p cause, see
-                                             vmi_vdp_rounding */
-    vm_real kept;                         /* integral over the phase of the factor by which an error of ln J changes
-                                             from the panel's start to this phase */
+    vm_real rate[VMI_GAUSS], first_rate[VMI_GAUSS]; /* series of the rate of the mean phase: `rate` by the law of order
+                                                       three, first_rate by the law of order one */
+    vm_real ln_A, first_ln_A;             /* change of ln A over the panel, where A is the mean amplitude: ln_A by the
+                                             law of order three, first_ln_A by that of order one */
+    vm_real loss;                         /* the factor by which an error of ln J changes from the start to the end of
+                                             the panel */
+    vm_real rounding;                     /* size of the errors of E_0 that rounding errors of the rate p cause
+                                             (vmi_vdp_rounding) */
+    vm_real kept;                         /* the integral, over the phases of the panel, of the factor by which an error
+                                             of ln J changes from the start of the panel to the phase */
 } vmi_vdp_panel;
 
-/* Mean values at the points of Gauss' rule of a panel */
+/* Numbers of the mean motion at the nodes, which are the points of Gauss' rule on a panel */
 typedef struct VM_TAG(vmi_vdp_nodes) {
-    vm_real r[VMI_GAUSS], ln_r[VMI_GAUSS];      /* r/m, see vmi_vdp_panel, and ln r */
+    vm_real r[VMI_GAUSS], ln_r[VMI_GAUSS];      /* r/m with the r of vmi_vdp_panel, and ln r */
     vm_real first_ln_A[VMI_GAUSS], first_rate[VMI_GAUSS];
-    vm_real G0[VMI_GAUSS], E[VMI_GAUSS];        /* p^2 - a p - p', and E_0 */
+    vm_real G0[VMI_GAUSS], E[VMI_GAUSS];        /* G_0 = p^2 - a p - p', and E_0 = G_0/W^2 */
     vm_real second[VMI_GAUSS];                  /* r/m times the result of vmi_vdp_mean_second */
     vm_real rate[VMI_GAUSS];
 } vmi_vdp_nodes;
 
-/* Returns ln r, where r = exp(-2 integral of p dt), for an interval of time in which mass and stiffness change by the
-   factors exp(ln_m) and exp(ln_k). `way` is the integral of dt/m over this interval. */
+/* Returns ln r, where r = exp(-2 integral of p dt) with the rate p of oscillators/reduction.h, for an interval of time
+   in which mass and stiffness change by the factors exp(ln_m) and exp(ln_k). `way` is the integral of dt/m over this
+   interval. */
 VM_API vm_real vmi_vdp_ln_r(const vm_vdp_plan *p, vm_real ln_m, vm_real ln_k, vm_real way)
 {
     vm_real ln_A, ln_Om;
@@ -297,24 +313,24 @@ VM_API vm_real vmi_vdp_ln_r(const vm_vdp_plan *p, vm_real ln_m, vm_real ln_k, vm
     return 2 * ln_A;
 }
 
-/* ln(k/k_start); most stiffnesses are constant, and need no logarithm */
+/* ln(k/k_start); for a constant stiffness, which is the usual case, no logarithm is computed */
 VM_API vm_real vmi_vdp_ln_k(vm_real k, vm_real k_start)
 {
     if (k == k_start) return 0;
     return vmi_log(k / k_start).hi;
 }
 
-/* The size of the rounding errors in the last terms of the series of E_0. *now has the rates of the laws, and W is the
-   rate of the phase. E_0 contains p'/W^2, and p' is the derivative of a series of p on the panel. Rounding errors of p,
-   at most a few eps (|a| + |p|), grow by up to 250/length in its last terms; on short panels they hide the law
-   itself. */
+/* The size of the rounding errors in the last terms of the Legendre series of E_0. *now contains the rates of the laws,
+   and W is the rate of the phase. E_0 contains p'/W^2, where p is a slow rate, and p' is the derivative of a series of
+   p on the panel. The rounding errors of p are at most a few eps (|a| + |p|). In the last terms of p' they are larger
+   by a factor of up to 250/length; on short panels they are larger than the terms themselves. */
 VM_API vm_real vmi_vdp_rounding(const vmi_osc_rates *now, vm_real W, vm_real length)
 {
     return 256 * VM_EPSILON / VM_FABS(length) / W * ((VM_FABS(now->p) + VM_FABS(now->a)) / W);
 }
 
-/* Computes the first order at the nodes, and from it the terms of second order. *mean is the mean motion at the start
-   of the panel, where *start has mass and stiffness. */
+/* Computes the mean motion of first order at the nodes of a panel, and from this motion the terms of second order.
+   *mean is the mean motion, and *start contains mass and stiffness, at the start of the panel. */
 VM_API void vmi_vdp_first_order(const vm_vdp_plan *p, const vmi_vdp_mean *mean, vm_real length,
                                 const vmi_osc_rates *start, const vmi_osc_panel_laws *at, vmi_vdp_nodes *nodes,
                                 vmi_vdp_panel *panel)
@@ -350,7 +366,7 @@ VM_API void vmi_vdp_first_order(const vm_vdp_plan *p, const vmi_vdp_mean *mean, 
     panel->first_ln_A = 1 + gain * length * panel->r[0]; /* y at the end of the panel */
 }
 
-/* Computes the mean motion of order three at the nodes. `second` is the Legendre series of nodes->second. */
+/* Computes the mean motion of order three at the nodes of a panel. `second` is the Legendre series of nodes->second. */
 VM_API void vmi_vdp_second_order(const vm_vdp_plan *p, const vmi_vdp_mean *mean, vm_real length,
                                  const vmi_osc_panel_laws *at, const vm_real *second, vmi_vdp_nodes *nodes,
                                  vmi_vdp_panel *panel)
@@ -396,16 +412,17 @@ VM_API int vmi_vdp_panel_of(const vm_vdp_plan *p, const vmi_vdp_mean *mean, vm_r
     return VM_OK;
 }
 
-/* Whether the last terms of a series of the rate of the phase are at most `limit` times the rate. The rate may be
-   negative, where the law does not hold. */
+/* Returns 1 if the last terms of a Legendre series of the phase rate are at most `limit` times the mean rate, else 0.
+   The rate may be negative where the law of order three is not valid. */
 VM_API int vmi_vdp_rate_is_resolved(const vm_real *rate, vm_real limit)
 {
     return vmi_legendre_tail(rate) <= limit * VM_FABS(rate[0]);
 }
 
-/* Whether the panel is short enough for its series. `whole` is the length of the walk, s. The series of E_0 may leave
-   out terms that do not matter, and terms that are rounding errors: halving the panel would make rounding errors
-   larger. The same is allowed for the rate of the phase, which contains E_0. */
+/* Returns 1 if the panel is so short that its series are accurate enough, else 0. `whole` is the length of the whole
+   interval of integration, s. The series of E_0 may leave out terms that do not matter, and terms that are rounding
+   errors: on a panel of half the length the rounding errors would be larger. The series of the phase rate may leave out
+   such terms, too, since it contains E_0. */
 VM_API int vmi_vdp_panel_is_resolved(const vmi_vdp_panel *panel, vm_real length, vm_real whole)
 {
     const vm_real E_enough = VM_MANT_DIG > 24 ? VM_C(1e-6) : VM_C(1e-3);
@@ -419,7 +436,7 @@ VM_API int vmi_vdp_panel_is_resolved(const vmi_vdp_panel *panel, vm_real length,
     return vmi_legendre_tail(panel->laws.E) <= E_enough * VM_SQRT(vmi_legendre_square(panel->laws.E)) + noise;
 }
 
-/* Advances the mean motion over a panel. */
+/* Advances the mean motion from the start to the end of a panel. */
 VM_API void vmi_vdp_add_panel(const vm_vdp_plan *p, vmi_vdp_panel *panel, vm_real length, vmi_vdp_mean *mean)
 {
     const vm_real g = VM_FABS(p->osc.ripple.gamma), phase = panel->rate[0] * VM_FABS(length);
@@ -438,8 +455,9 @@ VM_API void vmi_vdp_add_panel(const vm_vdp_plan *p, vmi_vdp_panel *panel, vm_rea
     vmi_osc_add_changes(&p->osc, &panel->laws, length, &mean->fast);
 }
 
-/* Advances the mean motion to `end` by panels of at most `longest`. No table may have a point on the way. `whole` is
-   the length of the whole walk, s. Returns VM_NOT_FINITE where the amplitude becomes infinite on the way. */
+/* Advances the mean motion to `end` by panels of at most `longest`. No table may have a point between these times.
+   `whole` is the length of the whole interval of integration, s. Returns VM_NOT_FINITE where the amplitude becomes
+   infinite between these times. */
 VM_API int vmi_vdp_walk_piece(const vm_vdp_plan *p, vm_real end, vm_real longest, vm_real whole, vmi_vdp_mean *mean)
 {
     vmi_panels panels = vmi_panels_from(mean->t, end, longest, whole);
@@ -463,7 +481,8 @@ VM_API int vmi_vdp_walk_piece(const vm_vdp_plan *p, vm_real end, vm_real longest
 
 /* -- The motion that belongs to a mean motion -- */
 
-/* Writes amplitude, phase and its rate at mean->t by order 1, 2 or 3, with rates from mean->now. */
+/* Returns amplitude, phase and phase rate of the motion at mean->t, by the law of order three cut off after order 1, 2
+   or 3. Mass, stiffness and rates are those in mean->now. */
 VM_API vmi_osc_reduced vmi_vdp_state(const vm_vdp_plan *p, int order, const vmi_vdp_mean *mean)
 {
     const vmi_ripple *r = &p->osc.ripple;
@@ -494,8 +513,9 @@ VM_API vmi_osc_reduced vmi_vdp_state(const vm_vdp_plan *p, int order, const vmi_
 
 /* -- The walk -- */
 
-/* Sets mean->now for the time mean->t. side is the direction of the walk, 1 forward, -1 backward in time. Where
-   derivatives of the mass jump at this time, it takes their values on the side that the walk has already covered. */
+/* Sets mean->now for the time mean->t. `side` is the direction of the integration along the laws: 1 forward, -1
+   backward in time. Where derivatives of the laws jump at this time, the function takes their values before the jump
+   for side = 1, and after the jump for side = -1. */
 VM_API int vmi_vdp_mean_update(const vm_vdp_plan *p, int side, vmi_vdp_mean *mean)
 {
     const vm_real sampling = vmi_osc_sampling_time(&p->osc), way = VM_FABS(mean->t);
@@ -504,8 +524,8 @@ VM_API int vmi_vdp_mean_update(const vm_vdp_plan *p, int side, vmi_vdp_mean *mea
     return vmi_osc_slow_at(&p->osc.problem, mean->t, -side, vmi_smaller(sampling, way), unit, &mean->now);
 }
 
-/* Continues the mean motion beyond mean->t, the time of a table point. It goes back to the last phase before this time
-   at which sa or ca is 0. From there it follows the exact equations to the first such phase after this time. */
+/* Continues the mean motion beyond mean->t, the time of a table point. First it goes back to the last phase before this
+   time at which sa or ca is 0. From there it integrates the exact equations to the first such phase after this time. */
 VM_API int vmi_vdp_walk_past_knot(const vm_vdp_plan *p, int side, vmi_vdp_mean *mean)
 {
     const vm_real quarter = p->osc.ripple.pi / 2, turns = (vm_real)side * mean->psi / quarter;
@@ -514,7 +534,7 @@ VM_API int vmi_vdp_walk_past_knot(const vm_vdp_plan *p, int side, vmi_vdp_mean *
     vmi_vdp_panel panel;
     vmi_osc_reduced state;
     int status = VM_OK;
-    /* If the way back passes the previous table point, or t = 0, the two points are too close together. */
+    /* If going back passes the previous table point, or t = 0, the two points are too close together. */
     if ((vm_real)side * (knot + back - mean->segment) < 0) return VM_NOT_INTEGRATED;
     if (back != 0) {
         status = vmi_vdp_panel_of(p, mean, back, &panel);
@@ -529,9 +549,9 @@ VM_API int vmi_vdp_walk_past_knot(const vm_vdp_plan *p, int side, vmi_vdp_mean *
     return vmi_vdp_bridge(p, mean->t, side, &state, 1, mean);
 }
 
-/* Computes the mean motion at t by integration along the law of the mass, from one point of a table to the next.
-   Returns VM_NOT_INTEGRATED where amplitude and phase do not describe the motion, or where points of a table are closer
-   than a quarter of a vibration, and VM_NOT_FINITE where the amplitude becomes infinite between 0 and t. */
+/* Computes the mean motion at t by integration along the laws of mass and stiffness, from one point of a table to the
+   next. Returns VM_NOT_INTEGRATED where amplitude and phase do not describe the motion, or where points of a table are
+   closer than a quarter of a vibration, and VM_NOT_FINITE where the amplitude becomes infinite between 0 and t. */
 VM_API int vmi_vdp_mean_at(const vm_vdp_plan *p, vm_real t, vmi_vdp_mean *mean)
 {
     const vm_osc_problem *o = &p->osc.problem;

@@ -1,10 +1,11 @@
-/* oscillators/walk.h - the mean motion of an oscillator if the integrals have no closed form
+/* oscillators/walk.h - the mean motion of an oscillator if its integrals have no closed form
 
    The mean motion at t follows from integrals along the laws of mass and stiffness from 0 to t. vmi_osc_walk_to adds up
-   these integrals over panels of time (oscillators/panels.h), from one point of a table to the next. At such a point
-   the second derivatives of the laws jump, so that the mean motion jumps, too. This integration, called the walk, also
-   measures how large E_0 = G_0/W^2 and its derivatives are; the estimates of the error need these numbers. E_0 measures
-   how strongly the damping and the changes of mass and stiffness disturb the motion (oscillators/expansion.h).
+   these integrals over panels, which are short intervals of time (oscillators/panels.h), from one point of a table to
+   the next. At such a point the second derivatives of the laws jump, so that the mean motion jumps, too. This
+   integration, called the walk, also measures how large E_0 = G_0/W^2 and its derivatives are; the estimates of the
+   error need these numbers. E_0 measures how strongly the damping and the changes of mass and stiffness disturb the
+   motion (oscillators/expansion.h).
        vmi_osc_mean mean;
        int status = vmi_osc_walk_to(&plan, 10, &mean); // plan is a vm_osc_plan; mean.psi, mean.inverse_mass, ...
    Tests: tests/test_slow_motion.c, tests/test_averaging.c, tests/test_ladder.c. */
@@ -25,38 +26,40 @@
 #include "ripple.h"
 #include "waves.h"
 
-/* The walk measures how large E_0 and its first six derivatives with respect to the phase are: 7 numbers, in the field
-   `change` */
+/* The number of elements of the field `change`. They measure how large E_0 and its first six derivatives with respect
+   to the phase are; E_0 is explained at the top of this file. */
 enum { VMI_WALK_ORDERS = 7 };
 
-/* The mean motion at one time t, and what its errors depend on. The adiabatic law, which keeps the action constant,
-   gives the amplitude A = A0 exp(ln_A) and the rate of the phase, `ratio` times the rate at t = 0. A0 is the amplitude
-   at t = 0. */
+/* The mean motion at one time t, and the numbers on which its errors depend. According to the adiabatic law, by which
+   the action stays constant, the amplitude is A = A0 exp(ln_A), and the rate of the phase is `ratio` times the rate at
+   t = 0. A0 is the amplitude at t = 0. J is the action. */
 typedef struct VM_TAG(vmi_osc_mean) {
-    vmi_osc_slow now;      /* mass, stiffness and G_k just before t; for t < 0 just after t */
+    vmi_osc_slow now;      /* mass, stiffness and the numbers G_k just before t, or for t < 0 just after t */
     vm_real E[VMI_OSC_G];  /* the numbers E_k = G_k/W^(k+2) at t, for the rate W of the mean phase */
-    vm_real ln_A, ratio;   /* ln(A/A0), and the phase rate divided by its value at t = 0, both by the adiabatic law */
+    vm_real ln_A, ratio;   /* ln(A/A0), and (phase rate at t)/(phase rate at t = 0), by the adiabatic law */
     vm_real inverse_mass;  /* the integral of dt/m from 0 to t, s/kg */
-    vm_real phase;         /* the integral of ratio dt from 0 to t, s */
+    vm_real phase;         /* the integral of `ratio` over time from 0 to t, s */
     vm_real psi;           /* the mean phase */
-    vm_real ln_J;          /* ln of the mean action divided by its value at t = 0; it changes only at points of
-                              tables */
+    vm_real ln_J;          /* ln of (mean action at t)/(mean action at t = 0); it changes only at points of tables */
     vm_real first;         /* the part of psi that is proportional to E_0 */
-    vm_real second, third; /* the part of psi that is proportional to E_0^2; a bound of the terms of psi that order five
-                              leaves out */
-    vm_real knots_J[4];    /* element i, for order i + 2: sum of squares of errors of ln J at points of tables */
-    vm_real knots_psi[4];  /* element i, for order i + 2: sum of squares of errors of psi at points of tables */
+    vm_real second, third; /* `second`: the part of psi that is proportional to E_0^2; `third`: a bound of the terms of
+                              psi that the law of order five leaves out */
+    vm_real knots_J[4];    /* element i is for order i + 2: sum of the squares of the errors of ln J at points of
+                              tables */
+    vm_real knots_psi[4];  /* element i is for order i + 2: sum of the squares of the errors of psi at points of
+                              tables */
     vm_real largest;       /* largest |E_0| between 0 and t; E_0 = G_0/W^2 measures how much the motion is disturbed */
     /* Element i, from 0 to 6, is the integral of |d^i E_0/dpsi^i| over psi from time 0 to t, where d^i/dpsi^i is the
        ith derivative with respect to the phase. All elements are 0 where closed forms of the laws are used. */
     vm_real change[VMI_WALK_ORDERS];
     vm_real dropped;       /* integral over psi of the part of |E_0| that is not in `change` */
-    vm_real shortest;      /* the shortest panel that the laws of mass and stiffness needed, s */
+    vm_real shortest;      /* length of the shortest panel that was needed, s */
     vm_real error;         /* estimated error of `phase`, s */
 } vmi_osc_mean;
 
-/* Writes ln(A/A0) and ln(Om/Om0) by the adiabatic law, where Om is the rate of the phase and A0, Om0, m0, k0 are values
-   at t = 0. ln_m = ln(m/m0), ln_k = ln(k/k0), and decay is the integral of b/m over time, where b is the damping. */
+/* Writes ln(A/A0) and ln(Om/Om0) by the adiabatic law. A is the amplitude, Om the rate of the phase, m the mass and k
+   the stiffness; A0, Om0, m0 and k0 are their values at t = 0. The arguments are ln_m = ln(m/m0), ln_k = ln(k/k0) and
+   `decay`, the integral of b/m over time, where b is the damping. */
 VM_API void vmi_osc_adiabatic(const vm_osc_plan *p, vm_real ln_m, vm_real ln_k, vm_real decay, vm_real *ln_A,
                               vm_real *ln_Om)
 {
@@ -106,28 +109,29 @@ VM_API vmi_osc_reduced vmi_osc_mean_state(const vm_osc_plan *p, const vmi_osc_me
 
 /* -- A panel -- */
 
-/* A panel of the walk: the Legendre series of the laws on the panel, and what the panel adds to the integrals */
+/* A panel, which is a short interval of time: the Legendre series of the laws on the panel, and what the panel adds to
+   the integrals */
 typedef struct VM_TAG(vmi_osc_panel) {
     vm_real edge;               /* largest relative difference between 1/m or k and its series at the panel's ends */
     vm_real inverse[VMI_GAUSS]; /* series of 1/m */
-    vm_real ratio[VMI_GAUSS];   /* series of k at first, then of the phase rate divided by its value at t = 0 */
+    vm_real ratio[VMI_GAUSS];   /* at first the series of k, later the series of (phase rate)/(phase rate at t = 0) */
     vm_real E[VMI_GAUSS];       /* series of E_0 = G_0/W^2 */
-    vm_real noise;              /* size of those coefficients of E that come from rounding errors of p' alone
+    vm_real noise;              /* size of those coefficients of the series E that only rounding errors of p' cause
                                    (vmi_osc_rate_noise) */
     vm_real first, second;      /* integrals of E_0 and of E_0^2 over the phase */
     vm_real cube;               /* integral of |E_0|^3 over the phase */
     vm_real largest;            /* largest |E_0| on the panel */
 } vmi_osc_panel;
 
-/* Mass, stiffness, and the rates a and p, at the points of Gauss' rule of a panel */
+/* Mass, stiffness, and the rates a and p of oscillators/reduction.h, at the points of Gauss' rule on a panel */
 typedef struct VM_TAG(vmi_osc_panel_laws) {
     vmi_osc_rates rates[VMI_GAUSS];
     vm_real p_rate[VMI_GAUSS]; /* time derivatives p' of the rate p of `rates`, 1/s^2 */
 } vmi_osc_panel_laws;
 
-/* Reads the laws at the points of Gauss' rule. Writes the series of 1/m to panel->inverse and that of k to
-   panel->ratio, and to panel->edge the largest relative difference between these series and the laws at the ends of the
-   panel. */
+/* Reads the laws at the points of Gauss' rule on a panel. Writes the Legendre series of 1/m to panel->inverse, the
+   series of k to panel->ratio, and to panel->edge the largest relative difference between these series and the laws at
+   the ends of the panel. */
 VM_API int vmi_osc_read_laws(const vm_osc_problem *o, int side, vm_real start, vm_real length, vmi_osc_panel_laws *at,
                              vmi_osc_panel *panel)
 {
@@ -151,13 +155,13 @@ VM_API int vmi_osc_read_laws(const vm_osc_problem *o, int side, vm_real start, v
     return vmi_panel_edge(&o->stiffness, VM_BAD_STIFFNESS, 0, start, length, panel->ratio, &panel->edge);
 }
 
-/* The size of the errors of p' that rounding errors of the rates a and p cause on a panel of 1 s, divided by |a| + |p|.
-   In float the factor is 0: there such errors cannot be distinguished from fast changes, and they count as fast
-   changes. */
+/* Returns the size of the errors of p' that rounding errors of the slow rates a and p cause on a panel of 1 s, divided
+   by |a| + |p|. In float the result is 0: such errors cannot be distinguished from fast changes of the laws, and count
+   as fast changes. */
 VM_API vm_real vmi_osc_rate_noise(void) { return VM_MANT_DIG > 24 ? 2048 * VM_EPSILON : 0; }
 
-/* Computes the panel from start to start + length, where length < 0 goes backward. *mean is the mean motion at
-   start. */
+/* Computes the panel from the time start to start + length, where length < 0 means backward in time. *mean is the mean
+   motion at the time start. */
 VM_API int vmi_osc_panel_of(const vm_osc_plan *p, const vmi_osc_mean *mean, vm_real start, vm_real length,
                             vmi_osc_panel *panel)
 {
@@ -193,9 +197,10 @@ VM_API int vmi_osc_panel_of(const vm_osc_plan *p, const vmi_osc_mean *mean, vm_r
     return VM_OK;
 }
 
-/* Whether the panel is short enough for its series. If a law has a kink, the series never fits near the kink, however
-   short the panel is; therefore a panel also counts as short enough if the terms that its series leaves out do not
-   matter. `whole` is the length of the walk, s. */
+/* Returns 1 if the panel is so short that its series are accurate enough, else 0. If a law has a kink, the series is
+   never accurate near the kink, however short the panel is. Therefore a panel also counts as short enough if the terms
+   that its series leave out do not matter for the result. `whole` is the length of the whole interval of integration,
+   s. */
 VM_API int vmi_osc_panel_is_resolved(const vm_osc_plan *p, const vmi_osc_panel *panel, vm_real length, vm_real whole)
 {
     const vm_real E_enough = VM_MANT_DIG > 24 ? VM_C(1e-6) : VM_C(1e-3);
@@ -209,10 +214,10 @@ VM_API int vmi_osc_panel_is_resolved(const vm_osc_plan *p, const vmi_osc_panel *
            E_enough * VM_SQRT(vmi_legendre_square(panel->E)) + vmi_panel_E_noise(phase);
 }
 
-/* Adds what the panel contributes to mean->change and to mean->third, the bound of the terms of psi that order five
-   leaves out. For each integral of |d^i E_0/dpsi^i| in mean->change it takes the root mean square over the panel
-   instead of the absolute value. Before that, it sets coefficients of E_0 to 0 if they are as small as rounding errors,
-   and adds their integral to mean->dropped. The series of E_0 is overwritten. */
+/* Adds what the panel contributes to mean->change and to mean->third, the bound of the terms of psi that the law of
+   order five leaves out. For the integrals of |d^i E_0/dpsi^i| in mean->change, it uses the root mean square over the
+   panel in place of the absolute value. Before that, coefficients in the series of E_0 that are as small as rounding
+   errors are set to 0, and their integral is added to mean->dropped. The series of E_0 is overwritten. */
 VM_API void vmi_osc_add_changes(const vm_osc_plan *p, vmi_osc_panel *panel, vm_real length, vmi_osc_mean *mean)
 {
     const vm_real noise = 1024 * VM_EPSILON, W = p->mean.W * panel->ratio[0], phase_length = W * VM_FABS(length);
@@ -236,7 +241,7 @@ VM_API void vmi_osc_add_changes(const vm_osc_plan *p, vmi_osc_panel *panel, vm_r
     mean->third += vmi_expansion_third_rate(&p->ripple, phase_length * size[0] * size[2], panel->cube);
 }
 
-/* Advances the mean motion over a panel. */
+/* Advances the mean motion from the start to the end of a panel. */
 VM_API void vmi_osc_add_panel(const vm_osc_plan *p, vmi_osc_panel *panel, vm_real length, vmi_osc_mean *mean)
 {
     const vm_real W0 = p->mean.W * vmi_exp(p->ripple.gamma * mean->ln_J, 0);
@@ -252,7 +257,7 @@ VM_API void vmi_osc_add_panel(const vm_osc_plan *p, vmi_osc_panel *panel, vm_rea
 }
 
 /* Advances the mean motion from start to end by panels of at most `longest`. No table may have a point between start
-   and end. `whole` is the length of the whole walk, s. */
+   and end. `whole` is the length of the whole interval of integration, s. */
 VM_API int vmi_osc_walk_piece(const vm_osc_plan *p, vm_real start, vm_real end, vm_real longest, vm_real whole,
                               vmi_osc_mean *mean)
 {
@@ -273,8 +278,9 @@ VM_API int vmi_osc_walk_piece(const vm_osc_plan *p, vm_real start, vm_real end, 
     return VM_OK;
 }
 
-/* Sets `now`, `ln_A` and `ratio` of *mean for the time t. Where derivatives of the laws jump at t, it takes their
-   values on the side of t that the walk has already covered. side is 1 forward, -1 backward in time. */
+/* Sets the fields `now`, `ln_A` and `ratio` of *mean for the time t. `side` is the direction of the integration along
+   the laws: 1 forward, -1 backward in time. Where derivatives of the laws jump at t, the function takes their values
+   before t for side = 1, and after t for side = -1. */
 VM_API int vmi_osc_mean_update(const vm_osc_plan *p, vm_real t, int side, vmi_osc_mean *mean)
 {
     const vm_real sampling = vmi_osc_sampling_time(p), length = t == 0 ? sampling : vmi_smaller(sampling, VM_FABS(t));
@@ -289,8 +295,8 @@ VM_API int vmi_osc_mean_update(const vm_osc_plan *p, vm_real t, int side, vmi_os
 
 /* -- Points of tables -- */
 
-/* Adds to knots_J and knots_psi the squares of the terms that orders 2 to 5 leave out at a point of a table. The
-   numbers E_k jump there from `before` to `after`. */
+/* Adds to the fields knots_J and knots_psi the squares of the terms that the law of order five, cut off after each of
+   the orders 2 to 5, leaves out at a point of a table. At this point the numbers E_k jump from `before` to `after`. */
 VM_API void vmi_osc_add_knot_error(const vm_osc_plan *p, const vm_real *before, const vm_real *after,
                                    vmi_osc_mean *mean)
 {
@@ -305,10 +311,10 @@ VM_API void vmi_osc_add_knot_error(const vm_osc_plan *p, const vm_real *before, 
     }
 }
 
-/* Continues the mean motion beyond the time t, a point of a table. The derivatives of m' and k' jump there. The motion
-   itself does not jump; therefore the mean motion jumps. The motion at t follows from the mean motion before t, and the
-   mean motion after t follows from the motion. The action at t is found by iteration with vmi_expansion_J, which has
-   the full order; vmi_expansion_J_back has one order less. */
+/* Continues the mean motion beyond the time t of a table point. The second derivatives of mass and stiffness jump
+   there. The motion itself does not jump; therefore the mean motion jumps. The function computes the motion at t from
+   the mean motion before t, and from the motion at t the mean motion after t. The action at t is found by iteration
+   with vmi_expansion_J, whose terms go up to the full order; those of vmi_expansion_J_back end one order earlier. */
 VM_API int vmi_osc_walk_past_knot(const vm_osc_plan *p, vm_real t, int side, vmi_osc_mean *mean)
 {
     const vmi_ripple *r = &p->ripple;
@@ -343,8 +349,9 @@ VM_API int vmi_osc_walk_past_knot(const vm_osc_plan *p, vm_real t, int side, vmi
 
 /* -- The walk -- */
 
-/* Sets the mean motion at the start of a walk backward in time. The plan has the mean motion that belongs to the
-   laws just after t = 0; *mean becomes the mean motion that belongs to the laws just before t = 0. */
+/* Sets the mean motion at t = 0 for an integration backward in time. The plan contains the mean motion that follows
+   from the derivatives of the laws just after t = 0; *mean becomes the mean motion that follows from their derivatives
+   just before t = 0. */
 VM_API int vmi_osc_start_backward(const vm_osc_plan *p, vmi_osc_mean *mean)
 {
     const vm_osc_problem *o = &p->problem;

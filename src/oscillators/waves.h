@@ -1,4 +1,4 @@
-/* oscillators/waves.h - wave forms of a strongly nonlinear oscillator: ca, cos and cn
+/* oscillators/waves.h - the periodic functions ca, cos and cn that describe a strongly nonlinear oscillator
 
    The motion of x'' + omega0^2 x|x|^(alpha-1) = 0 is x = A ca(psi), x' = -vmax(A) sa(psi) with the Ateb functions of
    the phase psi (282), (283); A is the amplitude, vmax(A) the largest velocity. Two simpler waves with the same
@@ -6,9 +6,10 @@
    these three waves: the wave c of the position, the wave s of the velocity, and the factors speed, gain_A and
    gain_theta. If a small force F acts on the mass m, the averaged equations are
      A'/A = -q/(alpha+3) - gain_A <F s>/(m V),   theta' = -gain_theta <F c>/(m V),   V = speed vmax(A),
-   where <> is the mean over a period and q the rate at which stiffness, mass and damping change the motion. The wave's
-   own angle, which is the argument of ca, cos or cn, is theta plus the integral of turn psi' over time: theta is its
-   slow part. A new wave needs a function that evaluates it and a constructor.
+   where <> is the mean over a period, q the rate at which slow changes of stiffness and mass, and damping, change the
+   motion, and theta the slow part of the wave's own angle. This angle is the argument of ca, cos or cn: theta plus the
+   integral of turn psi' over time, where `turn` is a field of vmi_osc_wave. To add another wave, write a constructor
+   and a function that evaluates the wave.
        vmi_osc_wave w = vmi_osc_wave_cn(3, ateb_pi(3));
        vm_real c, s;
        vmi_osc_wave_at(&w, VM_C(0.5), &c, &s); // at psi = 0.5: x = A c, x' = -w.speed vmax(A) s
@@ -27,20 +28,21 @@
 
 typedef struct VM_TAG(vmi_osc_wave) vmi_osc_wave;
 struct VM_TAG(vmi_osc_wave) {
-    /* writes the waves c of the position and s of the velocity at the Ateb phase psi */
+    /* writes to *c the wave of the position, and to *s the wave of the velocity, at the Ateb phase psi */
     void (*at)(const vmi_osc_wave *w, vm_real psi, vm_real *c, vm_real *s);
-    /* estimates the error of the wave, where mean_ca2 is the mean of ca^2; null for ca, which has no error */
+    /* estimates the error of the wave compared with ca, where mean_ca2 is the mean of ca^2; null for ca itself */
     vm_real (*error)(const vmi_osc_wave *w, vm_real mean_ca2);
     vm_real alpha;              /* exponent of the spring */
     vm_real turn;               /* the wave's own angle, the argument of ca, cos or cn, is turn psi */
     vm_real speed;              /* the velocity is x' = -speed vmax(A) s */
-    vm_real gain_A, gain_theta; /* factors of the means of the force in the averaged equations */
-    vm_real m;                  /* parameter m = k^2 of cn; 0 for the other waves */
-    vm_real mean_c2;            /* mean of cn^2; 0 for the other waves */
+    vm_real gain_A, gain_theta; /* the factors gain_A and gain_theta in the averaged equations at the top of this
+                                   file */
+    vm_real m;                  /* parameter m = k^2 of cn; 0 for ca and cos */
+    vm_real mean_c2;            /* mean of cn^2; 0 for ca and cos */
     const ateb_plan *ateb;      /* plan of ca, or null */
 };
 
-/* Writes the waves c of the position and s of the velocity at the Ateb phase psi. */
+/* Writes to *c the wave of the position, and to *s the wave of the velocity, at the Ateb phase psi. */
 VM_API void vmi_osc_wave_at(const vmi_osc_wave *w, vm_real psi, vm_real *c, vm_real *s) { w->at(w, psi, c, s); }
 
 /* -- ca: exact -- */
@@ -54,7 +56,8 @@ VM_API void vmi_osc_ca_by_plan(const vmi_osc_wave *w, vm_real psi, vm_real *c, v
     ateb_plan_saca(w->ateb, psi, s, c);
 }
 
-/* The wave x = A ca(psi), x' = -vmax(A) sa(psi). With a plan for this alpha it is evaluated faster. */
+/* Makes the wave x = A ca(psi), x' = -vmax(A) sa(psi). With a plan of the Ateb functions for this alpha, the wave is
+   evaluated faster. */
 VM_API vmi_osc_wave vmi_osc_wave_ca(vm_real alpha, const ateb_plan *ateb_or_NULL)
 {
     vmi_osc_wave w;
@@ -77,17 +80,17 @@ VM_API void vmi_osc_cos_at(const vmi_osc_wave *w, vm_real psi, vm_real *c, vm_re
     vmi_sincos(w->turn * psi, s, c);
 }
 
-/* Estimates the error of the wave cos. It is the error of its velocity at x = 0, where it is largest, times a factor
-   that grows with alpha. */
+/* Estimates the error of cos in place of ca. The estimate is the error of the velocity at x = 0, where the velocity is
+   largest, times a factor that grows with alpha. */
 VM_API vm_real vmi_osc_cos_error(const vmi_osc_wave *w, vm_real mean_ca2)
 {
     (void)mean_ca2;
     return VM_FABS(w->speed - 1) * (1 + w->alpha / 100);
 }
 
-/* The wave x = A cos(turn psi), whose period is that of ca; the argument pi is Pi_alpha. gain_A and gain_theta are the
-   factors 4/(alpha + 3) in the averaged equations (337)-(339). The dissertation has 5 - alpha instead of alpha + 3,
-   because of a wrong sign in (335). */
+/* Makes the wave x = A cos(turn psi), whose period is that of ca; the argument `pi` is Pi_alpha, half the period of ca.
+   The fields gain_A and gain_theta become the factors 4/(alpha + 3) in the averaged equations (337)-(339). The
+   dissertation has 5 - alpha instead of alpha + 3, because of a wrong sign in (335). */
 VM_API vmi_osc_wave vmi_osc_wave_cos(vm_real alpha, vm_real pi)
 {
     vmi_osc_wave w = vmi_osc_wave_ca(alpha, NULL);
@@ -110,19 +113,20 @@ VM_API void vmi_osc_cn_at(const vmi_osc_wave *w, vm_real psi, vm_real *c, vm_rea
     *s = sn * dn;
 }
 
-/* Estimates the error of the wave cn. It is the difference between the means of cn^2 and of ca^2, which is 0 where cn
-   is exact, times a factor that is fitted to the largest errors of this wave. */
+/* Estimates the error of cn in place of ca. The estimate is the difference between the means of cn^2 and of ca^2, times
+   a factor that is fitted to the largest errors of cn. The difference is 0 where cn is exact. */
 VM_API vm_real vmi_osc_cn_error(const vmi_osc_wave *w, vm_real mean_ca2)
 {
     return VM_FABS(w->mean_c2 - mean_ca2) * (VM_C(2.7) + w->alpha / 2);
 }
 
-/* The wave x = A cn(turn psi | m), whose period and whose velocity at x = 0 are those of A ca(psi); pi is Pi_alpha. The
-   parameter m follows from (307), the factors gain_A and gain_theta from (380)-(382). */
+/* Makes the wave x = A cn(turn psi | m), whose period and whose velocity at x = 0 are those of A ca(psi); the argument
+   `pi` is Pi_alpha, half the period of ca. The parameter m follows from (307), the factors gain_A and gain_theta from
+   (380)-(382). */
 VM_API vmi_osc_wave vmi_osc_wave_cn(vm_real alpha, vm_real pi)
 {
     vmi_osc_wave w = vmi_osc_wave_ca(alpha, NULL);
-    vm_real C2, C4, C6, bracket; /* means of cn^2, cn^4, cn^6; and twice the mean of sn^2 dn^2 */
+    vm_real C2, C4, C6, bracket; /* the means of cn^2, cn^4 and cn^6; bracket is twice the mean of sn^2 dn^2 */
     w.at = vmi_osc_cn_at;
     w.error = vmi_osc_cn_error;
     w.m = jacobi_solve_kpK(pi / (alpha + 1));
@@ -138,8 +142,8 @@ VM_API vmi_osc_wave vmi_osc_wave_cn(vm_real alpha, vm_real pi)
 
 /* -- How good a wave is -- */
 
-/* Estimates the larger one of the errors of x/A and of x'/vmax by this wave; the result is at most 1. mean_ca2 is the
-   mean of ca^2. */
+/* Estimates the larger one of the errors of x/A and of x'/vmax that the wave w in place of ca causes; the result is at
+   most 1. mean_ca2 is the mean of ca^2. */
 VM_API vm_real vmi_osc_wave_error(const vmi_osc_wave *w, vm_real mean_ca2)
 {
     const vm_real error = w->error ? w->error(w, mean_ca2) : 0;
@@ -147,8 +151,8 @@ VM_API vm_real vmi_osc_wave_error(const vmi_osc_wave *w, vm_real mean_ca2)
 }
 
 /* Writes to *x_error the largest difference between the wave c and ca, and to *v_error the largest difference between
-   w->speed s and sa. Both are taken over a quarter of the period, at points that are densest near x = 0. pi is
-   Pi_alpha. */
+   w->speed s and sa. Both are found from points in a quarter of the period, which are densest near x = 0. The argument
+   `pi` is Pi_alpha, half the period of ca. */
 VM_API void vmi_osc_wave_differences(const vmi_osc_wave *w, vm_real pi, vm_real *x_error, vm_real *v_error)
 {
     const int points = 256;
