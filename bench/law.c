@@ -300,9 +300,9 @@ static void print_reports(int n)
     int i;
     for (i = 0; i < n; i++)
         if (random_error[ORDERS - 1][i] > bound) add_report(&problems[i], length / rate, bound, &r);
-    printf("\nIn %d problems the error of order 5 is above 1e-9. In %d of them the estimate is much too small, that is below\n"
-           "1e-9/3 at a time when the error is above 1e-9. With the tolerance 1e-9, `vm_osc_plan_within` integrates these\n"
-           "problems by collocation instead; its largest error in them is %.1e.\n",
+    printf("\nIn %d problems the error of order 5 is above 1e-9. In %d of these problems the estimate is much too small, that is\n"
+           "below 1e-9/3 at a time when the error is above 1e-9. With the tolerance 1e-9, `vm_osc_plan_within` integrates these\n"
+           "problems by collocation instead; the largest error of this integration in them is %.1e.\n",
            r.above, r.silent, r.within);
 }
 

@@ -185,21 +185,21 @@ static int print_markdown(const char *name)
     if (read_all(name, before) < DETEST_PROBLEMS * 2 * TOLERANCES) return fprintf(stderr, "%s is not complete\n", name);
     solve_all(now);
     puts("# The Toronto test set\n\n"
-         "Written by `make toronto` (bench/toronto.c). The set, called DETEST, has thirty problems: differential\n"
-         "equations that are solved from t = 0 to 20. It is by Hull, Enright, Fellen and Sedgwick (1972; class F by Enright\n"
-         "and Pryce, 1987). The problems are in tests/detest.h, and their solutions at t = 20 are known to 20\n"
-         "digits (tests/gen/detest_reference.c). Class A has single equations, class B small systems, class C\n"
-         "larger systems, class D Kepler's orbits and class E equations of second order. In class F the\n"
-         "right-hand sides or their slopes jump.\n"
+         "The command `make toronto` (bench/toronto.c) writes this page. The set, called DETEST, has thirty problems:\n"
+         "differential equations that are solved from t = 0 to 20. Hull, Enright, Fellen and Sedgwick published it\n"
+         "in 1972; Enright and Pryce added class F in 1987. The problems are in tests/detest.h, and their solutions\n"
+         "at t = 20 are known to 20 digits (tests/gen/detest_reference.c). Class A has single equations, class B\n"
+         "small systems, class C larger systems, class D Kepler's orbits and class E equations of second order. In\n"
+         "class F the right-hand sides or their slopes jump.\n"
          "\n"
          "A cell has two numbers: the error and, after the slash, the number of evaluations of the right-hand\n"
          "side. The number at the top of a column is the tolerance of a step, both relative and absolute. The\n"
-         "error is the largest |error| / (tolerance (1 + |y|)) of all components at the end of the run, so that\n"
-         "1 means an error as large as the tolerance. Rows with \"0.1\" are those of version 0.1 of the kit\n"
-         "(commit dd359b9; bench/toronto_before.csv). DOP853 is the pair of order 8 by Dormand and Prince, with\n"
-         "Hairer's error estimate and the step size control of SciPy's `solve_ivp` (bench/dop853.h); it is no\n"
-         "part of the kit. In class F the errors depend on where a step happens to meet a jump, which is\n"
-         "chance. So in this class compare whole rows, not single cells.\n\n"
+         "error of a component y is |error of y| / (tolerance (1 + |y|)) at the end of the run, and the cell has the\n"
+         "largest one of all components. So 1 means an error about as large as the tolerance. Rows with \"0.1\" are\n"
+         "results of version 0.1 of varmass (commit dd359b9; bench/toronto_before.csv). DOP853 is the Runge-Kutta\n"
+         "pair of order 8 by Dormand and Prince, with Hairer's error estimate and the step size control of SciPy's\n"
+         "`solve_ivp` (bench/dop853.h); DOP853 is no part of varmass. In class F the errors depend on where a step\n"
+         "meets a jump, and this is a matter of chance. So in class F compare whole rows, not single cells.\n\n"
          "## Classes: geometric mean of the errors / sum of the evaluations");
     print_head("class");
     for (k = 0; k < 6; k++)

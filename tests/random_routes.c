@@ -115,9 +115,9 @@ int main(int argc, char **argv)
     for (i = 0; i < count; i++) lost += !try_problem(&g, i);
     for (i = VM_ROUTE_ATEB; i < ROWS; i++)
         if (tallies[i].runs) print_row(i);
-    printf("\nIn %d of %d problems the exact motion could not be computed. vm_osc_plan_within returned VM_OK in %d problems;\n"
-           "in %d of these the true error was above the tolerance (%.3f %%).\n", lost, count, within->ok, within->above,
-           100. * within->above / fmax(within->ok, 1));
+    printf("\nThe number of problems whose exact motion could not be computed is %d of %d. `vm_osc_plan_within` returned VM_OK in\n"
+           "%d problems, and in %d of these problems the true error was above the tolerance (%.3f %%).\n", lost, count, within->ok,
+           within->above, 100. * within->above / fmax(within->ok, 1));
     CHECK(lost <= count / 50);
     CHECK(100 * random_above(within, 3) <= within->n);    /* the true error is above 3 estimates in 1 % at most */
     CHECK(random_above(within, 10) == 0);
