@@ -34,7 +34,7 @@ needs() { # needs CHAPTER : the chapters that it includes itself
 cat <<END
 # Parts
 
-Written by \`make parts-table\`.
+This page is written by \`make parts-table\`.
 
 Each chapter of src/ can be used alone: \`make part PARTS="mechanics/jumps"\` writes one header, \`build/parts/jumps.h\`, with
 the chapter and everything that it needs, and nothing else. If you name several chapters, they go into one header, which has

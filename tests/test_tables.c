@@ -381,7 +381,7 @@ static void table1(void)
 static void print_head(void)
 {
     puts("# Tables 1 to 4 of the dissertation\n\n"
-         "Written by `make tables` (tests/test_tables.c), which `make test` checks row by row. It has every row of "
+         "This page is written by `make tables` (tests/test_tables.c). `make test` checks it row by row. It has every row of "
          "Tables 1 to 4 in L. Cveticanin, *Dynamics of Mass Variable System*, with numbers. The program "
          "build/examples/table5 prints Table 5. [errata.md](errata.md) lists the errors of the dissertation.\n\n"
          "In the sample a part separates from a plate. The plate has M = 5 kg, I_S = 2 kg m² and its mass centre S at "

@@ -73,7 +73,9 @@ growing="*b++ = vm_scene_body_growing_plane(vm_scene_body_plane(1, 1, zero, 0, z
 cat <<'END'
 # Flash of scenes
 
-Written by `make scene-sizes`. The tables show by how many bytes of flash a program grows when it contains
+This page is written by `make scene-sizes`.
+
+The tables show by how many bytes of flash a program grows when it contains
 a scene, with all tables and functions that the scene needs. All is computed in float and compiled by gcc -Os. M0 is a
 Cortex-M0, which emulates floating-point arithmetic (this code is counted, too), and M4F is a Cortex-M4F.
 

@@ -16,7 +16,8 @@ one=$(seconds 1 1) threads=$(seconds 2 1) ranks=$(seconds 1 2)
 cmp -s "$build/1.1" "$build/2.1" && cmp -s "$build/1.1" "$build/1.2" || { echo "the results differ" >&2; exit 1; }
 awk -v one="$one" -v threads="$threads" -v ranks="$ranks" -v samples="$samples" 'BEGIN {
     print "# How the sweep scales\n"
-    print "Written by `make scaling`. The sweep is the program examples/sweep/breakups.c. It computes " samples " random break-ups of a"
+    print "This page is written by `make scaling`.\n"
+    print "The sweep is the program examples/sweep/breakups.c. It computes " samples " random break-ups of a"
     print "body on two cores. Each time in the table is the least of three runs. The results have the same bits in all runs.\n"
     print "| | time, s | speed-up | efficiency |\n|---|---|---|---|"
     printf "| one thread | %s | 1 | |\n| two threads, one rank | %s | %.2f | %.0f %% |\n| two ranks, a thread each | %s | %.2f | %.0f %% |\n",
