@@ -69,7 +69,7 @@ A campaign is a check that takes too long for `make test-all`. The table
 has the campaigns, what each of them printed at its end, and the headers with which it ran. Headers are identified by
 stamps, which are hashes of their code (bench/stamp.sh). If the stamps of a row are not those of today's headers, the
 campaign ran with earlier headers. [reliability.md](reliability.md) says what the campaigns found. `make campaigns` runs
-all of them; `make campaigns CAMPAIGNS="scan proof"` runs only those that it names.
+all campaigns; `make campaigns CAMPAIGNS="scan proof"` runs only the campaigns scan and proof.
 
 | campaign | command | what it shows | headers | result |
 |---|---|---|---|---|

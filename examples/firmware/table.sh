@@ -128,9 +128,10 @@ avr_table() {
     sh tests/install.sh -w "for the flash of programs on an ATmega328P" "command -v avr-gcc" gcc-avr avr-libc binutils-avr ||
         return 1
     printf '\n## ATmega328P\n\n'
-    printf 'The table has the bytes of flash of a whole program in float. The program makes the plan of a leaking oscillator on the\n'
-    printf 'board, evaluates it at 16 times and prints the results (tests/cross/tables.c). The ATmega328P has 32768 bytes of flash. If\n'
-    printf 'the plan is made on a PC, it is a constant, and the program needs none of the code that makes it.\n'
+    printf 'The table has the bytes of flash of a whole program in float. The program makes the plan of an oscillator whose mass\n'
+    printf 'leaks on the board, computes the motion at 16 times from the plan, and prints the results (tests/cross/tables.c). The ATmega328P\n'
+    printf 'has 32768 bytes of flash. If the plan is made on a PC, it is a constant, and the program does not contain the code that makes it.\n'
+    printf 'The columns are two lists of options of the compiler avr-gcc.\n'
     printf '\n| order of the law | -Os | -Os -mcall-prologues -mrelax |\n|---|---|---|\n'
     for order in 2 3 5; do
         printf '| %s | %s | %s |\n' $order "$(avr_flash $order)" "$(avr_flash $order -mcall-prologues -mrelax)"
