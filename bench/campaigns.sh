@@ -63,11 +63,13 @@ done 3<$folder/parts
     cat <<'END'
 # Campaigns
 
-Written by `make campaigns` (bench/campaigns.sh). A campaign is a check that takes too long for `make test-all`. The table
+This page is written by `make campaigns` (bench/campaigns.sh).
+
+A campaign is a check that takes too long for `make test-all`. The table
 has the campaigns, what each of them printed at its end, and the headers with which it ran. Headers are identified by
 stamps, which are hashes of their code (bench/stamp.sh). If the stamps of a row are not those of today's headers, the
 campaign ran with earlier headers. [reliability.md](reliability.md) says what the campaigns found. `make campaigns` runs
-all of them; `make campaigns CAMPAIGNS="scan proof"` runs only those that it names.
+all campaigns; `make campaigns CAMPAIGNS="scan proof"` runs only the campaigns scan and proof.
 
 | campaign | command | what it shows | headers | result |
 |---|---|---|---|---|
@@ -90,7 +92,7 @@ while IFS= read -r line <&3; do
 done 3<$folder/parts
 {
     cat $folder/document
-    printf '\nMeasured on headers of an earlier state, except for the rows whose stamps are those of the present headers.\n'
+    printf '\nThe results on this page were obtained with earlier headers, except for the rows whose stamps are those of the present headers.\n'
 } >$folder/new && mv $folder/new $document
 [ -z "$current" ] || sh bench/stamp.sh write campaigns
 sh bench/stamp.sh refresh

@@ -54,4 +54,4 @@ done | awk -F, -v rows="$rows" -v counts="$counts" '
         }
     }'
 echo
-echo "Measured on: $(sed -n 's/^processor *//p' "$folder/machine")."
+echo "The times were measured on: $(sed -n 's/^processor *//p' "$folder/machine")."

@@ -10,8 +10,9 @@
 # from the top of the project; STAMP_ROOT is another folder that has the headers, docs/ and bench/documents.txt
 root=${STAMP_ROOT:-.}
 list=$root/bench/documents.txt
-begins='Measured on the headers '
-earlier='Measured on headers of an earlier state'
+begins='The results on this page were obtained with the headers '
+earlier='The results on this page were obtained with earlier headers'
+how='(bench/stamp.sh computes the hashes)'
 
 bare() { # a header without comments and blanks; no string of the headers has the marks of a comment
     awk '{
@@ -50,7 +51,7 @@ end_with() { # end_with DOCUMENT LINE: replaces the stamp that the document has,
 }
 write() {
     for document in "$@"; do
-        end_with "$document" "$begins$(of $(headers_of "$document")) (bench/stamp.sh)."
+        end_with "$document" "$begins$(of $(headers_of "$document")) $how."
     done
 }
 refresh() {
@@ -58,9 +59,9 @@ refresh() {
         [ -f "$root/docs/$document.md" ] || continue
         has=$(sed -n "s/^$begins\(.*\) (bench.*/\1/p; s/^$earlier: \(.*\) (bench.*/\1/p" "$root/docs/$document.md")
         today=$(of $(headers_of "$document"))
-        if [ -z "$has" ]; then end_with "$document" "$earlier. It is not recorded which state it was."
-        elif [ "$has" = "$today" ]; then end_with "$document" "$begins$has (bench/stamp.sh)."
-        else end_with "$document" "$earlier: $has (bench/stamp.sh)."; fi
+        if [ -z "$has" ]; then end_with "$document" "$earlier. It is not recorded which headers these were."
+        elif [ "$has" = "$today" ]; then end_with "$document" "$begins$has $how."
+        else end_with "$document" "$earlier: $has $how."; fi
     done
 }
 

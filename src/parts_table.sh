@@ -34,15 +34,16 @@ needs() { # needs CHAPTER : the chapters that it includes itself
 cat <<END
 # Parts
 
-Written by \`make parts-table\`.
+This page is written by \`make parts-table\`.
 
-Each chapter of src/ can be used alone: \`make part PARTS="mechanics/jumps"\` writes one header, \`build/parts/jumps.h\`, with
-the chapter and everything that it needs, and nothing else. If you name several chapters, they go into one header, which has
+A chapter is a file of src/. Each chapter can be used alone: \`make part PARTS="mechanics/jumps"\` writes one header,
+\`build/parts/jumps.h\`, with the chapter and everything that it needs, and nothing else. If you name several chapters, they go into one header, which has
 the name of the first: \`make part PARTS="mechanics/jumps oscillators/routes"\` writes \`build/parts/jumps.h\`.
 
-"Lines" counts the lines of this header, comments included. "Flash" is the size in bytes of all public functions of the
-chapter with the code and the tables that they use, on a Cortex-M4F in float, compiled by gcc -Os. A program that calls only
-some of the functions needs less. "Needs" lists the chapters that this chapter includes directly, without those of base/.
+The column "lines" has the number of lines of this header, comments included. "Flash" is the size in bytes of all public
+functions of the chapter, with the code and the tables of constants that they use, for a Cortex-M4F, in float, compiled by gcc
+-Os. A program that calls only some of the functions needs less. "Needs" lists the chapters that the chapter includes directly;
+chapters of the folder base/ are not listed.
 
 | chapter | what it is about | lines | flash | needs |
 |---|---|---|---|---|

@@ -50,7 +50,7 @@ awk -v list="$list" -v folder="$folder" -v tables='^(names|changes|cost|validati
         after_rule = after_mark = fenced = width = stamped = commanded = 0
     }
     { lines = FNR }
-    /^Measured on (the headers [a-z].* [(]bench|headers of an earlier state)/ { stamped = 1 }
+    /^The results on this page were obtained with (the headers [a-z].* [(]bench|earlier headers)/ { stamped = 1 }
     /`(make|sh) [a-z]/ { commanded = 1 }
     after_rule && !/^\|/ { wrong("the table before this line has no row") }
     after_mark && /^<!-- end -->/ { wrong("nothing was generated before this line") }
@@ -83,8 +83,8 @@ if [ "$today" = today ]; then
             function stamp_of(name,    file, line, found) { # the hashes, "earlier", or nothing
                 file = folder "/docs/" name ".md"
                 while ((getline line <file) > 0)
-                    if (sub(/^Measured on the headers /, "", line) && sub(/ [(]bench.*/, "", line)) found = line
-                    else if (line ~ /^Measured on headers of an earlier state/) found = "earlier"
+                    if (sub(/^The results on this page were obtained with the headers /, "", line) && sub(/ [(]bench.*/, "", line)) found = line
+                    else if (line ~ /^The results on this page were obtained with earlier headers/) found = "earlier"
                 close(file)
                 return found
             }

@@ -35,11 +35,11 @@ lie "a row that lacks a cell" docs/counts.md 's/^| `jacobi_E` | [0-9]* /| `jacob
 lie "a marked number of the README" README.md 's/has [0-9]*<!--hard_cases-->/has 999<!--hard_cases-->/' 'hard_cases is'
 lie "a marked number of a manual" src/jacobi.h 's/[0-9]* \[jacobi_plan_bytes\]/999 [jacobi_plan_bytes]/' 'jacobi_plan_bytes is'
 lie "a mark that has no source" README.md 's/<!--hard_cases-->/<!--hard_case-->/' 'no number of this name'
-lie "a document without a stamp" docs/counts.md '/^Measured on/d' 'which headers it was measured on'
+lie "a document without a stamp" docs/counts.md '/^The results on this page/d' 'which headers it was measured on'
 lie "a document that hides its age" docs/exhaustive.md \
-    's/^Measured on.*/Measured on the headers ateb.h 00000000, jacobi.h 00000000 (bench\/stamp.sh)./' 'does not say so' today
+    's/^The results on this page.*/The results on this page were obtained with the headers ateb.h 00000000, jacobi.h 00000000 (bench)./' 'does not say so' today
 lie "a document of make docs from other headers" docs/counts.md \
-    's/^Measured on.*/Measured on the headers ateb.h 00000000 (bench\/stamp.sh)./' 'make docs' today
+    's/^The results on this page.*/The results on this page were obtained with the headers ateb.h 00000000 (bench)./' 'make docs' today
 fresh_copy && printf '\nint new_line(void);\n' >>"$copy/jacobi.h"
 check "found: headers that changed since" refused 'counts.md: written from other headers' today
 fresh_copy && printf '\n/* a comment */\n' >>"$copy/jacobi.h"
@@ -50,14 +50,14 @@ check "NaN in a sentence is none" sh tests/check_docs.sh "$copy"
 
 # docs/numbers.md is what the documents say
 numbers_are_fresh() { # the table holds no stamp
-    BUILD=$build CC=${CC:-cc} sh bench/numbers.sh table >"$build/fresh_numbers" && grep -v '^Measured on' docs/numbers.md |
+    BUILD=$build CC=${CC:-cc} sh bench/numbers.sh table >"$build/fresh_numbers" && grep -v '^The results on this page' docs/numbers.md |
         sed '$ {/^$/d}' | diff "$build/fresh_numbers" -
 }
 check "docs/numbers.md is what the documents say" numbers_are_fresh
 
 # docs/validation.md has the groups, rows and published numbers of the test program. Our numbers and the differences may
 # differ in the last digits, with the C library's cosine, and are not compared.
-without_ours() { awk -F' [|] ' '/^Measured on/ {next} /^[|]/ {print $1, $2; next} /./' "$@"; }
+without_ours() { awk -F' [|] ' '/^The results on this page/ {next} /^[|]/ {print $1, $2; next} /./' "$@"; }
 validation_is_fresh() {
     make -s build/tests/double/validation || return 1
     ./build/tests/double/validation markdown | without_ours >"$build/validation"

@@ -49,7 +49,7 @@ END
     tables
 }
 # what does not depend on the compiler: without the measured errors
-lasting() { awk -F' *[|] *' '/^Measured on/ {next} /^\| / {$5 = $7 = $8 = $10 = ""} /./' "$1"; }
+lasting() { awk -F' *[|] *' '/^The results on this page/ {next} /^\| / {$5 = $7 = $8 = $10 = ""} /./' "$1"; }
 same_cases() { lasting "$build/hard-cases.md" >"$build/new" && lasting docs/hard-cases.md | diff - "$build/new"; }
 program() { # program double|float : the program of make test, by its compiler
     make -s CC="$cc" "build/tests/$1/hard" && "./build/tests/$1/hard" >"$build/$1.txt"

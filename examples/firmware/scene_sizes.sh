@@ -73,9 +73,11 @@ growing="*b++ = vm_scene_body_growing_plane(vm_scene_body_plane(1, 1, zero, 0, z
 cat <<'END'
 # Flash of scenes
 
-Written by `make scene-sizes`. The tables show by how many bytes of flash a program grows when it contains
-a scene, with all tables and functions that the scene needs. All is computed in float and compiled by gcc -Os. M0 is a
-Cortex-M0, which emulates floating-point arithmetic (this code is counted, too), and M4F is a Cortex-M4F.
+This page is written by `make scene-sizes`.
+
+The tables show by how many bytes of flash a program grows when it contains a scene, with all functions and constants that the
+scene needs. The programs compute in float and are compiled by gcc -Os. M0 is a Cortex-M0, which has no floating-point unit; the
+code that emulates floating-point arithmetic is counted, too. M4F is a Cortex-M4F.
 
 | a scene with vm_scene_start and vm_scene_rhs | M0 | M4F |
 |---|---|---|
@@ -117,5 +119,5 @@ others=$(grep -E '^vmi_(apply|plane|point|free|axle|then|jump|when|growth|crossi
     grep -vE '^vmi_apply_(linear_spring|damper)$')
 printf '\nA scene of a body on a line with a spring and a damper contains these functions of the kit'
 [ -n "$others" ] && echo ", and should not have: $others" && exit 1
-printf ', and no function of another effect, motion or event:\n\n'
+printf ', and no function of another effect, kind of body or event:\n\n'
 sed 's/^/- `/; s/$/`/' "$build/linked"

@@ -128,9 +128,10 @@ avr_table() {
     sh tests/install.sh -w "for the flash of programs on an ATmega328P" "command -v avr-gcc" gcc-avr avr-libc binutils-avr ||
         return 1
     printf '\n## ATmega328P\n\n'
-    printf 'The table has the bytes of flash of a whole program in float. The program makes the plan of a leaking oscillator on the\n'
-    printf 'board, evaluates it at 16 times and prints the results (tests/cross/tables.c). The ATmega328P has 32768 bytes of flash. If\n'
-    printf 'the plan is made on a PC, it is a constant, and the program needs none of the code that makes it.\n'
+    printf 'The table has the bytes of flash of a whole program in float. The program makes the plan of an oscillator whose mass\n'
+    printf 'leaks on the board, computes the motion at 16 times from the plan, and prints the results (tests/cross/tables.c). The ATmega328P\n'
+    printf 'has 32768 bytes of flash. If the plan is made on a PC, it is a constant, and the program does not contain the code that makes it.\n'
+    printf 'The columns are two lists of options of the compiler avr-gcc.\n'
     printf '\n| order of the law | -Os | -Os -mcall-prologues -mrelax |\n|---|---|---|\n'
     for order in 2 3 5; do
         printf '| %s | %s | %s |\n' $order "$(avr_flash $order)" "$(avr_flash $order -mcall-prologues -mrelax)"
@@ -140,9 +141,13 @@ echo "function,precision,target,flash,stack,instructions" >"$build/table.csv"
 cat <<'END'
 # Flash, stack and instructions of a call
 
-Written by `make firmware-table`, with gcc -Os -fno-math-errno -ffp-contract=off. Each cell has three numbers: flash, stack and
-instructions. Flash is the number of bytes by which a program grows when it makes the call, with all tables and functions that
-the call needs. Stack (in bytes) and instructions are the largest numbers of many calls on emulated boards.
+This page is written by `make firmware-table`, with the compiler gcc and its options -Os -fno-math-errno
+-ffp-contract=off.
+
+Each cell of the tables for float and double has three numbers: flash, stack and instructions of a call. *Flash* is the number of
+bytes by which a program grows when it contains the call, with all tables and functions that the call needs. *Stack* is the number
+of bytes on the stack, and *instructions* the number of machine instructions that the processor executes. Stack and instructions
+are the largest numbers that were measured in many calls on emulated boards.
 
 | target | processor |
 |---|---|
@@ -152,20 +157,22 @@ the call needs. Stack (in bytes) and instructions are the largest numbers of man
 | RV32IMAC | RISC-V without floating-point unit |
 | RV32IMAFDC | RISC-V with float and double in hardware |
 
-Each function is called with 300 random arguments (`vm_osc_closed_init` with 10) and with some difficult ones: ends of the
-domain, u = 1e9 (float 1e4), m next to 1; examples/firmware/table.sh lists them. The random arguments are m from -10 to 1, u and
-s from -100 to 100, and alpha from 0 to 10. Random bodies have three different moments of inertia, and any attitude and motion.
-The tables have the largest number of these calls; it is not a proved bound.
+Each function is called with 300 random arguments (`vm_osc_closed_init` with 10) and with some difficult ones: the ends of
+the intervals of allowed arguments, u = 1e9 (in float 1e4), and m next to 1. The script examples/firmware/table.sh lists them. The
+random arguments are m from -10 to 1, u and s from -100 to 100, and alpha from 0 to 10; the comments of the functions explain
+these letters. Random bodies have three different moments of inertia, and any attitude and motion.
+The tables have the largest stack and the largest number of instructions that were measured in these calls. A call with other
+arguments may need more.
 
-The rows of `jacobi_plan_sncndn` and `ateb_plan_saca` include the code that makes the plan; a plan that is a constant in flash
-does not need this code. The other functions are
+A plan stores what is computed once and used in many calls. In the rows of `jacobi_plan_sncndn` and `ateb_plan_saca` the flash
+includes the code that makes the plan; a program whose plan is a constant in flash does not need this code. The other functions are
 
-- `vm_osc_closed_at`: the motion of an oscillator whose mass grows (alpha = 1.7), by the law of order two, three or five, from a
-  constant plan; its flash includes the plan;
-- `vm_osc_closed_init`: makes such a plan on the board, for a linear law of mass;
-- `vm_osc_exact`: the motion with constant mass;
-- `vm_torque_free_attitude`: the rotation of a free body at times from -1000 s to 1000 s; `vm_torque_free_init` prepares it, and
-  its flash has a row of its own;
+- `vm_osc_closed_at`: the motion of an oscillator whose mass grows (alpha = 1.7), by the law (approximate formula) of order
+  two, three or five, from a plan that is a constant in flash; the flash in the table includes this plan;
+- `vm_osc_closed_init`: makes this plan on the board; the mass is a linear function of time;
+- `vm_osc_exact`: the motion of an oscillator with constant mass;
+- `vm_torque_free_attitude`: the rotation of a free body at times from -1000 s to 1000 s; `vm_torque_free_init` prepares this
+  computation, and has a row of its own;
 - `vm_scene_rhs` and `rk4_step of the scene`: the scene is a tray on a spring with any exponent and a damper; the tray loses its
   load. `vm_scene_rhs` evaluates the scene once, and a step of `rk4` evaluates it four times. [scene-sizes.md](scene-sizes.md)
   has the flash of whole scenes;

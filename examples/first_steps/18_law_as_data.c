@@ -1,6 +1,6 @@
-/* A motion as plain data. A bucket of sand rolls on a level floor, held by a cubic spring, and leaks. The equation
-   of motion m x'' + k x^3 = 0 has no exact solution x(t). A vm_osc_closed stores an approximate law of order 2, 3, 4
-   or 5 as plain numbers. The function vm_osc_closed_init computes these numbers once, on a PC or on a
+/* A motion as plain data. A bucket of sand rolls on a level floor, held by a cubic spring, and leaks. The equation of
+   motion m x'' + k x^3 = 0 has no exact solution x(t). A vm_osc_closed stores a law (an approximate formula for x) of
+   order 2, 3, 4 or 5 as plain numbers. The function vm_osc_closed_init computes these numbers once, on a PC or on a
    microcontroller. Then vm_osc_closed_at gives x and v at any time, without integration, and takes the same time for
    each call. The field `error` estimates the error for all times up to the last argument of vm_osc_closed_init. A
    controller may store the law as a constant in flash; examples/print_plan.c prints this constant. docs/firmware.md

@@ -7,10 +7,11 @@ mkdir -p "$build" || exit 1
 {
     echo '# First steps'
     echo
+    echo 'This page is written by `make first-steps`, which builds and runs the programs and draws their figures.'
+    echo
     echo "These are $(ls examples/first_steps/*.c | wc -l) programs of less than 60 lines each, from a spring with a leaking mass to a satellite whose tank is filled."
-    echo 'Written by `make first-steps`, which builds and runs the programs and draws their figures. Each program can'
-    echo 'also be built by one line, which stands in its first comment.'
-    echo 'Numbers in round brackets are equations of the dissertation.'
+    echo "The first comment of each program has a command that builds it. A number in round brackets, such as (325), is an equation of L."
+    echo "Cveticanin's dissertation *Dynamics of Mass Variable System*."
 } >"$doc"
 for source in examples/first_steps/*.c; do
     name=$(basename "$source" .c)
@@ -37,5 +38,5 @@ if [ "$2" = write ]; then
     done
     echo "docs/first-steps.md and its figures are written"
 else
-    grep -v '^Measured on' docs/first-steps.md | sed '$ {/^$/d}' | diff - "$doc"
+    grep -v '^The results on this page' docs/first-steps.md | sed '$ {/^$/d}' | diff - "$doc"
 fi
