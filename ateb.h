@@ -268,7 +268,7 @@ typedef double vm_real;
 #define VM_EPSILON DBL_EPSILON
 #define VM_MAX DBL_MAX
 #define VM_MIN DBL_MIN
-#define VM_MANT_DIG DBL_MANT_DIG /* bits; 24 where double is as short as float (AVR). Table lengths depend on it. */
+#define VM_MANT_DIG DBL_MANT_DIG /* bits of a number, also that of the tables; 24 on AVR, where double is short */
 #define VM_NAN VMI_CAST(double, NAN)
 #define VM_INFINITY VMI_CAST(double, INFINITY)
 #ifdef FP_FAST_FMA

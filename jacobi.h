@@ -306,7 +306,7 @@ typedef double vm_real;
 #define VM_EPSILON DBL_EPSILON
 #define VM_MAX DBL_MAX
 #define VM_MIN DBL_MIN
-#define VM_MANT_DIG DBL_MANT_DIG /* bits; 24 where double is as short as float (AVR). Table lengths depend on it. */
+#define VM_MANT_DIG DBL_MANT_DIG /* bits of a number, also that of the tables; 24 on AVR, where double is short */
 #define VM_NAN VMI_CAST(double, NAN)
 #define VM_INFINITY VMI_CAST(double, INFINITY)
 #ifdef FP_FAST_FMA
@@ -2114,7 +2114,8 @@ VM_API vm_two vmi_reduce_finely(vm_real u, const vm_real *K, vm_real per_K, vmi_
     return vmi_two_sum(sum.hi, sum.lo - (product.lo + j * K[4]));
 }
 
-/* Adding and subtracting this number rounds a number below 6 to a multiple of 2^-23 (float 2^-8). */
+/* If this constant is added to a number below 6 and then subtracted again, rounding makes the number a multiple of
+   2^-23 (float 2^-8). */
 #define VMI_REDUCTION_GRID (VM_MANT_DIG > 24 ? VM_C(805306368.0) : VM_C(49152.0))
 
 /* Returns u minus a multiple j K, for 0 < u < 2.5 K, where VMI_MIDDLE(m1) must be 1; kp is k'. *quarters becomes a

@@ -489,7 +489,7 @@
        vm_force_van_der_pol           The force of Van der Pol's damper, (b - c x^2) v (404)
        vm_force_motor                 The torque of a motor, stall_torque - kappa omega
        vm_force_harmonic              The force of harmonic excitation, amplitude cos(frequency t + phase)
-       vm_force_stream                The reactive force of a stream, rate (u - reactive v)
+       vm_force_stream                The reactive force of a stream is rate * (u - reactive * v), where the number `reactive` is 1 or 0
        vm_force_gravity               The weight of a mass, mass g
        vm_force_shaft                 The force of an elastic shaft, -k r |r|^(alpha-1), on a point at r = (x, y)
        vm_force_unbalance             The force of a rotating unbalance, m e Omega^2 (cos a, sin a) at the angle a = Omega t + phase
@@ -2918,8 +2918,9 @@ VM_API int vmi_jump2(const vm_body2 *body, int n, const vm_body2 *others, vm_rea
    Momentum and angular momentum of rest and part together are those of the whole plus the impulse. The pointer rest may
    be equal to whole or to part. The accuracy is that of vm_separate.
 
-   Returns VM_OK, VM_NULL_AXIS or an error. VM_NULL_AXIS (> 0) means that *rest is set and is a point, but that the
-   equations demand angular momentum of the point about itself, which is impossible. rest->omega is then whole->omega.
+   Returns VM_OK, VM_NULL_AXIS or an error. VM_NULL_AXIS, a warning, means that the rest is a point without inertia,
+   but that the balance of angular momentum leaves it a spin, which a point cannot have. *rest then has the result, with
+   omega = whole->omega.
    The errors are VM_BAD_ARGUMENT for a null pointer; VM_NOT_FINITE if an argument or the result is infinite or NaN;
    VM_BAD_MASS if a mass, that of the rest included, is not positive; and VM_BAD_INERTIA if an inertia, that of the rest
    included, is negative. */
@@ -8855,8 +8856,9 @@ VM_API void vm_osc_jacobi(vm_real t, vm_real x0, vm_real omega0, vm_real alpha, 
     vmi_osc_by_wave(&w, t, x0, omega0, x, v);
 }
 
-/* The result of vm_osc_approximation_errors: ratios of largest velocities (268), and largest errors in a period. All
-   these fields are pure numbers. */
+/* The result of vm_osc_approximation_errors: the largest velocity of each approximation divided by the exact one,
+   (268), and the largest errors of x and v of each approximation in a period. All are pure
+   numbers. */
 typedef struct VM_TAG(vm_osc_errors) {
     vm_real trig_vmax;          /* largest velocity of the cosine (296) divided by the exact one (267) */
     vm_real jacobi_vmax;        /* largest velocity of cn divided by the exact one (267). For m <= 1/2 the velocity of
@@ -10032,11 +10034,11 @@ VM_API void vmi_osc_disturbance(const vmi_osc_slow *now, vm_real W, vm_real *E)
        ateb_saca(VM_C(0.7), VM_C(1.5), &sa, &ca);
        vmi_ripple_at(&r, 5, VM_C(0.7), sa, ca, &f); // f.S, f.S2, f.S3, f.Q at psi = 0.7
 
-   Method: let w = |ca|^(alpha+1) and y = sa^2, so that w + y = 1. An integral from a zero of ca is |ca|^3, |ca|^4 or
-   |ca|^5 times a power series in w. An integral from a zero of sa is a power series in y, times a power of sa. The
-   series in w are used for w < 1/2, the series in y for y <= 1/2. On the interval from 0 to 1/2 each power series is
-   replaced by the first terms of its Chebyshev series, a sum of Chebyshev polynomials. For every alpha, 15 terms give
-   an error of 1e-12, and 8 terms an error of 1e-7.
+   Method: let w = |ca|^(alpha+1) and y = sa^2, so that w + y = 1. An integral over psi that begins at a zero of ca is
+   |ca|^3, |ca|^4 or |ca|^5 times a power series in w. An integral that begins at a zero of sa is a power series in y,
+   times a power of sa. The series in w are used for w < 1/2, the series in y for y <= 1/2. On the
+   interval from 0 to 1/2 each power series is replaced by the first terms of its Chebyshev series, a sum of
+   Chebyshev polynomials. For every alpha, 15 terms give an error of 1e-12, and 8 terms an error of 1e-7.
    Tests: tests/test_slow_motion.c. */
 #ifndef VARMASS_OSCILLATORS_RIPPLE_H
 #define VARMASS_OSCILLATORS_RIPPLE_H
@@ -10781,7 +10783,7 @@ VMI_APART int vmi_osc_closed_check(const vm_osc_problem *o, vm_real t_end, vmi_o
 VM_API vm_real vmi_osc_closed_error(const vm_osc_closed *c, int order, const vm_real *E, vm_real t_end)
 {
     const vmi_ripple *r = &c->ripple;
-    const vm_real largest_known = VM_C(0.25); /* where the estimate is larger, the error is unknown */
+    const vm_real largest_known = VM_C(0.25); /* a larger estimate says nothing about the error */
     vm_real e0[VMI_OSC_G], e[VMI_OSC_G], turns, error;
     vmi_osc_closed_now end;
     int k;
@@ -11065,7 +11067,7 @@ VM_API int vm_osc_plan_init(vm_osc_plan *p, const vm_osc_problem *problem)
          vmi_panels_advance(&p);
      } */
 typedef struct VM_TAG(vmi_panels) {
-    vm_real t, end;         /* start of the present panel and end of the last panel, s */
+    vm_real t, end;         /* start of the present panel, and end of the final panel, s */
     vm_real side;           /* 1 forward, -1 backward in time */
     vm_real longest, least; /* largest and smallest length that a panel may have, s */
     vm_real size;           /* intended length of the present panel, s */
@@ -16619,7 +16621,10 @@ VM_API int vm_odd_within(const vm_odd_problem *problem, vm_real t, vm_real toler
    The files for Van der Pol's oscillator, for the rotor, for two bodies and for an oscillator under a harmonic force
    use this file.
 
-       vm_real A = 3 * vm_osc_amplitude_law(VM_C(0.5), 0, 1, 3); // cubic spring, half of the mass gone, A was 3
+       vm_real A = 3 * vm_osc_amplitude_law(VM_C(0.5), 0, 1, 3); // A at a later time
+
+   Here A was 3 at first, half of the mass is gone, no damping acts (0), the force is reactive (1), and the spring is
+   cubic (alpha = 3).
 
    The symbols in these files: A is the amplitude, psi the Ateb phase, Om = psi' its rate, m the mass, k the stiffness,
    b the damping, r the argument `reactive`, and q the rate at which mass, damping and stiffness change the vibration
@@ -18388,8 +18393,8 @@ VM_API vm_real vm_jeffcott_power(vm_real rho, vm_real *slope, void *power_force)
     return p->k * vmi_pow_checked(rho, p->alpha - 1);
 }
 
-/* Polar coordinates (448) of the disc's centre: deflection rho = |z| and angle phi in (-pi, pi]. rho is within 2 eps,
-   phi within 4 eps. If a pointer is null, nothing is done. */
+/* Polar coordinates (448) of the disc's centre: deflection rho = |z| and angle phi in (-pi, pi]. The relative
+   error of rho is at most 2 eps, and that of phi at most 4 eps. If a pointer is null, nothing is done. */
 VM_API void vm_jeffcott_polar(vm_complex z, vm_real *rho, vm_real *phi)
 {
     if (!rho || !phi) return;
@@ -18973,17 +18978,17 @@ VM_API int vmi_jeffcott_check_motion(const vm_jeffcott *r, vm_real t, vm_real *m
     return status;
 }
 
-/* Circular whirl of the rotor at time t, of either sign, from radius and angle at t = 0: (497)-(499).
-   first_A > 0 is the radius (m) and first_angle the angle (rad) at t = 0; sense >= 0 means forward, sense < 0 backward
-   whirl. The radius is that of vm_jeffcott_whirl_amplitude. The phase, which is the angle of the whirl from 0 to t, has
-   a closed form for a power law of the shaft (vm_jeffcott_power) with g = 0 and a mass that is constant, linear,
+/* Circular whirl of the rotor at time t, of either sign, from radius and angle at t = 0: (497)-(499). first_A > 0
+   is the radius (m) and first_angle the angle (rad) at t = 0; sense >= 0 means forward, sense < 0 backward whirl.
+   The radius is that of vm_jeffcott_whirl_amplitude. The phase, which is the angle of the whirl from 0 to t, has a
+   closed form for a power law of the shaft (vm_jeffcott_power) with g = 0 and a mass that is constant, linear,
    exponential or a power; its relative error is then at most 8 eps. Otherwise the time is divided into parts, and
    Gauss' rule integrates the frequency over each part from 20 points; the radius is computed at each point. For a
-   smooth stiffness the relative error of the phase is then at most 1e-12 (float 1e-4). The velocity is i W z, without
-   the small radial velocity. Returns VM_BAD_ARGUMENT for null pointers and a rotor without mass or stiffness;
-   VM_NOT_FINITE for a number that is infinite or NaN; VM_BAD_MASS for a mass that is not positive; VM_BAD_STIFFNESS
-   where there is no circular whirl; VM_DOMAIN for a radius that is not positive or t outside a table; VM_NO_LAW for a
-   rotor with a force or a velocity u. */
+   smooth stiffness the relative error of the phase is then at most 1e-12 (float 1e-4). The velocity is computed as
+   i W z, where W is the frequency of the whirl; the small radial velocity is neglected. Returns VM_BAD_ARGUMENT for
+   null pointers and a rotor without mass or stiffness; VM_NOT_FINITE for a number that is infinite or NaN;
+   VM_BAD_MASS for a mass that is not positive; VM_BAD_STIFFNESS where there is no circular whirl; VM_DOMAIN for a
+   radius that is not positive or t outside a table; VM_NO_LAW for a rotor with a force or a velocity u. */
 VM_API int vm_jeffcott_whirl_at(const vm_jeffcott *r, vm_real first_A, vm_real first_angle, int sense, vm_real t,
                                 vm_jeffcott_whirl *whirl)
 {
@@ -21873,9 +21878,10 @@ VM_INLINE vm_real vm_force_harmonic(vm_real t, vm_real amplitude, vm_real freque
     return amplitude * c;
 }
 
-/* The reactive force of a stream, rate (u - reactive v). The stream brings `rate` kg of mass per second; a negative
-   rate takes mass away. The mass has the velocity u + (1 - reactive) v, where v is the velocity of the body: u is
-   absolute if reactive is 1, and relative to the body if reactive is 0. */
+/* The reactive force of a stream is rate * (u - reactive * v), where the number `reactive` is 1 or 0. The stream
+   brings `rate` kg of mass per second; a negative rate takes mass away. The mass has the velocity u + (1 -
+   reactive) v, where v is the velocity of the body: u is absolute if reactive is 1, and relative to the body if
+   reactive is 0. */
 VM_INLINE vm_real vm_force_stream(vm_real v, vm_real rate, vm_real u, vm_real reactive)
 {
     return rate * (u - reactive * v);
@@ -23773,10 +23779,10 @@ VM_API vm_effect vm_effect_point_spring(int body, int other, const vm_point_spri
    at the last evaluation.
 
    Accuracy: the errors of forces and accelerations are a few eps of the largest of them. This also holds for joints
-   that nearly contradict each other, such as two rods almost in line, and for light bodies between heavy ones, since
-   the forces are refined until they fit the equations. If two rods of 1 m hold a point 1e-5 m beside the line through
-   their other ends, the errors are 4e-16; if they hold it 1e-7 m beside this line, 4e-11. Still closer to the line the
-   run ends with VM_SINGULAR.
+   that nearly contradict each other, such as two rods almost in line, and for light bodies between heavy ones,
+   since the forces are refined until they fit the equations. If two rods of 1 m hold a point 1e-5 m beside the line
+   through their other ends, the errors are 4e-16; if they hold it 1e-7 m beside this line, 4e-11. If the point is
+   still closer to the line, the run ends with VM_SINGULAR.
 
    Tests: tests/test_scene_joints.c. */
 #ifndef VARMASS_SCENES_JOINTS_H

@@ -274,7 +274,7 @@ VM_INLINE void vmi_take_middle_slope(int stages, vmi_rk_system sys, vm_real h)
     }
 }
 
-#define VMI_KEEP_TO VM_C(0.75)     /* the step size may stay if the error is below this fraction of the tolerance */
+#define VMI_KEEP_TO VM_C(0.75)     /* below this share of the tolerance an error lets the step be as long as before */
 #define VMI_LEAST_ERROR VM_C(1e-8) /* a ratio of an error to its tolerance below this number counts as this number */
 
 /* Chooses the size of the step after an accepted step. The size stays the same if the error is between keep_from and

@@ -73,7 +73,8 @@ VM_API vm_two vmi_reduce_finely(vm_real u, const vm_real *K, vm_real per_K, vmi_
     return vmi_two_sum(sum.hi, sum.lo - (product.lo + j * K[4]));
 }
 
-/* Adding and subtracting this number rounds a number below 6 to a multiple of 2^-23 (float 2^-8). */
+/* If this constant is added to a number below 6 and then subtracted again, rounding makes the number a multiple of
+   2^-23 (float 2^-8). */
 #define VMI_REDUCTION_GRID (VM_MANT_DIG > 24 ? VM_C(805306368.0) : VM_C(49152.0))
 
 /* Returns u minus a multiple j K, for 0 < u < 2.5 K, where VMI_MIDDLE(m1) must be 1; kp is k'. *quarters becomes a

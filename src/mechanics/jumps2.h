@@ -113,8 +113,9 @@ VM_API int vmi_jump2(const vm_body2 *body, int n, const vm_body2 *others, vm_rea
    Momentum and angular momentum of rest and part together are those of the whole plus the impulse. The pointer rest may
    be equal to whole or to part. The accuracy is that of vm_separate.
 
-   Returns VM_OK, VM_NULL_AXIS or an error. VM_NULL_AXIS (> 0) means that *rest is set and is a point, but that the
-   equations demand angular momentum of the point about itself, which is impossible. rest->omega is then whole->omega.
+   Returns VM_OK, VM_NULL_AXIS or an error. VM_NULL_AXIS, a warning, means that the rest is a point without inertia,
+   but that the balance of angular momentum leaves it a spin, which a point cannot have. *rest then has the result, with
+   omega = whole->omega.
    The errors are VM_BAD_ARGUMENT for a null pointer; VM_NOT_FINITE if an argument or the result is infinite or NaN;
    VM_BAD_MASS if a mass, that of the rest included, is not positive; and VM_BAD_INERTIA if an inertia, that of the rest
    included, is negative. */

@@ -237,7 +237,7 @@ VMI_APART int vmi_osc_closed_check(const vm_osc_problem *o, vm_real t_end, vmi_o
 VM_API vm_real vmi_osc_closed_error(const vm_osc_closed *c, int order, const vm_real *E, vm_real t_end)
 {
     const vmi_ripple *r = &c->ripple;
-    const vm_real largest_known = VM_C(0.25); /* where the estimate is larger, the error is unknown */
+    const vm_real largest_known = VM_C(0.25); /* a larger estimate says nothing about the error */
     vm_real e0[VMI_OSC_G], e[VMI_OSC_G], turns, error;
     vmi_osc_closed_now end;
     int k;

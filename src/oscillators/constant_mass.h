@@ -184,8 +184,9 @@ VM_API void vm_osc_jacobi(vm_real t, vm_real x0, vm_real omega0, vm_real alpha, 
     vmi_osc_by_wave(&w, t, x0, omega0, x, v);
 }
 
-/* The result of vm_osc_approximation_errors: ratios of largest velocities (268), and largest errors in a period. All
-   these fields are pure numbers. */
+/* The result of vm_osc_approximation_errors: the largest velocity of each approximation divided by the exact one,
+   (268), and the largest errors of x and v of each approximation in a period. All are pure
+   numbers. */
 typedef struct VM_TAG(vm_osc_errors) {
     vm_real trig_vmax;          /* largest velocity of the cosine (296) divided by the exact one (267) */
     vm_real jacobi_vmax;        /* largest velocity of cn divided by the exact one (267). For m <= 1/2 the velocity of

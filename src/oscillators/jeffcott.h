@@ -85,8 +85,8 @@ VM_API vm_real vm_jeffcott_power(vm_real rho, vm_real *slope, void *power_force)
     return p->k * vmi_pow_checked(rho, p->alpha - 1);
 }
 
-/* Polar coordinates (448) of the disc's centre: deflection rho = |z| and angle phi in (-pi, pi]. rho is within 2 eps,
-   phi within 4 eps. If a pointer is null, nothing is done. */
+/* Polar coordinates (448) of the disc's centre: deflection rho = |z| and angle phi in (-pi, pi]. The relative
+   error of rho is at most 2 eps, and that of phi at most 4 eps. If a pointer is null, nothing is done. */
 VM_API void vm_jeffcott_polar(vm_complex z, vm_real *rho, vm_real *phi)
 {
     if (!rho || !phi) return;

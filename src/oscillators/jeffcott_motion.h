@@ -182,17 +182,17 @@ VM_API int vmi_jeffcott_check_motion(const vm_jeffcott *r, vm_real t, vm_real *m
     return status;
 }
 
-/* Circular whirl of the rotor at time t, of either sign, from radius and angle at t = 0: (497)-(499).
-   first_A > 0 is the radius (m) and first_angle the angle (rad) at t = 0; sense >= 0 means forward, sense < 0 backward
-   whirl. The radius is that of vm_jeffcott_whirl_amplitude. The phase, which is the angle of the whirl from 0 to t, has
-   a closed form for a power law of the shaft (vm_jeffcott_power) with g = 0 and a mass that is constant, linear,
+/* Circular whirl of the rotor at time t, of either sign, from radius and angle at t = 0: (497)-(499). first_A > 0
+   is the radius (m) and first_angle the angle (rad) at t = 0; sense >= 0 means forward, sense < 0 backward whirl.
+   The radius is that of vm_jeffcott_whirl_amplitude. The phase, which is the angle of the whirl from 0 to t, has a
+   closed form for a power law of the shaft (vm_jeffcott_power) with g = 0 and a mass that is constant, linear,
    exponential or a power; its relative error is then at most 8 eps. Otherwise the time is divided into parts, and
    Gauss' rule integrates the frequency over each part from 20 points; the radius is computed at each point. For a
-   smooth stiffness the relative error of the phase is then at most 1e-12 (float 1e-4). The velocity is i W z, without
-   the small radial velocity. Returns VM_BAD_ARGUMENT for null pointers and a rotor without mass or stiffness;
-   VM_NOT_FINITE for a number that is infinite or NaN; VM_BAD_MASS for a mass that is not positive; VM_BAD_STIFFNESS
-   where there is no circular whirl; VM_DOMAIN for a radius that is not positive or t outside a table; VM_NO_LAW for a
-   rotor with a force or a velocity u. */
+   smooth stiffness the relative error of the phase is then at most 1e-12 (float 1e-4). The velocity is computed as
+   i W z, where W is the frequency of the whirl; the small radial velocity is neglected. Returns VM_BAD_ARGUMENT for
+   null pointers and a rotor without mass or stiffness; VM_NOT_FINITE for a number that is infinite or NaN;
+   VM_BAD_MASS for a mass that is not positive; VM_BAD_STIFFNESS where there is no circular whirl; VM_DOMAIN for a
+   radius that is not positive or t outside a table; VM_NO_LAW for a rotor with a force or a velocity u. */
 VM_API int vm_jeffcott_whirl_at(const vm_jeffcott *r, vm_real first_A, vm_real first_angle, int sense, vm_real t,
                                 vm_jeffcott_whirl *whirl)
 {

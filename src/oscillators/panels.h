@@ -25,7 +25,7 @@
          vmi_panels_advance(&p);
      } */
 typedef struct VM_TAG(vmi_panels) {
-    vm_real t, end;         /* start of the present panel and end of the last panel, s */
+    vm_real t, end;         /* start of the present panel, and end of the final panel, s */
     vm_real side;           /* 1 forward, -1 backward in time */
     vm_real longest, least; /* largest and smallest length that a panel may have, s */
     vm_real size;           /* intended length of the present panel, s */

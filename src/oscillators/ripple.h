@@ -15,11 +15,11 @@
        ateb_saca(VM_C(0.7), VM_C(1.5), &sa, &ca);
        vmi_ripple_at(&r, 5, VM_C(0.7), sa, ca, &f); // f.S, f.S2, f.S3, f.Q at psi = 0.7
 
-   Method: let w = |ca|^(alpha+1) and y = sa^2, so that w + y = 1. An integral from a zero of ca is |ca|^3, |ca|^4 or
-   |ca|^5 times a power series in w. An integral from a zero of sa is a power series in y, times a power of sa. The
-   series in w are used for w < 1/2, the series in y for y <= 1/2. On the interval from 0 to 1/2 each power series is
-   replaced by the first terms of its Chebyshev series, a sum of Chebyshev polynomials. For every alpha, 15 terms give
-   an error of 1e-12, and 8 terms an error of 1e-7.
+   Method: let w = |ca|^(alpha+1) and y = sa^2, so that w + y = 1. An integral over psi that begins at a zero of ca is
+   |ca|^3, |ca|^4 or |ca|^5 times a power series in w. An integral that begins at a zero of sa is a power series in y,
+   times a power of sa. The series in w are used for w < 1/2, the series in y for y <= 1/2. On the
+   interval from 0 to 1/2 each power series is replaced by the first terms of its Chebyshev series, a sum of
+   Chebyshev polynomials. For every alpha, 15 terms give an error of 1e-12, and 8 terms an error of 1e-7.
    Tests: tests/test_slow_motion.c. */
 #ifndef VARMASS_OSCILLATORS_RIPPLE_H
 #define VARMASS_OSCILLATORS_RIPPLE_H

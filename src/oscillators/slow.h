@@ -6,7 +6,10 @@
    The files for Van der Pol's oscillator, for the rotor, for two bodies and for an oscillator under a harmonic force
    use this file.
 
-       vm_real A = 3 * vm_osc_amplitude_law(VM_C(0.5), 0, 1, 3); // cubic spring, half of the mass gone, A was 3
+       vm_real A = 3 * vm_osc_amplitude_law(VM_C(0.5), 0, 1, 3); // A at a later time
+
+   Here A was 3 at first, half of the mass is gone, no damping acts (0), the force is reactive (1), and the spring is
+   cubic (alpha = 3).
 
    The symbols in these files: A is the amplitude, psi the Ateb phase, Om = psi' its rate, m the mass, k the stiffness,
    b the damping, r the argument `reactive`, and q the rate at which mass, damping and stiffness change the vibration

@@ -53,9 +53,10 @@ VM_INLINE vm_real vm_force_harmonic(vm_real t, vm_real amplitude, vm_real freque
     return amplitude * c;
 }
 
-/* The reactive force of a stream, rate (u - reactive v). The stream brings `rate` kg of mass per second; a negative
-   rate takes mass away. The mass has the velocity u + (1 - reactive) v, where v is the velocity of the body: u is
-   absolute if reactive is 1, and relative to the body if reactive is 0. */
+/* The reactive force of a stream is rate * (u - reactive * v), where the number `reactive` is 1 or 0. The stream
+   brings `rate` kg of mass per second; a negative rate takes mass away. The mass has the velocity u + (1 -
+   reactive) v, where v is the velocity of the body: u is absolute if reactive is 1, and relative to the body if
+   reactive is 0. */
 VM_INLINE vm_real vm_force_stream(vm_real v, vm_real rate, vm_real u, vm_real reactive)
 {
     return rate * (u - reactive * v);

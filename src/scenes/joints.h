@@ -18,10 +18,10 @@
    at the last evaluation.
 
    Accuracy: the errors of forces and accelerations are a few eps of the largest of them. This also holds for joints
-   that nearly contradict each other, such as two rods almost in line, and for light bodies between heavy ones, since
-   the forces are refined until they fit the equations. If two rods of 1 m hold a point 1e-5 m beside the line through
-   their other ends, the errors are 4e-16; if they hold it 1e-7 m beside this line, 4e-11. Still closer to the line the
-   run ends with VM_SINGULAR.
+   that nearly contradict each other, such as two rods almost in line, and for light bodies between heavy ones,
+   since the forces are refined until they fit the equations. If two rods of 1 m hold a point 1e-5 m beside the line
+   through their other ends, the errors are 4e-16; if they hold it 1e-7 m beside this line, 4e-11. If the point is
+   still closer to the line, the run ends with VM_SINGULAR.
 
    Tests: tests/test_scene_joints.c. */
 #ifndef VARMASS_SCENES_JOINTS_H
