@@ -188,7 +188,7 @@
 
    All other files include this one. It defines vm_real (double, or float where VM_USE_FLOAT is defined) and gives a
    default to each macro that the user has not set. It stops the compiler with an error if a compiler option changes the
-   results, and it stops the linker if a program has files in float and in double. It names the four functions of the C
+   results, and the linker where a program has files in float and in double. It names the four functions of the C
    library that are used: sqrt, fabs, floor, copysign.
 
        vm_real x = VM_C(0.1); // the number 0.1 as a vm_real, in double and in float
@@ -225,9 +225,9 @@
 #define VM_INLINE VM_API /* the code is slower than with forced inlining, but the results are the same */
 #endif
 
-/* Between VMI_QUIET_BEGIN and VMI_QUIET_END the compiler does not warn of code that is intended, such as casts that C
-   and C++ both accept and comparisons with exact numbers. A project that turns on such warnings gets only those of its
-   own files. */
+/* Between VMI_QUIET_BEGIN and VMI_QUIET_END the compiler does not warn of what is meant as it stands, such as casts
+   that C and C++ both accept and comparisons with exact numbers. A project that asks for such warnings gets those of
+   its own files only. */
 #if defined(__GNUC__) && !defined(__CUDACC__)
 #define VMI_IGNORE(warning) VMI_PRAGMA(GCC diagnostic ignored warning)
 #define VMI_PRAGMA(text) _Pragma(#text)
@@ -282,7 +282,7 @@ typedef double vm_real;
 #define VM_EPSILON DBL_EPSILON
 #define VM_MAX DBL_MAX
 #define VM_MIN DBL_MIN
-#define VM_MANT_DIG DBL_MANT_DIG /* bits of a number, also that of the tables; 24 on AVR, where double is short */
+#define VM_MANT_DIG DBL_MANT_DIG /* bits; 24 where double is as short as float (AVR). Table lengths depend on it. */
 #define VM_NAN VMI_CAST(double, NAN)
 #define VM_INFINITY VMI_CAST(double, INFINITY)
 #ifdef FP_FAST_FMA
@@ -290,11 +290,10 @@ typedef double vm_real;
 #endif
 #endif
 
-/* A struct in float and the same struct in double have different sizes. In C the linker does not see where one file
-   passes such a struct to another. So each file marks its precision here, and files of both precisions do not link,
-   unless all files of one precision define VM_MIXED_PRECISIONS. With gcc the mark is an absolute symbol, which must
-   have the same value in every file of a program. With clang there is no such mark, since clang would refuse equal
-   values, too, under -flto. */
+/* A struct in float and the same struct in double have other sizes. In C the linker does not see where one file passes
+   such a struct to another. So each file marks its precision here, and files of both precisions do not link, unless all
+   of one precision define VM_MIXED_PRECISIONS. gcc marks by an absolute symbol, of which every file of a program must
+   have the same value; with clang this would refuse equal values too under -flto. */
 #if defined(VM_MIXED_PRECISIONS) || defined(__CUDACC__)
 #elif defined(_MSC_VER)
 #ifdef VM_USE_FLOAT
@@ -358,7 +357,7 @@ VM_API vm_real vmi_copysign(vm_real x, vm_real y)
     return x;
 }
 
-/* These functions return the larger and the smaller of two numbers. Both functions return b if a or b is NaN. */
+/* The larger and the smaller of two numbers. Both functions return b if a or b is NaN. */
 VM_INLINE vm_real vmi_larger(vm_real a, vm_real b) { return a > b ? a : b; }
 VM_INLINE vm_real vmi_smaller(vm_real a, vm_real b) { return a < b ? a : b; }
 

@@ -126,7 +126,7 @@
        vm_scale                       The multiple c a of a vector, for a number c
        vm_dot                         The dot product a.x b.x + a.y b.y + a.z b.z of two vectors
        vm_cross                       The cross product a x b of two vectors, by the right-hand rule
-       vm_norm                        The length of the vector a, with a relative error within 4 eps
+       vm_norm                        The length of the vector a, within 4 eps of itself
        vm_quat_times                  The product p q of two quaternions
        vm_unit_quat                   The quaternion of length 1 for the same rotation as q
 
@@ -1302,16 +1302,15 @@ VM_API vm_real vm_lambert_wm1_neg_exp(vm_real l)
 #endif
 /* mechanics/vectors.h - vectors, quaternions and rotations in space
    The two types, vm_vec3 and vm_quat, are plain data. A quaternion describes the attitude of a body: it converts
-   components of vectors along body axes into components along inertial axes. Its length does not matter. A quaternion
-   of four zeros means that body axes and inertial axes coincide (the identity).
+   components of vectors along body axes into components along inertial axes. Its length does not matter, and a
+   quaternion of four zeros stands for the identity.
 
        vm_vec3 omega = {0, 0, 3};                 // x, y, z
        vm_quat quarter_turn = {0.7071068, 0, 0, 0.7071068}; // w, x, y, z: 90 degrees about z
 
-   Users may call the functions whose names begin with vm_. They compute the sum, difference, multiple, dot product,
-   cross product and length of vectors, and the product and normalisation of quaternions. Functions whose names begin
-   with vmi_ are internal, for example norms and rotation matrices. No function here checks its arguments: with infinite
-   or NaN arguments the result is what the arithmetic gives. Tests: tests/test_attitude.c, tests/test_jumps.c,
+   The functions vm_... are for users too: sum, difference, multiple, dot product, cross product and length of vectors,
+   product and normalisation of quaternions. The others are norms and rotation matrices. No function here checks its
+   arguments: infinite and NaN numbers go through the arithmetic. Tests: tests/test_attitude.c, tests/test_jumps.c,
    tests/test_torque_free.c. */
 #ifndef VARMASS_MECHANICS_VECTORS_H
 #define VARMASS_MECHANICS_VECTORS_H
@@ -1321,8 +1320,7 @@ typedef struct VM_TAG(vm_vec3) {
     vm_real x, y, z;
 } vm_vec3;
 
-/* An attitude, that is, how a body is turned. The quaternion w + x i + y j + z k converts vectors from body axes to
-   inertial axes. Its length does not matter. */
+/* An attitude: w + x i + y j + z k converts vectors from body axes to inertial axes. Its length does not matter. */
 typedef struct VM_TAG(vm_quat) {
     vm_real w, x, y, z;
 } vm_quat;
@@ -1367,8 +1365,7 @@ VM_API vm_vec3 vmi_abs(vm_vec3 a) { return vmi_vec3(VM_FABS(a.x), VM_FABS(a.y), 
 /* The sum |x| + |y| + |z| of the absolute values of a's components */
 VM_API vm_real vmi_norm1(vm_vec3 a) { return VM_FABS(a.x) + VM_FABS(a.y) + VM_FABS(a.z); }
 
-/* The length of the vector a, with a relative error within 4 eps. The computation does not overflow if only the square
-   of the length would overflow. */
+/* The length of the vector a, within 4 eps of itself. It does not overflow if only its square would overflow. */
 VM_API vm_real vm_norm(vm_vec3 a) { return vmi_hypot(vmi_hypot(a.x, a.y), a.z); }
 
 /* The largest of |x|, |y| and |z|, where x, y, z are the components of a */
@@ -1387,8 +1384,7 @@ VM_API vm_vec3 vmi_times(const vmi_mat3 *m, vm_vec3 a)
     return vm_add(vm_scale(a.x, m->x), vm_add(vm_scale(a.y, m->y), vm_scale(a.z, m->z)));
 }
 
-/* The product of the transposed matrix m^T and the vector a. If m is a rotation matrix, multiplication by m^T undoes
-   the rotation. */
+/* The product of the transposed matrix m^T and the vector a. If m is a rotation matrix, it undoes the rotation. */
 VM_API vm_vec3 vmi_times_transposed(const vmi_mat3 *m, vm_vec3 a)
 {
     return vmi_vec3(vm_dot(m->x, a), vm_dot(m->y, a), vm_dot(m->z, a));
@@ -1409,15 +1405,14 @@ VM_API vm_vec3 vmi_quat_vector(vm_quat q) { return vmi_vec3(q.x, q.y, q.z); }
 
 VM_API int vmi_quat_is_finite(vm_quat q) { return VM_IS_FINITE(q.w) && vmi_vec3_is_finite(vmi_quat_vector(q)); }
 
-/* Returns 1 if all four numbers of q are 0, else 0. Such a quaternion means the identity (no rotation). */
+/* Returns 1 if all four numbers of q are 0. Such a quaternion stands for the identity. */
 VM_API int vmi_quat_is_none(vm_quat q) { return q.w == 0 && q.x == 0 && q.y == 0 && q.z == 0; }
 
 /* The square of the length of q */
 VM_API vm_real vmi_quat_square(vm_quat q) { return q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z; }
 
-/* The product p q of two quaternions: the rotation by q followed by the rotation by p. If q is the attitude of a part
-   relative to a body, and p the attitude of the body, then p q is the attitude of the part: it converts vectors from
-   the axes of the part to inertial axes. */
+/* The product p q of two quaternions: the rotation by q followed by the rotation by p. If q turns the axes of a part
+   into those of a body, and p those of the body into inertial ones, p q turns those of the part into inertial ones. */
 VM_API vm_quat vm_quat_times(vm_quat p, vm_quat q)
 {
     vm_quat r;
@@ -1438,7 +1433,7 @@ VM_API vm_quat vmi_quat_over(vm_quat q, vm_real c)
 }
 
 /* Divides q by the absolute value of its largest component, so that the square of its length neither overflows nor
-   underflows. If q consists of four zeros, the result is the identity (1, 0, 0, 0). */
+   underflows. Four zeros become the identity. */
 VM_API vm_quat vmi_quat_scaled(vm_quat q)
 {
     vm_real largest = VM_FABS(q.w);
@@ -1452,16 +1447,14 @@ VM_API vm_quat vmi_quat_scaled(vm_quat q)
     return vmi_quat_over(q, largest);
 }
 
-/* The quaternion of length 1 for the same rotation as q. If q consists of four zeros, the result is the identity (1, 0,
-   0, 0). */
+/* The quaternion of length 1 for the same rotation as q. Four zeros give the identity. */
 VM_API vm_quat vm_unit_quat(vm_quat q)
 {
     q = vmi_quat_scaled(q);
     return vmi_quat_over(q, VM_SQRT(vmi_quat_square(q)));
 }
 
-/* The rotation matrix of q. `square`, the square of q's length, must be finite and at least VM_MIN, the smallest normal
-   number. */
+/* The rotation matrix of q. `square`, the square of q's length, must be neither 0 nor subnormal, infinite or NaN. */
 VM_INLINE vmi_mat3 vmi_rotation_of_square(vm_quat q, vm_real square)
 {
     const vm_real s = 2 / square, x = s * q.x, y = s * q.y, z = s * q.z;
@@ -1474,8 +1467,7 @@ VM_INLINE vmi_mat3 vmi_rotation_of_square(vm_quat q, vm_real square)
     return m;
 }
 
-/* The rotation matrix of a quaternion q of any length. The matrix is exactly the identity matrix for q = (w, 0, 0, 0)
-   and for four zeros. */
+/* The rotation matrix of q, of any length. It is exactly the identity for (w, 0, 0, 0) and for four zeros. */
 VM_API vmi_mat3 vmi_rotation(vm_quat q)
 {
     q = vmi_quat_scaled(q);
@@ -1868,9 +1860,8 @@ VM_API int vm_euler_313_rates(vm_real psi, vm_real theta, vm_vec3 omega, vm_real
 
 #endif
 /* mechanics/inertia.h - inertia tensors, parallel axes, principal axes
-   A vm_inertia contains the entries of a body's tensor of inertia, about some point and along some axes. This chapter
-   tests whether a body can have a given tensor, converts a tensor to parallel axes through another point (40), and
-   finds principal moments and axes.
+   A vm_inertia holds the entries of a body's tensor of inertia, about some point and along some axes. This chapter
+   tests whether a body can have a given tensor, moves it to parallel axes (40), and finds principal moments and axes.
 
        vm_inertia disc = {1, 1, 2, 0, 0, 0}; // xx, yy, zz, xy, xz, yz, kg m^2
        vm_vec3 d = {0.5, 0, 0};              // m
@@ -1924,7 +1915,7 @@ VM_API vm_inertia vmi_inertia_of_point(vm_vec3 d)
     return p;
 }
 
-/* The tensor m^T i m. Its entries are those of the tensor i along new axes, which are the columns of the matrix m. */
+/* The tensor m^T i m. It has the entries of the tensor i along new axes, which are the columns of the matrix m. */
 VM_INLINE vm_inertia vmi_inertia_along(const vm_inertia *i, const vmi_mat3 *m)
 {
     const vm_vec3 x = vmi_inertia_times(i, m->x), y = vmi_inertia_times(i, m->y), z = vmi_inertia_times(i, m->z);
@@ -1939,7 +1930,7 @@ VM_INLINE vm_inertia vmi_inertia_along(const vm_inertia *i, const vmi_mat3 *m)
 }
 
 /* Returns, for each entry of the tensor m^T i m, the sum of the absolute values of the entry's terms. The rounding
-   error of an entry is a few eps times the sum for this entry. */
+   error of an entry is a few eps times its sum. */
 VM_INLINE vm_inertia vmi_inertia_sizes(const vm_inertia *i, const vmi_mat3 *m)
 {
     vm_inertia a;
@@ -1959,9 +1950,8 @@ VM_INLINE vm_inertia vmi_inertia_sizes(const vm_inertia *i, const vmi_mat3 *m)
 /* The sum |xx| + |yy| + |zz|. It equals the trace if i is the inertia of a body. */
 VM_API vm_real vmi_inertia_trace(const vm_inertia *i) { return VM_FABS(i->xx) + VM_FABS(i->yy) + VM_FABS(i->zz); }
 
-/* The tolerance, in kg m^2, for the rounding errors of a tensor. Usually i is this tensor. If the entries of this
-   tensor were computed as sums, i may instead contain, for each entry, the sum of the absolute values of the entry's
-   terms (vmi_inertia_sizes). */
+/* The tolerance, in kg m^2, for the rounding errors of a tensor. Usually i is this tensor. If its entries were computed
+   as sums, i may instead have for each entry the sum of the terms' absolute values (vmi_inertia_sizes). */
 VM_API vm_real vmi_inertia_slack(const vm_inertia *i) { return 32 * VM_EPSILON * vmi_inertia_trace(i); }
 
 /* Returns 1 if a body can have the inertia i, within the tolerance slack (kg m^2). For a body, the matrix tr(i)/2 E - i
@@ -1981,19 +1971,18 @@ VM_API int vmi_inertia_is_within(const vm_inertia *i, vm_real slack)
     return z - yz / y * yz > 0;
 }
 
-/* Tests whether a body can have this inertia. Returns 1 if a body can have it. Returns 0 otherwise, and also for NaN
-   and for a null pointer. The principal moments of a body are not negative, and none is larger than the sum of the
-   other two. A violation of these rules by up to 32 eps of the trace counts as a rounding error. Rods and points count
-   as bodies. */
+/* Tests whether a body can have this inertia. Returns 1 if it can. Returns 0 if it cannot, and also for NaN and for a
+   null pointer. The principal moments of a body are not negative, and none is larger than the sum of the other two. A
+   violation of these rules by up to 32 eps of the trace counts as a rounding error. Rods and points count as bodies. */
 VM_API int vm_inertia_is_possible(const vm_inertia *inertia)
 {
     return inertia && vmi_inertia_is_finite(inertia) && vmi_inertia_is_within(inertia, vmi_inertia_slack(inertia));
 }
 
-/* Inertia about a point at d from the mass centre, along parallel axes, (40). The result is own + mass P(d), where own
-   (kg m^2) is the inertia about the mass centre and P(d) = |d|^2 E - d d^T (d in m, unit matrix E). A call with -mass
-   converts an inertia about such a point to the inertia about the mass centre. Returns NaN for a null pointer. A NaN in
-   an argument makes every entry that depends on it NaN. */
+/* Inertia about a point at d from the mass centre, along parallel axes, (40). It is own + mass P(d), where own (kg m^2)
+   is the inertia about the mass centre and P(d) = |d|^2 E - d d^T (d in m, unit matrix E). A call with -mass converts
+   an inertia about such a point to that about the mass centre. Returns NaN for a null pointer. A NaN in an argument
+   makes every entry that depends on it NaN. */
 VM_API vm_inertia vm_parallel_axes(const vm_inertia *own, vm_real mass, vm_vec3 d)
 {
     const vm_inertia none = {VM_NAN, VM_NAN, VM_NAN, VM_NAN, VM_NAN, VM_NAN};
@@ -2008,10 +1997,9 @@ typedef struct VM_TAG(vmi_principal) {
     vm_vec3 axis[3];
 } vmi_principal;
 
-/* Makes one step of Jacobi's eigenvalue method (a Jacobi rotation): turns the symmetric matrix a in the plane of the
-   axes number p and q, so that a[p][q] becomes 0. The columns of v are the axes; they are turned by the same angle. t,
-   c and s are the tangent, cosine and sine of this angle. Of the two angles that are possible, the function uses the
-   smaller one. */
+/* Applies one Jacobi rotation, in the plane of the axes p and q, to the symmetric matrix a, so that a[p][q] becomes 0.
+   The columns of v are the axes; they are turned by the same angle. t, c and s are the tangent, cosine and sine of this
+   angle. Of the two angles that are possible, the function uses the smaller one. */
 VM_API void vmi_jacobi_rotation(vm_real a[3][3], vm_real v[3][3], int p, int q)
 {
     const vm_real theta = (a[q][q] - a[p][p]) / (2 * a[p][q]), root = VM_SQRT(theta * theta + 1);
@@ -2032,8 +2020,7 @@ VM_API void vmi_jacobi_rotation(vm_real a[3][3], vm_real v[3][3], int p, int q)
     }
 }
 
-/* Principal moments and axes of the tensor *i. The function finds them by Jacobi rotations (vmi_jacobi_rotation), which
-   converge quadratically. */
+/* Principal moments and axes of the tensor i. They are found by Jacobi rotations, which converge quadratically. */
 VM_API vmi_principal vmi_principal_axes(const vm_inertia *i)
 {
     const int most_sweeps = 12; /* more than enough, because convergence is quadratic */
@@ -2057,7 +2044,7 @@ VM_API vmi_principal vmi_principal_axes(const vm_inertia *i)
     return result;
 }
 
-/* The inertia tensor whose principal moments and axes are *p */
+/* The tensor that has the principal moments and axes *p */
 VM_API vm_inertia vmi_inertia_from(const vmi_principal *p)
 {
     vm_inertia i = {0, 0, 0, 0, 0, 0};
@@ -2074,30 +2061,28 @@ VM_API vm_inertia vmi_inertia_from(const vmi_principal *p)
     return i;
 }
 
-/* Returns 1 if a body can have the principal moments *p: none is larger than the sum of the other two plus slack (kg
-   m^2). It follows that none is below -slack. Returns 0 otherwise. */
+/* Returns 1 if a body can have the principal moments *p: none is larger than the sum of the other two plus slack, in kg
+   m^2. It follows that no moment is below -slack. */
 VM_API int vmi_moments_are_possible(const vmi_principal *p, vm_real slack)
 {
     const vm_real a = p->moment[0], b = p->moment[1], c = p->moment[2];
     return a <= b + c + slack && b <= a + c + slack && c <= a + b + slack;
 }
 
-/* A sum counts as a mere rounding error if it is below this number times the sum of the absolute values of its
-   terms. */
+/* A sum that is below this share of the sum of its terms' absolute values counts as nothing but a rounding error. */
 #define VMI_LOST_SHARE (8 * VM_EPSILON)
 
-/* Returns 1 if `moment`, the moment of inertia about `axis`, is smaller than its rounding error, negative or NaN.
-   Returns 0 otherwise. The entries of the tensor are sums of terms; the entries of *sizes are the sums of the absolute
-   values of these terms. */
+/* Returns 1 if `moment`, the moment of inertia about `axis`, is smaller than its rounding error, negative or NaN. The
+   entries of the tensor are sums. Those of *sizes are the sums of the absolute values of the same terms. */
 VM_API int vmi_moment_is_lost(vm_real moment, vm_vec3 axis, const vm_inertia *sizes)
 {
     const vm_vec3 e = vmi_abs(axis);
     return !(moment > VMI_LOST_SHARE * vm_dot(e, vmi_inertia_times(sizes, e)));
 }
 
-/* Changes principal moments that a body can have within rounding errors into moments that a body can have exactly. A
-   moment that is smaller than its rounding error becomes 0. A moment larger than the sum of the other two becomes that
-   sum. Returns 1 if a moment changed, else 0. */
+/* Changes moments that are possible within rounding errors into moments that a body can have exactly. A moment that is
+   smaller than its rounding error becomes 0. A moment larger than the sum of the other two becomes that sum. Returns 1
+   if a moment changed. */
 VM_API int vmi_clamp_moments(vmi_principal *p, const vm_inertia *sizes)
 {
     int k, changed = 0;
@@ -2115,8 +2100,7 @@ VM_API int vmi_clamp_moments(vmi_principal *p, const vm_inertia *sizes)
     return changed;
 }
 
-/* The angular velocity of a body with the angular momentum h and the principal axes *p. Along an axis with zero moment
-   of inertia the result has no component. */
+/* The angular velocity of a body with the angular momentum h. Axes with a zero moment of inertia are left out. */
 VM_API vm_vec3 vmi_spin_of(const vmi_principal *p, vm_vec3 h)
 {
     vm_vec3 omega = vmi_vec3(0, 0, 0);
@@ -2127,9 +2111,9 @@ VM_API vm_vec3 vmi_spin_of(const vmi_principal *p, vm_vec3 h)
 }
 
 /* Solves i omega = h for the angular velocity *omega, with the inertia i, its principal axes *p and the angular
-   momentum h. About an axis with zero moment of inertia (of a rod or a point) a body cannot have angular momentum;
-   along this axis *omega gets the component of the argument `before`, another angular velocity. Returns 1 if the
-   component of h along such an axis exceeds the argument `noise`, else 0. */
+   momentum h. About an axis with zero moment (of a rod or a point), *omega keeps the component of `before`, and no body
+   can have angular momentum. Returns 1 if the component of h along such an axis exceeds the argument `noise`, else
+   0. */
 VM_API int vmi_solve_spin(const vm_inertia *i, const vmi_principal *p, vm_vec3 h, vm_real noise, vm_vec3 before,
                           vm_vec3 *omega)
 {
@@ -2162,8 +2146,7 @@ VM_API int vmi_solve_spin(const vm_inertia *i, const vmi_principal *p, vm_vec3 h
 typedef struct VM_TAG(vm_body) {
     vm_real mass;       /* mass > 0, kg */
     vm_inertia inertia; /* inertia about the body's own mass centre, kg m^2, body axes; all zero for a point */
-    vm_quat q;          /* attitude, a quaternion of any length that converts vectors from body axes to inertial
-                           axes; if all its numbers are 0, the two systems of axes coincide */
+    vm_quat q;          /* attitude: converts vectors from body to inertial axes; any length; all zero: identity */
     vm_vec3 r;          /* position of the mass centre, m, inertial axes */
     vm_vec3 v;          /* velocity, which is momentum/mass, m/s, inertial axes */
     vm_vec3 omega;      /* angular velocity, rad/s, inertial axes */
@@ -2257,8 +2240,7 @@ VM_API vm_body vmi_body_to_space(const vm_body2 *body)
     return b;
 }
 
-/* Converts a body in space to a body that moves in the plane, with the attitude `angle`. The motion perpendicular to
-   the plane is ignored. */
+/* Converts a body in space to a body that moves in the plane, with this angle. Other motion is ignored. */
 VM_API vm_body2 vmi_body_to_plane(const vm_body *b, vm_real angle)
 {
     vm_body2 flat;
@@ -2343,9 +2325,8 @@ VM_API vm_body vmi_list_body(const vmi_bodies *list, int i)
     return list->in_space[i];
 }
 
-/* Returns VM_OK if all bodies of the list are valid, else the error of a body. If several bodies have errors,
-   vmi_first_error selects one. Returns VM_BAD_ARGUMENT if the number n of bodies is negative, and if n > 0 while both
-   pointers of the list are NULL. */
+/* Returns VM_OK if all bodies of the list are valid, else the error of one of them (vmi_first_error). Returns
+   VM_BAD_ARGUMENT if n, the number of bodies, is negative, and if n > 0 while both pointers are NULL. */
 VM_API int vmi_check_bodies(const vmi_bodies *list)
 {
     int i, status = VM_OK;
@@ -2365,8 +2346,7 @@ VM_API vm_vec3 vmi_impulse_moment(const vm_impulse *j, vm_vec3 about)
     return vm_add(j->couple, vm_cross(vm_sub(j->at, about), j->linear));
 }
 
-/* Adds the momentum, angular momentum and energy of a body to a balance (sign 1), or subtracts them (sign -1). Adds the
-   sizes of momentum and angular momentum to the fields momentum_scale and angular_momentum_scale. */
+/* Adds a body to a balance (sign 1) or subtracts it (sign -1). Adds the sizes of its momenta to the two scales. */
 VM_API void vmi_balance_add(vm_balance *sum, vm_real sign, const vm_body *body, vm_vec3 about)
 {
     const vm_vec3 momentum = vm_momentum(body);
@@ -2379,8 +2359,7 @@ VM_API void vmi_balance_add(vm_balance *sum, vm_real sign, const vm_body *body, 
     sum->energy += sign * vm_kinetic_energy(body);
 }
 
-/* Subtracts an impulse and its moment from a balance. Adds their absolute values to the fields momentum_scale and
-   angular_momentum_scale. */
+/* Subtracts an impulse and its moment from a balance. Adds their absolute values to the two scales. */
 VM_API void vmi_balance_take_impulse(vm_balance *sum, const vm_impulse *j, vm_vec3 about)
 {
     sum->momentum = vm_sub(sum->momentum, j->linear);
@@ -2562,13 +2541,11 @@ VM_API vm_real vmi_join_noise(const vmi_frame *frame, const vmi_lump *a, vm_real
            moved * vmi_norm1(reach) * (distance * vmi_norm1(frame->omega) + vmi_norm1(slip));
 }
 
-/* Attaches the lump b to the lump a (sign 1), or separates b from a (sign -1). Returns VM_BAD_MASS if no mass is left,
-   else VM_OK. */
+/* Attaches lump b to a (sign 1) or separates b from a (sign -1). Returns VM_BAD_MASS if no mass is left, else VM_OK. */
 VM_API int vmi_join(const vmi_frame *frame, vmi_lump *a, vm_real sign, const vmi_lump *b)
 {
     const vm_real mass = a->mass + sign * b->mass;
-    const vm_real share = sign * (b->mass / mass), reduced = a->mass * share; /* b's share of the total mass; the
-                                                                                 reduced mass of a and b */
+    const vm_real share = sign * (b->mass / mass), reduced = a->mass * share; /* b's share of mass; reduced mass */
     const vm_vec3 d = vm_sub(b->r, a->r), v = vm_sub(b->v, a->v);
     const vm_vec3 slip = vm_sub(v, vm_cross(frame->omega, d)); /* velocity of b relative to a in the turning frame */
     const vm_vec3 origin = vmi_abs(frame->r);
@@ -4494,7 +4471,7 @@ VM_API vm_real vm_broken_rotor_resonance_radius(const vm_broken_rotor *rotor, vm
    dr_or_NULL[i] is dr/dq_i, the derivative, with respect to the coordinate q_i, of the position r of the point at which
    the force acts. domega_or_NULL[i] is domega/dq'_i, the derivative of the body's angular velocity omega with respect
    to the rate q'_i. These arrays and Q have n entries. If dr_or_NULL or domega_or_NULL is NULL, its term is 0. If Q is
-   NULL, the function does nothing.
+   NULL, nothing is done.
 
    For external loads, use their resultant force and their moment about r. For a stream with the mass rate M' (kg/s),
    the velocity u and the angular velocity omega2, use the force M' u at the point where the mass enters or leaves, and
@@ -13764,8 +13741,8 @@ VM_API int vmi_osc_collocate(const vm_osc_plan *plan, int route, vm_real t, vm_r
        no step of this integration is longer than the shortest panel, so that no step skips the change.
    What the estimate covers where averaged equations with a force F are integrated:
      - the error of this integration, and the error of cos and cn in place of ca;
-     - what averaging leaves out: the ripple within a period, the effect of the ripple at t = 0, and its second-order
-       terms;
+     - what averaging leaves out: the ripple within a period, the effect of the ripple at t = 0, and the terms of the
+       ripple of second order;
      - a force that changes within a period, as in a resonance. To find such changes, the function F is called over one
        period at the start and over one period at each of eight later times. So the estimate misses a force that acts
        only for a short time between these periods.

@@ -22,9 +22,9 @@ lie() { # lie NAME FILE SED WORDS : a manual or a chapter that lacks something i
     esac
     check "found: $1" grep -q "$4" "$build/lacks"
 }
-lie "no word of cost" src/varmass.h 's/docs.cost.md//; s/docs.counts.md//; s/instructions//' 'vm_drum_stop lacks a cost'
+lie "no word of cost" src/varmass.h 's/docs.cost.md//; s/docs.counts.md//; s/instructions//g' 'vm_drum_stop lacks a cost'
 lie "no word of errors" src/scenes/events.h 's/VM_NO[A-Z_]*//g; s/NaN//g; s/refuse//g' 'vm_event_at lacks what happens after an error'
-lie "no comment" src/mechanics/drum.h '/^\/\* Whether the shaft/,/\*\//d' 'vm_drum_shaft_valid has no comment'
+lie "no comment" src/mechanics/drum.h '/^\/\* Tests whether the shaft/,/\*\//d' 'vm_drum_shaft_valid has no comment'
 if ! sh tests/install.sh -w "for the reference in HTML" "command -v doxygen" doxygen; then
     echo "site: $passed passed, $failed failed, 2 skipped"
     [ $failed = 0 ]

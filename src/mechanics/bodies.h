@@ -19,8 +19,7 @@
 typedef struct VM_TAG(vm_body) {
     vm_real mass;       /* mass > 0, kg */
     vm_inertia inertia; /* inertia about the body's own mass centre, kg m^2, body axes; all zero for a point */
-    vm_quat q;          /* attitude, a quaternion of any length that converts vectors from body axes to inertial
-                           axes; if all its numbers are 0, the two systems of axes coincide */
+    vm_quat q;          /* attitude: converts vectors from body to inertial axes; any length; all zero: identity */
     vm_vec3 r;          /* position of the mass centre, m, inertial axes */
     vm_vec3 v;          /* velocity, which is momentum/mass, m/s, inertial axes */
     vm_vec3 omega;      /* angular velocity, rad/s, inertial axes */
@@ -114,8 +113,7 @@ VM_API vm_body vmi_body_to_space(const vm_body2 *body)
     return b;
 }
 
-/* Converts a body in space to a body that moves in the plane, with the attitude `angle`. The motion perpendicular to
-   the plane is ignored. */
+/* Converts a body in space to a body that moves in the plane, with this angle. Other motion is ignored. */
 VM_API vm_body2 vmi_body_to_plane(const vm_body *b, vm_real angle)
 {
     vm_body2 flat;
@@ -200,9 +198,8 @@ VM_API vm_body vmi_list_body(const vmi_bodies *list, int i)
     return list->in_space[i];
 }
 
-/* Returns VM_OK if all bodies of the list are valid, else the error of a body. If several bodies have errors,
-   vmi_first_error selects one. Returns VM_BAD_ARGUMENT if the number n of bodies is negative, and if n > 0 while both
-   pointers of the list are NULL. */
+/* Returns VM_OK if all bodies of the list are valid, else the error of one of them (vmi_first_error). Returns
+   VM_BAD_ARGUMENT if n, the number of bodies, is negative, and if n > 0 while both pointers are NULL. */
 VM_API int vmi_check_bodies(const vmi_bodies *list)
 {
     int i, status = VM_OK;
@@ -222,8 +219,7 @@ VM_API vm_vec3 vmi_impulse_moment(const vm_impulse *j, vm_vec3 about)
     return vm_add(j->couple, vm_cross(vm_sub(j->at, about), j->linear));
 }
 
-/* Adds the momentum, angular momentum and energy of a body to a balance (sign 1), or subtracts them (sign -1). Adds the
-   sizes of momentum and angular momentum to the fields momentum_scale and angular_momentum_scale. */
+/* Adds a body to a balance (sign 1) or subtracts it (sign -1). Adds the sizes of its momenta to the two scales. */
 VM_API void vmi_balance_add(vm_balance *sum, vm_real sign, const vm_body *body, vm_vec3 about)
 {
     const vm_vec3 momentum = vm_momentum(body);
@@ -236,8 +232,7 @@ VM_API void vmi_balance_add(vm_balance *sum, vm_real sign, const vm_body *body, 
     sum->energy += sign * vm_kinetic_energy(body);
 }
 
-/* Subtracts an impulse and its moment from a balance. Adds their absolute values to the fields momentum_scale and
-   angular_momentum_scale. */
+/* Subtracts an impulse and its moment from a balance. Adds their absolute values to the two scales. */
 VM_API void vmi_balance_take_impulse(vm_balance *sum, const vm_impulse *j, vm_vec3 about)
 {
     sum->momentum = vm_sub(sum->momentum, j->linear);

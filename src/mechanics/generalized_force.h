@@ -19,7 +19,7 @@
    dr_or_NULL[i] is dr/dq_i, the derivative, with respect to the coordinate q_i, of the position r of the point at which
    the force acts. domega_or_NULL[i] is domega/dq'_i, the derivative of the body's angular velocity omega with respect
    to the rate q'_i. These arrays and Q have n entries. If dr_or_NULL or domega_or_NULL is NULL, its term is 0. If Q is
-   NULL, the function does nothing.
+   NULL, nothing is done.
 
    For external loads, use their resultant force and their moment about r. For a stream with the mass rate M' (kg/s),
    the velocity u and the angular velocity omega2, use the force M' u at the point where the mass enters or leaves, and

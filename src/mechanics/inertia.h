@@ -1,7 +1,6 @@
 /* mechanics/inertia.h - inertia tensors, parallel axes, principal axes
-   A vm_inertia contains the entries of a body's tensor of inertia, about some point and along some axes. This chapter
-   tests whether a body can have a given tensor, converts a tensor to parallel axes through another point (40), and
-   finds principal moments and axes.
+   A vm_inertia holds the entries of a body's tensor of inertia, about some point and along some axes. This chapter
+   tests whether a body can have a given tensor, moves it to parallel axes (40), and finds principal moments and axes.
 
        vm_inertia disc = {1, 1, 2, 0, 0, 0}; // xx, yy, zz, xy, xz, yz, kg m^2
        vm_vec3 d = {0.5, 0, 0};              // m
@@ -58,7 +57,7 @@ VM_API vm_inertia vmi_inertia_of_point(vm_vec3 d)
     return p;
 }
 
-/* The tensor m^T i m. Its entries are those of the tensor i along new axes, which are the columns of the matrix m. */
+/* The tensor m^T i m. It has the entries of the tensor i along new axes, which are the columns of the matrix m. */
 VM_INLINE vm_inertia vmi_inertia_along(const vm_inertia *i, const vmi_mat3 *m)
 {
     const vm_vec3 x = vmi_inertia_times(i, m->x), y = vmi_inertia_times(i, m->y), z = vmi_inertia_times(i, m->z);
@@ -73,7 +72,7 @@ VM_INLINE vm_inertia vmi_inertia_along(const vm_inertia *i, const vmi_mat3 *m)
 }
 
 /* Returns, for each entry of the tensor m^T i m, the sum of the absolute values of the entry's terms. The rounding
-   error of an entry is a few eps times the sum for this entry. */
+   error of an entry is a few eps times its sum. */
 VM_INLINE vm_inertia vmi_inertia_sizes(const vm_inertia *i, const vmi_mat3 *m)
 {
     vm_inertia a;
@@ -93,9 +92,8 @@ VM_INLINE vm_inertia vmi_inertia_sizes(const vm_inertia *i, const vmi_mat3 *m)
 /* The sum |xx| + |yy| + |zz|. It equals the trace if i is the inertia of a body. */
 VM_API vm_real vmi_inertia_trace(const vm_inertia *i) { return VM_FABS(i->xx) + VM_FABS(i->yy) + VM_FABS(i->zz); }
 
-/* The tolerance, in kg m^2, for the rounding errors of a tensor. Usually i is this tensor. If the entries of this
-   tensor were computed as sums, i may instead contain, for each entry, the sum of the absolute values of the entry's
-   terms (vmi_inertia_sizes). */
+/* The tolerance, in kg m^2, for the rounding errors of a tensor. Usually i is this tensor. If its entries were computed
+   as sums, i may instead have for each entry the sum of the terms' absolute values (vmi_inertia_sizes). */
 VM_API vm_real vmi_inertia_slack(const vm_inertia *i) { return 32 * VM_EPSILON * vmi_inertia_trace(i); }
 
 /* Returns 1 if a body can have the inertia i, within the tolerance slack (kg m^2). For a body, the matrix tr(i)/2 E - i
@@ -115,19 +113,18 @@ VM_API int vmi_inertia_is_within(const vm_inertia *i, vm_real slack)
     return z - yz / y * yz > 0;
 }
 
-/* Tests whether a body can have this inertia. Returns 1 if a body can have it. Returns 0 otherwise, and also for NaN
-   and for a null pointer. The principal moments of a body are not negative, and none is larger than the sum of the
-   other two. A violation of these rules by up to 32 eps of the trace counts as a rounding error. Rods and points count
-   as bodies. */
+/* Tests whether a body can have this inertia. Returns 1 if it can. Returns 0 if it cannot, and also for NaN and for a
+   null pointer. The principal moments of a body are not negative, and none is larger than the sum of the other two. A
+   violation of these rules by up to 32 eps of the trace counts as a rounding error. Rods and points count as bodies. */
 VM_API int vm_inertia_is_possible(const vm_inertia *inertia)
 {
     return inertia && vmi_inertia_is_finite(inertia) && vmi_inertia_is_within(inertia, vmi_inertia_slack(inertia));
 }
 
-/* Inertia about a point at d from the mass centre, along parallel axes, (40). The result is own + mass P(d), where own
-   (kg m^2) is the inertia about the mass centre and P(d) = |d|^2 E - d d^T (d in m, unit matrix E). A call with -mass
-   converts an inertia about such a point to the inertia about the mass centre. Returns NaN for a null pointer. A NaN in
-   an argument makes every entry that depends on it NaN. */
+/* Inertia about a point at d from the mass centre, along parallel axes, (40). It is own + mass P(d), where own (kg m^2)
+   is the inertia about the mass centre and P(d) = |d|^2 E - d d^T (d in m, unit matrix E). A call with -mass converts
+   an inertia about such a point to that about the mass centre. Returns NaN for a null pointer. A NaN in an argument
+   makes every entry that depends on it NaN. */
 VM_API vm_inertia vm_parallel_axes(const vm_inertia *own, vm_real mass, vm_vec3 d)
 {
     const vm_inertia none = {VM_NAN, VM_NAN, VM_NAN, VM_NAN, VM_NAN, VM_NAN};
@@ -142,10 +139,9 @@ typedef struct VM_TAG(vmi_principal) {
     vm_vec3 axis[3];
 } vmi_principal;
 
-/* Makes one step of Jacobi's eigenvalue method (a Jacobi rotation): turns the symmetric matrix a in the plane of the
-   axes number p and q, so that a[p][q] becomes 0. The columns of v are the axes; they are turned by the same angle. t,
-   c and s are the tangent, cosine and sine of this angle. Of the two angles that are possible, the function uses the
-   smaller one. */
+/* Applies one Jacobi rotation, in the plane of the axes p and q, to the symmetric matrix a, so that a[p][q] becomes 0.
+   The columns of v are the axes; they are turned by the same angle. t, c and s are the tangent, cosine and sine of this
+   angle. Of the two angles that are possible, the function uses the smaller one. */
 VM_API void vmi_jacobi_rotation(vm_real a[3][3], vm_real v[3][3], int p, int q)
 {
     const vm_real theta = (a[q][q] - a[p][p]) / (2 * a[p][q]), root = VM_SQRT(theta * theta + 1);
@@ -166,8 +162,7 @@ VM_API void vmi_jacobi_rotation(vm_real a[3][3], vm_real v[3][3], int p, int q)
     }
 }
 
-/* Principal moments and axes of the tensor *i. The function finds them by Jacobi rotations (vmi_jacobi_rotation), which
-   converge quadratically. */
+/* Principal moments and axes of the tensor i. They are found by Jacobi rotations, which converge quadratically. */
 VM_API vmi_principal vmi_principal_axes(const vm_inertia *i)
 {
     const int most_sweeps = 12; /* more than enough, because convergence is quadratic */
@@ -191,7 +186,7 @@ VM_API vmi_principal vmi_principal_axes(const vm_inertia *i)
     return result;
 }
 
-/* The inertia tensor whose principal moments and axes are *p */
+/* The tensor that has the principal moments and axes *p */
 VM_API vm_inertia vmi_inertia_from(const vmi_principal *p)
 {
     vm_inertia i = {0, 0, 0, 0, 0, 0};
@@ -208,30 +203,28 @@ VM_API vm_inertia vmi_inertia_from(const vmi_principal *p)
     return i;
 }
 
-/* Returns 1 if a body can have the principal moments *p: none is larger than the sum of the other two plus slack (kg
-   m^2). It follows that none is below -slack. Returns 0 otherwise. */
+/* Returns 1 if a body can have the principal moments *p: none is larger than the sum of the other two plus slack, in kg
+   m^2. It follows that no moment is below -slack. */
 VM_API int vmi_moments_are_possible(const vmi_principal *p, vm_real slack)
 {
     const vm_real a = p->moment[0], b = p->moment[1], c = p->moment[2];
     return a <= b + c + slack && b <= a + c + slack && c <= a + b + slack;
 }
 
-/* A sum counts as a mere rounding error if it is below this number times the sum of the absolute values of its
-   terms. */
+/* A sum that is below this share of the sum of its terms' absolute values counts as nothing but a rounding error. */
 #define VMI_LOST_SHARE (8 * VM_EPSILON)
 
-/* Returns 1 if `moment`, the moment of inertia about `axis`, is smaller than its rounding error, negative or NaN.
-   Returns 0 otherwise. The entries of the tensor are sums of terms; the entries of *sizes are the sums of the absolute
-   values of these terms. */
+/* Returns 1 if `moment`, the moment of inertia about `axis`, is smaller than its rounding error, negative or NaN. The
+   entries of the tensor are sums. Those of *sizes are the sums of the absolute values of the same terms. */
 VM_API int vmi_moment_is_lost(vm_real moment, vm_vec3 axis, const vm_inertia *sizes)
 {
     const vm_vec3 e = vmi_abs(axis);
     return !(moment > VMI_LOST_SHARE * vm_dot(e, vmi_inertia_times(sizes, e)));
 }
 
-/* Changes principal moments that a body can have within rounding errors into moments that a body can have exactly. A
-   moment that is smaller than its rounding error becomes 0. A moment larger than the sum of the other two becomes that
-   sum. Returns 1 if a moment changed, else 0. */
+/* Changes moments that are possible within rounding errors into moments that a body can have exactly. A moment that is
+   smaller than its rounding error becomes 0. A moment larger than the sum of the other two becomes that sum. Returns 1
+   if a moment changed. */
 VM_API int vmi_clamp_moments(vmi_principal *p, const vm_inertia *sizes)
 {
     int k, changed = 0;
@@ -249,8 +242,7 @@ VM_API int vmi_clamp_moments(vmi_principal *p, const vm_inertia *sizes)
     return changed;
 }
 
-/* The angular velocity of a body with the angular momentum h and the principal axes *p. Along an axis with zero moment
-   of inertia the result has no component. */
+/* The angular velocity of a body with the angular momentum h. Axes with a zero moment of inertia are left out. */
 VM_API vm_vec3 vmi_spin_of(const vmi_principal *p, vm_vec3 h)
 {
     vm_vec3 omega = vmi_vec3(0, 0, 0);
@@ -261,9 +253,9 @@ VM_API vm_vec3 vmi_spin_of(const vmi_principal *p, vm_vec3 h)
 }
 
 /* Solves i omega = h for the angular velocity *omega, with the inertia i, its principal axes *p and the angular
-   momentum h. About an axis with zero moment of inertia (of a rod or a point) a body cannot have angular momentum;
-   along this axis *omega gets the component of the argument `before`, another angular velocity. Returns 1 if the
-   component of h along such an axis exceeds the argument `noise`, else 0. */
+   momentum h. About an axis with zero moment (of a rod or a point), *omega keeps the component of `before`, and no body
+   can have angular momentum. Returns 1 if the component of h along such an axis exceeds the argument `noise`, else
+   0. */
 VM_API int vmi_solve_spin(const vm_inertia *i, const vmi_principal *p, vm_vec3 h, vm_real noise, vm_vec3 before,
                           vm_vec3 *omega)
 {

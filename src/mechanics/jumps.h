@@ -105,13 +105,11 @@ VM_API vm_real vmi_join_noise(const vmi_frame *frame, const vmi_lump *a, vm_real
            moved * vmi_norm1(reach) * (distance * vmi_norm1(frame->omega) + vmi_norm1(slip));
 }
 
-/* Attaches the lump b to the lump a (sign 1), or separates b from a (sign -1). Returns VM_BAD_MASS if no mass is left,
-   else VM_OK. */
+/* Attaches lump b to a (sign 1) or separates b from a (sign -1). Returns VM_BAD_MASS if no mass is left, else VM_OK. */
 VM_API int vmi_join(const vmi_frame *frame, vmi_lump *a, vm_real sign, const vmi_lump *b)
 {
     const vm_real mass = a->mass + sign * b->mass;
-    const vm_real share = sign * (b->mass / mass), reduced = a->mass * share; /* b's share of the total mass; the
-                                                                                 reduced mass of a and b */
+    const vm_real share = sign * (b->mass / mass), reduced = a->mass * share; /* b's share of mass; reduced mass */
     const vm_vec3 d = vm_sub(b->r, a->r), v = vm_sub(b->v, a->v);
     const vm_vec3 slip = vm_sub(v, vm_cross(frame->omega, d)); /* velocity of b relative to a in the turning frame */
     const vm_vec3 origin = vmi_abs(frame->r);

@@ -1,15 +1,14 @@
 /* mechanics/vectors.h - vectors, quaternions and rotations in space
    The two types, vm_vec3 and vm_quat, are plain data. A quaternion describes the attitude of a body: it converts
-   components of vectors along body axes into components along inertial axes. Its length does not matter. A quaternion
-   of four zeros means that body axes and inertial axes coincide (the identity).
+   components of vectors along body axes into components along inertial axes. Its length does not matter, and a
+   quaternion of four zeros stands for the identity.
 
        vm_vec3 omega = {0, 0, 3};                 // x, y, z
        vm_quat quarter_turn = {0.7071068, 0, 0, 0.7071068}; // w, x, y, z: 90 degrees about z
 
-   Users may call the functions whose names begin with vm_. They compute the sum, difference, multiple, dot product,
-   cross product and length of vectors, and the product and normalisation of quaternions. Functions whose names begin
-   with vmi_ are internal, for example norms and rotation matrices. No function here checks its arguments: with infinite
-   or NaN arguments the result is what the arithmetic gives. Tests: tests/test_attitude.c, tests/test_jumps.c,
+   The functions vm_... are for users too: sum, difference, multiple, dot product, cross product and length of vectors,
+   product and normalisation of quaternions. The others are norms and rotation matrices. No function here checks its
+   arguments: infinite and NaN numbers go through the arithmetic. Tests: tests/test_attitude.c, tests/test_jumps.c,
    tests/test_torque_free.c. */
 #ifndef VARMASS_MECHANICS_VECTORS_H
 #define VARMASS_MECHANICS_VECTORS_H
@@ -22,8 +21,7 @@ typedef struct VM_TAG(vm_vec3) {
     vm_real x, y, z;
 } vm_vec3;
 
-/* An attitude, that is, how a body is turned. The quaternion w + x i + y j + z k converts vectors from body axes to
-   inertial axes. Its length does not matter. */
+/* An attitude: w + x i + y j + z k converts vectors from body axes to inertial axes. Its length does not matter. */
 typedef struct VM_TAG(vm_quat) {
     vm_real w, x, y, z;
 } vm_quat;
@@ -68,8 +66,7 @@ VM_API vm_vec3 vmi_abs(vm_vec3 a) { return vmi_vec3(VM_FABS(a.x), VM_FABS(a.y), 
 /* The sum |x| + |y| + |z| of the absolute values of a's components */
 VM_API vm_real vmi_norm1(vm_vec3 a) { return VM_FABS(a.x) + VM_FABS(a.y) + VM_FABS(a.z); }
 
-/* The length of the vector a, with a relative error within 4 eps. The computation does not overflow if only the square
-   of the length would overflow. */
+/* The length of the vector a, within 4 eps of itself. It does not overflow if only its square would overflow. */
 VM_API vm_real vm_norm(vm_vec3 a) { return vmi_hypot(vmi_hypot(a.x, a.y), a.z); }
 
 /* The largest of |x|, |y| and |z|, where x, y, z are the components of a */
@@ -88,8 +85,7 @@ VM_API vm_vec3 vmi_times(const vmi_mat3 *m, vm_vec3 a)
     return vm_add(vm_scale(a.x, m->x), vm_add(vm_scale(a.y, m->y), vm_scale(a.z, m->z)));
 }
 
-/* The product of the transposed matrix m^T and the vector a. If m is a rotation matrix, multiplication by m^T undoes
-   the rotation. */
+/* The product of the transposed matrix m^T and the vector a. If m is a rotation matrix, it undoes the rotation. */
 VM_API vm_vec3 vmi_times_transposed(const vmi_mat3 *m, vm_vec3 a)
 {
     return vmi_vec3(vm_dot(m->x, a), vm_dot(m->y, a), vm_dot(m->z, a));
@@ -110,15 +106,14 @@ VM_API vm_vec3 vmi_quat_vector(vm_quat q) { return vmi_vec3(q.x, q.y, q.z); }
 
 VM_API int vmi_quat_is_finite(vm_quat q) { return VM_IS_FINITE(q.w) && vmi_vec3_is_finite(vmi_quat_vector(q)); }
 
-/* Returns 1 if all four numbers of q are 0, else 0. Such a quaternion means the identity (no rotation). */
+/* Returns 1 if all four numbers of q are 0. Such a quaternion stands for the identity. */
 VM_API int vmi_quat_is_none(vm_quat q) { return q.w == 0 && q.x == 0 && q.y == 0 && q.z == 0; }
 
 /* The square of the length of q */
 VM_API vm_real vmi_quat_square(vm_quat q) { return q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z; }
 
-/* The product p q of two quaternions: the rotation by q followed by the rotation by p. If q is the attitude of a part
-   relative to a body, and p the attitude of the body, then p q is the attitude of the part: it converts vectors from
-   the axes of the part to inertial axes. */
+/* The product p q of two quaternions: the rotation by q followed by the rotation by p. If q turns the axes of a part
+   into those of a body, and p those of the body into inertial ones, p q turns those of the part into inertial ones. */
 VM_API vm_quat vm_quat_times(vm_quat p, vm_quat q)
 {
     vm_quat r;
@@ -139,7 +134,7 @@ VM_API vm_quat vmi_quat_over(vm_quat q, vm_real c)
 }
 
 /* Divides q by the absolute value of its largest component, so that the square of its length neither overflows nor
-   underflows. If q consists of four zeros, the result is the identity (1, 0, 0, 0). */
+   underflows. Four zeros become the identity. */
 VM_API vm_quat vmi_quat_scaled(vm_quat q)
 {
     vm_real largest = VM_FABS(q.w);
@@ -153,16 +148,14 @@ VM_API vm_quat vmi_quat_scaled(vm_quat q)
     return vmi_quat_over(q, largest);
 }
 
-/* The quaternion of length 1 for the same rotation as q. If q consists of four zeros, the result is the identity (1, 0,
-   0, 0). */
+/* The quaternion of length 1 for the same rotation as q. Four zeros give the identity. */
 VM_API vm_quat vm_unit_quat(vm_quat q)
 {
     q = vmi_quat_scaled(q);
     return vmi_quat_over(q, VM_SQRT(vmi_quat_square(q)));
 }
 
-/* The rotation matrix of q. `square`, the square of q's length, must be finite and at least VM_MIN, the smallest normal
-   number. */
+/* The rotation matrix of q. `square`, the square of q's length, must be neither 0 nor subnormal, infinite or NaN. */
 VM_INLINE vmi_mat3 vmi_rotation_of_square(vm_quat q, vm_real square)
 {
     const vm_real s = 2 / square, x = s * q.x, y = s * q.y, z = s * q.z;
@@ -175,8 +168,7 @@ VM_INLINE vmi_mat3 vmi_rotation_of_square(vm_quat q, vm_real square)
     return m;
 }
 
-/* The rotation matrix of a quaternion q of any length. The matrix is exactly the identity matrix for q = (w, 0, 0, 0)
-   and for four zeros. */
+/* The rotation matrix of q, of any length. It is exactly the identity for (w, 0, 0, 0) and for four zeros. */
 VM_API vmi_mat3 vmi_rotation(vm_quat q)
 {
     q = vmi_quat_scaled(q);
