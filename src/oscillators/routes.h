@@ -45,7 +45,7 @@
    What the estimate covers where averaged equations with a force F are integrated:
      - the error of this integration, and the error of cos and cn in place of ca;
      - what averaging leaves out: the ripple within a period, the effect of the ripple at t = 0, and the terms of the
-       ripple of second order;
+       ripple of second order.
      - a force that changes within a period, as in a resonance. To find such changes, the function F is called over one
        period at the start and over one period at each of eight later times. So the estimate misses a force that acts
        only for a short time between these periods.
