@@ -13751,8 +13751,8 @@ VM_API int vmi_osc_collocate(const vm_osc_plan *plan, int route, vm_real t, vm_r
    problems alpha is from 1/8 to 8, the relative rate q of change of mass and stiffness from 2e-3 to 0.1, and t from 1/q
    to 3/q. In double the test demands these bounds:
      - the true error is above 3 times the estimate in at most 1 % of the problems for vm_osc_within, 4 % for rk87, and
-       2 % for all other routes;
-     - the true error is at most 30 times the estimate for rk87, 40 times for rk45, and 10 times for all other routes;
+       2 % for all other routes.
+     - the true error is at most 30 times the estimate for rk87, 40 times for rk45, and 10 times for all other routes.
      - the median of estimate/(true error) is at most 55 for collocation, 25 for rk87, 13 for rk45, 15 for orders 4 and
        5 and for averaged solutions with F, and 10 for all other routes.
    The estimate is worse for rk87, because the errors of rk87 are not proportional to its tolerance if alpha is not an
