@@ -8037,7 +8037,7 @@ VM_API void vmi_drum_sinc(vm_real x, vm_real *sinc, vm_real *cosine)
 VM_API int vm_drum_unbalance(const vm_drum *d, vm_real phi, vm_real deflection[2], vm_real slope[2])
 {
     vm_drum_shaft s;
-    vm_real size, x, sine, cosine;
+    vm_real size, x, sine, cosine, half, result[4];
     vm_real sum, sum_cosine, gap, gap_cosine; /* sin(z)/z and cos z of z = (k + 1) phi/2 and of z = (k - 1) phi/2 */
     int status;
     if (!d || !deflection || !slope) return VM_BAD_ARGUMENT;
@@ -8045,20 +8045,25 @@ VM_API int vm_drum_unbalance(const vm_drum *d, vm_real phi, vm_real deflection[2
     status = vm_drum_shaft_init(&s, d);
     if (status) return status;
     if (phi < 0) return VM_DOMAIN;
-    size = d->band / d->mass * d->radius * phi / 2; /* U phi/2 */
-    vmi_drum_sinc((s.k + 1) * phi / 2, &sum, &sum_cosine);
-    vmi_drum_sinc((s.k - 1) * phi / 2, &gap, &gap_cosine);
+    half = phi / 2;
+    size = d->band / d->mass * d->radius * half; /* U phi/2 */
+    vmi_drum_sinc((s.k + 1) * half, &sum, &sum_cosine);
+    vmi_drum_sinc((s.k - 1) * half, &gap, &gap_cosine);
     x = (sum * gap_cosine - sum_cosine * gap) / s.k;
     if (s.k < VM_C(0.5)) { /* far from the resonance this form has no division by k */
         vmi_drum_sinc(phi, &sine, &cosine);
         vmi_drum_sinc(s.k * phi, &x, &cosine);
         x = 2 * (x - sine) / ((1 - s.k) * (1 + s.k));
     }
-    if (!VM_IS_FINITE(size * phi) || !VM_IS_FINITE(s.k * phi) || !VM_IS_FINITE(size * x)) return VM_NOT_FINITE;
-    deflection[0] = size * x;
-    deflection[1] = -size * phi * sum * gap;
-    slope[0] = size * phi * sum * gap;
-    slope[1] = -size * (sum * gap_cosine + sum_cosine * gap);
+    result[0] = size * x;
+    result[1] = -size * phi * sum * gap;
+    result[2] = size * phi * sum * gap;
+    result[3] = -size * (sum * gap_cosine + sum_cosine * gap);
+    if (!vmi_all_finite(4, result)) return VM_NOT_FINITE;
+    deflection[0] = result[0];
+    deflection[1] = result[1];
+    slope[0] = result[2];
+    slope[1] = result[3];
     return VM_OK;
 }
 
@@ -13529,6 +13534,9 @@ VM_API vmi_osc_points vmi_osc_pair(const vm_osc_problem *o, int i)
     return points;
 }
 
+/* The kinds of problems, in the order of the rows of vmi_osc_first_pair */
+enum { VMI_OSC_SLOW, VMI_OSC_QUICK, VMI_OSC_BY_FUNCTION, VMI_OSC_FORCED };
+
 /* The index of the pair of runs that is tried first. Each kind of problem has a row in the table at_least, with a least
    tolerance for each pair of runs. The pair that is tried first is the first one in this row whose least tolerance is
    not above the given tolerance. `change` is the relative change of mass and stiffness while the phase grows by 1
@@ -13537,17 +13545,16 @@ VM_API vmi_osc_points vmi_osc_pair(const vm_osc_problem *o, int i)
    points are needed, because the derivative of the rate p is then found numerically. */
 VM_API int vmi_osc_first_pair(const vm_osc_problem *o, vm_real tolerance, vm_real change)
 {
-    enum { SLOW, QUICK, BY_FUNCTION, FORCED };
     static const vm_real at_least[][VMI_OSC_PAIRS] = {
         {VM_C(1e-8), VM_C(1e-9), VM_C(1e-11), 0},               /* slow */
         {VM_INFINITY, VM_C(1e-6), VM_C(1e-7), VM_C(1e-9), 0},   /* quick */
         {VM_INFINITY, VM_INFINITY, VM_C(1e-8), 0},              /* mass or stiffness by a user's function */
         {VM_INFINITY, VM_INFINITY, VM_C(1e-6), VM_INFINITY, 0}, /* forced */
     };
-    int i = 0, kind = SLOW;
-    if (change > VM_C(0.0625)) kind = QUICK;
-    if (vmi_osc_has_user_law(o)) kind = BY_FUNCTION;
-    if (o->force) kind = FORCED;
+    int i = 0, kind = VMI_OSC_SLOW;
+    if (change > VM_C(0.0625)) kind = VMI_OSC_QUICK;
+    if (vmi_osc_has_user_law(o)) kind = VMI_OSC_BY_FUNCTION;
+    if (o->force) kind = VMI_OSC_FORCED;
     while (tolerance < at_least[kind][i]) i++;
     return i;
 }

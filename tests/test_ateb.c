@@ -683,6 +683,24 @@ static void test_ln_beta(void)
     }
 }
 
+/* Where one index is small and the other large, a small I_x(a, b) is computed as 1 minus a tail near 1. In float the
+   inverse was then outside 0 to 1. */
+static void test_beta_inverse_of_small(void)
+{
+    int i;
+    for (i = 0; i < 500; i++) {
+        const vm_real a = (vm_real)uniform(9e4, 1e5), b = (vm_real)pow(10, uniform(-4, -3));
+        const vm_real tail = (vm_real)exp(-uniform(7, 12));
+        vm_real x, y, ln_x, p, q;
+        ateb_beta_inc_inv_both(tail, 1 - tail, a, b, &x, &y, &ln_x);
+        CHECK(x >= 0 && x <= 1 && y >= 0 && y <= 1 && VM_FABS(x + y - 1) <= 2 * VM_EPSILON);
+        ateb_beta_inc_both(x, y, a, b, &p, &q);
+        if (x > VM_MIN && y > VM_MIN)
+            check_error("beta_inc_inv", "small tail, there and back", "eps",
+                        fabs((double)p / (double)tail - 1) / (double)VM_EPSILON, 1000, (double)a, (double)b);
+    }
+}
+
 static void test_beta_domain(void)
 {
     const vm_real half = (vm_real)0.5, below = -half, above = 1 + half;
@@ -853,6 +871,7 @@ int main(void)
     test_phase();
     test_beta();
     test_beta_corners();
+    test_beta_inverse_of_small();
     test_beta_domain();
     test_beta_limits();
     test_ln_beta();

@@ -453,6 +453,9 @@ static void test_unbalance_limits(void)
     close_to("unbalance", "k = 1", (double)at[1], -U * sin(2), U);
     close_to("unbalance", "k = 1", (double)slope[0], U * sin(2), U);
     close_to("unbalance", "k = 1", (double)slope[1], -U / 2 * (sin(2) + 2 * cos(2)), U);
+    d.stiffness = 18; /* k < 1/2 */
+    d.band = 0;
+    CHECK(vm_drum_unbalance(&d, R(0.9) * VM_MAX, at, slope) == VM_OK && slope[0] == 0 && slope[1] == 0);
 }
 
 /* ---- Refusals ---- */

@@ -493,32 +493,35 @@ VM_API vmi_beta_point vmi_beta_point_at(vm_real t)
 }
 
 /* ln I_x(a, b) as a function of t = ln(x/y): its value, its slope (the derivative of `value` with respect to t), and
-   its bend (the derivative of ln(slope) with respect to t) */
+   its bend (the derivative of ln(slope) with respect to t). `noise` is the largest error of `value`. */
 typedef struct VM_TAG(vmi_beta_slope) {
-    vm_real value, slope, bend;
+    vm_real value, slope, bend, noise;
 } vmi_beta_slope;
 
-/* Returns ln I_x(a, b) and its derivatives with respect to t, at t = ln(x/y), with an error of about 1e-8 (float 1e-4).
-   ln_B is ln B(a, b). */
+/* Returns ln I_x(a, b) and its derivatives with respect to t, at t = ln(x/y). The error is about 1e-8 (float 1e-4), but
+   larger where I_x is computed as 1 - I_y(b, a) and is itself small. ln_B is ln B(a, b). */
 VM_API vmi_beta_slope vmi_beta_rough(vm_real t, vm_real a, vm_real b, vm_real ln_B)
 {
     const vm_real tolerance = VM_MANT_DIG > 24 ? VM_C(1e-8) : VM_C(1e-4), least_ln = VM_C(-0.69) * VMI_BIAS;
     const vm_real size = VM_FABS(t), e = vmi_ateb_exp(vmi_larger(-size, least_ln)), longer = 1 / (1 + e);
     const vm_real shorter = e * longer, ln_longer = -vmi_ateb_ln(1 + e), ln_shorter = ln_longer - size;
     vmi_beta_slope at;
-    vm_real x = shorter, y = longer, ln_density = a * ln_shorter + b * ln_longer - ln_B, f, q;
+    vm_real x = shorter, y = longer, ln_density = a * ln_shorter + b * ln_longer - ln_B, f, p;
     if (t > 0) {
         x = longer;
         y = shorter;
         ln_density = a * ln_longer + b * ln_shorter - ln_B;
     }
+    at.noise = tolerance;
     if (x * (a + b + 2) <= a + 1) {
         f = vmi_beta_fraction(x, y, a, b, tolerance);
         at.value = ln_density + vmi_ateb_ln(f);
         at.slope = 1 / f;
     } else {
-        q = vmi_beta_fraction(y, x, b, a, tolerance) * vmi_ateb_exp(vmi_larger(ln_density, least_ln));
-        at.value = vmi_ateb_ln(1 - vmi_smaller(q, 1 - tolerance));
+        p = 1 - vmi_beta_fraction(y, x, b, a, tolerance) * vmi_ateb_exp(vmi_larger(ln_density, least_ln));
+        p = vmi_larger(p, tolerance);
+        at.noise = tolerance / p;
+        at.value = vmi_ateb_ln(p);
         at.slope = vmi_ateb_exp(vmi_larger(ln_density - at.value, least_ln));
     }
     at.bend = a * y - b * x - at.slope;
@@ -554,27 +557,51 @@ VM_API vm_real vmi_beta_start(vm_real ln_p, vm_real a, vm_real b, vm_real ln_B)
     return vmi_larger(asymptote, ln_a - vmi_ateb_ln(b) - 2 * w);
 }
 
+/* Moves t to within about 1e-2 of the solution of I_x(a, b) = p, or until the rough values of ln I_x are too inaccurate
+   to come nearer. */
+VM_API vm_real vmi_beta_approach(vm_real t, vm_real ln_p, vm_real a, vm_real b, vm_real ln_B)
+{
+    const vm_real enough = VM_MANT_DIG > 24 ? VM_C(2e-3) : VM_C(2e-2); /* a shorter step ends the search */
+    const int most = 60;                                               /* largest number of steps; 12 are enough */
+    vm_real step;
+    int i;
+    for (i = 0; i < most; i++) {
+        const vmi_beta_slope rough = vmi_beta_rough(t, a, b, ln_B);
+        if (rough.noise > VM_C(0.01)) break;
+        step = vmi_beta_step(ln_p - rough.value, rough.slope, rough.bend);
+        t += step;
+        if (!(VM_FABS(step) * (1 + rough.slope) > enough)) break;
+    }
+    return t;
+}
+
+/* Returns the point that lies a short step of t = ln(x/y) from `at`, by changing x, y, ln x and ln y directly, so that
+   none of them loses digits. The error is about the third power of the step. */
+VM_API vmi_beta_point vmi_beta_moved(const vmi_beta_point *at, vm_real step)
+{
+    const vm_real half = step / 2;
+    vmi_beta_point moved;
+    moved.x = at->x + at->x * (at->y * (step * (1 + (at->y - at->x) * half)));
+    moved.y = at->y - at->y * (at->x * (step * (1 + (at->y - at->x) * half)));
+    moved.ln_x = vmi_two_sum(at->ln_x.hi, at->ln_x.lo + at->y * (step * (1 - at->x * half)));
+    moved.ln_y = vmi_two_sum(at->ln_y.hi, at->ln_y.lo - at->x * (step * (1 + at->y * half)));
+    return moved;
+}
+
 /* Returns the point where I_x(a, b) = p, from ln p, for p <= 1/2. ln I_x is a concave function of t = ln(x/y). The
    method starts at vmi_beta_start and makes steps of third order by vmi_beta_step: the error after a step is about the
-   third power of the step. The first steps use rough values of ln I_x. After the first short step, logarithms in two
-   words are used. The last step changes x, y, ln x and ln y directly instead of t. */
+   third power of the step. The first steps, those of vmi_beta_approach, use rough values of ln I_x. The others use
+   logarithms in two words. */
 VM_API vmi_beta_point vmi_beta_invert(vm_two ln_p, vm_real a, vm_real b)
 {
-    const vm_real enough = VM_MANT_DIG > 24 ? VM_C(2e-3) : VM_C(2e-2);    /* a shorter step ends the rough steps */
-    const vm_real enough_last = VM_MANT_DIG > 24 ? VM_C(1e-6) : VM_C(1e-3); /* a shorter step ends all */
-    const int most = 60; /* largest number of steps; 12 are enough */
+    const vm_real enough = VM_MANT_DIG > 24 ? VM_C(1e-6) : VM_C(1e-3); /* a shorter step is the last one */
+    const int most = 60;                                               /* largest number of steps */
     const vm_two ln_B = vmi_beta_ln(vmi_two(a, 0), vmi_two(b, 0));
-    vm_real t = vmi_beta_start(ln_p.hi, a, b, ln_B.hi), step, half;
-    vmi_beta_point at, result;
-    vmi_beta_slope rough;
-    int i = 0;
-    do {
-        rough = vmi_beta_rough(t, a, b, ln_B.hi);
-        step = vmi_beta_step(ln_p.hi - rough.value, rough.slope, rough.bend);
-        t += step;
-        i++;
-    } while (VM_FABS(step) * (1 + rough.slope) > enough && i < most);
-    for (;; i++) {
+    vm_real t = vmi_beta_start(ln_p.hi, a, b, ln_B.hi), step;
+    vmi_beta_point at;
+    int i;
+    t = vmi_beta_approach(t, ln_p.hi, a, b, ln_B.hi);
+    for (i = 0; i < most; i++) {
         vm_two density, tail, other, rest;
         vm_real slope;
         at = vmi_beta_point_at(t);
@@ -584,15 +611,11 @@ VM_API vmi_beta_point vmi_beta_invert(vm_two ln_p, vm_real a, vm_real b)
         rest = vmi_two_plus(ln_p, vmi_minus(tail));
         slope = vmi_exp(density.hi - tail.hi, density.lo - tail.lo);
         step = vmi_beta_step(rest.hi, slope, a * at.y - b * at.x - slope);
-        if (!(VM_FABS(step) * (1 + slope) > enough_last) || VM_FABS(step) <= VM_EPSILON * VM_FABS(t) || i > most) break;
+        if (!(VM_FABS(step) * (1 + slope) > enough) || VM_FABS(step) <= VM_EPSILON * VM_FABS(t))
+            return vmi_beta_moved(&at, step);
         t += step;
     }
-    half = step / 2;
-    result.x = at.x + at.x * (at.y * (step * (1 + (at.y - at.x) * half)));
-    result.y = at.y - at.y * (at.x * (step * (1 + (at.y - at.x) * half)));
-    result.ln_x = vmi_two_sum(at.ln_x.hi, at.ln_x.lo + at.y * (step * (1 - at.x * half)));
-    result.ln_y = vmi_two_sum(at.ln_y.hi, at.ln_y.lo - at.x * (step * (1 + at.y * half)));
-    return result;
+    return vmi_beta_point_at(t);
 }
 
 /* Returns the point where I_x(a, b) = p, for p > 0, q > 0 and p + q = 1, from the smaller of p and q */

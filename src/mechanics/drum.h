@@ -573,7 +573,7 @@ VM_API void vmi_drum_sinc(vm_real x, vm_real *sinc, vm_real *cosine)
 VM_API int vm_drum_unbalance(const vm_drum *d, vm_real phi, vm_real deflection[2], vm_real slope[2])
 {
     vm_drum_shaft s;
-    vm_real size, x, sine, cosine;
+    vm_real size, x, sine, cosine, half, result[4];
     vm_real sum, sum_cosine, gap, gap_cosine; /* sin(z)/z and cos z of z = (k + 1) phi/2 and of z = (k - 1) phi/2 */
     int status;
     if (!d || !deflection || !slope) return VM_BAD_ARGUMENT;
@@ -581,20 +581,25 @@ VM_API int vm_drum_unbalance(const vm_drum *d, vm_real phi, vm_real deflection[2
     status = vm_drum_shaft_init(&s, d);
     if (status) return status;
     if (phi < 0) return VM_DOMAIN;
-    size = d->band / d->mass * d->radius * phi / 2; /* U phi/2 */
-    vmi_drum_sinc((s.k + 1) * phi / 2, &sum, &sum_cosine);
-    vmi_drum_sinc((s.k - 1) * phi / 2, &gap, &gap_cosine);
+    half = phi / 2;
+    size = d->band / d->mass * d->radius * half; /* U phi/2 */
+    vmi_drum_sinc((s.k + 1) * half, &sum, &sum_cosine);
+    vmi_drum_sinc((s.k - 1) * half, &gap, &gap_cosine);
     x = (sum * gap_cosine - sum_cosine * gap) / s.k;
     if (s.k < VM_C(0.5)) { /* far from the resonance this form has no division by k */
         vmi_drum_sinc(phi, &sine, &cosine);
         vmi_drum_sinc(s.k * phi, &x, &cosine);
         x = 2 * (x - sine) / ((1 - s.k) * (1 + s.k));
     }
-    if (!VM_IS_FINITE(size * phi) || !VM_IS_FINITE(s.k * phi) || !VM_IS_FINITE(size * x)) return VM_NOT_FINITE;
-    deflection[0] = size * x;
-    deflection[1] = -size * phi * sum * gap;
-    slope[0] = size * phi * sum * gap;
-    slope[1] = -size * (sum * gap_cosine + sum_cosine * gap);
+    result[0] = size * x;
+    result[1] = -size * phi * sum * gap;
+    result[2] = size * phi * sum * gap;
+    result[3] = -size * (sum * gap_cosine + sum_cosine * gap);
+    if (!vmi_all_finite(4, result)) return VM_NOT_FINITE;
+    deflection[0] = result[0];
+    deflection[1] = result[1];
+    slope[0] = result[2];
+    slope[1] = result[3];
     return VM_OK;
 }
 

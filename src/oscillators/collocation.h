@@ -84,6 +84,9 @@ VM_API vmi_osc_points vmi_osc_pair(const vm_osc_problem *o, int i)
     return points;
 }
 
+/* The kinds of problems, in the order of the rows of vmi_osc_first_pair */
+enum { VMI_OSC_SLOW, VMI_OSC_QUICK, VMI_OSC_BY_FUNCTION, VMI_OSC_FORCED };
+
 /* The index of the pair of runs that is tried first. Each kind of problem has a row in the table at_least, with a least
    tolerance for each pair of runs. The pair that is tried first is the first one in this row whose least tolerance is
    not above the given tolerance. `change` is the relative change of mass and stiffness while the phase grows by 1
@@ -92,17 +95,16 @@ VM_API vmi_osc_points vmi_osc_pair(const vm_osc_problem *o, int i)
    points are needed, because the derivative of the rate p is then found numerically. */
 VM_API int vmi_osc_first_pair(const vm_osc_problem *o, vm_real tolerance, vm_real change)
 {
-    enum { SLOW, QUICK, BY_FUNCTION, FORCED };
     static const vm_real at_least[][VMI_OSC_PAIRS] = {
         {VM_C(1e-8), VM_C(1e-9), VM_C(1e-11), 0},               /* slow */
         {VM_INFINITY, VM_C(1e-6), VM_C(1e-7), VM_C(1e-9), 0},   /* quick */
         {VM_INFINITY, VM_INFINITY, VM_C(1e-8), 0},              /* mass or stiffness by a user's function */
         {VM_INFINITY, VM_INFINITY, VM_C(1e-6), VM_INFINITY, 0}, /* forced */
     };
-    int i = 0, kind = SLOW;
-    if (change > VM_C(0.0625)) kind = QUICK;
-    if (vmi_osc_has_user_law(o)) kind = BY_FUNCTION;
-    if (o->force) kind = FORCED;
+    int i = 0, kind = VMI_OSC_SLOW;
+    if (change > VM_C(0.0625)) kind = VMI_OSC_QUICK;
+    if (vmi_osc_has_user_law(o)) kind = VMI_OSC_BY_FUNCTION;
+    if (o->force) kind = VMI_OSC_FORCED;
     while (tolerance < at_least[kind][i]) i++;
     return i;
 }

@@ -165,7 +165,8 @@ static void check_compound(void)
     }
     HOLDS(cut.rest.mass > 0 && cut.rest.inertia > 0 && is_finite(cut.rest.rate) && cut.T1 >= 0 && cut.T_S2 >= 0);
     all_tame = tame(p.mass) && tame(p.x) && tame(p.y) && tame(p.inertia) && tame(p.rate) && tame(part.ux) &&
-               tame(part.uy) && tame(part.Omega) && tame(part.x) && tame(part.y);
+               tame(part.uy) && tame(part.Omega) && tame(part.x) && tame(part.y) && tame(part.mass) &&
+               tame(part.inertia);
     if (!all_tame) return;
     HOLDS(fabs((double)(cut.L1 + cut.L2) - (double)(p.inertia * p.rate)) <=
           64 * EPS * (fabs((double)cut.L1) + fabs((double)cut.L2) + fabs((double)(p.inertia * p.rate)) +
