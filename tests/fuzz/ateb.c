@@ -205,7 +205,8 @@ static void check_beta_inverse(void)
         HOLDS(within(p2, p, (40 * (double)(p < R(0.5) ? p : 1 - p) + 40 * moves + 2) * EPS));
     }
     if (p < 1)
-        HOLDS(ateb_beta_inc_inv(neighbour(p, 1), a, b) >= ateb_beta_inc_inv(p, a, b) * (1 - 64 * VM_EPSILON));
+        HOLDS(ateb_beta_inc_inv(neighbour(p, 1), a, b) >=
+              ateb_beta_inc_inv(p, a, b) * (1 - 64 * VM_EPSILON) - 2 * SMALLEST);
 }
 
 static void check_means(void)

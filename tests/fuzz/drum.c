@@ -106,7 +106,7 @@ static void check_rigid(void)
     }
     if (!(phi < R(0.9) * stop) || phi > 7) return;
     HOLDS(rate > 0 && t >= 0);
-    HOLDS(vm_drum_time(&d, neighbour(phi, 1)) >= t * (1 - 8 * VM_EPSILON));
+    HOLDS(vm_drum_time(&d, neighbour(phi, 1)) >= t * (1 - 8 * VM_EPSILON) - 2 * SMALLEST);
     HOLDS(within(vm_drum_angle(&d, t), phi, 16 * EPS * ((double)phi + (double)rate * (double)t)));
     check_published(&d, t);
 }

@@ -88,6 +88,8 @@ static vm_real draw_log(double low, double high)
     return drawn(x < low ? low : x > high ? high : x);
 }
 
+#define SMALLEST (VM_MIN * VM_EPSILON) /* the smallest positive number, and the distance of subnormal numbers */
+
 static vm_real neighbour(vm_real x, int steps)
 {
     for (; steps > 0; steps--) x = VM_LIBM(nextafter)(x, VM_INFINITY);
@@ -103,7 +105,7 @@ static vm_real special(void)
     if (i < n) return R(values[i]);
     if (i == n) return VM_EPSILON;
     if (i == n + 1) return VM_MIN;
-    if (i == n + 2) return VM_MIN * VM_EPSILON;
+    if (i == n + 2) return SMALLEST;
     if (i == n + 3) return VM_MAX;
     return i == n + 4 ? VM_INFINITY : VM_NAN;
 }
