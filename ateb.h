@@ -153,16 +153,18 @@
        ateb_plan_init_to              Prepares a plan for alpha >= 0 and a given accuracy
        ateb_plan_init                 Prepares a plan of full accuracy for alpha >= 0
 
-     ateb/beta: beta functions, their inverses, and mean values of sa and ca
+     ateb/beta: beta functions, and mean values of sa and ca
        ateb_beta                      The complete beta function B(a, b), for a and b from 1e-4 to 1e5
        ateb_ln_beta                   The logarithm of the complete beta function, ln B(a, b), for a and b from 1e-30 to 1e30
        ateb_beta_inc_both             The regularised incomplete beta function p = I_x(a, b) and q = 1 - p
        ateb_beta_inc                  The regularised incomplete beta function I_x(a, b), for 0 <= x <= 1
        ateb_ln_beta_inc               The logarithm of the regularised incomplete beta function, ln I_x(a, b), for 0 <= x <= 1
-       ateb_beta_inc_inv_both         The inverse of ateb_beta_inc_both
-       ateb_beta_inc_inv              The inverse of ateb_beta_inc
        ateb_mean_nm                   The mean of |sa(n, m, s)|^p |ca(m, n, s)|^q over a period, with or without the signs of sa and ca
        ateb_mean                      The mean of |sa|^p |ca|^q over a period, for alpha >= 0 and p, q > -1
+
+     ateb/beta_inverse: inverse of the incomplete beta function
+       ateb_beta_inc_inv_both         The inverse of ateb_beta_inc_both
+       ateb_beta_inc_inv              The inverse of ateb_beta_inc
 
      ateb/two_indices: Ateb functions with two indices, sa(n, m, s) and ca(m, n, s)
        ateb_pi_nm                     Pi(n, m), half the period of sa(n, m, s) and ca(m, n, s)
@@ -2968,7 +2970,7 @@ VM_API int ateb_plan_init_to(ateb_plan *p, vm_real alpha, vm_real accuracy)
 VM_API int ateb_plan_init(ateb_plan *p, vm_real alpha) { return ateb_plan_init_to(p, alpha, 0); }
 
 #endif
-/* ateb/beta.h - beta functions, their inverses, and mean values of sa and ca
+/* ateb/beta.h - beta functions, and mean values of sa and ca
 
    B(a, b) is the complete beta function, I_x(a, b) the regularised incomplete one, 0 <= I_x <= 1. Ateb functions are
    inverses of incomplete beta functions, and their mean values are quotients of complete beta functions (316).
@@ -3365,8 +3367,9 @@ VM_API int vmi_beta_limit_side(vm_real a, vm_real b)
 /* The regularised incomplete beta function p = I_x(a, b) and q = 1 - p. They are computed from the smaller of x and
    y = 1 - x: give this number with all its digits. For a and b from 1e-3 to 1e4 the errors of p and q are at most 30
    ulp each. a and b may also lie between 1e-4 and 1e5, where the function is less accurate and slower. If a or b is 0
-   or infinite, p is the limit: 1 for x > 0 if all of the distribution moves to x = 0, and 0 for x < 1 if it moves to
-   x = 1. The results are NaN for other a or b, if there is no limit, if x or y is negative, and if x + y is not 1.
+   or infinite, p is the limit of I_x(a, b): 1 for x > 0 if a is 0 or b infinite, and 0 for x < 1 if b is 0 or a
+   infinite. If both conditions hold, as for a = b = 0, there is no limit. The results are NaN for other a or b, if
+   there is no limit, if x or y is negative, and if x + y is not 1.
    docs/cost.md has the time of a call. DLMF 8.17, equation (273). */
 VM_API void ateb_beta_inc_both(vm_real x, vm_real y, vm_real a, vm_real b, vm_real *p, vm_real *q)
 {
@@ -3436,6 +3439,49 @@ VM_API vm_real ateb_ln_beta_inc(vm_real x, vm_real a, vm_real b)
     vmi_beta_logarithms(vmi_two(x, 0), vmi_two_sum(1, -x), a, b, &ln_p, &ln_q);
     return ln_p.hi;
 }
+
+/* Signs that ateb_mean_nm can put before the powers: that of sa, that of ca, or both (their sum) */
+enum { ATEB_SIGN_OF_SA = 1, ATEB_SIGN_OF_CA = 2 };
+
+/* The mean of |sa(n, m, s)|^p |ca(m, n, s)|^q over a period, with or without the signs of sa and ca.
+   The indices n and m of sa and ca lie between 0 and 1e30. The powers p and q are above -1 and at most 1e6. signs is 0,
+   ATEB_SIGN_OF_SA, ATEB_SIGN_OF_CA or their sum. A power with the sign of its base, such as sa^3, is odd, so that the
+   mean is 0. For example, the mean of sa^2 ca^3 is ateb_mean_nm(n, m, 2, 3, ATEB_SIGN_OF_CA). The mean without signs is
+   B((p+1)/(n+1), (q+1)/(m+1))/B(1/(n+1), 1/(m+1)), with an error of at most 2 ulp. Returns NaN for an argument outside
+   these limits. Equation (316). */
+VM_API vm_real ateb_mean_nm(vm_real n, vm_real m, vm_real p, vm_real q, int signs)
+{
+    const vm_real largest_index = VM_C(1e30), largest_power = VM_C(1e6);
+    const vm_two one = {1, 0};
+    vm_two n1, m1, ln_above, ln_below, ln_mean;
+    if (!(n >= 0) || !(n <= largest_index) || !(m >= 0) || !(m <= largest_index)) return VM_NAN;
+    if (!(p > -1) || !(q > -1) || !(p <= largest_power) || !(q <= largest_power)) return VM_NAN;
+    if (signs < 0 || signs > ATEB_SIGN_OF_SA + ATEB_SIGN_OF_CA) return VM_NAN;
+    if (signs != 0) return 0;
+    n1 = vmi_two_sum(n, 1);
+    m1 = vmi_two_sum(m, 1);
+    ln_above = vmi_beta_ln(vmi_two_over(vmi_two_sum(p, 1), n1), vmi_two_over(vmi_two_sum(q, 1), m1));
+    ln_below = vmi_beta_ln(vmi_two_over(one, n1), vmi_two_over(one, m1));
+    ln_mean = vmi_two_plus(ln_above, vmi_minus(ln_below));
+    return vmi_exp(ln_mean.hi, ln_mean.lo);
+}
+
+/* The mean of |sa|^p |ca|^q over a period, for alpha >= 0 and p, q > -1. Averaged equations of oscillators need this
+   mean. alpha may be up to 1e30, p and q up to 1e6; for larger numbers the result is NaN. The error is at most 2 ulp.
+   ateb_mean_nm computes means for two indices and with signs. Equation (316). */
+VM_API vm_real ateb_mean(vm_real alpha, vm_real p, vm_real q) { return ateb_mean_nm(1, alpha, p, q, 0); }
+
+#endif
+/* ateb/beta_inverse.h - inverse of the incomplete beta function
+
+   p is I_x(a, b), as in ateb/beta.h, q is 1 - p, and y is 1 - x.
+
+       vm_real x = ateb_beta_inc_inv(VM_C(0.3), VM_C(0.5), 2); // I_x(0.5, 2) = 0.3
+
+   Method: ln I_x(a, b) is a concave function of t = ln(x/y). Steps of third order find the t where it is ln p. The
+   first steps use rough values of ln I_x, the others logarithms in two words. Tests: tests/test_ateb.c. */
+#ifndef VARMASS_ATEB_BETA_INVERSE_H
+#define VARMASS_ATEB_BETA_INVERSE_H
 
 /* Returns the point with x/y = e^t, where y = 1 - x. ln x and ln y are computed from the rounded value of e^-|t|, so
    that x + y = 1 in two words. */
@@ -3525,13 +3571,12 @@ VM_API vm_real vmi_beta_start(vm_real ln_p, vm_real a, vm_real b, vm_real ln_B)
 VM_API vm_real vmi_beta_approach(vm_real t, vm_real ln_p, vm_real a, vm_real b, vm_real ln_B)
 {
     const vm_real enough = VM_MANT_DIG > 24 ? VM_C(2e-3) : VM_C(2e-2); /* a shorter step ends the search */
-    const int most = 60;                                               /* largest number of steps; 12 are enough */
-    vm_real step;
+    const int most = 60; /* largest number of steps; in double 12 are enough */
     int i;
     for (i = 0; i < most; i++) {
         const vmi_beta_slope rough = vmi_beta_rough(t, a, b, ln_B);
+        const vm_real step = vmi_beta_step(ln_p - rough.value, rough.slope, rough.bend);
         if (rough.noise > VM_C(0.01)) break;
-        step = vmi_beta_step(ln_p - rough.value, rough.slope, rough.bend);
         t += step;
         if (!(VM_FABS(step) * (1 + rough.slope) > enough)) break;
     }
@@ -3592,8 +3637,9 @@ VM_API vmi_beta_point vmi_beta_invert_both(vm_real p, vm_real q, vm_real a, vm_r
    of p and q = 1 - p: give this number with all its digits. ln x is also right where x underflows. For a and b from
    1e-3 to 1e4 the errors of x, y and ln x are at most 16 ulp plus the changes that one ulp of the smaller of p and q
    makes. a and b may also lie between 1e-4 and 1e5, where the function is less accurate and slower. If a or b is 0 or
-   infinite, x is the limit: 0 for p < 1 if all of the distribution moves to x = 0, and 1 for p > 0 if it moves to
-   x = 1. The results are NaN for other a or b, if there is no limit, if p or q is negative, and if p + q is not 1.
+   infinite, x is the limit: 0 for p < 1 if a is 0 or b infinite, and 1 for p > 0 if b is 0 or a infinite. If both
+   conditions hold, there is no limit. The results are NaN for other a or b, if there is no limit, if p or q is
+   negative, and if p + q is not 1.
    docs/cost.md has the time of a call. */
 VM_API void ateb_beta_inc_inv_both(vm_real p, vm_real q, vm_real a, vm_real b, vm_real *x, vm_real *y,
                                    vm_real *ln_x)
@@ -3630,37 +3676,6 @@ VM_API vm_real ateb_beta_inc_inv(vm_real p, vm_real a, vm_real b)
     return x;
 }
 
-/* Signs that ateb_mean_nm can put before the powers: that of sa, that of ca, or both (their sum) */
-enum { ATEB_SIGN_OF_SA = 1, ATEB_SIGN_OF_CA = 2 };
-
-/* The mean of |sa(n, m, s)|^p |ca(m, n, s)|^q over a period, with or without the signs of sa and ca.
-   The indices n and m of sa and ca lie between 0 and 1e30. The powers p and q are above -1 and at most 1e6. signs is 0,
-   ATEB_SIGN_OF_SA, ATEB_SIGN_OF_CA or their sum. A power with the sign of its base, such as sa^3, is odd, so that the
-   mean is 0. For example, the mean of sa^2 ca^3 is ateb_mean_nm(n, m, 2, 3, ATEB_SIGN_OF_CA). The mean without signs is
-   B((p+1)/(n+1), (q+1)/(m+1))/B(1/(n+1), 1/(m+1)), with an error of at most 2 ulp. Returns NaN for an argument outside
-   these limits. Equation (316). */
-VM_API vm_real ateb_mean_nm(vm_real n, vm_real m, vm_real p, vm_real q, int signs)
-{
-    const vm_real largest_index = VM_C(1e30), largest_power = VM_C(1e6);
-    const vm_two one = {1, 0};
-    vm_two n1, m1, ln_above, ln_below, ln_mean;
-    if (!(n >= 0) || !(n <= largest_index) || !(m >= 0) || !(m <= largest_index)) return VM_NAN;
-    if (!(p > -1) || !(q > -1) || !(p <= largest_power) || !(q <= largest_power)) return VM_NAN;
-    if (signs < 0 || signs > ATEB_SIGN_OF_SA + ATEB_SIGN_OF_CA) return VM_NAN;
-    if (signs != 0) return 0;
-    n1 = vmi_two_sum(n, 1);
-    m1 = vmi_two_sum(m, 1);
-    ln_above = vmi_beta_ln(vmi_two_over(vmi_two_sum(p, 1), n1), vmi_two_over(vmi_two_sum(q, 1), m1));
-    ln_below = vmi_beta_ln(vmi_two_over(one, n1), vmi_two_over(one, m1));
-    ln_mean = vmi_two_plus(ln_above, vmi_minus(ln_below));
-    return vmi_exp(ln_mean.hi, ln_mean.lo);
-}
-
-/* The mean of |sa|^p |ca|^q over a period, for alpha >= 0 and p, q > -1. Averaged equations of oscillators need this
-   mean. alpha may be up to 1e30, p and q up to 1e6; for larger numbers the result is NaN. The error is at most 2 ulp.
-   ateb_mean_nm computes means for two indices and with signs. Equation (316). */
-VM_API vm_real ateb_mean(vm_real alpha, vm_real p, vm_real q) { return ateb_mean_nm(1, alpha, p, q, 0); }
-
 #endif
 /* ateb/two_indices.h - Ateb functions with two indices, sa(n, m, s) and ca(m, n, s)
 
@@ -3672,7 +3687,7 @@ VM_API vm_real ateb_mean(vm_real alpha, vm_real p, vm_real q) { return ateb_mean
        vm_real sa, ca;
        ateb_saca_nm(VM_C(0.7), 2, 3, &sa, &ca);
 
-   Method: inversion of the incomplete beta function (ateb/beta.h). Tests: tests/test_ateb.c. */
+   Method: inversion of the incomplete beta function (ateb/beta_inverse.h). Tests: tests/test_ateb.c. */
 #ifndef VARMASS_ATEB_TWO_INDICES_H
 #define VARMASS_ATEB_TWO_INDICES_H
 

@@ -3435,9 +3435,14 @@ VM_API vm_real vmi_rc_of_1(vm_real y)
 /* Returns R_C(x, y) for x >= 0 and y != 0. For y < 0 it is Cauchy's principal value (DLMF 19.2.17, 19.2.20). */
 VM_API vm_real vmi_rc(vm_real x, vm_real y)
 {
-    if (y < 0) return VM_SQRT(x / (x - y)) * vmi_rc(x - y, -y);
-    if (2 * x < y) return vmi_arctan(VM_SQRT(y - x), VM_SQRT(x)) / VM_SQRT(y - x);
-    return vmi_rc_of_1(y / x) / VM_SQRT(x);
+    vm_real factor = 1;
+    if (y < 0) {
+        factor = VM_SQRT(x / (x - y));
+        x -= y;
+        y = -y;
+    }
+    if (2 * x < y) return factor * (vmi_arctan(VM_SQRT(y - x), VM_SQRT(x)) / VM_SQRT(y - x));
+    return factor * (vmi_rc_of_1(y / x) / VM_SQRT(x));
 }
 
 /* Returns R_F(x, y, z), and R_J(x, y, z, p) in *rj, for p > 0 and arguments x, y, z >= 0 of which at most one is 0. The

@@ -1782,8 +1782,10 @@ VM_API int vm_euler_313_angles(vm_quat q, vm_real angles[3])
     p.im = vmi_two(q.z, 0);
     r.re = vmi_two(q.x, 0);
     r.im = vmi_two(q.y, 0);
-    vmi_euler_first_and_third(p, r, vmi_sum_of_products(q.w, q.y, q.x, q.z),
-                              vmi_sum_of_products(q.x, q.z, -q.w, q.y), angles);
+    if (!vmi_euler_is_none(&p)) vmi_euler_scale(&p); /* so that no product below loses digits to underflow */
+    if (!vmi_euler_is_none(&r)) vmi_euler_scale(&r);
+    vmi_euler_first_and_third(p, r, vmi_sum_of_products(p.re.hi, r.im.hi, r.re.hi, p.im.hi),
+                              vmi_sum_of_products(r.re.hi, p.im.hi, -p.re.hi, r.im.hi), angles);
     angles[1] = 2 * vmi_atan2(vmi_hypot(q.x, q.y), vmi_hypot(q.w, q.z));
     return VM_OK;
 }
@@ -2907,11 +2909,11 @@ VM_API int vm_separate2(const vm_body2 *whole, const vm_body2 *part, const vm_im
     return vmi_jump2(whole, 1, part, VMI_SEPARATE, external_or_NULL, rest);
 }
 
-/* Attachment of one body to another in the plane (plastic impact): *whole is the body that the two form together. The
-   caller sets vx, vy and omega of *body and *added to the motions just before the impact. The impulse, if there is one,
-   acts during the impact. The whole has the angle of `body`. The statuses are those of vm_separate2. VM_NULL_AXIS means
-   that the bodies are points at one position, and that the impulse would turn them; the omega of the whole is then that
-   of `body`. */
+/* Attachment of one body to another in the plane (plastic impact): *whole is the body that the two form together.
+   Before the call, set the fields vx, vy and omega of both bodies, *body and *added, to their values just before the
+   impact. The impulse, if there is one, acts during the impact. The whole has the angle of `body`. The statuses are
+   those of vm_separate2. VM_NULL_AXIS means that the bodies are points at one position, and that the impulse would turn
+   them; the omega of the whole is then that of `body`. */
 VM_API int vm_attach2(const vm_body2 *body, const vm_body2 *added, const vm_impulse2 *external_or_NULL,
                       vm_body2 *whole)
 {
@@ -4515,8 +4517,9 @@ VM_API void vm_lagrange_add_force(int n, vm_vec3 force, const vm_vec3 *dr_or_NUL
 
 /* Adds the share of a body to the mass matrix of the kinetic energy T = qdot^T matrix qdot/2.
    dr and turn have n vectors: dr[i] = dv/dqdot_i and turn[i] = domega/dqdot_i. v is the velocity of the body's mass
-   centre, and omega the body's angular velocity. If dr or turn is NULL, its term is 0. If body or matrix is NULL, the
-   function does nothing. */
+   centre, and omega the body's angular velocity. With the mass M and the inertia I of the body, about its mass centre
+   and along inertial axes, the element (i, j) grows by M dr[i].dr[j] + turn[i].(I turn[j]). If dr or turn is NULL, the
+   term with it is left out. If body or matrix is NULL, the function does nothing. */
 VM_API void vm_lagrange_mass(int n, const vm_body *body, const vm_vec3 *dr_or_NULL, const vm_vec3 *turn_or_NULL,
                              vm_real *matrix)
 {
@@ -4540,7 +4543,9 @@ VM_API void vm_lagrange_mass(int n, const vm_body *body, const vm_vec3 *dr_or_NU
 
 /* Adds to p the generalized momentum of a body.
    It is computed from the velocity body->v and the angular velocity body->omega. p has n numbers. vm_lagrange_mass
-   explains dr and turn. If dr or turn is NULL, its term is 0. If body or p is NULL, the function does nothing. */
+   explains dr and turn. The number i grows by the scalar product of dr[i] and the momentum, plus that of turn[i] and
+   the angular momentum about the mass centre. If dr or turn is NULL, the product with it is left out. If body or p is
+   NULL, the function does nothing. */
 VM_API void vm_lagrange_momentum(int n, const vm_body *body, const vm_vec3 *dr_or_NULL, const vm_vec3 *turn_or_NULL,
                                  vm_real *p)
 {
@@ -4550,8 +4555,9 @@ VM_API void vm_lagrange_momentum(int n, const vm_body *body, const vm_vec3 *dr_o
 
 /* Adds to p the generalized impulse (95) of an impulse on a body with the mass centre r.
    r is in m, in inertial axes. The moment of the impulse is taken about r; equation (23a) does not name the point. p
-   has n numbers. vm_lagrange_mass explains dr and turn. If dr or turn is NULL, its term is 0. If impulse or p is NULL,
-   the function does nothing. */
+   has n numbers. vm_lagrange_mass explains dr and turn. The number i grows by the scalar product of dr[i] and the
+   impulse, plus that of turn[i] and its moment. If dr or turn is NULL, the product with it is left out. If impulse or p
+   is NULL, the function does nothing. */
 VM_API void vm_lagrange_impulse(int n, const vm_impulse *impulse, vm_vec3 r, const vm_vec3 *dr_or_NULL,
                                 const vm_vec3 *turn_or_NULL, vm_real *p)
 {
@@ -7405,7 +7411,9 @@ VM_API vm_real vmi_kepler_reduce(vm_real beta, vm_real t)
    the centre, or G (M1 + M2) if r0 and v0 belong to two bodies, one relative to the other. t may be negative. The orbit
    may be an ellipse, a parabola, a hyperbola or a straight line; on a straight line the body turns back at the centre.
    Errors of a few eps in t, r0, v0 and mu would change the result; the error of the function is as large as this
-   change. This error grows with the number of revolutions. A call takes about as long as 50 calls of sin. Returns
+   change. This error grows with the number of revolutions. There is one exception: if v0 points towards the centre,
+   apart from a small angle of phi rad, the error after the passage of the centre can be 10/phi times as large. A call
+   takes about as long as 50 calls of sin. Returns
    VM_BAD_ARGUMENT for a null pointer; VM_NOT_FINITE if an argument or the result is infinite or NaN; VM_DOMAIN for mu
    <= 0 or r0 = 0; VM_OK otherwise. */
 VM_API int vm_orbit(vm_real t, vm_real mu, vm_vec3 r0, vm_vec3 v0, vm_vec3 *r, vm_vec3 *v)
@@ -12834,7 +12842,9 @@ VM_API void vmi_gauss_rule_grade(vmi_gauss_rule *rule)
      (ln A)' = -p + W E sa ca - 2/(alpha+1) f sa,   psi' = W (1 + (alpha+1)/2 E ca^2) - f ca,
    with
      E = (p^2 - a p - p')/W^2,   f = F/(m V),   V = 2 A W/(alpha+1).
-   The rates p, a and W are explained in oscillators/reduction.h. The equations are solved with psi as the independent
+   sa and ca are the Ateb sine and cosine of psi, m is the mass and alpha the exponent of the spring. p is the slow rate
+   at which A decreases, a = (reactive m' + b)/m with the damping b, and W is the rate of psi for constant mass and
+   stiffness. The equations are solved with psi as the independent
    variable: each step integrates ln A and t from one zero of x to the next. For most alpha the force of the spring is
    not smooth at x = 0. But the steps end at x = 0, so this point never lies inside a step, where it would cause the
    largest errors.
@@ -14856,9 +14866,11 @@ VM_API vm_real vmi_orbit_spring_action(const vmi_orbit_ripple *r, const vmi_orbi
    orbit around 0 and phi for an orbit in a well, and let Omega be the rate of zeta. Let q be the nome of the parameter
    m of Jacobi's functions; for 0 < m < 1 it is exp(-pi K(1-m)/K(m)). Then
        a = sum over n >= 1 of a_n sin(n zeta),   a_n = -(2 Omega/(3 c3)) (2 c1 + n^2 Omega^2) q^n/(1 - q^(2n)).
-   Method: v^2 is a polynomial in sn^2(u) with the argument u of Jacobi's functions. The integral of sn^4 follows from
-   the derivative of sn cn dn, and the integral of sn^2 has Jacobi's zeta function Z(u) as its periodic part. sn cn dn
-   is -Z''/(2m). So a is a combination of Z and Z'', whose Fourier series is that of Z (DLMF 22.11, 22.16(iii)).
+   Method: a is the periodic part of an integral of v^2 over time, and v^2 is a polynomial in sn^2(u) with the argument
+   u of Jacobi's functions. So the integrals of sn^2 and sn^4 are needed. The integral of sn^2 is a multiple of u minus
+   Z(u)/m, where Jacobi's zeta function Z is periodic. Because (sn cn dn)' = 1 - 2 (1 + m) sn^2 + 3 m sn^4, the integral
+   of sn^4 consists of u, the integral of sn^2 and sn cn dn = -Z''/(2m). So a is a combination of Z and Z'', and the
+   Fourier series of both follow from that of Z (DLMF 22.11, 22.16(iii)).
        vmi_orbit_ripple ripple;
        vmi_duffing_ripple(&orbit, &ripple); // orbit is a complete orbit of vm_duffing_force
    Tests: tests/test_odd_force.c. */
@@ -20112,10 +20124,11 @@ VM_API int vm_periodic_init(vm_periodic *p)
 
 /* Sets the shape of a periodic force from n samples g[i] = g(2 pi i/n) over one period. Writes only the fields cosine
    and sine of *p. The coefficients of all harmonics up to the ninth whose order is below n/2 are computed; all other
-   coefficients become 0. Apart from rounding the result is exact if g has no harmonics of an order >= n/2. The samples
-   may be those of ca, of Jacobi's cn or of a rectangle; harmonics above the ninth excite the vibration only little. The
-   function takes about as long as the computation of 9 n sines. Returns VM_BAD_ARGUMENT for a null pointer or n < 1,
-   VM_NOT_FINITE for a sample that is infinite or NaN, and VM_OK otherwise. An error leaves *p as it was. */
+   coefficients become 0. Apart from rounding the result is exact if g has no harmonics of an order >= n/2. g may
+   have any shape, such as a rectangular wave. Its harmonics above the ninth are left out, since they excite the
+   vibration only little. The function takes about as long as the computation of 9 n sines. Returns VM_BAD_ARGUMENT for
+   a null pointer or n < 1, VM_NOT_FINITE for a sample that is infinite or NaN, and VM_OK otherwise. An error leaves *p
+   as it was. */
 VM_API int vm_periodic_from_samples(vm_periodic *p, int n, const vm_real *g)
 {
     int k, i;
@@ -24887,8 +24900,9 @@ VM_API vm_event vm_then_all(vm_event event, vm_event *actions, int n)
    can also take up or give off a point. The functions whose names end in _on_line (for a line or an axle) and
    _in_plane do the same as vm_then_separate and vm_then_attach, but only for these kinds of motion, and make the
    program smaller (docs/scene-sizes.md). If a point takes up a body at another place, the angular momentum of both
-   bodies about their common mass centre is lost, since a point does not rotate; angular_defect of the budget shows
-   this loss.
+   bodies about their common mass centre is lost, since a point does not rotate. If the scene has a budget, which
+   compares momentum and energy with the effects on them (vm_budget in scene.h), its field angular_defect shows this
+   loss.
 
    A run ends with VM_IS_THERE if a part would become a body that is present already, with VM_IS_AWAY if a body that
    jumps is not present, and with the errors of vm_separate and vm_attach. vm_scene_start returns VM_BAD_MOTION if the

@@ -144,6 +144,7 @@ VMI_QUIET_BEGIN
 #include "ateb/integrals.h"
 #include "ateb/plans.h"
 #include "ateb/beta.h"
+#include "ateb/beta_inverse.h"
 #include "ateb/two_indices.h"
 
 VMI_QUIET_END

@@ -46,8 +46,8 @@ options() { # options HEADER
             "-eva-subdivide-non-linear-function $series -eva-split-return-function ateb_plan_init_to:0" ;;
     integrators)
         echo "-eva-slevel-function vmi_init:20,vmi_ode_init:20,rk45_init:20,rk87_init:20" \
-            "-eva-slevel-function eva_rk45:20,eva_rk45_event:20,eva_rk87:20,eva_rk87_event:20" \
-            "-eva-split-return-function vmi_init:-1,vmi_ode_init:-1,rk45_init:-1,rk87_init:-1" ;;
+            "-eva-slevel-function $(for i in rk45 rk87; do for j in "" _event _saved _at; do printf "eva_%s%s:20," $i $j; done; done | sed "s|,\$||")" \
+            "-eva-split-return-function vmi_init:0,vmi_ode_init:0,rk45_init:0,rk87_init:0" ;;
     esac
 }
 
@@ -81,6 +81,7 @@ for header in jacobi ateb integrators; do
     check "EVA: $header.h is understood" prepare $header
     check "EVA: every public function of $header.h is called" complete $header
 done
+: >"$build/alarms"
 some=${*:-$(for header in jacobi ateb integrators; do programs $header; done)}
 for program in $some; do command_for $program; done | xargs -P "$(nproc 2>/dev/null || echo 2)" -I{} sh -c '{}'
 for program in $some; do

@@ -21,6 +21,9 @@ void eva_saca(void)
 void eva_phase(void) { sink[0] = ateb_phase(any, any, any); }
 void eva_saca_nm(void) { ateb_saca_nm(any, any, any, sink, sink + 1); }
 void eva_beta(void) { sink[0] = ateb_beta(any, any); }
+void eva_ln_beta(void) { sink[0] = ateb_ln_beta(any, any); }
+void eva_ln_beta_inc(void) { sink[0] = ateb_ln_beta_inc(any, any, any); }
+void eva_mean_nm(void) { sink[0] = ateb_mean_nm(any, any, any, any, any_int); }
 
 void eva_beta_inc(void)
 {

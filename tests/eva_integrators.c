@@ -63,6 +63,7 @@ static rk45_options any_options(ode_event *e, vm_real *atol)
         e->action = any_int;
         e->checks = any_int;
         e->change = any_int ? change : NULL;
+        e->stop_after = any_long;
         e->room = any_long;
         e->times = NULL;
         e->states = NULL;
@@ -96,22 +97,33 @@ void eva_refusals(void)
     rk45_solve_with(NULL, right_hand_side, 2, any);
     rk45_interpolate(NULL, any, y);
     rk45_restart(NULL, any, y);
+    rk45_solve_at(NULL, any_int, y, y, NULL);
+    rk45_save(NULL, any_long, NULL);
+    rk45_resume(NULL, any_long, NULL);
     rk87_step(NULL);
     rk87_solve(NULL, any);
     rk87_solve_with(NULL, right_hand_side, 2, any);
     rk87_interpolate(NULL, any, y);
     rk87_restart(NULL, any, y);
+    rk87_solve_at(NULL, any_int, y, y, NULL);
+    rk87_save(NULL, any_long, NULL);
+    rk87_resume(NULL, any_long, NULL);
 }
 
+/* The run is made twice, so that it has numbers everywhere: EVA does not keep the statuses of the second call apart. */
 #define ADAPTIVE(name, method, WORK, event_or_NULL)                                                \
     void eva_##name(void)                                                                          \
     {                                                                                              \
         vm_real y[2] = {any, any}, work[WORK(2)], atol[2];                                         \
         ode_event e;                                                                               \
         const rk45_options o = any_options(event_or_NULL, atol);                                   \
+        rk45_options plain = rk45_defaults(NULL);                                                  \
         rk45 s;                                                                                    \
         (void)e;                                                                                   \
-        if (method##_init(&s, right_hand_side, NULL, 2, any, y, any_int ? &o : NULL, work) < 0) return; \
+        plain.events = o.events;                                                                   \
+        plain.n_events = o.n_events;                                                               \
+        if (method##_init(&s, right_hand_side, NULL, 2, any, y, &plain, work) < 0) return;         \
+        if (method##_init(&s, right_hand_side, NULL, 2, any, y, &o, work) < 0) return;             \
         method##_step(&s);                                                                         \
         method##_interpolate(&s, any, y);                                                          \
         method##_restart(&s, any, y);                                                              \
@@ -123,3 +135,35 @@ ADAPTIVE(rk45, rk45, RK45_WORK, NULL)
 ADAPTIVE(rk45_event, rk45, RK45_WORK, &e)
 ADAPTIVE(rk87, rk87, RK87_WORK, NULL)
 ADAPTIVE(rk87_event, rk87, RK87_WORK, &e)
+
+/* A run is saved, and a run that was made of any bytes goes on. */
+#define SAVED(method, WORK, SIZE)                                                                  \
+    void eva_##method##_saved(void)                                                                \
+    {                                                                                              \
+        vm_real y[2] = {any, any}, work[WORK(2)];                                                  \
+        static unsigned char bytes[SIZE(2, 0)];                                                    \
+        rk45 s;                                                                                    \
+        int i;                                                                                     \
+        if (method##_init(&s, right_hand_side, NULL, 2, any, y, NULL, work) < 0) return;           \
+        method##_step(&s);                                                                         \
+        method##_save(&s, any_long, bytes);                                                        \
+        for (i = 0; i < (int)sizeof bytes; i++) bytes[i] = (unsigned char)any_int;                 \
+        if (method##_resume(&s, any_long, bytes) == 0) method##_step(&s);                          \
+    }
+
+SAVED(rk45, RK45_WORK, RK45_SAVED)
+SAVED(rk87, RK87_WORK, RK87_SAVED)
+
+/* The states at two listed times */
+#define AT_TIMES(method, WORK)                                                                     \
+    void eva_##method##_at(void)                                                                   \
+    {                                                                                              \
+        vm_real y[2] = {any, any}, work[WORK(2)], times[2] = {any, any}, rows[2][2];               \
+        rk45 s;                                                                                    \
+        int n_done;                                                                                \
+        if (method##_init(&s, right_hand_side, NULL, 2, any, y, NULL, work) < 0) return;           \
+        method##_solve_at(&s, 2, times, rows[0], &n_done);                                         \
+    }
+
+AT_TIMES(rk45, RK45_WORK)
+AT_TIMES(rk87, RK87_WORK)

@@ -342,6 +342,18 @@ static void test_vectors(void)
     CHECK(vm_unit(vector(0, 0, 0)).x != vm_unit(vector(0, 0, 0)).x && vm_norm(vector(3, 4, 12)) == 13);
 }
 
+/* The body is nearly upside down, so that w is a subnormal number. Its product with y had lost its digits. */
+static void test_euler_subnormal(void)
+{
+    const vm_real x = (vm_real)0.999755859375, y = (vm_real)-0.890625;
+    const vm_quat q = {VM_MIN * VM_EPSILON * 65536, x, y, 0};
+    const double psi[2] = {atan2((double)y, (double)x), 0}, phi[2] = {-psi[0], 0};
+    vm_real angles[3] = {7, 7, 7};
+    CHECK(vm_euler_313_angles(q, angles) == VM_OK);
+    check_relative("euler_313_angles", "subnormal", angles[0], psi, 4);
+    check_relative("euler_313_angles", "subnormal", angles[2], phi, 4);
+}
+
 static void test_refusals(void)
 {
     const vm_quat bad = quaternion((double)NAN, 0, 0, 1), one = {1, 0, 0, 0};
@@ -370,5 +382,6 @@ int main(void)
     test_products();
     test_lengths();
     test_refusals();
+    test_euler_subnormal();
     return check_finish("attitude");
 }

@@ -221,8 +221,8 @@ static void validate_second_stage(void)
         "velocity in the file at 134.3 s: each of the two components gives 134.1745 s, within 4e-6 s. The check case "
         "also has files of two other simulators, which were not available.",
         "Our speed at 200 s is smaller than the published speed by 1.6 ft/s. The engine adds 1.6 ft/s in the last 1.8 "
-        "ms before burnout, and the simulator has steps of 100 ms. The differences in the other rows follow from this "
-        "difference.",
+        "ms before burnout, and the simulator has steps of 100 ms. We do not know the causes of the smaller differences "
+        "in the other rows.",
         1e-4, 4e-4};
     const double ignition = 134.1745, mass_rate = -5e6 / (390 * 9.8066), burn = 80000 / -mass_rate;
     vm_real y[4] = {VM_C(21361276.292372078), VM_C(1007426.1413189974), VM_C(2099.812416485217),

@@ -8,7 +8,7 @@
        vm_real sa, ca;
        ateb_saca_nm(VM_C(0.7), 2, 3, &sa, &ca);
 
-   Method: inversion of the incomplete beta function (ateb/beta.h). Tests: tests/test_ateb.c. */
+   Method: inversion of the incomplete beta function (ateb/beta_inverse.h). Tests: tests/test_ateb.c. */
 #ifndef VARMASS_ATEB_TWO_INDICES_H
 #define VARMASS_ATEB_TWO_INDICES_H
 
@@ -18,6 +18,7 @@
 #include "../base/sums.h"
 #include "../base/words.h"
 #include "beta.h"
+#include "beta_inverse.h"
 #include "functions.h"
 
 /* Returns 1 if n may be an index, that is, if it is 0 or lies between 1e-4 and 1e5, else 0. */

@@ -56,7 +56,7 @@ typedef struct VM_TAG(ode_event) {
        such an event happens, it ends a step. */
     long stop_after;
     long count;      /* number of events so far */
-    vm_real t;       /* time of the last event */
+    vm_real t;       /* time of the last event; the start of the run before the first one */
     /* The fields from here on are internal. */
     int side;       /* sign of g at the present time of the run, 0 while it is uncertain */
     int side_ahead; /* sign of g at the end of the step, if no event ends the step earlier */

@@ -83,6 +83,19 @@ VM_API void vmi_init_fields(rk45 *s, ode_rhs f, void *ctx, int n, vm_real t0, vm
     s->stiff_misses = 0;
 }
 
+/* Sets the fields of an event that belong to the integrator, also where the event has served another run before. */
+VM_API void vmi_init_event(ode_event *e, vm_real t0)
+{
+    e->count = 0;
+    e->t = t0;
+    e->side = 0;
+    e->side_ahead = 0;
+    e->happens = 0;
+    e->from = 0;
+    e->slack = 0;
+    e->quiet = 0;
+}
+
 /* Does the work of rk45_init for any pair */
 VMI_APART int vmi_init(rk45 *s, const vmi_rk_pair *pair, ode_rhs f, void *ctx, int n, vm_real t0, const vm_real *y0,
                        const rk45_options *options_or_NULL, vm_real *work)
@@ -93,11 +106,7 @@ VMI_APART int vmi_init(rk45 *s, const vmi_rk_pair *pair, ode_rhs f, void *ctx, i
         !vmi_options_are_valid(&o, n))
         return ODE_BAD_ARGUMENT;
     if (o.work_size && o.work_size < (long)(VMI_K + pair->derivatives) * n) return ODE_WORK_TOO_SMALL;
-    for (i = 0; i < o.n_events; i++) {
-        o.events[i].count = 0;
-        o.events[i].quiet = 0;
-        o.events[i].slack = 0;
-    }
+    for (i = 0; i < o.n_events; i++) vmi_init_event(o.events + i, t0);
     vmi_init_fields(s, f, ctx, n, t0, work);
     s->pair = *pair;
     s->options = o;

@@ -130,8 +130,10 @@ VM_API int vm_euler_313_angles(vm_quat q, vm_real angles[3])
     p.im = vmi_two(q.z, 0);
     r.re = vmi_two(q.x, 0);
     r.im = vmi_two(q.y, 0);
-    vmi_euler_first_and_third(p, r, vmi_sum_of_products(q.w, q.y, q.x, q.z),
-                              vmi_sum_of_products(q.x, q.z, -q.w, q.y), angles);
+    if (!vmi_euler_is_none(&p)) vmi_euler_scale(&p); /* so that no product below loses digits to underflow */
+    if (!vmi_euler_is_none(&r)) vmi_euler_scale(&r);
+    vmi_euler_first_and_third(p, r, vmi_sum_of_products(p.re.hi, r.im.hi, r.re.hi, p.im.hi),
+                              vmi_sum_of_products(r.re.hi, p.im.hi, -p.re.hi, r.im.hi), angles);
     angles[1] = 2 * vmi_atan2(vmi_hypot(q.x, q.y), vmi_hypot(q.w, q.z));
     return VM_OK;
 }

@@ -125,11 +125,11 @@ VM_API int vm_separate2(const vm_body2 *whole, const vm_body2 *part, const vm_im
     return vmi_jump2(whole, 1, part, VMI_SEPARATE, external_or_NULL, rest);
 }
 
-/* Attachment of one body to another in the plane (plastic impact): *whole is the body that the two form together. The
-   caller sets vx, vy and omega of *body and *added to the motions just before the impact. The impulse, if there is one,
-   acts during the impact. The whole has the angle of `body`. The statuses are those of vm_separate2. VM_NULL_AXIS means
-   that the bodies are points at one position, and that the impulse would turn them; the omega of the whole is then that
-   of `body`. */
+/* Attachment of one body to another in the plane (plastic impact): *whole is the body that the two form together.
+   Before the call, set the fields vx, vy and omega of both bodies, *body and *added, to their values just before the
+   impact. The impulse, if there is one, acts during the impact. The whole has the angle of `body`. The statuses are
+   those of vm_separate2. VM_NULL_AXIS means that the bodies are points at one position, and that the impulse would turn
+   them; the omega of the whole is then that of `body`. */
 VM_API int vm_attach2(const vm_body2 *body, const vm_body2 *added, const vm_impulse2 *external_or_NULL,
                       vm_body2 *whole)
 {

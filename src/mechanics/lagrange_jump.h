@@ -31,8 +31,9 @@
 
 /* Adds the share of a body to the mass matrix of the kinetic energy T = qdot^T matrix qdot/2.
    dr and turn have n vectors: dr[i] = dv/dqdot_i and turn[i] = domega/dqdot_i. v is the velocity of the body's mass
-   centre, and omega the body's angular velocity. If dr or turn is NULL, its term is 0. If body or matrix is NULL, the
-   function does nothing. */
+   centre, and omega the body's angular velocity. With the mass M and the inertia I of the body, about its mass centre
+   and along inertial axes, the element (i, j) grows by M dr[i].dr[j] + turn[i].(I turn[j]). If dr or turn is NULL, the
+   term with it is left out. If body or matrix is NULL, the function does nothing. */
 VM_API void vm_lagrange_mass(int n, const vm_body *body, const vm_vec3 *dr_or_NULL, const vm_vec3 *turn_or_NULL,
                              vm_real *matrix)
 {
@@ -56,7 +57,9 @@ VM_API void vm_lagrange_mass(int n, const vm_body *body, const vm_vec3 *dr_or_NU
 
 /* Adds to p the generalized momentum of a body.
    It is computed from the velocity body->v and the angular velocity body->omega. p has n numbers. vm_lagrange_mass
-   explains dr and turn. If dr or turn is NULL, its term is 0. If body or p is NULL, the function does nothing. */
+   explains dr and turn. The number i grows by the scalar product of dr[i] and the momentum, plus that of turn[i] and
+   the angular momentum about the mass centre. If dr or turn is NULL, the product with it is left out. If body or p is
+   NULL, the function does nothing. */
 VM_API void vm_lagrange_momentum(int n, const vm_body *body, const vm_vec3 *dr_or_NULL, const vm_vec3 *turn_or_NULL,
                                  vm_real *p)
 {
@@ -66,8 +69,9 @@ VM_API void vm_lagrange_momentum(int n, const vm_body *body, const vm_vec3 *dr_o
 
 /* Adds to p the generalized impulse (95) of an impulse on a body with the mass centre r.
    r is in m, in inertial axes. The moment of the impulse is taken about r; equation (23a) does not name the point. p
-   has n numbers. vm_lagrange_mass explains dr and turn. If dr or turn is NULL, its term is 0. If impulse or p is NULL,
-   the function does nothing. */
+   has n numbers. vm_lagrange_mass explains dr and turn. The number i grows by the scalar product of dr[i] and the
+   impulse, plus that of turn[i] and its moment. If dr or turn is NULL, the product with it is left out. If impulse or p
+   is NULL, the function does nothing. */
 VM_API void vm_lagrange_impulse(int n, const vm_impulse *impulse, vm_vec3 r, const vm_vec3 *dr_or_NULL,
                                 const vm_vec3 *turn_or_NULL, vm_real *p)
 {

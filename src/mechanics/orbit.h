@@ -160,7 +160,9 @@ VM_API vm_real vmi_kepler_reduce(vm_real beta, vm_real t)
    the centre, or G (M1 + M2) if r0 and v0 belong to two bodies, one relative to the other. t may be negative. The orbit
    may be an ellipse, a parabola, a hyperbola or a straight line; on a straight line the body turns back at the centre.
    Errors of a few eps in t, r0, v0 and mu would change the result; the error of the function is as large as this
-   change. This error grows with the number of revolutions. A call takes about as long as 50 calls of sin. Returns
+   change. This error grows with the number of revolutions. There is one exception: if v0 points towards the centre,
+   apart from a small angle of phi rad, the error after the passage of the centre can be 10/phi times as large. A call
+   takes about as long as 50 calls of sin. Returns
    VM_BAD_ARGUMENT for a null pointer; VM_NOT_FINITE if an argument or the result is infinite or NaN; VM_DOMAIN for mu
    <= 0 or r0 = 0; VM_OK otherwise. */
 VM_API int vm_orbit(vm_real t, vm_real mu, vm_vec3 r0, vm_vec3 v0, vm_vec3 *r, vm_vec3 *v)

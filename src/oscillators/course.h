@@ -4,7 +4,9 @@
      (ln A)' = -p + W E sa ca - 2/(alpha+1) f sa,   psi' = W (1 + (alpha+1)/2 E ca^2) - f ca,
    with
      E = (p^2 - a p - p')/W^2,   f = F/(m V),   V = 2 A W/(alpha+1).
-   The rates p, a and W are explained in oscillators/reduction.h. The equations are solved with psi as the independent
+   sa and ca are the Ateb sine and cosine of psi, m is the mass and alpha the exponent of the spring. p is the slow rate
+   at which A decreases, a = (reactive m' + b)/m with the damping b, and W is the rate of psi for constant mass and
+   stiffness. The equations are solved with psi as the independent
    variable: each step integrates ln A and t from one zero of x to the next. For most alpha the force of the spring is
    not smooth at x = 0. But the steps end at x = 0, so this point never lies inside a step, where it would cause the
    largest errors.

@@ -6,9 +6,11 @@
    orbit around 0 and phi for an orbit in a well, and let Omega be the rate of zeta. Let q be the nome of the parameter
    m of Jacobi's functions; for 0 < m < 1 it is exp(-pi K(1-m)/K(m)). Then
        a = sum over n >= 1 of a_n sin(n zeta),   a_n = -(2 Omega/(3 c3)) (2 c1 + n^2 Omega^2) q^n/(1 - q^(2n)).
-   Method: v^2 is a polynomial in sn^2(u) with the argument u of Jacobi's functions. The integral of sn^4 follows from
-   the derivative of sn cn dn, and the integral of sn^2 has Jacobi's zeta function Z(u) as its periodic part. sn cn dn
-   is -Z''/(2m). So a is a combination of Z and Z'', whose Fourier series is that of Z (DLMF 22.11, 22.16(iii)).
+   Method: a is the periodic part of an integral of v^2 over time, and v^2 is a polynomial in sn^2(u) with the argument
+   u of Jacobi's functions. So the integrals of sn^2 and sn^4 are needed. The integral of sn^2 is a multiple of u minus
+   Z(u)/m, where Jacobi's zeta function Z is periodic. Because (sn cn dn)' = 1 - 2 (1 + m) sn^2 + 3 m sn^4, the integral
+   of sn^4 consists of u, the integral of sn^2 and sn cn dn = -Z''/(2m). So a is a combination of Z and Z'', and the
+   Fourier series of both follow from that of Z (DLMF 22.11, 22.16(iii)).
        vmi_orbit_ripple ripple;
        vmi_duffing_ripple(&orbit, &ripple); // orbit is a complete orbit of vm_duffing_force
    Tests: tests/test_odd_force.c. */

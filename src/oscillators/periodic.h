@@ -84,10 +84,11 @@ VM_API int vm_periodic_init(vm_periodic *p)
 
 /* Sets the shape of a periodic force from n samples g[i] = g(2 pi i/n) over one period. Writes only the fields cosine
    and sine of *p. The coefficients of all harmonics up to the ninth whose order is below n/2 are computed; all other
-   coefficients become 0. Apart from rounding the result is exact if g has no harmonics of an order >= n/2. The samples
-   may be those of ca, of Jacobi's cn or of a rectangle; harmonics above the ninth excite the vibration only little. The
-   function takes about as long as the computation of 9 n sines. Returns VM_BAD_ARGUMENT for a null pointer or n < 1,
-   VM_NOT_FINITE for a sample that is infinite or NaN, and VM_OK otherwise. An error leaves *p as it was. */
+   coefficients become 0. Apart from rounding the result is exact if g has no harmonics of an order >= n/2. g may
+   have any shape, such as a rectangular wave. Its harmonics above the ninth are left out, since they excite the
+   vibration only little. The function takes about as long as the computation of 9 n sines. Returns VM_BAD_ARGUMENT for
+   a null pointer or n < 1, VM_NOT_FINITE for a sample that is infinite or NaN, and VM_OK otherwise. An error leaves *p
+   as it was. */
 VM_API int vm_periodic_from_samples(vm_periodic *p, int n, const vm_real *g)
 {
     int k, i;

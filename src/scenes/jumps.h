@@ -21,8 +21,9 @@
    can also take up or give off a point. The functions whose names end in _on_line (for a line or an axle) and
    _in_plane do the same as vm_then_separate and vm_then_attach, but only for these kinds of motion, and make the
    program smaller (docs/scene-sizes.md). If a point takes up a body at another place, the angular momentum of both
-   bodies about their common mass centre is lost, since a point does not rotate; angular_defect of the budget shows
-   this loss.
+   bodies about their common mass centre is lost, since a point does not rotate. If the scene has a budget, which
+   compares momentum and energy with the effects on them (vm_budget in scene.h), its field angular_defect shows this
+   loss.
 
    A run ends with VM_IS_THERE if a part would become a body that is present already, with VM_IS_AWAY if a body that
    jumps is not present, and with the errors of vm_separate and vm_attach. vm_scene_start returns VM_BAD_MOTION if the
