@@ -3273,7 +3273,7 @@ VM_API int vmi_save(const rk45 *s, int method, long size, unsigned char *bytes)
 VM_API int vmi_resume(rk45 *s, int method, long size, const unsigned char *bytes)
 {
     vmi_saved_place place;
-    int wanted[VMI_SAVED_HEAD], head[VMI_SAVED_HEAD];
+    int wanted[VMI_SAVED_HEAD], head[VMI_SAVED_HEAD] = {0};
     uint32_t sum = 0;
     long before; /* number of bytes before the checksum */
     if (!s || !bytes || size < 0 || s->pair.method != method) return ODE_BAD_ARGUMENT;
