@@ -3671,10 +3671,11 @@ VM_API vm_real jacobi_RG(vm_real x, vm_real y, vm_real z)
        vm_real u = jacobi_F(VM_C(0.4), VM_C(2.5)); // sn(u | 2.5) = sin 0.4
 
    Method: the reciprocal transformation leads to the parameter 1/m and the angle whose sine is k sin phi. In Carlson's
-   integrals it exchanges the arguments cos^2 phi and 1 - m sin^2 phi. The number 1 - m sin^2 phi falls to 0 at the
-   angle arcsin(1/k), and near this angle the integrals change as the square root of this number. Therefore it needs
-   many digits, and the sine and the cosine of phi are computed in two words. All functions of this file are internal;
-   jacobi/incomplete.h calls them. Source: DLMF 19.7.4, 19.25. Tests: tests/test_elliptic_integrals.c. */
+   integrals it exchanges the arguments cos^2 phi and 1 - m sin^2 phi. Near the angle
+   arcsin(1/k) the number 1 - m sin^2 phi is a difference of nearly equal numbers, which loses digits, and the integrals
+   change as its square root. Therefore the sine and the cosine of phi are computed in two words: each is the sum of two
+   floating-point numbers (a vm_two of base/words.h), which have twice the digits of one. All functions of this file are
+   internal; jacobi/incomplete.h calls them. Source: DLMF 19.7.4, 19.25. Tests: tests/test_elliptic_integrals.c. */
 #ifndef VARMASS_JACOBI_ABOVE_ONE_H
 #define VARMASS_JACOBI_ABOVE_ONE_H
 

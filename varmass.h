@@ -570,7 +570,7 @@
        vm_event_at                    An event at a set time, which is in s
        vm_event_position              An event when a position crosses a value
        vm_event_velocity              An event when a velocity crosses a value
-       vm_event_mass                  An event when a mass crosses a value
+       vm_event_mass                  An event when the mass of a body crosses `value`, in kg
        vm_event_user                  An event when a function of the caller crosses zero
        vm_then_stop                   The event ends the run
        vm_then_switch_range           The event switches n effects that follow each other in the list off (off = 1) or on (off = 0)
@@ -8509,13 +8509,13 @@ VM_INLINE vm_real vmi_gyroscopic_coupling(vm_real gyro) { return 2 * gyro; }
    The motion of x'' + omega0^2 x|x|^(alpha-1) = 0 is x = A ca(psi), x' = -vmax(A) sa(psi) with the Ateb functions of
    the phase psi (282), (283); A is the amplitude, vmax(A) the largest velocity. Two simpler waves with the same
    amplitude and period approximate ca: cos (291), (329) and Jacobi's cn (297), (370). A vmi_osc_wave describes one of
-   these three waves: the wave c of the position, the wave s of the velocity, and the factors speed, gain_A and
-   gain_theta. If a small force F acts on the mass m, the averaged equations are
+   these three waves: the wave c of the position, the wave s of the velocity, and the factors turn, speed, gain_A and
+   gain_theta. Each wave has an angle of its own, the argument of ca, cos or cn. While psi grows by 1, this angle grows
+   by `turn`, which is 1 for ca. A small force F on the mass m adds a slow part theta to the angle. The averaged
+   equations are then
      A'/A = -q/(alpha+3) - gain_A <F s>/(m V),   theta' = -gain_theta <F c>/(m V),   V = speed vmax(A),
-   where <> is the mean over a period, q the rate at which slow changes of stiffness and mass, and damping, change the
-   motion, and theta the slow part of the wave's own angle. This angle is the argument of ca, cos or cn: theta plus the
-   integral of turn psi' over time, where `turn` is a field of vmi_osc_wave. To add another wave, write a constructor
-   and a function that evaluates the wave.
+   where <> is the mean over a period, and q the rate at which damping and slow changes of stiffness and mass change the
+   motion. To add another wave, write a constructor and a function that evaluates the wave.
        vmi_osc_wave w = vmi_osc_wave_cn(3, ateb_pi(3));
        vm_real c, s;
        vmi_osc_wave_at(&w, VM_C(0.5), &c, &s); // at psi = 0.5: x = A c, x' = -w.speed vmax(A) s
@@ -11760,14 +11760,15 @@ VM_API int vmi_osc_walk_to(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean)
 }
 
 #endif
-/* oscillators/mean_motion.h - the motion by first-order averaging and by the law of order five, with error estimates
+/* oscillators/mean_motion.h - the motion by first-order averaging and by the laws of order 2 to 5, with error estimates
 
-   If no force F acts and mass and stiffness change slowly, integrals give the mean motion of the oscillator: the
-   amplitude follows the adiabatic law (325), (344), (367), (389), and the phase is the integral of its rate (310),
-   (329), (370). vmi_osc_first_order uses this mean motion as the motion itself, with cos, cn or ca as the periodic
-   function. vmi_osc_order_n computes the motion from the mean motion by the transformation of oscillators/expansion.h.
-   The transformation is a series, which is cut off after an order N from 2 to 5. Its error is of the order epsilon^N,
-   where epsilon is the relative change of mass and stiffness while the phase grows by 1.
+   The mean motion is the amplitude A and the phase without their small changes within a period. If no force F acts and
+   mass m and stiffness k change slowly, integrals give it: A is proportional to (k m^(2r-1))^(-1/(alpha+3))
+   exp(-2 d/(alpha+3)), where r is the field `reactive` and d the integral of damping/mass (the adiabatic law (325),
+   (344), (367), (389)); the phase is the integral of its rate (310), (329), (370). vmi_osc_first_order puts this A and
+   this phase into x = A cos, A cn or A ca. vmi_osc_order_n first adds the changes within a period, by the series of
+   oscillators/expansion.h, which is cut off after an order N from 2 to 5. Its error is of the order epsilon^N, where
+   epsilon is the relative change of mass and stiffness while the phase grows by 1.
        vmi_osc_mean mean;
        vm_osc_motion motion;
        vmi_osc_wave w = vmi_osc_wave_of(&plan, VM_ROUTE_ORDER5);
@@ -16969,7 +16970,7 @@ VM_API int vm_vdp_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void 
      e = (c/m) A^2/W,  e1 = e nu/W,  Q0 = e p/W,  E0 = (p^2 - a p - p')/W^2,  nu = -m'/m - 4 p + a;
    where m is the mass. e is of the order epsilon; e1, Q0 and E0 are of the order epsilon^2. For c = 0 all but E0 are 0.
 
-   A transformation leads from A and psi to mean values, whose rates have no ripple within a period. Let J be
+   A transformation leads from A and psi to mean values, whose rates do not vary within a period. Let J be
    A^((alpha+3)/2) times a factor that varies slowly, chosen so that J is constant if A'/A = -p. Then the mean values of
    J and psi obey
      (ln J)' = W [F e + K_3 e^3 + K_1 e e1 + K_Q e Q0 + K_E e E0],
@@ -24684,8 +24685,8 @@ VM_API vm_real vmi_when_mass(const vm_event *e, vm_real t, const vm_real *y)
     return b->load.mass - e->value;
 }
 
-/* An event when a mass crosses a value. value in kg (on an axle kg m^2) should be positive, since a run ends before a
-   mass reaches 0. */
+/* An event when the mass of a body crosses `value`, in kg. For a body on an axle the moment of inertia takes the place
+   of the mass, and `value` is in kg m^2. It should be positive, since a run ends before a mass reaches 0. */
 VM_API vm_event vm_event_mass(int body, vm_real value, int direction)
 {
     vm_event e = vmi_event(body, 0, value, direction);

@@ -12,7 +12,7 @@ sn, cn, dn to 1e9 @ jacobi @ sncndn; |u| < 1e9; 0.5 < m < 1 @ jacobi_sncndn @ 10
 sn, cn, dn prepared @ jacobi @ sncndn; |u| < 2K; m = 0.5 @ jacobi_plan_sncndn @ 2 @ jacobi_plan_sncndn @ two polynomials of degree 10, and a division at the end
 sn, cn, dn prepared, m near 1 @ jacobi @ sncndn; |u| < 2K; m = 0.99 @ jacobi_plan_sncndn @ 3 @  @ far from 0 the theta functions need sinh and cosh, which wait for the reduction of the phase
 sa, ca @ ateb @ saca; |s| < 10; 0 < alpha < 5 @ ateb_saca @ 12 @ ateb_saca @ Pi_alpha, the powers and the inversion are computed anew for each alpha
-sa, ca prepared, without a power @ ateb @ saca; |s| < 10; alpha = 3 @ ateb_plan_saca @ 2 @ ateb_plan_saca_3 @ the reduction of the phase, the polynomial and the root wait for each other
+sa, ca prepared, without a power @ ateb @ saca; |s| < 10; alpha = 3 @ ateb_plan_saca @ 2 @ ateb_plan_saca_3 @ the reduction of the phase, the power d^(alpha+1) and the polynomials wait for each other
 sa, ca prepared, with a power @ ateb @ saca; |s| < 10; alpha = 1.333 @ ateb_plan_saca @ 3 @ ateb_plan_saca_4_3 @ the power: its logarithm and exponential wait for the reduction, and the polynomials for both
 sa, ca prepared, with a power @ ateb @ saca; |s| < 10; alpha = 1000 @ ateb_plan_saca @ 3 @  @ the power, which needs a logarithm and an exponential
 arrays, -O3 -march=native @ jacobi_wide @ sncndn; |u| < 2K; m = 0.5 @ jacobi_plan_sncndn_array @ 0.5 @ jacobi_plan_sncndn_array @ a vector holds few numbers, and each needs the reduction and a division

@@ -35,7 +35,7 @@ target() {
             echo "skipped: $name, $precision: $(grep -m 1 -i error "$build/log" || tail -n 1 "$build/log")"
             continue
         fi
-        eval "timeout 300 $run" 2>&1 </dev/null | tr -d '\r' | sed 's/\x1b\[[0-9;]*m//g; s/\.*$//' | grep '^golden' >"$build/lines"
+        eval "timeout 900 $run" 2>&1 </dev/null | tr -d '\r' | sed 's/\x1b\[[0-9;]*m//g; s/\.*$//' | grep '^golden' >"$build/lines"
         [ -f "$build/$precision" ] || cp "$build/lines" "$build/$precision"
         if [ -s "$build/lines" ] && cmp -s "$build/lines" "$build/$precision"; then
             passed=$((passed + 1))
@@ -59,7 +59,7 @@ tests() {
             bad="$bad; $test does not compile: $(grep -m 1 -i -E 'error|overflowed' "$out.log")"
             continue
         fi
-        eval "timeout 300 $run" 2>&1 </dev/null | tr -d '\r' >"$out.log"
+        eval "timeout 900 $run" 2>&1 </dev/null | tr -d '\r' >"$out.log"
         last=$(grep -E ': [0-9]+ passed, 0 failed, [0-9]+ skipped$' "$out.log" | tail -n 1)
         if [ -n "$last" ]; then
             checks=$((checks + $(echo "$last" | sed 's/.*: \([0-9]*\) passed.*/\1/')))

@@ -168,6 +168,24 @@ bounded() { # every loop has its entry in tests/loops.txt, and no entry is left 
         ! grep -v '^#' tests/loops.txt | grep -vE '^([^	]+	){3}[^	]+$'
 }
 check "every loop has a known bound" bounded
+
+# No function of the headers calls itself, directly or by others: the graph of calls has no loop, which tsort would report.
+# Calls by pointers are not in it.
+calls() { # calls FLAG...: pairs of a function and one that it calls
+    printf '#include "varmass.h"\n' | $cc -std=c99 -w -O0 -fkeep-static-functions -fkeep-inline-functions "$@" -I. -x c - -S -o - |
+        awk '/^[A-Za-z_][A-Za-z_0-9]*:/ { name = $1; sub(/:.*/, "", name) } $1 ~ /^(call|bl$|jal|brasl)/ { sub(/@.*/, "", $2); print name, $2 }'
+}
+without_loop() { # a loop of one function is a pair of twice the same, which tsort would take for a node
+    awk '$1 == $2 { print $1 " calls itself"; found = 1 } END { exit found }' "$build/calls" && tsort "$build/calls" >/dev/null
+}
+calls_end() {
+    calls >"$build/calls" && [ "$(wc -l <"$build/calls")" -gt 1000 ] && without_loop
+}
+check "no function calls itself" calls_end
+printf 'a b\nb c\nc a\n' >"$build/calls"
+check "functions that call each other are found" fails without_loop
+printf 'a b\nb b\n' >"$build/calls"
+check "a function that calls itself is found" fails without_loop
 with_null_pointers() { # each function of varmass.h that takes a pointer is called with null ones in tests/null_pointers.h
     sed 's|/\*.*\*/||; /\/\*/,/\*\//d' varmass.h |
         awk '/^VM_(API|INLINE) / {on = 1; text = ""} on {text = text $0} on && /[;{]/ {sub(/{.*/, "", text); print text; on = 0}' |

@@ -1,11 +1,12 @@
-/* oscillators/mean_motion.h - the motion by first-order averaging and by the law of order five, with error estimates
+/* oscillators/mean_motion.h - the motion by first-order averaging and by the laws of order 2 to 5, with error estimates
 
-   If no force F acts and mass and stiffness change slowly, integrals give the mean motion of the oscillator: the
-   amplitude follows the adiabatic law (325), (344), (367), (389), and the phase is the integral of its rate (310),
-   (329), (370). vmi_osc_first_order uses this mean motion as the motion itself, with cos, cn or ca as the periodic
-   function. vmi_osc_order_n computes the motion from the mean motion by the transformation of oscillators/expansion.h.
-   The transformation is a series, which is cut off after an order N from 2 to 5. Its error is of the order epsilon^N,
-   where epsilon is the relative change of mass and stiffness while the phase grows by 1.
+   The mean motion is the amplitude A and the phase without their small changes within a period. If no force F acts and
+   mass m and stiffness k change slowly, integrals give it: A is proportional to (k m^(2r-1))^(-1/(alpha+3))
+   exp(-2 d/(alpha+3)), where r is the field `reactive` and d the integral of damping/mass (the adiabatic law (325),
+   (344), (367), (389)); the phase is the integral of its rate (310), (329), (370). vmi_osc_first_order puts this A and
+   this phase into x = A cos, A cn or A ca. vmi_osc_order_n first adds the changes within a period, by the series of
+   oscillators/expansion.h, which is cut off after an order N from 2 to 5. Its error is of the order epsilon^N, where
+   epsilon is the relative change of mass and stiffness while the phase grows by 1.
        vmi_osc_mean mean;
        vm_osc_motion motion;
        vmi_osc_wave w = vmi_osc_wave_of(&plan, VM_ROUTE_ORDER5);

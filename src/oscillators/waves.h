@@ -3,13 +3,13 @@
    The motion of x'' + omega0^2 x|x|^(alpha-1) = 0 is x = A ca(psi), x' = -vmax(A) sa(psi) with the Ateb functions of
    the phase psi (282), (283); A is the amplitude, vmax(A) the largest velocity. Two simpler waves with the same
    amplitude and period approximate ca: cos (291), (329) and Jacobi's cn (297), (370). A vmi_osc_wave describes one of
-   these three waves: the wave c of the position, the wave s of the velocity, and the factors speed, gain_A and
-   gain_theta. If a small force F acts on the mass m, the averaged equations are
+   these three waves: the wave c of the position, the wave s of the velocity, and the factors turn, speed, gain_A and
+   gain_theta. Each wave has an angle of its own, the argument of ca, cos or cn. While psi grows by 1, this angle grows
+   by `turn`, which is 1 for ca. A small force F on the mass m adds a slow part theta to the angle. The averaged
+   equations are then
      A'/A = -q/(alpha+3) - gain_A <F s>/(m V),   theta' = -gain_theta <F c>/(m V),   V = speed vmax(A),
-   where <> is the mean over a period, q the rate at which slow changes of stiffness and mass, and damping, change the
-   motion, and theta the slow part of the wave's own angle. This angle is the argument of ca, cos or cn: theta plus the
-   integral of turn psi' over time, where `turn` is a field of vmi_osc_wave. To add another wave, write a constructor
-   and a function that evaluates the wave.
+   where <> is the mean over a period, and q the rate at which damping and slow changes of stiffness and mass change the
+   motion. To add another wave, write a constructor and a function that evaluates the wave.
        vmi_osc_wave w = vmi_osc_wave_cn(3, ateb_pi(3));
        vm_real c, s;
        vmi_osc_wave_at(&w, VM_C(0.5), &c, &s); // at psi = 0.5: x = A c, x' = -w.speed vmax(A) s

@@ -110,8 +110,8 @@ VM_API vm_real vmi_when_mass(const vm_event *e, vm_real t, const vm_real *y)
     return b->load.mass - e->value;
 }
 
-/* An event when a mass crosses a value. value in kg (on an axle kg m^2) should be positive, since a run ends before a
-   mass reaches 0. */
+/* An event when the mass of a body crosses `value`, in kg. For a body on an axle the moment of inertia takes the place
+   of the mass, and `value` is in kg m^2. It should be positive, since a run ends before a mass reaches 0. */
 VM_API vm_event vm_event_mass(int body, vm_real value, int direction)
 {
     vm_event e = vmi_event(body, 0, value, direction);
