@@ -374,7 +374,7 @@
 
      oscillators/odd_routes: vibration under an odd elastic force, by a given method or by the cheapest
        vm_odd_rhs                     Equation of motion of a vibration under an odd elastic force, for rk45 or rk87
-       vm_odd_plan_by_route           Motion under an odd elastic force at time t (s, between 0 and the plan's t_end) by a given route VM_ODD_...
+       vm_odd_plan_by_route           Motion under an odd elastic force at time t (s, between 0 and the plan's t_end) by a given route
        vm_odd_plan_within             Motion under an odd elastic force at time t (s, between 0 and the plan's t_end) within a tolerance
        vm_odd_within                  Motion under an odd elastic force at time t (s, either sign) within a tolerance, without a plan
 
@@ -13830,7 +13830,7 @@ VM_API vmi_osc_route vmi_osc_route_by(const char *name, vmi_osc_solution solutio
     return route;
 }
 
-/* Returns the entry of the table of routes for `route`, one of VM_ROUTE_.... */
+/* Returns the entry of the table of routes for `route`, a VM_ROUTE_ constant. */
 VM_API vmi_osc_route vmi_osc_route_of(int route)
 {
     switch (route) {
@@ -13888,7 +13888,7 @@ VM_API int vmi_osc_at_rest(const vm_osc_plan *p, int route, vm_osc_motion *motio
     return VM_OK;
 }
 
-/* Motion x(t), x'(t) at time t (s, either sign) by a given route, from a plan. `route` is one of VM_ROUTE_....
+/* Motion x(t), x'(t) at time t (s, either sign) by a given route, from a plan. `route` is a VM_ROUTE_ constant.
    motion->error estimates the larger of |error of x|/A and |error of v|/vmax (see vm_osc_motion). Routes that integrate
    numerically keep the error of the integration within the tolerance; a tolerance of 0 means 1e-6 (float 1e-3). A
    comment at the start of oscillators/routes.h says what a route costs. Returns VM_OK, or VM_TOLERANCE_MISSED where x
@@ -16551,11 +16551,12 @@ VM_API int vmi_odd_is_known(const vm_odd_plan *p, int route, vm_real t, vm_odd_m
     return 1;
 }
 
-/* Motion under an odd elastic force at time t (s, between 0 and the plan's t_end) by a given route VM_ODD_....
-   motion->error estimates the larger of |error of x|/swing and |error of v|/vmax (see vm_odd_motion); it is infinite
-   where the averaged solution is not valid. Only VM_ODD_RK87 uses `tolerance`, a bound for this error; 0 means 1e-6
-   (float 1e-3). Returns VM_OK, or VM_TOLERANCE_MISSED where the integration misses the tolerance. After an error
-   *motion is unchanged. The errors are
+/* Motion under an odd elastic force at time t (s, between 0 and the plan's t_end) by a given route: VM_ODD_MEAN,
+   VM_ODD_ORDER2 or VM_ODD_RK87. The field motion->error estimates the larger of |error of x|/swing and
+   |error of v|/vmax, where swing is half the distance between the turning points of the vibration, and vmax its largest
+   velocity. It is infinite where the averaged solution is not valid. Only VM_ODD_RK87 uses `tolerance`, a bound for this
+   error; 0 means 1e-6 (float 1e-3). Returns VM_OK, or VM_TOLERANCE_MISSED where the integration misses the tolerance.
+   After an error *motion is unchanged. The errors are
      VM_BAD_ARGUMENT for null pointers or a route that does not exist,
      VM_NOT_FINITE for a number that is infinite or NaN,
      VM_BAD_MASS or VM_BAD_STIFFNESS for a mass or a stiffness that is not positive between 0 and t,
@@ -16576,9 +16577,9 @@ VM_API int vm_odd_plan_by_route(const vm_odd_plan *p, int route, vm_real t, vm_r
 
 /* Motion under an odd elastic force at time t (s, between 0 and the plan's t_end) within a tolerance.
    The function takes the cheapest route whose estimated error is within the tolerance; motion->route is this route. The
-   error is the larger of |error of x|/swing and |error of v|/vmax (see vm_odd_motion); a tolerance of 0 means 1e-6
-   (float 1e-3). For t beyond the plan's field `reach` the function integrates by rk87. Returns the statuses of
-   vm_odd_plan_by_route except VM_NO_LAW. */
+   error is the larger of |error of x|/swing and |error of v|/vmax, where swing is half the distance between the turning
+   points of the vibration, and vmax its largest velocity. A tolerance of 0 means 1e-6 (float 1e-3). For t beyond the
+   plan's field `reach` the function integrates by rk87. Returns the statuses of vm_odd_plan_by_route except VM_NO_LAW. */
 VM_API int vm_odd_plan_within(const vm_odd_plan *p, vm_real t, vm_real tolerance, vm_odd_motion *motion)
 {
     vm_odd_motion r;
@@ -22901,8 +22902,9 @@ VM_API int vmi_band_check(const vm_effect *e)
     return vmi_band_is_valid(&band) ? VM_OK : VM_DOMAIN;
 }
 
-/* A band that winds up on a drum or off it, with its reactive torque. The drum is a body on an axle, and the band is
-   its mass law. vm_scene_start returns VM_BAD_ARGUMENT if band is NULL, and VM_DOMAIN if the radius of the drum is not
+/* A band that winds up on a drum or off it, with its reactive torque. The drum is a body on an axle. The effect is the
+   mass law of this body (scenes/mass.h): it sets the moment of inertia of the drum together with the part of the band
+   that is wound up. vm_scene_start returns VM_BAD_ARGUMENT if band is NULL, and VM_DOMAIN if the radius of the drum is not
    positive or if thickness, width or density is negative. */
 VM_API vm_effect vm_effect_band(int body, const vm_band *band)
 {

@@ -115,7 +115,7 @@ VM_API vmi_osc_route vmi_osc_route_by(const char *name, vmi_osc_solution solutio
     return route;
 }
 
-/* Returns the entry of the table of routes for `route`, one of VM_ROUTE_.... */
+/* Returns the entry of the table of routes for `route`, a VM_ROUTE_ constant. */
 VM_API vmi_osc_route vmi_osc_route_of(int route)
 {
     switch (route) {
@@ -173,7 +173,7 @@ VM_API int vmi_osc_at_rest(const vm_osc_plan *p, int route, vm_osc_motion *motio
     return VM_OK;
 }
 
-/* Motion x(t), x'(t) at time t (s, either sign) by a given route, from a plan. `route` is one of VM_ROUTE_....
+/* Motion x(t), x'(t) at time t (s, either sign) by a given route, from a plan. `route` is a VM_ROUTE_ constant.
    motion->error estimates the larger of |error of x|/A and |error of v|/vmax (see vm_osc_motion). Routes that integrate
    numerically keep the error of the integration within the tolerance; a tolerance of 0 means 1e-6 (float 1e-3). A
    comment at the start of oscillators/routes.h says what a route costs. Returns VM_OK, or VM_TOLERANCE_MISSED where x
