@@ -299,9 +299,9 @@ VM_API int vmi_odd_is_known(const vm_odd_plan *p, int route, vm_real t, vm_odd_m
 /* Motion under an odd elastic force at time t (s, between 0 and the plan's t_end) by a given route: VM_ODD_MEAN,
    VM_ODD_ORDER2 or VM_ODD_RK87. The field motion->error estimates the larger of |error of x|/swing and
    |error of v|/vmax, where swing is half the distance between the turning points of the vibration, and vmax its largest
-   velocity. It is infinite where the averaged solution is not valid. Only VM_ODD_RK87 uses `tolerance`, a bound for this
-   error; 0 means 1e-6 (float 1e-3). Returns VM_OK, or VM_TOLERANCE_MISSED where the integration misses the tolerance.
-   After an error *motion is unchanged. The errors are
+   velocity. It is infinite where the averaged solution is not valid. Only VM_ODD_RK87 uses `tolerance`, a bound for
+   this error; 0 means 1e-6 (float 1e-3). Returns VM_OK, or VM_TOLERANCE_MISSED where the integration misses the
+   tolerance. After an error *motion is unchanged. The errors are
      VM_BAD_ARGUMENT for null pointers or a route that does not exist,
      VM_NOT_FINITE for a number that is infinite or NaN,
      VM_BAD_MASS or VM_BAD_STIFFNESS for a mass or a stiffness that is not positive between 0 and t,
@@ -324,7 +324,8 @@ VM_API int vm_odd_plan_by_route(const vm_odd_plan *p, int route, vm_real t, vm_r
    The function takes the cheapest route whose estimated error is within the tolerance; motion->route is this route. The
    error is the larger of |error of x|/swing and |error of v|/vmax, where swing is half the distance between the turning
    points of the vibration, and vmax its largest velocity. A tolerance of 0 means 1e-6 (float 1e-3). For t beyond the
-   plan's field `reach` the function integrates by rk87. Returns the statuses of vm_odd_plan_by_route except VM_NO_LAW. */
+   plan's field `reach` the function integrates by rk87. Returns the statuses of vm_odd_plan_by_route except
+   VM_NO_LAW. */
 VM_API int vm_odd_plan_within(const vm_odd_plan *p, vm_real t, vm_real tolerance, vm_odd_motion *motion)
 {
     vm_odd_motion r;

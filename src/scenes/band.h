@@ -143,8 +143,8 @@ VM_API int vmi_band_check(const vm_effect *e)
 
 /* A band that winds up on a drum or off it, with its reactive torque. The drum is a body on an axle. The effect is the
    mass law of this body (scenes/mass.h): it sets the moment of inertia of the drum together with the part of the band
-   that is wound up. vm_scene_start returns VM_BAD_ARGUMENT if band is NULL, and VM_DOMAIN if the radius of the drum is not
-   positive or if thickness, width or density is negative. */
+   that is wound up. vm_scene_start returns VM_BAD_ARGUMENT if band is NULL, and VM_DOMAIN if the radius of the drum is
+   not positive or if thickness, width or density is negative. */
 VM_API vm_effect vm_effect_band(int body, const vm_band *band)
 {
     vm_effect e = vmi_effect(body, 0, band ? vmi_apply_band : NULL);
