@@ -21,6 +21,11 @@ riscv="-mcmodel=medany -nostartfiles -T tests/cross/riscv.ld -Wl,--no-warn-rwx-s
 line=-DGOLDEN_PUTS=golden_line # the golden program's way without stdio
 semihosting="-nographic -monitor none -serial none -semihosting-config enable=on,target=native"
 
+all_but() { # all_but SECTION...: the other sections
+    for section in $sections; do
+        case " $* " in *" $section "*) ;; *) printf '%s ' "$section" ;; esac
+    done
+}
 held= # the sections that a target with little memory can hold; empty: all
 # target NAME PACKAGES PRECISIONS COMPILE RUN: COMPILE makes $out of $source, with $flags; RUN prints its lines
 target() {
@@ -145,13 +150,15 @@ user() { # user NAME PACKAGES COMPILER FLAGS QEMU
     # tcc 0.9.27 passes structs of three floats wrongly
     target "x86-64 tcc" tcc double "tcc \$flags \$source -o \$out -lm" "\$out"
     host "x86-64 musl" musl-tools "musl-gcc -static $c99 -O2" "$every"
+    sh tests/install.sh "test -d /usr/lib/gcc/x86_64-linux-gnu/12/32" gcc-12-multilib
     host "i386 SSE2" gcc-12-multilib "gcc -m32 -msse2 -mfpmath=sse $c99 -O2" "$every"
     arm "Cortex-M0, larger memory" "-mcpu=cortex-m0 -mthumb" "$large" mps2-an385
     # 256 KB of flash hold one section at a time, as those of AVR; 16 KB of memory the scenes in float, but not three sections,
     # which need 24 KB
     sections=$(awk '$2 == "float" {print $3}' tests/data/golden.txt | tr '\n' ' ')
-    held=$(echo " $sections" | sed 's/ routes / /; s/ van_der_pol / /; s/ duffing / /')
-    target "Cortex-M0, newlib, 16 KB: all but duffing, routes, van_der_pol" "gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm" float \
+    left_out="duffing routes van_der_pol"
+    held=$(all_but $left_out)
+    target "Cortex-M0, newlib, all but $left_out" "gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm" float \
         "arm-none-eabi-gcc --version && for i in $held; do arm-none-eabi-gcc -mcpu=cortex-m0 -mthumb $c99 -Os $line $small $cortex \
         -DGOLDEN_SECTION=\$i \$flags \$source -o \$out\$i -lm || break; done" \
         "sh -c 'for i in $held; do qemu-system-arm -M microbit $semihosting -kernel \$0\$i; done' \$out"
@@ -171,11 +178,16 @@ user() { # user NAME PACKAGES COMPILER FLAGS QEMU
     user "s390x, big-endian" "gcc-s390x-linux-gnu libc6-dev-s390x-cross" s390x-linux-gnu-gcc "-fexcess-precision=fast -O2" qemu-s390x
     user "MIPS 32, big-endian" "gcc-mips-linux-gnu libc6-dev-mips-cross" mips-linux-gnu-gcc -O2 qemu-mips
     user "AArch64" "gcc-aarch64-linux-gnu libc6-dev-arm64-cross" aarch64-linux-gnu-gcc -O2 qemu-aarch64
+    sh tests/install.sh "command -v simavr" gcc-avr avr-libc simavr
     avr="avr-gcc -mmcu=atmega1284p -DF_CPU=16000000UL -std=c99 -Os"
-    target "AVR" "gcc-avr avr-libc simavr" float "avr-gcc --version && for i in $sections; do $avr -ffunction-sections -Dmain=golden_main \
+    left_out="duffing routes scenes_in_space slow van_der_pol" # more than 128 KB of flash each
+    held=$(all_but $left_out)
+    target "AVR, all but $left_out" "gcc-avr avr-libc simavr" float "avr-gcc --version && for i in $held; do $avr -ffunction-sections -Dmain=golden_main \
         $line -DGOLDEN_SECTION=\$i -DVM_USE_FLOAT -c \$source -o \$out.o && \
         $avr -Wl,--gc-sections tests/cross/avr.c \$out.o -o \$out\$i -lm || break; done" \
-        "sh -c 'for i in $sections; do simavr -m atmega1284p -f 16000000 \$0\$i; done' \$out"
+        "sh -c 'for i in $held; do simavr -m atmega1284p -f 16000000 \$0\$i; done' \$out"
+    held=
+    sh tests/install.sh "test -d /usr/lib/wasm32-wasi" clang lld wasi-libc libclang-rt-14-dev-wasm32 nodejs
     wasm="clang --target=wasm32-wasi --sysroot=/usr $c99 -O2 \$flags \$source -o \$out -lm"
     target "WebAssembly" "clang lld wasi-libc libclang-rt-14-dev-wasm32 nodejs" "$both" "$wasm" "node --no-warnings tests/cross/wasm.mjs \$out"
     tested "WebAssembly" "$wasm" "node --no-warnings tests/cross/wasm.mjs \$out" "$every" "$every"
