@@ -497,6 +497,36 @@ static void test_plan_domain(void)
     CHECK(same);
 }
 
+/* Blocks, in which processors with wide registers compute arrays, have the bits of single calls. This test runs on any
+   processor. Where the compiler fuses products and sums, it need not fuse the same ones in both, and nothing is
+   compared. */
+static void test_plan_blocks(void)
+{
+    const vm_real alphas[] = {0, VM_C(0.07), VM_C(0.5), VM_C(4.0) / 3, 3, 7, VM_C(20.3), 1000, VM_C(3e4), VM_C(1e6)};
+    const vm_real accuracies[] = {0, VM_C(1e-5), VM_C(1e-3)};
+    volatile vm_real above = 1 + VM_EPSILON, below = 1 - VM_EPSILON;
+    const int is_fused = above * below - 1 != 0;
+    vm_real s[VMI_ATEB_BLOCK], sa[VMI_ATEB_BLOCK], ca[VMI_ATEB_BLOCK], one_sa, one_ca;
+    ateb_plan plan;
+    int i, j, k, differing = 0;
+    for (i = 0; i < 10; i++)
+        for (j = 0; j < 3; j++) {
+            CHECK(ateb_plan_init_to(&plan, alphas[i], accuracies[j]) == 0);
+            for (k = 0; !is_fused && k < 300 * VMI_ATEB_BLOCK; k++) {
+                int at = k % VMI_ATEB_BLOCK;
+                const vm_real quarters = k & 1 ? 0 : plan.quarter.hi * VM_FLOOR((vm_real)uniform(-4, 5));
+                s[at] = quarters + (vm_real)(uniform(-1, 1) * pow(10, uniform(-12, 2)));
+                if (at < VMI_ATEB_BLOCK - 1) continue;
+                vmi_ateb_block_saca(&plan, s, sa, ca);
+                for (at = 0; at < VMI_ATEB_BLOCK; at++) {
+                    ateb_plan_saca(&plan, s[at], &one_sa, &one_ca);
+                    differing += memcmp(sa + at, &one_sa, sizeof one_sa) || memcmp(ca + at, &one_ca, sizeof one_ca);
+                }
+            }
+        }
+    CHECK(differing == 0);
+}
+
 /* Beyond the tables a plan still gives what ateb_saca does; y of the change-over rounds to 1 - eps, 1 or 1 + eps, the
    series' alpha j could overflow. */
 static void test_plan_large(void)
@@ -867,6 +897,7 @@ int main(void)
     test_domain();
     test_plan();
     test_plan_domain();
+    test_plan_blocks();
     test_plan_large();
     test_phase();
     test_beta();

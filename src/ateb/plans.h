@@ -268,7 +268,8 @@ VM_INLINE void vmi_ateb_block_products(const ateb_plan *p, vmi_ateb_block *at)
     }
 }
 
-/* Sets base to 2 q d and tau to X = (2 q d)^(alpha+1), for any other alpha below 1/VM_EPSILON (vmi_ateb_exponential) */
+/* Sets base to 2 q d and tau to X = (2 q d)^(alpha+1), for any other alpha below 1/VM_EPSILON. The steps are those of
+   vmi_ateb_exponential; where that function branches, both results are computed and one is selected. */
 VM_INLINE void vmi_ateb_block_exponentials(const ateb_plan *p, vmi_ateb_block *at)
 {
     const vm_real sqrt_half = VM_C(0.70710678118654752);
@@ -276,22 +277,24 @@ VM_INLINE void vmi_ateb_block_exponentials(const ateb_plan *p, vmi_ateb_block *a
     for (i = 0; i < VMI_ATEB_BLOCK; i++) {
         const vm_real r = at->r[i], d = at->d[i], qz = p->twice_q.hi * ((2 * r - p->g) / 2), by_r = 1 - qz;
         const vm_two by_d = vmi_ateb_twice_q_times(p->twice_q, d, at->d_lo[i]);
-        const vmi_bits is_near = vmi_mask_of_sign(r - d);
-        const vm_real y = vmi_select(is_near, by_r, by_d.hi), y_lo = vmi_select(is_near, (1 - by_r) - qz, by_d.lo);
-        const vm_real scale = VM_C(1.5) - VM_COPYSIGN(VM_C(0.5), y - sqrt_half);
-        vm_real k, whole, rest;
-        vmi_bits is_small;
-        const vm_real mantissa = vmi_ateb_mantissa(y, &k);
-        vmi_ateb_log2_of_power(p->n, k, ((mantissa - 1) + scale * y_lo) / (mantissa + 1), &whole, &rest);
-        is_small = vmi_mask_of_sign(whole + rest - VMI_LEAST_LOG2);
-        at->tau[i] = vmi_ateb_exp2(vmi_select(is_small, VMI_LEAST_LOG2, whole), vmi_select(is_small, 0, rest));
-        at->base[i] = y;
-        at->base_lo[i] = y_lo;
+        const vmi_bits is_near = vmi_mask_of_sign(r - d) & vmi_mask_of_sign(qz - VM_C(0.29));
+        const vm_real scale = VM_C(1.5) - VM_COPYSIGN(VM_C(0.5), by_d.hi - sqrt_half);
+        vm_real k, mantissa, numerator, denominator, whole, rest;
+        vmi_bits is_normal;
+        mantissa = vmi_ateb_mantissa(by_d.hi, &k);
+        k = vmi_select(is_near, 0, k);
+        numerator = vmi_select(is_near, -qz, (mantissa - 1) + scale * by_d.lo);
+        denominator = vmi_select(is_near, 2 - qz, mantissa + 1);
+        vmi_ateb_log2_of_power(p->n, k, numerator / denominator, &whole, &rest);
+        is_normal = vmi_mask_of_sign(VMI_LEAST_LOG2 - (whole + rest));
+        at->tau[i] = vmi_ateb_exp2(vmi_select(is_normal, whole, VMI_LEAST_LOG2), vmi_select(is_normal, rest, 0));
+        at->base[i] = vmi_select(is_near, by_r, by_d.hi);
+        at->base_lo[i] = vmi_select(is_near, (1 - by_r) - qz, by_d.lo);
     }
 }
 
-/* Computes sa and ca of a block whose fields are filled, with polynomials of `length` terms. For each argument the
-   coefficients are those of the part of the quarter in which it lies. */
+/* Computes sa and ca of a block whose fields are filled, with polynomials of `length` terms. `part` becomes the
+   polynomials of the part of the quarter in which an argument lies. */
 VM_INLINE void vmi_ateb_block_sums(const ateb_plan *p, int length, const vmi_ateb_block *at, const vm_real *s,
                                    vm_real *sa, vm_real *ca)
 {
@@ -301,19 +304,16 @@ VM_INLINE void vmi_ateb_block_sums(const ateb_plan *p, int length, const vmi_ate
     for (i = 0; i < VMI_ATEB_BLOCK; i++) {
         const vm_real r = at->r[i];
         const vmi_bits beyond = vmi_mask_of_sign(change_over - r);
-        const vm_real tau = vmi_select(beyond, at->tau[i], r * r), square = tau * tau;
-        const vm_real base = vmi_select(beyond, at->base[i], r);
-        const vm_real base_lo = vmi_select(beyond, at->base_lo[i], at->r_lo[i]);
-        vm_real odd0 = 0, odd1 = 0, even0 = 0, even1 = 0, odd, even, v, u;
+        const vm_real tau = vmi_select(beyond, at->tau[i], r * r);
+        const vm_two base = vmi_two(vmi_select(beyond, at->base[i], r), vmi_select(beyond, at->base_lo[i], at->r_lo[i]));
+        vmi_ateb_part part;
+        vm_real odd, even, v, u;
         int j;
-        VMI_UNROLL for (j = length - 2; j >= 0; j -= 2) {
-            odd0 = vmi_select(beyond, near_ca->odd[j], near_sa->odd[j]) + square * odd0;
-            odd1 = vmi_select(beyond, near_ca->odd[j + 1], near_sa->odd[j + 1]) + square * odd1;
-            even0 = vmi_select(beyond, near_ca->even[j], near_sa->even[j]) + square * even0;
-            even1 = vmi_select(beyond, near_ca->even[j + 1], near_sa->even[j + 1]) + square * even1;
+        VMI_UNROLL for (j = 0; j < length; j++) {
+            part.odd[j] = vmi_select(beyond, near_ca->odd[j], near_sa->odd[j]);
+            part.even[j] = vmi_select(beyond, near_ca->even[j], near_sa->even[j]);
         }
-        odd = base + (base_lo + base * tau * (odd0 + tau * odd1));
-        even = 1 + tau * (even0 + tau * even1);
+        vmi_ateb_part_at(&part, length, base, tau, &odd, &even);
         v = vmi_select(beyond, even, odd);
         u = vmi_select(beyond, odd, even);
         vmi_ateb_signs(s[i], at->rest[i], at->quarter[i], &v, &u);
@@ -323,8 +323,9 @@ VM_INLINE void vmi_ateb_block_sums(const ateb_plan *p, int length, const vmi_ate
 }
 
 /* Computes sa and ca of a block of arguments, each with |s| < p->longest. The number of terms is a constant in each of
-   the calls, so that compilers can vectorise the loop over the arguments. Arguments next to a zero of sa or ca are
-   computed once more, one by one. The plan is copied: the compiler then knows that the results do not change it. */
+   the calls, so that compilers can vectorise the loop over the arguments; the calls make the distinctions of
+   vmi_ateb_part_series. Arguments next to a zero of sa or ca are computed once more, one by one. The plan is copied: the
+   compiler then knows that the results do not change it. */
 VM_API void vmi_ateb_block_saca(const ateb_plan *plan, const vm_real *s, vm_real *sa, vm_real *ca)
 {
     const ateb_plan p = *plan;
@@ -333,24 +334,19 @@ VM_API void vmi_ateb_block_saca(const ateb_plan *plan, const vm_real *s, vm_real
     vmi_ateb_block_places(&p, s, &at);
     if (p.twice_alpha >= 0) vmi_ateb_block_products(&p, &at);
     else vmi_ateb_block_exponentials(&p, &at);
-#if ATEB_PLAN_LENGTH > 8
-    if (p.length > 12) vmi_ateb_block_sums(&p, ATEB_PLAN_LENGTH, &at, s, sa, ca);
-    else if (p.length > 8) vmi_ateb_block_sums(&p, 12, &at, s, sa, ca);
-    else
-#endif
-        if (p.length > 4)
-        vmi_ateb_block_sums(&p, 8, &at, s, sa, ca);
-    else vmi_ateb_block_sums(&p, 4, &at, s, sa, ca);
+    if (p.length > 8) vmi_ateb_block_sums(&p, ATEB_PLAN_LENGTH, &at, s, sa, ca);
+    else if (p.length > 5) vmi_ateb_block_sums(&p, 8, &at, s, sa, ca);
+    else vmi_ateb_block_sums(&p, 5, &at, s, sa, ca);
     for (i = 0; i < VMI_ATEB_BLOCK; i++) any_close |= vmi_ateb_plan_is_close(at.rest[i], s[i]);
     for (i = 0; any_close && i < VMI_ATEB_BLOCK; i++)
         if (vmi_ateb_plan_is_close(at.rest[i], s[i])) ateb_plan_saca(plan, s[i], sa + i, ca + i);
 }
 
 /* sa and ca of n arguments for the plan's alpha. The arrays s, sa and ca have n elements each. s may be the array sa or
-   the array ca; otherwise the three arrays must not overlap. Domain and accuracy are those of ateb_plan_saca; the last
-   bits may depend on the index in the array. Arguments are computed in blocks of 32; those with |s| >= p->longest, and
-   those that are not finite, are computed one by one. Arrays are faster than single calls on processors with wide
-   vector registers (docs/cost.md has the times). */
+   the array ca; otherwise the three arrays must not overlap. Domain and accuracy are those of ateb_plan_saca; the results
+   have the same bits. Arguments are computed in blocks of 32; those with |s| >= p->longest, and those that are not
+   finite, are computed one by one. Arrays are faster than single calls on processors with wide vector registers
+   (docs/cost.md has the times). */
 VM_API void ateb_plan_saca_array(const ateb_plan *p, int n, const vm_real *s, vm_real *sa, vm_real *ca)
 {
     const int wide = VMI_ATEB_WIDE && p->quarter.hi < 1 / VM_EPSILON;
