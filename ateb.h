@@ -2750,7 +2750,8 @@ VM_INLINE void vmi_ateb_block_sums(const ateb_plan *p, int length, const vmi_ate
         const vm_real r = at->r[i];
         const vmi_bits beyond = vmi_mask_of_sign(change_over - r);
         const vm_real tau = vmi_select(beyond, at->tau[i], r * r);
-        const vm_two base = vmi_two(vmi_select(beyond, at->base[i], r), vmi_select(beyond, at->base_lo[i], at->r_lo[i]));
+        const vm_real base = vmi_select(beyond, at->base[i], r);
+        const vm_real base_lo = vmi_select(beyond, at->base_lo[i], at->r_lo[i]);
         vmi_ateb_part part;
         vm_real odd, even, v, u;
         int j;
@@ -2758,7 +2759,7 @@ VM_INLINE void vmi_ateb_block_sums(const ateb_plan *p, int length, const vmi_ate
             part.odd[j] = vmi_select(beyond, near_ca->odd[j], near_sa->odd[j]);
             part.even[j] = vmi_select(beyond, near_ca->even[j], near_sa->even[j]);
         }
-        vmi_ateb_part_at(&part, length, base, tau, &odd, &even);
+        vmi_ateb_part_at(&part, length, vmi_two(base, base_lo), tau, &odd, &even);
         v = vmi_select(beyond, even, odd);
         u = vmi_select(beyond, odd, even);
         vmi_ateb_signs(s[i], at->rest[i], at->quarter[i], &v, &u);
@@ -2769,8 +2770,8 @@ VM_INLINE void vmi_ateb_block_sums(const ateb_plan *p, int length, const vmi_ate
 
 /* Computes sa and ca of a block of arguments, each with |s| < p->longest. The number of terms is a constant in each of
    the calls, so that compilers can vectorise the loop over the arguments; the calls make the distinctions of
-   vmi_ateb_part_series. Arguments next to a zero of sa or ca are computed once more, one by one. The plan is copied: the
-   compiler then knows that the results do not change it. */
+   vmi_ateb_part_series. Arguments next to a zero of sa or ca are computed once more, one by one. The plan is copied:
+   the compiler then knows that the results do not change it. */
 VM_API void vmi_ateb_block_saca(const ateb_plan *plan, const vm_real *s, vm_real *sa, vm_real *ca)
 {
     const ateb_plan p = *plan;
@@ -2788,9 +2789,9 @@ VM_API void vmi_ateb_block_saca(const ateb_plan *plan, const vm_real *s, vm_real
 }
 
 /* sa and ca of n arguments for the plan's alpha. The arrays s, sa and ca have n elements each. s may be the array sa or
-   the array ca; otherwise the three arrays must not overlap. Domain and accuracy are those of ateb_plan_saca; the results
-   have the same bits. Arguments are computed in blocks of 32; those with |s| >= p->longest, and those that are not
-   finite, are computed one by one. Arrays are faster than single calls on processors with wide vector registers
+   the array ca; otherwise the three arrays must not overlap. Domain and accuracy are those of ateb_plan_saca; the
+   results have the same bits. Arguments are computed in blocks of 32; those with |s| >= p->longest, and those that are
+   not finite, are computed one by one. Arrays are faster than single calls on processors with wide vector registers
    (docs/cost.md has the times). */
 VM_API void ateb_plan_saca_array(const ateb_plan *p, int n, const vm_real *s, vm_real *sa, vm_real *ca)
 {
