@@ -160,7 +160,7 @@
        rk45_init                      Begins a run of y' = f(t, y) by rk45 from state y0 at time t0
        rk45_restart                   Continues a run of rk45 from another time or state, such as after a jump
        rk45_step                      Makes one accepted step of rk45, or the part of it before an event that ends the step
-       rk45_solve_with                Makes steps of rk45 to t_end, with f and n given once more so that f is inlined
+       rk45_solve_with                Makes steps of rk45 to t_end
        rk45_solve                     Makes steps of rk45 to t_end exactly, forward or backward, or to an event that ends the run
        rk45_interpolate               Computes the state y(t) at a time t within the last step of rk45, accurate to order 4
 
@@ -168,7 +168,7 @@
        rk87_init                      Begins a run of y' = f(t, y) by rk87, as rk45_init begins one by rk45
        rk87_restart                   Continues a run of rk87 from another time or state, such as after a jump
        rk87_step                      Makes one accepted step of rk87, or the part of it before an event that ends the step
-       rk87_solve_with                Makes steps of rk87 to t_end, with f and n given once more so that f is inlined
+       rk87_solve_with                Makes steps of rk87 to t_end
        rk87_solve                     Makes steps of rk87 to t_end exactly, forward or backward, or to an event that ends the run
        rk87_interpolate               Computes the state y(t) at a time t within the last step of rk87, accurate to order 8
 
@@ -558,7 +558,8 @@ VM_INLINE void vmi_copy(int n, const vm_real *from, vm_real *to)
 
 #endif
 /* integrators/ode.h - ordinary differential equations y' = f(t, y): right-hand sides and statuses
-   This file has the type of every right-hand side f, and the statuses of the functions rk4_..., rk45_... and rk87_...
+   This file defines the type of every right-hand side f, and the statuses: the numbers by which the functions rk4_...,
+   rk45_... and rk87_... report success or an error.
 
        #include "integrators.h"
        static int spring(double t, const double *y, double *dydt, void *ctx) // x'' = -x as y = (x, x')
@@ -581,21 +582,22 @@ VM_INLINE void vmi_copy(int n, const vm_real *from, vm_real *to)
 
 enum {
     ODE_OK = 0,          /* success */
-    ODE_RTOL_RAISED = 1, /* rk45_init has raised rtol to 16 eps, or rk87_init to 256 eps, the smallest rtol of the
-                            method */
+    ODE_RTOL_RAISED = 1, /* the option rtol was too small for the method: rk45_init has raised it to 16 eps, or
+                            rk87_init has raised it to 256 eps */
     ODE_EVENT = 2,       /* an event has ended the run: s->t, s->y are its time and state, s->event is its index */
     ODE_STIFF = 3,       /* t_end was reached, but for a while stability, not the tolerance, limited the step size */
-    /* An argument is wrong: n or steps is not positive, a pointer is NULL, a component has no tolerance, h_min is
-       negative or above h_max, a time, a state or an option is not finite (t_end may be infinite if an event can end
-       the run), a time is outside the last step or before an earlier one, an event has no g, a saved run does not fit,
-       or the rk45 was made by the init function of another method. */
+    /* An argument is wrong: a pointer is NULL, n or `steps` is not positive, or a time, a state or an option is not
+       finite (t_end may be infinite if an event can end the run). Or an option is wrong: a component has no tolerance,
+       h_min is negative or above h_max, or an event has no g. Or a time of output is outside the last step, or the
+       listed times are not in order. Or a saved run does not fit, or the init function of another method made the
+       rk45. */
     ODE_BAD_ARGUMENT = -1,
     ODE_RHS_STOPPED = -2, /* f returned a number other than 0, which is s->rhs_status */
     ODE_NOT_FINITE = -3,  /* f or the state is infinite or NaN even in the shortest step, or an event function is NaN */
-    /* Two steps of the smallest size (h_min, or the resolution of t) missed the tolerance, and fewer than three steps
-       between them kept it: f is singular there, or too stiff for the resolution of t. A run also ends with this status
-       if h_max is less than the resolution of t, or if t_end is infinite and t reaches the largest number of the type.
-       A jump of f does not end a run: s->missed counts it. */
+    /* The errors of two steps of the smallest size (h_min, or the resolution of t) were above the tolerance, and fewer
+       than three steps lay between these two steps. Then f is singular there, or too stiff for the resolution of t. A
+       run also ends with this status if h_max is less than the resolution of t, or if t_end is infinite and t reaches
+       the largest number of the type. A jump of f does not end a run: s->missed counts it. */
     ODE_STEP_TOO_SMALL = -4,
     ODE_MAX_STEPS = -5,     /* max_steps attempts did not reach t_end; another call continues the run */
     ODE_WORK_TOO_SMALL = -6 /* work_size is less than RK45_WORK(n) or RK87_WORK(n), or size is less than RK45_SAVED */
@@ -637,9 +639,9 @@ VM_API const char *ode_strerror(int status)
 
 #define RK4_WORK(n) (3 * (n)) /* number of elements of the array work for n components */
 
-/* Computes the four stages of a step of size h from the state y at t; k_1 ... k_4 are the values of f in them. sum
-   becomes k_1 + 2 k_2 + 2 k_3, and k becomes k_4; z is the state at which f is evaluated. Returns 0, or the number with
-   which f has stopped the run. */
+/* Computes the four stages of a step of size h from the state y at t; k_1 ... k_4 are the values of f in these stages.
+   The array `sum` becomes k_1 + 2 k_2 + 2 k_3, and the array k becomes k_4. The array z has the state at which f is
+   evaluated. Returns 0, or the number with which f has stopped the run. */
 VM_INLINE int vmi_rk4_stages(ode_rhs f, void *ctx, int n, vm_real t, vm_real h, const vm_real *y, vm_real *k,
                              vm_real *sum, vm_real *z)
 {
@@ -664,9 +666,9 @@ VM_INLINE int vmi_rk4_stages(ode_rhs f, void *ctx, int n, vm_real t, vm_real h, 
     return f(t + h, z, k, ctx);
 }
 
-/* Makes `steps` steps of size h from *t. If low_or_NULL is not NULL, summation is compensated, and the state is the sum
-   of both arrays y and low_or_NULL. w is a work array of 3 m numbers, m >= n. y and *t become those at the end of the
-   last complete step. Returns a status. */
+/* Makes `steps` steps of size h from *t. If low_or_NULL is not NULL, the summation is compensated: the state is then
+   the sum of the arrays y and low_or_NULL. w is a work array of 3 m numbers, m >= n. y and *t become the state and the
+   time at the end of the last complete step. Returns a status. */
 VM_INLINE int vmi_rk4_run(ode_rhs f, void *ctx, int n, vm_real *t, vm_real h, long steps, vm_real *y,
                           vm_real *low_or_NULL, vm_real *w, ptrdiff_t m)
 {
@@ -745,10 +747,10 @@ VM_INLINE int rk4_step(ode_rhs f, void *ctx, int n, vm_real t, vm_real h, vm_rea
     return vmi_rk4(f, ctx, n, &t, h, 1, y, NULL, work);
 }
 
-/* Makes `steps` equal steps from *t to t_end by the classical Runge-Kutta method. y has n numbers and becomes the state
-   at t_end; *t becomes t_end exactly. If f stops the run or the state is not finite, y and *t are those at the end of
-   the last complete step. Returns a status with the meanings of rk4_step; it is ODE_BAD_ARGUMENT also if `steps` is not
-   positive. */
+/* Makes `steps` equal steps from *t to t_end by the classical Runge-Kutta method. y has n numbers and becomes the
+   state at t_end; *t becomes t_end exactly. If f stops the run or the state is not finite, y and *t are the state and
+   the time at the end of the last complete step. Returns the same statuses as rk4_step, and ODE_BAD_ARGUMENT also if
+   `steps` is not positive. */
 VM_INLINE int rk4_solve(ode_rhs f, void *ctx, int n, vm_real *t, vm_real t_end, long steps, vm_real *y,
                         vm_real *work)
 {
@@ -757,7 +759,7 @@ VM_INLINE int rk4_solve(ode_rhs f, void *ctx, int n, vm_real *t, vm_real t_end, 
 
 /* Makes equal steps with compensated summation [3], so that rounding errors do not add up. The steps are those of
    rk4_solve, but the state is y + y_low. y_low has n numbers, which the caller sets to zero before the first call. The
-   summation takes additional time, which is worth it when there are millions of steps. */
+   summation takes additional time; use this function for runs of millions of steps. */
 VM_INLINE int rk4_solve_compensated(ode_rhs f, void *ctx, int n, vm_real *t, vm_real t_end, long steps, vm_real *y,
                                     vm_real *y_low, vm_real *work)
 {
@@ -767,8 +769,8 @@ VM_INLINE int rk4_solve_compensated(ode_rhs f, void *ctx, int n, vm_real *t, vm_
 
 #endif
 /* integrators/options.h - options and events of an adaptive run
-   An rk45_options whose fields are all 0 stands for the defaults. An event is a change of sign of a function g(t, y)
-   along a run, such as a bounce, where g is a height.
+   An rk45_options has the options of a run. If a field is 0, the run uses the default of this option. An event is a
+   change of sign of a function g(t, y) along a run, such as a bounce, where g is a height.
 
        ode_event touch;
        rk45_options options;
@@ -794,8 +796,8 @@ enum {
     ODE_RESTART = 2 /* the run ends the step at the event, calls `change`, and begins a new step */
 };
 
-/* Those fields of an event that a run stores at the beginning of a step; they have the names of the fields of
-   ode_event */
+/* The values that some fields of an ode_event have at the beginning of a step. Each field here has the same name as
+   the field of ode_event. A run stores these values so that it can undo the step */
 typedef struct VM_TAG(vmi_event_past) {
     long count;
     vm_real t, slack, quiet;
@@ -803,8 +805,8 @@ typedef struct VM_TAG(vmi_event_past) {
 } vmi_event_past;
 
 /* An event of a run: it happens when g(t, y) reaches zero or changes its sign. The caller makes an array of events, to
-   which the field `events` of rk45_options points. The caller sets all fields to 0 first, and then sets those of the
-   fields from g to stop_after that it needs. The integrator sets the fields from count on. */
+   which the field `events` of rk45_options points. The caller first sets all fields to 0, and then sets the fields
+   that it needs among the fields from g to stop_after. The integrator sets the fields from count on. */
 typedef struct VM_TAG(ode_event) {
     ode_event_function g; /* the function whose zeros are the event */
     void *ctx;            /* pointer that g and change receive */
@@ -814,7 +816,7 @@ typedef struct VM_TAG(ode_event) {
     /* NULL, or the function that an event with ODE_RESTART calls. It may change y, and in ctx the data on which f
        depends. */
     void (*change)(vm_real t, vm_real *y, void *ctx);
-    long room;       /* number of events for which times and states have room; later events are only counted */
+    long room;       /* number of events for which `times` and `states` have room; later events are only counted */
     vm_real *times;  /* NULL, or an array that receives the times of the first `room` events */
     vm_real *states; /* NULL, or an array that receives the states of the first `room` events, n numbers each */
     /* 0, or a number k > 0: the run ends with ODE_EVENT when this event happens for the kth time, the 2kth time and so
@@ -898,8 +900,9 @@ VM_API int vmi_options_are_valid(const rk45_options *o, int n)
 /* Returns 1 if the event ends the step in which it happens, else 0. */
 VM_INLINE int vmi_ends_step(const ode_event *e) { return e->action != ODE_RECORD || e->stop_after > 0; }
 
-/* Returns 1 if n >= 0 is a multiple of k > 0, else 0. The function subtracts k 2^j for falling j, so that a program for
-   a processor that cannot divide does not link a division only for this. */
+/* Returns 1 if n >= 0 is a multiple of k > 0, else 0. The function does not divide: it subtracts k 2^j for smaller and
+   smaller j. So a program for a processor without a division instruction needs no division routine for this
+   function. */
 VM_API int vmi_is_multiple(long n, long k)
 {
     long part = k;
@@ -952,12 +955,12 @@ VM_INLINE vm_real vmi_tolerance(const rk45_options *o, int i, vm_real y)
 struct VM_TAG(rk45);
 
 /* Indices of the parts of a run's work array. Each part has n numbers: VMI_Y is the state y, VMI_Y_OLD the state at
-   t_old, VMI_Z the state at which a stage evaluates f, and after the last stage the new state. VMI_K is k_1; k_2, k_3
-   ... follow. */
+   t_old, VMI_Z the state at which a stage evaluates f. After the last stage, VMI_Z is the new state. VMI_K is k_1; the
+   parts k_2, k_3 ... follow. */
 enum { VMI_Y, VMI_Y_OLD, VMI_Z, VMI_K };
 
-/* The n equations y' = f(t, y) that a step solves, and w, the array of the step: its part number p, such as VMI_Y,
-   begins at w + p m, where m >= n. ctx is the pointer that f receives. */
+/* The n equations y' = f(t, y) that a step solves, and the array w in which the step stores its numbers. The part of w
+   with the index p, such as VMI_Y, begins at w + p m, where m >= n. ctx is the pointer that f receives. */
 typedef struct VM_TAG(vmi_rk_system) {
     ode_rhs f;
     void *ctx;
@@ -977,9 +980,9 @@ typedef struct VM_TAG(vmi_rk_pair) {
     int rounding;         /* bound of a step's relative rounding error, in units of VM_EPSILON; it is the least rtol */
     vm_real keep_from;    /* the step size may stay the same after an error above this fraction of the tolerance */
     vm_real stiff_beyond; /* the run looks stiff if h times the largest eigenvalue of f's Jacobian exceeds this */
-    /* For the test of stiffness, which compares two states at the end t + h of a step: those of the last two stages
-       (rk45), or the new state and that of the last stage (rk87). The difference of these two states is h times a sum
-       over all k_{j+1}; the function returns the factor of k_{j+1} in it. */
+    /* For the test of stiffness, which compares two states at the end t + h of a step. With rk45 these are the states
+       of the last two stages; with rk87 they are the new state and the state of the last stage. The difference of the
+       two states is h times a weighted sum of k_1, k_2 ...; the function returns the weight of k_{j+1}. */
     vm_real (*end_difference)(int j);
     /* Computes the state y at the fraction x of the step by the continuous extension, y_old + h (b_1 k_1 + ...), whose
        weights b_j depend on x */
@@ -989,9 +992,9 @@ typedef struct VM_TAG(vmi_rk_pair) {
 } vmi_rk_pair;
 
 /* The functions of a pair that the loop over the steps calls. vmi_run gets this struct as a constant, so that the
-   compiler inlines make_stages and step_error into the loop. The two functions are not fields of vmi_rk_pair: each run
-   stores a vmi_rk_pair, and for a stored pointer to a function the compiler would compile the function once more,
-   outside the loop. */
+   compiler inlines make_stages and step_error into the loop. The two functions are not fields of vmi_rk_pair, because
+   each run stores a vmi_rk_pair: for a stored pointer to a function, the compiler would have to compile the function
+   once more, outside the loop. */
 typedef struct VM_TAG(vmi_rk_stepper) {
     vmi_rk_pair pair;
     /* Computes stages 2, 3 ... of a step from t to t_new = t + h, after which the part VMI_Z of work is the new state.
@@ -1004,17 +1007,17 @@ typedef struct VM_TAG(vmi_rk_stepper) {
 
 #define VMI_MOST_OWN 14 /* the largest number of k_i in a step of any pair, without those of the continuous extension */
 
-/* Linkage of descriptors and of the parts of vmi_advance. These functions are inlined even where VM_INLINE does not
-   inline. This makes the code smaller, since the descriptors become constants and each part is called in one place
-   only. */
+/* The keywords for the functions that return descriptors and for the parts of vmi_advance. These functions are inlined
+   even where VM_INLINE does not inline. This makes the code smaller, since the descriptors become constants and each
+   part is called in one place only. */
 #if defined(__GNUC__) && !defined(__CUDACC__) && defined(__OPTIMIZE__)
 #define VMI_FOLDED static inline __attribute__((always_inline))
 #else
 #define VMI_FOLDED VM_INLINE
 #endif
 
-/* Linkage of the loop over the steps of one pair. The loop is inlined, because this makes it fast. If the compiler
-   optimises for size, it is not inlined, so that one copy serves every n. */
+/* The keywords for the loop over the steps of one pair. The loop is inlined, because this makes it fast. If the
+   compiler optimises for size, the loop is not inlined, so that the program has only one copy of it, for every n. */
 #ifdef __OPTIMIZE_SIZE__
 #define VMI_LOOP VMI_APART
 #else
@@ -1042,7 +1045,7 @@ VMI_FOLDED vm_real vmi_least_rtol(const vmi_rk_pair *pair) { return (vm_real)pai
 
 #define VMI_LARGER(a, b) ((a) > (b) ? (a) : (b))
 #define VMI_SMALLER(a, b) ((a) < (b) ? (a) : (b))
-#define VMI_WORST VM_C(1e4) /* a ratio of an error to its tolerance above this number counts as this number */
+#define VMI_WORST VM_C(1e4) /* if a ratio of an error to its tolerance is larger than this, it is set to this */
 
 /* Takes the error e of component i into account; the component is y before the step and z after it. *worst becomes the
    largest ratio of an error to its tolerance so far. *bad becomes NaN if e or z is not finite, since infinity minus
@@ -1057,8 +1060,9 @@ VM_INLINE void vmi_weigh(const rk45_options *o, int i, vm_real e, vm_real y, vm_
 
 #endif
 /* integrators/runs.h - what an adaptive run is: its state, its work and its beginning
-   An rk45 contains the state of a run by rk45 or by rk87. Its `work`, which the caller provides, contains the arrays of
-   n numbers. The functions that make and use an rk45 are in rk45.h and rk87.h.
+   A variable of the type rk45 contains the state of a run, which may be a run by the method rk45 or by the method
+   rk87. Its array `work`, which the caller provides, contains arrays of n numbers each, such as y. The functions that
+   make and use an rk45 are in rk45.h and rk87.h.
 
    Tests: tests/test_adaptive.c. */
 #ifndef VARMASS_INTEGRATORS_RUNS_H
@@ -1076,7 +1080,7 @@ typedef struct VM_TAG(rk45) {
     long missed;          /* number of steps of the smallest size that were accepted above the tolerance */
     int rhs_status;       /* number that f returned last */
     int event;            /* index of the event that ended the last call, else -1 */
-    int stiff;            /* nonzero once the run has looked stiff */
+    int stiff;            /* nonzero after the equations have looked stiff (ODE_STIFF) */
     ode_rhs f;            /* the right-hand side */
     void *ctx;            /* pointer that f receives */
     int n;                /* number of components */
@@ -1098,7 +1102,7 @@ typedef struct VM_TAG(rk45) {
     int stiff_misses;      /* number of tests since the last test that found stiffness */
 } rk45;
 
-enum { VMI_K1_MISSING, VMI_K1_READY, VMI_K1_IS_LAST };  /* k_1 is unknown, ready, or the previous step's last k */
+enum { VMI_K1_MISSING, VMI_K1_READY, VMI_K1_IS_LAST };  /* k_1 is unknown, ready, or the last k of the step before */
 enum { VMI_NONE_FAILED, VMI_REJECTED, VMI_NOT_FINITE }; /* results of an attempt */
 enum { VMI_STIFF_WAIT = 100 };                          /* accepted steps from one test of stiffness to the next */
 
@@ -1135,7 +1139,8 @@ VM_API void vmi_init_fields(rk45 *s, ode_rhs f, void *ctx, int n, vm_real t0, vm
     s->stiff_misses = 0;
 }
 
-/* Sets the fields of an event that belong to the integrator, also where the event has served another run before. */
+/* Sets the fields of an event that belong to the integrator to their first values. An earlier run may have used the
+   event. */
 VM_API void vmi_init_event(ode_event *e, vm_real t0)
 {
     e->count = 0;
@@ -1170,9 +1175,9 @@ VMI_APART int vmi_init(rk45 *s, const vmi_rk_pair *pair, ode_rhs f, void *ctx, i
     return ODE_OK;
 }
 
-/* Computes the state y = y_old + h (b[0] k_1 + b[1] k_2 + ...) at the fraction x of the last step, with `count` terms.
-   The weights b add up to x. The sum is computed as x k_1 plus the terms b[j] (k_{j+1} - k_1), because these have
-   smaller rounding errors. */
+/* Computes the state y = y_old + h (b[0] k_1 + b[1] k_2 + ...) at the fraction x of the last step; the sum in brackets
+   has `count` terms. The weights b add up to x. Therefore the sum is equal to x k_1 plus the terms b[j] (k_{j+1} -
+   k_1). It is computed in this form, because the differences make the rounding errors smaller. */
 VM_INLINE void vmi_weigh_inside(const rk45 *s, int count, const vm_real *b, vm_real x, vm_real *y)
 {
     const vm_real *y_old = vmi_part(s, VMI_Y_OLD), *k1 = vmi_part(s, VMI_K);
@@ -1211,7 +1216,8 @@ VM_API int vmi_extend(rk45 *s)
     return status;
 }
 
-/* Computes the state y at the fraction x of the last step, 0 <= x <= 1. The continuous extension must be ready. */
+/* Computes the state y at the fraction x of the last step, 0 <= x <= 1. The derivatives that the continuous extension
+   needs must be known (vmi_extend). */
 VM_API void vmi_inside(const rk45 *s, vm_real x, vm_real *y) { s->pair.inside(s, x, y); }
 
 /* Returns 1 if the time t is within the last step or at one of its ends, else 0. */
@@ -1228,8 +1234,8 @@ VM_API vm_real vmi_place_of(const rk45 *s, vm_real t)
     return VMI_SMALLER(x, VM_C(1.0));
 }
 
-/* Computes the state y at a time t within the last step of a run by the pair `method`. The continuous extension must be
-   ready. Returns a status. */
+/* Computes the state y at a time t within the last step of a run by the pair whose number is `method`. The derivatives
+   that the continuous extension needs must be known (vmi_extend). Returns a status. */
 VM_API int vmi_interpolate_ready(const rk45 *s, int method, vm_real t, vm_real *y)
 {
     if (!s || !y || s->pair.method != method || !vmi_is_in_last_step(s, t)) return ODE_BAD_ARGUMENT;
@@ -1331,8 +1337,9 @@ typedef int32_t vmi_signed_bits;
 
 #endif
 /* integrators/steps.h - steps of an adaptive run and the control of their size
-   vmi_advance is the loop over the steps. The compiler specialises it for a pair and, where it knows that n is small,
-   for n and f too. The manual of integrators.h has the rules of step size control.
+   vmi_advance is the loop over the steps. The compiler makes a version of this loop for each pair; if it knows n and f
+   in a call and n is small, it makes a version for this n and this f. The manual in integrators.h explains how the
+   size of the steps is chosen.
 
    Tests: tests/test_adaptive.c. */
 #ifndef VARMASS_INTEGRATORS_STEPS_H
@@ -1340,10 +1347,10 @@ typedef int32_t vmi_signed_bits;
 
 #include <string.h>
 
-/* Returns x^p with an error of at most 1.6 % where |p| <= 0.2 and the result is from 0.1 to 10. x must be positive, and
-   the result must neither overflow nor underflow. The bits of x, taken as an integer, give a logarithm of x that is
-   piecewise linear; `middle` is half the largest error of this logarithm. The exponential function e^(16 v) is computed
-   as (1 + v + v^2/2)^16. */
+/* Returns x^p with an error of at most 1.6 % if |p| <= 0.2 and the result is from 0.1 to 10. x must be positive, and
+   the result must neither overflow nor underflow. The bits of x, read as an integer, give an approximate logarithm of
+   x, which is linear between powers of 2. `middle` is half the largest error of this logarithm; it is added, so that
+   the largest error is only half as large. The exponential function e^(16 v) is computed as (1 + v + v^2/2)^16. */
 VM_INLINE vm_real vmi_pow_rough(vm_real x, vm_real p)
 {
     const vm_real ln2 = VM_C(0.69314718055994531), middle = VM_C(0.043);
@@ -1359,7 +1366,7 @@ VM_INLINE vm_real vmi_pow_rough(vm_real x, vm_real p)
     return v;
 }
 
-#define VMI_LARGEST_RATIO VM_C(1e10) /* upper limit of the ratios to tolerances from which the first step is chosen */
+#define VMI_LARGEST_RATIO VM_C(1e10) /* upper limit of the ratios from which vmi_first_step chooses the first step */
 
 /* Returns the largest ratio of |v_i| to the tolerance of component i, but at most VMI_LARGEST_RATIO. */
 VM_API vm_real vmi_norm_by_tolerance(const rk45 *s, const vm_real *v)
@@ -1373,8 +1380,8 @@ VM_API vm_real vmi_norm_by_tolerance(const rk45 *s, const vm_real *v)
     return VMI_SMALLER(largest, VMI_LARGEST_RATIO);
 }
 
-/* Chooses the size s->h of the first step from the sizes of y, y' and y'' (Hairer et al. [2, II.4]), so that the error
-   of this step should be 1 % of the tolerance. |s->h| is at most 100 times the size of a step that changes y by 1 %,
+/* Chooses the size s->h of the first step from the magnitudes of y, y' and y'' (Hairer et al. [2, II.4]). The aim is
+   an error of this step of 1 % of the tolerance. |s->h| is at most 100 times the size of a step that changes y by 1 %,
    and at most `longest`. `direction`, 1 or -1, is the sign of s->h. The function overwrites k_2 and the part VMI_Z of
    work. Returns a status. */
 VM_API int vmi_first_step(rk45 *s, vm_real direction, vm_real longest)
@@ -1418,7 +1425,8 @@ VM_INLINE vm_real vmi_direction(const rk45 *s, vm_real t_end) { return vmi_time_
 /* Returns the factor by which the step size changes after an accepted step, by PI control (Hairer et al. [2, IV.2]). It
    is the smaller of 10 and
      0.9 error^(-4/(5 order)) error_before^(1/(5 order)),
-   where error is the error of this step divided by its tolerance, and error_before is that of the previous step. */
+   where error is the error of this step divided by its tolerance, and error_before is the same ratio for the previous
+   step. */
 VM_INLINE vm_real vmi_factor(int order, vm_real error, vm_real inverse_error_before)
 {
     const vm_real square = error * error, power = VM_C(-0.2) / (vm_real)order;
@@ -1508,11 +1516,11 @@ typedef struct VM_TAG(vmi_trial) {
     int shortest;                /* 1 if no shorter step can be tried */
 } vmi_trial;
 
-/* The size of a step is changed by at most this fraction, 1/64, so that the step ends at a time that is a number of the
-   type. A step for which the change would be larger is so short that it ends between two such times. Then t_low is not
-   0, so that t + t_low remains the time of the state y. */
+/* The size of a step is changed by at most this fraction, 1/64, so that the time at the end of the step is a number of
+   the type vm_real. If this needs a larger change, the step is very short: its size then stays the same, and it ends
+   between two numbers of the type. The time of the state y is t + t_low; after this step t_low is not 0. */
 #define VMI_LANDING VM_C(0.015625)
-#define VMI_NEARLY VM_C(0.999999) /* a step that covers this fraction of the time to t_end ends at t_end */
+#define VMI_NEARLY VM_C(0.999999) /* a step of at least this fraction of the time to t_end ends at t_end */
 
 /* Chooses the next step towards t_end and brings p->h_next between the smallest and the largest size. Returns ODE_OK,
    or the status with which the run ends: ODE_STEP_TOO_SMALL if h_max is too small, ODE_MAX_STEPS if no attempt is
@@ -1542,9 +1550,9 @@ VMI_FOLDED int vmi_choose_step(const rk45_options *o, vm_real t_end, vmi_progres
     return status;
 }
 
-/* The number of steps within the tolerance that must lie between two steps that miss the tolerance. After a jump of f
-   there are three such steps, 1, 10 and 100 times as long as the smallest step; next to a singularity of f there are
-   none. */
+/* The number of steps that must keep the tolerance between two steps that miss it. After a jump of f the next three
+   steps keep the tolerance; they are 1, 10 and 100 times as long as the smallest step. Next to a singularity of f no
+   step keeps the tolerance. */
 enum { VMI_BETWEEN_MISSES = 3 };
 
 /* Undoes the last accepted step, which missed the tolerance */
@@ -1573,14 +1581,14 @@ VMI_FOLDED int vmi_reject(int order, const vmi_trial *trial, vm_real error, vmi_
     p->h_next = trial->h * vmi_shrink(order, error);
     if (!trial->shortest) return ODE_OK;
     if (p->missed > 0 && p->steps == p->next_miss - VMI_BETWEEN_MISSES) vmi_drop_missed_step(sys, p);
-    if (not_a_number) p->k1 = VMI_K1_MISSING; /* k_1 itself may be NaN: another call evaluates it again */
+    if (not_a_number) p->k1 = VMI_K1_MISSING; /* k_1 may be NaN: another call must evaluate it again */
     return not_a_number ? ODE_NOT_FINITE : ODE_STEP_TOO_SMALL;
 }
 
-/* Replaces the state after a step of the smallest size in which f jumps. The weights of the stages have both signs, so
-   that the weighted sum of the derivatives may lead far away from the state at the jump. Therefore each component is
-   continued with the mean of the smallest and the largest of its derivatives in the stages. The error of this mean is
-   at most half the jump. */
+/* Replaces the state after a step of the smallest size in which f jumps. Some weights of the stages are positive and
+   others negative, so that the weighted sum of the derivatives may lead far away from the state at the jump. Therefore
+   each component is continued with the mean of the smallest and the largest of its derivatives in the stages. The
+   error of this mean is at most half the jump. */
 VM_INLINE void vmi_take_middle_slope(int stages, vmi_rk_system sys, vm_real h)
 {
     const ptrdiff_t m = sys.m;
@@ -1598,12 +1606,12 @@ VM_INLINE void vmi_take_middle_slope(int stages, vmi_rk_system sys, vm_real h)
     }
 }
 
-#define VMI_KEEP_TO VM_C(0.75)     /* below this share of the tolerance an error lets the step be as long as before */
-#define VMI_LEAST_ERROR VM_C(1e-8) /* a ratio of an error to its tolerance below this number counts as this number */
+#define VMI_KEEP_TO VM_C(0.75)     /* an error below this fraction of the tolerance lets the step size stay the same */
+#define VMI_LEAST_ERROR VM_C(1e-8) /* if a ratio of an error to its tolerance is smaller than this, it is set to this */
 
 /* Chooses the size of the step after an accepted step. The size stays the same if the error is between keep_from and
-   VMI_KEEP_TO times the tolerance. Then the processor can predict the next size, and begin the next step before the
-   error is known. */
+   VMI_KEEP_TO times the tolerance. Then the processor can predict that the size stays the same, and begin the next
+   step before the error is known. */
 VMI_FOLDED void vmi_choose_size(int order, vm_real keep_from, const vmi_trial *trial, vm_real error, vmi_progress *p)
 {
     vm_real factor;
@@ -1625,7 +1633,7 @@ VMI_FOLDED int vmi_advance(rk45 *s, vmi_rk_stepper stepper, vmi_rk_system sys, v
     const vmi_rk_pair pair = stepper.pair;
     vm_real *y = sys.w + VMI_Y * sys.m, *z = sys.w + VMI_Z * sys.m, *last_k = sys.w + vmi_last_k(&pair) * sys.m;
     vmi_progress p = vmi_begin_progress(s, t_end);
-    long evals = 0; /* make_stages gets its address; a field of p would then not stay in a register */
+    long evals = 0; /* not a field of p: make_stages gets its address, and p would then not stay in registers */
     int status;
     for (;;) {
         vmi_trial trial;
@@ -1681,7 +1689,7 @@ VMI_FOLDED int vmi_advance(rk45 *s, vmi_rk_stepper stepper, vmi_rk_system sys, v
 VMI_FOLDED int vmi_advance_small(rk45 *s, vmi_rk_stepper stepper, vmi_rk_system sys, vm_real t_end, int single)
 {
     const vmi_rk_pair pair = stepper.pair;
-    vm_real w[(VMI_K + VMI_MOST_OWN) * VMI_SMALL] = {0}; /* 0, because parts that were never written are copied too */
+    vm_real w[(VMI_K + VMI_MOST_OWN) * VMI_SMALL] = {0}; /* 0, because unused parts are copied, too */
     const int n = sys.n;
     int part, status;
     vmi_copy(n, vmi_part(s, VMI_Y), w);
@@ -1717,11 +1725,12 @@ VM_API void vmi_take_back_step(rk45 *s)
 
 #endif
 /* integrators/events.h - events: where a function g(t, y) of the solution changes its sign
-   After each step, g is evaluated at a few points of the continuous extension. If its sign changes between two of these
-   points, the time of the change is found as exactly as rounding allows. The first event that stops or restarts the run
-   ends the step at its time. Events whose times differ by no more than rounding errors happen together. Users describe
-   events in the options of a run (options.h). The side of an event is the sign of its g, -1 or 1, or 0 while rounding
-   leaves this sign uncertain. The place x of an event in a step is a fraction of the step, from 0 to 1.
+   After each step, g is evaluated at several points inside the step, with the states of the continuous extension. If
+   the sign of g changes between two of these points, the time of the change is found as exactly as rounding allows.
+   The first event that stops or restarts the run ends the step at its time. Events whose times differ by no more than
+   rounding errors happen together. Users describe events in the options of a run (options.h). The side of an event is
+   the sign of its g, -1 or 1, or 0 while rounding leaves this sign uncertain. The place x of an event in a step is a
+   fraction of the step, from 0 to 1.
 
        double y0[2] = {20, 0}, work[RK45_WORK(2)]; // 20 m high, at rest
        rk45 s;
@@ -1746,9 +1755,10 @@ VM_API int vmi_sign(vm_real x) { return (x > 0) - (x < 0); }
 /* Stands for the place of an event that does not happen in the step. A place is a fraction of the step, from 0 to 1. */
 #define VMI_NONE VM_C(2.0)
 
-/* After an event, g is evaluated at short distances from it, so that an excursion of g, two changes of sign in a short
-   time, is found. The first distance is the fraction VMI_FIRST_LOOK of the step; each next one is larger by the factor
-   VMI_WIDER. For at most the fraction VMI_QUIET of the step the sign of g may count as uncertain (side 0). */
+/* After an event, g is also evaluated at points just after the event, so that two further changes of its sign in a
+   short time are found. The distance of the first point from the event is the fraction VMI_FIRST_LOOK of the step;
+   each further distance is VMI_WIDER times as long as the distance before. The sign of g may count as uncertain (side
+   0) until the fraction VMI_QUIET of the step has passed after the event. */
 #if VM_MANT_DIG > 24
 #define VMI_FIRST_LOOK VM_C(1.4901161193847656e-8) /* 2^-26 of a step, the square root of VM_EPSILON */
 #define VMI_QUIET VM_C(6.103515625e-5)             /* 2^-14 of a step, the longest time for which a sign is uncertain */
@@ -1803,9 +1813,9 @@ VM_API vm_real vmi_event_value(const rk45 *s, const ode_event *e, vm_real x)
 #define VMI_EARLIER_ROUNDING (256 * VM_EPSILON)
 
 /* Returns the value of g at the fraction x of the last step, in a state to which a rounding error is added on purpose.
-   The error is the largest that this step, or if `earlier` is not 0 the whole run so far, may have made. `direction`,
-   -1 or 1, is the sign of the error. The size of the error is different for each component, so that the differences of
-   components change, too. */
+   The error is the largest rounding error that this step may have made; if `earlier` is not 0, it is the largest that
+   the whole run so far may have made. `direction`, -1 or 1, is the sign of the error. The size of the error is
+   different for each component, so that the differences of components change, too. */
 VM_API vm_real vmi_event_value_moved(const rk45 *s, const ode_event *e, vm_real x, int earlier,
                                      int direction)
 {
@@ -1851,16 +1861,16 @@ VM_API int vmi_counts_from(const ode_event *e, int side)
 }
 
 /* Sets *at to a fraction of the last step between a and b at which g loses the sign that it has at a. ga and gb are
-   the values of g at the fractions a and b. The interval is shrunk to the resolution of such fractions, and *at becomes
-   its right end. The method is false position in the Illinois form, with bisection in every third step and while g
-   stays 0 at the right end. If g is 0 at the initial b, and the time there equals the time at *at, then *at becomes the
-   initial b. Returns a status. */
+   the values of g at the fractions a and b. The interval from a to b is made smaller until its length is the
+   resolution of such fractions, and *at becomes its right end. The method is false position in the Illinois form, with
+   bisection in every third step and while g stays 0 at the right end. If g is 0 at the initial b, and the time there
+   equals the time at *at, then *at becomes the initial b. Returns a status. */
 VM_API int vmi_locate(const rk45 *s, const ode_event *e, vm_real a, vm_real ga, vm_real b, vm_real gb,
                       vm_real *at)
 {
     const vm_real resolution = 2 * VM_EPSILON, look = b, g_look = gb;
     const int side = vmi_sign(ga);
-    int count, kept = 0; /* kept is 1 if the last x has become a, -1 if it has become b, and 0 at first */
+    int count, kept = 0; /* 1 if the last x has become a, -1 if it has become b, 0 before the first x */
     for (count = 1; b - a > resolution; count++) {
         const int bisect = count % 3 == 0 || (gb == 0 && kept < 0);
         vm_real x = b - gb * ((b - a) / (gb - ga)), g;
@@ -1906,8 +1916,9 @@ VM_API vm_real vmi_next_look(const ode_event *e, vm_real start, vm_real *gap, vm
 }
 
 /* Sets the side of the event to 0 (uncertain), because g has just reached or passed 0 at the fraction x of the step.
-   The side stays 0 while rounding could decide the sign of g, that is while |g| <= e->slack. It stays 0 at most for the
-   time e->quiet, since e->slack is much too large if g has jumped. */
+   The side stays 0 while rounding could decide the sign of g, that is while |g| <= e->slack. But it stays 0 at most
+   for the time e->quiet: if g has jumped, e->slack is much too large, so that |g| <= e->slack could be true for a long
+   time. */
 VM_API void vmi_quieten_event(const rk45 *s, ode_event *e, vm_real x)
 {
     vmi_weigh_rounding(s, e, x, 0, 0);
@@ -1957,8 +1968,9 @@ VM_API int vmi_follow_event(const rk45 *s, ode_event *e, vm_real to, vm_real *at
         }
         if (e->side || e->quiet == 0 || VM_FABS(g) > e->slack) e->side = side;
         /* Inside the step (start > 0), gap = 1 ends the evaluations of g at short distances as soon as its sign is
-           certain; those at evenly spaced points go on. At the start of the step the short distances go on, too: an
-           event there may have changed y or f, so that g may change its sign twice in a short time. */
+           certain; the evaluations at evenly spaced points go on. At the start of the step the evaluations at short
+           distances go on, too: an event there may have changed y or f, so that g may change its sign twice in a short
+           time. */
         if (e->side && start > 0) gap = 1;
     }
     return ODE_OK;
@@ -1978,9 +1990,9 @@ VM_API void vmi_record(const rk45 *s, ode_event *e, vm_real x)
 }
 
 /* Finds the first event that ends the step: *cut becomes the fraction of the step at which this event happens, and
-   *owner the index of the event. Both stay as they are if no event ends the step. When an event is found, the functions
-   g of all remaining events are followed again up to *cut, because their values at *cut may show an earlier zero. The
-   search ends when there is no earlier zero. Returns a status. */
+   *owner the index of the event. Both stay as they are if no event ends the step. When an event is found, the
+   functions g of all other events are followed again up to *cut, because their values at *cut may show that one of
+   them has an earlier zero. The search ends when there is no earlier zero. Returns a status. */
 VM_API int vmi_find_cut(const rk45 *s, vm_real *cut, int *owner)
 {
     int i, pass, found = 1;
@@ -2018,10 +2030,11 @@ VM_API int vmi_record_until(const rk45 *s, ode_event *e, vm_real to)
     }
 }
 
-/* Sets e->happens to 1 if the event e happens at the fraction x of the step, where the step ends, else to 0. It happens
-   if its g has changed sign up to x, or if rounding decides the sign of g at x and this sign changes just after x.
-   Events at one instant must happen together, because the change that one event makes may keep the others from
-   happening. Returns a status. */
+/* Sets e->happens to 1 if the event e happens at the fraction x of the step, where the step ends, else to 0. The event
+   happens if its g has changed sign before x or at x, in a direction that counts. It also happens if g at x is so
+   small that rounding could have caused its sign, and g changes sign in such a direction just after x. Events at one
+   instant must happen together, because the change that one event makes may keep the others from happening. Returns a
+   status. */
 VM_API int vmi_happens_at_cut(const rk45 *s, ode_event *e, vm_real x)
 {
     ode_event look;
@@ -2117,8 +2130,8 @@ VM_API void vmi_keep_events(rk45 *s)
     }
 }
 
-/* Undoes the last step and the counts of its events, because a function of the user failed during the search for
-   events. The next call then makes the same step again, and no event is lost. */
+/* Undoes the last step, and takes back the counts of its events, because a function of the user failed during the
+   search for events. The next call then makes the same step again, and no event is lost. */
 VM_API void vmi_take_back_events(rk45 *s)
 {
     int i;
@@ -2133,8 +2146,9 @@ VM_API void vmi_take_back_events(rk45 *s)
     vmi_take_back_step(s);
 }
 
-/* Finds the events of the last step, up to the first instant at which an event ends the step. *cut becomes the fraction
-   of the step at this instant, or VMI_NONE. The continuous extension must be ready. Returns a status. */
+/* Finds the events of the last step, up to the first instant at which an event ends the step. *cut becomes the
+   fraction of the step at this instant, or VMI_NONE. The derivatives that the continuous extension needs must be known
+   (vmi_extend). Returns a status. */
 VM_API int vmi_find_events(rk45 *s, vm_real *cut)
 {
     const int n_events = s->options.n_events;
@@ -2160,9 +2174,9 @@ VM_API int vmi_is_finite_inside(const rk45 *s, vm_real x)
     return vmi_all_finite(s->n, z);
 }
 
-/* Handles the events of the last step, up to the first instant at which an event ends the step. Returns a status. After
-   an error the step is undone. If the state at this instant is not finite, the step is made again with a shorter
-   length. */
+/* Handles the events of the last step, up to the first instant at which an event ends the step. Returns a status.
+   After an error the step is undone. If the state at the instant of the event is not finite, the step is undone, too,
+   and the next step is shorter. */
 VM_API int vmi_events(rk45 *s)
 {
     vm_real cut = VMI_NONE;
@@ -2207,8 +2221,8 @@ VM_INLINE int vmi_ode_init(rk45 *s, vmi_rk_pair pair, ode_rhs f, void *ctx, int 
     return status;
 }
 
-/* Forgets which events have just happened, because the run continues at another time. The side of each event is then
-   the sign of its g at this time, even if g is small. */
+/* Forgets which events have just happened, because the run continues at another time. The side of each event then
+   becomes the sign of its g at the new time, even if g is small. */
 VM_API void vmi_forget_events(rk45 *s)
 {
     int i;
@@ -2326,7 +2340,7 @@ VMI_FOLDED int vmi_run(rk45 *s, vmi_rk_stepper stepper, ode_rhs f, int n, vm_rea
 }
 
 /* Prepares the one step of rk45_step, for the pair whose number is `method`. *t_end becomes VM_MAX, or -VM_MAX if the
-   run goes backward. Returns a status; the step may be made if it is ODE_OK. */
+   run goes backward. Returns a status; the step may be made if the status is ODE_OK. */
 VM_INLINE int vmi_begin_step(rk45 *s, int method, vm_real *t_end)
 {
     if (!s || s->pair.method != method) return ODE_BAD_ARGUMENT;
@@ -2338,7 +2352,7 @@ VM_INLINE int vmi_begin_step(rk45 *s, int method, vm_real *t_end)
 }
 
 /* Prepares the steps of rk45_solve_with, for the pair whose number is `method`. t_end may be infinite if an event can
-   end the run. Returns a status; the steps may be made if it is ODE_OK. */
+   end the run. Returns a status; the steps may be made if the status is ODE_OK. */
 VM_INLINE int vmi_begin_solve(rk45 *s, int method, ode_rhs f, int n, vm_real t_end)
 {
     if (!s || t_end != t_end || s->pair.method != method || f != s->f || n != s->n) return ODE_BAD_ARGUMENT;
@@ -2356,8 +2370,9 @@ VM_INLINE vm_real vmi_last_time(vm_real t_end)
     return t_end;
 }
 
-/* Returns the status of a run to t_end whose steps have ended with `status`. This is ODE_STEP_TOO_SMALL if t_end is
-   infinite and the steps have ended without an error or an event. */
+/* Returns the status of a run to t_end whose steps have ended with `status`. If t_end is infinite and the steps have
+   ended without an error or an event, t has reached the largest number of the type, and the status is
+   ODE_STEP_TOO_SMALL. */
 VM_INLINE int vmi_end_solve(vm_real t_end, int status)
 {
     if (!VM_IS_FINITE(t_end) && (status == ODE_OK || status == ODE_STIFF)) return ODE_STEP_TOO_SMALL;
@@ -2366,10 +2381,10 @@ VM_INLINE int vmi_end_solve(vm_real t_end, int status)
 
 #endif
 /* integrators/rk45.h - rk45: adaptive runs by a Runge-Kutta pair of orders 5 and 4
-   Tsitouras' pair [1] has seven stages. The last stage is the first one of the next step, so that a step takes six
-   evaluations of f. The continuous extension of order 4, which gives the states inside a step, takes no further
-   evaluation. Try this method first. It is better than rk87 in float, for loose tolerances, for right-hand sides that
-   are not smooth, and for many events.
+   Tsitouras' pair [1] has seven stages. The last stage of a step is also the first stage of the next step, so that a
+   step takes six evaluations of f. The continuous extension of order 4, which gives the states inside a step, takes no
+   further evaluation. Try this method first. It is better than rk87 in float, for loose tolerances, for right-hand
+   sides that are not smooth, and for many events.
 
        double y0[2] = {1, 0}, work[RK45_WORK(2)];
        rk45 s;
@@ -2443,8 +2458,8 @@ VM_API vm_real vmi_rk45_end_difference(int j)
     return VM_READ(weights[j]);
 }
 
-/* Computes the weights b[0], b[1] ... of k_1, k_2 ... in Tsitouras' continuous extension, of order 4 [1], at the
-   fraction x of the step */
+/* Computes the weights b[0], b[1] ... of k_1, k_2 ... in Tsitouras' continuous extension [1], which has order 4, at
+   the fraction x of the step */
 VM_API void vmi_rk45_weights(vm_real x, vm_real *b)
 {
     const vm_real xx = x * x;
@@ -2533,9 +2548,9 @@ VM_INLINE int rk45_step(rk45 *s)
     return vmi_rk45_run(s, s->f, s->n, t_end, 1);
 }
 
-/* Makes steps of rk45 to t_end, with f and n given once more so that f is inlined. The compiler inlines f if f and n
-   are constants in this call, wherever rk45_init was called. Returns ODE_BAD_ARGUMENT if f or n is not that of s; all
-   else is as in rk45_solve. */
+/* Makes steps of rk45 to t_end. The caller gives f and n once more, so that the compiler can inline f. It inlines f if
+   f and n are constants in this call, wherever rk45_init was called. Returns ODE_BAD_ARGUMENT if f or n differs from
+   the f or n of s. All else is as in rk45_solve. */
 VM_INLINE int rk45_solve_with(rk45 *s, ode_rhs f, int n, vm_real t_end)
 {
     const int status = vmi_begin_solve(s, VMI_RK45, f, n, t_end);
@@ -2543,10 +2558,10 @@ VM_INLINE int rk45_solve_with(rk45 *s, ode_rhs f, int n, vm_real t_end)
     return vmi_end_solve(t_end, vmi_rk45_run(s, f, n, vmi_last_time(t_end), 0));
 }
 
-/* Makes steps of rk45 to t_end exactly, forward or backward, or to an event that ends the run. t_end may be infinite if
-   there is such an event. Nothing changes if s->t is t_end. After an error s->t and s->y are those of the last accepted
-   step. Returns a status. After ODE_MAX_STEPS, that is after options.max_steps attempts, another call continues the
-   run. */
+/* Makes steps of rk45 to t_end exactly, forward or backward, or to an event that ends the run. t_end may be infinite
+   if there is such an event. Nothing changes if s->t is t_end. After an error s->t and s->y are those of the last
+   accepted step. Returns a status. The status is ODE_MAX_STEPS after options.max_steps attempts; another call then
+   continues the run. */
 VM_INLINE int rk45_solve(rk45 *s, vm_real t_end)
 {
     if (!s) return ODE_BAD_ARGUMENT;
@@ -2602,9 +2617,10 @@ VMI_FOLDED int vmi_rk87_early_stages(vmi_rk_system sys, vm_real t, vm_real h, lo
 }
 
 /* Computes stages 8 to 13 of a step of Verner's pair [4], and the new state, whose derivative is evaluated only after
-   the step is accepted. Large coefficients of opposite sign belong to derivatives k at nearly equal times. The sums use
-   the differences of such k. These differences have no rounding error, so that the rounding errors of the sums are
-   small. Returns 0, or the number with which f has stopped the run. */
+   the step is accepted. Some large coefficients, which have opposite signs, belong to derivatives k at nearly equal
+   times, such as k_4 and k_7. Therefore the sums use the differences of these derivatives. The difference of two
+   nearly equal numbers has no rounding error, so that the rounding errors of the sums are small. Returns 0, or the
+   number with which f has stopped the run. */
 VMI_FOLDED int vmi_rk87_late_stages(vmi_rk_system sys, vm_real t, vm_real t_new, vm_real h, long *evals)
 {
     const ptrdiff_t m = sys.m;
@@ -2675,15 +2691,15 @@ VMI_FOLDED int vmi_rk87_stages(vmi_rk_system sys, vm_real t, vm_real t_new, vm_r
 }
 
 /* Estimates the error that a jump of f inside a step of size 1 causes in a component whose derivatives are k1 ... k13.
-   This error is up to a quarter of the jump. The difference of the results of orders 8 and 7 hardly shows a jump in the
-   first 0.9 of the step: in this difference the weights of the k before the jump add up to 4e-4 at most. `seen` is the
-   magnitude of another sum of the k, of order 5. In this sum the weights of the k before the jump add up in magnitude
-   to
+   This error is up to a quarter of the jump. The difference of the results of orders 8 and 7 is nearly the same with
+   and without a jump in the first nine tenths of the step: in this difference the weights of the k before the jump add
+   up to 4e-4 at most. `seen` is the magnitude of another sum of the k, of order 5. In this sum the weights of the k
+   before the jump add up in magnitude to
      0.11 for a jump before 0.155 of the step (only k1 is before it), 0.17 for a jump between 0.155 and 0.465 (k1 and
      k7 are before it), 0.25 for a jump between 0.465 and 0.9 (k1, k7 and k6 are before it).
    If f is smooth, `seen` is much smaller than `change`, the change of f along the step. The returned value
-   seen^2/(seen + change) is then of order 9, and below the difference of orders 8 and 7 unless the tolerance is
-   loose. */
+   seen^2/(seen + change) is then of order 9. It is smaller than the difference of the results of orders 8 and 7,
+   unless the tolerance is loose. */
 VM_INLINE vm_real vmi_rk87_jump(vm_real k1, vm_real k6, vm_real k7, vm_real k9, vm_real k10, vm_real k13)
 {
     const vm_real seen = VM_FABS(VM_C(-0.10566347241843193175) * (k1 - k6) + VM_C(0.27305974723615654296) * (k7 - k6) -
@@ -2775,8 +2791,9 @@ VM_API vm_real vmi_rk87_extra_coefficient(int stage, int j)
 }
 
 /* Evaluates the seven further stages that the continuous extension of order 8 needs. If the derivative at the end of
-   the step is not finite, it is evaluated again first. Returns a status. It is ODE_NOT_FINITE if one of these stages
-   lies outside the domain of f; this may happen even if no stage of the step itself does. */
+   the step is not finite, it is evaluated again first. Returns a status. If one of these stages lies outside the
+   domain of f, the status is ODE_NOT_FINITE; this may happen even if all stages of the step itself lie inside the
+   domain. */
 VM_API int vmi_rk87_extend(rk45 *s)
 {
     VM_TABLE vm_real c[7] = {
@@ -2801,8 +2818,9 @@ VM_API int vmi_rk87_extend(rk45 *s)
     return ODE_OK;
 }
 
-/* Returns coefficient i of the polynomial b_{j+1}(x)/x, as a sum of Bernstein's polynomials of degree 7. b_{j+1}(x) is
-   the weight of k_{j+1} in the continuous extension. In powers of x the coefficients would be larger [4]. */
+/* Returns coefficient i of the polynomial b_{j+1}(x)/x, if this polynomial is written as a sum of Bernstein's
+   polynomials of degree 7. b_{j+1}(x) is the weight of k_{j+1} in the continuous extension. In powers of x the
+   coefficients would be larger [4]. */
 VM_API vm_real vmi_rk87_bernstein(int i, int j)
 {
     VM_TABLE vm_real c[8][21] = {
@@ -2846,8 +2864,8 @@ VM_API vm_real vmi_rk87_bernstein(int i, int j)
     return VM_READ(c[i][j]);
 }
 
-/* Computes the weights b[0], b[1] ... of k_1, k_2 ... in Verner's continuous extension, of order 8 [4], at the fraction
-   x of the step */
+/* Computes the weights b[0], b[1] ... of k_1, k_2 ... in Verner's continuous extension [4], which has order 8, at the
+   fraction x of the step */
 VM_API void vmi_rk87_weights(vm_real x, vm_real *b)
 {
     VM_TABLE vm_real binomial[8] = {1, 7, 21, 35, 35, 21, 7, 1};
@@ -2931,8 +2949,8 @@ VM_INLINE int rk87_step(rk87 *s)
     return vmi_rk87_run(s, s->f, s->n, t_end, 1);
 }
 
-/* Makes steps of rk87 to t_end, with f and n given once more so that f is inlined. All else is as in
-   rk45_solve_with. */
+/* Makes steps of rk87 to t_end. The caller gives f and n once more, so that the compiler can inline f. All else is as
+   in rk45_solve_with. */
 VM_INLINE int rk87_solve_with(rk87 *s, ode_rhs f, int n, vm_real t_end)
 {
     const int status = vmi_begin_solve(s, VMI_RK87, f, n, t_end);
@@ -2960,8 +2978,9 @@ VM_API int rk87_interpolate(rk87 *s, vm_real t, vm_real *y)
 
 #endif
 /* integrators/output.h - the solution at listed times
-   rk45_solve_at and rk87_solve_at fill a table with the state at times that the caller lists. Times between the ends of
-   the steps are taken from the continuous extension, so that the list does not make the steps shorter.
+   rk45_solve_at and rk87_solve_at fill a table with the state at times that the caller lists. If a listed time is
+   inside a step, the continuous extension of the step gives the state. So the steps need not end at the listed times,
+   and the list does not make them shorter.
 
        double times[3] = {1, 2, 5}, rows[3][2], y0[2] = {1, 0}, work[RK45_WORK(2)];
        rk45 s;
@@ -2991,7 +3010,8 @@ VM_API int vmi_times_are_in_order(vm_real t, int n_times, const vm_real *times, 
     return 1;
 }
 
-/* Fills the rows of all times that the run has reached, from the row *done on. Returns a status. */
+/* Writes the state to the row of each listed time that the run has reached, beginning with the row *done. *done
+   becomes the number of filled rows. Returns a status. */
 VM_API int vmi_fill_rows(rk45 *s, int n_times, const vm_real *times, int direction, vm_real *rows, int *done)
 {
     while (*done < n_times && vmi_has_reached(s->t, times[*done], direction)) {
@@ -3005,7 +3025,8 @@ VM_API int vmi_fill_rows(rk45 *s, int n_times, const vm_real *times, int directi
     return ODE_OK;
 }
 
-/* Does the work of rk45_solve_at for the pair whose number is `method`. run makes one step of this pair. */
+/* Does the work of rk45_solve_at for the pair whose number is `method`. The function `run` makes one step by this
+   pair. */
 VM_API int vmi_solve_at(rk45 *s, int method, int (*run)(rk45 *s, ode_rhs f, int n, vm_real t_end, int single),
                         int n_times, const vm_real *times, vm_real *rows, int *n_done_or_NULL)
 {
@@ -3027,13 +3048,13 @@ VM_API int vmi_solve_at(rk45 *s, int method, int (*run)(rk45 *s, ode_rhs f, int 
     return status == ODE_OK && s->stiff > was_stiff ? (int)ODE_STIFF : status;
 }
 
-/* Continues a run of rk45 to the last of n_times times and writes the state at each of them to a row of n numbers.
-   The times start at s->t or later and rise, or start at s->t or earlier and fall; equal times are allowed. The array
-   rows has n_times times n numbers. *n_done_or_NULL becomes the number of rows that are filled. These are all rows,
-   unless an event or an error ends the run; another call with the remaining times continues the run. If an event
-   changes the state at a listed time, the row has the new state. The values are those of rk45_interpolate, and s->y at
-   the last time. Returns a status, as rk45_solve does; it is ODE_BAD_ARGUMENT if times are not finite or neither rise
-   nor fall in this way. */
+/* Continues a run of rk45 to the last of n_times times and writes the state at each of them to a row of n numbers. The
+   times start at s->t or later and rise, or start at s->t or earlier and fall; equal times are allowed. The array rows
+   has n_times times n numbers. *n_done_or_NULL becomes the number of rows that are filled. If neither an event nor an
+   error ends the run, all rows are filled; else another call with the remaining times continues the run. If an event
+   changes the state at a listed time, the row has the new state. The values are those of rk45_interpolate; the row of
+   the last time has the values of s->y. Returns a status, as rk45_solve does. The status is ODE_BAD_ARGUMENT if times
+   are not finite or neither rise nor fall in this way. */
 VM_API int rk45_solve_at(rk45 *s, int n_times, const vm_real *times, vm_real *rows, int *n_done_or_NULL)
 {
     return vmi_solve_at(s, VMI_RK45, vmi_rk45_run, n_times, times, rows, n_done_or_NULL);
@@ -3075,7 +3096,8 @@ VM_API int rk87_solve_at(rk87 *s, int n_times, const vm_real *times, vm_real *ro
 #include <stdint.h>
 #include <string.h>
 
-/* Indices of the numbers at the beginning of a saved run. The run that resumes it must have the same numbers. */
+/* Indices of the numbers at the beginning of a saved run, its head. A run can resume a saved run only if its own head
+   would have the same numbers. */
 enum {
     VMI_SAVED_FORMAT,
     VMI_SAVED_REAL,
@@ -3083,7 +3105,7 @@ enum {
     VMI_SAVED_METHOD,
     VMI_SAVED_N,
     VMI_SAVED_EVENTS,
-    VMI_SAVED_HEAD /* the number of these numbers */
+    VMI_SAVED_HEAD /* how many numbers the head has */
 };
 
 enum {
@@ -3111,8 +3133,8 @@ typedef struct VM_TAG(vmi_saved_place) {
     int saves;
 } vmi_saved_place;
 
-/* Writes the lowest 8 times `count` bits of *bits as bytes, the lowest byte first, or reads them, and goes on to the
-   next place */
+/* Writes the lowest `count` bytes of *bits, the lowest byte first, or reads them. Afterwards *p is the place behind
+   these bytes */
 VM_API void vmi_saved_bits(vmi_saved_place *p, uint64_t *bits, int count)
 {
     uint64_t read = 0;
@@ -3292,20 +3314,21 @@ VM_API int vmi_resume(rk45 *s, int method, long size, const unsigned char *bytes
     return ODE_OK;
 }
 
-/* Saves a run of rk45 between two calls as bytes. There is room for `size` bytes, at least RK45_SAVED(n, number of
-   events). The arrays `times` and `states` of events, ctx and the options are not in the bytes: they are the caller's.
-   A call takes as long as a copy of the bytes. Returns ODE_OK; ODE_BAD_ARGUMENT for a null pointer, a negative size or
-   a run by rk87; ODE_WORK_TOO_SMALL if there is too little room. */
+/* Saves a run of rk45 between two calls as bytes. The array `bytes` has `size` elements, at least RK45_SAVED(n, number
+   of events). The arrays `times` and `states` of events, ctx and the options are not saved, because they belong to the
+   caller. A call takes as long as a copy of the bytes. Returns ODE_OK; ODE_BAD_ARGUMENT for a null pointer, a negative
+   size or a run by rk87; ODE_WORK_TOO_SMALL if `size` is too small. */
 VM_API int rk45_save(const rk45 *s, long size, unsigned char *bytes) { return vmi_save(s, VMI_RK45, size, bytes); }
 
 /* Copies the numbers of a saved run of rk45 into s, which rk45_init has made with the f, n, options and events of the
-   saved run. The next step has the same bits as that of the saved run. Returns ODE_OK; ODE_WORK_TOO_SMALL if size is
-   less than the number of bytes of such a run; ODE_BAD_ARGUMENT for a null pointer, for bytes of a run with another
-   method, n, number of events or type, and for damaged bytes. If the status is not ODE_OK, s is unchanged. */
+   saved run. The next step then has the same bits as the next step of the run that was saved. Returns ODE_OK;
+   ODE_WORK_TOO_SMALL if size is less than the number of bytes of such a run; ODE_BAD_ARGUMENT for a null pointer, for
+   bytes of a run with another method, n, number of events or type, and for damaged bytes. If the status is not ODE_OK,
+   s is unchanged. */
 VM_API int rk45_resume(rk45 *s, long size, const unsigned char *bytes) { return vmi_resume(s, VMI_RK45, size, bytes); }
 
-/* Saves a run of rk87 as bytes. There is room for `size` bytes, at least RK87_SAVED(n, number of events). All else is
-   as in rk45_save. */
+/* Saves a run of rk87 as bytes. The array `bytes` has `size` elements, at least RK87_SAVED(n, number of events). All
+   else is as in rk45_save. */
 VM_API int rk87_save(const rk87 *s, long size, unsigned char *bytes) { return vmi_save(s, VMI_RK87, size, bytes); }
 
 /* Copies the numbers of a saved run of rk87 into s, which rk87_init has made. All else is as in rk45_resume. */

@@ -476,8 +476,8 @@
        vm_scene_body_plane            A body in the plane
        vm_scene_body_point            A point in space
        vm_scene_body_free             A body that moves and turns freely in space
-       vm_scene_body_with_mass_state  A body like `body`, but its mass is a number of the state, so that streams can change it
-       vm_scene_body_absent           A body like `body`, but it is not present until an event brings it into the scene
+       vm_scene_body_with_mass_state  Returns a body like `body`, but with a mass that is a number of the state, so that streams can change the mass
+       vm_scene_body_absent           Returns a body like `body` that is not present until an event brings it into the scene
 
      scenes/growing: bodies whose mass centre and inertia change
        vm_scene_body_growing_plane    A growing body in the plane
@@ -545,7 +545,7 @@
        vm_scene_rhs                   The right-hand side of a scene as an ode_rhs
 
      scenes/check: checks that find what is wrong with a scene
-       vm_scene_check                 Finds the first thing that is wrong with a scene
+       vm_scene_check                 Finds the first error in a scene
 
      scenes/points: points of the bodies of a scene
        vm_scene_point_at              The position and velocity of a point of a body in the state y, in inertial axes
@@ -576,7 +576,7 @@
        vm_then_switch_range           The event switches n effects that follow each other in the list off (off = 1) or on (off = 0)
        vm_then_switch                 The event switches an effect off (off = 1) or on (off = 0)
        vm_then_user                   The event calls a function of the caller
-       vm_then_all                    The event does a list of actions, one after the other, at the same instant
+       vm_then_all                    The event carries out a list of actions, one after the other, at the same instant
 
      scenes/jumps: separation and attachment as events of a scene
        vm_then_separate_on_line       The event separates a part from a body on a line or on an axle
@@ -589,7 +589,7 @@
      scenes/contact: contact of bodies with the ground
        vm_effect_contact              Contact of a body with the ground, by a stiffness and a damping that push but never pull
        vm_event_contact               An event when a body comes down to the ground
-       vm_then_land                   Makes an event of vm_event_contact a stop without a bounce
+       vm_then_land                   Lets the body of a vm_event_contact land without a bounce
 
      scenes/run: runs of a scene with its events and its output
        vm_scene_run                   Runs a scene from *t to t_end, with its events and its output, by the integrator rk45 */
@@ -9573,9 +9573,9 @@ VM_API vm_real vmi_law_longest_panel(const vm_law *law, vm_real whole)
 #ifndef VARMASS_OSCILLATORS_PROBLEM_H
 #define VARMASS_OSCILLATORS_PROBLEM_H
 
-/* Routes, which are the methods to compute x(t) and x'(t), the cheapest first. The first seven use averaging: for
-   these, mass and stiffness must change little within a period. The routes VM_ROUTE_ORDER2 to VM_ROUTE_ORDER5 exist
-   only if there is no further force F. */
+/* Routes, which are the methods to compute x(t) and x'(t), the cheapest first. Numbers in brackets are equations of the
+   dissertation. The first seven use averaging: for these, mass and stiffness must change little within a period. The
+   routes VM_ROUTE_ORDER2 to VM_ROUTE_ORDER5 exist only if there is no further force F. */
 enum {
     VM_ROUTE_TRIG = 0,        /* cosine (329), (330), averaged to first order; the sign of (335) is corrected */
     VM_ROUTE_JACOBI = 1,      /* Jacobi's cn (370), (371), averaged to first order */
@@ -9618,8 +9618,8 @@ typedef struct VM_TAG(vm_osc_problem) {
 typedef struct VM_TAG(vm_osc_motion) {
     vm_real x, v;      /* position, m, and velocity, m/s */
     vm_real amplitude; /* amplitude A, m. The routes rk45 and rk87 give the amplitude that belongs to x and v. All other
-                          routes give the amplitude without its first-order ripple, the swing within a period that slow
-                          changes of mass and stiffness, and damping, cause */
+                          routes leave out the ripple of first order; the ripple is the swing of the amplitude within a
+                          period, which damping and slow changes of mass and stiffness cause */
     vm_real error;     /* estimate of the larger of |error of x|/A and |error of v|/vmax, where vmax is the largest
                           velocity at the amplitude A; it includes all causes of errors */
     int route;         /* the route by which x and v were computed, VM_ROUTE_... */
@@ -14033,16 +14033,18 @@ VM_API int vm_osc_within(const vm_osc_problem *problem, vm_real t, vm_real toler
 /* oscillators/odd_force.h - vibration under an odd elastic force of any form, with constant mass
 
    The equation is x'' + F(x) = 0. F is the force per unit mass, and an odd function, that is F(-x) = -F(x): for example
-   x + x^3, sin x, tanh x, or a function of the user. A vm_odd_force describes F. The function vm_odd_force_user in this
-   file and vm_duffing_force in oscillators/duffing.h make it; they are its constructors.
+   x + x^3, sin x, tanh x, or a function of the user. A vm_odd_force describes F. Its constructors, the functions that
+   make a vm_odd_force, are vm_odd_force_user in this file, and vm_duffing_force and vm_duffing_force_of_laws in
+   oscillators/duffing.h.
    For each amplitude A one numerical integration (a quadrature) gives the period, the action and x(t):
        vm_odd_force force = vm_odd_force_user(hard, NULL); // int hard(vm_real x, vm_real *f, void *ctx) writes *f
        vm_real T = vm_odd_period(&force, 2); // period of the motion from rest at x = 2 m
-   Method: with an angle theta, let x = A cos(theta); then v = -A sin(theta) sqrt(g), and dt = dtheta/sqrt(g). Here g is
-   the mean of F(x)/x over the variable x^2, from the present x^2 to A^2. g is smooth and positive, so that Gauss' rule
-   converges fast. An orbit is the motion at one amplitude. The phase of the orbit is 2 pi t/period, and is 0 where x is
-   largest. The action j of the orbit is the integral of v dx over a period, divided by 2 pi. For mass, stiffness and
-   damping that change slowly see oscillators/odd_motion.h.
+   Method: an angle theta replaces the time. With x = A cos(theta) the velocity is v = -A sin(theta) sqrt(g), and dt =
+   dtheta/sqrt(g). Here g is the mean of F/x as a function of x^2, between the present x^2 and A^2. Gauss' rule
+   integrates 1/sqrt(g) over theta, and converges fast because g is smooth and positive. An orbit is the motion at one
+   amplitude. The phase of the orbit is 2 pi t/period, and is 0 where x is largest. The action j of the orbit is the
+   integral of v dx over a period, divided by 2 pi. For mass, stiffness and damping that change slowly see
+   oscillators/odd_motion.h.
    Tests: tests/test_odd_force.c. */
 #ifndef VARMASS_OSCILLATORS_ODD_FORCE_H
 #define VARMASS_OSCILLATORS_ODD_FORCE_H
@@ -14057,9 +14059,9 @@ typedef struct VM_TAG(vmi_orbit) vmi_orbit;
 typedef struct VM_TAG(vmi_orbit_point) vmi_orbit_point;
 typedef struct VM_TAG(vmi_orbit_ripple) vmi_orbit_ripple; /* oscillators/orbit_ripple.h */
 
-/* An odd elastic force F(x). The constructors vm_odd_force_user and vm_duffing_force fill this struct. It contains
-   pointers to functions of this header, to the user's function, and the user's pointer ctx. The user's function and
-   what ctx points to must exist as long as the force is used. */
+/* An odd elastic force F(x). The constructors vm_odd_force_user and vm_duffing_force fill this struct. The struct
+   contains the user's pointer ctx, and pointers to the user's function and to functions of this header. The user's
+   function, and the data to which ctx points, must exist as long as the force is used. */
 typedef struct VM_TAG(vm_odd_force) vm_odd_force;
 struct VM_TAG(vm_law); /* oscillators/laws.h */
 struct VM_TAG(vm_odd_force) {
@@ -14067,28 +14069,29 @@ struct VM_TAG(vm_odd_force) {
     const struct VM_TAG(vm_law) *laws; /* two laws of time for k1 and k3; null where they are constant */
     vm_odd_function function; /* the user's function for vm_odd_force_user; null for Duffing's force */
     void *ctx;                /* the user's pointer, last argument of `function` */
-    /* Functions that depend on the kind of force; its constructor sets them. Those of type int return a status. */
+    /* Functions for this kind of force, which the constructor sets. Functions of type int return a status. */
     int (*at)(const vm_odd_force *force, vm_real x, vm_real *f); /* writes F(x) for any x to *f; null if no constructor
                                                                     filled the struct */
-    /* Writes the size and the place of the orbit that contains a given state (x, v). */
+    /* Writes the fields `size` and `place` of the orbit that contains a given state (x, v). */
     int (*orbit_through)(const vm_odd_force *force, vm_real x, vm_real v, vmi_orbit *orbit);
-    /* Computes all other fields of an orbit from its size and place. */
+    /* Computes all other fields of an orbit from its fields `size` and `place`. */
     int (*complete)(vmi_orbit *orbit);
-    /* Three functions for a complete orbit: `point` writes the point at theta, `phase` the phase of the state (x, v),
-       and `at_phase` the state at the phase phi. */
+    /* Three functions for an orbit all of whose fields are set: `point` writes the point at theta, `phase` the phase of
+       the state (x, v), and `at_phase` the state at the phase phi. */
     void (*point)(const vmi_orbit *orbit, vm_real theta, vmi_orbit_point *point);
     int (*phase)(const vmi_orbit *orbit, vm_real x, vm_real v, vm_real *phi);
     int (*at_phase)(const vmi_orbit *orbit, vm_real phi, vm_real *x, vm_real *v);
-    /* Writes the ripple of a complete orbit (oscillators/orbit_ripple.h); null where numerical integration has to find
-       it. */
+    /* Writes the ripple of an orbit (oscillators/orbit_ripple.h); null where numerical integration has to find the
+       ripple. */
     void (*ripple)(const vmi_orbit *orbit, vmi_orbit_ripple *ripple);
 };
 
 /* Where an orbit lies: around x = 0, or around another place of rest, to the right or to the left of x = 0 */
 enum { VMI_ORBIT_AROUND_0 = 0, VMI_ORBIT_RIGHT = 1, VMI_ORBIT_LEFT = -1 };
 
-/* The largest number of equal parts into which the interval 0 <= theta <= pi/2 is divided, and also the interval 0 <= x
-   <= A, where A is the amplitude; and the largest number of nodes of Gauss' rule on these parts */
+/* VMI_ORBIT_PARTS is the largest number of equal parts into which the code divides the interval 0 <= theta <= pi/2, or
+   the interval 0 <= x <= A, where A is the amplitude. VMI_ORBIT_NODES is the largest number of nodes of Gauss' rule on
+   all these parts together. */
 enum { VMI_ORBIT_PARTS = 8, VMI_ORBIT_NODES = VMI_ORBIT_PARTS * VMI_GAUSS };
 
 /* An orbit, which is the motion x'' + F(x) = 0 at one amplitude. theta is the angle at the top of this file. */
@@ -14112,8 +14115,8 @@ struct VM_TAG(vmi_orbit) {
     vm_real above[VMI_ORBIT_PARTS];             /* for a user's force: integral of F from a piece's end to `size` */
 };
 
-/* The point of an orbit at an angle theta between 0 and pi/2; theta = 0 is the turning point with the largest |x|. The
-   position x at this point is positive. */
+/* The point of an orbit at an angle theta between 0 and pi/2. theta = 0 is the turning point with the largest |x|. The
+   field x is positive; points with a negative x follow by symmetry. */
 struct VM_TAG(vmi_orbit_point) {
     vm_real x, v;          /* position and velocity */
     vm_real slowness;      /* dt/dtheta */
@@ -14195,7 +14198,8 @@ VM_API vm_real vmi_orbit_value(const vmi_orbit_sum *sum, vm_real theta)
     return vmi_legendre_at(sum->series[part], place);
 }
 
-/* The size of the terms that the series on the parts leave out, divided by the mean of the function */
+/* The size of the terms that the Legendre series leave out, on the part where it is largest, divided by the mean of the
+   function */
 VM_API vm_real vmi_orbit_tail(const vmi_orbit_sum *sum)
 {
     vm_real largest = 0;
@@ -14318,7 +14322,8 @@ VM_API vmi_odd_forces vmi_odd_user_sums(const vm_real *series, vm_real y, vm_rea
     return r;
 }
 
-/* The force F at x = share A, and its mean and mean slope between x and the amplitude A, where 0 <= share <= 1 */
+/* The force F at x = share * A, and the mean and the mean slope of F between x and the amplitude A. `share` is between
+   0 and 1. */
 VM_API vmi_odd_forces vmi_odd_user_forces(const vmi_orbit *orbit, vm_real share)
 {
     const vm_real A = orbit->size, half = A / (2 * (vm_real)orbit->pieces);
@@ -14335,8 +14340,8 @@ VM_API vmi_odd_forces vmi_odd_user_forces(const vmi_orbit *orbit, vm_real share)
     return r;
 }
 
-/* Writes the point of the orbit at the angle theta. The variable g is defined by this: between x and the amplitude A, F
-   has the mean g (A + x)/2. */
+/* Writes the point of the orbit at the angle theta. The variable g follows from the mean of F between x and the
+   amplitude A: this mean is g (A + x)/2. */
 VM_API void vmi_odd_user_point(const vmi_orbit *orbit, vm_real theta, vmi_orbit_point *point)
 {
     const vm_real A = orbit->size;
@@ -14449,8 +14454,8 @@ VM_API vm_real vmi_odd_user_missing(vm_real more, void *state)
     return sum * length - s->v * s->v / 2;
 }
 
-/* Finds the orbit through the state (x, v). A trial value of the amplitude is doubled or halved until the amplitude
-   lies between two trial values. Returns VM_NO_LAW where there is no amplitude. */
+/* Finds the orbit through the state (x, v). A trial value of (amplitude - |x|) is doubled or halved until the true
+   value lies between two trial values. Returns VM_NO_LAW where no amplitude belongs to the state. */
 VM_API int vmi_odd_user_through(const vm_odd_force *force, vm_real x, vm_real v, vmi_orbit *orbit)
 {
     const int most = 200;
@@ -14514,10 +14519,10 @@ VM_API int vmi_odd_user_at_phase(const vmi_orbit *orbit, vm_real phi, vm_real *x
 }
 
 /* Odd elastic force F(x) that a user's function computes. The function is called for x >= 0 only; its last argument is
-   ctx. F must be positive for 0 < x <= A, or at least do positive work between every x and the amplitude A. Between 0
-   and A it must be so smooth that polynomials of degree 19 represent it on at most 8 equal pieces; otherwise the
-   functions that use the force and return a status return VM_NO_LAW. If `function` is null, they return
-   VM_BAD_ARGUMENT. */
+   ctx. F must be positive for 0 < x <= A, where A is the amplitude; it is enough that the integral of F from every such
+   x to A is positive. Between 0 and A the force must be so smooth that polynomials of degree 19 represent it on at most
+   8 equal pieces. Otherwise vm_odd_exact_from and the averaged solutions return VM_NO_LAW. If `function` is null, all
+   functions that use the force and return a status return VM_BAD_ARGUMENT. */
 VM_API vm_odd_force vm_odd_force_user(vm_odd_function function, void *ctx)
 {
     vm_odd_force force;
@@ -14539,8 +14544,8 @@ VM_API vm_odd_force vm_odd_force_user(vm_odd_function function, void *ctx)
 
 /* -- Motion with constant mass -- */
 
-/* Computes all fields of the orbit through the state (x, v). If the state is one of rest in equilibrium, the field
-   `size` becomes 0, and the other fields have no meaning. */
+/* Computes all fields of the orbit through the state (x, v). If the body rests in equilibrium, the field `size` becomes
+   0, and the other fields have no meaning. */
 VM_API int vmi_orbit_of_state(const vm_odd_force *force, vm_real x, vm_real v, vmi_orbit *orbit)
 {
     int status;
@@ -15352,10 +15357,11 @@ VM_API void vm_duffing_exact_from(vm_real t, vm_real x0, vm_real v0, vm_real c1,
    changes with time. A new coordinate y = x/s makes the shape constant, where s(t)^2 is the ratio k1/k3 divided by the
    value of this ratio at t = 0. The coordinate y obeys, without any approximation,
        m y'' + K F(y) + (reactive m' + b + 2 m s'/s) y' + m G y = 0
-   with F(y) = k1(0) y + k3(0) y^3, K(t) = k(t) k1(t)/k1(0) and G = s''/s + (s'/s) (reactive m' + b)/m. So the change of
-   shape acts as additional damping, and as a weak linear spring, whose stiffness m G is of second order in the rates of
-   the laws. Where k1 or k3 is 0 all the time, s is 1. Where k1 or k3 is 0 at some times only, there is no such s; then
-   the equation of motion is integrated numerically. Guide: docs/duffing.md. Tests: tests/test_duffing_laws.c. */
+   with F(y) = k1(0) y + k3(0) y^3, K(t) = k(t) k1(t)/k1(0) and G = s''/s + (s'/s) (reactive m' + b)/m. The change of
+   shape therefore acts like additional damping and like a weak linear spring. The stiffness m G of this spring is of
+   second order in the rates of the laws. Where k1 or k3 is 0 all the time, s is 1. Where k1 or k3 is 0 at some times
+   only, there is no such s; then the equation of motion is integrated numerically. Guide: docs/duffing.md. Tests:
+   tests/test_duffing_laws.c. */
 #ifndef VARMASS_OSCILLATORS_ODD_LAWS_H
 #define VARMASS_OSCILLATORS_ODD_LAWS_H
 
@@ -15433,7 +15439,7 @@ typedef struct VM_TAG(vmi_odd_now) {
     vm_real k1, k3;  /* coefficients of x and x^3 of Duffing's force if they follow laws; else unused */
 } vmi_odd_now;
 
-/* Reads the laws at t. Where the rate of a law jumps at t, side = 1 asks for its value after t, side = -1 for its value
+/* Reads the laws at t. Where the rate of a law jumps at t, side = 1 means the rate after t, and side = -1 the rate
    before t. */
 VM_API int vmi_odd_read_laws(const vm_odd_problem *o, vm_real t, int side, vmi_odd_now *now)
 {
@@ -15497,9 +15503,9 @@ VM_API int vmi_odd_coefficient(const vm_law *law, vm_real first, vm_real t, int 
     return VM_OK;
 }
 
-/* Reads the shape of Duffing's force k1 x + k3 x^3 at t. With orders = 1 only the relative rates at t are written, with
-   orders = 4 their power series in time. Where k1 is 0 all the time, its ratio and rates are set to those of k3, and
-   the other way round, so that the factor s at the top of this file is 1. */
+/* Reads the shape of Duffing's force k1 x + k3 x^3 at t. With orders = 1 the function writes only the relative rates at
+   t, with orders = 4 their power series in time. If one of k1 and k3 is 0 all the time, its ratio and its rates become
+   those of the other coefficient, so that the factor s at the top of this file is 1. */
 VM_API int vmi_odd_shape_at(const vm_odd_problem *o, vm_real t, int side, vm_real length, int orders,
                             vmi_odd_shape *shape)
 {
@@ -15534,7 +15540,7 @@ VM_API int vmi_odd_shape_at(const vm_odd_problem *o, vm_real t, int side, vm_rea
 typedef struct VM_TAG(vmi_odd_rates) {
     vm_real m, k, b;       /* mass m, stiffness factor K and damping b */
     vm_real loss;          /* (reactive m' + b)/m, 1/s */
-    vm_real speed;         /* sqrt(K/m), the rate ds/dt of the new time s of orbit_ripple.h, 1/s */
+    vm_real speed;         /* sqrt(K/m), 1/s: how fast the new time of orbit_ripple.h grows with t */
     vm_real turn;          /* relative rate of change of `speed`, 1/s */
     vm_real h;             /* the damping h of orbit_ripple.h, multiplied by `speed`, 1/s */
     vm_real ratio1, ratio3; /* k1 and k3 divided by their values at t = 0; 1 where they are constant */
@@ -15542,8 +15548,8 @@ typedef struct VM_TAG(vmi_odd_rates) {
     vm_real scale_rate;    /* s'/s of this factor, 1/s */
 } vmi_odd_rates;
 
-/* Computes the fields of *r at t. Where the rate of a law jumps at t, side = 1 asks for its value after t, side = -1
-   for its value before t. Returns VM_NO_LAW where the shape of the force cannot be made constant. */
+/* Computes the fields of *r at t. Where the rate of a law jumps at t, side = 1 means the rate after t, and side = -1
+   the rate before t. Returns VM_NO_LAW where the shape of the force cannot be made constant. */
 VM_API int vmi_odd_rates_at(const vm_odd_problem *o, vm_real t, int side, vmi_odd_rates *r)
 {
     vm_real m[VMI_LAW_ORDERS], k[VMI_LAW_ORDERS], b[VMI_LAW_ORDERS];
@@ -15567,17 +15573,17 @@ VM_API int vmi_odd_rates_at(const vm_odd_problem *o, vm_real t, int side, vmi_od
     return VM_OK;
 }
 
-/* The damping h of orbit_ripple.h, and its first two derivatives h1 and h2 with respect to the new time s of that file,
-   where ds/dt = sqrt(K/m). spring is G m/K, which stands for the weak linear spring at the top of this file, and
-   spring1 is the derivative of spring with respect to the new time. */
+/* The damping h of orbit_ripple.h, and its first two derivatives h1 and h2 with respect to the new time of that file,
+   which grows at the rate sqrt(K/m). spring is the stiffness m G of the weak linear spring at the top of this file,
+   divided by K; spring1 is the derivative of spring with respect to the new time. */
 typedef struct VM_TAG(vmi_odd_slow) {
     vm_real h, h1, h2;
     vm_real spring, spring1;
 } vmi_odd_slow;
 
 /* Computes the fields of *slow at t. `length`, in seconds, is needed for the derivatives of laws that are functions of
-   the user (see vmi_law_derivatives). Where a derivative of a law jumps at t, side = 1 asks for its value after t, side
-   = -1 for its value before t. */
+   the user (see vmi_law_derivatives). Where a derivative of a law jumps at t, side = 1 means the derivative after t,
+   and side = -1 the derivative before t. */
 VM_API int vmi_odd_slow_at(const vm_odd_problem *o, vm_real t, int side, vm_real length, vmi_odd_slow *slow)
 {
     enum { TERMS = 4 };
@@ -15696,7 +15702,7 @@ typedef struct VM_TAG(vm_odd_plan) {
     vm_real reach;          /* the time up to which the averaged solutions exist, s: t_end, or a time between 0 and
                                t_end */
     vm_real m0, k0, speed0; /* mass m, stiffness factor k and sqrt(k/m) at t = 0 */
-    vm_real v0;             /* rate of x/s at t = 0, where s is the factor of odd_laws.h, divided by speed0 */
+    vm_real v0;             /* rate of x/s at t = 0, divided by speed0; s is the factor of odd_laws.h */
     int at_rest;            /* 1 where the body rests in equilibrium, else 0 */
     vmi_orbit start;        /* the orbit through the state at t = 0; its field `size` is 0 where there is no
                                vibration */
@@ -15779,9 +15785,9 @@ typedef struct VM_TAG(vmi_odd_nodes) {
                                                          vmi_odd_rates */
 } vmi_odd_nodes;
 
-/* Reads the shape of the force, which changes where k1 and k3 follow laws. It writes the series ratio1 and ratio3,
-   raises `edge` to the errors of these series at the ends of the panel, and writes the weak spring at the nodes. The
-   field `rates` of *at must be set before. */
+/* Reads the shape of the force, which changes where k1 and k3 follow laws. The function writes the series ratio1 and
+   ratio3. If the errors of these series at the ends of the panel are larger than the field `edge`, it raises `edge`. It
+   also writes the weak spring at the nodes. The field `rates` of *at must be set before. */
 VM_API int vmi_odd_read_shape(const vm_odd_problem *o, const vmi_odd_panel *panel, vmi_odd_nodes *at)
 {
     const vm_odd_force *force = &o->force;
@@ -15840,9 +15846,9 @@ VM_API int vmi_odd_read(const vm_odd_problem *o, const vmi_odd_panel *panel, vmi
     return vmi_odd_read_shape(o, panel, at);
 }
 
-/* Adds to the field `change` the integrals of |d^i (h/w)/dphi^i| over this panel. They are computed from `ratio`, the
-   Legendre series of h/w, with root mean squares in place of absolute values. Coefficients of the series that are as
-   small as rounding errors become 0 first. The series is overwritten. */
+/* Adds to the field `change` the integrals of |d^i (h/w)/dphi^i| over this panel. The integrals are computed from
+   `ratio`, the Legendre series of h/w, with root mean squares in place of absolute values. First all coefficients of
+   this series that are as small as rounding errors become 0. The series is overwritten. */
 VM_API void vmi_odd_add_changes(vmi_odd_panel *panel, vm_real *ratio)
 {
     const vm_real noise = (VM_MANT_DIG > 24 ? 4096 : 16) * VM_EPSILON;
@@ -15859,8 +15865,8 @@ VM_API void vmi_odd_add_changes(vmi_odd_panel *panel, vm_real *ratio)
     }
 }
 
-/* The index of the node that comes at place k in time, 0 <= k < 20. In the order of time the indices are 0, 2 ... 18,
-   19, 17 ... 1. */
+/* The index of the k-th node in the order of time, 0 <= k < 20. In this order the indices are 0, 2 ... 18, 19, 17 ...
+   1. */
 VM_API int vmi_odd_node_number(int k) { return k < VMI_GAUSS / 2 ? 2 * k : 2 * VMI_GAUSS - 1 - 2 * k; }
 
 /* Computes the Legendre series of a panel, whose fields for its start and length must be set. Before the call *orbit
@@ -15904,9 +15910,10 @@ VM_API int vmi_odd_panel_of(const vm_odd_plan *p, vmi_odd_panel *panel, vmi_orbi
 }
 
 /* Returns 1 if a panel is so short that its Legendre series are accurate enough, else 0. The limit is stricter for the
-   series of phase rate and size, which are also used inside the panel: there the errors are as large as the terms that
-   a series leaves out, while the error of an integral over the panel is about the square of such terms. `varying` is 1
-   where k1 and k3 follow laws. `whole` is the length of the whole integration in time, s. */
+   series of phase rate and size, because these series are also used inside the panel. Inside the panel the error of a
+   series is as large as the terms that the series leaves out; the error of an integral over the whole panel is only
+   about the square of these terms. `varying` is 1 where k1 and k3 follow laws. `whole` is the length of the whole
+   integration in time, s. */
 VM_API int vmi_odd_panel_is_resolved(const vmi_odd_panel *panel, const vmi_odd_nodes *at, int varying, vm_real whole)
 {
     const vm_real limit = vmi_panel_limit(panel->length, whole), fine = VM_MANT_DIG > 24 ? VM_C(1e-12) : VM_C(1e-5);
@@ -15971,8 +15978,9 @@ VM_API vm_real vmi_odd_spring_ripple(const vmi_orbit *orbit)
     return squares / (2 * orbit->w * orbit->j);
 }
 
-/* Continues the mean motion beyond the time t, a point of a table. The derivative of the damping h of odd_laws.h jumps
-   there, but the motion does not jump. Therefore the mean action jumps. */
+/* Continues the mean motion beyond the time next->t, a point of a table. At this time the derivative of the damping h
+   jumps, but the motion does not jump. The formula that leads from the motion to the mean action contains the
+   derivative of h (oscillators/orbit_ripple.h). Therefore the mean action jumps. */
 VM_API int vmi_odd_walk_past_knot(const vm_odd_plan *p, vmi_orbit *orbit, vmi_odd_panel *next)
 {
     const int side = vmi_time_side(p->t_end);
@@ -16101,11 +16109,11 @@ VM_API int vmi_odd_fill(vm_odd_plan *p)
 /* Makes a plan, by which one vibration under an odd elastic force is computed at many times between t = 0 and t_end (s,
    any sign). vm_odd_plan_within and vm_odd_plan_by_route use the plan. The problem is copied; its tables and what ctx
    points to must exist as long as the plan is used. The averaged motion may end before t_end, at a separatrix (the
-   border between two kinds of vibration) or because laws change too fast. The field `reach` is the time at which it
-   ends; at later times only the route VM_ODD_RK87 works. Errors leave the plan untouched. Returns VM_BAD_ARGUMENT for
-   null pointers and for a law or force that no constructor made, VM_NOT_FINITE for a number that is infinite or NaN,
-   VM_BAD_MASS or VM_BAD_STIFFNESS for a mass or a stiffness that is not positive, and VM_DOMAIN for a table whose times
-   do not rise or do not contain 0 and t_end, and where a user's function fails. */
+   border between two kinds of vibration) or because laws change too fast. The field `reach` is the time at which the
+   averaged motion ends; at later times only the route VM_ODD_RK87 works. Errors leave the plan untouched. Returns
+   VM_BAD_ARGUMENT for null pointers and for a law or force that no constructor made, VM_NOT_FINITE for a number that is
+   infinite or NaN, VM_BAD_MASS or VM_BAD_STIFFNESS for a mass or a stiffness that is not positive, and VM_DOMAIN for a
+   table whose times do not rise or do not contain 0 and t_end, and where a user's function fails. */
 VM_API int vm_odd_plan_init(vm_odd_plan *p, const vm_odd_problem *problem, vm_real t_end)
 {
     vm_odd_plan plan;
@@ -16214,8 +16222,8 @@ VM_API vm_real vmi_odd_steepness(const vmi_orbit *orbit)
 
 /* Estimates the error of an averaged solution at t. The estimate is the sum of the sizes of the terms that are left
    out: in the transformation between motion and mean motion at t = 0 and at t, and in the action at t = 0 and at points
-   of tables. A relative error of the action changes the phase by gamma times this error times the phase, where gamma is
-   the field of the plan or panel. The numerical factors are chosen to fit the errors of random problems in
+   of tables. A relative error e of the action changes the phase by gamma e times the phase, where gamma is the field of
+   the plan or panel. The numerical factors are chosen to fit the errors of random problems in
    tests/test_odd_force.c. */
 VM_API int vmi_odd_error(const vm_odd_plan *p, int route, vm_real t, const vmi_odd_mean *mean, vm_real *error)
 {
@@ -16270,8 +16278,9 @@ VM_API int vmi_odd_averaged(const vm_odd_plan *p, int route, vm_real t, vm_odd_m
    without a plan. oscillators/odd_motion.h has the problem and the averaged solutions, and shows the shortest useful
    call. vm_odd_rhs is the equation of motion. tests/test_odd_force.c compares the estimates with the true errors of
    random problems. The true error is below three times the estimate in 99 % of the problems, and never above ten times
-   the estimate. If the force has a kink, as x + x|x| has, the integration needs very short steps. It may then miss
-   tolerances below 1e-6; if it does, the function returns VM_TOLERANCE_MISSED. Tests: tests/test_odd_force.c. */
+   the estimate. If the force has a kink, as x + x|x| has, the integration needs very short steps. The integration may
+   then miss tolerances below 1e-6. In this case the function returns VM_TOLERANCE_MISSED. Tests:
+   tests/test_odd_force.c. */
 #ifndef VARMASS_OSCILLATORS_ODD_ROUTES_H
 #define VARMASS_OSCILLATORS_ODD_ROUTES_H
 
@@ -16485,8 +16494,8 @@ VM_API int vmi_odd_pair(vmi_odd_run *c, vm_real t, vm_real step_tolerance, vm_od
     return VM_OK;
 }
 
-/* Computes the motion at t by rk87. It makes pairs of integrations, called runs, with stricter and stricter tolerances
-   until the estimated error is within `tolerance`, at most eight pairs. If the error of a pair is not below half of the
+/* Computes the motion at t by rk87. It makes at most eight pairs of integrations, called runs, with stricter and
+   stricter tolerances, until the estimated error is within `tolerance`. If the error of a pair is not below half of the
    smallest error so far, the longest step is halved. After three such pairs no further pair is made. The result is that
    of the pair with the smallest error. */
 VM_API int vmi_odd_integrate(const vm_odd_plan *p, vm_real t, vm_real tolerance, vm_odd_motion *motion)
@@ -16554,14 +16563,14 @@ VM_API int vmi_odd_is_known(const vm_odd_plan *p, int route, vm_real t, vm_odd_m
 /* Motion under an odd elastic force at time t (s, between 0 and the plan's t_end) by a given route: VM_ODD_MEAN,
    VM_ODD_ORDER2 or VM_ODD_RK87. The field motion->error estimates the larger of |error of x|/swing and
    |error of v|/vmax, where swing is half the distance between the turning points of the vibration, and vmax its largest
-   velocity. It is infinite where the averaged solution is not valid. Only VM_ODD_RK87 uses `tolerance`, a bound for
-   this error; 0 means 1e-6 (float 1e-3). Returns VM_OK, or VM_TOLERANCE_MISSED where the integration misses the
-   tolerance. After an error *motion is unchanged. The errors are
+   velocity. This estimate is infinite where the averaged solution is not valid. Only VM_ODD_RK87 uses `tolerance`, a
+   bound for this error; 0 means 1e-6 (float 1e-3). Returns VM_OK, or VM_TOLERANCE_MISSED where the integration misses
+   the tolerance. After an error *motion is unchanged. The errors are
      VM_BAD_ARGUMENT for null pointers or a route that does not exist,
      VM_NOT_FINITE for a number that is infinite or NaN,
      VM_BAD_MASS or VM_BAD_STIFFNESS for a mass or a stiffness that is not positive between 0 and t,
      VM_DOMAIN for a negative tolerance, for t that is not between 0 and t_end, and where a user's function fails,
-     VM_NO_LAW, except for VM_ODD_RK87, for t beyond the plan's field `reach` and where there is no vibration,
+     VM_NO_LAW for t beyond the plan's field `reach` and where there is no vibration, but never for VM_ODD_RK87,
      VM_NOT_INTEGRATED where the integrator cannot reach t, for example because the motion becomes infinite. */
 VM_API int vm_odd_plan_by_route(const vm_odd_plan *p, int route, vm_real t, vm_real tolerance, vm_odd_motion *motion)
 {
@@ -19069,13 +19078,13 @@ VM_API int vm_jeffcott_linear_at(const vm_jeffcott *r, const vm_real *start, vm_
 #endif
 /* oscillators/pair.h - two bodies with a nonlinear connection
 
-   Two bodies of equal mass m(t) move on a line, and a spring connects them. Their coordinates x and y obey (517),
-   (518):
+   Two bodies of equal mass m(t) move on a line, and a spring connects them. Their coordinates x and y obey (517) and
+   (518) of the dissertation:
        m x'' = -k (x - y)|x - y|^(alpha-1) - r m' x',   m y'' = k (x - y)|x - y|^(alpha-1) - r m' y'
-   k is the stiffness of the spring, r the share of the reactive force (`reactive`). The sum q = x + y drifts, and the
-   difference p = y - x vibrates with the amplitude A and the Ateb phase psi, whose rate is Om, (520)-(522). The drift
-   and the vibration are the two modes. This file has the equations of motion, the averaged equations of both modes, and
-   the motion in closed form for a mass that is linear in time, (528), (529).
+   k is the stiffness of the spring, r the share of the reactive force (`reactive`). The sum q = x + y drifts. The
+   difference p = y - x vibrates with the amplitude A and the Ateb phase psi, (520)-(522); Om is the rate of psi. The
+   drift and the vibration are the two modes. This file has the equations of motion, the averaged equations of both
+   modes, and the motion in closed form for a mass that is linear in time, (528), (529).
 
        vm_real y[4] = {1, 3, 0, 0}; // x, y, x', y'
        vm_pair p;
@@ -19109,8 +19118,8 @@ enum {
 };
 
 /* Writes the mass and its rate at time t. It checks both numbers, the fields of the pair, and the four numbers of a
-   state. Functions that an integrator calls pass NULL for the state, so that it is not checked: if a trial step
-   overflows, the integrator must repeat the step rather than stop. */
+   state. Functions that an integrator calls pass NULL for the state, so that the state is not checked. If the state
+   overflows in a trial step, the integrator must be able to repeat the step, and an error would stop it. */
 VM_API int vmi_pair_now(const vm_pair *p, vm_real t, const vm_real *state_or_NULL, vm_real *mass, vm_real *rate)
 {
     const vm_real numbers[3] = {p->alpha, p->k, p->reactive};
@@ -19143,8 +19152,8 @@ VM_API int vm_pair_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *pair)
 }
 
 /* The amplitude of y - x at the Ateb phase psi, divided by the mean amplitude A. This ratio is (1 + s sa ca/(2
-   Om))^(2/(alpha+3)) with the rate Om of psi and s = (2r - 1) m'/m, where r is the field `reactive`. The spring acts on
-   both bodies, so that y - x vibrates with the stiffness 2 k. */
+   Om))^(2/(alpha+3)). Here sa and ca are the Ateb functions of psi, Om is the rate of psi, and s = (2r - 1) m'/m with
+   the field r = `reactive`. The spring acts on both bodies, so that y - x vibrates with the stiffness 2 k. */
 VM_API vm_real vmi_pair_ripple(const vm_pair *p, vm_real mass, vm_real rate, vm_real A, vm_real psi)
 {
     const vm_real q = vmi_slow_q(vmi_slow_drag(p->reactive, rate, 0), mass, p->k, 0);
@@ -19194,8 +19203,8 @@ VM_API int vmi_pair_join(const vm_pair *p, vm_real mass, vm_real rate, const vm_
    within a period. Any initial velocities are allowed. Returns VM_BAD_ARGUMENT for null pointers or where no
    constructor made the mass, VM_NOT_FINITE for a number that is infinite or NaN, VM_BAD_MASS or VM_BAD_STIFFNESS for a
    mass or a stiffness that is not positive, and VM_DOMAIN for alpha < 0, for t outside a table, and where the ripple is
-   as large as the motion. The ripple is so large if |(2r - 1) m'/m| is about twice the rate of psi, for example where
-   the mass m tends to 0; r is the field `reactive`. modes and y may be the same array. */
+   as large as the motion. The ripple is as large as the motion where |(2r - 1) m'/m| is about twice the rate of psi,
+   for example where the mass m tends to 0; r is the field `reactive`. modes and y may be the same array. */
 VM_API int vm_pair_to_averaged(const vm_pair *p, vm_real t, const vm_real *y, vm_real *modes)
 {
     if (!p || !y || !modes) return VM_BAD_ARGUMENT;
@@ -20988,8 +20997,8 @@ VM_API vm_real vm_adiabaticity(const vm_osc_problem *o, vm_real t, vm_real A)
    Functions refer to a body, an effect or an event by its index in its array. A scene with events also needs
    scene.events, scene.n_events and scene.located, an array of n_events elements, before the start. After the start all
    arrays must stay at their places in memory. A second vm_scene_run continues where the first ended; vm_scene_start
-   begins anew, with all bodies, effects and events as the constructors made them. A listed motor, for example, adds at
-   most 35 machine instructions to an evaluation of the right-hand side.
+   begins anew, with all bodies, effects and events as the constructors made them. Each listed effect takes time in
+   each evaluation of the right-hand side; a motor, for example, adds at most 35 machine instructions.
 
    The numbers of body i in the state y begin at y[bodies[i].at], and the positions come first. r is the position of the
    mass centre, v its velocity, q the attitude and omega the angular velocity:
@@ -21001,8 +21010,9 @@ VM_API vm_real vm_adiabaticity(const vm_osc_problem *o, vm_real t, vm_real A)
    body axes (2 numbers in the plane, else 3), and the inertia about the mass centre (1 number in the plane, else xx,
    yy, zz, xy, xz, yz).
 
-   An effect acts on a coordinate: 0 for a line or an axle; 0, 1, 2 for x, y, angle in the plane; 0, 1, 2 for x, y, z
-   of a point or a free body. On an axle, a moment of inertia replaces the mass, and a torque replaces the force.
+   An effect acts on a coordinate of a body. The number of the coordinate is 0 on a line or an axle; 0, 1, 2 for x, y,
+   angle in the plane; 0, 1, 2 for x, y, z of a point or a free body. On an axle, a moment of inertia replaces the
+   mass, and a torque replaces the force.
 
    Tests: tests/test_scenes.c and tests/test_scene_*.c. docs/scene-sizes.md lists the flash memory that each part of a
    scene needs. */
@@ -21029,7 +21039,7 @@ typedef struct VM_TAG(vm_load) {
     vm_real mass_by_v;  /* kg s/m: the derivative dM/dv of a mass law M(v) */
     vm_real joining_v;  /* m/s: velocity of the mass that joins or leaves by a mass law */
     /* fields for growing bodies only */
-    vm_vec3 drift;           /* m/s, inertial axes: rate r' of the mass centre's position less the state's v */
+    vm_vec3 drift;           /* m/s, inertial axes: rate of the mass centre's position r, minus the velocity v */
     vm_vec3 centre_rate;     /* m/s, body axes: velocity at which the mass centre moves in the body */
     vm_inertia inertia_rate; /* kg m^2/s, body axes: rate of the inertia of the body */
     /* fields used only if the scene keeps a budget */
@@ -21072,10 +21082,10 @@ struct VM_TAG(vm_scene_body) {
     vm_inertia inertia;     /* kg m^2, body axes: the present inertia */
     vm_inertia invertible;  /* kg m^2: `inertia` with an arbitrary moment > 0 about axes without moment of inertia */
     vmi_mat3 axes;          /* the present body axes of a growing body, in inertial axes */
-    int listed_orders;      /* bit (1 << order) for each `order` of the effects on the body that are checked so far */
+    int listed_orders;      /* bit (1 << order) for the `order` of each effect on the body that is checked so far */
     int status;             /* VM_OK, or the reason why the constructor could not make the body */
     vm_real noted_mass;     /* kg: the mass that the body must have after an event */
-    void (*shift)(vm_scene_body *b, vm_vec3 step, const vm_real *state); /* NULL, or adds to `centre` */
+    void (*shift)(vm_scene_body *b, vm_vec3 step, const vm_real *state); /* NULL, or adds `step` to `centre` */
 };
 
 /* Function of the caller that writes position (m), velocity (m/s) and acceleration (m/s^2) of a point at time t */
@@ -21145,8 +21155,8 @@ struct VM_TAG(vm_effect) {
     const void *parts; /* the vm_point_spring, vm_contact or vm_joints with which the caller made the effect */
 };
 
-/* Which part of the action of an event is left to do after a mass law has failed: nothing, the whole action, or only
-   its last part, which adjusts the masses after a jump or a switching */
+/* Which part of the action of an event the next run must still do, after a mass law has failed: nothing, the whole
+   action, or only the last part of the action, which adjusts the masses after a jump or a switching */
 enum { VMI_LEFT_NOTHING = 0, VMI_LEFT_ALL, VMI_LEFT_MASSES };
 
 /* What a jump event does */
@@ -21155,11 +21165,11 @@ enum { VMI_JUMP_NONE = 0, VMI_JUMP_SEPARATES, VMI_JUMP_ATTACHES };
 /* An event. A constructor such as vm_event_at says when it happens, and a function such as vm_then_stop says what it
    does. */
 struct VM_TAG(vm_event) {
-    vm_real (*when)(const vm_event *event, vm_real t, const vm_real *y); /* NULL, or is 0 at the event */
+    vm_real (*when)(const vm_event *event, vm_real t, const vm_real *y); /* NULL, or its value is 0 at the event */
     /* NULL if the event is only counted, or the function that the event calls. It returns a status; VM_STOPPED ends the
        run. */
     int (*then)(vm_event *event, vm_real t, vm_real *y);
-    vm_real time;  /* s: the set time of the event; if `when` is not NULL, when the event last happened or the start */
+    vm_real time;  /* s: the set time of the event; if `when` is not NULL: the last crossing, at first the start */
     int direction; /* > 0: the event happens if `when` rises through 0; < 0: if it falls through 0; 0: in both cases */
     /* Each is NULL, or a function that returns a status. check_when checks the condition for the event, `check` checks
        its action. */
@@ -21172,8 +21182,8 @@ struct VM_TAG(vm_event) {
     int effect;    /* index of the first effect */
     int n_effects; /* number of effects that are switched; they follow each other in the list */
     int off;       /* 1: the effects are switched off; 0: on */
-    /* fields for a jump; the function `jump` computes the motion after the jump, for a line or axle, for the plane, or
-       for any kind of motion */
+    /* fields for a jump; `jump` is a function that computes the motion after the jump: one for a line or an axle, one
+       for the plane, or one for any kind of motion */
     int (*jump)(const vm_event *event, const vm_body *body, vm_body *other, vm_body *result);
     unsigned motions;    /* bit (1 << motion) for each kind of motion that a body may have for this jump */
     int jump_kind;       /* VMI_JUMP_NONE, VMI_JUMP_SEPARATES or VMI_JUMP_ATTACHES */
@@ -21236,7 +21246,7 @@ struct VM_TAG(vm_budget) {
     void (*totals)(const vm_scene *scene, const vm_real *y, vm_budget *budget);
 };
 
-/* A scene. If a field for a part is 0 or NULL, the scene does not have this part. */
+/* A scene. If the field for a part, such as `budget`, is 0 or NULL, the scene does not have this part. */
 struct VM_TAG(vm_scene) {
     /* fields set by the caller before vm_scene_start */
     vm_scene_body *bodies; /* array of n_bodies bodies */
@@ -21248,8 +21258,8 @@ struct VM_TAG(vm_scene) {
     int n_events;
     vm_budget *budget; /* NULL, or the budget of vm_scene_keep_budget; y then has VM_BUDGET_STATES more numbers */
     /* NULL, or a function of the caller that writes or keeps results. If `times` is NULL, a run calls it at its start
-       and after each step; else only at the times of this array. If it returns a number other than 0, the run
-       stops. */
+       and after each step; else only at the times of this array. If this function returns a number other than 0, the
+       run stops. */
     int (*output)(vm_real t, const vm_real *y, vm_scene *scene, void *ctx);
     const vm_real *times; /* s: NULL, or an array of n_times increasing times at which output is called */
     int n_times;
@@ -21308,8 +21318,8 @@ VM_INLINE void vmi_effect_act(const vm_effect *e, vm_real f)
    A body moves along a line, about an axle, in the plane, as a point in space, or free in space, with rotation. The
    arguments of its constructor are its motion at the start, in SI units. Each kind of motion has three or four
    functions: `put` writes the motion of a body into the state, `get` reads it from the state, `accelerate` computes
-   the derivatives of the state from the load, and `check`, which a line and an axle do not have, refuses an inertia
-   that the body cannot have.
+   the derivatives of the state from the load, and `check` refuses an inertia that the body cannot have. A line and an
+   axle have no function `check`.
 
        vm_vec3 zero = {0, 0, 0};
        vm_scene_body bodies[] = {vm_scene_body_line(2, 0.1, 0),                              // 2 kg at x = 0.1 m
@@ -21516,8 +21526,9 @@ enum { VMI_FREE_R = 0, VMI_FREE_Q = 3, VMI_FREE_V = 7, VMI_FREE_OMEGA = 10 }; /*
 
 /* Solves Euler's equations I omega' = torque - omega x I omega for omega', where I is the inertia of the body. omega
    and omega' (`rates`) are in body axes, torque in inertial axes. The matrix of these linear equations is
-   b->invertible, which includes dummy moments (vmi_invertible_inertia); therefore the equations can be solved for a
-   rod, too. The spin of a rod about its own axis stays constant, since no load turns the rod about this axis. */
+   b->invertible. For a rod it includes a dummy moment about the axis of the rod (vmi_invertible_inertia), so that the
+   equations can be solved. The spin of a rod about its own axis stays constant, since no load turns the rod about this
+   axis. */
 VM_API int vmi_free_euler(const vm_scene_body *b, const vmi_mat3 *axes, vm_vec3 torque, vm_vec3 omega, vm_real *rates)
 {
     const vm_inertia *i = &b->invertible;
@@ -21599,24 +21610,24 @@ VM_API vm_scene_body vm_scene_body_free(const vm_body *start)
 
 /* -- Any body -- */
 
-/* A body like `body`, but its mass is a number of the state, so that streams can change it. */
+/* Returns a body like `body`, but with a mass that is a number of the state, so that streams can change the mass. */
 VM_API vm_scene_body vm_scene_body_with_mass_state(vm_scene_body body)
 {
     body.mass_is_state = 1;
     return body;
 }
 
-/* A body like `body`, but it is not present until an event brings it into the scene. Effects on the body do not act
-   before this event. When a part separates and becomes this body, the body has the mass of the part; the mass of the
-   argument `body` is then not used, but must be positive. */
+/* Returns a body like `body` that is not present until an event brings it into the scene. Effects on the body do not
+   act before this event. When a part separates and becomes this body, the body has the mass of the part; the mass of
+   the argument `body` is then not used, but must be positive. */
 VM_API vm_scene_body vm_scene_body_absent(vm_scene_body body)
 {
     body.absent = 1;
     return body;
 }
 
-/* The number of coordinates of the mass centre: along these the mass resists acceleration. For an axle it is 1: the
-   moment of inertia resists the acceleration of the angle. */
+/* The number of coordinates along which the mass resists acceleration: those of the mass centre. On an axle the number
+   is 1, because the moment of inertia resists the acceleration of the angle. */
 VM_INLINE int vmi_scene_directions(int motion)
 {
     if (motion <= VM_AXLE) return 1;
@@ -21801,8 +21812,8 @@ VM_API void vmi_free_growing_get(const vm_scene_body *b, const vm_real *state, v
     vmi_free_get(b, state, now);
 }
 
-/* Checks the inertia of a growing body in space. A rod or a point is refused, since no stream could turn it about an
-   axis about which it has no moment of inertia. */
+/* Checks the inertia of a growing body in space. A rod or a point is refused: it has no moment of inertia about at
+   least one axis, so that the equations of motion could not be solved for the rotation about this axis. */
 VM_API int vmi_free_growing_check(const vm_body *start)
 {
     vmi_inertia_ldl factors;
@@ -21814,7 +21825,7 @@ VM_API int vmi_free_growing_check(const vm_body *start)
 
 /* A growing body in space. The argument is a body made by vm_scene_body_free; for any other body vm_scene_start
    returns VM_BAD_MOTION, and for a rod or a point VM_BAD_INERTIA. A run ends with VM_BAD_INERTIA when the inertia
-   becomes one that no body can have. */
+   becomes impossible for a body. */
 VM_API vm_scene_body vm_scene_body_growing_free(vm_scene_body body)
 {
     body.mass_is_state = body.grows = 1;
@@ -21830,10 +21841,11 @@ VM_API vm_scene_body vm_scene_body_growing_free(vm_scene_body body)
 #endif
 /* scenes/forces.h - the forces of effects, as functions that can also be called without a scene
 
-   The effects of a scene use these functions, and a right-hand side that is written by hand can call them as well. They
-   return a force in N, or a torque in N m where the coordinate is an angle. x is the extension (m or rad) and v the
-   rate of the extension (m/s or rad/s). Arguments are not checked; NaN gives NaN. The error is at most 6 VM_EPSILON
-   times the sum of the absolute values of the terms of the force, if the angle of a sine or cosine is exact.
+   The effects of a scene use these functions, and a right-hand side that is written by hand can call them as well.
+   They return a force in N, or a torque in N m where the coordinate is an angle. x is the extension (m or rad) and v
+   the rate of the extension (m/s or rad/s). Arguments are not checked; NaN gives NaN. The error is at most 6
+   VM_EPSILON times the sum of the absolute values of the terms of the force, if the angle in a sine or cosine has no
+   error.
 
        vm_real x = VM_C(0.1), v = 2, mass = 3;
        vm_real acceleration = (vm_force_spring(x, 50, 3) + vm_force_damper(v, 2)) / mass; // (-50 x^3 - 2 v) / mass
@@ -21879,9 +21891,9 @@ VM_INLINE vm_real vm_force_harmonic(vm_real t, vm_real amplitude, vm_real freque
 }
 
 /* The reactive force of a stream is rate * (u - reactive * v), where the number `reactive` is 1 or 0. The stream
-   brings `rate` kg of mass per second; a negative rate takes mass away. The mass has the velocity u + (1 -
-   reactive) v, where v is the velocity of the body: u is absolute if reactive is 1, and relative to the body if
-   reactive is 0. */
+   brings `rate` kg of mass per second; a negative rate takes mass away. This mass has the velocity u + (1 - reactive)
+   v, where v is the velocity of the body. Thus u is the absolute velocity of the mass if reactive is 1, and its
+   velocity relative to the body if reactive is 0. */
 VM_INLINE vm_real vm_force_stream(vm_real v, vm_real rate, vm_real u, vm_real reactive)
 {
     return rate * (u - reactive * v);
@@ -21960,8 +21972,8 @@ VM_INLINE void vm_force_gyroscopic(vm_real vx, vm_real vy, vm_real gyro, vm_real
                       defaults (the motions on which the effect can act, the check).
    The force itself may be a function of forces.h. */
 
-/* An effect on a coordinate of a body against a coordinate of another body. It can act on all kinds of motion, is
-   neither a mass law nor a link, and its parameters are 0. */
+/* An effect on a coordinate of a body, with the opposite force on a coordinate of another body. The effect can act on
+   all kinds of motion, it is neither a mass law nor a link, and its parameters are 0. */
 VM_API vm_effect vmi_effect_between(int body, int coordinate, int other, int other_coordinate,
                                     void (*apply)(const vm_effect *effect, vm_real t, const vm_real *y,
                                                   vm_scene *scene))
@@ -22186,10 +22198,10 @@ VM_API vm_effect vm_effect_force(int body, int coordinate,
      effect->load->mass                the present mass;
      effect->load->force               the sum of the forces of the effects that stand before it in the list;
      effect->p, effect->ctx            parameters, and a pointer of the caller.
-   Therefore an effect that is listed last can act as a rigid obstacle: it subtracts the force that presses the body
-   against the obstacle. other is another body, or VM_GROUND. The effect acts only while both bodies are present;
-   effect->other_load, effect->other_x and effect->other_v belong to the body `other`. vm_scene_start returns
-   VM_BAD_ARGUMENT if apply is NULL. */
+   Since effect->load->force can be read, an effect that is listed last can act as a rigid obstacle: it subtracts the
+   force with which the other effects press the body against the obstacle. other is another body, or VM_GROUND. The
+   effect acts only while both bodies are present; effect->other_load, effect->other_x and effect->other_v belong to
+   the body `other`. vm_scene_start returns VM_BAD_ARGUMENT if apply is NULL. */
 VM_API vm_effect vm_effect_custom(int body, int other,
                                     void (*apply)(const vm_effect *effect, vm_real t, const vm_real *y,
                                                   vm_scene *scene),
@@ -22277,7 +22289,7 @@ VM_API vm_effect vm_effect_gyroscopic(int body, vm_real gyro)
 /* scenes/gravitation.h - Newton's gravitation between bodies and towards a fixed centre
 
    The attraction falls with the inverse square of the distance and acts at the mass centres. It is computed from the
-   present masses, also if streams, laws or events change them. The bodies move in the plane or in space, or are
+   present masses, even if streams, laws or events change the masses. The bodies move in the plane or in space, or are
    points. For uniform gravity use vm_effect_gravity.
 
        vm_vec3 zero = {0, 0, 0};
@@ -22291,9 +22303,9 @@ VM_API vm_effect vm_effect_gyroscopic(int body, vm_real gyro)
 enum { VMI_GRAVITATION_G = 0, VMI_CENTRAL_CENTRE = 0, VMI_CENTRAL_MU = 3 };
 
 /* The attraction a b/r^2 along d, the vector to the other mass. r is the length of d, and a b is G times the product
-   of the two masses. Each of the factors a and b is divided by r, because the product a b could overflow. If the force
-   is not finite, because the masses are at the same place, the scene gets the status VM_NOT_FINITE, and the integrator
-   refuses the step. */
+   of the two masses. Each of the factors a and b is divided by r before the multiplication, because the product a b
+   could overflow. If the force is not finite, because the masses are at the same place, the scene gets the status
+   VM_NOT_FINITE, and the integrator refuses the step. */
 VM_INLINE vm_vec3 vmi_gravitation(vm_real a, vm_real b, vm_vec3 d, vm_scene *s)
 {
     const vm_real r = VM_SQRT(vm_dot(d, d));
@@ -22368,8 +22380,9 @@ VM_API vm_effect vm_effect_central_gravity(int body, vm_vec3 centre, vm_real mu)
 /* scenes/mass.h - mass that follows a law, and its reactive force
 
    A mass law M(t, x, v) gives the mass of a body at any time; the mass is then not a number of the state. The mass
-   that joins or leaves has the velocity u + (1 - reactive) v, where v is the velocity of the body. Therefore the
-   equation of motion under the force F is M v' = F + M' (u - reactive v). The mass that joins or leaves has, for
+   that joins or leaves has the velocity u + (1 - reactive) v, where v is the velocity of the body; the caller chooses
+   the velocity u and the number `reactive`. Therefore the equation of motion under the force F is M v' = F + M' (u -
+   reactive v). The mass that joins or leaves has, for
      reactive = 1  the absolute velocity u: the reactive force is M' (u - v) (156), Levi-Civita's (167)-(169) if u = 0;
      reactive = 0  the velocity u relative to the body: the reactive force is M' u, which is 0 if u = 0 (166).
    Only on a line or an axle may a law depend on the position x and the velocity v. On an axle x is the angle, v the
@@ -22380,8 +22393,8 @@ VM_API vm_effect vm_effect_central_gravity(int body, vm_vec3 centre, vm_real mu)
 
    In the list of effects a mass law must stand before all other effects on its body, and a body has at most one mass
    law. If a jump adds mass to the body, this mass is added to the mass that the law gives. If an event switches a law
-   off, the mass remains constant. If an event switches a law on, the law continues from the present mass: of the law
-   M0 + c t only c then has an effect. Therefore switching never changes a mass suddenly.
+   off, the mass remains constant. If an event switches a law on, the law continues from the present mass: of a law M0
+   + c t only the rate c then matters, and not M0. Therefore switching never changes a mass suddenly.
 
    Tests: tests/test_scene_mass.c. */
 #ifndef VARMASS_SCENES_MASS_H
@@ -22412,10 +22425,12 @@ VM_INLINE void vmi_scene_reactive(const vm_effect *e, const vm_real *y, vm_scene
     }
 }
 
-/* Gives a body the mass that a law gives, and adds the reactive force. The rate of the mass is M' = by_t + by_x v +
-   by_v v'. The acceleration v' is not known yet; therefore the reactive force of the last term, by_v v' (u - reactive
-   v), is moved to the left side of the equation of motion, where it acts as the mass extra_mass = by_v (reactive v -
-   u). */
+/* Gives a body the mass M of a law, and adds the reactive force. *now has M, and the partial derivatives of M with
+   respect to time t, position x and velocity v: by_t, by_x and by_v. Thus the mass changes at the rate M' = by_t +
+   by_x v + by_v v'. The acceleration v' is not known yet. Therefore this function adds only the reactive force of the
+   first two terms of M'. The reactive force of the last term is by_v v' (u - reactive v). It is moved to the left side
+   of the equation of motion M v' = F + M' (u - reactive v), which then is (M + extra_mass) v' with extra_mass = by_v
+   (reactive v - u). So extra_mass acts like an additional mass. */
 VM_INLINE void vmi_scene_apply_law(const vm_effect *e, const vm_real *y, vm_scene *s, const vm_mass_law_values *now,
                                 const vm_real *u, vm_real reactive)
 {
@@ -22525,7 +22540,8 @@ VM_API void vmi_apply_mass_of_time(const vm_effect *e, vm_real t, const vm_real 
 }
 
 /* Returns VM_OK if a constructor made the law, else VM_BAD_ARGUMENT. vm_scene_check calls this function before it
-   checks the parameters, because of two errors VM_BAD_ARGUMENT is returned rather than VM_NOT_FINITE. */
+   checks the parameters. If both the law and a parameter are wrong, the status is therefore VM_BAD_ARGUMENT and not
+   VM_NOT_FINITE. */
 VM_API int vmi_check_mass_of_time(const vm_scene *s, const vm_effect *e)
 {
     (void)s;
@@ -22559,8 +22575,8 @@ VM_API vm_effect vm_effect_mass_of_time(int body, const vm_law *law, vm_vec3 u, 
    A stream brings mass into a body or takes mass out of it. The mass of the body must be a number of the state
    (vm_scene_body_with_mass_state). vm_effect_stream is a stream that enters or leaves at the mass centre: it changes
    the mass and exerts a reactive force. Four further effects are for a vm_stream of mechanics/streams.h that enters or
-   leaves at a point of a growing body. Each of these four effects is one action of the stream, and a scene need not
-   have all of them:
+   leaves at a point of a growing body. Each of these four effects is one action of the stream; a scene may have only
+   some of them:
      vm_effect_stream_mass    changes mass, mass centre and inertia; the mass centre then moves with r' = v + (M'/M) d
      vm_effect_stream_force   exerts the reactive force M' (u - v) (156)
      vm_effect_stream_moment  exerts the moment d x M' (u - v) about the mass centre (158)
@@ -22602,8 +22618,8 @@ VM_API vm_effect vm_effect_stream(int body, vm_real rate, vm_vec3 u, vm_real rea
     return e;
 }
 
-/* A stream at a point of a growing body: `seen` is the motion of the body in the form that vmi_stream_sums needs, and
-   `sum` has the sums that vmi_stream_sums computes */
+/* A stream at a point of a growing body. The field `seen` has the motion of the body, in the form that vmi_stream_sums
+   needs; the field `sum` has the sums that vmi_stream_sums computes */
 typedef struct VM_TAG(vmi_crossing) {
     vmi_stream_seen seen;
     vmi_stream_sum sum;
@@ -22715,13 +22731,14 @@ VM_API vm_effect vmi_effect_crossing(int body, const vm_stream *stream,
 }
 
 /* Changes mass, mass centre and inertia of a growing body by a stream. *stream is not copied: if an event changes it,
-   the run continues with the change. stream->at is in body axes and leads from the place of the mass centre at the
-   start. The field `mixing` of the budget is right only if the effects for mass, force, moment and torque of the
-   stream are all listed, and if the stream has no store. A stream may have a store on the line through its point and
-   the mass centre; for example, the tank and the nozzle of a rocket lie on the rocket's axis. If no other stream of
-   the body has a store, the motion then is the same as by vm_flow_rhs. vm_scene_start returns VM_BAD_ARGUMENT if
-   stream is NULL or stream->motion is unknown, VM_STORED_STREAM if the store does not lie on this line, and
-   VM_DOES_NOT_GROW if the body is not a growing body. */
+   the run continues with the change. stream->at is a vector in body axes, from the place that the mass centre has in
+   the body at the start to the point of the stream. The field `mixing` of the budget is right only if the effects for
+   mass, force, moment and torque of the stream are all listed, and if the stream has no store. A stream may have a
+   store on the line through the point of the stream and the mass centre; for example, the tank and the nozzle of a
+   rocket lie on the rocket's axis. If no other stream of the body has a store, vm_flow_rhs gives the same motion.
+   vm_scene_start returns VM_BAD_ARGUMENT if stream is NULL or stream->motion is unknown, VM_STORED_STREAM if the store
+   does not lie on the line through the point of the stream and the mass centre, and VM_DOES_NOT_GROW if the body is
+   not a growing body. */
 VM_API vm_effect vm_effect_stream_mass(int body, const vm_stream *stream)
 {
     return vmi_effect_crossing(body, stream, vmi_apply_stream_mass);
@@ -22751,10 +22768,10 @@ VM_API vm_effect vm_effect_stream_torque(int body, const vm_stream *stream)
 }
 
 /* An effect of a stream that varies in time. The argument `effect` comes from vm_effect_stream_mass, _force, _moment
-   or _torque. At each evaluation the function `vary` receives a copy of the stream and writes the fields that vary,
-   for the time t and the state y: the point, which may move in the body, the rate, the velocity or the store
-   (vm_supply_at computes the store of a tank). vm_scene_start returns VM_BAD_ARGUMENT if vary is NULL or the effect
-   has no stream. */
+   or _torque. At each evaluation the function `vary` receives a copy of the stream, and writes those fields of this
+   copy that vary with the time t or the state y. These may be the point, which may move in the body, the rate, the
+   velocity or the store (vm_supply_at computes the store of a tank). vm_scene_start returns VM_BAD_ARGUMENT if vary is
+   NULL or the effect has no stream. */
 VM_API vm_effect vm_effect_varying(vm_effect effect,
                                    void (*vary)(vm_real t, const vm_real *y, vm_stream *stream, void *ctx),
                                    void *ctx)
@@ -22768,9 +22785,9 @@ VM_API vm_effect vm_effect_varying(vm_effect effect,
 #endif
 /* scenes/band.h - a band that winds up on a drum or off it
 
-   The drum is a body on an axle (chapter 5.2 of the dissertation). At the angle phi = 0 no band is on the drum, and
-   the body is made with the moment of inertia of the bare drum. The band comes onto the drum or leaves it at the
-   radius
+   The drum is a body on an axle (chapter 5.2 of the dissertation). At the angle phi = 0 no band is on the drum. The
+   constructor of the body receives the moment of inertia of the bare drum. The band comes onto the drum or leaves it
+   at the radius
      R + h phi/(2 pi)   along a spiral, or
      R + h n            in layers, after n complete turns (the field by_layer is 1),
    and the moment of inertia grows by rho b h radius^3 per radian. R is the radius of the drum, h the thickness of the
@@ -22829,7 +22846,7 @@ VM_API int vmi_band_is_valid(const vm_band *b)
 }
 
 /* Returns a vm_band_now with this radius, whose rate, mass and inertia are all equal to `others`. For a bare drum
-   `others` is 0. If the band or the angle is not valid, the caller passes NaN for both arguments. */
+   `others` is 0. If the band or the angle is not valid, both arguments are NaN. */
 VM_API vm_band_now vmi_band_none(vm_real radius, vm_real others)
 {
     vm_band_now none;
@@ -22883,8 +22900,8 @@ VM_API vm_band vmi_band_of(const vm_effect *e)
 }
 
 /* Sets the moment of inertia J(phi) of the drum, as a mass law sets a mass; on an axle the moment of inertia takes the
-   place of the mass. u is the speed of the band divided by the radius at which it comes, and thus an angular velocity
-   about the axle. */
+   place of the mass. The velocity u of the law is here the speed of the band divided by the radius at which the band
+   comes, and thus an angular velocity about the axle. */
 VM_API void vmi_apply_band(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
     const vm_band band = vmi_band_of(e);
@@ -22979,12 +22996,12 @@ VM_API void vmi_link_to_point(const vm_effect *e, vm_real t, vmi_link_end *end)
 enum { VMI_LINK_LENGTH, VMI_LINK_RATE };
 
 /* Computes the factor lambda of the force lambda d that the link exerts on its end `here`; the vector d leads from the
-   end `there` to the end `here`. lambda follows from the condition that the deviation C = (d^2 - l^2)/2, where l is
-   the length of the link, obeys C'' + 2 rate C' + rate^2 C = 0. In this equation C' = d v and C'' = d a + v^2, where v
-   and a are the velocity and acceleration of `here` relative to `there`. The force of the link changes d a by lambda
-   times a sum: over both ends and all coordinates, the mobility of the end times the square of the coordinate of d.
-   lambda is 0 for a slack cord. Returns VM_SINGULAR if the ends are at one place or cannot move along the link,
-   VM_NOT_FINITE if a number is not finite, and else VM_OK. */
+   end `there` to the end `here`. The deviation of the link is C = (d^2 - l^2)/2, where l is the length of the link.
+   lambda follows from the condition C'' + 2 rate C' + rate^2 C = 0. In this equation C' = d v and C'' = d a + v^2,
+   where v and a are the velocity and acceleration of `here` relative to `there`. The force of the link changes d a by
+   lambda S. S is a sum over both ends and all coordinates; each term is the mobility of the end along the coordinate,
+   times the square of this coordinate of d. lambda is 0 for a slack cord. Returns VM_SINGULAR if the ends are at one
+   place or cannot move along the link, VM_NOT_FINITE if a number is not finite, and else VM_OK. */
 VM_API int vmi_link_lambda(const vm_effect *e, const vmi_link_end *here, const vmi_link_end *there, vm_real *lambda)
 {
     /* A cord does not pull while the distance of its ends is shorter than its length by more than this fraction. The
@@ -22992,7 +23009,7 @@ VM_API int vmi_link_lambda(const vm_effect *e, const vmi_link_end *here, const v
        slack. */
     const vm_real loose = VM_C(1e-6) + 512 * VM_EPSILON;
     const vm_real length = e->p[VMI_LINK_LENGTH], rate = e->p[VMI_LINK_RATE];
-    vm_real dd = 0, dv = 0, vv = 0, da = 0, mobility = 0, C; /* scalar products; sum of mobility d^2 */
+    vm_real dd = 0, dv = 0, vv = 0, da = 0, mobility = 0, C; /* scalar products; the sum S; C */
     int i;
     for (i = 0; i < 3; i++) {
         const vm_real v = here->v[i] - there->v[i], d = here->r[i] - there->r[i];
@@ -23050,14 +23067,14 @@ VM_API int vmi_link_check_ends(const vm_scene *s, const vm_effect *e)
    point or a body in the plane, at the distance `length` (m) from another mass centre or from a moving point. The
    other mass centre is that of the body `other`, which must not be on an axle; the argument `point` is then NULL. If
    other is VM_GROUND, the function `point` gives the motion of the moving point, which may lie above the plane. If
-   `cord` is 1, the link is a cord. Deviations from the length decrease as exp(-rate t), with rate > 0 in 1/s. A cord
-   that becomes taut at the speed v is stretched by about v/(e rate), where e = 2.718. A high rate makes the equations
-   of motion stiff, so that the steps become short: in float a rate of 100/s is tested for a cord of 1 m at 6 m/s.
-   vm_scene_start returns VM_DOMAIN if length or rate is not positive; VM_BAD_MOTION if a body has a kind of motion
-   that is not allowed here or is a growing body, whose mass centre moves in the body; VM_TWO_LINKS if a body has a
-   second link; VM_LINK_NOT_LAST if another effect on the body follows the link; and VM_SAME_BODY if the link connects
-   a body with itself. A run ends with VM_SINGULAR if the ends of the link are at one place or cannot move along the
-   link. */
+   `cord` is 1, the link is a cord. Deviations from the length decrease as exp(-rate t) with the time t; rate > 0 is in
+   1/s. A cord that becomes taut at the speed v is stretched by about v/(e rate), where e = 2.718. A high rate makes
+   the equations of motion stiff, so that the steps become short: in float a rate of 100/s is tested for a cord of 1 m
+   at 6 m/s. vm_scene_start returns VM_DOMAIN if length or rate is not positive; VM_BAD_MOTION if a body has a kind of
+   motion that is not allowed here or is a growing body, whose mass centre moves in the body; VM_TWO_LINKS if a body
+   has a second link; VM_LINK_NOT_LAST if another effect on the body follows the link; and VM_SAME_BODY if the link
+   connects a body with itself. A run ends with VM_SINGULAR if the ends of the link are at one place or cannot move
+   along the link. */
 VM_API vm_effect vm_effect_link(int body, int other, vm_moving_point point, void *ctx, vm_real length, int cord,
                                 vm_real rate)
 {
@@ -23107,9 +23124,9 @@ VM_INLINE int vmi_scene_has_lists(const vm_scene *s)
     return vmi_scene_is_list(s->n_bodies, s->bodies) && vmi_scene_is_list(s->n_effects, s->effects);
 }
 
-/* Number of elements of the state of a scene. This number depends on the bodies, and is larger if the scene keeps a
-   budget. Returns VM_BAD_ARGUMENT if scene is NULL, or if the list of its bodies is missing or has a negative
-   length. */
+/* Number of elements of the state of a scene. These are the elements of all bodies, and VM_BUDGET_STATES more if the
+   scene keeps a budget. Returns VM_BAD_ARGUMENT if scene is NULL, or if the list of its bodies is missing or has a
+   negative length. */
 VM_API int vm_scene_size(const vm_scene *scene)
 {
     int i, size = 0;
@@ -23145,8 +23162,8 @@ VM_API void vm_scene_body_at(const vm_scene *scene, int body, const vm_real *y, 
     now->r = now->v = now->omega = none;
 }
 
-/* Writes the motion `now` of a body into the state. The angle is a separate argument, since the attitude in *now does
-   not include complete turns. */
+/* Writes the motion *now of a body into the state. The angle is a separate argument, since the attitude in *now cannot
+   tell how many complete turns the angle includes. */
 VM_API void vmi_scene_put(vm_scene *s, int body, const vm_body *now, vm_real angle, vm_real *y)
 {
     vm_scene_body *b = s->bodies + body;
@@ -23156,8 +23173,8 @@ VM_API void vmi_scene_put(vm_scene *s, int body, const vm_body *now, vm_real ang
     b->put(b, now, angle, y + b->at);
 }
 
-/* Updates the field `idle` of all effects, which is not 0 if an effect does not act: because its body, or the body on
-   which the opposite force acts, is not present, or because the effect is switched off. */
+/* Updates the field `idle` of all effects. It is 0 if the effect acts. It is not 0 if the effect is switched off, or
+   if its body, or the body on which the opposite force acts, is not present. */
 VM_API void vmi_scene_presence(vm_scene *s)
 {
     int i;
@@ -23172,9 +23189,9 @@ VM_API void vmi_scene_presence(vm_scene *s)
 #endif
 /* scenes/evaluate.h - the right-hand side of a scene
 
-   The right-hand side gives the derivatives of the state. An evaluation of it sets the loads on all bodies to 0, lets
-   each effect add to the loads, and computes the acceleration of each body from its load. The function vm_scene_rhs
-   has the type ode_rhs, so that any integrator of the kit can integrate a scene without events:
+   The right-hand side gives the derivatives of the state. Each evaluation of the right-hand side sets the loads on all
+   bodies to 0, lets each effect add its loads, and computes the acceleration of each body from the loads on it. The
+   function vm_scene_rhs has the type ode_rhs, so that any integrator of the kit can integrate a scene without events:
 
        vm_real work[RK87_WORK(2)]; // 2 = vm_scene_size(&scene)
        rk87 run;
@@ -23187,7 +23204,7 @@ VM_API void vmi_scene_presence(vm_scene *s)
 #include <string.h>
 
 /* Prepares the load of a body before the effects add to the load: the mass becomes the present mass, and all sums
-   become 0. Of the forces only those on coordinates that the body has are set. */
+   become 0. The forces on coordinates that the body does not have are not set. */
 VM_INLINE void vmi_scene_clear(vm_scene_body *b, const vm_real *y, int with_budget)
 {
     vm_load *load = &b->load;
@@ -23217,8 +23234,8 @@ VM_INLINE void vmi_scene_evaluate(vm_scene *s, vm_real t, const vm_real *y)
 }
 
 /* Computes the loads for a function that needs the masses. Returns VM_OK, or an error if the mass of a body that is
-   present is not finite. The error is the status of the effect that could not act, or VM_NOT_FINITE; s->status then
-   has the same value. */
+   present is not finite. If an effect could not act, the error is the status of this effect, else VM_NOT_FINITE;
+   s->status becomes the same error. */
 VM_API int vmi_scene_weigh(vm_scene *s, vm_real t, const vm_real *y)
 {
     const int before = s->status;
@@ -23388,8 +23405,8 @@ VM_API int vmi_scene_can_jump(int motion, int other)
     return motion == other || (other == VM_POINT && motion > VM_AXLE);
 }
 
-/* Checks a jump. A part that separates becomes a body of the scene that was absent. This function also checks that
-   this body can have the mass, inertia and motion of the part. */
+/* Checks a jump. A part that separates becomes a body of the scene that was absent. Therefore this function also
+   checks that this body can have the mass, inertia and motion of the part. */
 VM_API int vmi_scene_check_jump(const vm_scene *s, const vm_event *e)
 {
     int status = vmi_scene_check_coordinate(s, e->jump_body, 0);
@@ -23439,8 +23456,8 @@ VM_API void vmi_scene_set_fault(vm_scene_fault *fault_or_NULL, const char *kind,
     fault_or_NULL->index = index;
 }
 
-/* Finds the first thing that is wrong with a scene. Returns its status, or VM_OK if nothing is wrong, and writes to
-   *fault_or_NULL in which body, effect or event it is. The time of this check is proportional to the number of bodies,
+/* Finds the first error in a scene. Returns the status of this error, or VM_OK if nothing is wrong, and writes to
+   *fault_or_NULL which body, effect or event is wrong. The time of this check is proportional to the number of bodies,
    effects and events. The function returns the statuses that the comments of the constructors name, and
      VM_BAD_ARGUMENT        if a pointer is NULL, a count is negative, or a body or a function is missing;
      VM_NOT_FINITE          if a parameter, a time or a number of a body is infinite or NaN;
@@ -23484,12 +23501,13 @@ VM_API int vm_scene_check(const vm_scene *scene, vm_scene_fault *fault_or_NULL)
 #endif
 /* scenes/points.h - points of the bodies of a scene
 
-   Springs, joints and contacts act at points of bodies. A point is given by the vector that leads to it from the place
-   of the mass centre in the body at the start, in body axes. The point moves and turns with the body. On an axle the
-   vector leads from the axle, which goes through the origin. In the plane the third component of the vector is a
-   height above the plane. A point of the ground is given by its position. A body that is itself a point has only one
-   point, which is given by the zero vector. A rod has only the points on its own axis. For other points of such bodies
-   the status is VM_BAD_POINT.
+   Springs, joints and contacts act at points of bodies. A point of a body is given by a vector in body axes. The
+   vector leads from the place that the mass centre has in the body at the start to the point. The point moves and
+   turns with the body. A body on an axle turns about the z axis. The vector of one of its points leads from the
+   origin, through which the axle goes. In the plane the third component of the vector is a height above the plane. A
+   point of the ground is given by its position. A body that is itself a point has only one point, which is given by
+   the zero vector. A rod, which has no moment of inertia about its own axis, has only the points on this axis. For any
+   other point of a rod or of a body that is a point the status is VM_BAD_POINT.
 
        vm_vec3 tip = {0.5, 0, 0}, r, v;
        vm_scene_point_at(&scene, 0, tip, y, &r, &v); // position and velocity of a point of body 0 in the state y
@@ -23597,7 +23615,8 @@ VM_API void vmi_point_kick(const vm_scene_body *b, const vmi_body_point *p, vm_v
     else vmi_scene_add(b, velocities, move, spin);
 }
 
-/* The acceleration of a point along a unit vector that a force of 1 N on the point along this vector causes */
+/* Returns the acceleration of a point in the direction of the unit vector `along` if a force of 1 N in this direction
+   acts on the point */
 VM_API vm_real vmi_point_mobility(const vm_scene_body *b, const vmi_body_point *p, vm_vec3 along)
 {
     const vm_vec3 zero = {0, 0, 0}, turn = vm_cross(p->arm, along);
@@ -23607,8 +23626,9 @@ VM_API vm_real vmi_point_mobility(const vm_scene_body *b, const vmi_body_point *
 /* Returns 1 if the inertia of a body resists every force at the point `at`, else 0. A force at this point can turn the
    body about any axis normal to `at`. If the body is a rod or a point, it has no moment of inertia about k of its
    principal axes. `hollow` is the inertia that vmi_invertible_inertia adds: the same moment `dummy` about each of
-   these k axes. The components of `at` normal to these axes must be 0. The sum of their squares is k at^2 - at (hollow
-   at)/dummy, and must be 0 apart from rounding errors. */
+   these k axes. The point is possible only if `at` is parallel to each of these axes: the components of `at` normal to
+   them must be 0. The sum of the squares of these components is k at^2 - at (hollow at)/dummy, and must be 0 apart
+   from rounding errors. */
 VM_API int vmi_point_is_possible(const vm_scene_body *b, vm_vec3 at)
 {
     const vm_real noise = 64 * VM_EPSILON;
@@ -23642,10 +23662,10 @@ VM_API int vmi_point_check(const vm_scene *s, int body, vm_vec3 at)
     return vmi_point_is_possible(s->bodies + body, at) ? VM_OK : VM_BAD_POINT;
 }
 
-/* The position and velocity of a point of a body in the state y, in inertial axes. `at` is the vector from the place
-   of the mass centre at the start to the point, in body axes; on an axle it leads from the axle. The scene must have
-   been started. *r in m and *v in m/s are NaN if no body has this index, if scene or y is NULL, or if the scene was
-   not started. If r or v is NULL, nothing is written. */
+/* The position and velocity of a point of a body in the state y, in inertial axes. `at` is a vector in body axes. It
+   leads to the point from the place that the mass centre has in the body at the start; on an axle it leads from the
+   origin. The scene must have been started. *r is in m and *v in m/s; both are NaN if no body has this index, if scene
+   or y is NULL, or if the scene was not started. If r or v is NULL, nothing is written. */
 VM_API void vm_scene_point_at(const vm_scene *scene, int body, vm_vec3 at, const vm_real *y, vm_vec3 *r, vm_vec3 *v)
 {
     vmi_body_point p;
@@ -23686,8 +23706,8 @@ VM_API void vm_scene_push_at(vm_scene *scene, int body, vm_vec3 at, const vm_rea
        vm_effect effects[] = {vm_effect_point_spring(0, VM_GROUND, &strut)};    // from a point of body 0 to (2, 1, 0)
 
    The field `work` of the scene's budget includes the work of the force, which is the energy that the spring gives
-   back less the energy that the damper takes out. A spring of the stiffness k, the present length l and the length
-   `rest` without force stores the energy k (l - rest)^2/2.
+   back less the energy that the damper takes out. The spring stores the energy k (l - rest)^2/2, where k is its
+   stiffness, l its present length, and `rest` its length without force.
 
    Tests: tests/test_scene_joints.c. */
 #ifndef VARMASS_SCENES_SPRINGS_H
@@ -23704,8 +23724,8 @@ typedef struct VM_TAG(vm_point_spring) {
 
 /* Computes the force on the first point; d and v are its position and velocity relative to the second point. If the
    points coincide, a spring whose length `rest` is 0 or whose stiffness is 0 exerts no force, and the damper acts
-   against the velocity v. For any other spring the force then has no direction, and the function returns VM_SINGULAR;
-   otherwise it returns VM_OK. */
+   against the velocity v. For any other spring the force has no direction if the points coincide, and the function
+   returns VM_SINGULAR. In all other cases it returns VM_OK. */
 VM_API int vmi_point_spring_force(const vm_point_spring *spring, vm_vec3 d, vm_vec3 v, vm_vec3 *f)
 {
     const vm_real length = vm_norm(d);
@@ -23746,11 +23766,11 @@ VM_API int vmi_point_spring_check(const vm_scene *s, const vm_effect *e)
 }
 
 /* A spring and a damper between a point of a body and a point of the body `other`, or of the ground. *spring is not
-   copied: if an event changes it, the run continues with the change. With the length l of the spring, the force that
-   pulls the points together is stiffness (l - rest) + damping l'. vm_scene_start returns VM_BAD_ARGUMENT if spring is
-   NULL, VM_NOT_FINITE if a number is infinite or NaN, VM_DOMAIN if rest < 0, VM_SAME_BODY if the spring connects a
-   body with itself, and VM_BAD_POINT if a body cannot have its point of the spring (points.h). A run ends with
-   VM_SINGULAR if the points coincide, unless rest or stiffness is 0. */
+   copied: if an event changes it, the run continues with the change. The force that pulls the points together is
+   stiffness (l - rest) + damping l', where l is the present length of the spring and l' the rate of this length.
+   vm_scene_start returns VM_BAD_ARGUMENT if spring is NULL, VM_NOT_FINITE if a number is infinite or NaN, VM_DOMAIN if
+   rest < 0, VM_SAME_BODY if the spring connects a body with itself, and VM_BAD_POINT if a body cannot have its point
+   of the spring (points.h). A run ends with VM_SINGULAR if the points coincide, unless rest or stiffness is 0. */
 VM_API vm_effect vm_effect_point_spring(int body, int other, const vm_point_spring *spring)
 {
     vm_effect e = vmi_effect_between(body, 0, other, 0, spring ? vmi_apply_point_spring : NULL);
@@ -23764,8 +23784,8 @@ VM_API vm_effect vm_effect_point_spring(int body, int other, const vm_point_spri
 
    A pin holds a point of a body at a point of another body or of the ground: in the plane it is a hinge, in space a
    ball joint. A rod keeps the distance of two points constant. Pins and rods are called joints. All joints of a scene
-   are in one list, and the forces of all joints are computed together, by Lagrange's multipliers: chains, closed
-   mechanisms and several joints on one body are possible. points.h explains how a point is given.
+   are in one list, and the forces of all joints are computed together, by Lagrange's multipliers. Therefore chains,
+   closed mechanisms and several joints on one body are possible. points.h explains how a point is given.
 
        vm_vec3 end = {-0.5, 0, 0}, pivot = {0, 0, 0};
        vm_joint list[] = {vm_joint_pin(0, end, VM_GROUND, pivot)};       // body 0 hangs at the pivot
@@ -23774,16 +23794,17 @@ VM_API vm_effect vm_effect_point_spring(int body, int other, const vm_point_spri
        vm_effect effects[] = {vm_effect_gravity(0, 1, -9.81), vm_effect_joints(&joints)}; // joints stand last
 
    Let C be the deviation of a joint from its condition; for a pin C is the vector between the two points. The joint
-   exerts the force for which the accelerations obey C'' + 2 rate C' + rate^2 C = 0, where `rate` is a field of
-   vm_joints. After a jump of a body, impulses of the joints take away the velocities with which the points of a joint
-   would move apart; the budget includes these impulses. list[0].force is the reaction of the first joint on its body
-   at the last evaluation.
+   exerts the force with which C obeys the equation C'' + 2 rate C' + rate^2 C = 0, so that C decreases to 0; `rate` is
+   a field of vm_joints. After a jump of a body, impulses of the joints take away the velocities with which the points
+   of a joint would move apart; the budget includes these impulses. list[0].force is the reaction of the first joint on
+   its body at the last evaluation.
 
-   Accuracy: the errors of forces and accelerations are a few eps of the largest of them. This also holds for joints
-   that nearly contradict each other, such as two rods almost in line, and for light bodies between heavy ones,
-   since the forces are refined until they fit the equations. If two rods of 1 m hold a point 1e-5 m beside the line
-   through their other ends, the errors are 4e-16; if they hold it 1e-7 m beside this line, 4e-11. If the point is
-   still closer to the line, the run ends with VM_SINGULAR.
+   Accuracy: the errors of forces and accelerations are a few eps times the largest force or acceleration. This also
+   holds for joints that nearly contradict each other, such as two rods almost in line, and for light bodies between
+   heavy bodies, since the forces are refined until they fit the equations. An example is a point that two rods of 1 m
+   hold near the line through their other ends. If the point is 1e-5 m beside this line, the relative errors of the
+   forces of the rods are 4e-16; if it is 1e-7 m beside the line, they are 4e-11. If the point is 2e-8 m beside the
+   line, or closer, the run ends with VM_SINGULAR.
 
    Tests: tests/test_scene_joints.c. */
 #ifndef VARMASS_SCENES_JOINTS_H
@@ -23797,17 +23818,18 @@ enum { VMI_JOINT_ROWS = 3 }; /* the largest number of equations that a joint has
 #define VM_JOINTS_WORK(n) (3 * (n) * (3 * (n) + 3))
 
 /* One equation of a joint. It prescribes the component of C'' along the unit vector `along`, where C is the deviation
-   of the joint. Index 0 of an array belongs to the field `body` of the joint, index 1 to its field `other`. A force of
-   1 N along `along` acts on `body`, and the opposite force on `other`; `turn` is then the torque on a body, `move` the
+   of the joint. Index 0 of an array belongs to the field `body` of the joint, index 1 to its field `other`. The joint
+   pushes `body` with a force along `along`, and `other` with the opposite force. The fields turn, move and spin tell
+   how each of the two bodies responds to a force of 1 N along `along`: `turn` is the torque on the body, `move` the
    acceleration of its mass centre, and `spin` its angular acceleration. */
 typedef struct VM_TAG(vmi_joint_row) {
     vm_vec3 along;            /* unit vector, inertial axes */
     vm_vec3 turn[2];          /* m: torque per N */
     vm_vec3 move[2];          /* 1/kg */
     vm_vec3 spin[2];          /* 1/(kg m) */
-    vm_real gap;              /* m: the deviation C from the condition of the joint */
-    vm_real gap_rate;         /* m/s: C' */
-    vm_real gap_acceleration; /* m/s^2: C'' without the joints */
+    vm_real gap;              /* m: the deviation C; for a pin its component along `along` */
+    vm_real gap_rate;         /* m/s: C'; for a pin its component along `along` */
+    vm_real gap_acceleration; /* m/s^2: C'' without the forces of the joints; for a pin its component along `along` */
 } vmi_joint_row;
 
 /* An end of a joint: its point, and the acceleration of this point without the joints */
@@ -23846,7 +23868,7 @@ typedef struct VM_TAG(vm_joints) {
    Here a is the acceleration of the mass centre, alpha and omega are angular acceleration and angular velocity of the
    body, and `arm` leads from the mass centre to the point. drift is 0 except for a growing body: it is the velocity
    with which the mass centre moves through the material of the body. drift is subtracted because a is the rate of the
-   velocity at the mass centre, where the material changes. */
+   velocity of the material at the mass centre, and at each instant there is other material at this place. */
 VM_API void vmi_joint_end_now(const vm_scene *s, int body, vm_vec3 at, const vm_real *y, vmi_joint_end *end)
 {
     const vmi_body_point *p = &end->point;
@@ -23863,7 +23885,8 @@ VM_API void vmi_joint_end_now(const vm_scene *s, int body, vm_vec3 at, const vm_
     end->a = vm_add(end->a, vm_add(vm_cross(alpha, p->arm), vm_cross(p->omega, moving)));
 }
 
-/* Begins a further equation of a joint: computes how both bodies respond to a force of 1 N along a unit vector */
+/* Begins a further equation of a joint: computes how each of its bodies responds to a force of 1 N along the unit
+   vector `along` */
 VM_API vmi_joint_row *vmi_joint_add_row(vm_joint *joint, const vm_scene *s, const vmi_joint_end *ends, vm_vec3 along)
 {
     const vm_vec3 zero = {0, 0, 0};
@@ -23948,8 +23971,8 @@ VM_API vm_joint vm_joint_rod(int body, vm_vec3 at, int other, vm_vec3 other_at, 
 
 /* -- The solution -- */
 
-/* Returns the acceleration C'' in the equation `row` of the joint i that is caused by a force of 1 N of the equation
-   `by` of the joint j */
+/* Returns the acceleration C'' that a force of 1 N of the equation `by` of joint j causes in the equation `row` of
+   joint i */
 VM_API vm_real vmi_joint_coupling(const vm_joint *i, const vmi_joint_row *row, const vm_joint *j,
                                   const vmi_joint_row *by)
 {
@@ -23984,8 +24007,9 @@ VM_API int vmi_joints_equations(const vm_joints *joints, const vm_scene *s, cons
     return n;
 }
 
-/* Writes one row of the matrix of all equations to a: for each equation, the acceleration C'' that a force of 1 N of
-   this equation causes in the equation `row` of `joint` */
+/* Writes to the array a one row of the matrix of the linear equations for the forces: the row of the equation `row` of
+   `joint`. Each number of the row belongs to one equation of the joints. It is the acceleration C'' that a force of 1
+   N of this equation causes in the equation `row` */
 VM_API void vmi_joints_matrix_row(const vm_joints *joints, const vm_joint *joint, const vmi_joint_row *row, vm_real *a)
 {
     int j, m, at = 0;
@@ -23995,8 +24019,8 @@ VM_API void vmi_joints_matrix_row(const vm_joints *joints, const vm_joint *joint
     }
 }
 
-/* What is computed from the equations: forces or impulses. Forces must change C'' so that C'' + 2 rate C' + rate^2 C =
-   0, and impulses must change C' so that C' = 0. */
+/* Tells what the function vmi_joints_solve computes from the equations: forces or impulses. Forces must change C'' so
+   that C'' + 2 rate C' + rate^2 C = 0, and impulses must change C' so that C' = 0. */
 enum { VMI_JOINT_FORCES, VMI_JOINT_IMPULSES };
 
 VM_API vm_real vmi_joint_lacks(const vmi_joint_row *row, vm_real rate, int wanted)
@@ -24025,9 +24049,10 @@ VM_API void vmi_joints_accelerate(const vm_joints *joints, const vm_real *forces
     }
 }
 
-/* Writes the remainder of each equation: the part of the needed change of C'' or C' (see vmi_joint_lacks) that the
-   forces do not yet cause. The remainder is computed from the accelerations of the bodies. If large forces nearly
-   cancel, these accelerations have digits that the matrix has lost. */
+/* Writes the remainder of each equation to `rest`: the change of C'' or C' that is needed (vmi_joint_lacks), minus the
+   change that the computed forces cause. The second change is computed from the accelerations of the bodies, and not
+   by the matrix of the equations: if large forces nearly cancel, the accelerations still have digits that the numbers
+   of this matrix have lost. */
 VM_API void vmi_joints_rest(const vm_joints *joints, const vm_real *forces, int wanted, vm_real *rest)
 {
     int i, k, m;
@@ -24048,8 +24073,9 @@ VM_API void vmi_joints_rest(const vm_joints *joints, const vm_real *forces, int 
     }
 }
 
-/* Refines the forces once, with the decomposed matrix that joints->work contains. Returns 1 if this changed the forces
-   by more than sqrt(VM_EPSILON) times the largest of them, so that a further refinement is worth its time, else 0. */
+/* Refines the forces once: solves the equations for their remainders, with the decomposed matrix that joints->work
+   contains, and adds the solution to the forces. Returns 1 if this changed a force by more than sqrt(VM_EPSILON) times
+   the largest force, so that a further refinement is worth its time, else 0. */
 VM_API int vmi_joints_refine(const vm_joints *joints, int n, int wanted)
 {
     const vm_real *a = joints->work;
@@ -24066,9 +24092,10 @@ VM_API int vmi_joints_refine(const vm_joints *joints, int n, int wanted)
 }
 
 /* Solves the n equations for the forces, or for the impulses, and writes the results to joints->work from index n^2
-   on. A solution by the matrix loses twice as many digits as the equations themselves do; the refinement restores
-   these digits. Returns VM_SINGULAR if the equations have no unique solution, VM_NOT_FINITE if a number is not finite,
-   and else VM_OK. */
+   on. The numbers of the matrix are products of the coefficients of the equations. Therefore a solution by the matrix
+   loses twice as many digits as the equations themselves if joints nearly contradict each other; vmi_joints_refine
+   restores these digits. Returns VM_SINGULAR if the equations have no unique solution, VM_NOT_FINITE if a number is
+   not finite, and else VM_OK. */
 VM_API int vmi_joints_solve(const vm_joints *joints, int n, int wanted)
 {
     enum { MOST_REFINEMENTS = 4 };
@@ -24090,7 +24117,8 @@ VM_API int vmi_joints_solve(const vm_joints *joints, int n, int wanted)
     return VM_OK;
 }
 
-/* The force of a joint on its field `body`: the vector sum of the forces of its equations */
+/* The force of a joint on the body with the index joint->body: the vector sum of the forces of the equations of the
+   joint */
 VM_API vm_vec3 vmi_joint_force(const vm_joint *joint, const vm_real *forces)
 {
     vm_vec3 sum = {0, 0, 0};
@@ -24137,8 +24165,8 @@ VM_API void vmi_joint_kick(const vm_scene *s, int body, vm_vec3 at, vm_vec3 impu
     vmi_point_kick(s->bodies + body, &p, impulse, y);
 }
 
-/* After a jump, gives the bodies the impulses with which the points of each joint do not move apart, and adds the
-   impulses from the ground to the budget. The equations are those of the last evaluation of the loads. */
+/* After a jump, gives the bodies the impulses after which the points of each joint do not move apart, and adds the
+   impulses that come from the ground to the budget. The equations are those of the last evaluation of the loads. */
 VM_API int vmi_joints_settle(const vm_effect *e, vm_real *y, vm_scene *s)
 {
     const vm_joints *joints = (const vm_joints *)e->parts;
@@ -24165,8 +24193,9 @@ VM_API int vmi_joints_settle(const vm_effect *e, vm_real *y, vm_scene *s)
 /* -- Checks -- */
 
 /* Computes an end of a joint at the start of the scene, when the accelerations are not yet known. Adds to *size the
-   lengths of which the position of the point is composed, and to *speed the velocities of which its velocity is
-   composed. */
+   magnitudes of the position of the point and of its distance from the mass centre. Adds to *speed the magnitude of
+   the velocity of the point, and that of the part which comes from the rotation of the body. vmi_joint_fits compares
+   deviations with *size and *speed. */
 VM_API void vmi_joint_end_at_start(const vm_scene *s, int body, vm_vec3 at, vmi_joint_end *end, vm_real *size,
                                    vm_real *speed)
 {
@@ -24185,8 +24214,9 @@ VM_API void vmi_joint_end_at_start(const vm_scene *s, int body, vm_vec3 at, vmi_
     *speed += vmi_norm1(p->v) + vmi_norm1(p->omega) * vmi_norm1(p->arm);
 }
 
-/* Returns 1 if the bodies fit a joint at the start, else 0. They fit if the deviation and its rate are at most a small
-   fraction of the lengths and velocities of which they are composed. */
+/* Returns 1 if the bodies fit a joint at the start, else 0. They fit if the deviation is at most the fraction `loose`
+   of `size`, a sum of lengths, and if the rate of the deviation is at most the same fraction of `speed`, a sum of
+   velocities. */
 VM_API int vmi_joint_fits(vm_joint *joint, const vm_scene *s)
 {
     const vm_real loose = VM_C(1e-6) + 512 * VM_EPSILON;
@@ -24253,10 +24283,10 @@ VM_API int vmi_joints_check(const vm_scene *s, const vm_effect *e)
 
 /* The joints of a scene, solved together. *joints and its arrays are not copied and must stay at their places in
    memory. The effect must stand after all other effects on the bodies of the joints. A pin has 2 equations in the
-   plane and 3 in space, a rod has 1. To solve n equations, an evaluation makes about n^3/3 multiplications, and some
-   10 n^2 more to refine the solution. A high rate makes the equations of motion stiff, so that the steps become short.
-   vm_scene_start returns VM_BAD_ARGUMENT if a pointer is NULL or the list is empty; VM_NOT_FINITE if a number is
-   infinite or NaN; VM_DOMAIN if rate or the length of a rod is not positive; VM_SHORT_ARRAY if work is too small;
+   plane and 3 in space, a rod has 1. To solve n equations, an evaluation makes about n^3/3 multiplications; to refine
+   the solution, it makes about 10 n^2 more. A high rate makes the equations of motion stiff, so that the steps become
+   short. vm_scene_start returns VM_BAD_ARGUMENT if a pointer is NULL or the list is empty; VM_NOT_FINITE if a number
+   is infinite or NaN; VM_DOMAIN if rate or the length of a rod is not positive; VM_SHORT_ARRAY if work is too small;
    VM_NO_SUCH_BODY if a body does not exist; VM_IS_AWAY if the body of the first joint is absent at the start;
    VM_SAME_BODY if a joint connects a body with itself; VM_BAD_POINT if a body cannot have the point of its joint
    (points.h); VM_NOT_JOINED if the points of a joint do not fit at the start or move apart; VM_TWO_LINKS if a body
@@ -24291,8 +24321,8 @@ VM_API vm_effect vm_effect_joints(const vm_joints *joints)
 
 #include <string.h>
 
-/* Returns 1 if vm_scene_start has started the scene, and if no change of its lists since then can be seen; else 0. The
-   state may be shorter than at the start, since the budget of a scene may be ended. */
+/* Returns 1 if vm_scene_start has started the scene, and if the lists of the scene show no change since then; else 0.
+   The state may be shorter than at the start, since the caller may end the budget of a scene between two runs. */
 VM_API int vmi_scene_is_started(const vm_scene *s)
 {
     int i;
@@ -24313,8 +24343,9 @@ VM_API vm_real vmi_scene_when(vm_real t, const vm_real *y, void *ctx)
     return 1;
 }
 
-/* Prepares s->located[i], the integrator's event for the event s->events[i] of the scene. If s->events[i] is only
-   counted, without a limit, located->action is ODE_RECORD, which does not end a step; else it is ODE_STOP. */
+/* Prepares s->located[i], the event by which the integrator locates the event s->events[i] of the scene. If
+   s->events[i] has no action and no limit of its number, it is only counted: located->action is then ODE_RECORD, with
+   which the event does not end a step. Else located->action is ODE_STOP. */
 VM_API void vmi_scene_locate(vm_scene *s, int i)
 {
     ode_event *located = s->located + i;
@@ -24381,9 +24412,9 @@ VM_API void vmi_scene_reset_events(vm_scene *s, vm_real t)
 /* Starts a scene at time t: checks the scene and fills its state y, an array of vm_scene_size(scene) numbers. Returns
    VM_OK, or an error: the status of vm_scene_check, which writes to *fault_or_NULL which part of the scene is wrong;
    VM_BAD_ARGUMENT if y is NULL; VM_NOT_FINITE if t is not finite; VM_SHORT_ARRAY if scene.y_size is set and too small.
-   After these errors y is unchanged. If only a mass law fails at t, y is filled, but the scene is not started: the
-   function returns the status of the law, or VM_NOT_FINITE. After the start the arrays of the scene must stay at their
-   places in memory. */
+   After these errors y is unchanged. If the scene has none of these errors but a mass law fails at t, y is filled, but
+   the scene is not started: the function returns the status of the law, or VM_NOT_FINITE. After the start the arrays
+   of the scene must stay at their places in memory. */
 VM_API int vm_scene_start(vm_scene *scene, vm_real t, vm_real *y, vm_scene_fault *fault_or_NULL)
 {
     int i, end, status = vm_scene_check(scene, fault_or_NULL);
@@ -24409,11 +24440,11 @@ VM_API int vm_scene_start(vm_scene *scene, vm_real t, vm_real *y, vm_scene_fault
 #endif
 /* scenes/balance.h - the budget of momentum, angular momentum and energy of a scene
 
-   A scene that keeps a budget integrates, together with the motion of its bodies, what is supplied to them from
-   outside: the impulse and the work of the effects, and the momentum and energy that streams bring. At any time the
-   momentum and energy of the bodies must equal their values at the start plus this supply. The difference is called
-   the defect. It shows the error of a run, and the reactions of constraints, which hold a body on its line, on its
-   axle or in the plane.
+   A scene that keeps a budget integrates what is supplied to its bodies from outside: the impulse and the work of the
+   effects, and the momentum and energy that streams bring. It integrates this supply together with the motion of the
+   bodies. At any time the momentum and energy of the bodies must equal their values at the start plus this supply. The
+   difference is called the defect. It shows the errors of the run. It also contains the reactions of constraints,
+   which hold a body on its line, on its axle or in the plane.
 
        vm_real t = 0, y[2 + VM_BUDGET_STATES], work[VM_SCENE_WORK(2 + VM_BUDGET_STATES)];
        vm_budget budget, now;
@@ -24429,9 +24460,9 @@ VM_API int vm_scene_start(vm_scene *scene, vm_real t, vm_real *y, vm_scene_fault
 
 #include <string.h>
 
-/* The budget adds VM_BUDGET_STATES numbers to the end of the state: sums over the time of the run. This list gives the
-   index of each sum among the numbers of the budget; a vector has three numbers. vm_budget in scene.h explains each
-   sum. */
+/* The budget adds VM_BUDGET_STATES numbers to the end of the state. Each of them is a sum over the time of the run so
+   far. This list gives the index of each sum among the numbers of the budget; a vector has three numbers. vm_budget in
+   scene.h explains each sum. */
 enum {
     VMI_BUDGET_IMPULSE = 0,
     VMI_BUDGET_ANGULAR_IMPULSE = 3,
@@ -24586,8 +24617,8 @@ VM_API int vm_scene_budget_at(vm_scene *scene, vm_real t, const vm_real *y, vm_b
 
    An event is made in two steps: vm_event_... says when it happens, and vm_then_... says what it does. An event
    without a vm_then_... function only observes the motion and does not change it: event.count says how often the event
-   has happened, and event.time when it last happened. An event can have one vm_then_... function; with vm_then_all it
-   does a list of actions.
+   has happened, and event.time when it last happened. An event can have only one vm_then_... function; with
+   vm_then_all the event carries out a list of actions.
 
        vm_event empty = vm_event_mass(0, 70, -1);                             // the mass of body 0 falls to 70 kg
        vm_event staging[] = {vm_then_switch_range(empty, 0, 4, 1),            // effects 0 to 3 are switched off
@@ -24607,12 +24638,12 @@ VM_API int vm_scene_budget_at(vm_scene *scene, vm_real t, const vm_real *y, vm_b
    and so on. The vm_scene_fault of vm_scene_start says which event is wrong.
 
    An event at a set time happens once. An event at which a quantity crosses a value happens at most event.most times,
-   or without limit if event.most is 0. If direction > 0, it happens where the quantity rises through the value; if
-   direction < 0, where it falls; if direction = 0, in both cases. Only motion causes a crossing: there is no crossing
-   if another event moves a coordinate beyond the value, or while the body is not present. Events at the same instant
-   happen in the order of the list. If the times of a jump and of a crossing differ only by rounding errors, either of
-   the two may happen first. To get the times (or states) of all crossings of one run, set scene.located[i].times (or
-   .states) and .room after the start.
+   or without limit if event.most is 0. If direction > 0, this event happens where the quantity rises through the
+   value; if direction < 0, where the quantity falls through it; if direction = 0, in both cases. Only motion causes a
+   crossing: there is no crossing if another event moves a coordinate beyond the value, or while the body is not
+   present. Events at the same instant happen in the order of the list. If the times of a jump and of a crossing differ
+   only by rounding errors, the jump may happen before or after the crossing. To get the times (or states) of all
+   crossings of one run, set scene.located[i].times (or .states) and .room after the start.
 
    Tests: tests/test_scene_events.c. */
 #ifndef VARMASS_SCENES_EVENTS_H
@@ -24625,8 +24656,8 @@ VM_API int vmi_event_check_coordinate(const vm_scene *s, const vm_event *e)
     return vmi_scene_check_coordinate(s, e->body, e->coordinate);
 }
 
-/* An event for a coordinate of a body and a value that a quantity of this coordinate crosses; the caller sets
-   e.when */
+/* An event that happens when a quantity of a coordinate, such as the velocity, crosses a value. The caller must set
+   e.when, the function that returns the quantity minus the value */
 VM_API vm_event vmi_event(int body, int coordinate, vm_real value, int direction)
 {
     vm_event e;
@@ -24689,7 +24720,7 @@ VM_API vm_real vmi_when_mass(const vm_event *e, vm_real t, const vm_real *y)
 }
 
 /* An event when the mass of a body crosses `value`, in kg. For a body on an axle the moment of inertia takes the place
-   of the mass, and `value` is in kg m^2. It should be positive, since a run ends before a mass reaches 0. */
+   of the mass, and `value` is in kg m^2. `value` should be positive, since a run ends before a mass reaches 0. */
 VM_API vm_event vm_event_mass(int body, vm_real value, int direction)
 {
     vm_event e = vmi_event(body, 0, value, direction);
@@ -24735,7 +24766,7 @@ VM_API void vmi_scene_note_masses(vm_scene *s)
 }
 
 /* Computes the loads, and with them the masses, before the action of an event changes anything. If a mass law fails,
-   returns the status of the law, and the next run does the whole action. */
+   returns the status of the law; the next run then carries out the whole action. */
 VM_API int vmi_event_weigh(vm_event *e, vm_real t, const vm_real *y)
 {
     const int status = vmi_scene_weigh(e->scene, t, y);
@@ -24746,7 +24777,7 @@ VM_API int vmi_event_weigh(vm_event *e, vm_real t, const vm_real *y)
 
 /* Gives all bodies the masses that vmi_scene_note_masses has stored. Without this function a jump, or the switching of
    a mass law, would change a mass although no stream brings or removes mass and momentum. The loads are evaluated
-   twice: first to find by how much the masses of the laws differ from the stored ones, then again with the corrected
+   twice: first to find by how much the present masses differ from the stored masses, then again with the corrected
    masses. A body with a mass law uses the field `law_offset`, any other body the field `mass`. Both fields of a body
    are corrected, because the field that it does not use has no effect. If a mass law fails, returns the status of the
    law, and the next run calls this function again. */
@@ -24828,10 +24859,10 @@ VM_API vm_event vm_then_user(vm_event event, int (*then)(vm_real t, vm_real *y, 
     return event;
 }
 
-/* Does the actions of an event in the order of their list. Returns the first status other than VM_OK that an action
-   gives, or VM_OK if all give VM_OK. After an error (a negative status) no further action is done; the error is
-   returned even if an earlier action has stopped the run. If a mass law has interrupted an action, the next run does
-   the rest of this action and the actions after it. */
+/* Carries out the actions of an event in the order of their list. Returns the first status other than VM_OK that an
+   action gives, or VM_OK if all give VM_OK. After an error (a negative status) no further action is carried out; the
+   error is returned even if an earlier action has stopped the run. If a mass law has failed during an action, the next
+   run carries out what is left of this action, and then the actions after it. */
 VM_API int vmi_then_all(vm_event *e, vm_real t, vm_real *y)
 {
     int i = e->next_action, status = e->so_far;
@@ -24865,11 +24896,12 @@ VM_API int vmi_event_check_all(const vm_scene *s, const vm_event *e)
     return status;
 }
 
-/* The event does a list of actions, one after the other, at the same instant. actions is an array of n events made by
-   vm_then_... functions. The times or conditions of these events are not used, so that all of them can be made from
-   the same vm_event_... value. The array is not copied and must stay at its place in memory. If an action stops the
-   run, the actions after it still happen. vm_scene_start returns VM_BAD_ARGUMENT if actions is NULL, n is negative or
-   an action is a list itself, and else the status of the first action that is wrong. */
+/* The event carries out a list of actions, one after the other, at the same instant. actions is an array of n events
+   made by vm_then_... functions. The times or conditions of these events are not used. Therefore all of them can be
+   made from the same event, as in the example at the top of this file. The array is not copied and must stay at its
+   place in memory. If an action stops the run, the actions after it are still carried out. vm_scene_start returns
+   VM_BAD_ARGUMENT if actions is NULL, n is negative or an action is a list itself, and else the status of the first
+   action that is wrong. */
 VM_API vm_event vm_then_all(vm_event event, vm_event *actions, int n)
 {
     event.then = vmi_then_all;
@@ -24901,17 +24933,16 @@ VM_API vm_event vm_then_all(vm_event event, vm_event *actions, int n)
    constructor received. The field `external` of the event is an impulse that acts from outside during the jump.
 
    Two bodies can take part in the same jump if they have the same kind of motion. A body in the plane or a free body
-   can also take up or give off a point. The functions whose names end in _on_line (for a line or an axle) and
-   _in_plane do the same as vm_then_separate and vm_then_attach, but only for these kinds of motion, and make the
-   program smaller (docs/scene-sizes.md). If a point takes up a body at another place, the angular momentum of both
-   bodies about their common mass centre is lost, since a point does not rotate. If the scene has a budget, which
-   compares momentum and energy with the effects on them (vm_budget in scene.h), its field angular_defect shows this
-   loss.
+   can also take up or give off a point. The functions whose names end in _on_line (for a line or an axle) and in
+   _in_plane do the same as vm_then_separate and vm_then_attach, but only for these kinds of motion. A program with
+   these functions is smaller (docs/scene-sizes.md). If a point takes up a body at another place, the angular momentum
+   of both bodies about their common mass centre is lost, since a point does not rotate. If the scene keeps a budget
+   (vm_budget in scene.h), its field angular_defect shows this loss.
 
    A run ends with VM_IS_THERE if a part would become a body that is present already, with VM_IS_AWAY if a body that
-   jumps is not present, and with the errors of vm_separate and vm_attach. vm_scene_start returns VM_BAD_MOTION if the
-   two bodies cannot take part in the same jump, VM_SAME_BODY if both are the same body, and the status of
-   vm_scene_check if a part cannot be a body.
+   jumps is not present, and with the errors that vm_separate and vm_attach return. vm_scene_start returns
+   VM_BAD_MOTION if the two bodies cannot take part in the same jump, VM_SAME_BODY if both are the same body, and the
+   status of vm_scene_check if a part cannot be a body.
 
    Tests: tests/test_scene_events.c. */
 #ifndef VARMASS_SCENES_JUMPS_H
@@ -24939,8 +24970,8 @@ VM_API int vmi_event_jump_on_line(const vm_event *e, const vm_body *body, vm_bod
     return VM_OK;
 }
 
-/* Converts the motion of *part: before, it is relative to *body and in the axes of *body; afterwards it is absolute
-   and in inertial axes */
+/* Converts the motion of *part. Before the call the motion is relative to *body, in the axes of *body; after the call
+   it is absolute, in inertial axes */
 VM_API void vmi_event_jump_place(const vm_body *body, vm_body *part)
 {
     const vmi_mat3 turn = vmi_rotation(body->q);
@@ -25004,9 +25035,9 @@ VM_API vm_real vmi_scene_angle(const vm_scene *s, int body, const vm_real *y)
     return b->motion == VM_PLANE ? y[b->at + VMI_PLANE_ANGLE] : y[b->at];
 }
 
-/* Updates the position of the mass centre in body axes, after a jump has moved the mass centre of a body to r. A
-   growing body has this position in the state; for a body at whose points effects act, the field `centre` says how far
-   jumps have moved the mass centre. */
+/* Updates the position of the mass centre in body axes, after a jump has moved the mass centre of a body to r. For a
+   growing body this position is a part of the state. For a body at whose points effects act, the field `centre` is the
+   vector by which jumps have moved the mass centre. */
 VM_API void vmi_scene_shift_centre(const vm_scene *s, int body, vm_vec3 r, vm_real *y)
 {
     vm_scene_body *b = s->bodies + body;
@@ -25018,8 +25049,8 @@ VM_API void vmi_scene_shift_centre(const vm_scene *s, int body, vm_vec3 r, vm_re
     vmi_growth_put_centre(b, vm_add(vmi_growth_centre(b, state), step), state);
 }
 
-/* Lets each effect that holds bodies together (that is, joints) act even if its first body is not present: such an
-   effect itself leaves out the joints of absent bodies */
+/* Lets each effect that holds bodies together (that is, joints) act even if its first body is not present. The effect
+   itself leaves out the joints of bodies that are not present */
 VM_API void vmi_scene_wake(vm_scene *s)
 {
     int i;
@@ -25028,8 +25059,8 @@ VM_API void vmi_scene_wake(vm_scene *s)
 }
 
 /* Writes the bodies after a jump into the state: the body that lost or gained mass, and the part that separated, or
-   NULL if the body `other` was attached. Stores the masses that all bodies must have after the jump, because a mass
-   law does not include the mass that a jump adds or takes away. */
+   NULL if the body `other` was attached. Stores the masses that all bodies must have after the jump, because the mass
+   that a law gives does not include the mass that a jump adds or takes away. */
 VM_API void vmi_scene_put_jump(vm_event *e, vm_real *y, const vm_body *result, const vm_body *part_or_NULL)
 {
     vm_scene *s = e->scene;
@@ -25062,9 +25093,9 @@ VM_API int vmi_scene_settle(vm_scene *s, vm_real *y)
     return status;
 }
 
-/* Adjusts the masses after a jump has been written into the state, and adds to the budget the energy that the jump
-   adds and the impulse from outside. Returns VM_OK, the status of an effect that cannot hold the bodies together, or
-   the status of a mass law that fails. If a mass law fails, the next run calls this function again. */
+/* Adjusts the masses after the bodies have been written into the state. Adds to the budget the energy that the jump
+   adds to the bodies, and the impulse from outside. Returns VM_OK, the status of an effect that cannot hold the bodies
+   together, or the status of a mass law that fails. If a mass law fails, the next run calls this function again. */
 VM_API int vmi_scene_finish_jump(vm_event *e, vm_real t, vm_real *y)
 {
     vm_scene *s = e->scene;
@@ -25190,8 +25221,8 @@ VM_API vm_event vm_then_attach_in_plane(vm_event event, int body, int added)
 }
 
 /* The event attaches a body to another body; both may have any kind of motion. The body `added` becomes a part of
-   `body` and is no longer present. vm_scene_start returns VM_BAD_MOTION if bodies of their kinds of motion cannot take
-   part in the same jump. */
+   `body` and is no longer present. vm_scene_start returns VM_BAD_MOTION if the kinds of motion of the two bodies do
+   not allow that one is attached to the other. */
 VM_API vm_event vm_then_attach(vm_event event, int body, int added)
 {
     event = vm_then_attach_on_line(event, body, added);
@@ -25205,16 +25236,16 @@ VM_API vm_event vm_then_attach(vm_event event, int body, int added)
 
    The ground is a plane through the point `on`, and `normal` points out of it. A point of a body, or a ball about this
    point, touches the ground while its height over the ground is negative; the height of a ball is that of its lowest
-   point. `depth` is minus this height. The ground then pushes along the normal with the force stiffness * depth -
-   damping * (velocity along the normal). The ground never pulls and has no friction.
+   point. `depth` is this height with the opposite sign. The ground then pushes along the normal with the force
+   stiffness * depth - damping * (velocity along the normal). The ground never pulls and has no friction.
 
        vm_contact wheel = {{0, 0, 0}, 0.3, {0, 0, 0}, {0, 1, 0}, 1e5, 300}; // 0.3 m radius; y points up
        vm_effect effects[] = {vm_effect_gravity(0, 1, -9.81), vm_effect_contact(0, &wheel)};
        vm_event events[] = {vm_then_land(vm_event_contact(0, &wheel))};     // and it does not bounce
 
-   vm_event_contact is an event that happens when the body comes down to the ground. vm_then_land makes this event a
-   stop without a bounce: an impulse takes away the velocity of the point along the normal. Afterwards the stiffness of
-   the contact supports the body.
+   vm_event_contact is an event that happens when the body comes down to the ground. With vm_then_land the body lands
+   at this event without a bounce: an impulse takes away the velocity of the point along the normal. Afterwards the
+   stiffness of the contact supports the body.
 
    Tests: tests/test_scene_joints.c. */
 #ifndef VARMASS_SCENES_CONTACT_H
@@ -25311,8 +25342,8 @@ VM_API vm_event vm_event_contact(int body, const vm_contact *contact)
 }
 
 /* Takes away the velocity of the contact's point along the normal by an impulse, and adds this impulse to the budget.
-   The impulse is -v/mobility, where v is this velocity and mobility its change by an impulse of 1 N s along the
-   normal. */
+   The impulse is -v/mobility, where v is this velocity, and `mobility` is the change of this velocity that an impulse
+   of 1 N s along the normal causes. */
 VM_API int vmi_then_land(vm_event *e, vm_real t, vm_real *y)
 {
     const vm_contact *contact = (const vm_contact *)e->parts;
@@ -25347,10 +25378,10 @@ VM_API int vmi_land_check(const vm_scene *s, const vm_event *e)
     return VM_OK;
 }
 
-/* Makes an event of vm_event_contact a stop without a bounce: an impulse takes away the velocity of the contact's
-   point along the normal. The other velocities of the body change only by this impulse. Afterwards vm_effect_contact
-   supports the body. vm_scene_start returns VM_BAD_ARGUMENT if vm_event_contact has not made the event, and
-   VM_TWO_LINKS if the body has a link or a joint, whose impulses the event does not compute. */
+/* Lets the body of a vm_event_contact land without a bounce: at the event an impulse takes away the velocity of the
+   contact's point along the normal. The other velocities of the body change only by this impulse. Afterwards
+   vm_effect_contact supports the body. vm_scene_start returns VM_BAD_ARGUMENT if vm_event_contact has not made the
+   event, and VM_TWO_LINKS if the body has a link or a joint, whose impulses the event does not compute. */
 VM_API vm_event vm_then_land(vm_event event)
 {
     event.then = vmi_then_land;
@@ -25376,13 +25407,13 @@ VM_API vm_event vm_then_land(vm_event event)
 /* How quickly events follow each other in a run */
 typedef struct VM_TAG(vmi_scene_pace) {
     long happened; /* number of events at this instant */
-    vm_real gap;   /* s: shortest time between a crossing at this instant and the crossing before it of the same event;
-                      VM_MAX if no event has crossed before */
+    vm_real gap;   /* s: shortest time between a crossing at this instant and the previous crossing of the same event;
+                      VM_MAX if there is no previous crossing */
     int crowded;   /* number of successive instants at which `gap` was too short for the digits of the time t */
 } vmi_scene_pace;
 
 enum {
-    VMI_SCENE_MOST_EVENTS = 10000, /* largest number of events at one instant; more events are an endless chain */
+    VMI_SCENE_MOST_EVENTS = 10000, /* largest number of events at one instant; more events count as an endless chain */
     VMI_SCENE_MOST_CROWDED = 3,    /* largest value of `crowded` with which a run continues */
     VMI_SCENE_STEPS_IN_GAP = 32    /* number of steps in a short time between events, so that no event is missed */
 };
@@ -25390,8 +25421,8 @@ enum {
 VM_API vm_real vmi_scene_larger(vm_real a, vm_real b) { return a > b ? a : b; }
 
 /* Returns 1 if event i is due at the time t, else 0. An event at a set time is due if this time has come. Any other
-   event is due if the integrator has counted new crossings; their number is written to *times. At the beginning of a
-   run, new crossings are those that vmi_scene_keep_crossings has kept. */
+   event is due if the integrator has counted new crossings; the number of new crossings is written to *times. At the
+   beginning of a run, the crossings that vmi_scene_keep_crossings has kept count as new. */
 VM_API int vmi_scene_event_is_due(vm_scene *s, int i, vm_real t, long *times)
 {
     vm_event *e = s->events + i;
@@ -25435,11 +25466,11 @@ VM_API int vmi_scene_fire_events(vm_scene *s, vm_real t, vm_real *y, vmi_scene_p
 
 /* Applies all events of an instant, including events that other events cause at the same instant. Events may follow
    each other faster and faster, like the contacts of a ball that bounces and comes to rest. The run ends when the
-   number t has too few digits to distinguish the times of these events. Until then the step after such an event is
-   made so short that the next event is found. */
+   number t has too few digits to distinguish the times of these events. Until then, the step after an event is made so
+   short that the next event of this kind is found. */
 VM_API int vmi_scene_run_events(vm_scene *s, rk45 *r, vm_real span, vmi_scene_pace *pace)
 {
-    const vm_real resolved = 256 * VM_EPSILON * span; /* s: a shorter gap has fewer than two right digits */
+    const vm_real resolved = 256 * VM_EPSILON * span; /* s: fewer than two digits of a shorter gap are right */
     const vm_real steps = (vm_real)VMI_SCENE_STEPS_IN_GAP;
     int status = VM_OK;
     pace->happened = 0;
@@ -25491,9 +25522,10 @@ VM_API vm_real vmi_scene_due(const vm_scene *s, vm_real t_end, int next)
 /* Looks for the reason why a run ends. The function tests whether a mass or an inertia would soon reach 0 if the state
    continued to change at its present rates. It tries longer and longer steps, up to 1e-6 of the larger of |t| and
    |t_end| (in float 1e-3). The first failure of the right-hand side becomes s->status. There are two reasons for this
-   search. A mass or an inertia close to 0 makes the equations so stiff that the steps become too short before 0 is
-   reached. And shorter steps after a refused step may have set s->status to VM_OK again. Since the run is over, parts
-   of the integrator's work space are free for a state and its rates. */
+   search. First, a mass or an inertia close to 0 makes the equations so stiff that the steps become too short before
+   the mass or the inertia is 0. Second, after a refused step the integrator tries shorter steps, which may have set
+   s->status to VM_OK again. The run is over; therefore the function may overwrite parts of the work space of the
+   integrator with a state and its rates. */
 VM_API void vmi_scene_foresee(vm_scene *s, rk45 *r, vm_real t_end)
 {
     const vm_real farthest = VM_MANT_DIG > 24 ? VM_C(1e-6) : VM_C(1e-3);
@@ -25535,9 +25567,9 @@ VM_API int vmi_scene_step(vm_scene *s, rk45 *r, vm_real t_end, int next)
     return vmi_scene_status_of_ode(ode_status);
 }
 
-/* Keeps the crossings that the last run has found but not handled, because another event of the same instant returned
-   an error before: the new run handles them at its start. The integrator counts crossings from 0 in each run;
-   therefore the field `seen` of an event becomes minus the number of its kept crossings. */
+/* Keeps the crossings that the last run has found but not handled. This happens if another event at the same instant
+   returned an error first. The new run handles these crossings at its start. The integrator counts crossings from 0 in
+   each run; therefore the field `seen` of an event becomes minus the number of its kept crossings. */
 VM_API void vmi_scene_keep_crossings(vm_scene *s)
 {
     int i;
@@ -25547,9 +25579,9 @@ VM_API void vmi_scene_keep_crossings(vm_scene *s)
     }
 }
 
-/* Prepares the integrator rk45 for the scene. Each number of a body has its absolute tolerance. The numbers of the
-   budget have the tolerance VM_MAX, so that only the bodies determine the steps. The tolerances are stored in work,
-   after the numbers of the integrator. */
+/* Prepares the integrator rk45 for the scene. Each number of a body has the absolute tolerance of the options. Each
+   number of the budget has the tolerance VM_MAX, so that only the motion of the bodies determines the size of the
+   steps. The tolerances are stored in work, after the numbers of the integrator. */
 VM_API int vmi_scene_integrator(vm_scene *s, rk45 *r, vm_real t, const vm_real *y, vm_real *work,
                                 const rk45_options *options_or_NULL)
 {
@@ -25608,8 +25640,8 @@ VM_API int vmi_scene_check_run(const vm_scene *s, const vm_real *t, vm_real t_en
      VM_STEP_TOO_SMALL, VM_MAX_STEPS   if the integrator failed; scene.ode_status is the status of the integrator;
      any other negative number         that an event's function (vm_then_user) returned. This event counts as handled.
    Another call continues from *t, beginning with the events of this instant that were not handled. If a mass law fails
-   while the action of an event needs the masses, the action is not done or only partly done: the next call does the
-   rest of the action. */
+   while the action of an event needs the masses, the action is not carried out, or only a part of it; the next call
+   then carries out what is left of the action. */
 VM_API int vm_scene_run(vm_scene *scene, vm_real *t, vm_real t_end, vm_real *y, vm_real *work,
                         const rk45_options *options_or_NULL)
 {

@@ -145,7 +145,7 @@ table() {
     number oscillator_gsl_10 "docs/cost.md, oscillators, to 1e-10, µs" cell least cost '^[|] `GSL rk8pd` [|]' 7
     law_numbers 3
     law_numbers 5
-    power='^[|] alpha=4/3 psi0=0[.]7 eps=0[.]01 [|].*[|] `vm_osc_by_route order 3` [0-9.]+ µs; GSL [0-9.]+ ms [|]'
+    power='^[|] alpha=4/3 psi0=0[.]7 eps=0[.]01 [|].*[|] `vm_osc_by_route order [345]` [0-9.]+ µs; GSL [0-9.]+ ms [|]'
     number power_time "docs/cost.md, all oscillators, alpha = 4/3, to 1e-8, µs" cell least cost "$power" 5 2
     number power_gsl_time "docs/cost.md, all oscillators, alpha = 4/3, to 1e-8, ms" cell least cost "$power" 5 3
     number oscillator_rk87_8 "docs/cost.md, oscillators, to 1e-8, µs" cell least cost '^[|] `rk87_solve` [|]  [|]' 6

@@ -63,6 +63,16 @@ static inline int stage_event(stage *s, vm_event event)
     return i;
 }
 
+/* Adds all four effects of a stream that varies in time: mass, force, moment and torque. */
+static inline void stage_stream(stage *s, int body, const vm_stream *stream,
+                                void (*vary)(vm_real t, const vm_real *y, vm_stream *stream, void *ctx), void *ctx)
+{
+    stage_effect(s, vm_effect_varying(vm_effect_stream_mass(body, stream), vary, ctx));
+    stage_effect(s, vm_effect_varying(vm_effect_stream_force(body, stream), vary, ctx));
+    stage_effect(s, vm_effect_varying(vm_effect_stream_moment(body, stream), vary, ctx));
+    stage_effect(s, vm_effect_varying(vm_effect_stream_torque(body, stream), vary, ctx));
+}
+
 /* Starts at t = 0. If the state is too long for the stage, vm_scene_start returns VM_SHORT_ARRAY. */
 static inline int stage_start(stage *s)
 {

@@ -33,8 +33,6 @@ static inline void two_stages_drag(const vm_effect *e, vm_real t, const vm_real 
 
 static inline void two_stages(stage *s)
 {
-    static vm_effect (*const make[4])(int, const vm_stream *) = {vm_effect_stream_mass, vm_effect_stream_force,
-                                                                 vm_effect_stream_moment, vm_effect_stream_torque};
     static const vm_real at[3] = {0, 10, 60}, flow[3] = {-15, -10, -10}; /* s, kg/s */
     static const vm_supply grains[2] = {{VM_GRAIN, {REAL(-2.9), 0, 0}, {1, 0, 0}, 3, REAL(0.2), REAL(0.06), 200},
                                         {VM_GRAIN, {REAL(1.15), 0, 0}, {1, 0, 0}, 1.5, REAL(0.15), REAL(0.05), 60}};
@@ -54,13 +52,11 @@ static inline void two_stages(stage *s)
         motors[i].dry = i ? 80 : 200;
         motors[i].swivel = i ? 0 : 0.002;
         nozzles[i].at = grains[i].at;
+        stage_stream(s, 0, nozzles + i, two_stages_burn, motors + i);
     }
+    for (i = 4; i < 8; i++) s->effects[i].off = 1; /* the second motor */
     stage_body(s, vm_scene_body_growing_free(vm_scene_body_free(&rocket)));
     stage_body(s, vm_scene_body_absent(vm_scene_body_free(&shell)));
-    for (i = 0; i < 8; i++) {
-        stage_effect(s, vm_effect_varying(make[i % 4](0, nozzles + i / 4), two_stages_burn, motors + i / 4));
-        s->effects[i].off = i >= 4;
-    }
     stage_effect(s, vm_effect_custom(0, VM_GROUND, two_stages_drag, hull));
     i = stage_effect(s, vm_effect_custom(0, VM_GROUND, two_stages_drag, parachute));
     s->effects[i].off = 1;

@@ -21,7 +21,8 @@ VM_API int vmi_extend(rk45 *s)
     return status;
 }
 
-/* Computes the state y at the fraction x of the last step, 0 <= x <= 1. The continuous extension must be ready. */
+/* Computes the state y at the fraction x of the last step, 0 <= x <= 1. The derivatives that the continuous extension
+   needs must be known (vmi_extend). */
 VM_API void vmi_inside(const rk45 *s, vm_real x, vm_real *y) { s->pair.inside(s, x, y); }
 
 /* Returns 1 if the time t is within the last step or at one of its ends, else 0. */
@@ -38,8 +39,8 @@ VM_API vm_real vmi_place_of(const rk45 *s, vm_real t)
     return VMI_SMALLER(x, VM_C(1.0));
 }
 
-/* Computes the state y at a time t within the last step of a run by the pair `method`. The continuous extension must be
-   ready. Returns a status. */
+/* Computes the state y at a time t within the last step of a run by the pair whose number is `method`. The derivatives
+   that the continuous extension needs must be known (vmi_extend). Returns a status. */
 VM_API int vmi_interpolate_ready(const rk45 *s, int method, vm_real t, vm_real *y)
 {
     if (!s || !y || s->pair.method != method || !vmi_is_in_last_step(s, t)) return ODE_BAD_ARGUMENT;

@@ -1,9 +1,10 @@
 /* integrators/events.h - events: where a function g(t, y) of the solution changes its sign
-   After each step, g is evaluated at a few points of the continuous extension. If its sign changes between two of these
-   points, the time of the change is found as exactly as rounding allows. The first event that stops or restarts the run
-   ends the step at its time. Events whose times differ by no more than rounding errors happen together. Users describe
-   events in the options of a run (options.h). The side of an event is the sign of its g, -1 or 1, or 0 while rounding
-   leaves this sign uncertain. The place x of an event in a step is a fraction of the step, from 0 to 1.
+   After each step, g is evaluated at several points inside the step, with the states of the continuous extension. If
+   the sign of g changes between two of these points, the time of the change is found as exactly as rounding allows.
+   The first event that stops or restarts the run ends the step at its time. Events whose times differ by no more than
+   rounding errors happen together. Users describe events in the options of a run (options.h). The side of an event is
+   the sign of its g, -1 or 1, or 0 while rounding leaves this sign uncertain. The place x of an event in a step is a
+   fraction of the step, from 0 to 1.
 
        double y0[2] = {20, 0}, work[RK45_WORK(2)]; // 20 m high, at rest
        rk45 s;
@@ -38,9 +39,10 @@ VM_API int vmi_sign(vm_real x) { return (x > 0) - (x < 0); }
 /* Stands for the place of an event that does not happen in the step. A place is a fraction of the step, from 0 to 1. */
 #define VMI_NONE VM_C(2.0)
 
-/* After an event, g is evaluated at short distances from it, so that an excursion of g, two changes of sign in a short
-   time, is found. The first distance is the fraction VMI_FIRST_LOOK of the step; each next one is larger by the factor
-   VMI_WIDER. For at most the fraction VMI_QUIET of the step the sign of g may count as uncertain (side 0). */
+/* After an event, g is also evaluated at points just after the event, so that two further changes of its sign in a
+   short time are found. The distance of the first point from the event is the fraction VMI_FIRST_LOOK of the step;
+   each further distance is VMI_WIDER times as long as the distance before. The sign of g may count as uncertain (side
+   0) until the fraction VMI_QUIET of the step has passed after the event. */
 #if VM_MANT_DIG > 24
 #define VMI_FIRST_LOOK VM_C(1.4901161193847656e-8) /* 2^-26 of a step, the square root of VM_EPSILON */
 #define VMI_QUIET VM_C(6.103515625e-5)             /* 2^-14 of a step, the longest time for which a sign is uncertain */
@@ -95,9 +97,9 @@ VM_API vm_real vmi_event_value(const rk45 *s, const ode_event *e, vm_real x)
 #define VMI_EARLIER_ROUNDING (256 * VM_EPSILON)
 
 /* Returns the value of g at the fraction x of the last step, in a state to which a rounding error is added on purpose.
-   The error is the largest that this step, or if `earlier` is not 0 the whole run so far, may have made. `direction`,
-   -1 or 1, is the sign of the error. The size of the error is different for each component, so that the differences of
-   components change, too. */
+   The error is the largest rounding error that this step may have made; if `earlier` is not 0, it is the largest that
+   the whole run so far may have made. `direction`, -1 or 1, is the sign of the error. The size of the error is
+   different for each component, so that the differences of components change, too. */
 VM_API vm_real vmi_event_value_moved(const rk45 *s, const ode_event *e, vm_real x, int earlier,
                                      int direction)
 {
@@ -143,16 +145,16 @@ VM_API int vmi_counts_from(const ode_event *e, int side)
 }
 
 /* Sets *at to a fraction of the last step between a and b at which g loses the sign that it has at a. ga and gb are
-   the values of g at the fractions a and b. The interval is shrunk to the resolution of such fractions, and *at becomes
-   its right end. The method is false position in the Illinois form, with bisection in every third step and while g
-   stays 0 at the right end. If g is 0 at the initial b, and the time there equals the time at *at, then *at becomes the
-   initial b. Returns a status. */
+   the values of g at the fractions a and b. The interval from a to b is made smaller until its length is the
+   resolution of such fractions, and *at becomes its right end. The method is false position in the Illinois form, with
+   bisection in every third step and while g stays 0 at the right end. If g is 0 at the initial b, and the time there
+   equals the time at *at, then *at becomes the initial b. Returns a status. */
 VM_API int vmi_locate(const rk45 *s, const ode_event *e, vm_real a, vm_real ga, vm_real b, vm_real gb,
                       vm_real *at)
 {
     const vm_real resolution = 2 * VM_EPSILON, look = b, g_look = gb;
     const int side = vmi_sign(ga);
-    int count, kept = 0; /* kept is 1 if the last x has become a, -1 if it has become b, and 0 at first */
+    int count, kept = 0; /* 1 if the last x has become a, -1 if it has become b, 0 before the first x */
     for (count = 1; b - a > resolution; count++) {
         const int bisect = count % 3 == 0 || (gb == 0 && kept < 0);
         vm_real x = b - gb * ((b - a) / (gb - ga)), g;
@@ -198,8 +200,9 @@ VM_API vm_real vmi_next_look(const ode_event *e, vm_real start, vm_real *gap, vm
 }
 
 /* Sets the side of the event to 0 (uncertain), because g has just reached or passed 0 at the fraction x of the step.
-   The side stays 0 while rounding could decide the sign of g, that is while |g| <= e->slack. It stays 0 at most for the
-   time e->quiet, since e->slack is much too large if g has jumped. */
+   The side stays 0 while rounding could decide the sign of g, that is while |g| <= e->slack. But it stays 0 at most
+   for the time e->quiet: if g has jumped, e->slack is much too large, so that |g| <= e->slack could be true for a long
+   time. */
 VM_API void vmi_quieten_event(const rk45 *s, ode_event *e, vm_real x)
 {
     vmi_weigh_rounding(s, e, x, 0, 0);
@@ -249,8 +252,9 @@ VM_API int vmi_follow_event(const rk45 *s, ode_event *e, vm_real to, vm_real *at
         }
         if (e->side || e->quiet == 0 || VM_FABS(g) > e->slack) e->side = side;
         /* Inside the step (start > 0), gap = 1 ends the evaluations of g at short distances as soon as its sign is
-           certain; those at evenly spaced points go on. At the start of the step the short distances go on, too: an
-           event there may have changed y or f, so that g may change its sign twice in a short time. */
+           certain; the evaluations at evenly spaced points go on. At the start of the step the evaluations at short
+           distances go on, too: an event there may have changed y or f, so that g may change its sign twice in a short
+           time. */
         if (e->side && start > 0) gap = 1;
     }
     return ODE_OK;
@@ -270,9 +274,9 @@ VM_API void vmi_record(const rk45 *s, ode_event *e, vm_real x)
 }
 
 /* Finds the first event that ends the step: *cut becomes the fraction of the step at which this event happens, and
-   *owner the index of the event. Both stay as they are if no event ends the step. When an event is found, the functions
-   g of all remaining events are followed again up to *cut, because their values at *cut may show an earlier zero. The
-   search ends when there is no earlier zero. Returns a status. */
+   *owner the index of the event. Both stay as they are if no event ends the step. When an event is found, the
+   functions g of all other events are followed again up to *cut, because their values at *cut may show that one of
+   them has an earlier zero. The search ends when there is no earlier zero. Returns a status. */
 VM_API int vmi_find_cut(const rk45 *s, vm_real *cut, int *owner)
 {
     int i, pass, found = 1;
@@ -310,10 +314,11 @@ VM_API int vmi_record_until(const rk45 *s, ode_event *e, vm_real to)
     }
 }
 
-/* Sets e->happens to 1 if the event e happens at the fraction x of the step, where the step ends, else to 0. It happens
-   if its g has changed sign up to x, or if rounding decides the sign of g at x and this sign changes just after x.
-   Events at one instant must happen together, because the change that one event makes may keep the others from
-   happening. Returns a status. */
+/* Sets e->happens to 1 if the event e happens at the fraction x of the step, where the step ends, else to 0. The event
+   happens if its g has changed sign before x or at x, in a direction that counts. It also happens if g at x is so
+   small that rounding could have caused its sign, and g changes sign in such a direction just after x. Events at one
+   instant must happen together, because the change that one event makes may keep the others from happening. Returns a
+   status. */
 VM_API int vmi_happens_at_cut(const rk45 *s, ode_event *e, vm_real x)
 {
     ode_event look;
@@ -409,8 +414,8 @@ VM_API void vmi_keep_events(rk45 *s)
     }
 }
 
-/* Undoes the last step and the counts of its events, because a function of the user failed during the search for
-   events. The next call then makes the same step again, and no event is lost. */
+/* Undoes the last step, and takes back the counts of its events, because a function of the user failed during the
+   search for events. The next call then makes the same step again, and no event is lost. */
 VM_API void vmi_take_back_events(rk45 *s)
 {
     int i;
@@ -425,8 +430,9 @@ VM_API void vmi_take_back_events(rk45 *s)
     vmi_take_back_step(s);
 }
 
-/* Finds the events of the last step, up to the first instant at which an event ends the step. *cut becomes the fraction
-   of the step at this instant, or VMI_NONE. The continuous extension must be ready. Returns a status. */
+/* Finds the events of the last step, up to the first instant at which an event ends the step. *cut becomes the
+   fraction of the step at this instant, or VMI_NONE. The derivatives that the continuous extension needs must be known
+   (vmi_extend). Returns a status. */
 VM_API int vmi_find_events(rk45 *s, vm_real *cut)
 {
     const int n_events = s->options.n_events;
@@ -452,9 +458,9 @@ VM_API int vmi_is_finite_inside(const rk45 *s, vm_real x)
     return vmi_all_finite(s->n, z);
 }
 
-/* Handles the events of the last step, up to the first instant at which an event ends the step. Returns a status. After
-   an error the step is undone. If the state at this instant is not finite, the step is made again with a shorter
-   length. */
+/* Handles the events of the last step, up to the first instant at which an event ends the step. Returns a status.
+   After an error the step is undone. If the state at the instant of the event is not finite, the step is undone, too,
+   and the next step is shorter. */
 VM_API int vmi_events(rk45 *s)
 {
     vm_real cut = VMI_NONE;

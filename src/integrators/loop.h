@@ -26,8 +26,8 @@ VM_INLINE int vmi_ode_init(rk45 *s, vmi_rk_pair pair, ode_rhs f, void *ctx, int 
     return status;
 }
 
-/* Forgets which events have just happened, because the run continues at another time. The side of each event is then
-   the sign of its g at this time, even if g is small. */
+/* Forgets which events have just happened, because the run continues at another time. The side of each event then
+   becomes the sign of its g at the new time, even if g is small. */
 VM_API void vmi_forget_events(rk45 *s)
 {
     int i;
@@ -145,7 +145,7 @@ VMI_FOLDED int vmi_run(rk45 *s, vmi_rk_stepper stepper, ode_rhs f, int n, vm_rea
 }
 
 /* Prepares the one step of rk45_step, for the pair whose number is `method`. *t_end becomes VM_MAX, or -VM_MAX if the
-   run goes backward. Returns a status; the step may be made if it is ODE_OK. */
+   run goes backward. Returns a status; the step may be made if the status is ODE_OK. */
 VM_INLINE int vmi_begin_step(rk45 *s, int method, vm_real *t_end)
 {
     if (!s || s->pair.method != method) return ODE_BAD_ARGUMENT;
@@ -157,7 +157,7 @@ VM_INLINE int vmi_begin_step(rk45 *s, int method, vm_real *t_end)
 }
 
 /* Prepares the steps of rk45_solve_with, for the pair whose number is `method`. t_end may be infinite if an event can
-   end the run. Returns a status; the steps may be made if it is ODE_OK. */
+   end the run. Returns a status; the steps may be made if the status is ODE_OK. */
 VM_INLINE int vmi_begin_solve(rk45 *s, int method, ode_rhs f, int n, vm_real t_end)
 {
     if (!s || t_end != t_end || s->pair.method != method || f != s->f || n != s->n) return ODE_BAD_ARGUMENT;
@@ -175,8 +175,9 @@ VM_INLINE vm_real vmi_last_time(vm_real t_end)
     return t_end;
 }
 
-/* Returns the status of a run to t_end whose steps have ended with `status`. This is ODE_STEP_TOO_SMALL if t_end is
-   infinite and the steps have ended without an error or an event. */
+/* Returns the status of a run to t_end whose steps have ended with `status`. If t_end is infinite and the steps have
+   ended without an error or an event, t has reached the largest number of the type, and the status is
+   ODE_STEP_TOO_SMALL. */
 VM_INLINE int vmi_end_solve(vm_real t_end, int status)
 {
     if (!VM_IS_FINITE(t_end) && (status == ODE_OK || status == ODE_STIFF)) return ODE_STEP_TOO_SMALL;

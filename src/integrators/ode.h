@@ -1,5 +1,6 @@
 /* integrators/ode.h - ordinary differential equations y' = f(t, y): right-hand sides and statuses
-   This file has the type of every right-hand side f, and the statuses of the functions rk4_..., rk45_... and rk87_...
+   This file defines the type of every right-hand side f, and the statuses: the numbers by which the functions rk4_...,
+   rk45_... and rk87_... report success or an error.
 
        #include "integrators.h"
        static int spring(double t, const double *y, double *dydt, void *ctx) // x'' = -x as y = (x, x')
@@ -24,21 +25,22 @@
 
 enum {
     ODE_OK = 0,          /* success */
-    ODE_RTOL_RAISED = 1, /* rk45_init has raised rtol to 16 eps, or rk87_init to 256 eps, the smallest rtol of the
-                            method */
+    ODE_RTOL_RAISED = 1, /* the option rtol was too small for the method: rk45_init has raised it to 16 eps, or
+                            rk87_init has raised it to 256 eps */
     ODE_EVENT = 2,       /* an event has ended the run: s->t, s->y are its time and state, s->event is its index */
     ODE_STIFF = 3,       /* t_end was reached, but for a while stability, not the tolerance, limited the step size */
-    /* An argument is wrong: n or steps is not positive, a pointer is NULL, a component has no tolerance, h_min is
-       negative or above h_max, a time, a state or an option is not finite (t_end may be infinite if an event can end
-       the run), a time is outside the last step or before an earlier one, an event has no g, a saved run does not fit,
-       or the rk45 was made by the init function of another method. */
+    /* An argument is wrong: a pointer is NULL, n or `steps` is not positive, or a time, a state or an option is not
+       finite (t_end may be infinite if an event can end the run). Or an option is wrong: a component has no tolerance,
+       h_min is negative or above h_max, or an event has no g. Or a time of output is outside the last step, or the
+       listed times are not in order. Or a saved run does not fit, or the init function of another method made the
+       rk45. */
     ODE_BAD_ARGUMENT = -1,
     ODE_RHS_STOPPED = -2, /* f returned a number other than 0, which is s->rhs_status */
     ODE_NOT_FINITE = -3,  /* f or the state is infinite or NaN even in the shortest step, or an event function is NaN */
-    /* Two steps of the smallest size (h_min, or the resolution of t) missed the tolerance, and fewer than three steps
-       between them kept it: f is singular there, or too stiff for the resolution of t. A run also ends with this status
-       if h_max is less than the resolution of t, or if t_end is infinite and t reaches the largest number of the type.
-       A jump of f does not end a run: s->missed counts it. */
+    /* The errors of two steps of the smallest size (h_min, or the resolution of t) were above the tolerance, and fewer
+       than three steps lay between these two steps. Then f is singular there, or too stiff for the resolution of t. A
+       run also ends with this status if h_max is less than the resolution of t, or if t_end is infinite and t reaches
+       the largest number of the type. A jump of f does not end a run: s->missed counts it. */
     ODE_STEP_TOO_SMALL = -4,
     ODE_MAX_STEPS = -5,     /* max_steps attempts did not reach t_end; another call continues the run */
     ODE_WORK_TOO_SMALL = -6 /* work_size is less than RK45_WORK(n) or RK87_WORK(n), or size is less than RK45_SAVED */

@@ -1,6 +1,6 @@
 /* integrators/options.h - options and events of an adaptive run
-   An rk45_options whose fields are all 0 stands for the defaults. An event is a change of sign of a function g(t, y)
-   along a run, such as a bounce, where g is a height.
+   An rk45_options has the options of a run. If a field is 0, the run uses the default of this option. An event is a
+   change of sign of a function g(t, y) along a run, such as a bounce, where g is a height.
 
        ode_event touch;
        rk45_options options;
@@ -28,8 +28,8 @@ enum {
     ODE_RESTART = 2 /* the run ends the step at the event, calls `change`, and begins a new step */
 };
 
-/* Those fields of an event that a run stores at the beginning of a step; they have the names of the fields of
-   ode_event */
+/* The values that some fields of an ode_event have at the beginning of a step. Each field here has the same name as
+   the field of ode_event. A run stores these values so that it can undo the step */
 typedef struct VM_TAG(vmi_event_past) {
     long count;
     vm_real t, slack, quiet;
@@ -37,8 +37,8 @@ typedef struct VM_TAG(vmi_event_past) {
 } vmi_event_past;
 
 /* An event of a run: it happens when g(t, y) reaches zero or changes its sign. The caller makes an array of events, to
-   which the field `events` of rk45_options points. The caller sets all fields to 0 first, and then sets those of the
-   fields from g to stop_after that it needs. The integrator sets the fields from count on. */
+   which the field `events` of rk45_options points. The caller first sets all fields to 0, and then sets the fields
+   that it needs among the fields from g to stop_after. The integrator sets the fields from count on. */
 typedef struct VM_TAG(ode_event) {
     ode_event_function g; /* the function whose zeros are the event */
     void *ctx;            /* pointer that g and change receive */
@@ -48,7 +48,7 @@ typedef struct VM_TAG(ode_event) {
     /* NULL, or the function that an event with ODE_RESTART calls. It may change y, and in ctx the data on which f
        depends. */
     void (*change)(vm_real t, vm_real *y, void *ctx);
-    long room;       /* number of events for which times and states have room; later events are only counted */
+    long room;       /* number of events for which `times` and `states` have room; later events are only counted */
     vm_real *times;  /* NULL, or an array that receives the times of the first `room` events */
     vm_real *states; /* NULL, or an array that receives the states of the first `room` events, n numbers each */
     /* 0, or a number k > 0: the run ends with ODE_EVENT when this event happens for the kth time, the 2kth time and so
@@ -132,8 +132,9 @@ VM_API int vmi_options_are_valid(const rk45_options *o, int n)
 /* Returns 1 if the event ends the step in which it happens, else 0. */
 VM_INLINE int vmi_ends_step(const ode_event *e) { return e->action != ODE_RECORD || e->stop_after > 0; }
 
-/* Returns 1 if n >= 0 is a multiple of k > 0, else 0. The function subtracts k 2^j for falling j, so that a program for
-   a processor that cannot divide does not link a division only for this. */
+/* Returns 1 if n >= 0 is a multiple of k > 0, else 0. The function does not divide: it subtracts k 2^j for smaller and
+   smaller j. So a program for a processor without a division instruction needs no division routine for this
+   function. */
 VM_API int vmi_is_multiple(long n, long k)
 {
     long part = k;

@@ -1,6 +1,7 @@
 /* integrators/output.h - the solution at listed times
-   rk45_solve_at and rk87_solve_at fill a table with the state at times that the caller lists. Times between the ends of
-   the steps are taken from the continuous extension, so that the list does not make the steps shorter.
+   rk45_solve_at and rk87_solve_at fill a table with the state at times that the caller lists. If a listed time is
+   inside a step, the continuous extension of the step gives the state. So the steps need not end at the listed times,
+   and the list does not make them shorter.
 
        double times[3] = {1, 2, 5}, rows[3][2], y0[2] = {1, 0}, work[RK45_WORK(2)];
        rk45 s;
@@ -40,7 +41,8 @@ VM_API int vmi_times_are_in_order(vm_real t, int n_times, const vm_real *times, 
     return 1;
 }
 
-/* Fills the rows of all times that the run has reached, from the row *done on. Returns a status. */
+/* Writes the state to the row of each listed time that the run has reached, beginning with the row *done. *done
+   becomes the number of filled rows. Returns a status. */
 VM_API int vmi_fill_rows(rk45 *s, int n_times, const vm_real *times, int direction, vm_real *rows, int *done)
 {
     while (*done < n_times && vmi_has_reached(s->t, times[*done], direction)) {
@@ -54,7 +56,8 @@ VM_API int vmi_fill_rows(rk45 *s, int n_times, const vm_real *times, int directi
     return ODE_OK;
 }
 
-/* Does the work of rk45_solve_at for the pair whose number is `method`. run makes one step of this pair. */
+/* Does the work of rk45_solve_at for the pair whose number is `method`. The function `run` makes one step by this
+   pair. */
 VM_API int vmi_solve_at(rk45 *s, int method, int (*run)(rk45 *s, ode_rhs f, int n, vm_real t_end, int single),
                         int n_times, const vm_real *times, vm_real *rows, int *n_done_or_NULL)
 {
@@ -76,13 +79,13 @@ VM_API int vmi_solve_at(rk45 *s, int method, int (*run)(rk45 *s, ode_rhs f, int 
     return status == ODE_OK && s->stiff > was_stiff ? (int)ODE_STIFF : status;
 }
 
-/* Continues a run of rk45 to the last of n_times times and writes the state at each of them to a row of n numbers.
-   The times start at s->t or later and rise, or start at s->t or earlier and fall; equal times are allowed. The array
-   rows has n_times times n numbers. *n_done_or_NULL becomes the number of rows that are filled. These are all rows,
-   unless an event or an error ends the run; another call with the remaining times continues the run. If an event
-   changes the state at a listed time, the row has the new state. The values are those of rk45_interpolate, and s->y at
-   the last time. Returns a status, as rk45_solve does; it is ODE_BAD_ARGUMENT if times are not finite or neither rise
-   nor fall in this way. */
+/* Continues a run of rk45 to the last of n_times times and writes the state at each of them to a row of n numbers. The
+   times start at s->t or later and rise, or start at s->t or earlier and fall; equal times are allowed. The array rows
+   has n_times times n numbers. *n_done_or_NULL becomes the number of rows that are filled. If neither an event nor an
+   error ends the run, all rows are filled; else another call with the remaining times continues the run. If an event
+   changes the state at a listed time, the row has the new state. The values are those of rk45_interpolate; the row of
+   the last time has the values of s->y. Returns a status, as rk45_solve does. The status is ODE_BAD_ARGUMENT if times
+   are not finite or neither rise nor fall in this way. */
 VM_API int rk45_solve_at(rk45 *s, int n_times, const vm_real *times, vm_real *rows, int *n_done_or_NULL)
 {
     return vmi_solve_at(s, VMI_RK45, vmi_rk45_run, n_times, times, rows, n_done_or_NULL);

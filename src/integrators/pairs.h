@@ -20,12 +20,12 @@
 struct VM_TAG(rk45);
 
 /* Indices of the parts of a run's work array. Each part has n numbers: VMI_Y is the state y, VMI_Y_OLD the state at
-   t_old, VMI_Z the state at which a stage evaluates f, and after the last stage the new state. VMI_K is k_1; k_2, k_3
-   ... follow. */
+   t_old, VMI_Z the state at which a stage evaluates f. After the last stage, VMI_Z is the new state. VMI_K is k_1; the
+   parts k_2, k_3 ... follow. */
 enum { VMI_Y, VMI_Y_OLD, VMI_Z, VMI_K };
 
-/* The n equations y' = f(t, y) that a step solves, and w, the array of the step: its part number p, such as VMI_Y,
-   begins at w + p m, where m >= n. ctx is the pointer that f receives. */
+/* The n equations y' = f(t, y) that a step solves, and the array w in which the step stores its numbers. The part of w
+   with the index p, such as VMI_Y, begins at w + p m, where m >= n. ctx is the pointer that f receives. */
 typedef struct VM_TAG(vmi_rk_system) {
     ode_rhs f;
     void *ctx;
@@ -45,9 +45,9 @@ typedef struct VM_TAG(vmi_rk_pair) {
     int rounding;         /* bound of a step's relative rounding error, in units of VM_EPSILON; it is the least rtol */
     vm_real keep_from;    /* the step size may stay the same after an error above this fraction of the tolerance */
     vm_real stiff_beyond; /* the run looks stiff if h times the largest eigenvalue of f's Jacobian exceeds this */
-    /* For the test of stiffness, which compares two states at the end t + h of a step: those of the last two stages
-       (rk45), or the new state and that of the last stage (rk87). The difference of these two states is h times a sum
-       over all k_{j+1}; the function returns the factor of k_{j+1} in it. */
+    /* For the test of stiffness, which compares two states at the end t + h of a step. With rk45 these are the states
+       of the last two stages; with rk87 they are the new state and the state of the last stage. The difference of the
+       two states is h times a weighted sum of k_1, k_2 ...; the function returns the weight of k_{j+1}. */
     vm_real (*end_difference)(int j);
     /* Computes the state y at the fraction x of the step by the continuous extension, y_old + h (b_1 k_1 + ...), whose
        weights b_j depend on x */
@@ -57,9 +57,9 @@ typedef struct VM_TAG(vmi_rk_pair) {
 } vmi_rk_pair;
 
 /* The functions of a pair that the loop over the steps calls. vmi_run gets this struct as a constant, so that the
-   compiler inlines make_stages and step_error into the loop. The two functions are not fields of vmi_rk_pair: each run
-   stores a vmi_rk_pair, and for a stored pointer to a function the compiler would compile the function once more,
-   outside the loop. */
+   compiler inlines make_stages and step_error into the loop. The two functions are not fields of vmi_rk_pair, because
+   each run stores a vmi_rk_pair: for a stored pointer to a function, the compiler would have to compile the function
+   once more, outside the loop. */
 typedef struct VM_TAG(vmi_rk_stepper) {
     vmi_rk_pair pair;
     /* Computes stages 2, 3 ... of a step from t to t_new = t + h, after which the part VMI_Z of work is the new state.
@@ -72,17 +72,17 @@ typedef struct VM_TAG(vmi_rk_stepper) {
 
 #define VMI_MOST_OWN 14 /* the largest number of k_i in a step of any pair, without those of the continuous extension */
 
-/* Linkage of descriptors and of the parts of vmi_advance. These functions are inlined even where VM_INLINE does not
-   inline. This makes the code smaller, since the descriptors become constants and each part is called in one place
-   only. */
+/* The keywords for the functions that return descriptors and for the parts of vmi_advance. These functions are inlined
+   even where VM_INLINE does not inline. This makes the code smaller, since the descriptors become constants and each
+   part is called in one place only. */
 #if defined(__GNUC__) && !defined(__CUDACC__) && defined(__OPTIMIZE__)
 #define VMI_FOLDED static inline __attribute__((always_inline))
 #else
 #define VMI_FOLDED VM_INLINE
 #endif
 
-/* Linkage of the loop over the steps of one pair. The loop is inlined, because this makes it fast. If the compiler
-   optimises for size, it is not inlined, so that one copy serves every n. */
+/* The keywords for the loop over the steps of one pair. The loop is inlined, because this makes it fast. If the
+   compiler optimises for size, the loop is not inlined, so that the program has only one copy of it, for every n. */
 #ifdef __OPTIMIZE_SIZE__
 #define VMI_LOOP VMI_APART
 #else
@@ -110,7 +110,7 @@ VMI_FOLDED vm_real vmi_least_rtol(const vmi_rk_pair *pair) { return (vm_real)pai
 
 #define VMI_LARGER(a, b) ((a) > (b) ? (a) : (b))
 #define VMI_SMALLER(a, b) ((a) < (b) ? (a) : (b))
-#define VMI_WORST VM_C(1e4) /* a ratio of an error to its tolerance above this number counts as this number */
+#define VMI_WORST VM_C(1e4) /* if a ratio of an error to its tolerance is larger than this, it is set to this */
 
 /* Takes the error e of component i into account; the component is y before the step and z after it. *worst becomes the
    largest ratio of an error to its tolerance so far. *bad becomes NaN if e or z is not finite, since infinity minus

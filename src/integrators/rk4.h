@@ -16,9 +16,9 @@
 
 #define RK4_WORK(n) (3 * (n)) /* number of elements of the array work for n components */
 
-/* Computes the four stages of a step of size h from the state y at t; k_1 ... k_4 are the values of f in them. sum
-   becomes k_1 + 2 k_2 + 2 k_3, and k becomes k_4; z is the state at which f is evaluated. Returns 0, or the number with
-   which f has stopped the run. */
+/* Computes the four stages of a step of size h from the state y at t; k_1 ... k_4 are the values of f in these stages.
+   The array `sum` becomes k_1 + 2 k_2 + 2 k_3, and the array k becomes k_4. The array z has the state at which f is
+   evaluated. Returns 0, or the number with which f has stopped the run. */
 VM_INLINE int vmi_rk4_stages(ode_rhs f, void *ctx, int n, vm_real t, vm_real h, const vm_real *y, vm_real *k,
                              vm_real *sum, vm_real *z)
 {
@@ -43,9 +43,9 @@ VM_INLINE int vmi_rk4_stages(ode_rhs f, void *ctx, int n, vm_real t, vm_real h, 
     return f(t + h, z, k, ctx);
 }
 
-/* Makes `steps` steps of size h from *t. If low_or_NULL is not NULL, summation is compensated, and the state is the sum
-   of both arrays y and low_or_NULL. w is a work array of 3 m numbers, m >= n. y and *t become those at the end of the
-   last complete step. Returns a status. */
+/* Makes `steps` steps of size h from *t. If low_or_NULL is not NULL, the summation is compensated: the state is then
+   the sum of the arrays y and low_or_NULL. w is a work array of 3 m numbers, m >= n. y and *t become the state and the
+   time at the end of the last complete step. Returns a status. */
 VM_INLINE int vmi_rk4_run(ode_rhs f, void *ctx, int n, vm_real *t, vm_real h, long steps, vm_real *y,
                           vm_real *low_or_NULL, vm_real *w, ptrdiff_t m)
 {
@@ -124,10 +124,10 @@ VM_INLINE int rk4_step(ode_rhs f, void *ctx, int n, vm_real t, vm_real h, vm_rea
     return vmi_rk4(f, ctx, n, &t, h, 1, y, NULL, work);
 }
 
-/* Makes `steps` equal steps from *t to t_end by the classical Runge-Kutta method. y has n numbers and becomes the state
-   at t_end; *t becomes t_end exactly. If f stops the run or the state is not finite, y and *t are those at the end of
-   the last complete step. Returns a status with the meanings of rk4_step; it is ODE_BAD_ARGUMENT also if `steps` is not
-   positive. */
+/* Makes `steps` equal steps from *t to t_end by the classical Runge-Kutta method. y has n numbers and becomes the
+   state at t_end; *t becomes t_end exactly. If f stops the run or the state is not finite, y and *t are the state and
+   the time at the end of the last complete step. Returns the same statuses as rk4_step, and ODE_BAD_ARGUMENT also if
+   `steps` is not positive. */
 VM_INLINE int rk4_solve(ode_rhs f, void *ctx, int n, vm_real *t, vm_real t_end, long steps, vm_real *y,
                         vm_real *work)
 {
@@ -136,7 +136,7 @@ VM_INLINE int rk4_solve(ode_rhs f, void *ctx, int n, vm_real *t, vm_real t_end, 
 
 /* Makes equal steps with compensated summation [3], so that rounding errors do not add up. The steps are those of
    rk4_solve, but the state is y + y_low. y_low has n numbers, which the caller sets to zero before the first call. The
-   summation takes additional time, which is worth it when there are millions of steps. */
+   summation takes additional time; use this function for runs of millions of steps. */
 VM_INLINE int rk4_solve_compensated(ode_rhs f, void *ctx, int n, vm_real *t, vm_real t_end, long steps, vm_real *y,
                                     vm_real *y_low, vm_real *work)
 {

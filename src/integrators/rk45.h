@@ -1,8 +1,8 @@
 /* integrators/rk45.h - rk45: adaptive runs by a Runge-Kutta pair of orders 5 and 4
-   Tsitouras' pair [1] has seven stages. The last stage is the first one of the next step, so that a step takes six
-   evaluations of f. The continuous extension of order 4, which gives the states inside a step, takes no further
-   evaluation. Try this method first. It is better than rk87 in float, for loose tolerances, for right-hand sides that
-   are not smooth, and for many events.
+   Tsitouras' pair [1] has seven stages. The last stage of a step is also the first stage of the next step, so that a
+   step takes six evaluations of f. The continuous extension of order 4, which gives the states inside a step, takes no
+   further evaluation. Try this method first. It is better than rk87 in float, for loose tolerances, for right-hand
+   sides that are not smooth, and for many events.
 
        double y0[2] = {1, 0}, work[RK45_WORK(2)];
        rk45 s;
@@ -85,8 +85,8 @@ VM_API vm_real vmi_rk45_end_difference(int j)
     return VM_READ(weights[j]);
 }
 
-/* Computes the weights b[0], b[1] ... of k_1, k_2 ... in Tsitouras' continuous extension, of order 4 [1], at the
-   fraction x of the step */
+/* Computes the weights b[0], b[1] ... of k_1, k_2 ... in Tsitouras' continuous extension [1], which has order 4, at
+   the fraction x of the step */
 VM_API void vmi_rk45_weights(vm_real x, vm_real *b)
 {
     const vm_real xx = x * x;
@@ -175,9 +175,9 @@ VM_INLINE int rk45_step(rk45 *s)
     return vmi_rk45_run(s, s->f, s->n, t_end, 1);
 }
 
-/* Makes steps of rk45 to t_end, with f and n given once more so that f is inlined. The compiler inlines f if f and n
-   are constants in this call, wherever rk45_init was called. Returns ODE_BAD_ARGUMENT if f or n is not that of s; all
-   else is as in rk45_solve. */
+/* Makes steps of rk45 to t_end. The caller gives f and n once more, so that the compiler can inline f. It inlines f if
+   f and n are constants in this call, wherever rk45_init was called. Returns ODE_BAD_ARGUMENT if f or n differs from
+   the f or n of s. All else is as in rk45_solve. */
 VM_INLINE int rk45_solve_with(rk45 *s, ode_rhs f, int n, vm_real t_end)
 {
     const int status = vmi_begin_solve(s, VMI_RK45, f, n, t_end);
@@ -185,10 +185,10 @@ VM_INLINE int rk45_solve_with(rk45 *s, ode_rhs f, int n, vm_real t_end)
     return vmi_end_solve(t_end, vmi_rk45_run(s, f, n, vmi_last_time(t_end), 0));
 }
 
-/* Makes steps of rk45 to t_end exactly, forward or backward, or to an event that ends the run. t_end may be infinite if
-   there is such an event. Nothing changes if s->t is t_end. After an error s->t and s->y are those of the last accepted
-   step. Returns a status. After ODE_MAX_STEPS, that is after options.max_steps attempts, another call continues the
-   run. */
+/* Makes steps of rk45 to t_end exactly, forward or backward, or to an event that ends the run. t_end may be infinite
+   if there is such an event. Nothing changes if s->t is t_end. After an error s->t and s->y are those of the last
+   accepted step. Returns a status. The status is ODE_MAX_STEPS after options.max_steps attempts; another call then
+   continues the run. */
 VM_INLINE int rk45_solve(rk45 *s, vm_real t_end)
 {
     if (!s) return ODE_BAD_ARGUMENT;

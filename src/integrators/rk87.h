@@ -51,9 +51,10 @@ VMI_FOLDED int vmi_rk87_early_stages(vmi_rk_system sys, vm_real t, vm_real h, lo
 }
 
 /* Computes stages 8 to 13 of a step of Verner's pair [4], and the new state, whose derivative is evaluated only after
-   the step is accepted. Large coefficients of opposite sign belong to derivatives k at nearly equal times. The sums use
-   the differences of such k. These differences have no rounding error, so that the rounding errors of the sums are
-   small. Returns 0, or the number with which f has stopped the run. */
+   the step is accepted. Some large coefficients, which have opposite signs, belong to derivatives k at nearly equal
+   times, such as k_4 and k_7. Therefore the sums use the differences of these derivatives. The difference of two
+   nearly equal numbers has no rounding error, so that the rounding errors of the sums are small. Returns 0, or the
+   number with which f has stopped the run. */
 VMI_FOLDED int vmi_rk87_late_stages(vmi_rk_system sys, vm_real t, vm_real t_new, vm_real h, long *evals)
 {
     const ptrdiff_t m = sys.m;
@@ -124,15 +125,15 @@ VMI_FOLDED int vmi_rk87_stages(vmi_rk_system sys, vm_real t, vm_real t_new, vm_r
 }
 
 /* Estimates the error that a jump of f inside a step of size 1 causes in a component whose derivatives are k1 ... k13.
-   This error is up to a quarter of the jump. The difference of the results of orders 8 and 7 hardly shows a jump in the
-   first 0.9 of the step: in this difference the weights of the k before the jump add up to 4e-4 at most. `seen` is the
-   magnitude of another sum of the k, of order 5. In this sum the weights of the k before the jump add up in magnitude
-   to
+   This error is up to a quarter of the jump. The difference of the results of orders 8 and 7 is nearly the same with
+   and without a jump in the first nine tenths of the step: in this difference the weights of the k before the jump add
+   up to 4e-4 at most. `seen` is the magnitude of another sum of the k, of order 5. In this sum the weights of the k
+   before the jump add up in magnitude to
      0.11 for a jump before 0.155 of the step (only k1 is before it), 0.17 for a jump between 0.155 and 0.465 (k1 and
      k7 are before it), 0.25 for a jump between 0.465 and 0.9 (k1, k7 and k6 are before it).
    If f is smooth, `seen` is much smaller than `change`, the change of f along the step. The returned value
-   seen^2/(seen + change) is then of order 9, and below the difference of orders 8 and 7 unless the tolerance is
-   loose. */
+   seen^2/(seen + change) is then of order 9. It is smaller than the difference of the results of orders 8 and 7,
+   unless the tolerance is loose. */
 VM_INLINE vm_real vmi_rk87_jump(vm_real k1, vm_real k6, vm_real k7, vm_real k9, vm_real k10, vm_real k13)
 {
     const vm_real seen = VM_FABS(VM_C(-0.10566347241843193175) * (k1 - k6) + VM_C(0.27305974723615654296) * (k7 - k6) -
@@ -224,8 +225,9 @@ VM_API vm_real vmi_rk87_extra_coefficient(int stage, int j)
 }
 
 /* Evaluates the seven further stages that the continuous extension of order 8 needs. If the derivative at the end of
-   the step is not finite, it is evaluated again first. Returns a status. It is ODE_NOT_FINITE if one of these stages
-   lies outside the domain of f; this may happen even if no stage of the step itself does. */
+   the step is not finite, it is evaluated again first. Returns a status. If one of these stages lies outside the
+   domain of f, the status is ODE_NOT_FINITE; this may happen even if all stages of the step itself lie inside the
+   domain. */
 VM_API int vmi_rk87_extend(rk45 *s)
 {
     VM_TABLE vm_real c[7] = {
@@ -250,8 +252,9 @@ VM_API int vmi_rk87_extend(rk45 *s)
     return ODE_OK;
 }
 
-/* Returns coefficient i of the polynomial b_{j+1}(x)/x, as a sum of Bernstein's polynomials of degree 7. b_{j+1}(x) is
-   the weight of k_{j+1} in the continuous extension. In powers of x the coefficients would be larger [4]. */
+/* Returns coefficient i of the polynomial b_{j+1}(x)/x, if this polynomial is written as a sum of Bernstein's
+   polynomials of degree 7. b_{j+1}(x) is the weight of k_{j+1} in the continuous extension. In powers of x the
+   coefficients would be larger [4]. */
 VM_API vm_real vmi_rk87_bernstein(int i, int j)
 {
     VM_TABLE vm_real c[8][21] = {
@@ -295,8 +298,8 @@ VM_API vm_real vmi_rk87_bernstein(int i, int j)
     return VM_READ(c[i][j]);
 }
 
-/* Computes the weights b[0], b[1] ... of k_1, k_2 ... in Verner's continuous extension, of order 8 [4], at the fraction
-   x of the step */
+/* Computes the weights b[0], b[1] ... of k_1, k_2 ... in Verner's continuous extension [4], which has order 8, at the
+   fraction x of the step */
 VM_API void vmi_rk87_weights(vm_real x, vm_real *b)
 {
     VM_TABLE vm_real binomial[8] = {1, 7, 21, 35, 35, 21, 7, 1};
@@ -380,8 +383,8 @@ VM_INLINE int rk87_step(rk87 *s)
     return vmi_rk87_run(s, s->f, s->n, t_end, 1);
 }
 
-/* Makes steps of rk87 to t_end, with f and n given once more so that f is inlined. All else is as in
-   rk45_solve_with. */
+/* Makes steps of rk87 to t_end. The caller gives f and n once more, so that the compiler can inline f. All else is as
+   in rk45_solve_with. */
 VM_INLINE int rk87_solve_with(rk87 *s, ode_rhs f, int n, vm_real t_end)
 {
     const int status = vmi_begin_solve(s, VMI_RK87, f, n, t_end);

@@ -1,6 +1,7 @@
 /* integrators/runs.h - what an adaptive run is: its state, its work and its beginning
-   An rk45 contains the state of a run by rk45 or by rk87. Its `work`, which the caller provides, contains the arrays of
-   n numbers. The functions that make and use an rk45 are in rk45.h and rk87.h.
+   A variable of the type rk45 contains the state of a run, which may be a run by the method rk45 or by the method
+   rk87. Its array `work`, which the caller provides, contains arrays of n numbers each, such as y. The functions that
+   make and use an rk45 are in rk45.h and rk87.h.
 
    Tests: tests/test_adaptive.c. */
 #ifndef VARMASS_INTEGRATORS_RUNS_H
@@ -24,7 +25,7 @@ typedef struct VM_TAG(rk45) {
     long missed;          /* number of steps of the smallest size that were accepted above the tolerance */
     int rhs_status;       /* number that f returned last */
     int event;            /* index of the event that ended the last call, else -1 */
-    int stiff;            /* nonzero once the run has looked stiff */
+    int stiff;            /* nonzero after the equations have looked stiff (ODE_STIFF) */
     ode_rhs f;            /* the right-hand side */
     void *ctx;            /* pointer that f receives */
     int n;                /* number of components */
@@ -46,7 +47,7 @@ typedef struct VM_TAG(rk45) {
     int stiff_misses;      /* number of tests since the last test that found stiffness */
 } rk45;
 
-enum { VMI_K1_MISSING, VMI_K1_READY, VMI_K1_IS_LAST };  /* k_1 is unknown, ready, or the previous step's last k */
+enum { VMI_K1_MISSING, VMI_K1_READY, VMI_K1_IS_LAST };  /* k_1 is unknown, ready, or the last k of the step before */
 enum { VMI_NONE_FAILED, VMI_REJECTED, VMI_NOT_FINITE }; /* results of an attempt */
 enum { VMI_STIFF_WAIT = 100 };                          /* accepted steps from one test of stiffness to the next */
 
@@ -83,7 +84,8 @@ VM_API void vmi_init_fields(rk45 *s, ode_rhs f, void *ctx, int n, vm_real t0, vm
     s->stiff_misses = 0;
 }
 
-/* Sets the fields of an event that belong to the integrator, also where the event has served another run before. */
+/* Sets the fields of an event that belong to the integrator to their first values. An earlier run may have used the
+   event. */
 VM_API void vmi_init_event(ode_event *e, vm_real t0)
 {
     e->count = 0;
@@ -118,9 +120,9 @@ VMI_APART int vmi_init(rk45 *s, const vmi_rk_pair *pair, ode_rhs f, void *ctx, i
     return ODE_OK;
 }
 
-/* Computes the state y = y_old + h (b[0] k_1 + b[1] k_2 + ...) at the fraction x of the last step, with `count` terms.
-   The weights b add up to x. The sum is computed as x k_1 plus the terms b[j] (k_{j+1} - k_1), because these have
-   smaller rounding errors. */
+/* Computes the state y = y_old + h (b[0] k_1 + b[1] k_2 + ...) at the fraction x of the last step; the sum in brackets
+   has `count` terms. The weights b add up to x. Therefore the sum is equal to x k_1 plus the terms b[j] (k_{j+1} -
+   k_1). It is computed in this form, because the differences make the rounding errors smaller. */
 VM_INLINE void vmi_weigh_inside(const rk45 *s, int count, const vm_real *b, vm_real x, vm_real *y)
 {
     const vm_real *y_old = vmi_part(s, VMI_Y_OLD), *k1 = vmi_part(s, VMI_K);

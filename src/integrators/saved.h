@@ -34,7 +34,8 @@
 #include "rk87.h"
 #include "runs.h"
 
-/* Indices of the numbers at the beginning of a saved run. The run that resumes it must have the same numbers. */
+/* Indices of the numbers at the beginning of a saved run, its head. A run can resume a saved run only if its own head
+   would have the same numbers. */
 enum {
     VMI_SAVED_FORMAT,
     VMI_SAVED_REAL,
@@ -42,7 +43,7 @@ enum {
     VMI_SAVED_METHOD,
     VMI_SAVED_N,
     VMI_SAVED_EVENTS,
-    VMI_SAVED_HEAD /* the number of these numbers */
+    VMI_SAVED_HEAD /* how many numbers the head has */
 };
 
 enum {
@@ -70,8 +71,8 @@ typedef struct VM_TAG(vmi_saved_place) {
     int saves;
 } vmi_saved_place;
 
-/* Writes the lowest 8 times `count` bits of *bits as bytes, the lowest byte first, or reads them, and goes on to the
-   next place */
+/* Writes the lowest `count` bytes of *bits, the lowest byte first, or reads them. Afterwards *p is the place behind
+   these bytes */
 VM_API void vmi_saved_bits(vmi_saved_place *p, uint64_t *bits, int count)
 {
     uint64_t read = 0;
@@ -251,20 +252,21 @@ VM_API int vmi_resume(rk45 *s, int method, long size, const unsigned char *bytes
     return ODE_OK;
 }
 
-/* Saves a run of rk45 between two calls as bytes. There is room for `size` bytes, at least RK45_SAVED(n, number of
-   events). The arrays `times` and `states` of events, ctx and the options are not in the bytes: they are the caller's.
-   A call takes as long as a copy of the bytes. Returns ODE_OK; ODE_BAD_ARGUMENT for a null pointer, a negative size or
-   a run by rk87; ODE_WORK_TOO_SMALL if there is too little room. */
+/* Saves a run of rk45 between two calls as bytes. The array `bytes` has `size` elements, at least RK45_SAVED(n, number
+   of events). The arrays `times` and `states` of events, ctx and the options are not saved, because they belong to the
+   caller. A call takes as long as a copy of the bytes. Returns ODE_OK; ODE_BAD_ARGUMENT for a null pointer, a negative
+   size or a run by rk87; ODE_WORK_TOO_SMALL if `size` is too small. */
 VM_API int rk45_save(const rk45 *s, long size, unsigned char *bytes) { return vmi_save(s, VMI_RK45, size, bytes); }
 
 /* Copies the numbers of a saved run of rk45 into s, which rk45_init has made with the f, n, options and events of the
-   saved run. The next step has the same bits as that of the saved run. Returns ODE_OK; ODE_WORK_TOO_SMALL if size is
-   less than the number of bytes of such a run; ODE_BAD_ARGUMENT for a null pointer, for bytes of a run with another
-   method, n, number of events or type, and for damaged bytes. If the status is not ODE_OK, s is unchanged. */
+   saved run. The next step then has the same bits as the next step of the run that was saved. Returns ODE_OK;
+   ODE_WORK_TOO_SMALL if size is less than the number of bytes of such a run; ODE_BAD_ARGUMENT for a null pointer, for
+   bytes of a run with another method, n, number of events or type, and for damaged bytes. If the status is not ODE_OK,
+   s is unchanged. */
 VM_API int rk45_resume(rk45 *s, long size, const unsigned char *bytes) { return vmi_resume(s, VMI_RK45, size, bytes); }
 
-/* Saves a run of rk87 as bytes. There is room for `size` bytes, at least RK87_SAVED(n, number of events). All else is
-   as in rk45_save. */
+/* Saves a run of rk87 as bytes. The array `bytes` has `size` elements, at least RK87_SAVED(n, number of events). All
+   else is as in rk45_save. */
 VM_API int rk87_save(const rk87 *s, long size, unsigned char *bytes) { return vmi_save(s, VMI_RK87, size, bytes); }
 
 /* Copies the numbers of a saved run of rk87 into s, which rk87_init has made. All else is as in rk45_resume. */

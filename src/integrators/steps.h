@@ -1,6 +1,7 @@
 /* integrators/steps.h - steps of an adaptive run and the control of their size
-   vmi_advance is the loop over the steps. The compiler specialises it for a pair and, where it knows that n is small,
-   for n and f too. The manual of integrators.h has the rules of step size control.
+   vmi_advance is the loop over the steps. The compiler makes a version of this loop for each pair; if it knows n and f
+   in a call and n is small, it makes a version for this n and this f. The manual in integrators.h explains how the
+   size of the steps is chosen.
 
    Tests: tests/test_adaptive.c. */
 #ifndef VARMASS_INTEGRATORS_STEPS_H
@@ -16,10 +17,10 @@
 #include "pairs.h"
 #include "runs.h"
 
-/* Returns x^p with an error of at most 1.6 % where |p| <= 0.2 and the result is from 0.1 to 10. x must be positive, and
-   the result must neither overflow nor underflow. The bits of x, taken as an integer, give a logarithm of x that is
-   piecewise linear; `middle` is half the largest error of this logarithm. The exponential function e^(16 v) is computed
-   as (1 + v + v^2/2)^16. */
+/* Returns x^p with an error of at most 1.6 % if |p| <= 0.2 and the result is from 0.1 to 10. x must be positive, and
+   the result must neither overflow nor underflow. The bits of x, read as an integer, give an approximate logarithm of
+   x, which is linear between powers of 2. `middle` is half the largest error of this logarithm; it is added, so that
+   the largest error is only half as large. The exponential function e^(16 v) is computed as (1 + v + v^2/2)^16. */
 VM_INLINE vm_real vmi_pow_rough(vm_real x, vm_real p)
 {
     const vm_real ln2 = VM_C(0.69314718055994531), middle = VM_C(0.043);
@@ -35,7 +36,7 @@ VM_INLINE vm_real vmi_pow_rough(vm_real x, vm_real p)
     return v;
 }
 
-#define VMI_LARGEST_RATIO VM_C(1e10) /* upper limit of the ratios to tolerances from which the first step is chosen */
+#define VMI_LARGEST_RATIO VM_C(1e10) /* upper limit of the ratios from which vmi_first_step chooses the first step */
 
 /* Returns the largest ratio of |v_i| to the tolerance of component i, but at most VMI_LARGEST_RATIO. */
 VM_API vm_real vmi_norm_by_tolerance(const rk45 *s, const vm_real *v)
@@ -49,8 +50,8 @@ VM_API vm_real vmi_norm_by_tolerance(const rk45 *s, const vm_real *v)
     return VMI_SMALLER(largest, VMI_LARGEST_RATIO);
 }
 
-/* Chooses the size s->h of the first step from the sizes of y, y' and y'' (Hairer et al. [2, II.4]), so that the error
-   of this step should be 1 % of the tolerance. |s->h| is at most 100 times the size of a step that changes y by 1 %,
+/* Chooses the size s->h of the first step from the magnitudes of y, y' and y'' (Hairer et al. [2, II.4]). The aim is
+   an error of this step of 1 % of the tolerance. |s->h| is at most 100 times the size of a step that changes y by 1 %,
    and at most `longest`. `direction`, 1 or -1, is the sign of s->h. The function overwrites k_2 and the part VMI_Z of
    work. Returns a status. */
 VM_API int vmi_first_step(rk45 *s, vm_real direction, vm_real longest)
@@ -94,7 +95,8 @@ VM_INLINE vm_real vmi_direction(const rk45 *s, vm_real t_end) { return vmi_time_
 /* Returns the factor by which the step size changes after an accepted step, by PI control (Hairer et al. [2, IV.2]). It
    is the smaller of 10 and
      0.9 error^(-4/(5 order)) error_before^(1/(5 order)),
-   where error is the error of this step divided by its tolerance, and error_before is that of the previous step. */
+   where error is the error of this step divided by its tolerance, and error_before is the same ratio for the previous
+   step. */
 VM_INLINE vm_real vmi_factor(int order, vm_real error, vm_real inverse_error_before)
 {
     const vm_real square = error * error, power = VM_C(-0.2) / (vm_real)order;
@@ -184,11 +186,11 @@ typedef struct VM_TAG(vmi_trial) {
     int shortest;                /* 1 if no shorter step can be tried */
 } vmi_trial;
 
-/* The size of a step is changed by at most this fraction, 1/64, so that the step ends at a time that is a number of the
-   type. A step for which the change would be larger is so short that it ends between two such times. Then t_low is not
-   0, so that t + t_low remains the time of the state y. */
+/* The size of a step is changed by at most this fraction, 1/64, so that the time at the end of the step is a number of
+   the type vm_real. If this needs a larger change, the step is very short: its size then stays the same, and it ends
+   between two numbers of the type. The time of the state y is t + t_low; after this step t_low is not 0. */
 #define VMI_LANDING VM_C(0.015625)
-#define VMI_NEARLY VM_C(0.999999) /* a step that covers this fraction of the time to t_end ends at t_end */
+#define VMI_NEARLY VM_C(0.999999) /* a step of at least this fraction of the time to t_end ends at t_end */
 
 /* Chooses the next step towards t_end and brings p->h_next between the smallest and the largest size. Returns ODE_OK,
    or the status with which the run ends: ODE_STEP_TOO_SMALL if h_max is too small, ODE_MAX_STEPS if no attempt is
@@ -218,9 +220,9 @@ VMI_FOLDED int vmi_choose_step(const rk45_options *o, vm_real t_end, vmi_progres
     return status;
 }
 
-/* The number of steps within the tolerance that must lie between two steps that miss the tolerance. After a jump of f
-   there are three such steps, 1, 10 and 100 times as long as the smallest step; next to a singularity of f there are
-   none. */
+/* The number of steps that must keep the tolerance between two steps that miss it. After a jump of f the next three
+   steps keep the tolerance; they are 1, 10 and 100 times as long as the smallest step. Next to a singularity of f no
+   step keeps the tolerance. */
 enum { VMI_BETWEEN_MISSES = 3 };
 
 /* Undoes the last accepted step, which missed the tolerance */
@@ -249,14 +251,14 @@ VMI_FOLDED int vmi_reject(int order, const vmi_trial *trial, vm_real error, vmi_
     p->h_next = trial->h * vmi_shrink(order, error);
     if (!trial->shortest) return ODE_OK;
     if (p->missed > 0 && p->steps == p->next_miss - VMI_BETWEEN_MISSES) vmi_drop_missed_step(sys, p);
-    if (not_a_number) p->k1 = VMI_K1_MISSING; /* k_1 itself may be NaN: another call evaluates it again */
+    if (not_a_number) p->k1 = VMI_K1_MISSING; /* k_1 may be NaN: another call must evaluate it again */
     return not_a_number ? ODE_NOT_FINITE : ODE_STEP_TOO_SMALL;
 }
 
-/* Replaces the state after a step of the smallest size in which f jumps. The weights of the stages have both signs, so
-   that the weighted sum of the derivatives may lead far away from the state at the jump. Therefore each component is
-   continued with the mean of the smallest and the largest of its derivatives in the stages. The error of this mean is
-   at most half the jump. */
+/* Replaces the state after a step of the smallest size in which f jumps. Some weights of the stages are positive and
+   others negative, so that the weighted sum of the derivatives may lead far away from the state at the jump. Therefore
+   each component is continued with the mean of the smallest and the largest of its derivatives in the stages. The
+   error of this mean is at most half the jump. */
 VM_INLINE void vmi_take_middle_slope(int stages, vmi_rk_system sys, vm_real h)
 {
     const ptrdiff_t m = sys.m;
@@ -274,12 +276,12 @@ VM_INLINE void vmi_take_middle_slope(int stages, vmi_rk_system sys, vm_real h)
     }
 }
 
-#define VMI_KEEP_TO VM_C(0.75)     /* below this share of the tolerance an error lets the step be as long as before */
-#define VMI_LEAST_ERROR VM_C(1e-8) /* a ratio of an error to its tolerance below this number counts as this number */
+#define VMI_KEEP_TO VM_C(0.75)     /* an error below this fraction of the tolerance lets the step size stay the same */
+#define VMI_LEAST_ERROR VM_C(1e-8) /* if a ratio of an error to its tolerance is smaller than this, it is set to this */
 
 /* Chooses the size of the step after an accepted step. The size stays the same if the error is between keep_from and
-   VMI_KEEP_TO times the tolerance. Then the processor can predict the next size, and begin the next step before the
-   error is known. */
+   VMI_KEEP_TO times the tolerance. Then the processor can predict that the size stays the same, and begin the next
+   step before the error is known. */
 VMI_FOLDED void vmi_choose_size(int order, vm_real keep_from, const vmi_trial *trial, vm_real error, vmi_progress *p)
 {
     vm_real factor;
@@ -301,7 +303,7 @@ VMI_FOLDED int vmi_advance(rk45 *s, vmi_rk_stepper stepper, vmi_rk_system sys, v
     const vmi_rk_pair pair = stepper.pair;
     vm_real *y = sys.w + VMI_Y * sys.m, *z = sys.w + VMI_Z * sys.m, *last_k = sys.w + vmi_last_k(&pair) * sys.m;
     vmi_progress p = vmi_begin_progress(s, t_end);
-    long evals = 0; /* make_stages gets its address; a field of p would then not stay in a register */
+    long evals = 0; /* not a field of p: make_stages gets its address, and p would then not stay in registers */
     int status;
     for (;;) {
         vmi_trial trial;
@@ -357,7 +359,7 @@ VMI_FOLDED int vmi_advance(rk45 *s, vmi_rk_stepper stepper, vmi_rk_system sys, v
 VMI_FOLDED int vmi_advance_small(rk45 *s, vmi_rk_stepper stepper, vmi_rk_system sys, vm_real t_end, int single)
 {
     const vmi_rk_pair pair = stepper.pair;
-    vm_real w[(VMI_K + VMI_MOST_OWN) * VMI_SMALL] = {0}; /* 0, because parts that were never written are copied too */
+    vm_real w[(VMI_K + VMI_MOST_OWN) * VMI_SMALL] = {0}; /* 0, because unused parts are copied, too */
     const int n = sys.n;
     int part, status;
     vmi_copy(n, vmi_part(s, VMI_Y), w);

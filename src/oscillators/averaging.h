@@ -1,8 +1,8 @@
 /* oscillators/averaging.h - averaged equations of an oscillator with a force, and the error of averaging
 
    With a force F(t, x, x') the amplitude A and the phase obey averaged equations, whose right-hand sides are means
-   over a period. vm_osc_averaged computes these right-hand sides for each of the three waves of oscillators/waves.h:
-   (314), (315) for ca, (337)-(339) for cos, (380)-(382) for cn.
+   over a period. vm_osc_averaged computes these right-hand sides for each of the three waves of oscillators/waves.h.
+   The equations are (314), (315) of the dissertation for ca, (337)-(339) for cos, and (380)-(382) for cn.
        vm_osc_plan plan;
        vm_real A_rate, theta_rate, psi_rate;
        int status = vm_osc_plan_init(&plan, &problem); // problem is a vm_osc_problem; t = 10 s, A = 0.1 m
@@ -27,12 +27,12 @@
 
 /* -- Averaged equations with a force -- */
 
-/* Writes the means of F s and F c over a period to *Fs and *Fc. c and s are the wave w for the position and for the
-   velocity, and F is the force during the motion x = A c, x' = -V s, with the amplitude A and the largest velocity V.
-   Gauss' rule integrates over each quarter of the period in two parts, with 20 points in each. The first part is from
-   psi = 0 to psi = cut; for large alpha the velocity varies like tanh psi there. The second part is from cut to the
-   zero of x. There the rule uses the square root of the distance of psi from this zero as its variable, since F may
-   contain fractional powers of this distance. */
+/* Writes the means of F s and F c over a period to *Fs and *Fc. The wave w gives the function c for the position and
+   the function s for the velocity. F is the force during the motion x = A c, x' = -V s, where A is the amplitude and V
+   the largest velocity. Gauss' rule integrates over each quarter of the period in two parts, with 20 points in each.
+   The first part is from psi = 0 to psi = cut; for large alpha the velocity varies like tanh psi there. The second part
+   is from cut to the zero of x. There the rule uses the square root of the distance of psi from this zero as its
+   variable, since F may contain fractional powers of this distance. */
 VM_API void vmi_osc_means(const vm_osc_plan *p, const vmi_osc_wave *w, vm_real t, vm_real A, vm_real V, vm_real *Fs,
                           vm_real *Fc)
 {
@@ -70,25 +70,26 @@ VM_API void vmi_osc_averaged_rates(const vm_osc_plan *p, const vmi_osc_wave *w, 
     *theta_rate = -w->gain_theta * Fc / (now->m * V);
 }
 
-/* The rate of the Ateb phase divided by its value at t = 0. The argument a is ln(A/A0), with the present amplitude A
-   and the amplitude A0 at t = 0; `now` contains the present mass and stiffness. */
+/* The rate of the Ateb phase divided by its value at t = 0. The argument a is ln(A/A0), where A is the present
+   amplitude and A0 the amplitude at t = 0. `now` contains the present mass and stiffness. */
 VM_API vm_real vmi_osc_Om_ratio(const vm_osc_plan *p, const vmi_osc_rates *now, vm_real a)
 {
     return VM_SQRT((now->k / p->k0) / (now->m / p->m0)) * vmi_exp((p->problem.alpha - 1) / 2 * a, 0);
 }
 
-/* Averaged rates A', theta', psi' of amplitude and phase, with the problem's force. They are in m/s and 1/s, at the
-   time t (s) and the amplitude A (m). psi is the angle of the route's wave, and theta the part of this angle that
-   changes slowly. For VM_ROUTE_ATEB psi is the Ateb phase; the equations are the averages of (314), (315), to which the
-   function adds a term with omega' that the dissertation leaves out. For VM_ROUTE_TRIG psi is in radians; the equations
-   are (337)-(339), where alpha + 3 replaces 5 - alpha and, in (338) and (339), 4 replaces 2. For VM_ROUTE_JACOBI psi is
-   the argument of cn; the equations are (380)-(382), where theta' replaces A' in the second equation of (382). Gauss'
-   rule computes the means over each quarter of the period separately, so F may jump where x or x' is 0. For alpha up to
-   30, and F linear or cubic in x and x' or dry friction, the relative error of the rates is at most 1e-10 (float 2e-6).
-   Returns VM_BAD_ARGUMENT for a null pointer or a route other than these three; VM_NOT_FINITE for a number that is
-   infinite or NaN; VM_BAD_MASS for a mass at t that is not positive; VM_BAD_STIFFNESS for a stiffness at t that is not
-   positive; VM_DOMAIN for A <= 0, for t outside a table, or where a user's function of mass or stiffness fails. An
-   error leaves the results untouched. */
+/* Averaged rates A', theta', psi' of amplitude and phase, with the problem's force. A' is in m/s, theta' and psi' are
+   in 1/s, the time t is in s, and the amplitude A in m. psi is the angle of the route's wave, and theta the part of
+   this angle that changes slowly. For VM_ROUTE_ATEB psi is the Ateb phase. The equations are the averages of (314),
+   (315) of the dissertation, which leaves out a term with the rate omega' of omega = sqrt(k/m); this function adds the
+   term. For VM_ROUTE_TRIG psi is in radians. The equations are (337)-(339) with two corrections: alpha + 3 replaces 5 -
+   alpha, and in (338) and (339) 4 replaces 2. For VM_ROUTE_JACOBI psi is the argument of cn. The equations are
+   (380)-(382) with one correction: theta' replaces A' in the second equation of (382). Gauss' rule computes the mean
+   over each quarter of the period separately; therefore F may jump where x or x' is 0. For alpha up to 30, and F linear
+   or cubic in x and x' or dry friction, the relative error of the rates is at most 1e-10 (float 2e-6). Returns
+   VM_BAD_ARGUMENT for a null pointer or a route other than these three; VM_NOT_FINITE for a number that is infinite or
+   NaN; VM_BAD_MASS for a mass at t that is not positive; VM_BAD_STIFFNESS for a stiffness at t that is not positive;
+   VM_DOMAIN for A <= 0, for t outside a table, or where a user's function of mass or stiffness fails. An error leaves
+   the results untouched. */
 VM_API int vm_osc_averaged(const vm_osc_plan *p, int route, vm_real t, vm_real A, vm_real *A_rate,
                            vm_real *theta_rate, vm_real *psi_rate)
 {
@@ -135,9 +136,9 @@ typedef struct VM_TAG(vmi_osc_averaging) {
     vm_real growth;             /* rate, 1/s, at which a small change of ln A grows */
 } vmi_osc_averaging;
 
-/* Writes the exact rates of ln A and psi at VMI_AVERAGING_POINTS phases of a period. It is the period before t, or the
-   first period if less than a period has passed since time 0. If `frozen` is 1, the force is computed at the time t for
-   all phases, otherwise at the time of each phase. */
+/* Writes the exact rates of ln A and psi at VMI_AVERAGING_POINTS phases of a period. This period ends at t; if less
+   than a period has passed since time 0, the period begins at time 0. If `frozen` is 1, the force is computed at the
+   time t for all phases; otherwise it is computed at the time that belongs to each phase. */
 VM_API void vmi_osc_period_rates(const vmi_osc_moment *at, int frozen, vm_real *rate_A, vm_real *rate_psi)
 {
     const vm_osc_plan *p = at->plan;
@@ -188,12 +189,12 @@ VM_API vm_real vmi_osc_largest(const vm_real *values)
     return largest;
 }
 
-/* Adds to the errors a->rate_A and a->rate_psi the difference between two mean rates: that with the wave w, and that
-   with the exact wave ca. Also finds the rate at which a small change of ln A grows. */
+/* Compares the mean rates with the wave w and the mean rates with the exact wave ca, and adds the differences to the
+   errors a->rate_A and a->rate_psi. Also finds a->growth, the rate at which a small change of ln A grows. */
 VM_API void vmi_osc_add_wave_rates(const vmi_osc_moment *at, const vmi_osc_wave *w, vmi_osc_averaging *a)
 {
     const vm_osc_plan *p = at->plan;
-    const vm_real change = VM_C(0.02); /* a change of ln A, to see by how much the mean rate changes */
+    const vm_real change = VM_C(0.02); /* by this change of ln A the function finds how the mean rate depends on ln A */
     const vm_real A = at->A * (1 + change), Om = at->Om * (1 + (w->alpha - 1) / 2 * change);
     const vmi_osc_wave exact = vmi_osc_wave_of(p, VM_ROUTE_ATEB);
     vm_real own_A, own_psi, exact_A, exact_psi, more_A, more_psi;
@@ -229,8 +230,8 @@ VM_API void vmi_osc_find_ripples(const vmi_osc_moment *at, const vm_real *rate_A
 VM_API int vmi_osc_averaging_at(const vm_osc_plan *p, const vmi_osc_wave *w, vm_real t, vm_real t_end, vm_real A,
                                 vm_real psi, vmi_osc_averaging *a)
 {
-    const vm_real second_order = VM_C(0.25); /* error of a mean rate divided by (rate times ripple). The quotient is
-                                                0.156 for Duffing's equation */
+    const vm_real second_order = VM_C(0.25); /* the assumed error of a mean rate, divided by (rate times ripple). The
+                                                true quotient is 0.156 for Duffing's equation */
     vm_real rate_A[VMI_AVERAGING_POINTS], rate_psi[VMI_AVERAGING_POINTS], frozen_A, frozen_psi, rates, second;
     vmi_osc_moment at;
     int status = vmi_osc_rates_at(&p->problem, t, -vmi_time_side(t_end), &at.now);
@@ -259,11 +260,11 @@ VM_API int vmi_osc_averaging_at(const vm_osc_plan *p, const vmi_osc_wave *w, vm_
 
 /* -- The error between 0 and t -- */
 
-/* The number of times at which errors are estimated. The interval from 0 to t is divided into 11 equal parts; these
-   times are the ends of the last 8 parts. oscillators/integration.h compares two integrations at the same times. */
+/* The number of times at which errors are estimated. The interval from 0 to t is divided into 11 equal parts; the times
+   are the ends of the last 8 parts. oscillators/integration.h compares two integrations at these times. */
 enum { VMI_OSC_CHECKS = 8 };
 
-/* Time number i, 0 to VMI_OSC_CHECKS - 1, at which motions are compared on the way to t; the last one is t. */
+/* Returns time number i, 0 to VMI_OSC_CHECKS - 1, of the times at which motions are compared. The last time is t. */
 VM_API vm_real vmi_osc_check_time(vm_real t, int i)
 {
     if (i == VMI_OSC_CHECKS - 1) return t;
@@ -271,8 +272,8 @@ VM_API vm_real vmi_osc_check_time(vm_real t, int i)
 }
 
 /* Estimates the error at t of the averaged equations with a force, from the motions at the times of vmi_osc_check_time.
-   Errors arise from the ripple at the start, which the averaged equations treat as a part of the mean motion, and from
-   errors of the mean rates. These errors grow as fast as small changes of the motion grow, and an error of the
+   There are two causes of errors: the averaged equations treat the ripple at the start as a part of the mean motion,
+   and the mean rates have errors. The errors grow as fast as small changes of the motion grow, and an error of the
    amplitude causes an error of the phase. At the end the function adds the ripple at t, the error of the wave if it is
    not ca, and the effect of fast changes of mass and stiffness. */
 VM_API int vmi_osc_averaging_error(const vm_osc_plan *p, const vmi_osc_wave *w, vm_real t,
@@ -301,7 +302,7 @@ VM_API int vmi_osc_averaging_error(const vm_osc_plan *p, const vmi_osc_wave *w, 
         time = next;
     }
     *error = error_A + error_psi + after.ripple + vmi_osc_wave_error(w, p->ripple.mean2) + vmi_osc_way_error(p, &mean);
-    if (!(*error >= 0)) *error = VM_INFINITY; /* the amplitude is 0 or an overflow left NaN */
+    if (!(*error >= 0)) *error = VM_INFINITY; /* the amplitude is 0, or a number has overflowed */
     return VM_OK;
 }
 

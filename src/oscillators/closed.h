@@ -1,13 +1,14 @@
 /* oscillators/closed.h - the laws of orders two to five as plain numbers, if all integrals have closed forms
 
-   A vm_osc_closed predicts the motion of m x'' + k x|x|^(alpha-1) + (reactive m' + b) x' = 0 at any time t. It needs no
-   integrator, no table of a law and no pointer, so it may be a constant in the flash of a microcontroller
+   A vm_osc_closed predicts the motion of m x'' + k x|x|^(alpha-1) + (reactive m' + b) x' = 0 at any time t. Here m is
+   the mass, k the stiffness, b the damping, and `reactive` the share of the reactive force. The prediction needs no
+   integrator, no table of a law and no pointer, so a vm_osc_closed may be a constant in the flash of a microcontroller
    (examples/print_plan.c prints it). Mass and stiffness must be
      m = m0 exp(rate_m u),   k = k0 exp(rate_k u),   u = ln(1 + base t)/base, or u = t for base = 0,
-   with a common base: they may be constant, linear, exponential or powers of the same 1 + base t. With damping the mass
-   must be constant or linear. The user chooses the order, from 2 to 5: a lower order is less accurate (docs/law.md),
-   but needs less code. A program that calls vm_osc_closed_at_order2 or vm_osc_closed_at_order3 does not contain the
-   code that only higher orders need.
+   with a common base. So each of them may be constant, linear, exponential, or a power of 1 + base t. With damping,
+   either the mass must be linear, or the mass must be constant and the stiffness constant or exponential. The user
+   chooses the order, from 2 to 5: a lower order is less accurate (docs/law.md), but needs less code. A program that
+   calls vm_osc_closed_at_order2 or vm_osc_closed_at_order3 does not contain the code that only higher orders need.
        vm_osc_problem sieve = {3,            vm_law_linear(120, -20), vm_law_linear(VM_C(4e8), 0), 0, 0,
                                VM_C(0.005), 0,                       NULL,                        NULL};
        vm_osc_closed motion;
@@ -18,9 +19,9 @@
    Method: let p and a be the rates of oscillators/reduction.h at t = 0. Then
      G_0 = p (p - a + base),   delta = p + (p - a + base),   el = 1 + base t,   p(t) = p/el,   A = A(0) exp(-p u),
      W = W(0) exp(delta u)/el,   E_k = (k+1)! E_0(0) (-delta/W(0))^k exp(-(k+2) delta u),
-   where A is the mean amplitude and W the rate of the mean phase without the terms of E_0. The numbers G_0 and E_k are
-   those of oscillators/expansion.h. Integrals of W, W E_0 and W E_0^2 over t are differences of exponentials. Sources:
-   docs/law.md. Tests: tests/test_closed_law.c. */
+   where A is the mean amplitude, and W is the rate of the mean phase without the terms that E_0 adds to it. The numbers
+   G_0 and E_k are those of oscillators/expansion.h. Integrals of W, W E_0 and W E_0^2 over t are differences of
+   exponentials. Sources: docs/law.md. Tests: tests/test_closed_law.c. */
 #ifndef VARMASS_OSCILLATORS_CLOSED_H
 #define VARMASS_OSCILLATORS_CLOSED_H
 
@@ -66,9 +67,9 @@ typedef struct VM_TAG(vmi_osc_closed_rates) {
     vm_real p, rest, delta;
 } vmi_osc_closed_rates;
 
-/* Returns the rates p, rest and delta at t = 0, where m0 is the mass, kg. A difference of rates that is 0 in exact
-   arithmetic is computed without rounding errors, as exactly 0. An example is base - a for a linear mass with the full
-   reactive force. */
+/* Returns the rates p, rest and delta at t = 0, where m0 is the mass, kg. If a difference of rates is 0 in exact
+   arithmetic, it is also computed as exactly 0, without rounding errors. An example is the difference base - a for a
+   linear mass with the full reactive force. */
 VM_API vmi_osc_closed_rates vmi_osc_closed_rates_of(const vm_osc_problem *o, const vmi_osc_rates_of_u *u, vm_real m0)
 {
     const vm_real decay = o->damping / m0;
@@ -80,7 +81,7 @@ VM_API vmi_osc_closed_rates vmi_osc_closed_rates_of(const vm_osc_problem *o, con
 }
 
 /* Writes the numbers E_0 ... E_(n-1) of oscillators/expansion.h, n <= VMI_OSC_G. For t = 0 the argument W is the rate
-   of the mean phase; for another t it is this rate at t = 0 times exp(delta u). */
+   of the mean phase. For another t the argument W is the rate at t = 0 times exp(delta u). */
 VM_API void vmi_osc_closed_disturbance(const vmi_osc_closed_rates *r, vm_real W, int n, vm_real *E)
 {
     const vm_real step = r->delta / W;
@@ -127,8 +128,8 @@ VM_API void vmi_osc_closed_mean_init(vmi_osc_closed_mean *c, const vmi_osc_reduc
     c->second = vmi_expansion_second(r) * start->W * E * E;
 }
 
-/* Returns e^x and writes (e^x - 1)/x to *ratio, which is 1 for x = 0, both within 2 ulp. With e^x = 2^k (1 + p), where
-   |p| < 0.42, e^x - 1 is 2^k p + (2^k - 1). */
+/* Returns e^x, and writes (e^x - 1)/x to *ratio; for x = 0 this quotient is 1. Both results are within 2 ulp. Method:
+   e^x is 2^k (1 + p) with an integer k and |p| < 0.42, so that e^x - 1 is 2^k p + (2^k - 1). */
 VM_API vm_real vmi_exp_and_ratio(vm_real x, vm_real *ratio)
 {
     const vm_real largest = VM_MANT_DIG > 24 ? 1400 : 180; /* for a larger |x|, e^x is infinite or 0 */
@@ -175,8 +176,8 @@ VM_API void vmi_osc_closed_disturbance_at(const vmi_osc_closed_mean *c, const vm
    (vmi_expansion_third_rate) */
 VM_API vm_real vmi_osc_closed_third(const vmi_osc_closed_mean *c, const vmi_osc_closed_now *now, const vmi_ripple *r)
 {
-    const vm_real q = now->decay, sum = 1 + q * (1 + q * (1 + q * (1 + q))); /* the integral of q^5 is sum/5 times that
-                                                                                of q */
+    const vm_real q = now->decay, sum = 1 + q * (1 + q * (1 + q * (1 + q))); /* the integral of q^5 over u is sum/5
+                                                                                times the integral of q */
     vm_real E[3], e;
     vmi_osc_closed_disturbance(&c->rates, c->start.W, 3, E);
     e = VM_FABS(E[0]);
@@ -207,9 +208,9 @@ typedef struct VM_TAG(vmi_osc_closed_start) {
     vm_real E[VMI_OSC_G];  /* the numbers E_k of this state */
 } vmi_osc_closed_start;
 
-/* Returns 1 if the terms of the law of order five are small at the start, else 0. They count as small if
-   (alpha+1)(alpha+3)/4 (|E_0| + d^3 |E_3|) < 1/2 with d = (alpha + 1 + pi)/(2 pi), which is more than Pi_alpha/(2 pi).
-   Then no number overflows. */
+/* Returns 1 if the terms of the law of order five are small at the start, else 0. The terms count as small if
+   (alpha+1)(alpha+3)/4 (|E_0| + d^3 |E_3|) < 1/2, where d = (alpha + 1 + pi)/(2 pi) is an upper bound of Pi_alpha/(2
+   pi). If they are small, no number overflows. */
 VM_API int vmi_osc_closed_is_slow(const vm_real *E, vm_real alpha)
 {
     const vm_real d = (alpha + 1 + VM_PI) / (2 * VM_PI), L = (alpha + 1) * (alpha + 3) / 4;
@@ -272,8 +273,8 @@ VMI_APART void vmi_osc_closed_begin(vm_osc_closed *c, int order, const vmi_osc_c
 }
 
 /* Prepares the computation of the problem's motion by the law of the given order, 2 to 5; a higher order is more
-   accurate. c->error is valid for times between 0 and t_end, s, which may have either sign. Afterwards *c does not need
-   the problem any more. After an error *c is unchanged. The errors are
+   accurate. c->error is valid for times between 0 and t_end. The time t_end, s, may have either sign. Afterwards *c
+   does not need the problem any more. After an error *c is unchanged. The errors are
      VM_BAD_ARGUMENT for null pointers, an order outside 2 to 5, and a law that no constructor made,
      VM_NOT_FINITE for a number that is infinite or NaN,
      VM_BAD_MASS or VM_BAD_STIFFNESS for a mass or a stiffness that is not positive at 0 or t_end,

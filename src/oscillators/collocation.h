@@ -1,10 +1,10 @@
 /* oscillators/collocation.h - the motion of an oscillator by collocation, to a tolerance
 
    Two runs compute the same motion side by side, in steps from each zero of x to the next (oscillators/course.h). One
-   of them, the strict run, has more points per step than the other one, the loose run. The difference of their results
-   gives an estimate of the error. If the error is larger than the tolerance, another pair of runs with more points
-   follows. A pair of runs is stopped as soon as its error is too large, even before the end. So it costs little
-   computing time to try a pair with few points first.
+   of them, the strict run, has more points per step than the other one, the loose run. The difference between the
+   results of the two runs gives an estimate of the error. If the error is larger than the tolerance, another pair of
+   runs with more points follows. A pair of runs is stopped as soon as its error is too large, even before the end. So
+   it costs little computing time to try a pair with few points first.
        vm_osc_motion motion;
        int status = vmi_osc_collocate(&plan, VM_ROUTE_COLLOCATION, 300, VM_C(1e-8), &motion); // plan is a vm_osc_plan
    Tests: tests/test_collocation.c, tests/test_routes.c. */
@@ -26,15 +26,15 @@
 
 /* -- Two runs side by side -- */
 
-/* The time of the next point of a table after `from` on the way to t, or t if there is no such point */
+/* The time of the next point of a law's table after `from` on the way to t, or t if there is no such point */
 VM_API vm_real vmi_osc_next_knot(const vm_osc_problem *o, vm_real from, vm_real t)
 {
     return vmi_law_next_knot(&o->stiffness, from, vmi_law_next_knot(&o->mass, from, t));
 }
 
-/* Advances both runs to the time t, which is a point of a law's table or the end. On the way it adds the difference of
-   the phase between the two runs and their difference of ln A, and raises *difference to the largest of these sums. The
-   runs stop before t where *difference is larger than `most`. */
+/* Advances both runs to the time t, which is a point of a law's table or the end. At the ends of steps it compares the
+   two runs: it adds the absolute differences of their phases and of their ln A. *difference becomes the largest of
+   these sums. The runs stop before t where *difference is larger than `most`. */
 VM_API int vmi_osc_courses_to(vmi_osc_course *loose, vmi_osc_course *strict, vm_real t, vm_real most,
                               vm_real *difference)
 {
@@ -70,8 +70,8 @@ enum { VMI_OSC_PAIRS = 6 };
 
 /* Pair number i, 0 to VMI_OSC_PAIRS - 1. Pair i is more accurate than pair i - 1. With a force the rates of ln A and
    phase may have kinks in the middle of a half period, where x' = 0, and the errors of Gauss' rule have no closed form.
-   So a half period then has two parts and more points. For alpha > 3 the rates change quickly in the middle of a half
-   period; two parts that meet there give smaller errors than one. */
+   Therefore with a force a half period has two parts and more points. For alpha > 3 the rates change quickly in the
+   middle of a half period; two parts that meet there give smaller errors than one. */
 VM_API vmi_osc_points vmi_osc_pair(const vm_osc_problem *o, int i)
 {
     static const vmi_osc_points alone[VMI_OSC_PAIRS] = {{2, 3, 1}, {3, 4, 1},  {4, 6, 1},
@@ -90,9 +90,9 @@ enum { VMI_OSC_SLOW, VMI_OSC_QUICK, VMI_OSC_BY_FUNCTION, VMI_OSC_FORCED };
 /* The index of the pair of runs that is tried first. Each kind of problem has a row in the table at_least, with a least
    tolerance for each pair of runs. The pair that is tried first is the first one in this row whose least tolerance is
    not above the given tolerance. `change` is the relative change of mass and stiffness while the phase grows by 1
-   (vmi_osc_change_at). A problem is quick if it is more than 1/16, else slow. The rows were found with changes of up to
-   0.01 for the slow problems, and of about 0.1 for the quick ones. If a user's function gives mass or stiffness, more
-   points are needed, because the derivative of the rate p is then found numerically. */
+   (vmi_osc_change_at). A problem is quick if `change` is more than 1/16, else slow. The rows were found with changes of
+   up to 0.01 for the slow problems, and of about 0.1 for the quick ones. If a user's function gives mass or stiffness,
+   more points are needed, because the derivative of the rate p is then found numerically. */
 VM_API int vmi_osc_first_pair(const vm_osc_problem *o, vm_real tolerance, vm_real change)
 {
     static const vm_real at_least[][VMI_OSC_PAIRS] = {
@@ -110,8 +110,8 @@ VM_API int vmi_osc_first_pair(const vm_osc_problem *o, vm_real tolerance, vm_rea
 }
 
 /* The index of the pair of runs that is tried after pair i. `error` is the estimated error of pair i, which is larger
-   than the tolerance. A pair is skipped if its error would be larger than the tolerance even where errors fall as fast
-   as 1/(number of points)^10. */
+   than the tolerance. To predict the errors of the next pairs, the function assumes that errors fall as fast as
+   1/(number of points)^10. It skips a pair whose predicted error is larger than the tolerance. */
 VM_API int vmi_osc_next_pair(const vm_osc_problem *o, int i, vm_real error, vm_real tolerance)
 {
     const vmi_osc_points last = vmi_osc_pair(o, i);
@@ -125,8 +125,9 @@ VM_API int vmi_osc_next_pair(const vm_osc_problem *o, int i, vm_real error, vm_r
     return next;
 }
 
-/* Computes the sum of the rates |p|, |a| and |k'/k| of mass, damping and stiffness at t (oscillators/reduction.h),
-   divided by the rate of the phase. Writes this quotient to *change if it is larger than *change. */
+/* Computes how fast mass, damping and stiffness change at t: the sum of the rates |p|, |a| and |k'/k| of
+   oscillators/reduction.h, divided by the rate of the phase. Writes this quotient to *change if it is larger than
+   *change. */
 VM_API int vmi_osc_change_at(const vm_osc_plan *plan, vm_real t, int side, vm_real *change)
 {
     vmi_osc_rates now;
@@ -142,11 +143,11 @@ VM_API int vmi_osc_change_at(const vm_osc_plan *plan, vm_real t, int side, vm_re
    the error of the loose run. Let n be the number of points per step. Where no force acts, the error falls about as
    n^-8 for alpha from 1 to 5. For alpha < 1 it falls as n^-6, because the rates have terms proportional to d^(alpha+2),
    where d is the distance from a zero of x, and Gauss' rule is less accurate for these terms. The error falls more
-   slowly than n^-8 also in each of these cases: a step has few points; mass or stiffness changes by more than 1/32 of
-   itself per radian; alpha > 5, where the velocity reverses suddenly; the force has kinks; a user's function gives mass
-   or stiffness. In a graded rule (vmi_gauss_rule_grade) the points are densest at both ends of a step, where x or x' is
-   0, so kinks of the force at these places cause smaller errors. docs/routes.md compares the estimated errors with the
-   true ones. */
+   slowly than n^-8 also if a step has few points, or if mass or stiffness changes by more than 1/32 of itself per
+   radian. The same holds for alpha > 5, where the velocity reverses suddenly, for a force with kinks, and if a user's
+   function gives mass or stiffness. In a graded rule (vmi_gauss_rule_grade) the points are densest at both ends of a
+   step, where x or x' is 0, so kinks of the force at these places cause smaller errors. docs/routes.md compares the
+   estimated errors with the true ones. */
 VM_API vm_real vmi_osc_strict_share(const vm_osc_problem *o, vmi_osc_points points, vm_real change)
 {
     const vm_real ratio = (vm_real)points.loose / (vm_real)points.strict, squared = ratio * ratio;
@@ -164,16 +165,16 @@ typedef struct VM_TAG(vmi_osc_pair_run) {
                               values at 0 and at t */
     vm_real longest;       /* the longest step, s */
     vm_real sweep_limit;   /* sweep_limit of the strict run (see vmi_osc_course) */
-    vm_real most;          /* the pair is stopped where its error is larger than this */
+    vm_real most;          /* the pair is stopped when its error is larger than this number */
     vmi_osc_course strict; /* the strict run; it ends before t if the pair was stopped */
     vmi_osc_rates now;     /* mass, stiffness and rates at t; only valid if the pair was not stopped */
     vmi_osc_reduced state; /* amplitude and phase of the strict run at t; only valid if the pair was not stopped */
     vm_real error;         /* estimated error at t; if the pair was stopped, it is extrapolated to t */
 } vmi_osc_pair_run;
 
-/* Sets amplitude and phase at t from the strict run. Before the call r->error is the error of ln A and phase, after it
-   the error of x and v. It is larger after the call, because an error of x also enters v = -2/(alpha+1) W A sa - p
-   x. */
+/* Sets amplitude and phase at t from the strict run. Before the call r->error is the error of ln A and of the phase;
+   after the call r->error is the error of x and v. The error of x and v is larger, because an error of x also enters v
+   = -2/(alpha+1) W A sa - p x. */
 VM_API int vmi_osc_end_pair(const vm_osc_plan *plan, vm_real t, vmi_osc_pair_run *r)
 {
     const vmi_osc_course *strict = &r->strict;
@@ -218,9 +219,9 @@ VM_API int vmi_osc_collocate_pair(const vm_osc_plan *plan, vm_real t, vmi_osc_po
 }
 
 /* Computes the motion at t by collocation. Returns VM_TOLERANCE_MISSED where the motion is computed, but its estimated
-   error is larger than the tolerance. Returns VM_NOT_INTEGRATED if more than 2^24 steps would be needed, and where
-   amplitude and phase do not describe the motion, because mass, stiffness or force change as fast as the phase. Where
-   the law of the mass or of the stiffness fails, returns the status of this law. */
+   error is larger than the tolerance. Returns VM_NOT_INTEGRATED if more than 2^24 steps would be needed. Also returns
+   VM_NOT_INTEGRATED if mass, stiffness or force change as fast as the phase, because amplitude and phase then do not
+   describe the motion. Where the law of the mass or of the stiffness fails, returns the status of this law. */
 VM_API int vmi_osc_collocate(const vm_osc_plan *plan, int route, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
     const vm_osc_problem *o = &plan->problem;

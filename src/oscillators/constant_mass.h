@@ -1,15 +1,15 @@
 /* oscillators/constant_mass.h - the oscillator x'' + omega0^2 x|x|^(alpha-1) = 0 of constant mass
 
    A mass m is fixed to a spring with the force -k x|x|^(alpha-1), and omega0 = sqrt(k/m). alpha is any real
-   number >= 0: 1 is the linear spring, 3 the cubic one. This file has the period of the motion (262), its largest
-   velocity (267) and its energy (259); the exact motion by the Ateb functions (282), (283) from rest or from any state;
-   and the approximations by the cosine (291)-(296) and by Jacobi's cn (297)-(307) with their errors (268). The shortest
-   useful calls:
+   number >= 0: 1 is the linear spring, 3 the cubic one. Numbers in brackets are equations of the dissertation. This
+   file has the period of the motion (262), its largest velocity (267) and its energy (259). It has the exact motion by
+   the Ateb functions (282), (283), from rest or from any state. It also has the approximations by the cosine
+   (291)-(296) and by Jacobi's cn (297)-(307), with their errors (268). The shortest useful calls:
        vm_real T = vm_osc_period(2, 1, VM_C(1.5)), x, v; // x'' = -x|x|^0.5 from x = 2 at rest
        vm_osc_exact(T / 8, 2, 1, VM_C(1.5), &x, &v);
-   The functions return or write NaN for alpha < 0 and for infinite arguments, and functions with outputs write nothing
-   where the pointer to an output is null. With x in metres the unit of omega0 is metre^((1-alpha)/2)/s. Symbols: A is
-   the amplitude, psi the Ateb phase, Om the rate of psi.
+   The functions return or write NaN for alpha < 0 and for infinite arguments. If a pointer to an output is null,
+   nothing is written. With x in metres the unit of omega0 is metre^((1-alpha)/2)/s. Symbols: A is the amplitude, psi
+   the Ateb phase, Om the rate of psi.
    Tests: tests/test_constant_mass.c. */
 #ifndef VARMASS_OSCILLATORS_CONSTANT_MASS_H
 #define VARMASS_OSCILLATORS_CONSTANT_MASS_H
@@ -127,7 +127,7 @@ VM_API void vm_osc_exact_from(vm_real t, vm_real x0, vm_real v0, vm_real omega0,
 }
 
 /* The mean of |ca|^power over a period. It is B(q, 1/2)/Pi_alpha with q = (power+1)/(alpha+1) and Euler's beta function
-   B; the argument pi is Pi_alpha. For q <= 1, B(q, 1/2) is Pi_alpha of another exponent, 1/q - 1; for larger q it
+   B; the argument pi is Pi_alpha. For q <= 1, B(q, 1/2) is the Pi_alpha of the exponent 1/q - 1. For q > 1, B(q, 1/2)
    follows from the recurrence formula of B. `constants` is the function that computes Pi_alpha of a given exponent. */
 VM_API vm_real vmi_osc_mean_ca(vm_real power, vm_real alpha, vm_real pi, vmi_ateb_constants_of constants)
 {
@@ -149,8 +149,8 @@ VM_API void vmi_osc_by_wave(const vmi_osc_wave *w, vm_real t, vm_real x0, vm_rea
     *v = -VM_COPYSIGN(w->speed * vm_osc_vmax(x0, omega0, w->alpha), x0) * s;
 }
 
-/* Frequency Omega_alpha (293) of the cosine with the exact period of the oscillator, a pure number. It is the frequency
-   for x0 = omega0 = 1; in general the frequency is Omega_alpha omega0 |x0|^((alpha-1)/2), rad/s. */
+/* Frequency Omega_alpha (293) of the cosine with the exact period of the oscillator, a pure number. Omega_alpha is the
+   frequency for x0 = omega0 = 1. In general the frequency is Omega_alpha omega0 |x0|^((alpha-1)/2), rad/s. */
 VM_API vm_real vm_osc_omega_trig(vm_real alpha) { return VM_PI * vmi_osc_rate(1, 1, alpha) / ateb_pi(alpha); }
 
 /* Approximation x0 cos(Omega t) (291) and its velocity (295), from rest at x0. Amplitude and period are exact. The
@@ -166,9 +166,9 @@ VM_API void vm_osc_trig(vm_real t, vm_real x0, vm_real omega0, vm_real alpha, vm
    -1.8079 < m < 0.8062. */
 VM_API vm_real vm_osc_jacobi_parameter(vm_real alpha) { return jacobi_solve_kpK(ateb_pi(alpha) / (alpha + 1)); }
 
-/* Frequency Omega_1* (300) of the cn with the exact period of the oscillator, a pure number. It is the frequency for x0
-   = omega0 = 1; in general the frequency is Omega_1* omega0 |x0|^((alpha-1)/2), 1/s. Omega_1* is computed by (300),
-   where the quarter period of cn is K = Pi_alpha/((alpha+1) k') by (307). */
+/* Frequency Omega_1* (300) of the cn with the exact period of the oscillator, a pure number. Omega_1* is the frequency
+   for x0 = omega0 = 1. In general the frequency is Omega_1* omega0 |x0|^((alpha-1)/2), 1/s. The function uses (300),
+   with the quarter period of cn from (307): K = Pi_alpha/((alpha+1) k'). */
 VM_API vm_real vm_osc_omega_jacobi(vm_real alpha)
 {
     return VM_SQRT(2 / ((alpha + 1) * jacobi_solve_kpK_m1(ateb_pi(alpha) / (alpha + 1))));
@@ -184,14 +184,13 @@ VM_API void vm_osc_jacobi(vm_real t, vm_real x0, vm_real omega0, vm_real alpha, 
     vmi_osc_by_wave(&w, t, x0, omega0, x, v);
 }
 
-/* The result of vm_osc_approximation_errors: the largest velocity of each approximation divided by the exact one,
-   (268), and the largest errors of x and v of each approximation in a period. All are pure
-   numbers. */
+/* The result of vm_osc_approximation_errors: for each approximation its largest velocity divided by the exact largest
+   velocity (268), and the largest errors of x and v in a period. All are pure numbers. */
 typedef struct VM_TAG(vm_osc_errors) {
     vm_real trig_vmax;          /* largest velocity of the cosine (296) divided by the exact one (267) */
-    vm_real jacobi_vmax;        /* largest velocity of cn divided by the exact one (267). For m <= 1/2 the velocity of
-                                   cn is largest at x = 0, where it is k' Omega_1 (306); for m > 1/2 it is largest where
-                                   cn^2 = 1 - 1/(2m), namely Omega_1/(2k) */
+    vm_real jacobi_vmax;        /* largest velocity of cn divided by the exact one (267). For m <= 1/2 the largest
+                                   velocity of cn is k' Omega_1 (306), at x = 0. For m > 1/2 it is Omega_1/(2k), where
+                                   cn^2 = 1 - 1/(2m). Here k = sqrt(m), k' = sqrt(1 - m) */
     vm_real trig_x, trig_v;     /* largest errors of the cosine, of x relative to x0 and of v relative to vmax */
     vm_real jacobi_x, jacobi_v; /* largest errors of cn, of x relative to x0 and of v relative to vmax */
 } vm_osc_errors;

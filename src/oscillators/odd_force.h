@@ -1,16 +1,18 @@
 /* oscillators/odd_force.h - vibration under an odd elastic force of any form, with constant mass
 
    The equation is x'' + F(x) = 0. F is the force per unit mass, and an odd function, that is F(-x) = -F(x): for example
-   x + x^3, sin x, tanh x, or a function of the user. A vm_odd_force describes F. The function vm_odd_force_user in this
-   file and vm_duffing_force in oscillators/duffing.h make it; they are its constructors.
+   x + x^3, sin x, tanh x, or a function of the user. A vm_odd_force describes F. Its constructors, the functions that
+   make a vm_odd_force, are vm_odd_force_user in this file, and vm_duffing_force and vm_duffing_force_of_laws in
+   oscillators/duffing.h.
    For each amplitude A one numerical integration (a quadrature) gives the period, the action and x(t):
        vm_odd_force force = vm_odd_force_user(hard, NULL); // int hard(vm_real x, vm_real *f, void *ctx) writes *f
        vm_real T = vm_odd_period(&force, 2); // period of the motion from rest at x = 2 m
-   Method: with an angle theta, let x = A cos(theta); then v = -A sin(theta) sqrt(g), and dt = dtheta/sqrt(g). Here g is
-   the mean of F(x)/x over the variable x^2, from the present x^2 to A^2. g is smooth and positive, so that Gauss' rule
-   converges fast. An orbit is the motion at one amplitude. The phase of the orbit is 2 pi t/period, and is 0 where x is
-   largest. The action j of the orbit is the integral of v dx over a period, divided by 2 pi. For mass, stiffness and
-   damping that change slowly see oscillators/odd_motion.h.
+   Method: an angle theta replaces the time. With x = A cos(theta) the velocity is v = -A sin(theta) sqrt(g), and dt =
+   dtheta/sqrt(g). Here g is the mean of F/x as a function of x^2, between the present x^2 and A^2. Gauss' rule
+   integrates 1/sqrt(g) over theta, and converges fast because g is smooth and positive. An orbit is the motion at one
+   amplitude. The phase of the orbit is 2 pi t/period, and is 0 where x is largest. The action j of the orbit is the
+   integral of v dx over a period, divided by 2 pi. For mass, stiffness and damping that change slowly see
+   oscillators/odd_motion.h.
    Tests: tests/test_odd_force.c. */
 #ifndef VARMASS_OSCILLATORS_ODD_FORCE_H
 #define VARMASS_OSCILLATORS_ODD_FORCE_H
@@ -32,9 +34,9 @@ typedef struct VM_TAG(vmi_orbit) vmi_orbit;
 typedef struct VM_TAG(vmi_orbit_point) vmi_orbit_point;
 typedef struct VM_TAG(vmi_orbit_ripple) vmi_orbit_ripple; /* oscillators/orbit_ripple.h */
 
-/* An odd elastic force F(x). The constructors vm_odd_force_user and vm_duffing_force fill this struct. It contains
-   pointers to functions of this header, to the user's function, and the user's pointer ctx. The user's function and
-   what ctx points to must exist as long as the force is used. */
+/* An odd elastic force F(x). The constructors vm_odd_force_user and vm_duffing_force fill this struct. The struct
+   contains the user's pointer ctx, and pointers to the user's function and to functions of this header. The user's
+   function, and the data to which ctx points, must exist as long as the force is used. */
 typedef struct VM_TAG(vm_odd_force) vm_odd_force;
 struct VM_TAG(vm_law); /* oscillators/laws.h */
 struct VM_TAG(vm_odd_force) {
@@ -42,28 +44,29 @@ struct VM_TAG(vm_odd_force) {
     const struct VM_TAG(vm_law) *laws; /* two laws of time for k1 and k3; null where they are constant */
     vm_odd_function function; /* the user's function for vm_odd_force_user; null for Duffing's force */
     void *ctx;                /* the user's pointer, last argument of `function` */
-    /* Functions that depend on the kind of force; its constructor sets them. Those of type int return a status. */
+    /* Functions for this kind of force, which the constructor sets. Functions of type int return a status. */
     int (*at)(const vm_odd_force *force, vm_real x, vm_real *f); /* writes F(x) for any x to *f; null if no constructor
                                                                     filled the struct */
-    /* Writes the size and the place of the orbit that contains a given state (x, v). */
+    /* Writes the fields `size` and `place` of the orbit that contains a given state (x, v). */
     int (*orbit_through)(const vm_odd_force *force, vm_real x, vm_real v, vmi_orbit *orbit);
-    /* Computes all other fields of an orbit from its size and place. */
+    /* Computes all other fields of an orbit from its fields `size` and `place`. */
     int (*complete)(vmi_orbit *orbit);
-    /* Three functions for a complete orbit: `point` writes the point at theta, `phase` the phase of the state (x, v),
-       and `at_phase` the state at the phase phi. */
+    /* Three functions for an orbit all of whose fields are set: `point` writes the point at theta, `phase` the phase of
+       the state (x, v), and `at_phase` the state at the phase phi. */
     void (*point)(const vmi_orbit *orbit, vm_real theta, vmi_orbit_point *point);
     int (*phase)(const vmi_orbit *orbit, vm_real x, vm_real v, vm_real *phi);
     int (*at_phase)(const vmi_orbit *orbit, vm_real phi, vm_real *x, vm_real *v);
-    /* Writes the ripple of a complete orbit (oscillators/orbit_ripple.h); null where numerical integration has to find
-       it. */
+    /* Writes the ripple of an orbit (oscillators/orbit_ripple.h); null where numerical integration has to find the
+       ripple. */
     void (*ripple)(const vmi_orbit *orbit, vmi_orbit_ripple *ripple);
 };
 
 /* Where an orbit lies: around x = 0, or around another place of rest, to the right or to the left of x = 0 */
 enum { VMI_ORBIT_AROUND_0 = 0, VMI_ORBIT_RIGHT = 1, VMI_ORBIT_LEFT = -1 };
 
-/* The largest number of equal parts into which the interval 0 <= theta <= pi/2 is divided, and also the interval 0 <= x
-   <= A, where A is the amplitude; and the largest number of nodes of Gauss' rule on these parts */
+/* VMI_ORBIT_PARTS is the largest number of equal parts into which the code divides the interval 0 <= theta <= pi/2, or
+   the interval 0 <= x <= A, where A is the amplitude. VMI_ORBIT_NODES is the largest number of nodes of Gauss' rule on
+   all these parts together. */
 enum { VMI_ORBIT_PARTS = 8, VMI_ORBIT_NODES = VMI_ORBIT_PARTS * VMI_GAUSS };
 
 /* An orbit, which is the motion x'' + F(x) = 0 at one amplitude. theta is the angle at the top of this file. */
@@ -87,8 +90,8 @@ struct VM_TAG(vmi_orbit) {
     vm_real above[VMI_ORBIT_PARTS];             /* for a user's force: integral of F from a piece's end to `size` */
 };
 
-/* The point of an orbit at an angle theta between 0 and pi/2; theta = 0 is the turning point with the largest |x|. The
-   position x at this point is positive. */
+/* The point of an orbit at an angle theta between 0 and pi/2. theta = 0 is the turning point with the largest |x|. The
+   field x is positive; points with a negative x follow by symmetry. */
 struct VM_TAG(vmi_orbit_point) {
     vm_real x, v;          /* position and velocity */
     vm_real slowness;      /* dt/dtheta */
@@ -170,7 +173,8 @@ VM_API vm_real vmi_orbit_value(const vmi_orbit_sum *sum, vm_real theta)
     return vmi_legendre_at(sum->series[part], place);
 }
 
-/* The size of the terms that the series on the parts leave out, divided by the mean of the function */
+/* The size of the terms that the Legendre series leave out, on the part where it is largest, divided by the mean of the
+   function */
 VM_API vm_real vmi_orbit_tail(const vmi_orbit_sum *sum)
 {
     vm_real largest = 0;
@@ -293,7 +297,8 @@ VM_API vmi_odd_forces vmi_odd_user_sums(const vm_real *series, vm_real y, vm_rea
     return r;
 }
 
-/* The force F at x = share A, and its mean and mean slope between x and the amplitude A, where 0 <= share <= 1 */
+/* The force F at x = share * A, and the mean and the mean slope of F between x and the amplitude A. `share` is between
+   0 and 1. */
 VM_API vmi_odd_forces vmi_odd_user_forces(const vmi_orbit *orbit, vm_real share)
 {
     const vm_real A = orbit->size, half = A / (2 * (vm_real)orbit->pieces);
@@ -310,8 +315,8 @@ VM_API vmi_odd_forces vmi_odd_user_forces(const vmi_orbit *orbit, vm_real share)
     return r;
 }
 
-/* Writes the point of the orbit at the angle theta. The variable g is defined by this: between x and the amplitude A, F
-   has the mean g (A + x)/2. */
+/* Writes the point of the orbit at the angle theta. The variable g follows from the mean of F between x and the
+   amplitude A: this mean is g (A + x)/2. */
 VM_API void vmi_odd_user_point(const vmi_orbit *orbit, vm_real theta, vmi_orbit_point *point)
 {
     const vm_real A = orbit->size;
@@ -424,8 +429,8 @@ VM_API vm_real vmi_odd_user_missing(vm_real more, void *state)
     return sum * length - s->v * s->v / 2;
 }
 
-/* Finds the orbit through the state (x, v). A trial value of the amplitude is doubled or halved until the amplitude
-   lies between two trial values. Returns VM_NO_LAW where there is no amplitude. */
+/* Finds the orbit through the state (x, v). A trial value of (amplitude - |x|) is doubled or halved until the true
+   value lies between two trial values. Returns VM_NO_LAW where no amplitude belongs to the state. */
 VM_API int vmi_odd_user_through(const vm_odd_force *force, vm_real x, vm_real v, vmi_orbit *orbit)
 {
     const int most = 200;
@@ -489,10 +494,10 @@ VM_API int vmi_odd_user_at_phase(const vmi_orbit *orbit, vm_real phi, vm_real *x
 }
 
 /* Odd elastic force F(x) that a user's function computes. The function is called for x >= 0 only; its last argument is
-   ctx. F must be positive for 0 < x <= A, or at least do positive work between every x and the amplitude A. Between 0
-   and A it must be so smooth that polynomials of degree 19 represent it on at most 8 equal pieces; otherwise the
-   functions that use the force and return a status return VM_NO_LAW. If `function` is null, they return
-   VM_BAD_ARGUMENT. */
+   ctx. F must be positive for 0 < x <= A, where A is the amplitude; it is enough that the integral of F from every such
+   x to A is positive. Between 0 and A the force must be so smooth that polynomials of degree 19 represent it on at most
+   8 equal pieces. Otherwise vm_odd_exact_from and the averaged solutions return VM_NO_LAW. If `function` is null, all
+   functions that use the force and return a status return VM_BAD_ARGUMENT. */
 VM_API vm_odd_force vm_odd_force_user(vm_odd_function function, void *ctx)
 {
     vm_odd_force force;
@@ -514,8 +519,8 @@ VM_API vm_odd_force vm_odd_force_user(vm_odd_function function, void *ctx)
 
 /* -- Motion with constant mass -- */
 
-/* Computes all fields of the orbit through the state (x, v). If the state is one of rest in equilibrium, the field
-   `size` becomes 0, and the other fields have no meaning. */
+/* Computes all fields of the orbit through the state (x, v). If the body rests in equilibrium, the field `size` becomes
+   0, and the other fields have no meaning. */
 VM_API int vmi_orbit_of_state(const vm_odd_force *force, vm_real x, vm_real v, vmi_orbit *orbit)
 {
     int status;

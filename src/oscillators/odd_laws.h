@@ -7,10 +7,11 @@
    changes with time. A new coordinate y = x/s makes the shape constant, where s(t)^2 is the ratio k1/k3 divided by the
    value of this ratio at t = 0. The coordinate y obeys, without any approximation,
        m y'' + K F(y) + (reactive m' + b + 2 m s'/s) y' + m G y = 0
-   with F(y) = k1(0) y + k3(0) y^3, K(t) = k(t) k1(t)/k1(0) and G = s''/s + (s'/s) (reactive m' + b)/m. So the change of
-   shape acts as additional damping, and as a weak linear spring, whose stiffness m G is of second order in the rates of
-   the laws. Where k1 or k3 is 0 all the time, s is 1. Where k1 or k3 is 0 at some times only, there is no such s; then
-   the equation of motion is integrated numerically. Guide: docs/duffing.md. Tests: tests/test_duffing_laws.c. */
+   with F(y) = k1(0) y + k3(0) y^3, K(t) = k(t) k1(t)/k1(0) and G = s''/s + (s'/s) (reactive m' + b)/m. The change of
+   shape therefore acts like additional damping and like a weak linear spring. The stiffness m G of this spring is of
+   second order in the rates of the laws. Where k1 or k3 is 0 all the time, s is 1. Where k1 or k3 is 0 at some times
+   only, there is no such s; then the equation of motion is integrated numerically. Guide: docs/duffing.md. Tests:
+   tests/test_duffing_laws.c. */
 #ifndef VARMASS_OSCILLATORS_ODD_LAWS_H
 #define VARMASS_OSCILLATORS_ODD_LAWS_H
 
@@ -96,7 +97,7 @@ typedef struct VM_TAG(vmi_odd_now) {
     vm_real k1, k3;  /* coefficients of x and x^3 of Duffing's force if they follow laws; else unused */
 } vmi_odd_now;
 
-/* Reads the laws at t. Where the rate of a law jumps at t, side = 1 asks for its value after t, side = -1 for its value
+/* Reads the laws at t. Where the rate of a law jumps at t, side = 1 means the rate after t, and side = -1 the rate
    before t. */
 VM_API int vmi_odd_read_laws(const vm_odd_problem *o, vm_real t, int side, vmi_odd_now *now)
 {
@@ -160,9 +161,9 @@ VM_API int vmi_odd_coefficient(const vm_law *law, vm_real first, vm_real t, int 
     return VM_OK;
 }
 
-/* Reads the shape of Duffing's force k1 x + k3 x^3 at t. With orders = 1 only the relative rates at t are written, with
-   orders = 4 their power series in time. Where k1 is 0 all the time, its ratio and rates are set to those of k3, and
-   the other way round, so that the factor s at the top of this file is 1. */
+/* Reads the shape of Duffing's force k1 x + k3 x^3 at t. With orders = 1 the function writes only the relative rates at
+   t, with orders = 4 their power series in time. If one of k1 and k3 is 0 all the time, its ratio and its rates become
+   those of the other coefficient, so that the factor s at the top of this file is 1. */
 VM_API int vmi_odd_shape_at(const vm_odd_problem *o, vm_real t, int side, vm_real length, int orders,
                             vmi_odd_shape *shape)
 {
@@ -197,7 +198,7 @@ VM_API int vmi_odd_shape_at(const vm_odd_problem *o, vm_real t, int side, vm_rea
 typedef struct VM_TAG(vmi_odd_rates) {
     vm_real m, k, b;       /* mass m, stiffness factor K and damping b */
     vm_real loss;          /* (reactive m' + b)/m, 1/s */
-    vm_real speed;         /* sqrt(K/m), the rate ds/dt of the new time s of orbit_ripple.h, 1/s */
+    vm_real speed;         /* sqrt(K/m), 1/s: how fast the new time of orbit_ripple.h grows with t */
     vm_real turn;          /* relative rate of change of `speed`, 1/s */
     vm_real h;             /* the damping h of orbit_ripple.h, multiplied by `speed`, 1/s */
     vm_real ratio1, ratio3; /* k1 and k3 divided by their values at t = 0; 1 where they are constant */
@@ -205,8 +206,8 @@ typedef struct VM_TAG(vmi_odd_rates) {
     vm_real scale_rate;    /* s'/s of this factor, 1/s */
 } vmi_odd_rates;
 
-/* Computes the fields of *r at t. Where the rate of a law jumps at t, side = 1 asks for its value after t, side = -1
-   for its value before t. Returns VM_NO_LAW where the shape of the force cannot be made constant. */
+/* Computes the fields of *r at t. Where the rate of a law jumps at t, side = 1 means the rate after t, and side = -1
+   the rate before t. Returns VM_NO_LAW where the shape of the force cannot be made constant. */
 VM_API int vmi_odd_rates_at(const vm_odd_problem *o, vm_real t, int side, vmi_odd_rates *r)
 {
     vm_real m[VMI_LAW_ORDERS], k[VMI_LAW_ORDERS], b[VMI_LAW_ORDERS];
@@ -230,17 +231,17 @@ VM_API int vmi_odd_rates_at(const vm_odd_problem *o, vm_real t, int side, vmi_od
     return VM_OK;
 }
 
-/* The damping h of orbit_ripple.h, and its first two derivatives h1 and h2 with respect to the new time s of that file,
-   where ds/dt = sqrt(K/m). spring is G m/K, which stands for the weak linear spring at the top of this file, and
-   spring1 is the derivative of spring with respect to the new time. */
+/* The damping h of orbit_ripple.h, and its first two derivatives h1 and h2 with respect to the new time of that file,
+   which grows at the rate sqrt(K/m). spring is the stiffness m G of the weak linear spring at the top of this file,
+   divided by K; spring1 is the derivative of spring with respect to the new time. */
 typedef struct VM_TAG(vmi_odd_slow) {
     vm_real h, h1, h2;
     vm_real spring, spring1;
 } vmi_odd_slow;
 
 /* Computes the fields of *slow at t. `length`, in seconds, is needed for the derivatives of laws that are functions of
-   the user (see vmi_law_derivatives). Where a derivative of a law jumps at t, side = 1 asks for its value after t, side
-   = -1 for its value before t. */
+   the user (see vmi_law_derivatives). Where a derivative of a law jumps at t, side = 1 means the derivative after t,
+   and side = -1 the derivative before t. */
 VM_API int vmi_odd_slow_at(const vm_odd_problem *o, vm_real t, int side, vm_real length, vmi_odd_slow *slow)
 {
     enum { TERMS = 4 };

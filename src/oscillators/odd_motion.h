@@ -89,7 +89,7 @@ typedef struct VM_TAG(vm_odd_plan) {
     vm_real reach;          /* the time up to which the averaged solutions exist, s: t_end, or a time between 0 and
                                t_end */
     vm_real m0, k0, speed0; /* mass m, stiffness factor k and sqrt(k/m) at t = 0 */
-    vm_real v0;             /* rate of x/s at t = 0, where s is the factor of odd_laws.h, divided by speed0 */
+    vm_real v0;             /* rate of x/s at t = 0, divided by speed0; s is the factor of odd_laws.h */
     int at_rest;            /* 1 where the body rests in equilibrium, else 0 */
     vmi_orbit start;        /* the orbit through the state at t = 0; its field `size` is 0 where there is no
                                vibration */
@@ -172,9 +172,9 @@ typedef struct VM_TAG(vmi_odd_nodes) {
                                                          vmi_odd_rates */
 } vmi_odd_nodes;
 
-/* Reads the shape of the force, which changes where k1 and k3 follow laws. It writes the series ratio1 and ratio3,
-   raises `edge` to the errors of these series at the ends of the panel, and writes the weak spring at the nodes. The
-   field `rates` of *at must be set before. */
+/* Reads the shape of the force, which changes where k1 and k3 follow laws. The function writes the series ratio1 and
+   ratio3. If the errors of these series at the ends of the panel are larger than the field `edge`, it raises `edge`. It
+   also writes the weak spring at the nodes. The field `rates` of *at must be set before. */
 VM_API int vmi_odd_read_shape(const vm_odd_problem *o, const vmi_odd_panel *panel, vmi_odd_nodes *at)
 {
     const vm_odd_force *force = &o->force;
@@ -233,9 +233,9 @@ VM_API int vmi_odd_read(const vm_odd_problem *o, const vmi_odd_panel *panel, vmi
     return vmi_odd_read_shape(o, panel, at);
 }
 
-/* Adds to the field `change` the integrals of |d^i (h/w)/dphi^i| over this panel. They are computed from `ratio`, the
-   Legendre series of h/w, with root mean squares in place of absolute values. Coefficients of the series that are as
-   small as rounding errors become 0 first. The series is overwritten. */
+/* Adds to the field `change` the integrals of |d^i (h/w)/dphi^i| over this panel. The integrals are computed from
+   `ratio`, the Legendre series of h/w, with root mean squares in place of absolute values. First all coefficients of
+   this series that are as small as rounding errors become 0. The series is overwritten. */
 VM_API void vmi_odd_add_changes(vmi_odd_panel *panel, vm_real *ratio)
 {
     const vm_real noise = (VM_MANT_DIG > 24 ? 4096 : 16) * VM_EPSILON;
@@ -252,8 +252,8 @@ VM_API void vmi_odd_add_changes(vmi_odd_panel *panel, vm_real *ratio)
     }
 }
 
-/* The index of the node that comes at place k in time, 0 <= k < 20. In the order of time the indices are 0, 2 ... 18,
-   19, 17 ... 1. */
+/* The index of the k-th node in the order of time, 0 <= k < 20. In this order the indices are 0, 2 ... 18, 19, 17 ...
+   1. */
 VM_API int vmi_odd_node_number(int k) { return k < VMI_GAUSS / 2 ? 2 * k : 2 * VMI_GAUSS - 1 - 2 * k; }
 
 /* Computes the Legendre series of a panel, whose fields for its start and length must be set. Before the call *orbit
@@ -297,9 +297,10 @@ VM_API int vmi_odd_panel_of(const vm_odd_plan *p, vmi_odd_panel *panel, vmi_orbi
 }
 
 /* Returns 1 if a panel is so short that its Legendre series are accurate enough, else 0. The limit is stricter for the
-   series of phase rate and size, which are also used inside the panel: there the errors are as large as the terms that
-   a series leaves out, while the error of an integral over the panel is about the square of such terms. `varying` is 1
-   where k1 and k3 follow laws. `whole` is the length of the whole integration in time, s. */
+   series of phase rate and size, because these series are also used inside the panel. Inside the panel the error of a
+   series is as large as the terms that the series leaves out; the error of an integral over the whole panel is only
+   about the square of these terms. `varying` is 1 where k1 and k3 follow laws. `whole` is the length of the whole
+   integration in time, s. */
 VM_API int vmi_odd_panel_is_resolved(const vmi_odd_panel *panel, const vmi_odd_nodes *at, int varying, vm_real whole)
 {
     const vm_real limit = vmi_panel_limit(panel->length, whole), fine = VM_MANT_DIG > 24 ? VM_C(1e-12) : VM_C(1e-5);
@@ -364,8 +365,9 @@ VM_API vm_real vmi_odd_spring_ripple(const vmi_orbit *orbit)
     return squares / (2 * orbit->w * orbit->j);
 }
 
-/* Continues the mean motion beyond the time t, a point of a table. The derivative of the damping h of odd_laws.h jumps
-   there, but the motion does not jump. Therefore the mean action jumps. */
+/* Continues the mean motion beyond the time next->t, a point of a table. At this time the derivative of the damping h
+   jumps, but the motion does not jump. The formula that leads from the motion to the mean action contains the
+   derivative of h (oscillators/orbit_ripple.h). Therefore the mean action jumps. */
 VM_API int vmi_odd_walk_past_knot(const vm_odd_plan *p, vmi_orbit *orbit, vmi_odd_panel *next)
 {
     const int side = vmi_time_side(p->t_end);
@@ -494,11 +496,11 @@ VM_API int vmi_odd_fill(vm_odd_plan *p)
 /* Makes a plan, by which one vibration under an odd elastic force is computed at many times between t = 0 and t_end (s,
    any sign). vm_odd_plan_within and vm_odd_plan_by_route use the plan. The problem is copied; its tables and what ctx
    points to must exist as long as the plan is used. The averaged motion may end before t_end, at a separatrix (the
-   border between two kinds of vibration) or because laws change too fast. The field `reach` is the time at which it
-   ends; at later times only the route VM_ODD_RK87 works. Errors leave the plan untouched. Returns VM_BAD_ARGUMENT for
-   null pointers and for a law or force that no constructor made, VM_NOT_FINITE for a number that is infinite or NaN,
-   VM_BAD_MASS or VM_BAD_STIFFNESS for a mass or a stiffness that is not positive, and VM_DOMAIN for a table whose times
-   do not rise or do not contain 0 and t_end, and where a user's function fails. */
+   border between two kinds of vibration) or because laws change too fast. The field `reach` is the time at which the
+   averaged motion ends; at later times only the route VM_ODD_RK87 works. Errors leave the plan untouched. Returns
+   VM_BAD_ARGUMENT for null pointers and for a law or force that no constructor made, VM_NOT_FINITE for a number that is
+   infinite or NaN, VM_BAD_MASS or VM_BAD_STIFFNESS for a mass or a stiffness that is not positive, and VM_DOMAIN for a
+   table whose times do not rise or do not contain 0 and t_end, and where a user's function fails. */
 VM_API int vm_odd_plan_init(vm_odd_plan *p, const vm_odd_problem *problem, vm_real t_end)
 {
     vm_odd_plan plan;
@@ -607,8 +609,8 @@ VM_API vm_real vmi_odd_steepness(const vmi_orbit *orbit)
 
 /* Estimates the error of an averaged solution at t. The estimate is the sum of the sizes of the terms that are left
    out: in the transformation between motion and mean motion at t = 0 and at t, and in the action at t = 0 and at points
-   of tables. A relative error of the action changes the phase by gamma times this error times the phase, where gamma is
-   the field of the plan or panel. The numerical factors are chosen to fit the errors of random problems in
+   of tables. A relative error e of the action changes the phase by gamma e times the phase, where gamma is the field of
+   the plan or panel. The numerical factors are chosen to fit the errors of random problems in
    tests/test_odd_force.c. */
 VM_API int vmi_odd_error(const vm_odd_plan *p, int route, vm_real t, const vmi_odd_mean *mean, vm_real *error)
 {

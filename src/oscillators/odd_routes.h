@@ -5,8 +5,9 @@
    without a plan. oscillators/odd_motion.h has the problem and the averaged solutions, and shows the shortest useful
    call. vm_odd_rhs is the equation of motion. tests/test_odd_force.c compares the estimates with the true errors of
    random problems. The true error is below three times the estimate in 99 % of the problems, and never above ten times
-   the estimate. If the force has a kink, as x + x|x| has, the integration needs very short steps. It may then miss
-   tolerances below 1e-6; if it does, the function returns VM_TOLERANCE_MISSED. Tests: tests/test_odd_force.c. */
+   the estimate. If the force has a kink, as x + x|x| has, the integration needs very short steps. The integration may
+   then miss tolerances below 1e-6. In this case the function returns VM_TOLERANCE_MISSED. Tests:
+   tests/test_odd_force.c. */
 #ifndef VARMASS_OSCILLATORS_ODD_ROUTES_H
 #define VARMASS_OSCILLATORS_ODD_ROUTES_H
 
@@ -230,8 +231,8 @@ VM_API int vmi_odd_pair(vmi_odd_run *c, vm_real t, vm_real step_tolerance, vm_od
     return VM_OK;
 }
 
-/* Computes the motion at t by rk87. It makes pairs of integrations, called runs, with stricter and stricter tolerances
-   until the estimated error is within `tolerance`, at most eight pairs. If the error of a pair is not below half of the
+/* Computes the motion at t by rk87. It makes at most eight pairs of integrations, called runs, with stricter and
+   stricter tolerances, until the estimated error is within `tolerance`. If the error of a pair is not below half of the
    smallest error so far, the longest step is halved. After three such pairs no further pair is made. The result is that
    of the pair with the smallest error. */
 VM_API int vmi_odd_integrate(const vm_odd_plan *p, vm_real t, vm_real tolerance, vm_odd_motion *motion)
@@ -299,14 +300,14 @@ VM_API int vmi_odd_is_known(const vm_odd_plan *p, int route, vm_real t, vm_odd_m
 /* Motion under an odd elastic force at time t (s, between 0 and the plan's t_end) by a given route: VM_ODD_MEAN,
    VM_ODD_ORDER2 or VM_ODD_RK87. The field motion->error estimates the larger of |error of x|/swing and
    |error of v|/vmax, where swing is half the distance between the turning points of the vibration, and vmax its largest
-   velocity. It is infinite where the averaged solution is not valid. Only VM_ODD_RK87 uses `tolerance`, a bound for
-   this error; 0 means 1e-6 (float 1e-3). Returns VM_OK, or VM_TOLERANCE_MISSED where the integration misses the
-   tolerance. After an error *motion is unchanged. The errors are
+   velocity. This estimate is infinite where the averaged solution is not valid. Only VM_ODD_RK87 uses `tolerance`, a
+   bound for this error; 0 means 1e-6 (float 1e-3). Returns VM_OK, or VM_TOLERANCE_MISSED where the integration misses
+   the tolerance. After an error *motion is unchanged. The errors are
      VM_BAD_ARGUMENT for null pointers or a route that does not exist,
      VM_NOT_FINITE for a number that is infinite or NaN,
      VM_BAD_MASS or VM_BAD_STIFFNESS for a mass or a stiffness that is not positive between 0 and t,
      VM_DOMAIN for a negative tolerance, for t that is not between 0 and t_end, and where a user's function fails,
-     VM_NO_LAW, except for VM_ODD_RK87, for t beyond the plan's field `reach` and where there is no vibration,
+     VM_NO_LAW for t beyond the plan's field `reach` and where there is no vibration, but never for VM_ODD_RK87,
      VM_NOT_INTEGRATED where the integrator cannot reach t, for example because the motion becomes infinite. */
 VM_API int vm_odd_plan_by_route(const vm_odd_plan *p, int route, vm_real t, vm_real tolerance, vm_odd_motion *motion)
 {

@@ -1,12 +1,12 @@
 /* oscillators/pair.h - two bodies with a nonlinear connection
 
-   Two bodies of equal mass m(t) move on a line, and a spring connects them. Their coordinates x and y obey (517),
-   (518):
+   Two bodies of equal mass m(t) move on a line, and a spring connects them. Their coordinates x and y obey (517) and
+   (518) of the dissertation:
        m x'' = -k (x - y)|x - y|^(alpha-1) - r m' x',   m y'' = k (x - y)|x - y|^(alpha-1) - r m' y'
-   k is the stiffness of the spring, r the share of the reactive force (`reactive`). The sum q = x + y drifts, and the
-   difference p = y - x vibrates with the amplitude A and the Ateb phase psi, whose rate is Om, (520)-(522). The drift
-   and the vibration are the two modes. This file has the equations of motion, the averaged equations of both modes, and
-   the motion in closed form for a mass that is linear in time, (528), (529).
+   k is the stiffness of the spring, r the share of the reactive force (`reactive`). The sum q = x + y drifts. The
+   difference p = y - x vibrates with the amplitude A and the Ateb phase psi, (520)-(522); Om is the rate of psi. The
+   drift and the vibration are the two modes. This file has the equations of motion, the averaged equations of both
+   modes, and the motion in closed form for a mass that is linear in time, (528), (529).
 
        vm_real y[4] = {1, 3, 0, 0}; // x, y, x', y'
        vm_pair p;
@@ -51,8 +51,8 @@ enum {
 };
 
 /* Writes the mass and its rate at time t. It checks both numbers, the fields of the pair, and the four numbers of a
-   state. Functions that an integrator calls pass NULL for the state, so that it is not checked: if a trial step
-   overflows, the integrator must repeat the step rather than stop. */
+   state. Functions that an integrator calls pass NULL for the state, so that the state is not checked. If the state
+   overflows in a trial step, the integrator must be able to repeat the step, and an error would stop it. */
 VM_API int vmi_pair_now(const vm_pair *p, vm_real t, const vm_real *state_or_NULL, vm_real *mass, vm_real *rate)
 {
     const vm_real numbers[3] = {p->alpha, p->k, p->reactive};
@@ -85,8 +85,8 @@ VM_API int vm_pair_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *pair)
 }
 
 /* The amplitude of y - x at the Ateb phase psi, divided by the mean amplitude A. This ratio is (1 + s sa ca/(2
-   Om))^(2/(alpha+3)) with the rate Om of psi and s = (2r - 1) m'/m, where r is the field `reactive`. The spring acts on
-   both bodies, so that y - x vibrates with the stiffness 2 k. */
+   Om))^(2/(alpha+3)). Here sa and ca are the Ateb functions of psi, Om is the rate of psi, and s = (2r - 1) m'/m with
+   the field r = `reactive`. The spring acts on both bodies, so that y - x vibrates with the stiffness 2 k. */
 VM_API vm_real vmi_pair_ripple(const vm_pair *p, vm_real mass, vm_real rate, vm_real A, vm_real psi)
 {
     const vm_real q = vmi_slow_q(vmi_slow_drag(p->reactive, rate, 0), mass, p->k, 0);
@@ -136,8 +136,8 @@ VM_API int vmi_pair_join(const vm_pair *p, vm_real mass, vm_real rate, const vm_
    within a period. Any initial velocities are allowed. Returns VM_BAD_ARGUMENT for null pointers or where no
    constructor made the mass, VM_NOT_FINITE for a number that is infinite or NaN, VM_BAD_MASS or VM_BAD_STIFFNESS for a
    mass or a stiffness that is not positive, and VM_DOMAIN for alpha < 0, for t outside a table, and where the ripple is
-   as large as the motion. The ripple is so large if |(2r - 1) m'/m| is about twice the rate of psi, for example where
-   the mass m tends to 0; r is the field `reactive`. modes and y may be the same array. */
+   as large as the motion. The ripple is as large as the motion where |(2r - 1) m'/m| is about twice the rate of psi,
+   for example where the mass m tends to 0; r is the field `reactive`. modes and y may be the same array. */
 VM_API int vm_pair_to_averaged(const vm_pair *p, vm_real t, const vm_real *y, vm_real *modes)
 {
     if (!p || !y || !modes) return VM_BAD_ARGUMENT;

@@ -14,9 +14,9 @@
 #include "../base/status.h"
 #include "laws.h"
 
-/* Routes, which are the methods to compute x(t) and x'(t), the cheapest first. The first seven use averaging: for
-   these, mass and stiffness must change little within a period. The routes VM_ROUTE_ORDER2 to VM_ROUTE_ORDER5 exist
-   only if there is no further force F. */
+/* Routes, which are the methods to compute x(t) and x'(t), the cheapest first. Numbers in brackets are equations of the
+   dissertation. The first seven use averaging: for these, mass and stiffness must change little within a period. The
+   routes VM_ROUTE_ORDER2 to VM_ROUTE_ORDER5 exist only if there is no further force F. */
 enum {
     VM_ROUTE_TRIG = 0,        /* cosine (329), (330), averaged to first order; the sign of (335) is corrected */
     VM_ROUTE_JACOBI = 1,      /* Jacobi's cn (370), (371), averaged to first order */
@@ -59,8 +59,8 @@ typedef struct VM_TAG(vm_osc_problem) {
 typedef struct VM_TAG(vm_osc_motion) {
     vm_real x, v;      /* position, m, and velocity, m/s */
     vm_real amplitude; /* amplitude A, m. The routes rk45 and rk87 give the amplitude that belongs to x and v. All other
-                          routes give the amplitude without its first-order ripple, the swing within a period that slow
-                          changes of mass and stiffness, and damping, cause */
+                          routes leave out the ripple of first order; the ripple is the swing of the amplitude within a
+                          period, which damping and slow changes of mass and stiffness cause */
     vm_real error;     /* estimate of the larger of |error of x|/A and |error of v|/vmax, where vmax is the largest
                           velocity at the amplitude A; it includes all causes of errors */
     int route;         /* the route by which x and v were computed, VM_ROUTE_... */

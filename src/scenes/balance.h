@@ -1,10 +1,10 @@
 /* scenes/balance.h - the budget of momentum, angular momentum and energy of a scene
 
-   A scene that keeps a budget integrates, together with the motion of its bodies, what is supplied to them from
-   outside: the impulse and the work of the effects, and the momentum and energy that streams bring. At any time the
-   momentum and energy of the bodies must equal their values at the start plus this supply. The difference is called
-   the defect. It shows the error of a run, and the reactions of constraints, which hold a body on its line, on its
-   axle or in the plane.
+   A scene that keeps a budget integrates what is supplied to its bodies from outside: the impulse and the work of the
+   effects, and the momentum and energy that streams bring. It integrates this supply together with the motion of the
+   bodies. At any time the momentum and energy of the bodies must equal their values at the start plus this supply. The
+   difference is called the defect. It shows the errors of the run. It also contains the reactions of constraints,
+   which hold a body on its line, on its axle or in the plane.
 
        vm_real t = 0, y[2 + VM_BUDGET_STATES], work[VM_SCENE_WORK(2 + VM_BUDGET_STATES)];
        vm_budget budget, now;
@@ -32,9 +32,9 @@
 #include "start.h"
 #include "state.h"
 
-/* The budget adds VM_BUDGET_STATES numbers to the end of the state: sums over the time of the run. This list gives the
-   index of each sum among the numbers of the budget; a vector has three numbers. vm_budget in scene.h explains each
-   sum. */
+/* The budget adds VM_BUDGET_STATES numbers to the end of the state. Each of them is a sum over the time of the run so
+   far. This list gives the index of each sum among the numbers of the budget; a vector has three numbers. vm_budget in
+   scene.h explains each sum. */
 enum {
     VMI_BUDGET_IMPULSE = 0,
     VMI_BUDGET_ANGULAR_IMPULSE = 3,

@@ -1,8 +1,8 @@
 /* scenes/band.h - a band that winds up on a drum or off it
 
-   The drum is a body on an axle (chapter 5.2 of the dissertation). At the angle phi = 0 no band is on the drum, and
-   the body is made with the moment of inertia of the bare drum. The band comes onto the drum or leaves it at the
-   radius
+   The drum is a body on an axle (chapter 5.2 of the dissertation). At the angle phi = 0 no band is on the drum. The
+   constructor of the body receives the moment of inertia of the bare drum. The band comes onto the drum or leaves it
+   at the radius
      R + h phi/(2 pi)   along a spiral, or
      R + h n            in layers, after n complete turns (the field by_layer is 1),
    and the moment of inertia grows by rho b h radius^3 per radian. R is the radius of the drum, h the thickness of the
@@ -67,7 +67,7 @@ VM_API int vmi_band_is_valid(const vm_band *b)
 }
 
 /* Returns a vm_band_now with this radius, whose rate, mass and inertia are all equal to `others`. For a bare drum
-   `others` is 0. If the band or the angle is not valid, the caller passes NaN for both arguments. */
+   `others` is 0. If the band or the angle is not valid, both arguments are NaN. */
 VM_API vm_band_now vmi_band_none(vm_real radius, vm_real others)
 {
     vm_band_now none;
@@ -121,8 +121,8 @@ VM_API vm_band vmi_band_of(const vm_effect *e)
 }
 
 /* Sets the moment of inertia J(phi) of the drum, as a mass law sets a mass; on an axle the moment of inertia takes the
-   place of the mass. u is the speed of the band divided by the radius at which it comes, and thus an angular velocity
-   about the axle. */
+   place of the mass. The velocity u of the law is here the speed of the band divided by the radius at which the band
+   comes, and thus an angular velocity about the axle. */
 VM_API void vmi_apply_band(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *s)
 {
     const vm_band band = vmi_band_of(e);

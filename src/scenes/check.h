@@ -102,8 +102,8 @@ VM_API int vmi_scene_can_jump(int motion, int other)
     return motion == other || (other == VM_POINT && motion > VM_AXLE);
 }
 
-/* Checks a jump. A part that separates becomes a body of the scene that was absent. This function also checks that
-   this body can have the mass, inertia and motion of the part. */
+/* Checks a jump. A part that separates becomes a body of the scene that was absent. Therefore this function also
+   checks that this body can have the mass, inertia and motion of the part. */
 VM_API int vmi_scene_check_jump(const vm_scene *s, const vm_event *e)
 {
     int status = vmi_scene_check_coordinate(s, e->jump_body, 0);
@@ -153,8 +153,8 @@ VM_API void vmi_scene_set_fault(vm_scene_fault *fault_or_NULL, const char *kind,
     fault_or_NULL->index = index;
 }
 
-/* Finds the first thing that is wrong with a scene. Returns its status, or VM_OK if nothing is wrong, and writes to
-   *fault_or_NULL in which body, effect or event it is. The time of this check is proportional to the number of bodies,
+/* Finds the first error in a scene. Returns the status of this error, or VM_OK if nothing is wrong, and writes to
+   *fault_or_NULL which body, effect or event is wrong. The time of this check is proportional to the number of bodies,
    effects and events. The function returns the statuses that the comments of the constructors name, and
      VM_BAD_ARGUMENT        if a pointer is NULL, a count is negative, or a body or a function is missing;
      VM_NOT_FINITE          if a parameter, a time or a number of a body is infinite or NaN;

@@ -2,16 +2,16 @@
 
    The ground is a plane through the point `on`, and `normal` points out of it. A point of a body, or a ball about this
    point, touches the ground while its height over the ground is negative; the height of a ball is that of its lowest
-   point. `depth` is minus this height. The ground then pushes along the normal with the force stiffness * depth -
-   damping * (velocity along the normal). The ground never pulls and has no friction.
+   point. `depth` is this height with the opposite sign. The ground then pushes along the normal with the force
+   stiffness * depth - damping * (velocity along the normal). The ground never pulls and has no friction.
 
        vm_contact wheel = {{0, 0, 0}, 0.3, {0, 0, 0}, {0, 1, 0}, 1e5, 300}; // 0.3 m radius; y points up
        vm_effect effects[] = {vm_effect_gravity(0, 1, -9.81), vm_effect_contact(0, &wheel)};
        vm_event events[] = {vm_then_land(vm_event_contact(0, &wheel))};     // and it does not bounce
 
-   vm_event_contact is an event that happens when the body comes down to the ground. vm_then_land makes this event a
-   stop without a bounce: an impulse takes away the velocity of the point along the normal. Afterwards the stiffness of
-   the contact supports the body.
+   vm_event_contact is an event that happens when the body comes down to the ground. With vm_then_land the body lands
+   at this event without a bounce: an impulse takes away the velocity of the point along the normal. Afterwards the
+   stiffness of the contact supports the body.
 
    Tests: tests/test_scene_joints.c. */
 #ifndef VARMASS_SCENES_CONTACT_H
@@ -117,8 +117,8 @@ VM_API vm_event vm_event_contact(int body, const vm_contact *contact)
 }
 
 /* Takes away the velocity of the contact's point along the normal by an impulse, and adds this impulse to the budget.
-   The impulse is -v/mobility, where v is this velocity and mobility its change by an impulse of 1 N s along the
-   normal. */
+   The impulse is -v/mobility, where v is this velocity, and `mobility` is the change of this velocity that an impulse
+   of 1 N s along the normal causes. */
 VM_API int vmi_then_land(vm_event *e, vm_real t, vm_real *y)
 {
     const vm_contact *contact = (const vm_contact *)e->parts;
@@ -153,10 +153,10 @@ VM_API int vmi_land_check(const vm_scene *s, const vm_event *e)
     return VM_OK;
 }
 
-/* Makes an event of vm_event_contact a stop without a bounce: an impulse takes away the velocity of the contact's
-   point along the normal. The other velocities of the body change only by this impulse. Afterwards vm_effect_contact
-   supports the body. vm_scene_start returns VM_BAD_ARGUMENT if vm_event_contact has not made the event, and
-   VM_TWO_LINKS if the body has a link or a joint, whose impulses the event does not compute. */
+/* Lets the body of a vm_event_contact land without a bounce: at the event an impulse takes away the velocity of the
+   contact's point along the normal. The other velocities of the body change only by this impulse. Afterwards
+   vm_effect_contact supports the body. vm_scene_start returns VM_BAD_ARGUMENT if vm_event_contact has not made the
+   event, and VM_TWO_LINKS if the body has a link or a joint, whose impulses the event does not compute. */
 VM_API vm_event vm_then_land(vm_event event)
 {
     event.then = vmi_then_land;

@@ -38,8 +38,8 @@
                       defaults (the motions on which the effect can act, the check).
    The force itself may be a function of forces.h. */
 
-/* An effect on a coordinate of a body against a coordinate of another body. It can act on all kinds of motion, is
-   neither a mass law nor a link, and its parameters are 0. */
+/* An effect on a coordinate of a body, with the opposite force on a coordinate of another body. The effect can act on
+   all kinds of motion, it is neither a mass law nor a link, and its parameters are 0. */
 VM_API vm_effect vmi_effect_between(int body, int coordinate, int other, int other_coordinate,
                                     void (*apply)(const vm_effect *effect, vm_real t, const vm_real *y,
                                                   vm_scene *scene))
@@ -264,10 +264,10 @@ VM_API vm_effect vm_effect_force(int body, int coordinate,
      effect->load->mass                the present mass;
      effect->load->force               the sum of the forces of the effects that stand before it in the list;
      effect->p, effect->ctx            parameters, and a pointer of the caller.
-   Therefore an effect that is listed last can act as a rigid obstacle: it subtracts the force that presses the body
-   against the obstacle. other is another body, or VM_GROUND. The effect acts only while both bodies are present;
-   effect->other_load, effect->other_x and effect->other_v belong to the body `other`. vm_scene_start returns
-   VM_BAD_ARGUMENT if apply is NULL. */
+   Since effect->load->force can be read, an effect that is listed last can act as a rigid obstacle: it subtracts the
+   force with which the other effects press the body against the obstacle. other is another body, or VM_GROUND. The
+   effect acts only while both bodies are present; effect->other_load, effect->other_x and effect->other_v belong to
+   the body `other`. vm_scene_start returns VM_BAD_ARGUMENT if apply is NULL. */
 VM_API vm_effect vm_effect_custom(int body, int other,
                                     void (*apply)(const vm_effect *effect, vm_real t, const vm_real *y,
                                                   vm_scene *scene),

@@ -1,8 +1,8 @@
 /* scenes/evaluate.h - the right-hand side of a scene
 
-   The right-hand side gives the derivatives of the state. An evaluation of it sets the loads on all bodies to 0, lets
-   each effect add to the loads, and computes the acceleration of each body from its load. The function vm_scene_rhs
-   has the type ode_rhs, so that any integrator of the kit can integrate a scene without events:
+   The right-hand side gives the derivatives of the state. Each evaluation of the right-hand side sets the loads on all
+   bodies to 0, lets each effect add its loads, and computes the acceleration of each body from the loads on it. The
+   function vm_scene_rhs has the type ode_rhs, so that any integrator of the kit can integrate a scene without events:
 
        vm_real work[RK87_WORK(2)]; // 2 = vm_scene_size(&scene)
        rk87 run;
@@ -20,7 +20,7 @@
 #include "state.h"
 
 /* Prepares the load of a body before the effects add to the load: the mass becomes the present mass, and all sums
-   become 0. Of the forces only those on coordinates that the body has are set. */
+   become 0. The forces on coordinates that the body does not have are not set. */
 VM_INLINE void vmi_scene_clear(vm_scene_body *b, const vm_real *y, int with_budget)
 {
     vm_load *load = &b->load;
@@ -50,8 +50,8 @@ VM_INLINE void vmi_scene_evaluate(vm_scene *s, vm_real t, const vm_real *y)
 }
 
 /* Computes the loads for a function that needs the masses. Returns VM_OK, or an error if the mass of a body that is
-   present is not finite. The error is the status of the effect that could not act, or VM_NOT_FINITE; s->status then
-   has the same value. */
+   present is not finite. If an effect could not act, the error is the status of this effect, else VM_NOT_FINITE;
+   s->status becomes the same error. */
 VM_API int vmi_scene_weigh(vm_scene *s, vm_real t, const vm_real *y)
 {
     const int before = s->status;

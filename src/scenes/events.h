@@ -2,8 +2,8 @@
 
    An event is made in two steps: vm_event_... says when it happens, and vm_then_... says what it does. An event
    without a vm_then_... function only observes the motion and does not change it: event.count says how often the event
-   has happened, and event.time when it last happened. An event can have one vm_then_... function; with vm_then_all it
-   does a list of actions.
+   has happened, and event.time when it last happened. An event can have only one vm_then_... function; with
+   vm_then_all the event carries out a list of actions.
 
        vm_event empty = vm_event_mass(0, 70, -1);                             // the mass of body 0 falls to 70 kg
        vm_event staging[] = {vm_then_switch_range(empty, 0, 4, 1),            // effects 0 to 3 are switched off
@@ -23,12 +23,12 @@
    and so on. The vm_scene_fault of vm_scene_start says which event is wrong.
 
    An event at a set time happens once. An event at which a quantity crosses a value happens at most event.most times,
-   or without limit if event.most is 0. If direction > 0, it happens where the quantity rises through the value; if
-   direction < 0, where it falls; if direction = 0, in both cases. Only motion causes a crossing: there is no crossing
-   if another event moves a coordinate beyond the value, or while the body is not present. Events at the same instant
-   happen in the order of the list. If the times of a jump and of a crossing differ only by rounding errors, either of
-   the two may happen first. To get the times (or states) of all crossings of one run, set scene.located[i].times (or
-   .states) and .room after the start.
+   or without limit if event.most is 0. If direction > 0, this event happens where the quantity rises through the
+   value; if direction < 0, where the quantity falls through it; if direction = 0, in both cases. Only motion causes a
+   crossing: there is no crossing if another event moves a coordinate beyond the value, or while the body is not
+   present. Events at the same instant happen in the order of the list. If the times of a jump and of a crossing differ
+   only by rounding errors, the jump may happen before or after the crossing. To get the times (or states) of all
+   crossings of one run, set scene.located[i].times (or .states) and .room after the start.
 
    Tests: tests/test_scene_events.c. */
 #ifndef VARMASS_SCENES_EVENTS_H
@@ -47,8 +47,8 @@ VM_API int vmi_event_check_coordinate(const vm_scene *s, const vm_event *e)
     return vmi_scene_check_coordinate(s, e->body, e->coordinate);
 }
 
-/* An event for a coordinate of a body and a value that a quantity of this coordinate crosses; the caller sets
-   e.when */
+/* An event that happens when a quantity of a coordinate, such as the velocity, crosses a value. The caller must set
+   e.when, the function that returns the quantity minus the value */
 VM_API vm_event vmi_event(int body, int coordinate, vm_real value, int direction)
 {
     vm_event e;
@@ -111,7 +111,7 @@ VM_API vm_real vmi_when_mass(const vm_event *e, vm_real t, const vm_real *y)
 }
 
 /* An event when the mass of a body crosses `value`, in kg. For a body on an axle the moment of inertia takes the place
-   of the mass, and `value` is in kg m^2. It should be positive, since a run ends before a mass reaches 0. */
+   of the mass, and `value` is in kg m^2. `value` should be positive, since a run ends before a mass reaches 0. */
 VM_API vm_event vm_event_mass(int body, vm_real value, int direction)
 {
     vm_event e = vmi_event(body, 0, value, direction);
@@ -157,7 +157,7 @@ VM_API void vmi_scene_note_masses(vm_scene *s)
 }
 
 /* Computes the loads, and with them the masses, before the action of an event changes anything. If a mass law fails,
-   returns the status of the law, and the next run does the whole action. */
+   returns the status of the law; the next run then carries out the whole action. */
 VM_API int vmi_event_weigh(vm_event *e, vm_real t, const vm_real *y)
 {
     const int status = vmi_scene_weigh(e->scene, t, y);
@@ -168,7 +168,7 @@ VM_API int vmi_event_weigh(vm_event *e, vm_real t, const vm_real *y)
 
 /* Gives all bodies the masses that vmi_scene_note_masses has stored. Without this function a jump, or the switching of
    a mass law, would change a mass although no stream brings or removes mass and momentum. The loads are evaluated
-   twice: first to find by how much the masses of the laws differ from the stored ones, then again with the corrected
+   twice: first to find by how much the present masses differ from the stored masses, then again with the corrected
    masses. A body with a mass law uses the field `law_offset`, any other body the field `mass`. Both fields of a body
    are corrected, because the field that it does not use has no effect. If a mass law fails, returns the status of the
    law, and the next run calls this function again. */
@@ -250,10 +250,10 @@ VM_API vm_event vm_then_user(vm_event event, int (*then)(vm_real t, vm_real *y, 
     return event;
 }
 
-/* Does the actions of an event in the order of their list. Returns the first status other than VM_OK that an action
-   gives, or VM_OK if all give VM_OK. After an error (a negative status) no further action is done; the error is
-   returned even if an earlier action has stopped the run. If a mass law has interrupted an action, the next run does
-   the rest of this action and the actions after it. */
+/* Carries out the actions of an event in the order of their list. Returns the first status other than VM_OK that an
+   action gives, or VM_OK if all give VM_OK. After an error (a negative status) no further action is carried out; the
+   error is returned even if an earlier action has stopped the run. If a mass law has failed during an action, the next
+   run carries out what is left of this action, and then the actions after it. */
 VM_API int vmi_then_all(vm_event *e, vm_real t, vm_real *y)
 {
     int i = e->next_action, status = e->so_far;
@@ -287,11 +287,12 @@ VM_API int vmi_event_check_all(const vm_scene *s, const vm_event *e)
     return status;
 }
 
-/* The event does a list of actions, one after the other, at the same instant. actions is an array of n events made by
-   vm_then_... functions. The times or conditions of these events are not used, so that all of them can be made from
-   the same vm_event_... value. The array is not copied and must stay at its place in memory. If an action stops the
-   run, the actions after it still happen. vm_scene_start returns VM_BAD_ARGUMENT if actions is NULL, n is negative or
-   an action is a list itself, and else the status of the first action that is wrong. */
+/* The event carries out a list of actions, one after the other, at the same instant. actions is an array of n events
+   made by vm_then_... functions. The times or conditions of these events are not used. Therefore all of them can be
+   made from the same event, as in the example at the top of this file. The array is not copied and must stay at its
+   place in memory. If an action stops the run, the actions after it are still carried out. vm_scene_start returns
+   VM_BAD_ARGUMENT if actions is NULL, n is negative or an action is a list itself, and else the status of the first
+   action that is wrong. */
 VM_API vm_event vm_then_all(vm_event event, vm_event *actions, int n)
 {
     event.then = vmi_then_all;

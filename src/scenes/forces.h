@@ -1,9 +1,10 @@
 /* scenes/forces.h - the forces of effects, as functions that can also be called without a scene
 
-   The effects of a scene use these functions, and a right-hand side that is written by hand can call them as well. They
-   return a force in N, or a torque in N m where the coordinate is an angle. x is the extension (m or rad) and v the
-   rate of the extension (m/s or rad/s). Arguments are not checked; NaN gives NaN. The error is at most 6 VM_EPSILON
-   times the sum of the absolute values of the terms of the force, if the angle of a sine or cosine is exact.
+   The effects of a scene use these functions, and a right-hand side that is written by hand can call them as well.
+   They return a force in N, or a torque in N m where the coordinate is an angle. x is the extension (m or rad) and v
+   the rate of the extension (m/s or rad/s). Arguments are not checked; NaN gives NaN. The error is at most 6
+   VM_EPSILON times the sum of the absolute values of the terms of the force, if the angle in a sine or cosine has no
+   error.
 
        vm_real x = VM_C(0.1), v = 2, mass = 3;
        vm_real acceleration = (vm_force_spring(x, 50, 3) + vm_force_damper(v, 2)) / mass; // (-50 x^3 - 2 v) / mass
@@ -54,9 +55,9 @@ VM_INLINE vm_real vm_force_harmonic(vm_real t, vm_real amplitude, vm_real freque
 }
 
 /* The reactive force of a stream is rate * (u - reactive * v), where the number `reactive` is 1 or 0. The stream
-   brings `rate` kg of mass per second; a negative rate takes mass away. The mass has the velocity u + (1 -
-   reactive) v, where v is the velocity of the body: u is absolute if reactive is 1, and relative to the body if
-   reactive is 0. */
+   brings `rate` kg of mass per second; a negative rate takes mass away. This mass has the velocity u + (1 - reactive)
+   v, where v is the velocity of the body. Thus u is the absolute velocity of the mass if reactive is 1, and its
+   velocity relative to the body if reactive is 0. */
 VM_INLINE vm_real vm_force_stream(vm_real v, vm_real rate, vm_real u, vm_real reactive)
 {
     return rate * (u - reactive * v);

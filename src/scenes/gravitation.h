@@ -1,7 +1,7 @@
 /* scenes/gravitation.h - Newton's gravitation between bodies and towards a fixed centre
 
    The attraction falls with the inverse square of the distance and acts at the mass centres. It is computed from the
-   present masses, also if streams, laws or events change them. The bodies move in the plane or in space, or are
+   present masses, even if streams, laws or events change the masses. The bodies move in the plane or in space, or are
    points. For uniform gravity use vm_effect_gravity.
 
        vm_vec3 zero = {0, 0, 0};
@@ -22,9 +22,9 @@
 enum { VMI_GRAVITATION_G = 0, VMI_CENTRAL_CENTRE = 0, VMI_CENTRAL_MU = 3 };
 
 /* The attraction a b/r^2 along d, the vector to the other mass. r is the length of d, and a b is G times the product
-   of the two masses. Each of the factors a and b is divided by r, because the product a b could overflow. If the force
-   is not finite, because the masses are at the same place, the scene gets the status VM_NOT_FINITE, and the integrator
-   refuses the step. */
+   of the two masses. Each of the factors a and b is divided by r before the multiplication, because the product a b
+   could overflow. If the force is not finite, because the masses are at the same place, the scene gets the status
+   VM_NOT_FINITE, and the integrator refuses the step. */
 VM_INLINE vm_vec3 vmi_gravitation(vm_real a, vm_real b, vm_vec3 d, vm_scene *s)
 {
     const vm_real r = VM_SQRT(vm_dot(d, d));

@@ -137,8 +137,8 @@ VM_API void vmi_free_growing_get(const vm_scene_body *b, const vm_real *state, v
     vmi_free_get(b, state, now);
 }
 
-/* Checks the inertia of a growing body in space. A rod or a point is refused, since no stream could turn it about an
-   axis about which it has no moment of inertia. */
+/* Checks the inertia of a growing body in space. A rod or a point is refused: it has no moment of inertia about at
+   least one axis, so that the equations of motion could not be solved for the rotation about this axis. */
 VM_API int vmi_free_growing_check(const vm_body *start)
 {
     vmi_inertia_ldl factors;
@@ -150,7 +150,7 @@ VM_API int vmi_free_growing_check(const vm_body *start)
 
 /* A growing body in space. The argument is a body made by vm_scene_body_free; for any other body vm_scene_start
    returns VM_BAD_MOTION, and for a rod or a point VM_BAD_INERTIA. A run ends with VM_BAD_INERTIA when the inertia
-   becomes one that no body can have. */
+   becomes impossible for a body. */
 VM_API vm_scene_body vm_scene_body_growing_free(vm_scene_body body)
 {
     body.mass_is_state = body.grows = 1;

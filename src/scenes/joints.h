@@ -2,8 +2,8 @@
 
    A pin holds a point of a body at a point of another body or of the ground: in the plane it is a hinge, in space a
    ball joint. A rod keeps the distance of two points constant. Pins and rods are called joints. All joints of a scene
-   are in one list, and the forces of all joints are computed together, by Lagrange's multipliers: chains, closed
-   mechanisms and several joints on one body are possible. points.h explains how a point is given.
+   are in one list, and the forces of all joints are computed together, by Lagrange's multipliers. Therefore chains,
+   closed mechanisms and several joints on one body are possible. points.h explains how a point is given.
 
        vm_vec3 end = {-0.5, 0, 0}, pivot = {0, 0, 0};
        vm_joint list[] = {vm_joint_pin(0, end, VM_GROUND, pivot)};       // body 0 hangs at the pivot
@@ -12,16 +12,17 @@
        vm_effect effects[] = {vm_effect_gravity(0, 1, -9.81), vm_effect_joints(&joints)}; // joints stand last
 
    Let C be the deviation of a joint from its condition; for a pin C is the vector between the two points. The joint
-   exerts the force for which the accelerations obey C'' + 2 rate C' + rate^2 C = 0, where `rate` is a field of
-   vm_joints. After a jump of a body, impulses of the joints take away the velocities with which the points of a joint
-   would move apart; the budget includes these impulses. list[0].force is the reaction of the first joint on its body
-   at the last evaluation.
+   exerts the force with which C obeys the equation C'' + 2 rate C' + rate^2 C = 0, so that C decreases to 0; `rate` is
+   a field of vm_joints. After a jump of a body, impulses of the joints take away the velocities with which the points
+   of a joint would move apart; the budget includes these impulses. list[0].force is the reaction of the first joint on
+   its body at the last evaluation.
 
-   Accuracy: the errors of forces and accelerations are a few eps of the largest of them. This also holds for joints
-   that nearly contradict each other, such as two rods almost in line, and for light bodies between heavy ones,
-   since the forces are refined until they fit the equations. If two rods of 1 m hold a point 1e-5 m beside the line
-   through their other ends, the errors are 4e-16; if they hold it 1e-7 m beside this line, 4e-11. If the point is
-   still closer to the line, the run ends with VM_SINGULAR.
+   Accuracy: the errors of forces and accelerations are a few eps times the largest force or acceleration. This also
+   holds for joints that nearly contradict each other, such as two rods almost in line, and for light bodies between
+   heavy bodies, since the forces are refined until they fit the equations. An example is a point that two rods of 1 m
+   hold near the line through their other ends. If the point is 1e-5 m beside this line, the relative errors of the
+   forces of the rods are 4e-16; if it is 1e-7 m beside the line, they are 4e-11. If the point is 2e-8 m beside the
+   line, or closer, the run ends with VM_SINGULAR.
 
    Tests: tests/test_scene_joints.c. */
 #ifndef VARMASS_SCENES_JOINTS_H
@@ -47,17 +48,18 @@ enum { VMI_JOINT_ROWS = 3 }; /* the largest number of equations that a joint has
 #define VM_JOINTS_WORK(n) (3 * (n) * (3 * (n) + 3))
 
 /* One equation of a joint. It prescribes the component of C'' along the unit vector `along`, where C is the deviation
-   of the joint. Index 0 of an array belongs to the field `body` of the joint, index 1 to its field `other`. A force of
-   1 N along `along` acts on `body`, and the opposite force on `other`; `turn` is then the torque on a body, `move` the
+   of the joint. Index 0 of an array belongs to the field `body` of the joint, index 1 to its field `other`. The joint
+   pushes `body` with a force along `along`, and `other` with the opposite force. The fields turn, move and spin tell
+   how each of the two bodies responds to a force of 1 N along `along`: `turn` is the torque on the body, `move` the
    acceleration of its mass centre, and `spin` its angular acceleration. */
 typedef struct VM_TAG(vmi_joint_row) {
     vm_vec3 along;            /* unit vector, inertial axes */
     vm_vec3 turn[2];          /* m: torque per N */
     vm_vec3 move[2];          /* 1/kg */
     vm_vec3 spin[2];          /* 1/(kg m) */
-    vm_real gap;              /* m: the deviation C from the condition of the joint */
-    vm_real gap_rate;         /* m/s: C' */
-    vm_real gap_acceleration; /* m/s^2: C'' without the joints */
+    vm_real gap;              /* m: the deviation C; for a pin its component along `along` */
+    vm_real gap_rate;         /* m/s: C'; for a pin its component along `along` */
+    vm_real gap_acceleration; /* m/s^2: C'' without the forces of the joints; for a pin its component along `along` */
 } vmi_joint_row;
 
 /* An end of a joint: its point, and the acceleration of this point without the joints */
@@ -96,7 +98,7 @@ typedef struct VM_TAG(vm_joints) {
    Here a is the acceleration of the mass centre, alpha and omega are angular acceleration and angular velocity of the
    body, and `arm` leads from the mass centre to the point. drift is 0 except for a growing body: it is the velocity
    with which the mass centre moves through the material of the body. drift is subtracted because a is the rate of the
-   velocity at the mass centre, where the material changes. */
+   velocity of the material at the mass centre, and at each instant there is other material at this place. */
 VM_API void vmi_joint_end_now(const vm_scene *s, int body, vm_vec3 at, const vm_real *y, vmi_joint_end *end)
 {
     const vmi_body_point *p = &end->point;
@@ -113,7 +115,8 @@ VM_API void vmi_joint_end_now(const vm_scene *s, int body, vm_vec3 at, const vm_
     end->a = vm_add(end->a, vm_add(vm_cross(alpha, p->arm), vm_cross(p->omega, moving)));
 }
 
-/* Begins a further equation of a joint: computes how both bodies respond to a force of 1 N along a unit vector */
+/* Begins a further equation of a joint: computes how each of its bodies responds to a force of 1 N along the unit
+   vector `along` */
 VM_API vmi_joint_row *vmi_joint_add_row(vm_joint *joint, const vm_scene *s, const vmi_joint_end *ends, vm_vec3 along)
 {
     const vm_vec3 zero = {0, 0, 0};
@@ -198,8 +201,8 @@ VM_API vm_joint vm_joint_rod(int body, vm_vec3 at, int other, vm_vec3 other_at, 
 
 /* -- The solution -- */
 
-/* Returns the acceleration C'' in the equation `row` of the joint i that is caused by a force of 1 N of the equation
-   `by` of the joint j */
+/* Returns the acceleration C'' that a force of 1 N of the equation `by` of joint j causes in the equation `row` of
+   joint i */
 VM_API vm_real vmi_joint_coupling(const vm_joint *i, const vmi_joint_row *row, const vm_joint *j,
                                   const vmi_joint_row *by)
 {
@@ -234,8 +237,9 @@ VM_API int vmi_joints_equations(const vm_joints *joints, const vm_scene *s, cons
     return n;
 }
 
-/* Writes one row of the matrix of all equations to a: for each equation, the acceleration C'' that a force of 1 N of
-   this equation causes in the equation `row` of `joint` */
+/* Writes to the array a one row of the matrix of the linear equations for the forces: the row of the equation `row` of
+   `joint`. Each number of the row belongs to one equation of the joints. It is the acceleration C'' that a force of 1
+   N of this equation causes in the equation `row` */
 VM_API void vmi_joints_matrix_row(const vm_joints *joints, const vm_joint *joint, const vmi_joint_row *row, vm_real *a)
 {
     int j, m, at = 0;
@@ -245,8 +249,8 @@ VM_API void vmi_joints_matrix_row(const vm_joints *joints, const vm_joint *joint
     }
 }
 
-/* What is computed from the equations: forces or impulses. Forces must change C'' so that C'' + 2 rate C' + rate^2 C =
-   0, and impulses must change C' so that C' = 0. */
+/* Tells what the function vmi_joints_solve computes from the equations: forces or impulses. Forces must change C'' so
+   that C'' + 2 rate C' + rate^2 C = 0, and impulses must change C' so that C' = 0. */
 enum { VMI_JOINT_FORCES, VMI_JOINT_IMPULSES };
 
 VM_API vm_real vmi_joint_lacks(const vmi_joint_row *row, vm_real rate, int wanted)
@@ -275,9 +279,10 @@ VM_API void vmi_joints_accelerate(const vm_joints *joints, const vm_real *forces
     }
 }
 
-/* Writes the remainder of each equation: the part of the needed change of C'' or C' (see vmi_joint_lacks) that the
-   forces do not yet cause. The remainder is computed from the accelerations of the bodies. If large forces nearly
-   cancel, these accelerations have digits that the matrix has lost. */
+/* Writes the remainder of each equation to `rest`: the change of C'' or C' that is needed (vmi_joint_lacks), minus the
+   change that the computed forces cause. The second change is computed from the accelerations of the bodies, and not
+   by the matrix of the equations: if large forces nearly cancel, the accelerations still have digits that the numbers
+   of this matrix have lost. */
 VM_API void vmi_joints_rest(const vm_joints *joints, const vm_real *forces, int wanted, vm_real *rest)
 {
     int i, k, m;
@@ -298,8 +303,9 @@ VM_API void vmi_joints_rest(const vm_joints *joints, const vm_real *forces, int 
     }
 }
 
-/* Refines the forces once, with the decomposed matrix that joints->work contains. Returns 1 if this changed the forces
-   by more than sqrt(VM_EPSILON) times the largest of them, so that a further refinement is worth its time, else 0. */
+/* Refines the forces once: solves the equations for their remainders, with the decomposed matrix that joints->work
+   contains, and adds the solution to the forces. Returns 1 if this changed a force by more than sqrt(VM_EPSILON) times
+   the largest force, so that a further refinement is worth its time, else 0. */
 VM_API int vmi_joints_refine(const vm_joints *joints, int n, int wanted)
 {
     const vm_real *a = joints->work;
@@ -316,9 +322,10 @@ VM_API int vmi_joints_refine(const vm_joints *joints, int n, int wanted)
 }
 
 /* Solves the n equations for the forces, or for the impulses, and writes the results to joints->work from index n^2
-   on. A solution by the matrix loses twice as many digits as the equations themselves do; the refinement restores
-   these digits. Returns VM_SINGULAR if the equations have no unique solution, VM_NOT_FINITE if a number is not finite,
-   and else VM_OK. */
+   on. The numbers of the matrix are products of the coefficients of the equations. Therefore a solution by the matrix
+   loses twice as many digits as the equations themselves if joints nearly contradict each other; vmi_joints_refine
+   restores these digits. Returns VM_SINGULAR if the equations have no unique solution, VM_NOT_FINITE if a number is
+   not finite, and else VM_OK. */
 VM_API int vmi_joints_solve(const vm_joints *joints, int n, int wanted)
 {
     enum { MOST_REFINEMENTS = 4 };
@@ -340,7 +347,8 @@ VM_API int vmi_joints_solve(const vm_joints *joints, int n, int wanted)
     return VM_OK;
 }
 
-/* The force of a joint on its field `body`: the vector sum of the forces of its equations */
+/* The force of a joint on the body with the index joint->body: the vector sum of the forces of the equations of the
+   joint */
 VM_API vm_vec3 vmi_joint_force(const vm_joint *joint, const vm_real *forces)
 {
     vm_vec3 sum = {0, 0, 0};
@@ -387,8 +395,8 @@ VM_API void vmi_joint_kick(const vm_scene *s, int body, vm_vec3 at, vm_vec3 impu
     vmi_point_kick(s->bodies + body, &p, impulse, y);
 }
 
-/* After a jump, gives the bodies the impulses with which the points of each joint do not move apart, and adds the
-   impulses from the ground to the budget. The equations are those of the last evaluation of the loads. */
+/* After a jump, gives the bodies the impulses after which the points of each joint do not move apart, and adds the
+   impulses that come from the ground to the budget. The equations are those of the last evaluation of the loads. */
 VM_API int vmi_joints_settle(const vm_effect *e, vm_real *y, vm_scene *s)
 {
     const vm_joints *joints = (const vm_joints *)e->parts;
@@ -415,8 +423,9 @@ VM_API int vmi_joints_settle(const vm_effect *e, vm_real *y, vm_scene *s)
 /* -- Checks -- */
 
 /* Computes an end of a joint at the start of the scene, when the accelerations are not yet known. Adds to *size the
-   lengths of which the position of the point is composed, and to *speed the velocities of which its velocity is
-   composed. */
+   magnitudes of the position of the point and of its distance from the mass centre. Adds to *speed the magnitude of
+   the velocity of the point, and that of the part which comes from the rotation of the body. vmi_joint_fits compares
+   deviations with *size and *speed. */
 VM_API void vmi_joint_end_at_start(const vm_scene *s, int body, vm_vec3 at, vmi_joint_end *end, vm_real *size,
                                    vm_real *speed)
 {
@@ -435,8 +444,9 @@ VM_API void vmi_joint_end_at_start(const vm_scene *s, int body, vm_vec3 at, vmi_
     *speed += vmi_norm1(p->v) + vmi_norm1(p->omega) * vmi_norm1(p->arm);
 }
 
-/* Returns 1 if the bodies fit a joint at the start, else 0. They fit if the deviation and its rate are at most a small
-   fraction of the lengths and velocities of which they are composed. */
+/* Returns 1 if the bodies fit a joint at the start, else 0. They fit if the deviation is at most the fraction `loose`
+   of `size`, a sum of lengths, and if the rate of the deviation is at most the same fraction of `speed`, a sum of
+   velocities. */
 VM_API int vmi_joint_fits(vm_joint *joint, const vm_scene *s)
 {
     const vm_real loose = VM_C(1e-6) + 512 * VM_EPSILON;
@@ -503,10 +513,10 @@ VM_API int vmi_joints_check(const vm_scene *s, const vm_effect *e)
 
 /* The joints of a scene, solved together. *joints and its arrays are not copied and must stay at their places in
    memory. The effect must stand after all other effects on the bodies of the joints. A pin has 2 equations in the
-   plane and 3 in space, a rod has 1. To solve n equations, an evaluation makes about n^3/3 multiplications, and some
-   10 n^2 more to refine the solution. A high rate makes the equations of motion stiff, so that the steps become short.
-   vm_scene_start returns VM_BAD_ARGUMENT if a pointer is NULL or the list is empty; VM_NOT_FINITE if a number is
-   infinite or NaN; VM_DOMAIN if rate or the length of a rod is not positive; VM_SHORT_ARRAY if work is too small;
+   plane and 3 in space, a rod has 1. To solve n equations, an evaluation makes about n^3/3 multiplications; to refine
+   the solution, it makes about 10 n^2 more. A high rate makes the equations of motion stiff, so that the steps become
+   short. vm_scene_start returns VM_BAD_ARGUMENT if a pointer is NULL or the list is empty; VM_NOT_FINITE if a number
+   is infinite or NaN; VM_DOMAIN if rate or the length of a rod is not positive; VM_SHORT_ARRAY if work is too small;
    VM_NO_SUCH_BODY if a body does not exist; VM_IS_AWAY if the body of the first joint is absent at the start;
    VM_SAME_BODY if a joint connects a body with itself; VM_BAD_POINT if a body cannot have the point of its joint
    (points.h); VM_NOT_JOINED if the points of a joint do not fit at the start or move apart; VM_TWO_LINKS if a body

@@ -18,17 +18,16 @@
    constructor received. The field `external` of the event is an impulse that acts from outside during the jump.
 
    Two bodies can take part in the same jump if they have the same kind of motion. A body in the plane or a free body
-   can also take up or give off a point. The functions whose names end in _on_line (for a line or an axle) and
-   _in_plane do the same as vm_then_separate and vm_then_attach, but only for these kinds of motion, and make the
-   program smaller (docs/scene-sizes.md). If a point takes up a body at another place, the angular momentum of both
-   bodies about their common mass centre is lost, since a point does not rotate. If the scene has a budget, which
-   compares momentum and energy with the effects on them (vm_budget in scene.h), its field angular_defect shows this
-   loss.
+   can also take up or give off a point. The functions whose names end in _on_line (for a line or an axle) and in
+   _in_plane do the same as vm_then_separate and vm_then_attach, but only for these kinds of motion. A program with
+   these functions is smaller (docs/scene-sizes.md). If a point takes up a body at another place, the angular momentum
+   of both bodies about their common mass centre is lost, since a point does not rotate. If the scene keeps a budget
+   (vm_budget in scene.h), its field angular_defect shows this loss.
 
    A run ends with VM_IS_THERE if a part would become a body that is present already, with VM_IS_AWAY if a body that
-   jumps is not present, and with the errors of vm_separate and vm_attach. vm_scene_start returns VM_BAD_MOTION if the
-   two bodies cannot take part in the same jump, VM_SAME_BODY if both are the same body, and the status of
-   vm_scene_check if a part cannot be a body.
+   jumps is not present, and with the errors that vm_separate and vm_attach return. vm_scene_start returns
+   VM_BAD_MOTION if the two bodies cannot take part in the same jump, VM_SAME_BODY if both are the same body, and the
+   status of vm_scene_check if a part cannot be a body.
 
    Tests: tests/test_scene_events.c. */
 #ifndef VARMASS_SCENES_JUMPS_H
@@ -70,8 +69,8 @@ VM_API int vmi_event_jump_on_line(const vm_event *e, const vm_body *body, vm_bod
     return VM_OK;
 }
 
-/* Converts the motion of *part: before, it is relative to *body and in the axes of *body; afterwards it is absolute
-   and in inertial axes */
+/* Converts the motion of *part. Before the call the motion is relative to *body, in the axes of *body; after the call
+   it is absolute, in inertial axes */
 VM_API void vmi_event_jump_place(const vm_body *body, vm_body *part)
 {
     const vmi_mat3 turn = vmi_rotation(body->q);
@@ -135,9 +134,9 @@ VM_API vm_real vmi_scene_angle(const vm_scene *s, int body, const vm_real *y)
     return b->motion == VM_PLANE ? y[b->at + VMI_PLANE_ANGLE] : y[b->at];
 }
 
-/* Updates the position of the mass centre in body axes, after a jump has moved the mass centre of a body to r. A
-   growing body has this position in the state; for a body at whose points effects act, the field `centre` says how far
-   jumps have moved the mass centre. */
+/* Updates the position of the mass centre in body axes, after a jump has moved the mass centre of a body to r. For a
+   growing body this position is a part of the state. For a body at whose points effects act, the field `centre` is the
+   vector by which jumps have moved the mass centre. */
 VM_API void vmi_scene_shift_centre(const vm_scene *s, int body, vm_vec3 r, vm_real *y)
 {
     vm_scene_body *b = s->bodies + body;
@@ -149,8 +148,8 @@ VM_API void vmi_scene_shift_centre(const vm_scene *s, int body, vm_vec3 r, vm_re
     vmi_growth_put_centre(b, vm_add(vmi_growth_centre(b, state), step), state);
 }
 
-/* Lets each effect that holds bodies together (that is, joints) act even if its first body is not present: such an
-   effect itself leaves out the joints of absent bodies */
+/* Lets each effect that holds bodies together (that is, joints) act even if its first body is not present. The effect
+   itself leaves out the joints of bodies that are not present */
 VM_API void vmi_scene_wake(vm_scene *s)
 {
     int i;
@@ -159,8 +158,8 @@ VM_API void vmi_scene_wake(vm_scene *s)
 }
 
 /* Writes the bodies after a jump into the state: the body that lost or gained mass, and the part that separated, or
-   NULL if the body `other` was attached. Stores the masses that all bodies must have after the jump, because a mass
-   law does not include the mass that a jump adds or takes away. */
+   NULL if the body `other` was attached. Stores the masses that all bodies must have after the jump, because the mass
+   that a law gives does not include the mass that a jump adds or takes away. */
 VM_API void vmi_scene_put_jump(vm_event *e, vm_real *y, const vm_body *result, const vm_body *part_or_NULL)
 {
     vm_scene *s = e->scene;
@@ -193,9 +192,9 @@ VM_API int vmi_scene_settle(vm_scene *s, vm_real *y)
     return status;
 }
 
-/* Adjusts the masses after a jump has been written into the state, and adds to the budget the energy that the jump
-   adds and the impulse from outside. Returns VM_OK, the status of an effect that cannot hold the bodies together, or
-   the status of a mass law that fails. If a mass law fails, the next run calls this function again. */
+/* Adjusts the masses after the bodies have been written into the state. Adds to the budget the energy that the jump
+   adds to the bodies, and the impulse from outside. Returns VM_OK, the status of an effect that cannot hold the bodies
+   together, or the status of a mass law that fails. If a mass law fails, the next run calls this function again. */
 VM_API int vmi_scene_finish_jump(vm_event *e, vm_real t, vm_real *y)
 {
     vm_scene *s = e->scene;
@@ -321,8 +320,8 @@ VM_API vm_event vm_then_attach_in_plane(vm_event event, int body, int added)
 }
 
 /* The event attaches a body to another body; both may have any kind of motion. The body `added` becomes a part of
-   `body` and is no longer present. vm_scene_start returns VM_BAD_MOTION if bodies of their kinds of motion cannot take
-   part in the same jump. */
+   `body` and is no longer present. vm_scene_start returns VM_BAD_MOTION if the kinds of motion of the two bodies do
+   not allow that one is attached to the other. */
 VM_API vm_event vm_then_attach(vm_event event, int body, int added)
 {
     event = vm_then_attach_on_line(event, body, added);

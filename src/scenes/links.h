@@ -60,12 +60,12 @@ VM_API void vmi_link_to_point(const vm_effect *e, vm_real t, vmi_link_end *end)
 enum { VMI_LINK_LENGTH, VMI_LINK_RATE };
 
 /* Computes the factor lambda of the force lambda d that the link exerts on its end `here`; the vector d leads from the
-   end `there` to the end `here`. lambda follows from the condition that the deviation C = (d^2 - l^2)/2, where l is
-   the length of the link, obeys C'' + 2 rate C' + rate^2 C = 0. In this equation C' = d v and C'' = d a + v^2, where v
-   and a are the velocity and acceleration of `here` relative to `there`. The force of the link changes d a by lambda
-   times a sum: over both ends and all coordinates, the mobility of the end times the square of the coordinate of d.
-   lambda is 0 for a slack cord. Returns VM_SINGULAR if the ends are at one place or cannot move along the link,
-   VM_NOT_FINITE if a number is not finite, and else VM_OK. */
+   end `there` to the end `here`. The deviation of the link is C = (d^2 - l^2)/2, where l is the length of the link.
+   lambda follows from the condition C'' + 2 rate C' + rate^2 C = 0. In this equation C' = d v and C'' = d a + v^2,
+   where v and a are the velocity and acceleration of `here` relative to `there`. The force of the link changes d a by
+   lambda S. S is a sum over both ends and all coordinates; each term is the mobility of the end along the coordinate,
+   times the square of this coordinate of d. lambda is 0 for a slack cord. Returns VM_SINGULAR if the ends are at one
+   place or cannot move along the link, VM_NOT_FINITE if a number is not finite, and else VM_OK. */
 VM_API int vmi_link_lambda(const vm_effect *e, const vmi_link_end *here, const vmi_link_end *there, vm_real *lambda)
 {
     /* A cord does not pull while the distance of its ends is shorter than its length by more than this fraction. The
@@ -73,7 +73,7 @@ VM_API int vmi_link_lambda(const vm_effect *e, const vmi_link_end *here, const v
        slack. */
     const vm_real loose = VM_C(1e-6) + 512 * VM_EPSILON;
     const vm_real length = e->p[VMI_LINK_LENGTH], rate = e->p[VMI_LINK_RATE];
-    vm_real dd = 0, dv = 0, vv = 0, da = 0, mobility = 0, C; /* scalar products; sum of mobility d^2 */
+    vm_real dd = 0, dv = 0, vv = 0, da = 0, mobility = 0, C; /* scalar products; the sum S; C */
     int i;
     for (i = 0; i < 3; i++) {
         const vm_real v = here->v[i] - there->v[i], d = here->r[i] - there->r[i];
@@ -131,14 +131,14 @@ VM_API int vmi_link_check_ends(const vm_scene *s, const vm_effect *e)
    point or a body in the plane, at the distance `length` (m) from another mass centre or from a moving point. The
    other mass centre is that of the body `other`, which must not be on an axle; the argument `point` is then NULL. If
    other is VM_GROUND, the function `point` gives the motion of the moving point, which may lie above the plane. If
-   `cord` is 1, the link is a cord. Deviations from the length decrease as exp(-rate t), with rate > 0 in 1/s. A cord
-   that becomes taut at the speed v is stretched by about v/(e rate), where e = 2.718. A high rate makes the equations
-   of motion stiff, so that the steps become short: in float a rate of 100/s is tested for a cord of 1 m at 6 m/s.
-   vm_scene_start returns VM_DOMAIN if length or rate is not positive; VM_BAD_MOTION if a body has a kind of motion
-   that is not allowed here or is a growing body, whose mass centre moves in the body; VM_TWO_LINKS if a body has a
-   second link; VM_LINK_NOT_LAST if another effect on the body follows the link; and VM_SAME_BODY if the link connects
-   a body with itself. A run ends with VM_SINGULAR if the ends of the link are at one place or cannot move along the
-   link. */
+   `cord` is 1, the link is a cord. Deviations from the length decrease as exp(-rate t) with the time t; rate > 0 is in
+   1/s. A cord that becomes taut at the speed v is stretched by about v/(e rate), where e = 2.718. A high rate makes
+   the equations of motion stiff, so that the steps become short: in float a rate of 100/s is tested for a cord of 1 m
+   at 6 m/s. vm_scene_start returns VM_DOMAIN if length or rate is not positive; VM_BAD_MOTION if a body has a kind of
+   motion that is not allowed here or is a growing body, whose mass centre moves in the body; VM_TWO_LINKS if a body
+   has a second link; VM_LINK_NOT_LAST if another effect on the body follows the link; and VM_SAME_BODY if the link
+   connects a body with itself. A run ends with VM_SINGULAR if the ends of the link are at one place or cannot move
+   along the link. */
 VM_API vm_effect vm_effect_link(int body, int other, vm_moving_point point, void *ctx, vm_real length, int cord,
                                 vm_real rate)
 {

@@ -1,8 +1,9 @@
 /* scenes/mass.h - mass that follows a law, and its reactive force
 
    A mass law M(t, x, v) gives the mass of a body at any time; the mass is then not a number of the state. The mass
-   that joins or leaves has the velocity u + (1 - reactive) v, where v is the velocity of the body. Therefore the
-   equation of motion under the force F is M v' = F + M' (u - reactive v). The mass that joins or leaves has, for
+   that joins or leaves has the velocity u + (1 - reactive) v, where v is the velocity of the body; the caller chooses
+   the velocity u and the number `reactive`. Therefore the equation of motion under the force F is M v' = F + M' (u -
+   reactive v). The mass that joins or leaves has, for
      reactive = 1  the absolute velocity u: the reactive force is M' (u - v) (156), Levi-Civita's (167)-(169) if u = 0;
      reactive = 0  the velocity u relative to the body: the reactive force is M' u, which is 0 if u = 0 (166).
    Only on a line or an axle may a law depend on the position x and the velocity v. On an axle x is the angle, v the
@@ -13,8 +14,8 @@
 
    In the list of effects a mass law must stand before all other effects on its body, and a body has at most one mass
    law. If a jump adds mass to the body, this mass is added to the mass that the law gives. If an event switches a law
-   off, the mass remains constant. If an event switches a law on, the law continues from the present mass: of the law
-   M0 + c t only c then has an effect. Therefore switching never changes a mass suddenly.
+   off, the mass remains constant. If an event switches a law on, the law continues from the present mass: of a law M0
+   + c t only the rate c then matters, and not M0. Therefore switching never changes a mass suddenly.
 
    Tests: tests/test_scene_mass.c. */
 #ifndef VARMASS_SCENES_MASS_H
@@ -51,10 +52,12 @@ VM_INLINE void vmi_scene_reactive(const vm_effect *e, const vm_real *y, vm_scene
     }
 }
 
-/* Gives a body the mass that a law gives, and adds the reactive force. The rate of the mass is M' = by_t + by_x v +
-   by_v v'. The acceleration v' is not known yet; therefore the reactive force of the last term, by_v v' (u - reactive
-   v), is moved to the left side of the equation of motion, where it acts as the mass extra_mass = by_v (reactive v -
-   u). */
+/* Gives a body the mass M of a law, and adds the reactive force. *now has M, and the partial derivatives of M with
+   respect to time t, position x and velocity v: by_t, by_x and by_v. Thus the mass changes at the rate M' = by_t +
+   by_x v + by_v v'. The acceleration v' is not known yet. Therefore this function adds only the reactive force of the
+   first two terms of M'. The reactive force of the last term is by_v v' (u - reactive v). It is moved to the left side
+   of the equation of motion M v' = F + M' (u - reactive v), which then is (M + extra_mass) v' with extra_mass = by_v
+   (reactive v - u). So extra_mass acts like an additional mass. */
 VM_INLINE void vmi_scene_apply_law(const vm_effect *e, const vm_real *y, vm_scene *s, const vm_mass_law_values *now,
                                 const vm_real *u, vm_real reactive)
 {

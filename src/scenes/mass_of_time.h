@@ -32,7 +32,8 @@ VM_API void vmi_apply_mass_of_time(const vm_effect *e, vm_real t, const vm_real 
 }
 
 /* Returns VM_OK if a constructor made the law, else VM_BAD_ARGUMENT. vm_scene_check calls this function before it
-   checks the parameters, because of two errors VM_BAD_ARGUMENT is returned rather than VM_NOT_FINITE. */
+   checks the parameters. If both the law and a parameter are wrong, the status is therefore VM_BAD_ARGUMENT and not
+   VM_NOT_FINITE. */
 VM_API int vmi_check_mass_of_time(const vm_scene *s, const vm_effect *e)
 {
     (void)s;

@@ -3,8 +3,8 @@
    A body moves along a line, about an axle, in the plane, as a point in space, or free in space, with rotation. The
    arguments of its constructor are its motion at the start, in SI units. Each kind of motion has three or four
    functions: `put` writes the motion of a body into the state, `get` reads it from the state, `accelerate` computes
-   the derivatives of the state from the load, and `check`, which a line and an axle do not have, refuses an inertia
-   that the body cannot have.
+   the derivatives of the state from the load, and `check` refuses an inertia that the body cannot have. A line and an
+   axle have no function `check`.
 
        vm_vec3 zero = {0, 0, 0};
        vm_scene_body bodies[] = {vm_scene_body_line(2, 0.1, 0),                              // 2 kg at x = 0.1 m
@@ -221,8 +221,9 @@ enum { VMI_FREE_R = 0, VMI_FREE_Q = 3, VMI_FREE_V = 7, VMI_FREE_OMEGA = 10 }; /*
 
 /* Solves Euler's equations I omega' = torque - omega x I omega for omega', where I is the inertia of the body. omega
    and omega' (`rates`) are in body axes, torque in inertial axes. The matrix of these linear equations is
-   b->invertible, which includes dummy moments (vmi_invertible_inertia); therefore the equations can be solved for a
-   rod, too. The spin of a rod about its own axis stays constant, since no load turns the rod about this axis. */
+   b->invertible. For a rod it includes a dummy moment about the axis of the rod (vmi_invertible_inertia), so that the
+   equations can be solved. The spin of a rod about its own axis stays constant, since no load turns the rod about this
+   axis. */
 VM_API int vmi_free_euler(const vm_scene_body *b, const vmi_mat3 *axes, vm_vec3 torque, vm_vec3 omega, vm_real *rates)
 {
     const vm_inertia *i = &b->invertible;
@@ -304,24 +305,24 @@ VM_API vm_scene_body vm_scene_body_free(const vm_body *start)
 
 /* -- Any body -- */
 
-/* A body like `body`, but its mass is a number of the state, so that streams can change it. */
+/* Returns a body like `body`, but with a mass that is a number of the state, so that streams can change the mass. */
 VM_API vm_scene_body vm_scene_body_with_mass_state(vm_scene_body body)
 {
     body.mass_is_state = 1;
     return body;
 }
 
-/* A body like `body`, but it is not present until an event brings it into the scene. Effects on the body do not act
-   before this event. When a part separates and becomes this body, the body has the mass of the part; the mass of the
-   argument `body` is then not used, but must be positive. */
+/* Returns a body like `body` that is not present until an event brings it into the scene. Effects on the body do not
+   act before this event. When a part separates and becomes this body, the body has the mass of the part; the mass of
+   the argument `body` is then not used, but must be positive. */
 VM_API vm_scene_body vm_scene_body_absent(vm_scene_body body)
 {
     body.absent = 1;
     return body;
 }
 
-/* The number of coordinates of the mass centre: along these the mass resists acceleration. For an axle it is 1: the
-   moment of inertia resists the acceleration of the angle. */
+/* The number of coordinates along which the mass resists acceleration: those of the mass centre. On an axle the number
+   is 1, because the moment of inertia resists the acceleration of the angle. */
 VM_INLINE int vmi_scene_directions(int motion)
 {
     if (motion <= VM_AXLE) return 1;

@@ -1,11 +1,12 @@
 /* scenes/points.h - points of the bodies of a scene
 
-   Springs, joints and contacts act at points of bodies. A point is given by the vector that leads to it from the place
-   of the mass centre in the body at the start, in body axes. The point moves and turns with the body. On an axle the
-   vector leads from the axle, which goes through the origin. In the plane the third component of the vector is a
-   height above the plane. A point of the ground is given by its position. A body that is itself a point has only one
-   point, which is given by the zero vector. A rod has only the points on its own axis. For other points of such bodies
-   the status is VM_BAD_POINT.
+   Springs, joints and contacts act at points of bodies. A point of a body is given by a vector in body axes. The
+   vector leads from the place that the mass centre has in the body at the start to the point. The point moves and
+   turns with the body. A body on an axle turns about the z axis. The vector of one of its points leads from the
+   origin, through which the axle goes. In the plane the third component of the vector is a height above the plane. A
+   point of the ground is given by its position. A body that is itself a point has only one point, which is given by
+   the zero vector. A rod, which has no moment of inertia about its own axis, has only the points on this axis. For any
+   other point of a rod or of a body that is a point the status is VM_BAD_POINT.
 
        vm_vec3 tip = {0.5, 0, 0}, r, v;
        vm_scene_point_at(&scene, 0, tip, y, &r, &v); // position and velocity of a point of body 0 in the state y
@@ -125,7 +126,8 @@ VM_API void vmi_point_kick(const vm_scene_body *b, const vmi_body_point *p, vm_v
     else vmi_scene_add(b, velocities, move, spin);
 }
 
-/* The acceleration of a point along a unit vector that a force of 1 N on the point along this vector causes */
+/* Returns the acceleration of a point in the direction of the unit vector `along` if a force of 1 N in this direction
+   acts on the point */
 VM_API vm_real vmi_point_mobility(const vm_scene_body *b, const vmi_body_point *p, vm_vec3 along)
 {
     const vm_vec3 zero = {0, 0, 0}, turn = vm_cross(p->arm, along);
@@ -135,8 +137,9 @@ VM_API vm_real vmi_point_mobility(const vm_scene_body *b, const vmi_body_point *
 /* Returns 1 if the inertia of a body resists every force at the point `at`, else 0. A force at this point can turn the
    body about any axis normal to `at`. If the body is a rod or a point, it has no moment of inertia about k of its
    principal axes. `hollow` is the inertia that vmi_invertible_inertia adds: the same moment `dummy` about each of
-   these k axes. The components of `at` normal to these axes must be 0. The sum of their squares is k at^2 - at (hollow
-   at)/dummy, and must be 0 apart from rounding errors. */
+   these k axes. The point is possible only if `at` is parallel to each of these axes: the components of `at` normal to
+   them must be 0. The sum of the squares of these components is k at^2 - at (hollow at)/dummy, and must be 0 apart
+   from rounding errors. */
 VM_API int vmi_point_is_possible(const vm_scene_body *b, vm_vec3 at)
 {
     const vm_real noise = 64 * VM_EPSILON;
@@ -170,10 +173,10 @@ VM_API int vmi_point_check(const vm_scene *s, int body, vm_vec3 at)
     return vmi_point_is_possible(s->bodies + body, at) ? VM_OK : VM_BAD_POINT;
 }
 
-/* The position and velocity of a point of a body in the state y, in inertial axes. `at` is the vector from the place
-   of the mass centre at the start to the point, in body axes; on an axle it leads from the axle. The scene must have
-   been started. *r in m and *v in m/s are NaN if no body has this index, if scene or y is NULL, or if the scene was
-   not started. If r or v is NULL, nothing is written. */
+/* The position and velocity of a point of a body in the state y, in inertial axes. `at` is a vector in body axes. It
+   leads to the point from the place that the mass centre has in the body at the start; on an axle it leads from the
+   origin. The scene must have been started. *r is in m and *v in m/s; both are NaN if no body has this index, if scene
+   or y is NULL, or if the scene was not started. If r or v is NULL, nothing is written. */
 VM_API void vm_scene_point_at(const vm_scene *scene, int body, vm_vec3 at, const vm_real *y, vm_vec3 *r, vm_vec3 *v)
 {
     vmi_body_point p;

@@ -25,13 +25,13 @@
 /* How quickly events follow each other in a run */
 typedef struct VM_TAG(vmi_scene_pace) {
     long happened; /* number of events at this instant */
-    vm_real gap;   /* s: shortest time between a crossing at this instant and the crossing before it of the same event;
-                      VM_MAX if no event has crossed before */
+    vm_real gap;   /* s: shortest time between a crossing at this instant and the previous crossing of the same event;
+                      VM_MAX if there is no previous crossing */
     int crowded;   /* number of successive instants at which `gap` was too short for the digits of the time t */
 } vmi_scene_pace;
 
 enum {
-    VMI_SCENE_MOST_EVENTS = 10000, /* largest number of events at one instant; more events are an endless chain */
+    VMI_SCENE_MOST_EVENTS = 10000, /* largest number of events at one instant; more events count as an endless chain */
     VMI_SCENE_MOST_CROWDED = 3,    /* largest value of `crowded` with which a run continues */
     VMI_SCENE_STEPS_IN_GAP = 32    /* number of steps in a short time between events, so that no event is missed */
 };
@@ -39,8 +39,8 @@ enum {
 VM_API vm_real vmi_scene_larger(vm_real a, vm_real b) { return a > b ? a : b; }
 
 /* Returns 1 if event i is due at the time t, else 0. An event at a set time is due if this time has come. Any other
-   event is due if the integrator has counted new crossings; their number is written to *times. At the beginning of a
-   run, new crossings are those that vmi_scene_keep_crossings has kept. */
+   event is due if the integrator has counted new crossings; the number of new crossings is written to *times. At the
+   beginning of a run, the crossings that vmi_scene_keep_crossings has kept count as new. */
 VM_API int vmi_scene_event_is_due(vm_scene *s, int i, vm_real t, long *times)
 {
     vm_event *e = s->events + i;
@@ -84,11 +84,11 @@ VM_API int vmi_scene_fire_events(vm_scene *s, vm_real t, vm_real *y, vmi_scene_p
 
 /* Applies all events of an instant, including events that other events cause at the same instant. Events may follow
    each other faster and faster, like the contacts of a ball that bounces and comes to rest. The run ends when the
-   number t has too few digits to distinguish the times of these events. Until then the step after such an event is
-   made so short that the next event is found. */
+   number t has too few digits to distinguish the times of these events. Until then, the step after an event is made so
+   short that the next event of this kind is found. */
 VM_API int vmi_scene_run_events(vm_scene *s, rk45 *r, vm_real span, vmi_scene_pace *pace)
 {
-    const vm_real resolved = 256 * VM_EPSILON * span; /* s: a shorter gap has fewer than two right digits */
+    const vm_real resolved = 256 * VM_EPSILON * span; /* s: fewer than two digits of a shorter gap are right */
     const vm_real steps = (vm_real)VMI_SCENE_STEPS_IN_GAP;
     int status = VM_OK;
     pace->happened = 0;
@@ -140,9 +140,10 @@ VM_API vm_real vmi_scene_due(const vm_scene *s, vm_real t_end, int next)
 /* Looks for the reason why a run ends. The function tests whether a mass or an inertia would soon reach 0 if the state
    continued to change at its present rates. It tries longer and longer steps, up to 1e-6 of the larger of |t| and
    |t_end| (in float 1e-3). The first failure of the right-hand side becomes s->status. There are two reasons for this
-   search. A mass or an inertia close to 0 makes the equations so stiff that the steps become too short before 0 is
-   reached. And shorter steps after a refused step may have set s->status to VM_OK again. Since the run is over, parts
-   of the integrator's work space are free for a state and its rates. */
+   search. First, a mass or an inertia close to 0 makes the equations so stiff that the steps become too short before
+   the mass or the inertia is 0. Second, after a refused step the integrator tries shorter steps, which may have set
+   s->status to VM_OK again. The run is over; therefore the function may overwrite parts of the work space of the
+   integrator with a state and its rates. */
 VM_API void vmi_scene_foresee(vm_scene *s, rk45 *r, vm_real t_end)
 {
     const vm_real farthest = VM_MANT_DIG > 24 ? VM_C(1e-6) : VM_C(1e-3);
@@ -184,9 +185,9 @@ VM_API int vmi_scene_step(vm_scene *s, rk45 *r, vm_real t_end, int next)
     return vmi_scene_status_of_ode(ode_status);
 }
 
-/* Keeps the crossings that the last run has found but not handled, because another event of the same instant returned
-   an error before: the new run handles them at its start. The integrator counts crossings from 0 in each run;
-   therefore the field `seen` of an event becomes minus the number of its kept crossings. */
+/* Keeps the crossings that the last run has found but not handled. This happens if another event at the same instant
+   returned an error first. The new run handles these crossings at its start. The integrator counts crossings from 0 in
+   each run; therefore the field `seen` of an event becomes minus the number of its kept crossings. */
 VM_API void vmi_scene_keep_crossings(vm_scene *s)
 {
     int i;
@@ -196,9 +197,9 @@ VM_API void vmi_scene_keep_crossings(vm_scene *s)
     }
 }
 
-/* Prepares the integrator rk45 for the scene. Each number of a body has its absolute tolerance. The numbers of the
-   budget have the tolerance VM_MAX, so that only the bodies determine the steps. The tolerances are stored in work,
-   after the numbers of the integrator. */
+/* Prepares the integrator rk45 for the scene. Each number of a body has the absolute tolerance of the options. Each
+   number of the budget has the tolerance VM_MAX, so that only the motion of the bodies determines the size of the
+   steps. The tolerances are stored in work, after the numbers of the integrator. */
 VM_API int vmi_scene_integrator(vm_scene *s, rk45 *r, vm_real t, const vm_real *y, vm_real *work,
                                 const rk45_options *options_or_NULL)
 {
@@ -257,8 +258,8 @@ VM_API int vmi_scene_check_run(const vm_scene *s, const vm_real *t, vm_real t_en
      VM_STEP_TOO_SMALL, VM_MAX_STEPS   if the integrator failed; scene.ode_status is the status of the integrator;
      any other negative number         that an event's function (vm_then_user) returned. This event counts as handled.
    Another call continues from *t, beginning with the events of this instant that were not handled. If a mass law fails
-   while the action of an event needs the masses, the action is not done or only partly done: the next call does the
-   rest of the action. */
+   while the action of an event needs the masses, the action is not carried out, or only a part of it; the next call
+   then carries out what is left of the action. */
 VM_API int vm_scene_run(vm_scene *scene, vm_real *t, vm_real t_end, vm_real *y, vm_real *work,
                         const rk45_options *options_or_NULL)
 {

@@ -24,8 +24,8 @@
    Functions refer to a body, an effect or an event by its index in its array. A scene with events also needs
    scene.events, scene.n_events and scene.located, an array of n_events elements, before the start. After the start all
    arrays must stay at their places in memory. A second vm_scene_run continues where the first ended; vm_scene_start
-   begins anew, with all bodies, effects and events as the constructors made them. A listed motor, for example, adds at
-   most 35 machine instructions to an evaluation of the right-hand side.
+   begins anew, with all bodies, effects and events as the constructors made them. Each listed effect takes time in
+   each evaluation of the right-hand side; a motor, for example, adds at most 35 machine instructions.
 
    The numbers of body i in the state y begin at y[bodies[i].at], and the positions come first. r is the position of the
    mass centre, v its velocity, q the attitude and omega the angular velocity:
@@ -37,8 +37,9 @@
    body axes (2 numbers in the plane, else 3), and the inertia about the mass centre (1 number in the plane, else xx,
    yy, zz, xy, xz, yz).
 
-   An effect acts on a coordinate: 0 for a line or an axle; 0, 1, 2 for x, y, angle in the plane; 0, 1, 2 for x, y, z
-   of a point or a free body. On an axle, a moment of inertia replaces the mass, and a torque replaces the force.
+   An effect acts on a coordinate of a body. The number of the coordinate is 0 on a line or an axle; 0, 1, 2 for x, y,
+   angle in the plane; 0, 1, 2 for x, y, z of a point or a free body. On an axle, a moment of inertia replaces the
+   mass, and a torque replaces the force.
 
    Tests: tests/test_scenes.c and tests/test_scene_*.c. docs/scene-sizes.md lists the flash memory that each part of a
    scene needs. */
@@ -72,7 +73,7 @@ typedef struct VM_TAG(vm_load) {
     vm_real mass_by_v;  /* kg s/m: the derivative dM/dv of a mass law M(v) */
     vm_real joining_v;  /* m/s: velocity of the mass that joins or leaves by a mass law */
     /* fields for growing bodies only */
-    vm_vec3 drift;           /* m/s, inertial axes: rate r' of the mass centre's position less the state's v */
+    vm_vec3 drift;           /* m/s, inertial axes: rate of the mass centre's position r, minus the velocity v */
     vm_vec3 centre_rate;     /* m/s, body axes: velocity at which the mass centre moves in the body */
     vm_inertia inertia_rate; /* kg m^2/s, body axes: rate of the inertia of the body */
     /* fields used only if the scene keeps a budget */
@@ -115,10 +116,10 @@ struct VM_TAG(vm_scene_body) {
     vm_inertia inertia;     /* kg m^2, body axes: the present inertia */
     vm_inertia invertible;  /* kg m^2: `inertia` with an arbitrary moment > 0 about axes without moment of inertia */
     vmi_mat3 axes;          /* the present body axes of a growing body, in inertial axes */
-    int listed_orders;      /* bit (1 << order) for each `order` of the effects on the body that are checked so far */
+    int listed_orders;      /* bit (1 << order) for the `order` of each effect on the body that is checked so far */
     int status;             /* VM_OK, or the reason why the constructor could not make the body */
     vm_real noted_mass;     /* kg: the mass that the body must have after an event */
-    void (*shift)(vm_scene_body *b, vm_vec3 step, const vm_real *state); /* NULL, or adds to `centre` */
+    void (*shift)(vm_scene_body *b, vm_vec3 step, const vm_real *state); /* NULL, or adds `step` to `centre` */
 };
 
 /* Function of the caller that writes position (m), velocity (m/s) and acceleration (m/s^2) of a point at time t */
@@ -188,8 +189,8 @@ struct VM_TAG(vm_effect) {
     const void *parts; /* the vm_point_spring, vm_contact or vm_joints with which the caller made the effect */
 };
 
-/* Which part of the action of an event is left to do after a mass law has failed: nothing, the whole action, or only
-   its last part, which adjusts the masses after a jump or a switching */
+/* Which part of the action of an event the next run must still do, after a mass law has failed: nothing, the whole
+   action, or only the last part of the action, which adjusts the masses after a jump or a switching */
 enum { VMI_LEFT_NOTHING = 0, VMI_LEFT_ALL, VMI_LEFT_MASSES };
 
 /* What a jump event does */
@@ -198,11 +199,11 @@ enum { VMI_JUMP_NONE = 0, VMI_JUMP_SEPARATES, VMI_JUMP_ATTACHES };
 /* An event. A constructor such as vm_event_at says when it happens, and a function such as vm_then_stop says what it
    does. */
 struct VM_TAG(vm_event) {
-    vm_real (*when)(const vm_event *event, vm_real t, const vm_real *y); /* NULL, or is 0 at the event */
+    vm_real (*when)(const vm_event *event, vm_real t, const vm_real *y); /* NULL, or its value is 0 at the event */
     /* NULL if the event is only counted, or the function that the event calls. It returns a status; VM_STOPPED ends the
        run. */
     int (*then)(vm_event *event, vm_real t, vm_real *y);
-    vm_real time;  /* s: the set time of the event; if `when` is not NULL, when the event last happened or the start */
+    vm_real time;  /* s: the set time of the event; if `when` is not NULL: the last crossing, at first the start */
     int direction; /* > 0: the event happens if `when` rises through 0; < 0: if it falls through 0; 0: in both cases */
     /* Each is NULL, or a function that returns a status. check_when checks the condition for the event, `check` checks
        its action. */
@@ -215,8 +216,8 @@ struct VM_TAG(vm_event) {
     int effect;    /* index of the first effect */
     int n_effects; /* number of effects that are switched; they follow each other in the list */
     int off;       /* 1: the effects are switched off; 0: on */
-    /* fields for a jump; the function `jump` computes the motion after the jump, for a line or axle, for the plane, or
-       for any kind of motion */
+    /* fields for a jump; `jump` is a function that computes the motion after the jump: one for a line or an axle, one
+       for the plane, or one for any kind of motion */
     int (*jump)(const vm_event *event, const vm_body *body, vm_body *other, vm_body *result);
     unsigned motions;    /* bit (1 << motion) for each kind of motion that a body may have for this jump */
     int jump_kind;       /* VMI_JUMP_NONE, VMI_JUMP_SEPARATES or VMI_JUMP_ATTACHES */
@@ -279,7 +280,7 @@ struct VM_TAG(vm_budget) {
     void (*totals)(const vm_scene *scene, const vm_real *y, vm_budget *budget);
 };
 
-/* A scene. If a field for a part is 0 or NULL, the scene does not have this part. */
+/* A scene. If the field for a part, such as `budget`, is 0 or NULL, the scene does not have this part. */
 struct VM_TAG(vm_scene) {
     /* fields set by the caller before vm_scene_start */
     vm_scene_body *bodies; /* array of n_bodies bodies */
@@ -291,8 +292,8 @@ struct VM_TAG(vm_scene) {
     int n_events;
     vm_budget *budget; /* NULL, or the budget of vm_scene_keep_budget; y then has VM_BUDGET_STATES more numbers */
     /* NULL, or a function of the caller that writes or keeps results. If `times` is NULL, a run calls it at its start
-       and after each step; else only at the times of this array. If it returns a number other than 0, the run
-       stops. */
+       and after each step; else only at the times of this array. If this function returns a number other than 0, the
+       run stops. */
     int (*output)(vm_real t, const vm_real *y, vm_scene *scene, void *ctx);
     const vm_real *times; /* s: NULL, or an array of n_times increasing times at which output is called */
     int n_times;

@@ -8,8 +8,8 @@
        vm_effect effects[] = {vm_effect_point_spring(0, VM_GROUND, &strut)};    // from a point of body 0 to (2, 1, 0)
 
    The field `work` of the scene's budget includes the work of the force, which is the energy that the spring gives
-   back less the energy that the damper takes out. A spring of the stiffness k, the present length l and the length
-   `rest` without force stores the energy k (l - rest)^2/2.
+   back less the energy that the damper takes out. The spring stores the energy k (l - rest)^2/2, where k is its
+   stiffness, l its present length, and `rest` its length without force.
 
    Tests: tests/test_scene_joints.c. */
 #ifndef VARMASS_SCENES_SPRINGS_H
@@ -33,8 +33,8 @@ typedef struct VM_TAG(vm_point_spring) {
 
 /* Computes the force on the first point; d and v are its position and velocity relative to the second point. If the
    points coincide, a spring whose length `rest` is 0 or whose stiffness is 0 exerts no force, and the damper acts
-   against the velocity v. For any other spring the force then has no direction, and the function returns VM_SINGULAR;
-   otherwise it returns VM_OK. */
+   against the velocity v. For any other spring the force has no direction if the points coincide, and the function
+   returns VM_SINGULAR. In all other cases it returns VM_OK. */
 VM_API int vmi_point_spring_force(const vm_point_spring *spring, vm_vec3 d, vm_vec3 v, vm_vec3 *f)
 {
     const vm_real length = vm_norm(d);
@@ -75,11 +75,11 @@ VM_API int vmi_point_spring_check(const vm_scene *s, const vm_effect *e)
 }
 
 /* A spring and a damper between a point of a body and a point of the body `other`, or of the ground. *spring is not
-   copied: if an event changes it, the run continues with the change. With the length l of the spring, the force that
-   pulls the points together is stiffness (l - rest) + damping l'. vm_scene_start returns VM_BAD_ARGUMENT if spring is
-   NULL, VM_NOT_FINITE if a number is infinite or NaN, VM_DOMAIN if rest < 0, VM_SAME_BODY if the spring connects a
-   body with itself, and VM_BAD_POINT if a body cannot have its point of the spring (points.h). A run ends with
-   VM_SINGULAR if the points coincide, unless rest or stiffness is 0. */
+   copied: if an event changes it, the run continues with the change. The force that pulls the points together is
+   stiffness (l - rest) + damping l', where l is the present length of the spring and l' the rate of this length.
+   vm_scene_start returns VM_BAD_ARGUMENT if spring is NULL, VM_NOT_FINITE if a number is infinite or NaN, VM_DOMAIN if
+   rest < 0, VM_SAME_BODY if the spring connects a body with itself, and VM_BAD_POINT if a body cannot have its point
+   of the spring (points.h). A run ends with VM_SINGULAR if the points coincide, unless rest or stiffness is 0. */
 VM_API vm_effect vm_effect_point_spring(int body, int other, const vm_point_spring *spring)
 {
     vm_effect e = vmi_effect_between(body, 0, other, 0, spring ? vmi_apply_point_spring : NULL);

@@ -20,8 +20,8 @@
 #include "scene.h"
 #include "state.h"
 
-/* Returns 1 if vm_scene_start has started the scene, and if no change of its lists since then can be seen; else 0. The
-   state may be shorter than at the start, since the budget of a scene may be ended. */
+/* Returns 1 if vm_scene_start has started the scene, and if the lists of the scene show no change since then; else 0.
+   The state may be shorter than at the start, since the caller may end the budget of a scene between two runs. */
 VM_API int vmi_scene_is_started(const vm_scene *s)
 {
     int i;
@@ -42,8 +42,9 @@ VM_API vm_real vmi_scene_when(vm_real t, const vm_real *y, void *ctx)
     return 1;
 }
 
-/* Prepares s->located[i], the integrator's event for the event s->events[i] of the scene. If s->events[i] is only
-   counted, without a limit, located->action is ODE_RECORD, which does not end a step; else it is ODE_STOP. */
+/* Prepares s->located[i], the event by which the integrator locates the event s->events[i] of the scene. If
+   s->events[i] has no action and no limit of its number, it is only counted: located->action is then ODE_RECORD, with
+   which the event does not end a step. Else located->action is ODE_STOP. */
 VM_API void vmi_scene_locate(vm_scene *s, int i)
 {
     ode_event *located = s->located + i;
@@ -110,9 +111,9 @@ VM_API void vmi_scene_reset_events(vm_scene *s, vm_real t)
 /* Starts a scene at time t: checks the scene and fills its state y, an array of vm_scene_size(scene) numbers. Returns
    VM_OK, or an error: the status of vm_scene_check, which writes to *fault_or_NULL which part of the scene is wrong;
    VM_BAD_ARGUMENT if y is NULL; VM_NOT_FINITE if t is not finite; VM_SHORT_ARRAY if scene.y_size is set and too small.
-   After these errors y is unchanged. If only a mass law fails at t, y is filled, but the scene is not started: the
-   function returns the status of the law, or VM_NOT_FINITE. After the start the arrays of the scene must stay at their
-   places in memory. */
+   After these errors y is unchanged. If the scene has none of these errors but a mass law fails at t, y is filled, but
+   the scene is not started: the function returns the status of the law, or VM_NOT_FINITE. After the start the arrays
+   of the scene must stay at their places in memory. */
 VM_API int vm_scene_start(vm_scene *scene, vm_real t, vm_real *y, vm_scene_fault *fault_or_NULL)
 {
     int i, end, status = vm_scene_check(scene, fault_or_NULL);

@@ -36,9 +36,9 @@ VM_INLINE int vmi_scene_has_lists(const vm_scene *s)
     return vmi_scene_is_list(s->n_bodies, s->bodies) && vmi_scene_is_list(s->n_effects, s->effects);
 }
 
-/* Number of elements of the state of a scene. This number depends on the bodies, and is larger if the scene keeps a
-   budget. Returns VM_BAD_ARGUMENT if scene is NULL, or if the list of its bodies is missing or has a negative
-   length. */
+/* Number of elements of the state of a scene. These are the elements of all bodies, and VM_BUDGET_STATES more if the
+   scene keeps a budget. Returns VM_BAD_ARGUMENT if scene is NULL, or if the list of its bodies is missing or has a
+   negative length. */
 VM_API int vm_scene_size(const vm_scene *scene)
 {
     int i, size = 0;
@@ -74,8 +74,8 @@ VM_API void vm_scene_body_at(const vm_scene *scene, int body, const vm_real *y, 
     now->r = now->v = now->omega = none;
 }
 
-/* Writes the motion `now` of a body into the state. The angle is a separate argument, since the attitude in *now does
-   not include complete turns. */
+/* Writes the motion *now of a body into the state. The angle is a separate argument, since the attitude in *now cannot
+   tell how many complete turns the angle includes. */
 VM_API void vmi_scene_put(vm_scene *s, int body, const vm_body *now, vm_real angle, vm_real *y)
 {
     vm_scene_body *b = s->bodies + body;
@@ -85,8 +85,8 @@ VM_API void vmi_scene_put(vm_scene *s, int body, const vm_body *now, vm_real ang
     b->put(b, now, angle, y + b->at);
 }
 
-/* Updates the field `idle` of all effects, which is not 0 if an effect does not act: because its body, or the body on
-   which the opposite force acts, is not present, or because the effect is switched off. */
+/* Updates the field `idle` of all effects. It is 0 if the effect acts. It is not 0 if the effect is switched off, or
+   if its body, or the body on which the opposite force acts, is not present. */
 VM_API void vmi_scene_presence(vm_scene *s)
 {
     int i;

@@ -3,8 +3,8 @@
    A stream brings mass into a body or takes mass out of it. The mass of the body must be a number of the state
    (vm_scene_body_with_mass_state). vm_effect_stream is a stream that enters or leaves at the mass centre: it changes
    the mass and exerts a reactive force. Four further effects are for a vm_stream of mechanics/streams.h that enters or
-   leaves at a point of a growing body. Each of these four effects is one action of the stream, and a scene need not
-   have all of them:
+   leaves at a point of a growing body. Each of these four effects is one action of the stream; a scene may have only
+   some of them:
      vm_effect_stream_mass    changes mass, mass centre and inertia; the mass centre then moves with r' = v + (M'/M) d
      vm_effect_stream_force   exerts the reactive force M' (u - v) (156)
      vm_effect_stream_moment  exerts the moment d x M' (u - v) about the mass centre (158)
@@ -57,8 +57,8 @@ VM_API vm_effect vm_effect_stream(int body, vm_real rate, vm_vec3 u, vm_real rea
     return e;
 }
 
-/* A stream at a point of a growing body: `seen` is the motion of the body in the form that vmi_stream_sums needs, and
-   `sum` has the sums that vmi_stream_sums computes */
+/* A stream at a point of a growing body. The field `seen` has the motion of the body, in the form that vmi_stream_sums
+   needs; the field `sum` has the sums that vmi_stream_sums computes */
 typedef struct VM_TAG(vmi_crossing) {
     vmi_stream_seen seen;
     vmi_stream_sum sum;
@@ -170,13 +170,14 @@ VM_API vm_effect vmi_effect_crossing(int body, const vm_stream *stream,
 }
 
 /* Changes mass, mass centre and inertia of a growing body by a stream. *stream is not copied: if an event changes it,
-   the run continues with the change. stream->at is in body axes and leads from the place of the mass centre at the
-   start. The field `mixing` of the budget is right only if the effects for mass, force, moment and torque of the
-   stream are all listed, and if the stream has no store. A stream may have a store on the line through its point and
-   the mass centre; for example, the tank and the nozzle of a rocket lie on the rocket's axis. If no other stream of
-   the body has a store, the motion then is the same as by vm_flow_rhs. vm_scene_start returns VM_BAD_ARGUMENT if
-   stream is NULL or stream->motion is unknown, VM_STORED_STREAM if the store does not lie on this line, and
-   VM_DOES_NOT_GROW if the body is not a growing body. */
+   the run continues with the change. stream->at is a vector in body axes, from the place that the mass centre has in
+   the body at the start to the point of the stream. The field `mixing` of the budget is right only if the effects for
+   mass, force, moment and torque of the stream are all listed, and if the stream has no store. A stream may have a
+   store on the line through the point of the stream and the mass centre; for example, the tank and the nozzle of a
+   rocket lie on the rocket's axis. If no other stream of the body has a store, vm_flow_rhs gives the same motion.
+   vm_scene_start returns VM_BAD_ARGUMENT if stream is NULL or stream->motion is unknown, VM_STORED_STREAM if the store
+   does not lie on the line through the point of the stream and the mass centre, and VM_DOES_NOT_GROW if the body is
+   not a growing body. */
 VM_API vm_effect vm_effect_stream_mass(int body, const vm_stream *stream)
 {
     return vmi_effect_crossing(body, stream, vmi_apply_stream_mass);
@@ -206,10 +207,10 @@ VM_API vm_effect vm_effect_stream_torque(int body, const vm_stream *stream)
 }
 
 /* An effect of a stream that varies in time. The argument `effect` comes from vm_effect_stream_mass, _force, _moment
-   or _torque. At each evaluation the function `vary` receives a copy of the stream and writes the fields that vary,
-   for the time t and the state y: the point, which may move in the body, the rate, the velocity or the store
-   (vm_supply_at computes the store of a tank). vm_scene_start returns VM_BAD_ARGUMENT if vary is NULL or the effect
-   has no stream. */
+   or _torque. At each evaluation the function `vary` receives a copy of the stream, and writes those fields of this
+   copy that vary with the time t or the state y. These may be the point, which may move in the body, the rate, the
+   velocity or the store (vm_supply_at computes the store of a tank). vm_scene_start returns VM_BAD_ARGUMENT if vary is
+   NULL or the effect has no stream. */
 VM_API vm_effect vm_effect_varying(vm_effect effect,
                                    void (*vary)(vm_real t, const vm_real *y, vm_stream *stream, void *ctx),
                                    void *ctx)
